@@ -1,0 +1,37 @@
+//! "Did you mean": the nearest of some words.
+
+/// The word of `among` that is most likely meant by `word`, if one is near enough.
+///
+/// Optimal string alignment distance (a swap of neighbours counts once), upper and lower case
+/// alike: one mistake in words of up to two letters, two up to five, three beyond. Of equally
+/// near words the first is taken.
+pub fn nearest<'a>(word: &str, among: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let lower = word.to_lowercase();
+    let most = match word.chars().count() {
+        0..=2 => 1,
+        3..=5 => 2,
+        _ => 3,
+    };
+    among
+        .into_iter()
+        .map(|candidate| (strsim::osa_distance(&lower, &candidate.to_lowercase()), candidate))
+        .filter(|&(distance, candidate)| distance <= most && distance < candidate.chars().count())
+        .min_by_key(|&(distance, _)| distance)
+        .map(|(_, candidate)| candidate)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest;
+
+    #[test]
+    fn a_swap_is_one_mistake() {
+        assert_eq!(nearest("bezeir", ["line", "bezier", "nurbs"]), Some("bezier"));
+    }
+
+    #[test]
+    fn a_stranger_has_no_neighbour() {
+        assert_eq!(nearest("qqq", ["line", "bezier"]), None);
+        assert_eq!(nearest("ab", ["x", "cd"]), None);
+    }
+}

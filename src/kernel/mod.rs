@@ -1,0 +1,1 @@
+//! NURBS geometry. Knows nothing of scripts, spans or files.

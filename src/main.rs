@@ -1,0 +1,3 @@
+//! The `virote` command.
+
+fn main() {}
