@@ -1,7 +1,6 @@
 //! Virote: an interpreter of a declarative language for exact freeform geometry.
 //!
-//! Reading order: [`diag`] and [`limits`] are the ground; [`kernel`] is the geometry, [`syntax`]
-//! turns text into a tree; `ARCHITECTURE.md` has the map.
+//! Reading order: the ground first, then what stands on it; `ARCHITECTURE.md` has the map.
 
 pub mod diag;
 pub mod kernel;

@@ -87,12 +87,15 @@ codes! {
     UnknownOperation "E0205" "no such built-in"
         "`virote doc NAME` explains a built-in; `virote doc` without a name lists all of them."
 
+    Private "E0206" "a name that is private to its file"
+        "Names that begin with `_` belong to their file alone. Import a public name, or give this one a name without the `_`."
+
     // E03xx: kinds of values.
     WrongKind "E0301" "a value of the wrong kind"
         "Here another kind of value is wanted. The message tells what was found. Kinds are not converted silently: `str` makes text of a value, `num` a number of text."
     BrokenPromise "E0302" "a definition is not of its promised kind"
         "`curve c = ...` promises a curve. Use the word that fits the value, or `let`, which promises nothing."
-    UnitMismatch "E0303" "lengths and angles do not mix"
+    UnitMismatch "E0303" "units that do not fit"
         "Numbers may carry powers of length and angle, from literals such as `10mm` and `30deg`. Sums and comparisons need the same on both sides; a number without a unit counts as document units of length. Divide by `1mm` or `1deg` to take a unit away."
     MissingAngleUnit "E0304" "an angle needs its unit"
         "Where an angle is wanted, a bare number could mean degrees as well as radians. Write `90deg`, `1.57rad` or `0.25turn`."
@@ -134,7 +137,7 @@ codes! {
         "The points of a surface form a grid: a list of rows, `grid[i][j]` with i along u and j along v, each row of the same length."
     OutsideDomain "E0606" "a parameter outside the domain"
         "A curve exists on its domain, `c.domain`, a surface on `s.domain_u` and `s.domain_v`. Beyond them there is nothing to ask about."
-    Degenerate "E0607" "geometry without an answer"
+    Degenerate "E0607" "degenerate geometry"
         "The question has no answer at this place: a direction of length zero, a tangent or normal that does not exist, a circle without a radius, coincident data."
 
     // E07xx: files.
@@ -153,6 +156,9 @@ codes! {
     DuplicateExport "E0707" "two exports to one file"
         "Each exported file has one `export` statement; a second one would overwrite the first. List several values in one statement: `export a, b to \"both.obj\"`."
 
+    ImportCycle "E0708" "files import one another in a circle"
+        "A file may import others, but not itself by way of them: none of them could be evaluated first. Move what both need into a third file that both import."
+
     // E08xx: parameters of the file.
     UnknownParameter "E0801" "no such parameter"
         "`--set NAME=VALUE` replaces the value of a `param` of the script; the message lists its parameters."
@@ -161,7 +167,7 @@ codes! {
 
     // E09xx: ceilings.
     TooLarge "E0901" "more than the ceiling"
-        "Lists, meshes, degrees and steps have ceilings, so that a slip of the pen does not exhaust the machine. The message names the ceiling."
+        "Lists, meshes, degrees and steps have ceilings, so that a slip of the pen does not exhaust the machine. The message names the ceiling; `--limit` moves those that are not set by the mathematics."
 
     // E10xx: claims.
     CheckFailed "E1001" "a check does not hold"

@@ -4,9 +4,11 @@
 
 mod code;
 mod nearest;
+mod source;
 
 pub use code::Code;
 pub use nearest::nearest;
+pub use source::{Source, Sources};
 
 /// Half-open byte range.
 ///
@@ -65,6 +67,17 @@ impl<T> Spanned<T> {
     /// `value` at `span`.
     pub fn new(value: T, span: Span) -> Self {
         Self { value, span }
+    }
+
+    /// `value` without a place, as the default of a parameter.
+    pub fn unplaced(value: T) -> Self {
+        Self { value, span: Span::default() }
+    }
+
+    /// The place, or another where this value has none.
+    #[must_use]
+    pub fn span_or(&self, other: Span) -> Span {
+        if self.span == Span::default() { other } else { self.span }
     }
 
     /// The same place with another value.

@@ -7,13 +7,16 @@
 /// near words the first is taken.
 pub fn nearest<'a>(word: &str, among: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let lower = word.to_lowercase();
-    let most = match word.chars().count() {
+    let n_chars = word.chars().count();
+    let most = match n_chars {
         0..=2 => 1,
         3..=5 => 2,
         _ => 3,
     };
     among
         .into_iter()
+        // The distance is at least the difference in length.
+        .filter(|candidate| candidate.chars().count().abs_diff(n_chars) <= most)
         .map(|candidate| (strsim::osa_distance(&lower, &candidate.to_lowercase()), candidate))
         .filter(|&(distance, candidate)| distance <= most && distance < candidate.chars().count())
         .min_by_key(|&(distance, _)| distance)

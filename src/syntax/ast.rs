@@ -122,6 +122,29 @@ pub enum Kind {
     Tables,
 }
 
+impl Kind {
+    /// Every kind with its keyword, in the order of the reference.
+    pub const ALL: &'static [(&'static str, Self)] = &[
+        ("let", Self::Let),
+        ("point", Self::Point),
+        ("curve", Self::Curve),
+        ("surface", Self::Surface),
+        ("mesh", Self::Mesh),
+        ("table", Self::Table),
+        ("points", Self::Points),
+        ("curves", Self::Curves),
+        ("surfaces", Self::Surfaces),
+        ("meshes", Self::Meshes),
+        ("tables", Self::Tables),
+    ];
+
+    /// The keyword.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        Self::ALL.iter().find(|&&(_, kind)| kind == self).map_or("", |&(word, _)| word)
+    }
+}
+
 /// `KIND [NAME] = EXPR [with (...)]`; without a name the `=` is missing too
 #[derive(Clone, Debug, PartialEq)]
 pub struct Definition<'s> {
@@ -363,6 +386,32 @@ pub enum BinaryOp {
     Remainder,
     /// `^`
     Power,
+}
+
+impl BinaryOp {
+    /// How scripts write it.
+    #[must_use]
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Or => "or",
+            Self::And => "and",
+            Self::Equal => "==",
+            Self::NotEqual => "!=",
+            Self::Less => "<",
+            Self::LessEqual => "<=",
+            Self::Greater => ">",
+            Self::GreaterEqual => ">=",
+            Self::Near => "~=",
+            Self::Range => "..",
+            Self::RangeBelow => "..<",
+            Self::Add => "+",
+            Self::Subtract => "-",
+            Self::Multiply => "*",
+            Self::Divide => "/",
+            Self::Remainder => "%",
+            Self::Power => "^",
+        }
+    }
 }
 
 /// A unit of length or angle.

@@ -1,3 +1,12 @@
 //! Text to tree and back. Pure, and never fails: any text gives a tree and diagnostics.
 
 pub mod ast;
+mod lexed;
+mod lexer;
+mod parser;
+mod print;
+mod token;
+
+pub use parser::parse;
+pub use print::{format, print};
+pub use token::KEYWORDS;

@@ -1,0 +1,395 @@
+//! Text to tokens: logos finds them, this file adds what needs memory: the parts of interpolated
+//! strings, nested comments, the beginnings of lines, and habits from other languages.
+
+use logos::{FilterResult, Lexer, Logos};
+
+use super::lexed::{Comment, Lexed};
+use super::token::Token;
+use crate::diag::{Code, Diagnostic, Span};
+
+/// The tokens of `source`, which is shorter than 4 GiB; keeps at most `most` diagnostics.
+pub(super) fn lex(source: &str, most: usize) -> Lexed<'_> {
+    let mut scanner = Scanner {
+        source,
+        lexer: Token::lexer(source),
+        out: Lexed { source, ..Lexed::default() },
+        open: Vec::new(),
+        end: 0,
+        most,
+    };
+    scanner.out.tokens.reserve(source.len() / 3);
+    scanner.out.spans.reserve(source.len() / 3);
+    while let Some(token) = scanner.lexer.next() {
+        scanner.take(token.unwrap_or(Token::Bad));
+    }
+    scanner.finish()
+}
+
+/// An interpolated string that is still open.
+struct Interpolation {
+    /// The index of its head.
+    head: usize,
+    /// Braces open inside the current expression.
+    braces: usize,
+}
+
+struct Scanner<'s> {
+    source: &'s str,
+    lexer: Lexer<'s, Token>,
+    out: Lexed<'s>,
+    open: Vec<Interpolation>,
+    /// Where the token before ends.
+    end: usize,
+    most: usize,
+}
+
+/// What ends a piece of a string.
+enum PieceEnd {
+    Quote,
+    Brace,
+    Line,
+}
+
+/// Spellings of other languages: what they mean here, and what to do.
+const FOREIGN: &[(&str, Token, &str)] = &[
+    ("&&", Token::And, "write `and`"),
+    ("&", Token::And, "write `and`"),
+    ("||", Token::Or, "write `or`"),
+    ("|", Token::Pipe, "write `or`, or `|>` to pass a value into a call"),
+    ("!", Token::Not, "write `not`"),
+    (":=", Token::Equals, "write `=`"),
+    ("->", Token::Arrow, "a function is written `x => x^2`"),
+    ("**", Token::Caret, "a power is written `a^b`"),
+    ("<>", Token::NotEqual, "write `!=`"),
+    ("===", Token::Equal, "write `==`"),
+    ("+=", Token::Bad, "there is no assignment: give the new value a name of its own"),
+    ("-=", Token::Bad, "there is no assignment: give the new value a name of its own"),
+    ("°", Token::Bad, "write `deg`, glued to the number: `45deg`"),
+    ("−", Token::Minus, "write the minus of the keyboard: `-`"),
+    ("×", Token::Star, "write `*`"),
+    ("·", Token::Star, "write `*`, or `dot(a, b)`"),
+    ("÷", Token::Slash, "write `/`"),
+    ("≤", Token::LessEqual, "write `<=`"),
+    ("≥", Token::GreaterEqual, "write `>=`"),
+    ("≠", Token::NotEqual, "write `!=`"),
+    ("≈", Token::Near, "write `~=`"),
+    ("…", Token::Range, "write `..` for a range, `...` to spread a list"),
+];
+
+impl<'s> Scanner<'s> {
+    fn take(&mut self, token: Token) {
+        if matches!(token, Token::LineComment | Token::BlockComment) {
+            return self.comment(token);
+        }
+        let start = self.lexer.span().start;
+        if !self.open.is_empty() && self.source[self.end..start].contains('\n') {
+            self.give_up_string(self.end);
+        }
+        match token {
+            Token::Text => self.piece(Token::Text, Token::TextHead),
+            Token::OpenBrace => {
+                if let Some(inner) = self.open.last_mut() {
+                    inner.braces += 1;
+                }
+                self.push(token);
+            }
+            Token::CloseBrace => self.close_brace(),
+            Token::OpenParen | Token::OpenBracket | Token::Minus => self.line_start(token),
+            Token::Dot | Token::Number => self.point_or_number(token),
+            Token::Foreign => self.foreign(),
+            Token::ForeignText => self.foreign_text(),
+            Token::Hash => self.hash(),
+            Token::Bad => self.stray(),
+            _ => self.push(token),
+        }
+        self.end = self.lexer.span().end;
+    }
+
+    fn finish(mut self) -> Lexed<'s> {
+        if !self.open.is_empty() {
+            self.give_up_string(self.end);
+        }
+        let end = offset(self.source.len());
+        self.out.tokens.push(Token::End);
+        self.out.spans.push(Span::new(end, end));
+        self.out
+    }
+
+    fn span(&self) -> Span {
+        let range = self.lexer.span();
+        Span::new(offset(range.start), offset(range.end))
+    }
+
+    fn push(&mut self, token: Token) {
+        self.out.spans.push(self.span());
+        self.out.tokens.push(token);
+    }
+
+    fn complain(&mut self, diagnostic: Diagnostic) {
+        if self.out.diagnostics.len() < self.most {
+            self.out.diagnostics.push(diagnostic);
+        }
+    }
+
+    fn comment(&mut self, token: Token) {
+        let text = self.lexer.slice();
+        if token == Token::BlockComment && !is_closed(text) {
+            let start = self.span().start;
+            let diagnostic = Diagnostic::error(
+                Code::UnclosedComment,
+                Span::new(start, start + 2),
+                "this comment is never closed",
+            );
+            self.complain(
+                diagnostic
+                    .label("`*/` is missing")
+                    .hint("comments nest: every `/*` needs its own `*/`"),
+            );
+        }
+        let is_doc =
+            token == Token::LineComment && text.starts_with("///") && !text.starts_with("////");
+        let mut span = self.span();
+        span.end -= u32::from(text.ends_with('\r'));
+        self.out.comments.push(Comment { span, before: self.out.tokens.len(), is_doc });
+    }
+
+    /// A bracket or a minus: another kind when it begins a line.
+    fn line_start(&mut self, token: Token) {
+        let gap = &self.source[self.end..self.lexer.span().start];
+        let begins_line = self.out.tokens.is_empty() || gap.contains('\n');
+        self.push(match token {
+            Token::OpenParen if begins_line => Token::LineParen,
+            Token::OpenBracket if begins_line => Token::LineBracket,
+            Token::Minus if begins_line => Token::LineMinus,
+            _ => token,
+        });
+    }
+
+    fn close_brace(&mut self) {
+        match self.open.last_mut() {
+            Some(inner) if inner.braces == 0 => self.piece(Token::TextTail, Token::TextMiddle),
+            Some(inner) => {
+                inner.braces -= 1;
+                self.push(Token::CloseBrace);
+            }
+            None => self.push(Token::CloseBrace),
+        }
+    }
+
+    /// The piece of a string that begins here: `last` when a quote ends it, `more` when a brace does.
+    fn piece(&mut self, last: Token, more: Token) {
+        let (len, end) = piece(self.lexer.remainder());
+        self.lexer.bump(len);
+        match end {
+            PieceEnd::Quote => {
+                if last == Token::TextTail {
+                    self.open.pop();
+                }
+                self.push(last);
+            }
+            PieceEnd::Brace => {
+                if more == Token::TextHead {
+                    self.open.push(Interpolation { head: self.out.tokens.len(), braces: 0 });
+                }
+                self.push(more);
+            }
+            PieceEnd::Line => {
+                self.push(last);
+                self.open.push(Interpolation { head: self.out.tokens.len() - 1, braces: 0 });
+                self.give_up_string(self.lexer.span().end);
+            }
+        }
+    }
+
+    /// Reports the outermost open string, which ends with its line at `end`.
+    fn give_up_string(&mut self, end: usize) {
+        let Some(outermost) = self.open.first() else { return };
+        let head = outermost.head;
+        let has_brace = self.out.tokens[head] == Token::TextHead;
+        let line = self.source[..end].trim_end();
+        let span = Span::new(self.out.spans[head].start, offset(line.len()));
+        let diagnostic =
+            Diagnostic::error(Code::UnclosedString, span, "this string is never closed")
+                .label("a `\"` is missing before the end of the line");
+        self.complain(if has_brace {
+            diagnostic.hint(
+                "`{` begins an interpolation that ends with `}`; write `\\{` for the brace itself",
+            )
+        } else {
+            diagnostic
+        });
+        self.out.tokens.truncate(head);
+        self.out.spans.truncate(head);
+        self.out.tokens.push(Token::Bad);
+        self.out.spans.push(span);
+        for comment in self.out.comments.iter_mut().rev().take_while(|c| c.before > head + 1) {
+            comment.before = head + 1;
+        }
+        self.open.clear();
+    }
+
+    /// `1.` and `.5` are reported and mean what they seem to.
+    fn point_or_number(&mut self, token: Token) {
+        if !self.is_half_number(token) {
+            return self.push(token);
+        }
+        let whole = self.out.spans.pop().unwrap_or_default().to(self.span());
+        let text = &self.source[whole.range()];
+        let meant = if token == Token::Dot { format!("{text}0") } else { format!("0{text}") };
+        let message = format!("`{text}` lacks digits on one side of its point");
+        let diagnostic = Diagnostic::error(Code::BadNumber, whole, message);
+        self.complain(diagnostic.label(format!("did you mean `{meant}`?")));
+        self.out.tokens.pop();
+        self.out.tokens.push(Token::Number);
+        self.out.spans.push(whole);
+    }
+
+    /// Whether `token` and the one before it are `1.` or `.5`.
+    fn is_half_number(&self, token: Token) -> bool {
+        let (Some(last), Some(before)) = (self.out.tokens.last(), self.out.spans.last()) else {
+            return false;
+        };
+        let is_glued = before.end as usize == self.lexer.span().start;
+        match (last, token) {
+            (Token::Number, Token::Dot) => {
+                is_glued && self.source[before.range()].bytes().all(|b| b.is_ascii_digit())
+            }
+            (Token::Dot, Token::Number) => {
+                let at = self.out.spans.len() - 1;
+                let stands_alone = at == 0
+                    || self.out.spans[at - 1].end < before.start
+                    || !self.out.tokens[at - 1].ends_expression();
+                is_glued && stands_alone
+            }
+            _ => false,
+        }
+    }
+
+    fn foreign(&mut self) {
+        let (span, text) = (self.span(), self.lexer.slice());
+        let known = FOREIGN.iter().find(|(spelling, ..)| *spelling == text);
+        let Some(&(_, meant, hint)) = known else { return self.stray() };
+        let diagnostic =
+            Diagnostic::error(Code::StrayText, span, format!("`{text}` means nothing here"));
+        self.complain(diagnostic.label("not part of the language").hint(hint));
+        if text != "°" {
+            self.push(meant);
+        }
+    }
+
+    fn foreign_text(&mut self) {
+        let (span, text) = (self.span(), self.lexer.slice());
+        let inner = text.trim_matches(['\'', '"', '“', '”', '„', '‟', '‘', '’']);
+        let diagnostic =
+            Diagnostic::error(Code::StrayText, span, "a string stands in straight double quotes");
+        self.complain(diagnostic.label(format!("did you mean `\"{inner}\"`?")));
+        self.push(Token::Bad);
+    }
+
+    /// A comment of another language, or a colour without quotes.
+    fn hash(&mut self) {
+        let rest = self.lexer.remainder();
+        let digits = rest.len() - rest.trim_start_matches(|c: char| c.is_ascii_hexdigit()).len();
+        let is_colour = matches!(digits, 3 | 4 | 6 | 8);
+        let line = rest.find('\n').unwrap_or(rest.len());
+        self.lexer.bump(if is_colour { digits } else { line });
+        let span = Span::new(self.span().start, self.span().start + 1);
+        let diagnostic = Diagnostic::error(Code::StrayText, span, "`#` means nothing here")
+            .label("not part of the language");
+        if is_colour {
+            self.complain(
+                diagnostic.hint(format!("a colour is a string: `\"{}\"`", self.lexer.slice())),
+            );
+            self.push(Token::Bad);
+        } else {
+            self.complain(diagnostic.hint("a comment begins with `//`"));
+        }
+    }
+
+    /// Text that is nothing; neighbours are reported as one.
+    fn stray(&mut self) {
+        let span = self.span();
+        let message = |text: &str| format!("`{text}` means nothing here");
+        let glued = self.out.spans.last().is_some_and(|last| last.end == span.start);
+        match self.out.diagnostics.last_mut() {
+            Some(last)
+                if glued && last.code == Code::StrayText && last.primary.span.end == span.start =>
+            {
+                let whole = last.primary.span.to(span);
+                last.primary.span = whole;
+                last.message = message(&self.source[whole.range()]);
+                if let Some(token) = self.out.spans.last_mut() {
+                    *token = whole;
+                }
+                return;
+            }
+            _ => {}
+        }
+        let diagnostic = Diagnostic::error(Code::StrayText, span, message(self.lexer.slice()));
+        let diagnostic = diagnostic.label("not part of the language");
+        self.complain(match self.lexer.slice() {
+            "?" => diagnostic.hint("a choice is written `if c then a else b`"),
+            "\\" => diagnostic.hint("lines need no continuation mark"),
+            "'" => diagnostic.hint("strings take double quotes"),
+            _ => diagnostic,
+        });
+        self.push(Token::Bad);
+    }
+}
+
+/// `source` is shorter than 4 GiB, which `parse` makes sure of.
+fn offset(at: usize) -> u32 {
+    u32::try_from(at).unwrap_or(u32::MAX)
+}
+
+/// Takes a comment that began with `/*` to the `*/` of its own, or to the end of the text.
+pub(super) fn block_comment(lexer: &mut Lexer<'_, Token>) -> FilterResult<(), ()> {
+    let len = comment_len(lexer.remainder()).unwrap_or(lexer.remainder().len());
+    lexer.bump(len);
+    FilterResult::Emit(())
+}
+
+/// Bytes up to and with the `*/` that closes the comment around `rest`.
+fn comment_len(rest: &str) -> Option<usize> {
+    let bytes = rest.as_bytes();
+    let (mut at, mut depth) = (0, 1);
+    while at + 1 < bytes.len() {
+        match &bytes[at..at + 2] {
+            b"/*" => depth += 1,
+            b"*/" => depth -= 1,
+            _ => {
+                at += 1;
+                continue;
+            }
+        }
+        at += 2;
+        if depth == 0 {
+            return Some(at);
+        }
+    }
+    None
+}
+
+fn is_closed(comment: &str) -> bool {
+    comment_len(&comment[2..]).is_some()
+}
+
+/// The length of the piece of a string that begins with `rest`, its end mark included.
+fn piece(rest: &str) -> (usize, PieceEnd) {
+    let bytes = rest.as_bytes();
+    let mut at = 0;
+    while at < bytes.len() {
+        match bytes[at] {
+            b'\n' => return (at, PieceEnd::Line),
+            b'"' => return (at + 1, PieceEnd::Quote),
+            b'{' => return (at + 1, PieceEnd::Brace),
+            b'\\' if bytes[at + 1..].starts_with(b"u{") => at += 3,
+            b'\\' if bytes.get(at + 1).is_some_and(|&b| b != b'\n') => at += 2,
+            _ => at += 1,
+        }
+    }
+    (bytes.len(), PieceEnd::Line)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,262 @@
+//! What people write where the grammar wants something else.
+
+use super::statement::unit;
+use super::{Expected, Place};
+use crate::diag::{Code, Diagnostic};
+use crate::syntax::ast::Unit;
+use crate::syntax::token::Token;
+
+/// A complaint that knows what was meant, if there is one.
+pub(super) fn explain(place: &Place<'_, '_, '_>, expected: Expected) -> Option<Diagnostic> {
+    let has = |token: Token| expected.has_token(token);
+    if place.found() == Token::Name
+        && place.before() == Token::Number
+        && Unit::from_name(place.text()).is_some()
+    {
+        return Some(unit(place));
+    }
+    if expected.has(Expected::EXPRESSION) {
+        expression(place)
+    } else if expected.has(Expected::NAME) {
+        name(place)
+    } else if expected.has(Expected::TEXT) {
+        text(place)
+    } else if expected.has(Expected::VALUE) {
+        Some(value(place))
+    } else if has(Token::Equals) {
+        equals(place)
+    } else if has(Token::Then) || has(Token::Else) {
+        Some(choice(place, expected))
+    } else if has(Token::In) || has(Token::Colon) {
+        comprehension(place, expected)
+    } else if has(Token::To) {
+        to(place)
+    } else if has(Token::OpenParen) {
+        parameters(place)
+    } else if has(Token::CloseBrace) && !has(Token::Comma) {
+        Some(end_of_block(place))
+    } else {
+        list(place, expected)
+    }
+}
+
+fn expression(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
+    let plain = || place.expected("an expression");
+    let found = place.found();
+    Some(match found {
+        Token::Range | Token::RangeBelow => {
+            plain().hint("a range has two ends: from the start it is `xs[0..3]`")
+        }
+        Token::CloseBracket if matches!(place.before(), Token::Range | Token::RangeBelow) => {
+            plain().hint("a range has two ends: to the end of a list it is `xs[1..-1]`")
+        }
+        Token::Spread => place
+            .wrong("`...` spreads a list inside of `[ ]` and nowhere else")
+            .hint("where a list is wanted, pass the list itself"),
+        Token::Equals if is_setting(place.before()) => takes_no_equals(place),
+        Token::TextMiddle | Token::TextTail if is_text_start(place.before()) => {
+            let span = place.script.span(place.at - 1).at_end();
+            let span = crate::diag::Span::new(span.end - 1, place.script.span(place.at).start + 1);
+            Diagnostic::error(Code::Syntax, span, "an interpolation is empty")
+                .label("expected an expression between the braces")
+                .hint("write `\\{` for the brace itself")
+        }
+        Token::For => {
+            place.wrong("a comprehension stands in `[ ]`").hint("write `[for i in 0..3: ...]`")
+        }
+        Token::Star if place.before() == Token::Star => plain().hint("a power is written `a^b`"),
+        Token::Equals if is_comparison_part(place.before()) => {
+            plain().hint("comparisons are `== != < <= > >= ~=`")
+        }
+        _ if found.begins_statement() && !place.script.begins_line(place.at) => keyword(place),
+        _ => return None,
+    })
+}
+
+fn is_comparison_part(token: Token) -> bool {
+    matches!(token, Token::Less | Token::Greater | Token::Equals | Token::Equal)
+}
+
+/// A statement's keyword in the middle of a line.
+fn keyword(place: &Place<'_, '_, '_>) -> Diagnostic {
+    let text = place.text();
+    place
+        .expected("an expression")
+        .label(format!("`{text}` is a keyword; it begins a statement and cannot name a value"))
+}
+
+fn name(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
+    Some(match place.found() {
+        Token::Number if place.before() == Token::Dot => {
+            place.expected("a name").hint(format!("an element of a list is `xs[{}]`", place.text()))
+        }
+        Token::Text => place.expected("a name").hint("names stand without quotes"),
+        Token::Equals if is_setting(place.before()) => takes_no_equals(place),
+        Token::Number => place.expected("a name").hint("a name begins with a letter"),
+        token if token.is_keyword() && !place.is_missing() => {
+            place.wrong(format!("`{}` is a keyword; choose another name", place.text()))
+        }
+        _ => return None,
+    })
+}
+
+/// `unit = mm`
+fn takes_no_equals(place: &Place<'_, '_, '_>) -> Diagnostic {
+    let keyword = place.script.text(place.at - 1);
+    place.wrong(format!("`{keyword}` takes no `=`")).label("drop this")
+}
+
+fn is_text_start(token: Token) -> bool {
+    matches!(token, Token::TextHead | Token::TextMiddle)
+}
+
+fn is_setting(token: Token) -> bool {
+    matches!(token, Token::Geo | Token::Unit | Token::Tolerance)
+}
+
+/// A path or a title without quotes: all that is glued together is meant.
+fn text(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
+    if place.is_missing() || !place.found().is_word() && place.found() != Token::Number {
+        return None;
+    }
+    let script = place.script;
+    let is_glued = |at: &usize| script.gap(*at).end == script.span(*at).start;
+    let is_part = |at: &usize| {
+        let token = script.token(*at);
+        token.is_word()
+            || matches!(
+                token,
+                Token::Dot | Token::Slash | Token::Minus | Token::Number | Token::Range
+            )
+    };
+    let end = (place.at + 1..script.tokens.len())
+        .find(|at| !is_glued(at) || !is_part(at))
+        .unwrap_or(place.at + 1);
+    let span = script.place(place.at, end);
+    let text = &script.source[span.range()];
+    let message = format!("expected a string, found `{text}`");
+    Some(
+        Diagnostic::error(Code::Syntax, span, message).label(format!("did you mean `\"{text}\"`?")),
+    )
+}
+
+fn value(place: &Place<'_, '_, '_>) -> Diagnostic {
+    Diagnostic::error(Code::Syntax, place.script.gap(place.at), "the block has no value")
+        .label("expected an expression after this")
+        .hint("a block holds definitions, then its value: `{ let a = 1  a + 1 }`")
+}
+
+fn equals(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
+    let keyword = place.script.token(place.start);
+    Some(match place.found() {
+        Token::Equal => place.guess("`=`", "="),
+        Token::Arrow if keyword == Token::Fn => place.guess("`=`", "="),
+        Token::OpenBrace if keyword == Token::Fn => {
+            place.expected("`=`").hint("a function is written `fn f(x) = ...`")
+        }
+        Token::OpenParen if keyword == Token::Let => {
+            place.expected("`=`").hint("a function is defined by `fn f(x) = ...`")
+        }
+        Token::Colon => place
+            .expected("`=`")
+            .hint("only a `param` states its kind so; `point`, `curve`, `surface`, `mesh` and `table` take the place of `let`"),
+        Token::In if keyword == Token::Param => {
+            place.expected("`=`").hint("the default comes first: `param n = 3 in 1..5`")
+        }
+        _ => return None,
+    })
+}
+
+fn choice(place: &Place<'_, '_, '_>, expected: Expected) -> Diagnostic {
+    let want = expected.words();
+    let word = want.trim_matches('`');
+    if place.found() == Token::Equals && word == "then" {
+        return place.wrong("`=` does not compare").label("did you mean `==`?");
+    }
+    if place.slip([word]).is_some() {
+        return place.guess(&want, word);
+    }
+    let diagnostic = place.expected(&want);
+    if word == "else" {
+        return diagnostic.hint("an `if` always has an `else`: `if c then a else b`");
+    }
+    diagnostic.hint("a choice is written `if c then a else b`")
+}
+
+fn comprehension(place: &Place<'_, '_, '_>, expected: Expected) -> Option<Diagnostic> {
+    Some(match place.found() {
+        Token::Equals | Token::Colon if expected.has_token(Token::In) => place.guess("`in`", "in"),
+        Token::Arrow | Token::Then | Token::Equals => place.guess("`:`", ":"),
+        Token::For => place
+            .expected("`:`")
+            .hint("several variables are separated by commas: `[for i in xs, j in ys: ...]`"),
+        Token::CloseBracket => place
+            .expected(&expected.words())
+            .hint("what each element is comes last: `[for i in 0..3: i^2]`"),
+        Token::Comma if expected.has_token(Token::In) => place
+            .expected("`in`")
+            .hint("to take an element apart write `[for [a, b] in pairs: ...]`"),
+        _ => return None,
+    })
+}
+
+fn to(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
+    match place.found() {
+        Token::Name if matches!(place.text(), "into" | "onto" | "in" | "too" | "tp" | "ot") => {
+            Some(place.guess("`to`", "to"))
+        }
+        Token::As | Token::In | Token::Arrow => Some(place.guess("`to`", "to")),
+        Token::Text => Some(
+            Diagnostic::error(
+                Code::Syntax,
+                place.script.gap(place.at),
+                "expected `to`, found a string",
+            )
+            .label("expected `to` after this"),
+        ),
+        _ => Some(place.expected("`to`").hint("write `export s to \"hull.obj\"`")),
+    }
+}
+
+fn parameters(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
+    let keyword = place.script.token(place.start);
+    if keyword == Token::Fn && place.found() == Token::Equals {
+        return Some(place.expected("`(`").hint("write `fn f(x) = ...` or `let f = x => ...`"));
+    }
+    None
+}
+
+/// More after the value of a block.
+fn end_of_block(place: &Place<'_, '_, '_>) -> Diagnostic {
+    let diagnostic = place.expected("`}`");
+    match place.found() {
+        token if token.begins_statement() => {
+            diagnostic.hint("the value of a block stands last, after its definitions")
+        }
+        Token::Comma | Token::Colon => {
+            diagnostic.hint("a record is written `{label: value, other: value}`")
+        }
+        _ => diagnostic,
+    }
+}
+
+fn list(place: &Place<'_, '_, '_>, expected: Expected) -> Option<Diagnostic> {
+    let plain = || place.expected(&expected.words());
+    Some(match place.found() {
+        Token::Semicolon => place.guess(&expected.words(), ","),
+        Token::For => plain().hint("a comprehension is written `[for x in xs: x^2]`"),
+        Token::Equals if place.before() == Token::Name => {
+            place.wrong("`=` does not compare").label("did you mean `==`?")
+        }
+        Token::Equals => {
+            plain().hint("comparisons are `==`; an argument is written `name = value`")
+        }
+        Token::Colon if place.script.token(place.start) == Token::Fn => {
+            plain().hint("the parameters of a function state no kind")
+        }
+        Token::Colon => {
+            plain().hint("records stand in braces: `{a: 1}`; arguments are written `name = value`")
+        }
+        _ => return None,
+    })
+}

@@ -1,0 +1,187 @@
+//! What people write where a statement should begin, and what they write behind one.
+
+use super::Place;
+use crate::diag::{Code, Diagnostic};
+use crate::syntax::ast::Unit;
+use crate::syntax::parser::input::Script;
+use crate::syntax::token::Token;
+
+/// Words that begin statements in other languages, and what takes their place.
+const HABITS: &[(&str, &str)] = &[
+    ("function", "fn"),
+    ("def", "fn"),
+    ("func", "fn"),
+    ("fun", "fn"),
+    ("const", "let"),
+    ("var", "let"),
+    ("val", "let"),
+    ("set", "let"),
+    ("define", "let"),
+    ("assert", "check"),
+    ("require", "check"),
+    ("echo", "print"),
+    ("println", "print"),
+    ("show", "print"),
+    ("include", "import"),
+    ("use", "import"),
+    ("from", "import"),
+    ("save", "export"),
+    ("write", "export"),
+    ("parameter", "param"),
+    ("input", "param"),
+    ("vector", "point"),
+    ("units", "unit"),
+];
+
+/// No statement begins with the token that was found.
+pub(super) fn beginning(place: &Place<'_, '_, '_>) -> Diagnostic {
+    let found = place.found();
+    match found {
+        Token::Name => name(place),
+        Token::For => place
+            .wrong("there are no loops")
+            .label("a `for` stands inside a list")
+            .hint("write `let xs = [for i in 0..3: ...]`"),
+        Token::If => place
+            .wrong("a choice is no statement")
+            .label("an `if` is an expression")
+            .hint("write `let x = if c then a else b`"),
+        Token::LineMinus | Token::LineParen | Token::LineBracket if place.at > 0 => {
+            let message = format!("expected a statement, found {}", place.shown());
+            let diagnostic = place.wrong(message).label("this begins a line");
+            place.line_hint().into_iter().fold(diagnostic, Diagnostic::hint)
+        }
+        _ if found.begins_expression() => lone_expression(place),
+        _ => place.wrong(format!("expected a statement, found {}", place.shown())),
+    }
+}
+
+fn name(place: &Place<'_, '_, '_>) -> Diagnostic {
+    let text = place.text();
+    let diagnostic = place.wrong(format!("`{text}` does not begin a statement"));
+    let guess = |keyword: &str| format!("did you mean `{keyword}`?");
+    if matches!(place.next(), Token::Equals) {
+        return diagnostic.label(guess(&format!("let {text} = ...")));
+    }
+    if let Some((_, keyword)) = HABITS.iter().find(|(habit, _)| *habit == text) {
+        return diagnostic.label(guess(keyword));
+    }
+    match text {
+        "while" => return diagnostic.hint("there are no loops; write `[for i in 0..3: ...]`"),
+        "return" => return diagnostic.hint("the value of a block stands last, without a word"),
+        "expect" => return diagnostic.label("did you mean `expect error \"E0203\" ...`?"),
+        _ => {}
+    }
+    let follows = place.next();
+    let is_statement = follows.begins_expression() && follows != Token::OpenParen;
+    let keywords = Token::STATEMENTS.iter().map(|keyword| keyword.text());
+    match place.slip(keywords) {
+        Some(keyword) if is_statement => diagnostic.label(guess(keyword)),
+        _ if matches!(follows, Token::OpenParen | Token::Dot | Token::OpenBracket) => {
+            lone_expression(place)
+        }
+        _ => diagnostic.hint(
+            "statements begin with `let`, `param`, `fn`, `point`, `curve`, `surface`, `mesh`, `table`, `check`, `print`, `export`, `import` or `test`",
+        ),
+    }
+}
+
+fn lone_expression(place: &Place<'_, '_, '_>) -> Diagnostic {
+    place
+        .wrong("an expression alone is no statement")
+        .label("expected a keyword before this")
+        .hint("to name the value write `let name = ...`, to see it `print ...`")
+}
+
+/// Something stands behind a whole statement, which began with token `start`; `None` when it is
+/// already reported.
+pub(crate) fn trailing(script: &Script<'_, '_>, start: usize, at: usize) -> Option<Diagnostic> {
+    let place = Place { script, start, at };
+    let (keyword, before) = (script.token(start), place.before());
+    Some(match place.found() {
+        Token::Bad => return None,
+        Token::Equals => place.wrong("`=` does not compare").label("did you mean `==`?"),
+        Token::Name if before == Token::Number && is_unit(place.text()) => unit(&place),
+        Token::Name | Token::Text | Token::Number
+            if keyword.begins_definition() && at == start + 2 =>
+        {
+            missing_equals(&place)
+        }
+        Token::Name if slip_of_part(&place).is_some() => {
+            let meant = slip_of_part(&place).unwrap_or_default();
+            place.guess("the next statement", meant)
+        }
+        Token::OpenParen => call_of_literal(&place),
+        Token::LineMinus | Token::LineParen | Token::LineBracket => beginning(&place),
+        Token::Within => place.wrong("`within` belongs to `~=`").hint("write `a ~= b within 1e-9`"),
+        Token::In if keyword != Token::Param => place
+            .wrong("only a `param` states its range")
+            .hint(format!("drop the range, or write `param` instead of {}", keyword.shown())),
+        Token::With => place
+            .wrong(format!("a {} takes no `with`", keyword.shown()))
+            .hint("`with` belongs to definitions, `export` and `import`"),
+        Token::To => place.wrong("only `export` writes files").label("unexpected `to`"),
+        Token::Comma => several(&place),
+        Token::Then | Token::Else => place
+            .wrong(format!("{} without an `if`", place.shown()))
+            .hint("write `if c then a else b`"),
+        Token::Arrow => place
+            .wrong("the parameters of a function are plain names")
+            .hint("write `x => x^2`, `(u, v) => u*v` or `fn f(x) = x^2`"),
+        _ if place.is_missing() && script.begins_line(at) => beginning(&place),
+        _ => place
+            .wrong(format!("expected an operator or the next statement, found {}", place.shown()))
+            .label("this continues nothing"),
+    })
+}
+
+/// The word that may follow in such a statement and that the name found may be a slip for.
+fn slip_of_part<'w>(place: &Place<'_, '_, '_>) -> Option<&'w str> {
+    match place.script.token(place.start) {
+        Token::Param => place.slip(["in", "step"]),
+        Token::Check => place.slip(["within", "and", "or"]),
+        Token::Import => place.slip(["as", "with"]),
+        _ => place.slip(["with", "and", "or"]),
+    }
+}
+
+fn is_unit(text: &str) -> bool {
+    Unit::from_name(text).is_some()
+}
+
+/// `10 mm`
+pub(super) fn unit(place: &Place<'_, '_, '_>) -> Diagnostic {
+    let (number, unit) = (place.script.text(place.at - 1), place.text());
+    let span = place.script.place(place.at - 1, place.at + 1);
+    Diagnostic::error(Code::Syntax, span, "a unit is glued to its number")
+        .label(format!("did you mean `{number}{unit}`?"))
+}
+
+/// `curve c bezier(...)`
+fn missing_equals(place: &Place<'_, '_, '_>) -> Diagnostic {
+    let name = place.script.text(place.at - 1);
+    let message = format!("expected `=`, found {}", place.shown());
+    Diagnostic::error(Code::Syntax, place.script.gap(place.at), message)
+        .label(format!("did you mean `{} {name} = ...`?", place.script.text(place.start)))
+}
+
+/// `2(x + 1)`, `(1, 2)(3, 4)`
+fn call_of_literal(place: &Place<'_, '_, '_>) -> Diagnostic {
+    let message = "a value like this cannot be called";
+    let diagnostic = Diagnostic::error(Code::Syntax, place.script.gap(place.at), message);
+    match place.before() {
+        Token::Number => {
+            diagnostic.label(format!("did you mean `{}*(...)`?", place.script.text(place.at - 1)))
+        }
+        _ => diagnostic.label("is an operator or a `,` missing after this?"),
+    }
+}
+
+/// `let a = 1, 2`
+fn several(place: &Place<'_, '_, '_>) -> Diagnostic {
+    let diagnostic = place.wrong("expected an operator or the next statement, found `,`");
+    if place.script.token(place.start).begins_definition() {
+        return diagnostic.hint("several values form a list `[a, b]` or a point `(a, b)`");
+    }
+    diagnostic
+}
