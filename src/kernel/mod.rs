@@ -1,1 +1,32 @@
-//! NURBS geometry. Knows nothing of scripts, spans or files.
+//! Exact NURBS geometry. Knows nothing of scripts, spans or files; equal input gives equal bits.
+//!
+//! Reading order: [`tolerance`], then [`KnotVector`], [`NurbsCurve`], [`NurbsSurface`], [`Mesh`].
+
+mod bezier;
+mod bounds;
+mod curve;
+mod error;
+mod frame;
+mod grid;
+mod homogeneous;
+mod hull;
+mod interval;
+mod knots;
+mod mesh;
+mod positive;
+mod refine;
+mod surface;
+mod table;
+pub mod tolerance;
+
+pub use bounds::Bounds;
+pub use curve::{CircleForm, NurbsCurve, make_compatible};
+pub use error::GeomError;
+pub use frame::Frame;
+pub use grid::Grid;
+pub use interval::Interval;
+pub use knots::{KnotVector, Side};
+pub use mesh::{Mesh, grid_mesh, tessellate, tessellate_curve};
+pub use surface::{GridSamples, NurbsSurface};
+pub use table::{Column, NamedColumn, Table};
+pub use tolerance::Tolerance;

@@ -1,0 +1,110 @@
+//! Bézier pieces of splines: their control points, and cutting them.
+//!
+//! Works on bare slices of homogeneous points, so that curves and the rows and columns of
+//! surfaces share it. Every step is a convex combination.
+
+use glam::DVec4;
+
+use super::{Grid, KnotVector};
+
+/// Control points of the Bézier curve that a spline is over one span.
+///
+/// The j-th is the blossom with p − j arguments at the span's start and j at its end; O(p³).
+/// Ramshaw, *Blossoms are polar forms*, §5.
+pub(in crate::kernel) fn piece(knots: &KnotVector, points: &[DVec4], span: usize) -> Vec<DVec4> {
+    local_piece(knots, &points[knots.support(span)], span)
+}
+
+/// The symmetric multi-affine function of p arguments that is the spline's piece over `span`
+/// where all of them are equal.
+pub(in crate::kernel) fn blossom(
+    knots: &KnotVector,
+    points: &[DVec4],
+    span: usize,
+    arguments: &[f64],
+) -> DVec4 {
+    let mut corners = points[knots.support(span)].to_vec();
+    for (level, &t) in arguments.iter().enumerate() {
+        cut(knots.as_slice(), span, level + 1, t, &mut corners);
+    }
+    corners[knots.degree()]
+}
+
+/// One level of de Boor's corner cutting at `t`, in place: `corners[q..]` are the new ones.
+fn cut(knots: &[f64], span: usize, q: usize, t: f64, corners: &mut [DVec4]) {
+    let p = corners.len() - 1;
+    for r in (q..=p).rev() {
+        let (left, right) = (knots[span + r - p], knots[span + 1 + r - q]);
+        corners[r] = blend(corners[r - 1], corners[r], (t - left) / (right - left));
+    }
+}
+
+/// The point a fraction of the way from `a` to `b`; exactly these at 0 and 1.
+pub(in crate::kernel) fn blend(a: DVec4, b: DVec4, fraction: f64) -> DVec4 {
+    a * (1.0 - fraction) + b * fraction
+}
+
+/// Both parts of a Bézier curve cut at a fraction of its domain: de Casteljau.
+///
+/// Farin, *Curves and Surfaces for CAGD*, §4.6.
+pub(in crate::kernel) fn cut_at(points: &[DVec4], fraction: f64) -> (Vec<DVec4>, Vec<DVec4>) {
+    let mut right = points.to_vec();
+    let mut left = Vec::with_capacity(points.len());
+    for n_left in (0..points.len()).rev() {
+        left.push(right[0]);
+        for i in 0..n_left {
+            right[i] = blend(right[i], right[i + 1], fraction);
+        }
+    }
+    (left, right)
+}
+
+/// The net of the Bézier patch that a tensor-product spline is over a pair of spans.
+pub(in crate::kernel) fn patch(
+    knots: [&KnotVector; 2],
+    points: &Grid<DVec4>,
+    span_u: usize,
+    span_v: usize,
+) -> Grid<DVec4> {
+    let [knots_u, knots_v] = knots;
+    let (p, q) = (knots_u.degree(), knots_v.degree());
+    let strip: Vec<Vec<DVec4>> =
+        knots_u.support(span_u).map(|i| piece(knots_v, points.row(i), span_v)).collect();
+    let columns: Vec<Vec<DVec4>> = (0..=q)
+        .map(|j| {
+            let column: Vec<DVec4> = strip.iter().map(|row| row[j]).collect();
+            local_piece(knots_u, &column, span_u)
+        })
+        .collect();
+    Grid::from_fn(p + 1, q + 1, |i, j| columns[j][i])
+}
+
+/// [`piece`] of the p + 1 points that act on the span.
+fn local_piece(knots: &KnotVector, local: &[DVec4], span: usize) -> Vec<DVec4> {
+    let p = knots.degree();
+    let (start, end) = (knots.as_slice()[span], knots.as_slice()[span + 1]);
+    let mut corners = local.to_vec();
+    let blossom = |n_at_end: usize| {
+        corners.copy_from_slice(local);
+        for q in 1..=p {
+            let t = if q <= n_at_end { end } else { start };
+            cut(knots.as_slice(), span, q, t, &mut corners);
+        }
+        corners[p]
+    };
+    (0..=p).map(blossom).collect()
+}
+
+/// Both halves of a Bézier net along u, or along v.
+pub(in crate::kernel) fn halves(net: &Grid<DVec4>, along_u: bool) -> [Grid<DVec4>; 2] {
+    if along_u {
+        return halves(&net.transposed(), false).map(|half| half.transposed());
+    }
+    let (n_rows, n_columns) = (net.n_rows(), net.n_columns());
+    let rows: Vec<(Vec<DVec4>, Vec<DVec4>)> =
+        (0..n_rows).map(|i| cut_at(net.row(i), 0.5)).collect();
+    [
+        Grid::from_fn(n_rows, n_columns, |i, j| rows[i].0[j]),
+        Grid::from_fn(n_rows, n_columns, |i, j| rows[i].1[j]),
+    ]
+}

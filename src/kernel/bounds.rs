@@ -1,0 +1,65 @@
+//! Axis-aligned boxes.
+
+use glam::DVec3;
+
+/// The box between two corners; `min <= max` in every coordinate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Smallest coordinates.
+    pub min: DVec3,
+    /// Largest coordinates.
+    pub max: DVec3,
+}
+
+impl Bounds {
+    /// The smallest box around the points; none around no points.
+    #[must_use]
+    pub fn of(points: impl IntoIterator<Item = DVec3>) -> Option<Self> {
+        let mut points = points.into_iter();
+        let first = points.next()?;
+        let grow = |bounds: Self, point: DVec3| bounds.with(point);
+        Some(points.fold(Self { min: first, max: first }, grow))
+    }
+
+    /// The smallest box around this one and a point.
+    #[must_use]
+    pub fn with(self, point: DVec3) -> Self {
+        Self { min: self.min.min(point), max: self.max.max(point) }
+    }
+
+    /// The smallest box around both.
+    #[must_use]
+    pub fn union(self, other: Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    /// Width, depth and height.
+    #[must_use]
+    pub fn size(self) -> DVec3 {
+        self.max - self.min
+    }
+
+    /// The middle.
+    #[must_use]
+    pub fn center(self) -> DVec3 {
+        0.5 * self.min + 0.5 * self.max
+    }
+
+    /// Length of the diagonal.
+    #[must_use]
+    pub fn diagonal(self) -> f64 {
+        self.size().length()
+    }
+
+    /// The largest coordinate by absolute value: what rounding is relative to.
+    #[must_use]
+    pub fn magnitude(self) -> f64 {
+        self.min.abs().max(self.max.abs()).max_element()
+    }
+
+    /// Whether the point is inside or on the boundary, or outside by no more than `slack`.
+    #[must_use]
+    pub fn contains(self, point: DVec3, slack: f64) -> bool {
+        (self.min - slack).cmple(point).all() && point.cmple(self.max + slack).all()
+    }
+}

@@ -1,0 +1,120 @@
+//! Full circles as rational curves, in the four usual forms.
+
+use glam::DVec3;
+
+use super::NurbsCurve;
+use crate::kernel::{Frame, GeomError, KnotVector};
+
+/// Which of the exact representations of a circle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum CircleForm {
+    /// Four quarter turns of degree 2 on a square of 9 points; continuous homogeneous derivative
+    /// nowhere at the joints, parameter nearest to the angle.
+    #[default]
+    NinePoint,
+    /// Two half turns of degree 2 with a knot each, 7 points on a square.
+    SevenSquare,
+    /// Three thirds of a turn of degree 2, 7 points on a triangle.
+    SevenTriangle,
+    /// One piece of degree 5 with 6 points, smooth everywhere.
+    DegreeFive,
+}
+
+impl CircleForm {
+    /// Every form, in the order of the reference.
+    pub const ALL: [Self; 4] =
+        [Self::NinePoint, Self::SevenSquare, Self::SevenTriangle, Self::DegreeFive];
+
+    /// Its usual name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::NinePoint => "9-point",
+            Self::SevenSquare => "7-square",
+            Self::SevenTriangle => "7-triangle",
+            Self::DegreeFive => "degree-5",
+        }
+    }
+}
+
+impl NurbsCurve {
+    /// The full circle on 0..1, from `center + radius·x` counter-clockwise about the normal.
+    ///
+    /// `x_axis` needs not be normal to `normal`; its part that is counts. Piegl & Tiller, *The
+    /// NURBS Book*, §7.5 and Example 7.10.
+    ///
+    /// # Errors
+    /// [`GeomError::NotPositive`] for a radius, [`GeomError::ZeroAxis`], [`GeomError::NotFinite`].
+    pub fn circle(
+        center: DVec3,
+        radius: f64,
+        x_axis: DVec3,
+        normal: DVec3,
+        form: CircleForm,
+    ) -> Result<Self, GeomError> {
+        let frame = Frame::from_normal(center, normal, Some(x_axis))?;
+        if !(radius.is_finite() && 0.0 < radius) {
+            return Err(GeomError::NotPositive { what: "the radius", got: radius });
+        }
+        let (degree, knots, polygon) = unit_circle(form);
+        let knots = KnotVector::for_points(degree, polygon.len(), knots)?;
+        let to_space = |&[x, y, _]: &[f64; 3]| frame.point(DVec3::new(x, y, 0.0) * radius);
+        let points: Vec<DVec3> = polygon.iter().map(to_space).collect();
+        let weights: Vec<f64> = polygon.iter().map(|point| point[2]).collect();
+        Self::rational(knots, &points, &weights)
+    }
+}
+
+/// Degree, knots and `[x, y, weight]` of the circle of radius one about the origin, from (1, 0).
+fn unit_circle(form: CircleForm) -> (usize, Vec<f64>, Vec<[f64; 3]>) {
+    let half = 0.5;
+    match form {
+        CircleForm::NinePoint => {
+            let w = std::f64::consts::FRAC_1_SQRT_2;
+            let corners = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)];
+            let polygon = (0..9).map(|i| {
+                let (x, y) = corners[i % 8];
+                [f64::from(x), f64::from(y), if i % 2 == 0 { 1.0 } else { w }]
+            });
+            (2, joined_knots(&[0.25, 0.5, 0.75]), polygon.collect())
+        }
+        CircleForm::SevenSquare => {
+            let knots = vec![0.0, 0.0, 0.0, 0.25, 0.5, 0.5, 0.75, 1.0, 1.0, 1.0];
+            let polygon = [(1, 0), (1, 1), (-1, 1), (-1, 0), (-1, -1), (1, -1), (1, 0)];
+            let weight = |i: usize| if i.is_multiple_of(3) { 1.0 } else { half };
+            let rows = polygon.iter().enumerate();
+            (2, knots, rows.map(|(i, &(x, y))| [f64::from(x), f64::from(y), weight(i)]).collect())
+        }
+        CircleForm::SevenTriangle => {
+            let h = 0.5 * libm::sqrt(3.0);
+            let polygon = vec![
+                [1.0, 0.0, 1.0],
+                [1.0, 2.0 * h, half],
+                [-0.5, h, 1.0],
+                [-2.0, 0.0, half],
+                [-0.5, -h, 1.0],
+                [1.0, -2.0 * h, half],
+                [1.0, 0.0, 1.0],
+            ];
+            (2, joined_knots(&[1.0 / 3.0, 2.0 / 3.0]), polygon)
+        }
+        CircleForm::DegreeFive => {
+            let w = 0.2;
+            let polygon = vec![
+                [1.0, 0.0, 1.0],
+                [1.0, 4.0, w],
+                [-3.0, 2.0, w],
+                [-3.0, -2.0, w],
+                [1.0, -4.0, w],
+                [1.0, 0.0, 1.0],
+            ];
+            (5, [[0.0; 6], [1.0; 6]].concat(), polygon)
+        }
+    }
+}
+
+/// Knots on 0..1 of Bézier pieces of degree 2 that meet at the given parameters.
+fn joined_knots(joints: &[f64]) -> Vec<f64> {
+    let inner = joints.iter().flat_map(|&t| [t, t]);
+    [0.0; 3].into_iter().chain(inner).chain([1.0; 3]).collect()
+}

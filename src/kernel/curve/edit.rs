@@ -1,0 +1,124 @@
+//! Other representations of a curve, and parts of it.
+
+use super::NurbsCurve;
+use crate::kernel::{
+    GeomError, Interval, KnotVector, bezier, refine::Lines, tolerance::KNOT_RELATIVE,
+};
+
+impl NurbsCurve {
+    /// The same curve with more knots; a knot that is to be there twice is given twice.
+    ///
+    /// # Errors
+    /// [`GeomError::ParameterOutside`] the domain; [`GeomError::KnotMultiplicity`] above p + 1.
+    pub fn insert_knots(&self, knots: &[f64]) -> Result<Self, GeomError> {
+        self.lines().with_knots(knots).map(Self::from_lines)
+    }
+
+    /// The same curve at another degree, not below its own.
+    ///
+    /// # Errors
+    /// [`GeomError::DegreeTooLow`], [`GeomError::DegreeTooHigh`].
+    pub fn elevate_degree(&self, degree: usize) -> Result<Self, GeomError> {
+        self.lines().elevated(degree).map(Self::from_lines)
+    }
+
+    /// The Bézier curves that it consists of, each on its own part of the domain.
+    #[must_use]
+    pub fn decompose(&self) -> Vec<Self> {
+        let piece = |span: usize| {
+            let points = bezier::piece(&self.knots, &self.control_points, span);
+            let ends = self.knots.span_interval(span);
+            let start = vec![ends.start(); points.len()];
+            let knots = self.knots.part([&start, &[], &vec![ends.end(); points.len()]]);
+            Self::trusted(knots, points)
+        };
+        self.knots.spans().map(piece).collect()
+    }
+
+    /// Both parts at `t`, each on its part of the domain, clamped where they were cut.
+    ///
+    /// # Errors
+    /// [`GeomError::ParameterOutside`] the domain; [`GeomError::ParameterAtEnd`] of it.
+    pub fn split(&self, t: f64) -> Result<[Self; 2], GeomError> {
+        let domain = self.domain();
+        let t = self.knots.snapped(domain.clamp_inside(t)?);
+        if t <= domain.start() || domain.end() <= t {
+            return Err(GeomError::ParameterAtEnd { parameter: t, domain });
+        }
+        let (left, right) = self.cut_at(t);
+        Ok([left, right])
+    }
+
+    /// The part over an interval, with the parameters that it had, clamped at both ends.
+    ///
+    /// # Errors
+    /// [`GeomError::ParameterOutside`] the domain; [`GeomError::EmptyInterval`] shorter than a
+    /// span can be.
+    pub fn trimmed(&self, interval: Interval) -> Result<Self, GeomError> {
+        let domain = self.domain();
+        let inside = |t: f64| domain.clamp_inside(t).map(|t| self.knots.snapped(t));
+        let (start, end) = (inside(interval.start())?, inside(interval.end())?);
+        if end - start <= KNOT_RELATIVE * domain.length() {
+            return Err(GeomError::EmptyInterval { start, end });
+        }
+        let (_, rest) = self.cut_at(start);
+        Ok(rest.cut_at(end).0)
+    }
+
+    /// The same curve with knots that stand p + 1 times at both ends.
+    #[must_use]
+    pub fn clamped(&self) -> Self {
+        self.cut_at(self.domain().start()).1.cut_at(self.domain().end()).0
+    }
+
+    /// The same points run through backwards, on the same domain.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        let control_points = self.control_points.iter().rev().copied().collect();
+        Self { knots: self.knots.reversed(), control_points, is_rational: self.is_rational }
+    }
+
+    /// The same points over another domain.
+    #[must_use]
+    pub fn reparametrized(&self, domain: Interval) -> Self {
+        Self { knots: self.knots.on(domain), ..self.clone() }
+    }
+
+    /// What is left and right of a parameter of the domain; at an end one of them is of no use.
+    fn cut_at(&self, t: f64) -> (Self, Self) {
+        let degree = self.degree();
+        let mut lines = self.lines();
+        while lines.knots.times(t) < degree {
+            let Ok(()) = lines.insert(t) else {
+                unreachable!("a knot that stands less than p times can stand once more")
+            };
+        }
+        let knots = lines.knots.as_slice();
+        let next = knots.partition_point(|&knot| knot <= t);
+        // A knot that stands p + 1 times is a break, with a point on each side of it.
+        let n_missing = (degree + 1).saturating_sub(lines.knots.times(t));
+        let own = vec![t; n_missing];
+        let points = &lines.lines[0];
+        let left = lines.knots.part([&knots[..next], &own, &[]]);
+        let right = lines.knots.part([&own, &knots[next + n_missing - degree - 1..], &[]]);
+        let (n_left, n_right) = (left.n_points(), right.n_points());
+        (
+            Self::trusted(left, points[..n_left].to_vec()),
+            Self::trusted(right, points[points.len() - n_right..].to_vec()),
+        )
+    }
+
+    pub(super) fn lines(&self) -> Lines {
+        Lines { knots: self.knots.clone(), lines: vec![self.control_points.clone()] }
+    }
+
+    pub(super) fn from_lines(lines: Lines) -> Self {
+        let Lines { knots, lines } = lines;
+        Self::trusted(knots, lines.into_iter().flatten().collect())
+    }
+
+    /// The curve on other knots of the same number, which stand for the same ones.
+    pub(super) fn on_knots(&self, knots: KnotVector) -> Self {
+        Self { knots, ..self.clone() }
+    }
+}

@@ -1,0 +1,101 @@
+//! Length and extent of curves.
+
+use super::NurbsCurve;
+use crate::kernel::{
+    Bounds, Grid, Interval, KnotVector,
+    frame::norm,
+    homogeneous,
+    hull::Spline,
+    tolerance::{LAST_BIT, LENGTH_RELATIVE},
+};
+
+/// Halvings of a piece whose length does not settle: enough for a cusp, whose error falls by four
+/// with each.
+const MAX_HALVINGS: usize = 40;
+
+/// Pieces of one span; only noise needs more than some hundred, and has no better answer.
+const MAX_PIECES: usize = 10_000;
+
+/// Positive nodes on −1..1 and weights of the Gauss-Legendre rule with 16 nodes.
+///
+/// Abramowitz & Stegun, *Handbook of Mathematical Functions*, Table 25.4.
+const GAUSS_16: [[f64; 2]; 8] = [
+    [0.09501250983763744, 0.1894506104550685],
+    [0.2816035507792589, 0.18260341504492358],
+    [0.45801677765722737, 0.16915651939500254],
+    [0.6178762444026438, 0.14959598881657674],
+    [0.755404408355003, 0.12462897125553388],
+    [0.8656312023878318, 0.09515851168249279],
+    [0.9445750230732326, 0.062253523938647894],
+    [0.9894009349916499, 0.027152459411754096],
+];
+
+impl NurbsCurve {
+    /// Arc length over the part of the interval that lies in the domain.
+    ///
+    /// Gauss-Legendre quadrature of the speed, each piece halved until both halves together agree
+    /// with the whole to 1e-13 of the length or the rounding of the coordinates.
+    #[must_use]
+    pub fn length(&self, interval: Interval) -> f64 {
+        let pieces = self.smooth_pieces(interval);
+        let estimates: Vec<f64> = pieces.iter().map(|&piece| self.quadrature(piece)).collect();
+        let magnitude = |&point| homogeneous::place(point).abs().max_element();
+        let rounding = LAST_BIT * self.control_points.iter().map(magnitude).fold(0.0, f64::max);
+        let accuracy = LENGTH_RELATIVE * estimates.iter().sum::<f64>() + rounding;
+        let refined = pieces.into_iter().zip(estimates);
+        refined.map(|(piece, estimate)| self.refined_length(piece, estimate, accuracy)).sum()
+    }
+
+    /// The smallest axis-aligned box around the curve, to rounding; not that of its control points.
+    #[must_use]
+    pub fn bounds(&self) -> Bounds {
+        let Ok(constant) = KnotVector::bezier(0) else {
+            unreachable!("degree 0 is below every ceiling")
+        };
+        let points = Grid::from_rows_of(self.control_points.len(), self.control_points.clone());
+        Spline { knots: [&constant, &self.knots], points: &points }.bounds()
+    }
+
+    /// The interval cut to the domain and at the knots.
+    fn smooth_pieces(&self, interval: Interval) -> Vec<Interval> {
+        let cut = |span: usize| {
+            let span = self.knots.span_interval(span);
+            let (start, end) = (span.start().max(interval.start()), span.end().min(interval.end()));
+            Interval::new(start, end).ok()
+        };
+        self.knots.spans().filter_map(cut).collect()
+    }
+
+    fn refined_length(&self, piece: Interval, estimate: f64, accuracy: f64) -> f64 {
+        let mut length = 0.0;
+        let mut todo = vec![(piece, estimate, 0)];
+        let mut n_pieces = 0;
+        while let Some((piece, estimate, n_halvings)) = todo.pop() {
+            let halves = piece.halves();
+            let lengths = halves.map(|half| self.quadrature(half));
+            let sum = lengths[0] + lengths[1];
+            n_pieces += 1;
+            let may_halve = n_halvings < MAX_HALVINGS && n_pieces < MAX_PIECES;
+            // In this order a sum that is no number ends the search.
+            if may_halve && accuracy < (sum - estimate).abs() {
+                let half = |i: usize| (halves[i], lengths[i], n_halvings + 1);
+                todo.extend([half(1), half(0)]);
+            } else {
+                length += sum;
+            }
+        }
+        length
+    }
+
+    /// The integral of the speed over a part of one span.
+    fn quadrature(&self, piece: Interval) -> f64 {
+        let (middle, half) = (piece.at(0.5), 0.5 * piece.length());
+        // One span for all nodes, so that none beside a knot falls on its wrong side.
+        let span = self.knots.span_at(middle);
+        let speed = |t: f64| norm(self.velocity_on(span, t)[1]);
+        let pair = |&[node, weight]: &[f64; 2]| {
+            weight * (speed(middle - half * node) + speed(middle + half * node))
+        };
+        half * GAUSS_16.iter().map(pair).sum::<f64>()
+    }
+}

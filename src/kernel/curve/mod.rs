@@ -1,0 +1,186 @@
+//! Rational B-spline curves.
+//!
+//! This file has the type, its constructors and what can be read off it; `eval` computes points
+//! and derivatives, `direction` tangents and curvature, `circle` the exact circles, `edit` changes
+//! the representation or cuts, `compatible` brings several to one basis, `measure` has length and
+//! bounds.
+
+mod circle;
+mod compatible;
+mod direction;
+mod edit;
+mod eval;
+mod measure;
+
+use glam::{DAffine3, DVec3, DVec4};
+
+use super::{GeomError, Interval, KnotVector, homogeneous, positive};
+
+pub use circle::CircleForm;
+pub use compatible::make_compatible;
+
+/// A rational B-spline curve in space, with homogeneous points `(w·x, w·y, w·z, w)`.
+///
+/// Invariants: as many control points as the knots need, all finite; the denominator `Σ wᵢNᵢ` is
+/// positive on the whole domain.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NurbsCurve {
+    knots: KnotVector,
+    control_points: Vec<DVec4>,
+    is_rational: bool,
+}
+
+impl NurbsCurve {
+    /// The curve of homogeneous control points.
+    ///
+    /// # Errors
+    /// [`GeomError::KnotCount`], [`GeomError::NotFinite`], [`GeomError::VanishingWeights`].
+    pub fn new(knots: KnotVector, control_points: Vec<DVec4>) -> Result<Self, GeomError> {
+        knots.check_points(control_points.len())?;
+        homogeneous::check_finite(&control_points)?;
+        positive::check_curve(&knots, &control_points)?;
+        Ok(Self::trusted(knots, control_points))
+    }
+
+    /// The curve with all weights one.
+    ///
+    /// # Errors
+    /// [`GeomError::KnotCount`], [`GeomError::NotFinite`].
+    pub fn polynomial(knots: KnotVector, points: &[DVec3]) -> Result<Self, GeomError> {
+        knots.check_points(points.len())?;
+        Ok(Self::trusted(knots, homogeneous::unweighted(points)?))
+    }
+
+    /// The curve with a weight for each point; a weight of zero takes its point away.
+    ///
+    /// # Errors
+    /// [`GeomError::KnotCount`], [`GeomError::WeightCount`], [`GeomError::NotFinite`],
+    /// [`GeomError::BadWeight`] below zero, [`GeomError::BadEndWeight`] for a zero at an end,
+    /// [`GeomError::VanishingWeights`] where zeros leave a parameter without a point.
+    pub fn rational(
+        knots: KnotVector,
+        points: &[DVec3],
+        weights: &[f64],
+    ) -> Result<Self, GeomError> {
+        knots.check_points(points.len())?;
+        let control_points = homogeneous::weighted(points, weights)?;
+        for index in [0, weights.len() - 1] {
+            if weights[index] <= 0.0 {
+                return Err(GeomError::BadEndWeight { index, weight: weights[index] });
+            }
+        }
+        Self::new(knots, control_points)
+    }
+
+    /// The Bézier curve of a control polygon, on 0..1; one point gives degree 0.
+    ///
+    /// # Errors
+    /// [`GeomError::TooFewPoints`] without points, [`GeomError::DegreeTooHigh`],
+    /// [`GeomError::NotFinite`].
+    pub fn bezier(points: &[DVec3]) -> Result<Self, GeomError> {
+        match points.len() {
+            0 => Err(GeomError::TooFewPoints { got: 0, needed: 1 }),
+            n => Self::polynomial(KnotVector::bezier(n - 1)?, points),
+        }
+    }
+
+    /// The segment from `a` to `b` on 0..1.
+    ///
+    /// # Errors
+    /// [`GeomError::NotFinite`].
+    pub fn line(a: DVec3, b: DVec3) -> Result<Self, GeomError> {
+        Self::bezier(&[a, b])
+    }
+
+    /// The polygon through the points, one unit of parameter a leg.
+    ///
+    /// # Errors
+    /// [`GeomError::TooFewPoints`] below two, [`GeomError::NotFinite`].
+    pub fn polyline(points: &[DVec3]) -> Result<Self, GeomError> {
+        let got = points.len();
+        if got < 2 {
+            return Err(GeomError::TooFewPoints { got, needed: 2 });
+        }
+        Self::polynomial(KnotVector::uniform_clamped(1, got, (got - 1) as f64)?, points)
+    }
+
+    /// A curve of parts that keep the invariants by construction.
+    pub(in crate::kernel) fn trusted(knots: KnotVector, control_points: Vec<DVec4>) -> Self {
+        let is_rational = homogeneous::have_different_weights(&control_points);
+        Self { knots, control_points, is_rational }
+    }
+
+    /// Polynomial degree of the pieces.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.knots.degree()
+    }
+
+    /// All knots.
+    #[must_use]
+    pub fn knots(&self) -> &KnotVector {
+        &self.knots
+    }
+
+    /// The homogeneous control points.
+    #[must_use]
+    pub fn control_points(&self) -> &[DVec4] {
+        &self.control_points
+    }
+
+    /// The control points in space; one of weight zero gives its direction.
+    #[must_use]
+    pub fn points(&self) -> Vec<DVec3> {
+        self.control_points.iter().map(|&point| homogeneous::place(point)).collect()
+    }
+
+    /// The weights.
+    #[must_use]
+    pub fn weights(&self) -> Vec<f64> {
+        self.control_points.iter().map(|point| point.w).collect()
+    }
+
+    /// Whether the weights differ.
+    #[must_use]
+    pub fn is_rational(&self) -> bool {
+        self.is_rational
+    }
+
+    /// The parameters that have a point.
+    #[must_use]
+    pub fn domain(&self) -> Interval {
+        self.knots.domain()
+    }
+
+    /// The point at the start of the domain.
+    #[must_use]
+    pub fn start(&self) -> DVec3 {
+        self.point_at(self.domain().start())
+    }
+
+    /// The point at the end of the domain.
+    #[must_use]
+    pub fn end(&self) -> DVec3 {
+        self.point_at(self.domain().end())
+    }
+
+    /// Whether start and end are within `distance` of one another.
+    #[must_use]
+    pub fn is_closed(&self, distance: f64) -> bool {
+        self.start().distance(self.end()) <= distance
+    }
+
+    /// How many polynomial pieces: spans of the domain that have a width.
+    #[must_use]
+    pub fn n_segments(&self) -> usize {
+        self.knots.spans().count()
+    }
+
+    /// The image under an affine map: exact, because the basis sums to one.
+    #[must_use]
+    pub fn transformed(&self, map: &DAffine3) -> Self {
+        let move_point = |&point: &DVec4| homogeneous::transformed(point, map);
+        let control_points = self.control_points.iter().map(move_point).collect();
+        Self { knots: self.knots.clone(), control_points, is_rational: self.is_rational }
+    }
+}

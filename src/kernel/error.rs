@@ -1,0 +1,126 @@
+//! Why a piece of geometry cannot exist, or a question about it has no answer.
+
+use thiserror::Error;
+
+use super::Interval;
+
+/// A request that has no geometric answer.
+///
+/// Carries numbers, never places in a script: whoever asked knows the place. The messages are for
+/// the person at the script; they tell what was expected and what was found.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+#[expect(missing_docs, reason = "each message names its fields")]
+pub enum GeomError {
+    /// Fewer points than the construction needs.
+    #[error("needs at least {needed} points, got {got}")]
+    TooFewPoints { got: usize, needed: usize },
+    /// More control points than the ceiling allows.
+    #[error("{got} control points are more than the {most} that are allowed")]
+    TooManyPoints { got: usize, most: usize },
+    /// A degree above the ceiling.
+    #[error("degree {degree} is above {most}, the highest that is allowed")]
+    DegreeTooHigh { degree: usize, most: usize },
+    /// A degree that these points cannot have.
+    #[error("degree {degree} needs at least {needed} points, got {points}")]
+    BadDegree { degree: usize, points: usize, needed: usize },
+    /// A degree below the one that the geometry has already.
+    #[error("degree {to} is below the degree {from} that it has")]
+    DegreeTooLow { from: usize, to: usize },
+    /// Knots and control points do not go together.
+    #[error("{points} control points of degree {degree} need {needed} knots, got {got}")]
+    KnotCount { points: usize, degree: usize, needed: usize, got: usize },
+    /// Too few knots for any curve of the degree.
+    #[error("degree {degree} needs at least {needed} knots, got {got}")]
+    TooFewKnots { degree: usize, needed: usize, got: usize },
+    /// A knot below its predecessor.
+    #[error("knot {index} is {knot}, below the {previous} before it; knots never decrease")]
+    UnsortedKnots { index: usize, previous: f64, knot: f64 },
+    /// A knot repeated more often than the degree allows.
+    #[error("knot {knot} stands {times} times from index {index}; at most {most} are possible")]
+    KnotMultiplicity { index: usize, knot: f64, times: usize, most: usize },
+    /// All knots of the domain are one.
+    #[error("the knots leave no domain: it would begin and end at {at}")]
+    EmptyDomain { at: f64 },
+    /// NaN or infinity.
+    #[error("{what} {index} is not a finite number")]
+    NotFinite { what: &'static str, index: usize },
+    /// Weights and points do not pair up.
+    #[error("{points} control points need {points} weights, got {weights}")]
+    WeightCount { points: usize, weights: usize },
+    /// A weight below zero.
+    #[error("weight {index} is {weight}; weights are not negative")]
+    BadWeight { index: usize, weight: f64 },
+    /// A weight of zero at an end.
+    #[error("weight {index} is {weight}; the first and the last weight are positive")]
+    BadEndWeight { index: usize, weight: f64 },
+    /// The weights leave a parameter without a point.
+    #[error("the weights vanish together at parameter {parameter}, which leaves no point there")]
+    VanishingWeights { parameter: f64 },
+    /// The weights leave a place of a surface without a point.
+    #[error("the weights vanish together at ({u}, {v}), which leaves no point there")]
+    VanishingWeightsAt { u: f64, v: f64 },
+    /// Rows of different length.
+    #[error("row {row} has {got} points, row 0 has {expected}; every row needs the same number")]
+    RaggedGrid { row: usize, got: usize, expected: usize },
+    /// Entries that do not fill their rows.
+    #[error("{rows} rows of {columns} need {needed} entries, got {got}")]
+    GridSize { rows: usize, columns: usize, needed: usize, got: usize },
+    /// An interval without an inside.
+    #[error("an interval needs its start below its end, got {start}..{end}")]
+    EmptyInterval { start: f64, end: f64 },
+    /// A parameter where there is nothing.
+    #[error("parameter {parameter} is outside the domain {domain}")]
+    ParameterOutside { parameter: f64, domain: Interval },
+    /// A parameter where nothing can be cut off.
+    #[error("parameter {parameter} is an end of the domain {domain}; there is nothing to split")]
+    ParameterAtEnd { parameter: f64, domain: Interval },
+    /// A derivative beyond the ceiling.
+    #[error("derivatives of order {order} are above {most}, the highest that is allowed")]
+    OrderTooHigh { order: usize, most: usize },
+    /// Every derivative vanishes, so that there is no direction.
+    #[error("there is no tangent at parameter {parameter}: every derivative vanishes")]
+    VanishingTangent { parameter: f64 },
+    /// The curve stands still, so that its bending has no measure.
+    #[error("the derivative vanishes at parameter {parameter}, so that there is no curvature")]
+    VanishingDerivative { parameter: f64 },
+    /// The curve does not bend.
+    #[error("the curve is straight at parameter {parameter}, so that no normal stands out")]
+    Straight { parameter: f64 },
+    /// The surface has no tangent plane.
+    #[error("there is no normal at ({u}, {v}): the tangent plane has no limit there")]
+    NoNormal { u: f64, v: f64 },
+    /// Two points that must differ do not.
+    #[error("points {first} and {second} are at one place")]
+    CoincidentPoints { first: usize, second: usize },
+    /// A mesh above the ceiling.
+    #[error("the mesh would have {got} vertices, more than the {most} that are allowed")]
+    TooManyVertices { got: usize, most: usize },
+    /// A mesh attribute that is not one a vertex.
+    #[error("{vertices} vertices need {vertices} {what}, got {got}")]
+    AttributeCount { what: &'static str, vertices: usize, got: usize },
+    /// A triangle names a vertex that is not there.
+    #[error("triangle {triangle} names vertex {vertex}; there are {vertices}")]
+    NoSuchVertex { triangle: usize, vertex: u32, vertices: usize },
+    /// A normal that is not a unit vector.
+    #[error("normal {index} has length {length}; normals are unit vectors")]
+    NotUnit { index: usize, length: f64 },
+    /// A count of zero where something must be divided.
+    #[error("{what} is {got}; at least {needed} is needed")]
+    CountTooSmall { what: &'static str, got: usize, needed: usize },
+    /// A direction of length zero, or along the direction that it should differ from.
+    #[error("{what} has no direction")]
+    ZeroAxis { what: &'static str },
+    /// A radius, tolerance or the like that is not positive.
+    #[error("{what} is {got}; it must be above zero")]
+    NotPositive { what: &'static str, got: f64 },
+    /// A transformation that flattens space.
+    #[error("the transformation flattens space: its determinant is zero")]
+    SingularTransform,
+    /// Two columns of one name.
+    #[error("column {name:?} stands twice")]
+    DuplicateColumn { name: String },
+    /// Columns of different length.
+    #[error("column {name:?} has {got} rows, the first has {expected}")]
+    ColumnLength { name: String, got: usize, expected: usize },
+}

@@ -1,0 +1,145 @@
+//! Places with three directions: planes, and coordinate systems in space.
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use super::{GeomError, tolerance::VANISHING_RELATIVE};
+
+/// An origin with three unit vectors at right angles, right-handed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    origin: DVec3,
+    x: DVec3,
+    y: DVec3,
+    z: DVec3,
+}
+
+impl Frame {
+    /// The plane of x and y; its normal is z.
+    pub const XY: Self = Self { origin: DVec3::ZERO, x: DVec3::X, y: DVec3::Y, z: DVec3::Z };
+    /// The plane of y and z; its normal is x.
+    pub const YZ: Self = Self { origin: DVec3::ZERO, x: DVec3::Y, y: DVec3::Z, z: DVec3::X };
+    /// The plane of z and x; its normal is y.
+    pub const ZX: Self = Self { origin: DVec3::ZERO, x: DVec3::Z, y: DVec3::X, z: DVec3::Y };
+
+    /// The frame at `origin` with z along `normal` and x as near to the given direction as that
+    /// allows; without one, as near to (1, 0, 0), or to (0, 1, 0) where that is the normal's line.
+    ///
+    /// # Errors
+    /// [`GeomError::ZeroAxis`] for a normal of length zero or an x along it;
+    /// [`GeomError::NotFinite`] for an origin.
+    pub fn from_normal(origin: DVec3, normal: DVec3, x: Option<DVec3>) -> Result<Self, GeomError> {
+        if !origin.is_finite() {
+            return Err(GeomError::NotFinite { what: "origin", index: 0 });
+        }
+        let z = unit(normal).ok_or(GeomError::ZeroAxis { what: "the normal" })?;
+        let x = match x {
+            Some(x) => across(x, z),
+            None => across(DVec3::X, z).or_else(|| across(DVec3::Y, z)),
+        }
+        .ok_or(GeomError::ZeroAxis { what: "the x axis, made normal to the normal," })?;
+        Ok(Self { origin, x, y: z.cross(x), z })
+    }
+
+    /// The frame at `origin` with x along `x` and y in the half plane of `y`.
+    ///
+    /// # Errors
+    /// [`GeomError::ZeroAxis`] where one is zero or both are parallel; [`GeomError::NotFinite`].
+    pub fn from_axes(origin: DVec3, x: DVec3, y: DVec3) -> Result<Self, GeomError> {
+        let ux = unit(x).ok_or(GeomError::ZeroAxis { what: "the x axis" })?;
+        let uy =
+            across(y, ux).ok_or(GeomError::ZeroAxis { what: "the y axis across the x axis" })?;
+        Self::from_normal(origin, ux.cross(uy), Some(ux))
+    }
+
+    /// The same directions elsewhere.
+    #[must_use]
+    pub fn at(self, origin: DVec3) -> Self {
+        Self { origin, ..self }
+    }
+
+    /// The image under an affine map, made orthonormal again; x keeps its direction.
+    ///
+    /// # Errors
+    /// [`GeomError::ZeroAxis`] where the map flattens the plane; [`GeomError::NotFinite`].
+    pub fn transformed(self, map: &DAffine3) -> Result<Self, GeomError> {
+        let axis = |axis: DVec3| map.transform_vector3(axis);
+        Self::from_axes(map.transform_point3(self.origin), axis(self.x), axis(self.y))
+    }
+
+    /// Where it stands.
+    #[must_use]
+    pub fn origin(self) -> DVec3 {
+        self.origin
+    }
+
+    /// First direction.
+    #[must_use]
+    pub fn x(self) -> DVec3 {
+        self.x
+    }
+
+    /// Second direction.
+    #[must_use]
+    pub fn y(self) -> DVec3 {
+        self.y
+    }
+
+    /// Third direction, the normal of the plane.
+    #[must_use]
+    pub fn z(self) -> DVec3 {
+        self.z
+    }
+
+    /// The point with the given coordinates in the frame.
+    #[must_use]
+    pub fn point(self, local: DVec3) -> DVec3 {
+        self.origin + self.x * local.x + self.y * local.y + self.z * local.z
+    }
+
+    /// The map from coordinates in the frame to coordinates in space.
+    #[must_use]
+    pub fn to_space(self) -> DAffine3 {
+        DAffine3 { matrix3: DMat3::from_cols(self.x, self.y, self.z), translation: self.origin }
+    }
+
+    /// The map from coordinates in space to coordinates in the frame.
+    #[must_use]
+    pub fn from_space(self) -> DAffine3 {
+        let matrix3 = DMat3::from_cols(self.x, self.y, self.z).transpose();
+        DAffine3 { matrix3, translation: -(matrix3 * self.origin) }
+    }
+}
+
+/// The length of `v`, also where its square is out of range.
+pub(in crate::kernel) fn norm(v: DVec3) -> f64 {
+    let squared = v.length_squared();
+    if squared.is_normal() {
+        return squared.sqrt();
+    }
+    let largest = v.abs().max_element();
+    if 0.0 < largest && largest.is_finite() { largest * (v / largest).length() } else { largest }
+}
+
+/// The unit vector along `v`, at any length that is not zero.
+pub(in crate::kernel) fn unit(v: DVec3) -> Option<DVec3> {
+    let largest = v.abs().max_element();
+    if !largest.is_finite() || largest <= 0.0 {
+        return None;
+    }
+    // Dividing first keeps the square of the length from under- or overflowing.
+    let scaled = v / largest;
+    let unit = scaled / scaled.length();
+    unit.is_finite().then_some(unit)
+}
+
+/// The unit vector along the part of `v` that is normal to the unit vector `axis`.
+fn across(v: DVec3, axis: DVec3) -> Option<DVec3> {
+    let v = unit(v)?;
+    let part = v - axis * v.dot(axis);
+    if part.length() <= VANISHING_RELATIVE {
+        return None;
+    }
+    // Once more, because the first difference may have lost digits.
+    let part = unit(part)?;
+    unit(part - axis * part.dot(axis))
+}

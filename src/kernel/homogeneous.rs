@@ -1,0 +1,130 @@
+//! Homogeneous points `(w·x, w·y, w·z, w)`, and quotients of their derivatives.
+
+use glam::{DAffine3, DVec3, DVec4};
+
+use super::{GeomError, Grid, tolerance::WEIGHT_RELATIVE};
+
+/// The point in space.
+pub(in crate::kernel) fn project(point: DVec4) -> DVec3 {
+    // One division: the quotient of each coordinate may round twice, but not where w is 1.
+    point.truncate() * (1.0 / point.w)
+}
+
+/// The place of a control point; one of weight zero has none, and gives its direction instead.
+pub(in crate::kernel) fn place(point: DVec4) -> DVec3 {
+    if point.w.abs() < f64::MIN_POSITIVE { point.truncate() } else { project(point) }
+}
+
+/// Homogeneous points of weight one.
+///
+/// # Errors
+/// [`GeomError::NotFinite`].
+pub(in crate::kernel) fn unweighted(points: &[DVec3]) -> Result<Vec<DVec4>, GeomError> {
+    let points: Vec<DVec4> = points.iter().map(|point| point.extend(1.0)).collect();
+    check_finite(&points)?;
+    Ok(points)
+}
+
+/// Homogeneous points; a weight of zero takes its point away.
+///
+/// # Errors
+/// [`GeomError::WeightCount`], [`GeomError::NotFinite`], [`GeomError::BadWeight`] below zero.
+pub(in crate::kernel) fn weighted(
+    points: &[DVec3],
+    weights: &[f64],
+) -> Result<Vec<DVec4>, GeomError> {
+    if points.len() != weights.len() {
+        return Err(GeomError::WeightCount { points: points.len(), weights: weights.len() });
+    }
+    if let Some(index) = weights.iter().position(|weight| !weight.is_finite()) {
+        return Err(GeomError::NotFinite { what: "weight", index });
+    }
+    if let Some(index) = weights.iter().position(|&weight| weight < 0.0) {
+        return Err(GeomError::BadWeight { index, weight: weights[index] });
+    }
+    let points: Vec<DVec4> = points.iter().zip(weights).map(|(&p, &w)| (p * w).extend(w)).collect();
+    check_finite(&points)?;
+    Ok(points)
+}
+
+/// # Errors
+/// [`GeomError::NotFinite`].
+pub(in crate::kernel) fn check_finite(points: &[DVec4]) -> Result<(), GeomError> {
+    match points.iter().position(|point| !point.is_finite()) {
+        Some(index) => Err(GeomError::NotFinite { what: "control point", index }),
+        None => Ok(()),
+    }
+}
+
+/// Whether the weights differ by more than rounding.
+pub(in crate::kernel) fn have_different_weights(points: &[DVec4]) -> bool {
+    let low = points.iter().map(|point| point.w).fold(f64::INFINITY, f64::min);
+    let high = points.iter().map(|point| point.w).fold(f64::NEG_INFINITY, f64::max);
+    WEIGHT_RELATIVE * high < high - low
+}
+
+/// The image of a homogeneous point under an affine map.
+pub(in crate::kernel) fn transformed(point: DVec4, map: &DAffine3) -> DVec4 {
+    (map.matrix3 * point.truncate() + map.translation * point.w).extend(point.w)
+}
+
+/// Derivatives in space from homogeneous derivatives by order, both from order 0.
+///
+/// Division of truncated Taylor series, which is Leibniz' rule without its binomials.
+/// Piegl & Tiller, *The NURBS Book*, A4.2.
+pub(in crate::kernel) fn quotient(derivatives: &[DVec4]) -> Vec<DVec3> {
+    let mut series: Vec<DVec3> = Vec::with_capacity(derivatives.len());
+    let scaled: Vec<DVec4> = over_factorials(derivatives);
+    for (k, numerator) in scaled.iter().enumerate() {
+        let mut sum = numerator.truncate();
+        for i in 1..=k {
+            sum -= scaled[i].w * series[k - i];
+        }
+        series.push(sum / scaled[0].w);
+    }
+    let mut factorial = 1.0;
+    for (k, term) in series.iter_mut().enumerate().skip(1) {
+        factorial *= k as f64;
+        *term *= factorial;
+    }
+    series
+}
+
+/// Derivatives in space from homogeneous derivatives, `[k][l]` by u and by v.
+///
+/// Piegl & Tiller, *The NURBS Book*, A4.4, as the division of Taylor series in two variables.
+pub(in crate::kernel) fn quotient_grid(derivatives: &Grid<DVec4>) -> Grid<DVec3> {
+    let (n_rows, n_columns) = (derivatives.n_rows(), derivatives.n_columns());
+    let factorials: Vec<f64> = factorials(n_rows.max(n_columns));
+    let scaled = Grid::from_fn(n_rows, n_columns, |k, l| {
+        derivatives.get(k, l) / (factorials[k] * factorials[l])
+    });
+    let mut series: Vec<DVec3> = Vec::with_capacity(n_rows * n_columns);
+    for k in 0..n_rows {
+        for l in 0..n_columns {
+            let mut sum = scaled.get(k, l).truncate();
+            for i in 0..=k {
+                for j in usize::from(i == 0)..=l {
+                    sum -= scaled.get(i, j).w * series[(k - i) * n_columns + l - j];
+                }
+            }
+            series.push(sum / scaled.get(0, 0).w);
+        }
+    }
+    Grid::from_fn(n_rows, n_columns, |k, l| {
+        series[k * n_columns + l] * (factorials[k] * factorials[l])
+    })
+}
+
+fn over_factorials(derivatives: &[DVec4]) -> Vec<DVec4> {
+    derivatives.iter().zip(factorials(derivatives.len())).map(|(&d, f)| d / f).collect()
+}
+
+/// 0!, 1!, … , `n` of them.
+fn factorials(n: usize) -> Vec<f64> {
+    let next = |factorial: &mut f64, k: usize| {
+        *factorial *= k.max(1) as f64;
+        Some(*factorial)
+    };
+    (0..n).scan(1.0, next).collect()
+}

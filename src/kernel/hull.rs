@@ -1,0 +1,145 @@
+//! How far a spline reaches in the direction of an axis, to rounding.
+//!
+//! A Bézier piece reaches no further than its control points, and as far as its corners. Pieces
+//! whose control points stay behind a corner found already are dropped; the one that promises
+//! most is halved. The promise comes down to the corners with the square of the size.
+
+use std::{cmp::Ordering, collections::BinaryHeap};
+
+use glam::{DVec3, DVec4};
+
+use super::{Bounds, Grid, KnotVector, bezier, homogeneous::project, tolerance::BOUNDS_RELATIVE};
+
+/// Pieces looked at for one direction. Only a spline that reaches furthest along a whole curve
+/// askew to its parameters comes here, and then the box is loose by 1e-8 of its size.
+const MAX_PIECES: usize = 20_000;
+
+/// A tensor-product spline; a curve is one with a single row.
+#[derive(Clone, Copy)]
+pub(in crate::kernel) struct Spline<'a> {
+    /// Knots along the rows' index and along the columns'.
+    pub(in crate::kernel) knots: [&'a KnotVector; 2],
+    /// Homogeneous control points, with a positive denominator on the whole domain.
+    pub(in crate::kernel) points: &'a Grid<DVec4>,
+}
+
+/// A direction along an axis.
+#[derive(Clone, Copy)]
+struct Direction {
+    axis: usize,
+    sign: f64,
+}
+
+/// A part of the spline with how far its control points reach.
+struct Part {
+    promise: f64,
+    shape: Shape,
+}
+
+enum Shape {
+    /// A pair of spans, not cut out yet.
+    Spans(usize, usize),
+    /// The net of a Bézier patch.
+    Net(Grid<DVec4>),
+}
+
+impl Spline<'_> {
+    /// The smallest box around all points of the spline.
+    pub(in crate::kernel) fn bounds(self) -> Bounds {
+        let reach = |sign: f64| {
+            // The sum turns a negative zero into a positive one.
+            let along = |axis: usize| sign * self.reach(Direction { axis, sign }) + 0.0;
+            DVec3::new(along(0), along(1), along(2))
+        };
+        Bounds { min: reach(-1.0), max: reach(1.0) }
+    }
+
+    fn reach(self, direction: Direction) -> f64 {
+        let mut reached = f64::NEG_INFINITY;
+        let mut parts: BinaryHeap<Part> = self.spans(direction).into();
+        for _ in 0..MAX_PIECES {
+            let Some(part) = parts.pop() else { return reached };
+            if part.promise <= reached + BOUNDS_RELATIVE * reached.abs() {
+                return reached;
+            }
+            let nets = match part.shape {
+                Shape::Spans(u, v) => vec![bezier::patch(self.knots, self.points, u, v)],
+                Shape::Net(net) => bezier::halves(&net, direction.is_along_u(&net)).into(),
+            };
+            for net in nets {
+                reached = reached.max(direction.corner_reach(&net));
+                let promise = direction.promise(net.iter());
+                if reached < promise {
+                    parts.push(Part { promise, shape: Shape::Net(net) });
+                }
+            }
+        }
+        parts
+            .peek()
+            .map_or(reached, |part| if part.promise.is_finite() { part.promise } else { reached })
+    }
+
+    fn spans(self, direction: Direction) -> Vec<Part> {
+        let [knots_u, knots_v] = self.knots;
+        let mut parts = Vec::new();
+        for u in knots_u.spans() {
+            for v in knots_v.spans() {
+                let rows = knots_u.support(u).map(|i| &self.points.row(i)[knots_v.support(v)]);
+                let promise = direction.promise(rows.flatten());
+                parts.push(Part { promise, shape: Shape::Spans(u, v) });
+            }
+        }
+        parts
+    }
+}
+
+impl Direction {
+    /// How far the control points reach; a weight that is not positive promises nothing.
+    fn promise<'a>(self, points: impl Iterator<Item = &'a DVec4>) -> f64 {
+        let reach = |point: &DVec4| {
+            if point.w <= 0.0 { f64::INFINITY } else { self.sign * point[self.axis] / point.w }
+        };
+        points.map(reach).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    fn corner_reach(self, net: &Grid<DVec4>) -> f64 {
+        let (last_row, last_column) = (net.n_rows() - 1, net.n_columns() - 1);
+        [(0, 0), (0, last_column), (last_row, 0), (last_row, last_column)]
+            .into_iter()
+            .map(|(i, j)| self.sign * project(net.get(i, j))[self.axis])
+            .fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Whether halving along u brings the control points nearer to one another than along v.
+    fn is_along_u(self, net: &Grid<DVec4>) -> bool {
+        let about = project(net.get(0, 0))[self.axis];
+        let height = |point: DVec4| point[self.axis] - about * point.w;
+        let bend = |line: &[DVec4]| {
+            line.windows(2).map(|pair| (height(pair[1]) - height(pair[0])).abs()).sum::<f64>()
+        };
+        let along_v: f64 = (0..net.n_rows()).map(|i| bend(net.row(i))).sum();
+        let along_u: f64 = (0..net.n_columns()).map(|j| bend(&net.column(j))).sum();
+        let is_line = net.n_columns() == 1;
+        net.n_rows() > 1 && (is_line || along_v < along_u)
+    }
+}
+
+impl Ord for Part {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.promise.total_cmp(&other.promise)
+    }
+}
+
+impl PartialOrd for Part {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Part {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Part {}

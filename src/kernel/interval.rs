@@ -1,0 +1,96 @@
+//! A closed interval of the number line: the domain of a curve.
+
+use std::fmt;
+
+use super::{GeomError, tolerance::KNOT_RELATIVE};
+
+/// The interval from `start` to `end`. Invariant: both finite, `start < end`, finite length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    start: f64,
+    end: f64,
+}
+
+impl Interval {
+    /// The interval 0..1.
+    pub const UNIT: Self = Self { start: 0.0, end: 1.0 };
+
+    /// The interval from `start` to `end`.
+    ///
+    /// # Errors
+    /// [`GeomError::EmptyInterval`] unless `start < end` and their distance is a number.
+    pub fn new(start: f64, end: f64) -> Result<Self, GeomError> {
+        if start < end && (end - start).is_finite() {
+            Ok(Self { start, end })
+        } else {
+            Err(GeomError::EmptyInterval { start, end })
+        }
+    }
+
+    /// Where it begins.
+    #[must_use]
+    pub fn start(self) -> f64 {
+        self.start
+    }
+
+    /// Where it ends.
+    #[must_use]
+    pub fn end(self) -> f64 {
+        self.end
+    }
+
+    /// `end - start`, positive.
+    #[must_use]
+    pub fn length(self) -> f64 {
+        self.end - self.start
+    }
+
+    /// The place a fraction of the way along, exactly the ends at 0 and 1.
+    #[must_use]
+    pub fn at(self, fraction: f64) -> f64 {
+        self.start * (1.0 - fraction) + self.end * fraction
+    }
+
+    /// How far along `t` is: 0 at the start, 1 at the end. The inverse of [`Self::at`].
+    #[must_use]
+    pub fn fraction_of(self, t: f64) -> f64 {
+        (t - self.start) / (self.end - self.start)
+    }
+
+    /// Whether `t` is between the ends or one of them.
+    #[must_use]
+    pub fn contains(self, t: f64) -> bool {
+        self.start <= t && t <= self.end
+    }
+
+    /// `t`, where a parameter outside by rounding counts as the end.
+    ///
+    /// # Errors
+    /// [`GeomError::ParameterOutside`] further out than [`KNOT_RELATIVE`] of the length.
+    pub fn clamp_inside(self, t: f64) -> Result<f64, GeomError> {
+        let slack = KNOT_RELATIVE * self.length();
+        if self.start - slack <= t && t <= self.end + slack {
+            Ok(t.clamp(self.start, self.end))
+        } else {
+            Err(GeomError::ParameterOutside { parameter: t, domain: self })
+        }
+    }
+
+    /// The left and the right half.
+    pub(in crate::kernel) fn halves(self) -> [Self; 2] {
+        let middle = self.at(0.5);
+        [Self { start: self.start, end: middle }, Self { start: middle, end: self.end }]
+    }
+
+    /// `n_cells + 1` evenly spaced parameters, both ends among them; no cells give the start.
+    #[must_use]
+    pub fn steps(self, n_cells: usize) -> Vec<f64> {
+        (0..=n_cells).map(|i| self.at(i as f64 / n_cells.max(1) as f64)).collect()
+    }
+}
+
+impl fmt::Display for Interval {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}..{}", self.start, self.end)
+    }
+}

@@ -1,0 +1,78 @@
+//! Knot vectors made of others. None of these can break an invariant.
+
+use super::KnotVector;
+use crate::kernel::{GeomError, Interval, tolerance::KNOT_RELATIVE};
+
+impl KnotVector {
+    /// The knot nearest to `t` if it is closer than [`KNOT_RELATIVE`] of the domain, else `t`.
+    pub(in crate::kernel) fn snapped(&self, t: f64) -> f64 {
+        let same = KNOT_RELATIVE * self.domain().length();
+        let next = self.knots.partition_point(|&knot| knot < t);
+        let near = |i: usize| self.knots.get(i).copied().filter(|knot| (knot - t).abs() <= same);
+        near(next).or_else(|| near(next.wrapping_sub(1))).unwrap_or(t)
+    }
+
+    /// One knot more, at its place in the order.
+    pub(in crate::kernel) fn with_knot(&self, t: f64) -> Self {
+        let mut knots = self.knots.clone();
+        knots.insert(self.knots.partition_point(|&knot| knot <= t), t);
+        Self::trusted(self.degree, knots)
+    }
+
+    /// Every knot replaced by `f(knot)`, which must not decrease.
+    pub(in crate::kernel) fn map(&self, f: impl Fn(f64) -> f64) -> Self {
+        Self::trusted(self.degree, self.knots.iter().map(|&knot| f(knot)).collect())
+    }
+
+    /// Some of the knots, and others at either end, as a vector of the same degree.
+    pub(in crate::kernel) fn part(&self, parts: [&[f64]; 3]) -> Self {
+        Self::trusted(self.degree, parts.concat())
+    }
+
+    /// The same knots over another domain.
+    pub(in crate::kernel) fn on(&self, target: Interval) -> Self {
+        let domain = self.domain();
+        self.map(|t| {
+            if t <= domain.start() {
+                target.start() - (domain.start() - t) / domain.length() * target.length()
+            } else if domain.end() <= t {
+                target.end() + (t - domain.end()) / domain.length() * target.length()
+            } else {
+                target.at(domain.fraction_of(t)).clamp(target.start(), target.end())
+            }
+        })
+    }
+
+    /// The knots of the spline run backwards, on the same domain.
+    pub(in crate::kernel) fn reversed(&self) -> Self {
+        let domain = self.domain();
+        let mirror = |t: f64| {
+            if t <= domain.start() {
+                domain.end() + (domain.start() - t)
+            } else if domain.end() <= t {
+                domain.start() - (t - domain.end())
+            } else {
+                (domain.start() + (domain.end() - t)).clamp(domain.start(), domain.end())
+            }
+        };
+        let knots = self.knots.iter().rev().map(|&t| mirror(t)).collect();
+        Self::trusted(self.degree, knots)
+    }
+
+    /// Knots for the same splines at one degree more: every knot once more, the domain kept.
+    ///
+    /// # Errors
+    /// [`GeomError::DegreeTooHigh`].
+    pub(in crate::kernel) fn elevated(&self) -> Result<Self, GeomError> {
+        let degree = self.degree + 1;
+        super::check_degree(degree)?;
+        let domain = self.domain();
+        let more = |(knot, times): (f64, usize)| vec![knot; times + 1];
+        let knots: Vec<f64> = self.distinct().into_iter().flat_map(more).collect();
+
+        // Beyond the domain only as many as the degree needs.
+        let first = knots.partition_point(|&knot| knot <= domain.start()) - 1 - degree;
+        let last = knots.partition_point(|&knot| knot < domain.end()) + degree;
+        Ok(Self::trusted(degree, knots[first..=last].to_vec()))
+    }
+}

@@ -1,0 +1,180 @@
+//! The basis without a heap allocation, and without loops for the usual degrees.
+
+use std::array::from_fn;
+
+use super::KnotVector;
+
+/// Degrees whose basis fits a small array on the stack.
+const SMALL_DEGREE: usize = 7;
+
+/// Degrees whose basis has no loops.
+const UNROLLED_DEGREE: usize = 3;
+
+/// Reciprocals of knot differences: a division takes as long as the rest of a step.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Reciprocals {
+    /// Spans over the length of the domain.
+    pub(super) mean_span: f64,
+    /// `1 / (u_{i+q} − u_i)` at `[i][q − 1]`; none for higher degrees.
+    widths: Vec<[f64; UNROLLED_DEGREE]>,
+}
+
+impl Reciprocals {
+    pub(super) fn new(degree: usize, knots: &[f64]) -> Self {
+        let of_knot =
+            |i: usize| from_fn(|q| knots.get(i + q + 1).map_or(0.0, |u| 1.0 / (u - knots[i])));
+        let n = if degree <= UNROLLED_DEGREE { knots.len() } else { 0 };
+        let n_points = knots.len().saturating_sub(degree + 1);
+        let n_spans = n_points.saturating_sub(degree);
+        let length =
+            knots.get(n_points).zip(knots.get(degree)).map_or(1.0, |(end, start)| end - start);
+        Self { mean_span: n_spans as f64 / length, widths: (0..n).map(of_knot).collect() }
+    }
+}
+
+impl KnotVector {
+    /// Calls `f` with the span of `t` and the basis there; no heap allocation up to degree 7.
+    #[inline]
+    pub(in crate::kernel) fn with_basis<R>(&self, t: f64, f: impl FnOnce(usize, &[f64]) -> R) -> R {
+        let span = self.span_at(t);
+        match self.degree {
+            1 => f(span, &self.unrolled::<2>(span, t).0),
+            2 => f(span, &self.unrolled::<3>(span, t).0),
+            3 => f(span, &self.unrolled::<4>(span, t).0),
+            degree @ ..=SMALL_DEGREE => {
+                let mut values = [0.0; SMALL_DEGREE + 1];
+                self.basis_at(span, t, &mut values);
+                f(span, &values[..=degree])
+            }
+            degree => {
+                let mut values = vec![0.0; degree + 1];
+                self.basis_at(span, t, &mut values);
+                f(span, &values)
+            }
+        }
+    }
+
+    /// Calls `f` with the basis on a span and its first derivatives; no heap allocation up to
+    /// degree 7.
+    #[inline]
+    pub(in crate::kernel) fn with_slopes<R>(
+        &self,
+        span: usize,
+        t: f64,
+        f: impl FnOnce(&[f64], &[f64]) -> R,
+    ) -> R {
+        match self.degree {
+            1 => {
+                let (values, slopes) = self.unrolled::<2>(span, t);
+                f(&values, &slopes)
+            }
+            2 => {
+                let (values, slopes) = self.unrolled::<3>(span, t);
+                f(&values, &slopes)
+            }
+            3 => {
+                let (values, slopes) = self.unrolled::<4>(span, t);
+                f(&values, &slopes)
+            }
+            degree @ ..=SMALL_DEGREE => {
+                let (mut values, mut slopes) = ([0.0; SMALL_DEGREE + 1], [0.0; SMALL_DEGREE + 1]);
+                self.slopes_at(span, t, &mut values, &mut slopes);
+                f(&values[..=degree], &slopes[..=degree])
+            }
+            degree => {
+                let (mut values, mut slopes) = (vec![0.0; degree + 1], vec![0.0; degree + 1]);
+                self.slopes_at(span, t, &mut values, &mut slopes);
+                f(&values, &slopes)
+            }
+        }
+    }
+
+    fn slopes_at(&self, span: usize, t: f64, values: &mut [f64], slopes: &mut [f64]) {
+        values[0] = 1.0;
+        if self.degree > 0 {
+            self.basis_of_degree(self.degree - 1, span, t, values);
+            slopes.copy_from_slice(values);
+            self.differentiate(self.degree, span, slopes);
+            self.raise(self.degree, span, t, values);
+        }
+    }
+
+    /// Values and first derivatives for degree N − 1, which is 1, 2 or 3, by the same recurrence
+    /// as [`KnotVector::basis_at`].
+    #[inline]
+    fn unrolled<const N: usize>(&self, span: usize, t: f64) -> ([f64; N], [f64; N]) {
+        let first = span + 2 - N;
+        let (Some(lefts), Some(widths)) =
+            (self.knots[first..].first_chunk(), self.reciprocals.widths[first..].first_chunk())
+        else {
+            unreachable!("a span of the domain has p knots on either side")
+        };
+        if self.knots[span + 1] <= t {
+            // The end of the domain, which a product with a rounded reciprocal would miss.
+            let (mut values, mut slopes) = ([0.0; N], [0.0; N]);
+            self.slopes_at(span, t, &mut values, &mut slopes);
+            return (values, slopes);
+        }
+        let around = Around { t, lefts, widths };
+        let mut values: [f64; N] = from_fn(|r| if r == 0 { 1.0 } else { 0.0 });
+        if 2 < N {
+            values = around.raised::<1>(values);
+        }
+        if 3 < N {
+            values = around.raised::<2>(values);
+        }
+        let slopes = around.slopes(values);
+        let values = match N {
+            2 => around.raised::<1>(values),
+            3 => around.raised::<2>(values),
+            _ => around.raised::<3>(values),
+        };
+        (values, slopes)
+    }
+}
+
+/// A parameter with the knots around it from p − 1 before its span, and the reciprocals of the
+/// widths from these knots on.
+#[derive(Clone, Copy)]
+struct Around<'a, const N: usize> {
+    t: f64,
+    lefts: &'a [f64; N],
+    widths: &'a [[f64; UNROLLED_DEGREE]; N],
+}
+
+impl<const N: usize> Around<'_, N> {
+    /// Values of degree Q from those of degree Q − 1.
+    ///
+    /// Whole arrays follow one another, so that they stay in registers: written entry by entry
+    /// they would be read back in pairs, which waits for the memory.
+    #[inline]
+    fn raised<const Q: usize>(self, values: [f64; N]) -> [f64; N] {
+        let alpha = |i: usize| ((self.t - self.lefts[i]) * self.widths[i][Q - 1]).min(1.0);
+        let alphas: [f64; N] = from_fn(|r| if r < Q { alpha(N - 1 + r - Q) } else { 0.0 });
+        let stays = |r: usize| (1.0 - alphas[r]) * values[r];
+        let moves = |r: usize| alphas[r] * values[r];
+        from_fn(|r| match r {
+            0 => stays(0),
+            r if r < Q => moves(r - 1) + stays(r),
+            r if r == Q => moves(r - 1),
+            _ => 0.0,
+        })
+    }
+
+    /// First derivatives for degree N − 1 from values of degree N − 2.
+    #[inline]
+    fn slopes(self, values: [f64; N]) -> [f64; N] {
+        let degree = N - 1;
+        let own: [f64; N] = from_fn(|r| {
+            if r < degree { degree as f64 * values[r] * self.widths[r][degree - 1] } else { 0.0 }
+        });
+        from_fn(|r| if r == 0 { -own[0] } else { own[r - 1] - own[r] })
+    }
+}
+
+/// The values that the functions of a span act on: as many as there are functions, in a number
+/// that the compiler knows where it knows theirs.
+#[inline]
+pub(in crate::kernel) fn acting<'a, T>(values: &'a [T], span: usize, basis: &[f64]) -> &'a [T] {
+    &values[span + 1 - basis.len()..][..basis.len()]
+}

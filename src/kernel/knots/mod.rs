@@ -1,0 +1,338 @@
+//! Knot vectors and the B-spline functions over them;
+//! `change` makes other vectors of one, `fast` has the basis of the usual degrees.
+//!
+//! Conventions of *The NURBS Book*: degree p, all knots u₀ … uₘ, m = n + p + 1 for n + 1 control
+//! points, domain [u_p, u_{n+1}], the last span closed on the right.
+
+mod change;
+mod fast;
+
+use fast::Reciprocals;
+pub(in crate::kernel) use fast::acting;
+
+use std::ops::RangeInclusive;
+
+use crate::limits::Limits;
+
+use super::{GeomError, Grid, Interval, tolerance::KNOT_RELATIVE};
+
+/// From which side a place is approached, where the two sides can differ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// From smaller parameters.
+    Left,
+    /// From larger parameters.
+    Right,
+}
+
+/// Knots `u₀ ≤ … ≤ uₘ` of a basis of degree p.
+///
+/// Invariants: finite; knots that differ are further apart than [`KNOT_RELATIVE`] of the domain;
+/// none stands more than p + 1 times; the domain is not empty.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KnotVector {
+    degree: usize,
+    knots: Vec<f64>,
+    /// What the knots' differences cost to divide by, computed once.
+    reciprocals: Reciprocals,
+}
+
+impl KnotVector {
+    /// The given knots; those closer than [`KNOT_RELATIVE`] of the domain to their predecessor
+    /// become equal to it.
+    ///
+    /// # Errors
+    /// [`GeomError::DegreeTooHigh`], [`GeomError::TooFewKnots`], [`GeomError::NotFinite`],
+    /// [`GeomError::UnsortedKnots`], [`GeomError::EmptyDomain`], [`GeomError::KnotMultiplicity`].
+    pub fn new(degree: usize, mut knots: Vec<f64>) -> Result<Self, GeomError> {
+        check_degree(degree)?;
+        let (got, needed) = (knots.len(), 2 * (degree + 1));
+        if got < needed {
+            return Err(GeomError::TooFewKnots { degree, needed, got });
+        }
+        if let Some(index) = knots.iter().position(|knot| !knot.is_finite()) {
+            return Err(GeomError::NotFinite { what: "knot", index });
+        }
+        if let Some(i) = knots.windows(2).position(|pair| pair[1] < pair[0]) {
+            let (previous, knot) = (knots[i], knots[i + 1]);
+            return Err(GeomError::UnsortedKnots { index: i + 1, previous, knot });
+        }
+
+        let (start, end) = (knots[degree], knots[got - degree - 1]);
+        let domain = Interval::new(start, end).map_err(|_| GeomError::EmptyDomain { at: start })?;
+        let same = KNOT_RELATIVE * domain.length();
+        for i in 1..got {
+            if knots[i] - knots[i - 1] <= same {
+                knots[i] = knots[i - 1];
+            }
+        }
+        check_multiplicities(degree, &knots)?;
+        Ok(Self::trusted(degree, knots))
+    }
+
+    /// The given knots for a number of control points.
+    ///
+    /// # Errors
+    /// [`GeomError::BadDegree`] with fewer than p + 1 points, [`GeomError::KnotCount`], and those
+    /// of [`Self::new`].
+    pub fn for_points(degree: usize, n_points: usize, knots: Vec<f64>) -> Result<Self, GeomError> {
+        check_points(degree, n_points)?;
+        let (got, needed) = (knots.len(), n_points + degree + 1);
+        if got != needed {
+            return Err(GeomError::KnotCount { points: n_points, degree, needed, got });
+        }
+        Self::new(degree, knots)
+    }
+
+    /// The knots `0 … 0 1 … 1` of a Bézier curve.
+    ///
+    /// # Errors
+    /// [`GeomError::DegreeTooHigh`].
+    pub fn bezier(degree: usize) -> Result<Self, GeomError> {
+        Self::uniform_clamped(degree, degree + 1, 1.0)
+    }
+
+    /// Evenly spaced knots on `0..end`, the ends p + 1 times.
+    ///
+    /// # Errors
+    /// [`GeomError::DegreeTooHigh`], [`GeomError::BadDegree`], [`GeomError::EmptyDomain`].
+    pub fn uniform_clamped(degree: usize, n_points: usize, end: f64) -> Result<Self, GeomError> {
+        check_points(degree, n_points)?;
+        let domain = Interval::new(0.0, end).map_err(|_| GeomError::EmptyDomain { at: 0.0 })?;
+        let n_spans = n_points - degree;
+        let mut knots = vec![0.0; degree];
+        knots.extend(domain.steps(n_spans));
+        knots.extend(vec![end; degree]);
+        Ok(Self::trusted(degree, knots))
+    }
+
+    /// The whole numbers from −p, not clamped: domain `0..(n_points - p)`, one unit a span.
+    ///
+    /// # Errors
+    /// [`GeomError::DegreeTooHigh`], [`GeomError::BadDegree`].
+    pub fn uniform(degree: usize, n_points: usize) -> Result<Self, GeomError> {
+        check_points(degree, n_points)?;
+        let knots = (0..=n_points + degree).map(|i| i as f64 - degree as f64).collect();
+        Ok(Self::trusted(degree, knots))
+    }
+
+    /// Knots that keep the invariants by construction.
+    fn trusted(degree: usize, knots: Vec<f64>) -> Self {
+        let reciprocals = Reciprocals::new(degree, &knots);
+        Self { degree, knots, reciprocals }
+    }
+
+    /// Polynomial degree p of the pieces.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// All knots u₀ … uₘ.
+    #[must_use]
+    pub fn as_slice(&self) -> &[f64] {
+        &self.knots
+    }
+
+    /// How many control points, and basis functions, go with the knots: n + 1.
+    #[must_use]
+    pub fn n_points(&self) -> usize {
+        self.knots.len() - self.degree - 1
+    }
+
+    /// # Errors
+    /// [`GeomError::KnotCount`] unless the knots are for that many control points.
+    pub(in crate::kernel) fn check_points(&self, points: usize) -> Result<(), GeomError> {
+        if points == self.n_points() {
+            return Ok(());
+        }
+        let (degree, got) = (self.degree, self.knots.len());
+        Err(GeomError::KnotCount { points, degree, needed: points + degree + 1, got })
+    }
+
+    /// Where the basis sums to one: `[u_p, u_{n+1}]`.
+    #[must_use]
+    pub fn domain(&self) -> Interval {
+        match Interval::new(self.knots[self.degree], self.knots[self.n_points()]) {
+            Ok(domain) => domain,
+            Err(_) => unreachable!("constructors refuse knots without a domain"),
+        }
+    }
+
+    /// Index i of the span `[u_i, u_{i+1})` that holds `t`; the last one also holds its right
+    /// end. Outside the domain the first or the last span answers. O(log n), O(1) for even knots.
+    ///
+    /// Piegl & Tiller, *The NURBS Book*, A2.1.
+    #[must_use]
+    #[inline]
+    pub fn span_at(&self, t: f64) -> usize {
+        let (first, last) = (self.degree, self.n_points());
+        let inside = &self.knots[first..=last];
+        let (n_spans, start) = (last - first, inside[0]);
+        let t = t.max(start);
+
+        // Even knots need no search.
+        let even = (t - start) * self.reciprocals.mean_span;
+        let guess = (even as usize).min(n_spans - 1);
+        if inside[guess] <= t && t < inside[guess + 1] {
+            return first + guess;
+        }
+
+        let mut span = inside.partition_point(|&knot| knot <= t).min(n_spans) - 1;
+        // At the end of the domain, back over the knots that stand there.
+        while inside[span] >= inside[span + 1] {
+            span -= 1;
+        }
+        first + span
+    }
+
+    /// The span that ends or begins at `t`, where `t` is a knot; the span that holds it, else.
+    #[must_use]
+    pub fn span_beside(&self, t: f64, side: Side) -> usize {
+        let (first, last) = (self.degree, self.n_points());
+        let inside = &self.knots[first..=last];
+        let (start, end) = (inside[0], inside[last - first]);
+        let t = t.max(start).min(end);
+        let n_before = match side {
+            Side::Right if t < end => inside.partition_point(|&knot| knot <= t),
+            Side::Left if start < t => inside.partition_point(|&knot| knot < t),
+            Side::Left => inside.partition_point(|&knot| knot <= t),
+            Side::Right => inside.partition_point(|&knot| knot < t),
+        };
+        first + n_before - 1
+    }
+
+    /// Each knot once, with its multiplicity, over the whole vector.
+    #[must_use]
+    pub fn distinct(&self) -> Vec<(f64, usize)> {
+        self.knots.chunk_by(|a, b| a.total_cmp(b).is_eq()).map(|run| (run[0], run.len())).collect()
+    }
+
+    /// How often `t` stands among the knots; closer than [`KNOT_RELATIVE`] of the domain counts.
+    #[must_use]
+    pub fn multiplicity(&self, t: f64) -> usize {
+        let same = KNOT_RELATIVE * self.domain().length();
+        self.knots.iter().filter(|&&knot| (knot - t).abs() <= same).count()
+    }
+
+    /// How often exactly `t` stands among the knots.
+    pub(in crate::kernel) fn times(&self, t: f64) -> usize {
+        self.knots.partition_point(|&knot| knot <= t) - self.knots.partition_point(|&knot| knot < t)
+    }
+
+    /// The ends of the domain and the distinct knots between them.
+    #[must_use]
+    pub fn breaks(&self) -> Vec<f64> {
+        let domain = self.domain();
+        self.distinct().into_iter().map(|(t, _)| t).filter(|&t| domain.contains(t)).collect()
+    }
+
+    /// Spans of the domain that have a width, by index.
+    pub fn spans(&self) -> impl Iterator<Item = usize> {
+        (self.degree..self.n_points()).filter(|&i| self.knots[i] < self.knots[i + 1])
+    }
+
+    /// The parameters of a span that has a width.
+    #[must_use]
+    pub fn span_interval(&self, span: usize) -> Interval {
+        match Interval::new(self.knots[span], self.knots[span + 1]) {
+            Ok(interval) => interval,
+            Err(_) => self.domain(),
+        }
+    }
+
+    /// The control points, by index, that the curve depends on over a span.
+    #[must_use]
+    pub fn support(&self, span: usize) -> RangeInclusive<usize> {
+        span - self.degree..=span
+    }
+
+    /// Values at `t` of the p + 1 functions that live on `span`, written into `values`.
+    ///
+    /// Exactly 0 and 1 at the ends of a clamped domain. O(p²); beyond the span the polynomials go
+    /// on. Piegl & Tiller, *The NURBS Book*, A2.2, with the blend as one fraction.
+    pub fn basis_at(&self, span: usize, t: f64, values: &mut [f64]) {
+        self.basis_of_degree(self.degree, span, t, values);
+    }
+
+    fn basis_of_degree(&self, degree: usize, span: usize, t: f64, values: &mut [f64]) {
+        values[0] = 1.0;
+        for q in 1..=degree {
+            self.raise(q, span, t, values);
+        }
+    }
+
+    /// Turns values of degree q − 1 on a span into values of degree q, in place.
+    fn raise(&self, q: usize, span: usize, t: f64, values: &mut [f64]) {
+        let mut carried = 0.0;
+        let windows = self.knots[span + 1 - q..].iter().zip(&self.knots[span + 1..]);
+        for (value, (&left, &right)) in values[..q].iter_mut().zip(windows) {
+            let alpha = (t - left) / (right - left);
+            let to_next = alpha * *value;
+            *value = carried + (1.0 - alpha) * *value;
+            carried = to_next;
+        }
+        values[q] = carried;
+    }
+
+    /// Derivatives at `t` of the p + 1 functions that live on its span, by order up to `order`:
+    /// row k holds the k-th ones; rows above p are zero.
+    ///
+    /// Piegl & Tiller, *The NURBS Book*, (2.7), applied k times to the basis of degree p − k.
+    #[must_use]
+    pub fn basis_derivatives_at(&self, t: f64, order: usize) -> Grid<f64> {
+        self.basis_derivatives_on(self.span_at(t), t, order)
+    }
+
+    /// [`Self::basis_derivatives_at`] with the span given.
+    #[must_use]
+    pub fn basis_derivatives_on(&self, span: usize, t: f64, order: usize) -> Grid<f64> {
+        let p = self.degree;
+        let mut values = vec![0.0; (order + 1) * (p + 1)];
+        for (k, row) in values.chunks_mut(p + 1).enumerate().take(p + 1) {
+            self.basis_of_degree(p - k, span, t, row);
+            for q in p - k + 1..=p {
+                self.differentiate(q, span, row);
+            }
+        }
+        Grid::from_rows_of(p + 1, values)
+    }
+
+    /// Turns values of degree q − 1 on a span into derivatives of degree q, in place.
+    fn differentiate(&self, q: usize, span: usize, values: &mut [f64]) {
+        let mut carried = 0.0;
+        let windows = self.knots[span + 1 - q..].iter().zip(&self.knots[span + 1..]);
+        for (value, (left, right)) in values[..q].iter_mut().zip(windows) {
+            let slope = q as f64 * *value / (right - left);
+            *value = carried - slope;
+            carried = slope;
+        }
+        values[q] = carried;
+    }
+}
+
+fn check_degree(degree: usize) -> Result<(), GeomError> {
+    let most = Limits::DEFAULT.degree;
+    if degree <= most { Ok(()) } else { Err(GeomError::DegreeTooHigh { degree, most }) }
+}
+
+fn check_points(degree: usize, n_points: usize) -> Result<(), GeomError> {
+    check_degree(degree)?;
+    if degree < n_points {
+        Ok(())
+    } else {
+        Err(GeomError::BadDegree { degree, points: n_points, needed: degree + 1 })
+    }
+}
+
+fn check_multiplicities(degree: usize, knots: &[f64]) -> Result<(), GeomError> {
+    let mut index = 0;
+    for run in knots.chunk_by(|a, b| a.total_cmp(b).is_eq()) {
+        if degree + 1 < run.len() {
+            let (knot, times, most) = (run[0], run.len(), degree + 1);
+            return Err(GeomError::KnotMultiplicity { index, knot, times, most });
+        }
+        index += run.len();
+    }
+    Ok(())
+}

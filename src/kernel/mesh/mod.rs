@@ -1,0 +1,209 @@
+//! Triangle meshes.
+//!
+//! This file has the type and what can be measured on it; `grid` makes a mesh of a surface by
+//! counts, `tessellate` by a tolerance.
+
+mod grid;
+mod tessellate;
+
+use glam::{DAffine3, DMat3, DVec2, DVec3};
+
+use super::{Bounds, GeomError, frame::unit, tolerance::UNIT_SLACK};
+
+pub use grid::grid_mesh;
+pub use tessellate::{tessellate, tessellate_curve};
+
+/// Triangles over shared vertices, counter-clockwise seen from the side of the normals.
+///
+/// Invariants: finite vertices; a unit normal and a parameter pair for each vertex, or none at
+/// all; triangles name vertices that exist.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Mesh {
+    vertices: Vec<DVec3>,
+    normals: Vec<DVec3>,
+    uvs: Vec<DVec2>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl Mesh {
+    /// The mesh of these parts; `normals` and `uvs` may be empty.
+    ///
+    /// # Errors
+    /// [`GeomError::NotFinite`], [`GeomError::AttributeCount`], [`GeomError::NotUnit`],
+    /// [`GeomError::NoSuchVertex`].
+    pub fn new(
+        vertices: Vec<DVec3>,
+        normals: Vec<DVec3>,
+        uvs: Vec<DVec2>,
+        triangles: Vec<[u32; 3]>,
+    ) -> Result<Self, GeomError> {
+        check_attribute("normals", vertices.len(), normals.len())?;
+        check_attribute("parameter pairs", vertices.len(), uvs.len())?;
+        let finite = |what: &'static str, found: Option<usize>| match found {
+            Some(index) => Err(GeomError::NotFinite { what, index }),
+            None => Ok(()),
+        };
+        finite("vertex", vertices.iter().position(|vertex| !vertex.is_finite()))?;
+        finite("parameter pair", uvs.iter().position(|uv| !uv.is_finite()))?;
+        for (index, normal) in normals.iter().enumerate() {
+            let length = normal.length();
+            if !length.is_finite() || UNIT_SLACK < (length - 1.0).abs() {
+                return Err(GeomError::NotUnit { index, length });
+            }
+        }
+        check_triangles(&triangles, vertices.len())?;
+        Ok(Self { vertices, normals, uvs, triangles })
+    }
+
+    /// The corners of the triangles.
+    #[must_use]
+    pub fn vertices(&self) -> &[DVec3] {
+        &self.vertices
+    }
+
+    /// Unit normals, one a vertex, or none at all.
+    #[must_use]
+    pub fn normals(&self) -> &[DVec3] {
+        &self.normals
+    }
+
+    /// Parameters on the surface, one pair a vertex, or none at all.
+    #[must_use]
+    pub fn uvs(&self) -> &[DVec2] {
+        &self.uvs
+    }
+
+    /// Triples of vertex indices.
+    #[must_use]
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// How many vertices.
+    #[must_use]
+    pub fn n_vertices(&self) -> usize {
+        self.vertices.len()
+    }
+
+    /// How many triangles.
+    #[must_use]
+    pub fn n_triangles(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// The corners of each triangle.
+    pub fn corners(&self) -> impl Iterator<Item = [DVec3; 3]> {
+        self.triangles.iter().map(|triangle| triangle.map(|i| self.vertices[i as usize]))
+    }
+
+    /// The box around the vertices; none around no vertices.
+    #[must_use]
+    pub fn bounds(&self) -> Option<Bounds> {
+        Bounds::of(self.vertices.iter().copied())
+    }
+
+    /// Sum of the areas of the triangles.
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        self.corners().map(|[a, b, c]| 0.5 * (b - a).cross(c - a).length()).sum()
+    }
+
+    /// Enclosed volume, negative where the triangles face inward; only closed meshes enclose one.
+    #[must_use]
+    pub fn volume(&self) -> f64 {
+        // About a vertex of its own, so that a far away mesh keeps its digits.
+        let Some(&about) = self.vertices.first() else { return 0.0 };
+        let tetrahedron = |[a, b, c]: [DVec3; 3]| (a - about).dot((b - about).cross(c - about));
+        self.corners().map(tetrahedron).sum::<f64>() / 6.0
+    }
+
+    /// The image under an affine map. Normals stay normal; a mirror turns the triangles round, so
+    /// that the outside stays outside; a map that flattens space loses the normals.
+    #[must_use]
+    pub fn transformed(&self, map: &DAffine3) -> Self {
+        let vertices = self.vertices.iter().map(|&vertex| map.transform_point3(vertex)).collect();
+        let mirrors = map.matrix3.determinant() < 0.0;
+        let cofactors = cofactors(map.matrix3) * if mirrors { -1.0 } else { 1.0 };
+        let normals: Option<Vec<DVec3>> =
+            self.normals.iter().map(|&normal| unit(cofactors * normal)).collect();
+        let turn = |&[a, b, c]: &[u32; 3]| if mirrors { [a, c, b] } else { [a, b, c] };
+        let triangles = self.triangles.iter().map(turn).collect();
+        Self { vertices, normals: normals.unwrap_or_default(), uvs: self.uvs.clone(), triangles }
+    }
+
+    /// The same triangles without the vertices that belong to none, the others in their order.
+    fn without_strays(self) -> Self {
+        let mut is_used = vec![false; self.n_vertices()];
+        self.triangles.iter().flatten().for_each(|&corner| is_used[corner as usize] = true);
+        let mut renamed = vec![0; self.n_vertices()];
+        let mut n_kept = 0;
+        for (name, &is_used) in renamed.iter_mut().zip(&is_used) {
+            *name = n_kept;
+            n_kept += u32::from(is_used);
+        }
+        fn kept<T: Copy>(values: &[T], is_used: &[bool]) -> Vec<T> {
+            let pairs = values.iter().zip(is_used);
+            pairs.filter(|(_, is_used)| **is_used).map(|(value, _)| *value).collect()
+        }
+        Self {
+            vertices: kept(&self.vertices, &is_used),
+            normals: kept(&self.normals, &is_used),
+            uvs: kept(&self.uvs, &is_used),
+            triangles: self
+                .triangles
+                .into_iter()
+                .map(|corners| corners.map(|corner| renamed[corner as usize]))
+                .collect(),
+        }
+    }
+
+    /// All meshes as one; normals and parameters only where every one of them has them.
+    ///
+    /// # Errors
+    /// [`GeomError::TooManyVertices`] above the ceiling, or beyond what a triangle can name.
+    pub fn merged(meshes: &[Self], max_vertices: usize) -> Result<Self, GeomError> {
+        let got = meshes.iter().map(Self::n_vertices).sum();
+        let most = max_vertices.min(u32::MAX as usize);
+        if most < got {
+            return Err(GeomError::TooManyVertices { got, most });
+        }
+        let have_normals = meshes.iter().all(|mesh| mesh.normals.len() == mesh.n_vertices());
+        let have_uvs = meshes.iter().all(|mesh| mesh.uvs.len() == mesh.n_vertices());
+        let mut all = Self::default();
+        for mesh in meshes {
+            let first = all.n_vertices() as u32;
+            all.vertices.extend_from_slice(&mesh.vertices);
+            if have_normals {
+                all.normals.extend_from_slice(&mesh.normals);
+            }
+            if have_uvs {
+                all.uvs.extend_from_slice(&mesh.uvs);
+            }
+            all.triangles.extend(mesh.triangles.iter().map(|corners| corners.map(|i| i + first)));
+        }
+        Ok(all)
+    }
+}
+
+/// The inverse transpose times the determinant, which also exists for flat maps.
+fn cofactors(m: DMat3) -> DMat3 {
+    let [x, y, z] = [m.x_axis, m.y_axis, m.z_axis];
+    DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y))
+}
+
+fn check_attribute(what: &'static str, vertices: usize, got: usize) -> Result<(), GeomError> {
+    if got == 0 || got == vertices {
+        Ok(())
+    } else {
+        Err(GeomError::AttributeCount { what, vertices, got })
+    }
+}
+
+fn check_triangles(triangles: &[[u32; 3]], vertices: usize) -> Result<(), GeomError> {
+    for (triangle, corners) in triangles.iter().enumerate() {
+        if let Some(&vertex) = corners.iter().find(|&&vertex| vertices <= vertex as usize) {
+            return Err(GeomError::NoSuchVertex { triangle, vertex, vertices });
+        }
+    }
+    Ok(())
+}

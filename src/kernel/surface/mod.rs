@@ -1,0 +1,212 @@
+//! Rational B-spline surfaces.
+//!
+//! This file has the type, its constructors and what can be read off it; `eval` computes points
+//! and derivatives, `grid_eval` many of them at once, `normal` unit normals where they exist,
+//! `iso` the curves on it and its box, `ruled` surfaces between curves.
+
+mod eval;
+mod grid_eval;
+mod iso;
+mod normal;
+mod ruled;
+
+use glam::{DAffine3, DVec3, DVec4};
+
+pub use grid_eval::GridSamples;
+
+use super::{GeomError, Grid, Interval, KnotVector, homogeneous, positive};
+
+/// A rational B-spline surface; row i of its net runs along u, column j along v.
+///
+/// Invariants: as many rows and columns as the knots need, all entries finite; the denominator
+/// `Σ wᵢⱼNᵢNⱼ` is positive on the whole domain.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NurbsSurface {
+    knots_u: KnotVector,
+    knots_v: KnotVector,
+    control_points: Grid<DVec4>,
+    is_rational: bool,
+    /// The area of Su × Sv over a span each that is rounding and no area.
+    fold_area: f64,
+}
+
+impl NurbsSurface {
+    /// The surface of homogeneous control points.
+    ///
+    /// # Errors
+    /// [`GeomError::KnotCount`], [`GeomError::NotFinite`], [`GeomError::VanishingWeightsAt`].
+    pub fn new(
+        knots_u: KnotVector,
+        knots_v: KnotVector,
+        control_points: Grid<DVec4>,
+    ) -> Result<Self, GeomError> {
+        knots_u.check_points(control_points.n_rows())?;
+        knots_v.check_points(control_points.n_columns())?;
+        homogeneous::check_finite(control_points.as_slice())?;
+        positive::check_surface([&knots_u, &knots_v], &control_points)?;
+        Ok(Self::trusted(knots_u, knots_v, control_points))
+    }
+
+    /// The surface with all weights one.
+    ///
+    /// # Errors
+    /// [`GeomError::KnotCount`], [`GeomError::NotFinite`].
+    pub fn polynomial(
+        knots_u: KnotVector,
+        knots_v: KnotVector,
+        points: &Grid<DVec3>,
+    ) -> Result<Self, GeomError> {
+        let (n_rows, n_columns) = (points.n_rows(), points.n_columns());
+        let control_points = homogeneous::unweighted(points.as_slice())?;
+        Self::new(knots_u, knots_v, Grid::new(n_rows, n_columns, control_points)?)
+    }
+
+    /// The surface with a weight for each point; a weight of zero takes its point away.
+    ///
+    /// # Errors
+    /// [`GeomError::KnotCount`], [`GeomError::WeightCount`], [`GeomError::NotFinite`],
+    /// [`GeomError::BadWeight`] below zero (indices count row after row),
+    /// [`GeomError::VanishingWeightsAt`] where zeros leave a place without a point.
+    pub fn rational(
+        knots_u: KnotVector,
+        knots_v: KnotVector,
+        points: &Grid<DVec3>,
+        weights: &Grid<f64>,
+    ) -> Result<Self, GeomError> {
+        let (n_rows, n_columns) = (points.n_rows(), points.n_columns());
+        if (n_rows, n_columns) != (weights.n_rows(), weights.n_columns()) {
+            let (points, weights) = (points.as_slice().len(), weights.as_slice().len());
+            return Err(GeomError::WeightCount { points, weights });
+        }
+        let control_points = homogeneous::weighted(points.as_slice(), weights.as_slice())?;
+        Self::new(knots_u, knots_v, Grid::new(n_rows, n_columns, control_points)?)
+    }
+
+    /// The Bézier surface of a net, on 0..1 × 0..1.
+    ///
+    /// # Errors
+    /// [`GeomError::TooFewPoints`] for an empty net, [`GeomError::DegreeTooHigh`],
+    /// [`GeomError::NotFinite`].
+    pub fn bezier(points: &Grid<DVec3>) -> Result<Self, GeomError> {
+        if points.as_slice().is_empty() {
+            return Err(GeomError::TooFewPoints { got: 0, needed: 1 });
+        }
+        let knots_u = KnotVector::bezier(points.n_rows() - 1)?;
+        let knots_v = KnotVector::bezier(points.n_columns() - 1)?;
+        Self::polynomial(knots_u, knots_v, points)
+    }
+
+    /// The bilinear surface between four corners; the first index of a name counts along u.
+    ///
+    /// # Errors
+    /// [`GeomError::NotFinite`].
+    pub fn bilinear(p00: DVec3, p01: DVec3, p10: DVec3, p11: DVec3) -> Result<Self, GeomError> {
+        Self::bezier(&Grid::new(2, 2, vec![p00, p01, p10, p11])?)
+    }
+
+    /// A surface of parts that keep the invariants by construction.
+    pub(in crate::kernel) fn trusted(
+        knots_u: KnotVector,
+        knots_v: KnotVector,
+        control_points: Grid<DVec4>,
+    ) -> Self {
+        let is_rational = homogeneous::have_different_weights(control_points.as_slice());
+        let fold_area = normal::fold_area(&control_points);
+        Self { knots_u, knots_v, control_points, is_rational, fold_area }
+    }
+
+    /// Polynomial degree along u.
+    #[must_use]
+    pub fn degree_u(&self) -> usize {
+        self.knots_u.degree()
+    }
+
+    /// Polynomial degree along v.
+    #[must_use]
+    pub fn degree_v(&self) -> usize {
+        self.knots_v.degree()
+    }
+
+    /// All knots along u.
+    #[must_use]
+    pub fn knots_u(&self) -> &KnotVector {
+        &self.knots_u
+    }
+
+    /// All knots along v.
+    #[must_use]
+    pub fn knots_v(&self) -> &KnotVector {
+        &self.knots_v
+    }
+
+    /// The homogeneous control points.
+    #[must_use]
+    pub fn control_points(&self) -> &Grid<DVec4> {
+        &self.control_points
+    }
+
+    /// The control points in space; one of weight zero gives its direction.
+    #[must_use]
+    pub fn points(&self) -> Grid<DVec3> {
+        self.control_points.map(|&point| homogeneous::place(point))
+    }
+
+    /// The weights.
+    #[must_use]
+    pub fn weights(&self) -> Grid<f64> {
+        self.control_points.map(|point| point.w)
+    }
+
+    /// Whether the weights differ.
+    #[must_use]
+    pub fn is_rational(&self) -> bool {
+        self.is_rational
+    }
+
+    /// The parameters u that have points.
+    #[must_use]
+    pub fn domain_u(&self) -> Interval {
+        self.knots_u.domain()
+    }
+
+    /// The parameters v that have points.
+    #[must_use]
+    pub fn domain_v(&self) -> Interval {
+        self.knots_v.domain()
+    }
+
+    /// How many polynomial pieces along u and along v.
+    #[must_use]
+    pub fn n_patches(&self) -> [usize; 2] {
+        [self.knots_u.spans().count(), self.knots_v.spans().count()]
+    }
+
+    /// Whether the edges at the two ends of u are within `distance` of one another everywhere.
+    #[must_use]
+    pub fn is_closed_u(&self, distance: f64) -> bool {
+        let (start, end) = (self.domain_u().start(), self.domain_u().end());
+        let vs = samples(&self.knots_v);
+        vs.iter().all(|&v| self.point_at(start, v).distance(self.point_at(end, v)) <= distance)
+    }
+
+    /// Whether the edges at the two ends of v are within `distance` of one another everywhere.
+    #[must_use]
+    pub fn is_closed_v(&self, distance: f64) -> bool {
+        let (start, end) = (self.domain_v().start(), self.domain_v().end());
+        let us = samples(&self.knots_u);
+        us.iter().all(|&u| self.point_at(u, start).distance(self.point_at(u, end)) <= distance)
+    }
+
+    /// The image under an affine map: exact, because the basis sums to one.
+    #[must_use]
+    pub fn transformed(&self, map: &DAffine3) -> Self {
+        let control_points = self.control_points.map(|&point| homogeneous::transformed(point, map));
+        Self::trusted(self.knots_u.clone(), self.knots_v.clone(), control_points)
+    }
+}
+
+/// Parameters in every span, enough of them to tell two different rational curves on it apart.
+fn samples(knots: &KnotVector) -> Vec<f64> {
+    let n_steps = 4 * knots.degree() + 1;
+    knots.spans().flat_map(|span| knots.span_interval(span).steps(n_steps)).collect()
+}

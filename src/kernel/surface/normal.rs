@@ -1,0 +1,145 @@
+//! Unit normals Su × Sv, also where the cross product vanishes.
+//!
+//! At a pole, on a collapsed edge or at the corner of a degenerate net Su × Sv is zero, but its
+//! direction has a limit. The product is expanded in a Taylor series, and the terms of the lowest
+//! order that do not vanish give the limit, if they all point one way inside the domain.
+
+use glam::{DVec3, DVec4};
+
+use super::NurbsSurface;
+use crate::kernel::{
+    Bounds, GeomError, Grid, Interval,
+    frame::unit,
+    homogeneous,
+    tolerance::{NORMAL_AGREEMENT, NORMAL_STEP, VANISHING_RELATIVE},
+};
+
+/// Order of the last derivatives that the limit of a normal is looked for in.
+const MAX_ORDER: usize = 4;
+
+impl NurbsSurface {
+    /// The unit vector along Su × Sv, or its limit where the product vanishes.
+    ///
+    /// At the pole of a surface of revolution or on an edge that is collapsed to a point this is
+    /// the direction of Suv × Sv, or of Su × Suv.
+    ///
+    /// # Errors
+    /// [`GeomError::NoNormal`] where the limit depends on the side that it is taken from.
+    pub fn normal_at(&self, u: f64, v: f64) -> Result<DVec3, GeomError> {
+        let [_, tangent_u, tangent_v] = self.tangents_at(u, v);
+        let normal = tangent_u.cross(tangent_v);
+        let [width_u, width_v] = self.span_widths(u, v);
+        if self.fold_area < normal.length() * width_u * width_v {
+            return unit(normal).ok_or(GeomError::NoNormal { u, v });
+        }
+        self.limit_normal(u, v).ok_or(GeomError::NoNormal { u, v })
+    }
+
+    /// A unit vector for shading: the normal, or the nearest there is.
+    ///
+    /// Where there is no limit either, the normal a little further inside the domain; and (0, 0,
+    /// 1) where the whole neighbourhood is folded.
+    pub(super) fn shading_normal(&self, u: f64, v: f64) -> DVec3 {
+        let inside = |domain: Interval, t: f64| t + (domain.at(0.5) - t) * NORMAL_STEP;
+        self.normal_at(u, v)
+            .or_else(|_| self.normal_at(inside(self.domain_u(), u), inside(self.domain_v(), v)))
+            .or_else(|_| self.plain_normal(u, v))
+            .unwrap_or(DVec3::Z)
+    }
+
+    fn plain_normal(&self, u: f64, v: f64) -> Result<DVec3, GeomError> {
+        let [_, tangent_u, tangent_v] = self.tangents_at(u, v);
+        let normal = tangent_u.cross(tangent_v);
+        unit(normal).ok_or(GeomError::NoNormal { u, v })
+    }
+
+    fn span_widths(&self, u: f64, v: f64) -> [f64; 2] {
+        let width_u = self.knots_u.span_interval(self.knots_u.span_at(u)).length();
+        let width_v = self.knots_v.span_interval(self.knots_v.span_at(v)).length();
+        [width_u, width_v]
+    }
+
+    fn limit_normal(&self, u: f64, v: f64) -> Option<DVec3> {
+        let widths = self.span_widths(u, v);
+        let normals = normal_series(&self.derivatives_at(u, v, MAX_ORDER), widths);
+        let sides = [inward(self.domain_u(), u), inward(self.domain_v(), v)];
+        let rounding = self.fold_area;
+        for order in 1..MAX_ORDER {
+            let terms: Vec<(usize, DVec3)> = (0..=order)
+                .map(|i| (i, normals.get(i, order - i)))
+                .filter(|(_, term)| rounding < term.length())
+                .collect();
+            if !terms.is_empty() {
+                return common_direction(&terms, order, sides);
+            }
+        }
+        None
+    }
+}
+
+/// The area, of Su × Sv over one span each, that is rounding and no area.
+pub(super) fn fold_area(control_points: &Grid<DVec4>) -> f64 {
+    let places = control_points.iter().map(|&point| homogeneous::place(point));
+    let scale = |bounds: Bounds| bounds.magnitude() * bounds.diagonal();
+    Bounds::of(places).map_or(0.0, scale) * VANISHING_RELATIVE
+}
+
+/// The direction of all terms `n·duⁱ·dvʲ`, i + j = `order`, for steps into the domain.
+fn common_direction(
+    terms: &[(usize, DVec3)],
+    order: usize,
+    sides: [Option<f64>; 2],
+) -> Option<DVec3> {
+    // An odd power has both signs around a place inside the domain.
+    let sign = |side: Option<f64>, power: usize| match side {
+        Some(side) if power % 2 == 1 => Some(side),
+        None if power % 2 == 1 => None,
+        _ => Some(1.0),
+    };
+    let mut directions = terms.iter().map(|&(i, term)| {
+        let sign = sign(sides[0], i)? * sign(sides[1], order - i)?;
+        unit(term * sign)
+    });
+    let first = directions.next()??;
+    let agree = |direction: Option<DVec3>| {
+        direction.is_some_and(|direction| direction.distance(first) < NORMAL_AGREEMENT)
+    };
+    directions.all(agree).then_some(first)
+}
+
+/// The sign of steps from `t` that stay inside the domain; none where both do.
+fn inward(domain: Interval, t: f64) -> Option<f64> {
+    if t <= domain.start() {
+        Some(1.0)
+    } else if domain.end() <= t {
+        Some(-1.0)
+    } else {
+        None
+    }
+}
+
+/// Taylor coefficients of Su × Sv by powers of u and v, for steps in units of `widths`.
+fn normal_series(derivatives: &Grid<DVec3>, widths: [f64; 2]) -> Grid<DVec3> {
+    let coefficient = |i: usize, j: usize| {
+        let mut term = derivatives.get(i, j);
+        for k in 1..=i {
+            term *= widths[0] / k as f64;
+        }
+        for k in 1..=j {
+            term *= widths[1] / k as f64;
+        }
+        term
+    };
+    let along_u = |i: usize, j: usize| (i + 1) as f64 * coefficient(i + 1, j);
+    let along_v = |i: usize, j: usize| (j + 1) as f64 * coefficient(i, j + 1);
+    let n = derivatives.n_rows() - 1;
+    Grid::from_fn(n, n, |i, j| {
+        let mut sum = DVec3::ZERO;
+        for k in 0..=i {
+            for l in 0..=j {
+                sum += along_u(k, l).cross(along_v(i - k, j - l));
+            }
+        }
+        sum
+    })
+}

@@ -1,0 +1,105 @@
+//! Tables: named columns of one length.
+
+use super::GeomError;
+
+/// The cells of one column.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Column {
+    /// Finite or not: a table shows what was computed.
+    Numbers(Vec<f64>),
+    /// Any text.
+    Texts(Vec<String>),
+}
+
+impl Column {
+    /// How many rows.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Numbers(numbers) => numbers.len(),
+            Self::Texts(texts) => texts.len(),
+        }
+    }
+
+    /// Whether there are no rows.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// A column: its name, its unit where it has one, its cells.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedColumn {
+    /// Name, unique within its table.
+    pub name: String,
+    /// Unit of the numbers, as text for the reader.
+    pub unit: Option<String>,
+    /// One cell a row.
+    pub column: Column,
+}
+
+impl NamedColumn {
+    /// A column of numbers without a unit.
+    #[must_use]
+    pub fn numbers(name: impl Into<String>, numbers: Vec<f64>) -> Self {
+        Self { name: name.into(), unit: None, column: Column::Numbers(numbers) }
+    }
+
+    /// A column of texts.
+    #[must_use]
+    pub fn texts(name: impl Into<String>, texts: Vec<String>) -> Self {
+        Self { name: name.into(), unit: None, column: Column::Texts(texts) }
+    }
+
+    /// The same column with a unit.
+    #[must_use]
+    pub fn with_unit(self, unit: impl Into<String>) -> Self {
+        Self { unit: Some(unit.into()), ..self }
+    }
+}
+
+/// Named columns. Invariants: all of one length, no name twice.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Table {
+    columns: Vec<NamedColumn>,
+}
+
+impl Table {
+    /// The table of the columns in their order; without columns it has no rows.
+    ///
+    /// # Errors
+    /// [`GeomError::ColumnLength`], [`GeomError::DuplicateColumn`].
+    pub fn new(columns: Vec<NamedColumn>) -> Result<Self, GeomError> {
+        let expected = columns.first().map_or(0, |column| column.column.len());
+        for (i, column) in columns.iter().enumerate() {
+            let got = column.column.len();
+            let name = || column.name.clone();
+            if got != expected {
+                return Err(GeomError::ColumnLength { name: name(), got, expected });
+            }
+            if columns[..i].iter().any(|earlier| earlier.name == column.name) {
+                return Err(GeomError::DuplicateColumn { name: name() });
+            }
+        }
+        Ok(Self { columns })
+    }
+
+    /// How many rows.
+    #[must_use]
+    pub fn n_rows(&self) -> usize {
+        self.columns.first().map_or(0, |column| column.column.len())
+    }
+
+    /// The columns in their order.
+    #[must_use]
+    pub fn columns(&self) -> &[NamedColumn] {
+        &self.columns
+    }
+
+    /// The cells of the column of that name.
+    #[must_use]
+    pub fn column(&self, name: &str) -> Option<&Column> {
+        self.columns.iter().find(|column| column.name == name).map(|found| &found.column)
+    }
+}

@@ -1,0 +1,108 @@
+//! Every tolerance of the kernel: the only file where a small number may be written.
+//!
+//! Algorithms that answer to the user's idea of "the same place" take a [`Tolerance`] from their
+//! caller and never pick one. The named constants below are different in kind: they say where the
+//! digits of an `f64` end, so they are fixed, and all are ratios without a unit.
+
+/// The precision that a computation is asked to reach.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerance {
+    /// Points closer than this coincide; model units. Larger merges details of the model; smaller
+    /// finds gaps in joints that only rounding has opened.
+    pub distance: f64,
+    /// Directions closer than this are parallel; radians. Larger calls a slow bend straight;
+    /// smaller calls two computed copies of one direction different.
+    pub angle: f64,
+}
+
+impl Tolerance {
+    /// Suits models measured in millimetres, up to some metres.
+    pub const DEFAULT: Self = Self { distance: 1e-6, angle: 1e-9 };
+
+    /// The same angle with another distance.
+    #[must_use]
+    pub const fn with_distance(self, distance: f64) -> Self {
+        Self { distance, ..self }
+    }
+}
+
+impl Default for Tolerance {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
+
+/// Two knots closer than this fraction of the domain are one knot, and a parameter that far
+/// outside the domain is its end.
+///
+/// Larger merges knots that somebody placed on purpose; smaller leaves spans of rounding width,
+/// where derivatives are noise, and refuses `c(0.1 * 10)` at the end of 0..1.
+pub const KNOT_RELATIVE: f64 = 1e-12;
+
+/// Weights that differ by less than this fraction of the largest are equal: the curve is not
+/// rational.
+///
+/// Larger takes a weight written as 1.000001 for 1; smaller calls a polynomial curve rational
+/// after a knot was inserted.
+pub const WEIGHT_RELATIVE: f64 = 1e-13;
+
+/// A derivative over the whole domain, or the area of two of them, below this fraction of the
+/// control polygon's size (squared for areas) has vanished: its direction is rounding.
+///
+/// Rounding leaves some 1e-16 of the size. Larger takes slow points for singular ones and strips
+/// narrower than this fraction of their length for folds; smaller answers with a random direction
+/// at a cusp or a pole.
+pub const VANISHING_RELATIVE: f64 = 1e-13;
+
+/// Arc length is computed to this fraction of itself.
+///
+/// Larger shows in the last digits that a report prints; smaller asks for less than the rounding
+/// of the sum, so that the subdivision runs to its ceiling everywhere.
+pub const LENGTH_RELATIVE: f64 = 1e-13;
+
+/// A bounding box stops growing when the rest of the hull sticks out by less than this fraction
+/// of the largest coordinate.
+///
+/// Larger leaves a box that is visibly loose on paper; smaller subdivides where the difference is
+/// one rounding.
+pub const BOUNDS_RELATIVE: f64 = 1e-15;
+
+/// How far into the domain, as a fraction of it, a normal is looked for at a point that has none.
+///
+/// Larger tilts the shading around the point; smaller asks where the derivatives are still
+/// rounding.
+pub const NORMAL_STEP: f64 = 1e-6;
+
+/// A number of steps within this fraction of a whole number is that whole number: `range` reaches
+/// its end, and a parameter lies on its step.
+///
+/// Larger takes a value for a step that it misses; smaller calls 0.3 no multiple of 0.1.
+pub const STEP_RELATIVE: f64 = 1e-9;
+
+/// Without a tolerance of its own a mesh may be this fraction of its size away from the surface.
+///
+/// Larger shows facets on a screen; smaller makes files that nobody asked for.
+pub const DEFAULT_CHORD_RELATIVE: f64 = 1e-3;
+
+/// Terms of a normal's expansion at a singular place point one way when their unit vectors are
+/// nearer than this.
+///
+/// Larger gives a ridge the normal of one of its sides; smaller finds no normal at a pole that is
+/// round up to the rounding of its control points.
+pub const NORMAL_AGREEMENT: f64 = 1e-6;
+
+/// A normal of a mesh counts as a unit vector when its length is this near to one.
+///
+/// Larger lets unscaled normals pass; smaller refuses those that a file holds with six digits.
+pub const UNIT_SLACK: f64 = 1e-4;
+
+/// Fraction of the tolerance that a tessellation may use up at the places where it measures.
+///
+/// Larger lets the deviation between those places exceed the tolerance; smaller makes meshes
+/// finer than they need to be.
+pub const CHORD_SAFETY: f64 = 0.8;
+
+/// Rounding of a coordinate, as a fraction of it: the last bit of an `f64`.
+///
+/// Larger takes digits for noise; smaller than this nothing is computed.
+pub const LAST_BIT: f64 = f64::EPSILON;

@@ -1,0 +1,14 @@
+//! The laws of the geometry kernel: what must hold for every curve and every surface, whatever
+//! its numbers. Expected values are closed forms, the laws themselves, or worked examples of the
+//! literature; never what the kernel said before.
+
+#![expect(clippy::unwrap_used, reason = "a test that cannot build its example fails")]
+
+mod basis;
+mod curve;
+mod hostile;
+mod measure;
+mod mesh;
+mod some;
+mod surface;
+mod worked;

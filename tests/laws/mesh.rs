@@ -1,0 +1,138 @@
+//! Laws of meshes.
+
+use std::f64::consts::PI;
+
+use glam::{DAffine3, DVec3};
+use proptest::{prop_assert, proptest};
+use virote::kernel::{GeomError, Mesh, NurbsSurface, grid_mesh, tessellate, tessellate_curve};
+
+use crate::some::{curve, sphere, surface};
+
+const MOST: usize = 1_000_000;
+
+fn distance_to_segment(p: DVec3, a: DVec3, b: DVec3) -> f64 {
+    let leg = b - a;
+    let f = ((p - a).dot(leg) / leg.length_squared().max(1e-300)).clamp(0.0, 1.0);
+    p.distance(a + leg * f)
+}
+
+fn distance_to_triangle(p: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
+    let n = (b - a).cross(c - a);
+    let is_beside = |(a, b): (DVec3, DVec3)| (b - a).cross(p - a).dot(n) < 0.0;
+    if n.length() > 0.0 && ![(a, b), (b, c), (c, a)].into_iter().any(is_beside) {
+        return ((p - a).dot(n) / n.length()).abs();
+    }
+    distance_to_segment(p, a, b).min(distance_to_segment(p, b, c)).min(distance_to_segment(p, c, a))
+}
+
+/// The largest distance of surface points from the mesh, sampled at odd places.
+fn deviation(surface: &NurbsSurface, mesh: &Mesh) -> f64 {
+    let triangles: Vec<[DVec3; 3]> = mesh.corners().collect();
+    let samples =
+        surface.points_on_grid(&surface.domain_u().steps(31), &surface.domain_v().steps(29));
+    let to_mesh = |&point: &DVec3| {
+        let distances = triangles.iter().map(|&triangle| distance_to_triangle(point, triangle));
+        distances.fold(f64::INFINITY, f64::min)
+    };
+    samples.iter().map(to_mesh).fold(0.0, f64::max)
+}
+
+/// Whether every edge inside the mesh has two triangles that run along it in opposite directions.
+fn is_watertight_up_to(mesh: &Mesh, same: f64) -> bool {
+    let snap = |p: DVec3| (p / same).to_array().map(|x| x.round() as i64);
+    let edges: Vec<[[i64; 3]; 2]> = mesh
+        .corners()
+        .flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]].map(|edge| edge.map(snap)))
+        .collect();
+    let count = |edge: [[i64; 3]; 2]| edges.iter().filter(|&&other| other == edge).count();
+    edges.iter().all(|&[a, b]| count([a, b]) == 1 && count([b, a]) == 1)
+}
+
+proptest! {
+    #![proptest_config(proptest::prelude::ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn a_tessellation_keeps_its_tolerance(s in surface(), tolerance in 0.2..1.0) {
+        let mesh = tessellate(&s, tolerance, MOST).unwrap();
+        let deviation = deviation(&s, &mesh);
+        prop_assert!(deviation <= tolerance, "{deviation} > {tolerance}");
+    }
+
+    #[test]
+    fn a_polygon_keeps_its_tolerance(curve in curve(), tolerance in 0.001..0.5) {
+        let polygon = tessellate_curve(&curve, tolerance, MOST).unwrap();
+        for point in curve.sample(501) {
+            let legs = polygon.windows(2).map(|leg| distance_to_segment(point, leg[0], leg[1]));
+            prop_assert!(legs.fold(f64::INFINITY, f64::min) <= tolerance);
+        }
+    }
+
+    #[test]
+    fn a_grid_mesh_has_its_counts_and_faces_its_normals(s in surface(), n in 1..9usize, m in 1..9usize) {
+        let mesh = grid_mesh(&s, n, m, MOST).unwrap();
+        prop_assert!(mesh.n_vertices() == (n + 1) * (m + 1));
+        prop_assert!(mesh.n_triangles() == 2 * n * m);
+        prop_assert!(mesh.normals().len() == mesh.n_vertices());
+    }
+}
+
+#[test]
+fn a_sphere_mesh_is_closed_and_faces_outward() {
+    let sphere = sphere(DVec3::ZERO, 2.0);
+    let mesh = grid_mesh(&sphere, 16, 8, MOST).unwrap();
+    // Both rows of cells at the poles lose one of their two triangles.
+    assert_eq!(mesh.n_triangles(), 2 * 16 * 8 - 2 * 16);
+    assert!(is_watertight_up_to(&mesh, 1e-9));
+    for (vertex, normal) in mesh.vertices().iter().zip(mesh.normals()) {
+        assert!(normal.distance(*vertex / 2.0) < 1e-12);
+    }
+    for ([a, b, c], triangle) in mesh.corners().zip(mesh.triangles()) {
+        let facing = (b - a).cross(c - a);
+        assert!(triangle.iter().all(|&i| facing.dot(mesh.normals()[i as usize]) > 0.0));
+    }
+}
+
+#[test]
+fn the_mesh_of_a_sphere_tends_to_its_area_and_volume() {
+    let mesh = tessellate(&sphere(DVec3::ONE, 1.0), 1e-4, MOST).unwrap();
+    assert!(mesh.area() < 4.0 * PI && 4.0 * PI - mesh.area() < 4e-3);
+    assert!(mesh.volume() < 4.0 / 3.0 * PI && 4.0 / 3.0 * PI - mesh.volume() < 4e-3);
+}
+
+#[test]
+fn a_mirror_keeps_the_outside_outside() {
+    let mesh = tessellate(&sphere(DVec3::ZERO, 1.0), 1e-2, MOST).unwrap();
+    let mirror = DAffine3::from_scale(DVec3::new(-1.0, 2.0, 3.0));
+    let mirrored = mesh.transformed(&mirror);
+    assert!((mirrored.volume() / (6.0 * mesh.volume()) - 1.0).abs() < 1e-12);
+    for (vertex, normal) in mirrored.vertices().iter().zip(mirrored.normals()) {
+        let outward = *vertex / DVec3::new(1.0, 4.0, 9.0);
+        assert!(normal.distance(outward.normalize()) < 1e-12);
+    }
+}
+
+#[test]
+fn a_plane_needs_no_more_than_its_corners() {
+    let plane = NurbsSurface::bilinear(DVec3::ZERO, DVec3::Y, DVec3::X, DVec3::X * 2.0 + DVec3::Y);
+    let mesh = tessellate(&plane.unwrap(), 1e-9, MOST).unwrap();
+    assert_eq!((mesh.n_vertices(), mesh.n_triangles()), (4, 2));
+}
+
+#[test]
+fn a_tolerance_beyond_the_ceiling_is_refused() {
+    let got = tessellate(&sphere(DVec3::ZERO, 1.0), 1e-12, 10_000);
+    assert!(matches!(got, Err(GeomError::TooManyVertices { most: 10_000, .. })));
+    assert!(matches!(
+        grid_mesh(&sphere(DVec3::ZERO, 1.0), usize::MAX, 3, 10_000),
+        Err(GeomError::TooManyVertices { .. })
+    ));
+}
+
+#[test]
+fn appended_meshes_lie_side_by_side() {
+    let ball = tessellate(&sphere(DVec3::ZERO, 1.0), 1e-2, MOST).unwrap();
+    let other = tessellate(&sphere(DVec3::X * 5.0, 1.0), 1e-2, MOST).unwrap();
+    let both = Mesh::merged(&[ball.clone(), other.clone()], 1 << 20).unwrap();
+    assert_eq!(both.n_triangles(), ball.n_triangles() + other.n_triangles());
+    assert!((both.volume() - ball.volume() - other.volume()).abs() < 1e-12);
+}
