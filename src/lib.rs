@@ -6,3 +6,4 @@ pub mod diag;
 pub mod kernel;
 pub mod limits;
 pub mod syntax;
+pub mod value;

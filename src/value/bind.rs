@@ -1,0 +1,257 @@
+//! Arguments meet parameters: by position or by name, every mistake told together.
+//!
+//! Required parameters take arguments by position or by name, optional ones by name only. One
+//! call yields one diagnostic, with a label for each mistake and the signature as a hint.
+
+use std::sync::Arc;
+
+use super::{FromValue, Op, Type, Value};
+use crate::diag::{Code, Diagnostic, Span, Spanned, nearest};
+
+/// Evaluated arguments on their way into a function.
+#[derive(Clone, Debug)]
+pub struct Call {
+    /// From the function's name to the closing bracket.
+    pub span: Span,
+    /// Arguments without a label.
+    pub positional: Vec<Spanned<Value>>,
+    /// Arguments with a label.
+    pub named: Vec<(Spanned<Arc<str>>, Spanned<Value>)>,
+}
+
+/// A parameter as binding sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct Formal<'a> {
+    /// Its label.
+    pub name: &'a str,
+    /// Whether it may be left out.
+    pub optional: bool,
+    /// Whether it may stand by position although it may be left out.
+    pub by_position: bool,
+}
+
+/// One mistake in a call.
+#[derive(Clone, Debug)]
+struct Mistake {
+    code: Code,
+    span: Span,
+    text: String,
+    hint: Option<String>,
+}
+
+/// What is wrong with a call, collected.
+#[derive(Clone, Debug, Default)]
+pub struct Mistakes(Vec<Mistake>);
+
+impl Mistakes {
+    fn add(&mut self, code: Code, span: Span, text: String, hint: Option<String>) {
+        self.0.push(Mistake { code, span, text, hint });
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// All of them as one diagnostic about the call of `name`.
+    #[must_use]
+    pub fn complaint(self, name: &str, signature: &str, call: Span) -> Box<Diagnostic> {
+        let n_mistakes = self.0.len();
+        let mut mistakes = self.0.into_iter();
+        let Some(first) = mistakes.next() else {
+            return Box::new(Diagnostic::error(
+                Code::BadCall,
+                call,
+                format!("`{name}` cannot be called so"),
+            ));
+        };
+        let mut hints: Vec<String> = first.hint.into_iter().collect();
+        let mut diagnostic = if n_mistakes == 1 {
+            Diagnostic::error(first.code, first.span, format!("`{name}`: {}", first.text))
+        } else {
+            let message = format!("`{name}` is called with {n_mistakes} mistakes");
+            Diagnostic::error(first.code, first.span, message).label(first.text)
+        };
+        for mistake in mistakes {
+            diagnostic = diagnostic.also(mistake.span, mistake.text);
+            hints.extend(mistake.hint);
+        }
+        hints.push(format!("its signature is `{signature}`"));
+        diagnostic.hints = hints;
+        Box::new(diagnostic)
+    }
+}
+
+/// Hands the arguments of `call` to `formals`: one slot a parameter, empty where it was left out.
+pub fn assign(
+    formals: &[Formal<'_>],
+    call: Call,
+    mistakes: &mut Mistakes,
+) -> Vec<Option<Spanned<Value>>> {
+    let mut slots: Vec<Option<Spanned<Value>>> = vec![None; formals.len()];
+
+    // Arguments by name.
+    let mut by_name: Vec<String> = Vec::new();
+    for (label, value) in call.named {
+        match formals.iter().position(|formal| *formal.name == *label.value) {
+            None => {
+                let hint = nearest(&label.value, formals.iter().map(|formal| formal.name))
+                    .map(|near| format!("did you mean `{near}`?"));
+                let text = format!("there is no parameter `{}`", label.value);
+                mistakes.add(Code::BadCall, label.span, text, hint);
+            }
+            Some(idx) if slots[idx].is_some() => {
+                let text = format!("`{}` is given twice", label.value);
+                mistakes.add(Code::BadCall, label.span, text, None);
+            }
+            Some(idx) => {
+                by_name.push(label.value.to_string());
+                slots[idx] = Some(value);
+            }
+        }
+    }
+
+    // Arguments by position fill the parameters that are still open for them.
+    let is_open = |idx: &usize| {
+        (!formals[*idx].optional || formals[*idx].by_position) && slots[*idx].is_none()
+    };
+    let open: Vec<usize> = (0..formals.len()).filter(is_open).collect();
+    let n_given = call.positional.len();
+    let mut leftover = Vec::new();
+    for (place, value) in call.positional.into_iter().enumerate() {
+        match open.get(place) {
+            Some(&idx) => slots[idx] = Some(value),
+            None => leftover.push(value.span),
+        }
+    }
+    // Where a required parameter was given by name, one of the places was meant for it.
+    let by_both =
+        |formal: &&Formal<'_>| !formal.optional && by_name.iter().any(|name| name == formal.name);
+    let twice = formals.iter().find(by_both).map(|formal| formal.name);
+    complain_of_leftover(formals, &slots, &leftover, twice, mistakes);
+
+    // Whatever is required and still open is missing.
+    let unfilled = open.iter().skip(n_given).filter(|&&idx| !formals[idx].optional);
+    let missing: Vec<&str> = unfilled.map(|&idx| formals[idx].name).collect();
+    if !missing.is_empty() {
+        let names: Vec<String> = missing.iter().map(|name| format!("`{name}`")).collect();
+        let text = format!(
+            "missing {} {}",
+            if names.len() == 1 { "argument" } else { "arguments" },
+            names.join(", ")
+        );
+        mistakes.add(Code::BadCall, call.span, text, None);
+    }
+    slots
+}
+
+/// Arguments by position for which no required parameter is left.
+fn complain_of_leftover(
+    formals: &[Formal<'_>],
+    slots: &[Option<Spanned<Value>>],
+    leftover: &[Span],
+    twice: Option<&str>,
+    mistakes: &mut Mistakes,
+) {
+    let mut optional =
+        (0..formals.len()).filter(|&idx| formals[idx].optional && slots[idx].is_none());
+    for &span in leftover {
+        let (text, hint) = match (twice, optional.next()) {
+            (Some(name), _) => {
+                (format!("one argument too many, since `{name}` is given by name"), None)
+            }
+            (None, Some(idx)) => (
+                "this argument is optional and needs its name".to_owned(),
+                Some(format!("write `{} = ...`", formals[idx].name)),
+            ),
+            (None, None) => ("one argument too many".to_owned(), None),
+        };
+        mistakes.add(Code::BadCall, span, text, hint);
+    }
+}
+
+/// Reads the arguments of one call of one operation.
+#[derive(Debug)]
+pub struct Binder {
+    op: &'static Op,
+    span: Span,
+    slots: Vec<Option<Spanned<Value>>>,
+    mistakes: Mistakes,
+    /// Elements that a range may stand for.
+    most: usize,
+}
+
+impl Binder {
+    /// Hands out the arguments of `call`; a range that is read as a list may have `most` elements.
+    #[must_use]
+    pub fn new(op: &'static Op, mut call: Call, most: usize) -> Self {
+        gather_spread(op, &mut call);
+        let formals: Vec<Formal<'_>> = op
+            .params
+            .iter()
+            .map(|param| Formal {
+                name: param.name,
+                optional: param.may_be_left_out(),
+                by_position: param.by_position,
+            })
+            .collect();
+        let mut mistakes = Mistakes::default();
+        let span = call.span;
+        let slots = assign(&formals, call, &mut mistakes);
+        Self { op, span, slots, mistakes, most }
+    }
+
+    /// Takes parameter `name`; `None` records what is wrong with it.
+    pub fn take<T: FromValue>(&mut self, name: &str, default: Option<T>) -> Option<T> {
+        let idx = self.op.params.iter().position(|param| param.name == name)?;
+        let Some(given) = self.slots[idx].take() else { return default.or_else(T::absent) };
+        if let (Value::Range(range), Type::List(..)) = (&given.value, T::TYPE)
+            && range.integers().is_some_and(|(_, count)| self.most < count)
+        {
+            let text = format!("a list of more than {} elements", self.most);
+            self.mistakes.add(Code::TooLarge, given.span, text, None);
+            return None;
+        }
+        match T::from_value(&given.value, given.span) {
+            Ok(value) => Some(value),
+            Err(mismatch) => {
+                let text = mismatch.sentence(&format!("`{name}`"), T::TYPE);
+                self.mistakes.add(mismatch.code, given.span, text, mismatch.hint);
+                None
+            }
+        }
+    }
+
+    /// Whether nothing was wrong so far.
+    #[must_use]
+    pub fn is_well(&self) -> bool {
+        self.mistakes.is_empty()
+    }
+
+    /// Everything that was wrong, as one diagnostic.
+    #[must_use]
+    pub fn complaint(self) -> Box<Diagnostic> {
+        self.mistakes.complaint(self.op.name, &self.op.signature(), self.span)
+    }
+}
+
+/// Where the first parameter is a list whose elements may stand as the arguments, makes that list.
+fn gather_spread(op: &Op, call: &mut Call) {
+    let Some(param) = op.params.first().filter(|param| param.spreads) else { return };
+    let Type::List(of, _) = param.ty else { return };
+    if !call.positional.first().is_some_and(|arg| of.accepts(&arg.value)) {
+        return;
+    }
+    // Where nothing else can stand by position, whatever stands there was meant as an element.
+    let is_alone =
+        op.params.iter().skip(1).all(|other| other.may_be_left_out() && !other.by_position);
+    let n_run = match call.positional.iter().position(|arg| !of.accepts(&arg.value)) {
+        Some(n_run) if !is_alone => n_run,
+        _ => call.positional.len(),
+    };
+    let run: Vec<Spanned<Value>> = call.positional.drain(..n_run).collect();
+    let span = run[0].span.to(run[n_run - 1].span);
+    let list = Value::list(run.into_iter().map(|arg| arg.value).collect());
+    call.positional.insert(0, Spanned::new(list, span));
+}

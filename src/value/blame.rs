@@ -1,0 +1,79 @@
+//! From an error of the kernel to a diagnostic: the code and the hint for each kind of failure.
+
+use crate::{
+    diag::{Code, Diagnostic, Result, Span},
+    kernel::GeomError,
+};
+
+/// Pins an error of the kernel to the place in the script that caused it.
+pub trait At<T> {
+    /// The same result, blamed on `span`.
+    ///
+    /// # Errors
+    /// The error as a diagnostic.
+    fn at(self, span: Span) -> Result<T>;
+}
+
+impl<T> At<T> for std::result::Result<T, GeomError> {
+    fn at(self, span: Span) -> Result<T> {
+        self.map_err(|error| {
+            let diagnostic = Diagnostic::error(code_of(&error), span, error.to_string());
+            Box::new(match hint_of(&error) {
+                Some(hint) => diagnostic.hint(hint),
+                None => diagnostic,
+            })
+        })
+    }
+}
+
+/// The code under which an error of the kernel is reported.
+#[must_use]
+pub fn code_of(error: &GeomError) -> Code {
+    use GeomError as Error;
+    match error {
+        Error::TooFewPoints { .. } | Error::BadDegree { .. } => Code::TooFewPoints,
+        Error::TooManyPoints { .. }
+        | Error::DegreeTooHigh { .. }
+        | Error::OrderTooHigh { .. }
+        | Error::TooManyVertices { .. } => Code::TooLarge,
+        Error::DegreeTooLow { .. } => Code::BadDegree,
+        Error::KnotCount { .. }
+        | Error::TooFewKnots { .. }
+        | Error::UnsortedKnots { .. }
+        | Error::KnotMultiplicity { .. }
+        | Error::EmptyDomain { .. } => Code::BadKnots,
+        Error::WeightCount { .. }
+        | Error::BadWeight { .. }
+        | Error::BadEndWeight { .. }
+        | Error::VanishingWeights { .. }
+        | Error::VanishingWeightsAt { .. } => Code::BadWeights,
+        Error::RaggedGrid { .. } | Error::GridSize { .. } => Code::RaggedGrid,
+        Error::ParameterOutside { .. }
+        | Error::ParameterAtEnd { .. }
+        | Error::EmptyInterval { .. } => Code::OutsideDomain,
+        Error::NotFinite { .. } => Code::Domain,
+        Error::DuplicateColumn { .. } | Error::ColumnLength { .. } => Code::WrongKind,
+        _ => Code::Degenerate,
+    }
+}
+
+/// What to do about an error of the kernel, where the message alone does not tell.
+#[must_use]
+pub fn hint_of(error: &GeomError) -> Option<String> {
+    use GeomError as Error;
+    Some(match error {
+        Error::KnotCount { points, degree, .. } => format!(
+            "the number of knots is points + degree + 1 = {points} + {degree} + 1; without `knots` they are made"
+        ),
+        Error::UnsortedKnots { .. } => "sort the knots".to_owned(),
+        Error::KnotMultiplicity { most, .. } => format!("repeat a knot {most} times at most"),
+        Error::WeightCount { .. } => "give one weight for each control point".to_owned(),
+        Error::BadEndWeight { .. } => {
+            "a weight of zero takes its point away, which the ends cannot do without".to_owned()
+        }
+        Error::VanishingTangent { .. } | Error::VanishingDerivative { .. } => {
+            "the curve stands still there: are points repeated?".to_owned()
+        }
+        _ => return None,
+    })
+}

@@ -1,0 +1,91 @@
+//! Values as text: what `print` shows. Whatever can be written in a script reads back.
+
+use std::fmt;
+
+use glam::DVec3;
+
+use super::{Value, shortest};
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::None => f.write_str("none"),
+            Self::Bool(truth) => write!(f, "{truth}"),
+            Self::Number(number) => write!(f, "{number}"),
+            Self::Text(text) => f.write_str(&quoted(text)),
+            Self::Point(point) => f.write_str(&point_text(*point)),
+            Self::List(items) => {
+                f.write_str("[")?;
+                for (i, item) in items.iter().enumerate() {
+                    write!(f, "{}{item}", if i == 0 { "" } else { ", " })?;
+                }
+                f.write_str("]")
+            }
+            Self::Range(range) => write!(f, "{range}"),
+            Self::Record(record) => {
+                f.write_str("{")?;
+                for (i, (label, value)) in record.iter().enumerate() {
+                    write!(f, "{}{label}: {value}", if i == 0 { "" } else { ", " })?;
+                }
+                f.write_str("}")
+            }
+            Self::Function(function) => f.write_str(&function.signature()),
+            Self::Curve(curve) => write!(
+                f,
+                "curve of degree {} with {} control points on {}..{}",
+                curve.degree(),
+                curve.control_points().len(),
+                shortest(curve.domain().start()),
+                shortest(curve.domain().end()),
+            ),
+            Self::Surface(surface) => write!(
+                f,
+                "surface of degree {} x {} with {} x {} control points",
+                surface.degree_u(),
+                surface.degree_v(),
+                surface.control_points().n_rows(),
+                surface.control_points().n_columns(),
+            ),
+            Self::Mesh(mesh) => write!(
+                f,
+                "mesh of {} vertices and {} triangles",
+                mesh.vertices().len(),
+                mesh.triangles().len()
+            ),
+            Self::Table(table) => {
+                let names: Vec<&str> =
+                    table.columns().iter().map(|column| column.name.as_str()).collect();
+                let rows = if table.n_rows() == 1 { "row" } else { "rows" };
+                write!(f, "table of {} {rows}: {}", table.n_rows(), names.join(", "))
+            }
+            Self::Frame(frame) => write!(
+                f,
+                "plane at {} with normal {}",
+                point_text(frame.origin()),
+                point_text(frame.z())
+            ),
+        }
+    }
+}
+
+/// `(x, y, z)`, each in the shortest form.
+fn point_text(point: DVec3) -> String {
+    format!("({}, {}, {})", shortest(point.x), shortest(point.y), shortest(point.z))
+}
+
+/// A string literal that reads back as `text`.
+fn quoted(text: &str) -> String {
+    let mut out = String::with_capacity(text.len() + 2);
+    out.push('"');
+    for c in text.chars() {
+        match c {
+            '\n' => out.push_str("\\n"),
+            '\t' => out.push_str("\\t"),
+            '"' | '\\' | '{' | '}' => out.extend(['\\', c]),
+            c if c.is_control() => out.push_str(&format!("\\u{{{:x}}}", u32::from(c))),
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}

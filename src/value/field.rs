@@ -1,0 +1,165 @@
+//! Fields of values: what may stand after a dot.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{Number, Range, Value};
+use crate::kernel::{Column, Grid, Interval, Table, Tolerance};
+
+const POINT: &[&str] = &["x", "y", "z"];
+const RANGE: &[&str] = &["start", "end"];
+const CURVE: &[&str] = &[
+    "domain", "degree", "knots", "weights", "points", "start", "end", "closed", "rational",
+    "segments",
+];
+const SURFACE: &[&str] = &[
+    "domain_u", "domain_v", "degree_u", "degree_v", "knots_u", "knots_v", "weights", "points",
+    "closed_u", "closed_v", "rational", "patches",
+];
+const MESH: &[&str] = &["vertices", "triangles", "normals", "uvs"];
+const FRAME: &[&str] = &["origin", "x", "y", "z"];
+
+/// The names of all fields of `value`, in the order of the reference.
+#[must_use]
+pub fn field_names(value: &Value) -> Vec<&str> {
+    match value {
+        Value::Point(_) => POINT.to_vec(),
+        Value::Range(_) => RANGE.to_vec(),
+        Value::Record(record) => record.iter().map(|(label, _)| label).collect(),
+        Value::Curve(_) => CURVE.to_vec(),
+        Value::Surface(_) => SURFACE.to_vec(),
+        Value::Mesh(_) => MESH.to_vec(),
+        Value::Table(table) => table.columns().iter().map(|column| column.name.as_str()).collect(),
+        Value::Frame(_) => FRAME.to_vec(),
+        _ => Vec::new(),
+    }
+}
+
+/// Field `name` of `value`; `None` where there is none. Whether a curve or surface counts as
+/// closed depends on the document's tolerance.
+#[must_use]
+pub fn field(value: &Value, name: &str, tolerance: Tolerance) -> Option<Value> {
+    Some(match (value, name) {
+        (Value::Point(point), "x") => Value::number(point.x),
+        (Value::Point(point), "y") => Value::number(point.y),
+        (Value::Point(point), "z") => Value::number(point.z),
+        (Value::Range(range), "start") => Value::Number(range.start),
+        (Value::Range(range), "end") => Value::Number(range.end),
+        (Value::Record(record), _) => record.get(name)?.clone(),
+        (Value::Curve(curve), _) => return curve_field(curve, name, tolerance),
+        (Value::Surface(surface), _) => return surface_field(surface, name, tolerance),
+        (Value::Mesh(mesh), _) => return mesh_field(mesh, name),
+        (Value::Table(table), _) => column(table, name)?,
+        (Value::Frame(frame), "origin") => Value::Point(frame.origin()),
+        (Value::Frame(frame), "x") => Value::Point(frame.x()),
+        (Value::Frame(frame), "y") => Value::Point(frame.y()),
+        (Value::Frame(frame), "z") => Value::Point(frame.z()),
+        _ => return None,
+    })
+}
+
+fn curve_field(
+    curve: &crate::kernel::NurbsCurve,
+    name: &str,
+    tolerance: Tolerance,
+) -> Option<Value> {
+    Some(match name {
+        "domain" => domain(curve.domain()),
+        "degree" => count(curve.degree()),
+        "knots" => numbers(curve.knots().as_slice()),
+        "weights" => numbers(&curve.weights()),
+        "points" => points(&curve.points()),
+        "start" => Value::Point(curve.start()),
+        "end" => Value::Point(curve.end()),
+        "closed" => Value::Bool(curve.is_closed(tolerance.distance)),
+        "rational" => Value::Bool(curve.is_rational()),
+        "segments" => count(curve.n_segments()),
+        _ => return None,
+    })
+}
+
+fn surface_field(
+    surface: &crate::kernel::NurbsSurface,
+    name: &str,
+    tolerance: Tolerance,
+) -> Option<Value> {
+    Some(match name {
+        "domain_u" => domain(surface.domain_u()),
+        "domain_v" => domain(surface.domain_v()),
+        "degree_u" => count(surface.degree_u()),
+        "degree_v" => count(surface.degree_v()),
+        "knots_u" => numbers(surface.knots_u().as_slice()),
+        "knots_v" => numbers(surface.knots_v().as_slice()),
+        "weights" => grid(&surface.weights(), |weight| Value::number(*weight)),
+        "points" => grid(&surface.points(), |point| Value::Point(*point)),
+        "closed_u" => Value::Bool(surface.is_closed_u(tolerance.distance)),
+        "closed_v" => Value::Bool(surface.is_closed_v(tolerance.distance)),
+        "rational" => Value::Bool(surface.is_rational()),
+        "patches" => Value::list(surface.n_patches().map(count).to_vec()),
+        _ => return None,
+    })
+}
+
+fn mesh_field(mesh: &crate::kernel::Mesh, name: &str) -> Option<Value> {
+    Some(match name {
+        "vertices" => points(mesh.vertices()),
+        "normals" => points(mesh.normals()),
+        "triangles" => Value::list(
+            mesh.triangles()
+                .iter()
+                .map(|corners| Value::list(corners.iter().map(|&i| count(i as usize)).collect()))
+                .collect(),
+        ),
+        "uvs" => Value::list(
+            mesh.uvs().iter().map(|uv| Value::Point(DVec3::new(uv.x, uv.y, 0.0))).collect(),
+        ),
+        _ => return None,
+    })
+}
+
+/// Column `name` of a table as a list.
+pub(super) fn column(table: &Table, name: &str) -> Option<Value> {
+    Some(match table.column(name)? {
+        Column::Numbers(values) => numbers(values),
+        Column::Texts(values) => Value::list(values.iter().map(|text| Value::text(text)).collect()),
+    })
+}
+
+fn domain(interval: Interval) -> Value {
+    Value::Range(Range {
+        start: Number::bare(interval.start()),
+        end: Number::bare(interval.end()),
+        closed: true,
+    })
+}
+
+fn count(n: usize) -> Value {
+    Value::number(n as f64)
+}
+
+fn numbers(values: &[f64]) -> Value {
+    Value::List(values.iter().map(|&value| Value::number(value)).collect())
+}
+
+fn points(values: &[DVec3]) -> Value {
+    Value::List(values.iter().map(|&point| Value::Point(point)).collect())
+}
+
+fn grid<T>(grid: &Grid<T>, value: impl Fn(&T) -> Value) -> Value {
+    let row = |i| Value::List(grid.row(i).iter().map(&value).collect());
+    Value::list((0..grid.n_rows()).map(row).collect())
+}
+
+/// Row `idx` of a table as a record.
+#[must_use]
+pub fn table_row(table: &Table, idx: usize) -> Value {
+    let fields = table.columns().iter().map(|column| {
+        let cell = match &column.column {
+            Column::Numbers(values) => Value::number(values[idx]),
+            Column::Texts(values) => Value::text(&values[idx]),
+        };
+        (Arc::from(column.name.as_str()), cell)
+    });
+    Value::Record(Arc::new(super::Record::new(fields)))
+}

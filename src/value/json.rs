@@ -1,0 +1,254 @@
+//! Values as exact JSON, and back.
+//!
+//! Numbers, truths, texts, lists and records are JSON's own. Whatever JSON lacks is an object
+//! with a `virote` member that names its kind; rational control points are kept homogeneous, so
+//! that no division loses a bit.
+
+use std::sync::Arc;
+
+use glam::{DVec2, DVec3, DVec4};
+use serde_json::{Map, Value as Json, json};
+
+use super::{Dim, Number, Range, Record, Value};
+use crate::kernel::{
+    Column, Frame, Grid, KnotVector, Mesh, NamedColumn, NurbsCurve, NurbsSurface, Table,
+};
+
+/// The value as exact JSON; functions as their signature.
+#[must_use]
+pub fn to_json(value: &Value) -> Json {
+    match value {
+        Value::None => Json::Null,
+        Value::Bool(truth) => json!(truth),
+        Value::Number(number) => number_json(*number),
+        Value::Text(text) => json!(**text),
+        Value::Point(point) => json!({ "virote": "point", "xyz": point.to_array() }),
+        Value::List(items) => Json::Array(items.iter().map(to_json).collect()),
+        Value::Range(range) => json!({
+            "virote": "range",
+            "start": number_json(range.start),
+            "end": number_json(range.end),
+            "closed": range.closed,
+        }),
+        Value::Record(record) => Json::Object(
+            record.iter().map(|(label, value)| (label.to_owned(), to_json(value))).collect(),
+        ),
+        Value::Function(function) => {
+            json!({ "virote": "function", "signature": function.signature() })
+        }
+        Value::Curve(curve) => json!({
+            "virote": "curve",
+            "degree": curve.degree(),
+            "knots": curve.knots().as_slice(),
+            "homogeneous": homogeneous(curve.control_points()),
+        }),
+        Value::Surface(surface) => {
+            let net = surface.control_points();
+            let rows: Vec<Json> = (0..net.n_rows()).map(|i| homogeneous(net.row(i))).collect();
+            json!({
+                "virote": "surface",
+                "degree_u": surface.degree_u(),
+                "degree_v": surface.degree_v(),
+                "knots_u": surface.knots_u().as_slice(),
+                "knots_v": surface.knots_v().as_slice(),
+                "homogeneous": rows,
+            })
+        }
+        Value::Mesh(mesh) => json!({
+            "virote": "mesh",
+            "vertices": arrays(mesh.vertices()),
+            "normals": arrays(mesh.normals()),
+            "uvs": mesh.uvs().iter().map(|uv| json!(uv.to_array())).collect::<Vec<_>>(),
+            "triangles": mesh.triangles(),
+        }),
+        Value::Table(table) => {
+            json!({ "virote": "table", "columns": table.columns().iter().map(column).collect::<Vec<_>>() })
+        }
+        Value::Frame(frame) => json!({
+            "virote": "plane",
+            "origin": frame.origin().to_array(),
+            "x": frame.x().to_array(),
+            "z": frame.z().to_array(),
+        }),
+    }
+}
+
+fn number_json(number: Number) -> Json {
+    if number.dim == Dim::ANGLE {
+        json!({ "virote": "angle", "radians": number.value })
+    } else {
+        json!(number.value)
+    }
+}
+
+fn homogeneous(points: &[DVec4]) -> Json {
+    Json::Array(points.iter().map(|point| json!(point.to_array())).collect())
+}
+
+fn arrays(points: &[DVec3]) -> Json {
+    Json::Array(points.iter().map(|point| json!(point.to_array())).collect())
+}
+
+fn column(column: &NamedColumn) -> Json {
+    let values = match &column.column {
+        Column::Numbers(values) => json!(values),
+        Column::Texts(values) => json!(values),
+    };
+    json!({ "name": column.name, "unit": column.unit, "values": values })
+}
+
+/// The value that exact JSON stands for; of a whole document the record of its values.
+///
+/// # Errors
+/// A sentence on the member that does not fit.
+pub fn from_json(json: &Json) -> Result<Value, String> {
+    Ok(match json {
+        Json::Null => Value::None,
+        Json::Bool(truth) => Value::Bool(*truth),
+        Json::Number(number) => {
+            let value = number.as_f64().filter(|value| value.is_finite());
+            Value::number(value.ok_or_else(|| format!("the number {number} is out of range"))?)
+        }
+        Json::String(text) => Value::text(text),
+        Json::Array(items) => Value::list(items.iter().map(from_json).collect::<Result<_, _>>()?),
+        Json::Object(members) => match members.get("virote").and_then(Json::as_str) {
+            Some(kind) => Object { kind, members }.value()?,
+            None => record(members)?,
+        },
+    })
+}
+
+fn record(members: &Map<String, Json>) -> Result<Value, String> {
+    let mut fields = Vec::with_capacity(members.len());
+    for (label, member) in members {
+        fields.push((Arc::from(label.as_str()), from_json(member)?));
+    }
+    Ok(Value::Record(Arc::new(Record::new(fields))))
+}
+
+/// An object that stands for a value of a named kind.
+struct Object<'j> {
+    kind: &'j str,
+    members: &'j Map<String, Json>,
+}
+
+impl<'j> Object<'j> {
+    fn member(&self, name: &str) -> Result<&'j Json, String> {
+        self.members.get(name).ok_or_else(|| format!("the {} has no `{name}`", self.kind))
+    }
+
+    /// What `read` makes of a member; else that the member is wrong.
+    fn read<T>(&self, name: &str, read: impl Fn(&Json) -> Option<T>) -> Result<T, String> {
+        read(self.member(name)?)
+            .ok_or_else(|| format!("`{name}` of the {} is not what it should be", self.kind))
+    }
+
+    fn number(&self, name: &str) -> Result<Number, String> {
+        self.read(name, |json| match from_json(json) {
+            Ok(Value::Number(number)) => Some(number),
+            _ => None,
+        })
+    }
+
+    fn point(&self, name: &str) -> Result<DVec3, String> {
+        self.read(name, |json| <[f64; 3]>::try_from(numbers(json)?).ok().map(DVec3::from))
+    }
+
+    fn knots(&self, degree: &str, knots: &str) -> Result<KnotVector, String> {
+        let degree = self.read(degree, |json| usize::try_from(json.as_u64()?).ok())?;
+        KnotVector::new(degree, self.read(knots, numbers)?).map_err(|err| err.to_string())
+    }
+
+    fn curve(&self) -> Result<NurbsCurve, String> {
+        let points = self.read("homogeneous", homogeneous_points)?;
+        NurbsCurve::new(self.knots("degree", "knots")?, points).map_err(|err| err.to_string())
+    }
+
+    fn surface(&self) -> Result<NurbsSurface, String> {
+        let rows = self.read("homogeneous", |json| {
+            json.as_array()?.iter().map(homogeneous_points).collect::<Option<Vec<_>>>()
+        })?;
+        let net = Grid::from_rows(rows).map_err(|err| err.to_string())?;
+        let knots_u = self.knots("degree_u", "knots_u")?;
+        let knots_v = self.knots("degree_v", "knots_v")?;
+        NurbsSurface::new(knots_u, knots_v, net).map_err(|err| err.to_string())
+    }
+
+    fn mesh(&self) -> Result<Mesh, String> {
+        let places = |name| -> Result<Vec<DVec3>, String> {
+            Ok(self.read(name, vectors)?.into_iter().map(DVec3::from).collect())
+        };
+        let uvs = self.read("uvs", vectors)?.into_iter().map(DVec2::from).collect();
+        let triangles = self.read("triangles", corners)?;
+        Mesh::new(places("vertices")?, places("normals")?, uvs, triangles)
+            .map_err(|err| err.to_string())
+    }
+
+    fn table(&self) -> Result<Table, String> {
+        let columns = self.read("columns", |json| {
+            json.as_array()?.iter().map(read_column).collect::<Option<_>>()
+        })?;
+        Table::new(columns).map_err(|err| err.to_string())
+    }
+
+    fn plane(&self) -> Result<Frame, String> {
+        let (origin, normal, x) = (self.point("origin")?, self.point("z")?, self.point("x")?);
+        Frame::from_normal(origin, normal, Some(x)).map_err(|err| err.to_string())
+    }
+
+    fn value(&self) -> Result<Value, String> {
+        Ok(match self.kind {
+            "document" => from_json(self.member("values")?)?,
+            "angle" => Value::Number(Number::angle(self.number("radians")?.value)),
+            "point" => Value::Point(self.point("xyz")?),
+            "range" => Value::Range(Range {
+                start: self.number("start")?,
+                end: self.number("end")?,
+                closed: self.read("closed", Json::as_bool)?,
+            }),
+            "curve" => Value::Curve(Arc::new(self.curve()?)),
+            "surface" => Value::Surface(Arc::new(self.surface()?)),
+            "mesh" => Value::Mesh(Arc::new(self.mesh()?)),
+            "table" => Value::Table(Arc::new(self.table()?)),
+            "plane" => Value::Frame(Arc::new(self.plane()?)),
+            other => return Err(format!("there is no kind of value called `{other}`")),
+        })
+    }
+}
+
+fn homogeneous_points(json: &Json) -> Option<Vec<DVec4>> {
+    Some(vectors(json)?.into_iter().map(DVec4::from).collect())
+}
+
+fn numbers(json: &Json) -> Option<Vec<f64>> {
+    json.as_array()?.iter().map(Json::as_f64).collect()
+}
+
+fn vectors<const N: usize>(json: &Json) -> Option<Vec<[f64; N]>> {
+    json.as_array()?.iter().map(|item| <[f64; N]>::try_from(numbers(item)?).ok()).collect()
+}
+
+fn corners(json: &Json) -> Option<Vec<[u32; 3]>> {
+    let corner = |item: &Json| item.as_u64().and_then(|n| u32::try_from(n).ok());
+    json.as_array()?
+        .iter()
+        .map(|item| {
+            let corners: Option<Vec<u32>> = item.as_array()?.iter().map(corner).collect();
+            <[u32; 3]>::try_from(corners?).ok()
+        })
+        .collect()
+}
+
+fn read_column(json: &Json) -> Option<NamedColumn> {
+    let name = json.get("name")?.as_str()?.to_owned();
+    let unit = json.get("unit").and_then(Json::as_str).map(str::to_owned);
+    let values = json.get("values")?;
+    let column = match numbers(values) {
+        Some(values) => Column::Numbers(values),
+        None => {
+            let texts = values.as_array()?.iter().map(|text| text.as_str().map(str::to_owned));
+            Column::Texts(texts.collect::<Option<_>>()?)
+        }
+    };
+    Some(NamedColumn { name, unit, column })
+}

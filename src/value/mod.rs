@@ -1,0 +1,166 @@
+//! What scripts compute with, and how an operation is declared.
+//!
+//! [`Value`] is the one representation of everything that an expression can yield. [`Op`] is the
+//! one declaration of a built-in: the `op!` macro makes it, the [`Registry`] lists it, and the
+//! evaluator, the reference, the help and the tests read nothing else.
+
+mod bind;
+mod blame;
+mod cast;
+mod compare;
+mod display;
+mod field;
+mod files;
+mod function;
+mod json;
+mod list;
+mod number;
+mod op;
+mod range;
+mod record;
+mod registry;
+mod ty;
+mod wrap;
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::kernel::{Frame, Mesh, NurbsCurve, NurbsSurface, Table};
+
+pub use bind::{Binder, Call, Formal, Mistakes, assign};
+pub use blame::{At, code_of, hint_of};
+pub use cast::{
+    Angle, AtLeast, Callback, Choice, FromValue, Geometry, Length, Maybe, Mismatch, Numbers, Rows,
+};
+pub use compare::{Deviation, deviation, equal};
+pub use field::{field, field_names, table_row};
+pub use files::Files;
+pub use function::{Closure, Function, Partial};
+pub use json::{from_json, to_json};
+pub use list::{Extent, List};
+pub use number::{Dim, Number, radians_of, shortest};
+pub(crate) use op::op;
+pub use op::{Caller, Ctx, Example, Family, Op, Param};
+pub use range::Range;
+pub use record::Record;
+pub use registry::{Constant, Registry, choose};
+pub use ty::Type;
+pub use wrap::IntoValue;
+
+/// What an expression evaluates to. Cheap to clone.
+#[derive(Clone, Debug)]
+pub enum Value {
+    /// Nothing; what an option that was left out holds.
+    None,
+    /// A truth.
+    Bool(bool),
+    /// A number with its dimension.
+    Number(Number),
+    /// A text.
+    Text(Arc<str>),
+    /// A point or vector, in document units.
+    Point(DVec3),
+    /// A list.
+    List(List),
+    /// A range.
+    Range(Range),
+    /// A record.
+    Record(Arc<Record>),
+    /// Something that can be called.
+    Function(Function),
+    /// A curve.
+    Curve(Arc<NurbsCurve>),
+    /// A surface.
+    Surface(Arc<NurbsSurface>),
+    /// A mesh.
+    Mesh(Arc<Mesh>),
+    /// A table.
+    Table(Arc<Table>),
+    /// A plane or frame.
+    Frame(Arc<Frame>),
+}
+
+impl Value {
+    /// A bare number.
+    #[must_use]
+    pub fn number(value: f64) -> Self {
+        Self::Number(Number::bare(value))
+    }
+
+    /// A text.
+    #[must_use]
+    pub fn text(text: &str) -> Self {
+        Self::Text(Arc::from(text))
+    }
+
+    /// A list.
+    #[must_use]
+    pub fn list(items: Vec<Self>) -> Self {
+        Self::List(List::from(items))
+    }
+
+    /// How deep and how large it is.
+    #[must_use]
+    pub fn extent(&self) -> Extent {
+        /// Bytes of text that count as one value.
+        const BYTES_A_VALUE: usize = 32;
+        match self {
+            Self::List(items) => items.extent(),
+            Self::Record(record) => record.extent(),
+            Self::Function(function) => function.extent(),
+            Self::Text(text) => Extent { depth: 0, size: 1 + (text.len() / BYTES_A_VALUE) as u64 },
+            _ => Extent { depth: 0, size: 1 },
+        }
+    }
+
+    /// The kind's name alone: `curve`.
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Bool(_) => "bool",
+            Self::Number(_) => "number",
+            Self::Text(_) => "string",
+            Self::Point(_) => "point",
+            Self::List(_) => "list",
+            Self::Range(_) => "range",
+            Self::Record(_) => "record",
+            Self::Function(_) => "function",
+            Self::Curve(_) => "curve",
+            Self::Surface(_) => "surface",
+            Self::Mesh(_) => "mesh",
+            Self::Table(_) => "table",
+            Self::Frame(_) => "plane",
+        }
+    }
+
+    /// The value as a noun phrase of a message: `a list of 3 points`, `an angle`.
+    #[must_use]
+    pub fn phrase(&self) -> String {
+        match self {
+            Self::None => "none".to_owned(),
+            Self::Bool(truth) => format!("the truth value {truth}"),
+            Self::Number(number) if number.dim.is_none() => format!("the number {number}"),
+            Self::Number(number) => format!("{} ({number})", number.dim),
+            Self::Text(text) if text.chars().count() <= 24 => format!("the string \"{text}\""),
+            Self::Text(_) => "a string".to_owned(),
+            Self::List(items) => list_phrase(items),
+            Self::Point(_) => "a point".to_owned(),
+            Self::Range(range) => format!("the range {range}"),
+            _ => format!("a {}", self.kind()),
+        }
+    }
+}
+
+/// `an empty list`, `a list of 3 points`, `a list of 4 values`.
+fn list_phrase(items: &[Value]) -> String {
+    let Some(first) = items.first() else { return "an empty list".to_owned() };
+    let kind =
+        if items.iter().all(|item| item.kind() == first.kind()) { first.kind() } else { "value" };
+    let plural = match kind {
+        "mesh" => "meshes".to_owned(),
+        _ => format!("{kind}s"),
+    };
+    format!("a list of {} {}", items.len(), if items.len() == 1 { kind } else { &plural })
+}

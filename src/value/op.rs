@@ -1,0 +1,229 @@
+//! The declaration of an operation: name, parameters, documentation, implementation.
+
+use super::{Call, Callback, Files, Type, Value};
+use crate::{
+    diag::{Diagnostic, Result, Span},
+    kernel::Tolerance,
+    limits::Limits,
+};
+
+/// What an operation may consult besides its arguments.
+pub struct Ctx<'a> {
+    /// The document's tolerance.
+    pub tolerance: Tolerance,
+    /// The ceilings of the run.
+    pub limits: &'a Limits,
+    /// Reads files that the script names.
+    pub files: &'a dyn Files,
+    /// The call under way, from the function's name to the closing bracket.
+    pub span: Span,
+    /// Calls functions of the script and takes warnings.
+    pub caller: &'a mut dyn Caller,
+}
+
+impl std::fmt::Debug for Ctx<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Ctx").field("span", &self.span).finish_non_exhaustive()
+    }
+}
+
+impl Ctx<'_> {
+    /// Calls a function that was given as an argument.
+    ///
+    /// # Errors
+    /// Whatever goes wrong inside it.
+    pub fn call(&mut self, function: &Callback, args: &[Value]) -> Result<Value> {
+        self.caller.call(&function.0, args, self.span)
+    }
+
+    /// Tells the user that the result needed help.
+    pub fn warn(&mut self, warning: Diagnostic) {
+        self.caller.warn(warning);
+    }
+}
+
+/// What the evaluator does for operations.
+pub trait Caller {
+    /// Calls `function` with positional arguments; `span` is blamed when it cannot be called.
+    ///
+    /// # Errors
+    /// Whatever goes wrong inside it.
+    fn call(&mut self, function: &Value, args: &[Value], span: Span) -> Result<Value>;
+
+    /// Takes a warning.
+    fn warn(&mut self, warning: Diagnostic);
+}
+
+/// Chapter of the reference in which an operation is listed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Family {
+    /// Curves.
+    Curve,
+    /// Surfaces.
+    Surface,
+    /// Transformations of anything geometric.
+    Transform,
+    /// Questions about geometry.
+    Measure,
+    /// Meshes and files.
+    Mesh,
+    /// Tables.
+    Table,
+    /// Numbers.
+    Math,
+    /// Points and vectors.
+    Vector,
+    /// Lists.
+    List,
+    /// Text, and whatever steers evaluation.
+    Text,
+}
+
+impl Family {
+    /// Every family with its heading, in the order of the reference.
+    pub const ALL: &'static [(Self, &'static str)] = &[
+        (Self::Curve, "Curves"),
+        (Self::Surface, "Surfaces"),
+        (Self::Transform, "Transformations"),
+        (Self::Measure, "Questions about geometry"),
+        (Self::Mesh, "Meshes and files"),
+        (Self::Table, "Tables"),
+        (Self::Math, "Numbers"),
+        (Self::Vector, "Points and vectors"),
+        (Self::List, "Lists"),
+        (Self::Text, "Text"),
+    ];
+}
+
+/// A tested sample of use: an expression and what `print` says of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Example {
+    /// The expression.
+    pub code: &'static str,
+    /// Its value as text.
+    pub prints: &'static str,
+}
+
+/// One parameter.
+#[derive(Clone, Copy, Debug)]
+pub struct Param {
+    /// Its label.
+    pub name: &'static str,
+    /// What it means.
+    pub docs: &'static str,
+    /// Its type.
+    pub ty: Type,
+    /// Value when left out; `None` for a required or an optional parameter.
+    pub default: Option<fn() -> Value>,
+    /// Whether it may be left out although it has no default.
+    pub optional: bool,
+    /// Whether its elements may stand as the arguments themselves.
+    pub spreads: bool,
+    /// Whether it may stand by position although it may be left out.
+    pub by_position: bool,
+}
+
+impl Param {
+    /// Whether a call may leave it out; most such parameters are given by name only.
+    #[must_use]
+    pub fn may_be_left_out(&self) -> bool {
+        self.optional || self.default.is_some()
+    }
+
+    fn signature(&self) -> String {
+        match self.default {
+            Some(default) => format!("{}: {} = {}", self.name, self.ty, default()),
+            None if self.optional => format!("{}: {} = none", self.name, self.ty),
+            None => format!("{}: {}", self.name, self.ty),
+        }
+    }
+}
+
+/// A built-in operation, as every reader of the registry sees it.
+#[derive(Debug)]
+pub struct Op {
+    /// What scripts call it.
+    pub name: &'static str,
+    /// Other names for it.
+    pub aliases: &'static [&'static str],
+    /// Its chapter.
+    pub family: Family,
+    /// What it does: a sentence, then the rest, last the source.
+    pub docs: &'static str,
+    /// Its parameters.
+    pub params: &'static [Param],
+    /// What it yields.
+    pub returns: Type,
+    /// Tested samples of use.
+    pub examples: &'static [Example],
+    /// Its implementation.
+    pub run: fn(&mut Ctx<'_>, Call) -> Result<Value>,
+}
+
+impl Op {
+    /// First line of the documentation.
+    #[must_use]
+    pub fn summary(&self) -> &'static str {
+        self.docs.lines().next().unwrap_or_default().trim()
+    }
+
+    /// `name(a: T, b: U = d) -> R`, one line.
+    #[must_use]
+    pub fn signature(&self) -> String {
+        let params: Vec<String> = self.params.iter().map(Param::signature).collect();
+        format!("{}({}) -> {}", self.name, params.join(", "), self.returns)
+    }
+}
+
+/// Declares an operation: this block is its only declaration.
+///
+/// Expands to a `struct Args` with one field a parameter and to `static OP: Op`, which the
+/// family's list names. The file then defines `fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<R>`.
+macro_rules! op {
+    (
+        $(#[doc = $docs:literal])+
+        $name:ident $(| $alias:ident)* in $family:ident -> $returns:ty {
+            $( $(#[doc = $pdocs:literal])+ $param:ident : $ty:ty $(= $default:expr)? ,)*
+        }
+        $( example $code:literal => $prints:literal; )+
+    ) => {
+        struct Args { $( $param: $ty, )* }
+
+        pub(in $crate::ops) static OP: $crate::value::Op = $crate::value::Op {
+            name: stringify!($name),
+            aliases: &[ $( stringify!($alias) ),* ],
+            family: $crate::value::Family::$family,
+            docs: concat!($($docs, "\n"),+),
+            params: &[ $( $crate::value::Param {
+                name: stringify!($param),
+                docs: concat!($($pdocs, "\n"),+),
+                ty: <$ty as $crate::value::FromValue>::TYPE,
+                default: $crate::value::op!(@thunk $ty $(, $default)?),
+                optional: <$ty as $crate::value::FromValue>::OPTIONAL,
+                spreads: <$ty as $crate::value::FromValue>::SPREADS,
+                by_position: <$ty as $crate::value::FromValue>::BY_POSITION,
+            } ),* ],
+            returns: <$returns as $crate::value::IntoValue>::RETURNS,
+            examples: &[ $( $crate::value::Example { code: $code, prints: $prints } ),+ ],
+            run: |ctx, call| {
+                let mut binder = $crate::value::Binder::new(&OP, call, ctx.limits.list_length);
+                $( let $param: Option<$ty> =
+                    binder.take(stringify!($param), $crate::value::op!(@value $($default)?)); )*
+                match ($($param,)*) {
+                    ($(Some($param),)*) if binder.is_well() => {
+                        run(ctx, Args { $($param),* }).map($crate::value::IntoValue::into_value)
+                    }
+                    _ => Err(binder.complaint()),
+                }
+            },
+        };
+    };
+    (@thunk $ty:ty) => { None };
+    (@thunk $ty:ty, $default:expr) => { Some(|| {
+        let default: $ty = $default;
+        $crate::value::IntoValue::into_value(default)
+    }) };
+    (@value) => { None };
+    (@value $default:expr) => { Some($default) };
+}
+pub(crate) use op;

@@ -1,0 +1,32 @@
+//! Ranges `a..b` and `a..<b`: over integers something to iterate, over numbers an interval.
+
+use std::fmt;
+
+use super::Number;
+
+/// A range as it was written; `start` above `end` is empty.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Its start.
+    pub start: Number,
+    /// Its end.
+    pub end: Number,
+    /// Whether the end belongs to it: `..` against `..<`.
+    pub closed: bool,
+}
+
+impl Range {
+    /// First whole number and how many there are; `None` unless both ends are whole.
+    #[must_use]
+    pub fn integers(&self) -> Option<(i64, usize)> {
+        let (start, end) = (self.start.as_integer()?, self.end.as_integer()?);
+        let count = end.checked_sub(start)?.checked_add(i64::from(self.closed))?;
+        Some((start, usize::try_from(count).unwrap_or(0)))
+    }
+}
+
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}{}", self.start, if self.closed { ".." } else { "..<" }, self.end)
+    }
+}

@@ -1,0 +1,105 @@
+//! The set of known operations.
+
+use std::{collections::BTreeMap, sync::Arc};
+
+use super::{Op, Type, Value};
+
+/// Operations by name. The evaluator, the help, the completion and the reference read this and
+/// nothing else. One name may have several operations, told apart by their first argument.
+#[derive(Debug, Default)]
+pub struct Registry {
+    by_name: BTreeMap<&'static str, Arc<[&'static Op]>>,
+    constants: &'static [Constant],
+}
+
+/// A built-in value with a name.
+#[derive(Clone, Copy, Debug)]
+pub struct Constant {
+    /// What scripts call it.
+    pub name: &'static str,
+    /// What it is.
+    pub docs: &'static str,
+    /// Its value.
+    pub value: fn() -> Value,
+}
+
+impl Registry {
+    /// The operations called `name`; aliases count.
+    #[must_use]
+    pub fn get(&self, name: &str) -> Option<(&'static str, &Arc<[&'static Op]>)> {
+        self.by_name.get_key_value(name).map(|(&name, ops)| (name, ops))
+    }
+
+    /// The same operations, and these constants.
+    #[must_use]
+    pub fn with_constants(self, constants: &'static [Constant]) -> Self {
+        Self { constants, ..self }
+    }
+
+    /// The constant called `name`.
+    #[must_use]
+    pub fn constant(&self, name: &str) -> Option<&'static Constant> {
+        self.constants.iter().find(|constant| constant.name == name)
+    }
+
+    /// Every constant.
+    #[must_use]
+    pub fn constants(&self) -> &'static [Constant] {
+        self.constants
+    }
+
+    /// Every name of an operation or constant, aliases included.
+    pub fn names(&self) -> impl Iterator<Item = &'static str> {
+        self.by_name.keys().copied().chain(self.constants.iter().map(|constant| constant.name))
+    }
+
+    /// Every operation once, by name.
+    pub fn iter(&self) -> impl Iterator<Item = &'static Op> {
+        self.by_name
+            .iter()
+            .flat_map(|(&name, ops)| ops.iter().copied().filter(move |op| op.name == name))
+    }
+}
+
+impl FromIterator<&'static Op> for Registry {
+    fn from_iter<I: IntoIterator<Item = &'static Op>>(ops: I) -> Self {
+        let mut lists: BTreeMap<&'static str, Vec<&'static Op>> = BTreeMap::new();
+        for op in ops {
+            for name in std::iter::once(op.name).chain(op.aliases.iter().copied()) {
+                lists.entry(name).or_default().push(op);
+            }
+        }
+        let by_name = lists.into_iter().map(|(name, ops)| (name, Arc::from(ops))).collect();
+        Self { by_name, constants: &[] }
+    }
+}
+
+/// The operation among `ops` that takes `first` as its first argument.
+///
+/// With one operation there is no choice: what does not fit is told when arguments are read.
+///
+/// # Errors
+/// A sentence on what the first argument may be.
+pub fn choose(ops: &[&'static Op], first: Option<&Value>) -> Result<&'static Op, String> {
+    let takes = |op: &&&'static Op, value: &Value| {
+        op.params.first().is_some_and(|param| {
+            let element = match param.ty {
+                Type::List(of, _) if param.spreads => of.accepts(value),
+                _ => false,
+            };
+            element || param.ty.accepts(value)
+        })
+    };
+    match (ops, first) {
+        ([only], _) | ([only, ..], None) => Ok(only),
+        (_, Some(value)) => ops.iter().find(|op| takes(op, value)).copied().ok_or_else(|| {
+            let wanted: Vec<String> = ops
+                .iter()
+                .filter_map(|op| op.params.first())
+                .map(|param| param.ty.phrase())
+                .collect();
+            format!("takes {}, found {}", wanted.join(" or "), value.phrase())
+        }),
+        ([], None) => Err("is not there".to_owned()),
+    }
+}

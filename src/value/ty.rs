@@ -1,0 +1,200 @@
+//! Types as the user reads them: in signatures, and in messages that say what was expected.
+
+use std::fmt;
+
+use super::Value;
+
+/// A type of the language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Type {
+    /// Any value.
+    Any,
+    /// `true` or `false`.
+    Bool,
+    /// A number of whatever dimension.
+    Number,
+    /// A number without a unit.
+    Ratio,
+    /// A whole number without a unit, zero or more.
+    Count,
+    /// A whole number without a unit.
+    Integer,
+    /// A length; a bare number counts as document units.
+    Length,
+    /// An angle; never a bare number.
+    Angle,
+    /// A string.
+    Text,
+    /// One of a few words.
+    Choice(&'static [&'static str]),
+    /// A point or vector.
+    Point,
+    /// Element type and least length.
+    List(&'static Type, usize),
+    /// A list of rows of one length.
+    Grid(&'static Type),
+    /// A range.
+    Range,
+    /// A record.
+    Record,
+    /// Anything that can be called.
+    Function,
+    /// A curve.
+    Curve,
+    /// A surface.
+    Surface,
+    /// A mesh.
+    Mesh,
+    /// A table.
+    Table,
+    /// A plane or frame.
+    Plane,
+    /// A point, curve, surface, mesh or plane, or a list of such.
+    Geometry,
+    /// One of several types.
+    OneOf(&'static [Type]),
+}
+
+impl Type {
+    /// Whether a value looks like one of this type. Looks at the kind, and at the first element
+    /// of lists: enough to choose between the built-ins of one name.
+    #[must_use]
+    pub fn accepts(self, value: &Value) -> bool {
+        match (self, value) {
+            (Self::Any, _)
+            | (Self::Bool, Value::Bool(_))
+            | (
+                Self::Number
+                | Self::Ratio
+                | Self::Count
+                | Self::Integer
+                | Self::Length
+                | Self::Angle,
+                Value::Number(_),
+            )
+            | (Self::Text | Self::Choice(_), Value::Text(_))
+            | (Self::Point, Value::Point(_))
+            | (Self::Range, Value::Range(_))
+            | (Self::Record, Value::Record(_))
+            | (Self::Function, Value::Function(_) | Value::Curve(_) | Value::Surface(_))
+            | (Self::Curve, Value::Curve(_))
+            | (Self::Surface, Value::Surface(_))
+            | (Self::Mesh, Value::Mesh(_))
+            | (Self::Table, Value::Table(_))
+            | (Self::Plane, Value::Frame(_))
+            | (
+                Self::Geometry,
+                Value::Point(_)
+                | Value::Curve(_)
+                | Value::Surface(_)
+                | Value::Mesh(_)
+                | Value::Frame(_),
+            ) => true,
+            (Self::List(of, _), Value::List(items)) => {
+                items.first().is_none_or(|item| of.accepts(item))
+            }
+            (Self::Grid(of), Value::List(rows)) => {
+                rows.first().is_some_and(|row| Self::List(of, 0).accepts(row))
+            }
+            (Self::Geometry, Value::List(items)) => {
+                items.first().is_none_or(|item| self.accepts(item))
+            }
+            // A range of whole numbers is as good as their list.
+            (Self::List(of, _), Value::Range(_)) => of.accepts(&Value::number(0.0)),
+            (Self::OneOf(types), _) => types.iter().any(|of| of.accepts(value)),
+            _ => false,
+        }
+    }
+
+    /// The type as a noun phrase of a message: `a list of 2 or more points`.
+    #[must_use]
+    pub fn phrase(self) -> String {
+        match self {
+            Self::Any => "a value".to_owned(),
+            Self::Bool => "true or false".to_owned(),
+            Self::Angle => "an angle".to_owned(),
+            Self::Ratio => "a number without a unit".to_owned(),
+            Self::Count | Self::Integer => "a whole number".to_owned(),
+            Self::Text => "a string".to_owned(),
+            Self::Function => "a function".to_owned(),
+            Self::Choice(words) => format!("one of {}", quoted(words)),
+            Self::Geometry => {
+                "geometry (a point, curve, surface, mesh, plane, or a list of them)".to_owned()
+            }
+            Self::List(of, 0) => format!("a list of {}", of.plural()),
+            Self::List(of, least) => format!("a list of {least} or more {}", of.plural()),
+            Self::Grid(of) => format!("a grid of {} (a list of rows)", of.plural()),
+            Self::OneOf(types) => join(types.iter().map(|of| of.phrase()), "or"),
+            _ => format!("a {self}"),
+        }
+    }
+
+    fn plural(self) -> String {
+        match self {
+            Self::Any => "values".to_owned(),
+            Self::Bool => "truth values".to_owned(),
+            Self::Ratio => "numbers without units".to_owned(),
+            Self::Count | Self::Integer => "whole numbers".to_owned(),
+            Self::Text => "strings".to_owned(),
+            Self::Mesh => "meshes".to_owned(),
+            Self::Choice(words) => quoted(words),
+            Self::List(of, _) => format!("lists of {}", of.plural()),
+            Self::OneOf(types) => join(types.iter().map(|of| of.plural()), "or"),
+            Self::Geometry | Self::Grid(_) => self.to_string(),
+            _ => format!("{self}s"),
+        }
+    }
+}
+
+/// `"a", "b" or "c"`.
+fn quoted(words: &[&str]) -> String {
+    join(words.iter().map(|word| format!("\"{word}\"")), "or")
+}
+
+/// `a, b or c`.
+fn join(words: impl Iterator<Item = String>, last: &str) -> String {
+    let mut words: Vec<String> = words.collect();
+    let Some(end) = words.pop() else { return String::new() };
+    if words.is_empty() { end } else { format!("{} {last} {end}", words.join(", ")) }
+}
+
+/// As in a signature.
+impl fmt::Display for Type {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Any => "any",
+            Self::Bool => "bool",
+            Self::Number | Self::Ratio => "number",
+            Self::Count | Self::Integer => "integer",
+            Self::Length => "length",
+            Self::Angle => "angle",
+            Self::Text => "string",
+            Self::Point => "point",
+            Self::Range => "range",
+            Self::Record => "record",
+            Self::Function => "function",
+            Self::Curve => "curve",
+            Self::Surface => "surface",
+            Self::Mesh => "mesh",
+            Self::Table => "table",
+            Self::Plane => "plane",
+            Self::Geometry => "geometry",
+            Self::Choice(words) => {
+                return write!(
+                    f,
+                    "{}",
+                    words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(" | ")
+                );
+            }
+            Self::List(of, _) => return write!(f, "list of {}", of.plural()),
+            Self::Grid(of) => return write!(f, "grid of {}", of.plural()),
+            Self::OneOf(types) => {
+                return write!(
+                    f,
+                    "{}",
+                    types.iter().map(ToString::to_string).collect::<Vec<_>>().join(" | ")
+                );
+            }
+        })
+    }
+}

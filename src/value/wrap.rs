@@ -1,0 +1,78 @@
+//! Conversions from the Rust types that operations return to language values.
+
+use glam::DVec3;
+
+use super::{Angle, Choice, Dim, Geometry, Length, Number, Record, Type, Value};
+use crate::{
+    diag::Spanned,
+    kernel::{Frame, Mesh, NurbsCurve, NurbsSurface, Table},
+};
+use std::sync::Arc;
+
+/// A Rust type that an operation can return.
+pub trait IntoValue {
+    /// How the type is called in help texts.
+    const RETURNS: Type;
+    /// The value.
+    fn into_value(self) -> Value;
+}
+
+impl<T: Choice> IntoValue for T {
+    const RETURNS: Type = Type::Choice(T::WORDS);
+
+    fn into_value(self) -> Value {
+        let idx = T::MEANINGS.iter().position(|meaning| *meaning == self);
+        idx.map_or(Value::None, |idx| Value::text(T::WORDS[idx]))
+    }
+}
+
+/// Wraps a payload into its variant.
+macro_rules! into_variant {
+    ($( $ty:ty = $tag:expr, |$inner:ident| $make:expr; )+) => { $(
+        impl IntoValue for $ty {
+            const RETURNS: Type = $tag;
+
+            fn into_value(self) -> Value {
+                let $inner = self;
+                $make
+            }
+        }
+    )+ };
+}
+
+into_variant! {
+    Value = Type::Any, |value| value;
+    bool = Type::Bool, |truth| Value::Bool(truth);
+    f64 = Type::Number, |value| Value::number(value);
+    usize = Type::Count, |count| Value::number(count as f64);
+    i64 = Type::Integer, |count| Value::number(count as f64);
+    Number = Type::Number, |number| Value::Number(number);
+    Length = Type::Length, |length| Value::Number(Number { value: length.0, dim: Dim::LENGTH });
+    Angle = Type::Angle, |angle| Value::Number(Number::angle(angle.0));
+    &str = Type::Text, |text| Value::text(text);
+    String = Type::Text, |text| Value::text(&text);
+    DVec3 = Type::Point, |point| Value::Point(point);
+    Record = Type::Record, |record| Value::Record(Arc::new(record));
+    NurbsCurve = Type::Curve, |curve| Value::Curve(Arc::new(curve));
+    NurbsSurface = Type::Surface, |surface| Value::Surface(Arc::new(surface));
+    Mesh = Type::Mesh, |mesh| Value::Mesh(Arc::new(mesh));
+    Table = Type::Table, |table| Value::Table(Arc::new(table));
+    Frame = Type::Plane, |frame| Value::Frame(Arc::new(frame));
+    Geometry = Type::Geometry, |geometry| geometry.0;
+}
+
+impl<T: IntoValue> IntoValue for Vec<T> {
+    const RETURNS: Type = Type::List(&T::RETURNS, 0);
+
+    fn into_value(self) -> Value {
+        Value::list(self.into_iter().map(IntoValue::into_value).collect())
+    }
+}
+
+impl<T: IntoValue> IntoValue for Spanned<T> {
+    const RETURNS: Type = T::RETURNS;
+
+    fn into_value(self) -> Value {
+        self.value.into_value()
+    }
+}
