@@ -1,0 +1,54 @@
+//! CSV: one table, its columns with their units in the header (RFC 4180).
+
+use std::io::Write;
+
+use super::{ExportError, Format, Job, Subject, Summary, text::Text};
+use crate::kernel::Column;
+
+pub(super) static FORMAT: Format = Format {
+    ending: "csv",
+    title: "CSV: one table, units in square brackets after the names",
+    options: &[],
+    takes: |subject| matches!(subject, Subject::Table(_)),
+    takes_data: false,
+    wants: "one table",
+    write,
+};
+
+fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
+    let (mut text, mut summary) = (Text::default(), Summary::default());
+    for item in &job.items {
+        let Subject::Table(table) = &item.subject else { continue };
+        for (i, column) in table.columns().iter().enumerate() {
+            let title = match &column.unit {
+                Some(unit) => format!("{} [{unit}]", column.name),
+                None => column.name.clone(),
+            };
+            text.push(if i == 0 { "" } else { "," }).push(&cell(&title));
+        }
+        text.push("\n");
+        for row in 0..table.n_rows() {
+            for (i, column) in table.columns().iter().enumerate() {
+                text.push(if i == 0 { "" } else { "," });
+                match &column.column {
+                    Column::Numbers(values) => text.number(values[row]),
+                    Column::Texts(values) => text.push(&cell(&values[row])),
+                };
+            }
+            text.push("\n");
+            text.flush_if_large(out)?;
+        }
+        summary.rows += table.n_rows();
+    }
+    text.flush(out)?;
+    Ok(summary)
+}
+
+/// A cell, in quotation marks where it must be.
+fn cell(text: &str) -> String {
+    if text.contains(['"', ',', '\n', '\r']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
+}

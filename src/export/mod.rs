@@ -1,0 +1,154 @@
+//! Geometry and tables into files: one format a file of this folder, chosen by the path's ending.
+//!
+//! Formats write to any [`Write`]; that files appear whole or not at all is the door's business.
+
+mod csv;
+mod json;
+mod obj;
+mod shape;
+mod stl;
+mod text;
+
+use std::{
+    io::{self, Write},
+    sync::Arc,
+};
+
+use glam::DVec3;
+use thiserror::Error;
+
+use crate::{
+    kernel::{GeomError, Mesh, NurbsCurve, NurbsSurface, Table},
+    limits::Limits,
+};
+
+/// Something that a file can hold.
+#[derive(Clone, Debug)]
+pub enum Subject {
+    /// A point.
+    Point(DVec3),
+    /// A curve.
+    Curve(Arc<NurbsCurve>),
+    /// A surface.
+    Surface(Arc<NurbsSurface>),
+    /// A mesh.
+    Mesh(Arc<Mesh>),
+    /// A table.
+    Table(Arc<Table>),
+    /// Any value as exact data.
+    Data(serde_json::Value),
+}
+
+impl Subject {
+    /// Whether it has a place in space.
+    #[must_use]
+    pub fn is_geometry(&self) -> bool {
+        matches!(self, Self::Point(_) | Self::Curve(_) | Self::Surface(_) | Self::Mesh(_))
+    }
+}
+
+/// A subject under the name that the file gives it.
+#[derive(Clone, Debug)]
+pub struct Item {
+    /// The name of the definition, or the expression as it was written.
+    pub name: String,
+    /// What is written.
+    pub subject: Subject,
+}
+
+/// What a format is asked to do.
+#[derive(Clone, Debug)]
+pub struct Job {
+    /// What goes into the file.
+    pub items: Vec<Item>,
+    /// The document's unit of length, by name.
+    pub unit: &'static str,
+    /// How far a mesh may lie from its surface; without one a thousandth of the whole's size.
+    pub tolerance: Option<f64>,
+    /// The ceilings.
+    pub limits: Limits,
+}
+
+/// What a file came to hold.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Summary {
+    /// Vertices of meshes.
+    pub vertices: usize,
+    /// Triangles of meshes.
+    pub triangles: usize,
+    /// Curves drawn as polylines.
+    pub polylines: usize,
+    /// Single points.
+    pub points: usize,
+    /// Rows of tables.
+    pub rows: usize,
+    /// Values as exact data.
+    pub values: usize,
+}
+
+/// `482 vertices, 960 triangles`.
+impl std::fmt::Display for Summary {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let parts = [
+            (self.vertices, "vertex", "vertices"),
+            (self.triangles, "triangle", "triangles"),
+            (self.polylines, "curve", "curves"),
+            (self.points, "point", "points"),
+            (self.rows, "row", "rows"),
+            (self.values, "value", "values"),
+        ];
+        let mut first = true;
+        for (n, one, many) in parts.into_iter().filter(|part| part.0 != 0) {
+            write!(f, "{}{n} {}", if first { "" } else { ", " }, if n == 1 { one } else { many })?;
+            first = false;
+        }
+        if first { f.write_str("nothing") } else { Ok(()) }
+    }
+}
+
+/// Why a file cannot be written.
+#[derive(Debug, Error)]
+pub enum ExportError {
+    /// The geometry has no answer to what the format needs.
+    #[error("{name}: {source}")]
+    Geometry {
+        /// The item.
+        name: String,
+        /// What is wrong with it.
+        source: GeomError,
+    },
+    /// The operating system refused.
+    #[error(transparent)]
+    Io(#[from] io::Error),
+}
+
+/// A file format.
+#[derive(Debug)]
+pub struct Format {
+    /// The ending that chooses it, without the point.
+    pub ending: &'static str,
+    /// What it is.
+    pub title: &'static str,
+    /// The options after `with` that it knows.
+    pub options: &'static [&'static str],
+    /// Whether it has a place for a subject.
+    pub takes: fn(&Subject) -> bool,
+    /// Whether it holds any value as exact data rather than shapes.
+    pub takes_data: bool,
+    /// What it takes, as a noun phrase.
+    pub wants: &'static str,
+    /// Writes a file.
+    pub write: fn(&Job, &mut dyn Write) -> Result<Summary, ExportError>,
+}
+
+/// Every format, in the order of the reference.
+pub static FORMATS: &[&Format] = &[&obj::FORMAT, &stl::FORMAT, &csv::FORMAT, &json::FORMAT];
+
+impl Format {
+    /// The format of a path.
+    #[must_use]
+    pub fn of_path(path: &str) -> Option<&'static Self> {
+        let (_, ending) = path.rsplit_once('.')?;
+        FORMATS.iter().copied().find(|format| format.ending.eq_ignore_ascii_case(ending))
+    }
+}
