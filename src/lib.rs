@@ -3,6 +3,7 @@
 //! Reading order: the ground first, then what stands on it; `ARCHITECTURE.md` has the map.
 
 pub mod diag;
+pub mod eval;
 pub mod export;
 pub mod kernel;
 pub mod limits;

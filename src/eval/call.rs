@@ -1,0 +1,385 @@
+//! Calls: of functions of the script, of built-ins, of curves and surfaces, and with places left
+//! open.
+
+use std::sync::Arc;
+
+use super::{
+    ir::{Arg, CallExpr},
+    library::{Home, join},
+    machine::{Machine, ScriptFunction},
+};
+use crate::{
+    diag::{Code, Diagnostic, Result, Span, Spanned},
+    value::{
+        At, Call, Ctx, Files, Formal, FromValue, Function, Mistakes, Op, Partial, Type, Value,
+        assign, choose,
+    },
+};
+
+/// Files as a file of another folder names them.
+#[derive(Debug)]
+struct Beside<'a> {
+    files: &'a dyn Files,
+    folder: &'a str,
+}
+
+impl Files for Beside<'_> {
+    fn read(&self, path: &str, most: usize) -> std::result::Result<Vec<u8>, String> {
+        self.files.read(&join(self.folder, path), most)
+    }
+}
+
+/// Remarks "called from here" that one error collects.
+const MOST_CALLERS: usize = 3;
+
+/// The value, unless arithmetic inside a built-in has left the numbers.
+fn finite(value: Value, name: &str, span: Span) -> Result<Value> {
+    let is_finite = |value: &Value| match value {
+        Value::Number(number) => number.value.is_finite(),
+        Value::Point(point) => point.is_finite(),
+        _ => true,
+    };
+    let is_well = match &value {
+        Value::List(items) => items.iter().all(is_finite),
+        Value::Record(record) => record.iter().all(|(_, value)| is_finite(value)),
+        value => is_finite(value),
+    };
+    if is_well {
+        return Ok(value);
+    }
+    let message = format!("the result of `{name}` is beyond the largest number, 1.8e308");
+    Diagnostic::error(Code::Domain, span, message).fail()
+}
+
+impl Machine<'_> {
+    /// Evaluates a call as written.
+    pub(super) fn call_expr(&mut self, call: &CallExpr, span: Span) -> Result<Value> {
+        let callee = self.eval(&call.callee)?;
+        if call.is_partial {
+            return self.partial(callee, call, span);
+        }
+        let mut args =
+            Call { span, positional: Vec::with_capacity(call.args.len()), named: Vec::new() };
+        for arg in &call.args {
+            let Some(expr) = &arg.value else { continue };
+            let value = Spanned::new(self.eval(expr)?, arg.span);
+            match &arg.label {
+                None => args.positional.push(value),
+                Some((label, place)) => {
+                    args.named.push((Spanned::new(Arc::clone(label), *place), value));
+                }
+            }
+        }
+        self.invoke(&callee, args, call.callee.span)
+    }
+
+    /// Calls with positional arguments that have no place of their own.
+    pub(super) fn apply(&mut self, function: &Value, args: &[Value], span: Span) -> Result<Value> {
+        let positional = args.iter().map(|value| Spanned::new(value.clone(), span)).collect();
+        self.invoke(function, Call { span, positional, named: Vec::new() }, span)
+    }
+
+    fn invoke(&mut self, callee: &Value, call: Call, place: Span) -> Result<Value> {
+        self.step(call.span)?;
+        match callee {
+            Value::Function(Function::Builtin(name, ops)) => self.builtin(name, ops, call),
+            Value::Function(Function::Closure(closure)) => {
+                match closure.as_any().downcast_ref::<ScriptFunction>() {
+                    Some(function) => self.script(function, call),
+                    None => unreachable!("only the machine makes closures"),
+                }
+            }
+            Value::Function(Function::Partial(partial)) => self.fill(partial, call, place),
+            Value::Curve(curve) => {
+                let [t] = self.parameters(callee, "c(t)", &call)?;
+                let inside = curve.domain().clamp_inside(t.value).at(t.span)?;
+                finite(Value::Point(curve.point_at(inside)), "c(t)", call.span)
+            }
+            Value::Surface(surface) => {
+                let [u, v] = self.parameters(callee, "s(u, v)", &call)?;
+                let inside_u = surface.domain_u().clamp_inside(u.value).at(u.span)?;
+                let inside_v = surface.domain_v().clamp_inside(v.value).at(v.span)?;
+                finite(Value::Point(surface.point_at(inside_u, inside_v)), "s(u, v)", call.span)
+            }
+            other => {
+                let message = format!("{} cannot be called", other.phrase());
+                let diagnostic = Diagnostic::error(Code::NotCallable, place, message);
+                match other {
+                    Value::Point(_) | Value::List(_) | Value::Number(_) => {
+                        diagnostic.label("is a `,` missing after this?")
+                    }
+                    _ => diagnostic.hint("functions, curves and surfaces can be called"),
+                }
+                .fail()
+            }
+        }
+    }
+
+    /// The parameters with which a curve or surface is called.
+    fn parameters<const N: usize>(
+        &self,
+        callee: &Value,
+        form: &str,
+        call: &Call,
+    ) -> Result<[Spanned<f64>; N]> {
+        let bad = |span, message: String| {
+            Diagnostic::error(Code::BadCall, span, message)
+                .hint(format!("a {} is called as `{form}`", callee.kind()))
+                .fail()
+        };
+        if let Some((label, _)) = call.named.first() {
+            return bad(
+                label.span,
+                format!("a {} has no parameter `{}`", callee.kind(), label.value),
+            );
+        }
+        if call.positional.len() != N {
+            let found = call.positional.len();
+            let parameters = if N == 1 { "parameter" } else { "parameters" };
+            return bad(
+                call.span,
+                format!("a {} takes {N} {parameters}, found {found}", callee.kind()),
+            );
+        }
+        let mut values = [Spanned::new(0.0, call.span); N];
+        for (slot, arg) in values.iter_mut().zip(&call.positional) {
+            let value = f64::from_value(&arg.value, arg.span).map_err(|mismatch| {
+                let message =
+                    mismatch.sentence(&format!("a parameter of a {}", callee.kind()), Type::Ratio);
+                Box::new(Diagnostic::error(mismatch.code, arg.span, message))
+            })?;
+            *slot = Spanned::new(value, arg.span);
+        }
+        Ok(values)
+    }
+
+    fn builtin(&mut self, name: &str, ops: &[&'static Op], call: Call) -> Result<Value> {
+        let first_name = ops.first().and_then(|op| op.params.first()).map(|param| param.name);
+        let first = call.positional.first().or_else(|| {
+            call.named
+                .iter()
+                .find(|(label, _)| Some(&*label.value) == first_name)
+                .map(|(_, value)| value)
+        });
+        let op = choose(ops, first.map(|first| &first.value)).map_err(|what| {
+            let place = first.map_or(call.span, |first| first.span);
+            let mut diagnostic =
+                Diagnostic::error(Code::WrongKind, place, format!("`{name}` {what}"));
+            for op in ops {
+                diagnostic = diagnostic.hint(format!("`{}`", op.signature()));
+            }
+            Box::new(diagnostic)
+        })?;
+        let env = self.env;
+        let span = call.span;
+        let home = Arc::clone(&self.home);
+        let files = Beside { files: env.files, folder: &home.folder };
+        let mut ctx =
+            Ctx { tolerance: env.tolerance, limits: env.limits, files: &files, span, caller: self };
+        let value = (op.run)(&mut ctx, call)?;
+        finite(value, name, span)
+    }
+
+    fn script(&mut self, function: &ScriptFunction, call: Call) -> Result<Value> {
+        self.n_calls += 1;
+        let span = call.span;
+        let result = if self.n_calls <= self.env.limits.call_depth {
+            self.run_script(function, call)
+        } else {
+            let message = format!("calls go more than {} deep", self.env.limits.call_depth);
+            self.too_deep(message, span)
+        };
+        self.n_calls -= 1;
+        result.map_err(|mut diagnostic| {
+            let is_told = diagnostic.primary.span == span
+                || diagnostic.others.iter().any(|other| other.span == span);
+            if diagnostic.others.len() < MOST_CALLERS && !is_told {
+                let text = match &function.lambda().name {
+                    Some(name) => format!("`{name}` is called from here"),
+                    None => "called from here".to_owned(),
+                };
+                diagnostic = Box::new(diagnostic.also(span, text));
+            }
+            diagnostic
+        })
+    }
+
+    fn run_script(&mut self, function: &ScriptFunction, call: Call) -> Result<Value> {
+        let lambda = function.lambda();
+        let mut mistakes = Mistakes::default();
+        let span = call.span;
+        let is_plain = call.named.is_empty()
+            && call.positional.len() == lambda.parameters.len()
+            && lambda.parameters.iter().all(|parameter| parameter.default.is_none());
+        let slots: Vec<Option<Value>> = if is_plain {
+            call.positional.into_iter().map(|arg| Some(arg.value)).collect()
+        } else {
+            let formals: Vec<Formal<'_>> = lambda
+                .parameters
+                .iter()
+                .map(|parameter| Formal {
+                    name: &parameter.name,
+                    optional: parameter.default.is_some(),
+                    by_position: false,
+                })
+                .collect();
+            let slots = assign(&formals, call, &mut mistakes);
+            if !mistakes.is_empty() {
+                let name = lambda.name.as_deref().unwrap_or("this function");
+                return Err(mistakes.complaint(
+                    name,
+                    &crate::value::Closure::signature(function),
+                    span,
+                ));
+            }
+            slots.into_iter().map(|slot| slot.map(|arg| arg.value)).collect()
+        };
+        self.enter(function, slots)
+    }
+
+    /// Runs a function in a frame of its own.
+    fn enter(&mut self, function: &ScriptFunction, args: Vec<Option<Value>>) -> Result<Value> {
+        let lambda = function.lambda();
+        let outer_base = std::mem::replace(&mut self.base, self.stack.len());
+        let outer = self.running.replace(function.clone());
+        let outer_home = self.go_home(function);
+        self.stack.resize(self.base + lambda.n_slots, Value::None);
+        let result = self.fill_frame(function, args).and_then(|()| self.eval(&lambda.body));
+        self.stack.truncate(self.base);
+        self.base = outer_base;
+        self.running = outer;
+        if let Some(home) = outer_home {
+            self.home = home;
+        }
+        result
+    }
+
+    /// Enters the file of a function, unless it runs already; the file that ran before.
+    fn go_home(&mut self, function: &ScriptFunction) -> Option<Arc<Home>> {
+        if std::ptr::eq(function.home.as_ptr(), Arc::as_ptr(&self.home)) {
+            return None;
+        }
+        let home = function.home.upgrade()?;
+        Some(std::mem::replace(&mut self.home, home))
+    }
+
+    /// The record of what an imported file defines.
+    pub(super) fn import(&mut self, file: usize, with: &[Arg], span: Span) -> Result<Value> {
+        let mut parameters = Vec::with_capacity(with.len());
+        for arg in with {
+            let Some(expr) = &arg.value else { continue };
+            let value = Spanned::new(self.eval(expr)?, arg.span);
+            let Some((label, place)) = &arg.label else {
+                return Diagnostic::error(Code::BadCall, arg.span, "parameters are given by name")
+                    .hint("for example `with (chord = 120mm)`")
+                    .fail();
+            };
+            parameters.push((Spanned::new(Arc::clone(label), *place), value));
+        }
+        match self.env.library {
+            Some(library) => library.value(file, parameters, self.env),
+            None => {
+                Diagnostic::error(Code::FileMissing, span, "nothing can be imported here").fail()
+            }
+        }
+    }
+
+    fn fill_frame(&mut self, function: &ScriptFunction, args: Vec<Option<Value>>) -> Result<()> {
+        for (slot, (arg, parameter)) in
+            args.into_iter().zip(&function.lambda().parameters).enumerate()
+        {
+            let value = match (arg, &parameter.default) {
+                (Some(value), _) => value,
+                (None, Some(default)) => self.eval(default)?,
+                (None, None) => Value::None,
+            };
+            let place = self.base + slot;
+            self.stack[place] = value;
+        }
+        Ok(())
+    }
+
+    /// A call with `_`: of geometry an isocurve, else a function of what is left out.
+    fn partial(&mut self, callee: Value, call: &CallExpr, span: Span) -> Result<Value> {
+        let (mut positional, mut named) = (Vec::new(), Vec::new());
+        for arg in &call.args {
+            let value = match &arg.value {
+                Some(expr) => Some(self.eval(expr)?),
+                None => None,
+            };
+            match &arg.label {
+                None => positional.push(value),
+                Some((label, _)) => named.push((Arc::clone(label), value)),
+            }
+        }
+        if let Some(geometry) = self.isocurve(&callee, &positional, &named, call)? {
+            return Ok(geometry);
+        }
+        if !Type::Function.accepts(&callee) {
+            let message = format!("{} cannot be called", callee.phrase());
+            return Diagnostic::error(Code::NotCallable, span, message).fail();
+        }
+        Ok(Value::Function(Function::Partial(Arc::new(Partial { callee, positional, named }))))
+    }
+
+    /// `s(u, _)` and `s(_, v)` are curves, `c(_)` is the curve itself.
+    fn isocurve(
+        &self,
+        callee: &Value,
+        positional: &[Option<Value>],
+        named: &[(Arc<str>, Option<Value>)],
+        call: &CallExpr,
+    ) -> Result<Option<Value>> {
+        if !named.is_empty() {
+            return Ok(None);
+        }
+        let parameter = |value: &Value, idx: usize| {
+            let span = call.args[idx].span;
+            f64::from_value(value, span).map(|t| (t, span)).map_err(|mismatch| {
+                let message = mismatch.sentence("a parameter of a surface", Type::Ratio);
+                Box::new(Diagnostic::error(mismatch.code, span, message))
+            })
+        };
+        Ok(Some(match (callee, positional) {
+            (Value::Curve(_), [None]) => callee.clone(),
+            (Value::Surface(_), [None, None]) => callee.clone(),
+            (Value::Surface(surface), [Some(u), None]) => {
+                let (u, span) = parameter(u, 0)?;
+                let u = surface.domain_u().clamp_inside(u).at(span)?;
+                Value::Curve(Arc::new(surface.isocurve_u(u)))
+            }
+            (Value::Surface(surface), [None, Some(v)]) => {
+                let (v, span) = parameter(v, 1)?;
+                let v = surface.domain_v().clamp_inside(v).at(span)?;
+                Value::Curve(Arc::new(surface.isocurve_v(v)))
+            }
+            _ => return Ok(None),
+        }))
+    }
+
+    /// Calls what was left open with the arguments for its placeholders.
+    fn fill(&mut self, partial: &Partial, call: Call, place: Span) -> Result<Value> {
+        let n_open = partial.positional.iter().filter(|arg| arg.is_none()).count()
+            + partial.named.iter().filter(|(_, arg)| arg.is_none()).count();
+        if call.positional.len() != n_open || !call.named.is_empty() {
+            let found = call.positional.len() + call.named.len();
+            let message =
+                format!("{n_open} arguments are left open with `_`, but {found} are given");
+            return Diagnostic::error(Code::BadCall, call.span, message).fail();
+        }
+        let span = call.span;
+        let mut given = call.positional.into_iter();
+        let mut next = |arg: &Option<Value>| match arg {
+            Some(value) => Some(Spanned::new(value.clone(), span)),
+            None => given.next(),
+        };
+        let positional: Vec<Spanned<Value>> =
+            partial.positional.iter().filter_map(&mut next).collect();
+        let named = partial
+            .named
+            .iter()
+            .filter_map(|(label, arg)| Some((Spanned::new(Arc::clone(label), span), next(arg)?)))
+            .collect();
+        self.invoke(&partial.callee, Call { span, positional, named }, place)
+    }
+}

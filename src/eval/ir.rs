@@ -1,0 +1,271 @@
+//! The program as it is evaluated: names are slots, literals are values, spans are global.
+//!
+//! `lower` makes it from the tree of a script; the machine runs it. Nothing in it borrows from
+//! the source, so functions of the script can outlive their text.
+
+use std::sync::Arc;
+
+pub(crate) use crate::syntax::ast::{BinaryOp, Kind, UnaryOp};
+use crate::{diag::Span, kernel::Tolerance, value::Value};
+
+/// An expression with its place.
+#[derive(Debug)]
+pub(crate) struct Expr {
+    pub(crate) kind: ExprKind,
+    pub(crate) span: Span,
+}
+
+/// What an expression is.
+#[derive(Debug)]
+pub(crate) enum ExprKind {
+    /// Was reported; whatever contains it is never evaluated.
+    Poison,
+    /// A literal or a built-in.
+    Constant(Value),
+    /// A parameter or variable of the running function.
+    Local(usize),
+    /// A value that the running function took from around it.
+    Captured(usize),
+    /// A function defined together with the running one.
+    Sibling(usize),
+    /// A definition of the file.
+    Global(usize),
+    Point(Box<[Expr; 3]>),
+    List(Vec<Element>),
+    Record(Vec<(Arc<str>, Expr)>),
+    Text(Vec<Piece>),
+    Comprehension(Box<Comprehension>),
+    Block(Box<Block>),
+    Unary(UnaryOp, Box<Expr>),
+    Binary(BinaryOp, Box<[Expr; 2]>),
+    /// `a ~= b within c`
+    Within(Box<[Expr; 3]>),
+    Call(Box<CallExpr>),
+    Index(Box<[Expr; 2]>),
+    Field(Box<Expr>, Arc<str>, Span),
+    Lambda(Arc<Group>, usize, Vec<Source>),
+    If(Box<[Expr; 3]>),
+    /// A list that must have so many elements, because a pattern takes it apart.
+    Exactly(Box<Expr>, usize),
+    /// The record of what an imported file defines, with these parameters.
+    Import(usize, Vec<Arg>),
+    /// A value that must be of a promised kind; the span is the keyword's.
+    Promise(Box<Expr>, Kind, Span),
+}
+
+/// An element of a list.
+#[derive(Debug)]
+pub(crate) enum Element {
+    Item(Expr),
+    Spread(Expr),
+}
+
+/// A part of an interpolated string.
+#[derive(Debug)]
+pub(crate) enum Piece {
+    Text(Arc<str>),
+    Expr(Expr),
+}
+
+/// A call as written.
+#[derive(Debug)]
+pub(crate) struct CallExpr {
+    pub(crate) callee: Expr,
+    pub(crate) args: Vec<Arg>,
+    /// Whether an argument is `_`, which makes a function of the call.
+    pub(crate) is_partial: bool,
+}
+
+/// An argument; without a value it is the placeholder.
+#[derive(Debug)]
+pub(crate) struct Arg {
+    pub(crate) label: Option<(Arc<str>, Span)>,
+    pub(crate) value: Option<Expr>,
+    pub(crate) span: Span,
+}
+
+/// `[for ...: body]`
+#[derive(Debug)]
+pub(crate) struct Comprehension {
+    pub(crate) generators: Vec<Generator>,
+    pub(crate) body: Expr,
+}
+
+/// `x in source if condition`
+#[derive(Debug)]
+pub(crate) struct Generator {
+    pub(crate) slot: usize,
+    pub(crate) source: Expr,
+    /// Variables that take an element apart: slots and how each is got from it.
+    pub(crate) parts: Vec<(usize, Expr)>,
+    pub(crate) condition: Option<Expr>,
+}
+
+/// Definitions in the order of their dependencies, then a value.
+#[derive(Debug)]
+pub(crate) struct Block {
+    pub(crate) definitions: Vec<(usize, Expr)>,
+    pub(crate) value: Expr,
+}
+
+/// Functions that are defined together and may call one another, with what they take from
+/// around them.
+#[derive(Debug)]
+pub(crate) struct Group {
+    pub(crate) lambdas: Vec<Lambda>,
+}
+
+/// A function of the script.
+#[derive(Debug)]
+pub(crate) struct Lambda {
+    /// `None` for `x => ...`.
+    pub(crate) name: Option<Arc<str>>,
+    pub(crate) parameters: Vec<Parameter>,
+    pub(crate) body: Expr,
+    /// Slots of a frame: parameters first, then variables.
+    pub(crate) n_slots: usize,
+}
+
+/// A parameter with its default.
+#[derive(Debug)]
+pub(crate) struct Parameter {
+    pub(crate) name: Arc<str>,
+    pub(crate) default: Option<Expr>,
+}
+
+/// Where a captured value comes from, in the frame that makes the function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Source {
+    Local(usize),
+    Captured(usize),
+    Sibling(usize),
+}
+
+/// A definition of the file.
+#[derive(Debug)]
+pub(crate) struct Definition {
+    /// How outputs call it.
+    pub(crate) name: Arc<str>,
+    /// The name itself, or the keyword where there is none.
+    pub(crate) name_span: Span,
+    pub(crate) role: Role,
+    pub(crate) value: Expr,
+    /// Slots that its expression needs.
+    pub(crate) n_slots: usize,
+    /// Definitions that it uses, in ascending order, each once.
+    pub(crate) dependencies: Vec<usize>,
+    /// Whether a mistake in it was reported already.
+    pub(crate) is_poisoned: bool,
+    /// Presentation: evaluated options after `with`.
+    pub(crate) with: Vec<Arg>,
+}
+
+/// What sort of definition it is.
+#[derive(Debug)]
+pub(crate) enum Role {
+    /// An input of the file.
+    Param(Box<ParamRules>),
+    /// A function, which may use itself.
+    Function,
+    /// What an import brings; no other file sees it from here.
+    Import,
+    /// `let` and the kinds.
+    Value(Kind),
+    /// The right side of a pattern; has no name of its own.
+    Hidden,
+}
+
+/// What a `param` allows.
+#[derive(Debug)]
+pub(crate) struct ParamRules {
+    pub(crate) kind: Option<ParamKind>,
+    pub(crate) allowed: Option<Expr>,
+    pub(crate) step: Option<Expr>,
+    /// A text for people.
+    pub(crate) label: Option<Expr>,
+    /// The `///` lines before it.
+    pub(crate) docs: Option<String>,
+}
+
+/// The stated kind of a `param`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ParamKind {
+    Number,
+    Integer,
+    Length,
+    Angle,
+    Bool,
+    Text,
+}
+
+impl ParamKind {
+    /// Every kind with its word.
+    pub(crate) const ALL: &'static [(&'static str, Self)] = &[
+        ("number", Self::Number),
+        ("integer", Self::Integer),
+        ("length", Self::Length),
+        ("angle", Self::Angle),
+        ("bool", Self::Bool),
+        ("string", Self::Text),
+    ];
+
+    /// Its word.
+    pub(crate) fn word(self) -> &'static str {
+        Self::ALL.iter().find(|&&(_, kind)| kind == self).map_or("", |&(word, _)| word)
+    }
+}
+
+/// A statement that acts on values.
+#[derive(Debug)]
+pub(crate) struct Effect {
+    /// From its keyword to its end.
+    pub(crate) span: Span,
+    pub(crate) kind: EffectKind,
+    pub(crate) n_slots: usize,
+    pub(crate) dependencies: Vec<usize>,
+    pub(crate) is_poisoned: bool,
+}
+
+/// What a statement does.
+#[derive(Debug)]
+pub(crate) enum EffectKind {
+    Check {
+        claim: Expr,
+        message: Option<Expr>,
+    },
+    Print(Vec<Expr>),
+    /// `named` are the definitions that the subjects name.
+    Export {
+        subjects: Option<Vec<Expr>>,
+        named: Vec<usize>,
+        path: Expr,
+        options: Vec<Arg>,
+    },
+}
+
+/// A whole file, ready to run.
+#[derive(Debug)]
+pub(crate) struct Program {
+    pub(crate) definitions: Vec<Definition>,
+    pub(crate) effects: Vec<Effect>,
+    /// Definitions, functions that use one another together, each after those that it uses.
+    pub(crate) components: Vec<Vec<usize>>,
+    /// The unit of length.
+    pub(crate) unit: crate::syntax::ast::Unit,
+    pub(crate) tolerance: Tolerance,
+}
+
+impl Program {
+    /// The names of the parameters.
+    pub(crate) fn parameters(&self) -> impl Iterator<Item = &str> {
+        let is_param = |definition: &&Definition| matches!(definition.role, Role::Param(_));
+        self.definitions.iter().filter(is_param).map(|definition| &*definition.name)
+    }
+}
+
+impl Definition {
+    /// Whether it gives a name to something of its own file.
+    pub(crate) fn is_named(&self) -> bool {
+        !matches!(self.role, Role::Hidden | Role::Import) && !self.name.is_empty()
+    }
+}

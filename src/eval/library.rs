@@ -1,0 +1,381 @@
+//! Files that import one another: loaded before anything runs, evaluated once for each set of
+//! parameters.
+//!
+//! Loading follows the imports of a file depth first, so that circles and missing files are told
+//! with the chain that leads to them, and so that a file is lowered after those that it imports.
+//! The value of an import is the record of what the file defines.
+
+use std::{
+    collections::BTreeMap,
+    sync::{Arc, Mutex, OnceLock, PoisonError},
+};
+
+use super::{
+    ir::Program,
+    lower::{self, Imported, Origin},
+    machine::{Env, Machine},
+    param::Given,
+    run::Settings,
+    worker::Worker,
+};
+use crate::{
+    diag::{Code, Diagnostic, Result, Severity, Sources, Span, Spanned, nearest},
+    syntax::{
+        self,
+        ast::{Expr, ExprKind, StatementKind, Tree, Unit},
+    },
+    value::{Record, Value, to_json},
+};
+
+/// Files inside one another's imports.
+const MOST_NESTED: usize = 64;
+
+/// What runs: the values of a file's definitions, and where the file lies.
+#[derive(Debug, Default)]
+pub(crate) struct Home {
+    /// Empty where not evaluated yet, `None` where that failed.
+    pub(crate) values: Vec<OnceLock<Option<Value>>>,
+    /// The folder that the file's paths are relative to; empty for that of the script.
+    pub(crate) folder: String,
+}
+
+impl Home {
+    /// The home of a program, before anything is evaluated.
+    pub(crate) fn new(program: &Program, folder: &str) -> Arc<Self> {
+        let values = program.definitions.iter().map(|_| OnceLock::new()).collect();
+        Arc::new(Self { values, folder: folder.to_owned() })
+    }
+
+    /// The value of a definition.
+    pub(crate) fn value(&self, idx: usize) -> Option<&Value> {
+        self.values.get(idx)?.get().and_then(Option::as_ref)
+    }
+}
+
+/// A file that some import names.
+#[derive(Debug)]
+struct File {
+    /// Its path as messages give it.
+    path: String,
+    program: Program,
+    /// Its first mistake that was found without running it.
+    fault: Option<Box<Diagnostic>>,
+}
+
+/// An imported file with its parameters, evaluated.
+#[derive(Debug)]
+struct Instance {
+    /// Functions of the file look here for its definitions.
+    _home: Arc<Home>,
+    outcome: std::result::Result<Value, Box<Diagnostic>>,
+}
+
+/// Every file that a script imports, directly or not.
+#[derive(Debug)]
+pub(crate) struct Library<'a> {
+    settings: Settings<'a>,
+    /// The unit of the script; files that state none follow it.
+    unit: Unit,
+    files: Vec<File>,
+    by_path: BTreeMap<String, Option<usize>>,
+    /// Keyed by the file and its parameters as exact text.
+    instances: Mutex<BTreeMap<(usize, String), Arc<OnceLock<Instance>>>>,
+    findings: Mutex<Vec<Diagnostic>>,
+}
+
+/// A text on its way in.
+pub(crate) struct Text<'t> {
+    /// Its path, relative to the script's folder.
+    pub(crate) path: &'t str,
+    /// Its first byte in all sources.
+    pub(crate) base: u32,
+    /// Its tree.
+    pub(crate) tree: &'t Tree<'t>,
+}
+
+impl<'a> Library<'a> {
+    /// An empty library for a script in this unit.
+    pub(crate) fn new(settings: Settings<'a>, unit: Unit) -> Self {
+        Self {
+            settings,
+            unit,
+            files: Vec::new(),
+            by_path: BTreeMap::new(),
+            instances: Mutex::default(),
+            findings: Mutex::default(),
+        }
+    }
+
+    /// Loads the files that a text imports; what each import's path stands for.
+    pub(crate) fn load_imports(
+        &mut self,
+        importer: &Text<'_>,
+        chain: &mut Vec<String>,
+        sources: &mut Sources,
+    ) -> Vec<Option<Imported>> {
+        let mut found = Vec::new();
+        let mut statements: Vec<_> = importer.tree.statements.iter().collect();
+        // Imports in the bodies of tests count too.
+        while let Some(statement) = statements.pop() {
+            match &statement.kind {
+                StatementKind::Test { body, .. } => statements.extend(body),
+                StatementKind::Import(import) => {
+                    let place = import.path.span.shifted(importer.base);
+                    let imported = literal(&import.path).and_then(|path| {
+                        let path = join(folder(importer.path), path);
+                        self.load(&path, place, chain, sources)
+                    });
+                    found.push((import.path.span.start, imported));
+                }
+                _ => {}
+            }
+        }
+        found.sort_by_key(|(start, _)| *start);
+        found.into_iter().map(|(_, imported)| imported).collect()
+    }
+
+    /// Loads one file, unless it is there already.
+    fn load(
+        &mut self,
+        path: &str,
+        place: Span,
+        chain: &mut Vec<String>,
+        sources: &mut Sources,
+    ) -> Option<Imported> {
+        if let Some(at) = chain.iter().position(|file| file == path) {
+            let circle: Vec<String> =
+                chain[at..].iter().chain([&chain[at]]).map(|file| format!("`{file}`")).collect();
+            let message = format!("files import one another in a circle: {}", circle.join(" → "));
+            self.tell(
+                Diagnostic::error(Code::ImportCycle, place, message)
+                    .hint("move what both need into a third file"),
+            );
+            return None;
+        }
+        if let Some(known) = self.by_path.get(path) {
+            return known.map(|file| self.imported(file));
+        }
+        let file = self.read(path, place, chain.len()).and_then(|text| {
+            chain.push(path.to_owned());
+            let file = self.add(path, &Arc::from(text), place, chain, sources);
+            chain.pop();
+            file
+        });
+        self.by_path.insert(path.to_owned(), file);
+        file.map(|file| self.imported(file))
+    }
+
+    /// The text of a file.
+    fn read(&self, path: &str, place: Span, n_nested: usize) -> Option<String> {
+        if MOST_NESTED < n_nested {
+            let message = format!("imports lie more than {MOST_NESTED} deep inside one another");
+            self.tell(Diagnostic::error(Code::TooLarge, place, message));
+            return None;
+        }
+        let bytes = match self.settings.files.read(path, self.settings.limits.source_bytes) {
+            Ok(bytes) => bytes,
+            Err(message) => {
+                let hint = "paths are relative to the file that imports";
+                self.tell(Diagnostic::error(Code::FileMissing, place, message).hint(hint));
+                return None;
+            }
+        };
+        match String::from_utf8(bytes) {
+            Ok(text) => Some(text),
+            Err(err) => {
+                let at = err.utf8_error().valid_up_to() + 1;
+                let message = format!("byte {at} of `{path}` is not UTF-8 text");
+                self.tell(Diagnostic::error(Code::NotUtf8, place, message));
+                None
+            }
+        }
+    }
+
+    /// Parses and lowers a file, after those that it imports.
+    fn add(
+        &mut self,
+        path: &str,
+        text: &Arc<str>,
+        place: Span,
+        chain: &mut Vec<String>,
+        sources: &mut Sources,
+    ) -> Option<usize> {
+        let base = sources.add(path, Arc::clone(text));
+        let (tree, found) = syntax::parse(text, self.settings.limits);
+        let found: Vec<Diagnostic> = found.into_iter().map(|found| found.shifted(base)).collect();
+        let imports = self.load_imports(&Text { path, base, tree: &tree }, chain, sources);
+        let faults = lower::faults(&found);
+        let origin = Origin { text, base, faults: &faults, imports: &imports };
+        let lowered = lower::lower(&tree, origin, self.settings.registry, self.unit);
+        if lowered.program.unit != self.unit {
+            let (theirs, ours) = (lowered.program.unit.name(), self.unit.name());
+            let message = format!("`{path}` is in {theirs}, the script in {ours}");
+            self.tell(
+                Diagnostic::error(Code::UnitMismatch, place, message)
+                    .hint("bare numbers would change their meaning: state the same `unit` in both"),
+            );
+            return None;
+        }
+        let mut findings = found;
+        findings.extend(lowered.diagnostics);
+        let is_error = |found: &&Diagnostic| found.severity == Severity::Error;
+        let fault = findings.iter().find(is_error).cloned().map(Box::new);
+        findings.into_iter().for_each(|finding| self.tell(finding));
+        self.files.push(File { path: path.to_owned(), program: lowered.program, fault });
+        Some(self.files.len() - 1)
+    }
+
+    /// What an importer knows of a file.
+    fn imported(&self, file: usize) -> Imported {
+        let definitions = &self.files[file].program.definitions;
+        let names = definitions
+            .iter()
+            .filter(|definition| definition.is_named())
+            .map(|definition| Arc::clone(&definition.name))
+            .collect();
+        Imported { file, path: self.files[file].path.clone(), names }
+    }
+
+    fn tell(&self, finding: Diagnostic) {
+        self.findings.lock().unwrap_or_else(PoisonError::into_inner).push(finding);
+    }
+
+    /// Everything that was found in imported files so far.
+    pub(crate) fn take_findings(&self) -> Vec<Diagnostic> {
+        std::mem::take(&mut *self.findings.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    /// The record of what a file defines, with these parameters.
+    pub(super) fn value(
+        &self,
+        file: usize,
+        parameters: Vec<(Spanned<Arc<str>>, Spanned<Value>)>,
+        env: Env<'_>,
+    ) -> Result<Value> {
+        self.check_parameters(file, &parameters)?;
+        let key: String = parameters
+            .iter()
+            .map(|(name, value)| format!("{}={};", name.value, to_json(&value.value)))
+            .collect();
+        let instance = {
+            let mut instances = self.instances.lock().unwrap_or_else(PoisonError::into_inner);
+            Arc::clone(instances.entry((file, key)).or_default())
+        };
+        // Imports make no circle, so that whoever waits here is not waited for.
+        instance.get_or_init(|| self.evaluate(file, &parameters, env)).outcome.clone()
+    }
+
+    fn check_parameters(
+        &self,
+        file: usize,
+        parameters: &[(Spanned<Arc<str>>, Spanned<Value>)],
+    ) -> Result<()> {
+        let File { path, program, .. } = &self.files[file];
+        let names: Vec<&str> = program.parameters().collect();
+        for (name, _) in parameters {
+            if !names.contains(&&*name.value) {
+                let message = format!("`{path}` has no parameter `{}`", name.value);
+                let diagnostic = Diagnostic::error(Code::UnknownParameter, name.span, message);
+                return match (nearest(&name.value, names.iter().copied()), names.as_slice()) {
+                    (Some(near), _) => diagnostic.label(format!("did you mean `{near}`?")),
+                    (None, []) => diagnostic.hint("it has no parameters at all"),
+                    (None, _) => {
+                        diagnostic.hint(format!("its parameters are {}", names.join(", ")))
+                    }
+                }
+                .fail();
+            }
+        }
+        Ok(())
+    }
+
+    fn evaluate(
+        &self,
+        file: usize,
+        parameters: &[(Spanned<Arc<str>>, Spanned<Value>)],
+        env: Env<'_>,
+    ) -> Instance {
+        let File { path, program, fault } = &self.files[file];
+        let home = Home::new(program, folder(path));
+        let env = Env { tolerance: program.tolerance, library: Some(self), ..env };
+        let given: Vec<Given<'_>> =
+            parameters.iter().map(|(name, value)| Given::Value(&name.value, value)).collect();
+        let mut worker = Worker::new(Machine::new(env, Arc::clone(&home)));
+        for component in &program.components {
+            worker.component(program, component, &given, self.settings.registry);
+        }
+        let mut findings = std::mem::take(&mut worker.diagnostics);
+        findings.append(&mut worker.machine.warnings);
+        let failed = findings.iter().find(|found| found.severity == Severity::Error);
+        // The mistake itself is told in its file; the importer stays quiet.
+        let failed = fault.clone().or_else(|| failed.cloned().map(Box::new));
+        findings.into_iter().for_each(|finding| self.tell(finding));
+        let outcome = match failed {
+            Some(failed) => Err(failed),
+            None => Ok(Value::Record(Arc::new(public(program, &home)))),
+        };
+        Instance { _home: home, outcome }
+    }
+}
+
+/// What a file shows: its named definitions but for those that begin with `_`.
+fn public(program: &Program, home: &Home) -> Record {
+    let shown = program
+        .definitions
+        .iter()
+        .enumerate()
+        .filter(|(_, definition)| definition.is_named() && !definition.name.starts_with('_'));
+    Record::new(shown.filter_map(|(idx, definition)| {
+        Some((Arc::clone(&definition.name), home.value(idx)?.clone()))
+    }))
+}
+
+/// The text of a plain string.
+fn literal<'t>(expr: &'t Expr<'_>) -> Option<&'t str> {
+    match &expr.kind {
+        ExprKind::Text(text) => Some(text),
+        _ => None,
+    }
+}
+
+/// The folder of a path; empty for that of the script.
+pub(super) fn folder(path: &str) -> &str {
+    path.rsplit_once('/').map_or("", |(folder, _)| folder)
+}
+
+/// A path relative to a folder, in normal form as far as it goes.
+pub(super) fn join(folder: &str, path: &str) -> String {
+    if folder.is_empty() && !path.contains("./") {
+        return path.to_owned();
+    }
+    let mut parts: Vec<&str> = Vec::new();
+    let is_absolute = path.starts_with('/');
+    let from = if is_absolute { "" } else { folder };
+    for part in from.split('/').chain(path.split('/')) {
+        match (part, parts.last()) {
+            ("" | ".", _) => {}
+            ("..", Some(&last)) if last != ".." => {
+                parts.pop();
+            }
+            (part, _) => parts.push(part),
+        }
+    }
+    let joined = parts.join("/");
+    if is_absolute || from.starts_with('/') { format!("/{joined}") } else { joined }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{folder, join};
+
+    #[test]
+    fn paths_are_relative_to_the_file_that_names_them() {
+        assert_eq!(join("", "a.geo"), "a.geo");
+        assert_eq!(join("lib", "a.geo"), "lib/a.geo");
+        assert_eq!(join("lib/deep", "../a.geo"), "lib/a.geo");
+        assert_eq!(join("lib", "../../a.geo"), "../a.geo");
+        assert_eq!(join("", "./a.geo"), "a.geo");
+        assert_eq!(join("lib", "/a.geo"), "/a.geo");
+        assert_eq!((folder("lib/a.geo"), folder("a.geo")), ("lib", ""));
+    }
+}

@@ -1,0 +1,101 @@
+//! A script with what it imports, names resolved, before anything of it is evaluated.
+
+use std::sync::Arc;
+
+use super::{
+    ir::Program,
+    library::{Library, Text},
+    lower,
+    machine::Env,
+    run::Settings,
+};
+use crate::{
+    diag::{Diagnostic, Sources, Span},
+    syntax::{
+        self,
+        ast::{StatementKind, Tree, Unit},
+    },
+};
+
+/// A script, ready to run.
+pub(super) struct Loaded<'a> {
+    pub(super) document: Document<'a>,
+    pub(super) unit: Unit,
+    /// What it imports.
+    pub(super) library: Library<'a>,
+    pub(super) program: Program,
+    /// What is wrong so far.
+    pub(super) diagnostics: Vec<Diagnostic>,
+}
+
+/// Loads the script `text`, which messages call `name`; it and the files that it imports are added
+/// to `sources`.
+pub(super) fn load<'a>(
+    name: &str,
+    text: &'a str,
+    sources: &mut Sources,
+    settings: Settings<'a>,
+) -> Loaded<'a> {
+    let base = sources.add(name, Arc::from(text));
+    let (tree, found) = syntax::parse(text, settings.limits);
+    let mut diagnostics: Vec<Diagnostic> =
+        found.into_iter().map(|found| found.shifted(base)).collect();
+    let unit = stated_unit(&tree);
+    let mut library = Library::new(settings, unit);
+    let file = name.rsplit('/').next().unwrap_or(name);
+    let importer = Text { path: file, base, tree: &tree };
+    let imports = library.load_imports(&importer, &mut vec![file.to_owned()], sources);
+    let faults = lower::faults(&diagnostics);
+    let origin = lower::Origin { text, base, faults: &faults, imports: &imports };
+    let lowered = lower::lower(&tree, origin, settings.registry, unit);
+    diagnostics.extend(lowered.diagnostics);
+    let document = Document { text, base };
+    Loaded { document, unit, library, program: lowered.program, diagnostics }
+}
+
+/// The unit that a script states; millimetres where it states none.
+fn stated_unit(tree: &Tree<'_>) -> Unit {
+    let stated = tree.statements.iter().find_map(|statement| match &statement.kind {
+        StatementKind::Unit(name) => Unit::from_name(name.text),
+        _ => None,
+    });
+    stated.filter(|unit| unit.millimetres().is_some()).unwrap_or(Unit::Mm)
+}
+
+impl Loaded<'_> {
+    /// What evaluation looks things up in.
+    pub(super) fn env<'e>(&'e self, settings: Settings<'e>) -> Env<'e> {
+        Env {
+            limits: settings.limits,
+            files: settings.files,
+            tolerance: self.program.tolerance,
+            unit: self.program.unit,
+            library: Some(&self.library),
+        }
+    }
+}
+
+/// A script on its way into evaluation.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Document<'a> {
+    /// Its text.
+    text: &'a str,
+    /// The first byte of its text in all sources.
+    base: u32,
+}
+
+impl Document<'_> {
+    /// The text at a place, white space folded to single spaces.
+    pub(super) fn excerpt(&self, span: Span) -> String {
+        let start = (span.start.saturating_sub(self.base)) as usize;
+        let end = (span.end.saturating_sub(self.base)) as usize;
+        let text = self.text.get(start..end).unwrap_or_default();
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+
+    /// The line of a place, from 1.
+    pub(super) fn line(&self, span: Span) -> usize {
+        let start = (span.start.saturating_sub(self.base)) as usize;
+        1 + self.text.as_bytes().iter().take(start).filter(|&&byte| byte == b'\n').count()
+    }
+}

@@ -1,0 +1,118 @@
+//! Lowering of imports: a record under a name, or some of its fields under theirs.
+
+use super::{
+    super::ir::{Definition, Expr, ExprKind, Role},
+    Imported, Lowerer,
+};
+use crate::{
+    diag::{Code, Diagnostic, Span, nearest},
+    syntax::{
+        KEYWORDS,
+        ast::{self, Import},
+    },
+};
+
+impl<'s> Lowerer<'_, 's> {
+    /// The names that an import defines; the whole comes first where they are listed.
+    pub(super) fn import_names(&mut self, import: &Import<'s>) -> Vec<ast::Name<'s>> {
+        match (&import.names, import.alias) {
+            (Some(names), _) => names.clone(),
+            (None, Some(alias)) => vec![alias],
+            (None, None) => self.stem(import).into_iter().collect(),
+        }
+    }
+
+    /// The name of an import without one: the file's, without folder and ending.
+    fn stem(&mut self, import: &Import<'s>) -> Option<ast::Name<'s>> {
+        let span = import.path.span;
+        let start = span.start as usize + 1;
+        let quoted = self.origin.text.get(start..(span.end as usize).saturating_sub(1))?;
+        let file_at = quoted.rfind('/').map_or(0, |slash| slash + 1);
+        let stem = quoted[file_at..].split('.').next().unwrap_or_default();
+        let mut chars = stem.chars();
+        let is_name = chars.next().is_some_and(|c| c.is_alphabetic() || c == '_')
+            && chars.all(|c| c.is_alphanumeric() || c == '_')
+            && !KEYWORDS.contains(&stem);
+        if !is_name {
+            let message = format!("`{stem}` cannot be the name of an import");
+            let place = self.at(span);
+            self.report(
+                Diagnostic::error(Code::Syntax, place, message)
+                    .hint(format!("name it: `import \"{quoted}\" as NAME`")),
+            );
+            return None;
+        }
+        let start = (start + file_at) as u32;
+        Some(ast::Name { text: stem, span: Span::new(start, start + stem.len() as u32) })
+    }
+
+    /// Lowers an import; `imported` is missing where its file could not be had, which was told.
+    pub(super) fn import(
+        &mut self,
+        import: &Import<'s>,
+        imported: Option<&Imported>,
+        definitions: &mut Vec<Definition>,
+    ) {
+        let span = self.at(import.path.span);
+        if !matches!(import.path.kind, ast::ExprKind::Text(_)) {
+            self.report(
+                Diagnostic::error(
+                    Code::NotConstant,
+                    span,
+                    "the path of an import is a plain string",
+                )
+                .hint("files are read before anything is evaluated"),
+            );
+        }
+        let with = self.args(&import.with);
+        let whole = match imported {
+            Some(imported) => Expr { kind: ExprKind::Import(imported.file, with), span },
+            None => self.poison(span),
+        };
+        let names = self.import_names(import);
+        let Some(listed) = &import.names else {
+            let (name, place) = match names.first() {
+                Some(name) => (name.text, self.at(name.span)),
+                None => ("", span),
+            };
+            definitions.push(self.finish(name, place, Role::Import, whole));
+            return;
+        };
+        let whole_idx = definitions.len();
+        definitions.push(self.finish("the import", span, Role::Hidden, whole));
+        for name in listed {
+            let place = self.at(name.span);
+            if let Some(imported) = imported {
+                self.check_listed(name, imported);
+            }
+            self.dependencies.insert(whole_idx);
+            let record = Expr { kind: ExprKind::Global(whole_idx), span: place };
+            let field = ExprKind::Field(Box::new(record), name.text.into(), place);
+            let field = Expr { kind: field, span: place };
+            definitions.push(self.finish(name.text, place, Role::Import, field));
+        }
+    }
+
+    /// Whether a file shows a name that an import lists.
+    fn check_listed(&mut self, name: &ast::Name<'s>, imported: &Imported) {
+        let place = self.at(name.span);
+        if name.text.starts_with('_') && imported.names.iter().any(|known| **known == *name.text) {
+            let message = format!("`{}` is private to `{}`", name.text, imported.path);
+            self.report(
+                Diagnostic::error(Code::Private, place, message)
+                    .hint("names that begin with `_` are not shown to other files"),
+            );
+            return;
+        }
+        let shown = imported.names.iter().map(|name| &**name).filter(|name| !name.starts_with('_'));
+        if shown.clone().any(|known| known == name.text) {
+            return;
+        }
+        let message = format!("`{}` defines no `{}`", imported.path, name.text);
+        let diagnostic = Diagnostic::error(Code::UnknownName, place, message);
+        self.report(match nearest(name.text, shown) {
+            Some(near) => diagnostic.label(format!("did you mean `{near}`?")),
+            None => diagnostic,
+        });
+    }
+}

@@ -1,0 +1,261 @@
+//! From the tree of a script to the program that runs: every name is resolved here, all at once,
+//! before anything is evaluated.
+
+mod block;
+mod expr;
+mod graph;
+mod import;
+mod scope;
+mod statement;
+mod words;
+
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::Arc,
+};
+
+use scope::Scopes;
+
+use super::ir::{Expr, ExprKind, Program, Source};
+use crate::{
+    diag::{Code, Diagnostic, Severity, Span, nearest},
+    kernel::Tolerance,
+    syntax::ast::{self, Tree, Unit},
+    value::{Function, Registry, Value},
+};
+
+/// The program of a script, and what is wrong with its names.
+pub(crate) struct Lowered {
+    pub(crate) program: Program,
+    pub(crate) diagnostics: Vec<Diagnostic>,
+}
+
+/// What is known of a text besides its tree.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Origin<'a> {
+    /// The text.
+    pub(crate) text: &'a str,
+    /// Its first byte in all sources.
+    pub(crate) base: u32,
+    /// Where it does not parse, as places in all sources, in order. A statement with such a place has had
+    /// its message: it is neither judged nor evaluated.
+    pub(crate) faults: &'a [Span],
+    /// What the paths of its imports stand for, in the order of the text; empty where a file could
+    /// not be had.
+    pub(crate) imports: &'a [Option<Imported>],
+}
+
+/// What is known of an imported file.
+#[derive(Clone, Debug)]
+pub(crate) struct Imported {
+    /// Its place in the library.
+    pub(crate) file: usize,
+    /// Its path.
+    pub(crate) path: String,
+    /// The names that it defines, private ones included.
+    pub(crate) names: Vec<Arc<str>>,
+}
+
+/// The places of syntax errors among findings, in order.
+pub(crate) fn faults(found: &[Diagnostic]) -> Vec<Span> {
+    let errors = found.iter().filter(|found| found.severity == Severity::Error);
+    let mut faults: Vec<Span> = errors.map(|found| found.primary.span).collect();
+    faults.sort_unstable();
+    faults
+}
+
+/// Lowers the tree of a text, in this unit unless it states another.
+pub(crate) fn lower<'s>(
+    tree: &Tree<'s>,
+    origin: Origin<'s>,
+    registry: &Registry,
+    unit: Unit,
+) -> Lowered {
+    let mut lowerer = Lowerer {
+        registry,
+        origin,
+        is_faulty: false,
+        unit,
+        tolerance: Tolerance::DEFAULT,
+        globals: BTreeMap::new(),
+        scopes: Scopes::default(),
+        dependencies: BTreeSet::new(),
+        n_unknown: 0,
+        is_poisoned: false,
+        diagnostics: Vec::new(),
+    };
+    lowerer.header(&tree.statements);
+    let (mut definitions, effects) = lowerer.statements(&tree.statements);
+    let components = graph::order(&mut definitions, &mut lowerer.diagnostics);
+    let program = Program {
+        definitions,
+        effects,
+        components,
+        unit: lowerer.unit,
+        tolerance: lowerer.tolerance,
+    };
+    Lowered { program, diagnostics: lowerer.diagnostics }
+}
+
+/// Unknown names for which the nearest known one is looked for: more than anybody reads, and few
+/// enough that a file full of them takes no time.
+const MOST_SUGGESTIONS: usize = 100;
+
+/// The state of lowering one file.
+struct Lowerer<'a, 's> {
+    registry: &'a Registry,
+    origin: Origin<'s>,
+    /// Whether the statement under way did not parse as it stands.
+    is_faulty: bool,
+    unit: Unit,
+    tolerance: Tolerance,
+    /// Definitions of the file: index and place of the name.
+    globals: BTreeMap<&'s str, (usize, Span)>,
+    scopes: Scopes<'s>,
+    /// What the definition under way uses.
+    dependencies: BTreeSet<usize>,
+    /// Names without a meaning so far.
+    n_unknown: usize,
+    /// Whether a mistake was found in the definition under way.
+    is_poisoned: bool,
+    diagnostics: Vec<Diagnostic>,
+}
+
+impl<'s> Lowerer<'_, 's> {
+    /// The place in all sources.
+    fn at(&self, span: Span) -> Span {
+        span.shifted(self.origin.base)
+    }
+
+    /// Records a mistake in the definition under way.
+    fn report(&mut self, diagnostic: Diagnostic) {
+        self.is_poisoned = true;
+        if !self.is_faulty {
+            self.diagnostics.push(diagnostic);
+        }
+    }
+
+    /// Begins a statement: whether it parsed decides what may be said about it.
+    fn begin(&mut self, statement: Span) {
+        let Span { start, end } = self.at(statement);
+        let text = self.origin.text;
+        let follows = |fault: Span| {
+            let gap = (end - self.origin.base) as usize..(fault.start - self.origin.base) as usize;
+            text.get(gap).is_some_and(|gap| gap.chars().all(|c| c == ' ' || c == '\t'))
+        };
+        let concerns = |fault: &Span| fault.start < end || follows(*fault);
+        // The places are in order, so that the first one from here on tells.
+        let first = self.origin.faults.partition_point(|fault| fault.start < start);
+        self.is_faulty = self.origin.faults.get(first).is_some_and(concerns);
+        self.is_poisoned = self.is_faulty;
+    }
+
+    /// Whether a statement that did not parse may define `name`: the text has `name =` somewhere.
+    fn may_be_defined(&self, name: &str) -> bool {
+        !self.origin.faults.is_empty()
+            && self.origin.text.match_indices(name).any(|(at, _)| {
+                let rest = self.origin.text[at + name.len()..].trim_start();
+                rest.starts_with('=') && !rest.starts_with("==")
+            })
+    }
+
+    fn poison(&mut self, span: Span) -> Expr {
+        self.is_poisoned = true;
+        Expr { kind: ExprKind::Poison, span }
+    }
+
+    /// What a name means at this place.
+    fn resolve(&mut self, name: &'s str, local_span: Span) -> Expr {
+        let span = self.at(local_span);
+        if let Some((source, _)) = self.scopes.find(name) {
+            let kind = match source {
+                Source::Local(slot) => ExprKind::Local(slot),
+                Source::Captured(idx) => ExprKind::Captured(idx),
+                Source::Sibling(idx) => ExprKind::Sibling(idx),
+            };
+            return Expr { kind, span };
+        }
+        if let Some(&(idx, _)) = self.globals.get(name) {
+            self.dependencies.insert(idx);
+            return Expr { kind: ExprKind::Global(idx), span };
+        }
+        if let Some((known, ops)) = self.registry.get(name) {
+            let function = Function::Builtin(known, ops.clone());
+            return Expr { kind: ExprKind::Constant(Value::Function(function)), span };
+        }
+        if let Some(constant) = self.registry.constant(name) {
+            return Expr { kind: ExprKind::Constant((constant.value)()), span };
+        }
+        self.unknown(name, span)
+    }
+
+    fn unknown(&mut self, name: &str, span: Span) -> Expr {
+        self.n_unknown += 1;
+        let (mut near, mut near_builtin) = (None, None);
+        if self.n_unknown <= MOST_SUGGESTIONS {
+            near = nearest(name, self.scopes.names());
+            near = near.or_else(|| nearest(name, self.globals.keys().copied()));
+            near_builtin = nearest(name, self.registry.names());
+        }
+        if self.may_be_defined(name) {
+            return self.poison(span);
+        }
+        let defined = near.and_then(|near| self.globals.get(near)).map(|&(_, span)| span);
+        match (near.or(near_builtin), words::advice(name)) {
+            (_, Some(advice)) => {
+                let diagnostic = Diagnostic::error(
+                    Code::UnknownName,
+                    span,
+                    format!("nothing is called `{name}`"),
+                );
+                self.report(diagnostic.label("unknown name").hint(advice));
+            }
+            (Some(near), None) => {
+                let mut diagnostic = Diagnostic::error(
+                    Code::UnknownName,
+                    span,
+                    format!("nothing is called `{name}`"),
+                )
+                .label(format!("did you mean `{near}`?"));
+                if let Some(defined) = defined {
+                    diagnostic = diagnostic.also(defined, format!("`{near}` is defined here"));
+                }
+                self.report(diagnostic);
+            }
+            (None, None) if !self.origin.faults.is_empty() => {}
+            (None, None) => {
+                let diagnostic = Diagnostic::error(
+                    Code::UnknownName,
+                    span,
+                    format!("nothing is called `{name}`"),
+                )
+                .label("unknown name")
+                .hint(format!("define it with `let {name} = ...` anywhere in this file"));
+                self.report(diagnostic);
+            }
+        }
+        self.poison(span)
+    }
+
+    /// Gives a name inside an expression a slot, unless it hides another name of the file.
+    fn bind(&mut self, name: &ast::Name<'s>) -> usize {
+        let span = self.at(name.span);
+        let hidden = self
+            .scopes
+            .find(name.text)
+            .map(|(_, span)| span)
+            .or_else(|| self.globals.get(name.text).map(|&(_, span)| span));
+        if let Some(first) = hidden {
+            self.report(
+                Diagnostic::error(
+                    Code::Shadowing,
+                    span,
+                    format!("`{}` would hide another `{}` of this file", name.text, name.text),
+                )
+                .label("choose another name")
+                .also(first, "the other one is defined here"),
+            );
+        }
+        self.scopes.bind(name.text, span)
+    }
+}

@@ -1,0 +1,341 @@
+//! The machine that evaluates expressions: a tree walk over values, with slots for names.
+//!
+//! Frames lie on one stack of values; a function sees its frame, what it captured, and the
+//! definitions of the file. Depth and steps are counted, so that nothing a script does can
+//! exhaust the stack or run for ever.
+
+use std::sync::{Arc, Weak};
+
+use super::{
+    ir::{BinaryOp, Block, Expr, ExprKind, Group, Lambda, Source},
+    library::{Home, Library},
+    operator,
+};
+use crate::{
+    diag::{Code, Diagnostic, Result, Span},
+    kernel::Tolerance,
+    limits::Limits,
+    syntax::ast::Unit,
+    value::{Caller, Closure, Extent, Files, Function, List, Value, field, field_names},
+};
+
+/// What evaluation may consult.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Env<'a> {
+    pub(crate) limits: &'a Limits,
+    pub(crate) files: &'a dyn Files,
+    pub(crate) tolerance: Tolerance,
+    pub(crate) unit: Unit,
+    /// The files that the script imports.
+    pub(crate) library: Option<&'a Library<'a>>,
+}
+
+/// A function of the script with what it took from around it.
+#[derive(Clone, Debug)]
+pub(crate) struct ScriptFunction {
+    pub(crate) group: Arc<Group>,
+    pub(crate) idx: usize,
+    pub(crate) captures: List,
+    /// The file that it belongs to.
+    pub(crate) home: Weak<Home>,
+}
+
+impl ScriptFunction {
+    pub(crate) fn lambda(&self) -> &Lambda {
+        &self.group.lambdas[self.idx]
+    }
+}
+
+impl Closure for ScriptFunction {
+    fn signature(&self) -> String {
+        let lambda = self.lambda();
+        let parameters: Vec<String> = lambda
+            .parameters
+            .iter()
+            .map(|parameter| match parameter.default {
+                Some(_) => format!("{} = ...", parameter.name),
+                None => parameter.name.to_string(),
+            })
+            .collect();
+        match &lambda.name {
+            Some(name) => format!("{name}({})", parameters.join(", ")),
+            None => format!("({}) => ...", parameters.join(", ")),
+        }
+    }
+
+    fn extent(&self) -> Extent {
+        self.captures.extent()
+    }
+
+    fn as_any(&self) -> &dyn std::any::Any {
+        self
+    }
+}
+
+/// The machine. One for each thread that evaluates.
+#[derive(Debug)]
+pub(crate) struct Machine<'a> {
+    pub(crate) env: Env<'a>,
+    /// The file that runs.
+    pub(crate) home: Arc<Home>,
+    pub(super) stack: Vec<Value>,
+    pub(super) base: usize,
+    pub(super) running: Option<ScriptFunction>,
+    pub(super) n_calls: usize,
+    depth: usize,
+    steps: u64,
+    pub(crate) warnings: Vec<Diagnostic>,
+}
+
+impl<'a> Machine<'a> {
+    pub(crate) fn new(env: Env<'a>, home: Arc<Home>) -> Self {
+        Self {
+            env,
+            home,
+            stack: Vec::new(),
+            base: 0,
+            running: None,
+            n_calls: 0,
+            depth: 0,
+            steps: 0,
+            warnings: Vec::new(),
+        }
+    }
+
+    /// Evaluates an expression of the file in a fresh frame.
+    pub(crate) fn run(&mut self, expr: &Expr, n_slots: usize) -> Result<Value> {
+        self.prepare(n_slots);
+        self.eval(expr)
+    }
+
+    /// An empty frame of so many slots at the bottom of the stack.
+    pub(super) fn prepare(&mut self, n_slots: usize) {
+        self.stack.clear();
+        self.stack.resize(n_slots, Value::None);
+        self.base = 0;
+        self.running = None;
+        (self.n_calls, self.depth, self.steps) = (0, 0, 0);
+    }
+
+    /// Counts a step of evaluation.
+    pub(super) fn step(&mut self, span: Span) -> Result<()> {
+        self.steps += 1;
+        if self.steps <= self.env.limits.steps {
+            return Ok(());
+        }
+        let message = format!("this takes more than {} steps of evaluation", self.env.limits.steps);
+        Diagnostic::error(Code::TooLarge, span, message).label("under way here").fail()
+    }
+
+    /// Evaluates an expression in the frame of the running function.
+    pub(super) fn eval(&mut self, expr: &Expr) -> Result<Value> {
+        match &expr.kind {
+            ExprKind::Constant(value) => Ok(value.clone()),
+            ExprKind::Local(slot) => Ok(self.stack[self.base + slot].clone()),
+            _ => self.eval_deep(expr),
+        }
+    }
+
+    /// Whatever may contain further expressions: counts the depth.
+    fn eval_deep(&mut self, expr: &Expr) -> Result<Value> {
+        self.depth += 1;
+        let result = if self.depth <= self.env.limits.evaluation_depth {
+            self.dispatch(expr)
+        } else {
+            let most = self.env.limits.evaluation_depth;
+            let what = format!("expressions lie more than {most} deep inside one another");
+            self.too_deep(what, expr.span)
+        };
+        self.depth -= 1;
+        match result {
+            Ok(value) => self.check_extent(value, expr.span),
+            failed => failed,
+        }
+    }
+
+    /// The value, unless it is deeper or larger than whoever walks through it can bear.
+    fn check_extent(&self, value: Value, span: Span) -> Result<Value> {
+        let (Extent { depth, size }, limits) = (value.extent(), self.env.limits);
+        let message = if limits.value_depth < depth {
+            let most = limits.value_depth;
+            format!("lists, records and functions lie more than {most} deep inside one another")
+        } else if limits.value_size < size {
+            format!("a value of more than {} parts", limits.value_size)
+        } else {
+            return Ok(value);
+        };
+        Diagnostic::error(Code::TooLarge, span, message).fail()
+    }
+
+    pub(super) fn too_deep<T>(&self, message: String, span: Span) -> Result<T> {
+        Diagnostic::error(Code::RecursionTooDeep, span, message)
+            .label("one call too many")
+            .hint("does every recursion reach its end?")
+            .fail()
+    }
+
+    fn dispatch(&mut self, expr: &Expr) -> Result<Value> {
+        let span = expr.span;
+        match &expr.kind {
+            ExprKind::Binary(op, sides) => self.binary(*op, sides, span),
+            ExprKind::Call(call) => self.call_expr(call, span),
+            ExprKind::If(parts) => self.choose(parts),
+            ExprKind::Global(idx) => self.global(*idx, span),
+            ExprKind::Captured(idx) => Ok(self.captured(*idx)),
+            ExprKind::Sibling(idx) => Ok(self.sibling(*idx)),
+            ExprKind::Constant(value) => Ok(value.clone()),
+            ExprKind::Local(slot) => Ok(self.stack[self.base + slot].clone()),
+            ExprKind::Point(coordinates) => self.point(coordinates),
+            ExprKind::List(elements) => self.list(elements, span),
+            ExprKind::Record(fields) => self.record(fields),
+            ExprKind::Text(pieces) => self.text(pieces, span),
+            ExprKind::Comprehension(comprehension) => self.comprehension(comprehension, span),
+            ExprKind::Block(block) => self.block(block),
+            ExprKind::Unary(op, operand) => {
+                let value = self.eval(operand)?;
+                operator::unary(*op, &value, operand.span)
+            }
+            ExprKind::Within(parts) => self.within(parts),
+            ExprKind::Index(parts) => self.index(parts),
+            ExprKind::Field(subject, name, place) => self.field(subject, name, *place),
+            ExprKind::Lambda(group, idx, sources) => Ok(self.make_function(group, *idx, sources)),
+            ExprKind::Exactly(list, n) => self.exactly(list, *n),
+            ExprKind::Promise(value, kind, name) => self.promise(value, *kind, *name),
+            ExprKind::Import(file, with) => self.import(*file, with, span),
+            ExprKind::Poison => unreachable!("poisoned definitions are never evaluated"),
+        }
+    }
+
+    fn global(&self, idx: usize, span: Span) -> Result<Value> {
+        match self.home.value(idx) {
+            Some(value) => Ok(value.clone()),
+            // The order of evaluation puts what is used first, and failures stay quiet.
+            _ => Diagnostic::error(Code::Cycle, span, "this has no value yet").fail(),
+        }
+    }
+
+    fn captured(&self, idx: usize) -> Value {
+        self.running.as_ref().map_or(Value::None, |function| function.captures[idx].clone())
+    }
+
+    fn sibling(&self, idx: usize) -> Value {
+        let Some(running) = &self.running else { return Value::None };
+        Value::Function(Function::Closure(Arc::new(ScriptFunction { idx, ..running.clone() })))
+    }
+
+    fn make_function(&self, group: &Arc<Group>, idx: usize, sources: &[Source]) -> Value {
+        let captures = sources
+            .iter()
+            .map(|source| match source {
+                Source::Local(slot) => self.stack[self.base + slot].clone(),
+                Source::Captured(idx) => self.captured(*idx),
+                Source::Sibling(idx) => self.sibling(*idx),
+            })
+            .collect();
+        let home = Arc::downgrade(&self.home);
+        let function = ScriptFunction { group: Arc::clone(group), idx, captures, home };
+        Value::Function(Function::Closure(Arc::new(function)))
+    }
+
+    fn choose(&mut self, parts: &[Expr; 3]) -> Result<Value> {
+        let [condition, yes, no] = parts;
+        if self.truth(condition, "the condition of `if`")? { self.eval(yes) } else { self.eval(no) }
+    }
+
+    /// A value that must be true or false.
+    pub(super) fn truth(&mut self, expr: &Expr, subject: &str) -> Result<bool> {
+        match self.eval(expr)? {
+            Value::Bool(truth) => Ok(truth),
+            other => {
+                let message = format!("{subject} must be true or false, found {}", other.phrase());
+                Diagnostic::error(Code::WrongKind, expr.span, message).fail()
+            }
+        }
+    }
+
+    fn binary(&mut self, op: BinaryOp, sides: &[Expr; 2], span: Span) -> Result<Value> {
+        let [left, right] = sides;
+        match op {
+            BinaryOp::And => Ok(Value::Bool(
+                self.truth(left, "a side of `and`")? && self.truth(right, "a side of `and`")?,
+            )),
+            BinaryOp::Or => Ok(Value::Bool(
+                self.truth(left, "a side of `or`")? || self.truth(right, "a side of `or`")?,
+            )),
+            _ => {
+                let (a, b) = (self.eval(left)?, self.eval(right)?);
+                if let (Value::Number(x), Value::Number(y)) = (&a, &b)
+                    && let Some(value) = operator::plain(op, *x, *y)
+                {
+                    return Ok(value);
+                }
+                let places = operator::Places { whole: span, left: left.span, right: right.span };
+                operator::binary(op, &a, &b, places, self.env.tolerance)
+            }
+        }
+    }
+
+    fn within(&mut self, parts: &[Expr; 3]) -> Result<Value> {
+        let [left, right, _] = parts;
+        let (a, b) = (self.eval(left)?, self.eval(right)?);
+        let tolerance = self.tolerance_of(&parts[2])?;
+        operator::near(&a, &b, tolerance, left.span.to(right.span)).map(Value::Bool)
+    }
+
+    /// The number after `within`.
+    pub(super) fn tolerance_of(&mut self, expr: &Expr) -> Result<f64> {
+        match self.eval(expr)? {
+            Value::Number(number) if 0.0 <= number.value => Ok(number.value),
+            other => {
+                let message = format!(
+                    "`within` takes a number that is not negative, found {}",
+                    other.phrase()
+                );
+                Diagnostic::error(Code::WrongKind, expr.span, message).fail()
+            }
+        }
+    }
+
+    fn block(&mut self, block: &Block) -> Result<Value> {
+        for (slot, expr) in &block.definitions {
+            let value = self.eval(expr)?;
+            let place = self.base + slot;
+            self.stack[place] = value;
+        }
+        self.eval(&block.value)
+    }
+
+    fn index(&mut self, parts: &[Expr; 2]) -> Result<Value> {
+        let (subject, index) = (self.eval(&parts[0])?, self.eval(&parts[1])?);
+        operator::index(&subject, &index, parts[0].span, parts[1].span)
+    }
+
+    fn field(&mut self, subject: &Expr, name: &str, place: Span) -> Result<Value> {
+        let value = self.eval(subject)?;
+        if let Some(found) = field(&value, name, self.env.tolerance) {
+            return Ok(found);
+        }
+        let names = field_names(&value);
+        let message = format!("{} has no field `{name}`", value.phrase());
+        let mut diagnostic = Diagnostic::error(Code::NoField, place, message)
+            .also(subject.span, format!("this is {}", value.phrase()));
+        if let Some(near) = crate::diag::nearest(name, names.iter().copied()) {
+            diagnostic = diagnostic.label(format!("did you mean `{near}`?"));
+        }
+        let list: Vec<String> = names.iter().map(|name| format!("`.{name}`")).collect();
+        if !list.is_empty() {
+            diagnostic = diagnostic.hint(format!("its fields are {}", list.join(" ")));
+        }
+        diagnostic.fail()
+    }
+}
+
+impl Caller for Machine<'_> {
+    fn call(&mut self, function: &Value, args: &[Value], span: Span) -> Result<Value> {
+        self.apply(function, args, span)
+    }
+
+    fn warn(&mut self, warning: Diagnostic) {
+        self.warnings.push(warning);
+    }
+}

@@ -1,0 +1,30 @@
+//! From a tree to values: names, then a graph of definitions, then evaluation, then effects.
+//!
+//! Knows the operations only through the [`Registry`](crate::value::Registry). The session hands
+//! in the tree; files come in through [`Files`](crate::value::Files).
+
+mod call;
+mod claim;
+mod collection;
+mod dependencies;
+mod ir;
+mod library;
+mod load;
+mod lower;
+mod machine;
+mod operator;
+mod outcome;
+mod param;
+mod promise;
+mod run;
+mod schedule;
+mod schema;
+mod worker;
+
+pub use claim::{Side, Verdict};
+pub use dependencies::{Graph, Node, graph};
+pub(crate) use outcome::in_order;
+pub use outcome::{Checked, Defined, Exported, Outcome, Output, Printed};
+pub use param::Setting;
+pub use run::{Settings, evaluate};
+pub use schema::{Parameter, Schema, parameters};

@@ -1,0 +1,362 @@
+//! Parameters of a file: kinds, ranges, steps and choices, and the values given from outside.
+
+use std::{fmt, sync::Arc};
+
+use super::{
+    ir::{Definition, Expr, ExprKind, ParamKind, ParamRules},
+    lower,
+    machine::{Env, Machine},
+};
+use crate::{
+    diag::{Code, Diagnostic, Result, Span, Spanned, nearest},
+    kernel::tolerance::STEP_RELATIVE,
+    limits::Limits,
+    syntax::{self, ast::Unit},
+    value::{Dim, Number, Range, Registry, Value},
+};
+
+/// A value for a parameter from outside: `--set NAME=TEXT`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Setting {
+    /// The parameter.
+    pub name: String,
+    /// Its value as text; strings without quotes.
+    pub text: String,
+    /// The file that gives it, unless the command line does.
+    pub file: Option<String>,
+}
+
+/// As messages call it.
+impl fmt::Display for Setting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.file {
+            None => write!(f, "`--set {}={}`", self.name, self.text),
+            Some(file) => write!(f, "`{}` of `{file}`", self.name),
+        }
+    }
+}
+
+/// A value for a parameter on its way in.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Given<'a> {
+    /// From the command line.
+    Text(&'a Setting),
+    /// From the file that imports.
+    Value(&'a str, &'a Spanned<Value>),
+}
+
+impl Given<'_> {
+    /// The parameter.
+    pub(super) fn name(&self) -> &str {
+        match self {
+            Self::Text(setting) => &setting.name,
+            Self::Value(name, _) => name,
+        }
+    }
+}
+
+/// Evaluates the parameter `definition`, replaced by `setting` if there is one.
+pub(super) fn evaluate(
+    machine: &mut Machine<'_>,
+    definition: &Definition,
+    rules: &ParamRules,
+    given: Option<&Given<'_>>,
+    registry: &Registry,
+) -> Result<Value> {
+    let (rules, default) = self::rules(machine, definition, rules)?;
+    match given {
+        None => Ok(default),
+        Some(Given::Value(name, value)) => {
+            rules.admit(value.value.clone(), value.span, &format!("`{name}`"))
+        }
+        Some(Given::Text(setting)) => {
+            let value = read(machine.env, rules.kind, setting, definition.name_span, registry)?;
+            rules.admit(value, definition.name_span, &setting.to_string())
+        }
+    }
+}
+
+/// What the parameter `definition` allows, and its default.
+pub(super) fn rules(
+    machine: &mut Machine<'_>,
+    definition: &Definition,
+    rules: &ParamRules,
+) -> Result<(Rules, Value)> {
+    let default = machine.run(&definition.value, definition.n_slots)?;
+    let kind = match rules.kind {
+        Some(kind) => kind,
+        None => inferred(&default).ok_or_else(|| {
+            let message = format!(
+                "a parameter is a number, a truth value or a string, found {}",
+                default.phrase()
+            );
+            Box::new(
+                Diagnostic::error(Code::BadParameterValue, definition.value.span, message)
+                    .hint("use `let` for other values"),
+            )
+        })?,
+    };
+    let rules = Rules {
+        kind,
+        allowed: match &rules.allowed {
+            Some(expr) => Some((machine.run(expr, definition.n_slots)?, expr.span)),
+            None => None,
+        },
+        step: match &rules.step {
+            Some(expr) => {
+                Some((step(machine.run(expr, definition.n_slots)?, expr.span)?, expr.span))
+            }
+            None => None,
+        },
+        label: match &rules.label {
+            Some(expr) => Some(label(machine.run(expr, definition.n_slots)?, expr.span)?),
+            None => None,
+        },
+        unit: machine.env.unit,
+    };
+    let default = rules.admit(default, definition.value.span, "the default")?;
+    Ok((rules, default))
+}
+
+fn label(value: Value, span: Span) -> Result<String> {
+    match value {
+        Value::Text(text) => Ok(text.to_string()),
+        other => {
+            let message = format!("the label of a parameter is a string, found {}", other.phrase());
+            Diagnostic::error(Code::WrongKind, span, message).fail()
+        }
+    }
+}
+
+fn inferred(value: &Value) -> Option<ParamKind> {
+    Some(match value {
+        Value::Bool(_) => ParamKind::Bool,
+        Value::Text(_) => ParamKind::Text,
+        Value::Number(number) if number.dim == Dim::LENGTH => ParamKind::Length,
+        Value::Number(number) if number.dim == Dim::ANGLE => ParamKind::Angle,
+        Value::Number(_) => ParamKind::Number,
+        _ => return None,
+    })
+}
+
+fn step(value: Value, span: Span) -> Result<Number> {
+    match value {
+        Value::Number(number) if 0.0 < number.value => Ok(number),
+        other => {
+            let message = format!("a step is a positive number, found {}", other.phrase());
+            Diagnostic::error(Code::BadParameterValue, span, message).fail()
+        }
+    }
+}
+
+/// What a parameter allows, evaluated.
+pub(super) struct Rules {
+    pub(super) kind: ParamKind,
+    pub(super) allowed: Option<(Value, Span)>,
+    pub(super) step: Option<(Number, Span)>,
+    pub(super) label: Option<String>,
+    /// The document's unit, for messages.
+    unit: Unit,
+}
+
+impl Rules {
+    /// `value` in the parameter's kind, if the rules allow it; `subject` names it in messages.
+    fn admit(&self, value: Value, span: Span, subject: &str) -> Result<Value> {
+        let value = self.of_kind(&value).ok_or_else(|| {
+            let wanted = match self.kind {
+                ParamKind::Integer | ParamKind::Angle => format!("an {}", self.kind.word()),
+                kind => format!("a {}", kind.word()),
+            };
+            let message = format!("{subject} must be {wanted}, found {}", value.phrase());
+            let diagnostic = Diagnostic::error(Code::BadParameterValue, span, message);
+            Box::new(match self.kind {
+                ParamKind::Angle => diagnostic.hint("angles take a unit: `30deg`"),
+                _ => diagnostic,
+            })
+        })?;
+        if let Some((allowed, place)) = &self.allowed {
+            self.inside(&value, allowed, span, *place, subject)?;
+        }
+        Ok(value)
+    }
+
+    fn of_kind(&self, value: &Value) -> Option<Value> {
+        Some(match (self.kind, value) {
+            (ParamKind::Bool, Value::Bool(_)) | (ParamKind::Text, Value::Text(_)) => value.clone(),
+            (ParamKind::Integer, Value::Number(number)) => {
+                number.as_integer()?;
+                value.clone()
+            }
+            (ParamKind::Number, Value::Number(number))
+                if number.dim != Dim::ANGLE && number.dim != Dim::LENGTH =>
+            {
+                value.clone()
+            }
+            (ParamKind::Length, Value::Number(number))
+                if number.dim.is_none() || number.dim == Dim::LENGTH =>
+            {
+                Value::Number(Number { dim: Dim::LENGTH, ..*number })
+            }
+            (ParamKind::Angle, Value::Number(number)) if number.dim == Dim::ANGLE => value.clone(),
+            _ => return None,
+        })
+    }
+
+    fn inside(
+        &self,
+        value: &Value,
+        allowed: &Value,
+        span: Span,
+        place: Span,
+        subject: &str,
+    ) -> Result<()> {
+        let outside = |what: String| {
+            let message = format!("{subject} is {}, {what}", self.shown(value));
+            Diagnostic::error(Code::BadParameterValue, span, message).also(place, "what is allowed")
+        };
+        match (allowed, value) {
+            (Value::Range(range), Value::Number(number)) => {
+                self.in_range(*number, range, place, outside)
+            }
+            (Value::List(choices), _) => {
+                let is_allowed = |choice: &Value| crate::value::equal(choice, value) == Some(true);
+                if choices.iter().any(is_allowed) {
+                    return Ok(());
+                }
+                let diagnostic = outside(format!("none of {allowed}"));
+                match nearest_choice(value, choices) {
+                    Some(near) => diagnostic.hint(format!("did you mean \"{near}\"?")),
+                    None => diagnostic,
+                }
+                .fail()
+            }
+            _ => {
+                let message = format!(
+                    "after `in` stands a range of numbers or a list of choices, found {}",
+                    allowed.phrase()
+                );
+                Diagnostic::error(Code::BadParameterValue, place, message).fail()
+            }
+        }
+    }
+
+    fn in_range(
+        &self,
+        number: Number,
+        range: &Range,
+        place: Span,
+        outside: impl Fn(String) -> Diagnostic,
+    ) -> Result<()> {
+        let fits = |end: Number| number.dim.common(end.dim).is_some();
+        if !fits(range.start) || !fits(range.end) {
+            let message =
+                format!("the range is of another dimension than the parameter, {}", number.dim);
+            return Diagnostic::error(Code::UnitMismatch, place, message).fail();
+        }
+        let in_dim = |end: Number| self.shown(&Value::Number(Number { dim: number.dim, ..end }));
+        let (start, end) = (in_dim(range.start), in_dim(range.end));
+        let is_below = if range.closed {
+            number.value <= range.end.value
+        } else {
+            number.value < range.end.value
+        };
+        if number.value < range.start.value || !is_below {
+            return outside(format!(
+                "outside {start}{}{end}",
+                if range.closed { ".." } else { "..<" }
+            ))
+            .fail();
+        }
+        match self.step {
+            Some((step, step_place)) if !is_on_step(number, *range, step) => {
+                outside(format!("not a whole number of steps of {} from {start}", in_dim(step)))
+                    .also(step_place, "the step")
+                    .fail()
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// A value as a script would write it, lengths with the document's unit.
+    fn shown(&self, value: &Value) -> String {
+        match value {
+            Value::Number(number) if number.dim == Dim::LENGTH => {
+                format!("{number}{}", self.unit.name())
+            }
+            other => other.to_string(),
+        }
+    }
+}
+
+/// The choice nearest to a string that is none.
+fn nearest_choice<'c>(value: &Value, choices: &'c [Value]) -> Option<&'c str> {
+    let Value::Text(text) = value else { return None };
+    let words = choices.iter().filter_map(|choice| match choice {
+        Value::Text(word) => Some(&**word),
+        _ => None,
+    });
+    nearest(text, words)
+}
+
+fn is_on_step(number: Number, range: Range, step: Number) -> bool {
+    let steps = (number.value - range.start.value) / step.value;
+    (steps - steps.round()).abs() <= STEP_RELATIVE * steps.abs().max(1.0)
+}
+
+/// The value of a setting: a string as it is, anything else as an expression without names.
+fn read(
+    env: Env<'_>,
+    kind: ParamKind,
+    setting: &Setting,
+    span: Span,
+    registry: &Registry,
+) -> Result<Value> {
+    if kind == ParamKind::Text {
+        return Ok(Value::text(&setting.text));
+    }
+    let source = format!("let value = {}", setting.text);
+    literal(env, &source, registry).ok_or_else(|| {
+        let message = match &setting.file {
+            None => format!("{setting} is not a value that a script could write"),
+            Some(_) => format!(
+                "{setting} is \"{}\", which is not a value that a script could write",
+                setting.text
+            ),
+        };
+        Box::new(Diagnostic::error(Code::BadParameterValue, span, message).hint(
+            "for example `--set neck=15mm`, `--set angle=30deg`, `--set n=7`, `--set closed=true`",
+        ))
+    })
+}
+
+fn literal(env: Env<'_>, source: &str, registry: &Registry) -> Option<Value> {
+    let limits: &Limits = env.limits;
+    let (tree, diagnostics) = syntax::parse(source, limits);
+    if !diagnostics.is_empty() || tree.statements.len() != 1 {
+        return None;
+    }
+    let lowered = lower::lower(&tree, lower::Origin::default(), registry, env.unit);
+    let definition = lowered.program.definitions.first()?;
+    if !lowered.diagnostics.is_empty() || !definition.dependencies.is_empty() {
+        return None;
+    }
+    let value: &Expr = &definition.value;
+    if matches!(value.kind, ExprKind::Poison) {
+        return None;
+    }
+    Machine::new(env, Arc::default()).run(value, definition.n_slots).ok()
+}
+
+/// What a setting must know of the file: the name nearest to one that does not exist.
+pub(super) fn unknown(setting: &Setting, names: &[&str]) -> String {
+    let near = nearest(&setting.name, names.iter().copied());
+    match (near, names) {
+        (Some(near), _) => {
+            format!("the script has no parameter `{}`; did you mean `{near}`?", setting.name)
+        }
+        (None, []) => format!("the script has no parameter `{}`, nor any other", setting.name),
+        (None, _) => {
+            format!("the script has no parameter `{}`; it has {}", setting.name, names.join(", "))
+        }
+    }
+}

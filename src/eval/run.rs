@@ -1,0 +1,335 @@
+//! A whole file: evaluates its definitions in the order of the graph, then its effects in the
+//! order of the source.
+
+use std::sync::Arc;
+
+use super::{
+    ir::{Arg, Definition, Effect, EffectKind, Expr, Kind, Program, Role},
+    library::Home,
+    load::{Document, Loaded, load},
+    machine::Machine,
+    outcome::{Checked, Defined, Exported, Outcome, Output, Printed, in_order},
+    param::{self, Given, Setting},
+    schedule,
+    worker::Worker,
+};
+use crate::{
+    diag::{Code, Diagnostic, Result, Severity, Sources, Spanned},
+    limits::Limits,
+    value::{Files, Registry, Value},
+};
+
+/// What evaluation is given besides the script.
+#[derive(Clone, Copy, Debug)]
+pub struct Settings<'a> {
+    /// The built-ins.
+    pub registry: &'a Registry,
+    /// The ceilings.
+    pub limits: &'a Limits,
+    /// Reads files that the script names.
+    pub files: &'a dyn Files,
+    /// Values for parameters.
+    pub overrides: &'a [Setting],
+    /// How many threads may evaluate.
+    pub n_threads: usize,
+}
+
+/// Interprets the script `text`, which messages call `name`; it and the files that it imports are
+/// added to `sources`.
+#[must_use]
+pub fn evaluate(name: &str, text: &str, sources: &mut Sources, settings: Settings<'_>) -> Outcome {
+    let mut loaded = load(name, text, sources, settings);
+    let diagnostics = std::mem::take(&mut loaded.diagnostics);
+    let machine = Machine::new(loaded.env(settings), Home::new(&loaded.program, ""));
+    let Loaded { document, unit, ref library, ref program, .. } = loaded;
+    let mut run = Run { machine, settings, program, diagnostics, document };
+    run.definitions();
+    let definitions = run.defined();
+    let outputs = run.effects(&definitions);
+    let unknown_settings = run.unknown_settings();
+    let mut diagnostics = std::mem::take(&mut run.diagnostics);
+    diagnostics.append(&mut run.machine.warnings);
+    diagnostics.extend(library.take_findings());
+    in_order(&mut diagnostics);
+    Outcome {
+        definitions,
+        outputs,
+        diagnostics,
+        unknown_settings,
+        unit,
+        tolerance: program.tolerance,
+    }
+}
+
+/// The evaluation of one file under way.
+struct Run<'a> {
+    machine: Machine<'a>,
+    settings: Settings<'a>,
+    program: &'a Program,
+    diagnostics: Vec<Diagnostic>,
+    document: Document<'a>,
+}
+
+impl Run<'_> {
+    fn value(&self, idx: usize) -> Option<&Value> {
+        self.machine.home.value(idx)
+    }
+
+    /// Whether everything that is used has a value.
+    fn is_ready(&self, dependencies: &[usize]) -> bool {
+        dependencies.iter().all(|&idx| self.value(idx).is_some())
+    }
+
+    /// Evaluates every definition.
+    fn definitions(&mut self) {
+        let (env, settings, program) = (self.machine.env, self.settings, self.program);
+        let home = &self.machine.home;
+        let given: Vec<Given<'_>> = settings.overrides.iter().map(Given::Text).collect();
+        let workers = schedule::run(
+            program,
+            settings.n_threads,
+            settings.limits.stack_bytes,
+            || Worker::new(Machine::new(env, Arc::clone(home))),
+            |worker, members| worker.component(program, members, &given, settings.registry),
+        );
+        for mut worker in workers {
+            self.diagnostics.append(&mut worker.diagnostics);
+            self.diagnostics.append(&mut worker.machine.warnings);
+        }
+    }
+
+    /// The value, or a diagnostic more.
+    fn keep<T>(&mut self, result: Result<T>) -> Option<T> {
+        result.map_err(|diagnostic| self.diagnostics.push(*diagnostic)).ok()
+    }
+
+    fn defined(&mut self) -> Vec<Defined> {
+        let program = self.program;
+        let mut defined = Vec::with_capacity(program.definitions.len());
+        for (idx, definition) in program.definitions.iter().enumerate() {
+            let kind = match definition.role {
+                Role::Hidden => continue,
+                Role::Value(kind) => Some(kind),
+                Role::Param(_) | Role::Function | Role::Import => None,
+            };
+            let name = match (&*definition.name, kind) {
+                ("", Some(kind)) => {
+                    format!("{}@{}", kind.word(), self.document.line(definition.name_span))
+                }
+                (name, _) => name.to_owned(),
+            };
+            let is_hidden = self.is_hidden(definition);
+            defined.push(Defined {
+                name,
+                kind,
+                span: definition.name_span,
+                value: self.value(idx).cloned(),
+                is_hidden,
+            });
+        }
+        defined
+    }
+
+    /// Reads the presentation after `with`; tells whether it hides the definition.
+    fn is_hidden(&mut self, definition: &Definition) -> bool {
+        let mut is_hidden = false;
+        if definition.is_poisoned || !self.is_ready(&definition.dependencies) {
+            return is_hidden;
+        }
+        for option in &definition.with {
+            let Some((label, value)) = self.option(option, definition.n_slots) else { continue };
+            match (label.value.as_str(), &value.value) {
+                ("hidden", Value::Bool(hidden)) => is_hidden = *hidden,
+                ("color" | "layer", Value::Text(_)) => {}
+                ("hidden" | "color" | "layer", other) => {
+                    let wanted = if label.value == "hidden" { "true or false" } else { "a string" };
+                    let message =
+                        format!("`{}` must be {wanted}, found {}", label.value, other.phrase());
+                    self.diagnostics.push(Diagnostic::error(Code::WrongKind, value.span, message));
+                }
+                (name, _) => {
+                    let message = format!("a definition has no option `{name}`");
+                    let diagnostic = Diagnostic::error(Code::BadCall, label.span, message);
+                    let words = ["color", "layer", "hidden"];
+                    self.diagnostics.push(match crate::diag::nearest(name, words) {
+                        Some(near) => diagnostic.label(format!("did you mean `{near}`?")),
+                        None => diagnostic.hint("its options are `color`, `layer` and `hidden`"),
+                    });
+                }
+            }
+        }
+        is_hidden
+    }
+
+    /// An option after `with`: its name and value.
+    fn option(
+        &mut self,
+        option: &Arg,
+        n_slots: usize,
+    ) -> Option<(Spanned<String>, Spanned<Value>)> {
+        let Some((label, place)) = &option.label else {
+            let message = "options are given by name";
+            let hint = "for example `with (tolerance = 0.01)`";
+            self.diagnostics
+                .push(Diagnostic::error(Code::BadCall, option.span, message).hint(hint));
+            return None;
+        };
+        let result = self.machine.run(option.value.as_ref()?, n_slots);
+        let value = self.keep(result)?;
+        Some((Spanned::new(label.to_string(), *place), Spanned::new(value, option.span)))
+    }
+
+    fn effects(&mut self, definitions: &[Defined]) -> Vec<Output> {
+        let mut outputs = Vec::new();
+        for effect in &self.program.effects {
+            if effect.is_poisoned || !self.is_ready(&effect.dependencies) {
+                continue;
+            }
+            match &effect.kind {
+                EffectKind::Check { claim, message } => {
+                    outputs
+                        .extend(self.check(effect, claim, message.as_ref()).map(Output::Checked));
+                }
+                EffectKind::Print(exprs) => self.print(exprs, effect.n_slots, &mut outputs),
+                EffectKind::Export { .. } => {
+                    let exported = self.export(effect, definitions);
+                    outputs.extend(exported.map(Output::Exported));
+                }
+            }
+        }
+        outputs
+    }
+
+    fn check(&mut self, effect: &Effect, claim: &Expr, message: Option<&Expr>) -> Option<Checked> {
+        let judged = self.machine.judge(claim, effect.n_slots);
+        let verdict = self.keep(judged)?;
+        let message = match message {
+            Some(expr) => Some(self.text(expr, effect.n_slots, "the message of a check")?),
+            None => None,
+        };
+        let checked = Checked {
+            source: self.document.excerpt(claim.span),
+            span: claim.span,
+            message,
+            verdict,
+        };
+        if !checked.verdict.holds {
+            self.diagnostics.push(failure(&checked));
+        }
+        Some(checked)
+    }
+
+    fn text(&mut self, expr: &Expr, n_slots: usize, subject: &str) -> Option<String> {
+        let result = self.machine.run(expr, n_slots);
+        match self.keep(result)? {
+            Value::Text(text) => Some(text.to_string()),
+            other => {
+                let message = format!("{subject} must be a string, found {}", other.phrase());
+                self.diagnostics.push(Diagnostic::error(Code::WrongKind, expr.span, message));
+                None
+            }
+        }
+    }
+
+    fn print(&mut self, exprs: &[Expr], n_slots: usize, outputs: &mut Vec<Output>) {
+        for expr in exprs {
+            let result = self.machine.run(expr, n_slots);
+            if let Some(value) = self.keep(result) {
+                outputs.push(Output::Printed(Printed {
+                    source: self.document.excerpt(expr.span),
+                    value,
+                }));
+            }
+        }
+    }
+
+    fn export(&mut self, effect: &Effect, definitions: &[Defined]) -> Option<Exported> {
+        let EffectKind::Export { subjects, named, path, options } = &effect.kind else {
+            return None;
+        };
+        let (subjects, names) = match subjects {
+            None => all_geometry(definitions)?,
+            Some(exprs) => {
+                let mut subjects = Vec::new();
+                for expr in exprs {
+                    let result = self.machine.run(expr, effect.n_slots);
+                    let value = self.keep(result)?;
+                    let name = self.subject_name(expr, &value);
+                    subjects.push((name, Spanned::new(value, expr.span)));
+                }
+                let name = |&idx: &usize| self.program.definitions[idx].name.to_string();
+                (subjects, named.iter().map(name).collect())
+            }
+        };
+        let place = path.span;
+        let path = self.text(path, effect.n_slots, "the path of an export")?;
+        let options =
+            options.iter().filter_map(|option| self.option(option, effect.n_slots)).collect();
+        Some(Exported { path: Spanned::new(path, place), subjects, names, options })
+    }
+
+    /// What a file calls an exported expression: the expression, if it reads as a name, else its
+    /// kind and line.
+    fn subject_name(&self, expr: &Expr, value: &Value) -> String {
+        let source = self.document.excerpt(expr.span);
+        let is_name = |c: char| c.is_alphanumeric() || "_.[]".contains(c);
+        if source.chars().all(is_name) {
+            source
+        } else {
+            format!("{}@{}", value.kind(), self.document.line(expr.span))
+        }
+    }
+
+    fn unknown_settings(&self) -> Vec<String> {
+        let definitions = &self.program.definitions;
+        let names: Vec<&str> = definitions
+            .iter()
+            .filter(|definition| matches!(definition.role, Role::Param(_)))
+            .map(|definition| &*definition.name)
+            .collect();
+        let unknown = self
+            .settings
+            .overrides
+            .iter()
+            .filter(|setting| !names.contains(&setting.name.as_str()));
+        unknown.map(|setting| param::unknown(setting, &names)).collect()
+    }
+}
+
+/// What an export writes, under names for groups.
+type Subjects = Vec<(String, Spanned<Value>)>;
+
+/// Every definition that promises geometry and is not hidden, and their names; `None` where the
+/// file has a definition without a value.
+fn all_geometry(definitions: &[Defined]) -> Option<(Subjects, Vec<String>)> {
+    let is_geometry = |kind: Kind| !matches!(kind, Kind::Let | Kind::Table | Kind::Tables);
+    let mut subjects = Vec::new();
+    for defined in definitions {
+        let value = defined.value.clone()?;
+        if !defined.is_hidden && defined.kind.is_some_and(is_geometry) {
+            subjects.push((defined.name.clone(), Spanned::new(value, defined.span)));
+        }
+    }
+    let names = subjects.iter().map(|(name, _)| name.clone()).collect();
+    Some((subjects, names))
+}
+
+/// The report of a claim that does not hold.
+fn failure(checked: &Checked) -> Diagnostic {
+    let message = match &checked.message {
+        Some(message) => format!("check failed: {message}"),
+        None => format!("check failed: {}", checked.source),
+    };
+    let mut diagnostic = Diagnostic::error(Code::CheckFailed, checked.span, message);
+    diagnostic.severity = Severity::Failure;
+    checked.verdict.sides.iter().fold(
+        diagnostic.label(checked.verdict.figures()),
+        |diagnostic, side| {
+            let text = match side.path.as_str() {
+                "" => format!("this is {}", side.value),
+                path => format!("its {path} is {}", side.value),
+            };
+            diagnostic.also(side.span, text)
+        },
+    )
+}

@@ -1,0 +1,104 @@
+//! The parameters of a file as data: what each takes, what it is by default, what it is for.
+//!
+//! Only the parameters are evaluated, and what their defaults and ranges use.
+
+use super::{
+    ir::{Program, Role},
+    library::Home,
+    load::load,
+    machine::Machine,
+    outcome::in_order,
+    param::rules,
+    run::Settings,
+    worker::Worker,
+};
+use crate::{
+    diag::{Diagnostic, Sources},
+    syntax::ast::Unit,
+    value::{Number, Value},
+};
+
+/// An input of a file.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// Its name.
+    pub name: String,
+    /// The word of its kind, stated or taken from the default.
+    pub kind: &'static str,
+    /// Its value unless another is given.
+    pub default: Value,
+    /// A range of numbers or a list of choices.
+    pub allowed: Option<Value>,
+    /// Between neighbouring values, from the start of the range.
+    pub step: Option<Number>,
+    /// The text behind it.
+    pub label: Option<String>,
+    /// The `///` lines before it.
+    pub docs: Option<String>,
+}
+
+/// The inputs of a file.
+#[derive(Debug)]
+pub struct Schema {
+    /// In the order of the source; those that could not be evaluated are left out.
+    pub parameters: Vec<Parameter>,
+    /// The unit of length.
+    pub unit: Unit,
+    /// What is wrong with the text, its names, or its parameters.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// The parameters of the script `text`, which messages call `name`.
+#[must_use]
+pub fn parameters(name: &str, text: &str, sources: &mut Sources, settings: Settings<'_>) -> Schema {
+    let mut loaded = load(name, text, sources, settings);
+    let mut diagnostics = std::mem::take(&mut loaded.diagnostics);
+    let (program, home) = (&loaded.program, Home::new(&loaded.program, ""));
+    let mut worker = Worker::new(Machine::new(loaded.env(settings), home));
+
+    // Evaluate what the parameters use.
+    let is_used = used_by_parameters(program);
+    for component in program.components.iter().filter(|component| is_used[component[0]]) {
+        worker.component(program, component, &[], settings.registry);
+    }
+
+    // Ask the parameters that have a value for what they allow.
+    let mut parameters = Vec::new();
+    for (idx, definition) in program.definitions.iter().enumerate() {
+        let Role::Param(stated) = &definition.role else { continue };
+        if worker.machine.home.value(idx).is_none() {
+            continue;
+        }
+        // A mistake was told when the parameter was evaluated.
+        let Ok((rules, default)) = rules(&mut worker.machine, definition, stated) else { continue };
+        parameters.push(Parameter {
+            name: definition.name.to_string(),
+            kind: rules.kind.word(),
+            default,
+            allowed: rules.allowed.map(|(value, _)| value),
+            step: rules.step.map(|(step, _)| step),
+            label: rules.label,
+            docs: stated.docs.clone(),
+        });
+    }
+    diagnostics.append(&mut worker.diagnostics);
+    diagnostics.append(&mut worker.machine.warnings);
+    diagnostics.extend(loaded.library.take_findings());
+    in_order(&mut diagnostics);
+    Schema { parameters, unit: loaded.unit, diagnostics }
+}
+
+/// Which definitions are parameters, or are used by one.
+fn used_by_parameters(program: &Program) -> Vec<bool> {
+    let definitions = &program.definitions;
+    let is_param = |&idx: &usize| matches!(definitions[idx].role, Role::Param(_));
+    let mut left: Vec<usize> = (0..definitions.len()).filter(is_param).collect();
+    let mut is_used = vec![false; definitions.len()];
+    while let Some(idx) = left.pop() {
+        if !is_used[idx] {
+            is_used[idx] = true;
+            left.extend(&definitions[idx].dependencies);
+        }
+    }
+    is_used
+}
