@@ -1,0 +1,132 @@
+//! The reference, generated from the registry: for the terminal, and as Markdown.
+
+use std::fmt::Write;
+
+use crate::value::{Family, Op, Registry};
+
+/// Columns of text in a terminal.
+const WIDTH: usize = 90;
+
+/// Every built-in with its first line, by chapter.
+#[must_use]
+pub fn overview(registry: &Registry) -> String {
+    let mut out = String::new();
+    for &(family, title) in Family::ALL {
+        let ops: Vec<&Op> = registry.iter().filter(|op| op.family == family).collect();
+        if ops.is_empty() {
+            continue;
+        }
+        let _ = writeln!(out, "{title}");
+        for op in ops {
+            let _ = writeln!(out, "  {:<16} {}", op.name, op.summary());
+        }
+        out.push('\n');
+    }
+    out.push_str("Constants\n");
+    for constant in registry.constants() {
+        let _ = writeln!(out, "  {:<16} {}", constant.name, constant.docs);
+    }
+    out.push_str("\n`virote doc NAME` tells more about one of them.\n");
+    out
+}
+
+/// All that the registry knows of `name`, for a terminal.
+#[must_use]
+pub fn entry(registry: &Registry, name: &str) -> Option<String> {
+    if let Some(constant) = registry.constant(name) {
+        return Some(format!("{} = {}\n\n{}\n", constant.name, (constant.value)(), constant.docs));
+    }
+    let (_, ops) = registry.get(name)?;
+    Some(ops.iter().map(|op| op_entry(op)).collect::<Vec<_>>().join("\n"))
+}
+
+fn op_entry(op: &Op) -> String {
+    let mut out = format!("{}\n", op.signature());
+    if !op.aliases.is_empty() {
+        let _ = writeln!(out, "also called {}", op.aliases.join(", "));
+    }
+    let _ = write!(out, "\n{}\n", wrap(&dedent(op.docs)));
+    if !op.params.is_empty() {
+        out.push('\n');
+    }
+    for param in op.params {
+        let docs = dedent(param.docs);
+        let _ = writeln!(out, "  {:<14} {}", param.name, docs.trim().replace('\n', " "));
+    }
+    for example in op.examples {
+        let _ = write!(out, "\n  {}\n  = {}\n", example.code, example.prints);
+    }
+    out
+}
+
+/// The whole reference as Markdown, by chapter and name.
+#[must_use]
+pub fn reference(registry: &Registry) -> String {
+    let mut out = String::from(
+        "# Reference\n\nEvery built-in of the language, by chapter. This page is generated from the declarations\nof the operations; `virote doc NAME` shows the same in a terminal.\n",
+    );
+    for &(family, title) in Family::ALL {
+        let ops: Vec<&Op> = registry.iter().filter(|op| op.family == family).collect();
+        if ops.is_empty() {
+            continue;
+        }
+        let _ = write!(out, "\n## {title}\n");
+        ops.into_iter().for_each(|op| out.push_str(&markdown_entry(op)));
+    }
+    out.push_str("\n## Constants\n\n");
+    for constant in registry.constants() {
+        let _ = writeln!(out, "- `{}`: {}", constant.name, constant.docs);
+    }
+    out
+}
+
+fn markdown_entry(op: &Op) -> String {
+    let mut out = format!("\n### `{}`\n\n```text\n{}\n```\n\n", op.name, op.signature());
+    if !op.aliases.is_empty() {
+        let _ = writeln!(out, "Also called `{}`.\n", op.aliases.join("`, `"));
+    }
+    let _ = writeln!(out, "{}", dedent(op.docs).trim_end());
+    if !op.params.is_empty() {
+        out.push('\n');
+    }
+    for param in op.params {
+        let docs = dedent(param.docs);
+        let _ =
+            writeln!(out, "- `{}` ({}): {}", param.name, param.ty, docs.trim().replace('\n', " "));
+    }
+    for example in op.examples {
+        let _ = write!(
+            out,
+            "\n```geo\nprint {}\n```\n```text\n{}\n```\n",
+            example.code, example.prints
+        );
+    }
+    out
+}
+
+/// Documentation without the blank that follows the comment sign.
+fn dedent(docs: &str) -> String {
+    docs.lines().map(|line| line.strip_prefix(' ').unwrap_or(line)).collect::<Vec<_>>().join("\n")
+}
+
+/// Paragraphs broken into lines of a terminal's width.
+#[must_use]
+pub fn wrap(text: &str) -> String {
+    let paragraphs = text.trim().split("\n\n").map(|paragraph| {
+        let (mut out, mut column) = (String::new(), 0);
+        for word in paragraph.split_whitespace() {
+            let width = word.chars().count();
+            if column > 0 && column + 1 + width > WIDTH {
+                out.push('\n');
+                column = 0;
+            } else if column > 0 {
+                out.push(' ');
+                column += 1;
+            }
+            out.push_str(word);
+            column += width;
+        }
+        out
+    });
+    paragraphs.collect::<Vec<_>>().join("\n\n")
+}

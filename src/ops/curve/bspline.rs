@@ -1,0 +1,55 @@
+//! `bspline`: the polynomial B-spline on any knots.
+
+use glam::DVec3;
+
+use super::{check_degree, knots_for};
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::{KnotVector, NurbsCurve},
+    value::{At, AtLeast, Ctx, op},
+};
+
+op! {
+    /// B-spline of control points on given knots, or on uniform clamped ones over 0..1.
+    ///
+    /// A closed one is periodic over 0..1: it has as many segments as points, and its seam is as
+    /// smooth as its other joints. Piegl & Tiller, *The NURBS Book*, §3.2.
+    bspline in Curve -> NurbsCurve {
+        /// The control points, more than the degree.
+        points: Spanned<AtLeast<2, DVec3>>,
+        /// The degree.
+        degree: Spanned<usize> = Spanned::unplaced(3),
+        /// All knots: one more than points and degree together.
+        knots: Option<Spanned<Vec<f64>>>,
+        /// Whether the curve closes without a seam.
+        closed: bool = false,
+    }
+    example "bspline((0, 0), (1, 2), (3, 2), (4, 0), degree = 2)(0.5)" => "(2, 2, 0)";
+    example "bspline((0, 0), (1, 0), (1, 1), (0, 1), closed = true).closed" => "true";
+}
+
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+    let AtLeast(points) = args.points.value;
+    let span = args.points.span;
+    let n_points = Spanned::new(points.len(), span);
+    if !args.closed {
+        let knots = knots_for(args.knots, args.degree, n_points)?;
+        return NurbsCurve::polynomial(knots, &points).at(span);
+    }
+    if let Some(knots) = args.knots {
+        return Diagnostic::error(
+            Code::BadCall,
+            knots.span,
+            "a closed B-spline makes its own knots",
+        )
+        .hint("leave out `knots` or `closed`")
+        .fail();
+    }
+    check_degree(args.degree, n_points)?;
+    let degree = args.degree.value;
+    let wrapped: Vec<DVec3> = points.iter().cycle().take(points.len() + degree).copied().collect();
+    let n_segments = points.len() as f64;
+    let knot = |i: usize| (i as f64 - degree as f64) / n_segments;
+    let knots = (0..=wrapped.len() + degree).map(knot).collect();
+    NurbsCurve::polynomial(KnotVector::new(degree, knots).at(span)?, &wrapped).at(span)
+}

@@ -1,0 +1,66 @@
+//! Operations that make curves.
+
+mod bezier;
+mod bspline;
+mod circle;
+mod clamped;
+mod line;
+mod nurbs;
+mod polyline;
+
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::{GeomError, KnotVector},
+    value::{At, Op},
+};
+
+pub(super) static OPS: &[&Op] =
+    &[&line::OP, &polyline::OP, &bezier::OP, &clamped::OP, &bspline::OP, &nurbs::OP, &circle::OP];
+
+/// Knots of degree `degree` for so many points: those that are given, else uniform and clamped
+/// on 0..1.
+pub(super) fn knots_for(
+    knots: Option<Spanned<Vec<f64>>>,
+    degree: Spanned<usize>,
+    n_points: Spanned<usize>,
+) -> Result<KnotVector> {
+    check_degree(degree, n_points)?;
+    let Some(knots) = knots else {
+        let knots = KnotVector::uniform_clamped(degree.value, n_points.value, 1.0);
+        return knots.at(degree.span_or(n_points.span));
+    };
+    let (found, needed) = (knots.value.len(), n_points.value + degree.value + 1);
+    if found != needed {
+        let (points, degree) = (n_points.value, degree.value);
+        let error = GeomError::KnotCount { points, degree, needed, got: found };
+        return Err(error).at(knots.span);
+    }
+    KnotVector::new(degree.value, knots.value).at(knots.span)
+}
+
+/// Fails unless the degree is at least one and lower than the number of points.
+pub(super) fn check_degree(degree: Spanned<usize>, n_points: Spanned<usize>) -> Result<()> {
+    if degree.value == 0 {
+        return Diagnostic::error(
+            Code::BadDegree,
+            degree.span,
+            "the degree must be 1 or more, found 0",
+        )
+        .fail();
+    }
+    if n_points.value <= degree.value {
+        let message = format!(
+            "{} points are too few for degree {}, which needs {} or more",
+            n_points.value,
+            degree.value,
+            degree.value + 1
+        );
+        return Diagnostic::error(Code::TooFewPoints, n_points.span, message)
+            .hint(match n_points.value {
+                0 | 1 => "give more points".to_owned(),
+                n => format!("give more points, or `degree = {}`", n - 1),
+            })
+            .fail();
+    }
+    Ok(())
+}

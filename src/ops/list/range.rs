@@ -1,0 +1,42 @@
+//! `range`: numbers at a step.
+
+use super::check_length;
+use crate::{
+    diag::{Result, Spanned},
+    kernel::tolerance::STEP_RELATIVE,
+    ops::math::{common_dim, outside},
+    value::{Ctx, Number, op},
+};
+
+op! {
+    /// Numbers from `a` towards `b` at a step; `b` is included when it is reached.
+    ///
+    /// Each number is a + i*step, so that no error adds up.
+    range in List -> Vec<Number> {
+        /// The first number.
+        a: Number,
+        /// Where it ends.
+        b: Number,
+        /// The step; negative to go down.
+        step: Spanned<Number>,
+    }
+    example "range(0, 1, 0.25)" => "[0, 0.25, 0.5, 0.75, 1]";
+    example "range(3, 1, -1)" => "[3, 2, 1]";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Number>> {
+    let Args { a, b, step } = args;
+    let dim = common_dim(&[a, b, step.value], ctx.span)?;
+    if step.value.value == 0.0 {
+        return outside(step.span, "a step of zero never arrives".to_owned());
+    }
+    // The last number may miss `b` by the rounding of the division.
+    let steps = (b.value - a.value) / step.value.value;
+    let n_steps = (steps + STEP_RELATIVE * steps.abs().max(1.0)).floor();
+    if n_steps < 0.0 {
+        return Ok(Vec::new());
+    }
+    check_length(n_steps + 1.0, ctx)?;
+    let number = |i: usize| Number { value: a.value + i as f64 * step.value.value, dim };
+    Ok((0..=n_steps as usize).map(number).collect())
+}

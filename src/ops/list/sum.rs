@@ -1,0 +1,22 @@
+//! `sum`: the sum of a list.
+
+use super::total;
+use crate::{
+    diag::Result,
+    value::{Ctx, List, Value, op},
+};
+
+op! {
+    /// Sum of numbers, or of points, from the first to the last; of an empty list 0.
+    sum in List -> Value {
+        /// The list; a range of whole numbers counts as one.
+        list: List,
+    }
+    example "sum([1, 2, 3.5])" => "6.5";
+    example "sum(1..100)" => "5050";
+    example "sum([(1, 0), (0, 2)])" => "(1, 2, 0)";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
+    total(&args.list, ctx.span)
+}

@@ -1,0 +1,29 @@
+//! `min`: the smallest number.
+
+use super::{common_dim, empty};
+use crate::{
+    diag::{Result, Spanned},
+    value::{Ctx, Number, Numbers, op},
+};
+
+op! {
+    /// The smallest of some numbers, given as a list or as the arguments themselves.
+    min in Math -> Number {
+        /// The numbers; one or more.
+        numbers: Spanned<Numbers>,
+    }
+    example "min(3, 1, 2)" => "1";
+    example "min([3, 1, 2])" => "1";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number> {
+    let Numbers(numbers) = args.numbers.value;
+    let dim = common_dim(&numbers, ctx.span)?;
+    let best = numbers
+        .into_iter()
+        .reduce(|best, candidate| if candidate.value < best.value { candidate } else { best });
+    match best {
+        Some(best) => Ok(Number { dim, ..best }),
+        None => empty(args.numbers.span, "min"),
+    }
+}

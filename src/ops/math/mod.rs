@@ -1,0 +1,128 @@
+//! Numbers.
+
+mod abs;
+mod acos;
+mod asin;
+mod atan;
+mod atan2;
+mod cbrt;
+mod ceil;
+mod clamp;
+mod cos;
+mod cosh;
+mod exp;
+mod floor;
+mod hypot;
+mod lerp;
+mod ln;
+mod log10;
+mod max;
+mod min;
+mod random;
+mod round;
+mod sign;
+mod sin;
+mod sinh;
+mod sqrt;
+mod tan;
+mod tanh;
+
+use glam::DVec3;
+
+use crate::{
+    diag::{Code, Diagnostic, Result, Span},
+    value::{Dim, FromValue, Mismatch, Number, Op, Type, Value},
+};
+
+pub(super) static OPS: &[&Op] = &[
+    &abs::OP,
+    &acos::OP,
+    &asin::OP,
+    &atan::OP,
+    &atan2::OP,
+    &cbrt::OP,
+    &ceil::OP,
+    &clamp::OP,
+    &cos::OP,
+    &cosh::OP,
+    &exp::OP,
+    &floor::OP,
+    &hypot::OP,
+    &lerp::OP,
+    &ln::OP,
+    &log10::OP,
+    &max::OP,
+    &min::OP,
+    &random::OP,
+    &round::OP,
+    &sign::OP,
+    &sin::OP,
+    &sinh::OP,
+    &sqrt::OP,
+    &tan::OP,
+    &tanh::OP,
+];
+
+/// Fails: there is no value for these arguments.
+pub(super) fn outside<T>(span: Span, message: String) -> Result<T> {
+    Diagnostic::error(Code::Domain, span, message).fail()
+}
+
+/// The value, unless it is beyond all numbers.
+pub(super) fn finite(value: f64, span: Span) -> Result<f64> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        outside(span, "the result is beyond the largest number, 1.8e308".to_owned())
+    }
+}
+
+/// Fails: a list without elements has no `what`.
+pub(super) fn empty<T>(span: Span, what: &str) -> Result<T> {
+    outside(span, format!("an empty list has no `{what}`"))
+}
+
+/// The dimension of numbers that are compared or added; a bare number fits any.
+pub(super) fn common_dim(numbers: &[Number], span: Span) -> Result<Dim> {
+    numbers.iter().try_fold(Dim::NONE, |dim, number| {
+        dim.common(number.dim).ok_or_else(|| {
+            let message = format!("{dim} and {} do not mix", number.dim);
+            Box::new(Diagnostic::error(Code::UnitMismatch, span, message))
+        })
+    })
+}
+
+/// An angle, or a bare number of radians.
+struct Radians(f64);
+
+impl FromValue for Radians {
+    const TYPE: Type = Type::OneOf(&[Type::Angle, Type::Ratio]);
+
+    fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
+        match value {
+            Value::Number(number) if number.dim.is_none() || number.dim == Dim::ANGLE => {
+                Ok(Self(number.value))
+            }
+            Value::Number(_) => Err(Mismatch::kind(Self::TYPE, value).code(Code::UnitMismatch)),
+            _ => Err(Mismatch::kind(Self::TYPE, value)),
+        }
+    }
+}
+
+/// A number or a point.
+enum Quantity {
+    Number(Number),
+    Point(DVec3),
+}
+
+impl FromValue for Quantity {
+    const TYPE: Type = Type::OneOf(&[Type::Number, Type::Point]);
+
+    fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
+        match value {
+            Value::Number(number) => Ok(Self::Number(*number)),
+            Value::Point(point) => Ok(Self::Point(*point)),
+            _ => Err(Mismatch::kind(Self::TYPE, value)),
+        }
+    }
+}

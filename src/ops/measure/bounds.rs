@@ -1,0 +1,41 @@
+//! `bounds`: the box around geometry.
+
+use std::sync::Arc;
+
+use crate::{
+    diag::{Code, Diagnostic, Result},
+    kernel::Bounds,
+    value::{Ctx, Geometry, Record, Value, op},
+};
+
+op! {
+    /// Smallest box along the axes around geometry, as `{min, max}`; of a list around all of it.
+    ///
+    /// It touches curves and surfaces themselves, not only their control points.
+    bounds in Measure -> Record {
+        /// A point, curve, surface or mesh, or a list of them.
+        g: Geometry,
+    }
+    example "bounds(bezier((0, 0), (1, 2), (2, 0)))" => "{min: (0, 0, 0), max: (2, 1, 0)}";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
+    let Some(Bounds { min, max }) = bounds(&args.g.0) else {
+        return Diagnostic::error(Code::Degenerate, ctx.span, "there is nothing that has a size")
+            .hint("planes and empty lists have no bounds")
+            .fail();
+    };
+    Ok(Record::new([(Arc::from("min"), Value::Point(min)), (Arc::from("max"), Value::Point(max))]))
+}
+
+/// The box around a value; `None` around nothing.
+fn bounds(value: &Value) -> Option<Bounds> {
+    match value {
+        Value::Point(point) => Some(Bounds { min: *point, max: *point }),
+        Value::Curve(curve) => Some(curve.bounds()),
+        Value::Surface(surface) => Some(surface.bounds()),
+        Value::Mesh(mesh) => mesh.bounds(),
+        Value::List(items) => items.iter().filter_map(bounds).reduce(Bounds::union),
+        _ => None,
+    }
+}

@@ -1,0 +1,27 @@
+//! `at` of a curve: its point.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::inside;
+use crate::{
+    diag::{Result, Spanned},
+    kernel::NurbsCurve,
+    value::{Ctx, op},
+};
+
+op! {
+    /// Point of a curve at a parameter; `c(t)` is the same.
+    at in Measure -> DVec3 {
+        /// The curve.
+        c: Arc<NurbsCurve>,
+        /// The parameter, inside the curve's domain.
+        t: Spanned<f64>,
+    }
+    example "at(line((0, 0), (2, 4)), 0.25)" => "(0.5, 1, 0)";
+}
+
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
+    Ok(args.c.point_at(inside(&args.c, args.t)?))
+}

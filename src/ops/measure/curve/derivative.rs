@@ -1,0 +1,39 @@
+//! `derivative` of a curve.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::inside;
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::NurbsCurve,
+    value::{Ctx, op},
+};
+
+op! {
+    /// Derivative vector of a curve by its parameter, of any order; order 0 is the point.
+    ///
+    /// At a corner knot it is that of the segment to the right, at the end that to the left.
+    /// Piegl & Tiller, *The NURBS Book*, A3.2 and A4.2.
+    derivative in Measure -> DVec3 {
+        /// The curve.
+        c: Arc<NurbsCurve>,
+        /// The parameter, inside the curve's domain.
+        t: Spanned<f64>,
+        /// The order.
+        order: Spanned<usize> = Spanned::unplaced(1),
+    }
+    example "derivative(bezier((0, 0), (1, 2), (2, 0)), 0)" => "(2, 4, 0)";
+    example "derivative(bezier((0, 0), (1, 2), (2, 0)), 0.5, order = 2)" => "(0, -8, 0)";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
+    let t = inside(&args.c, args.t)?;
+    let most = ctx.limits.degree;
+    if most < args.order.value {
+        let message = format!("derivatives go up to order {most}, found {}", args.order.value);
+        return Diagnostic::error(Code::TooLarge, args.order.span, message).fail();
+    }
+    Ok(args.c.derivatives_at(t, args.order.value)[args.order.value])
+}

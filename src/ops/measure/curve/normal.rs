@@ -1,0 +1,31 @@
+//! `normal` of a curve: the principal normal.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::inside;
+use crate::{
+    diag::{Result, Spanned},
+    kernel::NurbsCurve,
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// Principal unit normal of a curve: normal to the tangent, towards the centre of curvature.
+    ///
+    /// Where the curve is straight there is none. Frenet's frame; do Carmo, *Differential Geometry
+    /// of Curves and Surfaces*, §1-5.
+    normal in Measure -> DVec3 {
+        /// The curve.
+        c: Arc<NurbsCurve>,
+        /// The parameter, inside the curve's domain.
+        t: Spanned<f64>,
+    }
+    example "normal(circle((0, 0), 2), 0)" => "(-1, 0, 0)";
+}
+
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
+    let t = inside(&args.c, args.t)?;
+    args.c.normal_at(t).at(args.t.span)
+}

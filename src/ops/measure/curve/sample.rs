@@ -1,0 +1,32 @@
+//! `sample`: points of a curve.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::NurbsCurve,
+    ops::list::check_length,
+    value::{Ctx, op},
+};
+
+op! {
+    /// Points of a curve at equal steps of its parameter, both ends included.
+    sample in Measure -> Vec<DVec3> {
+        /// The curve.
+        c: Arc<NurbsCurve>,
+        /// How many points, two or more.
+        n: Spanned<usize>,
+    }
+    example "sample(line((0, 0), (4, 2)), 3)" => "[(0, 0, 0), (2, 1, 0), (4, 2, 0)]";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {
+    if args.n.value < 2 {
+        let message = format!("a curve is sampled at 2 points or more, found {}", args.n.value);
+        return Diagnostic::error(Code::TooFewPoints, args.n.span, message).fail();
+    }
+    check_length(args.n.value as f64, ctx)?;
+    Ok(args.c.sample(args.n.value))
+}

@@ -1,0 +1,80 @@
+//! Reader of `.bpt`: Bézier patches as text.
+//!
+//! A count; then for each patch its two degrees, then its points row by row, three coordinates
+//! each. White space separates; lines matter only in messages.
+
+use glam::DVec3;
+
+use crate::{
+    kernel::{Grid, NurbsSurface},
+    value::{Ctx, IntoValue, Value},
+};
+
+/// The patches of a file as a list of surfaces.
+pub(super) fn read(bytes: &[u8], ctx: &Ctx<'_>) -> Result<Value, String> {
+    let text = std::str::from_utf8(bytes).map_err(|_| "the file is not text".to_owned())?;
+    let mut words = Words::new(text);
+    let n_patches = words.count("the number of patches", ctx.limits.control_points)?;
+    let mut patches = Vec::new();
+    for i in 0..n_patches {
+        let what = format!("patch {i} of {n_patches}");
+        let degree_u = words.count(&format!("the first degree of {what}"), ctx.limits.degree)?;
+        let degree_v = words.count(&format!("the second degree of {what}"), ctx.limits.degree)?;
+        let mut points = Vec::with_capacity((degree_u + 1) * (degree_v + 1));
+        for _ in 0..(degree_u + 1) * (degree_v + 1) {
+            let mut point = DVec3::ZERO;
+            for axis in 0..3 {
+                point[axis] = words.number(&format!("a coordinate of {what}"))?;
+            }
+            points.push(point);
+        }
+        let grid = Grid::new(degree_u + 1, degree_v + 1, points)
+            .map_err(|err| format!("{what}: {err}"))?;
+        let patch = NurbsSurface::bezier(&grid).map_err(|err| format!("{what}: {err}"))?;
+        patches.push(patch.into_value());
+    }
+    match words.next() {
+        None => Ok(Value::list(patches)),
+        Some((line, word)) => {
+            Err(format!("line {line}: `{word}` follows the last of {n_patches} patches"))
+        }
+    }
+}
+
+/// The words of a text with their lines.
+struct Words<'t> {
+    words: Box<dyn Iterator<Item = (usize, &'t str)> + 't>,
+    last_line: usize,
+}
+
+impl<'t> Words<'t> {
+    fn new(text: &'t str) -> Self {
+        let words = text.lines().enumerate();
+        let words =
+            words.flat_map(|(i, line)| line.split_whitespace().map(move |word| (i + 1, word)));
+        Self { words: Box::new(words), last_line: text.lines().count() }
+    }
+
+    fn next(&mut self) -> Option<(usize, &'t str)> {
+        self.words.next()
+    }
+
+    fn word(&mut self, what: &str) -> Result<(usize, &'t str), String> {
+        let last = self.last_line;
+        self.next().ok_or_else(|| format!("line {last}: the file ends before {what}"))
+    }
+
+    fn count(&mut self, what: &str, most: usize) -> Result<usize, String> {
+        let (line, word) = self.word(what)?;
+        let count = word.parse().ok().filter(|count| *count <= most);
+        count.ok_or_else(|| {
+            format!("line {line}: {what} must be a whole number up to {most}, found `{word}`")
+        })
+    }
+
+    fn number(&mut self, what: &str) -> Result<f64, String> {
+        let (line, word) = self.word(what)?;
+        let number = word.parse::<f64>().ok().filter(|number| number.is_finite());
+        number.ok_or_else(|| format!("line {line}: {what} must be a number, found `{word}`"))
+    }
+}

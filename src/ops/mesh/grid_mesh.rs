@@ -1,0 +1,40 @@
+//! `grid_mesh`: triangles over a regular grid of parameters.
+
+use std::sync::Arc;
+
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::{self, Mesh, NurbsSurface},
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// Mesh of a surface over a regular grid of its parameters, two triangles a cell, with unit
+    /// normals.
+    ///
+    /// Triangles run counter-clockwise seen from the side of Su × Sv. Those that a pole makes
+    /// empty are left out.
+    grid_mesh in Mesh -> Mesh {
+        /// The surface.
+        s: Arc<NurbsSurface>,
+        /// Cells along u.
+        nu: Spanned<usize>,
+        /// Cells along v.
+        nv: Spanned<usize>,
+    }
+    example "grid_mesh(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), 2, 3)" => "mesh of 12 vertices and 12 triangles";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Mesh> {
+    for count in [args.nu, args.nv] {
+        if count.value == 0 {
+            return Diagnostic::error(
+                Code::Degenerate,
+                count.span,
+                "a grid has one cell or more in each direction",
+            )
+            .fail();
+        }
+    }
+    kernel::grid_mesh(&args.s, args.nu.value, args.nv.value, ctx.limits.mesh_vertices).at(ctx.span)
+}

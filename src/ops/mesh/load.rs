@@ -1,0 +1,62 @@
+//! `load`: data from a file beside the script.
+
+use std::sync::Arc;
+
+use super::{bpt, obj};
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned, nearest},
+    value::{Ctx, Value, from_json, op},
+};
+
+op! {
+    /// Data from a file, whose path is relative to the script. The ending tells the format.
+    ///
+    /// `.obj` gives a mesh, polygons in triangles. `.bpt` gives a list of Bézier surfaces: a
+    /// count, then for each patch its two degrees and its points row by row. `.json` gives what an
+    /// export wrote, to the same bits, or lists and records of other JSON.
+    load in Mesh -> Value {
+        /// The path.
+        path: Spanned<Arc<str>>,
+    }
+    example "load == load" => "true";
+}
+
+/// A reader of one format: the value, or a sentence on what is wrong and its line.
+type Reader = fn(&[u8], &Ctx<'_>) -> std::result::Result<Value, String>;
+
+/// Every format that can be read, by ending.
+const READERS: &[(&str, Reader)] = &[("obj", obj::read), ("bpt", bpt::read), ("json", json)];
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
+    let path: &str = &args.path.value;
+    let span = args.path.span;
+    let ending = path.rsplit_once('.').map_or("", |(_, ending)| ending);
+    let Some((_, reader)) = READERS.iter().find(|(known, _)| known.eq_ignore_ascii_case(ending))
+    else {
+        let endings: Vec<&str> = READERS.iter().map(|&(known, _)| known).collect();
+        let diagnostic = Diagnostic::error(
+            Code::UnknownFormat,
+            span,
+            format!("no data format has the ending `.{ending}`"),
+        )
+        .hint(format!("formats that can be loaded are .{}", endings.join(", .")));
+        return match nearest(ending, endings.iter().copied()) {
+            Some(near) => diagnostic.label(format!("did you mean `.{near}`?")).fail(),
+            None => diagnostic.fail(),
+        };
+    };
+    let bytes = ctx.files.read(path, ctx.limits.input_bytes).map_err(|message| {
+        Box::new(
+            Diagnostic::error(Code::FileMissing, span, message)
+                .hint("paths are relative to the script"),
+        )
+    })?;
+    reader(&bytes, ctx).map_err(|message| {
+        Box::new(Diagnostic::error(Code::BadData, span, format!("`{path}`: {message}")))
+    })
+}
+
+fn json(bytes: &[u8], _: &Ctx<'_>) -> std::result::Result<Value, String> {
+    let data = serde_json::from_slice(bytes).map_err(|err| err.to_string())?;
+    from_json(&data)
+}

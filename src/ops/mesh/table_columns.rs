@@ -1,0 +1,92 @@
+//! `table` of a record of columns.
+
+use std::sync::Arc;
+
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::{NamedColumn, Table},
+    value::{At, Ctx, Record, Value, op},
+};
+
+op! {
+    /// Table of named columns, each a list of numbers or of strings, all of one length.
+    ///
+    /// A column of points becomes three, `name_x`, `name_y` and `name_z`.
+    table in Table -> Table {
+        /// The columns: `{x: [0, 1], y: [2, 3]}`.
+        columns: Spanned<Arc<Record>>,
+    }
+    example "table({x: [0, 1], y: [2, 3]}).y" => "[2, 3]";
+}
+
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Table> {
+    let span = args.columns.span;
+    let mut columns = Vec::new();
+    for (name, value) in args.columns.value.iter() {
+        let Value::List(items) = value else {
+            let message = format!("column `{name}` must be a list, found {}", value.phrase());
+            return Diagnostic::error(Code::WrongKind, span, message).fail();
+        };
+        columns.extend(columns_of(name, items).map_err(|found| {
+            let message = format!(
+                "column `{name}` holds numbers, strings or points, but of one kind; found {found}"
+            );
+            Box::new(Diagnostic::error(Code::WrongKind, span, message))
+        })?);
+    }
+    Table::new(columns).at(span)
+}
+
+/// The columns that a list of cells makes; else the cell that does not fit.
+pub(super) fn columns_of(
+    name: &str,
+    items: &[Value],
+) -> std::result::Result<Vec<NamedColumn>, String> {
+    let odd = |wanted: &str| {
+        let found = items.iter().find(|item| item.kind() != wanted);
+        found.map_or_else(String::new, Value::phrase)
+    };
+    let numbers: Option<Vec<f64>> = items
+        .iter()
+        .map(|item| match item {
+            Value::Number(number) => Some(number.value),
+            _ => None,
+        })
+        .collect();
+    if let Some(values) = numbers {
+        return Ok(vec![NamedColumn::numbers(name, values)]);
+    }
+    match items.first() {
+        Some(Value::Text(_)) => {
+            let texts: Option<Vec<String>> = items
+                .iter()
+                .map(|item| match item {
+                    Value::Text(text) => Some(text.to_string()),
+                    _ => None,
+                })
+                .collect();
+            let values = texts.ok_or_else(|| odd("string"))?;
+            Ok(vec![NamedColumn::texts(name, values)])
+        }
+        Some(Value::Point(_)) => {
+            let points: Option<Vec<glam::DVec3>> = items
+                .iter()
+                .map(|item| match item {
+                    Value::Point(point) => Some(*point),
+                    _ => None,
+                })
+                .collect();
+            let points = points.ok_or_else(|| odd("point"))?;
+            let axis = |letter: char, idx: usize| {
+                NamedColumn::numbers(
+                    format!("{name}_{letter}"),
+                    points.iter().map(|point| point[idx]).collect(),
+                )
+            };
+            Ok(vec![axis('x', 0), axis('y', 1), axis('z', 2)])
+        }
+        Some(Value::Number(_)) => Err(odd("number")),
+        Some(other) => Err(other.phrase()),
+        None => Ok(vec![NamedColumn::numbers(name, Vec::new())]),
+    }
+}

@@ -1,0 +1,37 @@
+//! The built-in operations, one file each, in families.
+//!
+//! A family is a folder and the list of its operations; nothing outside names one of them.
+
+mod constant;
+mod curve;
+mod list;
+mod math;
+mod measure;
+mod mesh;
+mod surface;
+mod text;
+mod transform;
+mod vector;
+
+use crate::value::Registry;
+
+/// Everything that a script can use without defining it.
+#[must_use]
+pub fn registry() -> Registry {
+    [
+        curve::OPS,
+        surface::OPS,
+        transform::OPS,
+        measure::OPS,
+        mesh::OPS,
+        math::OPS,
+        vector::OPS,
+        list::OPS,
+        text::OPS,
+    ]
+    .into_iter()
+    .flatten()
+    .copied()
+    .collect::<Registry>()
+    .with_constants(constant::CONSTANTS)
+}

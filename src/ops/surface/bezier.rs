@@ -1,0 +1,32 @@
+//! `bezier` of a grid: the tensor-product Bézier surface.
+
+use super::weight_grid;
+use crate::{
+    diag::{Result, Spanned},
+    kernel::{KnotVector, NurbsSurface},
+    value::{At, Ctx, Rows, op},
+};
+
+op! {
+    /// Bézier surface of a grid of control points, on 0..1 in both directions.
+    ///
+    /// Its degrees are one less than the numbers of rows and of points in a row; its corners are
+    /// the grid's. Piegl & Tiller, *The NURBS Book*, §1.5.
+    bezier in Surface -> NurbsSurface {
+        /// The control points: `points[i][j]`, i along u, j along v.
+        points: Spanned<Rows>,
+        /// A weight for each point, in the same grid; without them the surface is polynomial.
+        weights: Option<Spanned<Vec<Vec<f64>>>>,
+    }
+    example "bezier([[(0, 0), (0, 1)], [(1, 0), (1, 1, 4)]])(0.5, 0.5)" => "(0.5, 0.5, 1)";
+}
+
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
+    let Rows(grid) = args.points.value;
+    let span = args.points.span;
+    let Some(weights) = args.weights else { return NurbsSurface::bezier(&grid).at(span) };
+    let net = weight_grid(weights.value, &grid, weights.span)?;
+    let knots_u = KnotVector::bezier(grid.n_rows().saturating_sub(1)).at(span)?;
+    let knots_v = KnotVector::bezier(grid.n_columns().saturating_sub(1)).at(span)?;
+    NurbsSurface::rational(knots_u, knots_v, &grid, &net).at(weights.span)
+}

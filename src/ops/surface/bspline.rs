@@ -1,0 +1,27 @@
+//! `bspline` of a grid: the polynomial B-spline surface.
+
+use super::{Both, cubic, tensor};
+use crate::{
+    diag::{Result, Spanned},
+    kernel::NurbsSurface,
+    value::{Ctx, Rows, op},
+};
+
+op! {
+    /// B-spline surface of a grid on given knots, or on uniform clamped ones over 0..1.
+    ///
+    /// Piegl & Tiller, *The NURBS Book*, §3.4.
+    bspline in Surface -> NurbsSurface {
+        /// The control points: `points[i][j]`, i along u, j along v.
+        points: Spanned<Rows>,
+        /// The degree, or `{u: , v: }`.
+        degree: Spanned<Both<usize>> = cubic(),
+        /// All knots, for both directions or `{u: , v: }`.
+        knots: Option<Spanned<Both<Vec<f64>>>>,
+    }
+    example "bspline([for i in 0..3: [for j in 0..3: (i, j)]])(0.5, 0.5)" => "(1.5, 1.5, 0)";
+}
+
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
+    tensor(args.points, None, args.degree, args.knots)
+}

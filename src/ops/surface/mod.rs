@@ -1,0 +1,110 @@
+//! Operations that make surfaces.
+
+mod bezier;
+mod bilinear;
+mod bspline;
+mod clamped;
+mod nurbs;
+mod ruled;
+
+use super::curve::knots_for;
+use crate::{
+    diag::{Code, Diagnostic, Result, Span, Spanned},
+    kernel::{Grid, NurbsSurface},
+    value::{At, FromValue, IntoValue, Mismatch, Op, Rows, Type, Value},
+};
+
+pub(super) static OPS: &[&Op] =
+    &[&bilinear::OP, &ruled::OP, &bezier::OP, &clamped::OP, &bspline::OP, &nurbs::OP];
+
+/// A value for both directions, or `{u: , v: }` where they differ.
+#[derive(Clone, Debug)]
+struct Both<T> {
+    u: T,
+    v: T,
+}
+
+impl<T: FromValue + Clone> FromValue for Both<T> {
+    const TYPE: Type = Type::OneOf(&[T::TYPE, Type::Record]);
+
+    fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
+        let Value::Record(record) = value else {
+            let both = T::from_value(value, span)?;
+            return Ok(Self { u: both.clone(), v: both });
+        };
+        let part = |label: &str| match record.get(label) {
+            Some(value) => T::from_value(value, span),
+            None => {
+                Err(Mismatch::new("a record `{u: , v: }`", format!("a record without `{label}`")))
+            }
+        };
+        if record.len() > 2 {
+            return Err(Mismatch::new("a record `{u: , v: }`", "a record with more labels"));
+        }
+        Ok(Self { u: part("u")?, v: part("v")? })
+    }
+}
+
+impl<T: IntoValue> IntoValue for Both<T> {
+    const RETURNS: Type = T::RETURNS;
+
+    fn into_value(self) -> Value {
+        self.u.into_value()
+    }
+}
+
+/// Degree 3 in both directions.
+fn cubic() -> Spanned<Both<usize>> {
+    Spanned::unplaced(Both { u: 3, v: 3 })
+}
+
+/// The tensor product on given knots, or on uniform clamped ones over 0..1.
+fn tensor(
+    points: Spanned<Rows>,
+    weights: Option<Spanned<Vec<Vec<f64>>>>,
+    degree: Spanned<Both<usize>>,
+    knots: Option<Spanned<Both<Vec<f64>>>>,
+) -> Result<NurbsSurface> {
+    let Rows(grid) = points.value;
+    let span = points.span;
+    let (knots_u, knots_v) = match knots {
+        None => (None, None),
+        Some(Spanned { value, span }) => {
+            (Some(Spanned::new(value.u, span)), Some(Spanned::new(value.v, span)))
+        }
+    };
+    let degrees =
+        (Spanned::new(degree.value.u, degree.span), Spanned::new(degree.value.v, degree.span));
+    let knots_u = knots_for(knots_u, degrees.0, Spanned::new(grid.n_rows(), span))
+        .map_err(|found| in_direction(found, "u", "rows"))?;
+    let knots_v = knots_for(knots_v, degrees.1, Spanned::new(grid.n_columns(), span))
+        .map_err(|found| in_direction(found, "v", "points in a row"))?;
+    match weights {
+        None => NurbsSurface::polynomial(knots_u, knots_v, &grid).at(span),
+        Some(weights) => {
+            let net = weight_grid(weights.value, &grid, weights.span)?;
+            NurbsSurface::rational(knots_u, knots_v, &grid, &net).at(weights.span)
+        }
+    }
+}
+
+/// Tells in which direction a mistake lies.
+fn in_direction(mut found: Box<Diagnostic>, direction: &str, counted: &str) -> Box<Diagnostic> {
+    found.message = format!("along {direction}: {}", found.message);
+    found.hints.push(format!("along {direction} the {counted} count"));
+    found
+}
+
+/// Weights as a grid like that of the points.
+fn weight_grid<P>(rows: Vec<Vec<f64>>, points: &Grid<P>, span: Span) -> Result<Grid<f64>> {
+    let weights = Grid::from_rows(rows).at(span)?;
+    let sizes = [(points.n_rows(), points.n_columns()), (weights.n_rows(), weights.n_columns())];
+    if sizes[0] != sizes[1] {
+        let [(rows, columns), (found_rows, found_columns)] = sizes;
+        let message = format!(
+            "there are {rows} x {columns} points, but {found_rows} x {found_columns} weights; each point needs one"
+        );
+        return Diagnostic::error(Code::BadWeights, span, message).fail();
+    }
+    Ok(weights)
+}

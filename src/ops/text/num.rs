@@ -1,0 +1,25 @@
+//! `num`: text as a number.
+
+use std::sync::Arc;
+
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    value::{Ctx, op},
+};
+
+op! {
+    /// Number that a text spells, without a unit.
+    num in Text -> f64 {
+        /// The text, such as "12.5" or "1e-3".
+        text: Spanned<Arc<str>>,
+    }
+    example "num(\"12.5\")" => "12.5";
+}
+
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
+    let number = args.text.value.trim().parse::<f64>().ok().filter(|number| number.is_finite());
+    number.ok_or_else(|| {
+        let message = format!("\"{}\" is not a number", args.text.value);
+        Box::new(Diagnostic::error(Code::WrongKind, args.text.span, message))
+    })
+}

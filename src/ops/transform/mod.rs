@@ -1,0 +1,65 @@
+//! Transformations of anything geometric.
+
+mod rotate;
+mod scale;
+mod translate;
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DVec3};
+
+use crate::{
+    diag::{Code, Diagnostic, Result, Span},
+    value::{At, Geometry, Op, Value},
+};
+
+pub(super) static OPS: &[&Op] = &[&translate::OP, &rotate::OP, &scale::OP];
+
+/// The geometry moved by an affine map; lists element by element.
+fn transformed(geometry: &Value, map: &DAffine3, span: Span) -> Result<Value> {
+    Ok(match geometry {
+        Value::Point(point) => Value::Point(map.transform_point3(*point)),
+        Value::Curve(curve) => {
+            let moved = curve.transformed(map);
+            let points = moved.control_points().iter();
+            in_range(points.map(|point| point.is_finite()), span)?;
+            Value::Curve(Arc::new(moved))
+        }
+        Value::Surface(surface) => {
+            let moved = surface.transformed(map);
+            let points = moved.control_points().iter();
+            in_range(points.map(|point| point.is_finite()), span)?;
+            Value::Surface(Arc::new(moved))
+        }
+        Value::Mesh(mesh) => {
+            let moved = mesh.transformed(map);
+            in_range(moved.vertices().iter().map(|vertex| vertex.is_finite()), span)?;
+            Value::Mesh(Arc::new(moved))
+        }
+        Value::Frame(frame) => Value::Frame(Arc::new(frame.transformed(map).at(span)?)),
+        Value::List(items) => {
+            let moved = items.iter().map(|item| transformed(item, map, span));
+            Value::list(moved.collect::<Result<_>>()?)
+        }
+        other => other.clone(),
+    })
+}
+
+/// Fails where a coordinate has left the numbers.
+fn in_range(mut are_finite: impl Iterator<Item = bool>, span: Span) -> Result<()> {
+    if are_finite.all(|is_finite| is_finite) {
+        return Ok(());
+    }
+    let message = "coordinates would be beyond the largest number, 1.8e308";
+    Diagnostic::error(Code::Domain, span, message).fail()
+}
+
+/// The same about another point than the origin.
+fn about(map: DAffine3, center: DVec3) -> DAffine3 {
+    DAffine3::from_translation(center) * map * DAffine3::from_translation(-center)
+}
+
+/// The geometry moved by an affine map.
+fn apply(geometry: &Geometry, map: &DAffine3, span: Span) -> Result<Geometry> {
+    transformed(&geometry.0, map, span).map(Geometry)
+}

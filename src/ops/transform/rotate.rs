@@ -1,0 +1,37 @@
+//! `rotate`: geometry turned about an axis.
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use super::{about, apply};
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    value::{Angle, Ctx, Geometry, op},
+};
+
+op! {
+    /// Geometry turned about an axis, counter-clockwise seen from the axis's tip.
+    rotate in Transform -> Geometry {
+        /// What is turned.
+        g: Geometry,
+        /// By how much.
+        angle: Angle,
+        /// The direction of the axis.
+        axis: Spanned<DVec3> = Spanned::unplaced(DVec3::Z),
+        /// A point of the axis.
+        about: DVec3 = DVec3::ZERO,
+    }
+    example "rotate((1, 0), 180deg, about = (2, 0)) ~= (3, 0)" => "true";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Geometry> {
+    let Some(axis) = args.axis.value.try_normalize() else {
+        return Diagnostic::error(
+            Code::Degenerate,
+            args.axis.span,
+            "an axis of length zero has no direction",
+        )
+        .fail();
+    };
+    let map = DAffine3::from_mat3(DMat3::from_axis_angle(axis, args.angle.0));
+    apply(&args.g, &about(map, args.about), ctx.span)
+}

@@ -1,0 +1,24 @@
+//! `translate`: geometry moved.
+
+use glam::{DAffine3, DVec3};
+
+use super::apply;
+use crate::{
+    diag::Result,
+    value::{Ctx, Geometry, op},
+};
+
+op! {
+    /// Geometry moved by a vector.
+    translate in Transform -> Geometry {
+        /// What is moved.
+        g: Geometry,
+        /// By how much.
+        v: DVec3,
+    }
+    example "translate((1, 2), (0, 0, 5))" => "(1, 2, 5)";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Geometry> {
+    apply(&args.g, &DAffine3::from_translation(args.v), ctx.span)
+}
