@@ -1,7 +1,12 @@
 //! Virote: an interpreter of a declarative language for exact freeform geometry.
 //!
-//! Reading order: the ground first, then what stands on it; `ARCHITECTURE.md` has the map.
+//! Reading order: [`diag`] and [`limits`] are the ground; [`kernel`] is the geometry, [`syntax`]
+//! turns text into a tree; [`value`] is what scripts compute with and how an operation is
+//! declared, [`export`] how geometry becomes files; [`ops`] holds the operations, [`eval`] runs
+//! the tree; [`session`] puts it all together, and the doors ([`cli`], [`render`]) talk to people.
+//! `ARCHITECTURE.md` has the map.
 
+pub mod cli;
 pub mod diag;
 pub mod docs;
 pub mod eval;
@@ -9,5 +14,7 @@ pub mod export;
 pub mod kernel;
 pub mod limits;
 pub mod ops;
+pub mod render;
+pub mod session;
 pub mod syntax;
 pub mod value;

@@ -1,3 +1,7 @@
 //! The `virote` command.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    virote::cli::main()
+}

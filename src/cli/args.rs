@@ -1,0 +1,210 @@
+//! The arguments of the command, as clap reads them.
+
+use std::{
+    io::{self, IsTerminal},
+    path::PathBuf,
+};
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use super::{
+    limits::{self, Moved},
+    settings,
+};
+use crate::{eval::Setting, session::Session};
+
+/// Exact freeform curves and surfaces from a declarative language.
+#[derive(Debug, Parser)]
+#[command(name = "virote", version, about, after_help = EXAMPLES, max_term_width = 100)]
+pub(super) struct Cli {
+    #[command(subcommand)]
+    pub(super) verb: Verb,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  virote run bottle.geo                        evaluate, check, print, export
+  virote run bottle.geo --set neck=15mm        the same with another parameter
+  virote run bottle.geo --out build --dry-run  tell what would be written to build/
+  virote check *.geo                           everything but the files
+  virote params bottle.geo                     its parameters
+  virote graph bottle.geo                      what depends on what, for Graphviz
+  virote fmt bottle.geo                        rewrite it in canonical form
+  virote doc bezier                            how a built-in is used
+  virote explain E0602                         what a message means
+  echo 'print 1 + 1' | virote run -            a script from standard input
+
+Exit codes: 0 all well; 1 a check failed; 2 an error in the script; 3 usage, files.";
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Verb {
+    /// Evaluates a script, then does its checks, prints and exports
+    #[command(after_help = "\
+Examples:
+  virote run bottle.geo --set neck=15mm --out build
+  virote run bottle.geo --params small.json    {\"neck\": \"10mm\", \"height\": 150}
+  virote run bottle.geo --only wall            the files of `wall`, and all checks and prints
+  virote run bottle.geo --limit steps=1_000_000")]
+    Run {
+        /// The script; `-` is standard input
+        file: PathBuf,
+        /// The folder for exported files [default: the script's own]
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+        /// Writes only the exports that name this definition, or `all` of a file with it; may be
+        /// given several times
+        #[arg(long, value_name = "NAME")]
+        only: Vec<String>,
+        /// Writes no file, but tells what it would write
+        #[arg(long)]
+        dry_run: bool,
+        #[command(flatten)]
+        common: Common,
+    },
+    /// Does everything but writing files
+    #[command(after_help = "Example: virote check *.geo --message-format json")]
+    Check {
+        /// The scripts; `-` is standard input
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+        #[command(flatten)]
+        common: Common,
+    },
+    /// Tells the parameters of a script: kind, default, what is allowed, label, documentation
+    ///
+    /// Only the parameters are evaluated, and what they use. In JSON, numbers are in the
+    /// document's unit and angles in degrees; the member `unit` names which.
+    #[command(after_help = "\
+Examples:
+  virote params bottle.geo           a table
+  virote params bottle.geo --json    {\"parameters\": [{\"name\": \"neck\", \"kind\": \"length\", ...}]}")]
+    Params {
+        /// The script; `-` is standard input
+        file: PathBuf,
+        /// Writes JSON
+        #[arg(long)]
+        json: bool,
+        #[command(flatten)]
+        talk: Talk,
+    },
+    /// Tells what depends on what, for Graphviz
+    ///
+    /// Definitions and effects in the order of the source, with an arrow from each to what it
+    /// uses. Nothing is evaluated.
+    #[command(after_help = "\
+Examples:
+  virote graph bottle.geo | dot -Tsvg -o bottle.svg
+  virote graph bottle.geo --json    {\"nodes\": [{\"name\": \"neck\", \"kind\": \"param\", \"uses\": []}]}")]
+    Graph {
+        /// The script; `-` is standard input
+        file: PathBuf,
+        /// Writes JSON
+        #[arg(long)]
+        json: bool,
+        #[command(flatten)]
+        talk: Talk,
+    },
+    /// Rewrites scripts in canonical form
+    ///
+    /// The meaning stays, and so do comments and blank lines. A script with a syntax error is left
+    /// as it is. A file is rewritten whole or not at all, and only if that changes it.
+    #[command(after_help = "\
+Examples:
+  virote fmt bottle.geo           rewrites the file
+  virote fmt --check *.geo        tells which files are not in canonical form; exit code 1 if any
+  virote fmt - < a.geo > b.geo    from standard input to standard output")]
+    Fmt {
+        /// The scripts; `-` is standard input, which is written to standard output
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+        /// Writes nothing, but lists the files that would change
+        #[arg(long)]
+        check: bool,
+        #[command(flatten)]
+        talk: Talk,
+    },
+    /// Explains a built-in, or lists all of them
+    #[command(after_help = "Example: virote doc circle")]
+    Doc {
+        /// The built-in
+        name: Option<String>,
+    },
+    /// Explains the code of a message
+    #[command(after_help = "Example: virote explain E0602")]
+    Explain {
+        /// The code, such as E0602; without one all codes are listed
+        code: Option<String>,
+    },
+}
+
+/// What every verb that evaluates takes.
+#[derive(Debug, Args)]
+pub(super) struct Common {
+    /// Replaces a parameter of the script; may be given several times
+    #[arg(long = "set", short = 'D', value_name = "NAME=VALUE", value_parser = settings::setting)]
+    pub(super) settings: Vec<Setting>,
+    /// Replaces parameters by those of a JSON object, `{"neck": "15mm", "n": 7}`; `--set` wins
+    #[arg(long, value_name = "FILE.json")]
+    pub(super) params: Option<PathBuf>,
+    /// Moves a ceiling, such as `steps=1_000_000`; may be given several times; `--help` lists them
+    #[arg(long = "limit", value_name = "NAME=VALUE", value_parser = limits::limit,
+        long_help = limits::help())]
+    limits: Vec<Moved>,
+    /// How many threads evaluate [default: one for each processor]
+    #[arg(long, value_name = "N")]
+    threads: Option<std::num::NonZeroUsize>,
+    #[command(flatten)]
+    pub(super) talk: Talk,
+}
+
+/// How the command speaks.
+#[derive(Debug, Args)]
+pub(super) struct Talk {
+    /// Says nothing but what the script prints, and errors
+    #[arg(long, short)]
+    pub(super) quiet: bool,
+    /// How messages are written
+    #[arg(long, value_name = "FORMAT", default_value = "human")]
+    pub(super) message_format: MessageFormat,
+    /// When messages are coloured
+    #[arg(long, value_name = "WHEN", default_value = "auto")]
+    color: ColorWhen,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum MessageFormat {
+    /// Pictures of the source, on standard error
+    Human,
+    /// One JSON object a line, on standard output
+    Json,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum ColorWhen {
+    /// On a terminal, unless NO_COLOR is set
+    Auto,
+    /// Always
+    Always,
+    /// Never
+    Never,
+}
+
+impl Common {
+    /// A session as these options want it.
+    pub(super) fn session(&self) -> Session {
+        let n_threads = self.threads.or_else(|| std::thread::available_parallelism().ok());
+        Session::new(limits::moved(&self.limits))
+            .on_threads(n_threads.map_or(1, std::num::NonZeroUsize::get))
+    }
+}
+
+impl Talk {
+    /// Whether findings are coloured.
+    pub(super) fn with_color(&self) -> bool {
+        match self.color {
+            ColorWhen::Always => true,
+            ColorWhen::Never => false,
+            ColorWhen::Auto => io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none(),
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! Reading: scripts, standard input, and the data that scripts name.
+
+use std::{
+    fs::File,
+    io::{self, Read},
+    path::{Path, PathBuf},
+};
+
+use crate::value::Files;
+
+/// The name of standard input on the command line.
+const STDIN: &str = "-";
+
+/// A script on its way in.
+#[derive(Debug)]
+pub(super) struct Script {
+    /// What messages call it.
+    pub(super) name: String,
+    /// Its bytes.
+    pub(super) bytes: Vec<u8>,
+    /// The folder that its paths are relative to.
+    pub(super) folder: PathBuf,
+    /// The file, unless it came through standard input.
+    pub(super) path: Option<PathBuf>,
+}
+
+impl Script {
+    /// Reads a script; one byte more than `most` is enough to know that it is too large.
+    pub(super) fn read(path: &Path, most: usize) -> Result<Self, String> {
+        if path.as_os_str() == STDIN {
+            let bytes = read_some(&mut io::stdin().lock(), most)
+                .map_err(|err| format!("standard input: {err}"))?;
+            let folder = PathBuf::from(".");
+            return Ok(Self { name: "<stdin>".to_owned(), bytes, folder, path: None });
+        }
+        let name = path.display().to_string();
+        if path.is_dir() {
+            return Err(format!("`{name}` is a folder, not a script"));
+        }
+        let bytes = File::open(path)
+            .and_then(|mut file| read_some(&mut file, most))
+            .map_err(|err| format!("cannot read `{name}`: {}", reason(&err)))?;
+        let folder = match path.parent() {
+            Some(parent) if !parent.as_os_str().is_empty() => parent.to_path_buf(),
+            _ => PathBuf::from("."),
+        };
+        Ok(Self { name, bytes, folder, path: Some(path.to_path_buf()) })
+    }
+}
+
+/// Everything up to `most` bytes and one more.
+fn read_some(from: &mut dyn Read, most: usize) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    from.take(most as u64 + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// An error of the operating system in a few plain words.
+pub(super) fn reason(err: &io::Error) -> String {
+    match err.kind() {
+        io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
+        _ => err.to_string(),
+    }
+}
+
+/// Data files beside a script; remembers which were read.
+#[derive(Debug)]
+pub(super) struct Beside {
+    folder: PathBuf,
+    read: std::sync::Mutex<Vec<PathBuf>>,
+}
+
+impl Beside {
+    /// Files relative to `folder`.
+    pub(super) fn new(folder: &Path) -> Self {
+        Self { folder: folder.to_path_buf(), read: std::sync::Mutex::default() }
+    }
+
+    /// The files that were read.
+    pub(super) fn inputs(&self) -> Vec<PathBuf> {
+        self.read.lock().map(|read| read.clone()).unwrap_or_default()
+    }
+}
+
+impl Files for Beside {
+    fn read(&self, path: &str, most: usize) -> Result<Vec<u8>, String> {
+        let full = self.folder.join(path);
+        if full.is_dir() {
+            return Err(format!("`{path}` is a folder"));
+        }
+        let bytes = File::open(&full)
+            .and_then(|mut file| read_some(&mut file, most))
+            .map_err(|err| format!("cannot read `{path}`: {}", reason(&err)))?;
+        if bytes.len() > most {
+            return Err(format!("`{path}` is larger than the ceiling of {most} bytes"));
+        }
+        if let Ok(mut read) = self.read.lock() {
+            read.push(full);
+        }
+        Ok(bytes)
+    }
+}

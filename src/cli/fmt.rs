@@ -1,0 +1,75 @@
+//! `virote fmt`: scripts in canonical form.
+
+use std::{
+    fs, io,
+    path::{Path, PathBuf},
+};
+
+use super::{
+    Ending,
+    args::Talk,
+    files::{Script, reason},
+    message::Voice,
+    say,
+    write::replace,
+};
+use crate::session::Session;
+
+/// `virote fmt [--check] FILE...`: the worst ending of all.
+pub(super) fn run(paths: &[PathBuf], is_check: bool, talk: &Talk) -> Ending {
+    let session = Session::default();
+    let voice = Voice::new(talk, session.limits().diagnostics);
+    let endings = paths.iter().map(|path| one(&session, path, is_check, &voice));
+    endings.max().unwrap_or(Ending::Well)
+}
+
+fn one(session: &Session, path: &Path, is_check: bool, voice: &Voice) -> Ending {
+    let script = match Script::read(path, session.limits().source_bytes) {
+        Ok(script) => script,
+        Err(message) => {
+            voice.trouble(&message);
+            return Ending::Usage;
+        }
+    };
+    let text = match session.format(&script.name, &script.bytes) {
+        Ok(text) => text,
+        Err(report) => {
+            voice.findings(&report.diagnostics, &report.sources);
+            return Ending::Wrong;
+        }
+    };
+    let is_changed = text.as_bytes() != script.bytes;
+    match &script.path {
+        _ if is_check && is_changed => {
+            voice.formatted(&script.name, false);
+            Ending::Failed
+        }
+        _ if is_check => Ending::Well,
+        None => {
+            say(&text);
+            Ending::Well
+        }
+        Some(path) if is_changed => match overwrite(path, &text) {
+            Ok(()) => {
+                voice.formatted(&script.name, true);
+                Ending::Well
+            }
+            Err(err) => {
+                voice.trouble(&format!("cannot write `{}`: {}", script.name, reason(&err)));
+                Ending::Usage
+            }
+        },
+        Some(_) => Ending::Well,
+    }
+}
+
+/// Rewrites a file, behind its links and with its permissions.
+fn overwrite(path: &Path, text: &str) -> io::Result<()> {
+    let real = path.canonicalize()?;
+    let permissions = fs::metadata(&real)?.permissions();
+    // The new file takes the place of the old one, which asks only for the folder's permission.
+    if permissions.readonly() {
+        return Err(io::Error::other("the file may only be read"));
+    }
+    replace(&real, Some(permissions), |out| out.write_all(text.as_bytes()))
+}

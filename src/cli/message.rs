@@ -1,0 +1,163 @@
+//! What a run says: lines for people, or JSON for programs.
+//!
+//! Lines: what the script prints and writes goes to standard output, findings to standard error.
+//! JSON: everything is an object on a line of standard output, findings included.
+
+use serde_json::json;
+
+use super::{
+    args::{MessageFormat, Talk},
+    say, say_error,
+};
+use crate::{
+    diag::{Diagnostic, Severity, Sources},
+    eval::{Checked, Printed},
+    export::Summary,
+    render,
+    value::to_json,
+};
+
+/// Says things in one of the two ways.
+#[derive(Debug)]
+pub(super) struct Voice {
+    is_json: bool,
+    is_quiet: bool,
+    with_color: bool,
+    most_findings: usize,
+}
+
+impl Voice {
+    pub(super) fn new(talk: &Talk, most_findings: usize) -> Self {
+        Self {
+            is_json: talk.message_format == MessageFormat::Json,
+            is_quiet: talk.quiet,
+            with_color: talk.with_color(),
+            most_findings,
+        }
+    }
+
+    /// Findings: the first of them as pictures, the rest counted; in JSON all of them.
+    pub(super) fn findings(&self, diagnostics: &[Diagnostic], sources: &Sources) {
+        if self.is_json {
+            let lines: String = diagnostics
+                .iter()
+                .map(|found| format!("{}\n", render::json(found, sources)))
+                .collect();
+            say(&lines);
+            return;
+        }
+        let is_heard = |found: &&Diagnostic| !self.is_quiet || found.severity != Severity::Warning;
+        let heard: Vec<&Diagnostic> = diagnostics.iter().filter(is_heard).collect();
+        for found in heard.iter().take(self.most_findings) {
+            say_error(render::picture(found, sources, self.with_color).trim_end());
+        }
+        if heard.len() > self.most_findings {
+            say_error(&format!("... and {} more", heard.len() - self.most_findings));
+        }
+    }
+
+    /// A mistake that has no place in a script.
+    pub(super) fn trouble(&self, text: &str) {
+        if self.is_json {
+            say(&format!("{}\n", json!({ "type": "trouble", "message": text })));
+        } else {
+            say_error(&format!("virote: {text}"));
+        }
+    }
+
+    /// Something worth knowing about the run itself.
+    pub(super) fn remark(&self, text: &str) {
+        if self.is_json {
+            say(&format!("{}\n", json!({ "type": "remark", "message": text })));
+        } else if !self.is_quiet {
+            say_error(text);
+        }
+    }
+
+    pub(super) fn printed(&self, printed: &Printed) {
+        if self.is_json {
+            let line = json!({
+                "type": "print",
+                "source": printed.source,
+                "text": printed.value.to_string(),
+                "value": to_json(&printed.value),
+            });
+            say(&format!("{line}\n"));
+        } else {
+            say(&format!("{} = {}\n", printed.source, printed.value));
+        }
+    }
+
+    pub(super) fn checked(&self, checked: &Checked, sources: &Sources) {
+        if !self.is_json {
+            return;
+        }
+        let source = sources.at(checked.span);
+        let line = source.map(|source| source.line_column(checked.span.start).0);
+        let sides: Vec<serde_json::Value> = checked
+            .verdict
+            .sides
+            .iter()
+            .map(|side| json!({ "path": side.path, "value": side.value }))
+            .collect();
+        let line = json!({
+            "type": "check",
+            "holds": checked.verdict.holds,
+            "claim": checked.source,
+            "message": checked.message,
+            "file": source.map(|source| source.name.as_str()),
+            "line": line,
+            "sides": sides,
+            "apart": checked.verdict.apart,
+            "limit": checked.verdict.limit,
+        });
+        say(&format!("{line}\n"));
+    }
+
+    pub(super) fn written(&self, path: &str, summary: Option<Summary>) {
+        if self.is_json {
+            let line = match summary {
+                Some(summary) => json!({
+                    "type": "export",
+                    "path": path,
+                    "vertices": summary.vertices,
+                    "triangles": summary.triangles,
+                    "curves": summary.polylines,
+                    "points": summary.points,
+                    "rows": summary.rows,
+                    "values": summary.values,
+                }),
+                None => json!({ "type": "export", "path": path, "dry_run": true }),
+            };
+            say(&format!("{line}\n"));
+        } else if !self.is_quiet {
+            match summary {
+                Some(summary) => say(&format!("wrote {path}: {summary}\n")),
+                None => say(&format!("would write {path}\n")),
+            }
+        }
+    }
+
+    /// A script that `fmt` rewrote, or would.
+    pub(super) fn formatted(&self, path: &str, is_written: bool) {
+        if self.is_json {
+            let line = json!({ "type": "format", "path": path, "dry_run": !is_written });
+            say(&format!("{line}\n"));
+        } else if !self.is_quiet {
+            let verb = if is_written { "formatted" } else { "would format" };
+            say(&format!("{verb} {path}\n"));
+        }
+    }
+
+    /// The last line: how the checks came out.
+    pub(super) fn verdict(&self, n_checks: usize, n_failed: usize) {
+        if self.is_json || self.is_quiet || n_checks == 0 {
+            return;
+        }
+        let checks = if n_checks == 1 { "check" } else { "checks" };
+        match n_failed {
+            0 => say(&format!("{n_checks} {checks} passed\n")),
+            _ => say(&format!("{n_failed} of {n_checks} {checks} failed\n")),
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! The command line: arguments, files, exit codes. With the renderer the only part that reads
+//! files, the environment or the terminal.
+
+mod args;
+mod files;
+mod fmt;
+mod graph;
+mod limits;
+mod message;
+mod params;
+mod run;
+mod settings;
+mod write;
+
+use std::{
+    io::{self, Write},
+    process::ExitCode,
+};
+
+use clap::Parser as _;
+
+use self::args::{Cli, Verb};
+use crate::{diag::Code, docs, limits::Limits, ops};
+
+/// How a run ended; the numbers are part of the contract.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Ending {
+    /// All is well.
+    Well = 0,
+    /// A check or test failed.
+    Failed = 1,
+    /// The script has an error.
+    Wrong = 2,
+    /// The command was used wrongly, or a file could not be read or written.
+    Usage = 3,
+}
+
+impl From<Ending> for ExitCode {
+    fn from(ending: Ending) -> Self {
+        Self::from(ending as u8)
+    }
+}
+
+/// Runs the command with the arguments of the process.
+#[must_use]
+pub fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(err) => {
+            // Asking for help or the version is no mistake.
+            let ending = if err.use_stderr() { Ending::Usage } else { Ending::Well };
+            let _ = err.print();
+            return ending.into();
+        }
+    };
+    let worker = std::thread::Builder::new()
+        .stack_size(Limits::DEFAULT.stack_bytes)
+        .spawn(move || dispatch(cli.verb));
+    match worker.map(std::thread::JoinHandle::join) {
+        Ok(Ok(ending)) => ending.into(),
+        Ok(Err(_)) => ExitCode::from(101),
+        Err(err) => {
+            say_error(&format!("virote: no thread could be started: {err}"));
+            Ending::Usage.into()
+        }
+    }
+}
+
+fn dispatch(verb: Verb) -> Ending {
+    match verb {
+        Verb::Run { file, out, only, dry_run, common } => {
+            run::run(&file, out.as_deref(), dry_run, &only, &common)
+        }
+        Verb::Check { files, common } => run::check(&files, &common),
+        Verb::Params { file, json, talk } => params::run(&file, json, &talk),
+        Verb::Graph { file, json, talk } => graph::run(&file, json, &talk),
+        Verb::Fmt { files, check, talk } => fmt::run(&files, check, &talk),
+        Verb::Doc { name } => doc(name.as_deref()),
+        Verb::Explain { code } => explain(code.as_deref()),
+    }
+}
+
+fn doc(name: Option<&str>) -> Ending {
+    let registry = ops::registry();
+    let Some(name) = name else {
+        say(&docs::overview(&registry));
+        return Ending::Well;
+    };
+    match docs::entry(&registry, name) {
+        Some(text) => {
+            say(&text);
+            Ending::Well
+        }
+        None => {
+            let near = crate::diag::nearest(name, registry.names());
+            let near = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+            say_error(&format!("virote: nothing built in is called `{name}`{near}"));
+            Ending::Usage
+        }
+    }
+}
+
+fn explain(code: Option<&str>) -> Ending {
+    let Some(text) = code else {
+        let list: String =
+            Code::ALL.iter().map(|code| format!("{}  {}\n", code.id(), code.title())).collect();
+        say(&list);
+        return Ending::Well;
+    };
+    match Code::from_id(text) {
+        Some(code) => {
+            say(&format!(
+                "{}: {}\n\n{}\n",
+                code.id(),
+                code.title(),
+                docs::wrap(code.explanation())
+            ));
+            Ending::Well
+        }
+        None => {
+            let near = crate::diag::nearest(text, Code::ALL.iter().map(|code| code.id()));
+            let near = near.map(|near| format!("; did you mean {near}?")).unwrap_or_default();
+            say_error(&format!(
+                "virote: there is no code `{text}`{near} `virote explain` lists all"
+            ));
+            Ending::Usage
+        }
+    }
+}
+
+/// Writes to standard output. A reader that went away is no error.
+fn say(text: &str) {
+    let mut out = io::stdout().lock();
+    let _ = out.write_all(text.as_bytes());
+    let _ = out.flush();
+}
+
+/// Writes a line to standard error.
+fn say_error(text: &str) {
+    let _ = writeln!(io::stderr().lock(), "{text}");
+}

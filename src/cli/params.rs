@@ -1,0 +1,174 @@
+//! `virote params`: what a script can be given.
+
+use std::path::Path;
+
+use serde_json::{Value as Json, json};
+
+use super::{
+    Ending,
+    args::Talk,
+    files::{Beside, Script},
+    message::Voice,
+    say,
+};
+use crate::{
+    eval::{Parameter, Schema},
+    session::Session,
+    value::{Dim, Number, Value, to_json},
+};
+
+/// `virote params FILE [--json]`
+pub(super) fn run(path: &Path, is_json: bool, talk: &Talk) -> Ending {
+    let session = Session::default();
+    let voice = Voice::new(talk, session.limits().diagnostics);
+    let script = match Script::read(path, session.limits().source_bytes) {
+        Ok(script) => script,
+        Err(message) => {
+            voice.trouble(&message);
+            return Ending::Usage;
+        }
+    };
+    let files = Beside::new(&script.folder);
+    match session.parameters(&script.name, &script.bytes, &files) {
+        Ok(schema) if is_json => say(&format!("{:#}\n", schema_json(&script.name, &schema))),
+        Ok(schema) if schema.parameters.is_empty() => {
+            voice.remark(&format!("`{}` has no parameters", script.name));
+        }
+        Ok(schema) => say(&table(&schema)),
+        Err(report) => {
+            voice.findings(&report.diagnostics, &report.sources);
+            return Ending::Wrong;
+        }
+    }
+    Ending::Well
+}
+
+/// A line for each parameter, its documentation below.
+fn table(schema: &Schema) -> String {
+    let head = ["name", "kind", "default", "allowed", "step", "label"].map(str::to_owned);
+    let unit = schema.unit.name();
+    let mut rows = vec![head];
+    rows.extend(schema.parameters.iter().map(|parameter| row(parameter, unit)));
+    let mut widths = [0; 6];
+    for row in &rows {
+        for (width, cell) in widths.iter_mut().zip(row) {
+            *width = cell.chars().count().max(*width);
+        }
+    }
+    let docs = schema.parameters.iter().map(|parameter| parameter.docs.as_deref());
+    let mut text = String::new();
+    for (row, docs) in rows.iter().zip(std::iter::once(None).chain(docs)) {
+        // A column that no parameter fills is left out.
+        let cells = row
+            .iter()
+            .zip(widths)
+            .enumerate()
+            .filter(|&(column, _)| rows.iter().skip(1).any(|row| !row[column].is_empty()));
+        let line: String = cells.map(|(_, (cell, width))| format!("{cell:<width$}  ")).collect();
+        text.push_str(line.trim_end());
+        text.push('\n');
+        for line in docs.into_iter().flat_map(str::lines) {
+            text.push_str(format!("  {line}").trim_end());
+            text.push('\n');
+        }
+    }
+    text
+}
+
+fn row(parameter: &Parameter, unit: &str) -> [String; 6] {
+    let step = parameter.step.map(Value::Number);
+    [
+        parameter.name.clone(),
+        parameter.kind.to_owned(),
+        written(&parameter.default, parameter, unit),
+        parameter.allowed.as_ref().map(|value| written(value, parameter, unit)).unwrap_or_default(),
+        step.map(|step| written(&step, parameter, unit)).unwrap_or_default(),
+        parameter.label.clone().unwrap_or_default(),
+    ]
+}
+
+/// A value as the script could write it, lengths in the document's unit.
+fn written(value: &Value, parameter: &Parameter, unit: &str) -> String {
+    let is_length = is_length(parameter);
+    let number = |number: Number| {
+        if is_length { format!("{number}{unit}") } else { number.to_string() }
+    };
+    match value {
+        Value::Number(one) => number(*one),
+        Value::Range(range) => {
+            let dots = if range.closed { ".." } else { "..<" };
+            format!("{}{dots}{}", number(range.start), number(range.end))
+        }
+        Value::List(choices) => {
+            let choices = choices.iter().map(|choice| written(choice, parameter, unit));
+            choices.collect::<Vec<_>>().join(", ")
+        }
+        other => other.to_string(),
+    }
+}
+
+fn schema_json(file: &str, schema: &Schema) -> Json {
+    let unit = schema.unit.name();
+    let parameters: Vec<Json> =
+        schema.parameters.iter().map(|parameter| parameter_json(parameter, unit)).collect();
+    json!({ "file": file, "unit": unit, "parameters": parameters })
+}
+
+/// Every member is always there; what a parameter lacks is null.
+fn parameter_json(parameter: &Parameter, unit: &str) -> Json {
+    let unit = match parameter.kind {
+        _ if is_length(parameter) => Some(unit),
+        _ if is_angle(parameter) => Some("deg"),
+        _ => None,
+    };
+    let range = match &parameter.allowed {
+        Some(Value::Range(range)) => json!({
+            "start": number_json(range.start),
+            "end": number_json(range.end),
+            "closed": range.closed,
+        }),
+        _ => Json::Null,
+    };
+    let choices = match &parameter.allowed {
+        Some(Value::List(choices)) => choices.iter().map(value_json).collect(),
+        _ => Json::Null,
+    };
+    json!({
+        "name": parameter.name,
+        "kind": parameter.kind,
+        "unit": unit,
+        "default": value_json(&parameter.default),
+        "range": range,
+        "step": parameter.step.map(number_json),
+        "choices": choices,
+        "label": parameter.label,
+        "docs": parameter.docs,
+    })
+}
+
+fn is_length(parameter: &Parameter) -> bool {
+    matches!(&parameter.default, Value::Number(number) if number.dim == Dim::LENGTH)
+}
+
+fn is_angle(parameter: &Parameter) -> bool {
+    matches!(&parameter.default, Value::Number(number) if number.dim == Dim::ANGLE)
+}
+
+fn value_json(value: &Value) -> Json {
+    match value {
+        Value::Number(number) => number_json(*number),
+        other => to_json(other),
+    }
+}
+
+/// A number in the document's unit; an angle in degrees, in the fewest digits that read back.
+fn number_json(number: Number) -> Json {
+    let text = number.to_string();
+    let degrees = text.strip_suffix("deg").and_then(|text| text.parse::<f64>().ok());
+    let value = degrees.unwrap_or(number.value);
+    // Whole numbers stand without a point, as the script writes them.
+    match Number::bare(value).as_integer() {
+        Some(whole) => json!(whole),
+        None => json!(value),
+    }
+}

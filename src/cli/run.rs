@@ -1,0 +1,266 @@
+//! `virote run` and `virote check`.
+
+use std::path::{Path, PathBuf};
+
+use super::{
+    Ending,
+    args::Common,
+    files::{Beside, Script},
+    message::Voice,
+    settings,
+    write::{Refusal, Target, failure},
+};
+use crate::{
+    diag::{Code, Diagnostic, Severity, nearest},
+    eval::Setting,
+    export::ExportError,
+    session::{Event, File, Report, Session},
+};
+
+/// Whether and where a run writes its files.
+#[derive(Clone, Copy)]
+enum Mode<'a> {
+    /// Below this folder; by default the script's own.
+    Write(Option<&'a Path>),
+    /// Nowhere, but tells what it would write.
+    DryRun(Option<&'a Path>),
+    /// Nowhere.
+    Check,
+}
+
+/// `virote run FILE`; with names in `only`, only the exports that name one of them.
+pub(super) fn run(
+    path: &Path,
+    out: Option<&Path>,
+    dry_run: bool,
+    only: &[String],
+    common: &Common,
+) -> Ending {
+    let mode = if dry_run { Mode::DryRun(out) } else { Mode::Write(out) };
+    let run = match Run::new(mode, only, common) {
+        Ok(run) => run,
+        Err(ending) => return ending,
+    };
+    run.interpret(path)
+}
+
+/// `virote check FILE...`: the worst ending of all.
+pub(super) fn check(paths: &[PathBuf], common: &Common) -> Ending {
+    let run = match Run::new(Mode::Check, &[], common) {
+        Ok(run) => run,
+        Err(ending) => return ending,
+    };
+    paths.iter().map(|path| run.interpret(path)).max().unwrap_or(Ending::Well)
+}
+
+/// What is done with each script.
+struct Run<'a> {
+    session: Session,
+    voice: Voice,
+    settings: Vec<Setting>,
+    /// The file that settings come from.
+    params: Option<&'a Path>,
+    only: &'a [String],
+    mode: Mode<'a>,
+}
+
+impl<'a> Run<'a> {
+    /// Reads the settings; what is wrong with them has been told.
+    fn new(mode: Mode<'a>, only: &'a [String], common: &'a Common) -> Result<Self, Ending> {
+        let session = common.session();
+        let voice = Voice::new(&common.talk, session.limits().diagnostics);
+        let params = common.params.as_deref();
+        let mut settings = match params {
+            None => Vec::new(),
+            Some(path) => {
+                settings::read(path, session.limits().input_bytes).map_err(|message| {
+                    voice.trouble(&message);
+                    Ending::Usage
+                })?
+            }
+        };
+        // Of two settings the last one counts.
+        settings.extend(common.settings.iter().cloned());
+        Ok(Self { session, voice, settings, params, only, mode })
+    }
+
+    fn interpret(&self, path: &Path) -> Ending {
+        let voice = &self.voice;
+        let script = match Script::read(path, self.session.limits().source_bytes) {
+            Ok(script) => script,
+            Err(message) => {
+                voice.trouble(&message);
+                return Ending::Usage;
+            }
+        };
+        let files = Beside::new(&script.folder);
+        let mut report = self.session.run(&script.name, &script.bytes, &files, &self.settings);
+        let mut misuse = std::mem::take(&mut report.unknown_settings);
+        misuse.extend(choose(&mut report, self.only));
+        if !misuse.is_empty() {
+            misuse.iter().for_each(|message| voice.trouble(message));
+            voice.findings(&report.diagnostics, &report.sources);
+            return Ending::Usage;
+        }
+        let out = match self.mode {
+            Mode::Write(Some(out)) | Mode::DryRun(Some(out)) => out.to_path_buf(),
+            _ => script.folder.clone(),
+        };
+        let mut inputs = files.inputs();
+        inputs.extend(script.path);
+        inputs.extend(self.params.map(Path::to_path_buf));
+        let targets = targets(&mut report, &out, &inputs);
+        act(&report, &targets, self.mode, voice)
+    }
+}
+
+/// Keeps the files that name a definition of `only`, unless that is empty; names that choose
+/// nothing are told.
+fn choose(report: &mut Report, only: &[String]) -> Vec<String> {
+    // Of a script with errors not every definition is known, and nothing is written.
+    if only.is_empty() || report.count(Severity::Error) > 0 {
+        return Vec::new();
+    }
+    let exported: Vec<&String> = report
+        .events
+        .iter()
+        .filter_map(|event| match event {
+            Event::File(file) => Some(&file.names),
+            _ => None,
+        })
+        .flatten()
+        .collect();
+    let strangers = only.iter().filter(|name| !exported.contains(name));
+    let misuse = strangers.map(|name| not_exported(name, report, &exported)).collect();
+    report.events.retain(|event| match event {
+        Event::File(file) => file.names.iter().any(|name| only.contains(name)),
+        _ => true,
+    });
+    misuse
+}
+
+/// What is wrong with a name that chooses no export.
+fn not_exported(name: &str, report: &Report, exported: &[&String]) -> String {
+    let defined = || report.definitions.iter().map(|defined| defined.name.as_str());
+    let near_exported = nearest(name, exported.iter().map(|name| name.as_str()));
+    let is_defined = defined().any(|defined| defined == name);
+    let (text, near) = if is_defined {
+        (format!("no export of the script names `{name}`"), near_exported)
+    } else {
+        let near = near_exported.or_else(|| nearest(name, defined()));
+        (format!("the script defines no `{name}`"), near)
+    };
+    let mut names: Vec<&str> = exported.iter().map(|name| name.as_str()).collect();
+    names.sort_unstable();
+    names.dedup();
+    match near {
+        Some(near) => format!("{text}; did you mean `{near}`?"),
+        None if names.is_empty() => format!("{text}, and it exports nothing"),
+        None => format!("{text}; its exports name {}", names.join(", ")),
+    }
+}
+
+/// The places of all files, before any is written; what is forbidden becomes a finding.
+fn targets(report: &mut Report, out: &Path, inputs: &[PathBuf]) -> Vec<Result<Target, String>> {
+    let mut targets = Vec::new();
+    for event in &report.events {
+        let Event::File(file) = event else { continue };
+        targets.push(match Target::new(out, &file.path, inputs) {
+            Ok(target) => Ok(target),
+            Err(Refusal::System(message)) => Err(message),
+            Err(Refusal::Forbidden(message)) => {
+                report.diagnostics.push(
+                    Diagnostic::error(Code::PathEscapes, file.span, message.clone())
+                        .hint("choose another name, or another folder by `--out`"),
+                );
+                Err(message)
+            }
+        });
+    }
+    report.diagnostics.sort_by_key(|found| found.primary.span);
+    targets
+}
+
+/// Prints, and writes files unless the script has an error.
+fn act(
+    report: &Report,
+    targets: &[Result<Target, String>],
+    mode: Mode<'_>,
+    voice: &Voice,
+) -> Ending {
+    let has_errors = report.count(Severity::Error) > 0;
+    let mut ending = if has_errors {
+        Ending::Wrong
+    } else if report.count(Severity::Failure) > 0 {
+        Ending::Failed
+    } else {
+        Ending::Well
+    };
+    let (mut n_checks, mut n_failed) = (0, 0);
+    let mut targets_left = targets.iter();
+    for event in &report.events {
+        match event {
+            Event::Printed(printed) => voice.printed(printed),
+            Event::Checked(checked) => {
+                voice.checked(checked, &report.sources);
+                n_checks += 1;
+                n_failed += usize::from(!checked.verdict.holds);
+            }
+            Event::File(file) => {
+                let target = targets_left.next();
+                if has_errors {
+                    continue;
+                }
+                let written =
+                    target.map_or(Ending::Well, |target| write(file, target, mode, report, voice));
+                ending = ending.max(written);
+            }
+        }
+    }
+    // Last, so that what is wrong is what stands above the prompt.
+    voice.findings(&report.diagnostics, &report.sources);
+    if has_errors && !targets.is_empty() {
+        voice.remark("nothing was written, because the script has errors");
+    }
+    voice.verdict(n_checks, n_failed);
+    ending
+}
+
+fn write(
+    file: &File,
+    target: &Result<Target, String>,
+    mode: Mode<'_>,
+    report: &Report,
+    voice: &Voice,
+) -> Ending {
+    let complain = |code: Code, message: String| {
+        let found = Diagnostic::error(code, file.span, message);
+        voice.findings(&[found], &report.sources);
+    };
+    let target = match (mode, target) {
+        (Mode::Check, _) => return Ending::Well,
+        (_, Err(message)) => {
+            complain(Code::CannotWrite, format!("cannot write `{}`: {message}", file.path));
+            return Ending::Usage;
+        }
+        (Mode::DryRun(_), Ok(_)) => {
+            voice.written(&file.path, None);
+            return Ending::Well;
+        }
+        (Mode::Write(_), Ok(target)) => target,
+    };
+    match target.write(|out| (file.format.write)(&file.job, out)) {
+        Ok(summary) => {
+            voice.written(&file.path, Some(summary));
+            Ending::Well
+        }
+        Err(err @ ExportError::Geometry { .. }) => {
+            complain(Code::CannotExport, failure(&err));
+            Ending::Wrong
+        }
+        Err(err) => {
+            complain(Code::CannotWrite, format!("cannot write `{}`: {}", file.path, failure(&err)));
+            Ending::Usage
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! Writing: a file appears whole or not at all, and never outside the output folder.
+//!
+//! Each file is written under a temporary name in its own folder, flushed to the disk, and
+//! renamed over its final name. Whatever fails before that leaves the old file as it was.
+
+use std::{
+    fs::{self, File},
+    io::{self, BufWriter, Write},
+    path::{Path, PathBuf},
+};
+
+use super::files::reason;
+use crate::export::{ExportError, Summary};
+
+/// A file of the output folder that may be written.
+#[derive(Debug)]
+pub(super) struct Target {
+    folder: PathBuf,
+    path: PathBuf,
+}
+
+/// Why a target is refused before anything is written.
+#[derive(Debug)]
+pub(super) enum Refusal {
+    /// The script may not write there.
+    Forbidden(String),
+    /// The operating system does not let us.
+    System(String),
+}
+
+impl Target {
+    /// The file `path` below `out`. `inputs` are files that must stay as they are.
+    ///
+    /// Makes no folder and no file; folders that exist are looked through, so that a symbolic
+    /// link cannot lead out of the output folder.
+    pub(super) fn new(out: &Path, path: &str, inputs: &[PathBuf]) -> Result<Self, Refusal> {
+        let full = out.join(path);
+        let folder = full.parent().unwrap_or(out).to_path_buf();
+        if full.is_dir() {
+            return Err(Refusal::Forbidden(format!("`{path}` is a folder")));
+        }
+        if let (Ok(root), Some(real)) = (out.canonicalize(), existing(&folder))
+            && !real.starts_with(&root)
+        {
+            return Err(Refusal::Forbidden(format!(
+                "`{path}` leads out of the output folder through a link"
+            )));
+        }
+        let same = |input: &PathBuf| match (input.canonicalize(), full.canonicalize()) {
+            (Ok(input), Ok(full)) => input == full,
+            _ => false,
+        };
+        if inputs.iter().any(same) {
+            return Err(Refusal::Forbidden(format!("`{path}` is the script or one of its inputs")));
+        }
+        if let Some(obstacle) = obstacle(&folder) {
+            let message = format!("`{}` is a file, not a folder", obstacle.display());
+            return Err(Refusal::System(message));
+        }
+        Ok(Self { folder, path: full })
+    }
+
+    /// Writes the file through `write`; the size in bytes with what `write` tells.
+    pub(super) fn write(
+        &self,
+        write: impl FnOnce(&mut dyn Write) -> Result<Summary, ExportError>,
+    ) -> Result<Summary, ExportError> {
+        fs::create_dir_all(&self.folder)?;
+        replace(&self.path, None, write)
+    }
+}
+
+/// Puts what `write` writes in the place of the file `path`, which is there whole or not at all.
+pub(super) fn replace<T, E: From<io::Error>>(
+    path: &Path,
+    permissions: Option<fs::Permissions>,
+    write: impl FnOnce(&mut dyn Write) -> Result<T, E>,
+) -> Result<T, E> {
+    let (file, temporary) = temporary(path)?;
+    let mut out = BufWriter::with_capacity(1 << 18, file);
+    let written = write(&mut out).and_then(|told| {
+        let file = out.into_inner().map_err(io::IntoInnerError::into_error)?;
+        if let Some(permissions) = permissions {
+            file.set_permissions(permissions)?;
+        }
+        file.sync_all()?;
+        fs::rename(&temporary, path)?;
+        Ok(told)
+    });
+    if written.is_err() {
+        // The temporary file is ours alone; the old file is untouched.
+        let _ = fs::remove_file(&temporary);
+    }
+    written
+}
+
+/// A new file beside `path` that nobody else has.
+fn temporary(path: &Path) -> io::Result<(File, PathBuf)> {
+    /// Names tried before giving up.
+    const MOST_TRIES: u32 = 1000;
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let process = std::process::id();
+    for attempt in 0..MOST_TRIES {
+        let path = path.with_file_name(format!(".{name}.{process}-{attempt}.tmp"));
+        match File::options().write(true).create_new(true).open(&path) {
+            Ok(file) => return Ok((file, path)),
+            Err(err) if err.kind() == io::ErrorKind::AlreadyExists => {}
+            Err(err) => return Err(err),
+        }
+    }
+    Err(io::Error::new(io::ErrorKind::AlreadyExists, "no free name for a temporary file"))
+}
+
+/// The real path of the innermost folder on the way that exists.
+fn existing(folder: &Path) -> Option<PathBuf> {
+    folder.ancestors().find_map(|folder| {
+        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+        folder.canonicalize().ok()
+    })
+}
+
+/// A file that stands where a folder is needed.
+fn obstacle(folder: &Path) -> Option<&Path> {
+    folder.ancestors().find(|part| part.is_file())
+}
+
+/// What went wrong, for a message about the file.
+pub(super) fn failure(err: &ExportError) -> String {
+    match err {
+        ExportError::Io(err) => reason(err),
+        geometry => geometry.to_string(),
+    }
+}

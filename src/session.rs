@@ -1,0 +1,256 @@
+//! A script from text to outcome: parse, evaluate, and plan the files that it exports.
+//!
+//! The session touches no file, clock or terminal. The doors hand in the text and a [`Files`] to
+//! read data through, and write what the [`Report`] plans.
+
+mod ceiling;
+mod inspect;
+mod plan;
+
+use std::sync::Arc;
+
+use plan::{gather, options, other_formats, safe_path, unknown_format};
+
+use crate::{
+    diag::{Code, Diagnostic, Severity, Sources, Span},
+    eval::{self, Exported, Output, Setting},
+    export::{Format, Job},
+    limits::Limits,
+    ops,
+    syntax::ast::Unit,
+    value::{Files, Registry},
+};
+
+/// Interprets scripts.
+#[derive(Debug)]
+pub struct Session {
+    registry: Registry,
+    limits: Limits,
+    n_threads: usize,
+}
+
+/// A file that a script exports, ready to be written.
+#[derive(Debug)]
+pub struct File {
+    /// The path below the output folder, with `/` between its parts.
+    pub path: String,
+    /// Where the script gives the path.
+    pub span: Span,
+    /// The definitions that its subjects name.
+    pub names: Vec<String>,
+    /// How it is written.
+    pub format: &'static Format,
+    /// What is written.
+    pub job: Job,
+}
+
+/// One thing that a script says or does, in the order of the source.
+#[derive(Debug)]
+pub enum Event {
+    /// `source = value`
+    Printed(eval::Printed),
+    /// A claim and how it came out.
+    Checked(eval::Checked),
+    /// A file to be written.
+    File(File),
+}
+
+/// What became of a script.
+#[derive(Debug)]
+pub struct Report {
+    /// The texts that places point into.
+    pub sources: Sources,
+    /// Every finding, in the order of the source.
+    pub diagnostics: Vec<Diagnostic>,
+    /// What the script says and does.
+    pub events: Vec<Event>,
+    /// Its definitions.
+    pub definitions: Vec<eval::Defined>,
+    /// Settings that no parameter takes, each a sentence.
+    pub unknown_settings: Vec<String>,
+}
+
+impl Report {
+    /// How many findings are of a severity.
+    #[must_use]
+    pub fn count(&self, severity: Severity) -> usize {
+        self.diagnostics.iter().filter(|found| found.severity == severity).count()
+    }
+}
+
+impl Default for Session {
+    fn default() -> Self {
+        Self::new(Limits::DEFAULT)
+    }
+}
+
+impl Session {
+    /// A session with all built-ins and these ceilings.
+    #[must_use]
+    pub fn new(limits: Limits) -> Self {
+        Self { registry: ops::registry(), limits, n_threads: 1 }
+    }
+
+    /// The same on up to `n_threads` threads; results and messages do not depend on their number.
+    #[must_use]
+    pub fn on_threads(self, n_threads: usize) -> Self {
+        Self { n_threads: n_threads.max(1), ..self }
+    }
+
+    /// The built-ins.
+    #[must_use]
+    pub fn registry(&self) -> &Registry {
+        &self.registry
+    }
+
+    /// The ceilings.
+    #[must_use]
+    pub fn limits(&self) -> &Limits {
+        &self.limits
+    }
+
+    /// Interprets the script `bytes`, which messages call `name`.
+    #[must_use]
+    pub fn run(&self, name: &str, bytes: &[u8], files: &dyn Files, settings: &[Setting]) -> Report {
+        let mut sources = Sources::default();
+        let text = match self.read(bytes) {
+            Ok(text) => text,
+            Err((text, diagnostic)) => {
+                sources.add(name, Arc::from(text));
+                return self.findings(sources, vec![*diagnostic]);
+            }
+        };
+        let settings = eval::Settings {
+            registry: &self.registry,
+            limits: &self.limits,
+            files,
+            overrides: settings,
+            n_threads: self.n_threads,
+        };
+        let mut outcome = eval::evaluate(name, text, &mut sources, settings);
+        let events = self.events(&mut outcome);
+        eval::in_order(&mut outcome.diagnostics);
+        Report {
+            events,
+            definitions: outcome.definitions,
+            unknown_settings: outcome.unknown_settings,
+            ..self.findings(sources, outcome.diagnostics)
+        }
+    }
+
+    /// What was found in a script that does not run, with the flags of crossed ceilings.
+    fn findings(&self, sources: Sources, mut diagnostics: Vec<Diagnostic>) -> Report {
+        diagnostics.iter_mut().for_each(ceiling::name_flag);
+        Report {
+            sources,
+            diagnostics,
+            events: Vec::new(),
+            definitions: Vec::new(),
+            unknown_settings: Vec::new(),
+        }
+    }
+
+    /// The text of a script, or as much of it as a message can show.
+    fn read<'b>(&self, bytes: &'b [u8]) -> Result<&'b str, (String, Box<Diagnostic>)> {
+        if bytes.len() > self.limits.source_bytes {
+            let message = format!(
+                "the script has {} bytes; the ceiling is {}",
+                bytes.len(),
+                self.limits.source_bytes
+            );
+            return Err((
+                String::new(),
+                Box::new(Diagnostic::error(Code::SourceTooLarge, Span::default(), message)),
+            ));
+        }
+        std::str::from_utf8(bytes).map_err(|err| {
+            let at = err.valid_up_to();
+            let text = String::from_utf8_lossy(bytes).into_owned();
+            // The replacement of the first bad byte stands at the same place.
+            let place = Span::new(at as u32, at as u32 + 3);
+            let message = format!("byte {} of the file is not UTF-8 text", at + 1);
+            let diagnostic = Diagnostic::error(Code::NotUtf8, place, message)
+                .label(format!("the byte {:#04x}", bytes[at]))
+                .hint("save the file as UTF-8 in the editor");
+            (text, Box::new(diagnostic))
+        })
+    }
+
+    fn events(&self, outcome: &mut eval::Outcome) -> Vec<Event> {
+        let mut events = Vec::new();
+        let mut written: Vec<(String, Span)> = Vec::new();
+        for output in std::mem::take(&mut outcome.outputs) {
+            match output {
+                Output::Printed(printed) => events.push(Event::Printed(printed)),
+                Output::Checked(checked) => events.push(Event::Checked(checked)),
+                Output::Exported(exported) => {
+                    let file = self.plan(exported, outcome.unit, &mut outcome.diagnostics);
+                    let Some(file) = file else { continue };
+                    match written.iter().find(|(path, _)| path.eq_ignore_ascii_case(&file.path)) {
+                        Some(&(_, first)) => outcome.diagnostics.push(
+                            Diagnostic::error(
+                                Code::DuplicateExport,
+                                file.span,
+                                format!("`{}` is exported twice", file.path),
+                            )
+                            .also(first, "exported here before")
+                            .hint(
+                                "one statement takes several values: `export a, b to \"both.obj\"`",
+                            ),
+                        ),
+                        None => {
+                            written.push((file.path.clone(), file.span));
+                            events.push(Event::File(file));
+                        }
+                    }
+                }
+            }
+        }
+        events
+    }
+
+    /// The file that an export makes; what is wrong with it goes to `diagnostics`.
+    fn plan(
+        &self,
+        exported: Exported,
+        unit: Unit,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) -> Option<File> {
+        let before = diagnostics.len();
+        let span = exported.path.span;
+        let path = safe_path(&exported.path.value).map_err(|message| {
+            diagnostics.push(
+                Diagnostic::error(Code::PathEscapes, span, message)
+                    .hint("paths are relative to the output folder, which `--out` names"),
+            );
+        });
+        let Some(format) = Format::of_path(&exported.path.value) else {
+            diagnostics.push(unknown_format(&exported.path.value, span));
+            return None;
+        };
+        let mut items = Vec::new();
+        for (name, value) in exported.subjects {
+            let found = gather(&name, &value.value, format, &mut items);
+            if let Err(found) = found {
+                let message = format!("`.{}` takes {}, found {found}", format.ending, format.wants);
+                diagnostics.push(
+                    Diagnostic::error(Code::CannotExport, value.span, message)
+                        .hint(other_formats(&found)),
+                );
+            }
+        }
+        if items.is_empty() && diagnostics.len() == before {
+            diagnostics.push(
+                Diagnostic::error(Code::CannotExport, span, "there is nothing to export")
+                    .label("this file would be empty")
+                    .hint("`export all` takes the definitions that begin with `point`, `curve`, `surface` or `mesh`"),
+            );
+        }
+        let tolerance = options(&exported.options, format, diagnostics);
+        if diagnostics.len() > before {
+            return None;
+        }
+        let job = Job { items, unit: unit.name(), tolerance, limits: self.limits };
+        Some(File { path: path.ok()?, span, names: exported.names, format, job })
+    }
+}

@@ -1,0 +1,88 @@
+//! A script looked at rather than run: in canonical form, its parameters, its graph.
+
+use std::sync::Arc;
+
+use super::{Report, Session};
+use crate::{
+    diag::Sources,
+    eval::{self, Graph, Schema},
+    syntax,
+    value::Files,
+};
+
+impl Session {
+    /// The script `bytes` in canonical form.
+    ///
+    /// # Errors
+    /// What is wrong with the text, if it cannot be parsed.
+    pub fn format(&self, name: &str, bytes: &[u8]) -> Result<String, Box<Report>> {
+        let (text, mut sources) = self.opened(name, bytes)?;
+        syntax::format(text, &self.limits).map_err(|found| {
+            sources.add(name, Arc::from(text));
+            Box::new(self.findings(sources, found))
+        })
+    }
+
+    /// The parameters of the script `bytes`, their defaults and ranges evaluated.
+    ///
+    /// # Errors
+    /// What is wrong with the script, as far as it concerns them.
+    pub fn parameters(
+        &self,
+        name: &str,
+        bytes: &[u8],
+        files: &dyn Files,
+    ) -> Result<Schema, Box<Report>> {
+        let (text, mut sources) = self.opened(name, bytes)?;
+        let mut schema = eval::parameters(name, text, &mut sources, self.settings(files));
+        let found = std::mem::take(&mut schema.diagnostics);
+        self.unless_wrong(schema, sources, found)
+    }
+
+    /// The definitions and effects of the script `bytes` with what they use; nothing is evaluated.
+    ///
+    /// # Errors
+    /// What is wrong with the text or its names.
+    pub fn graph(&self, name: &str, bytes: &[u8], files: &dyn Files) -> Result<Graph, Box<Report>> {
+        let (text, mut sources) = self.opened(name, bytes)?;
+        let mut graph = eval::graph(name, text, &mut sources, self.settings(files));
+        let found = std::mem::take(&mut graph.diagnostics);
+        self.unless_wrong(graph, sources, found)
+    }
+
+    fn opened<'b>(&self, name: &str, bytes: &'b [u8]) -> Result<(&'b str, Sources), Box<Report>> {
+        let mut sources = Sources::default();
+        match self.read(bytes) {
+            Ok(text) => Ok((text, sources)),
+            Err((text, found)) => {
+                sources.add(name, Arc::from(text));
+                Err(Box::new(self.findings(sources, vec![*found])))
+            }
+        }
+    }
+
+    fn settings<'a>(&'a self, files: &'a dyn Files) -> eval::Settings<'a> {
+        eval::Settings {
+            registry: &self.registry,
+            limits: &self.limits,
+            files,
+            overrides: &[],
+            n_threads: 1,
+        }
+    }
+
+    /// `answer`, unless there are errors among the findings.
+    fn unless_wrong<T>(
+        &self,
+        answer: T,
+        sources: Sources,
+        found: Vec<crate::diag::Diagnostic>,
+    ) -> Result<T, Box<Report>> {
+        let report = self.findings(sources, found);
+        if report.count(crate::diag::Severity::Error) == 0 {
+            Ok(answer)
+        } else {
+            Err(Box::new(report))
+        }
+    }
+}
