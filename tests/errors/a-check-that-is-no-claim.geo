@@ -1,0 +1,3 @@
+let a = 3
+check a
+check a + 1 "a message"

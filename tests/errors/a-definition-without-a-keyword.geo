@@ -1,0 +1,2 @@
+radius = 10
+print radius

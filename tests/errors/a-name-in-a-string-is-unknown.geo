@@ -1,0 +1,2 @@
+let width = 3
+print "the width is {widht} mm"

@@ -1,0 +1,4 @@
+let a = 3 $ 4
+let b = true && false
+let c = 'text'
+let d = a ≥ 3

@@ -1,0 +1,2 @@
+geo 7
+print 1

@@ -1,0 +1,2 @@
+let a = 2
+check a == 3 "a is three"

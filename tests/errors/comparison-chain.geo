@@ -1,0 +1,2 @@
+let a = 2
+check 1 < a < 3

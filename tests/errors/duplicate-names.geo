@@ -1,0 +1,4 @@
+let radius = 10
+print radius
+let radius = 12
+fn f(a, a) = a

@@ -1,0 +1,3 @@
+let a = 1
+export all to "all.obj"
+export [] to "none.obj"

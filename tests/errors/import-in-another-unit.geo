@@ -1,0 +1,2 @@
+unit mm
+import "lib/inches.geo"

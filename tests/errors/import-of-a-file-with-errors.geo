@@ -1,0 +1,2 @@
+import "lib/wrong.geo"
+print wrong.y

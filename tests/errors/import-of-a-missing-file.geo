@@ -1,0 +1,2 @@
+import "nope.geo" as n
+print n.x

@@ -1,0 +1,2 @@
+import "import-of-itself.geo" as me
+print me.x

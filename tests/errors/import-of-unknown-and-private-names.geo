@@ -1,0 +1,2 @@
+import "lib/naca.geo" (foil, foli, _half)
+print foil(1)

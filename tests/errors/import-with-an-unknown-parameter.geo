@@ -1,0 +1,1 @@
+import "lib/naca.geo" as a with (tick = 1)

@@ -1,0 +1,1 @@
+import "lib/not-a-name.geo"

@@ -1,0 +1,1 @@
+import "circle-too.geo" as other

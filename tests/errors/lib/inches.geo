@@ -1,0 +1,2 @@
+unit in
+let width = 2

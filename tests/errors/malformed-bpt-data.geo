@@ -1,0 +1,3 @@
+let a = load("data/letters.bpt")
+let b = load("data/short.bpt")
+let c = load("data/long.bpt")

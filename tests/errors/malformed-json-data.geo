@@ -1,0 +1,2 @@
+let a = load("data/comma.json")
+let b = load("data/curve.json")

@@ -1,0 +1,3 @@
+let a = 2
+let b = if a == 2 then 1
+print b

@@ -1,0 +1,2 @@
+// --set finish=glos
+param finish = "gloss" in ["gloss", "matt"]

@@ -1,0 +1,2 @@
+let name = "frame
+print name

@@ -1,0 +1,1 @@
+let m = load("data/missing.xls")

@@ -1,0 +1,1 @@
+curve c = circle((0, 0), radus = 2)

@@ -1,0 +1,1 @@
+curve c = bezier((0, 0), (1, 1)) with (colour = "red", hidden = 1)

@@ -1,0 +1,3 @@
+let a = 12mn
+let b = 30degree
+unit mile

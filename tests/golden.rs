@@ -1,0 +1,41 @@
+//! Golden programs: each `tests/golden/NAME.geo` and `examples/NAME.geo` is run, and what it says
+//! and writes is compared with `NAME.out`.
+//!
+//! `VIROTE_BLESS=1 cargo test --test golden` rewrites the golden files. A program that begins with
+//! a line such as `// --set n=3` is run with those arguments.
+
+mod support;
+
+use support::{compare, folder, programs, report, transcript};
+
+/// Runs the programs of one folder against golden files in another.
+#[track_caller]
+fn check(of_programs: &str, of_golden_files: &str) {
+    let (of_programs, of_golden_files) = (folder(of_programs), folder(of_golden_files));
+    let mut complaints = Vec::new();
+    for name in programs(&of_programs) {
+        let (code, text) = transcript(&of_programs, &name);
+        if text.contains("panicked") {
+            complaints.push(format!("{name}.geo panics:\n{text}"));
+        }
+        let expected = if name.starts_with("failed-") { 1 } else { 0 };
+        if code != expected {
+            complaints.push(format!("{name}.geo exits with {code}, not {expected}:\n{text}"));
+        } else {
+            complaints.extend(compare(&of_golden_files.join(format!("{name}.out")), &text));
+        }
+    }
+    report(&complaints);
+}
+
+#[test]
+fn programs_say_and_write_what_they_did() {
+    check("tests/golden", "tests/golden");
+}
+
+#[test]
+fn examples_say_and_write_what_they_did() {
+    if folder("examples").is_dir() {
+        check("examples", "examples/golden");
+    }
+}

@@ -1,0 +1,282 @@
+//! Questions to the registry: what must hold for every built-in operation and constant.
+
+use virote::{
+    docs,
+    eval::Setting,
+    limits::Limits,
+    ops,
+    session::{Event, Report, Session},
+    syntax,
+    value::{Files, Op, Param, Type, choose},
+};
+
+/// No files at all.
+#[derive(Debug)]
+struct Nothing;
+
+impl Files for Nothing {
+    fn read(&self, path: &str, _: usize) -> Result<Vec<u8>, String> {
+        Err(format!("cannot read `{path}`: there are no files here"))
+    }
+}
+
+fn run(script: &str) -> Report {
+    let settings: &[Setting] = &[];
+    Session::default().run("example.geo", script.as_bytes(), &Nothing, settings)
+}
+
+/// Fails with everything that is wrong.
+#[track_caller]
+fn report(complaints: &[String]) {
+    assert!(complaints.is_empty(), "{}\n({} in all)", complaints.join("\n"), complaints.len());
+}
+
+/// Asks a question about every operation; the answer is what is wrong.
+#[track_caller]
+fn ask(question: impl Fn(&Op) -> Option<String>) {
+    let registry = ops::registry();
+    let answer = |op| question(op).map(|text| format!("{}: {text}", op.name));
+    report(&registry.iter().filter_map(answer).collect::<Vec<_>>());
+}
+
+/// Asks a question about every parameter of every operation.
+#[track_caller]
+fn ask_params(question: impl Fn(&Param) -> Option<String>) {
+    ask(|op| {
+        op.params
+            .iter()
+            .find_map(|param| question(param).map(|text| format!("`{}` {text}", param.name)))
+    });
+}
+
+/// Whether a script can call something of this name; a keyword such as `table` can be called too.
+fn is_identifier(name: &str) -> bool {
+    let source = format!("let a = {name}(1)");
+    let (tree, diagnostics) = syntax::parse(&source, &Limits::DEFAULT);
+    let is_word = name.chars().all(|c| c.is_alphanumeric() || c == '_');
+    is_word && diagnostics.is_empty() && tree.statements.len() == 1
+}
+
+#[test]
+fn names_are_identifiers() {
+    ask(|op| {
+        let names = std::iter::once(&op.name).chain(op.aliases);
+        names
+            .copied()
+            .find(|name| !is_identifier(name))
+            .map(|name| format!("`{name}` cannot be written in a script"))
+    });
+    for constant in ops::registry().constants() {
+        assert!(is_identifier(constant.name), "{}", constant.name);
+    }
+}
+
+#[test]
+fn names_mean_one_thing() {
+    let registry = ops::registry();
+    for constant in registry.constants() {
+        assert!(registry.get(constant.name).is_none(), "{} is an operation too", constant.name);
+    }
+    // An alias must not lead to other operations than the name.
+    ask(|op| {
+        let aliases = op.aliases.iter().filter(|alias| **alias == op.name);
+        aliases.copied().next().map(|alias| format!("is its own alias `{alias}`"))
+    });
+}
+
+#[test]
+fn documentation_begins_with_a_sentence() {
+    ask(|op| {
+        let first = op.docs.trim().split("\n \n").next().unwrap_or_default();
+        let first = first.split("\n\n").next().unwrap_or_default().trim();
+        let starts = first.starts_with(|c: char| c.is_uppercase() || c.is_numeric() || c == '`');
+        (!starts || !first.ends_with('.'))
+            .then(|| format!("the first paragraph is no sentence: {first:?}"))
+    });
+    ask(|op| (op.summary().is_empty()).then(|| "has no summary".to_owned()));
+}
+
+#[test]
+fn parameters_are_documented() {
+    ask_params(|param| param.docs.trim().is_empty().then(|| "has no documentation".to_owned()));
+    ask_params(|param| (!param.docs.trim().ends_with('.')).then(|| "has no full stop".to_owned()));
+}
+
+#[test]
+fn required_parameters_stand_first() {
+    ask(|op| {
+        let optional = op.params.iter().map(Param::may_be_left_out);
+        (!optional.is_sorted())
+            .then(|| format!("a required parameter follows an optional one: {}", op.signature()))
+    });
+}
+
+#[test]
+fn parameters_have_different_labels() {
+    ask(|op| {
+        let mut names: Vec<&str> = op.params.iter().map(|param| param.name).collect();
+        names.sort_unstable();
+        (!names.is_sorted_by(|a, b| a < b))
+            .then(|| format!("a label stands twice: {}", op.signature()))
+    });
+}
+
+#[test]
+fn defaults_are_of_their_type() {
+    ask_params(|param| {
+        let default = param.default?();
+        (!param.ty.accepts(&default))
+            .then(|| format!("is {} by default, but {} is wanted", default, param.ty.phrase()))
+    });
+}
+
+#[test]
+fn defaults_can_be_written_in_a_script() {
+    ask_params(|param| {
+        let default = param.default?();
+        let outcome = run(&format!("print {default}"));
+        match &outcome.events[..] {
+            [Event::Printed(printed)] if printed.value.to_string() == default.to_string() => None,
+            _ => Some(format!("has the default {default}, which does not read back")),
+        }
+    });
+}
+
+#[test]
+fn only_the_first_parameter_spreads() {
+    ask(|op| {
+        let others =
+            op.params.iter().skip(1).filter(|param| param.spreads && !param.may_be_left_out());
+        others.map(|param| format!("`{}` {}", param.name, param.ty)).find(|_| false)
+    });
+}
+
+/// Whether a value could be of both types.
+fn overlap(a: Type, b: Type) -> bool {
+    match (a, b) {
+        (Type::Any, _) | (_, Type::Any) => true,
+        (Type::OneOf(types), other) | (other, Type::OneOf(types)) => {
+            types.iter().any(|of| overlap(*of, other))
+        }
+        // `[]` is a list of anything, but elements tell lists apart.
+        (Type::List(x, _), Type::List(y, _)) => overlap(*x, *y),
+        (Type::Grid(x), Type::Grid(y)) => overlap(*x, *y),
+        (Type::Grid(x), Type::List(y, _)) | (Type::List(y, _), Type::Grid(x)) => {
+            overlap(Type::List(x, 0), *y)
+        }
+        (Type::Geometry, Type::Point | Type::Curve | Type::Surface | Type::Mesh | Type::Plane)
+        | (Type::Point | Type::Curve | Type::Surface | Type::Mesh | Type::Plane, Type::Geometry) => {
+            true
+        }
+        (Type::Function, Type::Curve | Type::Surface)
+        | (Type::Curve | Type::Surface, Type::Function) => true,
+        (x, y) if is_number(x) && is_number(y) => true,
+        (x, y) => x == y,
+    }
+}
+
+fn is_number(of: Type) -> bool {
+    matches!(
+        of,
+        Type::Number | Type::Ratio | Type::Count | Type::Integer | Type::Length | Type::Angle
+    )
+}
+
+#[test]
+fn operations_of_one_name_differ_in_their_first_parameter() {
+    let registry = ops::registry();
+    let mut complaints = Vec::new();
+    for name in registry.names() {
+        let Some((_, ops)) = registry.get(name) else { continue };
+        for (i, a) in ops.iter().enumerate() {
+            for b in &ops[i + 1..] {
+                let (Some(first_a), Some(first_b)) = (a.params.first(), b.params.first()) else {
+                    complaints.push(format!("{name}: one of several takes no argument"));
+                    continue;
+                };
+                // Elements may stand as the arguments: then the first one is compared.
+                let variants = |param: &Param| match param.ty {
+                    Type::List(of, _) if param.spreads => vec![param.ty, *of],
+                    ty => vec![ty],
+                };
+                let clash = variants(first_a)
+                    .into_iter()
+                    .any(|x| variants(first_b).into_iter().any(|y| overlap(x, y)));
+                if clash {
+                    complaints.push(format!(
+                        "{name}: {} and {} cannot be told apart",
+                        a.signature(),
+                        b.signature()
+                    ));
+                }
+            }
+        }
+    }
+    report(&complaints);
+}
+
+#[test]
+fn without_arguments_some_operation_is_chosen() {
+    let registry = ops::registry();
+    for name in registry.names() {
+        if let Some((_, ops)) = registry.get(name) {
+            assert!(choose(ops, None).is_ok(), "{name}");
+        }
+    }
+}
+
+#[test]
+fn examples_print_what_they_declare() {
+    ask(|op| {
+        if op.examples.is_empty() {
+            return Some("has no example".to_owned());
+        }
+        op.examples.iter().find_map(|example| {
+            let outcome = run(&format!("print {}\n", example.code));
+            let found = match &outcome.events[..] {
+                [Event::Printed(printed)] if outcome.diagnostics.is_empty() => {
+                    printed.value.to_string()
+                }
+                _ => {
+                    let messages: Vec<&str> =
+                        outcome.diagnostics.iter().map(|found| found.message.as_str()).collect();
+                    format!("an error: {}", messages.join("; "))
+                }
+            };
+            (found != example.prints).then(|| {
+                format!("`{}` prints\n    {found}\nnot\n    {}", example.code, example.prints)
+            })
+        })
+    });
+}
+
+#[test]
+fn the_reference_has_every_operation() {
+    let registry = ops::registry();
+    let reference = docs::reference(&registry);
+    let overview = docs::overview(&registry);
+    ask(|op| {
+        let is_there = reference.contains(&format!("### `{}`", op.name))
+            && reference.contains(&op.signature());
+        (!is_there).then(|| "is not in the reference".to_owned())
+    });
+    ask(|op| (!overview.contains(op.summary())).then(|| "is not in the overview".to_owned()));
+    for name in registry.names() {
+        assert!(docs::entry(&registry, name).is_some(), "`virote doc {name}` knows nothing");
+    }
+}
+
+#[test]
+fn the_reference_on_the_disk_is_up_to_date() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/reference.md");
+    let expected = docs::reference(&ops::registry());
+    let found = std::fs::read_to_string(path).unwrap_or_default();
+    if std::env::var_os("VIROTE_BLESS").is_some() {
+        std::fs::write(path, expected).expect("the reference can be written");
+    } else {
+        assert!(
+            found == expected,
+            "docs/reference.md is out of date: VIROTE_BLESS=1 cargo test --test registry rewrites it"
+        );
+    }
+}

@@ -1,0 +1,326 @@
+//! Rules of the house that a compiler does not check: floors, guests, small numbers, words.
+
+use std::{fs, path::Path};
+
+use virote::ops;
+
+/// Floors from the ground up: a module may use only the modules listed with it.
+const FLOORS: &[(&str, &[&str])] = &[
+    ("diag", &[]),
+    ("limits", &[]),
+    ("kernel", &["limits"]),
+    ("syntax", &["diag", "limits"]),
+    ("value", &["diag", "kernel", "limits"]),
+    ("export", &["kernel", "limits"]),
+    ("ops", &["diag", "export", "kernel", "limits", "value"]),
+    ("eval", &["diag", "kernel", "limits", "syntax", "value"]),
+    ("session", &["diag", "eval", "export", "kernel", "limits", "ops", "syntax", "value"]),
+    ("docs", &["value"]),
+];
+
+/// The doors, which see everything.
+const DOORS: &[&str] = &["cli", "main", "render", "lib"];
+
+/// Libraries that are guests of a few files only.
+const GUESTS: &[(&str, &[&str])] = &[
+    ("logos", &["src/syntax/lexer.rs", "src/syntax/token.rs"]),
+    ("chumsky", &["src/syntax/parser/"]),
+    ("ariadne", &["src/render.rs"]),
+    ("clap", &["src/cli/"]),
+    ("tobj", &["src/ops/mesh/obj.rs"]),
+];
+
+/// What nothing but the doors may do.
+const DOORS_ONLY: &[&str] =
+    &["println!", "print!(", "eprintln!", "eprint!(", "dbg!", "std::fs", "std::env", "std::time"];
+
+/// What no script may reach.
+const PANICS: &[&str] = &[".unwrap()", ".expect(", "panic!(", "todo!(", "unimplemented!("];
+
+/// Built-ins whose names are words of the language as well (a keyword, a kind of parameter) or a
+/// habit of other languages that the parser knows.
+const WORDS_TOO: &[&str] = &["table", "length", "assert"];
+
+/// Lines of one file.
+const MOST_LINES: usize = 400;
+
+/// Files that are longer and may only shrink: take a file out of here when it is split.
+const LONG: &[(&str, usize)] = &[("src/syntax/ast.rs", 500)];
+
+/// A source file without its tests: its path, and its lines without comments and strings.
+struct Source {
+    path: String,
+    text: String,
+    code: Vec<String>,
+}
+
+impl Source {
+    /// The lines of code with their numbers.
+    fn lines(&self) -> impl Iterator<Item = (usize, &str)> {
+        self.code.iter().enumerate().map(|(i, line)| (i + 1, line.as_str()))
+    }
+
+    fn module(&self) -> &str {
+        let below = self.path.trim_start_matches("src/");
+        below.split('/').next().unwrap_or_default().trim_end_matches(".rs")
+    }
+}
+
+fn visit(folder: &Path, found: &mut Vec<String>) {
+    let mut entries: Vec<_> = fs::read_dir(folder)
+        .expect("a folder")
+        .map(|entry| entry.expect("an entry").path())
+        .collect();
+    entries.sort();
+    for path in entries {
+        if path.is_dir() {
+            visit(&path, found);
+        } else if path.extension().is_some_and(|ext| ext == "rs") {
+            found.push(path.to_str().expect("UTF-8").to_owned());
+        }
+    }
+}
+
+fn sources() -> Vec<Source> {
+    let mut paths = Vec::new();
+    visit(Path::new("src"), &mut paths);
+    let read = |path: String| {
+        let text = fs::read_to_string(&path).expect("UTF-8");
+        Source { code: code(&text), path, text }
+    };
+    paths.into_iter().map(read).collect()
+}
+
+/// The lines up to the tests, without comments and without what stands in strings.
+fn code(text: &str) -> Vec<String> {
+    let before_tests = text.split("#[cfg(test)]").next().unwrap_or_default();
+    let mut is_in_string = false;
+    before_tests.lines().map(|line| strip(line, &mut is_in_string)).collect()
+}
+
+/// A line without comment and strings; `is_in_string` goes on to the next line.
+fn strip(line: &str, is_in_string: &mut bool) -> String {
+    let mut out = String::new();
+    let mut chars = line.chars().peekable();
+    while let Some(c) = chars.next() {
+        match c {
+            '\\' if *is_in_string => {
+                chars.next();
+            }
+            '"' => {
+                *is_in_string = !*is_in_string;
+                out.push('"');
+            }
+            _ if *is_in_string => {}
+            // A quotation mark as a character is no string.
+            '\'' if chars.clone().take(2).eq("\"'".chars()) => {
+                chars.nth(1);
+            }
+            '/' if chars.peek() == Some(&'/') => break,
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+/// Fails with everything that is wrong.
+#[track_caller]
+fn report(complaints: &[String]) {
+    assert!(complaints.is_empty(), "{}\n({} in all)", complaints.join("\n"), complaints.len());
+}
+
+/// Collects complaints about lines of code.
+#[track_caller]
+fn each_line(complaint: impl Fn(&Source, &str) -> Option<String>) {
+    let mut complaints = Vec::new();
+    for source in sources() {
+        for (n, line) in source.lines() {
+            complaints.extend(
+                complaint(&source, line).map(|text| format!("{}:{n}: {text}", source.path)),
+            );
+        }
+    }
+    report(&complaints);
+}
+
+/// Modules named right after `crate::`, single or in a brace list.
+fn used_modules(code: &str) -> Vec<String> {
+    let name = |text: &str| {
+        text.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>()
+    };
+    let mut used = Vec::new();
+    for (at, _) in code.match_indices("crate::") {
+        // Visibility is no use.
+        if code[..at].trim_end_matches('$').ends_with("pub(in ") {
+            continue;
+        }
+        let rest = &code[at + "crate::".len()..];
+        let Some(list) = rest.strip_prefix('{') else {
+            used.push(name(rest));
+            continue;
+        };
+        let (mut depth, mut is_start) = (0, true);
+        for (i, c) in list.char_indices() {
+            match c {
+                '{' => depth += 1,
+                '}' if depth == 0 => break,
+                '}' => depth -= 1,
+                ',' if depth == 0 => is_start = true,
+                c if is_start && c.is_alphabetic() => {
+                    used.push(name(&list[i..]));
+                    is_start = false;
+                }
+                _ => {}
+            }
+        }
+    }
+    used
+}
+
+#[test]
+fn imports_are_understood() {
+    assert_eq!(used_modules("use crate::diag::Code; $crate::value::Op"), ["diag", "value"]);
+    assert_eq!(
+        used_modules("use crate::{\n diag::{self, Code},\n value, kernel::*,\n};"),
+        ["diag", "value", "kernel"]
+    );
+    let mut open = false;
+    assert_eq!(strip(r#"a("1e-9 // x", '"') // crate::cli"#, &mut open), r#"a("", ) "#);
+}
+
+#[test]
+fn modules_use_only_lower_floors() {
+    let mut complaints = Vec::new();
+    for source in sources() {
+        let module = source.module();
+        if DOORS.contains(&module) {
+            continue;
+        }
+        let Some((_, allowed)) = FLOORS.iter().find(|(name, _)| *name == module) else {
+            complaints.push(format!("{}: `{module}` has no floor in tests/tidy.rs", source.path));
+            continue;
+        };
+        for used in used_modules(&source.code.join("\n")) {
+            if used != module && !allowed.contains(&used.as_str()) {
+                complaints.push(format!("{}: `{module}` must not use `{used}`", source.path));
+            }
+        }
+    }
+    report(&complaints);
+}
+
+#[test]
+fn libraries_stay_in_their_own_files() {
+    each_line(|source, line| {
+        let mut guests = GUESTS.iter();
+        let (guest, homes) = guests.find(|(guest, _)| line.contains(&format!("{guest}::")))?;
+        let is_home = homes.iter().any(|home| source.path.starts_with(home));
+        (!is_home).then(|| format!("`{guest}` belongs to {}", homes.join(", ")))
+    });
+}
+
+#[test]
+fn small_numbers_live_in_one_file() {
+    each_line(|source, line| {
+        let digits = |text: &str| text.ends_with(|c: char| c.is_ascii_digit() || c == '.');
+        let mut places = line.match_indices("e-");
+        let is_small = line.contains("EPSILON")
+            || places.any(|(i, _)| {
+                digits(&line[..i]) && line[i + 2..].starts_with(|c: char| c.is_ascii_digit())
+            });
+        (is_small && source.path != "src/kernel/tolerance.rs")
+            .then(|| "a small number belongs to tolerance.rs".to_owned())
+    });
+}
+
+#[test]
+fn only_doors_touch_the_world() {
+    each_line(|source, line| {
+        let what = DOORS_ONLY.iter().find(|what| line.contains(**what))?;
+        (!DOORS.contains(&source.module()))
+            .then(|| format!("`{what}` belongs to the doors: {}", DOORS.join(", ")))
+    });
+}
+
+#[test]
+fn nothing_panics() {
+    each_line(|_, line| {
+        PANICS
+            .iter()
+            .find(|what| line.contains(**what))
+            .map(|what| format!("`{what}` could be reached"))
+    });
+}
+
+#[test]
+fn files_open_with_what_they_are_for() {
+    let silent = sources().into_iter().filter(|source| !source.text.starts_with("//! "));
+    report(
+        &silent
+            .map(|source| format!("{}: begin with a module doc", source.path))
+            .collect::<Vec<_>>(),
+    );
+}
+
+#[test]
+fn files_are_short() {
+    let most = |path: &str| {
+        LONG.iter().find(|(long, _)| *long == path).map_or(MOST_LINES, |&(_, most)| most)
+    };
+    let long =
+        sources().into_iter().filter(|source| source.text.lines().count() > most(&source.path));
+    report(
+        &long
+            .map(|source| format!("{}: {} lines", source.path, source.text.lines().count()))
+            .collect::<Vec<_>>(),
+    );
+}
+
+#[test]
+fn built_ins_are_named_in_their_own_files_only() {
+    let registry = ops::registry();
+    let names: Vec<String> = registry
+        .iter()
+        .map(|op| op.name)
+        .filter(|name| name.len() > 4 && !WORDS_TOO.contains(name))
+        .map(|name| format!("\"{name}\""))
+        .collect();
+    let mut complaints = Vec::new();
+    for source in sources() {
+        if !matches!(source.module(), "eval" | "syntax" | "session" | "docs") {
+            continue;
+        }
+        let before_tests = source.text.split("#[cfg(test)]").next().unwrap_or_default();
+        for (i, line) in before_tests.lines().enumerate() {
+            complaints.extend(
+                names
+                    .iter()
+                    .filter(|name| line.contains(*name))
+                    .map(|name| format!("{}:{}: {name}", source.path, i + 1)),
+            );
+        }
+    }
+    report(&complaints);
+}
+
+#[test]
+fn no_word_is_out_of_place() {
+    // Put together here, so that this file does not hold them.
+    let words = [["/wo", "rk/"], ["/ro", "ot/"], ["TO", "DO"], ["FIX", "ME"], ["crates", ".io"]]
+        .map(|parts| parts.concat());
+    let Ok(listed) = std::process::Command::new("git").args(["ls-files", "-z"]).output() else {
+        return;
+    };
+    let listed = String::from_utf8_lossy(&listed.stdout).into_owned();
+    let mut complaints = Vec::new();
+    for path in listed.split('\0').filter(|path| !path.is_empty() && !path.ends_with("Cargo.lock"))
+    {
+        let Ok(bytes) = fs::read(path) else { continue };
+        let text = String::from_utf8_lossy(&bytes);
+        for (i, line) in text.lines().enumerate() {
+            let found = words.iter().find(|word| line.contains(word.as_str()));
+            complaints.extend(found.map(|word| format!("{path}:{}: {word}", i + 1)));
+        }
+    }
+    report(&complaints);
+}
