@@ -1,0 +1,254 @@
+//! Virote's geometry beside that of other crates: the same curve, the same surface, the same
+//! points, in one run on one thread, turn and turn about. Prints medians and their ratios.
+
+use std::{hint::black_box, time::Instant};
+
+use glam::{DVec3, DVec4};
+use virote::kernel::{Grid, KnotVector, NurbsCurve, NurbsSurface};
+
+/// Points along each side of the grid of the comparison.
+const N_GRID: usize = 1000;
+
+/// Control points along each side of the surface.
+const N_NET: usize = 20;
+
+/// Control points, and evaluations, of the curve.
+const N_CURVE: usize = 100;
+const N_POINTS: usize = 1_000_000;
+
+/// Rounds; each runs both sides once.
+const N_ROUNDS: usize = 9;
+
+/// Its multiples are spread evenly and in no order.
+const GOLDEN: f64 = 0.618_033_988_749_895;
+
+fn main() {
+    let net = net();
+    let ours = surface(&net);
+    println!("grid of {N_GRID} x {N_GRID}, bicubic rational: points, unit normals, triangles");
+    let grid = || our_grid(&ours);
+    compare("curvo", N_ROUNDS, grid, curvo_grid(&net));
+    compare("truck-geometry", 3, grid, truck_grid(&net));
+    compare("geomcore", 3, grid, geomcore_grid(&net));
+
+    println!("{N_POINTS} points of a rational cubic of {N_CURVE} control points");
+    let curve = curve();
+    let in_order = parameters();
+    let at_random: Vec<f64> = (0..N_POINTS).map(|i| (i as f64 * GOLDEN).fract()).collect();
+    for (order, ts) in [("in order", &in_order), ("at random", &at_random)] {
+        println!(" {order}");
+        let points = || ts.iter().map(|&t| curve.point_at(t)).fold(DVec3::ZERO, |sum, p| sum + p);
+        compare("geomcore", N_ROUNDS, points, geomcore_curve(&curve, ts));
+        compare("curvo", N_ROUNDS, points, curvo_curve(&curve, ts));
+        compare("truck-geometry", 3, points, truck_curve(&curve, ts));
+    }
+}
+
+/// Runs both in turn; a run answers with a sum of points, which must agree.
+fn compare(name: &str, n_rounds: usize, ours: impl Fn() -> DVec3, theirs: impl Fn() -> DVec3) {
+    let (mut our_times, mut their_times) = (Vec::new(), Vec::new());
+    for _ in 0..n_rounds {
+        let (time, our_sum) = timed(&ours);
+        our_times.push(time);
+        let (time, their_sum) = timed(&theirs);
+        their_times.push(time);
+        let difference = our_sum.distance(their_sum) / our_sum.length();
+        assert!(difference < 1e-9, "{name} computes something else: {difference}");
+    }
+    let (us, them) = (median(our_times), median(their_times));
+    let ratio = them / us;
+    println!("  virote {us:9.1} ms   {name:15} {them:9.1} ms   {ratio:6.1} times ours");
+}
+
+fn timed(run: impl Fn() -> DVec3) -> (f64, DVec3) {
+    let start = Instant::now();
+    let sum = black_box(run());
+    (start.elapsed().as_secs_f64() * 1e3, sum)
+}
+
+fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+/// Something of a result that shows whether it is the same: the diagonal and its normals.
+fn digest(point: impl Fn(usize) -> DVec3, normal: impl Fn(usize) -> DVec3) -> DVec3 {
+    let on_diagonal = |i: usize| i * (N_GRID + 1);
+    (0..N_GRID).map(on_diagonal).map(|i| point(i) + normal(i)).fold(DVec3::ZERO, |a, b| a + b)
+}
+
+fn clamped_knots(n: usize) -> Vec<f64> {
+    let inner = (0..=n - 3).map(|i| i as f64 / (n - 3) as f64);
+    [0.0; 3].into_iter().chain(inner).chain([1.0; 3]).collect()
+}
+
+fn grid_parameters() -> Vec<f64> {
+    (0..N_GRID).map(|i| i as f64 / (N_GRID - 1) as f64).collect()
+}
+
+fn parameters() -> Vec<f64> {
+    (0..N_POINTS).map(|i| i as f64 / (N_POINTS - 1) as f64).collect()
+}
+
+fn net() -> Grid<DVec4> {
+    Grid::from_fn(N_NET, N_NET, |i, j| {
+        let height = (((7 * i + 13 * j) % 11) as f64) * 0.1;
+        let weight = 1.0 + 0.1 * ((3 * i + 5 * j) % 7) as f64;
+        (DVec3::new(i as f64, j as f64, height) * weight).extend(weight)
+    })
+}
+
+fn surface(net: &Grid<DVec4>) -> NurbsSurface {
+    let knots = KnotVector::new(3, clamped_knots(N_NET)).expect("clamped knots");
+    NurbsSurface::new(knots.clone(), knots, net.clone()).expect("a net for its knots")
+}
+
+fn curve() -> NurbsCurve {
+    let point = |i: usize| DVec3::new(i as f64, ((7 * i) % 11) as f64, ((5 * i) % 13) as f64);
+    let points: Vec<DVec3> = (0..N_CURVE).map(point).collect();
+    let weights: Vec<f64> = (0..N_CURVE).map(|i| 1.0 + 0.1 * (i % 7) as f64).collect();
+    let knots = KnotVector::new(3, clamped_knots(N_CURVE)).expect("clamped knots");
+    NurbsCurve::rational(knots, &points, &weights).expect("points for their knots")
+}
+
+/// Two triangles for each cell of the grid.
+fn triangles() -> Vec<[u32; 3]> {
+    let n = N_GRID as u32;
+    let mut triangles = Vec::with_capacity(2 * (N_GRID - 1) * (N_GRID - 1));
+    for i in 0..n - 1 {
+        for a in i * n..i * n + n - 1 {
+            triangles.extend([[a, a + n, a + n + 1], [a, a + n + 1, a + 1]]);
+        }
+    }
+    triangles
+}
+
+fn our_grid(surface: &NurbsSurface) -> DVec3 {
+    let ts = grid_parameters();
+    let samples = surface.samples_on_grid(&ts, &ts);
+    black_box(triangles());
+    let (points, normals) = (samples.points.as_slice(), samples.normals.as_slice());
+    digest(|i| points[i], |i| normals[i])
+}
+
+fn curvo_grid(net: &Grid<DVec4>) -> impl Fn() -> DVec3 {
+    let row = |i: usize| {
+        let points = net.row(i).iter();
+        points.map(|point| nalgebra::Point4::new(point.x, point.y, point.z, point.w)).collect()
+    };
+    let surface = curvo::prelude::NurbsSurface3D::new(
+        3,
+        3,
+        clamped_knots(N_NET),
+        clamped_knots(N_NET),
+        (0..N_NET).map(row).collect(),
+    );
+    move || {
+        let mesh = surface.regular_tessellate(N_GRID - 1, N_GRID - 1);
+        let (points, normals) = (mesh.points(), mesh.normals());
+        let point = |i: usize| DVec3::new(points[i].x, points[i].y, points[i].z);
+        digest(point, |i| DVec3::new(normals[i].x, normals[i].y, normals[i].z))
+    }
+}
+
+fn truck_grid(net: &Grid<DVec4>) -> impl Fn() -> DVec3 {
+    use truck_geometry::prelude::{
+        BSplineSurface, KnotVec, NurbsSurface, ParametricSurface3D, Vector4,
+    };
+    let row = |i: usize| {
+        net.row(i).iter().map(|point| Vector4::new(point.x, point.y, point.z, point.w)).collect()
+    };
+    let knots = || KnotVec::from(clamped_knots(N_NET));
+    let surface: NurbsSurface<Vector4> =
+        NurbsSurface::new(BSplineSurface::new((knots(), knots()), (0..N_NET).map(row).collect()));
+    move || {
+        let ts = grid_parameters();
+        let mut points = Vec::with_capacity(N_GRID * N_GRID);
+        let mut normals = Vec::with_capacity(N_GRID * N_GRID);
+        for &u in &ts {
+            for &v in &ts {
+                points.push(surface.subs(u, v));
+                normals.push(surface.normal(u, v));
+            }
+        }
+        black_box(triangles());
+        let point = |i: usize| DVec3::new(points[i].x, points[i].y, points[i].z);
+        digest(point, |i| DVec3::new(normals[i].x, normals[i].y, normals[i].z))
+    }
+}
+
+/// Distinct knots with multiplicities, as geomcore wants them.
+fn distinct_knots(n: usize) -> (Vec<f64>, Vec<u32>) {
+    let knots: Vec<f64> = clamped_knots(n)[3..=n].to_vec();
+    let mut times = vec![1; knots.len()];
+    let last = times.len() - 1;
+    (times[0], times[last]) = (4, 4);
+    (knots, times)
+}
+
+fn geomcore_grid(net: &Grid<DVec4>) -> impl Fn() -> DVec3 {
+    use geomcore::{BSplineSurface, Point, prelude::ParametricSurface};
+    let point = |point: &DVec4| {
+        let place = point.truncate() / point.w;
+        Point::new(place.x, place.y, place.z)
+    };
+    let poles = (0..N_NET).map(|i| net.row(i).iter().map(point).collect()).collect();
+    let weights = (0..N_NET).map(|i| net.row(i).iter().map(|point| point.w).collect()).collect();
+    let ((u, times_u), (v, times_v)) = (distinct_knots(N_NET), distinct_knots(N_NET));
+    let surface =
+        BSplineSurface::new_rational(3, 3, poles, weights, u, times_u, v, times_v, false, false)
+            .expect("a net for its knots");
+    move || {
+        let ts = grid_parameters();
+        let mut points = Vec::with_capacity(N_GRID * N_GRID);
+        let mut normals = Vec::with_capacity(N_GRID * N_GRID);
+        for &u in &ts {
+            for &v in &ts {
+                let (point, [along_u, along_v]) = surface.eval_d1(u, v);
+                points.push(DVec3::new(point.x, point.y, point.z));
+                let vector = |v: geomcore::Vector| DVec3::new(v.x, v.y, v.z);
+                normals.push(vector(along_u).cross(vector(along_v)).normalize());
+            }
+        }
+        black_box(triangles());
+        digest(|i| points[i], |i| normals[i])
+    }
+}
+
+fn geomcore_curve<'a>(curve: &NurbsCurve, ts: &'a [f64]) -> impl Fn() -> DVec3 + 'a {
+    use geomcore::{BSplineCurve, Point, prelude::ParametricCurve};
+    let poles = curve.points().into_iter().map(|p| Point::new(p.x, p.y, p.z)).collect();
+    let (knots, times) = distinct_knots(N_CURVE);
+    let curve = BSplineCurve::new_rational(3, poles, curve.weights(), knots, times, false)
+        .expect("points for their knots");
+    move || {
+        ts.iter()
+            .map(|&t| curve.eval_point(t))
+            .fold(DVec3::ZERO, |sum, point| sum + DVec3::new(point.x, point.y, point.z))
+    }
+}
+
+fn curvo_curve<'a>(curve: &NurbsCurve, ts: &'a [f64]) -> impl Fn() -> DVec3 + 'a {
+    let points = curve.control_points().iter();
+    let points = points.map(|p| nalgebra::Point4::new(p.x, p.y, p.z, p.w)).collect();
+    let curve = curvo::prelude::NurbsCurve3D::try_new(3, points, clamped_knots(N_CURVE))
+        .expect("points for their knots");
+    move || {
+        ts.iter()
+            .map(|&t| curve.point_at(t))
+            .fold(DVec3::ZERO, |sum, point| sum + DVec3::new(point.x, point.y, point.z))
+    }
+}
+
+fn truck_curve<'a>(curve: &NurbsCurve, ts: &'a [f64]) -> impl Fn() -> DVec3 + 'a {
+    use truck_geometry::prelude::{BSplineCurve, KnotVec, NurbsCurve, ParametricCurve, Vector4};
+    let points = curve.control_points().iter();
+    let points = points.map(|p| Vector4::new(p.x, p.y, p.z, p.w)).collect();
+    let curve: NurbsCurve<Vector4> =
+        NurbsCurve::new(BSplineCurve::new(KnotVec::from(clamped_knots(N_CURVE)), points));
+    move || {
+        ts.iter()
+            .map(|&t| curve.subs(t))
+            .fold(DVec3::ZERO, |sum, point| sum + DVec3::new(point.x, point.y, point.z))
+    }
+}
