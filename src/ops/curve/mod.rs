@@ -4,6 +4,7 @@ mod bezier;
 mod bspline;
 mod circle;
 mod clamped;
+mod conic;
 mod line;
 mod nurbs;
 mod polyline;
@@ -14,8 +15,16 @@ use crate::{
     value::{At, Op},
 };
 
-pub(super) static OPS: &[&Op] =
-    &[&line::OP, &polyline::OP, &bezier::OP, &clamped::OP, &bspline::OP, &nurbs::OP, &circle::OP];
+pub(super) static OPS: &[&Op] = &[
+    &line::OP,
+    &polyline::OP,
+    &bezier::OP,
+    &clamped::OP,
+    &bspline::OP,
+    &nurbs::OP,
+    &circle::OP,
+    &conic::OP,
+];
 
 /// Knots of degree `degree` for so many points: those that are given, else uniform and clamped
 /// on 0..1.
