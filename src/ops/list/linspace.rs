@@ -1,9 +1,8 @@
 //! `linspace`: numbers at equal distances.
 
-use super::check_length;
+use super::spaced;
 use crate::{
     diag::Result,
-    ops::math::common_dim,
     value::{Ctx, Number, op},
 };
 
@@ -21,20 +20,5 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Number>> {
-    let Args { a, b, n } = args;
-    let dim = common_dim(&[a, b], ctx.span)?;
-    check_length(n as f64, ctx)?;
-    let number = |i: usize| {
-        // Both ends exactly.
-        let value = match i {
-            0 => a.value,
-            _ if i + 1 == n => b.value,
-            _ => {
-                let t = i as f64 / (n - 1) as f64;
-                a.value * (1.0 - t) + b.value * t
-            }
-        };
-        Number { value, dim }
-    };
-    Ok((0..n).map(number).collect())
+    spaced(args.a, args.b, args.n, ctx, |t| t)
 }

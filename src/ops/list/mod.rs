@@ -110,3 +110,28 @@ fn as_truth(value: &Value, span: Span) -> Result<bool> {
         }
     }
 }
+
+/// `n` numbers from `a` to `b`, both exactly; `place` tells where between them, from 0 to 1, the
+/// number at a fraction of the way through the list lies.
+fn spaced(
+    a: Number,
+    b: Number,
+    n: usize,
+    ctx: &Ctx<'_>,
+    place: fn(f64) -> f64,
+) -> Result<Vec<Number>> {
+    let dim = common_dim(&[a, b], ctx.span)?;
+    check_length(n as f64, ctx)?;
+    let number = |i: usize| {
+        let value = match i {
+            0 => a.value,
+            _ if i + 1 == n => b.value,
+            _ => {
+                let t = place(i as f64 / (n - 1) as f64);
+                a.value * (1.0 - t) + b.value * t
+            }
+        };
+        Number { value, dim }
+    };
+    Ok((0..n).map(number).collect())
+}

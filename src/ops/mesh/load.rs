@@ -37,7 +37,11 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
         let diagnostic = Diagnostic::error(
             Code::UnknownFormat,
             span,
-            format!("no data format has the ending `.{ending}`"),
+            if ending.is_empty() {
+                format!("`{path}` has no ending, which would choose the format")
+            } else {
+                format!("no data format has the ending `.{ending}`")
+            },
         )
         .hint(format!("formats that can be loaded are .{}", endings.join(", .")));
         return match nearest(ending, endings.iter().copied()) {
