@@ -121,7 +121,7 @@ fn explain(code: Option<&str>) -> Ending {
             let near = crate::diag::nearest(text, Code::ALL.iter().map(|code| code.id()));
             let near = near.map(|near| format!("; did you mean {near}?")).unwrap_or_default();
             say_error(&format!(
-                "virote: there is no code `{text}`{near} `virote explain` lists all"
+                "virote: there is no code `{text}`{near}; `virote explain` lists all"
             ));
             Ending::Usage
         }

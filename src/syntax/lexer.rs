@@ -1,6 +1,8 @@
 //! Text to tokens: logos finds them, this file adds what needs memory: the parts of interpolated
 //! strings, nested comments, the beginnings of lines, and habits from other languages.
 
+mod unseen;
+
 use logos::{FilterResult, Lexer, Logos};
 
 use super::lexed::{Comment, Lexed};
@@ -309,7 +311,10 @@ impl<'s> Scanner<'s> {
     /// Text that is nothing; neighbours are reported as one.
     fn stray(&mut self) {
         let span = self.span();
-        let message = |text: &str| format!("`{text}` means nothing here");
+        let message = |text: &str| match unseen::code(text) {
+            Some(code) => format!("the invisible character {code} means nothing here"),
+            None => format!("`{text}` means nothing here"),
+        };
         let glued = self.out.spans.last().is_some_and(|last| last.end == span.start);
         match self.out.diagnostics.last_mut() {
             Some(last)

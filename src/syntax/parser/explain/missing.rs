@@ -143,7 +143,7 @@ fn text(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
 fn value(place: &Place<'_, '_, '_>) -> Diagnostic {
     Diagnostic::error(Code::Syntax, place.script.gap(place.at), "the block has no value")
         .label("expected an expression after this")
-        .hint("a block holds definitions, then its value: `{ let a = 1  a + 1 }`")
+        .hint("a block holds definitions, then its value; before a value in brackets or with a sign, `;` ends them: `{ let a = 1; -a }`")
 }
 
 fn equals(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
