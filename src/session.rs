@@ -110,6 +110,22 @@ impl Session {
     }
 
     /// Interprets the script `bytes`, which messages call `name`.
+    ///
+    /// ```
+    /// use virote::{session::{Event, Session}, value::Files};
+    ///
+    /// #[derive(Debug)]
+    /// struct NoFiles;
+    /// impl Files for NoFiles {
+    ///     fn read(&self, path: &str, _: usize) -> Result<Vec<u8>, String> {
+    ///         Err(format!("there is no `{path}`"))
+    ///     }
+    /// }
+    ///
+    /// let report = Session::default().run("demo", b"print 2 * pi > 6", &NoFiles, &[]);
+    /// assert!(report.diagnostics.is_empty());
+    /// assert!(matches!(&report.events[0], Event::Printed(line) if line.value.to_string() == "true"));
+    /// ```
     #[must_use]
     pub fn run(&self, name: &str, bytes: &[u8], files: &dyn Files, settings: &[Setting]) -> Report {
         let mut sources = Sources::default();

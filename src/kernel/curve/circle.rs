@@ -43,6 +43,18 @@ impl NurbsCurve {
     /// `x_axis` needs not be normal to `normal`; its part that is counts. Piegl & Tiller, *The
     /// NURBS Book*, §7.5 and Example 7.10.
     ///
+    /// ```
+    /// use glam::DVec3;
+    /// use virote::kernel::{CircleForm, NurbsCurve};
+    ///
+    /// for form in CircleForm::ALL {
+    ///     let circle = NurbsCurve::circle(DVec3::ZERO, 2.0, DVec3::X, DVec3::Z, form)?;
+    ///     assert!((circle.point_at(0.3).length() - 2.0).abs() < 1e-14);
+    ///     assert!((circle.length(circle.domain()) - 4.0 * std::f64::consts::PI).abs() < 1e-12);
+    /// }
+    /// # Ok::<(), virote::kernel::GeomError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`GeomError::NotPositive`] for a radius, [`GeomError::ZeroAxis`], [`GeomError::NotFinite`].
     pub fn circle(

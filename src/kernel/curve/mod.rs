@@ -74,6 +74,16 @@ impl NurbsCurve {
 
     /// The Bézier curve of a control polygon, on 0..1; one point gives degree 0.
     ///
+    /// ```
+    /// use glam::DVec3;
+    /// use virote::kernel::NurbsCurve;
+    ///
+    /// let peak = [DVec3::ZERO, DVec3::new(1.0, 2.0, 0.0), DVec3::new(2.0, 0.0, 0.0)];
+    /// let parabola = NurbsCurve::bezier(&peak)?;
+    /// assert_eq!(parabola.point_at(0.5), DVec3::new(1.0, 1.0, 0.0));
+    /// # Ok::<(), virote::kernel::GeomError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`GeomError::TooFewPoints`] without points, [`GeomError::DegreeTooHigh`],
     /// [`GeomError::NotFinite`].

@@ -29,6 +29,18 @@ pub enum Side {
 ///
 /// Invariants: finite; knots that differ are further apart than [`KNOT_RELATIVE`] of the domain;
 /// none stands more than p + 1 times; the domain is not empty.
+///
+/// Its functions sum to one everywhere in the domain:
+///
+/// ```
+/// use virote::kernel::KnotVector;
+///
+/// let knots = KnotVector::new(2, vec![0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0])?;
+/// let mut basis = [0.0; 3];
+/// knots.basis_at(knots.span_at(0.3), 0.3, &mut basis);
+/// assert!((basis.iter().sum::<f64>() - 1.0).abs() < 1e-15);
+/// # Ok::<(), virote::kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct KnotVector {
     degree: usize,

@@ -31,6 +31,14 @@ use crate::limits::Limits;
 ///
 /// Never fails: where the text is broken, `Error` nodes stand in the tree. Linear in the length
 /// of the text; the stack it needs is bounded by `limits.nesting`.
+///
+/// ```
+/// use virote::{limits::Limits, syntax};
+///
+/// let (tree, found) = syntax::parse("let a = (1\nlet b = 2", &Limits::DEFAULT);
+/// assert_eq!(tree.statements.len(), 2);
+/// assert_eq!(found[0].message, "`(` is never closed");
+/// ```
 #[must_use]
 pub fn parse<'s>(source: &'s str, limits: &Limits) -> (Tree<'s>, Vec<Diagnostic>) {
     if source.len() > limits.source_bytes.min(u32::MAX as usize) {
