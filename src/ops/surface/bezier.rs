@@ -2,7 +2,7 @@
 
 use super::weight_grid;
 use crate::{
-    diag::{Result, Spanned},
+    diag::{Code, Diagnostic, Result, Spanned},
     kernel::{KnotVector, NurbsSurface},
     value::{At, Ctx, Rows, op},
 };
@@ -24,9 +24,16 @@ op! {
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let Rows(grid) = args.points.value;
     let span = args.points.span;
+    if grid.n_rows() < 2 || grid.n_columns() < 2 {
+        let (rows, columns) = (grid.n_rows(), grid.n_columns());
+        let message = format!("a surface needs 2 x 2 points or more, found {rows} x {columns}");
+        return Diagnostic::error(Code::TooFewPoints, span, message)
+            .hint("one row alone is a curve: `bezier(points)` of a list of points")
+            .fail();
+    }
     let Some(weights) = args.weights else { return NurbsSurface::bezier(&grid).at(span) };
     let net = weight_grid(weights.value, &grid, weights.span)?;
-    let knots_u = KnotVector::bezier(grid.n_rows().saturating_sub(1)).at(span)?;
-    let knots_v = KnotVector::bezier(grid.n_columns().saturating_sub(1)).at(span)?;
+    let knots_u = KnotVector::bezier(grid.n_rows() - 1).at(span)?;
+    let knots_v = KnotVector::bezier(grid.n_columns() - 1).at(span)?;
     NurbsSurface::rational(knots_u, knots_v, &grid, &net).at(weights.span)
 }

@@ -1,6 +1,6 @@
 //! `clamped` of a grid: the uniform clamped B-spline surface.
 
-use super::{Both, cubic};
+use super::{Both, cubic, in_direction};
 use crate::{
     diag::{Result, Spanned},
     kernel::{KnotVector, NurbsSurface},
@@ -28,7 +28,9 @@ fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         check_degree(Spanned::new(degree, args.degree.span), Spanned::new(n_points, span))?;
         KnotVector::uniform_clamped(degree, n_points, (n_points - degree) as f64).at(span)
     };
-    let knots_u = knots(args.degree.value.u, grid.n_rows())?;
-    let knots_v = knots(args.degree.value.v, grid.n_columns())?;
+    let knots_u = knots(args.degree.value.u, grid.n_rows())
+        .map_err(|found| in_direction(found, "u", "rows"))?;
+    let knots_v = knots(args.degree.value.v, grid.n_columns())
+        .map_err(|found| in_direction(found, "v", "points in a row"))?;
     NurbsSurface::polynomial(knots_u, knots_v, &grid).at(span)
 }
