@@ -63,3 +63,19 @@ fn a_binary_stl_has_a_record_for_each_triangle() {
     assert!((number(2) - 1.0).abs() < 1e-6 && number(0).abs() < 1e-6);
     assert!(!bytes.starts_with(b"solid"), "readers would take it for the text form");
 }
+
+#[test]
+fn lines_and_points_of_our_own_files_do_not_become_triangles() {
+    let scratch = Scratch::new("readback-mixed");
+    let out = scratch.file(
+        "out.geo",
+        "surface s = bilinear((0, 0), (0, 1), (1, 0), (1, 1))\ncurve c = polyline((0, 0), (1, 2), (3, 3), (4, 0))\npoint p = (9, 9)\nexport all to \"all.obj\"\n",
+    );
+    assert!(virote(&scratch.0).arg("run").arg(out).status().expect("it starts").success());
+    let back = scratch.file(
+        "back.geo",
+        "mesh m = load(\"all.obj\")\ncheck len(m.triangles) == 2\ncheck len(m.vertices) == 4\n",
+    );
+    let output = virote(&scratch.0).arg("run").arg(back).output().expect("it starts");
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+}

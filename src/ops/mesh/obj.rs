@@ -15,8 +15,9 @@ pub(super) fn read(bytes: &[u8], ctx: &Ctx<'_>) -> Result<Value, String> {
         ignore_lines: true,
         single_index: true,
     };
+    let faces = without_lines(bytes);
     // Materials are of no interest here.
-    let (models, _) = tobj::load_obj_buf(&mut &bytes[..], &options, |_| Ok(Default::default()))
+    let (models, _) = tobj::load_obj_buf(&mut &faces[..], &options, |_| Ok(Default::default()))
         .map_err(|err| match first_mistake(&String::from_utf8_lossy(bytes)) {
             Some((line, what)) => format!("line {line}: {what}"),
             None => err.to_string(),
@@ -49,6 +50,18 @@ pub(super) fn read(bytes: &[u8], ctx: &Ctx<'_>) -> Result<Value, String> {
         return Err("the file holds no triangles".to_owned());
     }
     Ok(merged.into_value())
+}
+
+/// The same text with its points and polylines emptied: the library takes a polyline of three
+/// vertices or more for a polygon, whatever its options say.
+fn without_lines(bytes: &[u8]) -> Vec<u8> {
+    let is_face = |line: &&[u8]| {
+        let line = line.trim_ascii_start();
+        !matches!(line, [b'l' | b'p', rest @ ..] if rest.first().is_none_or(u8::is_ascii_whitespace))
+    };
+    let lines = bytes.split(|&byte| byte == b'\n');
+    let kept: Vec<&[u8]> = lines.map(|line| if is_face(&line) { line } else { &[] }).collect();
+    kept.join(&b'\n')
 }
 
 /// The first line that cannot be read, which the library does not tell, and what is wrong with it.
