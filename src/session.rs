@@ -9,7 +9,7 @@ mod plan;
 
 use std::sync::Arc;
 
-use plan::{gather, options, other_formats, safe_path, unknown_format};
+use plan::{Misfit, gather, options, safe_path, unknown_format};
 
 use crate::{
     diag::{Code, Diagnostic, Severity, Sources, Span},
@@ -246,13 +246,10 @@ impl Session {
         };
         let mut items = Vec::new();
         for (name, value) in exported.subjects {
-            let found = gather(&name, &value.value, format, &mut items);
-            if let Err(found) = found {
+            if let Err(Misfit { found, hint }) = gather(&name, &value.value, format, &mut items) {
                 let message = format!("`.{}` takes {}, found {found}", format.ending, format.wants);
-                diagnostics.push(
-                    Diagnostic::error(Code::CannotExport, value.span, message)
-                        .hint(other_formats(&found)),
-                );
+                diagnostics
+                    .push(Diagnostic::error(Code::CannotExport, value.span, message).hint(hint));
             }
         }
         if items.is_empty() && diagnostics.len() == before {

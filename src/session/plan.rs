@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     diag::{Code, Diagnostic, Span, nearest},
     export::{FORMATS, Format, Item, Subject},
-    value::{Dim, Value, to_json},
+    value::{Dim, Function, Value, to_json},
 };
 
 /// The path in normal form, if it stays below the output folder.
@@ -49,14 +49,25 @@ pub(super) fn unknown_format(path: &str, span: Span) -> Diagnostic {
     }
 }
 
-/// Where a value of this sort can go.
-pub(super) fn other_formats(found: &str) -> &'static str {
-    if found.contains("table") {
-        "tables go into `.csv` and `.json`"
-    } else if found.contains("curve") || found.contains("point") {
-        "curves and points go into `.obj`, and everything into `.json`"
-    } else {
-        "geometry goes into `.obj` and `.stl`, tables into `.csv`, and everything into `.json`"
+/// What a format has no place for, and where it could go instead.
+pub(super) struct Misfit {
+    pub(super) found: String,
+    pub(super) hint: &'static str,
+}
+
+impl Misfit {
+    fn of(value: &Value) -> Self {
+        let hint = match value {
+            Value::Table(_) => "tables go into `.csv` and `.json`",
+            Value::Point(_) | Value::Curve(_) => {
+                "curves and points go into `.obj`, and everything into `.json`"
+            }
+            Value::Function(_) => "export what the function yields",
+            _ => {
+                "geometry goes into `.obj` and `.stl`, tables into `.csv`, and everything into `.json`"
+            }
+        };
+        Self { found: value.phrase(), hint }
     }
 }
 
@@ -66,12 +77,15 @@ pub(super) fn gather(
     value: &Value,
     format: &Format,
     items: &mut Vec<Item>,
-) -> Result<(), String> {
+) -> Result<(), Misfit> {
     let subject = match value {
         // Exact data holds everything but functions, which are no data.
         _ if format.takes_data => match function_in(value) {
             None => Subject::Data(to_json(value)),
-            Some(function) => return Err(format!("the function `{function}`")),
+            Some(function) => {
+                let found = format!("the function `{}`", function.signature());
+                return Err(Misfit { found, ..Misfit::of(&Value::Function(function.clone())) });
+            }
         },
         Value::List(elements) => {
             for (i, element) in elements.iter().enumerate() {
@@ -84,13 +98,14 @@ pub(super) fn gather(
         Value::Surface(surface) => Subject::Surface(Arc::clone(surface)),
         Value::Mesh(mesh) => Subject::Mesh(Arc::clone(mesh)),
         Value::Table(table) => Subject::Table(Arc::clone(table)),
-        other => return Err(other.phrase()),
+        other => return Err(Misfit::of(other)),
     };
     if !(format.takes)(&subject) {
-        return Err(value.phrase());
+        return Err(Misfit::of(value));
     }
     if matches!(subject, Subject::Table(_)) && !items.is_empty() {
-        return Err("a second table".to_owned());
+        let found = "a second table".to_owned();
+        return Err(Misfit { found, ..Misfit::of(value) });
     }
     items.push(Item { name: unused(name, items), subject });
     Ok(())
@@ -106,10 +121,10 @@ fn unused(name: &str, items: &[Item]) -> String {
     numbered.clone().find(|name| is_free(name)).unwrap_or_else(|| name.to_owned())
 }
 
-/// The signature of a function in a value.
-fn function_in(value: &Value) -> Option<String> {
+/// A function in a value.
+fn function_in(value: &Value) -> Option<&Function> {
     match value {
-        Value::Function(function) => Some(function.signature()),
+        Value::Function(function) => Some(function),
         Value::List(items) => items.iter().find_map(function_in),
         Value::Record(record) => record.iter().find_map(|(_, value)| function_in(value)),
         _ => None,
