@@ -8,7 +8,7 @@ use super::{
     Ending,
     args::Talk,
     files::{Beside, Script},
-    message::Voice,
+    look::look,
     say,
 };
 use crate::{
@@ -37,25 +37,16 @@ const SHAPES: &[(&str, &str)] = &[
 
 /// `virote graph FILE [--json]`
 pub(super) fn run(path: &Path, is_json: bool, talk: &Talk) -> Ending {
-    let session = Session::default();
-    let voice = Voice::new(talk, session.limits().diagnostics);
-    let script = match Script::read(path, session.limits().source_bytes) {
-        Ok(script) => script,
-        Err(message) => {
-            voice.trouble(&message);
-            return Ending::Usage;
-        }
+    let ask = |session: &Session, script: &Script, files: &Beside| {
+        session.graph(&script.name, &script.bytes, files)
     };
-    let files = Beside::new(&script.folder);
-    match session.graph(&script.name, &script.bytes, &files) {
-        Ok(graph) if is_json => say(&format!("{:#}\n", graph_json(&script.name, &graph))),
-        Ok(graph) => say(&dot(&script.name, &graph)),
-        Err(report) => {
-            voice.findings(&report.diagnostics, &report.sources);
-            return Ending::Wrong;
-        }
-    }
-    Ending::Well
+    look(path, talk, ask, |script, _, graph| {
+        say(&if is_json {
+            format!("{:#}\n", graph_json(&script.name, graph))
+        } else {
+            dot(&script.name, graph)
+        });
+    })
 }
 
 /// The graph for Graphviz: an arrow points from what uses to what is used, and inputs are left.

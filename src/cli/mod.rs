@@ -6,6 +6,7 @@ mod files;
 mod fmt;
 mod graph;
 mod limits;
+mod look;
 mod message;
 mod params;
 mod run;

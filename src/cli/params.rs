@@ -8,7 +8,7 @@ use super::{
     Ending,
     args::Talk,
     files::{Beside, Script},
-    message::Voice,
+    look::look,
     say,
 };
 use crate::{
@@ -19,28 +19,18 @@ use crate::{
 
 /// `virote params FILE [--json]`
 pub(super) fn run(path: &Path, is_json: bool, talk: &Talk) -> Ending {
-    let session = Session::default();
-    let voice = Voice::new(talk, session.limits().diagnostics);
-    let script = match Script::read(path, session.limits().source_bytes) {
-        Ok(script) => script,
-        Err(message) => {
-            voice.trouble(&message);
-            return Ending::Usage;
-        }
+    let ask = |session: &Session, script: &Script, files: &Beside| {
+        session.parameters(&script.name, &script.bytes, files)
     };
-    let files = Beside::new(&script.folder);
-    match session.parameters(&script.name, &script.bytes, &files) {
-        Ok(schema) if is_json => say(&format!("{:#}\n", schema_json(&script.name, &schema))),
-        Ok(schema) if schema.parameters.is_empty() => {
+    look(path, talk, ask, |script, voice, schema| {
+        if is_json {
+            say(&format!("{:#}\n", schema_json(&script.name, schema)));
+        } else if schema.parameters.is_empty() {
             voice.remark(&format!("`{}` has no parameters", script.name));
+        } else {
+            say(&table(schema));
         }
-        Ok(schema) => say(&table(&schema)),
-        Err(report) => {
-            voice.findings(&report.diagnostics, &report.sources);
-            return Ending::Wrong;
-        }
-    }
-    Ending::Well
+    })
 }
 
 /// A line for each parameter, its documentation below.
