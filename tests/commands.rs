@@ -11,6 +11,7 @@ use std::{
 
 use serde_json::{Value as Json, json};
 use support::{Scratch, files_below, folder, programs, told, transcript, virote};
+use virote::limits::Ceiling;
 
 /// Runs the command in the folder; standard output, standard error, exit code.
 fn run(scratch: &Scratch, args: &[&str]) -> (String, String, i32) {
@@ -397,6 +398,19 @@ fn every_ceiling_can_be_crossed_and_names_its_flag() {
         "4",
         "print grid_mesh(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), 9, 9)",
     );
+    check_crossed("value-size", "9", "let five = [1, 2, 3, 4]\nprint [five, five]");
+    check_crossed("text-bytes", "9", "let six = \"abcdef\"\nprint \"{six}{six}\"");
+}
+
+#[test]
+fn no_ceiling_is_without_a_test() {
+    let own = include_str!("commands.rs");
+    for ceiling in Ceiling::ALL.iter().filter(|ceiling| ceiling.name != "diagnostics") {
+        let is_crossed = own
+            .split("check_crossed(")
+            .any(|call| call.trim_start().starts_with(&format!("\"{}\"", ceiling.name)));
+        assert!(is_crossed, "`{}` is crossed by no script", ceiling.name);
+    }
 }
 
 #[test]

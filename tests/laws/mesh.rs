@@ -68,7 +68,7 @@ proptest! {
     }
 
     #[test]
-    fn a_grid_mesh_has_its_counts_and_faces_its_normals(s in surface(), n in 1..9usize, m in 1..9usize) {
+    fn a_grid_mesh_has_its_counts(s in surface(), n in 1..9usize, m in 1..9usize) {
         let mesh = grid_mesh(&s, n, m, MOST).unwrap();
         prop_assert!(mesh.n_vertices() == (n + 1) * (m + 1));
         prop_assert!(mesh.n_triangles() == 2 * n * m);
@@ -135,4 +135,32 @@ fn appended_meshes_lie_side_by_side() {
     let both = Mesh::merged(&[ball.clone(), other.clone()], 1 << 20).unwrap();
     assert_eq!(both.n_triangles(), ball.n_triangles() + other.n_triangles());
     assert!((both.volume() - ball.volume() - other.volume()).abs() < 1e-12);
+}
+
+/// Every triangle is counter-clockwise seen from the side of its corners' normals.
+#[track_caller]
+fn check_facing(mesh: &Mesh) {
+    assert!(!mesh.triangles().is_empty());
+    for (triangle, [a, b, c]) in mesh.triangles().iter().zip(mesh.corners()) {
+        let facing = (b - a).cross(c - a);
+        for &corner in triangle {
+            assert!(0.0 < facing.dot(mesh.normals()[corner as usize]), "triangle {triangle:?}");
+        }
+    }
+}
+
+#[test]
+fn triangles_face_their_normals() {
+    let ball = sphere(DVec3::ZERO, 1.0);
+    check_facing(&grid_mesh(&ball, 9, 7, MOST).unwrap());
+    check_facing(&tessellate(&ball, 1e-2, MOST).unwrap());
+}
+
+#[test]
+fn vertices_that_no_triangle_uses_are_left_out() {
+    let mesh = grid_mesh(&sphere(DVec3::ZERO, 1.0), 9, 7, MOST).unwrap();
+    let mut is_used = vec![false; mesh.n_vertices()];
+    mesh.triangles().iter().flatten().for_each(|&corner| is_used[corner as usize] = true);
+    assert!(is_used.into_iter().all(|is_used| is_used));
+    assert_eq!((mesh.normals().len(), mesh.uvs().len()), (mesh.n_vertices(), mesh.n_vertices()));
 }

@@ -1,0 +1,1 @@
+let width = {a: 1, b: 2, a: 3}

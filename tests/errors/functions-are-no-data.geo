@@ -1,0 +1,1 @@
+export {f: [x => x^2]} to "data.json"
