@@ -123,6 +123,15 @@ pub struct Diagnostic {
     pub hints: Vec<String>,
 }
 
+/// The message alone, for whoever knows no places.
+impl std::fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Diagnostic {}
+
 /// Result of whatever can fail at a place in a script.
 pub type Result<T> = std::result::Result<T, Box<Diagnostic>>;
 

@@ -93,13 +93,14 @@ impl Machine<'_> {
             Value::Curve(curve) => {
                 let [t] = self.parameters(callee, "c(t)", &call)?;
                 let inside = curve.domain().clamp_inside(t.value).at(t.span)?;
-                finite(Value::Point(curve.point_at(inside)), "c(t)", call.span)
+                finite(Value::Point(curve.point_at(inside).at(call.span)?), "c(t)", call.span)
             }
             Value::Surface(surface) => {
                 let [u, v] = self.parameters(callee, "s(u, v)", &call)?;
                 let inside_u = surface.domain_u().clamp_inside(u.value).at(u.span)?;
                 let inside_v = surface.domain_v().clamp_inside(v.value).at(v.span)?;
-                finite(Value::Point(surface.point_at(inside_u, inside_v)), "s(u, v)", call.span)
+                let point = surface.point_at(inside_u, inside_v).at(call.span)?;
+                finite(Value::Point(point), "s(u, v)", call.span)
             }
             other => {
                 let message = format!("{} cannot be called", other.phrase());
@@ -346,12 +347,12 @@ impl Machine<'_> {
             (Value::Surface(surface), [Some(u), None]) => {
                 let (u, span) = parameter(u, 0)?;
                 let u = surface.domain_u().clamp_inside(u).at(span)?;
-                Value::Curve(Arc::new(surface.isocurve_u(u)))
+                Value::Curve(surface.isocurve_u(u).at(span)?)
             }
             (Value::Surface(surface), [None, Some(v)]) => {
                 let (v, span) = parameter(v, 1)?;
                 let v = surface.domain_v().clamp_inside(v).at(span)?;
-                Value::Curve(Arc::new(surface.isocurve_v(v)))
+                Value::Curve(surface.isocurve_v(v).at(span)?)
             }
             _ => return Ok(None),
         }))

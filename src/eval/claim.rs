@@ -179,7 +179,8 @@ fn follow(value: &Value, path: &str) -> Value {
                 (Value::List(items), Ok(idx)) => items.get(idx).cloned(),
                 _ => None,
             },
-            None => crate::value::field(&value, step, crate::kernel::Tolerance::DEFAULT),
+            None => crate::value::field(&value, step, crate::kernel::Tolerance::DEFAULT)
+                .unwrap_or_default(),
         };
         match inner {
             Some(inner) => value = inner,

@@ -16,7 +16,7 @@ use crate::{
     kernel::Tolerance,
     limits::Limits,
     syntax::ast::Unit,
-    value::{Caller, Closure, Extent, Files, Function, List, Value, field, field_names},
+    value::{At, Caller, Closure, Extent, Files, Function, List, Value, field, field_names},
 };
 
 /// What evaluation may consult.
@@ -312,7 +312,7 @@ impl<'a> Machine<'a> {
 
     fn field(&mut self, subject: &Expr, name: &str, place: Span) -> Result<Value> {
         let value = self.eval(subject)?;
-        if let Some(found) = field(&value, name, self.env.tolerance) {
+        if let Some(found) = field(&value, name, self.env.tolerance).at(place)? {
             return Ok(found);
         }
         let names = field_names(&value);

@@ -18,7 +18,7 @@ use glam::DVec3;
 use thiserror::Error;
 
 use crate::{
-    kernel::{GeomError, Mesh, NurbsCurve, NurbsSurface, Table},
+    kernel::{Curve, GeomError, Mesh, Surface, Table},
     limits::Limits,
 };
 
@@ -28,9 +28,9 @@ pub enum Subject {
     /// A point.
     Point(DVec3),
     /// A curve.
-    Curve(Arc<NurbsCurve>),
+    Curve(Curve),
     /// A surface.
-    Surface(Arc<NurbsSurface>),
+    Surface(Surface),
     /// A mesh.
     Mesh(Arc<Mesh>),
     /// A table.

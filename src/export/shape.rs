@@ -28,8 +28,8 @@ pub(super) fn tolerance(job: &Job) -> f64 {
 fn bounds(item: &Item) -> Option<Bounds> {
     match &item.subject {
         Subject::Point(point) => Some(Bounds { min: *point, max: *point }),
-        Subject::Curve(curve) => Some(curve.bounds()),
-        Subject::Surface(surface) => Some(surface.bounds()),
+        Subject::Curve(curve) => curve.bounds().ok(),
+        Subject::Surface(surface) => surface.bounds().ok(),
         Subject::Mesh(mesh) => mesh.bounds(),
         Subject::Table(_) | Subject::Data(_) => None,
     }
@@ -42,9 +42,11 @@ pub(super) fn shape(item: &Item, tolerance: f64, job: &Job) -> Result<Option<Sha
     Ok(Some(match &item.subject {
         Subject::Point(point) => Shape::Point(*point),
         Subject::Curve(curve) => {
+            let curve = curve.nurbs().map_err(blame)?;
             Shape::Polyline(tessellate_curve(curve, tolerance, most).map_err(blame)?)
         }
         Subject::Surface(surface) => {
+            let surface = surface.nurbs().map_err(blame)?;
             Shape::Mesh(Arc::new(tessellate(surface, tolerance, most).map_err(blame)?))
         }
         Subject::Mesh(mesh) => Shape::Mesh(Arc::clone(mesh)),

@@ -1,5 +1,7 @@
 //! Why a piece of geometry cannot exist, or a question about it has no answer.
 
+use std::{error::Error as StdError, fmt, sync::Arc};
+
 use thiserror::Error;
 
 use super::Interval;
@@ -117,10 +119,64 @@ pub enum GeomError {
     /// A transformation that flattens space.
     #[error("the transformation flattens space: its determinant is zero")]
     SingularTransform,
+    /// A function that something is made of has no value.
+    #[error(transparent)]
+    Function(#[from] FunctionFailure),
+    /// A coordinate of a curve, or of a derivative of it, overflows.
+    #[error(
+        "at parameter {parameter} the {} is beyond the largest number, 1.8e308",
+        if *order == 0 { "point" } else { "derivative" }
+    )]
+    BeyondNumbers { order: usize, parameter: f64 },
+    /// A coordinate of a surface, or of a derivative of it, overflows.
+    #[error("at ({u}, {v}) a point or derivative is beyond the largest number, 1.8e308")]
+    BeyondNumbersAt { u: f64, v: f64 },
+    /// A question that only a NURBS has an answer to.
+    #[error("a parametric {what} is a function and no NURBS")]
+    NotNurbs { what: &'static str },
     /// Two columns of one name.
     #[error("column {name:?} stands twice")]
     DuplicateColumn { name: String },
     /// Columns of different length.
     #[error("column {name:?} has {got} rows, the first has {expected}")]
     ColumnLength { name: String, got: usize, expected: usize },
+}
+
+/// Why a function has no value, in the words of whoever made the function; the kernel looks not
+/// inside.
+#[derive(Clone, Debug)]
+pub struct FunctionFailure(Arc<dyn StdError + Send + Sync>);
+
+impl FunctionFailure {
+    /// The failure for this reason.
+    pub fn new(reason: impl StdError + Send + Sync + 'static) -> Self {
+        Self(Arc::new(reason))
+    }
+
+    /// The reason, if it is of this type; also through functions that are made of functions.
+    #[must_use]
+    pub fn reason<T: StdError + 'static>(&self) -> Option<&T> {
+        if let Some(reason) = self.0.downcast_ref() {
+            return Some(reason);
+        }
+        match self.0.downcast_ref()? {
+            GeomError::Function(inner) => inner.reason(),
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for FunctionFailure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl StdError for FunctionFailure {}
+
+/// Failures are equal when they are one in memory.
+impl PartialEq for FunctionFailure {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
 }

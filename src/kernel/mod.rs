@@ -1,4 +1,4 @@
-//! Exact NURBS geometry. Knows nothing of scripts, spans or files; equal input gives equal bits.
+//! Geometry: exact NURBS, and functions with exact derivatives. Knows nothing of scripts, spans or files; equal input gives equal bits.
 //!
 //! Reading order: [`tolerance`], then [`KnotVector`], [`NurbsCurve`], [`NurbsSurface`], [`Mesh`].
 
@@ -20,13 +20,13 @@ mod table;
 pub mod tolerance;
 
 pub use bounds::Bounds;
-pub use curve::{CircleForm, NurbsCurve, make_compatible};
-pub use error::GeomError;
+pub use curve::{CircleForm, Curve, CurveFunction, NurbsCurve, ParametricCurve, make_compatible};
+pub use error::{FunctionFailure, GeomError};
 pub use frame::Frame;
 pub use grid::Grid;
 pub use interval::Interval;
 pub use knots::{KnotVector, Side};
 pub use mesh::{Mesh, grid_mesh, tessellate, tessellate_curve};
-pub use surface::{GridSamples, NurbsSurface};
+pub use surface::{GridSamples, NurbsSurface, ParametricSurface, Surface, SurfaceFunction};
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::{
     diag::{Code, Diagnostic, Span, nearest},
     export::{FORMATS, Format, Item, Subject},
+    kernel::{Curve, Surface},
     value::{Dim, Function, Value, to_json},
 };
 
@@ -81,6 +82,12 @@ pub(super) fn gather(
     let subject = match value {
         // Exact data holds everything but functions, which are no data.
         _ if format.takes_data => match function_in(value) {
+            None if has_parametric(value) => {
+                return Err(Misfit {
+                    found: "a parametric curve or surface, which is a function".to_owned(),
+                    hint: "`to_nurbs(g, tolerance)` makes a NURBS of it",
+                });
+            }
             None => Subject::Data(to_json(value)),
             Some(function) => {
                 let found = format!("the function `{}`", function.signature());
@@ -94,8 +101,8 @@ pub(super) fn gather(
             return Ok(());
         }
         Value::Point(point) => Subject::Point(*point),
-        Value::Curve(curve) => Subject::Curve(Arc::clone(curve)),
-        Value::Surface(surface) => Subject::Surface(Arc::clone(surface)),
+        Value::Curve(curve) => Subject::Curve(curve.clone()),
+        Value::Surface(surface) => Subject::Surface(surface.clone()),
         Value::Mesh(mesh) => Subject::Mesh(Arc::clone(mesh)),
         Value::Table(table) => Subject::Table(Arc::clone(table)),
         other => return Err(Misfit::of(other)),
@@ -119,6 +126,16 @@ fn unused(name: &str, items: &[Item]) -> String {
     }
     let numbered = (2..=items.len() + 2).map(|i| format!("{name}-{i}"));
     numbered.clone().find(|name| is_free(name)).unwrap_or_else(|| name.to_owned())
+}
+
+/// Whether a curve or surface in a value is a function.
+fn has_parametric(value: &Value) -> bool {
+    match value {
+        Value::Curve(Curve::Parametric(_)) | Value::Surface(Surface::Parametric(_)) => true,
+        Value::List(items) => items.iter().any(has_parametric),
+        Value::Record(record) => record.iter().any(|(_, value)| has_parametric(value)),
+        _ => false,
+    }
 }
 
 /// A function in a value.

@@ -17,6 +17,9 @@ pub trait At<T> {
 impl<T> At<T> for std::result::Result<T, GeomError> {
     fn at(self, span: Span) -> Result<T> {
         self.map_err(|error| {
+            if let Some(reason) = inside(&error) {
+                return Box::new(asked_from(reason.clone(), span));
+            }
             let diagnostic = Diagnostic::error(code_of(&error), span, error.to_string());
             Box::new(match hint_of(&error) {
                 Some(hint) => diagnostic.hint(hint),
@@ -24,6 +27,21 @@ impl<T> At<T> for std::result::Result<T, GeomError> {
             })
         })
     }
+}
+
+/// What went wrong inside a function of the script that geometry is made of.
+fn inside(error: &GeomError) -> Option<&Diagnostic> {
+    match error {
+        GeomError::Function(failure) => failure.reason(),
+        _ => None,
+    }
+}
+
+/// The mistake in a function, and who asked the function.
+fn asked_from(reason: Diagnostic, span: Span) -> Diagnostic {
+    let is_told =
+        reason.primary.span == span || reason.others.iter().any(|other| other.span == span);
+    if is_told { reason } else { reason.also(span, "asked from here") }
 }
 
 /// The code under which an error of the kernel is reported.
@@ -51,8 +69,13 @@ pub fn code_of(error: &GeomError) -> Code {
         Error::ParameterOutside { .. }
         | Error::ParameterAtEnd { .. }
         | Error::EmptyInterval { .. } => Code::OutsideDomain,
-        Error::NotFinite { .. } => Code::Domain,
-        Error::DuplicateColumn { .. } | Error::ColumnLength { .. } => Code::WrongKind,
+        Error::NotFinite { .. } | Error::BeyondNumbers { .. } | Error::BeyondNumbersAt { .. } => {
+            Code::Domain
+        }
+        Error::Function(_) => inside(error).map_or(Code::Domain, |reason| reason.code),
+        Error::DuplicateColumn { .. } | Error::ColumnLength { .. } | Error::NotNurbs { .. } => {
+            Code::WrongKind
+        }
         _ => Code::Degenerate,
     }
 }
@@ -73,6 +96,9 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         }
         Error::VanishingTangent { .. } | Error::VanishingDerivative { .. } => {
             "the curve stands still there: are points repeated?".to_owned()
+        }
+        Error::NotNurbs { what } => {
+            format!("`to_nurbs({}, tolerance)` makes a NURBS of it", &what[..1])
         }
         _ => return None,
     })

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::{Dim, List, Number, Range, Record, Type, Value};
 use crate::{
     diag::{Code, Span, Spanned},
-    kernel::{Frame, Grid, Interval, Mesh, NurbsCurve, NurbsSurface, Table},
+    kernel::{Curve, Frame, Grid, Interval, Mesh, Surface, Table},
 };
 
 /// Why a value cannot be read as a type.
@@ -162,8 +162,8 @@ from_variant! {
     DVec3 = Point from Point(point) *point;
     Range = Range from Range(range) *range;
     Arc<Record> = Record from Record(record) Arc::clone(record);
-    Arc<NurbsCurve> = Curve from Curve(curve) Arc::clone(curve);
-    Arc<NurbsSurface> = Surface from Surface(surface) Arc::clone(surface);
+    Curve = Curve from Curve(curve) curve.clone();
+    Surface = Surface from Surface(surface) surface.clone();
     Arc<Mesh> = Mesh from Mesh(mesh) Arc::clone(mesh);
     Arc<Table> = Table from Table(table) Arc::clone(table);
     Arc<Frame> = Plane from Frame(frame) Arc::clone(frame);
@@ -265,28 +265,6 @@ impl FromValue for Callback {
         } else {
             Err(Mismatch::kind(Self::TYPE, value))
         }
-    }
-}
-
-/// A point, curve, surface, mesh or plane, or a list of such, however deep.
-#[derive(Clone, Debug)]
-pub struct Geometry(pub Value);
-
-impl FromValue for Geometry {
-    const TYPE: Type = Type::Geometry;
-
-    #[expect(clippy::only_used_in_recursion, reason = "the trait hands in the place")]
-    fn from_value(value: &Value, span: Span) -> Result<Self, Mismatch> {
-        match value {
-            Value::List(items) => {
-                for (idx, item) in items.iter().enumerate() {
-                    Self::from_value(item, span).map_err(|mismatch| mismatch.inside(idx))?;
-                }
-            }
-            _ if !Type::Geometry.accepts(value) => return Err(Mismatch::kind(Self::TYPE, value)),
-            _ => {}
-        }
-        Ok(Self(value.clone()))
     }
 }
 

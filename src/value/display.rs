@@ -5,6 +5,7 @@ use std::fmt;
 use glam::DVec3;
 
 use super::{Value, shortest};
+use crate::kernel::{Curve, Interval, Surface};
 
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -30,22 +31,8 @@ impl fmt::Display for Value {
                 f.write_str("}")
             }
             Self::Function(function) => f.write_str(&function.signature()),
-            Self::Curve(curve) => write!(
-                f,
-                "curve of degree {} with {} control points on {}..{}",
-                curve.degree(),
-                curve.control_points().len(),
-                shortest(curve.domain().start()),
-                shortest(curve.domain().end()),
-            ),
-            Self::Surface(surface) => write!(
-                f,
-                "surface of degree {} x {} with {} x {} control points",
-                surface.degree_u(),
-                surface.degree_v(),
-                surface.control_points().n_rows(),
-                surface.control_points().n_columns(),
-            ),
+            Self::Curve(curve) => write_curve(f, curve),
+            Self::Surface(surface) => write_surface(f, surface),
             Self::Mesh(mesh) => write!(
                 f,
                 "mesh of {} vertices and {} triangles",
@@ -66,6 +53,37 @@ impl fmt::Display for Value {
             ),
         }
     }
+}
+
+fn write_curve(f: &mut fmt::Formatter<'_>, curve: &Curve) -> fmt::Result {
+    let domain = domain_text(curve.domain());
+    match curve {
+        Curve::Parametric(_) => write!(f, "parametric curve on {domain}"),
+        Curve::Nurbs(curve) => {
+            let (degree, n_points) = (curve.degree(), curve.control_points().len());
+            write!(f, "curve of degree {degree} with {n_points} control points on {domain}")
+        }
+    }
+}
+
+fn write_surface(f: &mut fmt::Formatter<'_>, surface: &Surface) -> fmt::Result {
+    match surface {
+        Surface::Parametric(surface) => {
+            let domains = [surface.domain_u(), surface.domain_v()].map(domain_text);
+            write!(f, "parametric surface on {} x {}", domains[0], domains[1])
+        }
+        Surface::Nurbs(surface) => {
+            let net = surface.control_points();
+            let degrees = format!("{} x {}", surface.degree_u(), surface.degree_v());
+            let (n_rows, n_columns) = (net.n_rows(), net.n_columns());
+            write!(f, "surface of degree {degrees} with {n_rows} x {n_columns} control points")
+        }
+    }
+}
+
+/// `start..end`, each in the shortest form.
+fn domain_text(domain: Interval) -> String {
+    format!("{}..{}", shortest(domain.start()), shortest(domain.end()))
 }
 
 /// `(x, y, z)`, each in the shortest form.

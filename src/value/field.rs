@@ -5,7 +5,9 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::{Number, Range, Value};
-use crate::kernel::{Column, Grid, Interval, Table, Tolerance};
+use crate::kernel::{
+    Column, Curve, GeomError, Grid, Interval, NurbsCurve, NurbsSurface, Surface, Table, Tolerance,
+};
 
 const POINT: &[&str] = &["x", "y", "z"];
 const RANGE: &[&str] = &["start", "end"];
@@ -38,8 +40,20 @@ pub fn field_names(value: &Value) -> Vec<&str> {
 
 /// Field `name` of `value`; `None` where there is none. Whether a curve or surface counts as
 /// closed depends on the document's tolerance.
-#[must_use]
-pub fn field(value: &Value, name: &str, tolerance: Tolerance) -> Option<Value> {
+///
+/// # Errors
+/// Where a parametric curve or surface fails, or has no such field because it is no NURBS.
+pub fn field(value: &Value, name: &str, tolerance: Tolerance) -> Result<Option<Value>, GeomError> {
+    match value {
+        Value::Curve(curve) if CURVE.contains(&name) => curve_field(curve, name, tolerance),
+        Value::Surface(surface) if SURFACE.contains(&name) => {
+            surface_field(surface, name, tolerance)
+        }
+        _ => Ok(plain_field(value, name)),
+    }
+}
+
+fn plain_field(value: &Value, name: &str) -> Option<Value> {
     Some(match (value, name) {
         (Value::Point(point), "x") => Value::number(point.x),
         (Value::Point(point), "y") => Value::number(point.y),
@@ -47,8 +61,6 @@ pub fn field(value: &Value, name: &str, tolerance: Tolerance) -> Option<Value> {
         (Value::Range(range), "start") => Value::Number(range.start),
         (Value::Range(range), "end") => Value::Number(range.end),
         (Value::Record(record), _) => record.get(name)?.clone(),
-        (Value::Curve(curve), _) => return curve_field(curve, name, tolerance),
-        (Value::Surface(surface), _) => return surface_field(surface, name, tolerance),
         (Value::Mesh(mesh), _) => return mesh_field(mesh, name),
         (Value::Table(table), _) => column(table, name)?,
         (Value::Frame(frame), "origin") => Value::Point(frame.origin()),
@@ -60,19 +72,25 @@ pub fn field(value: &Value, name: &str, tolerance: Tolerance) -> Option<Value> {
 }
 
 fn curve_field(
-    curve: &crate::kernel::NurbsCurve,
+    curve: &Curve,
     name: &str,
     tolerance: Tolerance,
-) -> Option<Value> {
-    Some(match name {
+) -> Result<Option<Value>, GeomError> {
+    Ok(Some(match name {
         "domain" => domain(curve.domain()),
+        "start" => Value::Point(curve.start()),
+        "end" => Value::Point(curve.end()),
+        "closed" => Value::Bool(curve.is_closed(tolerance.distance)),
+        _ => return curve.nurbs().map(|curve| nurbs_curve_field(curve, name)),
+    }))
+}
+
+fn nurbs_curve_field(curve: &NurbsCurve, name: &str) -> Option<Value> {
+    Some(match name {
         "degree" => count(curve.degree()),
         "knots" => numbers(curve.knots().as_slice()),
         "weights" => numbers(&curve.weights()),
         "points" => points(&curve.points()),
-        "start" => Value::Point(curve.start()),
-        "end" => Value::Point(curve.end()),
-        "closed" => Value::Bool(curve.is_closed(tolerance.distance)),
         "rational" => Value::Bool(curve.is_rational()),
         "segments" => count(curve.n_segments()),
         _ => return None,
@@ -80,21 +98,27 @@ fn curve_field(
 }
 
 fn surface_field(
-    surface: &crate::kernel::NurbsSurface,
+    surface: &Surface,
     name: &str,
     tolerance: Tolerance,
-) -> Option<Value> {
-    Some(match name {
+) -> Result<Option<Value>, GeomError> {
+    Ok(Some(match name {
         "domain_u" => domain(surface.domain_u()),
         "domain_v" => domain(surface.domain_v()),
+        "closed_u" => Value::Bool(surface.is_closed_u(tolerance.distance)?),
+        "closed_v" => Value::Bool(surface.is_closed_v(tolerance.distance)?),
+        _ => return surface.nurbs().map(|surface| nurbs_surface_field(surface, name)),
+    }))
+}
+
+fn nurbs_surface_field(surface: &NurbsSurface, name: &str) -> Option<Value> {
+    Some(match name {
         "degree_u" => count(surface.degree_u()),
         "degree_v" => count(surface.degree_v()),
         "knots_u" => numbers(surface.knots_u().as_slice()),
         "knots_v" => numbers(surface.knots_v().as_slice()),
         "weights" => grid(&surface.weights(), |weight| Value::number(*weight)),
         "points" => grid(&surface.points(), |point| Value::Point(*point)),
-        "closed_u" => Value::Bool(surface.is_closed_u(tolerance.distance)),
-        "closed_v" => Value::Bool(surface.is_closed_v(tolerance.distance)),
         "rational" => Value::Bool(surface.is_rational()),
         "patches" => Value::list(surface.n_patches().map(count).to_vec()),
         _ => return None,

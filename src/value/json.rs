@@ -11,10 +11,11 @@ use serde_json::{Map, Value as Json, json};
 
 use super::{Dim, Number, Range, Record, Value};
 use crate::kernel::{
-    Column, Frame, Grid, KnotVector, Mesh, NamedColumn, NurbsCurve, NurbsSurface, Table,
+    Column, Curve, Frame, Grid, KnotVector, Mesh, NamedColumn, NurbsCurve, NurbsSurface, Surface,
+    Table,
 };
 
-/// The value as exact JSON; functions as their signature.
+/// The value as exact JSON; functions as their signature, what is made of functions as its kind.
 #[must_use]
 pub fn to_json(value: &Value) -> Json {
     match value {
@@ -36,13 +37,16 @@ pub fn to_json(value: &Value) -> Json {
         Value::Function(function) => {
             json!({ "virote": "function", "signature": function.signature() })
         }
-        Value::Curve(curve) => json!({
+        Value::Curve(Curve::Parametric(_)) | Value::Surface(Surface::Parametric(_)) => {
+            json!({ "virote": format!("parametric {}", value.kind()) })
+        }
+        Value::Curve(Curve::Nurbs(curve)) => json!({
             "virote": "curve",
             "degree": curve.degree(),
             "knots": curve.knots().as_slice(),
             "homogeneous": homogeneous(curve.control_points()),
         }),
-        Value::Surface(surface) => {
+        Value::Surface(Surface::Nurbs(surface)) => {
             let net = surface.control_points();
             let rows: Vec<Json> = (0..net.n_rows()).map(|i| homogeneous(net.row(i))).collect();
             json!({
@@ -206,8 +210,8 @@ impl<'j> Object<'j> {
                 end: self.number("end")?,
                 closed: self.read("closed", Json::as_bool)?,
             }),
-            "curve" => Value::Curve(Arc::new(self.curve()?)),
-            "surface" => Value::Surface(Arc::new(self.surface()?)),
+            "curve" => Value::Curve(self.curve()?.into()),
+            "surface" => Value::Surface(self.surface()?.into()),
             "mesh" => Value::Mesh(Arc::new(self.mesh()?)),
             "table" => Value::Table(Arc::new(self.table()?)),
             "plane" => Value::Frame(Arc::new(self.plane()?)),

@@ -19,6 +19,7 @@ mod op;
 mod range;
 mod record;
 mod registry;
+mod shape;
 mod ty;
 mod wrap;
 
@@ -26,12 +27,12 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::kernel::{Frame, Mesh, NurbsCurve, NurbsSurface, Table};
+use crate::kernel::{Curve, Frame, Mesh, Surface, Table};
 
 pub use bind::{Binder, Call, Formal, Mistakes, assign};
 pub use blame::{At, code_of, hint_of};
 pub use cast::{
-    Angle, AtLeast, Callback, Choice, FromValue, Geometry, Length, Maybe, Mismatch, Numbers, Rows,
+    Angle, AtLeast, Callback, Choice, FromValue, Length, Maybe, Mismatch, Numbers, Rows,
 };
 pub use compare::{Deviation, deviation, equal};
 pub use field::{field, field_names, table_row};
@@ -45,6 +46,7 @@ pub use op::{Caller, Ctx, Example, Family, Op, Param};
 pub use range::Range;
 pub use record::Record;
 pub use registry::{Constant, Registry, choose};
+pub use shape::Geometry;
 pub use ty::Type;
 pub use wrap::IntoValue;
 
@@ -70,9 +72,9 @@ pub enum Value {
     /// Something that can be called.
     Function(Function),
     /// A curve.
-    Curve(Arc<NurbsCurve>),
+    Curve(Curve),
     /// A surface.
-    Surface(Arc<NurbsSurface>),
+    Surface(Surface),
     /// A mesh.
     Mesh(Arc<Mesh>),
     /// A table.
@@ -148,6 +150,9 @@ impl Value {
             Self::List(items) => list_phrase(items),
             Self::Point(_) => "a point".to_owned(),
             Self::Range(range) => format!("the range {range}"),
+            Self::Curve(Curve::Parametric(_)) | Self::Surface(Surface::Parametric(_)) => {
+                format!("a parametric {}", self.kind())
+            }
             _ => format!("a {}", self.kind()),
         }
     }

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::{Angle, Choice, Dim, Geometry, Length, Number, Record, Type, Value};
 use crate::{
     diag::Spanned,
-    kernel::{Frame, Mesh, NurbsCurve, NurbsSurface, Table},
+    kernel::{Curve, Frame, Mesh, NurbsCurve, NurbsSurface, Surface, Table},
 };
 use std::sync::Arc;
 
@@ -53,8 +53,10 @@ into_variant! {
     String = Type::Text, |text| Value::text(&text);
     DVec3 = Type::Point, |point| Value::Point(point);
     Record = Type::Record, |record| Value::Record(Arc::new(record));
-    NurbsCurve = Type::Curve, |curve| Value::Curve(Arc::new(curve));
-    NurbsSurface = Type::Surface, |surface| Value::Surface(Arc::new(surface));
+    Curve = Type::Curve, |curve| Value::Curve(curve);
+    Surface = Type::Surface, |surface| Value::Surface(surface);
+    NurbsCurve = Type::Curve, |curve| Value::Curve(curve.into());
+    NurbsSurface = Type::Surface, |surface| Value::Surface(surface.into());
     Mesh = Type::Mesh, |mesh| Value::Mesh(Arc::new(mesh));
     Table = Type::Table, |table| Value::Table(Arc::new(table));
     Frame = Type::Plane, |frame| Value::Frame(Arc::new(frame));

@@ -9,6 +9,7 @@ mod curve;
 mod hostile;
 mod measure;
 mod mesh;
+mod parametric;
 mod some;
 mod surface;
 mod worked;

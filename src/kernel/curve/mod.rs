@@ -1,23 +1,28 @@
-//! Rational B-spline curves.
+//! Curves: rational B-splines, and functions.
 //!
-//! This file has the type, its constructors and what can be read off it; `eval` computes points
+//! `any` is a curve of either kind, `parametric` that of a function. Of B-splines this file has the
+//! type, its constructors and what can be read off it; `eval` computes points
 //! and derivatives, `direction` tangents and curvature, `circle` the exact circles, `edit` changes
 //! the representation or cuts, `compatible` brings several to one basis, `measure` has length and
 //! bounds.
 
+mod any;
 mod circle;
 mod compatible;
 mod direction;
 mod edit;
 mod eval;
 mod measure;
+mod parametric;
 
 use glam::{DAffine3, DVec3, DVec4};
 
 use super::{GeomError, Interval, KnotVector, homogeneous, positive};
 
+pub use any::Curve;
 pub use circle::CircleForm;
 pub use compatible::make_compatible;
+pub use parametric::{CurveFunction, ParametricCurve};
 
 /// A rational B-spline curve in space, with homogeneous points `(w·x, w·y, w·z, w)`.
 ///

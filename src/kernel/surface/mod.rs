@@ -1,18 +1,23 @@
-//! Rational B-spline surfaces.
+//! Surfaces: rational B-splines, and functions.
 //!
-//! This file has the type, its constructors and what can be read off it; `eval` computes points
+//! `any` is a surface of either kind, `parametric` that of a function. Of B-splines this file has
+//! the type, its constructors and what can be read off it; `eval` computes points
 //! and derivatives, `grid_eval` many of them at once, `normal` unit normals where they exist,
 //! `iso` the curves on it and its box, `ruled` surfaces between curves.
 
+mod any;
 mod eval;
 mod grid_eval;
 mod iso;
 mod normal;
+mod parametric;
 mod ruled;
 
 use glam::{DAffine3, DVec3, DVec4};
 
+pub use any::Surface;
 pub use grid_eval::GridSamples;
+pub use parametric::{ParametricSurface, SurfaceFunction};
 
 use super::{GeomError, Grid, Interval, KnotVector, homogeneous, positive};
 

@@ -32,7 +32,10 @@ impl NurbsSurface {
         if self.fold_area < normal.length() * width_u * width_v {
             return unit(normal).ok_or(GeomError::NoNormal { u, v });
         }
-        self.limit_normal(u, v).ok_or(GeomError::NoNormal { u, v })
+        let derivatives = |order| Ok(self.derivatives_at(u, v, order));
+        let places = [(self.domain_u(), u), (self.domain_v(), v)];
+        limit_normal(derivatives, [width_u, width_v], places, self.fold_area)?
+            .ok_or(GeomError::NoNormal { u, v })
     }
 
     /// A unit vector for shading: the normal, or the nearest there is.
@@ -40,9 +43,10 @@ impl NurbsSurface {
     /// Where there is no limit either, the normal a little further inside the domain; and (0, 0,
     /// 1) where the whole neighbourhood is folded.
     pub(super) fn shading_normal(&self, u: f64, v: f64) -> DVec3 {
-        let inside = |domain: Interval, t: f64| t + (domain.at(0.5) - t) * NORMAL_STEP;
+        let (inner_u, inner_v) =
+            (shading_place(self.domain_u(), u), shading_place(self.domain_v(), v));
         self.normal_at(u, v)
-            .or_else(|_| self.normal_at(inside(self.domain_u(), u), inside(self.domain_v(), v)))
+            .or_else(|_| self.normal_at(inner_u, inner_v))
             .or_else(|_| self.plain_normal(u, v))
             .unwrap_or(DVec3::Z)
     }
@@ -58,23 +62,35 @@ impl NurbsSurface {
         let width_v = self.knots_v.span_interval(self.knots_v.span_at(v)).length();
         [width_u, width_v]
     }
+}
 
-    fn limit_normal(&self, u: f64, v: f64) -> Option<DVec3> {
-        let widths = self.span_widths(u, v);
-        let normals = normal_series(&self.derivatives_at(u, v, MAX_ORDER), widths);
-        let sides = [inward(self.domain_u(), u), inward(self.domain_v(), v)];
-        let rounding = self.fold_area;
-        for order in 1..MAX_ORDER {
-            let terms: Vec<(usize, DVec3)> = (0..=order)
-                .map(|i| (i, normals.get(i, order - i)))
-                .filter(|(_, term)| rounding < term.length())
-                .collect();
-            if !terms.is_empty() {
-                return common_direction(&terms, order, sides);
-            }
+/// Where to look for a normal for shading at a place that has none: a little inside the domain.
+pub(super) fn shading_place(domain: Interval, t: f64) -> f64 {
+    t + (domain.at(0.5) - t) * NORMAL_STEP
+}
+
+/// The limit of the unit vector along Su × Sv at a place where the product vanishes.
+///
+/// `derivatives` answers up to an order; `widths` are the steps in u and v that the surface's size
+/// corresponds to; `rounding` is an area over these that is none.
+pub(super) fn limit_normal(
+    derivatives: impl FnOnce(usize) -> Result<Grid<DVec3>, GeomError>,
+    widths: [f64; 2],
+    places: [(Interval, f64); 2],
+    rounding: f64,
+) -> Result<Option<DVec3>, GeomError> {
+    let normals = normal_series(&derivatives(MAX_ORDER)?, widths);
+    let sides = places.map(|(domain, t)| inward(domain, t));
+    for order in 1..MAX_ORDER {
+        let terms: Vec<(usize, DVec3)> = (0..=order)
+            .map(|i| (i, normals.get(i, order - i)))
+            .filter(|(_, term)| rounding < term.length())
+            .collect();
+        if !terms.is_empty() {
+            return Ok(common_direction(&terms, order, sides));
         }
-        None
     }
+    Ok(None)
 }
 
 /// The area, of Su × Sv over one span each, that is rounding and no area.

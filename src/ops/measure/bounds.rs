@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use crate::{
-    diag::{Code, Diagnostic, Result},
-    kernel::Bounds,
-    value::{Ctx, Geometry, Record, Value, op},
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::{Bounds, GeomError},
+    value::{At, Ctx, Geometry, Record, Value, op},
 };
 
 op! {
@@ -14,13 +14,13 @@ op! {
     /// It touches curves and surfaces themselves, not only their control points.
     bounds in Measure -> Record {
         /// A point, curve, surface or mesh, or a list of them.
-        g: Geometry,
+        g: Spanned<Geometry>,
     }
     example "bounds(bezier((0, 0), (1, 2), (2, 0)))" => "{min: (0, 0, 0), max: (2, 1, 0)}";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
-    let Some(Bounds { min, max }) = bounds(&args.g.0) else {
+    let Some(Bounds { min, max }) = bounds(&args.g.value.0).at(args.g.span)? else {
         return Diagnostic::error(Code::Degenerate, ctx.span, "there is nothing that has a size")
             .hint("planes and empty lists have no bounds")
             .fail();
@@ -29,13 +29,19 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
 }
 
 /// The box around a value; `None` around nothing.
-fn bounds(value: &Value) -> Option<Bounds> {
-    match value {
+fn bounds(value: &Value) -> std::result::Result<Option<Bounds>, GeomError> {
+    Ok(match value {
         Value::Point(point) => Some(Bounds { min: *point, max: *point }),
-        Value::Curve(curve) => Some(curve.bounds()),
-        Value::Surface(surface) => Some(surface.bounds()),
+        Value::Curve(curve) => Some(curve.bounds()?),
+        Value::Surface(surface) => Some(surface.bounds()?),
         Value::Mesh(mesh) => mesh.bounds(),
-        Value::List(items) => items.iter().filter_map(bounds).reduce(Bounds::union),
+        Value::List(items) => {
+            let mut whole = None;
+            for item in items.iter() {
+                whole = [whole, bounds(item)?].into_iter().flatten().reduce(Bounds::union);
+            }
+            whole
+        }
         _ => None,
-    }
+    })
 }

@@ -49,6 +49,7 @@ fn gather(
 ) -> Result<()> {
     match value {
         Value::Surface(surface) => {
+            let surface = surface.nurbs().at(whole.span)?;
             meshes.push(
                 kernel::tessellate(surface, tolerance, ctx.limits.mesh_vertices).at(ctx.span)?,
             );
@@ -71,7 +72,7 @@ fn gather(
 fn size(value: &Value) -> Option<f64> {
     fn bounds(value: &Value) -> Option<Bounds> {
         match value {
-            Value::Surface(surface) => Some(surface.bounds()),
+            Value::Surface(surface) => surface.bounds().ok(),
             Value::Mesh(mesh) => mesh.bounds(),
             Value::List(items) => items.iter().filter_map(bounds).reduce(Bounds::union),
             _ => None,

@@ -21,19 +21,17 @@ fn transformed(geometry: &Value, map: &DAffine3, span: Span) -> Result<Value> {
         Value::Point(point) => Value::Point(map.transform_point3(*point)),
         Value::Curve(curve) => {
             let moved = curve.transformed(map);
-            let points = moved.control_points().iter();
-            in_range(points.map(|point| point.is_finite()), span)?;
-            Value::Curve(Arc::new(moved))
+            in_range(moved.is_finite(), span)?;
+            Value::Curve(moved)
         }
         Value::Surface(surface) => {
-            let moved = surface.transformed(map);
-            let points = moved.control_points().iter();
-            in_range(points.map(|point| point.is_finite()), span)?;
-            Value::Surface(Arc::new(moved))
+            let moved = surface.transformed(map).at(span)?;
+            in_range(moved.is_finite(), span)?;
+            Value::Surface(moved)
         }
         Value::Mesh(mesh) => {
             let moved = mesh.transformed(map);
-            in_range(moved.vertices().iter().map(|vertex| vertex.is_finite()), span)?;
+            in_range(moved.vertices().iter().all(|vertex| vertex.is_finite()), span)?;
             Value::Mesh(Arc::new(moved))
         }
         Value::Frame(frame) => Value::Frame(Arc::new(frame.transformed(map).at(span)?)),
@@ -46,8 +44,8 @@ fn transformed(geometry: &Value, map: &DAffine3, span: Span) -> Result<Value> {
 }
 
 /// Fails where a coordinate has left the numbers.
-fn in_range(mut are_finite: impl Iterator<Item = bool>, span: Span) -> Result<()> {
-    if are_finite.all(|is_finite| is_finite) {
+fn in_range(is_finite: bool, span: Span) -> Result<()> {
+    if is_finite {
         return Ok(());
     }
     let message = "coordinates would be beyond the largest number, 1.8e308";

@@ -1,21 +1,19 @@
 //! `at` of a curve: its point.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 
 use super::inside;
 use crate::{
     diag::{Result, Spanned},
-    kernel::NurbsCurve,
-    value::{Ctx, op},
+    kernel::Curve,
+    value::{At, Ctx, op},
 };
 
 op! {
     /// Point of a curve at a parameter; `c(t)` is the same.
     at in Measure -> DVec3 {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
         /// The parameter, inside the curve's domain.
         t: Spanned<f64>,
     }
@@ -23,5 +21,5 @@ op! {
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
-    Ok(args.c.point_at(inside(&args.c, args.t)?))
+    args.c.point_at(inside(&args.c, args.t)?).at(args.t.span)
 }

@@ -1,11 +1,9 @@
 //! `curvature` of a curve.
 
-use std::sync::Arc;
-
 use super::inside;
 use crate::{
     diag::{Result, Spanned},
-    kernel::NurbsCurve,
+    kernel::Curve,
     value::{At, Ctx, op},
 };
 
@@ -15,7 +13,7 @@ op! {
     /// |C' × C''| / |C'|³; where the first derivative vanishes there is none.
     curvature in Measure -> f64 {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
         /// The parameter, inside the curve's domain.
         t: Spanned<f64>,
     }

@@ -1,14 +1,12 @@
 //! `derivative` of a curve.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 
 use super::inside;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::NurbsCurve,
-    value::{Ctx, op},
+    kernel::Curve,
+    value::{At, Ctx, op},
 };
 
 op! {
@@ -18,7 +16,7 @@ op! {
     /// Piegl & Tiller, *The NURBS Book*, A3.2 and A4.2.
     derivative in Measure -> DVec3 {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
         /// The parameter, inside the curve's domain.
         t: Spanned<f64>,
         /// The order.
@@ -35,5 +33,5 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
         let message = format!("derivatives go up to order {most}, found {}", args.order.value);
         return Diagnostic::error(Code::TooLarge, args.order.span, message).fail();
     }
-    Ok(args.c.derivatives_at(t, args.order.value)[args.order.value])
+    Ok(args.c.derivatives_at(t, args.order.value).at(args.t.span)?[args.order.value])
 }

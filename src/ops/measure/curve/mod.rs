@@ -10,11 +10,11 @@ pub(super) mod tangent;
 
 use crate::{
     diag::{Result, Spanned},
-    kernel::NurbsCurve,
+    kernel::Curve,
     value::At,
 };
 
 /// A parameter of a curve, inside its domain.
-fn inside(curve: &NurbsCurve, t: Spanned<f64>) -> Result<f64> {
+fn inside(curve: &Curve, t: Spanned<f64>) -> Result<f64> {
     curve.domain().clamp_inside(t.value).at(t.span)
 }

@@ -1,13 +1,11 @@
 //! `normal` of a curve: the principal normal.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 
 use super::inside;
 use crate::{
     diag::{Result, Spanned},
-    kernel::NurbsCurve,
+    kernel::Curve,
     value::{At, Ctx, op},
 };
 
@@ -18,7 +16,7 @@ op! {
     /// of Curves and Surfaces*, §1-5.
     normal in Measure -> DVec3 {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
         /// The parameter, inside the curve's domain.
         t: Spanned<f64>,
     }

@@ -1,21 +1,19 @@
 //! `sample`: points of a curve.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::NurbsCurve,
+    kernel::Curve,
     ops::list::check_length,
-    value::{Ctx, op},
+    value::{At, Ctx, op},
 };
 
 op! {
     /// Points of a curve at equal steps of its parameter, both ends included.
     sample in Measure -> Vec<DVec3> {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
         /// How many points, two or more.
         n: Spanned<usize>,
     }
@@ -28,5 +26,5 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {
         return Diagnostic::error(Code::TooFewPoints, args.n.span, message).fail();
     }
     check_length(args.n.value as f64, ctx)?;
-    Ok(args.c.sample(args.n.value))
+    args.c.sample(args.n.value).at(ctx.span)
 }

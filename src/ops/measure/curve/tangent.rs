@@ -1,13 +1,11 @@
 //! `tangent` of a curve.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 
 use super::inside;
 use crate::{
     diag::{Result, Spanned},
-    kernel::{NurbsCurve, Side},
+    kernel::{Curve, Side},
     value::{At, Choice, Ctx, op},
 };
 
@@ -18,7 +16,7 @@ op! {
     /// corner the side decides.
     tangent in Measure -> DVec3 {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
         /// The parameter, inside the curve's domain.
         t: Spanned<f64>,
         /// The side of a corner: after it or before it.

@@ -1,21 +1,19 @@
 //! `at` of a surface: its point.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 
 use super::inside;
 use crate::{
     diag::{Result, Spanned},
-    kernel::NurbsSurface,
-    value::{Ctx, op},
+    kernel::Surface,
+    value::{At, Ctx, op},
 };
 
 op! {
     /// Point of a surface at its parameters; `s(u, v)` is the same.
     at in Measure -> DVec3 {
         /// The surface.
-        s: Arc<NurbsSurface>,
+        s: Surface,
         /// The first parameter, inside the surface's domain.
         u: Spanned<f64>,
         /// The second parameter.
@@ -24,7 +22,7 @@ op! {
     example "at(bilinear((0, 0), (0, 1), (1, 0), (1, 1, 1)), 0.5, 1)" => "(0.5, 1, 0.5)";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
     let (u, v) = inside(&args.s, args.u, args.v)?;
-    Ok(args.s.point_at(u, v))
+    args.s.point_at(u, v).at(ctx.span)
 }

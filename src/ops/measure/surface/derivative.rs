@@ -1,14 +1,12 @@
 //! `derivative` of a surface.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 
 use super::inside;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::NurbsSurface,
-    value::{Ctx, op},
+    kernel::Surface,
+    value::{At, Ctx, op},
 };
 
 op! {
@@ -17,7 +15,7 @@ op! {
     /// Piegl & Tiller, *The NURBS Book*, A3.6 and A4.4.
     derivative in Measure -> DVec3 {
         /// The surface.
-        s: Arc<NurbsSurface>,
+        s: Surface,
         /// The first parameter, inside the surface's domain.
         u: Spanned<f64>,
         /// The second parameter.
@@ -38,5 +36,5 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
         let message = format!("derivatives go up to order {most}, found {order}");
         return Diagnostic::error(Code::TooLarge, ctx.span, message).fail();
     }
-    Ok(args.s.derivatives_at(u, v, order).get(args.du, args.dv))
+    Ok(args.s.derivatives_at(u, v, order).at(ctx.span)?.get(args.du, args.dv))
 }

@@ -1,13 +1,11 @@
 //! `normal` of a surface.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 
 use super::inside;
 use crate::{
     diag::{Result, Spanned},
-    kernel::NurbsSurface,
+    kernel::Surface,
     value::{At, Ctx, op},
 };
 
@@ -17,7 +15,7 @@ op! {
     /// At a pole or a collapsed edge it is the limit, where that exists.
     normal in Measure -> DVec3 {
         /// The surface.
-        s: Arc<NurbsSurface>,
+        s: Surface,
         /// The first parameter, inside the surface's domain.
         u: Spanned<f64>,
         /// The second parameter.
