@@ -1,11 +1,11 @@
-//! The same spline on more knots, and at a higher degree.
+//! The same spline on more knots, in parts, and at a higher degree.
 //!
 //! Works on lines of homogeneous points, so that a curve is one line and a surface as many as it
-//! has rows or columns.
+//! has rows or columns. Every new point is a convex combination of old ones, at any degree.
 
 use glam::DVec4;
 
-use super::{GeomError, KnotVector, bezier};
+use super::{GeomError, KnotVector, bezier, tolerance::KNOT_RELATIVE};
 
 /// Lines of control points over one knot vector.
 #[derive(Clone, Debug)]
@@ -15,88 +15,182 @@ pub(in crate::kernel) struct Lines {
 }
 
 impl Lines {
-    /// The same splines with more knots; each of the new ones counts once.
+    /// The same splines with more knots; each of the new ones counts once. Knots within
+    /// [`KNOT_RELATIVE`] of the domain of one another are one knot.
     ///
-    /// Boehm's insertion, one knot after another; every new point is a convex combination of two.
-    /// Piegl & Tiller, *The NURBS Book*, (5.15).
+    /// Boehm's insertion from the last knot to the first, so that what lies behind is final: O(p)
+    /// a knot. Piegl & Tiller, *The NURBS Book*, A5.4.
     ///
     /// # Errors
     /// [`GeomError::ParameterOutside`] the domain; [`GeomError::KnotMultiplicity`] above p + 1.
-    pub(in crate::kernel) fn with_knots(mut self, new: &[f64]) -> Result<Self, GeomError> {
-        for &t in new {
-            let t = self.knots.snapped(self.knots.domain().clamp_inside(t)?);
-            self.insert(t)?;
+    pub(in crate::kernel) fn with_knots(self, new: &[f64]) -> Result<Self, GeomError> {
+        let new = self.one_of_each_cluster(new)?;
+        let degree = self.knots.degree();
+        let mut knots = self.knots.as_slice().to_vec();
+        let mut lines = self.lines;
+        let mut final_knots: Vec<f64> = Vec::new();
+        let mut final_points: Vec<Vec<DVec4>> = vec![Vec::new(); lines.len()];
+        for &t in new.iter().rev() {
+            let next = knots.partition_point(|&knot| knot <= t);
+            let times = next - knots.partition_point(|&knot| knot < t);
+            // Points from `first` to `last` are replaced by one more.
+            let (first, last) = (next - 1 - degree, next - 1 - times);
+            final_knots.extend(knots.drain(knots.len().min(next + degree)..).rev());
+            for (line, done) in lines.iter_mut().zip(&mut final_points) {
+                done.extend(line.drain(last + 1..).rev());
+                line.push(line[last]);
+                for i in (first + 1..=last).rev() {
+                    let fraction = (t - knots[i]) / (knots[i + degree] - knots[i]);
+                    line[i] = bezier::blend(line[i - 1], line[i], fraction);
+                }
+            }
+            knots.insert(next, t);
         }
-        Ok(self)
+        knots.extend(final_knots.iter().rev());
+        for (line, done) in lines.iter_mut().zip(&final_points) {
+            line.extend(done.iter().rev());
+        }
+        Ok(Self { knots: self.knots.part([&knots, &[], &[]]), lines })
     }
 
-    /// One knot more, which is in the domain.
+    /// New knots in order, those within rounding of another one equal to it.
     ///
     /// # Errors
-    /// [`GeomError::KnotMultiplicity`] above p + 1.
-    pub(in crate::kernel) fn insert(&mut self, t: f64) -> Result<(), GeomError> {
-        let degree = self.knots.degree();
-        let knots = self.knots.as_slice();
-        let next = knots.partition_point(|&knot| knot <= t);
-        let times = next - knots.partition_point(|&knot| knot < t);
-        if degree < times {
-            let (index, most) = (next - times, degree + 1);
-            return Err(GeomError::KnotMultiplicity { index, knot: t, times: times + 1, most });
-        }
-        // Points from `first` to `last` are replaced by one more.
-        let (first, last) = (next - 1 - degree, next - 1 - times);
-        for line in &mut self.lines {
-            line.insert(last, line[last]);
-            for i in (first + 1..=last).rev() {
-                let fraction = (t - knots[i]) / (knots[i + degree] - knots[i]);
-                line[i] = bezier::blend(line[i - 1], line[i], fraction);
+    /// Those of [`Self::with_knots`].
+    fn one_of_each_cluster(&self, new: &[f64]) -> Result<Vec<f64>, GeomError> {
+        let domain = self.knots.domain();
+        let snapped = |&t: &f64| Ok(self.knots.snapped(domain.clamp_inside(t)?));
+        let mut new: Vec<f64> = new.iter().map(snapped).collect::<Result<_, GeomError>>()?;
+        new.sort_by(f64::total_cmp);
+        let same = KNOT_RELATIVE * domain.length();
+        let is_old = |t: f64| 0 < self.knots.times(t);
+        for i in 1..new.len() {
+            if new[i] - new[i - 1] <= same && !is_old(new[i]) {
+                new[i] = new[i - 1];
             }
         }
-        self.knots = self.knots.with_knot(t);
-        Ok(())
+        let most = self.knots.degree() + 1;
+        for run in new.chunk_by(|a, b| a.total_cmp(b).is_eq()) {
+            let (knot, times) = (run[0], self.knots.times(run[0]) + run.len());
+            if most < times {
+                let index = self.knots.as_slice().partition_point(|&other| other < knot);
+                return Err(GeomError::KnotMultiplicity { index, knot, times, most });
+            }
+        }
+        Ok(new)
     }
 
-    /// The same splines at a higher degree, by one at a time.
+    /// What is left and right of a parameter of the domain, clamped there; at an end one of them
+    /// is of no use.
+    pub(in crate::kernel) fn cut_at(&self, t: f64) -> (Self, Self) {
+        let degree = self.knots.degree();
+        let missing = vec![t; degree.saturating_sub(self.knots.times(t))];
+        let Ok(lines) = self.clone().with_knots(&missing) else {
+            unreachable!("a knot that stands less than p times can stand once more")
+        };
+        let knots = lines.knots.as_slice();
+        let next = knots.partition_point(|&knot| knot <= t);
+        // A knot that stands p + 1 times is a break, with a point on each side of it.
+        let n_missing = (degree + 1).saturating_sub(lines.knots.times(t));
+        let own = vec![t; n_missing];
+        let left = lines.knots.part([&knots[..next], &own, &[]]);
+        let right = lines.knots.part([&own, &knots[next + n_missing - degree - 1..], &[]]);
+        let (n_left, n_right) = (left.n_points(), right.n_points());
+        let first = |line: &Vec<DVec4>| line[..n_left].to_vec();
+        let last = |line: &Vec<DVec4>| line[line.len() - n_right..].to_vec();
+        (
+            Self { knots: left, lines: lines.lines.iter().map(first).collect() },
+            Self { knots: right, lines: lines.lines.iter().map(last).collect() },
+        )
+    }
+
+    /// The same splines with knots that stand p + 1 times at both ends.
+    pub(in crate::kernel) fn clamped(&self) -> Self {
+        let domain = self.knots.domain();
+        self.cut_at(domain.start()).1.cut_at(domain.end()).0
+    }
+
+    /// The same splines at a higher degree, clamped unless it is the one they have.
     ///
     /// # Errors
     /// [`GeomError::DegreeTooLow`] below the degree there is, [`GeomError::DegreeTooHigh`].
-    pub(in crate::kernel) fn elevated(mut self, degree: usize) -> Result<Self, GeomError> {
+    pub(in crate::kernel) fn elevated(self, degree: usize) -> Result<Self, GeomError> {
         let from = self.knots.degree();
         if degree < from {
             return Err(GeomError::DegreeTooLow { from, to: degree });
         }
+        if degree == from {
+            return Ok(self);
+        }
+        let mut lines = self.clamped();
         for _ in from..degree {
-            let knots = self.knots.elevated()?;
-            let lines = self.lines.iter().map(|line| elevate_line(&self.knots, &knots, line));
-            self = Self { lines: lines.collect(), knots };
+            lines = lines.elevated_once()?;
         }
-        Ok(self)
+        Ok(lines)
     }
-}
 
-/// Control points of a spline on knots of one degree more.
-///
-/// Point i is the blossom of the raised polynomial at the knots i + 1 … i + p + 1, which is the
-/// mean of the old blossom over all ways to leave out one of them.
-/// Ramshaw, *Blossoms are polar forms*, §6.
-fn elevate_line(old: &KnotVector, new: &KnotVector, line: &[DVec4]) -> Vec<DVec4> {
-    let degree = new.degree();
-    let spans: Vec<usize> = new.spans().collect();
-    let blossom = |i: usize| {
-        // Any span in the support has the same blossom; the middle one rounds least.
-        let nearest = |&&span: &&usize| (2 * span).abs_diff(2 * i + degree);
-        let Some(&span) = spans.iter().min_by_key(nearest) else { return DVec4::ZERO };
-        let middle = new.span_interval(span).at(0.5);
-        let mut arguments = new.as_slice()[i + 1..=i + degree].to_vec();
-        // Far arguments first, where the corners that are cut lie far apart too.
-        arguments.sort_by(|a, b| (b - middle).abs().total_cmp(&(a - middle).abs()));
-        let mut sum = DVec4::ZERO;
-        for left_out in 0..degree {
-            let mut rest = arguments.clone();
-            rest.remove(left_out);
-            sum += bezier::blossom(old, line, old.span_at(middle), &rest);
+    /// [`Self::elevated`] by one, of clamped splines.
+    fn elevated_once(&self) -> Result<Self, GeomError> {
+        let knots = self.knots.elevated()?;
+        let mut elevated = Self { knots, lines: vec![Vec::new(); self.lines.len()] };
+        for piece in self.unbroken_pieces() {
+            for (line, points) in elevated.lines.iter_mut().zip(piece.elevated_points()?) {
+                line.extend(points);
+            }
         }
-        sum / degree as f64
-    };
-    (0..new.n_points()).map(blossom).collect()
+        Ok(elevated)
+    }
+
+    /// The parts between knots that stand p + 1 times.
+    fn unbroken_pieces(&self) -> Vec<Self> {
+        let degree = self.knots.degree();
+        let mut rest = self.clone();
+        let mut pieces = Vec::new();
+        for (t, times) in self.knots.distinct() {
+            let domain = rest.knots.domain();
+            if degree < times && domain.start() < t && t < domain.end() {
+                let (left, right) = rest.cut_at(t);
+                pieces.push(left);
+                rest = right;
+            }
+        }
+        pieces.push(rest);
+        pieces
+    }
+
+    /// Control points at one degree more, of clamped splines without breaks.
+    ///
+    /// The blossom of the raised polynomial at p + 1 arguments is the mean of the old blossom over
+    /// all ways to leave out one of them. With every (p + 1)-th of the new knots left out, the
+    /// others refine the old ones, and the old blossom at p neighbours among them is a control
+    /// point of the refined spline: all is convex.
+    /// Prautzsch, *Degree elevation of B-spline curves*, CAGD 1 (1984).
+    fn elevated_points(&self) -> Result<Vec<Vec<DVec4>>, GeomError> {
+        let knots = self.knots.elevated()?;
+        let (degree, n_points) = (knots.degree(), knots.n_points());
+        let domain = knots.domain();
+        let mut sums = vec![vec![DVec4::ZERO; n_points]; self.lines.len()];
+        for left_out in 0..degree {
+            // A knot of which no copy is left out stands once more than among the old ones.
+            let mut missing = Vec::new();
+            let mut index = 0;
+            for (t, times) in knots.distinct() {
+                let first_left_out = index + (left_out + degree - index % degree) % degree;
+                index += times;
+                if domain.start() < t && t < domain.end() && index <= first_left_out {
+                    missing.push(t);
+                }
+            }
+            let refined = self.clone().with_knots(&missing)?;
+            for (sum, line) in sums.iter_mut().zip(&refined.lines) {
+                let mut n_before = 0;
+                for (i, sum) in sum.iter_mut().enumerate() {
+                    n_before += usize::from(0 < i && i % degree != left_out);
+                    *sum += line[n_before];
+                }
+            }
+        }
+        let mean = |sums: Vec<DVec4>| sums.into_iter().map(|sum| sum / degree as f64).collect();
+        Ok(sums.into_iter().map(mean).collect())
+    }
 }

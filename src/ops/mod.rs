@@ -4,6 +4,7 @@
 
 mod constant;
 mod curve;
+mod edit;
 mod list;
 mod math;
 mod measure;
@@ -21,6 +22,7 @@ pub fn registry() -> Registry {
     [
         curve::OPS,
         surface::OPS,
+        edit::OPS,
         transform::OPS,
         measure::OPS,
         mesh::OPS,

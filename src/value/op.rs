@@ -61,6 +61,8 @@ pub enum Family {
     Curve,
     /// Surfaces.
     Surface,
+    /// Curves and surfaces made of others.
+    Edit,
     /// Transformations of anything geometric.
     Transform,
     /// Questions about geometry.
@@ -84,6 +86,7 @@ impl Family {
     pub const ALL: &'static [(Self, &'static str)] = &[
         (Self::Curve, "Curves"),
         (Self::Surface, "Surfaces"),
+        (Self::Edit, "Edits"),
         (Self::Transform, "Transformations"),
         (Self::Measure, "Questions about geometry"),
         (Self::Mesh, "Meshes and files"),

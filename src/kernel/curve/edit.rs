@@ -45,8 +45,8 @@ impl NurbsCurve {
         if t <= domain.start() || domain.end() <= t {
             return Err(GeomError::ParameterAtEnd { parameter: t, domain });
         }
-        let (left, right) = self.cut_at(t);
-        Ok([left, right])
+        let (left, right) = self.lines().cut_at(t);
+        Ok([left, right].map(Self::from_lines))
     }
 
     /// The part over an interval, with the parameters that it had, clamped at both ends.
@@ -61,14 +61,14 @@ impl NurbsCurve {
         if end - start <= KNOT_RELATIVE * domain.length() {
             return Err(GeomError::EmptyInterval { start, end });
         }
-        let (_, rest) = self.cut_at(start);
-        Ok(rest.cut_at(end).0)
+        let (_, rest) = self.lines().cut_at(start);
+        Ok(Self::from_lines(rest.cut_at(end).0))
     }
 
     /// The same curve with knots that stand p + 1 times at both ends.
     #[must_use]
     pub fn clamped(&self) -> Self {
-        self.cut_at(self.domain().start()).1.cut_at(self.domain().end()).0
+        Self::from_lines(self.lines().clamped())
     }
 
     /// The same points run through backwards, on the same domain.
@@ -82,30 +82,6 @@ impl NurbsCurve {
     #[must_use]
     pub fn reparametrized(&self, domain: Interval) -> Self {
         Self { knots: self.knots.on(domain), ..self.clone() }
-    }
-
-    /// What is left and right of a parameter of the domain; at an end one of them is of no use.
-    fn cut_at(&self, t: f64) -> (Self, Self) {
-        let degree = self.degree();
-        let mut lines = self.lines();
-        while lines.knots.times(t) < degree {
-            let Ok(()) = lines.insert(t) else {
-                unreachable!("a knot that stands less than p times can stand once more")
-            };
-        }
-        let knots = lines.knots.as_slice();
-        let next = knots.partition_point(|&knot| knot <= t);
-        // A knot that stands p + 1 times is a break, with a point on each side of it.
-        let n_missing = (degree + 1).saturating_sub(lines.knots.times(t));
-        let own = vec![t; n_missing];
-        let points = &lines.lines[0];
-        let left = lines.knots.part([&knots[..next], &own, &[]]);
-        let right = lines.knots.part([&own, &knots[next + n_missing - degree - 1..], &[]]);
-        let (n_left, n_right) = (left.n_points(), right.n_points());
-        (
-            Self::trusted(left, points[..n_left].to_vec()),
-            Self::trusted(right, points[points.len() - n_right..].to_vec()),
-        )
     }
 
     pub(super) fn lines(&self) -> Lines {

@@ -12,13 +12,6 @@ impl KnotVector {
         near(next).or_else(|| near(next.wrapping_sub(1))).unwrap_or(t)
     }
 
-    /// One knot more, at its place in the order.
-    pub(in crate::kernel) fn with_knot(&self, t: f64) -> Self {
-        let mut knots = self.knots.clone();
-        knots.insert(self.knots.partition_point(|&knot| knot <= t), t);
-        Self::trusted(self.degree, knots)
-    }
-
     /// Every knot replaced by `f(knot)`, which must not decrease.
     pub(in crate::kernel) fn map(&self, f: impl Fn(f64) -> f64) -> Self {
         Self::trusted(self.degree, self.knots.iter().map(|&knot| f(knot)).collect())

@@ -1,0 +1,27 @@
+//! `decompose` of a curve: its Bézier pieces.
+
+use std::sync::Arc;
+
+use crate::{
+    diag::Result,
+    kernel::NurbsCurve,
+    ops::list::check_length,
+    value::{Ctx, op},
+};
+
+op! {
+    /// Bézier curves that a curve consists of, each on its own part of the domain.
+    ///
+    /// Exact. `join` makes the same curve of them. Piegl & Tiller, *The NURBS Book*, A5.6.
+    decompose | to_bezier in Edit -> Vec<NurbsCurve> {
+        /// The curve.
+        c: Arc<NurbsCurve>,
+    }
+    example "len(decompose(circle((0, 0), 1)))" => "4";
+    example "decompose(clamped((1, 1), (3, 1), (5, 7), (7, 1), (9, 4)))[0].points" => "[(1, 1, 0), (3, 1, 0), (4, 4, 0), (5, 4, 0)]";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {
+    check_length((args.c.n_segments() * (args.c.degree() + 1)) as f64, ctx)?;
+    Ok(args.c.decompose())
+}

@@ -1,0 +1,38 @@
+//! `insert_knot` of a curve.
+
+use std::sync::Arc;
+
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::NurbsCurve,
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// The same curve with one knot more, or with the same knot several times more.
+    ///
+    /// Exact: each time one control point more, and the control polygon nearer to the curve. A knot
+    /// that stands as often as the degree is a control point on the curve; once more is the most.
+    /// Piegl & Tiller, *The NURBS Book*, A5.1.
+    insert_knot in Edit -> NurbsCurve {
+        /// The curve.
+        c: Arc<NurbsCurve>,
+        /// The knot, inside the curve's domain.
+        t: Spanned<f64>,
+        /// How many times.
+        times: Spanned<usize> = Spanned::unplaced(1),
+    }
+    example "insert_knot(bezier((0, 0), (2, 4), (4, 0)), 0.5).points" => "[(0, 0, 0), (1, 2, 0), (3, 2, 0), (4, 0, 0)]";
+    example "insert_knot(bezier((0, 0), (2, 4), (4, 0)), 0.5, times = 2).knots" => "[0, 0, 0, 0.5, 0.5, 1, 1, 1]";
+}
+
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+    let Args { c, t, times } = args;
+    if times.value == 0 {
+        let message = "a knot is inserted once or more often, found 0 times";
+        return Diagnostic::error(Code::BadKnots, times.span, message).fail();
+    }
+    // One time more than can be makes the message, without a list of any length.
+    let knots = vec![t.value; times.value.min(c.degree() + 2)];
+    c.insert_knots(&knots).at(t.span)
+}

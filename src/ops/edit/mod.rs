@@ -1,0 +1,16 @@
+//! Operations that make new curves and surfaces of given ones.
+
+mod curve;
+
+use crate::value::Op;
+
+pub(super) static OPS: &[&Op] = &[
+    &curve::reversed::OP,
+    &curve::reparametrize::OP,
+    &curve::trim::OP,
+    &curve::split::OP,
+    &curve::elevate::OP,
+    &curve::insert_knot::OP,
+    &curve::refine::OP,
+    &curve::decompose::OP,
+];
