@@ -6,14 +6,16 @@
 mod ceiling;
 mod inspect;
 mod plan;
+mod test;
 
 use std::sync::Arc;
 
 use plan::{Misfit, gather, options, safe_path, unknown_format};
+pub use test::{Tested, Verdict};
 
 use crate::{
     diag::{Code, Diagnostic, Severity, Sources, Span},
-    eval::{self, Exported, Output, Setting},
+    eval::{self, Exported, Output, Purpose, Setting},
     export::{Format, Job},
     limits::Limits,
     ops,
@@ -53,6 +55,8 @@ pub enum Event {
     Checked(eval::Checked),
     /// A file to be written.
     File(File),
+    /// An error that a test expects, and what happened.
+    Expected(eval::Expected),
 }
 
 /// What became of a script.
@@ -64,6 +68,8 @@ pub struct Report {
     pub diagnostics: Vec<Diagnostic>,
     /// What the script says and does.
     pub events: Vec<Event>,
+    /// What its tests came to, as far as they were run.
+    pub tests: Vec<Tested>,
     /// Its definitions.
     pub definitions: Vec<eval::Defined>,
     /// Settings that no parameter takes, each a sentence.
@@ -128,6 +134,17 @@ impl Session {
     /// ```
     #[must_use]
     pub fn run(&self, name: &str, bytes: &[u8], files: &dyn Files, settings: &[Setting]) -> Report {
+        self.interpret(name, bytes, files, settings, Purpose::Run)
+    }
+
+    fn interpret(
+        &self,
+        name: &str,
+        bytes: &[u8],
+        files: &dyn Files,
+        settings: &[Setting],
+        purpose: Purpose<'_>,
+    ) -> Report {
         let mut sources = Sources::default();
         let text = match self.read(bytes) {
             Ok(text) => text,
@@ -142,15 +159,21 @@ impl Session {
             files,
             overrides: settings,
             n_threads: self.n_threads,
+            purpose,
         };
-        let mut outcome = eval::evaluate(name, text, &mut sources, settings);
-        let events = self.events(&mut outcome);
-        eval::in_order(&mut outcome.diagnostics);
+        let outcome = eval::evaluate(name, text, &mut sources, settings);
+        let mut diagnostics = outcome.diagnostics;
+        let events = self.events(outcome.outputs, outcome.unit, &mut diagnostics);
+        let tested =
+            outcome.tests.into_iter().map(|test| self.tested(test, outcome.unit, &mut diagnostics));
+        let tests = tested.collect();
+        eval::in_order(&mut diagnostics);
         Report {
             events,
+            tests,
             definitions: outcome.definitions,
             unknown_settings: outcome.unknown_settings,
-            ..self.findings(sources, outcome.diagnostics)
+            ..self.findings(sources, diagnostics)
         }
     }
 
@@ -161,6 +184,7 @@ impl Session {
             sources,
             diagnostics,
             events: Vec::new(),
+            tests: Vec::new(),
             definitions: Vec::new(),
             unknown_settings: Vec::new(),
         }
@@ -192,18 +216,25 @@ impl Session {
         })
     }
 
-    fn events(&self, outcome: &mut eval::Outcome) -> Vec<Event> {
+    /// Outputs as events, with the files that they make; what is wrong with these goes to
+    /// `diagnostics`.
+    fn events(
+        &self,
+        outputs: Vec<Output>,
+        unit: Unit,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) -> Vec<Event> {
         let mut events = Vec::new();
         let mut written: Vec<(String, Span)> = Vec::new();
-        for output in std::mem::take(&mut outcome.outputs) {
+        for output in outputs {
             match output {
                 Output::Printed(printed) => events.push(Event::Printed(printed)),
                 Output::Checked(checked) => events.push(Event::Checked(checked)),
+                Output::Expected(expected) => events.push(Event::Expected(expected)),
                 Output::Exported(exported) => {
-                    let file = self.plan(exported, outcome.unit, &mut outcome.diagnostics);
-                    let Some(file) = file else { continue };
+                    let Some(file) = self.plan(exported, unit, diagnostics) else { continue };
                     match written.iter().find(|(path, _)| path.eq_ignore_ascii_case(&file.path)) {
-                        Some(&(_, first)) => outcome.diagnostics.push(
+                        Some(&(_, first)) => diagnostics.push(
                             Diagnostic::error(
                                 Code::DuplicateExport,
                                 file.span,

@@ -313,7 +313,7 @@ fn help_has_examples_and_exit_codes() {
         out.contains("Examples:") && out.contains("virote run") && out.contains("Exit codes:"),
         "{out}"
     );
-    for verb in ["run", "check", "params", "graph", "fmt", "doc", "explain"] {
+    for verb in ["run", "check", "test", "params", "graph", "fmt", "doc", "explain"] {
         let (out, ..) = run(&scratch, &[verb, "--help"]);
         let has_example =
             ["Example: virote", "Examples:\n  virote"].iter().any(|s| out.contains(s));

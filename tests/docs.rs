@@ -1,4 +1,5 @@
-//! The scripts in the documents: each `geo` block runs, each `geo-error` block does not.
+//! The scripts in the documents: each `geo` block runs and passes its tests, each `geo-error` block
+//! does not.
 
 mod support;
 
@@ -32,16 +33,16 @@ fn blocks(text: &str, language: &str) -> Vec<(usize, String)> {
     found
 }
 
-/// Runs every block of a language; `fits` judges the exit code.
+/// Gives every block of a language to a verb; `fits` judges the exit code.
 #[track_caller]
-fn check(language: &str, fits: impl Fn(i32) -> bool) {
+fn check(verb: &str, language: &str, fits: impl Fn(i32) -> bool) {
     let mut n_blocks = 0;
     for document in DOCUMENTS {
         let text = fs::read_to_string(folder(document)).expect("the document is there");
         for (line, body) in blocks(&text, language) {
-            let scratch = Scratch::new(&format!("docs-{language}"));
+            let scratch = Scratch::new(&format!("docs-{verb}-{language}"));
             let script = scratch.file("block.geo", body);
-            let output = virote(&scratch.0).arg("run").arg(script).output().expect("it starts");
+            let output = virote(&scratch.0).arg(verb).arg(script).output().expect("it starts");
             let code = output.status.code().unwrap_or(-1);
             let said = String::from_utf8_lossy(&output.stderr);
             assert!(fits(code), "{document}:{line}: exit code {code}\n{said}");
@@ -53,10 +54,15 @@ fn check(language: &str, fits: impl Fn(i32) -> bool) {
 
 #[test]
 fn scripts_in_the_documents_run() {
-    check("geo", |code| code == 0);
+    check("run", "geo", |code| code == 0);
+}
+
+#[test]
+fn tests_in_the_documents_pass() {
+    check("test", "geo", |code| code == 0);
 }
 
 #[test]
 fn mistakes_in_the_documents_are_mistakes() {
-    check("geo-error", |code| code == 1 || code == 2);
+    check("run", "geo-error", |code| code == 1 || code == 2);
 }

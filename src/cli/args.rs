@@ -27,6 +27,7 @@ Examples:
   virote run bottle.geo --set neck=15mm        the same with another parameter
   virote run bottle.geo --out build --dry-run  tell what would be written to build/
   virote check *.geo                           everything but the files
+  virote test                                  the tests and checks of all scripts below
   virote params bottle.geo                     its parameters
   virote graph bottle.geo                      what depends on what, for Graphviz
   virote fmt bottle.geo                        rewrite it in canonical form
@@ -34,7 +35,7 @@ Examples:
   virote explain E0602                         what a message means
   echo 'print 1 + 1' | virote run -            a script from standard input
 
-Exit codes: 0 all well; 1 a check failed; 2 an error in the script; 3 usage, files.";
+Exit codes: 0 all well; 1 a check or test failed; 2 an error in the script; 3 usage, files.";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Verb {
@@ -67,6 +68,26 @@ Examples:
         /// The scripts; `-` is standard input
         #[arg(required = true)]
         files: Vec<PathBuf>,
+        #[command(flatten)]
+        common: Common,
+    },
+    /// Runs the tests and checks of scripts
+    ///
+    /// `test "name" { ... }` in a script holds definitions, checks, prints and expected errors that
+    /// nothing but this verb evaluates. A test that fails stops no other. No file is written.
+    #[command(after_help = "\
+Examples:
+  virote test                               every *.geo here and in the folders below
+  virote test bottle.geo parts/
+  virote test --filter neck                 the tests whose names contain \"neck\", no checks
+  virote test --message-format json")]
+    Test {
+        /// Scripts, or folders with scripts at any depth; `-` is standard input [default: .]
+        #[arg(value_name = "PATH")]
+        paths: Vec<PathBuf>,
+        /// Runs only the tests whose names contain this, and not the checks outside of them
+        #[arg(long, value_name = "SUBSTRING")]
+        filter: Option<String>,
         #[command(flatten)]
         common: Common,
     },

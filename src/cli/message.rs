@@ -11,9 +11,10 @@ use super::{
 };
 use crate::{
     diag::{Diagnostic, Severity, Sources},
-    eval::{Checked, Printed},
+    eval::{Checked, Expected, Printed},
     export::Summary,
     render,
+    session::{Tested, Verdict},
     value::to_json,
 };
 
@@ -74,21 +75,24 @@ impl Voice {
         }
     }
 
-    pub(super) fn printed(&self, printed: &Printed) {
+    /// A printed line; `test` is the test that prints it.
+    pub(super) fn printed(&self, printed: &Printed, test: Option<&str>) {
         if self.is_json {
-            let line = json!({
+            let mut line = json!({
                 "type": "print",
                 "source": printed.source,
                 "text": printed.value.to_string(),
                 "value": to_json(&printed.value),
             });
+            name_test(&mut line, test);
             say(&format!("{line}\n"));
         } else {
             say(&format!("{} = {}\n", printed.source, printed.value));
         }
     }
 
-    pub(super) fn checked(&self, checked: &Checked, sources: &Sources) {
+    /// A judged claim; `test` is the test that makes it.
+    pub(super) fn checked(&self, checked: &Checked, sources: &Sources, test: Option<&str>) {
         if !self.is_json {
             return;
         }
@@ -100,7 +104,7 @@ impl Voice {
             .iter()
             .map(|side| json!({ "path": side.path, "value": side.value }))
             .collect();
-        let line = json!({
+        let mut line = json!({
             "type": "check",
             "holds": checked.verdict.holds,
             "claim": checked.source,
@@ -111,6 +115,7 @@ impl Voice {
             "apart": checked.verdict.apart,
             "limit": checked.verdict.limit,
         });
+        name_test(&mut line, test);
         say(&format!("{line}\n"));
     }
 
@@ -138,6 +143,65 @@ impl Voice {
         }
     }
 
+    /// An error that a test expects, and what happened.
+    pub(super) fn expected(&self, expected: &Expected, sources: &Sources, test: &str) {
+        if !self.is_json {
+            return;
+        }
+        let source = sources.at(expected.span);
+        let (value, code, message) = match &expected.found {
+            Ok(value) => (Some(value), None, None),
+            Err(found) => (None, Some(found.code.id()), Some(&found.message)),
+        };
+        let line = json!({
+            "type": "expect",
+            "holds": expected.holds(),
+            "subject": expected.source,
+            "expected": expected.code.id(),
+            "found": { "code": code, "message": message, "value": value },
+            "file": source.map(|source| source.name.as_str()),
+            "line": source.map(|source| source.line_column(expected.span.start).0),
+            "test": test,
+        });
+        say(&format!("{line}\n"));
+    }
+
+    /// How a test came out.
+    pub(super) fn tested(&self, tested: &Tested, sources: &Sources) {
+        let Some(source) = sources.at(tested.span) else { return };
+        let line = source.line_column(tested.span.start).0;
+        if self.is_json {
+            let line = json!({
+                "type": "test",
+                "name": tested.name,
+                "result": tested.verdict.word(),
+                "file": source.name,
+                "line": line,
+            });
+            say(&format!("{line}\n"));
+        } else {
+            self.result(tested.verdict, &format!("{}:{line}  {}", source.name, tested.name));
+        }
+    }
+
+    /// A line for people that begins with how something came out.
+    pub(super) fn result(&self, verdict: Verdict, text: &str) {
+        let is_heard = !self.is_quiet || verdict != Verdict::Passed;
+        if is_heard && !self.is_json {
+            say(&format!("{:<7}  {text}\n", verdict.word()));
+        }
+    }
+
+    /// The last words of `test`; `figures` are the same for programs.
+    pub(super) fn total(&self, text: &str, mut figures: serde_json::Value) {
+        if self.is_json {
+            figures["type"] = json!("total");
+            say(&format!("{figures}\n"));
+        } else if !self.is_quiet {
+            say(&format!("{text}\n"));
+        }
+    }
+
     /// A script that `fmt` rewrote, or would.
     pub(super) fn formatted(&self, path: &str, is_written: bool) {
         if self.is_json {
@@ -159,5 +223,12 @@ impl Voice {
             0 => say(&format!("{n_checks} {checks} passed\n")),
             _ => say(&format!("{n_failed} of {n_checks} {checks} failed\n")),
         }
+    }
+}
+
+/// Says in a line of JSON which test it comes from.
+fn name_test(line: &mut serde_json::Value, test: Option<&str>) {
+    if let Some(test) = test {
+        line["test"] = json!(test);
     }
 }

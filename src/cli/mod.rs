@@ -11,6 +11,7 @@ mod message;
 mod params;
 mod run;
 mod settings;
+mod test;
 mod write;
 
 use std::{
@@ -21,7 +22,13 @@ use std::{
 use clap::Parser as _;
 
 use self::args::{Cli, Verb};
-use crate::{diag::Code, docs, limits::Limits, ops};
+use crate::{
+    diag::{Code, Severity},
+    docs,
+    limits::Limits,
+    ops,
+    session::Report,
+};
 
 /// How a run ended; the numbers are part of the contract.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -34,6 +41,19 @@ pub enum Ending {
     Wrong = 2,
     /// The command was used wrongly, or a file could not be read or written.
     Usage = 3,
+}
+
+impl Ending {
+    /// How a script ended by what was found in it.
+    fn of(report: &Report) -> Self {
+        if report.count(Severity::Error) > 0 {
+            Self::Wrong
+        } else if report.count(Severity::Failure) > 0 {
+            Self::Failed
+        } else {
+            Self::Well
+        }
+    }
 }
 
 impl From<Ending> for ExitCode {
@@ -73,6 +93,7 @@ fn dispatch(verb: Verb) -> Ending {
             run::run(&file, out.as_deref(), dry_run, &only, &common)
         }
         Verb::Check { files, common } => run::check(&files, &common),
+        Verb::Test { paths, filter, common } => test::run(&paths, filter.as_deref(), &common),
         Verb::Params { file, json, talk } => params::run(&file, json, &talk),
         Verb::Graph { file, json, talk } => graph::run(&file, json, &talk),
         Verb::Fmt { files, check, talk } => fmt::run(&files, check, &talk),

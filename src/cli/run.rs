@@ -69,19 +69,8 @@ impl<'a> Run<'a> {
     fn new(mode: Mode<'a>, only: &'a [String], common: &'a Common) -> Result<Self, Ending> {
         let session = common.session();
         let voice = Voice::new(&common.talk, session.limits().diagnostics);
-        let params = common.params.as_deref();
-        let mut settings = match params {
-            None => Vec::new(),
-            Some(path) => {
-                settings::read(path, session.limits().input_bytes).map_err(|message| {
-                    voice.trouble(&message);
-                    Ending::Usage
-                })?
-            }
-        };
-        // Of two settings the last one counts.
-        settings.extend(common.settings.iter().cloned());
-        Ok(Self { session, voice, settings, params, only, mode })
+        let settings = settings::given(common, session.limits().input_bytes, &voice)?;
+        Ok(Self { session, voice, settings, params: common.params.as_deref(), only, mode })
     }
 
     fn interpret(&self, path: &Path) -> Ending {
@@ -189,20 +178,14 @@ fn act(
     voice: &Voice,
 ) -> Ending {
     let has_errors = report.count(Severity::Error) > 0;
-    let mut ending = if has_errors {
-        Ending::Wrong
-    } else if report.count(Severity::Failure) > 0 {
-        Ending::Failed
-    } else {
-        Ending::Well
-    };
+    let mut ending = Ending::of(report);
     let (mut n_checks, mut n_failed) = (0, 0);
     let mut targets_left = targets.iter();
     for event in &report.events {
         match event {
-            Event::Printed(printed) => voice.printed(printed),
+            Event::Printed(printed) => voice.printed(printed, None),
             Event::Checked(checked) => {
-                voice.checked(checked, &report.sources);
+                voice.checked(checked, &report.sources, None);
                 n_checks += 1;
                 n_failed += usize::from(!checked.verdict.holds);
             }
@@ -215,6 +198,8 @@ fn act(
                     target.map_or(Ending::Well, |target| write(file, target, mode, report, voice));
                 ending = ending.max(written);
             }
+            // Only a test expects errors.
+            Event::Expected(_) => {}
         }
     }
     // Last, so that what is wrong is what stands above the prompt.

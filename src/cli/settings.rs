@@ -4,8 +4,25 @@ use std::path::Path;
 
 use serde_json::{Deserializer, Value as Json};
 
-use super::files::Script;
+use super::{Ending, args::Common, files::Script, message::Voice};
 use crate::eval::Setting;
+
+/// The settings that the options give, those of `--params` first; what is wrong is told.
+///
+/// # Errors
+/// How the command ends then.
+pub(super) fn given(common: &Common, most: usize, voice: &Voice) -> Result<Vec<Setting>, Ending> {
+    let mut settings = match &common.params {
+        None => Vec::new(),
+        Some(path) => read(path, most).map_err(|message| {
+            voice.trouble(&message);
+            Ending::Usage
+        })?,
+    };
+    // Of two settings the last one counts.
+    settings.extend(common.settings.iter().cloned());
+    Ok(settings)
+}
 
 /// Reads `NAME=VALUE`.
 pub(super) fn setting(text: &str) -> Result<Setting, String> {
@@ -21,7 +38,7 @@ pub(super) fn setting(text: &str) -> Result<Setting, String> {
 ///
 /// # Errors
 /// What is wrong with the file, and where.
-pub(super) fn read(path: &Path, most: usize) -> Result<Vec<Setting>, String> {
+fn read(path: &Path, most: usize) -> Result<Vec<Setting>, String> {
     let script = Script::read(path, most)?;
     if script.bytes.len() > most {
         return Err(format!("`{}` is larger than the ceiling of {most} bytes", script.name));

@@ -174,6 +174,10 @@ codes! {
         "A claim of the script is false. The report shows the values of both sides and by how much they miss. All checks run, whatever the others say."
     CheckNotBool "E1002" "a check that is no claim"
         "`check` takes something that is true or false, mostly a comparison: `check length(c) < 100mm`."
+    ErrorMissing "E1003" "an expected error did not come"
+        "`expect error \"E0501\" 1 / 0` in a `test` holds if the expression fails with exactly that code. Here it has a value, or fails with another code; the report shows which."
+    UnknownCode "E1004" "a code that no error has"
+        "`expect error` takes the code of an error, such as `\"E0501\"`. `virote explain` lists all codes. Mistakes in the form of the text (E00xx, E01xx) are found before there is an expression, so that they can be told but not expected."
 
     // W00xx: warnings.
     Unclean "W0001" "the result needed help"
@@ -181,6 +185,12 @@ codes! {
 }
 
 impl Code {
+    /// Whether it is the code of an error rather than of a warning.
+    #[must_use]
+    pub fn is_error(self) -> bool {
+        self.id().starts_with('E')
+    }
+
     /// The code with identity `id`, upper and lower case alike.
     #[must_use]
     pub fn from_id(id: &str) -> Option<Self> {

@@ -4,8 +4,9 @@
 use std::sync::Arc;
 
 use super::{
+    home::Home,
     ir::{Arg, CallExpr},
-    library::{Home, join},
+    library::join,
     machine::{Machine, ScriptFunction},
 };
 use crate::{

@@ -65,7 +65,7 @@ impl Verdict {
 const MOST_SHOWN: usize = 120;
 
 /// A value as one line of a report.
-fn shown(value: &Value) -> String {
+pub(super) fn shown(value: &Value) -> String {
     let text = value.to_string();
     match text.char_indices().nth(MOST_SHOWN) {
         Some((end, _)) => format!("{}…", &text[..end]),

@@ -112,6 +112,9 @@ impl Item<'_> {
                         ("print", texts.collect::<Vec<_>>().join(", "))
                     }
                     EffectKind::Export { path, .. } => ("export", path_text(path, document)),
+                    EffectKind::Expect { subject, .. } => {
+                        ("expect", document.excerpt(subject.span))
+                    }
                 };
                 (kind, "", effect.span, Some(text))
             }

@@ -6,7 +6,11 @@
 use std::sync::Arc;
 
 pub(crate) use crate::syntax::ast::{BinaryOp, Kind, UnaryOp};
-use crate::{diag::Span, kernel::Tolerance, value::Value};
+use crate::{
+    diag::{Code, Diagnostic, Span},
+    kernel::Tolerance,
+    value::Value,
+};
 
 /// An expression with its place.
 #[derive(Debug)]
@@ -241,21 +245,46 @@ pub(crate) enum EffectKind {
         path: Expr,
         options: Vec<Arg>,
     },
+    /// In tests only; a mistake that was found without evaluation is the answer already.
+    Expect {
+        code: Code,
+        subject: Expr,
+        found: Option<Box<Diagnostic>>,
+    },
 }
 
-/// A whole file, ready to run.
+/// A whole file, ready to run; or a test of it.
 #[derive(Debug)]
 pub(crate) struct Program {
+    /// The number of its first definition: those before it belong to the file around a test.
+    pub(crate) first: usize,
     pub(crate) definitions: Vec<Definition>,
     pub(crate) effects: Vec<Effect>,
     /// Definitions, functions that use one another together, each after those that it uses.
     pub(crate) components: Vec<Vec<usize>>,
+    pub(crate) tests: Vec<Test>,
     /// The unit of length.
     pub(crate) unit: crate::syntax::ast::Unit,
     pub(crate) tolerance: Tolerance,
 }
 
+/// A test: definitions and effects that see the definitions of the file around it.
+#[derive(Debug)]
+pub(crate) struct Test {
+    pub(crate) name: Arc<str>,
+    /// Where its name stands.
+    pub(crate) span: Span,
+    pub(crate) program: Program,
+    /// Whether a mistake in it was reported already; then nothing of it is evaluated.
+    pub(crate) is_poisoned: bool,
+}
+
 impl Program {
+    /// The definition with this number, unless it belongs to the file around.
+    pub(crate) fn definition(&self, idx: usize) -> Option<&Definition> {
+        self.definitions.get(idx.checked_sub(self.first)?)
+    }
+
     /// The names of the parameters.
     pub(crate) fn parameters(&self) -> impl Iterator<Item = &str> {
         let is_param = |definition: &&Definition| matches!(definition.role, Role::Param(_));

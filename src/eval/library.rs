@@ -11,6 +11,7 @@ use std::{
 };
 
 use super::{
+    home::Home,
     ir::Program,
     lower::{self, Imported, Origin},
     machine::{Env, Machine},
@@ -29,28 +30,6 @@ use crate::{
 
 /// Files inside one another's imports.
 const MOST_NESTED: usize = 64;
-
-/// What runs: the values of a file's definitions, and where the file lies.
-#[derive(Debug, Default)]
-pub(crate) struct Home {
-    /// Empty where not evaluated yet, `None` where that failed.
-    pub(crate) values: Vec<OnceLock<Option<Value>>>,
-    /// The folder that the file's paths are relative to; empty for that of the script.
-    pub(crate) folder: String,
-}
-
-impl Home {
-    /// The home of a program, before anything is evaluated.
-    pub(crate) fn new(program: &Program, folder: &str) -> Arc<Self> {
-        let values = program.definitions.iter().map(|_| OnceLock::new()).collect();
-        Arc::new(Self { values, folder: folder.to_owned() })
-    }
-
-    /// The value of a definition.
-    pub(crate) fn value(&self, idx: usize) -> Option<&Value> {
-        self.values.get(idx)?.get().and_then(Option::as_ref)
-    }
-}
 
 /// A file that some import names.
 #[derive(Debug)]
@@ -106,13 +85,13 @@ impl<'a> Library<'a> {
         }
     }
 
-    /// Loads the files that a text imports; what each import's path stands for.
+    /// Loads the files that a text imports; what each import's path stands for, by its first byte.
     pub(crate) fn load_imports(
         &mut self,
         importer: &Text<'_>,
         chain: &mut Vec<String>,
         sources: &mut Sources,
-    ) -> Vec<Option<Imported>> {
+    ) -> Vec<(u32, Option<Imported>)> {
         let mut found = Vec::new();
         let mut statements: Vec<_> = importer.tree.statements.iter().collect();
         // Imports in the bodies of tests count too.
@@ -131,7 +110,7 @@ impl<'a> Library<'a> {
             }
         }
         found.sort_by_key(|(start, _)| *start);
-        found.into_iter().map(|(_, imported)| imported).collect()
+        found
     }
 
     /// Loads one file, unless it is there already.

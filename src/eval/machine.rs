@@ -7,8 +7,9 @@
 use std::sync::{Arc, Weak};
 
 use super::{
+    home::Home,
     ir::{BinaryOp, Block, Expr, ExprKind, Group, Lambda, Source},
-    library::{Home, Library},
+    library::Library,
     operator,
 };
 use crate::{

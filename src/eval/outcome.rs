@@ -2,7 +2,7 @@
 
 use super::claim::Verdict;
 use crate::{
-    diag::{Diagnostic, Span, Spanned},
+    diag::{Code, Diagnostic, Span, Spanned},
     kernel::Tolerance,
     syntax::ast::{Kind, Unit},
     value::Value,
@@ -45,6 +45,27 @@ pub struct Checked {
     pub verdict: Verdict,
 }
 
+/// A mistake that a test expects, and what happened.
+#[derive(Clone, Debug)]
+pub struct Expected {
+    /// The expression as it was written.
+    pub source: String,
+    /// Where it stands.
+    pub span: Span,
+    /// The code that it must fail with.
+    pub code: Code,
+    /// What it came to: its value, or how it failed.
+    pub found: std::result::Result<String, Box<Diagnostic>>,
+}
+
+impl Expected {
+    /// Whether the expected error came.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        matches!(&self.found, Err(found) if found.code == self.code)
+    }
+}
+
 /// A file to be written.
 #[derive(Clone, Debug)]
 pub struct Exported {
@@ -67,6 +88,25 @@ pub enum Output {
     Checked(Checked),
     /// `export`
     Exported(Exported),
+    /// `expect error`
+    Expected(Expected),
+}
+
+/// What became of a test.
+#[derive(Clone, Debug)]
+pub struct Tested {
+    /// Its name.
+    pub name: String,
+    /// Where its name stands.
+    pub span: Span,
+    /// Every effect that could act, in the order of the source.
+    pub outputs: Vec<Output>,
+    /// What went wrong when it ran.
+    pub diagnostics: Vec<Diagnostic>,
+    /// Whether it has a mistake that kept it from running.
+    pub is_poisoned: bool,
+    /// Whether all of it could be evaluated.
+    pub is_whole: bool,
 }
 
 /// The result of evaluating a file.
@@ -76,7 +116,9 @@ pub struct Outcome {
     pub definitions: Vec<Defined>,
     /// Every effect that could act, in the order of the source.
     pub outputs: Vec<Output>,
-    /// What went wrong, in the order of the source.
+    /// The tests that were run, in the order of the source.
+    pub tests: Vec<Tested>,
+    /// What went wrong outside of them, in the order of the source.
     pub diagnostics: Vec<Diagnostic>,
     /// Settings that no parameter takes, each a sentence.
     pub unknown_settings: Vec<String>,

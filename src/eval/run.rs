@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use super::{
+    home::Home,
     ir::{Arg, Definition, Effect, EffectKind, Expr, Kind, Program, Role},
-    library::Home,
     load::{Document, Loaded, load},
     machine::Machine,
     outcome::{Checked, Defined, Exported, Outcome, Output, Printed, in_order},
@@ -18,6 +18,17 @@ use crate::{
     limits::Limits,
     value::{Files, Registry, Value},
 };
+
+/// What a script is evaluated for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose<'a> {
+    /// Its effects.
+    Run,
+    /// Its effects, and then its tests.
+    Test,
+    /// Those of its tests whose names contain this.
+    TestNamed(&'a str),
+}
 
 /// What evaluation is given besides the script.
 #[derive(Clone, Copy, Debug)]
@@ -32,6 +43,8 @@ pub struct Settings<'a> {
     pub overrides: &'a [Setting],
     /// How many threads may evaluate.
     pub n_threads: usize,
+    /// What of the script acts.
+    pub purpose: Purpose<'a>,
 }
 
 /// Interprets the script `text`, which messages call `name`; it and the files that it imports are
@@ -45,7 +58,11 @@ pub fn evaluate(name: &str, text: &str, sources: &mut Sources, settings: Setting
     let mut run = Run { machine, settings, program, diagnostics, document };
     run.definitions();
     let definitions = run.defined();
-    let outputs = run.effects(&definitions);
+    let outputs = match settings.purpose {
+        Purpose::Run | Purpose::Test => run.effects(&[&definitions]),
+        Purpose::TestNamed(_) => Vec::new(),
+    };
+    let tests = run.tests(&definitions);
     let unknown_settings = run.unknown_settings();
     let mut diagnostics = std::mem::take(&mut run.diagnostics);
     diagnostics.append(&mut run.machine.warnings);
@@ -54,6 +71,7 @@ pub fn evaluate(name: &str, text: &str, sources: &mut Sources, settings: Setting
     Outcome {
         definitions,
         outputs,
+        tests,
         diagnostics,
         unknown_settings,
         unit,
@@ -61,22 +79,22 @@ pub fn evaluate(name: &str, text: &str, sources: &mut Sources, settings: Setting
     }
 }
 
-/// The evaluation of one file under way.
-struct Run<'a> {
-    machine: Machine<'a>,
-    settings: Settings<'a>,
-    program: &'a Program,
-    diagnostics: Vec<Diagnostic>,
-    document: Document<'a>,
+/// The evaluation of one file or test under way.
+pub(super) struct Run<'a> {
+    pub(super) machine: Machine<'a>,
+    pub(super) settings: Settings<'a>,
+    pub(super) program: &'a Program,
+    pub(super) diagnostics: Vec<Diagnostic>,
+    pub(super) document: Document<'a>,
 }
 
 impl Run<'_> {
-    fn value(&self, idx: usize) -> Option<&Value> {
+    pub(super) fn value(&self, idx: usize) -> Option<&Value> {
         self.machine.home.value(idx)
     }
 
     /// Whether everything that is used has a value.
-    fn is_ready(&self, dependencies: &[usize]) -> bool {
+    pub(super) fn is_ready(&self, dependencies: &[usize]) -> bool {
         dependencies.iter().all(|&idx| self.value(idx).is_some())
     }
 
@@ -103,10 +121,11 @@ impl Run<'_> {
         result.map_err(|diagnostic| self.diagnostics.push(*diagnostic)).ok()
     }
 
-    fn defined(&mut self) -> Vec<Defined> {
+    /// Every definition with its name and value.
+    pub(super) fn defined(&mut self) -> Vec<Defined> {
         let program = self.program;
         let mut defined = Vec::with_capacity(program.definitions.len());
-        for (idx, definition) in program.definitions.iter().enumerate() {
+        for (idx, definition) in (program.first..).zip(&program.definitions) {
             let kind = match definition.role {
                 Role::Hidden => continue,
                 Role::Value(kind) => Some(kind),
@@ -179,7 +198,8 @@ impl Run<'_> {
         Some((Spanned::new(label.to_string(), *place), Spanned::new(value, option.span)))
     }
 
-    fn effects(&mut self, definitions: &[Defined]) -> Vec<Output> {
+    /// Carries out every effect that can act; `definitions` are those that `all` takes from.
+    pub(super) fn effects(&mut self, definitions: &[&[Defined]]) -> Vec<Output> {
         let mut outputs = Vec::new();
         for effect in &self.program.effects {
             if effect.is_poisoned || !self.is_ready(&effect.dependencies) {
@@ -194,6 +214,11 @@ impl Run<'_> {
                 EffectKind::Export { .. } => {
                     let exported = self.export(effect, definitions);
                     outputs.extend(exported.map(Output::Exported));
+                }
+                EffectKind::Expect { code, subject, found } => {
+                    let expected =
+                        self.expectation(*code, subject, found.as_deref(), effect.n_slots);
+                    outputs.push(Output::Expected(expected));
                 }
             }
         }
@@ -243,7 +268,7 @@ impl Run<'_> {
         }
     }
 
-    fn export(&mut self, effect: &Effect, definitions: &[Defined]) -> Option<Exported> {
+    fn export(&mut self, effect: &Effect, definitions: &[&[Defined]]) -> Option<Exported> {
         let EffectKind::Export { subjects, named, path, options } = &effect.kind else {
             return None;
         };
@@ -257,8 +282,8 @@ impl Run<'_> {
                     let name = self.subject_name(expr, &value);
                     subjects.push((name, Spanned::new(value, expr.span)));
                 }
-                let name = |&idx: &usize| self.program.definitions[idx].name.to_string();
-                (subjects, named.iter().map(name).collect())
+                let named = named.iter().filter_map(|&idx| self.program.definition(idx));
+                (subjects, named.map(|definition| definition.name.to_string()).collect())
             }
         };
         let place = path.span;
@@ -301,10 +326,10 @@ type Subjects = Vec<(String, Spanned<Value>)>;
 
 /// Every definition that promises geometry and is not hidden, and their names; `None` where the
 /// file has a definition without a value.
-fn all_geometry(definitions: &[Defined]) -> Option<(Subjects, Vec<String>)> {
+fn all_geometry(definitions: &[&[Defined]]) -> Option<(Subjects, Vec<String>)> {
     let is_geometry = |kind: Kind| !matches!(kind, Kind::Let | Kind::Table | Kind::Tables);
     let mut subjects = Vec::new();
-    for defined in definitions {
+    for defined in definitions.iter().copied().flatten() {
         let value = defined.value.clone()?;
         if !defined.is_hidden && defined.kind.is_some_and(is_geometry) {
             subjects.push((defined.name.clone(), Spanned::new(value, defined.span)));

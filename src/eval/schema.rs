@@ -3,8 +3,8 @@
 //! Only the parameters are evaluated, and what their defaults and ranges use.
 
 use super::{
+    home::Home,
     ir::{Program, Role},
-    library::Home,
     load::load,
     machine::Machine,
     outcome::in_order,

@@ -31,15 +31,15 @@ impl<'a> Worker<'a> {
         registry: &Registry,
     ) {
         let is_ready = members.iter().all(|&idx| {
-            let definition = &program.definitions[idx];
+            let Some(definition) = program.definition(idx) else { return false };
             let mut outside = definition.dependencies.iter().filter(|idx| !members.contains(idx));
             !definition.is_poisoned && outside.all(|&idx| self.machine.home.value(idx).is_some())
         });
         for &idx in members {
-            let definition = &program.definitions[idx];
-            let value = if is_ready { self.definition(definition, given, registry) } else { None };
-            // Each definition belongs to one component.
-            let _ = self.machine.home.values[idx].set(value);
+            let definition = program.definition(idx).filter(|_| is_ready);
+            let value =
+                definition.and_then(|definition| self.definition(definition, given, registry));
+            self.machine.home.keep(idx, value);
         }
     }
 

@@ -68,6 +68,7 @@ impl Session {
             files,
             overrides: &[],
             n_threads: 1,
+            purpose: eval::Purpose::Run,
         }
     }
 

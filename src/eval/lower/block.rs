@@ -69,6 +69,7 @@ impl<'s> Lowerer<'_, 's> {
                 let span = self.at(name.span);
                 if let Some(&(_, first)) = owners.get(name.text) {
                     self.report(duplicate(name.text, span, first));
+                    self.duplicates.insert(span);
                 } else {
                     owners.insert(name.text, (idx, span));
                 }
@@ -102,11 +103,18 @@ impl<'s> Lowerer<'_, 's> {
                 component.iter().flat_map(|&idx| items[idx].names()).collect();
             self.circle(&names);
         }
+        let n_found = self.diagnostics.len();
         for &idx in &component {
             match items[idx] {
                 Item::Function(function) => self.functions(&[function], definitions),
                 Item::Value(definition) => self.value(definition, definitions),
             }
+        }
+        if is_loop {
+            // Names of the circle have no meaning here, which was told.
+            let found = self.diagnostics.split_off(n_found);
+            let is_other = |found: &Diagnostic| found.code != Code::UnknownName;
+            self.diagnostics.extend(found.into_iter().filter(is_other));
         }
     }
 

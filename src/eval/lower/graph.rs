@@ -11,13 +11,17 @@ use crate::diag::{Code, Diagnostic};
 
 /// Components of the graph of definitions, each after those that it uses. Functions may use one
 /// another in circles; any other circle is reported and poisoned.
+///
+/// The definitions are numbered from `first`; what they use below that has its place already.
 pub(super) fn order(
     definitions: &mut [Definition],
+    first: usize,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Vec<Vec<usize>> {
-    let edges: Vec<&[usize]> =
-        definitions.iter().map(|definition| definition.dependencies.as_slice()).collect();
-    let components = components(&edges);
+    let edges: Vec<Vec<usize>> =
+        definitions.iter().map(|definition| own_dependencies(definition, first)).collect();
+    let edges: Vec<&[usize]> = edges.iter().map(Vec::as_slice).collect();
+    let mut components = components(&edges);
     let mut cycles: Vec<Vec<usize>> = components
         .iter()
         .filter(|component| {
@@ -30,12 +34,18 @@ pub(super) fn order(
         .collect();
     for component in &mut cycles {
         component.sort_unstable();
-        diagnostics.push(report(definitions, &circle(component, definitions)));
+        diagnostics.push(report(definitions, &circle(component, &edges)));
         for &idx in component.iter() {
             definitions[idx].is_poisoned = true;
         }
     }
+    components.iter_mut().flatten().for_each(|idx| *idx += first);
     components
+}
+
+/// What a definition uses of those numbered from `first`, counted from there.
+fn own_dependencies(definition: &Definition, first: usize) -> Vec<usize> {
+    definition.dependencies.iter().filter_map(|idx| idx.checked_sub(first)).collect()
 }
 
 /// A vertex under way: the vertex and the next edge to look at.
@@ -98,12 +108,12 @@ fn take_component(root: usize, stack: &mut Vec<usize>, on_stack: &mut [bool]) ->
 }
 
 /// A shortest circle through the first member of a component.
-fn circle(component: &[usize], definitions: &[Definition]) -> Vec<usize> {
+fn circle(component: &[usize], edges: &[&[usize]]) -> Vec<usize> {
     let start = component[0];
     let mut came_from = vec![None; component.len()];
     let mut queue = VecDeque::from([start]);
     while let Some(vertex) = queue.pop_front() {
-        for &target in &definitions[vertex].dependencies {
+        for &target in edges[vertex] {
             let Ok(place) = component.binary_search(&target) else { continue };
             if target == start {
                 let mut path = vec![vertex];

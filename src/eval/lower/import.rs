@@ -46,13 +46,14 @@ impl<'s> Lowerer<'_, 's> {
         Some(ast::Name { text: stem, span: Span::new(start, start + stem.len() as u32) })
     }
 
-    /// Lowers an import; `imported` is missing where its file could not be had, which was told.
-    pub(super) fn import(
-        &mut self,
-        import: &Import<'s>,
-        imported: Option<&Imported>,
-        definitions: &mut Vec<Definition>,
-    ) {
+    /// Lowers an import.
+    pub(super) fn import(&mut self, import: &Import<'s>, definitions: &mut Vec<Definition>) {
+        let imports = self.origin.imports;
+        // It is missing where its file could not be had, which was told.
+        let imported = imports
+            .binary_search_by_key(&import.path.span.start, |(start, _)| *start)
+            .ok()
+            .and_then(|at| imports[at].1.as_ref());
         let span = self.at(import.path.span);
         if !matches!(import.path.kind, ast::ExprKind::Text(_)) {
             self.report(
@@ -78,7 +79,7 @@ impl<'s> Lowerer<'_, 's> {
             definitions.push(self.finish(name, place, Role::Import, whole));
             return;
         };
-        let whole_idx = definitions.len();
+        let whole_idx = self.first + definitions.len();
         definitions.push(self.finish("the import", span, Role::Hidden, whole));
         for name in listed {
             let place = self.at(name.span);

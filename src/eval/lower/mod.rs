@@ -7,6 +7,7 @@ mod graph;
 mod import;
 mod scope;
 mod statement;
+mod test;
 mod words;
 
 use std::{
@@ -20,7 +21,7 @@ use super::ir::{Expr, ExprKind, Program, Source};
 use crate::{
     diag::{Code, Diagnostic, Severity, Span, nearest},
     kernel::Tolerance,
-    syntax::ast::{self, Tree, Unit},
+    syntax::ast::{self, Statement, Tree, Unit},
     value::{Function, Registry, Value},
 };
 
@@ -40,9 +41,9 @@ pub(crate) struct Origin<'a> {
     /// Where it does not parse, as places in all sources, in order. A statement with such a place has had
     /// its message: it is neither judged nor evaluated.
     pub(crate) faults: &'a [Span],
-    /// What the paths of its imports stand for, in the order of the text; empty where a file could
-    /// not be had.
-    pub(crate) imports: &'a [Option<Imported>],
+    /// What the paths of its imports stand for, with the first byte of each, in the order of the
+    /// text; empty where a file could not be had.
+    pub(crate) imports: &'a [(u32, Option<Imported>)],
 }
 
 /// What is known of an imported file.
@@ -78,22 +79,18 @@ pub(crate) fn lower<'s>(
         unit,
         tolerance: Tolerance::DEFAULT,
         globals: BTreeMap::new(),
+        tested: None,
+        first: 0,
         scopes: Scopes::default(),
+        duplicates: BTreeSet::new(),
         dependencies: BTreeSet::new(),
         n_unknown: 0,
         is_poisoned: false,
         diagnostics: Vec::new(),
     };
     lowerer.header(&tree.statements);
-    let (mut definitions, effects) = lowerer.statements(&tree.statements);
-    let components = graph::order(&mut definitions, &mut lowerer.diagnostics);
-    let program = Program {
-        definitions,
-        effects,
-        components,
-        unit: lowerer.unit,
-        tolerance: lowerer.tolerance,
-    };
+    let mut program = lowerer.program(&tree.statements);
+    program.tests = lowerer.tests(&tree.statements, program.definitions.len());
     Lowered { program, diagnostics: lowerer.diagnostics }
 }
 
@@ -111,7 +108,13 @@ struct Lowerer<'a, 's> {
     tolerance: Tolerance,
     /// Definitions of the file: index and place of the name.
     globals: BTreeMap<&'s str, (usize, Span)>,
+    /// Definitions of the test under way.
+    tested: Option<BTreeMap<&'s str, (usize, Span)>>,
+    /// The number of the first definition of the file or test under way.
+    first: usize,
     scopes: Scopes<'s>,
+    /// Second definitions that were told as such.
+    duplicates: BTreeSet<Span>,
     /// What the definition under way uses.
     dependencies: BTreeSet<usize>,
     /// Names without a meaning so far.
@@ -164,6 +167,27 @@ impl<'s> Lowerer<'_, 's> {
         Expr { kind: ExprKind::Poison, span }
     }
 
+    /// The program of these statements, without its tests.
+    fn program(&mut self, statements: &[Statement<'s>]) -> Program {
+        let (mut definitions, effects) = self.statements(statements);
+        let components = graph::order(&mut definitions, self.first, &mut self.diagnostics);
+        Program {
+            first: self.first,
+            definitions,
+            effects,
+            components,
+            tests: Vec::new(),
+            unit: self.unit,
+            tolerance: self.tolerance,
+        }
+    }
+
+    /// The number of the definition `name` of the file or the test under way, and its place.
+    fn global(&self, name: &str) -> Option<(usize, Span)> {
+        let tested = self.tested.as_ref().and_then(|tested| tested.get(name));
+        tested.or_else(|| self.globals.get(name)).copied()
+    }
+
     /// What a name means at this place.
     fn resolve(&mut self, name: &'s str, local_span: Span) -> Expr {
         let span = self.at(local_span);
@@ -175,7 +199,7 @@ impl<'s> Lowerer<'_, 's> {
             };
             return Expr { kind, span };
         }
-        if let Some(&(idx, _)) = self.globals.get(name) {
+        if let Some((idx, _)) = self.global(name) {
             self.dependencies.insert(idx);
             return Expr { kind: ExprKind::Global(idx), span };
         }
@@ -194,13 +218,14 @@ impl<'s> Lowerer<'_, 's> {
         let (mut near, mut near_builtin) = (None, None);
         if self.n_unknown <= MOST_SUGGESTIONS {
             near = nearest(name, self.scopes.names());
-            near = near.or_else(|| nearest(name, self.globals.keys().copied()));
+            let globals = self.tested.iter().chain([&self.globals]).flat_map(BTreeMap::keys);
+            near = near.or_else(|| nearest(name, globals.copied()));
             near_builtin = nearest(name, self.registry.names());
         }
         if self.may_be_defined(name) {
             return self.poison(span);
         }
-        let defined = near.and_then(|near| self.globals.get(near)).map(|&(_, span)| span);
+        let defined = near.and_then(|near| self.global(near)).map(|(_, span)| span);
         match (near.or(near_builtin), words::advice(name)) {
             (_, Some(advice)) => {
                 let diagnostic = Diagnostic::error(
@@ -244,18 +269,18 @@ impl<'s> Lowerer<'_, 's> {
             .scopes
             .find(name.text)
             .map(|(_, span)| span)
-            .or_else(|| self.globals.get(name.text).map(|&(_, span)| span));
-        if let Some(first) = hidden {
-            self.report(
-                Diagnostic::error(
-                    Code::Shadowing,
-                    span,
-                    format!("`{}` would hide another `{}` of this file", name.text, name.text),
-                )
-                .label("choose another name")
-                .also(first, "the other one is defined here"),
-            );
+            .or_else(|| self.global(name.text).map(|(_, span)| span));
+        if let Some(first) = hidden.filter(|_| !self.duplicates.contains(&span)) {
+            self.report(shadowing(name.text, span, first));
         }
         self.scopes.bind(name.text, span)
     }
+}
+
+/// A name inside the file that is one of the file already.
+fn shadowing(name: &str, second: Span, first: Span) -> Diagnostic {
+    let message = format!("`{name}` would hide another `{name}` of this file");
+    Diagnostic::error(Code::Shadowing, second, message)
+        .label("choose another name")
+        .also(first, "the other one is defined here")
 }

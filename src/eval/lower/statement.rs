@@ -10,6 +10,7 @@ use super::{
     Lowerer,
     block::duplicate,
     scope::Captures,
+    shadowing,
 };
 use crate::{
     diag::{Code, Diagnostic, Span, nearest},
@@ -119,12 +120,11 @@ impl<'s> Lowerer<'_, 's> {
         &mut self,
         statements: &[Statement<'s>],
     ) -> (Vec<Definition>, Vec<Effect>) {
-        let mut next = 0;
+        let mut next = self.first;
         for statement in statements {
             self.declare(statement, &mut next);
         }
-        let (mut definitions, mut effects) = (Vec::with_capacity(next), Vec::new());
-        let mut imports = self.origin.imports.iter();
+        let (mut definitions, mut effects) = (Vec::with_capacity(next - self.first), Vec::new());
         for statement in statements {
             self.scopes.enter_definition();
             self.dependencies.clear();
@@ -136,16 +136,14 @@ impl<'s> Lowerer<'_, 's> {
                 StatementKind::Function(function) => {
                     self.global_function(function, &mut definitions);
                 }
-                StatementKind::Import(import) => {
-                    let imported = imports.next().and_then(Option::as_ref);
-                    self.import(import, imported, &mut definitions);
-                }
+                StatementKind::Import(import) => self.import(import, &mut definitions),
                 StatementKind::Definition(definition) => {
                     self.definition(definition, statement.span, &mut definitions);
                 }
                 StatementKind::Check { .. }
                 | StatementKind::Print(_)
-                | StatementKind::Export(_) => {
+                | StatementKind::Export(_)
+                | StatementKind::ExpectError { .. } => {
                     let kind = self.effect(&statement.kind);
                     let (n_slots, _) = self.scopes.leave();
                     effects.extend(kind.map(|kind| Effect {
@@ -191,10 +189,14 @@ impl<'s> Lowerer<'_, 's> {
         };
         for name in names {
             let span = self.at(name.span);
-            match self.globals.get(name.text) {
-                Some(&(_, first)) => self.diagnostics.push(duplicate(name.text, span, first)),
+            match self.global(name.text) {
+                Some((idx, first)) if idx < self.first => {
+                    self.diagnostics.push(shadowing(name.text, span, first));
+                }
+                Some((_, first)) => self.diagnostics.push(duplicate(name.text, span, first)),
                 None => {
-                    self.globals.insert(name.text, (*next, span));
+                    let scope = self.tested.as_mut().unwrap_or(&mut self.globals);
+                    scope.insert(name.text, (*next, span));
                 }
             }
             *next += 1;
@@ -304,7 +306,7 @@ impl<'s> Lowerer<'_, 's> {
                 definitions.push(Definition { with, ..finished });
             }
             pattern @ (Pattern::List(_, span) | Pattern::Record(_, span)) => {
-                let whole = definitions.len();
+                let whole = self.first + definitions.len();
                 let span = self.at(*span);
                 definitions.push(self.finish("the value taken apart", span, Role::Hidden, value));
                 let parts =
@@ -337,6 +339,7 @@ impl<'s> Lowerer<'_, 's> {
                 let options: Vec<Arg> = self.args(&export.options);
                 EffectKind::Export { subjects, named, path, options }
             }
+            StatementKind::ExpectError { code, subject } => self.expectation(code, subject)?,
             _ => return None,
         })
     }

@@ -1,0 +1,51 @@
+//! Where the values of definitions stay while a file runs, and those of a test inside it.
+
+use std::sync::{Arc, OnceLock};
+
+use super::ir::Program;
+use crate::value::Value;
+
+/// What runs: the values of a file's definitions, and where the file lies.
+#[derive(Debug, Default)]
+pub(crate) struct Home {
+    /// Empty where not evaluated yet, `None` where that failed.
+    values: Vec<OnceLock<Option<Value>>>,
+    /// The number of the first of them; those before it belong to the file around a test.
+    first: usize,
+    around: Option<Arc<Home>>,
+    /// The folder that the file's paths are relative to; empty for that of the script.
+    pub(crate) folder: String,
+}
+
+impl Home {
+    /// The home of a program, before anything is evaluated.
+    pub(crate) fn new(program: &Program, folder: &str) -> Arc<Self> {
+        Arc::new(Self::of(program, folder, None))
+    }
+
+    /// The home of a test's program inside this file.
+    pub(crate) fn of_test(self: &Arc<Self>, program: &Program) -> Arc<Self> {
+        Arc::new(Self::of(program, &self.folder, Some(Arc::clone(self))))
+    }
+
+    fn of(program: &Program, folder: &str, around: Option<Arc<Self>>) -> Self {
+        let values = program.definitions.iter().map(|_| OnceLock::new()).collect();
+        Self { values, first: program.first, around, folder: folder.to_owned() }
+    }
+
+    /// The value of a definition.
+    pub(crate) fn value(&self, idx: usize) -> Option<&Value> {
+        match idx.checked_sub(self.first) {
+            Some(own) => self.values.get(own)?.get().and_then(Option::as_ref),
+            None => self.around.as_ref()?.value(idx),
+        }
+    }
+
+    /// Keeps what a definition of its own came to; each belongs to one component, so that it is
+    /// kept once.
+    pub(crate) fn keep(&self, idx: usize, value: Option<Value>) {
+        if let Some(place) = idx.checked_sub(self.first).and_then(|own| self.values.get(own)) {
+            let _ = place.set(value);
+        }
+    }
+}

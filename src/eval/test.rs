@@ -1,0 +1,109 @@
+//! The tests of a file, one after another, each by itself: what one of them meets stops no other.
+
+use std::sync::Arc;
+
+use super::{
+    claim::shown,
+    ir::{EffectKind, Expr, Test},
+    machine::Machine,
+    outcome::{Defined, Expected, Tested},
+    run::{Purpose, Run},
+    worker::Worker,
+};
+use crate::diag::{Code, Diagnostic, Severity};
+
+impl Run<'_> {
+    /// Runs the tests that are asked for; `definitions` are those of the file.
+    pub(super) fn tests(&self, definitions: &[Defined]) -> Vec<Tested> {
+        let is_wanted = |test: &&Test| match self.settings.purpose {
+            Purpose::Run => false,
+            Purpose::Test => true,
+            Purpose::TestNamed(part) => test.name.contains(part),
+        };
+        let tests = self.program.tests.iter().filter(is_wanted);
+        tests.map(|test| self.test(test, definitions)).collect()
+    }
+
+    fn test(&self, test: &Test, definitions: &[Defined]) -> Tested {
+        let mut tested = Tested {
+            name: test.name.to_string(),
+            span: test.span,
+            outputs: Vec::new(),
+            diagnostics: Vec::new(),
+            is_poisoned: test.is_poisoned,
+            is_whole: false,
+        };
+        if test.is_poisoned {
+            return tested;
+        }
+        let program = &test.program;
+        let home = self.machine.home.of_test(program);
+        let mut worker = Worker::new(Machine::new(self.machine.env, Arc::clone(&home)));
+        for component in &program.components {
+            worker.component(program, component, &[], self.settings.registry);
+        }
+        let Worker { machine, diagnostics } = worker;
+        let mut run = Run { machine, program, diagnostics, ..*self };
+        let own = run.defined();
+        tested.outputs = run.effects(&[definitions, &own]);
+        let have_values = |defined: &[Defined]| defined.iter().all(|one| one.value.is_some());
+        let takes_all =
+            |kind: &EffectKind| matches!(kind, EffectKind::Export { subjects: None, .. });
+        tested.is_whole = have_values(&own)
+            && program.effects.iter().all(|effect| {
+                run.is_ready(&effect.dependencies)
+                    && (!takes_all(&effect.kind) || have_values(definitions))
+            });
+        tested.diagnostics = run.diagnostics;
+        tested.diagnostics.append(&mut run.machine.warnings);
+        tested
+    }
+
+    /// Whether an expression fails with a code; `found` is how it does without being evaluated.
+    pub(super) fn expectation(
+        &mut self,
+        code: Code,
+        subject: &Expr,
+        found: Option<&Diagnostic>,
+        n_slots: usize,
+    ) -> Expected {
+        let n_warnings = self.machine.warnings.len();
+        let found = match found {
+            Some(found) => Err(Box::new(found.clone())),
+            None => self.machine.run(subject, n_slots).map(|value| shown(&value)),
+        };
+        // Whatever else was said of what must fail is of no interest.
+        self.machine.warnings.truncate(n_warnings);
+        let source = self.document.excerpt(subject.span);
+        let expected = Expected { source, span: subject.span, code, found };
+        if !expected.holds() {
+            self.diagnostics.push(failure(&expected));
+        }
+        expected
+    }
+}
+
+/// The report of an expected error that did not come.
+fn failure(expected: &Expected) -> Diagnostic {
+    let code = expected.code.id();
+    let failure = |message: String| Diagnostic {
+        severity: Severity::Failure,
+        ..Diagnostic::error(Code::ErrorMissing, expected.span, message)
+    };
+    match &expected.found {
+        Ok(value) => failure(format!("error {code} was expected, but there is none"))
+            .label(format!("this is {value}")),
+        Err(other) => {
+            let found = other.code.id();
+            let told =
+                failure(format!("error {code} was expected, found {found}: {}", other.message));
+            let told = if other.primary.span == expected.span {
+                told.label(format!("this fails with {found}"))
+            } else {
+                told.label(format!("{code} was expected of this"))
+                    .also(other.primary.span, format!("{found} comes from here"))
+            };
+            other.hints.iter().fold(told, Diagnostic::hint)
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! The tests of a script: what each of them came to.
+
+use super::{Event, Report, Session};
+use crate::{
+    diag::{Diagnostic, Severity, Span},
+    eval::{self, Purpose, Setting},
+    syntax::ast::Unit,
+    value::Files,
+};
+
+/// A test that was run.
+#[derive(Debug)]
+pub struct Tested {
+    /// Its name.
+    pub name: String,
+    /// Where its name stands.
+    pub span: Span,
+    /// How it came out.
+    pub verdict: Verdict,
+    /// What it says and claims. Files of a test are planned, so that mistakes in them show, but
+    /// nobody writes them.
+    pub events: Vec<Event>,
+}
+
+/// How a test came out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// All of it holds.
+    Passed,
+    /// A claim does not hold, or an expected error did not come.
+    Failed,
+    /// There is a mistake in it.
+    Wrong,
+    /// Something outside of it has no value, for a reason that is told there.
+    Skipped,
+}
+
+impl Verdict {
+    /// Its word in reports.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Passed => "passed",
+            Self::Failed => "failed",
+            Self::Wrong => "wrong",
+            Self::Skipped => "skipped",
+        }
+    }
+}
+
+impl Session {
+    /// Interprets the script `bytes` and runs its tests; with a `filter` only those whose names
+    /// contain it, and no effects of the script itself.
+    ///
+    /// ```
+    /// use virote::{session::{Session, Verdict}, value::Files};
+    ///
+    /// #[derive(Debug)]
+    /// struct NoFiles;
+    /// impl Files for NoFiles {
+    ///     fn read(&self, path: &str, _: usize) -> Result<Vec<u8>, String> {
+    ///         Err(format!("there is no `{path}`"))
+    ///     }
+    /// }
+    ///
+    /// let script = b"let a = 2
+    ///     test \"sums\" { check a + a == 4 }
+    ///     test \"quotients\" { expect error \"E0501\" a / 0 }";
+    /// let report = Session::default().test("demo", script, &NoFiles, &[], Some("quot"));
+    /// assert!(report.diagnostics.is_empty());
+    /// assert!(matches!(&report.tests[..], [test] if test.verdict == Verdict::Passed));
+    /// ```
+    #[must_use]
+    pub fn test(
+        &self,
+        name: &str,
+        bytes: &[u8],
+        files: &dyn Files,
+        settings: &[Setting],
+        filter: Option<&str>,
+    ) -> Report {
+        let purpose = filter.map_or(Purpose::Test, Purpose::TestNamed);
+        self.interpret(name, bytes, files, settings, purpose)
+    }
+
+    /// A test with its files planned; what went wrong in it goes to `diagnostics`.
+    pub(super) fn tested(
+        &self,
+        tested: eval::Tested,
+        unit: Unit,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) -> Tested {
+        let eval::Tested { name, span, outputs, diagnostics: mut found, is_poisoned, is_whole } =
+            tested;
+        let events = self.events(outputs, unit, &mut found);
+        let has = |severity: Severity| found.iter().any(|found| found.severity == severity);
+        let verdict = if is_poisoned || has(Severity::Error) {
+            Verdict::Wrong
+        } else if has(Severity::Failure) {
+            Verdict::Failed
+        } else if is_whole {
+            Verdict::Passed
+        } else {
+            Verdict::Skipped
+        };
+        diagnostics.append(&mut found);
+        Tested { name, span, verdict, events }
+    }
+}
