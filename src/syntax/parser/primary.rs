@@ -166,7 +166,7 @@ fn element<'t, 's: 't>(input: &mut Input<'t, '_, 's>) -> Parsed<Element<'s>> {
 fn comprehension<'t, 's: 't>(input: &mut Input<'t, '_, 's>) -> Parsed<ExprKind<'s>> {
     input.skip();
     let mut generators = vec![generator(input)?];
-    while take(input, Token::Comma) {
+    while take(input, Token::Comma) && peek(input) != Token::Colon {
         generators.push(generator(input)?);
     }
     require(input, Token::Colon)?;

@@ -1,0 +1,107 @@
+//! The same work in other languages, whole processes: a comprehension of a million numbers with
+//! five operations each, in virote, in OpenSCAD and in CPython.
+//!
+//! Each of them runs in turn, so that a busy machine burdens all alike; medians and their ratios
+//! are printed. A language that is not installed is said to be missing.
+
+use std::{
+    path::{Path, PathBuf},
+    process::{Command, Stdio},
+    time::{Duration, Instant},
+};
+
+const N_ROUNDS: usize = 9;
+
+/// A language: its name, its script and how the script is run.
+struct Language {
+    name: &'static str,
+    script: &'static str,
+    ending: &'static str,
+    command: fn(&Path) -> Command,
+}
+
+/// All make the whole list, and print its length and its last number.
+const LANGUAGES: &[Language] = &[
+    Language {
+        name: "virote",
+        script: "let xs = [for i in 0..<1000000: (i * 2 + 1) / 3 - i * 0.5]\nprint len(xs), xs[-1]\n",
+        ending: "geo",
+        command: |script| {
+            let mut command = Command::new(env!("CARGO_BIN_EXE_virote"));
+            command.arg("run").arg(script);
+            command
+        },
+    },
+    Language {
+        name: "OpenSCAD",
+        // A loop goes over less than a million numbers, so two share the work.
+        script: "xs = [for (i = [0:499999]) (i * 2 + 1) / 3 - i * 0.5,\n\
+                 for (i = [500000:999999]) (i * 2 + 1) / 3 - i * 0.5];\n\
+                 echo(len(xs), xs[999999]);\n",
+        ending: "scad",
+        command: |script| {
+            let mut command = Command::new("openscad");
+            command.arg("-o").arg(script.with_extension("echo")).arg(script);
+            command
+        },
+    },
+    Language {
+        name: "CPython",
+        script: "xs = [(i * 2 + 1) / 3 - i * 0.5 for i in range(1000000)]\nprint(len(xs), xs[-1])\n",
+        ending: "py",
+        command: |script| {
+            let mut command = Command::new("python3");
+            command.arg("-I").arg(script);
+            command
+        },
+    },
+];
+
+fn main() {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
+    let scripts: Vec<PathBuf> = LANGUAGES
+        .iter()
+        .map(|language| {
+            let path = folder.join(format!("million.{}", language.ending));
+            std::fs::write(&path, language.script).expect("the folder of temporary files is there");
+            path
+        })
+        .collect();
+    let mut times = vec![Some(Vec::new()); LANGUAGES.len()];
+    for _ in 0..N_ROUNDS {
+        for ((language, script), times) in LANGUAGES.iter().zip(&scripts).zip(&mut times) {
+            if let Some(taken) = times {
+                match run(language, script) {
+                    Some(time) => taken.push(time),
+                    None => *times = None,
+                }
+            }
+        }
+    }
+    let medians: Vec<Option<Duration>> = times.into_iter().map(|times| times.map(median)).collect();
+    println!("a million numbers of five operations, whole process, median of {N_ROUNDS}");
+    for (language, time) in LANGUAGES.iter().zip(&medians) {
+        match (time, medians[0]) {
+            (Some(time), Some(ours)) => println!(
+                "{:10} {:7.0} ms   {:6.1} times virote",
+                language.name,
+                time.as_secs_f64() * 1e3,
+                time.as_secs_f64() / ours.as_secs_f64()
+            ),
+            _ => println!("{:10} is not installed, or its script failed", language.name),
+        }
+    }
+}
+
+/// How long one run takes; `None` if it cannot be run or fails.
+fn run(language: &Language, script: &Path) -> Option<Duration> {
+    let start = Instant::now();
+    let status =
+        (language.command)(script).stdout(Stdio::null()).stderr(Stdio::null()).status().ok()?;
+    status.success().then(|| start.elapsed())
+}
+
+fn median(mut times: Vec<Duration>) -> Duration {
+    times.sort_unstable();
+    times[times.len() / 2]
+}

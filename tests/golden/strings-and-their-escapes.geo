@@ -1,0 +1,5 @@
+print "a\tb", "line\nbreak", "quote \" and \\", "brace \{1 + 1}", "\u{41}\u{3b1}", "{1 + 1}"
+check "\u{41}" == "A"
+check "a{"b{"c"}"}" == "abc" "strings nest in interpolations"
+check len("αβγ") == 3 "a length counts characters"
+check "{[1, (2, 3)]}" == "[1, (2, 3, 0)]"
