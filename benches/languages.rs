@@ -4,6 +4,8 @@
 //! Each of them runs in turn, so that a busy machine burdens all alike; medians and their ratios
 //! are printed. A language that is not installed is said to be missing.
 
+#![expect(clippy::print_stdout, reason = "a benchmark prints its figures")]
+
 use std::{
     path::{Path, PathBuf},
     process::{Command, Stdio},

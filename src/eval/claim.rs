@@ -176,7 +176,7 @@ fn follow(value: &Value, path: &str) -> Value {
     {
         let inner = match step.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
             Some(idx) => match (&value, idx.parse::<usize>()) {
-                (Value::List(items), Ok(idx)) => items.get(idx).cloned(),
+                (Value::List(items), Ok(idx)) => items.get(idx),
                 _ => None,
             },
             None => crate::value::field(&value, step, crate::kernel::Tolerance::DEFAULT)

@@ -1,16 +1,17 @@
 //! Evaluation of what holds other values: points, lists, records, texts, comprehensions.
 
-use std::sync::Arc;
+use std::{ops::Range, sync::Arc};
 
 use glam::DVec3;
 
 use super::{
     ir::{Comprehension, Element, Expr, Piece},
+    lanes::{Lanes, Made},
     machine::Machine,
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
-    value::{Dim, Record, Value},
+    value::{Dim, List, Number, Record, Value},
 };
 
 impl Machine<'_> {
@@ -66,7 +67,7 @@ impl Machine<'_> {
     /// What a list or a range of whole numbers runs through.
     pub(super) fn iterate<'v>(&self, value: &'v Value, span: Span) -> Result<Items<'v>> {
         match value {
-            Value::List(items) => Ok(Items::List(items.iter())),
+            Value::List(items) => Ok(Items::of(items, 0..items.len())),
             Value::Range(range) => match range.integers() {
                 Some((start, count)) => {
                     self.check_length(count, span)?;
@@ -128,42 +129,154 @@ impl Machine<'_> {
         comprehension: &Comprehension,
         span: Span,
     ) -> Result<Value> {
-        let mut items = Vec::new();
-        self.generate(comprehension, 0, &mut items, span)?;
-        Ok(Value::list(items))
+        let mut collected = Collected::default();
+        self.generate(comprehension, 0, &mut collected, span)?;
+        Ok(Value::List(collected.into_list()))
     }
 
     fn generate(
         &mut self,
         comprehension: &Comprehension,
         level: usize,
-        items: &mut Vec<Value>,
+        collected: &mut Collected,
         span: Span,
     ) -> Result<()> {
         let Some(generator) = comprehension.generators.get(level) else {
-            self.check_length(items.len() + 1, span)?;
+            self.check_length(collected.len() + 1, span)?;
             let item = self.eval(&comprehension.body)?;
-            items.push(item);
+            collected.push(item);
             return Ok(());
         };
         let source = self.eval(&generator.source)?;
-        for item in self.iterate(&source, generator.source.span)? {
-            self.step(span)?;
-            let base = self.base;
-            self.stack[base + generator.slot] = item;
-            for (slot, part) in &generator.parts {
-                let value = self.eval(part)?;
-                self.stack[base + slot] = value;
-            }
-            let counts = match &generator.condition {
-                Some(condition) => self.truth(condition, "the condition of a comprehension")?,
-                None => true,
-            };
-            if counts {
-                self.generate(comprehension, level + 1, items, span)?;
+        let items = self.iterate(&source, generator.source.span)?;
+        if level + 1 == comprehension.generators.len()
+            && let Some(lanes) = Lanes::of(self, comprehension, generator, &source)
+        {
+            return self.run_lanes(&lanes, comprehension, collected, span);
+        }
+        for item in items {
+            self.element(comprehension, level, item, collected, span)?;
+        }
+        Ok(())
+    }
+
+    /// What one element of a generator leads to.
+    fn element(
+        &mut self,
+        comprehension: &Comprehension,
+        level: usize,
+        item: Value,
+        collected: &mut Collected,
+        span: Span,
+    ) -> Result<()> {
+        let generator = &comprehension.generators[level];
+        self.step(span)?;
+        let base = self.base;
+        self.stack[base + generator.slot] = item;
+        for (slot, part) in &generator.parts {
+            let value = self.eval(part)?;
+            self.stack[base + slot] = value;
+        }
+        let counts = match &generator.condition {
+            Some(condition) => self.truth(condition, "the condition of a comprehension")?,
+            None => true,
+        };
+        if counts {
+            self.generate(comprehension, level + 1, collected, span)?;
+        }
+        Ok(())
+    }
+
+    /// The last generator block by block; where lanes cannot tell, element by element.
+    fn run_lanes(
+        &mut self,
+        lanes: &Lanes,
+        comprehension: &Comprehension,
+        collected: &mut Collected,
+        span: Span,
+    ) -> Result<()> {
+        let level = comprehension.generators.len() - 1;
+        for block in lanes.blocks() {
+            match lanes.run(&block) {
+                Some((made, steps)) if self.has_steps(steps) => {
+                    self.steps(steps, span)?;
+                    self.check_length(collected.len() + made.len(), span)?;
+                    collected.extend(made);
+                }
+                _ => {
+                    for item in lanes.elements(block) {
+                        self.element(comprehension, level, item, collected, span)?;
+                    }
+                }
             }
         }
         Ok(())
+    }
+}
+
+/// The elements of a list that grows; numbers of one dimension as long as there is nothing else.
+#[derive(Debug)]
+enum Collected {
+    Numbers(Vec<f64>, Dim),
+    Values(Vec<Value>),
+}
+
+impl Default for Collected {
+    fn default() -> Self {
+        Self::Numbers(Vec::new(), Dim::NONE)
+    }
+}
+
+impl Collected {
+    fn len(&self) -> usize {
+        match self {
+            Self::Numbers(values, _) => values.len(),
+            Self::Values(values) => values.len(),
+        }
+    }
+
+    fn push(&mut self, value: Value) {
+        match (&mut *self, value) {
+            (Self::Numbers(values, dim), Value::Number(number))
+                if values.is_empty() || number.dim == *dim =>
+            {
+                *dim = number.dim;
+                values.push(number.value);
+            }
+            (_, value) => self.values().push(value),
+        }
+    }
+
+    fn extend(&mut self, made: Made) {
+        match (&mut *self, made) {
+            (Self::Numbers(values, dim), Made::Numbers(more, more_dim))
+                if values.is_empty() || *dim == more_dim =>
+            {
+                *dim = more_dim;
+                values.extend(more);
+            }
+            (_, made) => self.values().extend(made.into_values()),
+        }
+    }
+
+    /// The elements as values from here on.
+    fn values(&mut self) -> &mut Vec<Value> {
+        if let Self::Numbers(numbers, dim) = self {
+            let dim = *dim;
+            let value = |&value: &f64| Value::Number(Number { value, dim });
+            *self = Self::Values(numbers.iter().map(value).collect());
+        }
+        match self {
+            Self::Values(values) => values,
+            Self::Numbers(..) => unreachable!("they were turned into values above"),
+        }
+    }
+
+    fn into_list(self) -> List {
+        match self {
+            Self::Numbers(values, dim) => List::of_numbers(values, dim),
+            Self::Values(values) => List::from(values),
+        }
     }
 }
 
@@ -171,8 +284,20 @@ impl Machine<'_> {
 pub(super) enum Items<'v> {
     /// Elements of a list.
     List(std::slice::Iter<'v, Value>),
+    /// Elements of a list that holds them as numbers.
+    Numbers(std::slice::Iter<'v, f64>, Dim),
     /// The next whole number and how many are left.
     Integers(i64, usize),
+}
+
+impl<'v> Items<'v> {
+    /// The elements of a list from and to these places, which lie inside.
+    pub(super) fn of(list: &'v List, range: Range<usize>) -> Self {
+        match list.numbers() {
+            Some((values, dim)) => Self::Numbers(values[range].iter(), dim),
+            None => Self::List(list[range].iter()),
+        }
+    }
 }
 
 impl Iterator for Items<'_> {
@@ -181,6 +306,9 @@ impl Iterator for Items<'_> {
     fn next(&mut self) -> Option<Value> {
         match self {
             Self::List(items) => items.next().cloned(),
+            Self::Numbers(items, dim) => {
+                items.next().map(|&value| Value::Number(Number { value, dim: *dim }))
+            }
             Self::Integers(_, 0) => None,
             Self::Integers(next, left) => {
                 let value = Value::number(*next as f64);
@@ -193,6 +321,7 @@ impl Iterator for Items<'_> {
     fn size_hint(&self) -> (usize, Option<usize>) {
         let n = match self {
             Self::List(items) => items.len(),
+            Self::Numbers(items, _) => items.len(),
             Self::Integers(_, left) => *left,
         };
         (n, Some(n))

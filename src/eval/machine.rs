@@ -45,6 +45,11 @@ impl ScriptFunction {
     pub(crate) fn lambda(&self) -> &Lambda {
         &self.group.lambdas[self.idx]
     }
+
+    /// A function that was defined together with it.
+    pub(super) fn sibling(&self, idx: usize) -> Value {
+        Value::Function(Function::Closure(Arc::new(Self { idx, ..self.clone() })))
+    }
 }
 
 impl Closure for ScriptFunction {
@@ -120,7 +125,17 @@ impl<'a> Machine<'a> {
 
     /// Counts a step of evaluation.
     pub(super) fn step(&mut self, span: Span) -> Result<()> {
-        self.steps += 1;
+        self.steps(1, span)
+    }
+
+    /// Whether so many more steps can be counted.
+    pub(super) fn has_steps(&self, n: u64) -> bool {
+        self.steps.saturating_add(n) <= self.env.limits.steps
+    }
+
+    /// Counts steps of evaluation.
+    pub(super) fn steps(&mut self, n: u64, span: Span) -> Result<()> {
+        self.steps = self.steps.saturating_add(n);
         if self.steps <= self.env.limits.steps {
             return Ok(());
         }
@@ -132,7 +147,7 @@ impl<'a> Machine<'a> {
     pub(super) fn eval(&mut self, expr: &Expr) -> Result<Value> {
         match &expr.kind {
             ExprKind::Constant(value) => Ok(value.clone()),
-            ExprKind::Local(slot) => Ok(self.stack[self.base + slot].clone()),
+            ExprKind::Local(slot) => Ok(self.local(*slot)),
             _ => self.eval_deep(expr),
         }
     }
@@ -185,7 +200,7 @@ impl<'a> Machine<'a> {
             ExprKind::Captured(idx) => Ok(self.captured(*idx)),
             ExprKind::Sibling(idx) => Ok(self.sibling(*idx)),
             ExprKind::Constant(value) => Ok(value.clone()),
-            ExprKind::Local(slot) => Ok(self.stack[self.base + slot].clone()),
+            ExprKind::Local(slot) => Ok(self.local(*slot)),
             ExprKind::Point(coordinates) => self.point(coordinates),
             ExprKind::List(elements) => self.list(elements, span),
             ExprKind::Record(fields) => self.record(fields),
@@ -215,13 +230,27 @@ impl<'a> Machine<'a> {
         }
     }
 
-    fn captured(&self, idx: usize) -> Value {
+    /// A value of the running frame.
+    pub(super) fn local(&self, slot: usize) -> Value {
+        self.stack[self.base + slot].clone()
+    }
+
+    /// How much deeper expressions may lie in the running one.
+    pub(super) fn depth_left(&self) -> usize {
+        self.env.limits.evaluation_depth.saturating_sub(self.depth)
+    }
+
+    /// How much deeper calls may go.
+    pub(super) fn calls_left(&self) -> usize {
+        self.env.limits.call_depth.saturating_sub(self.n_calls)
+    }
+
+    pub(super) fn captured(&self, idx: usize) -> Value {
         self.running.as_ref().map_or(Value::None, |function| function.captures[idx].clone())
     }
 
-    fn sibling(&self, idx: usize) -> Value {
-        let Some(running) = &self.running else { return Value::None };
-        Value::Function(Function::Closure(Arc::new(ScriptFunction { idx, ..running.clone() })))
+    pub(super) fn sibling(&self, idx: usize) -> Value {
+        self.running.as_ref().map_or(Value::None, |running| running.sibling(idx))
     }
 
     fn make_function(&self, group: &Arc<Group>, idx: usize, sources: &[Source]) -> Value {

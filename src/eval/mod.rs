@@ -9,6 +9,7 @@ mod collection;
 mod dependencies;
 mod home;
 mod ir;
+mod lanes;
 mod library;
 mod load;
 mod lower;

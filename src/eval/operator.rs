@@ -135,7 +135,7 @@ pub(super) fn numbers(op: BinaryOp, a: Number, b: Number, places: Places) -> Res
 }
 
 /// The remainder with the sign of the divisor.
-fn remainder(a: f64, b: f64) -> f64 {
+pub(super) fn remainder(a: f64, b: f64) -> f64 {
     let rest = a % b;
     if rest != 0.0 && (rest < 0.0) != (b < 0.0) { rest + b } else { rest }
 }
@@ -290,10 +290,11 @@ pub(super) fn index(
     match (subject, index) {
         (Value::List(items), Value::Range(range)) => {
             let (start, end) = slice(items.len(), range, span)?;
-            Ok(Value::List(items[start..end.max(start)].iter().cloned().collect()))
+            Ok(Value::List(items.slice(start..end.max(start))))
         }
         (Value::List(items), _) => {
-            Ok(items[place(items.len(), index, "list", subject_span, span)?].clone())
+            let idx = place(items.len(), index, "list", subject_span, span)?;
+            Ok(items.get(idx).unwrap_or(Value::None))
         }
         (Value::Table(table), _) => {
             let row = place(table.n_rows(), index, "table", subject_span, span)?;

@@ -274,9 +274,9 @@ impl<T: FromValue> FromValue for Vec<T> {
 
     fn from_value(value: &Value, span: Span) -> Result<Self, Mismatch> {
         List::of(value, Self::TYPE)?
-            .iter()
+            .values()
             .enumerate()
-            .map(|(idx, item)| T::from_value(item, span).map_err(|mismatch| mismatch.inside(idx)))
+            .map(|(idx, item)| T::from_value(&item, span).map_err(|mismatch| mismatch.inside(idx)))
             .collect()
     }
 }

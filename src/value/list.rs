@@ -1,8 +1,14 @@
 //! Lists: values in order, shared and never changed, that know how deep and how large they are.
+//!
+//! Numbers of one dimension lie side by side, a quarter of the size of values. Whoever wants them
+//! as values gets those too; they are spelled out once, on first demand.
 
-use std::{ops::Deref, sync::Arc};
+use std::{
+    ops::Deref,
+    sync::{Arc, OnceLock},
+};
 
-use super::{FromValue, Mismatch, Type, Value};
+use super::{Dim, FromValue, Mismatch, Number, Type, Value};
 use crate::diag::Span;
 
 /// How deep and how large a value is, told without walking through it.
@@ -28,21 +34,103 @@ impl Extent {
 /// A list. Cheap to clone.
 #[derive(Clone, Debug)]
 pub struct List {
-    items: Arc<[Value]>,
+    items: Items,
     extent: Extent,
 }
 
+#[derive(Clone, Debug)]
+enum Items {
+    Values(Arc<[Value]>),
+    Numbers(Arc<Numbers>),
+}
+
+/// Numbers of one dimension.
+#[derive(Debug)]
+struct Numbers {
+    values: Vec<f64>,
+    dim: Dim,
+    /// The same as values, once somebody wanted them.
+    spelled: OnceLock<Box<[Value]>>,
+}
+
+impl Numbers {
+    fn value(&self, value: f64) -> Value {
+        Value::Number(Number { value, dim: self.dim })
+    }
+}
+
 impl List {
+    /// The list of finite numbers of one dimension.
+    #[must_use]
+    pub fn of_numbers(values: Vec<f64>, dim: Dim) -> Self {
+        let extent = Extent { depth: 1, size: 1 + values.len() as u64 };
+        let numbers = Numbers { values, dim, spelled: OnceLock::new() };
+        Self { items: Items::Numbers(Arc::new(numbers)), extent }
+    }
+
     /// How deep and how large it is.
     #[must_use]
     pub fn extent(&self) -> Extent {
         self.extent
     }
 
+    /// How many elements it has.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        match &self.items {
+            Items::Values(values) => values.len(),
+            Items::Numbers(numbers) => numbers.values.len(),
+        }
+    }
+
+    /// Whether it has none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// An element.
+    #[must_use]
+    pub fn get(&self, idx: usize) -> Option<Value> {
+        match &self.items {
+            Items::Values(values) => values.get(idx).cloned(),
+            Items::Numbers(numbers) => numbers.values.get(idx).map(|&value| numbers.value(value)),
+        }
+    }
+
+    /// Its elements in order.
+    pub fn values(&self) -> impl Iterator<Item = Value> + '_ {
+        (0..self.len()).filter_map(|idx| self.get(idx))
+    }
+
+    /// Its elements, where it holds them as numbers of one dimension.
+    #[must_use]
+    pub fn numbers(&self) -> Option<(&[f64], Dim)> {
+        match &self.items {
+            Items::Values(_) => None,
+            Items::Numbers(numbers) => Some((&numbers.values, numbers.dim)),
+        }
+    }
+
+    /// The elements of `range`, which lies inside.
+    #[must_use]
+    pub fn slice(&self, range: std::ops::Range<usize>) -> Self {
+        match &self.items {
+            Items::Values(values) => values[range].iter().cloned().collect(),
+            Items::Numbers(numbers) => {
+                Self::of_numbers(numbers.values[range].to_vec(), numbers.dim)
+            }
+        }
+    }
+
     /// Whether both are one list in memory, and so equal.
     #[must_use]
     pub fn is_same(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.items, &other.items)
+        match (&self.items, &other.items) {
+            (Items::Values(own), Items::Values(other)) => Arc::ptr_eq(own, other),
+            (Items::Numbers(own), Items::Numbers(other)) => Arc::ptr_eq(own, other),
+            _ => false,
+        }
     }
 }
 
@@ -50,20 +138,43 @@ impl Deref for List {
     type Target = [Value];
 
     fn deref(&self) -> &[Value] {
-        &self.items
+        match &self.items {
+            Items::Values(values) => values,
+            Items::Numbers(numbers) => numbers
+                .spelled
+                .get_or_init(|| numbers.values.iter().map(|&value| numbers.value(value)).collect()),
+        }
     }
+}
+
+/// The numbers, if all are such and of one dimension, and enough that it pays.
+fn all_numbers(items: &[Value]) -> Option<(Vec<f64>, Dim)> {
+    /// Elements from which on numbers are held as such.
+    const WORTH: usize = 64;
+    let Some(Value::Number(Number { dim, .. })) = items.first() else { return None };
+    let number = |item: &Value| match item {
+        Value::Number(number) if number.dim == *dim => Some(number.value),
+        _ => None,
+    };
+    if items.len() < WORTH {
+        return None;
+    }
+    Some((items.iter().map(number).collect::<Option<_>>()?, *dim))
 }
 
 impl From<Vec<Value>> for List {
     fn from(items: Vec<Value>) -> Self {
-        Self { extent: Extent::around(&items), items: Arc::from(items) }
+        if let Some((values, dim)) = all_numbers(&items) {
+            return Self::of_numbers(values, dim);
+        }
+        Self { extent: Extent::around(&items), items: Items::Values(Arc::from(items)) }
     }
 }
 
 impl FromIterator<Value> for List {
     fn from_iter<I: IntoIterator<Item = Value>>(items: I) -> Self {
         let items: Arc<[Value]> = items.into_iter().collect();
-        Self { extent: Extent::around(items.iter()), items }
+        Self { extent: Extent::around(items.iter()), items: Items::Values(items) }
     }
 }
 
@@ -83,7 +194,8 @@ impl List {
             Value::List(items) => Ok(items.clone()),
             Value::Range(range) => match range.integers() {
                 Some((start, count)) => {
-                    Ok((0..count).map(|i| Value::number((start + i as i64) as f64)).collect())
+                    let values = (0..count).map(|i| (start + i as i64) as f64).collect();
+                    Ok(Self::of_numbers(values, Dim::NONE))
                 }
                 None => Err(Mismatch::kind(wanted, value)),
             },

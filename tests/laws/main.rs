@@ -7,6 +7,7 @@
 mod basis;
 mod curve;
 mod hostile;
+mod lanes;
 mod measure;
 mod mesh;
 mod parametric;

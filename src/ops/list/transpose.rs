@@ -16,7 +16,7 @@ op! {
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<Value>> {
     let rows = &args.rows.value;
-    let n_columns = rows.first().map_or(0, |row| row.len());
+    let n_columns = rows.first().map_or(0, List::len);
     if let Some(i) = rows.iter().position(|row| row.len() != n_columns) {
         let message = format!(
             "row {i} has {} elements, row 0 has {n_columns}; every row needs the same number",

@@ -1,0 +1,230 @@
+//! Comprehensions over numbers, many elements at a time.
+//!
+//! A comprehension whose body computes numbers from its variable is compiled to passes over
+//! *lanes*, blocks of numbers: each operation works on a whole block before the next one begins.
+//! That can be done because a dimension follows from dimensions alone, so that all elements share
+//! it, and because nothing in the language has side effects.
+//!
+//! The machine stays the one that defines what an expression means. Lanes compute the same bits
+//! in the same order; what they cannot do is not compiled, and where anything goes wrong inside a
+//! block (a division by zero, a number beyond the largest) they give the block back, and the
+//! machine evaluates it element by element and finds the error at its place.
+
+mod compile;
+mod run;
+
+use std::ops::Range;
+
+use super::{
+    collection::Items,
+    ir::{Comprehension, Generator},
+    machine::Machine,
+};
+use crate::value::{Dim, List, Number, Value};
+use compile::Compiler;
+use run::Runner;
+
+/// Elements in one pass: a few lanes fit into the nearest cache.
+const BLOCK: usize = 1024;
+
+/// Elements below which compiling does not pay.
+const WORTH_COMPILING: usize = 32;
+
+/// A computation of numbers.
+#[derive(Debug)]
+enum Node {
+    Constant(f64),
+    /// A lane.
+    Variable(usize),
+    Negate(Box<Self>),
+    Arithmetic(Operation, Box<[Self; 2]>),
+    Choose(Box<Truth>, Box<[Self; 2]>),
+    /// Lanes that are computed first, then the result; so many calls are counted as steps.
+    Let(Vec<(usize, Self)>, Box<Self>, u64),
+}
+
+/// A computation of truths.
+#[derive(Debug)]
+enum Truth {
+    Constant(bool),
+    Compare(Comparison, Box<[Node; 2]>),
+    Not(Box<Self>),
+    /// The second where the first is true.
+    And(Box<[Self; 2]>),
+    /// The second where the first is false.
+    Or(Box<[Self; 2]>),
+    Let(Vec<(usize, Node)>, Box<Self>, u64),
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Operation {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Remainder,
+    Power,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Comparison {
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,
+    Equal,
+    NotEqual,
+}
+
+/// What a comprehension makes of each element.
+#[derive(Debug)]
+enum Body {
+    Number(Node, Dim),
+    Point(Box<[Node; 3]>),
+}
+
+/// A comprehension over one source of numbers, ready to run.
+#[derive(Debug)]
+pub(super) struct Lanes {
+    source: Source,
+    condition: Option<Truth>,
+    body: Body,
+    n_variables: usize,
+}
+
+/// The numbers that the variable runs through.
+#[derive(Debug)]
+enum Source {
+    Integers(i64, usize),
+    Numbers(List),
+}
+
+impl Source {
+    fn len(&self) -> usize {
+        match self {
+            Self::Integers(_, count) => *count,
+            Self::Numbers(list) => list.len(),
+        }
+    }
+
+    fn fill(&self, range: &Range<usize>, lane: &mut Vec<f64>) {
+        lane.clear();
+        match self {
+            Self::Integers(start, _) => {
+                lane.extend(range.clone().map(|i| (start + i as i64) as f64));
+            }
+            Self::Numbers(list) => {
+                let (values, _) = list.numbers().unwrap_or((&[], Dim::NONE));
+                lane.extend_from_slice(&values[range.clone()]);
+            }
+        }
+    }
+}
+
+/// What a block of elements came to.
+#[derive(Debug)]
+pub(super) enum Made {
+    /// Numbers of one dimension.
+    Numbers(Vec<f64>, Dim),
+    /// Anything else.
+    Values(Vec<Value>),
+}
+
+impl Made {
+    pub(super) fn len(&self) -> usize {
+        match self {
+            Self::Numbers(values, _) => values.len(),
+            Self::Values(values) => values.len(),
+        }
+    }
+
+    pub(super) fn into_values(self) -> Vec<Value> {
+        match self {
+            Self::Numbers(values, dim) => {
+                let number = |value| Value::Number(Number { value, dim });
+                values.into_iter().map(number).collect()
+            }
+            Self::Values(values) => values,
+        }
+    }
+}
+
+impl Lanes {
+    /// The last generator and the body as lanes, if they can be.
+    pub(super) fn of(
+        machine: &Machine<'_>,
+        comprehension: &Comprehension,
+        generator: &Generator,
+        source: &Value,
+    ) -> Option<Self> {
+        if !generator.parts.is_empty() {
+            return None;
+        }
+        let (source, dim) = match source {
+            Value::Range(range) => {
+                let (start, count) = range.integers()?;
+                (Source::Integers(start, count), Dim::NONE)
+            }
+            Value::List(list) => {
+                let (_, dim) = list.numbers()?;
+                (Source::Numbers(list.clone()), dim)
+            }
+            _ => return None,
+        };
+        if source.len() < WORTH_COMPILING {
+            return None;
+        }
+        let mut compiler = Compiler::new(machine, generator.slot, dim);
+        let condition = match &generator.condition {
+            Some(condition) => Some(compiler.condition(condition)?),
+            None => None,
+        };
+        let body = compiler.body(&comprehension.body)?;
+        Some(Self { source, condition, body, n_variables: compiler.n_variables() })
+    }
+
+    /// The blocks of elements, in order.
+    pub(super) fn blocks(&self) -> impl Iterator<Item = Range<usize>> + use<> {
+        let n = self.source.len();
+        (0..n).step_by(BLOCK).map(move |start| start..n.min(start + BLOCK))
+    }
+
+    /// The elements of a block one by one.
+    pub(super) fn elements(&self, range: Range<usize>) -> Items<'_> {
+        match &self.source {
+            Source::Integers(start, _) => Items::Integers(start + range.start as i64, range.len()),
+            Source::Numbers(list) => Items::of(list, range),
+        }
+    }
+
+    /// What a block comes to and in how many steps; `None` where only the machine can tell.
+    pub(super) fn run(&self, range: &Range<usize>) -> Option<(Made, u64)> {
+        let mut runner = Runner::new(self.n_variables, range.len());
+        self.source.fill(range, runner.lane(0));
+        let mut steps = range.len() as u64;
+        if let Some(condition) = &self.condition {
+            let mask = runner.truth(condition)?;
+            let narrowed = runner.narrowed(&mask, true);
+            steps += runner.steps();
+            runner = narrowed;
+        }
+        let n = runner.len();
+        let made = match &self.body {
+            Body::Number(node, dim) => {
+                let mut out = vec![0.0; n];
+                runner.number(node, &mut out)?;
+                Made::Numbers(out, *dim)
+            }
+            Body::Point(coordinates) => {
+                let mut lanes = [vec![0.0; n], vec![0.0; n], vec![0.0; n]];
+                for (coordinate, lane) in coordinates.iter().zip(&mut lanes) {
+                    runner.number(coordinate, lane)?;
+                }
+                let [x, y, z] = lanes;
+                let point = |i: usize| Value::Point(glam::DVec3::new(x[i], y[i], z[i]));
+                Made::Values((0..n).map(point).collect())
+            }
+        };
+        Some((made, steps + runner.steps()))
+    }
+}

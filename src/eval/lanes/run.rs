@@ -1,0 +1,181 @@
+//! Runs compiled comprehensions over a block of lanes.
+
+use super::{Comparison, Node, Operation, Truth};
+use crate::eval::operator::remainder;
+
+/// The lanes of a block.
+#[derive(Debug)]
+pub(super) struct Runner {
+    lanes: Vec<Vec<f64>>,
+    len: usize,
+    steps: u64,
+}
+
+impl Runner {
+    pub(super) fn new(n_variables: usize, len: usize) -> Self {
+        Self { lanes: vec![Vec::new(); n_variables], len, steps: 0 }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Calls so far, a step for each element.
+    pub(super) fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    pub(super) fn lane(&mut self, variable: usize) -> &mut Vec<f64> {
+        &mut self.lanes[variable]
+    }
+
+    /// The same lanes, of the elements that `mask` says to be `wanted`.
+    pub(super) fn narrowed(&self, mask: &[bool], wanted: bool) -> Self {
+        let narrow = |lane: &Vec<f64>| {
+            let chosen = lane.iter().zip(mask).filter(|&(_, &is)| is == wanted);
+            chosen.map(|(&value, _)| value).collect()
+        };
+        let len = mask.iter().filter(|&&is| is == wanted).count();
+        Self { lanes: self.lanes.iter().map(narrow).collect(), len, steps: 0 }
+    }
+
+    /// Computes a number for each element; `None` where one of them is none.
+    pub(super) fn number(&mut self, node: &Node, out: &mut [f64]) -> Option<()> {
+        match node {
+            Node::Constant(value) => out.fill(*value),
+            Node::Variable(variable) => out.copy_from_slice(&self.lanes[*variable]),
+            Node::Negate(inner) => {
+                self.number(inner, out)?;
+                out.iter_mut().for_each(|value| *value = -*value);
+            }
+            Node::Arithmetic(operation, sides) => {
+                let [left, right] = &**sides;
+                self.number(left, out)?;
+                match right {
+                    Node::Constant(value) => with_constant(*operation, out, *value),
+                    Node::Variable(variable) => {
+                        with_lane(*operation, out, &self.lanes[*variable]);
+                    }
+                    _ => {
+                        let mut other = vec![0.0; self.len];
+                        self.number(right, &mut other)?;
+                        with_lane(*operation, out, &other);
+                    }
+                }
+                return are_finite(out).then_some(());
+            }
+            Node::Choose(condition, sides) => self.choose(condition, sides, out)?,
+            Node::Let(definitions, value, n_calls) => {
+                self.define(definitions, *n_calls)?;
+                self.number(value, out)?;
+            }
+        }
+        Some(())
+    }
+
+    fn define(&mut self, definitions: &[(usize, Node)], n_calls: u64) -> Option<()> {
+        self.steps += n_calls * self.len as u64;
+        for (variable, node) in definitions {
+            let mut lane = vec![0.0; self.len];
+            self.number(node, &mut lane)?;
+            self.lanes[*variable] = lane;
+        }
+        Some(())
+    }
+
+    /// Each side only where the condition asks for it.
+    fn choose(&mut self, condition: &Truth, sides: &[Node; 2], out: &mut [f64]) -> Option<()> {
+        let mask = self.truth(condition)?;
+        for (wanted, side) in [(true, &sides[0]), (false, &sides[1])] {
+            let n = mask.iter().filter(|&&is| is == wanted).count();
+            if n == self.len {
+                self.number(side, out)?;
+            } else if 0 < n {
+                let mut part = self.narrowed(&mask, wanted);
+                let mut values = vec![0.0; n];
+                part.number(side, &mut values)?;
+                self.steps += part.steps;
+                let places = out.iter_mut().zip(&mask).filter(|&(_, &is)| is == wanted);
+                places.zip(values).for_each(|((place, _), value)| *place = value);
+            }
+        }
+        Some(())
+    }
+
+    /// Computes a truth for each element.
+    pub(super) fn truth(&mut self, truth: &Truth) -> Option<Vec<bool>> {
+        Some(match truth {
+            Truth::Constant(value) => vec![*value; self.len],
+            Truth::Compare(comparison, sides) => {
+                let mut lanes = [vec![0.0; self.len], vec![0.0; self.len]];
+                for (side, lane) in sides.iter().zip(&mut lanes) {
+                    self.number(side, lane)?;
+                }
+                compare(*comparison, &lanes[0], &lanes[1])
+            }
+            Truth::Not(inner) => self.truth(inner)?.into_iter().map(|is| !is).collect(),
+            Truth::And(sides) => self.both(sides, true)?,
+            Truth::Or(sides) => self.both(sides, false)?,
+            Truth::Let(definitions, value, n_calls) => {
+                self.define(definitions, *n_calls)?;
+                self.truth(value)?
+            }
+        })
+    }
+
+    /// The first truth, and where it is `undecided` the second.
+    fn both(&mut self, sides: &[Truth; 2], undecided: bool) -> Option<Vec<bool>> {
+        let mut mask = self.truth(&sides[0])?;
+        let mut part = self.narrowed(&mask, undecided);
+        let mut rest = part.truth(&sides[1])?.into_iter();
+        self.steps += part.steps;
+        for is in mask.iter_mut().filter(|is| **is == undecided) {
+            *is = rest.next()?;
+        }
+        Some(mask)
+    }
+}
+
+/// Whether no number of a lane is infinite or none at all.
+fn are_finite(lane: &[f64]) -> bool {
+    /// All bits of the exponent, which only those have.
+    const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
+    !lane.iter().fold(false, |bad, value| bad | (value.to_bits() & EXPONENT == EXPONENT))
+}
+
+fn with_constant(operation: Operation, out: &mut [f64], b: f64) {
+    let out = out.iter_mut();
+    match operation {
+        Operation::Add => out.for_each(|a| *a += b),
+        Operation::Subtract => out.for_each(|a| *a -= b),
+        Operation::Multiply => out.for_each(|a| *a *= b),
+        Operation::Divide => out.for_each(|a| *a /= b),
+        Operation::Remainder => out.for_each(|a| *a = remainder(*a, b)),
+        Operation::Power => out.for_each(|a| *a = libm::pow(*a, b)),
+    }
+}
+
+fn with_lane(operation: Operation, out: &mut [f64], b: &[f64]) {
+    let both = out.iter_mut().zip(b);
+    match operation {
+        Operation::Add => both.for_each(|(a, b)| *a += b),
+        Operation::Subtract => both.for_each(|(a, b)| *a -= b),
+        Operation::Multiply => both.for_each(|(a, b)| *a *= b),
+        Operation::Divide => both.for_each(|(a, b)| *a /= b),
+        Operation::Remainder => both.for_each(|(a, b)| *a = remainder(*a, *b)),
+        Operation::Power => both.for_each(|(a, b)| *a = libm::pow(*a, *b)),
+    }
+}
+
+#[expect(clippy::float_cmp, reason = "exact equality is what `==` means")]
+fn compare(comparison: Comparison, a: &[f64], b: &[f64]) -> Vec<bool> {
+    let both = a.iter().zip(b);
+    match comparison {
+        Comparison::Less => both.map(|(a, b)| a < b).collect(),
+        Comparison::LessEqual => both.map(|(a, b)| a <= b).collect(),
+        Comparison::Greater => both.map(|(a, b)| a > b).collect(),
+        Comparison::GreaterEqual => both.map(|(a, b)| a >= b).collect(),
+        Comparison::Equal => both.map(|(a, b)| a == b).collect(),
+        Comparison::NotEqual => both.map(|(a, b)| a != b).collect(),
+    }
+}
