@@ -139,6 +139,10 @@ codes! {
         "A curve exists on its domain, `c.domain`, a surface on `s.domain_u` and `s.domain_v`. Beyond them there is nothing to ask about."
     Degenerate "E0607" "degenerate geometry"
         "The question has no answer at this place: a direction of length zero, a tangent or normal that does not exist, a circle without a radius, coincident data."
+    BeyondTolerance "E0608" "a change beyond the tolerance"
+        "A curve can lose a knot or a degree only as far as its shape allows. The message tells how far it would move. Allow that with a larger tolerance, or keep what it has."
+    Gap "E0609" "curves that do not meet"
+        "Curves are joined in the order given, each starting where the one before ends, within the document's tolerance. `reversed` turns a curve around; `tolerance` at the top of the script says which points count as one."
 
     // E07xx: files.
     FileMissing "E0701" "a file that cannot be read"
@@ -182,6 +186,8 @@ codes! {
     // W00xx: warnings.
     Unclean "W0001" "the result needed help"
         "The construction has a result, but not all of what was asked could be promised. The message tells what was done."
+    SelfIntersecting "W0002" "the result crosses itself"
+        "Beside a tight bend an offset has cusps and loops: it is further away than the radius of curvature. The result is the true offset with these; a smaller distance has none."
 }
 
 impl Code {

@@ -15,6 +15,21 @@ pub(in crate::kernel) fn piece(knots: &KnotVector, points: &[DVec4], span: usize
     local_piece(knots, &points[knots.support(span)], span)
 }
 
+/// The symmetric multi-affine function of p arguments that is the spline's piece over `span`
+/// where all of them are equal.
+pub(in crate::kernel) fn blossom(
+    knots: &KnotVector,
+    points: &[DVec4],
+    span: usize,
+    arguments: &[f64],
+) -> DVec4 {
+    let mut corners = points[knots.support(span)].to_vec();
+    for (level, &t) in arguments.iter().enumerate() {
+        cut(knots.as_slice(), span, level + 1, t, &mut corners);
+    }
+    corners[knots.degree()]
+}
+
 /// One level of de Boor's corner cutting at `t`, in place: `corners[q..]` are the new ones.
 fn cut(knots: &[f64], span: usize, q: usize, t: f64, corners: &mut [DVec4]) {
     let p = corners.len() - 1;

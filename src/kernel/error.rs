@@ -71,12 +71,59 @@ pub enum GeomError {
     /// An interval without an inside.
     #[error("an interval needs its start below its end, got {start}..{end}")]
     EmptyInterval { start: f64, end: f64 },
+    /// An interval between two parameters that count as one.
+    #[error("the range {start}..{end} is too narrow to tell its ends apart")]
+    NarrowInterval { start: f64, end: f64 },
     /// A parameter where there is nothing.
     #[error("parameter {parameter} is outside the domain {domain}")]
     ParameterOutside { parameter: f64, domain: Interval },
     /// A parameter where nothing can be cut off.
     #[error("parameter {parameter} is an end of the domain {domain}; there is nothing to split")]
     ParameterAtEnd { parameter: f64, domain: Interval },
+    /// No inner knot where one is to be taken out.
+    #[error(
+        "{} inner knot stands at {parameter}{}",
+        if *stands == 0 { "no".to_owned() } else { format!("only {stands} times an") },
+        nearest.map_or(String::new(), |t| format!("; the nearest is {t}"))
+    )]
+    NoKnot { parameter: f64, stands: usize, nearest: Option<f64> },
+    /// A knot that the curve cannot do without.
+    #[error(
+        "without the knot {knot} the curve would move {}, more than the tolerance {tolerance}",
+        how_far(*error)
+    )]
+    KnotNeeded { knot: f64, error: f64, tolerance: f64 },
+    /// A degree that the curve cannot do without.
+    #[error(
+        "degree {degree} would move the curve {}, more than the tolerance {tolerance}",
+        how_far(*error)
+    )]
+    NotReducible { degree: usize, error: f64, tolerance: f64 },
+    /// A curve of the lowest degree.
+    #[error("the curve has degree {degree}, below which there is none")]
+    LowestDegree { degree: usize },
+    /// Fewer curves than the construction needs.
+    #[error("{needed} curves or more are needed, found {got}")]
+    TooFewCurves { got: usize, needed: usize },
+    /// Curves that do not meet.
+    #[error(
+        "`curves[{}]` starts {} from where `curves[{index}]` ends, more than the tolerance {tolerance}",
+        index + 1,
+        few_digits(*gap)
+    )]
+    Gap { index: usize, gap: f64, tolerance: f64, reversed: Option<usize> },
+    /// A span that is rounding beside the others.
+    #[error("a span of `curves[{index}]`, {length} wide, vanishes in a domain of length {total}")]
+    VanishingPiece { index: usize, length: f64, total: f64 },
+    /// A continuation that is shorter than asked for.
+    #[error("the curve goes on for a length of {} only, less than {wanted}", few_digits(*reached))]
+    EndOfContinuation { wanted: f64, reached: f64 },
+    /// A curve along the direction about which it should turn.
+    #[error("the curve runs along the normal at parameter {parameter}, so that it has no side")]
+    AlongNormal { parameter: f64 },
+    /// An offset that is one point.
+    #[error("the offset shrinks to a point: the distance is the radius {} of the arc", few_digits(*radius))]
+    VanishingOffset { radius: f64 },
     /// A derivative beyond the ceiling.
     #[error("derivatives of order {order} are above {most}, the highest that is allowed")]
     OrderTooHigh { order: usize, most: usize },
@@ -140,6 +187,25 @@ pub enum GeomError {
     /// Columns of different length.
     #[error("column {name:?} has {got} rows, the first has {expected}")]
     ColumnLength { name: String, got: usize, expected: usize },
+}
+
+/// A bound of a deviation for a message; without one the weights left no curve to measure.
+fn how_far(error: f64) -> String {
+    if error.is_finite() {
+        format!("by up to {}", few_digits(error))
+    } else {
+        "to where its weights are not positive".to_owned()
+    }
+}
+
+/// A measured number for a message.
+fn few_digits(x: f64) -> String {
+    let rounded = format!("{x:.3e}").parse().unwrap_or(x);
+    if rounded <= 0.0 || (0.001..1_000_000.0).contains(&rounded) {
+        rounded.to_string()
+    } else {
+        format!("{rounded:e}")
+    }
 }
 
 /// Why a function has no value, in the words of whoever made the function; the kernel looks not

@@ -73,6 +73,17 @@ pub(in crate::kernel) fn transformed(point: DVec4, map: &DAffine3) -> DVec4 {
 /// Division of truncated Taylor series, which is Leibniz' rule without its binomials.
 /// Piegl & Tiller, *The NURBS Book*, A4.2.
 pub(in crate::kernel) fn quotient(derivatives: &[DVec4]) -> Vec<DVec3> {
+    let mut series = series(derivatives);
+    let mut factorial = 1.0;
+    for (k, term) in series.iter_mut().enumerate().skip(1) {
+        factorial *= k as f64;
+        *term *= factorial;
+    }
+    series
+}
+
+/// Coefficients of the power series in space from homogeneous derivatives by order.
+pub(in crate::kernel) fn series(derivatives: &[DVec4]) -> Vec<DVec3> {
     let mut series: Vec<DVec3> = Vec::with_capacity(derivatives.len());
     let scaled: Vec<DVec4> = over_factorials(derivatives);
     for (k, numerator) in scaled.iter().enumerate() {
@@ -81,11 +92,6 @@ pub(in crate::kernel) fn quotient(derivatives: &[DVec4]) -> Vec<DVec3> {
             sum -= scaled[i].w * series[k - i];
         }
         series.push(sum / scaled[0].w);
-    }
-    let mut factorial = 1.0;
-    for (k, term) in series.iter_mut().enumerate().skip(1) {
-        factorial *= k as f64;
-        *term *= factorial;
     }
     series
 }

@@ -2,6 +2,7 @@
 //!
 //! Reading order: [`tolerance`], then [`KnotVector`], [`NurbsCurve`], [`NurbsSurface`], [`Mesh`].
 
+mod bernstein;
 mod bezier;
 mod bounds;
 mod curve;
@@ -15,12 +16,15 @@ mod knots;
 mod mesh;
 mod positive;
 mod refine;
+mod removal;
 mod surface;
 mod table;
 pub mod tolerance;
 
 pub use bounds::Bounds;
-pub use curve::{CircleForm, Curve, CurveFunction, NurbsCurve, ParametricCurve, make_compatible};
+pub use curve::{
+    CircleForm, Curve, CurveFunction, NurbsCurve, Offset, ParametricCurve, join, make_compatible,
+};
 pub use error::{FunctionFailure, GeomError};
 pub use frame::Frame;
 pub use grid::Grid;

@@ -122,6 +122,8 @@ impl Lines {
         if degree == from {
             return Ok(self);
         }
+        // Refuse a degree above the ceiling by its own name.
+        KnotVector::bezier(degree)?;
         let mut lines = self.clamped();
         for _ in from..degree {
             lines = lines.elevated_once()?;

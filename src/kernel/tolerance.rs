@@ -102,6 +102,24 @@ pub const UNIT_SLACK: f64 = 1e-4;
 /// finer than they need to be.
 pub const CHORD_SAFETY: f64 = 0.8;
 
+/// A knot goes from the joint of two curves when the curve moves by less than this fraction of its
+/// coordinates.
+///
+/// Rounding of computed ends leaves some 1e-15. Larger smooths corners that are there; smaller
+/// keeps three knots where two pieces of one cubic meet.
+pub const JOINT_RELATIVE: f64 = 1e-12;
+
+/// The distance of an offset times the curvature counts as one within this: a cusp.
+///
+/// Larger reports cusps where the offset is merely tight; smaller misses those where the curvature
+/// peaks at just that value.
+pub const CUSP_SLACK: f64 = 1e-9;
+
+/// An arc whose points keep their distance from the centre to this fraction is circular.
+///
+/// Larger takes a flat ellipse for a circle; smaller takes none for one after a rotation.
+pub const ROUND_RELATIVE: f64 = 1e-13;
+
 /// Rounding of a coordinate, as a fraction of it: the last bit of an `f64`.
 ///
 /// Larger takes digits for noise; smaller than this nothing is computed.

@@ -54,11 +54,16 @@ pub fn code_of(error: &GeomError) -> Code {
         | Error::DegreeTooHigh { .. }
         | Error::OrderTooHigh { .. }
         | Error::TooManyVertices { .. } => Code::TooLarge,
-        Error::DegreeTooLow { .. } => Code::BadDegree,
+        Error::DegreeTooLow { .. } | Error::LowestDegree { .. } => Code::BadDegree,
+        Error::KnotNeeded { .. } | Error::NotReducible { .. } => Code::BeyondTolerance,
+        Error::Gap { .. } => Code::Gap,
+        Error::TooFewCurves { .. } => Code::BadCall,
         Error::KnotCount { .. }
         | Error::TooFewKnots { .. }
         | Error::UnsortedKnots { .. }
         | Error::KnotMultiplicity { .. }
+        | Error::NoKnot { .. }
+        | Error::VanishingPiece { .. }
         | Error::EmptyDomain { .. } => Code::BadKnots,
         Error::WeightCount { .. }
         | Error::BadWeight { .. }
@@ -68,7 +73,8 @@ pub fn code_of(error: &GeomError) -> Code {
         Error::RaggedGrid { .. } | Error::GridSize { .. } => Code::RaggedGrid,
         Error::ParameterOutside { .. }
         | Error::ParameterAtEnd { .. }
-        | Error::EmptyInterval { .. } => Code::OutsideDomain,
+        | Error::EmptyInterval { .. }
+        | Error::NarrowInterval { .. } => Code::OutsideDomain,
         Error::NotFinite { .. } | Error::BeyondNumbers { .. } | Error::BeyondNumbersAt { .. } => {
             Code::Domain
         }
@@ -97,6 +103,18 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         Error::VanishingTangent { .. } | Error::VanishingDerivative { .. } => {
             "the curve stands still there: are points repeated?".to_owned()
         }
+        Error::DegreeTooLow { .. } => {
+            "name the degree of the result; `reduce(c, tolerance)` makes it lower".to_owned()
+        }
+        Error::KnotNeeded { .. } | Error::NotReducible { .. } => {
+            "allow a larger tolerance, or keep the curve as it is".to_owned()
+        }
+        Error::Gap { reversed: Some(index), .. } => {
+            format!("`reversed(curves[{index}])` would fit")
+        }
+        Error::Gap { .. } => "give the curves in order, end to start".to_owned(),
+        Error::VanishingPiece { .. } => "`reparametrize` the curves to similar domains".to_owned(),
+        Error::AlongNormal { .. } => "give another `normal`".to_owned(),
         Error::NotNurbs { what } => {
             format!("`to_nurbs({}, tolerance)` makes a NURBS of it", &what[..1])
         }

@@ -7,7 +7,7 @@ use virote::kernel::{CircleForm, Interval, KnotVector, NurbsCurve, Side, make_co
 use crate::some::{affine_map, are_near, curve, fraction, parameter, point};
 
 /// Whether both curves have the same points at the same parameters.
-fn are_same(a: &NurbsCurve, b: &NurbsCurve, tolerance: f64) -> bool {
+pub(crate) fn are_same(a: &NurbsCurve, b: &NurbsCurve, tolerance: f64) -> bool {
     (0..=40).all(|i| {
         let f = f64::from(i) / 40.0;
         are_near(a.point_at(parameter(a, f)), b.point_at(parameter(b, f)), tolerance)

@@ -6,6 +6,7 @@
 
 mod basis;
 mod curve;
+mod edit;
 mod hostile;
 mod lanes;
 mod measure;

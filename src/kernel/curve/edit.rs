@@ -52,14 +52,14 @@ impl NurbsCurve {
     /// The part over an interval, with the parameters that it had, clamped at both ends.
     ///
     /// # Errors
-    /// [`GeomError::ParameterOutside`] the domain; [`GeomError::EmptyInterval`] shorter than a
-    /// span can be.
+    /// [`GeomError::ParameterOutside`] the domain; [`GeomError::NarrowInterval`] shorter than
+    /// a span can be.
     pub fn trimmed(&self, interval: Interval) -> Result<Self, GeomError> {
         let domain = self.domain();
         let inside = |t: f64| domain.clamp_inside(t).map(|t| self.knots.snapped(t));
         let (start, end) = (inside(interval.start())?, inside(interval.end())?);
         if end - start <= KNOT_RELATIVE * domain.length() {
-            return Err(GeomError::EmptyInterval { start, end });
+            return Err(GeomError::NarrowInterval { start, end });
         }
         let (_, rest) = self.lines().cut_at(start);
         Ok(Self::from_lines(rest.cut_at(end).0))

@@ -4,7 +4,6 @@ use super::NurbsCurve;
 use crate::kernel::{
     Bounds, Grid, Interval, KnotVector,
     frame::norm,
-    homogeneous,
     hull::Spline,
     tolerance::{LAST_BIT, LENGTH_RELATIVE},
 };
@@ -39,9 +38,8 @@ impl NurbsCurve {
     pub fn length(&self, interval: Interval) -> f64 {
         let pieces = self.smooth_pieces(interval);
         let estimates: Vec<f64> = pieces.iter().map(|&piece| self.quadrature(piece)).collect();
-        let magnitude = |&point| homogeneous::place(point).abs().max_element();
-        let rounding = LAST_BIT * self.control_points.iter().map(magnitude).fold(0.0, f64::max);
-        let accuracy = LENGTH_RELATIVE * estimates.iter().sum::<f64>() + rounding;
+        let accuracy =
+            LENGTH_RELATIVE * estimates.iter().sum::<f64>() + LAST_BIT * self.magnitude();
         let refined = pieces.into_iter().zip(estimates);
         refined.map(|(piece, estimate)| self.refined_length(piece, estimate, accuracy)).sum()
     }
@@ -54,6 +52,14 @@ impl NurbsCurve {
         };
         let points = Grid::from_rows_of(self.control_points.len(), self.control_points.clone());
         Spline { knots: [&constant, &self.knots], points: &points }.bounds()
+    }
+
+    /// Arc length of the piece that holds the middle of the interval, which goes on beyond its
+    /// span and the domain.
+    pub(super) fn length_of_piece(&self, interval: Interval) -> f64 {
+        let estimate = self.quadrature(interval);
+        let accuracy = LENGTH_RELATIVE * estimate + LAST_BIT * self.magnitude();
+        self.refined_length(interval, estimate, accuracy)
     }
 
     /// The interval cut to the domain and at the knots.

@@ -3,17 +3,23 @@
 //! `any` is a curve of either kind, `parametric` that of a function. Of B-splines this file has the
 //! type, its constructors and what can be read off it; `eval` computes points
 //! and derivatives, `direction` tangents and curvature, `circle` the exact circles, `edit` changes
-//! the representation or cuts, `compatible` brings several to one basis, `measure` has length and
+//! the representation or cuts, `reduce` takes knots and degrees away, `join` and `extend` go on beyond
+//! an end, `offset` runs beside, `deviation` tells how far two are apart, `compatible` brings several to one basis, `measure` has length and
 //! bounds.
 
 mod any;
 mod circle;
 mod compatible;
+mod deviation;
 mod direction;
 mod edit;
 mod eval;
+mod extend;
+mod join;
 mod measure;
+mod offset;
 mod parametric;
+mod reduce;
 
 use glam::{DAffine3, DVec3, DVec4};
 
@@ -22,6 +28,8 @@ use super::{GeomError, Interval, KnotVector, homogeneous, positive};
 pub use any::Curve;
 pub use circle::CircleForm;
 pub use compatible::make_compatible;
+pub use join::join;
+pub use offset::Offset;
 pub use parametric::{CurveFunction, ParametricCurve};
 
 /// A rational B-spline curve in space, with homogeneous points `(w·x, w·y, w·z, w)`.

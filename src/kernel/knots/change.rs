@@ -52,6 +52,21 @@ impl KnotVector {
         Self::trusted(self.degree, knots)
     }
 
+    /// The opposite numbers in order: exactly its own inverse.
+    pub(in crate::kernel) fn mirrored(&self) -> Self {
+        Self::trusted(self.degree, self.knots.iter().rev().map(|&t| -t).collect())
+    }
+
+    /// Knots for nearby splines of one degree less: of clamped ones every knot once less, but no
+    /// inner knot gone.
+    pub(in crate::kernel) fn lowered(&self) -> Self {
+        let domain = self.domain();
+        let is_inner = |t: f64| domain.start() < t && t < domain.end();
+        let less = |(t, times): (f64, usize)| vec![t; (times - 1).max(usize::from(is_inner(t)))];
+        let knots = self.distinct().into_iter().flat_map(less).collect();
+        Self::trusted(self.degree - 1, knots)
+    }
+
     /// Knots for the same splines at one degree more: every knot once more, the domain kept.
     ///
     /// # Errors

@@ -13,4 +13,10 @@ pub(super) static OPS: &[&Op] = &[
     &curve::insert_knot::OP,
     &curve::refine::OP,
     &curve::decompose::OP,
+    &curve::remove_knot::OP,
+    &curve::reduce::OP,
+    &curve::join::OP,
+    &curve::extend::OP,
+    &curve::continue_bezier::OP,
+    &curve::offset::OP,
 ];

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
+use super::at_least_once;
 use crate::{
-    diag::{Code, Diagnostic, Result, Spanned},
+    diag::{Result, Spanned},
     kernel::NurbsCurve,
     value::{At, Ctx, op},
 };
@@ -28,10 +29,7 @@ op! {
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
     let Args { c, t, times } = args;
-    if times.value == 0 {
-        let message = "a knot is inserted once or more often, found 0 times";
-        return Diagnostic::error(Code::BadKnots, times.span, message).fail();
-    }
+    at_least_once("inserted", times)?;
     // One time more than can be makes the message, without a list of any length.
     let knots = vec![t.value; times.value.min(c.degree() + 2)];
     c.insert_knots(&knots).at(t.span)

@@ -1,10 +1,40 @@
 //! Edits of curves: each makes a new curve.
 
+pub(super) mod continue_bezier;
 pub(super) mod decompose;
 pub(super) mod elevate;
+pub(super) mod extend;
 pub(super) mod insert_knot;
+pub(super) mod join;
+pub(super) mod offset;
+pub(super) mod reduce;
 pub(super) mod refine;
+pub(super) mod remove_knot;
 pub(super) mod reparametrize;
 pub(super) mod reversed;
 pub(super) mod split;
 pub(super) mod trim;
+
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    value::{Length, shortest},
+};
+
+/// A length that is above zero.
+fn positive(what: &str, length: Spanned<Length>) -> Result<f64> {
+    let value = length.value.0;
+    if 0.0 < value {
+        return Ok(value);
+    }
+    let message = format!("{what} must be positive, found {}", shortest(value));
+    Diagnostic::error(Code::Degenerate, length.span, message).fail()
+}
+
+/// Fails for a knot that is to be changed no times.
+fn at_least_once(done: &str, times: Spanned<usize>) -> Result<()> {
+    if 0 < times.value {
+        return Ok(());
+    }
+    let message = format!("a knot is {done} once or more often, found 0 times");
+    Diagnostic::error(Code::BadKnots, times.span, message).fail()
+}

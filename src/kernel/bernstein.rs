@@ -1,0 +1,99 @@
+//! Polynomials by their Bernstein coefficients: products, and the bounds that these give.
+
+use std::ops::{Add, Mul};
+
+use glam::DVec4;
+
+use super::bezier;
+
+/// Bernstein coefficients of the product of two polynomials on one interval, of any kind of
+/// values; `times` multiplies these. O(p·q).
+///
+/// Farouki & Rajan, *Algorithms for polynomials in Bernstein form*, CAGD 5 (1988), (44).
+pub(in crate::kernel) fn product<A: Copy, B: Copy, C>(
+    a: &[A],
+    b: &[B],
+    times: impl Fn(A, B) -> C,
+) -> Vec<C>
+where
+    C: Copy + Default + Add<Output = C> + Mul<f64, Output = C>,
+{
+    let (p, q) = (a.len() - 1, b.len() - 1);
+    let (of_a, of_b, of_both) = (binomials(p), binomials(q), binomials(p + q));
+    let mut sums = vec![C::default(); p + q + 1];
+    for (i, &x) in a.iter().enumerate() {
+        for (j, &y) in b.iter().enumerate() {
+            let share = of_a[i] * of_b[j] / of_both[i + j];
+            sums[i + j] = sums[i + j] + times(x, y) * share;
+        }
+    }
+    sums
+}
+
+/// Coefficients of the derivative by the local parameter 0..1.
+pub(in crate::kernel) fn derivative(points: &[DVec4]) -> Vec<DVec4> {
+    match points.len() {
+        1 => vec![DVec4::ZERO],
+        n => points.windows(2).map(|pair| (pair[1] - pair[0]) * (n - 1) as f64).collect(),
+    }
+}
+
+/// `n` over 0, 1, … n.
+pub(in crate::kernel) fn binomials(n: usize) -> Vec<f64> {
+    let next = |value: &mut f64, k: usize| {
+        let this = *value;
+        *value *= (n - k) as f64 / (k + 1) as f64;
+        Some(this)
+    };
+    (0..=n).scan(1.0, next).collect()
+}
+
+/// Pieces that a search for a maximum looks at before it is content with its bound.
+const MAX_PIECES: usize = 2000;
+
+/// How far above the largest value found a bound may stay.
+const SLACK: f64 = 1.02;
+
+/// An upper bound of a quantity over several polynomials of 0..1, each halved where its
+/// coefficients say too little: within 2% of the largest value, unless that is as small as
+/// `rounding`.
+///
+/// `bound` tells from coefficients how large the quantity can be between the ends, `value` how
+/// large it is at an end.
+pub(in crate::kernel) fn maximum(
+    pieces: Vec<Vec<DVec4>>,
+    rounding: f64,
+    bound: impl Fn(&[DVec4]) -> f64,
+    value: impl Fn(DVec4) -> f64,
+) -> f64 {
+    let mut reached = rounding;
+    let mut settled = 0.0_f64;
+    let mut todo = pieces;
+    let mut n_pieces = 0;
+    while let Some(piece) = todo.pop() {
+        n_pieces += 1;
+        let ends = [piece[0], piece[piece.len() - 1]];
+        reached = ends.into_iter().map(&value).fold(reached, f64::max);
+        let most = bound(&piece);
+        if most <= SLACK * reached || MAX_PIECES < n_pieces {
+            settled = settled.max(most);
+        } else {
+            let (left, right) = bezier::cut_at(&piece, 0.5);
+            todo.extend([right, left]);
+        }
+    }
+    settled
+}
+
+#[cfg(test)]
+mod tests {
+    use super::product;
+
+    #[test]
+    fn products_are_those_of_the_polynomials() {
+        // (1 − t)·t on coefficients (1, 0) and (0, 1) is half of the middle Bernstein polynomial.
+        assert_eq!(product(&[1.0, 0.0], &[0.0, 1.0], |a, b| a * b), [0.0, 0.5, 0.0]);
+        // t²·t = t³.
+        assert_eq!(product(&[0.0, 0.0, 1.0], &[0.0, 1.0], |a, b| a * b), [0.0, 0.0, 0.0, 1.0]);
+    }
+}

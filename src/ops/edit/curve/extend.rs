@@ -1,0 +1,48 @@
+//! `extend` of a curve: it goes on beyond an end.
+
+use std::sync::Arc;
+
+use super::positive;
+use crate::{
+    diag::{Result, Spanned},
+    kernel::NurbsCurve,
+    value::{At, Choice, Ctx, Length, op},
+};
+
+op! {
+    /// Curve prolonged at an end by an arc length: its last polynomial piece goes on.
+    ///
+    /// The old part keeps its points and parameters, the domain grows, and there is no joint: all
+    /// derivatives are continuous. Lines and circular arcs go on as such.
+    extend in Edit -> NurbsCurve {
+        /// The curve.
+        c: Arc<NurbsCurve>,
+        /// By how much, measured along the curve.
+        length: Spanned<Length>,
+        /// Which end.
+        at: End = End::End,
+    }
+    example "extend(line((0, 0), (3, 4)), 10).end" => "(9, 12, 0)";
+    example "extend(line((0, 0), (3, 4)), 5, at = \"start\").domain" => "-1..1";
+}
+
+/// An end of a curve.
+#[derive(Clone, Copy, PartialEq)]
+enum End {
+    End,
+    Start,
+}
+
+impl Choice for End {
+    const WORDS: &'static [&'static str] = &["end", "start"];
+    const MEANINGS: &'static [Self] = &[Self::End, Self::Start];
+}
+
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+    let length = positive("the length", args.length)?;
+    match args.at {
+        End::End => args.c.extended(length),
+        End::Start => args.c.extended_at_start(length),
+    }
+    .at(args.length.span)
+}

@@ -1,0 +1,30 @@
+//! `join`: several curves as one.
+
+use std::sync::Arc;
+
+use crate::{
+    diag::{Result, Spanned},
+    kernel::{self, NurbsCurve},
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// Several curves, each starting where the one before ends, as one curve.
+    ///
+    /// Exact: each keeps the length of its domain, behind that of the one before; all get the
+    /// highest degree among them, and weights that go on from one to the next. A joint keeps only
+    /// the knots that its continuity needs, so that Bézier curves that meet C² become one
+    /// spline with simple knots. Gaps up to the document's tolerance are closed halfway.
+    join in Edit -> NurbsCurve {
+        /// The curves in order, two or more.
+        curves: Spanned<Vec<Arc<NurbsCurve>>>,
+    }
+    example "join([line((0, 0), (1, 0)), line((1, 0), (2, 0))]).points" => "[(0, 0, 0), (2, 0, 0)]";
+    example "join([line((0, 0), (1, 0)), line((1, 0), (1, 1))]).knots" => "[0, 0, 1, 2, 2]";
+    example "join(decompose(clamped((1, 1), (3, 1), (5, 7), (7, 1), (9, 4)))).knots" => "[0, 0, 0, 0, 1, 2, 2, 2, 2]";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+    let curves: Vec<NurbsCurve> = args.curves.value.iter().map(|curve| (**curve).clone()).collect();
+    kernel::join(&curves, ctx.tolerance.distance).at(args.curves.span)
+}

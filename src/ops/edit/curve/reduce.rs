@@ -1,0 +1,45 @@
+//! `reduce`: a curve at a lower degree.
+
+use std::sync::Arc;
+
+use super::positive;
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::NurbsCurve,
+    value::{At, Ctx, Length, op},
+};
+
+op! {
+    /// Curve at the lowest degree that leaves every point within a tolerance, or at a degree that
+    /// is named.
+    ///
+    /// Both ends stay. Where not even one degree less is within the tolerance it is an error that
+    /// tells how far the curve would move, as an upper bound at most 2% above the truth. Undoes
+    /// `elevate`. Piegl & Tiller, *The NURBS Book*, §5.6.
+    reduce in Edit -> NurbsCurve {
+        /// The curve, of degree 2 or more.
+        c: Arc<NurbsCurve>,
+        /// How far a point of the curve may move.
+        tolerance: Spanned<Length>,
+        /// The degree of the result.
+        degree: Option<Spanned<usize>>,
+    }
+    example "reduce(elevate(bezier((0, 0), (3, 6), (6, 0)), 4), 1e-9).degree" => "2";
+    example "reduce(bezier((0, 0), (1, 0.02), (2, 0)), 0.02).points" => "[(0, 0, 0), (2, 0, 0)]";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+    let tolerance = positive("the tolerance", args.tolerance)?;
+    let degree = args.degree.map(|degree| degree.value);
+    let span = args.degree.map_or(ctx.span, |degree| degree.span);
+    match degree {
+        Some(degree) if degree == 0 || args.c.degree() <= degree => {
+            let own = args.c.degree();
+            let message = format!(
+                "the degree of the result must be 1 or more and below the {own} of the curve, found {degree}"
+            );
+            Diagnostic::error(Code::BadDegree, span, message).fail()
+        }
+        _ => args.c.reduced(degree, tolerance).at(span),
+    }
+}

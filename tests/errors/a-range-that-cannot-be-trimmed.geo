@@ -1,0 +1,7 @@
+curve c = bezier((0, 0), (1, 2), (2, 0))
+curve outside = trim(c, 0.5..1.5)
+curve backwards = trim(c, 0.75..0.25)
+curve empty = trim(c, 0.5..0.5)
+curve narrow = trim(c, 0.5..0.5 + 1e-15)
+let parts = split(c, 1)
+let beyond = split(c, 2)

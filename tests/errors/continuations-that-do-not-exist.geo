@@ -1,0 +1,8 @@
+curve c = bezier((0, 0), (1, 2), (2, 0))
+curve order = continue_bezier(c, 7, [(3, 3)])
+curve free = continue_bezier(c, 1, [])
+curve length = extend(c, 0)
+curve quarter = conic((1, 0), (1, 1), (0, 1), sqrt(2)/2)
+curve around = extend(quarter, 10)
+curve still = extend(bezier((1, 1), (1, 1), (1, 1)), 1)
+curve word = extend(c, 1, at = "begin")

@@ -1,0 +1,7 @@
+curve c = bezier((0, 0), (1, 2), (3, 1), (4, 0))
+curve lower = elevate(c, 2)
+curve higher = elevate(c, 1000)
+curve refused = reduce(c, 1e-6)
+curve to_itself = reduce(c, 0.1, degree = 3)
+curve straight = reduce(line((0, 0), (1, 1)), 0.1)
+curve negative = reduce(c, -1)
