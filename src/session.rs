@@ -15,7 +15,7 @@ pub use test::{Tested, Verdict};
 
 use crate::{
     diag::{Code, Diagnostic, Severity, Sources, Span},
-    eval::{self, Exported, Output, Purpose, Setting},
+    eval::{self, Exported, Memory, Output, Purpose, Setting, Work},
     export::{Format, Job},
     limits::Limits,
     ops,
@@ -29,6 +29,8 @@ pub struct Session {
     registry: Registry,
     limits: Limits,
     n_threads: usize,
+    /// Of an incremental session.
+    memory: Option<Memory>,
 }
 
 /// A file that a script exports, ready to be written.
@@ -82,6 +84,12 @@ impl Report {
     pub fn count(&self, severity: Severity) -> usize {
         self.diagnostics.iter().filter(|found| found.severity == severity).count()
     }
+
+    /// How many definitions came by their value in this way.
+    #[must_use]
+    pub fn n_with(&self, work: Work) -> usize {
+        self.definitions.iter().filter(|defined| defined.work == work).count()
+    }
 }
 
 impl Default for Session {
@@ -94,13 +102,54 @@ impl Session {
     /// A session with all built-ins and these ceilings.
     #[must_use]
     pub fn new(limits: Limits) -> Self {
-        Self { registry: ops::registry(), limits, n_threads: 1 }
+        Self { registry: ops::registry(), limits, n_threads: 1, memory: None }
     }
 
     /// The same on up to `n_threads` threads; results and messages do not depend on their number.
     #[must_use]
     pub fn on_threads(self, n_threads: usize) -> Self {
         Self { n_threads: n_threads.max(1), ..self }
+    }
+
+    /// The same with a memory: a run evaluates only definitions that are new, and those that use
+    /// something that changed, wherever they stand. Its report is that of a session without a memory
+    /// but for [`Defined::work`](eval::Defined::work), which tells what was evaluated.
+    ///
+    /// A change is one of the definition itself, of a definition that it uses, of the document's
+    /// unit or tolerance, of the value that a parameter is given, or of a file that it reads.
+    /// Comments, places and the order of definitions are none. `check`, `print` and `export` are
+    /// carried out in each run. What a run did not use is forgotten; after one with errors also
+    /// what the last one without errors used is kept.
+    ///
+    /// ```
+    /// use virote::{eval::Work, session::Session, value::Files};
+    ///
+    /// #[derive(Debug)]
+    /// struct NoFiles;
+    /// impl Files for NoFiles {
+    ///     fn read(&self, path: &str, _: usize) -> Result<Vec<u8>, String> {
+    ///         Err(format!("there is no `{path}`"))
+    ///     }
+    /// }
+    ///
+    /// let session = Session::default().incremental();
+    /// let run = |text: &str| session.run("demo", text.as_bytes(), &NoFiles, &[]);
+    ///
+    /// assert_eq!(run("let a = 1  let b = a + 1  let c = 3").n_with(Work::Evaluated), 3);
+    /// // An edit of `b`, and a comment.
+    /// let report = run("let a = 1 /* one */  let b = a + 2  let c = 3");
+    /// assert_eq!(report.n_with(Work::Reused), 2);
+    /// assert_eq!(report.definitions[1].work, Work::Evaluated);
+    /// ```
+    #[must_use]
+    pub fn incremental(self) -> Self {
+        Self { memory: Some(Memory::default()), ..self }
+    }
+
+    /// How many results an incremental session remembers.
+    #[must_use]
+    pub fn n_remembered(&self) -> usize {
+        self.memory.as_ref().map_or(0, Memory::len)
     }
 
     /// The built-ins.
@@ -153,6 +202,7 @@ impl Session {
                 return self.findings(sources, vec![*diagnostic]);
             }
         };
+        let recall = self.memory.as_ref().map(Memory::begin);
         let settings = eval::Settings {
             registry: &self.registry,
             limits: &self.limits,
@@ -160,8 +210,12 @@ impl Session {
             overrides: settings,
             n_threads: self.n_threads,
             purpose,
+            recall: recall.as_ref(),
         };
         let outcome = eval::evaluate(name, text, &mut sources, settings);
+        if let Some(recall) = recall {
+            recall.end(outcome.diagnostics.iter().any(|found| found.severity == Severity::Error));
+        }
         let mut diagnostics = outcome.diagnostics;
         let events = self.events(outcome.outputs, outcome.unit, &mut diagnostics);
         let tested =

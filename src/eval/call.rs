@@ -1,13 +1,14 @@
 //! Calls: of functions of the script, of built-ins, of curves and surfaces, and with places left
 //! open.
 
-use std::sync::Arc;
+use std::sync::{Arc, PoisonError};
 
 use super::{
     home::Home,
     ir::{Arg, CallExpr},
     library::join,
-    machine::{Machine, ScriptFunction},
+    machine::{Machine, Reads, ScriptFunction},
+    memory::Read,
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
@@ -22,11 +23,18 @@ use crate::{
 struct Beside<'a> {
     files: &'a dyn Files,
     folder: &'a str,
+    reads: Option<Reads>,
 }
 
 impl Files for Beside<'_> {
     fn read(&self, path: &str, most: usize) -> std::result::Result<Vec<u8>, String> {
-        self.files.read(&join(self.folder, path), most)
+        let path = join(self.folder, path);
+        let outcome = self.files.read(&path, most);
+        if let Some(reads) = &self.reads {
+            let read = Read::new(path, most, &outcome);
+            reads.lock().unwrap_or_else(PoisonError::into_inner).insert(read);
+        }
+        outcome
     }
 }
 
@@ -175,7 +183,7 @@ impl Machine<'_> {
         let env = self.env;
         let span = call.span;
         let home = Arc::clone(&self.home);
-        let files = Beside { files: env.files, folder: &home.folder };
+        let files = Beside { files: env.files, folder: &home.folder, reads: self.reads.clone() };
         let mut ctx =
             Ctx { tolerance: env.tolerance, limits: env.limits, files: &files, span, caller: self };
         let value = (op.run)(&mut ctx, call)?;
@@ -279,7 +287,11 @@ impl Machine<'_> {
             parameters.push((Spanned::new(Arc::clone(label), *place), value));
         }
         match self.env.library {
-            Some(library) => library.value(file, parameters, self.env),
+            Some(library) => {
+                let (value, fields) = library.value(file, parameters, self.env)?;
+                self.imported = fields;
+                Ok(value)
+            }
             None => {
                 Diagnostic::error(Code::FileMissing, span, "nothing can be imported here").fail()
             }

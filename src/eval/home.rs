@@ -2,7 +2,10 @@
 
 use std::sync::{Arc, OnceLock};
 
-use super::ir::Program;
+use super::{
+    ir::Program,
+    memory::{Mark, Recall},
+};
 use crate::value::Value;
 
 /// What runs: the values of a file's definitions, and where the file lies.
@@ -10,6 +13,8 @@ use crate::value::Value;
 pub(crate) struct Home {
     /// Empty where not evaluated yet, `None` where that failed.
     values: Vec<OnceLock<Option<Value>>>,
+    /// The identities of the values, where they are remembered.
+    marks: Vec<OnceLock<Mark>>,
     /// The number of the first of them; those before it belong to the file around a test.
     first: usize,
     around: Option<Arc<Home>>,
@@ -19,18 +24,29 @@ pub(crate) struct Home {
 
 impl Home {
     /// The home of a program, before anything is evaluated.
-    pub(crate) fn new(program: &Program, folder: &str) -> Arc<Self> {
-        Arc::new(Self::of(program, folder, None))
+    pub(super) fn new(program: &Program, folder: &str, recall: Option<&Recall<'_>>) -> Arc<Self> {
+        Arc::new(Self::of(program, folder, recall, None))
     }
 
     /// The home of a test's program inside this file.
-    pub(crate) fn of_test(self: &Arc<Self>, program: &Program) -> Arc<Self> {
-        Arc::new(Self::of(program, &self.folder, Some(Arc::clone(self))))
+    pub(super) fn of_test(
+        self: &Arc<Self>,
+        program: &Program,
+        recall: Option<&Recall<'_>>,
+    ) -> Arc<Self> {
+        Arc::new(Self::of(program, &self.folder, recall, Some(Arc::clone(self))))
     }
 
-    fn of(program: &Program, folder: &str, around: Option<Arc<Self>>) -> Self {
+    fn of(
+        program: &Program,
+        folder: &str,
+        recall: Option<&Recall<'_>>,
+        around: Option<Arc<Self>>,
+    ) -> Self {
         let values = program.definitions.iter().map(|_| OnceLock::new()).collect();
-        Self { values, first: program.first, around, folder: folder.to_owned() }
+        let marked = if recall.is_some() { program.definitions.as_slice() } else { &[] };
+        let marks = marked.iter().map(|_| OnceLock::new()).collect();
+        Self { values, marks, first: program.first, around, folder: folder.to_owned() }
     }
 
     /// The value of a definition.
@@ -41,11 +57,29 @@ impl Home {
         }
     }
 
+    /// The identity of a definition's value.
+    pub(super) fn mark(&self, idx: usize) -> Option<&Mark> {
+        match idx.checked_sub(self.first) {
+            Some(own) => self.marks.get(own)?.get(),
+            None => self.around.as_ref()?.mark(idx),
+        }
+    }
+
     /// Keeps what a definition of its own came to; each belongs to one component, so that it is
     /// kept once.
     pub(crate) fn keep(&self, idx: usize, value: Option<Value>) {
         if let Some(place) = idx.checked_sub(self.first).and_then(|own| self.values.get(own)) {
             let _ = place.set(value);
         }
+    }
+
+    /// The same with the value's identity.
+    pub(super) fn keep_marked(&self, idx: usize, found: Option<(Value, Mark)>) {
+        let (value, mark) = found.unzip();
+        let place = idx.checked_sub(self.first).and_then(|own| self.marks.get(own));
+        if let (Some(place), Some(mark)) = (place, mark) {
+            let _ = place.set(mark);
+        }
+        self.keep(idx, value);
     }
 }

@@ -15,9 +15,10 @@ use super::{
     ir::Program,
     lower::{self, Imported, Origin},
     machine::{Env, Machine},
+    memory::Fields,
     param::Given,
     run::Settings,
-    worker::Worker,
+    worker::{Inputs, Worker},
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Severity, Sources, Span, Spanned, nearest},
@@ -46,7 +47,7 @@ struct File {
 struct Instance {
     /// Functions of the file look here for its definitions.
     _home: Arc<Home>,
-    outcome: std::result::Result<Value, Box<Diagnostic>>,
+    outcome: Result<(Value, Fields)>,
 }
 
 /// Every file that a script imports, directly or not.
@@ -224,13 +225,13 @@ impl<'a> Library<'a> {
         std::mem::take(&mut *self.findings.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
-    /// The record of what a file defines, with these parameters.
+    /// The record of what a file defines, with these parameters, and the identities of its fields.
     pub(super) fn value(
         &self,
         file: usize,
         parameters: Vec<(Spanned<Arc<str>>, Spanned<Value>)>,
         env: Env<'_>,
-    ) -> Result<Value> {
+    ) -> Result<(Value, Fields)> {
         self.check_parameters(file, &parameters)?;
         let key: String = parameters
             .iter()
@@ -275,13 +276,15 @@ impl<'a> Library<'a> {
         env: Env<'_>,
     ) -> Instance {
         let File { path, program, fault } = &self.files[file];
-        let home = Home::new(program, folder(path));
+        let recall = self.settings.recall;
+        let home = Home::new(program, folder(path), recall);
         let env = Env { tolerance: program.tolerance, library: Some(self), ..env };
         let given: Vec<Given<'_>> =
             parameters.iter().map(|(name, value)| Given::Value(&name.value, value)).collect();
-        let mut worker = Worker::new(Machine::new(env, Arc::clone(&home)));
+        let inputs = Inputs { given: &given, registry: self.settings.registry };
+        let mut worker = Worker::new(Machine::new(env, Arc::clone(&home)), recall);
         for component in &program.components {
-            worker.component(program, component, &given, self.settings.registry);
+            worker.component(program, component, inputs);
         }
         let mut findings = std::mem::take(&mut worker.diagnostics);
         findings.append(&mut worker.machine.warnings);
@@ -291,22 +294,27 @@ impl<'a> Library<'a> {
         findings.into_iter().for_each(|finding| self.tell(finding));
         let outcome = match failed {
             Some(failed) => Err(failed),
-            None => Ok(Value::Record(Arc::new(public(program, &home)))),
+            None => Ok(public(program, &home)),
         };
         Instance { _home: home, outcome }
     }
 }
 
-/// What a file shows: its named definitions but for those that begin with `_`.
-fn public(program: &Program, home: &Home) -> Record {
-    let shown = program
-        .definitions
-        .iter()
-        .enumerate()
-        .filter(|(_, definition)| definition.is_named() && !definition.name.starts_with('_'));
-    Record::new(shown.filter_map(|(idx, definition)| {
-        Some((Arc::clone(&definition.name), home.value(idx)?.clone()))
-    }))
+/// What a file shows: its named definitions but for those that begin with `_`, and their
+/// identities.
+fn public(program: &Program, home: &Home) -> (Value, Fields) {
+    let shown = || {
+        program
+            .definitions
+            .iter()
+            .enumerate()
+            .filter(|(_, definition)| definition.is_named() && !definition.name.starts_with('_'))
+            .map(|(idx, definition)| (idx, Arc::clone(&definition.name)))
+    };
+    let record =
+        Record::new(shown().filter_map(|(idx, name)| Some((name, home.value(idx)?.clone()))));
+    let fields = shown().filter_map(|(idx, name)| Some((name, home.mark(idx)?.result))).collect();
+    (Value::Record(Arc::new(record)), fields)
 }
 
 /// The text of a plain string.

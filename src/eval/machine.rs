@@ -4,12 +4,16 @@
 //! definitions of the file. Depth and steps are counted, so that nothing a script does can
 //! exhaust the stack or run for ever.
 
-use std::sync::{Arc, Weak};
+use std::{
+    collections::BTreeSet,
+    sync::{Arc, Mutex, Weak},
+};
 
 use super::{
     home::Home,
     ir::{BinaryOp, Block, Expr, ExprKind, Group, Lambda, Source},
     library::Library,
+    memory::{Fields, Read},
     operator,
 };
 use crate::{
@@ -70,7 +74,7 @@ impl Closure for ScriptFunction {
     }
 
     fn extent(&self) -> Extent {
-        self.captures.extent()
+        Extent { holds_functions: true, ..self.captures.extent() }
     }
 
     fn as_any(&self) -> &dyn std::any::Any {
@@ -91,7 +95,14 @@ pub(crate) struct Machine<'a> {
     depth: usize,
     steps: u64,
     pub(crate) warnings: Vec<Diagnostic>,
+    /// The files that were read, where somebody wants to know.
+    pub(super) reads: Option<Reads>,
+    /// The results that the last import brought, where they have an identity.
+    pub(super) imported: Fields,
 }
+
+/// Files that were read so far.
+pub(super) type Reads = Arc<Mutex<BTreeSet<Read>>>;
 
 impl<'a> Machine<'a> {
     pub(crate) fn new(env: Env<'a>, home: Arc<Home>) -> Self {
@@ -105,6 +116,8 @@ impl<'a> Machine<'a> {
             depth: 0,
             steps: 0,
             warnings: Vec::new(),
+            reads: None,
+            imported: Fields::default(),
         }
     }
 
@@ -171,7 +184,7 @@ impl<'a> Machine<'a> {
 
     /// The value, unless it is deeper or larger than whoever walks through it can bear.
     fn check_extent(&self, value: Value, span: Span) -> Result<Value> {
-        let (Extent { depth, size }, limits) = (value.extent(), self.env.limits);
+        let (Extent { depth, size, .. }, limits) = (value.extent(), self.env.limits);
         let message = if limits.value_depth < depth {
             let most = limits.value_depth;
             format!("lists, records and functions lie more than {most} deep inside one another")

@@ -1,6 +1,6 @@
 //! What became of a file: its definitions, what its effects came to, what was found.
 
-use super::claim::Verdict;
+use super::{claim::Verdict, memory::Work};
 use crate::{
     diag::{Code, Diagnostic, Span, Spanned},
     kernel::Tolerance,
@@ -19,6 +19,8 @@ pub struct Defined {
     pub span: Span,
     /// Its value; `None` where evaluation failed.
     pub value: Option<Value>,
+    /// How it came by its value.
+    pub work: Work,
     /// Whether `all` leaves it out.
     pub is_hidden: bool,
 }

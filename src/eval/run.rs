@@ -8,10 +8,11 @@ use super::{
     ir::{Arg, Definition, Effect, EffectKind, Expr, Kind, Program, Role},
     load::{Document, Loaded, load},
     machine::Machine,
+    memory::{Recall, Work},
     outcome::{Checked, Defined, Exported, Outcome, Output, Printed, in_order},
     param::{self, Given, Setting},
     schedule,
-    worker::Worker,
+    worker::{Inputs, Worker},
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Severity, Sources, Spanned},
@@ -45,6 +46,8 @@ pub struct Settings<'a> {
     pub n_threads: usize,
     /// What of the script acts.
     pub purpose: Purpose<'a>,
+    /// What earlier runs gave, if they are to be remembered.
+    pub recall: Option<&'a Recall<'a>>,
 }
 
 /// Interprets the script `text`, which messages call `name`; it and the files that it imports are
@@ -53,7 +56,8 @@ pub struct Settings<'a> {
 pub fn evaluate(name: &str, text: &str, sources: &mut Sources, settings: Settings<'_>) -> Outcome {
     let mut loaded = load(name, text, sources, settings);
     let diagnostics = std::mem::take(&mut loaded.diagnostics);
-    let machine = Machine::new(loaded.env(settings), Home::new(&loaded.program, ""));
+    let machine =
+        Machine::new(loaded.env(settings), Home::new(&loaded.program, "", settings.recall));
     let Loaded { document, unit, ref library, ref program, .. } = loaded;
     let mut run = Run { machine, settings, program, diagnostics, document };
     run.definitions();
@@ -103,12 +107,13 @@ impl Run<'_> {
         let (env, settings, program) = (self.machine.env, self.settings, self.program);
         let home = &self.machine.home;
         let given: Vec<Given<'_>> = settings.overrides.iter().map(Given::Text).collect();
+        let inputs = Inputs { given: &given, registry: settings.registry };
         let workers = schedule::run(
             program,
             settings.n_threads,
             settings.limits.stack_bytes,
-            || Worker::new(Machine::new(env, Arc::clone(home))),
-            |worker, members| worker.component(program, members, &given, settings.registry),
+            || Worker::new(Machine::new(env, Arc::clone(home)), settings.recall),
+            |worker, members| worker.component(program, members, inputs),
         );
         for mut worker in workers {
             self.diagnostics.append(&mut worker.diagnostics);
@@ -138,11 +143,18 @@ impl Run<'_> {
                 (name, _) => name.to_owned(),
             };
             let is_hidden = self.is_hidden(definition);
+            let value = self.value(idx).cloned();
+            let work = match (&value, self.machine.home.mark(idx)) {
+                (None, _) => Work::Failed,
+                (Some(_), None) => Work::Evaluated,
+                (Some(_), Some(mark)) => mark.work,
+            };
             defined.push(Defined {
                 name,
                 kind,
                 span: definition.name_span,
-                value: self.value(idx).cloned(),
+                value,
+                work,
                 is_hidden,
             });
         }

@@ -10,7 +10,7 @@ use super::{
     outcome::in_order,
     param::rules,
     run::Settings,
-    worker::Worker,
+    worker::{Inputs, Worker},
 };
 use crate::{
     diag::{Diagnostic, Sources},
@@ -53,13 +53,14 @@ pub struct Schema {
 pub fn parameters(name: &str, text: &str, sources: &mut Sources, settings: Settings<'_>) -> Schema {
     let mut loaded = load(name, text, sources, settings);
     let mut diagnostics = std::mem::take(&mut loaded.diagnostics);
-    let (program, home) = (&loaded.program, Home::new(&loaded.program, ""));
-    let mut worker = Worker::new(Machine::new(loaded.env(settings), home));
+    let (program, home) = (&loaded.program, Home::new(&loaded.program, "", settings.recall));
+    let mut worker = Worker::new(Machine::new(loaded.env(settings), home), settings.recall);
+    let inputs = Inputs { given: &[], registry: settings.registry };
 
     // Evaluate what the parameters use.
     let is_used = used_by_parameters(program);
     for component in program.components.iter().filter(|component| is_used[component[0]]) {
-        worker.component(program, component, &[], settings.registry);
+        worker.component(program, component, inputs);
     }
 
     // Ask the parameters that have a value for what they allow.

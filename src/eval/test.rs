@@ -8,7 +8,7 @@ use super::{
     machine::Machine,
     outcome::{Defined, Expected, Tested},
     run::{Purpose, Run},
-    worker::Worker,
+    worker::{Inputs, Worker},
 };
 use crate::diag::{Code, Diagnostic, Severity};
 
@@ -37,12 +37,14 @@ impl Run<'_> {
             return tested;
         }
         let program = &test.program;
-        let home = self.machine.home.of_test(program);
-        let mut worker = Worker::new(Machine::new(self.machine.env, Arc::clone(&home)));
+        let home = self.machine.home.of_test(program, self.settings.recall);
+        let machine = Machine::new(self.machine.env, Arc::clone(&home));
+        let mut worker = Worker::new(machine, self.settings.recall);
+        let inputs = Inputs { given: &[], registry: self.settings.registry };
         for component in &program.components {
-            worker.component(program, component, &[], self.settings.registry);
+            worker.component(program, component, inputs);
         }
-        let Worker { machine, diagnostics } = worker;
+        let Worker { machine, diagnostics, .. } = worker;
         let mut run = Run { machine, program, diagnostics, ..*self };
         let own = run.defined();
         tested.outputs = run.effects(&[definitions, &own]);

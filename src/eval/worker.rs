@@ -1,61 +1,182 @@
 //! What one thread does: evaluates components of the graph and keeps what it finds.
 
+use std::{
+    collections::BTreeSet,
+    sync::{Arc, PoisonError},
+};
+
 use super::{
-    ir::{Definition, Program, Role},
-    machine::Machine,
+    home::Home,
+    ir::{Definition, ExprKind, Program, Role},
+    machine::{Machine, Reads},
+    memory::{Mark, Read, Recall, Work},
     param::{self, Given},
+    spelling::{Sort, Spelling},
 };
 use crate::{
     diag::Diagnostic,
     value::{Registry, Value},
 };
 
-/// What one thread keeps while it evaluates definitions.
+/// What the definitions of a file are evaluated with.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Inputs<'a> {
+    /// Values for its parameters.
+    pub(super) given: &'a [Given<'a>],
+    /// The built-ins.
+    pub(super) registry: &'a Registry,
+}
+
+impl Inputs<'_> {
+    /// The value that is given for a definition. Of two the last one counts.
+    fn of(&self, definition: &Definition) -> Option<&Given<'_>> {
+        match definition.role {
+            Role::Param(_) => self.given.iter().rfind(|given| given.name() == &*definition.name),
+            _ => None,
+        }
+    }
+}
+
+/// What one thread keeps while it evaluates definitions of a file.
 pub(super) struct Worker<'a> {
     pub(super) machine: Machine<'a>,
     pub(super) diagnostics: Vec<Diagnostic>,
+    /// What earlier runs gave, and the identity of what holds for the whole file.
+    memory: Option<(&'a Recall<'a>, u64)>,
 }
 
 impl<'a> Worker<'a> {
     /// A worker that has found nothing yet.
-    pub(super) fn new(machine: Machine<'a>) -> Self {
-        Self { machine, diagnostics: Vec::new() }
+    pub(super) fn new(machine: Machine<'a>, recall: Option<&'a Recall<'a>>) -> Self {
+        let memory = recall.map(|recall| {
+            let (env, home) = (machine.env, &machine.home);
+            let mut file = Spelling::new(Sort::File, home, &[]);
+            file.text(&home.folder);
+            file.text(&format!("{:?} {:?} {:?}", env.unit, env.tolerance, env.limits));
+            (recall, recall.intern(file.finish()))
+        });
+        Self { machine, diagnostics: Vec::new(), memory }
     }
 
     /// Evaluates a component; a member that fails takes the others along.
-    pub(super) fn component(
-        &mut self,
-        program: &Program,
-        members: &[usize],
-        given: &[Given<'_>],
-        registry: &Registry,
-    ) {
+    pub(super) fn component(&mut self, program: &Program, members: &[usize], inputs: Inputs<'_>) {
         let is_ready = members.iter().all(|&idx| {
             let Some(definition) = program.definition(idx) else { return false };
             let mut outside = definition.dependencies.iter().filter(|idx| !members.contains(idx));
             !definition.is_poisoned && outside.all(|&idx| self.machine.home.value(idx).is_some())
         });
-        for &idx in members {
-            let definition = program.definition(idx).filter(|_| is_ready);
-            let value =
-                definition.and_then(|definition| self.definition(definition, given, registry));
-            self.machine.home.keep(idx, value);
+        match self.memory {
+            _ if !is_ready => members.iter().for_each(|&idx| self.machine.home.keep(idx, None)),
+            None => {
+                for &idx in members {
+                    let definition = program.definition(idx);
+                    let value =
+                        definition.and_then(|definition| self.definition(definition, inputs));
+                    self.machine.home.keep(idx, value);
+                }
+            }
+            Some((recall, file)) => {
+                let home = Arc::clone(&self.machine.home);
+                for (idx, key) in keys(&home, program, members, inputs, (recall, file)) {
+                    let definition = program.definition(idx);
+                    let found = definition
+                        .and_then(|definition| self.recalled(definition, key, inputs, recall));
+                    home.keep_marked(idx, found);
+                }
+            }
         }
     }
 
-    fn definition(
+    /// The value of a definition from an earlier run, or a new one.
+    fn recalled(
         &mut self,
         definition: &Definition,
-        given: &[Given<'_>],
-        registry: &Registry,
-    ) -> Option<Value> {
+        key: Box<[u8]>,
+        inputs: Inputs<'_>,
+        recall: &Recall<'_>,
+    ) -> Option<(Value, Mark)> {
+        if matches!(definition.value.kind, ExprKind::Import(..)) {
+            return self.imported(definition, inputs, recall);
+        }
+        let known = recall.find(&key, self.machine.env.files);
+        let old = known.as_ref().map(|known| known.result);
+        if let (Some(value), Some(result)) = (known.and_then(|known| known.value), old) {
+            return Some((value, Mark::new(result, Work::Reused)));
+        }
+        let n_warnings = self.machine.warnings.len();
+        let reads = self.machine.reads.insert(Reads::default()).clone();
+        let value = self.definition(definition, inputs)?;
+        let is_kept = !value.extent().holds_functions && self.machine.warnings.len() == n_warnings;
+        let reads: BTreeSet<Read> =
+            std::mem::take(&mut *reads.lock().unwrap_or_else(PoisonError::into_inner));
+        let result = recall.keep(key, is_kept.then(|| value.clone()), reads);
+        let work = if old == Some(result) { Work::Renewed } else { Work::Evaluated };
+        Some((value, Mark::new(result, work)))
+    }
+
+    /// What an import brings, put together again from the definitions of its file, which have
+    /// results of their own. It is what they are.
+    fn imported(
+        &mut self,
+        definition: &Definition,
+        inputs: Inputs<'_>,
+        recall: &Recall<'_>,
+    ) -> Option<(Value, Mark)> {
+        let value = self.definition(definition, inputs)?;
+        let fields = std::mem::take(&mut self.machine.imported);
+        let mut key = Spelling::new(Sort::Import, &self.machine.home, &[]);
+        for (name, result) in &*fields {
+            key.text(name);
+            key.result(*result);
+        }
+        let key = key.finish();
+        let known = recall.find(&key, self.machine.env.files);
+        let work = if known.is_some() { Work::Reused } else { Work::Evaluated };
+        let result = recall.intern(key);
+        Some((value, Mark { fields, ..Mark::new(result, work) }))
+    }
+
+    fn definition(&mut self, definition: &Definition, inputs: Inputs<'_>) -> Option<Value> {
         let result = match &definition.role {
             Role::Param(rules) => {
-                let given = given.iter().rfind(|given| given.name() == &*definition.name);
-                param::evaluate(&mut self.machine, definition, rules, given, registry)
+                let given = inputs.of(definition);
+                param::evaluate(&mut self.machine, definition, rules, given, inputs.registry)
             }
             _ => self.machine.run(&definition.value, definition.n_slots),
         };
         result.map_err(|diagnostic| self.diagnostics.push(*diagnostic)).ok()
     }
+}
+
+/// The members of a component with their keys.
+fn keys(
+    home: &Home,
+    program: &Program,
+    members: &[usize],
+    inputs: Inputs<'_>,
+    (recall, file): (&Recall<'_>, u64),
+) -> Vec<(usize, Box<[u8]>)> {
+    let spell = |sort, members: &[usize]| {
+        let mut key = Spelling::new(sort, home, members);
+        key.result(file);
+        for &idx in members {
+            let Some(definition) = program.definition(idx) else { continue };
+            key.definition(definition, inputs.of(definition));
+        }
+        key.finish()
+    };
+    if let &[only] = members {
+        return vec![(only, spell(Sort::Definition, members))];
+    }
+    // Functions that use one another, in an order that does not depend on their places.
+    let mut members = members.to_vec();
+    members.sort_by_key(|&idx| program.definition(idx).map(|definition| &definition.name));
+    let component = recall.intern(spell(Sort::Component, &members));
+    let member = |(place, idx)| {
+        let mut key = Spelling::new(Sort::Member, home, &[]);
+        key.result(component);
+        key.number(place);
+        (idx, key.finish())
+    };
+    members.into_iter().enumerate().map(member).collect()
 }

@@ -69,6 +69,7 @@ impl Session {
             overrides: &[],
             n_threads: 1,
             purpose: eval::Purpose::Run,
+            recall: None,
         }
     }
 

@@ -42,7 +42,7 @@ impl Function {
     #[must_use]
     pub fn extent(&self) -> Extent {
         match self {
-            Self::Builtin(..) => Extent { depth: 0, size: 1 },
+            Self::Builtin(..) => Extent::ATOM,
             Self::Closure(closure) => closure.extent(),
             Self::Partial(partial) => {
                 let positional = partial.positional.iter().flatten();

@@ -18,15 +18,21 @@ pub struct Extent {
     pub depth: u32,
     /// Values in it; what stands in it twice counts twice, also where it is shared.
     pub size: u64,
+    /// Whether functions of the script stand in it: they point into its text.
+    pub holds_functions: bool,
 }
 
 impl Extent {
+    /// The extent of something that holds no values.
+    pub(super) const ATOM: Self = Self { depth: 0, size: 1, holds_functions: false };
+
     /// The extent of something that holds `values`.
     pub(super) fn around<'v>(values: impl IntoIterator<Item = &'v Value>) -> Self {
-        let whole = Self { depth: 1, size: 1 };
+        let whole = Self { depth: 1, ..Self::ATOM };
         values.into_iter().map(Value::extent).fold(whole, |whole, part| Self {
             depth: whole.depth.max(part.depth.saturating_add(1)),
             size: whole.size.saturating_add(part.size),
+            holds_functions: whole.holds_functions || part.holds_functions,
         })
     }
 }
@@ -63,7 +69,7 @@ impl List {
     /// The list of finite numbers of one dimension.
     #[must_use]
     pub fn of_numbers(values: Vec<f64>, dim: Dim) -> Self {
-        let extent = Extent { depth: 1, size: 1 + values.len() as u64 };
+        let extent = Extent { depth: 1, size: 1 + values.len() as u64, ..Extent::ATOM };
         let numbers = Numbers { values, dim, spelled: OnceLock::new() };
         Self { items: Items::Numbers(Arc::new(numbers)), extent }
     }

@@ -111,8 +111,13 @@ impl Value {
             Self::List(items) => items.extent(),
             Self::Record(record) => record.extent(),
             Self::Function(function) => function.extent(),
-            Self::Text(text) => Extent { depth: 0, size: 1 + (text.len() / BYTES_A_VALUE) as u64 },
-            _ => Extent { depth: 0, size: 1 },
+            Self::Text(text) => {
+                Extent { size: 1 + (text.len() / BYTES_A_VALUE) as u64, ..Extent::ATOM }
+            }
+            Self::Curve(Curve::Parametric(_)) | Self::Surface(Surface::Parametric(_)) => {
+                Extent { holds_functions: true, ..Extent::ATOM }
+            }
+            _ => Extent::ATOM,
         }
     }
 

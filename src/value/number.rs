@@ -23,6 +23,12 @@ impl Dim {
     /// An angle.
     pub const ANGLE: Self = Self { length: 0, angle: WHOLE };
 
+    /// The powers of length and angle in sixths.
+    #[must_use]
+    pub fn powers(self) -> [i8; 2] {
+        [self.length, self.angle]
+    }
+
     /// Whether it is that of a bare number.
     #[must_use]
     pub fn is_none(self) -> bool {

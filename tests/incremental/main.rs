@@ -1,0 +1,4 @@
+//! An incremental session evaluates what an edit touched, and says what a fresh one says.
+
+mod counter;
+mod harness;
