@@ -11,7 +11,8 @@ fn power_form_of_derivative(t) = (-6 * t + 4, 2)
 
 let parameters = linspace(0, 1, 9)
 check [for t in parameters: c(t)] ~= [for t in parameters: power_form(t)] within 1e-14
-check [for t in parameters: derivative(c, t)] ~= [for t in parameters: power_form_of_derivative(t)] within 1e-14
+check [for t in parameters: derivative(c, t)]
+    ~= [for t in parameters: power_form_of_derivative(t)] within 1e-14
 
 // Points and derivatives as printed.
 check [for t in linspace(0, 1, 5): c(t)]
@@ -24,7 +25,8 @@ check [for t in linspace(0, 1, 5): derivative(c, t)]
 fn next_level(level, t) = [for leg in zip(level[0..-2], level[1..-1]): lerp(leg[0], leg[1], t)]
 
 /// All levels, from the control polygon down to the point of the curve.
-fn levels(polygon, t) = [polygon, ...scan(1..<len(polygon), polygon, (level, _n) => next_level(level, t))]
+fn levels(polygon, t) =
+    [polygon, ...scan(1..<len(polygon), polygon, (level, _n) => next_level(level, t))]
 
 let at_half = levels(c.points, 0.5)
 print at_half

@@ -8,7 +8,8 @@ curve c = bezier((2, 3), (4, 2), (0, 0), (-1, 1))
 // The coefficients of the power form, lowest first, and Horner's rule: from the highest
 // coefficient down, times t, plus the next.
 let printed = [(2, 3), (6, -3), (-18, -3), (9, 4)]
-fn polynomial(coefficients, t) = fold(reverse(coefficients), (0, 0), (value, next) => value * t + next)
+fn polynomial(coefficients, t) =
+    fold(reverse(coefficients), (0, 0), (value, next) => value * t + next)
 fn power_form(t) = polynomial(printed, t)
 
 // Its derivative: each coefficient times its power, without the first.
@@ -17,7 +18,8 @@ check slopes == [(6, -3), (-36, -6), (27, 12)]
 
 let parameters = linspace(0, 1, 11)
 check [for t in parameters: c(t)] ~= [for t in parameters: power_form(t)] within 1e-14
-check [for t in parameters: derivative(c, t)] ~= [for t in parameters: polynomial(slopes, t)] within 1e-14
+check [for t in parameters: derivative(c, t)]
+    ~= [for t in parameters: polynomial(slopes, t)] within 1e-14
 
 // Points and derivatives as printed.
 check [for t in linspace(0, 1, 5): c(t)]

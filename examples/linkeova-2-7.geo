@@ -7,7 +7,8 @@ curve c = bezier([(0, 2), (7, 9), (17, 9), (20, 4), (16, 0), (10, 0), (6, 4)])
 check c.degree == 6
 
 fn next_level(level, t) = [for leg in zip(level[0..-2], level[1..-1]): lerp(leg[0], leg[1], t)]
-fn levels(polygon, t) = [polygon, ...scan(1..<len(polygon), polygon, (level, _n) => next_level(level, t))]
+fn levels(polygon, t) =
+    [polygon, ...scan(1..<len(polygon), polygon, (level, _n) => next_level(level, t))]
 
 let triangle = levels(c.points, 1/2)
 

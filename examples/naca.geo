@@ -58,7 +58,8 @@ check abs(foil.start.x - chord) < 0.002 * chord                   "the chord is 
 
 let gap = norm(first(outline) - last(outline))
 print gap
-check (trailing_edge == "closed" and gap < 1e-4) or (trailing_edge == "open" and gap ~= 0.021 * t within 1e-6)
+check (trailing_edge == "closed" and gap < 1e-4)
+    or (trailing_edge == "open" and gap ~= 0.021 * t within 1e-6)
     "the trailing edge is closed, or as thick as the formula says"
 
 // The thickness is largest at three tenths of the chord, to the digits of the coefficients.
@@ -75,8 +76,10 @@ fn slope_of(c, s) = derivative(c, s).y / derivative(c, s).x
 let fractions = linspace(0, 1, 11)[1..-2]
 check [for s in fractions: front(s).y] ~= [for s in fractions: camber_line(front(s).x)] within 1e-15
 check [for s in fractions: rear(s).y] ~= [for s in fractions: camber_line(rear(s).x)] within 1e-15
-check [for s in fractions: slope_of(front, s)] ~= [for s in fractions: camber_slope(front(s).x)] within 1e-14
-check [for s in fractions: slope_of(rear, s)] ~= [for s in fractions: camber_slope(rear(s).x)] within 1e-14
+check [for s in fractions: slope_of(front, s)]
+    ~= [for s in fractions: camber_slope(front(s).x)] within 1e-14
+check [for s in fractions: slope_of(rear, s)]
+    ~= [for s in fractions: camber_slope(rear(s).x)] within 1e-14
 check camber_slope(0) ~= 2 * m / p and camber_slope(1) ~= -2 * m / (1 - p)    "closed forms at the ends"
 
 // A wing that tapers: straight lines from the root to a smaller and twisted tip.

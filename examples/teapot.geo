@@ -64,7 +64,8 @@ fn ring_closes(p) = every(0..3, f = i => joined(p.patches[i], "v1", p.patches[(i
 check every(filter(parts, p => p.closed), f = ring_closes)
 
 /// Patch by patch the edge u = 0 of the lower part is the edge u = 1 of the one above.
-fn stands_under(below, above) = every(zip(below.patches, above.patches), f = pair => joined(pair[0], "u0", pair[1], "u1"))
+fn stands_under(below, above) =
+    every(zip(below.patches, above.patches), f = pair => joined(pair[0], "u0", pair[1], "u1"))
 
 check stands_under(lower, upper)
 check stands_under(upper, rim)
@@ -86,7 +87,10 @@ check tube_closes(spout)
 // patches run together in a point, and 20 are free: foot, ledge, lid, and the ends of the tubes.
 let sides = ["u0", "u1", "v0", "v1"]
 let edges = [for p in patches, side in sides: edge_points(p, side)]
-let lines = filter(edges, points_of_edge => not every(points_of_edge, f = p => p ~= points_of_edge[0]))
+let lines = filter(
+    edges,
+    points_of_edge => not every(points_of_edge, f = p => p ~= points_of_edge[0]),
+)
 let shared = len([for i in 0..<len(lines), j in 0..<i if same_edge(lines[i], lines[j]): 1])
 
 print len(edges), len(lines), shared

@@ -1,222 +1,167 @@
-//! Text that knows where its lines may be broken.
-//!
-//! Groups are broken as a whole, the outermost that does not fit first; a fill breaks only where
-//! it must. Oppen, "Prettyprinting" (1980), with the widths computed beforehand.
+//! Atoms into lines: where each begins and ends, how far it is indented, and what stands between
+//! its atoms.
 
-use std::borrow::Cow;
+use super::atom::{Atom, Holds, Start, code_at};
+use super::wrap;
+use crate::syntax::token::Token;
 
 /// Spaces of one indentation.
-const INDENT: usize = 2;
+pub(super) const INDENT: usize = 4;
 
-/// A part of a layout.
-#[derive(Debug)]
-enum Part<'a> {
-    Text(Cow<'a, str>),
-    /// A line break if the group is broken, else this text.
-    Soft(&'static str),
-    /// A line break if what follows up to the next break does not fit, else this text.
-    Fill(&'static str),
-    /// This text if the group is broken.
-    IfBroken(&'static str),
-    /// Always a line break; `; ` where everything must stay on one line.
-    Hard,
-    Open,
-    Close,
-    Indent,
-    Dedent,
+/// Deeper than this nothing is indented, lest a text grow with the square of its depth.
+const MOST_INDENT: usize = 60;
+
+/// A line of the result: the atoms from one to before another.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Line {
+    pub(super) start: usize,
+    pub(super) end: usize,
+    pub(super) indent: usize,
 }
 
-/// A text under construction.
-#[derive(Debug)]
-pub(super) struct Layout<'a> {
-    parts: Vec<Part<'a>>,
-    /// Where numbers and strings are copied from; without it they are spelled anew.
-    source: Option<&'a str>,
+/// The lines of a script; breaks those that are too long.
+pub(super) fn lines(atoms: &mut [Atom<'_>]) -> Vec<Line> {
+    let mut lines = Vec::new();
+    let mut nest = Nest::new(atoms);
+    let mut start = 0;
+    while start < atoms.len() {
+        let indent = nest.indent(atoms, start);
+        let further = nest.further(atoms, start, indent);
+        let end = loop {
+            let end = (start + 1..atoms.len()).find(|&at| atoms[at].begins_line());
+            let line = Line { start, end: end.unwrap_or(atoms.len()), indent };
+            if !wrap::wrap(atoms, line, further) {
+                break line.end;
+            }
+        };
+        nest.advance(atoms, start..end, indent);
+        lines.push(Line { start, end, indent });
+        start = end;
+    }
+    lines
 }
 
-impl<'a> Layout<'a> {
-    pub(super) fn new(source: Option<&'a str>) -> Self {
-        Self { parts: Vec::new(), source }
+/// The spaces before atom `at`, which does not begin a line.
+pub(super) fn spaces(atoms: &[Atom<'_>], at: usize, is_last: bool) -> usize {
+    let (before, atom) = (&atoms[at - 1], &atoms[at]);
+    let is_block = |open: &Atom<'_>| matches!(open.holds, Holds::Value | Holds::Statements);
+    if atom.is_comment() {
+        return usize::from(is_last || !before.opens() || is_block(before));
     }
+    let is_glued = atom.is_glued
+        || matches!(atom.token, Token::Comma | Token::Colon | Token::Dot)
+        || matches!(before.token, Token::Dot | Token::Spread)
+        || (before.opens() && (atom.closes() || !is_block(before)))
+        || (atom.closes() && !is_block(&atoms[atom.partner]));
+    usize::from(!is_glued)
+}
 
-    pub(super) fn source(&self) -> Option<&'a str> {
-        self.source
+/// Whether a comma follows atom `at`: the last of the items whose bracket closes on a new line.
+pub(super) fn ends_items(atoms: &[Atom<'_>], at: usize) -> bool {
+    if atoms[at].is_comment() {
+        return false;
     }
+    let close = code_at(atoms, at + 1);
+    close < atoms.len()
+        && atoms[close].closes()
+        && (at + 1..=close).any(|at| atoms[at].begins_line())
+        && atoms[close].partner != at
+        && atoms[atoms[close].partner].holds == Holds::Items
+}
 
-    pub(super) fn text(&mut self, text: impl Into<Cow<'a, str>>) {
-        self.parts.push(Part::Text(text.into()));
-    }
+/// An open bracket, or the script.
+struct Open {
+    holds: Holds,
+    /// The indentation of its closing bracket.
+    outer: usize,
+    /// The indentation of what it holds.
+    inner: usize,
+    /// The indentation of the current item, if that begins a line.
+    item: Option<usize>,
+}
 
-    pub(super) fn soft_break(&mut self, flat: &'static str) {
-        self.parts.push(Part::Soft(flat));
-    }
+/// The open brackets.
+struct Nest {
+    open: Vec<Open>,
+    /// For each atom the next one that is no comment.
+    next: Vec<usize>,
+    /// The last atom that was no comment.
+    last: Option<usize>,
+}
 
-    pub(super) fn fill_break(&mut self) {
-        self.parts.push(Part::Fill(" "));
-    }
-
-    pub(super) fn if_broken(&mut self, text: &'static str) {
-        self.parts.push(Part::IfBroken(text));
-    }
-
-    pub(super) fn hard_break(&mut self) {
-        self.parts.push(Part::Hard);
-    }
-
-    pub(super) fn open(&mut self) {
-        self.parts.push(Part::Open);
-    }
-
-    pub(super) fn close(&mut self) {
-        self.parts.push(Part::Close);
-    }
-
-    pub(super) fn indent(&mut self) {
-        self.parts.push(Part::Indent);
-    }
-
-    pub(super) fn dedent(&mut self) {
-        self.parts.push(Part::Dedent);
-    }
-
-    /// Items between brackets that stand already: all on one line, or one a line.
-    pub(super) fn items<T>(&mut self, items: &'a [T], mut item: impl FnMut(&mut Self, &'a T)) {
-        if items.is_empty() {
-            return;
-        }
-        self.open();
-        self.indent();
-        self.soft_break("");
-        for (index, one) in items.iter().enumerate() {
-            if index > 0 {
-                self.text(",");
-                self.soft_break(" ");
-            }
-            item(self, one);
-        }
-        self.if_broken(",");
-        self.dedent();
-        self.soft_break("");
-        self.close();
-    }
-
-    /// The text with lines of at most `width` columns where its breaks allow that.
-    pub(super) fn render(&self, width: usize) -> String {
-        let widths = self.group_widths();
-        let mut out = Output { text: String::new(), column: 0, indent: 0, most: width / 2 };
-        let mut broken = vec![true];
-        for (at, part) in self.parts.iter().enumerate() {
-            let is_broken = *broken.last().unwrap_or(&true);
-            match part {
-                Part::Text(text) => out.write(text),
-                Part::Open => broken.push(out.column.saturating_add(widths[at]) > width),
-                Part::Close => {
-                    broken.pop();
-                }
-                Part::Indent => out.indent += INDENT,
-                Part::Dedent => out.indent -= INDENT,
-                Part::Hard => out.new_line(),
-                Part::Soft(flat) if !is_broken => out.write(flat),
-                Part::Soft(_) => out.new_line(),
-                Part::Fill(flat) => {
-                    let next = flat.len() + self.width_to_break(at + 1);
-                    if is_broken && out.column + next > width {
-                        out.new_line();
-                    } else {
-                        out.write(flat);
-                    }
-                }
-                Part::IfBroken(text) if is_broken => out.write(text),
-                Part::IfBroken(_) => {}
+impl Nest {
+    fn new(atoms: &[Atom<'_>]) -> Self {
+        let mut next = vec![atoms.len(); atoms.len()];
+        for at in (0..atoms.len()).rev() {
+            if !atoms[at].is_comment() {
+                next[at] = at;
+            } else if at + 1 < atoms.len() {
+                next[at] = next[at + 1];
             }
         }
-        out.text
+        let script = Open { holds: Holds::Statements, outer: 0, inner: 0, item: None };
+        Self { open: vec![script], next, last: None }
     }
 
-    /// The text on one line.
-    pub(super) fn render_flat(&self) -> String {
-        let mut out = String::new();
-        for part in &self.parts {
-            match part {
-                Part::Text(text) => out.push_str(text),
-                Part::Soft(flat) | Part::Fill(flat) => out.push_str(flat),
-                Part::Hard => out.push_str("; "),
-                Part::IfBroken(_) | Part::Open | Part::Close | Part::Indent | Part::Dedent => {}
-            }
+    /// Whether an item or a statement begins with atom `at`.
+    fn begins_item(&self, atoms: &[Atom<'_>], at: usize) -> bool {
+        let Some(open) = self.open.last() else { return true };
+        let next = atoms.get(self.next[at]);
+        let is_at_end = atoms[at].is_comment() && next.is_none_or(Atom::closes);
+        if open.holds == Holds::Statements {
+            return is_at_end || next.is_none_or(|next| next.is_head);
         }
-        out
+        let follows = |last: usize| atoms[last].opens() || atoms[last].token == Token::Comma;
+        is_at_end || self.last.is_none_or(follows)
     }
 
-    /// For each `Open` the columns of its group on one line, with the text right behind it;
-    /// no line is long enough for a group with a hard break.
-    fn group_widths(&self) -> Vec<usize> {
-        let mut widths = vec![0; self.parts.len()];
-        // From the back: the columns and hard breaks behind, and the columns up to the next break.
-        let (mut columns, mut n_hard, mut tail) = (0, 0_usize, 0);
-        let mut open = Vec::new();
-        for (at, part) in self.parts.iter().enumerate().rev() {
-            match part {
-                Part::Text(text) => {
-                    let added = text.chars().count();
-                    (columns, tail) = (columns + added, tail + added);
-                }
-                Part::Soft(flat) | Part::Fill(flat) => {
-                    (columns, tail) = (columns + flat.len(), 0);
-                }
-                Part::Hard => (n_hard, tail) = (n_hard + 1, 0),
-                Part::Close => open.push((columns, n_hard, tail)),
-                Part::Open => {
-                    let (columns_behind, n_hard_behind, tail_behind) =
-                        open.pop().unwrap_or_default();
-                    let width = columns - columns_behind + tail_behind;
-                    widths[at] = if n_hard > n_hard_behind { usize::MAX } else { width };
-                }
-                Part::IfBroken(_) | Part::Indent | Part::Dedent => {}
-            }
-        }
-        widths
+    /// The indentation of a line that begins with atom `at`.
+    fn indent(&self, atoms: &[Atom<'_>], at: usize) -> usize {
+        let Some(open) = self.open.last() else { return 0 };
+        let indent = if atoms[at].closes() {
+            open.outer
+        } else if self.begins_item(atoms, at) {
+            open.inner
+        } else {
+            open.item.map_or(open.inner, |item| item + INDENT)
+        };
+        indent.min(MOST_INDENT)
     }
 
-    /// Columns from part `at` to the next possible break.
-    fn width_to_break(&self, at: usize) -> usize {
-        let mut width = 0;
-        for part in &self.parts[at..] {
-            match part {
-                Part::Text(text) => width += text.chars().count(),
-                Part::IfBroken(text) => width += text.len(),
-                Part::Soft(_) | Part::Fill(_) | Part::Hard => break,
-                Part::Open | Part::Close | Part::Indent | Part::Dedent => {}
+    /// The indentation of the lines that continue this one.
+    fn further(&self, atoms: &[Atom<'_>], at: usize, indent: usize) -> usize {
+        let continues = !atoms[at].closes() && !self.begins_item(atoms, at);
+        if continues { indent } else { indent + INDENT }
+    }
+
+    /// Leaves a line behind.
+    fn advance(&mut self, atoms: &[Atom<'_>], line: std::ops::Range<usize>, indent: usize) {
+        let mut is_first = true;
+        for at in line {
+            let atom = &atoms[at];
+            if atom.is_comment() {
+                continue;
             }
+            let begins_item = self.begins_item(atoms, at);
+            if let Some(open) = self.open.last_mut()
+                && begins_item
+                && !atom.closes()
+            {
+                open.item = is_first.then_some(indent);
+            }
+            if atom.opens() {
+                let (outer, inner) = (indent, indent + INDENT);
+                self.open.push(Open { holds: atom.holds, outer, inner, item: None });
+            } else if atom.closes() && self.open.len() > 1 {
+                self.open.pop();
+            }
+            self.last = Some(at);
+            is_first = false;
         }
-        width
     }
 }
 
-struct Output {
-    text: String,
-    column: usize,
-    indent: usize,
-    /// Deeper than this nothing is indented, lest a text grow with the square of its depth.
-    most: usize,
-}
-
-impl Output {
-    fn write(&mut self, text: &str) {
-        if text.is_empty() {
-            return;
-        }
-        if self.column == 0 {
-            self.column = self.indent.min(self.most);
-            self.text.extend(std::iter::repeat_n(' ', self.column));
-        }
-        self.text.push_str(text);
-        self.column += text.chars().count();
-    }
-
-    fn new_line(&mut self) {
-        let kept = self.text.trim_end_matches(' ').len();
-        self.text.truncate(kept);
-        self.text.push('\n');
-        self.column = 0;
-    }
+/// Whether a blank line stands before a line.
+pub(super) fn is_after_blank(atoms: &[Atom<'_>], line: Line) -> bool {
+    atoms[line.start].start == Start::Blank
 }
