@@ -121,6 +121,9 @@ pub enum GeomError {
     /// A curve along the direction about which it should turn.
     #[error("the curve runs along the normal at parameter {parameter}, so that it has no side")]
     AlongNormal { parameter: f64 },
+    /// A curve that turns within its last digits.
+    #[error("at parameter {parameter} the curve turns too fast for an offset to follow")]
+    NoOffset { parameter: f64 },
     /// An offset that is one point.
     #[error("the offset shrinks to a point: the distance is the radius {} of the arc", few_digits(*radius))]
     VanishingOffset { radius: f64 },

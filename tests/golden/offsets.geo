@@ -20,3 +20,6 @@ curve loop = offset(parabola, -1)
 curve bow = join([conic((0, 0), (1, 1), (2, 0), 1), line((2, 0), (4, 0))])
 print offset(bow, 0.5).domain, offset(bow, 0.5).start
 curve inner = offset(bow, -0.5)
+// A cusp of the curve itself, at no fraction that halving meets: around its tip.
+curve tip = trim(bezier((0, 0), (1, 1), (0, 1), (1, 0)), 0.1..0.8)
+check abs(bounds(offset(tip, 0.1)).max.y - (0.75 + 0.1)) < 1e-6

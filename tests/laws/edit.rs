@@ -343,3 +343,87 @@ fn the_offset_of_a_cusp_goes_around_its_tip() {
     let highest = offset.bounds().max.y;
     assert!((highest - (tip.y + 0.1)).abs() < 1e-6, "{highest}");
 }
+
+#[test]
+fn the_offset_of_a_cusp_at_an_odd_parameter_is_within_its_tolerance() {
+    let points = [[0.0, 0.0], [1.0, 1.0], [0.0, 1.0], [1.0, 0.0]];
+    let points = points.map(|[x, y]| DVec3::new(x, y, 0.0));
+    let whole = NurbsCurve::bezier(&points).unwrap();
+    let cusp = whole.trimmed(Interval::new(0.1, 0.8).unwrap()).unwrap();
+    let offset = cusp.offset(0.1, DVec3::Z, Tolerance::default()).unwrap().curve;
+    for i in 0..=2000 {
+        let t = parameter(&cusp, f64::from(i) / 2000.0);
+        let side = cusp.tangent_at(t, Side::Right).unwrap().cross(DVec3::Z);
+        let wanted = cusp.point_at(t) + side * 0.1;
+        // Up to the cusp the parameters are the same; behind it they follow the arc.
+        if t < 0.5 {
+            assert!(offset.point_at(t).distance(wanted) <= 1e-6, "{t}");
+        }
+    }
+    let end = cusp.tangent_at(0.8, Side::Left).unwrap().cross(DVec3::Z) * 0.1 + cusp.end();
+    assert!(offset.end().distance(end) < 1e-12);
+}
+
+#[test]
+fn offsets_have_no_scale() {
+    let points = [[0.0, 0.0], [1.0, 2.0], [2.0, 0.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
+    let n_points = [1.0, 1e-100, 1e-6, 1e6, 1e100].map(|scale| {
+        let curve = NurbsCurve::bezier(&points.map(|point| point * scale)).unwrap();
+        let tolerance = Tolerance::default().with_distance(1e-6 * scale);
+        let offset = curve.offset(0.1 * scale, DVec3::Z, tolerance).unwrap();
+        assert!(offset.cusps.is_empty());
+        offset.curve.points().len()
+    });
+    assert!(n_points.iter().all(|&n| n == n_points[0]), "{n_points:?}");
+}
+
+#[test]
+fn near_knots_of_a_chain_go_to_the_first_of_each_cluster() {
+    let line = NurbsCurve::line(DVec3::ZERO, DVec3::X).unwrap();
+    let refined = line.insert_knots(&[0.5 + 1.4e-12, 0.5, 0.5 + 0.7e-12]).unwrap();
+    let inner = &refined.knots().as_slice()[2..5];
+    assert_eq!(inner, [0.5, 0.5, 0.5 + 1.4e-12]);
+    assert!(are_same(&line, &refined, 1e-15));
+}
+
+#[test]
+fn pieces_join_on_domains_of_any_size_until_one_vanishes() {
+    let piece = |start: f64, width: f64| {
+        let line = NurbsCurve::line(DVec3::X * start, DVec3::X * (start + 1.0)).unwrap();
+        line.reparametrized(Interval::new(0.0, width).unwrap())
+    };
+    let joined = join(&[piece(0.0, 1.0), piece(1.0, 1e6)], 1e-6).unwrap();
+    assert_eq!(joined.knots().as_slice(), [0.0, 0.0, 1.0, 1_000_001.0, 1_000_001.0]);
+    assert!(joined.point_at(0.5).distance(DVec3::X * 0.5) < 1e-15);
+    let vanishing = join(&[piece(0.0, 1e-9), piece(1.0, 1e6)], 1e-6).unwrap_err();
+    assert!(matches!(vanishing, GeomError::VanishingPiece { index: 0, .. }));
+}
+
+#[test]
+fn unclamped_and_clamped_curves_join() {
+    let points: Vec<DVec3> = [[0.0, 0.0], [1.0, 3.0], [2.0, 1.0], [4.0, 2.0], [5.0, 0.0]]
+        .iter()
+        .map(|&[x, y]| DVec3::new(x, y, 0.0))
+        .collect();
+    let unclamped = NurbsCurve::polynomial(KnotVector::uniform(3, 5).unwrap(), &points).unwrap();
+    let line = NurbsCurve::line(unclamped.end(), DVec3::new(9.0, 9.0, 9.0)).unwrap();
+    let joined = join(&[unclamped.clone(), line.clone()], 1e-6).unwrap();
+    assert_eq!(joined.knots().multiplicity(2.0), 3);
+    for f in [0.0, 0.1, 0.5, 0.9] {
+        assert!(joined.point_at(2.0 * f).distance(unclamped.point_at(2.0 * f)) < 1e-14);
+        assert!(joined.point_at(2.0 + f).distance(line.point_at(f)) < 1e-14);
+    }
+}
+
+#[test]
+fn very_many_knots_are_inserted_in_one_pass() {
+    // Two hundred thousand knots; a pass over all points for each would take minutes.
+    let points: Vec<DVec3> =
+        (0..2000).map(|i| DVec3::new(f64::from(i), f64::from(i % 7), 0.0)).collect();
+    let knots = KnotVector::uniform_clamped(3, points.len(), 1.0).unwrap();
+    let curve = NurbsCurve::polynomial(knots, &points).unwrap();
+    let knots: Vec<f64> = (0..200_000).map(|i| (f64::from(i) + 0.5) / 200_001.0).collect();
+    let refined = curve.insert_knots(&knots).unwrap();
+    assert_eq!(refined.points().len(), 202_000);
+    assert!(are_same(&curve, &refined, 1e-12));
+}

@@ -1,11 +1,11 @@
 //! Curves: rational B-splines, and functions.
 //!
 //! `any` is a curve of either kind, `parametric` that of a function. Of B-splines this file has the
-//! type, its constructors and what can be read off it; `eval` computes points
-//! and derivatives, `direction` tangents and curvature, `circle` the exact circles, `edit` changes
-//! the representation or cuts, `reduce` takes knots and degrees away, `join` and `extend` go on beyond
-//! an end, `offset` runs beside, `deviation` tells how far two are apart, `compatible` brings several to one basis, `measure` has length and
-//! bounds.
+//! type, its constructors and what can be read off it; `eval` computes points and derivatives,
+//! `direction` tangents and curvature, `circle` the exact circles, `edit` changes the representation
+//! or cuts, `compatible` brings several to one basis, `reduce` takes knots and degrees away, `join` and
+//! `extend` go on beyond an end, `offset` runs beside, `deviation` tells how far two are apart,
+//! `measure` has length and bounds.
 
 mod any;
 mod circle;

@@ -10,8 +10,11 @@ use super::{NurbsCurve, join};
 use crate::kernel::{
     GeomError, Side,
     frame::unit,
-    tolerance::{CUSP_SLACK, LAST_BIT, Tolerance},
+    tolerance::{CUSP_SLACK, LAST_BIT, Tolerance, VANISHING_RELATIVE},
 };
+
+/// Last bits of a coordinate that a point of the offset may be off.
+const MOST_ROUNDINGS: f64 = 64.0;
 
 /// Parameters at which each piece is asked for its bend.
 const N_SAMPLES: usize = 16;
@@ -38,6 +41,8 @@ struct Aim {
     distance: f64,
     normal: DVec3,
     accuracy: f64,
+    /// A length that rounding of the coordinates may leave.
+    rounding: f64,
 }
 
 impl Aim {
@@ -59,8 +64,7 @@ impl NurbsCurve {
     ///
     /// # Errors
     /// [`GeomError::ZeroAxis`] for the normal; [`GeomError::AlongNormal`] where the curve runs
-    /// along it; [`GeomError::VanishingDerivative`] where the curve stands still and turns inside a
-    /// span; [`GeomError::VanishingOffset`] of a circle of that radius.
+    /// along it; [`GeomError::NoOffset`] where it turns too fast to be followed; [`GeomError::VanishingOffset`] of a circle of that radius.
     pub fn offset(
         &self,
         distance: f64,
@@ -68,9 +72,9 @@ impl NurbsCurve {
         tolerance: Tolerance,
     ) -> Result<Offset, GeomError> {
         let normal = unit(normal).ok_or(GeomError::ZeroAxis { what: "the normal" })?;
-        let rounding = LAST_BIT * (self.magnitude() + distance.abs());
-        let accuracy = tolerance.distance.max(N_SAMPLES as f64 * rounding);
-        let aim = Aim { distance, normal, accuracy };
+        let rounding = MOST_ROUNDINGS * LAST_BIT * (self.magnitude() + distance.abs());
+        let accuracy = tolerance.distance.max(rounding);
+        let aim = Aim { distance, normal, accuracy, rounding };
         let exact = |curve: NurbsCurve| Offset { curve, cusps: Vec::new(), crossings: Vec::new() };
         if distance.abs() <= 0.0 {
             return Ok(exact(self.clone()));
@@ -84,7 +88,8 @@ impl NurbsCurve {
         let (pieces, crossings) = self.offset_pieces(aim, tolerance)?;
         let curve = match pieces.as_slice() {
             [piece] => piece.clone(),
-            _ => join(&pieces, tolerance.distance.max(aim.accuracy))?,
+            // The pieces meet by construction; what is between them is rounding.
+            _ => join(&pieces, f64::INFINITY)?,
         };
         Ok(Offset { curve, cusps: self.offset_cusps(aim), crossings })
     }
@@ -95,20 +100,17 @@ impl NurbsCurve {
         aim: Aim,
         tolerance: Tolerance,
     ) -> Result<(Vec<Self>, Vec<f64>), GeomError> {
-        let mut parts: Vec<(Self, Vec<Self>)> = Vec::new();
-        for part in self.smooth_parts(tolerance.angle)? {
-            parts.extend(fit::parts(part, aim)?);
-        }
+        let parts = self.smooth_parts(tolerance.angle)?;
         let is_closed = self.is_closed(tolerance.distance);
         let (mut pieces, mut crossings) = (Vec::new(), Vec::new());
-        for (index, (part, fitted)) in parts.iter().enumerate() {
-            pieces.extend(fitted.iter().cloned());
+        for (index, part) in parts.iter().enumerate() {
+            pieces.extend(fit::pieces(part, aim)?);
             let next = match parts.get(index + 1) {
                 None if is_closed => &parts[0],
                 Some(next) => next,
                 None => continue,
             };
-            let corner = round::corner(part, &next.0, aim)?;
+            let corner = round::corner(part, next, aim)?;
             if corner.is_inner {
                 crossings.push(part.domain().end());
             }
@@ -117,13 +119,18 @@ impl NurbsCurve {
         Ok((pieces, crossings))
     }
 
-    /// The parts between corners.
+    /// The parts between corners and cusps.
     fn smooth_parts(&self, angle: f64) -> Result<Vec<Self>, GeomError> {
         let domain = self.domain();
+        let corners = self.knots.distinct().into_iter();
+        let mut places: Vec<f64> =
+            corners.filter(|&(_, times)| self.degree() <= times).map(|(t, _)| t).collect();
+        places.extend(self.standstills());
+        places.sort_by(f64::total_cmp);
         let mut rest = self.clamped();
         let mut parts = Vec::new();
-        for (t, times) in self.knots.distinct() {
-            if times < self.degree() || t <= domain.start() || domain.end() <= t {
+        for t in places {
+            if t <= rest.domain().start() || domain.end() <= t {
                 continue;
             }
             let [left, right] = [Side::Left, Side::Right].map(|side| self.tangent_at(t, side));
@@ -135,6 +142,34 @@ impl NurbsCurve {
         }
         parts.push(rest);
         Ok(parts)
+    }
+
+    /// Parameters between knots where the derivative vanishes: minima of the speed, found by halves
+    /// of its slope, which are zero.
+    fn standstills(&self) -> Vec<f64> {
+        let mut found = Vec::new();
+        for span in self.knots.spans() {
+            let interval = self.knots.span_interval(span);
+            let slope = |t: f64| {
+                let derivatives = self.derivatives_on(span, t, 2);
+                derivatives[1].dot(derivatives[2])
+            };
+            for pair in interval.steps(N_SAMPLES).windows(2) {
+                let (mut low, mut high) = (pair[0], pair[1]);
+                if 0.0 < slope(low) || slope(high) < 0.0 {
+                    continue;
+                }
+                for _ in 0..MAX_STEPS {
+                    let middle = 0.5 * (low + high);
+                    if slope(middle) < 0.0 { low = middle } else { high = middle }
+                }
+                let velocity = self.velocity_on(span, high)[1];
+                if velocity.length() * interval.length() <= VANISHING_RELATIVE * self.magnitude() {
+                    found.push(high);
+                }
+            }
+        }
+        found
     }
 
     /// Where `1 + d·κ` vanishes, κ positive for a turn to the left.

@@ -13,35 +13,15 @@ use crate::{
     limits::Limits,
 };
 
-/// Halvings of a span before its offset counts as having no direction there.
-const MAX_HALVINGS: usize = 30;
+/// Halvings of a span before its offset counts as having no direction there: their knots are still
+/// told apart.
+const MAX_HALVINGS: usize = 38;
 
 /// Point, first and second derivative.
 type Contact = [DVec3; 3];
 
-/// The parts of a curve without corners between its cusps, each with the Bézier pieces that follow
-/// its offset.
-pub(super) fn parts(
-    curve: NurbsCurve,
-    aim: Aim,
-) -> Result<Vec<(NurbsCurve, Vec<NurbsCurve>)>, GeomError> {
-    let mut pieces = pieces(&curve, aim)?;
-    let mut rest = curve;
-    let mut parts = Vec::new();
-    // At a cusp the offset leaps to the other side.
-    let leaps = |pair: &[NurbsCurve]| aim.distance.abs() < pair[0].end().distance(pair[1].start());
-    while let Some(index) = pieces.windows(2).position(leaps) {
-        let following = pieces.split_off(index + 1);
-        let [before, after] = rest.split(following[0].domain().start())?;
-        parts.push((before, pieces));
-        (rest, pieces) = (after, following);
-    }
-    parts.push((rest, pieces));
-    Ok(parts)
-}
-
 /// Bézier pieces that follow the offset of a curve without corners, in order.
-fn pieces(curve: &NurbsCurve, aim: Aim) -> Result<Vec<NurbsCurve>, GeomError> {
+pub(super) fn pieces(curve: &NurbsCurve, aim: Aim) -> Result<Vec<NurbsCurve>, GeomError> {
     let mut pieces = Vec::new();
     for span in curve.knots().spans() {
         let whole = bezier::piece(curve.knots(), curve.control_points(), span);
@@ -52,7 +32,7 @@ fn pieces(curve: &NurbsCurve, aim: Aim) -> Result<Vec<NurbsCurve>, GeomError> {
                 let knots = KnotVector::bezier(5)?.on(interval);
                 pieces.push(NurbsCurve::new(knots, unweighted(&fitted))?);
             } else if n_halvings == MAX_HALVINGS {
-                return Err(GeomError::VanishingDerivative { parameter: interval.at(0.5) });
+                return Err(GeomError::NoOffset { parameter: interval.at(0.5) });
             } else {
                 let (left, right) = bezier::cut_at(&points, 0.5);
                 let halves = interval.halves();
@@ -65,7 +45,12 @@ fn pieces(curve: &NurbsCurve, aim: Aim) -> Result<Vec<NurbsCurve>, GeomError> {
             }
         }
     }
-    Ok(pieces)
+    // Both are near the true offset; if it leaps there, a cusp was not found.
+    let leaps = |pair: &&[NurbsCurve]| 4.0 * aim.accuracy < pair[0].end().distance(pair[1].start());
+    match pieces.windows(2).find(leaps) {
+        Some(pair) => Err(GeomError::NoOffset { parameter: pair[0].domain().end() }),
+        None => Ok(pieces),
+    }
 }
 
 /// Control points of the quintic in contact with the offset at both ends of a Bézier piece.
@@ -96,7 +81,7 @@ fn contact(
     let start = homogeneous::place(points[0]);
     let far = |&point: &DVec4| homogeneous::place(point).distance(start);
     let size = points.iter().map(far).fold(0.0, f64::max);
-    let vanishes = |term: &&DVec3| term.length() <= VANISHING_RELATIVE * size;
+    let vanishes = |term: &&DVec3| term.length() <= aim.rounding.max(VANISHING_RELATIVE * size);
     let mut series = taylor(points, 3);
     let mut n_vanishing = series.iter().skip(1).take_while(vanishes).count();
     if 0 < n_vanishing {
@@ -105,7 +90,7 @@ fn contact(
         n_vanishing = series.iter().skip(1).take_while(vanishes).count();
     }
     if 2 * degree <= n_vanishing {
-        return Err(GeomError::VanishingTangent { parameter });
+        return Err(GeomError::NoOffset { parameter });
     }
     // The direction, up to a factor: C' without its zeros, made normal to the normal.
     let across = |k: usize| {
@@ -147,7 +132,8 @@ fn deviation(points: &[DVec4], fitted: &[DVec3], aim: Aim) -> f64 {
     let along = product(&slopes, points, |slope, point| {
         (slope.truncate() * point.w - point.truncate() * slope.w).cross(aim.normal)
     });
-    let side = without_end_zeros(&along);
+    let heaviest = weights.iter().copied().fold(0.0, f64::max);
+    let side = without_end_zeros(&along, aim.rounding * heaviest * heaviest);
     let ones = [1.0; 6];
     let curve = product(points, &ones, |point, one| point.truncate() * one);
     let mut arm = product(fitted, &weights, |point, w| point * w);
@@ -181,9 +167,9 @@ fn deviation(points: &[DVec4], fitted: &[DVec3], aim: Aim) -> f64 {
 }
 
 /// The polynomial divided by the powers of t and 1 − t that it contains.
-fn without_end_zeros(coefficients: &[DVec3]) -> Vec<DVec3> {
+fn without_end_zeros(coefficients: &[DVec3], rounding: f64) -> Vec<DVec3> {
     let size = coefficients.iter().map(|c| c.length()).fold(0.0, f64::max);
-    let is_zero = |c: &&DVec3| c.length() <= VANISHING_RELATIVE * size;
+    let is_zero = |c: &&DVec3| c.length() <= rounding.max(VANISHING_RELATIVE * size);
     let n = coefficients.len() - 1;
     let n_start = coefficients.iter().take_while(is_zero).count().min(n);
     let n_end = coefficients.iter().rev().take_while(is_zero).count().min(n - n_start);
