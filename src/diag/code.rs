@@ -143,6 +143,8 @@ codes! {
         "A curve can lose a knot or a degree only as far as its shape allows. The message tells how far it would move. Allow that with a larger tolerance, or keep what it has."
     Gap "E0609" "curves that do not meet"
         "Curves are joined in the order given, each starting where the one before ends, within the document's tolerance. `reversed` turns a curve around; `tolerance` at the top of the script says which points count as one."
+    BadParameters "E0610" "parameters of data that do not fit"
+        "Each point of the data has one parameter, the place on the curve where it is to lie, and parameters increase from point to point. So it is with what else belongs to each point, such as derivatives. Without `parameters` they follow from the distances of the points."
 
     // E07xx: files.
     FileMissing "E0701" "a file that cannot be read"

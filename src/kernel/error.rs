@@ -145,6 +145,17 @@ pub enum GeomError {
     /// Two points that must differ do not.
     #[error("points {first} and {second} are at one place")]
     CoincidentPoints { first: usize, second: usize },
+    /// Not as many of something as the construction needs.
+    #[error("needs {needed} {what}, got {got}")]
+    WrongCount { what: &'static str, needed: usize, got: usize },
+    /// A parameter of data that is not above its predecessor.
+    #[error(
+        "parameter {index} is {parameter}, not above the {previous} before it; parameters increase"
+    )]
+    ParametersNotIncreasing { index: usize, previous: f64, parameter: f64 },
+    /// Conditions on a spline that contradict or repeat one another.
+    #[error("the conditions do not determine a curve")]
+    NoFit,
     /// A mesh above the ceiling.
     #[error("the mesh would have {got} vertices, more than the {most} that are allowed")]
     TooManyVertices { got: usize, most: usize },

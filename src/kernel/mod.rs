@@ -7,6 +7,7 @@ mod bezier;
 mod bounds;
 mod curve;
 mod error;
+mod fit;
 mod frame;
 mod grid;
 mod homogeneous;
@@ -26,6 +27,7 @@ pub use curve::{
     CircleForm, Curve, CurveFunction, NurbsCurve, Offset, ParametricCurve, join, make_compatible,
 };
 pub use error::{FunctionFailure, GeomError};
+pub use fit::{Ends, Interpolator, Spacing, check_parameters, lagrange};
 pub use frame::Frame;
 pub use grid::Grid;
 pub use interval::Interval;

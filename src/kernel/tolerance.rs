@@ -39,6 +39,12 @@ impl Default for Tolerance {
 /// where derivatives are noise, and refuses `c(0.1 * 10)` at the end of 0..1.
 pub const KNOT_RELATIVE: f64 = 1e-12;
 
+/// Two parameters of data closer than this fraction of the domain are one.
+///
+/// A few times [`KNOT_RELATIVE`], because knots are made between them. Larger refuses data whose
+/// spacing varies much; smaller lets knots merge that should each have their own datum.
+pub const PARAMETER_RELATIVE: f64 = 1e-11;
+
 /// Weights that differ by less than this fraction of the largest are equal: the curve is not
 /// rational.
 ///

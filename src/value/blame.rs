@@ -82,6 +82,7 @@ pub fn code_of(error: &GeomError) -> Code {
         Error::DuplicateColumn { .. } | Error::ColumnLength { .. } | Error::NotNurbs { .. } => {
             Code::WrongKind
         }
+        Error::WrongCount { .. } | Error::ParametersNotIncreasing { .. } => Code::BadParameters,
         _ => Code::Degenerate,
     }
 }

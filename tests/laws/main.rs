@@ -7,6 +7,7 @@
 mod basis;
 mod curve;
 mod edit;
+mod fit;
 mod hostile;
 mod lanes;
 mod measure;

@@ -5,6 +5,10 @@ mod bspline;
 mod circle;
 mod clamped;
 mod conic;
+mod cubic_spline;
+pub(super) mod fit;
+mod interpolate;
+mod lagrange;
 mod line;
 mod nurbs;
 mod polyline;
@@ -22,6 +26,9 @@ pub(super) static OPS: &[&Op] = &[
     &clamped::OP,
     &bspline::OP,
     &nurbs::OP,
+    &interpolate::OP,
+    &cubic_spline::OP,
+    &lagrange::OP,
     &circle::OP,
     &conic::OP,
 ];

@@ -1,0 +1,134 @@
+//! Linear equations whose coefficients stand near the diagonal.
+
+use glam::DVec4;
+
+use super::equation::Equation;
+use crate::kernel::GeomError;
+
+/// As many equations as unknowns, factored once for any number of right-hand sides.
+///
+/// Gaussian elimination with row exchanges inside the band: O(n·b²) once and O(n·b) for each
+/// right-hand side. Golub & Van Loan, *Matrix Computations*, §4.3.
+#[derive(Clone, Debug)]
+pub(in crate::kernel) struct Banded {
+    /// Coefficients below the diagonal, at most.
+    lower: usize,
+    /// Length of a row: from `lower` before the diagonal to where exchanges can reach.
+    width: usize,
+    /// Rows of U, and before the diagonal the factors of the elimination.
+    rows: Vec<f64>,
+    /// With which row each one was exchanged.
+    exchanged: Vec<usize>,
+}
+
+impl Banded {
+    /// # Errors
+    /// [`GeomError::NoFit`] where the equations contradict or repeat one another.
+    pub(in crate::kernel) fn new(equations: &[Equation]) -> Result<Self, GeomError> {
+        let n = equations.len();
+        let below = |(i, equation): (usize, &Equation)| i.saturating_sub(equation.first);
+        let above =
+            |(i, equation): (usize, &Equation)| equation.columns().end.saturating_sub(i + 1);
+        let lower = equations.iter().enumerate().map(below).max().unwrap_or(0);
+        let upper = equations.iter().enumerate().map(above).max().unwrap_or(0);
+        let width = 2 * lower + upper + 1;
+        let mut rows = vec![0.0; n * width];
+        for (i, equation) in equations.iter().enumerate() {
+            for (column, &value) in equation.columns().zip(&equation.values) {
+                rows[i * width + lower + column - i] += value;
+            }
+        }
+        let mut system = Self { lower, width, rows, exchanged: Vec::with_capacity(n) };
+        for k in 0..n {
+            system.eliminate(k)?;
+        }
+        Ok(system)
+    }
+
+    /// How many unknowns there are.
+    pub(in crate::kernel) fn len(&self) -> usize {
+        self.exchanged.len()
+    }
+
+    fn place(&self, row: usize, column: usize) -> usize {
+        row * self.width + self.lower + column - row
+    }
+
+    /// Clears column `k` below the diagonal.
+    fn eliminate(&mut self, k: usize) -> Result<(), GeomError> {
+        let n = self.rows.len() / self.width;
+        let last_row = (k + self.lower).min(n - 1);
+        let last_column = (k + self.width - 1 - self.lower).min(n - 1);
+        let size = |row: usize| self.rows[self.place(row, k)].abs();
+        let pivot =
+            (k..=last_row).fold(k, |best, row| if size(best) < size(row) { row } else { best });
+        if size(pivot) > 0.0 {
+            self.exchanged.push(pivot);
+        } else {
+            return Err(GeomError::NoFit);
+        }
+        if pivot != k {
+            for column in k..=last_column {
+                let (a, b) = (self.place(k, column), self.place(pivot, column));
+                self.rows.swap(a, b);
+            }
+        }
+        for row in k + 1..=last_row {
+            let factor = self.rows[self.place(row, k)] / self.rows[self.place(k, k)];
+            let place = self.place(row, k);
+            self.rows[place] = factor;
+            for column in k + 1..=last_column {
+                let (to, from) = (self.place(row, column), self.place(k, column));
+                self.rows[to] -= factor * self.rows[from];
+            }
+        }
+        Ok(())
+    }
+
+    /// Replaces the right-hand sides by the unknowns.
+    pub(in crate::kernel) fn solve(&self, values: &mut [DVec4]) {
+        let n = self.len();
+        for k in 0..n {
+            values.swap(k, self.exchanged[k]);
+            for row in k + 1..=(k + self.lower).min(n - 1) {
+                values[row] -= self.rows[self.place(row, k)] * values[k];
+            }
+        }
+        for k in (0..n).rev() {
+            let place = self.place(k, k);
+            let row = &self.rows[place + 1..place + self.width - self.lower];
+            let known = row.iter().zip(&values[k + 1..]);
+            let sum =
+                known.fold(values[k], |sum, (&coefficient, &value)| sum - coefficient * value);
+            values[k] = sum / self.rows[place];
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec4;
+
+    use super::{Banded, Equation};
+
+    #[test]
+    fn a_zero_on_the_diagonal_is_exchanged() {
+        // y = 2, x + z = 4, x + y = 3.
+        let equation = |first, values: &[f64]| Equation { first, values: values.to_vec() };
+        let equations =
+            [equation(1, &[1.0]), equation(0, &[1.0, 0.0, 1.0]), equation(0, &[1.0, 1.0])];
+        let system = Banded::new(&equations).expect("independent equations");
+        let mut values = [2.0, 4.0, 3.0].map(DVec4::splat);
+        system.solve(&mut values);
+        assert_eq!(values, [1.0, 2.0, 3.0].map(DVec4::splat));
+    }
+
+    #[test]
+    fn equations_that_repeat_one_another_have_no_single_solution() {
+        let twice = [
+            Equation { first: 0, values: vec![1.0, 1.0] },
+            Equation { first: 0, values: vec![2.0, 2.0] },
+        ];
+        assert!(Banded::new(&twice).is_err());
+    }
+}

@@ -1,0 +1,209 @@
+//! The equations of splines through points: which knots, which conditions.
+
+use super::{banded::Banded, check_parameters, cyclic::Cyclic, equation::Equation};
+use crate::kernel::{GeomError, KnotVector};
+
+/// What a cubic with its knots at the points does where it begins and ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ends {
+    /// The tangent of the parabola through the first three points, and the last three.
+    Bessel,
+    /// No bending: the second derivative vanishes.
+    Natural,
+    /// The first and the last segment are parabolas.
+    Quadratic,
+    /// The derivatives there are given.
+    Clamped,
+    /// The first two segments are one cubic, and the last two: no knot at the second point.
+    NotAKnot,
+    /// No such condition: the knots are averages of the parameters, as many as the degree needs.
+    Averaged,
+}
+
+/// A basis, with the factored equations of a spline over it that takes given values at given
+/// parameters: curves and the rows and columns of surfaces share it.
+#[derive(Clone, Debug)]
+pub struct Interpolator {
+    pub(super) knots: KnotVector,
+    pub(super) n_values: usize,
+    pub(super) equations: Equations,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum Equations {
+    /// One an unknown, and nothing else.
+    Values(Banded),
+    /// One more at each end: what stands on their right-hand side.
+    WithEnds(Banded, [EndRow; 2]),
+    /// A derivative after each value.
+    WithDerivatives(Banded),
+    /// A ring; over its own knots, where the basis does not begin and end at the seam.
+    Ring(Cyclic, Option<KnotVector>),
+}
+
+/// The right-hand side of an end condition.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum EndRow {
+    /// The control point next to the end, as a combination of the three values from the end.
+    Values([f64; 3]),
+    /// Zero.
+    Zero,
+    /// The control point next to the end, this far along the given derivative.
+    Along(f64),
+}
+
+impl Interpolator {
+    /// For values at the parameters; too few of them lower the degree, unless they come with
+    /// tangents or bend nowhere at the ends.
+    ///
+    /// Of degree 3 the knots stand at the parameters and the ends need their condition: Farin,
+    /// *Curves and Surfaces for CAGD*, §9.1 to §9.3. Of any other degree, and with
+    /// [`Ends::Averaged`], knots are averages of parameters: Piegl & Tiller, *The NURBS Book*,
+    /// (9.8). Farin's last Bessel condition counts from the end.
+    ///
+    /// # Errors
+    /// [`GeomError::TooFewPoints`] below two; those of [`check_parameters`];
+    /// [`GeomError::DegreeTooHigh`]; [`GeomError::CountTooSmall`] for degree 0.
+    pub fn new(parameters: &[f64], degree: usize, ends: Ends) -> Result<Self, GeomError> {
+        let got = parameters.len();
+        if got < 2 {
+            return Err(GeomError::TooFewPoints { got, needed: 2 });
+        }
+        check_degree(degree)?;
+        check_parameters(parameters, got)?;
+        match (degree, ends) {
+            (3, Ends::Natural | Ends::Clamped) => Self::cubic(parameters, ends),
+            (3, Ends::Bessel | Ends::Quadratic) if 2 < got => {
+                if ends == Ends::Bessel && got == 3 {
+                    return Self::averaged(parameters, 2);
+                }
+                Self::cubic(parameters, ends)
+            }
+            (3, Ends::NotAKnot) if 3 < got => Self::not_a_knot(parameters),
+            _ => Self::averaged(parameters, degree.min(got - 1)),
+        }
+    }
+
+    /// For values and first derivatives at the parameters, of degree 2 or 3.
+    ///
+    /// Piegl & Tiller, *The NURBS Book*, (9.22) and (9.23).
+    ///
+    /// # Errors
+    /// [`GeomError::TooFewPoints`] below two; those of [`check_parameters`];
+    /// [`GeomError::NoFit`] of another degree.
+    pub fn with_derivatives(parameters: &[f64], degree: usize) -> Result<Self, GeomError> {
+        let got = parameters.len();
+        if got < 2 {
+            return Err(GeomError::TooFewPoints { got, needed: 2 });
+        }
+        check_parameters(parameters, got)?;
+        let spans = parameters.windows(2);
+        let inner: Vec<f64> = match degree {
+            2 => {
+                let halves = spans.flat_map(|span| [0.5 * (span[0] + span[1]), span[1]]);
+                halves.take(2 * got - 3).collect()
+            }
+            3 if got == 2 => Vec::new(),
+            3 => {
+                let part = |(i, span): (usize, &[f64])| match i {
+                    0 => vec![0.5 * (span[0] + span[1])],
+                    i if i + 2 == got => vec![0.5 * (span[0] + span[1])],
+                    _ => vec![(2.0 * span[0] + span[1]) / 3.0, (span[0] + 2.0 * span[1]) / 3.0],
+                };
+                spans.enumerate().flat_map(part).collect()
+            }
+            _ => return Err(GeomError::NoFit),
+        };
+        let knots = clamped(parameters, degree, &inner)?;
+        let both = |&t: &f64| [Equation::point(&knots, t), Equation::derivative(&knots, t, 1)];
+        let mut rows: Vec<Equation> = parameters.iter().flat_map(both).collect();
+        // The last value belongs to the last unknown, as the first to the first.
+        let last = rows.len() - 1;
+        rows.swap(last - 1, last);
+        let equations = Equations::WithDerivatives(Banded::new(&rows)?);
+        Ok(Self { knots, n_values: got, equations })
+    }
+
+    /// The knots of the splines.
+    #[must_use]
+    pub fn knots(&self) -> &KnotVector {
+        &self.knots
+    }
+
+    fn averaged(parameters: &[f64], degree: usize) -> Result<Self, GeomError> {
+        let n_inner = parameters.len() - degree - 1;
+        let mean = |j: usize| parameters[j..j + degree].iter().sum::<f64>() / degree as f64;
+        let inner: Vec<f64> = (1..=n_inner).map(mean).collect();
+        Self::on_knots(parameters, clamped(parameters, degree, &inner)?)
+    }
+
+    fn not_a_knot(parameters: &[f64]) -> Result<Self, GeomError> {
+        let inner = &parameters[2..parameters.len() - 2];
+        Self::on_knots(parameters, clamped(parameters, 3, inner)?)
+    }
+
+    /// As many knots as the values determine.
+    fn on_knots(parameters: &[f64], knots: KnotVector) -> Result<Self, GeomError> {
+        let rows: Vec<Equation> = parameters.iter().map(|&t| Equation::point(&knots, t)).collect();
+        let equations = Equations::Values(Banded::new(&rows)?);
+        Ok(Self { knots, n_values: parameters.len(), equations })
+    }
+
+    /// Knots at the parameters: two control points more than values.
+    fn cubic(parameters: &[f64], ends: Ends) -> Result<Self, GeomError> {
+        let n = parameters.len();
+        let knots = clamped(parameters, 3, &parameters[1..n - 1])?;
+        let backwards: Vec<f64> = parameters.iter().rev().take(3).map(|t| -t).collect();
+        let sides = [(parameters, 1), (&backwards[..], n)];
+        let mut end_rows = sides.map(|(t, column)| match ends {
+            Ends::Clamped => (Equation::control_point(column), EndRow::Along((t[1] - t[0]) / 3.0)),
+            Ends::Natural => (end_derivative(&knots, column, 2), EndRow::Zero),
+            Ends::Quadratic => (end_derivative(&knots, column, 3), EndRow::Zero),
+            _ => (Equation::control_point(column), EndRow::Values(bessel(t))),
+        });
+        // Forwards at the start is backwards at the end.
+        if let EndRow::Along(third) = &mut end_rows[1].1 {
+            *third = -*third;
+        }
+        let [(start, start_row), (end, end_row)] = end_rows;
+        let mut rows = vec![Equation::control_point(0), start];
+        rows.extend(parameters[1..n - 1].iter().map(|&t| Equation::point(&knots, t)));
+        rows.extend([end, Equation::control_point(n + 1)]);
+        let equations = Equations::WithEnds(Banded::new(&rows)?, [start_row, end_row]);
+        Ok(Self { knots, n_values: n, equations })
+    }
+}
+
+/// The condition that a derivative vanishes at the end beside which control point `column` lies.
+fn end_derivative(knots: &KnotVector, column: usize, order: usize) -> Equation {
+    let domain = knots.domain();
+    let end = if column == 1 { domain.start() } else { domain.end() };
+    Equation::derivative(knots, end, order).scaled()
+}
+
+/// The control point next to the end, for the tangent of the parabola through three values.
+///
+/// Farin, *Curves and Surfaces for CAGD*, §9.3.
+fn bessel(parameters: &[f64]) -> [f64; 3] {
+    let d = (parameters[2] - parameters[1]) / (parameters[2] - parameters[0]);
+    let e = (parameters[1] - parameters[0]) / (parameters[2] - parameters[0]);
+    [(1.0 + d) / 3.0, 1.0 / (3.0 * d), -e * e / (3.0 * d)]
+}
+
+/// Knots from the first to the last parameter, which stand p + 1 times.
+fn clamped(parameters: &[f64], degree: usize, inner: &[f64]) -> Result<KnotVector, GeomError> {
+    let (start, end) = (parameters[0], parameters[parameters.len() - 1]);
+    let [before, after] = [start, end].map(|t| vec![t; degree + 1]);
+    KnotVector::new(degree, [&before, inner, &after].concat())
+}
+
+/// # Errors
+/// [`GeomError::CountTooSmall`] for degree 0.
+pub(super) fn check_degree(degree: usize) -> Result<(), GeomError> {
+    let (what, needed) = ("the degree", 1);
+    if needed <= degree {
+        Ok(())
+    } else {
+        Err(GeomError::CountTooSmall { what, got: degree, needed })
+    }
+}

@@ -1,0 +1,29 @@
+//! The one polynomial through points.
+
+use glam::{DVec3, DVec4};
+
+use super::{banded::Banded, check_parameters, equation::Equation};
+use crate::kernel::{GeomError, KnotVector, NurbsCurve};
+
+/// The polynomial curve through the points at the parameters, as a Bézier curve over them; its
+/// degree is one less than the number of points.
+///
+/// O(n³). Farin, *Curves and Surfaces for CAGD*, §6.2 and §6.3.
+///
+/// # Errors
+/// [`GeomError::TooFewPoints`] below two; [`GeomError::DegreeTooHigh`]; those of
+/// [`check_parameters`]; [`GeomError::NotFinite`].
+pub fn lagrange(points: &[DVec3], parameters: &[f64]) -> Result<NurbsCurve, GeomError> {
+    let got = points.len();
+    if got < 2 {
+        return Err(GeomError::TooFewPoints { got, needed: 2 });
+    }
+    check_parameters(parameters, got)?;
+    let [start, end] = [parameters[0], parameters[got - 1]].map(|t| vec![t; got]);
+    let knots = KnotVector::new(got - 1, [start, end].concat())?;
+    let rows: Vec<Equation> = parameters.iter().map(|&t| Equation::point(&knots, t)).collect();
+    let mut unknowns: Vec<DVec4> = points.iter().map(|point| point.extend(1.0)).collect();
+    Banded::new(&rows)?.solve(&mut unknowns);
+    let control_points: Vec<DVec3> = unknowns.into_iter().map(DVec4::truncate).collect();
+    NurbsCurve::polynomial(knots, &control_points)
+}

@@ -1,0 +1,19 @@
+//! Curves and surfaces through points, and near them.
+//!
+//! `parameters` says where on the curve each point is to lie; `equation` and `banded` hold and
+//! solve the equations that follow, in time linear in the number of points; `interpolate` makes
+//! those of a spline through points, `periodic` and `cyclic` those of a closed one, `through` the
+//! splines, `lagrange` the single polynomial.
+
+mod banded;
+mod cyclic;
+mod equation;
+mod interpolate;
+mod lagrange;
+mod parameters;
+mod periodic;
+mod through;
+
+pub use interpolate::{Ends, Interpolator};
+pub use lagrange::lagrange;
+pub use parameters::{Spacing, check_parameters};

@@ -1,0 +1,156 @@
+//! Where on a curve the points that it passes are to lie.
+
+use glam::DVec3;
+
+use crate::kernel::{GeomError, tolerance::PARAMETER_RELATIVE};
+
+/// A rule for the distance of neighbouring parameters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spacing {
+    /// All the same.
+    Uniform,
+    /// The distance of the points.
+    Chord,
+    /// Its square root: Lee, *Choosing nodes in parametric curve interpolation* (1989).
+    Centripetal,
+    /// The distance of the points, longer beside sharp bends: Foley's rule, in Farin, *Curves and
+    /// Surfaces for CAGD*, §9.6.
+    Foley,
+}
+
+impl Spacing {
+    /// One parameter a point, from 0 to 1.
+    ///
+    /// # Errors
+    /// [`GeomError::TooFewPoints`] below two; [`GeomError::CoincidentPoints`] for neighbours at
+    /// one place, unless the spacing does not ask for their distance; [`GeomError::NotFinite`].
+    pub fn parameters(self, points: &[DVec3]) -> Result<Vec<f64>, GeomError> {
+        let parameters = self.loose_parameters(points)?;
+        let same = |pair: &[f64]| pair[1] - pair[0] <= PARAMETER_RELATIVE;
+        match parameters.windows(2).position(same) {
+            Some(first) => Err(GeomError::CoincidentPoints { first, second: first + 1 }),
+            None => Ok(parameters),
+        }
+    }
+
+    /// One parameter a point, from 0 to 1, where neighbours at one place may share theirs.
+    ///
+    /// # Errors
+    /// [`GeomError::TooFewPoints`] below two; [`GeomError::CoincidentPoints`] where all points
+    /// are at one place; [`GeomError::NotFinite`].
+    pub fn loose_parameters(self, points: &[DVec3]) -> Result<Vec<f64>, GeomError> {
+        let got = points.len();
+        if got < 2 {
+            return Err(GeomError::TooFewPoints { got, needed: 2 });
+        }
+        if let Some(index) = points.iter().position(|point| !point.is_finite()) {
+            return Err(GeomError::NotFinite { what: "point", index });
+        }
+        let mut sum = 0.0;
+        let running = |step: f64| {
+            sum += step;
+            sum
+        };
+        let places: Vec<f64> = self.steps(points).into_iter().map(running).collect();
+        let total = places[got - 2];
+        if total <= 0.0 {
+            return Err(GeomError::CoincidentPoints { first: 0, second: 1 });
+        }
+        if !total.is_finite() {
+            return Err(GeomError::NotFinite { what: "distance to point", index: got - 1 });
+        }
+        let mut parameters = vec![0.0];
+        parameters.extend(places.into_iter().map(|place| place / total));
+        Ok(parameters)
+    }
+
+    /// Distances of neighbouring parameters, up to a common factor.
+    fn steps(self, points: &[DVec3]) -> Vec<f64> {
+        let chords: Vec<f64> = points.windows(2).map(|pair| pair[0].distance(pair[1])).collect();
+        match self {
+            Self::Uniform => vec![1.0; chords.len()],
+            Self::Chord => chords,
+            Self::Centripetal => chords.into_iter().map(f64::sqrt).collect(),
+            Self::Foley => {
+                let bends: Vec<f64> = points.windows(3).map(bend).collect();
+                (0..chords.len()).map(|i| foley_step(&chords, &bends, i)).collect()
+            }
+        }
+    }
+}
+
+/// How far three points turn at the middle one, at most a quarter turn; radians.
+fn bend(points: &[DVec3]) -> f64 {
+    let [before, after] = [points[1] - points[0], points[2] - points[1]];
+    let turn = libm::atan2(before.cross(after).length(), before.dot(after));
+    turn.min(std::f64::consts::FRAC_PI_2)
+}
+
+/// Chord `i`, and more for the bends at its ends.
+fn foley_step(chords: &[f64], bends: &[f64], i: usize) -> f64 {
+    let own = chords[i];
+    let share = |bend: usize, other: usize| {
+        let other = chords[other];
+        if own + other > 0.0 { 1.5 * bends[bend] * other / (own + other) } else { 0.0 }
+    };
+    let before = if i > 0 { share(i - 1, i - 1) } else { 0.0 };
+    let after = if i + 1 < chords.len() { share(i, i + 1) } else { 0.0 };
+    own * (1.0 + before + after)
+}
+
+/// # Errors
+/// [`GeomError::WrongCount`] unless there are `needed`; [`GeomError::NotFinite`];
+/// [`GeomError::ParametersNotIncreasing`].
+pub fn check_parameters(parameters: &[f64], needed: usize) -> Result<(), GeomError> {
+    let got = parameters.len();
+    if got != needed {
+        return Err(GeomError::WrongCount { what: "parameters", needed, got });
+    }
+    if let Some(index) = parameters.iter().position(|parameter| !parameter.is_finite()) {
+        return Err(GeomError::NotFinite { what: "parameter", index });
+    }
+    let length = parameters.last().zip(parameters.first()).map_or(0.0, |(end, start)| end - start);
+    let same = PARAMETER_RELATIVE * length.abs();
+    match parameters.windows(2).position(|pair| pair[1] - pair[0] <= same) {
+        Some(i) => {
+            let (previous, parameter) = (parameters[i], parameters[i + 1]);
+            Err(GeomError::ParametersNotIncreasing { index: i + 1, previous, parameter })
+        }
+        None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::Spacing;
+
+    #[track_caller]
+    fn check(spacing: Spacing, points: &[[f64; 3]], expected: &[f64]) {
+        let points: Vec<DVec3> = points.iter().copied().map(DVec3::from_array).collect();
+        let found = spacing.parameters(&points).expect("points apart");
+        let differs = |(a, b): (&f64, &f64)| (a - b).abs() > 1e-15;
+        assert!(!found.iter().zip(expected).any(differs), "{found:?} for {expected:?}");
+    }
+
+    #[test]
+    fn chords_of_one_and_three_divide_at_a_quarter() {
+        let points = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 3.0, 0.0]];
+        check(Spacing::Chord, &points, &[0.0, 0.25, 1.0]);
+        check(Spacing::Uniform, &points, &[0.0, 0.5, 1.0]);
+        check(Spacing::Centripetal, &points, &[0.0, 1.0 / (1.0 + f64::sqrt(3.0)), 1.0]);
+    }
+
+    #[test]
+    fn foley_adds_for_a_quarter_turn() {
+        // Chords 1 and 3 with a quarter turn between: 1 + 3/2 · π/2 · 3/4, 3 (1 + 3/2 · π/2 · 1/4).
+        let points = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 3.0, 0.0]];
+        let pi = std::f64::consts::PI;
+        let (first, second) = (1.0 + pi * 9.0 / 16.0, 3.0 * (1.0 + pi * 3.0 / 16.0));
+        check(Spacing::Foley, &points, &[0.0, first / (first + second), 1.0]);
+        // On a straight line it is the chord length.
+        let line = [[0.0; 3], [1.0, 0.0, 0.0], [4.0, 0.0, 0.0]];
+        check(Spacing::Foley, &line, &[0.0, 0.25, 1.0]);
+    }
+}

@@ -1,0 +1,153 @@
+//! Splines through points: right-hand sides in, control points out.
+
+use glam::{DVec3, DVec4};
+
+use super::{
+    interpolate::{EndRow, Equations, Interpolator},
+    periodic::cut_to,
+};
+use crate::kernel::{GeomError, NurbsCurve};
+
+impl Interpolator {
+    /// The control points of the spline through the values.
+    ///
+    /// # Errors
+    /// [`GeomError::WrongCount`] unless there is one a parameter; [`GeomError::NoFit`] where the
+    /// ends want tangents or the equations derivatives.
+    pub fn through(&self, values: &[DVec4]) -> Result<Vec<DVec4>, GeomError> {
+        self.check_count("points", values.len())?;
+        match &self.equations {
+            Equations::Values(band) => {
+                let mut unknowns = values.to_vec();
+                band.solve(&mut unknowns);
+                Ok(unknowns)
+            }
+            Equations::WithEnds(_, [EndRow::Along(_), _]) | Equations::WithDerivatives(_) => {
+                Err(GeomError::NoFit)
+            }
+            Equations::WithEnds(..) => self.with_tangents(values, [DVec4::ZERO; 2]),
+            Equations::Ring(cyclic, ring) => {
+                let mut unknowns = values.to_vec();
+                cyclic.solve(&mut unknowns);
+                let reach = self.knots.degree() / 2;
+                let knots = ring.as_ref().unwrap_or(&self.knots);
+                let n = self.n_values;
+                let around = (0..knots.n_points()).map(|i| unknowns[(n + i - reach) % n]).collect();
+                match ring {
+                    None => Ok(around),
+                    Some(ring) => {
+                        let ends = self.knots.domain();
+                        let parameters = [ends.start(), ends.end()];
+                        Ok(cut_to(&parameters, ring, around)?.control_points().to_vec())
+                    }
+                }
+            }
+        }
+    }
+
+    /// The control points of the spline through the values, with derivatives at both ends.
+    ///
+    /// # Errors
+    /// [`GeomError::WrongCount`] unless there is one value a parameter; [`GeomError::NoFit`]
+    /// unless the ends are [`Ends::Clamped`].
+    pub fn with_tangents(
+        &self,
+        values: &[DVec4],
+        tangents: [DVec4; 2],
+    ) -> Result<Vec<DVec4>, GeomError> {
+        self.check_count("points", values.len())?;
+        let Equations::WithEnds(band, rows) = &self.equations else { return Err(GeomError::NoFit) };
+        let last = values.len() - 1;
+        let from_end = |k: usize| values[last - k.min(last)];
+        let start = rows[0].value(|k| values[k.min(last)], tangents[0]);
+        let end = rows[1].value(from_end, tangents[1]);
+        let mut unknowns = Vec::with_capacity(values.len() + 2);
+        unknowns.extend([values[0], start]);
+        unknowns.extend(&values[1..last]);
+        unknowns.extend([end, values[last]]);
+        band.solve(&mut unknowns);
+        Ok(unknowns)
+    }
+
+    /// The control points of the spline through the values with a derivative at each.
+    ///
+    /// # Errors
+    /// [`GeomError::WrongCount`] unless there is one of each a parameter; [`GeomError::NoFit`]
+    /// unless made by [`Self::with_derivatives`].
+    pub fn with_slopes(
+        &self,
+        values: &[DVec4],
+        derivatives: &[DVec4],
+    ) -> Result<Vec<DVec4>, GeomError> {
+        self.check_count("points", values.len())?;
+        self.check_count("derivatives", derivatives.len())?;
+        let Equations::WithDerivatives(band) = &self.equations else {
+            return Err(GeomError::NoFit);
+        };
+        let both = |(&value, &derivative): (&DVec4, &DVec4)| [value, derivative];
+        let mut unknowns: Vec<DVec4> = values.iter().zip(derivatives).flat_map(both).collect();
+        let last = unknowns.len() - 1;
+        unknowns.swap(last - 1, last);
+        band.solve(&mut unknowns);
+        Ok(unknowns)
+    }
+
+    /// The polynomial curve through points.
+    ///
+    /// # Errors
+    /// Those of [`Self::through`].
+    pub fn curve(&self, points: &[DVec3]) -> Result<NurbsCurve, GeomError> {
+        self.polynomial(self.through(&lifted(points, 1.0))?)
+    }
+
+    /// The polynomial curve through points with derivatives at both ends.
+    ///
+    /// # Errors
+    /// Those of [`Self::with_tangents`].
+    pub fn curve_with_tangents(
+        &self,
+        points: &[DVec3],
+        tangents: [DVec3; 2],
+    ) -> Result<NurbsCurve, GeomError> {
+        let tangents = tangents.map(|tangent| tangent.extend(0.0));
+        self.polynomial(self.with_tangents(&lifted(points, 1.0), tangents)?)
+    }
+
+    /// The polynomial curve through points with a derivative at each.
+    ///
+    /// # Errors
+    /// Those of [`Self::with_slopes`].
+    pub fn curve_with_derivatives(
+        &self,
+        points: &[DVec3],
+        derivatives: &[DVec3],
+    ) -> Result<NurbsCurve, GeomError> {
+        self.polynomial(self.with_slopes(&lifted(points, 1.0), &lifted(derivatives, 0.0))?)
+    }
+
+    /// The weights are one but for rounding.
+    fn polynomial(&self, points: Vec<DVec4>) -> Result<NurbsCurve, GeomError> {
+        let points: Vec<DVec3> = points.into_iter().map(DVec4::truncate).collect();
+        NurbsCurve::polynomial(self.knots.clone(), &points)
+    }
+
+    fn check_count(&self, what: &'static str, got: usize) -> Result<(), GeomError> {
+        let needed = self.n_values;
+        if got == needed { Ok(()) } else { Err(GeomError::WrongCount { what, needed, got }) }
+    }
+}
+
+impl EndRow {
+    /// The right-hand side, from the values counted from the end and the derivative there.
+    fn value(self, from_end: impl Fn(usize) -> DVec4, derivative: DVec4) -> DVec4 {
+        match self {
+            Self::Values([a, b, c]) => a * from_end(0) + b * from_end(1) + c * from_end(2),
+            Self::Zero => DVec4::ZERO,
+            Self::Along(third) => from_end(0) + third * derivative,
+        }
+    }
+}
+
+fn lifted(points: &[DVec3], w: f64) -> Vec<DVec4> {
+    points.iter().map(|point| point.extend(w)).collect()
+}

@@ -1,0 +1,156 @@
+//! `interpolate`: the spline through points.
+
+use glam::DVec3;
+
+use super::fit::{Parameters, chord, distinct_parameters, two_tangents};
+use crate::{
+    diag::{Code, Diagnostic, Result, Span, Spanned},
+    kernel::{Ends, Interpolator, NurbsCurve},
+    value::{At, AtLeast, Ctx, op},
+};
+
+op! {
+    /// Spline through points, on 0..1 or over the parameters that are listed.
+    ///
+    /// A cubic has its knots at the points and obeys a condition at each end: the tangent of the
+    /// parabola through three points ("bessel"), no bending ("natural"), a parabola as the last
+    /// segment ("quadratic"), given derivatives ("clamped"), no knot at the second point
+    /// ("not-a-knot"). With "averaged", and of any other degree, the knots are averages of the
+    /// parameters and no condition is needed. Fewer points than degree + 1 lower the degree,
+    /// except where tangents or "natural" make up for them. A closed curve is periodic: its seam
+    /// is as smooth as its other joints. Farin, *Curves and Surfaces for CAGD*, §9; Piegl &
+    /// Tiller, *The NURBS Book*, (9.8), (9.22), (9.23).
+    interpolate in Curve -> NurbsCurve {
+        /// The points, two or more.
+        points: Spanned<AtLeast<2, DVec3>>,
+        /// The degree.
+        degree: Spanned<usize> = Spanned::unplaced(3),
+        /// Where on the curve the points lie: by a rule, or listed. A closed curve takes one more,
+        /// for its return to the first point.
+        parameters: Spanned<Parameters> = chord(),
+        /// What a cubic does where it begins and ends.
+        ends: Spanned<Ends> = Spanned::unplaced(Ends::Bessel),
+        /// The derivatives by the parameter at the start and at the end, of a cubic.
+        tangents: Option<Spanned<Vec<DVec3>>>,
+        /// A derivative by the parameter for each point; of degree 2 or 3.
+        derivatives: Option<Spanned<Vec<DVec3>>>,
+        /// Whether the curve goes back to its first point, which may stand at the end again.
+        closed: bool = false,
+    }
+    example "interpolate((0, 0), (1, 1), (2, 0)).degree" => "2";
+    example "interpolate((0, 0), (1, 1), (2, 0), (3, 1))(1/3) ~= (1, 1)" => "true";
+    example "interpolate([(0, 0), (1, 0)], tangents = [(0, 3), (0, -3)])(0.5)" => "(0.5, 0.75, 0)";
+    example "interpolate((1, 0), (0, 1), (-1, 0), (0, -1), closed = true)(0.75) ~= (0, -1)" => "true";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+    check_degree(args.degree)?;
+    check_conditions(&args)?;
+    if args.closed {
+        return closed(ctx, args);
+    }
+    let AtLeast(points) = args.points.value;
+    let span = args.points.span;
+    let parameters = distinct_parameters(args.parameters, Spanned::new(&points[..], span))?;
+    let degree = args.degree.value;
+    if let Some(derivatives) = args.derivatives {
+        let interpolator = Interpolator::with_derivatives(&parameters, degree).at(span)?;
+        return interpolator
+            .curve_with_derivatives(&points, &derivatives.value)
+            .at(derivatives.span);
+    }
+    if let Some(tangents) = args.tangents {
+        let tangents = two_tangents(&tangents)?;
+        let interpolator = Interpolator::new(&parameters, degree, Ends::Clamped).at(span)?;
+        return interpolator.curve_with_tangents(&points, tangents).at(span);
+    }
+    Interpolator::new(&parameters, degree, args.ends.value).at(span)?.curve(&points).at(span)
+}
+
+/// The periodic curve.
+fn closed(ctx: &Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+    let AtLeast(mut around) = args.points.value;
+    let span = args.points.span;
+    let first = around[0];
+    if around.len() > 1 && ctx.tolerance.distance < around[around.len() - 1].distance(first) {
+        around.push(first);
+    }
+    let n_points = around.len() - 1;
+    if n_points < 3 {
+        let message = format!("a closed curve needs 3 points apart or more, found {n_points}");
+        return Diagnostic::error(Code::TooFewPoints, span, message).fail();
+    }
+    around[n_points] = first;
+    let listed = args.parameters.span;
+    let parameters = distinct_parameters(args.parameters, Spanned::new(&around[..], span))
+        .map_err(|mistake| about_return(mistake, listed, n_points))?;
+    let interpolator = Interpolator::periodic(&parameters, args.degree.value).at(span)?;
+    interpolator.curve(&around[..n_points]).at(span)
+}
+
+/// Tells what the number of parameters of a closed curve counts.
+fn about_return(mistake: Box<Diagnostic>, listed: Span, n_points: usize) -> Box<Diagnostic> {
+    if mistake.primary.span != listed {
+        return mistake;
+    }
+    let hint = format!(
+        "a closed curve takes one parameter for each of its {n_points} points and one for its return to the first"
+    );
+    Box::new(mistake.hint(hint))
+}
+
+fn check_degree(degree: Spanned<usize>) -> Result<()> {
+    if degree.value > 0 {
+        return Ok(());
+    }
+    Diagnostic::error(Code::BadDegree, degree.span, "the degree must be 1 or more, found 0").fail()
+}
+
+/// Fails where two arguments say different things about the same.
+fn check_conditions(args: &Args) -> Result<()> {
+    let complain = |span: Span, message: &str, hint: &str| {
+        Diagnostic::error(Code::BadCall, span, message).hint(hint).fail()
+    };
+    let degree = args.degree.value;
+    let ends = (args.ends.span != Span::default()).then_some(args.ends.span);
+    let tangents = args.tangents.as_ref().map(|tangents| tangents.span);
+    let derivatives = args.derivatives.as_ref().map(|derivatives| derivatives.span);
+    if let (true, Some(span)) = (args.closed, ends.or(tangents)) {
+        return complain(span, "a closed curve has no ends", "leave this out, or `closed`");
+    }
+    if let (true, Some(span)) = (args.closed, derivatives) {
+        return complain(
+            span,
+            "a closed curve takes no derivatives",
+            "leave this out, or `closed`",
+        );
+    }
+    if let (Some(span), Some(_)) = (tangents.or(ends), derivatives) {
+        let message = "`derivatives` already say how the curve begins and ends";
+        return complain(span, message, "leave this out, or `derivatives`");
+    }
+    if let (Some(span), false) = (derivatives, (2..=3).contains(&degree)) {
+        let message = format!("`derivatives` need degree 2 or 3, found degree {degree}");
+        return complain(span, &message, "write `degree = 3`");
+    }
+    if let (Some(span), false) = (tangents, degree == 3) {
+        let message = format!("`tangents` need degree 3, found degree {degree}");
+        return complain(span, &message, "write `degree = 3`");
+    }
+    match (ends, args.ends.value, tangents) {
+        (Some(span), Ends::Clamped, None) => complain(
+            span,
+            "\"clamped\" ends need their tangents",
+            "write `tangents = [start, end]`",
+        ),
+        (Some(span), ends, Some(_)) if ends != Ends::Clamped => {
+            let message = "`tangents` clamp the ends, so that they can have no other condition";
+            complain(span, message, "leave out `ends`, or `tangents`")
+        }
+        (Some(span), ends, _) if degree != 3 && ends != Ends::Averaged => {
+            let message = format!("this condition is one for cubics, found degree {degree}");
+            complain(span, &message, "leave out `ends`: other degrees need none")
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,13 @@
+let data = [(0, 0), (1, 1), (2, 0), (3, 1)]
+let up = (0, 1)
+curve a = interpolate(data, ends = "besel")
+curve b = interpolate(data, ends = "clamped")
+curve c = interpolate(data, ends = "natural", tangents = [up, up])
+curve d = interpolate(data, ends = "natural", degree = 2)
+curve e = interpolate(data, ends = "natural", closed = true)
+curve f = interpolate(data, tangents = [up])
+curve g = interpolate(data, tangents = [up, (0, 0)])
+curve h = interpolate(data, tangents = [up, up], degree = 5)
+curve i = cubic_spline(data, [(0, 0), up])
+curve j = cubic_spline(data, [up, up, up])
+curve k = interpolate(data, degree = 0)

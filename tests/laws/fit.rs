@@ -1,0 +1,269 @@
+//! Laws of curves through points and near them.
+
+use glam::{DAffine3, DVec3};
+use proptest::{
+    collection, prop_assert, prop_assume, proptest,
+    strategy::{Just, Strategy},
+};
+use virote::kernel::{Ends, GeomError, Interpolator, NurbsCurve, Side, Spacing, lagrange};
+
+use crate::some::{affine_map, are_near, point};
+
+const SPACINGS: [Spacing; 4] =
+    [Spacing::Uniform, Spacing::Chord, Spacing::Centripetal, Spacing::Foley];
+const FREE_ENDS: [Ends; 5] =
+    [Ends::Bessel, Ends::Natural, Ends::Quadratic, Ends::NotAKnot, Ends::Averaged];
+
+fn points(least: usize, most: usize) -> impl Strategy<Value = Vec<DVec3>> {
+    collection::vec(point(), least..=most)
+}
+
+/// Parameters that increase, with steps between 1 and 50.
+fn parameters(n: usize) -> impl Strategy<Value = Vec<f64>> {
+    let running = |steps: Vec<f64>| {
+        steps
+            .into_iter()
+            .scan(-3.0, |sum, step| Some(std::mem::replace(sum, *sum + step)))
+            .collect()
+    };
+    collection::vec(1.0..50.0_f64, n).prop_map(running)
+}
+
+/// Data with a parameter each.
+fn data() -> impl Strategy<Value = (Vec<DVec3>, Vec<f64>)> {
+    points(4, 12).prop_flat_map(|points| {
+        let n = points.len();
+        (Just(points), parameters(n))
+    })
+}
+
+/// Whether the curve passes the points, to the rounding of its control points.
+fn passes(curve: &NurbsCurve, points: &[DVec3], parameters: &[f64]) -> bool {
+    let size = curve.points().iter().map(|p| p.length()).fold(1.0, f64::max);
+    points
+        .iter()
+        .zip(parameters)
+        .all(|(&point, &t)| curve.point_at(t).distance(point) <= 1e-12 * size)
+}
+
+/// The largest jump of the derivatives up to an order at the inner knots, as a fraction of them.
+fn jump(curve: &NurbsCurve, order: usize) -> f64 {
+    let domain = curve.domain();
+    let breaks = curve.knots().breaks();
+    let sides = breaks[1..breaks.len() - 1].iter().map(|&t| {
+        (
+            curve.derivatives_beside(t, Side::Left, order),
+            curve.derivatives_beside(t, Side::Right, order),
+        )
+    });
+    let seam = (
+        curve.derivatives_beside(domain.end(), Side::Left, order),
+        curve.derivatives_beside(domain.start(), Side::Right, order),
+    );
+    let is_closed = curve.is_closed(1e-9);
+    sides
+        .chain(is_closed.then_some(seam))
+        .flat_map(|(left, right)| left.into_iter().zip(right))
+        .map(|(left, right)| left.distance(right) / (1.0 + left.length()))
+        .fold(0.0, f64::max)
+}
+
+/// A cubic and its derivative.
+fn cubic(t: f64) -> [DVec3; 2] {
+    let [a, b] = [DVec3::new(1.0, -2.0, 0.5), DVec3::new(0.25, 1.0, -1.0)];
+    let [c, d] = [DVec3::new(-0.5, 0.125, 2.0), DVec3::new(0.03, -0.02, 0.01)];
+    [a + t * (b + t * (c + t * d)), b + t * (2.0 * c + 3.0 * t * d)]
+}
+
+proptest! {
+    #[test]
+    fn a_spline_through_points_passes_them(points in points(2, 14)) {
+        for spacing in SPACINGS {
+            let Ok(parameters) = spacing.parameters(&points) else { continue };
+            // Steps that differ by more amplify rounding.
+            prop_assume!(parameters.windows(2).all(|pair| pair[1] - pair[0] > 1e-4));
+            for ends in FREE_ENDS {
+                let curve = Interpolator::new(&parameters, 3, ends).unwrap().curve(&points).unwrap();
+                prop_assert!(passes(&curve, &points, &parameters), "{spacing:?} {ends:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_spline_of_any_degree_passes_its_points((points, parameters) in data(), degree in 1..9_usize) {
+        let curve = Interpolator::new(&parameters, degree, Ends::Averaged).unwrap().curve(&points).unwrap();
+        prop_assert!(curve.degree() == degree.min(points.len() - 1));
+        prop_assert!(curve.points().len() == points.len());
+        prop_assert!(passes(&curve, &points, &parameters));
+    }
+
+    #[test]
+    fn a_cubic_through_points_is_c2((points, parameters) in data()) {
+        for ends in FREE_ENDS {
+            let curve = Interpolator::new(&parameters, 3, ends).unwrap().curve(&points).unwrap();
+            prop_assert!(jump(&curve, 2) < 1e-11, "{ends:?} {}", jump(&curve, 2));
+        }
+    }
+
+    #[test]
+    fn a_closed_spline_is_smooth_at_its_seam((points, parameters) in data(), degree in 1..7_usize) {
+        let values = &points[..points.len() - 1];
+        let curve = Interpolator::periodic(&parameters, degree).unwrap().curve(values).unwrap();
+        prop_assert!(passes(&curve, values, &parameters));
+        prop_assert!((curve.domain().end() - parameters[values.len()]).abs() < 1e-15);
+        prop_assert!(curve.start().distance(curve.end()) < 1e-11);
+        let degree = curve.degree();
+        prop_assert!(jump(&curve, degree - 1) < 1e-9, "{degree} {}", jump(&curve, degree - 1));
+    }
+
+    #[test]
+    fn interpolation_reproduces_cubics((_, parameters) in data(), f in 0.0..1.0_f64) {
+        let scaled: Vec<f64> = parameters.iter().map(|t| t / 50.0).collect();
+        let (values, slopes): (Vec<DVec3>, Vec<DVec3>) =
+            scaled.iter().map(|&t| cubic(t)).map(|[value, slope]| (value, slope)).unzip();
+        let n = scaled.len();
+        let t = scaled[0] + f * (scaled[n - 1] - scaled[0]);
+        let clamped = Interpolator::new(&scaled, 3, Ends::Clamped).unwrap();
+        let curves = [
+            clamped.curve_with_tangents(&values, [slopes[0], slopes[n - 1]]).unwrap(),
+            Interpolator::new(&scaled, 3, Ends::NotAKnot).unwrap().curve(&values).unwrap(),
+            Interpolator::new(&scaled, 3, Ends::Averaged).unwrap().curve(&values).unwrap(),
+            Interpolator::with_derivatives(&scaled, 3).unwrap().curve_with_derivatives(&values, &slopes).unwrap(),
+        ];
+        for (i, curve) in curves.iter().enumerate() {
+            prop_assert!(are_near(curve.point_at(t), cubic(t)[0], 1e-11), "{i}");
+            prop_assert!(are_near(curve.derivatives_at(t, 1)[1], cubic(t)[1], 1e-9), "{i}");
+        }
+    }
+
+    #[test]
+    fn derivatives_are_kept_at_the_points((points, parameters) in data(), degree in 2..4_usize) {
+        let derivatives: Vec<DVec3> = points.iter().rev().copied().collect();
+        let curve = Interpolator::with_derivatives(&parameters, degree).unwrap()
+            .curve_with_derivatives(&points, &derivatives).unwrap();
+        prop_assert!(curve.degree() == degree);
+        prop_assert!(passes(&curve, &points, &parameters));
+        for (&t, &derivative) in parameters.iter().zip(&derivatives) {
+            prop_assert!(curve.derivatives_at(t, 1)[1].distance(derivative) < 1e-10);
+        }
+    }
+
+    #[test]
+    fn fits_are_affinely_invariant((points, parameters) in data(), map in affine_map(), f in 0.0..1.0_f64) {
+        let image: Vec<DVec3> = points.iter().map(|&p| map.transform_point3(p)).collect();
+        let t = parameters[0] + f * (parameters[points.len() - 1] - parameters[0]);
+        for ends in FREE_ENDS {
+            let fit = Interpolator::new(&parameters, 3, ends).unwrap();
+            let [a, b] = [fit.curve(&points).unwrap(), fit.curve(&image).unwrap()];
+            prop_assert!(are_near(map.transform_point3(a.point_at(t)), b.point_at(t), 1e-10), "{ends:?}");
+        }
+    }
+
+    #[test]
+    fn natural_ends_do_not_bend_and_quadratic_ones_are_parabolas((points, parameters) in data()) {
+        for (ends, order) in [(Ends::Natural, 2), (Ends::Quadratic, 3)] {
+            let curve = Interpolator::new(&parameters, 3, ends).unwrap().curve(&points).unwrap();
+            for t in [parameters[0], parameters[points.len() - 1]] {
+                prop_assert!(curve.derivatives_at(t, order)[order].length() < 1e-10, "{ends:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_lagrange_polynomial_passes_its_points((points, parameters) in data()) {
+        let curve = lagrange(&points, &parameters).unwrap();
+        prop_assert!(curve.degree() == points.len() - 1 && curve.n_segments() == 1);
+        let size = curve.points().iter().map(|p| p.length()).fold(1.0, f64::max);
+        for (&t, &point) in parameters.iter().zip(&points) {
+            prop_assert!(curve.point_at(t).distance(point) < 1e-13 * size);
+        }
+    }
+}
+
+fn along_x(xs: &[f64]) -> Vec<DVec3> {
+    xs.iter().map(|&x| DVec3::new(x, 2.0 * x, -x)).collect()
+}
+
+#[test]
+fn collinear_points_give_a_straight_curve() {
+    let points = along_x(&[0.0, 1.0, 1.5, 4.0, 9.0, 10.0]);
+    for spacing in SPACINGS {
+        let parameters = spacing.parameters(&points).unwrap();
+        for ends in FREE_ENDS {
+            let curve = Interpolator::new(&parameters, 3, ends).unwrap().curve(&points).unwrap();
+            for p in curve.sample(50) {
+                assert!(
+                    DVec3::new(p.x, 2.0 * p.x, -p.x).distance(p) < 1e-13,
+                    "{spacing:?} {ends:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn spacing_that_varies_a_million_times_is_passed() {
+    let points: Vec<DVec3> = [0.0, 1.0, 1.000_001, 2.0, 2.000_001, 3.0, 4.0]
+        .iter()
+        .map(|&x| DVec3::new(x, f64::from((x * 3.0) as i32 % 2), 0.0))
+        .collect();
+    for spacing in SPACINGS {
+        let parameters = spacing.parameters(&points).unwrap();
+        for ends in FREE_ENDS {
+            let curve = Interpolator::new(&parameters, 3, ends).unwrap().curve(&points).unwrap();
+            for (&t, &p) in parameters.iter().zip(&points) {
+                assert!(curve.point_at(t).distance(p) < 1e-9, "{spacing:?} {ends:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn bessel_ends_on_three_points_are_their_parabola() {
+    let points = [DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0), DVec3::new(3.0, 9.0, 0.0)];
+    let curve =
+        Interpolator::new(&[0.0, 1.0, 3.0], 3, Ends::Bessel).unwrap().curve(&points).unwrap();
+    assert_eq!(curve.degree(), 2);
+    assert!(curve.point_at(2.0).distance(DVec3::new(2.0, 4.0, 0.0)) < 1e-15);
+}
+
+#[test]
+fn two_points_of_degree_three_are_a_line() {
+    let points = [DVec3::ZERO, DVec3::new(1.0, 2.0, 3.0)];
+    for ends in FREE_ENDS {
+        let curve = Interpolator::new(&[0.0, 1.0], 3, ends).unwrap().curve(&points).unwrap();
+        assert!(curve.point_at(0.25).distance(DVec3::new(0.25, 0.5, 0.75)) < 1e-15, "{ends:?}");
+    }
+}
+
+#[test]
+fn points_at_one_place_are_told_by_their_indices() {
+    let points = along_x(&[0.0, 1.0, 1.0, 2.0]);
+    for spacing in [Spacing::Chord, Spacing::Centripetal, Spacing::Foley] {
+        let found = spacing.parameters(&points);
+        assert_eq!(found, Err(GeomError::CoincidentPoints { first: 1, second: 2 }), "{spacing:?}");
+    }
+    assert!(Spacing::Uniform.parameters(&points).is_ok());
+}
+
+#[test]
+fn a_rotated_fit_is_the_fit_of_rotated_points() {
+    // Chord lengths do not change with rotations and scale with the model.
+    let map = DAffine3::from_axis_angle(DVec3::new(1.0, 2.0, 2.0) / 3.0, 0.7)
+        * DAffine3::from_scale(DVec3::splat(250.0));
+    let points = [[0.0, 0.0], [1.0, 1.0], [2.0, 1.0], [2.5, 0.5], [4.0, 2.0]]
+        .map(|[x, y]| DVec3::new(x, y, 0.0));
+    let image = points.map(|p| map.transform_point3(p));
+    for spacing in SPACINGS {
+        let fit = |points: &[DVec3]| {
+            let parameters = spacing.parameters(points).unwrap();
+            Interpolator::new(&parameters, 3, Ends::Bessel).unwrap().curve(points).unwrap()
+        };
+        let (a, b) = (fit(&points), fit(&image));
+        for i in 0..=20 {
+            let t = f64::from(i) / 20.0;
+            let distance = map.transform_point3(a.point_at(t)).distance(b.point_at(t));
+            assert!(distance < 1e-11, "{spacing:?} {distance}");
+        }
+    }
+}
