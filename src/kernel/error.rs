@@ -156,6 +156,14 @@ pub enum GeomError {
     /// Conditions on a spline that contradict or repeat one another.
     #[error("the conditions do not determine a curve")]
     NoFit,
+    /// Too few data for so many control points.
+    #[error("the points leave some of the {control_points} control points open")]
+    Undetermined { control_points: usize },
+    /// A tolerance below what rounding leaves.
+    #[error(
+        "the tolerance {tolerance} cannot be kept: even a curve through all points misses one by {found}"
+    )]
+    ToleranceNotKept { tolerance: f64, found: f64 },
     /// A mesh above the ceiling.
     #[error("the mesh would have {got} vertices, more than the {most} that are allowed")]
     TooManyVertices { got: usize, most: usize },

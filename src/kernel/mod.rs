@@ -27,7 +27,10 @@ pub use curve::{
     CircleForm, Curve, CurveFunction, NurbsCurve, Offset, ParametricCurve, join, make_compatible,
 };
 pub use error::{FunctionFailure, GeomError};
-pub use fit::{Ends, Interpolator, Spacing, check_parameters, lagrange};
+pub use fit::{
+    Approximator, Ends, Interpolator, Spacing, approximate, approximate_within, check_parameters,
+    lagrange,
+};
 pub use frame::Frame;
 pub use grid::Grid;
 pub use interval::Interval;

@@ -45,6 +45,13 @@ pub const KNOT_RELATIVE: f64 = 1e-12;
 /// spacing varies much; smaller lets knots merge that should each have their own datum.
 pub const PARAMETER_RELATIVE: f64 = 1e-11;
 
+/// A control point that the data of a fit hold by less than this fraction of what they hold
+/// another by is open.
+///
+/// Larger refuses data that are dense here and sparse there; smaller lets rounding choose where
+/// the control point goes.
+pub const RANK_RELATIVE: f64 = 1e-8;
+
 /// Weights that differ by less than this fraction of the largest are equal: the curve is not
 /// rational.
 ///

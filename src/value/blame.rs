@@ -119,6 +119,7 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         Error::NotNurbs { what } => {
             format!("`to_nurbs({}, tolerance)` makes a NURBS of it", &what[..1])
         }
+        Error::Undetermined { .. } => "ask for fewer control points".to_owned(),
         _ => return None,
     })
 }

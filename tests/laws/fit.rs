@@ -5,7 +5,10 @@ use proptest::{
     collection, prop_assert, prop_assume, proptest,
     strategy::{Just, Strategy},
 };
-use virote::kernel::{Ends, GeomError, Interpolator, NurbsCurve, Side, Spacing, lagrange};
+use virote::kernel::{
+    Ends, GeomError, Interpolator, KnotVector, NurbsCurve, Side, Spacing, approximate,
+    approximate_within, lagrange,
+};
 
 use crate::some::{affine_map, are_near, point};
 
@@ -176,6 +179,67 @@ proptest! {
         let size = curve.points().iter().map(|p| p.length()).fold(1.0, f64::max);
         for (&t, &point) in parameters.iter().zip(&points) {
             prop_assert!(curve.point_at(t).distance(point) < 1e-13 * size);
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn approximation_keeps_the_ends_and_its_tolerance(points in points(4, 40), fraction in 0.001..0.3_f64) {
+        let parameters = Spacing::Chord.loose_parameters(&points).unwrap();
+        let tolerance = 10.0 * fraction;
+        let curve = approximate_within(&points, &parameters, 3, tolerance, false).unwrap();
+        prop_assert!(curve.points().len() <= points.len());
+        prop_assert!(curve.start().distance(points[0]) < 1e-15);
+        prop_assert!(curve.end().distance(points[points.len() - 1]) < 1e-15);
+        // The points of a fine sample are no nearer than the curve.
+        let step = 1.0 / 4000.0;
+        let speed = (0..=400)
+            .map(|i| curve.derivatives_at(f64::from(i) / 400.0, 1)[1].length())
+            .fold(0.0, f64::max);
+        let sample = curve.sample(4001);
+        for &p in &points {
+            let nearest = sample.iter().map(|s| s.distance(p)).fold(f64::INFINITY, f64::min);
+            prop_assert!(nearest <= tolerance + step * speed);
+        }
+    }
+
+    #[test]
+    fn approximation_with_listed_parameters_keeps_them((points, parameters) in data(), tolerance in 0.01..3.0_f64) {
+        let curve = approximate_within(&points, &parameters, 3, tolerance, true).unwrap();
+        for (&p, &t) in points.iter().zip(&parameters) {
+            prop_assert!(curve.point_at(t).distance(p) <= tolerance);
+        }
+    }
+
+    #[test]
+    fn the_residual_of_least_squares_is_orthogonal_to_the_basis((points, parameters) in data(), degree in 1..4_usize) {
+        let n_control = degree + 1 + (points.len() - degree - 1) / 2;
+        let curve = approximate(&points, &parameters, degree, n_control).unwrap();
+        prop_assert!(curve.points().len() == n_control);
+        let size = curve.points().iter().map(|p| p.length()).fold(1.0, f64::max);
+        for i in 1..n_control - 1 {
+            let mut bump = vec![DVec3::ZERO; n_control];
+            bump[i] = DVec3::X;
+            let basis = NurbsCurve::polynomial(curve.knots().clone(), &bump).unwrap();
+            let sum: DVec3 = points
+                .iter()
+                .zip(&parameters)
+                .map(|(&p, &t)| (p - curve.point_at(t)) * basis.point_at(t).x)
+                .sum();
+            prop_assert!(sum.length() < 1e-12 * size, "{i}: {}", sum.length());
+        }
+    }
+
+    #[test]
+    fn least_squares_reproduce_splines((points, parameters) in data()) {
+        let n_control = (points.len() - points.len() / 4).max(4);
+        let knots = KnotVector::spreading(3, n_control, &parameters).unwrap();
+        let spline = NurbsCurve::polynomial(knots.clone(), &points[..knots.n_points()]).unwrap();
+        let on_it: Vec<DVec3> = parameters.iter().map(|&t| spline.point_at(t)).collect();
+        let found = approximate(&on_it, &parameters, 3, knots.n_points()).unwrap();
+        for (a, b) in found.points().into_iter().zip(spline.points()) {
+            prop_assert!(are_near(a, b, 1e-9));
         }
     }
 }

@@ -3,17 +3,23 @@
 //! `parameters` says where on the curve each point is to lie; `equation` and `banded` hold and
 //! solve the equations that follow, in time linear in the number of points; `interpolate` makes
 //! those of a spline through points, `periodic` and `cyclic` those of a closed one, `through` the
-//! splines, `lagrange` the single polynomial.
+//! splines, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
+//! `spread` makes that basis, `approximate` looks for the smallest that keeps a tolerance.
 
+mod approximate;
 mod banded;
 mod cyclic;
 mod equation;
 mod interpolate;
 mod lagrange;
+mod least;
 mod parameters;
 mod periodic;
+mod spread;
 mod through;
 
+pub use approximate::{approximate, approximate_within};
 pub use interpolate::{Ends, Interpolator};
 pub use lagrange::lagrange;
+pub use least::Approximator;
 pub use parameters::{Spacing, check_parameters};

@@ -12,6 +12,20 @@ impl KnotVector {
         near(next).or_else(|| near(next.wrapping_sub(1))).unwrap_or(t)
     }
 
+    /// More knots, which lie between those there are.
+    pub(in crate::kernel) fn with(&self, more: &[f64]) -> Self {
+        let mut knots = [&self.knots, more].concat();
+        knots.sort_by(f64::total_cmp);
+        Self::trusted(self.degree, knots)
+    }
+
+    /// One knot less: the last of those at `t`, which is one of them.
+    pub(in crate::kernel) fn without(&self, t: f64) -> Self {
+        let mut knots = self.knots.clone();
+        knots.remove(knots.partition_point(|&knot| knot <= t) - 1);
+        Self::trusted(self.degree, knots)
+    }
+
     /// Every knot replaced by `f(knot)`, which must not decrease.
     pub(in crate::kernel) fn map(&self, f: impl Fn(f64) -> f64) -> Self {
         Self::trusted(self.degree, self.knots.iter().map(|&knot| f(knot)).collect())

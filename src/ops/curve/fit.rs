@@ -82,6 +82,17 @@ pub(super) fn distinct_parameters(
     }
 }
 
+/// One parameter a point, where neighbours at one place share theirs unless they are listed.
+pub(super) fn loose_parameters(
+    parameters: Spanned<Parameters>,
+    points: Spanned<&[DVec3]>,
+) -> Result<Vec<f64>> {
+    match parameters.value {
+        Parameters::Listed(_) => distinct_parameters(parameters, points),
+        Parameters::By(spacing) => spacing.loose_parameters(points.value).at(points.span),
+    }
+}
+
 /// The derivatives at both ends, neither of them zero.
 pub(super) fn two_tangents(tangents: &Spanned<Vec<DVec3>>) -> Result<[DVec3; 2]> {
     let [start, end] = tangents.value[..] else {

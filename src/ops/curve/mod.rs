@@ -1,5 +1,6 @@
 //! Operations that make curves.
 
+mod approximate;
 mod bezier;
 mod bspline;
 mod circle;
@@ -29,6 +30,7 @@ pub(super) static OPS: &[&Op] = &[
     &interpolate::OP,
     &cubic_spline::OP,
     &lagrange::OP,
+    &approximate::OP,
     &circle::OP,
     &conic::OP,
 ];

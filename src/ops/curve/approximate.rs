@@ -1,0 +1,97 @@
+//! `approximate`: the spline near points.
+
+use glam::DVec3;
+
+use super::fit::{Parameters, chord, loose_parameters};
+use crate::{
+    diag::{Code, Diagnostic, Result, Span, Spanned},
+    kernel::{self, NurbsCurve},
+    value::{At, AtLeast, Ctx, Length, op, shortest},
+};
+
+op! {
+    /// Spline near points, through the first and the last, on 0..1 or over the parameters that
+    /// are listed.
+    ///
+    /// With `control_points` the one whose squared distances at the parameters sum to least, over
+    /// knots that spread the parameters evenly. With `tolerance` one that comes that near to every
+    /// point, with as few control points as are found; it moves the parameters along the curve
+    /// unless they are listed. Piegl & Tiller, *The NURBS Book*, §9.4.1, (9.68), (9.69); Hoschek &
+    /// Lasser, *Fundamentals of Computer Aided Geometric Design*, §4.4.
+    approximate in Curve -> NurbsCurve {
+        /// The points, more than the degree.
+        points: Spanned<AtLeast<2, DVec3>>,
+        /// The degree.
+        degree: Spanned<usize> = Spanned::unplaced(3),
+        /// How many control points, from degree + 1 to the number of points.
+        control_points: Option<Spanned<usize>>,
+        /// How far the curve may pass from a point.
+        tolerance: Option<Spanned<Length>>,
+        /// Where on the curve the points lie: by a rule, or listed.
+        parameters: Spanned<Parameters> = chord(),
+    }
+    example "approximate([for t in 0..8: (t, t^2)], degree = 2, control_points = 3).end" => "(8, 64, 0)";
+    example "len(approximate([for i in 0..60: polar(1, i * 3deg)], tolerance = 1e-3).points) < 9" => "true";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+    let AtLeast(points) = args.points.value;
+    let span = args.points.span;
+    super::check_degree(args.degree, Spanned::new(points.len(), span))?;
+    let degree = args.degree.value;
+    let are_fixed = matches!(args.parameters.value, Parameters::Listed(_));
+    let parameters = loose_parameters(args.parameters, Spanned::new(&points[..], span))?;
+    match (args.control_points, args.tolerance) {
+        (Some(count), None) => {
+            check_count(count, degree, points.len())?;
+            kernel::approximate(&points, &parameters, degree, count.value).at(count.span)
+        }
+        (None, Some(tolerance)) => {
+            let within = positive(tolerance)?;
+            kernel::approximate_within(&points, &parameters, degree, within, are_fixed)
+                .at(tolerance.span)
+        }
+        (Some(_), Some(tolerance)) => complain(
+            tolerance.span,
+            "`control_points` and `tolerance` exclude one another",
+            "leave one of them out: the count decides how near the curve comes",
+        ),
+        (None, None) => complain(
+            ctx.span,
+            "`approximate` needs to know how near the curve shall come",
+            "write `tolerance = ...`, or `control_points = ...`",
+        ),
+    }
+}
+
+fn complain<T>(span: Span, message: &str, hint: &str) -> Result<T> {
+    Diagnostic::error(Code::BadCall, span, message).hint(hint).fail()
+}
+
+fn check_count(count: Spanned<usize>, degree: usize, n_points: usize) -> Result<()> {
+    if (degree + 1..=n_points).contains(&count.value) {
+        return Ok(());
+    }
+    let message = format!(
+        "{} control points for {n_points} points: degree {degree} takes from {} to {n_points}",
+        count.value,
+        degree + 1
+    );
+    let diagnostic = Diagnostic::error(Code::TooFewPoints, count.span, message);
+    if n_points < count.value {
+        diagnostic.hint("`interpolate` passes through all of the points").fail()
+    } else {
+        diagnostic.fail()
+    }
+}
+
+fn positive(tolerance: Spanned<Length>) -> Result<f64> {
+    let Length(value) = tolerance.value;
+    if 0.0 < value {
+        return Ok(value);
+    }
+    let message = format!("the tolerance must be positive, found {}", shortest(value));
+    Diagnostic::error(Code::Degenerate, tolerance.span, message)
+        .hint("`interpolate` passes through all of the points")
+        .fail()
+}

@@ -1,0 +1,13 @@
+let data = [(0, 0), (1, 1), (2, 0), (3, 1), (4, 0)]
+curve a = approximate(data)
+curve b = approximate(data, control_points = 4, tolerance = 1)
+curve c = approximate(data, control_points = 3)
+curve d = approximate(data, control_points = 6)
+curve e = approximate(data, tolerance = 0)
+curve f = approximate(data, tolerance = -1mm)
+curve g = approximate(data, tolerance = 1e-19)
+curve h = approximate([(0, 0), (1, 1), (2, 0)], degree = 5, tolerance = 1)
+curve i = approximate([(1, 1), (1, 1), (1, 1), (1, 1)], tolerance = 1)
+curve j = approximate([(0, 0), (1, 1), (1, 1), (1, 1), (1, 1), (1, 1), (2, 0)], control_points = 7)
+curve k = approximate(data, parameters = [0, 1, 2], tolerance = 1)
+curve l = approximate(data, degree = 0, tolerance = 1)
