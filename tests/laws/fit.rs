@@ -287,7 +287,6 @@ fn bessel_ends_on_three_points_are_their_parabola() {
     let points = [DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0), DVec3::new(3.0, 9.0, 0.0)];
     let curve =
         Interpolator::new(&[0.0, 1.0, 3.0], 3, Ends::Bessel).unwrap().curve(&points).unwrap();
-    assert_eq!(curve.degree(), 2);
     assert!(curve.point_at(2.0).distance(DVec3::new(2.0, 4.0, 0.0)) < 1e-15);
 }
 

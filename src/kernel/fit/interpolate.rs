@@ -53,8 +53,8 @@ pub(super) enum EndRow {
 }
 
 impl Interpolator {
-    /// For values at the parameters; too few of them lower the degree, unless they come with
-    /// tangents or bend nowhere at the ends.
+    /// For values at the parameters; where these and the ends do not determine a spline of the
+    /// degree, of a lower one.
     ///
     /// Of degree 3 the knots stand at the parameters and the ends need their condition: Farin,
     /// *Curves and Surfaces for CAGD*, §9.1 to §9.3. Of any other degree, and with
@@ -73,12 +73,7 @@ impl Interpolator {
         check_parameters(parameters, got)?;
         match (degree, ends) {
             (3, Ends::Natural | Ends::Clamped) => Self::cubic(parameters, ends),
-            (3, Ends::Bessel | Ends::Quadratic) if 2 < got => {
-                if ends == Ends::Bessel && got == 3 {
-                    return Self::averaged(parameters, 2);
-                }
-                Self::cubic(parameters, ends)
-            }
+            (3, Ends::Bessel | Ends::Quadratic) if 2 < got => Self::cubic(parameters, ends),
             (3, Ends::NotAKnot) if 3 < got => Self::not_a_knot(parameters),
             _ => Self::averaged(parameters, degree.min(got - 1)),
         }

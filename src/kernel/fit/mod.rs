@@ -4,7 +4,8 @@
 //! solve the equations that follow, in time linear in the number of points; `interpolate` makes
 //! those of a spline through points, `periodic` and `cyclic` those of a closed one, `through` the
 //! splines, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
-//! `spread` makes that basis, `approximate` looks for the smallest that keeps a tolerance.
+//! `spread` makes that basis, `approximate` looks for the smallest that keeps a tolerance; `surface`
+//! does it all for grids.
 
 mod approximate;
 mod banded;
@@ -16,6 +17,7 @@ mod least;
 mod parameters;
 mod periodic;
 mod spread;
+mod surface;
 mod through;
 
 pub use approximate::{approximate, approximate_within};
@@ -23,3 +25,4 @@ pub use interpolate::{Ends, Interpolator};
 pub use lagrange::lagrange;
 pub use least::Approximator;
 pub use parameters::{Spacing, check_parameters};
+pub use surface::{FirstPass, LineFit};

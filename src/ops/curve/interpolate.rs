@@ -64,7 +64,12 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
         let interpolator = Interpolator::new(&parameters, degree, Ends::Clamped).at(span)?;
         return interpolator.curve_with_tangents(&points, tangents).at(span);
     }
-    Interpolator::new(&parameters, degree, args.ends.value).at(span)?.curve(&points).at(span)
+    let ends = match args.ends.value {
+        // With as few points the curve of a lower degree has these ends too.
+        Ends::Bessel | Ends::Quadratic if points.len() <= degree => Ends::Averaged,
+        ends => ends,
+    };
+    Interpolator::new(&parameters, degree, ends).at(span)?.curve(&points).at(span)
 }
 
 /// The periodic curve.

@@ -1,9 +1,12 @@
 //! Operations that make surfaces.
 
+mod approximate;
 mod bezier;
 mod bilinear;
 mod bspline;
 mod clamped;
+mod fit;
+mod interpolate;
 mod nurbs;
 mod ruled;
 
@@ -14,8 +17,16 @@ use crate::{
     value::{At, FromValue, IntoValue, Mismatch, Op, Rows, Type, Value},
 };
 
-pub(super) static OPS: &[&Op] =
-    &[&bilinear::OP, &ruled::OP, &bezier::OP, &clamped::OP, &bspline::OP, &nurbs::OP];
+pub(super) static OPS: &[&Op] = &[
+    &bilinear::OP,
+    &ruled::OP,
+    &bezier::OP,
+    &clamped::OP,
+    &bspline::OP,
+    &nurbs::OP,
+    &interpolate::OP,
+    &approximate::OP,
+];
 
 /// A value for both directions, or `{u: , v: }` where they differ.
 #[derive(Clone, Debug)]

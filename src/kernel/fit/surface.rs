@@ -1,0 +1,110 @@
+//! Surfaces through a grid of points and near one: curves along u first, then along v.
+//!
+//! Piegl & Tiller, *The NURBS Book*, §9.2.5 and §9.4.3.
+
+use glam::{DVec3, DVec4};
+
+use super::{Approximator, Interpolator, Spacing};
+use crate::kernel::{GeomError, Grid, NurbsSurface, tolerance::PARAMETER_RELATIVE};
+
+/// How the lines of a grid in one direction become splines.
+#[derive(Clone, Debug)]
+pub enum LineFit {
+    /// Through all values.
+    Through(Interpolator),
+    /// Near them.
+    Near(Approximator),
+}
+
+impl LineFit {
+    fn control_points(&self, values: &[DVec4]) -> Result<Vec<DVec4>, GeomError> {
+        match self {
+            Self::Through(fit) => fit.through(values),
+            Self::Near(fit) => fit.near(values),
+        }
+    }
+
+    fn knots(&self) -> &crate::kernel::KnotVector {
+        match self {
+            Self::Through(fit) => fit.knots(),
+            Self::Near(fit) => fit.knots(),
+        }
+    }
+}
+
+/// A grid of points whose columns, the lines along u, have become control points.
+#[derive(Clone, Debug)]
+pub struct FirstPass<'a> {
+    u: &'a LineFit,
+    /// Row i holds control point i of every column.
+    points: Grid<DVec4>,
+}
+
+impl<'a> FirstPass<'a> {
+    /// The columns fitted along u.
+    ///
+    /// # Errors
+    /// [`GeomError::WrongCount`] unless the grid has a row for each parameter.
+    pub fn new(points: &Grid<DVec3>, u: &'a LineFit) -> Result<Self, GeomError> {
+        let lifted = points.map(|point| point.extend(1.0));
+        let columns = each_row(&lifted.transposed(), u)?;
+        Ok(Self { u, points: columns.transposed() })
+    }
+
+    /// The points that stand now where the data stood.
+    #[must_use]
+    pub fn points(&self) -> Grid<DVec3> {
+        self.points.map(|point| point.truncate())
+    }
+
+    /// The surface, with the rows fitted along v.
+    ///
+    /// # Errors
+    /// [`GeomError::WrongCount`] unless the grid has a column for each parameter.
+    pub fn second(&self, v: &LineFit) -> Result<NurbsSurface, GeomError> {
+        let net = each_row(&self.points, v)?.map(|point| point.truncate());
+        NurbsSurface::polynomial(self.u.knots().clone(), v.knots().clone(), &net)
+    }
+}
+
+fn each_row(grid: &Grid<DVec4>, fit: &LineFit) -> Result<Grid<DVec4>, GeomError> {
+    let rows: Result<Vec<Vec<DVec4>>, GeomError> =
+        (0..grid.n_rows()).map(|i| fit.control_points(grid.row(i))).collect();
+    Grid::from_rows(rows?)
+}
+
+impl Spacing {
+    /// One parameter for each column of a grid, from 0 to 1: the mean of what its rows have. Rows
+    /// that are one point, such as poles, say nothing.
+    ///
+    /// Piegl & Tiller, *The NURBS Book*, A9.3.
+    ///
+    /// # Errors
+    /// [`GeomError::CoincidentPoints`] for neighbouring columns that are at one place in each row;
+    /// [`GeomError::TooFewPoints`], [`GeomError::NotFinite`].
+    pub fn mean_parameters(self, grid: &Grid<DVec3>) -> Result<Vec<f64>, GeomError> {
+        let mut sums = vec![0.0; grid.n_columns()];
+        let mut n_rows = 0;
+        for i in 0..grid.n_rows() {
+            match self.loose_parameters(grid.row(i)) {
+                Ok(parameters) => {
+                    sums.iter_mut().zip(parameters).for_each(|(sum, t)| *sum += t);
+                    n_rows += 1;
+                }
+                Err(GeomError::CoincidentPoints { .. }) => {}
+                Err(other) => return Err(other),
+            }
+        }
+        if n_rows == 0 {
+            return Err(GeomError::CoincidentPoints { first: 0, second: 1 });
+        }
+        let mut parameters: Vec<f64> =
+            sums.into_iter().map(|sum| sum / f64::from(n_rows)).collect();
+        let last = parameters.len() - 1;
+        parameters[last] = 1.0;
+        match parameters.windows(2).position(|pair| pair[1] - pair[0] <= PARAMETER_RELATIVE) {
+            Some(first) => Err(GeomError::CoincidentPoints { first, second: first + 1 }),
+            None => Ok(parameters),
+        }
+    }
+}
