@@ -51,4 +51,4 @@ let front = min([for q in polygon: q.x])
 check front ~= 0 within allowed / 1m                    "the nose is where it was measured"
 
 export foil to "aerofoil.obj"
-export table([for q in measured: { x: q.x, y: q.y, distance: to_foil(q) }]) to "aerofoil.csv"
+export table([for q in measured: {x: q.x, y: q.y, distance: to_foil(q)}]) to "aerofoil.csv"
