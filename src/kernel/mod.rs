@@ -28,8 +28,8 @@ pub use curve::{
 };
 pub use error::{FunctionFailure, GeomError};
 pub use fit::{
-    Approximator, Ends, FirstPass, Interpolator, LineFit, Spacing, approximate, approximate_within,
-    check_parameters, lagrange,
+    Approximator, Ends, FirstPass, Interpolator, LineFit, Spacing, approximate,
+    approximate_grid_within, approximate_within, check_parameters, lagrange,
 };
 pub use frame::Frame;
 pub use grid::Grid;

@@ -18,6 +18,7 @@ mod parameters;
 mod periodic;
 mod spread;
 mod surface;
+mod surface_within;
 mod through;
 
 pub use approximate::{approximate, approximate_within};
@@ -26,3 +27,4 @@ pub use lagrange::lagrange;
 pub use least::Approximator;
 pub use parameters::{Spacing, check_parameters};
 pub use surface::{FirstPass, LineFit};
+pub use surface_within::approximate_grid_within;
