@@ -45,6 +45,13 @@ pub struct Limits {
     pub stack_bytes: usize,
     /// Bytes of one input file read by `load`.
     pub input_bytes: usize,
+    /// Files inside one another's imports.
+    pub import_nesting: usize,
+    /// Bytes of one written file.
+    pub output_bytes: u64,
+    /// Bytes of memory that a run holds, its text and tree included. One operation may go beyond
+    /// by what the other ceilings let its result be; the next one is refused.
+    pub memory_bytes: usize,
     /// Diagnostics shown in one run; the rest is counted.
     pub diagnostics: usize,
 }
@@ -68,8 +75,28 @@ impl Limits {
         fit_steps: 5_000_000,
         stack_bytes: 512 << 20,
         input_bytes: 1 << 30,
+        import_nesting: 64,
+        output_bytes: 4 << 30,
+        memory_bytes: 4 << 30,
         diagnostics: 20,
     };
+}
+
+impl Limits {
+    /// The same for threads with another stack: what recurses goes no deeper than that carries.
+    #[must_use]
+    pub fn on_stack(mut self, stack_bytes: usize) -> Self {
+        let share = stack_bytes as u128;
+        let fit =
+            |most: u64| (u128::from(most) * share / Self::DEFAULT.stack_bytes as u128) as usize;
+        self.nesting = self.nesting.min(fit(MOST_NESTING));
+        self.chain = self.chain.min(fit(MOST_NESTING));
+        self.call_depth = self.call_depth.min(fit(MOST_CALL_DEPTH));
+        let most_depth = Self::DEFAULT.evaluation_depth as u64;
+        self.evaluation_depth = self.evaluation_depth.min(fit(most_depth));
+        self.value_depth = self.value_depth.min(fit(MOST_VALUE_DEPTH) as u32);
+        Self { stack_bytes, ..self }
+    }
 }
 
 impl Default for Limits {
@@ -95,7 +122,7 @@ pub struct Ceiling {
 
 /// A ceiling on the field of its name; `set` is given no more than `most`, which fits the field.
 macro_rules! ceiling {
-    ($field:ident: $ty:ty, $name:literal, most $most:expr, $crossed:expr, $docs:literal) => {
+    ($field:ident: $ty:ty, $name:expr, most $most:expr, $crossed:expr, $docs:literal) => {
         Ceiling {
             name: $name,
             docs: $docs,
@@ -118,13 +145,23 @@ impl Ceiling {
     /// The highest value where nothing of ours ends before the machine does.
     pub const OPEN: u64 = 1 << 53;
 
-    /// Every ceiling with a flag. The degree has none: it is set by the mathematics.
+    /// The name of the ceiling on memory, the one whose crossing depends on what else runs.
+    pub const MEMORY: &'static str = "memory";
+
+    /// Every ceiling with a flag.
     pub const ALL: &'static [Self] = &[
         // Places in all texts together are four bytes.
         ceiling!(source_bytes: usize, "source-bytes", most 1 << 30, [("E0008", "bytes")],
             "bytes of one script"),
         ceiling!(input_bytes: usize, "input-bytes", most Self::OPEN, [("E0701", "ceiling")],
             "bytes of one file that a script reads"),
+        ceiling!(output_bytes: u64, "output-bytes", most Self::OPEN, [("E0901", "file of")],
+            "bytes of one file that a script writes"),
+        ceiling!(memory_bytes: usize, Self::MEMORY, most Self::OPEN, [("E0901", "of memory")],
+            "bytes of memory that a run holds"),
+        // Each level is loaded inside the one before.
+        ceiling!(import_nesting: usize, "import-nesting", most 256, [("E0901", "imports lie")],
+            "files inside one another's imports"),
         ceiling!(nesting: usize, "nesting", most MOST_NESTING, [("E0104", "nested")],
             "brackets inside one another"),
         ceiling!(chain: usize, "chain", most MOST_NESTING, [("E0104", "operators")],
@@ -145,6 +182,11 @@ impl Ceiling {
             "elements of one list"),
         ceiling!(steps: u64, "steps", most Self::OPEN, [("E0901", "steps")],
             "steps of evaluation of one definition"),
+        ceiling!(control_points: usize, "control-points", most Self::OPEN, [("E0901", "control points")],
+            "control points of one curve or surface"),
+        // Beyond it binomial coefficients lose their digits.
+        ceiling!(degree: usize, "degree", most Limits::DEFAULT.degree as u64, [("E0901", "of degree")],
+            "degree of a curve or surface"),
         // A triangle names its corners by four bytes.
         ceiling!(mesh_vertices: usize, "mesh-vertices", most 1 << 32, [("E0901", "vertices")],
             "vertices of one mesh"),

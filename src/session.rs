@@ -10,6 +10,7 @@ mod test;
 
 use std::sync::Arc;
 
+pub use ceiling::name_flag;
 use plan::{Misfit, gather, options, safe_path, unknown_format};
 pub use test::{Tested, Verdict};
 
@@ -17,7 +18,7 @@ use crate::{
     diag::{Code, Diagnostic, Severity, Sources, Span},
     eval::{self, Exported, Memory, Output, Purpose, Setting, Work},
     export::{Format, Job},
-    limits::Limits,
+    limits::{Ceiling, Limits},
     ops,
     syntax::ast::Unit,
     value::{Files, Registry},
@@ -31,6 +32,7 @@ pub struct Session {
     n_threads: usize,
     /// Of an incremental session.
     memory: Option<Memory>,
+    held: fn() -> usize,
 }
 
 /// A file that a script exports, ready to be written.
@@ -102,7 +104,7 @@ impl Session {
     /// A session with all built-ins and these ceilings.
     #[must_use]
     pub fn new(limits: Limits) -> Self {
-        Self { registry: ops::registry(), limits, n_threads: 1, memory: None }
+        Self { registry: ops::registry(), limits, n_threads: 1, memory: None, held: || 0 }
     }
 
     /// The same on up to `n_threads` threads; results and messages do not depend on their number.
@@ -152,6 +154,13 @@ impl Session {
         self.memory.as_ref().map_or(0, Memory::len)
     }
 
+    /// The same with a measure of the memory that is held, in bytes, for the ceiling on it;
+    /// without one that ceiling is not kept.
+    #[must_use]
+    pub fn measured(self, held: fn() -> usize) -> Self {
+        Self { held, ..self }
+    }
+
     /// The built-ins.
     #[must_use]
     pub fn registry(&self) -> &Registry {
@@ -194,6 +203,27 @@ impl Session {
         settings: &[Setting],
         purpose: Purpose<'_>,
     ) -> Report {
+        let report = self.attempt(name, bytes, files, settings, (purpose, self.n_threads));
+        let is_full = |found: &Diagnostic| {
+            Ceiling::crossed(found.code.id(), &found.message)
+                .is_some_and(|ceiling| ceiling.name == Ceiling::MEMORY)
+        };
+        if self.n_threads == 1 || !report.diagnostics.iter().any(is_full) {
+            return report;
+        }
+        // Where memory ends depends on what else is under way: one thread gives one answer.
+        drop(report);
+        self.attempt(name, bytes, files, settings, (purpose, 1))
+    }
+
+    fn attempt(
+        &self,
+        name: &str,
+        bytes: &[u8],
+        files: &dyn Files,
+        settings: &[Setting],
+        (purpose, n_threads): (Purpose<'_>, usize),
+    ) -> Report {
         let mut sources = Sources::default();
         let text = match self.read(bytes) {
             Ok(text) => text,
@@ -208,9 +238,10 @@ impl Session {
             limits: &self.limits,
             files,
             overrides: settings,
-            n_threads: self.n_threads,
+            n_threads,
             purpose,
             recall: recall.as_ref(),
+            held: self.held,
         };
         let outcome = eval::evaluate(name, text, &mut sources, settings);
         if let Some(recall) = recall {
@@ -319,6 +350,10 @@ impl Session {
     ) -> Option<File> {
         let before = diagnostics.len();
         let span = exported.path.span;
+        if self.limits.memory_bytes < (self.held)() {
+            diagnostics.push(eval::out_of_memory(&self.limits, span));
+            return None;
+        }
         let path = safe_path(&exported.path.value).map_err(|message| {
             diagnostics.push(
                 Diagnostic::error(Code::PathEscapes, span, message)

@@ -373,6 +373,8 @@ fn only_chooses_exports() {
 fn check_crossed(name: &str, value: &str, script: &str) {
     let scratch = Scratch::new(&format!("limit-{name}"));
     scratch.file("data.json", "[1, 2, 3]");
+    scratch.file("one.geo", "import \"two.geo\"");
+    scratch.file("two.geo", "let two = 2");
     scratch.file("a.geo", script);
     let flag = format!("{name}={value}");
     let (_, err, code) = run(&scratch, &["run", "a.geo", "--limit", &flag]);
@@ -402,17 +404,93 @@ fn every_ceiling_can_be_crossed_and_names_its_flag() {
         "4",
         "print grid_mesh(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), 9, 9)",
     );
+    check_crossed("import-nesting", "1", "import \"one.geo\"");
+    check_crossed("output-bytes", "100", "export range(1, 100, 1) to \"a.json\"");
+    check_crossed("control-points", "3", "curve c = polyline((0, 0), (1, 0), (2, 0), (3, 0))");
+    check_crossed("control-points", "3", "surface s = bilinear((0, 0), (0, 1), (1, 0), (1, 1))");
+    check_crossed("degree", "2", "curve c = bezier((0, 0), (1, 0), (2, 0), (3, 0))");
     check_crossed("value-size", "9", "let five = [1, 2, 3, 4]\nprint [five, five]");
     check_crossed("text-bytes", "9", "let six = \"abcdef\"\nprint \"{six}{six}\"");
+}
+
+/// Many values of a moderate size: in a list, in calls inside one another, one inside the other,
+/// as points, as meshes.
+const HOARDS: [&str; 5] = [
+    "let all = [for i in 1..30: linspace(0, i, 1e5)]",
+    "fn f(n) = { let a = linspace(0, 1, 1e5); if n == 0 then a[0] else f(n - 1) + a[1] }\nprint f(30)",
+    "let all = fold(1..30, {}, (found, i) => { before: found, list: linspace(0, i, 1e5) })",
+    "let all = [for i in 1..30: sample(line((0, 0), (1, i)), 100000)]",
+    "let all = [for i in 1..30: grid_mesh(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), 300, 300)]",
+];
+
+#[test]
+fn memory_runs_out_with_a_message() {
+    let definitions: String =
+        (0..30).map(|i| format!("let a{i} = linspace(0, 1, 1e5)\n")).collect();
+    let copies: String = (0..30).map(|i| format!("let a{i} = [...b, {i}]\n")).collect();
+    let copies = format!("{copies}let b = linspace(0, 1, 1e5)\n");
+    let block = format!("let all = {{\n{copies}0 }}\n");
+    for script in HOARDS.into_iter().chain([&*definitions, &*copies, &*block]) {
+        check_crossed(Ceiling::MEMORY, "20_000_000", script);
+    }
+    let scratch = Scratch::new("limit-memory");
+    scratch.file("a.geo", format!("print 1\n{definitions}print len(a0)"));
+    let told = |threads: &str| {
+        let limit = ["run", "a.geo", "--limit", "memory=20_000_000", "--threads", threads];
+        run(&scratch, &limit)
+    };
+    let (out, err, code) = told("1");
+    assert_eq!((out.as_str(), code), ("", 2), "{err}");
+    assert_eq!(err.matches("of memory").count(), 1, "told once: {err}");
+    assert_eq!(told("1"), told("4"), "the number of threads does not show");
+}
+
+#[test]
+fn a_file_beyond_its_ceiling_leaves_nothing() {
+    let scratch = Scratch::new("limit-output");
+    scratch.file("out/b.json", "before");
+    scratch.file(
+        "a.geo",
+        "export range(1, 3, 1) to \"a.json\"\nexport range(1, 999, 1) to \"b.json\"",
+    );
+    let args = ["run", "a.geo", "--out", "out", "--limit", "output-bytes=400"];
+    let (out, err, code) = run(&scratch, &args);
+    assert_eq!((out.as_str(), code), ("wrote a.json: 1 value\n", 2));
+    assert!(err.contains("`b.json` would be a file of more than 400 bytes"), "{err}");
+    assert_eq!(files_below(&scratch.0), ["a.geo", "out/a.json", "out/b.json"]);
+    assert_eq!(fs::read_to_string(scratch.0.join("out/b.json")).expect("a file"), "before");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_small_address_space_is_enough() {
+    let scratch = Scratch::new("limit-address-space");
+    scratch.file(
+        "a.geo",
+        "fn f(n) = if n == 0 then 0 else 1 + f(n - 1)\nprint f(depth)\nparam depth = 1000\n",
+    );
+    for (kilobytes, setting, expected) in
+        [("400000", "depth=1000", 0), ("400000", "depth=1e9", 2), ("150000", "depth=100", 0)]
+    {
+        let command = format!(
+            "ulimit -v {kilobytes}; '{}' run a.geo --threads 1 --set {setting}",
+            env!("CARGO_BIN_EXE_virote")
+        );
+        let shell = Command::new("sh").args(["-c", &command]).current_dir(&scratch.0).output();
+        let (out, err, code) = told(&shell.expect("a shell"));
+        assert_eq!(code, expected, "{kilobytes} {setting}: {out}{err}");
+    }
 }
 
 #[test]
 fn no_ceiling_is_without_a_test() {
     let own = include_str!("commands.rs");
     for ceiling in Ceiling::ALL.iter().filter(|ceiling| ceiling.name != "diagnostics") {
-        let is_crossed = own
-            .split("check_crossed(")
-            .any(|call| call.trim_start().starts_with(&format!("\"{}\"", ceiling.name)));
+        let is_crossed = own.split("check_crossed(").any(|call| {
+            let call = call.trim_start();
+            call.starts_with(&format!("\"{}\"", ceiling.name))
+                || (ceiling.name == Ceiling::MEMORY && call.starts_with("Ceiling::MEMORY"))
+        });
         assert!(is_crossed, "`{}` is crossed by no script", ceiling.name);
     }
 }

@@ -27,6 +27,7 @@ const GUESTS: &[(&str, &[&str])] = &[
     ("chumsky", &["src/syntax/parser/"]),
     ("ariadne", &["src/render.rs"]),
     ("clap", &["src/cli/"]),
+    ("cap", &["src/main.rs"]),
     ("tobj", &["src/ops/mesh/obj.rs"]),
 ];
 

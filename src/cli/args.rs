@@ -9,7 +9,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::{
     limits::{self, Moved},
-    settings,
+    process, settings,
 };
 use crate::{eval::Setting, session::Session};
 
@@ -214,7 +214,7 @@ impl Common {
     /// A session as these options want it.
     pub(super) fn session(&self) -> Session {
         let n_threads = self.threads.or_else(|| std::thread::available_parallelism().ok());
-        Session::new(limits::moved(&self.limits))
+        process::session(limits::moved(&self.limits))
             .on_threads(n_threads.map_or(1, std::num::NonZeroUsize::get))
     }
 }

@@ -10,14 +10,14 @@ use super::{
     args::Talk,
     files::{Script, reason},
     message::Voice,
-    say,
+    process, say,
     write::replace,
 };
-use crate::session::Session;
+use crate::{limits::Limits, session::Session};
 
 /// `virote fmt [--check] FILE...`: the worst ending of all.
 pub(super) fn run(paths: &[PathBuf], is_check: bool, talk: &Talk) -> Ending {
-    let session = Session::default();
+    let session = process::session(Limits::DEFAULT);
     let voice = Voice::new(talk, session.limits().diagnostics);
     let endings = paths.iter().map(|path| one(&session, path, is_check, &voice));
     endings.max().unwrap_or(Ending::Well)

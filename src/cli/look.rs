@@ -7,8 +7,12 @@ use super::{
     args::Talk,
     files::{Beside, Script},
     message::Voice,
+    process,
 };
-use crate::session::{Report, Session};
+use crate::{
+    limits::Limits,
+    session::{Report, Session},
+};
 
 /// Reads the script, asks the session about it, and has the answer told; mistakes are told here.
 pub(super) fn look<T>(
@@ -17,7 +21,7 @@ pub(super) fn look<T>(
     ask: impl FnOnce(&Session, &Script, &Beside) -> Result<T, Box<Report>>,
     tell: impl FnOnce(&Script, &Voice, &T),
 ) -> Ending {
-    let session = Session::default();
+    let session = process::session(Limits::DEFAULT);
     let voice = Voice::new(talk, session.limits().diagnostics);
     let script = match Script::read(path, session.limits().source_bytes) {
         Ok(script) => script,

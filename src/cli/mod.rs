@@ -9,6 +9,7 @@ mod limits;
 mod look;
 mod message;
 mod params;
+mod process;
 mod run;
 mod settings;
 mod test;
@@ -24,9 +25,7 @@ use clap::Parser as _;
 use self::args::{Cli, Verb};
 use crate::{
     diag::{Code, Severity},
-    docs,
-    limits::Limits,
-    ops,
+    docs, ops,
     session::Report,
 };
 
@@ -62,9 +61,10 @@ impl From<Ending> for ExitCode {
     }
 }
 
-/// Runs the command with the arguments of the process.
+/// Runs the command with the arguments of the process; `held` tells how many bytes of memory that
+/// holds.
 #[must_use]
-pub fn main() -> ExitCode {
+pub fn main(held: fn() -> usize) -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(err) => {
@@ -74,17 +74,7 @@ pub fn main() -> ExitCode {
             return ending.into();
         }
     };
-    let worker = std::thread::Builder::new()
-        .stack_size(Limits::DEFAULT.stack_bytes)
-        .spawn(move || dispatch(cli.verb));
-    match worker.map(std::thread::JoinHandle::join) {
-        Ok(Ok(ending)) => ending.into(),
-        Ok(Err(_)) => ExitCode::from(101),
-        Err(err) => {
-            say_error(&format!("virote: no thread could be started: {err}"));
-            Ending::Usage.into()
-        }
-    }
+    process::run(held, || dispatch(cli.verb))
 }
 
 fn dispatch(verb: Verb) -> Ending {

@@ -14,7 +14,7 @@ use crate::{
     diag::{Code, Diagnostic, Severity, nearest},
     eval::Setting,
     export::ExportError,
-    session::{Event, File, Report, Session},
+    session::{Event, File, Report, Session, name_flag},
 };
 
 /// Whether and where a run writes its files.
@@ -219,7 +219,8 @@ fn write(
     voice: &Voice,
 ) -> Ending {
     let complain = |code: Code, message: String| {
-        let found = Diagnostic::error(code, file.span, message);
+        let mut found = Diagnostic::error(code, file.span, message);
+        name_flag(&mut found);
         voice.findings(&[found], &report.sources);
     };
     let target = match (mode, target) {
@@ -234,13 +235,18 @@ fn write(
         }
         (Mode::Write(_), Ok(target)) => target,
     };
-    match target.write(|out| (file.format.write)(&file.job, out)) {
+    let most = file.job.limits.output_bytes;
+    match target.write(most, |out| (file.format.write)(&file.job, out)) {
         Ok(summary) => {
             voice.written(&file.path, Some(summary));
             Ending::Well
         }
         Err(err @ ExportError::Geometry { .. }) => {
             complain(Code::CannotExport, failure(&err));
+            Ending::Wrong
+        }
+        Err(err @ ExportError::TooLarge { .. }) => {
+            complain(Code::TooLarge, format!("`{}` would be {err}", file.path));
             Ending::Wrong
         }
         Err(err) => {

@@ -60,13 +60,41 @@ impl Target {
         Ok(Self { folder, path: full })
     }
 
-    /// Writes the file through `write`; the size in bytes with what `write` tells.
+    /// Writes the file, of no more than `most` bytes, through `write`.
     pub(super) fn write(
         &self,
+        most: u64,
         write: impl FnOnce(&mut dyn Write) -> Result<Summary, ExportError>,
     ) -> Result<Summary, ExportError> {
         fs::create_dir_all(&self.folder)?;
-        replace(&self.path, None, write)
+        replace(&self.path, None, |out| {
+            let mut out = Capped { out, n_left: most, is_full: false };
+            let written = write(&mut out);
+            if out.is_full { Err(ExportError::TooLarge { most }) } else { written }
+        })
+    }
+}
+
+/// Takes so many bytes and no more.
+struct Capped<'a> {
+    out: &'a mut dyn Write,
+    n_left: u64,
+    is_full: bool,
+}
+
+impl Write for Capped<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if self.n_left < bytes.len() as u64 {
+            self.is_full = true;
+            return Err(io::ErrorKind::FileTooLarge.into());
+        }
+        let n_taken = self.out.write(bytes)?;
+        self.n_left -= n_taken as u64;
+        Ok(n_taken)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
     }
 }
 

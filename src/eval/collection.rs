@@ -57,6 +57,7 @@ impl Machine<'_> {
                     let value = self.eval(expr)?;
                     let n_items = self.iterate(&value, expr.span)?.len();
                     self.check_length(items.len() + n_items, span)?;
+                    self.check_memory(span)?;
                     items.extend(self.iterate(&value, expr.span)?);
                 }
             }

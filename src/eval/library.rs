@@ -29,9 +29,6 @@ use crate::{
     value::{Record, Value, to_json},
 };
 
-/// Files inside one another's imports.
-const MOST_NESTED: usize = 64;
-
 /// A file that some import names.
 #[derive(Debug)]
 struct File {
@@ -147,8 +144,9 @@ impl<'a> Library<'a> {
 
     /// The text of a file.
     fn read(&self, path: &str, place: Span, n_nested: usize) -> Option<String> {
-        if MOST_NESTED < n_nested {
-            let message = format!("imports lie more than {MOST_NESTED} deep inside one another");
+        let most = self.settings.limits.import_nesting;
+        if most < n_nested {
+            let message = format!("imports lie more than {most} deep inside one another");
             self.tell(Diagnostic::error(Code::TooLarge, place, message));
             return None;
         }

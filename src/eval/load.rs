@@ -71,6 +71,7 @@ impl Loaded<'_> {
             tolerance: self.program.tolerance,
             unit: self.program.unit,
             library: Some(&self.library),
+            held: settings.held,
         }
     }
 }

@@ -33,6 +33,8 @@ pub(crate) struct Env<'a> {
     pub(crate) unit: Unit,
     /// The files that the script imports.
     pub(crate) library: Option<&'a Library<'a>>,
+    /// How many bytes of memory are held.
+    pub(crate) held: fn() -> usize,
 }
 
 /// A function of the script with what it took from around it.
@@ -93,7 +95,9 @@ pub(crate) struct Machine<'a> {
     pub(super) running: Option<ScriptFunction>,
     pub(super) n_calls: usize,
     depth: usize,
-    steps: u64,
+    pub(super) steps: u64,
+    /// Whether the memory has run out, which was told.
+    pub(super) is_full: bool,
     pub(crate) warnings: Vec<Diagnostic>,
     /// The files that were read, where somebody wants to know.
     pub(super) reads: Option<Reads>,
@@ -115,6 +119,7 @@ impl<'a> Machine<'a> {
             n_calls: 0,
             depth: 0,
             steps: 0,
+            is_full: false,
             warnings: Vec::new(),
             reads: None,
             imported: Fields::default(),
@@ -124,6 +129,7 @@ impl<'a> Machine<'a> {
     /// Evaluates an expression of the file in a fresh frame.
     pub(crate) fn run(&mut self, expr: &Expr, n_slots: usize) -> Result<Value> {
         self.prepare(n_slots);
+        self.check_memory(expr.span)?;
         self.eval(expr)
     }
 
@@ -134,26 +140,6 @@ impl<'a> Machine<'a> {
         self.base = 0;
         self.running = None;
         (self.n_calls, self.depth, self.steps) = (0, 0, 0);
-    }
-
-    /// Counts a step of evaluation.
-    pub(super) fn step(&mut self, span: Span) -> Result<()> {
-        self.steps(1, span)
-    }
-
-    /// Whether so many more steps can be counted.
-    pub(super) fn has_steps(&self, n: u64) -> bool {
-        self.steps.saturating_add(n) <= self.env.limits.steps
-    }
-
-    /// Counts steps of evaluation.
-    pub(super) fn steps(&mut self, n: u64, span: Span) -> Result<()> {
-        self.steps = self.steps.saturating_add(n);
-        if self.steps <= self.env.limits.steps {
-            return Ok(());
-        }
-        let message = format!("this takes more than {} steps of evaluation", self.env.limits.steps);
-        Diagnostic::error(Code::TooLarge, span, message).label("under way here").fail()
     }
 
     /// Evaluates an expression in the frame of the running function.
@@ -180,27 +166,6 @@ impl<'a> Machine<'a> {
             Ok(value) => self.check_extent(value, expr.span),
             failed => failed,
         }
-    }
-
-    /// The value, unless it is deeper or larger than whoever walks through it can bear.
-    fn check_extent(&self, value: Value, span: Span) -> Result<Value> {
-        let (Extent { depth, size, .. }, limits) = (value.extent(), self.env.limits);
-        let message = if limits.value_depth < depth {
-            let most = limits.value_depth;
-            format!("lists, records and functions lie more than {most} deep inside one another")
-        } else if limits.value_size < size {
-            format!("a value of more than {} parts", limits.value_size)
-        } else {
-            return Ok(value);
-        };
-        Diagnostic::error(Code::TooLarge, span, message).fail()
-    }
-
-    pub(super) fn too_deep<T>(&self, message: String, span: Span) -> Result<T> {
-        Diagnostic::error(Code::RecursionTooDeep, span, message)
-            .label("one call too many")
-            .hint("does every recursion reach its end?")
-            .fail()
     }
 
     fn dispatch(&mut self, expr: &Expr) -> Result<Value> {

@@ -4,6 +4,7 @@
 //! in the tree; files come in through [`Files`](crate::value::Files).
 
 mod call;
+mod ceiling;
 mod claim;
 mod collection;
 mod dependencies;
@@ -26,6 +27,7 @@ mod spelling;
 mod test;
 mod worker;
 
+pub(crate) use ceiling::out_of_memory;
 pub use claim::{Side, Verdict};
 pub use dependencies::{Graph, Node, graph};
 pub use memory::{Memory, Recall, Work};

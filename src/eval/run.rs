@@ -48,6 +48,8 @@ pub struct Settings<'a> {
     pub purpose: Purpose<'a>,
     /// What earlier runs gave, if they are to be remembered.
     pub recall: Option<&'a Recall<'a>>,
+    /// How many bytes of memory are held.
+    pub held: fn() -> usize,
 }
 
 /// Interprets the script `text`, which messages call `name`; it and the files that it imports are
@@ -118,6 +120,7 @@ impl Run<'_> {
         for mut worker in workers {
             self.diagnostics.append(&mut worker.diagnostics);
             self.diagnostics.append(&mut worker.machine.warnings);
+            self.machine.is_full |= worker.machine.is_full;
         }
     }
 
@@ -214,6 +217,9 @@ impl Run<'_> {
     pub(super) fn effects(&mut self, definitions: &[&[Defined]]) -> Vec<Output> {
         let mut outputs = Vec::new();
         for effect in &self.program.effects {
+            if self.machine.is_full {
+                break;
+            }
             if effect.is_poisoned || !self.is_ready(&effect.dependencies) {
                 continue;
             }

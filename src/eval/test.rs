@@ -33,7 +33,7 @@ impl Run<'_> {
             is_poisoned: test.is_poisoned,
             is_whole: false,
         };
-        if test.is_poisoned {
+        if test.is_poisoned || self.machine.is_full {
             return tested;
         }
         let program = &test.program;

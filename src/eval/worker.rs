@@ -137,6 +137,9 @@ impl<'a> Worker<'a> {
     }
 
     fn definition(&mut self, definition: &Definition, inputs: Inputs<'_>) -> Option<Value> {
+        if self.machine.is_full {
+            return None;
+        }
         let result = match &definition.role {
             Role::Param(rules) => {
                 let given = inputs.of(definition);

@@ -117,6 +117,12 @@ pub enum ExportError {
         /// What is wrong with it.
         source: GeomError,
     },
+    /// More bytes than the ceiling.
+    #[error("a file of more than {most} bytes")]
+    TooLarge {
+        /// The ceiling.
+        most: u64,
+    },
     /// The operating system refused.
     #[error(transparent)]
     Io(#[from] io::Error),

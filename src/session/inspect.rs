@@ -70,6 +70,7 @@ impl Session {
             n_threads: 1,
             purpose: eval::Purpose::Run,
             recall: None,
+            held: self.held,
         }
     }
 

@@ -144,6 +144,7 @@ impl Desk {
             n_threads: self.n_threads,
             purpose: Purpose::Run,
             recall: Some(&recall),
+            held: || 0,
         };
         let mut sources = Sources::default();
         let outcome = eval::evaluate("document", &text, &mut sources, settings);

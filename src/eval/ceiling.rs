@@ -1,0 +1,89 @@
+//! The ceilings that the machine keeps while it evaluates: steps, depth, memory, and how large a
+//! value may be.
+
+use super::machine::Machine;
+use crate::{
+    diag::{Code, Diagnostic, Result, Span},
+    kernel::{Curve, Surface},
+    limits::Limits,
+    value::{Extent, Value},
+};
+
+impl Machine<'_> {
+    /// Counts a step of evaluation.
+    pub(super) fn step(&mut self, span: Span) -> Result<()> {
+        self.steps(1, span)
+    }
+
+    /// Whether so many more steps can be counted.
+    pub(super) fn has_steps(&self, n: u64) -> bool {
+        self.steps.saturating_add(n) <= self.env.limits.steps
+    }
+
+    /// Counts steps of evaluation.
+    pub(super) fn steps(&mut self, n: u64, span: Span) -> Result<()> {
+        self.steps = self.steps.saturating_add(n);
+        if self.steps <= self.env.limits.steps {
+            return self.check_memory(span);
+        }
+        let message = format!("this takes more than {} steps of evaluation", self.env.limits.steps);
+        Diagnostic::error(Code::TooLarge, span, message).label("under way here").fail()
+    }
+
+    /// Fails when the run holds more memory than it may.
+    pub(super) fn check_memory(&mut self, span: Span) -> Result<()> {
+        if (self.env.held)() <= self.env.limits.memory_bytes {
+            return Ok(());
+        }
+        self.is_full = true;
+        out_of_memory(self.env.limits, span).fail()
+    }
+
+    /// The value, unless it is deeper or larger than whoever walks through it can bear.
+    pub(super) fn check_extent(&self, value: Value, span: Span) -> Result<Value> {
+        let (Extent { depth, size, .. }, limits) = (value.extent(), self.env.limits);
+        let message = if limits.value_depth < depth {
+            let most = limits.value_depth;
+            format!("lists, records and functions lie more than {most} deep inside one another")
+        } else if limits.value_size < size {
+            format!("a value of more than {} parts", limits.value_size)
+        } else if let Some(message) = too_fine(&value, limits) {
+            message
+        } else {
+            return Ok(value);
+        };
+        Diagnostic::error(Code::TooLarge, span, message).fail()
+    }
+
+    pub(super) fn too_deep<T>(&self, message: String, span: Span) -> Result<T> {
+        Diagnostic::error(Code::RecursionTooDeep, span, message)
+            .label("one call too many")
+            .hint("does every recursion reach its end?")
+            .fail()
+    }
+}
+
+/// The finding that the run holds more memory than it may.
+pub(crate) fn out_of_memory(limits: &Limits, span: Span) -> Diagnostic {
+    let message = format!("the script needs more than {} bytes of memory", limits.memory_bytes);
+    Diagnostic::error(Code::TooLarge, span, message).label("under way here")
+}
+
+/// What is too much about a curve or surface, if anything.
+fn too_fine(value: &Value, limits: &Limits) -> Option<String> {
+    let (degree, n_points) = match value {
+        Value::Curve(Curve::Nurbs(curve)) => (curve.degree(), curve.control_points().len()),
+        Value::Surface(Surface::Nurbs(surface)) => {
+            (surface.degree_u().max(surface.degree_v()), surface.control_points().as_slice().len())
+        }
+        _ => return None,
+    };
+    let kind = value.kind();
+    if limits.degree < degree {
+        Some(format!("a {kind} of degree {degree}, more than {}", limits.degree))
+    } else if limits.control_points < n_points {
+        Some(format!("a {kind} of {n_points} control points, more than {}", limits.control_points))
+    } else {
+        None
+    }
+}
