@@ -4,6 +4,7 @@
 //! as values gets those too; they are spelled out once, on first demand.
 
 use std::{
+    fmt,
     ops::Deref,
     sync::{Arc, OnceLock},
 };
@@ -51,7 +52,6 @@ enum Items {
 }
 
 /// Numbers of one dimension.
-#[derive(Debug)]
 struct Numbers {
     values: Vec<f64>,
     dim: Dim,
@@ -62,6 +62,14 @@ struct Numbers {
 impl Numbers {
     fn value(&self, value: f64) -> Value {
         Value::Number(Number { value, dim: self.dim })
+    }
+}
+
+/// Whether somebody wanted the values does not show.
+impl fmt::Debug for Numbers {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { values, dim, spelled: _ } = self;
+        f.debug_struct("Numbers").field("values", values).field("dim", dim).finish()
     }
 }
 
