@@ -31,6 +31,7 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
             for (i, column) in table.columns().iter().enumerate() {
                 text.push(if i == 0 { "" } else { "," });
                 match &column.column {
+                    Column::Numbers(values) if !values[row].is_finite() => text.push(""),
                     Column::Numbers(values) => text.number(values[row]),
                     Column::Texts(values) => text.push(&cell(&values[row])),
                 };

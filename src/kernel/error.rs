@@ -2,6 +2,7 @@
 
 use std::{error::Error as StdError, fmt, sync::Arc};
 
+use glam::DVec3;
 use thiserror::Error;
 
 use super::Interval;
@@ -133,12 +134,17 @@ pub enum GeomError {
     /// Every derivative vanishes, so that there is no direction.
     #[error("there is no tangent at parameter {parameter}: every derivative vanishes")]
     VanishingTangent { parameter: f64 },
-    /// The curve stands still, so that its bending has no measure.
-    #[error("the derivative vanishes at parameter {parameter}, so that there is no curvature")]
-    VanishingDerivative { parameter: f64 },
+    /// The curve stands still, and bends without bound on the way there.
+    #[error(
+        "the derivative vanishes at parameter {parameter}, where the curvature grows without bound: there is no {what}"
+    )]
+    UnboundedCurvature { what: &'static str, parameter: f64 },
     /// The curve does not bend.
-    #[error("the curve is straight at parameter {parameter}, so that no normal stands out")]
-    Straight { parameter: f64 },
+    #[error("the curve is straight at parameter {parameter}: there is no {what}")]
+    Straight { what: &'static str, parameter: f64 },
+    /// A bend seen from its own plane.
+    #[error("at parameter {parameter} the curve bends in a plane that holds the normal ({}, {}, {}): there is no left and right", normal.x, normal.y, normal.z)]
+    NoSide { parameter: f64, normal: DVec3 },
     /// The surface has no tangent plane.
     #[error("there is no normal at ({u}, {v}): the tangent plane has no limit there")]
     NoNormal { u: f64, v: f64 },

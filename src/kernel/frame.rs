@@ -11,15 +11,20 @@ pub struct Frame {
     x: DVec3,
     y: DVec3,
     z: DVec3,
+    is_of_curve: bool,
 }
 
 impl Frame {
     /// The plane of x and y; its normal is z.
-    pub const XY: Self = Self { origin: DVec3::ZERO, x: DVec3::X, y: DVec3::Y, z: DVec3::Z };
+    pub const XY: Self = Self::plane([DVec3::X, DVec3::Y, DVec3::Z]);
     /// The plane of y and z; its normal is x.
-    pub const YZ: Self = Self { origin: DVec3::ZERO, x: DVec3::Y, y: DVec3::Z, z: DVec3::X };
+    pub const YZ: Self = Self::plane([DVec3::Y, DVec3::Z, DVec3::X]);
     /// The plane of z and x; its normal is y.
-    pub const ZX: Self = Self { origin: DVec3::ZERO, x: DVec3::Z, y: DVec3::X, z: DVec3::Y };
+    pub const ZX: Self = Self::plane([DVec3::Z, DVec3::X, DVec3::Y]);
+
+    const fn plane([x, y, z]: [DVec3; 3]) -> Self {
+        Self { origin: DVec3::ZERO, x, y, z, is_of_curve: false }
+    }
 
     /// The frame at `origin` with z along `normal` and x as near to the given direction as that
     /// allows; without one, as near to (1, 0, 0), or to (0, 1, 0) where that is the normal's line.
@@ -37,7 +42,7 @@ impl Frame {
             None => across(DVec3::X, z).or_else(|| across(DVec3::Y, z)),
         }
         .ok_or(GeomError::ZeroAxis { what: "the x axis, made normal to the normal," })?;
-        Ok(Self { origin, x, y: z.cross(x), z })
+        Ok(Self { origin, ..Self::plane([x, z.cross(x), z]) })
     }
 
     /// The frame at `origin` with x along `x` and y in the half plane of `y`.
@@ -49,6 +54,21 @@ impl Frame {
         let uy =
             across(y, ux).ok_or(GeomError::ZeroAxis { what: "the y axis across the x axis" })?;
         Self::from_normal(origin, ux.cross(uy), Some(ux))
+    }
+
+    /// The moving trihedron of a curve: x its tangent, y its normal on the side of `bending`, z its
+    /// binormal.
+    ///
+    /// # Errors
+    /// [`GeomError::ZeroAxis`] where one is zero or both are parallel; [`GeomError::NotFinite`].
+    pub fn of_curve(origin: DVec3, tangent: DVec3, bending: DVec3) -> Result<Self, GeomError> {
+        Ok(Self { is_of_curve: true, ..Self::from_axes(origin, tangent, bending)? })
+    }
+
+    /// Whether it is the trihedron of a curve.
+    #[must_use]
+    pub fn is_of_curve(self) -> bool {
+        self.is_of_curve
     }
 
     /// The same directions elsewhere.
@@ -63,7 +83,9 @@ impl Frame {
     /// [`GeomError::ZeroAxis`] where the map flattens the plane; [`GeomError::NotFinite`].
     pub fn transformed(self, map: &DAffine3) -> Result<Self, GeomError> {
         let axis = |axis: DVec3| map.transform_vector3(axis);
-        Self::from_axes(map.transform_point3(self.origin), axis(self.x), axis(self.y))
+        let origin = map.transform_point3(self.origin);
+        let image = Self::from_axes(origin, axis(self.x), axis(self.y))?;
+        Ok(Self { is_of_curve: self.is_of_curve, ..image })
     }
 
     /// Where it stands.
@@ -118,6 +140,11 @@ pub(in crate::kernel) fn norm(v: DVec3) -> f64 {
     }
     let largest = v.abs().max_element();
     if 0.0 < largest && largest.is_finite() { largest * (v / largest).length() } else { largest }
+}
+
+/// The angle between two directions, 0 to π, accurate also where they are nearly parallel.
+pub(in crate::kernel) fn angle_between(a: DVec3, b: DVec3) -> f64 {
+    libm::atan2(a.cross(b).length(), a.dot(b))
 }
 
 /// The unit vector along `v`, at any length that is not zero.

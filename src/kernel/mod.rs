@@ -24,12 +24,13 @@ pub mod tolerance;
 
 pub use bounds::Bounds;
 pub use curve::{
-    CircleForm, Curve, CurveFunction, NurbsCurve, Offset, ParametricCurve, join, make_compatible,
+    CircleForm, Continuity, Curve, CurveFunction, LocalGeometry, Neighbourhood, NurbsCurve, Offset,
+    ParametricCurve, PlaceKind, join, make_compatible,
 };
 pub use error::{FunctionFailure, GeomError};
 pub use fit::{
-    Approximator, Ends, FirstPass, Interpolator, LineFit, Spacing, approximate,
-    approximate_grid_within, approximate_within, check_parameters, lagrange,
+    Approximator, Ends, FirstPass, Interpolator, LineFit, Spacing, approximate, approximate_within,
+    check_parameters, lagrange,
 };
 pub use frame::Frame;
 pub use grid::Grid;

@@ -19,6 +19,12 @@ impl Tolerance {
     /// Suits models measured in millimetres, up to some metres.
     pub const DEFAULT: Self = Self { distance: 1e-6, angle: 1e-9 };
 
+    /// The distance for geometry of a size: never more than [`DETAIL_RELATIVE`] of it.
+    #[must_use]
+    pub fn distance_for(self, size: f64) -> f64 {
+        self.distance.min(DETAIL_RELATIVE * size)
+    }
+
     /// The same angle with another distance.
     #[must_use]
     pub const fn with_distance(self, distance: f64) -> Self {
@@ -31,6 +37,12 @@ impl Default for Tolerance {
         Self::DEFAULT
     }
 }
+
+/// The document's tolerance counts up to this fraction of the size of what is looked at.
+///
+/// Larger calls a curve of a few micrometres a closed one, and straight; smaller overrules a
+/// tolerance that somebody chose for rough work.
+pub const DETAIL_RELATIVE: f64 = 1e-3;
 
 /// Two knots closer than this fraction of the domain are one knot, and a parameter that far
 /// outside the domain is its end.
@@ -66,6 +78,13 @@ pub const WEIGHT_RELATIVE: f64 = 1e-13;
 /// narrower than this fraction of their length for folds; smaller answers with a random direction
 /// at a cusp or a pole.
 pub const VANISHING_RELATIVE: f64 = 1e-13;
+
+/// A parameter that misses a singular place of a curve by less than this fraction of the span is
+/// that place, where its kind is told.
+///
+/// Larger takes a bend beside an inflection for the inflection; smaller misses one whose parameter
+/// somebody computed or typed with nine digits.
+pub const PLACE_RELATIVE: f64 = 1e-9;
 
 /// Arc length is computed to this fraction of itself.
 ///

@@ -101,7 +101,7 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         Error::BadEndWeight { .. } => {
             "a weight of zero takes its point away, which the ends cannot do without".to_owned()
         }
-        Error::VanishingTangent { .. } | Error::VanishingDerivative { .. } => {
+        Error::VanishingTangent { .. } | Error::UnboundedCurvature { .. } => {
             "the curve stands still there: are points repeated?".to_owned()
         }
         Error::DegreeTooLow { .. } => {
@@ -120,6 +120,13 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
             format!("`to_nurbs({}, tolerance)` makes a NURBS of it", &what[..1])
         }
         Error::Undetermined { .. } => "ask for fewer control points".to_owned(),
+        Error::Straight { .. } => {
+            "a straight place has a tangent and a normal plane, but no direction across stands out"
+                .to_owned()
+        }
+        Error::NoSide { .. } => {
+            "give the `normal` of the plane that the curve is seen from".to_owned()
+        }
         _ => return None,
     })
 }

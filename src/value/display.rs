@@ -5,7 +5,7 @@ use std::fmt;
 use glam::DVec3;
 
 use super::{Value, shortest};
-use crate::kernel::{Curve, Interval, Surface};
+use crate::kernel::{Curve, Frame, Interval, Surface};
 
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -45,12 +45,7 @@ impl fmt::Display for Value {
                 let rows = if table.n_rows() == 1 { "row" } else { "rows" };
                 write!(f, "table of {} {rows}: {}", table.n_rows(), names.join(", "))
             }
-            Self::Frame(frame) => write!(
-                f,
-                "plane at {} with normal {}",
-                point_text(frame.origin()),
-                point_text(frame.z())
-            ),
+            Self::Frame(frame) => f.write_str(&frame_text(**frame)),
         }
     }
 }
@@ -84,6 +79,16 @@ fn write_surface(f: &mut fmt::Formatter<'_>, surface: &Surface) -> fmt::Result {
 /// `start..end`, each in the shortest form.
 fn domain_text(domain: Interval) -> String {
     format!("{}..{}", shortest(domain.start()), shortest(domain.end()))
+}
+
+/// A plane by its normal, the frame of a curve by its directions.
+fn frame_text(frame: Frame) -> String {
+    let [origin, x, y, z] = [frame.origin(), frame.x(), frame.y(), frame.z()].map(point_text);
+    if frame.is_of_curve() {
+        format!("frame at {origin} with tangent {x} and normal {y}")
+    } else {
+        format!("plane at {origin} with normal {z}")
+    }
 }
 
 /// `(x, y, z)`, each in the shortest form.

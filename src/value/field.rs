@@ -21,6 +21,7 @@ const SURFACE: &[&str] = &[
 ];
 const MESH: &[&str] = &["vertices", "triangles", "normals", "uvs"];
 const FRAME: &[&str] = &["origin", "x", "y", "z"];
+const CURVE_FRAME: &[&str] = &["origin", "x", "y", "z", "tangent", "normal", "binormal"];
 
 /// The names of all fields of `value`, in the order of the reference.
 #[must_use]
@@ -33,6 +34,7 @@ pub fn field_names(value: &Value) -> Vec<&str> {
         Value::Surface(_) => SURFACE.to_vec(),
         Value::Mesh(_) => MESH.to_vec(),
         Value::Table(table) => table.columns().iter().map(|column| column.name.as_str()).collect(),
+        Value::Frame(frame) if frame.is_of_curve() => CURVE_FRAME.to_vec(),
         Value::Frame(_) => FRAME.to_vec(),
         _ => Vec::new(),
     }
@@ -67,6 +69,9 @@ fn plain_field(value: &Value, name: &str) -> Option<Value> {
         (Value::Frame(frame), "x") => Value::Point(frame.x()),
         (Value::Frame(frame), "y") => Value::Point(frame.y()),
         (Value::Frame(frame), "z") => Value::Point(frame.z()),
+        (Value::Frame(frame), "tangent") if frame.is_of_curve() => Value::Point(frame.x()),
+        (Value::Frame(frame), "normal") if frame.is_of_curve() => Value::Point(frame.y()),
+        (Value::Frame(frame), "binormal") if frame.is_of_curve() => Value::Point(frame.z()),
         _ => return None,
     })
 }
@@ -145,9 +150,16 @@ fn mesh_field(mesh: &crate::kernel::Mesh, name: &str) -> Option<Value> {
 /// Column `name` of a table as a list.
 pub(super) fn column(table: &Table, name: &str) -> Option<Value> {
     Some(match table.column(name)? {
-        Column::Numbers(values) => numbers(values),
+        Column::Numbers(values) => {
+            Value::List(values.iter().map(|&cell| number_cell(cell)).collect())
+        }
         Column::Texts(values) => Value::list(values.iter().map(|text| Value::text(text)).collect()),
     })
+}
+
+/// The number of a cell; an empty one holds none.
+fn number_cell(cell: f64) -> Value {
+    if cell.is_finite() { Value::number(cell) } else { Value::None }
 }
 
 fn domain(interval: Interval) -> Value {
@@ -180,7 +192,7 @@ fn grid<T>(grid: &Grid<T>, value: impl Fn(&T) -> Value) -> Value {
 pub fn table_row(table: &Table, idx: usize) -> Value {
     let fields = table.columns().iter().map(|column| {
         let cell = match &column.column {
-            Column::Numbers(values) => Value::number(values[idx]),
+            Column::Numbers(values) => number_cell(values[idx]),
             Column::Texts(values) => Value::text(&values[idx]),
         };
         (Arc::from(column.name.as_str()), cell)

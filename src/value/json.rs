@@ -69,7 +69,7 @@ pub fn to_json(value: &Value) -> Json {
             json!({ "virote": "table", "columns": table.columns().iter().map(column).collect::<Vec<_>>() })
         }
         Value::Frame(frame) => json!({
-            "virote": "plane",
+            "virote": if frame.is_of_curve() { "frame" } else { "plane" },
             "origin": frame.origin().to_array(),
             "x": frame.x().to_array(),
             "z": frame.z().to_array(),
@@ -200,6 +200,11 @@ impl<'j> Object<'j> {
         Frame::from_normal(origin, normal, Some(x)).map_err(|err| err.to_string())
     }
 
+    fn curve_frame(&self) -> Result<Frame, String> {
+        let plane = self.plane()?;
+        Frame::of_curve(plane.origin(), plane.x(), plane.y()).map_err(|err| err.to_string())
+    }
+
     fn value(&self) -> Result<Value, String> {
         Ok(match self.kind {
             "document" => from_json(self.member("values")?)?,
@@ -215,6 +220,7 @@ impl<'j> Object<'j> {
             "mesh" => Value::Mesh(Arc::new(self.mesh()?)),
             "table" => Value::Table(Arc::new(self.table()?)),
             "plane" => Value::Frame(Arc::new(self.plane()?)),
+            "frame" => Value::Frame(Arc::new(self.curve_frame()?)),
             other => return Err(format!("there is no kind of value called `{other}`")),
         })
     }
@@ -247,7 +253,9 @@ fn read_column(json: &Json) -> Option<NamedColumn> {
     let name = json.get("name")?.as_str()?.to_owned();
     let unit = json.get("unit").and_then(Json::as_str).map(str::to_owned);
     let values = json.get("values")?;
-    let column = match numbers(values) {
+    let cell = |json: &Json| json.as_f64().or(json.is_null().then_some(f64::NAN));
+    let cells = values.as_array().and_then(|cells| cells.iter().map(cell).collect());
+    let column = match cells {
         Some(values) => Column::Numbers(values),
         None => {
             let texts = values.as_array()?.iter().map(|text| text.as_str().map(str::to_owned));

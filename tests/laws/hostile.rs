@@ -3,8 +3,8 @@
 use glam::{DAffine3, DVec3};
 use proptest::{collection::vec, prelude::Strategy, proptest, sample::select};
 use virote::kernel::{
-    Grid, Interval, KnotVector, Mesh, NurbsCurve, NurbsSurface, Side, grid_mesh, make_compatible,
-    tessellate, tessellate_curve,
+    Curve, Grid, Interval, KnotVector, Mesh, NurbsCurve, NurbsSurface, Side, Tolerance, grid_mesh,
+    make_compatible, tessellate, tessellate_curve,
 };
 
 fn number() -> impl Strategy<Value = f64> {
@@ -28,10 +28,24 @@ fn points(numbers: &[f64]) -> Vec<DVec3> {
     numbers.chunks_exact(3).map(DVec3::from_slice).collect()
 }
 
+fn ask_shape(curve: &Curve) {
+    let (domain, tolerance) = (curve.domain(), Tolerance::DEFAULT);
+    for t in [domain.start(), domain.end(), domain.at(0.3), f64::NAN, 1e300, -1e300] {
+        if let Ok(local) = curve.local_at(t, Side::Left) {
+            let _ = (local.frame(), local.torsion(), local.osculating_circle());
+            let _ = (local.normal_plane(), local.signed_curvature(DVec3::Z, tolerance.angle));
+        }
+        let _ = curve.place_kind_at(t, tolerance);
+    }
+    let _ = (curve.is_straight(tolerance), curve.is_planar(tolerance), curve.is_closed(1e-6));
+    let _ = (curve.continuity(tolerance), curve.continuity_with(curve, tolerance));
+}
+
 fn ask_curve(curve: &NurbsCurve) {
+    ask_shape(&curve.clone().into());
     let domain = curve.domain();
     for t in [domain.start(), domain.end(), domain.at(0.3), f64::NAN, 1e300, -1e300] {
-        let _ = (curve.point_at(t), curve.derivatives_at(t, 4), curve.curvature_at(t));
+        let _ = (curve.point_at(t), curve.derivatives_at(t, 4));
         let _ = (curve.tangent_at(t, Side::Left), curve.tangent_at(t, Side::Right));
         let _ = (curve.split(t), curve.insert_knots(&[t, t]));
     }

@@ -79,8 +79,10 @@ fn near(found: DVec3, expected: DVec3) {
 fn a_helix_has_its_curvature_and_frame() {
     let helix = helix(TAU).unwrap();
     for t in [0.0, 1.0, TAU] {
-        assert!((helix.curvature_at(t).unwrap() - 0.4).abs() < 1e-14);
-        near(helix.normal_at(t).unwrap(), -DVec3::new(libm::cos(t), libm::sin(t), 0.0));
+        let local = helix.local_at(t, Side::Right).unwrap();
+        assert!((local.curvature().unwrap() - 0.4).abs() < 1e-14);
+        assert!((local.torsion().unwrap() - 0.2).abs() < 1e-14);
+        near(local.normal().unwrap(), -DVec3::new(libm::cos(t), libm::sin(t), 0.0));
         let tangent = DVec3::new(-2.0 * libm::sin(t), 2.0 * libm::cos(t), 1.0) / libm::sqrt(5.0);
         near(helix.tangent_at(t, Side::Right).unwrap(), tangent);
     }
@@ -93,7 +95,8 @@ fn a_cusp_has_a_tangent_on_either_side() {
     let cusp = Curve::from(ParametricCurve::new(domain, Arc::new(Cusp)).unwrap());
     near(cusp.tangent_at(0.0, Side::Right).unwrap(), DVec3::X);
     near(cusp.tangent_at(0.0, Side::Left).unwrap(), -DVec3::X);
-    assert_eq!(cusp.curvature_at(0.0), Err(GeomError::VanishingDerivative { parameter: 0.0 }));
+    let unbounded = GeomError::UnboundedCurvature { what: "curvature", parameter: 0.0 };
+    assert_eq!(cusp.local_at(0.0, Side::Right).unwrap().curvature(), Err(unbounded));
 }
 
 #[test]
@@ -123,7 +126,8 @@ fn a_sphere_has_its_normal_also_at_the_poles() {
 fn isocurves_are_the_surface_along_a_line() {
     let sphere = sphere();
     let parallel = sphere.isocurve_v(0.5).unwrap();
-    assert!((parallel.curvature_at(2.0).unwrap() - 1.0 / libm::cos(0.5)).abs() < 1e-12);
+    let local = parallel.local_at(2.0, Side::Right).unwrap();
+    assert!((local.curvature().unwrap() - 1.0 / libm::cos(0.5)).abs() < 1e-12);
     let meridian = sphere.isocurve_u(0.5).unwrap();
     near(meridian.point_at(0.2).unwrap(), sphere.point_at(0.5, 0.2).unwrap());
     near(

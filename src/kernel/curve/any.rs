@@ -55,10 +55,14 @@ impl Curve {
         }
     }
 
-    /// Whether start and end are within `distance` of one another.
+    /// Whether start and end are within `distance` of one another, and of a small fraction of the
+    /// size of a NURBS: a short curve is not closed.
     #[must_use]
     pub fn is_closed(&self, distance: f64) -> bool {
-        self.start().distance(self.end()) <= distance
+        match self {
+            Self::Nurbs(curve) => curve.is_closed(distance),
+            Self::Parametric(curve) => curve.start().distance(curve.end()) <= distance,
+        }
     }
 
     /// Point at parameter `t` of the domain.
@@ -106,28 +110,6 @@ impl Curve {
         match self {
             Self::Nurbs(curve) => curve.tangent_at(t, side),
             Self::Parametric(curve) => curve.tangent_at(t, side),
-        }
-    }
-
-    /// Curvature at `t`, not negative.
-    ///
-    /// # Errors
-    /// [`GeomError::VanishingDerivative`], and as [`Self::point_at`].
-    pub fn curvature_at(&self, t: f64) -> Result<f64, GeomError> {
-        match self {
-            Self::Nurbs(curve) => curve.curvature_at(t),
-            Self::Parametric(curve) => curve.curvature_at(t),
-        }
-    }
-
-    /// Principal unit normal at `t`: normal to the tangent, towards the centre of curvature.
-    ///
-    /// # Errors
-    /// [`GeomError::VanishingDerivative`], [`GeomError::Straight`], and as [`Self::point_at`].
-    pub fn normal_at(&self, t: f64) -> Result<DVec3, GeomError> {
-        match self {
-            Self::Nurbs(curve) => curve.normal_at(t),
-            Self::Parametric(curve) => curve.normal_at(t),
         }
     }
 

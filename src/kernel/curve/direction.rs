@@ -1,9 +1,152 @@
-//! Tangents and curvature of curves.
+//! The shape at a place of a curve of either kind, and what kind of place it is.
 
 use glam::DVec3;
 
-use super::NurbsCurve;
-use crate::kernel::{GeomError, Side, frame::unit, homogeneous, tolerance::VANISHING_RELATIVE};
+use super::{Curve, LocalGeometry, Neighbourhood, NurbsCurve, ParametricCurve, series};
+use crate::kernel::{
+    GeomError, Interval, Side, Tolerance,
+    frame::{angle_between, norm, unit},
+    homogeneous,
+    tolerance::{PLACE_RELATIVE, VANISHING_RELATIVE},
+};
+
+/// Derivatives of higher order than this are not looked at: the factorial of 170 is the last
+/// that is a number.
+const MAX_ORDER: usize = 150;
+
+/// Order of the derivatives that tell tangent, curvature and torsion where the first one does not
+/// vanish.
+const SHAPE_ORDER: usize = 3;
+
+/// Order of the last derivative of a function in which a direction is looked for.
+const FUNCTION_ORDER: usize = 4;
+
+/// How rounding grows with each derivative of a function, whose derivatives are exact.
+const FUNCTION_GROWTH: f64 = 4.0;
+
+/// The shortest reach, as a fraction of the domain, of a function that winds many times.
+const SHORTEST_REACH: f64 = 1.0 / 1024.0;
+
+/// What kind of place a parameter of a curve is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PlaceKind {
+    /// The tangent goes on, and the curve bends to the same side before and after it.
+    Regular,
+    /// The tangent goes on, and the curve bends to the other side after it.
+    Inflection,
+    /// The tangent turns back.
+    Cusp,
+    /// The tangent jumps to another direction.
+    Corner,
+}
+
+/// How a curve leaves a place on one side: its direction, and the axis that it turns about unless
+/// it is straight.
+struct Approach {
+    tangent: DVec3,
+    turn: Option<DVec3>,
+}
+
+impl Curve {
+    /// The shape at `t`, at a knot that of the piece on one side; at an end of the domain that of
+    /// the only piece there is.
+    ///
+    /// # Errors
+    /// [`GeomError::VanishingTangent`] where the curve stays at one point, and as
+    /// [`Self::point_at`].
+    pub fn local_at(&self, t: f64, side: Side) -> Result<LocalGeometry, GeomError> {
+        let around = self.neighbourhood(t, side)?;
+        let derivatives = match self.derivatives_around(&around, SHAPE_ORDER) {
+            // A function may have a curvature, although no change of it.
+            Err(_) => self.derivatives_around(&around, SHAPE_ORDER - 1)?,
+            Ok(derivatives) => derivatives,
+        };
+        if around.first(&around.terms(&derivatives), 1, 0) == Some(1) {
+            return LocalGeometry::new(&derivatives, around);
+        }
+        let order = MAX_ORDER.min(SHAPE_ORDER * self.direction_order());
+        LocalGeometry::new(&self.derivatives_around(&around, order)?, around)
+    }
+
+    /// What kind of place `t` is; a parameter that misses a singular place by rounding counts as
+    /// that place. The ends of a closed curve are one place, those of an open one are regular.
+    ///
+    /// # Errors
+    /// As [`Self::local_at`].
+    pub fn place_kind_at(&self, t: f64, tolerance: Tolerance) -> Result<PlaceKind, GeomError> {
+        let domain = self.domain();
+        let t = self.neighbourhood(t, Side::Right)?.parameter;
+        let (before, after) = match (t <= domain.start(), domain.end() <= t) {
+            (false, false) => (t, t),
+            _ if self.is_closed(tolerance.distance) => (domain.end(), domain.start()),
+            _ => return Ok(PlaceKind::Regular),
+        };
+        let (before, after) =
+            (self.approach(before, Side::Left)?, self.approach(after, Side::Right)?);
+        let angle = angle_between(before.tangent, after.tangent);
+        Ok(if tolerance.angle < std::f64::consts::PI - angle && tolerance.angle < angle {
+            PlaceKind::Corner
+        } else if tolerance.angle < angle {
+            PlaceKind::Cusp
+        } else {
+            match (before.turn, after.turn) {
+                (Some(before), Some(after)) if before.dot(after) < 0.0 => PlaceKind::Inflection,
+                _ => PlaceKind::Regular,
+            }
+        })
+    }
+
+    fn approach(&self, t: f64, side: Side) -> Result<Approach, GeomError> {
+        let around = Neighbourhood { slack: PLACE_RELATIVE, ..self.neighbourhood(t, side)? };
+        let order = MAX_ORDER.min(2 * self.direction_order() + 2);
+        let terms = around.terms(&self.derivatives_around(&around, order)?);
+        let standing = GeomError::VanishingTangent { parameter: t };
+        let first = around.first(&terms, 1, 0).ok_or(standing.clone())?;
+        let leading = unit(terms[first]).ok_or(standing)?;
+        let sign = |power: usize| {
+            if around.side == Side::Left && !power.is_multiple_of(2) { -1.0 } else { 1.0 }
+        };
+
+        // The velocity is a power of the parameter times this; its cross product with its own
+        // derivative is along the binormal.
+        let extent = terms[first].length();
+        let velocity: Vec<DVec3> =
+            (first..terms.len()).map(|k| terms[k] / extent * k as f64).collect();
+        let turns: Vec<DVec3> =
+            series::cross_derivative(&velocity).into_iter().map(|turn| turn * extent).collect();
+        let turn = around.first(&turns, 0, first + 1);
+        Ok(Approach {
+            tangent: sign(first - 1) * leading,
+            turn: turn.and_then(|k| Some(sign(k) * unit(turns[k])?)),
+        })
+    }
+
+    /// What is looked at from a side of `t`, and what counts as rounding there.
+    pub(super) fn neighbourhood(&self, t: f64, side: Side) -> Result<Neighbourhood, GeomError> {
+        match self {
+            Self::Nurbs(curve) => Ok(curve.neighbourhood(t, side)),
+            Self::Parametric(curve) => curve.neighbourhood(t, side),
+        }
+    }
+
+    pub(super) fn derivatives_around(
+        &self,
+        around: &Neighbourhood,
+        order: usize,
+    ) -> Result<Vec<DVec3>, GeomError> {
+        self.derivatives_beside(around.parameter, around.side, order)
+    }
+
+    /// Order of the last derivative in which a direction is looked for: beyond it every one
+    /// vanishes of a NURBS, whose tangent has a numerator of at most twice the degree.
+    fn direction_order(&self) -> usize {
+        match self {
+            Self::Nurbs(curve) if curve.is_rational => 2 * curve.degree(),
+            Self::Nurbs(curve) => curve.degree(),
+            Self::Parametric(_) => FUNCTION_ORDER,
+        }
+    }
+}
 
 impl NurbsCurve {
     /// Unit tangent at `t`, in the direction of growing parameters.
@@ -14,75 +157,78 @@ impl NurbsCurve {
     /// # Errors
     /// [`GeomError::VanishingTangent`] where the curve stays at one point.
     pub fn tangent_at(&self, t: f64, side: Side) -> Result<DVec3, GeomError> {
-        let domain = self.domain();
-        let side = match side {
-            Side::Left if t <= domain.start() => Side::Right,
-            Side::Right if domain.end() <= t => Side::Left,
-            side => side,
-        };
-        let span = self.knots.span_beside(t, side);
-        let (width, rounding) = (self.knots.span_interval(span).length(), self.rounding(span));
-        let [_, velocity] = self.velocity_on(span, t);
-        let tangent = if rounding < velocity.length() * width {
-            unit(velocity)
-        } else {
-            self.limit_tangent(span, t, side)
-        };
-        tangent.ok_or(GeomError::VanishingTangent { parameter: t })
+        let around = self.neighbourhood(t, side);
+        let span = self.knots.span_beside(around.parameter, around.side);
+        let [_, velocity] = self.velocity_on(span, around.parameter);
+        match unit(velocity).filter(|_| around.rounding < velocity.length() * around.reach) {
+            Some(tangent) => Ok(tangent),
+            None => Curve::from(self.clone()).local_at(t, side).map(|local| local.tangent()),
+        }
     }
 
-    /// The direction of the first derivative that does not vanish.
-    fn limit_tangent(&self, span: usize, t: f64, side: Side) -> Option<DVec3> {
-        let (width, rounding) = (self.knots.span_interval(span).length(), self.rounding(span));
-        // The numerator of a rational tangent has at most twice the degree.
-        let order = if self.is_rational { 2 * self.degree() } else { self.degree() };
-        let mut step = 1.0;
-        for (k, &derivative) in self.derivatives_on(span, t, order).iter().enumerate().skip(1) {
-            step *= width / k as f64;
-            if rounding < derivative.length() * step {
-                // Before `t` the lower derivatives are odd powers of a negative step.
-                let is_backward = side == Side::Left && k % 2 == 0;
-                return unit(if is_backward { -derivative } else { derivative });
+    fn neighbourhood(&self, t: f64, side: Side) -> Neighbourhood {
+        let parameter = self.knots.snapped(t);
+        let side = only_side(self.domain(), parameter, side);
+        let span = self.knots.span_beside(parameter, side);
+        let points = &self.control_points[self.knots.support(span)];
+        let magnitude = |&point| homogeneous::place(point).abs().max_element();
+        let largest = points.iter().map(|point| point.w).fold(0.0, f64::max);
+        Neighbourhood {
+            parameter,
+            side,
+            reach: self.knots.span_interval(span).length(),
+            rounding: VANISHING_RELATIVE * points.iter().map(magnitude).fold(0.0, f64::max),
+            growth: self.degree().max(1) as f64 * largest / self.homogeneous_at(parameter).w,
+            slack: 0.0,
+        }
+    }
+}
+
+impl ParametricCurve {
+    /// Unit tangent at `t`; where the derivative vanishes the limit from one side.
+    ///
+    /// # Errors
+    /// [`GeomError::VanishingTangent`] where it has no limit that four derivatives show, and as
+    /// [`Self::derivatives_at`].
+    pub fn tangent_at(&self, t: f64, side: Side) -> Result<DVec3, GeomError> {
+        let around = self.neighbourhood(t, side)?;
+        for order in 1..=FUNCTION_ORDER {
+            let derivatives = self.derivatives_at(around.parameter, order)?;
+            if around.first(&around.terms(&derivatives), 1, 0).is_some() {
+                return LocalGeometry::new(&derivatives, around).map(|local| local.tangent());
             }
         }
-        None
+        Err(GeomError::VanishingTangent { parameter: t })
     }
 
-    /// Curvature at `t`, not negative; at a knot that of the piece to its right.
-    ///
-    /// # Errors
-    /// [`GeomError::VanishingDerivative`] where the derivative vanishes.
-    pub fn curvature_at(&self, t: f64) -> Result<f64, GeomError> {
-        let span = self.knots.span_at(t);
-        let derivatives = self.derivatives_on(span, t, 2);
-        let (first, second) = (derivatives[1], derivatives[2]);
-        let speed = first.length();
-        if speed * self.knots.span_interval(span).length() <= self.rounding(span) {
-            return Err(GeomError::VanishingDerivative { parameter: t });
-        }
-        Ok(first.cross(second).length() / (speed * speed * speed))
+    /// The place with the reach over which the first derivatives keep to the size of the curve.
+    fn neighbourhood(&self, t: f64, side: Side) -> Result<Neighbourhood, GeomError> {
+        let domain = self.domain();
+        let derivatives = self.derivatives_at(t, 1)?;
+        let travel = norm(derivatives[1]) * domain.length();
+        let coordinates = [self.start(), self.end(), derivatives[0]];
+        let farthest = coordinates.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
+        let size = farthest.max(travel);
+        let reach = match 0.0 < size {
+            true => domain.length() * (farthest / travel).clamp(SHORTEST_REACH, 1.0),
+            false => domain.length(),
+        };
+        Ok(Neighbourhood {
+            parameter: t,
+            side: only_side(domain, t, side),
+            reach,
+            rounding: VANISHING_RELATIVE * size,
+            growth: FUNCTION_GROWTH,
+            slack: 0.0,
+        })
     }
+}
 
-    /// Principal unit normal at `t`: normal to the tangent, towards the centre of curvature.
-    ///
-    /// # Errors
-    /// [`GeomError::VanishingDerivative`] where the derivative vanishes, [`GeomError::Straight`] where
-    /// the curvature does.
-    pub fn normal_at(&self, t: f64) -> Result<DVec3, GeomError> {
-        let span = self.knots.span_at(t);
-        let derivatives = self.derivatives_on(span, t, 2);
-        let (width, rounding) = (self.knots.span_interval(span).length(), self.rounding(span));
-        let tangent = unit(derivatives[1]).filter(|_| rounding < derivatives[1].length() * width);
-        let tangent = tangent.ok_or(GeomError::VanishingDerivative { parameter: t })?;
-        let across = derivatives[2] - tangent * derivatives[2].dot(tangent);
-        let is_bent = rounding < across.length() * width * width;
-        unit(across).filter(|_| is_bent).ok_or(GeomError::Straight { parameter: t })
-    }
-
-    /// A length over one span that rounding of the coordinates may leave.
-    fn rounding(&self, span: usize) -> f64 {
-        let magnitude = |&point| homogeneous::place(point).abs().max_element();
-        let points = &self.control_points[self.knots.support(span)];
-        VANISHING_RELATIVE * points.iter().map(magnitude).fold(0.0, f64::max)
+/// The side on which a place of the domain has a curve.
+fn only_side(domain: Interval, t: f64, side: Side) -> Side {
+    match side {
+        Side::Left if t <= domain.start() => Side::Right,
+        Side::Right if domain.end() <= t => Side::Left,
+        side => side,
     }
 }

@@ -2,33 +2,41 @@
 //!
 //! `any` is a curve of either kind, `parametric` that of a function. Of B-splines this file has the
 //! type, its constructors and what can be read off it; `eval` computes points and derivatives,
-//! `direction` tangents and curvature, `circle` the exact circles, `edit` changes the representation
-//! or cuts, `compatible` brings several to one basis, `reduce` takes knots and degrees away, `join` and
-//! `extend` go on beyond an end, `offset` runs beside, `deviation` tells how far two are apart,
-//! `measure` has length and bounds.
+//! `circle` has the exact circles, `edit` changes the representation or cuts, `reduce` takes knots
+//! and degrees away, `join` and `extend` go on beyond an end, `offset` runs beside, `deviation`
+//! tells how far two are apart, `compatible` brings several to one basis, `measure` has length and
+//! bounds. Of both, `local` tells the shape at a place from its derivatives, `direction` the kind
+//! of the place, `continuity` compares the two sides of a joint, `flat` looks for lines and planes.
 
 mod any;
 mod circle;
 mod compatible;
+mod continuity;
 mod deviation;
 mod direction;
 mod edit;
 mod eval;
 mod extend;
+mod flat;
 mod join;
+mod local;
 mod measure;
 mod offset;
 mod parametric;
 mod reduce;
+mod series;
 
 use glam::{DAffine3, DVec3, DVec4};
 
-use super::{GeomError, Interval, KnotVector, homogeneous, positive};
+use super::{GeomError, Interval, KnotVector, Tolerance, frame::norm, homogeneous, positive};
 
 pub use any::Curve;
 pub use circle::CircleForm;
 pub use compatible::make_compatible;
+pub use continuity::Continuity;
+pub use direction::PlaceKind;
 pub use join::join;
+pub use local::{LocalGeometry, Neighbourhood};
 pub use offset::Offset;
 pub use parametric::{CurveFunction, ParametricCurve};
 
@@ -187,10 +195,14 @@ impl NurbsCurve {
         self.point_at(self.domain().end())
     }
 
-    /// Whether start and end are within `distance` of one another.
+    /// Whether start and end are within `distance` of one another, and of a small fraction of the
+    /// size of the curve: a short curve is not closed.
     #[must_use]
     pub fn is_closed(&self, distance: f64) -> bool {
-        self.start().distance(self.end()) <= distance
+        let (start, tolerance) = (self.start(), Tolerance::DEFAULT.with_distance(distance));
+        let reach = |&point: &DVec4| norm(homogeneous::place(point) - start);
+        let size = self.control_points.iter().map(reach).fold(0.0, f64::max);
+        start.distance(self.end()) <= tolerance.distance_for(size)
     }
 
     /// How many polynomial pieces: spans of the domain that have a width.

@@ -4,15 +4,10 @@ use std::{fmt, sync::Arc};
 
 use glam::{DAffine3, DVec3};
 
-use crate::kernel::{
-    FunctionFailure, GeomError, Interval, Side, frame::unit, tolerance::VANISHING_RELATIVE,
-};
+use crate::kernel::{FunctionFailure, GeomError, Interval};
 
 /// Even parts of a domain at whose ends a function is tried when a curve is made of it.
 const PROBES: usize = 8;
-
-/// Order of the last derivative in which the direction of a tangent is looked for.
-const MAX_TANGENT_ORDER: usize = 4;
 
 /// A map of parameters to points.
 pub trait CurveFunction: fmt::Debug + Send + Sync {
@@ -108,64 +103,6 @@ impl ParametricCurve {
             ends: self.ends.map(|end| map.transform_point3(end)),
             ..self.clone()
         }
-    }
-
-    /// Unit tangent at `t`; where the derivative vanishes the limit from one side.
-    ///
-    /// # Errors
-    /// [`GeomError::VanishingTangent`] where it has no limit that four derivatives show, and as
-    /// [`Self::derivatives_at`].
-    pub fn tangent_at(&self, t: f64, side: Side) -> Result<DVec3, GeomError> {
-        let is_backward = match side {
-            Side::Left => self.domain.start() < t,
-            Side::Right => self.domain.end() <= t,
-        };
-        let mut step = 1.0;
-        for order in 1..=MAX_TANGENT_ORDER {
-            let derivatives = self.derivatives_at(t, order)?;
-            step *= self.domain.length() / order as f64;
-            if self.rounding(derivatives[0]) < derivatives[order].length() * step {
-                // Before `t` the lower derivatives are odd powers of a negative step.
-                let sign = if is_backward && order % 2 == 0 { -1.0 } else { 1.0 };
-                return unit(derivatives[order] * sign)
-                    .ok_or(GeomError::VanishingTangent { parameter: t });
-            }
-        }
-        Err(GeomError::VanishingTangent { parameter: t })
-    }
-
-    /// Curvature at `t`, not negative.
-    ///
-    /// # Errors
-    /// [`GeomError::VanishingDerivative`], and as [`Self::derivatives_at`].
-    pub fn curvature_at(&self, t: f64) -> Result<f64, GeomError> {
-        let derivatives = self.derivatives_at(t, 2)?;
-        let speed = derivatives[1].length();
-        if speed * self.domain.length() <= self.rounding(derivatives[0]) {
-            return Err(GeomError::VanishingDerivative { parameter: t });
-        }
-        Ok(derivatives[1].cross(derivatives[2]).length() / (speed * speed * speed))
-    }
-
-    /// Principal unit normal at `t`: normal to the tangent, towards the centre of curvature.
-    ///
-    /// # Errors
-    /// [`GeomError::VanishingDerivative`], [`GeomError::Straight`], and as
-    /// [`Self::derivatives_at`].
-    pub fn normal_at(&self, t: f64) -> Result<DVec3, GeomError> {
-        let derivatives = self.derivatives_at(t, 2)?;
-        let (width, rounding) = (self.domain.length(), self.rounding(derivatives[0]));
-        let tangent = unit(derivatives[1]).filter(|_| rounding < derivatives[1].length() * width);
-        let tangent = tangent.ok_or(GeomError::VanishingDerivative { parameter: t })?;
-        let across = derivatives[2] - tangent * derivatives[2].dot(tangent);
-        let is_bent = rounding < across.length() * width * width;
-        unit(across).filter(|_| is_bent).ok_or(GeomError::Straight { parameter: t })
-    }
-
-    /// A length over the domain that rounding of the coordinates may leave.
-    fn rounding(&self, point: DVec3) -> f64 {
-        let [start, end] = self.ends.map(|end| end.abs().max_element());
-        VANISHING_RELATIVE * point.abs().max_element().max(start).max(end)
     }
 }
 

@@ -18,7 +18,6 @@ mod parameters;
 mod periodic;
 mod spread;
 mod surface;
-mod surface_within;
 mod through;
 
 pub use approximate::{approximate, approximate_within};
@@ -27,4 +26,3 @@ pub use lagrange::lagrange;
 pub use least::Approximator;
 pub use parameters::{Spacing, check_parameters};
 pub use surface::{FirstPass, LineFit};
-pub use surface_within::approximate_grid_within;

@@ -2,11 +2,11 @@
 
 use glam::DVec3;
 
-use super::fit::{Parameters, chord, loose_parameters, one_of_both, positive};
+use super::fit::{Parameters, chord, loose_parameters};
 use crate::{
-    diag::{Code, Diagnostic, Result, Spanned},
+    diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{self, NurbsCurve},
-    value::{At, AtLeast, Ctx, Length, op},
+    value::{At, AtLeast, Ctx, Length, op, shortest},
 };
 
 op! {
@@ -51,8 +51,21 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
             kernel::approximate_within(&points, &parameters, degree, within, are_fixed)
                 .at(tolerance.span)
         }
-        (count, tolerance) => one_of_both(ctx.span, count.is_some(), tolerance),
+        (Some(_), Some(tolerance)) => complain(
+            tolerance.span,
+            "`control_points` and `tolerance` exclude one another",
+            "leave one of them out: the count decides how near the curve comes",
+        ),
+        (None, None) => complain(
+            ctx.span,
+            "`approximate` needs to know how near the curve shall come",
+            "write `tolerance = ...`, or `control_points = ...`",
+        ),
     }
+}
+
+fn complain<T>(span: Span, message: &str, hint: &str) -> Result<T> {
+    Diagnostic::error(Code::BadCall, span, message).hint(hint).fail()
 }
 
 fn check_count(count: Spanned<usize>, degree: usize, n_points: usize) -> Result<()> {
@@ -70,4 +83,15 @@ fn check_count(count: Spanned<usize>, degree: usize, n_points: usize) -> Result<
     } else {
         diagnostic.fail()
     }
+}
+
+fn positive(tolerance: Spanned<Length>) -> Result<f64> {
+    let Length(value) = tolerance.value;
+    if 0.0 < value {
+        return Ok(value);
+    }
+    let message = format!("the tolerance must be positive, found {}", shortest(value));
+    Diagnostic::error(Code::Degenerate, tolerance.span, message)
+        .hint("`interpolate` passes through all of the points")
+        .fail()
 }

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{Ends, Spacing, check_parameters},
-    value::{At, Choice, FromValue, IntoValue, Length, Mismatch, Type, Value, shortest},
+    value::{At, Choice, FromValue, IntoValue, Mismatch, Type, Value, shortest},
 };
 
 impl Choice for Spacing {
@@ -136,38 +136,4 @@ pub(super) fn swing(
         shortest(stray),
         shortest(leg)
     ))
-}
-
-/// Fails where not exactly one of `control_points` and `tolerance` is given.
-pub(in crate::ops) fn one_of_both<T>(
-    call: Span,
-    has_count: bool,
-    tolerance: Option<Spanned<Length>>,
-) -> Result<T> {
-    match tolerance {
-        Some(tolerance) if has_count => {
-            let message = "`control_points` and `tolerance` exclude one another";
-            Diagnostic::error(Code::BadCall, tolerance.span, message)
-                .hint("leave one of them out: the count decides how near the fit comes")
-                .fail()
-        }
-        _ => {
-            let message = "`approximate` needs to know how near the fit shall come";
-            Diagnostic::error(Code::BadCall, call, message)
-                .hint("write `tolerance = ...`, or `control_points = ...`")
-                .fail()
-        }
-    }
-}
-
-/// A tolerance above zero.
-pub(in crate::ops) fn positive(tolerance: Spanned<Length>) -> Result<f64> {
-    let Length(value) = tolerance.value;
-    if 0.0 < value {
-        return Ok(value);
-    }
-    let message = format!("the tolerance must be positive, found {}", shortest(value));
-    Diagnostic::error(Code::Degenerate, tolerance.span, message)
-        .hint("`interpolate` passes through all of the points")
-        .fail()
 }

@@ -1,7 +1,9 @@
 //! Questions about geometry.
 
+mod arrows;
 mod bounds;
 mod curve;
+mod describe;
 mod surface;
 
 use crate::value::Op;
@@ -14,8 +16,31 @@ pub(super) static OPS: &[&Op] = &[
     &curve::tangent::OP,
     &curve::normal::OP,
     &surface::normal::OP,
+    &curve::binormal::OP,
+    &curve::frame::OP,
     &curve::curvature::OP,
+    &curve::signed_curvature::OP,
+    &curve::torsion::OP,
+    &curve::radius_of_curvature::OP,
+    &curve::center_of_curvature::OP,
+    &curve::osculating_circle::OP,
+    &curve::normal_plane::OP,
+    &curve::osculating_plane::OP,
+    &curve::rectifying_plane::OP,
+    &curve::tangent_line::OP,
+    &curve::normal_line::OP,
+    &curve::binormal_line::OP,
+    &curve::classify::OP,
+    &curve::continuity::OP,
+    &curve::curvature_comb::OP,
+    &curve::curvature_table::OP,
+    &curve::basis_table::OP,
+    &arrows::OP,
+    &curve::is_planar::OP,
+    &curve::is_closed::OP,
+    &curve::is_straight::OP,
     &curve::length::OP,
     &curve::sample::OP,
     &bounds::OP,
+    &describe::OP,
 ];

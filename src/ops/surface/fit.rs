@@ -38,18 +38,6 @@ pub(super) struct Data {
 }
 
 impl Data {
-    /// The parameters of both directions from the points themselves.
-    pub(super) fn means(&self) -> Result<[Vec<f64>; 2]> {
-        let (grid, span) = (&self.points.value, self.points.span);
-        let Both { u, v } = self.parameters.value.clone();
-        let places = [self.parameters.span_or(span), span];
-        let along_u = means(u, &grid.transposed(), places)
-            .map_err(|found| in_direction(found, "u", "rows"))?;
-        let along_v =
-            means(v, grid, places).map_err(|found| in_direction(found, "v", "points in a row"))?;
-        Ok([along_u, along_v])
-    }
-
     /// The surface whose lines are fitted by what `fit` makes of a direction's parameters.
     pub(super) fn surface(
         self,

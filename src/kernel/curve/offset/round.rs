@@ -4,7 +4,7 @@ use glam::{DVec3, DVec4};
 
 use super::Aim;
 use crate::kernel::{
-    GeomError, Interval, KnotVector, NurbsCurve, Side,
+    Curve, GeomError, Interval, KnotVector, NurbsCurve, Side,
     bernstein::product,
     bezier,
     frame::unit,
@@ -15,9 +15,12 @@ use crate::kernel::{
 /// curves.
 pub(super) fn offset(curve: &NurbsCurve, aim: Aim) -> Result<Option<NurbsCurve>, GeomError> {
     let start = curve.domain().start();
-    let Ok(curvature) = curve.curvature_at(start) else { return Ok(None) };
-    let Ok(inward) = curve.normal_at(start) else { return Ok(None) };
-    let radius = 1.0 / curvature;
+    let local = Curve::from(curve.clone()).local_at(start, Side::Right);
+    let Ok((Ok(radius), Ok(inward))) =
+        local.map(|local| (local.radius_of_curvature(), local.normal()))
+    else {
+        return Ok(None);
+    };
     let center = curve.start() + inward * radius;
     if !is_arc(curve, center, radius, aim.normal) {
         return Ok(None);

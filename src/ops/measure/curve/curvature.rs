@@ -1,26 +1,30 @@
 //! `curvature` of a curve.
 
-use super::inside;
+use super::local;
 use crate::{
     diag::{Result, Spanned},
-    kernel::Curve,
+    kernel::{Curve, Side},
     value::{At, Ctx, op},
 };
 
 op! {
     /// Curvature of a curve: the reciprocal of the radius of the osculating circle, never negative.
     ///
-    /// |C' × C''| / |C'|³; where the first derivative vanishes there is none.
+    /// |C' × C''| / |C'|³, and 0 where the curve is straight. Where the first derivative vanishes it is
+    /// the limit, if there is one: at a cusp there is none. do Carmo, *Differential Geometry of Curves
+    /// and Surfaces*, §1-5.
     curvature in Measure -> f64 {
         /// The curve.
         c: Curve,
         /// The parameter, inside the curve's domain.
         t: Spanned<f64>,
+        /// The piece that is asked at a knot: after it or before it.
+        side: Side = Side::Right,
     }
     example "curvature(bezier((0, 0), (1, 2), (2, 0)), 0.5)" => "2";
+    example "curvature(line((0, 0), (1, 2)), 0.5)" => "0";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    let t = inside(&args.c, args.t)?;
-    args.c.curvature_at(t).at(args.t.span)
+    local(&args.c, args.t, args.side)?.curvature().at(args.t.span)
 }

@@ -5,15 +5,15 @@ use glam::DVec3;
 use super::inside;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::Curve,
+    kernel::{Curve, Side},
     value::{At, Ctx, op},
 };
 
 op! {
     /// Derivative vector of a curve by its parameter, of any order; order 0 is the point.
     ///
-    /// At a corner knot it is that of the segment to the right, at the end that to the left.
-    /// Piegl & Tiller, *The NURBS Book*, A3.2 and A4.2.
+    /// At a knot it is that of the piece to the right, unless the side says otherwise; at the end that
+    /// of the piece to the left. Piegl & Tiller, *The NURBS Book*, A3.2 and A4.2.
     derivative in Measure -> DVec3 {
         /// The curve.
         c: Curve,
@@ -21,9 +21,12 @@ op! {
         t: Spanned<f64>,
         /// The order.
         order: Spanned<usize> = Spanned::unplaced(1),
+        /// The piece that is asked at a knot: after it or before it.
+        side: Side = Side::Right,
     }
     example "derivative(bezier((0, 0), (1, 2), (2, 0)), 0)" => "(2, 4, 0)";
     example "derivative(bezier((0, 0), (1, 2), (2, 0)), 0.5, order = 2)" => "(0, -8, 0)";
+    example "derivative(polyline((0, 0), (1, 0), (1, 1)), 1, side = \"left\")" => "(1, 0, 0)";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
@@ -33,5 +36,6 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
         let message = format!("derivatives go up to order {most}, found {}", args.order.value);
         return Diagnostic::error(Code::TooLarge, args.order.span, message).fail();
     }
-    Ok(args.c.derivatives_at(t, args.order.value).at(args.t.span)?[args.order.value])
+    let order = args.order.value;
+    Ok(args.c.derivatives_beside(t, args.side, order).at(args.t.span)?[order])
 }

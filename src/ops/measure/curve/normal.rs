@@ -2,28 +2,29 @@
 
 use glam::DVec3;
 
-use super::inside;
+use super::local;
 use crate::{
     diag::{Result, Spanned},
-    kernel::Curve,
+    kernel::{Curve, Side},
     value::{At, Ctx, op},
 };
 
 op! {
     /// Principal unit normal of a curve: normal to the tangent, towards the centre of curvature.
     ///
-    /// Where the curve is straight there is none. Frenet's frame; do Carmo, *Differential Geometry
-    /// of Curves and Surfaces*, §1-5.
+    /// Where the curve is straight there is none. Frenet's frame; do Carmo, *Differential Geometry of
+    /// Curves and Surfaces*, §1-5.
     normal in Measure -> DVec3 {
         /// The curve.
         c: Curve,
         /// The parameter, inside the curve's domain.
         t: Spanned<f64>,
+        /// The piece that is asked at a knot: after it or before it.
+        side: Side = Side::Right,
     }
     example "normal(circle((0, 0), 2), 0)" => "(-1, 0, 0)";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
-    let t = inside(&args.c, args.t)?;
-    args.c.normal_at(t).at(args.t.span)
+    local(&args.c, args.t, args.side)?.normal().at(args.t.span)
 }

@@ -1,0 +1,218 @@
+//! How smoothly one piece of curve goes on in the next.
+
+use glam::{DVec3, DVec4};
+
+use super::{Curve, LocalGeometry, Neighbourhood, series};
+use crate::kernel::{
+    GeomError, Side, Tolerance,
+    frame::{angle_between, norm},
+};
+
+/// The highest order that is compared.
+const MAX_ORDER: usize = 3;
+
+/// How two pieces of curve meet; of several joints the worst of each.
+///
+/// Orders are the largest up to 3 that hold, −1 where the pieces are apart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Continuity {
+    /// Equal derivatives by the parameter.
+    pub c: i32,
+    /// Equal derivatives by arc length: 1 the same direction, 2 the same curvature vector, 3 the
+    /// same change of it. That is what the constraints with β₁, β₂, β₃ say without naming a
+    /// parametrization.
+    pub g: i32,
+    /// Distance of the points.
+    pub gap: f64,
+    /// Angle of the tangents, in radians.
+    pub angle: f64,
+    /// Distance of the curvature vectors; `None` where one of them has no bound.
+    pub curvature_gap: Option<f64>,
+    /// Equal derivatives of the homogeneous curves, which is more than equal ones in space.
+    pub c_homogeneous: i32,
+}
+
+/// One side of a joint.
+struct Ending {
+    around: Neighbourhood,
+    local: LocalGeometry,
+    derivatives: Vec<DVec3>,
+    homogeneous: Vec<DVec4>,
+}
+
+impl Curve {
+    /// How `next` goes on where this curve ends.
+    ///
+    /// Points are compared by the tolerance's distance, directions and all that is higher by its
+    /// angle, relative to the size of the pieces. Barsky & DeRose, *Geometric continuity of
+    /// parametric curves*.
+    ///
+    /// # Errors
+    /// [`GeomError::VanishingTangent`] where one of the curves stays at one point, and as
+    /// [`Self::point_at`].
+    pub fn continuity_with(
+        &self,
+        next: &Self,
+        tolerance: Tolerance,
+    ) -> Result<Continuity, GeomError> {
+        let end = self.ending(self.domain().end(), Side::Left)?;
+        Ok(joint(&end, &next.ending(next.domain().start(), Side::Right)?, tolerance))
+    }
+
+    /// The worst continuity of the inner knots, and of the seam of a closed curve.
+    ///
+    /// # Errors
+    /// [`GeomError::VanishingTangent`] where a piece stays at one point, and as
+    /// [`Self::point_at`].
+    pub fn continuity(&self, tolerance: Tolerance) -> Result<Continuity, GeomError> {
+        let domain = self.domain();
+        let mut worst = Continuity::PERFECT;
+        let breaks = self.nurbs().map_or_else(|_| Vec::new(), |curve| curve.knots().breaks());
+        for t in breaks {
+            if domain.start() < t && t < domain.end() {
+                let (before, after) = (self.ending(t, Side::Left)?, self.ending(t, Side::Right)?);
+                worst = worst.or_worse(joint(&before, &after, tolerance));
+            }
+        }
+        if self.is_closed(tolerance.distance) {
+            worst = worst.or_worse(self.continuity_with(self, tolerance)?);
+        }
+        Ok(worst)
+    }
+
+    fn ending(&self, t: f64, side: Side) -> Result<Ending, GeomError> {
+        let around = self.neighbourhood(t, side)?;
+        let derivatives = self.derivatives_around(&around, MAX_ORDER)?;
+        let homogeneous = match self {
+            Self::Nurbs(curve) => {
+                let span = curve.knots().span_beside(around.parameter, around.side);
+                curve.homogeneous_derivatives(span, around.parameter, MAX_ORDER)
+            }
+            // Weight one, which does not change.
+            Self::Parametric(_) => {
+                let weights = [1.0, 0.0, 0.0, 0.0];
+                derivatives.iter().zip(weights).map(|(d, weight)| d.extend(weight)).collect()
+            }
+        };
+        Ok(Ending { around, local: self.local_at(t, side)?, derivatives, homogeneous })
+    }
+}
+
+impl Continuity {
+    /// Nothing to see.
+    const PERFECT: Self = Self {
+        c: MAX_ORDER as i32,
+        g: MAX_ORDER as i32,
+        gap: 0.0,
+        angle: 0.0,
+        curvature_gap: Some(0.0),
+        c_homogeneous: MAX_ORDER as i32,
+    };
+
+    /// The worse of each.
+    fn or_worse(self, other: Self) -> Self {
+        Self {
+            c: self.c.min(other.c),
+            g: self.g.min(other.g),
+            gap: self.gap.max(other.gap),
+            angle: self.angle.max(other.angle),
+            curvature_gap: self.curvature_gap.zip(other.curvature_gap).map(|(a, b)| a.max(b)),
+            c_homogeneous: self.c_homogeneous.min(other.c_homogeneous),
+        }
+    }
+}
+
+fn joint(before: &Ending, after: &Ending, tolerance: Tolerance) -> Continuity {
+    let (k_before, k_after) = (before.local.curvature_vector(), after.local.curvature_vector());
+    let spatial = |ending: &Ending| -> Vec<DVec4> {
+        ending.derivatives.iter().map(|derivative| derivative.extend(0.0)).collect()
+    };
+    let farthest = before.local.point().abs().max(after.local.point().abs()).max_element();
+    let size = farthest + before.local.extent().max(after.local.extent());
+    // The weight becomes a length, so that it counts like the others.
+    let scaled = |ending: &Ending| -> Vec<DVec4> {
+        let to_length = DVec3::ONE.extend(size);
+        ending.homogeneous.iter().map(|&derivative| derivative * to_length).collect()
+    };
+    let bounds = Bounds::new(before, after, tolerance);
+    let gap = before.local.point().distance(after.local.point());
+    Continuity {
+        c: bounds.order([&spatial(before), &spatial(after)], 1.0),
+        g: if bounds.distance < gap { -1 } else { geometric_order(before, after, &bounds) },
+        gap,
+        angle: angle_between(before.local.tangent(), after.local.tangent()),
+        curvature_gap: k_before.zip(k_after).map(|(a, b)| norm(a - b)),
+        c_homogeneous: bounds.order([&scaled(before), &scaled(after)], before.homogeneous[0].w),
+    }
+}
+
+/// What counts as equal at a joint.
+struct Bounds<'a> {
+    sides: [&'a Neighbourhood; 2],
+    /// The parameter step over which derivatives are compared: the shorter reach.
+    step: f64,
+    distance: f64,
+    /// Of directions, and of anything else relative to its size.
+    angle: f64,
+}
+
+impl<'a> Bounds<'a> {
+    fn new(before: &'a Ending, after: &'a Ending, tolerance: Tolerance) -> Self {
+        let extent = before.local.extent().max(after.local.extent());
+        let (before, after) = (&before.around, &after.around);
+        Self {
+            sides: [before, after],
+            step: before.reach.min(after.reach),
+            distance: tolerance.distance_for(extent).max(before.rounding).max(after.rounding),
+            angle: tolerance.angle,
+        }
+    }
+
+    /// What rounding leaves in the terms of an order.
+    fn rounding(&self, order: usize) -> f64 {
+        self.sides.map(|side| side.rounding_of(order)).into_iter().fold(0.0, f64::max)
+    }
+
+    /// The highest order up to which all derivatives agree, −1 where the points do not; `weight`
+    /// multiplies what is in space.
+    fn order(&self, derivatives: [&[DVec4]; 2], weight: f64) -> i32 {
+        let terms = derivatives.map(|derivatives| -> Vec<DVec4> {
+            derivatives.iter().zip(series::powers(self.step)).map(|(&d, power)| d * power).collect()
+        });
+        let size = terms.iter().flat_map(|terms| &terms[1..]).map(|term| term.length());
+        let relative = self.angle * size.fold(0.0, f64::max);
+        let differs = |k: usize| {
+            let allowed = if k == 0 {
+                self.distance * weight
+            } else {
+                relative.max(self.rounding(k) * weight)
+            };
+            allowed < (terms[0][k] - terms[1][k]).length()
+        };
+        let first = (0..=MAX_ORDER).find(|&k| differs(k)).unwrap_or(MAX_ORDER + 1);
+        first as i32 - 1
+    }
+}
+
+/// The highest order up to which all derivatives by arc length agree, where the points do.
+fn geometric_order(before: &Ending, after: &Ending, bounds: &Bounds<'_>) -> i32 {
+    let (a, b) = (&before.local, &after.local);
+    if bounds.angle < angle_between(a.tangent(), b.tangent()) {
+        return 0;
+    }
+    // Derivatives by arc length, as lengths over the shorter piece.
+    let extent = a.extent().min(b.extent());
+    let agree = |a: DVec3, b: DVec3, unit: f64, order: usize| {
+        let size = norm(a).max(norm(b)).max(1.0 / unit);
+        let allowed = (bounds.angle * size).max(bounds.rounding(order) / extent / unit);
+        norm(a - b) <= allowed
+    };
+    match a.curvature_vector().zip(b.curvature_vector()) {
+        Some((a, b)) if agree(a, b, extent, 2) => {}
+        _ => return 1,
+    }
+    match a.curvature_slope().zip(b.curvature_slope()) {
+        Some((a, b)) if agree(a, b, extent * extent, 3) => MAX_ORDER as i32,
+        _ => 2,
+    }
+}

@@ -1,0 +1,87 @@
+//! Whether a curve lies on a line or in a plane.
+
+use glam::DVec3;
+
+use super::{Curve, NurbsCurve};
+use crate::kernel::{
+    GeomError, Tolerance,
+    frame::{norm, unit},
+    homogeneous,
+    tolerance::VANISHING_RELATIVE,
+};
+
+/// Points of a function that tell whether all of it is on a line or in a plane.
+const N_SAMPLES: usize = 257;
+
+impl Curve {
+    /// Whether it lies within the tolerance of one line; a single point does.
+    ///
+    /// Told from the control points, which lie on the line exactly when the curve does; of a
+    /// function from points of it.
+    ///
+    /// # Errors
+    /// As [`Self::point_at`].
+    pub fn is_straight(&self, tolerance: Tolerance) -> Result<bool, GeomError> {
+        let points = self.places()?;
+        let allowed = allowed(&points, tolerance);
+        let Some(line) = line(&points) else { return Ok(true) };
+        Ok(points.iter().all(|&point| norm(across(point - points[0], line)) <= allowed))
+    }
+
+    /// Whether it lies within the tolerance of one plane; a straight curve does.
+    ///
+    /// Told from the control points, which lie in the plane exactly when the curve does; of a
+    /// function from points of it.
+    ///
+    /// # Errors
+    /// As [`Self::point_at`].
+    pub fn is_planar(&self, tolerance: Tolerance) -> Result<bool, GeomError> {
+        let points = self.places()?;
+        let allowed = allowed(&points, tolerance);
+        let Some(line) = line(&points) else { return Ok(true) };
+        let sideways = points.iter().map(|&point| across(point - points[0], line));
+        let widest = sideways.max_by(|a, b| norm(*a).total_cmp(&norm(*b)));
+        let Some(normal) = widest.and_then(|widest| unit(line.cross(unit(widest)?))) else {
+            return Ok(true);
+        };
+        Ok(points.iter().all(|&point| normal.dot(point - points[0]).abs() <= allowed))
+    }
+
+    /// Points that are on a line or in a plane together with the curve.
+    fn places(&self) -> Result<Vec<DVec3>, GeomError> {
+        match self {
+            Self::Nurbs(curve) => Ok(curve.places()),
+            Self::Parametric(_) => self.sample(N_SAMPLES),
+        }
+    }
+}
+
+impl NurbsCurve {
+    /// The control points; one of weight zero, which is a direction, as a step from the first.
+    fn places(&self) -> Vec<DVec3> {
+        let first = homogeneous::place(self.control_points[0]);
+        let place = |&point: &glam::DVec4| match point.w.abs() < f64::MIN_POSITIVE {
+            true => first + point.truncate(),
+            false => homogeneous::place(point),
+        };
+        self.control_points.iter().map(place).collect()
+    }
+}
+
+/// The tolerance's distance, or what rounding leaves of the coordinates where that is more.
+fn allowed(points: &[DVec3], tolerance: Tolerance) -> f64 {
+    let largest = points.iter().map(|point| point.abs().max_element()).fold(0.0, f64::max);
+    let size = points.iter().map(|point| norm(*point - points[0])).fold(0.0, f64::max);
+    tolerance.distance_for(size).max(VANISHING_RELATIVE * largest)
+}
+
+/// The direction to the point that is furthest from the first.
+fn line(points: &[DVec3]) -> Option<DVec3> {
+    let furthest = points.iter().map(|&point| point - points[0]);
+    unit(furthest.max_by(|a, b| norm(*a).total_cmp(&norm(*b)))?)
+}
+
+/// The part of `v` that is normal to the unit vector `axis`.
+fn across(v: DVec3, axis: DVec3) -> DVec3 {
+    v - axis * v.dot(axis)
+}

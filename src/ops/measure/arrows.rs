@@ -1,0 +1,184 @@
+//! `arrows`: vectors along a curve or over a surface, as segments.
+
+use glam::DVec3;
+
+use super::curve::{check_segments, sample_parameters};
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::{Curve, GeomError, LocalGeometry, NurbsCurve, Side, Surface},
+    value::{At, Choice, Ctx, Geometry, Value, op},
+};
+
+op! {
+    /// Segments that show vectors of a curve or surface, each from its point.
+    ///
+    /// Along a curve `"derivative"`, `"second"` (derivative), `"tangent"`, `"normal"` and
+    /// `"binormal"`; over a surface `"tangent_u"`, `"tangent_v"`, `"twist"` and `"normal"`. Tangents
+    /// and normals are unit vectors. Where there is no such vector there is no segment.
+    arrows in Measure -> Vec<NurbsCurve> {
+        /// A curve or surface, or a list of them.
+        g: Spanned<Geometry>,
+        /// Which vectors.
+        field: Spanned<Field>,
+        /// How many along a curve, and in each direction of a surface; two or more.
+        samples: Spanned<usize> = Spanned::unplaced(20),
+        /// Length of a unit vector.
+        scale: f64 = 1.0,
+    }
+    example "arrows(circle((0, 0), 2), \"normal\", samples = 5)[0].end" => "(1, 0, 0)";
+    example "len(arrows(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), \"normal\", samples = 3))" => "9";
+}
+
+/// Vectors that a curve or surface has everywhere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Field {
+    Derivative,
+    Second,
+    Tangent,
+    Normal,
+    Binormal,
+    TangentU,
+    TangentV,
+    Twist,
+}
+
+impl Choice for Field {
+    const WORDS: &'static [&'static str] = &[
+        "derivative",
+        "second",
+        "tangent",
+        "normal",
+        "binormal",
+        "tangent_u",
+        "tangent_v",
+        "twist",
+    ];
+    const MEANINGS: &'static [Self] = &[
+        Self::Derivative,
+        Self::Second,
+        Self::Tangent,
+        Self::Normal,
+        Self::Binormal,
+        Self::TangentU,
+        Self::TangentV,
+        Self::Twist,
+    ];
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {
+    let mut vectors = Vec::new();
+    gather(&args.g.value.0, &args, ctx, &mut vectors)?;
+    let arrow = |(foot, vector): (DVec3, DVec3)| {
+        NurbsCurve::line(foot, foot + args.scale * vector).at(args.g.span)
+    };
+    vectors.into_iter().map(arrow).collect()
+}
+
+/// The vectors of all curves and surfaces in a value, with their points.
+fn gather(
+    value: &Value,
+    args: &Args,
+    ctx: &Ctx<'_>,
+    found: &mut Vec<(DVec3, DVec3)>,
+) -> Result<()> {
+    let (span, field) = (args.g.span, args.field.value);
+    match value {
+        Value::Curve(curve) => {
+            check_segments(args.samples, found.len() + 1, ctx)?;
+            for t in sample_parameters(curve, args.samples, ctx)? {
+                match along_curve(curve, t, field) {
+                    None => return misfit(args, "a curve", &Field::WORDS[..5]),
+                    Some(vector) => found.extend(existing(vector).at(span)?),
+                }
+            }
+        }
+        Value::Surface(surface) => {
+            check_segments(args.samples, args.samples.value.max(found.len() + 1), ctx)?;
+            let last = args.samples.value.saturating_sub(1);
+            let [u_domain, v_domain] = [surface.domain_u(), surface.domain_v()];
+            for u in u_domain.steps(last) {
+                for v in v_domain.steps(last) {
+                    match over_surface(surface, [u, v], field) {
+                        None => {
+                            let words = ["tangent_u", "tangent_v", "twist", "normal"];
+                            return misfit(args, "a surface", &words);
+                        }
+                        Some(vector) => found.extend(existing(vector).at(span)?),
+                    }
+                }
+            }
+        }
+        Value::List(items) => {
+            for item in items.iter() {
+                gather(item, args, ctx, found)?;
+            }
+        }
+        other => {
+            let message = format!("curves and surfaces have vectors, found {}", other.phrase());
+            return Diagnostic::error(Code::WrongKind, span, message).fail();
+        }
+    }
+    Ok(())
+}
+
+/// A point with its vector.
+type Vector = std::result::Result<(DVec3, DVec3), GeomError>;
+
+/// The vector at a parameter; `None` where curves have no such field.
+fn along_curve(curve: &Curve, t: f64, field: Field) -> Option<Vector> {
+    let derivative = |order: usize| curve.derivatives_at(t, order).map(|d| (d[0], d[order]));
+    let local = |of: fn(&LocalGeometry) -> std::result::Result<DVec3, GeomError>| {
+        let local = curve.local_at(t, Side::Right)?;
+        Ok((local.point(), of(&local)?))
+    };
+    Some(match field {
+        Field::Derivative => derivative(1),
+        Field::Second => derivative(2),
+        Field::Tangent => local(|local| Ok(local.tangent())),
+        Field::Normal => local(LocalGeometry::normal),
+        Field::Binormal => local(LocalGeometry::binormal),
+        Field::TangentU | Field::TangentV | Field::Twist => return None,
+    })
+}
+
+/// The vector at a place; `None` where surfaces have no such field.
+fn over_surface(surface: &Surface, [u, v]: [f64; 2], field: Field) -> Option<Vector> {
+    let partial = |order: [usize; 2]| {
+        let derivatives = surface.derivatives_at(u, v, order[0] + order[1])?;
+        Ok((derivatives.get(0, 0), derivatives.get(order[0], order[1])))
+    };
+    let unit = |vector: Vector| {
+        let (point, vector) = vector?;
+        let unit = vector.try_normalize().ok_or(GeomError::NoNormal { u, v })?;
+        Ok((point, unit))
+    };
+    Some(match field {
+        Field::TangentU => unit(partial([1, 0])),
+        Field::TangentV => unit(partial([0, 1])),
+        Field::Twist => partial([1, 1]),
+        Field::Normal => {
+            surface.normal_at(u, v).and_then(|normal| Ok((surface.point_at(u, v)?, normal)))
+        }
+        _ => return None,
+    })
+}
+
+/// The vector, or nothing where the place is one that has none.
+fn existing(vector: Vector) -> std::result::Result<Option<(DVec3, DVec3)>, GeomError> {
+    match vector {
+        Err(
+            GeomError::Straight { .. }
+            | GeomError::UnboundedCurvature { .. }
+            | GeomError::VanishingTangent { .. }
+            | GeomError::NoNormal { .. },
+        ) => Ok(None),
+        vector => vector.map(Some),
+    }
+}
+
+fn misfit(args: &Args, what: &str, words: &[&str]) -> Result<()> {
+    let idx = Field::MEANINGS.iter().position(|field| *field == args.field.value);
+    let word = idx.map_or("", |idx| Field::WORDS[idx]);
+    let message = format!("{what} has no field \"{word}\"; it has {}", words.join(", "));
+    Diagnostic::error(Code::BadChoice, args.field.span, message).fail()
+}

@@ -1,0 +1,36 @@
+//! `classify` of a curve: what kind of place a parameter is.
+
+use super::inside;
+use crate::{
+    diag::{Result, Spanned},
+    kernel::{Curve, PlaceKind},
+    value::{At, Choice, Ctx, op},
+};
+
+op! {
+    /// Kind of place that a parameter of a curve is.
+    ///
+    /// At a corner the tangent jumps, at a cusp it turns back; at an inflection it goes on and the
+    /// curve bends to the other side. The ends of a closed curve are one place, those of an open
+    /// one are regular.
+    classify in Measure -> PlaceKind {
+        /// The curve.
+        c: Curve,
+        /// The parameter, inside the curve's domain.
+        t: Spanned<f64>,
+    }
+    example "classify(circle((0, 0), 1), 0.3)" => "\"regular\"";
+    example "classify(bezier((0, 0), (1, 1), (2, -1), (3, 0)), 0.5)" => "\"inflection\"";
+    example "classify(bezier((0, 0), (1, 1), (0, 1), (1, 0)), 0.5)" => "\"cusp\"";
+    example "classify(polyline((0, 0), (1, 0), (1, 1)), 1)" => "\"corner\"";
+}
+
+impl Choice for PlaceKind {
+    const WORDS: &'static [&'static str] = &["regular", "inflection", "cusp", "corner"];
+    const MEANINGS: &'static [Self] = &[Self::Regular, Self::Inflection, Self::Cusp, Self::Corner];
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<PlaceKind> {
+    let t = inside(&args.c, args.t)?;
+    args.c.place_kind_at(t, ctx.tolerance).at(args.t.span)
+}

@@ -1,0 +1,92 @@
+//! `curvature_comb`: the porcupine of a curve.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{check_segments, sample_parameters};
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::{Curve, GeomError, KnotVector, NurbsCurve, Side},
+    value::{At, Choice, Ctx, IntoValue, Record, op},
+};
+
+op! {
+    /// Curvature comb of a curve, `{teeth, envelope}`: segments from the curve as long as its
+    /// curvature times the scale, and the polyline of their tips.
+    ///
+    /// Samples are evenly spaced in the parameter, both ends among them. At each the envelope has
+    /// the tip of its tooth. Where the curvature has no bound there is no tooth, and a warning
+    /// says so.
+    curvature_comb in Measure -> Record {
+        /// The curve.
+        c: Spanned<Curve>,
+        /// How many teeth, two or more.
+        samples: Spanned<usize> = Spanned::unplaced(100),
+        /// Length of a tooth where the curvature is 1.
+        scale: f64 = 1.0,
+        /// Away from the centre of curvature or towards it.
+        side: CombSide = CombSide::Outside,
+    }
+    example "curvature_comb(bezier((0, 0), (1, 2), (2, 0)), samples = 3).teeth[1].end" => "(1, 3, 0)";
+    example "curvature_comb(bezier((0, 0), (1, 2), (2, 0)), samples = 3, side = \"inside\").envelope(0.5)" => "(1, -1, 0)";
+}
+
+/// On which side of the curve the teeth stand.
+#[derive(Clone, Copy, PartialEq)]
+enum CombSide {
+    Outside,
+    Inside,
+}
+
+impl Choice for CombSide {
+    const WORDS: &'static [&'static str] = &["outside", "inside"];
+    const MEANINGS: &'static [Self] = &[Self::Outside, Self::Inside];
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
+    let (curve, span) = (&args.c.value, args.c.span);
+    let samples = args.samples;
+    check_segments(samples, 1, ctx)?;
+    let sign = if args.side == CombSide::Outside { -args.scale } else { args.scale };
+    let (mut teeth, mut tips, mut bare) = (Vec::new(), Vec::new(), Vec::new());
+    for t in sample_parameters(curve, samples, ctx)? {
+        let local = match curve.local_at(t, Side::Right) {
+            Err(GeomError::VanishingTangent { .. }) => None,
+            local => Some(local.at(span)?),
+        };
+        match local.and_then(|local| Some((local.point(), local.curvature_vector()?))) {
+            Some((foot, bending)) => {
+                teeth.push(NurbsCurve::line(foot, foot + sign * bending).at(span)?);
+                tips.push((t, foot + sign * bending));
+            }
+            None => bare.push(t),
+        }
+    }
+    if let [first, ..] = bare[..] {
+        let message = format!(
+            "{} of {} samples have no tooth, the first at parameter {first}: the curvature has no bound there",
+            bare.len(),
+            samples.value
+        );
+        ctx.warn(Diagnostic::warning(Code::Unclean, ctx.span, message));
+    }
+    Ok(Record::new([
+        (Arc::from("teeth"), teeth.into_value()),
+        (Arc::from("envelope"), envelope(&tips, args.c)?.into_value()),
+    ]))
+}
+
+/// The polyline through the tips, each at the parameter of its tooth.
+fn envelope(tips: &[(f64, DVec3)], curve: Spanned<Curve>) -> Result<NurbsCurve> {
+    let [(first, _), .., (last, _)] = *tips else {
+        let message = "the curvature has no bound at any of the samples, so that there is no comb";
+        return Diagnostic::error(Code::Degenerate, curve.span, message)
+            .hint("the curve stands still there: is it a single point?")
+            .fail();
+    };
+    let inner = tips.iter().map(|&(t, _)| t);
+    let knots = [first].into_iter().chain(inner).chain([last]).collect();
+    let points: Vec<DVec3> = tips.iter().map(|&(_, tip)| tip).collect();
+    NurbsCurve::polynomial(KnotVector::new(1, knots).at(curve.span)?, &points).at(curve.span)
+}

@@ -1,0 +1,70 @@
+//! `curvature_table` of a curve.
+
+use glam::DVec3;
+
+use super::sample_parameters;
+use crate::{
+    diag::{Result, Spanned},
+    kernel::{Curve, GeomError, LocalGeometry, NamedColumn, Side, Table},
+    value::{At, Ctx, op},
+};
+
+/// The columns in their order.
+const COLUMNS: [&str; 10] =
+    ["t", "x", "y", "z", "tx", "ty", "tz", "curvature", "radius", "torsion"];
+
+op! {
+    /// Table of points, unit tangents, curvature, radius of curvature and torsion along a curve.
+    ///
+    /// Samples are evenly spaced in the parameter, both ends among them. A cell is empty, `none`
+    /// in a script, where the curve has no such value: the radius and the torsion of a straight
+    /// place, the curvature of a cusp.
+    curvature_table in Measure -> Table {
+        /// The curve.
+        c: Spanned<Curve>,
+        /// How many rows, two or more.
+        samples: Spanned<usize> = Spanned::unplaced(100),
+    }
+    example "curvature_table(bezier((0, 0), (1, 2), (2, 0)), samples = 3).curvature[1]" => "2";
+    example "curvature_table(line((0, 0), (1, 0)), samples = 2).radius" => "[none, none]";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Table> {
+    let parameters = sample_parameters(&args.c.value, args.samples, ctx)?;
+    let mut columns: [Vec<f64>; 10] = std::array::from_fn(|_| Vec::with_capacity(parameters.len()));
+    for t in parameters {
+        let cells = row(&args.c.value, t).at(args.c.span)?;
+        for (column, cell) in columns.iter_mut().zip(cells) {
+            column.push(cell);
+        }
+    }
+    let columns = COLUMNS.into_iter().zip(columns);
+    Table::new(columns.map(|(name, cells)| NamedColumn::numbers(name, cells)).collect())
+        .at(ctx.span)
+}
+
+/// The cells at a parameter; NaN stands for an empty one.
+fn row(curve: &Curve, t: f64) -> std::result::Result<[f64; 10], GeomError> {
+    let none = f64::NAN;
+    let point = curve.point_at(t)?;
+    let local = match curve.local_at(t, Side::Right) {
+        Err(GeomError::VanishingTangent { .. }) => None,
+        local => Some(local?),
+    };
+    let tangent = local.map_or(DVec3::NAN, |local| local.tangent());
+    let cell = |value: fn(&LocalGeometry) -> std::result::Result<f64, GeomError>| {
+        local.as_ref().and_then(|local| value(local).ok()).unwrap_or(none)
+    };
+    Ok([
+        t,
+        point.x,
+        point.y,
+        point.z,
+        tangent.x,
+        tangent.y,
+        tangent.z,
+        cell(LocalGeometry::curvature),
+        cell(LocalGeometry::radius_of_curvature),
+        cell(LocalGeometry::torsion),
+    ])
+}

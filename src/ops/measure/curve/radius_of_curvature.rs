@@ -1,0 +1,27 @@
+//! `radius_of_curvature` of a curve.
+
+use super::local;
+use crate::{
+    diag::{Result, Spanned},
+    kernel::{Curve, Side},
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// Radius of the osculating circle of a curve: the reciprocal of the curvature.
+    ///
+    /// Where the curve is straight there is none.
+    radius_of_curvature in Measure -> f64 {
+        /// The curve.
+        c: Curve,
+        /// The parameter, inside the curve's domain.
+        t: Spanned<f64>,
+        /// The piece that is asked at a knot: after it or before it.
+        side: Side = Side::Right,
+    }
+    example "radius_of_curvature(bezier((0, 0), (1, 2), (2, 0)), 0.5)" => "0.5";
+}
+
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
+    local(&args.c, args.t, args.side)?.radius_of_curvature().at(args.t.span)
+}

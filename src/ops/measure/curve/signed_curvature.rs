@@ -1,0 +1,37 @@
+//! `signed_curvature` of a curve.
+
+use glam::DVec3;
+
+use super::local;
+use crate::{
+    diag::{Result, Spanned},
+    kernel::{Curve, Frame, Side},
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// Curvature of a curve with a sign: positive where it turns counter-clockwise, seen from the tip
+    /// of the normal.
+    ///
+    /// (x'y'' − y'x'') / |C'|³ of a curve in the plane of x and y; of any other curve its curvature, with
+    /// the sign of its turn about the normal. Where it bends in a plane that holds the normal there is
+    /// no sign.
+    signed_curvature in Measure -> f64 {
+        /// The curve.
+        c: Curve,
+        /// The parameter, inside the curve's domain.
+        t: Spanned<f64>,
+        /// The direction that the curve is seen from.
+        normal: Spanned<DVec3> = Spanned::unplaced(DVec3::Z),
+        /// The piece that is asked at a knot: after it or before it.
+        side: Side = Side::Right,
+    }
+    example "signed_curvature(bezier((0, 0), (1, 2), (2, 0)), 0.5)" => "-2";
+    example "signed_curvature(bezier((0, 0), (1, 2), (2, 0)), 0.5, normal = (0, 0, -1))" => "2";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {
+    let local = local(&args.c, args.t, args.side)?;
+    let axis = Frame::from_normal(local.point(), args.normal.value, None).at(args.normal.span)?.z();
+    local.signed_curvature(axis, ctx.tolerance.angle).at(args.t.span)
+}

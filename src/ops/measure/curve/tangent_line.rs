@@ -1,0 +1,30 @@
+//! `tangent_line` of a curve.
+
+use super::local;
+use crate::{
+    diag::{Result, Spanned},
+    kernel::{Curve, NurbsCurve, Side},
+    value::{At, Ctx, Length, op},
+};
+
+op! {
+    /// Segment from a point of a curve along its tangent.
+    tangent_line in Measure -> NurbsCurve {
+        /// The curve.
+        c: Curve,
+        /// The parameter, inside the curve's domain.
+        t: Spanned<f64>,
+        /// Its length; a negative one runs the other way.
+        length: Length = Length(1.0),
+        /// The piece that is asked at a knot: after it or before it.
+        side: Side = Side::Right,
+    }
+    example "tangent_line(line((0, 0), (0, 5)), 0.5, length = 2).end" => "(0, 4.5, 0)";
+}
+
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+    let local = local(&args.c, args.t, args.side)?;
+    let direction = local.tangent();
+    let tip = local.point() + direction * args.length.0;
+    NurbsCurve::line(local.point(), tip).at(args.t.span)
+}

@@ -1,0 +1,29 @@
+//! `torsion` of a curve.
+
+use super::local;
+use crate::{
+    diag::{Result, Spanned},
+    kernel::{Curve, Side},
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// Torsion of a curve: how fast its osculating plane turns about the tangent, by arc length.
+    ///
+    /// [C' C'' C‴] / |C' × C''|², positive for a right-handed screw and 0 for a plane curve. Where the
+    /// curve is straight there is none. do Carmo, *Differential Geometry of Curves and Surfaces*, §1-5.
+    torsion in Measure -> f64 {
+        /// The curve.
+        c: Curve,
+        /// The parameter, inside the curve's domain.
+        t: Spanned<f64>,
+        /// The piece that is asked at a knot: after it or before it.
+        side: Side = Side::Right,
+    }
+    example "torsion(bezier((0, 0), (1, 0), (2, 1), (3, 3, 3)), 0)" => "1";
+    example "torsion(circle((0, 0), 2), 0.3)" => "0";
+}
+
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
+    local(&args.c, args.t, args.side)?.torsion().at(args.t.span)
+}

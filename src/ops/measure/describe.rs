@@ -1,0 +1,81 @@
+//! `describe`: all data of a value as a record.
+
+use std::sync::Arc;
+
+use crate::{
+    diag::{Result, Span, Spanned},
+    kernel::{GeomError, Tolerance},
+    value::{At, Ctx, FromValue, Mismatch, Record, Type, Value, field, field_names, op},
+};
+
+op! {
+    /// All data of geometry, of a mesh or of a table, under the names of its fields and after its
+    /// `kind`; a list element by element.
+    ///
+    /// A curve also tells its `order`, degree + 1, and the `count` of its control points; a table
+    /// the `count` of its rows. A parametric curve or surface has no control points to tell.
+    describe in Measure -> Value {
+        /// A point, curve, surface, mesh, plane or table, or a list of them.
+        g: Spanned<Described>,
+    }
+    example "describe(line((0, 0), (1, 2))).knots" => "[0, 0, 1, 1]";
+    example "describe((1, 2))" => "{kind: \"point\", x: 1, y: 2, z: 0}";
+}
+
+/// Whatever has data to list.
+struct Described(Value);
+
+impl FromValue for Described {
+    const TYPE: Type = Type::OneOf(&[Type::Geometry, Type::Table]);
+
+    #[expect(clippy::only_used_in_recursion, reason = "the trait hands in the place")]
+    fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
+        match value {
+            Value::List(items) => {
+                for (idx, item) in items.iter().enumerate() {
+                    Self::from_value(item, span).map_err(|mismatch| mismatch.inside(idx))?;
+                }
+            }
+            _ if Self::TYPE.accepts(value) => {}
+            _ => return Err(Mismatch::kind(Self::TYPE, value)),
+        }
+        Ok(Self(value.clone()))
+    }
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
+    described(&args.g.value.0, ctx.tolerance, args.g.span)
+}
+
+fn described(value: &Value, tolerance: Tolerance, span: Span) -> Result<Value> {
+    if let Value::List(items) = value {
+        let items = items.iter().map(|item| described(item, tolerance, span));
+        return Ok(Value::list(items.collect::<Result<_>>()?));
+    }
+    let mut fields = vec![(Arc::from("kind"), Value::text(value.kind()))];
+    let names = field_names(value);
+    let mut data = Vec::with_capacity(names.len());
+    for name in names {
+        match field(value, name, tolerance) {
+            Err(GeomError::NotNurbs { .. }) => {}
+            datum => data.extend(datum.at(span)?.map(|datum| (Arc::from(name), datum))),
+        }
+    }
+    match value {
+        Value::Table(table) => {
+            fields.push((Arc::from("count"), Value::number(table.n_rows() as f64)));
+            // Columns may have any name, so they stand in a record of their own.
+            fields.push((Arc::from("columns"), Value::Record(Arc::new(Record::new(data)))));
+        }
+        Value::Curve(curve) => {
+            if let Ok(curve) = curve.nurbs() {
+                let (order, count) = (curve.degree() + 1, curve.control_points().len());
+                fields.push((Arc::from("order"), Value::number(order as f64)));
+                fields.push((Arc::from("count"), Value::number(count as f64)));
+            }
+            fields.extend(data);
+        }
+        _ => fields.extend(data),
+    }
+    Ok(Value::Record(Arc::new(Record::new(fields))))
+}
