@@ -366,7 +366,7 @@ fn slice(n: usize, range: &Range, span: Span) -> Result<(usize, usize)> {
         return Ok((0, 0));
     }
     match (usize::try_from(start), usize::try_from(end)) {
-        (Ok(start), Ok(end)) if end <= n => Ok((start, end)),
+        (Ok(start), Ok(end)) if start <= end && end <= n => Ok((start, end)),
         _ => Diagnostic::error(
             Code::IndexOutside,
             span,

@@ -153,12 +153,15 @@ impl<'s> Lowerer<'_, 's> {
         self.is_poisoned = self.is_faulty;
     }
 
-    /// Whether a statement that did not parse may define `name`: the text has `name =` somewhere.
+    /// Whether a statement that did not parse may define `name`: the text has `name =` somewhere,
+    /// or `name` behind a keyword that defines.
     fn may_be_defined(&self, name: &str) -> bool {
+        let text = self.origin.text;
         !self.origin.faults.is_empty()
-            && self.origin.text.match_indices(name).any(|(at, _)| {
-                let rest = self.origin.text[at + name.len()..].trim_start();
+            && text.match_indices(name).any(|(at, _)| {
+                let (before, rest) = (text[..at].trim_end(), text[at + name.len()..].trim_start());
                 rest.starts_with('=') && !rest.starts_with("==")
+                    || before.len() < at && is_definition_word(before)
             })
     }
 
@@ -283,4 +286,10 @@ fn shadowing(name: &str, second: Span, first: Span) -> Diagnostic {
     Diagnostic::error(Code::Shadowing, second, message)
         .label("choose another name")
         .also(first, "the other one is defined here")
+}
+
+/// Whether a text ends with a keyword that a defined name follows.
+fn is_definition_word(text: &str) -> bool {
+    let last = text.rsplit(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default();
+    matches!(last, "fn" | "param") || ast::Kind::ALL.iter().any(|&(word, _)| word == last)
 }

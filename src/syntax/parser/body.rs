@@ -77,7 +77,8 @@ fn recovering<'t, 's: 't>(input: &mut Input<'t, '_, 's>, body: Body) -> Statemen
     match statement(input, body) {
         Ok(kind) => {
             let span = since(input, start);
-            finish(input, body, start);
+            // What is left over belongs to the statement, which is then as broken as that.
+            let span = if finish(input, body, start) { since(input, start) } else { span };
             Statement { docs, kind, span }
         }
         Err(problem) => {
@@ -110,8 +111,9 @@ fn documentation(input: &mut Input<'_, '_, '_>, start: usize) -> Option<String> 
     (!lines.is_empty()).then(|| lines.join("\n"))
 }
 
-/// Leaves a whole statement behind: what still follows it is reported and skipped.
-fn finish(input: &mut Input<'_, '_, '_>, body: Body, start: usize) {
+/// Leaves a whole statement behind: what still follows it is reported and skipped. Whether
+/// anything did.
+fn finish(input: &mut Input<'_, '_, '_>, body: Body, start: usize) -> bool {
     let at = here(input);
     let next = peek(input);
     let script = input.state();
@@ -126,11 +128,12 @@ fn finish(input: &mut Input<'_, '_, '_>, body: Body, start: usize) {
         || (begins_line && (next.begins_statement() || next == Token::Name))
         || (body == Body::Test && script.is_word(at, "expect"));
     if is_over || is_next || next == Token::Semicolon {
-        return;
+        return false;
     }
     let end = script.end_of_broken(at);
     if let Some(diagnostic) = explain::trailing(script, start, at) {
         complain(input, diagnostic);
     }
     skip_to(input, end);
+    true
 }

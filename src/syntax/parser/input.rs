@@ -231,7 +231,9 @@ pub(super) fn take_new_name<'s>(input: &mut Input<'_, '_, 's>) -> Parsed<Name<'s
                 | Token::CloseBracket
                 | Token::CloseBrace
         );
-        if !follows || script.begins_line(at) {
+        // `for in xs`: the name is missing.
+        let is_missing = token == Token::In && script.token(at + 1) != Token::In;
+        if is_missing || !follows || script.begins_line(at) {
             return Err(expected(input, Expected::NAME));
         }
         let text = script.text(at);

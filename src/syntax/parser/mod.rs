@@ -8,6 +8,7 @@
 mod body;
 mod brackets;
 mod depth;
+mod echo;
 mod explain;
 mod expression;
 mod gmsh;
@@ -56,21 +57,13 @@ pub fn parse<'s>(source: &'s str, limits: &Limits) -> (Tree<'s>, Vec<Diagnostic>
     diagnostics.extend(order::check(&tree, most_diagnostics(limits)));
     diagnostics.sort_by_key(|diagnostic| diagnostic.primary.span);
     diagnostics.dedup();
-    drop_echoes(&mut diagnostics);
+    echo::drop_echoes(&tree, &mut diagnostics);
     if !diagnostics.is_empty()
         && let Some(gmsh) = gmsh::recognise(&lex(source, 0))
     {
         return (Tree::default(), vec![gmsh]);
     }
     (tree, diagnostics)
-}
-
-/// Drops what is missing only because a comment that is never closed has swallowed it.
-fn drop_echoes(diagnostics: &mut Vec<Diagnostic>) {
-    let unclosed = diagnostics.iter().find(|found| found.code == Code::UnclosedComment);
-    let Some(start) = unclosed.map(|found| found.primary.span.start) else { return };
-    // Whatever is expected at the end of the text is expected before the comment.
-    diagnostics.retain(|found| found.code != Code::Syntax || found.primary.span.end + 1 < start);
 }
 
 /// Diagnostics that are recorded for each one that is shown: enough to count the rest, few

@@ -115,7 +115,11 @@ fn parentheses<'t, 's: 't>(input: &mut Input<'t, '_, 's>) -> Parsed<ExprKind<'s>
         1 => Ok(items.pop().map_or(ExprKind::Error, |only| ExprKind::Group(Box::new(only)))),
         2 | 3 => Ok(ExprKind::Point(items)),
         n => {
-            complain(input, explain::point_length(n, span));
+            // Two parts without a comma between them are told of, and may have been one.
+            let is_told = |found: &Diagnostic| found.primary.span.start >= span.start;
+            if !input.state().diagnostics.last().is_some_and(is_told) {
+                complain(input, explain::point_length(n, span));
+            }
             Ok(ExprKind::Error)
         }
     }

@@ -93,6 +93,7 @@ fn name(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
         Token::Text => place.expected("a name").hint("names stand without quotes"),
         Token::Equals if is_setting(place.before()) => takes_no_equals(place),
         Token::Number => place.expected("a name").hint("a name begins with a letter"),
+        Token::In => return None,
         token if token.is_keyword() && !place.is_missing() => {
             place.wrong(format!("`{}` is a keyword; choose another name", place.text()))
         }
