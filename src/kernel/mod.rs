@@ -24,8 +24,8 @@ pub mod tolerance;
 
 pub use bounds::Bounds;
 pub use curve::{
-    CircleForm, Continuity, Curve, CurveFunction, LocalGeometry, Neighbourhood, NurbsCurve, Offset,
-    ParametricCurve, PlaceKind, join, make_compatible,
+    CircleForm, Continuity, Curve, CurveEvaluator, CurveFunction, LocalGeometry, Neighbourhood,
+    NurbsCurve, Offset, ParametricCurve, PlaceKind, join, make_compatible,
 };
 pub use error::{FunctionFailure, GeomError};
 pub use fit::{

@@ -7,6 +7,7 @@
 mod basis;
 mod curve;
 mod edit;
+mod evaluator;
 mod fit;
 mod hostile;
 mod joints;

@@ -31,17 +31,39 @@ fn main() {
     compare("truck-geometry", 3, grid, truck_grid(&net));
     compare("geomcore", 3, grid, geomcore_grid(&net));
 
-    println!("{N_POINTS} points of a rational cubic of {N_CURVE} control points");
+    println!("{N_POINTS} places on a rational cubic of {N_CURVE} control points");
     let curve = curve();
     let in_order = parameters();
     let at_random: Vec<f64> = (0..N_POINTS).map(|i| (i as f64 * GOLDEN).fract()).collect();
     for (order, ts) in [("in order", &in_order), ("at random", &at_random)] {
-        println!(" {order}");
-        let points = || ts.iter().map(|&t| curve.point_at(t)).fold(DVec3::ZERO, |sum, p| sum + p);
+        // What prepares the curve is part of the work.
+        let points = || {
+            let evaluator = curve.evaluator();
+            ts.iter().map(|&t| evaluator.point_at(t)).fold(DVec3::ZERO, |sum, p| sum + p)
+        };
+        println!(" points {order}");
         compare("geomcore", N_ROUNDS, points, geomcore_curve(&curve, ts));
         compare("curvo", N_ROUNDS, points, curvo_curve(&curve, ts));
         compare("truck-geometry", 3, points, truck_curve(&curve, ts));
+
+        println!(" points {order}, one by one");
+        let unprepared = || ts.iter().map(|&t| curve.point_at(t)).fold(DVec3::ZERO, |a, b| a + b);
+        compare("geomcore", N_ROUNDS, unprepared, geomcore_curve(&curve, ts));
+
+        println!(" points, first and second derivatives {order}");
+        let second_order = || {
+            let evaluator = curve.evaluator();
+            let digest = |&t: &f64| in_units_of_spans(evaluator.second_order_at(t));
+            ts.iter().map(digest).fold(DVec3::ZERO, |sum, p| sum + p)
+        };
+        compare("geomcore", N_ROUNDS, second_order, geomcore_second_order(&curve, ts));
     }
+}
+
+/// The sum of a point and its derivatives, in a unit that makes them alike in size.
+fn in_units_of_spans([point, first, second]: [DVec3; 3]) -> DVec3 {
+    let unit = 1.0 / N_CURVE as f64;
+    point + first * unit + second * (unit * unit)
 }
 
 /// Runs both in turn; a run answers with a sum of points, which must agree.
@@ -215,12 +237,30 @@ fn geomcore_grid(net: &Grid<DVec4>) -> impl Fn() -> DVec3 {
     }
 }
 
-fn geomcore_curve<'a>(curve: &NurbsCurve, ts: &'a [f64]) -> impl Fn() -> DVec3 + 'a {
-    use geomcore::{BSplineCurve, Point, prelude::ParametricCurve};
-    let poles = curve.points().into_iter().map(|p| Point::new(p.x, p.y, p.z)).collect();
+fn in_geomcore(curve: &NurbsCurve) -> geomcore::BSplineCurve {
+    let poles = curve.points().into_iter().map(|p| geomcore::Point::new(p.x, p.y, p.z)).collect();
     let (knots, times) = distinct_knots(N_CURVE);
-    let curve = BSplineCurve::new_rational(3, poles, curve.weights(), knots, times, false)
-        .expect("points for their knots");
+    geomcore::BSplineCurve::new_rational(3, poles, curve.weights(), knots, times, false)
+        .expect("points for their knots")
+}
+
+fn geomcore_second_order<'a>(curve: &NurbsCurve, ts: &'a [f64]) -> impl Fn() -> DVec3 + 'a {
+    use geomcore::prelude::ParametricCurve;
+    let curve = in_geomcore(curve);
+    move || {
+        let digest = |&t: &f64| {
+            let (point, first, second) = curve.eval_d2(t);
+            let vector = |v: geomcore::Vector| DVec3::new(v.x, v.y, v.z);
+            let point = DVec3::new(point.x, point.y, point.z);
+            in_units_of_spans([point, vector(first), vector(second)])
+        };
+        ts.iter().map(digest).fold(DVec3::ZERO, |sum, p| sum + p)
+    }
+}
+
+fn geomcore_curve<'a>(curve: &NurbsCurve, ts: &'a [f64]) -> impl Fn() -> DVec3 + 'a {
+    use geomcore::prelude::ParametricCurve;
+    let curve = in_geomcore(curve);
     move || {
         ts.iter()
             .map(|&t| curve.eval_point(t))

@@ -2,11 +2,12 @@
 //!
 //! `any` is a curve of either kind, `parametric` that of a function. Of B-splines this file has the
 //! type, its constructors and what can be read off it; `eval` computes points and derivatives,
-//! `circle` has the exact circles, `edit` changes the representation or cuts, `reduce` takes knots
-//! and degrees away, `join` and `extend` go on beyond an end, `offset` runs beside, `deviation`
-//! tells how far two are apart, `compatible` brings several to one basis, `measure` has length and
-//! bounds. Of both, `local` tells the shape at a place from its derivatives, `direction` the kind
-//! of the place, `continuity` compares the two sides of a joint, `flat` looks for lines and planes.
+//! `evaluator` the same at many parameters, `circle` has the exact circles, `edit` changes the
+//! representation or cuts, `reduce` takes knots and degrees away, `join` and `extend` go on beyond
+//! an end, `offset` runs beside, `deviation` tells how far two are apart, `compatible` brings
+//! several to one basis, `measure` has length and bounds. Of both, `local` tells the shape at a
+//! place from its derivatives, `direction` the kind of the place, `continuity` compares the two
+//! sides of a joint, `flat` looks for lines and planes.
 
 mod any;
 mod circle;
@@ -16,6 +17,7 @@ mod deviation;
 mod direction;
 mod edit;
 mod eval;
+mod evaluator;
 mod extend;
 mod flat;
 mod join;
@@ -35,6 +37,7 @@ pub use circle::CircleForm;
 pub use compatible::make_compatible;
 pub use continuity::Continuity;
 pub use direction::PlaceKind;
+pub use evaluator::CurveEvaluator;
 pub use join::join;
 pub use local::{LocalGeometry, Neighbourhood};
 pub use offset::Offset;

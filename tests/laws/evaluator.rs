@@ -1,0 +1,107 @@
+//! Laws of curves prepared for many parameters.
+
+use glam::DVec3;
+use proptest::{collection::vec, prop_assert, prop_assert_eq, proptest};
+use virote::kernel::{CircleForm, KnotVector, NurbsCurve};
+
+use crate::some::{are_near, curve, fraction, parameter, point};
+
+proptest! {
+    #[test]
+    fn a_prepared_curve_has_the_points_of_the_curve(curve in curve(), f in fraction()) {
+        let t = parameter(&curve, f);
+        prop_assert!(are_near(curve.evaluator().point_at(t), curve.point_at(t), 1e-14));
+    }
+
+    #[test]
+    fn a_prepared_curve_has_the_derivatives_of_the_curve(curve in curve(), f in fraction()) {
+        let t = parameter(&curve, f);
+        for t in curve.knots().breaks().into_iter().chain([t]) {
+            let width = curve.knots().span_interval(curve.knots().span_at(t)).length();
+            let ours = curve.evaluator().second_order_at(t);
+            let unit = |k: usize| libm::pow(width, k as f64);
+            let size: f64 = ours.iter().enumerate().map(|(k, d)| d.length() * unit(k)).sum();
+            for (k, derivative) in curve.derivatives_at(t, 2).into_iter().enumerate() {
+                let miss = ours[k].distance(derivative) * unit(k);
+                prop_assert!(miss <= 1e-13 * (1.0 + size), "order {k} at {t} misses by {miss:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_prepared_curve_goes_on_beyond_its_ends(curve in curve(), f in fraction()) {
+        // Without weights, whose sum vanishes somewhere out there.
+        let curve = NurbsCurve::polynomial(curve.knots().clone(), &curve.points()).unwrap();
+        let (domain, evaluator) = (curve.domain(), curve.evaluator());
+        for t in [domain.start() - 0.1 * f, domain.end() + 0.1 * f] {
+            prop_assert!(are_near(evaluator.point_at(t), curve.point_at(t), 1e-12));
+        }
+    }
+
+    #[test]
+    fn a_prepared_clamped_curve_has_the_same_ends_to_the_bit(curve in curve()) {
+        let clamped = curve.clamped();
+        let evaluator = clamped.evaluator();
+        for end in [clamped.domain().start(), clamped.domain().end()] {
+            prop_assert_eq!(evaluator.point_at(end), clamped.point_at(end));
+            prop_assert_eq!(evaluator.second_order_at(end)[0], clamped.point_at(end));
+        }
+    }
+
+    #[test]
+    fn every_degree_is_prepared(points in vec(point(), 1..=101), f in fraction()) {
+        let curve = NurbsCurve::bezier(&points).unwrap();
+        let (by_knots, evaluator) = (curve.derivatives_at(f, 2), curve.evaluator());
+        prop_assert!(are_near(evaluator.point_at(f), by_knots[0], 1e-13));
+        let size = (points.len() * points.len()) as f64;
+        for (prepared, by_knots) in evaluator.second_order_at(f).into_iter().zip(by_knots) {
+            prop_assert!(are_near(prepared, by_knots, 1e-13 * size));
+        }
+    }
+}
+
+#[test]
+fn crowded_knots_find_their_pieces() {
+    // Widths that halve: all but a few of the knots lie in one of the equal parts of the domain.
+    let mut knots = vec![0.0; 4];
+    knots.extend((0..30).rev().map(|i| libm::exp2(-f64::from(i))));
+    knots.extend([1.0; 3]);
+    let knots = KnotVector::new(3, knots).unwrap();
+    let points: Vec<DVec3> =
+        (0..knots.n_points()).map(|i| DVec3::new(i as f64, (i % 3) as f64, 0.0)).collect();
+    let breaks = knots.breaks();
+    let curve = NurbsCurve::polynomial(knots, &points).unwrap();
+    let evaluator = curve.evaluator();
+    for pair in breaks.windows(2) {
+        for t in [pair[0], pair[0].midpoint(pair[1]), pair[1].next_down(), pair[1]] {
+            assert!(are_near(evaluator.point_at(t), curve.point_at(t), 1e-14), "at {t}");
+        }
+    }
+}
+
+#[test]
+fn a_prepared_curve_of_lines_does_not_bend() {
+    let corners = [[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [4.0, 0.0, 1.0]].map(DVec3::from_array);
+    let evaluator = NurbsCurve::polyline(&corners).unwrap().evaluator();
+    let [_, velocity, acceleration] = evaluator.second_order_at(1.0);
+    assert_eq!([velocity, acceleration], [corners[2] - corners[1], DVec3::ZERO]);
+}
+
+#[test]
+fn a_prepared_circle_is_round() {
+    let form = CircleForm::NinePoint;
+    let circle = NurbsCurve::circle(DVec3::ZERO, 1.0, DVec3::X, DVec3::Z, form).unwrap();
+    let (domain, circle) = (circle.domain(), circle.evaluator());
+    for i in 0..=1000 {
+        let [point, first, second] = circle.second_order_at(domain.at(f64::from(i) / 1000.0));
+        assert!((point.length() - 1.0).abs() < 1e-15);
+        let curvature = first.cross(second).length() / libm::pow(first.length(), 3.0);
+        assert!((curvature - 1.0).abs() < 1e-13, "curvature {curvature}");
+    }
+}
+
+#[test]
+fn a_parameter_that_is_no_number_has_a_point_that_is_none() {
+    let line = NurbsCurve::line(DVec3::ZERO, DVec3::X).unwrap().evaluator();
+    assert!(line.point_at(f64::NAN).x.is_nan());
+}
