@@ -123,6 +123,8 @@ codes! {
         "No operation yields infinity or an undefined number; a division by zero stops where it stands. Guard it with `if`."
     Domain "E0502" "outside the domain of a function"
         "The function has no value there: the square root and logarithm of a negative number, `asin` beyond 1, or a result beyond 1.8e308."
+    NoDerivative "E0503" "no derivative"
+        "The tangent or curvature of a `parametric` curve or surface needs the derivatives of its function, which are carried through every operation in it. Some operations have none at some places, such as `abs` and `sqrt` at 0, and others have none at all, such as the construction of a circle whose radius varies. Points can still be asked for."
 
     // E06xx: geometry.
     TooFewPoints "E0601" "too few points"

@@ -206,6 +206,12 @@ pub enum GeomError {
     /// A coordinate of a surface, or of a derivative of it, overflows.
     #[error("at ({u}, {v}) a point or derivative is beyond the largest number, 1.8e308")]
     BeyondNumbersAt { u: f64, v: f64 },
+    /// A place where a function has no derivative.
+    #[error("{what} has no derivative at {at}")]
+    NotDifferentiable { what: &'static str, at: f64 },
+    /// A derivative overflows.
+    #[error("a derivative is beyond the largest number, 1.8e308")]
+    DerivativeBeyondNumbers,
     /// A question that only a NURBS has an answer to.
     #[error("a parametric {what} is a function and no NURBS")]
     NotNurbs { what: &'static str },

@@ -13,6 +13,7 @@ mod grid;
 mod homogeneous;
 mod hull;
 mod interval;
+pub mod jet;
 mod knots;
 mod mesh;
 mod positive;
@@ -35,6 +36,7 @@ pub use fit::{
 pub use frame::Frame;
 pub use grid::Grid;
 pub use interval::Interval;
+pub use jet::Jet;
 pub use knots::{KnotVector, Side};
 pub use mesh::{Mesh, grid_mesh, tessellate, tessellate_curve};
 pub use surface::{GridSamples, NurbsSurface, ParametricSurface, Surface, SurfaceFunction};

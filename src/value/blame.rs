@@ -78,6 +78,7 @@ pub fn code_of(error: &GeomError) -> Code {
         Error::NotFinite { .. } | Error::BeyondNumbers { .. } | Error::BeyondNumbersAt { .. } => {
             Code::Domain
         }
+        Error::NotDifferentiable { .. } | Error::DerivativeBeyondNumbers => Code::NoDerivative,
         Error::Function(_) => inside(error).map_or(Code::Domain, |reason| reason.code),
         Error::DuplicateColumn { .. } | Error::ColumnLength { .. } | Error::NotNurbs { .. } => {
             Code::WrongKind

@@ -10,6 +10,7 @@ mod edit;
 mod evaluator;
 mod fit;
 mod hostile;
+mod jet;
 mod joints;
 mod lanes;
 mod local;

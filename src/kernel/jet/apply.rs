@@ -1,0 +1,228 @@
+//! Elementary functions of jets.
+//!
+//! All fail with [`GeomError::NotDifferentiable`] at a place where the function has a value but
+//! not the derivatives, or has no value; and with [`GeomError::DerivativeBeyondNumbers`].
+
+use super::{Jet, series};
+use crate::kernel::GeomError;
+
+type Found = Result<Jet, GeomError>;
+
+fn no_derivative(what: &'static str, at: f64) -> Found {
+    Err(GeomError::NotDifferentiable { what, at })
+}
+
+impl Jet {
+    /// A constant power.
+    ///
+    /// # Errors
+    /// Below zero for an exponent that is not whole; at zero where a derivative up to the order
+    /// is infinite.
+    pub fn power(&self, exponent: f64) -> Found {
+        let (x, order) = (self.value(), self.order());
+        let is_whole = exponent.fract() == 0.0;
+        if x == 0.0 {
+            // The k-th derivative at zero vanishes for k below the exponent.
+            if exponent < 0.0 || (!is_whole && exponent < order as f64) {
+                return no_derivative("the power", x);
+            }
+            let term =
+                |k: usize| if (k as f64 - exponent).abs() < 0.5 && is_whole { 1.0 } else { 0.0 };
+            return self.compose(&(0..=order).map(term).collect::<Vec<_>>());
+        }
+        if x < 0.0 && !is_whole {
+            return no_derivative("the power", x);
+        }
+        self.compose(&series::power(x, libm::pow(x, exponent), exponent, order))
+    }
+
+    /// The power to an exponent that varies, eᵉˡⁿˣ.
+    ///
+    /// # Errors
+    /// At zero and below.
+    pub fn power_of(&self, exponent: &Self) -> Found {
+        if self.value() <= 0.0 {
+            return no_derivative("a power whose exponent varies", self.value());
+        }
+        exponent.times(&self.ln()?).exp()
+    }
+
+    /// The square root.
+    ///
+    /// # Errors
+    /// At zero and below.
+    pub fn sqrt(&self) -> Found {
+        let x = self.value();
+        if x <= 0.0 {
+            return no_derivative("the square root", x);
+        }
+        self.compose(&series::power(x, x.sqrt(), 0.5, self.order()))
+    }
+
+    /// The cube root.
+    ///
+    /// # Errors
+    /// At zero.
+    pub fn cbrt(&self) -> Found {
+        let x = self.value();
+        if x == 0.0 {
+            return no_derivative("the cube root", x);
+        }
+        self.compose(&series::power(x, libm::cbrt(x), 1.0 / 3.0, self.order()))
+    }
+
+    /// The exponential function.
+    ///
+    /// # Errors
+    /// On overflow alone.
+    pub fn exp(&self) -> Found {
+        self.compose(&series::cyclic([libm::exp(self.value()); 4], self.order()))
+    }
+
+    /// The natural logarithm.
+    ///
+    /// # Errors
+    /// At zero and below.
+    pub fn ln(&self) -> Found {
+        if self.value() <= 0.0 {
+            return no_derivative("the logarithm", self.value());
+        }
+        self.compose(&series::ln(self.value(), self.order()))
+    }
+
+    /// The logarithm to the base ten.
+    ///
+    /// # Errors
+    /// At zero and below.
+    pub fn log10(&self) -> Found {
+        Ok(self.ln()?.scaled(std::f64::consts::LOG10_E))
+    }
+
+    /// The sine of radians.
+    ///
+    /// # Errors
+    /// On overflow alone.
+    pub fn sin(&self) -> Found {
+        let (sine, cosine) = libm::sincos(self.value());
+        self.compose(&series::cyclic([sine, cosine, -sine, -cosine], self.order()))
+    }
+
+    /// The cosine of radians.
+    ///
+    /// # Errors
+    /// On overflow alone.
+    pub fn cos(&self) -> Found {
+        let (sine, cosine) = libm::sincos(self.value());
+        self.compose(&series::cyclic([cosine, -sine, -cosine, sine], self.order()))
+    }
+
+    /// The tangent of radians.
+    ///
+    /// # Errors
+    /// On overflow alone.
+    pub fn tan(&self) -> Found {
+        self.compose(&series::tangent(libm::tan(self.value()), 1.0, self.order()))
+    }
+
+    /// The angle with this sine.
+    ///
+    /// # Errors
+    /// At −1 and 1, and beyond.
+    pub fn asin(&self) -> Found {
+        if 1.0 <= self.value().abs() {
+            return no_derivative("the arc sine", self.value());
+        }
+        self.compose(&series::asin(self.value(), self.order()))
+    }
+
+    /// The angle with this cosine.
+    ///
+    /// # Errors
+    /// At −1 and 1, and beyond.
+    pub fn acos(&self) -> Found {
+        if 1.0 <= self.value().abs() {
+            return no_derivative("the arc cosine", self.value());
+        }
+        let asin = self.compose(&series::asin(self.value(), self.order()))?;
+        Ok(asin.scaled(-1.0).with_value(libm::acos(self.value())))
+    }
+
+    /// The angle with this tangent.
+    ///
+    /// # Errors
+    /// On overflow alone.
+    pub fn atan(&self) -> Found {
+        self.compose(&series::atan(self.value(), self.order()))
+    }
+
+    /// The angle of the direction (x, `self`).
+    ///
+    /// # Errors
+    /// Where both are zero.
+    pub fn atan2(&self, x: &Self) -> Found {
+        let size = self.value().abs().max(x.value().abs());
+        if size == 0.0 {
+            return no_derivative("the angle of a direction", size);
+        }
+        // The angle against the direction at the place, which is zero there.
+        let (sine, cosine) = (self.value() / size, x.value() / size);
+        let (y, x) = (self.scaled(1.0 / size), x.scaled(1.0 / size));
+        let along = x.scaled(cosine).plus(&y.scaled(sine));
+        let across = y.scaled(cosine).minus(&x.scaled(sine)).with_value(0.0);
+        Ok(across.over(&along)?.atan()?.with_value(libm::atan2(sine, cosine)))
+    }
+
+    /// The hyperbolic sine.
+    ///
+    /// # Errors
+    /// On overflow alone.
+    pub fn sinh(&self) -> Found {
+        let (sine, cosine) = (libm::sinh(self.value()), libm::cosh(self.value()));
+        self.compose(&series::cyclic([sine, cosine, sine, cosine], self.order()))
+    }
+
+    /// The hyperbolic cosine.
+    ///
+    /// # Errors
+    /// On overflow alone.
+    pub fn cosh(&self) -> Found {
+        let (sine, cosine) = (libm::sinh(self.value()), libm::cosh(self.value()));
+        self.compose(&series::cyclic([cosine, sine, cosine, sine], self.order()))
+    }
+
+    /// The hyperbolic tangent.
+    ///
+    /// # Errors
+    /// On overflow alone.
+    pub fn tanh(&self) -> Found {
+        self.compose(&series::tangent(libm::tanh(self.value()), -1.0, self.order()))
+    }
+
+    /// The magnitude.
+    ///
+    /// # Errors
+    /// At zero.
+    pub fn abs(&self) -> Found {
+        match self.value() {
+            x if 0.0 < x => Ok(self.clone()),
+            x if x < 0.0 => Ok(self.scaled(-1.0)),
+            x => no_derivative("the magnitude", x),
+        }
+    }
+
+    /// The length of a vector of jets, without overflow on the way.
+    ///
+    /// # Errors
+    /// Where it is zero.
+    pub fn norm<'j>(coordinates: impl Iterator<Item = &'j Self> + Clone) -> Found {
+        let size = coordinates.clone().map(|jet| jet.value().abs()).fold(0.0, f64::max);
+        if size == 0.0 {
+            return no_derivative("the length of a vector", size);
+        }
+        let squares = coordinates.map(|jet| jet.scaled(1.0 / size)).map(|jet| jet.times(&jet));
+        let Some(sum) = squares.reduce(|sum, square| sum.plus(&square)) else {
+            unreachable!("without coordinates the size is zero")
+        };
+        Ok(sum.sqrt()?.scaled(size))
+    }
+}

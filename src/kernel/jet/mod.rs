@@ -1,0 +1,254 @@
+//! Jets: numbers that carry their derivatives along, as truncated Taylor series.
+//!
+//! Whatever is computed with jets has the derivatives of the result to the order of the jets, exact
+//! up to rounding, because every rule is one for series and none a difference. Griewank & Walther,
+//! *Evaluating Derivatives*, ch. 13. A function of one variable is applied by its own series, which
+//! `series` has, so that one rule serves jets of one and of two variables.
+
+mod apply;
+mod series;
+
+use glam::DVec3;
+
+use super::{GeomError, Grid};
+
+/// A truncated Taylor series in one or two variables. Invariant: as many coefficients as its shape
+/// needs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Jet {
+    shape: Shape,
+    /// By total degree, within a degree by the power of the second variable.
+    coefficients: Vec<f64>,
+}
+
+/// Of how many variables, and to which order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Shape {
+    order: usize,
+    has_second: bool,
+}
+
+impl Shape {
+    fn n_coefficients(self) -> usize {
+        if self.has_second { (self.order + 1) * (self.order + 2) / 2 } else { self.order + 1 }
+    }
+
+    /// Where the coefficient of the powers i and j stands.
+    fn place(self, i: usize, j: usize) -> usize {
+        let degree = i + j;
+        if self.has_second { degree * (degree + 1) / 2 + j } else { degree }
+    }
+
+    /// The powers of all coefficients, in their order.
+    fn powers(self) -> impl Iterator<Item = (usize, usize)> {
+        (0..=self.order).flat_map(move |degree| {
+            let last = if self.has_second { degree } else { 0 };
+            (0..=last).map(move |j| (degree - j, j))
+        })
+    }
+}
+
+impl Jet {
+    /// The variable itself at a place, to an order.
+    #[must_use]
+    pub fn variable(value: f64, order: usize) -> Self {
+        Self::constant(value, Shape { order, has_second: false }).with_slope(1)
+    }
+
+    /// Both variables at a place, to a total order.
+    #[must_use]
+    pub fn variables(u: f64, v: f64, order: usize) -> [Self; 2] {
+        let shape = Shape { order, has_second: true };
+        [Self::constant(u, shape).with_slope(1), Self::constant(v, shape).with_slope(2)]
+    }
+
+    fn constant(value: f64, shape: Shape) -> Self {
+        let mut coefficients = vec![0.0; shape.n_coefficients()];
+        coefficients[0] = value;
+        Self { shape, coefficients }
+    }
+
+    fn with_slope(mut self, place: usize) -> Self {
+        if let Some(slope) = self.coefficients.get_mut(place) {
+            *slope = 1.0;
+        }
+        self
+    }
+
+    /// A number that depends on nothing, in the shape of this jet.
+    #[must_use]
+    pub fn same(&self, value: f64) -> Self {
+        Self::constant(value, self.shape)
+    }
+
+    /// The same derivatives about another value; for a value that was computed more exactly.
+    #[must_use]
+    pub fn with_value(mut self, value: f64) -> Self {
+        self.coefficients[0] = value;
+        self
+    }
+
+    /// The number itself.
+    #[must_use]
+    pub fn value(&self) -> f64 {
+        self.coefficients[0]
+    }
+
+    /// The order to which derivatives are known.
+    #[must_use]
+    pub fn order(&self) -> usize {
+        self.shape.order
+    }
+
+    /// Whether it grows with its first variable, or stays.
+    #[must_use]
+    pub fn is_growing(&self) -> bool {
+        0.0 <= self.coefficients.get(1).copied().unwrap_or(0.0)
+    }
+
+    /// Whether the derivatives are those of another jet; the values may differ.
+    #[must_use]
+    pub fn has_slopes_of(&self, other: &Self) -> bool {
+        self.shape == other.shape && self.coefficients[1..] == other.coefficients[1..]
+    }
+
+    /// Whether every coefficient is a number.
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        self.coefficients.iter().all(|coefficient| coefficient.is_finite())
+    }
+
+    /// The jet, unless arithmetic has left the numbers.
+    fn checked(self) -> Result<Self, GeomError> {
+        if self.is_finite() { Ok(self) } else { Err(GeomError::DerivativeBeyondNumbers) }
+    }
+
+    /// The derivative of order i by the first and j by the second variable.
+    #[must_use]
+    pub fn derivative(&self, i: usize, j: usize) -> f64 {
+        let factorial = |n: usize| (1..=n).fold(1.0, |product, k| product * k as f64);
+        let is_known = i + j <= self.shape.order && (j == 0 || self.shape.has_second);
+        if !is_known {
+            return 0.0;
+        }
+        self.coefficients[self.shape.place(i, j)] * factorial(i) * factorial(j)
+    }
+
+    fn zip(&self, other: &Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        let pairs = self.coefficients.iter().zip(&other.coefficients);
+        Self { shape: self.shape, coefficients: pairs.map(|(&a, &b)| f(a, b)).collect() }
+    }
+
+    /// The sum.
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
+        self.zip(other, |a, b| a + b)
+    }
+
+    /// The difference.
+    #[must_use]
+    pub fn minus(&self, other: &Self) -> Self {
+        self.zip(other, |a, b| a - b)
+    }
+
+    /// The product with a number.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        let coefficients = self.coefficients.iter().map(|&a| a * factor).collect();
+        Self { shape: self.shape, coefficients }
+    }
+
+    /// The product: Cauchy's, cut off at the order.
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Self {
+        let shape = self.shape;
+        let coefficient = |(i, j): (usize, usize)| {
+            let mut sum = 0.0;
+            for p in 0..=i {
+                for q in 0..=j {
+                    sum += self.coefficients[shape.place(p, q)]
+                        * other.coefficients[shape.place(i - p, j - q)];
+                }
+            }
+            sum
+        };
+        Self { shape, coefficients: shape.powers().map(coefficient).collect() }
+    }
+
+    /// The quotient.
+    ///
+    /// # Errors
+    /// [`GeomError::NotDifferentiable`] where the divisor is zero,
+    /// [`GeomError::DerivativeBeyondNumbers`].
+    pub fn over(&self, other: &Self) -> Result<Self, GeomError> {
+        let (shape, divisor) = (self.shape, other.value());
+        if divisor == 0.0 {
+            return Err(GeomError::NotDifferentiable { what: "a quotient", at: divisor });
+        }
+        let mut quotient = Self::constant(0.0, shape);
+        for (i, j) in shape.powers() {
+            let mut rest = self.coefficients[shape.place(i, j)];
+            for p in 0..=i {
+                for q in usize::from(p == 0)..=j {
+                    rest -= other.coefficients[shape.place(p, q)]
+                        * quotient.coefficients[shape.place(i - p, j - q)];
+                }
+            }
+            quotient.coefficients[shape.place(i, j)] = rest / divisor;
+        }
+        quotient.checked()
+    }
+
+    /// The series Σ sₖ·hᵏ of the part h that varies, by Horner's scheme.
+    ///
+    /// # Errors
+    /// [`GeomError::DerivativeBeyondNumbers`].
+    pub(super) fn compose(&self, series: &[f64]) -> Result<Self, GeomError> {
+        let varying = self.clone().with_value(0.0);
+        let mut sum = self.same(0.0);
+        for &term in series.iter().rev() {
+            sum = sum.times(&varying);
+            sum.coefficients[0] += term;
+        }
+        sum.checked()
+    }
+}
+
+/// A point of a curve at a parameter that varies, from its derivatives at the parameter's value.
+///
+/// Faà di Bruno's formula, as the composition of series.
+///
+/// # Errors
+/// [`GeomError::DerivativeBeyondNumbers`].
+pub fn along(derivatives: &[DVec3], t: &Jet) -> Result<[Jet; 3], GeomError> {
+    let coordinate = |axis: usize| {
+        let mut factorial = 1.0;
+        let term = |(k, derivative): (usize, &DVec3)| {
+            factorial *= k.max(1) as f64;
+            derivative[axis] / factorial
+        };
+        t.compose(&derivatives.iter().enumerate().map(term).collect::<Vec<_>>())
+    };
+    Ok([coordinate(0)?, coordinate(1)?, coordinate(2)?])
+}
+
+/// A point of a surface at parameters that vary, from its derivatives at their values: row k,
+/// column l of the grid holds the one of order k in u and l in v.
+///
+/// # Errors
+/// [`GeomError::DerivativeBeyondNumbers`].
+pub fn across(derivatives: &Grid<DVec3>, u: &Jet, v: &Jet) -> Result<[Jet; 3], GeomError> {
+    let coordinate = |axis: usize| {
+        let varying = u.clone().with_value(0.0);
+        let mut sum = u.same(0.0);
+        // Horner's scheme in u; its coefficients are series in v.
+        for k in (0..=u.order()).rev() {
+            let factorial = |n: usize| (1..=n).fold(1.0, |product, m| product * m as f64);
+            let term = |l: usize| derivatives.get(k, l)[axis] / (factorial(k) * factorial(l));
+            let along_v = v.compose(&(0..=v.order() - k).map(term).collect::<Vec<_>>())?;
+            sum = sum.times(&varying).plus(&along_v);
+        }
+        sum.checked()
+    };
+    Ok([coordinate(0)?, coordinate(1)?, coordinate(2)?])
+}
