@@ -78,6 +78,8 @@ pub struct Report {
     pub definitions: Vec<eval::Defined>,
     /// Settings that no parameter takes, each a sentence.
     pub unknown_settings: Vec<String>,
+    /// What parametric curves and surfaces need to answer: keep it as long as the values.
+    pub kept: eval::Kept,
 }
 
 impl Report {
@@ -258,6 +260,7 @@ impl Session {
             tests,
             definitions: outcome.definitions,
             unknown_settings: outcome.unknown_settings,
+            kept: outcome.kept,
             ..self.findings(sources, diagnostics)
         }
     }
@@ -272,6 +275,7 @@ impl Session {
             tests: Vec::new(),
             definitions: Vec::new(),
             unknown_settings: Vec::new(),
+            kept: eval::Kept::default(),
         }
     }
 

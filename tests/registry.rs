@@ -1,13 +1,14 @@
 //! Questions to the registry: what must hold for every built-in operation and constant.
 
 use virote::{
+    diag::Span,
     docs,
     eval::Setting,
     limits::Limits,
     ops,
     session::{Event, Report, Session},
     syntax,
-    value::{Files, Op, Param, Type, choose},
+    value::{Call, Files, Op, Param, Type, choose},
 };
 
 /// No files at all.
@@ -183,7 +184,7 @@ fn is_number(of: Type) -> bool {
 }
 
 #[test]
-fn operations_of_one_name_differ_in_their_first_parameter() {
+fn operations_of_one_name_differ_in_their_first_parameter_or_in_how_many_they_take() {
     let registry = ops::registry();
     let mut complaints = Vec::new();
     for name in registry.names() {
@@ -202,7 +203,10 @@ fn operations_of_one_name_differ_in_their_first_parameter() {
                 let clash = variants(first_a)
                     .into_iter()
                     .any(|x| variants(first_b).into_iter().any(|y| overlap(x, y)));
-                if clash {
+                let are_all_required =
+                    a.params.iter().chain(b.params).all(|param| !param.may_be_left_out());
+                let differ_in_count = are_all_required && a.params.len() != b.params.len();
+                if clash && !differ_in_count {
                     complaints.push(format!(
                         "{name}: {} and {} cannot be told apart",
                         a.signature(),
@@ -220,7 +224,8 @@ fn without_arguments_some_operation_is_chosen() {
     let registry = ops::registry();
     for name in registry.names() {
         if let Some((_, ops)) = registry.get(name) {
-            assert!(choose(ops, None).is_ok(), "{name}");
+            let call = Call { span: Span::default(), positional: Vec::new(), named: Vec::new() };
+            assert!(choose(ops, None, &call).is_ok(), "{name}");
         }
     }
 }

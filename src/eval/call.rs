@@ -1,42 +1,25 @@
 //! Calls: of functions of the script, of built-ins, of curves and surfaces, and with places left
 //! open.
 
-use std::sync::{Arc, PoisonError};
+use std::sync::Arc;
 
 use super::{
+    beside::Beside,
+    function::ScriptFunction,
     home::Home,
     ir::{Arg, CallExpr},
-    library::join,
-    machine::{Machine, Reads, ScriptFunction},
-    memory::Read,
+    machine::Machine,
+    parametric::gone,
+    smooth::{point_on_curve, point_on_surface},
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
+    kernel::Jet,
     value::{
-        At, Call, Ctx, Files, Formal, FromValue, Function, Mistakes, Op, Partial, Type, Value,
+        At, Call, Ctx, Formal, FromValue, Function, Mistakes, Op, Partial, Real, Type, Value,
         assign, choose,
     },
 };
-
-/// Files as a file of another folder names them.
-#[derive(Debug)]
-struct Beside<'a> {
-    files: &'a dyn Files,
-    folder: &'a str,
-    reads: Option<Reads>,
-}
-
-impl Files for Beside<'_> {
-    fn read(&self, path: &str, most: usize) -> std::result::Result<Vec<u8>, String> {
-        let path = join(self.folder, path);
-        let outcome = self.files.read(&path, most);
-        if let Some(reads) = &self.reads {
-            let read = Read::new(path, most, &outcome);
-            reads.lock().unwrap_or_else(PoisonError::into_inner).insert(read);
-        }
-        outcome
-    }
-}
 
 /// Remarks "called from here" that one error collects.
 const MOST_CALLERS: usize = 3;
@@ -46,6 +29,8 @@ fn finite(value: Value, name: &str, span: Span) -> Result<Value> {
     let is_finite = |value: &Value| match value {
         Value::Number(number) => number.value.is_finite(),
         Value::Point(point) => point.is_finite(),
+        Value::Jet(number) => number.value.is_finite(),
+        Value::JetPoint(jets) => jets.iter().all(Jet::is_finite),
         _ => true,
     };
     let is_well = match &value {
@@ -101,15 +86,16 @@ impl Machine<'_> {
             Value::Function(Function::Partial(partial)) => self.fill(partial, call, place),
             Value::Curve(curve) => {
                 let [t] = self.parameters(callee, "c(t)", &call)?;
-                let inside = curve.domain().clamp_inside(t.value).at(t.span)?;
-                finite(Value::Point(curve.point_at(inside).at(call.span)?), "c(t)", call.span)
+                let (point, used) = self.meter().lend(|| point_on_curve(curve, t, call.span));
+                self.set_meter(used);
+                finite(point?, "c(t)", call.span)
             }
             Value::Surface(surface) => {
                 let [u, v] = self.parameters(callee, "s(u, v)", &call)?;
-                let inside_u = surface.domain_u().clamp_inside(u.value).at(u.span)?;
-                let inside_v = surface.domain_v().clamp_inside(v.value).at(v.span)?;
-                let point = surface.point_at(inside_u, inside_v).at(call.span)?;
-                finite(Value::Point(point), "s(u, v)", call.span)
+                let (point, used) =
+                    self.meter().lend(|| point_on_surface(surface, [u, v], call.span));
+                self.set_meter(used);
+                finite(point?, "s(u, v)", call.span)
             }
             other => {
                 let message = format!("{} cannot be called", other.phrase());
@@ -131,7 +117,7 @@ impl Machine<'_> {
         callee: &Value,
         form: &str,
         call: &Call,
-    ) -> Result<[Spanned<f64>; N]> {
+    ) -> Result<[Spanned<Real>; N]> {
         let bad = |span, message: String| {
             Diagnostic::error(Code::BadCall, span, message)
                 .hint(format!("a {} is called as `{form}`", callee.kind()))
@@ -151,9 +137,9 @@ impl Machine<'_> {
                 format!("a {} takes {N} {parameters}, found {found}", callee.kind()),
             );
         }
-        let mut values = [Spanned::new(0.0, call.span); N];
+        let mut values = [(); N].map(|()| Spanned::new(Real::Plain(0.0), call.span));
         for (slot, arg) in values.iter_mut().zip(&call.positional) {
-            let value = f64::from_value(&arg.value, arg.span).map_err(|mismatch| {
+            let value = Real::from_value(&arg.value, arg.span).map_err(|mismatch| {
                 let message =
                     mismatch.sentence(&format!("a parameter of a {}", callee.kind()), Type::Ratio);
                 Box::new(Diagnostic::error(mismatch.code, arg.span, message))
@@ -171,7 +157,7 @@ impl Machine<'_> {
                 .find(|(label, _)| Some(&*label.value) == first_name)
                 .map(|(_, value)| value)
         });
-        let op = choose(ops, first.map(|first| &first.value)).map_err(|what| {
+        let op = choose(ops, first.map(|first| &first.value), &call).map_err(|what| {
             let place = first.map_or(call.span, |first| first.span);
             let mut diagnostic =
                 Diagnostic::error(Code::WrongKind, place, format!("`{name}` {what}"));
@@ -182,12 +168,15 @@ impl Machine<'_> {
         })?;
         let env = self.env;
         let span = call.span;
+        let meter = self.meter();
         let home = Arc::clone(&self.home);
         let files = Beside { files: env.files, folder: &home.folder, reads: self.reads.clone() };
         let mut ctx =
             Ctx { tolerance: env.tolerance, limits: env.limits, files: &files, span, caller: self };
-        let value = (op.run)(&mut ctx, call)?;
-        finite(value, name, span)
+        let (value, used) = meter.lend(|| (op.run)(&mut ctx, call));
+        // What the operation called was counted by this machine; what it asked, by the meter.
+        self.add_steps(used.steps - meter.steps);
+        finite(value?, name, span)
     }
 
     fn script(&mut self, function: &ScriptFunction, call: Call) -> Result<Value> {
@@ -250,9 +239,9 @@ impl Machine<'_> {
     /// Runs a function in a frame of its own.
     fn enter(&mut self, function: &ScriptFunction, args: Vec<Option<Value>>) -> Result<Value> {
         let lambda = function.lambda();
+        let outer_home = self.go_home(function)?;
         let outer_base = std::mem::replace(&mut self.base, self.stack.len());
         let outer = self.running.replace(function.clone());
-        let outer_home = self.go_home(function);
         self.stack.resize(self.base + lambda.n_slots, Value::None);
         let result = self.fill_frame(function, args).and_then(|()| self.eval(&lambda.body));
         self.stack.truncate(self.base);
@@ -265,12 +254,14 @@ impl Machine<'_> {
     }
 
     /// Enters the file of a function, unless it runs already; the file that ran before.
-    fn go_home(&mut self, function: &ScriptFunction) -> Option<Arc<Home>> {
+    fn go_home(&mut self, function: &ScriptFunction) -> Result<Option<Arc<Home>>> {
         if std::ptr::eq(function.home.as_ptr(), Arc::as_ptr(&self.home)) {
-            return None;
+            return Ok(None);
         }
-        let home = function.home.upgrade()?;
-        Some(std::mem::replace(&mut self.home, home))
+        match function.home.upgrade() {
+            Some(home) => Ok(Some(std::mem::replace(&mut self.home, home))),
+            None => gone(function.lambda().body.span),
+        }
     }
 
     /// The record of what an imported file defines.

@@ -11,31 +11,52 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
-    value::{Dim, List, Number, Record, Value},
+    value::{Dim, IntoValue, List, Number, Real, Record, Value, Vector},
 };
+
+/// Fails: this cannot be a coordinate.
+fn not_a_coordinate(value: &Value, span: Span) -> Result<Value> {
+    let (code, message) = match value.looked_at() {
+        Value::Number(number) => {
+            (Code::UnitMismatch, format!("a coordinate must be a length, found {}", number.dim))
+        }
+        other => {
+            (Code::WrongKind, format!("a coordinate must be a number, found {}", other.phrase()))
+        }
+    };
+    let diagnostic = Diagnostic::error(code, span, message);
+    match code {
+        Code::WrongKind => {
+            diagnostic.hint("points and groups take round brackets, lists take square ones")
+        }
+        _ => diagnostic,
+    }
+    .fail()
+}
 
 impl Machine<'_> {
     pub(super) fn point(&mut self, coordinates: &[Expr; 3]) -> Result<Value> {
         let mut point = DVec3::ZERO;
+        let mut jets: [Option<Real>; 3] = [None, None, None];
         for (i, expr) in coordinates.iter().enumerate() {
             point[i] = match self.eval(expr)? {
                 Value::Number(number) if number.dim.is_none() || number.dim == Dim::LENGTH => {
                     number.value
                 }
-                Value::Number(number) => {
-                    let message = format!("a coordinate must be a length, found {}", number.dim);
-                    return Diagnostic::error(Code::UnitMismatch, expr.span, message).fail();
+                Value::Jet(number) if number.dim.is_none() || number.dim == Dim::LENGTH => {
+                    jets[i] = Some(number.value.clone());
+                    number.value.value()
                 }
-                other => {
-                    let message =
-                        format!("a coordinate must be a number, found {}", other.phrase());
-                    return Diagnostic::error(Code::WrongKind, expr.span, message)
-                        .hint("points and groups take round brackets, lists take square ones")
-                        .fail();
-                }
+                other => return not_a_coordinate(&other, expr.span),
             };
         }
-        Ok(Value::Point(point))
+        if jets.iter().all(Option::is_none) {
+            return Ok(Value::Point(point));
+        }
+        let [x, y, z] = jets;
+        let real = |jet: Option<Real>, plain: f64| jet.unwrap_or(Real::Plain(plain));
+        let coordinates = [real(x, point.x), real(y, point.y), real(z, point.z)];
+        Ok(Vector::new(coordinates).into_value())
     }
 
     /// Fails when a list grows beyond its ceiling.

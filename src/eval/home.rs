@@ -22,6 +22,20 @@ pub(crate) struct Home {
     pub(crate) folder: String,
 }
 
+/// Keeps the definitions that functions in values use: while it lives, parametric curves and
+/// surfaces answer.
+#[derive(Clone, Debug, Default)]
+pub struct Kept {
+    _homes: Vec<Arc<Home>>,
+}
+
+impl Kept {
+    /// Keeps these homes.
+    pub(super) fn new(homes: Vec<Arc<Home>>) -> Self {
+        Self { _homes: homes }
+    }
+}
+
 impl Home {
     /// The home of a program, before anything is evaluated.
     pub(super) fn new(program: &Program, folder: &str, recall: Option<&Recall<'_>>) -> Arc<Self> {

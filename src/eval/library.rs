@@ -43,7 +43,7 @@ struct File {
 #[derive(Debug)]
 struct Instance {
     /// Functions of the file look here for its definitions.
-    _home: Arc<Home>,
+    home: Arc<Home>,
     outcome: Result<(Value, Fields)>,
 }
 
@@ -218,6 +218,13 @@ impl<'a> Library<'a> {
         self.findings.lock().unwrap_or_else(PoisonError::into_inner).push(finding);
     }
 
+    /// The homes of all files that were evaluated.
+    pub(super) fn homes(&self) -> Vec<Arc<Home>> {
+        let instances = self.instances.lock().unwrap_or_else(PoisonError::into_inner);
+        let evaluated = instances.values().filter_map(|instance| instance.get());
+        evaluated.map(|instance| Arc::clone(&instance.home)).collect()
+    }
+
     /// Everything that was found in imported files so far.
     pub(crate) fn take_findings(&self) -> Vec<Diagnostic> {
         std::mem::take(&mut *self.findings.lock().unwrap_or_else(PoisonError::into_inner))
@@ -294,7 +301,7 @@ impl<'a> Library<'a> {
             Some(failed) => Err(failed),
             None => Ok(public(program, &home)),
         };
-        Instance { _home: home, outcome }
+        Instance { home, outcome }
     }
 }
 

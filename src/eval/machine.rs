@@ -6,22 +6,25 @@
 
 use std::{
     collections::BTreeSet,
-    sync::{Arc, Mutex, Weak},
+    sync::{Arc, Mutex},
 };
 
 use super::{
+    function::ScriptFunction,
     home::Home,
-    ir::{BinaryOp, Block, Expr, ExprKind, Group, Lambda, Source},
+    index,
+    ir::{BinaryOp, Block, Expr, ExprKind, Group, Source},
     library::Library,
     memory::{Fields, Read},
     operator,
+    parametric::{Asked, Meter},
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
-    kernel::Tolerance,
+    kernel::{CurveFunction, SurfaceFunction, Tolerance},
     limits::Limits,
     syntax::ast::Unit,
-    value::{At, Caller, Closure, Extent, Files, Function, List, Value, field, field_names},
+    value::{At, Caller, Files, Function, Value, field, field_names},
 };
 
 /// What evaluation may consult.
@@ -35,53 +38,6 @@ pub(crate) struct Env<'a> {
     pub(crate) library: Option<&'a Library<'a>>,
     /// How many bytes of memory are held.
     pub(crate) held: fn() -> usize,
-}
-
-/// A function of the script with what it took from around it.
-#[derive(Clone, Debug)]
-pub(crate) struct ScriptFunction {
-    pub(crate) group: Arc<Group>,
-    pub(crate) idx: usize,
-    pub(crate) captures: List,
-    /// The file that it belongs to.
-    pub(crate) home: Weak<Home>,
-}
-
-impl ScriptFunction {
-    pub(crate) fn lambda(&self) -> &Lambda {
-        &self.group.lambdas[self.idx]
-    }
-
-    /// A function that was defined together with it.
-    pub(super) fn sibling(&self, idx: usize) -> Value {
-        Value::Function(Function::Closure(Arc::new(Self { idx, ..self.clone() })))
-    }
-}
-
-impl Closure for ScriptFunction {
-    fn signature(&self) -> String {
-        let lambda = self.lambda();
-        let parameters: Vec<String> = lambda
-            .parameters
-            .iter()
-            .map(|parameter| match parameter.default {
-                Some(_) => format!("{} = ...", parameter.name),
-                None => parameter.name.to_string(),
-            })
-            .collect();
-        match &lambda.name {
-            Some(name) => format!("{name}({})", parameters.join(", ")),
-            None => format!("({}) => ...", parameters.join(", ")),
-        }
-    }
-
-    fn extent(&self) -> Extent {
-        Extent { holds_functions: true, ..self.captures.extent() }
-    }
-
-    fn as_any(&self) -> &dyn std::any::Any {
-        self
-    }
 }
 
 /// The machine. One for each thread that evaluates.
@@ -140,6 +96,21 @@ impl<'a> Machine<'a> {
         self.base = 0;
         self.running = None;
         (self.n_calls, self.depth, self.steps) = (0, 0, 0);
+    }
+
+    /// What it has used up.
+    pub(super) fn meter(&self) -> Meter {
+        Meter { n_calls: self.n_calls, depth: self.depth, steps: self.steps }
+    }
+
+    /// Goes on from what others have used up.
+    pub(super) fn set_meter(&mut self, meter: Meter) {
+        (self.n_calls, self.depth, self.steps) = (meter.n_calls, meter.depth, meter.steps);
+    }
+
+    /// Counts what was used up elsewhere on behalf of this machine.
+    pub(super) fn add_steps(&mut self, steps: u64) {
+        self.steps += steps;
     }
 
     /// Evaluates an expression in the frame of the running function.
@@ -315,7 +286,7 @@ impl<'a> Machine<'a> {
 
     fn index(&mut self, parts: &[Expr; 2]) -> Result<Value> {
         let (subject, index) = (self.eval(&parts[0])?, self.eval(&parts[1])?);
-        operator::index(&subject, &index, parts[0].span, parts[1].span)
+        index::index(&subject, &index, parts[0].span, parts[1].span)
     }
 
     fn field(&mut self, subject: &Expr, name: &str, place: Span) -> Result<Value> {
@@ -341,6 +312,14 @@ impl<'a> Machine<'a> {
 impl Caller for Machine<'_> {
     fn call(&mut self, function: &Value, args: &[Value], span: Span) -> Result<Value> {
         self.apply(function, args, span)
+    }
+
+    fn curve_function(&self, function: &Value, span: Span) -> Result<Arc<dyn CurveFunction>> {
+        Ok(Asked::new(self, function, span)?)
+    }
+
+    fn surface_function(&self, function: &Value, span: Span) -> Result<Arc<dyn SurfaceFunction>> {
+        Ok(Asked::new(self, function, span)?)
     }
 
     fn warn(&mut self, warning: Diagnostic) {

@@ -3,12 +3,15 @@
 //! Knows the operations only through the [`Registry`](crate::value::Registry). The session hands
 //! in the tree; files come in through [`Files`](crate::value::Files).
 
+mod beside;
 mod call;
 mod ceiling;
 mod claim;
 mod collection;
 mod dependencies;
+mod function;
 mod home;
+mod index;
 mod ir;
 mod lanes;
 mod library;
@@ -19,10 +22,12 @@ mod memory;
 mod operator;
 mod outcome;
 mod param;
+mod parametric;
 mod promise;
 mod run;
 mod schedule;
 mod schema;
+mod smooth;
 mod spelling;
 mod test;
 mod worker;
@@ -30,6 +35,7 @@ mod worker;
 pub(crate) use ceiling::out_of_memory;
 pub use claim::{Side, Verdict};
 pub use dependencies::{Graph, Node, graph};
+pub use home::Kept;
 pub use memory::{Memory, Recall, Work};
 pub(crate) use outcome::in_order;
 pub use outcome::{Checked, Defined, Expected, Exported, Outcome, Output, Printed, Tested};

@@ -1,6 +1,9 @@
 //! What the operators do to values: one function a family, and the errors that name both sides.
 
-use super::ir::{BinaryOp, UnaryOp};
+use super::{
+    ir::{BinaryOp, UnaryOp},
+    smooth,
+};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     kernel::Tolerance,
@@ -65,7 +68,7 @@ pub(super) fn binary(
     }
 }
 
-fn arithmetic(op: BinaryOp, a: &Value, b: &Value, places: Places) -> Result<Value> {
+pub(super) fn arithmetic(op: BinaryOp, a: &Value, b: &Value, places: Places) -> Result<Value> {
     use BinaryOp as Op;
     match (a, op, b) {
         (Value::Number(x), _, Value::Number(y)) => numbers(op, *x, *y, places).map(Value::Number),
@@ -84,6 +87,7 @@ fn arithmetic(op: BinaryOp, a: &Value, b: &Value, places: Places) -> Result<Valu
             }
             finite_point(*p / n, places)
         }
+        _ if a.is_jet() || b.is_jet() => smooth::arithmetic(op, a, b, places),
         _ => inapplicable(op, a, b, places),
     }
 }
@@ -231,6 +235,9 @@ fn order(op: BinaryOp, a: &Value, b: &Value, places: Places) -> Result<bool> {
             x.value.partial_cmp(&y.value)
         }
         (Value::Text(x), Value::Text(y)) => Some(x.cmp(y)),
+        _ if a.is_jet() || b.is_jet() => {
+            return order(op, &a.looked_at(), &b.looked_at(), places);
+        }
         _ => return inapplicable(op, a, b, places).map(|_| false),
     };
     Ok(match op {
@@ -264,6 +271,7 @@ pub(super) fn unary(op: UnaryOp, value: &Value, span: Span) -> Result<Value> {
             Ok(Value::Number(Number { value: -number.value, dim: number.dim }))
         }
         (UnaryOp::Negate, Value::Point(point)) => Ok(Value::Point(-*point)),
+        (UnaryOp::Negate, Value::Jet(_) | Value::JetPoint(_)) => smooth::negated(value, span),
         (UnaryOp::Not, Value::Bool(truth)) => Ok(Value::Bool(!truth)),
         (UnaryOp::Negate, other) => Diagnostic::error(
             Code::WrongKind,
@@ -280,102 +288,6 @@ pub(super) fn unary(op: UnaryOp, value: &Value, span: Span) -> Result<Value> {
     }
 }
 
-/// `xs[i]`: an element, or a slice where the index is a range.
-pub(super) fn index(
-    subject: &Value,
-    index: &Value,
-    subject_span: Span,
-    span: Span,
-) -> Result<Value> {
-    match (subject, index) {
-        (Value::List(items), Value::Range(range)) => {
-            let (start, end) = slice(items.len(), range, span)?;
-            Ok(Value::List(items.slice(start..end.max(start))))
-        }
-        (Value::List(items), _) => {
-            let idx = place(items.len(), index, "list", subject_span, span)?;
-            Ok(items.get(idx).unwrap_or(Value::None))
-        }
-        (Value::Table(table), _) => {
-            let row = place(table.n_rows(), index, "table", subject_span, span)?;
-            Ok(crate::value::table_row(table, row))
-        }
-        (other, _) => {
-            let hint = match other {
-                Value::Point(_) => "coordinates are `.x`, `.y` and `.z`",
-                Value::Curve(_) | Value::Surface(_) => {
-                    "curves and surfaces are called with round brackets: `c(t)`"
-                }
-                _ => "only lists and tables have elements",
-            };
-            Diagnostic::error(
-                Code::WrongKind,
-                subject_span,
-                format!("{} has no elements", other.phrase()),
-            )
-            .hint(hint)
-            .fail()
-        }
-    }
-}
-
-/// The element that an index means; negative ones count from the end.
-fn place(n: usize, index: &Value, what: &str, subject: Span, span: Span) -> Result<usize> {
-    let number = match index {
-        Value::Number(number) => number.as_integer(),
-        _ => None,
-    };
-    let Some(number) = number else {
-        let message = format!("an index must be a whole number, found {}", index.phrase());
-        return Diagnostic::error(Code::WrongKind, span, message).fail();
-    };
-    let place = if number < 0 { number + n as i64 } else { number };
-    match usize::try_from(place) {
-        Ok(place) if place < n => Ok(place),
-        _ => Diagnostic::error(
-            Code::IndexOutside,
-            span,
-            format!("index {number} is outside a {what} of {n}"),
-        )
-        .also(
-            subject,
-            format!("this {what} has {n} {}", if what == "table" { "rows" } else { "elements" }),
-        )
-        .hint(match n {
-            0 => "it is empty".to_owned(),
-            _ => format!("its indices are 0 to {}, or -1 to -{n} from the end", n - 1),
-        })
-        .fail(),
-    }
-}
-
-/// The half-open range of elements that a slice means.
-fn slice(n: usize, range: &Range, span: Span) -> Result<(usize, usize)> {
-    let whole = |number: Number| number.as_integer();
-    let (Some(start), Some(end)) = (whole(range.start), whole(range.end)) else {
-        return Diagnostic::error(
-            Code::WrongKind,
-            span,
-            format!("a slice needs whole numbers, found {range}"),
-        )
-        .fail();
-    };
-    let from_end = |place: i64| if place < 0 { place + n as i64 } else { place };
-    let (start, end) = (from_end(start), from_end(end) + i64::from(range.closed));
-    if end <= start && (0..=n as i64).contains(&start) {
-        return Ok((0, 0));
-    }
-    match (usize::try_from(start), usize::try_from(end)) {
-        (Ok(start), Ok(end)) if start <= end && end <= n => Ok((start, end)),
-        _ => Diagnostic::error(
-            Code::IndexOutside,
-            span,
-            format!("the slice {range} reaches outside a list of {n}"),
-        )
-        .fail(),
-    }
-}
-
 /// The range between two numbers.
 fn range(a: &Value, b: &Value, closed: bool, span: Span) -> Result<Value> {
     match (a, b) {
@@ -386,6 +298,7 @@ fn range(a: &Value, b: &Value, closed: bool, span: Span) -> Result<Value> {
             let message = format!("a range from {} to {}", start.dim, end.dim);
             Diagnostic::error(Code::UnitMismatch, span, message).fail()
         }
+        _ if a.is_jet() || b.is_jet() => smooth::no_derivative("a range", span),
         _ => {
             let message = format!(
                 "a range runs between two numbers, found {} and {}",

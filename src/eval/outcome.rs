@@ -1,6 +1,6 @@
 //! What became of a file: its definitions, what its effects came to, what was found.
 
-use super::{claim::Verdict, memory::Work};
+use super::{claim::Verdict, home::Kept, memory::Work};
 use crate::{
     diag::{Code, Diagnostic, Span, Spanned},
     kernel::Tolerance,
@@ -128,6 +128,8 @@ pub struct Outcome {
     pub unit: Unit,
     /// The tolerance.
     pub tolerance: Tolerance,
+    /// What parametric curves and surfaces among the values need to answer.
+    pub kept: Kept,
 }
 
 /// Puts findings into the order of the source, whatever thread they come from, each once: a

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use super::{
-    home::Home,
+    home::{Home, Kept},
     ir::{Arg, Definition, Effect, EffectKind, Expr, Kind, Program, Role},
     load::{Document, Loaded, load},
     machine::Machine,
@@ -74,6 +74,8 @@ pub fn evaluate(name: &str, text: &str, sources: &mut Sources, settings: Setting
     diagnostics.append(&mut run.machine.warnings);
     diagnostics.extend(library.take_findings());
     in_order(&mut diagnostics);
+    let mut kept = library.homes();
+    kept.push(Arc::clone(&run.machine.home));
     Outcome {
         definitions,
         outputs,
@@ -82,6 +84,7 @@ pub fn evaluate(name: &str, text: &str, sources: &mut Sources, settings: Setting
         unknown_settings,
         unit,
         tolerance: program.tolerance,
+        kept: Kept::new(kept),
     }
 }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Dim, List, Number, Range, Record, Type, Value};
+use super::{Dim, List, Number, Range, Real, Record, Type, Value};
 use crate::{
     diag::{Code, Span, Spanned},
     kernel::{Curve, Frame, Grid, Interval, Mesh, Surface, Table},
@@ -29,6 +29,12 @@ impl Mismatch {
     /// `value` is not of type `wanted`.
     #[must_use]
     pub fn kind(wanted: Type, value: &Value) -> Self {
+        if value.is_jet() && wanted.accepts(&value.looked_at()) {
+            let reason = "no derivative passes through here, and derivatives are wanted";
+            return Self::because(reason, Code::NoDerivative).hint(
+                "derivatives pass through arithmetic and the functions of numbers and points",
+            );
+        }
         Self::new(wanted.phrase(), value.phrase())
     }
 
@@ -207,7 +213,7 @@ impl FromValue for usize {
 
 /// A length in document units.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Length(pub f64);
+pub struct Length<T = f64>(pub T);
 
 impl FromValue for Length {
     const TYPE: Type = Type::Length;
@@ -225,7 +231,7 @@ impl FromValue for Length {
 
 /// An angle in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Angle(pub f64);
+pub struct Angle<T = f64>(pub T);
 
 impl FromValue for Angle {
     const TYPE: Type = Type::Angle;
@@ -302,7 +308,7 @@ impl<const N: usize, T: FromValue> FromValue for AtLeast<N, T> {
 
 /// Numbers, given as a list or as the arguments themselves.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Numbers(pub Vec<Number>);
+pub struct Numbers(pub Vec<Number<Real>>);
 
 impl FromValue for Numbers {
     const TYPE: Type = Type::List(&Type::Number, 0);

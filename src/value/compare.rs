@@ -10,6 +10,9 @@ use super::{Dim, Function, Number, Value};
 #[must_use]
 #[expect(clippy::float_cmp, reason = "exact equality is what `==` means")]
 pub fn equal(a: &Value, b: &Value) -> Option<bool> {
+    if a.is_jet() || b.is_jet() {
+        return equal(&a.looked_at(), &b.looked_at());
+    }
     Some(match (a, b) {
         (Value::None, Value::None) => true,
         (Value::Bool(a), Value::Bool(b)) => a == b,
@@ -81,6 +84,9 @@ pub enum Deviation {
 /// tables by their worst element.
 #[must_use]
 pub fn deviation(a: &Value, b: &Value) -> Deviation {
+    if a.is_jet() || b.is_jet() {
+        return deviation(&a.looked_at(), &b.looked_at());
+    }
     match (a, b) {
         (Value::Number(x), Value::Number(y)) => match common(*x, *y) {
             Some(_) => Deviation::Apart((x.value - y.value).abs(), String::new()),

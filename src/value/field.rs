@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Number, Range, Value};
+use super::{IntoValue, Number, Range, Real, Value};
 use crate::kernel::{
     Column, Curve, GeomError, Grid, Interval, NurbsCurve, NurbsSurface, Surface, Table, Tolerance,
 };
@@ -27,7 +27,7 @@ const CURVE_FRAME: &[&str] = &["origin", "x", "y", "z", "tangent", "normal", "bi
 #[must_use]
 pub fn field_names(value: &Value) -> Vec<&str> {
     match value {
-        Value::Point(_) => POINT.to_vec(),
+        Value::Point(_) | Value::JetPoint(_) => POINT.to_vec(),
         Value::Range(_) => RANGE.to_vec(),
         Value::Record(record) => record.iter().map(|(label, _)| label).collect(),
         Value::Curve(_) => CURVE.to_vec(),
@@ -60,6 +60,10 @@ fn plain_field(value: &Value, name: &str) -> Option<Value> {
         (Value::Point(point), "x") => Value::number(point.x),
         (Value::Point(point), "y") => Value::number(point.y),
         (Value::Point(point), "z") => Value::number(point.z),
+        (Value::JetPoint(jets), "x" | "y" | "z") => {
+            let axis = POINT.iter().position(|axis| *axis == name)?;
+            Real::Jet(jets[axis].clone()).into_value()
+        }
         (Value::Range(range), "start") => Value::Number(range.start),
         (Value::Range(range), "end") => Value::Number(range.end),
         (Value::Record(record), _) => record.get(name)?.clone(),

@@ -17,17 +17,20 @@ mod list;
 mod number;
 mod op;
 mod range;
+mod real;
 mod record;
 mod registry;
 mod shape;
+mod smooth;
 mod ty;
+mod vector;
 mod wrap;
 
 use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::kernel::{Curve, Frame, Mesh, Surface, Table};
+use crate::kernel::{Curve, Frame, Jet, Mesh, Surface, Table};
 
 pub use bind::{Binder, Call, Formal, Mistakes, assign};
 pub use blame::{At, code_of, hint_of};
@@ -44,10 +47,13 @@ pub use number::{Dim, Number, radians_of, shortest};
 pub(crate) use op::op;
 pub use op::{Caller, Ctx, Example, Family, Op, Param};
 pub use range::Range;
+pub use real::Real;
 pub use record::Record;
 pub use registry::{Constant, Registry, choose};
 pub use shape::Geometry;
+pub use smooth::Looked;
 pub use ty::Type;
+pub use vector::Vector;
 pub use wrap::IntoValue;
 
 /// What an expression evaluates to. Cheap to clone.
@@ -63,6 +69,10 @@ pub enum Value {
     Text(Arc<str>),
     /// A point or vector, in document units.
     Point(DVec3),
+    /// A number in a function that is differentiated; a [`Real::Jet`].
+    Jet(Arc<Number<Real>>),
+    /// A point in a function that is differentiated.
+    JetPoint(Arc<[Jet; 3]>),
     /// A list.
     List(List),
     /// A range.
@@ -102,6 +112,22 @@ impl Value {
         Self::List(List::from(items))
     }
 
+    /// The value without derivatives: a plain number for a jet, a point for one of jets.
+    #[must_use]
+    pub fn looked_at(&self) -> Self {
+        match self {
+            Self::Jet(number) => Self::Number(number.looked_at()),
+            Self::JetPoint(jets) => Self::Point(DVec3::from(jets.each_ref().map(Jet::value))),
+            other => other.clone(),
+        }
+    }
+
+    /// Whether it carries derivatives.
+    #[must_use]
+    pub fn is_jet(&self) -> bool {
+        matches!(self, Self::Jet(_) | Self::JetPoint(_))
+    }
+
     /// How deep and how large it is.
     #[must_use]
     pub fn extent(&self) -> Extent {
@@ -127,9 +153,9 @@ impl Value {
         match self {
             Self::None => "none",
             Self::Bool(_) => "bool",
-            Self::Number(_) => "number",
+            Self::Number(_) | Self::Jet(_) => "number",
             Self::Text(_) => "string",
-            Self::Point(_) => "point",
+            Self::Point(_) | Self::JetPoint(_) => "point",
             Self::List(_) => "list",
             Self::Range(_) => "range",
             Self::Record(_) => "record",
@@ -153,7 +179,8 @@ impl Value {
             Self::Text(text) if text.chars().count() <= 24 => format!("the string \"{text}\""),
             Self::Text(_) => "a string".to_owned(),
             Self::List(items) => list_phrase(items),
-            Self::Point(_) => "a point".to_owned(),
+            Self::Jet(number) => Self::Number(number.looked_at()).phrase(),
+            Self::Point(_) | Self::JetPoint(_) => "a point".to_owned(),
             Self::Range(range) => format!("the range {range}"),
             Self::Curve(Curve::Parametric(_)) | Self::Surface(Surface::Parametric(_)) => {
                 format!("a parametric {}", self.kind())

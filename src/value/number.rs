@@ -5,6 +5,8 @@
 
 use std::fmt;
 
+use super::Real;
+
 /// Powers of length and angle, in sixths so that square and cube roots stay exact.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Dim {
@@ -117,9 +119,9 @@ impl fmt::Display for Dim {
 
 /// A finite number with its dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Number {
+pub struct Number<T = f64> {
     /// In document units and radians.
-    pub value: f64,
+    pub value: T,
     /// Its powers of length and angle.
     pub dim: Dim,
 }
@@ -144,6 +146,14 @@ impl Number {
         const MOST: f64 = 9_007_199_254_740_992.0;
         (self.dim.is_none() && self.value.fract() == 0.0 && self.value.abs() <= MOST)
             .then_some(self.value as i64)
+    }
+}
+
+impl Number<Real> {
+    /// The number alone.
+    #[must_use]
+    pub fn looked_at(&self) -> Number {
+        Number { value: self.value.value(), dim: self.dim }
     }
 }
 

@@ -1,9 +1,11 @@
 //! The declaration of an operation: name, parameters, documentation, implementation.
 
+use std::sync::Arc;
+
 use super::{Call, Callback, Files, Type, Value};
 use crate::{
     diag::{Diagnostic, Result, Span},
-    kernel::Tolerance,
+    kernel::{CurveFunction, SurfaceFunction, Tolerance},
     limits::Limits,
 };
 
@@ -49,6 +51,18 @@ pub trait Caller {
     /// # Errors
     /// Whatever goes wrong inside it.
     fn call(&mut self, function: &Value, args: &[Value], span: Span) -> Result<Value>;
+
+    /// A function of the script as that of a curve; `span` is the call that makes the curve.
+    ///
+    /// # Errors
+    /// Where it uses a parameter of a function that is differentiated.
+    fn curve_function(&self, function: &Value, span: Span) -> Result<Arc<dyn CurveFunction>>;
+
+    /// A function of the script as that of a surface.
+    ///
+    /// # Errors
+    /// As for [`Self::curve_function`].
+    fn surface_function(&self, function: &Value, span: Span) -> Result<Arc<dyn SurfaceFunction>>;
 
     /// Takes a warning.
     fn warn(&mut self, warning: Diagnostic);

@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeMap, sync::Arc};
 
-use super::{Op, Type, Value};
+use super::{Call, Op, Type, Value};
 
 /// Operations by name. The evaluator, the help, the completion and the reference read this and
 /// nothing else. One name may have several operations, told apart by their first argument.
@@ -74,13 +74,23 @@ impl FromIterator<&'static Op> for Registry {
     }
 }
 
-/// The operation among `ops` that takes `first` as its first argument.
+/// The operation among `ops` that takes `first` as its first argument; among several such the
+/// first that has a place for every argument.
 ///
 /// With one operation there is no choice: what does not fit is told when arguments are read.
 ///
 /// # Errors
 /// A sentence on what the first argument may be.
-pub fn choose(ops: &[&'static Op], first: Option<&Value>) -> Result<&'static Op, String> {
+pub fn choose(
+    ops: &[&'static Op],
+    first: Option<&Value>,
+    call: &Call,
+) -> Result<&'static Op, String> {
+    let has_places = |op: &&&'static Op| {
+        let is_known = |label: &str| op.params.iter().any(|param| param.name == label);
+        call.positional.len() <= op.params.len()
+            && call.named.iter().all(|(label, _)| is_known(&label.value))
+    };
     let takes = |op: &&&'static Op, value: &Value| {
         op.params.first().is_some_and(|param| {
             let element = match param.ty {
@@ -92,14 +102,18 @@ pub fn choose(ops: &[&'static Op], first: Option<&Value>) -> Result<&'static Op,
     };
     match (ops, first) {
         ([only], _) | ([only, ..], None) => Ok(only),
-        (_, Some(value)) => ops.iter().find(|op| takes(op, value)).copied().ok_or_else(|| {
-            let wanted: Vec<String> = ops
-                .iter()
-                .filter_map(|op| op.params.first())
-                .map(|param| param.ty.phrase())
-                .collect();
-            format!("takes {}, found {}", wanted.join(" or "), value.phrase())
-        }),
+        (_, Some(value)) => {
+            let mut taking = ops.iter().filter(|op| takes(op, value));
+            let first = taking.clone().next();
+            taking.find(has_places).or(first).copied().ok_or_else(|| {
+                let wanted: Vec<String> = ops
+                    .iter()
+                    .filter_map(|op| op.params.first())
+                    .map(|param| param.ty.phrase())
+                    .collect();
+                format!("takes {}, found {}", wanted.join(" or "), value.phrase())
+            })
+        }
         ([], None) => Err("is not there".to_owned()),
     }
 }

@@ -70,10 +70,10 @@ impl Type {
                 | Self::Integer
                 | Self::Length
                 | Self::Angle,
-                Value::Number(_),
+                Value::Number(_) | Value::Jet(_),
             )
             | (Self::Text | Self::Choice(_), Value::Text(_))
-            | (Self::Point, Value::Point(_))
+            | (Self::Point, Value::Point(_) | Value::JetPoint(_))
             | (Self::Range, Value::Range(_))
             | (Self::Record, Value::Record(_))
             | (Self::Function, Value::Function(_) | Value::Curve(_) | Value::Surface(_))

@@ -3,8 +3,9 @@
 use super::{Body, Comparison, Node, Operation, Truth};
 use crate::{
     eval::{
+        function::ScriptFunction,
         ir::{BinaryOp, Block, CallExpr, Expr, ExprKind, UnaryOp},
-        machine::{Machine, ScriptFunction},
+        machine::Machine,
     },
     value::{Dim, Function, Number, Value},
 };

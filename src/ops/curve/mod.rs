@@ -12,6 +12,7 @@ mod interpolate;
 mod lagrange;
 mod line;
 mod nurbs;
+mod parametric;
 mod polyline;
 
 use crate::{
@@ -33,6 +34,7 @@ pub(super) static OPS: &[&Op] = &[
     &approximate::OP,
     &circle::OP,
     &conic::OP,
+    &parametric::OP,
 ];
 
 /// Knots of degree `degree` for so many points: those that are given, else uniform and clamped

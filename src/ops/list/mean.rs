@@ -1,10 +1,10 @@
 //! `mean`: the mean of a list.
 
-use super::total;
+use super::{Total, total};
 use crate::{
     diag::{Result, Spanned},
     ops::math::empty,
-    value::{Ctx, List, Number, Value, op},
+    value::{At, Ctx, IntoValue, List, Number, Real, Value, op},
 };
 
 op! {
@@ -21,10 +21,12 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
     if items.is_empty() {
         return empty(args.list.span, "mean");
     }
-    let n_items = items.len() as f64;
+    let n_items = Real::Plain(items.len() as f64);
     Ok(match total(items, ctx.span)? {
-        Value::Number(sum) => Value::Number(Number { value: sum.value / n_items, ..sum }),
-        Value::Point(sum) => Value::Point(sum / n_items),
-        other => other,
+        Total::Number(sum) => {
+            let value = sum.value.over(&n_items).at(ctx.span)?;
+            Number { value, dim: sum.dim }.into_value()
+        }
+        Total::Point(sum) => sum.over(&n_items).at(ctx.span)?.into_value(),
     })
 }

@@ -27,7 +27,7 @@ use glam::DVec3;
 use super::math::{common_dim, finite};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
-    value::{Callback, Ctx, Dim, Number, Op, Value},
+    value::{Callback, Ctx, Dim, FromValue, Number, Op, Real, Value, Vector},
 };
 
 pub(super) static OPS: &[&Op] = &[
@@ -64,21 +64,32 @@ pub(super) fn check_length(n: f64, ctx: &Ctx<'_>) -> Result<()> {
     Diagnostic::error(Code::TooLarge, ctx.span, message).fail()
 }
 
+/// A sum.
+enum Total {
+    Number(Number<Real>),
+    Point(Vector),
+}
+
 /// The sum of numbers or points.
-fn total(items: &[Value], span: Span) -> Result<Value> {
+fn total(items: &[Value], span: Span) -> Result<Total> {
     let mismatch = |item: &Value| {
         let message = format!("numbers can be added, and points, but not {}", item.phrase());
-        Diagnostic::error(Code::WrongKind, span, message).fail()
+        Box::new(Diagnostic::error(Code::WrongKind, span, message))
     };
-    let (mut value, mut point, mut dim) = (0.0, DVec3::ZERO, Dim::NONE);
+    let (mut value, mut dim) = (Real::Plain(0.0), Dim::NONE);
+    let mut point = Vector::Plain(DVec3::ZERO);
     for (i, item) in items.iter().enumerate() {
-        match (item, &items[0]) {
-            (Value::Number(number), Value::Number(_)) => {
-                dim = common_dim(&[Number { value, dim }, *number], span)?;
-                value += number.value;
+        match (item.kind(), items[0].kind()) {
+            ("number", "number") => {
+                let number = Number::<Real>::from_value(item, span).map_err(|_| mismatch(item))?;
+                dim = common_dim(&[Number { value: 0.0, dim }, number.looked_at()], span)?;
+                value = value.plus(&number.value);
             }
-            (Value::Point(summand), Value::Point(_)) => point += *summand,
-            (Value::Number(_) | Value::Point(_), _) if i > 0 => {
+            ("point", "point") => {
+                let summand = Vector::from_value(item, span).map_err(|_| mismatch(item))?;
+                point = point.plus(&summand);
+            }
+            ("number" | "point", _) if i > 0 => {
                 return Diagnostic::error(
                     Code::WrongKind,
                     span,
@@ -86,13 +97,13 @@ fn total(items: &[Value], span: Span) -> Result<Value> {
                 )
                 .fail();
             }
-            _ => return mismatch(item),
+            _ => return Err(mismatch(item)),
         }
     }
-    if let Some(Value::Point(_)) = items.first() {
-        return Ok(Value::Point(point));
-    }
-    Ok(Value::Number(Number { value: finite(value, span)?, dim }))
+    Ok(match items.first().map(Value::kind) {
+        Some("point") => Total::Point(point),
+        _ => Total::Number(Number { value: finite(value, span)?, dim }),
+    })
 }
 
 /// What a test says of an element.
@@ -114,21 +125,21 @@ fn as_truth(value: &Value, span: Span) -> Result<bool> {
 /// `n` numbers from `a` to `b`, both exactly; `place` tells where between them, from 0 to 1, the
 /// number at a fraction of the way through the list lies.
 fn spaced(
-    a: Number,
-    b: Number,
+    a: Number<Real>,
+    b: Number<Real>,
     n: usize,
     ctx: &Ctx<'_>,
     place: fn(f64) -> f64,
-) -> Result<Vec<Number>> {
-    let dim = common_dim(&[a, b], ctx.span)?;
+) -> Result<Vec<Number<Real>>> {
+    let dim = common_dim(&[a.looked_at(), b.looked_at()], ctx.span)?;
     check_length(n as f64, ctx)?;
     let number = |i: usize| {
         let value = match i {
-            0 => a.value,
-            _ if i + 1 == n => b.value,
+            0 => a.value.clone(),
+            _ if i + 1 == n => b.value.clone(),
             _ => {
                 let t = place(i as f64 / (n - 1) as f64);
-                a.value * (1.0 - t) + b.value * t
+                a.value.scaled(1.0 - t).plus(&b.value.scaled(t))
             }
         };
         Number { value, dim }

@@ -5,38 +5,39 @@ use crate::{
     diag::{Result, Spanned},
     kernel::tolerance::STEP_RELATIVE,
     ops::math::{common_dim, outside},
-    value::{Ctx, Number, op},
+    value::{Ctx, Number, Real, op},
 };
 
 op! {
     /// Numbers from `a` towards `b` at a step; `b` is included when it is reached.
     ///
     /// Each number is a + i*step, so that no error adds up.
-    range in List -> Vec<Number> {
+    range in List -> Vec<Number<Real>> {
         /// The first number.
-        a: Number,
+        a: Number<Real>,
         /// Where it ends.
-        b: Number,
+        b: Number<Real>,
         /// The step; negative to go down.
-        step: Spanned<Number>,
+        step: Spanned<Number<Real>>,
     }
     example "range(0, 1, 0.25)" => "[0, 0.25, 0.5, 0.75, 1]";
     example "range(3, 1, -1)" => "[3, 2, 1]";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Number>> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Number<Real>>> {
     let Args { a, b, step } = args;
-    let dim = common_dim(&[a, b, step.value], ctx.span)?;
-    if step.value.value == 0.0 {
+    let [from, to, by] = [a.looked_at(), b.looked_at(), step.value.looked_at()];
+    let dim = common_dim(&[from, to, by], ctx.span)?;
+    if by.value == 0.0 {
         return outside(step.span, "a step of zero never arrives".to_owned());
     }
     // The last number may miss `b` by the rounding of the division.
-    let steps = (b.value - a.value) / step.value.value;
+    let steps = (to.value - from.value) / by.value;
     let n_steps = (steps + STEP_RELATIVE * steps.abs().max(1.0)).floor();
     if n_steps < 0.0 {
         return Ok(Vec::new());
     }
     check_length(n_steps + 1.0, ctx)?;
-    let number = |i: usize| Number { value: a.value + i as f64 * step.value.value, dim };
+    let number = |i: usize| Number { value: a.value.plus(&step.value.value.scaled(i as f64)), dim };
     Ok((0..=n_steps as usize).map(number).collect())
 }

@@ -44,6 +44,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Value>> {
 /// The order of two numbers or two strings.
 fn ordering(a: &Value, b: &Value) -> Option<Ordering> {
     match (a, b) {
+        (Value::Jet(_), _) | (_, Value::Jet(_)) => ordering(&a.looked_at(), &b.looked_at()),
         (Value::Number(a), Value::Number(b)) => {
             a.dim.common(b.dim)?;
             a.value.partial_cmp(&b.value)

@@ -1,9 +1,9 @@
 //! `sum`: the sum of a list.
 
-use super::total;
+use super::{Total, total};
 use crate::{
     diag::Result,
-    value::{Ctx, List, Value, op},
+    value::{Ctx, IntoValue, List, Value, op},
 };
 
 op! {
@@ -18,5 +18,8 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
-    total(&args.list, ctx.span)
+    Ok(match total(&args.list, ctx.span)? {
+        Total::Number(sum) => sum.into_value(),
+        Total::Point(sum) => sum.into_value(),
+    })
 }

@@ -2,19 +2,19 @@
 
 use crate::{
     diag::Result,
-    value::{Ctx, Number, op},
+    value::{At, Ctx, Number, Real, op},
 };
 
 op! {
     /// Magnitude of a number, without its sign.
-    abs in Math -> Number {
+    abs in Math -> Number<Real> {
         /// A number of any dimension.
-        x: Number,
+        x: Number<Real>,
     }
     example "abs(-3)" => "3";
     example "abs(-30deg)" => "30deg";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number> {
-    Ok(Number { value: args.x.value.abs(), ..args.x })
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {
+    Ok(Number { value: args.x.value.abs().at(ctx.span)?, ..args.x })
 }

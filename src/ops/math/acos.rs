@@ -3,24 +3,25 @@
 use super::outside;
 use crate::{
     diag::{Result, Spanned},
-    value::{Angle, Ctx, op, shortest},
+    value::{Angle, At, Ctx, Real, op, shortest},
 };
 
 op! {
     /// The angle whose cosine is `x`.
-    acos in Math -> Angle {
+    acos in Math -> Angle<Real> {
         /// A number from -1 to 1.
-        x: Spanned<f64>,
+        x: Spanned<Real>,
     }
     example "acos(0)" => "90deg";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Angle> {
-    if !(-1.0..=1.0).contains(&args.x.value) {
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Angle<Real>> {
+    let x = args.x.value.value();
+    if !(-1.0..=1.0).contains(&x) {
         return outside(
             args.x.span,
-            format!("no angle has the cosine {}; it lies between -1 and 1", shortest(args.x.value)),
+            format!("no angle has the cosine {}; it lies between -1 and 1", shortest(x)),
         );
     }
-    Ok(Angle(libm::acos(args.x.value)))
+    args.x.value.acos().at(args.x.span).map(Angle)
 }

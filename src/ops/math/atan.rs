@@ -2,18 +2,18 @@
 
 use crate::{
     diag::Result,
-    value::{Angle, Ctx, op},
+    value::{Angle, At, Ctx, Real, op},
 };
 
 op! {
     /// The angle between -90 and 90 degrees whose tangent is `x`.
-    atan in Math -> Angle {
+    atan in Math -> Angle<Real> {
         /// A number.
-        x: f64,
+        x: Real,
     }
     example "atan(1)" => "45deg";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Angle> {
-    Ok(Angle(libm::atan(args.x)))
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Angle<Real>> {
+    args.x.atan().at(ctx.span).map(Angle)
 }

@@ -2,20 +2,20 @@
 
 use crate::{
     diag::Result,
-    value::{Angle, Ctx, Length, op},
+    value::{Angle, At, Ctx, Length, Real, op},
 };
 
 op! {
     /// The angle from the x-axis to the direction (x, y), from -180 to 180 degrees; zero for no direction.
-    atan2 in Math -> Angle {
+    atan2 in Math -> Angle<Real> {
         /// The y-coordinate.
-        y: Length,
+        y: Length<Real>,
         /// The x-coordinate.
-        x: Length,
+        x: Length<Real>,
     }
     example "atan2(1, 1)" => "45deg";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Angle> {
-    Ok(Angle(libm::atan2(args.y.0, args.x.0)))
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Angle<Real>> {
+    args.y.0.atan2(&args.x.0).at(ctx.span).map(Angle)
 }

@@ -3,21 +3,21 @@
 use super::outside;
 use crate::{
     diag::{Result, Spanned},
-    value::{Ctx, Number, op},
+    value::{At, Ctx, Number, Real, op},
 };
 
 op! {
     /// Cube root; of a volume it is a length.
-    cbrt in Math -> Number {
+    cbrt in Math -> Number<Real> {
         /// A number.
-        x: Spanned<Number>,
+        x: Spanned<Number<Real>>,
     }
     example "cbrt(-27)" => "-3";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number> {
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {
     let Some(dim) = args.x.value.dim.cube_root() else {
         return outside(args.x.span, format!("{} has no cube root", args.x.value.dim));
     };
-    Ok(Number { value: libm::cbrt(args.x.value.value), dim })
+    Ok(Number { value: args.x.value.value.cbrt().at(args.x.span)?, dim })
 }

@@ -2,18 +2,19 @@
 
 use crate::{
     diag::Result,
-    value::{Ctx, Number, op},
+    value::{Ctx, Looked, Number, op},
 };
 
 op! {
     /// The smallest whole number that is not below `x`.
     ceil in Math -> Number {
         /// A number of any dimension.
-        x: Number,
+        x: Looked,
     }
     example "ceil(1.2)" => "2";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number> {
-    Ok(Number { value: args.x.value.ceil(), ..args.x })
+    let Looked(x) = args.x;
+    Ok(Number { value: x.value.ceil(), ..x })
 }

@@ -3,27 +3,29 @@
 use super::{common_dim, outside};
 use crate::{
     diag::Result,
-    value::{Ctx, Number, op},
+    value::{At, Ctx, Number, Real, op},
 };
 
 op! {
     /// The number nearest to `x` between two limits.
-    clamp in Math -> Number {
+    clamp in Math -> Number<Real> {
         /// The number.
-        x: Number,
+        x: Number<Real>,
         /// The lower limit.
-        low: Number,
+        low: Number<Real>,
         /// The upper limit.
-        high: Number,
+        high: Number<Real>,
     }
     example "clamp(12, 0, 10)" => "10";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number> {
-    let Args { x, low, high } = args;
-    let dim = common_dim(&[x, low, high], ctx.span)?;
-    if high.value < low.value {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {
+    let [x, low, high] = [args.x, args.low, args.high];
+    let dim = common_dim(&[x.looked_at(), low.looked_at(), high.looked_at()], ctx.span)?;
+    if high.value.value() < low.value.value() {
+        let (low, high) = (low.looked_at(), high.looked_at());
         return outside(ctx.span, format!("the lower limit {low} is above the upper limit {high}"));
     }
-    Ok(Number { value: x.value.max(low.value).min(high.value), dim })
+    let value = x.value.max(low.value).and_then(|value| value.min(high.value)).at(ctx.span)?;
+    Ok(Number { value, dim })
 }

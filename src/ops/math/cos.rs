@@ -3,18 +3,18 @@
 use super::Radians;
 use crate::{
     diag::Result,
-    value::{Ctx, op},
+    value::{At, Ctx, Real, op},
 };
 
 op! {
     /// Cosine of an angle; a bare number counts as radians.
-    cos in Math -> f64 {
+    cos in Math -> Real {
         /// An angle, or a number of radians.
         angle: Radians,
     }
     example "cos(0deg)" => "1";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    Ok(libm::cos(args.angle.0))
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
+    args.angle.0.cos().at(ctx.span)
 }

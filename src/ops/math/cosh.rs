@@ -3,18 +3,18 @@
 use super::finite;
 use crate::{
     diag::{Result, Spanned},
-    value::{Ctx, op},
+    value::{At, Ctx, Real, op},
 };
 
 op! {
     /// Hyperbolic cosine.
-    cosh in Math -> f64 {
+    cosh in Math -> Real {
         /// A number.
-        x: Spanned<f64>,
+        x: Spanned<Real>,
     }
     example "cosh(0)" => "1";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    finite(libm::cosh(args.x.value), args.x.span)
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {
+    finite(args.x.value.cosh().at(args.x.span)?, args.x.span)
 }

@@ -3,18 +3,18 @@
 use super::finite;
 use crate::{
     diag::{Result, Spanned},
-    value::{Ctx, op},
+    value::{At, Ctx, Real, op},
 };
 
 op! {
     /// The exponential function, e to the power `x`.
-    exp in Math -> f64 {
+    exp in Math -> Real {
         /// The exponent.
-        x: Spanned<f64>,
+        x: Spanned<Real>,
     }
     example "exp(0)" => "1";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    finite(libm::exp(args.x.value), args.x.span)
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {
+    finite(args.x.value.exp().at(args.x.span)?, args.x.span)
 }

@@ -2,18 +2,19 @@
 
 use crate::{
     diag::Result,
-    value::{Ctx, Number, op},
+    value::{Ctx, Looked, Number, op},
 };
 
 op! {
     /// The largest whole number that is not above `x`.
     floor in Math -> Number {
         /// A number of any dimension.
-        x: Number,
+        x: Looked,
     }
     example "floor(-1.5)" => "-2";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number> {
-    Ok(Number { value: args.x.value.floor(), ..args.x })
+    let Looked(x) = args.x;
+    Ok(Number { value: x.value.floor(), ..x })
 }

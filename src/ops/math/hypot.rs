@@ -3,21 +3,23 @@
 use super::{common_dim, finite};
 use crate::{
     diag::Result,
-    value::{Ctx, Number, op},
+    value::{At, Ctx, Number, Real, op},
 };
 
 op! {
     /// Length of the hypotenuse, the square root of x² + y² without overflow on the way.
-    hypot in Math -> Number {
+    hypot in Math -> Number<Real> {
         /// One leg.
-        x: Number,
+        x: Number<Real>,
         /// The other leg.
-        y: Number,
+        y: Number<Real>,
     }
     example "hypot(3, 4)" => "5";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number> {
-    let dim = common_dim(&[args.x, args.y], ctx.span)?;
-    Ok(Number { value: finite(libm::hypot(args.x.value, args.y.value), ctx.span)?, dim })
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {
+    let legs = [args.x, args.y];
+    let dim = common_dim(&legs, ctx.span)?;
+    let length = legs[0].value.hypot(&legs[1].value).at(ctx.span)?;
+    Ok(Number { value: finite(length, ctx.span)?, dim })
 }

@@ -3,7 +3,7 @@
 use super::{Quantity, common_dim, finite, outside};
 use crate::{
     diag::Result,
-    value::{Ctx, Number, Value, op},
+    value::{Ctx, IntoValue, Number, Real, Value, op},
 };
 
 op! {
@@ -14,7 +14,7 @@ op! {
         /// The value at 1.
         b: Quantity,
         /// The fraction.
-        t: f64,
+        t: Real,
     }
     example "lerp(2, 4, 0.25)" => "2.5";
     example "lerp((0, 0), (2, 4), 0.5)" => "(1, 2, 0)";
@@ -22,13 +22,16 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
     let Args { a, b, t } = args;
+    let rest = Real::Plain(1.0).minus(&t);
     match (a, b) {
         (Quantity::Number(a), Quantity::Number(b)) => {
-            let dim = common_dim(&[a, b], ctx.span)?;
-            let value = finite(a.value * (1.0 - t) + b.value * t, ctx.span)?;
-            Ok(Value::Number(Number { value, dim }))
+            let dim = common_dim(&[a.looked_at(), b.looked_at()], ctx.span)?;
+            let value = finite(a.value.times(&rest).plus(&b.value.times(&t)), ctx.span)?;
+            Ok(Number { value, dim }.into_value())
         }
-        (Quantity::Point(a), Quantity::Point(b)) => Ok(Value::Point(a * (1.0 - t) + b * t)),
+        (Quantity::Point(a), Quantity::Point(b)) => {
+            Ok(a.times(&rest).plus(&b.times(&t)).into_value())
+        }
         _ => outside(ctx.span, "both values must be numbers, or both points".to_owned()),
     }
 }

@@ -3,24 +3,25 @@
 use super::outside;
 use crate::{
     diag::{Result, Spanned},
-    value::{Ctx, op, shortest},
+    value::{At, Ctx, Real, op, shortest},
 };
 
 op! {
     /// Decimal logarithm, to the base 10.
-    log10 in Math -> f64 {
+    log10 in Math -> Real {
         /// A positive number.
-        x: Spanned<f64>,
+        x: Spanned<Real>,
     }
     example "log10(1000)" => "3";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    if args.x.value <= 0.0 {
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {
+    let x = args.x.value.value();
+    if x <= 0.0 {
         return outside(
             args.x.span,
-            format!("{} has no logarithm; only positive numbers have one", shortest(args.x.value)),
+            format!("{} has no logarithm; only positive numbers have one", shortest(x)),
         );
     }
-    Ok(libm::log10(args.x.value))
+    args.x.value.log10().at(args.x.span)
 }

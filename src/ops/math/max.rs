@@ -3,12 +3,12 @@
 use super::{common_dim, empty};
 use crate::{
     diag::{Result, Spanned},
-    value::{Ctx, Number, Numbers, op},
+    value::{At, Ctx, Number, Numbers, Real, op},
 };
 
 op! {
     /// The largest of some numbers, given as a list or as the arguments themselves.
-    max in Math -> Number {
+    max in Math -> Number<Real> {
         /// The numbers; one or more.
         numbers: Spanned<Numbers>,
     }
@@ -16,14 +16,11 @@ op! {
     example "max([3, 1, 2])" => "3";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {
     let Numbers(numbers) = args.numbers.value;
     let dim = common_dim(&numbers, ctx.span)?;
-    let best = numbers
-        .into_iter()
-        .reduce(|best, candidate| if best.value < candidate.value { candidate } else { best });
-    match best {
-        Some(best) => Ok(Number { dim, ..best }),
-        None => empty(args.numbers.span, "max"),
-    }
+    let mut values = numbers.into_iter().map(|number| number.value);
+    let Some(first) = values.next() else { return empty(args.numbers.span, "max") };
+    let value = values.try_fold(first, Real::max).at(args.numbers.span)?;
+    Ok(Number { value, dim })
 }

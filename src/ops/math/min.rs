@@ -3,12 +3,12 @@
 use super::{common_dim, empty};
 use crate::{
     diag::{Result, Spanned},
-    value::{Ctx, Number, Numbers, op},
+    value::{At, Ctx, Number, Numbers, Real, op},
 };
 
 op! {
     /// The smallest of some numbers, given as a list or as the arguments themselves.
-    min in Math -> Number {
+    min in Math -> Number<Real> {
         /// The numbers; one or more.
         numbers: Spanned<Numbers>,
     }
@@ -16,14 +16,11 @@ op! {
     example "min([3, 1, 2])" => "1";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {
     let Numbers(numbers) = args.numbers.value;
     let dim = common_dim(&numbers, ctx.span)?;
-    let best = numbers
-        .into_iter()
-        .reduce(|best, candidate| if candidate.value < best.value { candidate } else { best });
-    match best {
-        Some(best) => Ok(Number { dim, ..best }),
-        None => empty(args.numbers.span, "min"),
-    }
+    let mut values = numbers.into_iter().map(|number| number.value);
+    let Some(first) = values.next() else { return empty(args.numbers.span, "min") };
+    let value = values.try_fold(first, Real::min).at(args.numbers.span)?;
+    Ok(Number { value, dim })
 }

@@ -27,11 +27,9 @@ mod sqrt;
 mod tan;
 mod tanh;
 
-use glam::DVec3;
-
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
-    value::{Dim, FromValue, Mismatch, Number, Op, Type, Value},
+    value::{Dim, FromValue, Mismatch, Number, Op, Real, Type, Value, Vector},
 };
 
 pub(super) static OPS: &[&Op] = &[
@@ -69,7 +67,7 @@ pub(super) fn outside<T>(span: Span, message: String) -> Result<T> {
 }
 
 /// The value, unless it is beyond all numbers.
-pub(super) fn finite(value: f64, span: Span) -> Result<f64> {
+pub(super) fn finite(value: Real, span: Span) -> Result<Real> {
     if value.is_finite() {
         Ok(value)
     } else {
@@ -83,7 +81,7 @@ pub(super) fn empty<T>(span: Span, what: &str) -> Result<T> {
 }
 
 /// The dimension of numbers that are compared or added; a bare number fits any.
-pub(super) fn common_dim(numbers: &[Number], span: Span) -> Result<Dim> {
+pub(super) fn common_dim<T>(numbers: &[Number<T>], span: Span) -> Result<Dim> {
     numbers.iter().try_fold(Dim::NONE, |dim, number| {
         dim.common(number.dim).ok_or_else(|| {
             let message = format!("{dim} and {} do not mix", number.dim);
@@ -93,7 +91,7 @@ pub(super) fn common_dim(numbers: &[Number], span: Span) -> Result<Dim> {
 }
 
 /// An angle, or a bare number of radians.
-struct Radians(f64);
+struct Radians(Real);
 
 impl FromValue for Radians {
     const TYPE: Type = Type::OneOf(&[Type::Angle, Type::Ratio]);
@@ -101,9 +99,14 @@ impl FromValue for Radians {
     fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
         match value {
             Value::Number(number) if number.dim.is_none() || number.dim == Dim::ANGLE => {
-                Ok(Self(number.value))
+                Ok(Self(Real::Plain(number.value)))
             }
-            Value::Number(_) => Err(Mismatch::kind(Self::TYPE, value).code(Code::UnitMismatch)),
+            Value::Jet(number) if number.dim.is_none() || number.dim == Dim::ANGLE => {
+                Ok(Self(number.value.clone()))
+            }
+            Value::Number(_) | Value::Jet(_) => {
+                Err(Mismatch::kind(Self::TYPE, value).code(Code::UnitMismatch))
+            }
             _ => Err(Mismatch::kind(Self::TYPE, value)),
         }
     }
@@ -111,17 +114,21 @@ impl FromValue for Radians {
 
 /// A number or a point.
 enum Quantity {
-    Number(Number),
-    Point(DVec3),
+    Number(Number<Real>),
+    Point(Vector),
 }
 
 impl FromValue for Quantity {
     const TYPE: Type = Type::OneOf(&[Type::Number, Type::Point]);
 
-    fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
+    fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
         match value {
-            Value::Number(number) => Ok(Self::Number(*number)),
-            Value::Point(point) => Ok(Self::Point(*point)),
+            Value::Number(_) | Value::Jet(_) => {
+                FromValue::from_value(value, span).map(Self::Number)
+            }
+            Value::Point(_) | Value::JetPoint(_) => {
+                FromValue::from_value(value, span).map(Self::Point)
+            }
             _ => Err(Mismatch::kind(Self::TYPE, value)),
         }
     }

@@ -2,19 +2,20 @@
 
 use crate::{
     diag::Result,
-    value::{Ctx, Number, op},
+    value::{Ctx, Looked, Number, op},
 };
 
 op! {
     /// The nearest whole number; halves go away from zero.
     round in Math -> Number {
         /// A number of any dimension.
-        x: Number,
+        x: Looked,
     }
     example "round(2.5)" => "3";
     example "round(-2.5)" => "-3";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number> {
-    Ok(Number { value: args.x.value.round(), ..args.x })
+    let Looked(x) = args.x;
+    Ok(Number { value: x.value.round(), ..x })
 }

@@ -2,19 +2,20 @@
 
 use crate::{
     diag::Result,
-    value::{Ctx, Number, op},
+    value::{Ctx, Looked, op},
 };
 
 op! {
     /// Sign of a number: -1, 0 or 1.
     sign in Math -> f64 {
         /// A number of any dimension.
-        x: Number,
+        x: Looked,
     }
     example "sign(-2.5)" => "-1";
     example "sign(0)" => "0";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    Ok(if args.x.value == 0.0 { 0.0 } else { args.x.value.signum() })
+    let Looked(x) = args.x;
+    Ok(if x.value == 0.0 { 0.0 } else { x.value.signum() })
 }

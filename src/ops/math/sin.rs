@@ -3,12 +3,12 @@
 use super::Radians;
 use crate::{
     diag::Result,
-    value::{Ctx, op},
+    value::{At, Ctx, Real, op},
 };
 
 op! {
     /// Sine of an angle; a bare number counts as radians.
-    sin in Math -> f64 {
+    sin in Math -> Real {
         /// An angle, or a number of radians.
         angle: Radians,
     }
@@ -16,6 +16,6 @@ op! {
     example "sin(0)" => "0";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    Ok(libm::sin(args.angle.0))
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
+    args.angle.0.sin().at(ctx.span)
 }

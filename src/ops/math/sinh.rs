@@ -3,18 +3,18 @@
 use super::finite;
 use crate::{
     diag::{Result, Spanned},
-    value::{Ctx, op},
+    value::{At, Ctx, Real, op},
 };
 
 op! {
     /// Hyperbolic sine.
-    sinh in Math -> f64 {
+    sinh in Math -> Real {
         /// A number.
-        x: Spanned<f64>,
+        x: Spanned<Real>,
     }
     example "sinh(0)" => "0";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    finite(libm::sinh(args.x.value), args.x.span)
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {
+    finite(args.x.value.sinh().at(args.x.span)?, args.x.span)
 }

@@ -3,28 +3,26 @@
 use super::outside;
 use crate::{
     diag::{Result, Spanned},
-    value::{Ctx, Number, op},
+    value::{At, Ctx, Number, Real, op},
 };
 
 op! {
     /// Square root; of an area it is a length.
-    sqrt in Math -> Number {
+    sqrt in Math -> Number<Real> {
         /// A number that is not negative.
-        x: Spanned<Number>,
+        x: Spanned<Number<Real>>,
     }
     example "sqrt(2)" => "1.4142135623730951";
     example "sqrt(9mm * 4mm)" => "6";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number> {
-    if args.x.value.value < 0.0 {
-        return outside(
-            args.x.span,
-            format!("a negative number ({}) has no square root", args.x.value),
-        );
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {
+    let Spanned { value: x, span } = args.x;
+    if x.value.value() < 0.0 {
+        return outside(span, format!("a negative number ({}) has no square root", x.looked_at()));
     }
-    let Some(dim) = args.x.value.dim.power(0.5) else {
-        return outside(args.x.span, format!("{} has no square root", args.x.value.dim));
+    let Some(dim) = x.dim.power(0.5) else {
+        return outside(span, format!("{} has no square root", x.dim));
     };
-    Ok(Number { value: args.x.value.value.sqrt(), dim })
+    Ok(Number { value: x.value.sqrt().at(span)?, dim })
 }

@@ -3,18 +3,18 @@
 use super::Radians;
 use crate::{
     diag::Result,
-    value::{Ctx, op},
+    value::{At, Ctx, Real, op},
 };
 
 op! {
     /// Tangent of an angle; a bare number counts as radians.
-    tan in Math -> f64 {
+    tan in Math -> Real {
         /// An angle, or a number of radians.
         angle: Radians,
     }
     example "tan(0)" => "0";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    Ok(libm::tan(args.angle.0))
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
+    args.angle.0.tan().at(ctx.span)
 }

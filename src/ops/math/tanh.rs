@@ -3,18 +3,18 @@
 use super::finite;
 use crate::{
     diag::{Result, Spanned},
-    value::{Ctx, op},
+    value::{At, Ctx, Real, op},
 };
 
 op! {
     /// Hyperbolic tangent.
-    tanh in Math -> f64 {
+    tanh in Math -> Real {
         /// A number.
-        x: Spanned<f64>,
+        x: Spanned<Real>,
     }
     example "tanh(0)" => "0";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    finite(libm::tanh(args.x.value), args.x.span)
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {
+    finite(args.x.value.tanh().at(args.x.span)?, args.x.span)
 }

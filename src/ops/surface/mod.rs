@@ -8,6 +8,7 @@ mod clamped;
 mod fit;
 mod interpolate;
 mod nurbs;
+mod parametric;
 mod ruled;
 
 use super::curve::knots_for;
@@ -26,6 +27,7 @@ pub(super) static OPS: &[&Op] = &[
     &nurbs::OP,
     &interpolate::OP,
     &approximate::OP,
+    &parametric::OP,
 ];
 
 /// A value for both directions, or `{u: , v: }` where they differ.

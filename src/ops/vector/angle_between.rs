@@ -1,27 +1,26 @@
 //! `angle_between`: the angle of two vectors.
 
-use glam::DVec3;
-
 use super::direction;
 use crate::{
     diag::{Result, Spanned},
-    value::{Angle, Ctx, op},
+    value::{Angle, At, Ctx, Real, Vector, op},
 };
 
 op! {
     /// Angle between two vectors, from 0 to 180 degrees.
     ///
     /// Kahan's formula by half differences of the unit vectors, exact also where they nearly agree or oppose.
-    angle_between in Vector -> Angle {
+    angle_between in Vector -> Angle<Real> {
         /// One vector that is not zero.
-        a: Spanned<DVec3>,
+        a: Spanned<Vector>,
         /// The other one.
-        b: Spanned<DVec3>,
+        b: Spanned<Vector>,
     }
     example "angle_between((1, 0), (0, 2))" => "90deg";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Angle> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Angle<Real>> {
     let (a, b) = (direction(args.a)?, direction(args.b)?);
-    Ok(Angle(2.0 * libm::atan2((a - b).length(), (a + b).length())))
+    let half = || a.minus(&b).norm()?.atan2(&a.plus(&b).norm()?);
+    Ok(Angle(half().at(ctx.span)?.scaled(2.0)))
 }

@@ -1,23 +1,21 @@
 //! `cross`: the vector product.
 
-use glam::DVec3;
-
 use crate::{
     diag::Result,
-    value::{Ctx, op},
+    value::{Ctx, Vector, op},
 };
 
 op! {
     /// Vector product of two vectors, normal to both and right-handed.
-    cross in Vector -> DVec3 {
+    cross in Vector -> Vector {
         /// The first vector.
-        a: DVec3,
+        a: Vector,
         /// The second vector.
-        b: DVec3,
+        b: Vector,
     }
     example "cross((1, 0), (0, 1))" => "(0, 0, 1)";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
-    Ok(args.a.cross(args.b))
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vector> {
+    Ok(args.a.cross(&args.b))
 }

@@ -1,24 +1,21 @@
 //! `distance`: the distance of two points.
 
-use glam::DVec3;
-
-use super::length;
 use crate::{
     diag::Result,
-    value::{Ctx, op},
+    value::{At, Ctx, Real, Vector, op},
 };
 
 op! {
     /// Distance of two points.
-    distance in Vector -> f64 {
+    distance in Vector -> Real {
         /// One point.
-        a: DVec3,
+        a: Vector,
         /// The other point.
-        b: DVec3,
+        b: Vector,
     }
     example "distance((1, 1), (4, 5))" => "5";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    Ok(length(args.b - args.a))
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
+    args.b.minus(&args.a).norm().at(ctx.span)
 }

@@ -1,23 +1,21 @@
 //! `dot`: the scalar product.
 
-use glam::DVec3;
-
 use crate::{
     diag::Result,
-    value::{Ctx, op},
+    value::{Ctx, Real, Vector, op},
 };
 
 op! {
     /// Scalar product of two vectors.
-    dot in Vector -> f64 {
+    dot in Vector -> Real {
         /// One vector.
-        a: DVec3,
+        a: Vector,
         /// The other vector.
-        b: DVec3,
+        b: Vector,
     }
     example "dot((1, 2, 3), (4, 5, 6))" => "32";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    Ok(args.a.dot(args.b))
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {
+    Ok(args.a.dot(&args.b))
 }

@@ -1,23 +1,21 @@
 //! `midpoint`: the point halfway.
 
-use glam::DVec3;
-
 use crate::{
     diag::Result,
-    value::{Ctx, op},
+    value::{Ctx, Real, Vector, op},
 };
 
 op! {
     /// The point halfway between two points.
-    midpoint in Vector -> DVec3 {
+    midpoint in Vector -> Vector {
         /// One point.
-        a: DVec3,
+        a: Vector,
         /// The other point.
-        b: DVec3,
+        b: Vector,
     }
     example "midpoint((0, 0), (2, 4))" => "(1, 2, 0)";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
-    Ok(0.5 * (args.a + args.b))
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vector> {
+    Ok(args.a.plus(&args.b).times(&Real::Plain(0.5)))
 }

@@ -14,7 +14,7 @@ use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    value::Op,
+    value::{At, Op, Vector},
 };
 
 pub(super) static OPS: &[&Op] = &[
@@ -29,17 +29,12 @@ pub(super) static OPS: &[&Op] = &[
     &unit_vector::OP,
 ];
 
-/// The length of a vector, without overflow on the way.
-fn length(vector: DVec3) -> f64 {
-    libm::hypot(libm::hypot(vector.x, vector.y), vector.z)
-}
-
 /// The unit vector of a direction.
-fn direction(vector: Spanned<DVec3>) -> Result<DVec3> {
-    let length = length(vector.value);
-    if 0.0 < length {
-        return Ok(vector.value / length);
+fn direction(vector: Spanned<Vector>) -> Result<Vector> {
+    let Spanned { value: vector, span } = vector;
+    if vector.value() == DVec3::ZERO {
+        let message = "a vector of length zero has no direction";
+        return Diagnostic::error(Code::Degenerate, span, message).fail();
     }
-    let message = "a vector of length zero has no direction";
-    Diagnostic::error(Code::Degenerate, vector.span, message).fail()
+    vector.norm().and_then(|length| vector.over(&length)).at(span)
 }

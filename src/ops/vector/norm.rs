@@ -1,22 +1,19 @@
 //! `norm`: the length of a vector.
 
-use glam::DVec3;
-
-use super::length;
 use crate::{
     diag::Result,
-    value::{Ctx, op},
+    value::{At, Ctx, Real, Vector, op},
 };
 
 op! {
     /// Length of a vector.
-    norm in Vector -> f64 {
+    norm in Vector -> Real {
         /// A vector.
-        v: DVec3,
+        v: Vector,
     }
     example "norm((3, 4))" => "5";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    Ok(length(args.v))
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
+    args.v.norm().at(ctx.span)
 }

@@ -1,24 +1,24 @@
 //! `polar`: a point by distance and angle.
 
-use glam::DVec3;
-
 use crate::{
     diag::Result,
-    value::{Angle, Ctx, Length, op},
+    value::{Angle, At, Ctx, Length, Real, Vector, op},
 };
 
 op! {
     /// Point of the xy-plane at a distance and an angle from the origin, counter-clockwise from the x-axis.
-    polar in Vector -> DVec3 {
+    polar in Vector -> Vector {
         /// The distance.
-        r: Length,
+        r: Length<Real>,
         /// The angle.
-        angle: Angle,
+        angle: Angle<Real>,
     }
     example "polar(2, 0deg)" => "(2, 0, 0)";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
-    let (sine, cosine) = libm::sincos(args.angle.0);
-    Ok(args.r.0 * DVec3::new(cosine, sine, 0.0))
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vector> {
+    let (angle, radius) = (args.angle.0, args.r.0);
+    let along = |part: Real| part.times(&radius);
+    let [x, y] = [angle.cos().at(ctx.span)?, angle.sin().at(ctx.span)?].map(along);
+    Ok(Vector::new([x, y, Real::Plain(0.0)]))
 }

@@ -1,0 +1,31 @@
+//! `parametric` of one parameter: the curve of any function.
+
+use crate::{
+    diag::Result,
+    kernel::{Curve, Interval, ParametricCurve},
+    value::{At, Callback, Ctx, op},
+};
+
+op! {
+    /// Curve of any function that yields a point for a parameter.
+    ///
+    /// It is the function itself and no approximation. Its derivatives are exact, not differences:
+    /// they are carried through everything that the function computes, through `if`, blocks, calls
+    /// and lists too; where an operation has none, the question for them fails there. The function
+    /// is tried at some places when the curve is made. Griewank & Walther, *Evaluating
+    /// Derivatives*, ch. 13.
+    parametric in Curve -> Curve {
+        /// The function, of one parameter without a unit.
+        f: Callback,
+        /// The range of the parameter.
+        domain: Interval,
+    }
+    example "parametric(t => (t, t^2), 0..2)(1.5)" => "(1.5, 2.25, 0)";
+    example "derivative(parametric(t => (t, t^2), 0..2), 1.5)" => "(1, 3, 0)";
+    example "curvature(parametric(t => (2*cos(t), 2*sin(t), t), 0..tau), 1) ~= 0.4" => "true";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Curve> {
+    let function = ctx.caller.curve_function(&args.f.0, ctx.span)?;
+    ParametricCurve::new(args.domain, function).at(ctx.span).map(Curve::from)
+}

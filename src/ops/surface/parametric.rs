@@ -1,0 +1,30 @@
+//! `parametric` of two parameters: the surface of any function.
+
+use crate::{
+    diag::Result,
+    kernel::{Interval, ParametricSurface, Surface},
+    value::{At, Callback, Ctx, op},
+};
+
+op! {
+    /// Surface of any function that yields a point for two parameters.
+    ///
+    /// It is the function itself and no approximation, and its derivatives are exact, as those of
+    /// a parametric curve are. Griewank & Walther, *Evaluating Derivatives*, ch. 13.
+    parametric in Surface -> Surface {
+        /// The function, of two parameters without a unit.
+        f: Callback,
+        /// The range of the first parameter.
+        domain_u: Interval,
+        /// The range of the second parameter.
+        domain_v: Interval,
+    }
+    example "parametric((u, v) => (u, v, u*v), 0..1, 0..2)(0.5, 2)" => "(0.5, 2, 1)";
+    example "derivative(parametric((u, v) => (u, v, u*v), 0..1, 0..2), 0.5, 2)" => "(1, 0, 2)";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Surface> {
+    let function = ctx.caller.surface_function(&args.f.0, ctx.span)?;
+    let surface = ParametricSurface::new(args.domain_u, args.domain_v, function);
+    surface.at(ctx.span).map(Surface::from)
+}

@@ -1,0 +1,7 @@
+curve c = parametric(t => (t, sqrt(t)), 0..1)
+print c(0)
+print tangent(c, 0)
+curve d = parametric(t => circle((0, 0), t + 1)(0.5), 0..1)
+print derivative(d, 0.3)
+curve e = parametric(t => (t, max(t, -t)), -1..1)
+print derivative(e, 0)

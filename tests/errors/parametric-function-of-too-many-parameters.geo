@@ -1,0 +1,1 @@
+curve c = parametric((a, b) => (a, b), 0..1)

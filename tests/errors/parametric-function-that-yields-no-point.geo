@@ -1,0 +1,1 @@
+curve c = parametric(t => 2*t, 0..1)
