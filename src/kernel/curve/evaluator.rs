@@ -6,12 +6,13 @@
 //! *Curves and Surfaces for CAGD*, §5.8; conversion by Ramshaw's blossoms, *Blossoming: a
 //! connect-the-dots approach to splines*.
 
-use std::array::from_fn;
-
 use glam::{DVec3, DVec4};
 
 use super::NurbsCurve;
 use crate::kernel::{KnotVector, homogeneous};
+
+/// From here on every `f64` is a whole number.
+const WHOLE: f64 = (1_u64 << 52) as f64;
 
 /// A curve prepared to be evaluated at many parameters.
 ///
@@ -38,8 +39,12 @@ pub struct CurveEvaluator {
     points: Vec<DVec4>,
     /// First piece that a parameter of each equal part of the domain can lie in.
     first_of_part: Vec<usize>,
+    /// Start of the domain.
+    start: f64,
     /// Parts over the length of the domain.
     per_part: f64,
+    /// The number of the last part.
+    last_part: f64,
 }
 
 /// The parameters of a piece.
@@ -76,19 +81,20 @@ impl NurbsCurve {
             convert_to_bezier(&self.knots, span, &mut points[first..]);
         }
 
-        let n_parts = pieces.len();
-        let per_part = n_parts as f64 / self.domain().length();
+        let (domain, n_pieces) = (self.domain(), pieces.len());
         let mut evaluator = CurveEvaluator {
             degree: self.degree(),
             is_rational: self.is_rational,
             pieces,
             points,
-            first_of_part: Vec::with_capacity(n_parts),
-            per_part,
+            first_of_part: Vec::with_capacity(n_pieces + 1),
+            start: domain.start(),
+            per_part: n_pieces as f64 / domain.length(),
+            last_part: n_pieces as f64,
         };
         let mut piece = 0;
-        for part in 0..n_parts {
-            while piece + 1 < n_parts && evaluator.part_at(evaluator.pieces[piece].end) < part {
+        for part in 0..=n_pieces {
+            while piece + 1 < n_pieces && evaluator.part_at(evaluator.pieces[piece].end) < part {
                 piece += 1;
             }
             evaluator.first_of_part.push(piece);
@@ -144,36 +150,38 @@ impl CurveEvaluator {
         [point, first * per_width, second * (per_width * per_width)]
     }
 
-    #[inline]
+    #[inline(always)]
     fn place_at(&self, t: f64) -> Place {
         let guess = self.first_of_part[self.part_at(t)];
-        // A part of even knots has one at its start, which by rounding may lie before or behind.
+        // Even knots have one in each part, with the guess before it and the next piece behind.
         let piece = guess + usize::from(self.pieces[guess].end <= t);
-        match self.pieces.get(piece) {
-            Some(&Piece { start, end, per_width }) if t < end => {
-                let s = (t - start) * per_width;
-                Place { piece, s, r: 1.0 - s }
-            }
-            _ => self.place_beyond(t),
-        }
-    }
-
-    /// Where the guess fails: at the end of the domain and behind, and where knots crowd.
-    #[inline(never)]
-    fn place_beyond(&self, t: f64) -> Place {
-        let piece = self.pieces.partition_point(|piece| piece.end <= t).min(self.pieces.len() - 1);
-        let Piece { start, end, .. } = self.pieces[piece];
-        // The end of a piece, which a product with a rounded reciprocal would miss.
-        let s = (t - start) / (end - start);
+        let (piece, s) = match self.pieces.get(piece) {
+            Some(&Piece { start, end, per_width }) if t < end => (piece, (t - start) * per_width),
+            _ => self.found(t),
+        };
         Place { piece, s, r: 1.0 - s }
     }
 
+    /// Piece and place where the guess fails: from the end of the domain on, and where knots crowd.
+    #[cold]
+    #[inline(never)]
+    fn found(&self, t: f64) -> (usize, f64) {
+        let piece = self.pieces.partition_point(|piece| piece.end <= t).min(self.pieces.len() - 1);
+        let Piece { start, end, .. } = self.pieces[piece];
+        // A product with a rounded reciprocal would miss the end.
+        (piece, (t - start) / (end - start))
+    }
+
     /// Which of the equal parts of the domain holds `t`; beyond the ends the first or the last.
-    #[inline]
+    ///
+    /// Rounded to nearest, so that of even knots each lies amid its part: in this sum the last bits
+    /// are the whole number, at a fraction of the cost of a conversion that saturates.
+    #[inline(always)]
     fn part_at(&self, t: f64) -> usize {
-        // Negative numbers become zero.
-        let part = ((t - self.pieces[0].start) * self.per_part) as usize;
-        part.min(self.pieces.len() - 1)
+        let part = (t - self.start) * self.per_part;
+        let part = if 0.0 < part { part } else { 0.0 };
+        let part = if part < self.last_part { part } else { self.last_part };
+        ((part + WHOLE).to_bits() - WHOLE.to_bits()) as usize
     }
 
     #[inline]
@@ -216,15 +224,30 @@ fn convert_to_bezier(knots: &KnotVector, span: usize, points: &mut [DVec4]) {
     }
 }
 
-/// The point of Bézier points: `Σ C(p, i) sⁱ r^{p−i} Pᵢ`, nested in r.
+/// The point of Bézier points: `Σ C(p, i) sⁱ r^{p−i} Pᵢ`, without loops for the usual degrees.
 #[inline(always)]
-fn blend(points: &[DVec4], place: Place) -> DVec4 {
+fn blend(points: &[DVec4], Place { s, r, .. }: Place) -> DVec4 {
+    match *points {
+        [a] => a,
+        [a, b] => a * r + b * s,
+        [a, b, c] => a * (r * r) + b * (2.0 * (r * s)) + c * (s * s),
+        [a, b, c, d] => {
+            let (rr, ss) = (r * r, s * s);
+            (a * (rr * r) + b * (3.0 * (rr * s))) + (c * (3.0 * (r * ss)) + d * (ss * s))
+        }
+        _ => nested(points, s, r),
+    }
+}
+
+/// [`blend`] for any degree, nested in r.
+#[inline(never)]
+fn nested(points: &[DVec4], s: f64, r: f64) -> DVec4 {
     let degree = points.len() - 1;
     let (mut sum, mut binomial, mut power) = (points[0], 1.0, 1.0);
     for (i, &point) in points.iter().enumerate().skip(1) {
         binomial *= (degree + 1 - i) as f64 / i as f64;
-        power *= place.s;
-        sum = sum * place.r + point * (binomial * power);
+        power *= s;
+        sum = sum * r + point * (binomial * power);
     }
     sum
 }
@@ -232,11 +255,15 @@ fn blend(points: &[DVec4], place: Place) -> DVec4 {
 /// The point of p + 1 ≥ 3 Bézier points and its first two derivatives by the place in the piece:
 /// the last two rounds of de Casteljau's corner cutting, and their differences.
 #[inline(always)]
-fn second_order(points: &[DVec4], place: Place) -> [DVec4; 3] {
+fn second_order(points: &[DVec4], Place { s, r, .. }: Place) -> [DVec4; 3] {
     let degree = points.len() - 1;
-    let [a, b, c] = from_fn(|corner| blend(&points[corner..][..degree - 1], place));
-    let (start, end) = (a * place.r + b * place.s, b * place.r + c * place.s);
-    let value = start * place.r + end * place.s;
+    let [a, b, c] = match *points {
+        [a, b, c] => [a, b, c],
+        [a, b, c, d] => [a * r + b * s, b * r + c * s, c * r + d * s],
+        _ => [0, 1, 2].map(|corner| nested(&points[corner..][..degree - 1], s, r)),
+    };
+    let (start, end) = (a * r + b * s, b * r + c * s);
+    let value = start * r + end * s;
     let degree = degree as f64;
     [value, (end - start) * degree, ((c - b) - (b - a)) * (degree * (degree - 1.0))]
 }
