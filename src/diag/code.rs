@@ -147,6 +147,8 @@ codes! {
         "Curves are joined in the order given, each starting where the one before ends, within the document's tolerance. `reversed` turns a curve around; `tolerance` at the top of the script says which points count as one."
     BadParameters "E0610" "parameters of data that do not fit"
         "Each point of the data has one parameter, the place on the curve where it is to lie, and parameters increase from point to point. So it is with what else belongs to each point, such as derivatives. Without `parameters` they follow from the distances of the points."
+    NotExact "E0611" "a form that the curve does not have"
+        "Every conversion between forms of a curve is exact, and one that could not be is refused: cubic forms hold no higher degree, forms without weights no circle, chains of equal segments no others, and a form that is smooth at its joints no corner. The message tells the reason. Split the curve, or approximate it."
 
     // E07xx: files.
     FileMissing "E0701" "a file that cannot be read"

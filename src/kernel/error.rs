@@ -170,6 +170,54 @@ pub enum GeomError {
         "the tolerance {tolerance} cannot be kept: even a curve through all points misses one by {found}"
     )]
     ToleranceNotKept { tolerance: f64, found: f64 },
+    /// Three points that lie on one line.
+    #[error("the three points lie on one line, so that no circle goes through them")]
+    Collinear,
+    /// A piece of a line where a conic is wanted.
+    #[error("the curve is straight from parameter {parameter}, which is no conic")]
+    NoConic { parameter: f64 },
+    /// Pieces of different conics.
+    #[error("the curve changes its kind at parameter {parameter}: its pieces are different conics")]
+    MixedConics { parameter: f64 },
+    /// A curve that should lie in one plane.
+    #[error("the curve is not planar: it leaves its plane by {by}")]
+    NotPlanar { by: f64 },
+    /// A straight section along the spine.
+    #[error(
+        "a straight section that lies along the spine can be turned across it in any direction"
+    )]
+    NoTurn,
+    /// Derivatives and points do not pair up.
+    #[error("{points} points need {points} tangents, got {tangents}")]
+    TangentCount { points: usize, tangents: usize },
+    /// A tension that turns the Beta-spline's weights around.
+    #[error("the tension is {tension}; with this bias it must be above {above}")]
+    TensionTooLow { tension: f64, above: f64 },
+    /// Weights in a form that has none.
+    #[error("{what} has no weights, but those of the curve differ")]
+    RationalFor { what: &'static str },
+    /// A degree above that of the form.
+    #[error("{what} has degree {most}, but the curve has degree {degree}")]
+    DegreeTooHighFor { what: &'static str, degree: usize, most: usize },
+    /// Segments that do not take the same part of the parameter.
+    #[error(
+        "the segments of {what} are equally long in parameter, but the curve has some of {width} and of {other}"
+    )]
+    UnevenSegments { what: &'static str, width: f64, other: f64 },
+    /// A joint that is not smooth enough.
+    #[error(
+        "{what} is C{needed} at its joints, but the curve is only C{order} at parameter {parameter}"
+    )]
+    TooRough { what: &'static str, parameter: f64, order: usize, needed: usize },
+    /// Several segments where one is wanted.
+    #[error("{what} has one segment, but the curve has {got}")]
+    TooManySegments { what: &'static str, got: usize },
+    /// Coordinates where only x may be.
+    #[error("a scalar spline has its values in x, but y or z of point {index} is not zero")]
+    NotScalar { index: usize },
+    /// Two domains that should be one.
+    #[error("the domains differ: {domain} and {other}")]
+    OtherDomain { domain: Interval, other: Interval },
     /// A mesh above the ceiling.
     #[error("the mesh would have {got} vertices, more than the {most} that are allowed")]
     TooManyVertices { got: usize, most: usize },
@@ -188,6 +236,9 @@ pub enum GeomError {
     /// A direction of length zero, or along the direction that it should differ from.
     #[error("{what} has no direction")]
     ZeroAxis { what: &'static str },
+    /// Two directions along one line where they should span a plane.
+    #[error("{first} is parallel to {second}")]
+    ParallelAxes { first: &'static str, second: &'static str },
     /// A radius, tolerance or the like that is not positive.
     #[error("{what} is {got}; it must be above zero")]
     NotPositive { what: &'static str, got: f64 },

@@ -30,29 +30,34 @@ impl Frame {
     /// allows; without one, as near to (1, 0, 0), or to (0, 1, 0) where that is the normal's line.
     ///
     /// # Errors
-    /// [`GeomError::ZeroAxis`] for a normal of length zero or an x along it;
-    /// [`GeomError::NotFinite`] for an origin.
+    /// [`GeomError::ZeroAxis`] for a direction of length zero, [`GeomError::ParallelAxes`] for an x
+    /// along the normal; [`GeomError::NotFinite`] for an origin.
     pub fn from_normal(origin: DVec3, normal: DVec3, x: Option<DVec3>) -> Result<Self, GeomError> {
         if !origin.is_finite() {
             return Err(GeomError::NotFinite { what: "origin", index: 0 });
         }
         let z = unit(normal).ok_or(GeomError::ZeroAxis { what: "the normal" })?;
         let x = match x {
-            Some(x) => across(x, z),
+            Some(x) => {
+                let x = unit(x).ok_or(GeomError::ZeroAxis { what: "the x axis" })?;
+                across(x, z)
+            }
             None => across(DVec3::X, z).or_else(|| across(DVec3::Y, z)),
-        }
-        .ok_or(GeomError::ZeroAxis { what: "the x axis, made normal to the normal," })?;
+        };
+        let x = x.ok_or(GeomError::ParallelAxes { first: "the x axis", second: "the normal" })?;
         Ok(Self { origin, ..Self::plane([x, z.cross(x), z]) })
     }
 
     /// The frame at `origin` with x along `x` and y in the half plane of `y`.
     ///
     /// # Errors
-    /// [`GeomError::ZeroAxis`] where one is zero or both are parallel; [`GeomError::NotFinite`].
+    /// [`GeomError::ZeroAxis`] where one is zero, [`GeomError::ParallelAxes`] where they are
+    /// parallel; [`GeomError::NotFinite`].
     pub fn from_axes(origin: DVec3, x: DVec3, y: DVec3) -> Result<Self, GeomError> {
         let ux = unit(x).ok_or(GeomError::ZeroAxis { what: "the x axis" })?;
-        let uy =
-            across(y, ux).ok_or(GeomError::ZeroAxis { what: "the y axis across the x axis" })?;
+        let uy = unit(y).ok_or(GeomError::ZeroAxis { what: "the y axis" })?;
+        let uy = across(uy, ux)
+            .ok_or(GeomError::ParallelAxes { first: "the y axis", second: "the x axis" })?;
         Self::from_normal(origin, ux.cross(uy), Some(ux))
     }
 
@@ -86,6 +91,21 @@ impl Frame {
         let origin = map.transform_point3(self.origin);
         let image = Self::from_axes(origin, axis(self.x), axis(self.y))?;
         Ok(Self { is_of_curve: self.is_of_curve, ..image })
+    }
+
+    /// The rigid map that takes the origin to `to` and turns the normal into the unit vector
+    /// `normal` by the smallest angle; they must not be opposite.
+    #[must_use]
+    pub fn turned_to(self, normal: DVec3, to: DVec3) -> DAffine3 {
+        // Rodrigues' formula: I + [a]× + [a]×²/(1 + cos), where a = z × normal.
+        let (axis, cosine) = (self.z.cross(normal), self.z.dot(normal));
+        let cross = DMat3::from_cols(
+            DVec3::new(0.0, axis.z, -axis.y),
+            DVec3::new(-axis.z, 0.0, axis.x),
+            DVec3::new(axis.y, -axis.x, 0.0),
+        );
+        let matrix3 = DMat3::IDENTITY + cross + cross * cross * (1.0 / (1.0 + cosine));
+        DAffine3 { matrix3, translation: to - matrix3 * self.origin }
     }
 
     /// Where it stands.
@@ -160,7 +180,7 @@ pub(in crate::kernel) fn unit(v: DVec3) -> Option<DVec3> {
 }
 
 /// The unit vector along the part of `v` that is normal to the unit vector `axis`.
-fn across(v: DVec3, axis: DVec3) -> Option<DVec3> {
+pub(in crate::kernel) fn across(v: DVec3, axis: DVec3) -> Option<DVec3> {
     let v = unit(v)?;
     let part = v - axis * v.dot(axis);
     if part.length() <= VANISHING_RELATIVE {

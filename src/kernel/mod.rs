@@ -25,8 +25,8 @@ pub mod tolerance;
 
 pub use bounds::Bounds;
 pub use curve::{
-    CircleForm, Continuity, Curve, CurveEvaluator, CurveFunction, LocalGeometry, Neighbourhood,
-    NurbsCurve, Offset, ParametricCurve, PlaceKind, join, make_compatible,
+    CircleForm, ConicKind, Continuity, Curve, CurveEvaluator, CurveFunction, LocalGeometry,
+    Neighbourhood, NurbsCurve, Offset, ParametricCurve, PlaceKind, join, make_compatible,
 };
 pub use error::{FunctionFailure, GeomError};
 pub use fit::{

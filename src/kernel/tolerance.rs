@@ -64,6 +64,13 @@ pub const PARAMETER_RELATIVE: f64 = 1e-11;
 /// the control point goes.
 pub const RANK_RELATIVE: f64 = 1e-8;
 
+/// Two ways to write one curve agree when their homogeneous points differ by less than this
+/// fraction of the largest.
+///
+/// Larger loses a corner that somebody placed on purpose; smaller refuses to convert a curve that
+/// went through a few knot insertions and elevations.
+pub const EXACT_RELATIVE: f64 = 1e-11;
+
 /// Weights that differ by less than this fraction of the largest are equal: the curve is not
 /// rational.
 ///

@@ -3,6 +3,7 @@
 //! A family is a folder and the list of its operations; nothing outside names one of them.
 
 mod constant;
+mod convert;
 mod curve;
 mod edit;
 mod list;
@@ -21,6 +22,7 @@ use crate::value::Registry;
 pub fn registry() -> Registry {
     [
         curve::OPS,
+        convert::OPS,
         surface::OPS,
         edit::OPS,
         transform::OPS,

@@ -58,6 +58,11 @@ pub fn code_of(error: &GeomError) -> Code {
         Error::KnotNeeded { .. } | Error::NotReducible { .. } => Code::BeyondTolerance,
         Error::Gap { .. } => Code::Gap,
         Error::TooFewCurves { .. } => Code::BadCall,
+        Error::RationalFor { .. }
+        | Error::DegreeTooHighFor { .. }
+        | Error::UnevenSegments { .. }
+        | Error::TooRough { .. }
+        | Error::TooManySegments { .. } => Code::NotExact,
         Error::KnotCount { .. }
         | Error::TooFewKnots { .. }
         | Error::UnsortedKnots { .. }
@@ -73,12 +78,14 @@ pub fn code_of(error: &GeomError) -> Code {
         Error::RaggedGrid { .. } | Error::GridSize { .. } => Code::RaggedGrid,
         Error::ParameterOutside { .. }
         | Error::ParameterAtEnd { .. }
+        | Error::OtherDomain { .. }
         | Error::EmptyInterval { .. }
         | Error::NarrowInterval { .. } => Code::OutsideDomain,
         Error::NotFinite { .. } | Error::BeyondNumbers { .. } | Error::BeyondNumbersAt { .. } => {
             Code::Domain
         }
         Error::NotDifferentiable { .. } | Error::DerivativeBeyondNumbers => Code::NoDerivative,
+        Error::TangentCount { .. } => Code::BadCall,
         Error::Function(_) => inside(error).map_or(Code::Domain, |reason| reason.code),
         Error::DuplicateColumn { .. } | Error::ColumnLength { .. } | Error::NotNurbs { .. } => {
             Code::WrongKind
@@ -102,6 +109,13 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         Error::BadEndWeight { .. } => {
             "a weight of zero takes its point away, which the ends cannot do without".to_owned()
         }
+        Error::TangentCount { .. } => "give one tangent for each point".to_owned(),
+        Error::Collinear => "a straight curve is made by `line` or `polyline`".to_owned(),
+        Error::TooManySegments { .. } | Error::UnevenSegments { .. } => {
+            "`to_bezier` gives its segments one by one".to_owned()
+        }
+        Error::TooRough { .. } => "`split` it there, and take the parts".to_owned(),
+        Error::NotScalar { .. } => "give the values as points `(value, 0)`".to_owned(),
         Error::VanishingTangent { .. } | Error::UnboundedCurvature { .. } => {
             "the curve stands still there: are points repeated?".to_owned()
         }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{IntoValue, Number, Range, Real, Value};
+use super::{IntoValue, Range, Real, Value};
 use crate::kernel::{
     Column, Curve, GeomError, Grid, Interval, NurbsCurve, NurbsSurface, Surface, Table, Tolerance,
 };
@@ -167,11 +167,7 @@ fn number_cell(cell: f64) -> Value {
 }
 
 fn domain(interval: Interval) -> Value {
-    Value::Range(Range {
-        start: Number::bare(interval.start()),
-        end: Number::bare(interval.end()),
-        closed: true,
-    })
+    Value::Range(Range::from(interval))
 }
 
 fn count(n: usize) -> Value {

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::Number;
+use crate::kernel::Interval;
 
 /// A range as it was written; `start` above `end` is empty.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +23,13 @@ impl Range {
         let (start, end) = (self.start.as_integer()?, self.end.as_integer()?);
         let count = end.checked_sub(start)?.checked_add(i64::from(self.closed))?;
         Some((start, usize::try_from(count).unwrap_or(0)))
+    }
+}
+
+impl From<Interval> for Range {
+    fn from(interval: Interval) -> Self {
+        let [start, end] = [interval.start(), interval.end()].map(Number::bare);
+        Self { start, end, closed: true }
     }
 }
 

@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use super::{Angle, Choice, Dim, Geometry, Length, Number, Record, Type, Value};
+use super::{Angle, Choice, Dim, Geometry, Length, Number, Range, Record, Type, Value};
 use crate::{
     diag::Spanned,
-    kernel::{Curve, Frame, Mesh, NurbsCurve, NurbsSurface, Surface, Table},
+    kernel::{Curve, Frame, Interval, Mesh, NurbsCurve, NurbsSurface, Surface, Table},
 };
 use std::sync::Arc;
 
@@ -52,6 +52,7 @@ into_variant! {
     &str = Type::Text, |text| Value::text(text);
     String = Type::Text, |text| Value::text(&text);
     DVec3 = Type::Point, |point| Value::Point(point);
+    Interval = Type::Range, |interval| Value::Range(Range::from(interval));
     Record = Type::Record, |record| Value::Record(Arc::new(record));
     Curve = Type::Curve, |curve| Value::Curve(curve);
     Surface = Type::Surface, |surface| Value::Surface(surface);

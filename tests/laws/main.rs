@@ -5,6 +5,7 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot build its example fails")]
 
 mod basis;
+mod construct;
 mod curve;
 mod edit;
 mod evaluator;

@@ -65,12 +65,22 @@ impl NurbsCurve {
         form: CircleForm,
     ) -> Result<Self, GeomError> {
         let frame = Frame::from_normal(center, normal, Some(x_axis))?;
-        if !(radius.is_finite() && 0.0 < radius) {
-            return Err(GeomError::NotPositive { what: "the radius", got: radius });
+        Self::ellipse(frame, [radius; 2], form)
+    }
+
+    /// The full ellipse about the origin of a frame on 0..1, with its radii along x and y, from
+    /// the end of the first counter-clockwise: the affine image of a circle.
+    ///
+    /// # Errors
+    /// [`GeomError::NotPositive`] for a radius, [`GeomError::NotFinite`].
+    pub fn ellipse(frame: Frame, radii: [f64; 2], form: CircleForm) -> Result<Self, GeomError> {
+        if let Some(&got) = radii.iter().find(|radius| !(radius.is_finite() && 0.0 < **radius)) {
+            return Err(GeomError::NotPositive { what: "the radius", got });
         }
         let (degree, knots, polygon) = unit_circle(form);
         let knots = KnotVector::for_points(degree, polygon.len(), knots)?;
-        let to_space = |&[x, y, _]: &[f64; 3]| frame.point(DVec3::new(x, y, 0.0) * radius);
+        let [rx, ry] = radii;
+        let to_space = |&[x, y, _]: &[f64; 3]| frame.point(DVec3::new(x * rx, y * ry, 0.0));
         let points: Vec<DVec3> = polygon.iter().map(to_space).collect();
         let weights: Vec<f64> = polygon.iter().map(|point| point[2]).collect();
         Self::rational(knots, &points, &weights)

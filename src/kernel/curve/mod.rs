@@ -2,16 +2,23 @@
 //!
 //! `any` is a curve of either kind, `parametric` that of a function. Of B-splines this file has the
 //! type, its constructors and what can be read off it; `eval` computes points and derivatives,
-//! `evaluator` the same at many parameters, `circle` has the exact circles, `edit` changes the
-//! representation or cuts, `reduce` takes knots and degrees away, `join` and `extend` go on beyond
-//! an end, `offset` runs beside, `deviation` tells how far two are apart, `compatible` brings
-//! several to one basis, `measure` has length and bounds. Of both, `local` tells the shape at a
-//! place from its derivatives, `direction` the kind of the place, `continuity` compares the two
-//! sides of a joint, `flat` looks for lines and planes.
+//! `evaluator` the same at many parameters,
+//! `circle`, `arc` and `conic` have the exact conics, `chain` curves of segments, `edit` changes the
+//! representation or cuts, `basis_change` finds the same curve on fewer or other knots, `product`
+//! has derivatives and products as curves, `parts` what a form is made of, `reduce` takes knots and
+//! degrees away, `join` and `extend` go on beyond an end, `offset` runs beside, `deviation` tells
+//! how far two are apart, `compatible` brings several to one basis, `measure` has length and
+//! bounds. Of both, `local` tells the shape at a place from its derivatives, `direction` the kind
+//! of the place, `continuity` compares the two sides of a joint, `flat` and `planar` look for lines
+//! and planes.
 
 mod any;
+mod arc;
+mod basis_change;
+mod chain;
 mod circle;
 mod compatible;
+mod conic;
 mod continuity;
 mod deviation;
 mod direction;
@@ -25,6 +32,9 @@ mod local;
 mod measure;
 mod offset;
 mod parametric;
+mod parts;
+mod planar;
+mod product;
 mod reduce;
 mod series;
 
@@ -35,6 +45,7 @@ use super::{GeomError, Interval, KnotVector, Tolerance, frame::norm, homogeneous
 pub use any::Curve;
 pub use circle::CircleForm;
 pub use compatible::make_compatible;
+pub use conic::ConicKind;
 pub use continuity::Continuity;
 pub use direction::PlaceKind;
 pub use evaluator::CurveEvaluator;

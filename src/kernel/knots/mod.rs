@@ -239,6 +239,22 @@ impl KnotVector {
         self.distinct().into_iter().map(|(t, _)| t).filter(|&t| domain.contains(t)).collect()
     }
 
+    /// The mean of p consecutive knots for each control point; of degree 0 the middles of spans.
+    #[must_use]
+    pub fn greville(&self) -> Vec<f64> {
+        let p = self.degree;
+        let mean = |i: usize| match p {
+            0 => 0.5 * (self.knots[i] + self.knots[i + 1]),
+            _ => {
+                // Equal knots have exactly themselves as their mean.
+                let first = self.knots[i + 1];
+                let above: f64 = self.knots[i + 1..=i + p].iter().map(|knot| knot - first).sum();
+                first + above / p as f64
+            }
+        };
+        (0..self.n_points()).map(mean).collect()
+    }
+
     /// Spans of the domain that have a width, by index.
     pub fn spans(&self) -> impl Iterator<Item = usize> {
         (self.degree..self.n_points()).filter(|&i| self.knots[i] < self.knots[i + 1])

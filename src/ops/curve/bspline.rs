@@ -2,18 +2,18 @@
 
 use glam::DVec3;
 
-use super::{check_degree, knots_for};
+use super::{check_closed, check_degree, knots_for};
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{KnotVector, NurbsCurve},
+    kernel::{Interval, NurbsCurve},
     value::{At, AtLeast, Ctx, op},
 };
 
 op! {
     /// B-spline of control points on given knots, or on uniform clamped ones over 0..1.
     ///
-    /// A closed one is periodic over 0..1: it has as many segments as points, and its seam is as
-    /// smooth as its other joints. Piegl & Tiller, *The NURBS Book*, §3.2.
+    /// A closed one is periodic over 0..1: it has as many segments as points, three or more, begins
+    /// with the segment of the first points, and its seam is as smooth as its other joints. Piegl & Tiller, *The NURBS Book*, §3.2.
     bspline in Curve -> NurbsCurve {
         /// The control points, more than the degree.
         points: Spanned<AtLeast<2, DVec3>>,
@@ -45,11 +45,11 @@ fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
         .hint("leave out `knots` or `closed`")
         .fail();
     }
-    check_degree(args.degree, n_points)?;
-    let degree = args.degree.value;
-    let wrapped: Vec<DVec3> = points.iter().cycle().take(points.len() + degree).copied().collect();
-    let n_segments = points.len() as f64;
-    let knot = |i: usize| (i as f64 - degree as f64) / n_segments;
-    let knots = (0..=wrapped.len() + degree).map(knot).collect();
-    NurbsCurve::polynomial(KnotVector::new(degree, knots).at(span)?, &wrapped).at(span)
+    let degree = args.degree;
+    if degree.value == 0 {
+        check_degree(degree, n_points)?;
+    }
+    check_closed(n_points)?;
+    let closed = NurbsCurve::uniform(degree.value, &points, true).at(span)?;
+    Ok(closed.reparametrized(Interval::UNIT))
 }

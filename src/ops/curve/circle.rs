@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 
+use super::positive;
 use crate::{
-    diag::{Code, Diagnostic, Result, Spanned},
+    diag::{Result, Spanned},
     kernel::{CircleForm, Frame, NurbsCurve},
     value::{At, Choice, Ctx, Length, op},
 };
@@ -36,12 +37,7 @@ impl Choice for CircleForm {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
-    let radius = args.radius.value.0;
-    if radius <= 0.0 {
-        let message =
-            format!("the radius must be positive, found {}", crate::value::shortest(radius));
-        return Diagnostic::error(Code::Degenerate, args.radius.span, message).fail();
-    }
+    let radius = positive(args.radius, "the radius")?;
     let frame = Frame::from_normal(args.center, args.normal.value, None).at(args.normal.span)?;
     NurbsCurve::circle(args.center, radius, frame.x(), frame.z(), args.form).at(ctx.span)
 }

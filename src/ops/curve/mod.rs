@@ -1,24 +1,34 @@
 //! Operations that make curves.
 
 mod approximate;
+mod arc;
+mod arc_through;
+mod beta_spline;
 mod bezier;
 mod bspline;
 mod circle;
 mod clamped;
 mod conic;
+mod conic_kind;
+mod coons_bspline;
+mod coons_cubic;
 mod cubic_spline;
+mod ellipse;
 pub(super) mod fit;
+mod helix;
+mod hermite;
 mod interpolate;
 mod lagrange;
 mod line;
 mod nurbs;
 mod parametric;
 mod polyline;
+mod polynomial;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{GeomError, KnotVector},
-    value::{At, Op},
+    value::{At, Length, Op, shortest},
 };
 
 pub(super) static OPS: &[&Op] = &[
@@ -32,9 +42,19 @@ pub(super) static OPS: &[&Op] = &[
     &cubic_spline::OP,
     &lagrange::OP,
     &approximate::OP,
+    &hermite::OP,
+    &coons_cubic::OP,
+    &coons_bspline::OP,
+    &beta_spline::OP,
+    &polynomial::OP,
+    &arc::OP,
+    &arc_through::OP,
     &circle::OP,
+    &ellipse::OP,
     &conic::OP,
     &parametric::OP,
+    &conic_kind::OP,
+    &helix::OP,
 ];
 
 /// Knots of degree `degree` for so many points: those that are given, else uniform and clamped
@@ -83,4 +103,37 @@ pub(super) fn check_degree(degree: Spanned<usize>, n_points: Spanned<usize>) -> 
             .fail();
     }
     Ok(())
+}
+
+/// Fails unless there are as many points as a uniform cubic needs.
+fn check_cubic(n_points: Spanned<usize>, is_closed: bool) -> Result<()> {
+    if is_closed {
+        return check_closed(n_points);
+    }
+    if 4 <= n_points.value {
+        return Ok(());
+    }
+    let message = format!("a cubic needs 4 points or more, found {}", n_points.value);
+    Diagnostic::error(Code::TooFewPoints, n_points.span, message)
+        .hint("give more points; with `closed = true` 3 are enough")
+        .fail()
+}
+
+/// Fails unless there are as many points as a closed curve needs.
+fn check_closed(n_points: Spanned<usize>) -> Result<()> {
+    if 3 <= n_points.value {
+        return Ok(());
+    }
+    let message = format!("a closed curve needs 3 points or more, found {}", n_points.value);
+    Diagnostic::error(Code::TooFewPoints, n_points.span, message).fail()
+}
+
+/// A length, which must be above zero.
+fn positive(length: Spanned<Length>, what: &str) -> Result<f64> {
+    let value = length.value.0;
+    if 0.0 < value {
+        return Ok(value);
+    }
+    let message = format!("{what} must be positive, found {}", shortest(value));
+    Diagnostic::error(Code::Degenerate, length.span, message).fail()
 }

@@ -13,17 +13,21 @@ op! {
     polyline in Curve -> NurbsCurve {
         /// The corners, two or more.
         points: Spanned<AtLeast<2, DVec3>>,
-        /// Whether a last leg leads back to the first point.
+        /// Whether a last leg leads back to the first point, unless the last point is there.
         closed: bool = false,
     }
     example "polyline((0, 0), (2, 0), (2, 2))(1.5)" => "(2, 1, 0)";
     example "polyline((0, 0), (2, 0), (2, 2), closed = true).domain" => "0..3";
+    example "polyline((0, 0), (2, 0), (2, 2), (0, 0), closed = true).domain" => "0..3";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
     let AtLeast(mut points) = args.points.value;
     if args.closed {
-        points.extend(points.first().copied());
+        let (first, last) = (points[0], points[points.len() - 1]);
+        if ctx.tolerance.distance < first.distance(last) {
+            points.push(first);
+        }
     }
     NurbsCurve::polyline(&points).at(args.points.span)
 }

@@ -1,7 +1,15 @@
 //! Transformations of anything geometric.
 
+mod by_matrix;
+mod frame_of;
+mod mirror;
+mod place;
+mod plane;
+mod project;
 mod rotate;
 mod scale;
+mod station;
+
 mod translate;
 
 use std::sync::Arc;
@@ -13,7 +21,18 @@ use crate::{
     value::{At, Geometry, Op, Value},
 };
 
-pub(super) static OPS: &[&Op] = &[&translate::OP, &rotate::OP, &scale::OP];
+pub(super) static OPS: &[&Op] = &[
+    &translate::OP,
+    &rotate::OP,
+    &scale::OP,
+    &mirror::OP,
+    &by_matrix::OP,
+    &place::OP,
+    &project::OP,
+    &station::OP,
+    &plane::OP,
+    &frame_of::OP,
+];
 
 /// The geometry moved by an affine map; lists element by element.
 fn transformed(geometry: &Value, map: &DAffine3, span: Span) -> Result<Value> {

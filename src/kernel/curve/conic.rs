@@ -1,0 +1,69 @@
+//! Which conic section a rational curve of degree 2 is.
+
+use glam::{DVec3, DVec4};
+
+use super::NurbsCurve;
+use crate::kernel::{
+    GeomError, bezier, homogeneous,
+    tolerance::{EXACT_RELATIVE, VANISHING_RELATIVE},
+};
+
+/// The conic sections that are curved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ConicKind {
+    /// An ellipse; circles are ellipses.
+    Ellipse,
+    /// A parabola.
+    Parabola,
+    /// A hyperbola.
+    Hyperbola,
+}
+
+impl NurbsCurve {
+    /// Which conic section all pieces of the curve are, by the shape factor w₁²/(w₀w₂).
+    ///
+    /// Piegl & Tiller, *The NURBS Book*, (7.22).
+    ///
+    /// # Errors
+    /// [`GeomError::DegreeTooHighFor`] above 2, [`GeomError::DegreeTooLow`] below;
+    /// [`GeomError::NoConic`] where a piece is straight, [`GeomError::MixedConics`].
+    pub fn conic_kind(&self) -> Result<ConicKind, GeomError> {
+        let degree = self.degree();
+        if 2 < degree {
+            return Err(GeomError::DegreeTooHighFor { what: "a conic", degree, most: 2 });
+        }
+        if degree < 2 {
+            return Err(GeomError::NoConic { parameter: self.domain().start() });
+        }
+        let mut kinds = Vec::new();
+        for span in self.knots.spans() {
+            let piece = bezier::piece(&self.knots, &self.control_points, span);
+            let parameter = self.knots.span_interval(span).start();
+            kinds.push((parameter, kind_of(&piece).ok_or(GeomError::NoConic { parameter })?));
+        }
+        let (_, first) = kinds[0];
+        match kinds.into_iter().find(|&(_, kind)| kind != first) {
+            Some((parameter, _)) => Err(GeomError::MixedConics { parameter }),
+            None => Ok(first),
+        }
+    }
+}
+
+/// The kind of one Bézier piece; none for a straight one.
+fn kind_of(piece: &[DVec4]) -> Option<ConicKind> {
+    let [p0, p1, p2] = [piece[0], piece[1], piece[2]];
+    let [a, b]: [DVec3; 2] = [p0, p2].map(homogeneous::project);
+    // The middle point as it acts, with its weight: one of weight zero leaves a line.
+    let (to_b, to_middle) = (b - a, p1.truncate() - a * p1.w);
+    let area = to_b.cross(to_middle).length();
+    if area
+        <= VANISHING_RELATIVE * to_b.length() * (p1.truncate().length() + a.length() * p1.w.abs())
+    {
+        return None;
+    }
+    let (middle, ends) = (p1.w * p1.w, p0.w * p2.w);
+    if (middle - ends).abs() <= EXACT_RELATIVE * ends {
+        return Some(ConicKind::Parabola);
+    }
+    Some(if middle < ends { ConicKind::Ellipse } else { ConicKind::Hyperbola })
+}

@@ -1,0 +1,28 @@
+//! `edit_points`: the points of a curve that go with its control points.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::{
+    diag::Result,
+    kernel::NurbsCurve,
+    value::{Ctx, op},
+};
+
+op! {
+    /// Points of a curve at its Greville parameters.
+    ///
+    /// Of a curve that is not clamped only those inside its domain.
+    edit_points in Curve -> Vec<DVec3> {
+        /// The curve.
+        c: Arc<NurbsCurve>,
+    }
+    example "edit_points(bezier((0, 0), (1, 2), (2, 0)))" => "[(0, 0, 0), (1, 1, 0), (2, 0, 0)]";
+}
+
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {
+    let parameters = args.c.knots().greville().into_iter();
+    let inside = parameters.filter_map(|t| args.c.domain().clamp_inside(t).ok());
+    Ok(inside.map(|t| args.c.point_at(t)).collect())
+}

@@ -1,0 +1,26 @@
+//! `hodograph`: the derivative as a curve.
+
+use std::sync::Arc;
+
+use crate::{
+    diag::{Result, Spanned},
+    kernel::NurbsCurve,
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// Curve of a curve's derivative vectors, on the same domain; exact, also with weights.
+    ///
+    /// Its degree is one less; with weights it is twice as high. At a corner it jumps.
+    /// Piegl & Tiller, *The NURBS Book*, (3.8) and (4.8).
+    hodograph in Curve -> NurbsCurve {
+        /// The curve.
+        c: Spanned<Arc<NurbsCurve>>,
+    }
+    example "hodograph(bezier((0, 0), (1, 2), (2, 0))).points" => "[(2, 4, 0), (2, -4, 0)]";
+    example "hodograph(circle((0, 0), 1))(0.3) ~= derivative(circle((0, 0), 1), 0.3) within 1e-13" => "true";
+}
+
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+    args.c.value.hodograph().at(args.c.span)
+}

@@ -1,0 +1,24 @@
+//! `knot_points`: the points where a curve's segments meet.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::{
+    diag::Result,
+    kernel::NurbsCurve,
+    value::{Ctx, op},
+};
+
+op! {
+    /// Points of a curve at its knots, each once, the ends of its domain among them.
+    knot_points in Curve -> Vec<DVec3> {
+        /// The curve.
+        c: Arc<NurbsCurve>,
+    }
+    example "knot_points(clamped((1, 1), (3, 1), (5, 7), (7, 1), (9, 4)))" => "[(1, 1, 0), (5, 4, 0), (9, 4, 0)]";
+}
+
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {
+    Ok(args.c.knots().breaks().into_iter().map(|t| args.c.point_at(t)).collect())
+}

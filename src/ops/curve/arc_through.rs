@@ -1,0 +1,38 @@
+//! `arc_through`: the arc of a circle through three points.
+
+use glam::DVec3;
+
+use crate::{
+    diag::{Code, Diagnostic, Result},
+    kernel::{GeomError, NurbsCurve},
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// Exact arc of a circle from `a` by way of `b` to `c`, on 0..1.
+    ///
+    /// In equal pieces of at most a quarter turn, like `arc`.
+    arc_through in Curve -> NurbsCurve {
+        /// Where it starts.
+        a: DVec3,
+        /// A point on the way.
+        b: DVec3,
+        /// Where it ends.
+        c: DVec3,
+    }
+    example "arc_through((1, 0), (0, 1), (-1, 0))(0.5)" => "(0, 1, 0)";
+    example "arc_through((3, 4), (5, 0), (0, -5)).end" => "(0, -5, 0)";
+    example "norm(arc_through((3, 4), (5, 0), (0, -5))(0.7)) ~= 5 within 1e-14" => "true";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+    let arc = NurbsCurve::arc_through([args.a, args.b, args.c], ctx.tolerance.distance);
+    if let Err(GeomError::CoincidentPoints { first, second }) = arc {
+        let names = ["a", "b", "c"];
+        let message = format!("`{}` and `{}` are at one place", names[first], names[second]);
+        return Diagnostic::error(Code::Degenerate, ctx.span, message)
+            .hint("three different points determine a circle")
+            .fail();
+    }
+    arc.at(ctx.span)
+}

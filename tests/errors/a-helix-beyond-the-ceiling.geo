@@ -1,0 +1,1 @@
+curve spring = helix((0, 0), 3, 5, 1e12)

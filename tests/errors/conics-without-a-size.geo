@@ -1,0 +1,5 @@
+curve flat = ellipse((0, 0), 4, 0)
+curve inside_out = arc((0, 0), -2, 0deg, 90deg)
+curve wire = helix((0, 0), 0, 5, 2)
+curve unwound = helix((0, 0), 3, 5, -2)
+curve no_plane = ellipse((0, 0), 4, 3, normal = (0, 0, 0))

@@ -1,0 +1,8 @@
+curve round = to_coons(circle((0, 0), 1))
+curve bent = to_coons(hermite([(0, 0), (1, 1), (2, 0)], [(1, 0), (1, 0), (1, 1)]))
+let corner = to_hermite(polyline((0, 0), (1, 0), (1, 1)))
+let high = to_hermite(bezier((0, 0), (1, 2), (2, 0), (3, 3), (4, 4)))
+let uneven = to_hermite(bspline((0, 0), (1, 2), (2, 2), (3, 0), (5, 5), knots = [0, 0, 0, 0, 1, 3, 3, 3, 3]))
+let several = power_coefficients(clamped((0, 0), (1, 2), (2, 2), (3, 0), (5, 5)))
+let levels = de_casteljau(clamped((0, 0), (1, 2), (2, 2), (3, 0), (5, 5)), 0.5)
+let not_bezier = de_casteljau(coons_cubic((0, 0), (1, 2), (2, 2), (3, 0)), 0.5)

@@ -1,0 +1,5 @@
+curve c = line((0, 0), (1, 0))
+curve flat = transform(c, [[1, 0, 0, 0], [0, 1, 0, 0], [1, 1, 0, 0]])
+curve square = transform(c, [[1, 0, 0], [0, 1, 0], [0, 0, 1]])
+curve short = transform(c, [[1, 0, 0, 0], [0, 1, 0, 0]])
+curve turned = transform(c, [[1, 0, 0, 90deg], [0, 1, 0, 0], [0, 0, 1, 0]])

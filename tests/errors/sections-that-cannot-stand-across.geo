@@ -1,0 +1,5 @@
+curve spine = line((0, 0, 0), (0, 0, 5))
+curve bent = station(helix((0, 0), 1, 1, 1), spine, 0.5)
+curve rod = station(line((0, 0, 0), (0, 0, 1)), spine, 0.5)
+curve dot = station(bezier((1, 1)), spine, 0.5)
+curve past = station(circle((0, 0), 1), spine, 2)
