@@ -1,6 +1,6 @@
 //! Polynomials by their Bernstein coefficients: products, and the bounds that these give.
 
-use std::ops::{Add, Mul};
+use std::ops::{Add, Mul, Sub};
 
 use glam::DVec4;
 
@@ -31,11 +31,43 @@ where
 }
 
 /// Coefficients of the derivative by the local parameter 0..1.
-pub(in crate::kernel) fn derivative(points: &[DVec4]) -> Vec<DVec4> {
-    match points.len() {
-        1 => vec![DVec4::ZERO],
-        n => points.windows(2).map(|pair| (pair[1] - pair[0]) * (n - 1) as f64).collect(),
+pub(in crate::kernel) fn derivative<T>(coefficients: &[T]) -> Vec<T>
+where
+    T: Copy + Default + Sub<Output = T> + Mul<f64, Output = T>,
+{
+    match coefficients.len() {
+        1 => vec![T::default()],
+        n => coefficients.windows(2).map(|pair| (pair[1] - pair[0]) * (n - 1) as f64).collect(),
     }
+}
+
+/// The value at a local parameter: de Casteljau.
+pub(in crate::kernel) fn value(coefficients: &[f64], t: f64) -> f64 {
+    let mut row = coefficients.to_vec();
+    for n_left in (1..row.len()).rev() {
+        for i in 0..n_left {
+            row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
+        }
+    }
+    row[0]
+}
+
+/// The coefficients over both halves of the interval.
+pub(in crate::kernel) fn halves(coefficients: &[f64]) -> [Vec<f64>; 2] {
+    let mut right = coefficients.to_vec();
+    let mut left = Vec::with_capacity(right.len());
+    for n_left in (0..right.len()).rev() {
+        left.push(right[0]);
+        for i in 0..n_left {
+            right[i] = 0.5 * right[i] + 0.5 * right[i + 1];
+        }
+    }
+    [left, right]
+}
+
+/// The largest coefficient by absolute value.
+pub(in crate::kernel) fn largest(coefficients: &[f64]) -> f64 {
+    coefficients.iter().fold(0.0, |most, value| most.max(value.abs()))
 }
 
 /// `n` over 0, 1, … n.

@@ -266,6 +266,12 @@ pub enum GeomError {
     /// A question that only a NURBS has an answer to.
     #[error("a parametric {what} is a function and no NURBS")]
     NotNurbs { what: &'static str },
+    /// A length that the curve does not have.
+    #[error("the curve is {total} long, so that it has no place at length {got}")]
+    LengthOutside { got: f64, total: f64 },
+    /// Two curves that share a stretch and not single points.
+    #[error("the curves run together from parameter {start} to {end} of the first")]
+    RunTogether { start: f64, end: f64 },
     /// Two columns of one name.
     #[error("column {name:?} stands twice")]
     DuplicateColumn { name: String },

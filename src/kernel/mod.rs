@@ -19,14 +19,15 @@ mod mesh;
 mod positive;
 mod refine;
 mod removal;
+mod roots;
 mod surface;
 mod table;
 pub mod tolerance;
 
 pub use bounds::Bounds;
 pub use curve::{
-    CircleForm, ConicKind, Continuity, Curve, CurveEvaluator, CurveFunction, LocalGeometry,
-    Neighbourhood, NurbsCurve, Offset, ParametricCurve, PlaceKind, join, make_compatible,
+    CircleForm, ConicKind, Continuity, Curve, CurveEvaluator, CurveFunction, Foot, LocalGeometry,
+    Meeting, Neighbourhood, NurbsCurve, Offset, ParametricCurve, PlaceKind, join, make_compatible,
 };
 pub use error::{FunctionFailure, GeomError};
 pub use fit::{

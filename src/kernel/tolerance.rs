@@ -159,6 +159,24 @@ pub const CUSP_SLACK: f64 = 1e-9;
 /// Larger takes a flat ellipse for a circle; smaller takes none for one after a rotation.
 pub const ROUND_RELATIVE: f64 = 1e-13;
 
+/// Bernstein coefficients of a product of polynomials below this fraction of the factors' largest
+/// ones are rounding: they have no sign.
+///
+/// Larger overlooks a slight S in a nearly straight curve; smaller finds inflections in a circle.
+pub const SIGN_RELATIVE: f64 = 1e-12;
+
+/// A polynomial vector whose length has a minimum below this fraction of its largest value
+/// vanishes there.
+///
+/// A minimum is known to the root of the rounding. Larger calls a tight bend a cusp; smaller
+/// misses cusps at parameters that are no round numbers.
+pub const TOUCH_RELATIVE: f64 = 1e-7;
+
+/// How far from a place, as a fraction of its span, its two sides are looked at.
+///
+/// Larger looks past features that lie close together; smaller looks at rounding.
+pub const SIDE_STEP: f64 = 1e-4;
+
 /// Rounding of a coordinate, as a fraction of it: the last bit of an `f64`.
 ///
 /// Larger takes digits for noise; smaller than this nothing is computed.

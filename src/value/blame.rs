@@ -79,6 +79,7 @@ pub fn code_of(error: &GeomError) -> Code {
         Error::ParameterOutside { .. }
         | Error::ParameterAtEnd { .. }
         | Error::OtherDomain { .. }
+        | Error::LengthOutside { .. }
         | Error::EmptyInterval { .. }
         | Error::NarrowInterval { .. } => Code::OutsideDomain,
         Error::NotFinite { .. } | Error::BeyondNumbers { .. } | Error::BeyondNumbersAt { .. } => {
@@ -130,6 +131,9 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         }
         Error::Gap { .. } => "give the curves in order, end to start".to_owned(),
         Error::VanishingPiece { .. } => "`reparametrize` the curves to similar domains".to_owned(),
+        Error::RunTogether { .. } => {
+            "curves that share a stretch have no single points there; `trim` it away".to_owned()
+        }
         Error::AlongNormal { .. } => "give another `normal`".to_owned(),
         Error::NotNurbs { what } => {
             format!("`to_nurbs({}, tolerance)` makes a NURBS of it", &what[..1])

@@ -18,6 +18,7 @@ mod local;
 mod measure;
 mod mesh;
 mod parametric;
+mod places;
 mod some;
 mod surface;
 mod worked;

@@ -38,13 +38,8 @@ impl Curve {
     pub fn is_planar(&self, tolerance: Tolerance) -> Result<bool, GeomError> {
         let points = self.places()?;
         let allowed = allowed(&points, tolerance);
-        let Some(line) = line(&points) else { return Ok(true) };
-        let sideways = points.iter().map(|&point| across(point - points[0], line));
-        let widest = sideways.max_by(|a, b| norm(*a).total_cmp(&norm(*b)));
-        let Some(normal) = widest.and_then(|widest| unit(line.cross(unit(widest)?))) else {
-            return Ok(true);
-        };
-        Ok(points.iter().all(|&point| normal.dot(point - points[0]).abs() <= allowed))
+        let Some(widest) = widest(&points) else { return Ok(true) };
+        Ok(lie_across(&points, widest.normal, allowed))
     }
 
     /// Points that are on a line or in a plane together with the curve.
@@ -57,6 +52,15 @@ impl Curve {
 }
 
 impl NurbsCurve {
+    /// The normal of the plane in which it lies within the tolerance; none for a curve in space,
+    /// and none for one on a line, which has no plane of its own.
+    pub(super) fn plane_normal(&self, tolerance: Tolerance) -> Option<DVec3> {
+        let points = self.places();
+        let allowed = allowed(&points, tolerance);
+        let widest = widest(&points).filter(|widest| allowed < widest.width)?;
+        lie_across(&points, widest.normal, allowed).then_some(widest.normal)
+    }
+
     /// The control points; one of weight zero, which is a direction, as a step from the first.
     fn places(&self) -> Vec<DVec3> {
         let first = homogeneous::place(self.control_points[0]);
@@ -73,6 +77,27 @@ fn allowed(points: &[DVec3], tolerance: Tolerance) -> f64 {
     let largest = points.iter().map(|point| point.abs().max_element()).fold(0.0, f64::max);
     let size = points.iter().map(|point| norm(*point - points[0])).fold(0.0, f64::max);
     tolerance.distance_for(size).max(VANISHING_RELATIVE * largest)
+}
+
+/// The plane through the first point, the one furthest from it, and the one furthest from the
+/// line of both.
+struct Widest {
+    normal: DVec3,
+    /// How far the third point is from the line.
+    width: f64,
+}
+
+fn widest(points: &[DVec3]) -> Option<Widest> {
+    let line = line(points)?;
+    let sideways = points.iter().map(|&point| across(point - points[0], line));
+    let furthest = sideways.max_by(|a, b| norm(*a).total_cmp(&norm(*b)))?;
+    let normal = unit(line.cross(unit(furthest)?))?;
+    Some(Widest { normal, width: norm(furthest) })
+}
+
+/// Whether the points are as near as that to the plane through the first of them.
+fn lie_across(points: &[DVec3], normal: DVec3, allowed: f64) -> bool {
+    points.iter().all(|&point| normal.dot(point - points[0]).abs() <= allowed)
 }
 
 /// The direction to the point that is furthest from the first.

@@ -2,21 +2,25 @@
 //!
 //! `any` is a curve of either kind, `parametric` that of a function. Of B-splines this file has the
 //! type, its constructors and what can be read off it; `eval` computes points and derivatives,
-//! `evaluator` the same at many parameters,
-//! `circle`, `arc` and `conic` have the exact conics, `chain` curves of segments, `edit` changes the
-//! representation or cuts, `basis_change` finds the same curve on fewer or other knots, `product`
-//! has derivatives and products as curves, `parts` what a form is made of, `reduce` takes knots and
-//! degrees away, `join` and `extend` go on beyond an end, `offset` runs beside, `deviation` tells
-//! how far two are apart, `compatible` brings several to one basis, `measure` has length and
-//! bounds. Of both, `local` tells the shape at a place from its derivatives, `direction` the kind
-//! of the place, `continuity` compares the two sides of a joint, `flat` and `planar` look for lines
-//! and planes.
+//! `evaluator` the same at many parameters, `circle`, `arc` and `conic` have the exact conics,
+//! `chain` curves of segments, `edit` changes the representation or cuts, `basis_change` finds the
+//! same curve on fewer or other knots, `product` has derivatives and products as curves, `parts`
+//! what a form is made of, `reduce` takes knots and degrees away, `join` and `extend` go on beyond
+//! an end, `offset` runs beside, `deviation` tells how far two are apart, `compatible` brings
+//! several to one basis, `measure` has length and bounds. `features` has the places that stand out,
+//! `closest` the nearest one, `intersect` the meetings of two curves, from `bend`, the polynomials
+//! that a piece is made of, and `part`; `arc_length` finds places by length. Of both, `local` tells
+//! the shape at a place from its derivatives, `direction` the kind of the place, `continuity`
+//! compares the two sides of a joint, `flat` and `planar` look for lines and planes.
 
 mod any;
 mod arc;
+mod arc_length;
 mod basis_change;
+mod bend;
 mod chain;
 mod circle;
+mod closest;
 mod compatible;
 mod conic;
 mod continuity;
@@ -26,12 +30,15 @@ mod edit;
 mod eval;
 mod evaluator;
 mod extend;
+mod features;
 mod flat;
+mod intersect;
 mod join;
 mod local;
 mod measure;
 mod offset;
 mod parametric;
+mod part;
 mod parts;
 mod planar;
 mod product;
@@ -44,11 +51,13 @@ use super::{GeomError, Interval, KnotVector, Tolerance, frame::norm, homogeneous
 
 pub use any::Curve;
 pub use circle::CircleForm;
+pub use closest::Foot;
 pub use compatible::make_compatible;
 pub use conic::ConicKind;
 pub use continuity::Continuity;
 pub use direction::PlaceKind;
 pub use evaluator::CurveEvaluator;
+pub use intersect::Meeting;
 pub use join::join;
 pub use local::{LocalGeometry, Neighbourhood};
 pub use offset::Offset;

@@ -6,12 +6,19 @@ pub(super) mod binormal;
 pub(super) mod binormal_line;
 pub(super) mod center_of_curvature;
 pub(super) mod classify;
+pub(super) mod closest;
 pub(super) mod continuity;
+pub(super) mod corners;
 pub(super) mod curvature;
 pub(super) mod curvature_comb;
 pub(super) mod curvature_table;
+pub(super) mod cusps;
 pub(super) mod derivative;
+pub(super) mod divide;
+pub(super) mod extrema;
 pub(super) mod frame;
+pub(super) mod inflections;
+pub(super) mod intersect;
 pub(super) mod is_closed;
 pub(super) mod is_planar;
 pub(super) mod is_straight;
@@ -21,13 +28,17 @@ pub(super) mod normal_line;
 pub(super) mod normal_plane;
 pub(super) mod osculating_circle;
 pub(super) mod osculating_plane;
+pub(super) mod parameter_at_length;
 pub(super) mod radius_of_curvature;
 pub(super) mod rectifying_plane;
 pub(super) mod sample;
+pub(super) mod section;
+pub(super) mod self_intersections;
 pub(super) mod signed_curvature;
 pub(super) mod tangent;
 pub(super) mod tangent_line;
 pub(super) mod torsion;
+pub(super) mod vertices;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},

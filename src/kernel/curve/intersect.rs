@@ -1,0 +1,377 @@
+//! Where two curves meet, and where one meets itself.
+//!
+//! Pairs of Bézier pieces whose boxes are apart are dropped, the others halved, until the pieces
+//! of a pair cross at so clear an angle that they meet at most once, or lie together within the
+//! tolerance. No pair is dropped on the word of samples, so that no meeting is lost. After
+//! Sederberg & Nishita, *Curve intersection using Bézier clipping*, CAD 22 (1990), with tangent
+//! cones as in Sederberg & Meyers (1988).
+
+use glam::DVec3;
+
+use super::{
+    NurbsCurve,
+    part::{Part, parts},
+};
+use crate::kernel::{
+    Bounds, GeomError, Interval, homogeneous,
+    tolerance::{KNOT_RELATIVE, LAST_BIT},
+};
+
+/// Pairs of pieces that are looked at before the curves count as running together.
+const MAX_PAIRS: usize = 400_000;
+
+/// Steps of Newton's method; from a pair that crosses clearly it needs some five.
+const MAX_STEPS: usize = 30;
+
+/// Bisections of a stretch in which two curves touch.
+const MAX_BISECTIONS: usize = 60;
+
+/// A place where two curves meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Meeting {
+    /// The parameter on the first curve.
+    pub first: f64,
+    /// The parameter on the second.
+    pub second: f64,
+    /// The point, in the middle between both curves' points.
+    pub point: DVec3,
+}
+
+/// A stretch on which two curves are within the tolerance, by the parameters of both.
+#[derive(Clone, Copy)]
+struct Contact {
+    first: Interval,
+    second: Interval,
+}
+
+/// The curves in search of each other.
+struct Search<'c> {
+    first: &'c NurbsCurve,
+    second: &'c NurbsCurve,
+    tolerance: f64,
+    /// Whether both are one curve, so that a parameter does not meet itself.
+    is_same: bool,
+    meetings: Vec<Meeting>,
+    contacts: Vec<Contact>,
+}
+
+impl NurbsCurve {
+    /// Every place where the curve comes within `tolerance` of another, by the parameter of this.
+    ///
+    /// # Errors
+    /// [`GeomError::RunTogether`] where they share a stretch and not single points.
+    pub fn intersections(&self, other: &Self, tolerance: f64) -> Result<Vec<Meeting>, GeomError> {
+        let mut search = Search::new(self, other, tolerance, false);
+        let mut pairs = Vec::new();
+        let others = parts(other);
+        for own in parts(self) {
+            pairs.extend(others.iter().map(|other| (own.clone(), other.clone())));
+        }
+        search.run(pairs)?;
+        search.finish()
+    }
+
+    /// Every place where the curve comes within `tolerance` of itself, by the lesser parameter
+    /// first. The seam of a closed curve is none.
+    ///
+    /// # Errors
+    /// [`GeomError::RunTogether`] where it runs along itself.
+    pub fn self_intersections(&self, tolerance: f64) -> Result<Vec<Meeting>, GeomError> {
+        let mut search = Search::new(self, self, tolerance, true);
+        let pieces = parts(self);
+        let mut pairs = Vec::new();
+        let mut alone = pieces.clone();
+        for (i, first) in pieces.iter().enumerate() {
+            pairs.extend(pieces[i + 1..].iter().map(|second| (first.clone(), second.clone())));
+        }
+        while let Some(part) = alone.pop() {
+            // Whatever turns by less than half a turn does not come back to itself.
+            if part.cone.is_within_half_turn() || search.is_tiny(&part) {
+                continue;
+            }
+            let [left, right] = part.halves();
+            pairs.push((left.clone(), right.clone()));
+            alone.extend([left, right]);
+        }
+        search.run(pairs)?;
+        search.finish()
+    }
+}
+
+impl<'c> Search<'c> {
+    fn new(first: &'c NurbsCurve, second: &'c NurbsCurve, tolerance: f64, is_same: bool) -> Self {
+        let (meetings, contacts) = (Vec::new(), Vec::new());
+        Self { first, second, tolerance, is_same, meetings, contacts }
+    }
+
+    fn run(&mut self, pairs: Vec<(Part, Part)>) -> Result<(), GeomError> {
+        let mut todo = pairs;
+        todo.retain(|(a, b)| a.may_meet(b, self.tolerance));
+        let mut n_pairs = 0;
+        while let Some((a, b)) = todo.pop() {
+            n_pairs += 1;
+            if MAX_PAIRS < n_pairs {
+                let (start, end) = (a.interval.start(), a.interval.end());
+                return Err(GeomError::RunTogether { start, end });
+            }
+            if self.is_settled(&a, &b) {
+                continue;
+            }
+            let halve_first = b.bounds.diagonal() <= a.bounds.diagonal();
+            let (whole, other) = if halve_first { (&a, &b) } else { (&b, &a) };
+            for half in whole.halves() {
+                if half.may_meet(other, self.tolerance) {
+                    let pair = if halve_first { (half, b.clone()) } else { (a.clone(), half) };
+                    todo.push(pair);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a pair needs no further halving; what it came to is noted.
+    fn is_settled(&mut self, a: &Part, b: &Part) -> bool {
+        if self.is_joint(a, b) {
+            return true;
+        }
+        if a.cone.crosses_clearly(b.cone)
+            && !self.are_neighbours(a, b)
+            && let Some(meeting) = self.crossing(a.interval, b.interval)
+        {
+            self.meetings.push(meeting);
+            return true;
+        }
+        if self.is_tiny(a) && self.is_tiny(b) {
+            let place = homogeneous::project(a.points[0]);
+            if nearest_on(self.second, b.interval, place) <= self.tolerance {
+                self.contacts.push(Contact { first: a.interval, second: b.interval });
+            }
+            return true;
+        }
+        if self.lies_along(a, b) {
+            self.contacts.push(Contact { first: a.interval, second: b.interval });
+            return true;
+        }
+        false
+    }
+
+    /// Whether both are one curve's neighbours and together turn by less than half a turn, so that
+    /// they share their joint and nothing else.
+    fn is_joint(&self, a: &Part, b: &Part) -> bool {
+        self.are_neighbours(a, b)
+            && (a.cone.with(b.cone).is_within_half_turn() || self.is_tiny(a) && self.is_tiny(b))
+    }
+
+    /// Whether both follow one another along one curve, over its seam too.
+    fn are_neighbours(&self, a: &Part, b: &Part) -> bool {
+        let domain = self.first.domain();
+        let near = KNOT_RELATIVE * domain.length();
+        let touches = |end: f64, start: f64| (end - start).abs() <= near;
+        let over_seam = touches(a.interval.start(), domain.start())
+            && touches(b.interval.end(), domain.end())
+            && self.first.is_closed(self.tolerance);
+        self.is_same && (touches(a.interval.end(), b.interval.start()) || over_seam)
+    }
+
+    fn is_tiny(&self, part: &Part) -> bool {
+        part.bounds.diagonal() <= self.tolerance
+    }
+
+    /// The one place where two pieces that cross clearly come nearest, if they meet there.
+    fn crossing(&self, first: Interval, second: Interval) -> Option<Meeting> {
+        let (mut t, mut s) = (first.at(0.5), second.at(0.5));
+        for _ in 0..MAX_STEPS {
+            let (p, q) = (self.first.derivatives_at(t, 1), self.second.derivatives_at(s, 1));
+            let (dt, ds) = nearest_step(p[0] - q[0], p[1], q[1])?;
+            let (last_t, last_s) = (t, s);
+            t = beside(self.first, first, t + dt);
+            s = beside(self.second, second, s + ds);
+            if (t - last_t).abs() <= LAST_BIT * t.abs() && (s - last_s).abs() <= LAST_BIT * s.abs()
+            {
+                break;
+            }
+        }
+        let is_inside = |interval: Interval, t: f64| {
+            let slack = KNOT_RELATIVE.sqrt() * interval.length();
+            interval.start() - slack <= t && t <= interval.end() + slack
+        };
+        (is_inside(first, t) && is_inside(second, s)).then(|| self.meeting(t, s))?
+    }
+
+    /// The meeting at these parameters, if the points are within the tolerance.
+    fn meeting(&self, first: f64, second: f64) -> Option<Meeting> {
+        let (p, q) = (self.first.point_at(first), self.second.point_at(second));
+        (p.distance(q) <= self.tolerance).then(|| Meeting { first, second, point: p.midpoint(q) })
+    }
+
+    /// Whether all of the shorter piece that can be told lies within the tolerance of the other:
+    /// they touch, or run together.
+    fn lies_along(&self, a: &Part, b: &Part) -> bool {
+        let (short, other, curve) = if a.bounds.diagonal() <= b.bounds.diagonal() {
+            (a, b, self.second)
+        } else {
+            (b, a, self.first)
+        };
+        if self.tolerance < a.deviation_from_chord().max(b.deviation_from_chord()) {
+            return false;
+        }
+        let ends =
+            [short.points[0], short.points[short.points.len() - 1]].map(homogeneous::project);
+        let places = [ends[0], ends[0].midpoint(ends[1]), ends[1]];
+        places.into_iter().all(|place| nearest_on(curve, other.interval, place) <= self.tolerance)
+    }
+
+    /// Meetings in order; contacts that belong together are one meeting.
+    fn finish(mut self) -> Result<Vec<Meeting>, GeomError> {
+        let size = Bounds::of(self.first.points()).map_or(0.0, Bounds::diagonal);
+        let longest_touch = LONGEST_TOUCH * (self.tolerance * size).sqrt();
+        for stretch in joined(std::mem::take(&mut self.contacts)) {
+            let (start, end) = (stretch.first.start(), stretch.first.end());
+            if longest_touch < self.first.point_at(start).distance(self.first.point_at(end)) {
+                return Err(GeomError::RunTogether { start, end });
+            }
+            self.meetings.extend(self.touching(stretch));
+        }
+        Ok(self.without_repeats())
+    }
+
+    /// The nearest approach within a stretch: where the tangents turn from one side of one another
+    /// to the other, else where they cross, else at an end.
+    fn touching(&self, stretch: Contact) -> Option<Meeting> {
+        let foot = |t: f64| {
+            let place = self.first.point_at(t);
+            nearest_parameter(self.second, stretch.second, place, stretch.second.at(0.5))
+        };
+        let turn = |t: f64| {
+            let (p, q) = (self.first.derivatives_at(t, 1), self.second.derivatives_at(foot(t), 1));
+            p[1].cross(q[1])
+        };
+        let (mut low, mut high) = (stretch.first.start(), stretch.first.end());
+        let side = turn(low);
+        let turned = (turn(high).dot(side) < 0.0).then(|| {
+            for _ in 0..MAX_BISECTIONS {
+                let middle = 0.5 * (low + high);
+                if turn(middle).dot(side) > 0.0 {
+                    low = middle;
+                } else {
+                    high = middle;
+                }
+            }
+            0.5 * (low + high)
+        });
+        let ends = [stretch.first.start(), stretch.first.at(0.5), stretch.first.end()];
+        let crossing = self.crossing(stretch.first, stretch.second).map(|meeting| meeting.first);
+        let candidates = turned.into_iter().chain(crossing).chain(ends);
+        let apart = |t: f64| self.first.point_at(t).distance(self.second.point_at(foot(t)));
+        let nearest = candidates.min_by(|&a, &b| apart(a).total_cmp(&apart(b)))?;
+        self.meeting(nearest, foot(nearest))
+    }
+
+    /// The meetings in order, each once; the seam of a closed curve counts as its start.
+    fn without_repeats(mut self) -> Vec<Meeting> {
+        let is_start = |curve: &NurbsCurve, t: f64| {
+            let (domain, near) = (curve.domain(), KNOT_RELATIVE.sqrt());
+            curve.is_closed(self.tolerance) && domain.end() - t <= near * domain.length()
+        };
+        if !self.is_same {
+            for meeting in &mut self.meetings {
+                if is_start(self.first, meeting.first) {
+                    meeting.first = self.first.domain().start();
+                }
+                if is_start(self.second, meeting.second) {
+                    meeting.second = self.second.domain().start();
+                }
+            }
+        }
+        self.meetings
+            .sort_by(|a, b| a.first.total_cmp(&b.first).then(a.second.total_cmp(&b.second)));
+        let near = |curve: &NurbsCurve| KNOT_RELATIVE.sqrt() * curve.domain().length();
+        let (near_first, near_second) = (near(self.first), near(self.second));
+        let mut kept: Vec<Meeting> = Vec::new();
+        for meeting in self.meetings {
+            let is_told = kept.iter().any(|other| {
+                (other.first - meeting.first).abs() <= near_first
+                    && (other.second - meeting.second).abs() <= near_second
+            });
+            if !is_told {
+                kept.push(meeting);
+            }
+        }
+        kept
+    }
+}
+
+/// A touch is as long as the root of the tolerance times the size; what is longer by this factor
+/// runs together.
+const LONGEST_TOUCH: f64 = 16.0;
+
+/// Steps of both parameters to the nearest approach of two tangents.
+fn nearest_step(apart: DVec3, first: DVec3, second: DVec3) -> Option<(f64, f64)> {
+    let (aa, ab, bb) = (first.dot(first), first.dot(second), second.dot(second));
+    let determinant = aa * bb - ab * ab;
+    let (x, y) = (-apart.dot(first), apart.dot(second));
+    let steps = ((x * bb + y * ab) / determinant, (y * aa + x * ab) / determinant);
+    (steps.0.is_finite() && steps.1.is_finite()).then_some(steps)
+}
+
+/// The distance of a point from a short part of a curve.
+fn nearest_on(curve: &NurbsCurve, interval: Interval, p: DVec3) -> f64 {
+    let t = nearest_parameter(curve, interval, p, interval.at(0.5));
+    [t, interval.start(), interval.end()]
+        .into_iter()
+        .map(|t| curve.point_at(t).distance(p))
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// The parameter of a short part of a curve that is nearest to a point: Newton's method on its
+/// tangents.
+fn nearest_parameter(curve: &NurbsCurve, interval: Interval, p: DVec3, start: f64) -> f64 {
+    let mut t = start;
+    for _ in 0..MAX_STEPS {
+        let derivatives = curve.derivatives_at(t, 1);
+        let step = (p - derivatives[0]).dot(derivatives[1]) / derivatives[1].length_squared();
+        if !step.is_finite() {
+            return t;
+        }
+        let next = (t + step).clamp(interval.start(), interval.end());
+        if (next - t).abs() <= LAST_BIT * t.abs() {
+            return next;
+        }
+        t = next;
+    }
+    t
+}
+
+/// Contacts that lie next to one another on both curves as one.
+fn joined(contacts: Vec<Contact>) -> Vec<Contact> {
+    let mut stretches: Vec<Contact> = Vec::new();
+    for mut contact in contacts {
+        // What is joined may reach others that neither reached alone.
+        while let Some(idx) = stretches.iter().position(|stretch| {
+            are_near(stretch.first, contact.first) && are_near(stretch.second, contact.second)
+        }) {
+            let stretch = stretches.swap_remove(idx);
+            contact.first = hull(stretch.first, contact.first);
+            contact.second = hull(stretch.second, contact.second);
+        }
+        stretches.push(contact);
+    }
+    stretches
+}
+
+/// Whether the gap between two intervals is not wider than they are.
+fn are_near(a: Interval, b: Interval) -> bool {
+    let gap = (a.start() - b.end()).max(b.start() - a.end());
+    gap <= a.length() + b.length()
+}
+
+/// A parameter within one width of an interval, and of the domain.
+fn beside(curve: &NurbsCurve, interval: Interval, t: f64) -> f64 {
+    let (width, domain) = (interval.length(), curve.domain());
+    let low = (interval.start() - width).max(domain.start());
+    t.clamp(low, (interval.end() + width).min(domain.end()))
+}
+
+fn hull(a: Interval, b: Interval) -> Interval {
+    Interval::new(a.start().min(b.start()), a.end().max(b.end())).unwrap_or(a)
+}

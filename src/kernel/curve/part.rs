@@ -1,0 +1,116 @@
+//! Bézier pieces of curves in search of one another: boxes, and cones of tangents.
+
+use glam::{DVec3, DVec4};
+
+use super::{NurbsCurve, bend::longest};
+use crate::kernel::{
+    Bounds, Interval,
+    bernstein::{derivative, product},
+    bezier, homogeneous,
+    tolerance::KNOT_RELATIVE,
+};
+
+/// Two pieces cross clearly when their cones of tangents are this far apart, in radians.
+const CLEAR_ANGLE: f64 = 0.1;
+
+/// A Bézier piece of a curve.
+#[derive(Clone)]
+pub(super) struct Part {
+    pub(super) interval: Interval,
+    pub(super) points: Vec<DVec4>,
+    pub(super) bounds: Bounds,
+    pub(super) cone: Cone,
+}
+
+/// Directions within an angle of an axis; `None` stands for all of them.
+#[derive(Clone, Copy)]
+pub(super) struct Cone {
+    axis: DVec3,
+    angle: Option<f64>,
+}
+
+/// The pieces of a curve between its knots.
+pub(super) fn parts(curve: &NurbsCurve) -> Vec<Part> {
+    let part = |span: usize| {
+        let points = bezier::piece(curve.knots(), curve.control_points(), span);
+        Part::new(curve.knots().span_interval(span), points)
+    };
+    curve.knots().spans().map(part).collect()
+}
+
+impl Part {
+    fn new(interval: Interval, points: Vec<DVec4>) -> Self {
+        let places = points.iter().map(|&point| homogeneous::place(point));
+        let bounds = Bounds::of(places).unwrap_or(Bounds { min: DVec3::ZERO, max: DVec3::ZERO });
+        let cone = Cone::of_velocity(&points);
+        Self { interval, points, bounds, cone }
+    }
+
+    pub(super) fn halves(&self) -> [Self; 2] {
+        let (left, right) = bezier::cut_at(&self.points, 0.5);
+        let [before, behind] = self.interval.halves();
+        [Self::new(before, left), Self::new(behind, right)]
+    }
+
+    /// Whether the boxes are within the tolerance of one another.
+    pub(super) fn may_meet(&self, other: &Self, tolerance: f64) -> bool {
+        self.bounds.min.cmple(other.bounds.max + tolerance).all()
+            && other.bounds.min.cmple(self.bounds.max + tolerance).all()
+    }
+
+    /// How far the control points are from the chord at most.
+    pub(super) fn deviation_from_chord(&self) -> f64 {
+        let ends = [self.points[0], self.points[self.points.len() - 1]].map(homogeneous::project);
+        let chord = ends[1] - ends[0];
+        let off = |&point: &DVec4| {
+            let from_start = homogeneous::place(point) - ends[0];
+            let along = from_start.dot(chord) / chord.length_squared();
+            let along = if along.is_finite() { along.clamp(0.0, 1.0) } else { 0.0 };
+            from_start.distance(chord * along)
+        };
+        self.points.iter().map(off).fold(0.0, f64::max)
+    }
+}
+
+impl Cone {
+    const EVERYTHING: Self = Self { axis: DVec3::ZERO, angle: None };
+
+    /// A cone that holds every tangent of a piece.
+    fn of_velocity(points: &[DVec4]) -> Self {
+        let numerator: Vec<DVec3> = points.iter().map(|point| point.truncate()).collect();
+        let weight: Vec<f64> = points.iter().map(|point| point.w).collect();
+        let times = |vector: DVec3, factor: f64| vector * factor;
+        let grown = product(&derivative(&numerator), &weight, times);
+        let shrunk = product(&numerator, &derivative(&weight), times);
+        let velocity: Vec<DVec3> = grown.iter().zip(&shrunk).map(|(&a, &b)| a - b).collect();
+        let rounding = longest(&velocity) * KNOT_RELATIVE;
+        let clear = || velocity.iter().filter(|slope| rounding < slope.length());
+        let Some(axis) = clear().map(|slope| slope.normalize()).sum::<DVec3>().try_normalize()
+        else {
+            return Self::EVERYTHING;
+        };
+        let angle = clear().map(|slope| slope.angle_between(axis)).fold(0.0, f64::max);
+        Self { axis, angle: Some(angle) }
+    }
+
+    pub(super) fn is_within_half_turn(self) -> bool {
+        self.angle.is_some_and(|angle| angle < std::f64::consts::FRAC_PI_2)
+    }
+
+    /// A cone around both.
+    pub(super) fn with(self, other: Self) -> Self {
+        let (Some(own), Some(others)) = (self.angle, other.angle) else { return Self::EVERYTHING };
+        let Some(axis) = (self.axis + other.axis).try_normalize() else { return Self::EVERYTHING };
+        let angle =
+            (own + axis.angle_between(self.axis)).max(others + axis.angle_between(other.axis));
+        Self { axis, angle: Some(angle) }
+    }
+
+    /// Whether no direction of one is near one of the other or its opposite.
+    pub(super) fn crosses_clearly(self, other: Self) -> bool {
+        let (Some(own), Some(others)) = (self.angle, other.angle) else { return false };
+        let between = self.axis.angle_between(other.axis);
+        let between = between.min(std::f64::consts::PI - between);
+        own + others + CLEAR_ANGLE < between
+    }
+}

@@ -1,0 +1,144 @@
+//! Where polynomials change their sign.
+//!
+//! Coefficients of one sign mean a polynomial of one sign, and a single change of sign among them
+//! a single root; whatever has more is halved. Lane & Riesenfeld, *Bounds on a polynomial*, BIT 21
+//! (1981). Nothing is sampled, so that no pair of roots is lost between samples.
+
+use super::{Interval, bernstein};
+
+/// Halvings of an interval in which several roots cannot be told apart.
+const MAX_HALVINGS: usize = 40;
+
+/// Parts of one piece; only rounding has more changes of sign than that.
+const MAX_PARTS: usize = 2000;
+
+/// Bisections of the bracket of a root: all bits of an `f64` on 0..1.
+const MAX_BISECTIONS: usize = 60;
+
+/// Follows the sign of a piecewise polynomial along its pieces, in order, and notes where it
+/// changes.
+///
+/// Where the function is zero along a stretch and has different signs before and behind it, the
+/// change is in the middle of the stretch. A root that is touched and not crossed is no change.
+#[derive(Debug, Default)]
+pub(in crate::kernel) struct Signs {
+    first: i8,
+    current: i8,
+    zero_from: Option<f64>,
+    changes: Vec<(f64, i8)>,
+}
+
+impl Signs {
+    /// Goes on over a piece: Bernstein coefficients, of which those up to `rounding` have no sign.
+    pub(in crate::kernel) fn follow(
+        &mut self,
+        interval: Interval,
+        coefficients: &[f64],
+        rounding: f64,
+    ) {
+        let mut todo = vec![(Interval::UNIT, coefficients.to_vec(), 0)];
+        let mut n_parts = 0;
+        while let Some((part, coefficients, n_halvings)) = todo.pop() {
+            n_parts += 1;
+            let signs = signs(&coefficients, rounding);
+            let n_changes = signs.windows(2).filter(|pair| pair[0] != pair[1]).count();
+            let Some((&start, &end)) = signs.first().zip(signs.last()) else {
+                self.zero_from.get_or_insert(interval.at(part.start()));
+                continue;
+            };
+            if n_changes > 1 && n_halvings < MAX_HALVINGS && n_parts < MAX_PARTS {
+                let [left, right] = bernstein::halves(&coefficients);
+                let [before, behind] = part.halves();
+                todo.push((behind, right, n_halvings + 1));
+                todo.push((before, left, n_halvings + 1));
+                continue;
+            }
+            self.arrive(interval.at(part.start()), start);
+            if start != end {
+                self.changes.push((interval.at(part.at(bisected(&coefficients, start))), end));
+                self.current = end;
+            }
+        }
+    }
+
+    /// A sign at a place, after whatever came before it.
+    fn arrive(&mut self, place: f64, sign: i8) {
+        let stretch = self.zero_from.take();
+        if self.current == 0 {
+            self.first = sign;
+        } else if sign != self.current {
+            self.changes.push((stretch.map_or(place, |from| 0.5 * (from + place)), sign));
+        }
+        self.current = sign;
+    }
+
+    /// Whether the sign behind the last piece differs from that before the first: a change at the
+    /// seam of a closed curve.
+    pub(in crate::kernel) fn changes_at_seam(&self) -> bool {
+        self.first != self.current
+    }
+
+    /// The places where the sign changes, in order, each with the sign behind it.
+    pub(in crate::kernel) fn changes(&self) -> &[(f64, i8)] {
+        &self.changes
+    }
+}
+
+/// The signs of those coefficients that have one.
+fn signs(coefficients: &[f64], rounding: f64) -> Vec<i8> {
+    let clear = coefficients.iter().filter(|value| rounding < value.abs());
+    clear.map(|&value| if value < 0.0 { -1 } else { 1 }).collect()
+}
+
+/// The one root of a polynomial on 0..1 that begins with sign `start`.
+fn bisected(coefficients: &[f64], start: i8) -> f64 {
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..MAX_BISECTIONS {
+        let middle = 0.5 * (low + high);
+        let value = bernstein::value(coefficients, middle) * f64::from(start);
+        if value > 0.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    0.5 * (low + high)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Signs;
+    use crate::kernel::Interval;
+
+    fn changes(pieces: &[&[f64]]) -> Vec<(f64, i8)> {
+        let mut signs = Signs::default();
+        for (i, piece) in pieces.iter().enumerate() {
+            let interval = Interval::new(i as f64, i as f64 + 1.0).unwrap();
+            signs.follow(interval, piece, 0.0);
+        }
+        signs.changes().to_vec()
+    }
+
+    #[test]
+    fn crossings_are_found_and_touches_are_not() {
+        // 2t − 1.
+        assert_eq!(changes(&[&[-1.0, 1.0]]), [(0.5, 1)]);
+        // (2t − 1)².
+        assert_eq!(changes(&[&[1.0, -1.0, 1.0]]), []);
+        // (t − 1/4)(t − 3/4) = 3/16 − t + t².
+        let found = changes(&[&[3.0 / 16.0, 3.0 / 16.0 - 0.5, 3.0 / 16.0]]);
+        assert_eq!(found.len(), 2);
+        assert!((found[0].0 - 0.25).abs() < 1e-15 && (found[1].0 - 0.75).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_change_at_a_joint_is_one_change() {
+        assert_eq!(changes(&[&[-1.0, 0.0], &[0.0, 2.0]]), [(1.0, 1)]);
+        assert_eq!(changes(&[&[-1.0, 0.0], &[0.0, -2.0]]), []);
+    }
+
+    #[test]
+    fn a_change_over_a_stretch_of_zeros_is_in_its_middle() {
+        assert_eq!(changes(&[&[-1.0, 0.0], &[0.0, 0.0], &[0.0, 1.0]]), [(1.5, 1)]);
+    }
+}

@@ -1,0 +1,38 @@
+//! `closest` point of a curve.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::{
+    diag::Result,
+    kernel::NurbsCurve,
+    value::{Ctx, Record, Value, op},
+};
+
+op! {
+    /// Nearest point of a curve to a point, as `{t, point, distance, count}`.
+    ///
+    /// The nearest of the whole curve, ends included, by branch and bound. `count` tells how many places
+    /// are as near as that, within the document's tolerance; `t` is the first of them.
+    /// Ma & Hewitt, *Point inversion and projection for NURBS curve and surface*, CAGD 20 (2003).
+    closest in Measure -> Record {
+        /// The curve.
+        c: Arc<NurbsCurve>,
+        /// The point.
+        p: DVec3,
+    }
+    example "closest(bezier((0, 0), (1, 2), (2, 0)), (1, 3)).point" => "(1, 1, 0)";
+    example "closest(line((0, 0), (4, 0)), (5, 1)).t" => "1";
+    example "closest(bezier((-2, 4), (0, -4), (2, 4)), (0, 4)).count" => "2";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
+    let foot = args.c.closest(args.p, ctx.tolerance.distance);
+    Ok(Record::new([
+        (Arc::from("t"), Value::number(foot.parameter)),
+        (Arc::from("point"), Value::Point(foot.point)),
+        (Arc::from("distance"), Value::number(foot.distance)),
+        (Arc::from("count"), Value::number(foot.count as f64)),
+    ]))
+}

@@ -1,0 +1,34 @@
+//! `divide` a curve by arc length.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::{
+    diag::{Result, Spanned},
+    kernel::{GeomError, NurbsCurve},
+    ops::list::check_length,
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// Points that divide a curve into `n` parts of equal length: n + 1 of them, from its start to
+    /// its end.
+    divide in Measure -> Vec<DVec3> {
+        /// The curve.
+        c: Arc<NurbsCurve>,
+        /// How many parts.
+        n: Spanned<usize>,
+    }
+    example "divide(line((0, 0), (4, 0)), 4)" => "[(0, 0, 0), (1, 0, 0), (2, 0, 0), (3, 0, 0), (4, 0, 0)]";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {
+    let n = args.n.value;
+    if n == 0 {
+        let err = GeomError::CountTooSmall { what: "the number of parts", got: 0, needed: 1 };
+        return Err(err).at(args.n.span);
+    }
+    check_length(n as f64 + 1.0, ctx)?;
+    Ok(args.c.divided(n))
+}

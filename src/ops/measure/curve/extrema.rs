@@ -1,0 +1,34 @@
+//! `extrema` of a curve.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::{
+    diag::{Result, Spanned},
+    kernel::{GeomError, NurbsCurve},
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// Parameters where a curve reaches furthest in a direction, or furthest against it, compared
+    /// with its neighbourhood; in order.
+    ///
+    /// Ends of an open curve are none. Found completely, as changes of sign of C'·d.
+    extrema in Measure -> Vec<f64> {
+        /// The curve.
+        c: Arc<NurbsCurve>,
+        /// The direction, of any length but zero.
+        direction: Spanned<DVec3>,
+    }
+    example "extrema(bezier((0, 0), (1, 2), (2, 0)), (0, 1))" => "[0.5]";
+    example "extrema(circle((0, 0), 1), (1, 0))" => "[0, 0.5]";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<f64>> {
+    let direction = args.direction.value.try_normalize();
+    let direction = direction
+        .ok_or(GeomError::ZeroAxis { what: "a vector of length zero" })
+        .at(args.direction.span)?;
+    Ok(args.c.extrema(direction, ctx.tolerance))
+}

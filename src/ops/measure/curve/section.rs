@@ -1,0 +1,29 @@
+//! `section` of a curve by a plane.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::{
+    diag::Result,
+    kernel::{Frame, NurbsCurve},
+    value::{Ctx, op},
+};
+
+op! {
+    /// Points where a curve passes through a plane or touches it, in the order of the parameter.
+    ///
+    /// Found completely; a piece that lies in the plane is told by its ends.
+    section in Measure -> Vec<DVec3> {
+        /// The curve.
+        g: Arc<NurbsCurve>,
+        /// The plane.
+        plane: Arc<Frame>,
+    }
+    example "section(bezier((0, 0), (1, 2), (2, 0)), ZX)" => "[(0, 0, 0), (2, 0, 0)]";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {
+    let parameters = args.g.plane_parameters(*args.plane, ctx.tolerance);
+    Ok(parameters.into_iter().map(|t| args.g.point_at(t)).collect())
+}

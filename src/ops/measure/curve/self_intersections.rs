@@ -1,0 +1,29 @@
+//! `self_intersections` of a curve.
+
+use std::sync::Arc;
+
+use super::intersect::record;
+use crate::{
+    diag::Result,
+    kernel::NurbsCurve,
+    value::{At, Ctx, Record, op},
+};
+
+op! {
+    /// Every place where a curve comes within the document's tolerance of itself, as
+    /// `[{t, s, point}]` with t < s. The seam of a closed curve is none.
+    ///
+    /// Found completely: pieces that turn by less than half a turn cannot meet themselves, all
+    /// others are halved.
+    self_intersections in Measure -> Vec<Record> {
+        /// The curve.
+        c: Arc<NurbsCurve>,
+    }
+    example "len(self_intersections(bezier((0, 0), (4, 3), (-3, 3), (1, 0))))" => "1";
+    example "self_intersections(circle((0, 0), 1))" => "[]";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Record>> {
+    let meetings = args.c.self_intersections(ctx.tolerance.distance).at(ctx.span)?;
+    Ok(meetings.into_iter().map(record).collect())
+}

@@ -1,0 +1,8 @@
+curve ring = circle((0, 0), 2)
+let too_far = parameter_at_length(ring, 20)
+let before = parameter_at_length(ring, -1mm)
+let none_at_all = divide(ring, 0)
+let nowhere = extrema(ring, (0, 0))
+let together = intersect(ring, trim(ring, 0.1..0.4))
+let flat_argument = closest(ring, 3)
+let function = inflections(x => x)
