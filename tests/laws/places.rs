@@ -39,7 +39,8 @@ fn refined(a: &NurbsCurve, b: &NurbsCurve, mut t: f64, mut s: f64) -> Option<(f6
         t = (t + apart.cross(q[1]).z / across).clamp(a.domain().start(), a.domain().end());
         s = (s + apart.cross(p[1]).z / across).clamp(b.domain().start(), b.domain().end());
     }
-    (a.point_at(t).distance(b.point_at(s)) < 1e-9).then_some((t, s))
+    let has_met = t.is_finite() && s.is_finite() && a.point_at(t).distance(b.point_at(s)) < 1e-9;
+    has_met.then_some((t, s))
 }
 
 /// Where the polygon through many points of one curve crosses that of another, by parameters.
