@@ -266,6 +266,9 @@ pub enum GeomError {
     /// A question that only a NURBS has an answer to.
     #[error("a parametric {what} is a function and no NURBS")]
     NotNurbs { what: &'static str },
+    /// A function that no spline of a reasonable size comes near.
+    #[error("no spline of 4096 pieces is within {tolerance} of the function at {parameter}")]
+    NoSplineNear { tolerance: f64, parameter: f64 },
     /// A length that the curve does not have.
     #[error("the curve is {total} long, so that it has no place at length {got}")]
     LengthOutside { got: f64, total: f64 },

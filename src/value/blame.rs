@@ -55,7 +55,9 @@ pub fn code_of(error: &GeomError) -> Code {
         | Error::OrderTooHigh { .. }
         | Error::TooManyVertices { .. } => Code::TooLarge,
         Error::DegreeTooLow { .. } | Error::LowestDegree { .. } => Code::BadDegree,
-        Error::KnotNeeded { .. } | Error::NotReducible { .. } => Code::BeyondTolerance,
+        Error::KnotNeeded { .. } | Error::NotReducible { .. } | Error::NoSplineNear { .. } => {
+            Code::BeyondTolerance
+        }
         Error::Gap { .. } => Code::Gap,
         Error::TooFewCurves { .. } => Code::BadCall,
         Error::RationalFor { .. }
@@ -135,9 +137,10 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
             "curves that share a stretch have no single points there; `trim` it away".to_owned()
         }
         Error::AlongNormal { .. } => "give another `normal`".to_owned(),
-        Error::NotNurbs { what } => {
-            format!("`to_nurbs({}, tolerance)` makes a NURBS of it", &what[..1])
-        }
+        Error::NotNurbs { what } => match *what {
+            "curve" => "`to_nurbs(c, tolerance)` makes a NURBS of it".to_owned(),
+            _ => "`approximate` a grid of its points".to_owned(),
+        },
         Error::Undetermined { .. } => "ask for fewer control points".to_owned(),
         Error::Straight { .. } => {
             "a straight place has a tangent and a normal plane, but no direction across stands out"

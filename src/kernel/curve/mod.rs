@@ -1,6 +1,6 @@
 //! Curves: rational B-splines, and functions.
 //!
-//! `any` is a curve of either kind, `parametric` that of a function. Of B-splines this file has the
+//! `any` is a curve of either kind, `parametric` that of a function, `spline_of` a spline near it. Of B-splines this file has the
 //! type, its constructors and what can be read off it; `eval` computes points and derivatives,
 //! `evaluator` the same at many parameters, `circle`, `arc` and `conic` have the exact conics,
 //! `chain` curves of segments, `edit` changes the representation or cuts, `basis_change` finds the
@@ -44,6 +44,7 @@ mod planar;
 mod product;
 mod reduce;
 mod series;
+mod spline_of;
 
 use glam::{DAffine3, DVec3, DVec4};
 

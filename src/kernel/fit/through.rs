@@ -49,7 +49,7 @@ impl Interpolator {
     ///
     /// # Errors
     /// [`GeomError::WrongCount`] unless there is one value a parameter; [`GeomError::NoFit`]
-    /// unless the ends are [`Ends::Clamped`].
+    /// unless the ends are [`Ends::Clamped`](super::Ends::Clamped).
     pub fn with_tangents(
         &self,
         values: &[DVec4],

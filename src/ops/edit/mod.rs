@@ -8,6 +8,7 @@ pub(super) static OPS: &[&Op] = &[
     &curve::reversed::OP,
     &curve::reparametrize::OP,
     &curve::trim::OP,
+    &curve::to_nurbs::OP,
     &curve::split::OP,
     &curve::elevate::OP,
     &curve::insert_knot::OP,

@@ -1,0 +1,33 @@
+//! `to_nurbs`: a curve as a NURBS.
+
+use super::positive;
+use crate::{
+    diag::{Result, Spanned},
+    kernel::{Curve, NurbsCurve},
+    value::{At, Ctx, Length, op},
+};
+
+op! {
+    /// NURBS near a curve: of a parametric one a C2 quintic spline on the same domain, of which no
+    /// point is further from the function's than a tolerance; any other curve is one already.
+    ///
+    /// The spline has the function's points, first and second derivatives at its knots. Its distance is measured at
+    /// 16 places of each piece, where half of the tolerance is kept.
+    /// de Boor, *A Practical Guide to Splines*, ch. I.
+    to_nurbs in Edit -> NurbsCurve {
+        /// The curve.
+        c: Curve,
+        /// How far the spline may be from the function at a parameter.
+        tolerance: Spanned<Length>,
+    }
+    example "to_nurbs(parametric(t => (t, t^2), 0..2), 1e-9)(1.5) ~= (1.5, 2.25)" => "true";
+    example "to_nurbs(circle((0, 0), 1), 1e-6).degree" => "2";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+    let tolerance = positive("the tolerance", args.tolerance)?;
+    match &args.c {
+        Curve::Nurbs(curve) => Ok(NurbsCurve::clone(curve)),
+        Curve::Parametric(curve) => curve.to_nurbs(tolerance).at(ctx.span),
+    }
+}

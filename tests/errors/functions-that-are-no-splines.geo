@@ -1,0 +1,6 @@
+curve root = parametric(t => (t, sqrt(t)), 0..1)
+let no_slope = to_nurbs(root, 1e-6)
+let no_tolerance = to_nurbs(root, 0)
+let no_curve = to_nurbs((1, 2), 1e-6)
+curve corner = parametric(t => (t, abs(t - 0.3)), 0..1)
+let kink = to_nurbs(corner, 1e-6)
