@@ -11,7 +11,7 @@ use crate::kernel::{
 
 impl NurbsCurve {
     /// How far the curve is at most from another one on the same domain at equal parameters: an
-    /// upper bound, at most 2% above the truth.
+    /// upper bound, rarely more than 2% above the truth: the search for it is bounded.
     ///
     /// The difference of two rational pieces is one rational piece, whose coefficients bound it.
     #[must_use]

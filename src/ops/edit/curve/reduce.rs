@@ -14,7 +14,7 @@ op! {
     /// is named.
     ///
     /// Both ends stay. Where not even one degree less is within the tolerance it is an error that
-    /// tells how far the curve would move, as an upper bound at most 2% above the truth. Undoes
+    /// tells how far the curve would move, as an upper bound rarely more than 2% above the truth. Undoes
     /// `elevate`. Piegl & Tiller, *The NURBS Book*, §5.6.
     reduce in Edit -> NurbsCurve {
         /// The curve, of degree 2 or more.

@@ -13,7 +13,7 @@ op! {
     /// Curve without an inner knot, where no point of it moves further than a tolerance.
     ///
     /// One control point less each time. Where the curve would move further it is an error that
-    /// tells how far, as an upper bound at most 2% above the truth. Undoes `insert_knot`.
+    /// tells how far, as an upper bound rarely more than 2% above the truth. Undoes `insert_knot`.
     /// Piegl & Tiller, *The NURBS Book*, §5.4.
     remove_knot in Edit -> NurbsCurve {
         /// The curve.
