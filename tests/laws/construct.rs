@@ -230,13 +230,14 @@ proptest! {
 
     #[test]
     fn needless_knots_go_and_needed_ones_stay(curve in curve(), fs in [0.01..0.99, 0.01..0.99]) {
-        // At higher degrees rounding of the insertion may be more than a needless knot is allowed.
-        prop_assume!(curve.degree() <= 3 && !curve.is_rational());
         let added = curve.insert_knots(&fs.map(|f| parameter(&curve, f)));
         prop_assume!(added.is_ok());
         let cleared = added.unwrap().without_needless_knots();
         prop_assert!(are_same(&curve, &cleared, 1e-10));
-        prop_assert!(cleared.points().len() <= curve.clamped().points().len());
+        // At higher degrees rounding of the insertion may be more than a needless knot is allowed.
+        if curve.degree() <= 3 && !curve.is_rational() {
+            prop_assert!(cleared.points().len() <= curve.clamped().points().len());
+        }
     }
 
     #[test]

@@ -67,7 +67,7 @@ proptest! {
                 prop_assume!(error.is_finite());
                 let moved = curve.without_knot(knot, 1, error).unwrap();
                 let distance = sampled_distance(&curve, &moved);
-                prop_assert!(distance <= error + 1e-12 && error <= 1.25 * distance + 1e-12, "{distance} {error}");
+                prop_assert!(distance <= error + 1e-12 && error <= 1.05 * distance + 1e-12, "{distance} {error}");
             }
             other => prop_assert!(other.is_ok()),
         }
@@ -112,7 +112,7 @@ proptest! {
                 prop_assume!(error.is_finite());
                 let moved = curve.reduced(Some(degree), error).unwrap();
                 let distance = sampled_distance(&curve, &moved);
-                prop_assert!(distance <= error + 1e-12 && error <= 1.25 * distance + 1e-12, "{distance} {error}");
+                prop_assert!(distance <= error + 1e-12 && error <= 1.05 * distance + 1e-12, "{distance} {error}");
                 prop_assert!(are_near(moved.start(), curve.start(), 1e-13));
                 prop_assert!(are_near(moved.end(), curve.end(), 1e-13));
             }
