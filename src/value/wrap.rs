@@ -5,7 +5,9 @@ use glam::DVec3;
 use super::{Angle, Choice, Dim, Geometry, Length, Number, Range, Record, Type, Value};
 use crate::{
     diag::Spanned,
-    kernel::{Curve, Frame, Interval, Mesh, NurbsCurve, NurbsSurface, Surface, Table},
+    kernel::{
+        Curve, Fact, Frame, Interval, Mesh, NurbsCurve, NurbsSurface, Receipt, Surface, Table,
+    },
 };
 use std::sync::Arc;
 
@@ -54,6 +56,20 @@ into_variant! {
     DVec3 = Type::Point, |point| Value::Point(point);
     Interval = Type::Range, |interval| Value::Range(Range::from(interval));
     Record = Type::Record, |record| Value::Record(Arc::new(record));
+    &Receipt = Type::Record, |receipt| {
+        let facts = receipt.facts().map(|(name, fact)| (Arc::from(name), fact.into_value()));
+        Value::Record(Arc::new(Record::new(facts)))
+    };
+    &Fact = Type::Any, |fact| match fact {
+        Fact::None => Value::None,
+        Fact::Truth(truth) => Value::Bool(*truth),
+        Fact::Number(number) => Value::number(*number),
+        Fact::Angle(angle) => Angle(*angle).into_value(),
+        Fact::Point(point) => Value::Point(*point),
+        Fact::Text(text) => Value::Text(text.clone()),
+        Fact::List(facts) => Value::list(facts.iter().map(IntoValue::into_value).collect()),
+        Fact::Record(receipt) => receipt.into_value(),
+    };
     Curve = Type::Curve, |curve| Value::Curve(curve);
     Surface = Type::Surface, |surface| Value::Surface(surface);
     NurbsCurve = Type::Curve, |curve| Value::Curve(curve.into());

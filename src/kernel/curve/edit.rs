@@ -2,7 +2,7 @@
 
 use super::NurbsCurve;
 use crate::kernel::{
-    GeomError, Interval, KnotVector, bezier, refine::Lines, tolerance::KNOT_RELATIVE,
+    GeomError, Interval, KnotVector, Receipt, bezier, refine::Lines, tolerance::KNOT_RELATIVE,
 };
 
 impl NurbsCurve {
@@ -75,7 +75,8 @@ impl NurbsCurve {
     #[must_use]
     pub fn reversed(&self) -> Self {
         let control_points = self.control_points.iter().rev().copied().collect();
-        Self { knots: self.knots.reversed(), control_points, is_rational: self.is_rational }
+        let knots = self.knots.reversed();
+        Self { knots, control_points, is_rational: self.is_rational, receipt: Receipt::NONE }
     }
 
     /// The same points over another domain.

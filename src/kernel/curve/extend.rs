@@ -4,7 +4,7 @@ use glam::DVec4;
 
 use super::NurbsCurve;
 use crate::kernel::{
-    GeomError, Interval, bezier,
+    GeomError, Interval, Receipt, bezier,
     frame::norm,
     homogeneous, positive,
     tolerance::{LENGTH_RELATIVE, VANISHING_RELATIVE},
@@ -51,7 +51,8 @@ impl NurbsCurve {
     /// The same points at the opposite parameters: exactly its own inverse.
     fn mirrored(&self) -> Self {
         let control_points = self.control_points.iter().rev().copied().collect();
-        Self { knots: self.knots.mirrored(), control_points, is_rational: self.is_rational }
+        let knots = self.knots.mirrored();
+        Self { knots, control_points, is_rational: self.is_rational, receipt: Receipt::NONE }
     }
 
     /// The last piece of a clamped curve prolonged or cut, so that the domain ends at `end`.

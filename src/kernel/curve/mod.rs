@@ -48,7 +48,9 @@ mod spline_of;
 
 use glam::{DAffine3, DVec3, DVec4};
 
-use super::{GeomError, Interval, KnotVector, Tolerance, frame::norm, homogeneous, positive};
+use super::{
+    GeomError, Interval, KnotVector, Receipt, Tolerance, frame::norm, homogeneous, positive,
+};
 
 pub use any::Curve;
 pub use circle::CircleForm;
@@ -73,6 +75,7 @@ pub struct NurbsCurve {
     knots: KnotVector,
     control_points: Vec<DVec4>,
     is_rational: bool,
+    receipt: Receipt,
 }
 
 impl NurbsCurve {
@@ -162,7 +165,19 @@ impl NurbsCurve {
     /// A curve of parts that keep the invariants by construction.
     pub(in crate::kernel) fn trusted(knots: KnotVector, control_points: Vec<DVec4>) -> Self {
         let is_rational = homogeneous::have_different_weights(&control_points);
-        Self { knots, control_points, is_rational }
+        Self { knots, control_points, is_rational, receipt: Receipt::NONE }
+    }
+
+    /// The same with a receipt of how it was made.
+    #[must_use]
+    pub fn with_receipt(self, receipt: Receipt) -> Self {
+        Self { receipt, ..self }
+    }
+
+    /// What the construction that made it did, if it left a receipt.
+    #[must_use]
+    pub fn receipt(&self) -> Option<&Receipt> {
+        self.receipt.if_any()
     }
 
     /// Polynomial degree of the pieces.
@@ -240,6 +255,7 @@ impl NurbsCurve {
     pub fn transformed(&self, map: &DAffine3) -> Self {
         let move_point = |&point: &DVec4| homogeneous::transformed(point, map);
         let control_points = self.control_points.iter().map(move_point).collect();
-        Self { knots: self.knots.clone(), control_points, is_rational: self.is_rational }
+        let knots = self.knots.clone();
+        Self { knots, control_points, is_rational: self.is_rational, receipt: Receipt::NONE }
     }
 }

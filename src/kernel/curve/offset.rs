@@ -27,6 +27,8 @@ const MAX_STEPS: usize = 60;
 pub struct Offset {
     /// The curve.
     pub curve: NurbsCurve,
+    /// A distance that no point of the curve is further from the true offset: none for an exact one.
+    pub deviation: f64,
     /// Parameters of the original where the radius of curvature equals the distance, so that the
     /// offset stands still or turns back.
     pub cusps: Vec<f64>,
@@ -75,7 +77,12 @@ impl NurbsCurve {
         let rounding = MOST_ROUNDINGS * LAST_BIT * (self.magnitude() + distance.abs());
         let accuracy = tolerance.distance.max(rounding);
         let aim = Aim { distance, normal, accuracy, rounding };
-        let exact = |curve: NurbsCurve| Offset { curve, cusps: Vec::new(), crossings: Vec::new() };
+        let exact = |curve: NurbsCurve| Offset {
+            curve,
+            deviation: 0.0,
+            cusps: Vec::new(),
+            crossings: Vec::new(),
+        };
         if distance.abs() <= 0.0 {
             return Ok(exact(self.clone()));
         }
@@ -91,7 +98,8 @@ impl NurbsCurve {
             // The pieces meet by construction; what is between them is rounding.
             _ => join(&pieces, f64::INFINITY)?,
         };
-        Ok(Offset { curve, cusps: self.offset_cusps(aim), crossings })
+        let deviation = accuracy;
+        Ok(Offset { curve, deviation, cusps: self.offset_cusps(aim), crossings })
     }
 
     /// Pieces that follow the offset from end to end, and the corners that make it cross itself.

@@ -19,7 +19,7 @@ pub use any::Surface;
 pub use grid_eval::GridSamples;
 pub use parametric::{ParametricSurface, SurfaceFunction};
 
-use super::{GeomError, Grid, Interval, KnotVector, homogeneous, positive};
+use super::{GeomError, Grid, Interval, KnotVector, Receipt, homogeneous, positive};
 
 /// A rational B-spline surface; row i of its net runs along u, column j along v.
 ///
@@ -33,6 +33,7 @@ pub struct NurbsSurface {
     is_rational: bool,
     /// The area of Su × Sv over a span each that is rounding and no area.
     fold_area: f64,
+    receipt: Receipt,
 }
 
 impl NurbsSurface {
@@ -117,7 +118,19 @@ impl NurbsSurface {
     ) -> Self {
         let is_rational = homogeneous::have_different_weights(control_points.as_slice());
         let fold_area = normal::fold_area(&control_points);
-        Self { knots_u, knots_v, control_points, is_rational, fold_area }
+        Self { knots_u, knots_v, control_points, is_rational, fold_area, receipt: Receipt::NONE }
+    }
+
+    /// The same with a receipt of how it was made.
+    #[must_use]
+    pub fn with_receipt(self, receipt: Receipt) -> Self {
+        Self { receipt, ..self }
+    }
+
+    /// What the construction that made it did, if it left a receipt.
+    #[must_use]
+    pub fn receipt(&self) -> Option<&Receipt> {
+        self.receipt.if_any()
     }
 
     /// Polynomial degree along u.

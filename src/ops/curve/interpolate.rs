@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::fit::{Parameters, chord, distinct_parameters, two_tangents};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Ends, Interpolator, NurbsCurve},
+    kernel::{Ends, Interpolator, NurbsCurve, Receipt},
     value::{At, AtLeast, Ctx, op},
 };
 
@@ -55,21 +55,30 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
     let degree = args.degree.value;
     if let Some(derivatives) = args.derivatives {
         let interpolator = Interpolator::with_derivatives(&parameters, degree).at(span)?;
-        return interpolator
-            .curve_with_derivatives(&points, &derivatives.value)
-            .at(derivatives.span);
+        let curve = interpolator.curve_with_derivatives(&points, &derivatives.value);
+        return Ok(reporting(curve.at(derivatives.span)?, parameters));
     }
     if let Some(tangents) = args.tangents {
         let tangents = two_tangents(&tangents)?;
         let interpolator = Interpolator::new(&parameters, degree, Ends::Clamped).at(span)?;
-        return interpolator.curve_with_tangents(&points, tangents).at(span);
+        let curve = interpolator.curve_with_tangents(&points, tangents).at(span)?;
+        return Ok(reporting(curve, parameters));
     }
     let ends = match args.ends.value {
         // With as few points the curve of a lower degree has these ends too.
         Ends::Bessel | Ends::Quadratic if points.len() <= degree => Ends::Averaged,
         ends => ends,
     };
-    Interpolator::new(&parameters, degree, ends).at(span)?.curve(&points).at(span)
+    let interpolator = Interpolator::new(&parameters, degree, ends).at(span)?;
+    Ok(reporting(interpolator.curve(&points).at(span)?, parameters))
+}
+
+/// The curve with a report of where on it the points lie.
+fn reporting(curve: NurbsCurve, parameters: Vec<f64>) -> NurbsCurve {
+    let degree = curve.degree();
+    curve.with_receipt(
+        Receipt::of("interpolate").with("degree", degree).with("parameters", parameters),
+    )
 }
 
 /// The periodic curve.
@@ -90,7 +99,7 @@ fn closed(ctx: &Ctx<'_>, args: Args) -> Result<NurbsCurve> {
     let parameters = distinct_parameters(args.parameters, Spanned::new(&around[..], span))
         .map_err(|mistake| about_return(mistake, listed, n_points))?;
     let interpolator = Interpolator::periodic(&parameters, args.degree.value).at(span)?;
-    interpolator.curve(&around[..n_points]).at(span)
+    Ok(reporting(interpolator.curve(&around[..n_points]).at(span)?, parameters))
 }
 
 /// Tells what the number of parameters of a closed curve counts.

@@ -4,6 +4,7 @@ mod arrows;
 mod bounds;
 mod curve;
 mod describe;
+mod report;
 mod surface;
 
 use crate::value::Op;
@@ -54,4 +55,5 @@ pub(super) static OPS: &[&Op] = &[
     &curve::sample::OP,
     &bounds::OP,
     &describe::OP,
+    &report::OP,
 ];

@@ -54,5 +54,5 @@ pub(super) fn offset(curve: &NurbsCurve, aim: Aim) -> Result<Option<Offset>, Geo
         }
     }
     let curve = NurbsCurve::polynomial(curve.knots().clone(), &moved)?;
-    Ok(Some(Offset { curve, cusps: Vec::new(), crossings }))
+    Ok(Some(Offset { curve, deviation: 0.0, cusps: Vec::new(), crossings }))
 }

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::NurbsCurve,
+    kernel::{NurbsCurve, Receipt},
     value::{At, Ctx, Length, op, shortest},
 };
 
@@ -51,7 +51,12 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
         );
         ctx.warn(Diagnostic::warning(Code::SelfIntersecting, ctx.span, message));
     }
-    Ok(offset.curve)
+    let receipt = Receipt::of("offset")
+        .with("distance", distance.0)
+        .with("deviation", offset.deviation)
+        .with("cusps", offset.cusps)
+        .with("crossings", offset.crossings);
+    Ok(offset.curve.with_receipt(receipt))
 }
 
 /// `t = 0.25, 0.75 and 3 more`.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::positive;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::NurbsCurve,
+    kernel::{NurbsCurve, Receipt},
     value::{At, Ctx, Length, op},
 };
 
@@ -40,6 +40,12 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
             );
             Diagnostic::error(Code::BadDegree, span, message).fail()
         }
-        _ => args.c.reduced(degree, tolerance).at(span),
+        _ => {
+            let reduced = args.c.reduced(degree, tolerance).at(span)?;
+            let receipt = Receipt::of("reduce")
+                .with("degree", reduced.degree())
+                .with("deviation", args.c.deviation_from(&reduced));
+            Ok(reduced.with_receipt(receipt))
+        }
     }
 }

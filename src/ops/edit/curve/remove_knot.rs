@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{at_least_once, positive};
 use crate::{
     diag::{Result, Spanned},
-    kernel::NurbsCurve,
+    kernel::{NurbsCurve, Receipt},
     value::{At, Ctx, Length, op},
 };
 
@@ -31,5 +31,7 @@ op! {
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
     let tolerance = positive("the tolerance", args.tolerance)?;
     at_least_once("removed", args.times)?;
-    args.c.without_knot(args.t.value, args.times.value, tolerance).at(args.t.span)
+    let without = args.c.without_knot(args.t.value, args.times.value, tolerance).at(args.t.span)?;
+    let deviation = args.c.deviation_from(&without);
+    Ok(without.with_receipt(Receipt::of("remove_knot").with("deviation", deviation)))
 }

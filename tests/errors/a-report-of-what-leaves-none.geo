@@ -1,0 +1,5 @@
+let a = report(line((0, 0), (1, 0)))
+let b = report(reversed(interpolate((0, 0), (1, 1), (2, 0))))
+let c = report([interpolate((0, 0), (1, 1)), (0, 0)])
+let d = report(3)
+let e = report(parametric(t => (t, t^2), 0..1))
