@@ -5,6 +5,7 @@
 mod bernstein;
 mod bezier;
 mod bounds;
+mod compatible;
 mod curve;
 mod error;
 mod fit;
@@ -42,6 +43,9 @@ pub use jet::Jet;
 pub use knots::{KnotVector, Side};
 pub use mesh::{Mesh, grid_mesh, tessellate, tessellate_curve};
 pub use receipt::{Fact, Receipt};
-pub use surface::{GridSamples, NurbsSurface, ParametricSurface, Surface, SurfaceFunction};
+pub use surface::{
+    Direction, GridSamples, NurbsSurface, ParametricSurface, Surface, SurfaceFunction,
+    make_surfaces_compatible,
+};
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;

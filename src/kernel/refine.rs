@@ -36,11 +36,13 @@ impl Lines {
             // Points from `first` to `last` are replaced by one more.
             let (first, last) = (next - 1 - degree, next - 1 - times);
             final_knots.extend(knots.drain(knots.len().min(next + degree)..).rev());
+            let fraction = |i: usize| (t - knots[i]) / (knots[i + degree] - knots[i]);
+            let fractions: Vec<f64> = (first + 1..=last).map(fraction).collect();
             for (line, done) in lines.iter_mut().zip(&mut final_points) {
                 done.extend(line.drain(last + 1..).rev());
                 line.push(line[last]);
-                for i in (first + 1..=last).rev() {
-                    let fraction = (t - knots[i]) / (knots[i + degree] - knots[i]);
+                for (j, &fraction) in fractions.iter().enumerate().rev() {
+                    let i = first + 1 + j;
                     line[i] = bezier::blend(line[i - 1], line[i], fraction);
                 }
             }

@@ -51,6 +51,14 @@ pub const DETAIL_RELATIVE: f64 = 1e-3;
 /// where derivatives are noise, and refuses `c(0.1 * 10)` at the end of 0..1.
 pub const KNOT_RELATIVE: f64 = 1e-12;
 
+/// Knots of different splines closer than this fraction of the domain become one where the splines
+/// get a common basis.
+///
+/// Twice the 1e-9 within which other kernels write one knot. Moving a knot moves the spline by a like
+/// fraction of its size. Larger moves joints visibly; smaller leaves spans so narrow that
+/// second derivatives across them are noise.
+pub const KNOT_CLUSTER_RELATIVE: f64 = 2e-9;
+
 /// Two parameters of data closer than this fraction of the domain are one.
 ///
 /// A few times [`KNOT_RELATIVE`], because knots are made between them. Larger refuses data whose

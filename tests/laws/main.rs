@@ -8,6 +8,7 @@ mod basis;
 mod construct;
 mod curve;
 mod edit;
+mod edit_surface;
 mod evaluator;
 mod fit;
 mod hostile;

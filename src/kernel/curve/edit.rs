@@ -2,7 +2,7 @@
 
 use super::NurbsCurve;
 use crate::kernel::{
-    GeomError, Interval, KnotVector, Receipt, bezier, refine::Lines, tolerance::KNOT_RELATIVE,
+    GeomError, Interval, Receipt, bezier, refine::Lines, tolerance::KNOT_RELATIVE,
 };
 
 impl NurbsCurve {
@@ -92,10 +92,5 @@ impl NurbsCurve {
     pub(super) fn from_lines(lines: Lines) -> Self {
         let Lines { knots, lines } = lines;
         Self::trusted(knots, lines.into_iter().flatten().collect())
-    }
-
-    /// The curve on other knots of the same number, which stand for the same ones.
-    pub(super) fn on_knots(&self, knots: KnotVector) -> Self {
-        Self { knots, ..self.clone() }
     }
 }

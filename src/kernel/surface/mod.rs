@@ -3,9 +3,13 @@
 //! `any` is a surface of either kind, `parametric` that of a function. Of B-splines this file has
 //! the type, its constructors and what can be read off it; `eval` computes points
 //! and derivatives, `grid_eval` many of them at once, `normal` unit normals where they exist,
-//! `iso` the curves on it and its box, `ruled` surfaces between curves.
+//! `iso` the curves on it and its box, `ruled` surfaces between curves. `direction` is u or v, along
+//! which `edit` changes the representation or cuts, and `compatible` brings several to one basis.
 
 mod any;
+mod compatible;
+mod direction;
+mod edit;
 mod eval;
 mod grid_eval;
 mod iso;
@@ -16,6 +20,8 @@ mod ruled;
 use glam::{DAffine3, DVec3, DVec4};
 
 pub use any::Surface;
+pub use compatible::make_surfaces_compatible;
+pub use direction::Direction;
 pub use grid_eval::GridSamples;
 pub use parametric::{ParametricSurface, SurfaceFunction};
 

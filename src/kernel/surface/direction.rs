@@ -1,0 +1,69 @@
+//! The two directions of a surface, and what is done along either: a net is a bundle of splines,
+//! its columns along u, its rows along v.
+
+use glam::DVec4;
+
+use super::NurbsSurface;
+use crate::kernel::{Grid, Interval, KnotVector, refine::Lines};
+
+/// A direction of a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// Along u: i counts.
+    U,
+    /// Along v: j counts.
+    V,
+}
+
+impl Direction {
+    /// Both, u first.
+    pub const BOTH: [Self; 2] = [Self::U, Self::V];
+
+    /// The other one.
+    #[must_use]
+    pub fn other(self) -> Self {
+        match self {
+            Self::U => Self::V,
+            Self::V => Self::U,
+        }
+    }
+}
+
+impl NurbsSurface {
+    /// All knots along a direction.
+    #[must_use]
+    pub fn knots(&self, along: Direction) -> &KnotVector {
+        match along {
+            Direction::U => &self.knots_u,
+            Direction::V => &self.knots_v,
+        }
+    }
+
+    /// The parameters along a direction that have points.
+    #[must_use]
+    pub fn domain(&self, along: Direction) -> Interval {
+        self.knots(along).domain()
+    }
+
+    /// The control points as splines along a direction.
+    pub(in crate::kernel) fn lines(&self, along: Direction) -> Lines {
+        let net = &self.control_points;
+        let lines = match along {
+            Direction::U => (0..net.n_columns()).map(|j| net.column(j)).collect(),
+            Direction::V => (0..net.n_rows()).map(|i| net.row(i).to_vec()).collect(),
+        };
+        Lines { knots: self.knots(along).clone(), lines }
+    }
+
+    /// The surface with other splines along a direction, as many as it has.
+    pub(in crate::kernel) fn with_lines(&self, along: Direction, lines: Lines) -> Self {
+        let Lines { knots, lines } = lines;
+        let n_points = knots.n_points();
+        let points: Vec<DVec4> = lines.into_iter().flatten().collect();
+        let net = Grid::from_rows_of(n_points, points);
+        match along {
+            Direction::U => Self::trusted(knots, self.knots_v.clone(), net.transposed()),
+            Direction::V => Self::trusted(self.knots_u.clone(), knots, net),
+        }
+    }
+}
