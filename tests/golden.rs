@@ -1,12 +1,16 @@
 //! Golden programs: each `tests/golden/NAME.geo` and `examples/NAME.geo` is run, and what it says
 //! and writes is compared with `NAME.out`.
 //!
+//! The worked examples of the textbooks in `tests/golden/textbook`, by the books' own numbers, and
+//! the values of `tests/golden/values`, computed with forty digits by other means, check themselves
+//! and say nothing else.
+//!
 //! `VIROTE_BLESS=1 cargo test --test golden` rewrites the golden files. A program that begins with
 //! a line such as `// --set n=3` is run with those arguments.
 
 mod support;
 
-use support::{compare, folder, programs, report, transcript};
+use support::{compare, folder, programs, report, told, transcript, virote};
 
 /// Runs the programs of one folder against golden files in another.
 #[track_caller]
@@ -38,4 +42,23 @@ fn examples_say_and_write_what_they_did() {
     if folder("examples").is_dir() {
         check("examples", "examples/golden");
     }
+}
+
+/// Runs the checks of every program of a folder.
+#[track_caller]
+fn hold(of_programs: &str) {
+    let (out, err, code) =
+        told(&virote(&folder(of_programs)).args(["test", "."]).output().expect("the command runs"));
+    let count = format!("{} files, 0 tests", programs(&folder(of_programs)).len());
+    assert!(code == 0 && err.is_empty() && out.contains(&count), "{out}{err}exit code {code}");
+}
+
+#[test]
+fn worked_examples_of_the_textbooks_hold() {
+    hold("tests/golden/textbook");
+}
+
+#[test]
+fn independently_computed_values_hold() {
+    hold("tests/golden/values");
 }

@@ -1,6 +1,6 @@
 //! The shape at a place of a curve of either kind, and what kind of place it is.
 
-use glam::DVec3;
+use glam::{DVec3, DVec4};
 
 use super::{Curve, LocalGeometry, Neighbourhood, NurbsCurve, ParametricCurve, series};
 use crate::kernel::{
@@ -56,10 +56,13 @@ impl Curve {
     /// [`Self::point_at`].
     pub fn local_at(&self, t: f64, side: Side) -> Result<LocalGeometry, GeomError> {
         let around = self.neighbourhood(t, side)?;
-        let derivatives = match self.derivatives_around(&around, SHAPE_ORDER) {
+        let derivatives = match self {
+            Self::Nurbs(curve) if curve.is_rational => curve.derivatives_of_shape(&around).to_vec(),
             // A function may have a curvature, although no change of it.
-            Err(_) => self.derivatives_around(&around, SHAPE_ORDER - 1)?,
-            Ok(derivatives) => derivatives,
+            _ => match self.derivatives_around(&around, SHAPE_ORDER) {
+                Err(_) => self.derivatives_around(&around, SHAPE_ORDER - 1)?,
+                Ok(derivatives) => derivatives,
+            },
         };
         if around.first(&around.terms(&derivatives), 1, 0) == Some(1) {
             return LocalGeometry::new(&derivatives, around);
@@ -164,6 +167,36 @@ impl NurbsCurve {
             Some(tangent) => Ok(tangent),
             None => Curve::from(self.clone()).local_at(t, side).map(|local| local.tangent()),
         }
+    }
+
+    /// Point and derivatives up to [`SHAPE_ORDER`] by a parameter of which the weight's change adds
+    /// nothing along the tangent: where weights differ by orders of magnitude, the bending would be
+    /// lost in it.
+    ///
+    /// With A and w the Taylor coefficients of the homogeneous curve about its point, over the
+    /// weight there, the parameter t + w₁t² + (w₁² + w₂)t³ makes of A/w the series
+    /// A₁t + A₂t² + (A₃ + w₁A₂)t³.
+    fn derivatives_of_shape(&self, around: &Neighbourhood) -> [DVec3; SHAPE_ORDER + 1] {
+        let span = self.knots.span_beside(around.parameter, around.side);
+        let support = &self.control_points[self.knots.support(span)];
+        let orders = SHAPE_ORDER.min(self.degree());
+        let basis = self.knots.basis_derivatives_on(span, around.parameter, orders);
+        let sum = |k: usize, of: &dyn Fn(DVec4) -> DVec4| -> DVec4 {
+            if orders < k {
+                return DVec4::ZERO;
+            }
+            support.iter().zip(basis.row(k)).map(|(&point, &n)| of(point) * n).sum()
+        };
+        let value = sum(0, &|point| point);
+        let at = homogeneous::project(value);
+        let about = |point: DVec4| (point.truncate() - at * point.w).extend(point.w);
+        let [first, second, third] = [1, 2, 3].map(|k| sum(k, &about) / value.w);
+        [
+            at,
+            first.truncate(),
+            second.truncate(),
+            third.truncate() + 3.0 * first.w * second.truncate(),
+        ]
     }
 
     fn neighbourhood(&self, t: f64, side: Side) -> Neighbourhood {

@@ -1,0 +1,30 @@
+// Vukašinović, Duhovnik: C2 cubic B-spline interpolation, chord length, Bessel ends (Example (1.34)-(1.36), Fig 1.23)
+geo 1
+let data = [(0, 0, 0), (1, 1, 0), (2, 1, 0), (2.5, 0.5, 0), (4, 2, 0)]
+curve c = interpolate(data)
+check [for i in 0..3: distance(data[i], data[i + 1])] ~= [1.414213562373095, 1, 0.70710678118654752, 2.1213203435596426] within 2.12e-12
+check sum([for i in 0..3: distance(data[i], data[i + 1])]) ~= 5.2426406871192851 within 5.24e-12
+check [for t in [0, 0.26975214338981794, 0.46049571322036412, 0.59537178491527309, 1]: c(t)] ~= data within 1e-12
+check c.points[0] ~= (0, 0, 0) within 1e-12
+check c.points[1] ~= (0.25245310429357162, 0.52859547920896832, 0) within 1e-12
+check c.points[2] ~= (0.75833057419315128, 1.0404586910686069, 0) within 1.04e-12
+check c.points[3] ~= (1.9959074254823901, 1.2189120096867343, 0) within 2e-12
+check c.points[4] ~= (2.7816239096705114, -0.10235470326957708, 0) within 2.78e-12
+check c.points[5] ~= (3.5, 0.75, 0) within 3.5e-12
+check c.points[6] ~= (4, 2, 0) within 4e-12
+check c.knots ~= [0, 0, 0, 0, 0.26975214338981794, 0.46049571322036412, 0.59537178491527309, 1, 1, 1, 1] within 1e-12
+check c(0.1) ~= (0.30450776814573648, 0.49867648814560572, 0) within 1e-12
+check derivative(c, 0.1) ~= (3.3390886311828123, 4.1460362182225529, 0) within 4.15e-12
+check c(1/3) ~= (1.3378490299248878, 1.0935800730161922, 0) within 1.34e-12
+check derivative(c, 1/3) ~= (5.4988955156146037, 0.93573288435878702, 0) within 5.5e-12
+check c(1/2) ~= (2.1639444758378354, 0.86461136318075621, 0) within 2.16e-12
+check derivative(c, 1/2) ~= (3.8673206517856631, -3.8995472856879332, 0) within 3.9e-12
+check c(0.8) ~= (3.2442035980946708, 0.64453158794408148, 0) within 3.24e-12
+check derivative(c, 0.8) ~= (3.7806076602996056, 4.0346516189438068, 0) within 4.03e-12
+check c(0) ~= (0, 0, 0) within 1e-12
+check c(0.26975214338981796) ~= (1, 1, 0) within 1e-12
+check c(0.46049571322036414) ~= (2, 1, 0) within 2e-12
+check c(0.5953717849152731) ~= (2.5, 0.5, 0) within 2.5e-12
+check c(1) ~= (4, 2, 0) within 4e-12
+check derivative(c, 0) ~= (2.8076118445748822, 5.8786796564403574, 0) within 5.88e-12
+check derivative(c, 1) ~= (3.7071067811865475, 9.2677669529663688, 0) within 9.27e-12
