@@ -113,6 +113,21 @@ pub enum GeomError {
         few_digits(*gap)
     )]
     Gap { index: usize, gap: f64, tolerance: f64, reversed: Option<usize> },
+    /// Patches that do not meet along their sides.
+    #[error(
+        "`patches[{}][{}]` begins {} from where `patches[{}][{}]` ends along {along}, more than the tolerance {tolerance}",
+        next[0], next[1], few_digits(*gap), before[0], before[1]
+    )]
+    PatchGap { along: &'static str, before: [usize; 2], next: [usize; 2], gap: f64, tolerance: f64 },
+    /// Patches that meet, but run along their common side at different speeds.
+    #[error(
+        "`patches[{}][{}]` and `patches[{}][{}]` meet with weights of different proportions along their side, which no one surface has",
+        before[0], before[1], next[0], next[1]
+    )]
+    UnlikeWeights { before: [usize; 2], next: [usize; 2] },
+    /// A span of a patch that is rounding beside the others.
+    #[error("a span of `patches[{}][{}]`, {length} wide, vanishes in a domain of length {total}", patch[0], patch[1])]
+    VanishingPatch { patch: [usize; 2], length: f64, total: f64 },
     /// A span that is rounding beside the others.
     #[error("a span of `curves[{index}]`, {length} wide, vanishes in a domain of length {total}")]
     VanishingPiece { index: usize, length: f64, total: f64 },

@@ -15,6 +15,7 @@ mod homogeneous;
 mod hull;
 mod interval;
 pub mod jet;
+mod joint;
 mod knots;
 mod mesh;
 mod positive;
@@ -45,7 +46,7 @@ pub use mesh::{Mesh, grid_mesh, tessellate, tessellate_curve};
 pub use receipt::{Fact, Receipt};
 pub use surface::{
     Direction, GridSamples, NurbsSurface, ParametricSurface, Surface, SurfaceFunction,
-    make_surfaces_compatible,
+    join_patches, make_surfaces_compatible,
 };
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;

@@ -58,19 +58,21 @@ pub fn code_of(error: &GeomError) -> Code {
         Error::KnotNeeded { .. } | Error::NotReducible { .. } | Error::NoSplineNear { .. } => {
             Code::BeyondTolerance
         }
-        Error::Gap { .. } => Code::Gap,
+        Error::Gap { .. } | Error::PatchGap { .. } => Code::Gap,
         Error::TooFewCurves { .. } => Code::BadCall,
         Error::RationalFor { .. }
         | Error::DegreeTooHighFor { .. }
         | Error::UnevenSegments { .. }
         | Error::TooRough { .. }
-        | Error::TooManySegments { .. } => Code::NotExact,
+        | Error::TooManySegments { .. }
+        | Error::UnlikeWeights { .. } => Code::NotExact,
         Error::KnotCount { .. }
         | Error::TooFewKnots { .. }
         | Error::UnsortedKnots { .. }
         | Error::KnotMultiplicity { .. }
         | Error::NoKnot { .. }
         | Error::VanishingPiece { .. }
+        | Error::VanishingPatch { .. }
         | Error::EmptyDomain { .. } => Code::BadKnots,
         Error::WeightCount { .. }
         | Error::BadWeight { .. }
@@ -132,6 +134,10 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
             format!("`reversed(curves[{index}])` would fit")
         }
         Error::Gap { .. } => "give the curves in order, end to start".to_owned(),
+        Error::PatchGap { .. } => {
+            "`patches[i][j]` goes on behind `patches[i - 1][j]` along u and behind `patches[i][j - 1]` along v; `swap_uv`, `reverse_u` and `reverse_v` turn patches".to_owned()
+        }
+        Error::VanishingPatch { .. } => "`reparametrize` the patches to similar domains".to_owned(),
         Error::VanishingPiece { .. } => "`reparametrize` the curves to similar domains".to_owned(),
         Error::RunTogether { .. } => {
             "curves that share a stretch have no single points there; `trim` it away".to_owned()

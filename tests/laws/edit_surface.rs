@@ -2,13 +2,16 @@
 
 use glam::DVec3;
 use proptest::{
-    prelude::Just, prelude::Strategy, prop_assert, prop_assert_eq, prop_oneof, proptest,
+    collection::vec,
+    prelude::{Just, Strategy, any},
+    prop_assert, prop_assert_eq, prop_oneof, proptest,
 };
 use virote::kernel::{
-    Direction, GeomError, Grid, Interval, KnotVector, NurbsSurface, make_surfaces_compatible,
+    Direction, GeomError, Grid, Interval, KnotVector, NurbsSurface, Side, join_patches,
+    make_surfaces_compatible,
 };
 
-use crate::some::{affine_map, are_near, fraction, sphere, surface};
+use crate::some::{affine_map, are_near, fraction, point, sphere, surface};
 
 fn direction() -> impl Strategy<Value = Direction> {
     prop_oneof![Just(Direction::U), Just(Direction::V)]
@@ -32,7 +35,7 @@ proptest! {
     fn knots_leave_a_surface_in_place(
         s in surface(),
         along in direction(),
-        places in proptest::collection::vec(0.01..0.99, 0..6),
+        places in vec(0.01..0.99, 0..6),
     ) {
         let knots: Vec<f64> = places.iter().map(|&f| s.domain(along).at(f)).collect();
         let refined = s.insert_knots(along, &knots).unwrap();
@@ -210,4 +213,141 @@ fn cuts_outside_or_at_the_ends_are_refused() {
     assert!(matches!(narrow, Err(GeomError::NarrowInterval { .. })));
     let lower = ball.elevate_degree(Direction::U, 1);
     assert_eq!(lower, Err(GeomError::DegreeTooLow { from: 2, to: 1 }));
+}
+
+fn free_points(n: usize, m: usize) -> impl Strategy<Value = Grid<DVec3>> {
+    vec(point(), n * m).prop_map(move |points| Grid::new(n, m, points).unwrap())
+}
+
+proptest! {
+    #[test]
+    fn joining_undoes_decomposition_of_a_surface(s in surface()) {
+        let joined = join_patches(&s.decompose(), 1e-9).unwrap();
+        prop_assert!(distance(&s, &joined) < 1e-9);
+        for along in Direction::BOTH {
+            let clamped = s.clamped(along);
+            prop_assert!(joined.knots(along).n_points() <= clamped.knots(along).n_points());
+        }
+    }
+
+    #[test]
+    fn joining_undoes_splitting_of_a_surface(s in surface(), along in direction(), f in 0.01..0.99) {
+        let parts = s.split(along, s.domain(along).at(f)).unwrap().to_vec();
+        let grid = match along {
+            Direction::U => Grid::new(2, 1, parts).unwrap(),
+            Direction::V => Grid::new(1, 2, parts).unwrap(),
+        };
+        let joined = join_patches(&grid, 1e-9).unwrap();
+        prop_assert!(distance(&s, &joined) < 1e-10);
+        let n = s.clamped(along).knots(along).n_points();
+        prop_assert!(joined.knots(along).n_points() <= n);
+    }
+
+    #[test]
+    fn a_continuation_meets_with_its_order(
+        (s, free) in surface().prop_flat_map(|s| {
+            let n = s.knots_u().n_points();
+            (Just(s), (1..=3usize).prop_flat_map(move |m| free_points(n, m)))
+        }),
+        order in 0..=2usize,
+        is_start in any::<bool>(),
+        is_swapped in any::<bool>(),
+        f in fraction(),
+    ) {
+        let (s, free, across) = match is_swapped {
+            true => (s.swapped(), free.transposed(), Direction::U),
+            false => (s, free, Direction::V),
+        };
+        let side = if is_start { Side::Left } else { Side::Right };
+        // Weights that go on may leave the positive numbers: that is told.
+        let Ok(next) = s.continued(across, side, order, &free) else {
+            prop_assert!(s.is_rational());
+            return Ok(());
+        };
+        prop_assert_eq!(next.knots(across.other()), s.knots(across.other()));
+        let along = s.domain(across.other()).at(f);
+        let beside = |s: &NurbsSurface, t: f64, side: Side| match across {
+            Direction::U => s.isocurve_v(along).derivatives_beside(t, side, order),
+            Direction::V => s.isocurve_u(along).derivatives_beside(t, side, order),
+        };
+        let domain = s.domain(across);
+        let (own, others) = match side {
+            Side::Left => (beside(&s, domain.start(), Side::Right), beside(&next, 1.0, Side::Left)),
+            Side::Right => (beside(&s, domain.end(), Side::Left), beside(&next, 0.0, Side::Right)),
+        };
+        for (k, (a, b)) in own.iter().zip(&others).enumerate() {
+            prop_assert!(are_near(*a, *b, 1e-8), "order {k}: {a} {b}");
+        }
+    }
+
+    #[test]
+    fn the_levels_of_corner_cutting_end_at_the_point(
+        (n, m) in (2..6usize, 2..6usize), seed in vec(point(), 36), f in fraction(), g in fraction()
+    ) {
+        let net = Grid::from_fn(n, m, |i, j| seed[6 * i + j]);
+        let s = NurbsSurface::bezier(&net).unwrap();
+        let levels = s.de_casteljau(f, g).unwrap();
+        prop_assert_eq!(levels.len(), n.max(m));
+        prop_assert_eq!(&levels[0], &net);
+        prop_assert!(are_near(levels[n.max(m) - 1].get(0, 0), s.point_at(f, g), 1e-12));
+    }
+
+    #[test]
+    fn a_border_is_closed_and_lies_on_the_edges(s in surface(), f in fraction()) {
+        let border = s.border(1e-6).unwrap();
+        prop_assert!(are_near(border.start(), border.end(), 1e-12));
+        let (u, v) = (s.domain_u(), s.domain_v());
+        let first = s.point_at(u.at(f), v.start());
+        prop_assert!(are_near(border.point_at(u.at(f)), first, 1e-9));
+        let second = s.point_at(u.end(), v.at(f));
+        prop_assert!(are_near(border.point_at(u.end() + f * v.length()), second, 1e-9));
+        let total = border.domain().length();
+        prop_assert!((total - 2.0 * (u.length() + v.length())).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn four_patches_of_a_bicubic_spline_join_with_simple_knots() {
+    let knots = KnotVector::uniform_clamped(3, 5, 2.0).unwrap();
+    let points = Grid::from_fn(5, 5, |i, j| {
+        DVec3::new(i as f64, j as f64, if (i + j) % 3 == 0 { 1.0 } else { 0.0 })
+    });
+    let s = NurbsSurface::polynomial(knots.clone(), knots, &points).unwrap();
+    let joined = join_patches(&s.decompose(), 1e-9).unwrap();
+    assert_eq!(joined.knots_u(), s.knots_u());
+    assert_eq!(joined.knots_v(), s.knots_v());
+}
+
+#[test]
+fn patches_apart_name_the_gap() {
+    let s = sphere(DVec3::ZERO, 1.0);
+    let [south, north] = s.split(Direction::V, 0.5).unwrap();
+    let raised = north.transformed(&glam::DAffine3::from_translation(DVec3::Z * 0.25));
+    let grid = Grid::new(1, 2, vec![south, raised]).unwrap();
+    match join_patches(&grid, 1e-6) {
+        Err(GeomError::PatchGap { along: "v", before: [0, 0], next: [0, 1], gap, .. }) => {
+            assert!((gap - 0.25).abs() < 1e-12);
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn sides_run_through_at_different_speeds_are_no_one_surface() {
+    let knots = || KnotVector::bezier(1).unwrap();
+    let points = |x: f64| Grid::from_fn(2, 2, |i, j| DVec3::new(x + i as f64, j as f64, 0.0));
+    let weights = |w: f64| Grid::from_fn(2, 2, |_, j| if j == 0 { 1.0 } else { w });
+    let patch =
+        |x: f64, w: f64| NurbsSurface::rational(knots(), knots(), &points(x), &weights(w)).unwrap();
+    let unlike = Grid::new(2, 1, vec![patch(0.0, 1.0), patch(1.0, 2.0)]).unwrap();
+    assert!(matches!(join_patches(&unlike, 1e-6), Err(GeomError::UnlikeWeights { .. })));
+    let alike = Grid::new(2, 1, vec![patch(0.0, 2.0), patch(1.0, 2.0)]).unwrap();
+    assert!(join_patches(&alike, 1e-6).is_ok());
+}
+
+#[test]
+fn the_border_of_a_sphere_leaves_out_its_poles() {
+    let border = sphere(DVec3::ZERO, 1.0).border(1e-6).unwrap();
+    assert!(border.start().distance(border.end()) < 1e-12);
+    assert!((border.domain().length() - 2.0).abs() < 1e-12);
 }

@@ -4,9 +4,10 @@ use glam::DVec3;
 
 use super::NurbsCurve;
 use crate::kernel::{
-    GeomError, KnotVector,
-    removal::removal,
-    tolerance::{JOINT_RELATIVE, KNOT_RELATIVE},
+    GeomError,
+    joint::{Joined, vanishing_span},
+    refine::Lines,
+    tolerance::JOINT_RELATIVE,
 };
 
 /// The curves one after another as one curve on the domain of the first and those of the others
@@ -33,39 +34,15 @@ pub fn join(curves: &[NurbsCurve], tolerance: f64) -> Result<NurbsCurve, GeomErr
 
     let degree = curves.iter().map(NurbsCurve::degree).max().unwrap_or(0).max(1);
     let raised = |curve: &NurbsCurve| curve.clamped().elevate_degree(degree);
-    let first = raised(first)?;
-    let mut knots = first.knots.as_slice().to_vec();
-    let mut points = first.control_points;
+    let mut joined = Joined::new(raised(first)?.lines());
     for (before, next) in curves.iter().zip(others) {
         let gap = before.end().distance(next.start());
         let next = raised(next)?;
-        let joint = knots[knots.len() - 1];
-        let (end, start) = (points[points.len() - 1], next.control_points[0]);
-
-        // Put the next one behind the others.
-        let shift = joint - next.domain().start();
-        let scale = end.w / start.w;
-        knots.pop();
-        knots.extend(
-            next.knots.as_slice()[degree + 1..].iter().map(|knot| (knot + shift).max(joint)),
-        );
-        let n_before = points.len();
-        points[n_before - 1] = (end + start * scale) * 0.5;
-        points.extend(next.control_points[1..].iter().map(|&point| point * scale));
-
-        // Take out what the joint does not need.
-        let accuracy = JOINT_RELATIVE * next.magnitude() + gap;
-        for times in (1..=degree).rev() {
-            let index = n_before + times - 1;
-            let removal = removal(degree, &knots, &points, index);
-            if accuracy < removal.displacement {
-                break;
-            }
-            points.splice(removal.range, removal.points);
-            knots.remove(index);
-        }
+        let scale = joined.ends()[0].w / next.control_points[0].w;
+        joined.append(&next.lines(), scale, JOINT_RELATIVE * next.magnitude() + gap);
     }
-    NurbsCurve::new(KnotVector::new(degree, knots)?, points)
+    let Lines { knots, lines } = joined.finish()?;
+    NurbsCurve::new(knots, lines.concat())
 }
 
 /// # Errors
@@ -93,10 +70,7 @@ fn check_gaps(curves: &[NurbsCurve], tolerance: f64) -> Result<(), GeomError> {
 fn check_domains(curves: &[NurbsCurve]) -> Result<(), GeomError> {
     let total: f64 = curves.iter().map(|curve| curve.domain().length()).sum();
     for (index, curve) in curves.iter().enumerate() {
-        let spans = curve.knots.spans().map(|span| curve.knots.span_interval(span).length());
-        let length = spans.fold(f64::INFINITY, f64::min);
-        // Twice, because the sum of the domains rounds.
-        if length <= 2.0 * KNOT_RELATIVE * total {
+        if let Some(length) = vanishing_span(&curve.knots, total) {
             return Err(GeomError::VanishingPiece { index, length, total });
         }
     }

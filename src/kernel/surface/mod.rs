@@ -5,16 +5,22 @@
 //! and derivatives, `grid_eval` many of them at once, `normal` unit normals where they exist,
 //! `iso` the curves on it and its box, `ruled` surfaces between curves. `direction` is u or v, along
 //! which `edit` changes the representation or cuts, and `compatible` brings several to one basis.
+//! `rearrange` does of this what functions allow, `parts` has what a form is made of, `continuation`
+//! patches that go on from a side, `join` makes one surface of many.
 
 mod any;
 mod compatible;
+mod continuation;
 mod direction;
 mod edit;
 mod eval;
 mod grid_eval;
 mod iso;
+mod join;
 mod normal;
 mod parametric;
+mod parts;
+mod rearrange;
 mod ruled;
 
 use glam::{DAffine3, DVec3, DVec4};
@@ -23,6 +29,7 @@ pub use any::Surface;
 pub use compatible::make_surfaces_compatible;
 pub use direction::Direction;
 pub use grid_eval::GridSamples;
+pub use join::join_patches;
 pub use parametric::{ParametricSurface, SurfaceFunction};
 
 use super::{GeomError, Grid, Interval, KnotVector, Receipt, homogeneous, positive};

@@ -4,7 +4,10 @@ use std::{fmt, sync::Arc};
 
 use glam::{DAffine3, DVec3};
 
-use super::normal::{limit_normal, shading_place};
+use super::{
+    Direction,
+    normal::{limit_normal, shading_place},
+};
 use crate::kernel::{
     Bounds, CurveFunction, FunctionFailure, GeomError, Grid, Interval, ParametricCurve,
     frame::unit, tolerance::VANISHING_RELATIVE,
@@ -77,6 +80,27 @@ impl ParametricSurface {
     #[must_use]
     pub fn domain_v(&self) -> Interval {
         self.domain_v
+    }
+
+    /// The parameters along a direction that have points.
+    #[must_use]
+    pub fn domain(&self, along: Direction) -> Interval {
+        match along {
+            Direction::U => self.domain_u,
+            Direction::V => self.domain_v,
+        }
+    }
+
+    /// The same function over another domain of one parameter; it is tried there anew.
+    ///
+    /// # Errors
+    /// As [`Self::derivatives_at`].
+    pub(super) fn over(&self, along: Direction, domain: Interval) -> Result<Self, GeomError> {
+        match along {
+            Direction::U => Self { domain_u: domain, ..self.clone() },
+            Direction::V => Self { domain_v: domain, ..self.clone() },
+        }
+        .measured()
     }
 
     /// The function itself.

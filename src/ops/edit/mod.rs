@@ -1,6 +1,7 @@
 //! Operations that make new curves and surfaces of given ones.
 
 mod curve;
+mod surface;
 
 use crate::value::Op;
 
@@ -20,4 +21,25 @@ pub(super) static OPS: &[&Op] = &[
     &curve::extend::OP,
     &curve::continue_bezier::OP,
     &curve::offset::OP,
+    &surface::border::OP,
+    &surface::compatible::OP,
+    &surface::continue_bezier::OP,
+    &surface::control_net::OP,
+    &surface::corners::OP,
+    &surface::de_casteljau::OP,
+    &surface::decompose::OP,
+    &surface::edge::OP,
+    &surface::edges::OP,
+    &surface::elevate::OP,
+    &surface::flip::OP,
+    &surface::insert_knot::OP,
+    &surface::join::OP,
+    &surface::refine::OP,
+    &surface::reparametrize::OP,
+    &surface::reverse_u::OP,
+    &surface::reverse_v::OP,
+    &surface::split::OP,
+    &surface::swap_uv::OP,
+    &surface::trim::OP,
+    &surface::wireframe::OP,
 ];

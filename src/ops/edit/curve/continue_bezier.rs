@@ -4,14 +4,12 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::check_order;
 use crate::{
-    diag::{Code, Diagnostic, Result, Spanned},
+    diag::{Result, Spanned},
     kernel::{NurbsCurve, Side},
     value::{At, AtLeast, Ctx, op},
 };
-
-/// The highest order of continuity that the language speaks of.
-const MOST: usize = 3;
 
 op! {
     /// Bézier curve on 0..1 that starts where a curve ends, with the same derivatives up to an
@@ -32,11 +30,7 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
-    let order = args.order.value;
-    if MOST < order {
-        let message = format!("continuity is of order 0 to {MOST}, found {order}");
-        return Diagnostic::error(Code::BadChoice, args.order.span, message).fail();
-    }
+    let order = check_order(args.order)?;
     let AtLeast(free) = args.points;
     let degree = order + free.len();
     let derivatives = args.c.derivatives_beside(args.c.domain().end(), Side::Left, order);

@@ -31,8 +31,20 @@ fn positive(what: &str, length: Spanned<Length>) -> Result<f64> {
     Diagnostic::error(Code::Degenerate, length.span, message).fail()
 }
 
+/// The highest order of continuity that the language speaks of.
+const HIGHEST_ORDER: usize = 3;
+
+/// An order of continuity that the language speaks of.
+pub(super) fn check_order(order: Spanned<usize>) -> Result<usize> {
+    if order.value <= HIGHEST_ORDER {
+        return Ok(order.value);
+    }
+    let message = format!("continuity is of order 0 to {HIGHEST_ORDER}, found {}", order.value);
+    Diagnostic::error(Code::BadChoice, order.span, message).fail()
+}
+
 /// Fails for a knot that is to be changed no times.
-fn at_least_once(done: &str, times: Spanned<usize>) -> Result<()> {
+pub(super) fn at_least_once(done: &str, times: Spanned<usize>) -> Result<()> {
     if 0 < times.value {
         return Ok(());
     }

@@ -1,0 +1,52 @@
+//! `join` of surfaces: a grid of patches as one.
+
+use std::sync::Arc;
+
+use super::check_size;
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::{Grid, NurbsSurface, join_patches},
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// A grid of patches as one surface: `patches[i][j]`, i along u, j along v, as `decompose` gives
+    /// them.
+    ///
+    /// Exact: each keeps the lengths of its domains, behind those before it; all get the highest
+    /// degrees among them. A joint keeps only the knots that its continuity needs, so that
+    /// bicubic patches that meet C² become one spline surface with simple knots. Gaps up to the
+    /// document's tolerance are closed halfway. One strip of patches is `[[a, b]]` along v and
+    /// `[[a], [b]]` along u. Linkeová, *Curves and Surfaces for Computer Graphics*, §3.7.
+    join in Edit -> NurbsSurface {
+        /// The patches, two or more.
+        patches: Spanned<Vec<Vec<Arc<NurbsSurface>>>>,
+    }
+    example "join([[bilinear((0, 0), (0, 1), (1, 0), (1, 1))], [bilinear((1, 0), (1, 1), (3, 0), (3, 1))]]).patches" => "[2, 1]";
+    example "join(decompose(clamped([for i in 0..4: [for j in 0..4: (i, j, if i == 2 then 1 else 0)]]))).knots_u" => "[0, 0, 0, 0, 1, 2, 2, 2, 2]";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
+    let span = args.patches.span;
+    let rows = args.patches.value.into_iter();
+    let rows = rows.map(|row| row.iter().map(|patch| NurbsSurface::clone(patch)).collect());
+    let rows: Vec<Vec<NurbsSurface>> = rows.collect();
+    let expected = rows.first().map_or(0, Vec::len);
+    if let Some(row) = rows.iter().position(|row| row.len() != expected) {
+        let got = rows[row].len();
+        let message = format!(
+            "row {row} has {got} patches, row 0 has {expected}; every row needs the same number"
+        );
+        return Diagnostic::error(Code::RaggedGrid, span, message).fail();
+    }
+    let grid = Grid::from_rows(rows).at(span)?;
+    let n = grid.as_slice().len();
+    if n < 2 {
+        let message = format!("2 patches or more are needed, found {n}");
+        return Diagnostic::error(Code::BadCall, span, message).fail();
+    }
+    let n_rows: usize = (0..grid.n_rows()).map(|i| grid.row(i)[0].knots_u().n_points()).sum();
+    let n_columns = grid.row(0).iter().map(|patch| patch.knots_v().n_points()).sum();
+    check_size(n_rows, n_columns, ctx)?;
+    join_patches(&grid, ctx.tolerance.distance).at(span)
+}

@@ -1,0 +1,32 @@
+//! `trim` of a surface: a part of it.
+
+use super::some_of;
+use crate::{
+    diag::{Result, Spanned},
+    kernel::{Interval, Surface},
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// Part of a surface over ranges of its parameters, which it keeps; without `u` or `v` all of
+    /// that direction.
+    ///
+    /// Exact. The result begins and ends at its control points where it was cut.
+    trim in Edit -> Surface {
+        /// The surface.
+        s: Surface,
+        /// The range of u, inside the surface's domain.
+        u: Option<Spanned<Interval>>,
+        /// The range of v.
+        v: Option<Spanned<Interval>>,
+    }
+    example "trim(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), u = 0.5..1).points" => "[[(1, 0, 0), (1, 1, 0)], [(2, 0, 0), (2, 1, 0)]]";
+    example "trim(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), u = 0.5..1, v = 0..0.25).domain_v" => "0..0.25";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Surface> {
+    let ranges = some_of(args.u, args.v, ctx, "a..b")?;
+    ranges
+        .into_iter()
+        .try_fold(args.s, |s, (along, range)| s.trimmed(along, range.value).at(range.span))
+}

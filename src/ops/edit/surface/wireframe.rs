@@ -1,0 +1,67 @@
+//! `wireframe`: isocurves of a surface.
+
+use crate::{
+    diag::{Result, Span, Spanned},
+    kernel::{Curve, Direction, Surface},
+    ops::list::check_length,
+    value::{At, Ctx, FromValue, Mismatch, Type, Value, op},
+};
+
+op! {
+    /// Isocurves of a surface: those of constant u, which run along v, then those of constant v.
+    ///
+    /// A number of curves is spread evenly over the domain, both ends among them; one alone stands
+    /// in the middle. A list has the parameters themselves.
+    wireframe in Edit -> Vec<Curve> {
+        /// The surface.
+        s: Surface,
+        /// How many curves of constant u, or at which u.
+        u: Spanned<Places>,
+        /// How many curves of constant v, or at which v.
+        v: Spanned<Places>,
+    }
+    example "len(wireframe(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), 3, 2))" => "5";
+    example "wireframe(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), [0.25], 0)[0].points" => "[(0.5, 0, 0), (0.5, 1, 0)]";
+}
+
+/// Parameters: evenly spread, or listed.
+#[derive(Clone)]
+enum Places {
+    Even(usize),
+    Listed(Vec<f64>),
+}
+
+impl FromValue for Places {
+    const TYPE: Type = Type::OneOf(&[Type::Count, Type::List(&Type::Ratio, 0)]);
+
+    fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
+        match value {
+            Value::Number(_) => usize::from_value(value, span).map(Self::Even),
+            Value::List(_) => Vec::from_value(value, span).map(Self::Listed),
+            _ => Err(Mismatch::kind(Self::TYPE, value)),
+        }
+    }
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Curve>> {
+    let mut curves = Vec::new();
+    for (across, places) in [(Direction::U, args.u), (Direction::V, args.v)] {
+        let domain = args.s.domain(across);
+        let parameters = match places.value {
+            Places::Even(n) => {
+                check_length(n as f64, ctx)?;
+                match n {
+                    0 => Vec::new(),
+                    1 => vec![domain.at(0.5)],
+                    n => domain.steps(n - 1),
+                }
+            }
+            Places::Listed(parameters) => parameters,
+        };
+        for t in parameters {
+            let t = domain.clamp_inside(t).at(places.span)?;
+            curves.push(args.s.isocurve(across.other(), t).at(places.span)?);
+        }
+    }
+    Ok(curves)
+}

@@ -1,0 +1,6 @@
+surface s = bezier([for i in 0..2: [for j in 0..3: (i, j)]])
+let ragged = continue_bezier(s, "u1", 1, [[(3, 0), (3, 1)], [(4, 0)]])
+let along_u = continue_bezier(s, "v1", 1, [[(0, 4), (1, 4), (2, 4)]])
+let along_v = continue_bezier(s, "u0", 1, [[(0, 4)], [(1, 4)]])
+let order = continue_bezier(s, "u1", 4, [[(3, 0), (3, 1), (3, 2), (3, 3)]])
+let side = continue_bezier(s, "left", 1, [[(3, 0), (3, 1), (3, 2), (3, 3)]])

@@ -1,0 +1,8 @@
+fn patch(x, y) = bilinear((x, y), (x, y + 1), (x + 1, y), (x + 1, y + 1))
+let apart = join([[patch(0, 0)], [patch(1.5, 0)]])
+let across = join([[patch(0, 0), patch(1, 0)]])
+let ragged = join([[patch(0, 0), patch(0, 1)], [patch(1, 0)]])
+let alone = join([[patch(0, 0)]])
+let flat = join([patch(0, 0), patch(1, 0)])
+let speeds = join([[patch(0, 0)], [nurbs([[(1, 0), (1, 1)], [(2, 0), (2, 1)]], weights = [[1, 3], [1, 3]], degree = 1)]])
+let tiny = join([[patch(0, 0)], [reparametrize(patch(1, 0), u = 0..1e-13)]])
