@@ -122,6 +122,21 @@ pub(in crate::kernel) fn quotient_grid(derivatives: &Grid<DVec4>) -> Grid<DVec3>
     })
 }
 
+/// Derivatives in space of homogeneous ones, both as S, Su, Sv, Suu, Suv, Svv.
+///
+/// Piegl & Tiller, *The NURBS Book*, (4.20).
+#[inline(always)]
+pub(in crate::kernel) fn second_order([value, u, v, uu, uv, vv]: [DVec4; 6]) -> [DVec3; 6] {
+    let per_weight = 1.0 / value.w;
+    let s = value.truncate() * per_weight;
+    let su = (u.truncate() - s * u.w) * per_weight;
+    let sv = (v.truncate() - s * v.w) * per_weight;
+    let suu = (uu.truncate() - su * (2.0 * u.w) - s * uu.w) * per_weight;
+    let suv = (uv.truncate() - su * v.w - sv * u.w - s * uv.w) * per_weight;
+    let svv = (vv.truncate() - sv * (2.0 * v.w) - s * vv.w) * per_weight;
+    [s, su, sv, suu, suv, svv]
+}
+
 fn over_factorials(derivatives: &[DVec4]) -> Vec<DVec4> {
     derivatives.iter().zip(factorials(derivatives.len())).map(|(&d, f)| d / f).collect()
 }

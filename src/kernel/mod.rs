@@ -17,7 +17,9 @@ mod interval;
 pub mod jet;
 mod joint;
 mod knots;
+mod lazy;
 mod mesh;
+mod nearest;
 mod positive;
 mod receipt;
 mod refine;
@@ -45,8 +47,8 @@ pub use knots::{KnotVector, Side};
 pub use mesh::{Mesh, grid_mesh, tessellate, tessellate_curve};
 pub use receipt::{Fact, Receipt};
 pub use surface::{
-    Direction, GridSamples, NurbsSurface, ParametricSurface, Surface, SurfaceFunction,
-    join_patches, make_surfaces_compatible,
+    Direction, GridSamples, NurbsSurface, ParametricSurface, Surface, SurfaceEvaluator,
+    SurfaceFoot, SurfaceFunction, join_patches, make_surfaces_compatible,
 };
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;

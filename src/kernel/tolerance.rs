@@ -185,6 +185,13 @@ pub const TOUCH_RELATIVE: f64 = 1e-7;
 /// Larger looks past features that lie close together; smaller looks at rounding.
 pub const SIDE_STEP: f64 = 1e-4;
 
+/// A search for the nearest point is content when nothing is nearer by more than this fraction of
+/// the coordinates.
+///
+/// Larger answers with a place that is visibly not the nearest; smaller looks at ever smaller parts
+/// around it, whose distances differ by rounding.
+pub const NEAREST_RELATIVE: f64 = 1e-13;
+
 /// Rounding of a coordinate, as a fraction of it: the last bit of an `f64`.
 ///
 /// Larger takes digits for noise; smaller than this nothing is computed.

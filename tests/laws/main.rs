@@ -18,6 +18,7 @@ mod lanes;
 mod local;
 mod measure;
 mod mesh;
+mod nearest;
 mod parametric;
 mod places;
 mod some;

@@ -1,5 +1,8 @@
 //! Virote's geometry beside that of other crates: the same curve, the same surface, the same
-//! points, in one run on one thread, turn and turn about. Prints medians and their ratios.
+//! points, in one run on one thread, turn and turn about. Prints times and their ratios.
+
+mod nearest;
+mod surfaces;
 
 use std::{hint::black_box, time::Instant};
 
@@ -19,6 +22,9 @@ const N_POINTS: usize = 1_000_000;
 /// Rounds; each runs both sides once.
 const N_ROUNDS: usize = 9;
 
+/// Items that are timed at once.
+const PART: usize = 10_000;
+
 /// Its multiples are spread evenly and in no order.
 const GOLDEN: f64 = 0.618_033_988_749_895;
 
@@ -31,33 +37,87 @@ fn main() {
     compare("truck-geometry", 3, grid, truck_grid(&net));
     compare("geomcore", 3, grid, geomcore_grid(&net));
 
+    curves();
+    surfaces::compare_scattered();
+    nearest::on_a_curve();
+    nearest::on_a_surface();
+}
+
+/// A million places on a curve.
+fn curves() {
     println!("{N_POINTS} places on a rational cubic of {N_CURVE} control points");
     let curve = curve();
+    let prepare = || drop(black_box(curve.clone().evaluator().clone()));
+    println!("  virote prepares it in {:.1} us", fastest(prepare) * 1e6);
     let in_order = parameters();
     let at_random: Vec<f64> = (0..N_POINTS).map(|i| (i as f64 * GOLDEN).fract()).collect();
     for (order, ts) in [("in order", &in_order), ("at random", &at_random)] {
-        // What prepares the curve is part of the work.
-        let points = || {
-            let evaluator = curve.evaluator();
-            ts.iter().map(|&t| evaluator.point_at(t)).fold(DVec3::ZERO, |sum, p| sum + p)
+        let evaluator = curve.evaluator();
+        let points = |ts: &[f64]| {
+            let mut sum = DVec3::ZERO;
+            evaluator.each_point(ts, |point| sum += point);
+            sum
         };
         println!(" points {order}");
-        compare("geomcore", N_ROUNDS, points, geomcore_curve(&curve, ts));
-        compare("curvo", N_ROUNDS, points, curvo_curve(&curve, ts));
-        compare("truck-geometry", 3, points, truck_curve(&curve, ts));
+        compare_parts("geomcore", ts, points, geomcore_curve(&curve));
+        compare_parts("curvo", ts, points, curvo_curve(&curve));
+        compare_parts("truck-geometry", ts, points, truck_curve(&curve));
 
         println!(" points {order}, one by one");
-        let unprepared = || ts.iter().map(|&t| curve.point_at(t)).fold(DVec3::ZERO, |a, b| a + b);
-        compare("geomcore", N_ROUNDS, unprepared, geomcore_curve(&curve, ts));
+        let one_by_one = |ts: &[f64]| ts.iter().map(|&t| evaluator.point_at(t)).sum();
+        compare_parts("geomcore", ts, one_by_one, geomcore_curve(&curve));
+
+        println!(" points {order}, one by one from the knots");
+        let unprepared = |ts: &[f64]| ts.iter().map(|&t| curve.point_at(t)).sum();
+        compare_parts("geomcore", ts, unprepared, geomcore_curve(&curve));
 
         println!(" points, first and second derivatives {order}");
-        let second_order = || {
-            let evaluator = curve.evaluator();
-            let digest = |&t: &f64| in_units_of_spans(evaluator.second_order_at(t));
-            ts.iter().map(digest).fold(DVec3::ZERO, |sum, p| sum + p)
+        let second_order = |ts: &[f64]| {
+            let mut sum = DVec3::ZERO;
+            evaluator.each_second_order(ts, |derivatives| sum += in_units_of_spans(derivatives));
+            sum
         };
-        compare("geomcore", N_ROUNDS, second_order, geomcore_second_order(&curve, ts));
+        compare_parts("geomcore", ts, second_order, geomcore_second_order(&curve));
     }
+}
+
+/// The least of many times, in seconds.
+fn fastest(run: impl Fn()) -> f64 {
+    let time = |_| {
+        let start = Instant::now();
+        run();
+        start.elapsed().as_secs_f64()
+    };
+    (0..100).map(time).fold(f64::INFINITY, f64::min)
+}
+
+/// Runs both over parts of the work, part by part in turn, and adds up what each part took at
+/// least: so short a time is rarely interrupted. Prints what one of the items takes.
+fn compare_parts<T>(
+    name: &str,
+    items: &[T],
+    ours: impl Fn(&[T]) -> DVec3,
+    theirs: impl Fn(&[T]) -> DVec3,
+) {
+    let (mut us, mut them) = (0.0, 0.0);
+    let parts = items.chunks(PART);
+    let mut least = vec![[f64::INFINITY; 2]; parts.len()];
+    for _ in 0..N_ROUNDS {
+        for (part, least) in parts.clone().zip(&mut least) {
+            let (time, our_sum) = timed(|| ours(part));
+            least[0] = least[0].min(time);
+            let (time, their_sum) = timed(|| theirs(part));
+            least[1] = least[1].min(time);
+            let difference = our_sum.distance(their_sum) / our_sum.length();
+            assert!(difference < 1e-9, "{name} computes something else: {difference}");
+        }
+    }
+    for [ours, theirs] in least {
+        (us, them) = (us + ours, them + theirs);
+    }
+    let (us, them) = (us * 1e6 / items.len() as f64, them * 1e6 / items.len() as f64);
+    let ratio = them / us;
+    println!("  virote {us:9.1} ns   {name:15} {them:9.1} ns   {ratio:6.1} times ours");
 }
 
 /// The sum of a point and its derivatives, in a unit that makes them alike in size.
@@ -244,10 +304,10 @@ fn in_geomcore(curve: &NurbsCurve) -> geomcore::BSplineCurve {
         .expect("points for their knots")
 }
 
-fn geomcore_second_order<'a>(curve: &NurbsCurve, ts: &'a [f64]) -> impl Fn() -> DVec3 + 'a {
+fn geomcore_second_order(curve: &NurbsCurve) -> impl Fn(&[f64]) -> DVec3 {
     use geomcore::prelude::ParametricCurve;
     let curve = in_geomcore(curve);
-    move || {
+    move |ts: &[f64]| {
         let digest = |&t: &f64| {
             let (point, first, second) = curve.eval_d2(t);
             let vector = |v: geomcore::Vector| DVec3::new(v.x, v.y, v.z);
@@ -258,35 +318,35 @@ fn geomcore_second_order<'a>(curve: &NurbsCurve, ts: &'a [f64]) -> impl Fn() -> 
     }
 }
 
-fn geomcore_curve<'a>(curve: &NurbsCurve, ts: &'a [f64]) -> impl Fn() -> DVec3 + 'a {
+fn geomcore_curve(curve: &NurbsCurve) -> impl Fn(&[f64]) -> DVec3 {
     use geomcore::prelude::ParametricCurve;
     let curve = in_geomcore(curve);
-    move || {
+    move |ts: &[f64]| {
         ts.iter()
             .map(|&t| curve.eval_point(t))
             .fold(DVec3::ZERO, |sum, point| sum + DVec3::new(point.x, point.y, point.z))
     }
 }
 
-fn curvo_curve<'a>(curve: &NurbsCurve, ts: &'a [f64]) -> impl Fn() -> DVec3 + 'a {
+fn curvo_curve(curve: &NurbsCurve) -> impl Fn(&[f64]) -> DVec3 {
     let points = curve.control_points().iter();
     let points = points.map(|p| nalgebra::Point4::new(p.x, p.y, p.z, p.w)).collect();
     let curve = curvo::prelude::NurbsCurve3D::try_new(3, points, clamped_knots(N_CURVE))
         .expect("points for their knots");
-    move || {
+    move |ts: &[f64]| {
         ts.iter()
             .map(|&t| curve.point_at(t))
             .fold(DVec3::ZERO, |sum, point| sum + DVec3::new(point.x, point.y, point.z))
     }
 }
 
-fn truck_curve<'a>(curve: &NurbsCurve, ts: &'a [f64]) -> impl Fn() -> DVec3 + 'a {
+fn truck_curve(curve: &NurbsCurve) -> impl Fn(&[f64]) -> DVec3 {
     use truck_geometry::prelude::{BSplineCurve, KnotVec, NurbsCurve, ParametricCurve, Vector4};
     let points = curve.control_points().iter();
     let points = points.map(|p| Vector4::new(p.x, p.y, p.z, p.w)).collect();
     let curve: NurbsCurve<Vector4> =
         NurbsCurve::new(BSplineCurve::new(KnotVec::from(clamped_knots(N_CURVE)), points));
-    move || {
+    move |ts: &[f64]| {
         ts.iter()
             .map(|&t| curve.subs(t))
             .fold(DVec3::ZERO, |sum, point| sum + DVec3::new(point.x, point.y, point.z))

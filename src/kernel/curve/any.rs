@@ -118,9 +118,12 @@ impl Curve {
     /// # Errors
     /// As [`Self::point_at`].
     pub fn sample(&self, n: usize) -> Result<Vec<DVec3>, GeomError> {
-        match n {
-            0 => Ok(Vec::new()),
-            _ => self.domain().steps(n - 1).into_iter().map(|t| self.point_at(t)).collect(),
+        match (self, n) {
+            (Self::Nurbs(curve), _) => Ok(curve.sample(n)),
+            (Self::Parametric(_), 0) => Ok(Vec::new()),
+            (Self::Parametric(curve), _) => {
+                self.domain().steps(n - 1).into_iter().map(|t| curve.point_at(t)).collect()
+            }
         }
     }
 

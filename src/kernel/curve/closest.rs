@@ -1,18 +1,13 @@
 //! The point of a curve that is nearest to a given one.
-//!
-//! Pieces whose control points are further away than the best foot so far are left out; of the
-//! others every foot is found, as a root of (C − P)·C' by its Bernstein coefficients. So the answer
-//! is that of the whole curve, and not of the neighbourhood of a guess.
 
-use glam::{DVec3, DVec4};
+use glam::DVec3;
 
 use super::NurbsCurve;
 use crate::kernel::{
-    Interval,
-    bernstein::{derivative, product},
-    bezier,
-    roots::Signs,
-    tolerance::{LAST_BIT, SIGN_RELATIVE},
+    Side,
+    frame::norm,
+    nearest::{Nearest, Wanted},
+    tolerance::{LAST_BIT, PLACE_RELATIVE},
 };
 
 /// The nearest point of a curve.
@@ -24,38 +19,60 @@ pub struct Foot {
     pub point: DVec3,
     /// How far away it is.
     pub distance: f64,
-    /// Places that are as near as that, within the tolerance.
+    /// Places that are as near as that, within the tolerance; of a stretch that is all as near, its
+    /// ends.
     pub count: usize,
 }
 
 impl NurbsCurve {
-    /// The nearest point to `p`. Places of the curve whose distances differ by less than
-    /// `tolerance` count as equally near.
+    /// The nearest point to `p`, of the whole curve. Places of the curve whose distances differ by
+    /// less than `tolerance` count as equally near.
     #[must_use]
     pub fn closest(&self, p: DVec3, tolerance: f64) -> Foot {
-        let mut feet: Vec<(f64, f64)> = Vec::new();
-        let mut best = self.point_at(self.domain().start()).distance(p);
-        let mut spans: Vec<(f64, usize)> =
-            self.knots().spans().map(|span| (self.least_distance(span, p), span)).collect();
-        spans.sort_by(|a, b| a.0.total_cmp(&b.0));
-        for (least, span) in spans {
-            if best + tolerance < least {
-                break;
-            }
-            for t in self.feet_of_span(span, p) {
-                let distance = self.point_at(t).distance(p);
-                best = best.min(distance);
-                feet.push((t, distance));
-            }
-        }
+        let prepare = || Nearest::of_curve(&self.knots, &self.control_points);
+        let nearest = self.nearest.get_or_make(prepare);
+        let near = nearest.places(&self.control_points, p, Wanted::AllWithin(tolerance));
+        let mut feet: Vec<(f64, f64)> =
+            near.into_iter().map(|[t, _]| (t, norm(self.point_at(t) - p))).collect();
+        let best = feet.iter().map(|&(_, distance)| distance).fold(f64::INFINITY, f64::min);
         let rounding = LAST_BIT * (p.abs().max_element() + self.magnitude());
         feet.retain(|&(_, distance)| distance <= best + tolerance);
+        // Other places on the way to them are dropped, unless there is nothing else.
+        if feet.iter().any(|&(t, distance)| distance <= best + rounding && self.is_foot(t, p)) {
+            feet.retain(|&(t, _)| self.is_foot(t, p));
+        } else {
+            feet.retain(|&(_, distance)| distance <= best + rounding);
+        }
         feet.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let nearest = feet.iter().find(|&&(_, distance)| distance <= best + rounding);
-        let parameter = nearest.map_or(self.domain().start(), |&(t, _)| t);
+        let first = feet.iter().find(|&&(_, distance)| distance <= best + rounding);
+        let parameter = first.map_or(self.domain().start(), |&(t, _)| t);
         let point = self.point_at(parameter);
-        let count = self.different_places(&feet, tolerance);
-        Foot { parameter, point, distance: point.distance(p), count }
+        let count = self.different_places(&feet, tolerance).max(1);
+        Foot { parameter, point, distance: norm(point - p), count }
+    }
+
+    /// Whether neither side of a place leads nearer to `p`; at the seam of a closed curve there
+    /// are two.
+    fn is_foot(&self, t: f64, p: DVec3) -> bool {
+        let domain = self.domain();
+        let is_closed = self.start() == self.end();
+        let slope = |t: f64, side: Side| {
+            let [point, velocity] = self.velocity_on(self.knots.span_beside(t, side), t);
+            let away = point - p;
+            away.dot(velocity) / (norm(away) * norm(velocity))
+        };
+        let before = match t <= domain.start() {
+            false => slope(t, Side::Left),
+            true if is_closed => slope(domain.end(), Side::Left),
+            true => 0.0,
+        };
+        let behind = match domain.end() <= t {
+            false => slope(t, Side::Right),
+            true if is_closed => slope(domain.start(), Side::Right),
+            true => 0.0,
+        };
+        // Where the curve stands still there is no slope.
+        !(PLACE_RELATIVE < before || behind < -PLACE_RELATIVE)
     }
 
     /// How many of the feet are different places of the curve.
@@ -69,55 +86,4 @@ impl NurbsCurve {
         }
         places.len()
     }
-
-    /// No point of the span is nearer than this.
-    fn least_distance(&self, span: usize, p: DVec3) -> f64 {
-        let points = &self.control_points()[self.knots().support(span)];
-        if points.iter().any(|point| point.w <= 0.0) {
-            return 0.0;
-        }
-        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        for point in points {
-            let place = point.truncate() / point.w;
-            (low, high) = (low.min(place), high.max(place));
-        }
-        p.distance(p.clamp(low, high))
-    }
-
-    /// The ends of a span and every parameter where the distance has a minimum.
-    fn feet_of_span(&self, span: usize, p: DVec3) -> Vec<f64> {
-        let interval = self.knots().span_interval(span);
-        let points = bezier::piece(self.knots(), self.control_points(), span);
-        let mut signs = Signs::default();
-        let (slope, rounding) = slope_of_distance(&points, p);
-        signs.follow(interval, &slope, rounding);
-        let minima = signs.changes().iter().filter(|&&(_, sign)| sign > 0).map(|&(t, _)| t);
-        let inside = minima.map(|t| self.polished_foot(t, interval, p));
-        [interval.start(), interval.end()].into_iter().chain(inside).collect()
-    }
-
-    /// A foot after one step of Newton's method, where that comes nearer.
-    fn polished_foot(&self, t: f64, interval: Interval, p: DVec3) -> f64 {
-        let derivatives = self.derivatives_on(self.knots().span_at(interval.at(0.5)), t, 2);
-        let away = derivatives[0] - p;
-        let slope = away.dot(derivatives[1]);
-        let change = derivatives[1].length_squared() + away.dot(derivatives[2]);
-        let better = t - slope / change;
-        let is_better = interval.contains(better)
-            && self.point_at(better).distance(p) < derivatives[0].distance(p);
-        if is_better { better } else { t }
-    }
-}
-
-/// (A − Pw)·(A'w − Aw'), which has the sign of the slope of the distance from P, and its rounding.
-fn slope_of_distance(points: &[DVec4], p: DVec3) -> (Vec<f64>, f64) {
-    let away: Vec<DVec3> = points.iter().map(|point| point.truncate() - p * point.w).collect();
-    let weight: Vec<f64> = points.iter().map(|point| point.w).collect();
-    let times = |vector: DVec3, factor: f64| vector * factor;
-    let grown = product(&derivative(&away), &weight, times);
-    let shrunk = product(&away, &derivative(&weight), times);
-    let velocity: Vec<DVec3> = grown.iter().zip(&shrunk).map(|(&a, &b)| a - b).collect();
-    let slope = product(&away, &velocity, DVec3::dot);
-    let largest = |vectors: &[DVec3]| vectors.iter().fold(0.0, |most: f64, v| most.max(v.length()));
-    (slope, SIGN_RELATIVE * largest(&away) * largest(&velocity))
 }

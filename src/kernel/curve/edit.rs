@@ -76,7 +76,7 @@ impl NurbsCurve {
     pub fn reversed(&self) -> Self {
         let control_points = self.control_points.iter().rev().copied().collect();
         let knots = self.knots.reversed();
-        Self { knots, control_points, is_rational: self.is_rational, receipt: Receipt::NONE }
+        Self { knots, control_points, receipt: Receipt::NONE, ..self.clone() }
     }
 
     /// The same points over another domain.

@@ -81,7 +81,7 @@ impl NurbsCurve {
         let domain: Interval = self.domain();
         match n {
             0 => Vec::new(),
-            _ => domain.steps(n - 1).into_iter().map(|t| self.point_at(t)).collect(),
+            _ => self.evaluator().points_at(&domain.steps(n - 1)),
         }
     }
 }

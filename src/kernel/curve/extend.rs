@@ -52,7 +52,7 @@ impl NurbsCurve {
     fn mirrored(&self) -> Self {
         let control_points = self.control_points.iter().rev().copied().collect();
         let knots = self.knots.mirrored();
-        Self { knots, control_points, is_rational: self.is_rational, receipt: Receipt::NONE }
+        Self { knots, control_points, receipt: Receipt::NONE, ..self.clone() }
     }
 
     /// The last piece of a clamped curve prolonged or cut, so that the domain ends at `end`.

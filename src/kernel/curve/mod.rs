@@ -49,7 +49,8 @@ mod spline_of;
 use glam::{DAffine3, DVec3, DVec4};
 
 use super::{
-    GeomError, Interval, KnotVector, Receipt, Tolerance, frame::norm, homogeneous, positive,
+    GeomError, Interval, KnotVector, Receipt, Tolerance, frame::norm, homogeneous, lazy::Lazy,
+    nearest::Nearest, positive,
 };
 
 pub use any::Curve;
@@ -76,6 +77,10 @@ pub struct NurbsCurve {
     control_points: Vec<DVec4>,
     is_rational: bool,
     receipt: Receipt,
+    /// The pieces, prepared for many parameters.
+    evaluator: Lazy<CurveEvaluator>,
+    /// The same, prepared to be searched for the nearest point.
+    nearest: Lazy<Nearest>,
 }
 
 impl NurbsCurve {
@@ -165,7 +170,9 @@ impl NurbsCurve {
     /// A curve of parts that keep the invariants by construction.
     pub(in crate::kernel) fn trusted(knots: KnotVector, control_points: Vec<DVec4>) -> Self {
         let is_rational = homogeneous::have_different_weights(&control_points);
-        Self { knots, control_points, is_rational, receipt: Receipt::NONE }
+        let (evaluator, nearest) = (Lazy::default(), Lazy::default());
+        let receipt = Receipt::NONE;
+        Self { knots, control_points, is_rational, receipt, evaluator, nearest }
     }
 
     /// The same with a receipt of how it was made.
@@ -255,7 +262,6 @@ impl NurbsCurve {
     pub fn transformed(&self, map: &DAffine3) -> Self {
         let move_point = |&point: &DVec4| homogeneous::transformed(point, map);
         let control_points = self.control_points.iter().map(move_point).collect();
-        let knots = self.knots.clone();
-        Self { knots, control_points, is_rational: self.is_rational, receipt: Receipt::NONE }
+        Self { control_points, receipt: Receipt::NONE, ..self.clone() }
     }
 }

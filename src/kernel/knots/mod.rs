@@ -1,14 +1,19 @@
 //! Knot vectors and the B-spline functions over them;
-//! `change` makes other vectors of one, `fast` has the basis of the usual degrees.
+//! `change` makes other vectors of one, `fast` has the basis of the usual degrees, `lookup` finds
+//! the pieces of many parameters and `expansion` writes them in powers.
 //!
 //! Conventions of *The NURBS Book*: degree p, all knots u₀ … uₘ, m = n + p + 1 for n + 1 control
 //! points, domain [u_p, u_{n+1}], the last span closed on the right.
 
 mod change;
+mod expansion;
 mod fast;
+mod lookup;
 
+pub(in crate::kernel) use expansion::{BasisExpansion, POWER_DEGREE, convert_to_bezier, in_powers};
 use fast::Reciprocals;
 pub(in crate::kernel) use fast::acting;
+pub(in crate::kernel) use lookup::{BATCH, Lookup, Place};
 
 use std::ops::RangeInclusive;
 

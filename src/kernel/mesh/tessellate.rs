@@ -123,8 +123,11 @@ pub fn tessellate_curve(
 fn chord_deviation(curve: &NurbsCurve, piece: Interval, n_parts: usize) -> f64 {
     let (a, b) = (curve.point_at(piece.start()), curve.point_at(piece.end()));
     let parts = piece.steps(n_parts);
-    let distance = |&t: &f64| distance_to_segment(curve.point_at(t), a, b);
-    parts[1..n_parts].iter().map(distance).fold(0.0, f64::max)
+    let mut most = 0.0_f64;
+    curve.evaluator().each_point(&parts[1..n_parts], |point| {
+        most = most.max(distance_to_segment(point, a, b));
+    });
+    most
 }
 
 /// How many parts of a span are told apart however few cells it has. A polynomial bends back

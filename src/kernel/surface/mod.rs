@@ -2,18 +2,21 @@
 //!
 //! `any` is a surface of either kind, `parametric` that of a function. Of B-splines this file has
 //! the type, its constructors and what can be read off it; `eval` computes points
-//! and derivatives, `grid_eval` many of them at once, `normal` unit normals where they exist,
-//! `iso` the curves on it and its box, `ruled` surfaces between curves. `direction` is u or v, along
-//! which `edit` changes the representation or cuts, and `compatible` brings several to one basis.
+//! and derivatives, `evaluator` the same at many places, `grid_eval` on grids, `normal` unit normals
+//! where they exist, `closest` the nearest point, `iso` the curves on it and its box, `ruled`
+//! surfaces between curves. `direction` is u or v, along which `edit` changes the representation or
+//! cuts, and `compatible` brings several to one basis.
 //! `rearrange` does of this what functions allow, `parts` has what a form is made of, `continuation`
 //! patches that go on from a side, `join` makes one surface of many.
 
 mod any;
+mod closest;
 mod compatible;
 mod continuation;
 mod direction;
 mod edit;
 mod eval;
+mod evaluator;
 mod grid_eval;
 mod iso;
 mod join;
@@ -26,13 +29,18 @@ mod ruled;
 use glam::{DAffine3, DVec3, DVec4};
 
 pub use any::Surface;
+pub use closest::SurfaceFoot;
 pub use compatible::make_surfaces_compatible;
 pub use direction::Direction;
+pub use evaluator::SurfaceEvaluator;
 pub use grid_eval::GridSamples;
 pub use join::join_patches;
 pub use parametric::{ParametricSurface, SurfaceFunction};
 
-use super::{GeomError, Grid, Interval, KnotVector, Receipt, homogeneous, positive};
+use super::{
+    GeomError, Grid, Interval, KnotVector, Receipt, homogeneous, knots::BasisExpansion, lazy::Lazy,
+    nearest::Nearest, positive,
+};
 
 /// A rational B-spline surface; row i of its net runs along u, column j along v.
 ///
@@ -47,6 +55,10 @@ pub struct NurbsSurface {
     /// The area of Su × Sv over a span each that is rounding and no area.
     fold_area: f64,
     receipt: Receipt,
+    /// The basis functions, prepared for many parameters.
+    bases: Lazy<[BasisExpansion; 2]>,
+    /// The patches, prepared to be searched for the nearest point.
+    nearest: Lazy<Nearest>,
 }
 
 impl NurbsSurface {
@@ -131,7 +143,16 @@ impl NurbsSurface {
     ) -> Self {
         let is_rational = homogeneous::have_different_weights(control_points.as_slice());
         let fold_area = normal::fold_area(&control_points);
-        Self { knots_u, knots_v, control_points, is_rational, fold_area, receipt: Receipt::NONE }
+        Self {
+            knots_u,
+            knots_v,
+            control_points,
+            is_rational,
+            fold_area,
+            receipt: Receipt::NONE,
+            bases: Lazy::default(),
+            nearest: Lazy::default(),
+        }
     }
 
     /// The same with a receipt of how it was made.

@@ -44,6 +44,7 @@ pub(super) static OPS: &[&Op] = &[
     &curve::parameter_at_length::OP,
     &curve::divide::OP,
     &curve::closest::OP,
+    &surface::closest::OP,
     &curve::inflections::OP,
     &curve::vertices::OP,
     &curve::extrema::OP,

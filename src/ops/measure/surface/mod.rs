@@ -1,6 +1,7 @@
 //! Questions about surfaces.
 
 pub(super) mod at;
+pub(super) mod closest;
 pub(super) mod derivative;
 pub(super) mod normal;
 

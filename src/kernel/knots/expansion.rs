@@ -1,0 +1,130 @@
+//! Splines piece by piece: the Bézier form of a span, and expansions in powers about its ends.
+
+use std::ops::{Add, Mul, Sub};
+
+use super::{KnotVector, Lookup, Place};
+use crate::kernel::bernstein::binomials;
+
+/// The highest degree that is evaluated in powers: over half a span, rounding is at most 2ᵖ that
+/// of the coefficients.
+pub(in crate::kernel) const POWER_DEGREE: usize = 5;
+
+/// Turns the coefficients of a span, p + 1 of any kind, into those of its Bézier form: the
+/// blossoms `f(a, … a, b, … b)` at the ends a and b of the span, by interpolation alone.
+///
+/// Ramshaw, *Blossoming: a connect-the-dots approach to splines*.
+pub(in crate::kernel) fn convert_to_bezier<T>(knots: &KnotVector, span: usize, points: &mut [T])
+where
+    T: Copy + Add<Output = T> + Mul<f64, Output = T>,
+{
+    let (p, u) = (knots.degree(), knots.as_slice());
+    let (a, b) = (u[span], u[span + 1]);
+    let between = |x: f64, left: f64, right: f64| (x - left) / (right - left);
+
+    // From f(u_{i−p+1+k}, … u_{i+k}) to f(a, … a, u_{i+1}, … u_{i+k}), i the span and k the point.
+    for n_at_a in 1..=p {
+        for k in 0..=p - n_at_a {
+            let alpha = between(a, u[span + k + n_at_a - p], u[span + k + 1]);
+            points[k] = points[k] * (1.0 - alpha) + points[k + 1] * alpha;
+        }
+    }
+
+    // On to f(a, … a, b, … b).
+    for n_at_b in 1..p {
+        for k in (n_at_b + 1..=p).rev() {
+            let alpha = between(b, a, u[span + k - n_at_b + 1]);
+            points[k] = points[k - 1] * (1.0 - alpha) + points[k] * alpha;
+        }
+    }
+}
+
+/// The expansions of a Bézier form in powers of s about its start and of s − 1 about its end:
+/// `C(p, k)ΔᵏP₀` and `C(p, k)∇ᵏPₚ`, one after the other.
+///
+/// Farin, *Curves and Surfaces for CAGD*, §5.8.
+pub(in crate::kernel) fn in_powers<T>(mut points: Vec<T>) -> Vec<T>
+where
+    T: Copy + Sub<Output = T> + Mul<f64, Output = T>,
+{
+    let n = points.len();
+    let mut about_start = Vec::with_capacity(2 * n);
+    let mut about_end = Vec::with_capacity(n);
+    for (k, binomial) in binomials(n - 1).into_iter().enumerate() {
+        about_start.push(points[0] * binomial);
+        about_end.push(points[n - 1 - k] * binomial);
+        for i in 1..n - k {
+            points[i - 1] = points[i] - points[i - 1];
+        }
+    }
+    about_start.extend(about_end);
+    about_start
+}
+
+/// The functions of a basis expanded in powers, for degrees up to [`POWER_DEGREE`].
+#[derive(Debug)]
+pub(in crate::kernel) struct BasisExpansion {
+    pub(in crate::kernel) lookup: Lookup,
+    /// The first function that acts on each half of a span.
+    firsts: Vec<usize>,
+    /// For each half of a span the coefficients of s⁰, s¹, …; each the p + 1 of the functions.
+    coefficients: Vec<Functions>,
+}
+
+/// A value for each of the functions that act on a span; beyond p + 1 there are zeros.
+pub(in crate::kernel) type Functions = [f64; POWER_DEGREE + 1];
+
+impl BasisExpansion {
+    pub(in crate::kernel) fn new(knots: &KnotVector) -> Self {
+        let n = knots.degree() + 1;
+        let (mut firsts, mut coefficients) = (Vec::new(), Vec::new());
+        for span in knots.spans() {
+            let mut halves = vec![[0.0; POWER_DEGREE + 1]; 2 * n];
+            for function in 0..n {
+                let mut points = vec![0.0; n];
+                points[function] = 1.0;
+                convert_to_bezier(knots, span, &mut points);
+                for (all, of_function) in halves.iter_mut().zip(in_powers(points)) {
+                    all[function] = of_function;
+                }
+            }
+            firsts.extend([span + 1 - n; 2]);
+            coefficients.extend(halves);
+        }
+        Self { lookup: Lookup::of_halves(knots), firsts, coefficients }
+    }
+
+    /// The first function that acts at a place.
+    #[inline(always)]
+    pub(in crate::kernel) fn first(&self, place: Place) -> usize {
+        self.firsts[place.piece]
+    }
+
+    /// The values of the `n` functions, p + 1.
+    #[inline(always)]
+    pub(in crate::kernel) fn values(&self, place: Place, n: usize) -> Functions {
+        let rows = &self.coefficients[place.piece * n..][..n];
+        let mut values = rows[n - 1];
+        for row in rows[..n - 1].iter().rev() {
+            for i in 0..n {
+                values[i] = values[i] * place.s + row[i];
+            }
+        }
+        values
+    }
+
+    /// The values of the `n` functions with their first and second derivatives, by s.
+    #[inline(always)]
+    pub(in crate::kernel) fn second_order(&self, place: Place, n: usize) -> [Functions; 3] {
+        let rows = &self.coefficients[place.piece * n..][..n];
+        let mut values = rows[n - 1];
+        let (mut slopes, mut bends) = ([0.0; POWER_DEGREE + 1], [0.0; POWER_DEGREE + 1]);
+        for row in rows[..n - 1].iter().rev() {
+            for i in 0..n {
+                bends[i] = bends[i] * place.s + slopes[i];
+                slopes[i] = slopes[i] * place.s + values[i];
+                values[i] = values[i] * place.s + row[i];
+            }
+        }
+        [values, slopes, bends.map(|bend| 2.0 * bend)]
+    }
+}

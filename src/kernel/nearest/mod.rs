@@ -1,0 +1,309 @@
+//! The nearest point of a spline, of the whole of it.
+//!
+//! Patches come in the order of their boxes. On a patch |A|² − λw² is a polynomial, A the
+//! homogeneous point seen from the place that is asked for, and it is negative where the spline is
+//! nearer than √λ: where its Bernstein coefficients are not, the patch is left out. Elsewhere a
+//! minimum is found by Newton's method within the patch. It is the only one if the polynomial is
+//! convex with λ the square of its distance; otherwise the patch is halved. So the answer does not
+//! hang on a guess, minima on the boundary are found like all others, and nothing is sampled.
+//!
+//! `tree` has the boxes, `patch` a patch and the minimum on a part of it, `gap` the polynomial.
+
+mod gap;
+mod patch;
+mod tree;
+
+use glam::{DVec3, DVec4};
+
+use super::{Grid, KnotVector, knots::convert_to_bezier, tolerance::NEAREST_RELATIVE};
+use gap::Gap;
+use patch::Patch;
+pub(in crate::kernel) use patch::{Cell, Way, descend};
+use tree::Tree;
+
+/// Parts looked at before the search becomes content with less. Only where a whole line is nearly
+/// equally near, askew to the parameters, are there that many.
+const MANY_PARTS: usize = 1000;
+
+/// How many times less the search is content with after that many parts.
+const LENIENCY: f64 = 8.0;
+
+/// Parts looked at, whatever comes: for the sake of numbers out of range.
+const MOST_PARTS: usize = 100 * MANY_PARTS;
+
+/// Fourth powers of larger coordinates have no place among the numbers.
+const LARGE: f64 = (1_u128 << 120) as f64 * (1_u128 << 120) as f64;
+
+/// Halvings of a patch along one direction, to the last bits of its parameter.
+const MAX_HALVINGS: u8 = 48;
+
+/// A tensor-product spline prepared to be searched; a curve has a single column.
+#[derive(Debug)]
+pub(in crate::kernel) struct Nearest {
+    along: [Direction; 2],
+    tree: Tree,
+    magnitude: f64,
+}
+
+/// The spans of one direction.
+#[derive(Debug)]
+struct Direction {
+    degree: usize,
+    spans: Vec<Span>,
+    /// For each span the (p + 1)² factors that make Bézier points of control points, row by row.
+    to_bezier: Vec<f64>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Span {
+    start: f64,
+    end: f64,
+    /// The first control point that acts on it.
+    first: usize,
+}
+
+/// Which places are looked for.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::kernel) enum Wanted {
+    /// One of the nearest.
+    One,
+    /// Each local minimum that is at most so much further away than the nearest.
+    AllWithin(f64),
+}
+
+impl Direction {
+    fn new(knots: &KnotVector) -> Self {
+        let n = knots.degree() + 1;
+        let (mut spans, mut to_bezier) = (Vec::new(), Vec::new());
+        for span in knots.spans() {
+            let interval = knots.span_interval(span);
+            spans.push(Span {
+                start: interval.start(),
+                end: interval.end(),
+                first: *knots.support(span).start(),
+            });
+            let column = |j: usize| {
+                let mut points: Vec<f64> = (0..n).map(|i| if i == j { 1.0 } else { 0.0 }).collect();
+                convert_to_bezier(knots, span, &mut points);
+                points
+            };
+            let columns: Vec<Vec<f64>> = (0..n).map(column).collect();
+            to_bezier.extend((0..n).flat_map(|i| columns.iter().map(move |column| column[i])));
+        }
+        Self { degree: n - 1, spans, to_bezier }
+    }
+
+    /// The only span of a direction that a curve does not have.
+    fn single() -> Self {
+        let span = Span { start: 0.0, end: 0.0, first: 0 };
+        Self { degree: 0, spans: vec![span], to_bezier: vec![1.0] }
+    }
+
+    fn to_bezier(&self, span: usize) -> &[f64] {
+        let size = (self.degree + 1) * (self.degree + 1);
+        &self.to_bezier[span * size..][..size]
+    }
+}
+
+impl Nearest {
+    /// Prepares a curve.
+    pub(in crate::kernel) fn of_curve(knots: &KnotVector, points: &[DVec4]) -> Self {
+        Self::new([Direction::new(knots), Direction::single()], 1, points)
+    }
+
+    /// Prepares a surface.
+    pub(in crate::kernel) fn of_surface(knots: [&KnotVector; 2], points: &Grid<DVec4>) -> Self {
+        Self::new(knots.map(Direction::new), points.n_columns(), points.as_slice())
+    }
+
+    fn new(along: [Direction; 2], n_columns: usize, points: &[DVec4]) -> Self {
+        let mut patch = Patch::new([along[0].degree, along[1].degree]);
+        let tree = Tree::new([along[0].spans.len(), along[1].spans.len()], |spans| {
+            patch.take(&along, spans, (points, n_columns), (DVec3::ZERO, 1.0));
+            patch.bounds()
+        });
+        Self { magnitude: tree.magnitude(), along, tree }
+    }
+
+    /// The parameters of places that are nearest to `p`, at least one, and of some that were on the
+    /// way to them; `points` are those that it was made of.
+    pub(in crate::kernel) fn places(
+        &self,
+        points: &[DVec4],
+        p: DVec3,
+        wanted: Wanted,
+    ) -> Vec<[f64; 2]> {
+        let size = self.magnitude.max(p.abs().max_element());
+        let unit = if size < LARGE { 1.0 } else { 1.0 / size };
+        let degrees = [self.along[0].degree, self.along[1].degree];
+        let mut search = Search {
+            whole: self,
+            points,
+            n_columns: points.len() / self.n_rows(),
+            p,
+            unit,
+            wanted: match wanted {
+                Wanted::One => Wanted::One,
+                Wanted::AllWithin(tolerance) => Wanted::AllWithin(tolerance * unit),
+            },
+            rounding: NEAREST_RELATIVE * size * unit,
+            best: f64::INFINITY,
+            found: Vec::new(),
+            patch: Patch::new(degrees),
+            gap: Gap::new(degrees),
+            todo: Vec::new(),
+            n_parts: 0,
+        };
+        search.run();
+        search.parameters()
+    }
+
+    fn n_rows(&self) -> usize {
+        let last = self.along[0].spans.len() - 1;
+        self.along[0].spans[last].first + self.along[0].degree + 1
+    }
+}
+
+/// One search.
+struct Search<'a> {
+    whole: &'a Nearest,
+    points: &'a [DVec4],
+    n_columns: usize,
+    p: DVec3,
+    /// Lengths are multiplied by this.
+    unit: f64,
+    wanted: Wanted,
+    /// What a distance may be wrong by.
+    rounding: f64,
+    best: f64,
+    /// Patches by their spans, and places on them.
+    found: Vec<([usize; 2], [f64; 2])>,
+    patch: Patch,
+    gap: Gap,
+    todo: Vec<Cell>,
+    n_parts: usize,
+}
+
+impl Search<'_> {
+    fn run(&mut self) {
+        let mut nodes = vec![(0.0, self.whole.tree.root())];
+        while let Some((least, node)) = nodes.pop() {
+            if self.limit() < least {
+                continue;
+            }
+            match self.whole.tree.children(node) {
+                Some(children) => {
+                    let mut pair = children
+                        .map(|child| (self.whole.tree.least(child, self.p, self.unit), child));
+                    if pair[0].0 < pair[1].0 {
+                        pair.swap(0, 1);
+                    }
+                    nodes.extend(pair);
+                }
+                None => self.look_at_patch(self.whole.tree.spans(node)),
+            }
+        }
+    }
+
+    /// What is further away than this is of no interest.
+    fn limit(&self) -> f64 {
+        match self.wanted {
+            Wanted::AllWithin(tolerance) => self.best + tolerance,
+            Wanted::One => {
+                let many = self.n_parts / MANY_PARTS;
+                let leniency = (0..many).fold(1.0, |all, _| all * LENIENCY);
+                self.best - self.rounding * leniency
+            }
+        }
+    }
+
+    fn look_at_patch(&mut self, spans: [usize; 2]) {
+        let whole = self.whole;
+        let net = (self.points, self.n_columns);
+        self.patch.take(&whole.along, spans, net, (self.p, self.unit));
+        if self.patch.is_beyond(self.limit()) {
+            return;
+        }
+        self.gap.start(self.patch.net());
+        self.todo.push(Cell::whole([whole.along[0].degree, whole.along[1].degree]));
+        while let Some(cell) = self.todo.pop() {
+            self.gap.next();
+            self.n_parts += 1;
+            self.note_corners(cell, spans);
+            if let Some(direction) = self.direction_to_halve(cell, spans) {
+                let is_left_nearer = self.gap.halve(direction);
+                let [left, right] = cell.halves(direction);
+                self.todo.extend(if is_left_nearer { [right, left] } else { [left, right] });
+            }
+        }
+    }
+
+    /// The squares of the distances of the corners are among the coefficients.
+    fn note_corners(&mut self, cell: Cell, spans: [usize; 2]) {
+        for corner in [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]] {
+            let squared = self.gap.squared_at(corner);
+            if squared < self.best * self.best || self.found.is_empty() {
+                self.note(cell.at(corner), squared.sqrt(), spans);
+            }
+        }
+    }
+
+    /// Finds the minimum on a part that can have but one, and tells how to halve another.
+    fn direction_to_halve(&mut self, cell: Cell, spans: [usize; 2]) -> Option<usize> {
+        let limit = self.limit();
+        let is_done = limit < 0.0 || MOST_PARTS < self.n_parts;
+        if is_done || self.gap.is_never_below(limit * limit) {
+            return None;
+        }
+        if matches!(self.wanted, Wanted::AllWithin(_)) && self.gap.is_nothing(self.best * self.best)
+        {
+            // A whole stretch is equally near.
+            for place in [cell.low, cell.high] {
+                self.note(place, self.best, spans);
+            }
+            return None;
+        }
+        if self.gap.is_convex(limit * limit) {
+            let start = cell.at(self.gap.place_of_least());
+            let minimum = self.patch.minimum(cell, start, self.rounding);
+            self.note(minimum.place, minimum.squared.sqrt(), spans);
+            if minimum.is_stationary && self.gap.is_convex(minimum.squared) {
+                return None;
+            }
+        }
+        self.gap.direction_to_halve(cell.n_halvings, MAX_HALVINGS)
+    }
+
+    fn note(&mut self, place: [f64; 2], distance: f64, spans: [usize; 2]) {
+        let distance_limit = match self.wanted {
+            Wanted::One => self.best,
+            Wanted::AllWithin(_) => self.limit(),
+        };
+        if !self.found.is_empty() && distance_limit < distance {
+            return;
+        }
+        if let Wanted::One = self.wanted {
+            self.found.clear();
+        }
+        self.best = self.best.min(distance);
+        self.found.push((spans, place));
+    }
+
+    /// The parameters of what was found; the nearest place, which may be nearest up to rounding
+    /// only, is improved as far as that goes.
+    fn parameters(&mut self) -> Vec<[f64; 2]> {
+        let along = &self.whole.along;
+        if let (Wanted::One, &[(spans, place)]) = (self.wanted, &self.found[..]) {
+            self.patch.take(along, spans, (self.points, self.n_columns), (self.p, self.unit));
+            let cell = Cell::whole([along[0].degree, along[1].degree]);
+            self.found[0].1 = self.patch.minimum(cell, place, self.rounding).place;
+        }
+        let parameters = |&(spans, place): &([usize; 2], [f64; 2])| {
+            [0, 1].map(|direction| {
+                let Span { start, end, .. } = along[direction].spans[spans[direction]];
+                start * (1.0 - place[direction]) + end * place[direction]
+            })
+        };
+        self.found.iter().map(parameters).collect()
+    }
+}

@@ -1,0 +1,330 @@
+//! A Bézier patch seen from a place, and the nearest point on a part of it.
+
+use std::convert::Infallible;
+
+use glam::{DVec2, DVec3, DVec4};
+
+use super::Direction;
+use crate::kernel::{Bounds, Interval, homogeneous, tolerance::LAST_BIT};
+
+/// Steps towards a minimum; some five are enough where the squared distance is curved.
+const MAX_STEPS: usize = 40;
+
+/// Halvings of a step that leads away.
+const MAX_HALVINGS: usize = 12;
+
+/// A part of a patch, in fractions of its spans.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::kernel) struct Cell {
+    pub(super) low: [f64; 2],
+    pub(super) high: [f64; 2],
+    pub(super) n_halvings: [u8; 2],
+}
+
+/// The nearest point on a part.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Minimum {
+    pub(super) place: [f64; 2],
+    /// The square of its distance.
+    pub(super) squared: f64,
+    /// Whether it is a minimum up to rounding.
+    pub(super) is_stationary: bool,
+}
+
+/// The net of a patch, with room to work.
+pub(super) struct Patch {
+    degrees: [usize; 2],
+    net: Vec<DVec4>,
+    strip: Vec<DVec4>,
+    bases: [Basis; 2],
+}
+
+/// Bernstein polynomials and their first two derivatives.
+struct Basis {
+    values: Vec<f64>,
+    slopes: Vec<f64>,
+    bends: Vec<f64>,
+}
+
+/// The way from the place that is asked for to a point, with its derivatives.
+#[derive(Clone, Copy)]
+pub(in crate::kernel) struct Way {
+    pub(in crate::kernel) place: [f64; 2],
+    squared: f64,
+    /// Half the derivatives of the square.
+    slope: [f64; 2],
+    /// The same of second order: by u, mixed, by v.
+    bend: [f64; 3],
+    /// That of the tangents alone.
+    metric: [f64; 3],
+}
+
+impl Cell {
+    /// The whole patch; of a direction without extent its start.
+    pub(super) fn whole(degrees: [usize; 2]) -> Self {
+        let high = degrees.map(|degree| if degree == 0 { 0.0 } else { 1.0 });
+        Self { low: [0.0; 2], high, n_halvings: [0; 2] }
+    }
+
+    /// A rectangle of parameters.
+    pub(in crate::kernel) fn between(u: Interval, v: Interval) -> Self {
+        let (low, high) = ([u.start(), v.start()], [u.end(), v.end()]);
+        Self { low, high, n_halvings: [0; 2] }
+    }
+
+    pub(super) fn at(&self, fraction: [f64; 2]) -> [f64; 2] {
+        let along = |i: usize| self.low[i] * (1.0 - fraction[i]) + self.high[i] * fraction[i];
+        [along(0), along(1)]
+    }
+
+    pub(super) fn halves(mut self, direction: usize) -> [Self; 2] {
+        self.n_halvings[direction] += 1;
+        let middle = 0.5 * (self.low[direction] + self.high[direction]);
+        let (mut left, mut right) = (self, self);
+        (left.high[direction], right.low[direction]) = (middle, middle);
+        [left, right]
+    }
+
+    fn clamp(&self, place: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|i| place[i].clamp(self.low[i], self.high[i]))
+    }
+
+    /// Whether the way down is barred along a direction.
+    fn bars(&self, way: &Way, i: usize) -> bool {
+        (way.place[i] <= self.low[i] && 0.0 <= way.slope[i])
+            || (self.high[i] <= way.place[i] && way.slope[i] <= 0.0)
+    }
+}
+
+impl Patch {
+    pub(super) fn new(degrees: [usize; 2]) -> Self {
+        let basis = |degree: usize| Basis {
+            values: vec![0.0; degree + 1],
+            slopes: vec![0.0; degree + 1],
+            bends: vec![0.0; degree + 1],
+        };
+        let net = vec![DVec4::ZERO; (degrees[0] + 1) * (degrees[1] + 1)];
+        Self { degrees, strip: net.clone(), net, bases: degrees.map(basis) }
+    }
+
+    /// Becomes the patch over a pair of spans, seen from `p` with lengths multiplied by `unit`.
+    pub(super) fn take(
+        &mut self,
+        along: &[Direction; 2],
+        spans: [usize; 2],
+        (points, n_columns): (&[DVec4], usize),
+        (p, unit): (DVec3, f64),
+    ) {
+        let [n_u, n_v] = self.degrees.map(|degree| degree + 1);
+        let first = [0, 1].map(|i| along[i].spans[spans[i]].first);
+        let seen = |point: DVec4| ((point.truncate() - p * point.w) * unit).extend(point.w);
+        let to_bezier = along[1].to_bezier(spans[1]);
+        for i in 0..n_u {
+            let row = &points[(first[0] + i) * n_columns + first[1]..][..n_v];
+            let strip = &mut self.strip[i * n_v..][..n_v];
+            strip.fill(DVec4::ZERO);
+            for (j, &point) in row.iter().enumerate() {
+                let point = seen(point);
+                for (l, sum) in strip.iter_mut().enumerate() {
+                    *sum += point * to_bezier[l * n_v + j];
+                }
+            }
+        }
+        let to_bezier = along[0].to_bezier(spans[0]);
+        for k in 0..n_u {
+            let net = &mut self.net[k * n_v..][..n_v];
+            net.fill(DVec4::ZERO);
+            for i in 0..n_u {
+                let factor = to_bezier[k * n_u + i];
+                for (sum, &point) in net.iter_mut().zip(&self.strip[i * n_v..][..n_v]) {
+                    *sum += point * factor;
+                }
+            }
+        }
+    }
+
+    pub(super) fn net(&self) -> &[DVec4] {
+        &self.net
+    }
+
+    /// Whether a plane keeps all control points further away than `limit`.
+    pub(super) fn is_beyond(&self, limit: f64) -> bool {
+        let middle: DVec3 = self.net.iter().map(|point| point.truncate()).sum();
+        let Some(direction) = middle.try_normalize() else { return false };
+        let is_behind =
+            |point: &DVec4| 0.0 < point.w && limit * point.w <= point.truncate().dot(direction);
+        self.net.iter().all(is_behind)
+    }
+
+    /// The box of the control points; without bounds where a weight is not positive.
+    pub(super) fn bounds(&self) -> Bounds {
+        let place = |point: &DVec4| point.truncate() / point.w;
+        let is_hull = self.net.iter().all(|point| 0.0 < point.w);
+        let everywhere = Bounds { min: DVec3::NEG_INFINITY, max: DVec3::INFINITY };
+        Bounds::of(self.net.iter().map(place)).filter(|_| is_hull).unwrap_or(everywhere)
+    }
+
+    /// The nearest point on a part, of those that a descent from `start` comes to. It is a minimum
+    /// if no other distance in the part would be less by more than `rounding`, were the square of
+    /// the distance convex.
+    pub(super) fn minimum(&mut self, cell: Cell, start: [f64; 2], rounding: f64) -> Minimum {
+        let Ok(way) = descend(&cell, start, |place| Ok::<Way, Infallible>(self.way(place)));
+        let left: f64 = [0, 1]
+            .into_iter()
+            .filter(|&i| !cell.bars(&way, i))
+            .map(|i| 2.0 * way.slope[i].abs() * (cell.high[i] - cell.low[i]))
+            .sum();
+        let is_stationary = left <= rounding * (2.0 * way.squared.sqrt() + rounding);
+        Minimum { place: way.place, squared: way.squared, is_stationary }
+    }
+
+    fn way(&mut self, place: [f64; 2]) -> Way {
+        let [along_u, along_v] = &mut self.bases;
+        along_u.tabulate(place[0]);
+        along_v.tabulate(place[1]);
+        let n_v = along_v.values.len();
+        let mut sums = [DVec4::ZERO; 6];
+        for (i, row) in self.net.chunks_exact(n_v).enumerate() {
+            let [mut value, mut slope, mut bend] = [DVec4::ZERO; 3];
+            for (j, &point) in row.iter().enumerate() {
+                value += point * along_v.values[j];
+                slope += point * along_v.slopes[j];
+                bend += point * along_v.bends[j];
+            }
+            let (n, dn, ddn) = (along_u.values[i], along_u.slopes[i], along_u.bends[i]);
+            sums[0] += value * n;
+            sums[1] += value * dn;
+            sums[2] += slope * n;
+            sums[3] += value * ddn;
+            sums[4] += slope * dn;
+            sums[5] += bend * n;
+        }
+        Way::new(place, homogeneous::second_order(sums))
+    }
+}
+
+/// Goes down from `start` within a part, by Newton's method, as far as that leads.
+pub(in crate::kernel) fn descend<E>(
+    cell: &Cell,
+    start: [f64; 2],
+    mut way_at: impl FnMut([f64; 2]) -> Result<Way, E>,
+) -> Result<Way, E> {
+    let mut way = way_at(start)?;
+    for _ in 0..MAX_STEPS {
+        match lower(cell, &way, &mut way_at)? {
+            Some(next) => way = next,
+            None => break,
+        }
+    }
+    Ok(way)
+}
+
+/// A step that leads down, or none.
+fn lower<E>(
+    cell: &Cell,
+    way: &Way,
+    way_at: &mut impl FnMut([f64; 2]) -> Result<Way, E>,
+) -> Result<Option<Way>, E> {
+    let steepness = |way: &Way| {
+        let free = |i: usize| if cell.bars(way, i) { 0.0 } else { way.slope[i].abs() };
+        free(0).max(free(1))
+    };
+    let mut step = way.step([0, 1].map(|i| cell.bars(way, i)));
+    for _ in 0..MAX_HALVINGS {
+        let place = cell.clamp([way.place[0] + step[0], way.place[1] + step[1]]);
+        if DVec2::from_array(place) == DVec2::from_array(way.place) {
+            return Ok(None);
+        }
+        let next = way_at(place)?;
+        let is_level = next.squared <= way.squared * (1.0 + 4.0 * LAST_BIT);
+        if next.squared < way.squared || (is_level && steepness(&next) < 0.5 * steepness(way)) {
+            return Ok(Some(next));
+        }
+        step = step.map(|x| 0.5 * x);
+    }
+    Ok(None)
+}
+
+impl Way {
+    /// From the way and its derivatives S, Su, Sv, Suu, Suv, Svv.
+    pub(in crate::kernel) fn new(place: [f64; 2], [r, u, v, uu, uv, vv]: [DVec3; 6]) -> Self {
+        let metric = [u.dot(u), u.dot(v), v.dot(v)];
+        let bend = [metric[0] + r.dot(uu), metric[1] + r.dot(uv), metric[2] + r.dot(vv)];
+        Self { place, squared: r.dot(r), slope: [r.dot(u), r.dot(v)], bend, metric }
+    }
+
+    /// Newton's step along the free directions; where the square of the distance is not convex
+    /// that of Gauss and Newton, which goes down always.
+    fn step(&self, barred: [bool; 2]) -> [f64; 2] {
+        let [a, b] = self.slope;
+        match barred {
+            [true, true] => [0.0, 0.0],
+            [false, true] => [single(a, self.bend[0], self.metric[0]), 0.0],
+            [true, false] => [0.0, single(b, self.bend[2], self.metric[2])],
+            [false, false] => {
+                let solve = |[uu, uv, vv]: [f64; 3]| {
+                    let determinant = uu * vv - uv * uv;
+                    let is_convex = 0.0 < uu && 0.0 < vv && LAST_BIT * uu * vv < determinant;
+                    is_convex
+                        .then(|| [(uv * b - vv * a) / determinant, (uv * a - uu * b) / determinant])
+                };
+                solve(self.bend).or_else(|| solve(self.metric)).unwrap_or([
+                    single(a, self.bend[0], self.metric[0]),
+                    single(b, self.bend[2], self.metric[2]),
+                ])
+            }
+        }
+    }
+}
+
+/// The step along one direction.
+fn single(slope: f64, bend: f64, metric: f64) -> f64 {
+    if 0.0 < bend {
+        -slope / bend
+    } else if 0.0 < metric {
+        -slope / metric
+    } else {
+        0.0
+    }
+}
+
+impl Basis {
+    fn tabulate(&mut self, s: f64) {
+        let p = self.values.len() - 1;
+        self.values[0] = 1.0;
+        for degree in 0..=p {
+            if degree + 2 == p {
+                let factor = (p * (p - 1)) as f64;
+                for i in 0..=p {
+                    let at = |back: usize| match i.checked_sub(back) {
+                        Some(i) if i <= degree => self.values[i],
+                        _ => 0.0,
+                    };
+                    self.bends[i] = factor * ((at(2) - at(1)) - (at(1) - at(0)));
+                }
+            }
+            if degree + 1 == p {
+                for i in 0..=p {
+                    let before = if i == 0 { 0.0 } else { self.values[i - 1] };
+                    let this = if i == p { 0.0 } else { self.values[i] };
+                    self.slopes[i] = p as f64 * (before - this);
+                }
+            }
+            if degree < p {
+                raise(&mut self.values[..degree + 2], s);
+            }
+        }
+    }
+}
+
+/// The Bernstein polynomials of one degree more.
+fn raise(values: &mut [f64], s: f64) {
+    let mut passed = 0.0;
+    let last = values.len() - 1;
+    for value in &mut values[..last] {
+        let this = *value;
+        *value = passed + this * (1.0 - s);
+        passed = this * s;
+    }
+    values[last] = passed;
+}

@@ -1,0 +1,117 @@
+//! The point of a surface that is nearest to a given one.
+//!
+//! Of a NURBS that of the whole surface, its boundary included. Of a function nothing is known but
+//! its values: there the best of a grid's local minima is, improved by Newton's method.
+
+use glam::DVec3;
+
+use super::{NurbsSurface, ParametricSurface, Surface};
+use crate::kernel::{
+    GeomError,
+    frame::norm,
+    nearest::{Cell, Nearest, Wanted, Way, descend},
+    tolerance::LAST_BIT,
+};
+
+/// Even parts of each domain of a function at whose corners it is asked for the distance.
+const GRID: usize = 48;
+
+/// The nearest point of a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceFoot {
+    /// Where it is: along u and along v. At a seam and at a pole the start of the domain.
+    pub parameters: [f64; 2],
+    /// The point.
+    pub point: DVec3,
+    /// How far away it is.
+    pub distance: f64,
+}
+
+impl Surface {
+    /// The nearest point to `p`, its boundary included: of a NURBS that of the whole surface; of a
+    /// function the best that a search from places of a grid comes to.
+    ///
+    /// # Errors
+    /// As [`Self::point_at`].
+    pub fn closest(&self, p: DVec3) -> Result<SurfaceFoot, GeomError> {
+        match self {
+            Self::Nurbs(surface) => Ok(surface.closest(p)),
+            Self::Parametric(surface) => surface.closest(p),
+        }
+    }
+}
+
+impl NurbsSurface {
+    /// The nearest point to `p`, of the whole surface.
+    ///
+    /// Ma & Hewitt, *Point inversion and projection for NURBS curve and surface*, CAGD 20 (2003),
+    /// say how a patch is left out; here that is decided without their conditions on the net.
+    #[must_use]
+    pub fn closest(&self, p: DVec3) -> SurfaceFoot {
+        let knots = [&self.knots_u, &self.knots_v];
+        let nearest = self.nearest.get_or_make(|| Nearest::of_surface(knots, &self.control_points));
+        let near = nearest.places(self.control_points.as_slice(), p, Wanted::One);
+        let starts = [self.domain_u().start(), self.domain_v().start()];
+        let parameters = near.first().copied().unwrap_or(starts);
+        let at = |[u, v]: [f64; 2]| self.point_at(u, v);
+        let point = at(parameters);
+        let rounding = LAST_BIT * (p.abs().max_element() + point.abs().max_element());
+
+        let mut foot = SurfaceFoot { parameters, point, distance: norm(point - p) };
+        for (direction, start) in starts.into_iter().enumerate() {
+            let mut parameters = foot.parameters;
+            parameters[direction] = start;
+            let point = at(parameters);
+            if norm(point - foot.point) <= 4.0 * rounding {
+                foot = SurfaceFoot { parameters, point, distance: norm(point - p) };
+            }
+        }
+        foot
+    }
+}
+
+impl ParametricSurface {
+    /// The nearest point to `p` that a search from places of a grid of 49 x 49 comes to. What
+    /// the function does between these places may escape it.
+    ///
+    /// # Errors
+    /// As [`Self::derivatives_at`].
+    pub fn closest(&self, p: DVec3) -> Result<SurfaceFoot, GeomError> {
+        let (us, vs) = (self.domain_u().steps(GRID), self.domain_v().steps(GRID));
+        let n = GRID + 1;
+        let mut distances = Vec::with_capacity(n * n);
+        for &u in &us {
+            for &v in &vs {
+                distances.push(norm(self.point_at(u, v)? - p));
+            }
+        }
+        let cell = Cell::between(self.domain_u(), self.domain_v());
+        let mut best: Option<SurfaceFoot> = None;
+        for i in 0..n * n {
+            if !is_least_around(&distances, n, i) {
+                continue;
+            }
+            let found = descend(&cell, [us[i / n], vs[i % n]], |[u, v]| {
+                let all = self.derivatives_at(u, v, 2)?;
+                let orders = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)];
+                let mut derivatives = orders.map(|(k, l)| all.get(k, l));
+                derivatives[0] -= p;
+                Ok::<Way, GeomError>(Way::new([u, v], derivatives))
+            })?;
+            let point = self.point_at(found.place[0], found.place[1])?;
+            let foot = SurfaceFoot { parameters: found.place, point, distance: norm(point - p) };
+            if best.is_none_or(|best| foot.distance < best.distance) {
+                best = Some(foot);
+            }
+        }
+        best.ok_or(GeomError::NotFinite { what: "distance to the point", index: 0 })
+    }
+}
+
+/// Whether none of the neighbours on an n x n grid has less.
+fn is_least_around(values: &[f64], n: usize, index: usize) -> bool {
+    let (row, column) = (index / n, index % n);
+    let rows = row.saturating_sub(1)..=(row + 1).min(n - 1);
+    let columns = column.saturating_sub(1)..=(column + 1).min(n - 1);
+    rows.flat_map(|i| columns.clone().map(move |j| i * n + j)).all(|i| values[index] <= values[i])
+}
