@@ -113,6 +113,17 @@ pub enum GeomError {
         few_digits(*gap)
     )]
     Gap { index: usize, gap: f64, tolerance: f64, reversed: Option<usize> },
+    /// A parameter line where the normal leaps.
+    #[error(
+        "the surface has a crease at {along} = {parameter}: its offset would be torn there by {}",
+        few_digits(*gap)
+    )]
+    Crease { along: &'static str, parameter: f64, gap: f64 },
+    /// An offset that no spline surface of a reasonable size comes near.
+    #[error(
+        "no spline surface of {most} patches is within {tolerance} of the offset near ({u}, {v})"
+    )]
+    NoSurfaceNear { most: usize, tolerance: f64, u: f64, v: f64 },
     /// Patches that do not meet along their sides.
     #[error(
         "`patches[{}][{}]` begins {} from where `patches[{}][{}]` ends along {along}, more than the tolerance {tolerance}",

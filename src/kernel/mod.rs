@@ -48,7 +48,7 @@ pub use mesh::{Mesh, grid_mesh, tessellate, tessellate_curve};
 pub use receipt::{Fact, Receipt};
 pub use surface::{
     Direction, GridSamples, NurbsSurface, ParametricSurface, Surface, SurfaceEvaluator,
-    SurfaceFoot, SurfaceFunction, join_patches, make_surfaces_compatible,
+    SurfaceFoot, SurfaceFunction, SurfaceOffset, Turn, join_patches, make_surfaces_compatible,
 };
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;

@@ -55,9 +55,10 @@ pub fn code_of(error: &GeomError) -> Code {
         | Error::OrderTooHigh { .. }
         | Error::TooManyVertices { .. } => Code::TooLarge,
         Error::DegreeTooLow { .. } | Error::LowestDegree { .. } => Code::BadDegree,
-        Error::KnotNeeded { .. } | Error::NotReducible { .. } | Error::NoSplineNear { .. } => {
-            Code::BeyondTolerance
-        }
+        Error::KnotNeeded { .. }
+        | Error::NotReducible { .. }
+        | Error::NoSurfaceNear { .. }
+        | Error::NoSplineNear { .. } => Code::BeyondTolerance,
         Error::Gap { .. } | Error::PatchGap { .. } => Code::Gap,
         Error::TooFewCurves { .. } => Code::BadCall,
         Error::RationalFor { .. }
@@ -134,6 +135,12 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
             format!("`reversed(curves[{index}])` would fit")
         }
         Error::Gap { .. } => "give the curves in order, end to start".to_owned(),
+        Error::Crease { along, parameter, .. } => {
+            format!("`split(s, {along} = {parameter})` gives parts that have offsets")
+        }
+        Error::NoSurfaceNear { .. } => {
+            "allow a larger tolerance, or `trim` away what has no smooth offset".to_owned()
+        }
         Error::PatchGap { .. } => {
             "`patches[i][j]` goes on behind `patches[i - 1][j]` along u and behind `patches[i][j - 1]` along v; `swap_uv`, `reverse_u` and `reverse_v` turn patches".to_owned()
         }

@@ -19,6 +19,7 @@ mod local;
 mod measure;
 mod mesh;
 mod nearest;
+mod offset_surface;
 mod parametric;
 mod places;
 mod some;

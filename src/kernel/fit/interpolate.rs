@@ -137,8 +137,15 @@ impl Interpolator {
         Self::on_knots(parameters, clamped(parameters, 3, inner)?)
     }
 
-    /// As many knots as the values determine.
-    fn on_knots(parameters: &[f64], knots: KnotVector) -> Result<Self, GeomError> {
+    /// For as many values as the knots need, at parameters of which one lies in the support of each
+    /// basis function, such as those of Greville.
+    ///
+    /// # Errors
+    /// [`GeomError::NoFit`] where the values do not determine a spline.
+    pub(in crate::kernel) fn on_knots(
+        parameters: &[f64],
+        knots: KnotVector,
+    ) -> Result<Self, GeomError> {
         let rows: Vec<Equation> = parameters.iter().map(|&t| Equation::point(&knots, t)).collect();
         let equations = Equations::Values(Banded::new(&rows)?);
         Ok(Self { knots, n_values: parameters.len(), equations })

@@ -19,6 +19,15 @@ impl Direction {
     /// Both, u first.
     pub const BOTH: [Self; 2] = [Self::U, Self::V];
 
+    /// `u` or `v`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::U => "u",
+            Self::V => "v",
+        }
+    }
+
     /// The other one.
     #[must_use]
     pub fn other(self) -> Self {

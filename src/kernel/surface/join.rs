@@ -64,7 +64,7 @@ fn joined(
         let gap = meeting(&chain.ends(), &next, places)?;
         if tolerance < gap.width {
             let [before, next] = places;
-            let (gap, along) = (gap.width, if along == Direction::U { "u" } else { "v" });
+            let (gap, along) = (gap.width, along.name());
             return Err(GeomError::PatchGap { along, before, next, gap, tolerance });
         }
         let accuracy = JOINT_RELATIVE * magnitude(&next) + gap.width;

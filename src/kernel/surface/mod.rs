@@ -7,7 +7,8 @@
 //! surfaces between curves. `direction` is u or v, along which `edit` changes the representation or
 //! cuts, and `compatible` brings several to one basis.
 //! `rearrange` does of this what functions allow, `parts` has what a form is made of, `continuation`
-//! patches that go on from a side, `join` makes one surface of many.
+//! patches that go on from a side, `join` makes one surface of many,
+//! `offset` runs beside.
 
 mod any;
 mod closest;
@@ -21,6 +22,7 @@ mod grid_eval;
 mod iso;
 mod join;
 mod normal;
+mod offset;
 mod parametric;
 mod parts;
 mod rearrange;
@@ -35,6 +37,7 @@ pub use direction::Direction;
 pub use evaluator::SurfaceEvaluator;
 pub use grid_eval::GridSamples;
 pub use join::join_patches;
+pub use offset::{SurfaceOffset, Turn};
 pub use parametric::{ParametricSurface, SurfaceFunction};
 
 use super::{

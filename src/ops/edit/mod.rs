@@ -34,6 +34,7 @@ pub(super) static OPS: &[&Op] = &[
     &surface::flip::OP,
     &surface::insert_knot::OP,
     &surface::join::OP,
+    &surface::offset::OP,
     &surface::refine::OP,
     &surface::reparametrize::OP,
     &surface::reverse_u::OP,

@@ -22,7 +22,7 @@ use crate::{
 };
 
 /// A length that is above zero.
-fn positive(what: &str, length: Spanned<Length>) -> Result<f64> {
+pub(super) fn positive(what: &str, length: Spanned<Length>) -> Result<f64> {
     let value = length.value.0;
     if 0.0 < value {
         return Ok(value);

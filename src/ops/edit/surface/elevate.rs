@@ -33,7 +33,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     for (along, degree) in degrees {
         let own = elevated.knots(along).degree();
         if degree.value < own {
-            let name = if along == Direction::U { "u" } else { "v" };
+            let name = along.name();
             let message = format!(
                 "degree {} along {name} is below the degree {own} that it has",
                 degree.value

@@ -13,6 +13,7 @@ pub(super) mod elevate;
 pub(super) mod flip;
 pub(super) mod insert_knot;
 pub(super) mod join;
+pub(super) mod offset;
 pub(super) mod refine;
 pub(super) mod reparametrize;
 pub(super) mod reverse_u;

@@ -1,0 +1,57 @@
+//! `offset` of a surface: the surface beside it.
+
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::{NurbsSurface, Receipt, Surface},
+    ops::edit::curve::positive,
+    value::{At, Ctx, Length, op, shortest},
+};
+
+op! {
+    /// Surface at a distance beside another one, on the side of its normal for a positive distance:
+    /// the points S + d·N, on the same parameters.
+    ///
+    /// Exact, with the degrees, knots and weights of the surface, where that is possible: planes,
+    /// spheres, cylinders, cones, tori. Others are quintic splines through points of the true
+    /// offset, with knots added until its distance, measured at 16 places of each patch, is
+    /// below half of the tolerance; `report` tells the largest. At a pole the limit of the normal
+    /// counts. A crease, and a place where the normal has no limit, are errors. Where the distance is
+    /// beyond a radius of curvature on that side the offset turns back: it is kept, and a
+    /// warning tells the tightest place.
+    /// Piegl & Tiller, *Computing offsets of NURBS curves and surfaces*, CAD 31 (1999).
+    offset in Edit -> NurbsSurface {
+        /// The surface.
+        s: Surface,
+        /// The distance; a negative one goes against the normal.
+        distance: Length,
+        /// How far the result may be from the true offset.
+        tolerance: Spanned<Length>,
+    }
+    example "offset(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), 3, 1e-6).points" => "[[(0, 0, 3), (0, 1, 3)], [(2, 0, 3), (2, 1, 3)]]";
+    example "{ let s = ruled(circle((0, 0), 2), circle((0, 0, 1), 2))  norm(offset(s, 1, 1e-6)(0.3, 0)) ~= 3 within 1e-14 }" => "true";
+    example "report(offset(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), 3, 1e-6)).exact" => "true";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
+    let tolerance = positive("the tolerance", args.tolerance)?;
+    let distance = args.distance.0;
+    let offset = args.s.offset(distance, tolerance).at(ctx.span)?;
+    if let Some(turn) = offset.turn {
+        let [u, v] = turn.at.map(shortest);
+        let message = format!(
+            "the offset turns back near ({u}, {v}): the radius of curvature there is {}, within the distance {}",
+            shortest(turn.radius),
+            shortest(distance.abs()),
+        );
+        let hint = "a distance below the smallest radius on that side has no such place";
+        ctx.warn(Diagnostic::warning(Code::SelfIntersecting, ctx.span, message).hint(hint));
+    }
+    let mut receipt = Receipt::of("offset")
+        .with("exact", offset.is_exact)
+        .with("deviation", offset.deviation)
+        .with("at", offset.at.to_vec());
+    if let Some(turn) = offset.turn {
+        receipt = receipt.with("turns_back_at", turn.at.to_vec()).with("radius", turn.radius);
+    }
+    Ok(offset.surface.with_receipt(receipt))
+}
