@@ -28,33 +28,26 @@ curve profile = bspline([
     at_height(neck, 1),
 ])
 
-// The wall is the tensor product of the profile and a circle: each row of control points is the
-// circle's, as large as the profile is wide there. A circle is rational, so the weights come along.
-let unit_circle = circle((0, 0), 1)
-surface wall = nurbs(
-    [for p in profile.points: [for q in unit_circle.points: (p.x * q.x, p.x * q.y, p.z)]],
-    weights = [for p in profile.points: unit_circle.weights],
-    degree = {u: profile.degree, v: unit_circle.degree},
-    knots = {u: profile.knots, v: unit_circle.knots},
-)
+// The wall is the profile turned about z, exactly: u goes around, v along the profile.
+surface wall = revolve(profile)
 
 // The bottle stands on a ring, and carries a label: ruled surfaces between circles.
 fn ring(radius, z) = circle((0, 0, z), radius)
 surface foot  = ruled(ring(0.86 * body, 0), ring(0.6 * body, 0))
 surface label = ruled(ring(1.01 * body, 0.22 * height), ring(1.01 * body, 0.38 * height))
 
-// The surface is what was meant: its lines across are exact circles, its first line along is the profile.
+// The surface is what was meant: its lines around are exact circles, its first line along is the profile.
 let axis_distance = (u, v) => hypot(wall(u, v).x, wall(u, v).y)
 let stations = linspace(0, 1, 21)
 check [for u in stations, v in stations: axis_distance(u, v)]
-    ~= [for u in stations, v in stations: profile(u).x] within 1e-12      "every section is a circle"
-check [for u in stations: wall(u, 0)] ~= [for u in stations: profile(u)] within 1e-12
-check [for u in stations: wall(u, 0.25).y] ~= [for u in stations: profile(u).x] within 1e-12
-check wall.closed_v
+    ~= [for u in stations, v in stations: profile(v).x] within 1e-12      "every section is a circle"
+check [for v in stations: wall(0, v)] ~= [for v in stations: profile(v)] within 1e-12
+check [for v in stations: wall(0.25, v).y] ~= [for v in stations: profile(v).x] within 1e-12
+check wall.closed_u
 
 // Radii.
 check wall(0, 0) ~= (0.86 * body, 0, 0)                                   "the foot is narrower than the body"
-check wall(1, 0) ~= (neck, 0, height)                                     "the mouth is as wide as the neck"
+check wall(0, 1) ~= (neck, 0, height)                                     "the mouth is as wide as the neck"
 check bounds(profile).max.x ~= body                                       "nothing is wider than the body"
 check bounds(profile).min.x ~= min(neck, 0.86 * body)                     "nothing is narrower than the neck or the foot"
 

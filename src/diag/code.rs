@@ -193,7 +193,7 @@ codes! {
     Unclean "W0001" "the result needed help"
         "The construction has a result, but not all of what was asked could be promised. The message tells what was done."
     SelfIntersecting "W0002" "the result crosses itself"
-        "Beside a tight bend an offset has cusps and loops: it is further away than the radius of curvature. The result is the true offset with these; a smaller distance has none."
+        "Beside a tight bend an offset has cusps and loops: it is further away than the radius of curvature. The result is the true offset with these; a smaller distance has none. A curve that crosses the axis about which it is turned makes a surface that passes through itself, and so does a torus whose tube is thicker than its ring."
 }
 
 impl Code {

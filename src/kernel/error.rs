@@ -301,6 +301,19 @@ pub enum GeomError {
     /// Two curves that share a stretch and not single points.
     #[error("the curves run together from parameter {start} to {end} of the first")]
     RunTogether { start: f64, end: f64 },
+    /// Something to turn that lies on the axis.
+    #[error("the curve lies on the axis, so that turning it makes no surface")]
+    OnAxis,
+    /// An angle that makes no surface of revolution.
+    #[error(
+        "{}",
+        if *turns == 0.0 {
+            "a turn by an angle of zero makes no surface".to_owned()
+        } else {
+            format!("a turn by {} goes around more than once", degrees(*turns))
+        }
+    )]
+    BadTurn { turns: f64 },
     /// Two columns of one name.
     #[error("column {name:?} stands twice")]
     DuplicateColumn { name: String },
@@ -316,6 +329,11 @@ fn how_far(error: f64) -> String {
     } else {
         "to where its weights are not positive".to_owned()
     }
+}
+
+/// Turns as degrees.
+fn degrees(turns: f64) -> String {
+    format!("{}deg", few_digits(360.0 * turns.abs()))
 }
 
 /// A measured number for a message.

@@ -22,6 +22,9 @@ impl Frame {
     /// The plane of z and x; its normal is y.
     pub const ZX: Self = Self::plane([DVec3::Z, DVec3::X, DVec3::Y]);
 
+    /// The plane of x and z, seen from the front: its second direction is z, its normal −y.
+    pub(in crate::kernel) const XZ: Self = Self::plane([DVec3::X, DVec3::Z, DVec3::NEG_Y]);
+
     const fn plane([x, y, z]: [DVec3; 3]) -> Self {
         Self { origin: DVec3::ZERO, x, y, z, is_of_curve: false }
     }

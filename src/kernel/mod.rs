@@ -47,8 +47,9 @@ pub use knots::{KnotVector, Side};
 pub use mesh::{Mesh, grid_mesh, tessellate, tessellate_curve};
 pub use receipt::{Fact, Receipt};
 pub use surface::{
-    Direction, GridSamples, NurbsSurface, ParametricSurface, Surface, SurfaceEvaluator,
-    SurfaceFoot, SurfaceFunction, SurfaceOffset, Turn, join_patches, make_surfaces_compatible,
+    Axis, AxisContact, Blend, CrossFields, Direction, GridSamples, NurbsSurface, ParametricSurface,
+    Surface, SurfaceEvaluator, SurfaceFoot, SurfaceFunction, SurfaceOffset, Turn, Twists,
+    join_patches, make_surfaces_compatible,
 };
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;

@@ -6,6 +6,7 @@
 
 mod basis;
 mod construct;
+mod coons;
 mod curve;
 mod edit;
 mod edit_surface;
@@ -22,6 +23,7 @@ mod nearest;
 mod offset_surface;
 mod parametric;
 mod places;
+mod primitive;
 mod some;
 mod surface;
 mod worked;

@@ -52,6 +52,15 @@ impl Curve {
 }
 
 impl NurbsCurve {
+    /// Whether it lies within the tolerance of one line along the direction.
+    #[must_use]
+    pub fn is_along(&self, direction: DVec3, tolerance: Tolerance) -> bool {
+        let points = self.places();
+        let allowed = allowed(&points, tolerance);
+        let Some(line) = unit(direction) else { return false };
+        points.iter().all(|&point| norm(across(point - points[0], line)) <= allowed)
+    }
+
     /// The normal of the plane in which it lies within the tolerance; none for a curve in space,
     /// and none for one on a line, which has no plane of its own.
     pub(super) fn plane_normal(&self, tolerance: Tolerance) -> Option<DVec3> {

@@ -7,7 +7,7 @@
 //! same curve on fewer or other knots, `product` has derivatives and products as curves, `parts`
 //! what a form is made of, `reduce` takes knots and degrees away, `join` and `extend` go on beyond
 //! an end, `offset` runs beside, `deviation` tells how far two are apart, `compatible` brings
-//! several to one basis, `measure` has length and bounds. `features` has the places that stand out,
+//! several to one basis, `denominator` over one denominator, `measure` has length and bounds. `features` has the places that stand out,
 //! `closest` the nearest one, `intersect` the meetings of two curves, from `bend`, the polynomials
 //! that a piece is made of, and `part`; `arc_length` finds places by length. Of both, `local` tells
 //! the shape at a place from its derivatives, `direction` the kind of the place, `continuity`
@@ -24,6 +24,7 @@ mod closest;
 mod compatible;
 mod conic;
 mod continuity;
+mod denominator;
 mod deviation;
 mod direction;
 mod edit;
@@ -59,6 +60,7 @@ pub use closest::Foot;
 pub use compatible::make_compatible;
 pub use conic::ConicKind;
 pub use continuity::Continuity;
+pub(in crate::kernel) use denominator::on_one_denominator;
 pub use direction::PlaceKind;
 pub use evaluator::CurveEvaluator;
 pub use intersect::Meeting;

@@ -3,17 +3,19 @@
 //! `any` is a surface of either kind, `parametric` that of a function. Of B-splines this file has
 //! the type, its constructors and what can be read off it; `eval` computes points
 //! and derivatives, `evaluator` the same at many places, `grid_eval` on grids, `normal` unit normals
-//! where they exist, `closest` the nearest point, `iso` the curves on it and its box, `ruled`
-//! surfaces between curves. `direction` is u or v, along which `edit` changes the representation or
-//! cuts, and `compatible` brings several to one basis.
-//! `rearrange` does of this what functions allow, `parts` has what a form is made of, `continuation`
-//! patches that go on from a side, `join` makes one surface of many,
-//! `offset` runs beside.
+//! where they exist, `closest` the nearest point, `iso` the curves on it and its box. `ruled` makes
+//! surfaces between curves, `revolve` those that turn about an axis, `round` the primitives, `coons`
+//! those within four boundaries, by `sum`, the exact sum of surfaces that curves span. `direction`
+//! is u or v, along which `edit` changes the representation or cuts, and `compatible` brings several
+//! to one basis. `rearrange` does of this what functions allow, `parts` has what a form is made of,
+//! `continuation` patches that go on from a side, `join` makes one surface of many, `offset` runs
+//! beside.
 
 mod any;
 mod closest;
 mod compatible;
 mod continuation;
+mod coons;
 mod direction;
 mod edit;
 mod eval;
@@ -26,19 +28,24 @@ mod offset;
 mod parametric;
 mod parts;
 mod rearrange;
+mod revolve;
+mod round;
 mod ruled;
+mod sum;
 
 use glam::{DAffine3, DVec3, DVec4};
 
 pub use any::Surface;
 pub use closest::SurfaceFoot;
 pub use compatible::make_surfaces_compatible;
+pub use coons::{Blend, CrossFields, Twists};
 pub use direction::Direction;
 pub use evaluator::SurfaceEvaluator;
 pub use grid_eval::GridSamples;
 pub use join::join_patches;
 pub use offset::{SurfaceOffset, Turn};
 pub use parametric::{ParametricSurface, SurfaceFunction};
+pub use revolve::{Axis, AxisContact};
 
 use super::{
     GeomError, Grid, Interval, KnotVector, Receipt, homogeneous, knots::BasisExpansion, lazy::Lazy,

@@ -129,7 +129,7 @@ fn check_closed(n_points: Spanned<usize>) -> Result<()> {
 }
 
 /// A length, which must be above zero.
-fn positive(length: Spanned<Length>, what: &str) -> Result<f64> {
+pub(super) fn positive(length: Spanned<Length>, what: &str) -> Result<f64> {
     let value = length.value.0;
     if 0.0 < value {
         return Ok(value);

@@ -3,24 +3,55 @@
 mod approximate;
 mod bezier;
 mod bilinear;
+mod boundary;
 mod bspline;
 mod clamped;
+mod cone;
+mod coons;
+mod coons_bicubic;
+mod corner_surface;
+mod cuboid;
+mod cylinder;
+mod disc;
+mod edge_surface;
+mod extrude;
 mod fit;
 mod interpolate;
 mod nurbs;
 mod parametric;
+mod plane_patch;
+mod revolve;
 mod ruled;
+mod sphere;
+mod swung;
+mod torus;
 
-use super::curve::knots_for;
+use glam::DVec3;
+
+use super::curve::{knots_for, positive};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Grid, NurbsSurface},
-    value::{At, FromValue, IntoValue, Mismatch, Op, Rows, Type, Value},
+    kernel::{Frame, Grid, NurbsSurface},
+    value::{At, FromValue, IntoValue, Length, Mismatch, Op, Rows, Type, Value},
 };
 
 pub(super) static OPS: &[&Op] = &[
     &bilinear::OP,
     &ruled::OP,
+    &edge_surface::OP,
+    &corner_surface::OP,
+    &coons::OP,
+    &coons_bicubic::OP,
+    &extrude::OP,
+    &revolve::OP,
+    &swung::OP,
+    &plane_patch::OP,
+    &disc::OP,
+    &cuboid::OP,
+    &sphere::OP,
+    &cylinder::OP,
+    &cone::OP,
+    &torus::OP,
     &bezier::OP,
     &clamped::OP,
     &bspline::OP,
@@ -99,6 +130,25 @@ fn tensor(
             NurbsSurface::rational(knots_u, knots_v, &grid, &net).at(weights.span)
         }
     }
+}
+
+/// A height, which must be above zero.
+fn upward(height: Spanned<Length>) -> Result<f64> {
+    positive(height, "the height").map_err(|mut found| {
+        if height.value.0 < 0.0 {
+            found.hints.push("to go down, turn the `axis` around".to_owned());
+        }
+        found
+    })
+}
+
+/// The frame of a surface around an axis: z along it, x as near to (1, 0, 0) as that allows.
+fn around(origin: DVec3, axis: Spanned<DVec3>) -> Result<Frame> {
+    if axis.value == DVec3::ZERO {
+        let message = "the axis has length zero, and no direction";
+        return Diagnostic::error(Code::Degenerate, axis.span, message).fail();
+    }
+    Frame::from_normal(origin, axis.value, None).at(axis.span)
 }
 
 /// Tells in which direction a mistake lies.

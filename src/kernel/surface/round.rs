@@ -1,0 +1,65 @@
+//! Round primitives: exact surfaces of revolution about the z direction of a frame.
+//!
+//! Each is made about the z axis of space, where its coordinates are round numbers, and then
+//! placed: u goes around from x, v upward, so that Su × Sv points outward.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use glam::DVec3;
+
+use super::{Axis, NurbsSurface};
+use crate::kernel::{Frame, GeomError, NurbsCurve};
+
+impl NurbsSurface {
+    /// The sphere about the origin of a frame, v from the lower pole to the upper one.
+    ///
+    /// # Errors
+    /// [`GeomError::NotPositive`] for the radius, [`GeomError::NotFinite`].
+    pub fn sphere(frame: Frame, radius: f64) -> Result<Self, GeomError> {
+        around(frame, &NurbsCurve::arc(MERIDIAN, radius, -FRAC_PI_2, PI)?)
+    }
+
+    /// The cone between circles of two radii, the first about the origin of a frame and the second
+    /// at a height above; a radius may be zero. Equal ones make a cylinder, a height of zero a
+    /// ring or disc.
+    ///
+    /// # Errors
+    /// [`GeomError::NotPositive`] for a negative radius, or two that are zero;
+    /// [`GeomError::NotFinite`].
+    pub fn cone(frame: Frame, radii: [f64; 2], height: f64) -> Result<Self, GeomError> {
+        let [low, high] = radii;
+        for got in [low.min(high), low.max(high)] {
+            if !(got.is_finite() && 0.0 <= got) {
+                return Err(GeomError::NotPositive { what: "the radius", got });
+            }
+        }
+        if low.max(high) <= 0.0 {
+            return Err(GeomError::NotPositive { what: "the radius", got: 0.0 });
+        }
+        let top = DVec3::new(high, 0.0, height);
+        around(frame, &NurbsCurve::line(DVec3::new(low, 0.0, 0.0), top)?)
+    }
+
+    /// The torus about the origin of a frame, v around the tube from the outer equator upward.
+    ///
+    /// # Errors
+    /// [`GeomError::NotPositive`] for a radius, [`GeomError::NotFinite`].
+    pub fn torus(frame: Frame, major: f64, minor: f64) -> Result<Self, GeomError> {
+        if !(major.is_finite() && 0.0 < major) {
+            return Err(GeomError::NotPositive { what: "the major radius", got: major });
+        }
+        let tube = MERIDIAN.at(DVec3::new(major, 0.0, 0.0));
+        around(frame, &NurbsCurve::arc(tube, minor, 0.0, TAU)?)
+    }
+}
+
+/// The half plane of a meridian: x outward, y upward.
+const MERIDIAN: Frame = Frame::XZ;
+
+/// The meridian turned about z once, placed.
+fn around(frame: Frame, meridian: &NurbsCurve) -> Result<NurbsSurface, GeomError> {
+    let axis = Axis::new(DVec3::ZERO, DVec3::Z)?;
+    let surface = NurbsSurface::revolved(meridian, axis, TAU)?.transformed(&frame.to_space());
+    crate::kernel::homogeneous::check_finite(surface.control_points().as_slice())?;
+    Ok(surface)
+}

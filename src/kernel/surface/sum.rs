@@ -1,0 +1,92 @@
+//! Exact sums of surfaces that curves span: what Coons and Gordon surfaces are.
+
+use glam::{DVec3, DVec4};
+
+use super::{NurbsSurface, revolve::check_size};
+use crate::kernel::{GeomError, Grid, Interval, KnotVector, NurbsCurve, homogeneous};
+
+/// What a boolean sum takes along one of its directions.
+#[derive(Clone, Debug)]
+pub(in crate::kernel) struct Strands {
+    /// The curves that run along it; the first one's domain becomes the surface's.
+    pub(in crate::kernel) curves: Vec<NurbsCurve>,
+    /// A function of its parameter for each curve of the other direction, which that curve is
+    /// multiplied by: a curve without weights that has its values in x.
+    pub(in crate::kernel) blends: Vec<NurbsCurve>,
+}
+
+impl NurbsSurface {
+    /// The surface Σ cₖ(u)·gₖ(v) + Σ fₗ(u)·dₗ(v) − Σ Pₗₖ·fₗ(u)·gₖ(v) of curves c along u, curves d
+    /// along v, their blending functions g and f, and values P where they meet: row l, column k.
+    ///
+    /// The sum is that of points in space: curves of different weights are brought over one
+    /// denominator first, a product W(u)·Z(v). Without weights the degrees are the highest among
+    /// curves and functions, and the knots those of all.
+    /// Piegl & Tiller, *The NURBS Book*, (10.28) to (10.36).
+    ///
+    /// # Errors
+    /// [`GeomError::DegreeTooHigh`], where many different denominators multiply;
+    /// [`GeomError::TooManyPoints`], [`GeomError::NotFinite`],
+    /// [`GeomError::GridSize`] unless the numbers of curves, functions and values go together.
+    pub(in crate::kernel) fn boolean_sum(
+        u: Strands,
+        v: Strands,
+        meetings: &Grid<DVec3>,
+    ) -> Result<Self, GeomError> {
+        let (rows, columns) = (v.curves.len(), u.curves.len());
+        let counts = [u.blends.len(), v.blends.len()];
+        if counts != [rows, columns] || [meetings.n_rows(), meetings.n_columns()] != counts {
+            let got = meetings.as_slice().len();
+            return Err(GeomError::GridSize { rows, columns, needed: rows * columns, got });
+        }
+        let (c, f, knots_u) = over_one_denominator(u)?;
+        let (d, g, knots_v) = over_one_denominator(v)?;
+        let (n, m) = (knots_u.n_points(), knots_v.n_points());
+        check_size(n, m)?;
+        let net = Grid::from_fn(n, m, |i, j| {
+            let mut point = DVec3::ZERO;
+            for (k, along_u) in c.iter().enumerate() {
+                point += along_u[i].truncate() * g[k][j].x;
+            }
+            for (l, along_v) in d.iter().enumerate() {
+                let mut gap = along_v[j].truncate();
+                for (k, blend) in g.iter().enumerate() {
+                    gap -= meetings.get(l, k) * blend[j].x;
+                }
+                point += gap * f[l][i].x;
+            }
+            point.extend(c[0][i].w * d[0][j].w)
+        });
+        homogeneous::check_finite(net.as_slice())?;
+        Ok(Self::trusted(knots_u, knots_v, net))
+    }
+}
+
+/// Homogeneous points of the curves and of the functions, over common knots and one denominator.
+type Common = (Vec<Vec<DVec4>>, Vec<Vec<DVec4>>, KnotVector);
+
+fn over_one_denominator(strands: Strands) -> Result<Common, GeomError> {
+    let n_curves = strands.curves.len();
+    let all = [strands.curves, strands.blends].concat();
+    let common = crate::kernel::curve::on_one_denominator(&all)?;
+    let knots = match common.first() {
+        Some(curve) => curve.knots().clone(),
+        None => return Err(GeomError::TooFewCurves { got: 0, needed: 1 }),
+    };
+    let mut points: Vec<Vec<DVec4>> =
+        common.iter().map(|curve| curve.control_points().to_vec()).collect();
+    let blends = points.split_off(n_curves);
+    Ok((points, blends, knots))
+}
+
+/// The polynomial with these Bernstein coefficients on a domain, as a blending function.
+///
+/// # Errors
+/// [`GeomError::NotFinite`], [`GeomError::TooFewPoints`].
+pub(in crate::kernel) fn blend(
+    coefficients: &[f64],
+    domain: Interval,
+) -> Result<NurbsCurve, GeomError> {
+    let values: Vec<DVec3> = coefficients.iter().map(|&x| DVec3::new(x, 0.0, 0.0)).collect();
+    NurbsCurve::bezier(&values).map(|blend| blend.reparametrized(domain))
+}

@@ -1,0 +1,180 @@
+//! `coons_bicubic`: the surface within four boundary curves with derivatives across them.
+
+use super::boundary::{Boundary, Edge, pair, place, rounded, verb};
+use crate::{
+    diag::{Code, Diagnostic, Result, Span, Spanned},
+    kernel::{CrossFields, Curve, Fact, Interval, NurbsSurface, Receipt, Twists},
+    value::{At, Choice, Ctx, op},
+};
+
+op! {
+    /// Coons surface within four curves that also takes derivatives across them.
+    ///
+    /// Exact as `coons` is. At each corner the data must agree: a cross field begins with the
+    /// derivative of the boundary that it crosses to, else it is an error; and the derivatives of
+    /// both cross fields, the twists, are one. Where these differ, `"average"` takes their mean and
+    /// moves the control points of the fields next to that corner, which a warning and `report`
+    /// tell; `"error"` refuses. Its domains are those of `u[0]` and `v[0]`, by which derivatives
+    /// count. Piegl & Tiller, *The NURBS Book*, (10.37) to (10.43), A10.4.
+    coons_bicubic in Surface -> NurbsSurface {
+        /// The two curves along u: at v = 0 and at v = 1.
+        u: Spanned<Vec<Curve>>,
+        /// The two curves along v: at u = 0 and at u = 1.
+        v: Spanned<Vec<Curve>>,
+        /// Derivatives Sv along each of the u-curves, as curves of vectors.
+        cross_u: Spanned<Vec<Curve>>,
+        /// Derivatives Su along each of the v-curves, as curves of vectors.
+        cross_v: Spanned<Vec<Curve>>,
+        /// What to do where the twists of the fields differ.
+        twists: OnTwists = OnTwists::Average,
+    }
+    example "coons_bicubic(u = [line((0, 0), (1, 0)), line((0, 1), (1, 1))], v = [line((0, 0), (0, 1)), line((1, 0), (1, 1))], cross_u = [line((0, 1), (0, 1)), line((0, 1), (0, 1))], cross_v = [line((1, 0), (1, 0)), line((1, 0), (1, 0))])(0.5, 0.25) ~= (0.5, 0.25)" => "true";
+}
+
+/// What to do about twists that contradict one another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum OnTwists {
+    Average,
+    Error,
+}
+
+impl Choice for OnTwists {
+    const WORDS: &'static [&'static str] = &["average", "error"];
+    const MEANINGS: &'static [Self] = &[Self::Average, Self::Error];
+}
+
+const CORNERS: [[usize; 2]; 4] = [[0, 0], [0, 1], [1, 0], [1, 1]];
+
+/// The boundary with the fields, all over its domains.
+struct Data {
+    boundary: Boundary,
+    cross_u: [Edge; 2],
+    cross_v: [Edge; 2],
+    over: [Interval; 2],
+    tolerance: f64,
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
+    let boundary = Boundary { u: pair("u", &args.u, ctx)?, v: pair("v", &args.v, ctx)? };
+    let tolerance = ctx.tolerance.distance;
+    boundary.check([args.u.span, args.v.span], tolerance)?;
+    let over = [boundary.u[0].curve.domain(), boundary.v[0].curve.domain()];
+    let on = |edges: [Edge; 2], domain: Interval| {
+        edges.map(|edge| Edge { curve: edge.curve.clamped().reparametrized(domain), ..edge })
+    };
+    let data = Data {
+        boundary: Boundary { u: on(boundary.u, over[0]), v: on(boundary.v, over[1]) },
+        cross_u: on(pair("cross_u", &args.cross_u, ctx)?, over[0]),
+        cross_v: on(pair("cross_v", &args.cross_v, ctx)?, over[1]),
+        over,
+        tolerance,
+    };
+    data.check_slopes([args.cross_u.span, args.cross_v.span])?;
+
+    let [[a, b], [c, d]] =
+        [&data.cross_u, &data.cross_v].map(|fields| fields.clone().map(|f| f.curve));
+    let fields = CrossFields { cross_u: [a, b], cross_v: [c, d] };
+    let differing: Vec<Twists> = CORNERS
+        .into_iter()
+        .map(|corner| fields.twists(corner))
+        .filter(|twists| tolerance < data.moves(twists))
+        .collect();
+    for twists in &differing {
+        let told = data.told(twists);
+        if args.twists == OnTwists::Error {
+            return Diagnostic::error(Code::Degenerate, args.cross_u.span, told)
+                .also(args.cross_v.span, "the other")
+                .hint("`twists = \"average\"` takes their mean, and changes the fields beside the corner")
+                .fail();
+        }
+        let message = format!("{told}; their mean {} is taken", place(twists.mean()));
+        ctx.warn(
+            Diagnostic::warning(Code::Unclean, args.cross_u.span, message)
+                .also(args.cross_v.span, "the other")
+                .hint("the fields are changed beside the corner; `report` tells how"),
+        );
+    }
+    let corners: Vec<[usize; 2]> = differing.iter().map(|twists| twists.corner).collect();
+    let corrected = fields.with_mean_twists(&corners).at(ctx.span)?;
+    let [u, v] = data.boundary.curves();
+    let surface = NurbsSurface::coons_bicubic(u, v, &corrected).at(ctx.span)?;
+    let facts: Vec<Fact> = differing.iter().map(|twists| data.fact(twists)).collect();
+    Ok(surface
+        .with_receipt(Receipt::of("coons_bicubic").with("averaged_twists", Fact::List(facts))))
+}
+
+impl Data {
+    /// Fails where a cross field does not begin with the derivative of the boundary there.
+    fn check_slopes(&self, spans: [Span; 2]) -> Result<()> {
+        for [i, j] in CORNERS {
+            let along_u = (&self.cross_v[i], j, &self.boundary.u[j], i, self.over[0], spans[1]);
+            let along_v = (&self.cross_u[j], i, &self.boundary.v[i], j, self.over[1], spans[0]);
+            for (field, at, curve, end, domain, span) in [along_u, along_v] {
+                let t = [domain.start(), domain.end()][end];
+                let slope = curve.curve.derivatives_at(t, 1)[1];
+                let found = field.end(at);
+                if found.distance(slope) * domain.length() <= self.tolerance {
+                    continue;
+                }
+                let message = format!(
+                    "at the corner u = {}, v = {} `{}` {} with {}, but the derivative of `{}` there is {}: they differ by {}",
+                    self.at(0, i),
+                    self.at(1, j),
+                    field.name,
+                    verb(at),
+                    place(found),
+                    curve.name,
+                    place(slope),
+                    rounded(found.distance(slope))
+                );
+                return Diagnostic::error(Code::Degenerate, span, message)
+                    .hint("`cross_u` are Sv along the u-curves, `cross_v` are Su along the v-curves: vectors that end as the boundaries there do")
+                    .fail();
+            }
+        }
+        Ok(())
+    }
+
+    /// How far the difference of two twists would move the surface.
+    fn moves(&self, twists: &Twists) -> f64 {
+        let area = self.over[0].length() * self.over[1].length();
+        twists.of_cross_u.distance(twists.of_cross_v) * area
+    }
+
+    /// An end of a domain.
+    fn at(&self, direction: usize, end: usize) -> String {
+        let domain = self.over[direction];
+        rounded([domain.start(), domain.end()][end])
+    }
+
+    fn told(&self, twists: &Twists) -> String {
+        let [i, j] = twists.corner;
+        format!(
+            "at the corner u = {}, v = {} the derivative of `{}` is {}, that of `{}` is {}: the twists differ by {}",
+            self.at(0, i),
+            self.at(1, j),
+            self.cross_u[j].name,
+            place(twists.of_cross_u),
+            self.cross_v[i].name,
+            place(twists.of_cross_v),
+            rounded(twists.of_cross_u.distance(twists.of_cross_v))
+        )
+    }
+
+    fn fact(&self, twists: &Twists) -> Fact {
+        let [i, j] = twists.corner;
+        let ends = |direction: usize, end: usize| {
+            let domain: Interval = self.over[direction];
+            [domain.start(), domain.end()][end]
+        };
+        Fact::Record(
+            Receipt::default()
+                .with("u", ends(0, i))
+                .with("v", ends(1, j))
+                .with("cross_u", twists.of_cross_u)
+                .with("cross_v", twists.of_cross_v)
+                .with("twist", twists.mean())
+                .with("difference", twists.of_cross_u.distance(twists.of_cross_v)),
+        )
+    }
+}

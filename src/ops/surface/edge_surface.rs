@@ -1,0 +1,143 @@
+//! `edge_surface`: the surface within two, three or four edges, however they lie.
+
+use super::boundary::{Edge, edges, place, rounded, verb};
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::{Blend, Curve, NurbsCurve, NurbsSurface, Receipt},
+    value::{At, Ctx, op, shortest},
+};
+
+op! {
+    /// Surface within two, three or four edges, in any order and direction.
+    ///
+    /// Two make a ruled surface, u along the first. Of three and four the ends must meet in a
+    /// ring: these make a Coons surface, with the first edge at v = 0, u along it; opposite to it
+    /// three have a corner, at which the edge v = 1 is collapsed. `report` tells the order and what
+    /// was reversed. Parametric curves are converted within the document's tolerance.
+    edge_surface in Surface -> NurbsSurface {
+        /// The edges, two to four.
+        curves: Spanned<Vec<Curve>>,
+    }
+    example "edge_surface([line((0, 0), (2, 0)), line((2, 2), (0, 2))])(0, 1)" => "(0, 2, 0)";
+    example "edge_surface([line((0, 0), (2, 0)), line((0, 2), (2, 2)), line((2, 0), (2, 2)), line((0, 0), (0, 2))]).points" => "[[(0, 0, 0), (0, 2, 0)], [(2, 0, 0), (2, 2, 0)]]";
+    example "edge_surface([line((0, 0), (2, 0)), line((2, 0), (0, 2)), line((0, 2), (0, 0))])(0.3, 1)" => "(0, 2, 0)";
+}
+
+/// The edges as they follow one another.
+struct Ring {
+    /// Index and whether it is run backwards.
+    order: Vec<(usize, bool)>,
+    gap: f64,
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
+    let found = edges("curves", &args.curves, ctx)?;
+    let ring = match found.len() {
+        2 => facing(&found),
+        3 | 4 => ring(&found),
+        n => {
+            let message = format!("a surface has two, three or four edges, found {n}");
+            return Diagnostic::error(Code::BadCall, args.curves.span, message).fail();
+        }
+    };
+    let oriented: Vec<Edge> = ring
+        .order
+        .iter()
+        .map(|&(idx, back)| if back { found[idx].reversed() } else { found[idx].clone() })
+        .collect();
+    let surface = match &oriented[..] {
+        [low, high] => NurbsSurface::ruled(&low.curve, &high.curve).at(ctx.span)?,
+        all => {
+            check(all, args.curves.span, ctx.tolerance.distance)?;
+            within(all).at(ctx.span)?
+        }
+    };
+    let order: Vec<usize> = ring.order.iter().map(|&(idx, _)| idx).collect();
+    let reversed: Vec<usize> =
+        ring.order.iter().filter(|&&(_, back)| back).map(|&(idx, _)| idx).collect();
+    let receipt = Receipt::of("edge_surface").with("order", order).with("reversed", reversed);
+    Ok(surface.with_receipt(match found.len() {
+        2 => receipt,
+        _ => receipt.with("gap", ring.gap),
+    }))
+}
+
+/// The surface within edges that follow one another, each from the end of the one before.
+fn within(ring: &[Edge]) -> std::result::Result<NurbsSurface, crate::kernel::GeomError> {
+    let [low, up] = [&ring[0].curve, &ring[1].curve];
+    let down = ring[ring.len() - 1].curve.reversed();
+    let high = match ring.len() {
+        3 => NurbsCurve::bezier(&[up.end().midpoint(down.end())])?,
+        _ => ring[2].curve.reversed(),
+    };
+    NurbsSurface::coons([low, &high], [&down, up], Blend::Linear)
+}
+
+/// Two edges in the direction in which their ends are nearer to one another.
+fn facing(found: &[Edge]) -> Ring {
+    let apart = |back: bool| {
+        let end = |which: usize| if back { 1 - which } else { which };
+        let squared = |i: usize| found[0].end(i).distance_squared(found[1].end(end(i)));
+        squared(0) + squared(1)
+    };
+    Ring { order: vec![(0, false), (1, apart(true) < apart(false))], gap: 0.0 }
+}
+
+/// The order and directions in which the widest gap between an end and the next start is least;
+/// the first of them among equals.
+fn ring(found: &[Edge]) -> Ring {
+    let orders: &[&[usize]] = match found.len() {
+        3 => &[&[1, 2], &[2, 1]],
+        _ => &[&[1, 2, 3], &[3, 2, 1], &[2, 1, 3], &[2, 3, 1], &[1, 3, 2], &[3, 1, 2]],
+    };
+    let mut best = Ring { order: Vec::new(), gap: f64::INFINITY };
+    for rest in orders {
+        for directions in 0..1_usize << rest.len() {
+            let back = |k: usize| directions & (1 << k) != 0;
+            let rest = rest.iter().enumerate().map(|(k, &idx)| (idx, back(k)));
+            let order: Vec<(usize, bool)> = [(0, false)].into_iter().chain(rest).collect();
+            let gap = gaps(found, &order).into_iter().fold(0.0, f64::max);
+            if gap < best.gap {
+                best = Ring { order, gap };
+            }
+        }
+    }
+    best
+}
+
+/// From each edge to the next.
+fn gaps(found: &[Edge], order: &[(usize, bool)]) -> Vec<f64> {
+    let end = |&(idx, back): &(usize, bool), which: usize| {
+        found[idx].end(if back { 1 - which } else { which })
+    };
+    let next = order.iter().cycle().skip(1);
+    order.iter().zip(next).map(|(edge, next)| end(edge, 1).distance(end(next, 0))).collect()
+}
+
+/// Fails unless each edge starts where the one before ends.
+fn check(ring: &[Edge], span: crate::diag::Span, tolerance: f64) -> Result<()> {
+    let next = ring.iter().cycle().skip(1);
+    let widest = ring.iter().zip(next).max_by(|a, b| {
+        let gap = |(edge, next): &(&Edge, &Edge)| edge.end(1).distance(next.end(0));
+        gap(a).total_cmp(&gap(b))
+    });
+    let Some((edge, next)) = widest else { return Ok(()) };
+    let gap = edge.end(1).distance(next.end(0));
+    if gap <= tolerance {
+        return Ok(());
+    }
+    let message = format!(
+        "the edges do not close: `{}` {} at {}, and `{}`, the nearest to it, {} at {}, {} apart, more than the tolerance {}",
+        edge.name,
+        verb(1),
+        place(edge.end(1)),
+        next.name,
+        verb(0),
+        place(next.end(0)),
+        rounded(gap),
+        shortest(tolerance)
+    );
+    Diagnostic::error(Code::Gap, span, message)
+        .hint("three or four edges make a ring in which each shares both its ends with others")
+        .fail()
+}

@@ -1,0 +1,76 @@
+//! `revolve`: a curve turned about an axis.
+
+use std::{f64::consts::TAU, sync::Arc};
+
+use glam::DVec3;
+
+use super::boundary::rounded;
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::{Axis, AxisContact, NurbsCurve, NurbsSurface},
+    value::{Angle, At, Ctx, op},
+};
+
+op! {
+    /// Surface that a curve leaves behind when it is turned about an axis.
+    ///
+    /// Exact, of a rational curve too: u goes around the axis on 0..1 from the curve's own place, in
+    /// equal arcs of at most a quarter turn, v along the curve on its own domain. A positive angle
+    /// turns counter-clockwise seen from where the axis points to, a negative one the other way.
+    /// An end of the curve on the axis makes a pole. Piegl & Tiller, *The NURBS Book*, A8.1.
+    revolve in Surface -> NurbsSurface {
+        /// The curve.
+        c: Arc<NurbsCurve>,
+        /// The direction of the axis.
+        axis: Spanned<DVec3> = Spanned::unplaced(DVec3::Z),
+        /// A point of the axis.
+        about: DVec3 = DVec3::ZERO,
+        /// How far it turns: up to a full turn, either way.
+        angle: Spanned<Angle> = Spanned::unplaced(Angle(TAU)),
+    }
+    example "revolve(line((2, 0), (2, 0, 5)))(0.25, 0.5) ~= (0, 2, 2.5)" => "true";
+    example "revolve(line((2, 0), (1, 0, 5)), angle = 90deg).patches" => "[1, 1]";
+    example "revolve(line((1, 3), (2, 3)), about = (0, 3), angle = -90deg)(1, 0)" => "(0, 2, 0)";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
+    let axis = Axis::new(args.about, args.axis.value).at(args.axis.span_or(ctx.span))?;
+    let contacts = axis.contacts(&args.c, ctx.tolerance.distance).at(ctx.span)?;
+    let angle = args.angle.value.0;
+    let surface = NurbsSurface::revolved(&args.c, axis, angle);
+    let surface = surface.at(args.angle.span_or(ctx.span)).map_err(|mut found| {
+        if TAU < angle.abs() {
+            found.hints.push("the angle is one full turn at most: `angle = 1turn`".to_owned());
+        }
+        found
+    })?;
+    for contact in contacts {
+        if let Some(warning) = told(contact, ctx) {
+            ctx.warn(warning);
+        }
+    }
+    Ok(surface)
+}
+
+/// What it means for the surface that the curve comes to the axis between its ends.
+fn told(contact: AxisContact, ctx: &Ctx<'_>) -> Option<Diagnostic> {
+    match contact {
+        AxisContact::Place { parameter, is_crossing: true } => {
+            let message = format!(
+                "the curve crosses the axis at t = {}, where the surface passes through itself",
+                rounded(parameter)
+            );
+            let hint = "`trim` the curve there, and turn one side of it";
+            Some(Diagnostic::warning(Code::SelfIntersecting, ctx.span, message).hint(hint))
+        }
+        AxisContact::Place { .. } => None,
+        AxisContact::Stretch { start, end } => {
+            let message = format!(
+                "the curve runs along the axis from t = {} to {}, where the surface has no area",
+                rounded(start),
+                rounded(end)
+            );
+            Some(Diagnostic::warning(Code::Unclean, ctx.span, message))
+        }
+    }
+}

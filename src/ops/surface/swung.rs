@@ -1,0 +1,74 @@
+//! `swung`: a profile swung along a trajectory about the z axis.
+
+use std::sync::Arc;
+
+use super::boundary::rounded;
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::{NurbsCurve, NurbsSurface},
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// Surface of a profile in the xz-plane, swung about z along a trajectory in the xy-plane.
+    ///
+    /// Its point at (u, v) is (s·x·X, s·x·Y, z) of the profile's point (x, 0, z) at u and the
+    /// trajectory's (X, Y, 0) at v, where s is the scale; exact. With the unit circle as its
+    /// trajectory it is a surface of revolution. Piegl & Tiller, *The NURBS Book*, (10.1) to (10.6).
+    swung in Surface -> NurbsSurface {
+        /// The profile, in the xz-plane; u runs along it.
+        profile: Spanned<Arc<NurbsCurve>>,
+        /// The trajectory, in the xy-plane; v runs along it.
+        trajectory: Spanned<Arc<NurbsCurve>>,
+        /// Factor of x and y.
+        scale: Spanned<f64> = Spanned::unplaced(1.0),
+    }
+    example "swung(line((1, 0), (2, 0, 4)), circle((0, 0), 1))(0.5, 0.25) ~= (0, 1.5, 2)" => "true";
+    example "swung(line((1, 0), (1, 0, 4)), line((1, 0), (0, 2)), scale = 3)(0, 1)" => "(0, 6, 0)";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
+    if args.scale.value == 0.0 {
+        let message = "a scale of zero would flatten the surface to a line";
+        return Diagnostic::error(Code::Degenerate, args.scale.span, message).fail();
+    }
+    let allowed = ctx.tolerance.distance;
+    check_plane(&args.profile, "profile", ("xz", "y", 1), allowed)?;
+    check_plane(&args.trajectory, "trajectory", ("xy", "z", 2), allowed)?;
+    NurbsSurface::swung(&args.profile.value, &args.trajectory.value, args.scale.value).at(ctx.span)
+}
+
+/// Fails where a curve leaves its plane, in which a coordinate is zero.
+fn check_plane(
+    curve: &Spanned<Arc<NurbsCurve>>,
+    what: &str,
+    (plane, coordinate, index): (&str, &str, usize),
+    allowed: f64,
+) -> Result<()> {
+    let (t, off) = farthest(&curve.value, index);
+    if off.abs() <= allowed {
+        return Ok(());
+    }
+    let message = format!(
+        "the {what} must lie in the {plane}-plane, but at t = {} its {coordinate} is {}",
+        rounded(t),
+        rounded(off)
+    );
+    let hint = match index {
+        1 => "the profile has the points (x, 0, z): `rotate` or `project` it",
+        _ => "the trajectory has the points (x, y): `rotate` or `project` it",
+    };
+    Diagnostic::error(Code::Degenerate, curve.span, message).hint(hint).fail()
+}
+
+/// Where the curve is furthest from zero in a coordinate, and that coordinate; more places than a
+/// polynomial of the degree has zeros are looked at in each span.
+fn farthest(curve: &NurbsCurve, index: usize) -> (f64, f64) {
+    let n_steps = 2 * curve.degree() + 4;
+    let knots = curve.knots();
+    let places = knots.spans().flat_map(|span| knots.span_interval(span).steps(n_steps));
+    let values = places.map(|t| (t, curve.point_at(t)[index]));
+    values.fold((curve.domain().start(), 0.0), |most: (f64, f64), (t, value)| {
+        if most.1.abs() < value.abs() { (t, value) } else { most }
+    })
+}
