@@ -3,10 +3,7 @@
 
 use std::{hint::black_box, time::Instant};
 
-use geomcore::{
-    Point, Tolerance,
-    prelude::{ParametricCurve, ParametricSurface},
-};
+use geomcore::{Point, PointExtrema, Tolerance, prelude::ParametricSurface};
 use glam::DVec3;
 use virote::kernel::{Grid, NurbsSurface};
 

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::{NurbsSurface, ParametricSurface, Surface};
 use crate::kernel::{
-    GeomError,
+    GeomError, Interval,
     frame::norm,
     nearest::{Cell, Nearest, Wanted, Way, descend},
     tolerance::LAST_BIT,
@@ -19,7 +19,8 @@ const GRID: usize = 48;
 /// The nearest point of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceFoot {
-    /// Where it is: along u and along v. At a seam and at a pole the start of the domain.
+    /// Where it is: along u and along v. At a seam and at a pole the start of the domain; what is
+    /// at an end of a domain up to rounding is there.
     pub parameters: [f64; 2],
     /// The point.
     pub point: DVec3,
@@ -51,20 +52,22 @@ impl NurbsSurface {
         let knots = [&self.knots_u, &self.knots_v];
         let nearest = self.nearest.get_or_make(|| Nearest::of_surface(knots, &self.control_points));
         let near = nearest.places(self.control_points.as_slice(), p, Wanted::One);
-        let starts = [self.domain_u().start(), self.domain_v().start()];
-        let parameters = near.first().copied().unwrap_or(starts);
+        let domains = [self.domain_u(), self.domain_v()];
+        let parameters = near.first().copied().unwrap_or(domains.map(Interval::start));
         let at = |[u, v]: [f64; 2]| self.point_at(u, v);
         let point = at(parameters);
         let rounding = LAST_BIT * (p.abs().max_element() + point.abs().max_element());
 
         let mut foot = SurfaceFoot { parameters, point, distance: norm(point - p) };
-        for (direction, start) in starts.into_iter().enumerate() {
-            let mut parameters = foot.parameters;
-            parameters[direction] = start;
-            let point = at(parameters);
-            if norm(point - foot.point) <= 4.0 * rounding {
-                foot = SurfaceFoot { parameters, point, distance: norm(point - p) };
-            }
+        for (direction, domain) in domains.into_iter().enumerate() {
+            let on_end = [domain.start(), domain.end()].into_iter().find_map(|end| {
+                let mut parameters = foot.parameters;
+                parameters[direction] = end;
+                let point = at(parameters);
+                let is_there = norm(point - foot.point) <= 4.0 * rounding;
+                is_there.then(|| SurfaceFoot { parameters, point, distance: norm(point - p) })
+            });
+            foot = on_end.unwrap_or(foot);
         }
         foot
     }
