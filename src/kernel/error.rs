@@ -121,7 +121,8 @@ pub enum GeomError {
     Crease { along: &'static str, parameter: f64, gap: f64 },
     /// An offset that no spline surface of a reasonable size comes near.
     #[error(
-        "no spline surface of {most} patches is within {tolerance} of the offset near ({u}, {v})"
+        "no spline surface of {most} patches is within {} of the offset near ({u}, {v})",
+        few_digits(*tolerance)
     )]
     NoSurfaceNear { most: usize, tolerance: f64, u: f64, v: f64 },
     /// Patches that do not meet along their sides.

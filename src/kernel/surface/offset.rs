@@ -26,6 +26,8 @@ pub struct SurfaceOffset {
     pub is_exact: bool,
     /// The largest distance from the true offset that was measured, at equal parameters.
     pub deviation: f64,
+    /// The mean of all that were.
+    pub mean: f64,
     /// Where that is.
     pub at: [f64; 2],
     /// The tightest bend towards the offset, if the distance is beyond its radius.
@@ -51,7 +53,14 @@ impl Surface {
         {
             let at = [surface.domain_u().start(), surface.domain_v().start()];
             let surface = NurbsSurface::clone(surface);
-            return Ok(SurfaceOffset { surface, is_exact: true, deviation: 0.0, at, turn: None });
+            return Ok(SurfaceOffset {
+                surface,
+                is_exact: true,
+                deviation: 0.0,
+                mean: 0.0,
+                at,
+                turn: None,
+            });
         }
         let size = self.magnitude()? + distance.abs();
         let tolerance = tolerance.max(MOST_ROUNDINGS * LAST_BIT * size);
@@ -60,20 +69,17 @@ impl Surface {
             check_creases(surface, aim)?;
         }
         let turn = turn::tightest(self, distance)?;
-        if let Self::Nurbs(surface) = self
-            && let Some((exact, worst)) = exact(surface, aim, EXACT_RELATIVE * size)?
-        {
-            return Ok(SurfaceOffset {
-                surface: exact,
-                is_exact: true,
-                deviation: worst.distance,
-                at: worst.at,
-                turn,
-            });
-        }
-        let (surface, worst) = fit::fitted(aim)?;
-        let (deviation, at) = (worst.distance, worst.at);
-        Ok(SurfaceOffset { surface, is_exact: false, deviation, at, turn })
+        let exact = match self {
+            Self::Nurbs(surface) => exact(surface, aim, EXACT_RELATIVE * size)?,
+            Self::Parametric(_) => None,
+        };
+        let is_exact = exact.is_some();
+        let (surface, worst) = match exact {
+            Some(found) => found,
+            None => fit::fitted(aim)?,
+        };
+        let (deviation, mean, at) = (worst.distance, worst.mean(), worst.at);
+        Ok(SurfaceOffset { surface, is_exact, deviation, mean, at, turn })
     }
 
     /// The largest coordinate, of control points or of some points.

@@ -49,11 +49,31 @@ impl Aim<'_> {
     }
 }
 
-/// The largest distance, and where it is.
+/// The largest distance and where it is, and the sum of all that were measured.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Worst {
     pub(super) distance: f64,
     pub(super) at: [f64; 2],
+    sum: f64,
+    n_places: usize,
+}
+
+impl Worst {
+    fn at(u: f64, v: f64) -> Self {
+        Self { distance: 0.0, at: [u, v], sum: 0.0, n_places: 0 }
+    }
+
+    fn take(&mut self, other: Self) {
+        if self.distance < other.distance || self.n_places == 0 {
+            (self.distance, self.at) = (other.distance, other.at);
+        }
+        self.sum += other.sum;
+        self.n_places += other.n_places;
+    }
+
+    pub(super) fn mean(self) -> f64 {
+        self.sum / self.n_places.max(1) as f64
+    }
 }
 
 /// The spans of a surface along both directions.
@@ -78,14 +98,10 @@ impl Layout {
         aim: Aim<'_>,
         enough: Option<f64>,
     ) -> Result<Worst, GeomError> {
-        let mut worst =
-            Worst { distance: 0.0, at: [surface.domain_u().start(), surface.domain_v().start()] };
+        let mut worst = Worst::at(surface.domain_u().start(), surface.domain_v().start());
         for &u in &self.spans[0] {
             for &v in &self.spans[1] {
-                let of_patch = worst_of_patch(surface, aim, [u, v])?;
-                if worst.distance < of_patch.distance {
-                    worst = of_patch;
-                }
+                worst.take(worst_of_patch(surface, aim, [u, v])?);
                 if enough.is_some_and(|enough| enough < worst.distance) {
                     return Ok(worst);
                 }
@@ -100,13 +116,11 @@ fn worst_of_patch(
     aim: Aim<'_>,
     [span_u, span_v]: [Interval; 2],
 ) -> Result<Worst, GeomError> {
-    let mut worst = Worst { distance: 0.0, at: [span_u.start(), span_v.start()] };
+    let mut worst = Worst::at(span_u.start(), span_v.start());
     for u in inner_places(span_u) {
         for v in inner_places(span_v) {
             let distance = surface.point_at(u, v).distance(aim.point(u, v)?);
-            if worst.distance < distance {
-                worst = Worst { distance, at: [u, v] };
-            }
+            worst.take(Worst { distance, at: [u, v], sum: distance, n_places: 1 });
         }
     }
     Ok(worst)
@@ -126,15 +140,13 @@ pub(super) fn fitted(aim: Aim<'_>) -> Result<(NurbsSurface, Worst), GeomError> {
     loop {
         let surface = through(aim, &knots_u, &knots_v)?;
         let Layout { spans: [spans_u, spans_v] } = Layout::of(&surface);
-        let mut worst = Worst { distance: 0.0, at: [0.0; 2] };
+        let mut worst = Worst::at(surface.domain_u().start(), surface.domain_v().start());
         let (mut to_halve_u, mut to_halve_v) =
             (vec![false; spans_u.len()], vec![false; spans_v.len()]);
         for (i, &u) in spans_u.iter().enumerate() {
             for (j, &v) in spans_v.iter().enumerate() {
                 let of_patch = worst_of_patch(&surface, aim, [u, v])?;
-                if worst.distance <= of_patch.distance {
-                    worst = of_patch;
-                }
+                worst.take(of_patch);
                 let is_far = SAFETY * aim.tolerance < of_patch.distance;
                 to_halve_u[i] |= is_far;
                 to_halve_v[j] |= is_far;

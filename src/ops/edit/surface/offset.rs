@@ -14,7 +14,7 @@ op! {
     /// Exact, with the degrees, knots and weights of the surface, where that is possible: planes,
     /// spheres, cylinders, cones, tori. Others are quintic splines through points of the true
     /// offset, with knots added until its distance, measured at 16 places of each patch, is
-    /// below half of the tolerance; `report` tells the largest. At a pole the limit of the normal
+    /// below half of the tolerance; `report` tells the largest with its parameters. At a pole the limit of the normal
     /// counts. A crease, and a place where the normal has no limit, are errors. Where the distance is
     /// beyond a radius of curvature on that side the offset turns back: it is kept, and a
     /// warning tells the tightest place.
@@ -46,10 +46,12 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         let hint = "a distance below the smallest radius on that side has no such place";
         ctx.warn(Diagnostic::warning(Code::SelfIntersecting, ctx.span, message).hint(hint));
     }
-    let mut receipt = Receipt::of("offset")
-        .with("exact", offset.is_exact)
-        .with("deviation", offset.deviation)
+    let deviation = Receipt::default()
+        .with("max", offset.deviation)
+        .with("mean", offset.mean)
         .with("at", offset.at.to_vec());
+    let mut receipt =
+        Receipt::of("offset").with("exact", offset.is_exact).with("deviation", deviation);
     if let Some(turn) = offset.turn {
         receipt = receipt.with("turns_back_at", turn.at.to_vec()).with("radius", turn.radius);
     }
