@@ -150,6 +150,9 @@ codes! {
     NotExact "E0611" "a form that the curve does not have"
         "Every conversion between forms of a curve is exact, and one that could not be is refused: cubic forms hold no higher degree, forms without weights no circle, chains of equal segments no others, and a form that is smooth at its joints no corner. The message tells the reason. Split the curve, or approximate it."
 
+    OpenShell "E0612" "surfaces that enclose nothing"
+        "A volume is enclosed by surfaces that close: every edge meets one other edge within the document's tolerance, of the same surface at a seam or of another one, or is collapsed to a point. The message tells the edge that does not, and where. Add what is missing, or ask for the `area`, which needs no inside."
+
     // E07xx: files.
     FileMissing "E0701" "a file that cannot be read"
         "The file does not exist beside the script or cannot be read. Paths are relative to the file that names them."

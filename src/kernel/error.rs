@@ -1,11 +1,9 @@
 //! Why a piece of geometry cannot exist, or a question about it has no answer.
 
-use std::{error::Error as StdError, fmt, sync::Arc};
-
 use glam::DVec3;
 use thiserror::Error;
 
-use super::Interval;
+use super::{FunctionFailure, Interval, ShellError};
 
 /// A request that has no geometric answer.
 ///
@@ -175,6 +173,27 @@ pub enum GeomError {
     /// The surface has no tangent plane.
     #[error("there is no normal at ({u}, {v}): the tangent plane has no limit there")]
     NoNormal { u: f64, v: f64 },
+    /// The surface has no curvature.
+    #[error(
+        "there is no curvature at ({u}, {v}): Su × Sv vanishes there, and the curvatures around have no common limit"
+    )]
+    NoCurvature { u: f64, v: f64 },
+    /// A partial derivative vanishes and has no direction either.
+    #[error(
+        "there is no tangent along {what} at ({u}, {v}): the derivative vanishes and has no direction"
+    )]
+    NoTangentAlong { what: &'static str, u: f64, v: f64 },
+    /// A direction along the normal where one of the tangent plane is wanted.
+    #[error(
+        "the direction runs along the normal of the surface, so that it has no part in the tangent plane"
+    )]
+    AcrossSurface,
+    /// Surfaces that enclose nothing.
+    #[error(transparent)]
+    Shell(#[from] ShellError),
+    /// An area or volume of zero.
+    #[error("there is no {what} that could have a centre")]
+    NothingThere { what: &'static str },
     /// Two points that must differ do not.
     #[error("points {first} and {second} are at one place")]
     CoincidentPoints { first: usize, second: usize },
@@ -338,50 +357,11 @@ fn degrees(turns: f64) -> String {
 }
 
 /// A measured number for a message.
-fn few_digits(x: f64) -> String {
+pub(in crate::kernel) fn few_digits(x: f64) -> String {
     let rounded = format!("{x:.3e}").parse().unwrap_or(x);
     if rounded <= 0.0 || (0.001..1_000_000.0).contains(&rounded) {
         rounded.to_string()
     } else {
         format!("{rounded:e}")
-    }
-}
-
-/// Why a function has no value, in the words of whoever made the function; the kernel looks not
-/// inside.
-#[derive(Clone, Debug)]
-pub struct FunctionFailure(Arc<dyn StdError + Send + Sync>);
-
-impl FunctionFailure {
-    /// The failure for this reason.
-    pub fn new(reason: impl StdError + Send + Sync + 'static) -> Self {
-        Self(Arc::new(reason))
-    }
-
-    /// The reason, if it is of this type; also through functions that are made of functions.
-    #[must_use]
-    pub fn reason<T: StdError + 'static>(&self) -> Option<&T> {
-        if let Some(reason) = self.0.downcast_ref() {
-            return Some(reason);
-        }
-        match self.0.downcast_ref()? {
-            GeomError::Function(inner) => inner.reason(),
-            _ => None,
-        }
-    }
-}
-
-impl fmt::Display for FunctionFailure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
-    }
-}
-
-impl StdError for FunctionFailure {}
-
-/// Failures are equal when they are one in memory.
-impl PartialEq for FunctionFailure {
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.0, &other.0)
     }
 }

@@ -76,6 +76,17 @@ impl Interval {
         }
     }
 
+    /// The sign of steps from `t` that stay inside; none where both do.
+    pub(in crate::kernel) fn inward(self, t: f64) -> Option<f64> {
+        if t <= self.start {
+            Some(1.0)
+        } else if self.end <= t {
+            Some(-1.0)
+        } else {
+            None
+        }
+    }
+
     /// The left and the right half.
     pub(in crate::kernel) fn halves(self) -> [Self; 2] {
         let middle = self.at(0.5);

@@ -8,6 +8,7 @@ mod bounds;
 mod compatible;
 mod curve;
 mod error;
+mod failure;
 mod fit;
 mod frame;
 mod grid;
@@ -34,7 +35,8 @@ pub use curve::{
     CircleForm, ConicKind, Continuity, Curve, CurveEvaluator, CurveFunction, Foot, LocalGeometry,
     Meeting, Neighbourhood, NurbsCurve, Offset, ParametricCurve, PlaceKind, join, make_compatible,
 };
-pub use error::{FunctionFailure, GeomError};
+pub use error::GeomError;
+pub use failure::FunctionFailure;
 pub use fit::{
     Approximator, Ends, FirstPass, Interpolator, LineFit, Spacing, approximate, approximate_within,
     check_parameters, lagrange,
@@ -47,9 +49,10 @@ pub use knots::{KnotVector, Side};
 pub use mesh::{Mesh, grid_mesh, tessellate, tessellate_curve};
 pub use receipt::{Fact, Receipt};
 pub use surface::{
-    Axis, AxisContact, Blend, CrossFields, Direction, GridSamples, NurbsSurface, ParametricSurface,
-    Surface, SurfaceEvaluator, SurfaceFoot, SurfaceFunction, SurfaceOffset, Turn, Twists,
-    join_patches, make_surfaces_compatible,
+    Axis, AxisContact, Blend, CrossFields, Defects, Deviation, Direction, Edge, GridSamples, Mass,
+    NurbsSurface, ParametricSurface, Principal, ShellError, Surface, SurfaceContinuity,
+    SurfaceEvaluator, SurfaceFoot, SurfaceFunction, SurfaceKind, SurfaceOffset, SurfaceShape, Turn,
+    Twists, area_mass, join_patches, make_surfaces_compatible, principal_axes, volume_mass,
 };
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;

@@ -107,6 +107,18 @@ pub const PLACE_RELATIVE: f64 = 1e-9;
 /// of the sum, so that the subdivision runs to its ceiling everywhere.
 pub const LENGTH_RELATIVE: f64 = 1e-13;
 
+/// Areas and volumes are computed to this fraction of themselves, as far as a cell and its quarters
+/// tell; the quarters are much nearer than that.
+///
+/// Larger shows in the last digits that a report prints; smaller asks for less than the rounding
+/// of the sum.
+pub const QUADRATURE_RELATIVE: f64 = 1e-12;
+
+/// An area or volume of which less than this fraction may be wrong is told without a word.
+///
+/// Larger hides a fold that the integral misses; smaller warns of digits that nobody reads.
+pub const ACCURACY_WORTH_TELLING: f64 = 1e-9;
+
 /// A bounding box stops growing when the rest of the hull sticks out by less than this fraction
 /// of the largest coordinate.
 ///

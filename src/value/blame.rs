@@ -2,7 +2,7 @@
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
-    kernel::GeomError,
+    kernel::{GeomError, ShellError},
 };
 
 /// Pins an error of the kernel to the place in the script that caused it.
@@ -60,6 +60,7 @@ pub fn code_of(error: &GeomError) -> Code {
         | Error::NoSurfaceNear { .. }
         | Error::NoSplineNear { .. } => Code::BeyondTolerance,
         Error::Gap { .. } | Error::PatchGap { .. } => Code::Gap,
+        Error::Shell(_) => Code::OpenShell,
         Error::TooFewCurves { .. } => Code::BadCall,
         Error::RationalFor { .. }
         | Error::DegreeTooHighFor { .. }
@@ -103,6 +104,7 @@ pub fn code_of(error: &GeomError) -> Code {
 
 /// What to do about an error of the kernel, where the message alone does not tell.
 #[must_use]
+#[expect(clippy::too_many_lines, reason = "one table")]
 pub fn hint_of(error: &GeomError) -> Option<String> {
     use GeomError as Error;
     Some(match error {
@@ -154,6 +156,18 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
             "curve" => "`to_nurbs(c, tolerance)` makes a NURBS of it".to_owned(),
             _ => "`approximate` a grid of its points".to_owned(),
         },
+        Error::NoCurvature { .. } | Error::NoNormal { .. } => {
+            "the parametrization is singular there, as where control points are repeated".to_owned()
+        }
+        Error::AcrossSurface => {
+            "directions of the tangent plane are those of `tangent_u` and `tangent_v`".to_owned()
+        }
+        Error::Shell(ShellError::Open { .. } | ShellError::Alone { .. }) => {
+            "a volume needs surfaces that close it; `area` needs none".to_owned()
+        }
+        Error::Shell(ShellError::Crowded { .. }) => {
+            "give the surfaces of one body at a time".to_owned()
+        }
         Error::Undetermined { .. } => "ask for fewer control points".to_owned(),
         Error::Straight { .. } => {
             "a straight place has a tangent and a normal plane, but no direction across stands out"

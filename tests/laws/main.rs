@@ -5,6 +5,7 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot build its example fails")]
 
 mod basis;
+mod bodies;
 mod construct;
 mod coons;
 mod curve;
@@ -24,6 +25,7 @@ mod offset_surface;
 mod parametric;
 mod places;
 mod primitive;
+mod shape;
 mod some;
 mod surface;
 mod worked;

@@ -36,10 +36,7 @@ impl Curve {
     /// # Errors
     /// As [`Self::point_at`].
     pub fn is_planar(&self, tolerance: Tolerance) -> Result<bool, GeomError> {
-        let points = self.places()?;
-        let allowed = allowed(&points, tolerance);
-        let Some(widest) = widest(&points) else { return Ok(true) };
-        Ok(lie_across(&points, widest.normal, allowed))
+        Ok(lie_in_a_plane(&self.places()?, tolerance))
     }
 
     /// Points that are on a line or in a plane together with the curve.
@@ -49,6 +46,12 @@ impl Curve {
             Self::Parametric(_) => self.sample(N_SAMPLES),
         }
     }
+}
+
+/// Whether points lie within the tolerance of one plane; points of a line do.
+pub(in crate::kernel) fn lie_in_a_plane(points: &[DVec3], tolerance: Tolerance) -> bool {
+    let Some(widest) = widest(points) else { return true };
+    lie_across(points, widest.normal, allowed(points, tolerance))
 }
 
 impl NurbsCurve {

@@ -63,6 +63,7 @@ pub use continuity::Continuity;
 pub(in crate::kernel) use denominator::on_one_denominator;
 pub use direction::PlaceKind;
 pub use evaluator::CurveEvaluator;
+pub(in crate::kernel) use flat::lie_in_a_plane;
 pub use intersect::Meeting;
 pub use join::join;
 pub use local::{LocalGeometry, Neighbourhood};

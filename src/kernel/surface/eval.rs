@@ -78,7 +78,17 @@ impl NurbsSurface {
     }
 
     fn homogeneous_derivatives(&self, u: f64, v: f64, order: usize) -> Grid<DVec4> {
-        let (span_u, span_v) = (self.knots_u.span_at(u), self.knots_v.span_at(v));
+        let spans = [self.knots_u.span_at(u), self.knots_v.span_at(v)];
+        self.homogeneous_derivatives_on(spans, [u, v], order)
+    }
+
+    /// Homogeneous derivatives of the piece over a pair of spans.
+    pub(super) fn homogeneous_derivatives_on(
+        &self,
+        [span_u, span_v]: [usize; 2],
+        [u, v]: [f64; 2],
+        order: usize,
+    ) -> Grid<DVec4> {
         let basis_u = self.knots_u.basis_derivatives_on(span_u, u, order.min(self.degree_u()));
         let basis_v = self.knots_v.basis_derivatives_on(span_v, v, order.min(self.degree_v()));
         let contract = |k: usize, l: usize| {

@@ -10,27 +10,44 @@
 //! to one basis. `rearrange` does of this what functions allow, `parts` has what a form is made of,
 //! `continuation` patches that go on from a side, `join` makes one surface of many, `offset` runs
 //! beside.
+//!
+//! Of both kinds `local` tells how they bend at a place, `pole` where an edge is collapsed,
+//! `everywhere` what holds at all places, `deviation` how far one is from another, `defects` where
+//! one is not regular; `joint` how two go on in one another along a `border`; `mass` area and
+//! volume, with `quadrature` for the integrals and `shell` for what closes.
 
 mod any;
+mod border;
 mod closest;
 mod compatible;
 mod continuation;
 mod coons;
+mod defects;
+mod deviation;
 mod direction;
+mod edge;
 mod edit;
 mod eval;
 mod evaluator;
+mod everywhere;
 mod grid_eval;
 mod iso;
 mod join;
+mod joint;
+mod local;
+mod looked;
+mod mass;
 mod normal;
 mod offset;
 mod parametric;
 mod parts;
+mod pole;
+mod quadrature;
 mod rearrange;
 mod revolve;
 mod round;
 mod ruled;
+mod shell;
 mod sum;
 
 use glam::{DAffine3, DVec3, DVec4};
@@ -39,13 +56,20 @@ pub use any::Surface;
 pub use closest::SurfaceFoot;
 pub use compatible::make_surfaces_compatible;
 pub use coons::{Blend, CrossFields, Twists};
+pub use defects::Defects;
+pub use deviation::Deviation;
 pub use direction::Direction;
+pub use edge::Edge;
 pub use evaluator::SurfaceEvaluator;
 pub use grid_eval::GridSamples;
 pub use join::join_patches;
+pub use joint::SurfaceContinuity;
+pub use local::{Principal, SurfaceKind, SurfaceShape};
+pub use mass::{Mass, area_mass, principal_axes, volume_mass};
 pub use offset::{SurfaceOffset, Turn};
 pub use parametric::{ParametricSurface, SurfaceFunction};
 pub use revolve::{Axis, AxisContact};
+pub use shell::ShellError;
 
 use super::{
     GeomError, Grid, Interval, KnotVector, Receipt, homogeneous, knots::BasisExpansion, lazy::Lazy,

@@ -57,7 +57,8 @@ impl NurbsSurface {
         unit(normal).ok_or(GeomError::NoNormal { u, v })
     }
 
-    fn span_widths(&self, u: f64, v: f64) -> [f64; 2] {
+    /// The widths of the spans that hold a place.
+    pub(super) fn span_widths(&self, u: f64, v: f64) -> [f64; 2] {
         let width_u = self.knots_u.span_interval(self.knots_u.span_at(u)).length();
         let width_v = self.knots_v.span_interval(self.knots_v.span_at(v)).length();
         [width_u, width_v]
@@ -80,7 +81,7 @@ pub(super) fn limit_normal(
     rounding: f64,
 ) -> Result<Option<DVec3>, GeomError> {
     let normals = normal_series(&derivatives(MAX_ORDER)?, widths);
-    let sides = places.map(|(domain, t)| inward(domain, t));
+    let sides = places.map(|(domain, t)| domain.inward(t));
     for order in 1..MAX_ORDER {
         let terms: Vec<(usize, DVec3)> = (0..=order)
             .map(|i| (i, normals.get(i, order - i)))
@@ -121,17 +122,6 @@ fn common_direction(
         direction.is_some_and(|direction| direction.distance(first) < NORMAL_AGREEMENT)
     };
     directions.all(agree).then_some(first)
-}
-
-/// The sign of steps from `t` that stay inside the domain; none where both do.
-fn inward(domain: Interval, t: f64) -> Option<f64> {
-    if t <= domain.start() {
-        Some(1.0)
-    } else if domain.end() <= t {
-        Some(-1.0)
-    } else {
-        None
-    }
 }
 
 /// Taylor coefficients of Su × Sv by powers of u and v, for steps in units of `widths`.

@@ -158,6 +158,11 @@ impl ParametricSurface {
         found.ok_or(GeomError::NoNormal { u, v })
     }
 
+    /// The area of Su × Sv over the whole domain that is rounding and no area.
+    pub(super) fn fold_area(&self) -> f64 {
+        self.fold_area
+    }
+
     /// A unit vector for shading: the normal, or the nearest there is.
     pub(super) fn shading_normal(&self, u: f64, v: f64) -> DVec3 {
         let [inner_u, inner_v] = [shading_place(self.domain_u, u), shading_place(self.domain_v, v)];

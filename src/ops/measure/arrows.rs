@@ -147,18 +147,12 @@ fn over_surface(surface: &Surface, [u, v]: [f64; 2], field: Field) -> Option<Vec
         let derivatives = surface.derivatives_at(u, v, order[0] + order[1])?;
         Ok((derivatives.get(0, 0), derivatives.get(order[0], order[1])))
     };
-    let unit = |vector: Vector| {
-        let (point, vector) = vector?;
-        let unit = vector.try_normalize().ok_or(GeomError::NoNormal { u, v })?;
-        Ok((point, unit))
-    };
+    let at_point = |vector| Ok((surface.point_at(u, v)?, vector));
     Some(match field {
-        Field::TangentU => unit(partial([1, 0])),
-        Field::TangentV => unit(partial([0, 1])),
+        Field::TangentU => surface.tangent_u_at(u, v).and_then(at_point),
+        Field::TangentV => surface.tangent_v_at(u, v).and_then(at_point),
         Field::Twist => partial([1, 1]),
-        Field::Normal => {
-            surface.normal_at(u, v).and_then(|normal| Ok((surface.point_at(u, v)?, normal)))
-        }
+        Field::Normal => surface.normal_at(u, v).and_then(at_point),
         _ => return None,
     })
 }
@@ -170,6 +164,7 @@ fn existing(vector: Vector) -> std::result::Result<Option<(DVec3, DVec3)>, GeomE
             GeomError::Straight { .. }
             | GeomError::UnboundedCurvature { .. }
             | GeomError::VanishingTangent { .. }
+            | GeomError::NoTangentAlong { .. }
             | GeomError::NoNormal { .. },
         ) => Ok(None),
         vector => vector.map(Some),

@@ -2,10 +2,12 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use crate::{
     diag::{Result, Span, Spanned},
-    kernel::{GeomError, Tolerance},
-    value::{At, Ctx, FromValue, Mismatch, Record, Type, Value, field, field_names, op},
+    kernel::{Defects, Edge, GeomError, Tolerance},
+    value::{At, Ctx, FromValue, IntoValue, Mismatch, Record, Type, Value, field, field_names, op},
 };
 
 op! {
@@ -14,11 +16,17 @@ op! {
     ///
     /// A curve also tells its `order`, degree + 1, and the `count` of its control points; a table
     /// the `count` of its rows. A parametric curve or surface has no control points to tell.
+    ///
+    /// A surface tells both numbers for u and for v, and where it is not regular: the edges that are
+    /// `collapsed` to a point, the other corners that are `singular` because Su × Sv vanishes there,
+    /// and the first `folds` that a grid of places shows, where the normal turns over, each as a point
+    /// of parameters (u, v).
     describe in Measure -> Value {
         /// A point, curve, surface, mesh, plane or table, or a list of them.
         g: Spanned<Described>,
     }
     example "describe(line((0, 0), (1, 2))).knots" => "[0, 0, 1, 1]";
+    example "describe(bilinear((0, 0), (0, 0), (1, 0), (1, 1))).collapsed" => "[\"u0\"]";
     example "describe((1, 2))" => "{kind: \"point\", x: 1, y: 2, z: 0}";
 }
 
@@ -74,6 +82,24 @@ fn described(value: &Value, tolerance: Tolerance, span: Span) -> Result<Value> {
                 fields.push((Arc::from("count"), Value::number(count as f64)));
             }
             fields.extend(data);
+        }
+        Value::Surface(surface) => {
+            if let Ok(nurbs) = surface.nurbs() {
+                let (net, degrees) = (nurbs.control_points(), [nurbs.degree_u(), nurbs.degree_v()]);
+                let counts = vec![net.n_rows(), net.n_columns()];
+                let orders = degrees.map(|degree| degree + 1).to_vec();
+                fields.push((Arc::from("order"), orders.into_value()));
+                fields.push((Arc::from("count"), counts.into_value()));
+            }
+            fields.extend(data);
+            let Defects { collapsed, corners, folds } = surface.defects(tolerance).at(span)?;
+            let places = |places: Vec<[f64; 2]>| -> Vec<DVec3> {
+                places.into_iter().map(|[u, v]| DVec3::new(u, v, 0.0)).collect()
+            };
+            let words: Vec<&str> = collapsed.into_iter().map(Edge::word).collect();
+            fields.push((Arc::from("collapsed"), words.into_value()));
+            fields.push((Arc::from("singular"), places(corners).into_value()));
+            fields.push((Arc::from("folds"), places(folds).into_value()));
         }
         _ => fields.extend(data),
     }

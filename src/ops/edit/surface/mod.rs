@@ -25,34 +25,13 @@ pub(super) mod wireframe;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{Direction, GeomError, NurbsSurface, Side},
+    kernel::{Direction, Edge, GeomError, NurbsSurface},
     value::{At, Choice, Ctx},
 };
 
-/// A side of a surface by its name.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Edge {
-    U0,
-    U1,
-    V0,
-    V1,
-}
-
 impl Choice for Edge {
     const WORDS: &'static [&'static str] = &["u0", "u1", "v0", "v1"];
-    const MEANINGS: &'static [Self] = &[Self::U0, Self::U1, Self::V0, Self::V1];
-}
-
-impl Edge {
-    /// The direction that the side is an end of, and which end.
-    pub(super) fn place(self) -> (Direction, Side) {
-        match self {
-            Self::U0 => (Direction::U, Side::Left),
-            Self::U1 => (Direction::U, Side::Right),
-            Self::V0 => (Direction::V, Side::Left),
-            Self::V1 => (Direction::V, Side::Right),
-        }
-    }
+    const MEANINGS: &'static [Self] = &Self::ALL;
 }
 
 /// What was given for u, for v, or for both, with its direction.

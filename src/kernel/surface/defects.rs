@@ -1,0 +1,155 @@
+//! Where a surface is not regular: edges that are points, corners without a tangent plane, folds.
+
+use glam::DVec3;
+
+use super::{Edge, Surface, border::Border};
+use crate::kernel::{
+    Bounds, GeomError, Interval, KnotVector, Tolerance, frame::unit, tolerance::SIDE_STEP,
+};
+
+/// Places of each piece along a direction where the normal is looked at: fewer where the pieces
+/// are many.
+const PLACES: usize = 64;
+const FEWEST: usize = 3;
+const MOST: usize = 32;
+
+/// Folds that are told; more are more of the same.
+const MAX_FOLDS: usize = 8;
+
+/// Bisections of the way between two places with opposite normals: all bits of a fraction.
+const BISECTIONS: usize = 53;
+
+/// Where a surface is not regular.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Defects {
+    /// Edges that are one point.
+    pub collapsed: Vec<Edge>,
+    /// Corners `[u, v]` where Su × Sv vanishes although no edge is collapsed.
+    pub corners: Vec<[f64; 2]>,
+    /// Places `[u, v]` where the normal turns over: the first few that are seen.
+    pub folds: Vec<[f64; 2]>,
+}
+
+/// A place with the unit vector along Su × Sv, none where that vanishes.
+struct Place {
+    at: [f64; 2],
+    normal: Option<DVec3>,
+}
+
+impl Surface {
+    /// Where the surface is not regular, as far as a grid of some thousand places shows it.
+    ///
+    /// # Errors
+    /// As [`Self::point_at`].
+    pub fn defects(&self, tolerance: Tolerance) -> Result<Defects, GeomError> {
+        let mut defects = Defects::default();
+        for edge in Edge::ALL {
+            if self.is_collapsed(edge, tolerance)? {
+                defects.collapsed.push(edge);
+            }
+        }
+        let [[u0, u1], [v0, v1]] =
+            [self.domain_u(), self.domain_v()].map(|domain| [domain.start(), domain.end()]);
+        let corners = [
+            ([u0, v0], [Edge::U0, Edge::V0]),
+            ([u0, v1], [Edge::U0, Edge::V1]),
+            ([u1, v0], [Edge::U1, Edge::V0]),
+            ([u1, v1], [Edge::U1, Edge::V1]),
+        ];
+        for (at, edges) in corners {
+            let is_known = edges.iter().any(|edge| defects.collapsed.contains(edge));
+            if !is_known && self.unit_product(at)?.is_none() {
+                defects.corners.push(at);
+            }
+        }
+        defects.folds = self.folds()?;
+        Ok(defects)
+    }
+
+    fn is_collapsed(&self, edge: Edge, tolerance: Tolerance) -> Result<bool, GeomError> {
+        let border = Border::edge(self, edge);
+        let (us, vs) = (self.domain_u().steps(4), self.domain_v().steps(4));
+        let whole = Bounds::of(self.points_on_grid(&us, &vs)?.into_values());
+        let size = whole.map_or(0.0, Bounds::diagonal);
+        Ok(border.length()? <= tolerance.distance_for(size))
+    }
+
+    /// Pairs of neighbours with opposite normals, each narrowed down to a place.
+    fn folds(&self) -> Result<Vec<[f64; 2]>, GeomError> {
+        let (us, vs) = self.spread_places();
+        let mut folds = Vec::new();
+        let mut last: Vec<Option<Place>> = Vec::new();
+        for &(u, begins_u) in &us {
+            let mut row = Vec::with_capacity(vs.len());
+            for (j, &(v, begins_v)) in vs.iter().enumerate() {
+                let here = Place { at: [u, v], normal: self.unit_product([u, v])? };
+                let below = last.get(j).and_then(Option::as_ref).filter(|_| !begins_u);
+                let before = row.last().and_then(Option::as_ref).filter(|_| !begins_v);
+                for beside in [below, before].into_iter().flatten() {
+                    if folds.len() < MAX_FOLDS && are_opposite(beside, &here) {
+                        folds.extend(self.turning_place(beside, &here)?);
+                    }
+                }
+                row.push(Some(here));
+            }
+            last = row;
+        }
+        Ok(folds)
+    }
+
+    /// Between two places with opposite normals, where it turns over; none where it only turns far.
+    fn turning_place(&self, from: &Place, to: &Place) -> Result<Option<[f64; 2]>, GeomError> {
+        let between = |f: f64| [0, 1].map(|i| from.at[i] * (1.0 - f) + to.at[i] * f);
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (low + high);
+            let normal = self.unit_product(between(middle))?;
+            let is_like_first = normal.zip(from.normal).is_some_and(|(a, b)| 0.0 < a.dot(b));
+            if is_like_first {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        let [before, behind] = [low - SIDE_STEP, high + SIDE_STEP].map(between);
+        let opposite = self.unit_product(before)?.zip(self.unit_product(behind)?);
+        let is_fold = opposite.is_some_and(|(a, b)| a.dot(b) < 0.0);
+        Ok(is_fold.then(|| between(0.5 * (low + high))))
+    }
+
+    fn unit_product(&self, [u, v]: [f64; 2]) -> Result<Option<DVec3>, GeomError> {
+        let [_, along_u, along_v] = self.tangents_at(u, v)?;
+        let product = along_u.cross(along_v);
+        let [width_u, width_v] = self.widths_at(u, v);
+        let is_regular = self.fold_area() < product.length() * width_u * width_v;
+        Ok(unit(product).filter(|_| is_regular))
+    }
+
+    /// Parameters inside of the pieces, each with whether the surface may bend sharply before it.
+    fn spread_places(&self) -> (Vec<(f64, bool)>, Vec<(f64, bool)>) {
+        let inside =
+            |piece: Interval, n: usize| (0..n).map(move |i| piece.at((i as f64 + 0.5) / n as f64));
+        let of_knots = |knots: &KnotVector| -> Vec<(f64, bool)> {
+            let spans: Vec<usize> = knots.spans().collect();
+            let n = (PLACES / spans.len()).clamp(FEWEST, MOST);
+            let places = spans.into_iter().flat_map(|span| {
+                let piece = knots.span_interval(span);
+                let is_corner = knots.degree() <= knots.times(piece.start());
+                inside(piece, n).enumerate().map(move |(i, t)| (t, i == 0 && is_corner))
+            });
+            places.collect()
+        };
+        match self {
+            Self::Nurbs(surface) => (of_knots(surface.knots_u()), of_knots(surface.knots_v())),
+            Self::Parametric(_) => {
+                let places =
+                    |domain| inside(domain, PLACES).map(|t| (t, false)).collect::<Vec<_>>();
+                (places(self.domain_u()), places(self.domain_v()))
+            }
+        }
+    }
+}
+
+fn are_opposite(a: &Place, b: &Place) -> bool {
+    a.normal.zip(b.normal).is_some_and(|(a, b)| a.dot(b) < 0.0)
+}

@@ -1,0 +1,108 @@
+//! How far points, or a surface, are from another surface.
+
+use glam::DVec3;
+
+use super::Surface;
+use crate::kernel::{GeomError, Interval, KnotVector};
+
+/// Even parts of a domain, all its pieces together, at whose ends the distance is measured.
+const PARTS: usize = 24;
+
+/// The same where the other surface is a function, for which a nearest place is a long search.
+const PARTS_BY_FUNCTION: usize = 12;
+
+/// Halvings of the step around the farthest place.
+const HALVINGS: usize = 26;
+
+/// Distances of places from a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Deviation {
+    /// The largest.
+    pub max: f64,
+    /// Their mean.
+    pub mean: f64,
+    /// The place that is farthest away.
+    pub at: DVec3,
+}
+
+impl Surface {
+    /// How far points are from the surface; `None` of no points.
+    ///
+    /// # Errors
+    /// As [`Self::point_at`].
+    pub fn deviation_of(&self, points: &[DVec3]) -> Result<Option<Deviation>, GeomError> {
+        let mut found: Option<Deviation> = None;
+        let mut sum = 0.0;
+        for &point in points {
+            let distance = self.closest(point)?.distance;
+            sum += distance;
+            if found.is_none_or(|found| found.max < distance) {
+                found = Some(Deviation { max: distance, mean: 0.0, at: point });
+            }
+        }
+        Ok(found.map(|found| Deviation { mean: sum / points.len() as f64, ..found }))
+    }
+
+    /// How far this surface is from another one: its places on a grid, and from the farthest of
+    /// these on uphill.
+    ///
+    /// # Errors
+    /// As [`Self::point_at`].
+    pub fn deviation_from(&self, other: &Self) -> Result<Deviation, GeomError> {
+        let parts = if other.nurbs().is_ok() { PARTS } else { PARTS_BY_FUNCTION };
+        let (us, vs) = self.places_for(parts);
+        let distance = |[u, v]: [f64; 2]| -> Result<f64, GeomError> {
+            Ok(other.closest(self.point_at(u, v)?)?.distance)
+        };
+        let (mut max, mut sum) = (f64::NEG_INFINITY, 0.0);
+        let mut place = [self.domain_u().start(), self.domain_v().start()];
+        for &u in &us {
+            for &v in &vs {
+                let here = distance([u, v])?;
+                sum += here;
+                if max < here {
+                    (max, place) = (here, [u, v]);
+                }
+            }
+        }
+        let mean = sum / (us.len() * vs.len()) as f64;
+        let domains = [self.domain_u(), self.domain_v()];
+        let counts = [us.len(), vs.len()];
+        let mut steps = [0, 1].map(|i| domains[i].length() / counts[i] as f64);
+        for _ in 0..HALVINGS {
+            let mut is_best = true;
+            for (along, sign) in [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0)] {
+                let mut beside = place;
+                let domain: Interval = domains[along];
+                beside[along] =
+                    (beside[along] + sign * steps[along]).clamp(domain.start(), domain.end());
+                let there = distance(beside)?;
+                if max < there {
+                    (max, place, is_best) = (there, beside, false);
+                }
+            }
+            if is_best {
+                steps = steps.map(|step| 0.5 * step);
+            }
+        }
+        Ok(Deviation { max, mean, at: self.point_at(place[0], place[1])? })
+    }
+
+    /// Parameters over all pieces, their ends among them.
+    fn places_for(&self, parts: usize) -> (Vec<f64>, Vec<f64>) {
+        let of_knots = |knots: &KnotVector| {
+            let breaks = knots.breaks();
+            let n = (parts / (breaks.len() - 1)).max(2);
+            let mut places: Vec<f64> = Vec::new();
+            for pair in breaks.windows(2) {
+                places.extend((0..n).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / n as f64));
+            }
+            places.extend(breaks.last());
+            places
+        };
+        match self {
+            Self::Nurbs(surface) => (of_knots(surface.knots_u()), of_knots(surface.knots_v())),
+            Self::Parametric(_) => (self.domain_u().steps(parts), self.domain_v().steps(parts)),
+        }
+    }
+}

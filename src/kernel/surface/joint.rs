@@ -1,0 +1,349 @@
+//! How smoothly one surface goes on in another across a common edge.
+//!
+//! Along the edge both sides are compared at more places than a difference of polynomials of their
+//! degrees can have zeros, so that what agrees there agrees everywhere; of functions the places are
+//! many, and that is all. For the geometric orders both sides are graphs over the common tangent
+//! plane, whose Taylor polynomials do not depend on the parameters: G1 has the same plane, G2 the
+//! same second fundamental tensor, G3 the same third derivatives. Peters, *Geometric continuity*,
+//! in Farin, Hoschek & Kim (eds.), *Handbook of Computer Aided Geometric Design*, ch. 8.
+
+use glam::{DVec3, DVec4};
+
+use super::{
+    Edge, Surface,
+    border::Border,
+    looked::{Height, Looked},
+};
+use crate::kernel::{
+    GeomError, Tolerance,
+    frame::{angle_between, unit},
+};
+
+/// The highest order that is compared.
+const MAX_ORDER: usize = 3;
+
+/// How two surfaces meet along an edge; of several lines the worst of each.
+///
+/// Orders are the largest up to 3 that hold, −1 where the edges are apart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceContinuity {
+    /// Equal derivatives across the edge, at places of equal fractions along it.
+    pub c: i32,
+    /// The same tangent plane, second fundamental tensor, third derivatives of the height over the
+    /// plane.
+    pub g: i32,
+    /// Largest distance of the edges.
+    pub gap: f64,
+    /// Largest angle of the tangent planes, 0 where one surface goes on in the other and π where it
+    /// turns back; in radians.
+    pub angle: f64,
+    /// Largest difference of normal curvatures in one direction; `None` where a surface has none.
+    pub curvature_gap: Option<f64>,
+    /// Equal derivatives of the homogeneous surfaces, which is more than equal ones in space.
+    pub c_homogeneous: i32,
+    /// Where what fails first of gap, angle and curvature is largest; `None` where nothing was
+    /// compared.
+    pub at: Option<DVec3>,
+}
+
+impl SurfaceContinuity {
+    /// Nothing to see.
+    const PERFECT: Self = Self {
+        c: MAX_ORDER as i32,
+        g: MAX_ORDER as i32,
+        gap: 0.0,
+        angle: 0.0,
+        curvature_gap: Some(0.0),
+        c_homogeneous: MAX_ORDER as i32,
+        at: None,
+    };
+
+    /// The worse of each.
+    fn or_worse(self, other: Self) -> Self {
+        let rank = |joint: &Self| match joint.g {
+            -1 => joint.gap,
+            0 => joint.angle,
+            _ => joint.curvature_gap.unwrap_or(f64::INFINITY),
+        };
+        let is_worse = self.at.is_none()
+            || other.g < self.g
+            || other.g == self.g && rank(&self) < rank(&other);
+        Self {
+            c: self.c.min(other.c),
+            g: self.g.min(other.g),
+            gap: self.gap.max(other.gap),
+            angle: self.angle.max(other.angle),
+            curvature_gap: self.curvature_gap.zip(other.curvature_gap).map(|(a, b)| a.max(b)),
+            c_homogeneous: self.c_homogeneous.min(other.c_homogeneous),
+            at: if is_worse { other.at } else { self.at },
+        }
+    }
+}
+
+impl Surface {
+    /// How `next` goes on across its edge where this surface ends at an edge, whichever way the
+    /// edges run.
+    ///
+    /// Points are compared by the tolerance's distance, directions and all that is higher by its
+    /// angle, relative to the size of the pieces. Edges that are one curve with different
+    /// parameters meet, but no better than C0.
+    ///
+    /// # Errors
+    /// [`GeomError::NoNormal`] where a surface has no tangent plane along the whole edge, and as
+    /// [`Self::point_at`].
+    pub fn continuity_with(
+        &self,
+        edge: Edge,
+        next: &Self,
+        next_edge: Edge,
+        tolerance: Tolerance,
+    ) -> Result<SurfaceContinuity, GeomError> {
+        let (a, b) = (Border::edge(self, edge), Border::edge(next, next_edge));
+        let is_reversed = a.runs_against(&b)?;
+        joint(&a, &b, is_reversed, tolerance)
+    }
+
+    /// The edges of both that are nearest to one another.
+    ///
+    /// # Errors
+    /// As [`Self::point_at`].
+    pub fn nearest_edges(&self, other: &Self) -> Result<(Edge, Edge), GeomError> {
+        let (mut nearest, mut least) = ((Edge::U1, Edge::U0), f64::INFINITY);
+        for edge in Edge::ALL {
+            for other_edge in Edge::ALL {
+                let (a, b) = (Border::edge(self, edge), Border::edge(other, other_edge));
+                let [with, against] = a.distances(&b)?;
+                if with.min(against) < least {
+                    (nearest, least) = ((edge, other_edge), with.min(against));
+                }
+            }
+        }
+        Ok(nearest)
+    }
+
+    /// The worst continuity across the lines of its inner knots, and across its seams where it is
+    /// closed.
+    ///
+    /// # Errors
+    /// As [`Self::continuity_with`].
+    pub fn continuity(&self, tolerance: Tolerance) -> Result<SurfaceContinuity, GeomError> {
+        let mut worst = SurfaceContinuity::PERFECT;
+        for [before, after] in Border::inner_knots(self) {
+            worst = worst.or_worse(joint(&before, &after, false, tolerance)?);
+        }
+        let seams = [
+            (self.is_closed_u(tolerance.distance)?, [Edge::U1, Edge::U0]),
+            (self.is_closed_v(tolerance.distance)?, [Edge::V1, Edge::V0]),
+        ];
+        for (is_closed, edges) in seams {
+            let [end, start] = edges.map(|edge| Border::edge(self, edge));
+            if is_closed && end.length()? > tolerance.distance {
+                worst = worst.or_worse(joint(&end, &start, false, tolerance)?);
+            }
+        }
+        Ok(worst)
+    }
+}
+
+/// Compares both sides along the line.
+fn joint(
+    a: &Border<'_>,
+    b: &Border<'_>,
+    is_reversed: bool,
+    tolerance: Tolerance,
+) -> Result<SurfaceContinuity, GeomError> {
+    let mut pairs = a.pairs(b, is_reversed)?;
+    let allowed = |pairs: &[[Looked; 2]]| {
+        let sizes = pairs.iter().flatten().map(|side| side.extent);
+        let rounding = pairs.iter().flatten().map(|side| side.rounding).fold(0.0, f64::max);
+        tolerance.distance_for(sizes.fold(0.0, f64::max)).max(rounding)
+    };
+    let distance = allowed(&pairs);
+    let has_equal_parameters = pairs.iter().all(|[a, b]| a.point().distance(b.point()) <= distance);
+    let mut further = None;
+    if !has_equal_parameters {
+        // The edges may be one curve all the same.
+        pairs = a.nearest_pairs(b)?;
+        further = b.farthest_from(a)?;
+    }
+    let distance = allowed(&pairs);
+    let mut found = Found { further, ..Found::default() };
+    for [a, b] in &pairs {
+        found.look_at(a, b, distance, tolerance.angle);
+    }
+    let mut joint = found.joint(distance);
+    if found.n_planes == 0 && 0 <= joint.g {
+        let (u, v) = a.place(a.along().start());
+        return Err(GeomError::NoNormal { u, v });
+    }
+    if !has_equal_parameters {
+        joint.c = if joint.g < 0 { -1 } else { 0 };
+        joint.c_homogeneous = joint.c.min(joint.c_homogeneous);
+    }
+    Ok(joint)
+}
+
+/// A largest value with its place.
+#[derive(Clone, Copy, Debug, Default)]
+struct Peak(f64, Option<DVec3>);
+
+impl Peak {
+    fn raise(&mut self, value: f64, point: DVec3) {
+        if self.1.is_none() || self.0 < value {
+            *self = Self(value, Some(point));
+        }
+    }
+}
+
+/// What was found along an edge so far.
+#[derive(Debug)]
+struct Found {
+    c: usize,
+    c_homogeneous: usize,
+    g: usize,
+    gap: Peak,
+    angle: Peak,
+    curvature: Peak,
+    /// Places where both sides have a tangent plane.
+    n_planes: usize,
+    has_curvature: bool,
+    /// The place of the second edge that is furthest from the first, with its distance.
+    further: Option<(f64, DVec3)>,
+}
+
+impl Default for Found {
+    /// All orders hold before anything was looked at; the count is one above the order.
+    fn default() -> Self {
+        let most = MAX_ORDER + 1;
+        let none = Peak::default();
+        Self {
+            c: most,
+            c_homogeneous: most,
+            g: most,
+            gap: none,
+            angle: none,
+            curvature: none,
+            n_planes: 0,
+            has_curvature: true,
+            further: None,
+        }
+    }
+}
+
+impl Found {
+    fn look_at(&mut self, a: &Looked, b: &Looked, distance: f64, angle: f64) {
+        let point = a.point();
+        self.gap.raise(point.distance(b.point()), point);
+        let turn = if a.is_end == b.is_end { -1.0 } else { 1.0 };
+        let bounds = Bounds { sides: [a, b], distance, angle, turn };
+        self.c = self.c.min(bounds.order(1.0, |side| side.across().map(|d| d.extend(0.0))));
+        let size = point.abs().max_element() + a.extent.max(b.extent);
+        let to_length = DVec3::ONE.extend(size);
+        let weight = a.homogeneous.get(0, 0).w;
+        self.c_homogeneous = self
+            .c_homogeneous
+            .min(bounds.order(weight, |side| side.homogeneous_across().map(|d| d * to_length)));
+
+        // Unit tangent of the edge, and out of the first surface into the second.
+        let Some(along) = unit(a.along()) else { return };
+        let (Some(out), Some(into)) = (a.conormal(along, 1.0), b.conormal(along, -1.0)) else {
+            return;
+        };
+        self.n_planes += 1;
+        let turned = angle_between(out, into);
+        self.angle.raise(turned, point);
+        let noise = |order: usize| a.noise(order).max(b.noise(order));
+        if angle.max(noise(1)) < turned {
+            self.g = self.g.min(1);
+        }
+        let (Some(of_a), Some(of_b)) = (a.height_over([along, out]), b.height_over([along, into]))
+        else {
+            self.has_curvature = false;
+            self.g = self.g.min(2);
+            return;
+        };
+        self.curvature.raise(of_a.bend_from(&of_b), point);
+        let extent = a.extent.min(b.extent);
+        let agree = |difference: f64, size: f64, order: usize| {
+            let unit = libm::pow(extent, order as f64 - 1.0);
+            difference <= (angle * size.max(1.0 / unit)).max(noise(order))
+        };
+        let [second, third] = [|h: &Height| h.second.to_vec(), |h: &Height| h.third.to_vec()];
+        let largest = |values: Vec<f64>| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let differ = |part: fn(&Height) -> Vec<f64>| {
+            let pairs = part(&of_a).into_iter().zip(part(&of_b));
+            largest(pairs.map(|(x, y)| x - y).collect())
+        };
+        let size = |part: fn(&Height) -> Vec<f64>| largest(part(&of_a)).max(largest(part(&of_b)));
+        if !agree(differ(second), size(second), 2) {
+            self.g = self.g.min(2);
+        } else if !agree(differ(third), size(third), 3) {
+            self.g = self.g.min(3);
+        }
+    }
+
+    fn joint(&self, distance: f64) -> SurfaceContinuity {
+        let mut gap = self.gap;
+        if let Some((further, point)) = self.further {
+            gap.raise(further, point);
+        }
+        let order = |count: usize| count as i32 - 1;
+        let g = if distance < gap.0 { -1 } else { order(self.g) };
+        let at = match g {
+            -1 => gap,
+            0 => self.angle,
+            _ => self.curvature,
+        };
+        SurfaceContinuity {
+            c: order(self.c),
+            g,
+            gap: gap.0,
+            angle: self.angle.0,
+            curvature_gap: self.has_curvature.then_some(self.curvature.0),
+            c_homogeneous: order(self.c_homogeneous),
+            at: at.1.or(gap.1),
+        }
+    }
+}
+
+/// What counts as equal at a place of an edge.
+struct Bounds<'a> {
+    sides: [&'a Looked; 2],
+    distance: f64,
+    /// Of directions, and of anything else relative to its size.
+    angle: f64,
+    /// −1 where the parameters across the edge run against one another.
+    turn: f64,
+}
+
+impl Bounds<'_> {
+    /// What rounding leaves in the terms of an order.
+    fn rounding(&self, order: usize) -> f64 {
+        self.sides.map(|side| side.rounding_of(order)).into_iter().fold(0.0, f64::max)
+    }
+
+    /// How many orders, from 0 on, agree; `weight` multiplies what is in space.
+    fn order(&self, weight: f64, derivatives: impl Fn(&Looked) -> [DVec4; MAX_ORDER + 1]) -> usize {
+        let step = self.sides[0].reach.min(self.sides[1].reach);
+        let [a, b] = self.sides.map(|side| {
+            let mut power = 1.0;
+            let mut terms = derivatives(side);
+            for (k, term) in terms.iter_mut().enumerate() {
+                power *= if k == 0 { 1.0 } else { step / k as f64 };
+                *term *= power;
+            }
+            terms
+        });
+        let sizes = a[1..].iter().chain(&b[1..]).map(|term| term.length());
+        let relative = self.angle * sizes.fold(0.0, f64::max);
+        let agrees = |k: usize| {
+            let allowed = match k {
+                0 => self.distance * weight,
+                _ => relative.max(self.rounding(k) * weight),
+            };
+            let turn = if k % 2 == 1 { self.turn } else { 1.0 };
+            (a[k] - turn * b[k]).length() <= allowed
+        };
+        (0..=MAX_ORDER).take_while(|&k| agrees(k)).count()
+    }
+}

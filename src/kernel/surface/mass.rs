@@ -1,0 +1,170 @@
+//! Area and volume, and how they are spread: centroids and inertia.
+//!
+//! Integrals over the inside of a closed shell are integrals over its surfaces by the theorem of
+//! Gauss: with the flux f = p·(Su × Sv) that of 1 is ∮f/3, that of p is ∮p f/4, that of p pᵀ is
+//! ∮p pᵀ f/5. Mirtich, *Fast and accurate computation of polyhedral mass properties*, JGT 1 (1996).
+
+use glam::{DMat3, DVec3};
+
+use super::{
+    Surface,
+    quadrature::{Integral, integral},
+    shell::oriented,
+};
+use crate::kernel::{Bounds, GeomError, Tolerance};
+
+/// Even parts of each domain at whose ends points tell where a surface is.
+const PARTS: usize = 8;
+
+/// How much there is of something of density one, and how it is spread.
+#[derive(Clone, Copy, Debug)]
+pub struct Mass {
+    /// Area or volume.
+    pub amount: f64,
+    /// The centre of gravity.
+    pub centroid: DVec3,
+    /// The inertia tensor about the centroid.
+    pub inertia: DMat3,
+    /// What is known of the error, as a fraction.
+    pub relative_error: f64,
+}
+
+impl Surface {
+    /// Its area, and by which fraction that may be wrong.
+    ///
+    /// # Errors
+    /// As [`Self::point_at`].
+    pub fn area(&self) -> Result<(f64, f64), GeomError> {
+        let Integral { values: [area], relative_error } =
+            integral(self, |_, normal| [normal.length()])?;
+        Ok((area, relative_error))
+    }
+}
+
+/// The skins that surfaces are, of density one.
+///
+/// # Errors
+/// [`GeomError::NothingThere`] for an area of zero, and as [`Surface::point_at`].
+pub fn area_mass(surfaces: &[Surface]) -> Result<Mass, GeomError> {
+    let about = middle(surfaces)?;
+    let mut sum = Sum::default();
+    for surface in surfaces {
+        let part = integral(surface, |point, normal| moments(point - about, normal.length()))?;
+        sum.add(part, 1.0);
+    }
+    sum.mass(about, [1.0; 3]).ok_or(GeomError::NothingThere { what: "area" })
+}
+
+/// What a closed set of surfaces holds, of density one; the surfaces' own orientations need not
+/// agree.
+///
+/// A shell that is oriented alike throughout counts positive where it points outward and negative
+/// where it points inward, so that it is a hole in another; the whole is not negative. Any other is
+/// taken to point outward.
+///
+/// # Errors
+/// [`GeomError::Shell`] where the surfaces enclose nothing; [`GeomError::NothingThere`] for a volume of zero, and as [`Surface::point_at`].
+pub fn volume_mass(surfaces: &[Surface], tolerance: Tolerance) -> Result<Mass, GeomError> {
+    let about = middle(surfaces)?;
+    let shells = oriented(surfaces, tolerance)?;
+    let mut whole = Sum::default();
+    for shell in shells {
+        let mut sum = Sum::default();
+        for (idx, sign) in shell.surfaces {
+            let part = integral(&surfaces[idx], |point, normal| {
+                let arm = point - about;
+                moments(arm, arm.dot(normal))
+            })?;
+            sum.add(part, sign);
+        }
+        let turn = if !shell.was_oriented && sum.values[0] < 0.0 { -1.0 } else { 1.0 };
+        whole.add(Integral { values: sum.values, relative_error: sum.relative_error }, turn);
+    }
+    if whole.values[0] < 0.0 {
+        whole.values = whole.values.map(|value| -value);
+    }
+    whole.mass(about, [3.0, 4.0, 5.0]).ok_or(GeomError::NothingThere { what: "volume" })
+}
+
+/// A density times 1, x, y, z, and the products of these.
+fn moments(arm: DVec3, density: f64) -> [f64; 10] {
+    let DVec3 { x, y, z } = arm;
+    [1.0, x, y, z, x * x, y * y, z * z, x * y, y * z, z * x].map(|factor| factor * density)
+}
+
+/// The middle of the surfaces, about which integrals cancel least.
+fn middle(surfaces: &[Surface]) -> Result<DVec3, GeomError> {
+    let mut points = Vec::new();
+    for surface in surfaces {
+        let (us, vs) = (surface.domain_u().steps(PARTS), surface.domain_v().steps(PARTS));
+        points.extend(surface.points_on_grid(&us, &vs)?.into_values());
+    }
+    Ok(Bounds::of(points).map_or(DVec3::ZERO, Bounds::center))
+}
+
+/// Integrals of several surfaces together.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sum {
+    values: [f64; 10],
+    relative_error: f64,
+}
+
+impl Sum {
+    fn add(&mut self, part: Integral<10>, sign: f64) {
+        self.values.iter_mut().zip(part.values).for_each(|(sum, value)| *sum += sign * value);
+        self.relative_error = self.relative_error.max(part.relative_error);
+    }
+
+    /// What they say, each order of moments divided by its own number; `None` of nothing.
+    fn mass(&self, about: DVec3, [of_one, of_point, of_product]: [f64; 3]) -> Option<Mass> {
+        let [m, x, y, z, xx, yy, zz, xy, yz, zx] = self.values;
+        let amount = m / of_one;
+        let arm = DVec3::new(x, y, z) / of_point / amount;
+        let products = DMat3::from_cols(
+            DVec3::new(xx, xy, zx),
+            DVec3::new(xy, yy, yz),
+            DVec3::new(zx, yz, zz),
+        ) * (1.0 / of_product);
+        let shift = DMat3::from_cols(arm * arm.x, arm * arm.y, arm * arm.z) * amount;
+        let about_centroid = products - shift;
+        let trace = about_centroid.x_axis.x + about_centroid.y_axis.y + about_centroid.z_axis.z;
+        let inertia = DMat3::from_diagonal(DVec3::splat(trace)) - about_centroid;
+        let mass =
+            Mass { amount, centroid: about + arm, inertia, relative_error: self.relative_error };
+        (0.0 < amount && mass.centroid.is_finite()).then_some(mass)
+    }
+}
+
+/// The eigenvalues of a symmetric matrix in ascending order, with unit eigenvectors that are
+/// right-handed: Jacobi's rotations.
+///
+/// Golub & Van Loan, *Matrix Computations*, §8.5.
+#[must_use]
+pub fn principal_axes(matrix: DMat3) -> [(f64, DVec3); 3] {
+    /// Sweeps; five are enough for all bits.
+    const SWEEPS: usize = 12;
+    let (mut a, mut axes) = (matrix, DMat3::IDENTITY);
+    for _ in 0..SWEEPS {
+        for (p, q) in [(0, 1), (0, 2), (1, 2)] {
+            let off = a.col(q)[p];
+            if off.abs() <= 0.0 {
+                continue;
+            }
+            let ratio = 0.5 * (a.col(q)[q] - a.col(p)[p]) / off;
+            let tangent = 1.0_f64.copysign(ratio) / (ratio.abs() + libm::hypot(ratio, 1.0));
+            let cosine = 1.0 / libm::hypot(tangent, 1.0);
+            let sine = tangent * cosine;
+            let mut turn = DMat3::IDENTITY;
+            turn.col_mut(p)[p] = cosine;
+            turn.col_mut(q)[q] = cosine;
+            turn.col_mut(q)[p] = sine;
+            turn.col_mut(p)[q] = -sine;
+            a = turn.transpose() * a * turn;
+            axes *= turn;
+        }
+    }
+    let mut pairs = [0, 1, 2].map(|i| (a.col(i)[i], axes.col(i)));
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    pairs[2].1 = pairs[0].1.cross(pairs[1].1);
+    pairs
+}

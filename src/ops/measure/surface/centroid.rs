@@ -1,0 +1,26 @@
+//! `centroid` of surfaces, or of what they enclose.
+
+use glam::DVec3;
+
+use super::{Of, Surfaces, mass};
+use crate::{
+    diag::{Result, Spanned},
+    value::{Ctx, op},
+};
+
+op! {
+    /// Centre of gravity of what closed surfaces enclose, or of the surfaces themselves.
+    ///
+    /// Of the volume the surfaces must close, as for `volume`; of the area they need not.
+    centroid in Measure -> DVec3 {
+        /// The surface, or a list of surfaces.
+        s: Spanned<Surfaces>,
+        /// What is heavy: the inside or the skin.
+        of: Of = Of::Volume,
+    }
+    example "centroid(bilinear((0, 0), (0, 2), (3, 0), (3, 2)), of = \"area\") ~= (1.5, 1)" => "true";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
+    Ok(mass(&args.s, args.of, "centroid", ctx)?.centroid)
+}

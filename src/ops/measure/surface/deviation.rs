@@ -1,0 +1,64 @@
+//! `deviation` of points or of a surface from a surface.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::{
+    diag::{Code, Diagnostic, Result, Span, Spanned},
+    kernel::{Deviation, Surface},
+    value::{At, Ctx, FromValue, Mismatch, Record, Type, Value, op},
+};
+
+op! {
+    /// How far a surface, or points, are from a surface: `{max, mean, at}`.
+    ///
+    /// Of each place the distance to the nearest of `b` counts, whatever the parameters are; `at` is
+    /// the place that is farthest. Of a surface places are taken evenly in its parameters, and from
+    /// the farthest of them a search goes on uphill. What is missing of `b` on the other side shows in
+    /// `deviation(b, a)`.
+    deviation in Measure -> Record {
+        /// The surface, or the points.
+        a: Spanned<Measured>,
+        /// The surface from which they are measured.
+        b: Spanned<Surface>,
+    }
+    example "deviation(bilinear((0, 0, 1), (0, 1, 1), (1, 0, 1), (1, 1, 2)), bilinear((0, 0), (0, 1), (1, 0), (1, 1))).max" => "2";
+    example "deviation([(0, 0, 1), (1, 1, 3)], bilinear((0, 0), (0, 1), (1, 0), (1, 1)))" => "{max: 3, mean: 2, at: (1, 1, 3)}";
+}
+
+/// What can be measured from a surface.
+enum Measured {
+    Surface(Surface),
+    Points(Vec<DVec3>),
+}
+
+impl FromValue for Measured {
+    const TYPE: Type = Type::OneOf(&[Type::Surface, Type::List(&Type::Point, 1)]);
+
+    fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
+        match value {
+            Value::Surface(surface) => Ok(Self::Surface(surface.clone())),
+            Value::List(items) if !items.is_empty() => {
+                Vec::from_value(value, span).map(Self::Points)
+            }
+            _ => Err(Mismatch::kind(Self::TYPE, value)),
+        }
+    }
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
+    let b = &args.b.value;
+    let found = match &args.a.value {
+        Measured::Surface(a) => a.deviation_from(b).map(Some),
+        Measured::Points(points) => b.deviation_of(points),
+    };
+    let Some(Deviation { max, mean, at }) = found.at(ctx.span)? else {
+        return Diagnostic::error(Code::TooFewPoints, args.a.span, "there are no points").fail();
+    };
+    Ok(Record::new([
+        (Arc::from("max"), Value::number(max)),
+        (Arc::from("mean"), Value::number(mean)),
+        (Arc::from("at"), Value::Point(at)),
+    ]))
+}

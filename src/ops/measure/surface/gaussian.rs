@@ -1,0 +1,31 @@
+//! `gaussian` of a surface: the Gaussian curvature.
+
+use super::shape;
+use crate::{
+    diag::{Result, Spanned},
+    kernel::Surface,
+    value::{Ctx, op},
+};
+
+op! {
+    /// Gaussian curvature of a surface: the product of the principal curvatures.
+    ///
+    /// (LN − M²)/(EG − F²): positive where the surface is like a dome or bowl, negative at a saddle, zero
+    /// where it can be unrolled. At the pole of a closed shape, where the parametrization is singular, it is the limit if the shape has one.
+    ///
+    /// do Carmo, *Differential Geometry of Curves and Surfaces*, §3-3.
+    gaussian in Measure -> f64 {
+        /// The surface.
+        s: Surface,
+        /// The first parameter, inside the surface's domain.
+        u: Spanned<f64>,
+        /// The second parameter.
+        v: Spanned<f64>,
+    }
+    example "gaussian(parametric((u, v) => (2*cos(u)*cos(v), 2*sin(u)*cos(v), 2*sin(v)), 0..tau, -1.5..1.5), 1, 0)" => "0.25";
+    example "gaussian(bezier([[(-1, -1, 0), (-1, 0, -1), (-1, 1, 0)], [(0, -1, 1), (0, 0, 0), (0, 1, 1)], [(1, -1, 0), (1, 0, -1), (1, 1, 0)]]), 0.5, 0.5)" => "-1";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {
+    Ok(shape(&args.s, args.u, args.v, ctx)?.gaussian())
+}

@@ -1,0 +1,36 @@
+//! `inertia` of surfaces, or of what they enclose.
+
+use std::sync::Arc;
+
+use super::{Of, Surfaces, mass};
+use crate::{
+    diag::{Result, Spanned},
+    kernel::principal_axes,
+    value::{Ctx, IntoValue, Record, op},
+};
+
+op! {
+    /// Inertia about the centroid of what closed surfaces enclose, or of the surfaces themselves.
+    ///
+    /// `tensor` is the matrix of three rows about axes through the centroid, with density one;
+    /// `moments` are its principal values in ascending order, and `axes` their directions, which are
+    /// unit vectors and right-handed. Of the volume the surfaces must close, as for `volume`.
+    inertia in Measure -> Record {
+        /// The surface, or a list of surfaces.
+        s: Spanned<Surfaces>,
+        /// What is heavy: the inside or the skin.
+        of: Of = Of::Volume,
+    }
+    example "inertia(bilinear((0, 0), (0, 2), (3, 0), (3, 2)), of = \"area\").moments ~= [2, 4.5, 6.5] within 1e-12" => "true";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
+    let tensor = mass(&args.s, args.of, "inertia", ctx)?.inertia;
+    let axes = principal_axes(tensor);
+    let rows: Vec<Vec<f64>> = (0..3).map(|i| tensor.row(i).to_array().to_vec()).collect();
+    Ok(Record::new([
+        (Arc::from("tensor"), rows.into_value()),
+        (Arc::from("moments"), axes.map(|(moment, _)| moment).to_vec().into_value()),
+        (Arc::from("axes"), axes.map(|(_, axis)| axis).to_vec().into_value()),
+    ]))
+}

@@ -1,0 +1,31 @@
+//! `tangent_u` of a surface: a unit tangent.
+
+use glam::DVec3;
+
+use super::inside;
+use crate::{
+    diag::{Result, Spanned},
+    kernel::Surface,
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// Unit tangent of a surface along Su.
+    ///
+    /// On an edge that is collapsed to a point, such as the pole of a sphere, it is the limit from inside
+    /// of the domain.
+    tangent_u in Measure -> DVec3 {
+        /// The surface.
+        s: Surface,
+        /// The first parameter, inside the surface's domain.
+        u: Spanned<f64>,
+        /// The second parameter.
+        v: Spanned<f64>,
+    }
+    example "tangent_u(bilinear((0, 0), (0, 2), (3, 0), (3, 2)), 0.5, 0.5)" => "(1, 0, 0)";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
+    let (u, v) = inside(&args.s, args.u, args.v)?;
+    args.s.tangent_u_at(u, v).at(ctx.span)
+}

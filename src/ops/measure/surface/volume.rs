@@ -1,0 +1,29 @@
+//! `volume` that surfaces enclose.
+
+use super::{Surfaces, tell_accuracy};
+use crate::{
+    diag::{Result, Spanned},
+    kernel::volume_mass,
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// Volume that closed surfaces enclose.
+    ///
+    /// The surfaces must close: every edge meets another one within the document's tolerance, or is
+    /// collapsed to a point. Which way each of them faces does not matter, and a shell that is turned
+    /// inward as a whole is a hole in another.
+    ///
+    /// The flux of the position through the surfaces by the theorem of Gauss, to some 12 digits.
+    volume in Measure -> f64 {
+        /// The surface, or a list of surfaces.
+        s: Spanned<Surfaces>,
+    }
+    example "volume(parametric((u, v) => (cos(u)*cos(v), sin(u)*cos(v), sin(v)), 0..tau, -pi/2..pi/2))/(4/3*pi) ~= 1 within 1e-12" => "true";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {
+    let mass = volume_mass(&args.s.value.0, ctx.tolerance).at(args.s.span)?;
+    tell_accuracy("volume", mass.relative_error, ctx);
+    Ok(mass.amount)
+}
