@@ -19,6 +19,17 @@ fn wave(n: usize) -> Vec<DVec3> {
     (0..n).map(point).collect()
 }
 
+/// The same with noise of a few hundredths.
+fn noisy_wave(n: usize) -> Vec<DVec3> {
+    let noise = |i: usize| 0.03 * libm::sin((i * i % 1009) as f64);
+    wave(n).into_iter().enumerate().map(|(i, point)| point + DVec3::Y * noise(i)).collect()
+}
+
+/// A wave that is cut off at the top and at the bottom: four corners a turn.
+fn clipped_wave(n: usize) -> Vec<DVec3> {
+    wave(n).into_iter().map(|point| DVec3::new(point.x, point.y.clamp(-0.7, 0.7), 0.0)).collect()
+}
+
 /// The outline of the NACA 0012 at 69 points.
 fn aerofoil() -> Vec<DVec3> {
     let half = |x: f64| {
@@ -65,9 +76,23 @@ fn aerofoil_within(bencher: Bencher<'_, '_>, tolerance: f64) {
     bencher.bench(|| approximate_within(&points, &parameters, 3, tolerance, false).unwrap());
 }
 
-#[divan::bench(args = [1_000, 10_000])]
+#[divan::bench(args = [1_000, 10_000, 100_000], sample_count = 5)]
 fn wave_within_a_thousandth(bencher: Bencher<'_, '_>, n: usize) {
     let points = wave(n);
+    let parameters = Spacing::Chord.parameters(&points).unwrap();
+    bencher.bench(|| approximate_within(&points, &parameters, 3, 1e-3, false).unwrap());
+}
+
+#[divan::bench(args = [1_000, 100_000], sample_count = 5)]
+fn noisy_wave_within_a_tenth(bencher: Bencher<'_, '_>, n: usize) {
+    let points = noisy_wave(n);
+    let parameters = Spacing::Chord.parameters(&points).unwrap();
+    bencher.bench(|| approximate_within(&points, &parameters, 3, 0.1, false).unwrap());
+}
+
+#[divan::bench(args = [1_000, 100_000], sample_count = 5)]
+fn clipped_wave_within_a_thousandth(bencher: Bencher<'_, '_>, n: usize) {
+    let points = clipped_wave(n);
     let parameters = Spacing::Chord.parameters(&points).unwrap();
     bencher.bench(|| approximate_within(&points, &parameters, 3, 1e-3, false).unwrap());
 }

@@ -38,7 +38,7 @@ pub struct Limits {
     /// Control points of one curve or surface.
     pub control_points: usize,
     /// Points that a fit to a tolerance may look at, each time counted, to save control points:
-    /// some seconds. Beyond it the tolerance is kept all the same.
+    /// below a second. Beyond it the tolerance is kept all the same.
     pub fit_steps: usize,
     /// Bytes of stack of a thread that evaluates: `evaluation_depth` times what a level takes in an
     /// unoptimised build, and as much again. They are reserved, not used.
@@ -72,7 +72,7 @@ impl Limits {
         mesh_vertices: 20_000_000,
         degree: 100,
         control_points: 10_000_000,
-        fit_steps: 5_000_000,
+        fit_steps: 1_000_000,
         stack_bytes: 512 << 20,
         input_bytes: 1 << 30,
         import_nesting: 64,

@@ -8,12 +8,12 @@ use super::{
     files::{Beside, Script},
     message::Voice,
     settings,
-    write::{Refusal, Target, failure},
+    write::{Refusal, Staged, Target, failure},
 };
 use crate::{
     diag::{Code, Diagnostic, Severity, nearest},
     eval::Setting,
-    export::ExportError,
+    export::{ExportError, Summary},
     session::{Event, File, Report, Session, name_flag},
 };
 
@@ -180,7 +180,13 @@ fn act(
     let has_errors = report.count(Severity::Error) > 0;
     let mut ending = Ending::of(report);
     let (mut n_checks, mut n_failed) = (0, 0);
-    let mut targets_left = targets.iter();
+    let mut outcomes = match has_errors {
+        true => Vec::new(),
+        false => staged(report, targets, mode),
+    }
+    .into_iter();
+    let is_refused =
+        outcomes.as_slice().iter().any(|outcome| matches!(outcome, Outcome::Refused(..)));
     for event in &report.events {
         match event {
             Event::Printed(printed) => voice.printed(printed, None),
@@ -189,15 +195,23 @@ fn act(
                 n_checks += 1;
                 n_failed += usize::from(!checked.verdict.holds);
             }
-            Event::File(file) => {
-                let target = targets_left.next();
-                if has_errors {
-                    continue;
+            Event::File(file) => match outcomes.next() {
+                Some(Outcome::Refused(code, message, worst)) => {
+                    refuse(code, message, file, report, voice);
+                    ending = ending.max(worst);
                 }
-                let written =
-                    target.map_or(Ending::Well, |target| write(file, target, mode, report, voice));
-                ending = ending.max(written);
-            }
+                Some(Outcome::Told) if !is_refused => voice.written(&file.path, None),
+                Some(Outcome::Staged(staged, summary)) if !is_refused => match staged.place() {
+                    Ok(()) => voice.written(&file.path, Some(summary)),
+                    Err(err) => {
+                        let message = failure(&ExportError::Io(err));
+                        let message = format!("cannot write `{}`: {message}", file.path);
+                        refuse(Code::CannotWrite, message, file, report, voice);
+                        ending = ending.max(Ending::Usage);
+                    }
+                },
+                _ => {}
+            },
             // Only a test expects errors.
             Event::Expected(_) => {}
         }
@@ -207,51 +221,59 @@ fn act(
     if has_errors && !targets.is_empty() {
         voice.remark("nothing was written, because the script has errors");
     }
+    if is_refused && 1 < targets.len() {
+        voice.remark("nothing was written, because not all files could be");
+    }
     voice.verdict(n_checks, n_failed);
     ending
 }
 
-fn write(
-    file: &File,
-    target: &Result<Target, String>,
-    mode: Mode<'_>,
-    report: &Report,
-    voice: &Voice,
-) -> Ending {
-    let complain = |code: Code, message: String| {
-        let mut found = Diagnostic::error(code, file.span, message);
-        name_flag(&mut found);
-        voice.findings(&[found], &report.sources);
-    };
+/// What came of a file before any is put into its place.
+enum Outcome {
+    /// Written under a temporary name.
+    Staged(Staged, Summary),
+    /// Not written, but it would be.
+    Told,
+    /// Not asked for.
+    Unasked,
+    /// Cannot be: why, and how the run ends.
+    Refused(Code, String, Ending),
+}
+
+fn staged(report: &Report, targets: &[Result<Target, String>], mode: Mode<'_>) -> Vec<Outcome> {
+    let files = report.events.iter().filter_map(|event| match event {
+        Event::File(file) => Some(file),
+        _ => None,
+    });
+    files.zip(targets).map(|(file, target)| stage(file, target, mode)).collect()
+}
+
+fn stage(file: &File, target: &Result<Target, String>, mode: Mode<'_>) -> Outcome {
+    let cannot = |why: &str| format!("cannot write `{}`: {why}", file.path);
     let target = match (mode, target) {
-        (Mode::Check, _) => return Ending::Well,
+        (Mode::Check, _) => return Outcome::Unasked,
         (_, Err(message)) => {
-            complain(Code::CannotWrite, format!("cannot write `{}`: {message}", file.path));
-            return Ending::Usage;
+            return Outcome::Refused(Code::CannotWrite, cannot(message), Ending::Usage);
         }
-        (Mode::DryRun(_), Ok(_)) => {
-            voice.written(&file.path, None);
-            return Ending::Well;
-        }
+        (Mode::DryRun(_), Ok(_)) => return Outcome::Told,
         (Mode::Write(_), Ok(target)) => target,
     };
     let most = file.job.limits.output_bytes;
-    match target.write(most, |out| (file.format.write)(&file.job, out)) {
-        Ok(summary) => {
-            voice.written(&file.path, Some(summary));
-            Ending::Well
-        }
+    match target.stage(most, |out| (file.format.write)(&file.job, out)) {
+        Ok((staged, summary)) => Outcome::Staged(staged, summary),
         Err(err @ ExportError::Geometry { .. }) => {
-            complain(Code::CannotExport, failure(&err));
-            Ending::Wrong
+            Outcome::Refused(Code::CannotExport, failure(&err), Ending::Wrong)
         }
         Err(err @ ExportError::TooLarge { .. }) => {
-            complain(Code::TooLarge, format!("`{}` would be {err}", file.path));
-            Ending::Wrong
+            let message = format!("`{}` would be {err}", file.path);
+            Outcome::Refused(Code::TooLarge, message, Ending::Wrong)
         }
-        Err(err) => {
-            complain(Code::CannotWrite, format!("cannot write `{}`: {}", file.path, failure(&err)));
-            Ending::Usage
-        }
+        Err(err) => Outcome::Refused(Code::CannotWrite, cannot(&failure(&err)), Ending::Usage),
     }
+}
+
+fn refuse(code: Code, message: String, file: &File, report: &Report, voice: &Voice) {
+    let mut found = Diagnostic::error(code, file.span, message);
+    name_flag(&mut found);
+    voice.findings(&[found], &report.sources);
 }

@@ -1,7 +1,8 @@
 //! Writing: a file appears whole or not at all, and never outside the output folder.
 //!
 //! Each file is written under a temporary name in its own folder, flushed to the disk, and
-//! renamed over its final name. Whatever fails before that leaves the old file as it was.
+//! renamed over its final name once all files of the run are so far. Whatever fails before that
+//! leaves the old files as they were.
 
 use std::{
     fs::{self, File},
@@ -60,18 +61,57 @@ impl Target {
         Ok(Self { folder, path: full })
     }
 
-    /// Writes the file, of no more than `most` bytes, through `write`.
-    pub(super) fn write(
+    /// Writes the file, of no more than `most` bytes, through `write`, under a temporary name.
+    pub(super) fn stage(
         &self,
         most: u64,
         write: impl FnOnce(&mut dyn Write) -> Result<Summary, ExportError>,
-    ) -> Result<Summary, ExportError> {
+    ) -> Result<(Staged, Summary), ExportError> {
         fs::create_dir_all(&self.folder)?;
-        replace(&self.path, None, |out| {
+        Staged::new(&self.path, None, |out| {
             let mut out = Capped { out, n_left: most, is_full: false };
             let written = write(&mut out);
             if out.is_full { Err(ExportError::TooLarge { most }) } else { written }
         })
+    }
+}
+
+/// A whole file under a temporary name, which goes with it unless it is put into its place.
+#[derive(Debug)]
+pub(super) struct Staged {
+    temporary: PathBuf,
+    path: PathBuf,
+}
+
+impl Staged {
+    /// What `write` writes, with what it tells.
+    fn new<T, E: From<io::Error>>(
+        path: &Path,
+        permissions: Option<fs::Permissions>,
+        write: impl FnOnce(&mut dyn Write) -> Result<T, E>,
+    ) -> Result<(Self, T), E> {
+        let (file, temporary) = temporary(path)?;
+        let staged = Self { temporary, path: path.to_path_buf() };
+        let mut out = BufWriter::with_capacity(1 << 18, file);
+        let told = write(&mut out)?;
+        let file = out.into_inner().map_err(io::IntoInnerError::into_error)?;
+        if let Some(permissions) = permissions {
+            file.set_permissions(permissions)?;
+        }
+        file.sync_all()?;
+        Ok((staged, told))
+    }
+
+    /// Puts it into its place.
+    pub(super) fn place(self) -> io::Result<()> {
+        fs::rename(&self.temporary, &self.path)
+    }
+}
+
+impl Drop for Staged {
+    fn drop(&mut self) {
+        // The temporary file is ours alone; of one that is in its place there is none.
+        let _ = fs::remove_file(&self.temporary);
     }
 }
 
@@ -104,22 +144,9 @@ pub(super) fn replace<T, E: From<io::Error>>(
     permissions: Option<fs::Permissions>,
     write: impl FnOnce(&mut dyn Write) -> Result<T, E>,
 ) -> Result<T, E> {
-    let (file, temporary) = temporary(path)?;
-    let mut out = BufWriter::with_capacity(1 << 18, file);
-    let written = write(&mut out).and_then(|told| {
-        let file = out.into_inner().map_err(io::IntoInnerError::into_error)?;
-        if let Some(permissions) = permissions {
-            file.set_permissions(permissions)?;
-        }
-        file.sync_all()?;
-        fs::rename(&temporary, path)?;
-        Ok(told)
-    });
-    if written.is_err() {
-        // The temporary file is ours alone; the old file is untouched.
-        let _ = fs::remove_file(&temporary);
-    }
-    written
+    let (staged, told) = Staged::new(path, permissions, write)?;
+    staged.place()?;
+    Ok(told)
 }
 
 /// A new file beside `path` that nobody else has.

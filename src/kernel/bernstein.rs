@@ -1,6 +1,10 @@
 //! Polynomials by their Bernstein coefficients: products, and the bounds that these give.
 
-use std::ops::{Add, Mul, Sub};
+use std::{
+    cmp::Ordering,
+    collections::BinaryHeap,
+    ops::{Add, Mul, Sub},
+};
 
 use glam::DVec4;
 
@@ -80,14 +84,15 @@ pub(in crate::kernel) fn binomials(n: usize) -> Vec<f64> {
     (0..=n).scan(1.0, next).collect()
 }
 
-/// Pieces that a search for a maximum looks at before it is content with its bound.
-const MAX_PIECES: usize = 2000;
+/// Halvings after which a search for a maximum is content with its bound, and more for as many
+/// pieces as it begins with.
+const MAX_HALVINGS: usize = 2000;
 
 /// How far above the largest value found a bound may stay.
 const SLACK: f64 = 1.02;
 
-/// An upper bound of a quantity over several polynomials of 0..1, each halved where its
-/// coefficients say too little: within 2% of the largest value, unless that is as small as
+/// An upper bound of a quantity over several polynomials of 0..1, of which the one with the largest
+/// bound is halved each time: within 2% of the largest value, unless that is as small as
 /// `rounding`.
 ///
 /// `bound` tells from coefficients how large the quantity can be between the ends, `value` how
@@ -99,27 +104,65 @@ pub(in crate::kernel) fn maximum(
     value: impl Fn(DVec4) -> f64,
 ) -> f64 {
     let mut reached = rounding;
-    let mut settled = 0.0_f64;
-    let mut todo = pieces;
+    let mut left = MAX_HALVINGS + pieces.len();
+    let mut todo = BinaryHeap::with_capacity(pieces.len());
     let mut n_pieces = 0;
-    while let Some(piece) = todo.pop() {
-        n_pieces += 1;
-        let ends = [piece[0], piece[piece.len() - 1]];
+    let mut add = |todo: &mut BinaryHeap<Bounded>, points: Vec<DVec4>, most: f64| {
+        let ends = [points[0], points[points.len() - 1]];
         reached = ends.into_iter().map(&value).fold(reached, f64::max);
-        let most = bound(&piece);
-        if most <= SLACK * reached || MAX_PIECES < n_pieces {
-            settled = settled.max(most);
-        } else {
-            let (left, right) = bezier::cut_at(&piece, 0.5);
-            todo.extend([right, left]);
-        }
+        n_pieces += 1;
+        todo.push(Bounded { most: bound(&points).min(most), number: n_pieces, points });
+        reached
+    };
+    let mut highest = rounding;
+    for points in pieces {
+        highest = add(&mut todo, points, f64::INFINITY);
     }
-    settled
+    while let Some(piece) = todo.pop() {
+        if left == 0 || piece.most <= SLACK * highest {
+            return piece.most;
+        }
+        left -= 1;
+        let (before, behind) = bezier::cut_at(&piece.points, 0.5);
+        add(&mut todo, before, piece.most);
+        highest = add(&mut todo, behind, piece.most);
+    }
+    0.0
 }
+
+/// A piece in the search for a maximum: the one with the largest bound comes first, of equal ones
+/// that which was made first.
+struct Bounded {
+    most: f64,
+    number: usize,
+    points: Vec<DVec4>,
+}
+
+impl Ord for Bounded {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.most.total_cmp(&other.most).then(other.number.cmp(&self.number))
+    }
+}
+
+impl PartialOrd for Bounded {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Bounded {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Bounded {}
 
 #[cfg(test)]
 mod tests {
-    use super::product;
+    use glam::DVec4;
+
+    use super::{maximum, product};
 
     #[test]
     fn products_are_those_of_the_polynomials() {
@@ -127,5 +170,17 @@ mod tests {
         assert_eq!(product(&[1.0, 0.0], &[0.0, 1.0], |a, b| a * b), [0.0, 0.5, 0.0]);
         // t²·t = t³.
         assert_eq!(product(&[0.0, 0.0, 1.0], &[0.0, 1.0], |a, b| a * b), [0.0, 0.0, 0.0, 1.0]);
+    }
+    #[test]
+    fn a_maximum_is_found_in_whatever_piece_it_hides() {
+        // 4t(1 − t) has the maximum 1 between ends of 0, here in the last of many lesser ones.
+        let arch = |height: f64| [0.0, 2.0 * height, 0.0].map(|x| DVec4::new(x, 0.0, 0.0, 1.0));
+        let mut pieces = vec![arch(0.99).to_vec(); 3000];
+        pieces.push(arch(1.0).to_vec());
+        let bound = |points: &[DVec4]| points.iter().map(|point| point.x).fold(0.0, f64::max);
+        let found = maximum(pieces, 1e-16, bound, |point| point.x);
+        assert!((1.0..=1.02).contains(&found), "{found}");
+        // Nothing is asked of what is nothing.
+        assert!(maximum(vec![arch(0.0).to_vec()], 1e-16, bound, |point| point.x) <= 1e-16);
     }
 }

@@ -72,8 +72,8 @@ pub const PARAMETER_RELATIVE: f64 = 1e-11;
 /// the control point goes.
 pub const RANK_RELATIVE: f64 = 1e-8;
 
-/// Two ways to write one curve agree when their homogeneous points differ by less than this
-/// fraction of the largest.
+/// Two ways to write one curve agree when their points differ by less than this fraction of the
+/// largest: in another form, or without a knot where two of them were joined.
 ///
 /// Larger loses a corner that somebody placed on purpose; smaller refuses to convert a curve that
 /// went through a few knot insertions and elevations.
@@ -161,18 +161,17 @@ pub const UNIT_SLACK: f64 = 1e-4;
 /// finer than they need to be.
 pub const CHORD_SAFETY: f64 = 0.8;
 
-/// A knot goes from the joint of two curves when the curve moves by less than this fraction of its
-/// coordinates.
-///
-/// Rounding of computed ends leaves some 1e-15. Larger smooths corners that are there; smaller
-/// keeps three knots where two pieces of one cubic meet.
-pub const JOINT_RELATIVE: f64 = 1e-12;
-
 /// The distance of an offset times the curvature counts as one within this: a cusp.
 ///
 /// Larger reports cusps where the offset is merely tight; smaller misses those where the curvature
 /// peaks at just that value.
 pub const CUSP_SLACK: f64 = 1e-9;
+
+/// Beside a place where an offset turns back, its two sides run together for a while: this share of
+/// the stretch between two such places is not asked where the offset crosses itself.
+///
+/// Larger misses crossings close to cusps; smaller takes the cusp for a crossing, and long.
+pub const TURN_MARGIN: f64 = 1e-3;
 
 /// An arc whose points keep their distance from the centre to this fraction is circular.
 ///

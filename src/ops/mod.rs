@@ -15,7 +15,10 @@ mod text;
 mod transform;
 mod vector;
 
-use crate::value::Registry;
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    value::{Length, Registry, shortest},
+};
 
 /// Everything that a script can use without defining it.
 #[must_use]
@@ -38,4 +41,14 @@ pub fn registry() -> Registry {
     .copied()
     .collect::<Registry>()
     .with_constants(constant::CONSTANTS)
+}
+
+/// A length that is above zero.
+fn positive(what: &str, length: Spanned<Length>) -> Result<f64> {
+    let value = length.value.0;
+    if 0.0 < value {
+        return Ok(value);
+    }
+    let message = format!("{what} must be positive, found {}", shortest(value));
+    Diagnostic::error(Code::Degenerate, length.span, message).fail()
 }

@@ -30,3 +30,15 @@ check continuity(polyline((0, 0), (1, 0), (1, 1), (0, 0))).g == 0
 // The tolerance of places is the document's: a gap below it is none.
 check continuity(line((0, 0), (1, 0)), line((1, 9e-7), (2, 9e-7))).c == 3
 check continuity(line((0, 0), (1, 0)), line((1, 2e-6), (2, 2e-6))).c == -1
+
+// Where a curve turns back inside a piece it is C3 and has no direction to keep: G0.
+let cusp = continuity(bezier((0, 0), (1, 1), (0, 1), (1, 0)))
+check cusp.c == 3 and cusp.g == 0 and cusp.angle ~= 180deg
+// (t³, t⁴) about t = 0 goes straight on, with a curvature that has no bound: y = x^(4/3).
+let flat = continuity(polynomial([(0, 0), (0, 0), (0, 0), (1, 0), (0, 1)], domain = -1..1))
+check flat.c == 3 and flat.g == 1 and flat.curvature_gap == none
+// (t³, t⁶) is the parabola.
+check continuity(polynomial([(0, 0), (0, 0), (0, 0), (1, 0), (0, 0), (0, 0), (0, 1)], domain = -1..1)).g == 3
+// A leg that begins slowly has the direction of the next derivative: here straight on.
+check continuity(line((0, 0), (1, 0)), bezier((1, 0), (1, 0), (2, 0))).g == 3
+check continuity(line((0, 0), (1, 0)), bezier((1, 0), (1, 0), (0, 0))).g == 0

@@ -147,7 +147,7 @@ impl Piece {
 }
 
 /// Adds a multiple of a polynomial that may be of another degree.
-fn add(sum: &mut Vec<f64>, summand: &[f64], factor: f64) {
+pub(super) fn add(sum: &mut Vec<f64>, summand: &[f64], factor: f64) {
     let one = |n: usize| vec![1.0; n + 1];
     let (p, q) = (sum.len() - 1, summand.len() - 1);
     let times = |a: f64, b: f64| a * b;

@@ -6,6 +6,7 @@ use super::{Curve, LocalGeometry, Neighbourhood, series};
 use crate::kernel::{
     GeomError, Side, Tolerance,
     frame::{angle_between, norm},
+    tolerance::PLACE_RELATIVE,
 };
 
 /// The highest order that is compared.
@@ -59,7 +60,9 @@ impl Curve {
         Ok(joint(&end, &next.ending(next.domain().start(), Side::Right)?, tolerance))
     }
 
-    /// The worst continuity of the inner knots, and of the seam of a closed curve.
+    /// The worst continuity of the inner knots, of the seam of a closed curve, and of the places
+    /// inside a piece where its derivative vanishes: derivatives by the parameter agree there, but
+    /// at a cusp the direction turns back, and where it does not the curvature may be without bound.
     ///
     /// # Errors
     /// [`GeomError::VanishingTangent`] where a piece stays at one point, and as
@@ -67,11 +70,17 @@ impl Curve {
     pub fn continuity(&self, tolerance: Tolerance) -> Result<Continuity, GeomError> {
         let domain = self.domain();
         let mut worst = Continuity::PERFECT;
-        let breaks = self.nurbs().map_or_else(|_| Vec::new(), |curve| curve.knots().breaks());
-        for t in breaks {
-            if domain.start() < t && t < domain.end() {
-                let (before, after) = (self.ending(t, Side::Left)?, self.ending(t, Side::Right)?);
-                worst = worst.or_worse(joint(&before, &after, tolerance));
+        let sides = [Side::Left, Side::Right];
+        if let Ok(curve) = self.nurbs() {
+            for t in curve.knots().breaks() {
+                if domain.start() < t && t < domain.end() {
+                    let [before, after] = sides.map(|side| self.ending(t, side));
+                    worst = worst.or_worse(joint(&before?, &after?, tolerance));
+                }
+            }
+            for t in curve.standstills() {
+                let [before, after] = sides.map(|side| self.ending_near(t, side));
+                worst = worst.or_worse(joint(&before?, &after?, tolerance));
             }
         }
         if self.is_closed(tolerance.distance) {
@@ -81,7 +90,16 @@ impl Curve {
     }
 
     fn ending(&self, t: f64, side: Side) -> Result<Ending, GeomError> {
+        self.ending_around(self.neighbourhood(t, side)?)
+    }
+
+    /// The same where a singular place is known but for the rounding of its parameter.
+    fn ending_near(&self, t: f64, side: Side) -> Result<Ending, GeomError> {
         let around = self.neighbourhood(t, side)?;
+        self.ending_around(Neighbourhood { slack: PLACE_RELATIVE, ..around })
+    }
+
+    fn ending_around(&self, around: Neighbourhood) -> Result<Ending, GeomError> {
         let derivatives = self.derivatives_around(&around, MAX_ORDER)?;
         let homogeneous = match self {
             Self::Nurbs(curve) => {
@@ -94,7 +112,7 @@ impl Curve {
                 derivatives.iter().zip(weights).map(|(d, weight)| d.extend(weight)).collect()
             }
         };
-        Ok(Ending { around, local: self.local_at(t, side)?, derivatives, homogeneous })
+        Ok(Ending { local: self.local_around(around)?, around, derivatives, homogeneous })
     }
 }
 

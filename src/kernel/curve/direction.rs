@@ -55,7 +55,11 @@ impl Curve {
     /// [`GeomError::VanishingTangent`] where the curve stays at one point, and as
     /// [`Self::point_at`].
     pub fn local_at(&self, t: f64, side: Side) -> Result<LocalGeometry, GeomError> {
-        let around = self.neighbourhood(t, side)?;
+        self.local_around(self.neighbourhood(t, side)?)
+    }
+
+    /// The shape at the place that is looked at.
+    pub(super) fn local_around(&self, around: Neighbourhood) -> Result<LocalGeometry, GeomError> {
         let derivatives = match self {
             Self::Nurbs(curve) if curve.is_rational => curve.derivatives_of_shape(&around).to_vec(),
             // A function may have a curvature, although no change of it.

@@ -62,13 +62,17 @@ impl NurbsCurve {
     /// Parameters where the curve turns back on itself, in order.
     #[must_use]
     pub fn cusps(&self, tolerance: Tolerance) -> Vec<f64> {
-        let pieces = self.pieces();
-        let rounding = |piece: &Piece| SIGN_RELATIVE * longest(&piece.velocity);
-        let mut found = self.vanishing(&pieces, |piece| piece.velocity.clone(), rounding);
+        let mut found = self.standstills();
         found.retain(|&t| self.turns_back(t));
         found.extend(self.joints(tolerance, |a, b| (a + b).length() <= tolerance.angle));
         found.sort_by(f64::total_cmp);
         self.without_repeats(found)
+    }
+
+    /// Parameters inside the domain where the derivative vanishes, in order.
+    pub(super) fn standstills(&self) -> Vec<f64> {
+        let rounding = |piece: &Piece| SIGN_RELATIVE * longest(&piece.velocity);
+        self.vanishing(&self.pieces(), |piece| piece.velocity.clone(), rounding)
     }
 
     /// Parameters where the curve passes through a plane or touches it, in order. A piece that
@@ -181,7 +185,7 @@ impl NurbsCurve {
     }
 
     /// Sorted parameters without those that are one within rounding.
-    fn without_repeats(&self, mut sorted: Vec<f64>) -> Vec<f64> {
+    pub(super) fn without_repeats(&self, mut sorted: Vec<f64>) -> Vec<f64> {
         let near = LAST_BIT.sqrt() * self.domain().length();
         sorted.dedup_by(|later, earlier| *later - *earlier <= near);
         sorted

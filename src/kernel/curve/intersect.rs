@@ -65,7 +65,8 @@ impl NurbsCurve {
         let mut pairs = Vec::new();
         let others = parts(other);
         for own in parts(self) {
-            pairs.extend(others.iter().map(|other| (own.clone(), other.clone())));
+            let near = others.iter().filter(|other| own.may_meet(other, tolerance));
+            pairs.extend(near.map(|other| (own.clone(), other.clone())));
         }
         search.run(pairs)?;
         search.finish()
@@ -81,8 +82,8 @@ impl NurbsCurve {
         let pieces = parts(self);
         let mut pairs = Vec::new();
         let mut alone = pieces.clone();
-        for (i, first) in pieces.iter().enumerate() {
-            pairs.extend(pieces[i + 1..].iter().map(|second| (first.clone(), second.clone())));
+        for (i, j) in near_pairs(&pieces, tolerance) {
+            pairs.push((pieces[i].clone(), pieces[j].clone()));
         }
         while let Some(part) = alone.pop() {
             // Whatever turns by less than half a turn does not come back to itself.
@@ -299,6 +300,24 @@ impl<'c> Search<'c> {
         }
         kept
     }
+}
+
+/// Pairs of pieces whose boxes are within the tolerance of one another, in order. Found along the
+/// axis on which the pieces spread most, so that not all pairs are looked at.
+fn near_pairs(pieces: &[Part], tolerance: f64) -> Vec<(usize, usize)> {
+    let whole = pieces.iter().map(|piece| piece.bounds).reduce(Bounds::union);
+    let axis = whole.map_or(0, |whole| (whole.max - whole.min).max_position());
+    let mut order: Vec<usize> = (0..pieces.len()).collect();
+    order.sort_by(|&i, &j| pieces[i].bounds.min[axis].total_cmp(&pieces[j].bounds.min[axis]));
+    let mut pairs = Vec::new();
+    for (place, &i) in order.iter().enumerate() {
+        let end = pieces[i].bounds.max[axis] + tolerance;
+        let beside = order[place + 1..].iter().take_while(|&&j| pieces[j].bounds.min[axis] <= end);
+        let near = beside.filter(|&&j| pieces[i].may_meet(&pieces[j], tolerance));
+        pairs.extend(near.map(|&j| (i.min(j), i.max(j))));
+    }
+    pairs.sort_unstable();
+    pairs
 }
 
 /// A touch is as long as the root of the tolerance times the size; what is longer by this factor

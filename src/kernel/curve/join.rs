@@ -7,7 +7,7 @@ use crate::kernel::{
     GeomError,
     joint::{Joined, vanishing_span},
     refine::Lines,
-    tolerance::JOINT_RELATIVE,
+    tolerance::EXACT_RELATIVE,
 };
 
 /// The curves one after another as one curve on the domain of the first and those of the others
@@ -39,7 +39,7 @@ pub fn join(curves: &[NurbsCurve], tolerance: f64) -> Result<NurbsCurve, GeomErr
         let gap = before.end().distance(next.start());
         let next = raised(next)?;
         let scale = joined.ends()[0].w / next.control_points[0].w;
-        joined.append(&next.lines(), scale, JOINT_RELATIVE * next.magnitude() + gap);
+        joined.append(&next.lines(), scale, EXACT_RELATIVE * next.magnitude() + gap);
     }
     let Lines { knots, lines } = joined.finish()?;
     NurbsCurve::new(knots, lines.concat())

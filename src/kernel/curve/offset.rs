@@ -1,40 +1,84 @@
 //! The curve at a distance beside another one.
 
+mod crossing;
+mod cusp;
 mod fit;
 mod round;
 mod straight;
 
 use glam::{DVec3, DVec4};
 
-use super::{NurbsCurve, join};
+use super::{Meeting, NurbsCurve, join};
 use crate::kernel::{
-    GeomError, Side,
+    GeomError, Interval, Side,
     frame::unit,
-    tolerance::{CUSP_SLACK, LAST_BIT, Tolerance, VANISHING_RELATIVE},
+    tolerance::{LAST_BIT, Tolerance},
 };
 
 /// Last bits of a coordinate that a point of the offset may be off.
 const MOST_ROUNDINGS: f64 = 64.0;
-
-/// Parameters at which each piece is asked for its bend.
-const N_SAMPLES: usize = 16;
-
-/// Steps that narrow a change of sign down to the last bit, or a minimum to half of them.
-const MAX_STEPS: usize = 60;
 
 /// An offset curve, and where it is not what one may expect.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Offset {
     /// The curve.
     pub curve: NurbsCurve,
-    /// A distance that no point of the curve is further from the true offset: none for an exact one.
+    /// A distance that no point of the curve is further from the true offset: none for an exact
+    /// one.
     pub deviation: f64,
     /// Parameters of the original where the radius of curvature equals the distance, so that the
-    /// offset stands still or turns back.
+    /// offset stands still or turns back; of a stretch of them its two ends.
     pub cusps: Vec<f64>,
-    /// Parameters of the original where a corner is turned on its inner side, so that the offset
-    /// crosses itself.
-    pub crossings: Vec<f64>,
+    /// Parameters of the original where a corner turns to the side of the offset, or a leg begins
+    /// along which it runs backwards.
+    pub folds: Vec<f64>,
+    /// Whether all of it runs backwards: the distance is beyond every centre of curvature.
+    pub is_reversed: bool,
+    /// Where the offset crosses itself, by its own parameters.
+    pub crossings: Vec<Meeting>,
+    /// A stretch of its own parameters on which it runs along itself; there may be more, and
+    /// crossings are not known then.
+    pub overlap: Option<Interval>,
+}
+
+impl Offset {
+    /// The curve that is the offset.
+    fn exact(curve: NurbsCurve) -> Self {
+        Self {
+            curve,
+            deviation: 0.0,
+            cusps: Vec::new(),
+            folds: Vec::new(),
+            is_reversed: false,
+            crossings: Vec::new(),
+            overlap: None,
+        }
+    }
+
+    /// The same, once it is known where it meets itself; `turns` are the parameters at which it
+    /// turns back.
+    fn crossed(self, turns: &[f64], aim: Aim) -> Self {
+        match crossing::crossings(&self.curve, turns, aim.rounding) {
+            Ok(crossings) => Self { crossings, ..self },
+            Err(GeomError::RunTogether { start, end }) => {
+                Self { overlap: Interval::new(start, end).ok(), ..self }
+            }
+            Err(_) => self,
+        }
+    }
+}
+
+/// What an offset is put together of.
+#[derive(Default)]
+struct Pieces {
+    /// In order.
+    pieces: Vec<NurbsCurve>,
+    /// Parameters of the original at which a corner turns to the side of the offset.
+    folds: Vec<f64>,
+    /// Parameters of the offset at which it turns back there.
+    turns: Vec<f64>,
+    /// Where each smooth part begins, by the parameter of the original and by that of the offset.
+    starts: Vec<(f64, f64)>,
 }
 
 /// What an offset needs to know besides the curve.
@@ -77,54 +121,59 @@ impl NurbsCurve {
         let rounding = MOST_ROUNDINGS * LAST_BIT * (self.magnitude() + distance.abs());
         let accuracy = tolerance.distance.max(rounding);
         let aim = Aim { distance, normal, accuracy, rounding };
-        let exact = |curve: NurbsCurve| Offset {
-            curve,
-            deviation: 0.0,
-            cusps: Vec::new(),
-            crossings: Vec::new(),
-        };
         if distance.abs() <= 0.0 {
-            return Ok(exact(self.clone()));
+            return Ok(Offset::exact(self.clone()));
         }
         if let Some(offset) = straight::offset(self, aim)? {
-            return Ok(offset);
+            return Ok(offset.crossed(&[], aim));
         }
+        let start = self.domain().start();
+        let runs_backwards = || cusp::speed(self, aim, start, Side::Right) < 0.0;
         if let Some(curve) = round::offset(self, aim)? {
-            return Ok(exact(curve));
+            return Ok(Offset { is_reversed: runs_backwards(), ..Offset::exact(curve) });
         }
-        let (pieces, crossings) = self.offset_pieces(aim, tolerance)?;
+        let Pieces { pieces, folds, mut turns, starts } = self.offset_pieces(aim, tolerance)?;
         let curve = match pieces.as_slice() {
             [piece] => piece.clone(),
             // The pieces meet by construction; what is between them is rounding.
             _ => join(&pieces, f64::INFINITY)?,
         };
-        let deviation = accuracy;
-        Ok(Offset { curve, deviation, cusps: self.offset_cusps(aim), crossings })
+        let cusps = cusp::cusps(self, aim);
+        turns.extend(cusps.iter().filter_map(|&t| {
+            let (own, moved) = *starts.iter().rev().find(|start| start.0 <= t)?;
+            Some(moved + (t - own))
+        }));
+        let is_reversed = cusps.is_empty() && folds.is_empty() && runs_backwards();
+        let offset =
+            Offset { deviation: accuracy, cusps, folds, is_reversed, ..Offset::exact(curve) };
+        Ok(offset.crossed(&turns, aim))
     }
 
-    /// Pieces that follow the offset from end to end, and the corners that make it cross itself.
-    fn offset_pieces(
-        &self,
-        aim: Aim,
-        tolerance: Tolerance,
-    ) -> Result<(Vec<Self>, Vec<f64>), GeomError> {
+    /// What follows the offset from end to end.
+    fn offset_pieces(&self, aim: Aim, tolerance: Tolerance) -> Result<Pieces, GeomError> {
         let parts = self.smooth_parts(tolerance.angle)?;
         let is_closed = self.is_closed(tolerance.distance);
-        let (mut pieces, mut crossings) = (Vec::new(), Vec::new());
+        let mut found = Pieces::default();
+        let mut end = self.domain().start();
         for (index, part) in parts.iter().enumerate() {
-            pieces.extend(fit::pieces(part, aim)?);
+            found.starts.push((part.domain().start(), end));
+            end += part.domain().length();
+            found.pieces.extend(fit::pieces(part, aim)?);
             let next = match parts.get(index + 1) {
                 None if is_closed => &parts[0],
                 Some(next) => next,
                 None => continue,
             };
             let corner = round::corner(part, next, aim)?;
+            let behind = end + corner.arc.iter().map(|arc| arc.domain().length()).sum::<f64>();
             if corner.is_inner {
-                crossings.push(part.domain().end());
+                found.folds.push(part.domain().end());
+                found.turns.extend([end, behind]);
             }
-            pieces.extend(corner.arc);
+            end = behind;
+            found.pieces.extend(corner.arc);
         }
-        Ok((pieces, crossings))
+        Ok(found)
     }
 
     /// The parts between corners and cusps.
@@ -151,90 +200,6 @@ impl NurbsCurve {
         parts.push(rest);
         Ok(parts)
     }
-
-    /// Parameters between knots where the derivative vanishes: minima of the speed, found by halves
-    /// of its slope, which are zero.
-    fn standstills(&self) -> Vec<f64> {
-        let mut found = Vec::new();
-        for span in self.knots.spans() {
-            let interval = self.knots.span_interval(span);
-            let slope = |t: f64| {
-                let derivatives = self.derivatives_on(span, t, 2);
-                derivatives[1].dot(derivatives[2])
-            };
-            for pair in interval.steps(N_SAMPLES).windows(2) {
-                let (mut low, mut high) = (pair[0], pair[1]);
-                if 0.0 < slope(low) || slope(high) < 0.0 {
-                    continue;
-                }
-                for _ in 0..MAX_STEPS {
-                    let middle = 0.5 * (low + high);
-                    if slope(middle) < 0.0 { low = middle } else { high = middle }
-                }
-                let velocity = self.velocity_on(span, high)[1];
-                if velocity.length() * interval.length() <= VANISHING_RELATIVE * self.magnitude() {
-                    found.push(high);
-                }
-            }
-        }
-        found
-    }
-
-    /// Where `1 + d·κ` vanishes, κ positive for a turn to the left.
-    fn offset_cusps(&self, aim: Aim) -> Vec<f64> {
-        let mut cusps: Vec<f64> = Vec::new();
-        for span in self.knots.spans() {
-            let speed = |t: f64| {
-                let derivatives = self.derivatives_on(span, t, 2);
-                let [first, second] =
-                    [1, 2].map(|k| derivatives[k].reject_from_normalized(aim.normal));
-                let length = first.length();
-                1.0 + aim.distance * first.cross(second).dot(aim.normal)
-                    / (length * length * length)
-            };
-            let interval = self.knots.span_interval(span);
-            let parameters = interval.steps(N_SAMPLES);
-            for pair in parameters.windows(2) {
-                if let Some(t) = root(&speed, pair[0], pair[1]) {
-                    let is_new = |last: &f64| *last + interval.length() * CUSP_SLACK < t;
-                    if cusps.last().is_none_or(is_new) {
-                        cusps.push(t);
-                    }
-                }
-            }
-        }
-        cusps
-    }
-}
-
-/// Where a function of an interval vanishes, crossing zero or only touching it.
-fn root(f: &impl Fn(f64) -> f64, start: f64, end: f64) -> Option<f64> {
-    let (mut low, mut high) = (start, end);
-    let (at_low, at_high) = (f(low), f(high));
-    if !(at_low.is_finite() && at_high.is_finite()) {
-        return None;
-    }
-    if at_low.abs() <= CUSP_SLACK {
-        return Some(low);
-    }
-    if at_high.abs() <= CUSP_SLACK {
-        return Some(high);
-    }
-    if at_low.signum() * at_high.signum() < 0.0 {
-        for _ in 0..MAX_STEPS {
-            let middle = 0.5 * (low + high);
-            if f(middle).signum() * at_low.signum() < 0.0 { high = middle } else { low = middle }
-        }
-        return Some(0.5 * (low + high));
-    }
-    // The least absolute value in between, by thirds.
-    for _ in 0..MAX_STEPS {
-        let third = (high - low) / 3.0;
-        let (a, b) = (low + third, high - third);
-        if f(a).abs() < f(b).abs() { high = b } else { low = a }
-    }
-    let least = 0.5 * (low + high);
-    (f(least).abs() <= CUSP_SLACK).then_some(least)
 }
 
 /// The homogeneous points of a polynomial piece.

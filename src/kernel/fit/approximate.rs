@@ -2,26 +2,19 @@
 
 use glam::DVec3;
 
-use super::{Ends, Interpolator, least::Approximator, spread};
+use super::{
+    Ends, Interpolator,
+    kinks::kinks,
+    least::Approximator,
+    search::{MANY, Search, Trial},
+};
 use crate::{
-    kernel::{GeomError, KnotVector, NurbsCurve, tolerance::PARAMETER_RELATIVE},
+    kernel::{GeomError, KnotVector, NurbsCurve, Receipt},
     limits::Limits,
 };
 
-/// How often the parameters of one trial are corrected.
-const MAX_CORRECTIONS: usize = 12;
-
-/// Each round halves the data of every span that misses, so that this many split any number.
-const MAX_ROUNDS: usize = 64;
-
-/// A correction that gains less than this share of the deviation is the last.
-const LEAST_GAIN: f64 = 0.01;
-
-/// Control points up to which every number is tried; above, halving finds a good one.
-const FEW: usize = 64;
-
 /// The curve of `n_control` control points that comes nearest to the points at the parameters,
-/// through the first and the last.
+/// through the first and the last. Its receipt tells the deviation.
 ///
 /// Least squares over knots that spread the parameters evenly: Piegl & Tiller, *The NURBS Book*,
 /// §9.4.1, (9.68) and (9.69).
@@ -36,16 +29,20 @@ pub fn approximate(
     n_control: usize,
 ) -> Result<NurbsCurve, GeomError> {
     let knots = KnotVector::spreading(degree, n_control, parameters)?;
-    Approximator::new(parameters, knots)?.curve(points)
+    let curve = Approximator::new(parameters, knots)?.curve(points)?;
+    Ok(reporting(curve, points, parameters, &[]))
 }
 
 /// A curve with every point within the tolerance, through the first and the last, with as few
-/// control points as are found.
+/// control points as are found. Its receipt tells the deviation, the parameters, and the corners.
 ///
 /// Knots are added where points are missed, then spread by what the curve found so needs, then
-/// taken away one by one; after each fit the parameters move to the nearest places of the curve
-/// unless they are fixed. Hoschek & Lasser, *Fundamentals of Computer Aided Geometric Design*,
-/// §4.4 (parameter correction); de Boor, *A Practical Guide to Splines*, §XII (spreading).
+/// taken away; after each fit the parameters move to the nearest places of the curve unless they
+/// are fixed. Where the points turn sharply the curve has a corner, unless one without takes fewer control
+/// points. Hoschek & Lasser, *Fundamentals of Computer Aided Geometric
+/// Design*, §4.4 (parameter correction); de Boor, *A Practical Guide to Splines*, §XII
+/// (spreading); Lyche & Mørken, *Knot removal for parametric B-spline curves and surfaces*, CAGD 4
+/// (1987).
 ///
 /// # Errors
 /// [`GeomError::BadDegree`], [`GeomError::DegreeTooHigh`]; [`GeomError::WrongCount`];
@@ -57,190 +54,99 @@ pub fn approximate_within(
     tolerance: f64,
     are_fixed: bool,
 ) -> Result<NurbsCurve, GeomError> {
-    let domain = [parameters[0], parameters[parameters.len() - 1]];
-    let ends = domain.map(|t| vec![t; degree + 1]);
-    let coarsest = KnotVector::for_points(degree, degree + 1, ends.concat())?;
     if points.len() <= degree {
         let needed = degree + 1;
         return Err(GeomError::BadDegree { degree, points: points.len(), needed });
     }
-    let mut search =
-        Search { points, degree, tolerance, are_fixed, left: Limits::DEFAULT.fit_steps };
-    let Some(first) = search.grown(coarsest, parameters) else {
-        return search.interpolated(parameters);
+    let kinks = kinks(points, parameters);
+    let left = Limits::DEFAULT.fit_steps / if kinks.is_empty() { 1 } else { 2 };
+    let search = |points| Search { points, degree, tolerance, are_fixed, left };
+    if kinks.is_empty() {
+        let found = search(points).run(parameters)?;
+        return Ok(reporting(found.curve, points, &found.parameters, &[]));
+    }
+
+    let ends = [&[0], &kinks[..], &[points.len() - 1]].concat();
+    let share = |n: usize| left / points.len() * n;
+    let part = |pair: &[usize]| {
+        let part = pair[0]..=pair[1];
+        let (points, parameters) = (&points[part.clone()], &parameters[part]);
+        if points.len() <= degree {
+            return through(points, parameters, degree);
+        }
+        let trial = Search { left: share(points.len()), ..search(points) }.run(parameters)?;
+        Ok((trial.curve, trial.parameters))
     };
-    let spread = search.respread(first);
-    Ok(search.thinned(spread).curve)
+    let parts: Vec<(NurbsCurve, Vec<f64>)> =
+        ends.windows(2).map(part).collect::<Result<_, GeomError>>()?;
+    let corners: Vec<f64> = kinks.iter().map(|&i| parameters[i]).collect();
+    let cornered = chained(&parts, degree)?;
+    let has_fewer =
+        |smooth: &Trial| smooth.curve.control_points().len() < cornered.control_points().len();
+    // Corners take many knots of a smooth curve; of many points that is seldom worth the time.
+    let smooth = (points.len() <= MANY).then(|| search(points).run(parameters));
+    match smooth.and_then(Result::ok).filter(has_fewer) {
+        Some(found) => Ok(reporting(found.curve, points, &found.parameters, &[])),
+        None => {
+            let moved: Vec<f64> =
+                parts.iter().flat_map(|(_, own)| &own[..own.len() - 1]).copied().collect();
+            let moved = [&moved[..], &parameters[points.len() - 1..]].concat();
+            Ok(reporting(cornered, points, &moved, &corners))
+        }
+    }
 }
 
-/// The search for a curve within the tolerance.
-struct Search<'a> {
-    points: &'a [DVec3],
+/// The polynomial through no more points than the degree.
+fn through(
+    points: &[DVec3],
+    parameters: &[f64],
     degree: usize,
-    tolerance: f64,
-    are_fixed: bool,
-    /// Points that may still be looked at to save control points.
-    left: usize,
+) -> Result<(NurbsCurve, Vec<f64>), GeomError> {
+    let polynomial = Interpolator::new(parameters, points.len() - 1, Ends::Averaged)?;
+    Ok((polynomial.curve(points)?.elevate_degree(degree)?, parameters.to_vec()))
 }
 
-/// A curve fitted to the points.
-#[derive(Clone)]
-struct Trial {
+/// Clamped curves of one degree, each of which starts with the last control point and the last
+/// parameter of the one before.
+fn chained(parts: &[(NurbsCurve, Vec<f64>)], degree: usize) -> Result<NurbsCurve, GeomError> {
+    let (mut knots, mut points) = (Vec::new(), Vec::new());
+    for (part, _) in parts {
+        let own = part.knots().as_slice();
+        let is_first = points.is_empty();
+        // All copies of the start, then those inside.
+        knots.extend_from_slice(&own[usize::from(!is_first)..part.control_points().len()]);
+        points.truncate(points.len().saturating_sub(1));
+        points.extend_from_slice(part.control_points());
+    }
+    if let Some((last, _)) = parts.last() {
+        knots.extend_from_slice(&last.knots().as_slice()[last.control_points().len()..]);
+    }
+    NurbsCurve::new(KnotVector::for_points(degree, points.len(), knots)?, points)
+}
+
+/// The curve with a receipt.
+fn reporting(
     curve: NurbsCurve,
-    parameters: Vec<f64>,
-    /// Distances of the points from the curve at their parameters.
-    misses: Vec<f64>,
-    worst: f64,
-}
-
-impl Trial {
-    fn n_control(&self) -> usize {
-        self.curve.control_points().len()
-    }
-}
-
-impl Search<'_> {
-    fn keeps(&self, trial: &Trial) -> bool {
-        trial.worst <= self.tolerance
-    }
-
-    /// The nearest curve over the knots, with its parameters corrected while that helps.
-    fn trial(&mut self, knots: &KnotVector, parameters: &[f64]) -> Option<Trial> {
-        let mut best = self.fitted(knots, parameters.to_vec())?;
-        for _ in 0..MAX_CORRECTIONS {
-            if self.are_fixed || self.keeps(&best) {
-                break;
-            }
-            let Some(next) = self.fitted(knots, self.corrected(&best)) else { break };
-            let gain = best.worst - next.worst;
-            let is_last = gain < LEAST_GAIN * best.worst;
-            if 0.0 < gain {
-                best = next;
-            }
-            if is_last {
-                break;
-            }
-        }
-        Some(best)
-    }
-
-    fn fitted(&mut self, knots: &KnotVector, parameters: Vec<f64>) -> Option<Trial> {
-        self.left = self.left.saturating_sub(self.points.len());
-        let fit = Approximator::new(&parameters, knots.clone()).ok()?;
-        let curve = fit.curve(self.points).ok()?;
-        Some(self.measured(curve, parameters))
-    }
-
-    fn measured(&self, curve: NurbsCurve, parameters: Vec<f64>) -> Trial {
-        let pairs = self.points.iter().zip(&parameters);
-        let misses: Vec<f64> = pairs.map(|(p, &t)| curve.point_at(t).distance(*p)).collect();
-        let worst = misses.iter().fold(0.0_f64, |worst, &miss| worst.max(miss));
-        Trial { curve, parameters, misses, worst }
-    }
-
-    /// One step of each inner parameter towards the nearest place of the curve, in order.
-    fn corrected(&self, trial: &Trial) -> Vec<f64> {
-        let mut parameters = trial.parameters.clone();
-        for i in 1..parameters.len() - 1 {
-            let (t, point) = (parameters[i], self.points[i]);
-            let derivatives = trial.curve.derivatives_at(t, 2);
-            let [value, first, second] = derivatives[..] else { continue };
-            let miss = value - point;
-            let speed = first.length_squared();
-            let bent = speed + miss.dot(second);
-            let slope = if 0.0 < bent { bent } else { speed };
-            if 0.0 < slope {
-                let next = t - miss.dot(first) / slope;
-                let next = next.max(parameters[i - 1]).min(parameters[i + 1]);
-                if trial.curve.point_at(next).distance(point) < trial.misses[i] {
-                    parameters[i] = next;
-                }
-            }
-        }
-        parameters
-    }
-
-    /// Adds knots where points are missed until none is; `None` where only a curve through all
-    /// points would do.
-    fn grown(&mut self, coarsest: KnotVector, parameters: &[f64]) -> Option<Trial> {
-        let mut knots = coarsest;
-        let mut start = parameters.to_vec();
-        for _ in 0..MAX_ROUNDS {
-            let trial = match self.trial(&knots, &start) {
-                Some(trial) => trial,
-                None => self.trial(&knots, parameters)?,
-            };
-            if self.keeps(&trial) {
-                return Some(trial);
-            }
-            let more = spread::splits(&knots, &trial.parameters, &trial.misses, self.tolerance);
-            if more.is_empty() || self.points.len() < knots.n_points() + more.len() {
-                return None;
-            }
-            knots = knots.with(&more);
-            start = trial.parameters;
-        }
-        None
-    }
-
-    /// The curve through all points, which no tolerance above rounding can refuse.
-    fn interpolated(&self, parameters: &[f64]) -> Result<NurbsCurve, GeomError> {
-        // Neighbours at one place are passed together.
-        let same = PARAMETER_RELATIVE * (parameters[parameters.len() - 1] - parameters[0]);
-        let mut apart: (Vec<f64>, Vec<DVec3>) = (Vec::new(), Vec::new());
-        for (&t, &point) in parameters.iter().zip(self.points) {
-            if apart.0.last().is_none_or(|&before| same < t - before) {
-                apart.0.push(t);
-                apart.1.push(point);
-            }
-        }
-        let all = Interpolator::new(&apart.0, self.degree, Ends::Averaged)?;
-        let trial = self.measured(all.curve(&apart.1)?, parameters.to_vec());
-        if self.keeps(&trial) {
-            return Ok(trial.curve);
-        }
-        Err(GeomError::ToleranceNotKept { tolerance: self.tolerance, found: trial.worst })
-    }
-
-    /// Fewer control points, with the knots where the curve needs them.
-    fn respread(&mut self, first: Trial) -> Trial {
-        let mut best = first;
-        let (mut low, mut high) = (self.degree + 1, best.n_control());
-        while low < high && 0 < self.left {
-            let n = if high <= FEW { low } else { low.midpoint(high) };
-            let knots = spread::by_need(&best.curve, n);
-            let start = best.parameters.clone();
-            match self.trial(&knots, &start).filter(|trial| self.keeps(trial)) {
-                Some(trial) => (best, high) = (trial, n),
-                None => low = n + 1,
-            }
-        }
-        best
-    }
-
-    /// Takes knots away one by one, the least needed first.
-    fn thinned(&mut self, first: Trial) -> Trial {
-        let mut best = first;
-        loop {
-            let breaks = best.curve.knots().breaks();
-            let mut without: Option<Trial> = None;
-            for &t in &breaks[1..breaks.len() - 1] {
-                if self.left == 0 {
-                    return best;
-                }
-                let knots = best.curve.knots().without(t);
-                let start = best.parameters.clone();
-                let found = self.trial(&knots, &start).filter(|trial| self.keeps(trial));
-                let is_better =
-                    |found: &Trial| without.as_ref().is_none_or(|w| found.worst < w.worst);
-                if let Some(found) = found.filter(is_better) {
-                    without = Some(found);
-                }
-            }
-            match without {
-                Some(trial) => best = trial,
-                None => return best,
-            }
-        }
-    }
+    points: &[DVec3],
+    parameters: &[f64],
+    corners: &[f64],
+) -> NurbsCurve {
+    let found = curve.evaluator();
+    let miss = |(point, &t): (&DVec3, &f64)| (found.point_at(t).distance(*point), t);
+    let misses: Vec<(f64, f64)> = points.iter().zip(parameters).map(miss).collect();
+    let worst =
+        misses.iter().fold(
+            (0.0, parameters[0]),
+            |worst: (f64, f64), &miss| {
+                if worst.0 < miss.0 { miss } else { worst }
+            },
+        );
+    let mean = misses.iter().map(|miss| miss.0).sum::<f64>() / misses.len() as f64;
+    let deviation = Receipt::default().with("max", worst.0).with("mean", mean).with("at", worst.1);
+    let receipt = Receipt::of("approximate")
+        .with("control_points", curve.control_points().len())
+        .with("deviation", deviation)
+        .with("corners", corners.to_vec())
+        .with("parameters", parameters.to_vec());
+    curve.with_receipt(receipt)
 }

@@ -2,7 +2,6 @@
 
 use glam::{DVec3, DVec4};
 
-use super::equation::Equation;
 use crate::kernel::{GeomError, KnotVector, NurbsCurve, tolerance::RANK_RELATIVE};
 
 /// A basis, with the factored equations of a spline over it that begins at the first value, ends
@@ -11,8 +10,10 @@ use crate::kernel::{GeomError, KnotVector, NurbsCurve, tolerance::RANK_RELATIVE}
 #[derive(Clone, Debug)]
 pub struct Approximator {
     knots: KnotVector,
-    /// An equation for each parameter.
-    rows: Vec<Equation>,
+    /// The first control point that counts at each parameter.
+    firsts: Vec<usize>,
+    /// How much it and those behind it count, degree + 1 a parameter.
+    shares: Vec<f64>,
     factor: Triangle,
 }
 
@@ -22,13 +23,32 @@ impl Approximator {
     /// # Errors
     /// [`GeomError::Undetermined`] where parts of the spline have too few parameters.
     pub fn new(parameters: &[f64], knots: KnotVector) -> Result<Self, GeomError> {
-        let rows: Vec<Equation> = parameters.iter().map(|&t| Equation::point(&knots, t)).collect();
-        let n_inner = knots.n_points() - 2;
-        let inner = rows.iter().filter_map(|row| inside(row, n_inner));
+        let width = knots.degree() + 1;
+        let mut firsts = Vec::with_capacity(parameters.len());
+        let mut shares = Vec::with_capacity(parameters.len() * width);
+        for &t in parameters {
+            knots.with_basis(t, |span, basis| {
+                firsts.push(span + 1 - width);
+                shares.extend_from_slice(basis);
+            });
+        }
+        let n_inner = knots.n_points().saturating_sub(2);
+        let rows = firsts.iter().copied().zip(shares.chunks_exact(width));
         let control_points = knots.n_points();
-        let factor = Triangle::new(inner, n_inner, knots.degree() + 1)
+        let factor = Triangle::new(rows.map(|row| inside(row, n_inner)), n_inner, width)
             .ok_or(GeomError::Undetermined { control_points })?;
-        Ok(Self { knots, rows, factor })
+        Ok(Self { knots, firsts, shares, factor })
+    }
+
+    /// The first control point that counts at each parameter, and how much it and those behind it
+    /// do.
+    fn rows(&self) -> impl Iterator<Item = (usize, &[f64])> {
+        self.firsts.iter().copied().zip(self.shares.chunks_exact(self.knots.degree() + 1))
+    }
+
+    /// The spline of control points at each of the parameters.
+    pub(super) fn values<'a>(&'a self, points: &'a [DVec4]) -> impl Iterator<Item = DVec4> + 'a {
+        self.rows().map(|(first, shares)| value(&points[first..], shares))
     }
 
     /// The knots of the splines.
@@ -45,7 +65,7 @@ impl Approximator {
     /// # Errors
     /// [`GeomError::WrongCount`] unless there is one value a parameter.
     pub fn near(&self, values: &[DVec4]) -> Result<Vec<DVec4>, GeomError> {
-        let (needed, got) = (self.rows.len(), values.len());
+        let (needed, got) = (self.firsts.len(), values.len());
         if got != needed {
             return Err(GeomError::WrongCount { what: "points", needed, got });
         }
@@ -64,11 +84,10 @@ impl Approximator {
     /// What is missing from inner control points.
     fn correction(&self, points: &[DVec4], values: &[DVec4]) -> Vec<DVec4> {
         let mut sums = vec![DVec4::ZERO; points.len()];
-        for (row, &value) in self.rows.iter().zip(values) {
-            let places = row.columns().zip(&row.values);
-            let found = places.clone().fold(DVec4::ZERO, |sum, (i, &n)| sum + n * points[i]);
-            for (i, &n) in places {
-                sums[i] += n * (value - found);
+        for ((first, shares), &wanted) in self.rows().zip(values) {
+            let missing = wanted - value(&points[first..], shares);
+            for (sum, &share) in sums[first..].iter_mut().zip(shares) {
+                *sum += share * missing;
             }
         }
         let mut inner = sums[1..points.len() - 1].to_vec();
@@ -87,12 +106,17 @@ impl Approximator {
     }
 }
 
-/// The part of an equation that is about the control points between the first and the last.
-fn inside(row: &Equation, n_inner: usize) -> Option<Equation> {
-    let columns = row.columns();
-    let (start, end) = (columns.start.max(1), columns.end.min(n_inner + 1));
-    let values = row.values.get(start - row.first..end.checked_sub(row.first)?)?.to_vec();
-    (!values.is_empty()).then_some(Equation { first: start - 1, values })
+/// Control points in shares.
+fn value(points: &[DVec4], shares: &[f64]) -> DVec4 {
+    points.iter().zip(shares).fold(DVec4::ZERO, |sum, (&point, &share)| sum + share * point)
+}
+
+/// The part of an equation that is about the control points between the first and the last, which
+/// are counted from the second.
+fn inside((first, shares): (usize, &[f64]), n_inner: usize) -> (usize, &[f64]) {
+    let n_before = 1_usize.saturating_sub(first);
+    let end = (n_inner + 1).saturating_sub(first).min(shares.len());
+    ((first + n_before) - 1, shares.get(n_before..end).unwrap_or_default())
 }
 
 /// The triangular factor of a band of equations, more than there are unknowns.
@@ -107,12 +131,17 @@ struct Triangle {
 
 impl Triangle {
     /// `None` where the equations leave an unknown open.
-    fn new(equations: impl Iterator<Item = Equation>, n: usize, width: usize) -> Option<Self> {
+    fn new<'a>(
+        equations: impl Iterator<Item = (usize, &'a [f64])>,
+        n: usize,
+        width: usize,
+    ) -> Option<Self> {
         let mut rows = vec![0.0; n * width];
-        for equation in equations {
-            let mut row = vec![0.0; width];
-            row[..equation.values.len()].copy_from_slice(&equation.values);
-            for i in equation.first..n {
+        let mut row = vec![0.0; width];
+        for (first, shares) in equations {
+            row.fill(0.0);
+            row[..shares.len()].copy_from_slice(shares);
+            for i in first..n {
                 if row.iter().all(|value| value.abs() <= 0.0) {
                     break;
                 }
@@ -149,7 +178,8 @@ impl Triangle {
 
 /// Turns two rows so that the second begins with zero.
 fn rotate(upper: &mut [f64], lower: &mut [f64]) {
-    let length = libm::hypot(upper[0], lower[0]);
+    // Shares of control points are at most one, and what is too small to be squared is rounding.
+    let length = (upper[0] * upper[0] + lower[0] * lower[0]).sqrt();
     if length <= 0.0 {
         return;
     }

@@ -4,18 +4,20 @@
 //! solve the equations that follow, in time linear in the number of points; `interpolate` makes
 //! those of a spline through points, `periodic` and `cyclic` those of a closed one, `through` the
 //! splines, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
-//! `spread` makes that basis, `approximate` looks for the smallest that keeps a tolerance; `surface`
-//! does it all for grids.
+//! `spread` makes that basis, `search` looks for the smallest that keeps a tolerance, `kinks` where
+//! data have corners, and `approximate` puts these together; `surface` does it all for grids.
 
 mod approximate;
 mod banded;
 mod cyclic;
 mod equation;
 mod interpolate;
+mod kinks;
 mod lagrange;
 mod least;
 mod parameters;
 mod periodic;
+mod search;
 mod spread;
 mod surface;
 mod through;

@@ -38,8 +38,12 @@ impl KnotVector {
     }
 }
 
-/// A knot for each span with a point that is missed, where the squares of the misses divide into
-/// halves; none where a side would be left without a point.
+/// Points for each part into which a span is divided at once.
+const POINTS_A_PART: usize = 256;
+
+/// Knots for each span with a point that is missed, where the squares of the misses divide into
+/// equal parts: halves, and more where a span with hundreds of points misses by far; none where a side
+/// would be left without a point.
 pub(super) fn splits(
     knots: &KnotVector,
     parameters: &[f64],
@@ -50,25 +54,37 @@ pub(super) fn splits(
     let split = |ends: &[f64]| {
         let first = parameters.partition_point(|&t| t <= ends[0]);
         let last = parameters.partition_point(|&t| t < ends[1]);
-        let inside = misses.get(first..last)?;
-        if !inside.iter().any(|&miss| tolerance < miss) {
-            return None;
+        let inside = misses.get(first..last).unwrap_or_default();
+        let worst = inside.iter().fold(0.0_f64, |worst, &miss| worst.max(miss));
+        let n_parts = if worst <= tolerance {
+            1
+        } else {
+            // The error falls with the width to the power of the order.
+            let order = (knots.degree() + 1) as f64;
+            let wanted = libm::pow(worst / tolerance, 1.0 / order) as usize;
+            wanted.min(inside.len() / POINTS_A_PART).max(2)
+        };
+        let share = inside.iter().map(|miss| miss * miss).sum::<f64>() / n_parts as f64;
+        let (mut sum, mut before) = (0.0, first);
+        let mut added: Vec<f64> = Vec::new();
+        for part in 1..n_parts {
+            while before < last && sum + misses[before] * misses[before] < share * part as f64 {
+                sum += misses[before] * misses[before];
+                before += 1;
+            }
+            // From there outwards, the first gap between two points.
+            let lowest = added.last().copied().unwrap_or(ends[0]);
+            let gaps = (before..last.saturating_sub(1)).chain((first..before).rev());
+            let knot = gaps
+                .filter_map(|i| Some([*parameters.get(i)?, *parameters.get(i + 1)?]))
+                .map(|[a, b]| (0.5 * (a + b), b - a))
+                .find(|&(t, gap)| same < gap && same < t - lowest && same < ends[1] - t)
+                .map(|(t, _)| t);
+            added.extend(knot);
         }
-        let half = 0.5 * inside.iter().map(|miss| miss * miss).sum::<f64>();
-        let mut sum = 0.0;
-        let n_before = inside.iter().take_while(|&&miss| {
-            sum += miss * miss;
-            sum < half
-        });
-        let before = first + n_before.count();
-        // From the middle outwards, the first gap between two points.
-        let gaps = (before..last.saturating_sub(1)).chain((first..before).rev());
-        gaps.map(|i| [parameters[i], parameters[i + 1]])
-            .map(|[a, b]| (0.5 * (a + b), b - a))
-            .find(|&(t, gap)| same < gap && same < t - ends[0] && same < ends[1] - t)
-            .map(|(t, _)| t)
+        added
     };
-    knots.breaks().windows(2).filter_map(split).collect()
+    knots.breaks().windows(2).flat_map(split).collect()
 }
 
 /// Knots for `n_points` control points, denser where the curve's next derivative would be large.

@@ -9,7 +9,7 @@ use crate::kernel::{
     homogeneous,
     joint::{Joined, vanishing_span},
     refine::Lines,
-    tolerance::{EXACT_RELATIVE, JOINT_RELATIVE},
+    tolerance::EXACT_RELATIVE,
 };
 
 /// The patches `[i][j]`, i along u, as one surface on the domain of the first and those of the
@@ -67,7 +67,7 @@ fn joined(
             let (gap, along) = (gap.width, along.name());
             return Err(GeomError::PatchGap { along, before, next, gap, tolerance });
         }
-        let accuracy = JOINT_RELATIVE * magnitude(&next) + gap.width;
+        let accuracy = EXACT_RELATIVE * magnitude(&next) + gap.width;
         chain.append(&next, gap.scale, accuracy);
     }
     let chain = chain.finish()?;

@@ -6,7 +6,8 @@ use super::fit::{Parameters, chord, loose_parameters};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{self, NurbsCurve},
-    value::{At, AtLeast, Ctx, Length, op, shortest},
+    ops::positive,
+    value::{At, AtLeast, Ctx, Length, op},
 };
 
 op! {
@@ -16,7 +17,8 @@ op! {
     /// With `control_points` the one whose squared distances at the parameters sum to least, over
     /// knots that spread the parameters evenly. With `tolerance` one that comes that near to every
     /// point, with as few control points as are found; it moves the parameters along the curve
-    /// unless they are listed. Piegl & Tiller, *The NURBS Book*, §9.4.1, (9.68), (9.69); Hoschek &
+    /// unless they are listed, and has corners where the points turn sharply, if that takes no more
+    /// control points. `report` has `{control_points, deviation, corners, parameters}`. Piegl & Tiller, *The NURBS Book*, §9.4.1, (9.68), (9.69); Hoschek &
     /// Lasser, *Fundamentals of Computer Aided Geometric Design*, §4.4.
     approximate in Curve -> NurbsCurve {
         /// The points, more than the degree.
@@ -47,7 +49,9 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
             kernel::approximate(&points, &parameters, degree, count.value).at(count.span)
         }
         (None, Some(tolerance)) => {
-            let within = positive(tolerance)?;
+            let hint = "`interpolate` passes through all of the points";
+            let within = positive("the tolerance", tolerance)
+                .map_err(|mistake| Box::new(mistake.hint(hint)))?;
             kernel::approximate_within(&points, &parameters, degree, within, are_fixed)
                 .at(tolerance.span)
         }
@@ -83,15 +87,4 @@ fn check_count(count: Spanned<usize>, degree: usize, n_points: usize) -> Result<
     } else {
         diagnostic.fail()
     }
-}
-
-fn positive(tolerance: Spanned<Length>) -> Result<f64> {
-    let Length(value) = tolerance.value;
-    if 0.0 < value {
-        return Ok(value);
-    }
-    let message = format!("the tolerance must be positive, found {}", shortest(value));
-    Diagnostic::error(Code::Degenerate, tolerance.span, message)
-        .hint("`interpolate` passes through all of the points")
-        .fail()
 }

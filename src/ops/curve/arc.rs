@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
-use super::positive;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{Frame, NurbsCurve, tolerance::KNOT_RELATIVE},
+    ops::positive,
     value::{Angle, At, Ctx, Length, op},
 };
 
@@ -38,7 +38,7 @@ op! {
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
-    let radius = positive(args.radius, "the radius")?;
+    let radius = positive("the radius", args.radius)?;
     let x = args.x.map(|x| x.value);
     let blamed = args.x.map_or(args.normal.span, |x| x.span);
     let frame = Frame::from_normal(args.center, args.normal.value, x).at(blamed)?;

@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use super::positive;
 use crate::{
     diag::{Result, Spanned},
     kernel::{CircleForm, Frame, NurbsCurve},
+    ops::positive,
     value::{At, Choice, Ctx, Length, op},
 };
 
@@ -37,7 +37,7 @@ impl Choice for CircleForm {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
-    let radius = positive(args.radius, "the radius")?;
+    let radius = positive("the radius", args.radius)?;
     let frame = Frame::from_normal(args.center, args.normal.value, None).at(args.normal.span)?;
     NurbsCurve::circle(args.center, radius, frame.x(), frame.z(), args.form).at(ctx.span)
 }

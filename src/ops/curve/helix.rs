@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use super::positive;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{Frame, NurbsCurve},
+    ops::positive,
     value::{At, Ctx, Length, op},
 };
 
@@ -31,7 +31,7 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
     let at_turns = args.turns.span;
-    let radius = positive(args.radius, "the radius")?;
+    let radius = positive("the radius", args.radius)?;
     let turns = args.turns.value;
     if turns <= 0.0 {
         let message = format!(

@@ -28,7 +28,7 @@ mod polynomial;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{GeomError, KnotVector},
-    value::{At, Length, Op, shortest},
+    value::{At, Op},
 };
 
 pub(super) static OPS: &[&Op] = &[
@@ -106,7 +106,7 @@ pub(super) fn check_degree(degree: Spanned<usize>, n_points: Spanned<usize>) -> 
 }
 
 /// Fails unless there are as many points as a uniform cubic needs.
-fn check_cubic(n_points: Spanned<usize>, is_closed: bool) -> Result<()> {
+pub(super) fn check_cubic(n_points: Spanned<usize>, is_closed: bool) -> Result<()> {
     if is_closed {
         return check_closed(n_points);
     }
@@ -126,14 +126,4 @@ fn check_closed(n_points: Spanned<usize>) -> Result<()> {
     }
     let message = format!("a closed curve needs 3 points or more, found {}", n_points.value);
     Diagnostic::error(Code::TooFewPoints, n_points.span, message).fail()
-}
-
-/// A length, which must be above zero.
-pub(super) fn positive(length: Spanned<Length>, what: &str) -> Result<f64> {
-    let value = length.value.0;
-    if 0.0 < value {
-        return Ok(value);
-    }
-    let message = format!("{what} must be positive, found {}", shortest(value));
-    Diagnostic::error(Code::Degenerate, length.span, message).fail()
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     diag::{Result, Spanned},
     kernel::{Frame, NurbsSurface},
-    ops::curve::positive,
+    ops::positive,
     value::{At, Ctx, Length, op},
 };
 
@@ -27,6 +27,6 @@ op! {
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
-    let radius = positive(args.radius, "the radius")?;
+    let radius = positive("the radius", args.radius)?;
     NurbsSurface::cone(*args.plane, [radius, 0.0], 0.0).at(args.radius.span)
 }

@@ -9,6 +9,7 @@ mod clamped;
 mod cone;
 mod coons;
 mod coons_bicubic;
+mod coons_bspline;
 mod corner_surface;
 mod cuboid;
 mod cylinder;
@@ -28,7 +29,7 @@ mod torus;
 
 use glam::DVec3;
 
-use super::curve::{knots_for, positive};
+use super::{curve::knots_for, positive};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{Frame, Grid, NurbsSurface},
@@ -54,6 +55,7 @@ pub(super) static OPS: &[&Op] = &[
     &torus::OP,
     &bezier::OP,
     &clamped::OP,
+    &coons_bspline::OP,
     &bspline::OP,
     &nurbs::OP,
     &interpolate::OP,
@@ -134,7 +136,7 @@ fn tensor(
 
 /// A height, which must be above zero.
 fn upward(height: Spanned<Length>) -> Result<f64> {
-    positive(height, "the height").map_err(|mut found| {
+    positive("the height", height).map_err(|mut found| {
         if height.value.0 < 0.0 {
             found.hints.push("to go down, turn the `axis` around".to_owned());
         }

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::{
     diag::{Result, Spanned},
     kernel::{Frame, NurbsSurface},
-    ops::curve::positive,
+    ops::positive,
     value::{At, Ctx, Length, op},
 };
 
@@ -26,6 +26,6 @@ op! {
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
-    let radius = positive(args.radius, "the radius")?;
+    let radius = positive("the radius", args.radius)?;
     NurbsSurface::sphere(Frame::XY.at(args.center), radius).at(args.radius.span)
 }

@@ -6,7 +6,7 @@ use super::around;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::NurbsSurface,
-    ops::curve::positive,
+    ops::positive,
     value::{At, Ctx, Length, op},
 };
 
@@ -32,8 +32,8 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
-    let major = positive(args.major, "the major radius")?;
-    let minor = positive(args.minor, "the minor radius")?;
+    let major = positive("the major radius", args.major)?;
+    let minor = positive("the minor radius", args.minor)?;
     let frame = around(args.center, args.axis)?;
     let torus = NurbsSurface::torus(frame, major, minor).at(ctx.span)?;
     if major < minor {

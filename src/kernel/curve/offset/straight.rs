@@ -47,12 +47,12 @@ pub(super) fn offset(curve: &NurbsCurve, aim: Aim) -> Result<Option<Offset>, Geo
         }
         moved.push(point + sum * (0.5 / shortening));
     }
-    let mut crossings = Vec::new();
+    let mut folds = Vec::new();
     for (i, leg) in legs.iter().enumerate() {
         if (moved[i + 1] - moved[i]).dot(*leg) <= 0.0 {
-            crossings.push(parameters[i]);
+            folds.push(parameters[i]);
         }
     }
     let curve = NurbsCurve::polynomial(curve.knots().clone(), &moved)?;
-    Ok(Some(Offset { curve, deviation: 0.0, cusps: Vec::new(), crossings }))
+    Ok(Some(Offset { folds, ..Offset::exact(curve) }))
 }

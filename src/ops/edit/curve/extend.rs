@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use super::positive;
 use crate::{
     diag::{Result, Spanned},
     kernel::NurbsCurve,
+    ops::positive,
     value::{At, Choice, Ctx, Length, op},
 };
 

@@ -16,20 +16,7 @@ pub(super) mod split;
 pub(super) mod to_nurbs;
 pub(super) mod trim;
 
-use crate::{
-    diag::{Code, Diagnostic, Result, Spanned},
-    value::{Length, shortest},
-};
-
-/// A length that is above zero.
-pub(super) fn positive(what: &str, length: Spanned<Length>) -> Result<f64> {
-    let value = length.value.0;
-    if 0.0 < value {
-        return Ok(value);
-    }
-    let message = format!("{what} must be positive, found {}", shortest(value));
-    Diagnostic::error(Code::Degenerate, length.span, message).fail()
-}
+use crate::diag::{Code, Diagnostic, Result, Spanned};
 
 /// The highest order of continuity that the language speaks of.
 const HIGHEST_ORDER: usize = 3;

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{NurbsCurve, Receipt},
+    kernel::{Meeting, NurbsCurve, Offset, Receipt},
     value::{At, Ctx, Length, op, shortest},
 };
 
@@ -16,10 +16,14 @@ op! {
     ///
     /// Each point goes to C + d·(T × n) / |T × n|. Circular arcs and polygons in a plane normal to
     /// the normal have exact offsets, polygons with their corners kept; others are splines of
-    /// degree 5 on the same parameters, nowhere further from the true offset than the document's
-    /// tolerance. At other corners an arc is put in. Where the distance is a radius of curvature on
-    /// the side of the centre, the offset has a cusp: it is kept, and a warning tells the
-    /// parameters. Maekawa, *An overview of offset curves and surfaces*, CAD 31 (1999).
+    /// degree 5 on the same parameters, proven to be nowhere further from the true offset than the
+    /// document's tolerance. At other corners an arc is put in, with parameters of its own, so that
+    /// the later ones move. Nothing is cut off: where the distance is a radius of curvature on the
+    /// side of the centre, the offset has a cusp; where the curve turns to its side within the
+    /// distance, it folds back and crosses itself. Warnings tell all that, and `report` has
+    /// `{distance, deviation, cusps, folds, crossings}`: cusps and folds by parameters of the
+    /// curve, crossings `{t, s, point}` by those of the offset.
+    /// Maekawa, *An overview of offset curves and surfaces*, CAD 31 (1999).
     offset in Edit -> NurbsCurve {
         /// The curve.
         c: Arc<NurbsCurve>,
@@ -36,27 +40,64 @@ op! {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
     let Args { c, distance, normal } = args;
     let offset = c.offset(distance.0, normal.value, ctx.tolerance).at(normal.span_or(ctx.span))?;
+    for (message, hint) in doubts(&offset) {
+        ctx.warn(Diagnostic::warning(Code::SelfIntersecting, ctx.span, message).hint(hint));
+    }
+    let crossing = |meeting: &Meeting| {
+        let Meeting { first, second, point } = *meeting;
+        Receipt::default().with("t", first).with("s", second).with("point", point)
+    };
+    let receipt = Receipt::of("offset")
+        .with("distance", distance.0)
+        .with("deviation", offset.deviation)
+        .with("cusps", offset.cusps)
+        .with("folds", offset.folds)
+        .with("crossings", offset.crossings.iter().map(crossing).collect::<Vec<Receipt>>());
+    Ok(offset.curve.with_receipt(receipt))
+}
+
+/// What may be unexpected about an offset, each with what to do.
+fn doubts(offset: &Offset) -> Vec<(String, &'static str)> {
+    let mut doubts = Vec::new();
     if !offset.cusps.is_empty() {
         let message = format!(
             "the offset has a cusp at {}: the distance is the radius of curvature there",
             listed(&offset.cusps)
         );
-        let hint = "between two cusps it runs backwards; a smaller distance has none";
-        ctx.warn(Diagnostic::warning(Code::SelfIntersecting, ctx.span, message).hint(hint));
+        doubts.push((message, "between two cusps it runs backwards; a smaller distance has none"));
     }
-    if !offset.crossings.is_empty() {
+    if offset.is_reversed {
+        let message =
+            "the offset runs backwards: the distance is larger than every radius of curvature";
+        doubts
+            .push((message.to_owned(), "a smaller distance stays on the near side of the centre"));
+    }
+    if !offset.folds.is_empty() {
         let message = format!(
-            "the offset crosses itself near {}: the curve turns to its side there within the distance",
-            listed(&offset.crossings)
+            "the offset folds back near {}: the curve turns to its side there within the distance",
+            listed(&offset.folds)
         );
-        ctx.warn(Diagnostic::warning(Code::SelfIntersecting, ctx.span, message));
+        doubts.push((message, "a smaller distance folds less"));
     }
-    let receipt = Receipt::of("offset")
-        .with("distance", distance.0)
-        .with("deviation", offset.deviation)
-        .with("cusps", offset.cusps)
-        .with("crossings", offset.crossings);
-    Ok(offset.curve.with_receipt(receipt))
+    let cut = "the loop between the two parameters of the offset is kept; `trim` takes it off, and \
+               `report` has all places";
+    if let Some(Meeting { first, second, .. }) = offset.crossings.first() {
+        let place = format!("t = {} and {}", shortest(*first), shortest(*second));
+        let message = match offset.crossings.len() {
+            1 => format!("the offset crosses itself at {place}"),
+            n => format!("the offset crosses itself {n} times, first at {place}"),
+        };
+        doubts.push((message, cut));
+    }
+    if let Some(stretch) = offset.overlap {
+        let message = format!(
+            "the offset runs along itself from t = {} to {}",
+            shortest(stretch.start()),
+            shortest(stretch.end())
+        );
+        doubts.push((message, "a slightly different distance keeps both sides apart"));
+    }
+    doubts
 }
 
 /// `t = 0.25, 0.75 and 3 more`.

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use super::positive;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{NurbsCurve, Receipt},
+    ops::positive,
     value::{At, Ctx, Length, op},
 };
 

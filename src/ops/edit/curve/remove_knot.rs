@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
-use super::{at_least_once, positive};
+use super::at_least_once;
 use crate::{
     diag::{Result, Spanned},
     kernel::{NurbsCurve, Receipt},
+    ops::positive,
     value::{At, Ctx, Length, op},
 };
 

@@ -1,9 +1,9 @@
 //! `to_nurbs`: a curve as a NURBS.
 
-use super::positive;
 use crate::{
     diag::{Result, Spanned},
     kernel::{Curve, NurbsCurve},
+    ops::positive,
     value::{At, Ctx, Length, op},
 };
 

@@ -3,7 +3,7 @@
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{NurbsSurface, Receipt, Surface},
-    ops::edit::curve::positive,
+    ops::positive,
     value::{At, Ctx, Length, op, shortest},
 };
 

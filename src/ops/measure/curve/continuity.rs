@@ -10,13 +10,15 @@ use crate::{
 
 op! {
     /// How smoothly a curve goes on in another, the end of `a` in the start of `b`; of one curve
-    /// alone the worst of its inner knots, and of its seam where it is closed.
+    /// alone the worst of its inner knots, of its seam where it is closed, and of the places where
+    /// it stands still.
     ///
     /// `c` and `g` are the largest orders up to 3 that hold, -1 where the points are apart: `c` of
     /// equal derivatives by the parameter, `g` of equal ones by arc length: 1 the same direction,
     /// 2 the same curvature vector, 3 the same change of it. `c_homogeneous` compares the
     /// homogeneous curves; `gap`, `angle` and `curvature_gap` tell how far points, tangents and
-    /// curvature vectors differ, the last `none` where a curvature has no bound.
+    /// curvature vectors differ, the last `none` where a curvature has no bound. Where a derivative
+    /// vanishes the direction is that of the next one that does not: a cusp is C3 but only G0.
     ///
     /// Linkeová, *Curves and Surfaces for Computer Graphics*, §1.2; Barsky & DeRose, *Geometric
     /// continuity of parametric curves*.
@@ -29,6 +31,7 @@ op! {
     example "continuity(line((0, 0), (1, 0)), line((1, 0), (3, 0))).c" => "0";
     example "continuity(line((0, 0), (1, 0)), line((1, 0), (3, 0))).g" => "3";
     example "continuity(polyline((0, 0), (1, 0), (1, 1))).angle" => "90deg";
+    example "continuity(bezier((0, 0), (1, 1), (0, 1), (1, 0))).g" => "0";
     example "continuity(circle((0, 0), 1)).c" => "1";
     example "continuity(circle((0, 0), 1)).c_homogeneous" => "0";
 }
