@@ -197,6 +197,10 @@ codes! {
         "The construction has a result, but not all of what was asked could be promised. The message tells what was done."
     SelfIntersecting "W0002" "the result crosses itself"
         "Beside a tight bend an offset has cusps and loops: it is further away than the radius of curvature. The result is the true offset with these; a smaller distance has none. A curve that crosses the axis about which it is turned makes a surface that passes through itself, and so does a torus whose tube is thicker than its ring."
+    NotPositiveWeight "W0010" "a weight became zero or negative"
+        "Between rational sections the weights swing like the points. Where the weight of a control point is not positive, the surface may leave the hull of its points; it still passes through all sections. A lower degree, `shape = \"monotone\"`, or sections with more even weights avoid it."
+    FrameFlip "W0011" "a frame turns around"
+        "A Frenet frame follows the side to which the path bends. Where the path goes over from one way of bending to the other, the frame turns around at once, and with it the section. `frame = \"rotation_minimizing\"` does not."
 }
 
 impl Code {

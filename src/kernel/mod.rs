@@ -11,6 +11,7 @@ mod error;
 mod failure;
 mod fit;
 mod frame;
+mod gordon;
 mod grid;
 mod homogeneous;
 mod hull;
@@ -26,7 +27,9 @@ mod receipt;
 mod refine;
 mod removal;
 mod roots;
+mod skin;
 mod surface;
+mod sweep;
 mod table;
 pub mod tolerance;
 
@@ -42,17 +45,20 @@ pub use fit::{
     check_parameters, lagrange,
 };
 pub use frame::Frame;
+pub use gordon::{Changes, Gordon, Network, NetworkError, gordon};
 pub use grid::Grid;
 pub use interval::Interval;
 pub use jet::Jet;
 pub use knots::{KnotVector, Side};
 pub use mesh::{Mesh, grid_mesh, tessellate, tessellate_curve};
 pub use receipt::{Fact, Receipt};
+pub use skin::{Alignment, Along, Rule, Sections, Skin, aligned};
 pub use surface::{
     Axis, AxisContact, Blend, CrossFields, Defects, Deviation, Direction, Edge, GridSamples, Mass,
     NurbsSurface, ParametricSurface, Principal, ShellError, Surface, SurfaceContinuity,
     SurfaceEvaluator, SurfaceFoot, SurfaceFunction, SurfaceKind, SurfaceOffset, SurfaceShape, Turn,
     Twists, area_mass, join_patches, make_surfaces_compatible, principal_axes, volume_mass,
 };
+pub use sweep::{Axes, Fineness, Frames, Framing, Motion, Sweep, mitred, swept, translated};
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;

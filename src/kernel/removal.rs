@@ -35,7 +35,8 @@ pub(in crate::kernel) fn removal(
     if first == last {
         let (left, right) = (points[first], points[first + 1]);
         let middle = (left + right) * 0.5;
-        let displacement = residual_length((left - right) * 0.5, middle);
+        let extent = homogeneous::place(left).distance(homogeneous::place(right));
+        let displacement = residual_length((left - right) * 0.5, middle, extent);
         return Removal { range: first..first + 2, points: vec![middle], displacement };
     }
     // Of the knots without it, the i-th for i up to its place, and the one p behind.
@@ -75,13 +76,17 @@ pub(in crate::kernel) fn removal(
         right = (target(i) - right * fraction(i)) / (1.0 - fraction(i));
         unknowns[i - first - 2] = right;
     }
-    let lengths = (first + 1..=last).map(|i| residual_length(spread, points[i]));
+    let around = &points[first..=last + 1];
+    let from_first = |&p: &DVec4| homogeneous::place(p).distance(homogeneous::place(around[0]));
+    let extent = 2.0 * around.iter().map(from_first).fold(0.0, f64::max);
+    let lengths = (first + 1..=last).map(|i| residual_length(spread, points[i], extent));
     let displacement = lengths.fold(0.0, f64::max);
     Removal { range: first + 1..last + 1, points: unknowns, displacement }
 }
 
-/// How far a homogeneous difference moves a point in space.
-fn residual_length(difference: DVec4, at: DVec4) -> f64 {
+/// How far a homogeneous difference of a control point moves the curve: the point itself, and by
+/// its weight the places between it and others that are `extent` apart.
+fn residual_length(difference: DVec4, at: DVec4, extent: f64) -> f64 {
     let moved = difference.truncate() - homogeneous::place(at) * difference.w;
-    moved.length() / at.w.abs().max(f64::MIN_POSITIVE)
+    (moved.length() + difference.w.abs() * extent) / at.w.abs().max(f64::MIN_POSITIVE)
 }

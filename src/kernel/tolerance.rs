@@ -207,3 +207,16 @@ pub const NEAREST_RELATIVE: f64 = 1e-13;
 ///
 /// Larger takes digits for noise; smaller than this nothing is computed.
 pub const LAST_BIT: f64 = f64::EPSILON;
+
+/// Two ways to pair the points of two curves count as equally near when the sums over their
+/// products differ by less than this fraction.
+///
+/// Larger leaves a section that runs against its neighbour; smaller turns sections around whose
+/// two directions are one to rounding.
+pub const TURN_RELATIVE: f64 = 1e-6;
+
+/// Steps along a path are halved until the frame at its end turns by less than this, radians.
+///
+/// Larger leaves a twist that a long section shows; smaller asks for more steps than rounding
+/// allows.
+pub const TURN_ACCURACY: f64 = 1e-10;

@@ -37,6 +37,8 @@ pub(super) enum Equations {
     WithEnds(Banded, [EndRow; 2]),
     /// A derivative after each value.
     WithDerivatives(Banded),
+    /// A derivative after the first value, before the last, or both.
+    WithEndSlopes(Banded, [bool; 2]),
     /// A ring; over its own knots, where the basis does not begin and end at the seam.
     Ring(Cyclic, Option<KnotVector>),
 }
@@ -193,7 +195,11 @@ fn bessel(parameters: &[f64]) -> [f64; 3] {
 }
 
 /// Knots from the first to the last parameter, which stand p + 1 times.
-fn clamped(parameters: &[f64], degree: usize, inner: &[f64]) -> Result<KnotVector, GeomError> {
+pub(super) fn clamped(
+    parameters: &[f64],
+    degree: usize,
+    inner: &[f64],
+) -> Result<KnotVector, GeomError> {
     let (start, end) = (parameters[0], parameters[parameters.len() - 1]);
     let [before, after] = [start, end].map(|t| vec![t; degree + 1]);
     KnotVector::new(degree, [&before, inner, &after].concat())

@@ -2,8 +2,8 @@
 //!
 //! `parameters` says where on the curve each point is to lie; `equation` and `banded` hold and
 //! solve the equations that follow, in time linear in the number of points; `interpolate` makes
-//! those of a spline through points, `periodic` and `cyclic` those of a closed one, `through` the
-//! splines, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
+//! those of a spline through points, `sloped` with derivatives at the ends, `periodic` and `cyclic`
+//! those of a closed one, `through` the splines, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
 //! `spread` makes that basis, `search` looks for the smallest that keeps a tolerance, `kinks` where
 //! data have corners, and `approximate` puts these together; `surface` does it all for grids.
 
@@ -18,6 +18,7 @@ mod least;
 mod parameters;
 mod periodic;
 mod search;
+mod sloped;
 mod spread;
 mod surface;
 mod through;

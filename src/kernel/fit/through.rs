@@ -22,9 +22,9 @@ impl Interpolator {
                 band.solve(&mut unknowns);
                 Ok(unknowns)
             }
-            Equations::WithEnds(_, [EndRow::Along(_), _]) | Equations::WithDerivatives(_) => {
-                Err(GeomError::NoFit)
-            }
+            Equations::WithEnds(_, [EndRow::Along(_), _])
+            | Equations::WithDerivatives(_)
+            | Equations::WithEndSlopes(..) => Err(GeomError::NoFit),
             Equations::WithEnds(..) => self.with_tangents(values, [DVec4::ZERO; 2]),
             Equations::Ring(cyclic, ring) => {
                 let mut unknowns = values.to_vec();

@@ -17,13 +17,18 @@ mod disc;
 mod edge_surface;
 mod extrude;
 mod fit;
+mod gordon;
 mod interpolate;
+mod motion;
 mod nurbs;
 mod parametric;
 mod plane_patch;
 mod revolve;
 mod ruled;
+mod section;
+mod skin;
 mod sphere;
+mod sweep;
 mod swung;
 mod torus;
 
@@ -53,6 +58,9 @@ pub(super) static OPS: &[&Op] = &[
     &cylinder::OP,
     &cone::OP,
     &torus::OP,
+    &gordon::OP,
+    &skin::OP,
+    &sweep::OP,
     &bezier::OP,
     &clamped::OP,
     &coons_bspline::OP,

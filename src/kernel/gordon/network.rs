@@ -1,0 +1,195 @@
+//! Where the curves of a network meet, in which order and direction.
+
+use glam::DVec3;
+
+use crate::kernel::{GeomError, NurbsCurve, tolerance::PLACE_RELATIVE};
+
+/// Why curves are no network; indices are those in which the curves were given.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NetworkError {
+    /// Two curves that do not come within the tolerance of one another.
+    Apart {
+        /// Index of the u-curve and of the v-curve.
+        pair: [usize; 2],
+        /// Their least distance.
+        gap: f64,
+        /// The parameters of both where they are nearest.
+        at: [f64; 2],
+        /// The place between them there.
+        point: DVec3,
+    },
+    /// Two curves that meet at several places, none of which fits the others better.
+    Ambiguous {
+        /// Index of the u-curve and of the v-curve.
+        pair: [usize; 2],
+        /// The parameters of the u-curve.
+        at: Vec<f64>,
+    },
+    /// Two curves that share a stretch.
+    Together {
+        /// Index of the u-curve and of the v-curve.
+        pair: [usize; 2],
+    },
+    /// A curve that meets the others in another order than the first curve of its family does.
+    Order {
+        /// Whether it is a u-curve.
+        is_u: bool,
+        /// Its index.
+        curve: usize,
+        /// Two of the others, which it meets the other way around, or at one place.
+        others: [usize; 2],
+        /// Its parameters there.
+        at: [f64; 2],
+    },
+    /// Anything else.
+    Geometry(GeomError),
+}
+
+impl From<GeomError> for NetworkError {
+    fn from(error: GeomError) -> Self {
+        Self::Geometry(error)
+    }
+}
+
+/// A place where two curves meet.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Meet {
+    /// Parameter of the u-curve.
+    pub(super) t: f64,
+    /// Parameter of the v-curve.
+    pub(super) s: f64,
+}
+
+/// Places on a curve that stand for its neighbourhood when it is searched for the nearest one.
+const N_PLACES: usize = 64;
+
+/// Every meeting of two curves within the tolerance, ends first.
+///
+/// # Errors
+/// [`NetworkError::Together`]; [`NetworkError::Apart`] where there is none.
+pub(super) fn meets(
+    c: &NurbsCurve,
+    d: &NurbsCurve,
+    tolerance: f64,
+    pair: [usize; 2],
+) -> Result<Vec<Meet>, NetworkError> {
+    let ends = |curve: &NurbsCurve| [curve.domain().start(), curve.domain().end()];
+    let mut found: Vec<Meet> = Vec::new();
+    let near = |curve: &NurbsCurve, a: f64, b: f64| {
+        let same = PLACE_RELATIVE * curve.domain().length();
+        (a - b).abs() <= same
+            || curve.point_at(a).distance(curve.point_at(b)) <= 4.0 * tolerance
+                && (a - b).abs() <= 0.01 * curve.domain().length()
+    };
+    let add = |found: &mut Vec<Meet>, meet: Meet| {
+        let is_told =
+            found.iter().any(|other| near(c, other.t, meet.t) && near(d, other.s, meet.s));
+        if !is_told {
+            found.push(meet);
+        }
+    };
+    // Ends on ends, then ends on the other curve, then what lies inside both.
+    for t in ends(c) {
+        for s in ends(d) {
+            if c.point_at(t).distance(d.point_at(s)) <= tolerance {
+                add(&mut found, Meet { t, s });
+            }
+        }
+    }
+    for t in ends(c) {
+        let foot = d.closest(c.point_at(t), tolerance);
+        if foot.distance <= tolerance {
+            add(&mut found, Meet { t, s: foot.parameter });
+        }
+    }
+    for s in ends(d) {
+        let foot = c.closest(d.point_at(s), tolerance);
+        if foot.distance <= tolerance {
+            add(&mut found, Meet { t: foot.parameter, s });
+        }
+    }
+    match c.intersections(d, tolerance) {
+        Ok(inside) => {
+            for meeting in inside {
+                add(&mut found, Meet { t: meeting.first, s: meeting.second });
+            }
+        }
+        Err(GeomError::RunTogether { .. }) if found.len() == 1 => {}
+        Err(GeomError::RunTogether { .. }) => return Err(NetworkError::Together { pair }),
+        Err(other) => return Err(other.into()),
+    }
+    if found.is_empty() {
+        let (at, point, gap) = nearest(c, d, tolerance);
+        return Err(NetworkError::Apart { pair, gap, at, point });
+    }
+    Ok(found)
+}
+
+/// Where two curves are nearest, found from many places.
+fn nearest(c: &NurbsCurve, d: &NurbsCurve, tolerance: f64) -> ([f64; 2], DVec3, f64) {
+    let mut best = ([c.domain().start(), d.domain().start()], DVec3::ZERO, f64::INFINITY);
+    let steps = d.domain().steps(N_PLACES);
+    let starts: Vec<f64> = steps;
+    for s in starts {
+        let mut s = s;
+        for _ in 0..8 {
+            let foot = c.closest(d.point_at(s), tolerance);
+            if foot.distance < best.2 {
+                let middle = foot.point.midpoint(d.point_at(s));
+                best = ([foot.parameter, s], middle, foot.distance);
+            } else {
+                break;
+            }
+            s = d.closest(foot.point, tolerance).parameter;
+        }
+    }
+    best
+}
+
+/// One meeting for each pair, by u-curve and v-curve, out of all there are.
+///
+/// Pairs that meet once are clear; where there are several, that counts which is nearest to where
+/// the other u-curves meet the same v-curve, by the fractions of their domains.
+///
+/// # Errors
+/// [`NetworkError::Ambiguous`].
+pub(super) fn chosen(
+    all: &[Vec<Vec<Meet>>],
+    us: &[NurbsCurve],
+    vs: &[NurbsCurve],
+) -> Result<Vec<Vec<Meet>>, NetworkError> {
+    let fraction = |curve: &NurbsCurve, t: f64| curve.domain().fraction_of(t);
+    let mean = |values: Vec<f64>| match values.len() {
+        0 => None,
+        n => Some(values.iter().sum::<f64>() / n as f64),
+    };
+    let choose = |k: usize, l: usize| {
+        let own = &all[k][l];
+        if let [only] = own[..] {
+            return Ok(only);
+        }
+        let ambiguous = || NetworkError::Ambiguous {
+            pair: [k, l],
+            at: own.iter().map(|meet| meet.t).collect(),
+        };
+        let clear = |meets: &Vec<Meet>| if let [only] = meets[..] { Some(only) } else { None };
+        let column = (0..us.len()).filter_map(|i| clear(&all[i][l]).map(|m| fraction(&us[i], m.t)));
+        let row = (0..vs.len()).filter_map(|j| clear(&all[k][j]).map(|m| fraction(&vs[j], m.s)));
+        let (t, s) = (mean(column.collect()), mean(row.collect()));
+        if t.is_none() && s.is_none() {
+            return Err(ambiguous());
+        }
+        let miss = |meet: &Meet| {
+            let by =
+                |wanted: Option<f64>, got: f64| wanted.map_or(0.0, |wanted| (wanted - got).abs());
+            by(t, fraction(&us[k], meet.t)) + by(s, fraction(&vs[l], meet.s))
+        };
+        let mut sorted: Vec<(f64, Meet)> = own.iter().map(|meet| (miss(meet), *meet)).collect();
+        sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+        match sorted[..] {
+            [(best, meet), (second, _), ..] if 2.0 * best < second => Ok(meet),
+            _ => Err(ambiguous()),
+        }
+    };
+    (0..us.len()).map(|k| (0..vs.len()).map(|l| choose(k, l)).collect()).collect()
+}

@@ -1,0 +1,137 @@
+//! Sections that run beside one another: in one direction, with their seams side by side.
+
+use glam::DVec3;
+
+use crate::kernel::{
+    GeomError, NurbsCurve, join,
+    tolerance::{PLACE_RELATIVE, TURN_RELATIVE},
+};
+
+/// Places at which two sections are compared: enough to tell which way they run, and of closed
+/// ones where their seams are.
+const N_PLACES: usize = 64;
+
+/// A seam stays where it is when it is this near to its best place, as a fraction of the turn:
+/// whoever placed it may have meant that.
+const NEAR_SEAM: usize = 16;
+
+/// Bisections for the place of a seam.
+const MAX_BISECTIONS: usize = 60;
+
+/// A section made to run beside another one.
+#[derive(Clone, Debug)]
+pub struct Alignment {
+    /// The section as it runs now.
+    pub curve: NurbsCurve,
+    /// Whether it ran the other way.
+    pub is_reversed: bool,
+    /// Where its seam is now, by the parameter that it had there, if it was moved.
+    pub seam: Option<f64>,
+}
+
+/// The curve, reversed where it runs against the other one; if both are closed also with its seam
+/// moved to the place nearest to the other one's, where that is far away.
+///
+/// What is compared is how far points of equal parameter are apart; of open ones also their
+/// chords, so that only what both speak for is reversed. Equal ones change nothing.
+///
+/// # Errors
+/// Those of [`join`] where the seam was.
+pub fn aligned(
+    curve: &NurbsCurve,
+    beside: &NurbsCurve,
+    is_closed: bool,
+    distance: f64,
+) -> Result<Alignment, GeomError> {
+    let as_it_is = Alignment { curve: curve.clone(), is_reversed: false, seam: None };
+    if curve.is_point() || beside.is_point() {
+        return Ok(as_it_is);
+    }
+    let (own, others) = (places(curve, is_closed), places(beside, is_closed));
+    let n = own.len();
+    let size = |points: &[DVec3]| points.iter().map(|p| p.length_squared()).sum::<f64>().sqrt();
+    let margin = TURN_RELATIVE * size(&own) * size(&others);
+    // The nearer two sets of points with their centres in one place, the larger this sum.
+    let together = |partner: &dyn Fn(usize) -> usize| {
+        others.iter().enumerate().map(|(i, p)| p.dot(own[partner(i)])).sum::<f64>()
+    };
+    if !is_closed {
+        let against = |a: f64, b: f64| a + margin < b;
+        let chords = (own[n - 1] - own[0]).dot(others[n - 1] - others[0]);
+        let is_reversed =
+            against(together(&|i| i), together(&|i| n - 1 - i)) && against(chords, -chords);
+        let curve = if is_reversed { curve.reversed() } else { curve.clone() };
+        return Ok(Alignment { curve, is_reversed, seam: None });
+    }
+
+    let forwards: Vec<f64> = (0..n).map(|m| together(&|i| (i + m) % n)).collect();
+    let backwards: Vec<f64> = (0..n).map(|m| together(&|i| (2 * n - i - m) % n)).collect();
+    let best = |sums: &[f64]| sums.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let is_reversed = best(&forwards) + margin < best(&backwards);
+    let (sums, curve) =
+        if is_reversed { (backwards, curve.reversed()) } else { (forwards, curve.clone()) };
+    let most = best(&sums);
+    let shift = sums.iter().position(|&sum| most - margin <= sum).unwrap_or(0);
+    let from_start = shift.min(n - shift);
+    if most - margin <= sums[0] || from_start * NEAR_SEAM <= n {
+        return Ok(Alignment { curve, is_reversed, seam: None });
+    }
+    let seam = nearest_place(&curve, shift, beside);
+    let seam_before =
+        if is_reversed { curve.domain().start() + (curve.domain().end() - seam) } else { seam };
+    let curve = curve.with_seam_at(seam, distance)?;
+    Ok(Alignment { curve, is_reversed, seam: Some(seam_before) })
+}
+
+/// Points at even parameters about their centre; the last one of a closed curve is the first.
+fn places(curve: &NurbsCurve, is_closed: bool) -> Vec<DVec3> {
+    let n = N_PLACES + usize::from(is_closed);
+    let mut points = curve.sample(n);
+    points.truncate(N_PLACES);
+    let centre = points.iter().sum::<DVec3>() / N_PLACES as f64;
+    points.iter_mut().for_each(|point| *point -= centre);
+    points
+}
+
+/// The parameter near step `shift` of the place nearest to the other curve's start, both about
+/// their centres.
+fn nearest_place(curve: &NurbsCurve, shift: usize, beside: &NurbsCurve) -> f64 {
+    let domain = curve.domain();
+    let centre = |curve: &NurbsCurve| {
+        let points = curve.sample(N_PLACES + 1);
+        points[..N_PLACES].iter().sum::<DVec3>() / N_PLACES as f64
+    };
+    let target = beside.start() - centre(beside) + centre(curve);
+    let slope = |t: f64| {
+        let derivatives = curve.derivatives_at(t, 1);
+        (derivatives[0] - target).dot(derivatives[1])
+    };
+    let at = |step: f64| domain.at((step / N_PLACES as f64).clamp(0.0, 1.0));
+    let (mut low, mut high) = (at(shift as f64 - 2.0), at(shift as f64 + 2.0));
+    if slope(low) < 0.0 && 0.0 < slope(high) {
+        for _ in 0..MAX_BISECTIONS {
+            let middle = 0.5 * (low + high);
+            if slope(middle) < 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+    } else {
+        (low, high) = (at(shift as f64), at(shift as f64));
+    }
+    let t = 0.5 * (low + high);
+    let near = |knot: &f64| (knot - t).abs() <= PLACE_RELATIVE * domain.length();
+    curve.knots().breaks().into_iter().find(near).unwrap_or(t)
+}
+
+impl NurbsCurve {
+    /// The same closed curve begun at another place, on the same domain.
+    ///
+    /// # Errors
+    /// Those of [`Self::split`] and [`join`].
+    pub(in crate::kernel) fn with_seam_at(&self, t: f64, distance: f64) -> Result<Self, GeomError> {
+        let [before, behind] = self.split(t)?;
+        Ok(join(&[behind, before], distance)?.reparametrized(self.domain()))
+    }
+}

@@ -1,0 +1,53 @@
+//! Surfaces through section curves, lines along v through the control points of all of them.
+//!
+//! `sections` brings curves to one basis with weights that can be compared, and tells where in v
+//! they stand; `align` turns them around and moves their seams until they run beside one another;
+//! `spread` lets them run at constant speed; `along` are the ways to go from section to section;
+//! `thin` leaves out knots that a tolerance does not need.
+
+mod align;
+mod along;
+mod sections;
+
+pub use align::{Alignment, aligned};
+pub use along::Along;
+pub use sections::{Rule, Sections};
+
+use glam::DVec4;
+
+use super::{GeomError, Grid, NurbsSurface};
+
+/// A surface through sections, and what is to be said about it.
+#[derive(Clone, Debug)]
+pub struct Skin {
+    /// u along the sections, v from one to the next.
+    pub surface: NurbsSurface,
+    /// The least weight of a control point that is not positive, by row and column.
+    pub bad_weight: Option<(usize, usize, f64)>,
+}
+
+impl Sections {
+    /// The surface that has the sections as isocurves, exactly.
+    ///
+    /// Piegl & Tiller, *The NURBS Book*, §10.3, in homogeneous space.
+    ///
+    /// # Errors
+    /// [`GeomError::WrongCount`] unless `along` is for as many sections;
+    /// [`GeomError::VanishingWeightsAt`] where the weights between the sections leave no point;
+    /// [`GeomError::NotFinite`].
+    pub fn skinned(&self, along: &Along) -> Result<Skin, GeomError> {
+        let lines: Result<Vec<Vec<DVec4>>, GeomError> =
+            self.lines().iter().enumerate().map(|(i, line)| along.through(i, line)).collect();
+        let net = Grid::from_rows(lines?)?;
+        let mut bad_weight: Option<(usize, usize, f64)> = None;
+        for i in 0..net.n_rows() {
+            for (j, point) in net.row(i).iter().enumerate() {
+                if point.w <= bad_weight.map_or(0.0, |(_, _, least)| least) {
+                    bad_weight = Some((i, j, point.w));
+                }
+            }
+        }
+        let surface = NurbsSurface::new(self.knots().clone(), along.knots().clone(), net)?;
+        Ok(Skin { surface, bad_weight })
+    }
+}

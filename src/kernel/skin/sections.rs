@@ -1,0 +1,142 @@
+//! Section curves on one basis, and where in v they stand.
+
+use glam::DVec4;
+
+use crate::kernel::{
+    GeomError, KnotVector, NurbsCurve, make_compatible,
+    tolerance::{PARAMETER_RELATIVE, VANISHING_RELATIVE},
+};
+
+/// A rule for the parameters of sections.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// The mean, over the lines of control points, of what the distances in each line make.
+    Average,
+    /// The same with the square roots of the distances.
+    Centripetal,
+    /// All steps the same.
+    Uniform,
+}
+
+/// Curves of one degree on one knot vector, whose weights are 1 in the mean of the ends.
+#[derive(Clone, Debug)]
+pub struct Sections(Vec<NurbsCurve>);
+
+impl Sections {
+    /// The curves brought to one degree and one knot vector, exactly, on the domain of the first.
+    ///
+    /// Weights are first divided by the root of those at the two ends, as a common factor changes
+    /// no curve, but every surface through it. A section that is a point takes the weights of its
+    /// neighbour. Piegl & Tiller, *The NURBS Book*, §10.3.
+    ///
+    /// # Errors
+    /// [`GeomError::TooFewCurves`] below two; those of [`make_compatible`].
+    pub fn new(curves: &[NurbsCurve]) -> Result<Self, GeomError> {
+        let got = curves.len();
+        if got < 2 {
+            return Err(GeomError::TooFewCurves { got, needed: 2 });
+        }
+        let domain = curves.iter().find(|curve| !curve.is_point()).map(NurbsCurve::domain);
+        let on_domain = |curve: &NurbsCurve| match domain {
+            Some(domain) if curve.domain() != domain => curve.reparametrized(domain),
+            _ => curve.clone(),
+        };
+        let normal: Vec<NurbsCurve> =
+            curves.iter().map(on_domain).map(|curve| curve.with_unit_ends()).collect();
+        let mut common = make_compatible(&normal)?;
+        for i in 0..got {
+            if !common[i].is_point() {
+                continue;
+            }
+            let beside = if i == 0 { 1 } else { i - 1 };
+            let place = common[i].start();
+            let shaped =
+                common[beside].control_points().iter().map(|p| (place * p.w).extend(p.w)).collect();
+            common[i] = NurbsCurve::trusted(common[i].knots().clone(), shaped);
+        }
+        Ok(Self(common))
+    }
+
+    /// The curves.
+    #[must_use]
+    pub fn curves(&self) -> &[NurbsCurve] {
+        &self.0
+    }
+
+    /// The first `n` of them.
+    #[must_use]
+    pub fn first(&self, n: usize) -> Self {
+        Self(self.0[..n].to_vec())
+    }
+
+    /// The knots of all of them.
+    #[must_use]
+    pub fn knots(&self) -> &KnotVector {
+        self.0[0].knots()
+    }
+
+    /// Control point i of every section, for each i.
+    pub(super) fn lines(&self) -> Vec<Vec<DVec4>> {
+        let line = |i: usize| self.0.iter().map(|curve| curve.control_points()[i]).collect();
+        (0..self.knots().n_points()).map(line).collect()
+    }
+
+    /// One parameter a section, from 0 to 1; lines of control points at one place say nothing.
+    ///
+    /// Piegl & Tiller, *The NURBS Book*, (10.8), of rational sections with the distances of
+    /// homogeneous points, (10.14). With `is_closed` the first section counts once more at the end.
+    ///
+    /// # Errors
+    /// [`GeomError::CoincidentPoints`] with the indices of two sections that are one.
+    pub fn parameters(&self, rule: Rule, is_closed: bool) -> Result<Vec<f64>, GeomError> {
+        let n_steps = self.0.len() - usize::from(!is_closed);
+        if rule == Rule::Uniform {
+            return Ok((0..=n_steps).map(|k| k as f64 / n_steps as f64).collect());
+        }
+        let lines = self.lines();
+        let step = |line: &[DVec4], k: usize| {
+            let distance = (line[(k + 1) % line.len()] - line[k]).length();
+            if rule == Rule::Centripetal { distance.sqrt() } else { distance }
+        };
+        let lengths: Vec<f64> =
+            lines.iter().map(|line| (0..n_steps).map(|k| step(line, k)).sum()).collect();
+        let least = VANISHING_RELATIVE * lengths.iter().copied().fold(0.0, f64::max);
+        let counts: Vec<(&Vec<DVec4>, f64)> =
+            lines.iter().zip(lengths).filter(|&(_, length)| least < length).collect();
+
+        let mut parameters = vec![0.0];
+        for k in 0..n_steps {
+            let sum: f64 = counts.iter().map(|(line, length)| step(line, k) / length).sum();
+            let mean = sum / counts.len().max(1) as f64;
+            if !PARAMETER_RELATIVE.lt(&mean) {
+                let second = (k + 1) % self.0.len();
+                return Err(GeomError::CoincidentPoints { first: k, second });
+            }
+            parameters.push(parameters[k] + mean);
+        }
+        parameters[n_steps] = 1.0;
+        Ok(parameters)
+    }
+}
+
+impl NurbsCurve {
+    /// The same curve with weights whose product at both ends is 1.
+    fn with_unit_ends(&self) -> Self {
+        if !self.is_rational() && self.control_points()[0].w.to_bits() == 1.0_f64.to_bits() {
+            return self.clone();
+        }
+        let domain = self.domain();
+        let [start, end] = [domain.start(), domain.end()].map(|t| self.homogeneous_at(t).w);
+        let factor = 1.0 / (start.sqrt() * end.sqrt());
+        let scaled = self.control_points().iter().map(|&point| point * factor).collect();
+        Self::trusted(self.knots().clone(), scaled)
+    }
+
+    /// Whether all control points are at one place.
+    #[must_use]
+    pub fn is_point(&self) -> bool {
+        let points = self.points();
+        let size = points.iter().map(|point| point.abs().max_element()).fold(0.0, f64::max);
+        points.iter().all(|point| point.distance(points[0]) <= VANISHING_RELATIVE * size)
+    }
+}

@@ -1,0 +1,251 @@
+//! Frames that travel along a path: x along its tangent, z carried along by a rule.
+
+use glam::{DQuat, DVec3};
+
+use crate::kernel::{
+    GeomError, NurbsCurve, Side,
+    frame::{across, norm, unit},
+    tolerance::{TURN_ACCURACY, VANISHING_RELATIVE},
+};
+
+/// A rule for the directions across a path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Framing {
+    /// z is as near to a given direction as it can be everywhere.
+    Fixed,
+    /// z is the path's binormal.
+    Frenet,
+    /// z is the one before, projected into the plane across the path, from place to place.
+    Projection,
+    /// z does not turn about the path.
+    RotationMinimizing,
+}
+
+/// x, y and z at a place of the path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Axes {
+    /// Along the path.
+    pub x: DVec3,
+    /// z × x.
+    pub y: DVec3,
+    /// Across the path.
+    pub z: DVec3,
+}
+
+impl Axes {
+    fn new(x: DVec3, z: DVec3) -> Self {
+        Self { x, y: z.cross(x), z }
+    }
+
+    /// Turned about x.
+    fn turned(self, angle: f64) -> Self {
+        if angle.abs() <= 0.0 {
+            return self;
+        }
+        let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+        Self::new(self.x, self.z * cosine - self.y * sine)
+    }
+}
+
+/// Steps of a span between two looks at the accuracy.
+const FIRST_STEPS: usize = 16;
+
+/// Doublings of the number of steps.
+const MAX_DOUBLINGS: usize = 7;
+
+/// Frames at many places of a path, from which those between follow.
+#[derive(Clone, Debug)]
+pub struct Frames {
+    path: NurbsCurve,
+    rule: Framing,
+    up: DVec3,
+    places: Vec<Place>,
+    /// The angle that closes the frames of a closed path, spread over its length.
+    closing: f64,
+    /// Between which parameters the frame turns around.
+    flips: Vec<[f64; 2]>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    t: f64,
+    point: DVec3,
+    axes: Axes,
+    /// Length of the path up to here, as a fraction.
+    length: f64,
+}
+
+impl Frames {
+    /// The frames along a path; z starts as near to `up` as it can.
+    ///
+    /// Rotation minimizing frames by double reflection, with steps halved until the last frame
+    /// turns by less than [`TURN_ACCURACY`]: Wang, Jüttler, Zheng & Liu, *Computation of rotation
+    /// minimizing frames*, ACM TOG 27 (2008). Projections: Piegl & Tiller, *The NURBS Book*,
+    /// (10.27). Where the path comes back to its start with the same tangent, the angle that the
+    /// frame misses itself by is spread over the length.
+    ///
+    /// # Errors
+    /// [`GeomError::ParallelAxes`] where the path runs along `up` and the rule needs it,
+    /// [`GeomError::Straight`] for a Frenet frame where nothing bends,
+    /// [`GeomError::VanishingTangent`].
+    pub fn new(
+        path: &NurbsCurve,
+        rule: Framing,
+        up: DVec3,
+        is_closed: bool,
+    ) -> Result<Self, GeomError> {
+        let mut frames = Self {
+            path: path.clone(),
+            rule,
+            up,
+            places: Vec::new(),
+            closing: 0.0,
+            flips: Vec::new(),
+        };
+        let mut n_steps = FIRST_STEPS;
+        frames.walk(n_steps)?;
+        if rule == Framing::RotationMinimizing {
+            for _ in 0..MAX_DOUBLINGS {
+                let before = frames.last();
+                n_steps *= 2;
+                frames.walk(n_steps)?;
+                if norm(before.z - frames.last().z) <= TURN_ACCURACY {
+                    break;
+                }
+            }
+        }
+        if is_closed && matches!(rule, Framing::RotationMinimizing | Framing::Projection) {
+            let (first, last) = (frames.places[0].axes, frames.last());
+            frames.closing = libm::atan2(last.y.dot(first.z), last.z.dot(first.z));
+        }
+        Ok(frames)
+    }
+
+    /// The angle that was spread over the length so that a closed path ends as it began.
+    #[must_use]
+    pub fn closing(&self) -> f64 {
+        self.closing
+    }
+
+    /// Parameters between which the frame turns around at once.
+    #[must_use]
+    pub fn flips(&self) -> &[[f64; 2]] {
+        &self.flips
+    }
+
+    fn last(&self) -> Axes {
+        self.places[self.places.len() - 1].axes
+    }
+
+    fn tangent(&self, t: f64) -> Result<DVec3, GeomError> {
+        self.path.tangent_at(t, Side::Right)
+    }
+
+    fn walk(&mut self, n_steps: usize) -> Result<(), GeomError> {
+        self.places.clear();
+        self.flips.clear();
+        let knots = self.path.knots();
+        let mut parameters: Vec<f64> = knots
+            .spans()
+            .flat_map(|span| {
+                let mut steps = knots.span_interval(span).steps(n_steps);
+                steps.pop();
+                steps
+            })
+            .collect();
+        parameters.push(self.path.domain().end());
+        for t in parameters {
+            let (point, x) = (self.path.point_at(t), self.tangent(t)?);
+            let place = match self.places.last().copied() {
+                None => Place { t, point, axes: self.first(t, x)?, length: 0.0 },
+                Some(before) => {
+                    let length = before.length + point.distance(before.point);
+                    let axes = self.next(before, t, point, x)?;
+                    if axes.z.dot(before.axes.z) < 0.0 && self.rule != Framing::RotationMinimizing {
+                        self.flips.push([before.t, t]);
+                    }
+                    Place { t, point, axes, length }
+                }
+            };
+            self.places.push(place);
+        }
+        let total = self.places.last().map_or(1.0, |place| place.length);
+        self.places.iter_mut().for_each(|place| place.length /= total);
+        Ok(())
+    }
+
+    fn first(&self, t: f64, x: DVec3) -> Result<Axes, GeomError> {
+        match self.rule {
+            Framing::Frenet => {
+                // At a straight start, the first binormal that there is.
+                let domain = self.path.domain();
+                let steps = domain.steps(256);
+                let found = steps.into_iter().find_map(|t| self.binormal(t));
+                let z = self.binormal(t).or(found);
+                let z = z.ok_or(GeomError::Straight { what: "frenet frame", parameter: t })?;
+                let z = across(z, x)
+                    .ok_or(GeomError::Straight { what: "frenet frame", parameter: t })?;
+                Ok(Axes::new(x, z))
+            }
+            _ => self.upright(x),
+        }
+    }
+
+    fn upright(&self, x: DVec3) -> Result<Axes, GeomError> {
+        let z = across(self.up, x)
+            .ok_or(GeomError::ParallelAxes { first: "the path", second: "the direction up" })?;
+        Ok(Axes::new(x, z))
+    }
+
+    fn binormal(&self, t: f64) -> Option<DVec3> {
+        let derivatives = self.path.derivatives_at(t, 2);
+        let cross = derivatives[1].cross(derivatives[2]);
+        let size = derivatives[1].length() * derivatives[2].length();
+        if norm(cross) <= VANISHING_RELATIVE.sqrt() * size { None } else { unit(cross) }
+    }
+
+    fn next(&self, before: Place, t: f64, point: DVec3, x: DVec3) -> Result<Axes, GeomError> {
+        let z = match self.rule {
+            Framing::Fixed => return self.upright(x),
+            Framing::Frenet => self.binormal(t).or_else(|| across(before.axes.z, x)),
+            Framing::Projection => across(before.axes.z, x),
+            Framing::RotationMinimizing => reflected_twice(before, point, x),
+        };
+        let z = z.and_then(|z| across(z, x));
+        Ok(Axes::new(x, z.ok_or(GeomError::VanishingTangent { parameter: t })?))
+    }
+
+    /// The frame at a parameter.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn at(&self, t: f64) -> Result<Axes, GeomError> {
+        let next = self.places.partition_point(|place| place.t <= t).max(1);
+        let before = self.places[next - 1];
+        let point = self.path.point_at(t);
+        let axes = self.next(before, t, point, self.tangent(t)?)?;
+        let ahead = self.places.get(next).map_or(before.length, |place| place.length);
+        let width = self.places.get(next).map_or(1.0, |place| place.t - before.t);
+        let along = before.length + (ahead - before.length) * ((t - before.t) / width);
+        Ok(axes.turned(-self.closing * along))
+    }
+}
+
+/// The z that two reflections carry on: the first takes the point before to the next one, the
+/// second its tangent to the next one's.
+fn reflected_twice(before: Place, point: DVec3, x: DVec3) -> Option<DVec3> {
+    let step = point - before.point;
+    let Some(axis) = unit(step) else { return across(before.axes.z, x) };
+    let reflect = |v: DVec3, axis: DVec3| v - axis * (2.0 * v.dot(axis));
+    let (z, tangent) = (reflect(before.axes.z, axis), reflect(before.axes.x, axis));
+    match unit(x - tangent) {
+        Some(second) if VANISHING_RELATIVE < norm(x - tangent) => Some(reflect(z, second)),
+        _ => Some(z),
+    }
+}
+
+/// The axes carried over a corner by the smallest turn.
+pub(super) fn over_corner(axes: Axes, x: DVec3) -> Axes {
+    let z = DQuat::from_rotation_arc(axes.x, x).mul_vec3(axes.z);
+    Axes::new(x, across(z, x).unwrap_or(z))
+}

@@ -1,0 +1,297 @@
+//! Surfaces that a section leaves behind as it moves along a path.
+//!
+//! `frames` carry directions along the path, `corner` sweeps along polygons with mitred corners.
+//! This file places the section and makes splines of where its control points go.
+
+mod corner;
+mod frames;
+
+pub use corner::mitred;
+pub use frames::{Axes, Frames, Framing};
+
+use glam::{DVec3, DVec4};
+
+use super::{
+    GeomError, Grid, Interpolator, KnotVector, NurbsCurve, NurbsSurface, homogeneous,
+    tolerance::KNOT_RELATIVE,
+};
+
+/// What happens to a section on its way, by the path's parameter.
+pub trait Motion {
+    /// Factors along the section's axes.
+    ///
+    /// # Errors
+    /// Where a function of a script fails.
+    fn scale(&mut self, t: f64) -> Result<DVec3, GeomError>;
+
+    /// The turn about the path, radians.
+    ///
+    /// # Errors
+    /// Where a function of a script fails.
+    fn twist(&mut self, t: f64) -> Result<f64, GeomError>;
+
+    /// Where z should point to instead of where the frame has it.
+    ///
+    /// # Errors
+    /// Where there is no such direction.
+    fn upwards(&mut self, t: f64, point: DVec3, x: DVec3) -> Result<Option<DVec3>, GeomError>;
+}
+
+/// How fine a sweep is.
+#[derive(Clone, Copy, Debug)]
+pub struct Fineness {
+    /// Placements of the section; else as many as the tolerance needs.
+    pub n_sections: Option<usize>,
+    /// How far the surface may be from the true one.
+    pub tolerance: f64,
+    /// Whether the path itself is to be met exactly.
+    pub keeps_path: bool,
+}
+
+/// A swept surface, and what is to be said about it.
+#[derive(Clone, Debug)]
+pub struct Sweep {
+    /// u along the section, v along the path with the path's parameter.
+    pub surface: NurbsSurface,
+    /// How far control lines were found from where they should run, and where.
+    pub deviation: (f64, f64),
+    /// Where the section reaches beyond the path's centre of curvature, worst first.
+    pub folds: Option<f64>,
+    /// The parameters of the placements.
+    pub placements: Vec<f64>,
+}
+
+/// Columns that a sweep may have.
+const MAX_COLUMNS: usize = 4096;
+
+/// Places of a span at which the distance from the true surface is measured.
+const N_PLACES: usize = 8;
+
+/// Part of the tolerance that may be used up at those places.
+const SAFETY: f64 = 0.5;
+
+/// Places of the path, and of the section, at which is asked whether the surface folds.
+const N_FOLD_PLACES: usize = 400;
+
+/// The translation of one curve along another: control points are sums, weights products.
+///
+/// Piegl & Tiller, *The NURBS Book*, (10.17) to (10.19).
+///
+/// # Errors
+/// [`GeomError::NotFinite`].
+pub fn translated(section: &NurbsCurve, path: &NurbsCurve) -> Result<NurbsSurface, GeomError> {
+    let (own, along) = (section.control_points(), path.control_points());
+    let net = Grid::from_fn(own.len(), along.len(), |i, j| {
+        let (q, t) = (own[i], along[j]);
+        (q.truncate() * t.w + t.truncate() * q.w).extend(q.w * t.w)
+    });
+    NurbsSurface::new(section.knots().clone(), path.knots().clone(), net)
+}
+
+/// The surface that a section leaves behind: T(v) + A(v)·S(v)·C(u).
+///
+/// With the path kept, Piegl & Tiller, *The NURBS Book*, A10.1, on the path's knots with more
+/// where the tolerance needs them; else A10.2.
+///
+/// # Errors
+/// [`GeomError::ToleranceNotKept`] where 4096 columns do not suffice; where frames or the motion
+/// fail.
+pub fn swept(
+    section: &NurbsCurve,
+    path: &NurbsCurve,
+    frames: &Frames,
+    motion: &mut dyn Motion,
+    breaks: &[f64],
+    fineness: Fineness,
+) -> Result<Sweep, GeomError> {
+    let path = path.clamped();
+    let mut moving = Moving { section, path: &path, frames, motion };
+    let mut knots = moving.basis(breaks, fineness)?;
+    // On the path's own knots only simple motions are exact.
+    let mut is_plain = fineness.keeps_path;
+    loop {
+        let fit = moving.fitted(&knots)?;
+        let (worst, missed) = moving.deviations(&fit, SAFETY * fineness.tolerance)?;
+        if fineness.n_sections.is_some() || missed.is_empty() {
+            let folds = moving.folds()?;
+            return Ok(Sweep { surface: fit.surface, deviation: worst, folds, placements: fit.at });
+        }
+        let next = if is_plain { freer(&knots)? } else { knots.with(&missed) };
+        is_plain = false;
+        if MAX_COLUMNS < next.n_points() {
+            let tolerance = fineness.tolerance;
+            return Err(GeomError::ToleranceNotKept { tolerance, found: worst.0 });
+        }
+        knots = next;
+    }
+}
+
+/// A section on its way.
+struct Moving<'a> {
+    section: &'a NurbsCurve,
+    path: &'a NurbsCurve,
+    frames: &'a Frames,
+    motion: &'a mut dyn Motion,
+}
+
+/// A surface through placements.
+struct Fit {
+    surface: NurbsSurface,
+    at: Vec<f64>,
+}
+
+impl Moving<'_> {
+    /// The axes of the section, with its factors, at a parameter.
+    fn axes(&mut self, t: f64) -> Result<[DVec3; 3], GeomError> {
+        let mut axes = self.frames.at(t)?;
+        if let Some(z) = self.motion.upwards(t, self.path.point_at(t), axes.x)? {
+            axes = Axes { x: axes.x, y: z.cross(axes.x), z };
+        }
+        let twist = self.motion.twist(t)?;
+        let (sine, cosine) = (libm::sin(twist), libm::cos(twist));
+        let (y, z) = if twist.abs() <= 0.0 {
+            (axes.y, axes.z)
+        } else {
+            (axes.y * cosine + axes.z * sine, axes.z * cosine - axes.y * sine)
+        };
+        let scale = self.motion.scale(t)?;
+        Ok([axes.x * scale.x, y * scale.y, z * scale.z])
+    }
+
+    /// Where each control point of the section is.
+    fn placed(&mut self, t: f64) -> Result<Vec<DVec4>, GeomError> {
+        let [x, y, z] = self.axes(t)?;
+        let origin = self.path.homogeneous_at(t);
+        let place = |p: &DVec4| {
+            let moved = x * p.x + y * p.y + z * p.z;
+            (origin.truncate() * p.w + moved * origin.w).extend(p.w * origin.w)
+        };
+        Ok(self.section.control_points().iter().map(place).collect())
+    }
+
+    /// The knots to begin with.
+    fn basis(&self, breaks: &[f64], fineness: Fineness) -> Result<KnotVector, GeomError> {
+        let own = self.path.knots();
+        let domain = own.domain();
+        let mut knots = if fineness.keeps_path {
+            own.clone()
+        } else {
+            let degree = fineness.n_sections.map_or(3, |n| 3.min(n.saturating_sub(1)).max(1));
+            let ends = [domain.start(), domain.end()].map(|t| vec![t; degree + 1]);
+            KnotVector::new(degree, ends.concat())?
+        };
+        if !fineness.keeps_path {
+            let inner = self.path.knots().breaks();
+            let inner: Vec<f64> = inner[1..inner.len() - 1].to_vec();
+            if fineness.n_sections.is_none() {
+                knots = knots.with(&inner);
+            }
+        }
+        if let Some(n) = fineness.n_sections {
+            while knots.n_points() < n {
+                let mut widest = domain;
+                let mut most = 0.0;
+                for interval in knots.spans().map(|span| knots.span_interval(span)) {
+                    if most * (1.0 + KNOT_RELATIVE) < interval.length() {
+                        (widest, most) = (interval, interval.length());
+                    }
+                }
+                knots = knots.with(&[widest.at(0.5)]);
+            }
+        } else {
+            // A kink of the motion is one of the surface.
+            for &t in breaks {
+                let missing = knots.degree().saturating_sub(knots.times(knots.snapped(t)));
+                knots = knots.with(&vec![knots.snapped(t); missing]);
+            }
+        }
+        Ok(knots)
+    }
+
+    fn fitted(&mut self, knots: &KnotVector) -> Result<Fit, GeomError> {
+        let at = knots.greville();
+        let columns: Vec<Vec<DVec4>> =
+            at.iter().map(|&t| self.placed(t)).collect::<Result<_, _>>()?;
+        let fit = Interpolator::on_knots(&at, knots.clone())?;
+        let rows: Vec<Vec<DVec4>> = (0..self.section.control_points().len())
+            .map(|i| fit.through(&columns.iter().map(|column| column[i]).collect::<Vec<_>>()))
+            .collect::<Result<_, _>>()?;
+        let surface =
+            NurbsSurface::new(self.section.knots().clone(), knots.clone(), Grid::from_rows(rows)?)?;
+        Ok(Fit { surface, at })
+    }
+
+    /// How far the lines of control points are from where they should run: the worst with its
+    /// parameter, and the middles of the spans where it is more than allowed. The surface, a mean
+    /// of the lines, is no further. Where the frame turns around there is nothing to be near to.
+    fn deviations(&mut self, fit: &Fit, allowed: f64) -> Result<((f64, f64), Vec<f64>), GeomError> {
+        let knots = fit.surface.knots_v().clone();
+        let mut worst = (0.0_f64, knots.domain().start());
+        let mut missed = Vec::new();
+        for span in knots.spans() {
+            let interval = knots.span_interval(span);
+            let turns = |flip: &[f64; 2]| {
+                flip[0] <= interval.end()
+                    && interval.start() <= flip[1]
+                    && interval.length() <= 4.0 * (flip[1] - flip[0])
+            };
+            if self.frames.flips().iter().any(turns) {
+                continue;
+            }
+            let mut most = 0.0_f64;
+            for k in 0..N_PLACES {
+                let t = interval.at((k as f64 + 0.5) / N_PLACES as f64);
+                let now = self.placed(t)?;
+                let curve = fit.surface.isocurve_v(t);
+                for (a, b) in now.iter().zip(curve.control_points()) {
+                    let apart = homogeneous::place(*a).distance(homogeneous::place(*b));
+                    most = most.max(apart);
+                    if worst.0 < apart {
+                        worst = (apart, t);
+                    }
+                }
+            }
+            if allowed < most {
+                missed.push(interval.at(0.5));
+            }
+        }
+        Ok((worst, missed))
+    }
+
+    /// Where the section reaches furthest beyond the centre of curvature, if it does.
+    fn folds(&mut self) -> Result<Option<f64>, GeomError> {
+        let section = self.section.sample(65);
+        let mut worst: Option<(f64, f64)> = None;
+        for t in self.path.domain().steps(N_FOLD_PLACES) {
+            let derivatives = self.path.derivatives_at(t, 2);
+            let speed = derivatives[1].length();
+            let along = derivatives[1] / speed;
+            let bend = (derivatives[2] - along * along.dot(derivatives[2])) / (speed * speed);
+            if !bend.is_finite() {
+                continue;
+            }
+            let [x, y, z] = self.axes(t)?;
+            let reach = |p: &DVec3| (x * p.x + y * p.y + z * p.z).dot(bend);
+            let most = section.iter().map(reach).fold(0.0, f64::max);
+            if 1.0 + KNOT_RELATIVE.sqrt() < most && worst.is_none_or(|(before, _)| before < most) {
+                worst = Some((most, t));
+            }
+        }
+        Ok(worst.map(|(_, t)| t))
+    }
+}
+
+/// A degree of three or more, and one order of continuity less at the path's knots, as a frame
+/// has.
+fn freer(knots: &KnotVector) -> Result<KnotVector, GeomError> {
+    let mut free = knots.clone();
+    while free.degree() < 3 {
+        free = free.elevated()?;
+    }
+    let domain = free.domain();
+    let inner = |&(t, times): &(f64, usize)| {
+        domain.start() < t && t < domain.end() && times < free.degree()
+    };
+    let more: Vec<f64> = free.distinct().into_iter().filter(inner).map(|(t, _)| t).collect();
+    Ok(free.with(&more))
+}

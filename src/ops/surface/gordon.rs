@@ -1,0 +1,257 @@
+//! `gordon`: the surface through a network of curves.
+
+use super::{
+    section::{drop_repeated, nurbs_within},
+    sweep::tolerated,
+};
+use crate::{
+    diag::{Code, Diagnostic, Result, Span, Spanned},
+    kernel::{
+        Changes, Curve, Fact, GeomError, Gordon, Network, NetworkError, NurbsCurve, NurbsSurface,
+        Receipt, check_parameters, gordon as through,
+    },
+    value::{At, Choice, Ctx, Length, op, shortest},
+};
+
+op! {
+    /// Surface through a network of curves, those along u and those along v.
+    ///
+    /// Where the curves meet is found unless it is given; they may be of any degree, direction,
+    /// order and parameters. The first curve of each list gives the direction; others are reversed
+    /// and reordered to it, and what stands out beyond the network is cut off. Where all curves of
+    /// a direction close, so does the surface, as smooth at its seam as they are. Curves that meet
+    /// the others at one set of parameters stay as they are, and are isocurves exactly; others are
+    /// run through with another parameter, twice continuously differentiable, and become cubic
+    /// splines, as do rational ones. `report` tells what was done, and for each curve a bound of
+    /// its distance from the surface. Two and two curves make the Coons patch.
+    /// Gordon (1969); Piegl & Tiller, *The NURBS Book*, §10.5.
+    gordon in Surface -> NurbsSurface {
+        /// The curves along u, two or more.
+        u: Spanned<Vec<Curve>>,
+        /// The curves along v, two or more.
+        v: Spanned<Vec<Curve>>,
+        /// The u of each v-curve.
+        at_u: Option<Spanned<Vec<f64>>>,
+        /// The v of each u-curve.
+        at_v: Option<Spanned<Vec<f64>>>,
+        /// Cubic splines between the curves, or one polynomial through all.
+        blend: Blend = Blend::Spline,
+        /// How far curves may be apart where they meet, and the surface from them; the document's.
+        tolerance: Option<Spanned<Length>>,
+    }
+    example "gordon([line((0, 0), (1, 0)), line((0, 1), (1, 1, 1))], [line((0, 0), (0, 1)), line((1, 0), (1, 1, 1))])(0.5, 0.5)" => "(0.5, 0.5, 0.25)";
+    example "gordon(u = [line((0, 0), (2, 0)), line((0, 1), (2, 1))], v = [line((2, 0), (2, 1)), line((0, 1), (0, 0))])(0.5, 1)" => "(1, 1, 0)";
+}
+
+/// What is between the curves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Blend {
+    Spline,
+    Lagrange,
+}
+
+impl Choice for Blend {
+    const WORDS: &'static [&'static str] = &["spline", "lagrange"];
+    const MEANINGS: &'static [Self] = &[Self::Spline, Self::Lagrange];
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
+    let tolerance = tolerated(ctx, args.tolerance.as_ref())?;
+    let spans = [args.u.span, args.v.span];
+    let mut us = curves("u", &args.u, tolerance)?;
+    let mut vs = curves("v", &args.v, tolerance)?;
+    for curves in [&mut us, &mut vs] {
+        if 2 < curves.len() {
+            drop_repeated(curves, tolerance);
+        }
+    }
+    let at = [("at_u", &args.at_u, "v", vs.len()), ("at_v", &args.at_v, "u", us.len())];
+    for (name, given, family, needed) in at {
+        let Some(given) = given else { continue };
+        let got = given.value.len();
+        if got != needed {
+            let message =
+                format!("`{name}` are {got} parameters, but there are {needed} curves `{family}`");
+            return Diagnostic::error(Code::BadParameters, given.span, message)
+                .hint(format!("give one for each curve of `{family}`, or leave `{name}` out to have them found"))
+                .fail();
+        }
+        check_parameters(&given.value, needed).at(given.span)?;
+    }
+    let network = Network {
+        curves: [&us, &vs],
+        at: [&args.at_u, &args.at_v].map(|at| at.as_ref().map(|at| &at.value[..])),
+        is_lagrange: args.blend == Blend::Lagrange,
+        tolerance,
+    };
+    let places =
+        Places { spans, call: ctx.span, tolerance, is_given: network.at.map(|at| at.is_some()) };
+    let made = through(network).map_err(|error| places.told(error))?;
+    Ok(receipted(made))
+}
+
+fn curves(name: &str, given: &Spanned<Vec<Curve>>, tolerance: f64) -> Result<Vec<NurbsCurve>> {
+    let got = given.value.len();
+    if got < 2 {
+        let message = format!("a network needs 2 curves `{name}` or more, found {got}");
+        return Diagnostic::error(Code::BadCall, given.span, message)
+            .hint("sections without curves across them make a `skin`")
+            .fail();
+    }
+    let nurbs = |(i, curve): (usize, &Curve)| {
+        // Half of it, so that what is found within the tolerance of it is within it of the function.
+        let curve = nurbs_within(curve, 0.25 * tolerance).at(given.span)?;
+        if curve.is_point() {
+            let message = format!("`{name}[{i}]` is one point");
+            return Diagnostic::error(Code::Degenerate, given.span, message).fail();
+        }
+        Ok(NurbsCurve::clone(&curve))
+    };
+    given.value.iter().enumerate().map(nurbs).collect()
+}
+
+/// What a message about a network points at.
+struct Places {
+    spans: [Span; 2],
+    call: Span,
+    tolerance: f64,
+    is_given: [bool; 2],
+}
+
+impl Places {
+    fn told(&self, error: NetworkError) -> Box<Diagnostic> {
+        let names = |pair: [usize; 2]| format!("`u[{}]` and `v[{}]`", pair[0], pair[1]);
+        let [of_u, of_v] = self.spans;
+        Box::new(match error {
+            NetworkError::Apart { pair, gap, at, point } => {
+                let [x, y, z] = point.to_array().map(shortest);
+                let message = format!(
+                    "{} do not meet: they are {} apart at ({x}, {y}, {z}), more than the tolerance {}",
+                    names(pair),
+                    shortest(gap),
+                    shortest(self.tolerance)
+                );
+                let hint = if self.is_given.contains(&true) {
+                    "without `at_u` and `at_v` the places where the curves meet are found"
+                        .to_owned()
+                } else {
+                    format!(
+                        "let them meet there, or allow the gap with a `tolerance` above {}",
+                        shortest(gap)
+                    )
+                };
+                Diagnostic::error(Code::Gap, of_u, message)
+                    .label(format!("`u[{}]` is nearest at parameter {}", pair[0], shortest(at[0])))
+                    .also(of_v, format!("`v[{}]` at parameter {}", pair[1], shortest(at[1])))
+                    .hint(hint)
+            }
+            NetworkError::Ambiguous { pair, at } => {
+                let at: Vec<String> = at.into_iter().map(shortest).collect();
+                let message = format!(
+                    "{} meet at {} places, the parameters {} of `u[{}]`, and no other curve tells which is meant",
+                    names(pair),
+                    at.len(),
+                    at.join(", "),
+                    pair[0]
+                );
+                Diagnostic::error(Code::Degenerate, of_u, message)
+                    .also(of_v, "and this")
+                    .hint("`trim` one of them so that they meet once, or give `at_u` and `at_v`")
+            }
+            NetworkError::Together { pair } => {
+                let message = format!("{} run along one another instead of crossing", names(pair));
+                Diagnostic::error(Code::Degenerate, of_u, message)
+                    .also(of_v, "and this")
+                    .hint("curves of a network cross at single places")
+            }
+            NetworkError::Order { is_u, curve, others, at } => {
+                self.out_of_order(is_u, curve, others, at)
+            }
+            NetworkError::Geometry(GeomError::ToleranceNotKept { tolerance, found }) => {
+                self.not_kept(tolerance, found)
+            }
+            NetworkError::Geometry(error) => match Err::<(), _>(error).at(self.call) {
+                Err(found) => return found,
+                Ok(()) => Diagnostic::error(Code::Degenerate, self.call, "no surface"),
+            },
+        })
+    }
+
+    fn not_kept(&self, tolerance: f64, found: f64) -> Diagnostic {
+        let message = format!(
+            "within {} the curves cannot be given common parameters: the best splines miss by {}",
+            shortest(tolerance),
+            shortest(found)
+        );
+        Diagnostic::error(Code::BeyondTolerance, self.call, message)
+            .hint("a larger `tolerance` can be kept")
+    }
+
+    fn out_of_order(
+        &self,
+        is_u: bool,
+        curve: usize,
+        [a, b]: [usize; 2],
+        at: [f64; 2],
+    ) -> Diagnostic {
+        let (own, other) = if is_u { ("u", "v") } else { ("v", "u") };
+        let [first, second] = at.map(shortest);
+        let message = if at[0] < at[1] || at[1] < at[0] {
+            format!(
+                "`{own}[{curve}]` meets `{other}[{b}]` (parameter {second}) before `{other}[{a}]` (parameter {first}), unlike `{own}[0]`"
+            )
+        } else {
+            format!(
+                "`{own}[{curve}]` meets `{other}[{a}]` and `{other}[{b}]` at one place, parameter {first}"
+            )
+        };
+        let span = self.spans[usize::from(!is_u)];
+        Diagnostic::error(Code::Degenerate, span, message)
+            .hint(format!("the curves of `{other}` must not cross one another, nor be one curve"))
+    }
+}
+
+/// The surface with its report.
+fn receipted(made: Gordon) -> NurbsSurface {
+    let Gordon { surface, at, mut changes, gap, seams } = made;
+    // In the order in which the curves were given.
+    let [at_u, at_v] = [0, 1].map(|f| {
+        let mut pairs: Vec<(usize, f64)> =
+            changes[1 - f].iter().map(|change| change.index).zip(at[f].iter().copied()).collect();
+        pairs.sort_by_key(|&(index, _)| index);
+        pairs.into_iter().map(|(_, t)| t).collect::<Vec<f64>>()
+    });
+    changes.iter_mut().for_each(|family| family.sort_by_key(|change| change.index));
+    let net = surface.control_points();
+    let both = |u: usize, v: usize| Receipt::default().with("u", u).with("v", v);
+    let family = |changes: &[Changes]| {
+        let one = |change: &Changes| {
+            Receipt::default()
+                .with("curve", change.index)
+                .with("deviation", change.deviation)
+                .with("at", change.worst_at)
+                .with("reversed", change.is_reversed)
+                .with("trimmed", change.is_trimmed)
+                .with("seam", change.seam)
+                .with("reparametrized", change.is_reparametrized)
+                .with("refitted", change.is_refitted)
+        };
+        changes.iter().map(one).collect::<Vec<_>>()
+    };
+    let deviations = changes.iter().flatten().map(|change| change.deviation);
+    let [u, v] = &changes;
+    let [seam_u, seam_v] = seams.map(|angle| angle.map_or(Fact::None, Fact::Angle));
+    let (widest, [k, l]) = gap;
+    let receipt = Receipt::of("gordon")
+        .with("at_u", at_u)
+        .with("at_v", at_v)
+        .with("deviation", deviations.fold(0.0, f64::max))
+        .with("gap", Receipt::default().with("max", widest).with("u", k).with("v", l))
+        .with("u", family(u))
+        .with("v", family(v))
+        .with("seam_u", seam_u)
+        .with("seam_v", seam_v)
+        .with("degree", both(surface.degree_u(), surface.degree_v()))
+        .with("control_points", both(net.n_rows(), net.n_columns()));
+    surface.with_receipt(receipt)
+}

@@ -1,0 +1,195 @@
+//! Sections of skins: what scripts give, brought to run beside one another.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::{
+    diag::{Code, Diagnostic, Result, Span, Spanned},
+    kernel::{Curve, GeomError, NurbsCurve, Rule, Sections, aligned, check_parameters},
+    value::{At, Choice, FromValue, IntoValue, Mismatch, Type, Value},
+};
+
+/// A curve, or a point where a surface begins or ends.
+#[derive(Clone, Debug)]
+pub(super) enum Section {
+    Curve(Curve),
+    Point(DVec3),
+}
+
+impl FromValue for Section {
+    const TYPE: Type = Type::OneOf(&[Type::Curve, Type::Point]);
+
+    fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
+        match value {
+            Value::Curve(curve) => Ok(Self::Curve(curve.clone())),
+            Value::Point(point) => Ok(Self::Point(*point)),
+            _ => Err(Mismatch::kind(Self::TYPE, value)),
+        }
+    }
+}
+
+impl Section {
+    /// The sections as NURBS; functions are followed within the tolerance.
+    pub(super) fn curves(
+        sections: Vec<Self>,
+        span: Span,
+        tolerance: f64,
+    ) -> Result<Vec<NurbsCurve>> {
+        let curve = |section: Self| match section {
+            Self::Point(point) => NurbsCurve::bezier(&[point]).at(span),
+            Self::Curve(curve) => {
+                nurbs_within(&curve, tolerance).at(span).map(Arc::unwrap_or_clone)
+            }
+        };
+        sections.into_iter().map(curve).collect()
+    }
+}
+
+/// The curve itself, or a spline within the tolerance of a function.
+pub(super) fn nurbs_within(
+    curve: &Curve,
+    tolerance: f64,
+) -> std::result::Result<Arc<NurbsCurve>, GeomError> {
+    match curve {
+        Curve::Nurbs(curve) => Ok(Arc::clone(curve)),
+        Curve::Parametric(curve) => curve.to_nurbs(tolerance).map(Arc::new),
+    }
+}
+
+/// Takes away the last section where it is the first one again.
+pub(super) fn drop_repeated(curves: &mut Vec<NurbsCurve>, tolerance: f64) {
+    let [first, .., last] = &curves[..] else { return };
+    let on_domain = last.reparametrized(first.domain());
+    if first.deviation_from(&on_domain) <= tolerance {
+        curves.pop();
+    }
+}
+
+/// What was done to sections so that they run beside one another.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Aligned {
+    /// Sections that were reversed.
+    pub(super) reversed: Vec<usize>,
+    /// Sections whose seam was moved, and the parameter where it is now.
+    pub(super) seams: Vec<(usize, f64)>,
+}
+
+/// Turns sections around, and moves seams, to run beside the section before.
+pub(super) fn align(curves: &mut [NurbsCurve], span: Span, tolerance: f64) -> Result<Aligned> {
+    let is_closed = |curve: &NurbsCurve| curve.is_closed(tolerance);
+    let real: Vec<usize> = (0..curves.len()).filter(|&i| !curves[i].is_point()).collect();
+    let Some(&start) = real.first() else { return Ok(Aligned::default()) };
+    let first_closed = is_closed(&curves[start]);
+    if let Some(&other) = real.iter().find(|&&i| is_closed(&curves[i]) != first_closed) {
+        let (closed, open) = if first_closed { (start, other) } else { (other, start) };
+        let message = format!(
+            "`sections[{closed}]` is closed, `sections[{open}]` is open, so that it is not clear where the closed one begins"
+        );
+        return Diagnostic::error(Code::Degenerate, span, message)
+            .hint("cut the closed one where the open one begins, or take it as it is with `align = false`")
+            .fail();
+    }
+    let mut done = Aligned::default();
+    for pair in real.windows(2) {
+        let (before, own) = (pair[0], pair[1]);
+        let now = aligned(&curves[own], &curves[before], first_closed, tolerance).at(span)?;
+        done.reversed.extend(now.is_reversed.then_some(own));
+        done.seams.extend(now.seam.map(|t| (own, t)));
+        curves[own] = now.curve;
+    }
+    Ok(done)
+}
+
+/// One parameter a section, and one more for a closed skin.
+pub(super) fn standing(
+    sections: &Sections,
+    given: Spanned<Standing>,
+    is_closed: bool,
+    span: Span,
+) -> Result<Vec<f64>> {
+    let n_sections = sections.curves().len();
+    match given.value {
+        Standing::Listed(listed) => {
+            let needed = n_sections + usize::from(is_closed);
+            check_parameters(&listed, needed).at(given.span)?;
+            Ok(listed)
+        }
+        Standing::By(rule) => match sections.parameters(rule, is_closed) {
+            Err(GeomError::CoincidentPoints { first, second }) => {
+                let message =
+                    format!("`sections[{first}]` and `sections[{second}]` are at one place");
+                Diagnostic::error(Code::Degenerate, span, message)
+                    .hint("leave one of them out, or say with `parameters` where in v they stand")
+                    .fail()
+            }
+            found => found.at(span),
+        },
+    }
+}
+
+/// Where sections stand along v.
+#[derive(Clone, Debug)]
+pub(super) enum Standing {
+    By(Rule),
+    Listed(Vec<f64>),
+}
+
+impl Choice for Rule {
+    const WORDS: &'static [&'static str] = &["average", "centripetal", "uniform"];
+    const MEANINGS: &'static [Self] = &[Self::Average, Self::Centripetal, Self::Uniform];
+}
+
+impl FromValue for Standing {
+    const TYPE: Type = Type::OneOf(&[Rule::TYPE, Type::List(&Type::Ratio, 0)]);
+
+    fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
+        match value {
+            Value::Text(_) => Rule::from_value(value, span).map(Self::By),
+            Value::List(_) | Value::Range(_) => Vec::from_value(value, span).map(Self::Listed),
+            _ => Err(Mismatch::kind(Self::TYPE, value)),
+        }
+    }
+}
+
+impl IntoValue for Standing {
+    const RETURNS: Type = Self::TYPE;
+
+    fn into_value(self) -> Value {
+        match self {
+            Self::By(rule) => rule.into_value(),
+            Self::Listed(parameters) => parameters.into_value(),
+        }
+    }
+}
+
+/// A derivative along a section.
+#[derive(Clone, Debug)]
+pub(super) enum Slope {
+    Vector(DVec3),
+    Curve(Arc<NurbsCurve>),
+}
+
+impl FromValue for Slope {
+    const TYPE: Type = Type::OneOf(&[Type::Point, Type::Curve]);
+
+    fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
+        match value {
+            Value::Point(vector) => Ok(Self::Vector(*vector)),
+            Value::Curve(_) => Arc::from_value(value, span).map(Self::Curve),
+            _ => Err(Mismatch::kind(Self::TYPE, value)),
+        }
+    }
+}
+
+/// What the surface may do between sections.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Shape {
+    Free,
+    Monotone,
+}
+
+impl Choice for Shape {
+    const WORDS: &'static [&'static str] = &["free", "monotone"];
+    const MEANINGS: &'static [Self] = &[Self::Free, Self::Monotone];
+}
