@@ -52,7 +52,7 @@ pub use jet::Jet;
 pub use knots::{KnotVector, Side};
 pub use mesh::{Mesh, grid_mesh, tessellate, tessellate_curve};
 pub use receipt::{Fact, Receipt};
-pub use skin::{Alignment, Along, Rule, Sections, Skin, aligned};
+pub use skin::{Alignment, Along, Rule, Sections, Skin, aligned, at_constant_speed};
 pub use surface::{
     Axis, AxisContact, Blend, CrossFields, Defects, Deviation, Direction, Edge, GridSamples, Mass,
     NurbsSurface, ParametricSurface, Principal, ShellError, Surface, SurfaceContinuity,

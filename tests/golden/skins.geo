@@ -47,3 +47,16 @@ surface swing = skin([
   bezier((0, 4, 0), (2, 4, 2), (4, 4, 1), weights = [1, 1, 1]),
 ], degree = 2)
 check swing.weights ~= [[1, 1, 1], [2, -1.0448347473767247, 1], [1, 1, 1]] within 1e-13
+
+// An arc paired with a line by length: straight rulings between equal parts.
+curve flat = line((0, 0, 2), (pi/2, 0, 2))
+curve bow = arc((0, 0, 0), 1, 0deg, 90deg)
+surface paired = skin([bow, flat], pairing = "length", align = false)
+check every([for u in linspace(0, 1, 9): norm(paired(u, 0) - (cos(90deg*u), sin(90deg*u), 0)) < 1e-5])
+check norm(skin([bow, flat], align = false)(0.25, 0) - (cos(22.5deg), sin(22.5deg), 0)) > 0.01
+
+// With a tolerance, knots that no section needs are gone.
+fn dense(z) = interpolate([for i in 0..40: (i/40, sin(90deg*i/40)*(1 + z), z)])
+surface thin = skin([dense(0), dense(1), dense(2)], tolerance = 1e-4)
+check 2*len(thin.points) < len(skin([dense(0), dense(1), dense(2)]).points)
+check every([for u in linspace(0, 1, 41): norm(thin(u, 1) - dense(2)(u)) <= 1e-4])

@@ -11,7 +11,7 @@ use crate::kernel::{
 
 /// A change of parameter: polynomials by their Bernstein coefficients between breaks.
 #[derive(Clone, Debug)]
-pub(super) struct Map {
+pub(in crate::kernel) struct Map {
     breaks: Vec<f64>,
     pieces: Vec<Vec<f64>>,
 }
@@ -26,7 +26,11 @@ impl Map {
     /// has the least of both neighbours' slopes at each place, and a bump between them that makes
     /// up for the rest: positive by construction. With `is_ring` the derivative at the end is that
     /// at the start.
-    pub(super) fn new(from: &[f64], to: &[f64], is_ring: bool) -> Result<Self, GeomError> {
+    pub(in crate::kernel) fn new(
+        from: &[f64],
+        to: &[f64],
+        is_ring: bool,
+    ) -> Result<Self, GeomError> {
         let widths: Vec<f64> = from.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let slopes: Vec<f64> =
             to.windows(2).zip(&widths).map(|(pair, width)| (pair[1] - pair[0]) / width).collect();
@@ -127,7 +131,10 @@ impl Map {
     /// meet; and the parameters at which it may have a corner.
     ///
     /// de Casteljau's algorithm on polynomials: Farin, *Curves and Surfaces for CAGD*, §5.5.
-    pub(super) fn applied(&self, curve: &NurbsCurve) -> Result<(NurbsCurve, Vec<f64>), GeomError> {
+    pub(in crate::kernel) fn applied(
+        &self,
+        curve: &NurbsCurve,
+    ) -> Result<(NurbsCurve, Vec<f64>), GeomError> {
         let domain = Interval::new(self.breaks[0], self.breaks[self.breaks.len() - 1])?;
         let same = KNOT_RELATIVE.sqrt() * domain.length();
         let inside = |t: &f64| domain.start() + same < *t && *t < domain.end() - same;

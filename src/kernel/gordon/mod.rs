@@ -12,6 +12,9 @@ mod refit;
 pub use family::Changes;
 pub use network::NetworkError;
 
+pub(in crate::kernel) use map::Map;
+pub(in crate::kernel) use refit::refitted;
+
 use family::Member;
 use glam::{DVec3, DVec4};
 use network::{Meet, chosen, meets};

@@ -23,7 +23,7 @@ const MAX_ROUNDS: usize = 4;
 ///
 /// # Errors
 /// [`GeomError::ToleranceNotKept`] where 2048 knots do not suffice.
-pub(super) fn refitted(
+pub(in crate::kernel) fn refitted(
     curves: &[NurbsCurve],
     at: &[f64],
     corners: &[f64],

@@ -8,10 +8,13 @@
 mod align;
 mod along;
 mod sections;
+mod spread;
+mod thin;
 
 pub use align::{Alignment, aligned};
 pub use along::Along;
 pub use sections::{Rule, Sections};
+pub use spread::at_constant_speed;
 
 use glam::DVec4;
 

@@ -57,6 +57,11 @@ impl Sections {
         Ok(Self(common))
     }
 
+    /// Curves of one degree on one knot vector.
+    pub(super) fn of(curves: Vec<NurbsCurve>) -> Self {
+        Self(curves)
+    }
+
     /// The curves.
     #[must_use]
     pub fn curves(&self) -> &[NurbsCurve] {

@@ -193,3 +193,15 @@ impl Choice for Shape {
     const WORDS: &'static [&'static str] = &["free", "monotone"];
     const MEANINGS: &'static [Self] = &[Self::Free, Self::Monotone];
 }
+
+/// Which points of two sections belong together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Pairing {
+    Parameter,
+    Length,
+}
+
+impl Choice for Pairing {
+    const WORDS: &'static [&'static str] = &["parameter", "length"];
+    const MEANINGS: &'static [Self] = &[Self::Parameter, Self::Length];
+}

@@ -2,13 +2,17 @@
 
 use glam::DVec4;
 
-use super::section::{Aligned, Section, Shape, Slope, Standing, align, drop_repeated, standing};
+use super::section::{
+    Aligned, Pairing, Section, Shape, Slope, Standing, align, drop_repeated, standing,
+};
+use super::sweep::tolerated;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        Along, Curve, NurbsCurve, NurbsSurface, Receipt, Rule, Sections, Skin, check_parameters,
+        Along, Curve, NurbsCurve, NurbsSurface, Receipt, Rule, Sections, Skin, at_constant_speed,
+        check_parameters,
     },
-    value::{At, Ctx, op, shortest},
+    value::{At, Ctx, Length, op, shortest},
 };
 
 op! {
@@ -47,6 +51,11 @@ op! {
         end_tangent: Option<Spanned<Slope>>,
         /// Whether the surface may swing out between sections.
         shape: Spanned<Shape> = Spanned::unplaced(Shape::Free),
+        /// Whether points of equal parameter or of equal fraction of the length belong together;
+        /// by "length", sections of uneven speed become cubic splines within the tolerance.
+        pairing: Pairing = Pairing::Parameter,
+        /// How far sections may move so that the surface has fewer knots along them.
+        tolerance: Option<Spanned<Length>>,
     }
     example "skin([line((0, 0), (1, 0)), line((0, 1, 1), (1, 1, 1)), line((0, 2), (1, 2))])(0.5, 0.5)" => "(0.5, 1, 1)";
     example "skin([for z in 0..3: circle((0, 0, z), 1 + z)]).degree_v" => "3";
@@ -66,8 +75,16 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         false => Aligned::default(),
     };
 
+    let tolerance = tolerated(ctx, args.tolerance.as_ref())?;
+    if args.pairing == Pairing::Length {
+        curves = at_constant_speed(&curves, tolerance).at(span)?;
+    }
     let slopes = [args.start_tangent, args.end_tangent];
-    let (sections, slopes) = with_slopes(curves, slopes, span)?;
+    let (mut sections, slopes) = with_slopes(curves, slopes, span)?;
+    // Tangents at the ends hold on to the knots that they share with the sections.
+    if args.tolerance.is_some() && slopes.iter().all(Option::is_none) {
+        sections = sections.thinned(tolerance);
+    }
 
     let degree = args.degree.value;
     let (skin, parameters) = if let Some(spine) = args.spine {
