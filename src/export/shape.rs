@@ -6,7 +6,8 @@ use glam::DVec3;
 
 use super::{ExportError, Item, Job, Subject};
 use crate::kernel::{
-    Bounds, GeomError, Mesh, tessellate, tessellate_curve, tolerance::DEFAULT_CHORD_RELATIVE,
+    Bounds, GeomError, Mesh, tessellate_any, tessellate_curve_any,
+    tolerance::DEFAULT_CHORD_RELATIVE,
 };
 
 /// A subject as a mesh format holds it.
@@ -42,12 +43,10 @@ pub(super) fn shape(item: &Item, tolerance: f64, job: &Job) -> Result<Option<Sha
     Ok(Some(match &item.subject {
         Subject::Point(point) => Shape::Point(*point),
         Subject::Curve(curve) => {
-            let curve = curve.nurbs().map_err(blame)?;
-            Shape::Polyline(tessellate_curve(curve, tolerance, most).map_err(blame)?)
+            Shape::Polyline(tessellate_curve_any(curve, tolerance, most).map_err(blame)?)
         }
         Subject::Surface(surface) => {
-            let surface = surface.nurbs().map_err(blame)?;
-            Shape::Mesh(Arc::new(tessellate(surface, tolerance, most).map_err(blame)?))
+            Shape::Mesh(Arc::new(tessellate_any(surface, tolerance, most).map_err(blame)?))
         }
         Subject::Mesh(mesh) => Shape::Mesh(Arc::clone(mesh)),
         Subject::Table(_) | Subject::Data(_) => return Ok(None),

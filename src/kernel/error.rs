@@ -313,8 +313,17 @@ pub enum GeomError {
     #[error("a parametric {what} is a function and no NURBS")]
     NotNurbs { what: &'static str },
     /// A function that no spline of a reasonable size comes near.
-    #[error("no spline of 4096 pieces is within {tolerance} of the function at {parameter}")]
+    #[error("no spline of 4096 pieces is within {} of the function at {parameter}", few_digits(*tolerance))]
     NoSplineNear { tolerance: f64, parameter: f64 },
+    /// A function of two parameters that no spline of a reasonable size comes near.
+    #[error("no spline of 16384 patches is within {} of the function at ({u}, {v})", few_digits(*tolerance))]
+    NoSplineNearAt { tolerance: f64, u: f64, v: f64 },
+    /// A function of two parameters that jumps.
+    #[error("the function jumps by {} at ({u}, {v})", few_digits(*gap))]
+    JumpAt { u: f64, v: f64, gap: f64 },
+    /// A function that jumps.
+    #[error("the function jumps by {} at parameter {parameter}", few_digits(*gap))]
+    Jump { parameter: f64, gap: f64 },
     /// A length that the curve does not have.
     #[error("the curve is {total} long, so that it has no place at length {got}")]
     LengthOutside { got: f64, total: f64 },

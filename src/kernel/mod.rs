@@ -50,7 +50,10 @@ pub use grid::Grid;
 pub use interval::Interval;
 pub use jet::Jet;
 pub use knots::{KnotVector, Side};
-pub use mesh::{Mesh, grid_mesh, tessellate, tessellate_curve};
+pub use mesh::{
+    Mesh, grid_mesh, grid_mesh_any, tessellate, tessellate_any, tessellate_curve,
+    tessellate_curve_any,
+};
 pub use receipt::{Fact, Receipt};
 pub use skin::{Alignment, Along, Rule, Sections, Skin, aligned, at_constant_speed};
 pub use surface::{

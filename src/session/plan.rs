@@ -85,7 +85,7 @@ pub(super) fn gather(
             None if has_parametric(value) => {
                 return Err(Misfit {
                     found: "a parametric curve or surface, which is a function".to_owned(),
-                    hint: "`to_nurbs(c, tolerance)` makes a NURBS of a curve",
+                    hint: "`to_nurbs(g, tolerance)` makes a NURBS of it",
                 });
             }
             None => Subject::Data(to_json(value)),

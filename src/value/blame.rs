@@ -58,7 +58,9 @@ pub fn code_of(error: &GeomError) -> Code {
         Error::KnotNeeded { .. }
         | Error::NotReducible { .. }
         | Error::NoSurfaceNear { .. }
-        | Error::NoSplineNear { .. } => Code::BeyondTolerance,
+        | Error::NoSplineNear { .. }
+        | Error::NoSplineNearAt { .. } => Code::BeyondTolerance,
+        Error::Jump { .. } | Error::JumpAt { .. } => Code::Degenerate,
         Error::Gap { .. } | Error::PatchGap { .. } => Code::Gap,
         Error::Shell(_) => Code::OpenShell,
         Error::TooFewCurves { .. } => Code::BadCall,
@@ -154,7 +156,7 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         Error::AlongNormal { .. } => "give another `normal`".to_owned(),
         Error::NotNurbs { what } => match *what {
             "curve" => "`to_nurbs(c, tolerance)` makes a NURBS of it".to_owned(),
-            _ => "`approximate` a grid of its points".to_owned(),
+            _ => "`to_nurbs(s, tolerance)` makes a NURBS of it".to_owned(),
         },
         Error::NoCurvature { .. } | Error::NoNormal { .. } => {
             "the parametrization is singular there, as where control points are repeated".to_owned()
@@ -175,6 +177,24 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         }
         Error::NoSide { .. } => {
             "give the `normal` of the plane that the curve is seen from".to_owned()
+        }
+        _ => return hint_of_function(error),
+    })
+}
+
+/// What to do about a function that no spline comes near.
+fn hint_of_function(error: &GeomError) -> Option<String> {
+    use GeomError as Error;
+    Some(match error {
+        Error::Jump { .. } => {
+            "a curve is connected: make one of each side, up to the jump".to_owned()
+        }
+        Error::JumpAt { .. } => {
+            "a surface is connected: make one of each side, up to the jump".to_owned()
+        }
+        Error::NoSplineNear { .. } | Error::NoSplineNearAt { .. } => {
+            "the function changes too fast there: take a part of it, or a larger tolerance where there is one"
+                .to_owned()
         }
         _ => return None,
     })

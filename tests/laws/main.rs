@@ -30,4 +30,5 @@ mod shape;
 mod skin;
 mod some;
 mod surface;
+mod whole;
 mod worked;

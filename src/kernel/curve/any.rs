@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use super::{NurbsCurve, ParametricCurve};
-use crate::kernel::{Bounds, GeomError, Interval, Side};
+use crate::kernel::{GeomError, Interval, Side};
 
 /// A curve. Cheap to clone.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,12 +56,12 @@ impl Curve {
     }
 
     /// Whether start and end are within `distance` of one another, and of a small fraction of the
-    /// size of a NURBS: a short curve is not closed.
+    /// size of the curve: a short curve is not closed.
     #[must_use]
     pub fn is_closed(&self, distance: f64) -> bool {
         match self {
             Self::Nurbs(curve) => curve.is_closed(distance),
-            Self::Parametric(curve) => curve.start().distance(curve.end()) <= distance,
+            Self::Parametric(curve) => curve.is_closed(distance),
         }
     }
 
@@ -125,14 +125,6 @@ impl Curve {
                 self.domain().steps(n - 1).into_iter().map(|t| curve.point_at(t)).collect()
             }
         }
-    }
-
-    /// The smallest axis-aligned box around the curve, to rounding.
-    ///
-    /// # Errors
-    /// [`GeomError::NotNurbs`] for a parametric curve.
-    pub fn bounds(&self) -> Result<Bounds, GeomError> {
-        self.nurbs().map(|curve| curve.bounds())
     }
 
     /// The image under an affine map.

@@ -27,12 +27,19 @@ impl NurbsCurve {
     /// the last its end.
     #[must_use]
     pub fn divided(&self, n_parts: usize) -> Vec<DVec3> {
+        self.division(n_parts).into_iter().map(|t| self.point_at(t)).collect()
+    }
+
+    /// The parameters of the ends of `n_parts` parts of equal length, in order; the first is the
+    /// start of the domain and the last its end.
+    #[must_use]
+    pub fn division(&self, n_parts: usize) -> Vec<f64> {
         let pieces = self.piece_lengths();
         let total: f64 = pieces.iter().map(|&(_, length)| length).sum();
         let inner =
             (1..n_parts).map(|i| self.at_length(&pieces, total * i as f64 / n_parts as f64));
-        let inner: Vec<DVec3> = inner.map(|t| self.point_at(t)).collect();
-        [vec![self.start()], inner, vec![self.end()]].concat()
+        let domain = self.domain();
+        [domain.start()].into_iter().chain(inner).chain([domain.end()]).collect()
     }
 
     /// Each polynomial piece's interval and length.

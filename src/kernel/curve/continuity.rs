@@ -63,25 +63,34 @@ impl Curve {
     /// The worst continuity of the inner knots, of the seam of a closed curve, and of the places
     /// inside a piece where its derivative vanishes: derivatives by the parameter agree there, but
     /// at a cusp the direction turns back, and where it does not the curvature may be without bound.
+    /// Of a function the places where its derivatives jump are joints.
     ///
     /// # Errors
     /// [`GeomError::VanishingTangent`] where a piece stays at one point, and as
-    /// [`Self::point_at`].
+    /// [`Self::spline`].
     pub fn continuity(&self, tolerance: Tolerance) -> Result<Continuity, GeomError> {
         let domain = self.domain();
         let mut worst = Continuity::PERFECT;
         let sides = [Side::Left, Side::Right];
-        if let Ok(curve) = self.nurbs() {
-            for t in curve.knots().breaks() {
-                if domain.start() < t && t < domain.end() {
-                    let [before, after] = sides.map(|side| self.ending(t, side));
-                    worst = worst.or_worse(joint(&before?, &after?, tolerance));
+        let (breaks, standstills) = match self {
+            Self::Nurbs(curve) => (curve.knots().breaks(), curve.standstills()),
+            Self::Parametric(curve) => {
+                let spline = curve.stand_in()?;
+                if !spline.breaks().is_empty() {
+                    return Self::Nurbs(spline).continuity(tolerance);
                 }
+                (Vec::new(), curve.standing(spline.standstills())?)
             }
-            for t in curve.standstills() {
-                let [before, after] = sides.map(|side| self.ending_near(t, side));
+        };
+        for t in breaks {
+            if domain.start() < t && t < domain.end() {
+                let [before, after] = sides.map(|side| self.ending(t, side));
                 worst = worst.or_worse(joint(&before?, &after?, tolerance));
             }
+        }
+        for t in standstills {
+            let [before, after] = sides.map(|side| self.ending_near(t, side));
+            worst = worst.or_worse(joint(&before?, &after?, tolerance));
         }
         if self.is_closed(tolerance.distance) {
             worst = worst.or_worse(self.continuity_with(self, tolerance)?);

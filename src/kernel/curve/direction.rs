@@ -82,6 +82,13 @@ impl Curve {
     /// As [`Self::local_at`].
     pub fn place_kind_at(&self, t: f64, tolerance: Tolerance) -> Result<PlaceKind, GeomError> {
         let domain = self.domain();
+        if let Self::Parametric(curve) = self {
+            let near = PLACE_RELATIVE * domain.length();
+            let spline = curve.stand_in()?;
+            if let Some(&at) = spline.breaks().iter().find(|at| (t - **at).abs() <= near) {
+                return Self::Nurbs(spline).place_kind_at(at, tolerance);
+            }
+        }
         let t = self.neighbourhood(t, Side::Right)?.parameter;
         let (before, after) = match (t <= domain.start(), domain.end() <= t) {
             (false, false) => (t, t),

@@ -10,19 +10,15 @@ use crate::kernel::{
     tolerance::VANISHING_RELATIVE,
 };
 
-/// Points of a function that tell whether all of it is on a line or in a plane.
-const N_SAMPLES: usize = 257;
-
 impl Curve {
     /// Whether it lies within the tolerance of one line; a single point does.
     ///
-    /// Told from the control points, which lie on the line exactly when the curve does; of a
-    /// function from points of it.
+    /// Told from the control points, which lie on the line exactly when the curve does.
     ///
     /// # Errors
-    /// As [`Self::point_at`].
+    /// As [`Self::spline`].
     pub fn is_straight(&self, tolerance: Tolerance) -> Result<bool, GeomError> {
-        let points = self.places()?;
+        let points = self.spline()?.places();
         let allowed = allowed(&points, tolerance);
         let Some(line) = line(&points) else { return Ok(true) };
         Ok(points.iter().all(|&point| norm(across(point - points[0], line)) <= allowed))
@@ -30,21 +26,12 @@ impl Curve {
 
     /// Whether it lies within the tolerance of one plane; a straight curve does.
     ///
-    /// Told from the control points, which lie in the plane exactly when the curve does; of a
-    /// function from points of it.
+    /// Told from the control points, which lie in the plane exactly when the curve does.
     ///
     /// # Errors
-    /// As [`Self::point_at`].
+    /// As [`Self::spline`].
     pub fn is_planar(&self, tolerance: Tolerance) -> Result<bool, GeomError> {
-        Ok(lie_in_a_plane(&self.places()?, tolerance))
-    }
-
-    /// Points that are on a line or in a plane together with the curve.
-    fn places(&self) -> Result<Vec<DVec3>, GeomError> {
-        match self {
-            Self::Nurbs(curve) => Ok(curve.places()),
-            Self::Parametric(_) => self.sample(N_SAMPLES),
-        }
+        Ok(lie_in_a_plane(&self.spline()?.places(), tolerance))
     }
 }
 

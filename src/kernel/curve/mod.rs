@@ -1,6 +1,6 @@
 //! Curves: rational B-splines, and functions.
 //!
-//! `any` is a curve of either kind, `parametric` that of a function, `spline_of` a spline near it. Of B-splines this file has the
+//! `any` is a curve of either kind, `parametric` that of a function, `spline_of` a spline near it, made by `hermite`, `function` answers for it, `whole` for both, `either` edits both. Of B-splines this file has the
 //! type, its constructors and what can be read off it; `eval` computes points and derivatives,
 //! `evaluator` the same at many parameters, `circle`, `arc` and `conic` have the exact conics,
 //! `chain` curves of segments, `edit` changes the representation or cuts, `basis_change` finds the
@@ -28,11 +28,14 @@ mod denominator;
 mod deviation;
 mod direction;
 mod edit;
+mod either;
 mod eval;
 mod evaluator;
 mod extend;
 mod features;
 mod flat;
+mod function;
+mod hermite;
 mod intersect;
 mod join;
 mod local;
@@ -46,6 +49,7 @@ mod product;
 mod reduce;
 mod series;
 mod spline_of;
+mod whole;
 
 use glam::{DAffine3, DVec3, DVec4};
 
@@ -64,6 +68,7 @@ pub(in crate::kernel) use denominator::on_one_denominator;
 pub use direction::PlaceKind;
 pub use evaluator::CurveEvaluator;
 pub(in crate::kernel) use flat::lie_in_a_plane;
+pub(in crate::kernel) use hermite::blossom_weights;
 pub use intersect::Meeting;
 pub use join::join;
 pub use local::{LocalGeometry, Neighbourhood};

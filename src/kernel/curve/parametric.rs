@@ -1,10 +1,14 @@
 //! Curves of a function: any map of an interval into space that can tell its derivatives.
 
-use std::{fmt, sync::Arc};
+use std::{
+    fmt,
+    sync::{Arc, OnceLock},
+};
 
 use glam::{DAffine3, DVec3};
 
-use crate::kernel::{FunctionFailure, GeomError, Interval};
+use super::NurbsCurve;
+use crate::kernel::{FunctionFailure, GeomError, Interval, tolerance::KNOT_RELATIVE};
 
 /// Even parts of a domain at whose ends a function is tried when a curve is made of it.
 const PROBES: usize = 8;
@@ -25,9 +29,40 @@ pub trait CurveFunction: fmt::Debug + Send + Sync {
 pub struct ParametricCurve {
     domain: Interval,
     function: Arc<dyn CurveFunction>,
+    /// Where the parameter has been moved to since.
+    pace: Pace,
     /// Where space has been moved to since.
     map: DAffine3,
-    ends: [DVec3; 2],
+    /// Points at even steps of the domain.
+    probes: [DVec3; PROBES + 1],
+    /// The spline near it, once it was made.
+    stand_in: Arc<OnceLock<Arc<NurbsCurve>>>,
+}
+
+/// An even map of parameters, exact where it is known: `to[0]` at `from[0]`, `to[1]` at `from[1]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Pace {
+    Same,
+    Even { from: [f64; 2], to: [f64; 2] },
+}
+
+impl Pace {
+    fn at(self, t: f64) -> f64 {
+        match self {
+            Self::Same => t,
+            Self::Even { from, to } => {
+                let fraction = (t - from[0]) / (from[1] - from[0]);
+                to[0] * (1.0 - fraction) + to[1] * fraction
+            }
+        }
+    }
+
+    fn slope(self) -> f64 {
+        match self {
+            Self::Same => 1.0,
+            Self::Even { from, to } => (to[1] - to[0]) / (from[1] - from[0]),
+        }
+    }
 }
 
 impl ParametricCurve {
@@ -37,11 +72,24 @@ impl ParametricCurve {
     /// # Errors
     /// [`GeomError::Function`] where the function fails, [`GeomError::BeyondNumbers`].
     pub fn new(domain: Interval, function: Arc<dyn CurveFunction>) -> Result<Self, GeomError> {
-        let mut curve = Self { domain, function, map: DAffine3::IDENTITY, ends: [DVec3::ZERO; 2] };
-        let probes = domain.steps(PROBES).into_iter().map(|t| curve.point_at(t));
-        let points: Vec<DVec3> = probes.collect::<Result<_, _>>()?;
-        curve.ends = [points[0], points[PROBES]];
-        Ok(curve)
+        Self {
+            domain,
+            function,
+            pace: Pace::Same,
+            map: DAffine3::IDENTITY,
+            probes: [DVec3::ZERO; PROBES + 1],
+            stand_in: Arc::default(),
+        }
+        .probed()
+    }
+
+    /// The same with its points known.
+    fn probed(mut self) -> Result<Self, GeomError> {
+        for (i, t) in self.domain.steps(PROBES).into_iter().enumerate() {
+            self.probes[i] = self.point_at(t)?;
+        }
+        self.stand_in = Arc::default();
+        Ok(self)
     }
 
     /// The parameters that have a point.
@@ -59,13 +107,18 @@ impl ParametricCurve {
     /// The point at the start of the domain.
     #[must_use]
     pub fn start(&self) -> DVec3 {
-        self.ends[0]
+        self.probes[0]
     }
 
     /// The point at the end of the domain.
     #[must_use]
     pub fn end(&self) -> DVec3 {
-        self.ends[1]
+        self.probes[PROBES]
+    }
+
+    /// Points at nine even steps of the domain.
+    pub(super) fn probes(&self) -> &[DVec3] {
+        &self.probes
     }
 
     /// Point at parameter `t`.
@@ -82,12 +135,14 @@ impl ParametricCurve {
     /// [`GeomError::Function`] where the function fails, [`GeomError::BeyondNumbers`] where a
     /// coordinate overflows.
     pub fn derivatives_at(&self, t: f64, order: usize) -> Result<Vec<DVec3>, GeomError> {
-        let mut derivatives = self.function.derivatives_at(t, order)?;
+        let mut derivatives = self.function.derivatives_at(self.pace.at(t), order)?;
+        let (slope, mut factor) = (self.pace.slope(), 1.0);
         for (k, derivative) in derivatives.iter_mut().enumerate() {
             *derivative = match k {
                 0 => self.map.transform_point3(*derivative),
-                _ => self.map.transform_vector3(*derivative),
+                _ => self.map.transform_vector3(*derivative) * factor,
             };
+            factor *= slope;
         }
         match derivatives.iter().position(|derivative| !derivative.is_finite()) {
             Some(order) => Err(GeomError::BeyondNumbers { order, parameter: t }),
@@ -100,9 +155,101 @@ impl ParametricCurve {
     pub fn transformed(&self, map: &DAffine3) -> Self {
         Self {
             map: *map * self.map,
-            ends: self.ends.map(|end| map.transform_point3(end)),
+            probes: self.probes.map(|point| map.transform_point3(point)),
+            stand_in: Arc::default(),
             ..self.clone()
         }
+    }
+
+    /// The same points run through backwards, on the same domain.
+    ///
+    /// # Errors
+    /// As [`Self::derivatives_at`].
+    pub fn reversed(&self) -> Result<Self, GeomError> {
+        let (start, end) = (self.domain.start(), self.domain.end());
+        let pace = Pace::Even { from: [start, end], to: [self.pace.at(end), self.pace.at(start)] };
+        Self { pace, ..self.clone() }.probed()
+    }
+
+    /// The same points over another domain.
+    ///
+    /// # Errors
+    /// As [`Self::derivatives_at`].
+    pub fn reparametrized(&self, domain: Interval) -> Result<Self, GeomError> {
+        let ends = [self.domain.start(), self.domain.end()];
+        let pace = Pace::Even {
+            from: [domain.start(), domain.end()],
+            to: ends.map(|end| self.pace.at(end)),
+        };
+        Self { domain, pace, ..self.clone() }.probed()
+    }
+
+    /// The part over an interval, with the parameters that it had.
+    ///
+    /// # Errors
+    /// [`GeomError::ParameterOutside`] the domain, [`GeomError::NarrowInterval`], and as
+    /// [`Self::derivatives_at`].
+    pub fn trimmed(&self, interval: Interval) -> Result<Self, GeomError> {
+        let inside = |t: f64| self.domain.clamp_inside(t);
+        let (start, end) = (inside(interval.start())?, inside(interval.end())?);
+        if end - start <= KNOT_RELATIVE * self.domain.length() {
+            return Err(GeomError::NarrowInterval { start, end });
+        }
+        self.on(Interval::new(start, end)?)
+    }
+
+    /// Both parts at `t`, each on its part of the domain.
+    ///
+    /// # Errors
+    /// [`GeomError::ParameterOutside`] the domain, [`GeomError::ParameterAtEnd`] of it, and as
+    /// [`Self::derivatives_at`].
+    pub fn split(&self, t: f64) -> Result<[Self; 2], GeomError> {
+        let (domain, t) = (self.domain, self.domain.clamp_inside(t)?);
+        let near = KNOT_RELATIVE * domain.length();
+        if t - domain.start() <= near || domain.end() - t <= near {
+            return Err(GeomError::ParameterAtEnd { parameter: t, domain });
+        }
+        let parts = [Interval::new(domain.start(), t)?, Interval::new(t, domain.end())?];
+        Ok([self.on(parts[0])?, self.on(parts[1])?])
+    }
+
+    /// The curve of the derivative vectors, on the same domain.
+    ///
+    /// # Errors
+    /// As [`Self::derivatives_at`].
+    pub fn hodograph(&self) -> Result<Self, GeomError> {
+        Self::new(self.domain, Arc::new(Hodograph(self.clone())))
+    }
+
+    /// The curve of the function on another domain, also beyond its own.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub(super) fn on(&self, domain: Interval) -> Result<Self, GeomError> {
+        Self { domain, ..self.clone() }.probed()
+    }
+
+    /// The spline near the curve, where it was made before.
+    pub(super) fn known_stand_in(&self) -> Option<Arc<NurbsCurve>> {
+        self.stand_in.get().map(Arc::clone)
+    }
+
+    /// Keeps the spline near the curve for the next question.
+    pub(super) fn keep_stand_in(&self, spline: NurbsCurve) -> Arc<NurbsCurve> {
+        // Another thread may have been first, with the same spline.
+        Arc::clone(self.stand_in.get_or_init(|| Arc::new(spline)))
+    }
+}
+
+/// The derivative of a curve.
+#[derive(Debug)]
+struct Hodograph(ParametricCurve);
+
+impl CurveFunction for Hodograph {
+    fn derivatives_at(&self, t: f64, order: usize) -> Result<Vec<DVec3>, FunctionFailure> {
+        let mut derivatives = self.0.derivatives_at(t, order + 1).map_err(FunctionFailure::new)?;
+        derivatives.remove(0);
+        Ok(derivatives)
     }
 }
 
@@ -111,6 +258,7 @@ impl PartialEq for ParametricCurve {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.function, &other.function)
             && self.domain == other.domain
+            && self.pace == other.pace
             && self.map == other.map
     }
 }

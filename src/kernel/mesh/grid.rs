@@ -21,14 +21,20 @@ pub fn grid_mesh(
     n_v: usize,
     max_vertices: usize,
 ) -> Result<Mesh, GeomError> {
+    check_counts(n_u, n_v, max_vertices)?;
+    Ok(mesh_over(surface, &surface.domain_u().steps(n_u), &surface.domain_v().steps(n_v)))
+}
+
+/// # Errors
+/// [`GeomError::CountTooSmall`] without cells, [`GeomError::TooManyVertices`].
+pub(super) fn check_counts(n_u: usize, n_v: usize, most: usize) -> Result<(), GeomError> {
     for (what, got) in [("the number of cells along u", n_u), ("the number of cells along v", n_v)]
     {
         if got == 0 {
             return Err(GeomError::CountTooSmall { what, got, needed: 1 });
         }
     }
-    check_vertices(n_u, n_v, max_vertices)?;
-    Ok(mesh_over(surface, &surface.domain_u().steps(n_u), &surface.domain_v().steps(n_v)))
+    check_vertices(n_u, n_v, most)
 }
 
 /// # Errors
@@ -41,7 +47,12 @@ pub(super) fn check_vertices(n_u: usize, n_v: usize, most: usize) -> Result<(), 
 
 /// The mesh whose vertices are the points at all pairs of the parameters.
 pub(super) fn mesh_over(surface: &NurbsSurface, us: &[f64], vs: &[f64]) -> Mesh {
-    let GridSamples { points, normals } = surface.samples_on_grid(us, vs);
+    mesh_of(surface.samples_on_grid(us, vs), us, vs)
+}
+
+/// The mesh of the points at all pairs of the parameters.
+pub(super) fn mesh_of(samples: GridSamples, us: &[f64], vs: &[f64]) -> Mesh {
+    let GridSamples { points, normals } = samples;
     let triangles = triangles_over(&points);
     // Row by row, because a flat_map does not know its length and would move what it collects.
     let mut uvs = Vec::with_capacity(us.len() * vs.len());

@@ -1,8 +1,9 @@
 //! Triangle meshes.
 //!
 //! This file has the type and what can be measured on it; `grid` makes a mesh of a surface by
-//! counts, `tessellate` by a tolerance.
+//! counts, `tessellate` by a tolerance, `any` of functions too.
 
+mod any;
 mod grid;
 mod tessellate;
 
@@ -10,6 +11,7 @@ use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 use super::{Bounds, GeomError, frame::unit, tolerance::UNIT_SLACK};
 
+pub use any::{grid_mesh_any, tessellate_any, tessellate_curve_any};
 pub use grid::grid_mesh;
 pub use tessellate::{tessellate, tessellate_curve};
 

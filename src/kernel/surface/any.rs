@@ -139,12 +139,16 @@ impl Surface {
         }
     }
 
-    /// The smallest axis-aligned box around the surface, to rounding.
+    /// The smallest axis-aligned box around the surface, to rounding; around a function to 1e-8 of
+    /// its size, or to 1e-5 where that takes too many cells.
     ///
     /// # Errors
-    /// [`GeomError::NotNurbs`] for a parametric surface.
+    /// As [`ParametricSurface::to_nurbs`] for a function.
     pub fn bounds(&self) -> Result<Bounds, GeomError> {
-        self.nurbs().map(|surface| surface.bounds())
+        match self {
+            Self::Nurbs(surface) => Ok(surface.bounds()),
+            Self::Parametric(surface) => surface.bounds(),
+        }
     }
 
     /// The image under an affine map.

@@ -1,6 +1,7 @@
 //! Surfaces: rational B-splines, and functions.
 //!
-//! `any` is a surface of either kind, `parametric` that of a function. Of B-splines this file has
+//! `any` is a surface of either kind, `parametric` that of a function, `stand_in` a spline near it,
+//! made between `lines`. Of B-splines this file has
 //! the type, its constructors and what can be read off it; `eval` computes points
 //! and derivatives, `evaluator` the same at many places, `grid_eval` on grids, `normal` unit normals
 //! where they exist, `closest` the nearest point, `iso` the curves on it and its box. `ruled` makes
@@ -34,6 +35,7 @@ mod grid_eval;
 mod iso;
 mod join;
 mod joint;
+mod lines;
 mod local;
 mod looked;
 mod mass;
@@ -48,6 +50,7 @@ mod revolve;
 mod round;
 mod ruled;
 mod shell;
+mod stand_in;
 mod sum;
 
 use glam::{DAffine3, DVec3, DVec4};

@@ -1,10 +1,8 @@
 //! `hodograph`: the derivative as a curve.
 
-use std::sync::Arc;
-
 use crate::{
     diag::{Result, Spanned},
-    kernel::NurbsCurve,
+    kernel::Curve,
     value::{At, Ctx, op},
 };
 
@@ -12,15 +10,16 @@ op! {
     /// Curve of a curve's derivative vectors, on the same domain; exact, also with weights.
     ///
     /// Its degree is one less; with weights it is twice as high. At a corner it jumps.
+    /// That of a parametric curve is parametric.
     /// Piegl & Tiller, *The NURBS Book*, (3.8) and (4.8).
-    hodograph in Curve -> NurbsCurve {
+    hodograph in Curve -> Curve {
         /// The curve.
-        c: Spanned<Arc<NurbsCurve>>,
+        c: Spanned<Curve>,
     }
     example "hodograph(bezier((0, 0), (1, 2), (2, 0))).points" => "[(2, 4, 0), (2, -4, 0)]";
     example "hodograph(circle((0, 0), 1))(0.3) ~= derivative(circle((0, 0), 1), 0.3) within 1e-13" => "true";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Curve> {
     args.c.value.hodograph().at(args.c.span)
 }

@@ -12,6 +12,9 @@ op! {
     /// Smallest box along the axes around geometry, as `{min, max}`; of a list around all of it.
     ///
     /// It touches curves and surfaces themselves, not only their control points.
+    /// Of a parametric curve it goes through its extrema, as `extrema` finds them; of a parametric
+    /// surface it is that of a spline within 1e-8 of its size, or 1e-5 where that
+    /// takes too many patches.
     bounds in Measure -> Record {
         /// A point, curve, surface or mesh, or a list of them.
         g: Spanned<Geometry>,

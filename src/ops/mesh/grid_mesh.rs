@@ -1,10 +1,8 @@
 //! `grid_mesh`: triangles over a regular grid of parameters.
 
-use std::sync::Arc;
-
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{self, Mesh, NurbsSurface},
+    kernel::{self, Mesh, Surface},
     value::{At, Ctx, op},
 };
 
@@ -16,7 +14,7 @@ op! {
     /// empty are left out.
     grid_mesh in Mesh -> Mesh {
         /// The surface.
-        s: Arc<NurbsSurface>,
+        s: Surface,
         /// Cells along u.
         nu: Spanned<usize>,
         /// Cells along v.
@@ -36,5 +34,6 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Mesh> {
             .fail();
         }
     }
-    kernel::grid_mesh(&args.s, args.nu.value, args.nv.value, ctx.limits.mesh_vertices).at(ctx.span)
+    kernel::grid_mesh_any(&args.s, args.nu.value, args.nv.value, ctx.limits.mesh_vertices)
+        .at(ctx.span)
 }

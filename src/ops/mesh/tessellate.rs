@@ -49,9 +49,8 @@ fn gather(
 ) -> Result<()> {
     match value {
         Value::Surface(surface) => {
-            let surface = surface.nurbs().at(whole.span)?;
             meshes.push(
-                kernel::tessellate(surface, tolerance, ctx.limits.mesh_vertices).at(ctx.span)?,
+                kernel::tessellate_any(surface, tolerance, ctx.limits.mesh_vertices).at(ctx.span)?,
             );
         }
         Value::Mesh(mesh) => meshes.push((**mesh).clone()),

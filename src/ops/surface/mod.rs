@@ -30,6 +30,7 @@ mod skin;
 mod sphere;
 mod sweep;
 mod swung;
+mod to_nurbs;
 mod torus;
 
 use glam::DVec3;
@@ -69,6 +70,7 @@ pub(super) static OPS: &[&Op] = &[
     &interpolate::OP,
     &approximate::OP,
     &parametric::OP,
+    &to_nurbs::OP,
 ];
 
 /// A value for both directions, or `{u: , v: }` where they differ.

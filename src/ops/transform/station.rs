@@ -1,11 +1,9 @@
 //! `station`: a section set up along a spine.
 
-use std::sync::Arc;
-
 use super::apply;
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Curve, NurbsCurve, Side},
+    kernel::{Curve, Side},
     value::{At, Ctx, Geometry, Value, op},
 };
 
@@ -19,7 +17,7 @@ op! {
     /// turned to be normal to the spine. Piegl & Tiller, *The NURBS Book*, §10.4.
     station in Transform -> Geometry {
         /// The section.
-        section: Spanned<Arc<NurbsCurve>>,
+        section: Spanned<Curve>,
         /// The spine.
         spine: Curve,
         /// The parameter of the spine where the section is to stand.
@@ -35,11 +33,14 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Geometry> {
     let (section, spine) = (args.section.value, args.spine);
     let at = spine.domain().clamp_inside(args.at.value).at(args.at.span)?;
     let tangent = spine.tangent_at(at, Side::Right).at(args.at.span)?;
-    let plane = section.plane_across(tangent, ctx.tolerance.distance).at(args.section.span)?;
+    let spline = section.spline().at(args.section.span)?;
+    let plane = spline.plane_across(tangent, ctx.tolerance.distance).at(args.section.span)?;
     let anchor = match args.anchor {
         None => plane.origin(),
-        Some(t) => section.point_at(section.domain().clamp_inside(t.value).at(t.span)?),
+        Some(t) => {
+            section.point_at(section.domain().clamp_inside(t.value).at(t.span)?).at(t.span)?
+        }
     };
     let map = plane.at(anchor).turned_to(tangent, spine.point_at(at).at(args.at.span)?);
-    apply(&Geometry(Value::Curve(Curve::Nurbs(section))), &map, ctx.span)
+    apply(&Geometry(Value::Curve(section)), &map, ctx.span)
 }

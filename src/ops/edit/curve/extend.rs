@@ -1,10 +1,8 @@
 //! `extend` of a curve: it goes on beyond an end.
 
-use std::sync::Arc;
-
 use crate::{
     diag::{Result, Spanned},
-    kernel::NurbsCurve,
+    kernel::Curve,
     ops::positive,
     value::{At, Choice, Ctx, Length, op},
 };
@@ -14,9 +12,10 @@ op! {
     ///
     /// The old part keeps its points and parameters, the domain grows, and there is no joint: all
     /// derivatives are continuous. Lines and circular arcs go on as such.
-    extend in Edit -> NurbsCurve {
+    /// A parametric curve goes on as its function does beyond the domain.
+    extend in Edit -> Curve {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
         /// By how much, measured along the curve.
         length: Spanned<Length>,
         /// Which end.
@@ -38,7 +37,7 @@ impl Choice for End {
     const MEANINGS: &'static [Self] = &[Self::End, Self::Start];
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Curve> {
     let length = positive("the length", args.length)?;
     match args.at {
         End::End => args.c.extended(length),

@@ -1,10 +1,8 @@
 //! `join`: several curves as one.
 
-use std::sync::Arc;
-
 use crate::{
     diag::{Result, Spanned},
-    kernel::{self, NurbsCurve},
+    kernel::{self, Curve, NurbsCurve},
     value::{At, Ctx, op},
 };
 
@@ -14,10 +12,11 @@ op! {
     /// Exact: each keeps the length of its domain, behind that of the one before; all get the
     /// highest degree among them, and weights that go on from one to the next. A joint keeps only
     /// the knots that its continuity needs, so that Bézier curves that meet C² become one
-    /// spline with simple knots. Gaps up to the document's tolerance are closed halfway.
+    /// spline with simple knots. Gaps up to the document's tolerance are closed halfway. A
+    /// parametric curve is joined as a spline of degree 11 within 1e-13 of its size.
     join in Edit -> NurbsCurve {
         /// The curves in order, two or more.
-        curves: Spanned<Vec<Arc<NurbsCurve>>>,
+        curves: Spanned<Vec<Curve>>,
     }
     example "join([line((0, 0), (1, 0)), line((1, 0), (2, 0))]).points" => "[(0, 0, 0), (2, 0, 0)]";
     example "join([line((0, 0), (1, 0)), line((1, 0), (1, 1))]).knots" => "[0, 0, 1, 2, 2]";
@@ -25,6 +24,9 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
-    let curves: Vec<NurbsCurve> = args.curves.value.iter().map(|curve| (**curve).clone()).collect();
+    let spline = |curve: &Curve| curve.spline().map(|spline| (*spline).clone());
+    let curves: std::result::Result<Vec<NurbsCurve>, _> =
+        args.curves.value.iter().map(spline).collect();
+    let curves = curves.at(args.curves.span)?;
     kernel::join(&curves, ctx.tolerance.distance).at(args.curves.span)
 }

@@ -1,12 +1,10 @@
 //! `offset` of a curve: the curve beside it.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{Meeting, NurbsCurve, Offset, Receipt},
+    kernel::{Curve, Meeting, NurbsCurve, Offset, Receipt},
     value::{At, Ctx, Length, op, shortest},
 };
 
@@ -24,9 +22,10 @@ op! {
     /// `{distance, deviation, cusps, folds, crossings}`: cusps and folds by parameters of the
     /// curve, crossings `{t, s, point}` by those of the offset.
     /// Maekawa, *An overview of offset curves and surfaces*, CAD 31 (1999).
+    /// A parametric curve is replaced by the spline that `length` tells of.
     offset in Edit -> NurbsCurve {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
         /// The distance; a negative one goes to the left.
         distance: Length,
         /// What the curve turns about.

@@ -1,20 +1,19 @@
 //! `reparametrize`: a curve over another domain.
 
-use std::sync::Arc;
-
 use crate::{
     diag::Result,
-    kernel::{Interval, NurbsCurve},
-    value::{Ctx, op},
+    kernel::{Curve, Interval},
+    value::{At, Ctx, op},
 };
 
 op! {
     /// The same points over another domain, the parameter mapped evenly.
     ///
     /// Derivatives of order k are divided by the k-th power of the domain's growth.
-    reparametrize in Edit -> NurbsCurve {
+    /// A parametric curve stays one.
+    reparametrize in Edit -> Curve {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
         /// The new domain, such as `0..10`.
         domain: Interval,
     }
@@ -22,6 +21,6 @@ op! {
     example "reparametrize(line((0, 0), (2, 4)), 0..length(line((0, 0), (3, 4)))).domain" => "0..5";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
-    Ok(args.c.reparametrized(args.domain))
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Curve> {
+    args.c.reparametrized(args.domain).at(ctx.span)
 }

@@ -1,10 +1,8 @@
 //! `split` of a curve: both parts at a parameter.
 
-use std::sync::Arc;
-
 use crate::{
     diag::{Result, Spanned},
-    kernel::NurbsCurve,
+    kernel::Curve,
     value::{At, Ctx, op},
 };
 
@@ -12,9 +10,10 @@ op! {
     /// Both parts of a curve at a parameter, `[left, right]`, each with the parameters it had.
     ///
     /// Exact. `join` makes the same curve of them.
-    split in Edit -> Vec<NurbsCurve> {
+    /// A parametric curve gives two of its kind.
+    split in Edit -> Vec<Curve> {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
         /// The parameter, inside the curve's domain and none of its ends.
         t: Spanned<f64>,
     }
@@ -22,6 +21,6 @@ op! {
     example "split(line((0, 0), (4, 8)), 0.25)[1].domain" => "0.25..1";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<Curve>> {
     args.c.split(args.t.value).map(Vec::from).at(args.t.span)
 }

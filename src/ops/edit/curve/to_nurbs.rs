@@ -8,11 +8,12 @@ use crate::{
 };
 
 op! {
-    /// NURBS near a curve: of a parametric one a C2 quintic spline on the same domain, of which no
+    /// NURBS near a curve: of a parametric one a quintic spline on the same domain, of which no
     /// point is further from the function's than a tolerance; any other curve is one already.
     ///
-    /// The spline has the function's points, first and second derivatives at its knots. Its distance is measured at
-    /// 16 places of each piece, where half of the tolerance is kept.
+    /// The spline has the function's points, first and second derivatives at its knots; where the
+    /// function's derivatives jump it has a corner. Its distance is measured at 16 places of each
+    /// piece, where half of the tolerance is kept.
     /// de Boor, *A Practical Guide to Splines*, ch. I.
     to_nurbs in Edit -> NurbsCurve {
         /// The curve.

@@ -1,10 +1,8 @@
 //! `trim` of a curve: a part of it.
 
-use std::sync::Arc;
-
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Interval, NurbsCurve},
+    kernel::{Curve, Interval},
     value::{At, Ctx, op},
 };
 
@@ -12,9 +10,10 @@ op! {
     /// Part of a curve over a range of its parameter, which it keeps: `trim(c, a..b)(t)` is `c(t)`.
     ///
     /// Exact. The result begins at its first control point and ends at its last.
-    trim in Edit -> NurbsCurve {
+    /// A parametric curve stays one.
+    trim in Edit -> Curve {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
         /// The range, inside the curve's domain.
         range: Spanned<Interval>,
     }
@@ -22,6 +21,6 @@ op! {
     example "trim(line((0, 0), (4, 8)), 0.25..0.5).domain" => "0.25..0.5";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Curve> {
     args.c.trimmed(args.range.value).at(args.range.span)
 }

@@ -6,8 +6,8 @@ use glam::DVec3;
 
 use crate::{
     diag::Result,
-    kernel::NurbsCurve,
-    value::{Ctx, Record, Value, op},
+    kernel::Curve,
+    value::{At, Ctx, Record, Value, op},
 };
 
 op! {
@@ -18,7 +18,7 @@ op! {
     /// Ma & Hewitt, *Point inversion and projection for NURBS curve and surface*, CAGD 20 (2003).
     closest in Measure -> Record {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
         /// The point.
         p: DVec3,
     }
@@ -28,7 +28,7 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
-    let foot = args.c.closest(args.p, ctx.tolerance.distance);
+    let foot = args.c.closest(args.p, ctx.tolerance.distance).at(ctx.span)?;
     Ok(Record::new([
         (Arc::from("t"), Value::number(foot.parameter)),
         (Arc::from("point"), Value::Point(foot.point)),

@@ -19,6 +19,7 @@ op! {
     /// homogeneous curves; `gap`, `angle` and `curvature_gap` tell how far points, tangents and
     /// curvature vectors differ, the last `none` where a curvature has no bound. Where a derivative
     /// vanishes the direction is that of the next one that does not: a cusp is C3 but only G0.
+    /// A parametric curve has inner joints where its derivatives jump.
     ///
     /// Linkeová, *Curves and Surfaces for Computer Graphics*, §1.2; Barsky & DeRose, *Geometric
     /// continuity of parametric curves*.

@@ -1,12 +1,10 @@
 //! `divide` a curve by arc length.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 
 use crate::{
     diag::{Result, Spanned},
-    kernel::{GeomError, NurbsCurve},
+    kernel::{Curve, GeomError},
     ops::list::check_length,
     value::{At, Ctx, op},
 };
@@ -14,9 +12,11 @@ use crate::{
 op! {
     /// Points that divide a curve into `n` parts of equal length: n + 1 of them, from its start to
     /// its end.
+    ///
+    /// Of a parametric curve they are points of the function, at lengths that `length` tells.
     divide in Measure -> Vec<DVec3> {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
         /// How many parts.
         n: Spanned<usize>,
     }
@@ -30,5 +30,5 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {
         return Err(err).at(args.n.span);
     }
     check_length(n as f64 + 1.0, ctx)?;
-    Ok(args.c.divided(n))
+    args.c.divided(n).at(ctx.span)
 }

@@ -1,12 +1,10 @@
 //! `extrema` of a curve.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 
 use crate::{
     diag::{Result, Spanned},
-    kernel::{GeomError, NurbsCurve},
+    kernel::{Curve, GeomError},
     value::{At, Ctx, op},
 };
 
@@ -15,9 +13,10 @@ op! {
     /// with its neighbourhood; in order.
     ///
     /// Ends of an open curve are none. Found completely, as changes of sign of C'·d.
+    /// Of a parametric curve they are followed as for `inflections`.
     extrema in Measure -> Vec<f64> {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
         /// The direction, of any length but zero.
         direction: Spanned<DVec3>,
     }
@@ -30,5 +29,5 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<f64>> {
     let direction = direction
         .ok_or(GeomError::ZeroAxis { what: "a vector of length zero" })
         .at(args.direction.span)?;
-    Ok(args.c.extrema(direction, ctx.tolerance))
+    args.c.extrema(direction, ctx.tolerance).at(ctx.span)
 }

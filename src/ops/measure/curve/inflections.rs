@@ -1,11 +1,9 @@
 //! `inflections` of a curve.
 
-use std::sync::Arc;
-
 use crate::{
     diag::Result,
-    kernel::NurbsCurve,
-    value::{Ctx, op},
+    kernel::Curve,
+    value::{At, Ctx, op},
 };
 
 op! {
@@ -13,15 +11,17 @@ op! {
     ///
     /// Of a planar curve, where its signed curvature changes sign; of a curve in space, where its
     /// curvature vanishes. Found completely, as changes of sign of C' × C''.
+    /// Of a parametric curve the sign is followed between exact derivatives at the ends of small
+    /// pieces, and each place is found on the function itself to the last digits.
     /// Farin, *Curves and Surfaces for CAGD*, §23.1.
     inflections in Measure -> Vec<f64> {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
     }
     example "inflections(bezier((0, 0), (1, 2), (2, -2), (3, 0)))" => "[0.5]";
     example "inflections(circle((0, 0), 1))" => "[]";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<f64>> {
-    Ok(args.c.inflections(ctx.tolerance))
+    args.c.inflections(ctx.tolerance).at(ctx.span)
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     diag::Result,
-    kernel::{Meeting, NurbsCurve},
+    kernel::{Curve, Meeting},
     value::{At, Ctx, Record, Value, op},
 };
 
@@ -14,12 +14,14 @@ op! {
     ///
     /// Found completely, by halving pairs of pieces until they are apart, cross clearly or touch.
     /// Curves that share a stretch are an error that tells which.
+    /// A parametric curve is searched as the spline that `length` tells of; each place is then found
+    /// on the function itself.
     /// Sederberg & Nishita, *Curve intersection using Bézier clipping*, CAD 22 (1990).
     intersect in Measure -> Vec<Record> {
         /// One curve.
-        a: Arc<NurbsCurve>,
+        a: Curve,
         /// The other.
-        b: Arc<NurbsCurve>,
+        b: Curve,
     }
     example "intersect(line((0, 0), (4, 4)), line((0, 2), (4, 2)))" => "[{t: 0.5, s: 0.5, point: (2, 2, 0)}]";
     example "intersect(line((0, 0), (1, 0)), line((0, 1), (1, 1)))" => "[]";

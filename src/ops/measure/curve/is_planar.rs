@@ -10,6 +10,7 @@ op! {
     /// Whether a curve lies in one plane, to within the tolerance.
     ///
     /// A straight curve does. Told from its control points, which lie in a plane with it.
+    /// Of a parametric curve those of the spline that `length` tells of.
     is_planar in Measure -> bool {
         /// The curve.
         c: Curve,

@@ -10,6 +10,7 @@ op! {
     /// Whether a curve lies on one line, to within the tolerance.
     ///
     /// Told from its control points, which lie on a line with it.
+    /// Of a parametric curve those of the spline that `length` tells of.
     is_straight in Measure -> bool {
         /// The curve.
         c: Curve,

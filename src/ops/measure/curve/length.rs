@@ -1,10 +1,8 @@
 //! `length` of a curve.
 
-use std::sync::Arc;
-
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Interval, NurbsCurve},
+    kernel::{Curve, Interval},
     value::{At, Ctx, op},
 };
 
@@ -13,9 +11,13 @@ op! {
     ///
     /// Gaussian quadrature of |C'| over each polynomial piece, halved until its error is
     /// negligible.
+    ///
+    /// Of a parametric curve it is that of a spline of degree 11 with the function's exact
+    /// derivatives at its knots, which agrees with it to 1e-13 of its size where it is compared: at
+    /// 16 places of each piece. Beside a place without derivatives that is 1e-6.
     length in Measure -> f64 {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
         /// The range, inside the curve's domain; all of it when left out.
         range: Option<Spanned<Interval>>,
     }
@@ -23,7 +25,7 @@ op! {
     example "length(polyline((0, 0), (3, 4), (3, 5)), range = 1..2)" => "1";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {
     let domain = args.c.domain();
     let interval = match args.range {
         None => domain,
@@ -33,5 +35,5 @@ fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
             Interval::new(start, end).at(range.span)?
         }
     };
-    Ok(args.c.length(interval))
+    args.c.length(interval).at(ctx.span)
 }

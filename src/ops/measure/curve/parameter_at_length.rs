@@ -1,10 +1,8 @@
 //! `parameter_at_length` of a curve.
 
-use std::sync::Arc;
-
 use crate::{
     diag::{Result, Spanned},
-    kernel::NurbsCurve,
+    kernel::Curve,
     value::{At, Ctx, Length, op},
 };
 
@@ -12,9 +10,10 @@ op! {
     /// Parameter at which a curve is so long from its start: the inverse of `length`.
     ///
     /// Newton's method on the arc length, kept inside a bracket.
+    /// Of a parametric curve on the same spline as `length`.
     parameter_at_length in Measure -> f64 {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
         /// The length from the start, not above the curve's own.
         s: Spanned<Length>,
     }

@@ -6,17 +6,19 @@ use glam::DVec3;
 
 use crate::{
     diag::Result,
-    kernel::{Frame, NurbsCurve},
-    value::{Ctx, op},
+    kernel::{Curve, Frame},
+    value::{At, Ctx, op},
 };
 
 op! {
     /// Points where a curve passes through a plane or touches it, in the order of the parameter.
     ///
     /// Found completely; a piece that lies in the plane is told by its ends.
+    /// A parametric curve is searched as the spline that `length` tells of; each place is then found
+    /// on the function itself.
     section in Measure -> Vec<DVec3> {
         /// The curve.
-        g: Arc<NurbsCurve>,
+        g: Curve,
         /// The plane.
         plane: Arc<Frame>,
     }
@@ -24,6 +26,6 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {
-    let parameters = args.g.plane_parameters(*args.plane, ctx.tolerance);
-    Ok(parameters.into_iter().map(|t| args.g.point_at(t)).collect())
+    let parameters = args.g.plane_parameters(*args.plane, ctx.tolerance).at(ctx.span)?;
+    parameters.into_iter().map(|t| args.g.point_at(t).at(ctx.span)).collect()
 }

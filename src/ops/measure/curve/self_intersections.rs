@@ -1,11 +1,9 @@
 //! `self_intersections` of a curve.
 
-use std::sync::Arc;
-
 use super::intersect::record;
 use crate::{
     diag::Result,
-    kernel::NurbsCurve,
+    kernel::Curve,
     value::{At, Ctx, Record, op},
 };
 
@@ -15,9 +13,11 @@ op! {
     ///
     /// Found completely: pieces that turn by less than half a turn cannot meet themselves, all
     /// others are halved.
+    /// A parametric curve is searched as the spline that `length` tells of; each place is then found
+    /// on the function itself.
     self_intersections in Measure -> Vec<Record> {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
     }
     example "len(self_intersections(bezier((0, 0), (4, 3), (-3, 3), (1, 0))))" => "1";
     example "self_intersections(circle((0, 0), 1))" => "[]";

@@ -1,11 +1,9 @@
 //! `vertices` of a curve.
 
-use std::sync::Arc;
-
 use crate::{
     diag::Result,
-    kernel::NurbsCurve,
-    value::{Ctx, op},
+    kernel::Curve,
+    value::{At, Ctx, op},
 };
 
 op! {
@@ -13,14 +11,16 @@ op! {
     ///
     /// Of a planar curve the signed curvature counts. Ends of an open curve and corners are none, and
     /// a circle has none that stands out. An ellipse has four.
+    /// Of a parametric curve the slope of the curvature is followed as for `inflections`; cusps,
+    /// where the curvature has no bound, are none.
     vertices in Measure -> Vec<f64> {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
     }
     example "vertices(bezier((0, 0), (1, 2), (2, 0)))" => "[0.5]";
     example "vertices(circle((0, 0), 1))" => "[]";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<f64>> {
-    Ok(args.c.vertices(ctx.tolerance))
+    args.c.vertices(ctx.tolerance).at(ctx.span)
 }

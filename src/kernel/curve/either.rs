@@ -1,0 +1,138 @@
+//! Edits of a curve of either kind: a NURBS stays one, and a function too.
+
+use glam::DVec3;
+
+use super::{Curve, Offset, ParametricCurve};
+use crate::kernel::{GeomError, Interval, Tolerance, frame::norm};
+
+/// Doublings of a domain that is prolonged until it is long enough.
+const MAX_DOUBLINGS: usize = 40;
+
+impl Curve {
+    /// The curve beside it at a distance; of a function near its stand-in.
+    ///
+    /// # Errors
+    /// Those of [`super::NurbsCurve::offset`], and as [`Self::spline`].
+    pub fn offset(
+        &self,
+        distance: f64,
+        normal: DVec3,
+        tolerance: Tolerance,
+    ) -> Result<Offset, GeomError> {
+        self.spline()?.offset(distance, normal, tolerance)
+    }
+
+    /// The same points run through backwards, on the same domain.
+    ///
+    /// # Errors
+    /// As [`Self::point_at`].
+    pub fn reversed(&self) -> Result<Self, GeomError> {
+        match self {
+            Self::Nurbs(curve) => Ok(curve.reversed().into()),
+            Self::Parametric(curve) => curve.reversed().map(Self::from),
+        }
+    }
+
+    /// The same points over another domain.
+    ///
+    /// # Errors
+    /// As [`Self::point_at`].
+    pub fn reparametrized(&self, domain: Interval) -> Result<Self, GeomError> {
+        match self {
+            Self::Nurbs(curve) => Ok(curve.reparametrized(domain).into()),
+            Self::Parametric(curve) => curve.reparametrized(domain).map(Self::from),
+        }
+    }
+
+    /// The part over an interval, with the parameters that it had.
+    ///
+    /// # Errors
+    /// [`GeomError::ParameterOutside`] the domain, [`GeomError::NarrowInterval`], and as
+    /// [`Self::point_at`].
+    pub fn trimmed(&self, interval: Interval) -> Result<Self, GeomError> {
+        match self {
+            Self::Nurbs(curve) => curve.trimmed(interval).map(Self::from),
+            Self::Parametric(curve) => curve.trimmed(interval).map(Self::from),
+        }
+    }
+
+    /// Both parts at `t`, each on its part of the domain.
+    ///
+    /// # Errors
+    /// [`GeomError::ParameterOutside`] the domain, [`GeomError::ParameterAtEnd`] of it, and as
+    /// [`Self::point_at`].
+    pub fn split(&self, t: f64) -> Result<[Self; 2], GeomError> {
+        match self {
+            Self::Nurbs(curve) => curve.split(t).map(|parts| parts.map(Self::from)),
+            Self::Parametric(curve) => curve.split(t).map(|parts| parts.map(Self::from)),
+        }
+    }
+
+    /// The curve of the derivative vectors, on the same domain.
+    ///
+    /// # Errors
+    /// Those of [`super::NurbsCurve::hodograph`], and as [`Self::point_at`].
+    pub fn hodograph(&self) -> Result<Self, GeomError> {
+        match self {
+            Self::Nurbs(curve) => curve.hodograph().map(Self::from),
+            Self::Parametric(curve) => curve.hodograph().map(Self::from),
+        }
+    }
+
+    /// The curve prolonged by a length: a NURBS as its last piece goes on, a function as far as it
+    /// has values beyond the domain.
+    ///
+    /// # Errors
+    /// Those of [`super::NurbsCurve::extended`], and as [`Self::spline`].
+    pub fn extended(&self, length: f64) -> Result<Self, GeomError> {
+        match self {
+            Self::Nurbs(curve) => curve.extended(length).map(Self::from),
+            Self::Parametric(curve) => curve.extended(length, 1.0).map(Self::from),
+        }
+    }
+
+    /// [`Self::extended`] before the start.
+    ///
+    /// # Errors
+    /// Those of [`Self::extended`].
+    pub fn extended_at_start(&self, length: f64) -> Result<Self, GeomError> {
+        match self {
+            Self::Nurbs(curve) => curve.extended_at_start(length).map(Self::from),
+            Self::Parametric(curve) => curve.extended(length, -1.0).map(Self::from),
+        }
+    }
+}
+
+impl ParametricCurve {
+    /// The curve on a domain that goes on at its end for a sign of 1, at its start for −1, until
+    /// it is longer by `length`.
+    fn extended(&self, length: f64, sign: f64) -> Result<Self, GeomError> {
+        if !(length.is_finite() && 0.0 < length) {
+            return Err(GeomError::NotPositive { what: "the length", got: length });
+        }
+        let domain = self.domain();
+        let end = if 0.0 < sign { domain.end() } else { domain.start() };
+        let speed = norm(self.derivatives_at(end, 1)?[1]);
+        let first = length / speed;
+        let mut step = if first < domain.length() { first } else { domain.length() };
+        let mut reached = 0.0;
+        for _ in 0..MAX_DOUBLINGS {
+            let beyond = match 0.0 < sign {
+                true => Interval::new(end, end + step),
+                false => Interval::new(end - step, end),
+            }?;
+            let rest = self.on(beyond)?.stand_in()?;
+            reached = rest.length(beyond);
+            if length <= reached {
+                let from_start = if 0.0 < sign { length } else { reached - length };
+                let t = rest.parameter_at_length(from_start)?;
+                return self.on(match 0.0 < sign {
+                    true => Interval::new(domain.start(), t),
+                    false => Interval::new(t, domain.end()),
+                }?);
+            }
+            step *= 2.0;
+        }
+        Err(GeomError::EndOfContinuation { wanted: length, reached })
+    }
+}

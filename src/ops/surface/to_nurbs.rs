@@ -1,0 +1,37 @@
+//! `to_nurbs` of a surface: a surface as a NURBS.
+
+use crate::{
+    diag::{Result, Spanned},
+    kernel::{GeomError, NurbsSurface, Surface},
+    value::{At, Ctx, Length, op},
+};
+
+op! {
+    /// NURBS near a surface: of a parametric one a biquintic spline on the same domain, of which no
+    /// point is further from the function's than a tolerance; any other surface is one already.
+    ///
+    /// The spline has the function's points and its derivatives up to the second in each direction
+    /// where its knots cross, and is C2 but along creases of the function, which must be lines of
+    /// constant parameter. Its distance is measured at 36 places of each patch, where half of the
+    /// tolerance is kept. de Boor, *A Practical Guide to Splines*, ch. XVII.
+    to_nurbs in Surface -> NurbsSurface {
+        /// The surface.
+        s: Surface,
+        /// How far the spline may be from the function at a pair of parameters.
+        tolerance: Spanned<Length>,
+    }
+    example "to_nurbs(parametric((u, v) => (u, v, u*v), 0..1, 0..2), 1e-9)(0.5, 2) ~= (0.5, 2, 1)" => "true";
+    example "to_nurbs(parametric((u, v) => (u, v, u^2 - v^2), 0..1, 0..1), 1e-9).degree_u" => "5";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
+    let tolerance = args.tolerance.value.0;
+    if tolerance <= 0.0 {
+        return Err(GeomError::NotPositive { what: "the tolerance", got: tolerance })
+            .at(args.tolerance.span);
+    }
+    match &args.s {
+        Surface::Nurbs(surface) => Ok(NurbsSurface::clone(surface)),
+        Surface::Parametric(surface) => surface.to_nurbs(tolerance).at(ctx.span),
+    }
+}
