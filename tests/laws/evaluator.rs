@@ -74,11 +74,18 @@ proptest! {
         let places: Vec<[f64; 2]> =
             at.into_iter().map(|(f, g)| [domain_u.at(f), domain_v.at(g)]).collect();
         let evaluator = surface.evaluator();
+        // Points are quotients: what is rounded is as large as the homogeneous coordinates, and is
+        // divided by as little as the least weight.
+        let net = surface.control_points().as_slice();
+        let largest = net.iter().map(|point| point.abs().max_element()).fold(0.0, f64::max);
+        let least = net.iter().map(|point| point.w).fold(f64::INFINITY, f64::min);
+        let rounded = largest / least;
         let (mut points, mut orders) = (Vec::new(), Vec::new());
         evaluator.each_point(&places, |point| points.push(point));
         evaluator.each_second_order(&places, |order| orders.push(order));
         for ((&[u, v], point), order) in places.iter().zip(points).zip(orders) {
-            prop_assert!(are_near(point, surface.point_at(u, v), 1e-14));
+            let miss = point.distance(surface.point_at(u, v));
+            prop_assert!(miss <= 4e-15 * rounded, "{u}, {v} misses by {miss:e} of {rounded}");
             prop_assert_eq!(point, evaluator.point_at(u, v));
             prop_assert_eq!(order, evaluator.second_order_at(u, v));
             let width = |knots: &KnotVector, t| knots.span_interval(knots.span_at(t)).length();
