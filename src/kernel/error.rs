@@ -14,7 +14,7 @@ use super::{FunctionFailure, Interval, ShellError};
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum GeomError {
     /// Fewer points than the construction needs.
-    #[error("needs at least {needed} points, got {got}")]
+    #[error("{needed} points or more are needed, got {got}")]
     TooFewPoints { got: usize, needed: usize },
     /// More control points than the ceiling allows.
     #[error("{got} control points are more than the {most} that are allowed")]
@@ -74,28 +74,29 @@ pub enum GeomError {
     #[error("the range {start}..{end} is too narrow to tell its ends apart")]
     NarrowInterval { start: f64, end: f64 },
     /// A parameter where there is nothing.
-    #[error("parameter {parameter} is outside the domain {domain}")]
+    #[error("parameter {} is outside the domain {domain}", plain(*parameter))]
     ParameterOutside { parameter: f64, domain: Interval },
     /// A parameter where nothing can be cut off.
     #[error("parameter {parameter} is an end of the domain {domain}; there is nothing to split")]
     ParameterAtEnd { parameter: f64, domain: Interval },
     /// No inner knot where one is to be taken out.
     #[error(
-        "{} inner knot stands at {parameter}{}",
+        "{} inner knot stands at {}{}",
         if *stands == 0 { "no".to_owned() } else { format!("only {stands} times an") },
+        plain(*parameter),
         nearest.map_or(String::new(), |t| format!("; the nearest is {t}"))
     )]
     NoKnot { parameter: f64, stands: usize, nearest: Option<f64> },
     /// A knot that the curve cannot do without.
     #[error(
-        "without the knot {knot} the curve would move {}, more than the tolerance {tolerance}",
-        how_far(*error)
+        "without the knot {knot} the curve would move {}, more than the tolerance {}",
+        how_far(*error), plain(*tolerance)
     )]
     KnotNeeded { knot: f64, error: f64, tolerance: f64 },
     /// A degree that the curve cannot do without.
     #[error(
-        "degree {degree} would move the curve {}, more than the tolerance {tolerance}",
-        how_far(*error)
+        "degree {degree} would move the curve {}, more than the tolerance {}",
+        how_far(*error), plain(*tolerance)
     )]
     NotReducible { degree: usize, error: f64, tolerance: f64 },
     /// A curve of the lowest degree.
@@ -142,7 +143,10 @@ pub enum GeomError {
     #[error("a span of `curves[{index}]`, {length} wide, vanishes in a domain of length {total}")]
     VanishingPiece { index: usize, length: f64, total: f64 },
     /// A continuation that is shorter than asked for.
-    #[error("the curve goes on for a length of {} only, less than {wanted}", few_digits(*reached))]
+    #[error(
+        "the curve goes on for a length of {} only, less than {}",
+        few_digits(*reached), plain(*wanted)
+    )]
     EndOfContinuation { wanted: f64, reached: f64 },
     /// A curve along the direction about which it should turn.
     #[error("the curve runs along the normal at parameter {parameter}, so that it has no side")]
@@ -198,7 +202,7 @@ pub enum GeomError {
     #[error("points {first} and {second} are at one place")]
     CoincidentPoints { first: usize, second: usize },
     /// Not as many of something as the construction needs.
-    #[error("needs {needed} {what}, got {got}")]
+    #[error("{needed} {what} are needed, got {got}")]
     WrongCount { what: &'static str, needed: usize, got: usize },
     /// A parameter of data that is not above its predecessor.
     #[error(
@@ -213,7 +217,8 @@ pub enum GeomError {
     Undetermined { control_points: usize },
     /// A tolerance below what rounding leaves.
     #[error(
-        "the tolerance {tolerance} cannot be kept: even a curve through all points misses one by {found}"
+        "the tolerance {} cannot be kept: even a curve through all points misses one by {}",
+        plain(*tolerance), plain(*found)
     )]
     ToleranceNotKept { tolerance: f64, found: f64 },
     /// Three points that lie on one line.
@@ -325,7 +330,9 @@ pub enum GeomError {
     #[error("the function jumps by {} at parameter {parameter}", few_digits(*gap))]
     Jump { parameter: f64, gap: f64 },
     /// A length that the curve does not have.
-    #[error("the curve is {total} long, so that it has no place at length {got}")]
+    #[error(
+        "the curve is {} long, so that it has no place at length {}", plain(*total), plain(*got)
+    )]
     LengthOutside { got: f64, total: f64 },
     /// Two curves that share a stretch and not single points.
     #[error("the curves run together from parameter {start} to {end} of the first")]
@@ -373,4 +380,10 @@ pub(in crate::kernel) fn few_digits(x: f64) -> String {
     } else {
         format!("{rounded:e}")
     }
+}
+
+/// A number in full, with an exponent where its digits would be mostly zeros.
+pub(super) fn plain(x: f64) -> String {
+    let is_plain = x == 0.0 || (0.000_000_001..1e18).contains(&x.abs());
+    if is_plain { x.to_string() } else { format!("{x:e}") }
 }

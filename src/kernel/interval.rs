@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{GeomError, tolerance::KNOT_RELATIVE};
+use super::{GeomError, error::plain, tolerance::KNOT_RELATIVE};
 
 /// The interval from `start` to `end`. Invariant: both finite, `start < end`, finite length.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,6 +102,6 @@ impl Interval {
 
 impl fmt::Display for Interval {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}..{}", self.start, self.end)
+        write!(f, "{}..{}", plain(self.start), plain(self.end))
     }
 }

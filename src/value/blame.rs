@@ -106,26 +106,9 @@ pub fn code_of(error: &GeomError) -> Code {
 
 /// What to do about an error of the kernel, where the message alone does not tell.
 #[must_use]
-#[expect(clippy::too_many_lines, reason = "one table")]
 pub fn hint_of(error: &GeomError) -> Option<String> {
     use GeomError as Error;
     Some(match error {
-        Error::KnotCount { points, degree, .. } => format!(
-            "the number of knots is points + degree + 1 = {points} + {degree} + 1; without `knots` they are made"
-        ),
-        Error::UnsortedKnots { .. } => "sort the knots".to_owned(),
-        Error::KnotMultiplicity { most, .. } => format!("repeat a knot {most} times at most"),
-        Error::WeightCount { .. } => "give one weight for each control point".to_owned(),
-        Error::BadEndWeight { .. } => {
-            "a weight of zero takes its point away, which the ends cannot do without".to_owned()
-        }
-        Error::TangentCount { .. } => "give one tangent for each point".to_owned(),
-        Error::Collinear => "a straight curve is made by `line` or `polyline`".to_owned(),
-        Error::TooManySegments { .. } | Error::UnevenSegments { .. } => {
-            "`to_bezier` gives its segments one by one".to_owned()
-        }
-        Error::TooRough { .. } => "`split` it there, and take the parts".to_owned(),
-        Error::NotScalar { .. } => "give the values as points `(value, 0)`".to_owned(),
         Error::VanishingTangent { .. } | Error::UnboundedCurvature { .. } => {
             "the curve stands still there: are points repeated?".to_owned()
         }
@@ -178,6 +161,41 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         Error::NoSide { .. } => {
             "give the `normal` of the plane that the curve is seen from".to_owned()
         }
+        _ => return hint_about_input(error),
+    })
+}
+
+/// What to do about points, knots, weights and parameters that make no geometry.
+fn hint_about_input(error: &GeomError) -> Option<String> {
+    use GeomError as Error;
+    Some(match error {
+        Error::KnotCount { points, degree, .. } => format!(
+            "the number of knots is points + degree + 1 = {points} + {degree} + 1; without `knots` they are made"
+        ),
+        Error::UnsortedKnots { .. } => "sort the knots".to_owned(),
+        Error::KnotMultiplicity { most, .. } => format!("repeat a knot {most} times at most"),
+        Error::WeightCount { .. } => "give one weight for each control point".to_owned(),
+        Error::BadWeight { .. } => {
+            "the larger a weight, the nearer the curve comes to its point; at zero the point is gone"
+                .to_owned()
+        }
+        Error::BadEndWeight { .. } => {
+            "a weight of zero takes its point away, which the ends cannot do without".to_owned()
+        }
+        Error::ParametersNotIncreasing { .. } => {
+            "give the data in the order of their parameters, each parameter once".to_owned()
+        }
+        Error::OtherDomain { .. } => "`reparametrize` one of them".to_owned(),
+        Error::EndOfContinuation { .. } => {
+            "`join` a `line` or an `arc` to its end to go further".to_owned()
+        }
+        Error::TangentCount { .. } => "give one tangent for each point".to_owned(),
+        Error::Collinear => "a straight curve is made by `line` or `polyline`".to_owned(),
+        Error::TooManySegments { .. } | Error::UnevenSegments { .. } => {
+            "`to_bezier` gives its segments one by one".to_owned()
+        }
+        Error::TooRough { .. } => "`split` it there, and take the parts".to_owned(),
+        Error::NotScalar { .. } => "give the values as points `(value, 0)`".to_owned(),
         _ => return hint_of_function(error),
     })
 }

@@ -6,7 +6,9 @@
 
 mod basis;
 mod bodies;
+mod breakers;
 mod construct;
+mod constructors;
 mod coons;
 mod curve;
 mod edit;

@@ -72,7 +72,10 @@ impl NurbsCurve {
         let (squared, cubed) = (bias * bias, bias * bias * bias);
         let bend = 4.0 * squared + 4.0 * bias + tension;
         let sum = 2.0 * cubed + bend + 2.0;
-        if !(sum.is_finite() && 0.0 < sum) {
+        if !sum.is_finite() {
+            return Err(GeomError::NotFinite { what: "control point", index: 0 });
+        }
+        if sum <= 0.0 {
             return Err(GeomError::TensionTooLow { tension, above: tension - sum });
         }
         let points = if is_closed { wrapped(points, 3)? } else { points.to_vec() };

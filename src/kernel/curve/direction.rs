@@ -200,14 +200,14 @@ impl NurbsCurve {
         };
         let value = sum(0, &|point| point);
         let at = homogeneous::project(value);
-        let about = |point: DVec4| (point.truncate() - at * point.w).extend(point.w);
-        let [first, second, third] = [1, 2, 3].map(|k| sum(k, &about) / value.w);
-        [
-            at,
-            first.truncate(),
-            second.truncate(),
-            third.truncate() + 3.0 * first.w * second.truncate(),
-        ]
+        // In one rounding: the products are large beside what is left of them.
+        let about =
+            |point: DVec4| (-at).mul_add(DVec3::splat(point.w), point.truncate()).extend(point.w);
+        let terms = [0, 1, 2, 3].map(|k| sum(k, &about) / value.w);
+        // What the point itself lost by rounding.
+        let lost = terms[0].truncate();
+        let [_, first, second, third] = terms.map(|term| term.truncate() - lost * term.w);
+        [at, first, second, third + 3.0 * terms[1].w * second]
     }
 
     fn neighbourhood(&self, t: f64, side: Side) -> Neighbourhood {

@@ -7,7 +7,7 @@ use crate::kernel::{
     GeomError, Interval, Receipt, bezier,
     frame::norm,
     homogeneous, positive,
-    tolerance::{LENGTH_RELATIVE, VANISHING_RELATIVE},
+    tolerance::{LAST_BIT, LENGTH_RELATIVE, VANISHING_RELATIVE},
 };
 
 /// Doublings of the last span's width before a length counts as out of reach: its knots are still
@@ -37,6 +37,10 @@ impl NurbsCurve {
         }
         let clamped = self.clamped();
         let end = clamped.parameter_beyond(length)?;
+        if end <= clamped.domain().end() {
+            // The length is rounding.
+            return Ok(clamped);
+        }
         clamped.continued_to(end)?.with_positive_weights()
     }
 
@@ -90,11 +94,6 @@ impl NurbsCurve {
     fn parameter_beyond(&self, length: f64) -> Result<f64, GeomError> {
         let start = self.domain().end();
         let span = self.knots.span_at(start);
-        let speed = |t: f64| norm(self.velocity_on(span, t)[1]);
-        let reached = |t: f64| match Interval::new(start, t) {
-            Ok(part) => self.length_of_piece(part),
-            Err(_) => 0.0,
-        };
 
         let piece = bezier::piece(&self.knots, &self.control_points, span);
         let far = |&point: &DVec4| homogeneous::place(point).distance(self.end());
@@ -103,46 +102,67 @@ impl NurbsCurve {
         }
 
         // A bracket without a pole.
-        let first = start + length / speed(start);
+        let first = start + length / norm(self.velocity_on(span, start)[1]);
         let width = self.knots.span_interval(span).length();
         let mut step = if first.is_finite() { (first - start).min(width) } else { width };
         let (mut low, mut high, mut pole) = (start, None, f64::INFINITY);
+        // The length to `low`, so that each step measures what it adds.
+        let mut known = 0.0;
+        if first <= start {
+            return Ok(start);
+        }
         for _ in 0..MAX_STEPS {
             let t = if pole.is_finite() { 0.5 * (low + pole) } else { start + step };
-            let is_regular = self.continued_to(t).is_ok();
-            if !is_regular {
+            if self.continued_to(t).is_err() {
                 pole = t;
-            } else if reached(t) < length {
-                low = t;
-                step *= 2.0;
             } else {
-                high = Some(t);
-                break;
+                let more = self.length_beyond(low, t);
+                if length <= known + more {
+                    high = Some(t);
+                    break;
+                }
+                (low, known) = (t, known + more);
+                step *= 2.0;
             }
             if libm::ldexp(width, MAX_DOUBLINGS as i32) < step {
                 break;
             }
         }
-        let Some(mut high) = high else {
-            return Err(GeomError::EndOfContinuation { wanted: length, reached: reached(low) });
-        };
+        match high {
+            Some(high) => Ok(self.reached(length, [low, high], known, first)),
+            None => Err(GeomError::EndOfContinuation { wanted: length, reached: known }),
+        }
+    }
 
-        // Newton's method, with halves where it leaves the bracket.
+    /// The parameter of a length inside of a bracket, at whose start it is `known`: Newton's method
+    /// from `first`, with halves where it leaves the bracket.
+    fn reached(&self, length: f64, bracket: [f64; 2], mut known: f64, first: f64) -> f64 {
+        let [mut low, mut high] = bracket;
+        let span = self.knots.span_at(self.domain().end());
         let mut t = if low < first && first <= high { first } else { high };
         for _ in 0..MAX_STEPS {
-            let missing = length - reached(t);
+            let more = self.length_beyond(low, t);
+            let missing = length - known - more;
             if missing.abs() <= LENGTH_RELATIVE * length {
                 break;
             }
             if 0.0 < missing {
-                low = t;
+                (low, known) = (t, known + more);
             } else {
                 high = t;
             }
-            let next = t + missing / speed(t);
-            let is_inside = low < next && next < high;
-            t = if is_inside { next } else { 0.5 * (low + high) };
+            let next = t + missing / norm(self.velocity_on(span, t)[1]);
+            let next = if low < next && next < high { next } else { 0.5 * (low + high) };
+            if (next - t).abs() <= LAST_BIT * t.abs() {
+                break;
+            }
+            t = next;
         }
-        Ok(t)
+        t
+    }
+
+    /// The length of the last piece between two parameters.
+    fn length_beyond(&self, from: f64, to: f64) -> f64 {
+        Interval::new(from, to).map_or(0.0, |part| self.length_of_piece(part))
     }
 }

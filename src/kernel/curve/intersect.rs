@@ -6,8 +6,11 @@
 //! Sederberg & Nishita, *Curve intersection using Bézier clipping*, CAD 22 (1990), with tangent
 //! cones as in Sederberg & Meyers (1988).
 
+mod contact;
+
 use glam::DVec3;
 
+use self::contact::Contact;
 use super::{
     NurbsCurve,
     part::{Part, parts},
@@ -37,13 +40,6 @@ pub struct Meeting {
     pub point: DVec3,
 }
 
-/// A stretch on which two curves are within the tolerance, by the parameters of both.
-#[derive(Clone, Copy)]
-struct Contact {
-    first: Interval,
-    second: Interval,
-}
-
 /// The curves in search of each other.
 struct Search<'c> {
     first: &'c NurbsCurve,
@@ -51,6 +47,8 @@ struct Search<'c> {
     tolerance: f64,
     /// Whether both are one curve, so that a parameter does not meet itself.
     is_same: bool,
+    /// A touch is no longer than this.
+    longest_touch: f64,
     meetings: Vec<Meeting>,
     contacts: Vec<Contact>,
 }
@@ -101,8 +99,10 @@ impl NurbsCurve {
 
 impl<'c> Search<'c> {
     fn new(first: &'c NurbsCurve, second: &'c NurbsCurve, tolerance: f64, is_same: bool) -> Self {
+        let size = Bounds::of(first.points()).map_or(0.0, Bounds::diagonal);
+        let longest_touch = LONGEST_TOUCH * (tolerance * size).sqrt();
         let (meetings, contacts) = (Vec::new(), Vec::new());
-        Self { first, second, tolerance, is_same, meetings, contacts }
+        Self { first, second, tolerance, is_same, longest_touch, meetings, contacts }
     }
 
     fn run(&mut self, pairs: Vec<(Part, Part)>) -> Result<(), GeomError> {
@@ -112,11 +112,13 @@ impl<'c> Search<'c> {
         while let Some((a, b)) = todo.pop() {
             n_pairs += 1;
             if MAX_PAIRS < n_pairs {
-                let (start, end) = (a.interval.start(), a.interval.end());
-                return Err(GeomError::RunTogether { start, end });
+                return Err(self.run_together(&Contact { first: a.interval, second: b.interval }));
             }
             if self.is_settled(&a, &b) {
-                continue;
+                match self.contacts.last().filter(|stretch| self.is_long(stretch)) {
+                    Some(stretch) => return Err(self.run_together(stretch)),
+                    None => continue,
+                }
             }
             let halve_first = b.bounds.diagonal() <= a.bounds.diagonal();
             let (whole, other) = if halve_first { (&a, &b) } else { (&b, &a) };
@@ -145,12 +147,12 @@ impl<'c> Search<'c> {
         if self.is_tiny(a) && self.is_tiny(b) {
             let place = homogeneous::project(a.points[0]);
             if nearest_on(self.second, b.interval, place) <= self.tolerance {
-                self.contacts.push(Contact { first: a.interval, second: b.interval });
+                self.touches(Contact { first: a.interval, second: b.interval });
             }
             return true;
         }
         if self.lies_along(a, b) {
-            self.contacts.push(Contact { first: a.interval, second: b.interval });
+            self.touches(Contact { first: a.interval, second: b.interval });
             return true;
         }
         false
@@ -224,13 +226,7 @@ impl<'c> Search<'c> {
 
     /// Meetings in order; contacts that belong together are one meeting.
     fn finish(mut self) -> Result<Vec<Meeting>, GeomError> {
-        let size = Bounds::of(self.first.points()).map_or(0.0, Bounds::diagonal);
-        let longest_touch = LONGEST_TOUCH * (self.tolerance * size).sqrt();
-        for stretch in joined(std::mem::take(&mut self.contacts)) {
-            let (start, end) = (stretch.first.start(), stretch.first.end());
-            if longest_touch < self.first.point_at(start).distance(self.first.point_at(end)) {
-                return Err(GeomError::RunTogether { start, end });
-            }
+        for stretch in std::mem::take(&mut self.contacts) {
             self.meetings.extend(self.touching(stretch));
         }
         Ok(self.without_repeats())
@@ -361,36 +357,9 @@ fn nearest_parameter(curve: &NurbsCurve, interval: Interval, p: DVec3, start: f6
     t
 }
 
-/// Contacts that lie next to one another on both curves as one.
-fn joined(contacts: Vec<Contact>) -> Vec<Contact> {
-    let mut stretches: Vec<Contact> = Vec::new();
-    for mut contact in contacts {
-        // What is joined may reach others that neither reached alone.
-        while let Some(idx) = stretches.iter().position(|stretch| {
-            are_near(stretch.first, contact.first) && are_near(stretch.second, contact.second)
-        }) {
-            let stretch = stretches.swap_remove(idx);
-            contact.first = hull(stretch.first, contact.first);
-            contact.second = hull(stretch.second, contact.second);
-        }
-        stretches.push(contact);
-    }
-    stretches
-}
-
-/// Whether the gap between two intervals is not wider than they are.
-fn are_near(a: Interval, b: Interval) -> bool {
-    let gap = (a.start() - b.end()).max(b.start() - a.end());
-    gap <= a.length() + b.length()
-}
-
 /// A parameter within one width of an interval, and of the domain.
 fn beside(curve: &NurbsCurve, interval: Interval, t: f64) -> f64 {
     let (width, domain) = (interval.length(), curve.domain());
     let low = (interval.start() - width).max(domain.start());
     t.clamp(low, (interval.end() + width).min(domain.end()))
-}
-
-fn hull(a: Interval, b: Interval) -> Interval {
-    Interval::new(a.start().min(b.start()), a.end().max(b.end())).unwrap_or(a)
 }

@@ -1,6 +1,6 @@
 //! Length and extent of curves.
 
-use super::NurbsCurve;
+use super::{NurbsCurve, part::Part};
 use crate::kernel::{
     Bounds, Grid, Interval, KnotVector,
     frame::norm,
@@ -14,6 +14,10 @@ const MAX_HALVINGS: usize = 40;
 
 /// Pieces of one span; only noise needs more than some hundred, and has no better answer.
 const MAX_PIECES: usize = 10_000;
+
+/// Cuts for a span, on average, where the tangent turns; a cusp takes some fifty, and more only what
+/// turns at random.
+const MAX_CUTS: usize = 200;
 
 /// Positive nodes on −1..1 and weights of the Gauss-Legendre rule with 16 nodes.
 ///
@@ -62,14 +66,34 @@ impl NurbsCurve {
         self.refined_length(interval, estimate, accuracy)
     }
 
-    /// The interval cut to the domain and at the knots.
+    /// The interval cut to the domain, at the knots, and so often that no tangent of a piece is far
+    /// from another: beside a cusp nodes on one side alone would agree on the wrong length.
     fn smooth_pieces(&self, interval: Interval) -> Vec<Interval> {
-        let cut = |span: usize| {
+        let short = LAST_BIT * self.magnitude();
+        let overlaps = |&span: &usize| {
             let span = self.knots.span_interval(span);
-            let (start, end) = (span.start().max(interval.start()), span.end().min(interval.end()));
-            Interval::new(start, end).ok()
+            interval.start() < span.end() && span.start() < interval.end()
         };
-        self.knots.spans().filter_map(cut).collect()
+        let spans: Vec<usize> = self.knots.spans().filter(overlaps).collect();
+        let mut pieces = Vec::new();
+        let most = spans.len().saturating_mul(MAX_CUTS);
+        let mut n_cuts = 0;
+        let mut todo: Vec<(Part, usize)> =
+            spans.into_iter().rev().map(|span| (Part::of_span(self, span), 0)).collect();
+        while let Some((part, n_halvings)) = todo.pop() {
+            let own = part.interval;
+            let (start, end) = (own.start().max(interval.start()), own.end().min(interval.end()));
+            let Ok(piece) = Interval::new(start, end) else { continue };
+            let is_smooth = part.cone.is_narrow() || part.bounds.diagonal() <= short;
+            if is_smooth || MAX_HALVINGS <= n_halvings || most <= n_cuts {
+                pieces.push(piece);
+            } else {
+                n_cuts += 1;
+                let [left, right] = part.halves();
+                todo.extend([(right, n_halvings + 1), (left, n_halvings + 1)]);
+            }
+        }
+        pieces
     }
 
     fn refined_length(&self, piece: Interval, estimate: f64, accuracy: f64) -> f64 {

@@ -31,14 +31,15 @@ pub(super) struct Cone {
 
 /// The pieces of a curve between its knots.
 pub(super) fn parts(curve: &NurbsCurve) -> Vec<Part> {
-    let part = |span: usize| {
-        let points = bezier::piece(curve.knots(), curve.control_points(), span);
-        Part::new(curve.knots().span_interval(span), points)
-    };
-    curve.knots().spans().map(part).collect()
+    curve.knots().spans().map(|span| Part::of_span(curve, span)).collect()
 }
 
 impl Part {
+    pub(super) fn of_span(curve: &NurbsCurve, span: usize) -> Self {
+        let points = bezier::piece(curve.knots(), curve.control_points(), span);
+        Self::new(curve.knots().span_interval(span), points)
+    }
+
     fn new(interval: Interval, points: Vec<DVec4>) -> Self {
         let places = points.iter().map(|&point| homogeneous::place(point));
         let bounds = Bounds::of(places).unwrap_or(Bounds { min: DVec3::ZERO, max: DVec3::ZERO });
@@ -52,10 +53,28 @@ impl Part {
         [Self::new(before, left), Self::new(behind, right)]
     }
 
-    /// Whether the boxes are within the tolerance of one another.
+    /// Whether the boxes are within the tolerance of one another, and the control points across
+    /// the chord, where two that run side by side are told apart.
     pub(super) fn may_meet(&self, other: &Self, tolerance: f64) -> bool {
         self.bounds.min.cmple(other.bounds.max + tolerance).all()
             && other.bounds.min.cmple(self.bounds.max + tolerance).all()
+            && !self.lies_beside(other, tolerance)
+    }
+
+    /// Whether a plane along the chord parts the control points by more than the tolerance.
+    fn lies_beside(&self, other: &Self, tolerance: f64) -> bool {
+        let ends = |part: &Self| [0, part.points.len() - 1].map(|i| part.points[i]);
+        let [own, others] = [ends(self), ends(other)].map(|ends| ends.map(homogeneous::place));
+        let chord = own[1] - own[0];
+        let between = 0.5 * (others[0] + others[1] - own[0] - own[1]);
+        let across = between - chord * (between.dot(chord) / chord.length_squared());
+        let Some(across) = across.try_normalize() else { return false };
+        let along = |part: &Self| -> Vec<f64> {
+            part.points.iter().map(|&point| homogeneous::place(point).dot(across)).collect()
+        };
+        let highest = along(self).into_iter().fold(f64::NEG_INFINITY, f64::max);
+        let lowest = along(other).into_iter().fold(f64::INFINITY, f64::min);
+        tolerance < lowest - highest
     }
 
     /// How far the control points are from the chord at most.
@@ -95,6 +114,11 @@ impl Cone {
 
     pub(super) fn is_within_half_turn(self) -> bool {
         self.angle.is_some_and(|angle| angle < std::f64::consts::FRAC_PI_2)
+    }
+
+    /// Whether it is at most a quarter turn wide, so that the speed in it stays away from zero.
+    pub(super) fn is_narrow(self) -> bool {
+        self.angle.is_some_and(|angle| angle <= std::f64::consts::FRAC_PI_4)
     }
 
     /// A cone around both.

@@ -27,7 +27,9 @@ pub(super) fn check_order(order: Spanned<usize>) -> Result<usize> {
         return Ok(order.value);
     }
     let message = format!("continuity is of order 0 to {HIGHEST_ORDER}, found {}", order.value);
-    Diagnostic::error(Code::BadChoice, order.span, message).fail()
+    Diagnostic::error(Code::BadCall, order.span, message)
+        .hint("order 1 keeps the derivative, 2 the bend too, 3 its change; 0 joins the ends only")
+        .fail()
 }
 
 /// Fails for a knot that is to be changed no times.

@@ -1,0 +1,11 @@
+let n = 0
+curve nothing = circle((0, 0), 0)
+curve undefined = bezier([for x in [1, 0, 2]: (x, x / n)])
+curve from_a_function = polyline(map([1, 2, 3], x => (x, ln(n * x))))
+curve beyond = bezier((0, 0), (1, 1e308 * 10), (2, 0))
+curve biased = beta_spline([(0, 0), (1, 2), (3, 3), (4, 0)], bias = 1e300)
+curve opposite = nurbs([(0, 0), (1, 2), (3, 3), (4, 0)], weights = [1, 2, -1, 1])
+curve still = interpolate([(0, 0), (1, 2), (3, 3)], tangents = [(1, 0), (0, 0)])
+curve tight = approximate([(0, 0), (1, 2), (3, 3), (4, 0), (5, 5)], tolerance = 1e-300)
+curve uncounted = interpolate([(0, 0), (1, 2), (3, 3)], parameters = [0, 1])
+curve backward = interpolate([(0, 0), (1, 2), (3, 3)], parameters = [0, 2, 1])
