@@ -44,3 +44,9 @@ check every(linspace(0, 2, 9), u => continuity(bonnet(u, _)).g >= 2) "no crease 
 curve shut_line = border(bonnet)
 check shut_line.closed
 print len(wireframe(bonnet, 5, 9))
+
+// Stripes of light lie across the panel: without a kink where panel and nose meet.
+curves stripes = zebra(bonnet, (0.3, 0, 1), bands = 24)
+print len(stripes)
+check not any(stripes, c => any(corners(c), t => c(t).x > 100)) "the stripes have no corner"
+export stripes to "car-bonnet-zebra.obj"

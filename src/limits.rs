@@ -72,7 +72,7 @@ impl Limits {
         mesh_vertices: 20_000_000,
         degree: 100,
         control_points: 10_000_000,
-        fit_steps: 1_000_000,
+        fit_steps: 4_000_000,
         stack_bytes: 512 << 20,
         input_bytes: 1 << 30,
         import_nesting: 64,

@@ -5,19 +5,21 @@
 
 mod ceiling;
 mod inspect;
+mod options;
 mod plan;
+mod stop;
 mod test;
 
-use std::sync::Arc;
+use std::sync::{Arc, atomic::AtomicBool};
 
 pub use ceiling::name_flag;
-use plan::{Misfit, gather, options, safe_path, unknown_format};
 pub use test::{Tested, Verdict};
 
 use crate::{
     diag::{Code, Diagnostic, Severity, Sources, Span},
-    eval::{self, Exported, Memory, Output, Purpose, Setting, Work},
+    eval::{self, Memory, Output, Purpose, Setting, Work},
     export::{Format, Job},
+    kernel::Tolerance,
     limits::{Ceiling, Limits},
     ops,
     syntax::ast::Unit,
@@ -33,6 +35,7 @@ pub struct Session {
     /// Of an incremental session.
     memory: Option<Memory>,
     held: fn() -> usize,
+    stop: &'static AtomicBool,
 }
 
 /// A file that a script exports, ready to be written.
@@ -106,7 +109,8 @@ impl Session {
     /// A session with all built-ins and these ceilings.
     #[must_use]
     pub fn new(limits: Limits) -> Self {
-        Self { registry: ops::registry(), limits, n_threads: 1, memory: None, held: || 0 }
+        let stop = &stop::NEVER;
+        Self { registry: ops::registry(), limits, n_threads: 1, memory: None, held: || 0, stop }
     }
 
     /// The same on up to `n_threads` threads; results and messages do not depend on their number.
@@ -154,13 +158,6 @@ impl Session {
     #[must_use]
     pub fn n_remembered(&self) -> usize {
         self.memory.as_ref().map_or(0, Memory::len)
-    }
-
-    /// The same with a measure of the memory that is held, in bytes, for the ceiling on it;
-    /// without one that ceiling is not kept.
-    #[must_use]
-    pub fn measured(self, held: fn() -> usize) -> Self {
-        Self { held, ..self }
     }
 
     /// The built-ins.
@@ -244,15 +241,17 @@ impl Session {
             purpose,
             recall: recall.as_ref(),
             held: self.held,
+            stop: self.stop,
         };
         let outcome = eval::evaluate(name, text, &mut sources, settings);
         if let Some(recall) = recall {
             recall.end(outcome.diagnostics.iter().any(|found| found.severity == Severity::Error));
         }
         let mut diagnostics = outcome.diagnostics;
-        let events = self.events(outcome.outputs, outcome.unit, &mut diagnostics);
+        let document = (outcome.unit, outcome.tolerance);
+        let events = self.events(outcome.outputs, document, &mut diagnostics);
         let tested =
-            outcome.tests.into_iter().map(|test| self.tested(test, outcome.unit, &mut diagnostics));
+            outcome.tests.into_iter().map(|test| self.tested(test, document, &mut diagnostics));
         let tests = tested.collect();
         eval::in_order(&mut diagnostics);
         Report {
@@ -310,7 +309,7 @@ impl Session {
     fn events(
         &self,
         outputs: Vec<Output>,
-        unit: Unit,
+        document: (Unit, Tolerance),
         diagnostics: &mut Vec<Diagnostic>,
     ) -> Vec<Event> {
         let mut events = Vec::new();
@@ -321,7 +320,7 @@ impl Session {
                 Output::Checked(checked) => events.push(Event::Checked(checked)),
                 Output::Expected(expected) => events.push(Event::Expected(expected)),
                 Output::Exported(exported) => {
-                    let Some(file) = self.plan(exported, unit, diagnostics) else { continue };
+                    let Some(file) = self.plan(exported, document, diagnostics) else { continue };
                     match written.iter().find(|(path, _)| path.eq_ignore_ascii_case(&file.path)) {
                         Some(&(_, first)) => diagnostics.push(
                             Diagnostic::error(
@@ -343,51 +342,5 @@ impl Session {
             }
         }
         events
-    }
-
-    /// The file that an export makes; what is wrong with it goes to `diagnostics`.
-    fn plan(
-        &self,
-        exported: Exported,
-        unit: Unit,
-        diagnostics: &mut Vec<Diagnostic>,
-    ) -> Option<File> {
-        let before = diagnostics.len();
-        let span = exported.path.span;
-        if self.limits.memory_bytes < (self.held)() {
-            diagnostics.push(eval::out_of_memory(&self.limits, span));
-            return None;
-        }
-        let path = safe_path(&exported.path.value).map_err(|message| {
-            diagnostics.push(
-                Diagnostic::error(Code::PathEscapes, span, message)
-                    .hint("paths are relative to the output folder, which `--out` names"),
-            );
-        });
-        let Some(format) = Format::of_path(&exported.path.value) else {
-            diagnostics.push(unknown_format(&exported.path.value, span));
-            return None;
-        };
-        let mut items = Vec::new();
-        for (name, value) in exported.subjects {
-            if let Err(Misfit { found, hint }) = gather(&name, &value.value, format, &mut items) {
-                let message = format!("`.{}` takes {}, found {found}", format.ending, format.wants);
-                diagnostics
-                    .push(Diagnostic::error(Code::CannotExport, value.span, message).hint(hint));
-            }
-        }
-        if items.is_empty() && diagnostics.len() == before {
-            diagnostics.push(
-                Diagnostic::error(Code::CannotExport, span, "there is nothing to export")
-                    .label("this file would be empty")
-                    .hint("`export all` takes the definitions that begin with `point`, `curve`, `surface` or `mesh`"),
-            );
-        }
-        let tolerance = options(&exported.options, format, diagnostics);
-        if diagnostics.len() > before {
-            return None;
-        }
-        let job = Job { items, unit: unit.name(), tolerance, limits: self.limits };
-        Some(File { path: path.ok()?, span, names: exported.names, format, job })
     }
 }

@@ -79,3 +79,114 @@ fn lines_and_points_of_our_own_files_do_not_become_triangles() {
     let output = virote(&scratch.0).arg("run").arg(back).output().expect("it starts");
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
 }
+
+/// A script with a surface, a curve and a point, exported to one file of this ending.
+fn exported(scratch: &Scratch, ending: &str) -> Vec<u8> {
+    let script = scratch.file(
+        "s.geo",
+        format!(
+            "surface s = torus((1, 2, 3), 4, 1) with (color = \"#102030\", layer = \"hull\")\n\
+             curve c = circle((0, 0, 9), 2)\npoint p = (7, 8, 9)\nexport all to \"s.{ending}\"\n"
+        ),
+    );
+    assert!(virote(&scratch.0).arg("run").arg(script).status().expect("it starts").success());
+    fs::read(scratch.0.join(format!("s.{ending}"))).expect("written")
+}
+
+/// A number of four bytes.
+fn word(bytes: &[u8], at: usize) -> usize {
+    u32::from_le_bytes(bytes[at..at + 4].try_into().expect("four bytes")) as usize
+}
+
+#[test]
+fn the_parts_of_a_glb_are_where_its_text_says_and_what_it_says() {
+    let scratch = Scratch::new("readback-glb");
+    let bytes = exported(&scratch, "glb");
+    assert_eq!(
+        (&bytes[..4], word(&bytes, 4), word(&bytes, 8)),
+        (b"glTF".as_slice(), 2, bytes.len())
+    );
+    let n_text = word(&bytes, 12);
+    let text: serde_json::Value = serde_json::from_slice(&bytes[20..20 + n_text]).expect("JSON");
+    let binary = &bytes[28 + n_text..];
+    assert_eq!(binary.len(), word(&bytes, 20 + n_text));
+    assert_eq!(text["buffers"][0]["byteLength"], binary.len());
+    assert_eq!(text["materials"][0]["name"], "hull");
+
+    let number = |json: &serde_json::Value| json.as_u64().expect("a number") as usize;
+    let mut next = 0;
+    for accessor in text["accessors"].as_array().expect("a list") {
+        let view = &text["bufferViews"][number(&accessor["bufferView"])];
+        let (first, n_bytes) = (number(&view["byteOffset"]), number(&view["byteLength"]));
+        assert_eq!((first, first % 4), (next, 0));
+        next = first + n_bytes;
+        let count = number(&accessor["count"]);
+        if accessor["type"] == "SCALAR" {
+            assert_eq!(n_bytes, 4 * count);
+            continue;
+        }
+        assert_eq!(n_bytes, 12 * count);
+        let read = |i: usize| {
+            let at = first + 4 * i;
+            f32::from_le_bytes(binary[at..at + 4].try_into().expect("four bytes"))
+        };
+        for axis in 0..3 {
+            let of_axis = (0..count).map(|i| read(3 * i + axis));
+            let (low, high) =
+                (of_axis.clone().fold(f32::MAX, f32::min), of_axis.fold(f32::MIN, f32::max));
+            if let Some(least) = accessor["min"].get(axis) {
+                assert_eq!(least.as_f64(), Some(f64::from(low)));
+                assert_eq!(accessor["max"][axis].as_f64(), Some(f64::from(high)));
+            }
+        }
+    }
+    assert_eq!(next, binary.len());
+    // The point in metres, y upward.
+    let places = text["accessors"].as_array().expect("a list").last().expect("the point's");
+    for (found, expected) in
+        places["min"].as_array().expect("three").iter().zip([0.007, 0.009, -0.008])
+    {
+        assert!((found.as_f64().expect("a number") - expected).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn every_record_of_a_step_file_that_is_named_exists_once() {
+    let scratch = Scratch::new("readback-step");
+    let text = String::from_utf8(exported(&scratch, "step")).expect("ASCII");
+    assert!(
+        text.is_ascii()
+            && text.starts_with("ISO-10303-21;")
+            && text.ends_with("END-ISO-10303-21;\n")
+    );
+    let records: Vec<&str> = text.lines().filter(|line| line.starts_with('#')).collect();
+    for (i, record) in records.iter().enumerate() {
+        let (name, body) = record.split_once('=').expect("a record");
+        assert_eq!(name, format!("#{}", i + 1));
+        for reference in body.split('#').skip(1) {
+            let digits: String = reference.chars().take_while(char::is_ascii_digit).collect();
+            let number: usize = digits.parse().expect("a number");
+            assert!((1..=records.len()).contains(&number) && number != i + 1, "{record}");
+        }
+        assert_eq!(body.matches('(').count(), body.matches(')').count(), "{record}");
+    }
+}
+
+#[test]
+fn cards_of_iges_have_eighty_columns_and_numbers_in_order() {
+    let scratch = Scratch::new("readback-iges");
+    let text = String::from_utf8(exported(&scratch, "igs")).expect("ASCII");
+    let mut counts = std::collections::BTreeMap::<char, usize>::new();
+    for card in text.lines() {
+        assert_eq!(card.len(), 80, "{card}");
+        let section = card.as_bytes()[72] as char;
+        let count = counts.entry(section).or_default();
+        *count += 1;
+        assert_eq!(card[73..].trim().parse(), Ok(*count), "{card}");
+    }
+    let last = text.lines().last().expect("a card");
+    for (i, section) in ['S', 'G', 'D', 'P'].into_iter().enumerate() {
+        let told = format!("{section}{:>7}", counts[&section]);
+        assert_eq!(&last[8 * i..8 * (i + 1)], told);
+    }
+}

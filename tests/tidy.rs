@@ -27,7 +27,10 @@ const GUESTS: &[(&str, &[&str])] = &[
     ("chumsky", &["src/syntax/parser/"]),
     ("ariadne", &["src/render.rs"]),
     ("clap", &["src/cli/"]),
+    ("ctrlc", &["src/cli/repl/engine.rs"]),
+    ("rustyline", &["src/cli/repl/editor.rs"]),
     ("cap", &["src/main.rs"]),
+    ("indicatif", &["src/cli/progress.rs"]),
     ("tobj", &["src/ops/mesh/obj.rs"]),
 ];
 

@@ -11,7 +11,7 @@ use super::{
     limits::{self, Moved},
     process, settings,
 };
-use crate::{eval::Setting, session::Session};
+use crate::{eval::Setting, limits::Limits, session::Session};
 
 /// Exact freeform curves and surfaces from a declarative language.
 #[derive(Debug, Parser)]
@@ -28,6 +28,7 @@ Examples:
   virote run bottle.geo --out build --dry-run  tell what would be written to build/
   virote check *.geo                           everything but the files
   virote test                                  the tests and checks of all scripts below
+  virote repl bottle.geo                       questions about it
   virote params bottle.geo                     its parameters
   virote graph bottle.geo                      what depends on what, for Graphviz
   virote fmt bottle.geo                        rewrite it in canonical form
@@ -88,6 +89,25 @@ Examples:
         /// Runs only the tests whose names contain this, and not the checks outside of them
         #[arg(long, value_name = "SUBSTRING")]
         filter: Option<String>,
+        #[command(flatten)]
+        common: Common,
+    },
+    /// Answers questions and takes statements, one by one
+    ///
+    /// Statements join a document, expressions are answered, and commands begin with a colon:
+    /// `:help` lists them. Without a terminal, entries come from standard input and only answers are
+    /// written.
+    #[command(after_help = "\
+Examples:
+  virote repl                         an empty document
+  virote repl bottle.geo              the definitions of a script to begin with
+  echo 'length(circle((0, 0), 1))' | virote repl")]
+    Repl {
+        /// A script to begin with
+        file: Option<PathBuf>,
+        /// The folder for exported files [default: the script's own]
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
         #[command(flatten)]
         common: Common,
     },
@@ -213,9 +233,18 @@ pub(super) enum ColorWhen {
 impl Common {
     /// A session as these options want it.
     pub(super) fn session(&self) -> Session {
+        process::session(self.ceilings()).on_threads(self.n_threads())
+    }
+
+    /// The ceilings.
+    pub(super) fn ceilings(&self) -> Limits {
+        limits::moved(&self.limits)
+    }
+
+    /// How many threads may evaluate.
+    pub(super) fn n_threads(&self) -> usize {
         let n_threads = self.threads.or_else(|| std::thread::available_parallelism().ok());
-        process::session(limits::moved(&self.limits))
-            .on_threads(n_threads.map_or(1, std::num::NonZeroUsize::get))
+        n_threads.map_or(1, std::num::NonZeroUsize::get)
     }
 }
 

@@ -37,6 +37,11 @@ impl Voice {
         }
     }
 
+    /// Whether people want to see that something happens.
+    pub(super) fn is_lively(&self) -> bool {
+        !self.is_json && !self.is_quiet
+    }
+
     /// Findings: the first of them as pictures, the rest counted; in JSON all of them.
     pub(super) fn findings(&self, diagnostics: &[Diagnostic], sources: &Sources) {
         if self.is_json {
@@ -127,7 +132,8 @@ impl Voice {
                     "path": path,
                     "vertices": summary.vertices,
                     "triangles": summary.triangles,
-                    "curves": summary.polylines,
+                    "surfaces": summary.surfaces,
+                    "curves": summary.curves,
                     "points": summary.points,
                     "rows": summary.rows,
                     "values": summary.values,

@@ -10,6 +10,8 @@ mod look;
 mod message;
 mod params;
 mod process;
+mod progress;
+mod repl;
 mod run;
 mod settings;
 mod test;
@@ -18,6 +20,7 @@ mod write;
 use std::{
     io::{self, Write},
     process::ExitCode,
+    sync::atomic::{AtomicBool, Ordering},
 };
 
 use clap::Parser as _;
@@ -86,6 +89,7 @@ fn dispatch(verb: Verb) -> Ending {
         Verb::Test { paths, filter, common } => test::run(&paths, filter.as_deref(), &common),
         Verb::Params { file, json, talk } => params::run(&file, json, &talk),
         Verb::Graph { file, json, talk } => graph::run(&file, json, &talk),
+        Verb::Repl { file, out, common } => repl::run(file.as_deref(), out.as_deref(), &common),
         Verb::Fmt { files, check, talk } => fmt::run(&files, check, &talk),
         Verb::Doc { name } => doc(name.as_deref()),
         Verb::Explain { code } => explain(code.as_deref()),
@@ -140,11 +144,20 @@ fn explain(code: Option<&str>) -> Ending {
     }
 }
 
+/// Whether the reader of standard output went away.
+static CLOSED: AtomicBool = AtomicBool::new(false);
+
 /// Writes to standard output. A reader that went away is no error.
 fn say(text: &str) {
     let mut out = io::stdout().lock();
-    let _ = out.write_all(text.as_bytes());
-    let _ = out.flush();
+    if out.write_all(text.as_bytes()).and_then(|()| out.flush()).is_err() {
+        CLOSED.store(true, Ordering::Relaxed);
+    }
+}
+
+/// Whether nobody reads standard output any more.
+fn is_closed() -> bool {
+    CLOSED.load(Ordering::Relaxed)
 }
 
 /// Writes a line to standard error.

@@ -7,6 +7,7 @@ use super::{
     args::Common,
     files::{Beside, Script},
     message::Voice,
+    progress::Progress,
     settings,
     write::{Refusal, Staged, Target, failure},
 };
@@ -19,7 +20,7 @@ use crate::{
 
 /// Whether and where a run writes its files.
 #[derive(Clone, Copy)]
-enum Mode<'a> {
+pub(super) enum Mode<'a> {
     /// Below this folder; by default the script's own.
     Write(Option<&'a Path>),
     /// Nowhere, but tells what it would write.
@@ -83,6 +84,7 @@ impl<'a> Run<'a> {
             }
         };
         let files = Beside::new(&script.folder);
+        let progress = Progress::begin(&format!("evaluating {}", script.name), voice.is_lively());
         let mut report = self.session.run(&script.name, &script.bytes, &files, &self.settings);
         let mut misuse = std::mem::take(&mut report.unknown_settings);
         misuse.extend(choose(&mut report, self.only));
@@ -99,7 +101,7 @@ impl<'a> Run<'a> {
         inputs.extend(script.path);
         inputs.extend(self.params.map(Path::to_path_buf));
         let targets = targets(&mut report, &out, &inputs);
-        act(&report, &targets, self.mode, voice)
+        act(&report, &targets, self.mode, progress, voice)
     }
 }
 
@@ -150,7 +152,11 @@ fn not_exported(name: &str, report: &Report, exported: &[&String]) -> String {
 }
 
 /// The places of all files, before any is written; what is forbidden becomes a finding.
-fn targets(report: &mut Report, out: &Path, inputs: &[PathBuf]) -> Vec<Result<Target, String>> {
+pub(super) fn targets(
+    report: &mut Report,
+    out: &Path,
+    inputs: &[PathBuf],
+) -> Vec<Result<Target, String>> {
     let mut targets = Vec::new();
     for event in &report.events {
         let Event::File(file) = event else { continue };
@@ -171,10 +177,11 @@ fn targets(report: &mut Report, out: &Path, inputs: &[PathBuf]) -> Vec<Result<Ta
 }
 
 /// Prints, and writes files unless the script has an error.
-fn act(
+pub(super) fn act(
     report: &Report,
     targets: &[Result<Target, String>],
     mode: Mode<'_>,
+    progress: Progress,
     voice: &Voice,
 ) -> Ending {
     let has_errors = report.count(Severity::Error) > 0;
@@ -182,9 +189,10 @@ fn act(
     let (mut n_checks, mut n_failed) = (0, 0);
     let mut outcomes = match has_errors {
         true => Vec::new(),
-        false => staged(report, targets, mode),
+        false => staged(report, targets, mode, &progress),
     }
     .into_iter();
+    drop(progress);
     let is_refused =
         outcomes.as_slice().iter().any(|outcome| matches!(outcome, Outcome::Refused(..)));
     for event in &report.events {
@@ -240,15 +248,25 @@ enum Outcome {
     Refused(Code, String, Ending),
 }
 
-fn staged(report: &Report, targets: &[Result<Target, String>], mode: Mode<'_>) -> Vec<Outcome> {
+fn staged(
+    report: &Report,
+    targets: &[Result<Target, String>],
+    mode: Mode<'_>,
+    progress: &Progress,
+) -> Vec<Outcome> {
     let files = report.events.iter().filter_map(|event| match event {
         Event::File(file) => Some(file),
         _ => None,
     });
-    files.zip(targets).map(|(file, target)| stage(file, target, mode)).collect()
+    files.zip(targets).map(|(file, target)| stage(file, target, mode, progress)).collect()
 }
 
-fn stage(file: &File, target: &Result<Target, String>, mode: Mode<'_>) -> Outcome {
+fn stage(
+    file: &File,
+    target: &Result<Target, String>,
+    mode: Mode<'_>,
+    progress: &Progress,
+) -> Outcome {
     let cannot = |why: &str| format!("cannot write `{}`: {why}", file.path);
     let target = match (mode, target) {
         (Mode::Check, _) => return Outcome::Unasked,
@@ -259,9 +277,11 @@ fn stage(file: &File, target: &Result<Target, String>, mode: Mode<'_>) -> Outcom
         (Mode::Write(_), Ok(target)) => target,
     };
     let most = file.job.limits.output_bytes;
-    match target.stage(most, |out| (file.format.write)(&file.job, out)) {
+    progress.say(&format!("preparing {}", file.path));
+    let told = |n_bytes| progress.written(&file.path, n_bytes);
+    match target.stage(most, &told, |out| (file.format.write)(&file.job, out)) {
         Ok((staged, summary)) => Outcome::Staged(staged, summary),
-        Err(err @ ExportError::Geometry { .. }) => {
+        Err(err @ (ExportError::Geometry { .. } | ExportError::Unfit { .. })) => {
             Outcome::Refused(Code::CannotExport, failure(&err), Ending::Wrong)
         }
         Err(err @ ExportError::TooLarge { .. }) => {

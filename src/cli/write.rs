@@ -61,15 +61,17 @@ impl Target {
         Ok(Self { folder, path: full })
     }
 
-    /// Writes the file, of no more than `most` bytes, through `write`, under a temporary name.
+    /// Writes the file, of no more than `most` bytes, through `write`, under a temporary name;
+    /// tells `progress` how far it is.
     pub(super) fn stage(
         &self,
         most: u64,
+        progress: &dyn Fn(u64),
         write: impl FnOnce(&mut dyn Write) -> Result<Summary, ExportError>,
     ) -> Result<(Staged, Summary), ExportError> {
         fs::create_dir_all(&self.folder)?;
         Staged::new(&self.path, None, |out| {
-            let mut out = Capped { out, n_left: most, is_full: false };
+            let mut out = Capped { out, most, n_left: most, is_full: false, progress };
             let written = write(&mut out);
             if out.is_full { Err(ExportError::TooLarge { most }) } else { written }
         })
@@ -104,7 +106,15 @@ impl Staged {
 
     /// Puts it into its place.
     pub(super) fn place(self) -> io::Result<()> {
-        fs::rename(&self.temporary, &self.path)
+        fs::rename(&self.temporary, &self.path)?;
+        // The name itself is on the disk when its folder is; not every system lets one ask.
+        if let Some(folder) = self.path.parent()
+            && let Ok(folder) =
+                File::open(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })
+        {
+            let _ = folder.sync_all();
+        }
+        Ok(())
     }
 }
 
@@ -118,8 +128,10 @@ impl Drop for Staged {
 /// Takes so many bytes and no more.
 struct Capped<'a> {
     out: &'a mut dyn Write,
+    most: u64,
     n_left: u64,
     is_full: bool,
+    progress: &'a dyn Fn(u64),
 }
 
 impl Write for Capped<'_> {
@@ -130,6 +142,7 @@ impl Write for Capped<'_> {
         }
         let n_taken = self.out.write(bytes)?;
         self.n_left -= n_taken as u64;
+        (self.progress)(self.most - self.n_left);
         Ok(n_taken)
     }
 

@@ -181,6 +181,8 @@ codes! {
     // E09xx: ceilings.
     TooLarge "E0901" "more than the ceiling"
         "Lists, meshes, degrees and steps have ceilings, so that a slip of the pen does not exhaust the machine. The message names the ceiling; `--limit` moves those that are not set by the mathematics."
+    Stopped "E0902" "stopped before it was done"
+        "Whoever asked did not want to wait any longer. At the prompt Ctrl-C does this; the document stays as it was."
 
     // E10xx: claims.
     CheckFailed "E1001" "a check does not hold"

@@ -171,8 +171,14 @@ impl Machine<'_> {
         let meter = self.meter();
         let home = Arc::clone(&self.home);
         let files = Beside { files: env.files, folder: &home.folder, reads: self.reads.clone() };
-        let mut ctx =
-            Ctx { tolerance: env.tolerance, limits: env.limits, files: &files, span, caller: self };
+        let mut ctx = Ctx {
+            tolerance: env.tolerance,
+            limits: env.limits,
+            files: &files,
+            span,
+            sources: env.sources,
+            caller: self,
+        };
         let (value, used) = meter.lend(|| (op.run)(&mut ctx, call));
         // What the operation called was counted by this machine; what it asked, by the meter.
         self.add_steps(used.steps - meter.steps);

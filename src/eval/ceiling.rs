@@ -1,6 +1,8 @@
 //! The ceilings that the machine keeps while it evaluates: steps, depth, memory, and how large a
 //! value may be.
 
+use std::sync::atomic::Ordering;
+
 use super::machine::Machine;
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
@@ -30,8 +32,14 @@ impl Machine<'_> {
         Diagnostic::error(Code::TooLarge, span, message).label("under way here").fail()
     }
 
-    /// Fails when the run holds more memory than it may.
+    /// Fails when the run holds more memory than it may, or is no longer wanted.
     pub(super) fn check_memory(&mut self, span: Span) -> Result<()> {
+        if self.env.stop.load(Ordering::Relaxed) {
+            self.is_full = true;
+            return Diagnostic::error(Code::Stopped, span, "the evaluation was stopped")
+                .label("under way here")
+                .fail();
+        }
         if (self.env.held)() <= self.env.limits.memory_bytes {
             return Ok(());
         }

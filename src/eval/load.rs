@@ -24,6 +24,8 @@ pub(super) struct Loaded<'a> {
     /// What it imports.
     pub(super) library: Library<'a>,
     pub(super) program: Program,
+    /// The texts of all of that.
+    sources: Sources,
     /// What is wrong so far.
     pub(super) diagnostics: Vec<Diagnostic>,
 }
@@ -50,7 +52,8 @@ pub(super) fn load<'a>(
     let lowered = lower::lower(&tree, origin, settings.registry, unit);
     diagnostics.extend(lowered.diagnostics);
     let document = Document { text, base };
-    Loaded { document, unit, library, program: lowered.program, diagnostics }
+    let (program, sources) = (lowered.program, sources.clone());
+    Loaded { document, unit, library, program, sources, diagnostics }
 }
 
 /// The unit that a script states; millimetres where it states none.
@@ -71,7 +74,9 @@ impl Loaded<'_> {
             tolerance: self.program.tolerance,
             unit: self.program.unit,
             library: Some(&self.library),
+            sources: Some(&self.sources),
             held: settings.held,
+            stop: settings.stop,
         }
     }
 }

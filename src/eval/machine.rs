@@ -6,7 +6,7 @@
 
 use std::{
     collections::BTreeSet,
-    sync::{Arc, Mutex},
+    sync::{Arc, Mutex, atomic::AtomicBool},
 };
 
 use super::{
@@ -20,7 +20,7 @@ use super::{
     parametric::{Asked, Meter},
 };
 use crate::{
-    diag::{Code, Diagnostic, Result, Span},
+    diag::{Code, Diagnostic, Result, Sources, Span},
     kernel::{CurveFunction, SurfaceFunction, Tolerance},
     limits::Limits,
     syntax::ast::Unit,
@@ -36,8 +36,12 @@ pub(crate) struct Env<'a> {
     pub(crate) unit: Unit,
     /// The files that the script imports.
     pub(crate) library: Option<&'a Library<'a>>,
+    /// The texts of the script and of what it imports.
+    pub(crate) sources: Option<&'a Sources>,
     /// How many bytes of memory are held.
     pub(crate) held: fn() -> usize,
+    /// Set by whoever no longer wants the answer.
+    pub(crate) stop: &'static AtomicBool,
 }
 
 /// The machine. One for each thread that evaluates.

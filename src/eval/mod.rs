@@ -16,6 +16,7 @@ mod ir;
 mod lanes;
 mod library;
 mod load;
+mod look;
 mod lower;
 mod machine;
 mod memory;
@@ -38,7 +39,9 @@ pub use dependencies::{Graph, Node, graph};
 pub use home::Kept;
 pub use memory::{Memory, Recall, Work};
 pub(crate) use outcome::in_order;
-pub use outcome::{Checked, Defined, Expected, Exported, Outcome, Output, Printed, Tested};
+pub use outcome::{
+    Checked, Defined, Expected, Exported, Outcome, Output, Printed, Subject, Tested,
+};
 pub use param::Setting;
 pub use run::{Purpose, Settings, evaluate};
 pub use schema::{Parameter, Schema, parameters};

@@ -5,7 +5,7 @@ use crate::{
     diag::{Code, Diagnostic, Span, Spanned},
     kernel::Tolerance,
     syntax::ast::{Kind, Unit},
-    value::Value,
+    value::{Look, Value},
 };
 
 /// A definition with its value.
@@ -21,8 +21,8 @@ pub struct Defined {
     pub value: Option<Value>,
     /// How it came by its value.
     pub work: Work,
-    /// Whether `all` leaves it out.
-    pub is_hidden: bool,
+    /// How it is presented.
+    pub look: Look,
 }
 
 /// A printed line.
@@ -68,13 +68,24 @@ impl Expected {
     }
 }
 
+/// One thing that goes into a file.
+#[derive(Clone, Debug)]
+pub struct Subject {
+    /// What the file calls it.
+    pub name: String,
+    /// Its value.
+    pub value: Spanned<Value>,
+    /// How the definition is presented that it is, or is a part of.
+    pub look: Look,
+}
+
 /// A file to be written.
 #[derive(Clone, Debug)]
 pub struct Exported {
     /// The path as the script gives it.
     pub path: Spanned<String>,
-    /// What goes into it, under names for groups.
-    pub subjects: Vec<(String, Spanned<Value>)>,
+    /// What goes into it.
+    pub subjects: Vec<Subject>,
     /// The definitions that its subjects name.
     pub names: Vec<String>,
     /// Options after `with`.

@@ -344,6 +344,8 @@ fn literal(env: Env<'_>, source: &str, registry: &Registry) -> Option<Value> {
     if matches!(value.kind, ExprKind::Poison) {
         return None;
     }
+    // Its places are not those of the script.
+    let env = Env { sources: None, ..env };
     Machine::new(env, Arc::default()).run(value, definition.n_slots).ok()
 }
 

@@ -6,7 +6,7 @@
 
 use std::{
     cell::Cell,
-    sync::{Arc, Weak},
+    sync::{Arc, Weak, atomic::AtomicBool},
 };
 
 use glam::DVec3;
@@ -73,6 +73,7 @@ pub(super) struct Asked {
     tolerance: Tolerance,
     unit: Unit,
     held: fn() -> usize,
+    stop: &'static AtomicBool,
     /// Whoever keeps the result of the script keeps it alive.
     home: Weak<Home>,
 }
@@ -93,6 +94,7 @@ impl Asked {
             tolerance: env.tolerance,
             unit: env.unit,
             held: env.held,
+            stop: env.stop,
             home,
         }))
     }
@@ -121,7 +123,9 @@ impl Asked {
             tolerance: self.tolerance,
             unit: self.unit,
             held: self.held,
+            stop: self.stop,
             library: None,
+            sources: None,
         };
         let mut machine = Machine::new(env, home);
         machine.set_meter(USED.get());

@@ -1,15 +1,15 @@
 //! A whole file: evaluates its definitions in the order of the graph, then its effects in the
 //! order of the source.
 
-use std::sync::Arc;
+use std::sync::{Arc, atomic::AtomicBool};
 
 use super::{
     home::{Home, Kept},
-    ir::{Arg, Definition, Effect, EffectKind, Expr, Kind, Program, Role},
+    ir::{Arg, Effect, EffectKind, Expr, Kind, Program, Role},
     load::{Document, Loaded, load},
     machine::Machine,
     memory::{Recall, Work},
-    outcome::{Checked, Defined, Exported, Outcome, Output, Printed, in_order},
+    outcome::{Checked, Defined, Exported, Outcome, Output, Printed, Subject, in_order},
     param::{self, Given, Setting},
     schedule,
     worker::{Inputs, Worker},
@@ -50,6 +50,8 @@ pub struct Settings<'a> {
     pub recall: Option<&'a Recall<'a>>,
     /// How many bytes of memory are held.
     pub held: fn() -> usize,
+    /// Set by whoever no longer wants the answer.
+    pub stop: &'static AtomicBool,
 }
 
 /// Interprets the script `text`, which messages call `name`; it and the files that it imports are
@@ -128,7 +130,7 @@ impl Run<'_> {
     }
 
     /// The value, or a diagnostic more.
-    fn keep<T>(&mut self, result: Result<T>) -> Option<T> {
+    pub(super) fn keep<T>(&mut self, result: Result<T>) -> Option<T> {
         result.map_err(|diagnostic| self.diagnostics.push(*diagnostic)).ok()
     }
 
@@ -148,58 +150,20 @@ impl Run<'_> {
                 }
                 (name, _) => name.to_owned(),
             };
-            let is_hidden = self.is_hidden(definition);
+            let look = self.look(definition);
             let value = self.value(idx).cloned();
             let work = match (&value, self.machine.home.mark(idx)) {
                 (None, _) => Work::Failed,
                 (Some(_), None) => Work::Evaluated,
                 (Some(_), Some(mark)) => mark.work,
             };
-            defined.push(Defined {
-                name,
-                kind,
-                span: definition.name_span,
-                value,
-                work,
-                is_hidden,
-            });
+            defined.push(Defined { name, kind, span: definition.name_span, value, work, look });
         }
         defined
     }
 
-    /// Reads the presentation after `with`; tells whether it hides the definition.
-    fn is_hidden(&mut self, definition: &Definition) -> bool {
-        let mut is_hidden = false;
-        if definition.is_poisoned || !self.is_ready(&definition.dependencies) {
-            return is_hidden;
-        }
-        for option in &definition.with {
-            let Some((label, value)) = self.option(option, definition.n_slots) else { continue };
-            match (label.value.as_str(), &value.value) {
-                ("hidden", Value::Bool(hidden)) => is_hidden = *hidden,
-                ("color" | "layer", Value::Text(_)) => {}
-                ("hidden" | "color" | "layer", other) => {
-                    let wanted = if label.value == "hidden" { "true or false" } else { "a string" };
-                    let message =
-                        format!("`{}` must be {wanted}, found {}", label.value, other.phrase());
-                    self.diagnostics.push(Diagnostic::error(Code::WrongKind, value.span, message));
-                }
-                (name, _) => {
-                    let message = format!("a definition has no option `{name}`");
-                    let diagnostic = Diagnostic::error(Code::BadCall, label.span, message);
-                    let words = ["color", "layer", "hidden"];
-                    self.diagnostics.push(match crate::diag::nearest(name, words) {
-                        Some(near) => diagnostic.label(format!("did you mean `{near}`?")),
-                        None => diagnostic.hint("its options are `color`, `layer` and `hidden`"),
-                    });
-                }
-            }
-        }
-        is_hidden
-    }
-
     /// An option after `with`: its name and value.
-    fn option(
+    pub(super) fn option(
         &mut self,
         option: &Arg,
         n_slots: usize,
@@ -301,7 +265,8 @@ impl Run<'_> {
                     let result = self.machine.run(expr, effect.n_slots);
                     let value = self.keep(result)?;
                     let name = self.subject_name(expr, &value);
-                    subjects.push((name, Spanned::new(value, expr.span)));
+                    let look = self.look_of_subject(expr, definitions);
+                    subjects.push(Subject { name, value: Spanned::new(value, expr.span), look });
                 }
                 let named = named.iter().filter_map(|&idx| self.program.definition(idx));
                 (subjects, named.map(|definition| definition.name.to_string()).collect())
@@ -342,21 +307,19 @@ impl Run<'_> {
     }
 }
 
-/// What an export writes, under names for groups.
-type Subjects = Vec<(String, Spanned<Value>)>;
-
 /// Every definition that promises geometry and is not hidden, and their names; `None` where the
 /// file has a definition without a value.
-fn all_geometry(definitions: &[&[Defined]]) -> Option<(Subjects, Vec<String>)> {
+fn all_geometry(definitions: &[&[Defined]]) -> Option<(Vec<Subject>, Vec<String>)> {
     let is_geometry = |kind: Kind| !matches!(kind, Kind::Let | Kind::Table | Kind::Tables);
     let mut subjects = Vec::new();
     for defined in definitions.iter().copied().flatten() {
         let value = defined.value.clone()?;
-        if !defined.is_hidden && defined.kind.is_some_and(is_geometry) {
-            subjects.push((defined.name.clone(), Spanned::new(value, defined.span)));
+        if !defined.look.is_hidden && defined.kind.is_some_and(is_geometry) {
+            let (name, look) = (defined.name.clone(), defined.look.clone());
+            subjects.push(Subject { name, value: Spanned::new(value, defined.span), look });
         }
     }
-    let names = subjects.iter().map(|(name, _)| name.clone()).collect();
+    let names = subjects.iter().map(|subject| subject.name.clone()).collect();
     Some((subjects, names))
 }
 

@@ -7,6 +7,7 @@ use crate::kernel::Column;
 
 pub(super) static FORMAT: Format = Format {
     ending: "csv",
+    aliases: &[],
     title: "CSV: one table, units in square brackets after the names",
     options: &[],
     takes: |subject| matches!(subject, Subject::Table(_)),

@@ -3,11 +3,19 @@
 //! Formats write to any [`Write`]; that files appear whole or not at all is the door's business.
 
 mod csv;
+mod dxf;
+mod exact;
+mod gltf;
+mod iges;
 mod json;
 mod obj;
+mod ply;
 mod shape;
+mod step;
 mod stl;
+mod svg;
 mod text;
+mod view;
 
 use std::{
     io::{self, Write},
@@ -21,6 +29,8 @@ use crate::{
     kernel::{Curve, GeomError, Mesh, Surface, Table},
     limits::Limits,
 };
+
+pub use view::View;
 
 /// Something that a file can hold.
 #[derive(Clone, Debug)]
@@ -50,8 +60,15 @@ impl Subject {
 /// A subject under the name that the file gives it.
 #[derive(Clone, Debug)]
 pub struct Item {
-    /// The name of the definition, or the expression as it was written.
+    /// The name of the definition, or the expression as it was written, with the place in its
+    /// list.
     pub name: String,
+    /// The same without the place in a list: what belongs together.
+    pub group: String,
+    /// Red, green and blue of sRGB.
+    pub color: Option<[u8; 3]>,
+    /// The layer that it is put on.
+    pub layer: Option<String>,
     /// What is written.
     pub subject: Subject,
 }
@@ -63,10 +80,32 @@ pub struct Job {
     pub items: Vec<Item>,
     /// The document's unit of length, by name.
     pub unit: &'static str,
-    /// How far a mesh may lie from its surface; without one a thousandth of the whole's size.
-    pub tolerance: Option<f64>,
+    /// The document's unit of length in millimetres.
+    pub millimetres: f64,
+    /// Points closer than this are one: the document's tolerance.
+    pub precision: f64,
+    /// What the script asked for.
+    pub options: Options,
     /// The ceilings.
     pub limits: Limits,
+}
+
+/// Options of an export.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Options {
+    /// How far a mesh may lie from its surface, a polyline or path from its curve; without one a
+    /// small part of the whole's size.
+    pub tolerance: Option<f64>,
+    /// How far triangles side by side may be turned against one another, in radians.
+    pub angle: Option<f64>,
+    /// The form of a format that has a binary one and a text.
+    pub binary: Option<bool>,
+    /// Digits after the point, where numbers are text; without a count as many as they have.
+    pub decimals: Option<usize>,
+    /// From where a drawing looks.
+    pub view: View,
+    /// Whether curves and surfaces are written exactly by a format that also holds meshes.
+    pub free_form: bool,
 }
 
 /// What a file came to hold.
@@ -76,8 +115,10 @@ pub struct Summary {
     pub vertices: usize,
     /// Triangles of meshes.
     pub triangles: usize,
-    /// Curves drawn as polylines.
-    pub polylines: usize,
+    /// Curves, exact or as polylines.
+    pub curves: usize,
+    /// Exact surfaces.
+    pub surfaces: usize,
     /// Single points.
     pub points: usize,
     /// Rows of tables.
@@ -92,7 +133,8 @@ impl std::fmt::Display for Summary {
         let parts = [
             (self.vertices, "vertex", "vertices"),
             (self.triangles, "triangle", "triangles"),
-            (self.polylines, "curve", "curves"),
+            (self.surfaces, "surface", "surfaces"),
+            (self.curves, "curve", "curves"),
             (self.points, "point", "points"),
             (self.rows, "row", "rows"),
             (self.values, "value", "values"),
@@ -117,6 +159,14 @@ pub enum ExportError {
         /// What is wrong with it.
         source: GeomError,
     },
+    /// The format has no place for a property of an item.
+    #[error("{name} {problem}")]
+    Unfit {
+        /// The item.
+        name: String,
+        /// What about it, as the rest of a sentence.
+        problem: String,
+    },
     /// More bytes than the ceiling.
     #[error("a file of more than {most} bytes")]
     TooLarge {
@@ -133,6 +183,8 @@ pub enum ExportError {
 pub struct Format {
     /// The ending that chooses it, without the point.
     pub ending: &'static str,
+    /// Other endings for the same.
+    pub aliases: &'static [&'static str],
     /// What it is.
     pub title: &'static str,
     /// The options after `with` that it knows.
@@ -148,13 +200,34 @@ pub struct Format {
 }
 
 /// Every format, in the order of the reference.
-pub static FORMATS: &[&Format] = &[&obj::FORMAT, &stl::FORMAT, &csv::FORMAT, &json::FORMAT];
+pub static FORMATS: &[&Format] = &[
+    &obj::FORMAT,
+    &stl::FORMAT,
+    &ply::FORMAT,
+    &gltf::GLB,
+    &gltf::GLTF,
+    &svg::FORMAT,
+    &dxf::FORMAT,
+    &step::FORMAT,
+    &iges::FORMAT,
+    &csv::FORMAT,
+    &json::FORMAT,
+];
 
 impl Format {
+    /// Whether it holds curves, surfaces or meshes.
+    #[must_use]
+    pub fn takes_shapes(&self) -> bool {
+        (self.takes)(&Subject::Mesh(Arc::default())) || (self.takes)(&Subject::Point(DVec3::ZERO))
+    }
+
     /// The format of a path.
     #[must_use]
     pub fn of_path(path: &str) -> Option<&'static Self> {
         let (_, ending) = path.rsplit_once('.')?;
-        FORMATS.iter().copied().find(|format| format.ending.eq_ignore_ascii_case(ending))
+        let is_its = |its: &str| its.eq_ignore_ascii_case(ending);
+        FORMATS.iter().copied().find(|format| {
+            is_its(format.ending) || format.aliases.iter().any(|alias| is_its(alias))
+        })
     }
 }

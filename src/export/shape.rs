@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{ExportError, Item, Job, Subject};
+use super::{ExportError, Item, Job, Subject, Summary};
 use crate::kernel::{
     Bounds, GeomError, Mesh, tessellate_any, tessellate_curve_any,
     tolerance::DEFAULT_CHORD_RELATIVE,
@@ -17,16 +17,113 @@ pub(super) enum Shape {
     Point(DVec3),
 }
 
-/// How far meshes of a job may lie from their surfaces.
-pub(super) fn tolerance(job: &Job) -> f64 {
-    job.tolerance.unwrap_or_else(|| {
-        let whole = job.items.iter().filter_map(bounds).reduce(Bounds::union);
-        let size = whole.map_or(1.0, Bounds::diagonal);
-        DEFAULT_CHORD_RELATIVE * if size == 0.0 { 1.0 } else { size }
-    })
+/// An item with its shape.
+pub(super) struct Shaped<'a> {
+    pub(super) item: &'a Item,
+    pub(super) shape: Shape,
 }
 
-fn bounds(item: &Item) -> Option<Bounds> {
+impl Shaped<'_> {
+    /// Its vertices.
+    pub(super) fn points(&self) -> &[DVec3] {
+        match &self.shape {
+            Shape::Mesh(mesh) => mesh.vertices(),
+            Shape::Polyline(points) => points,
+            Shape::Point(point) => std::slice::from_ref(point),
+        }
+    }
+
+    pub(super) fn n_vertices(&self) -> usize {
+        self.points().len()
+    }
+
+    pub(super) fn n_triangles(&self) -> usize {
+        match &self.shape {
+            Shape::Mesh(mesh) => mesh.n_triangles(),
+            _ => 0,
+        }
+    }
+
+    /// Segments of a polyline.
+    pub(super) fn n_legs(&self) -> usize {
+        match &self.shape {
+            Shape::Polyline(points) => points.len().saturating_sub(1),
+            _ => 0,
+        }
+    }
+
+    /// Whether it has a colour, or its vertices have.
+    pub(super) fn is_colored(&self) -> bool {
+        let is_painted = match &self.shape {
+            Shape::Mesh(mesh) => !mesh.colors().is_empty(),
+            _ => false,
+        };
+        is_painted || self.item.color.is_some()
+    }
+
+    /// Whether there is nothing to draw.
+    pub(super) fn is_empty(&self) -> bool {
+        matches!(&self.shape, Shape::Mesh(mesh) if mesh.triangles().is_empty())
+    }
+
+    /// The error for coordinates that a format of single precision cannot hold.
+    pub(super) fn beyond_single_precision(&self) -> ExportError {
+        let problem = "has coordinates beyond single precision, which the format has".to_owned();
+        ExportError::Unfit { name: self.item.name.clone(), problem }
+    }
+}
+
+impl Summary {
+    /// What the shapes of a file come to.
+    pub(super) fn of(shapes: &[Shaped<'_>]) -> Self {
+        let mut summary = Self::default();
+        for shaped in shapes {
+            match &shaped.shape {
+                Shape::Mesh(mesh) => {
+                    summary.vertices += mesh.n_vertices();
+                    summary.triangles += mesh.n_triangles();
+                }
+                Shape::Polyline(_) => summary.curves += 1,
+                Shape::Point(_) => summary.points += 1,
+            }
+        }
+        summary
+    }
+
+    /// Counts a subject that is written as what it is.
+    pub(super) fn count(&mut self, subject: &Subject) {
+        match subject {
+            Subject::Point(_) => self.points += 1,
+            Subject::Curve(_) => self.curves += 1,
+            Subject::Surface(_) => self.surfaces += 1,
+            Subject::Mesh(mesh) => {
+                self.vertices += mesh.n_vertices();
+                self.triangles += mesh.n_triangles();
+            }
+            Subject::Table(_) | Subject::Data(_) => {}
+        }
+    }
+}
+
+/// A colour with levels on 0..1 in bytes.
+pub(super) fn byte_color(color: DVec3) -> [u8; 3] {
+    color.to_array().map(|level| (level * 255.0).round() as u8)
+}
+
+/// How far meshes of a job may lie from their surfaces.
+pub(super) fn tolerance(job: &Job) -> f64 {
+    job.options.tolerance.unwrap_or_else(|| DEFAULT_CHORD_RELATIVE * size(job))
+}
+
+/// The diagonal of all items together; 1 where that is nothing.
+pub(super) fn size(job: &Job) -> f64 {
+    let whole = job.items.iter().filter_map(bounds).reduce(Bounds::union);
+    let size = whole.map_or(0.0, Bounds::diagonal);
+    if size == 0.0 { 1.0 } else { size }
+}
+
+/// The box around an item; none around what has no place in space or no bounds.
+pub(super) fn bounds(item: &Item) -> Option<Bounds> {
     match &item.subject {
         Subject::Point(point) => Some(Bounds { min: *point, max: *point }),
         Subject::Curve(curve) => curve.bounds().ok(),
@@ -34,6 +131,18 @@ fn bounds(item: &Item) -> Option<Bounds> {
         Subject::Mesh(mesh) => mesh.bounds(),
         Subject::Table(_) | Subject::Data(_) => None,
     }
+}
+
+/// The shapes of all items.
+pub(super) fn shapes(job: &Job) -> Result<Vec<Shaped<'_>>, ExportError> {
+    let tolerance = tolerance(job);
+    let mut shapes = Vec::with_capacity(job.items.len());
+    for item in &job.items {
+        if let Some(shape) = shape(item, tolerance, job)? {
+            shapes.push(Shaped { item, shape });
+        }
+    }
+    Ok(shapes)
 }
 
 /// The shape of an item within `tolerance`; `None` for what has no place in space.

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use thiserror::Error;
 
-use super::{FunctionFailure, Interval, ShellError};
+use super::{FunctionFailure, Interval, MeshError, PictureError, ShellError};
 
 /// A request that has no geometric answer.
 ///
@@ -124,6 +124,9 @@ pub enum GeomError {
         few_digits(*tolerance)
     )]
     NoSurfaceNear { most: usize, tolerance: f64, u: f64, v: f64 },
+    /// Lines on surfaces and regions that do not exist.
+    #[error(transparent)]
+    Picture(#[from] PictureError),
     /// Patches that do not meet along their sides.
     #[error(
         "`patches[{}][{}]` begins {} from where `patches[{}][{}]` ends along {along}, more than the tolerance {tolerance}",
@@ -148,12 +151,24 @@ pub enum GeomError {
         few_digits(*reached), plain(*wanted)
     )]
     EndOfContinuation { wanted: f64, reached: f64 },
+    /// A continuation without digits.
+    #[error(
+        "prolonged by {} a curve of degree {degree} has no digits left: rounding grows with its degree",
+        plain(*length)
+    )]
+    ContinuationLost { degree: usize, length: f64 },
     /// A curve along the direction about which it should turn.
     #[error("the curve runs along the normal at parameter {parameter}, so that it has no side")]
     AlongNormal { parameter: f64 },
     /// A curve that turns within its last digits.
     #[error("at parameter {parameter} the curve turns too fast for an offset to follow")]
     NoOffset { parameter: f64 },
+    /// An offset beside which its curve is rounding.
+    #[error(
+        "at a distance of {} the shape of the curve is lost in the rounding of the coordinates",
+        few_digits(distance.abs())
+    )]
+    OffsetTooFar { distance: f64 },
     /// An offset that is one point.
     #[error("the offset shrinks to a point: the distance is the radius {} of the arc", few_digits(*radius))]
     VanishingOffset { radius: f64 },
@@ -275,6 +290,9 @@ pub enum GeomError {
     /// A mesh attribute that is not one a vertex.
     #[error("{vertices} vertices need {vertices} {what}, got {got}")]
     AttributeCount { what: &'static str, vertices: usize, got: usize },
+    /// A mesh that encloses nothing, or has colours that are none.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
     /// A triangle names a vertex that is not there.
     #[error("triangle {triangle} names vertex {vertex}; there are {vertices}")]
     NoSuchVertex { triangle: usize, vertex: u32, vertices: usize },
@@ -337,6 +355,9 @@ pub enum GeomError {
     /// Two curves that share a stretch and not single points.
     #[error("the curves run together from parameter {start} to {end} of the first")]
     RunTogether { start: f64, end: f64 },
+    /// Curves that are near one another nearly everywhere.
+    #[error("the places where the curves come near one another are too many to be told apart")]
+    Tangled,
     /// Something to turn that lies on the axis.
     #[error("the curve lies on the axis, so that turning it makes no surface")]
     OnAxis,
@@ -358,32 +379,5 @@ pub enum GeomError {
     ColumnLength { name: String, got: usize, expected: usize },
 }
 
-/// A bound of a deviation for a message; without one the weights left no curve to measure.
-fn how_far(error: f64) -> String {
-    if error.is_finite() {
-        format!("by up to {}", few_digits(error))
-    } else {
-        "to where its weights are not positive".to_owned()
-    }
-}
-
-/// Turns as degrees.
-fn degrees(turns: f64) -> String {
-    format!("{}deg", few_digits(360.0 * turns.abs()))
-}
-
-/// A measured number for a message.
-pub(in crate::kernel) fn few_digits(x: f64) -> String {
-    let rounded = format!("{x:.3e}").parse().unwrap_or(x);
-    if rounded <= 0.0 || (0.001..1_000_000.0).contains(&rounded) {
-        rounded.to_string()
-    } else {
-        format!("{rounded:e}")
-    }
-}
-
-/// A number in full, with an exponent where its digits would be mostly zeros.
-pub(super) fn plain(x: f64) -> String {
-    let is_plain = x == 0.0 || (0.000_000_001..1e18).contains(&x.abs());
-    if is_plain { x.to_string() } else { format!("{x:e}") }
-}
+pub(in crate::kernel) use super::digits::few_digits;
+use super::digits::{degrees, how_far, plain};

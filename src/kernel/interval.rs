@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{GeomError, error::plain, tolerance::KNOT_RELATIVE};
+use super::{GeomError, digits::plain, tolerance::KNOT_RELATIVE};
 
 /// The interval from `start` to `end`. Invariant: both finite, `start < end`, finite length.
 #[derive(Clone, Copy, Debug, PartialEq)]

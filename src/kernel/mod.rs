@@ -7,6 +7,7 @@ mod bezier;
 mod bounds;
 mod compatible;
 mod curve;
+mod digits;
 mod error;
 mod failure;
 mod fit;
@@ -51,17 +52,20 @@ pub use interval::Interval;
 pub use jet::Jet;
 pub use knots::{KnotVector, Side};
 pub use mesh::{
-    Mesh, grid_mesh, grid_mesh_any, tessellate, tessellate_any, tessellate_curve,
-    tessellate_curve_any,
+    Group, Mesh, MeshCheck, MeshError, Topology, grid_mesh, grid_mesh_any, planar_mesh, tessellate,
+    tessellate_any, tessellate_curve, tessellate_curve_any,
 };
 pub use receipt::{Fact, Receipt};
 pub use skin::{Alignment, Along, Rule, Sections, Skin, aligned, at_constant_speed};
 pub use surface::{
-    Axis, AxisContact, Blend, CrossFields, Defects, Deviation, Direction, Edge, GridSamples, Mass,
-    NurbsSurface, ParametricSurface, Principal, ShellError, Surface, SurfaceContinuity,
-    SurfaceEvaluator, SurfaceFoot, SurfaceFunction, SurfaceKind, SurfaceOffset, SurfaceShape, Turn,
-    Twists, area_mass, join_patches, make_surfaces_compatible, principal_axes, volume_mass,
+    Axis, AxisContact, Blend, CrossFields, Defects, Deviation, Direction, Edge, GridSamples,
+    LevelSet, Mass, NurbsSurface, ParametricSurface, PictureError, Piercing, Principal, ShellError,
+    Surface, SurfaceContinuity, SurfaceEvaluator, SurfaceFoot, SurfaceFunction, SurfaceKind,
+    SurfaceOffset, SurfaceShape, Turn, Twists, area_mass, join_patches, make_surfaces_compatible,
+    principal_axes, volume_mass,
 };
-pub use sweep::{Axes, Fineness, Frames, Framing, Motion, Sweep, mitred, swept, translated};
+pub use sweep::{
+    Axes, Fineness, Frames, Framing, Held, Leg, Motion, Sweep, legs, mitred, swept, translated,
+};
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;

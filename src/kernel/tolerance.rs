@@ -72,6 +72,13 @@ pub const PARAMETER_RELATIVE: f64 = 1e-11;
 /// the control point goes.
 pub const RANK_RELATIVE: f64 = 1e-8;
 
+/// Where points may slide along the curve that is fitted to them, the square of an error along it
+/// counts by this fraction at least.
+///
+/// Larger holds points to their parameters; smaller lets the curve run to and fro where its points
+/// lie on a line.
+pub const SLIDE_RELATIVE: f64 = 1e-3;
+
 /// Two ways to write one curve agree when their points differ by less than this fraction of the
 /// largest: in another form, or without a knot where two of them were joined.
 ///
@@ -191,6 +198,24 @@ pub const FOLLOWED_RELATIVE: f64 = 1e-11;
 /// Larger lets unscaled normals pass; smaller refuses those that a file holds with six digits.
 pub const UNIT_SLACK: f64 = 1e-4;
 
+/// Triangles that decide what a drawing hides may be this fraction of the whole's size away from
+/// their surfaces.
+///
+/// Larger lets lines show through walls thinner than a few times that; smaller takes longer and
+/// shows on no paper.
+pub const HIDDEN_RELATIVE: f64 = 2.5e-4;
+
+/// A path of a drawing may be this fraction of the whole's size away from a curve that no cubic
+/// can be.
+///
+/// Larger shows when one zooms in; smaller writes more pieces than anybody sees.
+pub const PATH_RELATIVE: f64 = 1e-6;
+
+/// Coordinates of a drawing are rounded to this fraction of its size, unless the script says how.
+///
+/// Larger moves joints that zooming in shows; smaller writes digits that are rounding.
+pub const DRAWING_DIGIT: f64 = 1e-9;
+
 /// Fraction of the tolerance that a tessellation may use up at the places where it measures.
 ///
 /// Larger lets the deviation between those places exceed the tolerance; smaller makes meshes
@@ -256,3 +281,21 @@ pub const TURN_RELATIVE: f64 = 1e-6;
 /// Larger leaves a twist that a long section shows; smaller asks for more steps than rounding
 /// allows.
 pub const TURN_ACCURACY: f64 = 1e-10;
+
+/// Ends of pieces of a line on a surface that are nearer than this fraction of the tolerance are one
+/// place.
+///
+/// Larger joins lines that only pass one another; smaller leaves gaps where a patch ends, whose two
+/// sides rounding tells apart.
+pub const ONE_PLACE_SHARE: f64 = 1e-2;
+
+/// Unit tangents of a line on a surface that differ by less than this make no corner.
+///
+/// Larger rounds off a slight kink; smaller keeps a triple knot at each end of a patch.
+pub const CORNER_RELATIVE: f64 = 1e-4;
+
+/// Part of the tolerance within which a spline stands in for a function where light is followed:
+/// lines of light move with the normals, which are less near than the points.
+///
+/// Larger shifts the lines visibly; smaller asks for more patches than anybody sees.
+pub const LIGHT_SHARE: f64 = 1e-3;

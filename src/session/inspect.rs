@@ -71,6 +71,7 @@ impl Session {
             purpose: eval::Purpose::Run,
             recall: None,
             held: self.held,
+            stop: self.stop,
         }
     }
 

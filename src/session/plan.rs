@@ -1,16 +1,77 @@
 //! From an `export` to a file: its path, its format, what goes into it.
 
-use std::sync::Arc;
+use std::{collections::HashSet, sync::Arc};
 
+use super::{File, Session, options::options};
 use crate::{
     diag::{Code, Diagnostic, Span, nearest},
-    export::{FORMATS, Format, Item, Subject},
-    kernel::{Curve, Surface},
-    value::{Dim, Function, Value, to_json},
+    eval::{self, Exported},
+    export::{FORMATS, Format, Item, Job, Subject},
+    kernel::{Curve, Surface, Tolerance},
+    syntax::ast::Unit,
+    value::{Function, Value, to_json},
 };
 
+impl Session {
+    /// The file that an export makes; what is wrong with it goes to `diagnostics`.
+    pub(super) fn plan(
+        &self,
+        exported: Exported,
+        (unit, tolerance): (Unit, Tolerance),
+        diagnostics: &mut Vec<Diagnostic>,
+    ) -> Option<File> {
+        let before = diagnostics.len();
+        let span = exported.path.span;
+        if self.limits.memory_bytes < (self.held)() {
+            diagnostics.push(eval::out_of_memory(&self.limits, span));
+            return None;
+        }
+        let path = safe_path(&exported.path.value).map_err(|message| {
+            diagnostics.push(
+                Diagnostic::error(Code::PathEscapes, span, message)
+                    .hint("paths are relative to the output folder, which `--out` names"),
+            );
+        });
+        let Some(format) = Format::of_path(&exported.path.value) else {
+            diagnostics.push(unknown_format(&exported.path.value, span));
+            return None;
+        };
+        let mut gathering = Gathering::new(format);
+        for subject in &exported.subjects {
+            if let Err(Misfit { found, hint }) = gathering.add_all_of(subject) {
+                let message = format!("`.{}` takes {}, found {found}", format.ending, format.wants);
+                diagnostics.push(
+                    Diagnostic::error(Code::CannotExport, subject.value.span, message).hint(hint),
+                );
+            }
+        }
+        let items = gathering.items;
+        if items.is_empty() && diagnostics.len() == before {
+            diagnostics.push(
+                Diagnostic::error(Code::CannotExport, span, "there is nothing to export")
+                    .label("this file would be empty")
+                    .hint("`export all` takes the definitions that begin with `point`, `curve`, `surface` or `mesh`"),
+            );
+        }
+        let options = options(&exported.options, format, diagnostics);
+        if diagnostics.len() > before {
+            return None;
+        }
+        let millimetres = unit.millimetres().unwrap_or(1.0);
+        let job = Job {
+            items,
+            unit: unit.name(),
+            millimetres,
+            precision: tolerance.distance,
+            options,
+            limits: self.limits,
+        };
+        Some(File { path: path.ok()?, span, names: exported.names, format, job })
+    }
+}
+
 /// The path in normal form, if it stays below the output folder.
-pub(super) fn safe_path(path: &str) -> Result<String, String> {
+fn safe_path(path: &str) -> Result<String, String> {
     let is_absolute = path.starts_with(['/', '\\']) || path.contains(':');
     if is_absolute {
         return Err(format!("`{path}` is not a path below the output folder"));
@@ -31,14 +92,19 @@ pub(super) fn safe_path(path: &str) -> Result<String, String> {
     if parts.is_empty() { Err(format!("`{path}` names no file")) } else { Ok(parts.join("/")) }
 }
 
-pub(super) fn unknown_format(path: &str, span: Span) -> Diagnostic {
+fn unknown_format(path: &str, span: Span) -> Diagnostic {
     let file = path.rsplit(['/', '\\']).next().unwrap_or(path);
     let endings: Vec<String> =
         FORMATS.iter().map(|format| format!("`.{}`", format.ending)).collect();
     let (message, near) = match file.rsplit_once('.') {
         Some((_, ending)) => (
             format!("no format has the ending `.{ending}`"),
-            nearest(ending, FORMATS.iter().map(|format| format.ending)),
+            nearest(
+                ending,
+                FORMATS.iter().flat_map(|format| {
+                    std::iter::once(format.ending).chain(format.aliases.iter().copied())
+                }),
+            ),
         ),
         None => (format!("`{path}` has no ending, which would choose the format"), None),
     };
@@ -51,81 +117,153 @@ pub(super) fn unknown_format(path: &str, span: Span) -> Diagnostic {
 }
 
 /// What a format has no place for, and where it could go instead.
-pub(super) struct Misfit {
+struct Misfit {
     pub(super) found: String,
-    pub(super) hint: &'static str,
+    pub(super) hint: String,
 }
 
 impl Misfit {
     fn of(value: &Value) -> Self {
         let hint = match value {
-            Value::Table(_) => "tables go into `.csv` and `.json`",
-            Value::Point(_) | Value::Curve(_) => {
-                "curves and points go into `.obj`, and everything into `.json`"
-            }
-            Value::Function(_) => "export what the function yields",
-            _ => {
-                "geometry goes into `.obj` and `.stl`, tables into `.csv`, and everything into `.json`"
-            }
+            Value::Function(_) => "export what the function yields".to_owned(),
+            _ => match subject(value) {
+                Some(subject) => {
+                    format!(
+                        "a {} can go into {}",
+                        value.kind(),
+                        endings(|format| { format.takes_data || (format.takes)(&subject) })
+                    )
+                }
+                None => format!(
+                    "geometry goes into {}, tables into {}, and everything into {}",
+                    endings(Format::takes_shapes),
+                    endings(|format| (format.takes)(&Subject::Table(Arc::default()))),
+                    endings(|format| format.takes_data),
+                ),
+            },
         };
         Self { found: value.phrase(), hint }
     }
 }
 
-/// Turns a value into items of a file, lists element by element; else what was found.
-pub(super) fn gather(
-    name: &str,
-    value: &Value,
-    format: &Format,
-    items: &mut Vec<Item>,
-) -> Result<(), Misfit> {
-    let subject = match value {
-        // Exact data holds everything but functions, which are no data.
-        _ if format.takes_data => match function_in(value) {
-            None if has_parametric(value) => {
-                return Err(Misfit {
-                    found: "a parametric curve or surface, which is a function".to_owned(),
-                    hint: "`to_nurbs(g, tolerance)` makes a NURBS of it",
-                });
-            }
-            None => Subject::Data(to_json(value)),
-            Some(function) => {
-                let found = format!("the function `{}`", function.signature());
-                return Err(Misfit { found, ..Misfit::of(&Value::Function(function.clone())) });
-            }
-        },
-        Value::List(elements) => {
-            for (i, element) in elements.iter().enumerate() {
-                gather(&format!("{name}[{i}]"), element, format, items)?;
-            }
-            return Ok(());
-        }
+/// The endings of some formats as a list for a sentence.
+fn endings(which: impl Fn(&Format) -> bool) -> String {
+    let chosen = FORMATS.iter().filter(|format| which(format));
+    let names: Vec<String> = chosen.map(|format| format!("`.{}`", format.ending)).collect();
+    match names.split_last() {
+        Some((last, [])) => last.clone(),
+        Some((last, before)) => format!("{} and {last}", before.join(", ")),
+        None => String::new(),
+    }
+}
+
+/// What a file could hold of a value that is one thing.
+fn subject(value: &Value) -> Option<Subject> {
+    Some(match value {
         Value::Point(point) => Subject::Point(*point),
         Value::Curve(curve) => Subject::Curve(curve.clone()),
         Value::Surface(surface) => Subject::Surface(surface.clone()),
         Value::Mesh(mesh) => Subject::Mesh(Arc::clone(mesh)),
         Value::Table(table) => Subject::Table(Arc::clone(table)),
-        other => return Err(Misfit::of(other)),
-    };
-    if !(format.takes)(&subject) {
-        return Err(Misfit::of(value));
-    }
-    if matches!(subject, Subject::Table(_)) && !items.is_empty() {
-        let found = "a second table".to_owned();
-        return Err(Misfit { found, ..Misfit::of(value) });
-    }
-    items.push(Item { name: unused(name, items), subject });
-    Ok(())
+        _ => return None,
+    })
 }
 
-/// The name, numbered where another item has it already.
-fn unused(name: &str, items: &[Item]) -> String {
-    let is_free = |name: &str| items.iter().all(|item| item.name != name);
-    if is_free(name) {
-        return name.to_owned();
+/// Values on their way into a file.
+struct Gathering {
+    format: &'static Format,
+    pub(super) items: Vec<Item>,
+    /// Names that are taken.
+    names: HashSet<String>,
+}
+
+impl Gathering {
+    pub(super) fn new(format: &'static Format) -> Self {
+        Self { format, items: Vec::new(), names: HashSet::new() }
     }
-    let numbered = (2..=items.len() + 2).map(|i| format!("{name}-{i}"));
-    numbered.clone().find(|name| is_free(name)).unwrap_or_else(|| name.to_owned())
+
+    /// Makes items of a value, lists and records of geometry element by element; else tells what
+    /// was found.
+    pub(super) fn add_all_of(&mut self, subject: &eval::Subject) -> Result<(), Misfit> {
+        let eval::Subject { name, value, .. } = subject;
+        if self.format.takes_data {
+            let data = data(&value.value)?;
+            self.push(name, subject, data);
+            return Ok(());
+        }
+        self.add(name, &value.value, subject)
+    }
+
+    fn add(&mut self, name: &str, value: &Value, whole: &eval::Subject) -> Result<(), Misfit> {
+        match value {
+            Value::List(elements) => elements
+                .iter()
+                .enumerate()
+                .try_for_each(|(i, element)| self.add(&format!("{name}[{i}]"), element, whole)),
+            // Such as the teeth and the envelope of a comb; what a record tells beside is left out.
+            Value::Record(record) if record.iter().any(|(_, member)| has_place(member)) => {
+                record.iter().filter(|(_, member)| has_place(member)).try_for_each(
+                    |(label, member)| self.add(&format!("{name}.{label}"), member, whole),
+                )
+            }
+            _ => {
+                let subject = subject(value).ok_or_else(|| Misfit::of(value))?;
+                if !(self.format.takes)(&subject) {
+                    return Err(Misfit::of(value));
+                }
+                if matches!(subject, Subject::Table(_)) && !self.items.is_empty() {
+                    let found = "a second table".to_owned();
+                    return Err(Misfit { found, ..Misfit::of(value) });
+                }
+                self.push(name, whole, subject);
+                Ok(())
+            }
+        }
+    }
+
+    fn push(&mut self, name: &str, whole: &eval::Subject, subject: Subject) {
+        let name = self.unused(name);
+        self.names.insert(name.clone());
+        self.items.push(Item {
+            name,
+            group: whole.name.clone(),
+            color: whole.look.color,
+            layer: whole.look.layer.as_deref().map(str::to_owned),
+            subject,
+        });
+    }
+
+    /// The name, numbered where another item has it already.
+    fn unused(&self, name: &str) -> String {
+        if !self.names.contains(name) {
+            return name.to_owned();
+        }
+        let mut numbered = (2..=self.items.len() + 2).map(|i| format!("{name}-{i}"));
+        numbered.find(|name| !self.names.contains(name)).unwrap_or_else(|| name.to_owned())
+    }
+}
+
+/// Whether a value is geometry or a list of it.
+fn has_place(value: &Value) -> bool {
+    match value {
+        Value::List(items) => items.iter().next().is_some_and(has_place),
+        other => subject(other).is_some_and(|subject| subject.is_geometry()),
+    }
+}
+
+/// A value as exact data, which holds everything but functions.
+fn data(value: &Value) -> Result<Subject, Misfit> {
+    if let Some(function) = function_in(value) {
+        let found = format!("the function `{}`", function.signature());
+        return Err(Misfit { found, ..Misfit::of(&Value::Function(function.clone())) });
+    }
+    if has_parametric(value) {
+        return Err(Misfit {
+            found: "a parametric curve or surface, which is a function".to_owned(),
+            hint: "`to_nurbs(g, tolerance)` makes a NURBS of it".to_owned(),
+        });
+    }
+    Ok(Subject::Data(to_json(value)))
 }
 
 /// Whether a curve or surface in a value is a function.
@@ -146,48 +284,6 @@ fn function_in(value: &Value) -> Option<&Function> {
         Value::Record(record) => record.iter().find_map(|(_, value)| function_in(value)),
         _ => None,
     }
-}
-
-/// Reads the options of an export: its tolerance.
-pub(super) fn options(
-    options: &[(crate::diag::Spanned<String>, crate::diag::Spanned<Value>)],
-    format: &Format,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> Option<f64> {
-    let mut tolerance = None;
-    for (label, value) in options {
-        if !format.options.contains(&label.value.as_str()) {
-            let message = format!("`.{}` has no option `{}`", format.ending, label.value);
-            let diagnostic =
-                Diagnostic::error(Code::BadCall, label.span, message).label("unknown option");
-            diagnostics.push(
-                match (nearest(&label.value, format.options.iter().copied()), format.options) {
-                    (Some(near), _) => diagnostic.label(format!("did you mean `{near}`?")),
-                    (None, []) => diagnostic.hint("it takes no options"),
-                    (None, known) => {
-                        diagnostic.hint(format!("its options are {}", known.join(", ")))
-                    }
-                },
-            );
-            continue;
-        }
-        match &value.value {
-            Value::Number(number)
-                if 0.0 < number.value && (number.dim.is_none() || number.dim == Dim::LENGTH) =>
-            {
-                tolerance = Some(number.value);
-            }
-            other => {
-                let message = format!(
-                    "`{}` must be a positive length, found {}",
-                    label.value,
-                    other.phrase()
-                );
-                diagnostics.push(Diagnostic::error(Code::WrongKind, value.span, message));
-            }
-        }
-    }
-    tolerance
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use super::{Event, Report, Session};
 use crate::{
     diag::{Diagnostic, Severity, Span},
     eval::{self, Purpose, Setting},
+    kernel::Tolerance,
     syntax::ast::Unit,
     value::Files,
 };
@@ -87,12 +88,12 @@ impl Session {
     pub(super) fn tested(
         &self,
         tested: eval::Tested,
-        unit: Unit,
+        document: (Unit, Tolerance),
         diagnostics: &mut Vec<Diagnostic>,
     ) -> Tested {
         let eval::Tested { name, span, outputs, diagnostics: mut found, is_poisoned, is_whole } =
             tested;
-        let events = self.events(outputs, unit, &mut found);
+        let events = self.events(outputs, document, &mut found);
         let has = |severity: Severity| found.iter().any(|found| found.severity == severity);
         let verdict = if is_poisoned || has(Severity::Error) {
             Verdict::Wrong

@@ -3,10 +3,14 @@
 pub mod ast;
 mod lexed;
 mod lexer;
+mod outline;
 mod parser;
 mod print;
 mod token;
 
+pub use outline::{
+    Entry, Paint, Part, Place, Role, entry, free_placeholders, is_complete, parts, pieces, place,
+};
 pub use parser::parse;
 pub use print::{format, print};
 pub use token::KEYWORDS;

@@ -2,7 +2,7 @@
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
-    kernel::{GeomError, ShellError},
+    kernel::{GeomError, MeshError, PictureError, ShellError},
 };
 
 /// Pins an error of the kernel to the place in the script that caused it.
@@ -62,7 +62,9 @@ pub fn code_of(error: &GeomError) -> Code {
         | Error::NoSplineNearAt { .. } => Code::BeyondTolerance,
         Error::Jump { .. } | Error::JumpAt { .. } => Code::Degenerate,
         Error::Gap { .. } | Error::PatchGap { .. } => Code::Gap,
-        Error::Shell(_) => Code::OpenShell,
+        Error::Shell(_) | Error::Mesh(MeshError::Open { .. } | MeshError::Unoriented { .. }) => {
+            Code::OpenShell
+        }
         Error::TooFewCurves { .. } => Code::BadCall,
         Error::RationalFor { .. }
         | Error::DegreeTooHighFor { .. }
@@ -147,6 +149,10 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         Error::AcrossSurface => {
             "directions of the tangent plane are those of `tangent_u` and `tangent_v`".to_owned()
         }
+        Error::Mesh(MeshError::Open { .. }) => {
+            "a volume needs a mesh that closes it, `area` needs none; `border(m)` shows the holes"
+                .to_owned()
+        }
         Error::Shell(ShellError::Open { .. } | ShellError::Alone { .. }) => {
             "a volume needs surfaces that close it; `area` needs none".to_owned()
         }
@@ -186,7 +192,7 @@ fn hint_about_input(error: &GeomError) -> Option<String> {
             "give the data in the order of their parameters, each parameter once".to_owned()
         }
         Error::OtherDomain { .. } => "`reparametrize` one of them".to_owned(),
-        Error::EndOfContinuation { .. } => {
+        Error::EndOfContinuation { .. } | Error::ContinuationLost { .. } => {
             "`join` a `line` or an `arc` to its end to go further".to_owned()
         }
         Error::TangentCount { .. } => "give one tangent for each point".to_owned(),
@@ -200,15 +206,20 @@ fn hint_about_input(error: &GeomError) -> Option<String> {
     })
 }
 
-/// What to do about a function that no spline comes near.
+/// What to do about a function that no spline comes near, and about lines on surfaces.
 fn hint_of_function(error: &GeomError) -> Option<String> {
     use GeomError as Error;
     Some(match error {
         Error::Jump { .. } => {
             "a curve is connected: make one of each side, up to the jump".to_owned()
         }
+        Error::Picture(error) => return hint_of_picture(error),
         Error::JumpAt { .. } => {
             "a surface is connected: make one of each side, up to the jump".to_owned()
+        }
+        Error::Tangled => {
+            "`trim` the curves to where they should meet; what runs together has no single points"
+                .to_owned()
         }
         Error::NoSplineNear { .. } | Error::NoSplineNearAt { .. } => {
             "the function changes too fast there: take a part of it, or a larger tolerance where there is one"
@@ -216,4 +227,30 @@ fn hint_of_function(error: &GeomError) -> Option<String> {
         }
         _ => return None,
     })
+}
+
+/// What to do about lines on surfaces and regions.
+fn hint_of_picture(error: &PictureError) -> Option<String> {
+    use PictureError as Error;
+    let hint = match error {
+        Error::Unresolved { .. } => {
+            "move or turn the plane or the light a little; a surface that runs along a line has none there"
+        }
+        Error::SurfacesRunTogether { .. } => {
+            "surfaces that share an area have no curve there; `trim` it away, or move one of them"
+        }
+        Error::RunsAlong { .. } => {
+            "a curve that lies in the surface has no single points there; `trim` it away"
+        }
+        Error::Open { .. } => "a region has a closed border; `join` the curves around it",
+        Error::OffPlane { .. } => "`project(c, plane)` brings a curve into a plane",
+        Error::Crossing { .. } => {
+            "a border goes around once and apart from others; `offset` or move one"
+        }
+        Error::Outside { .. } | Error::HoleInHole { .. } => {
+            "the first curve is the outer border, all others are holes in it"
+        }
+        Error::NoArea { .. } => return None,
+    };
+    Some(hint.to_owned())
 }

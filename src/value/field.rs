@@ -19,7 +19,7 @@ const SURFACE: &[&str] = &[
     "domain_u", "domain_v", "degree_u", "degree_v", "knots_u", "knots_v", "weights", "points",
     "closed_u", "closed_v", "rational", "patches",
 ];
-const MESH: &[&str] = &["vertices", "triangles", "normals", "uvs"];
+const MESH: &[&str] = &["vertices", "triangles", "normals", "uvs", "colors", "groups"];
 const FRAME: &[&str] = &["origin", "x", "y", "z"];
 const CURVE_FRAME: &[&str] = &["origin", "x", "y", "z", "tangent", "normal", "binormal"];
 
@@ -138,6 +138,19 @@ fn mesh_field(mesh: &crate::kernel::Mesh, name: &str) -> Option<Value> {
     Some(match name {
         "vertices" => points(mesh.vertices()),
         "normals" => points(mesh.normals()),
+        "colors" => points(mesh.colors()),
+        "groups" => Value::list(
+            mesh.groups()
+                .iter()
+                .map(|group| {
+                    let fields = [
+                        (Arc::from("name"), Value::text(&group.name)),
+                        (Arc::from("triangles"), count(group.n_triangles)),
+                    ];
+                    Value::Record(Arc::new(super::Record::new(fields)))
+                })
+                .collect(),
+        ),
         "triangles" => Value::list(
             mesh.triangles()
                 .iter()

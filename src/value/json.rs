@@ -11,8 +11,8 @@ use serde_json::{Map, Value as Json, json};
 
 use super::{Dim, Number, Range, Record, Value};
 use crate::kernel::{
-    Column, Curve, Frame, Grid, KnotVector, Mesh, NamedColumn, NurbsCurve, NurbsSurface, Surface,
-    Table,
+    Column, Curve, Frame, Grid, Group, KnotVector, Mesh, NamedColumn, NurbsCurve, NurbsSurface,
+    Surface, Table,
 };
 
 /// The value as exact JSON; functions as their signature, what is made of functions as its kind.
@@ -59,13 +59,7 @@ pub fn to_json(value: &Value) -> Json {
                 "homogeneous": rows,
             })
         }
-        Value::Mesh(mesh) => json!({
-            "virote": "mesh",
-            "vertices": arrays(mesh.vertices()),
-            "normals": arrays(mesh.normals()),
-            "uvs": mesh.uvs().iter().map(|uv| json!(uv.to_array())).collect::<Vec<_>>(),
-            "triangles": mesh.triangles(),
-        }),
+        Value::Mesh(mesh) => mesh_json(mesh),
         Value::Table(table) => {
             json!({ "virote": "table", "columns": table.columns().iter().map(column).collect::<Vec<_>>() })
         }
@@ -76,6 +70,24 @@ pub fn to_json(value: &Value) -> Json {
             "z": frame.z().to_array(),
         }),
     }
+}
+
+fn mesh_json(mesh: &Mesh) -> Json {
+    let mut json = json!({
+        "virote": "mesh",
+        "vertices": arrays(mesh.vertices()),
+        "normals": arrays(mesh.normals()),
+        "uvs": mesh.uvs().iter().map(|uv| json!(uv.to_array())).collect::<Vec<_>>(),
+        "triangles": mesh.triangles(),
+    });
+    if !mesh.colors().is_empty() {
+        json["colors"] = arrays(mesh.colors());
+    }
+    if !mesh.groups().is_empty() {
+        let group = |group: &Group| json!({ "name": group.name, "triangles": group.n_triangles });
+        json["groups"] = mesh.groups().iter().map(group).collect();
+    }
+    json
 }
 
 fn number_json(number: Number) -> Json {
@@ -185,7 +197,12 @@ impl<'j> Object<'j> {
         };
         let uvs = self.read("uvs", vectors)?.into_iter().map(DVec2::from).collect();
         let triangles = self.read("triangles", corners)?;
+        // Meshes without them, as most are, do not name them.
+        let has = |name| self.member(name).is_ok();
+        let colors = if has("colors") { places("colors")? } else { Vec::new() };
+        let groups = if has("groups") { self.read("groups", groups)? } else { Vec::new() };
         Mesh::new(places("vertices")?, places("normals")?, uvs, triangles)
+            .and_then(|mesh| mesh.with_colors(colors)?.with_groups(groups))
             .map_err(|err| err.to_string())
     }
 
@@ -248,6 +265,15 @@ fn corners(json: &Json) -> Option<Vec<[u32; 3]>> {
             <[u32; 3]>::try_from(corners?).ok()
         })
         .collect()
+}
+
+fn groups(json: &Json) -> Option<Vec<Group>> {
+    let group = |json: &Json| {
+        let name = json.get("name")?.as_str()?.to_owned();
+        let n_triangles = usize::try_from(json.get("triangles")?.as_u64()?).ok()?;
+        Some(Group { name, n_triangles })
+    };
+    json.as_array()?.iter().map(group).collect()
 }
 
 fn read_column(json: &Json) -> Option<NamedColumn> {

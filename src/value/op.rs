@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{Call, Callback, Files, Type, Value};
 use crate::{
-    diag::{Diagnostic, Result, Span},
+    diag::{Diagnostic, Result, Sources, Span},
     kernel::{CurveFunction, SurfaceFunction, Tolerance},
     limits::Limits,
 };
@@ -19,6 +19,8 @@ pub struct Ctx<'a> {
     pub files: &'a dyn Files,
     /// The call under way, from the function's name to the closing bracket.
     pub span: Span,
+    /// The texts that spans point into, if they are at hand.
+    pub sources: Option<&'a Sources>,
     /// Calls functions of the script and takes warnings.
     pub caller: &'a mut dyn Caller,
 }

@@ -156,7 +156,7 @@ fn told(report: &Report) -> String {
     let mut told = String::new();
     for defined in &report.definitions {
         let (name, span) = (&defined.name, defined.span);
-        let _ = writeln!(told, "{name} {span:?} {} {:?}", defined.is_hidden, defined.value);
+        let _ = writeln!(told, "{name} {span:?} {} {:?}", defined.look.is_hidden, defined.value);
     }
     for event in &report.events {
         let _ = match event {

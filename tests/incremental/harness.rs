@@ -4,7 +4,7 @@ use std::{
     collections::{BTreeMap, BTreeSet},
     sync::{
         Mutex,
-        atomic::{AtomicUsize, Ordering},
+        atomic::{AtomicBool, AtomicUsize, Ordering},
     },
 };
 
@@ -15,6 +15,9 @@ use virote::{
     ops,
     value::{Call, Ctx, Family, Files, Op, Param, Registry, Type, Value},
 };
+
+/// Nobody stops these runs.
+static NEVER: AtomicBool = AtomicBool::new(false);
 
 /// Calls of `counted`, by what they were given.
 static CALLS: Mutex<BTreeMap<String, usize>> = Mutex::new(BTreeMap::new());
@@ -145,6 +148,7 @@ impl Desk {
             purpose: Purpose::Run,
             recall: Some(&recall),
             held: || 0,
+            stop: &NEVER,
         };
         let mut sources = Sources::default();
         let outcome = eval::evaluate("document", &text, &mut sources, settings);

@@ -116,6 +116,11 @@ proptest! {
 
     #[test]
     fn meshes_of_any_numbers(places in vec(number(), 9), normals in vec(number(), 9), i in 0..4u32) {
-        let _ = Mesh::new(points(&places), points(&normals), Vec::new(), vec![[0, 1, i]]);
+        let mesh = Mesh::new(points(&places), points(&normals), Vec::new(), vec![[0, 1, i], [2, 1, 0]]);
+        if let Ok(mesh) = mesh {
+            let _ = (mesh.check(Tolerance::DEFAULT), mesh.check_solid(Tolerance::DEFAULT));
+            let _ = (mesh.area_centroid(), mesh.volume_centroid());
+            let _ = mesh.with_colors(points(&normals));
+        }
     }
 }

@@ -101,7 +101,7 @@ proptest! {
         let all = Sections::new(&curves).unwrap();
         let n = curves.len();
         let parameters: Vec<f64> = (0..n).map(|k| k as f64 / (n - 1) as f64).collect();
-        let Ok(along) = Along::spine(&parameters, degree, &path) else { return Ok(()) };
+        let Ok(along) = Along::spine(&parameters, degree, &path, false) else { return Ok(()) };
         let Some(s) = skin(&all, &along) else { return Ok(()) };
         for &v in &parameters {
             let tangent = path.derivatives_at(v, 1)[1];

@@ -28,6 +28,17 @@ impl Curve {
         }
     }
 
+    /// The NURBS that it is, or a spline within the tolerance of a function.
+    ///
+    /// # Errors
+    /// Those of [`ParametricCurve::to_nurbs`].
+    pub fn nurbs_within(&self, tolerance: f64) -> Result<Arc<NurbsCurve>, GeomError> {
+        match self {
+            Self::Nurbs(curve) => Ok(Arc::clone(curve)),
+            Self::Parametric(curve) => curve.to_nurbs(tolerance).map(Arc::new),
+        }
+    }
+
     /// The parameters that have a point.
     #[must_use]
     pub fn domain(&self) -> Interval {

@@ -3,7 +3,10 @@
 use glam::DVec3;
 
 use super::NurbsCurve;
-use crate::kernel::{GeomError, Interval, tolerance::LENGTH_RELATIVE};
+use crate::kernel::{
+    GeomError, Interval,
+    tolerance::{LAST_BIT, LENGTH_RELATIVE},
+};
 
 /// Steps of Newton's method, each halving the bracket where it fails to do better.
 const MAX_STEPS: usize = 100;
@@ -45,7 +48,8 @@ impl NurbsCurve {
     /// Each polynomial piece's interval and length.
     fn piece_lengths(&self) -> Vec<(Interval, f64)> {
         let intervals = self.knots().spans().map(|span| self.knots().span_interval(span));
-        intervals.map(|interval| (interval, self.length(interval))).collect()
+        let rounding = LAST_BIT * self.magnitude();
+        intervals.map(|interval| (interval, self.length_within(interval, rounding))).collect()
     }
 
     fn at_length(&self, pieces: &[(Interval, f64)], length: f64) -> f64 {
@@ -68,10 +72,11 @@ impl NurbsCurve {
             return piece.end();
         }
         let (mut low, mut high) = (piece.start(), piece.end());
+        let rounding = LAST_BIT * self.magnitude();
         let mut t = piece.at(length / piece_length);
         for _ in 0..MAX_STEPS {
             let Ok(part) = Interval::new(piece.start(), t) else { return low };
-            let excess = self.length(part) - length;
+            let excess = self.length_within(part, rounding) - length;
             if excess.abs() <= LENGTH_RELATIVE * piece_length {
                 return t;
             }

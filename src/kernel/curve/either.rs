@@ -115,22 +115,23 @@ impl ParametricCurve {
         let speed = norm(self.derivatives_at(end, 1)?[1]);
         let first = length / speed;
         let mut step = if first < domain.length() { first } else { domain.length() };
-        let mut reached = 0.0;
+        // Up to `low` it is `reached` longer, so that each step follows the function only from there.
+        let (mut low, mut reached) = (end, 0.0);
         for _ in 0..MAX_DOUBLINGS {
-            let beyond = match 0.0 < sign {
-                true => Interval::new(end, end + step),
-                false => Interval::new(end - step, end),
-            }?;
+            let far = end + sign * step;
+            let beyond = Interval::new(low.min(far), low.max(far))?;
             let rest = self.on(beyond)?.stand_in()?;
-            reached = rest.length(beyond);
-            if length <= reached {
-                let from_start = if 0.0 < sign { length } else { reached - length };
-                let t = rest.parameter_at_length(from_start)?;
+            let more = rest.length(beyond);
+            if length <= reached + more {
+                let missing = length - reached;
+                let from_start = if 0.0 < sign { missing } else { more - missing };
+                let t = rest.parameter_at_length(from_start.clamp(0.0, more))?;
                 return self.on(match 0.0 < sign {
                     true => Interval::new(domain.start(), t),
                     false => Interval::new(t, domain.end()),
                 }?);
             }
+            (low, reached) = (far, reached + more);
             step *= 2.0;
         }
         Err(GeomError::EndOfContinuation { wanted: length, reached })

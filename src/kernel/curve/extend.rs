@@ -1,21 +1,24 @@
 //! A curve that goes on beyond its end.
 
-use glam::DVec4;
+use glam::{DVec3, DVec4};
 
-use super::NurbsCurve;
+use super::{
+    NurbsCurve,
+    measure::{MAX_PIECES, integral},
+};
 use crate::kernel::{
     GeomError, Interval, Receipt, bezier,
     frame::norm,
-    homogeneous, positive,
-    tolerance::{LAST_BIT, LENGTH_RELATIVE, VANISHING_RELATIVE},
+    homogeneous,
+    tolerance::{LAST_BIT, LENGTH_RELATIVE, PLACE_RELATIVE, VANISHING_RELATIVE},
 };
 
 /// Doublings of the last span's width before a length counts as out of reach: its knots are still
-/// told apart from those of the curve.
-const MAX_DOUBLINGS: usize = 30;
+/// told apart from those of the curve. A single piece has none.
+const MAX_DOUBLINGS: [i32; 2] = [30, 1000];
 
 /// Steps to the parameter of a length; Newton's method takes five or so.
-const MAX_STEPS: usize = 100;
+const MAX_STEPS: usize = 1000;
 
 /// Halvings of the last span that make its weights positive; more only where the denominator all
 /// but vanishes.
@@ -30,7 +33,8 @@ impl NurbsCurve {
     ///
     /// # Errors
     /// [`GeomError::NotPositive`] for a length; [`GeomError::EndOfContinuation`] where no parameter
-    /// has it: an arc goes on to the middle of what is missing from its circle.
+    /// has it: an arc goes on to the middle of what is missing from its circle;
+    /// [`GeomError::ContinuationLost`] where rounding leaves no digits.
     pub fn extended(&self, length: f64) -> Result<Self, GeomError> {
         if !(length.is_finite() && 0.0 < length) {
             return Err(GeomError::NotPositive { what: "the length", got: length });
@@ -41,7 +45,13 @@ impl NurbsCurve {
             // The length is rounding.
             return Ok(clamped);
         }
-        clamped.continued_to(end)?.with_positive_weights()
+        let longer = clamped.continued_to(end)?.with_positive_weights()?;
+        // Far away the points of a high degree are large, and their differences rounding.
+        let off = norm(longer.end() - clamped.beyond().point(end));
+        if off.is_nan() || PLACE_RELATIVE * (length + clamped.magnitude()) < off {
+            return Err(GeomError::ContinuationLost { degree: clamped.degree(), length });
+        }
+        Ok(longer)
     }
 
     /// [`Self::extended`] before the start, on a domain that grows there.
@@ -68,9 +78,10 @@ impl NurbsCurve {
         let mut points: Vec<DVec4> = self.control_points.clone();
         for (i, point) in points.iter_mut().enumerate().take(span + 1).skip(span - degree) {
             let arguments = &knots.as_slice()[i + 1..=i + degree];
-            *point = bezier::blossom(&self.knots, &self.control_points, span, arguments);
+            let own = bezier::blossom(&self.knots, &self.control_points, span, arguments);
+            // Equal weights stay equal, whatever rounding says far away.
+            *point = if self.is_rational { own } else { own.truncate().extend(point.w) };
         }
-        positive::check_curve(&knots, &points)?;
         Self::new(knots, points)
     }
 
@@ -102,7 +113,8 @@ impl NurbsCurve {
         }
 
         // A bracket without a pole.
-        let first = start + length / norm(self.velocity_on(span, start)[1]);
+        let beyond = self.beyond();
+        let first = start + length / beyond.speed(start);
         let width = self.knots.span_interval(span).length();
         let mut step = if first.is_finite() { (first - start).min(width) } else { width };
         let (mut low, mut high, mut pole) = (start, None, f64::INFINITY);
@@ -113,35 +125,97 @@ impl NurbsCurve {
         }
         for _ in 0..MAX_STEPS {
             let t = if pole.is_finite() { 0.5 * (low + pole) } else { start + step };
-            if self.continued_to(t).is_err() {
+            // Beyond all numbers there is no parameter.
+            let Ok(added) = Interval::new(low, t) else { break };
+            if Interval::new(self.domain().start(), t).is_err() {
+                break;
+            }
+            if self.is_rational && self.continued_to(t).is_err() {
                 pole = t;
             } else {
-                let more = self.length_beyond(low, t);
-                if length <= known + more {
+                let more = beyond.length(added);
+                // Nor is there a length.
+                if !more.is_finite() || length <= known + more {
                     high = Some(t);
                     break;
                 }
                 (low, known) = (t, known + more);
                 step *= 2.0;
             }
-            if libm::ldexp(width, MAX_DOUBLINGS as i32) < step {
+            if libm::ldexp(width, MAX_DOUBLINGS[usize::from(self.n_segments() == 1)]) < step {
                 break;
             }
         }
         match high {
-            Some(high) => Ok(self.reached(length, [low, high], known, first)),
+            Some(high) => Ok(beyond.reached(length, [low, high], known, first)),
             None => Err(GeomError::EndOfContinuation { wanted: length, reached: known }),
         }
+    }
+
+    /// The last piece, to be looked at beyond the domain.
+    fn beyond(&self) -> Beyond {
+        let start = self.domain().end();
+        let span = self.knots.span_at(start);
+        let piece = bezier::piece(&self.knots, &self.control_points, span);
+        let degree = piece.len() - 1;
+        let mut differences: Vec<DVec4> = piece.into_iter().rev().collect();
+        let mut coefficients = Vec::with_capacity(degree + 1);
+        let mut binomial = 1.0;
+        for k in 0..=degree {
+            coefficients.push(differences[0] * binomial);
+            for j in 0..degree - k {
+                let next = differences[j + 1];
+                differences[j] -= next;
+            }
+            binomial *= (degree - k) as f64 / (k + 1) as f64;
+        }
+        if !self.is_rational {
+            coefficients.iter_mut().skip(1).for_each(|term| term.w = 0.0);
+        }
+        let width = self.knots.span_interval(span).length();
+        Beyond { start, width, coefficients, rounding: LAST_BIT * self.magnitude() }
+    }
+}
+
+/// A polynomial piece by the powers of how far a parameter is beyond its end, in widths of the
+/// piece: all of one sign where it grows, so that it has digits far away.
+struct Beyond {
+    start: f64,
+    width: f64,
+    coefficients: Vec<DVec4>,
+    rounding: f64,
+}
+
+impl Beyond {
+    fn point(&self, t: f64) -> DVec3 {
+        let s = (t - self.start) / self.width;
+        let add = |value: DVec4, &term: &DVec4| value * s + term;
+        homogeneous::project(self.coefficients.iter().rev().fold(DVec4::ZERO, add))
+    }
+
+    fn speed(&self, t: f64) -> f64 {
+        let s = (t - self.start) / self.width;
+        let (mut value, mut slope) = (DVec4::ZERO, DVec4::ZERO);
+        for &term in self.coefficients.iter().rev() {
+            slope = slope * s + value;
+            value = value * s + term;
+        }
+        let velocity = slope.truncate() - value.truncate() * (slope.w / value.w);
+        norm(velocity / value.w) / self.width
+    }
+
+    fn length(&self, interval: Interval) -> f64 {
+        let degree = self.coefficients.len();
+        integral(&|t| self.speed(t), interval, self.rounding, MAX_PIECES / (degree * degree))
     }
 
     /// The parameter of a length inside of a bracket, at whose start it is `known`: Newton's method
     /// from `first`, with halves where it leaves the bracket.
     fn reached(&self, length: f64, bracket: [f64; 2], mut known: f64, first: f64) -> f64 {
         let [mut low, mut high] = bracket;
-        let span = self.knots.span_at(self.domain().end());
         let mut t = if low < first && first <= high { first } else { high };
         for _ in 0..MAX_STEPS {
-            let more = self.length_beyond(low, t);
+            let more = Interval::new(low, t).map_or(0.0, |part| self.length(part));
             let missing = length - known - more;
             if missing.abs() <= LENGTH_RELATIVE * length {
                 break;
@@ -151,7 +225,7 @@ impl NurbsCurve {
             } else {
                 high = t;
             }
-            let next = t + missing / norm(self.velocity_on(span, t)[1]);
+            let next = t + missing / self.speed(t);
             let next = if low < next && next < high { next } else { 0.5 * (low + high) };
             if (next - t).abs() <= LAST_BIT * t.abs() {
                 break;
@@ -159,10 +233,5 @@ impl NurbsCurve {
             t = next;
         }
         t
-    }
-
-    /// The length of the last piece between two parameters.
-    fn length_beyond(&self, from: f64, to: f64) -> f64 {
-        Interval::new(from, to).map_or(0.0, |part| self.length_of_piece(part))
     }
 }

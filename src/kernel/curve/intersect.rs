@@ -7,10 +7,14 @@
 //! cones as in Sederberg & Meyers (1988).
 
 mod contact;
+mod newton;
 
 use glam::DVec3;
 
-use self::contact::Contact;
+use self::{
+    contact::Contact,
+    newton::{beside, nearest_on, nearest_parameter, nearest_step},
+};
 use super::{
     NurbsCurve,
     part::{Part, parts},
@@ -20,14 +24,24 @@ use crate::kernel::{
     tolerance::{KNOT_RELATIVE, LAST_BIT},
 };
 
-/// Pairs of pieces that are looked at before the curves count as running together.
-const MAX_PAIRS: usize = 400_000;
+/// Control points of pairs of pieces that are looked at before the meetings are too many.
+const MAX_WORK: usize = 1_600_000;
+
+/// Pairs of pieces that may besides come of each span.
+const PAIRS_A_SPAN: usize = 16;
+
+/// Last bits of a coordinate within which two places cannot be told apart.
+const MOST_ROUNDINGS: f64 = 16.0;
 
 /// Steps of Newton's method; from a pair that crosses clearly it needs some five.
 const MAX_STEPS: usize = 30;
 
 /// Bisections of a stretch in which two curves touch.
 const MAX_BISECTIONS: usize = 60;
+
+/// A touch is as long as the root of the tolerance times the size; what is longer by this factor
+/// runs together.
+const LONGEST_TOUCH: f64 = 16.0;
 
 /// A place where two curves meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +63,8 @@ struct Search<'c> {
     is_same: bool,
     /// A touch is no longer than this.
     longest_touch: f64,
+    /// Control points that may still be looked at.
+    left: usize,
     meetings: Vec<Meeting>,
     contacts: Vec<Contact>,
 }
@@ -57,16 +73,32 @@ impl NurbsCurve {
     /// Every place where the curve comes within `tolerance` of another, by the parameter of this.
     ///
     /// # Errors
-    /// [`GeomError::RunTogether`] where they share a stretch and not single points.
+    /// [`GeomError::RunTogether`] where they share a stretch and not single points,
+    /// [`GeomError::Tangled`] where the meetings are too many.
     pub fn intersections(&self, other: &Self, tolerance: f64) -> Result<Vec<Meeting>, GeomError> {
-        let mut search = Search::new(self, other, tolerance, false);
+        self.meetings_with(other, tolerance, &mut work([self, other]))
+    }
+
+    /// [`Self::intersections`] with so much work `left`.
+    pub(super) fn meetings_with(
+        &self,
+        other: &Self,
+        tolerance: f64,
+        left: &mut usize,
+    ) -> Result<Vec<Meeting>, GeomError> {
+        if let Some(factor) = self.unit_factor(&[other]) {
+            let curves = [self, other].map(|curve| curve.in_units(factor));
+            let found = curves[0].meetings_with(&curves[1], tolerance * factor, left);
+            return Ok(in_units(found?, factor));
+        }
+        let mut search = Search::new(self, other, tolerance, *left);
         let mut pairs = Vec::new();
         let others = parts(other);
         for own in parts(self) {
             let near = others.iter().filter(|other| own.may_meet(other, tolerance));
             pairs.extend(near.map(|other| (own.clone(), other.clone())));
         }
-        search.run(pairs)?;
+        *left = search.run(pairs)?;
         search.finish()
     }
 
@@ -74,9 +106,23 @@ impl NurbsCurve {
     /// first. The seam of a closed curve is none.
     ///
     /// # Errors
-    /// [`GeomError::RunTogether`] where it runs along itself.
+    /// [`GeomError::RunTogether`] where it runs along itself, [`GeomError::Tangled`] where the
+    /// meetings are too many.
     pub fn self_intersections(&self, tolerance: f64) -> Result<Vec<Meeting>, GeomError> {
-        let mut search = Search::new(self, self, tolerance, true);
+        self.own_meetings(tolerance, &mut work([self, self]))
+    }
+
+    /// [`Self::self_intersections`] with so much work `left`.
+    pub(super) fn own_meetings(
+        &self,
+        tolerance: f64,
+        left: &mut usize,
+    ) -> Result<Vec<Meeting>, GeomError> {
+        if let Some(factor) = self.unit_factor(&[]) {
+            let found = self.in_units(factor).own_meetings(tolerance * factor, left);
+            return Ok(in_units(found?, factor));
+        }
+        let mut search = Search { is_same: true, ..Search::new(self, self, tolerance, *left) };
         let pieces = parts(self);
         let mut pairs = Vec::new();
         let mut alone = pieces.clone();
@@ -92,28 +138,41 @@ impl NurbsCurve {
             pairs.push((left.clone(), right.clone()));
             alone.extend([left, right]);
         }
-        search.run(pairs)?;
+        *left = search.run(pairs)?;
         search.finish()
     }
 }
 
+/// How much work the meetings of two curves are worth: control points of pairs of pieces.
+pub(super) fn work(curves: [&NurbsCurve; 2]) -> usize {
+    let own = |curve: &NurbsCurve| (curve.degree() + 1) * curve.n_segments();
+    MAX_WORK + PAIRS_A_SPAN * curves.into_iter().map(own).sum::<usize>()
+}
+
+/// Meetings that were found in other units.
+fn in_units(mut meetings: Vec<Meeting>, factor: f64) -> Vec<Meeting> {
+    meetings.iter_mut().for_each(|meeting| meeting.point /= factor);
+    meetings
+}
+
 impl<'c> Search<'c> {
-    fn new(first: &'c NurbsCurve, second: &'c NurbsCurve, tolerance: f64, is_same: bool) -> Self {
+    fn new(first: &'c NurbsCurve, second: &'c NurbsCurve, tolerance: f64, left: usize) -> Self {
+        let magnitude = first.magnitude().max(second.magnitude());
+        let tolerance = tolerance.max(MOST_ROUNDINGS * LAST_BIT * magnitude);
         let size = Bounds::of(first.points()).map_or(0.0, Bounds::diagonal);
         let longest_touch = LONGEST_TOUCH * (tolerance * size).sqrt();
         let (meetings, contacts) = (Vec::new(), Vec::new());
-        Self { first, second, tolerance, is_same, longest_touch, meetings, contacts }
+        let is_same = false;
+        Self { first, second, tolerance, is_same, longest_touch, left, meetings, contacts }
     }
 
-    fn run(&mut self, pairs: Vec<(Part, Part)>) -> Result<(), GeomError> {
+    /// Looks at all pairs; tells how much work is left.
+    fn run(&mut self, pairs: Vec<(Part, Part)>) -> Result<usize, GeomError> {
         let mut todo = pairs;
         todo.retain(|(a, b)| a.may_meet(b, self.tolerance));
-        let mut n_pairs = 0;
+        let cost = self.first.degree() + self.second.degree() + 2;
         while let Some((a, b)) = todo.pop() {
-            n_pairs += 1;
-            if MAX_PAIRS < n_pairs {
-                return Err(self.run_together(&Contact { first: a.interval, second: b.interval }));
-            }
+            self.left = self.left.checked_sub(cost).ok_or(GeomError::Tangled)?;
             if self.is_settled(&a, &b) {
                 match self.contacts.last().filter(|stretch| self.is_long(stretch)) {
                     Some(stretch) => return Err(self.run_together(stretch)),
@@ -129,7 +188,7 @@ impl<'c> Search<'c> {
                 }
             }
         }
-        Ok(())
+        Ok(self.left)
     }
 
     /// Whether a pair needs no further halving; what it came to is noted.
@@ -286,10 +345,10 @@ impl<'c> Search<'c> {
         let (near_first, near_second) = (near(self.first), near(self.second));
         let mut kept: Vec<Meeting> = Vec::new();
         for meeting in self.meetings {
-            let is_told = kept.iter().any(|other| {
-                (other.first - meeting.first).abs() <= near_first
-                    && (other.second - meeting.second).abs() <= near_second
-            });
+            // In their order those that are near on the first curve are the last ones.
+            let near =
+                kept.iter().rev().take_while(|other| meeting.first - other.first <= near_first);
+            let is_told = near.map(|o| o.second).any(|s| (s - meeting.second).abs() <= near_second);
             if !is_told {
                 kept.push(meeting);
             }
@@ -314,52 +373,4 @@ fn near_pairs(pieces: &[Part], tolerance: f64) -> Vec<(usize, usize)> {
     }
     pairs.sort_unstable();
     pairs
-}
-
-/// A touch is as long as the root of the tolerance times the size; what is longer by this factor
-/// runs together.
-const LONGEST_TOUCH: f64 = 16.0;
-
-/// Steps of both parameters to the nearest approach of two tangents.
-fn nearest_step(apart: DVec3, first: DVec3, second: DVec3) -> Option<(f64, f64)> {
-    let (aa, ab, bb) = (first.dot(first), first.dot(second), second.dot(second));
-    let determinant = aa * bb - ab * ab;
-    let (x, y) = (-apart.dot(first), apart.dot(second));
-    let steps = ((x * bb + y * ab) / determinant, (y * aa + x * ab) / determinant);
-    (steps.0.is_finite() && steps.1.is_finite()).then_some(steps)
-}
-
-/// The distance of a point from a short part of a curve.
-fn nearest_on(curve: &NurbsCurve, interval: Interval, p: DVec3) -> f64 {
-    let t = nearest_parameter(curve, interval, p, interval.at(0.5));
-    [t, interval.start(), interval.end()]
-        .into_iter()
-        .map(|t| curve.point_at(t).distance(p))
-        .fold(f64::INFINITY, f64::min)
-}
-
-/// The parameter of a short part of a curve that is nearest to a point: Newton's method on its
-/// tangents.
-fn nearest_parameter(curve: &NurbsCurve, interval: Interval, p: DVec3, start: f64) -> f64 {
-    let mut t = start;
-    for _ in 0..MAX_STEPS {
-        let derivatives = curve.derivatives_at(t, 1);
-        let step = (p - derivatives[0]).dot(derivatives[1]) / derivatives[1].length_squared();
-        if !step.is_finite() {
-            return t;
-        }
-        let next = (t + step).clamp(interval.start(), interval.end());
-        if (next - t).abs() <= LAST_BIT * t.abs() {
-            return next;
-        }
-        t = next;
-    }
-    t
-}
-
-/// A parameter within one width of an interval, and of the domain.
-fn beside(curve: &NurbsCurve, interval: Interval, t: f64) -> f64 {
-    let (width, domain) = (interval.length(), curve.domain());
-    let low = (interval.start() - width).max(domain.start());
-    t.clamp(low, (interval.end() + width).min(domain.end()))
 }

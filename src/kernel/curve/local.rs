@@ -100,16 +100,13 @@ impl LocalGeometry {
             point: derivatives[0],
             tangent: sign * direction[0],
             extent,
-            bending: bending.map(|k| if is_straight(k) { DVec3::ZERO } else { k / extent }),
-            bending_slope: slope.map(|k| sign * k / extent / extent),
+            bending: bending
+                .map(|k| if is_straight(k) { DVec3::ZERO } else { k / extent })
+                .filter(|k| k.is_finite()),
+            bending_slope: slope.map(|k| sign * k / extent / extent).filter(|k| k.is_finite()),
         })
-        .filter(Self::is_finite)
+        .filter(|found| found.tangent.is_finite())
         .ok_or(standing)
-    }
-
-    fn is_finite(&self) -> bool {
-        let vectors = [Some(self.tangent), self.bending, self.bending_slope];
-        vectors.into_iter().flatten().all(DVec3::is_finite)
     }
 
     /// The point.

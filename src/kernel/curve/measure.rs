@@ -12,8 +12,15 @@ use crate::kernel::{
 /// with each.
 const MAX_HALVINGS: usize = 40;
 
-/// Pieces of one span; only noise needs more than some hundred, and has no better answer.
-const MAX_PIECES: usize = 10_000;
+/// Pieces of one span of a low degree; only noise needs more than some hundred, and has no better
+/// answer.
+pub(super) const MAX_PIECES: usize = 10_000;
+
+/// Pieces of one span of any degree.
+const LEAST_PIECES: usize = 100;
+
+/// The square of the order up to which a degree is low.
+const LOW: usize = 16;
 
 /// Cuts for a span, on average, where the tangent turns; a cusp takes some fifty, and more only what
 /// turns at random.
@@ -40,12 +47,28 @@ impl NurbsCurve {
     /// with the whole to 1e-13 of the length or the rounding of the coordinates.
     #[must_use]
     pub fn length(&self, interval: Interval) -> f64 {
-        let pieces = self.smooth_pieces(interval);
-        let estimates: Vec<f64> = pieces.iter().map(|&piece| self.quadrature(piece)).collect();
-        let accuracy =
-            LENGTH_RELATIVE * estimates.iter().sum::<f64>() + LAST_BIT * self.magnitude();
-        let refined = pieces.into_iter().zip(estimates);
-        refined.map(|(piece, estimate)| self.refined_length(piece, estimate, accuracy)).sum()
+        self.length_within(interval, LAST_BIT * self.magnitude())
+    }
+
+    /// [`Self::length`] for coordinates that are rounded by so much.
+    pub(super) fn length_within(&self, interval: Interval, rounding: f64) -> f64 {
+        let pieces = self.smooth_pieces(interval, rounding);
+        let estimates: Vec<f64> =
+            pieces.iter().map(|&piece| quadrature(&self.speed_on(piece), piece)).collect();
+        let accuracy = LENGTH_RELATIVE * estimates.iter().sum::<f64>() + rounding;
+        let order = self.degree() + 1;
+        let most = (MAX_PIECES * LOW / (order * order)).clamp(LEAST_PIECES, MAX_PIECES);
+        let refined = |(piece, estimate): (Interval, f64)| {
+            refined(&self.speed_on(piece), (piece, estimate), accuracy, most)
+        };
+        pieces.into_iter().zip(estimates).map(refined).sum()
+    }
+
+    /// The speed on a part of one span.
+    fn speed_on(&self, piece: Interval) -> impl Fn(f64) -> f64 + '_ {
+        // One span for all nodes, so that none beside a knot falls on its wrong side.
+        let span = self.knots.span_at(piece.at(0.5));
+        move |t| norm(self.velocity_on(span, t)[1])
     }
 
     /// The smallest axis-aligned box around the curve, to rounding; not that of its control points.
@@ -58,23 +81,17 @@ impl NurbsCurve {
         Spline { knots: [&constant, &self.knots], points: &points }.bounds()
     }
 
-    /// Arc length of the piece that holds the middle of the interval, which goes on beyond its
-    /// span and the domain.
-    pub(super) fn length_of_piece(&self, interval: Interval) -> f64 {
-        let estimate = self.quadrature(interval);
-        let accuracy = LENGTH_RELATIVE * estimate + LAST_BIT * self.magnitude();
-        self.refined_length(interval, estimate, accuracy)
-    }
-
     /// The interval cut to the domain, at the knots, and so often that no tangent of a piece is far
     /// from another: beside a cusp nodes on one side alone would agree on the wrong length.
-    fn smooth_pieces(&self, interval: Interval) -> Vec<Interval> {
-        let short = LAST_BIT * self.magnitude();
+    fn smooth_pieces(&self, interval: Interval, short: f64) -> Vec<Interval> {
+        let (knots, domain) = (self.knots.as_slice(), self.domain());
+        let [first, last] = [interval.start(), interval.end()]
+            .map(|t| self.knots.span_at(t.clamp(domain.start(), domain.end())));
         let overlaps = |&span: &usize| {
-            let span = self.knots.span_interval(span);
-            interval.start() < span.end() && span.start() < interval.end()
+            let (start, end) = (knots[span], knots[span + 1]);
+            start < end && interval.start() < end && start < interval.end()
         };
-        let spans: Vec<usize> = self.knots.spans().filter(overlaps).collect();
+        let spans: Vec<usize> = (first..=last).filter(overlaps).collect();
         let mut pieces = Vec::new();
         let most = spans.len().saturating_mul(MAX_CUTS);
         let mut n_cuts = 0;
@@ -95,37 +112,52 @@ impl NurbsCurve {
         }
         pieces
     }
+}
 
-    fn refined_length(&self, piece: Interval, estimate: f64, accuracy: f64) -> f64 {
-        let mut length = 0.0;
-        let mut todo = vec![(piece, estimate, 0)];
-        let mut n_pieces = 0;
-        while let Some((piece, estimate, n_halvings)) = todo.pop() {
-            let halves = piece.halves();
-            let lengths = halves.map(|half| self.quadrature(half));
-            let sum = lengths[0] + lengths[1];
-            n_pieces += 1;
-            let may_halve = n_halvings < MAX_HALVINGS && n_pieces < MAX_PIECES;
-            // In this order a sum that is no number ends the search.
-            if may_halve && accuracy < (sum - estimate).abs() {
-                let half = |i: usize| (halves[i], lengths[i], n_halvings + 1);
-                todo.extend([half(1), half(0)]);
-            } else {
-                length += sum;
-            }
+/// The integral of a speed, to 1e-13 of it or to the rounding of coordinates.
+pub(super) fn integral(
+    speed: &impl Fn(f64) -> f64,
+    interval: Interval,
+    rounding: f64,
+    most: usize,
+) -> f64 {
+    let estimate = quadrature(speed, interval);
+    refined(speed, (interval, estimate), LENGTH_RELATIVE * estimate + rounding, most)
+}
+
+/// An integral from an estimate: each piece is halved, up to `most` times, until both halves
+/// together agree with the whole.
+fn refined(
+    speed: &impl Fn(f64) -> f64,
+    (piece, estimate): (Interval, f64),
+    accuracy: f64,
+    most: usize,
+) -> f64 {
+    let mut length = 0.0;
+    let mut todo = vec![(piece, estimate, 0)];
+    let mut n_pieces = 0;
+    while let Some((piece, estimate, n_halvings)) = todo.pop() {
+        let halves = piece.halves();
+        let lengths = halves.map(|half| quadrature(speed, half));
+        let sum = lengths[0] + lengths[1];
+        n_pieces += 1;
+        let may_halve = n_halvings < MAX_HALVINGS && n_pieces < most;
+        // In this order a sum that is no number ends the search.
+        if may_halve && accuracy < (sum - estimate).abs() {
+            let half = |i: usize| (halves[i], lengths[i], n_halvings + 1);
+            todo.extend([half(1), half(0)]);
+        } else {
+            length += sum;
         }
-        length
     }
+    length
+}
 
-    /// The integral of the speed over a part of one span.
-    fn quadrature(&self, piece: Interval) -> f64 {
-        let (middle, half) = (piece.at(0.5), 0.5 * piece.length());
-        // One span for all nodes, so that none beside a knot falls on its wrong side.
-        let span = self.knots.span_at(middle);
-        let speed = |t: f64| norm(self.velocity_on(span, t)[1]);
-        let pair = |&[node, weight]: &[f64; 2]| {
-            weight * (speed(middle - half * node) + speed(middle + half * node))
-        };
-        half * GAUSS_16.iter().map(pair).sum::<f64>()
-    }
+/// The integral of a speed by one rule.
+fn quadrature(speed: &impl Fn(f64) -> f64, piece: Interval) -> f64 {
+    let (middle, half) = (piece.at(0.5), 0.5 * piece.length());
+    let pair = |&[node, weight]: &[f64; 2]| {
+        weight * (speed(middle - half * node) + speed(middle + half * node))
+    };
+    half * GAUSS_16.iter().map(pair).sum::<f64>()
 }

@@ -9,7 +9,7 @@
 //! an end, `offset` runs beside, `deviation` tells how far two are apart, `compatible` brings
 //! several to one basis, `denominator` over one denominator, `measure` has length and bounds. `features` has the places that stand out,
 //! `closest` the nearest one, `intersect` the meetings of two curves, from `bend`, the polynomials
-//! that a piece is made of, and `part`; `arc_length` finds places by length. Of both, `local` tells
+//! that a piece is made of, and `part`, in the `units` that this needs; `arc_length` finds places by length. Of both, `local` tells
 //! the shape at a place from its derivatives, `direction` the kind of the place, `continuity`
 //! compares the two sides of a joint, `flat` and `planar` look for lines and planes.
 
@@ -49,6 +49,7 @@ mod product;
 mod reduce;
 mod series;
 mod spline_of;
+mod units;
 mod whole;
 
 use glam::{DAffine3, DVec3, DVec4};

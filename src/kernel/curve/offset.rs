@@ -11,7 +11,7 @@ use glam::{DVec3, DVec4};
 use super::{Meeting, NurbsCurve, join};
 use crate::kernel::{
     GeomError, Interval, Side,
-    frame::unit,
+    frame::{norm, unit},
     tolerance::{LAST_BIT, Tolerance},
 };
 
@@ -39,6 +39,8 @@ pub struct Offset {
     /// A stretch of its own parameters on which it runs along itself; there may be more, and
     /// crossings are not known then.
     pub overlap: Option<Interval>,
+    /// Whether it crosses itself so often that the crossings are not known.
+    pub is_tangled: bool,
 }
 
 impl Offset {
@@ -52,6 +54,7 @@ impl Offset {
             is_reversed: false,
             crossings: Vec::new(),
             overlap: None,
+            is_tangled: false,
         }
     }
 
@@ -63,7 +66,19 @@ impl Offset {
             Err(GeomError::RunTogether { start, end }) => {
                 Self { overlap: Interval::new(start, end).ok(), ..self }
             }
+            Err(GeomError::Tangled) => Self { is_tangled: true, ..self },
             Err(_) => self,
+        }
+    }
+
+    /// The same in units that are smaller by a factor.
+    fn in_units(self, factor: f64) -> Self {
+        let back = |meeting: Meeting| Meeting { point: meeting.point / factor, ..meeting };
+        Self {
+            curve: self.curve.in_units(1.0 / factor),
+            deviation: self.deviation / factor,
+            crossings: self.crossings.into_iter().map(back).collect(),
+            ..self
         }
     }
 }
@@ -110,7 +125,7 @@ impl NurbsCurve {
     ///
     /// # Errors
     /// [`GeomError::ZeroAxis`] for the normal; [`GeomError::AlongNormal`] where the curve runs
-    /// along it; [`GeomError::NoOffset`] where it turns too fast to be followed; [`GeomError::VanishingOffset`] of a circle of that radius.
+    /// along it; [`GeomError::VanishingTangent`] of a point; [`GeomError::OffsetTooFar`]; [`GeomError::NoOffset`] where it turns too fast to be followed; [`GeomError::VanishingOffset`] of a circle of that radius.
     pub fn offset(
         &self,
         distance: f64,
@@ -118,11 +133,30 @@ impl NurbsCurve {
         tolerance: Tolerance,
     ) -> Result<Offset, GeomError> {
         let normal = unit(normal).ok_or(GeomError::ZeroAxis { what: "the normal" })?;
+        if let Some(factor) = self.unit_factor(&[]) {
+            let tolerance = tolerance.with_distance(tolerance.distance * factor);
+            let found = self.in_units(factor).offset(distance * factor, normal, tolerance);
+            return found.map(|found| found.in_units(factor)).map_err(|error| match error {
+                GeomError::VanishingOffset { radius } => {
+                    GeomError::VanishingOffset { radius: radius / factor }
+                }
+                other => other,
+            });
+        }
         let rounding = MOST_ROUNDINGS * LAST_BIT * (self.magnitude() + distance.abs());
         let accuracy = tolerance.distance.max(rounding);
         let aim = Aim { distance, normal, accuracy, rounding };
-        if distance.abs() <= 0.0 {
-            return Ok(Offset::exact(self.clone()));
+        if distance.abs() <= rounding {
+            // Beside itself by less than its coordinates are rounded.
+            return Ok(Offset { deviation: distance.abs(), ..Offset::exact(self.clone()) });
+        }
+        let start = self.start();
+        let size = self.points().into_iter().map(|point| norm(point - start)).fold(0.0, f64::max);
+        if size <= 0.0 {
+            return Err(GeomError::VanishingTangent { parameter: self.domain().start() });
+        }
+        if size <= LAST_BIT * distance.abs() {
+            return Err(GeomError::OffsetTooFar { distance });
         }
         if let Some(offset) = straight::offset(self, aim)? {
             return Ok(offset.crossed(&[], aim));

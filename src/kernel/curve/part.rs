@@ -98,10 +98,14 @@ impl Cone {
     fn of_velocity(points: &[DVec4]) -> Self {
         let numerator: Vec<DVec3> = points.iter().map(|point| point.truncate()).collect();
         let weight: Vec<f64> = points.iter().map(|point| point.w).collect();
-        let times = |vector: DVec3, factor: f64| vector * factor;
-        let grown = product(&derivative(&numerator), &weight, times);
-        let shrunk = product(&numerator, &derivative(&weight), times);
-        let velocity: Vec<DVec3> = grown.iter().zip(&shrunk).map(|(&a, &b)| a - b).collect();
+        let velocity: Vec<DVec3> = if weight.iter().all(|w| w.total_cmp(&weight[0]).is_eq()) {
+            derivative(&numerator)
+        } else {
+            let times = |vector: DVec3, factor: f64| vector * factor;
+            let grown = product(&derivative(&numerator), &weight, times);
+            let shrunk = product(&numerator, &derivative(&weight), times);
+            grown.iter().zip(&shrunk).map(|(&a, &b)| a - b).collect()
+        };
         let rounding = longest(&velocity) * KNOT_RELATIVE;
         let clear = || velocity.iter().filter(|slope| rounding < slope.length());
         let Some(axis) = clear().map(|slope| slope.normalize()).sum::<DVec3>().try_normalize()

@@ -2,7 +2,19 @@
 
 use glam::{DVec3, DVec4};
 
+use super::equation::Equation;
 use crate::kernel::{GeomError, KnotVector, NurbsCurve, tolerance::RANK_RELATIVE};
+
+/// What a fit is to have at a parameter: a value, or a derivative of an order.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::kernel) struct Condition {
+    /// The parameter.
+    pub(in crate::kernel) t: f64,
+    /// Which derivative is meant.
+    pub(in crate::kernel) order: usize,
+    /// By how much the difference counts more than that of a value.
+    pub(in crate::kernel) weight: f64,
+}
 
 /// A basis, with the factored equations of a spline over it that begins at the first value, ends
 /// at the last, and comes nearest to those between: the sum of the squared distances at the
@@ -32,6 +44,44 @@ impl Approximator {
                 shares.extend_from_slice(basis);
             });
         }
+        Self::of_rows(knots, firsts, shares)
+    }
+
+    /// For conditions in the order of their parameters between both ends, over the given knots.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub(in crate::kernel) fn weighted(
+        conditions: &[Condition],
+        knots: KnotVector,
+    ) -> Result<Self, GeomError> {
+        let width = knots.degree() + 1;
+        let mut firsts = Vec::with_capacity(conditions.len());
+        let mut shares = Vec::with_capacity(conditions.len() * width);
+        for &Condition { t, order, weight } in conditions {
+            let begin = shares.len();
+            if order == 0 {
+                knots.with_basis(t, |span, basis| {
+                    firsts.push(span + 1 - width);
+                    shares.extend(basis.iter().map(|share| weight * share));
+                });
+            } else {
+                // Basis functions that vanish there count nothing.
+                let row = Equation::derivative(&knots, t, order);
+                let first = row.first.min(knots.n_points() - width);
+                firsts.push(first);
+                shares.resize(begin + width, 0.0);
+                for (share, value) in shares[begin + row.first - first..].iter_mut().zip(row.values)
+                {
+                    *share = weight * value;
+                }
+            }
+        }
+        Self::of_rows(knots, firsts, shares)
+    }
+
+    fn of_rows(knots: KnotVector, firsts: Vec<usize>, shares: Vec<f64>) -> Result<Self, GeomError> {
+        let width = knots.degree() + 1;
         let n_inner = knots.n_points().saturating_sub(2);
         let rows = firsts.iter().copied().zip(shares.chunks_exact(width));
         let control_points = knots.n_points();
@@ -47,7 +97,10 @@ impl Approximator {
     }
 
     /// The spline of control points at each of the parameters.
-    pub(super) fn values<'a>(&'a self, points: &'a [DVec4]) -> impl Iterator<Item = DVec4> + 'a {
+    pub(in crate::kernel) fn values<'a>(
+        &'a self,
+        points: &'a [DVec4],
+    ) -> impl Iterator<Item = DVec4> + 'a {
         self.rows().map(|(first, shares)| value(&points[first..], shares))
     }
 
@@ -69,16 +122,22 @@ impl Approximator {
         if got != needed {
             return Err(GeomError::WrongCount { what: "points", needed, got });
         }
+        Ok(self.between([values[0], values[got - 1]], values))
+    }
+
+    /// The control points from end to end of the spline that comes nearest to what the conditions
+    /// want, each times its weight.
+    pub(in crate::kernel) fn between(&self, ends: [DVec4; 2], wanted: &[DVec4]) -> Vec<DVec4> {
         let mut points = vec![DVec4::ZERO; self.knots.n_points()];
         let last = points.len() - 1;
-        (points[0], points[last]) = (values[0], values[got - 1]);
+        (points[0], points[last]) = (ends[0], ends[1]);
         for _ in 0..2 {
-            let correction = self.correction(&points, values);
+            let correction = self.correction(&points, wanted);
             for (point, step) in points[1..last].iter_mut().zip(correction) {
                 *point += step;
             }
         }
-        Ok(points)
+        points
     }
 
     /// What is missing from inner control points.
@@ -184,8 +243,9 @@ fn rotate(upper: &mut [f64], lower: &mut [f64]) {
         return;
     }
     let (cosine, sine) = (upper[0] / length, lower[0] / length);
-    for (a, b) in upper.iter_mut().zip(lower) {
+    for (a, b) in upper.iter_mut().zip(lower.iter_mut()) {
         (*a, *b) = (cosine * *a + sine * *b, cosine * *b - sine * *a);
     }
     // What rounding leaves there would be rotated on.
+    lower[0] = 0.0;
 }

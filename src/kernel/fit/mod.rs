@@ -4,7 +4,7 @@
 //! solve the equations that follow, in time linear in the number of points; `interpolate` makes
 //! those of a spline through points, `sloped` with derivatives at the ends, `periodic` and `cyclic`
 //! those of a closed one, `through` the splines, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
-//! `spread` makes that basis, `search` looks for the smallest that keeps a tolerance, `kinks` where
+//! `slide` with the parameters too, `spread` makes that basis, `search` looks for the smallest that keeps a tolerance, `kinks` where
 //! data have corners, and `approximate` puts these together; `surface` does it all for grids.
 
 mod approximate;
@@ -18,6 +18,7 @@ mod least;
 mod parameters;
 mod periodic;
 mod search;
+mod slide;
 mod sloped;
 mod spread;
 mod surface;
@@ -27,5 +28,6 @@ pub use approximate::{approximate, approximate_within};
 pub use interpolate::{Ends, Interpolator};
 pub use lagrange::lagrange;
 pub use least::Approximator;
+pub(in crate::kernel) use least::Condition;
 pub use parameters::{Spacing, check_parameters};
 pub use surface::{FirstPass, LineFit};

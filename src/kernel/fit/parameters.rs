@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::kernel::{GeomError, tolerance::PARAMETER_RELATIVE};
+use crate::kernel::{GeomError, frame::norm, tolerance::PARAMETER_RELATIVE};
 
 /// A rule for the distance of neighbouring parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,7 +66,7 @@ impl Spacing {
 
     /// Distances of neighbouring parameters, up to a common factor.
     fn steps(self, points: &[DVec3]) -> Vec<f64> {
-        let chords: Vec<f64> = points.windows(2).map(|pair| pair[0].distance(pair[1])).collect();
+        let chords: Vec<f64> = points.windows(2).map(|pair| norm(pair[1] - pair[0])).collect();
         match self {
             Self::Uniform => vec![1.0; chords.len()],
             Self::Chord => chords,

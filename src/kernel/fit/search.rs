@@ -2,25 +2,40 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{Ends, Interpolator, least::Approximator, spread};
+use super::{Ends, Interpolator, least::Approximator, slide::slid, spread};
 use crate::kernel::{
-    GeomError, KnotVector, NurbsCurve, removal::removal, tolerance::PARAMETER_RELATIVE,
+    GeomError, KnotVector, NurbsCurve,
+    removal::removal,
+    tolerance::{PARAMETER_RELATIVE, SLIDE_RELATIVE},
 };
 
-/// How often the parameters of one trial are corrected, and how often those of many points.
-const MAX_CORRECTIONS: [usize; 2] = [12, 2];
+/// How often the points of one trial slide along it.
+const MAX_CORRECTIONS: usize = 12;
 
 /// So many points are many: what costs more than it saves is left out.
 pub(super) const MANY: usize = 2000;
 
+/// Many points slide along a curve that misses by less than so many times the tolerance: on one that
+/// is far from them they would only crowd.
+const NEAR: f64 = 128.0;
+
 /// Each round divides the data of every span that misses, so that this many divide any number.
 const MAX_ROUNDS: usize = 64;
 
-/// A correction that gains less than this share of the deviation is the last.
-const LEAST_GAIN: f64 = 0.01;
+/// A step that leaves more than this of the sum of the squares gains nothing.
+const GAIN: f64 = 0.98;
 
 /// Control points up to which every number is tried; above, halving finds a good one.
 const FEW: usize = 64;
+
+/// So many steps in a row that gain nothing are the last.
+const MAX_IDLE: usize = 2;
+
+/// A curve that is slower at a point than this share of its mean speed is about to turn back.
+const LEAST_SPEED: f64 = 0.2;
+
+/// How often the knots of one number of control points are spread anew.
+const MAX_SPREADS: usize = 3;
 
 /// Halving stops at this share of the number of control points.
 const SHARE: usize = 64;
@@ -44,12 +59,15 @@ pub(super) struct Trial {
     /// Distances of the points from the curve at their parameters.
     misses: Vec<f64>,
     worst: f64,
+    /// The sum of their squares.
+    squares: f64,
 }
 
 impl Trial {
     fn new(curve: NurbsCurve, parameters: Vec<f64>, misses: Vec<f64>) -> Self {
         let worst = misses.iter().fold(0.0_f64, |worst, &miss| worst.max(miss));
-        Self { curve, parameters, misses, worst }
+        let squares = misses.iter().map(|miss| miss * miss).sum();
+        Self { curve, parameters, misses, worst, squares }
     }
 
     fn n_control(&self) -> usize {
@@ -78,24 +96,50 @@ impl Search<'_> {
         trial.worst <= self.tolerance
     }
 
-    /// The nearest curve over the knots, with its parameters corrected while that helps.
+    /// The nearest curve over the knots, to which the points slide while that helps.
     fn trial(&mut self, knots: &KnotVector, parameters: &[f64]) -> Option<Trial> {
         let mut best = self.fitted(knots, parameters.to_vec())?;
-        for _ in 0..MAX_CORRECTIONS[usize::from(MANY < self.points.len())] {
-            if self.are_fixed || self.keeps(&best) {
+        let are_many = MANY < self.points.len();
+        let is_far = are_many && NEAR * self.tolerance < best.worst;
+        if self.are_fixed || is_far {
+            return Some(best);
+        }
+        let (mut last, mut along, mut n_idle) = (best.clone(), SLIDE_RELATIVE, 0);
+        for _ in 0..MAX_CORRECTIONS {
+            if self.keeps(&best) || n_idle == MAX_IDLE || 1.0 < along {
                 break;
             }
-            let Some(next) = self.fitted(knots, self.corrected(&best)) else { break };
-            let gain = best.worst - next.worst;
-            let is_last = gain < LEAST_GAIN * best.worst;
-            if 0.0 < gain {
-                best = next;
-            }
-            if is_last {
-                break;
+            match self.slid(&last, along).filter(|next| next.squares < last.squares) {
+                Some(next) => {
+                    along = (along / 4.0).max(SLIDE_RELATIVE);
+                    n_idle = if next.squares < GAIN * last.squares { 0 } else { n_idle + 1 };
+                    if next.worst < best.worst {
+                        best = next.clone();
+                    }
+                    last = next;
+                }
+                None => along *= 8.0,
             }
         }
         Some(best)
+    }
+
+    /// A step towards the nearest curve of the same knots, unless it comes to a stop on the way.
+    fn slid(&mut self, trial: &Trial, along: f64) -> Option<Trial> {
+        self.left = self.left.saturating_sub(self.points.len());
+        let parameters = self.corrected(&trial.curve, trial.parameters.clone());
+        let places = slid(&trial.curve, &parameters, self.points, along)?;
+        let curve = NurbsCurve::polynomial(trial.curve.knots().clone(), &places).ok()?;
+        let parameters = self.corrected(&curve, parameters);
+        let found = curve.evaluator();
+        let looks = || parameters.iter().map(|&t| found.second_order_at(t));
+        let speeds = || looks().map(|[_, velocity, _]| velocity.length());
+        let (least, sum) = speeds().fold((f64::MAX, 0.0), |(l, s), v| (v.min(l), s + v));
+        if least < LEAST_SPEED * sum / parameters.len() as f64 {
+            return None;
+        }
+        let misses = looks().zip(self.points).map(|(look, p)| look[0].distance(*p)).collect();
+        Some(Trial::new(curve, parameters, misses))
     }
 
     fn fitted(&mut self, knots: &KnotVector, parameters: Vec<f64>) -> Option<Trial> {
@@ -111,9 +155,8 @@ impl Search<'_> {
     }
 
     /// One step of each inner parameter towards the nearest place of the curve, in order.
-    fn corrected(&self, trial: &Trial) -> Vec<f64> {
-        let mut parameters = trial.parameters.clone();
-        let curve = trial.curve.evaluator();
+    fn corrected(&self, curve: &NurbsCurve, mut parameters: Vec<f64>) -> Vec<f64> {
+        let curve = curve.evaluator();
         for i in 1..parameters.len() - 1 {
             let (t, point) = (parameters[i], self.points[i]);
             let [value, first, second] = curve.second_order_at(t);
@@ -124,7 +167,7 @@ impl Search<'_> {
             if 0.0 < slope {
                 let next = t - miss.dot(first) / slope;
                 let next = next.max(parameters[i - 1]).min(parameters[i + 1]);
-                if curve.point_at(next).distance(point) < trial.misses[i] {
+                if curve.point_at(next).distance(point) < miss.length() {
                     parameters[i] = next;
                 }
             }
@@ -184,14 +227,26 @@ impl Search<'_> {
         let (mut low, mut high) = (self.degree + 1, best.n_control());
         while low + high / SHARE < high && 0 < self.left {
             let n = if high <= FEW { low } else { low.midpoint(high) };
-            let knots = spread::by_need(&best.curve, n);
-            let start = best.parameters.clone();
-            match self.trial(&knots, &start).filter(|trial| self.keeps(trial)) {
+            match self.spread(&best, n) {
                 Some(trial) => (best, high) = (trial, n),
                 None => low = n + 1,
             }
         }
         best
+    }
+
+    /// A curve of so many control points within the tolerance, if spreading the knots by what each
+    /// one found needs comes to it.
+    fn spread(&mut self, best: &Trial, n: usize) -> Option<Trial> {
+        let (mut curve, start) = (best.curve.clone(), best.parameters.clone());
+        for _ in 0..MAX_SPREADS {
+            let trial = self.trial(&spread::by_need(&curve, n), &start)?;
+            if self.keeps(&trial) {
+                return Some(trial);
+            }
+            curve = trial.curve;
+        }
+        None
     }
 
     /// Takes many knots away together: of those whose removal alone would be within the tolerance

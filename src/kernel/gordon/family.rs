@@ -4,9 +4,7 @@ use glam::DVec3;
 
 use super::{
     N_PLACES,
-    map::Map,
     network::{Meet, NetworkError},
-    refit::refitted,
 };
 use crate::kernel::{
     GeomError, Interval, NurbsCurve,
@@ -29,7 +27,7 @@ pub struct Changes {
     pub seam: Option<f64>,
     /// Whether its parameter was changed, so that it meets the others at the common ones.
     pub is_reparametrized: bool,
-    /// Whether it was replaced by a cubic spline near it.
+    /// Whether it was replaced by a spline near it.
     pub is_refitted: bool,
     /// A bound of the distance between the surface and the curve.
     pub deviation: f64,
@@ -43,7 +41,7 @@ pub(super) struct Member {
     pub(super) curve: NurbsCurve,
     /// Where it meets the others, in their order; a ring's first one is its start.
     pub(super) at: Vec<f64>,
-    changes: Changes,
+    pub(super) changes: Changes,
 }
 
 /// The curves of one direction.
@@ -93,7 +91,8 @@ pub(super) fn in_order(
             } else if !is_kept {
                 member.turn();
             }
-            member.check_order(is_u, others)?;
+            let others_curves = if is_u { vs } else { us };
+            member.check_order(is_u, others, others_curves, tolerance)?;
             if !is_ring {
                 member.trim()?;
             }
@@ -103,6 +102,35 @@ pub(super) fn in_order(
         Ok::<Family, NetworkError>(Family { members, is_ring })
     };
     Ok([family(true)?, family(false)?])
+}
+
+impl Family {
+    /// Fails where neighbours cross between their ends.
+    ///
+    /// # Errors
+    /// [`NetworkError::Crossing`].
+    pub(super) fn check_apart(&self, is_u: bool, tolerance: f64) -> Result<(), NetworkError> {
+        for pair in self.members.windows(2) {
+            let (a, b) = (&pair[0].curve, &pair[1].curve);
+            let curves = [0, 1].map(|i| pair[i].changes.index);
+            let is_end = |curve: &NurbsCurve, t: f64| {
+                let f = curve.domain().fraction_of(t);
+                f <= PLACE_RELATIVE.sqrt() || 1.0 - PLACE_RELATIVE.sqrt() <= f
+            };
+            let point = match a.intersections(b, tolerance) {
+                Ok(found) => found
+                    .into_iter()
+                    .find(|m| !is_end(a, m.first) && !is_end(b, m.second))
+                    .map(|m| m.point),
+                Err(GeomError::RunTogether { start, .. }) => Some(a.point_at(start)),
+                Err(error) => return Err(error.into()),
+            };
+            if let Some(point) = point {
+                return Err(NetworkError::Crossing { is_u, curves, point });
+            }
+        }
+        Ok(())
+    }
 }
 
 impl Member {
@@ -127,6 +155,17 @@ impl Member {
     /// The tangent at the first meeting.
     fn direction(&self) -> DVec3 {
         self.curve.derivatives_at(self.at[0], 1)[1]
+    }
+
+    /// Whether it meets the others at these parameters of a domain, within a part of the tolerance.
+    pub(super) fn is_there(&self, domain: Interval, at: &[f64], tolerance: f64) -> bool {
+        let own = self.curve.domain();
+        let misses = |(&t, &own_t): (&f64, &f64)| {
+            let straight = own.at(domain.fraction_of(t));
+            let (a, b) = (self.curve.point_at(straight), self.curve.point_at(own_t));
+            NEAR * tolerance < a.distance(b)
+        };
+        !at.iter().zip(&self.at).any(misses)
     }
 
     fn reverse(&mut self) {
@@ -171,17 +210,22 @@ impl Member {
         Ok(())
     }
 
-    fn check_order(&self, is_u: bool, others: &[usize]) -> Result<(), NetworkError> {
+    fn check_order(
+        &self,
+        is_u: bool,
+        others: &[usize],
+        curves: &[NurbsCurve],
+        tolerance: f64,
+    ) -> Result<(), NetworkError> {
         let same = KNOT_RELATIVE.sqrt() * self.curve.domain().length();
-        match self.at.windows(2).position(|pair| pair[1] - pair[0] <= same) {
-            None => Ok(()),
-            Some(i) => Err(NetworkError::Order {
-                is_u,
-                curve: self.changes.index,
-                others: [others[i], others[i + 1]],
-                at: [self.at[i], self.at[i + 1]],
-            }),
-        }
+        let Some(i) = self.at.windows(2).position(|pair| pair[1] - pair[0] <= same) else {
+            return Ok(());
+        };
+        let others = [others[i], others[i + 1]];
+        let crossings = curves[others[0]].intersections(&curves[others[1]], tolerance);
+        let crossing = crossings.ok().and_then(|found| found.first().map(|meeting| meeting.point));
+        let at = [self.at[i], self.at[i + 1]];
+        Err(NetworkError::Order { is_u, curve: self.changes.index, others, at, crossing })
     }
 
     /// Cuts off what stands out beyond the first and the last meeting.
@@ -198,93 +242,25 @@ impl Member {
         Ok(())
     }
 
+    /// A bound of how far the surface is.
+    pub(super) fn deviation(&self) -> f64 {
+        self.changes.deviation
+    }
+
+    pub(super) fn is_refitted(&self) -> bool {
+        self.changes.is_refitted
+    }
+
     /// Notes how far the surface's isocurve is from what the curve became.
-    pub(super) fn miss(&mut self, curve: &NurbsCurve, iso: &NurbsCurve) {
+    pub(super) fn miss(&mut self, iso: &NurbsCurve) {
+        let curve = &self.curve;
         let apart = |t: f64| curve.point_at(t).distance(iso.point_at(t));
         let places = curve.domain().steps(N_PLACES - 1);
         let worst = places
             .into_iter()
             .map(|t| (apart(t), t))
             .fold((0.0, 0.0), |best, next| if best.0 < next.0 { next } else { best });
-        let bound = curve.deviation_from(iso);
-        self.changes.deviation += if bound.is_finite() { bound } else { worst.0 };
+        self.changes.deviation += curve.deviation_from(iso);
         self.changes.worst_at = worst.1;
     }
-}
-
-/// The parameters of the surface at which a family meets the other: those given, or the means of
-/// the fractions at which its curves do, on the domain of the curve that was given first. A ring
-/// has one more, its end.
-pub(super) fn common(family: &Family, given: Option<&[f64]>) -> Vec<f64> {
-    let members = &family.members;
-    let first = members.iter().min_by_key(|member| member.changes.index).unwrap_or(&members[0]);
-    let domain = first.curve.domain();
-    let n = first.at.len();
-    let mean = |j: usize| {
-        let sum: f64 = members.iter().map(|m| m.curve.domain().fraction_of(m.at[j])).sum();
-        domain.at(sum / members.len() as f64)
-    };
-    let mut at = match given {
-        Some(given) => given.to_vec(),
-        None => (0..n).map(mean).collect(),
-    };
-    if family.is_ring {
-        at.push(domain.end());
-        at[0] = domain.start();
-    } else if given.is_none() {
-        (at[0], at[n - 1]) = (domain.start(), domain.end());
-    }
-    at
-}
-
-/// Brings the curves of a family to a common domain on which all meet the others at `at`: as they
-/// are where they do, else with another parameter and as cubic splines within the tolerance.
-///
-/// # Errors
-/// [`GeomError::ToleranceNotKept`].
-pub(super) fn adapt(
-    family: &mut Family,
-    at: &[f64],
-    node: &dyn Fn(usize, usize) -> DVec3,
-    tolerance: f64,
-) -> Result<(), GeomError> {
-    let domain = Interval::new(at[0], at[at.len() - 1])?;
-    let is_ring = family.is_ring;
-    let mut waiting: Vec<(usize, NurbsCurve)> = Vec::new();
-    let mut corners: Vec<f64> = Vec::new();
-    for (k, member) in family.members.iter_mut().enumerate() {
-        let straight = member.curve.reparametrized(domain);
-        let misses = (0..member.at.len()).map(|l| straight.point_at(at[l]).distance(node(k, l)));
-        let is_there = misses.fold(0.0, f64::max) <= NEAR * tolerance;
-        if is_there && !straight.is_rational() {
-            member.curve = straight;
-            continue;
-        }
-        let mut own = member.at.clone();
-        if is_ring {
-            own.push(member.curve.domain().end());
-        }
-        let map = match is_there {
-            true => {
-                Map::new(&[domain.start(), domain.end()], &[own[0], own[own.len() - 1]], false)?
-            }
-            false => Map::new(at, &own, is_ring)?,
-        };
-        let (curve, own_corners) = map.applied(&member.curve)?;
-        corners.extend(own_corners);
-        member.changes.is_reparametrized = !is_there;
-        member.changes.is_refitted = true;
-        waiting.push((k, curve));
-    }
-    if waiting.is_empty() {
-        return Ok(());
-    }
-    let (indices, curves): (Vec<usize>, Vec<NurbsCurve>) = waiting.into_iter().unzip();
-    let (fits, bounds) = refitted(&curves, at, &corners, tolerance)?;
-    for ((k, fit), bound) in indices.into_iter().zip(fits).zip(bounds) {
-        let member = &mut family.members[k];
-        member.curve = fit;
-        member.changes.deviation = bound;
-    }
-    Ok(())
 }

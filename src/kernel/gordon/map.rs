@@ -128,13 +128,14 @@ impl Map {
     }
 
     /// The curve run through by the map: exact, of the product of both degrees, in pieces that
-    /// meet; and the parameters at which it may have a corner.
+    /// meet; and the parameters at which its knots allow no second derivative, each with the order
+    /// of the derivatives that there are.
     ///
     /// de Casteljau's algorithm on polynomials: Farin, *Curves and Surfaces for CAGD*, §5.5.
     pub(in crate::kernel) fn applied(
         &self,
         curve: &NurbsCurve,
-    ) -> Result<(NurbsCurve, Vec<f64>), GeomError> {
+    ) -> Result<(NurbsCurve, Vec<(f64, usize)>), GeomError> {
         let domain = Interval::new(self.breaks[0], self.breaks[self.breaks.len() - 1])?;
         let same = KNOT_RELATIVE.sqrt() * domain.length();
         let inside = |t: &f64| domain.start() + same < *t && *t < domain.end() - same;
@@ -174,11 +175,13 @@ impl Map {
         }
         knots.extend(vec![domain.end(); degree + 1]);
         let p = curve.degree();
-        let corner = |&(t, times): &(f64, usize)| {
-            p <= times && curve.domain().start() < t && t < curve.domain().end()
+        let rough = |(t, times): (f64, usize)| {
+            let order = p.saturating_sub(times);
+            let image = self.inverse(t);
+            let is_inner = curve.domain().start() < t && t < curve.domain().end();
+            (is_inner && order < 2 && inside(&image)).then_some((image, order))
         };
-        let corners = curve.knots().distinct().into_iter().filter(corner);
-        let corners = corners.map(|(t, _)| self.inverse(t)).filter(inside).collect();
+        let corners = curve.knots().distinct().into_iter().filter_map(rough).collect();
         Ok((NurbsCurve::new(KnotVector::new(degree, knots)?, points)?, corners))
     }
 }

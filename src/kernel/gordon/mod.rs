@@ -1,9 +1,10 @@
 //! Surfaces through networks of curves.
 //!
 //! `network` finds where the curves meet, `family` brings the curves of one direction into order,
-//! `map` changes their parameters so that all meet the others at the same ones, `refit` makes
-//! splines of what comes out of that. This file adds up the surface.
+//! `adapt` to common parameters: `map` changes them so that all meet the others at the same ones,
+//! `refit` makes splines of what comes out of that. This file adds up the surface.
 
+mod adapt;
 mod family;
 mod map;
 mod network;
@@ -13,15 +14,15 @@ pub use family::Changes;
 pub use network::NetworkError;
 
 pub(in crate::kernel) use map::Map;
-pub(in crate::kernel) use refit::refitted;
+pub(in crate::kernel) use refit::{Wanted, refitted};
 
 use family::Member;
 use glam::{DVec3, DVec4};
-use network::{Meet, chosen, meets};
+use network::{Meet, apart, check_alike, chosen, meets};
 
 use super::{
     Ends, GeomError, Grid, Interpolator, KnotVector, NurbsCurve, NurbsSurface,
-    frame::angle_between, make_compatible, make_surfaces_compatible,
+    frame::angle_between, surface::Strands,
 };
 
 /// What a network is made of, and how.
@@ -55,6 +56,16 @@ pub struct Gordon {
 /// Places of a seam, and of a curve, that are looked at.
 const N_PLACES: usize = 65;
 
+/// Part of a gap between two curves by which the surface may miss both.
+const GAP_SHARE: f64 = 0.75;
+
+/// The least part of the tolerance that remains for splines in place of curves, and by which it
+/// falls where the surface missed.
+const LEAST_SHARE: f64 = 0.4;
+
+/// How often splines are made nearer.
+const MAX_ROUNDS: usize = 3;
+
 /// The surface through all curves of a network: L1 + L2 − T.
 ///
 /// L1 runs through the u-curves, L2 through the v-curves and T through their meetings, all three
@@ -70,39 +81,52 @@ pub fn gordon(network: Network<'_>) -> Result<Gordon, NetworkError> {
     let tolerance = network.tolerance;
     let us: Vec<NurbsCurve> = us.iter().map(NurbsCurve::clamped).collect();
     let vs: Vec<NurbsCurve> = vs.iter().map(NurbsCurve::clamped).collect();
+    check_alike(&us, true, tolerance)?;
+    check_alike(&vs, false, tolerance)?;
     let (found, gap) = meetings(&network, &us, &vs)?;
     let is_given = network.at.map(|at| at.is_some());
-    let mut families = family::in_order(&us, &vs, &found, is_given, tolerance)?;
+    let families = family::in_order(&us, &vs, &found, is_given, tolerance)?;
+    for (f, family) in families.iter().enumerate() {
+        family.check_apart(f == 0, tolerance)?;
+    }
 
     // Where the curves of one family meet the other, by the parameter of the surface.
-    let at = [0, 1].map(|f| family::common(&families[f], network.at[f]));
+    let at = [0, 1].map(|f| adapt::common(&families[f], network.at[f], tolerance));
     let nodes = nodes(&families);
-    for (f, family) in families.iter_mut().enumerate() {
-        let node = |i: usize, j: usize| if f == 0 { nodes[i][j] } else { nodes[j][i] };
-        family::adapt(family, &at[f], &node, 0.5 * tolerance)?;
-    }
-    let [us, vs] = [0, 1].map(|f| {
-        let curves: Vec<NurbsCurve> =
-            families[f].members.iter().map(|member| member.curve.clone()).collect();
-        make_compatible(&curves)
-    });
-    let (us, vs) = (us?, vs?);
     let blends = [
         Blend::new(&at[0], families[0].is_ring, network.is_lagrange)?,
         Blend::new(&at[1], families[1].is_ring, network.is_lagrange)?,
     ];
-    let surface = added(&us, &vs, &nodes, &blends)?;
-
-    for (f, curves) in [us, vs].iter().enumerate() {
-        for (k, member) in families[f].members.iter_mut().enumerate() {
-            let t = at[1 - f][k];
-            let iso = if f == 0 { surface.isocurve_v(t) } else { surface.isocurve_u(t) };
-            member.miss(&curves[k], &iso);
+    // Half a gap remains, and a little more between the curves.
+    let mut share = (tolerance - GAP_SHARE * gap.0).max(LEAST_SHARE * tolerance);
+    let mut found = f64::INFINITY;
+    for _ in 0..MAX_ROUNDS {
+        let mut families = families.clone();
+        for (f, family) in families.iter_mut().enumerate() {
+            adapt::adapt(family, &at[f], blends[f].knots(), [tolerance, share])?;
         }
+        let surface = added(&families, &nodes, &blends)?;
+        for (f, family) in families.iter_mut().enumerate() {
+            for (k, member) in family.members.iter_mut().enumerate() {
+                let t = at[1 - f][k];
+                let iso = if f == 0 { surface.isocurve_v(t) } else { surface.isocurve_u(t) };
+                member.miss(&iso);
+            }
+        }
+        let members = || families.iter().flat_map(|family| &family.members);
+        found = members().map(Member::deviation).fold(0.0, f64::max);
+        if found <= tolerance {
+            let seams = [0, 1].map(|f| families[f].is_ring.then(|| seam_angle(&surface, f == 0)));
+            let changes =
+                families.map(|family| family.members.into_iter().map(Member::changes).collect());
+            return Ok(Gordon { surface, at, changes, gap, seams });
+        }
+        if !members().any(Member::is_refitted) {
+            break;
+        }
+        share *= LEAST_SHARE;
     }
-    let seams = [0, 1].map(|f| families[f].is_ring.then(|| seam_angle(&surface, f == 0)));
-    let changes = families.map(|family| family.members.into_iter().map(Member::changes).collect());
-    Ok(Gordon { surface, at, changes, gap, seams })
+    Err(GeomError::ToleranceNotKept { tolerance, found }.into())
 }
 
 /// The meetings of all pairs, and the widest gap.
@@ -133,27 +157,7 @@ fn meetings(
             };
             (0..us.len()).map(|k| vs.iter().map(|d| meet(k, d)).collect()).collect()
         }
-        [None, None] => {
-            let rings = [us, vs].map(|curves| curves.iter().all(|c| c.is_closed(tolerance)));
-            let mut all = Vec::with_capacity(us.len());
-            for (k, c) in us.iter().enumerate() {
-                let mut row = Vec::with_capacity(vs.len());
-                for (l, d) in vs.iter().enumerate() {
-                    let mut found = meets(c, d, tolerance, [k, l])?;
-                    // The end of a closed curve is its start.
-                    let is_end = |curve: &NurbsCurve, t: f64| curve.domain().end() <= t;
-                    if 1 < found.len() {
-                        found.retain(|m| !(rings[0] && is_end(c, m.t)));
-                    }
-                    if 1 < found.len() {
-                        found.retain(|m| !(rings[1] && is_end(d, m.s)));
-                    }
-                    row.push(found);
-                }
-                all.push(row);
-            }
-            chosen(&all, us, vs)?
-        }
+        [None, None] => found(us, vs, tolerance)?,
     };
     let mut widest = (0.0_f64, [0, 0]);
     for (k, c) in us.iter().enumerate() {
@@ -165,7 +169,9 @@ fn meetings(
             let gap = p.distance(q);
             if tolerance < gap {
                 let point = p.midpoint(q);
-                return Err(NetworkError::Apart { pair: [k, l], gap, at: [t, s], point });
+                let (n_pairs, are_all) = (1, false);
+                let (pair, at) = ([k, l], [t, s]);
+                return Err(NetworkError::Apart { pair, gap, at, point, n_pairs, are_all });
             }
             if widest.0 < gap {
                 widest = (gap, [k, l]);
@@ -173,6 +179,38 @@ fn meetings(
         }
     }
     Ok((all, widest))
+}
+
+/// What the curves themselves tell of where they meet.
+fn found(
+    us: &[NurbsCurve],
+    vs: &[NurbsCurve],
+    tolerance: f64,
+) -> Result<Vec<Vec<Meet>>, NetworkError> {
+    let rings = [us, vs].map(|curves| curves.iter().all(|c| c.is_closed(tolerance)));
+    let mut all = Vec::with_capacity(us.len());
+    let mut missing: Vec<[usize; 2]> = Vec::new();
+    for (k, c) in us.iter().enumerate() {
+        let mut row = Vec::with_capacity(vs.len());
+        for (l, d) in vs.iter().enumerate() {
+            let mut found = meets(c, d, tolerance, [k, l])?;
+            missing.extend(found.is_empty().then_some([k, l]));
+            // The end of a closed curve is its start.
+            let is_end = |curve: &NurbsCurve, t: f64| curve.domain().end() <= t;
+            if 1 < found.len() {
+                found.retain(|m| !(rings[0] && is_end(c, m.t)));
+            }
+            if 1 < found.len() {
+                found.retain(|m| !(rings[1] && is_end(d, m.s)));
+            }
+            row.push(found);
+        }
+        all.push(row);
+    }
+    if let Some(error) = apart(&missing, us, vs, tolerance) {
+        return Err(error);
+    }
+    chosen(&all, us, vs)
 }
 
 /// The places where the curves meet, by u-curve and v-curve.
@@ -188,74 +226,64 @@ fn nodes(families: &[family::Family; 2]) -> Vec<Vec<DVec3>> {
 /// Splines through values at places of one direction.
 struct Blend {
     fit: Interpolator,
-    /// Whether values halfway are put in, as a ring of two has too few of its own.
+    n_places: usize,
+    /// Whether there is a value halfway between the two that close, and one behind them.
     is_doubled: bool,
 }
 
 impl Blend {
     /// `at` has one parameter more than there are values where the direction closes.
     fn new(at: &[f64], is_ring: bool, is_lagrange: bool) -> Result<Self, GeomError> {
+        let n_places = at.len() - usize::from(is_ring);
+        let made = |fit, is_doubled| Self { fit, n_places, is_doubled };
         if !is_ring {
             let degree = if is_lagrange { at.len() - 1 } else { 3 };
-            return Ok(Self {
-                fit: Interpolator::new(at, degree, Ends::Averaged)?,
-                is_doubled: false,
-            });
+            return Ok(made(Interpolator::new(at, degree, Ends::Averaged)?, false));
         }
         if let &[start, middle, end] = at {
             let doubled = [start, 0.5 * (start + middle), middle, 0.5 * (middle + end), end];
-            return Ok(Self { fit: Interpolator::periodic(&doubled, 3)?, is_doubled: true });
+            return Ok(made(Interpolator::periodic(&doubled, 3)?, true));
         }
-        Ok(Self { fit: Interpolator::periodic(at, 3)?, is_doubled: false })
+        Ok(made(Interpolator::periodic(at, 3)?, false))
     }
 
     fn knots(&self) -> &KnotVector {
         self.fit.knots()
     }
 
-    fn through(&self, values: &[DVec3]) -> Result<Vec<DVec3>, GeomError> {
-        let mut lifted: Vec<DVec4> = values.iter().map(|value| value.extend(1.0)).collect();
-        if self.is_doubled {
-            let middle = (lifted[0] + lifted[1]) * 0.5;
-            lifted = vec![lifted[0], middle, lifted[1], middle];
-        }
-        Ok(self.fit.through(&lifted)?.into_iter().map(DVec4::truncate).collect())
+    /// For each place the function that is 1 there and 0 at the others.
+    fn functions(&self) -> Result<Vec<NurbsCurve>, GeomError> {
+        let n = self.n_places;
+        let function = |k: usize| {
+            let mut values: Vec<DVec4> =
+                (0..n).map(|i| DVec4::new(f64::from(u8::from(i == k)), 0.0, 0.0, 1.0)).collect();
+            if self.is_doubled {
+                let middle = (values[0] + values[1]) * 0.5;
+                values = vec![values[0], middle, values[1], middle];
+            }
+            let points = self.fit.through(&values)?;
+            let points: Vec<DVec3> = points.into_iter().map(DVec4::truncate).collect();
+            NurbsCurve::polynomial(self.knots().clone(), &points)
+        };
+        (0..n).map(function).collect()
     }
 }
 
 /// L1 + L2 − T.
 fn added(
-    us: &[NurbsCurve],
-    vs: &[NurbsCurve],
+    [us, vs]: &[family::Family; 2],
     nodes: &[Vec<DVec3>],
     [along_u, along_v]: &[Blend; 2],
 ) -> Result<NurbsSurface, GeomError> {
-    let lines = |curves: &[NurbsCurve]| -> Vec<Vec<DVec3>> {
-        let points: Vec<Vec<DVec3>> = curves.iter().map(NurbsCurve::points).collect();
-        (0..points[0].len()).map(|i| points.iter().map(|line| line[i]).collect()).collect()
+    let strands = |family: &family::Family, blend: &Blend| {
+        Ok::<_, GeomError>(Strands {
+            curves: family.members.iter().map(|member| member.curve.clone()).collect(),
+            blends: blend.functions()?,
+        })
     };
-    let each = |lines: &[Vec<DVec3>], blend: &Blend| -> Result<Grid<DVec3>, GeomError> {
-        let rows: Result<Vec<Vec<DVec3>>, GeomError> =
-            lines.iter().map(|line| blend.through(line)).collect();
-        Grid::from_rows(rows?)
-    };
-    let (knots_u, knots_v) = (along_u.knots().clone(), along_v.knots().clone());
-    let through_us = each(&lines(us), along_v)?;
-    let through_vs = each(&lines(vs), along_u)?.transposed();
-    let first = each(nodes, along_u)?.transposed();
-    let rows: Vec<Vec<DVec3>> = (0..first.n_rows()).map(|i| first.row(i).to_vec()).collect();
-    let through_nodes = each(&rows, along_v)?;
-
-    let three = [
-        NurbsSurface::polynomial(us[0].knots().clone(), knots_v.clone(), &through_us)?,
-        NurbsSurface::polynomial(knots_u.clone(), vs[0].knots().clone(), &through_vs)?,
-        NurbsSurface::polynomial(knots_u, knots_v, &through_nodes)?,
-    ];
-    let common = make_surfaces_compatible(&three)?;
-    let [a, b, c] = [0, 1, 2].map(|i| common[i].points());
-    let sum =
-        Grid::from_fn(a.n_rows(), a.n_columns(), |i, j| a.get(i, j) + b.get(i, j) - c.get(i, j));
-    NurbsSurface::polynomial(common[0].knots_u().clone(), common[0].knots_v().clone(), &sum)
+    let (n, m) = (vs.members.len(), us.members.len());
+    let meetings = Grid::from_fn(n, m, |l, k| nodes[k][l]);
+    NurbsSurface::boolean_sum(strands(us, along_u)?, strands(vs, along_v)?, &meetings)
 }
 
 /// The largest angle between the tangents on both sides of a seam.

@@ -7,7 +7,7 @@ use crate::kernel::{GeomError, NurbsCurve, tolerance::PLACE_RELATIVE};
 /// Why curves are no network; indices are those in which the curves were given.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NetworkError {
-    /// Two curves that do not come within the tolerance of one another.
+    /// Two curves that do not come within the tolerance of one another, those furthest apart.
     Apart {
         /// Index of the u-curve and of the v-curve.
         pair: [usize; 2],
@@ -17,18 +17,44 @@ pub enum NetworkError {
         at: [f64; 2],
         /// The place between them there.
         point: DVec3,
+        /// How many pairs do not meet.
+        n_pairs: usize,
+        /// Whether that are all pairs there are.
+        are_all: bool,
     },
     /// Two curves that meet at several places, none of which fits the others better.
     Ambiguous {
         /// Index of the u-curve and of the v-curve.
         pair: [usize; 2],
-        /// The parameters of the u-curve.
-        at: Vec<f64>,
+        /// The parameters of the u-curve and of the v-curve, and the places.
+        at: Vec<([f64; 2], DVec3)>,
     },
     /// Two curves that share a stretch.
     Together {
         /// Index of the u-curve and of the v-curve.
         pair: [usize; 2],
+        /// Where the stretch begins and ends.
+        ends: [DVec3; 2],
+    },
+    /// A closed curve and an open one in one family.
+    Mixed {
+        /// Whether they are u-curves.
+        is_u: bool,
+        /// Index of the closed one.
+        closed: usize,
+        /// Index of the open one.
+        open: usize,
+        /// How far apart the ends of that are.
+        gap: f64,
+    },
+    /// Two curves of one family that cross.
+    Crossing {
+        /// Whether they are u-curves.
+        is_u: bool,
+        /// Their indices.
+        curves: [usize; 2],
+        /// Where.
+        point: DVec3,
     },
     /// A curve that meets the others in another order than the first curve of its family does.
     Order {
@@ -40,6 +66,8 @@ pub enum NetworkError {
         others: [usize; 2],
         /// Its parameters there.
         at: [f64; 2],
+        /// Where these two cross, if they do.
+        crossing: Option<DVec3>,
     },
     /// Anything else.
     Geometry(GeomError),
@@ -66,7 +94,7 @@ const N_PLACES: usize = 64;
 /// Every meeting of two curves within the tolerance, ends first.
 ///
 /// # Errors
-/// [`NetworkError::Together`]; [`NetworkError::Apart`] where there is none.
+/// [`NetworkError::Together`].
 pub(super) fn meets(
     c: &NurbsCurve,
     d: &NurbsCurve,
@@ -115,14 +143,51 @@ pub(super) fn meets(
             }
         }
         Err(GeomError::RunTogether { .. }) if found.len() == 1 => {}
-        Err(GeomError::RunTogether { .. }) => return Err(NetworkError::Together { pair }),
+        Err(GeomError::RunTogether { start, end }) => {
+            let mut ends = [start, end].map(|t| c.point_at(t));
+            // Where it was found may be longer on one than on the other.
+            if let Err(GeomError::RunTogether { start, end }) = d.intersections(c, tolerance) {
+                let others = [start, end].map(|s| d.point_at(s));
+                if others[0].distance(others[1]) < ends[0].distance(ends[1]) {
+                    ends = others;
+                }
+            }
+            return Err(NetworkError::Together { pair, ends });
+        }
         Err(other) => return Err(other.into()),
     }
-    if found.is_empty() {
-        let (at, point, gap) = nearest(c, d, tolerance);
-        return Err(NetworkError::Apart { pair, gap, at, point });
-    }
     Ok(found)
+}
+
+/// Pairs that do not meet of which the distance is looked for.
+const MAX_PAIRS: usize = 100;
+
+/// Tells of those of these pairs that are furthest apart.
+pub(super) fn apart(
+    pairs: &[[usize; 2]],
+    us: &[NurbsCurve],
+    vs: &[NurbsCurve],
+    tolerance: f64,
+) -> Option<NetworkError> {
+    let each = pairs.iter().take(MAX_PAIRS).map(|&pair| {
+        let (at, point, gap) = nearest(&us[pair[0]], &vs[pair[1]], tolerance);
+        (pair, at, point, gap)
+    });
+    let (pair, at, point, gap) = each.max_by(|a, b| a.3.total_cmp(&b.3))?;
+    let (n_pairs, are_all) = (pairs.len(), pairs.len() == us.len() * vs.len());
+    Some(NetworkError::Apart { pair, gap, at, point, n_pairs, are_all })
+}
+
+/// Fails where a family has both closed and open curves.
+pub(super) fn check_alike(
+    curves: &[NurbsCurve],
+    is_u: bool,
+    tolerance: f64,
+) -> Result<(), NetworkError> {
+    let find = |wanted: bool| curves.iter().position(|c| c.is_closed(tolerance) == wanted);
+    let (Some(closed), Some(open)) = (find(true), find(false)) else { return Ok(()) };
+    let gap = curves[open].start().distance(curves[open].end());
+    Err(NetworkError::Mixed { is_u, closed, open, gap })
 }
 
 /// Where two curves are nearest, found from many places.
@@ -170,7 +235,7 @@ pub(super) fn chosen(
         }
         let ambiguous = || NetworkError::Ambiguous {
             pair: [k, l],
-            at: own.iter().map(|meet| meet.t).collect(),
+            at: own.iter().map(|m| ([m.t, m.s], us[k].point_at(m.t))).collect(),
         };
         let clear = |meets: &Vec<Meet>| if let [only] = meets[..] { Some(only) } else { None };
         let column = (0..us.len()).filter_map(|i| clear(&all[i][l]).map(|m| fraction(&us[i], m.t)));

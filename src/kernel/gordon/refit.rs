@@ -1,107 +1,328 @@
-//! Curves of high degree as cubics, several of them on one knot vector.
+//! Curves of any degree as splines of one degree, all on one knot vector of few knots.
 
 use glam::DVec4;
 
 use crate::kernel::{
-    Ends, GeomError, Interpolator, KnotVector, NurbsCurve, Side, tolerance::KNOT_RELATIVE,
+    Approximator, GeomError, Interval, KnotVector, NurbsCurve, Side, fit::Condition,
+    tolerance::KNOT_CLUSTER_RELATIVE,
 };
 
-/// Knots of a fit.
-const MAX_KNOTS: usize = 2048;
+/// Control points along a fit.
+const MAX_POINTS: usize = 4096;
 
-/// Places of a span at which the distance is measured before it is bounded.
-const N_PLACES: usize = 4;
+/// Places of a span at which the distance is measured, beyond the degree.
+const MORE_PLACES: usize = 4;
 
-/// How often the fit is made finer after its bound was too large.
-const MAX_ROUNDS: usize = 4;
+/// How much ends, derivatives there, and places that are to be met count more than others.
+const HEAVY: f64 = 1e3;
 
-/// Cubic splines of the curves, all on one domain, on common knots with a knot at each of `at` and
-/// three at each of `corners`; with a bound of the distance at equal parameters for each.
+/// How often spans that miss are divided, and how often fewer knots are tried.
+const MAX_ROUNDS: usize = 24;
+const MAX_TRIALS: usize = 7;
+
+/// How often the fit is made finer after its bound was too large, and what it may miss then.
+const MAX_BOUNDS: usize = 6;
+const FINER: f64 = 0.7;
+
+/// Part of the tolerance that may be used up at the places that are looked at.
+const SAFETY: f64 = 0.85;
+
+/// The search for fewer knots ends at this share of their number.
+const SHARE: usize = 32;
+
+/// The least density of knots, as a share of the mean.
+const LEAST_DENSITY: f64 = 0.05;
+
+/// What splines in place of curves are to be like.
+#[derive(Clone, Debug)]
+pub(in crate::kernel) struct Wanted {
+    /// Their degree.
+    pub(in crate::kernel) degree: usize,
+    /// Parameters where they have the curves' points.
+    pub(in crate::kernel) at: Vec<f64>,
+    /// Inner knots that they have anyway, with their multiplicities.
+    pub(in crate::kernel) held: Vec<(f64, usize)>,
+    /// Whether second derivatives at both ends count.
+    pub(in crate::kernel) is_ring: bool,
+}
+
+/// Splines of the curves, all on one domain, on common knots; with a bound of the distance at equal
+/// parameters for each.
 ///
-/// Ends and, one-sided, corners have the curves' points and derivatives, `at` their points; spans
-/// are halved until the tolerance is kept.
+/// Least squares, with the ends, the derivatives there and `at` counted so heavily that they are
+/// met. Spans that miss are divided; then fewer knots are tried, spread by need.
 ///
 /// # Errors
-/// [`GeomError::ToleranceNotKept`] where 2048 knots do not suffice.
+/// [`GeomError::ToleranceNotKept`] where 4096 control points do not suffice.
 pub(in crate::kernel) fn refitted(
     curves: &[NurbsCurve],
-    at: &[f64],
-    corners: &[f64],
+    wanted: &Wanted,
     tolerance: f64,
 ) -> Result<(Vec<NurbsCurve>, Vec<f64>), GeomError> {
-    let domain = curves[0].domain();
-    let same = KNOT_RELATIVE.sqrt() * domain.length();
-    let ordered = |mut values: Vec<f64>| {
-        values.sort_by(f64::total_cmp);
-        values.dedup_by(|later, earlier| *later - *earlier <= same);
-        values
-    };
-    let cuts = ordered([&[domain.start(), domain.end()], corners].concat());
-    let is_cut = |t: f64| cuts.iter().any(|cut| (cut - t).abs() <= same);
-    let inner: Vec<f64> = at.iter().copied().filter(|&t| !is_cut(t)).collect();
-    let mut places = ordered([&cuts[..], &inner].concat());
-    let mut allowed = 0.5 * tolerance;
-    let mut round = 0;
-    loop {
-        let fits: Vec<NurbsCurve> =
-            curves.iter().map(|curve| fit(curve, &places, &cuts)).collect::<Result<_, _>>()?;
-        let mut more = Vec::new();
-        let mut found = 0.0_f64;
-        for ends in places.windows(2) {
-            let miss = |(curve, fit): (&NurbsCurve, &NurbsCurve)| {
-                (0..N_PLACES)
-                    .map(|i| {
-                        let f = (i as f64 + 0.5) / N_PLACES as f64;
-                        let t = ends[0] + (ends[1] - ends[0]) * f;
-                        curve.point_at(t).distance(fit.point_at(t))
-                    })
-                    .fold(0.0, f64::max)
-            };
-            let most = curves.iter().zip(&fits).map(miss).fold(0.0, f64::max);
-            found = found.max(most);
-            if allowed < most {
-                more.push(0.5 * (ends[0] + ends[1]));
-            }
+    let search = Search::new(curves, wanted);
+    let mut allowed = SAFETY * tolerance;
+    let mut best = search.economical(allowed, tolerance)?;
+    let mut found = best.worst();
+    for _ in 0..MAX_BOUNDS {
+        let fits = best.curves()?;
+        let bounds: Vec<f64> =
+            curves.iter().zip(&fits).map(|(curve, fit)| curve.deviation_from(fit)).collect();
+        found = bounds.iter().copied().fold(0.0, f64::max);
+        if found <= tolerance {
+            return Ok((fits, bounds));
         }
-        if more.is_empty() {
-            let bounds: Vec<f64> =
-                curves.iter().zip(&fits).map(|(curve, fit)| curve.deviation_from(fit)).collect();
-            let worst = bounds.iter().copied().fold(0.0, f64::max);
-            if worst <= tolerance {
-                return Ok((fits, bounds));
-            }
-            round += 1;
-            allowed *= 0.25;
-            if MAX_ROUNDS < round {
-                return Err(GeomError::ToleranceNotKept { tolerance, found: worst });
-            }
-            continue;
-        }
-        if MAX_KNOTS < places.len() + more.len() {
-            return Err(GeomError::ToleranceNotKept { tolerance, found });
-        }
-        places = ordered([&places[..], &more].concat());
+        allowed *= FINER;
+        best = search.grown(best, allowed, tolerance)?;
+    }
+    Err(GeomError::ToleranceNotKept { tolerance, found })
+}
+
+struct Search<'a> {
+    curves: &'a [NurbsCurve],
+    degree: usize,
+    domain: Interval,
+    held: Vec<(f64, usize)>,
+    at: Vec<f64>,
+    is_ring: bool,
+}
+
+/// Splines over some knots.
+struct Trial {
+    knots: KnotVector,
+    /// Knots beyond those that are held.
+    free: Vec<f64>,
+    points: Vec<Vec<DVec4>>,
+    /// The largest distance in each span.
+    misses: Vec<f64>,
+}
+
+impl Trial {
+    fn worst(&self) -> f64 {
+        self.misses.iter().copied().fold(0.0, f64::max)
+    }
+
+    fn curves(&self) -> Result<Vec<NurbsCurve>, GeomError> {
+        let curve = |points: &Vec<DVec4>| {
+            let points: Vec<_> = points.iter().map(|point| point.truncate()).collect();
+            NurbsCurve::polynomial(self.knots.clone(), &points)
+        };
+        self.points.iter().map(curve).collect()
     }
 }
 
-/// The cubic through the curve's points at the places, C2 but at the cuts.
-fn fit(curve: &NurbsCurve, places: &[f64], cuts: &[f64]) -> Result<NurbsCurve, GeomError> {
-    let mut knots: Vec<f64> = vec![places[0]];
-    let mut points: Vec<DVec4> = Vec::new();
-    for ends in cuts.windows(2) {
-        let inside = |t: &&f64| ends[0] <= **t && **t <= ends[1];
-        let own: Vec<f64> = places.iter().filter(inside).copied().collect();
-        let values: Vec<DVec4> = own.iter().map(|&t| curve.point_at(t).extend(1.0)).collect();
-        let slope = |t: f64, side: Side| curve.derivatives_beside(t, side, 1)[1].extend(0.0);
-        let interpolator = Interpolator::new(&own, 3, Ends::Clamped)?;
-        let slopes = [slope(ends[0], Side::Right), slope(ends[1], Side::Left)];
-        let piece = interpolator.with_tangents(&values, slopes)?;
-        knots.extend([ends[0]; 3]);
-        knots.extend(&own[1..own.len() - 1]);
-        points.pop();
-        points.extend(piece);
+impl<'a> Search<'a> {
+    fn new(curves: &'a [NurbsCurve], wanted: &Wanted) -> Self {
+        let domain = curves[0].domain();
+        let same = KNOT_CLUSTER_RELATIVE * domain.length();
+        let inside = |t: f64| domain.start() + same < t && t < domain.end() - same;
+        let mut sorted: Vec<(f64, usize)> =
+            wanted.held.iter().copied().filter(|&(t, _)| inside(t)).collect();
+        sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut held: Vec<(f64, usize)> = Vec::new();
+        for (t, times) in sorted {
+            let times = times.min(wanted.degree);
+            match held.last_mut() {
+                Some(last) if t - last.0 <= same => last.1 = last.1.max(times),
+                _ => held.push((t, times)),
+            }
+        }
+        let corners = held.iter().filter(|&&(_, times)| wanted.degree <= times).map(|&(t, _)| t);
+        let mut at: Vec<f64> =
+            wanted.at.iter().copied().filter(|&t| inside(t)).chain(corners).collect();
+        at.sort_by(f64::total_cmp);
+        Self { curves, degree: wanted.degree, domain, held, at, is_ring: wanted.is_ring }
     }
-    knots.extend([places[places.len() - 1]; 4]);
-    let points: Vec<glam::DVec3> = points.into_iter().map(DVec4::truncate).collect();
-    NurbsCurve::polynomial(KnotVector::new(3, knots)?, &points)
+
+    fn knots(&self, free: &[f64]) -> Result<KnotVector, GeomError> {
+        let ends = [self.domain.start(), self.domain.end()].map(|t| vec![t; self.degree + 1]);
+        let held = self.held.iter().flat_map(|&(t, times)| vec![t; times]);
+        let mut inner: Vec<f64> = held.chain(free.iter().copied()).collect();
+        inner.sort_by(f64::total_cmp);
+        KnotVector::new(self.degree, [&ends[0][..], &inner, &ends[1]].concat())
+    }
+
+    /// Places of each span, those to be met, and derivatives at the ends; in order.
+    fn conditions(&self, breaks: &[f64]) -> (Vec<Condition>, Vec<Option<usize>>) {
+        let n = self.degree + MORE_PLACES;
+        let place = |i: usize| {
+            let angle = std::f64::consts::PI * (i as f64 + 0.5) / n as f64;
+            0.5 - 0.5 * libm::cos(angle)
+        };
+        let places: Vec<f64> = (0..n).map(place).collect();
+        let mut all: Vec<(Condition, Option<usize>)> = Vec::new();
+        let at_end = |t: f64, width: f64| {
+            (1..=1 + usize::from(self.is_ring)).map(move |order| {
+                let weight = HEAVY * if order == 1 { width } else { width * width };
+                (Condition { t, order, weight }, None)
+            })
+        };
+        let last = breaks.len() - 1;
+        all.extend(at_end(breaks[0], breaks[1] - breaks[0]));
+        for (span, ends) in breaks.windows(2).enumerate() {
+            let at = |x: &f64| ends[0] + (ends[1] - ends[0]) * x;
+            all.extend(
+                places.iter().map(|x| (Condition { t: at(x), order: 0, weight: 1.0 }, Some(span))),
+            );
+        }
+        all.extend(at_end(breaks[last], breaks[last] - breaks[last - 1]));
+        all.extend(self.at.iter().map(|&t| (Condition { t, order: 0, weight: HEAVY }, None)));
+        all.sort_by(|a, b| a.0.t.total_cmp(&b.0.t));
+        all.into_iter().unzip()
+    }
+
+    fn trial(&self, free: Vec<f64>) -> Result<Trial, GeomError> {
+        let knots = self.knots(&free)?;
+        let breaks = knots.breaks();
+        let (conditions, spans) = self.conditions(&breaks);
+        let fit = Approximator::weighted(&conditions, knots.clone())?;
+        let parameters: Vec<f64> = conditions.iter().map(|condition| condition.t).collect();
+        let mut misses = vec![0.0_f64; breaks.len() - 1];
+        let mut points = Vec::with_capacity(self.curves.len());
+        for curve in self.curves {
+            let mut wanted = Vec::with_capacity(parameters.len());
+            curve.evaluator().each_point(&parameters, |point| wanted.push(point.extend(1.0)));
+            for (value, condition) in wanted.iter_mut().zip(&conditions) {
+                let &Condition { t, order, weight } = condition;
+                if 0 < order {
+                    let is_start = t <= self.domain.start();
+                    let side = if is_start { Side::Right } else { Side::Left };
+                    *value = curve.derivatives_beside(t, side, order)[order].extend(0.0);
+                }
+                *value *= weight;
+            }
+            let ends = [curve.start(), curve.end()].map(|point| point.extend(1.0));
+            let own = fit.between(ends, &wanted);
+            for ((value, wanted), span) in fit.values(&own).zip(&wanted).zip(&spans) {
+                if let Some(miss) = span.and_then(|span| misses.get_mut(span)) {
+                    *miss = miss.max((value - *wanted).truncate().length());
+                }
+            }
+            points.push(own);
+        }
+        Ok(Trial { knots, free, points, misses })
+    }
+
+    /// The trial with spans divided until none misses by more than is allowed.
+    fn grown(&self, first: Trial, allowed: f64, tolerance: f64) -> Result<Trial, GeomError> {
+        let mut trial = first;
+        for _ in 0..MAX_ROUNDS {
+            let more = self.splits(&trial, allowed);
+            if more.is_empty() {
+                return Ok(trial);
+            }
+            if MAX_POINTS < trial.knots.n_points() + more.len() {
+                break;
+            }
+            let mut free = [&trial.free[..], &more].concat();
+            free.sort_by(f64::total_cmp);
+            trial = self.trial(free)?;
+        }
+        Err(GeomError::ToleranceNotKept { tolerance, found: trial.worst() })
+    }
+
+    /// Knots that divide what misses, by how far it does.
+    fn splits(&self, trial: &Trial, allowed: f64) -> Vec<f64> {
+        let breaks = trial.knots.breaks();
+        let order = (self.degree + 1) as f64;
+        let split = |(ends, &miss): (&[f64], &f64)| {
+            let wanted = libm::pow(miss / allowed, 1.0 / order);
+            let n_parts = if miss <= allowed { 1 } else { (wanted as usize + 1).clamp(2, 8) };
+            let at = |i: usize| ends[0] + (ends[1] - ends[0]) * (i as f64 / n_parts as f64);
+            (1..n_parts).map(at).collect::<Vec<f64>>()
+        };
+        breaks.windows(2).zip(&trial.misses).flat_map(split).collect()
+    }
+
+    /// The trial with the fewest knots that is found.
+    fn economical(&self, allowed: f64, tolerance: f64) -> Result<Trial, GeomError> {
+        let mut best = self.grown(self.trial(Vec::new())?, allowed, tolerance)?;
+        let (mut low, mut high) = (0, best.free.len());
+        for _ in 0..MAX_TRIALS {
+            if high <= low + high / SHARE {
+                break;
+            }
+            let n = low.midpoint(high);
+            let mut trial = self.trial(self.spread(&best, n)?)?;
+            // A few spans more may do.
+            for _ in 0..2 {
+                let more = self.splits(&trial, allowed);
+                if more.is_empty() || high <= trial.free.len() + more.len() {
+                    break;
+                }
+                let mut free = [&trial.free[..], &more].concat();
+                free.sort_by(f64::total_cmp);
+                trial = self.trial(free)?;
+            }
+            if trial.worst() <= allowed && trial.free.len() < high {
+                high = trial.free.len();
+                best = trial;
+            } else {
+                low = n + 1;
+            }
+        }
+        Ok(best)
+    }
+
+    /// Some `n` knots, denser where the next derivative would be large.
+    ///
+    /// De Boor, *A Practical Guide to Splines*, §XII (`NEWNOT`), between those that are held.
+    fn spread(&self, trial: &Trial, n: usize) -> Result<Vec<f64>, GeomError> {
+        let breaks = trial.knots.breaks();
+        let needs = self.needs(trial, &breaks)?;
+        let shares: Vec<f64> =
+            needs.iter().zip(breaks.windows(2)).map(|(need, b)| need * (b[1] - b[0])).collect();
+        let total: f64 = shares.iter().sum();
+        let mut free = Vec::with_capacity(n);
+        let is_held = |t: f64| self.held.iter().any(|&(knot, _)| knot.to_bits() == t.to_bits());
+        let mut first = 0;
+        for span in 0..shares.len() {
+            if span + 1 < shares.len() && !is_held(breaks[span + 1]) {
+                continue;
+            }
+            let sum: f64 = shares[first..=span].iter().sum();
+            let own = (n as f64 * sum / total).round();
+            let (mut at, mut before) = (first, 0.0);
+            for i in 1..=own as usize {
+                let target = sum * i as f64 / (own + 1.0);
+                while at < span && before + shares[at] < target {
+                    before += shares[at];
+                    at += 1;
+                }
+                free.push(breaks[at] + (target - before) / needs[at]);
+            }
+            first = span + 1;
+        }
+        Ok(free)
+    }
+
+    /// For each span the root of order p + 1 of the derivative of that order, from the jumps of
+    /// the one below.
+    fn needs(&self, trial: &Trial, breaks: &[f64]) -> Result<Vec<f64>, GeomError> {
+        let (p, n) = (self.degree, breaks.len() - 1);
+        let mut slopes = vec![0.0_f64; n - 1];
+        for curve in trial.curves()? {
+            let highest = |ends: &[f64]| curve.derivatives_at(0.5 * (ends[0] + ends[1]), p)[p];
+            let highest: Vec<_> = breaks.windows(2).map(highest).collect();
+            for (i, slope) in slopes.iter_mut().enumerate() {
+                let width = 0.5 * (breaks[i + 2] - breaks[i]);
+                *slope = slope.max(highest[i].distance(highest[i + 1]) / width);
+            }
+        }
+        // What is behind a corner says nothing of what is before it.
+        let is_smooth = |i: usize| {
+            let t = breaks[i + 1];
+            self.held.iter().all(|&(knot, times)| knot.to_bits() != t.to_bits() || times == 1)
+        };
+        let around = |i: usize| {
+            let near = [i.checked_sub(1), Some(i)].into_iter().flatten();
+            let near: Vec<f64> =
+                near.filter(|&i| i + 1 < n && is_smooth(i)).map(|i| slopes[i]).collect();
+            let mean = near.iter().sum::<f64>() / near.len().max(1) as f64;
+            libm::pow(mean, 1.0 / (p + 1) as f64)
+        };
+        let needs: Vec<f64> = (0..n).map(around).collect();
+        let mean = needs.iter().sum::<f64>() / n as f64;
+        let least = if 0.0 < mean { LEAST_DENSITY * mean } else { 1.0 };
+        Ok(needs.into_iter().map(|need| need.max(least)).collect())
+    }
 }

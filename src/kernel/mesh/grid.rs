@@ -59,8 +59,13 @@ pub(super) fn mesh_of(samples: GridSamples, us: &[f64], vs: &[f64]) -> Mesh {
     for &u in us {
         uvs.extend(vs.iter().map(|&v| DVec2::new(u, v)));
     }
-    let mesh =
-        Mesh { vertices: points.into_values(), normals: normals.into_values(), uvs, triangles };
+    let mesh = Mesh {
+        vertices: points.into_values(),
+        normals: normals.into_values(),
+        uvs,
+        triangles,
+        ..Mesh::default()
+    };
     let is_whole = mesh.triangles.len() == 2 * (us.len() - 1) * (vs.len() - 1);
     if is_whole { mesh } else { mesh.without_strays() }
 }

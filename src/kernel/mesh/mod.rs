@@ -1,30 +1,56 @@
 //! Triangle meshes.
 //!
-//! This file has the type and what can be measured on it; `grid` makes a mesh of a surface by
-//! counts, `tessellate` by a tolerance, `any` of functions too.
+//! This file has the type; `grid` makes a mesh of a surface by counts, `tessellate` by a tolerance,
+//! `any` of functions too. `weld` tells which vertices are one place, `topology` how the triangles
+//! hang together, `measure` area, volume and their centres, `deviation` how far one is from a
+//! surface, `fault` why a mesh encloses nothing, `section` where a plane cuts it.
 
 mod any;
+mod deviation;
+mod fault;
 mod grid;
+mod measure;
+mod planar;
+mod section;
 mod tessellate;
+mod topology;
+mod weld;
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 use super::{Bounds, GeomError, frame::unit, tolerance::UNIT_SLACK};
 
 pub use any::{grid_mesh_any, tessellate_any, tessellate_curve_any};
+pub use fault::MeshError;
 pub use grid::grid_mesh;
+pub use planar::planar_mesh;
 pub use tessellate::{tessellate, tessellate_curve};
+pub use topology::{MeshCheck, Topology};
 
 /// Triangles over shared vertices, counter-clockwise seen from the side of the normals.
 ///
-/// Invariants: finite vertices; a unit normal and a parameter pair for each vertex, or none at
-/// all; triangles name vertices that exist.
+/// A vertex has one normal, one parameter pair and one colour: where a surface has a crease or a
+/// seam, two vertices or more stand at one place.
+///
+/// Invariants: finite vertices; a unit normal, a parameter pair and a colour for each vertex, or
+/// none at all; triangles name vertices that exist; groups hold all triangles, or there are none.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Mesh {
     vertices: Vec<DVec3>,
     normals: Vec<DVec3>,
     uvs: Vec<DVec2>,
+    colors: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
+    groups: Vec<Group>,
+}
+
+/// Triangles that belong together, one behind the other.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Group {
+    /// What they are called.
+    pub name: String,
+    /// How many they are.
+    pub n_triangles: usize,
 }
 
 impl Mesh {
@@ -54,7 +80,41 @@ impl Mesh {
             }
         }
         check_triangles(&triangles, vertices.len())?;
-        Ok(Self { vertices, normals, uvs, triangles })
+        Ok(Self { vertices, normals, uvs, triangles, ..Self::default() })
+    }
+
+    /// The same with a colour for each vertex, red, green and blue from 0 to 1 as screens show them
+    /// (sRGB); without colours for none.
+    ///
+    /// # Errors
+    /// [`GeomError::AttributeCount`], [`MeshError::BadColor`].
+    pub fn with_colors(self, colors: Vec<DVec3>) -> Result<Self, GeomError> {
+        check_attribute("colours", self.n_vertices(), colors.len())?;
+        let is_color = |color: &DVec3| (0..3).all(|i| 0.0 <= color[i] && color[i] <= 1.0);
+        match colors.iter().position(|color| !is_color(color)) {
+            Some(index) => Err(MeshError::BadColor { index, color: colors[index] }.into()),
+            None => Ok(Self { colors, ..self }),
+        }
+    }
+
+    /// The same with its triangles in groups, in their order; in none for none.
+    ///
+    /// # Errors
+    /// [`GeomError::WrongCount`] unless the groups hold as many triangles as there are.
+    pub fn with_groups(self, groups: Vec<Group>) -> Result<Self, GeomError> {
+        let got = groups.iter().fold(0_usize, |sum, group| sum.saturating_add(group.n_triangles));
+        let needed = self.n_triangles();
+        if !groups.is_empty() && got != needed {
+            return Err(GeomError::WrongCount { what: "triangles in groups", needed, got });
+        }
+        Ok(Self { groups, ..self })
+    }
+
+    /// The same with all of its triangles in one group.
+    #[must_use]
+    pub fn in_group(self, name: impl Into<String>) -> Self {
+        let groups = vec![Group { name: name.into(), n_triangles: self.n_triangles() }];
+        Self { groups, ..self }
     }
 
     /// The corners of the triangles.
@@ -73,6 +133,18 @@ impl Mesh {
     #[must_use]
     pub fn uvs(&self) -> &[DVec2] {
         &self.uvs
+    }
+
+    /// Red, green and blue from 0 to 1 (sRGB), one triple a vertex, or none at all.
+    #[must_use]
+    pub fn colors(&self) -> &[DVec3] {
+        &self.colors
+    }
+
+    /// The groups of the triangles, in the order of these; none where nothing is grouped.
+    #[must_use]
+    pub fn groups(&self) -> &[Group] {
+        &self.groups
     }
 
     /// Triples of vertex indices.
@@ -104,21 +176,6 @@ impl Mesh {
         Bounds::of(self.vertices.iter().copied())
     }
 
-    /// Sum of the areas of the triangles.
-    #[must_use]
-    pub fn area(&self) -> f64 {
-        self.corners().map(|[a, b, c]| 0.5 * (b - a).cross(c - a).length()).sum()
-    }
-
-    /// Enclosed volume, negative where the triangles face inward; only closed meshes enclose one.
-    #[must_use]
-    pub fn volume(&self) -> f64 {
-        // About a vertex of its own, so that a far away mesh keeps its digits.
-        let Some(&about) = self.vertices.first() else { return 0.0 };
-        let tetrahedron = |[a, b, c]: [DVec3; 3]| (a - about).dot((b - about).cross(c - about));
-        self.corners().map(tetrahedron).sum::<f64>() / 6.0
-    }
-
     /// The image under an affine map. Normals stay normal; a mirror turns the triangles round, so
     /// that the outside stays outside; a map that flattens space loses the normals.
     #[must_use]
@@ -130,7 +187,14 @@ impl Mesh {
             self.normals.iter().map(|&normal| unit(cofactors * normal)).collect();
         let turn = |&[a, b, c]: &[u32; 3]| if mirrors { [a, c, b] } else { [a, b, c] };
         let triangles = self.triangles.iter().map(turn).collect();
-        Self { vertices, normals: normals.unwrap_or_default(), uvs: self.uvs.clone(), triangles }
+        Self {
+            vertices,
+            normals: normals.unwrap_or_default(),
+            uvs: self.uvs.clone(),
+            colors: self.colors.clone(),
+            triangles,
+            groups: self.groups.clone(),
+        }
     }
 
     /// The same triangles without the vertices that belong to none, the others in their order.
@@ -151,15 +215,18 @@ impl Mesh {
             vertices: kept(&self.vertices, &is_used),
             normals: kept(&self.normals, &is_used),
             uvs: kept(&self.uvs, &is_used),
+            colors: kept(&self.colors, &is_used),
             triangles: self
                 .triangles
                 .into_iter()
                 .map(|corners| corners.map(|corner| renamed[corner as usize]))
                 .collect(),
+            groups: self.groups,
         }
     }
 
-    /// All meshes as one; normals and parameters only where every one of them has them.
+    /// All meshes as one, with their groups one behind the other. Normals and parameters only where
+    /// every one of them has them; if some have colours, the others are white.
     ///
     /// # Errors
     /// [`GeomError::TooManyVertices`] above the ceiling, or beyond what a triangle can name.
@@ -171,6 +238,8 @@ impl Mesh {
         }
         let have_normals = meshes.iter().all(|mesh| mesh.normals.len() == mesh.n_vertices());
         let have_uvs = meshes.iter().all(|mesh| mesh.uvs.len() == mesh.n_vertices());
+        let have_colors = meshes.iter().any(|mesh| !mesh.colors.is_empty());
+        let have_groups = meshes.iter().any(|mesh| !mesh.groups.is_empty());
         let mut all = Self::default();
         for mesh in meshes {
             let first = all.n_vertices() as u32;
@@ -182,6 +251,17 @@ impl Mesh {
                 all.uvs.extend_from_slice(&mesh.uvs);
             }
             all.triangles.extend(mesh.triangles.iter().map(|corners| corners.map(|i| i + first)));
+            if have_colors {
+                all.colors.extend_from_slice(&mesh.colors);
+                all.colors.resize(all.vertices.len(), DVec3::ONE);
+            }
+            if have_groups {
+                all.groups.extend_from_slice(&mesh.groups);
+                if mesh.groups.is_empty() {
+                    let n_triangles = mesh.n_triangles();
+                    all.groups.push(Group { name: String::new(), n_triangles });
+                }
+            }
         }
         Ok(all)
     }

@@ -19,7 +19,7 @@ enum Way {
     /// With the derivatives by v that are given at the ends, one a line.
     WithSlopes { fit: Interpolator, start: Option<Vec<DVec4>>, end: Option<Vec<DVec4>> },
     /// Along the tangents of a spine.
-    Spine { fit: Interpolator, places: Vec<DVec3>, tangents: Vec<DVec3> },
+    Spine { fit: Interpolator, places: Vec<DVec3>, tangents: Vec<DVec3>, is_closed: bool },
     /// Without a swing beyond two neighbours.
     Monotone { parameters: Vec<f64>, is_closed: bool },
 }
@@ -66,11 +66,17 @@ impl Along {
     ///
     /// Piegl & Tiller, *The NURBS Book*, (10.10) to (10.13). Of rational sections the weights
     /// stand still at the sections, which keeps the surface's own derivative along the spine.
+    /// Of a closed skin the last parameter is where the first section comes again.
     ///
     /// # Errors
     /// Those of [`Interpolator::with_derivatives`]; [`GeomError::CoincidentPoints`] for two
     /// neighbouring places of the spine that are one.
-    pub fn spine(parameters: &[f64], degree: usize, spine: &NurbsCurve) -> Result<Self, GeomError> {
+    pub fn spine(
+        parameters: &[f64],
+        degree: usize,
+        spine: &NurbsCurve,
+        is_closed: bool,
+    ) -> Result<Self, GeomError> {
         let fit = Interpolator::with_derivatives(parameters, degree)?;
         let both = parameters.iter().map(|&t| {
             let derivatives = spine.derivatives_at(t, 1);
@@ -80,8 +86,9 @@ impl Along {
         if let Some(first) = places.windows(2).position(|pair| pair[0] == pair[1]) {
             return Err(GeomError::CoincidentPoints { first, second: first + 1 });
         }
-        let (knots, n_sections) = (fit.knots().clone(), parameters.len());
-        Ok(Self { knots, n_sections, way: Way::Spine { fit, places, tangents } })
+        let (knots, n) = (fit.knots().clone(), parameters.len());
+        let n_sections = n - usize::from(is_closed);
+        Ok(Self { knots, n_sections, way: Way::Spine { fit, places, tangents, is_closed } })
     }
 
     /// C1 cubics of which each coordinate stays between its values at two neighbouring sections.
@@ -122,8 +129,12 @@ impl Along {
                 let slope = |all: &Option<Vec<DVec4>>| all.as_ref().map(|slopes| slopes[index]);
                 fit.with_slopes_at_ends(line, [slope(start), slope(end)])
             }
-            Way::Spine { fit, places, tangents } => {
-                fit.with_slopes(line, &along_spine(line, places, tangents))
+            Way::Spine { fit, places, tangents, is_closed } => {
+                let mut line = line.to_vec();
+                if *is_closed {
+                    line.push(line[0]);
+                }
+                fit.with_slopes(&line, &along_spine(&line, places, tangents, *is_closed))
             }
             Way::Monotone { parameters, is_closed } => {
                 let mut line = line.to_vec();
@@ -137,13 +148,26 @@ impl Along {
 }
 
 /// The spine's tangents, scaled for a line: (10.10) and (10.11).
-fn along_spine(line: &[DVec4], places: &[DVec3], tangents: &[DVec3]) -> Vec<DVec4> {
+fn along_spine(
+    line: &[DVec4],
+    places: &[DVec3],
+    tangents: &[DVec3],
+    is_closed: bool,
+) -> Vec<DVec4> {
     let place = |k: usize| crate::kernel::homogeneous::place(line[k]);
     let steps = |k: usize| (place(k).distance(place(k + 1)), places[k].distance(places[k + 1]));
     let last = line.len() - 1;
     let scaled = |k: usize| {
-        let before = if k == 0 { (0.0, 0.0) } else { steps(k - 1) };
-        let behind = if k == last { (0.0, 0.0) } else { steps(k) };
+        let before = match k {
+            0 if is_closed => steps(last - 1),
+            0 => (0.0, 0.0),
+            k => steps(k - 1),
+        };
+        let behind = match k {
+            k if k < last => steps(k),
+            _ if is_closed => steps(0),
+            _ => (0.0, 0.0),
+        };
         let factor = (before.0 + behind.0) / (before.1 + behind.1);
         (tangents[k] * (factor * line[k].w)).extend(0.0)
     };

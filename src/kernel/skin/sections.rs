@@ -3,7 +3,9 @@
 use glam::DVec4;
 
 use crate::kernel::{
-    GeomError, KnotVector, NurbsCurve, make_compatible,
+    GeomError, KnotVector, NurbsCurve,
+    gordon::{Wanted, refitted},
+    make_compatible,
     tolerance::{PARAMETER_RELATIVE, VANISHING_RELATIVE},
 };
 
@@ -55,6 +57,39 @@ impl Sections {
             common[i] = NurbsCurve::trusted(common[i].knots().clone(), shaped);
         }
         Ok(Self(common))
+    }
+
+    /// The sections with polynomial splines, of degree 3 or more, in place of rational ones.
+    ///
+    /// # Errors
+    /// [`GeomError::ToleranceNotKept`].
+    pub fn polynomial(&self, tolerance: f64) -> Result<Self, GeomError> {
+        let knots = self.knots();
+        let degree = knots.degree().max(3);
+        let rational: Vec<NurbsCurve> = self
+            .0
+            .iter()
+            .filter(|curve| curve.is_rational() && !curve.is_point())
+            .cloned()
+            .collect();
+        if rational.is_empty() {
+            return Ok(self.clone());
+        }
+        let domain = knots.domain();
+        let is_ring = rational.iter().all(|curve| curve.is_closed(tolerance));
+        // Corners keep their knots.
+        let held = knots.distinct().into_iter().filter(|&(_, times)| knots.degree() <= times + 1);
+        let held = held.map(|(t, times)| (t, times + degree - knots.degree())).collect();
+        let at = vec![domain.start(), domain.end()];
+        let (fits, _) = refitted(&rational, &Wanted { degree, at, held, is_ring }, tolerance)?;
+        let mut fits = fits.into_iter();
+        let own = |curve: &NurbsCurve| match curve.is_rational() {
+            true if curve.is_point() => NurbsCurve::bezier(&[curve.start()]),
+            true => Ok(fits.next().unwrap_or_else(|| curve.clone())),
+            false => Ok(curve.clone()),
+        };
+        let curves: Vec<NurbsCurve> = self.0.iter().map(own).collect::<Result<_, _>>()?;
+        Self::new(&curves)
     }
 
     /// Curves of one degree on one knot vector.

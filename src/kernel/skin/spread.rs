@@ -2,12 +2,15 @@
 
 use crate::kernel::{
     GeomError, Interval, NurbsCurve,
-    gordon::{Map, refitted},
+    gordon::{Map, Wanted, refitted},
     tolerance::PLACE_RELATIVE,
 };
 
 /// Parts of a span whose lengths are met.
 const N_PARTS: usize = 32;
+
+/// The degree of what becomes a spline.
+const DEGREE: usize = 3;
 
 /// The curves with the fraction of their length as parameter, on 0..1: as they are where they run
 /// at constant speed, else as cubic splines within the tolerance, on common knots.
@@ -23,7 +26,7 @@ pub fn at_constant_speed(
 ) -> Result<Vec<NurbsCurve>, GeomError> {
     let mut spread = Vec::with_capacity(curves.len());
     let mut waiting: Vec<(usize, NurbsCurve)> = Vec::new();
-    let mut corners: Vec<f64> = Vec::new();
+    let mut held: Vec<(f64, usize)> = Vec::new();
     for (k, curve) in curves.iter().enumerate() {
         spread.push(curve.reparametrized(Interval::UNIT));
         if curve.is_point() {
@@ -36,15 +39,16 @@ pub fn at_constant_speed(
             continue;
         }
         let map = Map::new(&fractions, &parameters, false)?;
-        let (run, own_corners) = map.applied(&curve.clamped())?;
-        corners.extend(own_corners);
+        let (run, rough) = map.applied(&curve.without_needless_knots())?;
+        held.extend(rough.into_iter().map(|(t, order)| (t, DEGREE - order)));
         waiting.push((k, run));
     }
     if waiting.is_empty() {
         return Ok(spread);
     }
     let (indices, runs): (Vec<usize>, Vec<NurbsCurve>) = waiting.into_iter().unzip();
-    let (fits, _) = refitted(&runs, &[0.0, 1.0], &corners, tolerance)?;
+    let wanted = Wanted { degree: DEGREE, at: Vec::new(), held, is_ring: false };
+    let (fits, _) = refitted(&runs, &wanted, tolerance)?;
     for (k, fit) in indices.into_iter().zip(fits) {
         spread[k] = fit;
     }

@@ -31,16 +31,18 @@ impl NurbsSurface {
     #[must_use]
     pub fn decompose(&self) -> Grid<Self> {
         let spans = [&self.knots_u, &self.knots_v].map(|knots| knots.spans().collect::<Vec<_>>());
-        Grid::from_fn(spans[0].len(), spans[1].len(), |i, j| {
-            let (span_u, span_v) = (spans[0][i], spans[1][j]);
-            let knots = [&self.knots_u, &self.knots_v];
-            let net = bezier::patch(knots, &self.control_points, span_u, span_v);
-            let own = |knots: &KnotVector, span: usize| {
-                let (ends, order) = (knots.span_interval(span), knots.degree() + 1);
-                knots.part([&vec![ends.start(); order], &[], &vec![ends.end(); order]])
-            };
-            Self::trusted(own(&self.knots_u, span_u), own(&self.knots_v, span_v), net)
-        })
+        Grid::from_fn(spans[0].len(), spans[1].len(), |i, j| self.patch(spans[0][i], spans[1][j]))
+    }
+
+    /// The Bézier patch that it is over a pair of spans.
+    pub(super) fn patch(&self, span_u: usize, span_v: usize) -> Self {
+        let knots = [&self.knots_u, &self.knots_v];
+        let net = bezier::patch(knots, &self.control_points, span_u, span_v);
+        let own = |knots: &KnotVector, span: usize| {
+            let (ends, order) = (knots.span_interval(span), knots.degree() + 1);
+            knots.part([&vec![ends.start(); order], &[], &vec![ends.end(); order]])
+        };
+        Self::trusted(own(&self.knots_u, span_u), own(&self.knots_v, span_v), net)
     }
 
     /// Both parts at a parameter, each on its part of the domain, clamped where they were cut.

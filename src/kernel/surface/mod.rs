@@ -10,7 +10,7 @@
 //! is u or v, along which `edit` changes the representation or cuts, and `compatible` brings several
 //! to one basis. `rearrange` does of this what functions allow, `parts` has what a form is made of,
 //! `continuation` patches that go on from a side, `join` makes one surface of many, `offset` runs
-//! beside.
+//! beside, `level` has the lines along which a field on a surface vanishes.
 //!
 //! Of both kinds `local` tells how they bend at a place, `pole` where an edge is collapsed,
 //! `everywhere` what holds at all places, `deviation` how far one is from another, `defects` where
@@ -35,6 +35,7 @@ mod grid_eval;
 mod iso;
 mod join;
 mod joint;
+mod level;
 mod lines;
 mod local;
 mod looked;
@@ -67,12 +68,14 @@ pub use evaluator::SurfaceEvaluator;
 pub use grid_eval::GridSamples;
 pub use join::join_patches;
 pub use joint::SurfaceContinuity;
+pub use level::{LevelSet, PictureError, Piercing};
 pub use local::{Principal, SurfaceKind, SurfaceShape};
 pub use mass::{Mass, area_mass, principal_axes, volume_mass};
 pub use offset::{SurfaceOffset, Turn};
 pub use parametric::{ParametricSurface, SurfaceFunction};
 pub use revolve::{Axis, AxisContact};
 pub use shell::ShellError;
+pub(in crate::kernel) use sum::Strands;
 
 use super::{
     GeomError, Grid, Interval, KnotVector, Receipt, homogeneous, knots::BasisExpansion, lazy::Lazy,

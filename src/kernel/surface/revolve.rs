@@ -115,6 +115,7 @@ impl Axis {
                 };
                 Ok(inside.filter(|&t| !is_at_end(t)).map(contact).collect())
             }
+            Err(GeomError::Tangled) => Ok(Vec::new()),
             Err(GeomError::RunTogether { start, end }) => {
                 Ok(vec![AxisContact::Stretch { start, end }])
             }

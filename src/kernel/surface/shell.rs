@@ -12,7 +12,7 @@ use super::{
     border::{Border, Nearest},
 };
 use crate::kernel::{
-    Bounds, GeomError, Tolerance, error::few_digits, tolerance::VANISHING_RELATIVE,
+    Bounds, GeomError, Tolerance, digits::few_digits, tolerance::VANISHING_RELATIVE,
 };
 
 /// Why surfaces enclose nothing. Edges are called as in scripts, surfaces by their index.

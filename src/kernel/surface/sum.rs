@@ -43,17 +43,18 @@ impl NurbsSurface {
         let (d, g, knots_v) = over_one_denominator(v)?;
         let (n, m) = (knots_u.n_points(), knots_v.n_points());
         check_size(n, m)?;
+        // What curves along v have beyond the surface through their meetings.
+        let gaps = Grid::from_fn(rows, m, |l, j| {
+            let through = g.iter().enumerate().map(|(k, blend)| meetings.get(l, k) * blend[j].x);
+            d[l][j].truncate() - through.sum::<DVec3>()
+        });
         let net = Grid::from_fn(n, m, |i, j| {
             let mut point = DVec3::ZERO;
-            for (k, along_u) in c.iter().enumerate() {
-                point += along_u[i].truncate() * g[k][j].x;
+            for (along_u, blend) in c.iter().zip(&g) {
+                point += along_u[i].truncate() * blend[j].x;
             }
-            for (l, along_v) in d.iter().enumerate() {
-                let mut gap = along_v[j].truncate();
-                for (k, blend) in g.iter().enumerate() {
-                    gap -= meetings.get(l, k) * blend[j].x;
-                }
-                point += gap * f[l][i].x;
+            for (l, blend) in f.iter().enumerate() {
+                point += gaps.get(l, j) * blend[i].x;
             }
             point.extend(c[0][i].w * d[0][j].w)
         });

@@ -1,13 +1,66 @@
-//! Sweeps along polygons: prisms that meet in the planes halfway between their legs.
+//! Sweeps around corners: what comes from both sides meets in the plane that halves the angle.
 
 use glam::{DVec3, DVec4};
 
-use super::frames::{Axes, over_corner};
+use super::frames::{Axes, Frames, Framing, over_corner};
 use crate::kernel::{
-    GeomError, Grid, NurbsCurve, NurbsSurface,
+    GeomError, Grid, Interval, NurbsCurve, NurbsSurface, Side,
     frame::{across, unit},
     tolerance::VANISHING_RELATIVE,
 };
+
+/// Beside a corner a bent leg is sheared over so many times the section's reach.
+const SHEARED: f64 = 3.0;
+
+/// A part of a path with its frames.
+pub type Leg = (NurbsCurve, Frames);
+
+/// The path cut at its corners, each part with its frames, which are carried over the corners by
+/// the smallest turn and slide the section into the planes that halve them. With `is_closed` there
+/// is a corner at the seam too. `reach` is how far the section reaches from the path.
+///
+/// # Errors
+/// [`GeomError::VanishingTangent`] where the path turns straight back; those of [`Frames::new`].
+pub fn legs(
+    path: &NurbsCurve,
+    corners: &[f64],
+    rule: Framing,
+    up: DVec3,
+    is_closed: bool,
+    reach: f64,
+) -> Result<Vec<Leg>, GeomError> {
+    let domain = path.domain();
+    let cuts = [&[domain.start()], corners, &[domain.end()]].concat();
+    let last = cuts.len() - 2;
+    let normal = |before: f64, behind: f64| {
+        let both = [path.tangent_at(before, Side::Left)?, path.tangent_at(behind, Side::Right)?];
+        let sum = both[0] + both[1];
+        if sum.length() <= VANISHING_RELATIVE.sqrt() {
+            return Err(GeomError::VanishingTangent { parameter: before });
+        }
+        Ok(sum)
+    };
+    let mut up = up;
+    let mut legs = Vec::with_capacity(last + 1);
+    for (k, ends) in cuts.windows(2).enumerate() {
+        let part = path.trimmed(Interval::new(ends[0], ends[1])?)?;
+        let mut frames = Frames::new(&part, rule, up, false)?;
+        let axes = frames.last();
+        if k < last || is_closed {
+            let behind = if k < last { ends[1] } else { domain.start() };
+            frames = frames.with_corner(1, normal(ends[1], behind)?, SHEARED * reach);
+        }
+        if 0 < k || is_closed {
+            let before = if 0 < k { ends[0] } else { domain.end() };
+            frames = frames.with_corner(0, normal(before, ends[0])?, SHEARED * reach);
+        }
+        if k < last && matches!(rule, Framing::RotationMinimizing | Framing::Projection) {
+            up = over_corner(axes, path.tangent_at(ends[1], Side::Right)?).z;
+        }
+        legs.push((part, frames));
+    }
+    Ok(legs)
+}
 
 /// The section along a polygon of degree 1; at each corner it lies in the plane
 /// that halves the angle, so that both prisms meet there. A closed polygon has a corner at its

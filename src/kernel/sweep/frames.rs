@@ -47,6 +47,9 @@ impl Axes {
     }
 }
 
+/// Tangents of a straight path differ by less than this.
+const STRAIGHT: f64 = TURN_ACCURACY;
+
 /// Steps of a span between two looks at the accuracy.
 const FIRST_STEPS: usize = 16;
 
@@ -64,6 +67,21 @@ pub struct Frames {
     closing: f64,
     /// Between which parameters the frame turns around.
     flips: Vec<[f64; 2]>,
+    /// How the section is slid along the path towards a corner at the start and at the end.
+    mitres: [Option<Mitre>; 2],
+}
+
+/// A corner at an end of the path.
+#[derive(Clone, Copy, Debug)]
+struct Mitre {
+    point: DVec3,
+    /// How far what lies beside the path by one, along y and along z, is from the plane that halves
+    /// the corner, along the path.
+    slopes: [f64; 2],
+    /// Where the section stands upright again, as a distance from the corner.
+    length: f64,
+    /// Whether the path is straight up to there.
+    is_straight: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -101,6 +119,7 @@ impl Frames {
             places: Vec::new(),
             closing: 0.0,
             flips: Vec::new(),
+            mitres: [None; 2],
         };
         let mut n_steps = FIRST_STEPS;
         frames.walk(n_steps)?;
@@ -133,7 +152,61 @@ impl Frames {
         &self.flips
     }
 
-    fn last(&self) -> Axes {
+    /// The frames of a path that has a corner at its start (0) or end (1): there the section lies
+    /// in the plane of this normal. A straight path keeps its prism; a bent one is sheared over
+    /// `reach` from the corner.
+    #[must_use]
+    pub fn with_corner(mut self, end: usize, normal: DVec3, reach: f64) -> Self {
+        let (axes, point) = match end {
+            0 => (self.places[0].axes, self.path.start()),
+            _ => (self.last(), self.path.end()),
+        };
+        let chord = self.path.start().distance(self.path.end());
+        let is_straight = self.places.iter().all(|place| norm(place.axes.x - axes.x) <= STRAIGHT);
+        let length = if is_straight { chord } else { reach.min(chord) };
+        let along = axes.x.dot(normal);
+        let slopes = [axes.y.dot(normal) / along, axes.z.dot(normal) / along];
+        self.mitres[end] = Some(Mitre { point, slopes, length, is_straight });
+        self
+    }
+
+    /// By how much what reaches so far from the path is shortened by the corners at both ends,
+    /// over the length that there is for it: above 1 the surface crosses itself there.
+    #[must_use]
+    pub fn overreach(&self, reach: f64) -> f64 {
+        let slopes = |end: usize| self.mitres[end].map_or([0.0; 2], |mitre| mitre.slopes);
+        let [start, end] = [slopes(0), slopes(1)];
+        let length = self.mitres.iter().flatten().map(|mitre| mitre.length);
+        let slide = reach * libm::hypot(end[0] - start[0], end[1] - start[1]);
+        slide / length.fold(f64::INFINITY, f64::min)
+    }
+
+    /// How far along the path, at a place of it, what lies at `offset` from it is slid to corners.
+    pub(super) fn slide(&self, point: DVec3, axes: Axes, offset: DVec3) -> f64 {
+        let slide = |mitre: &Mitre| {
+            let part = (point.distance(mitre.point) / mitre.length).min(1.0);
+            let rest = 1.0 - part;
+            let share = if mitre.is_straight { rest } else { rest * rest * (1.0 + 2.0 * part) };
+            let [by_y, by_z] = mitre.slopes;
+            -share * (by_y * offset.dot(axes.y) + by_z * offset.dot(axes.z))
+        };
+        self.mitres.iter().flatten().map(slide).sum()
+    }
+
+    /// Parameters where a bent path's section stands upright again, roughly.
+    pub(super) fn breaks(&self) -> Vec<f64> {
+        let bent = self.mitres.iter().flatten().filter(|mitre| !mitre.is_straight);
+        let crossing = |mitre: &Mitre| {
+            let is_near = |place: &Place| place.point.distance(mitre.point) <= mitre.length;
+            let change = |pair: &&[Place]| is_near(&pair[0]) != is_near(&pair[1]);
+            self.places.windows(2).find(change).map(|pair| pair[1].t)
+        };
+        bent.filter_map(crossing).collect()
+    }
+
+    /// The axes at the end of the path.
+    #[must_use]
+    pub fn last(&self) -> Axes {
         self.places[self.places.len() - 1].axes
     }
 

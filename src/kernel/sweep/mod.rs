@@ -1,12 +1,14 @@
 //! Surfaces that a section leaves behind as it moves along a path.
 //!
-//! `frames` carry directions along the path, `corner` sweeps along polygons with mitred corners.
-//! This file places the section and makes splines of where its control points go.
+//! `frames` carry directions along the path, `corner` takes it around corners, `folds` tells where
+//! the surface crosses itself. This file places the section and makes splines of where its control
+//! points go.
 
 mod corner;
+mod folds;
 mod frames;
 
-pub use corner::mitred;
+pub use corner::{Leg, legs, mitred};
 pub use frames::{Axes, Frames, Framing};
 
 use glam::{DVec3, DVec4};
@@ -35,7 +37,16 @@ pub trait Motion {
     /// # Errors
     /// Where there is no such direction.
     fn upwards(&mut self, t: f64, point: DVec3, x: DVec3) -> Result<Option<DVec3>, GeomError>;
+
+    /// Where rails hold the section instead: what its axes become, and its origin from the path.
+    ///
+    /// # Errors
+    /// Where there is no such place.
+    fn held(&mut self, t: f64, point: DVec3, x: DVec3) -> Result<Option<Held>, GeomError>;
 }
+
+/// The section's axes, with their lengths, and its origin, from a point of the path.
+pub type Held = ([DVec3; 3], DVec3);
 
 /// How fine a sweep is.
 #[derive(Clone, Copy, Debug)]
@@ -55,8 +66,10 @@ pub struct Sweep {
     pub surface: NurbsSurface,
     /// How far control lines were found from where they should run, and where.
     pub deviation: (f64, f64),
-    /// Where the section reaches beyond the path's centre of curvature, worst first.
-    pub folds: Option<f64>,
+    /// Between which parameters the section reaches beyond the path's centre of curvature.
+    pub folds: Vec<[f64; 2]>,
+    /// Where between the ends the section shrinks to a line or a point.
+    pub collapses: Vec<f64>,
     /// The parameters of the placements.
     pub placements: Vec<f64>,
 }
@@ -64,14 +77,13 @@ pub struct Sweep {
 /// Columns that a sweep may have.
 const MAX_COLUMNS: usize = 4096;
 
-/// Places of a span at which the distance from the true surface is measured.
-const N_PLACES: usize = 8;
+/// Places of a span at which the distance from the true surface is measured: while knots are
+/// added, and to verify that no more are needed.
+const N_PLACES: usize = 7;
+const N_VERIFIED: usize = 36;
 
 /// Part of the tolerance that may be used up at those places.
 const SAFETY: f64 = 0.5;
-
-/// Places of the path, and of the section, at which is asked whether the surface folds.
-const N_FOLD_PLACES: usize = 400;
 
 /// The translation of one curve along another: control points are sums, weights products.
 ///
@@ -106,15 +118,21 @@ pub fn swept(
 ) -> Result<Sweep, GeomError> {
     let path = path.clamped();
     let mut moving = Moving { section, path: &path, frames, motion };
-    let mut knots = moving.basis(breaks, fineness)?;
+    let breaks = [breaks, &frames.breaks()].concat();
+    let mut knots = moving.basis(&breaks, fineness)?;
     // On the path's own knots only simple motions are exact.
     let mut is_plain = fineness.keeps_path;
     loop {
         let fit = moving.fitted(&knots)?;
-        let (worst, missed) = moving.deviations(&fit, SAFETY * fineness.tolerance)?;
+        let (mut worst, mut missed) =
+            moving.deviations(&fit, SAFETY * fineness.tolerance, N_PLACES)?;
         if fineness.n_sections.is_some() || missed.is_empty() {
-            let folds = moving.folds()?;
-            return Ok(Sweep { surface: fit.surface, deviation: worst, folds, placements: fit.at });
+            (worst, missed) = moving.deviations(&fit, fineness.tolerance, N_VERIFIED)?;
+        }
+        if fineness.n_sections.is_some() || missed.is_empty() {
+            let (folds, collapses) = moving.folds()?;
+            let (surface, placements) = (fit.surface, fit.at);
+            return Ok(Sweep { surface, deviation: worst, folds, collapses, placements });
         }
         let next = if is_plain { freer(&knots)? } else { knots.with(&missed) };
         is_plain = false;
@@ -141,10 +159,14 @@ struct Fit {
 }
 
 impl Moving<'_> {
-    /// The axes of the section, with its factors, at a parameter.
-    fn axes(&mut self, t: f64) -> Result<[DVec3; 3], GeomError> {
+    /// The axes of the section, with its factors, at a parameter, and its origin from the path.
+    fn axes(&mut self, t: f64) -> Result<Held, GeomError> {
         let mut axes = self.frames.at(t)?;
-        if let Some(z) = self.motion.upwards(t, self.path.point_at(t), axes.x)? {
+        let point = self.path.point_at(t);
+        if let Some(held) = self.motion.held(t, point, axes.x)? {
+            return Ok(held);
+        }
+        if let Some(z) = self.motion.upwards(t, point, axes.x)? {
             axes = Axes { x: axes.x, y: z.cross(axes.x), z };
         }
         let twist = self.motion.twist(t)?;
@@ -155,15 +177,16 @@ impl Moving<'_> {
             (axes.y * cosine + axes.z * sine, axes.z * cosine - axes.y * sine)
         };
         let scale = self.motion.scale(t)?;
-        Ok([axes.x * scale.x, y * scale.y, z * scale.z])
+        let slid = |v: DVec3| v + axes.x * self.frames.slide(point, axes, v);
+        Ok(([axes.x * scale.x, slid(y * scale.y), slid(z * scale.z)], DVec3::ZERO))
     }
 
     /// Where each control point of the section is.
     fn placed(&mut self, t: f64) -> Result<Vec<DVec4>, GeomError> {
-        let [x, y, z] = self.axes(t)?;
+        let ([x, y, z], shift) = self.axes(t)?;
         let origin = self.path.homogeneous_at(t);
         let place = |p: &DVec4| {
-            let moved = x * p.x + y * p.y + z * p.z;
+            let moved = x * p.x + y * p.y + z * p.z + shift * p.w;
             (origin.truncate() * p.w + moved * origin.w).extend(p.w * origin.w)
         };
         Ok(self.section.control_points().iter().map(place).collect())
@@ -224,7 +247,12 @@ impl Moving<'_> {
     /// How far the lines of control points are from where they should run: the worst with its
     /// parameter, and the middles of the spans where it is more than allowed. The surface, a mean
     /// of the lines, is no further. Where the frame turns around there is nothing to be near to.
-    fn deviations(&mut self, fit: &Fit, allowed: f64) -> Result<((f64, f64), Vec<f64>), GeomError> {
+    fn deviations(
+        &mut self,
+        fit: &Fit,
+        allowed: f64,
+        n_places: usize,
+    ) -> Result<((f64, f64), Vec<f64>), GeomError> {
         let knots = fit.surface.knots_v().clone();
         let mut worst = (0.0_f64, knots.domain().start());
         let mut missed = Vec::new();
@@ -239,8 +267,8 @@ impl Moving<'_> {
                 continue;
             }
             let mut most = 0.0_f64;
-            for k in 0..N_PLACES {
-                let t = interval.at((k as f64 + 0.5) / N_PLACES as f64);
+            for k in 0..n_places {
+                let t = interval.at((k as f64 + 0.5) / n_places as f64);
                 let now = self.placed(t)?;
                 let curve = fit.surface.isocurve_v(t);
                 for (a, b) in now.iter().zip(curve.control_points()) {
@@ -256,28 +284,6 @@ impl Moving<'_> {
             }
         }
         Ok((worst, missed))
-    }
-
-    /// Where the section reaches furthest beyond the centre of curvature, if it does.
-    fn folds(&mut self) -> Result<Option<f64>, GeomError> {
-        let section = self.section.sample(65);
-        let mut worst: Option<(f64, f64)> = None;
-        for t in self.path.domain().steps(N_FOLD_PLACES) {
-            let derivatives = self.path.derivatives_at(t, 2);
-            let speed = derivatives[1].length();
-            let along = derivatives[1] / speed;
-            let bend = (derivatives[2] - along * along.dot(derivatives[2])) / (speed * speed);
-            if !bend.is_finite() {
-                continue;
-            }
-            let [x, y, z] = self.axes(t)?;
-            let reach = |p: &DVec3| (x * p.x + y * p.y + z * p.z).dot(bend);
-            let most = section.iter().map(reach).fold(0.0, f64::max);
-            if 1.0 + KNOT_RELATIVE.sqrt() < most && worst.is_none_or(|(before, _)| before < most) {
-                worst = Some((most, t));
-            }
-        }
-        Ok(worst.map(|(_, t)| t))
     }
 }
 

@@ -4,10 +4,13 @@ mod arrows;
 mod bounds;
 mod curve;
 mod describe;
+mod picture;
 mod report;
 mod surface;
 
 use crate::value::Op;
+
+pub(super) use surface::Of;
 
 pub(super) static OPS: &[&Op] = &[
     &curve::at::OP,
@@ -72,8 +75,17 @@ pub(super) static OPS: &[&Op] = &[
     &curve::corners::OP,
     &curve::cusps::OP,
     &curve::intersect::OP,
+    &picture::intersect::OP,
     &curve::self_intersections::OP,
     &curve::section::OP,
+    &picture::section::OP,
+    &picture::section_all::OP,
+    &picture::section_mesh::OP,
+    &picture::contours::OP,
+    &picture::isophotes::OP,
+    &picture::zebra::OP,
+    &picture::reflection_lines::OP,
+    &picture::curvature_map::OP,
     &curve::sample::OP,
     &bounds::OP,
     &describe::OP,

@@ -12,7 +12,7 @@ use crate::{
 
 /// The patches of a file as a list of surfaces.
 pub(super) fn read(bytes: &[u8], ctx: &Ctx<'_>) -> Result<Value, String> {
-    let text = std::str::from_utf8(bytes).map_err(|_| "the file is not text".to_owned())?;
+    let text = super::text(bytes)?;
     let mut words = Words::new(text);
     let n_patches = words.count("the number of patches", ctx.limits.control_points)?;
     let mut patches = Vec::new();

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{bpt, obj};
+use super::{bpt, csv, dat, obj};
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned, nearest},
     value::{Ctx, Value, from_json, op},
@@ -12,7 +12,10 @@ op! {
     /// Data from a file, whose path is relative to the script. The ending tells the format.
     ///
     /// `.obj` gives a mesh, polygons in triangles. `.bpt` gives a list of Bézier surfaces: a
-    /// count, then for each patch its two degrees and its points row by row. `.json` gives what an
+    /// count, then for each patch its two degrees and its points row by row. `.csv` gives a table:
+    /// the first line names its columns, with their units as in `x [mm]`, which stay with the
+    /// columns; an empty cell is none. `.dat` gives the points of an aerofoil, in the form of Selig or of
+    /// Lednicer, around the profile from the trailing edge over the upper side. `.json` gives what an
     /// export wrote, to the same bits, or lists and records of other JSON.
     load in Mesh -> Value {
         /// The path.
@@ -25,7 +28,13 @@ op! {
 type Reader = fn(&[u8], &Ctx<'_>) -> std::result::Result<Value, String>;
 
 /// Every format that can be read, by ending.
-const READERS: &[(&str, Reader)] = &[("obj", obj::read), ("bpt", bpt::read), ("json", json)];
+const READERS: &[(&str, Reader)] = &[
+    ("obj", obj::read),
+    ("bpt", bpt::read),
+    ("csv", csv::read),
+    ("dat", dat::read),
+    ("json", json),
+];
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
     let path: &str = &args.path.value;

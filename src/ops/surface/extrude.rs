@@ -1,12 +1,10 @@
 //! `extrude`: a curve moved along a vector.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{NurbsCurve, NurbsSurface},
+    kernel::{Curve, NurbsSurface},
     value::{At, Ctx, op},
 };
 
@@ -14,10 +12,10 @@ op! {
     /// Surface that a curve leaves behind when it is moved along a vector.
     ///
     /// Exact: u runs along the curve on its own domain, v on 0..1 along the vector.
-    /// Piegl & Tiller, *The NURBS Book*, §8.3.
+    /// A parametric curve is followed within the document's tolerance. Piegl & Tiller, *The NURBS Book*, §8.3.
     extrude in Surface -> NurbsSurface {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
         /// Where each point of it goes.
         vector: Spanned<DVec3>,
     }
@@ -35,7 +33,8 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         )
         .fail();
     }
-    if args.c.is_along(vector, ctx.tolerance) {
+    let c = args.c.nurbs_within(ctx.tolerance.distance).at(ctx.span)?;
+    if c.is_along(vector, ctx.tolerance) {
         return Diagnostic::error(
             Code::Degenerate,
             args.vector.span,
@@ -43,5 +42,5 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         )
         .fail();
     }
-    NurbsSurface::extruded(&args.c, vector).at(args.vector.span)
+    NurbsSurface::extruded(&c, vector).at(args.vector.span)
 }

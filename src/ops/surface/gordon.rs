@@ -1,16 +1,17 @@
 //! `gordon`: the surface through a network of curves.
 
 use super::{
+    network::Places,
     section::{drop_repeated, nurbs_within},
     sweep::tolerated,
 };
 use crate::{
-    diag::{Code, Diagnostic, Result, Span, Spanned},
+    diag::{Code, Diagnostic, Result, Spanned},
     kernel::{
-        Changes, Curve, Fact, GeomError, Gordon, Network, NetworkError, NurbsCurve, NurbsSurface,
-        Receipt, check_parameters, gordon as through,
+        Changes, Curve, Fact, Gordon, Network, NurbsCurve, NurbsSurface, Receipt, check_parameters,
+        gordon as through,
     },
-    value::{At, Choice, Ctx, Length, op, shortest},
+    value::{At, Choice, Ctx, Length, op},
 };
 
 op! {
@@ -20,10 +21,12 @@ op! {
     /// order and parameters. The first curve of each list gives the direction; others are reversed
     /// and reordered to it, and what stands out beyond the network is cut off. Where all curves of
     /// a direction close, so does the surface, as smooth at its seam as they are. Curves that meet
-    /// the others at one set of parameters stay as they are, and are isocurves exactly; others are
-    /// run through with another parameter, twice continuously differentiable, and become cubic
-    /// splines, as do rational ones. `report` tells what was done, and for each curve a bound of
-    /// its distance from the surface. Two and two curves make the Coons patch.
+    /// the others at one set of parameters stay as they are, and are isocurves exactly, rational
+    /// ones of one denominator too; others are run through with another parameter, twice
+    /// continuously differentiable, and become splines of their degree, 3 or more, on as few knots
+    /// as the tolerance needs. `report` tells what was done, and for each curve a bound of
+    /// its distance from the surface, which is within the tolerance. Two and two curves make the
+    /// Coons patch.
     /// Gordon (1969); Piegl & Tiller, *The NURBS Book*, §10.5.
     gordon in Surface -> NurbsSurface {
         /// The curves along u, two or more.
@@ -58,8 +61,8 @@ impl Choice for Blend {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let tolerance = tolerated(ctx, args.tolerance.as_ref())?;
     let spans = [args.u.span, args.v.span];
-    let mut us = curves("u", &args.u, tolerance)?;
-    let mut vs = curves("v", &args.v, tolerance)?;
+    let mut us = curves(ctx, "u", &args.u, tolerance)?;
+    let mut vs = curves(ctx, "v", &args.v, tolerance)?;
     for curves in [&mut us, &mut vs] {
         if 2 < curves.len() {
             drop_repeated(curves, tolerance);
@@ -84,13 +87,18 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         is_lagrange: args.blend == Blend::Lagrange,
         tolerance,
     };
-    let places =
-        Places { spans, call: ctx.span, tolerance, is_given: network.at.map(|at| at.is_some()) };
-    let made = through(network).map_err(|error| places.told(error))?;
+    let is_given = network.at.iter().any(Option::is_some);
+    let made =
+        through(network).map_err(|error| Places { ctx, spans, tolerance, is_given }.told(error))?;
     Ok(receipted(made))
 }
 
-fn curves(name: &str, given: &Spanned<Vec<Curve>>, tolerance: f64) -> Result<Vec<NurbsCurve>> {
+fn curves(
+    ctx: &Ctx<'_>,
+    name: &str,
+    given: &Spanned<Vec<Curve>>,
+    tolerance: f64,
+) -> Result<Vec<NurbsCurve>> {
     let got = given.value.len();
     if got < 2 {
         let message = format!("a network needs 2 curves `{name}` or more, found {got}");
@@ -102,113 +110,17 @@ fn curves(name: &str, given: &Spanned<Vec<Curve>>, tolerance: f64) -> Result<Vec
         // Half of it, so that what is found within the tolerance of it is within it of the function.
         let curve = nurbs_within(curve, 0.25 * tolerance).at(given.span)?;
         if curve.is_point() {
-            let message = format!("`{name}[{i}]` is one point");
-            return Diagnostic::error(Code::Degenerate, given.span, message).fail();
+            let (own, span) = ctx.element(given.span, i, name);
+            let message = format!("{own} is one point");
+            return Diagnostic::error(Code::Degenerate, span, message)
+                .hint(
+                    "a surface that ends in a point is a `skin` whose first or last section is one",
+                )
+                .fail();
         }
         Ok(NurbsCurve::clone(&curve))
     };
     given.value.iter().enumerate().map(nurbs).collect()
-}
-
-/// What a message about a network points at.
-struct Places {
-    spans: [Span; 2],
-    call: Span,
-    tolerance: f64,
-    is_given: [bool; 2],
-}
-
-impl Places {
-    fn told(&self, error: NetworkError) -> Box<Diagnostic> {
-        let names = |pair: [usize; 2]| format!("`u[{}]` and `v[{}]`", pair[0], pair[1]);
-        let [of_u, of_v] = self.spans;
-        Box::new(match error {
-            NetworkError::Apart { pair, gap, at, point } => {
-                let [x, y, z] = point.to_array().map(shortest);
-                let message = format!(
-                    "{} do not meet: they are {} apart at ({x}, {y}, {z}), more than the tolerance {}",
-                    names(pair),
-                    shortest(gap),
-                    shortest(self.tolerance)
-                );
-                let hint = if self.is_given.contains(&true) {
-                    "without `at_u` and `at_v` the places where the curves meet are found"
-                        .to_owned()
-                } else {
-                    format!(
-                        "let them meet there, or allow the gap with a `tolerance` above {}",
-                        shortest(gap)
-                    )
-                };
-                Diagnostic::error(Code::Gap, of_u, message)
-                    .label(format!("`u[{}]` is nearest at parameter {}", pair[0], shortest(at[0])))
-                    .also(of_v, format!("`v[{}]` at parameter {}", pair[1], shortest(at[1])))
-                    .hint(hint)
-            }
-            NetworkError::Ambiguous { pair, at } => {
-                let at: Vec<String> = at.into_iter().map(shortest).collect();
-                let message = format!(
-                    "{} meet at {} places, the parameters {} of `u[{}]`, and no other curve tells which is meant",
-                    names(pair),
-                    at.len(),
-                    at.join(", "),
-                    pair[0]
-                );
-                Diagnostic::error(Code::Degenerate, of_u, message)
-                    .also(of_v, "and this")
-                    .hint("`trim` one of them so that they meet once, or give `at_u` and `at_v`")
-            }
-            NetworkError::Together { pair } => {
-                let message = format!("{} run along one another instead of crossing", names(pair));
-                Diagnostic::error(Code::Degenerate, of_u, message)
-                    .also(of_v, "and this")
-                    .hint("curves of a network cross at single places")
-            }
-            NetworkError::Order { is_u, curve, others, at } => {
-                self.out_of_order(is_u, curve, others, at)
-            }
-            NetworkError::Geometry(GeomError::ToleranceNotKept { tolerance, found }) => {
-                self.not_kept(tolerance, found)
-            }
-            NetworkError::Geometry(error) => match Err::<(), _>(error).at(self.call) {
-                Err(found) => return found,
-                Ok(()) => Diagnostic::error(Code::Degenerate, self.call, "no surface"),
-            },
-        })
-    }
-
-    fn not_kept(&self, tolerance: f64, found: f64) -> Diagnostic {
-        let message = format!(
-            "within {} the curves cannot be given common parameters: the best splines miss by {}",
-            shortest(tolerance),
-            shortest(found)
-        );
-        Diagnostic::error(Code::BeyondTolerance, self.call, message)
-            .hint("a larger `tolerance` can be kept")
-    }
-
-    fn out_of_order(
-        &self,
-        is_u: bool,
-        curve: usize,
-        [a, b]: [usize; 2],
-        at: [f64; 2],
-    ) -> Diagnostic {
-        let (own, other) = if is_u { ("u", "v") } else { ("v", "u") };
-        let [first, second] = at.map(shortest);
-        let message = if at[0] < at[1] || at[1] < at[0] {
-            format!(
-                "`{own}[{curve}]` meets `{other}[{b}]` (parameter {second}) before `{other}[{a}]` (parameter {first}), unlike `{own}[0]`"
-            )
-        } else {
-            format!(
-                "`{own}[{curve}]` meets `{other}[{a}]` and `{other}[{b}]` at one place, parameter {first}"
-            )
-        };
-        let span = self.spans[usize::from(!is_u)];
-        Diagnostic::error(Code::Degenerate, span, message)
-            .hint(format!("the curves of `{other}` must not cross one another, nor be one curve"))
-    }
 }
 
 /// The surface with its report.

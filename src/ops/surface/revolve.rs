@@ -1,13 +1,13 @@
 //! `revolve`: a curve turned about an axis.
 
-use std::{f64::consts::TAU, sync::Arc};
+use std::f64::consts::TAU;
 
 use glam::DVec3;
 
 use super::boundary::rounded;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{Axis, AxisContact, NurbsCurve, NurbsSurface},
+    kernel::{Axis, AxisContact, Curve, NurbsSurface},
     value::{Angle, At, Ctx, op},
 };
 
@@ -17,10 +17,11 @@ op! {
     /// Exact, of a rational curve too: u goes around the axis on 0..1 from the curve's own place, in
     /// equal arcs of at most a quarter turn, v along the curve on its own domain. A positive angle
     /// turns counter-clockwise seen from where the axis points to, a negative one the other way.
-    /// An end of the curve on the axis makes a pole. Piegl & Tiller, *The NURBS Book*, A8.1.
+    /// An end of the curve on the axis makes a pole. A parametric curve is followed within the document's tolerance.
+    /// Piegl & Tiller, *The NURBS Book*, A8.1.
     revolve in Surface -> NurbsSurface {
         /// The curve.
-        c: Arc<NurbsCurve>,
+        c: Curve,
         /// The direction of the axis.
         axis: Spanned<DVec3> = Spanned::unplaced(DVec3::Z),
         /// A point of the axis.
@@ -35,9 +36,10 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let axis = Axis::new(args.about, args.axis.value).at(args.axis.span_or(ctx.span))?;
-    let contacts = axis.contacts(&args.c, ctx.tolerance.distance).at(ctx.span)?;
+    let c = args.c.nurbs_within(ctx.tolerance.distance).at(ctx.span)?;
+    let contacts = axis.contacts(&c, ctx.tolerance.distance).at(ctx.span)?;
     let angle = args.angle.value.0;
-    let surface = NurbsSurface::revolved(&args.c, axis, angle);
+    let surface = NurbsSurface::revolved(&c, axis, angle);
     let surface = surface.at(args.angle.span_or(ctx.span)).map_err(|mut found| {
         if TAU < angle.abs() {
             found.hints.push("the angle is one full turn at most: `angle = 1turn`".to_owned());

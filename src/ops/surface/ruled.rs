@@ -1,11 +1,8 @@
 //! `ruled`: straight lines between two curves.
 
-use std::sync::Arc;
-
 use crate::{
     diag::Result,
-    kernel::NurbsCurve,
-    kernel::NurbsSurface,
+    kernel::{Curve, NurbsSurface},
     value::{At, Ctx, op},
 };
 
@@ -13,16 +10,18 @@ op! {
     /// Surface of straight lines between points of equal parameter on two curves.
     ///
     /// The first curve lies at v = 0, the second at v = 1; u runs along them. Curves of other
-    /// degrees and knots are made compatible, exactly. Piegl & Tiller, *The NURBS Book*, §8.4.
+    /// degrees and knots are made compatible, exactly.
+    /// A parametric curve is followed within the document's tolerance. Piegl & Tiller, *The NURBS Book*, §8.4.
     ruled in Surface -> NurbsSurface {
         /// The curve at v = 0.
-        c0: Arc<NurbsCurve>,
+        c0: Curve,
         /// The curve at v = 1.
-        c1: Arc<NurbsCurve>,
+        c1: Curve,
     }
     example "ruled(line((0, 0), (1, 0)), line((0, 1), (1, 1, 1)))(0.5, 0.5)" => "(0.5, 0.5, 0.25)";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
-    NurbsSurface::ruled(&args.c0, &args.c1).at(ctx.span)
+    let curve = |c: &Curve| c.nurbs_within(ctx.tolerance.distance).at(ctx.span);
+    NurbsSurface::ruled(&*curve(&args.c0)?, &*curve(&args.c1)?).at(ctx.span)
 }

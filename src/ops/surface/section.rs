@@ -51,10 +51,7 @@ pub(super) fn nurbs_within(
     curve: &Curve,
     tolerance: f64,
 ) -> std::result::Result<Arc<NurbsCurve>, GeomError> {
-    match curve {
-        Curve::Nurbs(curve) => Ok(Arc::clone(curve)),
-        Curve::Parametric(curve) => curve.to_nurbs(tolerance).map(Arc::new),
-    }
+    curve.nurbs_within(tolerance)
 }
 
 /// Takes away the last section where it is the first one again.

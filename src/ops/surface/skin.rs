@@ -9,8 +9,8 @@ use super::sweep::tolerated;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        Along, Curve, NurbsCurve, NurbsSurface, Receipt, Rule, Sections, Skin, at_constant_speed,
-        check_parameters,
+        Along, Bounds, Curve, GeomError, NurbsCurve, NurbsSurface, Receipt, Rule, Sections, Skin,
+        at_constant_speed, check_parameters,
     },
     value::{At, Ctx, Length, op, shortest},
 };
@@ -24,7 +24,9 @@ op! {
     /// ends. Sections that run against their neighbour are reversed, and seams of closed ones that
     /// are far from their neighbour's are moved. The sections stand at parameters averaged from
     /// the distances of their control points, over knots averaged from these. With a spine the
-    /// derivatives by v at the sections point along its tangents, and v is its parameter.
+    /// derivatives by v at the sections point along its tangents, and v is its parameter. Where
+    /// weights between rational sections do not stay positive, a warning says so; with a tolerance,
+    /// or where they would vanish, these sections become splines within it.
     /// "monotone" keeps each coordinate of the control points between its values at two
     /// neighbouring sections, so that nothing swings out, with C1 where that needs it.
     /// Piegl & Tiller, *The NURBS Book*, §10.3.
@@ -69,7 +71,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     if args.closed {
         drop_repeated(&mut curves, ctx.tolerance.distance);
     }
-    check_count(&curves, args.closed, span)?;
+    check_count(ctx, &curves, args.closed, span)?;
     let aligned = match args.align {
         true => align(&mut curves, span, ctx.tolerance.distance)?,
         false => Aligned::default(),
@@ -81,15 +83,19 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     }
     let slopes = [args.start_tangent, args.end_tangent];
     let (mut sections, slopes) = with_slopes(curves, slopes, span)?;
+    let as_given = sections.clone();
     // Tangents at the ends hold on to the knots that they share with the sections.
     if args.tolerance.is_some() && slopes.iter().all(Option::is_none) {
         sections = sections.thinned(tolerance);
     }
 
     let degree = args.degree.value;
-    let (skin, parameters) = if let Some(spine) = args.spine {
+    let is_exact = args.tolerance.is_none();
+    let has_slopes = slopes.iter().any(Option::is_some);
+    let (along, parameters) = if let Some(spine) = args.spine {
         let degree = Spanned::new(degree, args.degree.span);
-        along_spine(ctx, &sections, spine, args.at, degree, span)?
+        let along = spine_way(ctx, sections.curves().len(), spine, args.at, degree, args.closed)?;
+        (along.0, along.1)
     } else {
         let parameters = standing(&sections, args.parameters, args.closed, span)?;
         let along = match (args.shape.value, args.closed) {
@@ -100,20 +106,24 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
             }
             (Shape::Free, false) => Along::with_slopes(&parameters, degree, slopes),
         };
-        (skinned(&sections, &along.at(span)?, span)?, parameters)
+        (along.at(span)?, parameters)
     };
-    if let Some((row, column, weight)) = skin.bad_weight {
-        let message = format!(
-            "between the sections the weight of control point [{row}][{column}] became {}",
-            shortest(weight)
-        );
-        ctx.warn(Diagnostic::warning(Code::NotPositiveWeight, ctx.span, message).hint(POSITIVE));
-    }
-    Ok(receipted(skin, parameters, aligned))
+    let (skin, refitted) = match has_slopes {
+        // They belong to the control points that there are.
+        true => (skinned(ctx, &sections, &along, span)?, Vec::new()),
+        false => positive(ctx, [&sections, &as_given], &along, (is_exact, tolerance), span)?,
+    };
+    warn_of_crossings(ctx, sections.curves(), span, tolerance);
+    Ok(receipted(skin, parameters, aligned, refitted))
 }
 
 /// The surface with its report.
-fn receipted(skin: Skin, parameters: Vec<f64>, aligned: Aligned) -> NurbsSurface {
+fn receipted(
+    skin: Skin,
+    parameters: Vec<f64>,
+    aligned: Aligned,
+    refitted: Vec<usize>,
+) -> NurbsSurface {
     let Skin { surface, bad_weight } = skin;
     let seam =
         |&(section, at): &(usize, f64)| Receipt::default().with("section", section).with("at", at);
@@ -130,6 +140,7 @@ fn receipted(skin: Skin, parameters: Vec<f64>, aligned: Aligned) -> NurbsSurface
         )
         .with("reversed", aligned.reversed)
         .with("moved_seams", aligned.seams.iter().map(seam).collect::<Vec<_>>())
+        .with("refitted", refitted)
         .with("least_weight", bad_weight.map(|(_, _, weight)| weight));
     surface.with_receipt(receipt)
 }
@@ -163,16 +174,6 @@ fn check(args: &Args) -> Result<()> {
     if let Some((span, message)) = excluded {
         return Diagnostic::error(Code::BadCall, span, message).fail();
     }
-    if args.closed && args.spine.is_some() {
-        let message = "a closed skin takes no spine";
-        return Diagnostic::error(
-            Code::BadCall,
-            args.spine.as_ref().map_or(args.degree.span, |s| s.span),
-            message,
-        )
-        .hint("give the first section again at the end, and a spine that comes back")
-        .fail();
-    }
     match (&args.spine, &args.at) {
         (Some(spine), None) => {
             let message = "with a spine, `at` tells its parameters at the sections";
@@ -197,7 +198,7 @@ fn check(args: &Args) -> Result<()> {
 }
 
 /// Fails unless there are enough sections, and points only at the ends.
-fn check_count(curves: &[NurbsCurve], is_closed: bool, span: Span) -> Result<()> {
+fn check_count(ctx: &Ctx<'_>, curves: &[NurbsCurve], is_closed: bool, span: Span) -> Result<()> {
     let (got, needed) = (curves.len(), if is_closed { 3 } else { 2 });
     if got < needed {
         let which = if is_closed { "a closed skin" } else { "a skin" };
@@ -207,8 +208,8 @@ fn check_count(curves: &[NurbsCurve], is_closed: bool, span: Span) -> Result<()>
     let ends = if is_closed { 0..got } else { 1..got - 1 };
     let is_point = |curve: &NurbsCurve| curve.is_point();
     if let Some(index) = ends.clone().find(|&i| is_point(&curves[i])) {
-        let message =
-            format!("`sections[{index}]` is a point; only the first and the last may be one");
+        let (own, span) = ctx.element(span, index, "sections");
+        let message = format!("{own} is a point; only the first and the last may be one");
         return Diagnostic::error(Code::Degenerate, span, message)
             .hint("make two skins that meet in the point")
             .fail();
@@ -260,40 +261,125 @@ fn with_slopes(
     Ok((sections, derivatives))
 }
 
-/// The skin whose derivatives follow a spine.
-fn along_spine(
+/// The way along a spine, and its parameters.
+fn spine_way(
     ctx: &Ctx<'_>,
-    sections: &Sections,
+    n_sections: usize,
     spine: Spanned<Curve>,
     at: Option<Spanned<Vec<f64>>>,
     degree: Spanned<usize>,
-    span: Span,
-) -> Result<(Skin, Vec<f64>)> {
+    is_closed: bool,
+) -> Result<(Along, Vec<f64>)> {
     if !(2..=3).contains(&degree.value) {
         let message = format!("with a spine the degree is 2 or 3, found {}", degree.value);
         return Diagnostic::error(Code::BadDegree, degree.span, message).fail();
     }
     let at = at.unwrap_or(Spanned::new(Vec::new(), spine.span));
-    let (got, needed) = (at.value.len(), sections.curves().len());
+    let (got, needed) = (at.value.len(), n_sections + usize::from(is_closed));
     if got != needed {
-        let message =
-            format!("{needed} sections need {needed} parameters of the spine, found {got}");
+        let which = if is_closed {
+            format!(
+                "a closed skin of {n_sections} sections needs {needed} parameters of the spine, the last for its return to the first section"
+            )
+        } else {
+            format!("{needed} sections need {needed} parameters of the spine")
+        };
+        let message = format!("{which}, found {got}");
         return Diagnostic::error(Code::BadParameters, at.span, message).fail();
     }
     check_parameters(&at.value, needed).at(at.span)?;
     let curve = super::section::nurbs_within(&spine.value, ctx.tolerance.distance).at(spine.span)?;
     let inside = |&t: &f64| curve.domain().clamp_inside(t);
     let places: std::result::Result<Vec<f64>, _> = at.value.iter().map(inside).collect();
-    let along = Along::spine(&places.at(at.span)?, degree.value, &curve).at(at.span)?;
-    Ok((skinned(sections, &along, span)?, at.value))
+    let along = Along::spine(&places.at(at.span)?, degree.value, &curve, is_closed).at(at.span)?;
+    Ok((along, at.value))
 }
 
-fn skinned(sections: &Sections, along: &Along, span: Span) -> Result<Skin> {
-    sections.skinned(along).at(span).map_err(|found| {
+/// The skin; where weights would vanish, or be negative and a tolerance is given, through
+/// polynomial splines near the rational sections, whose indices are told.
+fn positive(
+    ctx: &mut Ctx<'_>,
+    [sections, as_given]: [&Sections; 2],
+    along: &Along,
+    (is_exact, tolerance): (bool, f64),
+    span: Span,
+) -> Result<(Skin, Vec<usize>)> {
+    let made = sections.skinned(along);
+    let weight = match &made {
+        Ok(Skin { bad_weight: None, .. }) => return Ok((made.at(span)?, Vec::new())),
+        Ok(_) if is_exact => return Ok((skinned(ctx, sections, along, span)?, Vec::new())),
+        Ok(Skin { bad_weight: Some((row, column, weight)), .. }) => {
+            format!("the weight of control point [{row}][{column}] would be {}", shortest(*weight))
+        }
+        Err(GeomError::VanishingWeightsAt { .. }) => "weights would vanish".to_owned(),
+        Err(_) => return Ok((made.at(span)?, Vec::new())),
+    };
+    let refitted: Vec<usize> =
+        (0..sections.curves().len()).filter(|&i| sections.curves()[i].is_rational()).collect();
+    let polynomial = as_given.polynomial(tolerance).at(span)?;
+    let skin = polynomial.skinned(along).at(span)?;
+    let message = format!(
+        "between the sections {weight}, so that the rational sections became splines within {}",
+        shortest(tolerance)
+    );
+    ctx.warn(
+        Diagnostic::warning(Code::NotPositiveWeight, ctx.span, message).hint(
+            "`shape = \"monotone\"`, a lower `degree`, or sections of one form keep them exact",
+        ),
+    );
+    Ok((skin, refitted))
+}
+
+/// Warns of neighbouring sections that cross.
+fn warn_of_crossings(ctx: &mut Ctx<'_>, sections: &[NurbsCurve], span: Span, tolerance: f64) {
+    for (k, pair) in sections.windows(2).enumerate() {
+        if pair.iter().any(NurbsCurve::is_point) {
+            continue;
+        }
+        let [a, b] = [0, 1].map(|i| Bounds::of(pair[i].points()));
+        let are_apart = a.zip(b).is_none_or(|(a, b)| {
+            (a.max + tolerance).cmplt(b.min).any() || (b.max + tolerance).cmplt(a.min).any()
+        });
+        if are_apart {
+            continue;
+        }
+        let Ok(meetings) = pair[0].intersections(&pair[1], tolerance) else { continue };
+        let is_inner = |curve: &NurbsCurve, t: f64| {
+            let domain = curve.domain();
+            domain.start() < t && t < domain.end()
+        };
+        // At common ends surfaces may well come together in a point.
+        let crossing =
+            meetings.iter().find(|m| is_inner(&pair[0], m.first) && is_inner(&pair[1], m.second));
+        let Some(meeting) = crossing else { continue };
+        let [x, y, z] = meeting.point.to_array().map(shortest);
+        let [(a, _), (b, of_b)] = [k, k + 1].map(|i| ctx.element(span, i, "sections"));
+        let message =
+            format!("{a} and {b} cross at ({x}, {y}, {z}), so that the surface crosses itself");
+        ctx.warn(
+            Diagnostic::warning(Code::SelfIntersecting, of_b, message)
+                .hint("sections lie beside one another; leave one of them out, or move it"),
+        );
+        return;
+    }
+}
+
+/// The skin as it is, with a warning of a weight that is not positive; weights that vanish between
+/// the sections are an error.
+fn skinned(ctx: &mut Ctx<'_>, sections: &Sections, along: &Along, span: Span) -> Result<Skin> {
+    let skin = sections.skinned(along).at(span).map_err(|found| {
         let is_weights = found.code == Code::BadWeights;
         if is_weights { Box::new(found.hint(POSITIVE)) } else { found }
-    })
+    })?;
+    if let Some((row, column, weight)) = skin.bad_weight {
+        let message = format!(
+            "between the sections the weight of control point [{row}][{column}] became {}",
+            shortest(weight)
+        );
+        ctx.warn(Diagnostic::warning(Code::NotPositiveWeight, ctx.span, message).hint(POSITIVE));
+    }
+    Ok(skin)
 }
 
 /// What to do against weights that swing below zero.
-const POSITIVE: &str = "`shape = \"monotone\"` or a lower `degree` keeps the weights positive";
+const POSITIVE: &str = "`shape = \"monotone\"`, a lower `degree`, or sections of one form keep the weights positive; with a `tolerance` rational sections become splines";

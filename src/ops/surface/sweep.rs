@@ -1,16 +1,19 @@
 //! `sweep`: the surface that a section leaves behind along a path.
 
-use glam::DVec3;
+use std::sync::Arc;
+
+use glam::{DVec2, DVec3};
 
 use super::{
-    motion::{Given, Scale, Twist},
+    motion::{Given, Rails, Scale, Twist},
     section::nurbs_within,
+    swept::{receipted, warn, warn_of_corners},
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        Curve, Fineness, Frames, Framing, GeomError, NurbsCurve, NurbsSurface, Receipt, Side,
-        Sweep, mitred, swept, translated,
+        Curve, Fineness, Frames, Framing, GeomError, Leg, NurbsCurve, NurbsSurface, Receipt, Side,
+        Sweep, legs, mitred, swept, translated,
     },
     value::{At, Choice, Ctx, Length, op, shortest},
 };
@@ -25,7 +28,9 @@ op! {
     /// "rotation_minimizing" never turns it about the path. Along a closed path the angle by which
     /// the last two miss their start is spread over the length. With `keep_path` the path is met
     /// exactly (the isocurve of a section's point at the origin). The rest is within the tolerance
-    /// of the true surface, measured at eight places between two knots.
+    /// of the true surface, measured at 36 places between two knots after half of the tolerance is
+    /// kept at fewer. Where the section reaches beyond the centre of curvature, or shrinks to
+    /// nothing between the ends, a warning says so.
     /// Piegl & Tiller, *The NURBS Book*, §10.4; Wang, Jüttler, Zheng & Liu, *Computation of
     /// rotation minimizing frames* (2008).
     sweep in Surface -> NurbsSurface {
@@ -42,9 +47,11 @@ op! {
         twist: Option<Spanned<Twist>>,
         /// Where z points at the start; (0, 0, 1), or (1, 0, 0) where the path starts along it.
         up: Option<Spanned<DVec3>>,
-        /// A curve that z points to, at the same fraction of its domain.
-        rail: Option<Spanned<Curve>>,
-        /// What happens at corners of the path; "miter" is for polygons.
+        /// A curve that z points to, at the same fraction of its domain; or two, along which both
+        /// ends of the section run, which is turned and sized for that.
+        rail: Option<Spanned<Rails>>,
+        /// What happens at corners of the path: an error, or both sides meet in the plane that
+        /// halves the angle; straight legs stay prisms, bent ones are sheared near the corner.
         corner: Corner = Corner::Error,
         /// Whether the path itself is met exactly.
         keep_path: bool = true,
@@ -96,13 +103,9 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         let message = "the section is one point";
         return Diagnostic::error(Code::Degenerate, section_span, message).fail();
     }
-    let has_corners = checked(ctx, &path, path_span, args.corner)?;
-    let is_translation = args.frame.value == Frame::Translate;
-    if is_translation || has_corners {
-        let what = if is_translation { "\"translate\"" } else { "a sweep around corners" };
-        unmoved(&args, what)?;
-    }
-    if is_translation {
+    let corners = corners(ctx, &path, path_span, args.corner)?;
+    if args.frame.value == Frame::Translate {
+        unmoved(&args, "\"translate\"")?;
         let receipt = Receipt::of("sweep").with("frame", "translate").with("exact", true);
         return Ok(translated(&section, &path).at(path_span)?.with_receipt(receipt));
     }
@@ -112,43 +115,99 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         Spanned::new(if is_along { DVec3::X } else { DVec3::Z }, path_span)
     });
     let is_ring = path.is_closed(ctx.tolerance.distance);
-    if has_corners {
-        let receipt = Receipt::of("sweep").with("corners", "miter").with("exact", true);
+    let is_smooth = is_ring && is_smooth_at_seam(&path, path_span)?;
+    let is_moved = args.scale.is_some() || args.twist.is_some() || args.rail.is_some();
+    let is_polygon = path.degree() == 1 && !path.is_rational();
+    if !corners.is_empty()
+        && is_polygon
+        && !is_moved
+        && args.frame.value == Frame::RotationMinimizing
+    {
+        let receipt = Receipt::of("sweep").with("corners", corners).with("exact", true);
         return Ok(mitred(&section, &path, up.value, is_ring).at(up.span)?.with_receipt(receipt));
     }
 
-    let is_closed = is_ring && is_smooth_at_seam(&path, path_span)?;
-    let frames = framed(&path, args.frame.value, up, is_closed)?;
-    let n_sections = counted(ctx, args.sections)?;
-    let rail = match &args.rail {
-        Some(rail) => Some(nurbs_within(&rail.value, tolerance).at(rail.span)?),
-        None => None,
+    let has_corner_at_seam = is_ring && !is_smooth && args.corner == Corner::Miter;
+    let legs = if corners.is_empty() && !has_corner_at_seam {
+        vec![(NurbsCurve::clone(&path), framed(&path, args.frame.value, up, is_smooth)?)]
+    } else {
+        let (rule, reach) = (framing(args.frame.value), reach(&section));
+        legs(&path, &corners, rule, up.value, has_corner_at_seam, reach).at(up.span)?
     };
+    let n_sections = counted(ctx, args.sections)?;
+    let rails = rails(args.rail.as_ref(), &section, tolerance)?;
     let breaks = args.scale.as_ref().map_or(Vec::new(), |scale| scale.value.breaks(path.domain()));
     let fineness = Fineness { n_sections, tolerance: 0.5 * tolerance, keeps_path: args.keep_path };
-    let span = ctx.span;
-    let mut motion = Given {
+    let motion = Given {
         ctx: &mut *ctx,
         scale: args.scale.map(|given| given.value),
         twist: args.twist.map(|given| given.value),
-        rail,
+        rails,
+        ends: [section.start(), section.end()],
         domain: path.domain(),
     };
-    let sweep = match swept(&section, &path, &frames, &mut motion, &breaks, fineness) {
-        Err(GeomError::ToleranceNotKept { found, .. }) => {
-            let message = format!(
-                "4096 placements of the section do not keep the tolerance {}: the surface is still {} off",
-                shortest(tolerance),
-                shortest(found)
-            );
-            return Diagnostic::error(Code::BeyondTolerance, span, message)
-                .hint("allow a larger `tolerance`, or say with `sections` how many are enough")
-                .fail();
-        }
-        made => made.at(span)?,
-    };
-    warn(ctx, &sweep, &frames);
-    Ok(receipted(sweep, &frames))
+    let sweeps = each_swept(&section, &legs, motion, &breaks, fineness)?;
+    for (sweep, (_, frames)) in sweeps.iter().zip(&legs) {
+        warn(ctx, sweep, frames);
+    }
+    warn_of_corners(ctx, &legs, reach(&section));
+    receipted(sweeps, &legs, corners, ctx)
+}
+
+/// The sweep along each part of the path.
+fn each_swept(
+    section: &NurbsCurve,
+    legs: &[Leg],
+    mut motion: Given<'_, '_>,
+    breaks: &[f64],
+    fineness: Fineness,
+) -> Result<Vec<Sweep>> {
+    let span = motion.ctx.span;
+    let mut sweeps = Vec::with_capacity(legs.len());
+    for (part, frames) in legs {
+        let domain = part.domain();
+        let is_inside = |t: &f64| domain.start() < *t && *t < domain.end();
+        let breaks: Vec<f64> = breaks.iter().copied().filter(is_inside).collect();
+        sweeps.push(match swept(section, part, frames, &mut motion, &breaks, fineness) {
+            Err(GeomError::ToleranceNotKept { found, .. }) => {
+                let message = format!(
+                    "4096 placements of the section do not keep the tolerance {}: the surface is still {} off",
+                    shortest(2.0 * fineness.tolerance),
+                    shortest(found)
+                );
+                return Diagnostic::error(Code::BeyondTolerance, span, message)
+                    .hint("allow a larger `tolerance`, or say with `sections` how many are enough")
+                    .fail();
+            }
+            made => made.at(span)?,
+        });
+    }
+    Ok(sweeps)
+}
+
+/// Points of the section that are looked at.
+const N_POINTS: usize = 257;
+
+/// How far the section reaches from the path.
+fn reach(section: &NurbsCurve) -> f64 {
+    section.sample(N_POINTS).iter().map(|p| DVec2::new(p.y, p.z).length()).fold(0.0, f64::max)
+}
+
+/// The rails as NURBS; a section between two has two ends.
+fn rails(
+    given: Option<&Spanned<Rails>>,
+    section: &NurbsCurve,
+    tolerance: f64,
+) -> Result<Vec<Arc<NurbsCurve>>> {
+    let Some(given) = given else { return Ok(Vec::new()) };
+    if matches!(given.value, Rails::Two(_)) && section.is_closed(tolerance) {
+        let message = "the section ends where it begins, so that two rails cannot hold its ends";
+        return Diagnostic::error(Code::Degenerate, given.span, message)
+            .hint("`split` the section, or give one rail, to which z points")
+            .fail();
+    }
+    let nurbs = |rail: &Curve| nurbs_within(rail, tolerance).at(given.span);
+    given.value.curves().iter().map(nurbs).collect()
 }
 
 /// The tolerance that is given, or the document's.
@@ -179,13 +238,17 @@ fn unmoved(args: &Args, what: &str) -> Result<()> {
     }
 }
 
-fn framed(path: &NurbsCurve, frame: Frame, up: Spanned<DVec3>, is_closed: bool) -> Result<Frames> {
-    let rule = match frame {
+const fn framing(frame: Frame) -> Framing {
+    match frame {
         Frame::Fixed => Framing::Fixed,
         Frame::Frenet => Framing::Frenet,
         Frame::Projection => Framing::Projection,
         Frame::RotationMinimizing | Frame::Translate => Framing::RotationMinimizing,
-    };
+    }
+}
+
+fn framed(path: &NurbsCurve, frame: Frame, up: Spanned<DVec3>, is_closed: bool) -> Result<Frames> {
+    let rule = framing(frame);
     Frames::new(path, rule, up.value, is_closed).at(up.span).map_err(|found| {
         let hint = "`frame = \"rotation_minimizing\"` needs no bend, and `up` only at the start";
         let needs_more = matches!(rule, Framing::Frenet | Framing::Fixed);
@@ -214,8 +277,8 @@ fn counted(ctx: &Ctx<'_>, sections: Option<Spanned<usize>>) -> Result<Option<usi
 /// Placements that a script may ask for.
 const MOST_PLACEMENTS: usize = 4096;
 
-/// Whether the path has corners that are to be mitred.
-fn checked(ctx: &Ctx<'_>, path: &NurbsCurve, span: Span, corner: Corner) -> Result<bool> {
+/// The corners of the path, if they are to be mitred.
+fn corners(ctx: &Ctx<'_>, path: &NurbsCurve, span: Span, corner: Corner) -> Result<Vec<f64>> {
     if path.is_point() {
         let message = "the path is one point, so that it leads nowhere";
         return Diagnostic::error(Code::Degenerate, span, message).fail();
@@ -228,20 +291,19 @@ fn checked(ctx: &Ctx<'_>, path: &NurbsCurve, span: Span, corner: Corner) -> Resu
             .fail();
     }
     let corners = path.corners(ctx.tolerance);
-    let Some(&t) = corners.first() else { return Ok(false) };
-    if corner == Corner::Miter && path.degree() == 1 && !path.is_rational() {
-        return Ok(true);
+    if corner == Corner::Miter || corners.is_empty() {
+        return Ok(corners);
     }
-    let message = format!("the path has a corner at parameter {}", shortest(t));
-    let hint = match corner {
-        Corner::Miter => {
-            "\"miter\" is for polygons; `split` the path there, and sweep along both parts"
-        }
-        Corner::Error => {
-            "`corner = \"miter\"` joins the legs of a polygon; another path is `split` there"
+    let at: Vec<String> = corners.iter().copied().map(shortest).collect();
+    let message = match &at[..] {
+        [only] => format!("the path has a corner at parameter {only}"),
+        many => {
+            format!("the path has {} corners, at the parameters {}", many.len(), many.join(", "))
         }
     };
-    Diagnostic::error(Code::Degenerate, span, message).hint(hint).fail()
+    Diagnostic::error(Code::Degenerate, span, message)
+        .hint("`corner = \"miter\"` lets both sides meet in the plane that halves the angle; or round the path, or `split` it there")
+        .fail()
 }
 
 /// Whether a closed path arrives in the direction in which it left.
@@ -251,40 +313,4 @@ fn is_smooth_at_seam(path: &NurbsCurve, span: Span) -> Result<bool> {
     let start = path.tangent_at(domain.start(), Side::Right).at(span)?;
     let end = path.tangent_at(domain.end(), Side::Left).at(span)?;
     Ok(start.distance(end) <= SMOOTH)
-}
-
-fn warn(ctx: &mut Ctx<'_>, sweep: &Sweep, frames: &Frames) {
-    if let Some([before, behind]) = frames.flips().first() {
-        let message = format!(
-            "the frame turns around near parameter {} of the path",
-            shortest(0.5 * (before + behind))
-        );
-        let hint = "`frame = \"rotation_minimizing\"` does not";
-        ctx.warn(Diagnostic::warning(Code::FrameFlip, ctx.span, message).hint(hint));
-    }
-    if let Some(t) = sweep.folds {
-        let message = format!(
-            "near parameter {} of the path the section reaches beyond the centre of curvature, so that the surface crosses itself",
-            shortest(t)
-        );
-        let hint = "a smaller section, or a path that bends less, does not";
-        ctx.warn(Diagnostic::warning(Code::SelfIntersecting, ctx.span, message).hint(hint));
-    }
-}
-
-fn receipted(sweep: Sweep, frames: &Frames) -> NurbsSurface {
-    let (deviation, at) = sweep.deviation;
-    let surface = sweep.surface;
-    let net = surface.control_points();
-    let both = |u: usize, v: usize| Receipt::default().with("u", u).with("v", v);
-    let flips: Vec<f64> = frames.flips().iter().map(|[a, b]| 0.5 * (a + b)).collect();
-    let receipt = Receipt::of("sweep")
-        .with("placements", sweep.placements)
-        .with("deviation", Receipt::default().with("max", deviation).with("at", at))
-        .with("closing_angle", crate::kernel::Fact::Angle(frames.closing()))
-        .with("flips", flips)
-        .with("folds_at", sweep.folds)
-        .with("degree", both(surface.degree_u(), surface.degree_v()))
-        .with("control_points", both(net.n_rows(), net.n_columns()));
-    surface.with_receipt(receipt)
 }

@@ -1,11 +1,9 @@
 //! `swung`: a profile swung along a trajectory about the z axis.
 
-use std::sync::Arc;
-
 use super::boundary::rounded;
 use crate::{
-    diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{NurbsCurve, NurbsSurface},
+    diag::{Code, Diagnostic, Result, Span, Spanned},
+    kernel::{Curve, NurbsCurve, NurbsSurface},
     value::{At, Ctx, op},
 };
 
@@ -14,12 +12,13 @@ op! {
     ///
     /// Its point at (u, v) is (s·x·X, s·x·Y, z) of the profile's point (x, 0, z) at u and the
     /// trajectory's (X, Y, 0) at v, where s is the scale; exact. With the unit circle as its
-    /// trajectory it is a surface of revolution. Piegl & Tiller, *The NURBS Book*, (10.1) to (10.6).
+    /// trajectory it is a surface of revolution. Parametric curves are followed
+    /// within the document's tolerance. Piegl & Tiller, *The NURBS Book*, (10.1) to (10.6).
     swung in Surface -> NurbsSurface {
         /// The profile, in the xz-plane; u runs along it.
-        profile: Spanned<Arc<NurbsCurve>>,
+        profile: Spanned<Curve>,
         /// The trajectory, in the xy-plane; v runs along it.
-        trajectory: Spanned<Arc<NurbsCurve>>,
+        trajectory: Spanned<Curve>,
         /// Factor of x and y.
         scale: Spanned<f64> = Spanned::unplaced(1.0),
     }
@@ -33,19 +32,22 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         return Diagnostic::error(Code::Degenerate, args.scale.span, message).fail();
     }
     let allowed = ctx.tolerance.distance;
-    check_plane(&args.profile, "profile", ("xz", "y", 1), allowed)?;
-    check_plane(&args.trajectory, "trajectory", ("xy", "z", 2), allowed)?;
-    NurbsSurface::swung(&args.profile.value, &args.trajectory.value, args.scale.value).at(ctx.span)
+    let [profile, trajectory] = [&args.profile, &args.trajectory]
+        .map(|curve| curve.value.nurbs_within(allowed).at(curve.span));
+    let (profile, trajectory) = (profile?, trajectory?);
+    check_plane((&profile, args.profile.span), "profile", ("xz", "y", 1), allowed)?;
+    check_plane((&trajectory, args.trajectory.span), "trajectory", ("xy", "z", 2), allowed)?;
+    NurbsSurface::swung(&profile, &trajectory, args.scale.value).at(ctx.span)
 }
 
 /// Fails where a curve leaves its plane, in which a coordinate is zero.
 fn check_plane(
-    curve: &Spanned<Arc<NurbsCurve>>,
+    (curve, span): (&NurbsCurve, Span),
     what: &str,
     (plane, coordinate, index): (&str, &str, usize),
     allowed: f64,
 ) -> Result<()> {
-    let (t, off) = farthest(&curve.value, index);
+    let (t, off) = farthest(curve, index);
     if off.abs() <= allowed {
         return Ok(());
     }
@@ -58,7 +60,7 @@ fn check_plane(
         1 => "the profile has the points (x, 0, z): `rotate` or `project` it",
         _ => "the trajectory has the points (x, y): `rotate` or `project` it",
     };
-    Diagnostic::error(Code::Degenerate, curve.span, message).hint(hint).fail()
+    Diagnostic::error(Code::Degenerate, span, message).hint(hint).fail()
 }
 
 /// Where the curve is furthest from zero in a coordinate, and that coordinate; more places than a

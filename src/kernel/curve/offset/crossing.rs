@@ -2,7 +2,7 @@
 
 use crate::kernel::{
     Bounds, GeomError, Interval,
-    curve::{Meeting, NurbsCurve},
+    curve::{Meeting, NurbsCurve, intersect::work},
     tolerance::TURN_MARGIN,
 };
 
@@ -10,7 +10,7 @@ use crate::kernel::{
 /// curve is no crossing.
 ///
 /// # Errors
-/// [`GeomError::RunTogether`] where it runs along itself.
+/// [`GeomError::RunTogether`] where it runs along itself, [`GeomError::Tangled`].
 pub(super) fn crossings(
     curve: &NurbsCurve,
     turns: &[f64],
@@ -40,13 +40,16 @@ pub(super) fn crossings(
             && curve.start().distance(meeting.point) <= tolerance
     };
     let mut found = Vec::new();
+    let mut left = work([curve, curve]);
     for (i, (bounds, stretch)) in stretches.iter().enumerate() {
-        found.extend(stretch.self_intersections(tolerance)?);
-        for (others, other) in &stretches[i + 1..] {
+        found.extend(stretch.own_meetings(tolerance, &mut left)?);
+        let later = &stretches[i + 1..];
+        left = left.checked_sub(later.len()).ok_or(GeomError::Tangled)?;
+        for (others, other) in later {
             let is_near = bounds.min.cmple(others.max + tolerance).all()
                 && others.min.cmple(bounds.max + tolerance).all();
             if is_near {
-                found.extend(stretch.intersections(other, tolerance)?);
+                found.extend(stretch.meetings_with(other, tolerance, &mut left)?);
             }
         }
     }

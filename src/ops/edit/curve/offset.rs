@@ -88,6 +88,10 @@ fn doubts(offset: &Offset) -> Vec<(String, &'static str)> {
         };
         doubts.push((message, cut));
     }
+    if offset.is_tangled {
+        let message = "the offset crosses itself in too many places to tell them";
+        doubts.push((message.to_owned(), "a smaller distance leaves fewer"));
+    }
     if let Some(stretch) = offset.overlap {
         let message = format!(
             "the offset runs along itself from t = {} to {}",

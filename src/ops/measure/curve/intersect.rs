@@ -1,16 +1,18 @@
-//! `intersect` two curves.
+//! `intersect` a curve with another, or with a surface.
 
 use std::sync::Arc;
 
 use crate::{
-    diag::Result,
-    kernel::{Curve, Meeting},
-    value::{At, Ctx, Record, Value, op},
+    diag::{Result, Span},
+    kernel::{Curve, Meeting, Surface},
+    ops::measure::picture,
+    value::{At, Ctx, FromValue, Mismatch, Record, Type, Value, op},
 };
 
 op! {
     /// Every place where two curves come within the document's tolerance of one another, as
-    /// `[{t, s, point}]` in the order of `t`: `t` on the first, `s` on the second.
+    /// `[{t, s, point}]` in the order of `t`: `t` on the first, `s` on the second; or of a curve and a
+    /// surface, as `[{t, u, v, point}]`.
     ///
     /// Found completely, by halving pairs of pieces until they are apart, cross clearly or touch.
     /// Curves that share a stretch are an error that tells which.
@@ -20,15 +22,39 @@ op! {
     intersect in Measure -> Vec<Record> {
         /// One curve.
         a: Curve,
-        /// The other.
-        b: Curve,
+        /// The other, or a surface.
+        b: Other,
     }
     example "intersect(line((0, 0), (4, 4)), line((0, 2), (4, 2)))" => "[{t: 0.5, s: 0.5, point: (2, 2, 0)}]";
     example "intersect(line((0, 0), (1, 0)), line((0, 1), (1, 1)))" => "[]";
+    example "intersect(line((0, 0, -1), (0, 0, 3)), plane_patch((-1, -1), (2, 0), (0, 2)))" => "[{t: 0.25, u: 0.5, v: 0.5, point: (0, 0, 0)}]";
+}
+
+/// What a curve meets.
+#[derive(Clone)]
+enum Other {
+    Curve(Curve),
+    Surface(Surface),
+}
+
+impl FromValue for Other {
+    const TYPE: Type = Type::OneOf(&[Type::Curve, Type::Surface]);
+
+    fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
+        match value {
+            Value::Curve(curve) => Ok(Self::Curve(curve.clone())),
+            Value::Surface(surface) => Ok(Self::Surface(surface.clone())),
+            _ => Err(Mismatch::kind(Self::TYPE, value)),
+        }
+    }
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Record>> {
-    let meetings = args.a.intersections(&args.b, ctx.tolerance.distance).at(ctx.span)?;
+    let other = match &args.b {
+        Other::Curve(curve) => curve,
+        Other::Surface(surface) => return picture::pierced(ctx, &args.a, surface),
+    };
+    let meetings = args.a.intersections(other, ctx.tolerance.distance).at(ctx.span)?;
     Ok(meetings.into_iter().map(record).collect())
 }
 

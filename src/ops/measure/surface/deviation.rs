@@ -1,4 +1,4 @@
-//! `deviation` of points or of a surface from a surface.
+//! `deviation` of points, of a mesh or of a surface from a surface.
 
 use std::sync::Arc;
 
@@ -6,19 +6,20 @@ use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Deviation, Surface},
+    kernel::{Deviation, Mesh, Surface},
     value::{At, Ctx, FromValue, Mismatch, Record, Type, Value, op},
 };
 
 op! {
-    /// How far a surface, or points, are from a surface: `{max, mean, at}`.
+    /// How far a surface, a mesh, or points are from a surface: `{max, mean, at}`.
     ///
     /// Of each place the distance to the nearest of `b` counts, whatever the parameters are; `at` is
     /// the place that is farthest. Of a surface places are taken evenly in its parameters, and from
     /// the farthest of them a search goes on uphill. What is missing of `b` on the other side shows in
-    /// `deviation(b, a)`.
+    /// `deviation(b, a)`. Of a mesh the vertices, the middles of edges and triangles are places; from
+    /// the farthest triangles the search goes on inside of them, and the mean is that of the area.
     deviation in Measure -> Record {
-        /// The surface, or the points.
+        /// The surface, the mesh, or the points.
         a: Spanned<Measured>,
         /// The surface from which they are measured.
         b: Spanned<Surface>,
@@ -30,15 +31,17 @@ op! {
 /// What can be measured from a surface.
 enum Measured {
     Surface(Surface),
+    Mesh(Arc<Mesh>),
     Points(Vec<DVec3>),
 }
 
 impl FromValue for Measured {
-    const TYPE: Type = Type::OneOf(&[Type::Surface, Type::List(&Type::Point, 1)]);
+    const TYPE: Type = Type::OneOf(&[Type::Surface, Type::Mesh, Type::List(&Type::Point, 1)]);
 
     fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
         match value {
             Value::Surface(surface) => Ok(Self::Surface(surface.clone())),
+            Value::Mesh(mesh) => Ok(Self::Mesh(Arc::clone(mesh))),
             Value::List(items) if !items.is_empty() => {
                 Vec::from_value(value, span).map(Self::Points)
             }
@@ -51,10 +54,12 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     let b = &args.b.value;
     let found = match &args.a.value {
         Measured::Surface(a) => a.deviation_from(b).map(Some),
+        Measured::Mesh(mesh) => mesh.deviation_from(b),
         Measured::Points(points) => b.deviation_of(points),
     };
     let Some(Deviation { max, mean, at }) = found.at(ctx.span)? else {
-        return Diagnostic::error(Code::TooFewPoints, args.a.span, "there are no points").fail();
+        return Diagnostic::error(Code::TooFewPoints, args.a.span, "there is nothing to measure")
+            .fail();
     };
     Ok(Record::new([
         (Arc::from("max"), Value::number(max)),

@@ -53,7 +53,7 @@ impl FromValue for Surfaces {
 
 /// What of surfaces is heavy.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Of {
+pub(crate) enum Of {
     Volume,
     Area,
 }

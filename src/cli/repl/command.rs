@@ -1,0 +1,357 @@
+//! Commands of the prompt: what begins with a colon.
+
+use std::path::Path;
+
+use glam::DVec2;
+
+use super::{Prompt, plot, show};
+use crate::{
+    diag::{Code, nearest},
+    docs,
+    syntax::{Paint, Role, pieces},
+    value::Value,
+};
+
+/// Points at which a function is plotted.
+const N_SAMPLES: usize = 200;
+
+/// A command.
+pub(super) struct Command {
+    pub(super) name: &'static str,
+    /// What stands behind it.
+    pub(super) takes: &'static str,
+    pub(super) docs: &'static str,
+    pub(super) takes_file: bool,
+    run: fn(&mut Prompt, &str),
+}
+
+/// Every command, by name.
+pub(super) const COMMANDS: &[Command] = &[
+    command("export", "[EXPR to \"FILE\"]", "writes a file, or those of the document", export),
+    command("help", "[NAME]", "tells about a built-in, a definition, a code, a command", help),
+    command("list", "", "lists the document's definitions", list),
+    file_command("load", "FILE", "puts a script into the place of the document", |prompt, rest| {
+        if rest.is_empty() {
+            prompt.refuse("which file? `:load FILE`");
+        } else {
+            prompt.load(Path::new(rest));
+        }
+    }),
+    command("plot", "EXPR [in A..B]", "plots a function, a curve, a list, a table", plot),
+    command("quit", "", "ends, as Ctrl-D does", |prompt, _| prompt.is_over = true),
+    file_command("save", "[FILE]", "writes the document as a script", |prompt, rest| {
+        prompt.save(rest, false);
+    }),
+    file_command("save!", "FILE", "the same in the place of another file", |prompt, rest| {
+        prompt.save(rest, true);
+    }),
+    command("show", "EXPR", "tells all of a value and draws it", show),
+    command("time", "EXPR", "evaluates and tells how long it took", time),
+    command("type", "EXPR", "tells the kind of a value", kind),
+    command("undo", "", "goes back to the document before", undo),
+];
+
+const fn command(
+    name: &'static str,
+    takes: &'static str,
+    docs: &'static str,
+    run: fn(&mut Prompt, &str),
+) -> Command {
+    Command { name, takes, docs, takes_file: false, run }
+}
+
+const fn file_command(
+    name: &'static str,
+    takes: &'static str,
+    docs: &'static str,
+    run: fn(&mut Prompt, &str),
+) -> Command {
+    Command { takes_file: true, ..command(name, takes, docs, run) }
+}
+
+/// Does what a command wants; an unknown one is told with the nearest.
+pub(super) fn run(prompt: &mut Prompt, text: &str) {
+    let text = text.trim();
+    let (name, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
+    let known = COMMANDS.iter().find(|command| command.name == name);
+    // The beginning of one name alone is that name: `:q`.
+    let mut beginning =
+        COMMANDS.iter().filter(|command| !name.is_empty() && command.name.starts_with(name));
+    let known = known.or_else(|| match (beginning.next(), beginning.next()) {
+        (Some(only), None) => Some(only),
+        _ => None,
+    });
+    match known {
+        Some(command) => (command.run)(prompt, rest.trim()),
+        None => {
+            let near = nearest(name, COMMANDS.iter().map(|command| command.name));
+            let near = near.map_or_else(
+                || "; `:help` lists them".to_owned(),
+                |near| format!("; did you mean `:{near}`?"),
+            );
+            prompt.refuse(&format!("there is no command `:{}`{near}", show::cut(name, 40)));
+        }
+    }
+}
+
+fn help(prompt: &mut Prompt, name: &str) {
+    if name.is_empty() {
+        let mut text = String::from(
+            "Statements join the document; a new definition takes the place of its namesake.\nExpressions are answered; `_` is the last value, as `f(_)` too; in `f(_, 2)` it makes a function.\n\n",
+        );
+        for command in COMMANDS {
+            let head = format!(":{} {}", command.name, command.takes);
+            text.push_str(&format!("  {:<26} {}\n", head.trim_end(), command.docs));
+        }
+        text.push_str("\n`virote doc` lists the built-ins.\n");
+        return super::say(&text);
+    }
+    let name = name.trim_start_matches(':');
+    let own = prompt.values.iter().find(|(own, _)| own == name);
+    if let Some((name, value)) = own {
+        super::say(&format!("{}\n", show::line(name, value)));
+    }
+    let code = Code::from_id(name).map(|code| {
+        format!("{}: {}\n\n{}\n", code.id(), code.title(), docs::wrap(code.explanation()))
+    });
+    let command = COMMANDS.iter().find(|command| command.name == name);
+    let command =
+        command.map(|command| format!(":{} {}\n\n{}\n", command.name, command.takes, command.docs));
+    match docs::entry(&prompt.registry, name).or(code).or(command) {
+        Some(text) => super::say(&text),
+        None if prompt.values.iter().any(|(own, _)| own == name) => {}
+        None => {
+            let mut names: Vec<&str> = prompt.registry.names().collect();
+            names.extend(prompt.values.iter().map(|(own, _)| own.as_str()));
+            let near = nearest(name, names);
+            let near = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+            prompt.refuse(&format!("nothing is called `{}`{near}", show::cut(name, 40)));
+        }
+    }
+}
+
+fn list(prompt: &mut Prompt, _: &str) {
+    if prompt.document.is_empty() {
+        return prompt.voice.remark("(the document is empty)");
+    }
+    let text: String = prompt
+        .values
+        .iter()
+        .map(|(name, value)| format!("{}\n", show::line(name, value)))
+        .collect();
+    super::say(&text);
+    let others = [(Role::Check, "check"), (Role::Export, "export"), (Role::Test, "test")];
+    let others: Vec<String> = others
+        .into_iter()
+        .map(|(role, noun)| (prompt.document.count(role), noun))
+        .filter(|&(n, _)| n > 0)
+        .map(|(n, noun)| some(n, noun))
+        .collect();
+    if !others.is_empty() {
+        super::say(&format!("({})\n", others.join(", ")));
+    }
+}
+
+/// A count with its noun.
+pub(super) fn some(n: usize, noun: &str) -> String {
+    if n == 1 { format!("1 {noun}") } else { format!("{n} {noun}s") }
+}
+
+/// The values of an expression, which must be there.
+fn asked(prompt: &mut Prompt, command: &str, text: &str) -> Option<Vec<Value>> {
+    if text.is_empty() {
+        prompt.refuse(&format!("of what? `:{command} EXPR`"));
+        return None;
+    }
+    let (printed, _) = prompt.ask(text)?;
+    Some(printed.into_iter().map(|printed| printed.value).collect())
+}
+
+fn show(prompt: &mut Prompt, text: &str) {
+    for value in asked(prompt, "show", text).unwrap_or_default() {
+        super::say(&show::whole(&value, prompt.columns));
+    }
+}
+
+fn kind(prompt: &mut Prompt, text: &str) {
+    for value in asked(prompt, "type", text).unwrap_or_default() {
+        let phrase = match &value {
+            Value::Function(function) => format!("a function: {}", function.signature()),
+            Value::Curve(_) | Value::Surface(_) | Value::Mesh(_) | Value::Table(_) => {
+                format!("a {value}")
+            }
+            Value::Record(_) => format!("a {}", show::sized(&value)),
+            Value::Number(number) if number.dim.is_none() => "a number".to_owned(),
+            Value::Number(number) => number.dim.to_string(),
+            Value::Bool(_) => "a truth value".to_owned(),
+            Value::Text(_) => "a string".to_owned(),
+            _ => value.phrase(),
+        };
+        super::say(&format!("{phrase}\n"));
+    }
+}
+
+fn time(prompt: &mut Prompt, text: &str) {
+    if text.is_empty() {
+        return prompt.refuse("of what? `:time EXPR`");
+    }
+    if let Some((printed, time)) = prompt.ask(text) {
+        printed.iter().for_each(|printed| prompt.answer(&printed.value));
+        super::say(&format!("({})\n", show::pretty(time)));
+    }
+}
+
+fn undo(prompt: &mut Prompt, _: &str) {
+    let Some(document) = prompt.undo.pop() else {
+        return prompt.refuse("there is nothing to undo");
+    };
+    let text = document.text();
+    let told = std::mem::take(&mut prompt.told);
+    // What held before holds again, unless a file that it reads has changed.
+    match prompt.evaluate("", '\n', &text, ["document", "document"]) {
+        Some(mut ran) => {
+            prompt.know(&mut ran.report);
+            prompt.document = document;
+            let n = some(prompt.values.len(), "definition");
+            prompt.voice.remark(&format!("(back to {n})"));
+        }
+        None => {
+            prompt.told = told;
+            prompt.undo.push(document);
+        }
+    }
+}
+
+fn export(prompt: &mut Prompt, text: &str) {
+    let (base, input) = if text.is_empty() {
+        if prompt.document.count(Role::Export) == 0 {
+            return prompt.refuse("the document exports nothing; `:export EXPR to \"FILE\"`");
+        }
+        (prompt.document.with_exports(), String::new())
+    } else {
+        (prompt.document.definitions(), format!("export {text}"))
+    };
+    if let Some(mut ran) = prompt.evaluate(&base, '\n', &input, ["document", "input"]) {
+        ran.report.diagnostics.clear();
+        prompt.act(&mut ran.report);
+    }
+}
+
+fn plot(prompt: &mut Prompt, text: &str) {
+    if text.is_empty() {
+        return prompt.refuse("what? `:plot EXPR`");
+    }
+    let (expr, range) = match text.rsplit_once(" in ") {
+        Some((expr, range)) if range.contains("..") => (expr.trim(), Some(range.trim())),
+        _ => (text, None),
+    };
+    // `curvature(c)` lacks the parameter that it is plotted over.
+    let completed = expr.strip_suffix(')').map(|head| format!("{head}, _)"));
+    let is_call = completed.is_some() && is_function_of_one(prompt, completed.as_deref());
+    let expr = if is_call { completed.unwrap_or_default() } else { expr.to_owned() };
+    let Some(values) = asked(prompt, "plot", &expr) else { return };
+    for value in values {
+        let drawn = match &value {
+            Value::Function(_) => function(prompt, &expr, range),
+            value => drawn(value, prompt.columns),
+        };
+        match drawn {
+            Some(text) => super::say(&text),
+            None if matches!(value, Value::Function(_)) => {}
+            None => prompt.refuse(&format!("{} cannot be plotted", value.phrase())),
+        }
+    }
+}
+
+/// Whether this text is a function while the call without its `_` has no value: asked quietly.
+fn is_function_of_one(prompt: &mut Prompt, completed: Option<&str>) -> bool {
+    let Some(completed) = completed else { return false };
+    let plain = completed.replace(", _)", ")");
+    let base = prompt.document.definitions() + "print";
+    let mut has_value = |text: &str| {
+        let ran = prompt.engine.run(&base, ' ', text, ["document", "input"])?;
+        (ran.report.count(crate::diag::Severity::Error) == 0).then_some(())
+    };
+    has_value(&plain).is_none() && has_value(completed).is_some()
+}
+
+/// A function of one number over a range: the given one, else the domain of the first curve that it
+/// names, else 0..1.
+fn function(prompt: &mut Prompt, expr: &str, range: Option<&str>) -> Option<String> {
+    let names: Vec<&str> = pieces(expr)
+        .into_iter()
+        .filter(|(paint, _)| *paint == Paint::Name)
+        .filter_map(|(_, place)| expr.get(place))
+        .collect();
+    let domain = names.iter().find_map(|name| {
+        let (_, value) = prompt.values.iter().find(|(own, _)| own == name)?;
+        matches!(value, Value::Curve(_)).then(|| format!("{name}.domain"))
+    });
+    let range = range.map(str::to_owned).or(domain).unwrap_or_else(|| "0..1".to_owned());
+    let question = format!(
+        "{{ let range_ = ({range}) let function_ = ({expr}); [for t in linspace(range_.start, range_.end, {N_SAMPLES}): [t, function_(t)]] }}"
+    );
+    let (printed, _) = prompt.question(&question)?;
+    let Some(Value::List(pairs)) = printed.into_iter().next().map(|printed| printed.value) else {
+        return None;
+    };
+    let points: Vec<DVec2> = pairs.iter().filter_map(point).collect();
+    if points.is_empty() {
+        prompt.refuse("only functions with numbers as their values can be plotted");
+        return None;
+    }
+    Some(plot::chart(&points, prompt.columns))
+}
+
+/// A pair of numbers as a point.
+fn point(pair: &Value) -> Option<DVec2> {
+    let Value::List(pair) = pair else { return None };
+    match (pair.get(0), pair.get(1)) {
+        (Some(Value::Number(x)), Some(Value::Number(y))) => Some(DVec2::new(x.value, y.value)),
+        _ => None,
+    }
+}
+
+/// A curve, points, numbers in a row, the first columns of a table.
+fn drawn(value: &Value, columns: usize) -> Option<String> {
+    let in_a_row = |numbers: &[f64]| {
+        let points: Vec<DVec2> =
+            numbers.iter().enumerate().map(|(i, &y)| DVec2::new(i as f64, y)).collect();
+        plot::chart(&points, columns)
+    };
+    match value {
+        Value::Table(table) => {
+            let columns_of: Vec<&[f64]> = table
+                .columns()
+                .iter()
+                .filter_map(|column| match &column.column {
+                    crate::kernel::Column::Numbers(numbers) => Some(numbers.as_slice()),
+                    crate::kernel::Column::Texts(_) => None,
+                })
+                .collect();
+            match columns_of.as_slice() {
+                [] => None,
+                [only] => Some(in_a_row(only)),
+                [x, y, ..] => {
+                    let points = x.iter().zip(*y).map(|(&x, &y)| DVec2::new(x, y));
+                    Some(plot::chart(&points.collect::<Vec<_>>(), columns))
+                }
+            }
+        }
+        Value::List(items) if items.iter().all(|item| matches!(item, Value::Number(_))) => {
+            let numbers: Vec<f64> = items
+                .iter()
+                .filter_map(|item| match item {
+                    Value::Number(number) => Some(number.value),
+                    _ => None,
+                })
+                .collect();
+            (!numbers.is_empty()).then(|| in_a_row(&numbers))
+        }
+        value => {
+            let (paths, axes) = plot::flat(&show::paths(value));
+            let picture = plot::drawing(&paths, columns);
+            (!picture.is_empty()).then(|| format!("{picture}({axes})\n"))
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! Evaluation that can be waited for and given up: on a thread of its own, stopped by Ctrl-C.
+
+use std::{
+    path::Path,
+    sync::{
+        Arc, OnceLock,
+        atomic::{AtomicBool, Ordering},
+        mpsc,
+    },
+    thread,
+    time::{Duration, Instant},
+};
+
+use super::super::{args::Common, files::Beside};
+use crate::{
+    diag::Sources,
+    eval::Setting,
+    session::{Report, Session},
+};
+
+/// Set by Ctrl-C while something is evaluated.
+static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+
+/// How often a run that is waited for is asked whether Ctrl-C was pressed.
+const PATIENCE: Duration = Duration::from_millis(20);
+
+/// How long a run may take to its next step, once it is to stop.
+const GRACE: Duration = Duration::from_millis(1500);
+
+/// Evaluates texts; remembers what it evaluated.
+pub(super) struct Engine {
+    session: Arc<Session>,
+    /// The switch that stops the session's run.
+    stop: &'static AtomicBool,
+    files: Arc<Beside>,
+    settings: Arc<[Setting]>,
+    renew: Box<dyn Fn(&'static AtomicBool) -> Session>,
+}
+
+/// A run that came to its end.
+pub(super) struct Ran {
+    /// What became of it; its places lie in the document or in the input.
+    pub(super) report: Report,
+    /// The first place of the input.
+    pub(super) start: u32,
+    /// How long it took.
+    pub(super) time: Duration,
+}
+
+/// Lets Ctrl-C stop a run instead of the program. To be called once.
+pub(super) fn listen() {
+    static LISTENS: OnceLock<bool> = OnceLock::new();
+    LISTENS
+        .get_or_init(|| ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed)).is_ok());
+}
+
+/// A switch of its own for a session, which lives as long as the program.
+fn switch() -> &'static AtomicBool {
+    Box::leak(Box::new(AtomicBool::new(false)))
+}
+
+impl Engine {
+    pub(super) fn new(common: &Common, folder: &Path, settings: Vec<Setting>) -> Self {
+        let (ceilings, n_threads) = (common.ceilings(), common.n_threads());
+        let renew = move |stop| {
+            super::super::process::session(ceilings)
+                .on_threads(n_threads)
+                .incremental()
+                .stopped_by(stop)
+        };
+        let stop = switch();
+        Self {
+            session: Arc::new(renew(stop)),
+            stop,
+            files: Arc::new(Beside::new(folder)),
+            settings: settings.into(),
+            renew: Box::new(renew),
+        }
+    }
+
+    pub(super) fn session(&self) -> &Session {
+        &self.session
+    }
+
+    /// The files that were read.
+    pub(super) fn inputs(&self) -> Vec<std::path::PathBuf> {
+        self.files.inputs()
+    }
+
+    /// Reads files beside another document from now on.
+    pub(super) fn move_to(&mut self, folder: &Path) {
+        self.files = Arc::new(Beside::new(folder));
+    }
+
+    /// Evaluates `input` behind `base`, with `gap` between them; `None` if it was stopped.
+    /// The texts are called by `names` in messages.
+    pub(super) fn run(
+        &mut self,
+        base: &str,
+        gap: char,
+        input: &str,
+        names: [&str; 2],
+    ) -> Option<Ran> {
+        let text = format!("{base}{gap}{input}");
+        let (session, files) = (Arc::clone(&self.session), Arc::clone(&self.files));
+        let settings = Arc::clone(&self.settings);
+        let (sender, receiver) = mpsc::channel();
+        INTERRUPTED.store(false, Ordering::Relaxed);
+        let begin = Instant::now();
+        let work = move || {
+            let report = session.run("input", text.as_bytes(), &*files, &settings);
+            // Nobody listens where the run was given up.
+            let _ = sender.send(report);
+        };
+        let stack = self.session.limits().stack_bytes;
+        thread::Builder::new().stack_size(stack).spawn(work).ok()?;
+        let mut report = self.wait(&receiver)?;
+        let time = begin.elapsed();
+        report.sources = told_apart(&report.sources, base.len(), names);
+        Some(Ran { report, start: base.len() as u32 + gap.len_utf8() as u32, time })
+    }
+
+    /// Waits for the end of a run, or for Ctrl-C.
+    fn wait(&mut self, receiver: &mpsc::Receiver<Report>) -> Option<Report> {
+        let mut deadline = None;
+        loop {
+            match receiver.recv_timeout(PATIENCE) {
+                Ok(report) => {
+                    let was_stopped = self.stop.swap(false, Ordering::Relaxed);
+                    return (!was_stopped).then_some(report);
+                }
+                Err(mpsc::RecvTimeoutError::Disconnected) => return None,
+                Err(mpsc::RecvTimeoutError::Timeout) => {}
+            }
+            if INTERRUPTED.load(Ordering::Relaxed) && deadline.is_none() {
+                self.stop.store(true, Ordering::Relaxed);
+                deadline = Some(Instant::now() + GRACE);
+            }
+            if deadline.is_some_and(|deadline| deadline < Instant::now()) {
+                // An operation that looks at no switch: it is left to itself, and the next run has
+                // a session that knows nothing of it.
+                self.stop = switch();
+                self.session = Arc::new((self.renew)(self.stop));
+                return None;
+            }
+        }
+    }
+}
+
+/// The sources with the text of the document and that of the input apart: they lie end to end with
+/// one byte between them either way, so that every place stays where it is.
+fn told_apart(sources: &Sources, base_len: usize, names: [&str; 2]) -> Sources {
+    let mut apart = Sources::default();
+    for (i, source) in sources.iter().enumerate() {
+        if i > 0 {
+            apart.add(source.name.as_str(), Arc::clone(&source.text));
+        } else if let (Some(base), Some(input)) =
+            (source.text.get(..base_len), source.text.get(base_len + 1..))
+        {
+            apart.add(names[0], Arc::from(base));
+            apart.add(names[1], Arc::from(input));
+        } else {
+            apart.add(names[1], Arc::clone(&source.text));
+        }
+    }
+    apart
+}

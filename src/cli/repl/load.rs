@@ -1,0 +1,92 @@
+//! Documents from files and into files.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+use super::{
+    super::{
+        files::{Script, reason},
+        write::replace,
+    },
+    Prompt, command,
+    document::Document,
+    show,
+};
+use crate::{session::Event, syntax::Role};
+
+impl Prompt {
+    /// Puts the document of a file into the place of this one, if all of it holds. Checks are
+    /// judged; nothing is printed and no file written.
+    pub(super) fn load(&mut self, path: &Path) {
+        let script = match Script::read(path, self.limits().source_bytes) {
+            Ok(script) => script,
+            Err(message) => return self.refuse(&message),
+        };
+        let text = match String::from_utf8(script.bytes) {
+            Ok(text) => text,
+            Err(err) => {
+                let at = err.utf8_error().valid_up_to() + 1;
+                return self.refuse(&format!("byte {at} of `{}` is not UTF-8 text", script.name));
+            }
+        };
+        let document = match Document::of(&text, self.limits()) {
+            Ok(document) => document,
+            Err(found) => return self.tell_wrong(&script.name, &text, &found),
+        };
+        let before = std::mem::take(&mut self.told);
+        self.engine.move_to(&script.folder);
+        let Some(ran) = self.evaluate("", '\n', &text, ["document", &script.name]) else {
+            self.told = before;
+            let folder = self.folder.clone();
+            return self.engine.move_to(&folder);
+        };
+        let mut report = ran.report;
+        self.know(&mut report);
+        self.undo.push(std::mem::replace(&mut self.document, document));
+        self.folder = script.folder;
+        self.file = script.path;
+        report.events.retain(|event| matches!(event, Event::Checked(_)));
+        self.act(&mut report);
+        let time = show::pretty(ran.time);
+        let n = command::some(self.values.len(), "definition");
+        let n_exports = self.document.count(Role::Export);
+        let exports = match n_exports {
+            0 => String::new(),
+            _ => format!(", {} for `:export`", command::some(n_exports, "file")),
+        };
+        self.voice
+            .remark(&format!("loaded {}: {n}{exports} ({time})", show::cut(&script.name, 200)));
+    }
+
+    /// Writes the document as a script. A file that is not its own is kept.
+    pub(super) fn save(&mut self, name: &str, may_replace: bool) {
+        let path = match (name, &self.file) {
+            ("", Some(path)) => path.clone(),
+            ("", None) => return self.refuse("where to? `:save FILE`"),
+            (name, _) => PathBuf::from(name),
+        };
+        let is_own = self.file.as_ref().is_some_and(|own| *own == path);
+        if path.exists() && !is_own && !may_replace {
+            let message = format!(
+                "`{}` is there already; `:save! {}` replaces it",
+                path.display(),
+                path.display()
+            );
+            return self.refuse(&message);
+        }
+        let text = self.document.text();
+        let permissions = fs::metadata(&path).ok().map(|data| data.permissions());
+        let written = replace(&path, permissions, |out| out.write_all(text.as_bytes()));
+        match written {
+            Ok(()) => {
+                self.voice.remark(&format!("saved {}", path.display()));
+                self.file = Some(path);
+            }
+            Err(err) => {
+                self.refuse(&format!("cannot write `{}`: {}", path.display(), reason(&err)));
+            }
+        }
+    }
+}

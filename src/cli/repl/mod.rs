@@ -1,0 +1,347 @@
+//! `virote repl`: a document that grows entry by entry, and answers.
+//!
+//! An entry is a statement, which joins the document once all of it holds; an expression, whose
+//! value is told; or a command, which begins with a colon. Whatever goes wrong leaves the document
+//! as it was. Without a terminal the same entries come line by line from standard input, and only
+//! answers are written.
+
+mod command;
+mod complete;
+mod document;
+mod editor;
+mod engine;
+mod load;
+mod pipe;
+mod plot;
+mod show;
+
+use std::{
+    collections::BTreeSet,
+    io::{self, IsTerminal},
+    path::{Path, PathBuf},
+    time::Duration,
+};
+
+use self::{
+    complete::{Known, Scope},
+    document::{Document, Undo},
+    editor::{Editor, Typed},
+    engine::{Engine, Ran},
+};
+use super::{Ending, args::Common, message::Voice, progress::Progress, run, say, settings};
+use crate::{
+    diag::{Diagnostic, Severity, Sources},
+    eval::{Kept, Printed, Work},
+    limits::Limits,
+    ops,
+    session::{Event, Report},
+    syntax::{Entry, entry, free_placeholders, parts},
+    value::{Registry, Value},
+};
+
+/// Characters of a value that a terminal is shown.
+const MOST_CHARS: usize = 4_000;
+
+/// Bytes of the expression that `_` may stand for.
+const MOST_LAST: usize = 64 << 10;
+
+/// The name of the last value in the text that is evaluated.
+const LAST: &str = "_last";
+
+/// `virote repl [FILE]`
+pub(super) fn run(file: Option<&Path>, out: Option<&Path>, common: &Common) -> Ending {
+    let voice = Voice::new(&common.talk, common.ceilings().diagnostics);
+    let settings = match settings::given(common, common.ceilings().input_bytes, &voice) {
+        Ok(settings) => settings,
+        Err(ending) => return ending,
+    };
+    let engine = Engine::new(common, Path::new("."), settings);
+    let mut prompt = Prompt {
+        engine,
+        voice,
+        registry: ops::registry(),
+        document: Document::default(),
+        undo: Undo::default(),
+        last: None,
+        told: BTreeSet::new(),
+        values: Vec::new(),
+        kept: Kept::default(),
+        folder: PathBuf::from("."),
+        out: out.map(Path::to_path_buf),
+        file: None,
+        columns: 80,
+        is_terminal: io::stdin().is_terminal() && io::stdout().is_terminal(),
+        with_color: common.talk.with_color(),
+        worst: Ending::Well,
+        is_over: false,
+    };
+    if let Some(file) = file {
+        prompt.load(file);
+    }
+    if prompt.is_terminal { prompt.converse(common.talk.quiet) } else { prompt.listen() }
+}
+
+/// A document and whoever is asked about it.
+struct Prompt {
+    engine: Engine,
+    voice: Voice,
+    registry: Registry,
+    document: Document,
+    undo: Undo,
+    /// What `_` stands for, as text.
+    last: Option<String>,
+    /// The findings that the document as it is has been told of.
+    told: BTreeSet<String>,
+    /// The definitions with their values.
+    values: Vec<(String, Value)>,
+    /// What parametric curves among them need to answer.
+    kept: Kept,
+    folder: PathBuf,
+    out: Option<PathBuf>,
+    /// The file that the document was read from or written to.
+    file: Option<PathBuf>,
+    columns: usize,
+    is_terminal: bool,
+    with_color: bool,
+    worst: Ending,
+    is_over: bool,
+}
+
+impl Prompt {
+    /// Entries from a terminal.
+    fn converse(&mut self, is_quiet: bool) -> Ending {
+        engine::listen();
+        let (mut editor, warning) =
+            match Editor::new(ops::registry(), *self.limits(), self.with_color) {
+                Ok(editor) => editor,
+                Err(err) => {
+                    self.voice.trouble(&format!("the terminal cannot be used: {err}"));
+                    return Ending::Usage;
+                }
+            };
+        if !is_quiet {
+            say("virote: statements join the document, expressions are answered, `:help` helps\n");
+        }
+        if let Some(warning) = warning {
+            self.voice.remark(&format!("warning: {warning}"));
+        }
+        while !self.is_over {
+            self.columns = editor.columns();
+            editor.know(self.scope());
+            match editor.read() {
+                Typed::Entry(text) => self.take(&text),
+                Typed::GivenUp => self.voice.remark("(Ctrl-D or `:quit` ends)"),
+                Typed::End => break,
+            }
+        }
+        Ending::Well
+    }
+
+    fn limits(&self) -> &Limits {
+        self.engine.session().limits()
+    }
+
+    /// What can be completed.
+    fn scope(&self) -> Scope {
+        let names = self.values.iter().map(|(name, value)| Known::of(name, value)).collect();
+        Scope { names, folder: self.folder.clone() }
+    }
+
+    /// Does what an entry wants.
+    fn take(&mut self, text: &str) {
+        let text = text.trim_end();
+        if let Some(command) = text.trim_start().strip_prefix(':') {
+            return command::run(self, command);
+        }
+        match entry(text) {
+            Entry::Empty => {}
+            Entry::Statements => self.state(text),
+            Entry::Expression => {
+                // Statements may follow where several lines were pasted.
+                let asked = format!("print {text}");
+                let end = match parts(&asked, self.limits()) {
+                    Ok(parts) if parts.len() > 1 => parts[0].range.end - "print ".len(),
+                    _ => text.len(),
+                };
+                let (question, rest) = text.split_at(end);
+                if let Some((printed, _)) = self.ask(question) {
+                    printed.iter().for_each(|printed| self.answer(&printed.value));
+                    self.take(rest);
+                }
+            }
+        }
+    }
+
+    /// Tells a value.
+    fn answer(&self, value: &Value) {
+        let text = value.to_string();
+        if self.is_terminal && text.len() > MOST_CHARS {
+            say(&format!("{}\n", show::cut(&text, MOST_CHARS)));
+            self.voice.remark(&format!("({} bytes in all; `:show` tells it in short)", text.len()));
+        } else {
+            say(&format!("{text}\n"));
+        }
+    }
+
+    /// The values of expressions on the document; the last one is `_` from now on. What is wrong
+    /// with them is told.
+    fn ask(&mut self, question: &str) -> Option<(Vec<Printed>, Duration)> {
+        let (printed, time) = self.question(question)?;
+        self.remember(question, &printed);
+        Some((printed, time))
+    }
+
+    /// The same without an effect on `_`.
+    fn question(&mut self, question: &str) -> Option<(Vec<Printed>, Duration)> {
+        let places = free_placeholders(question);
+        let mut base = self.document.definitions();
+        let mut text = question.to_owned();
+        if !places.is_empty() {
+            let Some(last) = &self.last else {
+                self.refuse("`_` is the last value, and there is none yet");
+                return None;
+            };
+            base.push_str(&format!("let {LAST} = {last}\n"));
+            places.into_iter().rev().for_each(|place| text.replace_range(place, LAST));
+        }
+        base.push_str("print");
+        let ran = self.evaluate(&base, ' ', &text, ["document", "input"])?;
+        let Ran { report, time, .. } = ran;
+        let printed: Vec<Printed> = report
+            .events
+            .into_iter()
+            .filter_map(|event| match event {
+                Event::Printed(printed) => Some(printed),
+                _ => None,
+            })
+            .collect();
+        self.kept = report.kept;
+        Some((printed, time))
+    }
+
+    /// Keeps what `_` stands for: a value that can be written as it is, any other as its question.
+    fn remember(&mut self, question: &str, printed: &[Printed]) {
+        let Some(newest) = printed.last() else { return };
+        let text = if show::is_written(&newest.value) {
+            newest.value.to_string()
+        } else {
+            let before = self.last.clone().unwrap_or_default();
+            let mut source = match printed {
+                [_] => question.to_owned(),
+                _ => newest.source.replace(LAST, "_"),
+            };
+            for place in free_placeholders(&source).into_iter().rev() {
+                source.replace_range(place, &before);
+            }
+            format!("({}\n)", source.trim_end())
+        };
+        self.last = Some(text).filter(|text| text.len() <= MOST_LAST);
+    }
+
+    /// Evaluates a text behind the document. Nothing comes of it when there are errors, which are
+    /// told, or when it was stopped.
+    fn evaluate(&mut self, base: &str, gap: char, text: &str, names: [&str; 2]) -> Option<Ran> {
+        let Some(mut ran) = self.engine.run(base, gap, text, names) else {
+            self.voice.remark("stopped; the document is as it was");
+            return None;
+        };
+        if ran.report.count(Severity::Error) > 0 {
+            ran.report.diagnostics.retain(|found| found.severity == Severity::Error);
+            self.voice.findings(&ran.report.diagnostics, &ran.report.sources);
+            self.worst = self.worst.max(Ending::Wrong);
+            return None;
+        }
+        let told = |found: &Diagnostic| format!("{} {}", found.code.id(), found.message);
+        let found = std::mem::take(&mut ran.report.diagnostics);
+        let (new, old): (Vec<_>, Vec<_>) =
+            found.into_iter().partition(|found| !self.told.contains(&told(found)));
+        // What was told of a question is told again of the next.
+        if gap == '\n' {
+            self.told = new.iter().chain(&old).map(told).collect();
+        }
+        let is_warning = |found: &Diagnostic| found.severity == Severity::Warning;
+        let (warnings, others): (Vec<_>, Vec<_>) = new.into_iter().partition(is_warning);
+        self.voice.findings(&warnings, &ran.report.sources);
+        ran.report.diagnostics = others;
+        Some(ran)
+    }
+
+    /// Takes statements into the document and does what they want; what is wrong is told.
+    fn state(&mut self, text: &str) {
+        let draft = match self.document.draft(text, self.limits()) {
+            Ok(draft) => draft,
+            Err(found) => return self.tell_wrong("input", text, &found),
+        };
+        let told = self.told.clone();
+        let Some(ran) = self.evaluate(&draft.base, '\n', text, ["document", "input"]) else {
+            self.told = told;
+            return;
+        };
+        let Ran { mut report, start, time } = ran;
+        let is_new = |span: crate::diag::Span| span.start >= start;
+        let (mut news, mut again) = (Vec::new(), Vec::new());
+        for defined in &report.definitions {
+            match (&defined.value, defined.work) {
+                (Some(value), _) if is_new(defined.span) => {
+                    news.push(show::line(&defined.name, value));
+                }
+                (_, Work::Evaluated) => again.push(defined.name.as_str()),
+                _ => {}
+            }
+        }
+        news.iter().for_each(|line| say(&format!("{line}\n")));
+        if draft.replaces || !again.is_empty() {
+            self.voice.remark(&show::evaluated(&again, report.n_with(Work::Reused), time));
+        }
+        if !draft.lost.is_empty() {
+            let names = draft.lost.join("`, `");
+            self.voice.remark(&format!("`{names}` went with what was replaced"));
+        }
+        self.know(&mut report);
+        report.events.retain(|event| match event {
+            Event::Checked(checked) => is_new(checked.span),
+            _ => true,
+        });
+        let n_statements = draft.next.text() != self.document.text();
+        if n_statements {
+            let before = std::mem::replace(&mut self.document, draft.next);
+            self.undo.push(before);
+        }
+        self.act(&mut report);
+    }
+
+    /// Prints, judges, writes.
+    fn act(&mut self, report: &mut Report) {
+        let out = self.out.clone().unwrap_or_else(|| self.folder.clone());
+        let mut inputs = self.engine.inputs();
+        inputs.extend(self.file.clone());
+        let targets = run::targets(report, &out, &inputs);
+        let progress = Progress::begin("writing", self.voice.is_lively());
+        let mode = run::Mode::Write(Some(&out));
+        let ending = run::act(report, &targets, mode, progress, &self.voice);
+        self.worst = self.worst.max(ending);
+    }
+
+    /// Keeps the values of a document that holds.
+    fn know(&mut self, report: &mut Report) {
+        let definitions = std::mem::take(&mut report.definitions);
+        self.values = definitions
+            .into_iter()
+            .filter_map(|defined| Some((defined.name, defined.value?)))
+            .collect();
+        self.kept = std::mem::take(&mut report.kept);
+    }
+
+    fn tell_wrong(&mut self, name: &str, text: &str, found: &[Diagnostic]) {
+        let mut sources = Sources::default();
+        sources.add(name, text.into());
+        self.voice.findings(found, &sources);
+        self.worst = self.worst.max(Ending::Wrong);
+    }
+
+    /// Tells what cannot be done.
+    fn refuse(&mut self, text: &str) {
+        self.voice.trouble(text);
+        self.worst = self.worst.max(Ending::Wrong);
+    }
+}

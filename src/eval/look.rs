@@ -1,0 +1,91 @@
+//! Presentation: what stands after `with` at a definition, and where an export finds it.
+
+use super::{
+    ir::{Definition, Expr, ExprKind},
+    outcome::Defined,
+    run::Run,
+};
+use crate::{
+    diag::{Code, Diagnostic, Spanned, nearest},
+    value::{COLOR_NAMES, Look, Value, color_of},
+};
+
+/// The options that a definition has.
+const OPTIONS: [&str; 3] = ["color", "layer", "hidden"];
+
+impl Run<'_> {
+    /// Reads the presentation after `with`; what does not fit becomes a finding.
+    pub(super) fn look(&mut self, definition: &Definition) -> Look {
+        let mut look = Look::default();
+        if definition.is_poisoned || !self.is_ready(&definition.dependencies) {
+            return look;
+        }
+        for option in &definition.with {
+            let Some((label, value)) = self.option(option, definition.n_slots) else { continue };
+            if let Err(found) = read(&label, &value, &mut look) {
+                self.diagnostics.push(found);
+            }
+        }
+        look
+    }
+
+    /// The presentation of the definition that an exported expression names, or a part of.
+    pub(super) fn look_of_subject(&self, expr: &Expr, definitions: &[&[Defined]]) -> Look {
+        let mut root = expr;
+        loop {
+            root = match &root.kind {
+                ExprKind::Index(parts) => &parts[0],
+                ExprKind::Field(whole, ..) => whole,
+                ExprKind::Global(_) => break,
+                _ => return Look::default(),
+            };
+        }
+        let name = self.document.excerpt(root.span);
+        let mut all = definitions.iter().copied().flatten();
+        all.find(|defined| defined.name == name).map_or_else(Look::default, |defined| {
+            // It is named, so it is meant.
+            Look { is_hidden: false, ..defined.look.clone() }
+        })
+    }
+}
+
+/// Reads one option.
+fn read(
+    label: &Spanned<String>,
+    value: &Spanned<Value>,
+    look: &mut Look,
+) -> Result<(), Diagnostic> {
+    let wrong = |wanted: &str| {
+        let message = format!("`{}` must be {wanted}, found {}", label.value, value.value.phrase());
+        Diagnostic::error(Code::WrongKind, value.span, message)
+    };
+    match (label.value.as_str(), &value.value) {
+        ("hidden", Value::Bool(hidden)) => look.is_hidden = *hidden,
+        ("hidden", _) => return Err(wrong("true or false")),
+        ("layer", Value::Text(layer)) => look.layer = Some(layer.clone()),
+        ("layer", _) => return Err(wrong("a string")),
+        ("color", Value::Text(text)) => {
+            look.color = Some(color_of(text).ok_or_else(|| no_color(text, value))?);
+        }
+        ("color", _) => return Err(wrong("a string")),
+        (name, _) => {
+            let message = format!("a definition has no option `{name}`");
+            let diagnostic = Diagnostic::error(Code::BadCall, label.span, message);
+            return Err(match nearest(name, OPTIONS) {
+                Some(near) => diagnostic.label(format!("did you mean `{near}`?")),
+                None => diagnostic.hint("its options are `color`, `layer` and `hidden`"),
+            });
+        }
+    }
+    Ok(())
+}
+
+fn no_color(text: &str, value: &Spanned<Value>) -> Diagnostic {
+    let message = format!("`{text}` is no colour");
+    let diagnostic = Diagnostic::error(Code::BadChoice, value.span, message)
+        .hint("write `\"#6688aa\"`, or a name such as `\"steelblue\"`");
+    match nearest(text, COLOR_NAMES.iter().map(|&(name, _)| name)) {
+        Some(near) => diagnostic.label(format!("did you mean `{near}`?")),
+        None => diagnostic,
+    }
+}

@@ -1,0 +1,181 @@
+//! IGES: exact B-spline curves (126) and surfaces (128), points (116), with names, colours and
+//! layers, in the document's unit.
+//!
+//! US Product Data Association, *Initial Graphics Exchange Specification 5.3*, §2.2 (fixed
+//! format), §4.23, §4.24, §4.18, §4.72 (colour), §4.98 (properties).
+
+mod record;
+
+use std::io::Write;
+
+use self::record::{Cards, Entity};
+use super::{
+    ExportError, Format, Item, Job, Subject, Summary,
+    exact::{Exact, exact},
+};
+use crate::kernel::{Bounds, NurbsCurve, NurbsSurface};
+
+pub(super) static FORMAT: Format = Format {
+    ending: "igs",
+    aliases: &["iges"],
+    title: "IGES 5.3: exact curves and surfaces in the document's unit",
+    options: &["tolerance"],
+    takes: |subject| matches!(subject, Subject::Point(_) | Subject::Curve(_) | Subject::Surface(_)),
+    takes_data: false,
+    wants: "points, curves and surfaces",
+    write,
+};
+
+fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
+    let mut summary = Summary::default();
+    let (mut cards, mut looks) = (Cards::default(), Looks::default());
+    for item in &job.items {
+        for part in exact(item, job)? {
+            let entity = match part {
+                Exact::Point(point) => {
+                    let mut entity = Entity::new(116);
+                    point.to_array().into_iter().for_each(|x| entity.real(x));
+                    entity.int(0);
+                    entity
+                }
+                Exact::Curve(curve) => curve_entity(&curve),
+                Exact::Surface(surface) => surface_entity(&surface),
+            };
+            looks.add(item, entity, &mut cards);
+        }
+        summary.count(&item.subject);
+    }
+    let bounds = job.items.iter().filter_map(super::shape::bounds).reduce(Bounds::union);
+    cards.write(&global(job, bounds.map_or(0.0, Bounds::magnitude)), out)?;
+    Ok(summary)
+}
+
+/// Colours, layers and names that have an entity already.
+#[derive(Default)]
+struct Looks {
+    colors: Vec<([u8; 3], usize)>,
+    layers: Vec<String>,
+}
+
+impl Looks {
+    /// Adds an entity with the look and the name of its item.
+    fn add(&mut self, item: &Item, mut entity: Entity, cards: &mut Cards) {
+        if let Some(color) = item.color {
+            let known = self.colors.iter().find(|(its, _)| *its == color).map(|&(_, place)| place);
+            entity.color = known.unwrap_or_else(|| {
+                let mut definition = Entity::new(314);
+                color.into_iter().for_each(|level| definition.real(f64::from(level) / 2.55));
+                definition.status = "00000200";
+                let place = cards.add(definition);
+                self.colors.push((color, place));
+                place
+            });
+        }
+        if let Some(layer) = &item.layer {
+            let known = self.layers.iter().position(|name| name == layer);
+            entity.level = 1 + known.unwrap_or_else(|| {
+                let mut property = Entity::new(406);
+                property.form = 3;
+                property.int(2);
+                property.int(self.layers.len() + 1);
+                property.string(layer);
+                cards.add(property);
+                self.layers.push(layer.clone());
+                self.layers.len() - 1
+            });
+        }
+        let mut name = Entity::new(406);
+        name.form = 15;
+        name.status = "00010000";
+        name.int(1);
+        name.string(&item.name);
+        let name = cards.add(name);
+        // No associativity, one property.
+        entity.int(0);
+        entity.int(1);
+        entity.int(name);
+        entity.label = item.name.clone();
+        cards.add(entity);
+    }
+}
+
+fn curve_entity(curve: &NurbsCurve) -> Entity {
+    let (points, knots) = (curve.points(), curve.knots().as_slice());
+    let mut entity = Entity::new(126);
+    entity.int(points.len() - 1);
+    entity.int(curve.degree());
+    // Not said to be planar; closed; polynomial; not periodic.
+    entity.int(0);
+    entity.int(usize::from(curve.start() == curve.end()));
+    entity.int(usize::from(!curve.is_rational()));
+    entity.int(0);
+    knots.iter().for_each(|&knot| entity.real(knot));
+    curve.weights().into_iter().for_each(|weight| entity.real(weight));
+    points.iter().flat_map(glam::DVec3::to_array).for_each(|x| entity.real(x));
+    let domain = curve.domain();
+    [domain.start(), domain.end(), 0.0, 0.0, 1.0].into_iter().for_each(|x| entity.real(x));
+    entity
+}
+
+fn surface_entity(surface: &NurbsSurface) -> Entity {
+    let (points, weights) = (surface.points(), surface.weights());
+    let mut entity = Entity::new(128);
+    entity.int(points.n_rows() - 1);
+    entity.int(points.n_columns() - 1);
+    entity.int(surface.degree_u());
+    entity.int(surface.degree_v());
+    entity.int(usize::from(surface.is_closed_u(0.0)));
+    entity.int(usize::from(surface.is_closed_v(0.0)));
+    entity.int(usize::from(!surface.is_rational()));
+    entity.int(0);
+    entity.int(0);
+    surface.knots_u().as_slice().iter().for_each(|&knot| entity.real(knot));
+    surface.knots_v().as_slice().iter().for_each(|&knot| entity.real(knot));
+    // The first index runs fastest.
+    weights.transposed().iter().for_each(|&weight| entity.real(weight));
+    points.transposed().iter().flat_map(glam::DVec3::to_array).for_each(|x| entity.real(x));
+    for domain in [surface.domain_u(), surface.domain_v()] {
+        entity.real(domain.start());
+        entity.real(domain.end());
+    }
+    entity
+}
+
+/// The parameters of the global section. No date: the same script gives the same bytes.
+fn global(job: &Job, magnitude: f64) -> Entity {
+    let (flag, unit) = match job.unit {
+        "in" => (1, "IN"),
+        "ft" => (4, "FT"),
+        "m" => (6, "M"),
+        "km" => (7, "KM"),
+        "um" => (9, "UM"),
+        "cm" => (10, "CM"),
+        _ => (2, "MM"),
+    };
+    let name = job.items.first().map_or("virote", |item| &item.group);
+    let mut global = Entity::new(0);
+    global.string(",");
+    global.string(";");
+    global.string(name);
+    global.string(&format!("{name}.igs"));
+    global.string("virote");
+    global.string("virote");
+    // Bits of an integer, and decimal powers and digits of single and double precision.
+    [32, 38, 6, 308, 15].into_iter().for_each(|n| global.int(n));
+    global.string(name);
+    global.real(1.0);
+    global.int(flag);
+    global.string(unit);
+    global.int(1);
+    global.real(job.precision);
+    global.string("19700101.000000");
+    global.real(job.precision);
+    global.real(magnitude);
+    global.string("");
+    global.string("");
+    // Version 5.3, no drafting standard.
+    global.int(11);
+    global.int(0);
+    global.string("19700101.000000");
+    global
+}

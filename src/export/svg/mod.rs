@@ -1,0 +1,228 @@
+//! SVG: a drawing of the geometry from one of five sides, without hidden lines.
+//!
+//! `path` makes paths of curves, exactly where a cubic can be, `wire` finds the lines of surfaces
+//! and meshes, `hidden` what of a line is seen. W3C, *Scalable Vector Graphics 1.1*, second edition.
+
+mod hidden;
+mod path;
+mod wire;
+
+use std::io::Write;
+
+use glam::{DAffine3, DVec3};
+
+use self::{
+    hidden::Scene,
+    path::Pen,
+    wire::{Drawing, Line, Weight},
+};
+use super::{ExportError, Format, Item, Job, Subject, Summary, shape::size, text::Text};
+use crate::kernel::{
+    Bounds,
+    tolerance::{DRAWING_DIGIT, HIDDEN_RELATIVE, PATH_RELATIVE},
+};
+
+pub(super) static FORMAT: Format = Format {
+    ending: "svg",
+    aliases: &[],
+    title: "SVG: a drawing from one side, curves as exact paths, surfaces and meshes as wireframes without hidden lines",
+    options: &["tolerance", "decimals", "view"],
+    takes: Subject::is_geometry,
+    takes_data: false,
+    wants: "points, curves, surfaces and meshes",
+    write,
+};
+
+/// Widths on paper as parts of the drawing's diagonal.
+const STROKE: f64 = 0.002;
+/// Radius of a point, in strokes.
+const POINT: f64 = 1.75;
+/// Lines around filled triangles, in strokes.
+const FILL: f64 = 0.1;
+/// Free space around the drawing, in strokes.
+const MARGIN: f64 = 10.0;
+/// Drawings of these sizes, in millimetres, are made to be printed as large as they are.
+const PAPER: std::ops::RangeInclusive<f64> = 10.0..=2000.0;
+
+fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
+    let view = DAffine3::from_mat3(job.options.view.matrix());
+    let size = size(job);
+    let tolerance = job.options.tolerance.unwrap_or(PATH_RELATIVE * size);
+    let near = job.options.tolerance.unwrap_or(HIDDEN_RELATIVE * size);
+
+    // Everything as lines and triangles in the view's coordinates.
+    let mut drawings = Vec::with_capacity(job.items.len());
+    let mut summary = Summary::default();
+    for item in &job.items {
+        summary.count(&item.subject);
+        drawings.push(Drawing::of(item, &view, near, job)?);
+    }
+    let scene = Scene::new(drawings.iter_mut().flat_map(Drawing::take_triangles), near);
+    let bounds = drawings.iter().filter_map(|drawing| drawing.bounds).reduce(Bounds::union);
+    let bounds = bounds.unwrap_or(Bounds { min: DVec3::ZERO, max: DVec3::ZERO });
+
+    let sheet = Sheet::new(job, bounds);
+    let mut text = Text::rounded(Some(sheet.decimals));
+    sheet.head(job, &mut text);
+    for (layer, members) in layers(&job.items) {
+        if let Some(layer) = layer {
+            text.push("<g id=\"layer-").push(&id(layer)).push("\" inkscape:groupmode=\"layer\"");
+            text.push(" inkscape:label=\"").push(&escaped(layer)).push("\">\n");
+        }
+        for idx in members {
+            let item = &job.items[idx];
+            text.push("<g id=\"").push(&id(&item.name)).push("\"");
+            if let Some(color) = item.color {
+                text.push(" stroke=\"").push(&hex(color)).push("\"");
+            }
+            text.push(">\n<title>").push(&escaped(&item.name)).push("</title>\n");
+            sheet.draw(item, &drawings[idx], &scene, tolerance, &mut text);
+            text.push("</g>\n");
+            text.flush_if_large(out)?;
+        }
+        text.push(if layer.is_some() { "</g>\n" } else { "" });
+    }
+    text.push("</g>\n</svg>\n");
+    text.flush(out)?;
+    Ok(summary)
+}
+
+/// The items by layer, layers in the order of their first item, those without one before all.
+fn layers(items: &[Item]) -> Vec<(Option<&str>, Vec<usize>)> {
+    let mut layers: Vec<(Option<&str>, Vec<usize>)> = vec![(None, Vec::new())];
+    for (idx, item) in items.iter().enumerate() {
+        let layer = item.layer.as_deref();
+        match layers.iter_mut().find(|(known, _)| *known == layer) {
+            Some((_, members)) => members.push(idx),
+            None => layers.push((layer, vec![idx])),
+        }
+    }
+    layers
+}
+
+/// The paper: where the drawing lies on it, and how thick its lines are.
+struct Sheet {
+    /// Least x and y of the drawing on paper with its margin, y downward.
+    corner: [f64; 2],
+    /// Width and height.
+    extent: [f64; 2],
+    stroke: f64,
+    decimals: usize,
+}
+
+impl Sheet {
+    fn new(job: &Job, bounds: Bounds) -> Self {
+        let size = bounds.size().truncate().length();
+        let size = if size == 0.0 { 1.0 } else { size };
+        let (stroke, margin) = (STROKE * size, MARGIN * STROKE * size);
+        let extent = (bounds.size().truncate() + 2.0 * margin).to_array();
+        let digits = -libm::log10(DRAWING_DIGIT * size).floor();
+        let decimals = job.options.decimals.unwrap_or(digits.clamp(0.0, 17.0) as usize);
+        let corner = [bounds.min.x - margin, -bounds.max.y - margin];
+        Self { corner, extent, stroke, decimals }
+    }
+
+    fn head(&self, job: &Job, text: &mut Text) {
+        text.push("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+        text.push("<svg xmlns=\"http://www.w3.org/2000/svg\"");
+        text.push(
+            " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\"",
+        );
+        let [width, height] = self.extent.map(|length| length * job.millimetres);
+        if PAPER.contains(&width.max(height)) {
+            text.push(" width=\"").number(width).push("mm\" height=\"").number(height).push("mm\"");
+        }
+        text.push(" viewBox=\"");
+        for (i, number) in self.corner.into_iter().chain(self.extent).enumerate() {
+            text.push(if i == 0 { "" } else { " " }).number(number);
+        }
+        text.push("\">\n<desc>unit: ").push(job.unit).push("</desc>\n");
+        text.push("<g fill=\"none\" stroke=\"#000000\" stroke-width=\"").number(self.stroke);
+        text.push("\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n");
+    }
+
+    /// Fills the triangles that are seen, as far as their middle tells. A thin line of the same
+    /// colour closes the gaps between them.
+    fn fill(&self, drawing: &Drawing, scene: &Scene, text: &mut Text) {
+        let is_seen = |corners: &[DVec3; 3]| scene.is_seen(corners.iter().sum::<DVec3>() / 3.0);
+        let seen = drawing.fills.iter().filter(|(corners, _)| is_seen(corners));
+        for (corners, color) in seen {
+            let mut pen = Pen::new(self.decimals);
+            pen.polygon(corners);
+            let color = hex(*color);
+            text.push("<path fill=\"").push(&color).push("\" stroke=\"").push(&color);
+            text.push("\" stroke-width=\"").number(FILL * self.stroke).push("\" d=\"");
+            text.append(&pen.text).push("Z\"/>\n");
+        }
+    }
+
+    /// Draws what is seen of an item.
+    fn draw(&self, item: &Item, drawing: &Drawing, scene: &Scene, tolerance: f64, text: &mut Text) {
+        self.fill(drawing, scene, text);
+        for weight in [Weight::Full, Weight::Half] {
+            let mut pen = Pen::new(self.decimals);
+            let of_weight = drawing.lines.iter().filter(|(its, _)| *its == weight);
+            for (_, line) in of_weight {
+                match line {
+                    Line::Curve(curve) => {
+                        for part in scene.seen_parts(curve) {
+                            pen.curve(&part, tolerance);
+                        }
+                    }
+                    Line::Polygon(points) => {
+                        for part in scene.seen_pieces(points) {
+                            pen.polygon(&part);
+                        }
+                    }
+                }
+            }
+            if !pen.text.is_empty() {
+                text.push("<path");
+                if weight == Weight::Half {
+                    text.push(" stroke-width=\"").number(0.5 * self.stroke).push("\"");
+                }
+                text.push(" d=\"").append(&pen.text).push("\"/>\n");
+            }
+        }
+        for &point in drawing.points.iter().filter(|&&point| scene.is_seen(point)) {
+            text.push("<circle cx=\"").number(point.x).push("\" cy=\"").number(-point.y);
+            text.push("\" r=\"").number(POINT * self.stroke).push("\" stroke=\"none\" fill=\"");
+            text.push(&hex(item.color.unwrap_or_default())).push("\"/>\n");
+        }
+    }
+}
+
+/// `#6688aa`
+fn hex([r, g, b]: [u8; 3]) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+/// A name as an XML identifier: what a name of XML cannot hold becomes a point or a hyphen.
+fn id(name: &str) -> String {
+    let mut id = String::with_capacity(name.len());
+    for c in name.chars() {
+        match c {
+            ']' => {}
+            '[' => id.push('.'),
+            c if c.is_alphanumeric() || "_-.".contains(c) => id.push(c),
+            _ => id.push('-'),
+        }
+    }
+    if id.starts_with(|c: char| c.is_alphabetic() || c == '_') { id } else { format!("_{id}") }
+}
+
+/// Text as XML can hold it.
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            c if c.is_control() => out.push(' '),
+            c => out.push(c),
+        }
+    }
+    out
+}

@@ -1,0 +1,215 @@
+//! The lines by which surfaces and meshes are drawn, and the triangles that hide what is behind.
+
+use std::collections::BTreeMap;
+
+use glam::{DAffine3, DVec3};
+
+use super::super::{
+    ExportError, Item, Job, Subject,
+    shape::{Shape, byte_color, shape},
+};
+use crate::kernel::{
+    Bounds, Curve, GeomError, Interval, Mesh, NurbsCurve, Surface, tolerance::DRAWING_DIGIT,
+};
+
+/// Lines inside a surface in each direction.
+const N_LINES: usize = 7;
+
+/// How thick a line is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Weight {
+    /// Curves, edges and outlines.
+    Full,
+    /// Lines inside.
+    Half,
+}
+
+/// A line in the view's coordinates.
+pub(super) enum Line {
+    Curve(NurbsCurve),
+    Polygon(Vec<DVec3>),
+}
+
+/// An item in the view's coordinates: x to the right, y upward, z toward the viewer.
+#[derive(Default)]
+pub(super) struct Drawing {
+    pub(super) lines: Vec<(Weight, Line)>,
+    pub(super) points: Vec<DVec3>,
+    /// Triangles filled with a colour.
+    pub(super) fills: Vec<([DVec3; 3], [u8; 3])>,
+    /// The box around all of it.
+    pub(super) bounds: Option<Bounds>,
+    triangles: Vec<[DVec3; 3]>,
+}
+
+impl Drawing {
+    /// What is drawn of an item; triangles are within `near` of their surface.
+    pub(super) fn of(
+        item: &Item,
+        view: &DAffine3,
+        near: f64,
+        job: &Job,
+    ) -> Result<Self, ExportError> {
+        let blame = |source: GeomError| ExportError::Geometry { name: item.name.clone(), source };
+        let mut drawing = Self::default();
+        match &item.subject {
+            Subject::Point(point) => {
+                drawing.points.push(view.transform_point3(*point));
+                drawing.bounds = Bounds::of(drawing.points.iter().copied());
+            }
+            Subject::Curve(curve) => {
+                drawing.curve(Weight::Full, curve, view).map_err(blame)?;
+            }
+            Subject::Surface(surface) => {
+                drawing.lines_of(surface, view).map_err(blame)?;
+                if let Some(Shape::Mesh(mesh)) = shape(item, near, job)? {
+                    let outline = outline(&mesh, view);
+                    drawing.lines.extend(
+                        outline.into_iter().map(|points| (Weight::Full, Line::Polygon(points))),
+                    );
+                    drawing.hide_behind(&mesh, view);
+                }
+            }
+            Subject::Mesh(mesh) => {
+                if !mesh.colors().is_empty() {
+                    drawing.paint(mesh, view);
+                    drawing.hide_behind(mesh, view);
+                    return Ok(drawing);
+                }
+                let place = |i: u32| view.transform_point3(mesh.vertices()[i as usize]);
+                let edges = edges(mesh).into_iter().map(|[a, b]| vec![place(a), place(b)]);
+                drawing.lines.extend(edges.map(|edge| (Weight::Half, Line::Polygon(edge))));
+                drawing.hide_behind(mesh, view);
+            }
+            Subject::Table(_) | Subject::Data(_) => {}
+        }
+        Ok(drawing)
+    }
+
+    /// The triangles, which are then gone.
+    pub(super) fn take_triangles(&mut self) -> Vec<[DVec3; 3]> {
+        std::mem::take(&mut self.triangles)
+    }
+
+    fn curve(&mut self, weight: Weight, curve: &Curve, view: &DAffine3) -> Result<(), GeomError> {
+        let curve = curve.spline()?.transformed(view);
+        let bounds = curve.bounds();
+        self.bounds = Some(self.bounds.map_or(bounds, |whole| whole.union(bounds)));
+        self.lines.push((weight, Line::Curve(curve)));
+        Ok(())
+    }
+
+    /// The edges of a surface, and lines inside at even steps of the parameters; none that is a
+    /// point.
+    fn lines_of(&mut self, surface: &Surface, view: &DAffine3) -> Result<(), GeomError> {
+        let size = surface.bounds()?.diagonal();
+        let steps = |domain: Interval| domain.steps(N_LINES + 1);
+        let (us, vs) = (steps(surface.domain_u()), steps(surface.domain_v()));
+        // The seam of a closed surface is no edge, and one line.
+        let same = DRAWING_DIGIT * size;
+        let weight = |i: usize, is_closed: bool| {
+            let is_edge = !is_closed && (i == 0 || i == N_LINES + 1);
+            if is_edge { Weight::Full } else { Weight::Half }
+        };
+        let (closed_u, closed_v) = (surface.is_closed_u(same)?, surface.is_closed_v(same)?);
+        let mut lines = Vec::new();
+        for (i, &u) in us.iter().enumerate().skip(usize::from(closed_u)) {
+            lines.push((weight(i, closed_u), surface.isocurve_u(u)?));
+        }
+        for (i, &v) in vs.iter().enumerate().skip(usize::from(closed_v)) {
+            lines.push((weight(i, closed_v), surface.isocurve_v(v)?));
+        }
+        for (weight, line) in lines {
+            // A line that is a point is a pole, and not drawn.
+            if same < line.bounds()?.diagonal() {
+                self.curve(weight, &line, view)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Fills the triangles of a mesh whose vertices have colours, each with their mean.
+    fn paint(&mut self, mesh: &Mesh, view: &DAffine3) {
+        for (triangle, corners) in mesh.triangles().iter().zip(mesh.corners()) {
+            let sum: DVec3 = triangle.iter().map(|&corner| mesh.colors()[corner as usize]).sum();
+            let image = corners.map(|corner| view.transform_point3(corner));
+            self.fills.push((image, byte_color(sum / 3.0)));
+        }
+    }
+
+    fn hide_behind(&mut self, mesh: &Mesh, view: &DAffine3) {
+        let image = |corners: [DVec3; 3]| corners.map(|corner| view.transform_point3(corner));
+        self.triangles = mesh.corners().map(image).collect();
+        let whole = Bounds::of(self.triangles.iter().flatten().copied());
+        self.bounds = match (self.bounds, whole) {
+            (Some(a), Some(b)) => Some(a.union(b)),
+            (a, b) => a.or(b),
+        };
+    }
+}
+
+/// The edges of a mesh, each once.
+fn edges(mesh: &Mesh) -> Vec<[u32; 2]> {
+    let sides = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]];
+    let mut edges: Vec<[u32; 2]> = mesh
+        .triangles()
+        .iter()
+        .flat_map(sides)
+        .map(|[a, b]| if a < b { [a, b] } else { [b, a] })
+        .collect();
+    edges.sort_unstable();
+    edges.dedup();
+    edges
+}
+
+/// Where the surface of a mesh turns away from the viewer: the zeros of the normal's component
+/// toward them, linear over each triangle, as polygons.
+fn outline(mesh: &Mesh, view: &DAffine3) -> Vec<Vec<DVec3>> {
+    // The picture of the normal's plane is a line where the view's inverse takes z into it.
+    let toward = view.matrix3.inverse().z_axis;
+    let slopes: Vec<f64> = mesh.normals().iter().map(|normal| normal.dot(toward)).collect();
+    if slopes.is_empty() {
+        return Vec::new();
+    }
+    let mut links: BTreeMap<[u32; 2], Vec<[u32; 2]>> = BTreeMap::new();
+    for &[a, b, c] in mesh.triangles() {
+        let crossed = |&[a, b]: &[u32; 2]| (slopes[a as usize] < 0.0) != (slopes[b as usize] < 0.0);
+        let sides = [[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]);
+        let mut crossed = sides.into_iter().filter(crossed);
+        if let (Some(from), Some(to)) = (crossed.next(), crossed.next()) {
+            links.entry(from).or_default().push(to);
+            links.entry(to).or_default().push(from);
+        }
+    }
+    let place = |[a, b]: [u32; 2]| {
+        let (a, b) = (a as usize, b as usize);
+        let fraction = slopes[a] / (slopes[a] - slopes[b]);
+        view.transform_point3(mesh.vertices()[a].lerp(mesh.vertices()[b], fraction))
+    };
+    chains(links).into_iter().map(|chain| chain.into_iter().map(place).collect()).collect()
+}
+
+/// Runs through all links, each once, from the ends of open chains first.
+fn chains(mut links: BTreeMap<[u32; 2], Vec<[u32; 2]>>) -> Vec<Vec<[u32; 2]>> {
+    let ends: Vec<[u32; 2]> =
+        links.iter().filter(|(_, to)| to.len() == 1).map(|(&from, _)| from).collect();
+    let all: Vec<[u32; 2]> = links.keys().copied().collect();
+    let mut chains = Vec::new();
+    for start in ends.into_iter().chain(all) {
+        let mut chain = vec![start];
+        let mut at = start;
+        while let Some(next) = links.get_mut(&at).and_then(Vec::pop) {
+            if let Some(back) = links.get_mut(&next)
+                && let Some(idx) = back.iter().position(|&other| other == at)
+            {
+                back.swap_remove(idx);
+            }
+            chain.push(next);
+            at = next;
+        }
+        if 1 < chain.len() {
+            chains.push(chain);
+        }
+    }
+    chains
+}

@@ -1,0 +1,31 @@
+//! Numbers as messages tell them.
+
+/// A bound of a deviation for a message; without one the weights left no curve to measure.
+pub(super) fn how_far(error: f64) -> String {
+    if error.is_finite() {
+        format!("by up to {}", few_digits(error))
+    } else {
+        "to where its weights are not positive".to_owned()
+    }
+}
+
+/// Turns as degrees.
+pub(super) fn degrees(turns: f64) -> String {
+    format!("{}deg", few_digits(360.0 * turns.abs()))
+}
+
+/// A measured number for a message.
+pub(in crate::kernel) fn few_digits(x: f64) -> String {
+    let rounded = format!("{x:.3e}").parse().unwrap_or(x);
+    if rounded <= 0.0 || (0.001..1_000_000.0).contains(&rounded) {
+        rounded.to_string()
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+/// A number in full, with an exponent where its digits would be mostly zeros.
+pub(super) fn plain(x: f64) -> String {
+    let is_plain = x == 0.0 || (0.000_000_001..1e18).contains(&x.abs());
+    if is_plain { x.to_string() } else { format!("{x:e}") }
+}

@@ -1,0 +1,56 @@
+//! Why lines on surfaces, and regions within lines, are refused.
+
+use glam::DVec3;
+use thiserror::Error;
+
+use crate::kernel::error::few_digits;
+
+/// Why there is no picture.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[expect(missing_docs, reason = "each message names its fields")]
+pub enum PictureError {
+    /// A line on a surface that rounding decides where it runs.
+    #[error(
+        "the line does not resolve near ({u}, {v}): the surface runs along it there up to rounding"
+    )]
+    Unresolved { u: f64, v: f64 },
+    /// Surfaces that share more than curves in which they cross.
+    #[error("the surfaces run together near {}, or touch along a line there", place(*point))]
+    SurfacesRunTogether { point: DVec3 },
+    /// A curve that shares a stretch with a surface.
+    #[error("the curve runs along the surface from parameter {} to {}", few_digits(*start), few_digits(*end))]
+    RunsAlong { start: f64, end: f64 },
+    /// A border that does not close.
+    #[error("{} is not closed: its ends are {} apart", curve(*index, *of), few_digits(*gap))]
+    Open { index: usize, of: usize, gap: f64 },
+    /// A border that is not in the plane.
+    #[error("{} leaves the plane by {}", curve(*index, *of), few_digits(*by))]
+    OffPlane { index: usize, of: usize, by: f64 },
+    /// A border around nothing.
+    #[error("{} encloses no area", curve(*index, *of))]
+    NoArea { index: usize, of: usize },
+    /// Borders that cross or touch.
+    #[error(
+        "{} {} at {}",
+        curve(*index, *of),
+        if index == other { "crosses or touches itself".to_owned() } else { format!("meets `curves[{other}]`") },
+        place(*point)
+    )]
+    Crossing { index: usize, other: usize, of: usize, point: DVec3 },
+    /// A hole elsewhere.
+    #[error("`curves[{index}]` is no hole: it does not lie within `curves[0]`")]
+    Outside { index: usize },
+    /// A hole in a hole.
+    #[error("`curves[{index}]` lies within `curves[{other}]`, which is a hole already")]
+    HoleInHole { index: usize, other: usize },
+}
+
+/// What a curve is called: alone, or in a list.
+fn curve(index: usize, of: usize) -> String {
+    if of < 2 { "the curve".to_owned() } else { format!("`curves[{index}]`") }
+}
+
+/// A measured point for a message.
+fn place(point: DVec3) -> String {
+    format!("({}, {}, {})", few_digits(point.x), few_digits(point.y), few_digits(point.z))
+}

@@ -1,0 +1,331 @@
+//! The curve in which two surfaces cross, followed from a place of it.
+
+use glam::DVec3;
+
+use super::{
+    SAMPLING,
+    chain::Spot,
+    cubic::Cubic,
+    sample::{MOST_TURN, Run, Sample, length_between},
+};
+use crate::kernel::{
+    Interval, NurbsSurface,
+    frame::{norm, unit},
+    tolerance::LAST_BIT,
+};
+
+/// Steps of Newton's method.
+const MAX_STEPS: usize = 25;
+
+/// Samples of one curve.
+const MAX_SAMPLES: usize = 200_000;
+
+/// How much longer the next step is than one that was good.
+const GROWTH: f64 = 1.6;
+
+/// Two surfaces that are asked where they cross.
+#[derive(Debug)]
+pub(super) struct Crossing<'s> {
+    pub(super) surfaces: [&'s NurbsSurface; 2],
+    domains: [Interval; 4],
+    pub(super) tolerance: f64,
+    size: f64,
+    rounding: f64,
+}
+
+/// A place on both surfaces: u and v on the first, u and v on the second.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub(super) at: [f64; 4],
+    pub(super) point: DVec3,
+    /// Along N × N of both, zero where they touch.
+    tangent: DVec3,
+}
+
+/// What both surfaces tell at parameters: how far apart they are, how that changes, and the point.
+struct Look {
+    apart: DVec3,
+    slopes: [DVec3; 4],
+    point: DVec3,
+}
+
+impl<'s> Crossing<'s> {
+    pub(super) fn new(surfaces: [&'s NurbsSurface; 2], tolerance: f64, size: f64) -> Self {
+        let [a, b] = surfaces;
+        let domains = [a.domain_u(), a.domain_v(), b.domain_u(), b.domain_v()];
+        let magnitude = a.bounds().magnitude().max(b.bounds().magnitude());
+        Self { surfaces, domains, tolerance, size, rounding: 8.0 * LAST_BIT * magnitude }
+    }
+
+    /// Parts of surfaces that touch are no larger than this: the tolerance's height over a bend of
+    /// the size.
+    pub(super) fn touch_size(&self) -> f64 {
+        (self.tolerance * self.size).sqrt()
+    }
+
+    /// Beyond its domain a surface goes on straight.
+    fn look(&self, at: [f64; 4]) -> Look {
+        let one = |surface: &NurbsSurface, i: usize| {
+            let inside = [0, 1].map(|k| within(self.domains[i + k], at[i + k]));
+            let [point, by_u, by_v] = surface.tangents_at(inside[0], inside[1]);
+            let beyond = by_u * (at[i] - inside[0]) + by_v * (at[i + 1] - inside[1]);
+            (point + beyond, by_u, by_v)
+        };
+        let (p, pu, pv) = one(self.surfaces[0], 0);
+        let (q, qu, qv) = one(self.surfaces[1], 2);
+        Look { apart: p - q, slopes: [pu, pv, -qu, -qv], point: p.midpoint(q) }
+    }
+
+    fn place(&self, at: [f64; 4]) -> Place {
+        let Look { slopes: [pu, pv, qu, qv], point, .. } = self.look(at);
+        let normals = [unit(pu.cross(pv)), unit(qu.cross(qv))];
+        let across = normals[0].zip(normals[1]).map_or(DVec3::ZERO, |(a, b)| a.cross(b));
+        let is_clear = LAST_BIT.sqrt() < across.length();
+        let tangent = unit(across).filter(|_| is_clear).unwrap_or(DVec3::ZERO);
+        Place { at, point, tangent }
+    }
+
+    /// The common place nearest to parameters, these counted by widths.
+    pub(super) fn common(&self, mut at: [f64; 4], widths: [f64; 4]) -> Option<Place> {
+        for _ in 0..MAX_STEPS {
+            let look = self.look(at);
+            if norm(look.apart) <= self.rounding {
+                break;
+            }
+            // The shortest step that removes the gap.
+            let columns: [DVec3; 4] = std::array::from_fn(|i| look.slopes[i] * widths[i]);
+            let matrix: [[f64; 3]; 3] = std::array::from_fn(|i| {
+                std::array::from_fn(|k| columns.iter().map(|c| c[i] * c[k]).sum())
+            });
+            let factors = DVec3::from_array(solved(matrix, (-look.apart).to_array())?);
+            let step = |i: usize| widths[i] * columns[i].dot(factors).clamp(-2.0, 2.0);
+            at = std::array::from_fn(|i| at[i] + step(i));
+        }
+        (norm(self.look(at).apart) <= 0.01 * self.tolerance).then(|| self.place(at))
+    }
+
+    /// The common place in a plane across a direction, or with one parameter given.
+    fn common_where(&self, mut at: [f64; 4], condition: Condition) -> Option<Place> {
+        for _ in 0..MAX_STEPS {
+            let look = self.look(at);
+            let (row, value) = match condition {
+                Condition::InPlane { origin, normal } => {
+                    let [pu, pv, ..] = look.slopes;
+                    // The plane cuts the first surface.
+                    let first = look.point + 0.5 * look.apart;
+                    let row = [pu.dot(normal), pv.dot(normal), 0.0, 0.0];
+                    (row, (first - origin).dot(normal))
+                }
+                Condition::At { parameter, value } => (
+                    std::array::from_fn(|i| f64::from(u8::from(i == parameter))),
+                    at[parameter] - value,
+                ),
+            };
+            let matrix: [[f64; 4]; 4] = std::array::from_fn(|i| match i {
+                3 => row,
+                _ => std::array::from_fn(|k| look.slopes[k][i]),
+            });
+            let [x, y, z] = (-look.apart).to_array();
+            let step = solved(matrix, [x, y, z, -value])?;
+            at = std::array::from_fn(|i| at[i] + step[i]);
+            let is_still = (0..4).all(|i| {
+                step[i].abs() <= 4.0 * LAST_BIT * (at[i].abs() + self.domains[i].length())
+            });
+            if is_still {
+                break;
+            }
+        }
+        let is_there =
+            at.iter().all(|x| x.is_finite()) && norm(self.look(at).apart) <= 0.01 * self.tolerance;
+        is_there.then(|| self.place(at))
+    }
+
+    /// The whole curve through a place: to the ends of the domains, to spots, or around.
+    pub(super) fn run(&self, start: Place, spots: &[Spot]) -> Run {
+        let (ahead, is_closed) = self.half(start, 1.0, spots);
+        let mut places = Vec::new();
+        if !is_closed {
+            places = self.half(start, -1.0, spots).0;
+            places.reverse();
+        }
+        places.push(start);
+        places.extend(ahead);
+        let sample = |place: Place| Sample {
+            point: place.point,
+            before: place.tangent,
+            behind: place.tangent,
+        };
+        Run { samples: places.into_iter().map(sample).collect() }
+    }
+
+    /// The places behind the start in a direction, and whether the last one is the start again.
+    fn half(&self, start: Place, sign: f64, spots: &[Spot]) -> (Vec<Place>, bool) {
+        let mut places: Vec<Place> = Vec::new();
+        let mut last = start;
+        let mut step = 0.02 * self.size;
+        while places.len() < MAX_SAMPLES && last.tangent != DVec3::ZERO {
+            let Some((next, is_end)) = self.advance(last, sign * step) else {
+                step *= 0.5;
+                if step < 0.1 * self.tolerance {
+                    break;
+                }
+                continue;
+            };
+            let reached = (next.point - last.point).dot(last.tangent * sign);
+            let back = (start.point - last.point).dot(last.tangent * sign);
+            if !places.is_empty()
+                && 0.0 < back
+                && back <= reached
+                && self.cubic(last, next, sign).misses_near(start.point, back / reached)
+                    <= self.tolerance
+                && 0.0 < next.tangent.dot(start.tangent)
+            {
+                places.push(start);
+                return (places, true);
+            }
+            places.push(next);
+            if is_end || spots.iter().any(|s| s.point.distance(next.point) <= s.radius) {
+                break;
+            }
+            last = next;
+            step = (GROWTH * step).min(0.05 * self.size);
+        }
+        (places, false)
+    }
+
+    fn cubic(&self, from: Place, to: Place, sign: f64) -> Cubic {
+        let sample = |place: Place| {
+            let tangent = place.tangent * sign;
+            Sample { point: place.point, before: tangent, behind: tangent }
+        };
+        let [from, to] = [from, to].map(sample);
+        Cubic::between(from, to, length_between(from, to))
+    }
+
+    /// The place a step further, and whether a domain ends there; none where the step is too long.
+    fn advance(&self, from: Place, step: f64) -> Option<(Place, bool)> {
+        let speed = self.speed(from);
+        let guess =
+            |f: f64| -> [f64; 4] { std::array::from_fn(|i| from.at[i] + speed[i] * step * f) };
+        let place = |f: f64| {
+            let origin = from.point + from.tangent * (step * f);
+            self.common_where(guess(f), Condition::InPlane { origin, normal: from.tangent })
+        };
+        let (middle, next) = (place(0.5)?, place(1.0)?);
+        let turn = from.tangent.distance_squared(next.tangent);
+        let sign = step.signum();
+        if MOST_TURN < turn
+            || SAMPLING * self.tolerance < self.cubic(from, next, sign).misses(middle.point)
+        {
+            return None;
+        }
+        if self.is_inside(next.at) {
+            return Some((next, false));
+        }
+        // The first end of a domain on the way.
+        let mut end: Option<(f64, Place)> = None;
+        for parameter in 0..4 {
+            let domain = self.domains[parameter];
+            let beyond = next.at[parameter];
+            let value = within(domain, beyond);
+            if (value - beyond).abs() <= 0.0 {
+                continue;
+            }
+            let share =
+                ((value - from.at[parameter]) / (beyond - from.at[parameter])).clamp(0.0, 1.0);
+            let mut found = self.common_where(guess(share), Condition::At { parameter, value })?;
+            found.at[parameter] = value;
+            let way = (found.point - from.point).dot(from.tangent) * sign;
+            if end.is_none_or(|(least, _)| way < least) {
+                end = Some((way, found));
+            }
+        }
+        end.map(|(_, place)| (place, true))
+    }
+
+    /// How the parameters change along the curve, by its length.
+    fn speed(&self, from: Place) -> [f64; 4] {
+        let [pu, pv, qu, qv] = self.look(from.at).slopes;
+        let one = |u: DVec3, v: DVec3| {
+            let normal = u.cross(v);
+            let squared = normal.length_squared();
+            [
+                from.tangent.cross(v).dot(normal) / squared,
+                u.cross(from.tangent).dot(normal) / squared,
+            ]
+        };
+        let ([a, b], [c, d]) = (one(pu, pv), one(-qu, -qv));
+        [a, b, c, d].map(|x| if x.is_finite() { x } else { 0.0 })
+    }
+
+    pub(super) fn is_inside(&self, at: [f64; 4]) -> bool {
+        (0..4).all(|i| self.domains[i].start() <= at[i] && at[i] <= self.domains[i].end())
+    }
+
+    /// Where the surfaces are nearest to touching, near a place: their normals are parallel there,
+    /// and the way between them is along these.
+    pub(super) fn touch(&self, mut at: [f64; 4]) -> Option<DVec3> {
+        let value = |at: [f64; 4]| {
+            let Look { apart, slopes: [pu, pv, qu, qv], .. } = self.look(at);
+            let normal = unit(qu.cross(qv)).unwrap_or(DVec3::ZERO);
+            [pu.dot(normal), pv.dot(normal), apart.dot(qu), apart.dot(qv)]
+        };
+        for _ in 0..MAX_STEPS {
+            let here = value(at);
+            let steps = self.domains.map(|domain| libm::cbrt(LAST_BIT) * domain.length());
+            let columns: [[f64; 4]; 4] = std::array::from_fn(|k| {
+                let [mut low, mut high] = [at, at];
+                low[k] -= steps[k];
+                high[k] += steps[k];
+                let (low, high) = (value(low), value(high));
+                std::array::from_fn(|i| (high[i] - low[i]) / (2.0 * steps[k]))
+            });
+            let matrix = std::array::from_fn(|i| std::array::from_fn(|k| columns[k][i]));
+            let step = solved(matrix, here.map(|x| -x))?;
+            at = std::array::from_fn(|i| within(self.domains[i], at[i] + step[i]));
+        }
+        let look = self.look(at);
+        (norm(look.apart) <= self.tolerance).then_some(look.point)
+    }
+}
+
+/// What a place must fulfil besides being on both surfaces.
+#[derive(Clone, Copy)]
+enum Condition {
+    InPlane { origin: DVec3, normal: DVec3 },
+    At { parameter: usize, value: f64 },
+}
+
+/// The parameter of a domain that is nearest to one.
+pub(super) fn within(domain: Interval, t: f64) -> f64 {
+    t.clamp(domain.start(), domain.end())
+}
+
+/// The solution of a small linear system, by elimination with pivots.
+pub(super) fn solved<const N: usize>(
+    mut matrix: [[f64; N]; N],
+    mut right: [f64; N],
+) -> Option<[f64; N]> {
+    for column in 0..N {
+        let pivot = (column..N)
+            .max_by(|&i, &k| matrix[i][column].abs().total_cmp(&matrix[k][column].abs()))?;
+        if matrix[pivot][column].abs() < f64::MIN_POSITIVE {
+            return None;
+        }
+        matrix.swap(column, pivot);
+        right.swap(column, pivot);
+        for row in column + 1..N {
+            let factor = matrix[row][column] / matrix[column][column];
+            let above = matrix[column];
+            for (value, above) in matrix[row].iter_mut().zip(above).skip(column) {
+                *value -= factor * above;
+            }
+            right[row] -= factor * right[column];
+        }
+    }
+    for row in (0..N).rev() {
+        let known: f64 = (row + 1..N).map(|k| matrix[row][k] * right[k]).sum();
+        right[row] = (right[row] - known) / matrix[row][row];
+    }
+    right.iter().all(|x| x.is_finite()).then_some(right)
+}

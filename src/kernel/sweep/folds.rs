@@ -1,0 +1,108 @@
+//! Where a swept surface crosses itself: the section reaches beyond the centre of curvature of its
+//! path, or shrinks to nothing.
+
+use glam::DVec3;
+
+use super::Moving;
+use crate::kernel::{
+    GeomError,
+    tolerance::{KNOT_RELATIVE, VANISHING_RELATIVE},
+};
+
+/// Places of the path, and steps of each of its spans, at which is asked.
+const N_PLACES: usize = 400;
+const N_STEPS: usize = 8;
+
+/// Points of the section that are looked at.
+const N_POINTS: usize = 65;
+
+/// Bisections for the ends of a stretch.
+const MAX_BISECTIONS: usize = 40;
+
+/// Stretches with folds, and places where the section shrinks to a line or a point.
+type Folds = (Vec<[f64; 2]>, Vec<f64>);
+
+impl Moving<'_> {
+    /// Where the section reaches beyond the centre of curvature, and where between the ends it
+    /// shrinks to nothing or turns inside out.
+    pub(super) fn folds(&mut self) -> Result<Folds, GeomError> {
+        let section = self.section.sample(N_POINTS);
+        let knots = self.path.knots();
+        let spans = knots.spans().flat_map(|span| knots.span_interval(span).steps(N_STEPS));
+        let mut places: Vec<f64> =
+            self.path.domain().steps(N_PLACES).into_iter().chain(spans).collect();
+        places.sort_by(f64::total_cmp);
+        places.dedup_by(|later, earlier| *later <= *earlier);
+
+        let mut is_fold = Vec::with_capacity(places.len());
+        let mut sizes = Vec::with_capacity(places.len());
+        for &t in &places {
+            is_fold.push(1.0 + KNOT_RELATIVE.sqrt() < self.reach(&section, t)?);
+            let [x, y, z] = self.axes(t)?.0;
+            sizes.push(y.cross(z).dot(x));
+        }
+        let mut folds: Vec<[f64; 2]> = Vec::new();
+        for (i, &t) in places.iter().enumerate() {
+            let was_fold = 0 < i && is_fold[i - 1];
+            match (was_fold, is_fold[i]) {
+                (false, true) if i == 0 => folds.push([t, t]),
+                (false, true) => folds.push([self.boundary(&section, places[i - 1], t)?, t]),
+                (true, _) => {
+                    let end = match is_fold[i] {
+                        true => t,
+                        false => self.boundary(&section, t, places[i - 1])?,
+                    };
+                    if let Some(last) = folds.last_mut() {
+                        last[1] = end;
+                    }
+                }
+                (false, false) => {}
+            }
+        }
+        Ok((folds, collapses(&places, &sizes)))
+    }
+
+    /// How far the section reaches towards the centre of curvature, which is at 1.
+    fn reach(&mut self, section: &[DVec3], t: f64) -> Result<f64, GeomError> {
+        let derivatives = self.path.derivatives_at(t, 2);
+        let speed = derivatives[1].length();
+        let along = derivatives[1] / speed;
+        let bend = (derivatives[2] - along * along.dot(derivatives[2])) / (speed * speed);
+        if !bend.is_finite() {
+            return Ok(0.0);
+        }
+        let ([x, y, z], shift) = self.axes(t)?;
+        let reach = |p: &DVec3| (x * p.x + y * p.y + z * p.z + shift).dot(bend);
+        Ok(section.iter().map(reach).fold(0.0, f64::max))
+    }
+
+    /// Where the reach passes 1, between a place without and one with a fold.
+    fn boundary(&mut self, section: &[DVec3], free: f64, folded: f64) -> Result<f64, GeomError> {
+        let (mut free, mut folded) = (free, folded);
+        for _ in 0..MAX_BISECTIONS {
+            let middle = 0.5 * (free + folded);
+            if 1.0 < self.reach(section, middle)? {
+                folded = middle;
+            } else {
+                free = middle;
+            }
+        }
+        Ok(folded)
+    }
+}
+
+/// Where a size vanishes or changes sign between the ends.
+fn collapses(places: &[f64], sizes: &[f64]) -> Vec<f64> {
+    let largest = sizes.iter().fold(0.0_f64, |most, size| most.max(size.abs()));
+    let is_small = |i: usize| sizes[i].abs() <= VANISHING_RELATIVE * largest;
+    let mut found: Vec<f64> = Vec::new();
+    for i in 1..places.len() {
+        if is_small(i) && i + 1 < places.len() && !is_small(i - 1) {
+            found.push(places[i]);
+        } else if sizes[i - 1] * sizes[i] < 0.0 && !is_small(i) && !is_small(i - 1) {
+            let share = sizes[i - 1] / (sizes[i - 1] - sizes[i]);
+            found.push(places[i - 1] + (places[i] - places[i - 1]) * share);
+        }
+    }
+    found
+}

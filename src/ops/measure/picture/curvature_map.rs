@@ -1,0 +1,134 @@
+//! `curvature_map`: a mesh that shows by its colours how a surface bends.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::{self, GeomError, Surface, tolerance::DEFAULT_CHORD_RELATIVE},
+    value::{At, Choice, Ctx, Length, Record, Value, op},
+};
+
+op! {
+    /// How a surface bends, by the colours of a mesh: `{mesh, kind, min, max, scale, values}`.
+    ///
+    /// Kinds are `"gaussian"`, `"mean"`, the principal curvatures `"k1"` and `"k2"`, `"absolute"`
+    /// (the larger of them without its sign) and `"difference"` (k2 − k1, zero at umbilics). The
+    /// values are those at the vertices, `none` where the surface has none, which are grey. `min` and
+    /// `max` are the ends of the scale, those of the values unless a `range` is given; values beyond
+    /// have the colours of the ends. The scale goes through white at zero where it holds both signs, blue
+    /// below and red above, and else from blue over white to red; `scale` lists
+    /// `{value, color}` at nine places, colours as red, green and blue from 0 to 1.
+    /// Beck, Farouki & Hinds, *Surface analysis methods*, IEEE CG&A 6 (1986).
+    curvature_map in Measure -> Record {
+        /// The surface.
+        s: Spanned<Surface>,
+        /// Which curvature.
+        kind: Kind,
+        /// How far the mesh may be from the surface; when left out a thousandth of its size.
+        tolerance: Option<Spanned<Length>>,
+        /// The curvatures at the ends of the scale.
+        range: Option<crate::kernel::Interval>,
+    }
+    example "curvature_map(sphere((0, 0), 2), \"gaussian\").max ~= 0.25" => "true";
+    example "curvature_map(cylinder((0, 0), 2, 1), \"k1\", range = -1..0).scale[4]" => "{value: -0.5, color: (1, 1, 1)}";
+    example "len(curvature_map(sphere((0, 0), 2), \"mean\", tolerance = 0.1).values) > 20" => "true";
+}
+
+/// The curvatures that can be shown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind {
+    Gaussian,
+    Mean,
+    K1,
+    K2,
+    Absolute,
+    Difference,
+}
+
+impl Choice for Kind {
+    const WORDS: &'static [&'static str] =
+        &["gaussian", "mean", "k1", "k2", "absolute", "difference"];
+    const MEANINGS: &'static [Self] =
+        &[Self::Gaussian, Self::Mean, Self::K1, Self::K2, Self::Absolute, Self::Difference];
+}
+
+/// Places of the scale that are listed.
+const STOPS: usize = 9;
+
+/// Where nothing is known.
+const GREY: DVec3 = DVec3::splat(0.5);
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
+    let (surface, span) = (&args.s.value, args.s.span);
+    let tolerance = match args.tolerance {
+        Some(tolerance) if tolerance.value.0 <= 0.0 => {
+            let message = "the tolerance must be positive";
+            return Diagnostic::error(Code::Degenerate, tolerance.span, message).fail();
+        }
+        Some(tolerance) => tolerance.value.0,
+        None => {
+            let size = surface.bounds().at(span)?.diagonal();
+            DEFAULT_CHORD_RELATIVE * if 0.0 < size { size } else { 1.0 }
+        }
+    };
+    let mesh = kernel::tessellate_any(surface, tolerance, ctx.limits.mesh_vertices).at(span)?;
+    let mut values = Vec::with_capacity(mesh.n_vertices());
+    for uv in mesh.uvs() {
+        values.push(match surface.shape_at(uv.x, uv.y) {
+            Ok(shape) => {
+                let [k1, k2] = shape.curvatures();
+                Some(match args.kind {
+                    Kind::Gaussian => shape.gaussian(),
+                    Kind::Mean => shape.mean(),
+                    Kind::K1 => k1,
+                    Kind::K2 => k2,
+                    Kind::Absolute => k1.abs().max(k2.abs()),
+                    Kind::Difference => k2 - k1,
+                })
+            }
+            Err(GeomError::NoNormal { .. } | GeomError::NoCurvature { .. }) => None,
+            Err(error) => return Err(error).at(span),
+        });
+    }
+    let known = || values.iter().copied().flatten();
+    let found = [known().fold(f64::INFINITY, f64::min), known().fold(f64::NEG_INFINITY, f64::max)];
+    let ends = match args.range {
+        Some(range) => [range.start(), range.end()],
+        None if found[0] <= found[1] => found,
+        None => {
+            let message = "the surface has no curvature anywhere that could be shown";
+            return Diagnostic::error(Code::Degenerate, span, message).fail();
+        }
+    };
+    let colors = values.iter().map(|value| value.map_or(GREY, |value| color(value, ends)));
+    let mesh = mesh.with_colors(colors.collect()).at(span)?;
+    let stop = |i: usize| {
+        let value = ends[0] + (ends[1] - ends[0]) * (i as f64 / (STOPS - 1) as f64);
+        Value::Record(Arc::new(Record::new([
+            (Arc::from("value"), Value::number(value)),
+            (Arc::from("color"), Value::Point(color(value, ends))),
+        ])))
+    };
+    let word = Kind::MEANINGS.iter().position(|kind| *kind == args.kind);
+    let all = values.into_iter().map(|value| value.map_or(Value::None, Value::number));
+    Ok(Record::new([
+        (Arc::from("mesh"), Value::Mesh(Arc::new(mesh))),
+        (Arc::from("kind"), word.map_or(Value::None, |i| Value::text(Kind::WORDS[i]))),
+        (Arc::from("min"), Value::number(ends[0])),
+        (Arc::from("max"), Value::number(ends[1])),
+        (Arc::from("scale"), Value::list((0..STOPS).map(stop).collect())),
+        (Arc::from("values"), Value::list(all.collect())),
+    ]))
+}
+
+/// The colour of a value: white in the middle, or at zero where the ends have two signs.
+fn color(value: f64, [least, most]: [f64; 2]) -> DVec3 {
+    let has_both = least < 0.0 && 0.0 < most;
+    let middle = if has_both { 0.0 } else { 0.5 * (least + most) };
+    let reach = if value < middle { middle - least } else { most - middle };
+    let share = if 0.0 < reach { ((value - middle) / reach).clamp(-1.0, 1.0) } else { 0.0 };
+    let (low, high) = (DVec3::new(0.1, 0.2, 0.8), DVec3::new(0.8, 0.1, 0.1));
+    DVec3::ONE.lerp(if share < 0.0 { low } else { high }, share.abs())
+}

@@ -1,0 +1,64 @@
+//! `intersect` a surface with another, or with a curve.
+
+use super::{lines, pierced};
+use crate::{
+    diag::{Result, Span},
+    kernel::{Curve, Surface},
+    value::{At, Ctx, FromValue, IntoValue, Mismatch, Type, Value, op},
+};
+
+op! {
+    /// Curves in which two surfaces cross; or the places of a curve on a surface, as
+    /// `[{t, u, v, point}]` in the order of `t`.
+    ///
+    /// Found completely, by halving pairs of parts until they are apart or cross in one arc at most,
+    /// which is then followed: no loop is too small. Curves are cubic splines within the document's
+    /// tolerance of both surfaces, parametrized about by their length, and run along the product of
+    /// the normal of `a` and that of `b`. They end at boundaries, and where several cross; of a touch in a
+    /// single point a warning tells. Surfaces that share an area, or touch along a line, are an error,
+    /// and so is a curve that lies in the surface for a stretch. A parametric surface is taken as a
+    /// spline within a quarter of the tolerance.
+    /// Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988).
+    intersect in Measure -> Vec<Value> {
+        /// A surface.
+        a: Surface,
+        /// Another surface, or a curve.
+        b: Other,
+    }
+    example "[for c in intersect(sphere((0, 0), 5), plane_patch((-9, -9, 3), (18, 0), (0, 18))): length(c)] ~= [8 * pi] within 1e-5" => "true";
+    example "len(intersect(cylinder((0, 0, -3), 1, 6), cylinder((-3, 0), 0.5, 6, axis = (1, 0, 0))))" => "2";
+    example "intersect(sphere((0, 0), 1), sphere((5, 0), 1))" => "[]";
+}
+
+/// What a surface meets.
+#[derive(Clone)]
+enum Other {
+    Curve(Curve),
+    Surface(Surface),
+}
+
+impl FromValue for Other {
+    const TYPE: Type = Type::OneOf(&[Type::Surface, Type::Curve]);
+
+    fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
+        match value {
+            Value::Curve(curve) => Ok(Self::Curve(curve.clone())),
+            Value::Surface(surface) => Ok(Self::Surface(surface.clone())),
+            _ => Err(Mismatch::kind(Self::TYPE, value)),
+        }
+    }
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Value>> {
+    match &args.b {
+        Other::Surface(other) => {
+            let set = args.a.intersections(other, ctx.tolerance).at(ctx.span)?;
+            let curves = lines(ctx, set, "the surfaces touch");
+            Ok(curves.into_iter().map(IntoValue::into_value).collect())
+        }
+        Other::Curve(curve) => {
+            let records = pierced(ctx, curve, &args.a)?;
+            Ok(records.into_iter().map(IntoValue::into_value).collect())
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! Pictures as geometry: sections, contours, and what light shows on a surface.
+
+pub(super) mod contours;
+pub(super) mod curvature_map;
+pub(super) mod intersect;
+pub(super) mod isophotes;
+pub(super) mod reflection_lines;
+pub(super) mod section;
+pub(super) mod section_all;
+pub(super) mod section_mesh;
+pub(super) mod zebra;
+
+use std::sync::Arc;
+
+use crate::{
+    diag::{Code, Diagnostic, Result},
+    kernel::{Curve, Frame, LevelSet, NurbsCurve, Surface},
+    value::{At, Ctx, Record, Value, shortest},
+};
+
+/// The lines of a surface in a plane; of touches in a point, which are no lines, a warning tells.
+fn section_curves(ctx: &mut Ctx<'_>, surface: &Surface, plane: Frame) -> Result<Vec<NurbsCurve>> {
+    let section = surface.section(plane, ctx.tolerance).at(ctx.span)?;
+    Ok(lines(ctx, section, "the plane touches the surface"))
+}
+
+/// The lines of a set; of its touches a warning tells.
+fn lines(ctx: &mut Ctx<'_>, set: LevelSet, what: &str) -> Vec<NurbsCurve> {
+    for touch in set.touches {
+        let [x, y, z] = touch.to_array().map(|x| shortest(to_digits(x, ctx.tolerance.distance)));
+        let message = format!("{what} at ({x}, {y}, {z}) only, which is no curve");
+        ctx.warn(Diagnostic::warning(Code::Degenerate, ctx.span, message));
+    }
+    set.curves
+}
+
+/// The places of a curve on a surface, as scripts see them.
+pub(super) fn pierced(ctx: &Ctx<'_>, curve: &Curve, surface: &Surface) -> Result<Vec<Record>> {
+    let places = surface.piercings(curve, ctx.tolerance).at(ctx.span)?;
+    let record = |place: crate::kernel::Piercing| {
+        Record::new([
+            (Arc::from("t"), Value::number(place.t)),
+            (Arc::from("u"), Value::number(place.uv[0])),
+            (Arc::from("v"), Value::number(place.uv[1])),
+            (Arc::from("point"), Value::Point(place.point)),
+        ])
+    };
+    Ok(places.into_iter().map(record).collect())
+}
+
+/// A coordinate without the digits that the tolerance leaves open.
+fn to_digits(x: f64, tolerance: f64) -> f64 {
+    let digits = (-libm::log10(tolerance)).clamp(0.0, 12.0) as usize;
+    let rounded: f64 = format!("{x:.digits$}").parse().unwrap_or(x);
+    // No zero below zero.
+    rounded + 0.0
+}
+
+/// Of a light at (0, 0, 0).
+const NO_LIGHT: &str = "the light has no direction: it is (0, 0, 0)";

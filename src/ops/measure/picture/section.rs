@@ -1,0 +1,35 @@
+//! `section` of a surface by a plane.
+
+use std::sync::Arc;
+
+use super::section_curves;
+use crate::{
+    diag::Result,
+    kernel::{Frame, NurbsCurve, Surface},
+    value::{Ctx, op},
+};
+
+op! {
+    /// Curves in which a plane cuts a surface or touches it.
+    ///
+    /// Found completely, by the signs of Bernstein coefficients and not by samples: no loop is too small.
+    /// They are cubic splines in the plane, within the document's tolerance, parametrized about by
+    /// their length; to their left, seen from the side of the surface's normal, the surface is above the
+    /// plane. They end at the surface's boundary, and where several cross. A patch that lies in the plane is
+    /// told by its border; of a touch in a single point a warning tells. A plane that misses gives an
+    /// empty list. A parametric surface is cut as a spline within a quarter of the tolerance.
+    /// Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988).
+    section in Measure -> Vec<NurbsCurve> {
+        /// The surface.
+        g: Surface,
+        /// The plane.
+        plane: Arc<Frame>,
+    }
+    example "len(section(torus((0, 0), 3, 1), XY))" => "2";
+    example "length(section(sphere((0, 0), 5), plane((0, 0, 3), (0, 0, 1)))[0]) ~= 8 * pi within 1e-6" => "true";
+    example "section(sphere((0, 0), 5), plane((0, 0, 6), (0, 0, 1)))" => "[]";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {
+    section_curves(ctx, &args.g, *args.plane)
+}

@@ -1,0 +1,67 @@
+//! `section` of several curves and surfaces by a plane.
+
+use std::sync::Arc;
+
+use super::section_curves;
+use crate::{
+    diag::{Result, Span},
+    kernel::{Curve, Frame, Mesh, Surface},
+    value::{At, Ctx, FromValue, IntoValue, Mismatch, Type, Value, op},
+};
+
+op! {
+    /// Points and curves in which a plane cuts the curves, surfaces and meshes of a list, those of all
+    /// in one list.
+    section in Measure -> Vec<Value> {
+        /// The curves, surfaces and meshes.
+        g: Vec<Cut>,
+        /// The plane.
+        plane: Arc<Frame>,
+    }
+    example "section([line((0, 0, -1), (0, 0, 1)), line((2, 0, -1), (2, 0, 3))], XY)" => "[(0, 0, 0), (2, 0, 0)]";
+    example "len(section(box((0, 0, 0), (1, 1, 1)), plane((0, 0, 0.5), (0, 0, 1))))" => "4";
+}
+
+/// Whatever a plane cuts.
+#[derive(Clone)]
+enum Cut {
+    Curve(Curve),
+    Surface(Surface),
+    Mesh(Arc<Mesh>),
+}
+
+impl FromValue for Cut {
+    const TYPE: Type = Type::OneOf(&[Type::Curve, Type::Surface, Type::Mesh]);
+
+    fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
+        match value {
+            Value::Curve(curve) => Ok(Self::Curve(curve.clone())),
+            Value::Surface(surface) => Ok(Self::Surface(surface.clone())),
+            Value::Mesh(mesh) => Ok(Self::Mesh(Arc::clone(mesh))),
+            _ => Err(Mismatch::kind(Self::TYPE, value)),
+        }
+    }
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Value>> {
+    let mut found = Vec::new();
+    for part in &args.g {
+        match part {
+            Cut::Curve(curve) => {
+                let parameters = curve.plane_parameters(*args.plane, ctx.tolerance).at(ctx.span)?;
+                for t in parameters {
+                    found.push(curve.point_at(t).at(ctx.span)?.into_value());
+                }
+            }
+            Cut::Surface(surface) => {
+                let curves = section_curves(ctx, surface, *args.plane)?;
+                found.extend(curves.into_iter().map(IntoValue::into_value));
+            }
+            Cut::Mesh(mesh) => {
+                let curves = mesh.section(*args.plane).at(ctx.span)?;
+                found.extend(curves.into_iter().map(IntoValue::into_value));
+            }
+        }
+    }
+    Ok(found)
+}

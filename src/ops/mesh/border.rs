@@ -1,0 +1,36 @@
+//! `border` of meshes.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::{
+    diag::{Result, Spanned},
+    kernel::{Mesh, NurbsCurve},
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// Boundary of a mesh as closed polylines, the mesh to the left of each; none of one that is
+    /// closed.
+    ///
+    /// Vertices within the document's tolerance are one, so that seams and creases are no boundary.
+    /// Loops that touch in a vertex are several.
+    border in Mesh -> Vec<NurbsCurve> {
+        /// The mesh.
+        m: Spanned<Arc<Mesh>>,
+    }
+    example "[for c in border(grid_mesh(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), 1, 1)): length(c)]" => "[6]";
+    example "border(tessellate(box((0, 0, 0), (1, 2, 3))))" => "[]";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {
+    let mesh = &args.m.value;
+    let loops = mesh.topology(ctx.tolerance).boundary_loops();
+    let curve = |around: Vec<u32>| {
+        let corners = around.iter().chain(around.first());
+        let points: Vec<DVec3> = corners.map(|&i| mesh.vertices()[i as usize]).collect();
+        NurbsCurve::polyline(&points).at(args.m.span)
+    };
+    loops.into_iter().map(curve).collect()
+}

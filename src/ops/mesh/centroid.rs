@@ -1,0 +1,38 @@
+//! `centroid` of meshes, or of what they enclose.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::{
+    diag::{Result, Spanned},
+    kernel::Mesh,
+    ops::measure::Of,
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// Centre of gravity of what a closed mesh encloses, or of its triangles.
+    ///
+    /// Of the volume the mesh must close, as for `volume`; of the area it need not.
+    centroid in Mesh -> DVec3 {
+        /// The mesh.
+        m: Spanned<Arc<Mesh>>,
+        /// What is heavy: the inside or the skin.
+        of: Of = Of::Volume,
+    }
+    example "centroid(tessellate(box((0, 0, 0), (1, 2, 3)))) ~= (0.5, 1, 1.5)" => "true";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
+    let Spanned { value: mesh, span } = args.m;
+    match args.of {
+        Of::Area => mesh.area_centroid().at(span),
+        Of::Volume => {
+            let hint = "`centroid(…, of = \"area\")` is that of the triangles themselves";
+            let solid = mesh.check_solid(ctx.tolerance).at(span);
+            solid.map_err(|open| Box::new((*open).hint(hint)))?;
+            mesh.volume_centroid().at(span)
+        }
+    }
+}

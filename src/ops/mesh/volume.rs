@@ -1,0 +1,27 @@
+//! `volume` that meshes enclose.
+
+use std::sync::Arc;
+
+use crate::{
+    diag::{Result, Spanned},
+    kernel::Mesh,
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// Volume that a closed mesh encloses, on whichever side its triangles face.
+    ///
+    /// Exact for the mesh, which is inside of a convex surface that it was made of. The mesh must
+    /// close, with vertices within the document's tolerance at one place, and its triangles must
+    /// face alike. A part that is turned inward inside of another is a hole in it.
+    volume in Mesh -> f64 {
+        /// The mesh.
+        m: Spanned<Arc<Mesh>>,
+    }
+    example "volume(tessellate(box((0, 0, 0), (1, 2, 3)))) ~= 6" => "true";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {
+    args.m.value.check_solid(ctx.tolerance).at(args.m.span)?;
+    Ok(args.m.value.volume().abs())
+}

@@ -1,0 +1,173 @@
+//! What is wrong with curves that make no network, in the words of the script.
+
+use glam::DVec3;
+
+use crate::{
+    diag::{Code, Diagnostic, Span},
+    kernel::{GeomError, NetworkError, tolerance::EXACT_RELATIVE},
+    value::{At, Ctx, shortest},
+};
+
+/// What a message about a network points at.
+pub(super) struct Places<'p, 'a> {
+    pub(super) ctx: &'p Ctx<'a>,
+    pub(super) spans: [Span; 2],
+    pub(super) tolerance: f64,
+    /// Whether parameters are given where the curves meet.
+    pub(super) is_given: bool,
+}
+
+impl Places<'_, '_> {
+    /// A place; coordinates below the tolerance are zero.
+    fn place(&self, point: DVec3) -> String {
+        let least = self.tolerance.max(EXACT_RELATIVE * point.abs().max_element());
+        let [x, y, z] = point.to_array().map(|x| shortest(if x.abs() <= least { 0.0 } else { x }));
+        format!("({x}, {y}, {z})")
+    }
+
+    /// The name of a curve and where it is given.
+    fn curve(&self, is_u: bool, index: usize) -> (String, Span) {
+        let (span, name) = if is_u { (self.spans[0], "u") } else { (self.spans[1], "v") };
+        self.ctx.element(span, index, name)
+    }
+
+    pub(super) fn told(&self, error: NetworkError) -> Box<Diagnostic> {
+        Box::new(match error {
+            NetworkError::Apart { pair, gap, at, point, n_pairs, are_all } => {
+                let both = [(pair[0], at[0]), (pair[1], at[1])];
+                self.apart(both, gap, point, (n_pairs, are_all))
+            }
+            NetworkError::Ambiguous { pair, at } => self.ambiguous(pair, &at),
+            NetworkError::Together { pair, ends } => {
+                let [(c, of_c), (d, of_d)] = self.pair(pair);
+                let [from, to] = ends.map(|point| self.place(point));
+                let message = format!(
+                    "{c} and {d} run along one another from {from} to {to} instead of crossing"
+                );
+                Diagnostic::error(Code::Degenerate, of_c, message)
+                    .also(of_d, "and this")
+                    .hint("curves of `u` cross those of `v` at single places")
+            }
+            NetworkError::Mixed { is_u, closed, open, gap } => {
+                let ((a, of_a), (b, of_b)) = (self.curve(is_u, closed), self.curve(is_u, open));
+                let message =
+                    format!("{a} is closed and {b} is open: its ends are {} apart", shortest(gap));
+                Diagnostic::error(Code::Degenerate, of_b, message)
+                    .also(of_a, "this closes")
+                    .hint("close it, or `split` the closed ones where the open ones begin")
+            }
+            NetworkError::Crossing { is_u, curves, point } => {
+                let [(a, of_a), (b, of_b)] = curves.map(|index| self.curve(is_u, index));
+                let message = format!("{a} and {b} cross at {}", self.place(point));
+                let name = if is_u { "u" } else { "v" };
+                Diagnostic::error(Code::Degenerate, of_b, message)
+                    .also(of_a, "and this")
+                    .hint(format!("curves of `{name}` lie beside one another, and cross only those of the other direction"))
+            }
+            NetworkError::Order { is_u, curve, others, at, crossing } => {
+                self.out_of_order((is_u, curve), others, at, crossing)
+            }
+            NetworkError::Geometry(GeomError::ToleranceNotKept { found, .. }) => {
+                self.not_kept(found)
+            }
+            NetworkError::Geometry(error) => match Err::<(), _>(error).at(self.ctx.span) {
+                Err(found) => return found,
+                Ok(()) => Diagnostic::error(Code::Degenerate, self.ctx.span, "no surface"),
+            },
+        })
+    }
+
+    fn pair(&self, [k, l]: [usize; 2]) -> [(String, Span); 2] {
+        [self.curve(true, k), self.curve(false, l)]
+    }
+
+    fn apart(
+        &self,
+        [(k, t), (l, s)]: [(usize, f64); 2],
+        gap: f64,
+        point: DVec3,
+        (n_pairs, are_all): (usize, bool),
+    ) -> Diagnostic {
+        let [(c, of_c), (d, of_d)] = self.pair([k, l]);
+        let (t, s, gap) = (shortest(t), shortest(s), shortest(gap));
+        let more = match n_pairs - 1 {
+            0 => String::new(),
+            1 => "; another pair does not meet either".to_owned(),
+            n => format!("; {n} other pairs do not meet either"),
+        };
+        let message = format!(
+            "{c} and {d} do not meet: they are {gap} apart at {}, more than the tolerance {}{more}",
+            self.place(point),
+            shortest(self.tolerance)
+        );
+        let hint = if self.is_given {
+            "without `at_u` and `at_v` the places where the curves meet are found".to_owned()
+        } else if are_all && 1 < n_pairs {
+            "no curve of `u` meets one of `v`: both seem to run along one direction; `u` are the curves one way, `v` those across them".to_owned()
+        } else {
+            format!(
+                "let them meet there (`extend` one that ends before), or allow the gap with a `tolerance` above {gap}"
+            )
+        };
+        Diagnostic::error(Code::Gap, of_c, message)
+            .label(format!("{c} is nearest at parameter {t}"))
+            .also(of_d, format!("{d} at parameter {s}"))
+            .hint(hint)
+    }
+
+    fn ambiguous(&self, pair: [usize; 2], at: &[([f64; 2], DVec3)]) -> Diagnostic {
+        let [(c, of_c), (d, of_d)] = self.pair(pair);
+        let list = |texts: Vec<String>| texts.join(", ");
+        let message = format!(
+            "{c} and {d} meet at {} places, {}, and no other curve tells which is meant",
+            at.len(),
+            list(at.iter().map(|&(_, point)| self.place(point)).collect())
+        );
+        let parameters = |i: usize| list(at.iter().map(|(both, _)| shortest(both[i])).collect());
+        Diagnostic::error(Code::Degenerate, of_c, message)
+            .label(format!("at the parameters {} of {c}", parameters(0)))
+            .also(of_d, format!("at {} of {d}", parameters(1)))
+            .hint("`trim` one of them so that they meet once, or give `at_u` and `at_v`")
+    }
+
+    fn not_kept(&self, found: f64) -> Diagnostic {
+        let message = format!(
+            "the surface cannot be kept within {} of all curves: it misses one by {}",
+            shortest(self.tolerance),
+            shortest(found)
+        );
+        Diagnostic::error(Code::BeyondTolerance, self.ctx.span, message).hint(format!(
+            "allow it with a `tolerance` above {}; gaps where curves meet, and meetings that lie at very different parameters of the curves of one direction, cost most of it",
+            shortest(found)
+        ))
+    }
+
+    fn out_of_order(
+        &self,
+        (is_u, curve): (bool, usize),
+        [a, b]: [usize; 2],
+        at: [f64; 2],
+        crossing: Option<DVec3>,
+    ) -> Diagnostic {
+        let (own, span) = self.curve(is_u, curve);
+        let [(a, of_a), (b, of_b)] = [a, b].map(|index| self.curve(!is_u, index));
+        let first = self.curve(is_u, 0).0;
+        let [from, to] = at.map(shortest);
+        let message = if at[0] < at[1] || at[1] < at[0] {
+            format!(
+                "{own} meets {b} (parameter {to}) before {a} (parameter {from}), unlike {first}"
+            )
+        } else {
+            format!("{own} meets {a} and {b} at one place, parameter {from}")
+        };
+        let other = if is_u { "v" } else { "u" };
+        let told = Diagnostic::error(Code::Degenerate, span, message);
+        let told = match crossing {
+            Some(point) => {
+                told.also(of_a, "this").also(of_b, format!("crosses this at {}", self.place(point)))
+            }
+            None => told,
+        };
+        told.hint(format!("the curves of `{other}` must not cross one another, nor be one curve"))
+    }
+}

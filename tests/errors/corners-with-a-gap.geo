@@ -1,0 +1,6 @@
+let south = line((0, 0), (4, 0))
+let north = line((0, 3), (4, 3))
+let west = line((0, 0), (0, 3))
+surface by_a_hair = coons(u = [south, north], v = [west, line((4, 0, 1e-4), (4, 3))])
+surface by_far = coons(u = [south, north], v = [west, line((4, 0, 1e-1), (4, 3))])
+surface of_a_ring = edge_surface([south, line((4, 0, 1e-1), (4, 3)), reversed(north), west])

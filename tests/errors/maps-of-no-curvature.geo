@@ -1,0 +1,5 @@
+let ball = sphere((0, 0), 5)
+let a = curvature_map(ball, "gausian")
+let b = curvature_map(ball, "mean", tolerance = 0)
+let c = curvature_map(circle((0, 0), 1), "mean")
+let d = curvature_map(ball, "mean", range = 1..1)

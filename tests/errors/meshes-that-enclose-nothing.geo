@@ -1,0 +1,5 @@
+mesh sheet = grid_mesh(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), 2, 2)
+let v = volume(sheet)
+let c = centroid(sheet)
+let d = check_mesh(bilinear((0, 0), (0, 1), (1, 0), (1, 1)))
+let e = border([sheet])

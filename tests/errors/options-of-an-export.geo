@@ -1,0 +1,7 @@
+curve c = line((0, 0), (1, 0)) with (color = "stelblue", layer = 3)
+surface s = sphere((0, 0), 1) with (colour = "red")
+export c to "a.svg" with (view = "fornt")
+export c to "b.svg" with (view = 3, decimals = 2.5, tolerance = -1)
+export c to "c.svg" with (veiw = "top")
+export c to "d.svg" with (decimals = 2, decimals = 3)
+export c to "e.svg" with (binary = true)

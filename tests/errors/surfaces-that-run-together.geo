@@ -1,0 +1,6 @@
+let ball = sphere((0, 0), 5)
+let a = intersect(ball, sphere((0, 0), 5))
+let b = intersect(plane_patch((0, 0), (2, 0), (0, 2)), plane_patch((1, 1), (2, 0), (0, 2)))
+let c = intersect(plane_patch((0, 0), (2, 0), (0, 2)), line((0, 1), (3, 1)))
+let d = intersect(ball, (1, 2))
+let e = intersect(line((0, 0), (1, 0)), [ball])

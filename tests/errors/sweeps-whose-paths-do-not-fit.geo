@@ -1,0 +1,7 @@
+let ring = circle((0, 0, 0), 0.1, normal = (1, 0, 0))
+let tape = line((0, -0.1, 0), (0, 0.1, 0))
+let path = line((0, 0, 0), (4, 0, 0))
+surface cornered = sweep(ring, polyline((0, 0), (1, 0), (1, 1), (2, 1)))
+surface three = sweep(tape, path, rail = [path, path, path])
+surface closed = sweep(ring, path, rail = [line((0, 1, 0), (4, 1, 0)), line((0, -1, 0), (4, -1, 0))])
+surface along = sweep(tape, path, rail = [line((0, 1, 0), (4, 1, 0)), line((1, 1, 0), (5, 1, 0))])

@@ -1,0 +1,13 @@
+// Curvature in colours, with its scale.
+
+let ring = torus((0, 0), 3, 1)
+let map = curvature_map(ring, "gaussian")
+// K = cos v / (r (R + r cos v)): 1/4 outside, −1/2 inside.
+check [map.min, map.max] ~= [-0.5, 0.25]
+print map.kind, [for s in map.scale: s.color]
+check len(map.mesh.colors) == len(map.mesh.vertices)
+check every(zip(map.mesh.vertices, map.values), pair => pair[1] ~= (hypot(pair[0].x, pair[0].y) - 3)/hypot(pair[0].x, pair[0].y) within 1e-9)
+let bent = curvature_map(cylinder((0, 0), 2, 1), "k1", range = -1..0)
+print bent.min, bent.max, bent.scale[4]
+check every(bent.values, k => k ~= -0.5)
+check curvature_map(sphere((0, 0), 2), "difference").max ~= 0 within 1e-9

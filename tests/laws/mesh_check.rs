@@ -1,0 +1,164 @@
+//! How the triangles of meshes hang together: bodies and bands whose answers are known.
+
+use glam::{DAffine3, DVec3};
+use virote::kernel::{GeomError, Group, Mesh, MeshCheck, MeshError, Tolerance};
+
+const TETRAHEDRON: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
+
+fn places(places: &[[f64; 3]]) -> Vec<DVec3> {
+    places.iter().map(|&place| DVec3::from(place)).collect()
+}
+
+fn mesh(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> Mesh {
+    Mesh::new(places(vertices), Vec::new(), Vec::new(), triangles.to_vec()).unwrap()
+}
+
+fn tetrahedron() -> Mesh {
+    mesh(&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], &TETRAHEDRON)
+}
+
+fn check(mesh: &Mesh) -> MeshCheck {
+    mesh.check(Tolerance::DEFAULT)
+}
+
+const SPHERE: MeshCheck = MeshCheck {
+    is_closed: true,
+    is_manifold: true,
+    is_oriented: true,
+    degenerate: 0,
+    euler: 2,
+    boundaries: 0,
+    components: 1,
+    counts: [4, 6, 4],
+};
+
+#[test]
+fn a_tetrahedron_is_a_sphere() {
+    let mesh = tetrahedron();
+    assert_eq!(check(&mesh), SPHERE);
+    assert!((mesh.volume() - 1.0 / 6.0).abs() < 1e-15);
+    assert!((mesh.area() - (1.5 + 0.75_f64.sqrt())).abs() < 1e-15);
+    assert!(mesh.volume_centroid().unwrap().distance(DVec3::splat(0.25)) < 1e-15);
+}
+
+#[test]
+fn triangles_over_vertices_of_their_own_hang_together_by_place() {
+    let soup: Vec<DVec3> = tetrahedron().corners().flatten().collect();
+    let triangles = (0..4).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    let mesh = Mesh::new(soup, Vec::new(), Vec::new(), triangles).unwrap();
+    assert_eq!(check(&mesh), SPHERE);
+}
+
+#[test]
+fn a_mesh_without_a_triangle_has_a_hole_around_it() {
+    let open = mesh(
+        &[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        &TETRAHEDRON[..3],
+    );
+    let found = check(&open);
+    assert_eq!((found.is_closed, found.boundaries, found.euler), (false, 1, 1));
+    let topology = open.topology(Tolerance::DEFAULT);
+    // Against the triangle that is missing.
+    assert_eq!(topology.boundary_loops(), [[0, 2, 3]]);
+    let solid = open.check_solid(Tolerance::DEFAULT);
+    assert!(matches!(solid, Err(GeomError::Mesh(MeshError::Open { edges: 3, loops: 1, .. }))));
+}
+
+#[test]
+fn a_turned_triangle_has_no_inside() {
+    let mut triangles = TETRAHEDRON;
+    triangles[3].swap(0, 1);
+    let vertices = tetrahedron().vertices().to_vec();
+    let turned = Mesh::new(vertices, Vec::new(), Vec::new(), triangles.to_vec()).unwrap();
+    assert_eq!(check(&turned), MeshCheck { is_oriented: false, ..SPHERE });
+    let solid = turned.check_solid(Tolerance::DEFAULT);
+    assert!(matches!(solid, Err(GeomError::Mesh(MeshError::Unoriented { .. }))));
+}
+
+#[test]
+fn two_bodies_that_touch_in_a_corner_are_no_manifold() {
+    let mirrored = tetrahedron().transformed(&DAffine3::from_scale(DVec3::NEG_ONE));
+    let both = Mesh::merged(&[tetrahedron(), mirrored.clone()], 100).unwrap();
+    let found = check(&both);
+    assert!(found.is_closed && found.is_oriented && !found.is_manifold);
+    assert_eq!((found.euler, found.components, found.counts), (3, 1, [7, 12, 8]));
+
+    let apart = mirrored.transformed(&DAffine3::from_translation(DVec3::NEG_X));
+    let both = Mesh::merged(&[tetrahedron(), apart], 100).unwrap();
+    let found = check(&both);
+    assert_eq!((found.is_manifold, found.euler, found.components), (true, 4, 2));
+}
+
+#[test]
+fn three_triangles_at_an_edge_are_no_manifold() {
+    let vertices =
+        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]];
+    let found = check(&mesh(&vertices, &[[0, 1, 2], [0, 1, 3], [0, 1, 4]]));
+    assert!(!found.is_manifold && !found.is_closed);
+}
+
+#[test]
+fn two_triangles_that_touch_in_a_corner_have_two_borders() {
+    let vertices =
+        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [-1.0, -1.0, 0.0]];
+    let found = check(&mesh(&vertices, &[[0, 1, 2], [0, 3, 4]]));
+    assert_eq!((found.boundaries, found.is_manifold, found.components), (2, false, 1));
+}
+
+#[test]
+fn a_moebius_strip_has_one_side_and_one_border() {
+    let n = 24;
+    let mut vertices = Vec::new();
+    for i in 0..n {
+        let angle = std::f64::consts::TAU * f64::from(i) / f64::from(n);
+        let (up, out) = libm::sincos(0.5 * angle);
+        let around = |r: f64| [r * libm::cos(angle), r * libm::sin(angle)];
+        for side in [-0.3, 0.3] {
+            let [x, y] = around(1.0 + side * out);
+            vertices.push([x, y, side * up]);
+        }
+    }
+    let mut triangles = Vec::new();
+    for i in 0..n as u32 {
+        let (a, b) = (2 * i, 2 * i + 1);
+        // Behind the last pair comes the first, turned over.
+        let (c, d) = if i + 1 == n as u32 { (1, 0) } else { (a + 2, b + 2) };
+        triangles.extend([[a, c, d], [a, d, b]]);
+    }
+    let found = check(&mesh(&vertices, &triangles));
+    assert_eq!((found.euler, found.boundaries, found.components), (0, 1, 1));
+    assert!(found.is_manifold && !found.is_oriented && !found.is_closed);
+}
+
+#[test]
+fn triangles_without_area_count_apart() {
+    let vertices = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.5, 0.0, 0.0]];
+    let found = check(&mesh(&vertices, &[[0, 1, 2], [0, 3, 1], [1, 1, 2]]));
+    assert_eq!((found.degenerate, found.counts), (2, [3, 3, 1]));
+}
+
+#[test]
+fn nothing_hangs_together_in_an_empty_mesh() {
+    let found = check(&Mesh::default());
+    assert_eq!((found.euler, found.components, found.counts), (0, 0, [0, 0, 0]));
+    assert!(matches!(Mesh::default().area_centroid(), Err(GeomError::NothingThere { .. })));
+}
+
+#[test]
+fn colours_and_groups_stay_with_their_triangles() {
+    let red = vec![DVec3::X; 4];
+    let colored = tetrahedron().with_colors(red).unwrap().in_group("red");
+    let both = Mesh::merged(&[tetrahedron(), colored], 100).unwrap();
+    assert_eq!((both.colors()[0], both.colors()[7]), (DVec3::ONE, DVec3::X));
+    let group = |name: &str| Group { name: name.to_owned(), n_triangles: 4 };
+    assert_eq!(both.groups(), [group(""), group("red")]);
+
+    let few = tetrahedron().with_colors(vec![DVec3::X; 3]);
+    assert!(matches!(few, Err(GeomError::AttributeCount { vertices: 4, got: 3, .. })));
+    let bright = tetrahedron().with_colors(vec![DVec3::X, DVec3::X * 2.0, DVec3::X, DVec3::X]);
+    assert!(matches!(bright, Err(GeomError::Mesh(MeshError::BadColor { index: 1, .. }))));
+    assert!(matches!(
+        tetrahedron().with_groups(vec![group("a"); 2]),
+        Err(GeomError::WrongCount { .. })
+    ));
+}

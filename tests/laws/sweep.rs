@@ -1,0 +1,86 @@
+//! Laws of sections along paths.
+
+use glam::{DAffine3, DQuat, DVec3};
+use proptest::{collection::vec, prelude::Strategy, prop_assert, proptest};
+use virote::kernel::{
+    CircleForm, Ends, Fineness, Frames, Framing, GeomError, Held, Interpolator, Motion, NurbsCurve,
+    Spacing, Sweep, swept,
+};
+
+use crate::some::point;
+
+/// A section that is only carried along.
+struct Still;
+
+impl Motion for Still {
+    fn scale(&mut self, _: f64) -> Result<DVec3, GeomError> {
+        Ok(DVec3::ONE)
+    }
+
+    fn twist(&mut self, _: f64) -> Result<f64, GeomError> {
+        Ok(0.0)
+    }
+
+    fn upwards(&mut self, _: f64, _: DVec3, _: DVec3) -> Result<Option<DVec3>, GeomError> {
+        Ok(None)
+    }
+
+    fn held(&mut self, _: f64, _: DVec3, _: DVec3) -> Result<Option<Held>, GeomError> {
+        Ok(None)
+    }
+}
+
+/// A path that leads on and bends gently.
+fn path() -> impl Strategy<Value = NurbsCurve> {
+    vec(point(), 4..7).prop_map(|points| {
+        let at = |(k, p): (usize, &DVec3)| 0.2 * *p + DVec3::X * (8.0 * k as f64);
+        let points: Vec<DVec3> = points.iter().enumerate().map(at).collect();
+        let parameters = Spacing::Chord.parameters(&points).unwrap();
+        Interpolator::new(&parameters, 3, Ends::Averaged).unwrap().curve(&points).unwrap()
+    })
+}
+
+const TOLERANCE: f64 = 1e-6;
+
+/// A ring about the x axis.
+fn ring() -> NurbsCurve {
+    NurbsCurve::circle(DVec3::ZERO, 0.1, DVec3::Y, DVec3::X, CircleForm::NinePoint).unwrap()
+}
+
+fn pipe(path: &NurbsCurve, up: DVec3) -> Sweep {
+    let frames = Frames::new(path, Framing::RotationMinimizing, up, false).unwrap();
+    let fineness = Fineness { n_sections: None, tolerance: TOLERANCE, keeps_path: true };
+    swept(&ring(), path, &frames, &mut Still, &[], fineness).unwrap()
+}
+
+proptest! {
+    #![proptest_config(proptest::prelude::ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn a_pipe_keeps_its_radius(path in path(), f in 0.0..1.0, u in 0.0..1.0) {
+        let made = pipe(&path, DVec3::Z);
+        let t = path.domain().at(f);
+        let apart = made.surface.point_at(u, t).distance(path.point_at(t));
+        prop_assert!((apart - 0.1).abs() <= TOLERANCE);
+        prop_assert!(made.deviation.0 <= TOLERANCE);
+    }
+
+    #[test]
+    fn sweeping_and_moving_commute(path in path(), axis in point(), angle in 0.0..6.0, by in point(), f in 0.0..1.0, u in 0.0..1.0) {
+        let map = DAffine3::from_rotation_translation(DQuat::from_axis_angle((axis + DVec3::Z * 20.0).normalize(), angle), by);
+        let (here, there) = (pipe(&path, DVec3::Z), pipe(&path.transformed(&map), map.transform_vector3(DVec3::Z)));
+        let t = path.domain().at(f);
+        let moved = map.transform_point3(here.surface.point_at(u, t));
+        prop_assert!(moved.distance(there.surface.point_at(u, t)) <= 2.0 * TOLERANCE);
+    }
+
+    #[test]
+    fn a_rotation_minimizing_frame_does_not_turn_about_the_path(path in path(), f in 0.01..0.99) {
+        let frames = Frames::new(&path, Framing::RotationMinimizing, DVec3::Z, false).unwrap();
+        let (t, h) = (path.domain().at(f), 1e-4 * path.domain().length());
+        let [before, here, behind] = [t - h, t, t + h].map(|t| frames.at(t).unwrap());
+        prop_assert!((here.x.dot(here.z)).abs() < 1e-12 && (here.z.length() - 1.0).abs() < 1e-12);
+        // The change of z is along x.
+        prop_assert!((behind.z - before.z).dot(here.y).abs() < 1e-7);
+    }
+}

@@ -1,0 +1,417 @@
+//! `virote repl`: entries from a pipe, and keystroke by keystroke at a terminal of its own.
+
+mod support;
+
+use std::{
+    io::{Read, Write},
+    process::{Command, Stdio},
+    thread,
+};
+
+use support::{Scratch, told, virote};
+
+/// What the prompt says to entries from a pipe: standard output, standard error, exit code.
+fn piped(scratch: &Scratch, args: &[&str], input: impl Into<Vec<u8>>) -> (String, String, i32) {
+    let mut child = virote(&scratch.0)
+        .arg("repl")
+        .args(args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+    let mut stdin = child.stdin.take().expect("a pipe");
+    let input = input.into();
+    // It may end before it has read all.
+    let writer = thread::spawn(move || drop(stdin.write_all(&input)));
+    let output = child.wait_with_output().expect("the command ends");
+    writer.join().expect("the input is written");
+    told(&output)
+}
+
+#[test]
+fn entries_from_a_pipe_are_answered_without_a_prompt() {
+    let scratch = Scratch::new("repl-pipe");
+    let input = "\
+1 + 1
+_ * 10
+let a = 3
+curve c = bezier((0, 0), (1, 2),
+  (2, 0))
+c(0.5)
+dist(_)
+_.y
+max(_, 7)
+let b = a + 1
+let a = 10
+b
+print a, b
+check b == 11 \"eleven\"
+:type c
+:undo
+:undo
+b
+:time 2
+:list
+:save a.geo
+";
+    let expected = "\
+2
+20
+a = 3
+c: curve of degree 2 with 3 control points on 0..1
+(1, 1, 0)
+1
+max(numbers: list of numbers) -> number with places left open
+b = 4
+a = 10
+11
+a = 10
+b = 11
+1 check passed
+a curve of degree 2 with 3 control points on 0..1
+4
+2
+";
+    let (out, err, code) = piped(&scratch, &[], input);
+    let (before, after) = out.split_at(expected.len().min(out.len()));
+    assert_eq!(before, expected, "{err}");
+    let list = "a = 3\nc: curve of degree 2 with 3 control points on 0..1\nb = 4\n";
+    assert!(after.ends_with(list) && after.starts_with('('), "{after}");
+    assert!(err.contains("nothing is called `dist`") || err.contains("`dist`"), "{err}");
+    assert!(err.contains("(evaluated 1 again: b, kept "), "{err}");
+    assert!(err.contains("saved a.geo") && err.contains("(back to 3 definitions)"), "{err}");
+    assert_eq!(code, 2, "an entry was wrong");
+    let saved = std::fs::read_to_string(scratch.0.join("a.geo")).expect("a script");
+    assert_eq!(saved, "let a = 3\ncurve c = bezier((0, 0), (1, 2),\n  (2, 0))\nlet b = a + 1\n");
+}
+
+#[test]
+fn whatever_is_wrong_leaves_the_document_as_it_was() {
+    let scratch = Scratch::new("repl-wrong");
+    scratch.file("wrong.geo", "let keep = 1\nlet other = keep +");
+    scratch.file("binary.geo", [0xff, 0xfe, 0x00, 0x80]);
+    let wrong = [
+        "let keep = )",
+        "let keep = 1 / 0",
+        "let keep = nobody",
+        "let keep = keep",
+        "let twice = 1 let twice = 2",
+        "curve keep = (1, 2)",
+        "let keep = 10mm + 30deg",
+        "keep(1)",
+        "keep = 3",
+        "\"open",
+        "let keep = [1, 2][7]",
+        "let keep = bezeir((0, 0))",
+        "fn keep(a, a) = a",
+        "fn keep(a) = keep(a + 1) let x = keep(1)",
+        "import \"nowhere.geo\"",
+        "unit parsec",
+        "tolerance -1",
+        "export keep to \"../out.json\"",
+        "export keep to \"a.xyz\"",
+        "check \"text\"",
+        ":load wrong.geo",
+        ":load binary.geo",
+        ":load nowhere.geo",
+        ":lst",
+        ":",
+        ":save /nowhere/at/all.geo",
+        ":help bezeir",
+        ":plot \"text\"",
+        "\u{1}\u{2}\u{3}",
+        "Point(1) = {0, 0, 0};",
+        "_",
+    ];
+    let mut input = "let keep = 41\nlet user = keep + 1\n".to_owned();
+    for line in wrong {
+        input.push_str(&format!("{line}\nprint user\n"));
+    }
+    let (out, err, code) = piped(&scratch, &[], input);
+    assert!(!err.contains("panicked"), "{err}");
+    assert_eq!(out.matches("user = 42\n").count(), wrong.len() + 1, "{out}\n{err}");
+    assert_eq!(code, 2);
+    for text in ["did you mean `:list`?", "did you mean `bezier`?", "is not UTF-8", "wrong.geo:2"] {
+        assert!(err.contains(text), "`{text}` is missing in {err}");
+    }
+}
+
+#[test]
+fn redefinitions_that_break_others_are_refused() {
+    let scratch = Scratch::new("repl-breaks");
+    let input = "let a = 2\nlet b = 1 / a\nlet a = 0\na\nlet a = 4\nb\n";
+    let (out, err, _) = piped(&scratch, &[], input);
+    assert_eq!(out, "a = 2\nb = 0.5\n2\na = 4\n0.25\n", "{err}");
+    assert!(err.contains("document:1:"), "the place in the document is shown: {err}");
+}
+
+#[test]
+fn files_are_loaded_and_written() {
+    let scratch = Scratch::new("repl-files");
+    let script = "\
+// A script with everything.
+geo 1
+unit cm
+param size = 2cm
+/// The circle.
+curve c = circle((0, 0), size)
+check length(c) > 12 \"long enough\"
+print size
+export c to \"c.obj\"
+test \"never run here\" { check false }
+";
+    scratch.file("a.geo", script);
+    let input = "length(c) > 12\nexport size to \"size.json\"\n:export\n:export c to \"d.obj\"\n:save b.geo\n:save a.geo\n:load b.geo\nsize\n";
+    let (out, err, code) = piped(&scratch, &["a.geo"], input);
+    assert!(code == 2 && err.contains("`a.geo` is there already"), "{out}{err}");
+    for text in
+        ["1 check passed\n", "true\n", "wrote size.json", "wrote c.obj", "wrote d.obj", "\n2\n"]
+    {
+        assert!(out.contains(text), "`{text}` is missing in {out}{err}");
+    }
+    assert!(!out.contains("size = 2"), "prints of a loaded script do not run: {out}");
+    let saved = std::fs::read_to_string(scratch.0.join("b.geo")).expect("a script");
+    assert_eq!(saved, format!("{script}export size to \"size.json\"\n"));
+    assert!(err.contains("loaded a.geo: 2 definitions, 1 file for `:export`"), "{err}");
+}
+
+#[test]
+fn a_line_of_ten_megabytes_is_read_and_told_shortly() {
+    let scratch = Scratch::new("repl-long");
+    let mut input = b"1 + 1\n".to_vec();
+    input.extend(std::iter::repeat_n(b'x', 10 << 20));
+    input.extend(b"\n\"");
+    input.extend(std::iter::repeat_n(b'y', 10 << 20));
+    input.extend(b"\"\n2 + 2\n\xff\xfe\x00\n3 + 3\n");
+    let (out, err, _) = piped(&scratch, &[], input);
+    assert!(out.starts_with("2\n") && out.ends_with("\n4\n6\n"), "{} bytes", out.len());
+    assert!(err.len() < 2 * (10 << 20) + 10_000, "{} bytes", err.len());
+}
+
+#[test]
+fn a_closed_pipe_ends_it() {
+    let scratch = Scratch::new("repl-closed");
+    let mut child = virote(&scratch.0)
+        .arg("repl")
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the command starts");
+    let mut stdin = child.stdin.take().expect("a pipe");
+    let mut stdout = child.stdout.take().expect("a pipe");
+    stdin.write_all(b"1 + 1\n").expect("an entry");
+    let mut first = [0; 2];
+    stdout.read_exact(&mut first).expect("an answer");
+    drop(stdout);
+    // It reads no more once it sees that nobody listens.
+    let is_ended = (0..1_000_000).any(|_| stdin.write_all(b"2 + 2\n").is_err());
+    let status = child.wait().expect("it ends");
+    assert!(is_ended && status.code() == Some(0), "{is_ended} {status}");
+}
+
+/// At a terminal.
+#[cfg(unix)]
+mod terminal {
+    use std::time::Duration;
+
+    use expectrl::{Eof, Expect, Session, session::OsSession};
+
+    use super::{Command, Scratch};
+
+    /// A terminal with the prompt in it.
+    struct Terminal(OsSession);
+
+    impl Terminal {
+        fn new(scratch: &Scratch, columns: u16, state: &str) -> Self {
+            let mut command = Command::new(env!("CARGO_BIN_EXE_virote"));
+            command
+                .args(["repl", "--threads", "2"])
+                .current_dir(&scratch.0)
+                .env("XDG_STATE_HOME", state)
+                .env("TERM", "xterm")
+                .env_remove("NO_COLOR");
+            let mut session = Session::spawn(command).expect("a terminal");
+            session.set_expect_timeout(Some(Duration::from_secs(60)));
+            session.get_process_mut().set_window_size(columns, 40).expect("a size");
+            let mut terminal = Self(session);
+            terminal.sees(READY);
+            terminal
+        }
+
+        /// Waits for a text.
+        #[track_caller]
+        fn sees(&mut self, text: &str) {
+            let found = self.0.expect(text);
+            let seen = found.is_ok();
+            let mut rest = vec![0; 4000];
+            let n_left = if seen { 0 } else { self.0.try_read(&mut rest).unwrap_or(0) };
+            assert!(seen, "no `{text}` in {}", String::from_utf8_lossy(&rest[..n_left]));
+        }
+
+        fn types(&mut self, keys: &str) {
+            self.0.send(keys).expect("keys");
+        }
+
+        /// Types an entry and waits for an answer.
+        #[track_caller]
+        fn says(&mut self, entry: &str, answer: &str) {
+            self.types(&format!("{entry}\r"));
+            self.sees(answer);
+            self.sees(READY);
+        }
+
+        /// Gives up the entry.
+        #[track_caller]
+        fn gives_up(&mut self) {
+            self.types("\x03");
+            self.sees("ends)");
+            self.sees(READY);
+        }
+
+        #[track_caller]
+        fn ends(&mut self) {
+            self.0.expect(Eof).expect("it ends");
+        }
+    }
+
+    const STATE: &str = "state";
+
+    /// What a terminal is told when the prompt is there again: what is typed before may get lost.
+    const READY: &str = "\x1b[?2004h";
+
+    #[test]
+    fn every_command_answers() {
+        let scratch = Scratch::new("repl-terminal");
+        scratch.file("a.geo", "let loaded = 7\ncurve arc1 = circle((0, 0), 2)\n");
+        let mut prompt = Terminal::new(&scratch, 100, STATE);
+        prompt.says("1 + 1", "\n2\r");
+        prompt.says("_ * 21", "\n42\r");
+        prompt.says("let a = 3", "a = 3\r");
+        // An entry of several lines.
+        prompt.types("curve c = bezier([\r");
+        prompt.types("  (0, 0), (1, 2),\r");
+        prompt.says("  (2, 0)])", "curve of degree 2 with 3 control points on 0..1\r");
+        prompt.says("let b = 2 * a", "b = 6\r");
+        prompt.says("let a = 5", "(evaluated 1 again: b, kept 1; ");
+        prompt.says("b", "\n10\r");
+        prompt.says(":undo", "(back to 3 definitions)");
+        prompt.says("b", "\n6\r");
+        prompt.says(":list", "c: curve of degree 2");
+        prompt.says(":type c", "a curve of degree 2");
+        prompt.types(":show c\r");
+        prompt.sees("knots: 0 0 0 1 1 1\r");
+        prompt.sees("    1  (1, 2, 0)\r");
+        prompt.sees("⠒");
+        prompt.sees("(x to the right, y up)");
+        prompt.sees(READY);
+        prompt.says(":show curvature_table(c, samples = 3)", "torsion");
+        prompt.says(":plot curvature(c)", "┤");
+        prompt.says(":plot x => x^2 in 0..2", "┤");
+        prompt.says(":time length(c)", " ms)");
+        prompt.says(":help bezier", "list of points");
+        prompt.says(":help E0602", "E0602: ");
+        prompt.says(":help", ":undo");
+        prompt.says(":export c to \"c.obj\"", "wrote c.obj");
+        prompt.says(":save mine.geo", "saved mine.geo");
+        prompt.says(":load a.geo", "loaded a.geo: 2 definitions");
+        prompt.says("loaded", "\n7\r");
+        prompt.says(":lsit", "did you mean `:list`?");
+        prompt.says("lenth(arc1)", "did you mean `length`?");
+        prompt.types(":quit\r");
+        prompt.ends();
+        assert!(scratch.0.join("c.obj").is_file() && scratch.0.join("mine.geo").is_file());
+    }
+
+    #[test]
+    fn tab_completes_names_labels_words_fields_files_and_commands() {
+        let scratch = Scratch::new("repl-tab");
+        scratch.file("a_script_of_mine.geo", "let mine = 1");
+        let mut prompt = Terminal::new(&scratch, 120, STATE);
+        prompt.says("let unmistakable = (1, 2)", "unmistakable = (1, 2, 0)");
+        prompt.says("unmist\t + (1, 0)", "\n(2, 2, 0)\r");
+        // Several that fit are listed with what they are.
+        prompt.types("unmistakable.\t\t");
+        prompt.sees("field");
+        prompt.says("y", "\n2\r");
+        prompt.types("len(circle((0, 0), 1, nor\t\t");
+        prompt.sees("label: point");
+        prompt.gives_up();
+        prompt.says(":lo\t a_scr\t", "loaded a_script_of_mine.geo");
+        prompt.types("mes\t\t");
+        prompt.sees("keyword");
+        prompt.gives_up();
+        prompt.types("\x04");
+        prompt.ends();
+    }
+
+    #[test]
+    fn the_history_stays_and_words_are_coloured() {
+        let scratch = Scratch::new("repl-history");
+        let mut prompt = Terminal::new(&scratch, 80, STATE);
+        prompt.says("let kept = 5", "kept = 5");
+        prompt.types(":quit\r");
+        prompt.ends();
+        assert!(scratch.0.join(STATE).join("virote").join("history").is_file());
+        let mut prompt = Terminal::new(&scratch, 80, STATE);
+        // Up twice: over `:quit`.
+        prompt.types("\x1b[A\x1b[A");
+        prompt.sees("\x1b[1;34mlet\x1b[0m");
+        prompt.says("", "kept = 5");
+        prompt.types("\x04");
+        prompt.ends();
+    }
+
+    #[test]
+    fn a_history_that_cannot_be_written_is_a_warning() {
+        let scratch = Scratch::new("repl-no-history");
+        scratch.file("state", "a file, no folder");
+        let mut prompt = Terminal::new(&scratch, 80, STATE);
+        prompt.says("1 + 1", "\n2\r");
+        prompt.types("\x04");
+        prompt.ends();
+    }
+
+    #[test]
+    fn a_long_evaluation_is_stopped_and_the_document_is_whole() {
+        let scratch = Scratch::new("repl-stop");
+        let mut prompt = Terminal::new(&scratch, 80, STATE);
+        prompt.says("let a = 6", "a = 6");
+        let long = "fold(0..9_000_000, 0, (x, y) => fold(0..1000, x, (p, q) => p + q))";
+        prompt.types(&format!("let a = {long}\r"));
+        std::thread::sleep(Duration::from_millis(1500));
+        prompt.types("\x03");
+        prompt.sees("stopped; the document is as it was");
+        prompt.sees(READY);
+        prompt.says("a * 7", "\n42\r");
+        // At the prompt Ctrl-C gives up the entry.
+        prompt.types("let a = 1");
+        prompt.gives_up();
+        prompt.says("a", "\n6\r");
+        prompt.types("\x04");
+        prompt.ends();
+    }
+
+    #[test]
+    fn a_narrow_terminal_and_pasted_rubbish_do_no_harm() {
+        let scratch = Scratch::new("repl-narrow");
+        let mut prompt = Terminal::new(&scratch, 20, STATE);
+        prompt.says("curve c = circle((0, 0), 1)", "control points on");
+        prompt.says(":show c", "right");
+        prompt.says(":plot curvature(c)", "┤");
+        // Pasted at once, brackets, quotes and signs of control among it.
+        let rubbish: String = (1..400_u32)
+            .filter_map(|i| char::from_u32(i * 37 % 700))
+            .filter(|c| !matches!(c, '\x1b' | '\0'))
+            .collect();
+        prompt.types(&format!("\x1b[200~{rubbish}\x1b[201~"));
+        prompt.gives_up();
+        prompt.says("1 + 1", "\n2\r");
+        let long = "x".repeat(5_000);
+        prompt.says(&format!("\x1b[200~{long}\x1b[201~"), "nothing is called");
+        prompt.says("3 + 3", "\n6\r");
+        prompt.types("\x04");
+        prompt.ends();
+    }
+}
