@@ -92,6 +92,15 @@ impl Report {
         self.diagnostics.iter().filter(|found| found.severity == severity).count()
     }
 
+    /// Whether memory ran out.
+    #[must_use]
+    pub fn is_out_of_memory(&self) -> bool {
+        self.diagnostics.iter().any(|found| {
+            Ceiling::crossed(found.code.id(), &found.message)
+                .is_some_and(|ceiling| ceiling.name == Ceiling::MEMORY)
+        })
+    }
+
     /// How many definitions came by their value in this way.
     #[must_use]
     pub fn n_with(&self, work: Work) -> usize {
@@ -203,11 +212,7 @@ impl Session {
         purpose: Purpose<'_>,
     ) -> Report {
         let report = self.attempt(name, bytes, files, settings, (purpose, self.n_threads));
-        let is_full = |found: &Diagnostic| {
-            Ceiling::crossed(found.code.id(), &found.message)
-                .is_some_and(|ceiling| ceiling.name == Ceiling::MEMORY)
-        };
-        if self.n_threads == 1 || !report.diagnostics.iter().any(is_full) {
+        if self.n_threads == 1 || !report.is_out_of_memory() {
             return report;
         }
         // Where memory ends depends on what else is under way: one thread gives one answer.

@@ -1,5 +1,5 @@
-//! Golden programs: each `tests/golden/NAME.geo` and `examples/NAME.geo` is run, and what it says
-//! and writes is compared with `NAME.out`.
+//! Golden programs: each `tests/golden/NAME.geo` is run, and what it says and writes is compared
+//! with `NAME.out`. The programs of `examples/` have golden folders, and `virote test` runs them.
 //!
 //! The worked examples of the textbooks in `tests/golden/textbook`, by the books' own numbers, and
 //! the values of `tests/golden/values`, computed with forty digits by other means, check themselves
@@ -12,13 +12,12 @@ mod support;
 
 use support::{compare, folder, programs, report, told, transcript, virote};
 
-/// Runs the programs of one folder against golden files in another.
-#[track_caller]
-fn check(of_programs: &str, of_golden_files: &str) {
-    let (of_programs, of_golden_files) = (folder(of_programs), folder(of_golden_files));
+#[test]
+fn programs_say_and_write_what_they_did() {
+    let folder = folder("tests/golden");
     let mut complaints = Vec::new();
-    for name in programs(&of_programs) {
-        let (code, text) = transcript(&of_programs, &name);
+    for name in programs(&folder) {
+        let (code, text) = transcript(&folder, &name);
         if text.contains("panicked") {
             complaints.push(format!("{name}.geo panics:\n{text}"));
         }
@@ -26,22 +25,10 @@ fn check(of_programs: &str, of_golden_files: &str) {
         if code != expected {
             complaints.push(format!("{name}.geo exits with {code}, not {expected}:\n{text}"));
         } else {
-            complaints.extend(compare(&of_golden_files.join(format!("{name}.out")), &text));
+            complaints.extend(compare(&folder.join(format!("{name}.out")), &text));
         }
     }
     report(&complaints);
-}
-
-#[test]
-fn programs_say_and_write_what_they_did() {
-    check("tests/golden", "tests/golden");
-}
-
-#[test]
-fn examples_say_and_write_what_they_did() {
-    if folder("examples").is_dir() {
-        check("examples", "examples/golden");
-    }
 }
 
 /// Runs the checks of every program of a folder.
@@ -54,6 +41,15 @@ fn hold(of_programs: &str) {
     let golden = folder(of_programs).join("warnings.out");
     if !err.is_empty() || golden.exists() {
         report(&compare(&golden, &err).into_iter().collect::<Vec<_>>());
+    }
+}
+
+#[test]
+fn examples_say_and_write_what_they_did() {
+    hold("examples");
+    for name in programs(&folder("examples")) {
+        let golden = folder("examples").join(format!("{name}.golden"));
+        assert!(golden.is_dir(), "virote test --bless examples/{name}.geo makes its golden folder");
     }
 }
 

@@ -298,7 +298,8 @@ test \"bad\" { check 2 == 3; expect error \"E0501\" 4 }
     assert_eq!(of("diagnostic").len(), 2);
     let total = json!({ "type": "total", "files": 1, "wrong_files": 0,
         "tests": { "passed": 1, "failed": 1, "wrong": 0, "skipped": 0 },
-        "checks": { "passed": 1, "failed": 0 } });
+        "checks": { "passed": 1, "failed": 0 },
+        "golden": { "passed": 0, "failed": 0, "blessed": 0, "skipped": 0 } });
     assert_eq!(of("total"), [&total]);
 }
 

@@ -9,7 +9,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::{
     limits::{self, Moved},
-    process, settings,
+    process, settings, test,
 };
 use crate::{eval::Setting, limits::Limits, session::Session};
 
@@ -75,23 +75,20 @@ Examples:
     /// Runs the tests and checks of scripts
     ///
     /// `test "name" { ... }` in a script holds definitions, checks, prints and expected errors that
-    /// nothing but this verb evaluates. A test that fails stops no other. No file is written.
+    /// nothing but this verb evaluates. A test that fails stops no other. No exported file is written.
+    ///
+    /// What a script outside of its tests prints and exports is compared with the folder
+    /// `NAME.golden/` beside it, if there is one: numbers within the tolerance of `golden.json` in
+    /// it, tables column by column, meshes by counts, bounds, area, volume and deviation.
     #[command(after_help = "\
 Examples:
   virote test                               every *.geo here and in the folders below
   virote test bottle.geo parts/
   virote test --filter neck                 the tests whose names contain \"neck\", no checks
+  virote test --bless bottle.geo            writes bottle.golden/, or tells what changed in it
+  virote test --junit results.xml           the results for CI
   virote test --message-format json")]
-    Test {
-        /// Scripts, or folders with scripts at any depth; `-` is standard input [default: .]
-        #[arg(value_name = "PATH")]
-        paths: Vec<PathBuf>,
-        /// Runs only the tests whose names contain this, and not the checks outside of them
-        #[arg(long, value_name = "SUBSTRING")]
-        filter: Option<String>,
-        #[command(flatten)]
-        common: Common,
-    },
+    Test(test::Asked),
     /// Answers questions and takes statements, one by one
     ///
     /// Statements join a document, expressions are answered, and commands begin with a colon:
@@ -233,7 +230,16 @@ pub(super) enum ColorWhen {
 impl Common {
     /// A session as these options want it.
     pub(super) fn session(&self) -> Session {
-        process::session(self.ceilings()).on_threads(self.n_threads())
+        self.session_for(1)
+    }
+
+    /// The same for `n_jobs` runs side by side, which share the threads unless their number is given.
+    pub(super) fn session_for(&self, n_jobs: usize) -> Session {
+        let n_threads = match self.threads {
+            Some(n_threads) => n_threads.get(),
+            None => self.n_threads() / n_jobs,
+        };
+        process::session(self.ceilings()).on_threads(n_threads)
     }
 
     /// The ceilings.

@@ -55,6 +55,19 @@ fn read_some(from: &mut dyn Read, most: usize) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
+/// All of a file of no more than `most` bytes.
+///
+/// # Errors
+/// What keeps it from being read, in a few words.
+pub(super) fn read_whole(path: &Path, most: usize) -> Result<Vec<u8>, String> {
+    let bytes =
+        File::open(path).and_then(|mut file| read_some(&mut file, most)).map_err(|e| reason(&e))?;
+    if bytes.len() > most {
+        return Err(format!("it is larger than the ceiling of {most} bytes"));
+    }
+    Ok(bytes)
+}
+
 /// An error of the operating system in a few plain words.
 pub(super) fn reason(err: &io::Error) -> String {
     match err.kind() {

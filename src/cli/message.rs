@@ -198,6 +198,31 @@ impl Voice {
         }
     }
 
+    /// How the golden folder of a script came out, with differences for people and for programs;
+    /// `is_heard` is whether it is told even by the quiet.
+    pub(super) fn golden(
+        &self,
+        word: &str,
+        script: &str,
+        text: &str,
+        differences: &[(String, serde_json::Value)],
+        is_heard: bool,
+    ) {
+        if self.is_json {
+            let differences: Vec<_> = differences.iter().map(|(_, json)| json).collect();
+            let line = json!({
+                "type": "golden",
+                "file": script,
+                "result": word,
+                "differences": differences,
+            });
+            say(&format!("{line}\n"));
+        } else if is_heard || !self.is_quiet {
+            say(&format!("{word:<7}  {script}  {text}\n"));
+            differences.iter().for_each(|(text, _)| say(&format!("  {text}\n")));
+        }
+    }
+
     /// The last words of `test`; `figures` are the same for programs.
     pub(super) fn total(&self, text: &str, mut figures: serde_json::Value) {
         if self.is_json {

@@ -86,7 +86,7 @@ fn dispatch(verb: Verb) -> Ending {
             run::run(&file, out.as_deref(), dry_run, &only, &common)
         }
         Verb::Check { files, common } => run::check(&files, &common),
-        Verb::Test { paths, filter, common } => test::run(&paths, filter.as_deref(), &common),
+        Verb::Test(asked) => test::run(&asked),
         Verb::Params { file, json, talk } => params::run(&file, json, &talk),
         Verb::Graph { file, json, talk } => graph::run(&file, json, &talk),
         Verb::Repl { file, out, common } => repl::run(file.as_deref(), out.as_deref(), &common),

@@ -204,18 +204,17 @@ pub(super) fn act(
                 n_failed += usize::from(!checked.verdict.holds);
             }
             Event::File(file) => match outcomes.next() {
-                Some(Outcome::Refused(code, message, worst)) => {
-                    refuse(code, message, file, report, voice);
+                Some(Outcome::Refused(found, worst)) => {
+                    refuse(found, report, voice);
                     ending = ending.max(worst);
                 }
                 Some(Outcome::Told) if !is_refused => voice.written(&file.path, None),
                 Some(Outcome::Staged(staged, summary)) if !is_refused => match staged.place() {
                     Ok(()) => voice.written(&file.path, Some(summary)),
                     Err(err) => {
-                        let message = failure(&ExportError::Io(err));
-                        let message = format!("cannot write `{}`: {message}", file.path);
-                        refuse(Code::CannotWrite, message, file, report, voice);
-                        ending = ending.max(Ending::Usage);
+                        let (found, worst) = refusal(file, &ExportError::Io(err));
+                        refuse(found, report, voice);
+                        ending = ending.max(worst);
                     }
                 },
                 _ => {}
@@ -245,7 +244,7 @@ enum Outcome {
     /// Not asked for.
     Unasked,
     /// Cannot be: why, and how the run ends.
-    Refused(Code, String, Ending),
+    Refused(Diagnostic, Ending),
 }
 
 fn staged(
@@ -267,11 +266,12 @@ fn stage(
     mode: Mode<'_>,
     progress: &Progress,
 ) -> Outcome {
-    let cannot = |why: &str| format!("cannot write `{}`: {why}", file.path);
     let target = match (mode, target) {
         (Mode::Check, _) => return Outcome::Unasked,
         (_, Err(message)) => {
-            return Outcome::Refused(Code::CannotWrite, cannot(message), Ending::Usage);
+            let message = format!("cannot write `{}`: {message}", file.path);
+            let found = Diagnostic::error(Code::CannotWrite, file.span, message);
+            return Outcome::Refused(found, Ending::Usage);
         }
         (Mode::DryRun(_), Ok(_)) => return Outcome::Told,
         (Mode::Write(_), Ok(target)) => target,
@@ -281,19 +281,31 @@ fn stage(
     let told = |n_bytes| progress.written(&file.path, n_bytes);
     match target.stage(most, &told, |out| (file.format.write)(&file.job, out)) {
         Ok((staged, summary)) => Outcome::Staged(staged, summary),
-        Err(err @ (ExportError::Geometry { .. } | ExportError::Unfit { .. })) => {
-            Outcome::Refused(Code::CannotExport, failure(&err), Ending::Wrong)
+        Err(err) => {
+            let (found, ending) = refusal(file, &err);
+            Outcome::Refused(found, ending)
         }
-        Err(err @ ExportError::TooLarge { .. }) => {
-            let message = format!("`{}` would be {err}", file.path);
-            Outcome::Refused(Code::TooLarge, message, Ending::Wrong)
-        }
-        Err(err) => Outcome::Refused(Code::CannotWrite, cannot(&failure(&err)), Ending::Usage),
     }
 }
 
-fn refuse(code: Code, message: String, file: &File, report: &Report, voice: &Voice) {
-    let mut found = Diagnostic::error(code, file.span, message);
+/// Why a file cannot be written, and how the run ends.
+pub(super) fn refusal(file: &File, err: &ExportError) -> (Diagnostic, Ending) {
+    let (code, message, ending) = match err {
+        ExportError::Geometry { .. } | ExportError::Unfit { .. } => {
+            (Code::CannotExport, failure(err), Ending::Wrong)
+        }
+        ExportError::TooLarge { .. } => {
+            (Code::TooLarge, format!("`{}` would be {err}", file.path), Ending::Wrong)
+        }
+        ExportError::Io(_) => {
+            let message = format!("cannot write `{}`: {}", file.path, failure(err));
+            (Code::CannotWrite, message, Ending::Usage)
+        }
+    };
+    (Diagnostic::error(code, file.span, message), ending)
+}
+
+fn refuse(mut found: Diagnostic, report: &Report, voice: &Voice) {
     name_flag(&mut found);
     voice.findings(&[found], &report.sources);
 }

@@ -70,11 +70,7 @@ impl Target {
         write: impl FnOnce(&mut dyn Write) -> Result<Summary, ExportError>,
     ) -> Result<(Staged, Summary), ExportError> {
         fs::create_dir_all(&self.folder)?;
-        Staged::new(&self.path, None, |out| {
-            let mut out = Capped { out, most, n_left: most, is_full: false, progress };
-            let written = write(&mut out);
-            if out.is_full { Err(ExportError::TooLarge { most }) } else { written }
-        })
+        Staged::new(&self.path, None, |out| capped(out, most, progress, write))
     }
 }
 
@@ -123,6 +119,18 @@ impl Drop for Staged {
         // The temporary file is ours alone; of one that is in its place there is none.
         let _ = fs::remove_file(&self.temporary);
     }
+}
+
+/// Writes no more than `most` bytes into `out`; tells `progress` how many there are.
+pub(super) fn capped(
+    out: &mut dyn Write,
+    most: u64,
+    progress: &dyn Fn(u64),
+    write: impl FnOnce(&mut dyn Write) -> Result<Summary, ExportError>,
+) -> Result<Summary, ExportError> {
+    let mut out = Capped { out, most, n_left: most, is_full: false, progress };
+    let written = write(&mut out);
+    if out.is_full { Err(ExportError::TooLarge { most }) } else { written }
 }
 
 /// Takes so many bytes and no more.

@@ -12,6 +12,7 @@ pub(super) static FORMAT: Format = Format {
     options: &[],
     takes: |subject| matches!(subject, Subject::Table(_)),
     takes_data: false,
+    is_of_meshes: false,
     wants: "one table",
     write,
 };

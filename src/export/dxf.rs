@@ -22,6 +22,7 @@ pub(super) static FORMAT: Format = Format {
     options: &["tolerance", "angle", "decimals"],
     takes: Subject::is_geometry,
     takes_data: false,
+    is_of_meshes: false,
     wants: "points, curves, surfaces and meshes",
     write,
 };

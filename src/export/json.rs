@@ -13,6 +13,7 @@ pub(super) static FORMAT: Format = Format {
     options: &[],
     takes: |subject| matches!(subject, Subject::Data(_)),
     takes_data: true,
+    is_of_meshes: false,
     wants: "any value but functions",
     write,
 };

@@ -8,6 +8,7 @@ mod exact;
 mod gltf;
 mod iges;
 mod json;
+mod measure;
 mod obj;
 mod ply;
 mod shape;
@@ -30,6 +31,7 @@ use crate::{
     limits::Limits,
 };
 
+pub use measure::{Part, parts};
 pub use view::View;
 
 /// Something that a file can hold.
@@ -193,6 +195,9 @@ pub struct Format {
     pub takes: fn(&Subject) -> bool,
     /// Whether it holds any value as exact data rather than shapes.
     pub takes_data: bool,
+    /// Whether curves and surfaces are polylines and triangles in it, unless they are asked for in
+    /// exact form.
+    pub is_of_meshes: bool,
     /// What it takes, as a noun phrase.
     pub wants: &'static str,
     /// Writes a file.
@@ -219,6 +224,19 @@ impl Format {
     #[must_use]
     pub fn takes_shapes(&self) -> bool {
         (self.takes)(&Subject::Mesh(Arc::default())) || (self.takes)(&Subject::Point(DVec3::ZERO))
+    }
+
+    /// Whether it holds a table.
+    #[must_use]
+    pub fn takes_tables(&self) -> bool {
+        (self.takes)(&Subject::Table(Arc::default()))
+    }
+
+    /// Whether a file with these options holds polylines and triangles in the place of curves and
+    /// surfaces.
+    #[must_use]
+    pub fn holds_meshes(&self, options: &Options) -> bool {
+        self.is_of_meshes && !options.free_form
     }
 
     /// The format of a path.

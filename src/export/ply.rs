@@ -19,6 +19,7 @@ pub(super) static FORMAT: Format = Format {
     options: &["tolerance", "angle", "binary", "decimals"],
     takes: Subject::is_geometry,
     takes_data: false,
+    is_of_meshes: true,
     wants: "points, curves, surfaces and meshes",
     write,
 };

@@ -18,6 +18,7 @@ pub(super) static FORMAT: Format = Format {
     options: &["tolerance", "angle", "binary", "decimals"],
     takes: |subject| matches!(subject, Subject::Surface(_) | Subject::Mesh(_)),
     takes_data: false,
+    is_of_meshes: true,
     wants: "surfaces and meshes",
     write,
 };

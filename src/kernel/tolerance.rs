@@ -299,3 +299,10 @@ pub const CORNER_RELATIVE: f64 = 1e-4;
 ///
 /// Larger shifts the lines visibly; smaller asks for more patches than anybody sees.
 pub const LIGHT_SHARE: f64 = 1e-3;
+
+/// Numbers of two runs of a script that differ by less than this, as a fraction of the larger one or
+/// of 1, are one result; whoever keeps results may say otherwise.
+///
+/// Larger lets a change of the geometry pass unseen; smaller tells of roundings that come out
+/// otherwise where an algorithm takes its steps in another order.
+pub const SAME_RESULT: f64 = 1e-9;

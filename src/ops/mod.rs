@@ -20,6 +20,8 @@ use crate::{
     value::{Length, Registry, shortest},
 };
 
+pub(crate) use mesh::csv_rows;
+
 /// Everything that a script can use without defining it.
 #[must_use]
 pub fn registry() -> Registry {

@@ -23,6 +23,7 @@ pub(super) static GLB: Format = Format {
     options: &["tolerance", "angle"],
     takes: Subject::is_geometry,
     takes_data: false,
+    is_of_meshes: true,
     wants: "points, curves, surfaces and meshes",
     write: write_glb,
 };
@@ -34,6 +35,7 @@ pub(super) static GLTF: Format = Format {
     options: &["tolerance", "angle"],
     takes: Subject::is_geometry,
     takes_data: false,
+    is_of_meshes: true,
     wants: "points, curves, surfaces and meshes",
     write: write_gltf,
 };

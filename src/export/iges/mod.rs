@@ -22,6 +22,7 @@ pub(super) static FORMAT: Format = Format {
     options: &["tolerance"],
     takes: |subject| matches!(subject, Subject::Point(_) | Subject::Curve(_) | Subject::Surface(_)),
     takes_data: false,
+    is_of_meshes: false,
     wants: "points, curves and surfaces",
     write,
 };

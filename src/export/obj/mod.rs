@@ -20,6 +20,7 @@ pub(super) static FORMAT: Format = Format {
     options: &["tolerance", "angle", "decimals", "free_form"],
     takes: Subject::is_geometry,
     takes_data: false,
+    is_of_meshes: true,
     wants: "points, curves, surfaces and meshes",
     write,
 };

@@ -29,6 +29,7 @@ pub(super) static FORMAT: Format = Format {
     options: &["tolerance", "decimals", "view"],
     takes: Subject::is_geometry,
     takes_data: false,
+    is_of_meshes: false,
     wants: "points, curves, surfaces and meshes",
     write,
 };

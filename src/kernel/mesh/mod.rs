@@ -3,10 +3,11 @@
 //! This file has the type; `grid` makes a mesh of a surface by counts, `tessellate` by a tolerance,
 //! `any` of functions too. `weld` tells which vertices are one place, `topology` how the triangles
 //! hang together, `measure` area, volume and their centres, `deviation` how far one is from a
-//! surface, `fault` why a mesh encloses nothing, `section` where a plane cuts it.
+//! surface, `distance` how far a place is from one, `fault` why a mesh encloses nothing, `section` where a plane cuts it.
 
 mod any;
 mod deviation;
+mod distance;
 mod fault;
 mod grid;
 mod measure;
@@ -21,6 +22,7 @@ use glam::{DAffine3, DMat3, DVec2, DVec3};
 use super::{Bounds, GeomError, frame::unit, tolerance::UNIT_SLACK};
 
 pub use any::{grid_mesh_any, tessellate_any, tessellate_curve_any};
+pub use distance::distance_to_polyline;
 pub use fault::MeshError;
 pub use grid::grid_mesh;
 pub use planar::planar_mesh;

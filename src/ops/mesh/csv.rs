@@ -11,7 +11,7 @@ use crate::{
 };
 
 /// A cell: its text, and whether it stood in quotation marks.
-type Cell = (String, bool);
+pub(crate) type Cell = (String, bool);
 
 /// The table of a file.
 pub(super) fn read(bytes: &[u8], ctx: &Ctx<'_>) -> Result<Value, String> {
@@ -87,8 +87,15 @@ fn name_and_unit(title: &str) -> (&str, Option<&str>) {
     }
 }
 
-/// The rows that are not empty, with their first lines.
-fn rows(text: &str, separator: char, most: usize) -> Result<Vec<(usize, Vec<Cell>)>, String> {
+/// The rows that are not empty, no more than `most` besides the header, with their first lines.
+///
+/// # Errors
+/// What is wrong with a line.
+pub(crate) fn rows(
+    text: &str,
+    separator: char,
+    most: usize,
+) -> Result<Vec<(usize, Vec<Cell>)>, String> {
     let mut rows = Vec::new();
     let (mut row, mut cell, mut is_quoted) = (Vec::new(), String::new(), false);
     let (mut line, mut first_line) = (1, 1);

@@ -18,6 +18,8 @@ mod volume;
 
 use crate::value::Op;
 
+pub(crate) use csv::rows as csv_rows;
+
 pub(super) static OPS: &[&Op] = &[
     &grid_mesh::OP,
     &tessellate::OP,

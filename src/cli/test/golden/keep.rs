@@ -1,0 +1,63 @@
+//! Writes what a golden folder should hold, and takes out of it what no script makes any more.
+
+use std::{fs, path::Path};
+
+use super::{Content, FILES, HEADER, PRINTED, Page, header::Header, kept, measures};
+use crate::{
+    cli::{
+        files::reason,
+        write::{Refusal, Staged, Target, failure},
+    },
+    export::{ExportError, Summary},
+};
+
+/// Writes all files of the folder, the header last; none is put into its place before all are
+/// written.
+pub(super) fn write(pages: &[Page<'_>], folder: &Path, header: Header) -> Result<(), String> {
+    fs::create_dir_all(folder).map_err(|err| {
+        format!("cannot make the folder `{}`: {}", folder.display(), reason(&err))
+    })?;
+    let mut staged = Vec::with_capacity(pages.len() + 1);
+    for page in pages {
+        staged.push(stage(folder, &page.path, &page.content.bytes())?);
+    }
+    staged.push(stage(folder, HEADER, header.text().as_bytes())?);
+    for staged in staged {
+        staged.place().map_err(|err| cannot(folder, "", &ExportError::Io(err)))?;
+    }
+    for path in kept(folder)? {
+        let is_ours = path == PRINTED || path.starts_with(&format!("{FILES}/"));
+        if is_ours && !pages.iter().any(|page| page.path == path) {
+            let path = folder.join(path);
+            fs::remove_file(&path)
+                .map_err(|err| format!("cannot remove `{}`: {}", path.display(), reason(&err)))?;
+        }
+    }
+    Ok(())
+}
+
+fn stage(folder: &Path, path: &str, bytes: &[u8]) -> Result<Staged, String> {
+    let target = Target::new(folder, path, &[]).map_err(|refusal| match refusal {
+        Refusal::Forbidden(message) | Refusal::System(message) => message,
+    })?;
+    let written = target.stage(u64::MAX, &|_| {}, |out| {
+        out.write_all(bytes)?;
+        Ok(Summary::default())
+    });
+    written.map(|(staged, _)| staged).map_err(|err| cannot(folder, path, &err))
+}
+
+fn cannot(folder: &Path, path: &str, err: &ExportError) -> String {
+    format!("cannot write `{}`: {}", folder.join(path).display(), failure(err))
+}
+
+impl Content<'_> {
+    /// As it is kept.
+    fn bytes(&self) -> Vec<u8> {
+        match self {
+            Self::Lines(text) => text.as_bytes().to_vec(),
+            Self::Table(bytes) | Self::Bytes(bytes) => bytes.clone(),
+            Self::Measures(parts) => measures::text(parts).into_bytes(),
+        }
+    }
+}

@@ -1,0 +1,308 @@
+//! Golden folders: what a script says and writes, kept in `NAME.golden/` beside `NAME.geo`.
+//!
+//! ```text
+//! door.golden/golden.json              how it is compared: `header`
+//! door.golden/printed.txt              what is printed, line by line: `lines`
+//! door.golden/files/door.csv           a table, compared column by column: `table`
+//! door.golden/files/door.obj.measures  a file of meshes, by measure: `measures`
+//! door.golden/files/door.step          other texts line by line, anything else by bytes
+//! ```
+
+mod difference;
+mod header;
+mod keep;
+mod lines;
+mod measures;
+mod table;
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+use self::{header::Header, lines::Tolerance};
+use crate::{
+    cli::{
+        Ending,
+        files::{read_whole, reason},
+        run,
+        write::capped,
+    },
+    diag::{Diagnostic, Severity},
+    export::{self, Part},
+    limits::Limits,
+    session::{Event, File, Report, name_flag},
+};
+
+pub(super) use self::difference::Difference;
+
+/// The name of the header.
+const HEADER: &str = "golden.json";
+/// The name of the file with the printed lines.
+const PRINTED: &str = "printed.txt";
+/// The folder of the exported files.
+const FILES: &str = "files";
+/// What the name of a file of meshes is followed by.
+const MEASURES: &str = "measures";
+
+/// What is asked of a golden folder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wish {
+    /// That nothing changed.
+    Compare,
+    /// That it holds what the script says and writes now, if there is one.
+    Bless,
+    /// The same, and that there is one.
+    Make,
+}
+
+/// How it came out.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Judged {
+    /// So many files are as they were.
+    Same(usize),
+    /// Something is not.
+    Apart(Vec<Difference>),
+    /// So many files were written, with what that changed.
+    Blessed(usize, Vec<Difference>),
+    /// The script has an error, so that not all of it is known.
+    Skipped,
+    /// The folder cannot be read or written.
+    Unusable(String),
+}
+
+/// The golden folder of a script.
+pub(super) fn folder(script: &Path) -> PathBuf {
+    script.with_extension("golden")
+}
+
+/// Compares what a script came to with its golden folder, or rewrites that; none if there is none.
+/// What cannot be exported becomes a finding of the report.
+pub(super) fn judge(
+    report: &mut Report,
+    folder: &Path,
+    wish: Wish,
+    limits: &Limits,
+) -> Option<(Judged, Ending)> {
+    let says_something = report.events.iter().any(|event| !matches!(event, Event::Checked(_)));
+    let is_there = folder.symlink_metadata().is_ok();
+    if !is_there && (wish != Wish::Make || !says_something) {
+        return None;
+    }
+    if 0 < report.count(Severity::Error) {
+        return Some((Judged::Skipped, Ending::Wrong));
+    }
+    let unusable = |message| Some((Judged::Unusable(message), Ending::Usage));
+    let header = match header(folder, is_there, wish, limits) {
+        Ok(header) => header,
+        Err(message) => return unusable(message),
+    };
+    let pages = match pages(report, header, limits) {
+        Ok(pages) => pages,
+        Err((found, ending)) => {
+            report.diagnostics.push(*found);
+            return Some((Judged::Skipped, ending));
+        }
+    };
+    let apart = match compare(&pages, folder, header, wish, limits) {
+        Ok(apart) => apart,
+        Err(message) => return unusable(message),
+    };
+    match wish {
+        Wish::Compare if apart.is_empty() => Some((Judged::Same(pages.len()), Ending::Well)),
+        Wish::Compare => Some((Judged::Apart(apart), Ending::Failed)),
+        Wish::Bless | Wish::Make => match keep::write(&pages, folder, header) {
+            Ok(()) => Some((Judged::Blessed(pages.len(), apart), Ending::Well)),
+            Err(message) => unusable(message),
+        },
+    }
+}
+
+/// The header of a folder.
+fn header(folder: &Path, is_there: bool, wish: Wish, limits: &Limits) -> Result<Header, String> {
+    let path = folder.join(HEADER);
+    if is_there && !folder.is_dir() {
+        return Err(format!("`{}` must be a folder", folder.display()));
+    }
+    if path.symlink_metadata().is_err() {
+        return match wish {
+            Wish::Compare => Err(format!(
+                "`{}` has no `{HEADER}`; `virote test --bless` writes it",
+                folder.display()
+            )),
+            Wish::Bless | Wish::Make => Ok(Header::default()),
+        };
+    }
+    let told = |message: String| format!("`{}` {message}", path.display());
+    let bytes = read_whole(&path, limits.input_bytes)
+        .map_err(|message| format!("cannot read `{}`: {message}", path.display()))?;
+    Header::read(&bytes).map_err(told)
+}
+
+/// A file of a golden folder, as it should be.
+struct Page<'a> {
+    /// Its path below the folder, with `/` between its parts.
+    path: String,
+    content: Content<'a>,
+}
+
+/// What it holds, and so how it is compared.
+enum Content<'a> {
+    Lines(String),
+    Table(Vec<u8>),
+    Measures(Vec<Part<'a>>),
+    Bytes(Vec<u8>),
+}
+
+/// What the folder should hold; or what cannot be exported, and how that ends.
+fn pages<'a>(
+    report: &'a Report,
+    header: Header,
+    limits: &Limits,
+) -> Result<Vec<Page<'a>>, (Box<Diagnostic>, Ending)> {
+    let mut printed = String::new();
+    let mut pages = Vec::new();
+    for event in &report.events {
+        match event {
+            Event::Printed(line) => {
+                printed += &format!("{} = {}\n", line.source, line.value);
+            }
+            Event::File(file) => {
+                let page = page(file, header, limits).map_err(|err| {
+                    let (mut found, ending) = run::refusal(file, &err);
+                    name_flag(&mut found);
+                    (Box::new(found), ending)
+                })?;
+                pages.push(page);
+            }
+            Event::Checked(_) | Event::Expected(_) => {}
+        }
+    }
+    if !printed.is_empty() {
+        pages.insert(0, Page { path: PRINTED.to_owned(), content: Content::Lines(printed) });
+    }
+    Ok(pages)
+}
+
+/// A file that the script exports.
+fn page<'a>(
+    file: &'a File,
+    header: Header,
+    limits: &Limits,
+) -> Result<Page<'a>, export::ExportError> {
+    let path = format!("{FILES}/{}", file.path);
+    if !header.by_bytes && file.format.holds_meshes(&file.job.options) {
+        let parts = export::parts(&file.job)?;
+        return Ok(Page { path: format!("{path}.{MEASURES}"), content: Content::Measures(parts) });
+    }
+    // It is held in memory, as is what it is compared with.
+    let most = file.job.limits.output_bytes.min(limits.input_bytes as u64);
+    let mut bytes = Vec::new();
+    capped(&mut bytes, most, &|_| {}, |out| (file.format.write)(&file.job, out))?;
+    let content = if header.by_bytes {
+        Content::Bytes(bytes)
+    } else if file.format.takes_tables() {
+        Content::Table(bytes)
+    } else {
+        match String::from_utf8(bytes) {
+            Ok(text) => Content::Lines(text),
+            Err(err) => Content::Bytes(err.into_bytes()),
+        }
+    };
+    Ok(Page { path, content })
+}
+
+/// Where a folder differs from what it should hold.
+fn compare(
+    pages: &[Page<'_>],
+    folder: &Path,
+    header: Header,
+    wish: Wish,
+    limits: &Limits,
+) -> Result<Vec<Difference>, String> {
+    let called = folder.file_name().unwrap_or_default().to_string_lossy();
+    let mut apart = Vec::new();
+    for page in pages {
+        let path = folder.join(&page.path);
+        let found = if path.is_file() {
+            let bytes = read_whole(&path, limits.input_bytes)
+                .map_err(|message| format!("cannot read `{}`: {message}", path.display()))?;
+            page.differences(&bytes, header, limits)
+        } else {
+            vec![Difference::of_whole(if wish == Wish::Compare { "is missing" } else { "is new" })]
+        };
+        let file = format!("{called}/{}", page.path);
+        apart.extend(found.into_iter().map(|found| found.in_file(&file)));
+    }
+    for path in kept(folder)? {
+        if !pages.iter().any(|page| page.path == path) {
+            let stray = Difference::of_whole("nothing of the script makes this file any more");
+            apart.push(stray.in_file(&format!("{called}/{path}")));
+        }
+    }
+    Ok(apart)
+}
+
+impl Page<'_> {
+    fn differences(&self, bytes: &[u8], header: Header, limits: &Limits) -> Vec<Difference> {
+        let tolerance = Tolerance(header.tolerance);
+        let text = std::str::from_utf8(bytes);
+        match (&self.content, text) {
+            (Content::Lines(found), Ok(expected)) => lines::differences(expected, found, tolerance),
+            (Content::Measures(parts), Ok(expected)) => {
+                measures::differences(expected, parts, tolerance)
+            }
+            (Content::Table(found), _) => {
+                table::differences(bytes, found, limits.list_length, tolerance)
+            }
+            (Content::Bytes(found), _) => of_bytes(bytes, found),
+            (_, Err(err)) => {
+                let at = err.valid_up_to() + 1;
+                vec![Difference::of_whole(format!("byte {at} is not UTF-8 text"))]
+            }
+        }
+    }
+}
+
+/// Where bytes differ.
+fn of_bytes(expected: &[u8], found: &[u8]) -> Vec<Difference> {
+    if expected == found {
+        return Vec::new();
+    }
+    let n_same = expected.iter().zip(found).take_while(|(a, b)| a == b).count();
+    let side = |bytes: &[u8]| match bytes.get(n_same) {
+        Some(byte) => format!("{byte:#04x} of {} bytes", bytes.len()),
+        None => format!("the end of {} bytes", bytes.len()),
+    };
+    let place = format!("byte {}", n_same + 1);
+    vec![Difference::of_texts(place, &side(expected), &side(found))]
+}
+
+/// The files that a folder holds besides its header, without those that begin with a point.
+fn kept(folder: &Path) -> Result<Vec<String>, String> {
+    let mut found = Vec::new();
+    let mut folders = vec![String::new()];
+    while let Some(prefix) = folders.pop() {
+        let place = folder.join(&prefix);
+        if !place.is_dir() {
+            continue;
+        }
+        let told = |err| format!("cannot look into `{}`: {}", place.display(), reason(&err));
+        for entry in fs::read_dir(&place).map_err(told)? {
+            let entry = entry.map_err(told)?;
+            let name = entry.file_name().to_string_lossy().into_owned();
+            let path = format!("{prefix}{name}");
+            if name.starts_with('.') || path == HEADER {
+                continue;
+            }
+            // Links to folders are not followed.
+            if entry.file_type().map_err(told)?.is_dir() {
+                folders.push(format!("{path}/"));
+            } else {
+                found.push(path);
+            }
+        }
+    }
+    found.sort();
+    Ok(found)
+}

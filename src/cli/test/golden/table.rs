@@ -1,0 +1,85 @@
+//! Tables column by column.
+
+use super::{
+    difference::{Difference, MOST_TOLD},
+    lines::Tolerance,
+};
+use crate::ops;
+
+/// The column of a table: its title, and its cells.
+type Column = (String, Vec<String>);
+
+/// Where two tables differ; `most` rows are allowed.
+pub(super) fn differences(
+    expected: &[u8],
+    found: &[u8],
+    most: usize,
+    tolerance: Tolerance,
+) -> Vec<Difference> {
+    let expected = match columns(expected, most) {
+        Ok(columns) => columns,
+        Err(message) => return vec![Difference::of_whole(format!("is no table: {message}"))],
+    };
+    let found = match columns(found, most) {
+        Ok(columns) => columns,
+        Err(message) => {
+            return vec![Difference::of_whole(format!("what is written is no table: {message}"))];
+        }
+    };
+    let titles = |columns: &[Column]| {
+        columns.iter().map(|(title, _)| title.as_str()).collect::<Vec<_>>().join(", ")
+    };
+    if titles(&expected) != titles(&found) {
+        return vec![Difference::of_texts("the columns", &titles(&expected), &titles(&found))];
+    }
+    let rows = |columns: &[Column]| columns.first().map_or(0, |(_, cells)| cells.len());
+    let mut told = Vec::new();
+    if rows(&expected) != rows(&found) {
+        let count = |columns| rows(columns).to_string();
+        told.push(Difference::of_texts("the number of rows", &count(&expected), &count(&found)));
+    }
+    let apart = expected.iter().zip(&found).filter_map(|(a, b)| of_columns(a, b, tolerance));
+    told.extend(apart);
+    let n_more = told.len().saturating_sub(MOST_TOLD);
+    if 0 < n_more {
+        told.truncate(MOST_TOLD);
+        told.push(Difference::of_whole(format!("and {n_more} more columns")));
+    }
+    told
+}
+
+/// What is different in a column: how many cells, and the first of them.
+fn of_columns(
+    (title, expected): &Column,
+    (_, found): &Column,
+    tolerance: Tolerance,
+) -> Option<Difference> {
+    let mut apart =
+        expected.iter().zip(found).enumerate().filter(|(_, (a, b))| !tolerance.joins_texts(a, b));
+    let (row, (a, b)) = apart.next()?;
+    let (n_apart, row) = (1 + apart.count(), row + 1);
+    let place = match n_apart {
+        1 => format!("column `{title}`, row {row}"),
+        _ => format!("column `{title}`, {n_apart} rows, the first of them {row}"),
+    };
+    Some(Difference::of_texts(place, a, b))
+}
+
+/// The columns of a table as text.
+fn columns(bytes: &[u8], most: usize) -> Result<Vec<Column>, String> {
+    let text = std::str::from_utf8(bytes).map_err(|_| "it is not text in UTF-8".to_owned())?;
+    let mut rows = ops::csv_rows(text, ',', most)?.into_iter();
+    let (_, header) = rows.next().ok_or("it is empty")?;
+    let n_columns = header.len();
+    let mut columns: Vec<Column> =
+        header.into_iter().map(|(title, _)| (title, Vec::new())).collect();
+    for (line, row) in rows {
+        if row.len() != n_columns {
+            return Err(format!("line {line} has {} cells, the header has {n_columns}", row.len()));
+        }
+        for ((_, cells), (cell, _)) in columns.iter_mut().zip(row) {
+            cells.push(cell);
+        }
+    }
+    Ok(columns)
+}
