@@ -28,13 +28,13 @@ use virote::{
 use support::{folder, programs, report};
 
 /// Of so many torn scripts that can be read one is evaluated.
-const EVALUATED: usize = 10;
+const EVALUATED: usize = 40;
 
 /// After so many complaints no more are looked for.
 const MOST_COMPLAINTS: usize = 5;
 
 /// Far more than any of the scripts takes with these ceilings.
-const PATIENCE: Duration = Duration::from_secs(20);
+const PATIENCE: Duration = Duration::from_secs(60);
 
 const LIMITS: Limits = Limits {
     list_length: 20_000,

@@ -82,6 +82,10 @@ const MAX_COLUMNS: usize = 4096;
 const N_PLACES: usize = 7;
 const N_VERIFIED: usize = 36;
 
+/// Steps of a span in which the derivatives at its ends are taken: differences of the fourth order
+/// are then right to rounding.
+const STENCIL: f64 = 256.0;
+
 /// Part of the tolerance that may be used up at those places.
 const SAFETY: f64 = 0.5;
 
@@ -123,7 +127,10 @@ pub fn swept(
     // On the path's own knots only simple motions are exact.
     let mut is_plain = fineness.keeps_path;
     loop {
-        let fit = moving.fitted(&knots)?;
+        let mut fit = moving.fitted(&knots)?;
+        if !is_plain {
+            moving.joined(&mut fit)?;
+        }
         let (mut worst, mut missed) =
             moving.deviations(&fit, SAFETY * fineness.tolerance, N_PLACES)?;
         if fineness.n_sections.is_some() || missed.is_empty() {
@@ -242,6 +249,51 @@ impl Moving<'_> {
         let surface =
             NurbsSurface::new(self.section.knots().clone(), knots.clone(), Grid::from_rows(rows)?)?;
         Ok(Fit { surface, at })
+    }
+
+    /// Gives the columns next to the ends, and next to knots where nothing else holds both sides
+    /// together, the derivatives of the true surface: a path that goes on smoothly, over its seam
+    /// too, sweeps a surface without a crease.
+    fn joined(&mut self, fit: &mut Fit) -> Result<(), GeomError> {
+        let knots = fit.surface.knots_v().clone();
+        let p = knots.degree();
+        if p < 3 {
+            return Ok(());
+        }
+        let net = fit.surface.control_points();
+        let mut rows: Vec<Vec<DVec4>> = (0..net.n_rows()).map(|i| net.row(i).to_vec()).collect();
+        for span in knots.spans() {
+            let interval = knots.span_interval(span);
+            let is_joint = |t: f64| p <= knots.times(t);
+            // The control points of the span are those from span - p to span.
+            let sides = [
+                (interval.start(), interval.length(), span - p),
+                (interval.end(), -interval.length(), span),
+            ];
+            for (t, length, column) in sides.into_iter().filter(|&(t, ..)| is_joint(t)) {
+                let next = if 0.0 < length { column + 1 } else { column - 1 };
+                let derivatives = self.derivatives(t, length / STENCIL)?;
+                for (row, derivative) in rows.iter_mut().zip(derivatives) {
+                    row[next] = row[column] + derivative * (length / p as f64);
+                }
+            }
+        }
+        fit.surface =
+            NurbsSurface::new(self.section.knots().clone(), knots, Grid::from_rows(rows)?)?;
+        Ok(())
+    }
+
+    /// The derivatives by t of what [`Self::placed`] tells, from one side: of the quartic through
+    /// five places a step apart.
+    fn derivatives(&mut self, t: f64, step: f64) -> Result<Vec<DVec4>, GeomError> {
+        const WEIGHTS: [f64; 5] = [-25.0 / 12.0, 4.0, -3.0, 4.0 / 3.0, -0.25];
+        let mut sums = vec![DVec4::ZERO; self.section.control_points().len()];
+        for (k, weight) in WEIGHTS.into_iter().enumerate() {
+            for (sum, point) in sums.iter_mut().zip(self.placed(t + k as f64 * step)?) {
+                *sum += point * (weight / step);
+            }
+        }
+        Ok(sums)
     }
 
     /// How far the lines of control points are from where they should run: the worst with its

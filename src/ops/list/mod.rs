@@ -60,7 +60,8 @@ pub(super) fn check_length(n: f64, ctx: &Ctx<'_>) -> Result<()> {
     if n <= most as f64 {
         return Ok(());
     }
-    let message = format!("a list of {n} elements; the ceiling is {most}");
+    let many = if n < 1e15 { n.to_string() } else { "more than 1e15".to_owned() };
+    let message = format!("a list of {many} elements; the ceiling is {most}");
     Diagnostic::error(Code::TooLarge, ctx.span, message).fail()
 }
 

@@ -22,6 +22,7 @@ op! {
     }
     example "range(0, 1, 0.25)" => "[0, 0.25, 0.5, 0.75, 1]";
     example "range(3, 1, -1)" => "[3, 2, 1]";
+    example "range(1, 0, 5e-324)" => "[]";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Number<Real>>> {
@@ -32,7 +33,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Number<Real>>> {
         return outside(step.span, "a step of zero never arrives".to_owned());
     }
     // The last number may miss `b` by the rounding of the division.
-    let steps = (to.value - from.value) / by.value;
+    let steps = ((to.value - from.value) / by.value).clamp(-1e300, 1e300);
     let n_steps = (steps + STEP_RELATIVE * steps.abs().max(1.0)).floor();
     if n_steps < 0.0 {
         return Ok(Vec::new());
