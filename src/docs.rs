@@ -26,8 +26,77 @@ pub fn overview(registry: &Registry) -> String {
     for constant in registry.constants() {
         let _ = writeln!(out, "  {:<16} {}", constant.name, constant.docs);
     }
-    out.push_str("\n`virote doc NAME` tells more about one of them.\n");
+    out.push_str(
+        "\n`virote doc NAME` tells more about one of them, `virote doc WORDS` searches.\n",
+    );
     out
+}
+
+/// The titles of the chapters.
+pub fn chapters() -> impl Iterator<Item = &'static str> {
+    Family::ALL.iter().map(|&(_, title)| title)
+}
+
+/// The built-ins of a chapter with their first lines; upper and lower case are the same.
+#[must_use]
+pub fn chapter(registry: &Registry, title: &str) -> Option<String> {
+    let is_it = |(_, its): &&(Family, &str)| its.eq_ignore_ascii_case(title);
+    let &(family, title) = Family::ALL.iter().find(is_it)?;
+    let mut out = format!("{title}\n");
+    for op in registry.iter().filter(|op| op.family == family) {
+        let _ = writeln!(out, "  {:<16} {}", op.name, op.summary());
+    }
+    Some(out)
+}
+
+/// The built-ins that are about all words of a query, the best first, with their first lines; none
+/// if there is none.
+///
+/// A word counts where a word of theirs begins with it: in the name most, then in the first line, in
+/// the names of parameters, and in the rest of the documentation.
+#[must_use]
+pub fn search(registry: &Registry, query: &str) -> Option<String> {
+    let query: Vec<String> = words(query).map(str::to_lowercase).collect();
+    let mut found: Vec<(u32, &str, &str)> = registry
+        .iter()
+        .filter_map(|op| {
+            let scores: Option<Vec<u32>> = query.iter().map(|word| score(op, word)).collect();
+            Some((scores?.into_iter().sum(), op.name, op.summary()))
+        })
+        .filter(|&(score, ..)| 0 < score)
+        .collect();
+    found.sort_by(|a, b| b.0.cmp(&a.0).then(a.1.cmp(b.1)));
+    // Of several that share a name each is listed by its own line.
+    found.dedup();
+    let mut out = String::new();
+    for (_, name, summary) in &found {
+        let _ = writeln!(out, "  {name:<16} {summary}");
+    }
+    (!found.is_empty()).then_some(out)
+}
+
+/// How much an operation is about a word; none if nothing of it begins with the word.
+fn score(op: &Op, word: &str) -> Option<u32> {
+    let has = |text: &str| words(text).any(|one| one.to_lowercase().starts_with(word));
+    let names = || std::iter::once(op.name).chain(op.aliases.iter().copied());
+    if names().any(|name| name == word) {
+        Some(16)
+    } else if names().any(has) {
+        Some(8)
+    } else if has(op.summary()) {
+        Some(4)
+    } else if op.params.iter().any(|param| has(param.name)) {
+        Some(2)
+    } else if has(op.docs) || op.params.iter().any(|param| has(param.docs)) {
+        Some(1)
+    } else {
+        None
+    }
+}
+
+/// The words of a text or name.
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|character: char| !character.is_alphanumeric()).filter(|word| !word.is_empty())
 }
 
 /// All that the registry knows of `name`, for a terminal.

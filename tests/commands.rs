@@ -558,3 +558,106 @@ fn the_highest_ceilings_are_within_the_stack() {
         assert!(code == 0 || code == 2, "{start} ends with {code}: {err}");
     }
 }
+
+#[test]
+fn built_ins_are_found_by_chapter_and_by_words() {
+    let scratch = Scratch::new("doc-search");
+    let doc = |args: &[&str]| run(&scratch, &[&["doc"], args].concat());
+    let (out, err, code) = doc(&["surfaces"]);
+    assert_eq!((err.as_str(), code), ("", 0));
+    assert!(out.starts_with("Surfaces\n") && out.contains("\n  ruled "), "{out}");
+    assert!(!out.contains("  circle "), "{out}");
+    assert_eq!(doc(&["Questions", "about", "geometry"]).2, 0);
+    // Of several words all count, in names more than in texts.
+    let (out, err, code) = doc(&["curvature", "table"]);
+    assert_eq!((err.as_str(), code), ("", 0));
+    assert!(out.trim_start().starts_with("curvature_table "), "{out}");
+    assert!(!out.contains("  torsion "), "{out}");
+    let names = |text: &str| -> Vec<String> {
+        text.lines().filter_map(|line| line.split_whitespace().next()).map(str::to_owned).collect()
+    };
+    assert_eq!(names(&out), names(&doc(&["TABLE", "Curvature"]).0), "order and case do not count");
+    // A name is explained, unless a search is asked for.
+    let (entry, ..) = doc(&["length"]);
+    assert!(entry.starts_with("length("), "{entry}");
+    let (out, err, code) = doc(&["--search", "length"]);
+    assert_eq!((err.as_str(), code), ("", 0));
+    assert!(out.trim_start().starts_with("length ") && 3 < out.lines().count(), "{out}");
+    // A word within a word is none.
+    assert!(!names(&doc(&["--search", "arc"]).0).contains(&"search".to_owned()));
+
+    for (args, message) in [
+        (&["bezeir"][..], "virote: nothing built in is called `bezeir`; did you mean `bezier`?\n"),
+        (
+            &["surfaecs"],
+            "virote: nothing built in is called `surfaecs`; did you mean `Surfaces`?\n",
+        ),
+        (&["zzz", "qqq"], "virote: nothing built in is about `zzz qqq`\n"),
+        (&["--search", "zzz"], "virote: nothing built in is about `zzz`\n"),
+        (&["--search", "..."], "virote: nothing built in is about `...`\n"),
+    ] {
+        assert_eq!(doc(args), (String::new(), message.to_owned(), 3));
+    }
+    assert_eq!(doc(&["--search"]).2, 3);
+}
+
+#[test]
+fn shells_get_completions_of_every_verb() {
+    let scratch = Scratch::new("completions");
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let (out, err, code) = run(&scratch, &["completions", shell]);
+        assert_eq!((err.as_str(), code), ("", 0), "{shell}");
+        for word in ["explain", "params", "watch", "filter", "only"] {
+            assert!(out.contains(word), "`{word}` is missing for {shell}");
+        }
+    }
+    let (out, err, code) = run(&scratch, &["completions", "bsh"]);
+    assert_eq!((out.as_str(), code), ("", 3));
+    assert!(err.contains("'bash'"), "{err}");
+}
+
+/// Asks bash itself what it would complete.
+#[cfg(unix)]
+#[test]
+fn bash_completes_verbs_and_options() {
+    let scratch = Scratch::new("completions-bash");
+    let (script, ..) = run(&scratch, &["completions", "bash"]);
+    scratch.file("completions", script);
+    let asked = "source ./completions
+        COMP_WORDS=(virote ex); COMP_CWORD=1; _virote virote ex virote; echo \"${COMPREPLY[@]}\"
+        COMP_WORDS=(virote test --fil); COMP_CWORD=2; _virote virote --fil test; echo \"${COMPREPLY[@]}\"";
+    let Ok(output) = Command::new("bash").args(["-c", asked]).current_dir(&scratch.0).output()
+    else {
+        return;
+    };
+    let (out, err, _) = told(&output);
+    assert_eq!((out.as_str(), err.as_str()), ("explain\n--filter\n", ""));
+}
+
+#[test]
+fn the_manual_has_a_page_for_the_command_and_each_verb() {
+    let scratch = Scratch::new("man");
+    let (page, err, code) = run(&scratch, &["man"]);
+    assert_eq!((err.as_str(), code), ("", 0));
+    for part in [".TH virote 1", ".SH NAME", "Exit codes", "explain"] {
+        assert!(page.contains(part), "`{part}` is missing in:\n{page}");
+    }
+    let (out, ..) = run(&scratch, &["help"]);
+    let verbs: Vec<&str> = out
+        .lines()
+        .skip_while(|line| *line != "Commands:")
+        .skip(1)
+        .take_while(|line| !line.is_empty())
+        .filter_map(|line| line.strip_prefix("  ")?.split(' ').next())
+        .filter(|verb| !verb.is_empty() && *verb != "help")
+        .collect();
+    assert!(verbs.contains(&"run") && verbs.contains(&"man"), "{out}");
+    for verb in verbs {
+        let (page, err, code) = run(&scratch, &["man", verb]);
+        assert_eq!((err.as_str(), code), ("", 0), "{verb}");
+        assert!(page.contains(&format!(".TH virote-{verb} 1")), "{verb}:\n{page}");
+    }
+    let (out, err, code) = run(&scratch, &["man", "tset"]);
+    let message = "virote: there is no verb `tset`; did you mean `test`?\n";
+    assert_eq!((out.as_str(), err.as_str(), code), ("", message, 3));
+}

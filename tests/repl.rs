@@ -394,6 +394,27 @@ mod terminal {
     }
 
     #[test]
+    fn what_is_typed_ahead_is_not_lost() {
+        let scratch = Scratch::new("repl-ahead");
+        let mut prompt = Terminal::new(&scratch, 80, STATE);
+        // All at once: the later entries come while the first is still evaluated.
+        prompt.types("fold(0..300_000, 0, (x, y) => x + 1)\rlet a = 21\ra * 2\r");
+        prompt.sees("\n300001\r");
+        prompt.sees("a = 21\r");
+        prompt.sees("\n42\r");
+        prompt.says("a + 1", "\n22\r");
+        // The second is typed while the first is under way, and finished when the prompt is back.
+        prompt.types("fold(0..300_000, 0, (x, y) => x + 1)\r");
+        std::thread::sleep(Duration::from_millis(100));
+        prompt.types("a * ");
+        prompt.sees("\n300001\r");
+        prompt.sees(READY);
+        prompt.says("3", "\n63\r");
+        prompt.types("\x04");
+        prompt.ends();
+    }
+
+    #[test]
     fn a_narrow_terminal_and_pasted_rubbish_do_no_harm() {
         let scratch = Scratch::new("repl-narrow");
         let mut prompt = Terminal::new(&scratch, 20, STATE);

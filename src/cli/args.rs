@@ -9,7 +9,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::{
     limits::{self, Moved},
-    process, settings, test,
+    process, settings, test, watch,
 };
 use crate::{eval::Setting, limits::Limits, session::Session};
 
@@ -28,6 +28,7 @@ Examples:
   virote run bottle.geo --out build --dry-run  tell what would be written to build/
   virote check *.geo                           everything but the files
   virote test                                  the tests and checks of all scripts below
+  virote watch bottle.geo                      evaluate it whenever it is saved
   virote repl bottle.geo                       questions about it
   virote params bottle.geo                     its parameters
   virote graph bottle.geo                      what depends on what, for Graphviz
@@ -161,17 +162,54 @@ Examples:
         #[command(flatten)]
         talk: Talk,
     },
-    /// Explains a built-in, or lists all of them
-    #[command(after_help = "Example: virote doc circle")]
+    /// Carries a script out again whenever it is saved, or a file that it reads
+    ///
+    /// Only what the change touched is evaluated again. Ctrl-C ends.
+    #[command(after_help = "\
+Examples:
+  virote watch bottle.geo --out build
+  virote watch bottle.geo --check          writes no file")]
+    Watch(watch::Asked),
+    /// Explains a built-in, lists a chapter or all of them, or searches
+    #[command(after_help = "\
+Examples:
+  virote doc                     every built-in, by chapter
+  virote doc circle              one of them
+  virote doc surfaces            a chapter
+  virote doc closest surface     those that are about both words, the best first
+  virote doc --search length     those that are about a word that is a name itself")]
     Doc {
-        /// The built-in
-        name: Option<String>,
+        /// A built-in, a chapter, or words to search for
+        #[arg(value_name = "WORD")]
+        words: Vec<String>,
+        /// Searches for the words, whatever their names
+        #[arg(long, requires = "words")]
+        search: bool,
     },
     /// Explains the code of a message
     #[command(after_help = "Example: virote explain E0602")]
     Explain {
         /// The code, such as E0602; without one all codes are listed
         code: Option<String>,
+    },
+    /// Writes the completions of a shell to standard output
+    #[command(after_help = "\
+Examples:
+  virote completions bash > ~/.local/share/bash-completion/completions/virote
+  virote completions zsh > ~/.zfunc/_virote
+  virote completions fish > ~/.config/fish/completions/virote.fish")]
+    Completions {
+        /// The shell
+        shell: clap_complete::Shell,
+    },
+    /// Writes a manual page to standard output
+    #[command(after_help = "\
+Examples:
+  virote man > ~/.local/share/man/man1/virote.1
+  virote man run | man -l -")]
+    Man {
+        /// A verb of the command
+        verb: Option<String>,
     },
 }
 

@@ -3,6 +3,8 @@
 //! Lines: what the script prints and writes goes to standard output, findings to standard error.
 //! JSON: everything is an object on a line of standard output, findings included.
 
+use std::time::Duration;
+
 use serde_json::json;
 
 use super::{
@@ -223,6 +225,27 @@ impl Voice {
         }
     }
 
+    /// What a run of `watch` evaluated, how much it kept, and how long it took.
+    pub(super) fn evaluated(&self, names: &[&str], n_kept: usize, time: Duration) {
+        if self.is_json {
+            let milliseconds = 1e3 * time.as_secs_f64();
+            let line = json!({
+                "type": "evaluated",
+                "names": names,
+                "kept": n_kept,
+                "milliseconds": milliseconds,
+            });
+            say(&format!("{line}\n"));
+            return;
+        }
+        let what = match names.len() {
+            0 => "nothing".to_owned(),
+            n => format!("{n}: {}", first_of(names)),
+        };
+        let kept = if n_kept == 0 { String::new() } else { format!(", kept {n_kept}") };
+        self.remark(&format!("(evaluated {what}{kept}; {})", pretty(time)));
+    }
+
     /// The last words of `test`; `figures` are the same for programs.
     pub(super) fn total(&self, text: &str, mut figures: serde_json::Value) {
         if self.is_json {
@@ -255,6 +278,20 @@ impl Voice {
             _ => say(&format!("{n_failed} of {n_checks} {checks} failed\n")),
         }
     }
+}
+
+/// The first of some names.
+pub(super) fn first_of(names: &[&str]) -> String {
+    /// Names that are listed.
+    const MOST_NAMES: usize = 6;
+    let more = if MOST_NAMES < names.len() { ", ..." } else { "" };
+    names[..names.len().min(MOST_NAMES)].join(", ") + more
+}
+
+/// A time in a unit that suits it.
+pub(super) fn pretty(time: Duration) -> String {
+    let seconds = time.as_secs_f64();
+    if seconds < 1.0 { format!("{:.1} ms", 1e3 * seconds) } else { format!("{seconds:.2} s") }
 }
 
 /// Says in a line of JSON which test it comes from.

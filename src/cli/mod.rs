@@ -5,6 +5,7 @@ mod args;
 mod files;
 mod fmt;
 mod graph;
+mod interrupt;
 mod limits;
 mod look;
 mod message;
@@ -14,7 +15,9 @@ mod progress;
 mod repl;
 mod run;
 mod settings;
+mod shell;
 mod test;
+mod watch;
 mod write;
 
 use std::{
@@ -91,29 +94,34 @@ fn dispatch(verb: Verb) -> Ending {
         Verb::Graph { file, json, talk } => graph::run(&file, json, &talk),
         Verb::Repl { file, out, common } => repl::run(file.as_deref(), out.as_deref(), &common),
         Verb::Fmt { files, check, talk } => fmt::run(&files, check, &talk),
-        Verb::Doc { name } => doc(name.as_deref()),
+        Verb::Watch(asked) => watch::run(&asked),
+        Verb::Doc { words, search } => doc(&words, search),
         Verb::Explain { code } => explain(code.as_deref()),
+        Verb::Completions { shell } => shell::completions(shell),
+        Verb::Man { verb } => shell::man(verb.as_deref()),
     }
 }
 
-fn doc(name: Option<&str>) -> Ending {
+fn doc(words: &[String], is_search: bool) -> Ending {
     let registry = ops::registry();
-    let Some(name) = name else {
-        say(&docs::overview(&registry));
-        return Ending::Well;
+    let query = words.join(" ");
+    let found = match (query.as_str(), is_search) {
+        ("", _) => Some(docs::overview(&registry)),
+        (query, false) => docs::entry(&registry, query).or_else(|| docs::chapter(&registry, query)),
+        (_, true) => None,
     };
-    match docs::entry(&registry, name) {
-        Some(text) => {
-            say(&text);
-            Ending::Well
-        }
-        None => {
-            let near = crate::diag::nearest(name, registry.names());
-            let near = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
-            say_error(&format!("virote: nothing built in is called `{name}`{near}"));
-            Ending::Usage
-        }
+    if let Some(text) = found.or_else(|| docs::search(&registry, &query)) {
+        say(&text);
+        return Ending::Well;
     }
+    if words.len() == 1 && !is_search {
+        let near = crate::diag::nearest(&query, registry.names().chain(docs::chapters()));
+        let near = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+        say_error(&format!("virote: nothing built in is called `{query}`{near}"));
+    } else {
+        say_error(&format!("virote: nothing built in is about `{query}`"));
+    }
+    Ending::Usage
 }
 
 fn explain(code: Option<&str>) -> Ending {

@@ -6,6 +6,7 @@ use super::{
     Ending,
     args::Common,
     files::{Beside, Script},
+    interrupt::INTERRUPTED,
     message::Voice,
     progress::Progress,
     settings,
@@ -55,7 +56,7 @@ pub(super) fn check(paths: &[PathBuf], common: &Common) -> Ending {
 }
 
 /// What is done with each script.
-struct Run<'a> {
+pub(super) struct Run<'a> {
     session: Session,
     voice: Voice,
     settings: Vec<Setting>,
@@ -67,31 +68,51 @@ struct Run<'a> {
 
 impl<'a> Run<'a> {
     /// Reads the settings; what is wrong with them has been told.
-    fn new(mode: Mode<'a>, only: &'a [String], common: &'a Common) -> Result<Self, Ending> {
+    pub(super) fn new(
+        mode: Mode<'a>,
+        only: &'a [String],
+        common: &'a Common,
+    ) -> Result<Self, Ending> {
         let session = common.session();
         let voice = Voice::new(&common.talk, session.limits().diagnostics);
         let settings = settings::given(common, session.limits().input_bytes, &voice)?;
         Ok(Self { session, voice, settings, params: common.params.as_deref(), only, mode })
     }
 
+    /// The same with a memory, so that each run evaluates only what changed, and to be stopped by
+    /// Ctrl-C.
+    pub(super) fn watching(self) -> Self {
+        Self { session: self.session.incremental().stopped_by(&INTERRUPTED), ..self }
+    }
+
+    /// Who tells.
+    pub(super) fn voice(&self) -> &Voice {
+        &self.voice
+    }
+
+    /// The script of a file; what is wrong with it is told.
+    pub(super) fn read(&self, path: &Path) -> Option<Script> {
+        let script = Script::read(path, self.session.limits().source_bytes);
+        script.map_err(|message| self.voice.trouble(&message)).ok()
+    }
+
     fn interpret(&self, path: &Path) -> Ending {
-        let voice = &self.voice;
-        let script = match Script::read(path, self.session.limits().source_bytes) {
-            Ok(script) => script,
-            Err(message) => {
-                voice.trouble(&message);
-                return Ending::Usage;
-            }
-        };
+        let Some(script) = self.read(path) else { return Ending::Usage };
         let files = Beside::new(&script.folder);
+        self.carry_out(script, &files).1
+    }
+
+    /// Does all that the script wants, with data from `files`.
+    pub(super) fn carry_out(&self, script: Script, files: &Beside) -> (Report, Ending) {
+        let voice = &self.voice;
         let progress = Progress::begin(&format!("evaluating {}", script.name), voice.is_lively());
-        let mut report = self.session.run(&script.name, &script.bytes, &files, &self.settings);
+        let mut report = self.session.run(&script.name, &script.bytes, files, &self.settings);
         let mut misuse = std::mem::take(&mut report.unknown_settings);
         misuse.extend(choose(&mut report, self.only));
         if !misuse.is_empty() {
             misuse.iter().for_each(|message| voice.trouble(message));
             voice.findings(&report.diagnostics, &report.sources);
-            return Ending::Usage;
+            return (report, Ending::Usage);
         }
         let out = match self.mode {
             Mode::Write(Some(out)) | Mode::DryRun(Some(out)) => out.to_path_buf(),
@@ -101,7 +122,8 @@ impl<'a> Run<'a> {
         inputs.extend(script.path);
         inputs.extend(self.params.map(Path::to_path_buf));
         let targets = targets(&mut report, &out, &inputs);
-        act(&report, &targets, self.mode, progress, voice)
+        let ending = act(&report, &targets, self.mode, progress, voice);
+        (report, ending)
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use glam::DVec2;
 
-use super::{Prompt, plot, show};
+use super::{super::message::pretty, Prompt, plot, show};
 use crate::{
     diag::{Code, nearest},
     docs,
@@ -197,7 +197,7 @@ fn time(prompt: &mut Prompt, text: &str) {
     }
     if let Some((printed, time)) = prompt.ask(text) {
         printed.iter().for_each(|printed| prompt.answer(&printed.value));
-        super::say(&format!("({})\n", show::pretty(time)));
+        super::say(&format!("({})\n", pretty(time)));
     }
 }
 

@@ -3,7 +3,7 @@
 use std::{
     path::Path,
     sync::{
-        Arc, OnceLock,
+        Arc,
         atomic::{AtomicBool, Ordering},
         mpsc,
     },
@@ -11,15 +11,12 @@ use std::{
     time::{Duration, Instant},
 };
 
-use super::super::{args::Common, files::Beside};
+use super::super::{args::Common, files::Beside, interrupt::INTERRUPTED};
 use crate::{
     diag::Sources,
     eval::Setting,
     session::{Report, Session},
 };
-
-/// Set by Ctrl-C while something is evaluated.
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
 /// How often a run that is waited for is asked whether Ctrl-C was pressed.
 const PATIENCE: Duration = Duration::from_millis(20);
@@ -45,13 +42,6 @@ pub(super) struct Ran {
     pub(super) start: u32,
     /// How long it took.
     pub(super) time: Duration,
-}
-
-/// Lets Ctrl-C stop a run instead of the program. To be called once.
-pub(super) fn listen() {
-    static LISTENS: OnceLock<bool> = OnceLock::new();
-    LISTENS
-        .get_or_init(|| ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed)).is_ok());
 }
 
 /// A switch of its own for a session, which lives as long as the program.

@@ -8,6 +8,7 @@ use std::{
 use super::{
     super::{
         files::{Script, reason},
+        message::pretty,
         write::replace,
     },
     Prompt, command,
@@ -49,7 +50,7 @@ impl Prompt {
         self.file = script.path;
         report.events.retain(|event| matches!(event, Event::Checked(_)));
         self.act(&mut report);
-        let time = show::pretty(ran.time);
+        let time = pretty(ran.time);
         let n = command::some(self.values.len(), "definition");
         let n_exports = self.document.count(Role::Export);
         let exports = match n_exports {

@@ -28,7 +28,9 @@ use self::{
     editor::{Editor, Typed},
     engine::{Engine, Ran},
 };
-use super::{Ending, args::Common, message::Voice, progress::Progress, run, say, settings};
+use super::{
+    Ending, args::Common, interrupt, message::Voice, progress::Progress, run, say, settings,
+};
 use crate::{
     diag::{Diagnostic, Severity, Sources},
     eval::{Kept, Printed, Work},
@@ -110,7 +112,7 @@ struct Prompt {
 impl Prompt {
     /// Entries from a terminal.
     fn converse(&mut self, is_quiet: bool) -> Ending {
-        engine::listen();
+        interrupt::listen();
         let (mut editor, warning) =
             match Editor::new(ops::registry(), *self.limits(), self.with_color) {
                 Ok(editor) => editor,

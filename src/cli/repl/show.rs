@@ -4,7 +4,10 @@ use std::time::Duration;
 
 use glam::DVec3;
 
-use super::plot;
+use super::{
+    super::message::{first_of, pretty},
+    plot,
+};
 use crate::{
     kernel::{Column, Curve, Mesh, Surface, Table},
     value::{Dim, Value, shortest},
@@ -231,22 +234,10 @@ pub(super) fn is_written(value: &Value) -> bool {
 
 /// What a new definition made evaluate again.
 pub(super) fn evaluated(names: &[&str], n_reused: usize, time: Duration) -> String {
-    /// Names that are listed.
-    const MOST_NAMES: usize = 6;
     let kept = if n_reused == 0 { String::new() } else { format!(", kept {n_reused}") };
     let time = pretty(time);
     if names.is_empty() {
         return format!("(nothing else depends on it{kept}; {time})");
     }
-    let mut list = names[..names.len().min(MOST_NAMES)].join(", ");
-    if names.len() > MOST_NAMES {
-        list.push_str(", ...");
-    }
-    format!("(evaluated {} again: {list}{kept}; {time})", names.len())
-}
-
-/// A time in a unit that suits it.
-pub(super) fn pretty(time: Duration) -> String {
-    let seconds = time.as_secs_f64();
-    if seconds < 1.0 { format!("{:.1} ms", 1e3 * seconds) } else { format!("{seconds:.2} s") }
+    format!("(evaluated {} again: {}{kept}; {time})", names.len(), first_of(names))
 }

@@ -1,0 +1,32 @@
+//! Ctrl-C as a switch that whoever waits looks at.
+
+use std::sync::{
+    OnceLock,
+    atomic::{AtomicBool, Ordering},
+};
+
+/// Set by Ctrl-C.
+pub(super) static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+
+/// The exit code of a program that Ctrl-C ends, by the custom of shells.
+const BY_INTERRUPT: i32 = 130;
+
+/// Lets Ctrl-C set the switch instead of ending the program.
+pub(super) fn listen() {
+    handle(|| INTERRUPTED.store(true, Ordering::Relaxed));
+}
+
+/// The same, but where the switch is set and not yet heard, Ctrl-C ends the program all the same.
+pub(super) fn listen_once() {
+    handle(|| {
+        if INTERRUPTED.swap(true, Ordering::Relaxed) {
+            std::process::exit(BY_INTERRUPT);
+        }
+    });
+}
+
+/// Has this done at Ctrl-C. Only the first call counts.
+fn handle(at_interrupt: fn()) {
+    static LISTENS: OnceLock<bool> = OnceLock::new();
+    LISTENS.get_or_init(|| ctrlc::set_handler(at_interrupt).is_ok());
+}
