@@ -45,15 +45,36 @@ where
     }
 }
 
-/// The value at a local parameter: de Casteljau.
+/// The value at a local parameter of 0..1: Horner's scheme, O(p).
+///
+/// Farin, *Curves and Surfaces for CAGD*, §5.6.
 pub(in crate::kernel) fn value(coefficients: &[f64], t: f64) -> f64 {
-    let mut row = coefficients.to_vec();
-    for n_left in (1..row.len()).rev() {
-        for i in 0..n_left {
-            row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
-        }
+    let degree = coefficients.len() - 1;
+    if degree == 0 {
+        return coefficients[0];
     }
-    row[0]
+    let s = 1.0 - t;
+    let (mut power, mut choose) = (1.0, 1.0);
+    let mut sum = coefficients[0] * s;
+    for (i, coefficient) in coefficients.iter().enumerate().take(degree).skip(1) {
+        power *= t;
+        choose *= (degree + 1 - i) as f64 / i as f64;
+        sum = (sum + power * choose * coefficient) * s;
+    }
+    sum + power * t * coefficients[degree]
+}
+
+/// The Bernstein polynomials of a degree at a local parameter of 0..1.
+pub(in crate::kernel) fn basis(degree: usize, t: f64) -> Vec<f64> {
+    let mut values = binomials(degree);
+    let (mut rising, mut falling) = (1.0, 1.0);
+    for i in 0..=degree {
+        values[i] *= rising;
+        values[degree - i] *= falling;
+        rising *= t;
+        falling *= 1.0 - t;
+    }
+    values
 }
 
 /// The coefficients over both halves of the interval.

@@ -25,18 +25,11 @@ pub(super) struct Branch {
     ends: [f64; 2],
 }
 
-/// A polynomial with its derivatives.
+/// A polynomial with its derivative by its first parameter.
 #[derive(Debug)]
 struct Sloped {
     field: Grid<f64>,
     by_u: Grid<f64>,
-    by_v: Grid<f64>,
-}
-
-impl Sloped {
-    fn new(field: Grid<f64>) -> Self {
-        Self { by_u: square::slope_u(&field), by_v: square::slope_v(&field), field }
-    }
 }
 
 impl Branch {
@@ -74,7 +67,7 @@ impl Branch {
                 _ => stretches.push([ends[0], ends[1]]),
             }
         }
-        let field = Rc::new(Sloped::new(field));
+        let field = Rc::new(Sloped { by_u: square::slope_u(&field), field });
         let [low, high] = [cell.low, cell.high].map(|corner| swapped(corner, is_swapped));
         let branch = |ends: [f64; 2]| Self {
             field: Some(Rc::clone(&field)),
@@ -98,35 +91,31 @@ impl Branch {
         }
     }
 
-    /// The place a fraction of the way along, in fractions of the patch.
-    pub(super) fn place(&self, fraction: f64) -> [f64; 2] {
-        let local = self.local(fraction);
-        let along = |i: usize| self.low[i] * (1.0 - local[i]) + self.high[i] * local[i];
-        swapped([along(0), along(1)], self.is_swapped)
-    }
-
-    /// The direction in which it runs there, by fractions of the patch, of any length; zero where
-    /// the field has no slope.
-    pub(super) fn direction(&self, fraction: f64) -> [f64; 2] {
+    /// A fraction of the way along, by fractions of the patch: the place, and the direction in which
+    /// it runs there, of any length; zero where the field has no slope.
+    pub(super) fn at(&self, fraction: f64) -> [[f64; 2]; 2] {
         let width = [0, 1].map(|i| self.high[i] - self.low[i]);
-        let slopes = match &self.field {
-            None => [width[0], 0.0],
-            Some(field) => {
-                let local = self.local(fraction);
-                let by_u = square::value(&field.by_u, local);
-                let by_v = square::value(&field.by_v, local);
+        let u = self.ends[0] * (1.0 - fraction) + self.ends[1] * fraction;
+        let (v, slopes) = match &self.field {
+            None => (0.0, [width[0], 0.0]),
+            Some(sloped) => {
+                let Sloped { field, by_u } = &**sloped;
+                let line = square::along_v(field, u);
+                let v_slopes = bernstein::derivative(&line);
+                let v = root(&line, &v_slopes);
+                let (by_u, by_v) = (square::value(by_u, [u, v]), bernstein::value(&v_slopes, v));
                 let forward = if self.ends[0] < self.ends[1] { 1.0 } else { -1.0 };
                 let sign = forward * if by_v < 0.0 { -1.0 } else { 1.0 };
-                [sign * by_v * width[0], -sign * by_u * width[1]]
+                (v, [sign * by_v * width[0], -sign * by_u * width[1]])
             }
         };
-        swapped(slopes, self.is_swapped)
+        let along = |i: usize, t: f64| self.low[i] * (1.0 - t) + self.high[i] * t;
+        [[along(0, u), along(1, v)], slopes].map(|pair| swapped(pair, self.is_swapped))
     }
 
-    fn local(&self, fraction: f64) -> [f64; 2] {
-        let u = self.ends[0] * (1.0 - fraction) + self.ends[1] * fraction;
-        let v = self.field.as_ref().map_or(0.0, |field| root(&square::along_v(&field.field, u)));
-        [u, v]
+    /// The place a fraction of the way along, in fractions of the patch.
+    pub(super) fn place(&self, fraction: f64) -> [f64; 2] {
+        self.at(fraction)[0]
     }
 }
 
@@ -136,7 +125,7 @@ fn swapped([a, b]: [f64; 2], is_swapped: bool) -> [f64; 2] {
 
 /// The root on 0..1 of a polynomial that grows or falls; of one without a root the end that is
 /// nearer to one. Newton's method within a bracket that is halved where it leads out.
-fn root(coefficients: &[f64]) -> f64 {
+fn root(coefficients: &[f64], slopes: &[f64]) -> f64 {
     let last = coefficients.len() - 1;
     let sign = if coefficients[0] <= coefficients[last] { 1.0 } else { -1.0 };
     if 0.0 <= sign * coefficients[0] {
@@ -145,7 +134,6 @@ fn root(coefficients: &[f64]) -> f64 {
     if sign * coefficients[last] <= 0.0 {
         return 1.0;
     }
-    let slopes = bernstein::derivative(coefficients);
     let (mut low, mut high) = (0.0, 1.0);
     let mut t = coefficients[0] / (coefficients[0] - coefficients[last]);
     for _ in 0..MAX_STEPS {
@@ -155,7 +143,7 @@ fn root(coefficients: &[f64]) -> f64 {
         } else {
             high = t;
         }
-        let newton = t - value / (sign * bernstein::value(&slopes, t));
+        let newton = t - value / (sign * bernstein::value(slopes, t));
         let next = if low < newton && newton < high { newton } else { 0.5 * (low + high) };
         if (next - t).abs() <= LAST_BIT {
             return next;

@@ -37,29 +37,35 @@ impl Run {
     /// the branch in the middle.
     pub(super) fn of(branch: &Branch, patch: &NurbsSurface, tolerance: f64) -> Self {
         let sample = |fraction: f64| {
-            let [u, v] = branch.place(fraction);
+            let [[u, v], [du, dv]] = branch.at(fraction);
             let (u, v) = (patch.domain_u().at(u), patch.domain_v().at(v));
             let [point, by_u, by_v] = patch.tangents_at(u, v);
             let widths = [patch.domain_u().length(), patch.domain_v().length()];
-            let [du, dv] = branch.direction(fraction);
             let along = by_u * (du * widths[0]) + by_v * (dv * widths[1]);
             let tangent = unit(along).unwrap_or(DVec3::ZERO);
             Sample { point, before: tangent, behind: tangent }
         };
-        let mut samples = vec![sample(0.0)];
-        // Two halves at least: the middle may look straight by symmetry.
-        let mut todo = vec![(1.0, 0), (0.5, 0)];
-        let mut from = 0.0;
-        while let Some((to, n_halvings)) = todo.pop() {
+        let whole = [0.0, 0.25, 0.5, 0.75, 1.0].map(sample);
+        let stretch = |ends: [f64; 2], [start, middle, end]: [Sample; 3], n_halvings| {
+            let share = |t: f64| sample(ends[0] + (ends[1] - ends[0]) * t);
+            (ends, [start, share(0.25), middle, share(0.75), end], n_halvings)
+        };
+        let halves = |[from, to]: [f64; 2], [a, b, c, d, e]: [Sample; 5], n_halvings| {
             let middle = 0.5 * (from + to);
-            let (start, end) = (samples[samples.len() - 1], sample(to));
-            let inner = |share: f64| sample(from + (to - from) * share);
-            if n_halvings < MAX_HALVINGS && !follows([start, end], inner, tolerance) {
-                todo.extend([(to, n_halvings + 1), (middle, n_halvings + 1)]);
-                continue;
+            [
+                stretch([middle, to], [c, d, e], n_halvings),
+                stretch([from, middle], [a, b, c], n_halvings),
+            ]
+        };
+        let mut samples = vec![whole[0]];
+        // Two halves at least: the middle may look straight by symmetry.
+        let mut todo = Vec::from(halves([0.0, 1.0], whole, 0));
+        while let Some((ends, inside, n_halvings)) = todo.pop() {
+            if n_halvings < MAX_HALVINGS && !follows(&inside, tolerance) {
+                todo.extend(halves(ends, inside, n_halvings + 1));
+            } else {
+                samples.push(inside[4]);
             }
-            samples.push(end);
-            from = to;
         }
         Self { samples }
     }
@@ -84,11 +90,10 @@ impl Run {
     }
 }
 
-/// Whether the cubic between two samples passes those between them: the one in the middle, and two
-/// beside it, because a cubic that strays may cross the middle by chance.
-fn follows([start, end]: [Sample; 2], inner: impl Fn(f64) -> Sample, tolerance: f64) -> bool {
+/// Whether the cubic between the first and the last sample passes those between them: the one in the
+/// middle, and two beside it, because a cubic that strays may cross the middle by chance.
+fn follows(&[start, before, middle, behind, end]: &[Sample; 5], tolerance: f64) -> bool {
     let chord = start.point.distance(end.point);
-    let middle = inner(0.5);
     if chord <= tolerance {
         return middle.point.distance(start.point) <= tolerance;
     }
@@ -96,11 +101,10 @@ fn follows([start, end]: [Sample; 2], inner: impl Fn(f64) -> Sample, tolerance: 
     let is_known = start.behind != DVec3::ZERO && end.before != DVec3::ZERO;
     let length = if is_known { length_between(start, end) } else { chord };
     let cubic = Cubic::between(start, end, length);
-    let passes = |share: f64| cubic.misses_near(inner(share).point, share) <= tolerance;
+    let passes =
+        |(sample, share): (Sample, f64)| cubic.misses_near(sample.point, share) <= tolerance;
     (turn <= MOST_TURN || !is_known)
-        && cubic.misses(middle.point) <= tolerance
-        && passes(0.25)
-        && passes(0.75)
+        && [(middle, 0.5), (before, 0.25), (behind, 0.75)].into_iter().all(passes)
 }
 
 /// The length of the arc between two near samples: that of a circle with this chord and turn.

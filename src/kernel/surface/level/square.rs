@@ -53,15 +53,11 @@ pub(super) fn range(field: &Grid<f64>) -> [f64; 2] {
 
 /// The coefficients along v at a fraction of u.
 pub(super) fn along_v(field: &Grid<f64>, u: f64) -> Vec<f64> {
-    let n = field.n_columns();
-    let mut rows = field.as_slice().to_vec();
-    for n_left in (1..field.n_rows()).rev() {
-        for i in 0..n_left * n {
-            rows[i] = rows[i] * (1.0 - u) + rows[i + n] * u;
-        }
+    let mut sums = vec![0.0; field.n_columns()];
+    for (i, share) in bernstein::basis(field.n_rows() - 1, u).into_iter().enumerate() {
+        sums.iter_mut().zip(field.row(i)).for_each(|(sum, value)| *sum += share * value);
     }
-    rows.truncate(n);
-    rows
+    sums
 }
 
 /// The value at a place.
