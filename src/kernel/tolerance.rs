@@ -126,6 +126,12 @@ pub const QUADRATURE_RELATIVE: f64 = 1e-12;
 /// Larger hides a fold that the integral misses; smaller warns of digits that nobody reads.
 pub const ACCURACY_WORTH_TELLING: f64 = 1e-9;
 
+/// An integral of which a larger fraction than this may be wrong is refused.
+///
+/// Larger tells numbers of which not two digits are right; smaller refuses what a warning would do
+/// for.
+pub const ACCURACY_WORTH_HAVING: f64 = 1e-2;
+
 /// A bounding box stops growing when the rest of the hull sticks out by less than this fraction
 /// of the largest coordinate.
 ///
@@ -293,6 +299,20 @@ pub const ONE_PLACE_SHARE: f64 = 1e-2;
 ///
 /// Larger rounds off a slight kink; smaller keeps a triple knot at each end of a patch.
 pub const CORNER_RELATIVE: f64 = 1e-4;
+
+/// Part of the tolerance within which surfaces whose normals are parallel touch, and cross only
+/// where they part beside that.
+///
+/// Larger joins curves that pass one another; smaller follows rounding, and needs splines in the
+/// place of functions that are nearer still.
+pub const CONTACT_SHARE: f64 = 1e-2;
+
+/// Where two surfaces touch they part along two directions; along one in which they do so by less
+/// than this fraction of the other they may touch further on.
+///
+/// Larger follows a line of contact where there is a crossing at a flat angle, and finds that there
+/// is none; smaller takes a line of contact that rounding bends for a crossing.
+pub const BEND_RELATIVE: f64 = 1e-3;
 
 /// Part of the tolerance within which a spline stands in for a function where light is followed:
 /// lines of light move with the normals, which are less near than the points.

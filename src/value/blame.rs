@@ -239,6 +239,9 @@ fn hint_of_picture(error: &PictureError) -> Option<String> {
         Error::SurfacesRunTogether { .. } => {
             "surfaces that share an area have no curve there; `trim` it away, or move one of them"
         }
+        Error::TooTangled { .. } => {
+            "`trim` the surfaces to where they should cross, or state a larger `tolerance`"
+        }
         Error::RunsAlong { .. } => {
             "a curve that lies in the surface has no single points there; `trim` it away"
         }

@@ -67,3 +67,10 @@ surface plate = bilinear((0, 0), (4, 0), (0, 4), (4, 4))
 check deviation(patch, plate).max ~= 1.5 and deviation(patch, plate).at ~= (4, 4, 1.5)
 check deviation(plate, plate).max ~= 0
 check deviation([(1, 1, 2), (6, 0, 0)], plate) ~= {max: 2, mean: 2, at: (1, 1, 2)}
+
+// Where the speed of a parameter grows beyond bounds, or weights are far apart.
+check area(parametric((u, v) => (sqrt(u), v, 0), 0..1, 0..1)) ~= 1 within 1e-9
+check area(parametric((u, v) => (ln(u), v, 0), 1e-7..1, 0..1)) ~= 7*ln(10) within 1e-9
+let [light, heavy] = [1e-6, 1e6]
+let tent = nurbs([for i in 0..2: [for j in 0..2: (i, j, if i == 1 and j == 1 then 5 else 0)]], weights = [[1, light, 1], [light, heavy, light], [1, light, 1]], degree = 2)
+check area(tent) ~= 4*sqrt(26) within 1e-3 "nearly a pyramid"

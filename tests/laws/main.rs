@@ -10,6 +10,7 @@ mod breakers;
 mod construct;
 mod constructors;
 mod coons;
+mod crossing;
 mod curve;
 mod edit;
 mod edit_surface;

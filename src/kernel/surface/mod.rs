@@ -53,6 +53,7 @@ mod ruled;
 mod shell;
 mod stand_in;
 mod sum;
+mod umbilics;
 
 use glam::{DAffine3, DVec3, DVec4};
 

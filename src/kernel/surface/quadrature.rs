@@ -2,9 +2,9 @@
 //!
 //! The tensor rule of Gauss and Legendre with 8 × 8 nodes is exact where the integrand is a
 //! polynomial of degree 15 in each parameter, as it is for volumes of bicubic patches. Each cell
-//! is compared with its four quarters, and the cell that changes most is cut next.
-
-use std::{cmp::Ordering, collections::BinaryHeap};
+//! is compared with its halves along u and along v, and the cell that changes most is halved next,
+//! along the parameter by which it changes more: towards a pole or an edge where the integrand is
+//! not smooth the cells shrink in proportion.
 
 use glam::DVec3;
 
@@ -29,8 +29,8 @@ const FUNCTION_PARTS: usize = 4;
 
 /// Cuts beyond which an integral has the accuracy that it has: only a surface with folds or edges
 /// inside of a piece comes here.
-const MAX_CUTS: usize = 1000;
-const MAX_FUNCTION_CUTS: usize = 200;
+const MAX_CUTS: usize = 2000;
+const MAX_FUNCTION_CUTS: usize = 500;
 
 /// An integral of several quantities.
 #[derive(Clone, Copy, Debug)]
@@ -48,13 +48,51 @@ struct Cell {
     v: Interval,
 }
 
-/// A cell with its integral by quarters, and by how much that differs from that by the whole.
+/// A quantity over a cell, and its absolute value.
+#[derive(Clone, Copy, Debug)]
+struct Estimate<const N: usize> {
+    values: [f64; N],
+    absolute: [f64; N],
+}
+
+/// A cell with its integral by the whole, and by the halves along u and along v.
 struct Known<const N: usize> {
     cell: Cell,
-    quarters: [[f64; N]; 4],
-    changes: [f64; N],
+    halves: [[Estimate<N>; 2]; 2],
+    values: [f64; N],
+    absolute: [f64; N],
+    /// How much the halves differ from the whole, along u and along v.
+    changes: [[f64; N]; 2],
+}
+
+impl<const N: usize> Known<N> {
+    fn new(cell: Cell, whole: Estimate<N>, halves: [[Estimate<N>; 2]; 2]) -> Self {
+        let sum = |[a, b]: &[Estimate<N>; 2], i: usize| a.values[i] + b.values[i];
+        let changes =
+            halves.each_ref().map(|pair| std::array::from_fn(|i| sum(pair, i) - whole.values[i]));
+        // What either pair of halves corrects.
+        let values = std::array::from_fn(|i| whole.values[i] + changes[0][i] + changes[1][i]);
+        let [[a, b], _] = &halves;
+        let absolute = std::array::from_fn(|i| a.absolute[i] + b.absolute[i]);
+        let changes = changes.map(|change: [f64; N]| change.map(f64::abs));
+        Self { cell, halves, values, absolute, changes }
+    }
+
+    fn change(&self, i: usize) -> f64 {
+        self.changes[0][i] + self.changes[1][i]
+    }
+
     /// The largest change as a fraction of what is allowed.
-    urgency: f64,
+    fn urgency(&self, allowed: [f64; N]) -> f64 {
+        (0..N).map(|i| self.change(i) / allowed[i]).fold(0.0, f64::max)
+    }
+
+    /// The parameter by which it changes more: u or v.
+    fn direction(&self, allowed: [f64; N]) -> usize {
+        let along =
+            |changes: &[f64; N]| (0..N).map(|i| changes[i] / allowed[i]).fold(0.0, f64::max);
+        usize::from(along(&self.changes[0]) < along(&self.changes[1]))
+    }
 }
 
 /// The integral over du·dv of quantities that depend on a point and on Su × Sv.
@@ -66,55 +104,43 @@ pub(super) fn integral<const N: usize>(
     density: impl Fn(DVec3, DVec3) -> [f64; N],
 ) -> Result<Integral<N>, GeomError> {
     let rule = |cell: Cell| quadrature(surface, cell, &density);
-    let mut estimates = Vec::new();
-    let mut sizes = [0.0_f64; N];
-    for cell in cells(surface) {
-        let (values, absolute) = rule(cell)?;
-        estimates.push((cell, values));
-        sizes.iter_mut().zip(absolute).for_each(|(sum, size)| *sum += size);
-    }
-    let allowed = sizes.map(|size| QUADRATURE_RELATIVE * size + f64::MIN_POSITIVE);
-    let known = |cell: Cell, estimate: [f64; N]| -> Result<Known<N>, GeomError> {
-        let mut quarters = [[0.0; N]; 4];
-        let mut changes = estimate.map(|value| -value);
-        for (quarter, values) in cell.quarters().into_iter().zip(&mut quarters) {
-            *values = rule(quarter)?.0;
-            changes.iter_mut().zip(*values).for_each(|(change, value)| *change += value);
-        }
-        let changes = changes.map(f64::abs);
-        let urgency = changes.iter().zip(allowed).map(|(change, allowed)| change / allowed);
-        Ok(Known { cell, quarters, changes, urgency: urgency.fold(0.0, f64::max) })
+    let known = |cell: Cell, whole: Estimate<N>| -> Result<Known<N>, GeomError> {
+        let pair = |direction: usize| -> Result<[Estimate<N>; 2], GeomError> {
+            let [a, b] = cell.halves(direction);
+            Ok([rule(a)?, rule(b)?])
+        };
+        Ok(Known::new(cell, whole, [pair(0)?, pair(1)?]))
     };
-    let mut heap = BinaryHeap::new();
-    let mut changes = [0.0_f64; N];
-    for (cell, estimate) in estimates {
-        let known = known(cell, estimate)?;
-        changes.iter_mut().zip(known.changes).for_each(|(sum, change)| *sum += change);
-        heap.push(known);
+    let mut all: Vec<Known<N>> = Vec::new();
+    for cell in cells(surface) {
+        all.push(known(cell, rule(cell)?)?);
     }
-    let most = match surface {
+    let mut n_cuts = match surface {
         Surface::Nurbs(_) => MAX_CUTS,
         Surface::Parametric(_) => MAX_FUNCTION_CUTS,
     };
-    for _ in 0..most {
-        let is_done = changes.iter().zip(allowed).all(|(&change, allowed)| change <= allowed);
-        let Some(worst) = (if is_done { None } else { heap.pop() }) else { break };
-        for (quarter, values) in worst.cell.quarters().into_iter().zip(worst.quarters) {
-            let known = known(quarter, values)?;
-            changes.iter_mut().zip(known.changes).for_each(|(sum, change)| *sum += change);
-            heap.push(known);
+    loop {
+        let of_all = |f: &dyn Fn(&Known<N>, usize) -> f64| -> [f64; N] {
+            std::array::from_fn(|i| all.iter().map(|known| f(known, i)).sum())
+        };
+        let sizes = of_all(&|known, i| known.absolute[i]);
+        let changes = of_all(&Known::change);
+        let allowed = sizes.map(|size| QUADRATURE_RELATIVE * size + f64::MIN_POSITIVE);
+        let is_done = (0..N).all(|i| changes[i] <= allowed[i]);
+        let urgency = |i: &usize| all[*i].urgency(allowed);
+        let worst = (0..all.len()).max_by(|i, k| urgency(i).total_cmp(&urgency(k)));
+        let Some(worst) = worst.filter(|_| !is_done && 0 < n_cuts) else {
+            let errors = changes.iter().zip(sizes).map(|(c, size)| c / size.max(f64::MIN_POSITIVE));
+            let relative_error = errors.fold(LAST_BIT, f64::max);
+            return Ok(Integral { values: of_all(&|known, i| known.values[i]), relative_error });
+        };
+        n_cuts -= 1;
+        let worst = all.swap_remove(worst);
+        let direction = worst.direction(allowed);
+        for (half, whole) in worst.cell.halves(direction).into_iter().zip(worst.halves[direction]) {
+            all.push(known(half, whole)?);
         }
-        changes.iter_mut().zip(worst.changes).for_each(|(sum, change)| *sum -= change);
     }
-    let mut values = [0.0; N];
-    for known in heap.into_sorted_vec() {
-        for quarter in known.quarters {
-            values.iter_mut().zip(quarter).for_each(|(sum, value)| *sum += value);
-        }
-    }
-    let errors =
-        changes.iter().zip(sizes).map(|(change, size)| change.abs() / size.max(f64::MIN_POSITIVE));
-    Ok(Integral { values, relative_error: errors.fold(LAST_BIT, f64::max) })
 }
 
 /// What the surface is made of, or for a function even parts.
@@ -138,7 +164,7 @@ fn quadrature<const N: usize>(
     surface: &Surface,
     cell: Cell,
     density: &impl Fn(DVec3, DVec3) -> [f64; N],
-) -> Result<([f64; N], [f64; N]), GeomError> {
+) -> Result<Estimate<N>, GeomError> {
     let at = |u: f64, v: f64| -> Result<[f64; N], GeomError> {
         let [point, along_u, along_v] = surface.tangents_at(u, v)?;
         Ok(density(point, along_u.cross(along_v)))
@@ -162,33 +188,19 @@ fn quadrature<const N: usize>(
     }
     means.iter_mut().zip(middle).for_each(|(mean, value)| *mean += value);
     let size = cell.u.length() * cell.v.length();
-    Ok((means.map(|mean| mean * size), absolute.map(|mean| mean * size)))
+    Ok(Estimate {
+        values: means.map(|mean| mean * size),
+        absolute: absolute.map(|mean| mean * size),
+    })
 }
 
 impl Cell {
-    fn quarters(self) -> [Self; 4] {
-        let ([u0, u1], [v0, v1]) = (self.u.halves(), self.v.halves());
-        [(u0, v0), (u0, v1), (u1, v0), (u1, v1)].map(|(u, v)| Self { u, v })
+    /// The halves across u or across v.
+    fn halves(self, direction: usize) -> [Self; 2] {
+        let Self { u, v } = self;
+        match direction {
+            0 => u.halves().map(|u| Self { u, v }),
+            _ => v.halves().map(|v| Self { u, v }),
+        }
     }
 }
-
-/// Ordered by how much they change.
-impl<const N: usize> Ord for Known<N> {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.urgency.total_cmp(&other.urgency)
-    }
-}
-
-impl<const N: usize> PartialOrd for Known<N> {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl<const N: usize> PartialEq for Known<N> {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl<const N: usize> Eq for Known<N> {}

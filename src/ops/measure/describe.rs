@@ -20,7 +20,8 @@ op! {
     /// A surface tells both numbers for u and for v, and where it is not regular: the edges that are
     /// `collapsed` to a point, the other corners that are `singular` because Su × Sv vanishes there,
     /// and the first `folds` that a grid of places shows, where the normal turns over, each as a point
-    /// of parameters (u, v).
+    /// of parameters (u, v). So are its isolated `umbilics`, as far as the grid shows them: there it
+    /// bends equally in all directions.
     describe in Measure -> Value {
         /// A point, curve, surface, mesh, plane or table, or a list of them.
         g: Spanned<Described>,
@@ -92,7 +93,9 @@ fn described(value: &Value, tolerance: Tolerance, span: Span) -> Result<Value> {
                 fields.push((Arc::from("count"), counts.into_value()));
             }
             fields.extend(data);
-            let Defects { collapsed, corners, folds } = surface.defects(tolerance).at(span)?;
+            let defects = surface.defects(tolerance).at(span)?;
+            let umbilics = surface.umbilics(&defects, tolerance).at(span)?;
+            let Defects { collapsed, corners, folds } = defects;
             let places = |places: Vec<[f64; 2]>| -> Vec<DVec3> {
                 places.into_iter().map(|[u, v]| DVec3::new(u, v, 0.0)).collect()
             };
@@ -100,6 +103,7 @@ fn described(value: &Value, tolerance: Tolerance, span: Span) -> Result<Value> {
             fields.push((Arc::from("collapsed"), words.into_value()));
             fields.push((Arc::from("singular"), places(corners).into_value()));
             fields.push((Arc::from("folds"), places(folds).into_value()));
+            fields.push((Arc::from("umbilics"), places(umbilics).into_value()));
         }
         _ => fields.extend(data),
     }

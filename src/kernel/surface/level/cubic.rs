@@ -36,6 +36,10 @@ impl Cubic {
         [left.lerp(right, t), (right - left) * 3.0]
     }
 
+    pub(super) fn middle(&self) -> DVec3 {
+        self.at(0.5)[0]
+    }
+
     /// How far a point near the middle is from it.
     pub(super) fn misses(&self, point: DVec3) -> f64 {
         self.misses_near(point, 0.5)

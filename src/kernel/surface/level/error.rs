@@ -15,8 +15,11 @@ pub enum PictureError {
     )]
     Unresolved { u: f64, v: f64 },
     /// Surfaces that share more than curves in which they cross.
-    #[error("the surfaces run together near {}, or touch along a line there", place(*point))]
+    #[error("the surfaces run together near {}: they share more than curves there", place(*point))]
     SurfacesRunTogether { point: DVec3 },
+    /// Surfaces whose curves are too many or too close.
+    #[error("the surfaces cross too often, or run too close to one another, near {}", place(*point))]
+    TooTangled { point: DVec3 },
     /// A curve that shares a stretch with a surface.
     #[error("the curve runs along the surface from parameter {} to {}", few_digits(*start), few_digits(*end))]
     RunsAlong { start: f64, end: f64 },

@@ -3,24 +3,33 @@
 //! Pairs of parts whose boxes or slabs are apart are dropped, the others halved, until their cones
 //! of normals tell that they cross in at most one arc; so no loop is lost between samples. From a
 //! place on such an arc `trace` follows the curve as far as it goes; arcs that lie on a curve that is
-//! known are told by it. Pairs that are flat before they cross clearly touch.
+//! known are told by it. Where normals are parallel, `touch` tells what the surfaces share about
+//! that place, and pairs within are dropped. Pairs that are flat before any of this touch.
 //!
 //! Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988); Barnhill &
 //! Kersey, *A marching method for parametric surface/surface intersection*, CAGD 7 (1990).
+
+use glam::DVec3;
 
 use super::{
     FITTING, LevelSet, PictureError,
     chain::{self, Spot},
     cubic::{self, Cubic},
     pair::Part,
-    plane::SPLINE_SHARE,
-    sample::{Run, length_between},
-    trace::{Crossing, Place},
+    sample::{Run, Sample, length_between},
+    touch::{Contact, Reach},
+    trace::{Crossing, Ends, Place},
 };
-use crate::kernel::{Bounds, GeomError, NurbsCurve, Surface, Tolerance};
+use crate::kernel::{
+    Bounds, GeomError, NurbsCurve, Surface, Tolerance,
+    tolerance::{CONTACT_SHARE, ONE_PLACE_SHARE},
+};
 
 /// Pairs of parts that are looked at before the surfaces count as running together.
-const MAX_PAIRS: usize = 80_000;
+const MAX_PAIRS: usize = 200_000;
+
+/// Pairs in which a contact is looked for before it seems that second derivatives do not tell any.
+const MAX_LOOKS: usize = 4000;
 
 /// Contacts that make up touches in points; more make up areas or lines.
 const MOST_CONTACTS: usize = 1000;
@@ -28,36 +37,77 @@ const MOST_CONTACTS: usize = 1000;
 /// Part of the tolerance within which parts are flat, and near enough to touch.
 const FLAT: f64 = 0.02;
 
+/// Part of the tolerance within which splines stand in for functions: less than what counts as a
+/// contact.
+const SPLINE_SHARE: f64 = 0.4 * CONTACT_SHARE;
+
 /// A touch this many times longer than its parts is no point.
 const LONGEST_TOUCH: f64 = 24.0;
 
 impl Surface {
-    /// The curves in which the surface crosses another, within the tolerance's distance and complete;
-    /// they run along N × N of the two. Functions are crossed as splines that near.
+    /// The curves in which the surface crosses another or touches it, within the tolerance's distance
+    /// and complete; they run along N × N of the two. Functions are crossed as splines that near.
     ///
     /// Where the surfaces only touch in a point, that is told among the touches.
     ///
     /// # Errors
-    /// [`PictureError::SurfacesRunTogether`] where they share more than curves in which they cross; for
-    /// functions as [`super::super::ParametricSurface::to_nurbs`].
+    /// [`PictureError::SurfacesRunTogether`] where they share more than curves; for functions as
+    /// [`super::super::ParametricSurface::to_nurbs`].
     pub fn intersections(&self, other: &Self, tolerance: Tolerance) -> Result<LevelSet, GeomError> {
         let [a, b] = [self, other].map(|s| s.splined(SPLINE_SHARE * tolerance.distance));
         let (a, b) = (a?, b?);
         let size = a.bounds().diagonal().min(b.bounds().diagonal());
         let crossing = Crossing::new([&a, &b], tolerance.distance_for(size), size);
-        let (pairs, spots) = pairs(&crossing)?;
-        let runs = runs(&crossing, pairs, &spots)?;
-        let chained = chain::chained(runs, &spots, crossing.tolerance);
-        let spline =
-            |line: Vec<super::sample::Sample>| cubic::spline(&line, FITTING * crossing.tolerance);
+        let Found { clear, mut ends, touches, lines, .. } = pairs(&crossing)?;
+        let mut runs = lines;
+        let mut uncertain: Vec<DVec3> =
+            runs.iter().map(|run| run.samples[run.samples.len() / 2].point).collect();
+        branches(&crossing, &ends, &mut runs);
+        arcs(&crossing, clear, &ends, &mut runs)?;
+        let met = |spot: &Spot| is_met(spot, &runs, crossing.tolerance);
+        uncertain.extend(ends.spots.iter().filter(|spot| met(spot)).map(|spot| spot.point));
+        // A spot in the middle of a curve is no touch in a point.
+        ends.spots.retain(|spot| n_ends(spot, &runs) != 0 || !met(spot));
+        ends.spots.extend(touches);
+        let chained = chain::chained(runs, &ends.spots, crossing.tolerance);
+        let spline = |line: Vec<Sample>| cubic::spline(&line, FITTING * crossing.tolerance);
         let curves: Result<Vec<NurbsCurve>, GeomError> =
             chained.lines.into_iter().filter(|line| 1 < line.len()).map(spline).collect();
-        Ok(LevelSet { curves: curves?, touches: chained.isolated })
+        Ok(LevelSet { curves: curves?, touches: chained.isolated, uncertain })
     }
 }
 
-/// Pairs of parts that cross in one arc if they do, and places where the surfaces touch.
-fn pairs(crossing: &Crossing<'_>) -> Result<(Vec<[Part; 2]>, Vec<Spot>), GeomError> {
+/// How many curves end in a spot.
+fn n_ends(spot: &Spot, runs: &[Run]) -> usize {
+    let ends = runs.iter().flat_map(|run| [run.start(), run.end()]);
+    ends.filter(|end| end.distance(spot.point) <= spot.radius).count()
+}
+
+/// Whether curves meet in a spot, and do not only go on in one another.
+fn is_met(spot: &Spot, runs: &[Run], tolerance: f64) -> bool {
+    match n_ends(spot, runs) {
+        0 => runs.iter().any(|run| passes(run, spot.point, tolerance)),
+        n => n != 2,
+    }
+}
+
+/// What two surfaces share, before it is followed.
+#[derive(Default)]
+struct Found {
+    /// Pairs of parts that cross in one arc if they do.
+    clear: Vec<[Part; 2]>,
+    ends: Ends,
+    /// Places where the surfaces only touch, and lines.
+    touches: Vec<Spot>,
+    lines: Vec<Run>,
+    /// Where all is known.
+    reaches: Vec<Reach>,
+    /// How often a contact was looked for.
+    n_looks: usize,
+}
+
+/// Sorts pairs of parts until each is apart, clear, or within what is known about a contact.
+fn pairs(crossing: &Crossing<'_>) -> Result<Found, GeomError> {
     let near = FLAT * crossing.tolerance;
     let [firsts, seconds] = crossing.surfaces.map(Part::all);
     let mut todo: Vec<[Part; 2]> = Vec::new();
@@ -65,26 +115,91 @@ fn pairs(crossing: &Crossing<'_>) -> Result<(Vec<[Part; 2]>, Vec<Spot>), GeomErr
         let beside = seconds.iter().filter(|b| !a.is_apart(b, near));
         todo.extend(beside.map(|b| [a.clone(), b.clone()]));
     }
-    let mut clear = Vec::new();
+    let mut found = Found::default();
     let mut contacts: Vec<(Bounds, [f64; 4])> = Vec::new();
     let mut n_pairs = 0;
     while let Some([a, b]) = todo.pop() {
         n_pairs += 1;
         if MAX_PAIRS < n_pairs {
-            return Err(PictureError::SurfacesRunTogether { point: a.bounds.center() }.into());
+            return Err(PictureError::TooTangled { point: a.bounds.center() }.into());
+        }
+        if found.holds(&a, &b) {
+            continue;
         }
         if a.crosses_clearly(&b) {
-            clear.push([a, b]);
+            found.clear.push([a, b]);
+        } else if a.may_touch(&b) && found.add_contact(crossing, &a, &b)? {
+            todo.push([a, b]);
         } else if a.thickness().max(b.thickness()) <= near
             && a.bounds.diagonal().max(b.bounds.diagonal()) <= crossing.touch_size()
         {
-            let ([u, v], [s, t]) = (a.middle(), b.middle());
-            contacts.push((a.bounds.union(b.bounds), [u, v, s, t]));
+            contacts.push((a.bounds.union(b.bounds), middle(&a, &b)));
         } else {
             todo.extend(halved([a, b], near));
         }
     }
-    Ok((clear, spots(crossing, contacts)?))
+    found.ends.spots = spots(crossing, contacts)?;
+    Ok(found)
+}
+
+impl Found {
+    /// Whether all is known that two parts share.
+    fn holds(&self, a: &Part, b: &Part) -> bool {
+        let low = [a.low[0], a.low[1], b.low[0], b.low[1]];
+        let high = [a.high[0], a.high[1], b.high[0], b.high[1]];
+        self.reaches.iter().any(|reach| reach.holds(low, high))
+    }
+
+    /// Looks for a contact in a pair; whether one was found that was not known.
+    fn add_contact(
+        &mut self,
+        crossing: &Crossing<'_>,
+        a: &Part,
+        b: &Part,
+    ) -> Result<bool, GeomError> {
+        let at = middle(a, b);
+        if self.n_looks == MAX_LOOKS || self.reaches.iter().any(|reach| reach.holds(at, at)) {
+            return Ok(false);
+        }
+        self.n_looks += 1;
+        let seen = crossing.touch_near(at).filter(|seen| {
+            let [u, v, s, t] = seen.at;
+            crossing.is_contact(seen)
+                && crossing.is_inside(seen.at)
+                && a.is_about([u, v])
+                && b.is_about([s, t])
+                && !self.reaches.iter().any(|reach| reach.holds(seen.at, seen.at))
+        });
+        let Some(seen) = seen else { return Ok(false) };
+        match crossing.contact(&seen) {
+            None => return Ok(false),
+            Some(Contact::Area) => {
+                return Err(PictureError::SurfacesRunTogether { point: seen.point }.into());
+            }
+            Some(Contact::Point(reach)) => {
+                self.touches.push(Spot { point: reach.point, radius: 0.0 });
+                self.reaches.push(reach);
+            }
+            Some(Contact::Branches(junction)) => {
+                self.reaches.push(junction.reach);
+                self.ends.junctions.push(*junction);
+            }
+            Some(Contact::Line) => {
+                let Some((run, reaches)) = crossing.tangency(&seen) else { return Ok(false) };
+                if !is_known(&self.lines, &run, crossing.tolerance) {
+                    self.lines.push(run);
+                }
+                self.reaches.extend(reaches);
+            }
+        }
+        Ok(true)
+    }
+}
+
+/// The parameters in the middle of both parts.
+fn middle(a: &Part, b: &Part) -> [f64; 4] {
+    let ([u, v], [s, t]) = (a.middle(), b.middle());
+    [u, v, s, t]
 }
 
 /// A pair with its larger part in halves, those that are near.
@@ -102,7 +217,7 @@ fn spots(
     crossing: &Crossing<'_>,
     contacts: Vec<(Bounds, [f64; 4])>,
 ) -> Result<Vec<Spot>, GeomError> {
-    let places: Vec<(glam::DVec3, f64)> =
+    let places: Vec<(DVec3, f64)> =
         contacts.iter().map(|(bounds, _)| (bounds.center(), 0.5 * bounds.diagonal())).collect();
     if MOST_CONTACTS < places.len() {
         return Err(PictureError::SurfacesRunTogether { point: places[0].0 }.into());
@@ -126,29 +241,58 @@ fn spots(
             let away = |i: usize| places[i].0.distance(center);
             away(i).total_cmp(&away(k))
         });
-        let found = nearest.and_then(|i| crossing.touch(contacts[i].1));
-        if let Some(point) = found {
-            spots.push(Spot { point, radius: point.distance(center) + 0.5 * whole.diagonal() });
-        }
+        // Where no place is the best one, as at a pole, any is near enough.
+        let seen = nearest.and_then(|i| crossing.touch_near(contacts[i].1));
+        let inside = seen.filter(|seen| whole.contains(seen.point, 0.5 * whole.diagonal()));
+        let point = inside.map_or(center, |seen| seen.point);
+        spots.push(Spot { point, radius: point.distance(center) + 0.5 * whole.diagonal() });
     }
     Ok(spots)
 }
 
-/// The curves through all pairs.
-fn runs(
+/// The curves out of all junctions.
+fn branches(crossing: &Crossing<'_>, ends: &Ends, runs: &mut Vec<Run>) {
+    let near = ONE_PLACE_SHARE * crossing.tolerance;
+    for way in ends.junctions.iter().flat_map(|junction| junction.ways) {
+        let begins = |run: &Run| {
+            let sample = if 0.0 < way.sign { run.samples.first() } else { run.samples.last() };
+            sample.is_some_and(|sample| {
+                sample.point.distance(way.place.point) <= near
+                    && sample.before.distance(way.place.tangent) <= CONTACT_SHARE
+            })
+        };
+        if runs.iter().any(begins) {
+            continue;
+        }
+        let run = crossing.run_out(way, ends);
+        if crossing.tolerance < run.length() && !is_known(runs, &run, crossing.tolerance) {
+            runs.push(run);
+        }
+    }
+}
+
+/// Whether a run lies on others.
+fn is_known(runs: &[Run], run: &Run, tolerance: f64) -> bool {
+    let point = run.samples[run.samples.len() / 2].point;
+    runs.iter().any(|other| passes(other, point, tolerance))
+}
+
+/// Adds the curves through all pairs that are not known.
+fn arcs(
     crossing: &Crossing<'_>,
     pairs: Vec<[Part; 2]>,
-    spots: &[Spot],
-) -> Result<Vec<Run>, GeomError> {
-    let near = FLAT * crossing.tolerance;
-    let mut runs: Vec<Run> = Vec::new();
+    ends: &Ends,
+    runs: &mut Vec<Run>,
+) -> Result<(), GeomError> {
+    // Where normals are nearly parallel parts of a tolerance are a long way.
+    let near = crossing.rounding;
     let mut todo = pairs;
     let mut n_pairs = 0;
     while let Some(pair) = todo.pop() {
         let [a, b] = &pair;
         n_pairs += 1;
         if MAX_PAIRS < n_pairs {
-            return Err(PictureError::SurfacesRunTogether { point: a.bounds.center() }.into());
+            return Err(PictureError::TooTangled { point: a.bounds.center() }.into());
         }
         let size = a.bounds.diagonal().max(b.bounds.diagonal());
         let Some(place) = common(crossing, &pair) else {
@@ -157,9 +301,9 @@ fn runs(
             }
             continue;
         };
-        let mut run = runs.iter().find(|run| passes(run, place, crossing.tolerance));
+        let mut run = runs.iter().find(|run| passes(run, place.point, crossing.tolerance));
         if run.is_none() {
-            runs.push(crossing.run(place, spots));
+            runs.push(crossing.run(place, ends));
             run = runs.last();
         }
         // Behind the end of a run another may begin.
@@ -171,7 +315,7 @@ fn runs(
             todo.extend(halved(pair, near));
         }
     }
-    Ok(runs)
+    Ok(())
 }
 
 /// A place that a pair has in common, inside both.
@@ -184,15 +328,15 @@ fn common(crossing: &Crossing<'_>, [a, b]: &[Part; 2]) -> Option<Place> {
     (a.holds([u, v]) && b.holds([s, t])).then_some(place)
 }
 
-/// Whether a run passes through a place.
-fn passes(run: &Run, place: Place, tolerance: f64) -> bool {
+/// Whether a run passes through a point.
+fn passes(run: &Run, point: DVec3, tolerance: f64) -> bool {
     run.samples.windows(2).any(|pair| {
         let chord = pair[1].point - pair[0].point;
-        let along = (place.point - pair[0].point).dot(chord) / chord.length_squared();
-        let reach = pair[0].point.distance(place.point).min(pair[1].point.distance(place.point));
+        let along = (point - pair[0].point).dot(chord) / chord.length_squared();
+        let reach = pair[0].point.distance(point).min(pair[1].point.distance(point));
         reach <= chord.length()
             && Cubic::between(pair[0], pair[1], length_between(pair[0], pair[1]))
-                .misses_near(place.point, along.clamp(0.0, 1.0))
+                .misses_near(point, along.clamp(0.0, 1.0))
                 <= 4.0 * tolerance
     })
 }

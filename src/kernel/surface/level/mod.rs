@@ -8,8 +8,8 @@
 //! divided out first. `sample` turns branches into points with tangents, `chain` joins these,
 //! `cubic` lays splines through them. `plane` has the fields of planes, `shade` those of normals and
 //! of what they mirror, `square` the polynomials. `meet` has the curves in which two surfaces cross,
-//! by parts of both (`pair`) and by following what is found (`trace`), `pierce` the places that a
-//! curve shares with a surface.
+//! by parts of both (`pair`) and by following what is found (`trace`), also where they touch (`touch`)
+//! along lines (`tangency`), `pierce` the places that a curve shares with a surface.
 //!
 //! Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988); Patrikalakis &
 //! Maekawa, *Shape Interrogation for Computer Aided Design and Manufacturing*, §4.
@@ -26,6 +26,8 @@ mod plane;
 mod sample;
 mod shade;
 mod square;
+mod tangency;
+mod touch;
 mod trace;
 
 use glam::DVec3;
@@ -53,6 +55,9 @@ pub struct LevelSet {
     pub curves: Vec<NurbsCurve>,
     /// Points that the field touches zero in, or that branches shrink to.
     pub touches: Vec<DVec3>,
+    /// Points where rounding decides whether lines cross and how they go on: one of each line along
+    /// which two surfaces only touch, and where they touch more closely than second derivatives tell.
+    pub uncertain: Vec<DVec3>,
 }
 
 /// A field on a Bézier patch.
@@ -172,7 +177,7 @@ impl Collected {
         let spline = |line: Vec<sample::Sample>| cubic::spline(&line, FITTING * self.tolerance);
         let curves: Result<Vec<NurbsCurve>, GeomError> =
             chained.lines.into_iter().map(spline).collect();
-        Ok(LevelSet { curves: curves?, touches: chained.isolated })
+        Ok(LevelSet { curves: curves?, touches: chained.isolated, uncertain: Vec::new() })
     }
 }
 

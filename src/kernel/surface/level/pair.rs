@@ -11,6 +11,10 @@ use crate::kernel::{
 /// fraction of the sine of the angle between them.
 const CLEAR: f64 = 0.4;
 
+/// Cones of normals of parts in which places are looked for where normals are parallel are together
+/// no wider than this: Newton's method finds them.
+const FLAT_ENOUGH: f64 = 0.8;
+
 /// A part of a surface, between parameters.
 #[derive(Clone, Debug)]
 pub(super) struct Part {
@@ -107,6 +111,21 @@ impl Part {
     /// Whether two parts cross in at most one arc, and never against its direction.
     pub(super) fn crosses_clearly(&self, other: &Self) -> bool {
         self.angle + other.angle < CLEAR * self.axis.cross(other.axis).length()
+    }
+
+    /// Whether normals of both may be parallel, and little else.
+    pub(super) fn may_touch(&self, other: &Self) -> bool {
+        let between = libm::asin(self.axis.cross(other.axis).length().min(1.0));
+        let spread = self.angle + other.angle;
+        spread <= FLAT_ENOUGH && between <= spread
+    }
+
+    /// Whether parameters are within it or beside it.
+    pub(super) fn is_about(&self, at: [f64; 2]) -> bool {
+        (0..2).all(|i| {
+            let slack = 0.5 * (self.high[i] - self.low[i]);
+            self.low[i] - slack <= at[i] && at[i] <= self.high[i] + slack
+        })
     }
 
     /// Whether directions within an angle of another stay clear of its tangent planes.

@@ -7,11 +7,12 @@ use super::{
     chain::Spot,
     cubic::Cubic,
     sample::{MOST_TURN, Run, Sample, length_between},
+    touch::{Junction, Way},
 };
 use crate::kernel::{
     Interval, NurbsSurface,
     frame::{norm, unit},
-    tolerance::LAST_BIT,
+    tolerance::{KNOT_RELATIVE, LAST_BIT},
 };
 
 /// Steps of Newton's method.
@@ -27,10 +28,11 @@ const GROWTH: f64 = 1.6;
 #[derive(Debug)]
 pub(super) struct Crossing<'s> {
     pub(super) surfaces: [&'s NurbsSurface; 2],
-    domains: [Interval; 4],
+    pub(super) domains: [Interval; 4],
     pub(super) tolerance: f64,
-    size: f64,
-    rounding: f64,
+    pub(super) size: f64,
+    /// What rounding leaves of a distance.
+    pub(super) rounding: f64,
 }
 
 /// A place on both surfaces: u and v on the first, u and v on the second.
@@ -39,7 +41,7 @@ pub(super) struct Place {
     pub(super) at: [f64; 4],
     pub(super) point: DVec3,
     /// Along N × N of both, zero where they touch.
-    tangent: DVec3,
+    pub(super) tangent: DVec3,
 }
 
 /// What both surfaces tell at parameters: how far apart they are, how that changes, and the point.
@@ -140,30 +142,43 @@ impl<'s> Crossing<'s> {
         is_there.then(|| self.place(at))
     }
 
-    /// The whole curve through a place: to the ends of the domains, to spots, or around.
-    pub(super) fn run(&self, start: Place, spots: &[Spot]) -> Run {
-        let (ahead, is_closed) = self.half(start, 1.0, spots);
+    /// The whole curve through a place: to the ends of the domains, to where it meets others, or
+    /// around.
+    pub(super) fn run(&self, start: Place, ends: &Ends) -> Run {
+        let (ahead, is_closed) = self.half(start, 1.0, ends);
         let mut places = Vec::new();
         if !is_closed {
-            places = self.half(start, -1.0, spots).0;
+            places = self.half(start, -1.0, ends).0;
             places.reverse();
         }
         places.push(start);
         places.extend(ahead);
-        let sample = |place: Place| Sample {
-            point: place.point,
-            before: place.tangent,
-            behind: place.tangent,
-        };
-        Run { samples: places.into_iter().map(sample).collect() }
+        run_of(places)
+    }
+
+    /// The curve along a branch out of a junction.
+    pub(super) fn run_out(&self, way: Way, ends: &Ends) -> Run {
+        let (mut places, _) = self.half(way.place, way.sign, ends);
+        places.insert(0, way.place);
+        if way.sign < 0.0 {
+            places.reverse();
+        }
+        run_of(places)
     }
 
     /// The places behind the start in a direction, and whether the last one is the start again.
-    fn half(&self, start: Place, sign: f64, spots: &[Spot]) -> (Vec<Place>, bool) {
+    fn half(&self, start: Place, sign: f64, ends: &Ends) -> (Vec<Place>, bool) {
         let mut places: Vec<Place> = Vec::new();
         let mut last = start;
         let mut step = 0.02 * self.size;
         while places.len() < MAX_SAMPLES && last.tangent != DVec3::ZERO {
+            if let Some(junction) = ends.junction_ahead(last, sign) {
+                if let Some(place) = self.arrival(last, sign, junction) {
+                    places.push(place);
+                    break;
+                }
+                step = step.min(0.5 * junction.reach.point.distance(last.point));
+            }
             let Some((next, is_end)) = self.advance(last, sign * step) else {
                 step *= 0.5;
                 if step < 0.1 * self.tolerance {
@@ -184,13 +199,29 @@ impl<'s> Crossing<'s> {
                 return (places, true);
             }
             places.push(next);
-            if is_end || spots.iter().any(|s| s.point.distance(next.point) <= s.radius) {
+            if is_end || ends.spots.iter().any(|s| s.point.distance(next.point) <= s.radius) {
                 break;
             }
             last = next;
             step = (GROWTH * step).min(0.05 * self.size);
         }
         (places, false)
+    }
+
+    /// The junction as the next place, where a cubic to it stays on the curve.
+    fn arrival(&self, last: Place, sign: f64, junction: &Junction) -> Option<Place> {
+        let back = last.point - junction.reach.point;
+        let outward = |way: &Way| (way.place.tangent * way.sign).dot(back);
+        let way = junction.ways.iter().max_by(|a, b| outward(a).total_cmp(&outward(b)))?;
+        let end = way.place;
+        if MOST_TURN < last.tangent.distance_squared(end.tangent) {
+            return None;
+        }
+        let cubic = self.cubic(last, end, sign);
+        let middle = std::array::from_fn(|i| 0.5 * (last.at[i] + end.at[i]));
+        let plane = Condition::InPlane { origin: cubic.middle(), normal: unit(back)? };
+        let place = self.common_where(middle, plane)?;
+        (cubic.misses(place.point) <= SAMPLING * self.tolerance).then_some(end)
     }
 
     fn cubic(&self, from: Place, to: Place, sign: f64) -> Cubic {
@@ -228,7 +259,7 @@ impl<'s> Crossing<'s> {
             let domain = self.domains[parameter];
             let beyond = next.at[parameter];
             let value = within(domain, beyond);
-            if (value - beyond).abs() <= 0.0 {
+            if (value - beyond).abs() <= self.slack(parameter) {
                 continue;
             }
             let share =
@@ -258,35 +289,38 @@ impl<'s> Crossing<'s> {
         [a, b, c, d].map(|x| if x.is_finite() { x } else { 0.0 })
     }
 
-    pub(super) fn is_inside(&self, at: [f64; 4]) -> bool {
-        (0..4).all(|i| self.domains[i].start() <= at[i] && at[i] <= self.domains[i].end())
+    /// How far beyond a domain is still on its end.
+    fn slack(&self, parameter: usize) -> f64 {
+        KNOT_RELATIVE * self.domains[parameter].length()
     }
 
-    /// Where the surfaces are nearest to touching, near a place: their normals are parallel there,
-    /// and the way between them is along these.
-    pub(super) fn touch(&self, mut at: [f64; 4]) -> Option<DVec3> {
-        let value = |at: [f64; 4]| {
-            let Look { apart, slopes: [pu, pv, qu, qv], .. } = self.look(at);
-            let normal = unit(qu.cross(qv)).unwrap_or(DVec3::ZERO);
-            [pu.dot(normal), pv.dot(normal), apart.dot(qu), apart.dot(qv)]
-        };
-        for _ in 0..MAX_STEPS {
-            let here = value(at);
-            let steps = self.domains.map(|domain| libm::cbrt(LAST_BIT) * domain.length());
-            let columns: [[f64; 4]; 4] = std::array::from_fn(|k| {
-                let [mut low, mut high] = [at, at];
-                low[k] -= steps[k];
-                high[k] += steps[k];
-                let (low, high) = (value(low), value(high));
-                std::array::from_fn(|i| (high[i] - low[i]) / (2.0 * steps[k]))
-            });
-            let matrix = std::array::from_fn(|i| std::array::from_fn(|k| columns[k][i]));
-            let step = solved(matrix, here.map(|x| -x))?;
-            at = std::array::from_fn(|i| within(self.domains[i], at[i] + step[i]));
-        }
-        let look = self.look(at);
-        (norm(look.apart) <= self.tolerance).then_some(look.point)
+    pub(super) fn is_inside(&self, at: [f64; 4]) -> bool {
+        (0..4).all(|i| (within(self.domains[i], at[i]) - at[i]).abs() <= self.slack(i))
     }
+}
+
+/// Where curves end.
+#[derive(Debug, Default)]
+pub(super) struct Ends {
+    /// Places up to a radius where nothing is told.
+    pub(super) spots: Vec<Spot>,
+    pub(super) junctions: Vec<Junction>,
+}
+
+impl Ends {
+    /// A junction whose reach a curve is in, on its way there.
+    fn junction_ahead(&self, last: Place, sign: f64) -> Option<&Junction> {
+        self.junctions.iter().find(|junction| {
+            let way = junction.reach.point - last.point;
+            junction.reach.holds(last.at, last.at) && 0.0 < way.dot(last.tangent * sign)
+        })
+    }
+}
+
+fn run_of(places: Vec<Place>) -> Run {
+    let sample =
+        |place: Place| Sample { point: place.point, before: place.tangent, behind: place.tangent };
+    Run { samples: places.into_iter().map(sample).collect() }
 }
 
 /// What a place must fulfil besides being on both surfaces.

@@ -14,11 +14,13 @@ op! {
     /// Found completely, by halving pairs of parts until they are apart or cross in one arc at most,
     /// which is then followed: no loop is too small. Curves are cubic splines within the document's
     /// tolerance of both surfaces, parametrized about by their length, and run along the product of
-    /// the normal of `a` and that of `b`. They end at boundaries, and where several cross; of a touch in a
-    /// single point a warning tells. Surfaces that share an area, or touch along a line, are an error,
-    /// and so is a curve that lies in the surface for a stretch. A parametric surface is taken as a
-    /// spline within a quarter of the tolerance.
-    /// Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988).
+    /// the normal of `a` and that of `b`. They end at boundaries, and where several cross, as surfaces
+    /// do where they touch. A line along which they only touch is among the curves, and a warning
+    /// tells of it, and of a touch in a single point. Surfaces that share an area are an error, and so
+    /// is a curve that lies in the surface for a stretch. A parametric surface is taken as a spline
+    /// within a part of the tolerance.
+    /// Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988);
+    /// Ye & Maekawa, *Differential geometry of intersection curves of two surfaces*, CAGD 16 (1999).
     intersect in Measure -> Vec<Value> {
         /// A surface.
         a: Surface,

@@ -12,6 +12,8 @@ pub(super) mod zebra;
 
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use crate::{
     diag::{Code, Diagnostic, Result},
     kernel::{Curve, Frame, LevelSet, NurbsCurve, Surface},
@@ -27,11 +29,22 @@ fn section_curves(ctx: &mut Ctx<'_>, surface: &Surface, plane: Frame) -> Result<
 /// The lines of a set; of its touches a warning tells.
 fn lines(ctx: &mut Ctx<'_>, set: LevelSet, what: &str) -> Vec<NurbsCurve> {
     for touch in set.touches {
-        let [x, y, z] = touch.to_array().map(|x| shortest(to_digits(x, ctx.tolerance.distance)));
-        let message = format!("{what} at ({x}, {y}, {z}) only, which is no curve");
+        let message = format!("{what} at {} only, which is no curve", place_of(ctx, touch));
+        ctx.warn(Diagnostic::warning(Code::Degenerate, ctx.span, message));
+    }
+    for place in set.uncertain {
+        let place = place_of(ctx, place);
+        let message =
+            format!("{what} so closely near {place} that rounding decides where they cross");
         ctx.warn(Diagnostic::warning(Code::Degenerate, ctx.span, message));
     }
     set.curves
+}
+
+/// A point for a message, without the digits that the tolerance leaves open.
+fn place_of(ctx: &Ctx<'_>, point: DVec3) -> String {
+    let [x, y, z] = point.to_array().map(|x| shortest(to_digits(x, ctx.tolerance.distance)));
+    format!("({x}, {y}, {z})")
 }
 
 /// The places of a curve on a surface, as scripts see them.

@@ -24,6 +24,6 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {
         sum += area;
         relative_error = relative_error.max(error);
     }
-    tell_accuracy("area", relative_error, ctx);
+    tell_accuracy("area", relative_error, ctx)?;
     Ok(sum)
 }

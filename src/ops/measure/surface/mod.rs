@@ -30,7 +30,8 @@ use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
         GeomError, Mass, ShellError, Surface, SurfaceShape, area_mass,
-        tolerance::ACCURACY_WORTH_TELLING, volume_mass,
+        tolerance::{ACCURACY_WORTH_HAVING, ACCURACY_WORTH_TELLING},
+        volume_mass,
     },
     ops::list::check_length,
     value::{At, Choice, Ctx, FromValue, Mismatch, Type, Value},
@@ -78,20 +79,27 @@ fn mass(surfaces: &Spanned<Surfaces>, of: Of, what: &str, ctx: &mut Ctx<'_>) -> 
         }
         mass => {
             let mass = mass?;
-            tell_accuracy(what, mass.relative_error, ctx);
+            tell_accuracy(what, mass.relative_error, ctx)?;
             Ok(mass)
         }
     }
 }
 
-/// Warns of an integral that is not known as well as usual.
-fn tell_accuracy(what: &str, relative_error: f64, ctx: &mut Ctx<'_>) {
+/// Warns of an integral that is not known as well as usual, and refuses one that is hardly known.
+fn tell_accuracy(what: &str, relative_error: f64, ctx: &mut Ctx<'_>) -> Result<()> {
+    if ACCURACY_WORTH_HAVING < relative_error {
+        let message = format!("the {what} cannot be told: the surface changes too fast somewhere");
+        let hint =
+            "where derivatives grow beyond bounds, `trim` it or write it with another parameter";
+        return Diagnostic::error(Code::Degenerate, ctx.span, message).hint(hint).fail();
+    }
     if ACCURACY_WORTH_TELLING < relative_error {
         let message =
             format!("the {what} is known to a fraction of {relative_error:.0e} of itself only");
         let hint = "folds, and jumps of a function inside of a piece, cost digits";
         ctx.warn(Diagnostic::warning(Code::Unclean, ctx.span, message).hint(hint));
     }
+    Ok(())
 }
 
 /// Parameters of a surface, inside its domains.

@@ -24,6 +24,6 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {
     let mass = volume_mass(&args.s.value.0, ctx.tolerance).at(args.s.span)?;
-    tell_accuracy("volume", mass.relative_error, ctx);
+    tell_accuracy("volume", mass.relative_error, ctx)?;
     Ok(mass.amount)
 }
