@@ -59,6 +59,7 @@ fn two_million_triangles(bencher: Bencher<'_, '_>, path: &str) {
         millimetres: 1.0,
         precision: 1e-6,
         options: Options::default(),
+        picture: None,
         limits: Limits::DEFAULT,
     };
     let format = Format::of_path(path).expect("a format");

@@ -49,6 +49,8 @@ pub struct Limits {
     pub import_nesting: usize,
     /// Bytes of one written file.
     pub output_bytes: u64,
+    /// Pixels of one picture. Above it there is no screen and no paper for it.
+    pub picture_pixels: usize,
     /// Bytes of memory that a run holds, its text and tree included. One operation may go beyond
     /// by what the other ceilings let its result be; the next one is refused.
     pub memory_bytes: usize,
@@ -77,6 +79,7 @@ impl Limits {
         input_bytes: 1 << 30,
         import_nesting: 64,
         output_bytes: 4 << 30,
+        picture_pixels: 1 << 25,
         memory_bytes: 4 << 30,
         diagnostics: 20,
     };

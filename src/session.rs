@@ -6,6 +6,7 @@
 mod ceiling;
 mod inspect;
 mod options;
+mod picture;
 mod plan;
 mod stop;
 mod test;
@@ -13,6 +14,7 @@ mod test;
 use std::sync::{Arc, atomic::AtomicBool};
 
 pub use ceiling::name_flag;
+pub use picture::Scene;
 pub use test::{Tested, Verdict};
 
 use crate::{
@@ -61,7 +63,7 @@ pub enum Event {
     /// A claim and how it came out.
     Checked(eval::Checked),
     /// A file to be written.
-    File(File),
+    File(Box<File>),
     /// An error that a test expects, and what happened.
     Expected(eval::Expected),
 }
@@ -77,6 +79,8 @@ pub struct Report {
     pub events: Vec<Event>,
     /// What its tests came to, as far as they were run.
     pub tests: Vec<Tested>,
+    /// The unit of length, and the tolerance.
+    pub document: (Unit, Tolerance),
     /// Its definitions.
     pub definitions: Vec<eval::Defined>,
     /// Settings that no parameter takes, each a sentence.
@@ -262,6 +266,7 @@ impl Session {
         Report {
             events,
             tests,
+            document,
             definitions: outcome.definitions,
             unknown_settings: outcome.unknown_settings,
             kept: outcome.kept,
@@ -277,6 +282,7 @@ impl Session {
             diagnostics,
             events: Vec::new(),
             tests: Vec::new(),
+            document: (Unit::Mm, Tolerance::DEFAULT),
             definitions: Vec::new(),
             unknown_settings: Vec::new(),
             kept: eval::Kept::default(),
@@ -340,7 +346,7 @@ impl Session {
                         ),
                         None => {
                             written.push((file.path.clone(), file.span));
-                            events.push(Event::File(file));
+                            events.push(Event::File(Box::new(file)));
                         }
                     }
                 }

@@ -33,6 +33,8 @@ const GUESTS: &[(&str, &[&str])] = &[
     ("rustyline", &["src/cli/repl/editor.rs"]),
     ("cap", &["src/main.rs"]),
     ("indicatif", &["src/cli/progress.rs"]),
+    ("png", &["src/export/raster/mod.rs"]),
+    ("font8x8", &["src/export/raster/legend.rs"]),
     ("tobj", &["src/ops/mesh/obj.rs"]),
 ];
 

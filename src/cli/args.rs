@@ -9,9 +9,9 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::{
     limits::{self, Moved},
-    process, settings, test, watch,
+    process, render, settings, test, watch,
 };
-use crate::{eval::Setting, limits::Limits, session::Session};
+use crate::{eval::Setting, export::View, limits::Limits, session::Session};
 
 /// Exact freeform curves and surfaces from a declarative language.
 #[derive(Debug, Parser)]
@@ -30,6 +30,7 @@ Examples:
   virote test                                  the tests and checks of all scripts below
   virote watch bottle.geo                      evaluate it whenever it is saved
   virote repl bottle.geo                       questions about it
+  virote render bottle.geo -o bottle.png       a picture of it
   virote params bottle.geo                     its parameters
   virote graph bottle.geo                      what depends on what, for Graphviz
   virote fmt bottle.geo                        rewrite it in canonical form
@@ -106,6 +107,26 @@ Examples:
         /// The folder for exported files [default: the script's own]
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
+        #[command(flatten)]
+        common: Common,
+    },
+    /// Draws the geometry of a script
+    ///
+    /// The picture shows every definition that is geometry and not hidden, in its colour or in one of
+    /// a palette. Files that the script exports are not written.
+    #[command(after_help = "\
+Examples:
+  virote render bottle.geo -o bottle.png
+  virote render bottle.geo -o bottle.svg --view front --only profile
+  virote render bottle.geo -o bottle.png --size 1600x1200 --set neck=15mm")]
+    Render {
+        /// The script; `-` is standard input
+        file: PathBuf,
+        /// The picture; its ending chooses the format: `.png` is shaded, `.svg` made of lines
+        #[arg(long, short, value_name = "PICTURE")]
+        out: PathBuf,
+        #[command(flatten)]
+        drawn: Drawn,
         #[command(flatten)]
         common: Common,
     },
@@ -211,6 +232,21 @@ Examples:
         /// A verb of the command
         verb: Option<String>,
     },
+}
+
+/// What a picture shows, and how.
+#[derive(Debug, Args)]
+pub(super) struct Drawn {
+    /// From where: top, front, right, isometric or oblique [default: top of what is flat, else
+    /// isometric]
+    #[arg(long, value_name = "VIEW", value_parser = render::view)]
+    pub(super) view: Option<View>,
+    /// Width and height in pixels
+    #[arg(long, value_name = "WxH", default_value = "800x600", value_parser = render::size)]
+    pub(super) size: [usize; 2],
+    /// Draws only this definition; may be given several times
+    #[arg(long, value_name = "NAME")]
+    pub(super) only: Vec<String>,
 }
 
 /// What every verb that evaluates takes.

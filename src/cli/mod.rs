@@ -12,6 +12,7 @@ mod message;
 mod params;
 mod process;
 mod progress;
+mod render;
 mod repl;
 mod run;
 mod settings;
@@ -93,6 +94,7 @@ fn dispatch(verb: Verb) -> Ending {
         Verb::Params { file, json, talk } => params::run(&file, json, &talk),
         Verb::Graph { file, json, talk } => graph::run(&file, json, &talk),
         Verb::Repl { file, out, common } => repl::run(file.as_deref(), out.as_deref(), &common),
+        Verb::Render { file, out, drawn, common } => render::run(&file, &out, &drawn, &common),
         Verb::Fmt { files, check, talk } => fmt::run(&files, check, &talk),
         Verb::Watch(asked) => watch::run(&asked),
         Verb::Doc { words, search } => doc(&words, search),

@@ -310,11 +310,10 @@ impl Run<'_> {
 /// Every definition that promises geometry and is not hidden, and their names; `None` where the
 /// file has a definition without a value.
 fn all_geometry(definitions: &[&[Defined]]) -> Option<(Vec<Subject>, Vec<String>)> {
-    let is_geometry = |kind: Kind| !matches!(kind, Kind::Let | Kind::Table | Kind::Tables);
     let mut subjects = Vec::new();
     for defined in definitions.iter().copied().flatten() {
         let value = defined.value.clone()?;
-        if !defined.look.is_hidden && defined.kind.is_some_and(is_geometry) {
+        if !defined.look.is_hidden && defined.kind.is_some_and(Kind::is_geometry) {
             let (name, look) = (defined.name.clone(), defined.look.clone());
             subjects.push(Subject { name, value: Spanned::new(value, defined.span), look });
         }

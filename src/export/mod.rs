@@ -11,12 +11,14 @@ mod json;
 mod measure;
 mod obj;
 mod ply;
+mod raster;
 mod shape;
 mod step;
 mod stl;
 mod svg;
 mod text;
 mod view;
+mod wire;
 
 use std::{
     io::{self, Write},
@@ -88,6 +90,8 @@ pub struct Job {
     pub precision: f64,
     /// What the script asked for.
     pub options: Options,
+    /// What a picture needs beside, of a fixed size in pixels.
+    pub picture: Option<Picture>,
     /// The ceilings.
     pub limits: Limits,
 }
@@ -109,6 +113,58 @@ pub struct Options {
     /// Whether curves and surfaces are written exactly by a format that also holds meshes.
     pub free_form: bool,
 }
+
+/// A picture of a fixed size.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Width and height in pixels.
+    pub size: [usize; 2],
+    /// What its colours mean.
+    pub legends: Vec<Legend>,
+}
+
+/// What the colours of a mesh mean.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Legend {
+    /// What is shown.
+    pub title: String,
+    /// Values with their red, green and blue from 0 to 1, in ascending order.
+    pub stops: Vec<(f64, DVec3)>,
+}
+
+impl Legend {
+    /// The values of the stops.
+    fn values(&self) -> Vec<f64> {
+        self.stops.iter().map(|&(value, _)| value).collect()
+    }
+
+    /// The colour at a share of the way from the first stop to the last.
+    fn color_at(&self, share: f64) -> DVec3 {
+        let last = self.stops.len().saturating_sub(1);
+        let place = (share * last as f64).clamp(0.0, last as f64);
+        let idx = (place as usize).min(last.saturating_sub(1));
+        match &self.stops[idx..] {
+            [(_, from), (_, to), ..] => from.lerp(*to, place - idx as f64),
+            [(_, only)] => *only,
+            [] => DVec3::ZERO,
+        }
+    }
+
+    /// A value as a legend shows it: four digits.
+    fn label(value: f64) -> String {
+        /// Digits of a label.
+        const N_DIGITS: usize = 4;
+        let scientific = format!("{value:.*e}", N_DIGITS - 1);
+        let rounded: f64 = scientific.parse().unwrap_or(value);
+        let plain = format!("{rounded}");
+        if plain.len() <= N_DIGITS + 3 { plain } else { scientific }
+    }
+}
+
+/// Width of lines in drawings and pictures as a part of the diagonal.
+const STROKE: f64 = 0.002;
+/// Radius of a point, in strokes.
+const POINT: f64 = 1.75;
 
 /// What a file came to hold.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -219,6 +275,9 @@ pub static FORMATS: &[&Format] = &[
     &json::FORMAT,
 ];
 
+/// Every format of a picture.
+pub static PICTURES: &[&Format] = &[&raster::FORMAT, &svg::FORMAT];
+
 impl Format {
     /// Whether it holds curves, surfaces or meshes.
     #[must_use]
@@ -242,9 +301,15 @@ impl Format {
     /// The format of a path.
     #[must_use]
     pub fn of_path(path: &str) -> Option<&'static Self> {
+        Self::among(FORMATS, path)
+    }
+
+    /// The format of a path among these.
+    #[must_use]
+    pub fn among(formats: &[&'static Self], path: &str) -> Option<&'static Self> {
         let (_, ending) = path.rsplit_once('.')?;
         let is_its = |its: &str| its.eq_ignore_ascii_case(ending);
-        FORMATS.iter().copied().find(|format| {
+        formats.iter().copied().find(|format| {
             is_its(format.ending) || format.aliases.iter().any(|alias| is_its(alias))
         })
     }

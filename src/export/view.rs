@@ -6,6 +6,9 @@
 
 use glam::{DMat3, DVec2, DVec3};
 
+use super::{Item, shape::bounds};
+use crate::kernel::Bounds;
+
 /// From where a drawing looks at the geometry. The z axis points up but in [`View::Top`].
 ///
 /// [`View::project`] gives x to the right, y upward, and a depth that grows toward the viewer.
@@ -50,6 +53,14 @@ impl View {
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.iter().find(|(known, _)| *known == name).map(|&(_, view)| view)
+    }
+
+    /// The view that suits some items: from above where all are flat, else the isometric one.
+    #[must_use]
+    pub fn fitting(items: &[Item]) -> Self {
+        let whole = items.iter().filter_map(bounds).reduce(Bounds::union);
+        let is_flat = |whole: Bounds| whole.min.z >= whole.max.z;
+        if whole.is_none_or(is_flat) { Self::Top } else { Self::Isometric }
     }
 
     /// The map from space to (right, up, depth toward the viewer); it has an inverse.

@@ -64,6 +64,7 @@ impl Session {
             millimetres,
             precision: tolerance.distance,
             options,
+            picture: None,
             limits: self.limits,
         };
         Some(File { path: path.ok()?, span, names: exported.names, format, job })
@@ -117,7 +118,7 @@ fn unknown_format(path: &str, span: Span) -> Diagnostic {
 }
 
 /// What a format has no place for, and where it could go instead.
-struct Misfit {
+pub(super) struct Misfit {
     pub(super) found: String,
     pub(super) hint: String,
 }
@@ -170,7 +171,7 @@ fn subject(value: &Value) -> Option<Subject> {
 }
 
 /// Values on their way into a file.
-struct Gathering {
+pub(super) struct Gathering {
     format: &'static Format,
     pub(super) items: Vec<Item>,
     /// Names that are taken.

@@ -138,6 +138,12 @@ impl Kind {
         ("tables", Self::Tables),
     ];
 
+    /// Whether it promises points, curves, surfaces or meshes.
+    #[must_use]
+    pub fn is_geometry(self) -> bool {
+        !matches!(self, Self::Let | Self::Table | Self::Tables)
+    }
+
     /// The keyword.
     #[must_use]
     pub fn word(self) -> &'static str {

@@ -1,22 +1,22 @@
 //! SVG: a drawing of the geometry from one of five sides, without hidden lines.
 //!
-//! `path` makes paths of curves, exactly where a cubic can be, `wire` finds the lines of surfaces
-//! and meshes, `hidden` what of a line is seen. W3C, *Scalable Vector Graphics 1.1*, second edition.
+//! `path` makes paths of curves, exactly where a cubic can be, [`super::wire`] finds the lines of
+//! surfaces and meshes, `hidden` what of a line is seen, `legend` explains colours. W3C, *Scalable Vector Graphics 1.1*, second edition.
 
 mod hidden;
+mod legend;
 mod path;
-mod wire;
 
 use std::io::Write;
 
 use glam::{DAffine3, DVec3};
 
-use self::{
-    hidden::Scene,
-    path::Pen,
-    wire::{Drawing, Line, Weight},
+use self::{hidden::Scene, path::Pen};
+use super::{
+    ExportError, Format, Item, Job, POINT, STROKE, Subject, Summary,
+    text::Text,
+    wire::{Drawing, Extent, Line, Weight},
 };
-use super::{ExportError, Format, Item, Job, Subject, Summary, shape::size, text::Text};
 use crate::kernel::{
     Bounds,
     tolerance::{DRAWING_DIGIT, HIDDEN_RELATIVE, PATH_RELATIVE},
@@ -34,10 +34,6 @@ pub(super) static FORMAT: Format = Format {
     write,
 };
 
-/// Widths on paper as parts of the drawing's diagonal.
-const STROKE: f64 = 0.002;
-/// Radius of a point, in strokes.
-const POINT: f64 = 1.75;
 /// Lines around filled triangles, in strokes.
 const FILL: f64 = 0.1;
 /// Free space around the drawing, in strokes.
@@ -47,9 +43,10 @@ const PAPER: std::ops::RangeInclusive<f64> = 10.0..=2000.0;
 
 fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     let view = DAffine3::from_mat3(job.options.view.matrix());
-    let size = size(job);
-    let tolerance = job.options.tolerance.unwrap_or(PATH_RELATIVE * size);
-    let near = job.options.tolerance.unwrap_or(HIDDEN_RELATIVE * size);
+    let extent = Extent::of(job)?;
+    let within =
+        |share: f64| job.options.tolerance.unwrap_or(share * extent.size).max(extent.finest);
+    let (tolerance, near) = (within(PATH_RELATIVE), within(HIDDEN_RELATIVE));
 
     // Everything as lines and triangles in the view's coordinates.
     let mut drawings = Vec::with_capacity(job.items.len());
@@ -58,11 +55,12 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
         summary.count(&item.subject);
         drawings.push(Drawing::of(item, &view, near, job)?);
     }
-    let scene = Scene::new(drawings.iter_mut().flat_map(Drawing::take_triangles), near);
+    let scene = Scene::new(drawings.iter().flat_map(|drawing| drawing.triangles(&view)), near);
     let bounds = drawings.iter().filter_map(|drawing| drawing.bounds).reduce(Bounds::union);
     let bounds = bounds.unwrap_or(Bounds { min: DVec3::ZERO, max: DVec3::ZERO });
 
     let sheet = Sheet::new(job, bounds);
+    let legends = job.picture.as_ref().map_or(&[][..], |picture| &picture.legends);
     let mut text = Text::rounded(Some(sheet.decimals));
     sheet.head(job, &mut text);
     for (layer, members) in layers(&job.items) {
@@ -83,7 +81,9 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
         }
         text.push(if layer.is_some() { "</g>\n" } else { "" });
     }
-    text.push("</g>\n</svg>\n");
+    text.push("</g>\n");
+    legend::draw(legends, &sheet, &mut text);
+    text.push("</svg>\n");
     text.flush(out)?;
     Ok(summary)
 }
@@ -116,7 +116,10 @@ impl Sheet {
         let size = bounds.size().truncate().length();
         let size = if size == 0.0 { 1.0 } else { size };
         let (stroke, margin) = (STROKE * size, MARGIN * STROKE * size);
-        let extent = (bounds.size().truncate() + 2.0 * margin).to_array();
+        let mut extent = (bounds.size().truncate() + 2.0 * margin).to_array();
+        if job.picture.as_ref().is_some_and(|picture| !picture.legends.is_empty()) {
+            extent[0] += legend::WIDTH * stroke;
+        }
         let digits = -libm::log10(DRAWING_DIGIT * size).floor();
         let decimals = job.options.decimals.unwrap_or(digits.clamp(0.0, 17.0) as usize);
         let corner = [bounds.min.x - margin, -bounds.max.y - margin];
@@ -130,7 +133,10 @@ impl Sheet {
             " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\"",
         );
         let [width, height] = self.extent.map(|length| length * job.millimetres);
-        if PAPER.contains(&width.max(height)) {
+        if let Some(picture) = &job.picture {
+            let [width, height] = picture.size.map(|pixels| pixels.to_string());
+            text.push(" width=\"").push(&width).push("\" height=\"").push(&height).push("\"");
+        } else if PAPER.contains(&width.max(height)) {
             text.push(" width=\"").number(width).push("mm\" height=\"").number(height).push("mm\"");
         }
         text.push(" viewBox=\"");

@@ -1,15 +1,16 @@
-//! The lines by which surfaces and meshes are drawn, and the triangles that hide what is behind.
+//! The lines by which surfaces and meshes are drawn, and the meshes that hide what is behind.
 
-use std::collections::BTreeMap;
+use std::{collections::BTreeMap, sync::Arc};
 
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DVec2, DVec3};
 
-use super::super::{
+use super::{
     ExportError, Item, Job, Subject,
-    shape::{Shape, byte_color, shape},
+    shape::{Shape, bounds, byte_color, shape},
 };
 use crate::kernel::{
-    Bounds, Curve, GeomError, Interval, Mesh, NurbsCurve, Surface, tolerance::DRAWING_DIGIT,
+    Bounds, Curve, GeomError, Interval, Mesh, NurbsCurve, Surface,
+    tolerance::{DRAWING_DIGIT, PATH_ROUNDING},
 };
 
 /// Lines inside a surface in each direction.
@@ -22,6 +23,37 @@ pub(super) enum Weight {
     Full,
     /// Lines inside.
     Half,
+}
+
+/// How large is what is drawn.
+pub(super) struct Extent {
+    /// The diagonal, 1 where that is nothing.
+    pub(super) size: f64,
+    /// The diagonal on paper of the box around all.
+    pub(super) on_paper: f64,
+    /// The finest tolerance that rounding lets a polygon or path keep.
+    pub(super) finest: f64,
+}
+
+impl Extent {
+    /// Of all items of a job, if that has an end.
+    pub(super) fn of(job: &Job) -> Result<Self, ExportError> {
+        let whole = job.items.iter().filter_map(bounds).reduce(Bounds::union);
+        let whole = whole.unwrap_or(Bounds { min: DVec3::ZERO, max: DVec3::ZERO });
+        let size = whole.diagonal();
+        if !size.is_finite() {
+            let problem = "reaches farther than can be drawn".to_owned();
+            return Err(ExportError::Unfit { name: "the geometry".to_owned(), problem });
+        }
+        // Of a box under a linear map: the lengths of its edges, each by its part of an axis.
+        let matrix = job.options.view.matrix();
+        let sides = [matrix.row(0), matrix.row(1)].map(|axis| axis.abs().dot(whole.size()));
+        Ok(Self {
+            size: if size == 0.0 { 1.0 } else { size },
+            on_paper: DVec2::from(sides).length(),
+            finest: PATH_ROUNDING * whole.magnitude(),
+        })
+    }
 }
 
 /// A line in the view's coordinates.
@@ -39,7 +71,8 @@ pub(super) struct Drawing {
     pub(super) fills: Vec<([DVec3; 3], [u8; 3])>,
     /// The box around all of it.
     pub(super) bounds: Option<Bounds>,
-    triangles: Vec<[DVec3; 3]>,
+    /// What hides, in space.
+    pub(super) mesh: Option<Arc<Mesh>>,
 }
 
 impl Drawing {
@@ -67,28 +100,29 @@ impl Drawing {
                     drawing.lines.extend(
                         outline.into_iter().map(|points| (Weight::Full, Line::Polygon(points))),
                     );
-                    drawing.hide_behind(&mesh, view);
+                    drawing.hide_behind(mesh, view);
                 }
             }
             Subject::Mesh(mesh) => {
                 if !mesh.colors().is_empty() {
                     drawing.paint(mesh, view);
-                    drawing.hide_behind(mesh, view);
+                    drawing.hide_behind(Arc::clone(mesh), view);
                     return Ok(drawing);
                 }
                 let place = |i: u32| view.transform_point3(mesh.vertices()[i as usize]);
                 let edges = edges(mesh).into_iter().map(|[a, b]| vec![place(a), place(b)]);
                 drawing.lines.extend(edges.map(|edge| (Weight::Half, Line::Polygon(edge))));
-                drawing.hide_behind(mesh, view);
+                drawing.hide_behind(Arc::clone(mesh), view);
             }
             Subject::Table(_) | Subject::Data(_) => {}
         }
         Ok(drawing)
     }
 
-    /// The triangles, which are then gone.
-    pub(super) fn take_triangles(&mut self) -> Vec<[DVec3; 3]> {
-        std::mem::take(&mut self.triangles)
+    /// The triangles that hide.
+    pub(super) fn triangles(&self, view: &DAffine3) -> impl Iterator<Item = [DVec3; 3]> {
+        let image = |corners: [DVec3; 3]| corners.map(|corner| view.transform_point3(corner));
+        self.mesh.iter().flat_map(|mesh| mesh.corners()).map(image)
     }
 
     fn curve(&mut self, weight: Weight, curve: &Curve, view: &DAffine3) -> Result<(), GeomError> {
@@ -137,10 +171,9 @@ impl Drawing {
         }
     }
 
-    fn hide_behind(&mut self, mesh: &Mesh, view: &DAffine3) {
-        let image = |corners: [DVec3; 3]| corners.map(|corner| view.transform_point3(corner));
-        self.triangles = mesh.corners().map(image).collect();
-        let whole = Bounds::of(self.triangles.iter().flatten().copied());
+    fn hide_behind(&mut self, mesh: Arc<Mesh>, view: &DAffine3) {
+        self.mesh = Some(mesh);
+        let whole = Bounds::of(self.triangles(view).flatten());
         self.bounds = match (self.bounds, whole) {
             (Some(a), Some(b)) => Some(a.union(b)),
             (a, b) => a.or(b),

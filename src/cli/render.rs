@@ -1,0 +1,149 @@
+//! `virote render`: a picture of the geometry of a script.
+
+use std::path::{Path, PathBuf};
+
+use super::{
+    Ending,
+    args::{Common, Drawn},
+    files::{Beside, Script},
+    message::Voice,
+    progress::Progress,
+    settings,
+    write::{Refusal, Target, failure},
+};
+use crate::{
+    diag::{Severity, nearest},
+    export::{ExportError, Format, Job, PICTURES, Summary, View},
+    session::Scene,
+};
+
+/// `virote render FILE -o PICTURE`
+pub(super) fn run(path: &Path, out: &Path, drawn: &Drawn, common: &Common) -> Ending {
+    let session = common.session();
+    let voice = Voice::new(&common.talk, session.limits().diagnostics);
+    let Some(format) = Format::among(PICTURES, &out.to_string_lossy()) else {
+        voice.trouble(&unknown_ending(out));
+        return Ending::Usage;
+    };
+    if session.limits().picture_pixels < drawn.size[0].saturating_mul(drawn.size[1]) {
+        let [width, height] = drawn.size;
+        voice.trouble(&format!(
+            "a picture of {width}x{height} pixels; the ceiling is {} pixels in all",
+            session.limits().picture_pixels
+        ));
+        return Ending::Usage;
+    }
+    let settings = match settings::given(common, session.limits().input_bytes, &voice) {
+        Ok(settings) => settings,
+        Err(ending) => return ending,
+    };
+    let script = match Script::read(path, session.limits().source_bytes) {
+        Ok(script) => script,
+        Err(message) => {
+            voice.trouble(&message);
+            return Ending::Usage;
+        }
+    };
+    let files = Beside::new(&script.folder);
+    let progress = Progress::begin(&format!("evaluating {}", script.name), voice.is_lively());
+    let report = session.run(&script.name, &script.bytes, &files, &settings);
+    let mut inputs = files.inputs();
+    inputs.extend(script.path);
+    inputs.extend(common.params.clone());
+
+    let scene = Scene { only: &drawn.only, view: drawn.view, size: drawn.size };
+    let has_errors = report.count(Severity::Error) > 0;
+    let done = if !report.unknown_settings.is_empty() {
+        Err((report.unknown_settings.join("\n"), Ending::Usage))
+    } else if has_errors {
+        Ok(None)
+    } else {
+        let job = session.picture(&report, &scene, format).map_err(|text| (text, Ending::Usage));
+        job.and_then(|job| draw(&job, format, out, &inputs, &progress)).map(Some)
+    };
+    drop(progress);
+    voice.findings(&report.diagnostics, &report.sources);
+    match done {
+        Ok(Some(summary)) => {
+            voice.written(&out.display().to_string(), Some(summary));
+            Ending::of(&report)
+        }
+        Ok(None) => {
+            voice.remark("nothing was drawn, because the script has errors");
+            Ending::of(&report)
+        }
+        Err((message, ending)) => {
+            message.lines().for_each(|line| voice.trouble(line));
+            Ending::of(&report).max(ending)
+        }
+    }
+}
+
+/// Draws, and puts the picture into its place.
+fn draw(
+    job: &Job,
+    format: &Format,
+    out: &Path,
+    inputs: &[PathBuf],
+    progress: &Progress,
+) -> Result<Summary, (String, Ending)> {
+    let shown = out.display().to_string();
+    let cannot = |why: String| (format!("cannot write `{shown}`: {why}"), Ending::Usage);
+    let folder = match out.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let name = out.file_name().unwrap_or_default().to_string_lossy();
+    let target = Target::new(folder, &name, inputs).map_err(|refusal| match refusal {
+        Refusal::Forbidden(message) | Refusal::System(message) => cannot(message),
+    })?;
+    progress.say(&format!("drawing {shown}"));
+    let told = |n_bytes| progress.written(&shown, n_bytes);
+    let write = |out: &mut dyn std::io::Write| (format.write)(job, out);
+    let staged = target.stage(job.limits.output_bytes, &told, write);
+    let (staged, summary) = staged.map_err(|err| match &err {
+        ExportError::Io(_) => cannot(failure(&err)),
+        _ => (failure(&err), Ending::Wrong),
+    })?;
+    staged.place().map_err(|err| cannot(failure(&ExportError::Io(err))))?;
+    Ok(summary)
+}
+
+fn unknown_ending(out: &Path) -> String {
+    let endings: Vec<String> =
+        PICTURES.iter().map(|format| format!("`.{}`", format.ending)).collect();
+    let endings = endings.join(" or ");
+    match out.extension() {
+        Some(ending) => {
+            let ending = ending.to_string_lossy();
+            format!("a picture ends in {endings}, and `{}` in `.{ending}`", out.display())
+        }
+        None => format!("a picture ends in {endings}, and `{}` in neither", out.display()),
+    }
+}
+
+/// Reads the name of a view.
+pub(super) fn view(text: &str) -> Result<View, String> {
+    View::from_name(text).ok_or_else(|| {
+        let names = || View::ALL.iter().map(|&(name, _)| name);
+        match nearest(text, names()) {
+            Some(near) => format!("there is no view `{text}`; did you mean `{near}`?"),
+            None => {
+                let names: Vec<&str> = names().collect();
+                format!("there is no view `{text}`; views are {}", names.join(", "))
+            }
+        }
+    })
+}
+
+/// Reads a width and a height in pixels.
+pub(super) fn size(text: &str) -> Result<[usize; 2], String> {
+    let wrong = || "write WIDTHxHEIGHT in pixels, for example 800x600".to_owned();
+    let (width, height) = text.split_once(['x', 'X', '×']).ok_or_else(wrong)?;
+    let side = |text: &str| text.trim().parse::<usize>().map_err(|_| wrong());
+    let size = [side(width)?, side(height)?];
+    if size.contains(&0) {
+        return Err("a picture has at least one pixel on each side".to_owned());
+    }
+    Ok(size)
+}

@@ -1,0 +1,82 @@
+//! PNG: a shaded picture of the geometry from one side, without any graphics processor.
+//!
+//! `scene` places triangles and lines on the picture, `band` finds by a depth buffer what of them
+//! is seen, sixteen samples a pixel, `light` colours it, `legend` explains the colours. Catmull, *A
+//! subdivision algorithm for computer display of curved surfaces*, thesis, Utah 1974, §2.5; W3C,
+//! *Portable Network Graphics*, second edition.
+
+mod band;
+mod legend;
+mod light;
+mod scene;
+
+use std::io::{self, Write};
+
+use glam::{DAffine3, DVec3};
+
+use self::{band::Band, light::Light, scene::Scene};
+use super::{
+    ExportError, Format, Job, Picture, Subject, Summary,
+    wire::{Drawing, Extent},
+};
+
+pub(super) static FORMAT: Format = Format {
+    ending: "png",
+    aliases: &[],
+    title: "PNG: a shaded picture from one side",
+    options: &["view"],
+    takes: Subject::is_geometry,
+    takes_data: false,
+    is_of_meshes: false,
+    wants: "points, curves, surfaces and meshes",
+    write,
+};
+
+/// Samples on each side of a pixel.
+const SIDE: usize = 4;
+
+/// The size of a picture for which none is asked.
+const SIZE: [usize; 2] = [800, 600];
+
+fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
+    let picture = Picture { size: SIZE, legends: Vec::new() };
+    let picture = job.picture.as_ref().unwrap_or(&picture);
+    let view = DAffine3::from_mat3(job.options.view.matrix());
+    let n_across = SIDE * picture.size[0].max(picture.size[1]);
+    // What lies nearer to a surface than half a sample cannot be told from it.
+    let extent = Extent::of(job)?;
+    let visible = if 0.0 < extent.on_paper { extent.on_paper } else { extent.size };
+    let near = (0.5 * visible / n_across as f64).max(extent.finest);
+
+    let mut summary = Summary::default();
+    let mut drawings = Vec::with_capacity(job.items.len());
+    for item in &job.items {
+        summary.count(&item.subject);
+        drawings.push(Drawing::of(item, &view, near, job)?);
+    }
+    let scene = Scene::new(job, &drawings, picture, near)?;
+    let light = Light::new(job.options.view);
+    let mut pixels = Vec::with_capacity(3 * picture.size[0] * picture.size[1]);
+    for idx in 0..scene.n_bands() {
+        Band::of(&scene, idx).resolve(&scene, &light, &mut pixels);
+    }
+    legend::draw(picture, &mut pixels);
+    encode(picture.size, &pixels, out)?;
+    Ok(summary)
+}
+
+/// Writes the pixels, row by row from the top, red, green and blue.
+fn encode([width, height]: [usize; 2], pixels: &[u8], out: &mut dyn Write) -> io::Result<()> {
+    let mut encoder = png::Encoder::new(out, width as u32, height as u32);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::High);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(pixels)?;
+    Ok(writer.finish()?)
+}
+
+/// A colour in bytes with levels from 0 to 1.
+fn levels(color: [u8; 3]) -> DVec3 {
+    DVec3::from(color.map(f64::from)) / 255.0
+}

@@ -1,0 +1,160 @@
+//! From the definitions of a script to a picture of them.
+
+use super::{Report, Session, plan::Gathering};
+use crate::{
+    diag::{Spanned, nearest},
+    eval::{self, Defined},
+    export::{Format, Job, Legend, Options, Picture, View},
+    syntax::ast::Kind,
+    value::Value,
+};
+
+/// What a picture is to show, and how.
+#[derive(Clone, Debug)]
+pub struct Scene<'a> {
+    /// The definitions that are drawn; with no name all that are geometry and not hidden.
+    pub only: &'a [String],
+    /// From where; without a view from above what is flat, and all else as an isometric drawing.
+    pub view: Option<View>,
+    /// Width and height in pixels.
+    pub size: [usize; 2],
+}
+
+/// Colours of definitions without one of their own, one after the other.
+const PALETTE: [[u8; 3]; 10] = [
+    [0x4e, 0x79, 0xa7],
+    [0xf2, 0x8e, 0x2b],
+    [0x59, 0xa1, 0x4f],
+    [0xe1, 0x57, 0x59],
+    [0x9a, 0x70, 0xb0],
+    [0x49, 0x98, 0x94],
+    [0x9d, 0x76, 0x60],
+    [0xd3, 0x72, 0x95],
+    [0xb6, 0x99, 0x2d],
+    [0x79, 0x70, 0x6e],
+];
+
+impl Session {
+    /// What `format` needs for a picture of the script of a report.
+    ///
+    /// Drawn are definitions that promise geometry, and those by `let` that are curves, surfaces or
+    /// meshes, lists of them, or records with some, such as combs and maps of curvature. Points by `let` are as
+    /// often directions, and drawn only by name.
+    ///
+    /// # Errors
+    /// A sentence where there is nothing to draw, or a name of nothing that can be drawn.
+    pub fn picture(
+        &self,
+        report: &Report,
+        scene: &Scene<'_>,
+        format: &'static Format,
+    ) -> Result<Job, String> {
+        let chosen = chosen(&report.definitions, scene.only)?;
+        let mut gathering = Gathering::new(format);
+        let mut legends = Vec::new();
+        for (idx, (defined, value)) in chosen.into_iter().enumerate() {
+            let mut look = defined.look.clone();
+            look.color = look.color.or(Some(PALETTE[idx % PALETTE.len()]));
+            let value = Spanned::new(value.clone(), defined.span);
+            let subject = eval::Subject { name: defined.name.clone(), value, look };
+            if let Err(misfit) = gathering.add_all_of(&subject) {
+                return Err(undrawable(&defined.name, &misfit.found));
+            }
+            legends.extend(legends_of(&defined.name, &subject.value.value));
+        }
+        let (unit, tolerance) = report.document;
+        let view = scene.view.unwrap_or_else(|| View::fitting(&gathering.items));
+        Ok(Job {
+            items: gathering.items,
+            unit: unit.name(),
+            millimetres: unit.millimetres().unwrap_or(1.0),
+            precision: tolerance.distance,
+            options: Options { view, ..Options::default() },
+            picture: Some(Picture { size: scene.size, legends }),
+            limits: self.limits,
+        })
+    }
+}
+
+fn undrawable(name: &str, found: &str) -> String {
+    format!("`{name}` is {found}, which cannot be drawn")
+}
+
+/// The definitions that are drawn, with their values.
+fn chosen<'a>(
+    definitions: &'a [Defined],
+    only: &[String],
+) -> Result<Vec<(&'a Defined, &'a Value)>, String> {
+    let valued = |defined: &'a Defined| Some((defined, defined.value.as_ref()?));
+    if only.is_empty() {
+        let is_shown = |(defined, value): &(&Defined, &Value)| {
+            let is_free = defined.kind == Some(Kind::Let);
+            let promises = defined.kind.is_some_and(Kind::is_geometry);
+            !defined.look.is_hidden && (promises || is_free) && is_drawn(value, !is_free)
+        };
+        let shown: Vec<_> = definitions.iter().filter_map(valued).filter(is_shown).collect();
+        if shown.is_empty() {
+            return Err("the script defines no geometry that could be drawn".to_owned());
+        }
+        return Ok(shown);
+    }
+    let find = |name: &String| {
+        let found = definitions.iter().filter_map(valued).find(|(its, _)| its.name == *name);
+        let names = || definitions.iter().map(|defined| defined.name.as_str());
+        match (found, nearest(name, names())) {
+            (Some((_, value)), _) if !is_drawn(value, true) => {
+                Err(undrawable(name, &value.phrase()))
+            }
+            (Some(found), _) => Ok(found),
+            (None, Some(near)) => {
+                Err(format!("the script defines no `{name}`; did you mean `{near}`?"))
+            }
+            (None, None) => Err(format!("the script defines no `{name}`")),
+        }
+    };
+    only.iter().map(find).collect()
+}
+
+/// Whether there is something to draw of a value; single points only where they are asked for.
+fn is_drawn(value: &Value, with_points: bool) -> bool {
+    match value {
+        Value::Curve(_) | Value::Surface(_) | Value::Mesh(_) => true,
+        Value::Point(_) => with_points,
+        Value::List(items) => {
+            !items.is_empty() && items.values().all(|item| is_drawn(&item, with_points))
+        }
+        Value::Record(record) => record.iter().any(|(_, member)| is_drawn(member, false)),
+        _ => false,
+    }
+}
+
+/// The legends of the coloured meshes in a value: of records with a mesh and a scale.
+fn legends_of(name: &str, value: &Value) -> Vec<Legend> {
+    match value {
+        Value::List(items) => {
+            let items = items.values().enumerate();
+            items.flat_map(|(i, item)| legends_of(&format!("{name}[{i}]"), &item)).collect()
+        }
+        Value::Record(record) => match (record.get("mesh"), record.get("scale")) {
+            (Some(Value::Mesh(_)), Some(Value::List(scale))) => {
+                let stops: Option<_> = scale.values().map(|stop| stop_of(&stop)).collect();
+                let title = match record.get("kind") {
+                    Some(Value::Text(kind)) => format!("{name}: {kind}"),
+                    _ => name.to_owned(),
+                };
+                stops.map(|stops| Legend { title, stops }).into_iter().collect()
+            }
+            _ => Vec::new(),
+        },
+        _ => Vec::new(),
+    }
+}
+
+/// A value of a scale with its colour.
+fn stop_of(stop: &Value) -> Option<(f64, glam::DVec3)> {
+    let Value::Record(stop) = stop else { return None };
+    match (stop.get("value"), stop.get("color")) {
+        (Some(Value::Number(number)), Some(Value::Point(color))) => Some((number.value, *color)),
+        _ => None,
+    }
+}
