@@ -4,6 +4,7 @@
 //! read data through, and write what the [`Report`] plans.
 
 mod ceiling;
+mod extra;
 mod inspect;
 mod options;
 mod picture;
@@ -14,6 +15,7 @@ mod test;
 use std::sync::{Arc, atomic::AtomicBool};
 
 pub use ceiling::name_flag;
+pub use extra::Extra;
 pub use picture::Scene;
 pub use test::{Tested, Verdict};
 

@@ -240,6 +240,55 @@ fn a_drawing_has_the_size_the_colours_and_the_legend() {
 }
 
 #[test]
+fn a_control_polygon_and_a_comb_stand_beside_the_curve() {
+    // The middle control point is as high above the line of the others as the margin leaves.
+    let script = "curve c = bezier((0, 0), (1, 2), (2, 0)) with (color = \"red\")";
+    let size = ["--size", "400x400"];
+    let shown = |what: &str| drawn("beside", script, &[&size[..], &["--show", what]].concat());
+    let control = shown("control");
+    // The triangle of the control points is 360 pixels wide and high, and grey.
+    let grey = control.places(|[r, g, b]| r == g && g == b && r < 140);
+    for corner in [[20, 380], [200, 20], [380, 380]] {
+        let is_near = |&[x, y]: &[usize; 2]| x.abs_diff(corner[0]) + y.abs_diff(corner[1]) < 6;
+        assert!(grey.iter().any(is_near), "{corner:?}");
+    }
+    // The parabola peaks at half the height of its middle point, where it is level.
+    assert!(control.at(200, 200)[1] < 100, "{:?}", control.at(200, 200));
+    // Curvature is largest at the top, where the comb stands upright.
+    let comb = shown("comb");
+    let red = comb.places(|[_, green, _]| green < 128);
+    let top = red.iter().min_by_key(|[_, y]| *y).expect("a comb");
+    assert!(top[0].abs_diff(200) < 3 && red.len() > 2000, "{top:?} {}", red.len());
+}
+
+#[test]
+fn stripes_are_those_of_the_zebra() {
+    // About the axis of a cylinder that is seen from the side, the normal at x = sin a mirrors the
+    // direction 2a: 24 stripes are 15 degrees wide, and change at a = 3.75, 11.25, ... degrees.
+    let script = "surface s = cylinder((0, 0, -1), 1, 2) with (color = \"red\")";
+    let args = ["--size", "600x600", "--view", "front", "--show", "stripes"];
+    let pixels = drawn("stripes", script, &args);
+    let row = |x: f64| pixels.at((300.0 + 270.0 * x) as usize, 280);
+    for k in 0..8 {
+        let middle = libm::sin((7.5 * f64::from(k)).to_radians());
+        let wanted = if k % 2 == 0 { 242 } else { 26 };
+        for x in [middle, -middle] {
+            // Beside the lines of the surface.
+            let near = [row(x - 0.012)[0], row(x + 0.012)[0]];
+            assert!(near.contains(&wanted), "{k}: {near:?}");
+        }
+    }
+    let scratch = Scratch::new("stripes-svg");
+    scratch.file("a.geo", script);
+    for (name, more) in [("plain.svg", &[][..]), ("stripes.svg", &["--show", "stripes"])] {
+        let all = [&["render", "a.geo", "-o", name, "-q", "--view", "front"], more].concat();
+        assert_eq!(run(&scratch, &all), (String::new(), String::new(), 0));
+    }
+    let length = |name: &str| fs::metadata(scratch.0.join(name)).expect("a drawing").len();
+    assert!(length("plain.svg") + 500 < length("stripes.svg"));
+}
+
+#[test]
 fn only_what_is_named_is_drawn() {
     let script = "surface s = plane_patch((0, 0), (1, 0), (0, 1)) with (color = \"red\")
                   surface t = plane_patch((1, 0), (1, 0), (0, 1)) with (color = \"blue\", hidden = true)
@@ -294,6 +343,11 @@ fn what_cannot_be_drawn_is_said_and_nothing_is_written() {
         (&["a.geo", "-o", "a.png", "--only", "n"], "`n` is the number 3, which cannot be drawn", 3),
         (&["a.geo", "-o", "a.png", "--only", "t"], "which cannot be drawn", 3),
         (&["a.geo", "-o", "a.png", "--set", "q=1"], "`q`", 3),
+        (
+            &["a.geo", "-o", "a.png", "--show", "combs"],
+            "`combs` cannot be shown; did you mean `comb`?",
+            3,
+        ),
         (&["no.geo", "-o", "a.png"], "cannot read `no.geo`: there is no such file", 3),
         (&["wrong.geo", "-o", "a.png"], "nothing was drawn, because the script has errors", 2),
         (&["a.geo", "-o", "none.geo/a.png"], "`none.geo` is a file, not a folder", 3),

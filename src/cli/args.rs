@@ -11,7 +11,12 @@ use super::{
     limits::{self, Moved},
     process, render, settings, test, watch,
 };
-use crate::{eval::Setting, export::View, limits::Limits, session::Session};
+use crate::{
+    eval::Setting,
+    export::View,
+    limits::Limits,
+    session::{Extra, Session},
+};
 
 /// Exact freeform curves and surfaces from a declarative language.
 #[derive(Debug, Parser)]
@@ -118,7 +123,8 @@ Examples:
 Examples:
   virote render bottle.geo -o bottle.png
   virote render bottle.geo -o bottle.svg --view front --only profile
-  virote render bottle.geo -o bottle.png --size 1600x1200 --set neck=15mm")]
+  virote render bottle.geo -o bottle.png --size 1600x1200 --set neck=15mm
+  virote render bottle.geo -o bottle.png --only profile --show comb --show control")]
     Render {
         /// The script; `-` is standard input
         file: PathBuf,
@@ -244,6 +250,10 @@ pub(super) struct Drawn {
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "800x600", value_parser = render::size)]
     pub(super) size: [usize; 2],
+    /// Shows beside it: control polygons and nets, combs of curvature, or mirrored stripes; may be
+    /// given several times
+    #[arg(long, value_name = "WHAT", value_parser = render::extra)]
+    pub(super) show: Vec<Extra>,
     /// Draws only this definition; may be given several times
     #[arg(long, value_name = "NAME")]
     pub(super) only: Vec<String>,

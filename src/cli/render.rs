@@ -14,7 +14,7 @@ use super::{
 use crate::{
     diag::{Severity, nearest},
     export::{ExportError, Format, Job, PICTURES, Summary, View},
-    session::Scene,
+    session::{Extra, Scene},
 };
 
 /// `virote render FILE -o PICTURE`
@@ -51,7 +51,8 @@ pub(super) fn run(path: &Path, out: &Path, drawn: &Drawn, common: &Common) -> En
     inputs.extend(script.path);
     inputs.extend(common.params.clone());
 
-    let scene = Scene { only: &drawn.only, view: drawn.view, size: drawn.size };
+    let scene =
+        Scene { only: &drawn.only, extras: &drawn.show, view: drawn.view, size: drawn.size };
     let has_errors = report.count(Severity::Error) > 0;
     let done = if !report.unknown_settings.is_empty() {
         Err((report.unknown_settings.join("\n"), Ending::Usage))
@@ -131,6 +132,20 @@ pub(super) fn view(text: &str) -> Result<View, String> {
             None => {
                 let names: Vec<&str> = names().collect();
                 format!("there is no view `{text}`; views are {}", names.join(", "))
+            }
+        }
+    })
+}
+
+/// Reads the name of what is shown beside the geometry.
+pub(super) fn extra(text: &str) -> Result<Extra, String> {
+    Extra::ALL.iter().find(|(name, _)| *name == text).map(|&(_, extra)| extra).ok_or_else(|| {
+        let names = || Extra::ALL.iter().map(|&(name, _)| name);
+        match nearest(text, names()) {
+            Some(near) => format!("`{text}` cannot be shown; did you mean `{near}`?"),
+            None => {
+                let names: Vec<&str> = names().collect();
+                format!("`{text}` cannot be shown, but {}", names.join(", "))
             }
         }
     })

@@ -121,6 +121,8 @@ pub struct Picture {
     pub size: [usize; 2],
     /// What its colours mean.
     pub legends: Vec<Legend>,
+    /// How many stripes surfaces mirror toward the viewer, all around, an even number.
+    pub stripes: Option<usize>,
 }
 
 /// What the colours of a mesh mean.

@@ -9,7 +9,7 @@ use super::{
     shape::{Shape, bounds, byte_color, shape},
 };
 use crate::kernel::{
-    Bounds, Curve, GeomError, Interval, Mesh, NurbsCurve, Surface,
+    Bounds, Curve, GeomError, Interval, Mesh, NurbsCurve, Surface, Tolerance,
     tolerance::{DRAWING_DIGIT, PATH_ROUNDING},
 };
 
@@ -159,6 +159,27 @@ impl Drawing {
                 self.curve(weight, &line, view)?;
             }
         }
+        Ok(())
+    }
+
+    /// The borders of the stripes that a surface mirrors toward the viewer, where they are asked for.
+    pub(super) fn add_stripes(
+        &mut self,
+        item: &Item,
+        view: &DAffine3,
+        near: f64,
+        job: &Job,
+    ) -> Result<(), ExportError> {
+        let stripes = job.picture.as_ref().and_then(|picture| picture.stripes);
+        let (Subject::Surface(surface), Some(n_stripes)) = (&item.subject, stripes) else {
+            return Ok(());
+        };
+        let tolerance = Tolerance::DEFAULT.with_distance(near);
+        let sets = surface.zebra(job.options.view.toward(), n_stripes, tolerance);
+        let blame = |source: GeomError| ExportError::Geometry { name: item.name.clone(), source };
+        let curves = sets.map_err(blame)?.into_iter().flat_map(|set| set.curves);
+        let lines = curves.map(|curve| (Weight::Full, Line::Curve(curve.transformed(view))));
+        self.lines.extend(lines);
         Ok(())
     }
 

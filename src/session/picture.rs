@@ -1,6 +1,10 @@
 //! From the definitions of a script to a picture of them.
 
-use super::{Report, Session, plan::Gathering};
+use super::{
+    Report, Session,
+    extra::{self, Extra},
+    plan::Gathering,
+};
 use crate::{
     diag::{Spanned, nearest},
     eval::{self, Defined},
@@ -14,6 +18,8 @@ use crate::{
 pub struct Scene<'a> {
     /// The definitions that are drawn; with no name all that are geometry and not hidden.
     pub only: &'a [String],
+    /// What is shown beside it.
+    pub extras: &'a [Extra],
     /// From where; without a view from above what is flat, and all else as an isometric drawing.
     pub view: Option<View>,
     /// Width and height in pixels.
@@ -62,15 +68,24 @@ impl Session {
             }
             legends.extend(legends_of(&defined.name, &subject.value.value));
         }
+        let shows = |extra: Extra| scene.extras.contains(&extra);
+        let mut items = gathering.items;
+        let mut added = if shows(Extra::Control) { extra::control(&items) } else { Vec::new() };
+        if shows(Extra::Comb) {
+            let combs = extra::combs(&items).map_err(|(name, err)| format!("{name}: {err}"))?;
+            added.extend(combs);
+        }
+        items.extend(added);
+        let stripes = shows(Extra::Stripes).then_some(extra::STRIPES);
         let (unit, tolerance) = report.document;
-        let view = scene.view.unwrap_or_else(|| View::fitting(&gathering.items));
+        let view = scene.view.unwrap_or_else(|| View::fitting(&items));
         Ok(Job {
-            items: gathering.items,
+            items,
             unit: unit.name(),
             millimetres: unit.millimetres().unwrap_or(1.0),
             precision: tolerance.distance,
             options: Options { view, ..Options::default() },
-            picture: Some(Picture { size: scene.size, legends }),
+            picture: Some(Picture { size: scene.size, legends, stripes }),
             limits: self.limits,
         })
     }

@@ -235,7 +235,8 @@ impl Band {
                     sum += PAPER;
                 } else {
                     let place = DVec2::new(column as f64, (self.top + line as isize) as f64);
-                    match shown.iter_mut().find(|(known, ..)| *known == owner) {
+                    match shown.iter_mut().find(|(known, ..)| *known == owner && !light.is_sharp())
+                    {
                         Some((_, n_samples, places)) => {
                             *n_samples += 1.0;
                             *places += place;

@@ -39,7 +39,7 @@ const SIDE: usize = 4;
 const SIZE: [usize; 2] = [800, 600];
 
 fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
-    let picture = Picture { size: SIZE, legends: Vec::new() };
+    let picture = Picture { size: SIZE, legends: Vec::new(), stripes: None };
     let picture = job.picture.as_ref().unwrap_or(&picture);
     let view = DAffine3::from_mat3(job.options.view.matrix());
     let n_across = SIDE * picture.size[0].max(picture.size[1]);
@@ -55,7 +55,7 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
         drawings.push(Drawing::of(item, &view, near, job)?);
     }
     let scene = Scene::new(job, &drawings, picture, near)?;
-    let light = Light::new(job.options.view);
+    let light = Light::new(job.options.view, picture.stripes);
     let mut pixels = Vec::with_capacity(3 * picture.size[0] * picture.size[1]);
     for idx in 0..scene.n_bands() {
         Band::of(&scene, idx).resolve(&scene, &light, &mut pixels);

@@ -53,7 +53,9 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     let mut summary = Summary::default();
     for item in &job.items {
         summary.count(&item.subject);
-        drawings.push(Drawing::of(item, &view, near, job)?);
+        let mut drawing = Drawing::of(item, &view, near, job)?;
+        drawing.add_stripes(item, &view, near, job)?;
+        drawings.push(drawing);
     }
     let scene = Scene::new(drawings.iter().flat_map(|drawing| drawing.triangles(&view)), near);
     let bounds = drawings.iter().filter_map(|drawing| drawing.bounds).reduce(Bounds::union);
