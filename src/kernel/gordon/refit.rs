@@ -191,7 +191,8 @@ impl<'a> Search<'a> {
                 *value *= weight;
             }
             let ends = [curve.start(), curve.end()].map(|point| point.extend(1.0));
-            let own = fit.between(ends, &wanted);
+            let mut own = fit.between(ends, &wanted);
+            self.meet_ends(curve, &knots, &mut own);
             for ((value, wanted), span) in fit.values(&own).zip(&wanted).zip(&spans) {
                 if let Some(miss) = span.and_then(|span| misses.get_mut(span)) {
                     *miss = miss.max((value - *wanted).truncate().length());
@@ -200,6 +201,38 @@ impl<'a> Search<'a> {
             points.push(own);
         }
         Ok(Trial { knots, free, points, misses })
+    }
+
+    /// Gives the points next to the ends the derivatives of the curve there to the last digit, which
+    /// heavy weights come near to: a ring then goes on over its seam as the curve does.
+    fn meet_ends(&self, curve: &NurbsCurve, knots: &KnotVector, points: &mut [DVec4]) {
+        let p = self.degree;
+        let n_orders = 1 + usize::from(self.is_ring);
+        if p <= n_orders || points.len() < 2 * (n_orders + 1) {
+            return;
+        }
+        let (all, last) = (knots.as_slice(), points.len() - 1);
+        let m = all.len() - 1;
+        let ends = [
+            (self.domain.start(), Side::Right, 1.0, [0, 1, 2], [p, p + 1, p + 2]),
+            (
+                self.domain.end(),
+                Side::Left,
+                -1.0,
+                [0, 1, 2].map(|k| last - k),
+                [p, p + 1, p + 2].map(|k| m - k),
+            ),
+        ];
+        for (t, side, sign, [at, next, second], [end, first, behind]) in ends {
+            let derivatives = curve.derivatives_beside(t, side, n_orders);
+            let [near, far] = [first, behind].map(|k| (all[k] - all[end]).abs());
+            let slope = derivatives[1].extend(0.0) * sign;
+            points[next] = points[at] + slope * (near / p as f64);
+            if self.is_ring {
+                let bend = derivatives[2].extend(0.0) * (near / (p - 1) as f64);
+                points[second] = points[next] + (slope + bend) * (far / p as f64);
+            }
+        }
     }
 
     /// The trial with spans divided until none misses by more than is allowed.
