@@ -24,24 +24,24 @@ draw() {
     fi
 }
 
-draw aerofoil --only foil --show control
-draw at-sign --only stroke_coons --only bowl_coons --show control
+draw aerofoil --only foil
+draw at-sign --only stroke_coons --only bowl_coons
 draw bottle --only wall --only foot --only label
-draw car-bonnet --only bonnet --show stripes
+draw car-bonnet --only bonnet --only stripes
 draw circles --only circles
 draw curvature-comb
-draw first-steps --show control
+draw first-steps
 draw frigate-hull --only port --only starboard --only waterlines --only frames
 draw linkeova-2-3 --only c --only at_half
 draw linkeova-2-4 --only before --only after --only parts
 draw linkeova-2-7 --only c --only triangle
-draw linkeova-exercise-2-26 --only splines --show control
+draw linkeova-exercise-2-26
 draw naca --only wing
 draw pipe-along-a-curve
 draw propeller-blade --only all --only hub
 size=400x300 draw teapot --only patches
 draw textbook-joints
-draw textbook-surfaces --only clamped_one --show control
+draw textbook-surfaces --only filled
 draw units
 draw wheel-hub --only rim --only top --only blend --only shell --only lip --only mouth --only inner --only seal --only holes
 draw wigley-hull --only port --only starboard --only lines --only frames
