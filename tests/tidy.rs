@@ -45,9 +45,9 @@ const DOORS_ONLY: &[&str] =
 /// What no script may reach.
 const PANICS: &[&str] = &[".unwrap()", ".expect(", "panic!(", "todo!(", "unimplemented!("];
 
-/// Built-ins whose names are words of the language as well (a keyword, a kind of parameter) or a
-/// habit of other languages that the parser knows.
-const WORDS_TOO: &[&str] = &["table", "length", "assert"];
+/// Built-ins whose names are words of the language as well (a keyword, a kind of parameter, a field
+/// of what another built-in answers) or a habit of other languages that the parser knows.
+const WORDS_TOO: &[&str] = &["table", "length", "assert", "scale"];
 
 /// Lines of one file.
 const MOST_LINES: usize = 400;

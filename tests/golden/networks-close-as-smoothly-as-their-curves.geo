@@ -2,10 +2,17 @@ geo 1
 // A body of closed rings and guides that meet only roughly, so that all curves are refitted: over
 // the seam it goes on as the rings do.
 tolerance 1e-6
-fn body(s, a) = (10*s, (0.3 + 1.2*sin(pi*(0.1 + 0.8*s)))*cos(a)*(1 + 0.1*s), (0.3 + sin(pi*(0.1 + 0.8*s)))*sin(a) + 0.5*s*s)
-let rings = [for s in [0, 0.13, 0.3, 0.52, 0.77, 1]: interpolate([for k in 0..<40: body(s, 2*pi*k/40)], closed = true)]
+fn body(s, a) = (
+    10*s,
+    (0.3 + 1.2*sin(pi*(0.1 + 0.8*s)))*cos(a)*(1 + 0.1*s),
+    (0.3 + sin(pi*(0.1 + 0.8*s)))*sin(a) + 0.5*s*s,
+)
+let rings = [
+    for s in [0, 0.13, 0.3, 0.52, 0.77, 1]:
+        interpolate([for k in 0..<40: body(s, 2*pi*k/40)], closed = true)
+]
 let guides = [for a in [0, 1.1, 2.3, 3.4, 4.9]: interpolate([for k in 0..30: body(k/30, a)])]
-fn miss(s, curves) = max([for c in curves: max([for t in 0..20: closest(s, c(t / 20)).distance])])
+fn miss(s, lines) = max([for c in lines: max([for t in 0..20: closest(s, c(t / 20)).distance])])
 
 surface skin_of_rings = gordon(u = rings, v = guides, tolerance = 2e-3)
 check every(rings, c => continuity(c).g == 2)
