@@ -231,9 +231,15 @@ export m, polyline((0, 0), {middle}, (4, 0)) to \"m.ply\"\n"
     );
     assert!(!out.contains("triangles") && !out.contains("away from"), "{out}");
 
-    // A closed mesh encloses its volume: half a cube of triangles that are exact.
-    let scratch = blessed("volume", "export box((0, 0, 0), (2, 3, 4)) to \"b.obj\"\n");
-    has(&content(&scratch, "a.golden/files/b.obj.measures"), &["  area 52\n"]);
+    // A closed mesh encloses its volume: a sphere in eight triangles is a regular octahedron.
+    let octahedron = "export grid_mesh(sphere((0, 0, 0), 1), 4, 2) to \"b.obj\"\n";
+    let scratch = blessed("volume", octahedron);
+    let kept = content(&scratch, "a.golden/files/b.obj.measures");
+    for (what, value) in [("  area ", 4.0 * 3.0_f64.sqrt()), ("  volume ", 4.0 / 3.0)] {
+        let found = kept.lines().find_map(|line| line.strip_prefix(what)).expect("a measure");
+        let found: f64 = found.parse().expect("a number");
+        assert!((found - value).abs() < 1e-12, "{kept}");
+    }
 
     let scratch = blessed("measures", &script("(1, 2)", "(2, 1)"));
     edit(&scratch, "a.golden/files/m.ply.measures", "  at 0 0 0", "  at 0 0");
