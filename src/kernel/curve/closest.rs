@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::NurbsCurve;
 use crate::kernel::{
-    Side,
+    Interval, Side,
     frame::norm,
     nearest::{Nearest, Wanted},
     tolerance::{LAST_BIT, PLACE_RELATIVE},
@@ -19,9 +19,11 @@ pub struct Foot {
     pub point: DVec3,
     /// How far away it is.
     pub distance: f64,
-    /// Places that are as near as that, within the tolerance; of a stretch that is all as near, its
-    /// ends.
+    /// Places that are as near as that, within the tolerance; a stretch that is all as near, which
+    /// has infinitely many, counts once.
     pub count: usize,
+    /// The first stretch that is all as near.
+    pub stretch: Option<Interval>,
 }
 
 impl NurbsCurve {
@@ -33,7 +35,7 @@ impl NurbsCurve {
         let nearest = self.nearest.get_or_make(prepare);
         let near = nearest.places(&self.control_points, p, Wanted::AllWithin(tolerance));
         let mut feet: Vec<(f64, f64)> =
-            near.into_iter().map(|[t, _]| (t, norm(self.point_at(t) - p))).collect();
+            near.single.into_iter().map(|[t, _]| (t, norm(self.point_at(t) - p))).collect();
         let best = feet.iter().map(|&(_, distance)| distance).fold(f64::INFINITY, f64::min);
         let rounding = LAST_BIT * (p.abs().max_element() + self.magnitude());
         feet.retain(|&(_, distance)| distance <= best + tolerance);
@@ -47,8 +49,34 @@ impl NurbsCurve {
         let first = feet.iter().find(|&&(_, distance)| distance <= best + rounding);
         let parameter = first.map_or(self.domain().start(), |&(t, _)| t);
         let point = self.point_at(parameter);
-        let count = self.different_places(&feet, tolerance).max(1);
-        Foot { parameter, point, distance: norm(point - p), count }
+        let is_near = |t: f64| norm(self.point_at(t) - p) <= best + tolerance;
+        let pieces = near.stretches.iter().map(|&[[start, _], [end, _]]| (start, end));
+        let pieces = pieces.filter(|&(start, end)| is_near(start) && is_near(end)).collect();
+        let stretches = self.joined_stretches(pieces, tolerance);
+        let count = self.different_places(&feet, &stretches, tolerance).max(1);
+        let stretch = stretches.first().copied();
+        Foot { parameter, point, distance: norm(point - p), count, stretch }
+    }
+
+    /// Pieces that touch as one; without those that are but a place within the tolerance.
+    fn joined_stretches(&self, mut pieces: Vec<(f64, f64)>, tolerance: f64) -> Vec<Interval> {
+        pieces.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let rounding = LAST_BIT * self.domain().length();
+        let mut joined: Vec<(f64, f64)> = Vec::new();
+        for (start, end) in pieces {
+            match joined.last_mut() {
+                Some(last) if start <= last.1 + rounding => last.1 = last.1.max(end),
+                _ => joined.push((start, end)),
+            }
+        }
+        let is_wide = |stretch: &Interval| {
+            let start = self.point_at(stretch.start());
+            let others = [stretch.at(0.5), stretch.end()].map(|t| self.point_at(t));
+            others.into_iter().any(|other| tolerance < start.distance(other))
+        };
+        let stretches =
+            joined.into_iter().filter_map(|(start, end)| Interval::new(start, end).ok());
+        stretches.filter(is_wide).collect()
     }
 
     /// Whether neither side of a place leads nearer to `p`; at the seam of a closed curve there
@@ -75,15 +103,34 @@ impl NurbsCurve {
         !(PLACE_RELATIVE < before || behind < -PLACE_RELATIVE)
     }
 
-    /// How many of the feet are different places of the curve.
-    fn different_places(&self, feet: &[(f64, f64)], tolerance: f64) -> usize {
-        let mut places: Vec<DVec3> = Vec::new();
+    /// How many of the feet are different places of the curve, each stretch being one.
+    fn different_places(
+        &self,
+        feet: &[(f64, f64)],
+        stretches: &[Interval],
+        tolerance: f64,
+    ) -> usize {
+        let ends = stretches.iter().flat_map(|stretch| [stretch.start(), stretch.end()]);
+        let mut places: Vec<DVec3> = ends.map(|t| self.point_at(t)).collect();
+        let n_ends = places.len();
         for &(t, _) in feet {
             let point = self.point_at(t);
-            if !places.iter().any(|place| place.distance(point) <= tolerance) {
+            let is_known = stretches.iter().any(|stretch| stretch.contains(t))
+                || places.iter().any(|place| place.distance(point) <= tolerance);
+            if !is_known {
                 places.push(point);
             }
         }
-        places.len()
+        // Stretches on both sides of a seam are one.
+        let goes_over_the_seam = match stretches {
+            [first, .., last] => {
+                let domain = self.domain();
+                self.start() == self.end()
+                    && first.start() <= domain.start()
+                    && domain.end() <= last.end()
+            }
+            _ => false,
+        };
+        places.len() - n_ends + stretches.len() - usize::from(goes_over_the_seam)
     }
 }

@@ -76,6 +76,8 @@ impl KnotVector {
         }
 
         let (start, end) = (knots[degree], knots[got - degree - 1]);
+        // The cause before its consequence: a knot repeated too often can leave no domain.
+        check_multiplicities(degree, &knots)?;
         let domain = Interval::new(start, end).map_err(|_| GeomError::EmptyDomain { at: start })?;
         let same = KNOT_RELATIVE * domain.length();
         for i in 1..got {

@@ -62,6 +62,15 @@ struct Span {
     first: usize,
 }
 
+/// Parameters of a spline.
+#[derive(Debug)]
+pub(in crate::kernel) struct Places {
+    /// Places that are nearest, at least one, and some that were on the way to them.
+    pub(in crate::kernel) single: Vec<[f64; 2]>,
+    /// The ends of stretches that are equally near all along; they are among the places too.
+    pub(in crate::kernel) stretches: Vec<[[f64; 2]; 2]>,
+}
+
 /// Which places are looked for.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::kernel) enum Wanted {
@@ -125,14 +134,9 @@ impl Nearest {
         Self { magnitude: tree.magnitude(), along, tree }
     }
 
-    /// The parameters of places that are nearest to `p`, at least one, and of some that were on the
-    /// way to them; `points` are those that it was made of.
-    pub(in crate::kernel) fn places(
-        &self,
-        points: &[DVec4],
-        p: DVec3,
-        wanted: Wanted,
-    ) -> Vec<[f64; 2]> {
+    /// The places that are nearest to `p`; `points` are those that it was made of. Stretches are
+    /// looked for with [`Wanted::AllWithin`] only.
+    pub(in crate::kernel) fn places(&self, points: &[DVec4], p: DVec3, wanted: Wanted) -> Places {
         let size = self.magnitude.max(p.abs().max_element());
         let unit = if size < LARGE { 1.0 } else { 1.0 / size };
         let degrees = [self.along[0].degree, self.along[1].degree];
@@ -149,13 +153,14 @@ impl Nearest {
             rounding: NEAREST_RELATIVE * size * unit,
             best: f64::INFINITY,
             found: Vec::new(),
+            stretches: Vec::new(),
             patch: Patch::new(degrees),
             gap: Gap::new(degrees),
             todo: Vec::new(),
             n_parts: 0,
         };
         search.run();
-        search.parameters()
+        search.finish()
     }
 
     fn n_rows(&self) -> usize {
@@ -178,6 +183,8 @@ struct Search<'a> {
     best: f64,
     /// Patches by their spans, and places on them.
     found: Vec<([usize; 2], [f64; 2])>,
+    /// Patches by their spans, and the corners of parts that are equally near everywhere.
+    stretches: Vec<([usize; 2], [[f64; 2]; 2])>,
     patch: Patch,
     gap: Gap,
     todo: Vec<Cell>,
@@ -261,6 +268,7 @@ impl Search<'_> {
             for place in [cell.low, cell.high] {
                 self.note(place, self.best, spans);
             }
+            self.stretches.push((spans, [cell.low, cell.high]));
             return None;
         }
         if self.gap.is_convex(limit * limit) {
@@ -291,19 +299,23 @@ impl Search<'_> {
 
     /// The parameters of what was found; the nearest place, which may be nearest up to rounding
     /// only, is improved as far as that goes.
-    fn parameters(&mut self) -> Vec<[f64; 2]> {
+    fn finish(&mut self) -> Places {
         let along = &self.whole.along;
         if let (Wanted::One, &[(spans, place)]) = (self.wanted, &self.found[..]) {
             self.patch.take(along, spans, (self.points, self.n_columns), (self.p, self.unit));
             let cell = Cell::whole([along[0].degree, along[1].degree]);
             self.found[0].1 = self.patch.minimum(cell, place, self.rounding).place;
         }
-        let parameters = |&(spans, place): &([usize; 2], [f64; 2])| {
+        let parameters = |spans: [usize; 2], place: [f64; 2]| {
             [0, 1].map(|direction| {
                 let Span { start, end, .. } = along[direction].spans[spans[direction]];
                 start * (1.0 - place[direction]) + end * place[direction]
             })
         };
-        self.found.iter().map(parameters).collect()
+        let single = self.found.iter().map(|&(spans, place)| parameters(spans, place)).collect();
+        let of_stretch = |&(spans, ends): &([usize; 2], [[f64; 2]; 2])| {
+            ends.map(|place| parameters(spans, place))
+        };
+        Places { single, stretches: self.stretches.iter().map(of_stretch).collect() }
     }
 }

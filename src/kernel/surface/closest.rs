@@ -51,7 +51,7 @@ impl NurbsSurface {
     pub fn closest(&self, p: DVec3) -> SurfaceFoot {
         let knots = [&self.knots_u, &self.knots_v];
         let nearest = self.nearest.get_or_make(|| Nearest::of_surface(knots, &self.control_points));
-        let near = nearest.places(self.control_points.as_slice(), p, Wanted::One);
+        let near = nearest.places(self.control_points.as_slice(), p, Wanted::One).single;
         let domains = [self.domain_u(), self.domain_v()];
         let parameters = near.first().copied().unwrap_or(domains.map(Interval::start));
         let at = |[u, v]: [f64; 2]| self.point_at(u, v);

@@ -5,16 +5,17 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::{
-    diag::Result,
+    diag::{Code, Diagnostic, Result},
     kernel::Curve,
-    value::{At, Ctx, Record, Value, op},
+    value::{At, Ctx, Record, Value, op, shortest},
 };
 
 op! {
     /// Nearest point of a curve to a point, as `{t, point, distance, count}`.
     ///
     /// The nearest of the whole curve, ends included, by branch and bound. `count` tells how many places
-    /// are as near as that, within the document's tolerance; `t` is the first of them.
+    /// are as near as that, within the document's tolerance; `t` is the first of them. A whole stretch that
+    /// is all as near, as a circle is to its centre, counts once, and a warning tells its parameters.
     /// Ma & Hewitt, *Point inversion and projection for NURBS curve and surface*, CAGD 20 (2003).
     closest in Measure -> Record {
         /// The curve.
@@ -29,6 +30,15 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     let foot = args.c.closest(args.p, ctx.tolerance.distance).at(ctx.span)?;
+    if let Some(stretch) = foot.stretch {
+        let message = format!(
+            "all of the curve from parameter {} to {} is equally near",
+            shortest(stretch.start()),
+            shortest(stretch.end())
+        );
+        let hint = "`t` is the first of the nearest places, and `count` counts the stretch once";
+        ctx.warn(Diagnostic::warning(Code::Degenerate, ctx.span, message).hint(hint));
+    }
     Ok(Record::new([
         (Arc::from("t"), Value::number(foot.parameter)),
         (Arc::from("point"), Value::Point(foot.point)),
