@@ -1,10 +1,10 @@
 //! Laws of curves.
 
 use glam::DVec3;
-use proptest::{prop_assert, prop_assume, proptest};
+use proptest::{collection::vec, prop_assert, prop_assume, proptest};
 use virote::kernel::{CircleForm, Curve, Interval, KnotVector, NurbsCurve, Side, make_compatible};
 
-use crate::some::{affine_map, are_near, curve, fraction, parameter, point};
+use crate::some::{affine_map, are_near, curve, fraction, knots, parameter, point};
 
 /// Whether both curves have the same points at the same parameters.
 pub(crate) fn are_same(a: &NurbsCurve, b: &NurbsCurve, tolerance: f64) -> bool {
@@ -12,6 +12,12 @@ pub(crate) fn are_same(a: &NurbsCurve, b: &NurbsCurve, tolerance: f64) -> bool {
         let f = f64::from(i) / 40.0;
         are_near(a.point_at(parameter(a, f)), b.point_at(parameter(b, f)), tolerance)
     })
+}
+
+/// How often numbers change their sign; zeros have none.
+fn changes_of_sign(numbers: impl Iterator<Item = f64>) -> usize {
+    let signs: Vec<bool> = numbers.filter(|x| *x != 0.0).map(|x| 0.0 < x).collect();
+    signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
 }
 
 proptest! {
@@ -29,6 +35,50 @@ proptest! {
         let low = points.iter().copied().reduce(DVec3::min).unwrap();
         let high = points.iter().copied().reduce(DVec3::max).unwrap();
         prop_assert!((low - 1e-13).cmple(point).all() && point.cmple(high + 1e-13).all());
+    }
+
+    #[test]
+    fn every_point_is_in_the_hull_of_the_points_that_act_there(
+        curve in curve(), f in fraction(), direction in point(),
+    ) {
+        let t = parameter(&curve, f);
+        let support = curve.knots().support(curve.knots().span_at(t));
+        let points = curve.points();
+        let heights = points[support].iter().map(|point| point.dot(direction));
+        let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), height| {
+            (low.min(height), high.max(height))
+        });
+        let height = curve.point_at(t).dot(direction);
+        prop_assert!(low - 1e-11 <= height && height <= high + 1e-11);
+    }
+
+    #[test]
+    fn no_plane_meets_the_curve_more_often_than_its_polygon(
+        curve in curve(), normal in point(), through in point(),
+    ) {
+        let height = |point: DVec3| (point - through).dot(normal);
+        let of_curve = (0..=500).map(|i| height(curve.point_at(parameter(&curve, f64::from(i) / 500.0))));
+        let of_polygon = changes_of_sign(curve.points().into_iter().map(height));
+        prop_assert!(changes_of_sign(of_curve) <= of_polygon);
+    }
+
+    #[test]
+    fn a_convex_polygon_makes_a_convex_curve(
+        knots in knots(), turns in vec(0.01..1.0, 20), legs in vec(0.1..9.0, 20), f in fraction(),
+    ) {
+        // All turns to the left, half a turn together.
+        let n = knots.n_points();
+        let unit = std::f64::consts::PI / turns[..n].iter().sum::<f64>();
+        let (mut point, mut angle, mut points) = (DVec3::ZERO, 0.0_f64, Vec::new());
+        for (turn, leg) in turns[..n].iter().zip(&legs) {
+            points.push(point);
+            angle += unit * turn;
+            point += leg * DVec3::new(angle.cos(), angle.sin(), 0.0);
+        }
+        let curve = NurbsCurve::rational(knots, &points, &vec![1.0; n]).unwrap();
+        let derivatives = curve.derivatives_at(parameter(&curve, f), 2);
+        let bend = derivatives[1].cross(derivatives[2]).z;
+        prop_assert!(-1e-12 * derivatives[1].length() * derivatives[2].length() <= bend);
     }
 
     #[test]
