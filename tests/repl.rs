@@ -435,4 +435,16 @@ mod terminal {
         prompt.types("\x04");
         prompt.ends();
     }
+
+    #[test]
+    fn ten_megabytes_pasted_in_one_line_are_an_entry_like_others() {
+        let scratch = Scratch::new("repl-megabytes");
+        let mut prompt = Terminal::new(&scratch, 80, STATE);
+        let long = "x".repeat(10 << 20);
+        prompt.types(&format!("\x1b[200~{long}\x1b[201~"));
+        prompt.gives_up();
+        prompt.says("3 + 3", "\n6\r");
+        prompt.types("\x04");
+        prompt.ends();
+    }
 }
