@@ -65,7 +65,8 @@ pub use surface::{
     principal_axes, volume_mass,
 };
 pub use sweep::{
-    Axes, Fineness, Frames, Framing, Held, Leg, Motion, Sweep, legs, mitred, swept, translated,
+    Axes, Fineness, Frames, Framing, Held, Leg, Motion, Sweep, legs, mitred, overreaches, swept,
+    translated,
 };
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;

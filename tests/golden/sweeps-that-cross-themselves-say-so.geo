@@ -17,3 +17,8 @@ check norm(tip(0.3, 1) - (4, 0, 0)) < 1e-15
 // Legs too short for their mitres.
 surface short = sweep(ring, polyline((0, 0, 0), (5, 0, 0), (5.5, 0.5, 0), (5, 5, 0)), corner = "miter", scale = 1)
 print report(short).corners
+surface stub = sweep(ring, polyline((0, 0, 0), (0.5, 0, 0), (0.5, 5, 0)), corner = "miter")
+surface nearly_back = sweep(ring, polyline((0, 0, 0), (5, 0, 0), (0, 0, 0.1)), corner = "miter")
+// Along the path a section without depth has nothing to lose.
+surface same = sweep(ring, line((0, 0, 0), (4, 0, 0)), scale = v => (v - 0.5, 1, 1))
+check report(same).collapses == []

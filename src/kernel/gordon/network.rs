@@ -91,6 +91,9 @@ pub(super) struct Meet {
 /// Places on a curve that stand for its neighbourhood when it is searched for the nearest one.
 const N_PLACES: usize = 64;
 
+/// The longest part of a curve that two may run together where they only touch.
+const TOUCH: f64 = 0.1;
+
 /// Every meeting of two curves within the tolerance, ends first.
 ///
 /// # Errors
@@ -142,7 +145,6 @@ pub(super) fn meets(
                 add(&mut found, Meet { t: meeting.first, s: meeting.second });
             }
         }
-        Err(GeomError::RunTogether { .. }) if found.len() == 1 => {}
         Err(GeomError::RunTogether { start, end }) => {
             let mut ends = [start, end].map(|t| c.point_at(t));
             // Where it was found may be longer on one than on the other.
@@ -152,7 +154,11 @@ pub(super) fn meets(
                     ends = others;
                 }
             }
-            return Err(NetworkError::Together { pair, ends });
+            // Curves that touch are together for a while, within the tolerance.
+            let size = c.bounds().diagonal().min(d.bounds().diagonal());
+            if found.len() != 1 || TOUCH < ends[0].distance(ends[1]) / size {
+                return Err(NetworkError::Together { pair, ends });
+            }
         }
         Err(other) => return Err(other.into()),
     }

@@ -62,6 +62,26 @@ pub fn legs(
     Ok(legs)
 }
 
+/// Points of a mitred section that are looked at.
+const N_POINTS: usize = 257;
+
+/// By how much each leg of a [`mitred`] polygon is shortened by its mitres where that is most, over
+/// the length that there is for it: above 1 the surface crosses itself there. With the leg's
+/// parameters.
+#[must_use]
+pub fn overreaches(surface: &NurbsSurface, path: &NurbsCurve) -> Vec<(f64, [f64; 2])> {
+    let lines = surface.domain_u().steps(N_POINTS - 1);
+    let corners = path.knots().breaks();
+    let rows = surface.points_on_grid(&lines, &corners);
+    let each = corners.windows(2).enumerate().map(|(k, ends)| {
+        let leg = path.point_at(ends[1]) - path.point_at(ends[0]);
+        let advance = |i: usize| (rows.get(i, k + 1) - rows.get(i, k)).dot(leg);
+        let least = (0..lines.len()).map(advance).fold(f64::INFINITY, f64::min);
+        (1.0 - least / leg.length_squared(), [ends[0], ends[1]])
+    });
+    each.collect()
+}
+
 /// The section along a polygon of degree 1; at each corner it lies in the plane
 /// that halves the angle, so that both prisms meet there. A closed polygon has a corner at its
 /// seam too.

@@ -25,6 +25,9 @@ type Folds = (Vec<[f64; 2]>, Vec<f64>);
 impl Moving<'_> {
     /// Where the section reaches beyond the centre of curvature, and where between the ends it
     /// shrinks to nothing or turns inside out.
+    ///
+    /// # Errors
+    /// [`GeomError::VanishingSection`] where nothing is left of it anywhere.
     pub(super) fn folds(&mut self) -> Result<Folds, GeomError> {
         let section = self.section.sample(N_POINTS);
         let knots = self.path.knots();
@@ -34,12 +37,23 @@ impl Moving<'_> {
         places.sort_by(f64::total_cmp);
         places.dedup_by(|later, earlier| *later <= *earlier);
 
+        // How far the section reaches along each of its axes; along some it may not reach at all.
+        let extents = section.iter().fold(DVec3::ZERO, |most, p| most.max(p.abs()));
+        let size = VANISHING_RELATIVE * extents.max_element();
+        let is_flat = extents.to_array().map(|extent| extent <= size);
+        let mut largest = 0.0_f64;
         let mut is_fold = Vec::with_capacity(places.len());
         let mut sizes = Vec::with_capacity(places.len());
         for &t in &places {
             is_fold.push(1.0 + KNOT_RELATIVE.sqrt() < self.reach(&section, t)?);
-            let [x, y, z] = self.axes(t)?.0;
-            sizes.push(y.cross(z).dot(x));
+            let axes = self.axes(t)?.0;
+            for (axis, extent) in axes.iter().zip(extents.to_array()) {
+                largest = largest.max(axis.length() * extent);
+            }
+            sizes.push(self.factor(t, is_flat)?);
+        }
+        if largest <= size {
+            return Err(GeomError::VanishingSection);
         }
         let mut folds: Vec<[f64; 2]> = Vec::new();
         for (i, &t) in places.iter().enumerate() {
@@ -60,6 +74,19 @@ impl Moving<'_> {
             }
         }
         Ok((folds, collapses(&places, &sizes)))
+    }
+
+    /// The factor nearest to zero of those along axes on which the section reaches anywhere; between
+    /// rails, which hold it, the volume of its axes.
+    fn factor(&mut self, t: f64, is_flat: [bool; 3]) -> Result<f64, GeomError> {
+        let (x, point) = (self.frames.at(t)?.x, self.path.point_at(t));
+        if let Some(([x, y, z], _)) = self.motion.held(t, point, x)? {
+            return Ok(y.cross(z).dot(x));
+        }
+        let scale = self.motion.scale(t)?.to_array();
+        let factors = scale.into_iter().zip(is_flat).filter(|(_, is_flat)| !is_flat);
+        let least = factors.map(|(factor, _)| factor).min_by(|a, b| a.abs().total_cmp(&b.abs()));
+        Ok(least.unwrap_or(1.0))
     }
 
     /// How far the section reaches towards the centre of curvature, which is at 1.

@@ -8,7 +8,7 @@ mod corner;
 mod folds;
 mod frames;
 
-pub use corner::{Leg, legs, mitred};
+pub use corner::{Leg, legs, mitred, overreaches};
 pub use frames::{Axes, Frames, Framing};
 
 use glam::{DVec3, DVec4};

@@ -7,13 +7,13 @@ use glam::{DVec2, DVec3};
 use super::{
     motion::{Given, Rails, Scale, Twist},
     section::nurbs_within,
-    swept::{receipted, warn, warn_of_corners},
+    swept::{receipted, warn, warn_of_corners, warn_of_short_legs},
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
         Curve, Fineness, Frames, Framing, GeomError, Leg, NurbsCurve, NurbsSurface, Receipt, Side,
-        Sweep, legs, mitred, swept, translated,
+        Sweep, legs, mitred, overreaches, swept, translated,
     },
     value::{At, Choice, Ctx, Length, op, shortest},
 };
@@ -124,7 +124,9 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         && args.frame.value == Frame::RotationMinimizing
     {
         let receipt = Receipt::of("sweep").with("corners", corners).with("exact", true);
-        return Ok(mitred(&section, &path, up.value, is_ring).at(up.span)?.with_receipt(receipt));
+        let surface = mitred(&section, &path, up.value, is_ring).at(up.span)?;
+        warn_of_short_legs(ctx, overreaches(&surface, &path));
+        return Ok(surface.with_receipt(receipt));
     }
 
     let has_corner_at_seam = is_ring && !is_smooth && args.corner == Corner::Miter;

@@ -42,12 +42,19 @@ pub(super) fn warn(ctx: &mut Ctx<'_>, sweep: &Sweep, frames: &Frames) {
 
 /// Tells of a leg too short for the mitres at its ends.
 pub(super) fn warn_of_corners(ctx: &mut Ctx<'_>, legs: &[Leg], reach: f64) {
-    for (part, frames) in legs {
-        let over = frames.overreach(reach);
+    let over = legs.iter().map(|(part, frames)| {
+        let domain = part.domain();
+        (frames.overreach(reach), [domain.start(), domain.end()])
+    });
+    warn_of_short_legs(ctx, over.collect());
+}
+
+/// Tells of legs, by their parameters, that are more than once too short.
+pub(super) fn warn_of_short_legs(ctx: &mut Ctx<'_>, legs: Vec<(f64, [f64; 2])>) {
+    for (over, [from, to]) in legs {
         if over <= 1.0 {
             continue;
         }
-        let (from, to) = (part.domain().start(), part.domain().end());
         let message = format!(
             "between the parameters {} and {} the path is {} times too short for the mitres at its ends, so that the surface crosses itself",
             shortest(from),
