@@ -16,3 +16,4 @@ surface single = gordon([a, line((0, 1), (0, 1))], [c, d])
 surface text = gordon([a, 3], [c, d])
 // One runs along another before it leaves.
 surface along = gordon([line((0, 0), (1, 0)), line((0, 1), (1, 1))], [line((0, 0), (0, 1)), polyline((1, 0), (0.5, 0), (1, 1))])
+surface again = gordon([line((0, 0), (1, 0)), line((0, 1), (1, 1)), line((0, 0), (1, 0))], [line((0, 0), (0, 1)), line((1, 0), (1, 1))])

@@ -2,7 +2,7 @@
 
 use super::{
     network::Places,
-    section::{drop_repeated, nurbs_within},
+    section::{are_one, nurbs_within},
     sweep::tolerated,
 };
 use crate::{
@@ -20,7 +20,8 @@ op! {
     /// Where the curves meet is found unless it is given; they may be of any degree, direction,
     /// order and parameters. The first curve of each list gives the direction; others are reversed
     /// and reordered to it, and what stands out beyond the network is cut off. Where all curves of
-    /// a direction close, so does the surface, as smooth at its seam as they are. Curves that meet
+    /// a direction close, so does the surface, as smooth at its seam as they are, and a curve across
+    /// them that comes again, as one at their seam often does, counts once. Curves that meet
     /// the others at one set of parameters stay as they are, and are isocurves exactly, rational
     /// ones of one denominator too; others are run through with another parameter, twice
     /// continuously differentiable, and become splines of their degree, 3 or more, on as few knots
@@ -61,13 +62,11 @@ impl Choice for Blend {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let tolerance = tolerated(ctx, args.tolerance.as_ref())?;
     let spans = [args.u.span, args.v.span];
-    let mut us = curves(ctx, "u", &args.u, tolerance)?;
-    let mut vs = curves(ctx, "v", &args.v, tolerance)?;
-    for curves in [&mut us, &mut vs] {
-        if 2 < curves.len() {
-            drop_repeated(curves, tolerance);
-        }
-    }
+    let us = curves(ctx, "u", &args.u, tolerance)?;
+    let vs = curves(ctx, "v", &args.v, tolerance)?;
+    let kept = [once(&us, &vs, tolerance), once(&vs, &us, tolerance)];
+    let [us, vs] = [(us, &kept[0]), (vs, &kept[1])]
+        .map(|(curves, kept)| kept.iter().map(|&i| curves[i].clone()).collect::<Vec<_>>());
     let at = [("at_u", &args.at_u, "v", vs.len()), ("at_v", &args.at_v, "u", us.len())];
     for (name, given, family, needed) in at {
         let Some(given) = given else { continue };
@@ -88,9 +87,30 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         tolerance,
     };
     let is_given = network.at.iter().any(Option::is_some);
-    let made =
-        through(network).map_err(|error| Places { ctx, spans, tolerance, is_given }.told(error))?;
-    Ok(receipted(made))
+    let made = through(network).map_err(|error| {
+        Places { ctx, spans, kept: [&kept[0], &kept[1]], tolerance, is_given }.told(error)
+    })?;
+    Ok(receipted(made, [(&kept[0], args.u.value.len()), (&kept[1], args.v.value.len())]))
+}
+
+/// The indices of the curves; where those across them all close, without curves that come again in
+/// either direction.
+fn once(curves: &[NurbsCurve], across: &[NurbsCurve], tolerance: f64) -> Vec<usize> {
+    let all: Vec<usize> = (0..curves.len()).collect();
+    if !across.iter().all(|curve| curve.is_closed(tolerance)) {
+        return all;
+    }
+    let mut kept: Vec<usize> = Vec::new();
+    for &i in &all {
+        let comes_again = kept.iter().any(|&k| {
+            are_one(&curves[k], &curves[i], tolerance)
+                || are_one(&curves[k], &curves[i].reversed(), tolerance)
+        });
+        if !comes_again {
+            kept.push(i);
+        }
+    }
+    if kept.len() < 2 { all } else { kept }
 }
 
 fn curves(
@@ -124,8 +144,13 @@ fn curves(
 }
 
 /// The surface with its report.
-fn receipted(made: Gordon) -> NurbsSurface {
+fn receipted(made: Gordon, kept: [(&[usize], usize); 2]) -> NurbsSurface {
     let Gordon { surface, at, mut changes, gap, seams } = made;
+    for (changes, (kept, _)) in changes.iter_mut().zip(kept) {
+        changes.iter_mut().for_each(|change| change.index = kept[change.index]);
+    }
+    let repeated =
+        kept.map(|(kept, given)| (0..given).filter(|i| !kept.contains(i)).collect::<Vec<usize>>());
     // In the order in which the curves were given.
     let [at_u, at_v] = [0, 1].map(|f| {
         let mut pairs: Vec<(usize, f64)> =
@@ -153,7 +178,8 @@ fn receipted(made: Gordon) -> NurbsSurface {
     let deviations = changes.iter().flatten().map(|change| change.deviation);
     let [u, v] = &changes;
     let [seam_u, seam_v] = seams.map(|angle| angle.map_or(Fact::None, Fact::Angle));
-    let (widest, [k, l]) = gap;
+    let [repeated_u, repeated_v] = repeated;
+    let (widest, [k, l]) = (gap.0, [kept[0].0[gap.1[0]], kept[1].0[gap.1[1]]]);
     let receipt = Receipt::of("gordon")
         .with("at_u", at_u)
         .with("at_v", at_v)
@@ -161,6 +187,8 @@ fn receipted(made: Gordon) -> NurbsSurface {
         .with("gap", Receipt::default().with("max", widest).with("u", k).with("v", l))
         .with("u", family(u))
         .with("v", family(v))
+        .with("repeated_u", repeated_u)
+        .with("repeated_v", repeated_v)
         .with("seam_u", seam_u)
         .with("seam_v", seam_v)
         .with("degree", both(surface.degree_u(), surface.degree_v()))

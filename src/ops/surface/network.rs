@@ -12,6 +12,8 @@ use crate::{
 pub(super) struct Places<'p, 'a> {
     pub(super) ctx: &'p Ctx<'a>,
     pub(super) spans: [Span; 2],
+    /// Which of the given curves the network is made of.
+    pub(super) kept: [&'p [usize]; 2],
     pub(super) tolerance: f64,
     /// Whether parameters are given where the curves meet.
     pub(super) is_given: bool,
@@ -27,8 +29,8 @@ impl Places<'_, '_> {
 
     /// The name of a curve and where it is given.
     fn curve(&self, is_u: bool, index: usize) -> (String, Span) {
-        let (span, name) = if is_u { (self.spans[0], "u") } else { (self.spans[1], "v") };
-        self.ctx.element(span, index, name)
+        let (family, name) = if is_u { (0, "u") } else { (1, "v") };
+        self.ctx.element(self.spans[family], self.kept[family][index], name)
     }
 
     pub(super) fn told(&self, error: NetworkError) -> Box<Diagnostic> {

@@ -57,10 +57,17 @@ pub(super) fn nurbs_within(
 /// Takes away the last section where it is the first one again.
 pub(super) fn drop_repeated(curves: &mut Vec<NurbsCurve>, tolerance: f64) {
     let [first, .., last] = &curves[..] else { return };
-    let on_domain = last.reparametrized(first.domain());
-    if first.deviation_from(&on_domain) <= tolerance {
+    if are_one(first, last, tolerance) {
         curves.pop();
     }
+}
+
+/// Whether two curves are nowhere further apart than the tolerance, at equal fractions of their
+/// domains.
+pub(super) fn are_one(a: &NurbsCurve, b: &NurbsCurve, tolerance: f64) -> bool {
+    let ends = [(a.start(), b.start()), (a.end(), b.end())];
+    ends.iter().all(|(p, q)| p.distance(*q) <= tolerance)
+        && a.deviation_from(&b.reparametrized(a.domain())) <= tolerance
 }
 
 /// What was done to sections so that they run beside one another.
