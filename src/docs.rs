@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::value::{Family, Op, Registry};
+use crate::value::{Family, Op, Registry, Type};
 
 /// Columns of text in a terminal.
 const WIDTH: usize = 90;
@@ -128,19 +128,83 @@ fn op_entry(op: &Op) -> String {
     out
 }
 
+/// A picture of the reference.
+#[derive(Clone, Debug)]
+pub struct Illustration {
+    /// What it belongs to.
+    pub op: &'static Op,
+    /// Its file, in the folder `pictures` beside the reference.
+    pub file: String,
+    /// What it shows: what the operation declares, or the call in its first example.
+    pub call: &'static str,
+}
+
+/// The pictures of the operations that make curves, surfaces or meshes, and of those that declare one.
+#[must_use]
+pub fn illustrations(registry: &Registry) -> Vec<Illustration> {
+    let mut found: Vec<Illustration> = Vec::new();
+    for op in registry.iter() {
+        let first = || {
+            let mut calls = op.examples.iter().filter_map(|one| call_in(one.code, op.name));
+            calls.next().filter(|_| makes_shapes(op.returns))
+        };
+        let Some(call) = op.picture.or_else(first) else { continue };
+        let file = match found.iter().filter(|other| other.op.name == op.name).count() {
+            0 => format!("{}.png", op.name),
+            n => format!("{}-{}.png", op.name, n + 1),
+        };
+        found.push(Illustration { op, file, call });
+    }
+    found
+}
+
+/// Whether values of a type are always drawn.
+fn makes_shapes(ty: Type) -> bool {
+    match ty {
+        Type::Curve | Type::Surface | Type::Mesh => true,
+        Type::List(of, _) => makes_shapes(*of),
+        Type::OneOf(types) => types.iter().all(|ty| makes_shapes(*ty)),
+        _ => false,
+    }
+}
+
+/// The first call of `name` in an example, up to its closing bracket.
+fn call_in<'a>(code: &'a str, name: &str) -> Option<&'a str> {
+    let is_word = |character: char| character.is_alphanumeric() || character == '_';
+    let is_call = |&(start, _): &(usize, &str)| {
+        !code[..start].ends_with(is_word) && code[start + name.len()..].starts_with('(')
+    };
+    let (start, _) = code.match_indices(name).find(is_call)?;
+    let (mut depth, mut is_text) = (0_usize, false);
+    for (i, character) in code[start..].char_indices() {
+        match character {
+            '"' => is_text = !is_text,
+            '(' if !is_text => depth += 1,
+            ')' if !is_text && depth <= 1 => return Some(&code[start..=start + i]),
+            ')' if !is_text => depth -= 1,
+            _ => {}
+        }
+    }
+    None
+}
+
 /// The whole reference as Markdown, by chapter and name.
 #[must_use]
 pub fn reference(registry: &Registry) -> String {
     let mut out = String::from(
         "# Reference\n\nEvery built-in of the language, by chapter. This page is generated from the declarations\nof the operations; `virote doc NAME` shows the same in a terminal.\n",
     );
+    let pictures = illustrations(registry);
     for &(family, title) in Family::ALL {
         let ops: Vec<&Op> = registry.iter().filter(|op| op.family == family).collect();
         if ops.is_empty() {
             continue;
         }
         let _ = write!(out, "\n## {title}\n");
-        ops.into_iter().for_each(|op| out.push_str(&markdown_entry(op)));
+        for op in ops {
+            let picture = pictures.iter().find(|picture| std::ptr::eq(picture.op, op));
+            out.push_str(&markdown_entry(op, picture));
+        }
     }
     out.push_str("\n## Constants\n\n");
     for constant in registry.constants() {
@@ -149,7 +213,7 @@ pub fn reference(registry: &Registry) -> String {
     out
 }
 
-fn markdown_entry(op: &Op) -> String {
+fn markdown_entry(op: &Op, picture: Option<&Illustration>) -> String {
     let mut out = format!("\n### `{}`\n\n```text\n{}\n```\n\n", op.name, op.signature());
     if !op.aliases.is_empty() {
         let _ = writeln!(out, "Also called `{}`.\n", op.aliases.join("`, `"));
@@ -162,6 +226,9 @@ fn markdown_entry(op: &Op) -> String {
         let docs = dedent(param.docs);
         let _ =
             writeln!(out, "- `{}` ({}): {}", param.name, param.ty, docs.trim().replace('\n', " "));
+    }
+    if let Some(Illustration { file, call, .. }) = picture {
+        let _ = write!(out, "\n![{}](pictures/{file})\n\n*`{call}`*\n", op.name);
     }
     for example in op.examples {
         let _ = write!(

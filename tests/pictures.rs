@@ -2,7 +2,16 @@
 
 mod support;
 
-use std::{fs, io::BufReader};
+use std::{env, fs, io::BufReader};
+
+use virote::{
+    diag::Severity,
+    docs::{Illustration, illustrations},
+    export::{Format, PICTURES},
+    ops,
+    session::{Extra, Scene, Session},
+    value::{Files, Type},
+};
 
 use support::{Scratch, files_below, told, virote};
 
@@ -52,6 +61,54 @@ fn drawn(situation: &str, script: &str, args: &[&str]) -> Pixels {
     let all = [&["render", "a.geo", "-o", "a.png", "-q"], args].concat();
     assert_eq!(run(&scratch, &all), (String::new(), String::new(), 0));
     Pixels::read(&scratch, "a.png")
+}
+
+#[derive(Debug)]
+struct NoFiles;
+
+impl Files for NoFiles {
+    fn read(&self, path: &str, _: usize) -> Result<Vec<u8>, String> {
+        Err(format!("there is no `{path}`"))
+    }
+}
+
+/// The picture of the reference that shows a call, as bytes of a PNG.
+fn illustration(picture: &Illustration) -> Vec<u8> {
+    let session = Session::default();
+    let script = format!("let shown = {}\n", picture.call);
+    let report = session.run(picture.op.name, script.as_bytes(), &NoFiles, &[]);
+    assert_eq!(report.count(Severity::Error), 0, "{script}{:#?}", report.diagnostics);
+    let is_one = picture.call.starts_with(picture.op.name);
+    let is_curve = is_one && matches!(picture.op.returns, Type::Curve);
+    let extras: &[Extra] = if is_curve { &[Extra::Control] } else { &[] };
+    let scene = Scene { only: &[], extras, view: None, size: [320, 240] };
+    let format = Format::among(PICTURES, &picture.file).expect("a format");
+    let job = session.picture(&report, &scene, format).expect("geometry");
+    let mut bytes = Vec::new();
+    (format.write)(&job, &mut bytes).expect("a picture");
+    bytes
+}
+
+#[test]
+fn the_pictures_of_the_reference_are_up_to_date() {
+    let folder = support::folder("docs").join("pictures");
+    let pictures = illustrations(&ops::registry());
+    assert!(100 < pictures.len(), "{}", pictures.len());
+    let files: Vec<String> = pictures.iter().map(|picture| picture.file.clone()).collect();
+    if env::var_os("VIROTE_BLESS").is_some() {
+        let _ = fs::remove_dir_all(&folder);
+        fs::create_dir_all(&folder).expect("a folder");
+        for picture in &pictures {
+            fs::write(folder.join(&picture.file), illustration(picture)).expect("a file");
+        }
+    }
+    let mut expected = files.clone();
+    expected.sort();
+    assert_eq!(files_below(&folder), expected, "VIROTE_BLESS=1 draws them anew");
+    for picture in &pictures {
+        let found = fs::read(folder.join(&picture.file)).expect("a picture");
+        assert!(found == illustration(picture), "{}: VIROTE_BLESS=1 draws it anew", picture.file);
+    }
 }
 
 #[test]

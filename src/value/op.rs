@@ -175,6 +175,8 @@ pub struct Op {
     pub returns: Type,
     /// Tested samples of use.
     pub examples: &'static [Example],
+    /// What its picture in the reference shows, where that is more than its first example.
+    pub picture: Option<&'static str>,
     /// Its implementation.
     pub run: fn(&mut Ctx<'_>, Call) -> Result<Value>,
 }
@@ -205,6 +207,7 @@ macro_rules! op {
             $( $(#[doc = $pdocs:literal])+ $param:ident : $ty:ty $(= $default:expr)? ,)*
         }
         $( example $code:literal => $prints:literal; )+
+        $( picture $picture:literal; )?
     ) => {
         struct Args { $( $param: $ty, )* }
 
@@ -224,6 +227,7 @@ macro_rules! op {
             } ),* ],
             returns: <$returns as $crate::value::IntoValue>::RETURNS,
             examples: &[ $( $crate::value::Example { code: $code, prints: $prints } ),+ ],
+            picture: $crate::value::op!(@value $($picture)?),
             run: |ctx, call| {
                 let mut binder = $crate::value::Binder::new(&OP, call, ctx.limits.list_length);
                 $( let $param: Option<$ty> =

@@ -34,6 +34,7 @@ op! {
     }
     example "approximate([for t in 0..8: (t, t^2)], degree = 2, control_points = 3).end" => "(8, 64, 0)";
     example "len(approximate([for i in 0..60: polar(1, i * 3deg)], tolerance = 1e-3).points) < 9" => "true";
+    picture "approximate([for i in 0..40: (i/4, 3*sin(i/6) + sin(2*i)/4)], control_points = 8)";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

@@ -26,6 +26,7 @@ op! {
     }
     example "bspline((0, 0), (1, 2), (3, 2), (4, 0), degree = 2)(0.5)" => "(2, 2, 0)";
     example "bspline((0, 0), (1, 0), (1, 1), (0, 1), closed = true).closed" => "true";
+    picture "bspline((0, 0), (1, 2), (3, 1), (4, 3), (6, 0), (7, 1))";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

@@ -41,6 +41,7 @@ op! {
     example "interpolate((0, 0), (1, 1), (2, 0), (3, 1))(1/3) ~= (1, 1)" => "true";
     example "interpolate([(0, 0), (1, 0)], tangents = [(0, 3), (0, -3)])(0.5)" => "(0.5, 0.75, 0)";
     example "interpolate((1, 0), (0, 1), (-1, 0), (0, -1), closed = true)(0.75) ~= (0, -1)" => "true";
+    picture "interpolate((0, 0), (1, 2), (3, 1), (4, 3), (6, 0), (7, 1))";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

@@ -23,6 +23,7 @@ op! {
     }
     example "lagrange((0, 0), (1, 1), (2, 4))(0.75)" => "(1.5, 2.25, 0)";
     example "lagrange((0, 0), (1, 1), (4, 16), parameters = [0, 1, 4])(3) ~= (3, 9)" => "true";
+    picture "lagrange((0, 0), (1, 2), (2, 1), (4, 2), (5, 0))";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

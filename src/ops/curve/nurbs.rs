@@ -26,6 +26,7 @@ op! {
         knots: Option<Spanned<Vec<f64>>>,
     }
     example "nurbs((1, 0), (1, 1), (0, 1), weights = [1, 1, 2], degree = 2)(0.5) ~= (0.6, 0.8)" => "true";
+    picture "nurbs((0, 0), (1, 3), (3, 3), (4, 0), weights = [1, 4, 1, 1])";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

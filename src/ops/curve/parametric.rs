@@ -23,6 +23,7 @@ op! {
     example "parametric(t => (t, t^2), 0..2)(1.5)" => "(1.5, 2.25, 0)";
     example "derivative(parametric(t => (t, t^2), 0..2), 1.5)" => "(1, 3, 0)";
     example "curvature(parametric(t => (2*cos(t), 2*sin(t), t), 0..tau), 1) ~= 0.4" => "true";
+    picture "parametric(t => ((1 + t/4)*cos(t), (1 + t/4)*sin(t)), 0..12)";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Curve> {

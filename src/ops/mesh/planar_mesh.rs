@@ -24,6 +24,7 @@ op! {
     }
     example "planar_mesh(polyline([(0, 0), (4, 0), (4, 3), (0, 3)], closed = true))" => "mesh of 4 vertices and 2 triangles";
     example "planar_mesh([polyline([(0, 0), (4, 0), (4, 4), (0, 4)], closed = true), polyline([(1, 1), (3, 1), (3, 3), (1, 3)], closed = true)])" => "mesh of 8 vertices and 8 triangles";
+    picture "planar_mesh([circle((0, 0), 3), circle((1, 0), 1)], tolerance = 0.02)";
 }
 
 /// One curve or several.

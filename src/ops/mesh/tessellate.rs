@@ -18,6 +18,7 @@ op! {
         tolerance: Option<Spanned<Length>>,
     }
     example "tessellate(bilinear((0, 0), (0, 1), (1, 0), (1, 1)))" => "mesh of 4 vertices and 2 triangles";
+    picture "tessellate(torus((0, 0, 0), 3, 1), tolerance = 0.05)";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Mesh> {

@@ -30,6 +30,7 @@ op! {
         second_pass: SecondPass = SecondPass::Data,
     }
     example "approximate([for i in 0..6: [for j in 0..6: (i, j, i * j)]], control_points = 4)(0.5, 0.5) ~= (3, 3, 9)" => "true";
+    picture "approximate([for i in 0..12: [for j in 0..12: (i, j, 3*sin(i/3)*cos(j/3))]], control_points = {u: 6, v: 6})";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

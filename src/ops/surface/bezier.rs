@@ -19,6 +19,7 @@ op! {
         weights: Option<Spanned<Vec<Vec<f64>>>>,
     }
     example "bezier([[(0, 0), (0, 1)], [(1, 0), (1, 1, 4)]])(0.5, 0.5)" => "(0.5, 0.5, 1)";
+    picture "bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]])";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

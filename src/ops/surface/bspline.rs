@@ -20,6 +20,7 @@ op! {
         knots: Option<Spanned<Both<Vec<f64>>>>,
     }
     example "bspline([for i in 0..3: [for j in 0..3: (i, j)]])(0.5, 0.5)" => "(1.5, 1.5, 0)";
+    picture "bspline([for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]])";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

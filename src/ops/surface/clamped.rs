@@ -19,6 +19,7 @@ op! {
         degree: Spanned<Both<usize>> = cubic(),
     }
     example "clamped([for i in 0..4: [for j in 0..3: (i, j)]]).domain_u" => "0..2";
+    picture "clamped([for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]])";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

@@ -21,6 +21,7 @@ op! {
     }
     example "extrude(line((0, 0), (2, 0)), (0, 0, 3))(0.5, 1)" => "(1, 0, 3)";
     example "extrude(circle((0, 0), 2), (0, 0, 5)).rational" => "true";
+    picture "extrude(bezier((0, 0), (1, 3), (3, -2), (4, 1)), (0, 0, 3))";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

@@ -45,6 +45,7 @@ op! {
     }
     example "gordon([line((0, 0), (1, 0)), line((0, 1), (1, 1, 1))], [line((0, 0), (0, 1)), line((1, 0), (1, 1, 1))])(0.5, 0.5)" => "(0.5, 0.5, 0.25)";
     example "gordon(u = [line((0, 0), (2, 0)), line((0, 1), (2, 1))], v = [line((2, 0), (2, 1)), line((0, 1), (0, 0))])(0.5, 1)" => "(1, 1, 0)";
+    picture "gordon(u = [for y in [0, 2, 4]: bezier((0, y, 0), (2, y, 4 - y/2), (4, y, 0))], v = [for x in [0, 4]: line((x, 0), (x, 4))])";
 }
 
 /// What is between the curves.

@@ -35,6 +35,7 @@ op! {
     }
     example "interpolate([for i in 0..3: [for j in 0..3: (i, j, i * j)]])(0.5, 0.5) ~= (1.5, 1.5, 2.25)" => "true";
     example "interpolate([for i in 0..4: [for j in 0..1: (i, j)]]).degree_v" => "1";
+    picture "interpolate([for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]])";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

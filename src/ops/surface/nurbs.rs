@@ -24,6 +24,7 @@ op! {
     }
     example "nurbs([[(0, 0), (0, 1)], [(1, 0), (1, 1, 4)]], degree = 1).rational" => "false";
     example "nurbs([[(0, 0), (0, 1)], [(1, 0), (1, 1, 4)]], weights = [[1, 1], [1, 2]], degree = 1)(1, 0.5)" => "(1, 0.6666666666666666, 2.6666666666666665)";
+    picture "nurbs([for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]])";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

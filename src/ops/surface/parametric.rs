@@ -21,6 +21,7 @@ op! {
     }
     example "parametric((u, v) => (u, v, u*v), 0..1, 0..2)(0.5, 2)" => "(0.5, 2, 1)";
     example "derivative(parametric((u, v) => (u, v, u*v), 0..1, 0..2), 0.5, 2)" => "(1, 0, 2)";
+    picture "parametric((u, v) => ((3 + v*cos(u/2))*cos(u), (3 + v*cos(u/2))*sin(u), v*sin(u/2)), 0..2*pi, -1..1)";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Surface> {

@@ -32,6 +32,7 @@ op! {
     example "revolve(line((2, 0), (2, 0, 5)))(0.25, 0.5) ~= (0, 2, 2.5)" => "true";
     example "revolve(line((2, 0), (1, 0, 5)), angle = 90deg).patches" => "[1, 1]";
     example "revolve(line((1, 3), (2, 3)), about = (0, 3), angle = -90deg)(1, 0)" => "(0, 2, 0)";
+    picture "revolve(bezier((1, 0, 0), (4, 0, 2), (0, 0, 3), (1, 0, 5)))";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

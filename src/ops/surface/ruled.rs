@@ -19,6 +19,7 @@ op! {
         c1: Curve,
     }
     example "ruled(line((0, 0), (1, 0)), line((0, 1), (1, 1, 1)))(0.5, 0.5)" => "(0.5, 0.5, 0.25)";
+    picture "ruled(circle((0, 0, 0), 2), rotate(circle((0, 0, 4), 2), 90deg))";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

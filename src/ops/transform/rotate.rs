@@ -21,6 +21,7 @@ op! {
         about: DVec3 = DVec3::ZERO,
     }
     example "rotate((1, 0), 180deg, about = (2, 0)) ~= (3, 0)" => "true";
+    picture "[for i in 0..<8: rotate(bezier((1, 0), (2, 1), (3, 0)), i*45deg)]";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Geometry> {

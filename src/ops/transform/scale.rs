@@ -21,6 +21,7 @@ op! {
     }
     example "scale((1, 2), 3)" => "(3, 6, 0)";
     example "scale((1, 2, 3), (1, 10, 100))" => "(1, 20, 300)";
+    picture "[for i in 1..4: scale(bezier((1, 0), (2, 2), (3, 0)), i/2)]";
 }
 
 /// A factor along each axis.

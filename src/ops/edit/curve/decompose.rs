@@ -19,6 +19,7 @@ op! {
     }
     example "len(decompose(circle((0, 0), 1)))" => "4";
     example "decompose(clamped((1, 1), (3, 1), (5, 7), (7, 1), (9, 4)))[0].points" => "[(1, 1, 0), (3, 1, 0), (4, 4, 0), (5, 4, 0)]";
+    picture "decompose(bspline((0, 0), (1, 2), (3, 1), (4, 3), (6, 0), (7, 1)))";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {

@@ -21,6 +21,7 @@ op! {
         degree: Spanned<usize>,
     }
     example "elevate(bezier((0, 0), (3, 6), (6, 0)), 3).points" => "[(0, 0, 0), (2, 4, 0), (4, 4, 0), (6, 0, 0)]";
+    picture "elevate(bezier((0, 0), (1, 3), (3, -2), (4, 1)), 6)";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

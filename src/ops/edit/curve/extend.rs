@@ -23,6 +23,7 @@ op! {
     }
     example "extend(line((0, 0), (3, 4)), 10).end" => "(9, 12, 0)";
     example "extend(line((0, 0), (3, 4)), 5, at = \"start\").domain" => "-1..1";
+    picture "extend(bezier((0, 0), (1, 2), (2, 0)), 1)";
 }
 
 /// An end of a curve.

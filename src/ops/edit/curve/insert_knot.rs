@@ -25,6 +25,7 @@ op! {
     }
     example "insert_knot(bezier((0, 0), (2, 4), (4, 0)), 0.5).points" => "[(0, 0, 0), (1, 2, 0), (3, 2, 0), (4, 0, 0)]";
     example "insert_knot(bezier((0, 0), (2, 4), (4, 0)), 0.5, times = 2).knots" => "[0, 0, 0, 0.5, 0.5, 1, 1, 1]";
+    picture "insert_knot(bezier((0, 0), (1, 3), (3, -2), (4, 1)), 0.5)";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

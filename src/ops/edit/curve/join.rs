@@ -21,6 +21,7 @@ op! {
     example "join([line((0, 0), (1, 0)), line((1, 0), (2, 0))]).points" => "[(0, 0, 0), (2, 0, 0)]";
     example "join([line((0, 0), (1, 0)), line((1, 0), (1, 1))]).knots" => "[0, 0, 1, 2, 2]";
     example "join(decompose(clamped((1, 1), (3, 1), (5, 7), (7, 1), (9, 4)))).knots" => "[0, 0, 0, 0, 1, 2, 2, 2, 2]";
+    picture "join([bezier((0, 0), (1, 2), (2, 0)), bezier((2, 0), (3, -2), (4, 0))])";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

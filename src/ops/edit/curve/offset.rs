@@ -34,6 +34,7 @@ op! {
     example "offset(line((0, 0), (4, 0)), 1).points" => "[(0, -1, 0), (4, -1, 0)]";
     example "norm(offset(circle((0, 0), 2), 1)(0.3)) ~= 3 within 1e-15" => "true";
     example "offset(polyline((0, 0), (4, 0), (4, 4)), 1).points" => "[(0, -1, 0), (5, -1, 0), (5, 4, 0)]";
+    picture "[for d in [-0.4, -0.2, 0, 0.2, 0.4]: offset(bezier((0, 0), (1, 3), (3, -2), (4, 1)), d)]";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

@@ -26,6 +26,7 @@ op! {
     }
     example "reduce(elevate(bezier((0, 0), (3, 6), (6, 0)), 4), 1e-9).degree" => "2";
     example "reduce(bezier((0, 0), (1, 0.02), (2, 0)), 0.02).points" => "[(0, 0, 0), (2, 0, 0)]";
+    picture "reduce(elevate(bezier((0, 0), (1, 3), (3, -2), (4, 1)), 5), 1e-9)";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

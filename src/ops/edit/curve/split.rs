@@ -19,6 +19,7 @@ op! {
     }
     example "split(line((0, 0), (4, 8)), 0.25)[0].end" => "(1, 2, 0)";
     example "split(line((0, 0), (4, 8)), 0.25)[1].domain" => "0.25..1";
+    picture "split(bezier((0, 0), (1, 3), (3, -2), (4, 1)), 0.4)";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<Curve>> {

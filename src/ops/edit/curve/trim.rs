@@ -19,6 +19,7 @@ op! {
     }
     example "trim(line((0, 0), (4, 8)), 0.25..0.5).points" => "[(1, 2, 0), (2, 4, 0)]";
     example "trim(line((0, 0), (4, 8)), 0.25..0.5).domain" => "0.25..0.5";
+    picture "trim(bezier((0, 0), (1, 3), (3, -2), (4, 1)), 0.2..0.7)";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Curve> {

@@ -21,6 +21,7 @@ op! {
     }
     example "border(bilinear((0, 0), (0, 1), (2, 0), (2, 1))).points" => "[(0, 0, 0), (2, 0, 0), (2, 1, 0), (0, 1, 0), (0, 0, 0)]";
     example "border(bilinear((0, 0), (0, 1), (2, 0), (2, 1))).closed" => "true";
+    picture "border(bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]))";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

@@ -17,6 +17,7 @@ op! {
         s: Arc<NurbsSurface>,
     }
     example "[for leg in control_net(bilinear((0, 0), (0, 1), (2, 0), (2, 1))): leg.points]" => "[[(0, 0, 0), (2, 0, 0)], [(0, 1, 0), (2, 1, 0)], [(0, 0, 0), (0, 1, 0)], [(2, 0, 0), (2, 1, 0)]]";
+    picture "control_net(bspline([for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]]))";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {

@@ -20,6 +20,7 @@ op! {
     }
     example "len(decompose(ruled(circle((0, 0), 1), circle((0, 0, 1), 1))))" => "4";
     example "decompose(refine(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), v = [0.5]))[0][1].domain_v" => "0.5..1";
+    picture "[for row in decompose(bspline([for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]])): row[0]]";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Vec<NurbsSurface>>> {

@@ -25,6 +25,7 @@ op! {
     }
     example "elevate(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), u = 2).points" => "[[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)], [(2, 0, 0), (2, 1, 0)]]";
     example "elevate(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), u = 3, v = 2).degree_v" => "2";
+    picture "elevate(bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]), u = 4)";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

@@ -30,6 +30,7 @@ op! {
     example "offset(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), 3, 1e-6).points" => "[[(0, 0, 3), (0, 1, 3)], [(2, 0, 3), (2, 1, 3)]]";
     example "{ let s = ruled(circle((0, 0), 2), circle((0, 0, 1), 2))  norm(offset(s, 1, 1e-6)(0.3, 0)) ~= 3 within 1e-14 }" => "true";
     example "report(offset(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), 3, 1e-6)).exact" => "true";
+    picture "[bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]), offset(bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]), 0.8, tolerance = 1e-3)]";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

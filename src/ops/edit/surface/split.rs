@@ -22,6 +22,7 @@ op! {
     }
     example "split(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), u = 0.25)[1].domain_u" => "0.25..1";
     example "split(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), v = 0.5)[0](1, 0.5)" => "(2, 0.5, 0)";
+    picture "split(bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]), u = 0.5)";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Surface>> {

@@ -22,6 +22,7 @@ op! {
     }
     example "len(wireframe(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), 3, 2))" => "5";
     example "wireframe(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), [0.25], 0)[0].points" => "[(0.5, 0, 0), (0.5, 1, 0)]";
+    picture "wireframe(torus((0, 0, 0), 3, 1), 8, 12)";
 }
 
 /// Parameters: evenly spread, or listed.

@@ -30,6 +30,7 @@ op! {
     }
     example "curvature_comb(bezier((0, 0), (1, 2), (2, 0)), samples = 3).teeth[1].end" => "(1, 3, 0)";
     example "curvature_comb(bezier((0, 0), (1, 2), (2, 0)), samples = 3, side = \"inside\").envelope(0.5)" => "(1, -1, 0)";
+    picture "curvature_comb(bezier((0, 0), (1, 3), (3, -2), (4, 1)), scale = 0.3)";
 }
 
 /// On which side of the curve the teeth stand.

@@ -27,6 +27,7 @@ op! {
     example "len(contours(sphere((0, 0), 5), (0, 0, 1), [-3, 0, 3, 7]))" => "3";
     example "contours(bilinear((0, 0), (0, 1), (1, 0, 1), (1, 1, 1)), (0, 0, 2), [0.25])[0](0) ~= (0.25, 1, 0.25)" => "true";
     example "contours(sphere((0, 0), 5), (0, 0, 1), [])" => "[]";
+    picture "contours(bspline([for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]]), (0, 0, 1), linspace(-0.5, 0.5, 11))";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {

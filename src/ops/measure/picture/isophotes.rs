@@ -30,6 +30,7 @@ op! {
     }
     example "[for c in isophotes(sphere((0, 0), 5), (0, 0, 1), [30deg, 90deg]): length(c)] ~= [5 * pi, 10 * pi] within 1e-5" => "true";
     example "isophotes(plane_patch((0, 0), (1, 0), (0, 1)), (0, 0, 1), [30deg])" => "[]";
+    picture "isophotes(torus((0, 0, 0), 3, 1), (1, 1, 2), [30deg, 60deg, 90deg, 120deg])";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {

@@ -29,6 +29,7 @@ op! {
     }
     example "len(zebra(cylinder((0, 0), 1, 2), (1, 0, 0), bands = 4))" => "8";
     example "zebra(plane_patch((0, 0), (1, 0), (0, 1)), (0, 0, 1))" => "[]";
+    picture "zebra(bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]), (1, 0, 1), bands = 24)";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {
