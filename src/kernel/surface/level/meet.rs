@@ -17,6 +17,7 @@ use super::{
     cubic::{self, Cubic},
     pair::Part,
     sample::{Run, Sample, length_between},
+    seam::Seam,
     touch::{Contact, Reach},
     trace::{Crossing, Ends, Place},
 };
@@ -48,7 +49,8 @@ impl Surface {
     /// The curves in which the surface crosses another or touches it, within the tolerance's distance
     /// and complete; they run along N × N of the two. Functions are crossed as splines that near.
     ///
-    /// Where the surfaces only touch in a point, that is told among the touches.
+    /// An edge that both have in common is that edge. Where the surfaces only touch in a point, that is
+    /// told among the touches.
     ///
     /// # Errors
     /// [`PictureError::SurfacesRunTogether`] where they share more than curves; for functions as
@@ -58,7 +60,8 @@ impl Surface {
         let (a, b) = (a?, b?);
         let size = a.bounds().diagonal().min(b.bounds().diagonal());
         let crossing = Crossing::new([&a, &b], tolerance.distance_for(size), size);
-        let Found { clear, mut ends, touches, lines, .. } = pairs(&crossing)?;
+        let seams = Seam::all([&a, &b], crossing.tolerance)?;
+        let Found { clear, mut ends, touches, lines, .. } = pairs(&crossing, &seams)?;
         let mut runs = lines;
         let mut uncertain: Vec<DVec3> =
             runs.iter().map(|run| run.samples[run.samples.len() / 2].point).collect();
@@ -71,9 +74,15 @@ impl Surface {
         ends.spots.extend(touches);
         let chained = chain::chained(runs, &ends.spots, crossing.tolerance);
         let spline = |line: Vec<Sample>| cubic::spline(&line, FITTING * crossing.tolerance);
+        let seams_once = Seam::different(&seams, crossing.tolerance).into_iter();
+        let lines = chained.lines.into_iter().filter(|line| 1 < line.len()).map(spline);
         let curves: Result<Vec<NurbsCurve>, GeomError> =
-            chained.lines.into_iter().filter(|line| 1 < line.len()).map(spline).collect();
-        Ok(LevelSet { curves: curves?, touches: chained.isolated, uncertain })
+            seams_once.map(|seam| Ok(seam.directed([&a, &b]))).chain(lines).collect();
+        let is_on_seam =
+            |point: &DVec3| seams.iter().any(|seam| seam.holds(*point, crossing.tolerance));
+        let touches = chained.isolated.into_iter().filter(|point| !is_on_seam(point)).collect();
+        uncertain.retain(|point| !is_on_seam(point));
+        Ok(LevelSet { curves: curves?, touches, uncertain })
     }
 }
 
@@ -107,7 +116,7 @@ struct Found {
 }
 
 /// Sorts pairs of parts until each is apart, clear, or within what is known about a contact.
-fn pairs(crossing: &Crossing<'_>) -> Result<Found, GeomError> {
+fn pairs(crossing: &Crossing<'_>, seams: &[Seam]) -> Result<Found, GeomError> {
     let near = FLAT * crossing.tolerance;
     let [firsts, seconds] = crossing.surfaces.map(Part::all);
     let mut todo: Vec<[Part; 2]> = Vec::new();
@@ -123,12 +132,16 @@ fn pairs(crossing: &Crossing<'_>) -> Result<Found, GeomError> {
         if MAX_PAIRS < n_pairs {
             return Err(PictureError::TooTangled { point: a.bounds.center() }.into());
         }
-        if found.holds(&a, &b) {
+        let beside = || seams.iter().filter(|seam| seam.is_beside(&a, &b));
+        if found.holds(&a, &b) || beside().any(|seam| seam.is_all_of(&a, &b)) {
             continue;
         }
-        if a.crosses_clearly(&b) {
+        if beside().next().is_some() && crossing.touch_size() < a.bounds.union(b.bounds).diagonal()
+        {
+            todo.extend(halved([a, b], near));
+        } else if a.crosses_clearly(&b) {
             found.clear.push([a, b]);
-        } else if a.may_touch(&b) && found.add_contact(crossing, &a, &b)? {
+        } else if a.may_touch(&b) && found.add_contact(crossing, &a, &b, seams)? {
             todo.push([a, b]);
         } else if a.thickness().max(b.thickness()) <= near
             && a.bounds.diagonal().max(b.bounds.diagonal()) <= crossing.touch_size()
@@ -156,6 +169,7 @@ impl Found {
         crossing: &Crossing<'_>,
         a: &Part,
         b: &Part,
+        seams: &[Seam],
     ) -> Result<bool, GeomError> {
         let at = middle(a, b);
         if self.n_looks == MAX_LOOKS || self.reaches.iter().any(|reach| reach.holds(at, at)) {
@@ -168,6 +182,7 @@ impl Found {
                 && crossing.is_inside(seen.at)
                 && a.is_about([u, v])
                 && b.is_about([s, t])
+                && !seams.iter().any(|seam| seam.holds(seen.point, crossing.tolerance))
                 && !self.reaches.iter().any(|reach| reach.holds(seen.at, seen.at))
         });
         let Some(seen) = seen else { return Ok(false) };

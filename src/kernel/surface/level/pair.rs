@@ -4,7 +4,8 @@ use glam::{DVec3, DVec4};
 
 use super::{shade, square};
 use crate::kernel::{
-    Bounds, Grid, Interval, NurbsSurface, frame::unit, homogeneous, tolerance::PLACE_RELATIVE,
+    Bounds, Direction, Grid, Interval, NurbsSurface, Side, frame::unit, homogeneous, surface::Edge,
+    tolerance::PLACE_RELATIVE,
 };
 
 /// Two parts cross in at most one arc when their cones of normals together are narrower than this
@@ -77,15 +78,40 @@ impl Part {
         ]
     }
 
+    /// The steps along one of its sides.
+    pub(super) fn along(&self, edge: Edge) -> Vec<DVec3> {
+        let rows = self.from_side(edge);
+        rows.row(0).windows(2).map(|pair| pair[1] - pair[0]).collect()
+    }
+
+    /// The steps that lead from one of its sides to the opposite one.
+    pub(super) fn inward(&self, edge: Edge) -> Vec<DVec3> {
+        let rows = self.from_side(edge);
+        let steps = |i: usize| rows.row(i).iter().zip(rows.row(i - 1)).map(|(to, from)| to - from);
+        (1..rows.n_rows()).flat_map(steps).collect()
+    }
+
+    /// The net with the row along a side as its first.
+    fn from_side(&self, edge: Edge) -> Grid<DVec3> {
+        let (along, side) = edge.place();
+        let rows =
+            if along == Direction::U { self.places.clone() } else { self.places.transposed() };
+        let last = rows.n_rows() - 1;
+        match side {
+            Side::Left => rows,
+            Side::Right => Grid::from_fn(last + 1, rows.n_columns(), |i, j| rows.get(last - i, j)),
+        }
+    }
+
     /// Where it lies along an axis.
-    fn along(&self, axis: DVec3) -> [f64; 2] {
+    fn reach(&self, axis: DVec3) -> [f64; 2] {
         let heights = || self.places.iter().map(|place| place.dot(axis));
         [heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max)]
     }
 
     /// How thick the slab across its axis is.
     pub(super) fn thickness(&self) -> f64 {
-        let [least, most] = self.along(self.axis);
+        let [least, most] = self.reach(self.axis);
         if self.axis == DVec3::ZERO { self.bounds.diagonal() } else { most - least }
     }
 
@@ -96,7 +122,7 @@ impl Part {
         if !are_near {
             return true;
         }
-        let [least, most] = self.along(self.axis);
+        let [least, most] = self.reach(self.axis);
         let heights = || points.iter().map(|point| point.dot(self.axis));
         heights().fold(f64::NEG_INFINITY, f64::max) < least - distance
             || most + distance < heights().fold(f64::INFINITY, f64::min)
