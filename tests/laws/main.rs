@@ -31,6 +31,7 @@ mod nearest;
 mod networks;
 mod offset_surface;
 mod parametric;
+mod pictures;
 mod places;
 mod primitive;
 mod real_networks;

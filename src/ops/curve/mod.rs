@@ -21,7 +21,7 @@ mod interpolate;
 mod lagrange;
 mod line;
 mod nurbs;
-mod parametric;
+pub(super) mod parametric;
 mod polyline;
 mod polynomial;
 

@@ -61,6 +61,11 @@ impl Surface {
         let size = a.bounds().diagonal().min(b.bounds().diagonal());
         let crossing = Crossing::new([&a, &b], tolerance.distance_for(size), size);
         let seams = Seam::all([&a, &b], crossing.tolerance)?;
+        if let Some(point) =
+            seams.iter().find_map(|seam| seam.overlap([&a, &b], crossing.tolerance))
+        {
+            return Err(PictureError::SurfacesRunTogether { point }.into());
+        }
         let Found { clear, mut ends, touches, lines, .. } = pairs(&crossing, &seams)?;
         let mut runs = lines;
         let mut uncertain: Vec<DVec3> =
@@ -258,8 +263,10 @@ fn spots(
         });
         // Where no place is the best one, as at a pole, any is near enough.
         let seen = nearest.and_then(|i| crossing.touch_near(contacts[i].1));
-        let inside = seen.filter(|seen| whole.contains(seen.point, 0.5 * whole.diagonal()));
-        let point = inside.map_or(center, |seen| seen.point);
+        let is_here = |point: DVec3| whole.contains(point, 0.5 * whole.diagonal());
+        let inside = seen.map(|seen| seen.point).filter(|&point| is_here(point));
+        let pole = crossing.poles.iter().copied().find(|&pole| is_here(pole));
+        let point = pole.or(inside).unwrap_or(center);
         spots.push(Spot { point, radius: point.distance(center) + 0.5 * whole.diagonal() });
     }
     Ok(spots)

@@ -34,6 +34,7 @@ mod trace;
 use glam::DVec3;
 
 pub use error::PictureError;
+pub(super) use pair::Part;
 pub use pierce::Piercing;
 
 use branch::Branch;

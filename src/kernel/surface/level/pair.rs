@@ -18,9 +18,9 @@ const FLAT_ENOUGH: f64 = 0.8;
 
 /// A part of a surface, between parameters.
 #[derive(Clone, Debug)]
-pub(super) struct Part {
-    pub(super) low: [f64; 2],
-    pub(super) high: [f64; 2],
+pub(in crate::kernel::surface) struct Part {
+    pub(in crate::kernel::surface) low: [f64; 2],
+    pub(in crate::kernel::surface) high: [f64; 2],
     net: Grid<DVec4>,
     normals: Grid<DVec3>,
     places: Grid<DVec3>,
@@ -32,7 +32,7 @@ pub(super) struct Part {
 
 impl Part {
     /// The Bézier patches of a surface; those that are lines or points are left out.
-    pub(super) fn all(surface: &NurbsSurface) -> Vec<Self> {
+    pub(in crate::kernel::surface) fn all(surface: &NurbsSurface) -> Vec<Self> {
         let spans = [surface.knots_u(), surface.knots_v()].map(|k| k.spans().collect::<Vec<_>>());
         let pairs = spans[0].iter().flat_map(|&u| spans[1].iter().map(move |&v| (u, v)));
         let part = |(u, v)| {
@@ -63,7 +63,7 @@ impl Part {
     }
 
     /// The halves across the direction in which it is longer.
-    pub(super) fn halves(&self) -> [Self; 2] {
+    pub(in crate::kernel::surface) fn halves(&self) -> [Self; 2] {
         let along_u = longest(&self.places) >= longest(&self.places.transposed());
         let direction = usize::from(!along_u);
         let middle = self.middle()[direction];
@@ -137,6 +137,11 @@ impl Part {
     /// Whether two parts cross in at most one arc, and never against its direction.
     pub(super) fn crosses_clearly(&self, other: &Self) -> bool {
         self.angle + other.angle < CLEAR * self.axis.cross(other.axis).length()
+    }
+
+    /// Whether its normals are all on one side of a plane, so that it does not turn over.
+    pub(in crate::kernel::surface) fn is_regular(&self) -> bool {
+        self.angle < std::f64::consts::FRAC_PI_2
     }
 
     /// Whether normals of both may be parallel, and little else.

@@ -18,6 +18,9 @@ use crate::kernel::{
 /// How far the cones must be apart, for rounding.
 const CLEARANCE: f64 = 0.05;
 
+/// Where it is looked beside an edge whether surfaces share an area, as fractions of the domain.
+const BESIDE: [f64; 2] = [0.02, 0.04];
+
 /// A stretch that an edge of one surface and an edge of the other have in common.
 #[derive(Clone, Debug)]
 pub(super) struct Seam {
@@ -45,6 +48,23 @@ impl Seam {
             }
         }
         Ok(seams)
+    }
+
+    /// A point beside it that is on both surfaces, where they share an area there.
+    pub(super) fn overlap(&self, [a, b]: [&NurbsSurface; 2], distance: f64) -> Option<DVec3> {
+        let (along, side) = self.edges[0].place();
+        let across = a.domain(along);
+        let beside = |share: f64| across.at(if side == Side::Left { share } else { 1.0 - share });
+        let domain = self.curve.domain();
+        [0.25, 0.5, 0.75].into_iter().find_map(|share| {
+            let foot = a.closest(self.curve.point_at(domain.at(share))).parameters;
+            let inside = BESIDE.map(|share| match along {
+                Direction::U => a.point_at(beside(share), foot[1]),
+                Direction::V => a.point_at(foot[0], beside(share)),
+            });
+            let is_shared = inside.into_iter().all(|p| b.closest(p).distance <= distance);
+            is_shared.then_some(inside[0])
+        })
     }
 
     /// Whether parts of both surfaces are beside it.

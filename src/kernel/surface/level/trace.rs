@@ -33,6 +33,8 @@ pub(super) struct Crossing<'s> {
     pub(super) size: f64,
     /// What rounding leaves of a distance.
     pub(super) rounding: f64,
+    /// Edges that are one point.
+    pub(super) poles: Vec<DVec3>,
 }
 
 /// A place on both surfaces: u and v on the first, u and v on the second.
@@ -56,7 +58,10 @@ impl<'s> Crossing<'s> {
         let [a, b] = surfaces;
         let domains = [a.domain_u(), a.domain_v(), b.domain_u(), b.domain_v()];
         let magnitude = a.bounds().magnitude().max(b.bounds().magnitude());
-        Self { surfaces, domains, tolerance, size, rounding: 8.0 * LAST_BIT * magnitude }
+        let edges = surfaces.into_iter().flat_map(NurbsSurface::edges);
+        let collapsed = edges.filter(|edge| edge.bounds().diagonal() <= tolerance);
+        let poles = collapsed.map(|edge| edge.start()).collect();
+        Self { surfaces, domains, tolerance, size, rounding: 8.0 * LAST_BIT * magnitude, poles }
     }
 
     /// Parts of surfaces that touch are no larger than this: the tolerance's height over a bend of
@@ -198,6 +203,10 @@ impl<'s> Crossing<'s> {
                 places.push(start);
                 return (places, true);
             }
+            if let Some(end) = self.pole_ahead(last, next, sign, ends) {
+                places.push(end);
+                break;
+            }
             places.push(next);
             if is_end || ends.spots.iter().any(|s| s.point.distance(next.point) <= s.radius) {
                 break;
@@ -206,6 +215,21 @@ impl<'s> Crossing<'s> {
             step = (GROWTH * step).min(0.05 * self.size);
         }
         (places, false)
+    }
+
+    /// A pole on the way to the next place, where the surfaces touch.
+    fn pole_ahead(&self, last: Place, next: Place, sign: f64, ends: &Ends) -> Option<Place> {
+        let reached = (next.point - last.point).dot(last.tangent * sign);
+        self.poles.iter().find_map(|&pole| {
+            let share = (pole - last.point).dot(last.tangent * sign) / reached;
+            let is_passed = 0.0 < share
+                && share <= 1.0
+                && self.tolerance < pole.distance(last.point)
+                && ends.spots.iter().any(|spot| spot.point == pole)
+                && self.cubic(last, next, sign).misses_near(pole, share) <= 4.0 * self.tolerance;
+            let tangent = unit(last.tangent.lerp(next.tangent, share))?;
+            is_passed.then_some(Place { at: next.at, point: pole, tangent })
+        })
     }
 
     /// The junction as the next place, where a cubic to it stays on the curve.
