@@ -40,14 +40,14 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     check_plane((&profile, args.profile.span), "profile", ("xz", "y", 1), allowed)?;
     check_plane((&trajectory, args.trajectory.span), "trajectory", ("xy", "z", 2), allowed)?;
     let surface = NurbsSurface::swung(&profile, &trajectory, args.scale.value).at(ctx.span)?;
-    for message in at_the_axis(&profile, &trajectory, allowed).at(args.profile.span)? {
-        let warning = Diagnostic::warning(Code::SelfIntersecting, ctx.span, message);
+    for (code, message) in at_the_axis(&profile, &trajectory, allowed).at(args.profile.span)? {
+        let warning = Diagnostic::warning(code, ctx.span, message);
         ctx.warn(warning.hint("`trim` the curve there, and swing one side of it"));
     }
     Ok(surface)
 }
 
-/// What it means for the surface that one of its curves comes to the z axis between its ends.
+/// What it means for the surface that one of its curves comes to the z axis.
 ///
 /// # Errors
 /// [`crate::kernel::GeomError::OnAxis`] for a profile that lies on it.
@@ -55,28 +55,35 @@ fn at_the_axis(
     profile: &NurbsCurve,
     trajectory: &NurbsCurve,
     allowed: f64,
-) -> std::result::Result<Vec<String>, GeomError> {
+) -> std::result::Result<Vec<(Code, String)>, GeomError> {
     let axis = Axis::new(DVec3::ZERO, DVec3::Z)?;
     let told = |contact: AxisContact| match contact {
-        AxisContact::Place { parameter, is_crossing: true } => Some(format!(
-            "the profile crosses the z axis at t = {}, where the surface passes through one point",
-            rounded(parameter)
-        )),
+        AxisContact::Place { parameter, is_crossing: true } => {
+            let message = format!(
+                "the profile crosses the z axis at t = {}, where the surface passes through one point",
+                rounded(parameter)
+            );
+            Some((Code::SelfIntersecting, message))
+        }
         AxisContact::Place { .. } => None,
-        AxisContact::Stretch { start, end } => Some(format!(
-            "the profile runs along the z axis from t = {} to {}, where the surface has no area",
-            rounded(start),
-            rounded(end)
-        )),
+        AxisContact::Stretch { start, end } => {
+            let message = format!(
+                "the profile runs along the z axis from t = {} to {}, where the surface has no area",
+                rounded(start),
+                rounded(end)
+            );
+            Some((Code::Unclean, message))
+        }
     };
-    let mut found: Vec<String> =
+    let mut found: Vec<(Code, String)> =
         axis.contacts(profile, allowed)?.into_iter().filter_map(told).collect();
     let foot = trajectory.closest(DVec3::ZERO, allowed);
     if foot.distance <= allowed {
-        found.push(format!(
-            "the trajectory passes through the z axis at t = {}, where the surface shrinks to a line",
+        let message = format!(
+            "the trajectory comes to the z axis at t = {}, where the surface shrinks to a line",
             rounded(foot.parameter)
-        ));
+        );
+        found.push((Code::Unclean, message));
     }
     Ok(found)
 }

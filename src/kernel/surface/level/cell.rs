@@ -87,6 +87,20 @@ impl Cell {
         false
     }
 
+    /// The direction in which it is longer. While a condition is open that is the one along which the
+    /// field changes more: about places where many lines end these can be much closer to one another
+    /// than they are long.
+    fn longer(&self, extents: [f64; 2], tolerance: f64) -> usize {
+        if self.conditions.is_empty() || extents[0].min(extents[1]) <= tolerance {
+            return usize::from(extents[0] < extents[1]);
+        }
+        let change = |field: &Grid<f64>| {
+            let [least, most] = square::range(&square::slope_u(field));
+            most.max(-least)
+        };
+        usize::from(change(&self.field) < change(&self.field.transposed()))
+    }
+
     fn width(&self, direction: usize) -> f64 {
         self.high[direction] - self.low[direction]
     }
@@ -134,7 +148,7 @@ pub(super) fn search(
             }
             continue;
         }
-        todo.extend(cell.parts(usize::from(extents[0] < extents[1])));
+        todo.extend(cell.parts(cell.longer(extents, fineness.tolerance)));
     }
     Ok(found)
 }

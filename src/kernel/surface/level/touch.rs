@@ -16,7 +16,7 @@ use crate::kernel::{
     NurbsSurface,
     frame::unit,
     homogeneous,
-    tolerance::{BEND_RELATIVE, CONTACT_SHARE, PLACE_RELATIVE},
+    tolerance::{BEND_RELATIVE, CONTACT_SHARE, LAST_BIT, PLACE_RELATIVE},
 };
 
 /// Steps of Newton's method.
@@ -109,6 +109,22 @@ impl Reach {
             self.at[i] - self.widths[i] <= low[i] && high[i] <= self.at[i] + self.widths[i]
         })
     }
+}
+
+/// Edges of either surface that are one point, on the other one too, where both have one tangent plane.
+pub(super) fn poles(surfaces: [&NurbsSurface; 2], tolerance: f64) -> Vec<DVec3> {
+    let touch = |point: DVec3| {
+        let [a, b] = surfaces.map(|surface| surface.closest(point));
+        let normals = [(surfaces[0], a), (surfaces[1], b)].map(|(surface, foot)| {
+            let [u, v] = foot.parameters;
+            surface.normal_at(u, v).ok().filter(|_| foot.distance <= tolerance)
+        });
+        let [a, b] = normals;
+        a.zip(b).is_some_and(|(a, b)| a.cross(b).length() <= LAST_BIT.sqrt())
+    };
+    let edges = surfaces.into_iter().flat_map(NurbsSurface::edges);
+    let collapsed = edges.filter(|edge| edge.bounds().diagonal() <= tolerance);
+    collapsed.map(|edge| edge.start()).filter(|&pole| touch(pole)).collect()
 }
 
 /// A surface over a plane.

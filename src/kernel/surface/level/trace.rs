@@ -7,7 +7,7 @@ use super::{
     chain::Spot,
     cubic::Cubic,
     sample::{MOST_TURN, Run, Sample, length_between},
-    touch::{Junction, Way},
+    touch::{Junction, Way, poles},
 };
 use crate::kernel::{
     Interval, NurbsSurface,
@@ -33,7 +33,7 @@ pub(super) struct Crossing<'s> {
     pub(super) size: f64,
     /// What rounding leaves of a distance.
     pub(super) rounding: f64,
-    /// Edges that are one point.
+    /// Edges that are one point, in which the surfaces touch.
     pub(super) poles: Vec<DVec3>,
 }
 
@@ -58,9 +58,7 @@ impl<'s> Crossing<'s> {
         let [a, b] = surfaces;
         let domains = [a.domain_u(), a.domain_v(), b.domain_u(), b.domain_v()];
         let magnitude = a.bounds().magnitude().max(b.bounds().magnitude());
-        let edges = surfaces.into_iter().flat_map(NurbsSurface::edges);
-        let collapsed = edges.filter(|edge| edge.bounds().diagonal() <= tolerance);
-        let poles = collapsed.map(|edge| edge.start()).collect();
+        let poles = poles(surfaces, tolerance);
         Self { surfaces, domains, tolerance, size, rounding: 8.0 * LAST_BIT * magnitude, poles }
     }
 
@@ -203,7 +201,7 @@ impl<'s> Crossing<'s> {
                 places.push(start);
                 return (places, true);
             }
-            if let Some(end) = self.pole_ahead(last, next, sign, ends) {
+            if let Some(end) = self.pole_ahead(last, next, sign) {
                 places.push(end);
                 break;
             }
@@ -218,14 +216,13 @@ impl<'s> Crossing<'s> {
     }
 
     /// A pole on the way to the next place, where the surfaces touch.
-    fn pole_ahead(&self, last: Place, next: Place, sign: f64, ends: &Ends) -> Option<Place> {
+    fn pole_ahead(&self, last: Place, next: Place, sign: f64) -> Option<Place> {
         let reached = (next.point - last.point).dot(last.tangent * sign);
         self.poles.iter().find_map(|&pole| {
             let share = (pole - last.point).dot(last.tangent * sign) / reached;
             let is_passed = 0.0 < share
                 && share <= 1.0
                 && self.tolerance < pole.distance(last.point)
-                && ends.spots.iter().any(|spot| spot.point == pole)
                 && self.cubic(last, next, sign).misses_near(pole, share) <= 4.0 * self.tolerance;
             let tangent = unit(last.tangent.lerp(next.tangent, share))?;
             is_passed.then_some(Place { at: next.at, point: pole, tangent })

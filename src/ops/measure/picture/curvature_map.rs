@@ -105,7 +105,8 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     let colors = values.iter().map(|value| value.map_or(GREY, |value| color(value, ends)));
     let mesh = mesh.with_colors(colors.collect()).at(span)?;
     let stop = |i: usize| {
-        let value = ends[0] + (ends[1] - ends[0]) * (i as f64 / (STOPS - 1) as f64);
+        let share = i as f64 / (STOPS - 1) as f64;
+        let value = ends[0] * (1.0 - share) + ends[1] * share;
         Value::Record(Arc::new(Record::new([
             (Arc::from("value"), Value::number(value)),
             (Arc::from("color"), Value::Point(color(value, ends))),
