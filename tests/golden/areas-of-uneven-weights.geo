@@ -1,5 +1,6 @@
 // The unit square, whatever the weights of its corners.
-fn square(a, b, c, d) = nurbs([[(0, 0), (0, 1)], [(1, 0), (1, 1)]], weights = [[a, b], [c, d]], degree = 1)
+fn square(a, b, c, d) =
+    nurbs([[(0, 0), (0, 1)], [(1, 0), (1, 1)]], weights = [[a, b], [c, d]], degree = 1)
 check area(square(1e-9, 1e-9, 1e9, 1e9)) ~= 1 within 1e-12
 check area(square(1e9, 1e9, 1e-9, 1e-9)) ~= 1 within 1e-12
 check area(square(1e-9, 1e9, 1e9, 1e9)) ~= 1 within 1e-12

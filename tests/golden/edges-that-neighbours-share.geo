@@ -13,6 +13,9 @@ print [for c in intersect(patch, plane_patch((1, 0.25), (1, 0), (0, 1))): [c.sta
 // Halves of a sphere, and cylinders end to end.
 let [south, north] = split(sphere((0, 0), 1), v = 0.5)
 check [for c in intersect(south, north): length(c)] ~= [2*pi]
-check [for c in intersect(cylinder((0, 0, 0), 1, 2), cylinder((0, 0, 2), 1, 2)): length(c)] ~= [2*pi]
+check [for c in intersect(cylinder((0, 0, 0), 1, 2), cylinder((0, 0, 2), 1, 2)): length(c)]
+    ~= [2*pi]
 check [for c in intersect(cylinder((0, 0, 0), 1, 2), cone((0, 0, 2), 1, 0, 2)): length(c)] ~= [2*pi]
-check [for c in intersect(cylinder((0, 0), 1, 2), disc(plane((0, 0), (0, 0, 1)), 1)): length(c)] ~= [2*pi]
+check [for c in intersect(cylinder((0, 0), 1, 2), disc(plane((0, 0), (0, 0, 1)), 1)): length(c)]
+    ~= [2*pi]
+print intersect(patch, plane_patch((1, 1), (1, 0), (0, 1)))

@@ -17,6 +17,9 @@ const CUT: f64 = 0.4871;
 /// Cells that are looked at on all patches before the field counts as unresolvable.
 pub(super) const MAX_CELLS: usize = 400_000;
 
+/// Cells after which a search is long.
+const MANY_CELLS: usize = 4000;
+
 /// Places of a candidate for a line of contact where the field is looked at.
 const N_PROBES: usize = 7;
 
@@ -87,11 +90,11 @@ impl Cell {
         false
     }
 
-    /// The direction in which it is longer. While a condition is open that is the one along which the
-    /// field changes more: about places where many lines end these can be much closer to one another
-    /// than they are long.
-    fn longer(&self, extents: [f64; 2], tolerance: f64) -> usize {
-        if self.conditions.is_empty() || extents[0].min(extents[1]) <= tolerance {
+    /// The direction in which it is longer: in space, or, where a search is long, by how much the field
+    /// changes. About places where many lines end these can be much closer to one another than they
+    /// are long.
+    fn longer(&self, extents: [f64; 2], by_change: bool) -> usize {
+        if !by_change {
             return usize::from(extents[0] < extents[1]);
         }
         let change = |field: &Grid<f64>| {
@@ -148,7 +151,9 @@ pub(super) fn search(
             }
             continue;
         }
-        todo.extend(cell.parts(cell.longer(extents, fineness.tolerance)));
+        let is_long = *n_left + MANY_CELLS < MAX_CELLS;
+        let by_change = is_long && is_open && fineness.tolerance < extents[0].min(extents[1]);
+        todo.extend(cell.parts(cell.longer(extents, by_change)));
     }
     Ok(found)
 }

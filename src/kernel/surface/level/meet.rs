@@ -77,6 +77,10 @@ impl Surface {
         // A spot in the middle of a curve is no touch in a point.
         ends.spots.retain(|spot| n_ends(spot, &runs) != 0 || !met(spot));
         ends.spots.extend(touches);
+        let poles = crossing.poles.iter().map(|&point| Spot { point, radius: crossing.tolerance });
+        let is_passed =
+            |spot: &Spot| runs.iter().any(|run| passes(run, spot.point, crossing.tolerance));
+        ends.spots.extend(poles.filter(|spot| n_ends(spot, &runs) != 0 || !is_passed(spot)));
         let chained = chain::chained(runs, &ends.spots, crossing.tolerance);
         let spline = |line: Vec<Sample>| cubic::spline(&line, FITTING * crossing.tolerance);
         let seams_once = Seam::different(&seams, crossing.tolerance).into_iter();

@@ -80,19 +80,19 @@ impl Part {
 
     /// The steps along one of its sides.
     pub(super) fn along(&self, edge: Edge) -> Vec<DVec3> {
-        let rows = self.from_side(edge);
+        let rows = self.rows_behind(edge);
         rows.row(0).windows(2).map(|pair| pair[1] - pair[0]).collect()
     }
 
     /// The steps that lead from one of its sides to the opposite one.
     pub(super) fn inward(&self, edge: Edge) -> Vec<DVec3> {
-        let rows = self.from_side(edge);
+        let rows = self.rows_behind(edge);
         let steps = |i: usize| rows.row(i).iter().zip(rows.row(i - 1)).map(|(to, from)| to - from);
         (1..rows.n_rows()).flat_map(steps).collect()
     }
 
     /// The net with the row along a side as its first.
-    fn from_side(&self, edge: Edge) -> Grid<DVec3> {
+    fn rows_behind(&self, edge: Edge) -> Grid<DVec3> {
         let (along, side) = edge.place();
         let rows =
             if along == Direction::U { self.places.clone() } else { self.places.transposed() };

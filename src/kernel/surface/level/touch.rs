@@ -111,20 +111,29 @@ impl Reach {
     }
 }
 
-/// Edges of either surface that are one point, on the other one too, where both have one tangent plane.
+/// Poles and corners of either surface that are on the other one too, where both have one tangent
+/// plane.
 pub(super) fn poles(surfaces: [&NurbsSurface; 2], tolerance: f64) -> Vec<DVec3> {
+    let bounds = surfaces.map(NurbsSurface::bounds);
     let touch = |point: DVec3| {
-        let [a, b] = surfaces.map(|surface| surface.closest(point));
-        let normals = [(surfaces[0], a), (surfaces[1], b)].map(|(surface, foot)| {
+        if !bounds.iter().all(|bounds| bounds.contains(point, tolerance)) {
+            return false;
+        }
+        let [a, b] = surfaces.map(|surface| {
+            let foot = surface.closest(point);
             let [u, v] = foot.parameters;
             surface.normal_at(u, v).ok().filter(|_| foot.distance <= tolerance)
         });
-        let [a, b] = normals;
         a.zip(b).is_some_and(|(a, b)| a.cross(b).length() <= LAST_BIT.sqrt())
     };
     let edges = surfaces.into_iter().flat_map(NurbsSurface::edges);
-    let collapsed = edges.filter(|edge| edge.bounds().diagonal() <= tolerance);
-    collapsed.map(|edge| edge.start()).filter(|&pole| touch(pole)).collect()
+    let mut ends: Vec<DVec3> = Vec::new();
+    for end in edges.flat_map(|edge| [edge.start(), edge.end()]) {
+        if !ends.contains(&end) {
+            ends.push(end);
+        }
+    }
+    ends.into_iter().filter(|&end| touch(end)).collect()
 }
 
 /// A surface over a plane.

@@ -33,7 +33,7 @@ pub(super) struct Crossing<'s> {
     pub(super) size: f64,
     /// What rounding leaves of a distance.
     pub(super) rounding: f64,
-    /// Edges that are one point, in which the surfaces touch.
+    /// Poles and corners in which the surfaces touch.
     pub(super) poles: Vec<DVec3>,
 }
 
