@@ -42,6 +42,9 @@ const FLAT: f64 = 0.02;
 /// contact.
 const SPLINE_SHARE: f64 = 0.4 * CONTACT_SHARE;
 
+/// How far, in tolerances, a curve of two surfaces that are nearly parallel may be told beside it.
+const FAR_ASIDE: f64 = 64.0;
+
 /// A touch this many times longer than its parts is no point.
 const LONGEST_TOUCH: f64 = 24.0;
 
@@ -329,8 +332,14 @@ fn arcs(
         };
         let mut run = runs.iter().find(|run| passes(run, place.point, crossing.tolerance));
         if run.is_none() {
-            runs.push(crossing.run(place, ends));
-            run = runs.last();
+            let new = crossing.run(place, ends);
+            match runs.iter().position(|known| repeats(&new, known, crossing.tolerance)) {
+                Some(idx) => run = runs.get(idx),
+                None => {
+                    runs.push(new);
+                    run = runs.last();
+                }
+            }
         }
         // Behind the end of a run another may begin.
         let ends_here = run.is_some_and(|run| {
@@ -352,6 +361,21 @@ fn common(crossing: &Crossing<'_>, [a, b]: &[Part; 2]) -> Option<Place> {
     let place = crossing.common([u, v, s, t], widths)?;
     let [u, v, s, t] = place.at;
     (a.holds([u, v]) && b.holds([s, t])).then_some(place)
+}
+
+/// Whether a run is another one again, between the same ends: where surfaces cross at a small angle,
+/// places that are on both may be far from the curve. A neighbour of it would run the other way.
+fn repeats(run: &Run, known: &Run, tolerance: f64) -> bool {
+    let near = FAR_ASIDE * tolerance;
+    let middle = run.samples[run.samples.len() / 2];
+    let beside = known.samples.iter().min_by(|a, b| {
+        let away = |sample: &Sample| sample.point.distance(middle.point);
+        away(a).total_cmp(&away(b))
+    });
+    run.start().distance(known.start()) <= near
+        && run.end().distance(known.end()) <= near
+        && run.samples.iter().all(|sample| passes(known, sample.point, 0.25 * near))
+        && beside.is_some_and(|sample| 0.0 < sample.behind.dot(middle.behind))
 }
 
 /// Whether a run passes through a point.
