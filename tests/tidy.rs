@@ -36,6 +36,7 @@ const GUESTS: &[(&str, &[&str])] = &[
     ("png", &["src/export/raster/mod.rs"]),
     ("font8x8", &["src/export/raster/legend.rs"]),
     ("tobj", &["src/ops/mesh/obj.rs"]),
+    ("spade", &["src/kernel/mesh/planar.rs"]),
 ];
 
 /// What nothing but the doors may do.

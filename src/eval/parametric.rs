@@ -135,14 +135,21 @@ impl Asked {
     }
 
     /// The coordinates of an answer.
-    fn coordinates(&self, answer: &Value) -> std::result::Result<[Real; 3], FunctionFailure> {
+    fn coordinates(
+        &self,
+        answer: &Value,
+        n_parameters: usize,
+    ) -> std::result::Result<[Real; 3], FunctionFailure> {
         match answer {
             Value::Point(point) => Ok(point.to_array().map(Real::Plain)),
             Value::JetPoint(jets) => Ok(jets.as_ref().clone().map(Real::Jet)),
             other => {
                 let message =
                     format!("the function must yield a point, but it yields {}", other.phrase());
-                let hint = "for example `t => (cos(t), sin(t), t)`";
+                let hint = match n_parameters {
+                    1 => "for example `t => (cos(t), sin(t), t)`",
+                    _ => "for example `(u, v) => (u, v, u * v)`",
+                };
                 let diagnostic = Diagnostic::error(Code::WrongKind, self.place(), message);
                 Err(FunctionFailure::new(diagnostic.hint(hint)))
             }
@@ -196,7 +203,7 @@ impl CurveFunction for Asked {
             0 => Real::Plain(t),
             _ => Real::Jet(Jet::variable(t, order)),
         };
-        let coordinates = self.coordinates(&self.call(&[number(parameter)])?)?;
+        let coordinates = self.coordinates(&self.call(&[number(parameter)])?, 1)?;
         let derivative = |k| DVec3::from(coordinates.each_ref().map(|part| part.derivative(k, 0)));
         Ok((0..=order).map(derivative).collect())
     }
@@ -213,7 +220,7 @@ impl SurfaceFunction for Asked {
             0 => [u, v].map(Real::Plain),
             _ => Jet::variables(u, v, order).map(Real::Jet),
         };
-        let coordinates = self.coordinates(&self.call(&parameters.map(number))?)?;
+        let coordinates = self.coordinates(&self.call(&parameters.map(number))?, 2)?;
         Ok(Grid::from_fn(order + 1, order + 1, |k, l| {
             DVec3::from(coordinates.each_ref().map(|part| part.derivative(k, l)))
         }))

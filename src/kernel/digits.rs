@@ -11,7 +11,8 @@ pub(super) fn how_far(error: f64) -> String {
 
 /// Turns as degrees.
 pub(super) fn degrees(turns: f64) -> String {
-    format!("{}deg", few_digits(360.0 * turns.abs()))
+    let degrees = 360.0 * turns;
+    format!("{}deg", format!("{degrees:.11e}").parse().unwrap_or(degrees))
 }
 
 /// A measured number for a message.

@@ -62,7 +62,10 @@ pub enum GeomError {
     #[error("the weights vanish together at ({u}, {v}), which leaves no point there")]
     VanishingWeightsAt { u: f64, v: f64 },
     /// Rows of different length.
-    #[error("row {row} has {got} points, row 0 has {expected}; every row needs the same number")]
+    #[error(
+        "row {row} has {got} {}, row 0 has {expected}; every row needs the same number",
+        if *got == 1 { "point" } else { "points" }
+    )]
     RaggedGrid { row: usize, got: usize, expected: usize },
     /// Entries that do not fill their rows.
     #[error("{rows} rows of {columns} need {needed} entries, got {got}")]

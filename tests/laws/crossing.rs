@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 use proptest::{collection::vec, prelude::*, prop_assert, prop_assume, proptest};
-use virote::kernel::{Grid, LevelSet, NurbsSurface, Surface, Tolerance};
+use virote::kernel::{Direction, Grid, LevelSet, NurbsSurface, Surface, Tolerance};
 
 use crate::some::{fraction, point, sphere};
 
@@ -133,4 +133,72 @@ proptest! {
         prop_assert_eq!(set.touches.len(), 1);
         prop_assert!(set.touches[0].distance(direction * 2.0) <= 1e-5);
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(32))]
+
+    #[test]
+    fn neighbours_meet_in_the_edge_that_they_share(
+        heights in vec(-0.5..0.5f64, 16), f in 0.1..0.9f64, along_u in 0..2,
+    ) {
+        let net = Grid::from_fn(4, 4, |i, j| DVec3::new(i as f64, j as f64, heights[4 * i + j]));
+        let along = if along_u == 0 { Direction::U } else { Direction::V };
+        let [a, b] = NurbsSurface::bezier(&net).unwrap().split(along, f).unwrap();
+        let edge = if along_u == 0 { a.isocurve_u(f) } else { a.isocurve_v(f) };
+        let found = Surface::from(a).intersections(&b.into(), Tolerance::DEFAULT).unwrap();
+        prop_assert!(found.curves.len() == 1 && found.touches.is_empty() && found.uncertain.is_empty());
+        prop_assert!(found.curves[0].degree() == edge.degree());
+        for point in found.curves[0].sample(20) {
+            prop_assert!(edge.closest(point, 1e-9).distance < 1e-12);
+        }
+    }
+}
+
+/// The sphere of radius 1 and z = 1 + 2xy touch at (0, 0, 1) and cross there: x² + y² + 4xy(1 + xy) = 0
+/// has two loops through it.
+#[test]
+fn loops_through_a_pole_end_there_as_they_do_elsewhere() {
+    let saddle = Grid::from_fn(3, 3, |i, j| {
+        let (x, y) = (i as f64 - 1.0, j as f64 - 1.0);
+        DVec3::new(x, y, 1.0 + 2.0 * x * y)
+    });
+    let saddle = Surface::from(NurbsSurface::bezier(&saddle).unwrap());
+    let pole = DVec3::Z;
+    for turn in [0.0, 0.3] {
+        let tilt = DAffine3::from_rotation_x(turn);
+        let sphere = Surface::from(sphere(DVec3::ZERO, 1.0).transformed(&tilt));
+        let found = sphere.intersections(&saddle, Tolerance::DEFAULT).unwrap();
+        assert_eq!(found.curves.len(), 2, "turned by {turn}");
+        for curve in found.curves {
+            assert!(curve.start().distance(pole) < 1e-5 && curve.end().distance(pole) < 1e-5);
+            for DVec3 { x, y, .. } in curve.sample(50) {
+                assert!((x * x + y * y + 4.0 * x * y * (1.0 + x * y)).abs() < 1e-5);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_surface_runs_together_with_itself() {
+    let sphere = Surface::from(sphere(DVec3::ZERO, 3.0));
+    assert!(sphere.intersections(&sphere, Tolerance::DEFAULT).is_err());
+}
+
+/// x′ = (u − ½)² − ε² turns back between u = ½ ± ε.
+#[test]
+fn a_fold_narrower_than_any_grid_is_found() {
+    let e = 1e-4;
+    let power = [-1.0 / 24.0, 0.25 - e * e, -0.5, 1.0 / 3.0];
+    let x = [
+        power[0],
+        power[0] + power[1] / 3.0,
+        power[0] + power[1] * (2.0 / 3.0) + power[2] / 3.0,
+        power.iter().sum(),
+    ];
+    let net = Grid::from_fn(4, 2, |i, j| DVec3::new(x[i], j as f64, 0.0));
+    let surface = Surface::from(NurbsSurface::bezier(&net).unwrap());
+    let folds = surface.defects(Tolerance::DEFAULT).unwrap().folds;
+    assert!(!folds.is_empty());
+    assert!(folds.iter().all(|[u, _]| ((u - 0.5).abs() - e).abs() < 1e-9), "{folds:?}");
 }

@@ -83,6 +83,12 @@ impl Spacing {
     /// [`GeomError::CoincidentPoints`] for neighbouring columns that are at one place in each row;
     /// [`GeomError::TooFewPoints`], [`GeomError::NotFinite`].
     pub fn mean_parameters(self, grid: &Grid<DVec3>) -> Result<Vec<f64>, GeomError> {
+        let counts = [grid.n_rows(), grid.n_columns()];
+        for (got, needed) in counts.into_iter().zip([1, 2]) {
+            if got < needed {
+                return Err(GeomError::TooFewPoints { got, needed: 2 });
+            }
+        }
         let mut sums = vec![0.0; grid.n_columns()];
         let mut n_rows = 0;
         for i in 0..grid.n_rows() {

@@ -1,9 +1,14 @@
 //! Meshes of plane regions within closed curves.
 //!
-//! Holes are joined to the outer border by bridges, and ears are cut off what remains.
-//! Eberly, *Triangulation by ear clipping* (2002); O'Rourke, *Computational Geometry in C*, ch. 1.
+//! A constrained Delaunay triangulation of the borders: among all triangulations with these corners
+//! that have the borders as sides its least angles are largest. Its predicates are exact.
+//! Chew, *Constrained Delaunay triangulations*, Algorithmica 4 (1989); Shewchuk, *Adaptive precision
+//! floating-point arithmetic and fast robust geometric predicates*, DCG 18 (1997).
 
 use glam::{DVec2, DVec3};
+use spade::{
+    ConstrainedDelaunayTriangulation, HasPosition, MIN_ALLOWED_VALUE, Point2, Triangulation as _,
+};
 
 use super::Mesh;
 use crate::kernel::{
@@ -50,9 +55,11 @@ pub fn planar_mesh(polygons: &[Vec<DVec3>], distance: f64) -> Result<Mesh, GeomE
     }
     check_crossings(&rings, &polygons)?;
     check_nesting(&rings)?;
-    let places: Vec<DVec2> = rings.iter().flat_map(|ring| ring.places.iter().copied()).collect();
-    let triangles = triangles(&places, joined(&rings, &places));
     let vertices: Vec<DVec3> = polygons.into_iter().flatten().collect();
+    let triangles = triangles(&rings).map_err(|vertex| {
+        let index = rings.iter().rposition(|ring| ring.first <= vertex).unwrap_or(0);
+        Error::Crossing { index, other: index, of, point: vertices[vertex] }
+    })?;
     let normals = vec![frame.z(); vertices.len()];
     Mesh::new(vertices, normals, Vec::new(), triangles)
 }
@@ -181,100 +188,66 @@ fn check_nesting(rings: &[Ring]) -> Result<(), GeomError> {
     Ok(())
 }
 
-/// One polygon around the region, by vertices: the holes run the other way, each joined to what is to its
-/// right by a bridge there and back.
-fn joined(rings: &[Ring], places: &[DVec2]) -> Vec<usize> {
-    let order = |ring: &Ring, is_left: bool| -> Vec<usize> {
-        let n = ring.places.len();
-        let area: f64 = (0..n).map(|i| ring.places[i].perp_dot(ring.places[(i + 1) % n])).sum();
-        let around = (0..n).map(|i| ring.first + i);
-        if (0.0 < area) == is_left { around.collect() } else { around.rev().collect() }
-    };
-    let mut polygon = order(&rings[0], true);
-    let mut holes: Vec<Vec<usize>> = rings[1..].iter().map(|ring| order(ring, false)).collect();
-    let rightmost = |hole: &[usize]| {
-        (0..hole.len())
-            .max_by(|&i, &k| places[hole[i]].x.total_cmp(&places[hole[k]].x))
-            .unwrap_or(0)
-    };
-    holes.sort_by(|a, b| {
-        let [x, y] = [a, b].map(|hole| places[hole[rightmost(hole)]].x);
-        y.total_cmp(&x)
-    });
-    for mut hole in holes {
-        let start = rightmost(&hole);
-        hole.rotate_left(start);
-        let at = bridge(&polygon, places, places[hole[0]]);
-        let back = [hole[0], polygon[at]];
-        let there = hole.into_iter().chain(back);
-        polygon.splice(at + 1..at + 1, there.collect::<Vec<_>>());
-    }
-    polygon
+/// A vertex of the triangulation: where it is, and which of the mesh it is.
+struct Corner {
+    place: Point2<f64>,
+    index: u32,
 }
 
-/// The corner of a polygon that is seen from a place inside, to the right of it.
-fn bridge(polygon: &[usize], places: &[DVec2], from: DVec2) -> usize {
-    let n = polygon.len();
-    let corner = |i: usize| places[polygon[i % n]];
-    // The nearest side to the right, and its end that is further to the right.
-    let mut nearest: Option<(f64, usize)> = None;
-    for i in 0..n {
-        let (a, b) = (corner(i), corner(i + 1));
-        // The region is to the left of a side that rises on the right.
-        if a.y <= from.y && from.y < b.y || a.y <= from.y && from.y <= b.y && a.y < b.y {
-            let x = a.x + (b.x - a.x) * ((from.y - a.y) / (b.y - a.y));
-            if from.x <= x && nearest.is_none_or(|(least, _)| x < least) {
-                nearest = Some((x, if a.x < b.x { (i + 1) % n } else { i }));
-            }
+impl HasPosition for Corner {
+    type Scalar = f64;
+
+    fn position(&self) -> Point2<f64> {
+        self.place
+    }
+}
+
+type Triangulation = ConstrainedDelaunayTriangulation<Corner>;
+
+/// The triangles of the region, no least angle of which could be larger with the same corners; else a
+/// vertex at which sides cross by rounding.
+fn triangles(rings: &[Ring]) -> Result<Vec<[u32; 3]>, usize> {
+    let places = || rings.iter().flat_map(|ring| ring.places.iter());
+    let size = places().map(|place| place.abs().max_element()).fold(0.0, f64::max);
+    // Numbers so small are no places to the triangulation.
+    let number = |x: f64| if x.abs() < MIN_ALLOWED_VALUE { 0.0 } else { x };
+    let corner = |(index, place): (usize, &DVec2)| {
+        let DVec2 { x, y } = *place / size;
+        Corner { place: Point2::new(number(x), number(y)), index: index as u32 }
+    };
+    let side = |ring: &Ring, i: usize| [i, (i + 1) % ring.places.len()].map(|i| ring.first + i);
+    let sides = rings.iter().flat_map(|ring| (0..ring.places.len()).map(move |i| side(ring, i)));
+    let mut crossed: Option<usize> = None;
+    let loaded = Triangulation::try_bulk_load_cdt(
+        places().enumerate().map(corner).collect(),
+        sides.collect(),
+        |conflict| crossed = crossed.or(Some(conflict[0])),
+    );
+    match (loaded, crossed) {
+        (Ok(net), None) => Ok(inner_triangles(&net)),
+        (Ok(net), Some(at)) => {
+            let vertex = net.vertices().nth(at);
+            Err(vertex.map_or(0, |vertex| vertex.data().index as usize))
         }
+        (Err(_), _) => Err(0),
     }
-    let Some((x, end)) = nearest else { return 0 };
-    // Corners within the triangle to that end may hide it: the one at the least angle is seen.
-    let (hit, tip) = (DVec2::new(x, from.y), corner(end));
-    let triangle = if tip.y < from.y { [from, tip, hit] } else { [from, hit, tip] };
-    let slope = |p: DVec2| ((p.y - from.y).abs() / (p.x - from.x), p.x);
-    let hides = |&i: &usize| {
-        let (p, last, next) = (corner(i), corner(i + n - 1), corner(i + 1));
-        from.x < p.x && p != tip && is_in(triangle, p) && turn(last, p, next) <= 0.0
-    };
-    let seen = (0..n).filter(hides).min_by(|&i, &k| {
-        let (a, b) = (slope(corner(i)), slope(corner(k)));
-        a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
-    });
-    seen.unwrap_or(end)
 }
 
-fn is_in([a, b, c]: [DVec2; 3], p: DVec2) -> bool {
-    0.0 <= turn(a, b, p) && 0.0 <= turn(b, c, p) && 0.0 <= turn(c, a, p)
-}
-
-/// Cuts ears off a polygon until nothing is left.
-fn triangles(places: &[DVec2], mut polygon: Vec<usize>) -> Vec<[u32; 3]> {
-    let mut triangles = Vec::with_capacity(polygon.len());
-    let mut start = 0;
-    while 3 <= polygon.len() {
-        let n = polygon.len();
-        let corners = |i: usize| [(i + n - 1) % n, i % n, (i + 1) % n].map(|k| polygon[k]);
-        let size = |i: usize| {
-            let [a, b, c] = corners(i).map(|k| places[k]);
-            turn(a, b, c)
-        };
-        let is_ear = |i: &usize| {
-            let [a, b, c] = corners(*i).map(|k| places[k]);
-            let is_corner = |p: DVec2| p == a || p == b || p == c;
-            0.0 < turn(a, b, c)
-                && !polygon.iter().any(|&k| !is_corner(places[k]) && is_in([a, b, c], places[k]))
-        };
-        let ear = (start..start + n).map(|i| i % n).find(is_ear);
-        // Without one rounding has the say: the fullest corner goes.
-        let fullest = || (0..n).max_by(|&i, &k| size(i).total_cmp(&size(k)));
-        let Some(at) = ear.or_else(fullest) else { break };
-        if 0.0 < size(at) {
-            triangles.push(corners(at).map(|k| k as u32));
+/// The triangles that are inside: those behind an odd number of sides.
+fn inner_triangles(net: &Triangulation) -> Vec<[u32; 3]> {
+    let mut is_inside: Vec<Option<bool>> = vec![None; net.num_all_faces()];
+    let mut todo: Vec<_> = net.convex_hull().map(|edge| (edge.rev(), false)).collect();
+    while let Some((edge, is_before_inside)) = todo.pop() {
+        let known = &mut is_inside[edge.face().fix().index()];
+        if edge.is_outer_edge() || known.is_some() {
+            continue;
         }
-        polygon.remove(at);
-        // Every other corner in turn, so that triangles do not all end in one.
-        start = at + 1;
+        let is_here = is_before_inside != edge.is_constraint_edge();
+        *known = Some(is_here);
+        todo.extend([edge.prev(), edge.next()].map(|other| (other.rev(), is_here)));
     }
-    triangles
+    net.inner_faces()
+        .filter(|face| is_inside[face.fix().index()] == Some(true))
+        .map(|face| face.vertices().map(|vertex| vertex.data().index))
+        .collect()
 }

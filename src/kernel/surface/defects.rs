@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Edge, Surface, border::Border};
+use super::{Edge, NurbsSurface, Surface, border::Border, level::Part};
 use crate::kernel::{
     Bounds, GeomError, Interval, KnotVector, Tolerance, frame::unit, tolerance::SIDE_STEP,
 };
@@ -18,6 +18,16 @@ const MAX_FOLDS: usize = 8;
 
 /// Bisections of the way between two places with opposite normals: all bits of a fraction.
 const BISECTIONS: usize = 53;
+
+/// Parts of a patch are halved this often before their corners tell a fold, and at most.
+const LEAST_HALVINGS: usize = 10;
+const MAX_HALVINGS: usize = 40;
+
+/// How far inside of a part its corners are looked at.
+const INSIDE: f64 = 1.0 / 1024.0;
+
+/// Parts that are looked at: where Su × Sv vanishes without a fold there are many.
+const MAX_PARTS: usize = 4000;
 
 /// Where a surface is not regular.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -37,7 +47,8 @@ struct Place {
 }
 
 impl Surface {
-    /// Where the surface is not regular, as far as a grid of some thousand places shows it.
+    /// Where the surface is not regular: folds as far as a grid of some thousand places shows them,
+    /// and where it shows none those that the normals' coefficients tell.
     ///
     /// # Errors
     /// As [`Self::point_at`].
@@ -63,6 +74,9 @@ impl Surface {
             }
         }
         defects.folds = self.folds()?;
+        if let (Self::Nurbs(surface), true) = (self, defects.folds.is_empty()) {
+            defects.folds = self.small_folds(surface)?;
+        }
         Ok(defects)
     }
 
@@ -95,6 +109,53 @@ impl Surface {
             last = row;
         }
         Ok(folds)
+    }
+
+    /// Places of folds that a grid misses: parts whose normals may be opposite are halved until they
+    /// are not, or are at two of their corners.
+    ///
+    /// The coefficients of Su × Sv in Bernstein's form tell, within whose cone all normals are.
+    /// Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988).
+    fn small_folds(&self, surface: &NurbsSurface) -> Result<Vec<[f64; 2]>, GeomError> {
+        let mut todo: Vec<(Part, usize)> =
+            Part::all(surface).into_iter().map(|part| (part, 0)).collect();
+        let (mut folds, mut n_parts) = (Vec::new(), 0);
+        while let Some((part, n_halvings)) = todo.pop() {
+            n_parts += 1;
+            if MAX_PARTS < n_parts || folds.len() == MAX_FOLDS {
+                break;
+            }
+            if part.is_regular() {
+                continue;
+            }
+            match self.turned_corners(&part)? {
+                Some([a, b]) if LEAST_HALVINGS <= n_halvings => {
+                    folds.extend(self.turning_place(&a, &b)?);
+                }
+                _ if n_halvings < MAX_HALVINGS => {
+                    todo.extend(part.halves().map(|half| (half, n_halvings + 1)));
+                }
+                _ => {}
+            }
+        }
+        Ok(folds)
+    }
+
+    /// Two corners of a part whose normals are opposite.
+    fn turned_corners(&self, part: &Part) -> Result<Option<[Place; 2]>, GeomError> {
+        // Inside: at a knot the next patch would answer.
+        let inside =
+            |share: f64| [0, 1].map(|i| part.low[i] + (part.high[i] - part.low[i]) * share);
+        let ([u0, v0], [u1, v1]) = (inside(INSIDE), inside(1.0 - INSIDE));
+        let mut known: Vec<Place> = Vec::new();
+        for at in [[u0, v0], [u1, v0], [u1, v1], [u0, v1]] {
+            let here = Place { at, normal: self.unit_product(at)? };
+            if let Some(i) = known.iter().position(|other| are_opposite(other, &here)) {
+                return Ok(Some([known.swap_remove(i), here]));
+            }
+            known.push(here);
+        }
+        Ok(None)
     }
 
     /// Between two places with opposite normals, where it turns over; none where it only turns far.

@@ -15,7 +15,8 @@
 //! Of both kinds `local` tells how they bend at a place, `pole` where an edge is collapsed,
 //! `everywhere` what holds at all places, `deviation` how far one is from another, `defects` where
 //! one is not regular; `joint` how two go on in one another along a `border`; `mass` area and
-//! volume, with `quadrature` for the integrals and `shell` for what closes.
+//! volume, with `quadrature` for the integrals, `even` for patches whose weights differ much and
+//! `shell` for what closes.
 
 mod any;
 mod border;
@@ -30,6 +31,7 @@ mod edge;
 mod edit;
 mod eval;
 mod evaluator;
+mod even;
 mod everywhere;
 mod grid_eval;
 mod iso;

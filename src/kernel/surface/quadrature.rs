@@ -5,10 +5,16 @@
 //! is compared with its halves along u and along v, and the cell that changes most is halved next,
 //! along the parameter by which it changes more: towards a pole or an edge where the integrand is
 //! not smooth the cells shrink in proportion.
+//!
+//! How far an integral may be off is told by its changes. Where these fade from one halving to the
+//! next by a factor ρ, what is still to come is ρ/(1 − ρ) of the last one: little of a smooth
+//! integrand, of which ρ is tiny, and many times as much where it grows beyond bounds.
+
+use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::Surface;
+use super::{Surface, even::evened};
 use crate::kernel::{
     GeomError, Interval,
     tolerance::{LAST_BIT, QUADRATURE_RELATIVE},
@@ -30,7 +36,10 @@ const FUNCTION_PARTS: usize = 4;
 /// Cuts beyond which an integral has the accuracy that it has: only a surface with folds or edges
 /// inside of a piece comes here.
 const MAX_CUTS: usize = 2000;
-const MAX_FUNCTION_CUTS: usize = 500;
+
+/// How an integral whose cuts run out changes within the last quarter of them is how far it may be
+/// off at least: cells that are wider than what happens in them agree with their halves by chance.
+const LATE_CUTS: usize = MAX_CUTS / 4;
 
 /// An integral of several quantities.
 #[derive(Clone, Copy, Debug)]
@@ -41,9 +50,10 @@ pub(super) struct Integral<const N: usize> {
     pub(super) relative_error: f64,
 }
 
-/// A rectangle of parameters.
+/// A rectangle of parameters of a part of the surface.
 #[derive(Clone, Copy, Debug)]
 struct Cell {
+    part: usize,
     u: Interval,
     v: Interval,
 }
@@ -63,7 +73,12 @@ struct Known<const N: usize> {
     absolute: [f64; N],
     /// How much the halves differ from the whole, along u and along v.
     changes: [[f64; N]; 2],
+    /// By how much more than the changes it may be off.
+    factors: [[f64; N]; 2],
 }
+
+/// Changes that hardly fade are not taken to go on for longer than this many times the last.
+const MOST_TO_COME: f64 = 64.0;
 
 impl<const N: usize> Known<N> {
     fn new(cell: Cell, whole: Estimate<N>, halves: [[Estimate<N>; 2]; 2]) -> Self {
@@ -75,11 +90,24 @@ impl<const N: usize> Known<N> {
         let [[a, b], _] = &halves;
         let absolute = std::array::from_fn(|i| a.absolute[i] + b.absolute[i]);
         let changes = changes.map(|change: [f64; N]| change.map(f64::abs));
-        Self { cell, halves, values, absolute, changes }
+        Self { cell, halves, values, absolute, changes, factors: [[1.0; N]; 2] }
     }
 
+    /// With what is known from the cell of which it is a half along a direction.
+    fn after(mut self, whole: &Self, direction: usize) -> Self {
+        self.factors = whole.factors;
+        for i in 0..N {
+            let (change, before) = (self.changes[direction][i], whole.changes[direction][i]);
+            let is_rounding = change <= 64.0 * LAST_BIT * self.absolute[i];
+            let to_come = if is_rounding { 1.0 } else { change / (before - change).max(0.0) };
+            self.factors[direction][i] = to_come.clamp(1.0, MOST_TO_COME);
+        }
+        self
+    }
+
+    /// How far quantity `i` may be off.
     fn change(&self, i: usize) -> f64 {
-        self.changes[0][i] + self.changes[1][i]
+        [0, 1].map(|along| self.factors[along][i] * self.changes[along][i]).into_iter().sum()
     }
 
     /// The largest change as a fraction of what is allowed.
@@ -89,9 +117,11 @@ impl<const N: usize> Known<N> {
 
     /// The parameter by which it changes more: u or v.
     fn direction(&self, allowed: [f64; N]) -> usize {
-        let along =
-            |changes: &[f64; N]| (0..N).map(|i| changes[i] / allowed[i]).fold(0.0, f64::max);
-        usize::from(along(&self.changes[0]) < along(&self.changes[1]))
+        let along = |along: usize| {
+            let change = |i: usize| self.factors[along][i] * self.changes[along][i];
+            (0..N).map(|i| change(i) / allowed[i]).fold(0.0, f64::max)
+        };
+        usize::from(along(0) < along(1))
     }
 }
 
@@ -103,7 +133,8 @@ pub(super) fn integral<const N: usize>(
     surface: &Surface,
     density: impl Fn(DVec3, DVec3) -> [f64; N],
 ) -> Result<Integral<N>, GeomError> {
-    let rule = |cell: Cell| quadrature(surface, cell, &density);
+    let parts = parts(surface);
+    let rule = |cell: Cell| quadrature(&parts[cell.part], cell, &density);
     let known = |cell: Cell, whole: Estimate<N>| -> Result<Known<N>, GeomError> {
         let pair = |direction: usize| -> Result<[Estimate<N>; 2], GeomError> {
             let [a, b] = cell.halves(direction);
@@ -112,13 +143,10 @@ pub(super) fn integral<const N: usize>(
         Ok(Known::new(cell, whole, [pair(0)?, pair(1)?]))
     };
     let mut all: Vec<Known<N>> = Vec::new();
-    for cell in cells(surface) {
+    for cell in parts.iter().enumerate().flat_map(|(part, surface)| cells(part, surface)) {
         all.push(known(cell, rule(cell)?)?);
     }
-    let mut n_cuts = match surface {
-        Surface::Nurbs(_) => MAX_CUTS,
-        Surface::Parametric(_) => MAX_FUNCTION_CUTS,
-    };
+    let (mut n_cuts, mut late) = (MAX_CUTS, None);
     loop {
         let of_all = |f: &dyn Fn(&Known<N>, usize) -> f64| -> [f64; N] {
             std::array::from_fn(|i| all.iter().map(|known| f(known, i)).sum())
@@ -130,21 +158,44 @@ pub(super) fn integral<const N: usize>(
         let urgency = |i: &usize| all[*i].urgency(allowed);
         let worst = (0..all.len()).max_by(|i, k| urgency(i).total_cmp(&urgency(k)));
         let Some(worst) = worst.filter(|_| !is_done && 0 < n_cuts) else {
-            let errors = changes.iter().zip(sizes).map(|(c, size)| c / size.max(f64::MIN_POSITIVE));
-            let relative_error = errors.fold(LAST_BIT, f64::max);
-            return Ok(Integral { values: of_all(&|known, i| known.values[i]), relative_error });
+            let values = of_all(&|known, i| known.values[i]);
+            let since = late.filter(|_| !is_done).unwrap_or(values);
+            let error = |i: usize| {
+                let error = changes[i].max((values[i] - since[i]).abs());
+                error / sizes[i].max(f64::MIN_POSITIVE)
+            };
+            return Ok(Integral {
+                values,
+                relative_error: (0..N).map(error).fold(LAST_BIT, f64::max),
+            });
         };
+        if n_cuts == LATE_CUTS {
+            late = Some(of_all(&|known, i| known.values[i]));
+        }
         n_cuts -= 1;
         let worst = all.swap_remove(worst);
         let direction = worst.direction(allowed);
-        for (half, whole) in worst.cell.halves(direction).into_iter().zip(worst.halves[direction]) {
-            all.push(known(half, whole)?);
+        let halves = worst.cell.halves(direction).into_iter().zip(worst.halves[direction]);
+        for (half, whole) in halves {
+            all.push(known(half, whole)?.after(&worst, direction));
         }
     }
 }
 
+/// The surface, or patches of it whose weights are alike.
+fn parts(surface: &Surface) -> Vec<Surface> {
+    let evened = match surface {
+        Surface::Nurbs(surface) => evened(surface),
+        Surface::Parametric(_) => None,
+    };
+    match evened {
+        Some(parts) => parts.into_iter().map(|part| Surface::Nurbs(Arc::new(part))).collect(),
+        None => vec![surface.clone()],
+    }
+}
+
 /// What the surface is made of, or for a function even parts.
-fn cells(surface: &Surface) -> Vec<Cell> {
+fn cells(part: usize, surface: &Surface) -> Vec<Cell> {
     let [us, vs]: [Vec<Interval>; 2] = match surface {
         Surface::Nurbs(surface) => [surface.knots_u(), surface.knots_v()]
             .map(|knots| knots.spans().map(|span| knots.span_interval(span)).collect()),
@@ -153,7 +204,7 @@ fn cells(surface: &Surface) -> Vec<Cell> {
             ends.windows(2).filter_map(|ends| Interval::new(ends[0], ends[1]).ok()).collect()
         }),
     };
-    us.iter().flat_map(|&u| vs.iter().map(move |&v| Cell { u, v })).collect()
+    us.iter().flat_map(|&u| vs.iter().map(move |&v| Cell { part, u, v })).collect()
 }
 
 /// The rule on one cell, of the quantities and of their absolute values.
@@ -197,10 +248,10 @@ fn quadrature<const N: usize>(
 impl Cell {
     /// The halves across u or across v.
     fn halves(self, direction: usize) -> [Self; 2] {
-        let Self { u, v } = self;
+        let Self { part, u, v } = self;
         match direction {
-            0 => u.halves().map(|u| Self { u, v }),
-            _ => v.halves().map(|v| Self { u, v }),
+            0 => u.halves().map(|u| Self { part, u, v }),
+            _ => v.halves().map(|v| Self { part, u, v }),
         }
     }
 }

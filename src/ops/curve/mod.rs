@@ -21,7 +21,7 @@ mod interpolate;
 mod lagrange;
 mod line;
 mod nurbs;
-mod parametric;
+pub(super) mod parametric;
 mod polyline;
 mod polynomial;
 
@@ -90,8 +90,11 @@ pub(super) fn check_degree(degree: Spanned<usize>, n_points: Spanned<usize>) -> 
     }
     if n_points.value <= degree.value {
         let message = format!(
-            "{} points are too few for degree {}, which needs {} or more",
-            n_points.value,
+            "{} too few for degree {}, which needs {} or more",
+            match n_points.value {
+                1 => "1 point is".to_owned(),
+                n => format!("{n} points are"),
+            },
             degree.value,
             degree.value + 1
         );

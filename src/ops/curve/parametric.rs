@@ -1,7 +1,7 @@
 //! `parametric` of one parameter: the curve of any function.
 
 use crate::{
-    diag::Result,
+    diag::{Code, Diagnostic, Result},
     kernel::{Curve, Interval, ParametricCurve},
     value::{At, Callback, Ctx, op},
 };
@@ -28,5 +28,16 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Curve> {
     let function = ctx.caller.curve_function(&args.f.0, ctx.span)?;
-    ParametricCurve::new(args.domain, function).at(ctx.span).map(Curve::from)
+    let curve = ParametricCurve::new(args.domain, function).at(ctx.span);
+    let hint =
+        "a curve has a function of one parameter; one of two, and a second range, make a surface";
+    curve.map(Curve::from).map_err(|found| if_misfit(found, hint))
+}
+
+/// Adds a hint where a function does not take the parameters that it is given.
+pub(in crate::ops) fn if_misfit(mut found: Box<Diagnostic>, hint: &str) -> Box<Diagnostic> {
+    if found.code == Code::BadCall {
+        found.hints.insert(0, hint.to_owned());
+    }
+    found
 }

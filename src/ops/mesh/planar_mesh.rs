@@ -14,8 +14,9 @@ op! {
     /// the others, which are holes.
     ///
     /// The normals are on the side from which the (outer) curve runs counter-clockwise. All vertices
-    /// are on the borders, whose polygons are nowhere further from the curves than the tolerance.
-    /// Eberly, *Triangulation by ear clipping* (2002).
+    /// are on the borders, whose polygons are nowhere further from the curves than the tolerance;
+    /// their triangles are as far from slivers as that allows.
+    /// Chew, *Constrained Delaunay triangulations*, Algorithmica 4 (1989).
     planar_mesh in Mesh -> Mesh {
         /// The closed curve, or a list of the outer one and the holes.
         curve: Spanned<Borders>,

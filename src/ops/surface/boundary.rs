@@ -44,7 +44,9 @@ pub(super) fn edges(label: &str, curves: &Spanned<Vec<Curve>>, ctx: &Ctx<'_>) ->
 pub(super) fn pair(label: &str, curves: &Spanned<Vec<Curve>>, ctx: &Ctx<'_>) -> Result<[Edge; 2]> {
     edges(label, curves, ctx)?.try_into().map_err(|found: Vec<Edge>| {
         let message = format!("`{label}` takes two curves, found {}", found.len());
-        Box::new(Diagnostic::error(Code::BadCall, curves.span, message))
+        let across = if label == "u" { "v" } else { "u" };
+        let hint = format!("the first is where {across} starts, the second where it ends");
+        Box::new(Diagnostic::error(Code::BadCall, curves.span, message).hint(hint))
     })
 }
 
@@ -110,14 +112,15 @@ impl Boundary {
 
     /// The same curves in the order and directions that fit, if any do, with the fewest changes.
     fn that_fits(&self, tolerance: f64) -> Option<String> {
+        /// Which two of `u[0] u[1] v[0] v[1]` are opposite, and which others.
+        const OPPOSITE: [[[usize; 2]; 2]; 3] =
+            [[[0, 1], [2, 3]], [[0, 2], [1, 3]], [[0, 3], [2, 1]]];
+        let all = [&self.u[0], &self.u[1], &self.v[0], &self.v[1]];
         let mut best: Option<(u32, String)> = None;
-        for code in 0..128_u32 {
-            let is = |bit: u32| code & (1 << bit) != 0;
-            let turned = |edge: &Edge, bit: u32| {
-                if is(bit) { edge.reversed() } else { edge.clone() }
-            };
-            let mut u = [turned(&self.u[0], 0), turned(&self.u[1], 1)];
-            let mut v = [turned(&self.v[0], 2), turned(&self.v[1], 3)];
+        for (pairs, code) in OPPOSITE.iter().flat_map(|pairs| (0..128).map(move |c| (pairs, c))) {
+            let is = |bit: usize| code & (1_u32 << bit) != 0;
+            let turned = |i: usize| if is(i) { all[i].reversed() } else { all[i].clone() };
+            let [mut u, mut v] = pairs.map(|pair| pair.map(turned));
             if is(4) {
                 u.reverse();
             }
@@ -125,7 +128,7 @@ impl Boundary {
                 v.reverse();
             }
             let other = if is(6) { Self { u: v, v: u } } else { Self { u, v } };
-            let cost = code.count_ones();
+            let cost = code.count_ones() + u32::from(*pairs != OPPOSITE[0]);
             if best.as_ref().is_none_or(|(least, _)| cost < *least)
                 && other.widest_gap().0 <= tolerance
             {

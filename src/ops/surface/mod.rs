@@ -40,8 +40,8 @@ use glam::DVec3;
 use super::{curve::knots_for, positive};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Frame, Grid, NurbsSurface},
-    value::{At, FromValue, IntoValue, Length, Mismatch, Op, Rows, Type, Value},
+    kernel::{Frame, GeomError, Grid, NurbsSurface},
+    value::{At, FromValue, IntoValue, Length, Mismatch, Op, Rows, Type, Value, code_of},
 };
 
 pub(super) static OPS: &[&Op] = &[
@@ -158,11 +158,18 @@ fn upward(height: Spanned<Length>) -> Result<f64> {
 
 /// The frame of a surface around an axis: z along it, x as near to (1, 0, 0) as that allows.
 fn around(origin: DVec3, axis: Spanned<DVec3>) -> Result<Frame> {
-    if axis.value == DVec3::ZERO {
-        let message = "the axis has length zero, and no direction";
-        return Diagnostic::error(Code::Degenerate, axis.span, message).fail();
-    }
+    check_axis(axis)?;
     Frame::from_normal(origin, axis.value, None).at(axis.span)
+}
+
+/// Fails for an axis without a direction.
+fn check_axis(axis: Spanned<DVec3>) -> Result<()> {
+    if axis.value != DVec3::ZERO {
+        return Ok(());
+    }
+    let message = "the axis has length zero, and no direction";
+    let hint = "an axis is a vector, such as (0, 0, 1)";
+    Diagnostic::error(Code::Degenerate, axis.span, message).hint(hint).fail()
 }
 
 /// Tells in which direction a mistake lies.
@@ -174,7 +181,16 @@ fn in_direction(mut found: Box<Diagnostic>, direction: &str, counted: &str) -> B
 
 /// Weights as a grid like that of the points.
 fn weight_grid<P>(rows: Vec<Vec<f64>>, points: &Grid<P>, span: Span) -> Result<Grid<f64>> {
-    let weights = Grid::from_rows(rows).at(span)?;
+    let weights = Grid::from_rows(rows).map_err(|error| match error {
+        GeomError::RaggedGrid { row, got, expected } => {
+            let weights = if got == 1 { "weight" } else { "weights" };
+            let message = format!(
+                "row {row} has {got} {weights}, row 0 has {expected}; every row needs the same number"
+            );
+            Box::new(Diagnostic::error(Code::RaggedGrid, span, message))
+        }
+        other => Box::new(Diagnostic::error(code_of(&other), span, other.to_string())),
+    })?;
     let sizes = [(points.n_rows(), points.n_columns()), (weights.n_rows(), weights.n_columns())];
     if sizes[0] != sizes[1] {
         let [(rows, columns), (found_rows, found_columns)] = sizes;
@@ -182,6 +198,13 @@ fn weight_grid<P>(rows: Vec<Vec<f64>>, points: &Grid<P>, span: Span) -> Result<G
             "there are {rows} x {columns} points, but {found_rows} x {found_columns} weights; each point needs one"
         );
         return Diagnostic::error(Code::BadWeights, span, message).fail();
+    }
+    if let Some(idx) = weights.iter().position(|&weight| weight < 0.0) {
+        let (i, j) = (idx / weights.n_columns(), idx % weights.n_columns());
+        let message =
+            format!("weight [{i}][{j}] is {}; weights are not negative", weights.get(i, j));
+        let hint = "the larger a weight, the nearer the surface comes to its point; at zero the point is gone";
+        return Diagnostic::error(Code::BadWeights, span, message).hint(hint).fail();
     }
     Ok(weights)
 }

@@ -3,6 +3,7 @@
 use crate::{
     diag::Result,
     kernel::{Interval, ParametricSurface, Surface},
+    ops::curve::parametric::if_misfit,
     value::{At, Callback, Ctx, op},
 };
 
@@ -27,5 +28,6 @@ op! {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Surface> {
     let function = ctx.caller.surface_function(&args.f.0, ctx.span)?;
     let surface = ParametricSurface::new(args.domain_u, args.domain_v, function);
-    surface.at(ctx.span).map(Surface::from)
+    let hint = "a surface has a function of two parameters: `(u, v) => ...`";
+    surface.at(ctx.span).map(Surface::from).map_err(|found| if_misfit(found, hint))
 }

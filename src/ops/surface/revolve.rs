@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
-use super::boundary::rounded;
+use super::{boundary::rounded, check_axis};
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{Axis, AxisContact, Curve, NurbsSurface},
@@ -36,6 +36,7 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
+    check_axis(args.axis)?;
     let axis = Axis::new(args.about, args.axis.value).at(args.axis.span_or(ctx.span))?;
     let c = args.c.nurbs_within(ctx.tolerance.distance).at(ctx.span)?;
     let contacts = axis.contacts(&c, ctx.tolerance.distance).at(ctx.span)?;
@@ -43,7 +44,8 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let surface = NurbsSurface::revolved(&c, axis, angle);
     let surface = surface.at(args.angle.span_or(ctx.span)).map_err(|mut found| {
         if TAU < angle.abs() {
-            found.hints.push("the angle is one full turn at most: `angle = 1turn`".to_owned());
+            let most = if angle < 0.0 { "-1turn" } else { "1turn" };
+            found.hints.push(format!("the angle is one full turn at most: `angle = {most}`"));
         }
         found
     })?;

@@ -1,9 +1,11 @@
 //! `swung`: a profile swung along a trajectory about the z axis.
 
+use glam::DVec3;
+
 use super::boundary::rounded;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Curve, NurbsCurve, NurbsSurface},
+    kernel::{Axis, AxisContact, Curve, GeomError, NurbsCurve, NurbsSurface},
     value::{At, Ctx, op},
 };
 
@@ -37,7 +39,53 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let (profile, trajectory) = (profile?, trajectory?);
     check_plane((&profile, args.profile.span), "profile", ("xz", "y", 1), allowed)?;
     check_plane((&trajectory, args.trajectory.span), "trajectory", ("xy", "z", 2), allowed)?;
-    NurbsSurface::swung(&profile, &trajectory, args.scale.value).at(ctx.span)
+    let surface = NurbsSurface::swung(&profile, &trajectory, args.scale.value).at(ctx.span)?;
+    for (code, message) in at_the_axis(&profile, &trajectory, allowed).at(args.profile.span)? {
+        let warning = Diagnostic::warning(code, ctx.span, message);
+        ctx.warn(warning.hint("`trim` the curve there, and swing one side of it"));
+    }
+    Ok(surface)
+}
+
+/// What it means for the surface that one of its curves comes to the z axis.
+///
+/// # Errors
+/// [`crate::kernel::GeomError::OnAxis`] for a profile that lies on it.
+fn at_the_axis(
+    profile: &NurbsCurve,
+    trajectory: &NurbsCurve,
+    allowed: f64,
+) -> std::result::Result<Vec<(Code, String)>, GeomError> {
+    let axis = Axis::new(DVec3::ZERO, DVec3::Z)?;
+    let told = |contact: AxisContact| match contact {
+        AxisContact::Place { parameter, is_crossing: true } => {
+            let message = format!(
+                "the profile crosses the z axis at t = {}, where the surface passes through one point",
+                rounded(parameter)
+            );
+            Some((Code::SelfIntersecting, message))
+        }
+        AxisContact::Place { .. } => None,
+        AxisContact::Stretch { start, end } => {
+            let message = format!(
+                "the profile runs along the z axis from t = {} to {}, where the surface has no area",
+                rounded(start),
+                rounded(end)
+            );
+            Some((Code::Unclean, message))
+        }
+    };
+    let mut found: Vec<(Code, String)> =
+        axis.contacts(profile, allowed)?.into_iter().filter_map(told).collect();
+    let foot = trajectory.closest(DVec3::ZERO, allowed);
+    if foot.distance <= allowed {
+        let message = format!(
+            "the trajectory comes to the z axis at t = {}, where the surface shrinks to a line",
+            rounded(foot.parameter)
+        );
+        found.push((Code::Unclean, message));
+    }
+    Ok(found)
 }
 
 /// Fails where a curve leaves its plane, in which a coordinate is zero.

@@ -17,6 +17,9 @@ const CUT: f64 = 0.4871;
 /// Cells that are looked at on all patches before the field counts as unresolvable.
 pub(super) const MAX_CELLS: usize = 400_000;
 
+/// Cells after which a search is long.
+const MANY_CELLS: usize = 4000;
+
 /// Places of a candidate for a line of contact where the field is looked at.
 const N_PROBES: usize = 7;
 
@@ -87,6 +90,20 @@ impl Cell {
         false
     }
 
+    /// The direction in which it is longer: in space, or, where a search is long, by how much the field
+    /// changes. About places where many lines end these can be much closer to one another than they
+    /// are long.
+    fn longer(&self, extents: [f64; 2], by_change: bool) -> usize {
+        if !by_change {
+            return usize::from(extents[0] < extents[1]);
+        }
+        let change = |field: &Grid<f64>| {
+            let [least, most] = square::range(&square::slope_u(field));
+            most.max(-least)
+        };
+        usize::from(change(&self.field) < change(&self.field.transposed()))
+    }
+
     fn width(&self, direction: usize) -> f64 {
         self.high[direction] - self.low[direction]
     }
@@ -134,7 +151,9 @@ pub(super) fn search(
             }
             continue;
         }
-        todo.extend(cell.parts(usize::from(extents[0] < extents[1])));
+        let is_long = *n_left + MANY_CELLS < MAX_CELLS;
+        let by_change = is_long && is_open && fineness.tolerance < extents[0].min(extents[1]);
+        todo.extend(cell.parts(cell.longer(extents, by_change)));
     }
     Ok(found)
 }

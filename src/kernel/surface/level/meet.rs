@@ -17,6 +17,7 @@ use super::{
     cubic::{self, Cubic},
     pair::Part,
     sample::{Run, Sample, length_between},
+    seam::Seam,
     touch::{Contact, Reach},
     trace::{Crossing, Ends, Place},
 };
@@ -41,6 +42,9 @@ const FLAT: f64 = 0.02;
 /// contact.
 const SPLINE_SHARE: f64 = 0.4 * CONTACT_SHARE;
 
+/// How far, in tolerances, a curve of two surfaces that are nearly parallel may be told beside it.
+const FAR_ASIDE: f64 = 64.0;
+
 /// A touch this many times longer than its parts is no point.
 const LONGEST_TOUCH: f64 = 24.0;
 
@@ -48,7 +52,8 @@ impl Surface {
     /// The curves in which the surface crosses another or touches it, within the tolerance's distance
     /// and complete; they run along N × N of the two. Functions are crossed as splines that near.
     ///
-    /// Where the surfaces only touch in a point, that is told among the touches.
+    /// An edge that both have in common is that edge. Where the surfaces only touch in a point, that is
+    /// told among the touches.
     ///
     /// # Errors
     /// [`PictureError::SurfacesRunTogether`] where they share more than curves; for functions as
@@ -58,7 +63,13 @@ impl Surface {
         let (a, b) = (a?, b?);
         let size = a.bounds().diagonal().min(b.bounds().diagonal());
         let crossing = Crossing::new([&a, &b], tolerance.distance_for(size), size);
-        let Found { clear, mut ends, touches, lines, .. } = pairs(&crossing)?;
+        let seams = Seam::all([&a, &b], crossing.tolerance)?;
+        if let Some(point) =
+            seams.iter().find_map(|seam| seam.overlap([&a, &b], crossing.tolerance))
+        {
+            return Err(PictureError::SurfacesRunTogether { point }.into());
+        }
+        let Found { clear, mut ends, touches, lines, .. } = pairs(&crossing, &seams)?;
         let mut runs = lines;
         let mut uncertain: Vec<DVec3> =
             runs.iter().map(|run| run.samples[run.samples.len() / 2].point).collect();
@@ -69,11 +80,21 @@ impl Surface {
         // A spot in the middle of a curve is no touch in a point.
         ends.spots.retain(|spot| n_ends(spot, &runs) != 0 || !met(spot));
         ends.spots.extend(touches);
+        let poles = crossing.poles.iter().map(|&point| Spot { point, radius: crossing.tolerance });
+        let is_passed =
+            |spot: &Spot| runs.iter().any(|run| passes(run, spot.point, crossing.tolerance));
+        ends.spots.extend(poles.filter(|spot| n_ends(spot, &runs) != 0 || !is_passed(spot)));
         let chained = chain::chained(runs, &ends.spots, crossing.tolerance);
         let spline = |line: Vec<Sample>| cubic::spline(&line, FITTING * crossing.tolerance);
+        let seams_once = Seam::different(&seams, crossing.tolerance).into_iter();
+        let lines = chained.lines.into_iter().filter(|line| 1 < line.len()).map(spline);
         let curves: Result<Vec<NurbsCurve>, GeomError> =
-            chained.lines.into_iter().filter(|line| 1 < line.len()).map(spline).collect();
-        Ok(LevelSet { curves: curves?, touches: chained.isolated, uncertain })
+            seams_once.map(|seam| Ok(seam.directed([&a, &b]))).chain(lines).collect();
+        let is_on_seam =
+            |point: &DVec3| seams.iter().any(|seam| seam.holds(*point, crossing.tolerance));
+        let touches = chained.isolated.into_iter().filter(|point| !is_on_seam(point)).collect();
+        uncertain.retain(|point| !is_on_seam(point));
+        Ok(LevelSet { curves: curves?, touches, uncertain })
     }
 }
 
@@ -107,7 +128,7 @@ struct Found {
 }
 
 /// Sorts pairs of parts until each is apart, clear, or within what is known about a contact.
-fn pairs(crossing: &Crossing<'_>) -> Result<Found, GeomError> {
+fn pairs(crossing: &Crossing<'_>, seams: &[Seam]) -> Result<Found, GeomError> {
     let near = FLAT * crossing.tolerance;
     let [firsts, seconds] = crossing.surfaces.map(Part::all);
     let mut todo: Vec<[Part; 2]> = Vec::new();
@@ -123,12 +144,16 @@ fn pairs(crossing: &Crossing<'_>) -> Result<Found, GeomError> {
         if MAX_PAIRS < n_pairs {
             return Err(PictureError::TooTangled { point: a.bounds.center() }.into());
         }
-        if found.holds(&a, &b) {
+        let beside = || seams.iter().filter(|seam| seam.is_beside(&a, &b));
+        if found.holds(&a, &b) || beside().any(|seam| seam.is_all_of(&a, &b)) {
             continue;
         }
-        if a.crosses_clearly(&b) {
+        if beside().next().is_some() && crossing.touch_size() < a.bounds.union(b.bounds).diagonal()
+        {
+            todo.extend(halved([a, b], near));
+        } else if a.crosses_clearly(&b) {
             found.clear.push([a, b]);
-        } else if a.may_touch(&b) && found.add_contact(crossing, &a, &b)? {
+        } else if a.may_touch(&b) && found.add_contact(crossing, &a, &b, seams)? {
             todo.push([a, b]);
         } else if a.thickness().max(b.thickness()) <= near
             && a.bounds.diagonal().max(b.bounds.diagonal()) <= crossing.touch_size()
@@ -156,6 +181,7 @@ impl Found {
         crossing: &Crossing<'_>,
         a: &Part,
         b: &Part,
+        seams: &[Seam],
     ) -> Result<bool, GeomError> {
         let at = middle(a, b);
         if self.n_looks == MAX_LOOKS || self.reaches.iter().any(|reach| reach.holds(at, at)) {
@@ -168,6 +194,7 @@ impl Found {
                 && crossing.is_inside(seen.at)
                 && a.is_about([u, v])
                 && b.is_about([s, t])
+                && !seams.iter().any(|seam| seam.holds(seen.point, crossing.tolerance))
                 && !self.reaches.iter().any(|reach| reach.holds(seen.at, seen.at))
         });
         let Some(seen) = seen else { return Ok(false) };
@@ -243,8 +270,10 @@ fn spots(
         });
         // Where no place is the best one, as at a pole, any is near enough.
         let seen = nearest.and_then(|i| crossing.touch_near(contacts[i].1));
-        let inside = seen.filter(|seen| whole.contains(seen.point, 0.5 * whole.diagonal()));
-        let point = inside.map_or(center, |seen| seen.point);
+        let is_here = |point: DVec3| whole.contains(point, 0.5 * whole.diagonal());
+        let inside = seen.map(|seen| seen.point).filter(|&point| is_here(point));
+        let pole = crossing.poles.iter().copied().find(|&pole| is_here(pole));
+        let point = pole.or(inside).unwrap_or(center);
         spots.push(Spot { point, radius: point.distance(center) + 0.5 * whole.diagonal() });
     }
     Ok(spots)
@@ -303,8 +332,14 @@ fn arcs(
         };
         let mut run = runs.iter().find(|run| passes(run, place.point, crossing.tolerance));
         if run.is_none() {
-            runs.push(crossing.run(place, ends));
-            run = runs.last();
+            let new = crossing.run(place, ends);
+            match runs.iter().position(|known| repeats(&new, known, crossing.tolerance)) {
+                Some(idx) => run = runs.get(idx),
+                None => {
+                    runs.push(new);
+                    run = runs.last();
+                }
+            }
         }
         // Behind the end of a run another may begin.
         let ends_here = run.is_some_and(|run| {
@@ -326,6 +361,21 @@ fn common(crossing: &Crossing<'_>, [a, b]: &[Part; 2]) -> Option<Place> {
     let place = crossing.common([u, v, s, t], widths)?;
     let [u, v, s, t] = place.at;
     (a.holds([u, v]) && b.holds([s, t])).then_some(place)
+}
+
+/// Whether a run is another one again, between the same ends: where surfaces cross at a small angle,
+/// places that are on both may be far from the curve. A neighbour of it would run the other way.
+fn repeats(run: &Run, known: &Run, tolerance: f64) -> bool {
+    let near = FAR_ASIDE * tolerance;
+    let middle = run.samples[run.samples.len() / 2];
+    let beside = known.samples.iter().min_by(|a, b| {
+        let away = |sample: &Sample| sample.point.distance(middle.point);
+        away(a).total_cmp(&away(b))
+    });
+    run.start().distance(known.start()) <= near
+        && run.end().distance(known.end()) <= near
+        && run.samples.iter().all(|sample| passes(known, sample.point, 0.25 * near))
+        && beside.is_some_and(|sample| 0.0 < sample.behind.dot(middle.behind))
 }
 
 /// Whether a run passes through a point.

@@ -9,7 +9,7 @@
 //! `cubic` lays splines through them. `plane` has the fields of planes, `shade` those of normals and
 //! of what they mirror, `square` the polynomials. `meet` has the curves in which two surfaces cross,
 //! by parts of both (`pair`) and by following what is found (`trace`), also where they touch (`touch`)
-//! along lines (`tangency`), `pierce` the places that a curve shares with a surface.
+//! along lines (`tangency`) or are neighbours (`seam`), `pierce` the places that a curve shares with a surface.
 //!
 //! Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988); Patrikalakis &
 //! Maekawa, *Shape Interrogation for Computer Aided Design and Manufacturing*, §4.
@@ -24,6 +24,7 @@ mod pair;
 mod pierce;
 mod plane;
 mod sample;
+mod seam;
 mod shade;
 mod square;
 mod tangency;
@@ -33,6 +34,7 @@ mod trace;
 use glam::DVec3;
 
 pub use error::PictureError;
+pub(super) use pair::Part;
 pub use pierce::Piercing;
 
 use branch::Branch;

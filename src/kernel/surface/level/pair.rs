@@ -4,7 +4,8 @@ use glam::{DVec3, DVec4};
 
 use super::{shade, square};
 use crate::kernel::{
-    Bounds, Grid, Interval, NurbsSurface, frame::unit, homogeneous, tolerance::PLACE_RELATIVE,
+    Bounds, Direction, Grid, Interval, NurbsSurface, Side, frame::unit, homogeneous, surface::Edge,
+    tolerance::PLACE_RELATIVE,
 };
 
 /// Two parts cross in at most one arc when their cones of normals together are narrower than this
@@ -17,9 +18,9 @@ const FLAT_ENOUGH: f64 = 0.8;
 
 /// A part of a surface, between parameters.
 #[derive(Clone, Debug)]
-pub(super) struct Part {
-    pub(super) low: [f64; 2],
-    pub(super) high: [f64; 2],
+pub(in crate::kernel::surface) struct Part {
+    pub(in crate::kernel::surface) low: [f64; 2],
+    pub(in crate::kernel::surface) high: [f64; 2],
     net: Grid<DVec4>,
     normals: Grid<DVec3>,
     places: Grid<DVec3>,
@@ -31,7 +32,7 @@ pub(super) struct Part {
 
 impl Part {
     /// The Bézier patches of a surface; those that are lines or points are left out.
-    pub(super) fn all(surface: &NurbsSurface) -> Vec<Self> {
+    pub(in crate::kernel::surface) fn all(surface: &NurbsSurface) -> Vec<Self> {
         let spans = [surface.knots_u(), surface.knots_v()].map(|k| k.spans().collect::<Vec<_>>());
         let pairs = spans[0].iter().flat_map(|&u| spans[1].iter().map(move |&v| (u, v)));
         let part = |(u, v)| {
@@ -62,7 +63,7 @@ impl Part {
     }
 
     /// The halves across the direction in which it is longer.
-    pub(super) fn halves(&self) -> [Self; 2] {
+    pub(in crate::kernel::surface) fn halves(&self) -> [Self; 2] {
         let along_u = longest(&self.places) >= longest(&self.places.transposed());
         let direction = usize::from(!along_u);
         let middle = self.middle()[direction];
@@ -77,15 +78,40 @@ impl Part {
         ]
     }
 
+    /// The steps along one of its sides.
+    pub(super) fn along(&self, edge: Edge) -> Vec<DVec3> {
+        let rows = self.rows_behind(edge);
+        rows.row(0).windows(2).map(|pair| pair[1] - pair[0]).collect()
+    }
+
+    /// The steps that lead from one of its sides to the opposite one.
+    pub(super) fn inward(&self, edge: Edge) -> Vec<DVec3> {
+        let rows = self.rows_behind(edge);
+        let steps = |i: usize| rows.row(i).iter().zip(rows.row(i - 1)).map(|(to, from)| to - from);
+        (1..rows.n_rows()).flat_map(steps).collect()
+    }
+
+    /// The net with the row along a side as its first.
+    fn rows_behind(&self, edge: Edge) -> Grid<DVec3> {
+        let (along, side) = edge.place();
+        let rows =
+            if along == Direction::U { self.places.clone() } else { self.places.transposed() };
+        let last = rows.n_rows() - 1;
+        match side {
+            Side::Left => rows,
+            Side::Right => Grid::from_fn(last + 1, rows.n_columns(), |i, j| rows.get(last - i, j)),
+        }
+    }
+
     /// Where it lies along an axis.
-    fn along(&self, axis: DVec3) -> [f64; 2] {
+    fn reach(&self, axis: DVec3) -> [f64; 2] {
         let heights = || self.places.iter().map(|place| place.dot(axis));
         [heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max)]
     }
 
     /// How thick the slab across its axis is.
     pub(super) fn thickness(&self) -> f64 {
-        let [least, most] = self.along(self.axis);
+        let [least, most] = self.reach(self.axis);
         if self.axis == DVec3::ZERO { self.bounds.diagonal() } else { most - least }
     }
 
@@ -96,7 +122,7 @@ impl Part {
         if !are_near {
             return true;
         }
-        let [least, most] = self.along(self.axis);
+        let [least, most] = self.reach(self.axis);
         let heights = || points.iter().map(|point| point.dot(self.axis));
         heights().fold(f64::NEG_INFINITY, f64::max) < least - distance
             || most + distance < heights().fold(f64::INFINITY, f64::min)
@@ -111,6 +137,11 @@ impl Part {
     /// Whether two parts cross in at most one arc, and never against its direction.
     pub(super) fn crosses_clearly(&self, other: &Self) -> bool {
         self.angle + other.angle < CLEAR * self.axis.cross(other.axis).length()
+    }
+
+    /// Whether its normals are all on one side of a plane, so that it does not turn over.
+    pub(in crate::kernel::surface) fn is_regular(&self) -> bool {
+        self.angle < std::f64::consts::FRAC_PI_2
     }
 
     /// Whether normals of both may be parallel, and little else.

@@ -16,7 +16,7 @@ use crate::kernel::{
     NurbsSurface,
     frame::unit,
     homogeneous,
-    tolerance::{BEND_RELATIVE, CONTACT_SHARE, PLACE_RELATIVE},
+    tolerance::{BEND_RELATIVE, CONTACT_SHARE, LAST_BIT, PLACE_RELATIVE},
 };
 
 /// Steps of Newton's method.
@@ -109,6 +109,31 @@ impl Reach {
             self.at[i] - self.widths[i] <= low[i] && high[i] <= self.at[i] + self.widths[i]
         })
     }
+}
+
+/// Poles and corners of either surface that are on the other one too, where both have one tangent
+/// plane.
+pub(super) fn poles(surfaces: [&NurbsSurface; 2], tolerance: f64) -> Vec<DVec3> {
+    let bounds = surfaces.map(NurbsSurface::bounds);
+    let touch = |point: DVec3| {
+        if !bounds.iter().all(|bounds| bounds.contains(point, tolerance)) {
+            return false;
+        }
+        let [a, b] = surfaces.map(|surface| {
+            let foot = surface.closest(point);
+            let [u, v] = foot.parameters;
+            surface.normal_at(u, v).ok().filter(|_| foot.distance <= tolerance)
+        });
+        a.zip(b).is_some_and(|(a, b)| a.cross(b).length() <= LAST_BIT.sqrt())
+    };
+    let edges = surfaces.into_iter().flat_map(NurbsSurface::edges);
+    let mut ends: Vec<DVec3> = Vec::new();
+    for end in edges.flat_map(|edge| [edge.start(), edge.end()]) {
+        if !ends.contains(&end) {
+            ends.push(end);
+        }
+    }
+    ends.into_iter().filter(|&end| touch(end)).collect()
 }
 
 /// A surface over a plane.

@@ -7,7 +7,7 @@ use super::{
     chain::Spot,
     cubic::Cubic,
     sample::{MOST_TURN, Run, Sample, length_between},
-    touch::{Junction, Way},
+    touch::{Junction, Way, poles},
 };
 use crate::kernel::{
     Interval, NurbsSurface,
@@ -33,6 +33,8 @@ pub(super) struct Crossing<'s> {
     pub(super) size: f64,
     /// What rounding leaves of a distance.
     pub(super) rounding: f64,
+    /// Poles and corners in which the surfaces touch.
+    pub(super) poles: Vec<DVec3>,
 }
 
 /// A place on both surfaces: u and v on the first, u and v on the second.
@@ -56,7 +58,8 @@ impl<'s> Crossing<'s> {
         let [a, b] = surfaces;
         let domains = [a.domain_u(), a.domain_v(), b.domain_u(), b.domain_v()];
         let magnitude = a.bounds().magnitude().max(b.bounds().magnitude());
-        Self { surfaces, domains, tolerance, size, rounding: 8.0 * LAST_BIT * magnitude }
+        let poles = poles(surfaces, tolerance);
+        Self { surfaces, domains, tolerance, size, rounding: 8.0 * LAST_BIT * magnitude, poles }
     }
 
     /// Parts of surfaces that touch are no larger than this: the tolerance's height over a bend of
@@ -198,6 +201,10 @@ impl<'s> Crossing<'s> {
                 places.push(start);
                 return (places, true);
             }
+            if let Some(end) = self.pole_ahead(last, next, sign) {
+                places.push(end);
+                break;
+            }
             places.push(next);
             if is_end || ends.spots.iter().any(|s| s.point.distance(next.point) <= s.radius) {
                 break;
@@ -206,6 +213,20 @@ impl<'s> Crossing<'s> {
             step = (GROWTH * step).min(0.05 * self.size);
         }
         (places, false)
+    }
+
+    /// A pole on the way to the next place, where the surfaces touch.
+    fn pole_ahead(&self, last: Place, next: Place, sign: f64) -> Option<Place> {
+        let reached = (next.point - last.point).dot(last.tangent * sign);
+        self.poles.iter().find_map(|&pole| {
+            let share = (pole - last.point).dot(last.tangent * sign) / reached;
+            let is_passed = 0.0 < share
+                && share <= 1.0
+                && self.tolerance < pole.distance(last.point)
+                && self.cubic(last, next, sign).misses_near(pole, share) <= 4.0 * self.tolerance;
+            let tangent = unit(last.tangent.lerp(next.tangent, share))?;
+            is_passed.then_some(Place { at: next.at, point: pole, tangent })
+        })
     }
 
     /// The junction as the next place, where a cubic to it stays on the curve.

@@ -106,7 +106,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     let colors = values.iter().map(|value| value.map_or(GREY, |value| color(value, ends)));
     let mesh = mesh.with_colors(colors.collect()).at(span)?;
     let stop = |i: usize| {
-        let value = ends[0] + (ends[1] - ends[0]) * (i as f64 / (STOPS - 1) as f64);
+        let value = stop_value(i, ends);
         Value::Record(Arc::new(Record::new([
             (Arc::from("value"), Value::number(value)),
             (Arc::from("color"), Value::Point(color(value, ends))),
@@ -122,6 +122,12 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
         (Arc::from("scale"), Value::list((0..STOPS).map(stop).collect())),
         (Arc::from("values"), Value::list(all.collect())),
     ]))
+}
+
+/// The value at a place of the scale, at its ends exactly these.
+fn stop_value(i: usize, [least, most]: [f64; 2]) -> f64 {
+    let share = i as f64 / (STOPS - 1) as f64;
+    least * (1.0 - share) + most * share
 }
 
 /// The colour of a value: white in the middle, or at zero where the ends have two signs.

@@ -15,7 +15,8 @@ op! {
     /// which is then followed: no loop is too small. Curves are cubic splines within the document's
     /// tolerance of both surfaces, parametrized about by their length, and run along the product of
     /// the normal of `a` and that of `b`. They end at boundaries, and where several cross, as surfaces
-    /// do where they touch. A line along which they only touch is among the curves, and a warning
+    /// do where they touch. Neighbours meet in the edge that they share, which is among the curves as it
+    /// is. A line along which they only touch is among the curves, and a warning
     /// tells of it, and of a touch in a single point. Surfaces that share an area are an error, and so
     /// is a curve that lies in the surface for a stretch. A parametric surface is taken as a spline
     /// within a part of the tolerance.
@@ -30,6 +31,7 @@ op! {
     example "[for c in intersect(sphere((0, 0), 5), plane_patch((-9, -9, 3), (18, 0), (0, 18))): length(c)] ~= [8 * pi] within 1e-5" => "true";
     example "len(intersect(cylinder((0, 0, -3), 1, 6), cylinder((-3, 0), 0.5, 6, axis = (1, 0, 0))))" => "2";
     example "intersect(sphere((0, 0), 1), sphere((5, 0), 1))" => "[]";
+    example "[for c in intersect(plane_patch((0, 0), (1, 0), (0, 1)), plane_patch((1, 0), (1, 0), (0, 1))): c.points]" => "[[(1, 0, 0), (1, 1, 0)]]";
 }
 
 /// What a surface meets.

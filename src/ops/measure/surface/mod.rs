@@ -94,9 +94,10 @@ fn tell_accuracy(what: &str, relative_error: f64, ctx: &mut Ctx<'_>) -> Result<(
         return Diagnostic::error(Code::Degenerate, ctx.span, message).hint(hint).fail();
     }
     if ACCURACY_WORTH_TELLING < relative_error {
-        let message =
-            format!("the {what} is known to a fraction of {relative_error:.0e} of itself only");
-        let hint = "folds, and jumps of a function inside of a piece, cost digits";
+        // One digit, and never less than it is.
+        let most = 1.5 * relative_error;
+        let message = format!("the {what} is known to a fraction of {most:.0e} of itself only");
+        let hint = "folds, derivatives without bound, and jumps of a function inside of a piece cost digits";
         ctx.warn(Diagnostic::warning(Code::Unclean, ctx.span, message).hint(hint));
     }
     Ok(())

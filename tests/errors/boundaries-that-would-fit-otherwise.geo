@@ -1,0 +1,11 @@
+// Edges of a Coons patch in a wrong order or direction.
+let south = line((0, 0), (4, 0))
+let north = line((0, 3), (4, 3))
+let west = line((0, 0), (0, 3))
+let east = line((4, 0), (4, 3))
+surface a_mixture = coons(u = [south, east], v = [north, west])
+surface another = coons(u = [east, south], v = [west, reversed(north)])
+surface against_the_other = coons(u = [south, reversed(north)], v = [west, east])
+surface across = coons(u = [north, south], v = [west, east])
+surface one_corner_off = coons(u = [south, north], v = [west, line((4, 0.5), (4, 3))])
+surface too_few = coons(u = [south], v = [west, east])

@@ -1,0 +1,154 @@
+//! Laws of meshes of plane regions, and of the colours by which meshes show curvature.
+
+use std::collections::BTreeMap;
+
+use glam::{DVec2, DVec3};
+use proptest::{collection::vec, prop_assert, prop_assume, proptest};
+use virote::{
+    kernel::{Frame, GeomError, Mesh, PictureError, planar_mesh},
+    session::{Event, Session},
+    value::Files,
+};
+
+use crate::some::point;
+
+/// A star around a centre: a corner for each radius.
+fn star(center: DVec2, radii: &[f64]) -> Vec<DVec2> {
+    let n = radii.len() as f64;
+    let corner = |(i, radius): (usize, &f64)| {
+        center + DVec2::from_angle(std::f64::consts::TAU * i as f64 / n) * *radius
+    };
+    radii.iter().enumerate().map(corner).collect()
+}
+
+fn area(polygon: &[DVec2]) -> f64 {
+    let n = polygon.len();
+    0.5 * (0..n).map(|i| polygon[i].perp_dot(polygon[(i + 1) % n])).sum::<f64>()
+}
+
+/// In space, in a plane that is askew.
+fn placed(polygon: &[DVec2], frame: &Frame) -> Vec<DVec3> {
+    polygon.iter().map(|p| frame.origin() + frame.x() * p.x + frame.y() * p.y).collect()
+}
+
+/// The triangles behind each side, by their corners in order.
+fn sides(mesh: &Mesh) -> BTreeMap<(u32, u32), u32> {
+    let turns = mesh.triangles().iter().flat_map(|&[a, b, c]| [(a, b, c), (b, c, a), (c, a, b)]);
+    turns.map(|(a, b, c)| ((a, b), c)).collect()
+}
+
+proptest! {
+    #[test]
+    fn a_region_is_covered_once_by_triangles_that_are_no_slivers_where_others_would_do(
+        outer in vec(5.0..9.0, 5..=40), hole in vec(0.2..0.9, 3..=20), other in vec(0.2..0.9, 3..=20),
+        origin in point(), normal in point(),
+    ) {
+        prop_assume!(normal.length() > 0.1);
+        let frame = Frame::from_normal(origin, normal, None).unwrap();
+        let polygons = [
+            star(DVec2::ZERO, &outer), star(DVec2::new(1.5, 0.3), &hole), star(DVec2::new(-1.5, 0.0), &other),
+        ];
+        // A star of few corners may not reach around its holes.
+        prop_assume!(outer.len() > 7);
+        let placed: Vec<Vec<DVec3>> = polygons.iter().map(|polygon| placed(polygon, &frame)).collect();
+        let mesh = planar_mesh(&placed, 1e-6).unwrap();
+
+        // As many triangles as Euler says, on the borders' vertices, all the same way up.
+        let n: usize = polygons.iter().map(Vec::len).sum();
+        prop_assert!(mesh.n_vertices() == n && mesh.triangles().len() == n + 2);
+        let expected = area(&polygons[0]) - area(&polygons[1]) - area(&polygons[2]);
+        let products = mesh.corners().map(|[a, b, c]| 0.5 * (b - a).cross(c - a).dot(frame.z()));
+        let products: Vec<f64> = products.collect();
+        prop_assert!(products.iter().all(|&product| 0.0 < product));
+        prop_assert!((products.iter().sum::<f64>() - expected).abs() < 1e-11 * expected);
+
+        // Sides of the borders have one triangle, all others two, and no circle of three corners
+        // holds the fourth: Delaunay.
+        let sides = sides(&mesh);
+        let is_border = |a: u32, b: u32| {
+            let mut first = 0;
+            polygons.iter().any(|polygon| {
+                let n = polygon.len() as u32;
+                let own = first..first + n;
+                first += n;
+                own.contains(&a) && own.contains(&b) && {
+                    let (i, k) = (a - own.start, b - own.start);
+                    (i + 1) % n == k || (k + 1) % n == i
+                }
+            })
+        };
+        let at = |i: u32| mesh.vertices()[i as usize];
+        for (&(a, b), &c) in &sides {
+            let Some(&d) = sides.get(&(b, a)) else {
+                prop_assert!(is_border(a, b));
+                continue;
+            };
+            prop_assert!(!is_border(a, b));
+            let angle = |tip: u32| (at(a) - at(tip)).angle_between(at(b) - at(tip));
+            prop_assert!(angle(c) + angle(d) < std::f64::consts::PI + 1e-6);
+        }
+    }
+
+    #[test]
+    fn a_map_of_curvature_has_the_closed_form_of_a_torus(
+        major in 2.0..5.0, minor in 0.2..1.5, kind in 0..4usize,
+    ) {
+        // By the distance ρ from the axis, with cos v = (ρ − R)/r.
+        let (word, formula) = [
+            ("gaussian", "k1*k2"), ("k1", "k1"), ("k2", "k2"), ("difference", "k2 - k1"),
+        ][kind];
+        let script = format!(
+            "let major = {major}\nlet minor = {minor}\n\
+             let map = curvature_map(torus((0, 0), major, minor), \"{word}\")\n\
+             fn expected(p) = {{ let rho = hypot(p.x, p.y); let k1 = -1/minor; let k2 = -(rho - major)/minor/rho; {formula} }}\n\
+             let vertices = map.mesh.vertices\nlet values = map.values\n\
+             let wrong = max([for i in 0..<len(vertices): abs(values[i] - expected(vertices[i]))])\n\
+             check len(values) == len(vertices)\n\
+             check wrong < 1e-9\n\
+             check map.min ~= min(values)\ncheck map.max ~= max(values)\n\
+             check len(map.scale) == 9\n\
+             check map.scale[0].value == map.min\ncheck map.scale[8].value == map.max\n"
+        );
+        let report = Session::default().run("law", script.as_bytes(), &NoFiles, &[]);
+        let told: Vec<&String> = report.diagnostics.iter().map(|found| &found.message).collect();
+        prop_assert!(told.is_empty(), "{told:?}");
+        let checks = report.events.iter().filter(|event| matches!(event, Event::Checked(_)));
+        prop_assert!(checks.count() == 7);
+    }
+}
+
+#[derive(Debug)]
+struct NoFiles;
+
+impl Files for NoFiles {
+    fn read(&self, path: &str, _: usize) -> Result<Vec<u8>, String> {
+        Err(format!("there is no `{path}`"))
+    }
+}
+
+#[test]
+fn a_region_with_ten_thousand_corners_is_no_matter() {
+    let radii: Vec<f64> = (0..10_000).map(|i| 1.0 + 0.1 * libm::sin(f64::from(i))).collect();
+    let polygon = star(DVec2::ZERO, &radii);
+    let mesh = planar_mesh(&[placed(&polygon, &Frame::XY)], 1e-6).unwrap();
+    assert_eq!(mesh.triangles().len(), 9998);
+    assert!((mesh.area() - area(&polygon)).abs() < 1e-10);
+}
+
+#[test]
+fn borders_that_cross_by_far_or_by_a_hair_are_told() {
+    let square = |x: f64, side: f64| {
+        let corners = [[x, 0.0], [x + side, 0.0], [x + side, side], [x, side]];
+        corners.map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec()
+    };
+    let crossing = |polygons: &[Vec<DVec3>]| {
+        matches!(
+            planar_mesh(polygons, 1e-6),
+            Err(GeomError::Picture(PictureError::Crossing { .. } | PictureError::Outside { .. }))
+        )
+    };
+    assert!(crossing(&[square(0.0, 4.0), square(3.0, 2.0)]));
+    assert!(crossing(&[square(0.0, 4.0), square(1e-17, 1.0)]));
+    let bow = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.2]];
+    assert!(crossing(&[bow.map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec()]));
+}
