@@ -39,5 +39,6 @@ mod skin;
 mod some;
 mod surface;
 mod sweep;
+mod tessellation;
 mod whole;
 mod worked;
