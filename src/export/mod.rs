@@ -102,7 +102,7 @@ pub struct Options {
     /// How far a mesh may lie from its surface, a polyline or path from its curve; without one a
     /// small part of the whole's size.
     pub tolerance: Option<f64>,
-    /// How far triangles side by side may be turned against one another, in radians.
+    /// How far the normal may turn over a triangle, in radians; any angle without one.
     pub angle: Option<f64>,
     /// The form of a format that has a binary one and a text.
     pub binary: Option<bool>,

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::{ExportError, Item, Job, Subject, Summary};
 use crate::kernel::{
-    Bounds, GeomError, Mesh, tessellate_any, tessellate_curve_any,
+    Bounds, GeomError, Mesh, MeshLimits, tessellate_any, tessellate_curve_any,
     tolerance::DEFAULT_CHORD_RELATIVE,
 };
 
@@ -155,7 +155,9 @@ pub(super) fn shape(item: &Item, tolerance: f64, job: &Job) -> Result<Option<Sha
             Shape::Polyline(tessellate_curve_any(curve, tolerance, most).map_err(blame)?)
         }
         Subject::Surface(surface) => {
-            Shape::Mesh(Arc::new(tessellate_any(surface, tolerance, most).map_err(blame)?))
+            let mut limits = MeshLimits::within(tolerance);
+            limits.angle = job.options.angle.unwrap_or(limits.angle);
+            Shape::Mesh(Arc::new(tessellate_any(surface, &limits, most).map_err(blame)?))
         }
         Subject::Mesh(mesh) => Shape::Mesh(Arc::clone(mesh)),
         Subject::Table(_) | Subject::Data(_) => return Ok(None),

@@ -52,8 +52,9 @@ pub use interval::Interval;
 pub use jet::Jet;
 pub use knots::{KnotVector, Side};
 pub use mesh::{
-    Group, Mesh, MeshCheck, MeshError, Topology, distance_to_polyline, grid_mesh, grid_mesh_any,
-    planar_mesh, tessellate, tessellate_any, tessellate_curve, tessellate_curve_any,
+    Group, Mesh, MeshCheck, MeshError, MeshLimits, Topology, distance_to_polyline, grid_mesh,
+    grid_mesh_any, planar_mesh, tessellate, tessellate_all, tessellate_any, tessellate_curve,
+    tessellate_curve_any, tessellate_finely,
 };
 pub use receipt::{Fact, Receipt};
 pub use skin::{Alignment, Along, Rule, Sections, Skin, aligned, at_constant_speed};

@@ -229,11 +229,31 @@ pub const PATH_ROUNDING: f64 = 4e-15;
 /// Larger moves joints that zooming in shows; smaller writes digits that are rounding.
 pub const DRAWING_DIGIT: f64 = 1e-9;
 
-/// Fraction of the tolerance that a tessellation may use up at the places where it measures.
+/// Derivatives on both sides of a knot are one where they differ by less than this fraction of the
+/// largest along it.
 ///
-/// Larger lets the deviation between those places exceed the tolerance; smaller makes meshes
-/// finer than they need to be.
-pub const CHORD_SAFETY: f64 = 0.8;
+/// Larger smooths a slight crease; smaller finds one where rounding is, at every full knot.
+pub const SMOOTH_RELATIVE: f64 = 1e-9;
+
+/// Part of a mesh's tolerance within which corners and edges of surfaces are one, at most.
+///
+/// Larger makes finer triangles for the rest of the tolerance; smaller leaves gaps between
+/// surfaces that rounding has moved apart.
+pub const WELD_SHARE: f64 = 0.05;
+
+/// A surface whose slope over the plane of its mean normal is nowhere more than this is flat: where
+/// it is divided counts only what lies along that normal.
+///
+/// Larger lets heights count that slopes make, which bounds overrate; smaller divides plates that
+/// are a little bent for what happens in their plane.
+pub const FLAT_SLOPE: f64 = 0.25;
+
+/// Part of the tolerance that the lines where a surface ends, or has a crease, may be away from
+/// their polygons.
+///
+/// Together with [`FLAT_SLOPE`] it must not exceed the whole, 1 / (1 + slope): there what is between
+/// the line and the polygon is seen along the slope.
+pub const BORDER_SHARE: f64 = 0.8;
 
 /// The distance of an offset times the curvature counts as one within this: a cusp.
 ///

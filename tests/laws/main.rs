@@ -41,5 +41,6 @@ mod some;
 mod surface;
 mod sweep;
 mod tensor;
+mod tessellation;
 mod whole;
 mod worked;

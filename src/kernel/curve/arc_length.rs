@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::NurbsCurve;
+use super::{NurbsCurve, measure::quadrature};
 use crate::kernel::{
     GeomError, Interval,
     tolerance::{LAST_BIT, LENGTH_RELATIVE},
@@ -11,7 +11,67 @@ use crate::kernel::{
 /// Steps of Newton's method, each halving the bracket where it fails to do better.
 const MAX_STEPS: usize = 100;
 
+/// Steps of Newton's method where the speed hardly changes.
+const QUICK_STEPS: usize = 12;
+
+/// The length of a curve from its start at many places, to be asked often.
+#[derive(Debug)]
+pub(in crate::kernel) struct ArcLengths {
+    /// Parts over which one rule of quadrature is exact to rounding, and the lengths before them.
+    parts: Vec<(Interval, f64)>,
+    total: f64,
+}
+
 impl NurbsCurve {
+    /// What tells parameters by fractions of the length.
+    pub(in crate::kernel) fn arc_lengths(&self) -> ArcLengths {
+        let mut parts = Vec::new();
+        let mut total = 0.0;
+        for piece in self.smooth_pieces(self.domain(), LAST_BIT * self.magnitude()) {
+            for part in piece.halves().into_iter().flat_map(Interval::halves) {
+                parts.push((part, total));
+                total += self.length_by_one_rule(part, part.end());
+            }
+        }
+        ArcLengths { parts, total }
+    }
+
+    /// The length from the start of a part to a parameter in it.
+    fn length_by_one_rule(&self, part: Interval, t: f64) -> f64 {
+        let speed = self.speed_on(part);
+        Interval::new(part.start(), t).map_or(0.0, |interval| quadrature(&speed, interval))
+    }
+
+    /// The parameter at a fraction of the length: Newton's method from linear interpolation.
+    pub(in crate::kernel) fn at_fraction(&self, lengths: &ArcLengths, fraction: f64) -> f64 {
+        let length = fraction * lengths.total;
+        let behind = lengths.parts.partition_point(|&(_, before)| before <= length);
+        let Some(&(part, before)) = lengths.parts.get(behind.saturating_sub(1)) else {
+            return self.domain().start();
+        };
+        let whole = lengths.parts.get(behind).map_or(lengths.total, |&(_, length)| length) - before;
+        let speed = self.speed_on(part);
+        let mut t = part.at(((length - before) / whole).clamp(0.0, 1.0));
+        for _ in 0..QUICK_STEPS {
+            let excess = before + self.length_by_one_rule(part, t) - length;
+            let next = (t - excess / speed(t)).clamp(part.start(), part.end());
+            if next.is_nan() || excess.abs() <= LENGTH_RELATIVE * lengths.total {
+                break;
+            }
+            t = next;
+        }
+        t
+    }
+
+    /// The fraction of the length at a parameter.
+    pub(in crate::kernel) fn fraction_at(&self, lengths: &ArcLengths, t: f64) -> f64 {
+        let behind = lengths.parts.partition_point(|(part, _)| part.start() <= t);
+        let part = lengths.parts.get(behind.saturating_sub(1));
+        part.map_or(0.0, |&(part, before)| {
+            (before + self.length_by_one_rule(part, t.min(part.end()))) / lengths.total
+        })
+    }
+
     /// The parameter at which the curve is `length` long from its start.
     ///
     /// # Errors

@@ -65,7 +65,7 @@ impl NurbsCurve {
     }
 
     /// The speed on a part of one span.
-    fn speed_on(&self, piece: Interval) -> impl Fn(f64) -> f64 + '_ {
+    pub(super) fn speed_on(&self, piece: Interval) -> impl Fn(f64) -> f64 + '_ {
         // One span for all nodes, so that none beside a knot falls on its wrong side.
         let span = self.knots.span_at(piece.at(0.5));
         move |t| norm(self.velocity_on(span, t)[1])
@@ -83,7 +83,7 @@ impl NurbsCurve {
 
     /// The interval cut to the domain, at the knots, and so often that no tangent of a piece is far
     /// from another: beside a cusp nodes on one side alone would agree on the wrong length.
-    fn smooth_pieces(&self, interval: Interval, short: f64) -> Vec<Interval> {
+    pub(super) fn smooth_pieces(&self, interval: Interval, short: f64) -> Vec<Interval> {
         let (knots, domain) = (self.knots.as_slice(), self.domain());
         let [first, last] = [interval.start(), interval.end()]
             .map(|t| self.knots.span_at(t.clamp(domain.start(), domain.end())));
@@ -154,7 +154,7 @@ fn refined(
 }
 
 /// The integral of a speed by one rule.
-fn quadrature(speed: &impl Fn(f64) -> f64, piece: Interval) -> f64 {
+pub(super) fn quadrature(speed: &impl Fn(f64) -> f64, piece: Interval) -> f64 {
     let (middle, half) = (piece.at(0.5), 0.5 * piece.length());
     let pair = |&[node, weight]: &[f64; 2]| {
         weight * (speed(middle - half * node) + speed(middle + half * node))

@@ -60,6 +60,7 @@ use super::{
 };
 
 pub use any::Curve;
+pub(in crate::kernel) use arc_length::ArcLengths;
 pub use circle::CircleForm;
 pub use closest::Foot;
 pub use compatible::make_compatible;

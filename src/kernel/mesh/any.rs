@@ -1,44 +1,26 @@
 //! Meshes and polygons of surfaces and curves of either kind.
 //!
-//! A function is brought to a spline within half of the tolerance, and that is divided within the
-//! other half; the vertices are points of the function itself.
+//! A function is brought to a spline within a small part of the tolerance, and that is divided within
+//! the rest; the vertices are points of the function itself.
 
 use glam::DVec3;
 
-use super::{Mesh, grid::check_counts, grid::mesh_of, tessellate, tessellate_curve};
-use crate::kernel::{Curve, GeomError, ParametricSurface, Surface};
+use super::{
+    Mesh, MeshLimits, grid::check_counts, grid::mesh_of, tessellate_all, tessellate_curve,
+};
+use crate::kernel::{Curve, GeomError, Surface};
 
-/// Part of a tolerance that goes to the spline near a function.
-const SHARE: f64 = 0.5;
-
-/// A mesh of the surface, whose triangles are nowhere further than `tolerance` from it.
+/// A mesh of the surface within the limits.
 ///
 /// # Errors
-/// As [`tessellate`], and as [`ParametricSurface::to_nurbs`].
+/// As [`tessellate_all`].
 pub fn tessellate_any(
     surface: &Surface,
-    tolerance: f64,
+    limits: &MeshLimits,
     max_vertices: usize,
 ) -> Result<Mesh, GeomError> {
-    match surface {
-        Surface::Nurbs(surface) => tessellate(surface, tolerance, max_vertices),
-        Surface::Parametric(function) if 0.0 < tolerance => {
-            let spline = function.to_nurbs(SHARE * tolerance)?;
-            let mesh = tessellate(&spline, (1.0 - SHARE) * tolerance, max_vertices)?;
-            moved_to(function, mesh)
-        }
-        Surface::Parametric(_) => {
-            Err(GeomError::NotPositive { what: "the tolerance", got: tolerance })
-        }
-    }
-}
-
-/// The mesh with its vertices on the function.
-fn moved_to(function: &ParametricSurface, mut mesh: Mesh) -> Result<Mesh, GeomError> {
-    for (vertex, uv) in mesh.vertices.iter_mut().zip(&mesh.uvs) {
-        *vertex = function.point_at(uv.x, uv.y)?;
-    }
-    Ok(mesh)
+    let meshes = tessellate_all(std::slice::from_ref(surface), limits, max_vertices)?;
+    Mesh::merged(&meshes, max_vertices)
 }
 
 /// The mesh of `n_u` × `n_v` cells, evenly spaced in the parameters, as [`super::grid_mesh`].

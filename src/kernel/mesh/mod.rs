@@ -1,18 +1,28 @@
 //! Triangle meshes.
 //!
 //! This file has the type; `grid` makes a mesh of a surface by counts, `tessellate` by a tolerance,
-//! `any` of functions too. `weld` tells which vertices are one place, `topology` how the triangles
+//! `any` of functions too. For the latter `bend` bounds derivatives, of which `limits` makes a `form` for each
+//! piece; `steps` lays the lines of a `sheet`, `seam` divides what sheets share, and `stitch` makes the
+//! triangles. `weld` tells which vertices are one place, `topology` how the triangles
 //! hang together, `measure` area, volume and their centres, `deviation` how far one is from a
 //! surface, `distance` how far a place is from one, `fault` why a mesh encloses nothing, `section` where a plane cuts it.
 
 mod any;
+mod bend;
 mod deviation;
 mod distance;
 mod fault;
+
+mod form;
 mod grid;
+mod limits;
 mod measure;
 mod planar;
+mod seam;
 mod section;
+mod sheet;
+mod steps;
+mod stitch;
 mod tessellate;
 mod topology;
 mod weld;
@@ -25,8 +35,9 @@ pub use any::{grid_mesh_any, tessellate_any, tessellate_curve_any};
 pub use distance::distance_to_polyline;
 pub use fault::MeshError;
 pub use grid::grid_mesh;
+pub use limits::MeshLimits;
 pub use planar::planar_mesh;
-pub use tessellate::{tessellate, tessellate_curve};
+pub use tessellate::{tessellate, tessellate_all, tessellate_curve, tessellate_finely};
 pub use topology::{MeshCheck, Topology};
 
 /// Triangles over shared vertices, counter-clockwise seen from the side of the normals.

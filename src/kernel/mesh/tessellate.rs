@@ -1,62 +1,27 @@
-//! Meshes and polygons within a tolerance.
+//! Meshes and polygons within a tolerance, by bounds.
 //!
-//! Each span of the knots is divided evenly into more and more cells, until the distance between
-//! surface and triangles is small enough where it is measured: in the middle of every edge and of
-//! every cell, and at more places as long as the cells are so large that a bend could hide between
-//! these. All cells lie on one grid of parameters, so there are no cracks, and every knot is a
-//! grid line.
+//! `bend` bounds the derivatives of a surface, `limits` makes of them the cells that a mesh may
+//! have, `steps` lays lines through the parameters that keep to these, `seam` divides the edges, and
+//! `stitch` makes the triangles of each `sheet`.
 
-use glam::DVec3;
+use glam::{DVec3, DVec4};
 
-use super::{
-    Mesh,
-    grid::{check_vertices, mesh_over},
-};
-use crate::kernel::{
-    GeomError, Grid, Interval, KnotVector, NurbsCurve, NurbsSurface, tolerance::CHORD_SAFETY,
-};
-
-/// Rounds of refinement. Each multiplies by up to [`MAX_GROWTH`]; the ceiling on vertices stops
-/// earlier, so this only guards surfaces that no refinement brings nearer.
-const MAX_ROUNDS: usize = 24;
-
-/// How many times finer one round may make a span: the estimate it rests on may be far off.
-const MAX_GROWTH: f64 = 4.0;
-
-/// How many times narrower than a polynomial's the bends are that weights make and that are still
-/// looked for.
-const MAX_NARROWNESS: f64 = 8.0;
+use super::{Mesh, MeshLimits, seam::Seams, sheet::Sheet, stitch::stitched};
+use crate::kernel::{GeomError, NurbsCurve, NurbsSurface, Surface, bezier, homogeneous::project};
 
 /// Halvings of a piece of a curve, past the last bit of its parameter.
 const MAX_HALVINGS: usize = 52;
 
-/// Rows of cells measured at a time, which bounds the memory that measuring takes.
-const STRIP: usize = 32;
+/// Meshes that are tried for an angle: where normals turn faster between the places where they are
+/// compared than there, the cells become smaller.
+const MAX_ROUNDS: usize = 5;
 
-/// Even cells in each span of the knots along one direction.
-struct Division {
-    spans: Vec<Interval>,
-    counts: Vec<usize>,
-    /// Parts of a span that are told apart at least.
-    n_places: usize,
-}
+/// How much smaller one round may make the cells, and how much more than the measured excess.
+const MAX_GROWTH: f64 = 1.5;
+const ANGLE_MARGIN: f64 = 1.02;
 
-/// One cell along one direction.
-#[derive(Clone, Copy)]
-struct Cell {
-    span: usize,
-    /// Index of the parameter that it begins at.
-    first: usize,
-    n_parts: usize,
-}
-
-/// Distances from the surface measured on one cell.
-#[derive(Clone, Copy)]
-struct Deviation {
-    along_u: f64,
-    along_v: f64,
-    inside: f64,
-}
+/// A round that leaves more than this part of the excess is the last one.
+const LEAST_GAIN: f64 = 0.97;
 
 /// A mesh of the surface, whose triangles are nowhere further than `tolerance` from it.
 ///
@@ -68,24 +33,101 @@ pub fn tessellate(
     tolerance: f64,
     max_vertices: usize,
 ) -> Result<Mesh, GeomError> {
-    check_tolerance(tolerance)?;
-    let mut along_u = Division::new(surface.knots_u(), surface);
-    let mut along_v = Division::new(surface.knots_v(), surface);
-    for _ in 0..MAX_ROUNDS {
-        check_vertices(along_u.n_cells(), along_v.n_cells(), max_vertices)?;
-        let factors = growth(surface, &along_u, &along_v, CHORD_SAFETY * tolerance);
-        let grew_u = along_u.grow(&factors[0]);
-        let grew_v = along_v.grow(&factors[1]);
-        if !grew_u && !grew_v {
-            break;
+    tessellate_finely(surface, &MeshLimits::within(tolerance), max_vertices)
+}
+
+/// A mesh of the surface as fine as is asked for.
+///
+/// # Errors
+/// [`GeomError::NotPositive`] for a limit that allows nothing; [`GeomError::TooManyVertices`] where
+/// it would need more than the ceiling.
+pub fn tessellate_finely(
+    surface: &NurbsSurface,
+    limits: &MeshLimits,
+    max_vertices: usize,
+) -> Result<Mesh, GeomError> {
+    limits.check()?;
+    let sheet = Sheet::of_spline(surface, limits.tolerance);
+    let meshes = meshes_of(vec![sheet], limits, max_vertices)?;
+    Mesh::merged(&meshes, max_vertices)
+}
+
+/// Meshes of surfaces, which share the vertices on edges that they share.
+///
+/// # Errors
+/// Those of [`tessellate_finely`], and as [`crate::kernel::ParametricSurface::to_nurbs`].
+pub fn tessellate_all(
+    surfaces: &[Surface],
+    limits: &MeshLimits,
+    max_vertices: usize,
+) -> Result<Vec<Mesh>, GeomError> {
+    limits.check()?;
+    let sheet = |surface| Sheet::new(surface, limits.tolerance);
+    let sheets: Result<Vec<Sheet<'_>>, GeomError> = surfaces.iter().map(sheet).collect();
+    meshes_of(sheets?, limits, max_vertices)
+}
+
+fn meshes_of(
+    mut sheets: Vec<Sheet<'_>>,
+    limits: &MeshLimits,
+    max_vertices: usize,
+) -> Result<Vec<Mesh>, GeomError> {
+    let seams = Seams::of(&mut sheets, limits)?;
+    let mut sharpness = vec![1.0; sheets.len()];
+    let mut excesses = vec![f64::INFINITY; sheets.len()];
+    let mut round = 0;
+    loop {
+        let cells =
+            |(sheet, &sharpness): (&Sheet<'_>, &f64)| sheet.cells(limits, sharpness, max_vertices);
+        let cells: Result<Vec<_>, GeomError> = sheets.iter().zip(&sharpness).map(cells).collect();
+        let cells = cells?;
+        let edges = seams.vertices(&sheets, &cells, max_vertices)?;
+        let all = sheets.iter().zip(&cells).zip(&edges);
+        let mesh = |((sheet, cells), edges)| stitched(sheet, cells, edges, max_vertices);
+        let meshes: Result<Vec<Mesh>, GeomError> = all.map(mesh).collect();
+        let meshes = meshes?;
+        round += 1;
+        if !limits.limits_angle() || MAX_ROUNDS <= round {
+            return Ok(meshes);
+        }
+        let mut is_done = true;
+        for ((mesh, sharpness), last) in meshes.iter().zip(&mut sharpness).zip(&mut excesses) {
+            let excess = widest_turn(mesh, limits.tolerance) / limits.angle;
+            // Where the normal jumps inside a piece, no size would do.
+            if 1.0 < excess && excess < LEAST_GAIN * *last {
+                *sharpness *= (ANGLE_MARGIN * excess).min(MAX_GROWTH);
+                is_done = false;
+            }
+            *last = excess;
+        }
+        if is_done {
+            return Ok(meshes);
         }
     }
-    check_vertices(along_u.n_cells(), along_v.n_cells(), max_vertices)?;
-    Ok(mesh_over(surface, &along_u.parameters(), &along_v.parameters()))
+}
+
+/// The largest angle between normals at the corners of a triangle, of those with a side longer than
+/// the tolerance: where a surface has no normal, no size would do.
+fn widest_turn(mesh: &Mesh, tolerance: f64) -> f64 {
+    let mut most = 0.0_f64;
+    for &corners in &mesh.triangles {
+        let [a, b, c] = corners.map(|corner| mesh.normals[corner as usize]);
+        let chord = a.distance_squared(b).max(b.distance_squared(c)).max(c.distance_squared(a));
+        if most < chord {
+            let [a, b, c] = corners.map(|corner| mesh.vertices[corner as usize]);
+            let size = a.distance(b).max(b.distance(c)).max(c.distance(a));
+            if tolerance < size {
+                most = chord;
+            }
+        }
+    }
+    2.0 * libm::asin((0.5 * most.sqrt()).min(1.0))
 }
 
 /// Points on the curve whose polygon is nowhere further than `tolerance` from it; the ends of the
 /// domain and all knots in it are among them.
+///
+/// A piece is halved until the control points of its quarters are that near to its chord.
 ///
 /// # Errors
 /// [`GeomError::NotPositive`] for the tolerance; [`GeomError::TooManyVertices`] where it would
@@ -95,20 +137,19 @@ pub fn tessellate_curve(
     tolerance: f64,
     max_points: usize,
 ) -> Result<Vec<DVec3>, GeomError> {
-    check_tolerance(tolerance)?;
-    let target = CHORD_SAFETY * tolerance;
+    MeshLimits::within(tolerance).check()?;
     let mut points = vec![curve.start()];
-    let n_places =
-        places_a_span(curve.degree(), curve.control_points().iter().map(|point| point.w));
     for span in curve.knots().spans() {
-        let mut todo = vec![(curve.knots().span_interval(span), 0)];
-        while let Some((piece, n_halvings)) = todo.pop() {
-            let n_parts = (n_places >> n_halvings).max(4);
-            if n_halvings < MAX_HALVINGS && target < chord_deviation(curve, piece, n_parts) {
-                let [left, right] = piece.halves();
-                todo.extend([(right, n_halvings + 1), (left, n_halvings + 1)]);
+        let piece = bezier::piece(curve.knots(), curve.control_points(), span);
+        let mut todo = vec![(piece, curve.knots().span_interval(span), 0)];
+        while let Some((piece, interval, n_halvings)) = todo.pop() {
+            let deviation = chord_deviation(&piece, [piece[0], piece[piece.len() - 1]]);
+            if n_halvings < MAX_HALVINGS && tolerance < deviation {
+                let (left, right) = bezier::cut_at(&piece, 0.5);
+                let [before, behind] = interval.halves();
+                todo.extend([(right, behind, n_halvings + 1), (left, before, n_halvings + 1)]);
             } else {
-                points.push(curve.point_at(piece.end()));
+                points.push(curve.point_at(interval.end()));
             }
             let got = points.len() + todo.len();
             if max_points < got {
@@ -119,160 +160,21 @@ pub fn tessellate_curve(
     Ok(points)
 }
 
-/// The largest distance of a piece of a curve from its chord, between any two of its parts.
-fn chord_deviation(curve: &NurbsCurve, piece: Interval, n_parts: usize) -> f64 {
-    let (a, b) = (curve.point_at(piece.start()), curve.point_at(piece.end()));
-    let parts = piece.steps(n_parts);
+/// A bound of the distance of a Bézier curve from a chord, by the hulls of its quarters.
+pub(super) fn chord_deviation(piece: &[DVec4], chord: [DVec4; 2]) -> f64 {
+    let [a, b] = chord.map(project);
+    let (left, right) = bezier::cut_at(piece, 0.5);
     let mut most = 0.0_f64;
-    curve.evaluator().each_point(&parts[1..n_parts], |point| {
-        most = most.max(distance_to_segment(point, a, b));
-    });
+    for half in [left, right] {
+        let (first, second) = bezier::cut_at(&half, 0.5);
+        for point in first.into_iter().chain(second) {
+            let is_behind = point.w <= 0.0;
+            let distance =
+                if is_behind { f64::INFINITY } else { distance_to_segment(project(point), a, b) };
+            most = most.max(distance);
+        }
+    }
     most
-}
-
-/// How many parts of a span are told apart however few cells it has. A polynomial bends back
-/// once a degree at most; weights that differ much make a bend narrow.
-fn places_a_span(degree: usize, weights: impl Iterator<Item = f64> + Clone) -> usize {
-    let low = weights.clone().fold(f64::INFINITY, f64::min);
-    let high = weights.fold(0.0, f64::max);
-    let narrowness = (high / low).sqrt().clamp(1.0, MAX_NARROWNESS);
-    if degree <= 1 && narrowness <= 1.0 { 1 } else { (8.0 * degree as f64 * narrowness) as usize }
-}
-
-fn check_tolerance(tolerance: f64) -> Result<(), GeomError> {
-    if 0.0 < tolerance && tolerance.is_finite() {
-        Ok(())
-    } else {
-        Err(GeomError::NotPositive { what: "the tolerance", got: tolerance })
-    }
-}
-
-impl Division {
-    /// One cell in each span.
-    fn new(knots: &KnotVector, surface: &NurbsSurface) -> Self {
-        let spans: Vec<Interval> = knots.spans().map(|span| knots.span_interval(span)).collect();
-        let weights = surface.control_points().iter().map(|point| point.w);
-        let n_places = places_a_span(knots.degree(), weights);
-        Self { counts: vec![1; spans.len()], spans, n_places }
-    }
-
-    fn n_cells(&self) -> usize {
-        self.counts.iter().fold(0, |sum, &count| sum.saturating_add(count))
-    }
-
-    /// The grid lines.
-    fn parameters(&self) -> Vec<f64> {
-        self.parameters_in_parts(|_| 1)
-    }
-
-    /// The cells, and the parameters that divide them into parts.
-    fn parts(&self) -> (Vec<Cell>, Vec<f64>) {
-        let n_parts = |count: usize| (self.n_places / (2 * count)).max(1) * 2;
-        let mut cells = Vec::with_capacity(self.n_cells());
-        let mut first = 0;
-        for (span, &count) in self.counts.iter().enumerate() {
-            for _ in 0..count {
-                cells.push(Cell { span, first, n_parts: n_parts(count) });
-                first += n_parts(count);
-            }
-        }
-        (cells, self.parameters_in_parts(n_parts))
-    }
-
-    fn parameters_in_parts(&self, n_parts: impl Fn(usize) -> usize) -> Vec<f64> {
-        let mut parameters: Vec<f64> = Vec::with_capacity(self.n_cells() + 1);
-        for (span, &count) in self.spans.iter().zip(&self.counts) {
-            parameters.pop();
-            parameters.extend(span.steps(n_parts(count) * count));
-        }
-        parameters
-    }
-
-    /// Multiplies the counts; whether any changed.
-    fn grow(&mut self, factors: &[f64]) -> bool {
-        let mut grew = false;
-        for (count, &factor) in self.counts.iter_mut().zip(factors) {
-            if 1.0 < factor {
-                *count = (*count as f64 * factor.min(MAX_GROWTH)).ceil() as usize;
-                grew = true;
-            }
-        }
-        grew
-    }
-}
-
-/// How many times finer each span along u and along v has to become, by the measured deviation.
-fn growth(
-    surface: &NurbsSurface,
-    along_u: &Division,
-    along_v: &Division,
-    target: f64,
-) -> [Vec<f64>; 2] {
-    let ((cells_u, us), (cells_v, vs)) = (along_u.parts(), along_v.parts());
-    let mut factors = [vec![1.0_f64; along_u.spans.len()], vec![1.0_f64; along_v.spans.len()]];
-    // The largest deviation that makes a difference.
-    let most = target * MAX_GROWTH * MAX_GROWTH;
-    for strip in cells_u.chunks(STRIP) {
-        let (Some(first), Some(last)) = (strip.first(), strip.last()) else { continue };
-        let rows = &us[first.first..=last.first + last.n_parts];
-        let points = surface.points_on_grid(rows, &vs);
-        for cell_u in strip {
-            let in_strip = Cell { first: cell_u.first - first.first, ..*cell_u };
-            for cell_v in &cells_v {
-                let (u, v) = (cell_u.span, cell_v.span);
-                if MAX_GROWTH <= factors[0][u].min(factors[1][v]) {
-                    continue;
-                }
-                let factor = Deviation::of_cell(&points, in_strip, *cell_v, most).factors(target);
-                factors[0][u] = factors[0][u].max(factor[0]);
-                factors[1][v] = factors[1][v].max(factor[1]);
-            }
-        }
-    }
-    factors
-}
-
-impl Deviation {
-    /// Of the surface from the two triangles of a cell, given points over all of its parts;
-    /// stops looking inside where it exceeds `most`.
-    fn of_cell(points: &Grid<DVec3>, cell_u: Cell, cell_v: Cell, most: f64) -> Self {
-        let point = |i: usize, j: usize| points.get(cell_u.first + i, cell_v.first + j);
-        let (n, m) = (cell_u.n_parts, cell_v.n_parts);
-        let (a, b, c, d) = (point(0, 0), point(n, 0), point(n, m), point(0, m));
-        let mut deviation = Self { along_u: 0.0, along_v: 0.0, inside: 0.0 };
-        for i in 1..n {
-            let distance =
-                distance_to_segment(point(i, 0), a, b).max(distance_to_segment(point(i, m), d, c));
-            deviation.along_u = deviation.along_u.max(distance);
-        }
-        for j in 1..m {
-            let distance =
-                distance_to_segment(point(0, j), a, d).max(distance_to_segment(point(n, j), b, c));
-            deviation.along_v = deviation.along_v.max(distance);
-        }
-        for i in 1..n {
-            for j in 1..m {
-                if most < deviation.inside.max(deviation.along_u.min(deviation.along_v)) {
-                    return deviation;
-                }
-                let distance = distance_to_triangle(point(i, j), [a, b, c])
-                    .min(distance_to_triangle(point(i, j), [a, c, d]));
-                deviation.inside = deviation.inside.max(distance);
-            }
-        }
-        deviation
-    }
-
-    /// The deviation falls with the square of the cell.
-    fn factors(self, target: f64) -> [f64; 2] {
-        let factor = |deviation: f64| (deviation / target).sqrt();
-        let (along_u, along_v) = (factor(self.along_u), factor(self.along_v));
-        let inside = factor(self.inside);
-        if inside <= 1.0 || 1.0 < along_u.max(along_v) {
-            return [along_u, along_v];
-        }
-        [inside, inside]
-    }
 }
 
 fn distance_to_segment(point: DVec3, a: DVec3, b: DVec3) -> f64 {
@@ -283,18 +185,4 @@ fn distance_to_segment(point: DVec3, a: DVec3, b: DVec3) -> f64 {
     }
     let fraction = ((point - a).dot(leg) / length_squared).clamp(0.0, 1.0);
     point.distance(a + leg * fraction)
-}
-
-fn distance_to_triangle(point: DVec3, corners: [DVec3; 3]) -> f64 {
-    let [a, b, c] = corners;
-    let normal = (b - a).cross(c - a);
-    let sides = [(a, b), (b, c), (c, a)];
-    let beyond = |(from, to): (DVec3, DVec3)| (to - from).cross(point - from).dot(normal) < 0.0;
-    if 0.0 < normal.length_squared() && !sides.into_iter().any(beyond) {
-        return (point - a).dot(normal).abs() / normal.length();
-    }
-    sides
-        .into_iter()
-        .map(|(from, to)| distance_to_segment(point, from, to))
-        .fold(f64::INFINITY, f64::min)
 }

@@ -10,7 +10,8 @@
 //! is u or v, along which `edit` changes the representation or cuts, and `compatible` brings several
 //! to one basis. `rearrange` does of this what functions allow, `parts` has what a form is made of,
 //! `continuation` patches that go on from a side, `join` makes one surface of many, `offset` runs
-//! beside, `level` has the lines along which a field on a surface vanishes.
+//! beside, `level` has the lines along which a field on a surface vanishes,
+//! `crease` those across which its derivative jumps.
 //!
 //! Of both kinds `local` tells how they bend at a place, `pole` where an edge is collapsed,
 //! `everywhere` what holds at all places, `deviation` how far one is from another, `defects` where
@@ -24,6 +25,7 @@ mod closest;
 mod compatible;
 mod continuation;
 mod coons;
+mod crease;
 mod defects;
 mod deviation;
 mod direction;
@@ -63,6 +65,7 @@ pub use any::Surface;
 pub use closest::SurfaceFoot;
 pub use compatible::make_surfaces_compatible;
 pub use coons::{Blend, CrossFields, Twists};
+pub(in crate::kernel) use crease::Break;
 pub use defects::Defects;
 pub use deviation::Deviation;
 pub use direction::Direction;

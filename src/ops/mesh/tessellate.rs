@@ -1,63 +1,85 @@
 //! `tessellate`: triangles within a tolerance.
 
+use std::f64::consts::PI;
+
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{self, Bounds, Mesh, tolerance::DEFAULT_CHORD_RELATIVE},
-    value::{At, Ctx, Geometry, Length, Value, op},
+    kernel::{self, Bounds, Mesh, MeshLimits, Surface, tolerance::DEFAULT_CHORD_RELATIVE},
+    value::{Angle, At, Ctx, Geometry, Length, Value, op},
 };
 
 op! {
     /// Mesh of surfaces no further from them than a tolerance.
     ///
-    /// Each knot-span rectangle is divided evenly until the measured deviation is within the
-    /// tolerance. Meshes in a list are taken along as they are.
+    /// No point of the triangles is further from the surface than the tolerance, and none of the
+    /// surface further from the triangles, however small a feature is: bounds of the second
+    /// derivatives tell how large a triangle may be. It has no cracks, at seams and poles neither;
+    /// surfaces of a list whose edges are one curve share the vertices there, whatever their degrees,
+    /// knots and parameters are. Normals are those of each side where there is a crease.
+    /// Meshes in a list are taken along as they are.
+    /// Filip, Magedson & Markot, *Surface algorithms using bounds on derivatives*, CAGD 3 (1986).
     tessellate in Mesh -> Mesh {
         /// A surface, or a list of surfaces and meshes.
         g: Spanned<Geometry>,
         /// The tolerance; when left out a thousandth of the size of `g`.
         tolerance: Option<Spanned<Length>>,
+        /// How far the surface's normal may turn over a triangle.
+        angle: Spanned<Angle> = Spanned::unplaced(Angle(PI / 12.0)),
+        /// The longest edge that triangles may have; any when left out.
+        max_edge: Option<Spanned<Length>>,
     }
     example "tessellate(bilinear((0, 0), (0, 1), (1, 0), (1, 1)))" => "mesh of 4 vertices and 2 triangles";
+    example "tessellate(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), max_edge = 0.75)" => "mesh of 9 vertices and 8 triangles";
     picture "tessellate(torus((0, 0, 0), 3, 1), tolerance = 0.05)";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Mesh> {
     let geometry = &args.g.value.0;
     let tolerance = match args.tolerance {
-        Some(tolerance) if tolerance.value.0 <= 0.0 => {
-            return Diagnostic::error(
-                Code::Degenerate,
-                tolerance.span,
-                "the tolerance must be positive",
-            )
-            .fail();
+        Some(tolerance) => {
+            positive("the tolerance", Spanned::new(tolerance.value.0, tolerance.span))?
         }
-        Some(tolerance) => tolerance.value.0,
         None => DEFAULT_CHORD_RELATIVE * size(geometry).filter(|size| 0.0 < *size).unwrap_or(1.0),
     };
-    let mut meshes = Vec::new();
-    gather(geometry, tolerance, ctx, &args.g, &mut meshes)?;
-    Mesh::merged(&meshes, ctx.limits.mesh_vertices).at(ctx.span)
+    let angle = positive("the angle", Spanned::new(args.angle.value.0, args.angle.span))?;
+    let max_edge = match args.max_edge {
+        Some(edge) => positive("the longest edge", Spanned::new(edge.value.0, edge.span))?,
+        None => f64::INFINITY,
+    };
+    let limits = MeshLimits { tolerance, angle, max_edge, weld: ctx.tolerance.distance };
+    let (mut surfaces, mut parts) = (Vec::new(), Vec::new());
+    gather(geometry, &args.g, &mut surfaces, &mut parts)?;
+    let most = ctx.limits.mesh_vertices;
+    let mut made = kernel::tessellate_all(&surfaces, &limits, most).at(ctx.span)?.into_iter();
+    let meshes: Vec<Mesh> =
+        parts.into_iter().filter_map(|part| part.or_else(|| made.next())).collect();
+    Mesh::merged(&meshes, most).at(ctx.span)
 }
 
-/// The meshes of all surfaces in a value.
+/// A limit that allows something.
+fn positive(what: &str, limit: Spanned<f64>) -> Result<f64> {
+    if 0.0 < limit.value {
+        return Ok(limit.value);
+    }
+    Diagnostic::error(Code::Degenerate, limit.span, format!("{what} must be positive")).fail()
+}
+
+/// The surfaces in a value, and in their order the meshes, with none for a surface.
 fn gather(
     value: &Value,
-    tolerance: f64,
-    ctx: &Ctx<'_>,
     whole: &Spanned<Geometry>,
-    meshes: &mut Vec<Mesh>,
+    surfaces: &mut Vec<Surface>,
+    parts: &mut Vec<Option<Mesh>>,
 ) -> Result<()> {
     match value {
         Value::Surface(surface) => {
-            meshes.push(
-                kernel::tessellate_any(surface, tolerance, ctx.limits.mesh_vertices).at(ctx.span)?,
-            );
+            surfaces.push(surface.clone());
+            parts.push(None);
         }
-        Value::Mesh(mesh) => meshes.push((**mesh).clone()),
+        Value::Mesh(mesh) => parts.push(Some((**mesh).clone())),
         Value::List(items) => {
             for item in items.iter() {
-                gather(item, tolerance, ctx, whole, meshes)?;
+                gather(item, whole, surfaces, parts)?;
             }
         }
         other => {

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::{
-    diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{self, GeomError, Surface, tolerance::DEFAULT_CHORD_RELATIVE},
+    diag::{Code, Diagnostic, Result, Span, Spanned},
+    kernel::{self, GeomError, MeshLimits, Surface, tolerance::DEFAULT_CHORD_RELATIVE},
     value::{At, Choice, Ctx, Length, Record, Value, op},
 };
 
@@ -63,18 +63,8 @@ const GREY: DVec3 = DVec3::splat(0.5);
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     let (surface, span) = (&args.s.value, args.s.span);
-    let tolerance = match args.tolerance {
-        Some(tolerance) if tolerance.value.0 <= 0.0 => {
-            let message = "the tolerance must be positive";
-            return Diagnostic::error(Code::Degenerate, tolerance.span, message).fail();
-        }
-        Some(tolerance) => tolerance.value.0,
-        None => {
-            let size = surface.bounds().at(span)?.diagonal();
-            DEFAULT_CHORD_RELATIVE * if 0.0 < size { size } else { 1.0 }
-        }
-    };
-    let mesh = kernel::tessellate_any(surface, tolerance, ctx.limits.mesh_vertices).at(span)?;
+    let limits = MeshLimits::within(tolerance(surface, span, args.tolerance)?);
+    let mesh = kernel::tessellate_any(surface, &limits, ctx.limits.mesh_vertices).at(span)?;
     let mut values = Vec::with_capacity(mesh.n_vertices());
     for uv in mesh.uvs() {
         values.push(match surface.shape_at(uv.x, uv.y) {
@@ -128,6 +118,21 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
 fn stop_value(i: usize, [least, most]: [f64; 2]) -> f64 {
     let share = i as f64 / (STOPS - 1) as f64;
     least * (1.0 - share) + most * share
+}
+
+/// How far the mesh may be from the surface.
+fn tolerance(surface: &Surface, span: Span, asked: Option<Spanned<Length>>) -> Result<f64> {
+    match asked {
+        Some(tolerance) if tolerance.value.0 <= 0.0 => {
+            let message = "the tolerance must be positive";
+            Diagnostic::error(Code::Degenerate, tolerance.span, message).fail()
+        }
+        Some(tolerance) => Ok(tolerance.value.0),
+        None => {
+            let size = surface.bounds().at(span)?.diagonal();
+            Ok(DEFAULT_CHORD_RELATIVE * if 0.0 < size { size } else { 1.0 })
+        }
+    }
 }
 
 /// The colour of a value: white in the middle, or at zero where the ends have two signs.
