@@ -304,8 +304,11 @@ fn a_small_loop_is_not_overlooked() {
 
 #[test]
 fn the_centre_of_a_circle_has_feet_all_around() {
-    let foot = ellipse(2.0, 2.0).closest(DVec3::ZERO, 1e-6);
-    assert!((foot.distance - 2.0).abs() < 1e-15 && foot.count > 1);
+    let circle = ellipse(2.0, 2.0);
+    let foot = circle.closest(DVec3::ZERO, 1e-6);
+    assert!((foot.distance - 2.0).abs() < 1e-15);
+    // The whole of it is one stretch.
+    assert_eq!((foot.count, foot.stretch), (1, Some(circle.domain())));
     let far = ellipse(2.0, 2.0).closest(DVec3::new(0.0, 1e6, 0.0), 1e-6);
     assert!((far.parameter - 0.25).abs() < 1e-9 && far.count == 1);
 }
