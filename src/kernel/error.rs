@@ -176,7 +176,7 @@ pub enum GeomError {
     #[error("the offset shrinks to a point: the distance is the radius {} of the arc", few_digits(*radius))]
     VanishingOffset { radius: f64 },
     /// A section that is scaled away.
-    #[error("the section shrinks to a point all along the path")]
+    #[error("the section is scaled to a point all along the path")]
     VanishingSection,
     /// A derivative beyond the ceiling.
     #[error("derivatives of order {order} are above {most}, the highest that is allowed")]

@@ -111,7 +111,6 @@ pub fn code_of(error: &GeomError) -> Code {
 pub fn hint_of(error: &GeomError) -> Option<String> {
     use GeomError as Error;
     Some(match error {
-        Error::VanishingSection => "a `scale` of zero leaves nothing of it".to_owned(),
         Error::VanishingTangent { .. } | Error::UnboundedCurvature { .. } => {
             "the curve stands still there: are points repeated?".to_owned()
         }

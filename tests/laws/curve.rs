@@ -73,7 +73,7 @@ proptest! {
         for (turn, leg) in turns[..n].iter().zip(&legs) {
             points.push(point);
             angle += unit * turn;
-            point += leg * DVec3::new(angle.cos(), angle.sin(), 0.0);
+            point += leg * DVec3::new(libm::cos(angle), libm::sin(angle), 0.0);
         }
         let curve = NurbsCurve::rational(knots, &points, &vec![1.0; n]).unwrap();
         let derivatives = curve.derivatives_at(parameter(&curve, f), 2);
