@@ -34,7 +34,7 @@ const EVALUATED: usize = 40;
 const MOST_COMPLAINTS: usize = 5;
 
 /// Far more than any of the scripts takes with these ceilings.
-const PATIENCE: Duration = Duration::from_secs(20);
+const PATIENCE: Duration = Duration::from_secs(60);
 
 const LIMITS: Limits = Limits {
     list_length: 20_000,
