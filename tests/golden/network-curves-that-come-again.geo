@@ -18,3 +18,11 @@ fn is_round(s) = every(
 )
 check is_round(drawn) and is_round(shuffled)
 check continuity(drawn).g >= 2 and continuity(shuffled).g >= 2
+// One that comes again a little aside is within the tolerance too.
+surface aside = gordon(
+    u = rings,
+    v = [upward(0), upward(2), upward(4), translate(upward(0), (0, 4e-7, 0))],
+    tolerance = 1e-6,
+)
+check report(aside).repeated_v == [3]
+check report(aside).deviation <= 6e-7

@@ -2,7 +2,7 @@
 
 use super::{
     network::Places,
-    section::{are_one, nurbs_within},
+    section::{apart, nurbs_within},
     sweep::tolerated,
 };
 use crate::{
@@ -65,7 +65,10 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let spans = [args.u.span, args.v.span];
     let us = curves(ctx, "u", &args.u, tolerance)?;
     let vs = curves(ctx, "v", &args.v, tolerance)?;
-    let kept = [once(&us, &vs, tolerance), once(&vs, &us, tolerance)];
+    let [(of_u, apart_u), (of_v, apart_v)] = [once(&us, &vs, tolerance), once(&vs, &us, tolerance)];
+    let kept = [of_u, of_v];
+    // What is left of it, so that the surface is within it of the curves that come again too.
+    let tolerance = tolerance - apart_u.max(apart_v);
     let [us, vs] = [(us, &kept[0]), (vs, &kept[1])]
         .map(|(curves, kept)| kept.iter().map(|&i| curves[i].clone()).collect::<Vec<_>>());
     let at = [("at_u", &args.at_u, "v", vs.len()), ("at_v", &args.at_v, "u", us.len())];
@@ -94,24 +97,35 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     Ok(receipted(made, [(&kept[0], args.u.value.len()), (&kept[1], args.v.value.len())]))
 }
 
+/// Part of the tolerance by which a curve that comes again may miss where it was before.
+const AGAIN: f64 = 0.5;
+
 /// The indices of the curves; where those across them all close, without curves that come again in
-/// either direction.
-fn once(curves: &[NurbsCurve], across: &[NurbsCurve], tolerance: f64) -> Vec<usize> {
+/// either direction, and how far these are at most from where they were before.
+fn once(curves: &[NurbsCurve], across: &[NurbsCurve], tolerance: f64) -> (Vec<usize>, f64) {
     let all: Vec<usize> = (0..curves.len()).collect();
     if !across.iter().all(|curve| curve.is_closed(tolerance)) {
-        return all;
+        return (all, 0.0);
     }
-    let mut kept: Vec<usize> = Vec::new();
+    let same = AGAIN * tolerance;
+    let (mut kept, mut farthest) = (Vec::new(), 0.0_f64);
     for &i in &all {
-        let comes_again = kept.iter().any(|&k| {
-            are_one(&curves[k], &curves[i], tolerance)
-                || are_one(&curves[k], &curves[i].reversed(), tolerance)
+        let ways = [curves[i].clone(), curves[i].reversed()];
+        let misses = kept.iter().flat_map(|&k: &usize| {
+            let own = &curves[k];
+            let meets = |way: &&NurbsCurve| {
+                own.start().distance(way.start()).max(own.end().distance(way.end())) <= same
+            };
+            ways.iter().filter(meets).map(|way| apart(own, way))
         });
-        if !comes_again {
+        let least = misses.fold(f64::INFINITY, f64::min);
+        if least <= same {
+            farthest = farthest.max(least);
+        } else {
             kept.push(i);
         }
     }
-    if kept.len() < 2 { all } else { kept }
+    if kept.len() < 2 { (all, 0.0) } else { (kept, farthest) }
 }
 
 fn curves(

@@ -57,17 +57,14 @@ pub(super) fn nurbs_within(
 /// Takes away the last section where it is the first one again.
 pub(super) fn drop_repeated(curves: &mut Vec<NurbsCurve>, tolerance: f64) {
     let [first, .., last] = &curves[..] else { return };
-    if are_one(first, last, tolerance) {
+    if apart(first, last) <= tolerance {
         curves.pop();
     }
 }
 
-/// Whether two curves are nowhere further apart than the tolerance, at equal fractions of their
-/// domains.
-pub(super) fn are_one(a: &NurbsCurve, b: &NurbsCurve, tolerance: f64) -> bool {
-    let ends = [(a.start(), b.start()), (a.end(), b.end())];
-    ends.iter().all(|(p, q)| p.distance(*q) <= tolerance)
-        && a.deviation_from(&b.reparametrized(a.domain())) <= tolerance
+/// A bound of how far two curves are apart at equal fractions of their domains.
+pub(super) fn apart(a: &NurbsCurve, b: &NurbsCurve) -> f64 {
+    a.deviation_from(&b.reparametrized(a.domain()))
 }
 
 /// What was done to sections so that they run beside one another.
