@@ -204,6 +204,12 @@ pub const FOLLOWED_RELATIVE: f64 = 1e-11;
 /// Larger lets unscaled normals pass; smaller refuses those that a file holds with six digits.
 pub const UNIT_SLACK: f64 = 1e-4;
 
+/// Where the curvatures of a surface differ by less than this fraction of the strongest, a map of
+/// them has one colour.
+///
+/// Larger hides how an almost round surface bends; smaller paints rounding.
+pub const SHADE_RELATIVE: f64 = 1e-10;
+
 /// Triangles that decide what a drawing hides may be this fraction of the whole's size away from
 /// their surfaces.
 ///

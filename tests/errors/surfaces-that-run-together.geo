@@ -4,3 +4,7 @@ let b = intersect(plane_patch((0, 0), (2, 0), (0, 2)), plane_patch((1, 1), (2, 0
 let c = intersect(plane_patch((0, 0), (2, 0), (0, 2)), line((0, 1), (3, 1)))
 let d = intersect(ball, (1, 2))
 let e = intersect(line((0, 0), (1, 0)), [ball])
+// However they are parametrized.
+let g = intersect(ball, rotate(ball, 30deg, axis = (1, 1, 0)))
+let h = intersect(torus((0, 0), 3, 1), rotate(torus((0, 0), 3, 1), 20deg))
+let k = intersect(plane_patch((0, 0), (2, 0), (0, 2)), rotate(plane_patch((1, 1), (2, 0), (0, 2)), 20deg))

@@ -1,10 +1,12 @@
 //! Where a surface is not regular: edges that are points, corners without a tangent plane, folds.
 
-use glam::DVec3;
+use glam::{DVec3, DVec4};
 
 use super::{Edge, NurbsSurface, Surface, border::Border, level::Part};
 use crate::kernel::{
-    Bounds, GeomError, Interval, KnotVector, Tolerance, frame::unit, tolerance::SIDE_STEP,
+    Bounds, GeomError, Grid, Interval, KnotVector, Tolerance,
+    frame::{norm, unit},
+    tolerance::{SIDE_STEP, VANISHING_RELATIVE},
 };
 
 /// Places of each piece along a direction where the normal is looked at: fewer where the pieces
@@ -44,6 +46,32 @@ pub struct Defects {
 struct Place {
     at: [f64; 2],
     normal: Option<DVec3>,
+}
+
+impl NurbsSurface {
+    /// Whether its control points are not all on one line, nor those along u or along v all in one
+    /// place: otherwise the surface is a curve or a point.
+    #[must_use]
+    pub fn has_area(&self) -> bool {
+        let size = self.bounds().magnitude();
+        let size = if 0.0 < size { size } else { 1.0 };
+        let points = self.points().map(|point| *point / size);
+        let first = points.get(0, 0);
+        let away = |point: &&DVec3| norm(**point - first);
+        let farthest = points.iter().max_by(|a, b| away(a).total_cmp(&away(b)));
+        let Some(axis) = farthest.and_then(|point| unit(*point - first)) else { return false };
+        let is_beside = |point: &DVec3| VANISHING_RELATIVE < axis.cross(*point - first).length();
+        let largest = self.control_points.iter().map(|point| point.abs().max_element());
+        let rounding = VANISHING_RELATIVE * largest.fold(0.0, f64::max);
+        let is_still = |net: &Grid<DVec4>| {
+            (0..net.n_rows()).all(|i| {
+                let row = net.row(i);
+                row.iter().all(|point| (*point - row[0]).abs().max_element() <= rounding)
+            })
+        };
+        let net = &self.control_points;
+        points.iter().any(is_beside) && !is_still(net) && !is_still(&net.transposed())
+    }
 }
 
 impl Surface {

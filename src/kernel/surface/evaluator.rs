@@ -1,16 +1,16 @@
 //! Points and derivatives of one surface at many scattered parameters.
 //!
-//! The basis functions of both directions are expanded in powers once, as in the evaluator of a
-//! curve; a point then is a sum over the control points that act there. The net itself is not
-//! expanded: its patches would take (p + 1)(q + 1) times its memory, and a look into that costs
-//! more than the sum.
+//! The basis functions along u are expanded in powers once, and so is each row of control points
+//! along v, as in the evaluator of a curve. A point then is a sum over the rows that act there, of
+//! the powers of each. To expand the patches along u as well would take p + 1 times the memory
+//! again, and a look into that costs more than the sum.
 
 use glam::{DVec3, DVec4};
 
 use super::NurbsSurface;
 use crate::kernel::{
     homogeneous,
-    knots::{BATCH, BasisExpansion, POWER_DEGREE, Place},
+    knots::{BATCH, BasisExpansion, Lookup, POWER_DEGREE, Place, convert_to_bezier, in_powers},
 };
 
 /// A surface prepared to be evaluated at many scattered parameters.
@@ -29,20 +29,148 @@ use crate::kernel::{
 #[derive(Clone, Copy, Debug)]
 pub struct SurfaceEvaluator<'a> {
     surface: &'a NurbsSurface,
-    /// Along u and along v; none for degrees that powers are not good for.
-    bases: Option<&'a [BasisExpansion; 2]>,
+    /// None for degrees that powers are not good for.
+    expanded: Option<&'a Expanded>,
+}
+
+/// A surface in powers.
+#[derive(Debug)]
+pub(super) struct Expanded {
+    basis: BasisExpansion,
+    /// The halves of the spans along v.
+    lookup: Lookup,
+    n_halves: usize,
+    /// For each row of control points and each half of a span along v the coefficients of s⁰, s¹, …
+    rows: Vec<DVec4>,
 }
 
 impl NurbsSurface {
-    /// The surface prepared to be evaluated at many parameters; the first time this takes O(p³)
-    /// for each span of either direction.
+    /// The surface prepared to be evaluated at many parameters; the first time this takes O(p³) for
+    /// each span along u and O(q²) for each row and span along v, and some 2q + 2 times the memory
+    /// of the control points.
     #[must_use]
     pub fn evaluator(&self) -> SurfaceEvaluator<'_> {
         let is_low = self.degree_u().max(self.degree_v()) <= POWER_DEGREE;
-        let expand = || [&self.knots_u, &self.knots_v].map(BasisExpansion::new);
-        let bases = is_low.then(|| self.bases.get_or_make(expand));
-        SurfaceEvaluator { surface: self, bases }
+        let expanded = is_low.then(|| self.expanded.get_or_make(|| Expanded::new(self)));
+        SurfaceEvaluator { surface: self, expanded }
     }
+}
+
+impl Expanded {
+    fn new(surface: &NurbsSurface) -> Self {
+        let knots = &surface.knots_v;
+        let n_halves = 2 * knots.spans().count();
+        let n_rows = surface.control_points.n_rows();
+        let mut rows = Vec::with_capacity(n_rows * n_halves * (knots.degree() + 1));
+        for i in 0..n_rows {
+            for span in knots.spans() {
+                let mut points = surface.control_points.row(i)[knots.support(span)].to_vec();
+                convert_to_bezier(knots, span, &mut points);
+                rows.extend(in_powers(points));
+            }
+        }
+        let basis = BasisExpansion::new(&surface.knots_u);
+        Self { basis, lookup: Lookup::of_halves(knots), n_halves, rows }
+    }
+
+    fn places_at(&self, u: f64, v: f64) -> [Place; 2] {
+        [self.basis.lookup.place_at(u), self.lookup.place_at(v)]
+    }
+
+    /// The coefficients along v of the rows that act.
+    #[inline(always)]
+    fn acting(&self, places: [Place; 2], [n_u, n_v]: [usize; 2]) -> impl Iterator<Item = &[DVec4]> {
+        let first = self.basis.first(places[0]);
+        (first..first + n_u)
+            .map(move |i| &self.rows[(i * self.n_halves + places[1].piece) * n_v..][..n_v])
+    }
+
+    #[inline(always)]
+    fn point(&self, places: [Place; 2], n: [usize; 2]) -> DVec3 {
+        let of_u = self.basis.values(places[0], n[0]);
+        let mut sum = DVec4::ZERO;
+        for (row, &n_u) in self.acting(places, n).zip(&of_u) {
+            let mut value = row[n[1] - 1];
+            for &coefficient in row[..n[1] - 1].iter().rev() {
+                value = value * places[1].s + coefficient;
+            }
+            sum += value * n_u;
+        }
+        homogeneous::project(sum)
+    }
+
+    #[inline(always)]
+    fn second_order(&self, places: [Place; 2], n: [usize; 2]) -> [DVec3; 6] {
+        let of_u = self.basis.second_order(places[0], n[0]);
+        let mut sums = [DVec4::ZERO; 6];
+        for (i, row) in self.acting(places, n).enumerate() {
+            let [value, slope, half_bend] = second_order_in_powers(&row[..n[1]], places[1].s);
+            sums[0] += value * of_u[0][i];
+            sums[1] += value * of_u[1][i];
+            sums[2] += slope * of_u[0][i];
+            sums[3] += value * of_u[2][i];
+            sums[4] += slope * of_u[1][i];
+            sums[5] += half_bend * of_u[0][i];
+        }
+        sums[5] *= 2.0;
+        let per_u = self.basis.lookup.per_width(places[0].piece);
+        let per_v = self.lookup.per_width(places[1].piece);
+        let [s, su, sv, suu, suv, svv] = homogeneous::second_order(sums);
+        [
+            s,
+            su * per_u,
+            sv * per_v,
+            suu * (per_u * per_u),
+            suv * (per_u * per_v),
+            svv * (per_v * per_v),
+        ]
+    }
+
+    /// Looks up many places before any is used, so that none waits for its lookup.
+    #[inline(always)]
+    fn each<T>(
+        &self,
+        parameters: &[[f64; 2]],
+        at: impl Fn([Place; 2]) -> T,
+        mut visit: impl FnMut(T),
+    ) {
+        let (mut us, mut vs) = ([0.0; BATCH], [0.0; BATCH]);
+        let (mut places_u, mut places_v) = ([Place::default(); BATCH], [Place::default(); BATCH]);
+        for parameters in parameters.chunks(BATCH) {
+            let n = parameters.len();
+            for ((u, v), parameters) in us.iter_mut().zip(&mut vs).zip(parameters) {
+                [*u, *v] = *parameters;
+            }
+            self.basis.lookup.places_at(&us[..n], &mut places_u);
+            self.lookup.places_at(&vs[..n], &mut places_v);
+            for (&u, &v) in places_u[..n].iter().zip(&places_v) {
+                visit(at([u, v]));
+            }
+        }
+    }
+}
+
+/// The value of Σ Cₖsᵏ, its derivative, and half of its second one.
+#[inline(always)]
+fn second_order_in_powers(coefficients: &[DVec4], s: f64) -> [DVec4; 3] {
+    let n = coefficients.len();
+    let mut value = coefficients[n - 1];
+    let (mut slope, mut half_bend) = (DVec4::ZERO, DVec4::ZERO);
+    if 1 < n {
+        slope = value;
+        value = value * s + coefficients[n - 2];
+    }
+    if 2 < n {
+        half_bend = slope;
+        slope = slope * s + value;
+        value = value * s + coefficients[n - 3];
+        for &coefficient in coefficients[..n - 3].iter().rev() {
+            half_bend = half_bend * s + slope;
+            slope = slope * s + value;
+            value = value * s + coefficient;
+        }
+    }
+    [value, slope, half_bend]
 }
 
 impl SurfaceEvaluator<'_> {
@@ -51,23 +179,23 @@ impl SurfaceEvaluator<'_> {
     #[must_use]
     #[inline]
     pub fn point_at(&self, u: f64, v: f64) -> DVec3 {
-        let Some(bases) = self.bases else { return self.surface.point_at(u, v) };
-        let places = [bases[0].lookup.place_at(u), bases[1].lookup.place_at(v)];
+        let Some(expanded) = self.expanded else { return self.surface.point_at(u, v) };
+        let places = expanded.places_at(u, v);
         match self.n_functions() {
-            [4, 4] => self.point_by(bases, places, [4, 4]),
-            n => self.point_by(bases, places, n),
+            [4, 4] => expanded.point(places, [4, 4]),
+            n => expanded.point(places, n),
         }
     }
 
     /// Calls `visit` with the point at each of the pairs of parameters, in their order.
     #[inline]
     pub fn each_point(&self, parameters: &[[f64; 2]], visit: impl FnMut(DVec3)) {
-        match (self.bases, self.n_functions()) {
-            (Some(bases), [4, 4]) => {
-                each(bases, parameters, |places| self.point_by(bases, places, [4, 4]), visit);
+        match (self.expanded, self.n_functions()) {
+            (Some(expanded), [4, 4]) => {
+                expanded.each(parameters, |places| expanded.point(places, [4, 4]), visit);
             }
-            (Some(bases), n) => {
-                each(bases, parameters, |places| self.point_by(bases, places, n), visit);
+            (Some(expanded), n) => {
+                expanded.each(parameters, |places| expanded.point(places, n), visit);
             }
             (None, _) => parameters.iter().map(|&[u, v]| self.point_at(u, v)).for_each(visit),
         }
@@ -80,11 +208,11 @@ impl SurfaceEvaluator<'_> {
     #[must_use]
     #[inline]
     pub fn second_order_at(&self, u: f64, v: f64) -> [DVec3; 6] {
-        let Some(bases) = self.bases else { return self.second_order_by_knots(u, v) };
-        let places = [bases[0].lookup.place_at(u), bases[1].lookup.place_at(v)];
+        let Some(expanded) = self.expanded else { return self.second_order_by_knots(u, v) };
+        let places = expanded.places_at(u, v);
         match self.n_functions() {
-            [4, 4] => self.second_order_by(bases, places, [4, 4]),
-            n => self.second_order_by(bases, places, n),
+            [4, 4] => expanded.second_order(places, [4, 4]),
+            n => expanded.second_order(places, n),
         }
     }
 
@@ -92,17 +220,12 @@ impl SurfaceEvaluator<'_> {
     /// in their order.
     #[inline]
     pub fn each_second_order(&self, parameters: &[[f64; 2]], visit: impl FnMut([DVec3; 6])) {
-        match (self.bases, self.n_functions()) {
-            (Some(bases), [4, 4]) => {
-                each(
-                    bases,
-                    parameters,
-                    |places| self.second_order_by(bases, places, [4, 4]),
-                    visit,
-                );
+        match (self.expanded, self.n_functions()) {
+            (Some(expanded), [4, 4]) => {
+                expanded.each(parameters, |places| expanded.second_order(places, [4, 4]), visit);
             }
-            (Some(bases), n) => {
-                each(bases, parameters, |places| self.second_order_by(bases, places, n), visit);
+            (Some(expanded), n) => {
+                expanded.each(parameters, |places| expanded.second_order(places, n), visit);
             }
             (None, _) => {
                 parameters.iter().map(|&[u, v]| self.second_order_at(u, v)).for_each(visit);
@@ -114,102 +237,8 @@ impl SurfaceEvaluator<'_> {
         [self.surface.degree_u() + 1, self.surface.degree_v() + 1]
     }
 
-    #[inline(always)]
-    fn point_by(
-        &self,
-        bases: &[BasisExpansion; 2],
-        places: [Place; 2],
-        [n_u, n_v]: [usize; 2],
-    ) -> DVec3 {
-        let (of_u, of_v) = (bases[0].values(places[0], n_u), bases[1].values(places[1], n_v));
-        let mut sum = DVec4::ZERO;
-        for (row, &n) in self.rows(bases, places, [n_u, n_v]).zip(&of_u) {
-            sum += contracted(row, &of_v) * n;
-        }
-        homogeneous::project(sum)
-    }
-
-    #[inline(always)]
-    fn second_order_by(
-        &self,
-        bases: &[BasisExpansion; 2],
-        places: [Place; 2],
-        [n_u, n_v]: [usize; 2],
-    ) -> [DVec3; 6] {
-        let of_u = bases[0].second_order(places[0], n_u);
-        let of_v = bases[1].second_order(places[1], n_v);
-        let mut sums = [DVec4::ZERO; 6];
-        for (i, row) in self.rows(bases, places, [n_u, n_v]).enumerate() {
-            let [value, slope, bend] = of_v.each_ref().map(|functions| contracted(row, functions));
-            sums[0] += value * of_u[0][i];
-            sums[1] += value * of_u[1][i];
-            sums[2] += slope * of_u[0][i];
-            sums[3] += value * of_u[2][i];
-            sums[4] += slope * of_u[1][i];
-            sums[5] += bend * of_u[0][i];
-        }
-        let per_u = bases[0].lookup.per_width(places[0].piece);
-        let per_v = bases[1].lookup.per_width(places[1].piece);
-        let [s, su, sv, suu, suv, svv] = homogeneous::second_order(sums);
-        [
-            s,
-            su * per_u,
-            sv * per_v,
-            suu * (per_u * per_u),
-            suv * (per_u * per_v),
-            svv * (per_v * per_v),
-        ]
-    }
-
-    /// The control points that act, row by row.
-    #[inline(always)]
-    fn rows(
-        &self,
-        bases: &[BasisExpansion; 2],
-        places: [Place; 2],
-        [n_u, n_v]: [usize; 2],
-    ) -> impl Iterator<Item = &[DVec4]> {
-        let (first_u, first_v) = (bases[0].first(places[0]), bases[1].first(places[1]));
-        let n_columns = self.surface.control_points.n_columns();
-        let points = self.surface.control_points.as_slice();
-        (first_u..first_u + n_u).map(move |i| &points[i * n_columns + first_v..][..n_v])
-    }
-
     fn second_order_by_knots(&self, u: f64, v: f64) -> [DVec3; 6] {
         let all = self.surface.derivatives_at(u, v, 2);
         [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)].map(|(k, l)| all.get(k, l))
     }
-}
-
-/// Looks up many places before any is used, so that none waits for its lookup.
-#[inline(always)]
-fn each<T>(
-    bases: &[BasisExpansion; 2],
-    parameters: &[[f64; 2]],
-    at: impl Fn([Place; 2]) -> T,
-    mut visit: impl FnMut(T),
-) {
-    let (mut us, mut vs) = ([0.0; BATCH], [0.0; BATCH]);
-    let (mut places_u, mut places_v) = ([Place::default(); BATCH], [Place::default(); BATCH]);
-    for parameters in parameters.chunks(BATCH) {
-        let n = parameters.len();
-        for ((u, v), parameters) in us.iter_mut().zip(&mut vs).zip(parameters) {
-            [*u, *v] = *parameters;
-        }
-        bases[0].lookup.places_at(&us[..n], &mut places_u);
-        bases[1].lookup.places_at(&vs[..n], &mut places_v);
-        for (&u, &v) in places_u[..n].iter().zip(&places_v) {
-            visit(at([u, v]));
-        }
-    }
-}
-
-/// The sum of a row of control points.
-#[inline(always)]
-fn contracted(row: &[DVec4], functions: &[f64]) -> DVec4 {
-    let mut sum = DVec4::ZERO;
-    for (&point, &n) in row.iter().zip(functions) {
-        sum += point * n;
-    }
-    sum
 }

@@ -83,9 +83,11 @@ pub use revolve::{Axis, AxisContact};
 pub use shell::ShellError;
 pub(in crate::kernel) use sum::Strands;
 
+use evaluator::Expanded;
+
 use super::{
-    GeomError, Grid, Interval, KnotVector, Receipt, homogeneous, knots::BasisExpansion, lazy::Lazy,
-    nearest::Nearest, positive,
+    GeomError, Grid, Interval, KnotVector, Receipt, homogeneous, lazy::Lazy, nearest::Nearest,
+    positive,
 };
 
 /// A rational B-spline surface; row i of its net runs along u, column j along v.
@@ -101,8 +103,8 @@ pub struct NurbsSurface {
     /// The area of Su × Sv over a span each that is rounding and no area.
     fold_area: f64,
     receipt: Receipt,
-    /// The basis functions, prepared for many parameters.
-    bases: Lazy<[BasisExpansion; 2]>,
+    /// The surface in powers, prepared for many parameters.
+    expanded: Lazy<Expanded>,
     /// The patches, prepared to be searched for the nearest point.
     nearest: Lazy<Nearest>,
 }
@@ -196,7 +198,7 @@ impl NurbsSurface {
             is_rational,
             fold_area,
             receipt: Receipt::NONE,
-            bases: Lazy::default(),
+            expanded: Lazy::default(),
             nearest: Lazy::default(),
         }
     }

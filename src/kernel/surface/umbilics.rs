@@ -1,12 +1,13 @@
 //! Umbilics: places where a surface bends equally in all directions.
 //!
 //! The second fundamental tensor less its mean has two entries, (a − c)/2 and b over axes along Su and
-//! across. As a plane vector they turn once around where one goes around an umbilic, so that a
-//! rectangle of parameters around whose corners they do has one inside, and so has one of its four
-//! parts. do Carmo, *Differential Geometry of Curves and Surfaces*, §3-2; Porteous, *Geometric
-//! Differentiation*, §11.
+//! across. Newton's method finds where both vanish, from each rectangle of a grid of parameters in
+//! and beside which they may. do Carmo, *Differential Geometry of Curves and Surfaces*, §3-2; Porteous,
+//! *Geometric Differentiation*, §11.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
+
+use glam::{DMat2, DVec2};
 
 use super::{Defects, Edge, Surface};
 use crate::kernel::{
@@ -19,24 +20,37 @@ const PLACES: usize = 64;
 const FEWEST: usize = 4;
 const MOST: usize = 32;
 
-/// Where rectangles are cut: no half, so that umbilics of symmetric surfaces are not on the cut.
-const CUT: f64 = 0.4871;
+/// Steps of Newton's method, and halvings of one of them.
+const MAX_STEPS: usize = 40;
+const MAX_HALVINGS: usize = 20;
 
-/// Cuts, to the last bit of a parameter.
-const MAX_CUTS: usize = 60;
+/// Rectangles beyond its own that a search may go to.
+const BEYOND: f64 = 1.0;
+
+/// Slopes are differences over this part of a rectangle.
+const DIFFERENCE: f64 = 1e-5;
+
+/// Where the slopes of both entries are this far from parallel, they vanish together in one place.
+const CLEAR: f64 = 1e-6;
+
+/// Elsewhere they are looked at on a circle, this part of a rectangle wide, on which the least must
+/// be this fraction of the largest.
+const CIRCLE: f64 = 1e-3;
+const N_LOOKS: usize = 32;
+const LEAST_SHARE: f64 = 0.02;
 
 /// Parameters, with how unequally the surface bends there, along Su and across and in between.
 #[derive(Clone, Copy)]
 struct Bend {
-    at: [f64; 2],
-    uneven: [f64; 2],
+    at: DVec2,
+    uneven: DVec2,
     /// What rounding leaves of that.
     rounding: f64,
 }
 
 impl Surface {
-    /// The parameters of the isolated umbilics, poles among them, as far as a grid of some thousand
-    /// places shows them. Of a sphere and a plane none is isolated.
+    /// The parameters of the isolated umbilics, poles among them, as far as a search from a grid of
+    /// some thousand places comes to them. Of a sphere and a plane none is isolated.
     ///
     /// # Errors
     /// As [`Self::point_at`].
@@ -47,16 +61,21 @@ impl Surface {
     ) -> Result<Vec<[f64; 2]>, GeomError> {
         let [us, vs] = self.umbilic_grid(&defects.collapsed, tolerance)?;
         let rows = us.iter().map(|&u| {
-            let bends = vs.iter().map(|&v| self.bend_at([u, v], tolerance));
+            let bends = vs.iter().map(|&v| self.bend_at(DVec2::new(u, v), tolerance));
             bends.collect::<Vec<_>>()
         });
         let bends: Vec<Vec<Option<Bend>>> = rows.collect();
-        let mut found = Vec::new();
+        let last = |places: &[f64]| places[places.len() - 1];
+        let ends = [DVec2::new(us[0], vs[0]), DVec2::new(last(&us), last(&vs))];
+        let mut found: Vec<[f64; 2]> = Vec::new();
         for (below, above) in bends.iter().zip(bends.iter().skip(1)) {
             for (low, high) in below.windows(2).zip(above.windows(2)) {
-                let corners = [low[0], high[0], high[1], low[1]];
-                if let [Some(a), Some(b), Some(c), Some(d)] = corners {
-                    found.extend(self.umbilic_within([a, b, c, d], tolerance));
+                let [Some(a), Some(b), Some(c), Some(d)] = [low[0], high[0], high[1], low[1]]
+                else {
+                    continue;
+                };
+                if let Some(at) = self.umbilic_about([a, b, c, d], ends, tolerance) {
+                    self.add_place(&mut found, self.inside(at).to_array(), tolerance)?;
                 }
             }
         }
@@ -68,9 +87,27 @@ impl Surface {
                 Edge::U1 => [self.domain_u().end(), v],
                 Edge::V1 => [u, self.domain_v().end()],
             };
-            found.extend(self.bend_at(at, tolerance).filter(Bend::is_even).map(|bend| bend.at));
+            let pole = self.bend_at(DVec2::from_array(at), tolerance).filter(Bend::is_even);
+            found.extend(pole.map(|_| at));
         }
         Ok(found)
+    }
+
+    /// Adds parameters whose point is not there yet.
+    fn add_place(
+        &self,
+        found: &mut Vec<[f64; 2]>,
+        at: [f64; 2],
+        tolerance: Tolerance,
+    ) -> Result<(), GeomError> {
+        let point = self.point_at(at[0], at[1])?;
+        for other in &*found {
+            if self.point_at(other[0], other[1])?.distance(point) <= tolerance.distance {
+                return Ok(());
+            }
+        }
+        found.push(at);
+        Ok(())
     }
 
     /// Places inside of the pieces, and the ends that are no poles; where the surface closes the first
@@ -113,77 +150,128 @@ impl Surface {
         Ok(all)
     }
 
+    /// Beyond the end of a domain that closes, its start again.
+    fn inside(&self, at: DVec2) -> DVec2 {
+        let within = |domain: Interval, t: f64| {
+            if domain.end() < t { t - domain.length() } else { t }
+        };
+        DVec2::new(within(self.domain_u(), at.x), within(self.domain_v(), at.y))
+    }
+
     /// `None` where the surface has no curvatures.
-    fn bend_at(&self, at: [f64; 2], tolerance: Tolerance) -> Option<Bend> {
-        let domains = [self.domain_u(), self.domain_v()];
-        let [u, v] = [0, 1].map(|i| {
-            let beyond = domains[i].end() < at[i];
-            if beyond { at[i] - domains[i].length() } else { at[i] }
-        });
-        let shape = self.shape_at(u, v).ok()?;
+    fn bend_at(&self, at: DVec2, tolerance: Tolerance) -> Option<Bend> {
+        let inside = self.inside(at);
+        let shape = self.shape_at(inside.x, inside.y).ok()?;
         let [a, b, c] = shape.tensor;
         let largest = a.abs().max(b.abs()).max(c.abs());
         let rounding = shape.flat_below(tolerance).max(tolerance.angle * largest);
-        Some(Bend { at, uneven: [0.5 * (a - c), b], rounding })
+        Some(Bend { at, uneven: DVec2::new(0.5 * (a - c), b), rounding })
     }
 
-    /// The umbilic between four corners, counterclockwise, if there is one.
-    fn umbilic_within(&self, corners: [Bend; 4], tolerance: Tolerance) -> Option<[f64; 2]> {
-        if corners.iter().any(Bend::is_even) || !turns_around(&corners) {
+    /// The isolated umbilic to which the way down leads from a rectangle between four corners,
+    /// counterclockwise, if there is one between the ends of the grid.
+    fn umbilic_about(
+        &self,
+        corners: [Bend; 4],
+        ends: [DVec2; 2],
+        tolerance: Tolerance,
+    ) -> Option<DVec2> {
+        let [a, b, c, d] = corners;
+        if corners.iter().all(Bend::is_even) {
             return None;
         }
+        let width = c.at - a.at;
+        let rises =
+            [b.uneven - a.uneven, d.uneven - a.uneven, c.uneven - b.uneven, c.uneven - d.uneven];
+        let most = rises.iter().fold(0.0, |most, rise| rise.length().max(most));
+        let middle = self.bend_at(0.5 * (a.at + c.at), tolerance)?;
+        let all = || corners.iter().chain([&middle]);
+        let start = *all().min_by(|a, b| a.size().total_cmp(&b.size()))?;
+        if 2.0 * most < start.size() {
+            return None;
+        }
+        let look = |at: DVec2| self.bend_at(at, tolerance);
+        let limits = [(a.at - BEYOND * width).max(ends[0]), (c.at + BEYOND * width).min(ends[1])];
+        let (last, slopes) = descend(start, middle.at, limits, width * DIFFERENCE, look)?;
         let size = corners.iter().map(Bend::size).fold(0.0, f64::max);
-        let mut inside = corners;
-        for _ in 0..MAX_CUTS {
-            let [a, b, c, d] = inside;
-            let cut = [0, 1].map(|i| a.at[i] * (1.0 - CUT) + c.at[i] * CUT);
-            let look = |u: f64, v: f64| self.bend_at([u, v], tolerance);
-            let middle = look(cut[0], cut[1])?;
-            let [low, right] = [look(cut[0], a.at[1])?, look(c.at[0], cut[1])?];
-            let [high, left] = [look(cut[0], c.at[1])?, look(a.at[0], cut[1])?];
-            let parts = [
-                [a, low, middle, left],
-                [low, b, right, middle],
-                [middle, right, c, high],
-                [left, middle, high, d],
-            ];
-            let Some(part) = parts.into_iter().find(turns_around) else { break };
-            inside = part;
-            let is_last = |i: usize| {
-                (inside[2].at[i] - inside[0].at[i]).abs() <= 4.0 * LAST_BIT * inside[2].at[i].abs()
-            };
-            if is_last(0) && is_last(1) {
+        // Where second derivatives jump there may be a least without an umbilic.
+        let is_umbilic = last.is_even() || last.size() <= TOUCH_RELATIVE * size;
+        let scaled = slopes * DMat2::from_diagonal(width);
+        let is_clear = {
+            let [x, y] = [scaled.x_axis, scaled.y_axis];
+            CLEAR * (x.length_squared() + y.length_squared()) < x.perp_dot(y).abs()
+        };
+        let is_alone = || is_alone(last.at, CIRCLE * width, look);
+        (is_umbilic && (is_clear || is_alone())).then_some(last.at)
+    }
+}
+
+/// Whether the surface bends unequally all around a place, and about as much everywhere.
+fn is_alone(at: DVec2, radii: DVec2, look: impl Fn(DVec2) -> Option<Bend>) -> bool {
+    let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+    for i in 0..N_LOOKS {
+        let (sine, cosine) = libm::sincos(TAU * i as f64 / N_LOOKS as f64);
+        match look(at + radii * DVec2::new(cosine, sine)) {
+            Some(bend) if !bend.is_even() => {
+                (least, most) = (least.min(bend.size()), most.max(bend.size()));
+            }
+            _ => return false,
+        }
+    }
+    LEAST_SHARE * most <= least
+}
+
+/// Goes down to where both entries vanish, between limits, as far as that leads; with the slopes
+/// there. Slopes are differences towards `inward`, so that they do not look over the edge of a
+/// piece.
+fn descend(
+    start: Bend,
+    inward: DVec2,
+    limits: [DVec2; 2],
+    difference: DVec2,
+    look: impl Fn(DVec2) -> Option<Bend>,
+) -> Option<(Bend, DMat2)> {
+    let slopes_at = |bend: &Bend| {
+        let slope = |axis: DVec2| {
+            let toward = (inward - bend.at).dot(axis);
+            let step = difference.dot(axis).copysign(toward);
+            Some((look(bend.at + axis * step)?.uneven - bend.uneven) / step)
+        };
+        Some(DMat2::from_cols(slope(DVec2::X)?, slope(DVec2::Y)?))
+    };
+    let mut last = start;
+    let mut slopes = slopes_at(&last)?;
+    for _ in 0..MAX_STEPS {
+        // Along a direction in which nothing changes there is no step.
+        let squared = slopes.transpose() * slopes;
+        let little = LAST_BIT * (squared.x_axis.x + squared.y_axis.y);
+        let damped = squared + DMat2::from_diagonal(DVec2::splat(little));
+        let mut step = -(damped.inverse() * (slopes.transpose() * last.uneven));
+        if !step.is_finite() {
+            break;
+        }
+        let mut next = None;
+        for _ in 0..MAX_HALVINGS {
+            let at = (last.at + step).clamp(limits[0], limits[1]);
+            next = look(at).filter(|bend| bend.size() < last.size());
+            if next.is_some() || at == last.at {
                 break;
             }
+            step *= 0.5;
         }
-        // Where second derivatives jump they may turn around without an umbilic.
-        let least = inside.iter().min_by(|a, b| a.size().total_cmp(&b.size()))?;
-        (least.size() <= TOUCH_RELATIVE * size).then(|| {
-            let domains = [self.domain_u(), self.domain_v()];
-            [0, 1].map(|i| {
-                let t = 0.5 * (inside[0].at[i] + inside[2].at[i]);
-                if domains[i].end() < t { t - domains[i].length() } else { t }
-            })
-        })
+        let Some(better) = next else { break };
+        last = better;
+        slopes = slopes_at(&last)?;
     }
+    Some((last, slopes))
 }
 
 impl Bend {
     fn size(&self) -> f64 {
-        libm::hypot(self.uneven[0], self.uneven[1])
+        self.uneven.length()
     }
 
     fn is_even(&self) -> bool {
         self.size() <= self.rounding
     }
-}
-
-/// Whether the entries turn around once where one goes around the corners.
-fn turns_around(corners: &[Bend; 4]) -> bool {
-    let angles = corners.map(|bend| libm::atan2(bend.uneven[1], bend.uneven[0]));
-    let turn = |i: usize| {
-        let turn = angles[(i + 1) % 4] - angles[i];
-        turn - TAU * (turn / TAU).round()
-    };
-    PI < (0..4).map(turn).sum::<f64>().abs()
 }

@@ -21,7 +21,7 @@ op! {
     /// `collapsed` to a point, the other corners that are `singular` because Su × Sv vanishes there,
     /// and the first `folds`, where the normal turns over, each as a point of parameters (u, v): those
     /// that a grid of places shows, or else, of a NURBS surface, those that the coefficients of its
-    /// normals tell, however narrow. So are its isolated `umbilics`, as far as the grid shows them:
+    /// normals tell, however narrow. So are its isolated `umbilics`, as far as a search from that grid comes to them:
     /// there it bends equally in all directions.
     describe in Measure -> Value {
         /// A point, curve, surface, mesh, plane or table, or a list of them.

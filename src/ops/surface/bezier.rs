@@ -1,6 +1,6 @@
 //! `bezier` of a grid: the tensor-product Bézier surface.
 
-use super::weight_grid;
+use super::{weight_grid, with_area};
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{KnotVector, NurbsSurface},
@@ -22,7 +22,7 @@ op! {
     picture "bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]])";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let Rows(grid) = args.points.value;
     let span = args.points.span;
     if grid.n_rows() < 2 || grid.n_columns() < 2 {
@@ -32,9 +32,13 @@ fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
             .hint("one row alone is a curve: `bezier(points)` of a list of points")
             .fail();
     }
-    let Some(weights) = args.weights else { return NurbsSurface::bezier(&grid).at(span) };
+    let Some(weights) = args.weights else {
+        let surface = NurbsSurface::bezier(&grid).at(span)?;
+        return Ok(with_area(ctx, surface));
+    };
     let net = weight_grid(weights.value, &grid, weights.span)?;
     let knots_u = KnotVector::bezier(grid.n_rows() - 1).at(span)?;
     let knots_v = KnotVector::bezier(grid.n_columns() - 1).at(span)?;
-    NurbsSurface::rational(knots_u, knots_v, &grid, &net).at(weights.span)
+    let surface = NurbsSurface::rational(knots_u, knots_v, &grid, &net).at(weights.span)?;
+    Ok(with_area(ctx, surface))
 }

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::with_area;
 use crate::{
     diag::Result,
     kernel::NurbsSurface,
@@ -27,5 +28,6 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
-    NurbsSurface::bilinear(args.p00, args.p01, args.p10, args.p11).at(ctx.span)
+    let surface = NurbsSurface::bilinear(args.p00, args.p01, args.p10, args.p11).at(ctx.span)?;
+    Ok(with_area(ctx, surface))
 }

@@ -1,6 +1,6 @@
 //! `clamped` of a grid: the uniform clamped B-spline surface.
 
-use super::{Both, cubic, in_direction};
+use super::{Both, cubic, in_direction, with_area};
 use crate::{
     diag::{Result, Spanned},
     kernel::{KnotVector, NurbsSurface},
@@ -22,7 +22,7 @@ op! {
     picture "clamped([for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]])";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let Rows(grid) = args.points.value;
     let span = args.points.span;
     let knots = |degree: usize, n_points: usize| {
@@ -33,5 +33,6 @@ fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         .map_err(|found| in_direction(found, "u", "rows"))?;
     let knots_v = knots(args.degree.value.v, grid.n_columns())
         .map_err(|found| in_direction(found, "v", "points in a row"))?;
-    NurbsSurface::polynomial(knots_u, knots_v, &grid).at(span)
+    let surface = NurbsSurface::polynomial(knots_u, knots_v, &grid).at(span)?;
+    Ok(with_area(ctx, surface))
 }

@@ -1,6 +1,9 @@
 //! `coons`: the surface within four boundary curves.
 
-use super::boundary::{Boundary, pair};
+use super::{
+    boundary::{Boundary, pair},
+    with_area,
+};
 use crate::{
     diag::{Result, Spanned},
     kernel::{Blend, Curve, NurbsSurface},
@@ -38,5 +41,6 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let boundary = Boundary { u: pair("u", &args.u, ctx)?, v: pair("v", &args.v, ctx)? };
     boundary.check([args.u.span, args.v.span], ctx.tolerance.distance)?;
     let [u, v] = boundary.curves();
-    NurbsSurface::coons(u, v, args.blend).at(ctx.span)
+    let surface = NurbsSurface::coons(u, v, args.blend).at(ctx.span)?;
+    Ok(with_area(ctx, surface))
 }

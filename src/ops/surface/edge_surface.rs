@@ -1,6 +1,9 @@
 //! `edge_surface`: the surface within two, three or four edges, however they lie.
 
-use super::boundary::{Edge, edges, place, rounded, verb};
+use super::{
+    boundary::{Edge, edges, place, rounded, verb},
+    with_area,
+};
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{Blend, Curve, NurbsCurve, NurbsSurface, Receipt},
@@ -52,6 +55,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
             within(all).at(ctx.span)?
         }
     };
+    let surface = with_area(ctx, surface);
     let order: Vec<usize> = ring.order.iter().map(|&(idx, _)| idx).collect();
     let reversed: Vec<usize> =
         ring.order.iter().filter(|&&(_, back)| back).map(|&(idx, _)| idx).collect();

@@ -41,7 +41,7 @@ use super::{curve::knots_for, positive};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{Frame, GeomError, Grid, NurbsSurface},
-    value::{At, FromValue, IntoValue, Length, Mismatch, Op, Rows, Type, Value, code_of},
+    value::{At, Ctx, FromValue, IntoValue, Length, Mismatch, Op, Rows, Type, Value, code_of},
 };
 
 pub(super) static OPS: &[&Op] = &[
@@ -116,8 +116,19 @@ fn cubic() -> Spanned<Both<usize>> {
     Spanned::unplaced(Both { u: 3, v: 3 })
 }
 
+/// The surface, after a warning where it is no more than a curve or a point.
+fn with_area(ctx: &mut Ctx<'_>, surface: NurbsSurface) -> NurbsSurface {
+    if !surface.has_area() {
+        let message = "the surface has no area: all of it lies on one curve, or in one point";
+        let hint = "it has no normal anywhere; look for points or curves that are given twice";
+        ctx.warn(Diagnostic::warning(Code::Degenerate, ctx.span, message).hint(hint));
+    }
+    surface
+}
+
 /// The tensor product on given knots, or on uniform clamped ones over 0..1.
 fn tensor(
+    ctx: &mut Ctx<'_>,
     points: Spanned<Rows>,
     weights: Option<Spanned<Vec<Vec<f64>>>>,
     degree: Spanned<Both<usize>>,
@@ -137,13 +148,14 @@ fn tensor(
         .map_err(|found| in_direction(found, "u", "rows"))?;
     let knots_v = knots_for(knots_v, degrees.1, Spanned::new(grid.n_columns(), span))
         .map_err(|found| in_direction(found, "v", "points in a row"))?;
-    match weights {
-        None => NurbsSurface::polynomial(knots_u, knots_v, &grid).at(span),
+    let surface = match weights {
+        None => NurbsSurface::polynomial(knots_u, knots_v, &grid).at(span)?,
         Some(weights) => {
             let net = weight_grid(weights.value, &grid, weights.span)?;
-            NurbsSurface::rational(knots_u, knots_v, &grid, &net).at(weights.span)
+            NurbsSurface::rational(knots_u, knots_v, &grid, &net).at(weights.span)?
         }
-    }
+    };
+    Ok(with_area(ctx, surface))
 }
 
 /// A height, which must be above zero.

@@ -27,6 +27,6 @@ op! {
     picture "nurbs([for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]])";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
-    tensor(args.points, args.weights, args.degree, args.knots)
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
+    tensor(ctx, args.points, args.weights, args.degree, args.knots)
 }

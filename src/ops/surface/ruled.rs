@@ -1,5 +1,6 @@
 //! `ruled`: straight lines between two curves.
 
+use super::with_area;
 use crate::{
     diag::Result,
     kernel::{Curve, NurbsSurface},
@@ -24,5 +25,6 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let curve = |c: &Curve| c.nurbs_within(ctx.tolerance.distance).at(ctx.span);
-    NurbsSurface::ruled(&*curve(&args.c0)?, &*curve(&args.c1)?).at(ctx.span)
+    let surface = NurbsSurface::ruled(&*curve(&args.c0)?, &*curve(&args.c1)?).at(ctx.span)?;
+    Ok(with_area(ctx, surface))
 }

@@ -111,3 +111,16 @@ test "stripes break, have kinks, or are smooth where surfaces meet" {
   check apart(before, bend, 0) < 1e-5 and apart(before, bend, 1) > 1e-2
   check apart(before, more, 0) < 1e-5 and apart(before, more, 1) < 1e-3
 }
+
+test "umbilics are found wherever they are, also close to one another" {
+  let even = s => every(describe(s).umbilics, p => principal(s, p.x, p.y).k2 - principal(s, p.x, p.y).k1 ~= 0 within 1e-8)
+  let valley = bezier([[(0.2, -0.5, -3.5), (-0.1, 0.8, -0.1), (-0.1, 2.1, 1.4), (-0.1, 3, 0.4), (0.1, 4.1, 0), (-0.1, 5.1, 0)],
+    [(0.8, -0.3, 0), (0.9, 0.9, 0.9), (1.1, 2.2, 0.3), (1.2, 2.9, 0), (1.1, 3.9, 0.5), (0.8, 4.6, 1.2)],
+    [(2, 0.1, -1.3), (2.1, 1, -0.4), (2, 2, -0.3), (2.3, 3, 0.1), (2, 3.5, 1.6), (1.9, 5, -1)]])
+  check len(describe(valley).umbilics) == 2 and even(valley)
+  let ridge = bezier([[(-0.2, 0.1, -10.5), (0.2, 1, -3.4), (0, 1.9, -0.4), (-0.1, 3, -0.3), (-0.2, 3.7, -2.1), (-0.1, 5, 0.1)],
+    [(1.1, -0.1, 0.4), (1.3, 1, 0.4), (1, 1.7, 0), (0.7, 2.8, -0.2), (1.5, 4.1, 0.5), (1.2, 5.2, -4.6)],
+    [(2.2, -0.2, 0.1), (2.3, 1.2, 1.8), (2.1, 2, 2.3), (2.1, 3, -0.4), (1.8, 4, 2), (2, 5, 0.5)],
+    [(3.4, 0.2, 0.5), (3.4, 0.7, -1.5), (3, 2.1, 4), (3, 3.1, -0.2), (3, 4.2, 1.4), (3, 5, 2.8)]])
+  check len(describe(ridge).umbilics) == 3 and even(ridge)
+}

@@ -8,7 +8,7 @@
 //! divided out first. `sample` turns branches into points with tangents, `chain` joins these,
 //! `cubic` lays splines through them. `plane` has the fields of planes, `shade` those of normals and
 //! of what they mirror, `square` the polynomials. `meet` has the curves in which two surfaces cross,
-//! by parts of both (`pair`) and by following what is found (`trace`), also where they touch (`touch`)
+//! by parts of both (`pair`, `share`) and by following what is found (`trace`), also where they touch (`touch`)
 //! along lines (`tangency`) or are neighbours (`seam`), `pierce` the places that a curve shares with a surface.
 //!
 //! Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988); Patrikalakis &
@@ -26,6 +26,7 @@ mod plane;
 mod sample;
 mod seam;
 mod shade;
+mod share;
 mod square;
 mod tangency;
 mod touch;

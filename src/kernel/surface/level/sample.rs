@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Branch, cubic::Cubic};
+use super::{Branch, chain::Spot, cubic::Cubic};
 use crate::kernel::{NurbsSurface, frame::unit};
 
 /// Halvings of the stretch between two samples.
@@ -33,6 +33,30 @@ impl Sample {
 }
 
 impl Run {
+    /// Whether all of it is within a spot.
+    pub(super) fn is_within(&self, spot: &Spot) -> bool {
+        self.samples.iter().all(|sample| sample.point.distance(spot.point) <= spot.radius)
+    }
+
+    /// Whether it lies on others.
+    pub(super) fn is_on(&self, runs: &[Self], tolerance: f64) -> bool {
+        let point = self.samples[self.samples.len() / 2].point;
+        runs.iter().any(|other| other.passes(point, tolerance))
+    }
+
+    /// Whether it passes through a point.
+    pub(super) fn passes(&self, point: DVec3, tolerance: f64) -> bool {
+        self.samples.windows(2).any(|pair| {
+            let chord = pair[1].point - pair[0].point;
+            let along = (point - pair[0].point).dot(chord) / chord.length_squared();
+            let reach = pair[0].point.distance(point).min(pair[1].point.distance(point));
+            reach <= chord.length()
+                && Cubic::between(pair[0], pair[1], length_between(pair[0], pair[1]))
+                    .misses_near(point, along.clamp(0.0, 1.0))
+                    <= 4.0 * tolerance
+        })
+    }
+
     /// Samples of a branch on a Bézier patch; the cubics between them stay within `tolerance` of
     /// the branch in the middle.
     pub(super) fn of(branch: &Branch, patch: &NurbsSurface, tolerance: f64) -> Self {

@@ -16,7 +16,7 @@ use crate::kernel::{
     NurbsSurface,
     frame::unit,
     homogeneous,
-    tolerance::{BEND_RELATIVE, CONTACT_SHARE, LAST_BIT, PLACE_RELATIVE},
+    tolerance::{BEND_RELATIVE, CONTACT_SHARE, LAST_BIT, PLACE_RELATIVE, SIGN_RELATIVE},
 };
 
 /// Steps of Newton's method.
@@ -51,7 +51,7 @@ pub(super) struct Seen {
     axes: [DVec3; 3],
     /// From the point of the first to that of the second: in the plane, and over it.
     apart: DVec2,
-    rise: f64,
+    pub(super) rise: f64,
     /// How the second climbs over the plane, and whether it has the same side up.
     slope: DVec2,
     is_alike: bool,
@@ -188,11 +188,14 @@ impl Seen {
         (0.5 <= facing.abs()).then_some(seen)
     }
 
-    /// The step in the plane to where the slope of e vanishes, but not along a line of zeros.
-    fn step(&self) -> DVec2 {
+    /// The step in the plane to where the slope of e vanishes, but not along a line of zeros; none
+    /// where surfaces of that size bend alike.
+    fn step(&self, size: f64) -> DVec2 {
         let right = self.slope - self.bend * self.apart;
         let [(weak, along), (strong, across)] = eigen(self.difference);
-        let part = |value: f64, axis: DVec2| match value.abs() <= f64::MIN_POSITIVE {
+        let bend = self.bend.x_axis.abs().max_element().max(self.bend.y_axis.abs().max_element());
+        let rounding = SIGN_RELATIVE * (bend + 1.0 / size);
+        let part = |value: f64, axis: DVec2| match value.abs() <= rounding {
             true => DVec2::ZERO,
             false => axis * (axis.dot(right) / value),
         };
@@ -241,7 +244,7 @@ impl Crossing<'_> {
         let mut at = start;
         for _ in 0..MAX_STEPS {
             let seen = Seen::new(self, at)?;
-            let step = seen.step();
+            let step = seen.step(self.size);
             if !step.is_finite() || self.size < step.length() {
                 return None;
             }
@@ -254,10 +257,9 @@ impl Crossing<'_> {
         None
     }
 
-    /// Whether the surfaces meet there, up to rounding and the share of the tolerance that counts
-    /// as such.
+    /// Whether the surfaces meet there, up to what counts as such.
     pub(super) fn is_contact(&self, seen: &Seen) -> bool {
-        seen.rise.abs() <= CONTACT_SHARE * self.tolerance
+        seen.rise.abs() <= self.contact
     }
 
     /// What a contact is; `None` where that cannot be told from second derivatives.
@@ -305,7 +307,7 @@ impl Crossing<'_> {
     /// Whether the surfaces are one in a sector about a place.
     fn share_area(&self, seen: &Seen) -> bool {
         let radius = AREA_REACH * self.size;
-        let near = 2.0 * CONTACT_SHARE * self.tolerance;
+        let near = 2.0 * self.contact;
         let [_, (strong, _)] = eigen(seen.difference);
         if near < strong.abs() * radius * radius {
             return false;

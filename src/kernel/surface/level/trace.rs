@@ -30,6 +30,8 @@ pub(super) struct Crossing<'s> {
     pub(super) surfaces: [&'s NurbsSurface; 2],
     pub(super) domains: [Interval; 4],
     pub(super) tolerance: f64,
+    /// Within this distance surfaces whose normals are parallel touch.
+    pub(super) contact: f64,
     pub(super) size: f64,
     /// What rounding leaves of a distance.
     pub(super) rounding: f64,
@@ -54,12 +56,19 @@ struct Look {
 }
 
 impl<'s> Crossing<'s> {
-    pub(super) fn new(surfaces: [&'s NurbsSurface; 2], tolerance: f64, size: f64) -> Self {
+    /// Of surfaces that touch within that share of the tolerance.
+    pub(super) fn new(
+        surfaces: [&'s NurbsSurface; 2],
+        [tolerance, share]: [f64; 2],
+        size: f64,
+    ) -> Self {
         let [a, b] = surfaces;
         let domains = [a.domain_u(), a.domain_v(), b.domain_u(), b.domain_v()];
         let magnitude = a.bounds().magnitude().max(b.bounds().magnitude());
-        let poles = poles(surfaces, tolerance);
-        Self { surfaces, domains, tolerance, size, rounding: 8.0 * LAST_BIT * magnitude, poles }
+        let contact = share * tolerance;
+        let poles = poles(surfaces, contact);
+        let rounding = 8.0 * LAST_BIT * magnitude;
+        Self { surfaces, domains, tolerance, contact, size, rounding, poles }
     }
 
     /// Parts of surfaces that touch are no larger than this: the tolerance's height over a bend of

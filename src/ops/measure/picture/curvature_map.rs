@@ -6,7 +6,10 @@ use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{self, GeomError, MeshLimits, Surface, tolerance::DEFAULT_CHORD_RELATIVE},
+    kernel::{
+        self, GeomError, MeshLimits, Surface,
+        tolerance::{DEFAULT_CHORD_RELATIVE, SHADE_RELATIVE},
+    },
     value::{At, Choice, Ctx, Length, Record, Value, op},
 };
 
@@ -17,7 +20,7 @@ op! {
     /// (the larger of them without its sign) and `"difference"` (k2 − k1, zero at umbilics). The
     /// values are those at the vertices, `none` where the surface has none, which are grey. `min` and
     /// `max` are the ends of the scale, those of the values unless a `range` is given; values beyond
-    /// have the colours of the ends. The scale goes through white at zero where it holds both signs, blue
+    /// have the colours of the ends. Values that are the same but for rounding are one value, and white. The scale goes through white at zero where it holds both signs, blue
     /// below and red above, and else from blue over white to red; `scale` lists
     /// `{value, color}` at nine places, colours as red, green and blue from 0 to 1.
     /// Beck, Farouki & Hinds, *Surface analysis methods*, IEEE CG&A 6 (1986).
@@ -66,10 +69,12 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     let limits = MeshLimits::within(tolerance(surface, span, args.tolerance)?);
     let mesh = kernel::tessellate_any(surface, &limits, ctx.limits.mesh_vertices).at(span)?;
     let mut values = Vec::with_capacity(mesh.n_vertices());
+    let mut strongest = 0.0_f64;
     for uv in mesh.uvs() {
         values.push(match surface.shape_at(uv.x, uv.y) {
             Ok(shape) => {
                 let [k1, k2] = shape.curvatures();
+                strongest = strongest.max(k1.abs()).max(k2.abs());
                 Some(match args.kind {
                     Kind::Gaussian => shape.gaussian(),
                     Kind::Mean => shape.mean(),
@@ -83,12 +88,11 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
             Err(error) => return Err(error).at(span),
         });
     }
-    let known = || values.iter().copied().flatten();
-    let found = [known().fold(f64::INFINITY, f64::min), known().fold(f64::NEG_INFINITY, f64::max)];
-    let ends = match args.range {
-        Some(range) => [range.start(), range.end()],
-        None if found[0] <= found[1] => found,
-        None => {
+    let unit = if args.kind == Kind::Gaussian { strongest * strongest } else { strongest };
+    let ends = match (args.range, ends_of(&values, SHADE_RELATIVE * unit)) {
+        (Some(range), _) => [range.start(), range.end()],
+        (None, Some(ends)) => ends,
+        (None, None) => {
             let message = "the surface has no curvature anywhere that could be shown";
             return Diagnostic::error(Code::Degenerate, span, message).fail();
         }
@@ -112,6 +116,19 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
         (Arc::from("scale"), Value::list((0..STOPS).map(stop).collect())),
         (Arc::from("values"), Value::list(all.collect())),
     ]))
+}
+
+/// The least and the largest value; one for both where they differ by rounding.
+fn ends_of(values: &[Option<f64>], rounding: f64) -> Option<[f64; 2]> {
+    let known = || values.iter().copied().flatten();
+    let least = known().reduce(f64::min)?;
+    let most = known().reduce(f64::max)?;
+    let middle = 0.5 * (least + most);
+    Some(match most - least <= rounding {
+        false => [least, most],
+        true if middle.abs() <= rounding => [0.0; 2],
+        true => [middle; 2],
+    })
 }
 
 /// The value at a place of the scale, at its ends exactly these.

@@ -1,0 +1,6 @@
+let s = sphere((0, 0), 1)
+curve rib = isocurve(s, u = 0.5)
+print umbilics(s)
+let b = cube((0, 0), (1, 1, 1))
+let hull = union(s, s)
+let patch = merge([[s, s]])
