@@ -8,12 +8,13 @@ use super::{super::message::pretty, Prompt, plot, show};
 use crate::{
     diag::{Code, nearest},
     docs,
+    kernel::{Column, Table},
     syntax::{Paint, Role, pieces},
     value::Value,
 };
 
 /// Points at which a function is plotted.
-const N_SAMPLES: usize = 200;
+const N_SAMPLES: usize = 201;
 
 /// A command.
 pub(super) struct Command {
@@ -82,6 +83,10 @@ pub(super) fn run(prompt: &mut Prompt, text: &str) {
         _ => None,
     });
     match known {
+        Some(Command { name, takes: "", .. }) if !rest.trim().is_empty() => {
+            prompt
+                .refuse(&format!("`:{name}` stands alone; found `{}`", show::cut(rest.trim(), 40)));
+        }
         Some(command) => (command.run)(prompt, rest.trim()),
         None => {
             let near = nearest(name, COMMANDS.iter().map(|command| command.name));
@@ -210,10 +215,14 @@ fn undo(prompt: &mut Prompt, _: &str) {
     // What held before holds again, unless a file that it reads has changed.
     match prompt.evaluate("", '\n', &text, ["document", "document"]) {
         Some(mut ran) => {
+            let mut gone: Vec<String> =
+                prompt.values.iter().map(|(name, _)| name.clone()).collect();
             prompt.know(&mut ran.report);
             prompt.document = document;
+            gone.retain(|name| prompt.values.iter().all(|(still, _)| still != name));
             let n = some(prompt.values.len(), "definition");
-            prompt.voice.remark(&format!("(back to {n})"));
+            let without = if gone.is_empty() { "" } else { ", without " };
+            prompt.voice.remark(&format!("(back to {n}{without}{})", gone.join(", ")));
         }
         None => {
             prompt.told = told;
@@ -300,7 +309,7 @@ fn function(prompt: &mut Prompt, expr: &str, range: Option<&str>) -> Option<Stri
         prompt.refuse("only functions with numbers as their values can be plotted");
         return None;
     }
-    Some(plot::chart(&points, prompt.columns))
+    Some(plot::chart(&[points], prompt.columns))
 }
 
 /// A pair of numbers as a point.
@@ -312,32 +321,36 @@ fn point(pair: &Value) -> Option<DVec2> {
     }
 }
 
-/// A curve, points, numbers in a row, the first columns of a table.
+/// Numbers one after the other.
+fn in_a_row(numbers: &[f64], columns: usize) -> String {
+    let points = numbers.iter().enumerate().map(|(i, &y)| DVec2::new(i as f64, y));
+    plot::chart(&[points.collect()], columns)
+}
+
+/// The columns of a table over its first one; an only column in a row.
+fn charted(table: &Table, columns: usize) -> Option<String> {
+    let numbers: Vec<(&str, &[f64])> = table
+        .columns()
+        .iter()
+        .filter_map(|column| match &column.column {
+            Column::Numbers(numbers) => Some((column.name.as_str(), numbers.as_slice())),
+            Column::Texts(_) => None,
+        })
+        .collect();
+    let ((over, x), others) = numbers.split_first()?;
+    if others.is_empty() {
+        return Some(in_a_row(x, columns));
+    }
+    let path = |y: &[f64]| x.iter().zip(y).map(|(&x, &y)| DVec2::new(x, y)).collect();
+    let paths: Vec<Vec<DVec2>> = others.iter().map(|(_, y)| path(y)).collect();
+    let names: Vec<&str> = others.iter().map(|&(name, _)| name).collect();
+    Some(format!("{}({} over {over})\n", plot::chart(&paths, columns), names.join(", ")))
+}
+
+/// A curve, points, numbers in a row, a table.
 fn drawn(value: &Value, columns: usize) -> Option<String> {
-    let in_a_row = |numbers: &[f64]| {
-        let points: Vec<DVec2> =
-            numbers.iter().enumerate().map(|(i, &y)| DVec2::new(i as f64, y)).collect();
-        plot::chart(&points, columns)
-    };
     match value {
-        Value::Table(table) => {
-            let columns_of: Vec<&[f64]> = table
-                .columns()
-                .iter()
-                .filter_map(|column| match &column.column {
-                    crate::kernel::Column::Numbers(numbers) => Some(numbers.as_slice()),
-                    crate::kernel::Column::Texts(_) => None,
-                })
-                .collect();
-            match columns_of.as_slice() {
-                [] => None,
-                [only] => Some(in_a_row(only)),
-                [x, y, ..] => {
-                    let points = x.iter().zip(*y).map(|(&x, &y)| DVec2::new(x, y));
-                    Some(plot::chart(&points.collect::<Vec<_>>(), columns))
-                }
-            }
-        }
+        Value::Table(table) => charted(table, columns),
         Value::List(items) if items.iter().all(|item| matches!(item, Value::Number(_))) => {
             let numbers: Vec<f64> = items
                 .iter()
@@ -346,7 +359,7 @@ fn drawn(value: &Value, columns: usize) -> Option<String> {
                     _ => None,
                 })
                 .collect();
-            (!numbers.is_empty()).then(|| in_a_row(&numbers))
+            (!numbers.is_empty()).then(|| in_a_row(&numbers, columns))
         }
         value => {
             let (paths, axes) = plot::flat(&show::paths(value));
