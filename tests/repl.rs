@@ -343,6 +343,12 @@ mod terminal {
         prompt.says(":time length(c)", " ms)");
         prompt.says(":help bezier", "list of points");
         prompt.says(":help E0602", "E0602: ");
+        prompt.says(":help :sho", ":show EXPR\r");
+        prompt.says(":help :shw", "did you mean `:show`?");
+        prompt.types("/// Half of it.\r");
+        prompt.says("fn half(h) = h / 2", "half: function half(h)");
+        prompt.says(":help half", "Half of it.\r");
+        prompt.says(":undo", "without half)");
         prompt.says(":help", ":undo");
         prompt.says(":export c to \"c.obj\"", "wrote c.obj");
         prompt.says(":save mine.geo", "saved mine.geo");

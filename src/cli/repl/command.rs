@@ -26,6 +26,14 @@ pub(super) struct Command {
     run: fn(&mut Prompt, &str),
 }
 
+impl Command {
+    /// All that there is to say of it.
+    fn entry(&self) -> String {
+        let head = format!(":{} {}", self.name, self.takes);
+        format!("{}\n\n{}\n", head.trim_end(), self.docs)
+    }
+}
+
 /// Every command, by name.
 pub(super) const COMMANDS: &[Command] = &[
     command("export", "[EXPR to \"FILE\"]", "writes a file, or those of the document", export),
@@ -74,29 +82,35 @@ const fn file_command(
 pub(super) fn run(prompt: &mut Prompt, text: &str) {
     let text = text.trim();
     let (name, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
-    let known = COMMANDS.iter().find(|command| command.name == name);
-    // The beginning of one name alone is that name: `:q`.
-    let mut beginning =
-        COMMANDS.iter().filter(|command| !name.is_empty() && command.name.starts_with(name));
-    let known = known.or_else(|| match (beginning.next(), beginning.next()) {
-        (Some(only), None) => Some(only),
-        _ => None,
-    });
-    match known {
+    match known(name) {
         Some(Command { name, takes: "", .. }) if !rest.trim().is_empty() => {
             prompt
                 .refuse(&format!("`:{name}` stands alone; found `{}`", show::cut(rest.trim(), 40)));
         }
         Some(command) => (command.run)(prompt, rest.trim()),
-        None => {
-            let near = nearest(name, COMMANDS.iter().map(|command| command.name));
-            let near = near.map_or_else(
-                || "; `:help` lists them".to_owned(),
-                |near| format!("; did you mean `:{near}`?"),
-            );
-            prompt.refuse(&format!("there is no command `:{}`{near}", show::cut(name, 40)));
-        }
+        None => prompt.refuse(&unknown(name)),
     }
+}
+
+/// The command of a name; the beginning of one name alone is that name: `:q`.
+fn known(name: &str) -> Option<&'static Command> {
+    let mut beginning =
+        COMMANDS.iter().filter(|command| !name.is_empty() && command.name.starts_with(name));
+    let exact = COMMANDS.iter().find(|command| command.name == name);
+    exact.or_else(|| match (beginning.next(), beginning.next()) {
+        (Some(only), None) => Some(only),
+        _ => None,
+    })
+}
+
+/// That there is no such command.
+fn unknown(name: &str) -> String {
+    let near = nearest(name, COMMANDS.iter().map(|command| command.name));
+    let near = near.map_or_else(
+        || "; `:help` lists them".to_owned(),
+        |near| format!("; did you mean `:{near}`?"),
+    );
+    format!("there is no command `:{}`{near}", show::cut(name, 40))
 }
 
 fn help(prompt: &mut Prompt, name: &str) {
@@ -111,17 +125,21 @@ fn help(prompt: &mut Prompt, name: &str) {
         text.push_str("\n`virote doc` lists the built-ins.\n");
         return super::say(&text);
     }
-    let name = name.trim_start_matches(':');
+    if let Some(command) = name.strip_prefix(':') {
+        return match known(command) {
+            Some(command) => super::say(&command.entry()),
+            None => prompt.refuse(&unknown(command)),
+        };
+    }
     let own = prompt.values.iter().find(|(own, _)| own == name);
     if let Some((name, value)) = own {
-        super::say(&format!("{}\n", show::line(name, value)));
+        let docs = prompt.document.docs_of(name).map(|docs| format!("\n{docs}"));
+        super::say(&format!("{}\n{}", show::line(name, value), docs.unwrap_or_default()));
     }
     let code = Code::from_id(name).map(|code| {
         format!("{}: {}\n\n{}\n", code.id(), code.title(), docs::wrap(code.explanation()))
     });
-    let command = COMMANDS.iter().find(|command| command.name == name);
-    let command =
-        command.map(|command| format!(":{} {}\n\n{}\n", command.name, command.takes, command.docs));
+    let command = COMMANDS.iter().find(|command| command.name == name).map(Command::entry);
     match docs::entry(&prompt.registry, name).or(code).or(command) {
         Some(text) => super::say(&text),
         None if prompt.values.iter().any(|(own, _)| own == name) => {}
