@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::value::{Family, Op, Registry, Type};
+use crate::value::{Family, Op, Picture, Registry, Type};
 
 /// Columns of text in a terminal.
 const WIDTH: usize = 90;
@@ -125,6 +125,9 @@ fn op_entry(op: &Op) -> String {
     for example in op.examples {
         let _ = write!(out, "\n  {}\n  = {}\n", example.code, example.prints);
     }
+    for refusal in op.refusals {
+        let _ = write!(out, "\n  {}\n  {}\n", refusal.code, refusal.says);
+    }
     out
 }
 
@@ -136,7 +139,32 @@ pub struct Illustration {
     /// Its file, in the folder `pictures` beside the reference.
     pub file: String,
     /// What it shows: what the operation declares, or the call in its first example.
-    pub call: &'static str,
+    pub picture: Picture,
+}
+
+impl Illustration {
+    /// The script whose geometry it shows.
+    #[must_use]
+    pub fn script(&self) -> String {
+        match self.picture {
+            Picture::Value(expression) => format!("let shown = {expression}\n"),
+            Picture::Scene(script) => lines(script),
+        }
+    }
+
+    /// What stands below it.
+    fn caption(&self) -> String {
+        match self.picture {
+            Picture::Value(expression) => format!("*`{expression}`*\n"),
+            Picture::Scene(script) => format!("```geo\n{}```\n", lines(script)),
+        }
+    }
+}
+
+/// The lines of a text that is indented, without empty ones.
+fn lines(text: &str) -> String {
+    let lines = text.lines().map(str::trim).filter(|line| !line.is_empty());
+    lines.map(|line| format!("{line}\n")).collect()
 }
 
 /// The pictures of the operations that make curves, surfaces or meshes, and of those that declare one.
@@ -146,14 +174,14 @@ pub fn illustrations(registry: &Registry) -> Vec<Illustration> {
     for op in registry.iter() {
         let first = || {
             let mut calls = op.examples.iter().filter_map(|one| call_in(one.code, op.name));
-            calls.next().filter(|_| makes_shapes(op.returns))
+            calls.next().filter(|_| makes_shapes(op.returns)).map(Picture::Value)
         };
-        let Some(call) = op.picture.or_else(first) else { continue };
+        let Some(picture) = op.picture.or_else(first) else { continue };
         let file = match found.iter().filter(|other| other.op.name == op.name).count() {
             0 => format!("{}.png", op.name),
             n => format!("{}-{}.png", op.name, n + 1),
         };
-        found.push(Illustration { op, file, call });
+        found.push(Illustration { op, file, picture });
     }
     found
 }
@@ -188,12 +216,28 @@ fn call_in<'a>(code: &'a str, name: &str) -> Option<&'a str> {
     None
 }
 
+/// What the reference begins with.
+const HEAD: &str = "\
+# Reference
+
+Every built-in of the language, by chapter. This page is generated from the declarations
+of the operations; `virote doc NAME` shows the same in a terminal.
+
+A signature has the names of the parameters, their types, and the defaults of those that may be
+left out, which are always given by name. A `length` may carry a unit of length; without one it
+counts in the unit of the document, as points do. An `angle` carries `deg`, `rad` or `turn`.
+Questions about geometry answer in the unit of the document, with numbers that carry none.
+
+Each example, and each error that an entry lists, is a test. Errors that all built-ins have in
+common are not listed: an argument that is of another kind (E0301, E0303), an angle without a unit
+(E0304), arguments that are missing, repeated or unknown (E0401), a word that is none of those that
+can be chosen (E0402), and what is beyond a ceiling (E0901). `virote explain CODE` tells about each.
+";
+
 /// The whole reference as Markdown, by chapter and name.
 #[must_use]
 pub fn reference(registry: &Registry) -> String {
-    let mut out = String::from(
-        "# Reference\n\nEvery built-in of the language, by chapter. This page is generated from the declarations\nof the operations; `virote doc NAME` shows the same in a terminal.\n",
-    );
+    let mut out = String::from(HEAD);
     let pictures = illustrations(registry);
     for &(family, title) in Family::ALL {
         let ops: Vec<&Op> = registry.iter().filter(|op| op.family == family).collect();
@@ -227,8 +271,8 @@ fn markdown_entry(op: &Op, picture: Option<&Illustration>) -> String {
         let _ =
             writeln!(out, "- `{}` ({}): {}", param.name, param.ty, docs.trim().replace('\n', " "));
     }
-    if let Some(Illustration { file, call, .. }) = picture {
-        let _ = write!(out, "\n![{}](pictures/{file})\n\n*`{call}`*\n", op.name);
+    if let Some(picture) = picture {
+        let _ = write!(out, "\n![{}](pictures/{})\n\n{}", op.name, picture.file, picture.caption());
     }
     for example in op.examples {
         let _ = write!(
@@ -236,6 +280,12 @@ fn markdown_entry(op: &Op, picture: Option<&Illustration>) -> String {
             "\n```geo\nprint {}\n```\n```text\n{}\n```\n",
             example.code, example.prints
         );
+    }
+    if !op.refusals.is_empty() {
+        out.push_str("\nErrors:\n\n");
+    }
+    for refusal in op.refusals {
+        let _ = writeln!(out, "- `{}`<br>{}", refusal.code, refusal.says);
     }
     out
 }
