@@ -6,8 +6,16 @@ use crate::value::{Family, Op, Picture, Registry, Type};
 
 /// Columns of text in a terminal.
 const WIDTH: usize = 90;
+/// Columns before the text in a list of names.
+const INDENT: usize = 23;
 
-/// Every built-in with its first line, by chapter.
+/// A name with what it is, in lines of a terminal's width.
+fn listed(name: &str, text: &str) -> String {
+    let text = wrap_at(text, WIDTH - INDENT).replace('\n', &format!("\n{:INDENT$}", ""));
+    format!("  {name:<20} {text}\n")
+}
+
+/// Every built-in with its first paragraph, by chapter.
 #[must_use]
 pub fn overview(registry: &Registry) -> String {
     let mut out = String::new();
@@ -18,13 +26,13 @@ pub fn overview(registry: &Registry) -> String {
         }
         let _ = writeln!(out, "{title}");
         for op in ops {
-            let _ = writeln!(out, "  {:<16} {}", op.name, op.summary());
+            out.push_str(&listed(op.name, op.summary()));
         }
         out.push('\n');
     }
     out.push_str("Constants\n");
     for constant in registry.constants() {
-        let _ = writeln!(out, "  {:<16} {}", constant.name, constant.docs);
+        out.push_str(&listed(constant.name, constant.docs));
     }
     out.push_str(
         "\n`virote doc NAME` tells more about one of them, `virote doc WORDS` searches.\n",
@@ -37,23 +45,23 @@ pub fn chapters() -> impl Iterator<Item = &'static str> {
     Family::ALL.iter().map(|&(_, title)| title)
 }
 
-/// The built-ins of a chapter with their first lines; upper and lower case are the same.
+/// The built-ins of a chapter with their first paragraphs; upper and lower case are the same.
 #[must_use]
 pub fn chapter(registry: &Registry, title: &str) -> Option<String> {
     let is_it = |(_, its): &&(Family, &str)| its.eq_ignore_ascii_case(title);
     let &(family, title) = Family::ALL.iter().find(is_it)?;
     let mut out = format!("{title}\n");
     for op in registry.iter().filter(|op| op.family == family) {
-        let _ = writeln!(out, "  {:<16} {}", op.name, op.summary());
+        out.push_str(&listed(op.name, op.summary()));
     }
     Some(out)
 }
 
-/// The built-ins that are about all words of a query, the best first, with their first lines; none
+/// The built-ins that are about all words of a query, the best first, with their first paragraphs; none
 /// if there is none.
 ///
-/// A word counts where a word of theirs begins with it: in the name most, then in the first line, in
-/// the names of parameters, and in the rest of the documentation.
+/// A word counts where a word of theirs begins with it: in the name most, then in the first paragraph,
+/// in the names of parameters, and in the rest of the documentation.
 #[must_use]
 pub fn search(registry: &Registry, query: &str) -> Option<String> {
     let query: Vec<String> = words(query).map(str::to_lowercase).collect();
@@ -66,11 +74,11 @@ pub fn search(registry: &Registry, query: &str) -> Option<String> {
         .filter(|&(score, ..)| 0 < score)
         .collect();
     found.sort_by(|a, b| b.0.cmp(&a.0).then(a.1.cmp(b.1)));
-    // Of several that share a name each is listed by its own line.
+    // Of several that share a name each is listed by its own paragraph.
     found.dedup();
     let mut out = String::new();
     for (_, name, summary) in &found {
-        let _ = writeln!(out, "  {name:<16} {summary}");
+        out.push_str(&listed(name, summary));
     }
     (!found.is_empty()).then_some(out)
 }
@@ -298,11 +306,15 @@ fn dedent(docs: &str) -> String {
 /// Paragraphs broken into lines of a terminal's width.
 #[must_use]
 pub fn wrap(text: &str) -> String {
+    wrap_at(text, WIDTH)
+}
+
+fn wrap_at(text: &str, most: usize) -> String {
     let paragraphs = text.trim().split("\n\n").map(|paragraph| {
         let (mut out, mut column) = (String::new(), 0);
         for word in paragraph.split_whitespace() {
             let width = word.chars().count();
-            if column > 0 && column + 1 + width > WIDTH {
+            if column > 0 && column + 1 + width > most {
                 out.push('\n');
                 column = 0;
             } else if column > 0 {

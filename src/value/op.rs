@@ -202,10 +202,10 @@ pub struct Op {
 }
 
 impl Op {
-    /// First line of the documentation.
+    /// First paragraph of the documentation, as it stands in the source.
     #[must_use]
     pub fn summary(&self) -> &'static str {
-        self.docs.lines().next().unwrap_or_default().trim()
+        self.docs.split("\n\n").next().unwrap_or_default().trim()
     }
 
     /// `name(a: T, b: U = d) -> R`, one line.
