@@ -24,24 +24,25 @@ draw() {
     fi
 }
 
-draw aerofoil --only foil
-draw at-sign --only stroke_coons --only bowl_coons
+draw aerofoil --only foil --only measured --show control
+draw at-sign --only stroke_clamped --only bowl_clamped --show control
 draw bottle --only wall --only foot --only label
-draw car-bonnet --only bonnet --only stripes
-draw circles --only circles
+draw car-bonnet --only bonnet --show stripes
+draw circles --only circles --show control
 draw curvature-comb
-draw first-steps
+draw curvature-map --only map
+draw first-steps --show control
 draw frigate-hull --only port --only starboard --only waterlines --only frames
-draw linkeova-2-3 --only c --only at_half
-draw linkeova-2-4 --only before --only after --only parts
-draw linkeova-2-7 --only c --only triangle
-draw linkeova-exercise-2-26
+draw linkeova-2-3 --only c --only at_half --show control
+draw linkeova-2-4 --only before --only after --only parts --show control
+draw linkeova-2-7 --only c --only triangle --show control
+draw linkeova-exercise-2-26 --only side_by_side --show control
 draw naca --only wing
 draw pipe-along-a-curve
 draw propeller-blade --only all --only hub
 size=400x300 draw teapot --only patches
-draw textbook-joints
-draw textbook-surfaces --only filled
+draw textbook-joints --show control
+draw textbook-surfaces --only filled --show control
 draw units
 draw wheel-hub --only rim --only top --only blend --only shell --only lip --only mouth --only inner --only seal --only holes
 draw wigley-hull --only port --only starboard --only lines --only frames

@@ -73,6 +73,10 @@ fn samples(c, from) = [for t in linspace(0, 1, 7): c(from + t)]
 check [for c in splines, i in 0..<c.segments: samples(c, i)]
     ~= [for piece in pieces: samples(piece, 0)] within 1e-13
 
+// Side by side, as the figure has them.
+curves side_by_side = [for k in 0..3, polygon in cases[k].segments:
+    translate(bezier(polygon), (11 * (k % 2), -8 * floor(k / 2)))]
+
 // Neighbours join with their second derivatives: 6 times the second difference of the points.
 fn second_at_start(p) = 6 * (p[0] - 2 * p[1] + p[2])
 fn second_at_end(p) = 6 * (p[1] - 2 * p[2] + p[3])

@@ -2,12 +2,20 @@
 
 use std::fmt::Write;
 
-use crate::value::{Family, Op, Registry, Type};
+use crate::value::{Family, Op, Picture, Registry, Type};
 
 /// Columns of text in a terminal.
 const WIDTH: usize = 90;
+/// Columns before the text in a list of names.
+const INDENT: usize = 23;
 
-/// Every built-in with its first line, by chapter.
+/// A name with what it is, in lines of a terminal's width.
+fn listed(name: &str, text: &str) -> String {
+    let text = wrap_at(text, WIDTH - INDENT).replace('\n', &format!("\n{:INDENT$}", ""));
+    format!("  {name:<20} {text}\n")
+}
+
+/// Every built-in with its first paragraph, by chapter.
 #[must_use]
 pub fn overview(registry: &Registry) -> String {
     let mut out = String::new();
@@ -18,13 +26,13 @@ pub fn overview(registry: &Registry) -> String {
         }
         let _ = writeln!(out, "{title}");
         for op in ops {
-            let _ = writeln!(out, "  {:<16} {}", op.name, op.summary());
+            out.push_str(&listed(op.name, op.summary()));
         }
         out.push('\n');
     }
     out.push_str("Constants\n");
     for constant in registry.constants() {
-        let _ = writeln!(out, "  {:<16} {}", constant.name, constant.docs);
+        out.push_str(&listed(constant.name, constant.docs));
     }
     out.push_str(
         "\n`virote doc NAME` tells more about one of them, `virote doc WORDS` searches.\n",
@@ -37,23 +45,23 @@ pub fn chapters() -> impl Iterator<Item = &'static str> {
     Family::ALL.iter().map(|&(_, title)| title)
 }
 
-/// The built-ins of a chapter with their first lines; upper and lower case are the same.
+/// The built-ins of a chapter with their first paragraphs; upper and lower case are the same.
 #[must_use]
 pub fn chapter(registry: &Registry, title: &str) -> Option<String> {
     let is_it = |(_, its): &&(Family, &str)| its.eq_ignore_ascii_case(title);
     let &(family, title) = Family::ALL.iter().find(is_it)?;
     let mut out = format!("{title}\n");
     for op in registry.iter().filter(|op| op.family == family) {
-        let _ = writeln!(out, "  {:<16} {}", op.name, op.summary());
+        out.push_str(&listed(op.name, op.summary()));
     }
     Some(out)
 }
 
-/// The built-ins that are about all words of a query, the best first, with their first lines; none
+/// The built-ins that are about all words of a query, the best first, with their first paragraphs; none
 /// if there is none.
 ///
-/// A word counts where a word of theirs begins with it: in the name most, then in the first line, in
-/// the names of parameters, and in the rest of the documentation.
+/// A word counts where a word of theirs begins with it: in the name most, then in the first paragraph,
+/// in the names of parameters, and in the rest of the documentation.
 #[must_use]
 pub fn search(registry: &Registry, query: &str) -> Option<String> {
     let query: Vec<String> = words(query).map(str::to_lowercase).collect();
@@ -66,11 +74,11 @@ pub fn search(registry: &Registry, query: &str) -> Option<String> {
         .filter(|&(score, ..)| 0 < score)
         .collect();
     found.sort_by(|a, b| b.0.cmp(&a.0).then(a.1.cmp(b.1)));
-    // Of several that share a name each is listed by its own line.
+    // Of several that share a name each is listed by its own paragraph.
     found.dedup();
     let mut out = String::new();
     for (_, name, summary) in &found {
-        let _ = writeln!(out, "  {name:<16} {summary}");
+        out.push_str(&listed(name, summary));
     }
     (!found.is_empty()).then_some(out)
 }
@@ -125,6 +133,9 @@ fn op_entry(op: &Op) -> String {
     for example in op.examples {
         let _ = write!(out, "\n  {}\n  = {}\n", example.code, example.prints);
     }
+    for refusal in op.refusals {
+        let _ = write!(out, "\n  {}\n  {}\n", refusal.code, refusal.says);
+    }
     out
 }
 
@@ -136,7 +147,32 @@ pub struct Illustration {
     /// Its file, in the folder `pictures` beside the reference.
     pub file: String,
     /// What it shows: what the operation declares, or the call in its first example.
-    pub call: &'static str,
+    pub picture: Picture,
+}
+
+impl Illustration {
+    /// The script whose geometry it shows.
+    #[must_use]
+    pub fn script(&self) -> String {
+        match self.picture {
+            Picture::Value(expression) => format!("let shown = {expression}\n"),
+            Picture::Scene(script) => lines(script),
+        }
+    }
+
+    /// What stands below it.
+    fn caption(&self) -> String {
+        match self.picture {
+            Picture::Value(expression) => format!("*`{expression}`*\n"),
+            Picture::Scene(script) => format!("```geo\n{}```\n", lines(script)),
+        }
+    }
+}
+
+/// The lines of a text that is indented, without empty ones.
+fn lines(text: &str) -> String {
+    let lines = text.lines().map(str::trim).filter(|line| !line.is_empty());
+    lines.map(|line| format!("{line}\n")).collect()
 }
 
 /// The pictures of the operations that make curves, surfaces or meshes, and of those that declare one.
@@ -146,14 +182,14 @@ pub fn illustrations(registry: &Registry) -> Vec<Illustration> {
     for op in registry.iter() {
         let first = || {
             let mut calls = op.examples.iter().filter_map(|one| call_in(one.code, op.name));
-            calls.next().filter(|_| makes_shapes(op.returns))
+            calls.next().filter(|_| makes_shapes(op.returns)).map(Picture::Value)
         };
-        let Some(call) = op.picture.or_else(first) else { continue };
+        let Some(picture) = op.picture.or_else(first) else { continue };
         let file = match found.iter().filter(|other| other.op.name == op.name).count() {
             0 => format!("{}.png", op.name),
             n => format!("{}-{}.png", op.name, n + 1),
         };
-        found.push(Illustration { op, file, call });
+        found.push(Illustration { op, file, picture });
     }
     found
 }
@@ -188,12 +224,28 @@ fn call_in<'a>(code: &'a str, name: &str) -> Option<&'a str> {
     None
 }
 
+/// What the reference begins with.
+const HEAD: &str = "\
+# Reference
+
+Every built-in of the language, by chapter. This page is generated from the declarations
+of the operations; `virote doc NAME` shows the same in a terminal.
+
+A signature has the names of the parameters, their types, and the defaults of those that may be
+left out, which are always given by name. A `length` may carry a unit of length; without one it
+counts in the unit of the document, as points do. An `angle` carries `deg`, `rad` or `turn`.
+Questions about geometry answer in the unit of the document, with numbers that carry none.
+
+Each example, and each error that an entry lists, is a test. Errors that all built-ins have in
+common are not listed: an argument that is of another kind (E0301, E0303), an angle without a unit
+(E0304), arguments that are missing, repeated or unknown (E0401), a word that is none of those that
+can be chosen (E0402), and what is beyond a ceiling (E0901). `virote explain CODE` tells about each.
+";
+
 /// The whole reference as Markdown, by chapter and name.
 #[must_use]
 pub fn reference(registry: &Registry) -> String {
-    let mut out = String::from(
-        "# Reference\n\nEvery built-in of the language, by chapter. This page is generated from the declarations\nof the operations; `virote doc NAME` shows the same in a terminal.\n",
-    );
+    let mut out = String::from(HEAD);
     let pictures = illustrations(registry);
     for &(family, title) in Family::ALL {
         let ops: Vec<&Op> = registry.iter().filter(|op| op.family == family).collect();
@@ -227,8 +279,8 @@ fn markdown_entry(op: &Op, picture: Option<&Illustration>) -> String {
         let _ =
             writeln!(out, "- `{}` ({}): {}", param.name, param.ty, docs.trim().replace('\n', " "));
     }
-    if let Some(Illustration { file, call, .. }) = picture {
-        let _ = write!(out, "\n![{}](pictures/{file})\n\n*`{call}`*\n", op.name);
+    if let Some(picture) = picture {
+        let _ = write!(out, "\n![{}](pictures/{})\n\n{}", op.name, picture.file, picture.caption());
     }
     for example in op.examples {
         let _ = write!(
@@ -236,6 +288,12 @@ fn markdown_entry(op: &Op, picture: Option<&Illustration>) -> String {
             "\n```geo\nprint {}\n```\n```text\n{}\n```\n",
             example.code, example.prints
         );
+    }
+    if !op.refusals.is_empty() {
+        out.push_str("\nErrors:\n\n");
+    }
+    for refusal in op.refusals {
+        let _ = writeln!(out, "- `{}`<br>{}", refusal.code, refusal.says);
     }
     out
 }
@@ -248,11 +306,15 @@ fn dedent(docs: &str) -> String {
 /// Paragraphs broken into lines of a terminal's width.
 #[must_use]
 pub fn wrap(text: &str) -> String {
+    wrap_at(text, WIDTH)
+}
+
+fn wrap_at(text: &str, most: usize) -> String {
     let paragraphs = text.trim().split("\n\n").map(|paragraph| {
         let (mut out, mut column) = (String::new(), 0);
         for word in paragraph.split_whitespace() {
             let width = word.chars().count();
-            if column > 0 && column + 1 + width > WIDTH {
+            if column > 0 && column + 1 + width > most {
                 out.push('\n');
                 column = 0;
             } else if column > 0 {

@@ -5,7 +5,7 @@ mod support;
 
 use std::fs;
 
-use support::{Scratch, folder, virote};
+use support::{Scratch, folder, told, virote};
 
 /// Documents with scripts in them.
 const DOCUMENTS: &[&str] =
@@ -41,6 +41,8 @@ fn check(verb: &str, language: &str, fits: impl Fn(i32) -> bool) {
         let text = fs::read_to_string(folder(document)).expect("the document is there");
         for (line, body) in blocks(&text, language) {
             let scratch = Scratch::new(&format!("docs-{verb}-{language}"));
+            // What the example of `load` loads.
+            scratch.file("points.csv", "x,y\n0,0\n1,2\n4,3\n");
             let script = scratch.file("block.geo", body);
             let output = virote(&scratch.0).arg(verb).arg(script).output().expect("it starts");
             let code = output.status.code().unwrap_or(-1);
@@ -50,6 +52,29 @@ fn check(verb: &str, language: &str, fits: impl Fn(i32) -> bool) {
         }
     }
     assert!(n_blocks > 0, "no document has a `{language}` block");
+}
+
+/// What `virote run` says of a script: standard output, standard error, exit code.
+fn run(name: &str, script: &str) -> (String, String, i32) {
+    let scratch = Scratch::new("docs-readme");
+    scratch.file(name, script);
+    told(&virote(&scratch.0).args(["run", name]).output().expect("it starts"))
+}
+
+#[test]
+fn the_readme_shows_what_the_command_says() {
+    let text = fs::read_to_string(folder("README.md")).expect("the README");
+    let [(_, arch)] = &blocks(&text, "geo")[..] else { panic!("one script") };
+    let [(_, too_low), (_, mistakes)] = &blocks(&text, "text")[..] else { panic!("two reports") };
+    let (out, err, code) = run("arch.geo", arch);
+    assert!(text.contains(out.lines().next().expect("a line")), "{out}");
+    assert_eq!((err.as_str(), code), ("", 0));
+    let (_, err, code) = run("arch.geo", &arch.replace("rise = 80mm", "rise = 60mm"));
+    assert_eq!((&err, code), (too_low, 1));
+    let bad = "let depth = 10mm\nlet tilt = 30deg\nlet slant = depth + tilt\n\n\
+        curve wall = besier((0, 0), (40, 60), (80, 0))\n";
+    let (_, err, code) = run("bad.geo", bad);
+    assert_eq!((&err, code), (mistakes, 2));
 }
 
 #[test]

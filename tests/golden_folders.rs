@@ -111,7 +111,7 @@ passed   says_nothing.geo:2  t
     assert_eq!(content(&scratch, "a.golden/files/c.obj.measures"), measures);
     let header: Json =
         serde_json::from_str(&content(&scratch, "a.golden/golden.json")).expect("JSON");
-    assert_eq!(header, json!({ "edition": 1, "tolerance": 1e-9, "bytes": false }));
+    assert_eq!(header, json!({ "edition": 2, "tolerance": 1e-9, "bytes": false }));
 
     let (out, err, code) = test(&scratch, &["a.geo"]);
     let expected = "\
@@ -248,6 +248,69 @@ export m, polyline((0, 0), {middle}, (4, 0)) to \"m.ply\"\n"
     has(&out, &["a place is three numbers"]);
 }
 
+/// A torus whose tube passes through itself, which is warned of, and another one in a test.
+const PINCHED: &str = "\
+surface s = torus((0, 0), 1, 2)
+test \"t\" { check torus((0, 0), 2, 3)(0, 0) ~= (5, 0) }
+";
+
+#[test]
+fn warnings_are_kept_and_compared() {
+    let scratch = Scratch::new("golden-warnings");
+    scratch.file("a.geo", PINCHED);
+    let made = "blessed  a.geo  1 golden file, 1 change\n  a.golden/warnings.txt: is new\n";
+    has(&test(&scratch, &["--bless", "a.geo"]).0, &[made]);
+    let warning =
+        "W0002 the minor radius is above the major one, so that the tube passes through itself\n";
+    assert_eq!(content(&scratch, "a.golden/warnings.txt"), warning.repeat(2));
+    has(&test(&scratch, &["a.geo"]).0, &["passed   a.geo  1 golden file\n"]);
+    // Where it stands does not count, how often it comes does.
+    scratch.file("a.geo", format!("\n\n{PINCHED}"));
+    assert_eq!(test(&scratch, &["a.geo"]).2, 0);
+    scratch.file("a.geo", PINCHED.replace("1, 2)", "2, 1)"));
+    let (out, _, code) = test(&scratch, &["a.geo"]);
+    assert_eq!(code, 1);
+    has(&out, &["a.golden/warnings.txt: from line 2: 1 lines in all, 2 were expected\n"]);
+    scratch.file("a.geo", "print 1\n");
+    let (out, err, code) = test(&scratch, &["a.geo"]);
+    assert_eq!((err.as_str(), code), ("", 1));
+    has(&out, &["a.golden/warnings.txt: nothing of the script makes this file any more\n"]);
+    // Blessing takes the file away that nothing makes.
+    assert_eq!(test(&scratch, &["--bless"]).2, 0);
+    assert_eq!(files_below(&scratch.0.join("a.golden")), ["golden.json", "printed.txt"]);
+}
+
+#[test]
+fn numbers_in_warnings_are_compared_within_the_tolerance() {
+    let script = "curve c = offset(bezier((0, 0), (1, 3), (3, -2), (4, 1)), 1)\n";
+    let scratch = Scratch::new("golden-warned-numbers");
+    scratch.file("a.geo", script);
+    assert_eq!(test(&scratch, &["--bless", "a.geo"]).2, 0);
+    let kept = content(&scratch, "a.golden/warnings.txt");
+    has(&kept, &["W0002 the offset crosses itself at t = 0.0428", "W0002 the offset has a cusp"]);
+    edit(&scratch, "a.golden/warnings.txt", "t = 0.0428", "t = 0.0429");
+    let (out, _, code) = test(&scratch, &["a.geo"]);
+    assert_eq!(code, 1);
+    has(&out, &["a.golden/warnings.txt: line 1\n", "expected  W0002 the offset crosses itself"]);
+    edit(&scratch, "a.golden/golden.json", "1e-9", "1e-3");
+    assert_eq!(test(&scratch, &["a.geo"]).2, 0);
+}
+
+#[test]
+fn a_folder_of_the_first_edition_has_no_warnings_until_it_is_blessed() {
+    let scratch = Scratch::new("golden-first-edition");
+    scratch.file("a.geo", format!("{PINCHED}print s(0, 0)\n"));
+    scratch.file("a.golden/golden.json", "{\"edition\": 1, \"tolerance\": 0.5}");
+    scratch.file("a.golden/printed.txt", "s(0, 0) = (3, 0, 0)\n");
+    has(&test(&scratch, &["a.geo"]).0, &["passed   a.geo  1 golden file\n"]);
+    let changed = "blessed  a.geo  2 golden files, 1 change\n  a.golden/warnings.txt: is new\n";
+    has(&test(&scratch, &["--bless"]).0, &[changed]);
+    let header: Json =
+        serde_json::from_str(&content(&scratch, "a.golden/golden.json")).expect("JSON");
+    assert_eq!(header, json!({ "edition": 2, "tolerance": 0.5, "bytes": false }));
+    assert_eq!(test(&scratch, &["a.geo"]).2, 0);
+}
+
 #[test]
 fn the_header_may_ask_for_bytes() {
     let script = |n: usize| {
@@ -326,7 +389,7 @@ a.golden/notes.txt: nothing of the script makes this file any more
 fn a_folder_that_is_not_as_it_should_be_is_told() {
     for (name, header, message) in [
         ("malformed", "{\"edition\": 1", "`a.golden/golden.json` EOF while parsing"),
-        ("later", "{\"edition\": 2}", "is of edition 2; this program reads edition 1"),
+        ("later", "{\"edition\": 3}", "is of edition 3; this program reads editions 1 to 2"),
         ("odd", "{\"edition\": 1, \"tolerence\": 1}", "did you mean `tolerance`?"),
         ("binary", "\u{0}\u{1}", "`a.golden/golden.json` expected value"),
     ] {

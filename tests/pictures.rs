@@ -10,7 +10,7 @@ use virote::{
     export::{Format, PICTURES},
     ops,
     session::{Extra, Scene, Session},
-    value::{Files, Type},
+    value::{Files, Picture, Type},
 };
 
 use support::{Scratch, files_below, told, virote};
@@ -75,11 +75,12 @@ impl Files for NoFiles {
 /// The picture of the reference that shows a call, as bytes of a PNG.
 fn illustration(picture: &Illustration) -> Vec<u8> {
     let session = Session::default();
-    let script = format!("let shown = {}\n", picture.call);
+    let script = picture.script();
     let report = session.run(picture.op.name, script.as_bytes(), &NoFiles, &[]);
     assert_eq!(report.count(Severity::Error), 0, "{script}{:#?}", report.diagnostics);
-    let is_one = picture.call.starts_with(picture.op.name);
-    let is_curve = is_one && matches!(picture.op.returns, Type::Curve);
+    let is_one =
+        |text: &str| text.starts_with(picture.op.name) && matches!(picture.op.returns, Type::Curve);
+    let is_curve = matches!(picture.picture, Picture::Value(text) if is_one(text));
     let extras: &[Extra] = if is_curve { &[Extra::Control] } else { &[] };
     let scene = Scene { only: &[], extras, view: None, size: [320, 240] };
     let format = Format::among(PICTURES, &picture.file).expect("a format");

@@ -1,7 +1,7 @@
 //! Questions to the registry: what must hold for every built-in operation and constant.
 
 use virote::{
-    diag::Span,
+    diag::{Diagnostic, Span},
     docs,
     eval::Setting,
     limits::Limits,
@@ -11,19 +11,22 @@ use virote::{
     value::{Call, Files, Op, Param, Type, choose},
 };
 
-/// No files at all.
+/// The one file that examples may load.
 #[derive(Debug)]
-struct Nothing;
+struct Points;
 
-impl Files for Nothing {
+impl Files for Points {
     fn read(&self, path: &str, _: usize) -> Result<Vec<u8>, String> {
-        Err(format!("cannot read `{path}`: there are no files here"))
+        match path {
+            "points.csv" => Ok(b"x,y\n0,0\n1,2\n4,3\n".to_vec()),
+            _ => Err(format!("cannot read `{path}`: there is no such file")),
+        }
     }
 }
 
 fn run(script: &str) -> Report {
     let settings: &[Setting] = &[];
-    Session::default().run("example.geo", script.as_bytes(), &Nothing, settings)
+    Session::default().run("example.geo", script.as_bytes(), &Points, settings)
 }
 
 /// Fails with everything that is wrong.
@@ -256,6 +259,20 @@ fn examples_print_what_they_declare() {
 }
 
 #[test]
+fn misuse_is_refused_as_declared() {
+    ask(|op| {
+        op.refusals.iter().find_map(|refusal| {
+            let outcome = run(&format!("print {}\n", refusal.code));
+            let told = |found: &Diagnostic| format!("{}: {}", found.code.id(), found.message);
+            let found: Vec<String> = outcome.diagnostics.iter().map(told).collect();
+            (found != [refusal.says]).then(|| {
+                format!("`{}` says\n    {found:?}\nnot\n    {}", refusal.code, refusal.says)
+            })
+        })
+    });
+}
+
+#[test]
 fn the_reference_has_every_operation() {
     let registry = ops::registry();
     let reference = docs::reference(&registry);
@@ -265,7 +282,13 @@ fn the_reference_has_every_operation() {
             && reference.contains(&op.signature());
         (!is_there).then(|| "is not in the reference".to_owned())
     });
-    ask(|op| (!overview.contains(op.summary())).then(|| "is not in the overview".to_owned()));
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let all = words(&overview);
+    ask(|op| {
+        let line = format!("{} {}", op.name, words(op.summary()));
+        (!all.contains(&line)).then(|| "is not in the overview".to_owned())
+    });
+    assert!(overview.lines().all(|line| line.chars().count() <= 90), "{overview}");
     for name in registry.names() {
         assert!(docs::entry(&registry, name).is_some(), "`virote doc {name}` knows nothing");
     }

@@ -8,7 +8,7 @@ use std::{
     thread,
 };
 
-use support::{Scratch, told, virote};
+use support::{Scratch, folder, programs, told, virote};
 
 /// What the prompt says to entries from a pipe: standard output, standard error, exit code.
 fn piped(scratch: &Scratch, args: &[&str], input: impl Into<Vec<u8>>) -> (String, String, i32) {
@@ -137,6 +137,27 @@ fn whatever_is_wrong_leaves_the_document_as_it_was() {
     }
 }
 
+/// Each mistake of `tests/errors` but those of exports and of the command line, which `:load` does
+/// not see: these scripts are loaded.
+#[test]
+fn each_mistake_of_the_language_leaves_the_document_as_it_was() {
+    let scratch = Scratch::new("repl-mistakes");
+    let folder = folder("tests/errors");
+    let is_wrong = |name: &String| !name.starts_with("check-") && !name.starts_with("usage-");
+    let names: Vec<String> = programs(&folder).into_iter().filter(is_wrong).collect();
+    let mut input = String::new();
+    for name in &names {
+        let path = folder.join(name).with_extension("geo");
+        input += &format!("let keep = 41\n:load {}\nprint keep\n", path.display());
+    }
+    let (out, err, code) = piped(&scratch, &[], input);
+    assert!(!err.contains("panicked"), "{err}");
+    let n_loaded = err.lines().filter(|line| line.starts_with("loaded ")).count();
+    assert!(10 * n_loaded < names.len(), "{n_loaded} of {} are loaded", names.len());
+    assert_eq!(out.matches("keep = 41\n").count() + n_loaded, 2 * names.len(), "{err}");
+    assert_eq!(code, 2);
+}
+
 #[test]
 fn redefinitions_that_break_others_are_refused() {
     let scratch = Scratch::new("repl-breaks");
@@ -236,6 +257,10 @@ mod terminal {
             session.set_expect_timeout(Some(Duration::from_secs(60)));
             session.get_process_mut().set_window_size(columns, 40).expect("a size");
             let mut terminal = Self(session);
+            if scratch.0.join(state).is_file() {
+                terminal.sees("warning: the history in `");
+                terminal.sees("is not kept");
+            }
             terminal.sees(READY);
             terminal
         }
@@ -297,6 +322,8 @@ mod terminal {
         prompt.says("let a = 5", "(evaluated 1 again: b, kept 1; ");
         prompt.says("b", "\n10\r");
         prompt.says(":undo", "(back to 3 definitions)");
+        prompt.says("let spare = 1", "spare = 1\r");
+        prompt.says(":undo", "(back to 3 definitions, without spare)");
         prompt.says("b", "\n6\r");
         prompt.says(":list", "c: curve of degree 2");
         prompt.says(":type c", "a curve of degree 2");
@@ -309,15 +336,28 @@ mod terminal {
         prompt.says(":show curvature_table(c, samples = 3)", "torsion");
         prompt.says(":plot curvature(c)", "┤");
         prompt.says(":plot x => x^2 in 0..2", "┤");
+        prompt.says(":plot basis_table(c)", "(n0, n1, n2 over t)");
+        prompt.says("test \"t\" { check true }", "(`virote test` runs it once");
+        prompt.says(":list", "(1 test)");
+        prompt.says(":undo", "(back to 3 definitions)");
         prompt.says(":time length(c)", " ms)");
         prompt.says(":help bezier", "list of points");
         prompt.says(":help E0602", "E0602: ");
+        prompt.says(":help :sho", ":show EXPR\r");
+        prompt.says(":help :shw", "did you mean `:show`?");
+        prompt.types("/// Half of it.\r");
+        prompt.says("fn half(h) = h / 2", "half: function half(h)");
+        prompt.says(":help half", "Half of it.\r");
+        prompt.says(":undo", "without half)");
         prompt.says(":help", ":undo");
         prompt.says(":export c to \"c.obj\"", "wrote c.obj");
         prompt.says(":save mine.geo", "saved mine.geo");
         prompt.says(":load a.geo", "loaded a.geo: 2 definitions");
         prompt.says("loaded", "\n7\r");
         prompt.says(":lsit", "did you mean `:list`?");
+        prompt.says(":list all", "`:list` stands alone; found `all`");
+        prompt.says(":save mine.geo", "`mine.geo` is there already");
+        prompt.says(":save! mine.geo", "saved mine.geo");
         prompt.says("lenth(arc1)", "did you mean `length`?");
         prompt.types(":quit\r");
         prompt.ends();

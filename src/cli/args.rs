@@ -84,9 +84,10 @@ Examples:
     /// `test "name" { ... }` in a script holds definitions, checks, prints and expected errors that
     /// nothing but this verb evaluates. A test that fails stops no other. No exported file is written.
     ///
-    /// What a script outside of its tests prints and exports is compared with the folder
-    /// `NAME.golden/` beside it, if there is one: numbers within the tolerance of `golden.json` in
-    /// it, tables column by column, meshes by counts, bounds, area, volume and deviation.
+    /// What a script outside of its tests prints and exports, and what it is warned of, is compared
+    /// with the folder `NAME.golden/` beside it, if there is one: numbers within the tolerance of
+    /// `golden.json` in it, tables column by column, meshes by counts, bounds, area, volume and
+    /// deviation.
     #[command(after_help = "\
 Examples:
   virote test                               every *.geo here and in the folders below

@@ -230,9 +230,12 @@ impl Machine<'_> {
                 .collect();
             let slots = assign(&formals, call, &mut mistakes);
             if !mistakes.is_empty() {
-                let name = lambda.name.as_deref().unwrap_or("this function");
+                let called = match &lambda.name {
+                    Some(name) => format!("`{name}`"),
+                    None => "this function".to_owned(),
+                };
                 return Err(mistakes.complaint(
-                    name,
+                    &called,
                     &crate::value::Closure::signature(function),
                     span,
                 ));

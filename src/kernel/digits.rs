@@ -25,8 +25,8 @@ pub(in crate::kernel) fn few_digits(x: f64) -> String {
     }
 }
 
-/// A number in full, with an exponent where its digits would be mostly zeros.
+/// A number in full, with an exponent where scripts print one.
 pub(super) fn plain(x: f64) -> String {
-    let is_plain = x == 0.0 || (0.000_000_001..1e18).contains(&x.abs());
+    let is_plain = x == 0.0 || (0.000_01..1e16).contains(&x.abs());
     if is_plain { x.to_string() } else { format!("{x:e}") }
 }

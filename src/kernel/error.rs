@@ -110,9 +110,10 @@ pub enum GeomError {
     TooFewCurves { got: usize, needed: usize },
     /// Curves that do not meet.
     #[error(
-        "`curves[{}]` starts {} from where `curves[{index}]` ends, more than the tolerance {tolerance}",
+        "`curves[{}]` starts {} from where `curves[{index}]` ends, more than the tolerance {}",
         index + 1,
-        few_digits(*gap)
+        few_digits(*gap),
+        plain(*tolerance)
     )]
     Gap { index: usize, gap: f64, tolerance: f64, reversed: Option<usize> },
     /// A parameter line where the normal leaps.
@@ -132,8 +133,8 @@ pub enum GeomError {
     Picture(#[from] PictureError),
     /// Patches that do not meet along their sides.
     #[error(
-        "`patches[{}][{}]` begins {} from where `patches[{}][{}]` ends along {along}, more than the tolerance {tolerance}",
-        next[0], next[1], few_digits(*gap), before[0], before[1]
+        "`patches[{}][{}]` begins {} from where `patches[{}][{}]` ends along {along}, more than the tolerance {}",
+        next[0], next[1], few_digits(*gap), before[0], before[1], plain(*tolerance)
     )]
     PatchGap { along: &'static str, before: [usize; 2], next: [usize; 2], gap: f64, tolerance: f64 },
     /// Patches that meet, but run along their common side at different speeds.
@@ -143,10 +144,10 @@ pub enum GeomError {
     )]
     UnlikeWeights { before: [usize; 2], next: [usize; 2] },
     /// A span of a patch that is rounding beside the others.
-    #[error("a span of `patches[{}][{}]`, {length} wide, vanishes in a domain of length {total}", patch[0], patch[1])]
+    #[error("a span of `patches[{}][{}]`, {} wide, vanishes in a domain of length {total}", patch[0], patch[1], plain(*length))]
     VanishingPatch { patch: [usize; 2], length: f64, total: f64 },
     /// A span that is rounding beside the others.
-    #[error("a span of `curves[{index}]`, {length} wide, vanishes in a domain of length {total}")]
+    #[error("a span of `curves[{index}]`, {} wide, vanishes in a domain of length {total}", plain(*length))]
     VanishingPiece { index: usize, length: f64, total: f64 },
     /// A continuation that is shorter than asked for.
     #[error(
@@ -252,7 +253,7 @@ pub enum GeomError {
     #[error("the curve changes its kind at parameter {parameter}: its pieces are different conics")]
     MixedConics { parameter: f64 },
     /// A curve that should lie in one plane.
-    #[error("the curve is not planar: it leaves its plane by {by}")]
+    #[error("the curve is not planar: it leaves its plane by {}", few_digits(*by))]
     NotPlanar { by: f64 },
     /// A straight section along the spine.
     #[error(
@@ -359,8 +360,14 @@ pub enum GeomError {
     )]
     LengthOutside { got: f64, total: f64 },
     /// Two curves that share a stretch and not single points.
-    #[error("the curves run together from parameter {start} to {end} of the first")]
+    #[error(
+        "the curves run together from parameter {} to {} of the first",
+        few_digits(*start), few_digits(*end)
+    )]
     RunTogether { start: f64, end: f64 },
+    /// A curve that comes back to a stretch of itself and not to single points.
+    #[error("the curve runs along itself from parameter {} to {}", few_digits(*start), few_digits(*end))]
+    RunsAlongItself { start: f64, end: f64 },
     /// Curves that are near one another nearly everywhere.
     #[error("the places where the curves come near one another are too many to be told apart")]
     Tangled,
@@ -381,7 +388,7 @@ pub enum GeomError {
     #[error("column {name:?} stands twice")]
     DuplicateColumn { name: String },
     /// Columns of different length.
-    #[error("column {name:?} has {got} rows, the first has {expected}")]
+    #[error("column {name:?} has {got} {}, the first has {expected}", if *got == 1 { "row" } else { "rows" })]
     ColumnLength { name: String, got: usize, expected: usize },
 }
 

@@ -56,21 +56,21 @@ impl Mistakes {
 
     /// All of them as one diagnostic about the call of `name`.
     #[must_use]
-    pub fn complaint(self, name: &str, signature: &str, call: Span) -> Box<Diagnostic> {
+    pub fn complaint(self, called: &str, signature: &str, call: Span) -> Box<Diagnostic> {
         let n_mistakes = self.0.len();
         let mut mistakes = self.0.into_iter();
         let Some(first) = mistakes.next() else {
             return Box::new(Diagnostic::error(
                 Code::BadCall,
                 call,
-                format!("`{name}` cannot be called so"),
+                format!("{called} cannot be called so"),
             ));
         };
         let mut hints: Vec<String> = first.hint.into_iter().collect();
         let mut diagnostic = if n_mistakes == 1 {
-            Diagnostic::error(first.code, first.span, format!("`{name}`: {}", first.text))
+            Diagnostic::error(first.code, first.span, format!("{called}: {}", first.text))
         } else {
-            let message = format!("`{name}` is called with {n_mistakes} mistakes");
+            let message = format!("{called} is called with {n_mistakes} mistakes");
             Diagnostic::error(first.code, first.span, message).label(first.text)
         };
         for mistake in mistakes {
@@ -232,7 +232,7 @@ impl Binder {
     /// Everything that was wrong, as one diagnostic.
     #[must_use]
     pub fn complaint(self) -> Box<Diagnostic> {
-        self.mistakes.complaint(self.op.name, &self.op.signature(), self.span)
+        self.mistakes.complaint(&format!("`{}`", self.op.name), &self.op.signature(), self.span)
     }
 }
 

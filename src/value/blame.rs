@@ -135,7 +135,7 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         }
         Error::VanishingPatch { .. } => "`reparametrize` the patches to similar domains".to_owned(),
         Error::VanishingPiece { .. } => "`reparametrize` the curves to similar domains".to_owned(),
-        Error::RunTogether { .. } => {
+        Error::RunTogether { .. } | Error::RunsAlongItself { .. } => {
             "curves that share a stretch have no single points there; `trim` it away".to_owned()
         }
         Error::AlongNormal { .. } => "give another `normal`".to_owned(),

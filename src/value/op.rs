@@ -123,6 +123,24 @@ pub struct Example {
     pub prints: &'static str,
 }
 
+/// A tested sample of misuse: an expression and the error that it is.
+#[derive(Clone, Copy, Debug)]
+pub struct Refusal {
+    /// The expression.
+    pub code: &'static str,
+    /// The code of the error and its message, `E0607: the radius must be positive, found -2`.
+    pub says: &'static str,
+}
+
+/// What the picture of an operation in the reference shows.
+#[derive(Clone, Copy, Debug)]
+pub enum Picture {
+    /// The value of an expression.
+    Value(&'static str),
+    /// The definitions of a script.
+    Scene(&'static str),
+}
+
 /// One parameter.
 #[derive(Clone, Copy, Debug)]
 pub struct Param {
@@ -175,17 +193,19 @@ pub struct Op {
     pub returns: Type,
     /// Tested samples of use.
     pub examples: &'static [Example],
+    /// Tested samples of misuse.
+    pub refusals: &'static [Refusal],
     /// What its picture in the reference shows, where that is more than its first example.
-    pub picture: Option<&'static str>,
+    pub picture: Option<Picture>,
     /// Its implementation.
     pub run: fn(&mut Ctx<'_>, Call) -> Result<Value>,
 }
 
 impl Op {
-    /// First line of the documentation.
+    /// First paragraph of the documentation, as it stands in the source.
     #[must_use]
     pub fn summary(&self) -> &'static str {
-        self.docs.lines().next().unwrap_or_default().trim()
+        self.docs.split("\n\n").next().unwrap_or_default().trim()
     }
 
     /// `name(a: T, b: U = d) -> R`, one line.
@@ -207,7 +227,9 @@ macro_rules! op {
             $( $(#[doc = $pdocs:literal])+ $param:ident : $ty:ty $(= $default:expr)? ,)*
         }
         $( example $code:literal => $prints:literal; )+
+        $( refuses $misuse:literal => $says:literal; )*
         $( picture $picture:literal; )?
+        $( scene $scene:literal; )?
     ) => {
         struct Args { $( $param: $ty, )* }
 
@@ -227,7 +249,8 @@ macro_rules! op {
             } ),* ],
             returns: <$returns as $crate::value::IntoValue>::RETURNS,
             examples: &[ $( $crate::value::Example { code: $code, prints: $prints } ),+ ],
-            picture: $crate::value::op!(@value $($picture)?),
+            refusals: &[ $( $crate::value::Refusal { code: $misuse, says: $says } ),* ],
+            picture: $crate::value::op!(@picture $(Value $picture)? $(Scene $scene)?),
             run: |ctx, call| {
                 let mut binder = $crate::value::Binder::new(&OP, call, ctx.limits.list_length);
                 $( let $param: Option<$ty> =
@@ -246,6 +269,8 @@ macro_rules! op {
         let default: $ty = $default;
         $crate::value::IntoValue::into_value(default)
     }) };
+    (@picture) => { None };
+    (@picture $kind:ident $picture:literal) => { Some($crate::value::Picture::$kind($picture)) };
     (@value) => { None };
     (@value $default:expr) => { Some($default) };
 }

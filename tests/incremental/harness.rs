@@ -37,7 +37,18 @@ fn parameter(name: &'static str) -> Param {
 fn operation(name: &'static str, run: fn(&mut Ctx<'_>, Call) -> virote::diag::Result<Value>) -> Op {
     let params = Box::leak(Box::new([parameter("label"), parameter("x")]));
     let (family, returns) = (Family::Text, Type::Any);
-    Op { name, aliases: &[], family, docs: "", params, returns, examples: &[], picture: None, run }
+    Op {
+        name,
+        aliases: &[],
+        family,
+        docs: "",
+        params,
+        returns,
+        examples: &[],
+        refusals: &[],
+        picture: None,
+        run,
+    }
 }
 
 /// The second argument; counts the call under the first one.

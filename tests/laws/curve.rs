@@ -64,7 +64,7 @@ proptest! {
 
     #[test]
     fn a_convex_polygon_makes_a_convex_curve(
-        knots in knots(), turns in vec(0.01..1.0, 20), legs in vec(0.1..9.0, 20), f in fraction(),
+        knots in knots(), turns in vec(0.01..1.0, 21), legs in vec(0.1..9.0, 21), f in fraction(),
     ) {
         // All turns to the left, half a turn together.
         let n = knots.n_points();

@@ -259,7 +259,7 @@ fn a_gap_names_the_pieces() {
     assert_eq!(gap, GeomError::Gap { index: 1, gap: 1.0, tolerance: 1e-6, reversed: Some(2) });
     assert_eq!(
         gap.to_string(),
-        "`curves[2]` starts 1 from where `curves[1]` ends, more than the tolerance 0.000001"
+        "`curves[2]` starts 1 from where `curves[1]` ends, more than the tolerance 1e-6"
     );
 }
 

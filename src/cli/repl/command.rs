@@ -8,12 +8,13 @@ use super::{super::message::pretty, Prompt, plot, show};
 use crate::{
     diag::{Code, nearest},
     docs,
+    kernel::{Column, Table},
     syntax::{Paint, Role, pieces},
     value::Value,
 };
 
 /// Points at which a function is plotted.
-const N_SAMPLES: usize = 200;
+const N_SAMPLES: usize = 201;
 
 /// A command.
 pub(super) struct Command {
@@ -23,6 +24,14 @@ pub(super) struct Command {
     pub(super) docs: &'static str,
     pub(super) takes_file: bool,
     run: fn(&mut Prompt, &str),
+}
+
+impl Command {
+    /// All that there is to say of it.
+    fn entry(&self) -> String {
+        let head = format!(":{} {}", self.name, self.takes);
+        format!("{}\n\n{}\n", head.trim_end(), self.docs)
+    }
 }
 
 /// Every command, by name.
@@ -73,25 +82,35 @@ const fn file_command(
 pub(super) fn run(prompt: &mut Prompt, text: &str) {
     let text = text.trim();
     let (name, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
-    let known = COMMANDS.iter().find(|command| command.name == name);
-    // The beginning of one name alone is that name: `:q`.
+    match known(name) {
+        Some(Command { name, takes: "", .. }) if !rest.trim().is_empty() => {
+            prompt
+                .refuse(&format!("`:{name}` stands alone; found `{}`", show::cut(rest.trim(), 40)));
+        }
+        Some(command) => (command.run)(prompt, rest.trim()),
+        None => prompt.refuse(&unknown(name)),
+    }
+}
+
+/// The command of a name; the beginning of one name alone is that name: `:q`.
+fn known(name: &str) -> Option<&'static Command> {
     let mut beginning =
         COMMANDS.iter().filter(|command| !name.is_empty() && command.name.starts_with(name));
-    let known = known.or_else(|| match (beginning.next(), beginning.next()) {
+    let exact = COMMANDS.iter().find(|command| command.name == name);
+    exact.or_else(|| match (beginning.next(), beginning.next()) {
         (Some(only), None) => Some(only),
         _ => None,
-    });
-    match known {
-        Some(command) => (command.run)(prompt, rest.trim()),
-        None => {
-            let near = nearest(name, COMMANDS.iter().map(|command| command.name));
-            let near = near.map_or_else(
-                || "; `:help` lists them".to_owned(),
-                |near| format!("; did you mean `:{near}`?"),
-            );
-            prompt.refuse(&format!("there is no command `:{}`{near}", show::cut(name, 40)));
-        }
-    }
+    })
+}
+
+/// That there is no such command.
+fn unknown(name: &str) -> String {
+    let near = nearest(name, COMMANDS.iter().map(|command| command.name));
+    let near = near.map_or_else(
+        || "; `:help` lists them".to_owned(),
+        |near| format!("; did you mean `:{near}`?"),
+    );
+    format!("there is no command `:{}`{near}", show::cut(name, 40))
 }
 
 fn help(prompt: &mut Prompt, name: &str) {
@@ -106,17 +125,21 @@ fn help(prompt: &mut Prompt, name: &str) {
         text.push_str("\n`virote doc` lists the built-ins.\n");
         return super::say(&text);
     }
-    let name = name.trim_start_matches(':');
+    if let Some(command) = name.strip_prefix(':') {
+        return match known(command) {
+            Some(command) => super::say(&command.entry()),
+            None => prompt.refuse(&unknown(command)),
+        };
+    }
     let own = prompt.values.iter().find(|(own, _)| own == name);
     if let Some((name, value)) = own {
-        super::say(&format!("{}\n", show::line(name, value)));
+        let docs = prompt.document.docs_of(name).map(|docs| format!("\n{docs}"));
+        super::say(&format!("{}\n{}", show::line(name, value), docs.unwrap_or_default()));
     }
     let code = Code::from_id(name).map(|code| {
         format!("{}: {}\n\n{}\n", code.id(), code.title(), docs::wrap(code.explanation()))
     });
-    let command = COMMANDS.iter().find(|command| command.name == name);
-    let command =
-        command.map(|command| format!(":{} {}\n\n{}\n", command.name, command.takes, command.docs));
+    let command = COMMANDS.iter().find(|command| command.name == name).map(Command::entry);
     match docs::entry(&prompt.registry, name).or(code).or(command) {
         Some(text) => super::say(&text),
         None if prompt.values.iter().any(|(own, _)| own == name) => {}
@@ -210,10 +233,14 @@ fn undo(prompt: &mut Prompt, _: &str) {
     // What held before holds again, unless a file that it reads has changed.
     match prompt.evaluate("", '\n', &text, ["document", "document"]) {
         Some(mut ran) => {
+            let mut gone: Vec<String> =
+                prompt.values.iter().map(|(name, _)| name.clone()).collect();
             prompt.know(&mut ran.report);
             prompt.document = document;
+            gone.retain(|name| prompt.values.iter().all(|(still, _)| still != name));
             let n = some(prompt.values.len(), "definition");
-            prompt.voice.remark(&format!("(back to {n})"));
+            let without = if gone.is_empty() { "" } else { ", without " };
+            prompt.voice.remark(&format!("(back to {n}{without}{})", gone.join(", ")));
         }
         None => {
             prompt.told = told;
@@ -300,7 +327,7 @@ fn function(prompt: &mut Prompt, expr: &str, range: Option<&str>) -> Option<Stri
         prompt.refuse("only functions with numbers as their values can be plotted");
         return None;
     }
-    Some(plot::chart(&points, prompt.columns))
+    Some(plot::chart(&[points], prompt.columns))
 }
 
 /// A pair of numbers as a point.
@@ -312,32 +339,36 @@ fn point(pair: &Value) -> Option<DVec2> {
     }
 }
 
-/// A curve, points, numbers in a row, the first columns of a table.
+/// Numbers one after the other.
+fn in_a_row(numbers: &[f64], columns: usize) -> String {
+    let points = numbers.iter().enumerate().map(|(i, &y)| DVec2::new(i as f64, y));
+    plot::chart(&[points.collect()], columns)
+}
+
+/// The columns of a table over its first one; an only column in a row.
+fn charted(table: &Table, columns: usize) -> Option<String> {
+    let numbers: Vec<(&str, &[f64])> = table
+        .columns()
+        .iter()
+        .filter_map(|column| match &column.column {
+            Column::Numbers(numbers) => Some((column.name.as_str(), numbers.as_slice())),
+            Column::Texts(_) => None,
+        })
+        .collect();
+    let ((over, x), others) = numbers.split_first()?;
+    if others.is_empty() {
+        return Some(in_a_row(x, columns));
+    }
+    let path = |y: &[f64]| x.iter().zip(y).map(|(&x, &y)| DVec2::new(x, y)).collect();
+    let paths: Vec<Vec<DVec2>> = others.iter().map(|(_, y)| path(y)).collect();
+    let names: Vec<&str> = others.iter().map(|&(name, _)| name).collect();
+    Some(format!("{}({} over {over})\n", plot::chart(&paths, columns), names.join(", ")))
+}
+
+/// A curve, points, numbers in a row, a table.
 fn drawn(value: &Value, columns: usize) -> Option<String> {
-    let in_a_row = |numbers: &[f64]| {
-        let points: Vec<DVec2> =
-            numbers.iter().enumerate().map(|(i, &y)| DVec2::new(i as f64, y)).collect();
-        plot::chart(&points, columns)
-    };
     match value {
-        Value::Table(table) => {
-            let columns_of: Vec<&[f64]> = table
-                .columns()
-                .iter()
-                .filter_map(|column| match &column.column {
-                    crate::kernel::Column::Numbers(numbers) => Some(numbers.as_slice()),
-                    crate::kernel::Column::Texts(_) => None,
-                })
-                .collect();
-            match columns_of.as_slice() {
-                [] => None,
-                [only] => Some(in_a_row(only)),
-                [x, y, ..] => {
-                    let points = x.iter().zip(*y).map(|(&x, &y)| DVec2::new(x, y));
-                    Some(plot::chart(&points.collect::<Vec<_>>(), columns))
-                }
-            }
-        }
+        Value::Table(table) => charted(table, columns),
         Value::List(items) if items.iter().all(|item| matches!(item, Value::Number(_))) => {
             let numbers: Vec<f64> = items
                 .iter()
@@ -346,7 +377,7 @@ fn drawn(value: &Value, columns: usize) -> Option<String> {
                     _ => None,
                 })
                 .collect();
-            (!numbers.is_empty()).then(|| in_a_row(&numbers))
+            (!numbers.is_empty()).then(|| in_a_row(&numbers, columns))
         }
         value => {
             let (paths, axes) = plot::flat(&show::paths(value));

@@ -37,7 +37,7 @@ use crate::{
     limits::Limits,
     ops,
     session::{Event, Report},
-    syntax::{Entry, entry, free_placeholders, parts},
+    syntax::{Entry, Role, entry, free_placeholders, parts},
     value::{Registry, Value},
 };
 
@@ -304,8 +304,11 @@ impl Prompt {
             Event::Checked(checked) => is_new(checked.span),
             _ => true,
         });
-        let n_statements = draft.next.text() != self.document.text();
-        if n_statements {
+        if self.document.count(Role::Test) < draft.next.count(Role::Test) {
+            self.voice.remark("(`virote test` runs it once the document is saved)");
+        }
+        let is_changed = draft.next.text() != self.document.text();
+        if is_changed {
             let before = std::mem::replace(&mut self.document, draft.next);
             self.undo.push(before);
         }

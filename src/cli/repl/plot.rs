@@ -51,13 +51,16 @@ impl Canvas {
         let span = (high - low).max(DVec2::splat(f64::MIN_POSITIVE));
         let size = self.size();
         let place = |p: DVec2| {
-            let at = (p - low) / span * size;
+            let at = ((p - low) / span).clamp(DVec2::ZERO, DVec2::ONE) * size;
             DVec2::select((high - low).cmpgt(DVec2::ZERO), at, 0.5 * size)
         };
         for path in paths {
             match path.as_slice() {
                 [one] => self.dot(place(*one)),
-                path => path.windows(2).for_each(|leg| self.line(place(leg[0]), place(leg[1]))),
+                path => path
+                    .windows(2)
+                    .filter(|leg| leg.iter().all(|end| end.is_finite()))
+                    .for_each(|leg| self.line(place(leg[0]), place(leg[1]))),
             }
         }
     }
@@ -94,18 +97,27 @@ pub(super) fn drawing(paths: &[Vec<DVec2>], columns: usize) -> String {
     canvas.text().join("\n") + "\n"
 }
 
-/// A function by its values, each axis in its own measure, no wider than `columns`.
-pub(super) fn chart(points: &[DVec2], columns: usize) -> String {
-    let Some((low, high)) = bounds(&[points.to_vec()]) else { return String::new() };
-    let labels = [high.y, low.y].map(|value| short(value, DIGITS));
+/// Functions by their values, each axis in its own measure, no wider than `columns`. Values that
+/// are not finite are left out.
+pub(super) fn chart(paths: &[Vec<DVec2>], columns: usize) -> String {
+    let Some((mut low, mut high)) = bounds(paths) else { return String::new() };
+    let mut labels = [high.y, low.y].map(|value| short(value, DIGITS));
+    // What differs in no digit of the labels is a constant with its rounding.
+    let is_constant = labels[0] == labels[1];
+    if is_constant {
+        let middle = f64::midpoint(low.y, high.y);
+        (low.y, high.y) = (middle, middle);
+        labels[1].clear();
+    }
+    let top = if is_constant { CHART_LINES / 2 } else { 0 };
     let margin = labels.iter().map(|label| label.chars().count()).max().unwrap_or(0);
     let width = columns.min(MOST_COLUMNS).saturating_sub(margin + 2).max(4);
     let mut canvas = Canvas::new(width, CHART_LINES);
-    canvas.paths(&[points.to_vec()], (low, high));
+    canvas.paths(paths, (low, high));
     let mut text = String::new();
     for (i, line) in canvas.text().into_iter().enumerate() {
         let label = match i {
-            0 => &labels[0],
+            _ if i == top => &labels[0],
             _ if i + 1 == CHART_LINES => &labels[1],
             _ => "",
         };
@@ -155,10 +167,29 @@ mod tests {
 
     #[test]
     fn a_chart_tells_its_measures() {
-        let chart = chart(&[DVec2::new(0.0, -1.0), DVec2::new(2.0, 3.0)], 20);
+        let chart = chart(&[vec![DVec2::new(0.0, -1.0), DVec2::new(2.0, 3.0)]], 20);
         let lines: Vec<&str> = chart.lines().collect();
         assert!(lines[0].starts_with(" 3 ┤") && lines[11].starts_with("-1 ┤"), "{chart}");
         assert!(lines[12].trim().starts_with('0') && lines[12].ends_with('2'), "{chart}");
         assert!(lines.iter().all(|line| line.chars().count() <= 20), "{chart}");
+    }
+
+    #[test]
+    fn a_chart_of_a_constant_is_a_line_and_not_its_rounding() {
+        let waves = (0..50).map(|i| DVec2::new(f64::from(i), 1.0 + 1e-15 * f64::from(i % 3)));
+        let chart = chart(&[waves.collect()], 20);
+        let is_dot = |c: char| matches!(c, '\u{2801}'..='\u{28ff}');
+        let drawn: Vec<&str> = chart.lines().filter(|line| line.contains(is_dot)).collect();
+        assert_eq!(drawn.len(), 1, "{chart}");
+        assert!(drawn[0].starts_with("1 ┤") && chart.matches("1 ┤").count() == 1, "{chart}");
+    }
+
+    #[test]
+    fn a_chart_leaves_out_what_is_not_finite() {
+        let gap = vec![DVec2::ZERO, DVec2::new(1.0, f64::NAN), DVec2::new(2.0, 1.0)];
+        let ends = [vec![DVec2::ZERO], vec![DVec2::new(2.0, 1.0)]];
+        let empty = |c: char| matches!(c, '\u{2801}'..='\u{28ff}');
+        assert!(!chart(&[gap], 20).contains(empty));
+        assert_eq!(chart(&ends, 20).chars().filter(|&c| empty(c)).count(), 2);
     }
 }

@@ -26,9 +26,10 @@ const N_ISOCURVES: usize = 7;
 
 /// A definition on one line: its name with its value, or with its kind and size.
 pub(super) fn line(name: &str, value: &Value) -> String {
-    match brief(value) {
-        Some(text) => format!("{name} = {text}"),
-        None => format!("{name}: {}", sized(value)),
+    match (brief(value), value) {
+        (Some(text), _) => format!("{name} = {text}"),
+        (None, Value::Function(_)) => format!("{name}: function {}", sized(value)),
+        (None, _) => format!("{name}: {}", sized(value)),
     }
 }
 

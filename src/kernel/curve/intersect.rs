@@ -106,7 +106,7 @@ impl NurbsCurve {
     /// first. The seam of a closed curve is none.
     ///
     /// # Errors
-    /// [`GeomError::RunTogether`] where it runs along itself, [`GeomError::Tangled`] where the
+    /// [`GeomError::RunsAlongItself`], [`GeomError::Tangled`] where the
     /// meetings are too many.
     pub fn self_intersections(&self, tolerance: f64) -> Result<Vec<Meeting>, GeomError> {
         self.own_meetings(tolerance, &mut work([self, self]))

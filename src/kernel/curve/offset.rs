@@ -63,7 +63,7 @@ impl Offset {
     fn crossed(self, turns: &[f64], aim: Aim) -> Self {
         match crossing::crossings(&self.curve, turns, aim.rounding) {
             Ok(crossings) => Self { crossings, ..self },
-            Err(GeomError::RunTogether { start, end }) => {
+            Err(GeomError::RunsAlongItself { start, end }) => {
                 Self { overlap: Interval::new(start, end).ok(), ..self }
             }
             Err(GeomError::Tangled) => Self { is_tangled: true, ..self },

@@ -22,6 +22,7 @@ op! {
     }
     example "basis(bezier((0, 0), (1, 2), (2, 0)), 0.5)" => "[0.25, 0.5, 0.25]";
     example "basis(bezier((0, 0), (1, 2), (2, 0), weights = [1, 3, 1]), 0.5)" => "[0.125, 0.75, 0.125]";
+    refuses "basis(bezier((0, 0), (1, 2), (2, 0)), 2)" => "E0606: parameter 2 is outside the domain 0..1";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<f64>> {

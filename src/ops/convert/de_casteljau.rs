@@ -23,6 +23,13 @@ op! {
         t: Spanned<f64>,
     }
     example "de_casteljau(bezier((2, 0), (4, 1), (3, 2)), 0.5)" => "[[(2, 0, 0), (4, 1, 0), (3, 2, 0)], [(3, 0.5, 0), (3.5, 1.5, 0)], [(3.25, 1, 0)]]";
+    refuses "de_casteljau(polyline((0, 0), (1, 2), (3, 1)), 0.5)" => "E0611: a Bézier curve has one segment, but the curve has 2";
+    scene r#"
+        curve c = bezier((0, 0), (1, 3), (3, -2), (4, 1))
+        let levels = de_casteljau(c, 0.4) with (hidden = true)
+        curves legs = [for level in levels[0..2]: polyline(level)] with (color = "gray")
+        points found = levels[3] with (color = "red")
+    "#;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<Vec<DVec3>>> {

@@ -19,6 +19,12 @@ op! {
         c: Arc<NurbsCurve>,
     }
     example "edit_points(bezier((0, 0), (1, 2), (2, 0)))" => "[(0, 0, 0), (1, 1, 0), (2, 0, 0)]";
+    refuses "edit_points(parametric(t => (t, t^2), 0..2))" => "E0301: `edit_points`: `c` must be a NURBS curve, found a parametric curve";
+    scene r#"
+        curve c = bspline((0, 0), (1, 2), (3, 1), (4, 3), (6, 0), (7, 1))
+        points edited = edit_points(c) with (color = "red")
+        curve polygon = control_polygon(c) with (color = "gray")
+    "#;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {

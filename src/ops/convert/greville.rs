@@ -20,6 +20,7 @@ op! {
     }
     example "greville(bezier((0, 0), (1, 3), (2, 3), (4, 0))) ~= [0, 1/3, 2/3, 1] within 1e-15" => "true";
     example "greville(clamped((0, 0), (1, 2), (3, 2), (4, 0), degree = 2))" => "[0, 0.5, 1.5, 2]";
+    refuses "greville(parametric(t => (t, t^2), 0..2))" => "E0301: `greville`: `c` must be a NURBS curve, found a parametric curve";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<f64>> {

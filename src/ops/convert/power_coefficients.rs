@@ -21,6 +21,9 @@ op! {
     }
     example "power_coefficients(bezier((0, 0), (1, 2), (2, 0)))" => "[(0, 0, 0), (2, 4, 0), (0, -4, 0)]";
     example "power_coefficients(polynomial([(1, 0), (2, 1), (0, 3)], domain = 2..4))" => "[(1, 0, 0), (2, 1, 0), (0, 3, 0)]";
+    refuses "power_coefficients(polyline((0, 0), (1, 2), (3, 1)))" => "E0611: a polynomial in t has one segment, but the curve has 2";
+    refuses "power_coefficients(circle((0, 0), 1))" => "E0611: a polynomial in t has no weights, but those of the curve differ";
+    refuses "power_coefficients(conic((0, 0), (1, 2), (2, 0), 1/2))" => "E0611: a polynomial in t has no weights, but those of the curve differ";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {

@@ -21,6 +21,9 @@ op! {
     }
     example "reweight(bezier((0, 0), (1, 2), (2, 0)), line((1, 0), (3, 0))).weights ~= [1, 5/3, 7/3, 3] within 1e-15" => "true";
     example "reweight(bezier((0, 0), (1, 2), (2, 0)), line((1, 0), (3, 0)))(0.5) ~= (1, 1) within 1e-15" => "true";
+    refuses "reweight(bezier((0, 0), (1, 2), (2, 0)), line((1, 0), (-1, 0)))" => "E0607: the factor is -1; it must be above zero";
+    refuses "reweight(bezier((0, 0), (1, 2), (2, 0)), line((1, 0), (3, 1)))" => "E0607: a scalar spline has its values in x, but y or z of point 1 is not zero";
+    refuses "reweight(bezier((0, 0), (1, 2), (2, 0)), polyline((1, 0), (2, 0), (3, 0)))" => "E0606: the domains differ: 0..1 and 0..2";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

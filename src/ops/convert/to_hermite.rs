@@ -22,6 +22,8 @@ op! {
     }
     example "to_hermite(bezier((1, 0), (0, 1), (3, 3), (4, 2))).tangents" => "[(-3, 3, 0), (3, -3, 0)]";
     example "to_hermite(bezier((0, 0), (1, 2), (2, 0)))" => "{points: [(0, 0, 0), (2, 0, 0)], tangents: [(2, 4, 0), (2, -4, 0)]}";
+    refuses "to_hermite(circle((0, 0), 1))" => "E0611: a Hermite chain has no weights, but those of the curve differ";
+    refuses "to_hermite(bezier((0, 0), (1, 2), (2, 0), (3, 1), (4, 0)))" => "E0611: a Hermite chain has degree 3, but the curve has degree 4";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Record> {

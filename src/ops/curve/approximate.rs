@@ -14,12 +14,14 @@ op! {
     /// Spline near points, through the first and the last, on 0..1 or over the parameters that
     /// are listed.
     ///
-    /// With `control_points` the one whose squared distances at the parameters sum to least, over
-    /// knots that spread the parameters evenly. With `tolerance` one that comes that near to every
-    /// point, with as few control points as are found; it moves the parameters along the curve
-    /// unless they are listed, and has corners where the points turn sharply, if that takes no more
-    /// control points. `report` has `{control_points, deviation, corners, parameters}`. Piegl & Tiller, *The NURBS Book*, §9.4.1, (9.68), (9.69); Hoschek &
-    /// Lasser, *Fundamentals of Computer Aided Geometric Design*, §4.4.
+    /// One of `control_points` and `tolerance` is given. With `control_points` it is the one whose
+    /// squared distances at the parameters sum to least, over knots that spread the parameters
+    /// evenly. With `tolerance` it comes that near to every point, with as few control points as
+    /// are found; it moves the parameters along the curve unless they are listed, and has corners
+    /// where the points turn sharply, if that takes no more control points. `report` has
+    /// `{control_points, deviation, corners, parameters}`. Piegl & Tiller, *The NURBS Book*,
+    /// §9.4.1, (9.68), (9.69); Hoschek & Lasser, *Fundamentals of Computer Aided Geometric
+    /// Design*, §4.4.
     approximate in Curve -> NurbsCurve {
         /// The points, more than the degree.
         points: Spanned<AtLeast<2, DVec3>>,
@@ -34,7 +36,14 @@ op! {
     }
     example "approximate([for t in 0..8: (t, t^2)], degree = 2, control_points = 3).end" => "(8, 64, 0)";
     example "len(approximate([for i in 0..60: polar(1, i * 3deg)], tolerance = 1e-3).points) < 9" => "true";
-    picture "approximate([for i in 0..40: (i/4, 3*sin(i/6) + sin(2*i)/4)], control_points = 8)";
+    refuses "approximate([for t in 0..8: (t, t^2)])" => "E0401: `approximate` needs to know how near the curve shall come";
+    refuses "approximate([for t in 0..8: (t, t^2)], control_points = 12)" => "E0601: 12 control points for 9 points: degree 3 takes from 4 to 9";
+    refuses "approximate([for t in 0..8: (t, t^2)], control_points = 4, tolerance = 0.1)" => "E0401: `control_points` and `tolerance` exclude one another";
+    scene r#"
+        points p = [for i in 0..20: (i/2, 3*sin(i/3) + sin(2*i)/2)]
+        curve c = approximate(p, control_points = 8) with (color = "red")
+        curve polygon = control_polygon(c) with (color = "gray")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

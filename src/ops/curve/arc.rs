@@ -35,6 +35,10 @@ op! {
     example "arc((0, 0), 2, 90deg, 180deg).end" => "(-2, 0, 0)";
     example "arc((0, 0), 2, 0deg, 270deg).segments" => "3";
     example "norm(arc((0, 0), 2, 10deg, 100deg)(0.3)) ~= 2 within 1e-15" => "true";
+    refuses "arc((0, 0), -2, 0deg, 90deg)" => "E0607: the radius must be positive, found -2";
+    refuses "arc((0, 0), 2, 90deg, 90deg)" => "E0607: the arc ends at the angle at which it starts";
+    refuses "arc((0, 0), 2, 0deg, 90deg, normal = (0, 0, 0))" => "E0607: the normal has no direction";
+    refuses "arc((0, 0), 2, 0, 90deg)" => "E0304: `arc`: `from` must be an angle, found the number 0";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

@@ -23,6 +23,8 @@ op! {
     example "arc_through((1, 0), (0, 1), (-1, 0))(0.5)" => "(0, 1, 0)";
     example "arc_through((3, 4), (5, 0), (0, -5)).end" => "(0, -5, 0)";
     example "norm(arc_through((3, 4), (5, 0), (0, -5))(0.7)) ~= 5 within 1e-14" => "true";
+    refuses "arc_through((0, 0), (1, 1), (2, 2))" => "E0607: the three points lie on one line, so that no circle goes through them";
+    refuses "arc_through((0, 0), (0, 0), (2, 2))" => "E0607: `a` and `b` are at one place";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

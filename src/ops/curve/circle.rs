@@ -28,6 +28,8 @@ op! {
     }
     example "circle((0, 0), 2)(0.25)" => "(0, 2, 0)";
     example "circle((0, 0), 2).degree" => "2";
+    refuses "circle((0, 0), 0)" => "E0607: the radius must be positive, found 0";
+    refuses "circle((0, 0), 1, normal = (0, 0, 0))" => "E0607: the normal has no direction";
 }
 
 impl Choice for CircleForm {

@@ -20,6 +20,8 @@ op! {
     example "conic_kind(conic((0, 0), (1, 1), (2, 0), 1/2))" => "\"ellipse\"";
     example "conic_kind(bezier((0, 0), (1, 1), (2, 0)))" => "\"parabola\"";
     example "conic_kind(bezier((0, 0), (1, 1), (2, 0), weights = [1, 3, 4]))" => "\"hyperbola\"";
+    refuses "conic_kind(line((0, 0), (1, 2)))" => "E0607: the curve is straight from parameter 0, which is no conic";
+    refuses "conic_kind(bezier((0, 0), (1, 2), (2, 0), (3, 1)))" => "E0611: a conic has degree 2, but the curve has degree 3";
 }
 
 impl Choice for ConicKind {

@@ -25,6 +25,7 @@ op! {
     example "coons_bspline((0, 0), (0, 6), (6, 6), (6, 0), (12, 0)).domain" => "0..2";
     example "coons_bspline((0, 0), (0, 6), (6, 6), (6, 0), (12, 0))(1) ~= (5, 5) within 1e-14" => "true";
     example "coons_bspline((0, 0), (6, 0), (6, 6), (0, 6), closed = true).segments" => "4";
+    refuses "coons_bspline((0, 0), (1, 2), (2, 0))" => "E0601: a cubic needs 4 points or more, found 3";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

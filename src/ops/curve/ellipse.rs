@@ -30,6 +30,8 @@ op! {
     example "ellipse((0, 0), 4, 3)(0.25)" => "(0, 3, 0)";
     example "ellipse((0, 0), 4, 3, x = (0, 1)).start" => "(0, 4, 0)";
     example "curvature(ellipse((0, 0), 4, 3), 0) ~= 4/9 within 1e-12" => "true";
+    refuses "ellipse((0, 0), 4, 0)" => "E0607: the radius `ry` must be positive, found 0";
+    refuses "ellipse((0, 0), 4, 3, x = (0, 0, 1))" => "E0607: the x axis is parallel to the normal";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

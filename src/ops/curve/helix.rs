@@ -16,7 +16,7 @@ op! {
     /// pitch, with the parameter proportional to the angle. No NURBS curve is a helix: this one
     /// has pieces of degree 5 that share its points and first two derivatives at their ends (C2).
     helix in Curve -> NurbsCurve {
-        /// The middle of its first turn's start.
+        /// The point of its axis beside which it starts.
         center: DVec3,
         /// Its radius, positive.
         radius: Spanned<Length>,
@@ -27,6 +27,7 @@ op! {
     }
     example "helix((0, 0), 2, 3, 1.5).end" => "(-2, 0, 4.5)";
     example "helix((0, 0), 2, 3, 1.5)(1/8) ~= (2*cos(67.5deg), 2*sin(67.5deg), 4.5/8)" => "true";
+    refuses "helix((0, 0), 2, 3, 0)" => "E0607: the number of turns must be positive, found 0";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

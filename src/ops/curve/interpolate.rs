@@ -41,7 +41,13 @@ op! {
     example "interpolate((0, 0), (1, 1), (2, 0), (3, 1))(1/3) ~= (1, 1)" => "true";
     example "interpolate([(0, 0), (1, 0)], tangents = [(0, 3), (0, -3)])(0.5)" => "(0.5, 0.75, 0)";
     example "interpolate((1, 0), (0, 1), (-1, 0), (0, -1), closed = true)(0.75) ~= (0, -1)" => "true";
-    picture "interpolate((0, 0), (1, 2), (3, 1), (4, 3), (6, 0), (7, 1))";
+    refuses "interpolate((0, 0), (1, 1), (1, 1), (2, 0))" => "E0607: points 1 and 2 are at one place";
+    refuses "interpolate((0, 0), (1, 1), (2, 0), parameters = [0, 2, 1])" => "E0610: parameter 2 is 1, not above the 2 before it; parameters increase";
+    refuses "interpolate((0, 0), (1, 1), (2, 0), ends = \"clamped\")" => "E0401: \"clamped\" ends need their tangents";
+    scene r#"
+        points p = [(0, 0), (1, 2), (3, 1), (4, 3), (6, 0), (7, 1)] with (color = "red")
+        curve c = interpolate(p)
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

@@ -23,6 +23,9 @@ op! {
     example "parametric(t => (t, t^2), 0..2)(1.5)" => "(1.5, 2.25, 0)";
     example "derivative(parametric(t => (t, t^2), 0..2), 1.5)" => "(1, 3, 0)";
     example "curvature(parametric(t => (2*cos(t), 2*sin(t), t), 0..tau), 1) ~= 0.4" => "true";
+    refuses "parametric(t => (t, 1/t), 0..1)" => "E0501: division by zero";
+    refuses "parametric(t => t, 0..1)" => "E0301: the function must yield a point, but it yields the number 0";
+    refuses "parametric(t => (t, t^2), 1..1)" => "E0606: `parametric`: `domain`: an interval needs its start below its end, got 1..1";
     picture "parametric(t => ((1 + t/4)*cos(t), (1 + t/4)*sin(t)), 0..12)";
 }
 

@@ -13,6 +13,7 @@ op! {
         list: Spanned<List>,
     }
     example "first([3, 4])" => "3";
+    refuses "first([])" => "E0502: an empty list has no `first`";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Value> {

@@ -13,6 +13,7 @@ op! {
         list: Spanned<List>,
     }
     example "last([3, 4])" => "4";
+    refuses "last([])" => "E0502: an empty list has no `last`";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Value> {

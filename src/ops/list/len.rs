@@ -6,13 +6,14 @@ use crate::{
 };
 
 op! {
-    /// How many elements a list, or rows a table, or characters a string has.
+    /// How many elements a list has, how many rows a table, or how many characters a string.
     len in List -> usize {
         /// A list, range of whole numbers, table or string.
         of: Value,
     }
     example "len([1, 2, 3])" => "3";
     example "len(\"größe\")" => "5";
+    refuses "len(3)" => "E0301: `len` takes a list, a table or a string, found the number 3";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<usize> {

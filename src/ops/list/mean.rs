@@ -14,6 +14,9 @@ op! {
         list: Spanned<List>,
     }
     example "mean([1, 2, 6])" => "3";
+    example "mean([(0, 0), (2, 4)])" => "(1, 2, 0)";
+    refuses "mean([])" => "E0502: an empty list has no `mean`";
+    refuses "mean([1, (0, 0)])" => "E0301: numbers and points cannot be added";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {

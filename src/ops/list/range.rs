@@ -22,7 +22,8 @@ op! {
     }
     example "range(0, 1, 0.25)" => "[0, 0.25, 0.5, 0.75, 1]";
     example "range(3, 1, -1)" => "[3, 2, 1]";
-    example "range(1, 0, 5e-324)" => "[]";
+    example "range(1, 0, 0.5)" => "[]";
+    refuses "range(0, 1, 0)" => "E0502: a step of zero never arrives";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Number<Real>>> {

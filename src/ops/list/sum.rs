@@ -15,6 +15,7 @@ op! {
     example "sum([1, 2, 3.5])" => "6.5";
     example "sum(1..100)" => "5050";
     example "sum([(1, 0), (0, 2)])" => "(1, 2, 0)";
+    refuses "sum([1mm, 2deg])" => "E0303: a length and an angle do not mix";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {

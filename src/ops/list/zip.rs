@@ -14,6 +14,7 @@ op! {
         b: Spanned<List>,
     }
     example "zip([1, 2], [\"a\", \"b\"])" => "[[1, \"a\"], [2, \"b\"]]";
+    refuses "zip([1, 2], [3])" => "E0301: the lists have 2 and 1 elements; pairs need as many of each";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<Value>> {

@@ -13,6 +13,7 @@ op! {
         x: Spanned<Real>,
     }
     example "asin(1)" => "90deg";
+    refuses "asin(2)" => "E0502: no angle has the sine 2; it lies between -1 and 1";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Angle<Real>> {

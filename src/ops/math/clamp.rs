@@ -17,6 +17,7 @@ op! {
         high: Number<Real>,
     }
     example "clamp(12, 0, 10)" => "10";
+    refuses "clamp(3, 5, 1)" => "E0502: the lower limit 5 is above the upper limit 1";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {

@@ -12,7 +12,7 @@ op! {
         /// An angle, or a number of radians.
         angle: Radians,
     }
-    example "cos(0deg)" => "1";
+    example "cos(60deg) ~= 1/2" => "true";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {

@@ -12,7 +12,8 @@ op! {
         /// A number.
         x: Spanned<Real>,
     }
-    example "cosh(0)" => "1";
+    example "cosh(ln(2)) ~= 5/4" => "true";
+    refuses "cosh(1000)" => "E0502: the result is beyond the largest number, 1.8e308";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {

@@ -12,7 +12,8 @@ op! {
         /// The exponent.
         x: Spanned<Real>,
     }
-    example "exp(0)" => "1";
+    example "exp(1) ~= e" => "true";
+    refuses "exp(1000)" => "E0502: the result is beyond the largest number, 1.8e308";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {

@@ -18,6 +18,7 @@ op! {
     }
     example "lerp(2, 4, 0.25)" => "2.5";
     example "lerp((0, 0), (2, 4), 0.5)" => "(1, 2, 0)";
+    refuses "lerp(1, (0, 0), 0.5)" => "E0502: both values must be numbers, or both points";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {

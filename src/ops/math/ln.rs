@@ -13,6 +13,7 @@ op! {
         x: Spanned<Real>,
     }
     example "ln(e)" => "1";
+    refuses "ln(0)" => "E0502: 0 has no logarithm; only positive numbers have one";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {

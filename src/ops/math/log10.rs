@@ -13,6 +13,7 @@ op! {
         x: Spanned<Real>,
     }
     example "log10(1000)" => "3";
+    refuses "log10(-1)" => "E0502: -1 has no logarithm; only positive numbers have one";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {

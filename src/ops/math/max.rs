@@ -14,6 +14,8 @@ op! {
     }
     example "max(3, 1, 2)" => "3";
     example "max([3, 1, 2])" => "3";
+    refuses "max([])" => "E0502: an empty list has no `max`";
+    refuses "max(1mm, 1deg)" => "E0303: a length and an angle do not mix";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {

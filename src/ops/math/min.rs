@@ -14,6 +14,8 @@ op! {
     }
     example "min(3, 1, 2)" => "1";
     example "min([3, 1, 2])" => "1";
+    refuses "min([])" => "E0502: an empty list has no `min`";
+    refuses "min(1mm, 1deg)" => "E0303: a length and an angle do not mix";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {

@@ -12,7 +12,7 @@ op! {
         /// An angle, or a number of radians.
         angle: Radians,
     }
-    example "sin(30deg)" => "0.49999999999999994";
+    example "sin(30deg) ~= 1/2" => "true";
     example "sin(0)" => "0";
 }
 

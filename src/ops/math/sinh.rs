@@ -12,7 +12,8 @@ op! {
         /// A number.
         x: Spanned<Real>,
     }
-    example "sinh(0)" => "0";
+    example "sinh(ln(2)) ~= 3/4" => "true";
+    refuses "sinh(1000)" => "E0502: the result is beyond the largest number, 1.8e308";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {

@@ -12,7 +12,7 @@ op! {
         /// An angle, or a number of radians.
         angle: Radians,
     }
-    example "tan(0)" => "0";
+    example "tan(45deg) ~= 1" => "true";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {

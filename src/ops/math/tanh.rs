@@ -12,7 +12,7 @@ op! {
         /// A number.
         x: Spanned<Real>,
     }
-    example "tanh(0)" => "0";
+    example "tanh(ln(2)) ~= 3/5" => "true";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {

@@ -27,6 +27,12 @@ op! {
     }
     example "arrows(circle((0, 0), 2), \"normal\", samples = 5)[0].end" => "(1, 0, 0)";
     example "len(arrows(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), \"normal\", samples = 3))" => "9";
+    refuses "arrows(circle((0, 0), 2), \"twist\")" => "E0402: a curve has no field \"twist\"; it has derivative, second, tangent, normal, binormal";
+    refuses "arrows(circle((0, 0), 2), \"normal\", samples = 1)" => "E0601: a curve is sampled at 2 places or more, found 1";
+    scene r#"
+        curve c = bezier((0, 0), (1, 3), (3, -2), (4, 1))
+        curves normals = arrows(c, "normal") with (color = "red")
+    "#;
 }
 
 /// Vectors that a curve or surface has everywhere.

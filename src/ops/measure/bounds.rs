@@ -20,6 +20,7 @@ op! {
         g: Spanned<Geometry>,
     }
     example "bounds(bezier((0, 0), (1, 2), (2, 0)))" => "{min: (0, 0, 0), max: (2, 1, 0)}";
+    refuses "bounds([])" => "E0607: there is nothing that has a size";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {

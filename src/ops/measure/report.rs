@@ -22,6 +22,7 @@ op! {
     }
     example "report(interpolate((0, 0), (1, 1), (2, 0))).parameters" => "[0, 0.5, 1]";
     example "report(reduce(bezier((0, 0), (1, 0.02), (2, 0)), 0.02)).degree" => "1";
+    refuses "report(line((0, 0), (1, 2)))" => "E0306: this is a curve that no construction with a report returned";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Value> {
@@ -37,7 +38,7 @@ impl Missing {
         let what = self.0.phrase();
         let message = match self.0 {
             Value::Curve(_) | Value::Surface(_) => {
-                format!("{what} that no construction with a report returned")
+                format!("this is {what} that no construction with a report returned")
             }
             _ => format!("{what} has no report: only curves and surfaces do"),
         };

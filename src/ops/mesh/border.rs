@@ -22,6 +22,10 @@ op! {
     }
     example "[for c in border(grid_mesh(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), 1, 1)): length(c)]" => "[6]";
     example "border(tessellate(box((0, 0, 0), (1, 2, 3))))" => "[]";
+    scene r#"
+        curves around = border(m) with (color = "red")
+        mesh m = grid_mesh(bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]), 6, 6) with (color = "lightgray")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {

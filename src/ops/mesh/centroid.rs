@@ -22,6 +22,7 @@ op! {
         of: Of = Of::Volume,
     }
     example "centroid(tessellate(box((0, 0, 0), (1, 2, 3)))) ~= (0.5, 1, 1.5)" => "true";
+    refuses "centroid(grid_mesh(plane_patch((0, 0), (1, 0), (0, 1)), 1, 1))" => "E0612: the mesh does not close: it has 4 edges with one triangle around 1 hole, from (0, 1, 0) on";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<DVec3> {

@@ -21,6 +21,7 @@ op! {
         nv: Spanned<usize>,
     }
     example "grid_mesh(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), 2, 3)" => "mesh of 12 vertices and 12 triangles";
+    refuses "grid_mesh(plane_patch((0, 0), (1, 0), (0, 1)), 0, 3)" => "E0607: a grid has one cell or more in each direction";
     picture "grid_mesh(bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]), 12, 12)";
 }
 

@@ -17,11 +17,13 @@ op! {
     /// columns; an empty cell is none. `.dat` gives the points of an aerofoil, in the form of Selig or of
     /// Lednicer, around the profile from the trailing edge over the upper side. `.json` gives what an
     /// export wrote, to the same bits, or lists and records of other JSON.
+    /// The example's `points.csv` has the lines `x,y`, `0,0`, `1,2` and `4,3`.
     load in Mesh -> Value {
         /// The path.
         path: Spanned<Arc<str>>,
     }
-    example "load == load" => "true";
+    example "{ let t = load(\"points.csv\")  polyline([for i in 0..<len(t): (t.x[i], t.y[i])]).end }" => "(4, 3, 0)";
+    refuses "load(\"points.xyz\")" => "E0703: no data format has the ending `.xyz`";
 }
 
 /// A reader of one format: the value, or a sentence on what is wrong and its line.

@@ -25,6 +25,9 @@ op! {
     }
     example "planar_mesh(polyline([(0, 0), (4, 0), (4, 3), (0, 3)], closed = true))" => "mesh of 4 vertices and 2 triangles";
     example "planar_mesh([polyline([(0, 0), (4, 0), (4, 4), (0, 4)], closed = true), polyline([(1, 1), (3, 1), (3, 3), (1, 3)], closed = true)])" => "mesh of 8 vertices and 8 triangles";
+    refuses "planar_mesh(line((0, 0), (1, 0)))" => "E0607: the curve is not closed: its ends are 1 apart";
+    refuses "planar_mesh([circle((0, 0), 1), circle((5, 0), 1)])" => "E0607: `curves[1]` is no hole: it does not lie within `curves[0]`";
+    refuses "planar_mesh(helix((0, 0), 2, 3, 1))" => "E0607: the curve is not closed: its ends are 3 apart";
     picture "planar_mesh([circle((0, 0), 3), circle((1, 0), 1)], tolerance = 0.02)";
 }
 

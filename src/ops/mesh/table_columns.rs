@@ -17,6 +17,8 @@ op! {
         columns: Spanned<Arc<Record>>,
     }
     example "table({x: [0, 1], y: [2, 3]}).y" => "[2, 3]";
+    refuses "table({x: 1})" => "E0301: column `x` must be a list, found the number 1";
+    refuses "table({x: [0, 1], y: [2]})" => "E0301: column \"y\" has 1 row, the first has 2";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Table> {

@@ -16,6 +16,7 @@ op! {
         rows: Spanned<AtLeast<1, Arc<Record>>>,
     }
     example "table([for i in 1..3: {i, square: i^2}]).square" => "[1, 4, 9]";
+    refuses "table([{x: 0, y: 2}, {x: 1}])" => "E0301: row 1 has the labels x, row 0 has x, y";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Table> {

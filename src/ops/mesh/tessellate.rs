@@ -30,6 +30,8 @@ op! {
     }
     example "tessellate(bilinear((0, 0), (0, 1), (1, 0), (1, 1)))" => "mesh of 4 vertices and 2 triangles";
     example "tessellate(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), max_edge = 0.75)" => "mesh of 9 vertices and 8 triangles";
+    refuses "tessellate(plane_patch((0, 0), (1, 0), (0, 1)), tolerance = 0)" => "E0607: the tolerance must be positive";
+    refuses "tessellate(line((0, 0), (1, 0)))" => "E0301: surfaces and meshes become triangles, found a curve";
     picture "tessellate(torus((0, 0, 0), 3, 1), tolerance = 0.05)";
 }
 

@@ -19,6 +19,7 @@ op! {
         m: Spanned<Arc<Mesh>>,
     }
     example "volume(tessellate(box((0, 0, 0), (1, 2, 3)))) ~= 6" => "true";
+    refuses "volume(grid_mesh(plane_patch((0, 0), (1, 0), (0, 1)), 1, 1))" => "E0612: the mesh does not close: it has 4 edges with one triangle around 1 hole, from (0, 1, 0) on";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {

@@ -30,7 +30,13 @@ op! {
         second_pass: SecondPass = SecondPass::Data,
     }
     example "approximate([for i in 0..6: [for j in 0..6: (i, j, i * j)]], control_points = 4)(0.5, 0.5) ~= (3, 3, 9)" => "true";
-    picture "approximate([for i in 0..12: [for j in 0..12: (i, j, 3*sin(i/3)*cos(j/3))]], control_points = {u: 6, v: 6})";
+    refuses "approximate([for i in 0..6: [for j in 0..6: (i, j)]])" => "E0401: `approximate` needs to know how near the surface shall come";
+    refuses "approximate([for i in 0..6: [for j in 0..6: (i, j)]], control_points = 9)" => "E0601: along u: 9 control points for 7 points: degree 3 takes from 4 to 7";
+    scene r#"
+        let p = [for i in 0..12: [for j in 0..12: (i, j, 3*sin(i/3)*cos(j/3) + sin(3*i + 5*j)/3)]] with (hidden = true)
+        surface s = approximate(p, control_points = 6) with (color = "lightgray")
+        points measured = flatten(p) with (color = "red")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

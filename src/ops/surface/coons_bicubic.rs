@@ -29,6 +29,14 @@ op! {
         twists: OnTwists = OnTwists::Average,
     }
     example "coons_bicubic(u = [line((0, 0), (1, 0)), line((0, 1), (1, 1))], v = [line((0, 0), (0, 1)), line((1, 0), (1, 1))], cross_u = [line((0, 1), (0, 1)), line((0, 1), (0, 1))], cross_v = [line((1, 0), (1, 0)), line((1, 0), (1, 0))])(0.5, 0.25) ~= (0.5, 0.25)" => "true";
+    refuses "coons_bicubic(u = [line((0, 0), (1, 0)), line((0, 1), (1, 1))], v = [line((0, 0), (0, 1)), line((1, 0), (1, 1))], cross_u = [line((0, 2), (0, 2)), line((0, 2), (0, 2))], cross_v = [line((1, 0), (1, 0)), line((1, 0), (1, 0))])" => "E0607: at the corner u = 0, v = 0 `cross_u[0]` starts with (0, 2, 0), but the derivative of `v[0]` there is (0, 1, 0): they differ by 1";
+    scene r#"
+        curves u = [line((0, 0), (4, 0)), line((0, 4), (4, 4))] with (color = "red")
+        curves v = [for x in [0, 4]: bezier((x, 0, 0), (x, 2, 3), (x, 4, 0))] with (color = "green")
+        let steep = [for z in [6, -6]: bezier([for f in [1, 1, -3, 1, 1]: (0, 4, f*z)])] with (hidden = true)
+        let level = [line((4, 0), (4, 0)), line((4, 0), (4, 0))] with (hidden = true)
+        surface s = coons_bicubic(u = u, v = v, cross_u = steep, cross_v = level) with (color = "lightgray")
+    "#;
 }
 
 /// What to do about twists that contradict one another.

@@ -35,7 +35,13 @@ op! {
     }
     example "interpolate([for i in 0..3: [for j in 0..3: (i, j, i * j)]])(0.5, 0.5) ~= (1.5, 1.5, 2.25)" => "true";
     example "interpolate([for i in 0..4: [for j in 0..1: (i, j)]]).degree_v" => "1";
-    picture "interpolate([for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]])";
+    refuses "interpolate([[(0, 0), (0, 1)], [(1, 0)]])" => "E0605: `interpolate`: `points`: row 1 has 1 point, row 0 has 2; every row needs the same number";
+    refuses "interpolate([[(0, 0), (0, 1)], [(0, 0), (0, 1)]])" => "E0607: along u: points 0 and 1 are at one place";
+    scene r#"
+        let p = [for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]] with (hidden = true)
+        surface s = interpolate(p) with (color = "lightgray")
+        points given = flatten(p) with (color = "red")
+    "#;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

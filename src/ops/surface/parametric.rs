@@ -22,6 +22,7 @@ op! {
     }
     example "parametric((u, v) => (u, v, u*v), 0..1, 0..2)(0.5, 2)" => "(0.5, 2, 1)";
     example "derivative(parametric((u, v) => (u, v, u*v), 0..1, 0..2), 0.5, 2)" => "(1, 0, 2)";
+    refuses "parametric((u, v) => (u, v, 1/u), 0..1, 0..1)" => "E0501: division by zero";
     picture "parametric((u, v) => ((3 + v*cos(u/2))*cos(u), (3 + v*cos(u/2))*sin(u), v*sin(u/2)), 0..2*pi, -1..1)";
 }
 

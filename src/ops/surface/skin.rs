@@ -62,7 +62,13 @@ op! {
     example "skin([line((0, 0), (1, 0)), line((0, 1, 1), (1, 1, 1)), line((0, 2), (1, 2))])(0.5, 0.5)" => "(0.5, 1, 1)";
     example "skin([for z in 0..3: circle((0, 0, z), 1 + z)]).degree_v" => "3";
     example "skin([(0, 0, 0), circle((0, 0, 1), 1), circle((0, 0, 3), 1)])(0.3, 0)" => "(0, 0, 0)";
-    picture "skin([circle((0, 0, 0), 2), circle((0, 0, 2), 1), circle((0, 0, 4), 1.5), circle((0, 0, 6), 0.5)])";
+    refuses "skin([line((0, 0), (1, 0))])" => "E0401: a skin needs 2 sections or more, found 1";
+    refuses "skin([line((0, 0), (1, 0)), (0, 1), line((0, 2), (1, 2))])" => "E0607: `(0, 1)` is a point; only the first and the last may be one";
+    refuses "skin([line((0, 0), (1, 0)), line((0, 0), (1, 0)), line((0, 2), (1, 2))])" => "E0607: `sections[0]` and `sections[1]` are at one place";
+    scene r#"
+        curves rings = [circle((0, 0, 0), 2), circle((0, 0, 2), 1), circle((0, 0, 4), 1.5), circle((0, 0, 6), 0.5)] with (color = "red")
+        surface s = skin(rings) with (color = "lightgray")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

@@ -63,6 +63,9 @@ op! {
     example "sweep(circle((0, 0, 0), 1, normal = (1, 0, 0)), line((0, 0), (5, 0)))(0, 0.5)" => "(2.5, 1, 0)";
     example "sweep(bezier((0, 0), (1, 1), (2, 0)), line((0, 0), (0, 0, 3)), frame = \"translate\")(0.5, 1)" => "(1, 0.5, 3)";
     example "norm(sweep(circle((0, 0), 1, normal = (1, 0, 0)), circle((0, 0), 4))(0, 0.25) - (0, 3, 0)) < 1e-14" => "true";
+    refuses "sweep(circle((0, 0), 1, normal = (1, 0, 0)), polyline((0, 0), (5, 0), (5, 5)))" => "E0607: the path has a corner at parameter 1";
+    refuses "sweep(circle((0, 0), 1, normal = (1, 0, 0)), line((0, 0), (5, 0)), frame = \"frenet\")" => "E0607: the curve is straight at parameter 0: there is no frenet frame";
+    refuses "sweep(circle((0, 0), 1, normal = (1, 0, 0)), line((0, 0), (5, 0)), scale = 0)" => "E0607: the section is scaled to a point all along the path";
     picture "sweep(circle((0, 0), 0.6, normal = (1, 0, 0)), bezier((0, 0, 0), (4, 0, 4), (4, 6, -2), (0, 6, 2)), tolerance = 1e-3)";
 }
 

@@ -22,6 +22,11 @@ op! {
     }
     example "to_nurbs(parametric((u, v) => (u, v, u*v), 0..1, 0..2), 1e-9)(0.5, 2) ~= (0.5, 2, 1)" => "true";
     example "to_nurbs(parametric((u, v) => (u, v, u^2 - v^2), 0..1, 0..1), 1e-9).degree_u" => "5";
+    refuses "to_nurbs(parametric((u, v) => (u, v, if u < 0.5 then 0 else 1), 0..1, 0..1), 0.1)" => "E0607: the function jumps by 1 at (0.5, 0)";
+    scene r#"
+        let f = parametric((u, v) => (u, v, sin(u)*cos(v)), 0..5, 0..5) with (hidden = true)
+        surface s = to_nurbs(f, 1e-3)
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

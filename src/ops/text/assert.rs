@@ -16,6 +16,7 @@ op! {
         message: Arc<str>,
     }
     example "assert(1 < 2, \"numbers are in order\")" => "true";
+    refuses "assert(1 > 2, \"numbers are in order\")" => "E0404: the assertion fails: numbers are in order";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<bool> {

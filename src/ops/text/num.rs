@@ -14,6 +14,7 @@ op! {
         text: Spanned<Arc<str>>,
     }
     example "num(\"12.5\")" => "12.5";
+    refuses "num(\"12mm\")" => "E0301: \"12mm\" is not a number";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {

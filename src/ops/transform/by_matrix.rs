@@ -13,6 +13,7 @@ op! {
     /// Geometry under an affine map, given by three rows of four numbers.
     ///
     /// A row (a, b, c, d) makes the coordinate a·x + b·y + c·z + d; d may be a length.
+    /// Piegl & Tiller, *The NURBS Book*, §6.3.
     transform in Transform -> Geometry {
         /// What is moved.
         g: Geometry,
@@ -20,6 +21,13 @@ op! {
         matrix: Spanned<Matrix>,
     }
     example "transform((1, 2, 3), [[0, -1, 0, 10], [1, 0, 0, 20], [0, 0, 2, 0]])" => "(8, 21, 6)";
+    refuses "transform((1, 2, 3), [[1, 0, 0, 0], [0, 1, 0, 0]])" => "E0301: `transform`: `matrix` must be three rows of four numbers, found 2 rows";
+    refuses "transform((1, 2, 3), [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 0]])" => "E0607: the transformation flattens space: its determinant is zero";
+    scene r#"
+        let letter = polyline((0, 0), (0, 3), (2, 3), (2, 2), (1, 2), (1, 0), closed = true) with (hidden = true)
+        curve upright = letter with (color = "gray")
+        curve slanted = transform(letter, [[1, 0.5, 0, 3], [0, 1, 0, 0], [0, 0, 1, 0]]) with (color = "red")
+    "#;
 }
 
 /// Three rows of four.

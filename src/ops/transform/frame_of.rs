@@ -22,6 +22,7 @@ op! {
     }
     example "frame_of((1, 2, 3), (0, 0, 2), (0, 5, 5)).y" => "(0, 1, 0)";
     example "frame_of((0, 0), (1, 0), (0, 1)).z" => "(0, 0, 1)";
+    refuses "frame_of((0, 0), (1, 0), (2, 0))" => "E0607: the y axis is parallel to the x axis";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Frame> {

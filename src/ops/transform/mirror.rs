@@ -21,7 +21,11 @@ op! {
     }
     example "mirror((1, 2, 3), XY)" => "(1, 2, -3)";
     example "mirror((3, 0), plane((1, 0), (1, 0))) ~= (-1, 0)" => "true";
-    picture "[bezier((0, 0), (1, 3), (3, -2), (4, 1)), mirror(bezier((0, 0), (1, 3), (3, -2), (4, 1)), plane((0, 0), (0, 1, 0)))]";
+    scene r#"
+        curve c = bezier((0, 0), (1, 3), (3, -2), (4, 1))
+        curve image = mirror(c, plane((0, -1), (0, 1))) with (color = "red")
+        curve plane_from_its_edge = line((-1, -1), (5, -1)) with (color = "gray")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Geometry> {

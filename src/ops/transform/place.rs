@@ -20,6 +20,10 @@ op! {
     }
     example "place((1, 2, 3), YZ)" => "(3, 1, 2)";
     example "place((1, 0), frame_of((5, 5), (0, 1), (-1, 0)))" => "(5, 6, 0)";
+    scene r#"
+        curve c = bezier((0, 0, 0), (4, 0, 4), (4, 6, -2), (0, 6, 2)) with (color = "gray")
+        curves squares = [for t in linspace(0, 1, 6): place(polyline((1, 1), (-1, 1), (-1, -1), (1, -1), closed = true), normal_plane(c, t))]
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Geometry> {

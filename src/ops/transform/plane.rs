@@ -24,6 +24,8 @@ op! {
     example "plane((0, 0, 5), (0, 0, 2)).z" => "(0, 0, 1)";
     example "plane((0, 0), (1, 0, 0)).x" => "(0, 1, 0)";
     example "plane((0, 0), (0, 0, 1), x = (0, 3)).y" => "(-1, 0, 0)";
+    refuses "plane((0, 0), (0, 0, 0))" => "E0607: the normal has no direction";
+    refuses "plane((0, 0), (0, 0, 1), x = (0, 0, 2))" => "E0607: the x axis is parallel to the normal";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Frame> {

@@ -13,6 +13,8 @@ use crate::{
 
 op! {
     /// Curve projected onto a plane along the plane's normal; exact.
+    ///
+    /// Piegl & Tiller, *The NURBS Book*, §6.3.
     project in Transform -> Geometry {
         /// The curve.
         c: Curve,
@@ -21,6 +23,10 @@ op! {
     }
     example "project(line((0, 0, 1), (1, 2, 3)), XY).end" => "(1, 2, 0)";
     example "project(line((0, 0), (4, 0)), plane((0, 0), (1, 0, 1))).end ~= (2, 0, -2)" => "true";
+    scene r#"
+        curve c = helix((0, 0, 1), 2, 3, 1.5)
+        curve shadow = project(c, XY) with (color = "gray")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Geometry> {

@@ -21,6 +21,8 @@ op! {
         about: DVec3 = DVec3::ZERO,
     }
     example "rotate((1, 0), 180deg, about = (2, 0)) ~= (3, 0)" => "true";
+    refuses "rotate((1, 0), 90)" => "E0304: `rotate`: `angle` must be an angle, found the number 90";
+    refuses "rotate((1, 0), 90deg, axis = (0, 0, 0))" => "E0607: an axis of length zero has no direction";
     picture "[for i in 0..<8: rotate(bezier((1, 0), (2, 1), (3, 0)), i*45deg)]";
 }
 

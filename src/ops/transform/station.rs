@@ -27,6 +27,12 @@ op! {
     }
     example "station(circle((0, 0), 1), line((5, 0, 0), (5, 0, 9)), 0.5).start" => "(6, 0, 4.5)";
     example "station(polyline((0, 0), (1, 0), (0, 2)), line((0, 0), (0, 3)), 1, anchor = 1).start ~= (-1, 3)" => "true";
+    refuses "station(circle((0, 0), 1), line((5, 0, 0), (5, 0, 9)), 2)" => "E0606: parameter 2 is outside the domain 0..1";
+    refuses "station(helix((0, 0), 2, 3, 1), line((5, 0, 0), (5, 0, 9)), 0.5)" => "E0607: the curve is not planar: it leaves its plane by 2.19";
+    scene r#"
+        curve spine = bezier((0, 0, 0), (4, 0, 4), (4, 6, -2), (0, 6, 2)) with (color = "gray")
+        curves sections = [for t in linspace(0, 1, 6): station(circle((0, 0), 1), spine, t)]
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Geometry> {

@@ -17,6 +17,7 @@ op! {
         b: Spanned<Vector>,
     }
     example "angle_between((1, 0), (0, 2))" => "90deg";
+    refuses "angle_between((0, 0), (1, 0))" => "E0607: a vector of length zero has no direction";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Angle<Real>> {

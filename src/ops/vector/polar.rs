@@ -14,6 +14,7 @@ op! {
         angle: Angle<Real>,
     }
     example "polar(2, 0deg)" => "(2, 0, 0)";
+    refuses "polar(2, 90)" => "E0304: `polar`: `angle` must be an angle, found the number 90";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vector> {

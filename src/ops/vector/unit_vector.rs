@@ -13,6 +13,7 @@ op! {
         v: Spanned<Vector>,
     }
     example "unit_vector((0, 5))" => "(0, 1, 0)";
+    refuses "unit_vector((0, 0))" => "E0607: a vector of length zero has no direction";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vector> {

@@ -4,8 +4,10 @@ use serde_json::{Value as Json, json};
 
 use crate::{diag::nearest, kernel::tolerance::SAME_RESULT};
 
-/// The edition of the form of golden folders that is written and read here.
-const EDITION: u64 = 1;
+/// The edition of the form of golden folders that is written here; older ones are read too.
+const EDITION: u64 = 2;
+/// The first edition that keeps warnings.
+const WITH_WARNINGS: u64 = 2;
 
 /// How the contents of a folder are compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,11 +16,13 @@ pub(super) struct Header {
     pub(super) tolerance: f64,
     /// Whether files are compared by bytes.
     pub(super) by_bytes: bool,
+    /// Whether warnings are kept.
+    pub(super) has_warnings: bool,
 }
 
 impl Default for Header {
     fn default() -> Self {
-        Self { tolerance: SAME_RESULT, by_bytes: false }
+        Self { tolerance: SAME_RESULT, by_bytes: false, has_warnings: true }
     }
 }
 
@@ -32,15 +36,17 @@ impl Header {
         let Json::Object(members) = &json else {
             return Err(format!("must be an object such as {}", Self::default().json()));
         };
-        match members.get("edition").map(Json::as_u64) {
-            Some(Some(EDITION)) => {}
+        let edition = match members.get("edition").map(Json::as_u64) {
+            Some(Some(edition @ 1..=EDITION)) => edition,
             Some(_) => {
                 let found = &members["edition"];
-                return Err(format!("is of edition {found}; this program reads edition {EDITION}"));
+                return Err(format!(
+                    "is of edition {found}; this program reads editions 1 to {EDITION}"
+                ));
             }
             None => return Err("has no `edition`".to_owned()),
-        }
-        let mut header = Self::default();
+        };
+        let mut header = Self { has_warnings: WITH_WARNINGS <= edition, ..Self::default() };
         for (name, value) in members {
             match name.as_str() {
                 "edition" => {}
@@ -65,7 +71,12 @@ impl Header {
         Ok(header)
     }
 
-    /// The text of the header.
+    /// The same in the edition that is written here.
+    pub(super) fn newest(self) -> Self {
+        Self { has_warnings: true, ..self }
+    }
+
+    /// The text of the header, in the edition that is written here.
     pub(super) fn text(self) -> String {
         format!("{:#}\n", self.json())
     }
@@ -81,9 +92,16 @@ mod tests {
 
     #[test]
     fn what_is_written_is_read() {
-        let header = Header { tolerance: 0.25, by_bytes: true };
+        let header = Header { tolerance: 0.25, by_bytes: true, ..Header::default() };
         assert_eq!(Header::read(header.text().as_bytes()), Ok(header));
-        assert_eq!(Header::read(b"{\"edition\": 1}"), Ok(Header::default()));
+        assert_eq!(Header::read(b"{\"edition\": 2}"), Ok(Header::default()));
+    }
+
+    #[test]
+    fn the_first_edition_has_no_warnings() {
+        let old = Header { has_warnings: false, ..Header::default() };
+        assert_eq!(Header::read(b"{\"edition\": 1}"), Ok(old));
+        assert_eq!(Header::read(old.newest().text().as_bytes()), Ok(Header::default()));
     }
 
     #[test]
@@ -93,7 +111,8 @@ mod tests {
             ("\u{0}", "expected value"),
             ("3", "must be an object"),
             ("{}", "has no `edition`"),
-            ("{\"edition\": 2}", "is of edition 2; this program reads edition 1"),
+            ("{\"edition\": 0}", "is of edition 0"),
+            ("{\"edition\": 3}", "is of edition 3; this program reads editions 1 to 2"),
             ("{\"edition\": \"one\"}", "is of edition \"one\""),
             ("{\"edition\": 1, \"tolerance\": -1}", "a number from 0 to 1, found -1"),
             ("{\"edition\": 1, \"tolerance\": \"small\"}", "found \"small\""),

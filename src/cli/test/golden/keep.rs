@@ -2,7 +2,7 @@
 
 use std::{fs, path::Path};
 
-use super::{Content, FILES, HEADER, PRINTED, Page, header::Header, kept, measures};
+use super::{Content, FILES, HEADER, PRINTED, Page, WARNINGS, header::Header, kept, measures};
 use crate::{
     cli::{
         files::reason,
@@ -26,7 +26,8 @@ pub(super) fn write(pages: &[Page<'_>], folder: &Path, header: Header) -> Result
         staged.place().map_err(|err| cannot(folder, "", &ExportError::Io(err)))?;
     }
     for path in kept(folder)? {
-        let is_ours = path == PRINTED || path.starts_with(&format!("{FILES}/"));
+        let is_ours =
+            [PRINTED, WARNINGS].contains(&&*path) || path.starts_with(&format!("{FILES}/"));
         if is_ours && !pages.iter().any(|page| page.path == path) {
             let path = folder.join(path);
             fs::remove_file(&path)

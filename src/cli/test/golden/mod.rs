@@ -3,6 +3,7 @@
 //! ```text
 //! door.golden/golden.json              how it is compared: `header`
 //! door.golden/printed.txt              what is printed, line by line: `lines`
+//! door.golden/warnings.txt             the warnings, likewise
 //! door.golden/files/door.csv           a table, compared column by column: `table`
 //! door.golden/files/door.obj.measures  a file of meshes, by measure: `measures`
 //! door.golden/files/door.step          other texts line by line, anything else by bytes
@@ -40,6 +41,8 @@ pub(super) use self::difference::Difference;
 const HEADER: &str = "golden.json";
 /// The name of the file with the printed lines.
 const PRINTED: &str = "printed.txt";
+/// The name of the file with the warnings.
+const WARNINGS: &str = "warnings.txt";
 /// The folder of the exported files.
 const FILES: &str = "files";
 /// What the name of a file of meshes is followed by.
@@ -84,7 +87,8 @@ pub(super) fn judge(
     wish: Wish,
     limits: &Limits,
 ) -> Option<(Judged, Ending)> {
-    let says_something = report.events.iter().any(|event| !matches!(event, Event::Checked(_)));
+    let is_said = |event: &Event| !matches!(event, Event::Checked(_));
+    let says_something = report.events.iter().any(is_said) || 0 < report.count(Severity::Warning);
     let is_there = folder.symlink_metadata().is_ok();
     if !is_there && (wish != Wish::Make || !says_something) {
         return None;
@@ -94,7 +98,8 @@ pub(super) fn judge(
     }
     let unusable = |message| Some((Judged::Unusable(message), Ending::Usage));
     let header = match header(folder, is_there, wish, limits) {
-        Ok(header) => header,
+        Ok(header) if wish == Wish::Compare => header,
+        Ok(header) => header.newest(),
         Err(message) => return unusable(message),
     };
     let pages = match pages(report, header, limits) {
@@ -178,10 +183,20 @@ fn pages<'a>(
             Event::Checked(_) | Event::Expected(_) => {}
         }
     }
-    if !printed.is_empty() {
-        pages.insert(0, Page { path: PRINTED.to_owned(), content: Content::Lines(printed) });
-    }
-    Ok(pages)
+    let warnings = if header.has_warnings { warnings(report) } else { String::new() };
+    let texts = [(PRINTED, printed), (WARNINGS, warnings)].into_iter();
+    let mut all: Vec<Page<'_>> = texts
+        .filter(|(_, text)| !text.is_empty())
+        .map(|(path, text)| Page { path: path.to_owned(), content: Content::Lines(text) })
+        .collect();
+    all.append(&mut pages);
+    Ok(all)
+}
+
+/// The warnings of the script and of its tests, a line each, in the order of their places.
+fn warnings(report: &Report) -> String {
+    let all = report.diagnostics.iter().filter(|found| found.severity == Severity::Warning);
+    all.map(|found| format!("{} {}\n", found.code.id(), found.message)).collect()
 }
 
 /// A file that the script exports.

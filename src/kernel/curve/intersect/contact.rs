@@ -60,11 +60,16 @@ impl Search<'_> {
         };
         let (start, end) = (stretch.first.start(), stretch.first.end());
         match self.is_same {
-            true => GeomError::RunTogether { start, end },
-            false => GeomError::RunTogether {
-                start: reach(start, domain.start()),
-                end: reach(end, domain.end()),
-            },
+            true => GeomError::RunsAlongItself { start, end },
+            false => {
+                // The ends of the stretch need not be on both curves, something within it is.
+                let steps = stretch.first.steps(REACH_SAMPLES);
+                let on = || steps.iter().copied().filter(|&t| is_on(t));
+                GeomError::RunTogether {
+                    start: reach(on().next().unwrap_or(start), domain.start()),
+                    end: reach(on().next_back().unwrap_or(end), domain.end()),
+                }
+            }
         }
     }
 }

@@ -10,7 +10,7 @@ use crate::kernel::{
 /// curve is no crossing.
 ///
 /// # Errors
-/// [`GeomError::RunTogether`] where it runs along itself, [`GeomError::Tangled`].
+/// [`GeomError::RunsAlongItself`], [`GeomError::Tangled`].
 pub(super) fn crossings(
     curve: &NurbsCurve,
     turns: &[f64],

@@ -19,7 +19,13 @@ op! {
     }
     example "len(decompose(circle((0, 0), 1)))" => "4";
     example "decompose(clamped((1, 1), (3, 1), (5, 7), (7, 1), (9, 4)))[0].points" => "[(1, 1, 0), (3, 1, 0), (4, 4, 0), (5, 4, 0)]";
-    picture "decompose(bspline((0, 0), (1, 2), (3, 1), (4, 3), (6, 0), (7, 1)))";
+    refuses "decompose(parametric(t => (t, t^2), 0..2))" => "E0301: `decompose`: `c` must be a NURBS curve, found a parametric curve";
+    scene r#"
+        let pieces = decompose(bspline((0, 0), (1, 2), (3, 1), (4, 3), (6, 0), (7, 1))) with (hidden = true)
+        curves odd = [pieces[0], pieces[2]]
+        curve even = pieces[1] with (color = "red")
+        curves polygons = [for piece in pieces: control_polygon(piece)] with (color = "gray")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {

@@ -23,7 +23,12 @@ op! {
     }
     example "extend(line((0, 0), (3, 4)), 10).end" => "(9, 12, 0)";
     example "extend(line((0, 0), (3, 4)), 5, at = \"start\").domain" => "-1..1";
-    picture "extend(bezier((0, 0), (1, 2), (2, 0)), 1)";
+    refuses "extend(bezier((0, 0), (1, 2), (2, 0)), -1)" => "E0607: the length must be positive, found -1";
+    refuses "extend(parametric(t => (t, sqrt(1 - t^2)), 0..0.5), 5)" => "E0502: a negative number (-0.12890625) has no square root";
+    scene r#"
+        curve longer = extend(bezier((0, 0), (1, 3), (3, -2), (4, 1)), 1) with (color = "red")
+        curve c = bezier((0, 0), (1, 3), (3, -2), (4, 1))
+    "#;
 }
 
 /// An end of a curve.

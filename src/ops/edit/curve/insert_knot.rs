@@ -25,6 +25,8 @@ op! {
     }
     example "insert_knot(bezier((0, 0), (2, 4), (4, 0)), 0.5).points" => "[(0, 0, 0), (1, 2, 0), (3, 2, 0), (4, 0, 0)]";
     example "insert_knot(bezier((0, 0), (2, 4), (4, 0)), 0.5, times = 2).knots" => "[0, 0, 0, 0.5, 0.5, 1, 1, 1]";
+    refuses "insert_knot(bezier((0, 0), (1, 2), (2, 0)), 2)" => "E0606: parameter 2 is outside the domain 0..1";
+    refuses "insert_knot(bezier((0, 0), (1, 2), (2, 0)), 0.5, times = 4)" => "E0602: knot 0.5 stands 4 times from index 3; at most 3 are possible";
     picture "insert_knot(bezier((0, 0), (1, 3), (3, -2), (4, 1)), 0.5)";
 }
 

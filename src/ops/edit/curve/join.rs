@@ -21,7 +21,14 @@ op! {
     example "join([line((0, 0), (1, 0)), line((1, 0), (2, 0))]).points" => "[(0, 0, 0), (2, 0, 0)]";
     example "join([line((0, 0), (1, 0)), line((1, 0), (1, 1))]).knots" => "[0, 0, 1, 2, 2]";
     example "join(decompose(clamped((1, 1), (3, 1), (5, 7), (7, 1), (9, 4)))).knots" => "[0, 0, 0, 0, 1, 2, 2, 2, 2]";
-    picture "join([bezier((0, 0), (1, 2), (2, 0)), bezier((2, 0), (3, -2), (4, 0))])";
+    refuses "join([line((0, 0), (1, 0)), line((2, 0), (3, 0))])" => "E0609: `curves[1]` starts 1 from where `curves[0]` ends, more than the tolerance 1e-6";
+    refuses "join([line((0, 0), (1, 0)), line((2, 0), (1, 0))])" => "E0609: `curves[1]` starts 1 from where `curves[0]` ends, more than the tolerance 1e-6";
+    refuses "join([line((0, 0), (1, 0))])" => "E0401: 2 curves or more are needed, found 1";
+    scene r#"
+        let parts = [bezier((0, 0), (1, 2), (2, 0)), bezier((2, 0), (3, -2), (4, 0))] with (hidden = true)
+        curve c = join(parts)
+        points ends = [for part in parts: part.end] with (color = "red")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

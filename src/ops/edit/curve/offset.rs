@@ -12,6 +12,7 @@ op! {
     /// Curve at a distance beside another one, to the right of it seen against the normal: a curve
     /// that runs counter-clockwise about the normal grows for a positive distance.
     ///
+    /// A parametric curve is first replaced by the spline that `length` tells of.
     /// Each point goes to C + d·(T × n) / |T × n|. Circular arcs and polygons in a plane normal to
     /// the normal have exact offsets, polygons with their corners kept; others are splines of
     /// degree 5 on the same parameters, proven to be nowhere further from the true offset than the
@@ -22,7 +23,6 @@ op! {
     /// `{distance, deviation, cusps, folds, crossings}`: cusps and folds by parameters of the
     /// curve, crossings `{t, s, point}` by those of the offset.
     /// Maekawa, *An overview of offset curves and surfaces*, CAD 31 (1999).
-    /// A parametric curve is replaced by the spline that `length` tells of.
     offset in Edit -> NurbsCurve {
         /// The curve.
         c: Curve,
@@ -34,6 +34,8 @@ op! {
     example "offset(line((0, 0), (4, 0)), 1).points" => "[(0, -1, 0), (4, -1, 0)]";
     example "norm(offset(circle((0, 0), 2), 1)(0.3)) ~= 3 within 1e-15" => "true";
     example "offset(polyline((0, 0), (4, 0), (4, 4)), 1).points" => "[(0, -1, 0), (5, -1, 0), (5, 4, 0)]";
+    refuses "offset(line((0, 0, 0), (0, 0, 4)), 1)" => "E0607: the curve runs along the normal at parameter 0, so that it has no side";
+    refuses "offset(circle((0, 0), 2), -2)" => "E0607: the offset shrinks to a point: the distance is the radius 2 of the arc";
     picture "[for d in [-0.4, -0.2, 0, 0.2, 0.4]: offset(bezier((0, 0), (1, 3), (3, -2), (4, 1)), d)]";
 }
 

@@ -26,6 +26,8 @@ op! {
     }
     example "reduce(elevate(bezier((0, 0), (3, 6), (6, 0)), 4), 1e-9).degree" => "2";
     example "reduce(bezier((0, 0), (1, 0.02), (2, 0)), 0.02).points" => "[(0, 0, 0), (2, 0, 0)]";
+    refuses "reduce(bezier((0, 0), (1, 2), (2, 0)), 0.1)" => "E0608: degree 1 would move the curve by up to 1, more than the tolerance 0.1";
+    refuses "reduce(line((0, 0), (1, 0)), 0.1)" => "E0604: the curve has degree 1, below which there is none";
     picture "reduce(elevate(bezier((0, 0), (1, 3), (3, -2), (4, 1)), 5), 1e-9)";
 }
 

@@ -27,6 +27,8 @@ op! {
         times: Spanned<usize> = Spanned::unplaced(1),
     }
     example "remove_knot(insert_knot(bezier((0, 0), (2, 4), (4, 0)), 0.5), 0.5, 1e-9).points" => "[(0, 0, 0), (2, 4, 0), (4, 0, 0)]";
+    refuses "remove_knot(polyline((0, 0), (1, 2), (2, 0)), 1, 0.1)" => "E0608: without the knot 1 the curve would move by up to 2, more than the tolerance 0.1";
+    refuses "remove_knot(bezier((0, 0), (1, 2), (2, 0)), 0.5, 0.1)" => "E0602: no inner knot stands at 0.5";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

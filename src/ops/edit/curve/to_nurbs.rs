@@ -23,6 +23,12 @@ op! {
     }
     example "to_nurbs(parametric(t => (t, t^2), 0..2), 1e-9)(1.5) ~= (1.5, 2.25)" => "true";
     example "to_nurbs(circle((0, 0), 1), 1e-6).degree" => "2";
+    refuses "to_nurbs(parametric(t => (t, t^2), 0..2), 0)" => "E0607: the tolerance must be positive, found 0";
+    refuses "to_nurbs(parametric(t => (t, if t < 1 then 0 else 1), 0..2), 0.1)" => "E0607: the function jumps by 1 at parameter 1";
+    scene r#"
+        curve c = to_nurbs(parametric(t => (t, sin(t)), 0..7), 1e-3)
+        curve polygon = control_polygon(c) with (color = "red")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

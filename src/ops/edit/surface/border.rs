@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::{
-    diag::Result,
-    kernel::{NurbsCurve, NurbsSurface},
+    diag::{Code, Diagnostic, Result},
+    kernel::{GeomError, NurbsCurve, NurbsSurface},
     value::{At, Ctx, op},
 };
 
@@ -21,9 +21,19 @@ op! {
     }
     example "border(bilinear((0, 0), (0, 1), (2, 0), (2, 1))).points" => "[(0, 0, 0), (2, 0, 0), (2, 1, 0), (0, 1, 0), (0, 0, 0)]";
     example "border(bilinear((0, 0), (0, 1), (2, 0), (2, 1))).closed" => "true";
-    picture "border(bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]))";
+    refuses "border(bilinear((0, 0), (0, 0), (0, 0), (0, 0)))" => "E0607: each side of the surface is one point, which leaves no border";
+    scene r#"
+        curve around = border(s) with (color = "red")
+        surface s = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (color = "lightgray")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
-    args.s.border(ctx.tolerance.distance).at(ctx.span)
+    match args.s.border(ctx.tolerance.distance) {
+        Err(GeomError::TooFewCurves { .. }) => {
+            let message = "each side of the surface is one point, which leaves no border";
+            Diagnostic::error(Code::Degenerate, ctx.span, message).fail()
+        }
+        border => border.at(ctx.span),
+    }
 }

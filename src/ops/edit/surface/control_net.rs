@@ -17,7 +17,11 @@ op! {
         s: Arc<NurbsSurface>,
     }
     example "[for leg in control_net(bilinear((0, 0), (0, 1), (2, 0), (2, 1))): leg.points]" => "[[(0, 0, 0), (2, 0, 0)], [(0, 1, 0), (2, 1, 0)], [(0, 0, 0), (0, 1, 0)], [(2, 0, 0), (2, 1, 0)]]";
-    picture "control_net(bspline([for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]]))";
+    refuses "control_net(parametric((u, v) => (u, v, u*v), 0..1, 0..1))" => "E0301: `control_net`: `s` must be a NURBS surface, found a parametric surface";
+    scene r#"
+        surface s = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 2), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (color = "lightgray")
+        curves net = control_net(s) with (color = "red")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {

@@ -15,6 +15,13 @@ op! {
         s: Surface,
     }
     example "normal(flip(bilinear((0, 0), (0, 1), (2, 0), (2, 1))), 0.5, 0.5)" => "(0, 0, -1)";
+    scene r#"
+        surface s = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (color = "lightgray")
+        surface t = translate(flip(s), (6, -2)) with (color = "lightgray")
+        curves u = arrows([s, t], "tangent_u", samples = 2) with (color = "red")
+        curves v = arrows([s, t], "tangent_v", samples = 2) with (color = "green")
+        curves normals = arrows([s, t], "normal", samples = 2)
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Surface> {

@@ -27,7 +27,13 @@ op! {
     }
     example "insert_knot(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), u = 0.5).points" => "[[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)], [(2, 0, 0), (2, 1, 0)]]";
     example "insert_knot(elevate(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), v = 2), v = 0.5, times = 2).knots_v" => "[0, 0, 0, 0.5, 0.5, 1, 1, 1]";
-    picture "insert_knot(bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]), u = 0.5)";
+    refuses "insert_knot(plane_patch((0, 0), (1, 0), (0, 1)))" => "E0401: neither `u` nor `v` is given";
+    refuses "insert_knot(plane_patch((0, 0), (1, 0), (0, 1)), u = 2)" => "E0606: parameter 2 is outside the domain 0..1";
+    refuses "insert_knot(plane_patch((0, 0), (1, 0), (0, 1)), u = 0.5, v = 0.5)" => "E0401: one of `u` and `v` is wanted, found both";
+    scene r#"
+        surface s = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 2), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (color = "lightgray")
+        curves net = control_net(insert_knot(s, u = 0.5)) with (color = "red")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

@@ -30,6 +30,8 @@ op! {
     example "offset(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), 3, 1e-6).points" => "[[(0, 0, 3), (0, 1, 3)], [(2, 0, 3), (2, 1, 3)]]";
     example "{ let s = ruled(circle((0, 0), 2), circle((0, 0, 1), 2))  norm(offset(s, 1, 1e-6)(0.3, 0)) ~= 3 within 1e-14 }" => "true";
     example "report(offset(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), 3, 1e-6)).exact" => "true";
+    refuses "offset(bspline([[(0, 0), (0, 1)], [(1, 0), (1, 1)], [(1, 0, 1), (1, 1, 1)]], degree = 1), 1, 0.01)" => "E0607: the surface has a crease at u = 0.5: its offset would be torn there by 1.414";
+    refuses "offset(plane_patch((0, 0), (1, 0), (0, 1)), 1, 0)" => "E0607: the tolerance must be positive, found 0";
     picture "[bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]), offset(bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]), 0.8, tolerance = 1e-3)]";
 }
 

@@ -18,6 +18,7 @@ op! {
         t: Spanned<f64>,
     }
     example "at(line((0, 0), (2, 4)), 0.25)" => "(0.5, 1, 0)";
+    refuses "at(bezier((0, 0), (1, 2), (2, 0)), 2)" => "E0606: parameter 2 is outside the domain 0..1";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<DVec3> {

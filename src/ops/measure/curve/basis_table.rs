@@ -21,6 +21,8 @@ op! {
         samples: Spanned<usize> = Spanned::unplaced(100),
     }
     example "basis_table(bezier((0, 0), (1, 2), (2, 0)), samples = 3).n1" => "[0, 0.5, 0]";
+    refuses "basis_table(bezier((0, 0), (1, 2), (2, 0)), samples = 1)" => "E0601: a curve is sampled at 2 places or more, found 1";
+    refuses "basis_table(parametric(t => (t, t^2), 0..2))" => "E0301: a parametric curve is a function and no NURBS";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Table> {

@@ -23,6 +23,7 @@ op! {
         side: Side = Side::Right,
     }
     example "binormal(circle((0, 0), 2), 0)" => "(0, 0, 1)";
+    refuses "binormal(line((0, 0), (1, 2)), 0.5)" => "E0607: the curve is straight at parameter 0.5: there is no binormal";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<DVec3> {

@@ -22,6 +22,11 @@ op! {
         side: Side = Side::Right,
     }
     example "binormal_line(circle((0, 0), 2), 0).end" => "(2, 0, 1)";
+    refuses "binormal_line(line((0, 0), (1, 2)), 0.5)" => "E0607: the curve is straight at parameter 0.5: there is no binormal";
+    scene r#"
+        curve c = helix((0, 0), 2, 3, 1.5)
+        curves binormals = [for t in linspace(0, 1, 13): binormal_line(c, t)] with (color = "red")
+    "#;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

@@ -22,6 +22,7 @@ op! {
         side: Side = Side::Right,
     }
     example "center_of_curvature(bezier((0, 0), (1, 2), (2, 0)), 0.5)" => "(1, 0.5, 0)";
+    refuses "center_of_curvature(line((0, 0), (1, 2)), 0.5)" => "E0607: the curve is straight at parameter 0.5: there is no centre of curvature";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<DVec3> {

@@ -23,6 +23,7 @@ op! {
     example "classify(bezier((0, 0), (1, 1), (2, -1), (3, 0)), 0.5)" => "\"inflection\"";
     example "classify(bezier((0, 0), (1, 1), (0, 1), (1, 0)), 0.5)" => "\"cusp\"";
     example "classify(polyline((0, 0), (1, 0), (1, 1)), 1)" => "\"corner\"";
+    refuses "classify(bezier((0, 0), (1, 2), (2, 0)), 2)" => "E0606: parameter 2 is outside the domain 0..1";
 }
 
 impl Choice for PlaceKind {

@@ -26,6 +26,11 @@ op! {
     example "closest(bezier((0, 0), (1, 2), (2, 0)), (1, 3)).point" => "(1, 1, 0)";
     example "closest(line((0, 0), (4, 0)), (5, 1)).t" => "1";
     example "closest(bezier((-2, 4), (0, -4), (2, 4)), (0, 4)).count" => "2";
+    scene r#"
+        curve c = bezier((0, 0), (1, 3), (3, -2), (4, 1))
+        points p = [(1.5, 1.5)] with (color = "gray")
+        curve way = line(p[0], closest(c, p[0]).point) with (color = "red")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {

@@ -23,6 +23,8 @@ op! {
     }
     example "curvature(bezier((0, 0), (1, 2), (2, 0)), 0.5)" => "2";
     example "curvature(line((0, 0), (1, 2)), 0.5)" => "0";
+    refuses "curvature(bezier((0, 0), (1, 1), (0, 1), (1, 0)), 0.5)" => "E0607: the derivative vanishes at parameter 0.5, where the curvature grows without bound: there is no curvature";
+    refuses "curvature(bezier((0, 0), (1, 2), (2, 0)), 2)" => "E0606: parameter 2 is outside the domain 0..1";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {

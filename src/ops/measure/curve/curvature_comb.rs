@@ -30,7 +30,13 @@ op! {
     }
     example "curvature_comb(bezier((0, 0), (1, 2), (2, 0)), samples = 3).teeth[1].end" => "(1, 3, 0)";
     example "curvature_comb(bezier((0, 0), (1, 2), (2, 0)), samples = 3, side = \"inside\").envelope(0.5)" => "(1, -1, 0)";
-    picture "curvature_comb(bezier((0, 0), (1, 3), (3, -2), (4, 1)), scale = 0.3)";
+    refuses "curvature_comb(bezier((0, 0), (1, 2), (2, 0)), samples = 1)" => "E0601: a curve is sampled at 2 places or more, found 1";
+    scene r#"
+        curve c = bezier((0, 0), (1, 3), (3, -2), (4, 1))
+        let comb = curvature_comb(c, scale = 0.3) with (hidden = true)
+        curves teeth = comb.teeth with (color = "gray")
+        curve envelope = comb.envelope with (color = "red")
+    "#;
 }
 
 /// On which side of the curve the teeth stand.

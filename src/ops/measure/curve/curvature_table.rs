@@ -16,9 +16,9 @@ const COLUMNS: [&str; 10] =
 op! {
     /// Table of points, unit tangents, curvature, radius of curvature and torsion along a curve.
     ///
-    /// Samples are evenly spaced in the parameter, both ends among them. A cell is empty, `none`
-    /// in a script, where the curve has no such value: the radius and the torsion of a straight
-    /// place, the curvature of a cusp.
+    /// Its columns are `t x y z tx ty tz curvature radius torsion`. Samples are evenly spaced in
+    /// the parameter, both ends among them. A cell is empty, `none` in a script, where the curve
+    /// has no such value: the radius and the torsion of a straight place, the curvature of a cusp.
     curvature_table in Measure -> Table {
         /// The curve.
         c: Spanned<Curve>,
@@ -27,6 +27,7 @@ op! {
     }
     example "curvature_table(bezier((0, 0), (1, 2), (2, 0)), samples = 3).curvature[1]" => "2";
     example "curvature_table(line((0, 0), (1, 0)), samples = 2).radius" => "[none, none]";
+    refuses "curvature_table(bezier((0, 0), (1, 2), (2, 0)), samples = 1)" => "E0601: a curve is sampled at 2 places or more, found 1";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Table> {

@@ -27,6 +27,8 @@ op! {
     example "derivative(bezier((0, 0), (1, 2), (2, 0)), 0)" => "(2, 4, 0)";
     example "derivative(bezier((0, 0), (1, 2), (2, 0)), 0.5, order = 2)" => "(0, -8, 0)";
     example "derivative(polyline((0, 0), (1, 0), (1, 1)), 1, side = \"left\")" => "(1, 0, 0)";
+    refuses "derivative(bezier((0, 0), (1, 2), (2, 0)), 2)" => "E0606: parameter 2 is outside the domain 0..1";
+    refuses "derivative(bezier((0, 0), (1, 2), (2, 0)), 0, order = -1)" => "E0301: `derivative`: `order` must be a whole number of zero or more, found the number -1";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<DVec3> {

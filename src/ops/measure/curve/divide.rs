@@ -21,6 +21,11 @@ op! {
         n: Spanned<usize>,
     }
     example "divide(line((0, 0), (4, 0)), 4)" => "[(0, 0, 0), (1, 0, 0), (2, 0, 0), (3, 0, 0), (4, 0, 0)]";
+    refuses "divide(line((0, 0), (4, 0)), 0)" => "E0607: the number of parts is 0; at least 1 is needed";
+    scene r#"
+        curve c = bezier((0, 0), (1, 3), (3, -2), (4, 1))
+        points places = divide(c, 8) with (color = "red")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {

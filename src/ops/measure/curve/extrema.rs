@@ -22,6 +22,11 @@ op! {
     }
     example "extrema(bezier((0, 0), (1, 2), (2, 0)), (0, 1))" => "[0.5]";
     example "extrema(circle((0, 0), 1), (1, 0))" => "[0, 0.5]";
+    refuses "extrema(bezier((0, 0), (1, 2), (2, 0)), (0, 0))" => "E0607: a vector of length zero has no direction";
+    scene r#"
+        curve c = bspline((0, 0), (1, 2), (3, 1), (4, 3), (6, 0), (7, 1))
+        points places = [for t in extrema(c, (0, 1)): c(t)] with (color = "red")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<f64>> {

@@ -23,6 +23,7 @@ op! {
     }
     example "frame(circle((0, 0), 2), 0).origin" => "(2, 0, 0)";
     example "frame(circle((0, 0), 2), 0).normal" => "(-1, 0, 0)";
+    refuses "frame(line((0, 0), (1, 2)), 0.5)" => "E0607: the curve is straight at parameter 0.5: there is no frame";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Frame> {

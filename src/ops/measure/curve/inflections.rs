@@ -20,6 +20,10 @@ op! {
     }
     example "inflections(bezier((0, 0), (1, 2), (2, -2), (3, 0)))" => "[0.5]";
     example "inflections(circle((0, 0), 1))" => "[]";
+    scene r#"
+        curve c = bspline((0, 0), (1, 2), (3, 1), (4, 3), (6, 0), (7, 1))
+        points places = [for t in inflections(c): c(t)] with (color = "red")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<f64>> {

@@ -28,6 +28,12 @@ op! {
     example "intersect(line((0, 0), (4, 4)), line((0, 2), (4, 2)))" => "[{t: 0.5, s: 0.5, point: (2, 2, 0)}]";
     example "intersect(line((0, 0), (1, 0)), line((0, 1), (1, 1)))" => "[]";
     example "intersect(line((0, 0, -1), (0, 0, 3)), plane_patch((-1, -1), (2, 0), (0, 2)))" => "[{t: 0.25, u: 0.5, v: 0.5, point: (0, 0, 0)}]";
+    refuses "intersect(line((0, 0), (4, 0)), line((1, 0), (3, 0)))" => "E0607: the curves run together from parameter 0.25 to 0.75 of the first";
+    scene r#"
+        curve a = bezier((0, 0), (1, 3), (3, -2), (4, 1))
+        curve b = circle((2, 0.5), 1.2)
+        points places = [for meeting in intersect(a, b): meeting.point] with (color = "red")
+    "#;
 }
 
 /// What a curve meets.

@@ -23,6 +23,7 @@ op! {
         side: Side = Side::Right,
     }
     example "normal(circle((0, 0), 2), 0)" => "(-1, 0, 0)";
+    refuses "normal(line((0, 0), (1, 2)), 0.5)" => "E0607: the curve is straight at parameter 0.5: there is no principal normal";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<DVec3> {

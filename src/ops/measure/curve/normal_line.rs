@@ -22,6 +22,11 @@ op! {
         side: Side = Side::Right,
     }
     example "normal_line(circle((0, 0), 2), 0, length = 2).end" => "(0, 0, 0)";
+    refuses "normal_line(line((0, 0), (1, 2)), 0.5)" => "E0607: the curve is straight at parameter 0.5: there is no principal normal";
+    scene r#"
+        curve c = bezier((0, 0), (1, 3), (3, -2), (4, 1))
+        curves normals = [for t in [0, 0.2, 0.4, 0.6, 0.8, 1]: normal_line(c, t)] with (color = "red")
+    "#;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

@@ -11,6 +11,7 @@ op! {
     /// Plane at a point of a curve that is normal to its tangent.
     ///
     /// Its z is the tangent; its x is the principal normal where there is one, else as for `plane`.
+    /// do Carmo, *Differential Geometry of Curves and Surfaces*, §1-5.
     normal_plane in Measure -> Frame {
         /// The curve.
         c: Curve,
@@ -20,6 +21,7 @@ op! {
         side: Side = Side::Right,
     }
     example "normal_plane(line((0, 0), (0, 5)), 0.5)" => "plane at (0, 2.5, 0) with normal (0, 1, 0)";
+    refuses "normal_plane(bezier([(1, 2)]), 0.5)" => "E0607: there is no tangent at parameter 0.5: every derivative vanishes";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Frame> {

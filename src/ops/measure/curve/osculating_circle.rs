@@ -22,6 +22,11 @@ op! {
     }
     example "osculating_circle(bezier((0, 0), (1, 2), (2, 0)), 0.5)(0)" => "(1, 1, 0)";
     example "osculating_circle(bezier((0, 0), (1, 2), (2, 0)), 0.5).closed" => "true";
+    refuses "osculating_circle(line((0, 0), (1, 2)), 0.5)" => "E0607: the curve is straight at parameter 0.5: there is no osculating circle";
+    scene r#"
+        curve c = bezier((0, 0), (1, 3), (3, -2), (4, 1))
+        curves circles = [for t in [0.2, 0.8]: osculating_circle(c, t)] with (color = "red")
+    "#;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

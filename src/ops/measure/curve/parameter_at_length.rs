@@ -18,6 +18,7 @@ op! {
         s: Spanned<Length>,
     }
     example "parameter_at_length(polyline((0, 0), (3, 4), (3, 5)), 2.5)" => "0.5";
+    refuses "parameter_at_length(line((0, 0), (3, 4)), 6)" => "E0606: the curve is 5 long, so that it has no place at length 6";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {

@@ -11,6 +11,7 @@ op! {
     /// Radius of the osculating circle of a curve: the reciprocal of the curvature.
     ///
     /// Where the curve is straight there is none.
+    /// do Carmo, *Differential Geometry of Curves and Surfaces*, §1-5.
     radius_of_curvature in Measure -> f64 {
         /// The curve.
         c: Curve,
@@ -20,6 +21,7 @@ op! {
         side: Side = Side::Right,
     }
     example "radius_of_curvature(bezier((0, 0), (1, 2), (2, 0)), 0.5)" => "0.5";
+    refuses "radius_of_curvature(line((0, 0), (1, 2)), 0.5)" => "E0607: the curve is straight at parameter 0.5: there is no radius of curvature";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {

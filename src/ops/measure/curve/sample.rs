@@ -18,6 +18,11 @@ op! {
         n: Spanned<usize>,
     }
     example "sample(line((0, 0), (4, 2)), 3)" => "[(0, 0, 0), (2, 1, 0), (4, 2, 0)]";
+    refuses "sample(line((0, 0), (4, 2)), 1)" => "E0601: a curve is sampled at 2 points or more, found 1";
+    scene r#"
+        curve c = bezier((0, 0), (1, 3), (3, -2), (4, 1))
+        points places = sample(c, 9) with (color = "red")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {

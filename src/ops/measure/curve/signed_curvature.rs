@@ -28,6 +28,7 @@ op! {
     }
     example "signed_curvature(bezier((0, 0), (1, 2), (2, 0)), 0.5)" => "-2";
     example "signed_curvature(bezier((0, 0), (1, 2), (2, 0)), 0.5, normal = (0, 0, -1))" => "2";
+    refuses "signed_curvature(bezier((0, 0, 0), (1, 0, 2), (2, 0, 0)), 0.5)" => "E0607: at parameter 0.5 the curve bends in a plane that holds the normal (0, 0, 1): there is no left and right";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {

@@ -14,6 +14,7 @@ op! {
     ///
     /// Where the first derivative vanishes, the direction of the first one that does not. At a
     /// corner the side decides.
+    /// do Carmo, *Differential Geometry of Curves and Surfaces*, §1-5.
     tangent in Measure -> DVec3 {
         /// The curve.
         c: Curve,
@@ -24,6 +25,8 @@ op! {
     }
     example "tangent(line((0, 0), (0, 5)), 0.5)" => "(0, 1, 0)";
     example "tangent(polyline((0, 0), (1, 0), (1, 1)), 1, side = \"left\")" => "(1, 0, 0)";
+    refuses "tangent(bezier([(1, 2)]), 0.5)" => "E0607: there is no tangent at parameter 0.5: every derivative vanishes";
+    refuses "tangent(bezier((0, 0), (1, 2), (2, 0)), 2)" => "E0606: parameter 2 is outside the domain 0..1";
 }
 
 impl Choice for Side {

@@ -20,6 +20,11 @@ op! {
         side: Side = Side::Right,
     }
     example "tangent_line(line((0, 0), (0, 5)), 0.5, length = 2).end" => "(0, 4.5, 0)";
+    refuses "tangent_line(bezier([(1, 2)]), 0.5)" => "E0607: there is no tangent at parameter 0.5: every derivative vanishes";
+    scene r#"
+        curve c = bezier((0, 0), (1, 3), (3, -2), (4, 1))
+        curves tangents = [for t in linspace(0, 1, 6): tangent_line(c, t)] with (color = "red")
+    "#;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

@@ -22,6 +22,7 @@ op! {
     }
     example "torsion(bezier((0, 0), (1, 0), (2, 1), (3, 3, 3)), 0)" => "1";
     example "torsion(circle((0, 0), 2), 0.3)" => "0";
+    refuses "torsion(line((0, 0), (1, 2)), 0.5)" => "E0607: the curve is straight at parameter 0.5: there is no torsion";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::section_curves;
 use crate::{
-    diag::{Result, Spanned},
+    diag::{Code, Diagnostic, Result, Spanned},
     kernel::{Frame, NurbsCurve, Surface},
     value::{At, Ctx, Length, op},
 };
@@ -27,11 +27,19 @@ op! {
     example "len(contours(sphere((0, 0), 5), (0, 0, 1), [-3, 0, 3, 7]))" => "3";
     example "contours(bilinear((0, 0), (0, 1), (1, 0, 1), (1, 1, 1)), (0, 0, 2), [0.25])[0](0) ~= (0.25, 1, 0.25)" => "true";
     example "contours(sphere((0, 0), 5), (0, 0, 1), [])" => "[]";
-    picture "contours(bspline([for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]]), (0, 0, 1), linspace(-0.5, 0.5, 11))";
+    refuses "contours(plane_patch((0, 0), (1, 0), (0, 1)), (0, 0), [1])" => "E0607: the direction (0, 0, 0) is none, so that nothing is high or low";
+    scene r#"
+        surface s = bspline([for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]]) with (color = "lightgray")
+        curves lines = contours(s, (0, 0, 1), linspace(-0.5, 0.5, 11)) with (color = "red")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {
     let span = args.direction.span;
+    if args.direction.value == DVec3::ZERO {
+        let message = "the direction (0, 0, 0) is none, so that nothing is high or low";
+        return Diagnostic::error(Code::Degenerate, span, message).fail();
+    }
     let base = Frame::from_normal(DVec3::ZERO, args.direction.value, None).at(span)?;
     let mut curves = Vec::new();
     for level in args.levels {

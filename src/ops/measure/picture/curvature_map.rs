@@ -37,6 +37,7 @@ op! {
     example "curvature_map(sphere((0, 0), 2), \"gaussian\").max ~= 0.25" => "true";
     example "curvature_map(cylinder((0, 0), 2, 1), \"k1\", range = -1..0).scale[4]" => "{value: -0.5, color: (1, 1, 1)}";
     example "len(curvature_map(sphere((0, 0), 2), \"mean\", tolerance = 0.1).values) > 20" => "true";
+    refuses "curvature_map(plane_patch((0, 0), (1, 0), (0, 1)), \"average\")" => "E0402: `curvature_map`: `kind` must be one of \"gaussian\", \"mean\", \"k1\", \"k2\", \"absolute\" or \"difference\", found the string \"average\"";
     picture "curvature_map(bspline([for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]]), \"gaussian\")";
 }
 

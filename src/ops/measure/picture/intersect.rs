@@ -32,6 +32,12 @@ op! {
     example "len(intersect(cylinder((0, 0, -3), 1, 6), cylinder((-3, 0), 0.5, 6, axis = (1, 0, 0))))" => "2";
     example "intersect(sphere((0, 0), 1), sphere((5, 0), 1))" => "[]";
     example "[for c in intersect(plane_patch((0, 0), (1, 0), (0, 1)), plane_patch((1, 0), (1, 0), (0, 1))): c.points]" => "[[(1, 0, 0), (1, 1, 0)]]";
+    refuses "intersect(plane_patch((0, 0), (2, 0), (0, 2)), plane_patch((1, 1), (2, 0), (0, 2)))" => "E0607: the surfaces run together near (1, 1, 0): they share more than curves there";
+    scene r#"
+        surface a = cylinder((0, 0, -3), 1, 6) with (color = "lightgray")
+        surface b = cylinder((-3, 0), 0.8, 6, axis = (1, 0, 0)) with (color = "lightgray")
+        curves lines = intersect(a, b) with (color = "red")
+    "#;
 }
 
 /// What a surface meets.

@@ -30,7 +30,12 @@ op! {
     }
     example "[for c in isophotes(sphere((0, 0), 5), (0, 0, 1), [30deg, 90deg]): length(c)] ~= [5 * pi, 10 * pi] within 1e-5" => "true";
     example "isophotes(plane_patch((0, 0), (1, 0), (0, 1)), (0, 0, 1), [30deg])" => "[]";
-    picture "isophotes(torus((0, 0, 0), 3, 1), (1, 1, 2), [30deg, 60deg, 90deg, 120deg])";
+    refuses "isophotes(plane_patch((0, 0), (1, 0), (0, 1)), (0, 0), [30deg])" => "E0607: the light has no direction: it is (0, 0, 0)";
+    refuses "isophotes(plane_patch((0, 0), (1, 0), (0, 1)), (0, 0, 1), [30])" => "E0304: `isophotes`: `angles` must be a list of angles, but its element [0] is the number 30; an angle is expected there";
+    scene r#"
+        surface s = torus((0, 0, 0), 3, 1) with (color = "lightgray")
+        curves lines = isophotes(s, (1, 1, 2), [30deg, 60deg, 90deg, 120deg]) with (color = "red")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {

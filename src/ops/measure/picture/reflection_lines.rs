@@ -26,6 +26,11 @@ op! {
     }
     example "len(reflection_lines(plane_patch((0, 0), (4, 0), (0, 4)), (0, 2, 1), [line((4, 0, 1), (4, 4, 1))]))" => "1";
     example "reflection_lines(plane_patch((0, 0), (4, 0), (0, 4)), (0, 2, 1), [line((4, 0, 1), (4, 4, 1))])[0](0).x ~= 2" => "true";
+    refuses "reflection_lines(plane_patch((0, 0), (1, 0), (0, 1)), (0, 2, 1), [circle((0, 0), 1)])" => "E0301: light [0] is not a straight line from one end to another";
+    scene r#"
+        surface s = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (color = "lightgray")
+        curves lines = reflection_lines(s, (10, -4, 8), [for x in -4..8: line((x, 0, 9), (x, 1, 9))])
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {

@@ -28,7 +28,10 @@ op! {
     example "len(section(torus((0, 0), 3, 1), XY))" => "2";
     example "length(section(sphere((0, 0), 5), plane((0, 0, 3), (0, 0, 1)))[0]) ~= 8 * pi within 1e-6" => "true";
     example "section(sphere((0, 0), 5), plane((0, 0, 6), (0, 0, 1)))" => "[]";
-    picture "[for y in linspace(0.5, 3.5, 7): section(bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]), plane((0, y, 0), (0, 1, 0)))]";
+    scene r#"
+        surface s = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (color = "lightgray")
+        let cuts = [for y in linspace(0.5, 3.5, 7): section(s, plane((0, y, 0), (0, 1, 0)))] with (color = "red")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {

@@ -21,6 +21,10 @@ op! {
     }
     example "[for c in section(tessellate(box((0, 0, 0), (1, 1, 1))), plane((0, 0, 0.25), (0, 0, 1))): length(c)]" => "[4]";
     example "section(grid_mesh(sphere((0, 0), 5), 8, 4), plane((0, 0, 6), (0, 0, 1)))" => "[]";
+    scene r#"
+        mesh m = tessellate(torus((0, 0, 0), 3, 1), tolerance = 0.05) with (color = "lightgray")
+        curves cut = section(m, plane((0, 0, 0.5), (0, 0, 1))) with (color = "red")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {

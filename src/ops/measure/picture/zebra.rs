@@ -29,7 +29,11 @@ op! {
     }
     example "len(zebra(cylinder((0, 0), 1, 2), (1, 0, 0), bands = 4))" => "8";
     example "zebra(plane_patch((0, 0), (1, 0), (0, 1)), (0, 0, 1))" => "[]";
-    picture "zebra(bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]), (1, 0, 1), bands = 24)";
+    refuses "zebra(plane_patch((0, 0), (1, 0), (0, 1)), (0, 0, 1), bands = 1)" => "E0502: `bands` is 1; there are 2 to 1000 stripes";
+    scene r#"
+        surface s = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (color = "lightgray")
+        curves lines = zebra(s, (1, 0, 1), bands = 24)
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {

@@ -14,6 +14,7 @@ op! {
         /// The surface, or a list of surfaces.
         s: Spanned<Surfaces>,
     }
+    example "area(sphere((0, 0), 1)) ~= 4*pi within 1e-12" => "true";
     example "area(bilinear((0, 0), (0, 2), (3, 0), (3, 2))) ~= 6" => "true";
 }
 

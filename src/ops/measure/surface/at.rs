@@ -20,6 +20,7 @@ op! {
         v: Spanned<f64>,
     }
     example "at(bilinear((0, 0), (0, 1), (1, 0), (1, 1, 1)), 0.5, 1)" => "(0.5, 1, 0.5)";
+    refuses "at(plane_patch((0, 0), (1, 0), (0, 1)), 2, 0)" => "E0606: parameter 2 is outside the domain 0..1";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<DVec3> {

@@ -23,11 +23,12 @@ op! {
         /// The second parameter.
         v: Spanned<f64>,
     }
-    example "classify(parametric((u, v) => ((3 + cos(v))*cos(u), (3 + cos(v))*sin(u), sin(v)), 0..tau, 0..tau), 0, 0)" => "\"elliptic\"";
-    example "classify(parametric((u, v) => ((3 + cos(v))*cos(u), (3 + cos(v))*sin(u), sin(v)), 0..tau, 0..tau), 0, pi/2)" => "\"parabolic\"";
-    example "classify(parametric((u, v) => ((3 + cos(v))*cos(u), (3 + cos(v))*sin(u), sin(v)), 0..tau, 0..tau), 0, pi)" => "\"hyperbolic\"";
+    example "classify(torus((0, 0), 3, 1), 0, 0)" => "\"elliptic\"";
+    example "classify(torus((0, 0), 3, 1), 0, 0.25)" => "\"parabolic\"";
+    example "classify(torus((0, 0), 3, 1), 0, 0.5)" => "\"hyperbolic\"";
     example "classify(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), 0.5, 0.5)" => "\"planar\"";
     example "classify(bilinear((0, 0), (0, 0), (1, 0), (1, 1)), 0, 0.5)" => "\"singular\"";
+    refuses "classify(plane_patch((0, 0), (1, 0), (0, 1)), 2, 0)" => "E0606: parameter 2 is outside the domain 0..1";
 }
 
 impl Choice for SurfaceKind {

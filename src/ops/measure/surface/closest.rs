@@ -27,6 +27,11 @@ op! {
     example "closest(bilinear((0, 0), (0, 4), (4, 0), (4, 4)), (1, 3, 2))" => "{u: 0.25, v: 0.75, point: (1, 3, 0), distance: 2}";
     example "closest(bilinear((0, 0), (0, 4), (4, 0), (4, 4)), (7, 8)).distance" => "5";
     example "closest(parametric((u, v) => (u, v, u * v), 0..1, 0..1), (2, 2, 1)).point" => "(1, 1, 1)";
+    scene r#"
+        surface s = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (color = "lightgray")
+        points p = [(5, 1, 3)] with (color = "red")
+        curve way = line(p[0], closest(s, p[0]).point) with (color = "red")
+    "#;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {

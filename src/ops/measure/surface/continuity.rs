@@ -37,6 +37,7 @@ op! {
     example "continuity(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), bilinear((1, 0), (1, 1), (3, 0), (3, 1)), \"u1\", \"u0\").c" => "0";
     example "continuity(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), bilinear((1, 0), (1, 1), (3, 0), (3, 1)), \"u1\", \"u0\").g" => "3";
     example "continuity(bspline([[(0, 0), (0, 1)], [(1, 0), (1, 1)], [(1, 0, 1), (1, 1, 1)]], degree = 1)).angle" => "90deg";
+    refuses "continuity(plane_patch((0, 0), (1, 0), (0, 1)), plane_patch((0, 0), (1, 0), (0, 1)))" => "E0401: two surfaces are compared along one edge of each";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {

@@ -16,9 +16,9 @@ const COLUMNS: [&str; 12] =
 op! {
     /// Table of points, unit normals, principal, Gaussian and mean curvatures over a surface.
     ///
-    /// Samples are evenly spaced in both parameters, the edges among them, row after row along v.
-    /// A cell is empty, `none` in a script, where the surface has no such value, as at the apex of
-    /// a cone.
+    /// Its columns are `u v x y z nx ny nz k1 k2 gaussian mean`. Samples are evenly spaced in both
+    /// parameters, the edges among them, row after row along v. A cell is empty, `none` in a
+    /// script, where the surface has no such value, as at the apex of a cone.
     curvature_table in Measure -> Table {
         /// The surface.
         s: Spanned<Surface>,
@@ -28,7 +28,8 @@ op! {
         v: Spanned<usize> = Spanned::unplaced(20),
     }
     example "curvature_table(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), u = 2, v = 3).v" => "[0, 0.5, 1, 0, 0.5, 1]";
-    example "curvature_table(parametric((u, v) => (2*cos(u), 2*sin(u), v), 0..tau, 0..1), v = 2).mean[0]" => "-0.25";
+    example "curvature_table(cylinder((0, 0), 2, 1), v = 2).mean[0] ~= -1/4" => "true";
+    refuses "curvature_table(plane_patch((0, 0), (1, 0), (0, 1)), u = 1)" => "E0601: a surface is sampled at 2 places or more in each direction, found 1";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Table> {

@@ -27,6 +27,7 @@ op! {
     }
     example "derivative(bilinear((0, 0), (0, 1), (1, 0), (1, 1, 1)), 0.5, 1)" => "(1, 0, 1)";
     example "derivative(bilinear((0, 0), (0, 1), (1, 0), (1, 1, 1)), 0, 0, du = 1, dv = 1)" => "(0, 0, 1)";
+    refuses "derivative(plane_patch((0, 0), (1, 0), (0, 1)), 2, 0)" => "E0606: parameter 2 is outside the domain 0..1";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<DVec3> {

@@ -23,6 +23,7 @@ op! {
         v: Spanned<f64>,
     }
     example "first_form(bilinear((0, 0), (0, 2), (3, 0), (3, 2)), 0.5, 0.5)" => "{E: 9, F: 0, G: 4}";
+    refuses "first_form(plane_patch((0, 0), (1, 0), (0, 1)), 2, 0)" => "E0606: parameter 2 is outside the domain 0..1";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {

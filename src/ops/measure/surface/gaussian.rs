@@ -22,8 +22,9 @@ op! {
         /// The second parameter.
         v: Spanned<f64>,
     }
-    example "gaussian(parametric((u, v) => (2*cos(u)*cos(v), 2*sin(u)*cos(v), 2*sin(v)), 0..tau, -1.5..1.5), 1, 0)" => "0.25";
+    example "gaussian(sphere((0, 0), 2), 0.3, 0.5) ~= 1/4 within 1e-12" => "true";
     example "gaussian(bezier([[(-1, -1, 0), (-1, 0, -1), (-1, 1, 0)], [(0, -1, 1), (0, 0, 0), (0, 1, 1)], [(1, -1, 0), (1, 0, -1), (1, 1, 0)]]), 0.5, 0.5)" => "-1";
+    refuses "gaussian(cone((0, 0), 3, 0, 4), 0, 1)" => "E0607: there is no curvature at (0, 1): Su × Sv vanishes there, and the curvatures around have no common limit";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {

@@ -15,6 +15,7 @@ op! {
     /// `tensor` is the matrix of three rows about axes through the centroid, with density one;
     /// `moments` are its principal values in ascending order, and `axes` their directions, which are
     /// unit vectors and right-handed. Of the volume the surfaces must close, as for `volume`.
+    /// Mirtich, *Fast and accurate computation of polyhedral mass properties*, JGT 1 (1996).
     inertia in Measure -> Record {
         /// The surface, or a list of surfaces.
         s: Spanned<Surfaces>,
@@ -22,6 +23,7 @@ op! {
         of: Of = Of::Volume,
     }
     example "inertia(bilinear((0, 0), (0, 2), (3, 0), (3, 2)), of = \"area\").moments ~= [2, 4.5, 6.5] within 1e-12" => "true";
+    refuses "inertia(plane_patch((0, 0), (1, 0), (0, 1)))" => "E0612: the surfaces do not close: edge \"u0\" is 0.4896 from the nearest other edge, at (0, 0.5104, 0)";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {

@@ -18,7 +18,7 @@ op! {
         /// The surface.
         s: Spanned<Surface>,
     }
-    example "is_developable(parametric((u, v) => (cos(u), sin(u), v), 0..tau, 0..1))" => "true";
+    example "is_developable(cone((0, 0), 3, 1, 4))" => "true";
     example "is_developable(bilinear((0, 0), (0, 1), (1, 0), (1, 1, 1)))" => "false";
 }
 

@@ -19,7 +19,7 @@ op! {
         s: Spanned<Surface>,
     }
     example "is_minimal(parametric((u, v) => (cosh(v)*cos(u), cosh(v)*sin(u), v), 0..tau, -1..1))" => "true";
-    example "is_minimal(parametric((u, v) => (cos(u), sin(u), v), 0..tau, 0..1))" => "false";
+    example "is_minimal(cylinder((0, 0), 1, 1))" => "false";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<bool> {

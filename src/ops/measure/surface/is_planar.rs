@@ -9,7 +9,7 @@ use crate::{
 op! {
     /// Whether a surface lies in one plane, within the tolerance.
     ///
-    /// A straight one does too. Told from the control points; of a `parametric` surface from points of it.
+    /// One that is collapsed to a straight line does too. Told from the control points; of a `parametric` surface from points of it.
     is_planar in Measure -> bool {
         /// The surface.
         s: Spanned<Surface>,

@@ -21,8 +21,9 @@ op! {
         /// The second parameter.
         v: Spanned<f64>,
     }
-    example "mean(parametric((u, v) => (2*cos(u), 2*sin(u), v), 0..tau, 0..1), 0, 0.5)" => "-0.25";
+    example "mean(cylinder((0, 0), 2, 1), 0, 0.5) ~= -1/4 within 1e-12" => "true";
     example "mean(bezier([[(-1, -1, 0), (-1, 0, -1), (-1, 1, 0)], [(0, -1, 1), (0, 0, 0), (0, 1, 1)], [(1, -1, 0), (1, 0, -1), (1, 1, 0)]]), 0.5, 0.5)" => "0";
+    refuses "mean(cone((0, 0), 3, 0, 4), 0, 1)" => "E0607: there is no curvature at (0, 1): Su × Sv vanishes there, and the curvatures around have no common limit";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {

@@ -26,8 +26,9 @@ op! {
         /// A direction of the tangent plane, of any length.
         direction: Spanned<DVec3>,
     }
-    example "normal_curvature(parametric((u, v) => (2*cos(u), 2*sin(u), v), 0..tau, 0..1), 0, 0.5, (0, 1, 0))" => "-0.5";
-    example "normal_curvature(parametric((u, v) => (2*cos(u), 2*sin(u), v), 0..tau, 0..1), 0, 0.5, (0, 1, 1))" => "-0.25";
+    example "normal_curvature(cylinder((0, 0), 2, 1), 0, 0.5, (0, 1, 0)) ~= -1/2 within 1e-12" => "true";
+    example "normal_curvature(cylinder((0, 0), 2, 1), 0, 0.5, (0, 1, 1)) ~= -1/4 within 1e-12" => "true";
+    refuses "normal_curvature(plane_patch((0, 0), (1, 0), (0, 1)), 0, 0, (0, 0, 1))" => "E0607: the direction runs along the normal of the surface, so that it has no part in the tangent plane";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {

@@ -26,7 +26,9 @@ op! {
         /// The second parameter.
         v: Spanned<f64>,
     }
+    example "principal(cylinder((0, 0), 2, 1), 0, 0.5).d1" => "(0, 1, 0)";
     example "principal(parametric((u, v) => (2*cos(u), 2*sin(u), v), 0..tau, 0..1), 0, 0.5)" => "{k1: -0.5, k2: 0, d1: (0, 1, 0), d2: (0, 0, 1)}";
+    refuses "principal(cone((0, 0), 3, 0, 4), 0, 1)" => "E0607: there is no curvature at (0, 1): Su × Sv vanishes there, and the curvatures around have no common limit";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {

@@ -20,8 +20,8 @@ op! {
         /// The second parameter.
         v: Spanned<f64>,
     }
-    example "tangent_plane(parametric((u, v) => (2*cos(u), 2*sin(u), v), 0..tau, 0..1), 0, 0.5).origin" => "(2, 0, 0.5)";
-    example "tangent_plane(parametric((u, v) => (2*cos(u), 2*sin(u), v), 0..tau, 0..1), 0, 0.5).z" => "(1, 0, 0)";
+    example "tangent_plane(cylinder((0, 0), 2, 1), 0, 0.5).origin" => "(2, 0, 0.5)";
+    example "tangent_plane(cylinder((0, 0), 2, 1), 0, 0.5).z" => "(1, 0, 0)";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Frame> {

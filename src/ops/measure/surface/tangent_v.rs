@@ -23,6 +23,7 @@ op! {
         v: Spanned<f64>,
     }
     example "tangent_v(bilinear((0, 0), (0, 2), (3, 0), (3, 2)), 0.5, 0.5)" => "(0, 1, 0)";
+    refuses "tangent_v(bilinear((0, 0), (0, 0), (0, 0), (0, 0)), 0.5, 0.5)" => "E0607: there is no tangent along v at (0.5, 0.5): the derivative vanishes and has no direction";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<DVec3> {

@@ -15,11 +15,14 @@ op! {
     /// inward as a whole is a hole in another.
     ///
     /// The flux of the position through the surfaces by the theorem of Gauss, to some 12 digits.
+    /// Mirtich, *Fast and accurate computation of polyhedral mass properties*, JGT 1 (1996).
     volume in Measure -> f64 {
         /// The surface, or a list of surfaces.
         s: Spanned<Surfaces>,
     }
+    example "volume(box((0, 0, 0), (1, 2, 3)))" => "6";
     example "volume(parametric((u, v) => (cos(u)*cos(v), sin(u)*cos(v), sin(v)), 0..tau, -pi/2..pi/2))/(4/3*pi) ~= 1 within 1e-12" => "true";
+    refuses "volume(plane_patch((0, 0), (1, 0), (0, 1)))" => "E0612: the surfaces do not close: edge \"u0\" is 0.4896 from the nearest other edge, at (0, 0.5104, 0)";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {
