@@ -114,6 +114,7 @@ impl Limits {
         let near = near_rules(&bends.pieces, &bends.ends, &ratios, breaks, wanted.tolerance);
         let turns = wanted.limits_angle().then(|| turns(surface, &bends.ends));
         let chord = 2.0 * libm::sin(0.5 * wanted.angle);
+        let may_fold = bends.plane.is_some_and(|normal| may_fold(&bends, normal));
         let per_edge = 1.0 / (wanted.max_edge * wanted.max_edge);
         let rules = Grid::from_fn(ratios.n_rows(), ratios.n_columns(), |i, j| {
             let bend = bends.pieces.get(i, j);
@@ -122,7 +123,8 @@ impl Limits {
             let angle = angle.scaled(1.0 / (chord * chord));
             let edge = if wanted.max_edge.is_finite() { edge } else { Form::NONE };
             if bends.plane.is_some() {
-                let also = [edge, angle, unfolded(&bend), lines.get(i, j)];
+                let unfolded = if may_fold { unfolded(&bend) } else { Form::NONE };
+                let also = [edge, angle, unfolded, lines.get(i, j)];
                 return Rules { whole: Form::NONE, near: None, also };
             }
             let mut near = near.get(i, j);
@@ -273,6 +275,27 @@ fn diagonal(bend: &Bend) -> Form {
         + spread_v * along_u.length()
         + spread_u * spread_v;
     Form { uu: u * u, uv: product.min(u * v), vv: v * v }
+}
+
+/// Whether somewhere in a plane Su has a direction that Sv has somewhere.
+fn may_fold(bends: &Bends, normal: DVec3) -> bool {
+    let Some(first) = bends.pieces.as_slice().first() else { return true };
+    let x = first.middle[0];
+    let y = normal.cross(x);
+    let mut directions = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+    for bend in &bends.pieces {
+        for (i, range) in directions.iter_mut().enumerate() {
+            let along = bend.middle[i];
+            let reach = bend.spread[i] / along.length();
+            if 1.0 <= reach || reach.is_nan() {
+                return true;
+            }
+            let (angle, spread) = (libm::atan2(along.dot(y), along.dot(x)), libm::asin(reach));
+            *range = [range[0].min(angle - spread), range[1].max(angle + spread)];
+        }
+    }
+    let [u, v] = directions;
+    v[0] - u[1] <= 0.0 || PI <= v[1] - u[0]
 }
 
 /// The boxes over which neither Su nor Sv turns by half of the angle between them.

@@ -49,23 +49,20 @@ impl Rules {
         }
     }
 
-    /// Whether a cell of these widths keeps to them.
-    pub(super) fn allow(&self, widths: [f64; 2]) -> bool {
-        let fits = |form: &Form| form.share(widths) <= 1.0 + VANISHING_RELATIVE;
-        self.also.iter().all(fits)
-            && (fits(&self.whole) || self.near.is_some_and(|near| near.forms().iter().all(fits)))
-    }
-
     /// Whether a cell of these widths keeps to the rules of all pieces that it touches.
     ///
-    /// Which piece bends it most may differ from place to place: each second derivative counts where
-    /// it is largest, or all where together they bend it most in any direction.
+    /// Lengths and turns are those of a path, at each place no more than the piece there makes them.
+    /// Which piece bends the cell most may differ from corner to corner: each second derivative
+    /// counts where it is largest, or all where together they bend it most in any direction.
     pub(super) fn all_allow(pieces: impl Iterator<Item = Self> + Clone, widths: [f64; 2]) -> bool {
+        let fits = |form: &Form| form.share(widths) <= 1.0 + VANISHING_RELATIVE;
+        if !pieces.clone().all(|rules| rules.also.iter().all(fits)) {
+            return false;
+        }
         let Some(joined) = pieces.clone().reduce(Self::joined) else { return true };
-        if joined.allow(widths) {
+        if fits(&joined.whole) || joined.near.is_some_and(|near| near.forms().iter().all(fits)) {
             return true;
         }
-        let fits = |form: &Form| form.share(widths) <= 1.0 + VANISHING_RELATIVE;
         let are_round = |form: fn(Self) -> Option<Form>| {
             pieces
                 .clone()
@@ -73,10 +70,8 @@ impl Rules {
                 .all(|form| form.round_share(widths) <= 1.0 + VANISHING_RELATIVE)
         };
         let bends = |rules: Self| rules.near.map(|near| near.lift.and(near.slip));
-        joined.also.iter().all(fits)
-            && (are_round(|rules| Some(rules.whole))
-                || joined.near.is_some_and(|near| near.others().iter().all(fits))
-                    && are_round(bends))
+        are_round(|rules| Some(rules.whole))
+            || joined.near.is_some_and(|near| near.others().iter().all(fits)) && are_round(bends)
     }
 
     /// The widest step along u for one along v; nothing where the latter is too wide alone.
