@@ -80,6 +80,39 @@ fn lines_and_points_of_our_own_files_do_not_become_triangles() {
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
+#[test]
+fn surfaces_side_by_side_in_a_file_share_the_vertices_of_their_edges() {
+    let scratch = Scratch::new("readback-body");
+    let script = scratch.file(
+        "body.geo",
+        "surface side = cone((0, 0, 0), 2, 1, 3)\n\
+         surface low = reverse_u(revolve(line((2, 0, 0), (0, 0, 0))))\n\
+         surface high = revolve(line((1, 0, 3), (0, 0, 3)))\n\
+         export side, low, high to \"body.obj\"\n",
+    );
+    let output = virote(&scratch.0).arg("run").arg(script).output().expect("it starts");
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let options = tobj::LoadOptions::default();
+    let (models, _) = tobj::load_obj(scratch.0.join("body.obj"), &options).expect("an OBJ file");
+    assert_eq!(models.len(), 3);
+
+    // Every side of a triangle between two places is one of the other way round, bit for bit.
+    let mut sides: Vec<[[u64; 3]; 2]> = Vec::new();
+    for model in &models {
+        let place = |corner: u32| {
+            let first = 3 * corner as usize;
+            let place = &model.mesh.positions[first..first + 3];
+            [0, 1, 2].map(|axis| (place[axis] + 0.0).to_bits())
+        };
+        for corners in model.mesh.indices.chunks_exact(3) {
+            let [a, b, c] = [0, 1, 2].map(|i| place(corners[i]));
+            sides.extend([[a, b], [b, c], [c, a]]);
+        }
+    }
+    sides.sort_unstable();
+    assert!(sides.iter().all(|&[a, b]| sides.binary_search(&[b, a]).is_ok()));
+}
+
 /// A script with a surface, a curve and a point, exported to one file of this ending.
 fn exported(scratch: &Scratch, ending: &str) -> Vec<u8> {
     let script = scratch.file(

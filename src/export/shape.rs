@@ -6,8 +6,8 @@ use glam::DVec3;
 
 use super::{ExportError, Item, Job, Subject, Summary};
 use crate::kernel::{
-    Bounds, GeomError, Mesh, MeshLimits, tessellate_any, tessellate_curve_any,
-    tolerance::DEFAULT_CHORD_RELATIVE,
+    Bounds, GeomError, Mesh, MeshLimits, Surface, tessellate_all, tessellate_any,
+    tessellate_curve_any, tolerance::DEFAULT_CHORD_RELATIVE,
 };
 
 /// A subject as a mesh format holds it.
@@ -133,16 +133,48 @@ pub(super) fn bounds(item: &Item) -> Option<Bounds> {
     }
 }
 
-/// The shapes of all items.
+/// The shapes of all items, those of surfaces with common vertices on common edges.
 pub(super) fn shapes(job: &Job) -> Result<Vec<Shaped<'_>>, ExportError> {
     let tolerance = tolerance(job);
+    let mut meshes = meshes(job, tolerance)?.into_iter();
     let mut shapes = Vec::with_capacity(job.items.len());
     for item in &job.items {
-        if let Some(shape) = shape(item, tolerance, job)? {
+        let shape = match &item.subject {
+            Subject::Surface(_) => meshes.next().map(|mesh| Shape::Mesh(Arc::new(mesh))),
+            _ => shape(item, tolerance, job)?,
+        };
+        if let Some(shape) = shape {
             shapes.push(Shaped { item, shape });
         }
     }
     Ok(shapes)
+}
+
+/// The meshes of the surfaces among the items, in their order.
+pub(super) fn meshes(job: &Job, tolerance: f64) -> Result<Vec<Mesh>, ExportError> {
+    let surfaces: Vec<Surface> = job.items.iter().filter_map(surface).collect();
+    let most = job.limits.mesh_vertices;
+    tessellate_all(&surfaces, &limits(job, tolerance), most).map_err(|source| {
+        // Which of them it is that has no mesh shows when each is taken alone.
+        let alone = job.items.iter().find_map(|item| shape(item, tolerance, job).err());
+        let name = || job.items.iter().find(|item| surface(item).is_some());
+        alone.unwrap_or_else(|| ExportError::Geometry {
+            name: name().map_or_else(String::new, |item| item.group.clone()),
+            source,
+        })
+    })
+}
+
+fn surface(item: &Item) -> Option<Surface> {
+    match &item.subject {
+        Subject::Surface(surface) => Some(surface.clone()),
+        _ => None,
+    }
+}
+
+fn limits(job: &Job, tolerance: f64) -> MeshLimits {
+    let within = MeshLimits::within(tolerance);
+    MeshLimits { angle: job.options.angle.unwrap_or(within.angle), weld: job.precision, ..within }
 }
 
 /// The shape of an item within `tolerance`; `None` for what has no place in space.
@@ -155,9 +187,8 @@ pub(super) fn shape(item: &Item, tolerance: f64, job: &Job) -> Result<Option<Sha
             Shape::Polyline(tessellate_curve_any(curve, tolerance, most).map_err(blame)?)
         }
         Subject::Surface(surface) => {
-            let mut limits = MeshLimits::within(tolerance);
-            limits.angle = job.options.angle.unwrap_or(limits.angle);
-            Shape::Mesh(Arc::new(tessellate_any(surface, &limits, most).map_err(blame)?))
+            let mesh = tessellate_any(surface, &limits(job, tolerance), most).map_err(blame)?;
+            Shape::Mesh(Arc::new(mesh))
         }
         Subject::Mesh(mesh) => Shape::Mesh(Arc::clone(mesh)),
         Subject::Table(_) | Subject::Data(_) => return Ok(None),

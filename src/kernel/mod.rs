@@ -7,6 +7,7 @@ mod bezier;
 mod bounds;
 mod compatible;
 mod curve;
+mod datum;
 mod digits;
 mod error;
 mod failure;
@@ -39,6 +40,7 @@ pub use curve::{
     CircleForm, ConicKind, Continuity, Curve, CurveEvaluator, CurveFunction, Foot, LocalGeometry,
     Meeting, Neighbourhood, NurbsCurve, Offset, ParametricCurve, PlaceKind, join, make_compatible,
 };
+pub use datum::{Datum, Deviation};
 pub use error::GeomError;
 pub use failure::FunctionFailure;
 pub use fit::{
@@ -52,18 +54,18 @@ pub use interval::Interval;
 pub use jet::Jet;
 pub use knots::{KnotVector, Side};
 pub use mesh::{
-    Group, Mesh, MeshCheck, MeshError, MeshLimits, Topology, distance_to_polyline, grid_mesh,
-    grid_mesh_any, planar_mesh, tessellate, tessellate_all, tessellate_any, tessellate_curve,
-    tessellate_curve_any, tessellate_finely,
+    Group, Mesh, MeshCheck, MeshError, MeshLimits, Nearest, Topology, distance_to_polyline,
+    grid_mesh, grid_mesh_any, planar_mesh, tessellate, tessellate_all, tessellate_any,
+    tessellate_curve, tessellate_curve_any, tessellate_finely,
 };
 pub use receipt::{Fact, Receipt};
 pub use skin::{Alignment, Along, Rule, Sections, Skin, aligned, at_constant_speed};
 pub use surface::{
-    Axis, AxisContact, Blend, CrossFields, Defects, Deviation, Direction, Edge, GridSamples,
-    LevelSet, Mass, NurbsSurface, ParametricSurface, PictureError, Piercing, Principal, ShellError,
-    Surface, SurfaceContinuity, SurfaceEvaluator, SurfaceFoot, SurfaceFunction, SurfaceKind,
-    SurfaceOffset, SurfaceShape, Turn, Twists, area_mass, join_patches, make_surfaces_compatible,
-    principal_axes, volume_mass,
+    Axis, AxisContact, Blend, CrossFields, Defects, Direction, Edge, GridSamples, LevelSet, Mass,
+    NurbsSurface, ParametricSurface, PictureError, Piercing, Principal, ShellError, Surface,
+    SurfaceContinuity, SurfaceEvaluator, SurfaceFoot, SurfaceFunction, SurfaceKind, SurfaceOffset,
+    SurfaceShape, Turn, Twists, area_mass, join_patches, make_surfaces_compatible, principal_axes,
+    volume_mass,
 };
 pub use sweep::{
     Axes, Fineness, Frames, Framing, Held, Leg, Motion, Sweep, legs, mitred, overreaches, swept,

@@ -247,11 +247,11 @@ pub const SMOOTH_RELATIVE: f64 = 1e-9;
 /// surfaces that rounding has moved apart.
 pub const WELD_SHARE: f64 = 0.05;
 
-/// A surface whose slope over the plane of its mean normal is nowhere more than this is flat: where
-/// it is divided counts only what lies along that normal.
+/// Where a surface, around a cell of its mesh, has no more slope over the plane of the cell's normal,
+/// only what bends along that normal decides the cell's size.
 ///
-/// Larger lets heights count that slopes make, which bounds overrate; smaller divides plates that
-/// are a little bent for what happens in their plane.
+/// Larger lets heights count that slopes make, which bounds overrate; smaller divides what is
+/// coarsely meshed for what happens across the normal.
 pub const FLAT_SLOPE: f64 = 0.25;
 
 /// Part of the tolerance that the lines where a surface ends, or has a crease, may be away from

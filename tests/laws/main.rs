@@ -42,5 +42,6 @@ mod surface;
 mod sweep;
 mod tensor;
 mod tessellation;
+mod triangles;
 mod whole;
 mod worked;

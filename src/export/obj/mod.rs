@@ -8,7 +8,7 @@ use std::io::Write;
 use super::{
     ExportError, Format, Item, Job, Subject, Summary,
     exact::{Exact, exact},
-    shape::{Shape, shape, tolerance},
+    shape::{Shape, shape, shapes, tolerance},
     text::Text,
 };
 use crate::kernel::Mesh;
@@ -38,6 +38,7 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     let mut text = Text::rounded(job.options.decimals);
     text.push("# unit: ").push(job.unit).push("\n");
     let (mut written, mut summary) = (Written::default(), Summary::default());
+    let mut shapes = if job.options.free_form { Vec::new() } else { shapes(job)? }.into_iter();
     for item in &job.items {
         text.push("g ").push(&group_name(&item.name)).push("\n");
         let is_exact = matches!(item.subject, Subject::Curve(_) | Subject::Surface(_));
@@ -45,7 +46,11 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
             write_exact(item, job, &mut written, &mut text)?;
             summary.count(&item.subject);
         } else {
-            write_shape(item, tolerance, job, (&mut written, &mut summary), &mut text, out)?;
+            let shape = match shapes.next() {
+                Some(shaped) => Some(shaped.shape),
+                None => shape(item, tolerance, job)?,
+            };
+            write_shape(shape, (&mut written, &mut summary), &mut text, out)?;
         }
         text.flush_if_large(out)?;
     }
@@ -74,14 +79,12 @@ fn write_exact(
 }
 
 fn write_shape(
-    item: &Item,
-    tolerance: f64,
-    job: &Job,
+    shape: Option<Shape>,
     (written, summary): (&mut Written, &mut Summary),
     text: &mut Text,
     out: &mut dyn Write,
 ) -> Result<(), ExportError> {
-    match shape(item, tolerance, job)? {
+    match shape {
         Some(Shape::Mesh(mesh)) => {
             write_mesh(&mesh, written, text, out)?;
             summary.vertices += mesh.n_vertices();

@@ -1,9 +1,9 @@
-//! How far a mesh is from a surface.
+//! How far a mesh is from a surface, or from another mesh.
 
 use glam::DVec3;
 
 use super::Mesh;
-use crate::kernel::{Deviation, GeomError, Surface};
+use crate::kernel::{Datum, Deviation, GeomError};
 
 /// Triangles in which the farthest place is searched: those with the farthest middles.
 const SEARCHED: usize = 16;
@@ -12,16 +12,16 @@ const SEARCHED: usize = 16;
 const HALVINGS: usize = 20;
 
 impl Mesh {
-    /// How far it is from the surface: its vertices, the middles of its edges and of its triangles,
+    /// How far it is from a surface or from another mesh: its vertices, the middles of its edges and of its triangles,
     /// and from the farthest of these uphill. `None` of a mesh without triangles.
     ///
     /// The mean is that over the area, by the middles of the edges, which is exact for deviations
     /// that are quadratic over each triangle.
     ///
     /// # Errors
-    /// As [`Surface::closest`].
-    pub fn deviation_from(&self, surface: &Surface) -> Result<Option<Deviation>, GeomError> {
-        let distance = |place: DVec3| Ok(surface.closest(place)?.distance);
+    /// As [`Datum::distance`].
+    pub fn deviation_from(&self, datum: &Datum<'_>) -> Result<Option<Deviation>, GeomError> {
+        let distance = |place: DVec3| datum.distance(place);
         let distances = |places: &mut dyn Iterator<Item = DVec3>| {
             places.map(distance).collect::<Result<Vec<f64>, GeomError>>()
         };

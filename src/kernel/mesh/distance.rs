@@ -29,7 +29,7 @@ fn to_leg(place: DVec3, a: DVec3, b: DVec3) -> f64 {
     if t.is_nan() { a.distance(place) } else { (a + t.clamp(0.0, 1.0) * along).distance(place) }
 }
 
-fn to_triangle(place: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
+pub(super) fn to_triangle(place: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
     let normal = (b - a).cross(c - a);
     let is_inside = |from: DVec3, to: DVec3| 0.0 <= normal.dot((to - from).cross(place - from));
     if 0.0 < normal.length_squared() && is_inside(a, b) && is_inside(b, c) && is_inside(c, a) {

@@ -21,9 +21,31 @@ impl Form {
         Self { uu: factor * self.uu, uv: factor * self.uv, vv: factor * self.vv }
     }
 
+    /// What both together use up.
+    pub(super) fn and(self, other: Self) -> Self {
+        Self { uu: self.uu + other.uu, uv: self.uv + other.uv, vv: self.vv + other.vv }
+    }
+
+    /// The limit over a place where this one holds and one where the other does.
+    pub(super) fn joined(self, other: Self) -> Self {
+        Self { uu: self.uu.max(other.uu), uv: self.uv.max(other.uv), vv: self.vv.max(other.vv) }
+    }
+
     /// What of the limit a box uses up.
     pub(super) fn share(self, [a, b]: [f64; 2]) -> f64 {
         self.uu * a * a + 2.0 * self.uv * a * b + self.vv * b * b
+    }
+
+    /// What a box uses up at most if the limit is one that each place may have another of: all of
+    /// them are kept where this is no more than 1 for each.
+    ///
+    /// By widths the limit is a matrix, of which the larger eigenvalue bounds what bends in any
+    /// direction; the squares of the distances from a place of a triangle to its corners are in
+    /// the mean no more than a quarter of that of the box's diagonal.
+    pub(super) fn round_share(self, [a, b]: [f64; 2]) -> f64 {
+        let (uu, uv, vv) = (self.uu * a * a, self.uv * a * b, self.vv * b * b);
+        let (sum, difference) = (uu + vv, uu - vv);
+        sum + (difference * difference + 4.0 * uv * uv).sqrt()
     }
 
     /// The same with u and v exchanged.
@@ -33,6 +55,9 @@ impl Form {
 
     /// The largest a for a given b; nothing where b alone is too much.
     pub(super) fn widest(self, b: f64) -> f64 {
+        if self == Self::NONE {
+            return f64::INFINITY;
+        }
         let left = 1.0 - self.vv * b * b;
         if left <= 0.0 {
             return 0.0;

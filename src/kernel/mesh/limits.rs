@@ -2,23 +2,38 @@
 //!
 //! A triangle over a box of parameters of widths a and b is no further from the surface than
 //! `(a²·|Suu| + 2ab·|Suv| + b²·|Svv|) / 8` at equal parameters (Filip, Magedson & Markot 1986), which
-//! is one limit of the boxes. Over a surface that is flat enough for its mean normal to see all of
-//! it, only what lies along that normal counts, and of the rest as much as the slope lifts: points
-//! that a step along the surface brings to one another are not far. Another limit is the length of
-//! a box's diagonal, a third how far the normal turns over it.
+//! is one limit of the boxes; where only what lies along the normal counts, `near` has another. A
+//! cell keeps to one of the two. Other limits are the length of a box's diagonal and how far the
+//! normal turns over it.
+//!
+//! Of pieces that a cell touches together each second derivative counts where it is largest.
 
-use std::f64::consts::PI;
+use std::{f64::consts::PI, ops::Range};
 
 use glam::DVec3;
 
 use super::{
     bend::{Bend, Bends},
     form::Form,
+    near::near_rules,
+    rules::Rules,
 };
-use crate::kernel::{
-    GeomError, Grid, NurbsSurface, Tolerance,
-    tolerance::{BORDER_SHARE, EXACT_RELATIVE, FLAT_SLOPE, VANISHING_RELATIVE},
-};
+use crate::kernel::{GeomError, Grid, NurbsSurface, Tolerance, tolerance::BORDER_SHARE};
+
+/// Pieces along one direction by which the cells are counted, about; those that bound them then;
+/// and how many cells one of these may hold, about.
+const FEW_PIECES: usize = 16;
+const MOST_PIECES: usize = 48;
+const CELLS_OF_PIECE: f64 = 1.5;
+
+/// How much smaller cells become that break a rule of several pieces together.
+const NARROWING: f64 = 0.98;
+
+/// Search for how long cells are in proportion to their width: the first step, how many steps, and
+/// the part of the cells that must remain for a step to be one.
+const BALANCE_STEP: f64 = 2.0;
+const BALANCE_ROUNDS: usize = 5;
+const BALANCE_GAIN: f64 = 0.995;
 
 /// Places along a piece at which its normals are compared, as fractions of it.
 const PLACES: [f64; 3] = [0.01, 0.5, 0.99];
@@ -69,104 +84,171 @@ impl MeshLimits {
 }
 
 /// The limits of the boxes over each piece of a surface.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Limits {
     /// Where the pieces along u and along v begin and end.
     pub(super) ends: [Vec<f64>; 2],
-    /// Each a limit for every piece.
-    layers: Vec<Grid<Form>>,
+    rules: Grid<Rules>,
     /// How many times longer a step along u is than one along v.
     ratios: Grid<f64>,
 }
 
 impl Limits {
-    /// Those of a surface, with `lines` of constant u and of constant v that keep to the tolerance
-    /// on their own; the angle is that of the wanted over `sharpness`.
-    pub(super) fn new(
-        surface: &NurbsSurface,
-        wanted: &MeshLimits,
-        lines: [&[f64]; 2],
-        sharpness: f64,
-    ) -> Self {
-        let bends = Bends::of(surface);
+    /// Those of a surface, with `breaks` of constant u and of constant v where derivatives jump.
+    pub(super) fn new(surface: &NurbsSurface, wanted: &MeshLimits, breaks: [&[f64]; 2]) -> Self {
+        let few = Self::of(Bends::of(surface, [FEW_PIECES; 2]), surface, wanted, breaks);
+        let n_pieces = few.widths().map(|(_, n_cells)| {
+            let n_pieces = (n_cells / CELLS_OF_PIECE) as usize;
+            n_pieces.clamp(FEW_PIECES, MOST_PIECES)
+        });
+        if n_pieces == [FEW_PIECES; 2] {
+            return few;
+        }
+        Self::of(Bends::of(surface, n_pieces), surface, wanted, breaks)
+    }
+
+    fn of(bends: Bends, surface: &NurbsSurface, wanted: &MeshLimits, breaks: [&[f64]; 2]) -> Self {
         let per_tolerance = 1.0 / (8.0 * wanted.tolerance);
-        let whole = bends.pieces.map(|bend| form(bend.second).scaled(per_tolerance));
         let ratios = bends.pieces.map(ratio);
-        let mut layers = vec![whole];
-        if let Some(flat) = flat_layers(&bends, per_tolerance)
-            && n_cells(&flat, &ratios, &bends.ends) < n_cells(&layers, &ratios, &bends.ends)
-        {
-            layers = flat;
-            layers.push(line_layer(&bends, lines, per_tolerance / BORDER_SHARE));
-        }
-        if wanted.max_edge.is_finite() {
-            let per_edge = 1.0 / (wanted.max_edge * wanted.max_edge);
-            layers.push(bends.pieces.map(|bend| diagonal(bend).scaled(per_edge)));
-        }
-        if wanted.limits_angle() {
-            let chord = 2.0 * libm::sin(0.5 * wanted.angle) / sharpness;
-            layers.push(turns(surface, &bends.ends).map(|form| form.scaled(1.0 / (chord * chord))));
-        }
-        Self { ends: bends.ends, layers, ratios }
+        let lines = line_forms(&bends, breaks, per_tolerance / BORDER_SHARE);
+        let near = near_rules(&bends.pieces, &bends.ends, &ratios, breaks, wanted.tolerance);
+        let turns = wanted.limits_angle().then(|| turns(surface, &bends.ends));
+        let chord = 2.0 * libm::sin(0.5 * wanted.angle);
+        let may_fold = bends.plane.is_some_and(|normal| may_fold(&bends, normal));
+        let per_edge = 1.0 / (wanted.max_edge * wanted.max_edge);
+        let rules = Grid::from_fn(ratios.n_rows(), ratios.n_columns(), |i, j| {
+            let bend = bends.pieces.get(i, j);
+            let edge = diagonal(&bend).scaled(per_edge);
+            let angle = turns.as_ref().map_or(Form::NONE, |turns| turns.get(i, j));
+            let angle = angle.scaled(1.0 / (chord * chord));
+            let edge = if wanted.max_edge.is_finite() { edge } else { Form::NONE };
+            if bends.plane.is_some() {
+                let unfolded = if may_fold { unfolded(&bend) } else { Form::NONE };
+                let also = [edge, angle, unfolded, lines.get(i, j)];
+                return Rules { whole: Form::NONE, near: None, also };
+            }
+            let mut near = near.get(i, j);
+            if let Some(near) = &mut near {
+                near.line = lines.get(i, j);
+            }
+            let also = [edge, angle, Form::NONE, Form::NONE];
+            Rules { whole: form(bend.second).scaled(per_tolerance), near, also }
+        });
+        Self { ends: bends.ends, rules, ratios }
+    }
+
+    /// The same for an angle that is smaller by a factor.
+    pub(super) fn sharpened(&self, sharpness: f64) -> Self {
+        let mut sharp = self.clone();
+        sharp.rules = sharp.rules.map(|&rules| {
+            let [edge, angle, unfolded, line] = rules.also;
+            let angle = angle.scaled(sharpness * sharpness);
+            Rules { also: [edge, angle, unfolded, line], ..rules }
+        });
+        sharp
     }
 
     /// Whether a box keeps to the limits of all pieces that it touches.
     pub(super) fn allow(&self, box_of: [[f64; 2]; 2]) -> bool {
-        let [rows, columns] = [0, 1].map(|along| {
-            let (ends, [low, high]) = (&self.ends[along], box_of[along]);
-            let first = ends.partition_point(|&t| t <= low).saturating_sub(1);
-            let behind = ends.partition_point(|&t| t < high).min(ends.len() - 1);
-            first.min(behind.saturating_sub(1))..behind.max(first + 1).min(ends.len() - 1)
-        });
+        let [rows, columns] = [0, 1].map(|along| self.touched(along, box_of[along]));
+        let pieces = rows.flat_map(|i| self.rules.row(i)[columns.clone()].iter().copied());
         let widths = box_of.map(|[low, high]| high - low);
-        let fits = |form: Form| form.share(widths) <= 1.0 + VANISHING_RELATIVE;
-        self.layers.iter().all(|layer| {
-            rows.clone().all(|i| layer.row(i)[columns.clone()].iter().all(|&form| fits(form)))
-        })
+        Rules::all_allow(pieces, widths)
     }
 
-    /// Widths of cells for each piece along u and along v, so that every cell keeps to every limit.
-    pub(super) fn widths(&self) -> [Vec<f64>; 2] {
+    /// The pieces that an interval along a direction touches.
+    pub(super) fn touched(&self, along: usize, [low, high]: [f64; 2]) -> Range<usize> {
+        let ends = &self.ends[along];
+        let first = ends.partition_point(|&t| t <= low).saturating_sub(1);
+        let behind = ends.partition_point(|&t| t < high).min(ends.len() - 1);
+        first.min(behind.saturating_sub(1))..behind.max(first + 1).min(ends.len() - 1)
+    }
+
+    /// Makes the widths a little smaller where cells between these lines break a rule, which those
+    /// can that touch several pieces; whether there are such.
+    pub(super) fn narrow(&self, lines: &[Vec<f64>; 2], widths: &mut [Vec<f64>; 2]) -> bool {
+        let [steps_u, steps_v] = [0, 1].map(|along| -> Vec<([f64; 2], Range<usize>)> {
+            let steps = lines[along].windows(2).map(|pair| [pair[0], pair[1]]);
+            steps.map(|step| (step, self.touched(along, step))).collect()
+        });
+        let mut is_faulty = [vec![false; widths[0].len()], vec![false; widths[1].len()]];
+        for (step_u, rows) in &steps_u {
+            for (step_v, columns) in &steps_v {
+                // Widths are those that cells of one piece may have.
+                if 2 < rows.len() + columns.len() && !self.allow([*step_u, *step_v]) {
+                    is_faulty[0][rows.clone()].fill(true);
+                    is_faulty[1][columns.clone()].fill(true);
+                }
+            }
+        }
+        for (widths, is_faulty) in widths.iter_mut().zip(&is_faulty) {
+            for (width, _) in widths.iter_mut().zip(is_faulty).filter(|(_, is_faulty)| **is_faulty)
+            {
+                *width *= NARROWING;
+            }
+        }
+        is_faulty[0].contains(&true)
+    }
+
+    /// Widths of cells for each piece along u and along v, so that every cell of one piece keeps to
+    /// every limit, and about how many cells that makes along each.
+    pub(super) fn widths(&self) -> [(Vec<f64>, f64); 2] {
         let wholes = self.ends.each_ref().map(|ends| ends[ends.len() - 1] - ends[0]);
-        let (n, m) = (self.ratios.n_rows(), self.ratios.n_columns());
-        let mut widths = [vec![wholes[0]; n], vec![wholes[1]; m]];
-        for layer in &self.layers {
-            for i in 0..n {
-                for j in 0..m {
-                    let [a, b] = layer.get(i, j).largest(self.ratios.get(i, j));
-                    widths[0][i] = widths[0][i].min(a);
-                    widths[1][j] = widths[1][j].min(b);
-                }
+        let mut widths = vec![wholes[1]; self.rules.n_columns()];
+        for i in 0..self.rules.n_rows() {
+            for (j, width) in widths.iter_mut().enumerate() {
+                let [_, b] = self.rules.get(i, j).largest(self.ratios.get(i, j));
+                *width = width.min(b);
             }
         }
-        // Take up what one direction leaves to the other.
-        for along in [0, 1, 0, 1] {
-            for i in 0..widths[along].len() {
-                let mut widest = wholes[along];
-                for layer in &self.layers {
-                    for (j, &across) in widths[1 - along].iter().enumerate() {
-                        let form = match along {
-                            0 => layer.get(i, j),
-                            _ => layer.get(j, i).swapped(),
-                        };
-                        widest = widest.min(form.widest(across));
-                    }
+        let turned = self.rules.map(|rules| rules.swapped()).transposed();
+        let balanced = |factor: f64| {
+            let mut columns: Vec<f64> =
+                widths.iter().map(|width| (factor * width).min(wholes[1])).collect();
+            let rows = widest(&self.rules, &columns, wholes[0]);
+            for (width, wider) in columns.iter_mut().zip(widest(&turned, &rows, wholes[1])) {
+                *width = width.max(wider);
+            }
+            let counts = [count(&self.ends[0], &rows), count(&self.ends[1], &columns)];
+            [(rows, counts[0]), (columns, counts[1])]
+        };
+        let cost = |found: &[(Vec<f64>, f64); 2]| found[0].1 * found[1].1;
+        let mut best = (1.0, balanced(1.0));
+        let mut step = BALANCE_STEP;
+        for _ in 0..BALANCE_ROUNDS {
+            let middle: f64 = best.0;
+            for factor in [middle / step, middle * step] {
+                let found = balanced(factor);
+                if cost(&found) < BALANCE_GAIN * cost(&best.1) {
+                    best = (factor, found);
                 }
-                widths[along][i] = widest.max(widths[along][i]);
+            }
+            if best.0 == middle {
+                step = step.sqrt();
             }
         }
-        widths
+        best.1
     }
 }
 
-/// The limits beside lines that keep to the tolerance on their own.
-fn line_layer(bends: &Bends, lines: [&[f64]; 2], per_tolerance: f64) -> Grid<Form> {
-    let is_beside = |along: usize, i: usize| {
-        let ends = &bends.ends[along][i..=i + 1];
-        lines[along].iter().any(|&line| ends[0] <= line && line <= ends[1])
+/// The widest steps along u that go with steps along v.
+fn widest(rules: &Grid<Rules>, columns: &[f64], whole: f64) -> Vec<f64> {
+    let of_row = |i: usize| {
+        let row = rules.row(i).iter().zip(columns);
+        row.map(|(rules, &b)| rules.widest(b)).fold(whole, f64::min)
     };
+    (0..rules.n_rows()).map(of_row).collect()
+}
+
+fn count(ends: &[f64], widths: &[f64]) -> f64 {
+    ends.windows(2).zip(widths).map(|(ends, width)| (ends[1] - ends[0]) / width).sum()
+}
+
+/// The limits beside lines that keep to the tolerance on their own.
+fn line_forms(bends: &Bends, lines: [&[f64]; 2], per_tolerance: f64) -> Grid<Form> {
     let [beside_u, beside_v] = [0, 1].map(|along| -> Vec<bool> {
-        (0..bends.ends[along].len() - 1).map(|i| is_beside(along, i)).collect()
+        let is_line = |t: f64| lines[along].contains(&t);
+        bends.ends[along].windows(2).map(|ends| is_line(ends[0]) || is_line(ends[1])).collect()
     });
     Grid::from_fn(beside_u.len(), beside_v.len(), |i, j| {
         let [uu, _, vv] = bends.pieces.get(i, j).second;
@@ -175,28 +257,13 @@ fn line_layer(bends: &Bends, lines: [&[f64]; 2], per_tolerance: f64) -> Grid<For
     })
 }
 
-fn form([uu, uv, vv]: [f64; 3]) -> Form {
+pub(super) fn form([uu, uv, vv]: [f64; 3]) -> Form {
     Form { uu, uv, vv }
 }
 
 fn ratio(bend: &Bend) -> f64 {
     let ratio = bend.middle[0].length() / bend.middle[1].length();
     if ratio.is_normal() { ratio } else { 1.0 }
-}
-
-/// About how many cells the limits ask for.
-fn n_cells(layers: &[Grid<Form>], ratios: &Grid<f64>, ends: &[Vec<f64>; 2]) -> f64 {
-    let mut sum = 0.0;
-    for (i, u) in ends[0].windows(2).enumerate() {
-        for (j, v) in ends[1].windows(2).enumerate() {
-            let sizes = layers.iter().map(|layer| {
-                let [a, b] = layer.get(i, j).largest(ratios.get(i, j));
-                (u[1] - u[0]) / a * ((v[1] - v[0]) / b)
-            });
-            sum += sizes.fold(0.0, f64::max);
-        }
-    }
-    sum
 }
 
 /// The square of the length of a box's diagonal.
@@ -210,71 +277,25 @@ fn diagonal(bend: &Bend) -> Form {
     Form { uu: u * u, uv: product.min(u * v), vv: v * v }
 }
 
-/// The limits over a surface that its mean normal sees all of, with slopes of little height; none
-/// over another.
-///
-/// A step along the surface by the part of the deviation that lies in the plane of that normal
-/// changes the height by no more than the slope times this. The step exists where both the
-/// surface and the triangles are over that plane without folds: where the directions of Su, and
-/// those of Sv, do not turn so far that one of the former is along one of the latter, over all of
-/// the surface, or of a plane over each box.
-fn flat_layers(bends: &Bends, per_tolerance: f64) -> Option<Vec<Grid<Form>>> {
-    let normal = bends.normal?;
-    let size = bends.pieces.iter().map(|bend| bend.first[0].max(bend.first[1])).fold(0.0, f64::max);
-    let is_plane = bends.pieces.iter().all(|bend| {
-        let lifts = [0, 1].map(|i| normal.dot(bend.middle[i]).abs() + bend.lift_spread[i]);
-        lifts[0].max(lifts[1]) <= EXACT_RELATIVE * size
-    });
-    let slope = slope(bends);
-    if let Some(slope) = slope.filter(|&slope| slope <= FLAT_SLOPE) {
-        let flat = bends.pieces.map(|bend| {
-            let bends: [f64; 3] = std::array::from_fn(|i| bend.lift[i] + slope * bend.second[i]);
-            form(bends).scaled(per_tolerance)
-        });
-        return Some(vec![flat]);
-    }
-    let faces = |bend: &Bend| 0.0 < normal.dot(bend.middle[0].cross(bend.middle[1]));
-    if !is_plane || !bends.pieces.iter().all(faces) {
-        return None;
-    }
-    let flat = bends.pieces.map(|bend| form(bend.lift).scaled(per_tolerance));
-    Some(vec![flat, bends.pieces.map(unfolded)])
-}
-
-/// An upper bound of the slope over the plane of the mean normal; none where something folds.
-fn slope(bends: &Bends) -> Option<f64> {
-    let normal = bends.normal?;
-    let along_plane = |vector: DVec3| vector - normal * normal.dot(vector);
-    let x = along_plane(bends.pieces.as_slice().first()?.middle[0]);
+/// Whether somewhere in a plane Su has a direction that Sv has somewhere.
+fn may_fold(bends: &Bends, normal: DVec3) -> bool {
+    let Some(first) = bends.pieces.as_slice().first() else { return true };
+    let x = first.middle[0];
     let y = normal.cross(x);
     let mut directions = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     for bend in &bends.pieces {
         for (i, range) in directions.iter_mut().enumerate() {
             let along = bend.middle[i];
-            let reach = bend.spread[i] / along_plane(along).length();
+            let reach = bend.spread[i] / along.length();
             if 1.0 <= reach || reach.is_nan() {
-                return None;
+                return true;
             }
             let (angle, spread) = (libm::atan2(along.dot(y), along.dot(x)), libm::asin(reach));
             *range = [range[0].min(angle - spread), range[1].max(angle + spread)];
         }
     }
     let [u, v] = directions;
-    let crossing = [v[0] - u[1], v[1] - u[0]];
-    if crossing[0] <= 0.0 || PI <= crossing[1] {
-        return None;
-    }
-    let sine = libm::sin(crossing[0]).min(libm::sin(crossing[1]));
-    let mut steepest = 0.0_f64;
-    for bend in &bends.pieces {
-        let lengths = [0, 1].map(|i| along_plane(bend.middle[i]).length());
-        let lifts = [0, 1].map(|i| normal.dot(bend.middle[i]).abs() + bend.lift_spread[i]);
-        let most = [0, 1].map(|i| lengths[i] + bend.spread[i]);
-        let least = [0, 1].map(|i| lengths[i] - bend.spread[i]);
-        let slope = (most[0] * lifts[1] + most[1] * lifts[0]) / (least[0] * least[1] * sine);
-        steepest = steepest.max(slope);
-    }
-    Some(steepest).filter(|slope| slope.is_finite())
+    v[0] - u[1] <= 0.0 || PI <= v[1] - u[0]
 }
 
 /// The boxes over which neither Su nor Sv turns by half of the angle between them.

@@ -1,11 +1,13 @@
 //! Triangle meshes.
 //!
 //! This file has the type; `grid` makes a mesh of a surface by counts, `tessellate` by a tolerance,
-//! `any` of functions too. For the latter `bend` bounds derivatives, of which `limits` makes a `form` for each
-//! piece; `steps` lays the lines of a `sheet`, `seam` divides what sheets share, and `stitch` makes the
+//! `any` of functions too. For the latter `bend` bounds derivatives, by the hulls of `quotient`; `limits`
+//! makes of them `rules` for each piece, `form`s of what a cell may be, and `near` those along its
+//! normal; `steps` lays the lines of a `sheet`, `seam` divides what sheets share, and `stitch` makes the
 //! triangles. `weld` tells which vertices are one place, `topology` how the triangles
 //! hang together, `measure` area, volume and their centres, `deviation` how far one is from a
-//! surface, `distance` how far a place is from one, `fault` why a mesh encloses nothing, `section` where a plane cuts it.
+//! surface, `distance` how far a place is from one, `nearest` the same for many places, `fault` why a
+//! mesh encloses nothing, `section` where a plane cuts it.
 
 mod any;
 mod bend;
@@ -17,7 +19,11 @@ mod form;
 mod grid;
 mod limits;
 mod measure;
+mod near;
+mod nearest;
 mod planar;
+mod quotient;
+mod rules;
 mod seam;
 mod section;
 mod sheet;
@@ -36,6 +42,7 @@ pub use distance::distance_to_polyline;
 pub use fault::MeshError;
 pub use grid::grid_mesh;
 pub use limits::MeshLimits;
+pub use nearest::Nearest;
 pub use planar::planar_mesh;
 pub use tessellate::{tessellate, tessellate_all, tessellate_curve, tessellate_finely};
 pub use topology::{MeshCheck, Topology};
@@ -176,6 +183,11 @@ impl Mesh {
     #[must_use]
     pub fn n_triangles(&self) -> usize {
         self.triangles.len()
+    }
+
+    /// The corners of a triangle.
+    fn corners_of(&self, triangle: u32) -> [DVec3; 3] {
+        self.triangles[triangle as usize].map(|corner| self.vertices[corner as usize])
     }
 
     /// The corners of each triangle.

@@ -89,35 +89,39 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// Its cells, at an angle that is the wanted one over `sharpness`.
+    /// The limits of its cells.
+    pub(super) fn limits(&self, wanted: &MeshLimits) -> Limits {
+        let wanted = MeshLimits { tolerance: self.tolerance, ..*wanted };
+        let breaks = self.breaks.each_ref().map(|breaks| breaks.iter().map(|b| b.at).collect());
+        Limits::new(&self.spline, &wanted, breaks.each_ref().map(Vec::as_slice))
+    }
+
+    /// The cells that keep to limits.
     ///
     /// # Errors
     /// [`GeomError::TooManyVertices`].
-    pub(super) fn cells(
-        &self,
-        wanted: &MeshLimits,
-        sharpness: f64,
-        most: usize,
-    ) -> Result<Cells, GeomError> {
-        let wanted = MeshLimits { tolerance: self.tolerance, ..*wanted };
-        let breaks =
-            self.breaks.each_ref().map(|breaks| breaks.iter().map(|b| b.at).collect::<Vec<_>>());
-        let breaks_of = breaks.each_ref().map(Vec::as_slice);
-        let limits = Limits::new(&self.spline, &wanted, breaks_of, sharpness);
-        let widths = limits.widths();
+    pub(super) fn cells(&self, limits: Limits, most: usize) -> Result<Cells, GeomError> {
+        let mut widths = limits.widths().map(|(widths, _)| widths);
         let domains = self.domains();
-        let lines = |along: usize| {
-            let widths = Widths { ends: &limits.ends[along], widths: &widths[along] };
+        let sections = [0, 1].map(|along| {
+            let breaks = self.breaks[along].iter().map(|line| line.at);
             let mut ends = vec![domains[along].start(), domains[along].end()];
-            ends.extend(&breaks[along]);
-            ends.extend(full_knots(self.spline.knots(Direction::BOTH[along])));
+            ends.extend(breaks.chain(full_knots(self.spline.knots(Direction::BOTH[along]))));
             ends.sort_by(f64::total_cmp);
             ends.dedup();
-            widths.lines(&ends, most)
-        };
-        let lines = [lines(0)?, lines(1)?];
-        check_vertices(lines[0].len() - 1, lines[1].len() - 1, most)?;
-        Ok(Cells { limits, lines })
+            ends
+        });
+        loop {
+            let lines = |along: usize| {
+                let widths = Widths { ends: &limits.ends[along], widths: &widths[along] };
+                widths.lines(&sections[along], most)
+            };
+            let lines = [lines(0)?, lines(1)?];
+            check_vertices(lines[0].len() - 1, lines[1].len() - 1, most)?;
+            if !limits.narrow(&lines, &mut widths) {
+                return Ok(Cells { limits, lines });
+            }
+        }
     }
 }
 

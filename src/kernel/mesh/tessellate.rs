@@ -6,7 +6,7 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{Mesh, MeshLimits, seam::Seams, sheet::Sheet, stitch::stitched};
+use super::{Mesh, MeshLimits, limits::Limits, seam::Seams, sheet::Sheet, stitch::stitched};
 use crate::kernel::{GeomError, NurbsCurve, NurbsSurface, Surface, bezier, homogeneous::project};
 
 /// Halvings of a piece of a curve, past the last bit of its parameter.
@@ -73,18 +73,19 @@ fn meshes_of(
     max_vertices: usize,
 ) -> Result<Vec<Mesh>, GeomError> {
     let seams = Seams::of(&mut sheets, limits)?;
+    let all: Vec<Limits> = sheets.iter().map(|sheet| sheet.limits(limits)).collect();
     let mut sharpness = vec![1.0; sheets.len()];
     let mut excesses = vec![f64::INFINITY; sheets.len()];
     let mut round = 0;
     loop {
-        let cells =
-            |(sheet, &sharpness): (&Sheet<'_>, &f64)| sheet.cells(limits, sharpness, max_vertices);
-        let cells: Result<Vec<_>, GeomError> = sheets.iter().zip(&sharpness).map(cells).collect();
+        let sharpened = all.iter().zip(&sharpness).map(|(limits, &by)| limits.sharpened(by));
+        let cells = |(sheet, limits): (&Sheet<'_>, Limits)| sheet.cells(limits, max_vertices);
+        let cells: Result<Vec<_>, GeomError> = sheets.iter().zip(sharpened).map(cells).collect();
         let cells = cells?;
         let edges = seams.vertices(&sheets, &cells, max_vertices)?;
-        let all = sheets.iter().zip(&cells).zip(&edges);
+        let parts = sheets.iter().zip(&cells).zip(&edges);
         let mesh = |((sheet, cells), edges)| stitched(sheet, cells, edges, max_vertices);
-        let meshes: Result<Vec<Mesh>, GeomError> = all.map(mesh).collect();
+        let meshes: Result<Vec<Mesh>, GeomError> = parts.map(mesh).collect();
         let meshes = meshes?;
         round += 1;
         if !limits.limits_angle() || MAX_ROUNDS <= round {

@@ -1,9 +1,7 @@
-//! How far points, or a surface, are from another surface.
-
-use glam::DVec3;
+//! How far a surface is from another surface, or from a mesh.
 
 use super::Surface;
-use crate::kernel::{GeomError, Interval, KnotVector};
+use crate::kernel::{Datum, Deviation, GeomError, Interval, KnotVector};
 
 /// Even parts of a domain, all its pieces together, at whose ends the distance is measured.
 const PARTS: usize = 24;
@@ -11,49 +9,31 @@ const PARTS: usize = 24;
 /// The same where the other surface is a function, for which a nearest place is a long search.
 const PARTS_BY_FUNCTION: usize = 12;
 
+/// Parts for each triangle of a mesh along one direction, and of all of them at most: between the
+/// places are hills of the size of triangles.
+const PARTS_OF_TRIANGLE: f64 = 3.0;
+const MOST_PARTS: usize = 1000;
+
 /// Halvings of the step around the farthest place.
 const HALVINGS: usize = 26;
 
-/// Distances of places from a surface.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Deviation {
-    /// The largest.
-    pub max: f64,
-    /// Their mean.
-    pub mean: f64,
-    /// The place that is farthest away.
-    pub at: DVec3,
-}
-
 impl Surface {
-    /// How far points are from the surface; `None` of no points.
+    /// How far this surface is from another one or from a mesh: its places on a grid, and from the
+    /// farthest of these on uphill.
     ///
     /// # Errors
     /// As [`Self::point_at`].
-    pub fn deviation_of(&self, points: &[DVec3]) -> Result<Option<Deviation>, GeomError> {
-        let mut found: Option<Deviation> = None;
-        let mut sum = 0.0;
-        for &point in points {
-            let distance = self.closest(point)?.distance;
-            sum += distance;
-            if found.is_none_or(|found| found.max < distance) {
-                found = Some(Deviation { max: distance, mean: 0.0, at: point });
+    pub fn deviation_from(&self, datum: &Datum<'_>) -> Result<Deviation, GeomError> {
+        let parts = match datum {
+            Datum::Surface(surface) if surface.nurbs().is_err() => PARTS_BY_FUNCTION,
+            Datum::Surface(_) => PARTS,
+            Datum::Mesh(mesh) => {
+                let parts = PARTS_OF_TRIANGLE * (mesh.n_triangles() as f64).sqrt();
+                (parts as usize).clamp(PARTS, MOST_PARTS)
             }
-        }
-        Ok(found.map(|found| Deviation { mean: sum / points.len() as f64, ..found }))
-    }
-
-    /// How far this surface is from another one: its places on a grid, and from the farthest of
-    /// these on uphill.
-    ///
-    /// # Errors
-    /// As [`Self::point_at`].
-    pub fn deviation_from(&self, other: &Self) -> Result<Deviation, GeomError> {
-        let parts = if other.nurbs().is_ok() { PARTS } else { PARTS_BY_FUNCTION };
-        let (us, vs) = self.places_for(parts);
-        let distance = |[u, v]: [f64; 2]| -> Result<f64, GeomError> {
-            Ok(other.closest(self.point_at(u, v)?)?.distance)
         };
+        let (us, vs) = self.places_for(parts);
+        let distance = |[u, v]: [f64; 2]| datum.distance(self.point_at(u, v)?);
         let (mut max, mut sum) = (f64::NEG_INFINITY, 0.0);
         let mut place = [self.domain_u().start(), self.domain_v().start()];
         for &u in &us {

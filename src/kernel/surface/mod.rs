@@ -67,7 +67,6 @@ pub use compatible::make_surfaces_compatible;
 pub use coons::{Blend, CrossFields, Twists};
 pub(in crate::kernel) use crease::Break;
 pub use defects::Defects;
-pub use deviation::Deviation;
 pub use direction::Direction;
 pub use edge::Edge;
 pub use evaluator::SurfaceEvaluator;

@@ -1,4 +1,4 @@
-//! `deviation` of points, of a mesh or of a surface from a surface.
+//! `deviation` of points, of a mesh or of a surface from a surface or a mesh.
 
 use std::sync::Arc;
 
@@ -6,25 +6,27 @@ use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Deviation, Mesh, Surface},
+    kernel::{Datum, Deviation, Mesh, Nearest, Surface},
     value::{At, Ctx, FromValue, Mismatch, Record, Type, Value, op},
 };
 
 op! {
-    /// How far a surface, a mesh, or points are from a surface: `{max, mean, at}`.
+    /// How far a surface, a mesh, or points are from a surface or a mesh: `{max, mean, at}`.
     ///
     /// Of each place the distance to the nearest of `b` counts, whatever the parameters are; `at` is
     /// the place that is farthest. Of a surface places are taken evenly in its parameters, and from
     /// the farthest of them a search goes on uphill. What is missing of `b` on the other side shows in
     /// `deviation(b, a)`. Of a mesh the vertices, the middles of edges and triangles are places; from
     /// the farthest triangles the search goes on inside of them, and the mean is that of the area.
+    /// From a mesh the distance is that to its nearest triangle.
     deviation in Measure -> Record {
         /// The surface, the mesh, or the points.
         a: Spanned<Measured>,
-        /// The surface from which they are measured.
-        b: Spanned<Surface>,
+        /// The surface or the mesh from which they are measured.
+        b: Spanned<Base>,
     }
     example "deviation(bilinear((0, 0, 1), (0, 1, 1), (1, 0, 1), (1, 1, 2)), bilinear((0, 0), (0, 1), (1, 0), (1, 1))).max" => "2";
+    example "deviation(bilinear((0, 0, 1), (0, 1, 1), (1, 0, 1), (1, 1, 2)), tessellate(bilinear((0, 0), (0, 1), (1, 0), (1, 1)))).max" => "2";
     example "deviation([(0, 0, 1), (1, 1, 3)], bilinear((0, 0), (0, 1), (1, 0), (1, 1)))" => "{max: 3, mean: 2, at: (1, 1, 3)}";
 }
 
@@ -50,16 +52,42 @@ impl FromValue for Measured {
     }
 }
 
+/// What can be measured from.
+enum Base {
+    Surface(Surface),
+    Mesh(Arc<Mesh>),
+}
+
+impl FromValue for Base {
+    const TYPE: Type = Type::OneOf(&[Type::Surface, Type::Mesh]);
+
+    fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
+        match value {
+            Value::Surface(surface) => Ok(Self::Surface(surface.clone())),
+            Value::Mesh(mesh) => Ok(Self::Mesh(Arc::clone(mesh))),
+            _ => Err(Mismatch::kind(Self::TYPE, value)),
+        }
+    }
+}
+
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
-    let b = &args.b.value;
+    let nothing = |span: Span| {
+        Diagnostic::error(Code::TooFewPoints, span, "there is nothing to measure").fail()
+    };
+    let datum = match &args.b.value {
+        Base::Surface(surface) => Datum::Surface(surface),
+        Base::Mesh(mesh) => match Nearest::new(mesh) {
+            Some(nearest) => Datum::Mesh(nearest),
+            None => return nothing(args.b.span),
+        },
+    };
     let found = match &args.a.value {
-        Measured::Surface(a) => a.deviation_from(b).map(Some),
-        Measured::Mesh(mesh) => mesh.deviation_from(b),
-        Measured::Points(points) => b.deviation_of(points),
+        Measured::Surface(a) => a.deviation_from(&datum).map(Some),
+        Measured::Mesh(mesh) => mesh.deviation_from(&datum),
+        Measured::Points(points) => datum.deviation_of(points),
     };
     let Some(Deviation { max, mean, at }) = found.at(ctx.span)? else {
-        return Diagnostic::error(Code::TooFewPoints, args.a.span, "there is nothing to measure")
-            .fail();
+        return nothing(args.a.span);
     };
     Ok(Record::new([
         (Arc::from("max"), Value::number(max)),

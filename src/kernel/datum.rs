@@ -1,0 +1,55 @@
+//! What distances are measured from, and what comes of many of them.
+
+use glam::DVec3;
+
+use super::{GeomError, Surface, mesh::Nearest};
+
+/// Distances of places from a surface or from a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Deviation {
+    /// The largest.
+    pub max: f64,
+    /// Their mean.
+    pub mean: f64,
+    /// The place that is farthest away.
+    pub at: DVec3,
+}
+
+/// A surface or a mesh, prepared to be asked for its distance from places.
+#[derive(Debug)]
+pub enum Datum<'a> {
+    /// All of a surface.
+    Surface(&'a Surface),
+    /// All triangles of a mesh.
+    Mesh(Nearest<'a>),
+}
+
+impl Datum<'_> {
+    /// How far a place is from its nearest one.
+    ///
+    /// # Errors
+    /// As [`Surface::point_at`].
+    pub fn distance(&self, place: DVec3) -> Result<f64, GeomError> {
+        match self {
+            Self::Surface(surface) => Ok(surface.closest(place)?.distance),
+            Self::Mesh(mesh) => Ok(mesh.distance(place)),
+        }
+    }
+
+    /// How far points are from it; `None` of no points.
+    ///
+    /// # Errors
+    /// As [`Self::distance`].
+    pub fn deviation_of(&self, points: &[DVec3]) -> Result<Option<Deviation>, GeomError> {
+        let mut found: Option<Deviation> = None;
+        let mut sum = 0.0;
+        for &point in points {
+            let distance = self.distance(point)?;
+            sum += distance;
+            if found.is_none_or(|found| found.max < distance) {
+                found = Some(Deviation { max: distance, mean: 0.0, at: point });
+            }
+        }
+        Ok(found.map(|found| Deviation { mean: sum / points.len() as f64, ..found }))
+    }
+}

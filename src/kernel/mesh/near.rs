@@ -1,0 +1,151 @@
+//! Cells small enough for their own normal to see the surface around them as a graph.
+//!
+//! Take a cell of parameters and its normal n. What is between a triangle over it and the surface
+//! at equal parameters has a part along n, which the second derivatives along n bound, and a part
+//! across, bounded by all of the second derivatives. From the point of the surface at equal
+//! parameters goes a path along it that ends over the triangle's: as long, seen along n, as the
+//! part across, and rising no more than the slope times that. So the triangle is no further than
+//! the part along n and the slope times the part across. The path exists where the surface around
+//! the cell, as far as the path is long, has no slope near the vertical; where the surface ends
+//! before, the polygon of its border is near. The same holds from the surface to the triangles.
+//!
+//! The slope is bounded by how far the normal turns: over the cell, which is a rule for its size,
+//! and over the path, by the curvature of the pieces around.
+
+use std::f64::consts::PI;
+
+use super::{
+    bend::Bend,
+    form::Form,
+    limits::form,
+    rules::{Near, Sense},
+};
+use crate::kernel::{Grid, tolerance::FLAT_SLOPE};
+
+/// How many times as long as the tolerance the part across may be.
+const MAX_SLIDE: f64 = 4.0;
+
+/// How much further the normal may turn over a cell than over one that is as large as can be for
+/// what it bends.
+const TURN_MARGIN: f64 = 1.1;
+
+/// A bound of what is longer or wider on a surface of slope up to [`FLAT_SLOPE`] than over the
+/// plane: √(1 + slope²), and tan(slope)/slope is no more either.
+const TILT: f64 = 1.04;
+
+/// What is known of a piece that its middle normal sees all of.
+#[derive(Clone, Copy, Debug)]
+struct Steady {
+    /// How far the normal may be from that in the middle; radians.
+    swing: f64,
+    /// How far it turns per step of u and of v.
+    turns: [f64; 2],
+    /// How far it turns over a path of length 1 along the surface.
+    curvature: f64,
+    /// How long at least a path across the piece is, the shorter way.
+    extent: f64,
+}
+
+/// The rules for cells over each piece; none where they see too much slope.
+pub(super) fn near_rules(
+    pieces: &Grid<Bend>,
+    ends: &[Vec<f64>; 2],
+    ratios: &Grid<f64>,
+    breaks: [&[f64]; 2],
+    tolerance: f64,
+) -> Grid<Option<Near>> {
+    let steady = Grid::from_fn(pieces.n_rows(), pieces.n_columns(), |i, j| {
+        let widths = [ends[0][i + 1] - ends[0][i], ends[1][j + 1] - ends[1][j]];
+        steady(&pieces.get(i, j), widths)
+    });
+    let slide = MAX_SLIDE * tolerance;
+    // The pieces beside, but for those behind a line where the surface is broken.
+    let around = |along: usize, i: usize| {
+        let (ends, breaks) = (&ends[along], breaks[along]);
+        let first = if i == 0 || breaks.contains(&ends[i]) { i } else { i - 1 };
+        let is_last = i + 2 == ends.len() || breaks.contains(&ends[i + 1]);
+        first..=if is_last { i } else { i + 1 }
+    };
+    Grid::from_fn(pieces.n_rows(), pieces.n_columns(), |i, j| {
+        let this = steady.get(i, j)?;
+        let mut curvature = 0.0_f64;
+        for k in around(0, i) {
+            for l in around(1, j) {
+                let beside = steady.get(k, l)?;
+                if (k, l) != (i, j) && beside.extent < slide {
+                    return None;
+                }
+                curvature = curvature.max(beside.curvature);
+            }
+        }
+        near(&pieces.get(i, j), &this, curvature * slide, ratios.get(i, j), tolerance)
+    })
+}
+
+/// The rules of a piece from where a path turns the normal by no more than `strayed`.
+fn near(bend: &Bend, this: &Steady, strayed: f64, ratio: f64, tolerance: f64) -> Option<Near> {
+    let most = |i: usize| bend.lift[i][1].max(-bend.lift[i][0]);
+    let per_tolerance = 1.0 / (8.0 * tolerance);
+    let about: [f64; 3] = std::array::from_fn(|i| most(i) + this.swing * bend.across[i]);
+    let [a, b] = form(about).scaled(per_tolerance).largest(ratio);
+    let room = 2.0 * (FLAT_SLOPE / TILT - strayed);
+    let wanted = TURN_MARGIN * (a * this.turns[0] + b * this.turns[1]);
+    let turn = if wanted < room { wanted } else { room };
+    if turn <= 0.0 {
+        return None;
+    }
+    let lean = 0.5 * turn + this.swing;
+    let lift: [f64; 3] = std::array::from_fn(|i| most(i) + lean * bend.across[i]);
+    let across: [f64; 3] = std::array::from_fn(|i| bend.across[i] + lean * most(i));
+    let slope = TILT * (0.5 * turn + strayed);
+    let sense = |i: usize| match bend.lift[i] {
+        [low, _] if lean * bend.across[i] <= low => Some(Sense::Along),
+        [_, high] if high <= -lean * bend.across[i] => Some(Sense::Against),
+        _ => None,
+    };
+    let saddle = sense(0).filter(|along_u| sense(2).is_some_and(|along_v| along_v != *along_u));
+    let [per_u, per_v] = this.turns;
+    let across = form(across).scaled(per_tolerance);
+    Some(Near {
+        lift: form(lift).scaled(per_tolerance),
+        saddle,
+        slip: across.scaled(slope),
+        turn: Form { uu: per_u * per_u, uv: per_u * per_v, vv: per_v * per_v },
+        most_turn: turn,
+        slide: across.scaled(1.0 / MAX_SLIDE),
+        line: Form::NONE,
+    })
+}
+
+/// What is known of a piece of these widths; none where the slope over the plane of its middle
+/// normal is more than [`FLAT_SLOPE`].
+fn steady(bend: &Bend, widths: [f64; 2]) -> Option<Steady> {
+    bend.normal?;
+    let [along_u, along_v, ..] = bend.middle;
+    let lengths = [along_u.length(), along_v.length()];
+    let least = [0, 1].map(|i| lengths[i] - bend.spread[i]);
+    if !(0.0 < least[0] && 0.0 < least[1]) {
+        return None;
+    }
+    // Between these angles Su and Sv cross, seen along the normal.
+    let angle = libm::atan2(along_u.cross(along_v).length(), along_u.dot(along_v));
+    let reach: f64 = [0, 1].map(|i| libm::asin(bend.spread[i] / lengths[i])).iter().sum();
+    let crossing = [angle - reach, angle + reach];
+    if crossing[0] <= 0.0 || PI <= crossing[1] {
+        return None;
+    }
+    let sine = libm::sin(crossing[0]).min(libm::sin(crossing[1]));
+    let most: [f64; 3] = std::array::from_fn(|i| bend.lift[i][1].max(-bend.lift[i][0]));
+    let rise = |i: usize| 0.5 * (widths[0] * most[i] + widths[1] * most[i + 1]);
+    let swing = (rise(0) / least[0] + rise(1) / least[1]) / sine;
+    if !(swing <= FLAT_SLOPE) {
+        return None;
+    }
+    // Of a tilted plane the angle is smaller than it is seen.
+    let sine = sine / (1.0 + swing * swing);
+    let bends: [f64; 3] = std::array::from_fn(|i| most[i] + swing * bend.across[i]);
+    let turns = [0, 1].map(|i| (bends[i] / least[0] + bends[i + 1] / least[1]) / sine);
+    let curvature = TILT * (turns[0] / least[0] + turns[1] / least[1]) / sine;
+    let extent = (widths[0] * least[0]).min(widths[1] * least[1]) * sine / TILT;
+    Some(Steady { swing, turns, curvature, extent })
+}

@@ -1,0 +1,161 @@
+//! What the cells over a piece of a surface must keep to.
+
+use super::form::Form;
+use crate::kernel::tolerance::VANISHING_RELATIVE;
+
+/// The rules of a piece: a cell keeps to all of `also`, and to `whole` or to `near`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rules {
+    /// The deviation at equal parameters.
+    pub(super) whole: Form,
+    /// The deviation along the normal, where cells see nothing fold.
+    pub(super) near: Option<Near>,
+    /// Of the longest edge, of the angle, of planes, of the lines in these.
+    pub(super) also: [Form; 4],
+}
+
+/// Rules of cells of which the deviation along the normal counts.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Near {
+    /// What bends along the normal.
+    pub(super) lift: Form,
+    /// Whether it bends to one side along u and to the other along v, and to which along u.
+    pub(super) saddle: Option<Sense>,
+    /// The rest, as much of it as the slope lifts.
+    pub(super) slip: Form,
+    /// The square of how far the normal turns, and how far it may turn at most; radians.
+    pub(super) turn: Form,
+    pub(super) most_turn: f64,
+    /// How far points may slide along the surface.
+    pub(super) slide: Form,
+    /// What lines need at which the surface is broken.
+    pub(super) line: Form,
+}
+
+/// The side to which something bends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sense {
+    Along,
+    Against,
+}
+
+impl Rules {
+    /// Those of a cell that touches this piece and another one.
+    pub(super) fn joined(self, other: Self) -> Self {
+        Self {
+            whole: self.whole.joined(other.whole),
+            near: self.near.zip(other.near).map(|(near, other)| near.joined(other)),
+            also: joined(self.also, other.also),
+        }
+    }
+
+    /// Whether a cell of these widths keeps to the rules of all pieces that it touches.
+    ///
+    /// Lengths and turns are those of a path, at each place no more than the piece there makes them.
+    /// Which piece bends the cell most may differ from corner to corner: each second derivative
+    /// counts where it is largest, or all where together they bend it most in any direction.
+    pub(super) fn all_allow(pieces: impl Iterator<Item = Self> + Clone, widths: [f64; 2]) -> bool {
+        let fits = |form: &Form| form.share(widths) <= 1.0 + VANISHING_RELATIVE;
+        if !pieces.clone().all(|rules| rules.also.iter().all(fits)) {
+            return false;
+        }
+        let Some(joined) = pieces.clone().reduce(Self::joined) else { return true };
+        if fits(&joined.whole) || joined.near.is_some_and(|near| near.forms().iter().all(fits)) {
+            return true;
+        }
+        let are_round = |form: fn(Self) -> Option<Form>| {
+            pieces
+                .clone()
+                .filter_map(form)
+                .all(|form| form.round_share(widths) <= 1.0 + VANISHING_RELATIVE)
+        };
+        let bends = |rules: Self| rules.near.map(|near| near.lift.and(near.slip));
+        are_round(|rules| Some(rules.whole))
+            || joined.near.is_some_and(|near| near.others().iter().all(fits)) && are_round(bends)
+    }
+
+    /// The widest step along u for one along v; nothing where the latter is too wide alone.
+    pub(super) fn widest(&self, b: f64) -> f64 {
+        let least =
+            |forms: &[Form]| forms.iter().map(|form| form.widest(b)).fold(f64::INFINITY, f64::min);
+        let near = self.near.map_or(0.0, |near| least(&near.forms()));
+        least(&self.also).min(self.whole.widest(b).max(near))
+    }
+
+    /// Widths of a cell that keeps to them, about as large as one may be; `ratio` is how many times
+    /// longer a step along u is than one along v.
+    pub(super) fn largest(&self, ratio: f64) -> [f64; 2] {
+        let least = |forms: &[Form]| {
+            let sizes = forms.iter().map(|form| form.largest(ratio));
+            sizes.fold([f64::INFINITY; 2], |[a, b], [c, d]| [a.min(c), b.min(d)])
+        };
+        let mut widths = self.whole.largest(ratio);
+        if let Some(near) = self.near {
+            let others = least(&near.forms());
+            if widths[0] * widths[1] < others[0] * others[1] {
+                widths = others;
+            }
+        }
+        let others = least(&self.also);
+        [widths[0].min(others[0]), widths[1].min(others[1])]
+    }
+
+    /// The same with u and v exchanged.
+    pub(super) fn swapped(self) -> Self {
+        Self {
+            whole: self.whole.swapped(),
+            near: self.near.map(Near::swapped),
+            also: self.also.map(Form::swapped),
+        }
+    }
+}
+
+impl Near {
+    fn joined(self, other: Self) -> Self {
+        Self {
+            lift: self.lift.joined(other.lift),
+            saddle: self.saddle.filter(|_| self.saddle == other.saddle),
+            slip: self.slip.joined(other.slip),
+            turn: self.turn.joined(other.turn),
+            most_turn: self.most_turn.min(other.most_turn),
+            slide: self.slide.joined(other.slide),
+            line: self.line.joined(other.line),
+        }
+    }
+
+    /// All that a cell must keep to.
+    ///
+    /// Where the surface bends to one side along u and to the other along v, what is between it and
+    /// a triangle is convex along u and concave along v, so that it is largest on the sides of the
+    /// triangle; along one of these the two take away from one another.
+    fn forms(&self) -> [Form; 5] {
+        let Self { lift, slip, .. } = *self;
+        let both = lift.and(slip);
+        let [turn, slide, line] = self.others();
+        if self.saddle.is_none() {
+            return [both, Form::NONE, turn, slide, line];
+        }
+        [Form { vv: slip.vv, ..both }, Form { uu: slip.uu, ..both }, turn, slide, line]
+    }
+
+    fn others(&self) -> [Form; 3] {
+        [self.turn.scaled(1.0 / (self.most_turn * self.most_turn)), self.slide, self.line]
+    }
+
+    fn swapped(self) -> Self {
+        let turned = |sense| if sense == Sense::Along { Sense::Against } else { Sense::Along };
+        Self {
+            lift: self.lift.swapped(),
+            saddle: self.saddle.map(turned),
+            slip: self.slip.swapped(),
+            turn: self.turn.swapped(),
+            slide: self.slide.swapped(),
+            line: self.line.swapped(),
+            ..self
+        }
+    }
+}
+
+fn joined<const N: usize>(forms: [Form; N], others: [Form; N]) -> [Form; N] {
+    std::array::from_fn(|i| forms[i].joined(others[i]))
+}
