@@ -204,6 +204,26 @@ pub const FOLLOWED_RELATIVE: f64 = 1e-11;
 /// Larger lets unscaled normals pass; smaller refuses those that a file holds with six digits.
 pub const UNIT_SLACK: f64 = 1e-4;
 
+/// How unequally a surface bends changes by differences over this part of a rectangle of parameters.
+///
+/// Larger looks over bends; smaller differences rounding.
+pub const UMBILIC_DIFFERENCE: f64 = 1e-5;
+
+/// Where the two changes of that are this far from parallel, an umbilic is isolated.
+///
+/// Larger looks around more umbilics to tell; smaller takes places of a line of umbilics for single
+/// ones.
+pub const UMBILIC_CLEAR: f64 = 1e-6;
+
+/// Another umbilic is isolated if on a circle around it, this part of a rectangle wide, the surface
+/// bends unequally everywhere, and where least by the next constant of where most.
+///
+/// Larger circles meet neighbours; smaller ones rounding.
+pub const UMBILIC_CIRCLE: f64 = 1e-3;
+
+/// Larger overlooks umbilics of narrow patches; smaller tells places of lines of umbilics.
+pub const UMBILIC_SHARE: f64 = 0.02;
+
 /// Where the curvatures of a surface differ by less than this fraction of the strongest, a map of
 /// them has one colour.
 ///

@@ -40,7 +40,7 @@ fn a_cylinder_is_one_row_of_triangles() {
 #[test]
 fn a_sphere_has_few_more_triangles_than_its_cells_need() {
     // Square cells of side a at the equator are (a² + a²)·r / 8 away.
-    let (radius, tolerance) = (10.0, 0.02);
+    let (radius, tolerance) = (10.0, 0.005);
     let cell = 4.0 * tolerance / radius;
     let ball = NurbsSurface::sphere(Frame::XY, radius).unwrap();
     check(&ball, tolerance, 2.0 * (2.0 * PI) * PI / cell, 1.35);

@@ -12,7 +12,9 @@ use glam::{DMat2, DVec2};
 use super::{Defects, Edge, Surface};
 use crate::kernel::{
     GeomError, Interval, KnotVector, Tolerance,
-    tolerance::{LAST_BIT, TOUCH_RELATIVE},
+    tolerance::{
+        LAST_BIT, TOUCH_RELATIVE, UMBILIC_CIRCLE, UMBILIC_CLEAR, UMBILIC_DIFFERENCE, UMBILIC_SHARE,
+    },
 };
 
 /// Places along a direction, in each piece or of all of a function, fewer where the pieces are many.
@@ -27,17 +29,8 @@ const MAX_HALVINGS: usize = 20;
 /// Rectangles beyond its own that a search may go to.
 const BEYOND: f64 = 1.0;
 
-/// Slopes are differences over this part of a rectangle.
-const DIFFERENCE: f64 = 1e-5;
-
-/// Where the slopes of both entries are this far from parallel, they vanish together in one place.
-const CLEAR: f64 = 1e-6;
-
-/// Elsewhere they are looked at on a circle, this part of a rectangle wide, on which the least must
-/// be this fraction of the largest.
-const CIRCLE: f64 = 1e-3;
+/// Looks on a circle around a place at which the slopes of both entries are nearly parallel.
 const N_LOOKS: usize = 32;
-const LEAST_SHARE: f64 = 0.02;
 
 /// Parameters, with how unequally the surface bends there, along Su and across and in between.
 #[derive(Clone, Copy)]
@@ -192,16 +185,16 @@ impl Surface {
         }
         let look = |at: DVec2| self.bend_at(at, tolerance);
         let limits = [(a.at - BEYOND * width).max(ends[0]), (c.at + BEYOND * width).min(ends[1])];
-        let (last, slopes) = descend(start, middle.at, limits, width * DIFFERENCE, look)?;
+        let (last, slopes) = descend(start, middle.at, limits, width * UMBILIC_DIFFERENCE, look)?;
         let size = corners.iter().map(Bend::size).fold(0.0, f64::max);
         // Where second derivatives jump there may be a least without an umbilic.
         let is_umbilic = last.is_even() || last.size() <= TOUCH_RELATIVE * size;
         let scaled = slopes * DMat2::from_diagonal(width);
         let is_clear = {
             let [x, y] = [scaled.x_axis, scaled.y_axis];
-            CLEAR * (x.length_squared() + y.length_squared()) < x.perp_dot(y).abs()
+            UMBILIC_CLEAR * (x.length_squared() + y.length_squared()) < x.perp_dot(y).abs()
         };
-        let is_alone = || is_alone(last.at, CIRCLE * width, look);
+        let is_alone = || is_alone(last.at, UMBILIC_CIRCLE * width, look);
         (is_umbilic && (is_clear || is_alone())).then_some(last.at)
     }
 }
@@ -218,7 +211,7 @@ fn is_alone(at: DVec2, radii: DVec2, look: impl Fn(DVec2) -> Option<Bend>) -> bo
             _ => return false,
         }
     }
-    LEAST_SHARE * most <= least
+    UMBILIC_SHARE * most <= least
 }
 
 /// Goes down to where both entries vanish, between limits, as far as that leads; with the slopes
