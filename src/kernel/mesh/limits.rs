@@ -216,14 +216,14 @@ impl Limits {
         let mut best = (1.0, balanced(1.0));
         let mut step = BALANCE_STEP;
         for _ in 0..BALANCE_ROUNDS {
-            let middle: f64 = best.0;
+            let (middle, mut is_best): (f64, bool) = (best.0, true);
             for factor in [middle / step, middle * step] {
                 let found = balanced(factor);
                 if cost(&found) < BALANCE_GAIN * cost(&best.1) {
-                    best = (factor, found);
+                    (best, is_best) = ((factor, found), false);
                 }
             }
-            if best.0 == middle {
+            if is_best {
                 step = step.sqrt();
             }
         }

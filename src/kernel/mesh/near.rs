@@ -138,7 +138,7 @@ fn steady(bend: &Bend, widths: [f64; 2]) -> Option<Steady> {
     let most: [f64; 3] = std::array::from_fn(|i| bend.lift[i][1].max(-bend.lift[i][0]));
     let rise = |i: usize| 0.5 * (widths[0] * most[i] + widths[1] * most[i + 1]);
     let swing = (rise(0) / least[0] + rise(1) / least[1]) / sine;
-    if !(swing <= FLAT_SLOPE) {
+    if swing.is_nan() || FLAT_SLOPE < swing {
         return None;
     }
     // Of a tilted plane the angle is smaller than it is seen.

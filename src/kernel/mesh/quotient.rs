@@ -10,14 +10,14 @@ use std::ops::{Add, Mul, Sub};
 
 use glam::{DVec3, DVec4};
 
-use crate::kernel::{Grid, bernstein::binomials};
+use crate::kernel::{Grid, bernstein::binomials, homogeneous};
 
 /// Vectors in whose hulls Suu, Suv and Svv are over all of a patch with positive weights; by
 /// fractions of the patch.
 pub(super) fn second_hulls(net: &Grid<DVec4>, center: DVec3) -> [Vec<DVec3>; 3] {
     let places = net.map(|point| point.truncate() - center * point.w);
     let weight = net.get(0, 0).w;
-    if net.iter().all(|point| point.w == weight) {
+    if !homogeneous::have_different_weights(net.as_slice()) {
         let (u, v) = (differences(&places), differences(&places.transposed()).transposed());
         let [uu, uv] = [differences(&u), differences(&u.transposed()).transposed()];
         let vv = differences(&v.transposed()).transposed();
