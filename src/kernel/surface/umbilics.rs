@@ -24,7 +24,11 @@ const MOST: usize = 32;
 
 /// Steps of Newton's method, and halvings of one of them.
 const MAX_STEPS: usize = 40;
-const MAX_HALVINGS: usize = 20;
+const MAX_HALVINGS: usize = 8;
+
+/// A step is slow where it leaves more than this share; so many slow ones lead nowhere.
+const SLOW: f64 = 0.9;
+const MAX_SLOW: usize = 3;
 
 /// Rectangles beyond its own that a search may go to.
 const BEYOND: f64 = 1.0;
@@ -169,20 +173,17 @@ impl Surface {
         ends: [DVec2; 2],
         tolerance: Tolerance,
     ) -> Option<DVec2> {
-        let [a, b, c, d] = corners;
+        let [a, _, c, _] = corners;
         if corners.iter().all(Bend::is_even) {
             return None;
         }
         let width = c.at - a.at;
-        let rises =
-            [b.uneven - a.uneven, d.uneven - a.uneven, c.uneven - b.uneven, c.uneven - d.uneven];
-        let most = rises.iter().fold(0.0, |most, rise| rise.length().max(most));
         let middle = self.bend_at(0.5 * (a.at + c.at), tolerance)?;
-        let all = || corners.iter().chain([&middle]);
-        let start = *all().min_by(|a, b| a.size().total_cmp(&b.size()))?;
-        if 2.0 * most < start.size() {
+        if !may_vanish(&corners, &middle) {
             return None;
         }
+        let all = || corners.iter().chain([&middle]);
+        let start = *all().min_by(|a, b| a.size().total_cmp(&b.size()))?;
         let look = |at: DVec2| self.bend_at(at, tolerance);
         let limits = [(a.at - BEYOND * width).max(ends[0]), (c.at + BEYOND * width).min(ends[1])];
         let (last, slopes) = descend(start, middle.at, limits, width * UMBILIC_DIFFERENCE, look)?;
@@ -197,6 +198,20 @@ impl Surface {
         let is_alone = || is_alone(last.at, UMBILIC_CIRCLE * width, look);
         (is_umbilic && (is_clear || is_alone())).then_some(last.at)
     }
+}
+
+/// Whether both entries may vanish together in a rectangle between four corners, counterclockwise, or
+/// half of its width beside it: whether zero lies in the parallelogram, twice as wide, that they span
+/// there were they linear, or as far from it as they are bent.
+fn may_vanish(corners: &[Bend; 4], middle: &Bend) -> bool {
+    let [a, b, c, d] = corners.map(|corner| corner.uneven);
+    let center = 0.25 * (a + b + c + d);
+    let [along_u, along_v] = [0.5 * ((b - a) + (c - d)), 0.5 * ((d - a) + (c - b))];
+    let bent = (a - b + c - d).length() + 4.0 * (middle.uneven - center).length();
+    [[along_u, along_v], [along_v, along_u]].into_iter().all(|[side, other]| {
+        let across = side.perp().normalize_or_zero();
+        center.dot(across).abs() <= other.dot(across).abs() + bent
+    })
 }
 
 /// Whether the surface bends unequally all around a place, and about as much everywhere.
@@ -234,6 +249,7 @@ fn descend(
     };
     let mut last = start;
     let mut slopes = slopes_at(&last)?;
+    let mut n_slow = 0;
     for _ in 0..MAX_STEPS {
         // Along a direction in which nothing changes there is no step.
         let squared = slopes.transpose() * slopes;
@@ -253,7 +269,11 @@ fn descend(
             step *= 0.5;
         }
         let Some(better) = next else { break };
+        n_slow = if SLOW * last.size() < better.size() { n_slow + 1 } else { 0 };
         last = better;
+        if MAX_SLOW <= n_slow {
+            break;
+        }
         slopes = slopes_at(&last)?;
     }
     Some((last, slopes))
