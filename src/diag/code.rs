@@ -199,6 +199,8 @@ codes! {
         "The construction has a result, but not all of what was asked could be promised. The message tells what was done."
     SelfIntersecting "W0002" "the result crosses itself"
         "Beside a tight bend an offset has cusps and loops: it is further away than the radius of curvature. The result is the true offset with these; a smaller distance has none. A curve that crosses the axis about which it is turned makes a surface that passes through itself, and so does a torus whose tube is thicker than its ring."
+    DegenerateResult "W0003" "the result is degenerate"
+        "There is a result, but less than was asked for, or one of many: a surface that is only a curve, surfaces that touch in a point and have no curve in common, a stretch of points that are all equally near. The message tells which."
     NotPositiveWeight "W0010" "a weight became zero or negative"
         "Between rational sections the weights swing like the points. Where the weight of a control point is not positive, the surface may leave the hull of its points; it still passes through all sections. A lower degree, `shape = \"monotone\"`, or sections with more even weights avoid it."
     FrameFlip "W0011" "a frame turns around"

@@ -148,8 +148,9 @@ impl Diagnostic {
         }
     }
 
-    /// A warning at `span`.
+    /// A warning at `span`, with the code of one.
     pub fn warning(code: Code, span: Span, message: impl Into<String>) -> Self {
+        debug_assert!(!code.is_error(), "{} is the code of an error", code.id());
         Self { severity: Severity::Warning, ..Self::error(code, span, message) }
     }
 

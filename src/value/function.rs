@@ -52,7 +52,16 @@ impl Function {
         }
     }
 
-    /// Its signature on one line.
+    /// The signature of each way to call it, each on one line.
+    #[must_use]
+    pub fn signatures(&self) -> Vec<String> {
+        match self {
+            Self::Builtin(_, ops) => ops.iter().map(|op| op.signature()).collect(),
+            _ => vec![self.signature()],
+        }
+    }
+
+    /// Its signature on one line, that of the first way to call it.
     #[must_use]
     pub fn signature(&self) -> String {
         match self {

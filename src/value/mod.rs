@@ -46,7 +46,7 @@ pub use function::{Closure, Function, Partial};
 pub use json::{from_json, to_json};
 pub use list::{Extent, List};
 pub use look::{COLOR_NAMES, Look, color_of};
-pub use number::{Dim, Number, radians_of, shortest};
+pub use number::{Dim, Number, radians_of, rounded, shortest};
 pub(crate) use op::op;
 pub use op::{Caller, Ctx, Example, Family, Op, Param, Picture, Refusal};
 pub use range::Range;

@@ -179,6 +179,12 @@ pub fn shortest(value: f64) -> String {
     text.strip_suffix(".0").unwrap_or(text).to_owned()
 }
 
+/// A measured number with six digits.
+#[must_use]
+pub fn rounded(value: f64) -> String {
+    shortest(format!("{value:.5e}").parse().unwrap_or(value))
+}
+
 /// The fewest digits of degrees that read back to the same radians.
 fn shortest_degrees(radians: f64) -> String {
     let degrees = radians * 180.0 / std::f64::consts::PI;

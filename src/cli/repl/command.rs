@@ -199,7 +199,9 @@ fn show(prompt: &mut Prompt, text: &str) {
 fn kind(prompt: &mut Prompt, text: &str) {
     for value in asked(prompt, "type", text).unwrap_or_default() {
         let phrase = match &value {
-            Value::Function(function) => format!("a function: {}", function.signature()),
+            Value::Function(function) => {
+                format!("a function: {}", function.signatures().join("\nor: "))
+            }
             Value::Curve(_) | Value::Surface(_) | Value::Mesh(_) | Value::Table(_) => {
                 format!("a {value}")
             }
@@ -380,7 +382,7 @@ fn drawn(value: &Value, columns: usize) -> Option<String> {
             (!numbers.is_empty()).then(|| in_a_row(&numbers, columns))
         }
         value => {
-            let (paths, axes) = plot::flat(&show::paths(value));
+            let (paths, axes) = plot::flat(&show::shapes(value));
             let picture = plot::drawing(&paths, columns);
             (!picture.is_empty()).then(|| format!("{picture}({axes})\n"))
         }

@@ -1,8 +1,13 @@
 //! Plots in a terminal: lines of braille signs, each with two by four dots.
 
+use std::sync::Arc;
+
 use glam::{DVec2, DVec3};
 
-use crate::value::shortest;
+use crate::{
+    kernel::{Mesh, Tolerance},
+    value::shortest,
+};
 
 /// Columns of a plot where the terminal has more.
 const MOST_COLUMNS: usize = 72;
@@ -12,6 +17,17 @@ const MOST_LINES: usize = 20;
 const DIGITS: usize = 5;
 /// Lines of a chart.
 const CHART_LINES: usize = 12;
+
+/// Triangles of a mesh that are drawn each; with more their edges would fill the picture.
+const MOST_TRIANGLES: usize = 200;
+/// The angle, in radians, between triangles from which on the edge between them is an outline.
+const CREASE: f64 = 0.5;
+
+/// What is drawn.
+pub(super) enum Shape {
+    Path(Vec<DVec3>),
+    Mesh(Arc<Mesh>),
+}
 
 /// Dots in cells of two by four.
 struct Canvas {
@@ -135,20 +151,38 @@ pub(super) fn short(value: f64, n_digits: usize) -> String {
     shortest(rounded)
 }
 
-/// Paths of space seen along the axis in which they reach least far, and the axes of the picture.
-pub(super) fn flat(paths: &[Vec<DVec3>]) -> (Vec<Vec<DVec2>>, &'static str) {
-    let points = || paths.iter().flatten().copied().filter(|point| point.is_finite());
+/// Shapes of space seen along the axis in which they reach least far, as paths, and the axes of the
+/// picture. Of a mesh of many triangles only the outlines are drawn.
+pub(super) fn flat(shapes: &[Shape]) -> (Vec<Vec<DVec2>>, &'static str) {
+    let of = |shape: &Shape| match shape {
+        Shape::Path(points) => points.clone(),
+        Shape::Mesh(mesh) => {
+            mesh.bounds().map_or(Vec::new(), |bounds| vec![bounds.min, bounds.max])
+        }
+    };
+    let ends: Vec<DVec3> = shapes.iter().flat_map(of).collect();
+    let points = || ends.iter().copied().filter(|point| point.is_finite());
     let low = points().fold(DVec3::INFINITY, DVec3::min);
     let high = points().fold(DVec3::NEG_INFINITY, DVec3::max);
     let span = high - low;
-    let (see, axes): (fn(DVec3) -> DVec2, _) = if span.z <= span.x && span.z <= span.y {
-        (|p| DVec2::new(p.x, p.y), "x to the right, y up")
+    let (toward, see, axes): (_, fn(DVec3) -> DVec2, _) = if span.z <= span.x && span.z <= span.y {
+        (DVec3::Z, |p| DVec2::new(p.x, p.y), "x to the right, y up")
     } else if span.y <= span.x {
-        (|p| DVec2::new(p.x, p.z), "x to the right, z up")
+        (DVec3::NEG_Y, |p| DVec2::new(p.x, p.z), "x to the right, z up")
     } else {
-        (|p| DVec2::new(p.y, p.z), "y to the right, z up")
+        (DVec3::X, |p| DVec2::new(p.y, p.z), "y to the right, z up")
     };
-    (paths.iter().map(|path| path.iter().copied().map(see).collect()).collect(), axes)
+    let paths = shapes.iter().flat_map(|shape| match shape {
+        Shape::Path(points) => vec![points.clone()],
+        Shape::Mesh(mesh) if mesh.n_triangles() <= MOST_TRIANGLES => {
+            mesh.corners().map(|[a, b, c]| vec![a, b, c, a]).collect()
+        }
+        Shape::Mesh(mesh) => {
+            let lines = mesh.outlines(toward, CREASE, Tolerance::default());
+            lines.into_iter().map(Vec::from).collect()
+        }
+    });
+    (paths.map(|path| path.into_iter().map(see).collect()).collect(), axes)
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::{
     super::message::{first_of, pretty},
-    plot,
+    plot::{self, Shape},
 };
 use crate::{
     kernel::{Column, Curve, Mesh, Surface, Table},
@@ -66,11 +66,16 @@ pub(super) fn whole(value: &Value, columns: usize) -> String {
         Value::Surface(surface) => of_surface(surface),
         Value::Mesh(mesh) => of_mesh(mesh),
         Value::Table(table) => return of_table(table, columns),
+        Value::Function(function) => function.signatures().join("\n") + "\n",
         _ => format!("{}\n", brief(value).unwrap_or_else(|| sized(value))),
     };
-    let paths = paths(value);
-    if paths.iter().any(|path| path.len() > 1) {
-        let (flat, axes) = plot::flat(&paths);
+    let shapes = shapes(value);
+    let is_more_than_a_point = |shape: &Shape| match shape {
+        Shape::Path(points) => 1 < points.len(),
+        Shape::Mesh(mesh) => 0 < mesh.n_triangles(),
+    };
+    if shapes.iter().any(is_more_than_a_point) {
+        let (flat, axes) = plot::flat(&shapes);
         text.push_str(&format!("{}({axes})\n", plot::drawing(&flat, columns)));
     }
     text
@@ -182,13 +187,11 @@ pub(super) fn cut(text: &str, most: usize) -> String {
 }
 
 /// What can be drawn of a value.
-pub(super) fn paths(value: &Value) -> Vec<Vec<DVec3>> {
+pub(super) fn shapes(value: &Value) -> Vec<Shape> {
     match value {
-        Value::Curve(curve) => curve.sample(N_POINTS).into_iter().collect(),
-        Value::Surface(surface) => isocurves(surface),
-        Value::Mesh(mesh) => {
-            mesh.corners().take(20_000).map(|[a, b, c]| vec![a, b, c, a]).collect()
-        }
+        Value::Curve(curve) => curve.sample(N_POINTS).into_iter().map(Shape::Path).collect(),
+        Value::Surface(surface) => isocurves(surface).into_iter().map(Shape::Path).collect(),
+        Value::Mesh(mesh) => vec![Shape::Mesh(mesh.clone())],
         Value::List(items) => {
             let points: Vec<DVec3> = items
                 .iter()
@@ -198,11 +201,11 @@ pub(super) fn paths(value: &Value) -> Vec<Vec<DVec3>> {
                 })
                 .collect();
             let others = items.iter().filter(|item| !matches!(item, Value::Point(_)));
-            let mut found: Vec<Vec<DVec3>> = others.take(500).flat_map(paths).collect();
-            found.extend(Some(points).filter(|points| !points.is_empty()));
+            let mut found: Vec<Shape> = others.take(500).flat_map(shapes).collect();
+            found.extend(Some(points).filter(|points| !points.is_empty()).map(Shape::Path));
             found
         }
-        Value::Record(record) => record.iter().flat_map(|(_, value)| paths(value)).collect(),
+        Value::Record(record) => record.iter().flat_map(|(_, value)| shapes(value)).collect(),
         _ => Vec::new(),
     }
 }

@@ -21,6 +21,7 @@ mod limits;
 mod measure;
 mod near;
 mod nearest;
+mod outline;
 mod planar;
 mod quotient;
 mod rules;

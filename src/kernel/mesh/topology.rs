@@ -129,6 +129,12 @@ impl Topology {
         self.edges.windows(2).map(|ends| &self.sides[ends[0] as usize..ends[1] as usize])
     }
 
+    /// Each edge with its triangles.
+    pub(super) fn edges_with_triangles(&self) -> impl Iterator<Item = ([u32; 2], Vec<&[u32; 3]>)> {
+        let triangle = |side: &Side| &self.triangles[side.number as usize / 3];
+        self.each_edge().map(move |sides| (sides[0].edge, sides.iter().map(triangle).collect()))
+    }
+
     /// From where to where a side goes.
     fn ends(&self, number: u32) -> [u32; 2] {
         let corners = self.triangles[number as usize / 3];

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{Ends, Spacing, check_parameters},
-    value::{At, Choice, FromValue, IntoValue, Mismatch, Type, Value, shortest},
+    value::{At, Choice, FromValue, IntoValue, Mismatch, Type, Value, rounded},
 };
 
 impl Choice for Spacing {
@@ -133,7 +133,7 @@ pub(super) fn swing(
     Some(format!(
         "between points {i} and {} the curve strays {} from their midpoint, although they are only {} apart",
         i + 1,
-        shortest(stray),
-        shortest(leg)
+        rounded(stray),
+        rounded(leg)
     ))
 }

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{Curve, NurbsCurve},
-    value::{At, Ctx, shortest},
+    value::{At, Ctx, rounded, shortest},
 };
 
 /// A curve under the name that messages call it by.
@@ -53,11 +53,6 @@ pub(super) fn pair(label: &str, curves: &Spanned<Vec<Curve>>, ctx: &Ctx<'_>) -> 
 /// `starts` or `ends`.
 pub(super) fn verb(which: usize) -> &'static str {
     ["starts", "ends"][which]
-}
-
-/// A measured number with six digits.
-pub(super) fn rounded(x: f64) -> String {
-    shortest(format!("{x:.5e}").parse().unwrap_or(x))
 }
 
 /// A measured place or vector with six digits.

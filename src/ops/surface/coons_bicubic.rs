@@ -1,10 +1,10 @@
 //! `coons_bicubic`: the surface within four boundary curves with derivatives across them.
 
-use super::boundary::{Boundary, Edge, pair, place, rounded, verb};
+use super::boundary::{Boundary, Edge, pair, place, verb};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{CrossFields, Curve, Fact, Interval, NurbsSurface, Receipt, Twists},
-    value::{At, Choice, Ctx, op},
+    value::{At, Choice, Ctx, op, rounded},
 };
 
 op! {

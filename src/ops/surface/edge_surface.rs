@@ -1,13 +1,13 @@
 //! `edge_surface`: the surface within two, three or four edges, however they lie.
 
 use super::{
-    boundary::{Edge, edges, place, rounded, verb},
+    boundary::{Edge, edges, place, verb},
     with_area,
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{Blend, Curve, NurbsCurve, NurbsSurface, Receipt},
-    value::{At, Ctx, op, shortest},
+    value::{At, Ctx, op, rounded, shortest},
 };
 
 op! {

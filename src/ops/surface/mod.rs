@@ -121,7 +121,7 @@ fn with_area(ctx: &mut Ctx<'_>, surface: NurbsSurface) -> NurbsSurface {
     if !surface.has_area() {
         let message = "the surface has no area: all of it lies on one curve, or in one point";
         let hint = "it has no normal anywhere; look for points or curves that are given twice";
-        ctx.warn(Diagnostic::warning(Code::Degenerate, ctx.span, message).hint(hint));
+        ctx.warn(Diagnostic::warning(Code::DegenerateResult, ctx.span, message).hint(hint));
     }
     surface
 }

@@ -4,11 +4,11 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
-use super::{boundary::rounded, check_axis};
+use super::check_axis;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{Axis, AxisContact, Curve, NurbsSurface},
-    value::{Angle, At, Ctx, op},
+    value::{Angle, At, Ctx, op, rounded},
 };
 
 op! {

@@ -2,11 +2,10 @@
 
 use glam::DVec3;
 
-use super::boundary::rounded;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{Axis, AxisContact, Curve, GeomError, NurbsCurve, NurbsSurface},
-    value::{At, Ctx, op},
+    value::{At, Ctx, op, rounded},
 };
 
 op! {

@@ -4,7 +4,7 @@ use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{NurbsSurface, Receipt, Surface},
     ops::positive,
-    value::{At, Ctx, Length, op, shortest},
+    value::{At, Ctx, Length, op, rounded, shortest},
 };
 
 op! {
@@ -43,7 +43,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         let [u, v] = turn.at.map(shortest);
         let message = format!(
             "the offset turns back near ({u}, {v}): the radius of curvature there is {}, within the distance {}",
-            shortest(turn.radius),
+            rounded(turn.radius),
             shortest(distance.abs()),
         );
         let hint = "a distance below the smallest radius on that side has no such place";

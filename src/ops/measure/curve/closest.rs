@@ -42,7 +42,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
             shortest(stretch.end())
         );
         let hint = "`t` is the first of the nearest places, and `count` counts the stretch once";
-        ctx.warn(Diagnostic::warning(Code::Degenerate, ctx.span, message).hint(hint));
+        ctx.warn(Diagnostic::warning(Code::DegenerateResult, ctx.span, message).hint(hint));
     }
     Ok(Record::new([
         (Arc::from("t"), Value::number(foot.parameter)),

@@ -30,13 +30,13 @@ fn section_curves(ctx: &mut Ctx<'_>, surface: &Surface, plane: Frame) -> Result<
 fn lines(ctx: &mut Ctx<'_>, set: LevelSet, what: &str) -> Vec<NurbsCurve> {
     for touch in set.touches {
         let message = format!("{what} at {} only, which is no curve", place_of(ctx, touch));
-        ctx.warn(Diagnostic::warning(Code::Degenerate, ctx.span, message));
+        ctx.warn(Diagnostic::warning(Code::DegenerateResult, ctx.span, message));
     }
     for place in set.uncertain {
         let place = place_of(ctx, place);
         let message =
             format!("{what} so closely near {place} that rounding decides where they cross");
-        ctx.warn(Diagnostic::warning(Code::Degenerate, ctx.span, message));
+        ctx.warn(Diagnostic::warning(Code::DegenerateResult, ctx.span, message));
     }
     set.curves
 }
