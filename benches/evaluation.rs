@@ -127,13 +127,21 @@ fn surface_grid_of_points(bencher: Bencher<'_, '_>, n: usize) {
 #[divan::bench(args = [100, 1000])]
 fn surface_grid_of_points_and_normals(bencher: Bencher<'_, '_>, n: usize) {
     let (surface, ts) = (surface(), in_order(n));
-    bencher.counter(ItemsCount::new(n * n)).bench(|| surface.samples_on_grid(&ts, &ts));
+    bencher.counter(ItemsCount::new(n * n)).bench(|| surface.samples_on_grid(&ts, &ts, 1));
 }
 
 #[divan::bench(args = [100, 1000])]
 fn surface_grid_mesh(bencher: Bencher<'_, '_>, n: usize) {
     let surface = surface();
-    bencher.counter(ItemsCount::new(n * n)).bench(|| grid_mesh(&surface, n - 1, n - 1, MOST));
+    bencher.counter(ItemsCount::new(n * n)).bench(|| grid_mesh(&surface, n - 1, n - 1, MOST, 1));
+}
+
+#[divan::bench(args = [2, 4])]
+fn surface_grid_mesh_by_threads(bencher: Bencher<'_, '_>, n_threads: usize) {
+    let (surface, n) = (surface(), 1000);
+    bencher
+        .counter(ItemsCount::new(n * n))
+        .bench(|| grid_mesh(&surface, n - 1, n - 1, MOST, n_threads));
 }
 
 #[divan::bench(args = [1e-2, 1e-3, 1e-4])]

@@ -25,7 +25,7 @@ fn mesh() -> Arc<Mesh> {
             DVec3::new(i as f64, j as f64, ((i * j) % 3) as f64 / std::f64::consts::PI)
         };
         let bump = NurbsSurface::bezier(&Grid::from_fn(4, 4, place)).expect("a surface");
-        Arc::new(grid_mesh(&bump, 1000, 1000, usize::MAX).expect("a mesh"))
+        Arc::new(grid_mesh(&bump, 1000, 1000, usize::MAX, 1).expect("a mesh"))
     };
     Arc::clone(MESH.get_or_init(make))
 }

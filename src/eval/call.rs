@@ -174,6 +174,7 @@ impl Machine<'_> {
         let mut ctx = Ctx {
             tolerance: env.tolerance,
             limits: env.limits,
+            n_threads: env.n_threads,
             files: &files,
             span,
             sources: env.sources,

@@ -70,6 +70,7 @@ impl Loaded<'_> {
     pub(super) fn env<'e>(&'e self, settings: Settings<'e>) -> Env<'e> {
         Env {
             limits: settings.limits,
+            n_threads: settings.n_threads,
             files: settings.files,
             tolerance: self.program.tolerance,
             unit: self.program.unit,

@@ -31,6 +31,8 @@ use crate::{
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Env<'a> {
     pub(crate) limits: &'a Limits,
+    /// How many threads a call of a built-in may use.
+    pub(crate) n_threads: usize,
     pub(crate) files: &'a dyn Files,
     pub(crate) tolerance: Tolerance,
     pub(crate) unit: Unit,

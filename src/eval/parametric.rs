@@ -119,6 +119,7 @@ impl Asked {
         let Some(home) = self.home.upgrade() else { return gone(self.span) };
         let env = Env {
             limits: &self.limits,
+            n_threads: 1,
             files: &NoFiles,
             tolerance: self.tolerance,
             unit: self.unit,

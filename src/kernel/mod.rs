@@ -29,6 +29,7 @@ mod receipt;
 mod refine;
 mod removal;
 mod roots;
+mod side_by_side;
 mod skin;
 mod surface;
 mod sweep;

@@ -15,6 +15,8 @@ pub struct Ctx<'a> {
     pub tolerance: Tolerance,
     /// The ceilings of the run.
     pub limits: &'a Limits,
+    /// How many threads may work on the call; its result does not depend on it.
+    pub n_threads: usize,
     /// Reads files that the script names.
     pub files: &'a dyn Files,
     /// The call under way, from the function's name to the closing bracket.

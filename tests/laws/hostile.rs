@@ -66,7 +66,7 @@ fn ask_surface(surface: &NurbsSurface) {
         let _ = (surface.normal_at(u, v), surface.isocurve_u(u), surface.isocurve_v(v));
     }
     let _ = (surface.edges(), surface.bounds(), tessellate(surface, 1e-2, 1000));
-    if let Ok(mesh) = grid_mesh(surface, 3, 2, 1000) {
+    if let Ok(mesh) = grid_mesh(surface, 3, 2, 1000, 1) {
         let _ = (
             mesh.area(),
             mesh.volume(),

@@ -69,7 +69,7 @@ proptest! {
 
     #[test]
     fn a_grid_mesh_has_its_counts(s in surface(), n in 1..9usize, m in 1..9usize) {
-        let mesh = grid_mesh(&s, n, m, MOST).unwrap();
+        let mesh = grid_mesh(&s, n, m, MOST, 1).unwrap();
         prop_assert!(mesh.n_vertices() == (n + 1) * (m + 1));
         prop_assert!(mesh.n_triangles() == 2 * n * m);
         prop_assert!(mesh.normals().len() == mesh.n_vertices());
@@ -79,7 +79,7 @@ proptest! {
 #[test]
 fn a_sphere_mesh_is_closed_and_faces_outward() {
     let sphere = sphere(DVec3::ZERO, 2.0);
-    let mesh = grid_mesh(&sphere, 16, 8, MOST).unwrap();
+    let mesh = grid_mesh(&sphere, 16, 8, MOST, 1).unwrap();
     // Both rows of cells at the poles lose one of their two triangles.
     assert_eq!(mesh.n_triangles(), 2 * 16 * 8 - 2 * 16);
     assert!(is_watertight_up_to(&mesh, 1e-9));
@@ -89,6 +89,16 @@ fn a_sphere_mesh_is_closed_and_faces_outward() {
     for ([a, b, c], triangle) in mesh.corners().zip(mesh.triangles()) {
         let facing = (b - a).cross(c - a);
         assert!(triangle.iter().all(|&i| facing.dot(mesh.normals()[i as usize]) > 0.0));
+    }
+}
+
+#[test]
+fn a_grid_mesh_is_the_same_by_any_number_of_threads() {
+    let sphere = sphere(DVec3::ZERO, 2.0);
+    let alone = grid_mesh(&sphere, 501, 400, MOST, 1).unwrap();
+    assert_eq!(alone.n_triangles(), 2 * 501 * 400 - 2 * 501);
+    for n_threads in [2, 3, 7] {
+        assert!(grid_mesh(&sphere, 501, 400, MOST, n_threads).unwrap() == alone);
     }
 }
 
@@ -123,7 +133,7 @@ fn a_tolerance_beyond_the_ceiling_is_refused() {
     let got = tessellate(&sphere(DVec3::ZERO, 1.0), 1e-12, 10_000);
     assert!(matches!(got, Err(GeomError::TooManyVertices { most: 10_000, .. })));
     assert!(matches!(
-        grid_mesh(&sphere(DVec3::ZERO, 1.0), usize::MAX, 3, 10_000),
+        grid_mesh(&sphere(DVec3::ZERO, 1.0), usize::MAX, 3, 10_000, 1),
         Err(GeomError::TooManyVertices { .. })
     ));
 }
@@ -152,13 +162,13 @@ fn check_facing(mesh: &Mesh) {
 #[test]
 fn triangles_face_their_normals() {
     let ball = sphere(DVec3::ZERO, 1.0);
-    check_facing(&grid_mesh(&ball, 9, 7, MOST).unwrap());
+    check_facing(&grid_mesh(&ball, 9, 7, MOST, 1).unwrap());
     check_facing(&tessellate(&ball, 1e-2, MOST).unwrap());
 }
 
 #[test]
 fn vertices_that_no_triangle_uses_are_left_out() {
-    let mesh = grid_mesh(&sphere(DVec3::ZERO, 1.0), 9, 7, MOST).unwrap();
+    let mesh = grid_mesh(&sphere(DVec3::ZERO, 1.0), 9, 7, MOST, 1).unwrap();
     let mut is_used = vec![false; mesh.n_vertices()];
     mesh.triangles().iter().flatten().for_each(|&corner| is_used[corner as usize] = true);
     assert!(is_used.into_iter().all(|is_used| is_used));

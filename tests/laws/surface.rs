@@ -88,7 +88,7 @@ proptest! {
     fn a_grid_has_the_points_and_normals_of_each_place(s in surface(), n in 1..7usize, m in 1..7usize) {
         let (us, vs) = (s.domain_u().steps(n), s.domain_v().steps(m));
         let points = s.points_on_grid(&us, &vs);
-        let samples = s.samples_on_grid(&us, &vs);
+        let samples = s.samples_on_grid(&us, &vs, 2);
         for (i, &u) in us.iter().enumerate() {
             for (j, &v) in vs.iter().enumerate() {
                 let point = s.point_at(u, v);
@@ -148,6 +148,6 @@ fn a_fan_has_normals_where_its_edge_is_a_point() {
 fn a_point_of_a_surface_has_no_normal() {
     let surface = NurbsSurface::bilinear(DVec3::ONE, DVec3::ONE, DVec3::ONE, DVec3::ONE).unwrap();
     assert!(surface.normal_at(0.5, 0.5).is_err());
-    let samples = surface.samples_on_grid(&[0.0, 0.5], &[0.5]);
+    let samples = surface.samples_on_grid(&[0.0, 0.5], &[0.5], 1);
     assert!(samples.normals.iter().all(|normal| (normal.length() - 1.0).abs() < 1e-15));
 }

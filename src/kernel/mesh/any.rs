@@ -23,7 +23,8 @@ pub fn tessellate_any(
     Mesh::merged(&meshes, max_vertices)
 }
 
-/// The mesh of `n_u` × `n_v` cells, evenly spaced in the parameters, as [`super::grid_mesh`].
+/// The mesh of `n_u` × `n_v` cells, evenly spaced in the parameters, as [`super::grid_mesh`], by up to
+/// `n_threads` threads.
 ///
 /// # Errors
 /// As [`super::grid_mesh`], and as [`Surface::point_at`].
@@ -32,10 +33,11 @@ pub fn grid_mesh_any(
     n_u: usize,
     n_v: usize,
     max_vertices: usize,
+    n_threads: usize,
 ) -> Result<Mesh, GeomError> {
     check_counts(n_u, n_v, max_vertices)?;
     let (us, vs) = (surface.domain_u().steps(n_u), surface.domain_v().steps(n_v));
-    Ok(mesh_of(surface.samples_on_grid(&us, &vs)?, &us, &vs))
+    Ok(mesh_of(surface.samples_on_grid(&us, &vs, n_threads)?, [&us, &vs], n_threads))
 }
 
 /// Points on the curve whose polygon is nowhere further than `tolerance` from it; of a function

@@ -1,13 +1,15 @@
 //! Meshes over a grid of parameters.
 
+use bytemuck::zeroed_vec;
 use glam::{DVec2, DVec3};
 
 use super::Mesh;
 use crate::kernel::{
-    Bounds, GeomError, Grid, GridSamples, NurbsSurface, tolerance::VANISHING_RELATIVE,
+    Bounds, GeomError, Grid, GridSamples, NurbsSurface, side_by_side, tolerance::VANISHING_RELATIVE,
 };
 
-/// The mesh of `n_u` × `n_v` cells, evenly spaced in the parameters, two triangles a cell.
+/// The mesh of `n_u` × `n_v` cells, evenly spaced in the parameters, two triangles a cell, made by up
+/// to `n_threads` threads.
 ///
 /// Vertex `i * (n_v + 1) + j` is the surface point at the i-th u and the j-th v; the triangles are
 /// counter-clockwise seen from Su × Sv. Where an edge of the surface is collapsed to a point,
@@ -20,9 +22,11 @@ pub fn grid_mesh(
     n_u: usize,
     n_v: usize,
     max_vertices: usize,
+    n_threads: usize,
 ) -> Result<Mesh, GeomError> {
     check_counts(n_u, n_v, max_vertices)?;
-    Ok(mesh_over(surface, &surface.domain_u().steps(n_u), &surface.domain_v().steps(n_v)))
+    let (us, vs) = (surface.domain_u().steps(n_u), surface.domain_v().steps(n_v));
+    Ok(mesh_of(surface.samples_on_grid(&us, &vs, n_threads), [&us, &vs], n_threads))
 }
 
 /// # Errors
@@ -45,20 +49,16 @@ pub(super) fn check_vertices(n_u: usize, n_v: usize, most: usize) -> Result<(), 
     if got <= most { Ok(()) } else { Err(GeomError::TooManyVertices { got, most }) }
 }
 
-/// The mesh whose vertices are the points at all pairs of the parameters.
-pub(super) fn mesh_over(surface: &NurbsSurface, us: &[f64], vs: &[f64]) -> Mesh {
-    mesh_of(surface.samples_on_grid(us, vs), us, vs)
-}
-
 /// The mesh of the points at all pairs of the parameters.
-pub(super) fn mesh_of(samples: GridSamples, us: &[f64], vs: &[f64]) -> Mesh {
+pub(super) fn mesh_of(samples: GridSamples, [us, vs]: [&[f64]; 2], n_threads: usize) -> Mesh {
     let GridSamples { points, normals } = samples;
-    let triangles = triangles_over(&points);
-    // Row by row, because a flat_map does not know its length and would move what it collects.
-    let mut uvs = Vec::with_capacity(us.len() * vs.len());
-    for &u in us {
-        uvs.extend(vs.iter().map(|&v| DVec2::new(u, v)));
-    }
+    let triangles = triangles_over(&points, n_threads);
+    let mut uvs: Vec<DVec2> = zeroed_vec(us.len() * vs.len());
+    side_by_side::each(side_by_side::parts(&mut uvs, vs.len(), n_threads), |rows| {
+        for (row, &u) in rows.values.chunks_mut(vs.len()).zip(&us[rows.first..]) {
+            row.iter_mut().zip(vs).for_each(|(uv, &v)| *uv = DVec2::new(u, v));
+        }
+    });
     let mesh = Mesh {
         vertices: points.into_values(),
         normals: normals.into_values(),
@@ -71,22 +71,32 @@ pub(super) fn mesh_of(samples: GridSamples, us: &[f64], vs: &[f64]) -> Mesh {
 }
 
 /// Two triangles for each cell of a grid of points, less those on the boundary without area.
-fn triangles_over(points: &Grid<DVec3>) -> Vec<[u32; 3]> {
-    let (n_rows, n_columns) = (points.n_rows() as u32, points.n_columns() as u32);
-    let (last_i, last_j) = (n_rows.saturating_sub(2), n_columns.saturating_sub(2));
-    let mut triangles = Vec::with_capacity(2 * (last_i as usize + 1) * (last_j as usize + 1));
-    let has_area = area_test(points);
-    for i in 0..=last_i {
-        for j in 0..=last_j {
-            let a = i * n_columns + j;
-            let (b, d) = (a + n_columns, a + 1);
-            let cell = [[a, b, b + 1], [a, b + 1, d]];
-            if i == 0 || i == last_i || j == 0 || j == last_j {
-                triangles.extend(cell.into_iter().filter(&has_area));
-            } else {
-                triangles.extend(cell);
+fn triangles_over(points: &Grid<DVec3>, n_threads: usize) -> Vec<[u32; 3]> {
+    let n_columns = points.n_columns();
+    let (n_u, n_v) = (points.n_rows() - 1, n_columns - 1);
+    let cell = |i: usize, j: usize| {
+        let a = (i * n_columns + j) as u32;
+        let (b, d) = (a + n_columns as u32, a + 1);
+        [[a, b, b + 1], [a, b + 1, d]]
+    };
+    let mut triangles: Vec<[u32; 3]> = zeroed_vec(2 * n_u * n_v);
+    side_by_side::each(side_by_side::parts(&mut triangles, 2 * n_v, n_threads), |rows| {
+        for (i, row) in (rows.first..).zip(rows.values.chunks_mut(2 * n_v)) {
+            for (j, both) in row.chunks_exact_mut(2).enumerate() {
+                both.copy_from_slice(&cell(i, j));
             }
         }
+    });
+    let has_area = area_test(points);
+    let is_on_boundary = |i: usize, j: usize| i == 0 || i == n_u - 1 || j == 0 || j == n_v - 1;
+    let across = (0..n_u).flat_map(|i| [(i, 0), (i, n_v - 1)]);
+    let mut boundary = across.chain((0..n_v).flat_map(|j| [(0, j), (n_u - 1, j)]));
+    if !boundary.all(|(i, j)| cell(i, j).iter().all(&has_area)) {
+        let mut at = 0..;
+        triangles.retain(|triangle| {
+            let at = at.next().unwrap_or(0) / 2;
+            !is_on_boundary(at / n_v, at % n_v) || has_area(triangle)
+        });
     }
     triangles
 }

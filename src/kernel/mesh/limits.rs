@@ -316,7 +316,7 @@ fn turns(surface: &NurbsSurface, ends: &[Vec<f64>; 2]) -> Grid<Form> {
         let at = |pair: &[f64]| PLACES.map(|place| pair[0] + (pair[1] - pair[0]) * place);
         ends.windows(2).flat_map(at).collect()
     });
-    let normals = surface.samples_on_grid(&us, &vs).normals;
+    let normals = surface.samples_on_grid(&us, &vs, 1).normals;
     let n = PLACES.len();
     Grid::from_fn(ends[0].len() - 1, ends[1].len() - 1, |i, j| {
         let mut most = Form::NONE;

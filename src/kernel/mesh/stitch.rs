@@ -114,7 +114,7 @@ impl Stitcher<'_, '_> {
             .lines
             .each_ref()
             .map(|lines| -> Vec<f64> { lines.iter().map(|line| line.at).collect() });
-        let samples = self.sheet.spline.samples_on_grid(&us, &vs);
+        let samples = self.sheet.spline.samples_on_grid(&us, &vs, 1);
         self.mesh.vertices = samples.points.into_values();
         self.mesh.normals = samples.normals.into_values();
         for &u in &us {

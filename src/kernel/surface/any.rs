@@ -183,13 +183,19 @@ impl Surface {
         }
     }
 
-    /// Points and unit normals at all pairs of the parameters, row i for the i-th u.
+    /// Points and unit normals at all pairs of the parameters, row i for the i-th u, of a NURBS by up
+    /// to `n_threads` threads.
     ///
     /// # Errors
     /// As [`Self::point_at`].
-    pub fn samples_on_grid(&self, us: &[f64], vs: &[f64]) -> Result<GridSamples, GeomError> {
+    pub fn samples_on_grid(
+        &self,
+        us: &[f64],
+        vs: &[f64],
+        n_threads: usize,
+    ) -> Result<GridSamples, GeomError> {
         match self {
-            Self::Nurbs(surface) => Ok(surface.samples_on_grid(us, vs)),
+            Self::Nurbs(surface) => Ok(surface.samples_on_grid(us, vs, n_threads)),
             Self::Parametric(surface) => Ok(GridSamples {
                 points: over_grid(us, vs, |u, v| surface.point_at(u, v))?,
                 normals: over_grid(us, vs, |u, v| Ok(surface.shading_normal(u, v)))?,

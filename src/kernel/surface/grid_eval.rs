@@ -4,10 +4,14 @@
 //! along u into a strip with one homogeneous sum a column, and every point of the row contracts
 //! the strip along v: p + q + 2 terms a point instead of (p + 1)(q + 1), and no basis.
 
+use bytemuck::zeroed_vec;
 use glam::{DVec3, DVec4};
 
 use super::NurbsSurface;
-use crate::kernel::{Grid, KnotVector, homogeneous};
+use crate::kernel::{
+    Grid, KnotVector, homogeneous,
+    side_by_side::{self, Rows},
+};
 
 /// Points and unit normals at all pairs of parameters; row i for the i-th u.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,33 +89,52 @@ impl NurbsSurface {
         Grid::from_rows_of(vs.len(), points)
     }
 
-    /// Points and unit normals at all pairs of the parameters, row i for the i-th u.
+    /// Points and unit normals at all pairs of the parameters, row i for the i-th u, by up to
+    /// `n_threads` threads.
     #[must_use]
-    pub fn samples_on_grid(&self, us: &[f64], vs: &[f64]) -> GridSamples {
-        let (table_u, table_v) =
-            (BasisTable::new(&self.knots_u, us), BasisTable::new(&self.knots_v, vs));
+    pub fn samples_on_grid(&self, us: &[f64], vs: &[f64], n_threads: usize) -> GridSamples {
+        let tables = [BasisTable::new(&self.knots_u, us), BasisTable::new(&self.knots_v, vs)];
+        // Memory that nobody has touched yet: whoever fills a part of it lets the system find it.
+        let mut points: Vec<DVec3> = zeroed_vec(us.len() * vs.len());
+        let mut normals: Vec<DVec3> = zeroed_vec(us.len() * vs.len());
+        let parts = side_by_side::parts(&mut points, vs.len(), n_threads)
+            .into_iter()
+            .zip(side_by_side::parts(&mut normals, vs.len(), n_threads));
+        side_by_side::each(parts.collect(), |(points, normals)| {
+            self.sample_rows(&tables, [us, vs], points, normals.values);
+        });
+        let (points, normals) =
+            (Grid::from_rows_of(vs.len(), points), Grid::from_rows_of(vs.len(), normals));
+        GridSamples { points, normals }
+    }
+
+    /// Some rows of points and normals.
+    fn sample_rows(
+        &self,
+        [table_u, table_v]: &[BasisTable; 2],
+        [us, vs]: [&[f64]; 2],
+        points: Rows<'_, DVec3>,
+        normals: &mut [DVec3],
+    ) {
         let mut strip = Vec::with_capacity(self.control_points.n_columns());
-        let mut points = Vec::with_capacity(us.len() * vs.len());
-        let mut normals = Vec::with_capacity(us.len() * vs.len());
-        for (&u, (span_u, functions_u)) in us.iter().zip(table_u.rows()) {
+        let rows_u = us.iter().zip(table_u.rows()).skip(points.first);
+        let rows = points.values.chunks_mut(vs.len()).zip(normals.chunks_mut(vs.len()));
+        for ((points, normals), (&u, (span_u, functions_u))) in rows.zip(rows_u) {
             self.contract(span_u.first, functions_u, &mut strip);
             let fold = self.fold_area / span_u.width;
-            for (&v, (span_v, functions_v)) in vs.iter().zip(table_v.rows()) {
+            let places = points.iter_mut().zip(normals);
+            for ((place, facing), (&v, (span_v, functions_v))) in
+                places.zip(vs.iter().zip(table_v.rows()))
+            {
                 let sums = Sums::over(&strip[span_v.first..], functions_v);
                 let (point, normal) = sums.point_and_normal();
                 let length = normal.length_squared().sqrt();
                 let is_regular = fold * (sums.value.w * sums.value.w) < length * span_v.width;
-                points.push(point);
-                normals.push(if is_regular {
-                    normal * (1.0 / length)
-                } else {
-                    self.shading_normal(u, v)
-                });
+                *place = point;
+                *facing =
+                    if is_regular { normal * (1.0 / length) } else { self.shading_normal(u, v) };
             }
         }
-        let (points, normals) =
-            (Grid::from_rows_of(vs.len(), points), Grid::from_rows_of(vs.len(), normals));
-        GridSamples { points, normals }
     }
 
     /// Sums every column of the net over the rows from `first` on into the strip.

@@ -36,6 +36,6 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Mesh> {
             .fail();
         }
     }
-    kernel::grid_mesh_any(&args.s, args.nu.value, args.nv.value, ctx.limits.mesh_vertices)
-        .at(ctx.span)
+    let (n_u, n_v) = (args.nu.value, args.nv.value);
+    kernel::grid_mesh_any(&args.s, n_u, n_v, ctx.limits.mesh_vertices, ctx.n_threads).at(ctx.span)
 }

@@ -1,0 +1,66 @@
+//! Large tables that several threads fill. What they hold does not depend on how many.
+
+use std::{
+    sync::{Mutex, PoisonError},
+    thread,
+};
+
+/// Values for which a further thread pays.
+const WORTH_A_THREAD: usize = 50_000;
+
+/// Some rows of a table.
+pub(super) struct Rows<'a, T> {
+    /// The number of the first.
+    pub(super) first: usize,
+    /// Their values, row after row.
+    pub(super) values: &'a mut [T],
+}
+
+/// A table with rows of `n_columns` values, in parts for up to `n_threads` threads.
+pub(super) fn parts<T>(values: &mut [T], n_columns: usize, n_threads: usize) -> Vec<Rows<'_, T>> {
+    let n_parts = n_threads.clamp(1, (values.len() / WORTH_A_THREAD).max(1));
+    let n_columns = n_columns.max(1);
+    let n_rows = (values.len() / n_columns).div_ceil(n_parts).max(1);
+    let chunks = values.chunks_mut(n_rows * n_columns).enumerate();
+    chunks.map(|(i, values)| Rows { first: i * n_rows, values }).collect()
+}
+
+/// Does `work` on all parts, each on a thread of its own as far as there are threads to be had.
+pub(super) fn each<P: Send>(parts: Vec<P>, work: impl Fn(P) + Sync) {
+    let n_parts = parts.len();
+    let waiting = Mutex::new(parts);
+    let next = || waiting.lock().unwrap_or_else(PoisonError::into_inner).pop();
+    let serve = || {
+        while let Some(part) = next() {
+            work(part);
+        }
+    };
+    thread::scope(|scope| {
+        for _ in 1..n_parts {
+            // Without it the others do its work.
+            let _ = thread::Builder::new().spawn_scoped(scope, serve);
+        }
+        serve();
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{each, parts};
+
+    #[test]
+    fn every_row_is_filled_once() {
+        for (n_rows, n_columns, n_threads) in
+            [(1000, 301, 3), (7, 3, 4), (0, 5, 2), (2, 200_000, 8)]
+        {
+            let mut values = vec![0; n_rows * n_columns];
+            each(parts(&mut values, n_columns, n_threads), |rows| {
+                for (i, row) in rows.values.chunks_mut(n_columns).enumerate() {
+                    row.iter_mut().for_each(|value| *value += rows.first + i + 1);
+                }
+            });
+            let expected = (0..n_rows).flat_map(|i| vec![i + 1; n_columns]);
+            assert!(values.into_iter().eq(expected), "{n_rows} x {n_columns} by {n_threads}");
+        }
+    }
+}
