@@ -459,7 +459,7 @@ fn boxes_without_size_and_beyond_all_bounds() {
         ] {
             let (out, err, code) = draw(large);
             assert_eq!((out.as_str(), code), ("", 2), "{large}");
-            assert_eq!(err, "virote: the geometry reaches farther than can be drawn\n");
+            assert_eq!(err, "virote: the geometry reaches farther than can be measured\n");
         }
     }
 }

@@ -40,7 +40,7 @@ mod handle {
 const FOREGROUND: usize = 7;
 
 fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
-    let mut meshes = meshes(job, tolerance(job))?.into_iter();
+    let mut meshes = meshes(job, tolerance(job)?)?.into_iter();
     let mut summary = Summary::default();
     let mut file = Dxf { text: Text::rounded(job.options.decimals), next: handle::FIRST };
     file.head(job);

@@ -24,16 +24,19 @@ pub(super) enum Exact {
 /// tolerance.
 pub(super) fn exact(item: &Item, job: &Job) -> Result<Vec<Exact>, ExportError> {
     let blame = |source: GeomError| ExportError::Geometry { name: item.name.clone(), source };
-    let tolerance = || job.options.tolerance.unwrap_or_else(|| PATH_RELATIVE * size(job));
+    let tolerance = || -> Result<f64, ExportError> {
+        let size = size(job)?;
+        Ok(job.options.tolerance.unwrap_or(PATH_RELATIVE * size))
+    };
     Ok(match &item.subject {
         Subject::Point(point) => vec![Exact::Point(*point)],
         Subject::Curve(Curve::Nurbs(curve)) => curves(item, curve)?,
         Subject::Curve(Curve::Parametric(function)) => {
-            curves(item, &function.to_nurbs(tolerance()).map_err(blame)?)?
+            curves(item, &function.to_nurbs(tolerance()?).map_err(blame)?)?
         }
         Subject::Surface(Surface::Nurbs(surface)) => surfaces(item, surface)?,
         Subject::Surface(Surface::Parametric(function)) => {
-            surfaces(item, &function.to_nurbs(tolerance()).map_err(blame)?)?
+            surfaces(item, &function.to_nurbs(tolerance()?).map_err(blame)?)?
         }
         Subject::Mesh(_) | Subject::Table(_) | Subject::Data(_) => Vec::new(),
     })

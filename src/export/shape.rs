@@ -111,15 +111,21 @@ pub(super) fn byte_color(color: DVec3) -> [u8; 3] {
 }
 
 /// How far meshes of a job may lie from their surfaces.
-pub(super) fn tolerance(job: &Job) -> f64 {
-    job.options.tolerance.unwrap_or_else(|| DEFAULT_CHORD_RELATIVE * size(job))
+pub(super) fn tolerance(job: &Job) -> Result<f64, ExportError> {
+    let size = size(job)?;
+    Ok(job.options.tolerance.unwrap_or(DEFAULT_CHORD_RELATIVE * size))
 }
 
 /// The diagonal of all items together; 1 where that is nothing.
-pub(super) fn size(job: &Job) -> f64 {
+pub(super) fn size(job: &Job) -> Result<f64, ExportError> {
     let whole = job.items.iter().filter_map(bounds).reduce(Bounds::union);
     let size = whole.map_or(0.0, Bounds::diagonal);
-    if size == 0.0 { 1.0 } else { size }
+    if size.is_finite() {
+        Ok(if size == 0.0 { 1.0 } else { size })
+    } else {
+        let problem = "reaches farther than can be measured".to_owned();
+        Err(ExportError::Unfit { name: "the geometry".to_owned(), problem })
+    }
 }
 
 /// The box around an item; none around what has no place in space or no bounds.
@@ -135,7 +141,7 @@ pub(super) fn bounds(item: &Item) -> Option<Bounds> {
 
 /// The shapes of all items, those of surfaces with common vertices on common edges.
 pub(super) fn shapes(job: &Job) -> Result<Vec<Shaped<'_>>, ExportError> {
-    let tolerance = tolerance(job);
+    let tolerance = tolerance(job)?;
     let mut meshes = meshes(job, tolerance)?.into_iter();
     let mut shapes = Vec::with_capacity(job.items.len());
     for item in &job.items {

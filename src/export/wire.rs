@@ -6,7 +6,7 @@ use glam::{DAffine3, DVec2, DVec3};
 
 use super::{
     ExportError, Item, Job, Subject,
-    shape::{Shape, bounds, byte_color, shape},
+    shape::{Shape, bounds, byte_color, shape, size},
 };
 use crate::kernel::{
     Bounds, Curve, GeomError, Interval, Mesh, NurbsCurve, Surface, Tolerance,
@@ -40,16 +40,12 @@ impl Extent {
     pub(super) fn of(job: &Job) -> Result<Self, ExportError> {
         let whole = job.items.iter().filter_map(bounds).reduce(Bounds::union);
         let whole = whole.unwrap_or(Bounds { min: DVec3::ZERO, max: DVec3::ZERO });
-        let size = whole.diagonal();
-        if !size.is_finite() {
-            let problem = "reaches farther than can be drawn".to_owned();
-            return Err(ExportError::Unfit { name: "the geometry".to_owned(), problem });
-        }
+        let size = size(job)?;
         // Of a box under a linear map: the lengths of its edges, each by its part of an axis.
         let matrix = job.options.view.matrix();
         let sides = [matrix.row(0), matrix.row(1)].map(|axis| axis.abs().dot(whole.size()));
         Ok(Self {
-            size: if size == 0.0 { 1.0 } else { size },
+            size,
             on_paper: DVec2::from(sides).length(),
             finest: PATH_ROUNDING * whole.magnitude(),
         })

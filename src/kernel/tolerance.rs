@@ -243,11 +243,11 @@ pub const HIDDEN_RELATIVE: f64 = 2.5e-4;
 /// Larger shows when one zooms in; smaller writes more pieces than anybody sees.
 pub const PATH_RELATIVE: f64 = 1e-6;
 
-/// No path or polygon of a drawing is asked to be nearer to its curve than this fraction of the
+/// No path, polygon or mesh is asked to be nearer to its curve or surface than this fraction of the
 /// largest coordinate.
 ///
-/// Larger shows corners on what is small and far from the origin; smaller asks for less than the
-/// rounding of a point, so that pieces are halved to the ceiling everywhere.
+/// Larger shows corners on what is small and far from the origin, and refuses meshes of it; smaller
+/// asks for less than the rounding of a point, so that pieces are halved to the ceiling everywhere.
 pub const PATH_ROUNDING: f64 = 4e-15;
 
 /// Coordinates of a drawing are rounded to this fraction of its size, unless the script says how.

@@ -120,6 +120,9 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         Error::KnotNeeded { .. } | Error::NotReducible { .. } => {
             "allow a larger tolerance, or keep the curve as it is".to_owned()
         }
+        Error::ToleranceBelowRounding { .. } => {
+            "bring the geometry nearer to the origin, or allow a larger tolerance".to_owned()
+        }
         Error::Gap { reversed: Some(index), .. } => {
             format!("`reversed(curves[{index}])` would fit")
         }

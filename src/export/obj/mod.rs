@@ -34,7 +34,7 @@ struct Written {
 }
 
 fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
-    let tolerance = tolerance(job);
+    let tolerance = tolerance(job)?;
     let mut text = Text::rounded(job.options.decimals);
     text.push("# unit: ").push(job.unit).push("\n");
     let (mut written, mut summary) = (Written::default(), Summary::default());

@@ -162,6 +162,9 @@ impl Scene {
     /// The hidden intervals of a segment on 0..1, in order and apart.
     fn hidden(&self, a: DVec3, b: DVec3) -> Vec<[f64; 2]> {
         let mut hidden: Vec<[f64; 2]> = Vec::new();
+        if self.triangles.is_empty() {
+            return hidden;
+        }
         let length = (b - a).truncate().length();
         let n_steps = (length / (STEP * self.cell)).ceil().clamp(1.0, MOST_CELLS as f64) as usize;
         for step in 0..n_steps {
@@ -187,7 +190,10 @@ impl Scene {
 impl Triangle {
     /// None for what is seen from the edge, and hides nothing.
     fn new([a, b, c]: [DVec3; 3]) -> Option<Self> {
-        let normal = (b - a).cross(c - a).try_normalize()?;
+        let sides = [b - a, c - a];
+        // Of sides of any size the product is one.
+        let scale = 1.0 / sides[0].abs().max(sides[1].abs()).max_element();
+        let normal = (sides[0] * scale).cross(sides[1] * scale).try_normalize()?;
         if normal.z < 0.0 {
             Some(Self { corners: [a, c, b], normal: -normal })
         } else {

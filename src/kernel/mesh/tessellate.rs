@@ -7,7 +7,10 @@
 use glam::{DVec3, DVec4};
 
 use super::{Mesh, MeshLimits, limits::Limits, seam::Seams, sheet::Sheet, stitch::stitched};
-use crate::kernel::{GeomError, NurbsCurve, NurbsSurface, Surface, bezier, homogeneous::project};
+use crate::kernel::{
+    GeomError, NurbsCurve, NurbsSurface, Surface, bezier, homogeneous::project,
+    tolerance::PATH_ROUNDING,
+};
 
 /// Halvings of a piece of a curve, past the last bit of its parameter.
 const MAX_HALVINGS: usize = 52;
@@ -72,6 +75,11 @@ fn meshes_of(
     limits: &MeshLimits,
     max_vertices: usize,
 ) -> Result<Vec<Mesh>, GeomError> {
+    for sheet in &sheets {
+        let [u, v] = sheet.domains();
+        let ends = [sheet.point_at(u.start(), v.start())?, sheet.point_at(u.end(), v.end())?];
+        check_rounding(limits.tolerance, ends)?;
+    }
     let seams = Seams::of(&mut sheets, limits)?;
     let all: Vec<Limits> = sheets.iter().map(|sheet| sheet.limits(limits)).collect();
     let mut sharpness = vec![1.0; sheets.len()];
@@ -107,6 +115,19 @@ fn meshes_of(
     }
 }
 
+/// # Errors
+/// [`GeomError::ToleranceBelowRounding`] where the ends of the geometry are so far away that places
+/// cannot be told apart within the tolerance.
+fn check_rounding(tolerance: f64, ends: [DVec3; 2]) -> Result<(), GeomError> {
+    let far = ends[0].abs().max(ends[1].abs()).max_element();
+    let rounding = PATH_ROUNDING * far;
+    if rounding <= tolerance {
+        Ok(())
+    } else {
+        Err(GeomError::ToleranceBelowRounding { tolerance, rounding })
+    }
+}
+
 /// The largest angle between normals at the corners of a triangle, of those with a side longer than
 /// the tolerance: where a surface has no normal, no size would do.
 fn widest_turn(mesh: &Mesh, tolerance: f64) -> f64 {
@@ -131,14 +152,15 @@ fn widest_turn(mesh: &Mesh, tolerance: f64) -> f64 {
 /// A piece is halved until the control points of its quarters are that near to its chord.
 ///
 /// # Errors
-/// [`GeomError::NotPositive`] for the tolerance; [`GeomError::TooManyVertices`] where it would
-/// need more than the ceiling.
+/// [`GeomError::NotPositive`] for the tolerance; [`GeomError::ToleranceBelowRounding`];
+/// [`GeomError::TooManyVertices`] where it would need more than the ceiling.
 pub fn tessellate_curve(
     curve: &NurbsCurve,
     tolerance: f64,
     max_points: usize,
 ) -> Result<Vec<DVec3>, GeomError> {
     MeshLimits::within(tolerance).check()?;
+    check_rounding(tolerance, [curve.start(), curve.end()])?;
     let mut points = vec![curve.start()];
     for span in curve.knots().spans() {
         let piece = bezier::piece(curve.knots(), curve.control_points(), span);
