@@ -369,6 +369,21 @@ fn a_double_cone_and_a_spindle_are_none_of_them() {
 }
 
 #[test]
+fn a_disc_that_is_almost_flat_is_no_part_of_a_huge_sphere() {
+    for rise in [1e-5, 1e-6, 1e-7, 1e-8] {
+        let slope = line([1.0, 0.0, 0.0], [2.0, 0.0, rise]);
+        let found = turned(&slope, TAU).analytic(SAME).map(|found| found.form);
+        assert!(matches!(found, None | Some(AnalyticForm::Cone { .. })), "{found:?}");
+    }
+}
+
+#[test]
+fn what_is_no_wider_than_points_that_are_one_is_none_of_them() {
+    is_none_of_them(&NurbsSurface::torus(Frame::XY, 1.0, 0.5 * SAME).unwrap());
+    is_none_of_them(&NurbsSurface::cone(Frame::XY, [0.5 * SAME; 2], 1.0).unwrap());
+}
+
+#[test]
 fn numbers_are_those_of_the_script() {
     let frame = Frame::XY.at(DVec3::new(30.0, 0.1, -7.0));
     let ball = NurbsSurface::sphere(frame, 4.3).unwrap();

@@ -15,11 +15,14 @@ use crate::kernel::{
     bezier,
     frame::{norm, unit},
     homogeneous,
-    tolerance::{ANALYTIC_RELATIVE, SIGN_RELATIVE},
+    tolerance::{ANALYTIC_RELATIVE, LAST_BIT, SIGN_RELATIVE},
 };
 
 /// Halvings of a piece until it goes by less than half a turn, which its control points show.
 const MAX_HALVINGS: usize = 6;
+
+/// Last bits of the radius that the equation of a circle may lose.
+const ROUNDINGS: f64 = 4.0;
 
 /// A curve with an equation, run through once from one end to the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,7 +94,7 @@ impl NurbsCurve {
         self.arc_about(rounded_place(center, allowed), normal, allowed)
     }
 
-    /// The arc about a centre in the plane of a normal that it is.
+    /// The arc about a centre in the plane of a normal that it is up to a distance.
     pub(in crate::kernel) fn arc_about(
         &self,
         center: DVec3,
@@ -103,6 +106,10 @@ impl NurbsCurve {
         let (normal, x) = (digits(normal)?, digits(start - center)?);
         let frame = Frame::from_normal(center, normal, Some(x)).ok()?;
         let radius = rounded(norm(start - center), allowed);
+        // So wide a circle that its centre is not known well enough, or its equation.
+        if allowed < ROUNDINGS * LAST_BIT * radius {
+            return None;
+        }
         let map = frame.from_space();
         let mut turn = 0.0;
         for span in self.knots.spans() {

@@ -19,7 +19,11 @@ use crate::kernel::{
 };
 
 /// Halvings, along u and v in turns, after which a patch has not told the sign of something.
-const MAX_HALVINGS: usize = 6;
+const MAX_HALVINGS: usize = 4;
+
+/// Products of two coefficients in the square of a surface's polynomials above which it is not
+/// looked at: a moment's work.
+const MAX_WORK: usize = 100_000_000;
 
 /// A surface with an equation, in the coordinates of a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,14 +72,18 @@ pub struct AnalyticSurface {
 impl NurbsSurface {
     /// The plane, cylinder, cone, sphere or torus that it is a part of up to rounding.
     ///
-    /// None for any other surface; for one with weights of zero or below; for one that covers a
-    /// part of it twice, turns back, has two sides of an apex or is of a torus that meets itself;
-    /// for one whose parameter lines are not the circles and meridians of it, unless it is a
-    /// plane. Edges within `distance` of one another are taken for one, and are one up to rounding
-    /// then.
+    /// None for any other surface, and for some with a hundred thousand patches or more; for one
+    /// with weights of zero or below; for one that covers a part of it twice, turns back, has two
+    /// sides of an apex, is of a torus that meets itself or no wider than `distance`; for one whose
+    /// parameter lines are not the circles and meridians of it, unless it is a plane. Edges within
+    /// `distance` of one another are taken for one, and are one up to rounding then.
     #[must_use]
     pub fn analytic(&self, distance: f64) -> Option<AnalyticSurface> {
         let has_points = 0 < self.degree_u() && 0 < self.degree_v();
+        let ([n, m], order) = (self.n_patches(), (self.degree_u() + 1) * (self.degree_v() + 1));
+        if MAX_WORK < n.saturating_mul(m).saturating_mul(order * order) {
+            return None;
+        }
         if !has_points || self.control_points.iter().any(|point| point.w <= 0.0) {
             return None;
         }
@@ -84,8 +92,8 @@ impl NurbsSurface {
         if let Some(plane) = self.plane_form(allowed, distance, closed) {
             return Some(plane);
         }
-        self.revolved_form(allowed, closed).or_else(|| {
-            let found = self.swapped().revolved_form(allowed, [closed[1], closed[0]])?;
+        self.revolved_form(allowed, distance, closed).or_else(|| {
+            let found = self.swapped().revolved_form(allowed, distance, [closed[1], closed[0]])?;
             // With u and v exchanged Su × Sv turns around.
             Some(AnalyticSurface { is_outward: !found.is_outward, ..found })
         })

@@ -16,7 +16,12 @@ use crate::kernel::{
 
 impl NurbsSurface {
     /// The surface about an axis that it is, with u around.
-    pub(super) fn revolved_form(&self, allowed: f64, closed: [bool; 2]) -> Option<AnalyticSurface> {
+    pub(super) fn revolved_form(
+        &self,
+        allowed: f64,
+        distance: f64,
+        closed: [bool; 2],
+    ) -> Option<AnalyticSurface> {
         let middle = self.domain_v().at(0.5);
         let circle = self.isocurve_v(middle).analytic_within(allowed)?;
         let AnalyticCurve::Circle { mut frame, radius, turn } = circle else { return None };
@@ -29,6 +34,10 @@ impl NurbsSurface {
         let flat = DAffine3::from_scale(DVec3::new(1.0, 0.0, 1.0));
         let meridian = line.transformed(&frame.from_space()).transformed(&flat);
         let found = Meridian::of(&meridian, allowed)?;
+        let is_thin = matches!(found.form, AnalyticForm::Torus { minor, .. } if minor <= distance);
+        if is_thin || radius <= distance {
+            return None;
+        }
         let is_full = [TAU <= turn, found.is_full];
         if is_full != closed || !local.is_product(&around, radius, &meridian, allowed) {
             return None;
