@@ -173,6 +173,7 @@ impl Machine<'_> {
         let files = Beside { files: env.files, folder: &home.folder, reads: self.reads.clone() };
         let mut ctx = Ctx {
             tolerance: env.tolerance,
+            unit: env.unit.name(),
             limits: env.limits,
             n_threads: env.n_threads,
             files: &files,

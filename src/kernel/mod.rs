@@ -38,8 +38,9 @@ pub mod tolerance;
 
 pub use bounds::Bounds;
 pub use curve::{
-    CircleForm, ConicKind, Continuity, Curve, CurveEvaluator, CurveFunction, Foot, LocalGeometry,
-    Meeting, Neighbourhood, NurbsCurve, Offset, ParametricCurve, PlaceKind, join, make_compatible,
+    AnalyticCurve, CircleForm, ConicKind, Continuity, Curve, CurveEvaluator, CurveFunction, Foot,
+    LocalGeometry, Meeting, Neighbourhood, NurbsCurve, Offset, ParametricCurve, PlaceKind, join,
+    make_compatible,
 };
 pub use datum::{Datum, Deviation};
 pub use error::GeomError;
@@ -62,11 +63,11 @@ pub use mesh::{
 pub use receipt::{Fact, Receipt};
 pub use skin::{Alignment, Along, Rule, Sections, Skin, aligned, at_constant_speed};
 pub use surface::{
-    Axis, AxisContact, Blend, CrossFields, Defects, Direction, Edge, GridSamples, LevelSet, Mass,
-    NurbsSurface, ParametricSurface, PictureError, Piercing, Principal, ShellError, Surface,
-    SurfaceContinuity, SurfaceEvaluator, SurfaceFoot, SurfaceFunction, SurfaceKind, SurfaceOffset,
-    SurfaceShape, Turn, Twists, area_mass, join_patches, make_surfaces_compatible, principal_axes,
-    volume_mass,
+    AnalyticForm, AnalyticSurface, Axis, AxisContact, Blend, CrossFields, Defects, Direction, Edge,
+    GridSamples, LevelSet, Mass, NurbsSurface, ParametricSurface, PictureError, Piercing,
+    Principal, ShellError, Surface, SurfaceContinuity, SurfaceEvaluator, SurfaceFoot,
+    SurfaceFunction, SurfaceKind, SurfaceOffset, SurfaceShape, Turn, Twists, area_mass,
+    join_patches, make_surfaces_compatible, principal_axes, volume_mass,
 };
 pub use sweep::{
     Axes, Fineness, Frames, Framing, Held, Leg, Motion, Sweep, legs, mitred, overreaches, swept,

@@ -298,6 +298,13 @@ pub const TURN_MARGIN: f64 = 1e-3;
 /// Larger takes a flat ellipse for a circle; smaller takes none for one after a rotation.
 pub const ROUND_RELATIVE: f64 = 1e-13;
 
+/// A spline is a line, circle, plane, cylinder, cone, sphere or torus when it is nowhere further from
+/// it than this fraction of its largest coordinate.
+///
+/// Larger writes what somebody moved on purpose as what it is not; smaller takes none for one after
+/// it was turned, elevated and given knots.
+pub const ANALYTIC_RELATIVE: f64 = 1e-13;
+
 /// Bernstein coefficients of a product of polynomials below this fraction of the factors' largest
 /// ones are rounding: they have no sign.
 ///

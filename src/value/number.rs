@@ -85,6 +85,27 @@ impl Dim {
     }
 }
 
+impl Dim {
+    /// The unit of numbers as they are kept, in this unit of length and in radians: `mm`, `mm^2`,
+    /// `rad`; none of a bare number.
+    #[must_use]
+    pub fn unit(self, length: &str) -> Option<String> {
+        let powers = [(length, self.length), ("rad", self.angle)];
+        let parts = powers.into_iter().filter(|&(_, power)| power != 0);
+        let parts = parts.map(|(name, power)| format!("{name}{}", exponent(power)));
+        (!self.is_none()).then(|| parts.collect::<Vec<_>>().join("·"))
+    }
+}
+
+/// A power in sixths as it stands behind what is raised; nothing for 1.
+fn exponent(power: i8) -> String {
+    match (power % WHOLE, power / WHOLE) {
+        (0, 1) => String::new(),
+        (0, whole) => format!("^{whole}"),
+        _ => format!("^({power}/{WHOLE})"),
+    }
+}
+
 /// As a noun: `a length`, `an area`, `an angle`, `length^-1`.
 impl fmt::Display for Dim {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -107,11 +128,7 @@ impl fmt::Display for Dim {
             }
             write!(f, "{}{name}", if first { "" } else { "·" })?;
             first = false;
-            match (power % WHOLE, power / WHOLE) {
-                (0, 1) => {}
-                (0, whole) => write!(f, "^{whole}")?,
-                _ => write!(f, "^({power}/{WHOLE})")?,
-            }
+            f.write_str(&exponent(power))?;
         }
         Ok(())
     }

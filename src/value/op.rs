@@ -13,6 +13,8 @@ use crate::{
 pub struct Ctx<'a> {
     /// The document's tolerance.
     pub tolerance: Tolerance,
+    /// The document's unit of length, by name.
+    pub unit: &'static str,
     /// The ceilings of the run.
     pub limits: &'a Limits,
     /// How many threads may work on the call; its result does not depend on it.

@@ -1,3 +1,6 @@
 let a = load("data/letters.obj")
 let b = load("data/index.obj")
 let c = load("data/empty.obj")
+let d = load("data/infinite.obj")
+let e = load("data/texture.obj")
+let f = load("data/numbers.obj")

@@ -21,14 +21,17 @@ def tell(file, reader, what, ok):
         FAILED.append((file, reader, what))
 
 
-def basis(knots, degree, t):
-    """The values of all B-splines at t."""
+def span_at(knots, degree, t):
     n = len(knots) - degree - 1
-    end = knots[n]
+    return max(i for i in range(degree, n) if knots[i] < knots[i + 1] and knots[i] <= min(t, knots[n]))
+
+
+def basis(knots, degree, t, span=None, up_to=None):
+    """The values of all B-splines at t."""
     values = [0.0] * (len(knots) - 1)
-    span = max(i for i in range(degree, n) if knots[i] < knots[i + 1] and knots[i] <= min(t, end))
-    values[span] = 1.0
-    for p in range(1, degree + 1):
+    values[span_at(knots, degree, t) if span is None else span] = 1.0
+    up_to = degree if up_to is None else up_to
+    for p in range(1, up_to + 1):
         for i in range(len(knots) - p - 1):
             left = (t - knots[i]) / (knots[i + p] - knots[i]) * values[i] if knots[i + p] > knots[i] else 0.0
             right = (
@@ -37,11 +40,31 @@ def basis(knots, degree, t):
                 else 0.0
             )
             values[i] = left + right
-    return np.array(values[:n])
+    return np.array(values[: len(knots) - up_to - 1])
+
+
+def slopes(knots, degree, t):
+    """The derivatives of all B-splines at t."""
+    lower = basis(knots, degree, t, span_at(knots, degree, t), degree - 1)
+    found = np.zeros(len(knots) - degree - 1)
+    for i in range(len(found)):
+        for k, sign in [(i, 1), (i + 1, -1)]:
+            if knots[k + degree] > knots[k]:
+                found[i] += sign * degree * lower[k] / (knots[k + degree] - knots[k])
+    return found
+
+
+def nodes(knots, degree):
+    """Places and weights of an integral over all spans, by Gauss and Legendre."""
+    at, weights = np.polynomial.legendre.leggauss(24)
+    ends = sorted(set(knots[degree : len(knots) - degree]))
+    for a, b in zip(ends, ends[1:]):
+        yield from zip(0.5 * (a + b) + 0.5 * (b - a) * at, 0.5 * (b - a) * weights)
 
 
 class Curve:
-    def __init__(self, data):
+    def __init__(self, data, name=""):
+        self.name = name
         self.degree, self.knots = data["degree"], data["knots"]
         self.net = np.array(data["homogeneous"])
         self.domain = self.knots[self.degree], self.knots[len(self.knots) - self.degree - 1]
@@ -51,9 +74,17 @@ class Curve:
         point = basis(self.knots, self.degree, t) @ self.net
         return point[:3] / point[3]
 
+    def length(self):
+        total = 0.0
+        for t, weight in nodes(self.knots, self.degree):
+            point, slope = (f(self.knots, self.degree, t) @ self.net for f in (basis, slopes))
+            total += weight * np.linalg.norm(slope[:3] - point[:3] / point[3] * slope[3]) / point[3]
+        return total
+
 
 class Surface:
-    def __init__(self, data):
+    def __init__(self, data, name=""):
+        self.name = name
         self.degrees = data["degree_u"], data["degree_v"]
         self.knots = data["knots_u"], data["knots_v"]
         self.net = np.array(data["homogeneous"])
@@ -67,28 +98,59 @@ class Surface:
         point = np.einsum("i,j,ijk->k", rows[0], rows[1], self.net)
         return point[:3] / point[3]
 
+    def across(self, rows, steps):
+        """Su x Sv from the B-splines and their derivatives along both parameters."""
+        pairs = [(rows[0], rows[1]), (steps[0], rows[1]), (rows[0], steps[1])]
+        point, u, v = (np.einsum("i,j,ijk->k", *pair, self.net) for pair in pairs)
+        place = point[:3] / point[3]
+        return np.cross(*((d[:3] - place * d[3]) / point[3] for d in (u, v)))
+
+    def normal(self, s, r):
+        at = [(k, p, a + f * (b - a)) for k, p, (a, b), f in zip(self.knots, self.degrees, self.domains, (s, r))]
+        return self.across([basis(*place) for place in at], [slopes(*place) for place in at])
+
+    def area(self):
+        lines = [
+            [(basis(k, p, t), slopes(k, p, t), weight) for t, weight in nodes(k, p)]
+            for k, p in zip(self.knots, self.degrees)
+        ]
+        total = 0.0
+        for row, step, weight in lines[0]:
+            for other, other_step, other_weight in lines[1]:
+                normal = self.across([row, other], [step, other_step])
+                total += weight * other_weight * np.linalg.norm(normal)
+        return total
+
 
 def exact(name):
     """Our curves and surfaces by kind, in their order."""
     found = {"curve": [], "surface": [], "point": []}
 
-    def walk(value):
+    def walk(name, value):
         if isinstance(value, list):
             for member in value:
-                walk(member)
+                walk(name, member)
         elif isinstance(value, dict):
             kind = value.get("virote")
             if kind == "curve":
-                found["curve"].append(Curve(value))
+                found["curve"].append(Curve(value, name))
             elif kind == "surface":
-                found["surface"].append(Surface(value))
+                found["surface"].append(Surface(value, name))
             elif kind == "point":
                 found["point"].append(np.array(value["xyz"]))
 
-    for value in json.loads((OUT / name).read_text())["values"].values():
-        walk(value)
+    for key, value in json.loads((OUT / name).read_text())["values"].items():
+        walk(key, value)
     return found
 
+
+# What STEP has by an equation; all else are B-splines.
+KINDS = {
+    "tube": "Cylinder", "ball": "Sphere", "ring": "Torus", "hat": "Cone", "flat": "Plane", "crate": "Plane",
+    "half": "Plane", "disk": "Plane", "washer": "Plane", "dome": "Sphere", "zone": "Sphere", "elbow": "Torus",
+    "fillet": "Torus", "funnel": "Cone", "bore": "Cylinder", "gutter": "Cylinder", "moved": "Sphere",
+    "leg": "Line", "round": "Circle", "part": "Circle", "infinite": "Line",
+}
 
 PLACES = [0.0, 0.1, 0.25, 0.3, 0.5, 0.613, 0.77, 0.9, 1.0]
 
@@ -133,7 +195,11 @@ def opencascade(file, kind, ours, unit):
             if not BRepCheck_Analyzer(face).IsValid():
                 print("invalid face", i, file=sys.stderr)
         tell(file, "OpenCASCADE", f"{len(faces)} faces", len(faces) == len(ours["surface"]) + N_PARAMETRIC)
+        if file.endswith(".step"):
+            compare_faces(file, [as_face(face) for face in faces], ours["surface"], unit)
         for face, mine in zip(faces, ours["surface"]):
+            if file.endswith(".step") and KINDS.get(mine.name):
+                continue
             theirs = BRep_Tool.Surface_s(as_face(face))
             u0, u1, v0, v1 = theirs.Bounds()
             for s in PLACES:
@@ -143,7 +209,11 @@ def opencascade(file, kind, ours, unit):
     else:
         edges = list(parts(TopAbs_EDGE, TopAbs_FACE))
         tell(file, "OpenCASCADE", f"{len(edges)} edges", len(edges) == len(ours["curve"]) + N_PARAMETRIC)
+        if file.endswith(".step"):
+            compare_edges(file, [as_edge(edge) for edge in edges], ours["curve"], unit)
         for edge, mine in zip(edges, ours["curve"]):
+            if file.endswith(".step") and KINDS.get(mine.name):
+                continue
             theirs, a, b = BRep_Tool.Curve_s(as_edge(edge), 0.0, 1.0), None, None
             first, last = theirs.FirstParameter(), theirs.LastParameter()
             for s in PLACES:
@@ -154,9 +224,93 @@ def opencascade(file, kind, ours, unit):
             p = BRep_Tool.Pnt_s(as_vertex(vertex))
             worst = max(worst, np.linalg.norm(np.array([p.X(), p.Y(), p.Z()]) - unit * mine))
         tell(file, "OpenCASCADE", f"{len(points)} points", len(points) == len(ours["point"]))
-    tell(file, "OpenCASCADE", f"points at equal parameters within {worst:.1e} mm", worst < 1e-9)
+    tell(file, "OpenCASCADE", f"points{' of B-splines' if file.endswith('.step') else ''} at equal parameters within {worst:.1e} mm", worst < 1e-9)
     if file.endswith(".step"):
         looks(file)
+
+
+def kind_of(adaptor):
+    return str(adaptor.GetType()).split("_")[-1]
+
+
+def told(kinds):
+    return ", ".join(f"{kinds.count(kind)} {kind}" for kind in sorted(set(kinds)))
+
+
+def compare_faces(file, faces, ours, unit):
+    """Kinds, points, sides and areas of faces; what has an equation has parameters of its own."""
+    from OCP.BRep import BRep_Tool
+    from OCP.BRepAdaptor import BRepAdaptor_Surface
+    from OCP.BRepClass import BRepClass_FaceClassifier
+    from OCP.BRepGProp import BRepGProp
+    from OCP.GeomLProp import GeomLProp_SLProps
+    from OCP.gp import gp_Pnt, gp_Pnt2d
+    from OCP.GProp import GProp_GProps
+    from OCP.ShapeAnalysis import ShapeAnalysis_Surface
+    from OCP.TopAbs import TopAbs_OUT, TopAbs_REVERSED
+
+    kinds, gap, miss, are_inside, are_outward = [], 0.0, 0.0, True, True
+    for face, mine in zip(faces, ours):
+        kind = kind_of(BRepAdaptor_Surface(face, True))
+        kinds.append(kind)
+        if kind != KINDS.get(mine.name, "BSplineSurface"):
+            tell(file, "OpenCASCADE", f"{mine.name} is a {kind}", False)
+        if not KINDS.get(mine.name):
+            continue
+        properties = GProp_GProps()
+        BRepGProp.SurfaceProperties_s(face, properties, 1e-11)
+        area = unit**2 * mine.area()
+        miss = max(miss, abs(properties.Mass() - area) / area)
+        surface = BRep_Tool.Surface_s(face)
+        analysis = ShapeAnalysis_Surface(surface)
+        turned = -1.0 if face.Orientation() == TopAbs_REVERSED else 1.0
+        for s in PLACES:
+            for r in PLACES:
+                uv = analysis.ValueOfUV(gp_Pnt(*map(float, unit * mine.at(s, r))), 1e-7)
+                gap = max(gap, analysis.Gap())
+                if not (0.0 < s < 1.0 and 0.0 < r < 1.0):
+                    continue
+                # The parameters of a face may begin in any turn.
+                turns = [gp_Pnt2d(uv.X() + i * 2 * np.pi, uv.Y() + j * 2 * np.pi) for i in (-1, 0, 1) for j in (-1, 0, 1)]
+                states = [BRepClass_FaceClassifier(face, place, 1e-7).State() for place in turns]
+                are_inside &= any(state != TopAbs_OUT for state in states)
+                normal = GeomLProp_SLProps(surface, uv.X(), uv.Y(), 1, 1e-9).Normal()
+                side = turned * np.dot(mine.normal(s, r), [normal.X(), normal.Y(), normal.Z()])
+                are_outward &= bool(0.0 < side)
+    tell(file, "OpenCASCADE", f"kinds: {told(kinds)}", True)
+    tell(file, "OpenCASCADE", f"points of those with an equation within {gap:.1e} mm", gap < 1e-9)
+    tell(file, "OpenCASCADE", "points of those inside of the faces, normals to the same side", are_inside and are_outward)
+    tell(file, "OpenCASCADE", f"areas of those within {miss:.1e} of themselves", miss < 1e-9)
+
+
+def compare_edges(file, edges, ours, unit):
+    """Kinds, points and lengths of edges; what has an equation has a parameter of its own."""
+    from OCP.BRepAdaptor import BRepAdaptor_Curve
+    from OCP.BRep import BRep_Tool
+    from OCP.GCPnts import GCPnts_AbscissaPoint
+    from OCP.GeomAPI import GeomAPI_ProjectPointOnCurve
+    from OCP.gp import gp_Pnt
+
+    kinds, gap, miss = [], 0.0, 0.0
+    for edge, mine in zip(edges, ours):
+        adaptor = BRepAdaptor_Curve(edge)
+        kinds.append(kind_of(adaptor))
+        if kinds[-1] != KINDS.get(mine.name, "BSplineCurve"):
+            tell(file, "OpenCASCADE", f"{mine.name} is a {kinds[-1]}", False)
+        if not KINDS.get(mine.name):
+            continue
+        length = unit * mine.length()
+        miss = max(miss, abs(GCPnts_AbscissaPoint.Length_s(adaptor) - length) / length)
+        curve = BRep_Tool.Curve_s(edge, 0.0, 1.0)
+        for s in PLACES:
+            point = unit * mine.at(s)
+            gap = max(gap, GeomAPI_ProjectPointOnCurve(gp_Pnt(*map(float, point)), curve).LowerDistance())
+        for t, s in [(adaptor.FirstParameter(), 0.0), (adaptor.LastParameter(), 1.0)]:
+            end = adaptor.Value(t)
+            gap = max(gap, np.linalg.norm(np.array([end.X(), end.Y(), end.Z()]) - unit * mine.at(s)))
+    tell(file, "OpenCASCADE", f"kinds: {told(kinds)}", True)
+    tell(file, "OpenCASCADE", f"points of those with an equation within {gap:.1e} mm", gap < 1e-9)
+    tell(file, "OpenCASCADE", f"lengths of those within {miss:.1e} of themselves", miss < 1e-9)
 
 
 def looks(file):

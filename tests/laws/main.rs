@@ -4,6 +4,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot build its example fails")]
 
+mod analytic;
 mod basis;
 mod bodies;
 mod breakers;

@@ -1,11 +1,13 @@
-//! STEP: exact B-spline curves and surfaces, in the document's unit, with names, colours and layers.
+//! STEP: exact curves and surfaces, in the document's unit, with names, colours and layers.
 //!
 //! ISO 10303-214 (AP214), a part for each definition: surfaces as faces of open shells, whose edges
-//! are their border lines, curves and points as a set. `entity` writes records of ISO 10303-21,
-//! `shape` those of geometry and topology (ISO 10303-42), `style` colours and layers
-//! (ISO 10303-46).
+//! are their border lines, curves and points as a set. What is a line, circle, plane, cylinder, cone,
+//! sphere or torus is written as that, all else as B-splines. `entity` writes records of
+//! ISO 10303-21, `shape` those of topology and B-splines, `form` those of geometry with an equation
+//! (both ISO 10303-42), `style` colours and layers (ISO 10303-46).
 
 mod entity;
+mod form;
 mod shape;
 mod style;
 
@@ -16,6 +18,7 @@ use super::{
     ExportError, Format, Item, Job, Subject, Summary,
     exact::{Exact, exact},
 };
+use crate::kernel::Frame;
 
 pub(super) static FORMAT: Format = Format {
     ending: "step",
@@ -90,7 +93,7 @@ impl Document {
                 .text(",'design')");
         });
         let context = context(job, file);
-        let placement = shape::placement(file);
+        let placement = shape::placement(Frame::XY, file);
         Self { product, definition, context, placement }
     }
 

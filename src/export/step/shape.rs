@@ -1,23 +1,30 @@
 //! Geometry and topology. ISO 10303-42.
 
+use std::f64::consts::TAU;
+
 use glam::DVec3;
 
 use super::{
     super::{ExportError, Item, Job},
     entity::{Id, Records},
+    form,
 };
-use crate::kernel::{Grid, KnotVector, NurbsCurve, NurbsSurface, Tolerance};
+use crate::kernel::{
+    AnalyticCurve, AnalyticForm, Frame, Grid, KnotVector, NurbsCurve, NurbsSurface, Tolerance,
+};
 
-/// The origin with the axes of space.
-pub(super) fn placement(file: &mut Records) -> Id {
-    let origin = point("", DVec3::ZERO, file);
-    let [z, x] = [DVec3::Z, DVec3::X].map(|axis| {
-        file.add(|r| {
-            r.text("DIRECTION('',").place(axis).text(")");
-        })
-    });
+/// The origin of a frame with its directions.
+pub(super) fn placement(frame: Frame, file: &mut Records) -> Id {
+    let origin = point("", frame.origin(), file);
+    let [z, x] = [frame.z(), frame.x()].map(|axis| direction(axis, file));
     file.add(|r| {
         r.text("AXIS2_PLACEMENT_3D('',").id(origin).text(",").id(z).text(",").id(x).text(")");
+    })
+}
+
+pub(super) fn direction(direction: DVec3, file: &mut Records) -> Id {
+    file.add(|r| {
+        r.text("DIRECTION('',").place(direction).text(")");
     })
 }
 
@@ -27,8 +34,16 @@ pub(super) fn point(name: &str, point: DVec3, file: &mut Records) -> Id {
     })
 }
 
-/// A curve: a B-spline with knots, rational where its weights differ.
+/// A curve: a line or an arc where it is one, else a B-spline.
 pub(super) fn curve(name: &str, curve: &NurbsCurve, file: &mut Records) -> Id {
+    match curve.analytic() {
+        Some(found) => form::bounded(name, &found, file),
+        None => spline(name, curve, file),
+    }
+}
+
+/// A B-spline with knots, rational where its weights differ.
+fn spline(name: &str, curve: &NurbsCurve, file: &mut Records) -> Id {
     let points: Vec<Id> = curve.points().into_iter().map(|p| point("", p, file)).collect();
     let knots = curve.knots();
     let is_closed = curve.start() == curve.end();
@@ -115,8 +130,8 @@ fn surface(name: &str, surface: &NurbsSurface, closed: [bool; 2], file: &mut Rec
     })
 }
 
-/// A surface as the one face of an open shell, with its border lines as edges: a seam once, a pole
-/// not at all. The model, and its face.
+/// A surface as the one face of an open shell, with its border lines as edges: a seam once, that
+/// of a plane and a pole not at all. The model, and its face.
 pub(super) fn model(
     item: &Item,
     geometry: &NurbsSurface,
@@ -126,29 +141,20 @@ pub(super) fn model(
     let same = Tolerance::DEFAULT.with_distance(job.precision);
     let same = same.distance_for(geometry.bounds().diagonal());
     let closed = [geometry.is_closed_u(same), geometry.is_closed_v(same)];
-    let basis = surface(&item.name, geometry, closed, file);
-    let border = border(geometry, closed, same, file);
-    if border.is_empty() {
+    let found = geometry.analytic(same);
+    let (basis, is_outward) = match &found {
+        Some(found) => (form::surface(&item.name, found, file), found.is_outward),
+        None => (surface(&item.name, geometry, closed, file), true),
+    };
+    let is_flat = found.is_some_and(|found| found.form == AnalyticForm::Plane);
+    let bounds = Border { closed, is_flat, same, vertices: Vec::new() }.bounds(geometry, file);
+    if bounds.is_empty() {
         let problem = "has no border lines: all of its edges are points".to_owned();
         return Err(ExportError::Unfit { name: item.name.clone(), problem });
     }
-    let edges: Vec<Id> = border
-        .into_iter()
-        .map(|(edge, is_forward)| {
-            file.add(|r| {
-                r.text("ORIENTED_EDGE('',*,*,").id(edge).text(",").truth(is_forward).text(")");
-            })
-        })
-        .collect();
-    let edge_loop = file.add(|r| {
-        r.text("EDGE_LOOP('',").ids(&edges).text(")");
-    });
-    let bound = file.add(|r| {
-        r.text("FACE_OUTER_BOUND('',").id(edge_loop).text(",.T.)");
-    });
     let face = file.add(|r| {
-        r.text("ADVANCED_FACE(").string(&item.name).text(",(").id(bound).text("),").id(basis);
-        r.text(",.T.)");
+        r.text("ADVANCED_FACE(").string(&item.name).text(",").ids(&bounds).text(",").id(basis);
+        r.text(",").truth(is_outward).text(")");
     });
     let shell = file.add(|r| {
         r.text("OPEN_SHELL('',(").id(face).text("))");
@@ -159,44 +165,86 @@ pub(super) fn model(
     Ok((model, face))
 }
 
-/// The edges around a surface, counter-clockwise seen from its normal's side, and whether each
-/// runs along its curve.
-fn border(
-    geometry: &NurbsSurface,
-    [closed_u, closed_v]: [bool; 2],
+/// What bounds a face.
+struct Border {
+    /// Whether the edges at both ends of u, of v, are one.
+    closed: [bool; 2],
+    /// Whether it is in a plane, where no seam is needed.
+    is_flat: bool,
+    /// Points nearer than this are one.
     same: f64,
-    file: &mut Records,
-) -> Vec<(Id, bool)> {
-    let [u0, u1, v0, v1] = geometry.edges();
-    let mut vertices: Vec<(DVec3, Id)> = Vec::new();
-    let mut vertex = |at: DVec3, file: &mut Records| match vertices
-        .iter()
-        .find(|(place, _)| place.distance(at) <= same)
-    {
-        Some(&(_, id)) => id,
-        None => {
-            let place = point("", at, file);
-            let id = file.add(|r| {
-                r.text("VERTEX_POINT('',").id(place).text(")");
+    vertices: Vec<(DVec3, Id)>,
+}
+
+impl Border {
+    /// The edges around a surface, counter-clockwise seen from its normal's side, in one loop; of
+    /// a plane with a hole in two, the outer one first.
+    fn bounds(mut self, geometry: &NurbsSurface, file: &mut Records) -> Vec<Id> {
+        let [u0, u1, v0, v1] = geometry.edges();
+        let [closed_u, closed_v] = self.closed;
+        let is_seam = [closed_u && self.is_flat, closed_v && self.is_flat];
+        let along_v0 = if is_seam[1] { None } else { self.edge(&v0, file) };
+        let along_u1 = if is_seam[0] { None } else { self.edge(&u1, file) };
+        let along_v1 = if closed_v { along_v0 } else { self.edge(&v1, file) };
+        let along_u0 = if closed_u { along_u1 } else { self.edge(&u0, file) };
+        let way = [(along_v0, &v0), (along_u1, &u1), (along_v1, &v1), (along_u0, &u0)];
+        let mut edges: Vec<(Id, &NurbsCurve)> = Vec::new();
+        for (i, (edge, line)) in way.into_iter().enumerate() {
+            let Some(edge) = edge else { continue };
+            let oriented = file.add(|r| {
+                r.text("ORIENTED_EDGE('',*,*,").id(edge).text(",").truth(i < 2).text(")");
             });
-            vertices.push((at, id));
-            id
+            edges.push((oriented, line));
         }
-    };
-    let mut edge = |line: &NurbsCurve, file: &mut Records| {
-        if line.bounds().diagonal() <= same {
+        if !(is_seam[0] || is_seam[1]) {
+            let edges: Vec<Id> = edges.into_iter().map(|(edge, _)| edge).collect();
+            return if edges.is_empty() { edges } else { vec![bound(true, &edges, file)] };
+        }
+        let size = |line: &NurbsCurve| line.bounds().diagonal();
+        edges.sort_by(|(_, a), (_, b)| size(b).total_cmp(&size(a)));
+        edges.iter().enumerate().map(|(i, &(edge, _))| bound(i == 0, &[edge], file)).collect()
+    }
+
+    /// The edge along a line; none along a point.
+    fn edge(&mut self, line: &NurbsCurve, file: &mut Records) -> Option<Id> {
+        if line.bounds().diagonal() <= self.same {
             return None;
         }
-        let (from, to) = (vertex(line.start(), file), vertex(line.end(), file));
-        let basis = curve("", line, file);
+        let (from, to) = (self.vertex(line.start(), file), self.vertex(line.end(), file));
+        let basis = match line.analytic().filter(|found| is_whole(found) == (from == to)) {
+            Some(found) => form::unbounded("", &found, file),
+            None => spline("", line, file),
+        };
         Some(file.add(|r| {
             r.text("EDGE_CURVE('',").id(from).text(",").id(to).text(",").id(basis).text(",.T.)");
         }))
-    };
-    let along_v0 = edge(&v0, file);
-    let along_u1 = edge(&u1, file);
-    let along_v1 = if closed_v { along_v0 } else { edge(&v1, file) };
-    let along_u0 = if closed_u { along_u1 } else { edge(&u0, file) };
-    let way = [(along_v0, true), (along_u1, true), (along_v1, false), (along_u0, false)];
-    way.into_iter().filter_map(|(edge, is_forward)| Some((edge?, is_forward))).collect()
+    }
+
+    fn vertex(&mut self, at: DVec3, file: &mut Records) -> Id {
+        let known = self.vertices.iter().find(|(place, _)| place.distance(at) <= self.same);
+        if let Some(&(_, id)) = known {
+            return id;
+        }
+        let place = point("", at, file);
+        let id = file.add(|r| {
+            r.text("VERTEX_POINT('',").id(place).text(")");
+        });
+        self.vertices.push((at, id));
+        id
+    }
+}
+
+/// Whether it is all of a circle, which has one vertex.
+fn is_whole(curve: &AnalyticCurve) -> bool {
+    matches!(curve, AnalyticCurve::Circle { turn, .. } if TAU <= *turn)
+}
+
+fn bound(is_outer: bool, edges: &[Id], file: &mut Records) -> Id {
+    let edge_loop = file.add(|r| {
+        r.text("EDGE_LOOP('',").ids(edges).text(")");
+    });
+    file.add(|r| {
+        r.text(if is_outer { "FACE_OUTER_BOUND" } else { "FACE_BOUND" });
+        r.text("('',").id(edge_loop).text(",.T.)");
+    })
 }

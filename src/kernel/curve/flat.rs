@@ -71,6 +71,11 @@ impl NurbsCurve {
     }
 }
 
+/// A normal of the plane of points that are not on one line.
+pub(in crate::kernel) fn plane_of(points: &[DVec3]) -> Option<DVec3> {
+    widest(points).map(|widest| widest.normal)
+}
+
 /// The tolerance's distance, or what rounding leaves of the coordinates where that is more.
 fn allowed(points: &[DVec3], tolerance: Tolerance) -> f64 {
     let largest = points.iter().map(|point| point.abs().max_element()).fold(0.0, f64::max);

@@ -11,8 +11,10 @@
 //! `closest` the nearest one, `intersect` the meetings of two curves, from `bend`, the polynomials
 //! that a piece is made of, and `part`, in the `units` that this needs; `arc_length` finds places by length. Of both, `local` tells
 //! the shape at a place from its derivatives, `direction` the kind of the place, `continuity`
-//! compares the two sides of a joint, `flat` and `planar` look for lines and planes.
+//! compares the two sides of a joint, `flat` and `planar` look for lines and planes, and `analytic`
+//! for exact lines and circles.
 
+mod analytic;
 mod any;
 mod arc;
 mod arc_length;
@@ -59,6 +61,8 @@ use super::{
     nearest::Nearest, positive,
 };
 
+pub use analytic::AnalyticCurve;
+pub(in crate::kernel) use analytic::{rounded, rounded_place};
 pub use any::Curve;
 pub(in crate::kernel) use arc_length::ArcLengths;
 pub use circle::CircleForm;
@@ -69,7 +73,7 @@ pub use continuity::Continuity;
 pub(in crate::kernel) use denominator::on_one_denominator;
 pub use direction::PlaceKind;
 pub use evaluator::CurveEvaluator;
-pub(in crate::kernel) use flat::lie_in_a_plane;
+pub(in crate::kernel) use flat::{lie_in_a_plane, plane_of};
 pub(in crate::kernel) use hermite::blossom_weights;
 pub use intersect::Meeting;
 pub use join::join;

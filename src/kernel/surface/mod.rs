@@ -10,8 +10,8 @@
 //! is u or v, along which `edit` changes the representation or cuts, and `compatible` brings several
 //! to one basis. `rearrange` does of this what functions allow, `parts` has what a form is made of,
 //! `continuation` patches that go on from a side, `join` makes one surface of many, `offset` runs
-//! beside, `level` has the lines along which a field on a surface vanishes,
-//! `crease` those across which its derivative jumps.
+//! beside, `analytic` finds planes and surfaces of revolution that have an equation, `level` has the lines along which a field on a surface vanishes,
+//! `crease` those across which its derivative jumps, `square` the polynomials that this takes.
 //!
 //! Of both kinds `local` tells how they bend at a place, `pole` where an edge is collapsed,
 //! `everywhere` what holds at all places, `deviation` how far one is from another, `defects` where
@@ -19,6 +19,7 @@
 //! volume, with `quadrature` for the integrals, `even` for patches whose weights differ much and
 //! `shell` for what closes.
 
+mod analytic;
 mod any;
 mod border;
 mod closest;
@@ -55,12 +56,14 @@ mod revolve;
 mod round;
 mod ruled;
 mod shell;
+mod square;
 mod stand_in;
 mod sum;
 mod umbilics;
 
 use glam::{DAffine3, DVec3, DVec4};
 
+pub use analytic::{AnalyticForm, AnalyticSurface};
 pub use any::Surface;
 pub use closest::SurfaceFoot;
 pub use compatible::make_surfaces_compatible;

@@ -52,7 +52,7 @@ impl<'t> Words<'t> {
         let words = text.lines().enumerate();
         let words =
             words.flat_map(|(i, line)| line.split_whitespace().map(move |word| (i + 1, word)));
-        Self { words: Box::new(words), last_line: text.lines().count() }
+        Self { words: Box::new(words), last_line: text.lines().count().max(1) }
     }
 
     fn next(&mut self) -> Option<(usize, &'t str)> {

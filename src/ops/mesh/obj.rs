@@ -17,11 +17,12 @@ pub(super) fn read(bytes: &[u8], ctx: &Ctx<'_>) -> Result<Value, String> {
     };
     let faces = without_lines(bytes);
     // Materials are of no interest here.
+    let told = |error: String| match first_mistake(&String::from_utf8_lossy(bytes)) {
+        Some((line, what)) => format!("line {line}: {what}"),
+        None => error,
+    };
     let (models, _) = tobj::load_obj_buf(&mut &faces[..], &options, |_| Ok(Default::default()))
-        .map_err(|err| match first_mistake(&String::from_utf8_lossy(bytes)) {
-            Some((line, what)) => format!("line {line}: {what}"),
-            None => err.to_string(),
-        })?;
+        .map_err(|err| told(err.to_string()))?;
     let mut meshes = Vec::new();
     for model in &models {
         let mesh = &model.mesh;
@@ -42,7 +43,7 @@ pub(super) fn read(bytes: &[u8], ctx: &Ctx<'_>) -> Result<Value, String> {
         let normals = normals.into_iter().map(DVec3::normalize_or_zero).collect();
         meshes.push(
             Mesh::new(vertices, normals, uvs, triangles)
-                .map_err(|err| format!("{}: {err}", model.name))?,
+                .map_err(|err| told(format!("{}: {err}", model.name)))?,
         );
     }
     let merged = Mesh::merged(&meshes, ctx.limits.mesh_vertices).map_err(|err| err.to_string())?;
@@ -66,19 +67,17 @@ fn without_lines(bytes: &[u8]) -> Vec<u8> {
 
 /// The first line that cannot be read, which the library does not tell, and what is wrong with it.
 fn first_mistake(text: &str) -> Option<(usize, String)> {
-    let mut n_vertices = 0;
+    let mut n_before = [0; 3];
     for (i, line) in text.lines().enumerate() {
         let mut words = line.split_whitespace();
         let mistake = match words.next() {
-            Some(keyword @ ("v" | "vn" | "vt")) => {
-                n_vertices += i64::from(keyword == "v");
-                let is_short = words.clone().count() < if keyword == "vt" { 2 } else { 3 };
-                let wrong = words.find(|word| word.parse::<f64>().is_err());
-                wrong
-                    .map(|word| format!("a coordinate must be a number, found `{word}`"))
-                    .or_else(|| is_short.then(|| format!("`{keyword}` has too few coordinates")))
+            Some(keyword)
+                if let Some(kind) = ["v", "vt", "vn"].iter().position(|k| *k == keyword) =>
+            {
+                n_before[kind] += 1;
+                numbers_mistake(keyword, words)
             }
-            Some("f" | "l" | "p") => words.find_map(|corner| corner_mistake(corner, n_vertices)),
+            Some("f" | "l" | "p") => words.find_map(|corner| corner_mistake(corner, n_before)),
             _ => None,
         };
         if let Some(what) = mistake {
@@ -88,16 +87,44 @@ fn first_mistake(text: &str) -> Option<(usize, String)> {
     None
 }
 
-/// What is wrong with a corner such as `7/1/3` when so many vertices came before.
-fn corner_mistake(corner: &str, n_vertices: i64) -> Option<String> {
-    let first = corner.split('/').next().unwrap_or_default();
-    match first.parse::<i64>() {
-        Err(_) => Some(format!("a corner must be the number of a vertex, found `{corner}`")),
-        Ok(idx) if idx == 0 || idx.abs() > n_vertices => {
-            Some(format!("vertex {idx} does not exist; {n_vertices} came before"))
-        }
-        Ok(_) => None,
+/// What is wrong with the numbers after `v`, `vt` or `vn`.
+fn numbers_mistake<'w>(
+    keyword: &str,
+    mut words: impl Iterator<Item = &'w str> + Clone,
+) -> Option<String> {
+    let n_words = words.clone().count();
+    let is_number = |word: &str| word.parse::<f64>().is_ok_and(f64::is_finite);
+    if let Some(word) = words.find(|word| !is_number(word)) {
+        return Some(format!("a coordinate must be a number, found `{word}`"));
     }
+    if n_words < if keyword == "vt" { 2 } else { 3 } {
+        return Some(format!("`{keyword}` has too few coordinates"));
+    }
+    let is_odd = keyword == "v" && !matches!(n_words, 3 | 4 | 6 | 7);
+    is_odd.then(|| {
+        format!("`v` has {n_words} numbers; it takes 3, with a weight 4, with a colour 3 more")
+    })
+}
+
+/// What is wrong with a corner such as `7/1/3` when so many vertices, texture coordinates and
+/// normals came before.
+fn corner_mistake(corner: &str, n_before: [i64; 3]) -> Option<String> {
+    let kinds = ["vertex", "texture coordinate", "normal"];
+    for ((part, kind), n_before) in corner.split('/').zip(kinds).zip(n_before) {
+        if part.is_empty() && kind != "vertex" {
+            continue;
+        }
+        match part.parse::<i64>() {
+            Err(_) => {
+                return Some(format!("a corner must be the number of a {kind}, found `{corner}`"));
+            }
+            Ok(idx) if idx == 0 || idx.unsigned_abs() > n_before.unsigned_abs() => {
+                return Some(format!("{kind} {idx} does not exist; {n_before} came before"));
+            }
+            Ok(_) => {}
+        }
+    }
+    None
 }
 
 fn vectors(numbers: &[f64]) -> Vec<DVec3> {

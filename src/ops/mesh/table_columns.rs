@@ -5,23 +5,25 @@ use std::sync::Arc;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{NamedColumn, Table},
-    value::{At, Ctx, Record, Value, op},
+    value::{At, Ctx, Dim, Number, Record, Value, op},
 };
 
 op! {
     /// Table of named columns, each a list of numbers or of strings, all of one length.
     ///
-    /// A column of points becomes three, `name_x`, `name_y` and `name_z`.
+    /// A column of points becomes three, `name_x`, `name_y` and `name_z`. The unit of lengths and
+    /// angles, the document's and `rad`, goes along into files.
     table in Table -> Table {
         /// The columns: `{x: [0, 1], y: [2, 3]}`.
         columns: Spanned<Arc<Record>>,
     }
     example "table({x: [0, 1], y: [2, 3]}).y" => "[2, 3]";
+    refuses "table({x: [1mm, 30deg]})" => "E0301: column `x` holds numbers, strings or points, but of one kind; found a length beside an angle";
     refuses "table({x: 1})" => "E0301: column `x` must be a list, found the number 1";
     refuses "table({x: [0, 1], y: [2]})" => "E0301: column \"y\" has 1 row, the first has 2";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Table> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Table> {
     let span = args.columns.span;
     let mut columns = Vec::new();
     for (name, value) in args.columns.value.iter() {
@@ -29,7 +31,7 @@ fn run(_: &mut Ctx<'_>, args: Args) -> Result<Table> {
             let message = format!("column `{name}` must be a list, found {}", value.phrase());
             return Diagnostic::error(Code::WrongKind, span, message).fail();
         };
-        columns.extend(columns_of(name, items).map_err(|found| {
+        columns.extend(columns_of(name, items, ctx.unit).map_err(|found| {
             let message = format!(
                 "column `{name}` holds numbers, strings or points, but of one kind; found {found}"
             );
@@ -43,20 +45,21 @@ fn run(_: &mut Ctx<'_>, args: Args) -> Result<Table> {
 pub(super) fn columns_of(
     name: &str,
     items: &[Value],
+    unit: &str,
 ) -> std::result::Result<Vec<NamedColumn>, String> {
     let odd = |wanted: &str| {
         let found = items.iter().find(|item| item.kind() != wanted);
         found.map_or_else(String::new, Value::phrase)
     };
-    let numbers: Option<Vec<f64>> = items
+    let numbers: Option<Vec<Number>> = items
         .iter()
         .map(|item| match item {
-            Value::Number(number) => Some(number.value),
+            Value::Number(number) => Some(*number),
             _ => None,
         })
         .collect();
-    if let Some(values) = numbers {
-        return Ok(vec![NamedColumn::numbers(name, values)]);
+    if let Some(numbers) = numbers {
+        return numbers_column(name, &numbers, unit).map(|column| vec![column]);
     }
     match items.first() {
         Some(Value::Text(_)) => {
@@ -91,4 +94,22 @@ pub(super) fn columns_of(
         Some(other) => Err(other.phrase()),
         None => Ok(vec![NamedColumn::numbers(name, Vec::new())]),
     }
+}
+
+/// A column of numbers of one dimension; else the two that do not fit.
+fn numbers_column(
+    name: &str,
+    numbers: &[Number],
+    unit: &str,
+) -> std::result::Result<NamedColumn, String> {
+    let mut dim = Dim::NONE;
+    for number in numbers {
+        let odd = || format!("{dim} beside {}", number.dim);
+        dim = dim.common(number.dim).ok_or_else(odd)?;
+    }
+    let column = NamedColumn::numbers(name, numbers.iter().map(|number| number.value).collect());
+    Ok(match dim.unit(unit) {
+        Some(unit) => column.with_unit(unit),
+        None => column,
+    })
 }

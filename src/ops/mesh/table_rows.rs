@@ -19,7 +19,7 @@ op! {
     refuses "table([{x: 0, y: 2}, {x: 1}])" => "E0301: row 1 has the labels x, row 0 has x, y";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Table> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Table> {
     let span = args.rows.span;
     let AtLeast(rows) = &args.rows.value;
     let labels: Vec<&str> = rows[0].iter().map(|(label, _)| label).collect();
@@ -36,7 +36,7 @@ fn run(_: &mut Ctx<'_>, args: Args) -> Result<Table> {
     let mut columns = Vec::new();
     for label in labels {
         let cells: Vec<Value> = rows.iter().filter_map(|row| row.get(label).cloned()).collect();
-        columns.extend(columns_of(label, &cells).map_err(|found| {
+        columns.extend(columns_of(label, &cells, ctx.unit).map_err(|found| {
             let message = format!(
                 "column `{label}` holds numbers, strings or points, but of one kind; found {found}"
             );

@@ -7,7 +7,7 @@
 //! nothing is followed from a start that had to be found. Sides along which the field vanishes are
 //! divided out first. `sample` turns branches into points with tangents, `chain` joins these,
 //! `cubic` lays splines through them. `plane` has the fields of planes, `shade` those of normals and
-//! of what they mirror, `square` the polynomials. `meet` has the curves in which two surfaces cross,
+//! of what they mirror. `meet` has the curves in which two surfaces cross,
 //! by parts of both (`pair`, `share`) and by following what is found (`trace`), also where they touch (`touch`)
 //! along lines (`tangency`) or are neighbours (`seam`), `pierce` the places that a curve shares with a surface.
 //!
@@ -27,7 +27,6 @@ mod sample;
 mod seam;
 mod shade;
 mod share;
-mod square;
 mod tangency;
 mod touch;
 mod trace;
@@ -43,7 +42,7 @@ use cell::{Condition, Fineness, MAX_CELLS};
 use chain::Spot;
 use sample::Run;
 
-use super::{NurbsSurface, Surface};
+use super::{NurbsSurface, Surface, square};
 use crate::kernel::{
     Bounds, GeomError, Grid, NurbsCurve, Tolerance,
     tolerance::{LAST_BIT, TOUCH_RELATIVE},
