@@ -35,6 +35,7 @@ mod pictures;
 mod places;
 mod primitive;
 mod real_networks;
+mod seams;
 mod shape;
 mod skin;
 mod some;

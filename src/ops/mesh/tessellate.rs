@@ -14,8 +14,8 @@ op! {
     /// No point of the triangles is further from the surface than the tolerance, and none of the
     /// surface further from the triangles, however small a feature is: bounds of the second
     /// derivatives tell how large a triangle may be. It has no cracks, at seams and poles neither;
-    /// surfaces of a list whose edges are one curve share the vertices there, whatever their degrees,
-    /// knots and parameters are. Normals are those of each side where there is a crease.
+    /// surfaces of a list share the vertices where their edges run together, along the whole or from
+    /// a corner of one to a corner of another, whatever their degrees, knots and parameters are. Normals are those of each side where there is a crease.
     /// Meshes in a list are taken along as they are.
     /// Filip, Magedson & Markot, *Surface algorithms using bounds on derivatives*, CAGD 3 (1986).
     tessellate in Mesh -> Mesh {
