@@ -75,7 +75,10 @@ impl Seams {
         }
         let mut seams = Self { edges, stretches: Vec::new(), seams: Vec::new(), corners };
         seams.cut(sheets, &names, weld, wanted.tolerance)?;
-        let gaps = seams.join(sheets, weld, wanted.tolerance)?;
+        let mut gaps = seams.join(sheets, weld, wanted.tolerance)?;
+        if seams.mend() {
+            gaps = seams.join(sheets, weld, wanted.tolerance)?;
+        }
         for (sheet, gap) in sheets.iter_mut().zip(gaps) {
             sheet.reserve(gap);
         }
@@ -159,6 +162,35 @@ impl Seams {
         }
         self.seams = seams;
         Ok(gaps)
+    }
+
+    /// Makes one of stretches, one behind the other, that the same edges share, where none of these
+    /// ends: a corner that only touches edges joins nothing. Whether there are such.
+    fn mend(&mut self) -> bool {
+        let mut sharing: Vec<&[usize]> = vec![&[]; self.stretches.len()];
+        let edges_of = |seam: &Seam| {
+            let edges = seam.stretches.iter().map(|&(stretch, _)| self.stretches[stretch].edge);
+            let mut edges: Vec<usize> = edges.collect();
+            edges.sort_unstable();
+            edges
+        };
+        let edges: Vec<Vec<usize>> = self.seams.iter().map(edges_of).collect();
+        for (seam, edges) in self.seams.iter().zip(&edges) {
+            seam.stretches.iter().for_each(|&(stretch, _)| sharing[stretch] = edges);
+        }
+        let mut mended: Vec<Stretch> = Vec::with_capacity(self.stretches.len());
+        for (i, stretch) in self.stretches.iter().enumerate() {
+            let is_end = |edge: &usize| self.edges[*edge].corners.contains(&stretch.ends[0].corner);
+            match mended.last_mut().filter(|before| before.edge == stretch.edge) {
+                Some(before) if sharing[i - 1] == sharing[i] && !sharing[i].iter().any(is_end) => {
+                    before.ends[1] = stretch.ends[1];
+                }
+                _ => mended.push(Stretch { ..*stretch }),
+            }
+        }
+        let are_fewer = mended.len() < self.stretches.len();
+        self.stretches = mended;
+        are_fewer
     }
 
     /// Places of a stretch between equal parts of its length.
