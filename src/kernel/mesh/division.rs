@@ -27,7 +27,7 @@ pub(super) struct Division<'a, 's> {
     cells: &'a [Cells],
     /// How far its polygon may be away.
     tolerance: f64,
-    /// The Bézier pieces of the edge of its first stretch.
+    /// The Bézier pieces of its first stretch.
     pieces: Vec<(Interval, Vec<DVec4>)>,
 }
 
@@ -50,10 +50,14 @@ impl<'a, 's> Division<'a, 's> {
         let tolerances =
             seam.stretches.iter().map(|&(stretch, _)| sheets[edge(stretch).sheet].tolerance());
         let tolerance = BORDER_SHARE * tolerances.fold(f64::INFINITY, f64::min);
-        let first = edge(seam.stretches[0].0);
-        let knots = first.curve.knots();
-        let piece = |span| bezier::piece(knots, first.curve.control_points(), span);
-        let pieces = knots.spans().map(|span| (knots.span_interval(span), piece(span))).collect();
+        let first = &seams.stretches[seam.stretches[0].0];
+        let curve = &seams.edges[first.edge].curve;
+        let knots = curve.knots();
+        let spans = knots.spans().map(|span| (knots.span_interval(span), span));
+        let pieces = spans
+            .filter(|(interval, _)| first.touches(*interval))
+            .map(|(interval, span)| (interval, bezier::piece(knots, curve.control_points(), span)))
+            .collect();
         Self { seams, seam, sheets, cells, tolerance, pieces }
     }
 

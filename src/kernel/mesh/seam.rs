@@ -14,7 +14,7 @@ use super::{
     sheet::{Cells, SHARE, Sheet},
     weld::welded,
 };
-use crate::kernel::{Bounds, GeomError, tolerance::WELD_SHARE};
+use crate::kernel::{Bounds, GeomError, Interval, tolerance::WELD_SHARE};
 
 /// Parts of a stretch between which it is compared with another.
 const COMPARED: usize = 8;
@@ -273,6 +273,12 @@ impl Stretch {
         } else {
             edge.parameter(start.fraction + (end.fraction - start.fraction) * fraction)
         }
+    }
+
+    /// Whether more of it than an end is in an interval of its edge's parameters.
+    pub(super) fn touches(&self, interval: Interval) -> bool {
+        let [start, end] = self.ends.map(|end| end.parameter);
+        interval.start() < end && start < interval.end()
     }
 
     /// The fraction of its length before a parameter, if that is inside it.
