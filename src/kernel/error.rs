@@ -298,7 +298,10 @@ pub enum GeomError {
     #[error("the domains differ: {domain} and {other}")]
     OtherDomain { domain: Interval, other: Interval },
     /// A mesh above the ceiling.
-    #[error("the mesh would have {got} vertices, more than the {most} that are allowed")]
+    #[error(
+        "the mesh would have {} vertices, more than the {most} that are allowed",
+        if *got == usize::MAX { "countless".to_owned() } else { got.to_string() }
+    )]
     TooManyVertices { got: usize, most: usize },
     /// A mesh attribute that is not one a vertex.
     #[error("{vertices} vertices need {vertices} {what}, got {got}")]

@@ -197,7 +197,11 @@ impl FromValue for i64 {
 
     fn from_value(value: &Value, _: Span) -> Result<Self, Mismatch> {
         let Value::Number(number) = value else { return Err(Mismatch::kind(Self::TYPE, value)) };
-        number.as_integer().ok_or_else(|| Mismatch::kind(Self::TYPE, value))
+        let is_whole = number.dim.is_none() && number.value.fract() == 0.0;
+        number.as_integer().ok_or_else(|| match is_whole {
+            true => Mismatch::new("a whole number of less than sixteen digits", value.phrase()),
+            false => Mismatch::kind(Self::TYPE, value),
+        })
     }
 }
 

@@ -36,6 +36,7 @@ mod pictures;
 mod places;
 mod primitive;
 mod real_networks;
+mod seams;
 mod shape;
 mod skin;
 mod some;

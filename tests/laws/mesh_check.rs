@@ -59,7 +59,7 @@ fn a_mesh_without_a_triangle_has_a_hole_around_it() {
     assert_eq!((found.is_closed, found.boundaries, found.euler), (false, 1, 1));
     let topology = open.topology(Tolerance::DEFAULT);
     // Against the triangle that is missing.
-    assert_eq!(topology.boundary_loops(), [[0, 2, 3]]);
+    assert_eq!(topology.boundary_lines(), [[0, 2, 3, 0]]);
     let solid = open.check_solid(Tolerance::DEFAULT);
     assert!(matches!(solid, Err(GeomError::Mesh(MeshError::Open { edges: 3, loops: 1, .. }))));
 }

@@ -61,7 +61,7 @@ proptest! {
     #[test]
     fn rational_surfaces_keep_to_their_tolerance_both_ways(
         noise in vec((-0.6..0.6, -0.6..0.6, -1.0..1.0, 0.2..5.0), 36),
-        tolerance in 0.02..0.5,
+        tolerance in 0.004..0.5,
     ) {
         let knots = KnotVector::uniform_clamped(3, 6, 1.0).unwrap();
         let net = Grid::from_fn(6, 6, |i, j| {

@@ -22,6 +22,13 @@ pub(in crate::kernel) struct ArcLengths {
     total: f64,
 }
 
+impl ArcLengths {
+    /// The length of the whole curve.
+    pub(in crate::kernel) fn total(&self) -> f64 {
+        self.total
+    }
+}
+
 impl NurbsCurve {
     /// What tells parameters by fractions of the length.
     pub(in crate::kernel) fn arc_lengths(&self) -> ArcLengths {

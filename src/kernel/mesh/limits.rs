@@ -20,11 +20,13 @@ use super::{
 };
 use crate::kernel::{GeomError, Grid, NurbsSurface, Tolerance, tolerance::BORDER_SHARE};
 
-/// Pieces along one direction by which the cells are counted, about; those that bound them then;
-/// and how many cells one of these may hold, about.
+/// Pieces along one direction by which the cells are counted, about; and of those that bound them
+/// then, one for each cell, about, how many at most.
+///
+/// Over a piece each second derivative is bounded on its own, where one may be large as another is
+/// small: pieces of several cells make more triangles of a wave than it needs.
 const FEW_PIECES: usize = 16;
-const MOST_PIECES: usize = 48;
-const CELLS_OF_PIECE: f64 = 1.5;
+const MOST_PIECES: usize = 128;
 
 /// How much smaller cells become that break a rule of several pieces together.
 const NARROWING: f64 = 0.98;
@@ -97,10 +99,8 @@ impl Limits {
     /// Those of a surface, with `breaks` of constant u and of constant v where derivatives jump.
     pub(super) fn new(surface: &NurbsSurface, wanted: &MeshLimits, breaks: [&[f64]; 2]) -> Self {
         let few = Self::of(Bends::of(surface, [FEW_PIECES; 2]), surface, wanted, breaks);
-        let n_pieces = few.widths().map(|(_, n_cells)| {
-            let n_pieces = (n_cells / CELLS_OF_PIECE) as usize;
-            n_pieces.clamp(FEW_PIECES, MOST_PIECES)
-        });
+        let n_pieces =
+            few.widths().map(|(_, n_cells)| (n_cells as usize).clamp(FEW_PIECES, MOST_PIECES));
         if n_pieces == [FEW_PIECES; 2] {
             return few;
         }

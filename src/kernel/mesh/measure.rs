@@ -51,7 +51,7 @@ impl Mesh {
         if let Some(&[from, _]) = topology.boundary().first() {
             let open = MeshError::Open {
                 edges: topology.boundary().len(),
-                loops: topology.boundary_loops().len(),
+                loops: topology.boundary_lines().len(),
                 at: self.vertices[from as usize],
             };
             return Err(open.into());

@@ -3,8 +3,8 @@
 //! This file has the type; `grid` makes a mesh of a surface by counts, `tessellate` by a tolerance,
 //! `any` of functions too. For the latter `bend` bounds derivatives, by the hulls of `quotient`; `limits`
 //! makes of them `rules` for each piece, `form`s of what a cell may be, and `near` those along its
-//! normal; `steps` lays the lines of a `sheet`, `seam` divides what sheets share, and `stitch` makes the
-//! triangles. `weld` tells which vertices are one place, `topology` how the triangles
+//! normal; `steps` lays the lines of a `sheet`, `seam` finds what the `edge`s of sheets share, `division`
+//! divides that, and `stitch` makes the triangles. `weld` tells which vertices are one place, `topology` how the triangles
 //! hang together, `measure` area, volume and their centres, `deviation` how far one is from a
 //! surface, `distance` how far a place is from one, `nearest` the same for many places, `fault` why a
 //! mesh encloses nothing, `section` where a plane cuts it.
@@ -13,8 +13,9 @@ mod any;
 mod bend;
 mod deviation;
 mod distance;
+mod division;
+mod edge;
 mod fault;
-
 mod form;
 mod grid;
 mod limits;

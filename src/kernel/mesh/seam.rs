@@ -1,50 +1,36 @@
 //! The edges of surfaces as polygons that surfaces side by side share.
 //!
-//! An edge is divided by its arc length, so that its polygon does not depend on how a surface runs
-//! along it: it is halved, or cut into equal parts where that takes fewer, until it is near enough to its chord and until the
-//! surfaces on it can follow with triangles. Edges that are one curve, in either
+//! Edges are cut where corners of any surface lie on them, so that where edges run together, stretches
+//! of them are one curve from end to end. A stretch is divided by its arc length, so that its
+//! polygon does not depend on how a surface runs along it. Stretches that are one curve, in either
 //! direction, are divided together, and their vertices are the same numbers.
 
-use glam::{DVec3, DVec4};
+use glam::DVec3;
 
 use super::{
+    division::Division,
+    edge::{Cut, Edge},
     limits::MeshLimits,
     sheet::{Cells, SHARE, Sheet},
-    tessellate::chord_deviation,
     weld::welded,
 };
-use crate::kernel::{
-    Bounds, GeomError, Interval, NurbsCurve, bezier,
-    curve::ArcLengths,
-    tolerance::{BORDER_SHARE, PLACE_RELATIVE, WELD_SHARE},
-};
+use crate::kernel::{Bounds, GeomError, Interval, tolerance::WELD_SHARE};
 
-/// Halvings of an edge, past the last bit of a parameter.
-const MAX_HALVINGS: usize = 52;
-
-/// Parts of an edge between which it is compared with another.
+/// Parts of a stretch between which it is compared with another.
 const COMPARED: usize = 8;
 
-/// An edge of a sheet: u0, u1, v0 or v1 by its number.
+/// A part of an edge from one corner on it to the next.
 #[derive(Debug)]
-struct Edge {
-    sheet: usize,
-    number: usize,
-    curve: NurbsCurve,
-    lengths: ArcLengths,
-    /// What its ends are welded to.
-    corners: [u32; 2],
-    /// Whether it is one point.
-    is_point: bool,
+pub(super) struct Stretch {
+    pub(super) edge: usize,
+    ends: [Cut; 2],
 }
 
-/// Edges that are one curve; the first gives the points.
+/// Stretches that are one curve; the first gives the points.
 #[derive(Debug)]
-struct Seam {
-    /// Indices of edges, and whether they run against the first.
-    edges: Vec<(usize, bool)>,
-    /// How far apart they are.
-    gap: f64,
+pub(super) struct Seam {
+    /// Indices of stretches, and whether they run against the first.
+    pub(super) stretches: Vec<(usize, bool)>,
 }
 
 /// Vertices on an edge: parameters along it, growing, and places.
@@ -53,7 +39,9 @@ pub(super) type Vertices = Vec<(f64, DVec3)>;
 /// All edges of some sheets.
 #[derive(Debug)]
 pub(super) struct Seams {
-    edges: Vec<Edge>,
+    pub(super) edges: Vec<Edge>,
+    /// Those of an edge one behind the other; none of edges that are points.
+    pub(super) stretches: Vec<Stretch>,
     seams: Vec<Seam>,
     /// Where the corners are that others are welded to.
     corners: Vec<DVec3>,
@@ -81,72 +69,151 @@ impl Seams {
             // The corners are u0v0, u0v1, u1v0, u1v1.
             let ends = [[0, 1], [2, 3], [0, 2], [1, 3]];
             for (number, curve) in sheet.spline.edges().into_iter().enumerate() {
-                let size = Bounds::of(curve.points()).map_or(0.0, Bounds::diagonal);
                 let corners = ends[number].map(|corner| names[4 * i + corner]);
-                let lengths = curve.arc_lengths();
-                let is_point = size <= weld;
-                edges.push(Edge { sheet: i, number, curve, lengths, corners, is_point });
+                edges.push(Edge::new(i, number, curve, corners, weld));
             }
         }
-        let mut seams = Self { edges, seams: Vec::new(), corners };
-        seams.match_edges(sheets, weld, wanted.tolerance)?;
-        for seam in &seams.seams {
-            for &(edge, _) in &seam.edges {
-                sheets[seams.edges[edge].sheet].reserve(seam.gap);
-            }
+        let mut seams = Self { edges, stretches: Vec::new(), seams: Vec::new(), corners };
+        seams.cut(sheets, &names, weld, wanted.tolerance)?;
+        let mut gaps = seams.join(sheets, weld, wanted.tolerance)?;
+        if seams.mend() {
+            gaps = seams.join(sheets, weld, wanted.tolerance)?;
+        }
+        for (sheet, gap) in sheets.iter_mut().zip(gaps) {
+            sheet.reserve(gap);
         }
         Ok(seams)
     }
 
-    fn match_edges(
+    /// Cuts each edge where corners lie on it, those of its own sheet too.
+    fn cut(
+        &mut self,
+        sheets: &[Sheet<'_>],
+        names: &[u32],
+        weld: f64,
+        tolerance: f64,
+    ) -> Result<(), GeomError> {
+        // Only the corners that others are welded to, in order along the longest side of all.
+        let size = Bounds::of(self.corners.iter().copied()).map_or(DVec3::ZERO, Bounds::size);
+        let longest = size.to_array().iter().position(|&side| size.max_element() <= side);
+        let axis = longest.unwrap_or(0);
+        let at = |corner: u32| self.corners[corner as usize][axis];
+        let mut order: Vec<u32> = (0..names.len() as u32).collect();
+        order.retain(|&corner| names[corner as usize] == corner);
+        order.sort_by(|&a, &b| at(a).total_cmp(&at(b)).then(a.cmp(&b)));
+        let mut stretches = Vec::with_capacity(self.edges.len());
+        for (index, edge) in self.edges.iter().enumerate().filter(|(_, edge)| !edge.is_point) {
+            let sheet = &sheets[edge.sheet];
+            let slack = slack(sheet, tolerance);
+            let near = edge.hull().map_or(&order[..], |hull| {
+                let [low, high] = [hull.min[axis] - weld - slack, hull.max[axis] + weld + slack];
+                let first = order.partition_point(|&corner| at(corner) < low);
+                &order[first..first.max(order.partition_point(|&corner| at(corner) <= high))]
+            });
+            let cuts = edge.cuts(sheet, &self.corners, near, [weld, slack])?;
+            let stretch = |ends: &[Cut]| Stretch { edge: index, ends: [ends[0], ends[1]] };
+            stretches.extend(cuts.windows(2).map(stretch));
+        }
+        self.stretches = stretches;
+        Ok(())
+    }
+
+    /// Finds the stretches that are one curve; how far that moves vertices of each sheet.
+    fn join(
         &mut self,
         sheets: &[Sheet<'_>],
         weld: f64,
         tolerance: f64,
-    ) -> Result<(), GeomError> {
-        let mut order: Vec<usize> = (0..self.edges.len()).collect();
-        let ends = |edge: &Edge| {
-            let [a, b] = edge.corners;
+    ) -> Result<Vec<f64>, GeomError> {
+        let mut order: Vec<usize> = (0..self.stretches.len()).collect();
+        let ends = |stretch: usize| {
+            let [a, b] = self.stretches[stretch].ends.map(|end| end.corner);
             [a.min(b), a.max(b)]
         };
-        order.retain(|&edge| !self.edges[edge].is_point);
-        order.sort_by_key(|&edge| (ends(&self.edges[edge]), edge));
+        order.sort_by_key(|&stretch| (ends(stretch), stretch));
+        let mut gaps = vec![0.0_f64; sheets.len()];
         let mut seams = Vec::new();
-        for alike in order.chunk_by(|&a, &b| ends(&self.edges[a]) == ends(&self.edges[b])) {
+        for alike in order.chunk_by(|&a, &b| ends(a) == ends(b)) {
             let mut here: Vec<(Vec<DVec3>, Seam)> = Vec::new();
-            for &edge in alike {
-                let places = self.compared(edge, sheets)?;
-                let slack = |other: &Seam| {
-                    let of = [edge, other.edges[0].0];
-                    let moved = of.iter().any(|&edge| sheets[self.edges[edge].sheet].is_function());
-                    if moved { SHARE * tolerance } else { 0.0 }
-                };
+            for &stretch in alike {
+                let of = |stretch: usize| self.edges[self.stretches[stretch].edge].sheet;
+                let places = self.compared(stretch, sheets)?;
+                let gap = &mut gaps[of(stretch)];
+                *gap = gap.max(self.moved_at_ends(stretch, sheets)?);
                 let found = here.iter().enumerate().find_map(|(i, (others, seam))| {
+                    let both = [stretch, seam.stretches[0].0].map(|stretch| &sheets[of(stretch)]);
+                    let slack = both.map(|sheet| slack(sheet, tolerance));
+                    let slack = slack[0].max(slack[1]);
                     let (along, against) =
                         (apart(&places, others, false), apart(&places, others, true));
                     let (gap, turns) =
                         if against < along { (against, true) } else { (along, false) };
-                    (gap <= weld + slack(seam)).then(|| (i, gap + slack(seam), turns))
+                    (gap <= weld + slack).then_some((i, gap + slack, turns))
                 });
                 match found {
-                    Some((i, gap, turns)) => {
-                        here[i].1.edges.push((edge, turns));
-                        here[i].1.gap = here[i].1.gap.max(gap);
+                    Some((i, moved, turns)) => {
+                        *gap = gap.max(moved);
+                        here[i].1.stretches.push((stretch, turns));
                     }
-                    None => here.push((places, Seam { edges: vec![(edge, false)], gap: 0.0 })),
+                    None => here.push((places, Seam { stretches: vec![(stretch, false)] })),
                 }
             }
             seams.extend(here.into_iter().map(|(_, seam)| seam));
         }
         self.seams = seams;
-        Ok(())
+        Ok(gaps)
     }
 
-    /// Places of an edge between equal parts of its length.
-    fn compared(&self, edge: usize, sheets: &[Sheet<'_>]) -> Result<Vec<DVec3>, GeomError> {
-        let edge = &self.edges[edge];
-        let at = |i: usize| edge.point(&sheets[edge.sheet], i as f64 / COMPARED as f64);
+    /// Makes one of stretches, one behind the other, that the same edges share, where none of these
+    /// ends: a corner that only touches edges joins nothing. Whether there are such.
+    fn mend(&mut self) -> bool {
+        let mut sharing: Vec<&[usize]> = vec![&[]; self.stretches.len()];
+        let edges_of = |seam: &Seam| {
+            let edges = seam.stretches.iter().map(|&(stretch, _)| self.stretches[stretch].edge);
+            let mut edges: Vec<usize> = edges.collect();
+            edges.sort_unstable();
+            edges
+        };
+        let edges: Vec<Vec<usize>> = self.seams.iter().map(edges_of).collect();
+        for (seam, edges) in self.seams.iter().zip(&edges) {
+            seam.stretches.iter().for_each(|&(stretch, _)| sharing[stretch] = edges);
+        }
+        let mut mended: Vec<Stretch> = Vec::with_capacity(self.stretches.len());
+        for (i, stretch) in self.stretches.iter().enumerate() {
+            let is_end = |edge: &usize| self.edges[*edge].corners.contains(&stretch.ends[0].corner);
+            match mended.last_mut().filter(|before| before.edge == stretch.edge) {
+                Some(before) if sharing[i - 1] == sharing[i] && !sharing[i].iter().any(is_end) => {
+                    before.ends[1] = stretch.ends[1];
+                }
+                _ => mended.push(Stretch { ..*stretch }),
+            }
+        }
+        let are_fewer = mended.len() < self.stretches.len();
+        self.stretches = mended;
+        are_fewer
+    }
+
+    /// Places of a stretch between equal parts of its length.
+    fn compared(&self, stretch: usize, sheets: &[Sheet<'_>]) -> Result<Vec<DVec3>, GeomError> {
+        let stretch = &self.stretches[stretch];
+        let edge = &self.edges[stretch.edge];
+        let at = |i: usize| {
+            let t = stretch.parameter(edge, i as f64 / COMPARED as f64, false);
+            edge.point(&sheets[edge.sheet], t)
+        };
         (1..COMPARED).map(at).collect()
+    }
+
+    /// How far the ends of a stretch are from the corners there.
+    fn moved_at_ends(&self, stretch: usize, sheets: &[Sheet<'_>]) -> Result<f64, GeomError> {
+        let stretch = &self.stretches[stretch];
+        let edge = &self.edges[stretch.edge];
+        let mut most = 0.0_f64;
+        for end in stretch.ends {
+            let place = edge.point(&sheets[edge.sheet], end.parameter)?;
+            most = most.max(place.distance(self.corners[end.corner as usize]));
+        }
+        Ok(most)
     }
 
     /// The vertices on the four edges of each sheet, those of a point only at its ends.
@@ -162,61 +229,70 @@ impl Seams {
         let mut all: Vec<[Vertices; 4]> = sheets.iter().map(|_| Default::default()).collect();
         for edge in self.edges.iter().filter(|edge| edge.is_point) {
             let point = self.corners[edge.corners[0] as usize];
-            all[edge.sheet][edge.number] =
-                [edge.domain().start(), edge.domain().end()].map(|t| (t, point)).to_vec();
+            let ends = [edge.domain().start(), edge.domain().end()];
+            all[edge.sheet][edge.number] = ends.map(|t| (t, point)).to_vec();
         }
+        let mut found: Vec<Vertices> = vec![Vertices::new(); self.stretches.len()];
         for seam in &self.seams {
             let stops = Division::new(self, seam, sheets, cells).stops(most)?;
-            let first = &self.edges[seam.edges[0].0];
+            let first = &self.stretches[seam.stretches[0].0];
+            let edge = &self.edges[first.edge];
             let mut points = Vec::with_capacity(stops.len());
             for stop in &stops {
-                points.push(first.point(&sheets[first.sheet], stop.fraction)?);
+                points.push(edge.point(&sheets[edge.sheet], stop.parameters[0])?);
             }
-            for (place, corner) in [(0, 0), (points.len() - 1, 1)] {
-                points[place] = self.corners[first.corners[corner] as usize];
+            for (place, end) in [(0, 0), (points.len() - 1, 1)] {
+                points[place] = self.corners[first.ends[end].corner as usize];
             }
-            for (i, &(edge, turns)) in seam.edges.iter().enumerate() {
-                let edge = &self.edges[edge];
+            for (i, &(stretch, turns)) in seam.stretches.iter().enumerate() {
                 let places = stops.iter().zip(&points);
-                let mut vertices: Vertices =
-                    places.map(|(stop, &point)| (stop.parameters[i], point)).collect();
-                if turns {
-                    vertices.reverse();
-                }
-                all[edge.sheet][edge.number] = vertices;
+                let vertices = places.map(|(stop, &point)| (stop.parameters[i], point));
+                found[stretch] = if turns { vertices.rev().collect() } else { vertices.collect() };
             }
+        }
+        for (stretch, vertices) in self.stretches.iter().zip(found) {
+            let edge = &self.edges[stretch.edge];
+            let whole = &mut all[edge.sheet][edge.number];
+            // The end of the stretch before is the start of this one.
+            whole.pop();
+            whole.extend(vertices);
         }
         Ok(all)
     }
 }
 
-impl Edge {
-    fn domain(&self) -> Interval {
-        self.curve.domain()
-    }
-
-    /// The parameter at a fraction of the length, of that from the end where it `turns`.
-    fn parameter(&self, fraction: f64, turns: bool) -> f64 {
+impl Stretch {
+    /// The parameter at a fraction of its length, of that from the end where it `turns`.
+    pub(super) fn parameter(&self, edge: &Edge, fraction: f64, turns: bool) -> f64 {
+        let [start, end] = self.ends;
         let fraction = if turns { 1.0 - fraction } else { fraction };
         if fraction <= 0.0 {
-            self.domain().start()
+            start.parameter
         } else if 1.0 <= fraction {
-            self.domain().end()
+            end.parameter
         } else {
-            self.curve.at_fraction(&self.lengths, fraction)
+            edge.parameter(start.fraction + (end.fraction - start.fraction) * fraction)
         }
     }
 
-    fn point(&self, sheet: &Sheet<'_>, fraction: f64) -> Result<DVec3, GeomError> {
-        let t = self.parameter(fraction, false);
-        let [u, v] = sheet.domains();
-        match self.number {
-            0 => sheet.point_at(u.start(), t),
-            1 => sheet.point_at(u.end(), t),
-            2 => sheet.point_at(t, v.start()),
-            _ => sheet.point_at(t, v.end()),
-        }
+    /// Whether more of it than an end is in an interval of its edge's parameters.
+    pub(super) fn touches(&self, interval: Interval) -> bool {
+        let [start, end] = self.ends.map(|end| end.parameter);
+        interval.start() < end && start < interval.end()
     }
+
+    /// The fraction of its length before a parameter, if that is inside it.
+    pub(super) fn fraction(&self, edge: &Edge, parameter: f64) -> Option<f64> {
+        let [start, end] = self.ends;
+        let is_inside = start.parameter < parameter && parameter < end.parameter;
+        let part = |fraction: f64| (fraction - start.fraction) / (end.fraction - start.fraction);
+        is_inside.then(|| part(edge.fraction(parameter)))
+    }
+}
+
+/// How far the points of a sheet may be from the spline that its edges are taken of.
+fn slack(sheet: &Sheet<'_>, tolerance: f64) -> f64 {
+    if sheet.is_function() { SHARE * tolerance } else { 0.0 }
 }
 
 /// How far apart places are, in order or against it.
@@ -224,170 +300,4 @@ fn apart(a: &[DVec3], b: &[DVec3], turns: bool) -> f64 {
     let n = a.len();
     let other = |i: usize| if turns { b[n - 1 - i] } else { b[i] };
     (0..n).map(|i| a[i].distance(other(i))).fold(0.0, f64::max)
-}
-
-/// A seam while it is divided.
-struct Division<'a, 's> {
-    seams: &'a Seams,
-    seam: &'a Seam,
-    sheets: &'a [Sheet<'s>],
-    cells: &'a [Cells],
-    /// How far its polygon may be away.
-    tolerance: f64,
-    /// The Bézier pieces of its first edge.
-    pieces: Vec<(Interval, Vec<DVec4>)>,
-}
-
-/// A place on a seam.
-#[derive(Clone, Debug)]
-struct Stop {
-    fraction: f64,
-    /// The parameters there of its edges.
-    parameters: Vec<f64>,
-}
-
-impl<'a, 's> Division<'a, 's> {
-    fn new(seams: &'a Seams, seam: &'a Seam, sheets: &'a [Sheet<'s>], cells: &'a [Cells]) -> Self {
-        let of = |&(edge, _): &(usize, bool)| sheets[seams.edges[edge].sheet].tolerance();
-        let tolerance = BORDER_SHARE * seam.edges.iter().map(of).fold(f64::INFINITY, f64::min);
-        let first = &seams.edges[seam.edges[0].0];
-        let knots = first.curve.knots();
-        let piece = |span| bezier::piece(knots, first.curve.control_points(), span);
-        let pieces = knots.spans().map(|span| (knots.span_interval(span), piece(span))).collect();
-        Self { seams, seam, sheets, cells, tolerance, pieces }
-    }
-
-    fn stop(&self, fraction: f64) -> Stop {
-        let parameter =
-            |&(edge, turns): &(usize, bool)| self.seams.edges[edge].parameter(fraction, turns);
-        Stop { fraction, parameters: self.seam.edges.iter().map(parameter).collect() }
-    }
-
-    /// Where there are vertices.
-    fn stops(&self, most: usize) -> Result<Vec<Stop>, GeomError> {
-        let mut stops = vec![self.stop(0.0)];
-        for section in self.forced().windows(2) {
-            let (start, end) = (stops[stops.len() - 1].clone(), self.stop(section[1]));
-            let halved = self.halved(start.clone(), end, most)?;
-            let section = [section[0], section[1]];
-            match self.fewer_equal(&start, section, halved.len()) {
-                Some(equal) => stops.extend(equal),
-                None => stops.extend(halved),
-            }
-            if most < stops.len() {
-                return Err(GeomError::TooManyVertices { got: stops.len(), most });
-            }
-        }
-        Ok(stops)
-    }
-
-    /// The stops behind the start up to the end, by halving.
-    fn halved(&self, start: Stop, end: Stop, most: usize) -> Result<Vec<Stop>, GeomError> {
-        let mut stops = Vec::new();
-        let (mut low, mut todo) = (start, vec![(end, 0)]);
-        while let Some((high, n_halvings)) = todo.pop() {
-            if MAX_HALVINGS <= n_halvings || self.fits(&low, &high) {
-                stops.push(high.clone());
-                low = high;
-            } else {
-                let middle = self.stop(0.5 * (low.fraction + high.fraction));
-                todo.extend([(high, n_halvings + 1), (middle, n_halvings + 1)]);
-            }
-            let got = stops.len() + todo.len();
-            if most < got {
-                return Err(GeomError::TooManyVertices { got, most });
-            }
-        }
-        Ok(stops)
-    }
-
-    /// The stops at equal parts, if they are fewer than by halving.
-    fn fewer_equal(&self, start: &Stop, section: [f64; 2], n_halved: usize) -> Option<Vec<Stop>> {
-        let try_parts = |n: usize| {
-            let mut stops: Vec<Stop> = Vec::with_capacity(n);
-            for i in 1..=n {
-                let stop = self.stop(equal(section, i, n));
-                if !self.fits(stops.last().unwrap_or(start), &stop) {
-                    return None;
-                }
-                stops.push(stop);
-            }
-            Some(stops)
-        };
-        // Fewer than half are not tried: where that is enough, halving finds about as few.
-        let (mut few, mut many, mut best) = (n_halved / 2, n_halved, None);
-        while few + 1 < many {
-            let middle = usize::midpoint(few, many);
-            match try_parts(middle) {
-                Some(stops) => (many, best) = (middle, Some(stops)),
-                None => few = middle,
-            }
-        }
-        best
-    }
-
-    /// The ends, and where a surface on it has a break.
-    fn forced(&self) -> Vec<f64> {
-        let mut forced = vec![0.0, 1.0];
-        for &(edge, turns) in &self.seam.edges {
-            let edge = &self.seams.edges[edge];
-            // Lines of constant u end on edges along u.
-            let along = usize::from(edge.number < 2);
-            for line in &self.sheets[edge.sheet].breaks[along] {
-                let fraction = edge.curve.fraction_at(&edge.lengths, line.at);
-                forced.push(if turns { 1.0 - fraction } else { fraction });
-            }
-        }
-        forced.sort_by(f64::total_cmp);
-        forced.dedup_by(|a, b| *a - *b <= PLACE_RELATIVE);
-        if let Some(last) = forced.last_mut() {
-            *last = 1.0;
-        }
-        forced
-    }
-
-    /// Whether one leg may run between two stops.
-    fn fits(&self, low: &Stop, high: &Stop) -> bool {
-        if self.tolerance < deviation(&self.pieces, [low.parameters[0], high.parameters[0]]) {
-            return false;
-        }
-        let ends = low.parameters.iter().zip(&high.parameters);
-        self.seam.edges.iter().zip(ends).all(|(&(edge, _), (&a, &b))| {
-            let edge = &self.seams.edges[edge];
-            let (ends, cells) = ([a.min(b), a.max(b)], &self.cells[edge.sheet]);
-            let is_last = edge.number % 2 == 1;
-            cells.allow(match edge.number {
-                0 | 1 => [cells.rim(0, is_last), ends],
-                _ => [ends, cells.rim(1, is_last)],
-            })
-        })
-    }
-}
-
-fn equal([low, high]: [f64; 2], i: usize, n: usize) -> f64 {
-    if i == n { high } else { low + (high - low) * (i as f64 / n as f64) }
-}
-
-/// A bound of how far a curve is from its chord between two parameters.
-fn deviation(pieces: &[(Interval, Vec<DVec4>)], [start, end]: [f64; 2]) -> f64 {
-    let mut parts: Vec<Vec<DVec4>> = Vec::new();
-    for (interval, points) in pieces {
-        if interval.end() <= start || end <= interval.start() {
-            continue;
-        }
-        let mut part = points.clone();
-        let fraction = interval.fraction_of(end);
-        if fraction < 1.0 {
-            part = bezier::cut_at(&part, fraction).0;
-        }
-        let whole = interval.fraction_of(end.min(interval.end()));
-        let fraction = interval.fraction_of(start) / whole;
-        if 0.0 < fraction {
-            part = bezier::cut_at(&part, fraction).1;
-        }
-        parts.push(part);
-    }
-    let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return 0.0 };
-    let chord = [first[0], last[last.len() - 1]];
-    parts.iter().map(|part| chord_deviation(part, chord)).fold(0.0, f64::max)
 }

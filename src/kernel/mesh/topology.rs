@@ -175,43 +175,50 @@ impl Topology {
         })
     }
 
-    /// The boundary as loops of vertices, each without a repetition of the first at its end, where
-    /// triangles face alike with the mesh to their left. Two that touch in a vertex are two.
+    /// The boundary as lines of vertices, where triangles face alike with the mesh to their left. A
+    /// line ends in the vertex that it began with, unless it runs from where more than two triangles
+    /// have a side to another such place. Two that touch in a vertex are two.
     #[must_use]
-    pub fn boundary_loops(&self) -> Vec<Vec<u32>> {
+    pub fn boundary_lines(&self) -> Vec<Vec<u32>> {
         // Each side of the boundary under both of its fans.
-        let mut by_fan: Vec<(u32, u32)> = Vec::with_capacity(2 * self.boundary.len());
-        for (i, (&number, ends)) in self.boundary_sides.iter().zip(&self.boundary).enumerate() {
-            for &vertex in ends {
-                by_fan.push((self.fans[self.corner_at(number, vertex) as usize], i as u32));
-            }
+        let fan_at = |side: usize, vertex: u32| {
+            self.fans[self.corner_at(self.boundary_sides[side], vertex) as usize]
+        };
+        let n = self.boundary.len();
+        let mut by_fan: Vec<(u32, u32)> = Vec::with_capacity(2 * n);
+        for (side, ends) in self.boundary.iter().enumerate() {
+            by_fan.extend(ends.map(|vertex| (fan_at(side, vertex), side as u32)));
         }
         by_fan.sort_unstable();
-        let mut is_done = vec![false; self.boundary.len()];
-        let mut loops = Vec::new();
-        for start in 0..self.boundary.len() {
+        let beside = |side: usize, vertex: u32| {
+            let fan = fan_at(side, vertex);
+            let first = by_fan.partition_point(|&(other, _)| other < fan);
+            let all = by_fan[first..].iter().take_while(move |&&(other, _)| other == fan);
+            all.map(|&(_, side)| side as usize).filter(move |&other| other != side)
+        };
+        let is_end =
+            |&(side, end): &(usize, usize)| beside(side, self.boundary[side][end]).next().is_none();
+        let starts = [0, 1].map(|end| (0..n).map(move |side| (side, end)).filter(is_end));
+        let anywhere = (0..n).map(|side| (side, 0));
+
+        let mut is_done = vec![false; n];
+        let mut lines = Vec::new();
+        for (start, end) in starts.into_iter().flatten().chain(anywhere) {
             if is_done[start] {
                 continue;
             }
-            let (mut side, mut vertices) = (start, Vec::new());
-            let mut from = self.boundary[start][0];
-            loop {
+            let mut from = self.boundary[start][end];
+            let (mut next, mut vertices) = (Some(start), vec![from]);
+            while let Some(side) = next {
                 is_done[side] = true;
-                vertices.push(from);
                 let [a, b] = self.boundary[side];
                 from = if a == from { b } else { a };
-                let fan = self.fans[self.corner_at(self.boundary_sides[side], from) as usize];
-                let first = by_fan.partition_point(|&(other, _)| other < fan);
-                let beside = by_fan[first..].iter().take_while(|&&(other, _)| other == fan);
-                let mut open = beside.map(|&(_, side)| side as usize).filter(|&i| !is_done[i]);
-                match open.next() {
-                    Some(next) => side = next,
-                    None => break,
-                }
+                vertices.push(from);
+                next = beside(side, from).find(|&other| !is_done[other]);
             }
-            loops.push(vertices);
+            lines.push(vertices);
         }
-        loops
+        lines
     }
 
     /// Whether it is closed, manifold and oriented, and its Euler number.
@@ -225,7 +232,7 @@ impl Topology {
             is_oriented: self.turned_edge().is_none(),
             degenerate: self.n_degenerate,
             euler: self.n_vertices as i64 - n_edges as i64 + n_triangles as i64,
-            boundaries: self.boundary_loops().len(),
+            boundaries: self.boundary_lines().len(),
             components: self.n_components(),
             counts,
         }

@@ -26,7 +26,7 @@ op! {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     let Some(Bounds { min, max }) = bounds(&args.g.value.0).at(args.g.span)? else {
         return Diagnostic::error(Code::Degenerate, ctx.span, "there is nothing that has a size")
-            .hint("planes and empty lists have no bounds")
+            .hint("planes, empty lists and meshes without triangles have no bounds")
             .fail();
     };
     Ok(Record::new([(Arc::from("min"), Value::Point(min)), (Arc::from("max"), Value::Point(max))]))

@@ -11,11 +11,11 @@ use crate::{
 };
 
 op! {
-    /// Boundary of a mesh as closed polylines, the mesh to the left of each; none of one that is
-    /// closed.
+    /// Boundary of a mesh as polylines, the mesh to the left of each; none of one that is closed.
     ///
     /// Vertices within the document's tolerance are one, so that seams and creases are no boundary.
-    /// Loops that touch in a vertex are several.
+    /// The polylines are closed, but for those that end where more than two triangles meet in an
+    /// edge. Such that touch in a vertex are several.
     border in Mesh -> Vec<NurbsCurve> {
         /// The mesh.
         m: Spanned<Arc<Mesh>>,
@@ -30,11 +30,10 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {
     let mesh = &args.m.value;
-    let loops = mesh.topology(ctx.tolerance).boundary_loops();
-    let curve = |around: Vec<u32>| {
-        let corners = around.iter().chain(around.first());
-        let points: Vec<DVec3> = corners.map(|&i| mesh.vertices()[i as usize]).collect();
+    let lines = mesh.topology(ctx.tolerance).boundary_lines();
+    let curve = |line: Vec<u32>| {
+        let points: Vec<DVec3> = line.iter().map(|&i| mesh.vertices()[i as usize]).collect();
         NurbsCurve::polyline(&points).at(args.m.span)
     };
-    loops.into_iter().map(curve).collect()
+    lines.into_iter().map(curve).collect()
 }

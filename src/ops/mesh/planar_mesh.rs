@@ -1,11 +1,12 @@
 //! `planar_mesh`: the region within a closed curve.
 
 use crate::{
-    diag::{Code, Diagnostic, Result, Span, Spanned},
+    diag::{Result, Span, Spanned},
     kernel::{
         self, Bounds, Curve, GeomError, Mesh, PictureError, tessellate_curve_any,
         tolerance::DEFAULT_CHORD_RELATIVE,
     },
+    ops::positive,
     value::{At, Ctx, FromValue, Length, Mismatch, Type, Value, op},
 };
 
@@ -56,15 +57,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Mesh> {
     }
     let size = whole.map_or(0.0, Bounds::diagonal);
     let tolerance = match args.tolerance {
-        Some(tolerance) if tolerance.value.0 <= 0.0 => {
-            return Diagnostic::error(
-                Code::Degenerate,
-                tolerance.span,
-                "the tolerance must be positive",
-            )
-            .fail();
-        }
-        Some(tolerance) => tolerance.value.0,
+        Some(tolerance) => positive("the tolerance", tolerance)?,
         None => DEFAULT_CHORD_RELATIVE * if 0.0 < size { size } else { 1.0 },
     };
     let distance = ctx.tolerance.distance_for(size);

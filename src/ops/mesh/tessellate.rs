@@ -5,7 +5,8 @@ use std::f64::consts::PI;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{self, Bounds, Mesh, MeshLimits, Surface, tolerance::DEFAULT_CHORD_RELATIVE},
-    value::{Angle, At, Ctx, Geometry, Length, Value, op},
+    ops::positive,
+    value::{Angle, At, Ctx, Geometry, Length, Number, Value, op},
 };
 
 op! {
@@ -14,8 +15,8 @@ op! {
     /// No point of the triangles is further from the surface than the tolerance, and none of the
     /// surface further from the triangles, however small a feature is: bounds of the second
     /// derivatives tell how large a triangle may be. It has no cracks, at seams and poles neither;
-    /// surfaces of a list whose edges are one curve share the vertices there, whatever their degrees,
-    /// knots and parameters are. Normals are those of each side where there is a crease.
+    /// surfaces of a list share the vertices where their edges run together, along the whole or from
+    /// a corner of one to a corner of another, whatever their degrees, knots and parameters are. Normals are those of each side where there is a crease.
     /// Meshes in a list are taken along as they are.
     /// Filip, Magedson & Markot, *Surface algorithms using bounds on derivatives*, CAGD 3 (1986).
     tessellate in Mesh -> Mesh {
@@ -30,40 +31,47 @@ op! {
     }
     example "tessellate(bilinear((0, 0), (0, 1), (1, 0), (1, 1)))" => "mesh of 4 vertices and 2 triangles";
     example "tessellate(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), max_edge = 0.75)" => "mesh of 9 vertices and 8 triangles";
-    refuses "tessellate(plane_patch((0, 0), (1, 0), (0, 1)), tolerance = 0)" => "E0607: the tolerance must be positive";
+    refuses "tessellate(plane_patch((0, 0), (1, 0), (0, 1)), tolerance = 0)" => "E0607: the tolerance must be positive, found 0";
     refuses "tessellate(line((0, 0), (1, 0)))" => "E0301: surfaces and meshes become triangles, found a curve";
     picture "tessellate(torus((0, 0, 0), 3, 1), tolerance = 0.05)";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Mesh> {
     let geometry = &args.g.value.0;
+    let limit = |what: &str, given: Spanned<Length>, hint: &str| {
+        positive(what, given).map_err(|mistake| Box::new(mistake.hint(hint)))
+    };
     let tolerance = match args.tolerance {
-        Some(tolerance) => {
-            positive("the tolerance", Spanned::new(tolerance.value.0, tolerance.span))?
-        }
+        Some(given) => limit("the tolerance", given, "leave it out for a thousandth of the size")?,
         None => DEFAULT_CHORD_RELATIVE * size(geometry).filter(|size| 0.0 < *size).unwrap_or(1.0),
     };
-    let angle = positive("the angle", Spanned::new(args.angle.value.0, args.angle.span))?;
+    let angle = args.angle.value.0;
+    if angle <= 0.0 {
+        let found = Number::angle(angle);
+        let message = format!("the angle must be positive, found {found}");
+        return Diagnostic::error(Code::Degenerate, args.angle.span, message)
+            .hint("180deg lets normals turn as far as the tolerance does")
+            .fail();
+    }
     let max_edge = match args.max_edge {
-        Some(edge) => positive("the longest edge", Spanned::new(edge.value.0, edge.span))?,
+        Some(given) => limit("the longest edge", given, "leave it out for edges of any length")?,
         None => f64::INFINITY,
     };
     let limits = MeshLimits { tolerance, angle, max_edge, weld: ctx.tolerance.distance };
     let (mut surfaces, mut parts) = (Vec::new(), Vec::new());
     gather(geometry, &args.g, &mut surfaces, &mut parts)?;
     let most = ctx.limits.mesh_vertices;
-    let mut made = kernel::tessellate_all(&surfaces, &limits, most).at(ctx.span)?.into_iter();
+    let made = kernel::tessellate_all(&surfaces, &limits, most).at(ctx.span);
+    let hint = "a larger tolerance, angle or longest edge takes fewer vertices";
+    let mut made = made
+        .map_err(|mistake| match mistake.code {
+            Code::TooLarge => Box::new(mistake.hint(hint)),
+            _ => mistake,
+        })?
+        .into_iter();
     let meshes: Vec<Mesh> =
         parts.into_iter().filter_map(|part| part.or_else(|| made.next())).collect();
     Mesh::merged(&meshes, most).at(ctx.span)
-}
-
-/// A limit that allows something.
-fn positive(what: &str, limit: Spanned<f64>) -> Result<f64> {
-    if 0.0 < limit.value {
-        return Ok(limit.value);
-    }
-    Diagnostic::error(Code::Degenerate, limit.span, format!("{what} must be positive")).fail()
 }
 
 /// The surfaces in a value, and in their order the meshes, with none for a surface.

@@ -72,7 +72,9 @@ impl FromValue for Base {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     let nothing = |span: Span| {
-        Diagnostic::error(Code::TooFewPoints, span, "there is nothing to measure").fail()
+        let message =
+            "there is nothing to measure: expected one point or triangle at least, found none";
+        Diagnostic::error(Code::TooFewPoints, span, message).fail()
     };
     let datum = match &args.b.value {
         Base::Surface(surface) => Datum::Surface(surface),

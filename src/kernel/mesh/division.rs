@@ -1,0 +1,207 @@
+//! The division of a seam into legs.
+//!
+//! It is halved, or cut into equal parts where that takes fewer, until it is near enough to its chord
+//! and until the surfaces on it can follow with triangles.
+
+use glam::DVec4;
+
+use super::{
+    edge::Edge,
+    seam::{Seam, Seams, Stretch},
+    sheet::{Cells, Sheet},
+    tessellate::chord_deviation,
+};
+use crate::kernel::{
+    GeomError, Interval, bezier,
+    tolerance::{BORDER_SHARE, PLACE_RELATIVE},
+};
+
+/// Halvings of a stretch, past the last bit of a parameter.
+const MAX_HALVINGS: usize = 52;
+
+/// A seam while it is divided.
+pub(super) struct Division<'a, 's> {
+    seams: &'a Seams,
+    seam: &'a Seam,
+    sheets: &'a [Sheet<'s>],
+    cells: &'a [Cells],
+    /// How far its polygon may be away.
+    tolerance: f64,
+    /// The Bézier pieces of its first stretch.
+    pieces: Vec<(Interval, Vec<DVec4>)>,
+}
+
+/// A place on a seam.
+#[derive(Clone, Debug)]
+pub(super) struct Stop {
+    fraction: f64,
+    /// The parameters there of its stretches.
+    pub(super) parameters: Vec<f64>,
+}
+
+impl<'a, 's> Division<'a, 's> {
+    pub(super) fn new(
+        seams: &'a Seams,
+        seam: &'a Seam,
+        sheets: &'a [Sheet<'s>],
+        cells: &'a [Cells],
+    ) -> Self {
+        let edge = |stretch: usize| &seams.edges[seams.stretches[stretch].edge];
+        let tolerances =
+            seam.stretches.iter().map(|&(stretch, _)| sheets[edge(stretch).sheet].tolerance());
+        let tolerance = BORDER_SHARE * tolerances.fold(f64::INFINITY, f64::min);
+        let first = &seams.stretches[seam.stretches[0].0];
+        let curve = &seams.edges[first.edge].curve;
+        let knots = curve.knots();
+        let spans = knots.spans().map(|span| (knots.span_interval(span), span));
+        let pieces = spans
+            .filter(|(interval, _)| first.touches(*interval))
+            .map(|(interval, span)| (interval, bezier::piece(knots, curve.control_points(), span)))
+            .collect();
+        Self { seams, seam, sheets, cells, tolerance, pieces }
+    }
+
+    /// What it consists of: stretches, their edges, and whether they run against the first.
+    fn stretches(&self) -> impl Iterator<Item = (&'a Stretch, &'a Edge, bool)> + use<'a> {
+        let seams = self.seams;
+        self.seam.stretches.iter().map(move |&(stretch, turns)| {
+            let stretch = &seams.stretches[stretch];
+            (stretch, &seams.edges[stretch.edge], turns)
+        })
+    }
+
+    fn stop(&self, fraction: f64) -> Stop {
+        let parameter = |(stretch, edge, turns): (&Stretch, &Edge, bool)| {
+            stretch.parameter(edge, fraction, turns)
+        };
+        Stop { fraction, parameters: self.stretches().map(parameter).collect() }
+    }
+
+    /// Where there are vertices.
+    ///
+    /// # Errors
+    /// [`GeomError::TooManyVertices`].
+    pub(super) fn stops(&self, most: usize) -> Result<Vec<Stop>, GeomError> {
+        let mut stops = vec![self.stop(0.0)];
+        for section in self.forced().windows(2) {
+            let (start, end) = (stops[stops.len() - 1].clone(), self.stop(section[1]));
+            let halved = self.halved(start.clone(), end, most)?;
+            let section = [section[0], section[1]];
+            match self.fewer_equal(&start, section, halved.len()) {
+                Some(equal) => stops.extend(equal),
+                None => stops.extend(halved),
+            }
+            if most < stops.len() {
+                return Err(GeomError::TooManyVertices { got: stops.len(), most });
+            }
+        }
+        Ok(stops)
+    }
+
+    /// The stops behind the start up to the end, by halving.
+    fn halved(&self, start: Stop, end: Stop, most: usize) -> Result<Vec<Stop>, GeomError> {
+        let mut stops = Vec::new();
+        let (mut low, mut todo) = (start, vec![(end, 0)]);
+        while let Some((high, n_halvings)) = todo.pop() {
+            if MAX_HALVINGS <= n_halvings || self.fits(&low, &high) {
+                stops.push(high.clone());
+                low = high;
+            } else {
+                let middle = self.stop(0.5 * (low.fraction + high.fraction));
+                todo.extend([(high, n_halvings + 1), (middle, n_halvings + 1)]);
+            }
+            let got = stops.len() + todo.len();
+            if most < got {
+                return Err(GeomError::TooManyVertices { got, most });
+            }
+        }
+        Ok(stops)
+    }
+
+    /// The stops at equal parts, if they are fewer than by halving.
+    fn fewer_equal(&self, start: &Stop, section: [f64; 2], n_halved: usize) -> Option<Vec<Stop>> {
+        let try_parts = |n: usize| {
+            let mut stops: Vec<Stop> = Vec::with_capacity(n);
+            for i in 1..=n {
+                let stop = self.stop(equal(section, i, n));
+                if !self.fits(stops.last().unwrap_or(start), &stop) {
+                    return None;
+                }
+                stops.push(stop);
+            }
+            Some(stops)
+        };
+        // Fewer than half are not tried: where that is enough, halving finds about as few.
+        let (mut few, mut many, mut best) = (n_halved / 2, n_halved, None);
+        while few + 1 < many {
+            let middle = usize::midpoint(few, many);
+            match try_parts(middle) {
+                Some(stops) => (many, best) = (middle, Some(stops)),
+                None => few = middle,
+            }
+        }
+        best
+    }
+
+    /// The ends, and where a surface on it has a break.
+    fn forced(&self) -> Vec<f64> {
+        let mut forced = vec![0.0, 1.0];
+        for (stretch, edge, turns) in self.stretches() {
+            for line in edge.breaks(&self.sheets[edge.sheet]) {
+                let fraction = stretch.fraction(edge, line.at);
+                forced
+                    .extend(fraction.map(|fraction| if turns { 1.0 - fraction } else { fraction }));
+            }
+        }
+        forced.sort_by(f64::total_cmp);
+        forced.dedup_by(|a, b| *a - *b <= PLACE_RELATIVE);
+        if let Some(last) = forced.last_mut() {
+            *last = 1.0;
+        }
+        forced
+    }
+
+    /// Whether one leg may run between two stops.
+    fn fits(&self, low: &Stop, high: &Stop) -> bool {
+        if self.tolerance < deviation(&self.pieces, [low.parameters[0], high.parameters[0]]) {
+            return false;
+        }
+        let ends = low.parameters.iter().zip(&high.parameters);
+        self.stretches().zip(ends).all(|((_, edge, _), (&a, &b))| {
+            let (ends, cells) = ([a.min(b), a.max(b)], &self.cells[edge.sheet]);
+            let is_last = edge.number % 2 == 1;
+            cells.allow(match edge.number {
+                0 | 1 => [cells.rim(0, is_last), ends],
+                _ => [ends, cells.rim(1, is_last)],
+            })
+        })
+    }
+}
+
+fn equal([low, high]: [f64; 2], i: usize, n: usize) -> f64 {
+    if i == n { high } else { low + (high - low) * (i as f64 / n as f64) }
+}
+
+/// A bound of how far a curve is from its chord between two parameters.
+fn deviation(pieces: &[(Interval, Vec<DVec4>)], [start, end]: [f64; 2]) -> f64 {
+    let mut parts: Vec<Vec<DVec4>> = Vec::new();
+    for (interval, points) in pieces {
+        if interval.end() <= start || end <= interval.start() {
+            continue;
+        }
+        let mut part = points.clone();
+        let fraction = interval.fraction_of(end);
+        if fraction < 1.0 {
+            part = bezier::cut_at(&part, fraction).0;
+        }
+        let whole = interval.fraction_of(end.min(interval.end()));
+        let fraction = interval.fraction_of(start) / whole;
+        if 0.0 < fraction {
+            part = bezier::cut_at(&part, fraction).1;
+        }
+        parts.push(part);
+    }
+    let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return 0.0 };
+    let chord = [first[0], last[last.len() - 1]];
+    parts.iter().map(|part| chord_deviation(part, chord)).fold(0.0, f64::max)
+}
