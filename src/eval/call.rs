@@ -166,8 +166,7 @@ impl Machine<'_> {
             }
             Box::new(diagnostic)
         })?;
-        let env = self.env;
-        let span = call.span;
+        let (env, span) = (self.env, call.span);
         let meter = self.meter();
         let home = Arc::clone(&self.home);
         let files = Beside { files: env.files, folder: &home.folder, reads: self.reads.clone() };

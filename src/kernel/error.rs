@@ -243,12 +243,6 @@ pub enum GeomError {
         plain(*tolerance), plain(*found)
     )]
     ToleranceNotKept { tolerance: f64, found: f64 },
-    /// A mesh or polygon that should be nearer than places can be told apart.
-    #[error(
-        "the tolerance {} cannot be kept: so far from the origin places are rounded by up to {}",
-        few_digits(*tolerance), few_digits(*rounding)
-    )]
-    ToleranceBelowRounding { tolerance: f64, rounding: f64 },
     /// Three points that lie on one line.
     #[error("the three points lie on one line, so that no circle goes through them")]
     Collinear,

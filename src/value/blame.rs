@@ -120,9 +120,6 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         Error::KnotNeeded { .. } | Error::NotReducible { .. } => {
             "allow a larger tolerance, or keep the curve as it is".to_owned()
         }
-        Error::ToleranceBelowRounding { .. } => {
-            "bring the geometry nearer to the origin, or allow a larger tolerance".to_owned()
-        }
         Error::Gap { reversed: Some(index), .. } => {
             format!("`reversed(curves[{index}])` would fit")
         }
@@ -152,10 +149,7 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         Error::AcrossSurface => {
             "directions of the tangent plane are those of `tangent_u` and `tangent_v`".to_owned()
         }
-        Error::Mesh(MeshError::Open { .. }) => {
-            "a volume needs a mesh that closes it, `area` needs none; `border(m)` shows the holes"
-                .to_owned()
-        }
+        Error::Mesh(error) => return hint_about_mesh(error),
         Error::Shell(ShellError::Open { .. } | ShellError::Alone { .. }) => {
             "a volume needs surfaces that close it; `area` needs none".to_owned()
         }
@@ -172,6 +166,19 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         }
         _ => return hint_about_input(error),
     })
+}
+
+fn hint_about_mesh(error: &MeshError) -> Option<String> {
+    let hint = match error {
+        MeshError::BelowRounding { .. } => {
+            "allow a larger tolerance, or bring the geometry nearer to the origin"
+        }
+        MeshError::Open { .. } => {
+            "a volume needs a mesh that closes it, `area` needs none; `border(m)` shows the holes"
+        }
+        MeshError::BadColor { .. } | MeshError::Unoriented { .. } => return None,
+    };
+    Some(hint.to_owned())
 }
 
 /// What to do about points, knots, weights and parameters that make no geometry.

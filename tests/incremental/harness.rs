@@ -60,7 +60,7 @@ fn counted(_: &mut Ctx<'_>, call: Call) -> virote::diag::Result<Value> {
 
 /// The same with a warning.
 fn doubtful(ctx: &mut Ctx<'_>, call: Call) -> virote::diag::Result<Value> {
-    ctx.warn(Diagnostic::warning(Code::Degenerate, call.span, "this is doubtful"));
+    ctx.warn(Diagnostic::warning(Code::Unclean, call.span, "this is doubtful"));
     counted(ctx, call)
 }
 

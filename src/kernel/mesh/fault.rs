@@ -15,6 +15,12 @@ pub enum MeshError {
         color.x, color.y, color.z
     )]
     BadColor { index: usize, color: DVec3 },
+    /// A mesh or polygon that should be nearer to its geometry than places can be told apart.
+    #[error(
+        "the tolerance {} cannot be kept: places of this geometry are rounded by up to {}",
+        few_digits(*tolerance), few_digits(*rounding)
+    )]
+    BelowRounding { tolerance: f64, rounding: f64 },
     /// A mesh with an edge of one triangle.
     #[error(
         "the mesh does not close: it has {} around {}, from {} on",

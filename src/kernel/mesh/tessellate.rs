@@ -6,7 +6,9 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{Mesh, MeshLimits, limits::Limits, seam::Seams, sheet::Sheet, stitch::stitched};
+use super::{
+    Mesh, MeshError, MeshLimits, limits::Limits, seam::Seams, sheet::Sheet, stitch::stitched,
+};
 use crate::kernel::{
     GeomError, NurbsCurve, NurbsSurface, Surface, bezier, homogeneous::project,
     tolerance::PATH_ROUNDING,
@@ -116,7 +118,7 @@ fn meshes_of(
 }
 
 /// # Errors
-/// [`GeomError::ToleranceBelowRounding`] where the ends of the geometry are so far away that places
+/// [`MeshError::BelowRounding`] where the ends of the geometry are so far away that places
 /// cannot be told apart within the tolerance.
 fn check_rounding(tolerance: f64, ends: [DVec3; 2]) -> Result<(), GeomError> {
     let far = ends[0].abs().max(ends[1].abs()).max_element();
@@ -124,7 +126,7 @@ fn check_rounding(tolerance: f64, ends: [DVec3; 2]) -> Result<(), GeomError> {
     if rounding <= tolerance {
         Ok(())
     } else {
-        Err(GeomError::ToleranceBelowRounding { tolerance, rounding })
+        Err(MeshError::BelowRounding { tolerance, rounding }.into())
     }
 }
 
@@ -152,7 +154,7 @@ fn widest_turn(mesh: &Mesh, tolerance: f64) -> f64 {
 /// A piece is halved until the control points of its quarters are that near to its chord.
 ///
 /// # Errors
-/// [`GeomError::NotPositive`] for the tolerance; [`GeomError::ToleranceBelowRounding`];
+/// [`GeomError::NotPositive`] for the tolerance; [`MeshError::BelowRounding`];
 /// [`GeomError::TooManyVertices`] where it would need more than the ceiling.
 pub fn tessellate_curve(
     curve: &NurbsCurve,
