@@ -1,6 +1,7 @@
 """Reads the files of `run` back with programs that are not ours, and compares them with the exact
 data of our JSON, evaluated here by de Boor's algorithm: no line of the interpreter takes part."""
 
+import io
 import json
 import pathlib
 import subprocess
@@ -8,6 +9,7 @@ import sys
 import traceback
 
 import numpy as np
+from PIL import Image, ImageFilter
 
 HOME = pathlib.Path(sys.argv[1])
 OUT = HOME / "out"
@@ -426,14 +428,38 @@ def dxf(ours):
 
 
 def svg(ours):
-    import cairosvg
     from xml.etree import ElementTree
+
+    import cairosvg
 
     for file in ["wires.svg", "solids.svg"]:
         png = cairosvg.svg2png(url=str(OUT / file), output_width=400)
         tree = ElementTree.parse(OUT / file)
         ids = [element.get("id") for element in tree.iter() if element.get("id")]
         tell(file, "CairoSVG", f"drawn, {len(ids)} groups", len(png) > 1000 and len(ids) == len(set(ids)))
+        shares = same_ink(browser(file), cairosvg.svg2png(url=str(OUT / file), background_color="white"))
+        tell(file, "Chromium", f"drawn, {min(shares):.1%} of the ink where CairoSVG has it", 0.99 < min(shares))
+
+
+def browser(file):
+    """The picture of a page that holds only the file, by a browser without a window."""
+    shot = OUT / f"{file}.png"
+    subprocess.run(
+        ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
+         "--window-size=2000,2000", f"--screenshot={shot}", (OUT / file).as_uri()],
+        check=True, capture_output=True, timeout=120,
+    )
+    return shot.read_bytes()
+
+
+def same_ink(one, other):
+    """Which shares of the drawn places of each picture are drawn within two of them in the other."""
+    pictures = [Image.open(io.BytesIO(picture)).convert("L") for picture in (one, other)]
+    size = [min(sides) for sides in zip(*(picture.size for picture in pictures))]
+    pictures = [picture.crop((0, 0, *size)) for picture in pictures]
+    ink = [np.array(picture) < 200 for picture in pictures]
+    near = [np.array(picture.filter(ImageFilter.MinFilter(5))) < 250 for picture in pictures]
+    return [(a & b).sum() / a.sum() for a, b in [(ink[0], near[1]), (ink[1], near[0])]]
 
 
 def free_form(file, ours, kind):
