@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{GeomError, Surface, mesh::Nearest};
+use super::{GeomError, NurbsSurface, Surface, mesh::Nearest, surface::ParametricPlaces};
 
 /// Distances of places from a surface or from a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,20 +18,34 @@ pub struct Deviation {
 /// A surface or a mesh, prepared to be asked for its distance from places.
 #[derive(Debug)]
 pub enum Datum<'a> {
-    /// All of a surface.
-    Surface(&'a Surface),
+    /// All of a NURBS surface.
+    Surface(&'a NurbsSurface),
+    /// All of the surface of a function.
+    Function(ParametricPlaces<'a>),
     /// All triangles of a mesh.
     Mesh(Nearest<'a>),
 }
 
-impl Datum<'_> {
+impl<'a> Datum<'a> {
+    /// All of a surface.
+    ///
+    /// # Errors
+    /// As [`Surface::point_at`].
+    pub fn of_surface(surface: &'a Surface) -> Result<Self, GeomError> {
+        Ok(match surface {
+            Surface::Nurbs(surface) => Self::Surface(surface),
+            Surface::Parametric(surface) => Self::Function(surface.places()?),
+        })
+    }
+
     /// How far a place is from its nearest one.
     ///
     /// # Errors
     /// As [`Surface::point_at`].
     pub fn distance(&self, place: DVec3) -> Result<f64, GeomError> {
         match self {
-            Self::Surface(surface) => Ok(surface.closest(place)?.distance),
+            Self::Surface(surface) => Ok(surface.closest(place).distance),
+            Self::Function(places) => Ok(places.closest(place)?.distance),
             Self::Mesh(mesh) => Ok(mesh.distance(place)),
         }
     }

@@ -64,8 +64,8 @@ pub use receipt::{Fact, Receipt};
 pub use skin::{Alignment, Along, Rule, Sections, Skin, aligned, at_constant_speed};
 pub use surface::{
     AnalyticForm, AnalyticSurface, Axis, AxisContact, Blend, CrossFields, Defects, Direction, Edge,
-    GridSamples, LevelSet, Mass, NurbsSurface, ParametricSurface, PictureError, Piercing,
-    Principal, ShellError, Surface, SurfaceContinuity, SurfaceEvaluator, SurfaceFoot,
+    GridSamples, LevelSet, Mass, NurbsSurface, ParametricPlaces, ParametricSurface, PictureError,
+    Piercing, Principal, ShellError, Surface, SurfaceContinuity, SurfaceEvaluator, SurfaceFoot,
     SurfaceFunction, SurfaceKind, SurfaceOffset, SurfaceShape, Turn, Twists, area_mass,
     join_patches, make_surfaces_compatible, principal_axes, volume_mass,
 };

@@ -191,7 +191,7 @@ fn closed_primitives_are_smooth_across_their_seams_and_knots() {
 #[test]
 fn a_larger_ball_is_as_far_away_as_it_is_larger() {
     let [small, large] = [2.0, 2.25].map(|radius| Surface::from(sphere(DVec3::ONE, radius)));
-    let small = Datum::Surface(&small);
+    let small = Datum::of_surface(&small).unwrap();
     let found = large.deviation_from(&small).unwrap();
     assert!((found.max - 0.25).abs() < 1e-12 && (found.mean - 0.25).abs() < 1e-12, "{found:?}");
     let points = [DVec3::ONE, DVec3::ONE + 5.0 * DVec3::Z];

@@ -13,7 +13,7 @@ const MOST: usize = 1_000_000;
 /// How far the mesh is from the surface, and the surface from the mesh.
 fn deviations(surface: &NurbsSurface, mesh: &Mesh) -> [f64; 2] {
     let surface = Surface::from(surface.clone());
-    let of_mesh = mesh.deviation_from(&Datum::Surface(&surface)).unwrap().unwrap();
+    let of_mesh = mesh.deviation_from(&Datum::of_surface(&surface).unwrap()).unwrap().unwrap();
     let nearest = Datum::Mesh(Nearest::new(mesh).unwrap());
     [of_mesh.max, surface.deviation_from(&nearest).unwrap().max]
 }

@@ -73,35 +73,64 @@ impl NurbsSurface {
     }
 }
 
+/// A function with its points at the places of a grid, to be asked for many nearest ones.
+#[derive(Debug)]
+pub struct ParametricPlaces<'a> {
+    surface: &'a ParametricSurface,
+    us: Vec<f64>,
+    vs: Vec<f64>,
+    points: Vec<DVec3>,
+}
+
 impl ParametricSurface {
-    /// The nearest point to `p` that a search from places of a grid of 49 x 49 comes to. What
-    /// the function does between these places may escape it.
+    /// The nearest point to `p`, as [`ParametricPlaces::closest`].
     ///
     /// # Errors
     /// As [`Self::derivatives_at`].
     pub fn closest(&self, p: DVec3) -> Result<SurfaceFoot, GeomError> {
+        self.places()?.closest(p)
+    }
+
+    /// What answers for many nearest points.
+    ///
+    /// # Errors
+    /// As [`Self::point_at`].
+    pub fn places(&self) -> Result<ParametricPlaces<'_>, GeomError> {
         let (us, vs) = (self.domain_u().steps(GRID), self.domain_v().steps(GRID));
-        let n = GRID + 1;
-        let mut distances = Vec::with_capacity(n * n);
+        let mut points = Vec::with_capacity(us.len() * vs.len());
         for &u in &us {
             for &v in &vs {
-                distances.push(norm(self.point_at(u, v)? - p));
+                points.push(self.point_at(u, v)?);
             }
         }
-        let cell = Cell::between(self.domain_u(), self.domain_v());
+        Ok(ParametricPlaces { surface: self, us, vs, points })
+    }
+}
+
+impl ParametricPlaces<'_> {
+    /// The nearest point to `p` that a search from places of a grid of 49 x 49 comes to. What
+    /// the function does between these places may escape it.
+    ///
+    /// # Errors
+    /// As [`ParametricSurface::derivatives_at`].
+    pub fn closest(&self, p: DVec3) -> Result<SurfaceFoot, GeomError> {
+        let (surface, us, vs) = (self.surface, &self.us, &self.vs);
+        let n = GRID + 1;
+        let distances: Vec<f64> = self.points.iter().map(|&point| norm(point - p)).collect();
+        let cell = Cell::between(surface.domain_u(), surface.domain_v());
         let mut best: Option<SurfaceFoot> = None;
         for i in 0..n * n {
             if !is_least_around(&distances, n, i) {
                 continue;
             }
             let found = descend(&cell, [us[i / n], vs[i % n]], |[u, v]| {
-                let all = self.derivatives_at(u, v, 2)?;
+                let all = surface.derivatives_at(u, v, 2)?;
                 let orders = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)];
                 let mut derivatives = orders.map(|(k, l)| all.get(k, l));
                 derivatives[0] -= p;
                 Ok::<Way, GeomError>(Way::new([u, v], derivatives))
             })?;
-            let point = self.point_at(found.place[0], found.place[1])?;
+            let point = surface.point_at(found.place[0], found.place[1])?;
             let foot = SurfaceFoot { parameters: found.place, point, distance: norm(point - p) };
             if best.is_none_or(|best| foot.distance < best.distance) {
                 best = Some(foot);

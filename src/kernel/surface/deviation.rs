@@ -25,7 +25,7 @@ impl Surface {
     /// As [`Self::point_at`].
     pub fn deviation_from(&self, datum: &Datum<'_>) -> Result<Deviation, GeomError> {
         let parts = match datum {
-            Datum::Surface(surface) if surface.nurbs().is_err() => PARTS_BY_FUNCTION,
+            Datum::Function(_) => PARTS_BY_FUNCTION,
             Datum::Surface(_) => PARTS,
             Datum::Mesh(mesh) => {
                 let parts = PARTS_OF_TRIANGLE * (mesh.n_triangles() as f64).sqrt();

@@ -65,7 +65,7 @@ use glam::{DAffine3, DVec3, DVec4};
 
 pub use analytic::{AnalyticForm, AnalyticSurface};
 pub use any::Surface;
-pub use closest::SurfaceFoot;
+pub use closest::{ParametricPlaces, SurfaceFoot};
 pub use compatible::make_surfaces_compatible;
 pub use coons::{Blend, CrossFields, Twists};
 pub(in crate::kernel) use crease::Break;

@@ -77,7 +77,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
         Diagnostic::error(Code::TooFewPoints, span, message).fail()
     };
     let datum = match &args.b.value {
-        Base::Surface(surface) => Datum::Surface(surface),
+        Base::Surface(surface) => Datum::of_surface(surface).at(args.b.span)?,
         Base::Mesh(mesh) => match Nearest::new(mesh) {
             Some(nearest) => Datum::Mesh(nearest),
             None => return nothing(args.b.span),
