@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use serde_json::Value as Json;
+
 use super::{bpt, csv, dat, obj};
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned, nearest},
@@ -16,7 +18,8 @@ op! {
     /// the first line names its columns, with their units as in `x [mm]`, which stay with the
     /// columns; an empty cell is none. `.dat` gives the points of an aerofoil, in the form of Selig or of
     /// Lednicer, around the profile from the trailing edge over the upper side. `.json` gives what an
-    /// export wrote, to the same bits, or lists and records of other JSON.
+    /// export wrote, to the same bits, with a warning where that had another unit, or lists and
+    /// records of other JSON.
     /// The example's `points.csv` has the lines `x,y`, `0,0`, `1,2` and `4,3`.
     load in Mesh -> Value {
         /// The path.
@@ -27,14 +30,14 @@ op! {
 }
 
 /// A reader of one format: the value, or a sentence on what is wrong and its line.
-type Reader = fn(&[u8], &Ctx<'_>) -> std::result::Result<Value, String>;
+type Reader = fn(&[u8], &mut Ctx<'_>) -> std::result::Result<Value, String>;
 
 /// Every format that can be read, by ending.
 const READERS: &[(&str, Reader)] = &[
-    ("obj", obj::read),
-    ("bpt", bpt::read),
-    ("csv", csv::read),
-    ("dat", dat::read),
+    ("obj", |bytes, ctx| obj::read(bytes, ctx)),
+    ("bpt", |bytes, ctx| bpt::read(bytes, ctx)),
+    ("csv", |bytes, ctx| csv::read(bytes, ctx)),
+    ("dat", |bytes, ctx| dat::read(bytes, ctx)),
     ("json", json),
 ];
 
@@ -71,7 +74,19 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
     })
 }
 
-fn json(bytes: &[u8], _: &Ctx<'_>) -> std::result::Result<Value, String> {
-    let data = serde_json::from_slice(bytes).map_err(|err| err.to_string())?;
-    from_json(&data)
+/// Numbers of a document of another unit stay as they are, which is told.
+fn json(bytes: &[u8], ctx: &mut Ctx<'_>) -> std::result::Result<Value, String> {
+    let data: Json = serde_json::from_slice(bytes).map_err(|err| err.to_string())?;
+    let value = from_json(&data)?;
+    let is_document = data.get("virote").and_then(Json::as_str) == Some("document");
+    let written_in = data.get("unit").and_then(Json::as_str).filter(|_| is_document);
+    if let Some(unit) = written_in.filter(|unit| *unit != ctx.unit) {
+        let message = format!(
+            "the file was written in {unit}, and the script's unit is {}: its lengths are taken as they stand",
+            ctx.unit
+        );
+        let hint = "state the file's `unit` in the script, or `scale` what it holds";
+        ctx.warn(Diagnostic::warning(Code::Unclean, ctx.span, message).hint(hint));
+    }
+    Ok(value)
 }
