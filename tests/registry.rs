@@ -146,13 +146,28 @@ fn defaults_can_be_written_in_a_script() {
     });
 }
 
+/// Elements of a list stand loose only as the first arguments; any further list needs its brackets.
 #[test]
-fn only_the_first_parameter_spreads() {
-    ask(|op| {
-        let others =
-            op.params.iter().skip(1).filter(|param| param.spreads && !param.may_be_left_out());
-        others.map(|param| format!("`{}` {}", param.name, param.ty)).find(|_| false)
-    });
+fn loose_elements_stand_for_the_first_parameter_alone() {
+    for (whole, loose) in [
+        (
+            "hermite([(0, 0), (2, 0)], [(1, 1), (1, -1)])",
+            "hermite([(0, 0), (2, 0)], (1, 1), (1, -1))",
+        ),
+        (
+            "cubic_spline([(0, 0), (1, 1), (2, 0)], [(1, 1), (1, -1)])",
+            "cubic_spline([(0, 0), (1, 1), (2, 0)], (1, 1), (1, -1))",
+        ),
+        (
+            "continue_bezier(line((0, 0), (1, 0)), 0, [(2, 1), (3, 0)])",
+            "continue_bezier(line((0, 0), (1, 0)), 0, (2, 1), (3, 0))",
+        ),
+    ] {
+        assert!(run(&format!("curve c = {whole}")).diagnostics.is_empty(), "{whole}");
+        let codes: Vec<_> =
+            run(&format!("curve c = {loose}")).diagnostics.iter().map(|d| d.code.id()).collect();
+        assert_eq!(codes, ["E0401"], "{loose}");
+    }
 }
 
 /// Whether a value could be of both types.

@@ -26,7 +26,7 @@ use crate::{
         self,
         ast::{Expr, ExprKind, StatementKind, Tree, Unit},
     },
-    value::{Record, Value, to_json},
+    value::{Record, Value, exact_key},
 };
 
 /// A file that some import names.
@@ -55,8 +55,8 @@ pub(crate) struct Library<'a> {
     unit: Unit,
     files: Vec<File>,
     by_path: BTreeMap<String, Option<usize>>,
-    /// Keyed by the file and its parameters as exact text.
-    instances: Mutex<BTreeMap<(usize, String), Arc<OnceLock<Instance>>>>,
+    /// By the file and the exact key of its parameters.
+    instances: Mutex<BTreeMap<(usize, Vec<u8>), Arc<OnceLock<Instance>>>>,
     findings: Mutex<Vec<Diagnostic>>,
 }
 
@@ -238,10 +238,11 @@ impl<'a> Library<'a> {
         env: Env<'_>,
     ) -> Result<(Value, Fields)> {
         self.check_parameters(file, &parameters)?;
-        let key: String = parameters
-            .iter()
-            .map(|(name, value)| format!("{}={};", name.value, to_json(&value.value)))
-            .collect();
+        let mut key = Vec::new();
+        for (name, value) in &parameters {
+            exact_key(&Value::Text(Arc::clone(&name.value)), &mut key);
+            exact_key(&value.value, &mut key);
+        }
         let instance = {
             let mut instances = self.instances.lock().unwrap_or_else(PoisonError::into_inner);
             Arc::clone(instances.entry((file, key)).or_default())

@@ -15,7 +15,7 @@ use super::{
     },
     param::Given,
 };
-use crate::value::{Function, Number, Value};
+use crate::value::{Value, exact_key};
 
 /// What a key is of; keys of different sorts never agree.
 #[derive(Clone, Copy)]
@@ -100,31 +100,7 @@ impl<'a> Spelling<'a> {
     }
 
     fn value(&mut self, value: &Value) {
-        match value {
-            Value::None => self.tag(0),
-            Value::Bool(truth) => {
-                self.tag(1);
-                self.tag(u8::from(*truth));
-            }
-            Value::Number(Number { value, dim }) => {
-                self.tag(2);
-                self.bytes.extend(value.to_bits().to_le_bytes());
-                self.bytes.extend(dim.powers().map(i8::cast_unsigned));
-            }
-            Value::Text(text) => {
-                self.tag(3);
-                self.text(text);
-            }
-            Value::Function(Function::Builtin(name, _)) => {
-                self.tag(4);
-                self.text(name);
-            }
-            // Planes, as far as literals and built-ins go: every digit of every field.
-            other => {
-                self.tag(5);
-                self.text(&format!("{other:?}"));
-            }
-        }
+        exact_key(value, &mut self.bytes);
     }
 
     fn expr(&mut self, expr: &Expr) {
