@@ -25,6 +25,7 @@ mod nurbs;
 mod parametric;
 mod plane_patch;
 mod revolve;
+mod ribbon;
 mod ruled;
 mod section;
 mod skin;
