@@ -35,6 +35,7 @@ mod swept;
 mod swung;
 mod to_nurbs;
 mod torus;
+mod turned;
 
 use glam::DVec3;
 
