@@ -73,8 +73,8 @@ pub use surface::{
     join_patches, make_surfaces_compatible, principal_axes, volume_mass,
 };
 pub use sweep::{
-    Axes, Columns, Fineness, Frames, Framing, Held, Leg, Motion, Sweep, legs, mitred, overreaches, swept,
-    translated,
+    Axes, Columns, Fineness, Frames, Framing, Held, Leg, Motion, Sweep, legs, mitred, overreaches,
+    swept, translated,
 };
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;

@@ -11,5 +11,5 @@ check length(before) ~= 3.5*pi within 1e-9
 check every(linspace(0, 1, 9), t => around(t) ~= quarter(t) within 1e-14 and before(t) ~= quarter(t) within 1e-14)
 print around.domain.start, before.domain.end
 // So does an arc behind a line.
-check extend(join([line((1, -3), (1, 0)), quarter]), 2.5*pi).end ~= (1, 0) within 1e-9
+check extend(join([line((1, -3), (1, 0)), quarter]), 2.5*pi).end ~= (-1, 0) within 1e-9
 check length(extend(circle((0, 0), 2), 9*pi)) ~= 13*pi within 1e-9

@@ -22,10 +22,10 @@ check every(0..3, k => norm(turned(0, stand[k + 1]) - tails[k]) < 1e-12)
 print report(turned).reversed
 // With `align = false` they stay as they are.
 surface as_given = skin(nosed, align = false)
-check norm(as_given(0, 0) - nosed[0].start) < 1e-12
+check norm(as_given(as_given.domain_u.start, 0) - nosed[0].start) < 1e-12
 
 // Neighbours with as many corners have them at the same parameters, exactly.
-fn box(z, w, h, at) = nurbs([(w, h, z), (-w, h, z), (-w, -h, z), (w, -h, z), (w, h, z)], degree = 1, knots = [0, 0, ...at, 1, 1])
+fn box(z, w, h, inner) = nurbs([(w, h, z), (-w, h, z), (-w, -h, z), (w, -h, z), (w, h, z)], degree = 1, knots = [0, 0, ...inner, 1, 1])
 surface duct = skin([box(0, 1, 1, [0.25, 0.5, 0.75]), box(2, 3, 1, [0.375, 0.5, 0.875])])
 print duct.knots_u, report(duct).moved_corners
 check duct(0.375, 1) ~= (-3, 0, 2)

@@ -1,6 +1,6 @@
 // Sines through which sliding parameters would crowd.
 fn wave(height, n_waves, n) = [for i in 0..n: (10*i/n, height*sin(360deg*n_waves*i/n))]
-fn fit(height, n_waves, n, within) = report(approximate(wave(height, n_waves, n), tolerance = within))
+fn fit(height, n_waves, n, distance) = report(approximate(wave(height, n_waves, n), tolerance = distance))
 check fit(1, 4, 999, 0.01).control_points <= 24
 check fit(1, 4, 999, 0.001).control_points <= 52
 check fit(3, 4, 999, 0.01).control_points <= 100

@@ -80,13 +80,13 @@ impl NurbsCurve {
             let centre = frame.origin();
             piece.transformed(&DAffine3::from_mat3_translation(around, centre - around * centre))
         };
-        let mut pieces: Vec<Self> = [self.clone()].into_iter().chain((0..n_whole).map(copy)).collect();
+        let mut pieces: Vec<Self> =
+            [self.clone()].into_iter().chain((0..n_whole).map(copy)).collect();
         let rest = length - n_whole as f64 * radius * turn;
         let next = copy(n_whole);
         let t = next.parameter_at_length(rest.clamp(0.0, radius * turn))?;
-        if let Ok(part) = next.trimmed(Interval::new(last.start(), t.max(last.start()))?) {
-            pieces.push(part);
-        }
+        // Nothing, where the length is a whole number of arcs.
+        pieces.extend(Interval::new(last.start(), t).and_then(|part| next.trimmed(part)).ok());
         let widths = pieces.iter().map(|piece| piece.domain().length()).sum::<f64>();
         let start = self.domain().start();
         let joined = match &pieces[..] {

@@ -98,9 +98,8 @@ pub(super) fn cornered(
             let fraction = i as f64 / N_PLACES as f64;
             way.place(if are_paired { carried(fraction, &others, &way.corners) } else { fraction })
         };
-        let miss = |i: usize| {
-            there.at(i as f64 / N_PLACES as f64).distance_squared(here.at(place(i)))
-        };
+        let miss =
+            |i: usize| there.at(i as f64 / N_PLACES as f64).distance_squared(here.at(place(i)));
         (0..N_PLACES).map(miss).sum()
     };
     let mut best: Option<(f64, Way)> = None;

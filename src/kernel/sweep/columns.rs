@@ -45,7 +45,8 @@ impl Moving<'_> {
     pub(super) fn skinned(&mut self, n: usize, tolerance: f64) -> Result<Fit, GeomError> {
         let at = self.path.domain().steps(n - 1);
         let mut columns = self.columns(&at)?;
-        let apart = |(a, b): (&DVec4, &DVec4)| homogeneous::place(*a).distance(homogeneous::place(*b));
+        let apart =
+            |(a, b): (&DVec4, &DVec4)| homogeneous::place(*a).distance(homogeneous::place(*b));
         let gap = columns[0].iter().zip(&columns[n - 1]).map(apart).fold(0.0, f64::max);
         if self.frames.is_closed() && SKIN_DEGREE + 1 < n && gap <= tolerance {
             columns.pop();
@@ -74,8 +75,7 @@ impl Moving<'_> {
             .map(|(&origin, &t)| self.placed_about(origin, t))
             .collect::<Result<_, _>>()?;
         let net = Grid::from_rows(columns)?.transposed();
-        let surface =
-            NurbsSurface::new(self.section.knots().clone(), path.knots().clone(), net)?;
+        let surface = NurbsSurface::new(self.section.knots().clone(), path.knots().clone(), net)?;
         Ok(Fit { surface, at })
     }
 

@@ -15,8 +15,7 @@ pub use frames::{Axes, Frames, Framing};
 use glam::{DVec3, DVec4};
 
 use super::{
-    GeomError, Grid, KnotVector, NurbsCurve, NurbsSurface, homogeneous,
-    tolerance::KNOT_RELATIVE,
+    GeomError, Grid, KnotVector, NurbsCurve, NurbsSurface, homogeneous, tolerance::KNOT_RELATIVE,
 };
 
 /// What happens to a section on its way, by the path's parameter.

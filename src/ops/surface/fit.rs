@@ -45,7 +45,8 @@ impl Data {
         self,
         fit: [&dyn Fn(Vec<f64>) -> Result<LineFit>; 2],
     ) -> Result<NurbsSurface> {
-        let Self { points: Spanned { value: grid, span }, parameters, second_pass, operation } = self;
+        let Self { points: Spanned { value: grid, span }, parameters, second_pass, operation } =
+            self;
         let given = grid.clone();
         let mut places = [Vec::new(), Vec::new()];
         let mut noted = |direction: usize, found: Vec<f64>| {

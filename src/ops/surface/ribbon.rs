@@ -33,7 +33,9 @@ pub(super) fn warn_of_ribbon(ctx: &mut Ctx<'_>, section: &NurbsCurve, moved: Opt
     }
     let message = "the section lies in one plane with the direction of the path, so that the surface is a strip that covers itself";
     let hint = match moved {
-        None => "the section's x lies along the path, its y and z across: draw it in y and z, a circle with `normal = (1, 0, 0)`",
+        None => {
+            "the section's x lies along the path, its y and z across: draw it in y and z, a circle with `normal = (1, 0, 0)`"
+        }
         Some(_) => "\"translate\" leaves the section as it lies: draw it across the path",
     };
     ctx.warn(Diagnostic::warning(Code::DegenerateResult, ctx.span, message).hint(hint));

@@ -6,15 +6,15 @@ use glam::{DVec2, DVec3};
 
 use super::{
     motion::{Given, Rails, Scale, Twist},
-    section::nurbs_within,
     ribbon::warn_of_ribbon,
+    section::nurbs_within,
     swept::{receipted, warn, warn_of_corners, warn_of_short_legs},
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        Columns, Curve, Fineness, Frames, Framing, GeomError, Leg, NurbsCurve, NurbsSurface, Receipt, Side,
-        Sweep, legs, mitred, overreaches, swept, translated,
+        Columns, Curve, Fineness, Frames, Framing, GeomError, Leg, NurbsCurve, NurbsSurface,
+        Receipt, Side, Sweep, legs, mitred, overreaches, swept, translated,
     },
     value::{At, Choice, Ctx, Length, op, shortest},
 };
