@@ -62,7 +62,7 @@ impl Moving<'_> {
         let path = self.path.elevate_degree(knots.degree())?;
         let mut missing = knots.as_slice().to_vec();
         for t in path.knots().as_slice() {
-            if let Some(i) = missing.iter().position(|knot| knot == t) {
+            if let Some(i) = missing.iter().position(|knot| knot.to_bits() == t.to_bits()) {
                 missing.remove(i);
             }
         }

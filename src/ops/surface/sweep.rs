@@ -174,15 +174,9 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         let (rule, reach) = (framing(args.frame.value), reach(&section));
         legs(&path, &corners, rule, up.value, has_corner_at_seam, reach).at(up.span)?
     };
-    let n_sections = counted(ctx, args.sections)?;
+    let fineness = fineness(ctx, &args, tolerance)?;
     let rails = rails(args.rail.as_ref(), &section, tolerance)?;
     let breaks = args.scale.as_ref().map_or(Vec::new(), |scale| scale.value.breaks(path.domain()));
-    let fineness = Fineness {
-        n_sections,
-        tolerance: 0.5 * tolerance,
-        keeps_path: args.keep_path,
-        columns: columns(args.method, args.keep_path)?,
-    };
     let motion = Given {
         ctx: &mut *ctx,
         scale: args.scale.map(|given| given.value),
@@ -300,6 +294,16 @@ fn framed(path: &NurbsCurve, frame: Frame, up: Spanned<DVec3>, is_closed: bool) 
         let hint = "`frame = \"rotation_minimizing\"` needs no bend, and `up` only at the start";
         let needs_more = matches!(rule, Framing::Frenet | Framing::Fixed);
         if needs_more { Box::new(found.hint(hint)) } else { found }
+    })
+}
+
+/// How fine the sweep is to be, of which half is left for the curves.
+fn fineness(ctx: &Ctx<'_>, args: &Args, tolerance: f64) -> Result<Fineness> {
+    Ok(Fineness {
+        n_sections: counted(ctx, args.sections)?,
+        tolerance: 0.5 * tolerance,
+        keeps_path: args.keep_path,
+        columns: columns(args.method, args.keep_path)?,
     })
 }
 
