@@ -61,7 +61,10 @@ pub use mesh::{
     tessellate_curve, tessellate_curve_any, tessellate_finely,
 };
 pub use receipt::{Fact, Receipt};
-pub use skin::{Alignment, Along, Rule, Sections, Skin, aligned, at_constant_speed};
+pub use skin::{
+    Alignment, Along, Rule, Sections, Skin, aligned, at_constant_speed, corners_of_ring,
+    with_seam_at_corner,
+};
 pub use surface::{
     AnalyticForm, AnalyticSurface, Axis, AxisContact, Blend, CrossFields, Defects, Direction, Edge,
     GridSamples, LevelSet, Mass, NurbsSurface, ParametricPlaces, ParametricSurface, PictureError,
@@ -70,8 +73,8 @@ pub use surface::{
     join_patches, make_surfaces_compatible, principal_axes, volume_mass,
 };
 pub use sweep::{
-    Axes, Fineness, Frames, Framing, Held, Leg, Motion, Sweep, legs, mitred, overreaches, swept,
-    translated,
+    Axes, Columns, Fineness, Frames, Framing, Held, Leg, Motion, Sweep, legs, mitred, overreaches,
+    swept, translated,
 };
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;

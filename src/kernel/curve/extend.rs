@@ -1,9 +1,9 @@
 //! A curve that goes on beyond its end.
 
-use glam::{DVec3, DVec4};
+use glam::{DAffine3, DMat3, DVec3, DVec4};
 
 use super::{
-    NurbsCurve,
+    AnalyticCurve, NurbsCurve, join,
     measure::{MAX_PIECES, integral},
 };
 use crate::kernel::{
@@ -24,23 +24,31 @@ const MAX_STEPS: usize = 1000;
 /// but vanishes.
 const MAX_HALVINGS: usize = 8;
 
+/// Arcs that a curve may be prolonged by.
+const MAX_ARCS: f64 = 4096.0;
+
 impl NurbsCurve {
     /// The curve with its last polynomial piece going on until it is longer by `length`, on a
     /// domain that grows at its end.
     ///
-    /// The piece stays one piece unless its weights would not stay positive. Exact but for the
+    /// The piece stays one piece unless its weights would not stay positive. An arc of a circle that
+    /// is to go on further than its polynomials reach, which is to the middle of what is missing
+    /// from its circle, is repeated around the circle instead. Exact but for the
     /// parameter where the length is reached, which is found to 1e-13 of it.
     ///
     /// # Errors
     /// [`GeomError::NotPositive`] for a length; [`GeomError::EndOfContinuation`] where no parameter
-    /// has it: an arc goes on to the middle of what is missing from its circle;
-    /// [`GeomError::ContinuationLost`] where rounding leaves no digits.
+    /// has it; [`GeomError::ContinuationLost`] where rounding leaves no digits.
     pub fn extended(&self, length: f64) -> Result<Self, GeomError> {
         if !(length.is_finite() && 0.0 < length) {
             return Err(GeomError::NotPositive { what: "the length", got: length });
         }
         let clamped = self.clamped();
-        let end = clamped.parameter_beyond(length)?;
+        let end = match clamped.parameter_beyond(length) {
+            // No parameter of an arc's polynomials reaches around what is missing from its circle.
+            Err(missed) => return clamped.turned_on(length)?.ok_or(missed),
+            Ok(end) => end,
+        };
         if end <= clamped.domain().end() {
             // The length is rounding.
             return Ok(clamped);
@@ -52,6 +60,40 @@ impl NurbsCurve {
             return Err(GeomError::ContinuationLost { degree: clamped.degree(), length });
         }
         Ok(longer)
+    }
+
+    /// The clamped curve with its last piece, an arc of a circle, repeated around the circle until
+    /// it is longer by `length`; `None` if that is none, or would take too many.
+    fn turned_on(&self, length: f64) -> Result<Option<Self>, GeomError> {
+        let last = self.knots.span_interval(self.knots.span_at(self.domain().end()));
+        let piece = self.trimmed(last)?;
+        let Some(AnalyticCurve::Circle { frame, radius, turn }) = piece.analytic() else {
+            return Ok(None);
+        };
+        let n_whole = (length / (radius * turn)).floor();
+        if MAX_ARCS < n_whole {
+            return Ok(None);
+        }
+        let n_whole = n_whole as usize;
+        let copy = |k: usize| {
+            let around = DMat3::from_axis_angle(frame.z(), turn * (k + 1) as f64);
+            let centre = frame.origin();
+            piece.transformed(&DAffine3::from_mat3_translation(around, centre - around * centre))
+        };
+        let mut pieces: Vec<Self> =
+            [self.clone()].into_iter().chain((0..n_whole).map(copy)).collect();
+        let rest = length - n_whole as f64 * radius * turn;
+        let next = copy(n_whole);
+        let t = next.parameter_at_length(rest.clamp(0.0, radius * turn))?;
+        // Nothing, where the length is a whole number of arcs.
+        pieces.extend(Interval::new(last.start(), t).and_then(|part| next.trimmed(part)).ok());
+        let widths = pieces.iter().map(|piece| piece.domain().length()).sum::<f64>();
+        let start = self.domain().start();
+        let joined = match &pieces[..] {
+            [only] => only.clone(),
+            _ => join(&pieces, PLACE_RELATIVE * (length + self.magnitude()))?,
+        };
+        Ok(Some(joined.reparametrized(Interval::new(start, start + widths)?)))
     }
 
     /// [`Self::extended`] before the start, on a domain that grows there.

@@ -84,7 +84,13 @@ impl Search<'_> {
         let domain = [parameters[0], parameters[parameters.len() - 1]];
         let ends = domain.map(|t| vec![t; self.degree + 1]);
         let coarsest = KnotVector::for_points(self.degree, self.degree + 1, ends.concat())?;
-        let Some(first) = self.grown(coarsest, parameters) else {
+        // Points that slide along a curve that is still far from them can crowd, and then no number
+        // of knots is enough; at parameters that stand still knots only ever help.
+        let all = self.points.len();
+        let still = Search { are_fixed: true, ..*self }.grown(coarsest.clone(), parameters, all);
+        let most = still.as_ref().map_or(all, Trial::n_control);
+        let slid = if self.are_fixed { None } else { self.grown(coarsest, parameters, most) };
+        let Some(first) = slid.or(still) else {
             return self.interpolated(parameters);
         };
         let spread = self.respread(first);
@@ -175,9 +181,9 @@ impl Search<'_> {
         parameters
     }
 
-    /// Adds knots where points are missed until none is; `None` where only a curve through all
-    /// points would do.
-    fn grown(&mut self, coarsest: KnotVector, parameters: &[f64]) -> Option<Trial> {
+    /// Adds knots where points are missed until none is; `None` where `most` control points would
+    /// not do.
+    fn grown(&mut self, coarsest: KnotVector, parameters: &[f64], most: usize) -> Option<Trial> {
         let mut knots = coarsest;
         let mut start = parameters.to_vec();
         for _ in 0..MAX_ROUNDS {
@@ -189,7 +195,7 @@ impl Search<'_> {
                 return Some(trial);
             }
             let more = spread::splits(&knots, &trial.parameters, &trial.misses, self.tolerance);
-            if more.is_empty() || self.points.len() < knots.n_points() + more.len() {
+            if more.is_empty() || most < knots.n_points() + more.len() {
                 return None;
             }
             knots = knots.with(&more);

@@ -43,7 +43,8 @@ const POINTS_A_PART: usize = 256;
 
 /// Knots for each span with a point that is missed, where the squares of the misses divide into
 /// equal parts: halves, and more where a span with hundreds of points misses by far; none where a side
-/// would be left without a point.
+/// would be left without a point. The nearest spans on both sides of one that misses and has no
+/// room for a knot are halved instead: they are what keeps it from its points.
 pub(super) fn splits(
     knots: &KnotVector,
     parameters: &[f64],
@@ -51,40 +52,76 @@ pub(super) fn splits(
     tolerance: f64,
 ) -> Vec<f64> {
     let same = PARAMETER_RELATIVE * knots.domain().length();
-    let split = |ends: &[f64]| {
+    let breaks = knots.breaks();
+    let spans: Vec<Inside<'_>> =
+        breaks.windows(2).map(|ends| Inside::new(ends, parameters, misses, same)).collect();
+    let split = |inside: &Inside<'_>| {
+        let worst = inside.misses.iter().fold(0.0_f64, |worst, &miss| worst.max(miss));
+        if worst <= tolerance {
+            return None;
+        }
+        // The error falls with the width to the power of the order.
+        let order = (knots.degree() + 1) as f64;
+        let wanted = libm::pow(worst / tolerance, 1.0 / order) as usize;
+        let n_parts = wanted.min(inside.misses.len() / POINTS_A_PART).max(2);
+        Some(inside.divided(n_parts, |miss| miss * miss))
+    };
+    let own: Vec<Option<Vec<f64>>> = spans.iter().map(split).collect();
+    let mut added: Vec<Vec<f64>> = own.iter().cloned().map(Option::unwrap_or_default).collect();
+    let is_full = |i: &usize| own[*i].as_ref().is_some_and(Vec::is_empty);
+    for i in (0..spans.len()).filter(is_full) {
+        let halved = |j: usize| Some((j, spans[j].divided(2, |_| 1.0))).filter(|h| !h.1.is_empty());
+        let beside = [(0..i).rev().find_map(halved), (i + 1..spans.len()).find_map(halved)];
+        for (j, halves) in beside.into_iter().flatten() {
+            if added[j].is_empty() {
+                added[j] = halves;
+            }
+        }
+    }
+    added.concat()
+}
+
+/// The data inside a span.
+struct Inside<'a> {
+    ends: &'a [f64],
+    parameters: &'a [f64],
+    misses: &'a [f64],
+    /// Parameters nearer to one another are one.
+    same: f64,
+}
+
+impl<'a> Inside<'a> {
+    fn new(ends: &'a [f64], parameters: &'a [f64], misses: &'a [f64], same: f64) -> Self {
         let first = parameters.partition_point(|&t| t <= ends[0]);
-        let last = parameters.partition_point(|&t| t < ends[1]);
-        let inside = misses.get(first..last).unwrap_or_default();
-        let worst = inside.iter().fold(0.0_f64, |worst, &miss| worst.max(miss));
-        let n_parts = if worst <= tolerance {
-            1
-        } else {
-            // The error falls with the width to the power of the order.
-            let order = (knots.degree() + 1) as f64;
-            let wanted = libm::pow(worst / tolerance, 1.0 / order) as usize;
-            wanted.min(inside.len() / POINTS_A_PART).max(2)
-        };
-        let share = inside.iter().map(|miss| miss * miss).sum::<f64>() / n_parts as f64;
-        let (mut sum, mut before) = (0.0, first);
+        let last = parameters.partition_point(|&t| t < ends[1]).max(first);
+        Self { ends, parameters: &parameters[first..last], misses: &misses[first..last], same }
+    }
+
+    /// Knots between the points that divide the sum of what the misses weigh into equal parts.
+    fn divided(&self, n_parts: usize, weight: impl Fn(f64) -> f64) -> Vec<f64> {
+        let weights: Vec<f64> = self.misses.iter().map(|&miss| weight(miss)).collect();
+        let share = weights.iter().sum::<f64>() / n_parts as f64;
+        let (mut sum, mut before) = (0.0, 0);
         let mut added: Vec<f64> = Vec::new();
         for part in 1..n_parts {
-            while before < last && sum + misses[before] * misses[before] < share * part as f64 {
-                sum += misses[before] * misses[before];
+            while before < weights.len() && sum + weights[before] < share * part as f64 {
+                sum += weights[before];
                 before += 1;
             }
             // From there outwards, the first gap between two points.
-            let lowest = added.last().copied().unwrap_or(ends[0]);
-            let gaps = (before..last.saturating_sub(1)).chain((first..before).rev());
+            let lowest = added.last().copied().unwrap_or(self.ends[0]);
+            let gaps = (before..weights.len().saturating_sub(1)).chain((0..before).rev());
             let knot = gaps
-                .filter_map(|i| Some([*parameters.get(i)?, *parameters.get(i + 1)?]))
+                .filter_map(|i| Some([*self.parameters.get(i)?, *self.parameters.get(i + 1)?]))
                 .map(|[a, b]| (0.5 * (a + b), b - a))
-                .find(|&(t, gap)| same < gap && same < t - lowest && same < ends[1] - t)
+                .find(|&(t, gap)| {
+                    self.same < gap && self.same < t - lowest && self.same < self.ends[1] - t
+                })
                 .map(|(t, _)| t);
             added.extend(knot);
         }
         added
-    };
-    knots.breaks().windows(2).flat_map(split).collect()
+    }
 }
 
 /// Knots for `n_points` control points, denser where the curve's next derivative would be large.

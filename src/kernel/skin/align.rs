@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::corner::cornered;
 use crate::kernel::{
     GeomError, NurbsCurve, join,
     tolerance::{PLACE_RELATIVE, TURN_RELATIVE},
@@ -9,7 +10,7 @@ use crate::kernel::{
 
 /// Places at which two sections are compared: enough to tell which way they run, and of closed
 /// ones where their seams are.
-const N_PLACES: usize = 64;
+pub(super) const N_PLACES: usize = 64;
 
 /// A seam stays where it is when it is this near to its best place, as a fraction of the turn:
 /// whoever placed it may have meant that.
@@ -27,10 +28,22 @@ pub struct Alignment {
     pub is_reversed: bool,
     /// Where its seam is now, by the parameter that it had there, if it was moved.
     pub seam: Option<f64>,
+    /// Whether its corners were brought to the parameters of the other one's.
+    pub has_moved_corners: bool,
+    /// How many corners it and the other one have, where these cannot be paired.
+    pub unpaired: Option<[usize; 2]>,
+}
+
+impl Alignment {
+    fn of(curve: NurbsCurve, is_reversed: bool, seam: Option<f64>) -> Self {
+        Self { curve, is_reversed, seam, has_moved_corners: false, unpaired: None }
+    }
 }
 
 /// The curve, reversed where it runs against the other one; if both are closed also with its seam
-/// moved to the place nearest to the other one's, where that is far away.
+/// moved to the place nearest to the other one's, where that is far away. The seam of a closed one
+/// that has corners goes to one of these, and with as many corners as the other one it has them at
+/// the same parameters.
 ///
 /// What is compared is how far points of equal parameter are apart; of open ones also their
 /// chords, so that only what both speak for is reversed. Equal ones change nothing.
@@ -43,9 +56,12 @@ pub fn aligned(
     is_closed: bool,
     distance: f64,
 ) -> Result<Alignment, GeomError> {
-    let as_it_is = Alignment { curve: curve.clone(), is_reversed: false, seam: None };
+    let as_it_is = Alignment::of(curve.clone(), false, None);
     if curve.is_point() || beside.is_point() {
         return Ok(as_it_is);
+    }
+    if is_closed && let Some(found) = cornered(curve, beside, distance)? {
+        return Ok(found);
     }
     let (own, others) = (places(curve, is_closed), places(beside, is_closed));
     let n = own.len();
@@ -61,7 +77,7 @@ pub fn aligned(
         let is_reversed =
             against(together(&|i| i), together(&|i| n - 1 - i)) && against(chords, -chords);
         let curve = if is_reversed { curve.reversed() } else { curve.clone() };
-        return Ok(Alignment { curve, is_reversed, seam: None });
+        return Ok(Alignment::of(curve, is_reversed, None));
     }
 
     let forwards: Vec<f64> = (0..n).map(|m| together(&|i| (i + m) % n)).collect();
@@ -74,13 +90,13 @@ pub fn aligned(
     let shift = sums.iter().position(|&sum| most - margin <= sum).unwrap_or(0);
     let from_start = shift.min(n - shift);
     if most - margin <= sums[0] || from_start * NEAR_SEAM <= n {
-        return Ok(Alignment { curve, is_reversed, seam: None });
+        return Ok(Alignment::of(curve, is_reversed, None));
     }
     let seam = nearest_place(&curve, shift, beside);
     let seam_before =
         if is_reversed { curve.domain().start() + (curve.domain().end() - seam) } else { seam };
     let curve = curve.with_seam_at(seam, distance)?;
-    Ok(Alignment { curve, is_reversed, seam: Some(seam_before) })
+    Ok(Alignment::of(curve, is_reversed, Some(seam_before)))
 }
 
 /// Points at even parameters about their centre; the last one of a closed curve is the first.

@@ -1,18 +1,21 @@
 //! Surfaces through section curves, lines along v through the control points of all of them.
 //!
 //! `sections` brings curves to one basis with weights that can be compared, and tells where in v
-//! they stand; `align` turns them around and moves their seams until they run beside one another;
+//! they stand; `align` turns them around and moves their seams until they run beside one another,
+//! `corner` the seams of those with corners;
 //! `spread` lets them run at constant speed; `along` are the ways to go from section to section;
 //! `thin` leaves out knots that a tolerance does not need.
 
 mod align;
 mod along;
+mod corner;
 mod sections;
 mod spread;
 mod thin;
 
 pub use align::{Alignment, aligned};
 pub use along::Along;
+pub use corner::{corners_of_ring, with_seam_at_corner};
 pub use sections::{Rule, Sections};
 pub use spread::at_constant_speed;
 

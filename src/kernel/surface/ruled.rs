@@ -3,19 +3,23 @@
 use glam::DVec4;
 
 use super::NurbsSurface;
-use crate::kernel::{GeomError, Grid, KnotVector, NurbsCurve, make_compatible};
+use crate::kernel::{GeomError, Grid, KnotVector, NurbsCurve, curve::on_one_denominator};
 
 impl NurbsSurface {
     /// The straight lines between points of equal parameter: `c0` at v = 0, `c1` at v = 1, u along
     /// the curves on the domain of `c0`.
     ///
-    /// Linear in homogeneous space, so that both curves are met exactly also where their weights
-    /// differ. Piegl & Tiller, *The NURBS Book*, §8.4.
+    /// S(u, v) = (1 − v)·c0(u) + v·c1(u) as points, exact for rational curves too: where weights
+    /// differ by more than a common factor, both curves are brought over the product of their
+    /// denominators first, whose degree is the sum of theirs. Linear in homogeneous space, as
+    /// Piegl & Tiller have it (*The NURBS Book*, §8.4), v would depend on the weights. The definition by
+    /// points: Farin, *Curves and Surfaces for CAGD*, §15.1.
     ///
     /// # Errors
-    /// Those of [`make_compatible`].
+    /// [`GeomError::DegreeTooHigh`], where different denominators multiply; those of
+    /// [`crate::kernel::make_compatible`].
     pub fn ruled(c0: &NurbsCurve, c1: &NurbsCurve) -> Result<Self, GeomError> {
-        let curves = make_compatible(&[c0.clone(), c1.clone()])?;
+        let curves = on_one_denominator(&[c0.clone(), c1.clone()])?;
         let rows: Vec<Vec<DVec4>> =
             curves.iter().map(|curve| curve.control_points().to_vec()).collect();
         let net = Grid::from_rows(rows)?.transposed();

@@ -54,7 +54,7 @@ pub fn legs(
             let before = if 0 < k { ends[0] } else { domain.end() };
             frames = frames.with_corner(0, normal(before, ends[0])?, SHEARED * reach);
         }
-        if k < last && matches!(rule, Framing::RotationMinimizing | Framing::Projection) {
+        if k < last && rule == Framing::RotationMinimizing {
             up = over_corner(axes, path.tangent_at(ends[1], Side::Right)?).z;
         }
         legs.push((part, frames));

@@ -15,8 +15,6 @@ pub enum Framing {
     Fixed,
     /// z is the path's binormal.
     Frenet,
-    /// z is the one before, projected into the plane across the path, from place to place.
-    Projection,
     /// z does not turn about the path.
     RotationMinimizing,
 }
@@ -69,6 +67,8 @@ pub struct Frames {
     flips: Vec<[f64; 2]>,
     /// How the section is slid along the path towards a corner at the start and at the end.
     mitres: [Option<Mitre>; 2],
+    /// Whether the path comes back to its start in the direction in which it left.
+    is_closed: bool,
 }
 
 /// A corner at an end of the path.
@@ -98,8 +98,7 @@ impl Frames {
     ///
     /// Rotation minimizing frames by double reflection, with steps halved until the last frame
     /// turns by less than [`TURN_ACCURACY`]: Wang, Jüttler, Zheng & Liu, *Computation of rotation
-    /// minimizing frames*, ACM TOG 27 (2008). Projections: Piegl & Tiller, *The NURBS Book*,
-    /// (10.27). Where the path comes back to its start with the same tangent, the angle that the
+    /// minimizing frames*, ACM TOG 27 (2008). Where the path comes back to its start with the same tangent, the angle that the
     /// frame misses itself by is spread over the length.
     ///
     /// # Errors
@@ -120,6 +119,7 @@ impl Frames {
             closing: 0.0,
             flips: Vec::new(),
             mitres: [None; 2],
+            is_closed,
         };
         let mut n_steps = FIRST_STEPS;
         frames.walk(n_steps)?;
@@ -133,7 +133,7 @@ impl Frames {
                 }
             }
         }
-        if is_closed && matches!(rule, Framing::RotationMinimizing | Framing::Projection) {
+        if is_closed && rule == Framing::RotationMinimizing {
             let (first, last) = (frames.places[0].axes, frames.last());
             frames.closing = libm::atan2(last.y.dot(first.z), last.z.dot(first.z));
         }
@@ -144,6 +144,11 @@ impl Frames {
     #[must_use]
     pub fn closing(&self) -> f64 {
         self.closing
+    }
+
+    /// Whether the path comes back to its start in the direction in which it left.
+    pub(super) fn is_closed(&self) -> bool {
+        self.is_closed
     }
 
     /// Parameters between which the frame turns around at once.
@@ -281,7 +286,6 @@ impl Frames {
         let z = match self.rule {
             Framing::Fixed => return self.upright(x),
             Framing::Frenet => self.binormal(t).or_else(|| across(before.axes.z, x)),
-            Framing::Projection => across(before.axes.z, x),
             Framing::RotationMinimizing => reflected_twice(before, point, x),
         };
         let z = z.and_then(|z| across(z, x));

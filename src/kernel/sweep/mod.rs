@@ -1,9 +1,10 @@
 //! Surfaces that a section leaves behind as it moves along a path.
 //!
-//! `frames` carry directions along the path, `corner` takes it around corners, `folds` tells where
-//! the surface crosses itself. This file places the section and makes splines of where its control
-//! points go.
+//! `frames` carry directions along the path, `columns` make splines of where control points go, `corner` takes it around corners, `folds` tells where
+//! the surface crosses itself. This file places the section and measures how
+//! near the surface is.
 
+mod columns;
 mod corner;
 mod folds;
 mod frames;
@@ -14,8 +15,7 @@ pub use frames::{Axes, Frames, Framing};
 use glam::{DVec3, DVec4};
 
 use super::{
-    GeomError, Grid, Interpolator, KnotVector, NurbsCurve, NurbsSurface, homogeneous,
-    tolerance::KNOT_RELATIVE,
+    GeomError, Grid, KnotVector, NurbsCurve, NurbsSurface, homogeneous, tolerance::KNOT_RELATIVE,
 };
 
 /// What happens to a section on its way, by the path's parameter.
@@ -57,6 +57,19 @@ pub struct Fineness {
     pub tolerance: f64,
     /// Whether the path itself is to be met exactly.
     pub keeps_path: bool,
+    /// What the columns of control points are made of.
+    pub columns: Columns,
+}
+
+/// What the columns of control points of a sweep are made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Columns {
+    /// They are such that the surface passes through placements of the section.
+    Through,
+    /// Each is the section's control points about a control point of the path, with the axes of
+    /// that one's node: Bloomenthal & Riesenfeld, *Approximation of sweep surfaces by tensor
+    /// product NURBS*, SPIE 1610 (1991).
+    Offset,
 }
 
 /// A swept surface, and what is to be said about it.
@@ -82,9 +95,8 @@ const MAX_COLUMNS: usize = 4096;
 const N_PLACES: usize = 7;
 const N_VERIFIED: usize = 36;
 
-/// Steps of a span in which the derivatives at its ends are taken: differences of the fourth order
-/// are then right to rounding.
-const STENCIL: f64 = 256.0;
+/// The degree along the path of a skin through placements.
+const SKIN_DEGREE: usize = 3;
 
 /// Part of the tolerance that may be used up at those places.
 const SAFETY: f64 = 0.5;
@@ -107,7 +119,9 @@ pub fn translated(section: &NurbsCurve, path: &NurbsCurve) -> Result<NurbsSurfac
 /// The surface that a section leaves behind: T(v) + A(v)·S(v)·C(u).
 ///
 /// With the path kept, Piegl & Tiller, *The NURBS Book*, A10.1, on the path's knots with more
-/// where the tolerance needs them; else A10.2.
+/// where the tolerance needs them; else A10.2: a skin through placements, at even parameters where
+/// their number is given. With columns that are offsets the path's knots get more where the
+/// tolerance needs them.
 ///
 /// # Errors
 /// [`GeomError::ToleranceNotKept`] where 4096 columns do not suffice; where frames or the motion
@@ -121,14 +135,23 @@ pub fn swept(
     fineness: Fineness,
 ) -> Result<Sweep, GeomError> {
     let path = path.clamped();
-    let mut moving = Moving { section, path: &path, frames, motion };
+    let keeps_weights = fineness.keeps_path;
+    let mut moving = Moving { section, path: &path, frames, motion, keeps_weights };
     let breaks = [breaks, &frames.breaks()].concat();
+    if let (Some(n), false) = (fineness.n_sections, fineness.keeps_path) {
+        let fit = moving.skinned(n, fineness.tolerance)?;
+        let (worst, _) = moving.deviations(&fit, fineness.tolerance, N_VERIFIED)?;
+        return moving.told(fit, worst);
+    }
     let mut knots = moving.basis(&breaks, fineness)?;
     // On the path's own knots only simple motions are exact.
     let mut is_plain = fineness.keeps_path;
     loop {
-        let mut fit = moving.fitted(&knots)?;
-        if !is_plain {
+        let mut fit = match fineness.columns {
+            Columns::Through => moving.fitted(&knots)?,
+            Columns::Offset => moving.offset(&knots)?,
+        };
+        if !is_plain && fineness.columns == Columns::Through {
             moving.joined(&mut fit)?;
         }
         let (mut worst, mut missed) =
@@ -137,11 +160,10 @@ pub fn swept(
             (worst, missed) = moving.deviations(&fit, fineness.tolerance, N_VERIFIED)?;
         }
         if fineness.n_sections.is_some() || missed.is_empty() {
-            let (folds, collapses) = moving.folds()?;
-            let (surface, placements) = (fit.surface, fit.at);
-            return Ok(Sweep { surface, deviation: worst, folds, collapses, placements });
+            return moving.told(fit, worst);
         }
-        let next = if is_plain { freer(&knots)? } else { knots.with(&missed) };
+        let is_freed = is_plain && fineness.columns == Columns::Through;
+        let next = if is_freed { freer(&knots)? } else { knots.with(&missed) };
         is_plain = false;
         if MAX_COLUMNS < next.n_points() {
             let tolerance = fineness.tolerance;
@@ -157,6 +179,8 @@ struct Moving<'a> {
     path: &'a NurbsCurve,
     frames: &'a Frames,
     motion: &'a mut dyn Motion,
+    /// Whether the weights of the path are those of the surface, as they are where it is met.
+    keeps_weights: bool,
 }
 
 /// A surface through placements.
@@ -190,8 +214,17 @@ impl Moving<'_> {
 
     /// Where each control point of the section is.
     fn placed(&mut self, t: f64) -> Result<Vec<DVec4>, GeomError> {
+        let origin = match self.keeps_weights {
+            true => self.path.homogeneous_at(t),
+            false => self.path.point_at(t).extend(1.0),
+        };
+        self.placed_about(origin, t)
+    }
+
+    /// Where each control point of the section is about a homogeneous point, with the axes of a
+    /// parameter.
+    fn placed_about(&mut self, origin: DVec4, t: f64) -> Result<Vec<DVec4>, GeomError> {
         let ([x, y, z], shift) = self.axes(t)?;
-        let origin = self.path.homogeneous_at(t);
         let place = |p: &DVec4| {
             let moved = x * p.x + y * p.y + z * p.z + shift * p.w;
             (origin.truncate() * p.w + moved * origin.w).extend(p.w * origin.w)
@@ -204,19 +237,16 @@ impl Moving<'_> {
         let own = self.path.knots();
         let domain = own.domain();
         let mut knots = if fineness.keeps_path {
-            own.clone()
-        } else {
-            let degree = fineness.n_sections.map_or(3, |n| 3.min(n.saturating_sub(1)).max(1));
-            let ends = [domain.start(), domain.end()].map(|t| vec![t; degree + 1]);
-            KnotVector::new(degree, ends.concat())?
-        };
-        if !fineness.keeps_path {
-            let inner = self.path.knots().breaks();
-            let inner: Vec<f64> = inner[1..inner.len() - 1].to_vec();
-            if fineness.n_sections.is_none() {
-                knots = knots.with(&inner);
+            let mut knots = own.clone();
+            while fineness.columns == Columns::Offset && knots.degree() < SKIN_DEGREE {
+                knots = knots.elevated()?;
             }
-        }
+            knots
+        } else {
+            let ends = [domain.start(), domain.end()].map(|t| vec![t; SKIN_DEGREE + 1]);
+            let inner = own.breaks();
+            KnotVector::new(SKIN_DEGREE, ends.concat())?.with(&inner[1..inner.len() - 1])
+        };
         if let Some(n) = fineness.n_sections {
             while knots.n_points() < n {
                 let mut widest = domain;
@@ -238,62 +268,10 @@ impl Moving<'_> {
         Ok(knots)
     }
 
-    fn fitted(&mut self, knots: &KnotVector) -> Result<Fit, GeomError> {
-        let at = knots.greville();
-        let columns: Vec<Vec<DVec4>> =
-            at.iter().map(|&t| self.placed(t)).collect::<Result<_, _>>()?;
-        let fit = Interpolator::on_knots(&at, knots.clone())?;
-        let rows: Vec<Vec<DVec4>> = (0..self.section.control_points().len())
-            .map(|i| fit.through(&columns.iter().map(|column| column[i]).collect::<Vec<_>>()))
-            .collect::<Result<_, _>>()?;
-        let surface =
-            NurbsSurface::new(self.section.knots().clone(), knots.clone(), Grid::from_rows(rows)?)?;
-        Ok(Fit { surface, at })
-    }
-
-    /// Gives the columns next to the ends, and next to knots where nothing else holds both sides
-    /// together, the derivatives of the true surface: a path that goes on smoothly, over its seam
-    /// too, sweeps a surface without a crease.
-    fn joined(&mut self, fit: &mut Fit) -> Result<(), GeomError> {
-        let knots = fit.surface.knots_v().clone();
-        let p = knots.degree();
-        if p < 3 {
-            return Ok(());
-        }
-        let net = fit.surface.control_points();
-        let mut rows: Vec<Vec<DVec4>> = (0..net.n_rows()).map(|i| net.row(i).to_vec()).collect();
-        for span in knots.spans() {
-            let interval = knots.span_interval(span);
-            let is_joint = |t: f64| p <= knots.times(t);
-            // The control points of the span are those from span - p to span.
-            let sides = [
-                (interval.start(), interval.length(), span - p),
-                (interval.end(), -interval.length(), span),
-            ];
-            for (t, length, column) in sides.into_iter().filter(|&(t, ..)| is_joint(t)) {
-                let next = if 0.0 < length { column + 1 } else { column - 1 };
-                let derivatives = self.derivatives(t, length / STENCIL)?;
-                for (row, derivative) in rows.iter_mut().zip(derivatives) {
-                    row[next] = row[column] + derivative * (length / p as f64);
-                }
-            }
-        }
-        fit.surface =
-            NurbsSurface::new(self.section.knots().clone(), knots, Grid::from_rows(rows)?)?;
-        Ok(())
-    }
-
-    /// The derivatives by t of what [`Self::placed`] tells, from one side: of the quartic through
-    /// five places a step apart.
-    fn derivatives(&mut self, t: f64, step: f64) -> Result<Vec<DVec4>, GeomError> {
-        const WEIGHTS: [f64; 5] = [-25.0 / 12.0, 4.0, -3.0, 4.0 / 3.0, -0.25];
-        let mut sums = vec![DVec4::ZERO; self.section.control_points().len()];
-        for (k, weight) in WEIGHTS.into_iter().enumerate() {
-            for (sum, point) in sums.iter_mut().zip(self.placed(t + k as f64 * step)?) {
-                *sum += point * (weight / step);
-            }
-        }
-        Ok(sums)
+    /// The surface with what is to be said about it.
+    fn told(&mut self, fit: Fit, deviation: (f64, f64)) -> Result<Sweep, GeomError> {
+        let (folds, collapses) = self.folds()?;
+        Ok(Sweep { surface: fit.surface, deviation, folds, collapses, placements: fit.at })
     }
 
     /// How far the lines of control points are from where they should run: the worst with its

@@ -70,6 +70,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         points: Spanned::new(grid, span),
         parameters: args.parameters,
         second_pass: args.second_pass,
+        operation: "approximate",
     };
     data.surface([&along_u, &along_v])
 }

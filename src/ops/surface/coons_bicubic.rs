@@ -1,10 +1,13 @@
 //! `coons_bicubic`: the surface within four boundary curves with derivatives across them.
 
-use super::boundary::{Boundary, Edge, pair, place, verb};
+use super::{
+    boundary::{Boundary, Edge, pair, place, verb},
+    turned::Turned,
+};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{CrossFields, Curve, Fact, Interval, NurbsSurface, Receipt, Twists},
-    value::{At, Choice, Ctx, op, rounded},
+    value::{Angle, At, Choice, Ctx, op, rounded},
 };
 
 op! {
@@ -14,7 +17,9 @@ op! {
     /// derivative of the boundary that it crosses to, else it is an error; and the derivatives of
     /// both cross fields, the twists, are one. Where these differ, `"average"` takes their mean and
     /// moves the control points of the fields next to that corner, which a warning and `report`
-    /// tell; `"error"` refuses. Its domains are those of `u[0]` and `v[0]`, by which derivatives
+    /// tell; `"error"` refuses. Where the surface fills a hole, that turns it against its
+    /// neighbours beside the corner: `report` tells the largest angle reached along the boundary, and
+    /// `angle` demands one. Its domains are those of `u[0]` and `v[0]`, by which derivatives
     /// count. Piegl & Tiller, *The NURBS Book*, (10.37) to (10.43), A10.4.
     coons_bicubic in Surface -> NurbsSurface {
         /// The two curves along u: at v = 0 and at v = 1.
@@ -27,9 +32,13 @@ op! {
         cross_v: Spanned<Vec<Curve>>,
         /// What to do where the twists of the fields differ.
         twists: OnTwists = OnTwists::Average,
+        /// The largest angle along the boundary between the surface and the tangent plane that the
+        /// cross fields ask for; more is an error.
+        angle: Option<Spanned<Angle>>,
     }
     example "coons_bicubic(u = [line((0, 0), (1, 0)), line((0, 1), (1, 1))], v = [line((0, 0), (0, 1)), line((1, 0), (1, 1))], cross_u = [line((0, 1), (0, 1)), line((0, 1), (0, 1))], cross_v = [line((1, 0), (1, 0)), line((1, 0), (1, 0))])(0.5, 0.25) ~= (0.5, 0.25)" => "true";
     refuses "coons_bicubic(u = [line((0, 0), (1, 0)), line((0, 1), (1, 1))], v = [line((0, 0), (0, 1)), line((1, 0), (1, 1))], cross_u = [line((0, 2), (0, 2)), line((0, 2), (0, 2))], cross_v = [line((1, 0), (1, 0)), line((1, 0), (1, 0))])" => "E0607: at the corner u = 0, v = 0 `cross_u[0]` starts with (0, 2, 0), but the derivative of `v[0]` there is (0, 1, 0): they differ by 1";
+    refuses "coons_bicubic(u = [line((0, 0), (1, 0)), line((0, 1), (1, 1))], v = [line((0, 0), (0, 1)), line((1, 0), (1, 1))], cross_u = [bezier((0, 1), (0, 1, 1), (0, 1)), line((0, 1), (0, 1))], cross_v = [line((1, 0), (1, 0)), line((1, 0), (1, 0))], angle = 5deg)" => "E0608: along `u[0]` the surface is turned by 12.5288 degrees against what its cross field asks for, at parameter 0.5, more than the 5 allowed";
     scene r#"
         curves u = [line((0, 0), (4, 0)), line((0, 4), (4, 4))] with (color = "red")
         curves v = [for x in [0, 4]: bezier((x, 0, 0), (x, 2, 3), (x, 4, 0))] with (color = "green")
@@ -104,11 +113,17 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     }
     let corners: Vec<[usize; 2]> = differing.iter().map(|twists| twists.corner).collect();
     let corrected = fields.with_mean_twists(&corners).at(ctx.span)?;
+    let turned = data.turned(&corrected);
+    if let Some(angle) = args.angle.filter(|angle| angle.value.0 < turned.angle) {
+        return turned.refused(angle);
+    }
     let [u, v] = data.boundary.curves();
     let surface = NurbsSurface::coons_bicubic(u, v, &corrected).at(ctx.span)?;
     let facts: Vec<Fact> = differing.iter().map(|twists| data.fact(twists)).collect();
-    Ok(surface
-        .with_receipt(Receipt::of("coons_bicubic").with("averaged_twists", Fact::List(facts))))
+    let receipt = Receipt::of("coons_bicubic")
+        .with("averaged_twists", Fact::List(facts))
+        .with("angle", turned.fact());
+    Ok(surface.with_receipt(receipt))
 }
 
 impl Data {
@@ -141,6 +156,15 @@ impl Data {
             }
         }
         Ok(())
+    }
+
+    /// The largest angle between the surface of these fields and what the given ones ask for.
+    fn turned(&self, made: &CrossFields) -> Turned {
+        let along_u = self.boundary.u.iter().zip(&self.cross_u).zip(&made.cross_u);
+        let along_v = self.boundary.v.iter().zip(&self.cross_v).zip(&made.cross_v);
+        along_u.chain(along_v).fold(Turned::default(), |turned, ((edge, given), made)| {
+            turned.or_along((&edge.name, &edge.curve), [&given.curve, made])
+        })
     }
 
     /// How far the difference of two twists would move the surface.

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::{Both, in_direction};
 use crate::{
     diag::{Result, Span, Spanned},
-    kernel::{FirstPass, Grid, LineFit, NurbsSurface, Spacing, check_parameters},
+    kernel::{FirstPass, Grid, LineFit, NurbsSurface, Receipt, Spacing, check_parameters},
     ops::curve::fit::Parameters,
     value::{At, Choice},
 };
@@ -35,6 +35,8 @@ pub(super) struct Data {
     pub(super) points: Spanned<Grid<DVec3>>,
     pub(super) parameters: Spanned<Both<Parameters>>,
     pub(super) second_pass: SecondPass,
+    /// The operation, for its report.
+    pub(super) operation: &'static str,
 }
 
 impl Data {
@@ -43,10 +45,17 @@ impl Data {
         self,
         fit: [&dyn Fn(Vec<f64>) -> Result<LineFit>; 2],
     ) -> Result<NurbsSurface> {
-        let Self { points: Spanned { value: grid, span }, parameters, second_pass } = self;
+        let Self { points: Spanned { value: grid, span }, parameters, second_pass, operation } =
+            self;
+        let given = grid.clone();
+        let mut places = [Vec::new(), Vec::new()];
+        let mut noted = |direction: usize, found: Vec<f64>| {
+            places[direction].clone_from(&found);
+            fit[direction](found)
+        };
         let place = parameters.span_or(span);
         let along_u = means(parameters.value.u, &grid.transposed(), [place, span])
-            .and_then(fit[0])
+            .and_then(|found| noted(0, found))
             .map_err(|found| in_direction(found, "u", "rows"))?;
         let first = FirstPass::new(&grid, &along_u).at(span)?;
         let rows = match second_pass {
@@ -54,10 +63,43 @@ impl Data {
             SecondPass::Control => first.points(),
         };
         let along_v = means(parameters.value.v, &rows, [place, span])
-            .and_then(fit[1])
+            .and_then(|found| noted(1, found))
             .map_err(|found| in_direction(found, "v", "points in a row"))?;
-        first.second(&along_v).at(span)
+        let surface = first.second(&along_v).at(span)?;
+        Ok(reporting(surface, operation, &given, places))
     }
+}
+
+/// The surface with a report of where on it the points lie, and how far they are from it.
+fn reporting(
+    surface: NurbsSurface,
+    operation: &str,
+    points: &Grid<DVec3>,
+    [us, vs]: [Vec<f64>; 2],
+) -> NurbsSurface {
+    let found = surface.points_on_grid(&us, &vs);
+    let (mut worst, mut sum, mut at) = (0.0, 0.0, [us[0], vs[0]]);
+    for (i, &u) in us.iter().enumerate() {
+        for (j, &v) in vs.iter().enumerate() {
+            let miss = found.get(i, j).distance(points.get(i, j));
+            sum += miss;
+            if worst < miss {
+                (worst, at) = (miss, [u, v]);
+            }
+        }
+    }
+    let mean = sum / (us.len() * vs.len()) as f64;
+    let place = Receipt::default().with("u", at[0]).with("v", at[1]);
+    let deviation = Receipt::default().with("max", worst).with("mean", mean).with("at", place);
+    let net = surface.control_points();
+    let counts = Receipt::default().with("u", net.n_rows()).with("v", net.n_columns());
+    let degree = Receipt::default().with("u", surface.degree_u()).with("v", surface.degree_v());
+    let receipt = Receipt::of(operation)
+        .with("degree", degree)
+        .with("control_points", counts)
+        .with("deviation", deviation)
+        .with("parameters", Receipt::default().with("u", us).with("v", vs));
+    surface.with_receipt(receipt)
 }
 
 /// One parameter for each column.

@@ -58,6 +58,7 @@ fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         points: Spanned::new(grid, span),
         parameters: args.parameters,
         second_pass: args.second_pass,
+        operation: "interpolate",
     };
     data.surface([
         &through(args.degree.value.u, args.ends.value.u),

@@ -25,6 +25,7 @@ mod nurbs;
 mod parametric;
 mod plane_patch;
 mod revolve;
+mod ribbon;
 mod ruled;
 mod section;
 mod skin;
@@ -34,6 +35,7 @@ mod swept;
 mod swung;
 mod to_nurbs;
 mod torus;
+mod turned;
 
 use glam::DVec3;
 

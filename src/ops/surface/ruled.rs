@@ -10,8 +10,9 @@ use crate::{
 op! {
     /// Surface of straight lines between points of equal parameter on two curves.
     ///
-    /// The first curve lies at v = 0, the second at v = 1; u runs along them. Curves of other
-    /// degrees and knots are made compatible, exactly.
+    /// The first curve lies at v = 0, the second at v = 1; u runs along them, and along each line
+    /// v is the fraction of its length. Curves of other degrees and knots are made compatible,
+    /// exactly; where their weights differ by more than a common factor the degree is the sum.
     /// A parametric curve is followed within the document's tolerance. Piegl & Tiller, *The NURBS Book*, §8.4.
     ruled in Surface -> NurbsSurface {
         /// The curve at v = 0.
@@ -20,6 +21,7 @@ op! {
         c1: Curve,
     }
     example "ruled(line((0, 0), (1, 0)), line((0, 1), (1, 1, 1)))(0.5, 0.5)" => "(0.5, 0.5, 0.25)";
+    example "ruled(line((0, 0), (0, 1)), nurbs([(1, 0), (1, 1)], weights = [3, 3], degree = 1))(0.5, 0.5)" => "(0.5, 0.5, 0)";
     picture "ruled(circle((0, 0, 0), 2), rotate(circle((0, 0, 4), 2), 90deg))";
 }
 

@@ -6,8 +6,11 @@ use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Curve, GeomError, NurbsCurve, Rule, Sections, aligned, check_parameters},
-    value::{At, Choice, FromValue, IntoValue, Mismatch, Type, Value},
+    kernel::{
+        Curve, GeomError, NurbsCurve, Rule, Sections, aligned, check_parameters, corners_of_ring,
+        with_seam_at_corner,
+    },
+    value::{At, Choice, Ctx, FromValue, IntoValue, Mismatch, Type, Value},
 };
 
 /// A curve, or a point where a surface begins or ends.
@@ -74,9 +77,14 @@ pub(super) struct Aligned {
     pub(super) reversed: Vec<usize>,
     /// Sections whose seam was moved, and the parameter where it is now.
     pub(super) seams: Vec<(usize, f64)>,
+    /// Sections whose corners were brought to the parameters of their neighbour's.
+    pub(super) corners: Vec<usize>,
+    /// Neighbours whose corners cannot be paired, with how many these are.
+    pub(super) unpaired: Vec<[(usize, usize); 2]>,
 }
 
-/// Turns sections around, and moves seams, to run beside the section before.
+/// Turns sections around, and moves seams, to run beside their neighbour: from the first section on
+/// that has its seam at a corner, or else a corner anywhere, in both directions.
 pub(super) fn align(curves: &mut [NurbsCurve], span: Span, tolerance: f64) -> Result<Aligned> {
     let is_closed = |curve: &NurbsCurve| curve.is_closed(tolerance);
     let real: Vec<usize> = (0..curves.len()).filter(|&i| !curves[i].is_point()).collect();
@@ -92,14 +100,48 @@ pub(super) fn align(curves: &mut [NurbsCurve], span: Span, tolerance: f64) -> Re
             .fail();
     }
     let mut done = Aligned::default();
-    for pair in real.windows(2) {
-        let (before, own) = (pair[0], pair[1]);
+    let mut anchor = 0;
+    if first_closed {
+        let corners: Vec<Vec<f64>> = real.iter().map(|&i| corners_of_ring(&curves[i])).collect();
+        let at_seam = |own: &Vec<f64>| own.first().is_some_and(|&first| first <= 0.0);
+        let has_any = |own: &Vec<f64>| !own.is_empty();
+        anchor = corners.iter().position(at_seam).or(corners.iter().position(has_any)).unwrap_or(0);
+        let own = real[anchor];
+        if let Some((moved, t)) = with_seam_at_corner(&curves[own], tolerance).at(span)? {
+            done.seams.push((own, t));
+            curves[own] = moved;
+        }
+    }
+    let onwards = real[anchor..].windows(2).map(|pair| (pair[0], pair[1]));
+    let backwards = real[..=anchor].windows(2).rev().map(|pair| (pair[1], pair[0]));
+    for (before, own) in onwards.chain(backwards) {
         let now = aligned(&curves[own], &curves[before], first_closed, tolerance).at(span)?;
         done.reversed.extend(now.is_reversed.then_some(own));
         done.seams.extend(now.seam.map(|t| (own, t)));
+        done.corners.extend(now.has_moved_corners.then_some(own));
+        done.unpaired.extend(now.unpaired.map(|[n, others]| [(own, n), (before, others)]));
         curves[own] = now.curve;
     }
+    done.reversed.sort_unstable();
+    done.seams.sort_by_key(|&(section, _)| section);
+    done.corners.sort_unstable();
     Ok(done)
+}
+
+/// Warns of neighbours with different numbers of corners: an edge of the surface ends between them.
+pub(super) fn warn_of_lost_corners(ctx: &mut Ctx<'_>, aligned: &Aligned, span: Span) {
+    let Some(&[(own, n), (other, n_others)]) = aligned.unpaired.first() else { return };
+    let [(a, of_a), (b, _)] = [own, other].map(|i| ctx.element(span, i, "sections"));
+    let corners = |n: usize| if n == 1 { "1 corner".to_owned() } else { format!("{n} corners") };
+    let message = format!(
+        "{a} has {}, its neighbour {b} has {}, so that not all of them lie on an edge of the surface",
+        corners(n),
+        corners(n_others)
+    );
+    ctx.warn(
+        Diagnostic::warning(Code::Unclean, of_a, message)
+            .hint("their seams are at corners; with `align = false` all sections stay as they are"),
+    );
 }
 
 /// One parameter a section, and one more for a closed skin.

@@ -4,6 +4,7 @@ use glam::DVec4;
 
 use super::section::{
     Aligned, Pairing, Section, Shape, Slope, Standing, align, drop_repeated, standing,
+    warn_of_lost_corners,
 };
 use super::sweep::tolerated;
 use crate::{
@@ -22,7 +23,10 @@ op! {
     /// in homogeneous space after their weights are normalised, so that a common factor of a
     /// section's weights changes nothing. A section may be a point where the surface begins or
     /// ends. Sections that run against their neighbour are reversed, and seams of closed ones that
-    /// are far from their neighbour's are moved. The sections stand at parameters averaged from
+    /// are far from their neighbour's are moved. Where closed sections have corners, such as the tails
+    /// of aerofoils, all seams go to corners that belong together, smooth ones beside them;
+    /// neighbours with as many corners have them at the same parameters, so that edges of the
+    /// surface run through them. The sections stand at parameters averaged from
     /// the distances of their control points, over knots averaged from these. With a spine the
     /// derivatives by v at the sections point along its tangents, and v is its parameter. Where
     /// weights between rational sections do not stay positive, a warning says so; with a tolerance,
@@ -83,6 +87,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         true => align(&mut curves, span, ctx.tolerance.distance)?,
         false => Aligned::default(),
     };
+    warn_of_lost_corners(ctx, &aligned, span);
 
     let tolerance = tolerated(ctx, args.tolerance.as_ref())?;
     if args.pairing == Pairing::Length {
@@ -147,6 +152,7 @@ fn receipted(
         )
         .with("reversed", aligned.reversed)
         .with("moved_seams", aligned.seams.iter().map(seam).collect::<Vec<_>>())
+        .with("moved_corners", aligned.corners)
         .with("refitted", refitted)
         .with("least_weight", bad_weight.map(|(_, _, weight)| weight));
     surface.with_receipt(receipt)

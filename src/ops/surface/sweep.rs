@@ -6,14 +6,15 @@ use glam::{DVec2, DVec3};
 
 use super::{
     motion::{Given, Rails, Scale, Twist},
+    ribbon::warn_of_ribbon,
     section::nurbs_within,
     swept::{receipted, warn, warn_of_corners, warn_of_short_legs},
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        Curve, Fineness, Frames, Framing, GeomError, Leg, NurbsCurve, NurbsSurface, Receipt, Side,
-        Sweep, legs, mitred, overreaches, swept, translated,
+        Columns, Curve, Fineness, Frames, Framing, GeomError, Leg, NurbsCurve, NurbsSurface,
+        Receipt, Side, Sweep, legs, mitred, overreaches, swept, translated,
     },
     value::{At, Choice, Ctx, Length, op, shortest},
 };
@@ -24,15 +25,19 @@ op! {
     ///
     /// The section's x lies along the path, its y and z across it, its origin on it. "translate"
     /// only moves it: exact. "fixed" keeps z as near to `up` as can be; "frenet" takes the path's
-    /// binormal for z; "projection" carries z on by projecting it from place to place;
-    /// "rotation_minimizing" never turns it about the path. Along a closed path the angle by which
-    /// the last two miss their start is spread over the length. With `keep_path` the path is met
-    /// exactly (the isocurve of a section's point at the origin). The rest is within the tolerance
-    /// of the true surface, measured at 36 places between two knots after half of the tolerance is
-    /// kept at fewer. Where the section reaches beyond the centre of curvature, or shrinks to
-    /// nothing between the ends, a warning says so.
-    /// Piegl & Tiller, *The NURBS Book*, §10.4; Wang, Jüttler, Zheng & Liu, *Computation of
-    /// rotation minimizing frames* (2008).
+    /// binormal for z; "rotation_minimizing" never turns it about the path; "projection" carries z
+    /// on by projecting it from place to place, as the places come ever closer: in that limit it
+    /// does not turn about the path either, and both are one. Along a closed path the angle by
+    /// which these miss their start is spread over the length. With `keep_path` the path is met
+    /// exactly (the isocurve of a section's point at the origin); without it the surface is a cubic
+    /// skin through placements of the section, and has weights only where the section does. The rest
+    /// is within the tolerance of the true surface, measured at 36 places between two knots after half
+    /// of the tolerance is kept at fewer; a number of `sections` is kept instead, and `report` tells
+    /// the deviation. Where the section reaches beyond the centre of curvature, shrinks to
+    /// nothing between the ends, or lies along the path and covers a strip twice, a warning says so.
+    /// Piegl & Tiller, *The NURBS Book*, §10.4, A10.1, A10.2; Wang, Jüttler, Zheng & Liu,
+    /// *Computation of rotation minimizing frames* (2008); Bloomenthal & Riesenfeld,
+    /// *Approximation of sweep surfaces by tensor product NURBS* (1991).
     sweep in Surface -> NurbsSurface {
         /// The section.
         section: Spanned<Curve>,
@@ -55,8 +60,13 @@ op! {
         corner: Corner = Corner::Error,
         /// Whether the path itself is met exactly.
         keep_path: bool = true,
-        /// How many placements of the section make the surface, instead of a tolerance.
+        /// How many placements of the section make the surface, instead of a tolerance; with
+        /// `keep_path` no fewer than the path has control points, without it at even parameters.
         sections: Option<Spanned<usize>>,
+        /// What the surface is made of: it passes through "placements" of the section; or
+        /// "offsets" of the path's control points by those of the section, which take more columns
+        /// and never swing out.
+        method: Spanned<Method> = Spanned::unplaced(Method::Placements),
         /// How far the surface may be from the true one; the document's tolerance.
         tolerance: Option<Spanned<Length>>,
     }
@@ -66,7 +76,30 @@ op! {
     refuses "sweep(circle((0, 0), 1, normal = (1, 0, 0)), polyline((0, 0), (5, 0), (5, 5)))" => "E0607: the path has a corner at parameter 1";
     refuses "sweep(circle((0, 0), 1, normal = (1, 0, 0)), line((0, 0), (5, 0)), frame = \"frenet\")" => "E0607: the curve is straight at parameter 0: there is no frenet frame";
     refuses "sweep(circle((0, 0), 1, normal = (1, 0, 0)), line((0, 0), (5, 0)), scale = 0)" => "E0607: the section is scaled to a point all along the path";
-    picture "sweep(circle((0, 0), 0.6, normal = (1, 0, 0)), bezier((0, 0, 0), (4, 0, 4), (4, 6, -2), (0, 6, 2)), tolerance = 1e-3)";
+    refuses "sweep(circle((0, 0), 1, normal = (1, 0, 0)), circle((0, 0), 4), keep_path = false, method = \"offsets\")" => "E0401: \"offsets\" of the path's control points meet the path, which `keep_path = false` gives up";
+    scene r#"
+        // The section stands in the plane of y (green, to the left of the way) and z (blue, up);
+        // its x (red) lies along the path.
+        let flag = polyline((0, 0, 0), (0, 0, 2), (0, 1, 1.5), (0, 0, 1))
+        curve path = bezier((0, 0, 0), (4, 0, 0), (6, 3, 0), (6, 8, 2)) with (color = "black")
+        surface s = sweep(flag, path, tolerance = 1e-3) with (color = "lightgray")
+        curve section = flag with (color = "orange")
+        curve x = line((0, 0, 0), (2.5, 0, 0)) with (color = "red")
+        curve y = line((0, 0, 0), (0, 2.5, 0)) with (color = "green")
+        curve z = line((0, 0, 0), (0, 0, 2.5)) with (color = "blue")
+    "#;
+}
+
+/// What the surface is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Method {
+    Placements,
+    Offsets,
+}
+
+impl Choice for Method {
+    const WORDS: &'static [&'static str] = &["placements", "offsets"];
+    const MEANINGS: &'static [Self] = &[Self::Placements, Self::Offsets];
 }
 
 /// How a section turns with its path.
@@ -108,6 +141,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         return Diagnostic::error(Code::Degenerate, section_span, message).fail();
     }
     let corners = corners(ctx, &path, path_span, args.corner)?;
+    warn_of_ribbon(ctx, &section, (args.frame.value == Frame::Translate).then_some(&*path));
     if args.frame.value == Frame::Translate {
         unmoved(&args, "\"translate\"")?;
         let receipt = Receipt::of("sweep").with("frame", "translate").with("exact", true);
@@ -125,7 +159,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     if !corners.is_empty()
         && is_polygon
         && !is_moved
-        && args.frame.value == Frame::RotationMinimizing
+        && framing(args.frame.value) == Framing::RotationMinimizing
     {
         let receipt = Receipt::of("sweep").with("corners", corners).with("exact", true);
         let surface = mitred(&section, &path, up.value, is_ring).at(up.span)?;
@@ -140,10 +174,9 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         let (rule, reach) = (framing(args.frame.value), reach(&section));
         legs(&path, &corners, rule, up.value, has_corner_at_seam, reach).at(up.span)?
     };
-    let n_sections = counted(ctx, args.sections)?;
+    let fineness = fineness(ctx, &args, tolerance)?;
     let rails = rails(args.rail.as_ref(), &section, tolerance)?;
     let breaks = args.scale.as_ref().map_or(Vec::new(), |scale| scale.value.breaks(path.domain()));
-    let fineness = Fineness { n_sections, tolerance: 0.5 * tolerance, keeps_path: args.keep_path };
     let motion = Given {
         ctx: &mut *ctx,
         scale: args.scale.map(|given| given.value),
@@ -248,8 +281,10 @@ const fn framing(frame: Frame) -> Framing {
     match frame {
         Frame::Fixed => Framing::Fixed,
         Frame::Frenet => Framing::Frenet,
-        Frame::Projection => Framing::Projection,
-        Frame::RotationMinimizing | Frame::Translate => Framing::RotationMinimizing,
+        // The limit of ever more projections.
+        Frame::Projection | Frame::RotationMinimizing | Frame::Translate => {
+            Framing::RotationMinimizing
+        }
     }
 }
 
@@ -260,6 +295,30 @@ fn framed(path: &NurbsCurve, frame: Frame, up: Spanned<DVec3>, is_closed: bool) 
         let needs_more = matches!(rule, Framing::Frenet | Framing::Fixed);
         if needs_more { Box::new(found.hint(hint)) } else { found }
     })
+}
+
+/// How fine the sweep is to be, of which half is left for the curves.
+fn fineness(ctx: &Ctx<'_>, args: &Args, tolerance: f64) -> Result<Fineness> {
+    Ok(Fineness {
+        n_sections: counted(ctx, args.sections)?,
+        tolerance: 0.5 * tolerance,
+        keeps_path: args.keep_path,
+        columns: columns(args.method, args.keep_path)?,
+    })
+}
+
+/// What the columns are to be, which offsets of a path that is not met cannot be.
+fn columns(method: Spanned<Method>, keeps_path: bool) -> Result<Columns> {
+    match (method.value, keeps_path) {
+        (Method::Placements, _) => Ok(Columns::Through),
+        (Method::Offsets, true) => Ok(Columns::Offset),
+        (Method::Offsets, false) => {
+            let message = "\"offsets\" of the path's control points meet the path, which `keep_path = false` gives up";
+            Diagnostic::error(Code::BadCall, method.span, message)
+                .hint("leave out `keep_path`, or `method`")
+                .fail()
+        }
+    }
 }
 
 /// How many placements are asked for.

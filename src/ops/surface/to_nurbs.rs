@@ -2,7 +2,7 @@
 
 use crate::{
     diag::{Result, Spanned},
-    kernel::{GeomError, NurbsSurface, Surface},
+    kernel::{GeomError, KnotVector, NurbsSurface, ParametricSurface, Receipt, Surface},
     value::{At, Ctx, Length, op},
 };
 
@@ -13,7 +13,7 @@ op! {
     /// The spline has the function's points and its derivatives up to the second in each direction
     /// where its knots cross, and is C2 but along creases of the function, which must be lines of
     /// constant parameter. Its distance is measured at 36 places of each patch, where half of the
-    /// tolerance is kept. de Boor, *A Practical Guide to Splines*, ch. XVII.
+    /// tolerance is kept; `report` tells what is found in the middle of each. de Boor, *A Practical Guide to Splines*, ch. XVII.
     to_nurbs in Surface -> NurbsSurface {
         /// The surface.
         s: Surface,
@@ -35,8 +35,45 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         return Err(GeomError::NotPositive { what: "the tolerance", got: tolerance })
             .at(args.tolerance.span);
     }
-    match &args.s {
-        Surface::Nurbs(surface) => Ok(NurbsSurface::clone(surface)),
-        Surface::Parametric(surface) => surface.to_nurbs(tolerance).at(ctx.span),
+    let (spline, (worst, at)) = match &args.s {
+        Surface::Nurbs(surface) => {
+            let start = [surface.domain_u().start(), surface.domain_v().start()];
+            (NurbsSurface::clone(surface), (0.0, start))
+        }
+        Surface::Parametric(surface) => {
+            let spline = surface.to_nurbs(tolerance).at(ctx.span)?;
+            let worst = deviation(&spline, surface).at(ctx.span)?;
+            (spline, worst)
+        }
+    };
+    let both = |u: usize, v: usize| Receipt::default().with("u", u).with("v", v);
+    let place = Receipt::default().with("u", at[0]).with("v", at[1]);
+    let net = spline.control_points();
+    let receipt = Receipt::of("to_nurbs")
+        .with("deviation", Receipt::default().with("max", worst).with("at", place))
+        .with("degree", both(spline.degree_u(), spline.degree_v()))
+        .with("control_points", both(net.n_rows(), net.n_columns()));
+    Ok(spline.with_receipt(receipt))
+}
+
+/// How far the spline is from the function in the middle of each cell at most, and where.
+fn deviation(
+    spline: &NurbsSurface,
+    surface: &ParametricSurface,
+) -> std::result::Result<(f64, [f64; 2]), GeomError> {
+    let middles = |knots: &KnotVector| -> Vec<f64> {
+        knots.spans().map(|span| knots.span_interval(span).at(0.5)).collect()
+    };
+    let (us, vs) = (middles(spline.knots_u()), middles(spline.knots_v()));
+    let found = spline.points_on_grid(&us, &vs);
+    let mut worst = (0.0, [us[0], vs[0]]);
+    for (i, &u) in us.iter().enumerate() {
+        for (j, &v) in vs.iter().enumerate() {
+            let miss = found.get(i, j).distance(surface.point_at(u, v)?);
+            if worst.0 < miss {
+                worst = (miss, [u, v]);
+            }
+        }
     }
+    Ok(worst)
 }

@@ -11,7 +11,8 @@ op! {
     /// Curve prolonged at an end by an arc length: its last polynomial piece goes on.
     ///
     /// The old part keeps its points and parameters, the domain grows, and there is no joint: all
-    /// derivatives are continuous. Lines and circular arcs go on as such.
+    /// derivatives are continuous. Lines and circular arcs go on as such, an arc around its circle
+    /// as often as the length says, with a joint where its polynomials reach no further.
     /// A parametric curve goes on as its function does beyond the domain.
     extend in Edit -> Curve {
         /// The curve.
@@ -23,6 +24,7 @@ op! {
     }
     example "extend(line((0, 0), (3, 4)), 10).end" => "(9, 12, 0)";
     example "extend(line((0, 0), (3, 4)), 5, at = \"start\").domain" => "-1..1";
+    example "extend(arc((0, 0), 1, from = 0deg, to = 90deg), 4*pi).end ~= (0, 1)" => "true";
     refuses "extend(bezier((0, 0), (1, 2), (2, 0)), -1)" => "E0607: the length must be positive, found -1";
     refuses "extend(parametric(t => (t, sqrt(1 - t^2)), 0..0.5), 5)" => "E0502: a negative number (-0.12890625) has no square root";
     scene r#"

@@ -1,0 +1,71 @@
+//! How far a surface that fills a hole is turned against its neighbours.
+
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::{Fact, NurbsCurve, Receipt},
+    value::{Angle, rounded},
+};
+
+/// Places of a span at which the angle is measured.
+const N_PLACES: usize = 32;
+
+/// The largest angle between two surfaces along a boundary.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Turned {
+    /// Radians.
+    pub(super) angle: f64,
+    boundary: String,
+    at: f64,
+}
+
+impl Turned {
+    /// This, or the angle along a further boundary where that is larger: between the planes that
+    /// its tangent spans with the derivative across it that was given, and with the one that the
+    /// surface has.
+    pub(super) fn or_along(
+        mut self,
+        (name, boundary): (&str, &NurbsCurve),
+        [given, made]: [&NurbsCurve; 2],
+    ) -> Self {
+        for span in made.knots().spans() {
+            for t in made.knots().span_interval(span).steps(N_PLACES) {
+                let along = boundary.derivatives_at(t, 1)[1];
+                let normal = |field: &NurbsCurve| along.cross(field.point_at(t)).try_normalize();
+                let Some((a, b)) = normal(given).zip(normal(made)) else { continue };
+                let angle = libm::atan2(a.cross(b).length(), a.dot(b));
+                if self.angle < angle {
+                    self = Self { angle, boundary: name.to_owned(), at: t };
+                }
+            }
+        }
+        self
+    }
+
+    /// The error of an angle that is larger than allowed.
+    pub(super) fn refused<T>(&self, allowed: Spanned<Angle>) -> Result<T> {
+        let message = format!(
+            "along `{}` the surface is turned by {} degrees against what its cross field asks for, at parameter {}, more than the {} allowed",
+            self.boundary,
+            rounded(self.angle.to_degrees()),
+            rounded(self.at),
+            rounded(allowed.value.0.to_degrees())
+        );
+        Diagnostic::error(Code::BeyondTolerance, allowed.span, message)
+            .hint("cross fields whose derivatives agree at the corners need no mean of twists, and are met exactly")
+            .fail()
+    }
+
+    pub(super) fn fact(&self) -> Fact {
+        let boundary = if self.boundary.is_empty() {
+            Fact::None
+        } else {
+            Fact::Text(self.boundary.as_str().into())
+        };
+        Fact::Record(
+            Receipt::default()
+                .with("max", Fact::Angle(self.angle))
+                .with("boundary", boundary)
+                .with("at", self.at),
+        )
+    }
+}
