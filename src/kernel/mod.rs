@@ -35,6 +35,7 @@ mod surface;
 mod sweep;
 mod table;
 pub mod tolerance;
+mod valley;
 
 pub use bounds::Bounds;
 pub use curve::{

@@ -60,7 +60,10 @@ pub fn code_of(error: &GeomError) -> Code {
         | Error::NoSurfaceNear { .. }
         | Error::NoSplineNear { .. }
         | Error::NoSplineNearAt { .. } => Code::BeyondTolerance,
-        Error::Jump { .. } | Error::JumpAt { .. } => Code::Degenerate,
+        Error::Jump { .. }
+        | Error::JumpAt { .. }
+        | Error::CurveJumps { .. }
+        | Error::SurfaceJumps { .. } => Code::Degenerate,
         Error::Gap { .. } | Error::PatchGap { .. } => Code::Gap,
         Error::Shell(_) | Error::Mesh(MeshError::Open { .. } | MeshError::Unoriented { .. }) => {
             Code::OpenShell
@@ -222,6 +225,12 @@ fn hint_of_function(error: &GeomError) -> Option<String> {
     Some(match error {
         Error::Jump { .. } => {
             "a curve is connected: make one of each side, up to the jump".to_owned()
+        }
+        Error::CurveJumps { parameter, .. } => {
+            format!("`split(c, {parameter})` gives both sides of the jump")
+        }
+        Error::SurfaceJumps { along, at, .. } => {
+            format!("`split(s, {along} = {at})` gives both sides of the jump")
         }
         Error::Picture(error) => return hint_of_picture(error),
         Error::JumpAt { .. } => {

@@ -31,6 +31,28 @@ impl NurbsCurve {
     /// less than `tolerance` count as equally near.
     #[must_use]
     pub fn closest(&self, p: DVec3, tolerance: f64) -> Foot {
+        let parts = self.connected_parts();
+        if let [_] = parts[..] {
+            return self.closest_of_part(p, tolerance);
+        }
+        let feet: Vec<Foot> = parts
+            .iter()
+            .map(|part| {
+                let foot = part.closest_of_part(p, tolerance);
+                Foot { parameter: self.on_whole(part, foot.parameter), ..foot }
+            })
+            .collect();
+        let best = feet.iter().map(|foot| foot.distance).fold(f64::INFINITY, f64::min);
+        let rounding = LAST_BIT * (p.abs().max_element() + self.magnitude());
+        let is_as_near = |foot: &&Foot| foot.distance <= best + tolerance;
+        let count = feet.iter().filter(is_as_near).map(|foot| foot.count).sum();
+        let stretch = feet.iter().filter(is_as_near).find_map(|foot| foot.stretch);
+        let nearest = feet.iter().find(|foot| foot.distance <= best + rounding);
+        Foot { count, stretch, ..*nearest.unwrap_or(&feet[0]) }
+    }
+
+    /// [`Self::closest`] of a curve that does not jump.
+    fn closest_of_part(&self, p: DVec3, tolerance: f64) -> Foot {
         let prepare = || Nearest::of_curve(&self.knots, &self.control_points);
         let nearest = self.nearest.get_or_make(prepare);
         let near = nearest.places(&self.control_points, p, Wanted::AllWithin(tolerance));

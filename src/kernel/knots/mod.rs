@@ -227,6 +227,12 @@ impl KnotVector {
         self.knots.chunk_by(|a, b| a.total_cmp(b).is_eq()).map(|run| (run[0], run.len())).collect()
     }
 
+    /// The knots that stand degree + 1 times or more, each once.
+    pub(in crate::kernel) fn full_breaks(&self) -> Vec<f64> {
+        let runs = self.knots.chunk_by(|a, b| a.total_cmp(b).is_eq());
+        runs.filter(|run| self.degree < run.len()).map(|run| run[0]).collect()
+    }
+
     /// How often `t` stands among the knots; closer than [`KNOT_RELATIVE`] of the domain counts.
     #[must_use]
     pub fn multiplicity(&self, t: f64) -> usize {
