@@ -44,14 +44,19 @@ impl NurbsCurve {
     }
 
     /// Parameters where the curvature has a local extremum, signed where the curve is planar, in
-    /// order. A circle has none that stands out.
+    /// order. A circle has none that stands out; at a cusp the curvature has no bound, which is none.
     #[must_use]
     pub fn vertices(&self, tolerance: Tolerance) -> Vec<f64> {
         let normal = self.plane_normal(tolerance);
         let slope = |piece: &Piece| piece.curvature_slope(normal);
-        let found = self.sign_changes(&self.pieces(), slope, tolerance);
+        let mut found = self.sign_changes(&self.pieces(), slope, tolerance);
         let corners = self.corners(tolerance);
-        found.into_iter().filter(|t| !self.is_among(*t, &corners)).collect()
+        let (cusps, near) = (self.cusps(tolerance), TOUCH_RELATIVE * self.domain().length());
+        found.retain(|&t| {
+            let is_cusp = cusps.iter().any(|cusp| (t - cusp).abs() <= near);
+            !is_cusp && !self.is_among(t, &corners)
+        });
+        found
     }
 
     /// Parameters where the curve reaches furthest in a direction or against it, compared with its

@@ -267,6 +267,8 @@ impl<'c> Search<'c> {
                 break;
             }
         }
+        t = self.first.domain().without_dust(t);
+        s = self.second.domain().without_dust(s);
         let is_inside = |interval: Interval, t: f64| {
             let slack = KNOT_RELATIVE.sqrt() * interval.length();
             interval.start() - slack <= t && t <= interval.end() + slack

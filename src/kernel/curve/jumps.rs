@@ -9,7 +9,7 @@ use std::borrow::Cow;
 use glam::DVec3;
 
 use super::{Meeting, NurbsCurve, intersect::work};
-use crate::kernel::{GeomError, Side, homogeneous, tolerance::LAST_BIT};
+use crate::kernel::{GeomError, JumpError, Side, homogeneous, tolerance::LAST_BIT};
 
 /// Last bits of a coordinate within which two ends meet.
 const MOST_ROUNDINGS: f64 = 16.0;
@@ -37,10 +37,10 @@ impl NurbsCurve {
     }
 
     /// # Errors
-    /// [`GeomError::CurveJumps`] at the first jump.
+    /// [`JumpError::Curve`] at the first jump.
     pub fn check_connected(&self) -> Result<(), GeomError> {
         match self.jumps().first() {
-            Some(&(parameter, gap)) => Err(GeomError::CurveJumps { parameter, gap }),
+            Some(&(parameter, gap)) => Err(JumpError::Curve { parameter, gap }.into()),
             None => Ok(()),
         }
     }

@@ -5,7 +5,7 @@
 //! `evaluator` the same at many parameters, `circle`, `arc` and `conic` have the exact conics,
 //! `chain` curves of segments, `edit` changes the representation or cuts, `basis_change` finds the
 //! same curve on fewer or other knots, `product` has derivatives and products as curves, `parts`
-//! what a form is made of, `reduce` takes knots and degrees away, `join` and `extend` go on beyond
+//! what a form is made of, `reduce` takes knots and degrees away, `standard` weights of one at the ends, `join` and `extend` go on beyond
 //! an end, `offset` runs beside, `deviation` tells how far two are apart, `jumps` where one is apart from itself, `compatible` brings
 //! several to one basis, `denominator` over one denominator, `measure` has length and bounds. `features` has the places that stand out,
 //! `closest` the nearest one, `intersect` the meetings of two curves, from `bend`, the polynomials
@@ -52,6 +52,7 @@ mod product;
 mod reduce;
 mod series;
 mod spline_of;
+mod standard;
 mod units;
 mod whole;
 

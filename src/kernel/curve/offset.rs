@@ -124,7 +124,7 @@ impl NurbsCurve {
     /// put in, with parameters of its own.
     ///
     /// # Errors
-    /// [`GeomError::ZeroAxis`] for the normal; [`GeomError::CurveJumps`]; [`GeomError::AlongNormal`] where the curve runs
+    /// [`GeomError::ZeroAxis`] for the normal; [`GeomError::Jump`]; [`GeomError::AlongNormal`] where the curve runs
     /// along it; [`GeomError::VanishingTangent`] of a point; [`GeomError::OffsetTooFar`]; [`GeomError::NoOffset`] where it turns too fast to be followed; [`GeomError::VanishingOffset`] of a circle of that radius.
     pub fn offset(
         &self,

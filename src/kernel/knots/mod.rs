@@ -6,10 +6,12 @@
 //! points, domain [u_p, u_{n+1}], the last span closed on the right.
 
 mod change;
+mod class;
 mod expansion;
 mod fast;
 mod lookup;
 
+pub use class::KnotClass;
 pub(in crate::kernel) use expansion::{BasisExpansion, POWER_DEGREE, convert_to_bezier, in_powers};
 use fast::Reciprocals;
 pub(in crate::kernel) use fast::acting;

@@ -156,7 +156,7 @@ fn widest_turn(mesh: &Mesh, tolerance: f64) -> f64 {
 ///
 /// # Errors
 /// [`GeomError::NotPositive`] for the tolerance; [`MeshError::BelowRounding`];
-/// [`GeomError::CurveJumps`];
+/// [`GeomError::Jump`];
 /// [`GeomError::TooManyVertices`] where it would need more than the ceiling.
 pub fn tessellate_curve(
     curve: &NurbsCurve,

@@ -4,7 +4,7 @@
 use glam::DVec3;
 
 use super::{Direction, NurbsSurface, SurfaceFoot};
-use crate::kernel::{GeomError, homogeneous, tolerance::LAST_BIT};
+use crate::kernel::{GeomError, JumpError, homogeneous, tolerance::LAST_BIT};
 
 /// Last bits of a coordinate within which two edges meet.
 const MOST_ROUNDINGS: f64 = 16.0;
@@ -45,11 +45,11 @@ impl NurbsSurface {
     }
 
     /// # Errors
-    /// [`GeomError::SurfaceJumps`] at the first line across which it is apart.
+    /// [`JumpError::Surface`] at the first line across which it is apart.
     pub fn check_connected(&self) -> Result<(), GeomError> {
         match self.jump() {
             Some(Jump { along, at, gap }) => {
-                Err(GeomError::SurfaceJumps { along: along.name(), at, gap })
+                Err(JumpError::Surface { along: along.name(), at, gap }.into())
             }
             None => Ok(()),
         }

@@ -1,7 +1,14 @@
 //! Meetings in order, each once.
 
-use super::{Meeting, Search, contact::Contact, newton::place};
+use super::{
+    Meeting, Search,
+    contact::Contact,
+    newton::{foot, place},
+};
 use crate::kernel::{GeomError, Interval, curve::NurbsCurve, tolerance::KNOT_RELATIVE};
+
+/// Cells of an arc at whose ends two curves are compared.
+const ARC_CELLS: usize = 16;
 
 /// A meeting, and the stretch that came down to it.
 #[derive(Clone, Copy, Debug)]
@@ -74,9 +81,31 @@ impl Search<'_> {
         };
         is_on(a, b)
             || is_on(b, a)
+            || (a.stretch.is_some() || b.stretch.is_some())
+                && self.stay_together(&a.meeting, &b.meeting)
             || a.meeting.point.distance(b.meeting.point) <= 2.0 * self.tolerance
                 && self.are_beside(self.first, a.meeting.first, b.meeting.first)
                 && self.are_beside(self.second, a.meeting.second, b.meeting.second)
+    }
+
+    /// Whether between two meetings the first curve stays within the tolerance of the second, over the
+    /// seams too.
+    fn stay_together(&self, a: &Meeting, b: &Meeting) -> bool {
+        let arcs = |curve: &NurbsCurve, a: f64, b: f64| {
+            let (low, high) = (a.min(b), a.max(b));
+            let over_seam = curve
+                .is_closed(self.tolerance)
+                .then(|| Interval::new(high, low + curve.domain().length()).ok());
+            Interval::new(low, high).ok().into_iter().chain(over_seam.flatten())
+        };
+        let others: Vec<Interval> = arcs(self.second, a.second, b.second).collect();
+        let is_on = |t: f64, other: Interval| {
+            let p = place(self.first, t);
+            place(self.second, foot(self.second, other, p)).distance(p) <= self.tolerance
+        };
+        arcs(self.first, a.first, b.first).any(|arc| {
+            others.iter().any(|&other| arc.steps(ARC_CELLS).into_iter().all(|t| is_on(t, other)))
+        })
     }
 
     /// Whether an interval, which may go over the seam, holds a parameter or its neighbourhood.
