@@ -3,7 +3,7 @@
 use glam::DVec3;
 use thiserror::Error;
 
-use super::{FunctionFailure, Interval, MeshError, PictureError, ShellError};
+use super::{FunctionFailure, Interval, JumpError, MeshError, PictureError, ShellError};
 
 /// A request that has no geometric answer.
 ///
@@ -351,12 +351,9 @@ pub enum GeomError {
     /// A function of two parameters that no spline of a reasonable size comes near.
     #[error("no spline of 16384 patches is within {} of the function at ({u}, {v})", few_digits(*tolerance))]
     NoSplineNearAt { tolerance: f64, u: f64, v: f64 },
-    /// A function of two parameters that jumps.
-    #[error("the function jumps by {} at ({u}, {v})", few_digits(*gap))]
-    JumpAt { u: f64, v: f64, gap: f64 },
-    /// A function that jumps.
-    #[error("the function jumps by {} at parameter {parameter}", few_digits(*gap))]
-    Jump { parameter: f64, gap: f64 },
+    /// What is in pieces that do not meet.
+    #[error(transparent)]
+    Jump(#[from] JumpError),
     /// A length that the curve does not have.
     #[error(
         "the curve is {} long, so that it has no place at length {}", plain(*total), plain(*got)

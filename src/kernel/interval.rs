@@ -2,7 +2,14 @@
 
 use std::fmt;
 
-use super::{GeomError, digits::plain, tolerance::KNOT_RELATIVE};
+use super::{
+    GeomError,
+    digits::plain,
+    tolerance::{KNOT_RELATIVE, LAST_BIT},
+};
+
+/// Last bits of its length by which a parameter of an interval misses zero.
+const MOST_DUST: f64 = 4.0;
 
 /// The interval from `start` to `end`. Invariant: both finite, `start < end`, finite length.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,6 +81,12 @@ impl Interval {
         } else {
             Err(GeomError::ParameterOutside { parameter: t, domain: self })
         }
+    }
+
+    /// `t`; 0 where it is that but for the rounding of the interval's ends.
+    pub(in crate::kernel) fn without_dust(self, t: f64) -> f64 {
+        let is_dust = t.abs() <= MOST_DUST * LAST_BIT * self.length();
+        if is_dust && self.contains(0.0) { 0.0 } else { t }
     }
 
     /// The sign of steps from `t` that stay inside; none where both do.

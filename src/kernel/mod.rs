@@ -20,6 +20,7 @@ mod hull;
 mod interval;
 pub mod jet;
 mod joint;
+mod jump;
 mod knots;
 mod lazy;
 mod mesh;
@@ -35,6 +36,7 @@ mod surface;
 mod sweep;
 mod table;
 pub mod tolerance;
+mod valley;
 
 pub use bounds::Bounds;
 pub use curve::{
@@ -54,7 +56,8 @@ pub use gordon::{Changes, Gordon, Network, NetworkError, gordon};
 pub use grid::Grid;
 pub use interval::Interval;
 pub use jet::Jet;
-pub use knots::{KnotVector, Side};
+pub use jump::JumpError;
+pub use knots::{KnotClass, KnotVector, Side};
 pub use mesh::{
     Group, Mesh, MeshCheck, MeshError, MeshLimits, Nearest, Topology, distance_to_polyline,
     grid_mesh, grid_mesh_any, planar_mesh, tessellate, tessellate_all, tessellate_any,

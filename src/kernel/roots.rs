@@ -55,7 +55,8 @@ impl Signs {
             }
             self.arrive(interval.at(part.start()), start);
             if start != end {
-                self.changes.push((interval.at(part.at(bisected(&coefficients, start))), end));
+                let root = interval.at(part.at(bisected(&coefficients, start)));
+                self.changes.push((interval.without_dust(root), end));
                 self.current = end;
             }
         }

@@ -2,7 +2,7 @@
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
-    kernel::{GeomError, MeshError, PictureError, ShellError},
+    kernel::{GeomError, JumpError, MeshError, PictureError, ShellError},
 };
 
 /// Pins an error of the kernel to the place in the script that caused it.
@@ -60,7 +60,7 @@ pub fn code_of(error: &GeomError) -> Code {
         | Error::NoSurfaceNear { .. }
         | Error::NoSplineNear { .. }
         | Error::NoSplineNearAt { .. } => Code::BeyondTolerance,
-        Error::Jump { .. } | Error::JumpAt { .. } => Code::Degenerate,
+        Error::Jump(_) => Code::Degenerate,
         Error::Gap { .. } | Error::PatchGap { .. } => Code::Gap,
         Error::Shell(_) | Error::Mesh(MeshError::Open { .. } | MeshError::Unoriented { .. }) => {
             Code::OpenShell
@@ -216,17 +216,30 @@ fn hint_about_input(error: &GeomError) -> Option<String> {
     })
 }
 
+/// How to part what jumps.
+fn hint_of_jump(jump: &JumpError) -> String {
+    match jump {
+        JumpError::Curve { parameter, .. } => {
+            format!("`split(c, {parameter})` gives both sides of the jump")
+        }
+        JumpError::Surface { along, at, .. } => {
+            format!("`split(s, {along} = {at})` gives both sides of the jump")
+        }
+        JumpError::Function { .. } => {
+            "a curve is connected: make one of each side, up to the jump".to_owned()
+        }
+        JumpError::FunctionAt { .. } => {
+            "a surface is connected: make one of each side, up to the jump".to_owned()
+        }
+    }
+}
+
 /// What to do about a function that no spline comes near, and about lines on surfaces.
 fn hint_of_function(error: &GeomError) -> Option<String> {
     use GeomError as Error;
     Some(match error {
-        Error::Jump { .. } => {
-            "a curve is connected: make one of each side, up to the jump".to_owned()
-        }
+        Error::Jump(jump) => hint_of_jump(jump),
         Error::Picture(error) => return hint_of_picture(error),
-        Error::JumpAt { .. } => {
-            "a surface is connected: make one of each side, up to the jump".to_owned()
-        }
         Error::Tangled => {
             "`trim` the curves to where they should meet; what runs together has no single points"
                 .to_owned()

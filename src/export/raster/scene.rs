@@ -1,7 +1,7 @@
 //! What is drawn, in the coordinates of the picture: x to the right and y down, a sample wide, with
 //! whole numbers in the middle of samples; z toward the viewer in the same unit.
 
-use std::sync::Arc;
+use std::{borrow::Cow, sync::Arc};
 
 use glam::{DAffine3, DVec2, DVec3};
 
@@ -12,7 +12,7 @@ use super::{
     },
     SIDE, legend, levels,
 };
-use crate::kernel::{Bounds, Curve, GeomError, Mesh, tessellate_curve_any};
+use crate::kernel::{Bounds, GeomError, Mesh, NurbsCurve, tessellate_curve};
 
 /// Free space around the geometry, as a part of the smaller side.
 const MARGIN: f64 = 0.05;
@@ -120,14 +120,18 @@ impl Scene {
         for (weight, line) in &drawing.lines {
             let is_full = *weight == Weight::Full;
             let radius = if is_full { 0.5 } else { 0.25 } * stroke;
-            let points = match line {
-                Line::Polygon(points) => points.clone(),
+            let polygons = match line {
+                Line::Polygon(points) => vec![points.clone()],
                 Line::Curve(curve) => {
-                    let curve = Curve::from(curve.clone());
-                    tessellate_curve_any(&curve, near, job.limits.mesh_vertices).map_err(blame)?
+                    let of_part = |part: &Cow<'_, NurbsCurve>| {
+                        tessellate_curve(part, near, job.limits.mesh_vertices)
+                    };
+                    let parts: Result<_, _> = curve.connected_parts().iter().map(of_part).collect();
+                    parts.map_err(blame)?
                 }
             };
-            self.strokes.extend(points.windows(2).map(|leg| Stroke {
+            let legs = polygons.iter().flat_map(|points| points.windows(2));
+            self.strokes.extend(legs.map(|leg| Stroke {
                 ends: [camera.place(leg[0]), camera.place(leg[1])],
                 radius,
                 color,

@@ -108,6 +108,11 @@ impl Scene {
         if self.triangles.is_empty() {
             return vec![curve.clone()];
         }
+        curve.connected_parts().iter().flat_map(|part| self.seen_of_part(part)).collect()
+    }
+
+    /// [`Self::seen_parts`] of a curve that does not jump.
+    fn seen_of_part(&self, curve: &NurbsCurve) -> Vec<NurbsCurve> {
         let (parameters, points) = polygon(curve, self.near);
         let seen = self.seen(&points);
         let at = |place: f64| {

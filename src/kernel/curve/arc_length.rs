@@ -84,6 +84,15 @@ impl NurbsCurve {
     /// # Errors
     /// [`GeomError::LengthOutside`] below zero or beyond the whole length.
     pub fn parameter_at_length(&self, length: f64) -> Result<f64, GeomError> {
+        if let Some(factor) = self.unit_factor(&[]) {
+            let found = self.in_units(factor).parameter_at_length(length * factor);
+            return found.map_err(|error| match error {
+                GeomError::LengthOutside { total, .. } => {
+                    GeomError::LengthOutside { got: length, total: total / factor }
+                }
+                other => other,
+            });
+        }
         let pieces = self.piece_lengths();
         let total: f64 = pieces.iter().map(|&(_, length)| length).sum();
         let slack = LENGTH_RELATIVE.sqrt() * total;
@@ -104,6 +113,9 @@ impl NurbsCurve {
     /// start of the domain and the last its end.
     #[must_use]
     pub fn division(&self, n_parts: usize) -> Vec<f64> {
+        if let Some(factor) = self.unit_factor(&[]) {
+            return self.in_units(factor).division(n_parts);
+        }
         let pieces = self.piece_lengths();
         let total: f64 = pieces.iter().map(|&(_, length)| length).sum();
         let inner =

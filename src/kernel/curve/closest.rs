@@ -31,11 +31,36 @@ impl NurbsCurve {
     /// less than `tolerance` count as equally near.
     #[must_use]
     pub fn closest(&self, p: DVec3, tolerance: f64) -> Foot {
+        let parts = self.connected_parts();
+        if let [_] = parts[..] {
+            return self.closest_of_part(p, tolerance);
+        }
+        let feet: Vec<Foot> = parts
+            .iter()
+            .map(|part| {
+                let foot = part.closest_of_part(p, tolerance);
+                Foot { parameter: self.on_whole(part, foot.parameter), ..foot }
+            })
+            .collect();
+        let best = feet.iter().map(|foot| foot.distance).fold(f64::INFINITY, f64::min);
+        let rounding = LAST_BIT * (p.abs().max_element() + self.magnitude());
+        let is_as_near = |foot: &&Foot| foot.distance <= best + tolerance;
+        let count = feet.iter().filter(is_as_near).map(|foot| foot.count).sum();
+        let stretch = feet.iter().filter(is_as_near).find_map(|foot| foot.stretch);
+        let nearest = feet.iter().find(|foot| foot.distance <= best + rounding);
+        Foot { count, stretch, ..*nearest.unwrap_or(&feet[0]) }
+    }
+
+    /// [`Self::closest`] of a curve that does not jump.
+    fn closest_of_part(&self, p: DVec3, tolerance: f64) -> Foot {
         let prepare = || Nearest::of_curve(&self.knots, &self.control_points);
         let nearest = self.nearest.get_or_make(prepare);
         let near = nearest.places(&self.control_points, p, Wanted::AllWithin(tolerance));
-        let mut feet: Vec<(f64, f64)> =
-            near.single.into_iter().map(|[t, _]| (t, norm(self.point_at(t) - p))).collect();
+        let to_foot = |[t, _]: [f64; 2]| {
+            let t = self.domain().without_dust(t);
+            (t, norm(self.point_at(t) - p))
+        };
+        let mut feet: Vec<(f64, f64)> = near.single.into_iter().map(to_foot).collect();
         let best = feet.iter().map(|&(_, distance)| distance).fold(f64::INFINITY, f64::min);
         let rounding = LAST_BIT * (p.abs().max_element() + self.magnitude());
         feet.retain(|&(_, distance)| distance <= best + tolerance);
@@ -84,10 +109,15 @@ impl NurbsCurve {
     fn is_foot(&self, t: f64, p: DVec3) -> bool {
         let domain = self.domain();
         let is_closed = self.start() == self.end();
+        // The slope in units of what it may be: a parameter has no more digits than the domain's
+        // ends, and where unequal weights crowd the curve each is a way.
+        let digit = LAST_BIT * domain.start().abs().max(domain.end().abs());
         let slope = |t: f64, side: Side| {
             let [point, velocity] = self.velocity_on(self.knots.span_beside(t, side), t);
             let away = point - p;
-            away.dot(velocity) / (norm(away) * norm(velocity))
+            let (distance, speed) = (norm(away), norm(velocity));
+            let allowed = PLACE_RELATIVE.max(digit * speed / distance);
+            away.dot(velocity) / (distance * speed) / allowed
         };
         let before = match t <= domain.start() {
             false => slope(t, Side::Left),
@@ -100,7 +130,7 @@ impl NurbsCurve {
             true => 0.0,
         };
         // Where the curve stands still there is no slope.
-        !(PLACE_RELATIVE < before || behind < -PLACE_RELATIVE)
+        !(1.0 < before || behind < -1.0)
     }
 
     /// How many of the feet are different places of the curve, each stretch being one.

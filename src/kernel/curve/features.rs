@@ -4,6 +4,8 @@
 //! Each is a change of sign of a polynomial, found from Bernstein coefficients and not between
 //! samples.
 
+use std::borrow::Cow;
+
 use glam::DVec3;
 
 use super::{
@@ -11,11 +13,18 @@ use super::{
     bend::{Piece, Rounded, longest},
 };
 use crate::kernel::{
-    Frame, Side, Tolerance,
+    Frame, Interval, Side, Tolerance,
     bernstein::{derivative, product},
     roots::Signs,
     tolerance::{KNOT_RELATIVE, LAST_BIT, SIDE_STEP, SIGN_RELATIVE, TOUCH_RELATIVE},
+    valley::{Valley, edge},
 };
+
+/// Roundings of a height within which a curve lies in a plane.
+const FLAT_ROUNDINGS: f64 = 8.0;
+
+/// Cells of an arc at whose ends its height is asked for.
+const FLAT_LOOKS: usize = 8;
 
 impl NurbsCurve {
     /// Parameters where the curve goes over from one way of bending to the other, in order.
@@ -35,14 +44,19 @@ impl NurbsCurve {
     }
 
     /// Parameters where the curvature has a local extremum, signed where the curve is planar, in
-    /// order. A circle has none that stands out.
+    /// order. A circle has none that stands out; at a cusp the curvature has no bound, which is none.
     #[must_use]
     pub fn vertices(&self, tolerance: Tolerance) -> Vec<f64> {
         let normal = self.plane_normal(tolerance);
         let slope = |piece: &Piece| piece.curvature_slope(normal);
-        let found = self.sign_changes(&self.pieces(), slope, tolerance);
+        let mut found = self.sign_changes(&self.pieces(), slope, tolerance);
         let corners = self.corners(tolerance);
-        found.into_iter().filter(|t| !self.is_among(*t, &corners)).collect()
+        let (cusps, near) = (self.cusps(tolerance), TOUCH_RELATIVE * self.domain().length());
+        found.retain(|&t| {
+            let is_cusp = cusps.iter().any(|cusp| (t - cusp).abs() <= near);
+            !is_cusp && !self.is_among(t, &corners)
+        });
+        found
     }
 
     /// Parameters where the curve reaches furthest in a direction or against it, compared with its
@@ -79,6 +93,16 @@ impl NurbsCurve {
     /// lies in the plane is told by its ends.
     #[must_use]
     pub fn plane_parameters(&self, plane: Frame, tolerance: Tolerance) -> Vec<f64> {
+        let parts = self.connected_parts();
+        let of_part = |part: &Cow<'_, Self>| {
+            let found = part.plane_parameters_of_part(plane, tolerance);
+            found.into_iter().map(|t| self.on_whole(part, t)).collect::<Vec<f64>>()
+        };
+        parts.iter().flat_map(of_part).collect()
+    }
+
+    /// [`Self::plane_parameters`] of a curve that does not jump.
+    fn plane_parameters_of_part(&self, plane: Frame, tolerance: Tolerance) -> Vec<f64> {
         let mut signs = Signs::default();
         let height = |t: f64| (self.point_at(t) - plane.origin()).dot(plane.z());
         let mut candidates = self.knots().breaks();
@@ -95,6 +119,7 @@ impl NurbsCurve {
         candidates.extend(self.extrema(plane.z(), tolerance));
         candidates.retain(|&t| height(t).abs() <= tolerance.distance);
         candidates.sort_by(f64::total_cmp);
+        let mut candidates = self.told_in_plane(candidates, |t| height(t).abs(), tolerance);
         if self.is_closed(tolerance.distance) {
             let end = self.domain().end();
             let near = KNOT_RELATIVE.sqrt() * self.domain().length();
@@ -102,6 +127,51 @@ impl NurbsCurve {
             candidates.retain(|t| !has_start || near < end - t);
         }
         self.without_repeats(candidates)
+    }
+
+    /// Of candidates between which the curve does not leave the plane's neighbourhood the nearest;
+    /// of those between which it lies in the plane the first and the last.
+    fn told_in_plane(
+        &self,
+        sorted: Vec<f64>,
+        height: impl Fn(f64) -> f64,
+        tolerance: Tolerance,
+    ) -> Vec<f64> {
+        let rounding = FLAT_ROUNDINGS * LAST_BIT * self.magnitude();
+        let highest = |a: f64, b: f64| {
+            let arc = Interval::new(a, b).map(|arc| arc.steps(FLAT_LOOKS));
+            arc.map_or(0.0, |places| places.into_iter().map(&height).fold(0.0, f64::max))
+        };
+        let mut told: Vec<f64> = Vec::new();
+        for run in sorted.chunk_by(|&a, &b| highest(a, b) <= tolerance.distance) {
+            let low = run.iter().map(|&t| height(t)).fold(f64::INFINITY, f64::min);
+            let lowest = run.iter().copied().filter(|&t| height(t) <= low + rounding);
+            let lowest: Vec<f64> = lowest.collect();
+            let is_flat = lowest.windows(2).all(|pair| highest(pair[0], pair[1]) <= rounding);
+            let bottom = match lowest[..] {
+                [first, .., last] if is_flat => self.touched([first, last], &height, tolerance),
+                _ => None,
+            };
+            told.extend(bottom.map_or(lowest, |bottom| vec![bottom]));
+        }
+        told
+    }
+
+    /// The one place where a curve touches a plane about a floor, unless it lies in the plane there.
+    fn touched(
+        &self,
+        [first, last]: [f64; 2],
+        height: &impl Fn(f64) -> f64,
+        tolerance: Tolerance,
+    ) -> Option<f64> {
+        let is_near = |t: f64| height(t) <= tolerance.distance;
+        let start = edge(&is_near, first, self.domain().start());
+        let stretch = Interval::new(start, edge(&is_near, last, self.domain().end())).ok()?;
+        let valley = Valley::of(height, stretch, LAST_BIT * self.magnitude());
+        let is_touch = valley.is_single
+            && valley.rises_to(0.5 * tolerance.distance)
+            && valley.floor.length() <= 0.5 * stretch.length();
+        is_touch.then_some(valley.bottom)
     }
 
     /// Where a polynomial of the pieces changes its sign, at the seam of a closed curve too.
@@ -118,7 +188,11 @@ impl NurbsCurve {
         }
         let at_seam = self.is_closed(tolerance.distance) && signs.changes_at_seam();
         let seam = at_seam.then(|| self.domain().start());
-        let found = seam.into_iter().chain(signs.changes().iter().map(|&(t, _)| t)).collect();
+        // Where the curve jumps nothing passes from one side to the other.
+        let jumps = self.jumps();
+        let is_jump = |t: f64| jumps.iter().any(|&(at, _)| self.is_among(t, &[at]));
+        let changes = signs.changes().iter().map(|&(t, _)| t).filter(|&t| !is_jump(t));
+        let found = seam.into_iter().chain(changes).collect();
         self.without_repeats(found)
     }
 
@@ -161,12 +235,14 @@ impl NurbsCurve {
         });
         let seam = self.is_closed(tolerance.distance).then_some((domain.end(), domain.start()));
         let pairs = seam.into_iter().chain(inner.map(|&(t, _)| (t, t)));
-        let jumps = |&(left, right): &(f64, f64)| {
+        let turns = |&(left, right): &(f64, f64)| {
             let before = self.tangent_at(left, Side::Left);
             let behind = self.tangent_at(right, Side::Right);
             before.ok().zip(behind.ok()).is_some_and(|(before, behind)| differ(before, behind))
         };
-        pairs.filter(jumps).map(|(_, t)| t).collect()
+        let jumps = self.jumps();
+        let is_jump = |t: f64| jumps.iter().any(|(at, _)| at.total_cmp(&t).is_eq());
+        pairs.filter(|&(left, _)| !is_jump(left)).filter(turns).map(|(_, t)| t).collect()
     }
 
     /// Whether the velocity points back behind a place where it vanishes.

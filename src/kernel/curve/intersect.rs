@@ -8,12 +8,15 @@
 
 mod contact;
 mod newton;
+mod shared;
+mod told;
 
 use glam::DVec3;
 
 use self::{
     contact::Contact,
-    newton::{beside, nearest_on, nearest_parameter, nearest_step},
+    newton::{beside, nearest_on, nearest_step},
+    told::Told,
 };
 use super::{
     NurbsCurve,
@@ -36,11 +39,8 @@ const MOST_ROUNDINGS: f64 = 16.0;
 /// Steps of Newton's method; from a pair that crosses clearly it needs some five.
 const MAX_STEPS: usize = 30;
 
-/// Bisections of a stretch in which two curves touch.
-const MAX_BISECTIONS: usize = 60;
-
 /// A touch is as long as the root of the tolerance times the size; what is longer by this factor
-/// runs together.
+/// is looked at for how the distance runs along it.
 const LONGEST_TOUCH: f64 = 16.0;
 
 /// A place where two curves meet.
@@ -61,11 +61,13 @@ struct Search<'c> {
     tolerance: f64,
     /// Whether both are one curve, so that a parameter does not meet itself.
     is_same: bool,
-    /// A touch is no longer than this.
+    /// A simple touch is no longer than this.
     longest_touch: f64,
+    /// What a distance may be wrong by.
+    rounding: f64,
     /// Control points that may still be looked at.
     left: usize,
-    meetings: Vec<Meeting>,
+    meetings: Vec<Told>,
     contacts: Vec<Contact>,
 }
 
@@ -76,7 +78,8 @@ impl NurbsCurve {
     /// [`GeomError::RunTogether`] where they share a stretch and not single points,
     /// [`GeomError::Tangled`] where the meetings are too many.
     pub fn intersections(&self, other: &Self, tolerance: f64) -> Result<Vec<Meeting>, GeomError> {
-        self.meetings_with(other, tolerance, &mut work([self, other]))
+        let over_jumps = self.meetings_over_jumps(Some(other), tolerance);
+        over_jumps.unwrap_or_else(|| self.meetings_with(other, tolerance, &mut work([self, other])))
     }
 
     /// [`Self::intersections`] with so much work `left`.
@@ -95,8 +98,10 @@ impl NurbsCurve {
         let mut pairs = Vec::new();
         let others = parts(other);
         for own in parts(self) {
-            let near = others.iter().filter(|other| own.may_meet(other, tolerance));
-            pairs.extend(near.map(|other| (own.clone(), other.clone())));
+            for other in others.iter().filter(|other| own.may_meet(other, tolerance)) {
+                search.check_shared(&own, other)?;
+                pairs.push((own.clone(), other.clone()));
+            }
         }
         *left = search.run(pairs)?;
         search.finish()
@@ -109,7 +114,8 @@ impl NurbsCurve {
     /// [`GeomError::RunsAlongItself`], [`GeomError::Tangled`] where the
     /// meetings are too many.
     pub fn self_intersections(&self, tolerance: f64) -> Result<Vec<Meeting>, GeomError> {
-        self.own_meetings(tolerance, &mut work([self, self]))
+        let over_jumps = self.meetings_over_jumps(None, tolerance);
+        over_jumps.unwrap_or_else(|| self.own_meetings(tolerance, &mut work([self, self])))
     }
 
     /// [`Self::self_intersections`] with so much work `left`.
@@ -157,13 +163,23 @@ fn in_units(mut meetings: Vec<Meeting>, factor: f64) -> Vec<Meeting> {
 
 impl<'c> Search<'c> {
     fn new(first: &'c NurbsCurve, second: &'c NurbsCurve, tolerance: f64, left: usize) -> Self {
-        let magnitude = first.magnitude().max(second.magnitude());
-        let tolerance = tolerance.max(MOST_ROUNDINGS * LAST_BIT * magnitude);
+        let rounding = LAST_BIT * first.magnitude().max(second.magnitude());
+        let tolerance = tolerance.max(MOST_ROUNDINGS * rounding);
         let size = Bounds::of(first.points()).map_or(0.0, Bounds::diagonal);
         let longest_touch = LONGEST_TOUCH * (tolerance * size).sqrt();
         let (meetings, contacts) = (Vec::new(), Vec::new());
         let is_same = false;
-        Self { first, second, tolerance, is_same, longest_touch, left, meetings, contacts }
+        Self {
+            first,
+            second,
+            tolerance,
+            is_same,
+            longest_touch,
+            rounding,
+            left,
+            meetings,
+            contacts,
+        }
     }
 
     /// Looks at all pairs; tells how much work is left.
@@ -172,12 +188,10 @@ impl<'c> Search<'c> {
         todo.retain(|(a, b)| a.may_meet(b, self.tolerance));
         let cost = self.first.degree() + self.second.degree() + 2;
         while let Some((a, b)) = todo.pop() {
-            self.left = self.left.checked_sub(cost).ok_or(GeomError::Tangled)?;
+            let Some(left) = self.left.checked_sub(cost) else { return Err(self.tangled()) };
+            self.left = left;
             if self.is_settled(&a, &b) {
-                match self.contacts.last().filter(|stretch| self.is_long(stretch)) {
-                    Some(stretch) => return Err(self.run_together(stretch)),
-                    None => continue,
-                }
+                continue;
             }
             let halve_first = b.bounds.diagonal() <= a.bounds.diagonal();
             let (whole, other) = if halve_first { (&a, &b) } else { (&b, &a) };
@@ -200,7 +214,7 @@ impl<'c> Search<'c> {
             && !self.are_neighbours(a, b)
             && let Some(meeting) = self.crossing(a.interval, b.interval)
         {
-            self.meetings.push(meeting);
+            self.meetings.push(Told::crossing(meeting));
             return true;
         }
         if self.is_tiny(a) && self.is_tiny(b) {
@@ -253,6 +267,8 @@ impl<'c> Search<'c> {
                 break;
             }
         }
+        t = self.first.domain().without_dust(t);
+        s = self.second.domain().without_dust(s);
         let is_inside = |interval: Interval, t: f64| {
             let slack = KNOT_RELATIVE.sqrt() * interval.length();
             interval.start() - slack <= t && t <= interval.end() + slack
@@ -281,79 +297,6 @@ impl<'c> Search<'c> {
             [short.points[0], short.points[short.points.len() - 1]].map(homogeneous::project);
         let places = [ends[0], ends[0].midpoint(ends[1]), ends[1]];
         places.into_iter().all(|place| nearest_on(curve, other.interval, place) <= self.tolerance)
-    }
-
-    /// Meetings in order; contacts that belong together are one meeting.
-    fn finish(mut self) -> Result<Vec<Meeting>, GeomError> {
-        for stretch in std::mem::take(&mut self.contacts) {
-            self.meetings.extend(self.touching(stretch));
-        }
-        Ok(self.without_repeats())
-    }
-
-    /// The nearest approach within a stretch: where the tangents turn from one side of one another
-    /// to the other, else where they cross, else at an end.
-    fn touching(&self, stretch: Contact) -> Option<Meeting> {
-        let foot = |t: f64| {
-            let place = self.first.point_at(t);
-            nearest_parameter(self.second, stretch.second, place, stretch.second.at(0.5))
-        };
-        let turn = |t: f64| {
-            let (p, q) = (self.first.derivatives_at(t, 1), self.second.derivatives_at(foot(t), 1));
-            p[1].cross(q[1])
-        };
-        let (mut low, mut high) = (stretch.first.start(), stretch.first.end());
-        let side = turn(low);
-        let turned = (turn(high).dot(side) < 0.0).then(|| {
-            for _ in 0..MAX_BISECTIONS {
-                let middle = 0.5 * (low + high);
-                if turn(middle).dot(side) > 0.0 {
-                    low = middle;
-                } else {
-                    high = middle;
-                }
-            }
-            0.5 * (low + high)
-        });
-        let ends = [stretch.first.start(), stretch.first.at(0.5), stretch.first.end()];
-        let crossing = self.crossing(stretch.first, stretch.second).map(|meeting| meeting.first);
-        let candidates = turned.into_iter().chain(crossing).chain(ends);
-        let apart = |t: f64| self.first.point_at(t).distance(self.second.point_at(foot(t)));
-        let nearest = candidates.min_by(|&a, &b| apart(a).total_cmp(&apart(b)))?;
-        self.meeting(nearest, foot(nearest))
-    }
-
-    /// The meetings in order, each once; the seam of a closed curve counts as its start.
-    fn without_repeats(mut self) -> Vec<Meeting> {
-        let is_start = |curve: &NurbsCurve, t: f64| {
-            let (domain, near) = (curve.domain(), KNOT_RELATIVE.sqrt());
-            curve.is_closed(self.tolerance) && domain.end() - t <= near * domain.length()
-        };
-        if !self.is_same {
-            for meeting in &mut self.meetings {
-                if is_start(self.first, meeting.first) {
-                    meeting.first = self.first.domain().start();
-                }
-                if is_start(self.second, meeting.second) {
-                    meeting.second = self.second.domain().start();
-                }
-            }
-        }
-        self.meetings
-            .sort_by(|a, b| a.first.total_cmp(&b.first).then(a.second.total_cmp(&b.second)));
-        let near = |curve: &NurbsCurve| KNOT_RELATIVE.sqrt() * curve.domain().length();
-        let (near_first, near_second) = (near(self.first), near(self.second));
-        let mut kept: Vec<Meeting> = Vec::new();
-        for meeting in self.meetings {
-            // In their order those that are near on the first curve are the last ones.
-            let near =
-                kept.iter().rev().take_while(|other| meeting.first - other.first <= near_first);
-            let is_told = near.map(|o| o.second).any(|s| (s - meeting.second).abs() <= near_second);
-            if !is_told {
-                kept.push(meeting);
-            }
-        }
-        kept
     }
 }
 

@@ -1,8 +1,13 @@
 //! Length and extent of curves.
 
+use std::borrow::Cow;
+
+use glam::{DAffine3, DVec4};
+
 use super::{NurbsCurve, part::Part};
 use crate::kernel::{
     Bounds, Grid, Interval, KnotVector,
+    bezier::{blend, cut_at},
     frame::norm,
     hull::Spline,
     tolerance::{LAST_BIT, LENGTH_RELATIVE},
@@ -21,6 +26,9 @@ const LEAST_PIECES: usize = 100;
 
 /// The square of the order up to which a degree is low.
 const LOW: usize = 16;
+
+/// A curve so many times its size away is measured about its middle.
+const FAR: f64 = 4.0;
 
 /// Cuts for a span, on average, where the tangent turns; a cusp takes some fifty, and more only what
 /// turns at random.
@@ -45,23 +53,56 @@ impl NurbsCurve {
     ///
     /// Gauss-Legendre quadrature of the speed, each piece halved until both halves together agree
     /// with the whole to 1e-13 of the length or the rounding of the coordinates.
+    ///
+    /// A curve of degree 1 is as long as its legs.
     #[must_use]
     pub fn length(&self, interval: Interval) -> f64 {
-        self.length_within(interval, LAST_BIT * self.magnitude())
+        if self.degree() <= 1 {
+            return self.length_of_legs(interval);
+        }
+        let near = self.near_origin();
+        near.length_within(interval, LAST_BIT * near.magnitude())
+    }
+
+    /// The legs of a curve of degree 1 in an interval, each from end to end.
+    pub(super) fn length_of_legs(&self, interval: Interval) -> f64 {
+        let leg = |span: usize| {
+            let own = self.knots.span_interval(span);
+            let ends = [own.start().max(interval.start()), own.end().min(interval.end())];
+            let [a, b] = ends.map(|t| self.velocity_on(span, t)[0]);
+            if ends[0] < ends[1] { norm(b - a) } else { 0.0 }
+        };
+        self.knots.spans().map(leg).sum()
+    }
+
+    /// The curve about the middle of its box, if that is far away: differences of coordinates there
+    /// are rounded like the curve, and not like its place.
+    fn near_origin(&self) -> Cow<'_, Self> {
+        match Bounds::of(self.points()) {
+            Some(bounds) if FAR * bounds.diagonal() < bounds.magnitude() => {
+                Cow::Owned(self.transformed(&DAffine3::from_translation(-bounds.center())))
+            }
+            _ => Cow::Borrowed(self),
+        }
     }
 
     /// [`Self::length`] for coordinates that are rounded by so much.
     pub(super) fn length_within(&self, interval: Interval, rounding: f64) -> f64 {
-        let pieces = self.smooth_pieces(interval, rounding);
-        let estimates: Vec<f64> =
-            pieces.iter().map(|&piece| quadrature(&self.speed_on(piece), piece)).collect();
-        let accuracy = LENGTH_RELATIVE * estimates.iter().sum::<f64>() + rounding;
+        if self.degree() <= 1 {
+            return self.length_of_legs(interval);
+        }
+        let parts = self.narrow_parts(interval, rounding);
+        let estimates: Vec<f64> = parts.iter().map(|part| length_by_rule(&part.points)).collect();
+        // What all parts may be wrong by together is shared out among them.
+        let total = estimates.iter().sum::<f64>();
+        let share = total / estimates.len().max(1) as f64;
         let order = self.degree() + 1;
         let most = (MAX_PIECES * LOW / (order * order)).clamp(LEAST_PIECES, MAX_PIECES);
-        let refined = |(piece, estimate): (Interval, f64)| {
-            refined(&self.speed_on(piece), (piece, estimate), accuracy, most)
+        let refined = |(part, estimate): (Part, f64)| {
+            let accuracy = LENGTH_RELATIVE * estimate.max(share) + rounding;
+            refined_part(part.points, estimate, accuracy, most)
         };
-        pieces.into_iter().zip(estimates).map(refined).sum()
+        parts.into_iter().zip(estimates).map(refined).sum()
     }
 
     /// The speed on a part of one span.
@@ -84,34 +125,78 @@ impl NurbsCurve {
     /// The interval cut to the domain, at the knots, and so often that no tangent of a piece is far
     /// from another: beside a cusp nodes on one side alone would agree on the wrong length.
     pub(super) fn smooth_pieces(&self, interval: Interval, short: f64) -> Vec<Interval> {
-        let (knots, domain) = (self.knots.as_slice(), self.domain());
-        let [first, last] = [interval.start(), interval.end()]
-            .map(|t| self.knots.span_at(t.clamp(domain.start(), domain.end())));
-        let overlaps = |&span: &usize| {
-            let (start, end) = (knots[span], knots[span + 1]);
-            start < end && interval.start() < end && start < interval.end()
-        };
-        let spans: Vec<usize> = (first..=last).filter(overlaps).collect();
-        let mut pieces = Vec::new();
-        let most = spans.len().saturating_mul(MAX_CUTS);
+        self.narrow_parts(interval, short).into_iter().map(|part| part.interval).collect()
+    }
+
+    /// [`Self::smooth_pieces`] with their control points.
+    fn narrow_parts(&self, interval: Interval, short: f64) -> Vec<Part> {
+        let spans = self.knots.spans().map(|span| Part::of_span(self, span));
+        let within: Vec<Part> = spans.filter_map(|part| part.within(interval)).collect();
+        let most = within.len().saturating_mul(MAX_CUTS);
+        let mut parts = Vec::new();
         let mut n_cuts = 0;
-        let mut todo: Vec<(Part, usize)> =
-            spans.into_iter().rev().map(|span| (Part::of_span(self, span), 0)).collect();
+        let mut todo: Vec<(Part, usize)> = within.into_iter().rev().map(|part| (part, 0)).collect();
         while let Some((part, n_halvings)) = todo.pop() {
-            let own = part.interval;
-            let (start, end) = (own.start().max(interval.start()), own.end().min(interval.end()));
-            let Ok(piece) = Interval::new(start, end) else { continue };
             let is_smooth = part.cone.is_narrow() || part.bounds.diagonal() <= short;
             if is_smooth || MAX_HALVINGS <= n_halvings || most <= n_cuts {
-                pieces.push(piece);
+                parts.push(part);
             } else {
                 n_cuts += 1;
                 let [left, right] = part.halves();
                 todo.extend([(right, n_halvings + 1), (left, n_halvings + 1)]);
             }
         }
-        pieces
+        parts
     }
+}
+
+/// The length of a Bézier curve by one rule.
+///
+/// Its points alone are asked, by parameters from its own start: beside the end of a domain, where
+/// unequal weights crowd a curve, those of the whole have no digits left.
+/// The last two points of de Casteljau's algorithm tell point and derivative: Farin, *Curves and
+/// Surfaces for CAGD*, §5.3.
+fn length_by_rule(points: &[DVec4]) -> f64 {
+    let degree = (points.len() - 1) as f64;
+    let mut row = Vec::with_capacity(points.len());
+    let mut speed = |t: f64| {
+        row.clear();
+        row.extend_from_slice(points);
+        for n_left in (2..points.len()).rev() {
+            for i in 0..n_left {
+                row[i] = blend(row[i], row[i + 1], t);
+            }
+        }
+        let [a, b] = [row[0], row[1]];
+        let (at, slope) = (blend(a, b, t), (b - a) * degree);
+        norm(slope.truncate() - at.truncate() * (slope.w / at.w)) / at.w
+    };
+    let pair =
+        |&[node, weight]: &[f64; 2]| weight * (speed(0.5 - 0.5 * node) + speed(0.5 + 0.5 * node));
+    0.5 * GAUSS_16.iter().map(pair).sum::<f64>()
+}
+
+/// The length of a Bézier curve from an estimate: it is halved, up to `most` times, until both
+/// halves together agree with the whole.
+fn refined_part(points: Vec<DVec4>, estimate: f64, accuracy: f64, most: usize) -> f64 {
+    let mut length = 0.0;
+    let mut todo = vec![(points, estimate, 0)];
+    let mut n_pieces = 0;
+    while let Some((points, estimate, n_halvings)) = todo.pop() {
+        let (left, right) = cut_at(&points, 0.5);
+        let lengths = [&left, &right].map(|half| length_by_rule(half));
+        let sum = lengths[0] + lengths[1];
+        n_pieces += 1;
+        let may_halve = n_halvings < MAX_HALVINGS && n_pieces < most;
+        // In this order a sum that is no number ends the search.
+        if may_halve && accuracy < (sum - estimate).abs() {
+            todo.push((right, lengths[1], n_halvings + 1));
+            todo.push((left, lengths[0], n_halvings + 1));
+        } else {
+            length += sum;
+        }
+    }
+    length
 }
 
 /// The integral of a speed, to 1e-13 of it or to the rounding of coordinates.

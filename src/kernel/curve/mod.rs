@@ -5,8 +5,8 @@
 //! `evaluator` the same at many parameters, `circle`, `arc` and `conic` have the exact conics,
 //! `chain` curves of segments, `edit` changes the representation or cuts, `basis_change` finds the
 //! same curve on fewer or other knots, `product` has derivatives and products as curves, `parts`
-//! what a form is made of, `reduce` takes knots and degrees away, `join` and `extend` go on beyond
-//! an end, `offset` runs beside, `deviation` tells how far two are apart, `compatible` brings
+//! what a form is made of, `reduce` takes knots and degrees away, `standard` weights of one at the ends, `join` and `extend` go on beyond
+//! an end, `offset` runs beside, `deviation` tells how far two are apart, `jumps` where one is apart from itself, `compatible` brings
 //! several to one basis, `denominator` over one denominator, `measure` has length and bounds. `features` has the places that stand out,
 //! `closest` the nearest one, `intersect` the meetings of two curves, from `bend`, the polynomials
 //! that a piece is made of, and `part`, in the `units` that this needs; `arc_length` finds places by length. Of both, `local` tells
@@ -40,6 +40,7 @@ mod function;
 mod hermite;
 mod intersect;
 mod join;
+mod jumps;
 mod local;
 mod measure;
 mod offset;
@@ -51,6 +52,7 @@ mod product;
 mod reduce;
 mod series;
 mod spline_of;
+mod standard;
 mod units;
 mod whole;
 
@@ -256,13 +258,13 @@ impl NurbsCurve {
     }
 
     /// Whether start and end are within `distance` of one another, and of a small fraction of the
-    /// size of the curve: a short curve is not closed.
+    /// size of the curve: a short curve is not closed, nor one that jumps.
     #[must_use]
     pub fn is_closed(&self, distance: f64) -> bool {
         let (start, tolerance) = (self.start(), Tolerance::DEFAULT.with_distance(distance));
         let reach = |&point: &DVec4| norm(homogeneous::place(point) - start);
         let size = self.control_points.iter().map(reach).fold(0.0, f64::max);
-        start.distance(self.end()) <= tolerance.distance_for(size)
+        start.distance(self.end()) <= tolerance.distance_for(size) && self.jumps().is_empty()
     }
 
     /// How many polynomial pieces: spans of the domain that have a width.

@@ -124,7 +124,7 @@ impl NurbsCurve {
     /// put in, with parameters of its own.
     ///
     /// # Errors
-    /// [`GeomError::ZeroAxis`] for the normal; [`GeomError::AlongNormal`] where the curve runs
+    /// [`GeomError::ZeroAxis`] for the normal; [`GeomError::Jump`]; [`GeomError::AlongNormal`] where the curve runs
     /// along it; [`GeomError::VanishingTangent`] of a point; [`GeomError::OffsetTooFar`]; [`GeomError::NoOffset`] where it turns too fast to be followed; [`GeomError::VanishingOffset`] of a circle of that radius.
     pub fn offset(
         &self,
@@ -133,6 +133,7 @@ impl NurbsCurve {
         tolerance: Tolerance,
     ) -> Result<Offset, GeomError> {
         let normal = unit(normal).ok_or(GeomError::ZeroAxis { what: "the normal" })?;
+        self.check_connected()?;
         if let Some(factor) = self.unit_factor(&[]) {
             let tolerance = tolerance.with_distance(tolerance.distance * factor);
             let found = self.in_units(factor).offset(distance * factor, normal, tolerance);

@@ -47,6 +47,20 @@ impl Part {
         Self { interval, points, bounds, cone }
     }
 
+    /// What of it lies in an interval.
+    pub(super) fn within(self, interval: Interval) -> Option<Self> {
+        let own = self.interval;
+        let (start, end) = (own.start().max(interval.start()), own.end().min(interval.end()));
+        let cut = Interval::new(start, end).ok()?;
+        if cut == own {
+            return Some(self);
+        }
+        let (before, _) = bezier::cut_at(&self.points, own.fraction_of(end));
+        let from = own.length() * own.fraction_of(start) / (end - own.start());
+        let (_, inside) = bezier::cut_at(&before, from);
+        Some(Self::new(cut, inside))
+    }
+
     pub(super) fn halves(&self) -> [Self; 2] {
         let (left, right) = bezier::cut_at(&self.points, 0.5);
         let [before, behind] = self.interval.halves();

@@ -14,7 +14,7 @@ use super::{
     hermite::{self, Node},
 };
 use crate::kernel::{
-    Bounds, GeomError, Interval,
+    Bounds, GeomError, Interval, JumpError,
     frame::norm,
     tolerance::{
         KNOT_RELATIVE, LAST_BIT, SINGULAR_RELATIVE, STAND_IN_RELATIVE, SUSPICIOUS_RELATIVE,
@@ -176,7 +176,7 @@ impl Maker<'_> {
         for pair in stretches.windows(2) {
             let gap = hermite::gap(&pair[0], &pair[1]);
             if self.allowed[1] < gap {
-                return Err(GeomError::Jump { parameter: pair[1][0].parameter, gap });
+                return Err(JumpError::Function { parameter: pair[1][0].parameter, gap }.into());
             }
         }
         Ok(stretches)

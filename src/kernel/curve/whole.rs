@@ -107,7 +107,7 @@ impl Curve {
         }
     }
 
-    /// As [`NurbsCurve::vertices`]; of a function without cusps, where the curvature has no bound.
+    /// As [`NurbsCurve::vertices`].
     ///
     /// # Errors
     /// As [`Self::spline`].

@@ -6,10 +6,12 @@
 //! points, domain [u_p, u_{n+1}], the last span closed on the right.
 
 mod change;
+mod class;
 mod expansion;
 mod fast;
 mod lookup;
 
+pub use class::KnotClass;
 pub(in crate::kernel) use expansion::{BasisExpansion, POWER_DEGREE, convert_to_bezier, in_powers};
 use fast::Reciprocals;
 pub(in crate::kernel) use fast::acting;
@@ -225,6 +227,12 @@ impl KnotVector {
     #[must_use]
     pub fn distinct(&self) -> Vec<(f64, usize)> {
         self.knots.chunk_by(|a, b| a.total_cmp(b).is_eq()).map(|run| (run[0], run.len())).collect()
+    }
+
+    /// The knots that stand degree + 1 times or more, each once.
+    pub(in crate::kernel) fn full_breaks(&self) -> Vec<f64> {
+        let runs = self.knots.chunk_by(|a, b| a.total_cmp(b).is_eq());
+        runs.filter(|run| self.degree < run.len()).map(|run| run[0]).collect()
     }
 
     /// How often `t` stands among the knots; closer than [`KNOT_RELATIVE`] of the domain counts.

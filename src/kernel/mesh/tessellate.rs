@@ -78,6 +78,7 @@ fn meshes_of(
     max_vertices: usize,
 ) -> Result<Vec<Mesh>, GeomError> {
     for sheet in &sheets {
+        sheet.spline.check_connected()?;
         let [u, v] = sheet.domains();
         let ends = [sheet.point_at(u.start(), v.start())?, sheet.point_at(u.end(), v.end())?];
         check_rounding(limits.tolerance, ends)?;
@@ -155,6 +156,7 @@ fn widest_turn(mesh: &Mesh, tolerance: f64) -> f64 {
 ///
 /// # Errors
 /// [`GeomError::NotPositive`] for the tolerance; [`MeshError::BelowRounding`];
+/// [`GeomError::Jump`];
 /// [`GeomError::TooManyVertices`] where it would need more than the ceiling.
 pub fn tessellate_curve(
     curve: &NurbsCurve,
@@ -162,6 +164,7 @@ pub fn tessellate_curve(
     max_points: usize,
 ) -> Result<Vec<DVec3>, GeomError> {
     MeshLimits::within(tolerance).check()?;
+    curve.check_connected()?;
     check_rounding(tolerance, [curve.start(), curve.end()])?;
     let mut points = vec![curve.start()];
     for span in curve.knots().spans() {

@@ -49,6 +49,9 @@ impl NurbsSurface {
     /// say how a patch is left out; here that is decided without their conditions on the net.
     #[must_use]
     pub fn closest(&self, p: DVec3) -> SurfaceFoot {
+        if let Some(foot) = self.closest_beside_jump(p) {
+            return foot;
+        }
         let knots = [&self.knots_u, &self.knots_v];
         let nearest = self.nearest.get_or_make(|| Nearest::of_surface(knots, &self.control_points));
         let near = nearest.places(self.control_points.as_slice(), p, Wanted::One).single;

@@ -40,6 +40,7 @@ mod grid_eval;
 mod iso;
 mod join;
 mod joint;
+mod jumps;
 mod level;
 mod lines;
 mod local;

@@ -14,7 +14,7 @@ use super::{
     lines::{Cell, FIRST_PARTS, Lines, Node, ORDER, between, combined, net, point_of},
 };
 use crate::kernel::{
-    Bounds, GeomError, Grid,
+    Bounds, GeomError, Grid, JumpError,
     frame::norm,
     tolerance::{BOX_RELATIVE, KNOT_RELATIVE, LAST_BIT, UNBOUNDED_RELATIVE},
 };
@@ -361,7 +361,7 @@ impl Maker<'_> {
     }
 
     /// # Errors
-    /// [`GeomError::JumpAt`] where the two sides of a crease are apart.
+    /// [`JumpError::FunctionAt`] where the two sides of a crease are apart.
     fn check_jumps(&self) -> Result<(), GeomError> {
         for (direction, lines) in self.lines.iter().enumerate() {
             let is_inner = |t: &&f64| lines.domain.start() < **t && **t < lines.domain.end();
@@ -375,7 +375,7 @@ impl Maker<'_> {
                     let gap = norm(at(crease - step)? - at(crease + step)?);
                     if self.tolerance < gap {
                         let (u, v) = if direction == 0 { (crease, other) } else { (other, crease) };
-                        return Err(GeomError::JumpAt { u, v, gap });
+                        return Err(JumpError::FunctionAt { u, v, gap }.into());
                     }
                 }
             }

@@ -8,6 +8,7 @@ use crate::value::Op;
 pub(super) static OPS: &[&Op] = &[
     &curve::reversed::OP,
     &curve::reparametrize::OP,
+    &curve::standard_form::OP,
     &curve::trim::OP,
     &curve::to_nurbs::OP,
     &curve::split::OP,

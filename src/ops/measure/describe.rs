@@ -14,7 +14,8 @@ op! {
     /// All data of geometry, of a mesh or of a table, under the names of its fields and after its
     /// `kind`; a list element by element.
     ///
-    /// A curve also tells its `order`, degree + 1, and the `count` of its control points; a table
+    /// A curve also tells its `order`, degree + 1, the `count` of its control points, and the class of
+    /// its knots as `knot_class` does; a table
     /// the `count` of its rows. A parametric curve or surface has no control points to tell.
     ///
     /// A surface tells both numbers for u and for v, and where it is not regular: the edges that are
@@ -82,6 +83,8 @@ fn described(value: &Value, tolerance: Tolerance, span: Span) -> Result<Value> {
                 let (order, count) = (curve.degree() + 1, curve.control_points().len());
                 fields.push((Arc::from("order"), Value::number(order as f64)));
                 fields.push((Arc::from("count"), Value::number(count as f64)));
+                let class = curve.knots().class().word();
+                fields.push((Arc::from("knot_class"), Value::text(class)));
             }
             fields.extend(data);
         }

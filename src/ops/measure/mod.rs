@@ -54,6 +54,7 @@ pub(super) static OPS: &[&Op] = &[
     &curve::basis_table::OP,
     &arrows::OP,
     &curve::is_planar::OP,
+    &curve::knot_class::OP,
     &surface::is_planar::OP,
     &surface::is_developable::OP,
     &surface::is_minimal::OP,

@@ -348,6 +348,7 @@ fn corners(ctx: &Ctx<'_>, path: &NurbsCurve, span: Span, corner: Corner) -> Resu
         let message = "the path is one point, so that it leads nowhere";
         return Diagnostic::error(Code::Degenerate, span, message).fail();
     }
+    path.check_connected().at(span)?;
     if let Some(&t) = path.cusps(ctx.tolerance).first() {
         let message =
             format!("the path has a cusp at parameter {}, where it has no direction", shortest(t));

@@ -1,8 +1,21 @@
-//! Stretches on which two curves are within the tolerance: short ones are touches, on long ones they
-//! run together.
+//! Stretches on which two curves are within the tolerance: touches of any order, or stretches that
+//! the curves share.
+//!
+//! A touch is where the distance rises from one floor to the tolerance, over a way as long as the
+//! floor; or where it rises within two pieces, since polynomials that share an arc share it as far
+//! as one of them goes. Nothing is read off parameters, so that another parametrization, place or
+//! size makes no difference.
 
-use super::{MAX_BISECTIONS, Search};
-use crate::kernel::{GeomError, Interval};
+use super::{
+    Meeting, Search,
+    newton::{foot, inside, place},
+    told::Told,
+};
+use crate::kernel::{
+    GeomError, Interval,
+    curve::NurbsCurve,
+    valley::{Valley, round},
+};
 
 /// Places of a stretch, besides its ends, that tell how far it goes.
 const EXTENT_SAMPLES: usize = 8;
@@ -10,8 +23,24 @@ const EXTENT_SAMPLES: usize = 8;
 /// Places that tell how far beyond a stretch two curves run together.
 const REACH_SAMPLES: usize = 32;
 
-/// A stretch on which two curves are within the tolerance, by the parameters of both.
-#[derive(Clone, Copy)]
+/// Bisections towards the end of a stretch.
+const MAX_BISECTIONS: usize = 60;
+
+/// Contacts this many tolerances apart are one: what is between them was too short to be told.
+const ONE_CONTACT: f64 = 4.0;
+
+/// A touch leaves its neighbourhood where the curves are this share of the tolerance apart.
+const APART_SHARE: f64 = 0.5;
+
+/// A floor longer than this share of the stretch is shared, as far as the distance tells.
+const FLOOR_SHARE: f64 = 0.5;
+
+/// Roundings within which a tolerance is too small to tell a floor from its sides.
+const FEW_ROUNDINGS: f64 = 1e4;
+
+/// A stretch on which two curves are within the tolerance, by the parameters of both. Over the seam
+/// of a closed curve parameters go on beyond the domain.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Contact {
     pub(super) first: Interval,
     pub(super) second: Interval,
@@ -21,31 +50,138 @@ impl Search<'_> {
     /// Notes a contact, as one with those that lie next to it on both curves.
     pub(super) fn touches(&mut self, mut contact: Contact) {
         // What is joined may reach others that neither reached alone.
-        while let Some(idx) = self.contacts.iter().position(|other| {
-            are_near(other.first, contact.first) && are_near(other.second, contact.second)
-        }) {
-            let other = self.contacts.swap_remove(idx);
-            contact.first = hull(other.first, contact.first);
-            contact.second = hull(other.second, contact.second);
+        while let Some((idx, joined)) = self.joined(contact) {
+            self.contacts.swap_remove(idx);
+            contact = joined;
         }
         self.contacts.push(contact);
     }
 
-    /// Whether a stretch is longer than a touch may be.
-    pub(super) fn is_long(&self, stretch: &Contact) -> bool {
-        let start = self.first.point_at(stretch.first.start());
-        let away = |t: f64| self.first.point_at(t).distance(start);
+    /// A known contact next to this one, and both as one.
+    fn joined(&self, contact: Contact) -> Option<(usize, Contact)> {
+        self.contacts.iter().enumerate().find_map(|(idx, known)| {
+            let first = self.hull(self.first, known.first, contact.first)?;
+            let second = self.hull(self.second, known.second, contact.second)?;
+            Some((idx, Contact { first, second }))
+        })
+    }
+
+    /// Two intervals as one, if nothing is between them that can be told, over the seam too.
+    fn hull(&self, curve: &NurbsCurve, a: Interval, b: Interval) -> Option<Interval> {
+        let period = curve.domain().length();
+        let turns: &[f64] =
+            if curve.is_closed(self.tolerance) { &[0.0, -1.0, 1.0] } else { &[0.0] };
+        turns.iter().find_map(|turn| {
+            let (start, end) = (b.start() + turn * period, b.end() + turn * period);
+            let gap = Interval::new(a.end().min(end), a.start().max(start));
+            let touch = gap.map_or(true, |gap| self.is_one_place(curve, gap));
+            let hull = Interval::new(a.start().min(start), a.end().max(end)).ok()?;
+            (touch && hull.length() <= period).then_some(hull)
+        })
+    }
+
+    /// Whether a curve is at one place all along an interval.
+    pub(super) fn is_one_place(&self, curve: &NurbsCurve, interval: Interval) -> bool {
+        self.extent(curve, interval) <= ONE_CONTACT * self.tolerance
+    }
+
+    /// How far a stretch of a curve goes from its start.
+    pub(super) fn extent(&self, curve: &NurbsCurve, interval: Interval) -> f64 {
+        let start = place(curve, interval.start());
+        let away = |t: f64| place(curve, t).distance(start);
         // The ends of a closed curve are one place.
-        let extent = stretch.first.steps(EXTENT_SAMPLES).into_iter().map(away).fold(0.0, f64::max);
-        self.longest_touch < extent
+        interval.steps(EXTENT_SAMPLES).into_iter().map(away).fold(0.0, f64::max)
+    }
+
+    /// How the distance runs along a stretch.
+    fn valley(&self, stretch: Contact) -> Valley {
+        let apart = |t: f64| {
+            let p = place(self.first, t);
+            place(self.second, foot(self.second, stretch.second, p)).distance(p)
+        };
+        Valley::of(apart, stretch.first, self.rounding)
+    }
+
+    /// Whether the curves are one place only at a stretch.
+    fn is_touch(&self, stretch: Contact, valley: &Valley) -> bool {
+        let extent = self.extent(self.first, stretch.first);
+        if extent <= ONE_CONTACT * self.tolerance {
+            return true;
+        }
+        let is_short = extent <= self.longest_touch;
+        if is_short && self.tolerance <= FEW_ROUNDINGS * self.rounding {
+            return true;
+        }
+        let floor = self.extent(self.first, valley.floor);
+        let is_narrow = floor <= FLOOR_SHARE * extent;
+        let rises = valley.rises_to(APART_SHARE * self.tolerance);
+        let is_single = valley.is_single && rises && (is_narrow || self.ends_within(stretch));
+        is_single || is_short && is_narrow && (rises || !valley.is_single)
+    }
+
+    /// Whether a stretch of one piece of each curve ends where both pieces go on.
+    fn ends_within(&self, stretch: Contact) -> bool {
+        let sides = |curve: &NurbsCurve, interval: Interval| {
+            let span = curve.knots().span_interval(curve.knots().span_at(interval.at(0.5)));
+            let before = Interval::new(span.start(), interval.start());
+            let behind = Interval::new(interval.end(), span.end());
+            [before, behind].map(|rest| rest.is_ok_and(|rest| !self.is_one_place(curve, rest)))
+        };
+        let first = sides(self.first, stretch.first);
+        let second = sides(self.second, stretch.second);
+        // The other curve may run against this one.
+        first == [true, true] && second == [true, true]
+    }
+
+    /// What a stretch comes to: the place where the curves touch, if they do so within the
+    /// tolerance.
+    ///
+    /// # Errors
+    /// [`GeomError::RunTogether`], [`GeomError::RunsAlongItself`].
+    pub(super) fn told(&self, stretch: Contact) -> Result<Option<Told>, GeomError> {
+        let valley = self.valley(stretch);
+        if !self.is_touch(stretch, &valley) {
+            return Err(self.run_together(stretch));
+        }
+        if self.is_fold(stretch) {
+            return Ok(None);
+        }
+        let crossing = self.crossing(stretch.first, stretch.second);
+        let second = foot(self.second, stretch.second, place(self.first, valley.bottom));
+        let dust = f64::EPSILON * self.second.domain().length();
+        let (first, second) = (inside(self.first, valley.bottom), inside(self.second, second));
+        let touch = self.meeting(first, round(second, dust));
+        // A crossing is known to the last bit, a touch is not.
+        let apart = |meeting: &Meeting| {
+            let ends = [self.first.point_at(meeting.first), self.second.point_at(meeting.second)];
+            ends[0].distance(ends[1])
+        };
+        let is_better = |crossing: &Meeting| {
+            valley.floor.contains(crossing.first) == touch.is_none()
+                || touch.is_some_and(|touch| apart(crossing) + self.rounding < apart(&touch))
+        };
+        let meeting = crossing.filter(is_better).or(touch);
+        Ok(meeting.map(|meeting| Told { meeting, stretch: Some(stretch) }))
+    }
+
+    /// Whether a curve comes to itself by turning back between both sides.
+    fn is_fold(&self, stretch: Contact) -> bool {
+        let gap = Interval::new(stretch.first.end(), stretch.second.start());
+        self.is_same && gap.map_or(true, |gap| self.is_one_place(self.first, gap))
+    }
+
+    /// That there is too much to be told; of a stretch that goes on and on, that it does.
+    pub(super) fn tangled(&self) -> GeomError {
+        let together = self.contacts.iter().find_map(|&stretch| self.told(stretch).err());
+        together.unwrap_or(GeomError::Tangled)
     }
 
     /// That the curves run together about a stretch, and from where to where they do.
-    pub(super) fn run_together(&self, stretch: &Contact) -> GeomError {
+    pub(super) fn run_together(&self, stretch: Contact) -> GeomError {
         let domain = self.first.domain();
         let is_on = |t: f64| {
-            let place = self.first.point_at(t);
-            self.second.closest(place, self.tolerance).distance <= self.tolerance
+            let p = place(self.first, t);
+            self.second.closest(p, self.tolerance).distance <= self.tolerance
         };
         // A curve lies on itself everywhere; only others are followed.
         let reach = |from: f64, end: f64| {
@@ -59,27 +195,20 @@ impl Search<'_> {
             on
         };
         let (start, end) = (stretch.first.start(), stretch.first.end());
-        match self.is_same {
-            true => GeomError::RunsAlongItself { start, end },
-            false => {
-                // The ends of the stretch need not be on both curves, something within it is.
-                let steps = stretch.first.steps(REACH_SAMPLES);
-                let on = || steps.iter().copied().filter(|&t| is_on(t));
-                GeomError::RunTogether {
-                    start: reach(on().next().unwrap_or(start), domain.start()),
-                    end: reach(on().next_back().unwrap_or(end), domain.end()),
-                }
-            }
+        if self.is_same {
+            let [start, end] = [start, end].map(|t| inside(self.first, t));
+            return GeomError::RunsAlongItself { start, end };
         }
+        // The ends of the stretch need not be on both curves, something within it is.
+        let steps = stretch.first.steps(REACH_SAMPLES);
+        let on = || steps.iter().copied().filter(|&t| is_on(t));
+        let before = reach(on().next().unwrap_or(start), domain.start().min(start));
+        let behind = reach(on().next_back().unwrap_or(end), domain.end().max(end));
+        let is_over_seam = behind > domain.end() || before < domain.start();
+        let [start, end] = match is_over_seam && behind - before < domain.length() {
+            true => [before, behind].map(|t| inside(self.first, t)),
+            false => [before.max(domain.start()), behind.min(domain.end())],
+        };
+        GeomError::RunTogether { start, end }
     }
-}
-
-/// Whether the gap between two intervals is not wider than they are.
-fn are_near(a: Interval, b: Interval) -> bool {
-    let gap = (a.start() - b.end()).max(b.start() - a.end());
-    gap <= a.length() + b.length()
-}
-
-fn hull(a: Interval, b: Interval) -> Interval {
-    Interval::new(a.start().min(b.start()), a.end().max(b.end())).unwrap_or(a)
 }

@@ -3,7 +3,12 @@
 use glam::DVec3;
 
 use super::MAX_STEPS;
-use crate::kernel::{Interval, curve::NurbsCurve, tolerance::LAST_BIT};
+use crate::kernel::{
+    Interval, curve::NurbsCurve, frame::norm, tolerance::LAST_BIT, valley::golden_section,
+};
+
+/// Cells of a stretch that are looked at for the nearest point.
+const FOOT_CELLS: usize = 16;
 
 /// Steps of both parameters to the nearest approach of two tangents.
 pub(super) fn nearest_step(apart: DVec3, first: DVec3, second: DVec3) -> Option<(f64, f64)> {
@@ -52,4 +57,52 @@ pub(super) fn beside(curve: &NurbsCurve, interval: Interval, t: f64) -> f64 {
     let (width, domain) = (interval.length(), curve.domain());
     let low = (interval.start() - width).max(domain.start());
     t.clamp(low, (interval.end() + width).min(domain.end()))
+}
+
+/// A parameter of the domain for one that goes on over the seam.
+pub(super) fn inside(curve: &NurbsCurve, t: f64) -> f64 {
+    let domain = curve.domain();
+    let turned = match t {
+        _ if t < domain.start() => t + domain.length(),
+        _ if domain.end() < t => t - domain.length(),
+        _ => t,
+    };
+    turned.clamp(domain.start(), domain.end())
+}
+
+/// The point at a parameter that may go on over the seam.
+pub(super) fn place(curve: &NurbsCurve, t: f64) -> DVec3 {
+    curve.point_at(inside(curve, t))
+}
+
+/// The parameter of a stretch that is nearest to a point: the best of some places, and the nearest
+/// one beside it.
+pub(super) fn foot(curve: &NurbsCurve, stretch: Interval, p: DVec3) -> f64 {
+    let apart = |t: f64| norm(place(curve, t) - p);
+    let places = stretch.steps(FOOT_CELLS);
+    let heights: Vec<f64> = places.iter().map(|&t| apart(t)).collect();
+    let lowest =
+        (0..heights.len()).fold(0, |low, i| if heights[i] < heights[low] { i } else { low });
+    let bracket = [places[lowest.saturating_sub(1)], places[(lowest + 1).min(FOOT_CELLS)]];
+    let newton = newton_foot(curve, bracket, p, places[lowest]);
+    let (t, height) = newton.map_or_else(|| golden_section(apart, bracket), |t| (t, apart(t)));
+    if heights[lowest] < height { places[lowest] } else { t }
+}
+
+/// Newton's method on the tangents within a bracket; none where it does not come to rest.
+fn newton_foot(curve: &NurbsCurve, bracket: [f64; 2], p: DVec3, start: f64) -> Option<f64> {
+    let mut t = start;
+    for _ in 0..MAX_STEPS {
+        let derivatives = curve.derivatives_at(inside(curve, t), 1);
+        let step = (p - derivatives[0]).dot(derivatives[1]) / derivatives[1].length_squared();
+        if !step.is_finite() {
+            return None;
+        }
+        let next = (t + step).clamp(bracket[0], bracket[1]);
+        if (next - t).abs() <= LAST_BIT * t.abs().max(bracket[1] - bracket[0]) {
+            return Some(next);
+        }
+        t = next;
+    }
+    None
 }

@@ -12,10 +12,11 @@ use super::{
     trace::{solved, within},
 };
 use crate::kernel::{
-    Bounds, Curve, GeomError, NurbsCurve, NurbsSurface, Surface, Tolerance, bezier,
+    Bounds, Curve, GeomError, Interval, NurbsCurve, NurbsSurface, Surface, Tolerance, bezier,
     frame::{norm, unit},
     homogeneous,
     tolerance::{LAST_BIT, PLACE_RELATIVE},
+    valley::Valley,
 };
 
 /// Pairs that are looked at before the curve counts as running along the surface.
@@ -24,14 +25,17 @@ const MAX_PAIRS: usize = 200_000;
 /// Part of the tolerance within which pieces are flat, and near enough to touch.
 const FLAT: f64 = 0.02;
 
-/// A touch this many times longer than its parts is no point.
+/// A touch this many times longer than its parts is looked at for how the distance runs along it.
 const LONGEST_TOUCH: f64 = 24.0;
+
+/// A longer share of a stretch, on which the distance is the least, runs along the surface.
+const FLOOR_SHARE: f64 = 0.5;
+
+/// A touch leaves its neighbourhood where it is this share of what counts as near away.
+const APART_SHARE: f64 = 0.5;
 
 /// Steps of Newton's method.
 const MAX_STEPS: usize = 25;
-
-/// Steps of the search for the nearest approach, each to the golden section.
-const SECTIONS: usize = 60;
 
 /// A place that a curve and a surface have in common.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,7 +85,8 @@ impl Surface {
         let size = curve.bounds().diagonal().max(spline.bounds().diagonal());
         let tolerance = tolerance.distance_for(size);
         let touch_size = (tolerance * size).sqrt();
-        let search = Search { curve: &curve, surface: &spline, tolerance, touch_size };
+        let rounding = LAST_BIT * curve.bounds().magnitude().max(spline.bounds().magnitude());
+        let search = Search { curve: &curve, surface: &spline, tolerance, touch_size, rounding };
         search.run()
     }
 }
@@ -92,6 +97,8 @@ struct Search<'a> {
     tolerance: f64,
     /// Pieces that touch are no larger than this.
     touch_size: f64,
+    /// What a distance may be wrong by.
+    rounding: f64,
 }
 
 impl Search<'_> {
@@ -194,25 +201,31 @@ impl Search<'_> {
         }
         let mut found = Vec::new();
         for Contact { ends: [start, end], bounds, widest } in stretches {
-            if LONGEST_TOUCH * widest < bounds.diagonal() {
+            let Ok(stretch) = Interval::new(start, end) else { continue };
+            let valley = Valley::of(|t| self.apart(t), stretch, self.rounding);
+            let is_long = LONGEST_TOUCH * widest < bounds.diagonal();
+            if is_long && !self.is_touch(&valley, bounds.diagonal()) {
                 return Err(PictureError::RunsAlong { start, end }.into());
             }
-            let (mut low, mut high) = (start, end);
-            let distance = |t: f64| self.surface.closest(self.curve.point_at(t)).distance;
-            let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
-            for _ in 0..SECTIONS {
-                let [a, b] = [high - golden * (high - low), low + golden * (high - low)];
-                if distance(a) <= distance(b) {
-                    high = b;
-                } else {
-                    low = a;
-                }
-            }
-            let t = 0.5 * (low + high);
-            let foot = self.surface.closest(self.curve.point_at(t));
-            found.extend(self.piercing(t, foot.parameters));
+            let foot = self.surface.closest(self.curve.point_at(valley.bottom));
+            found.extend(self.piercing(valley.bottom, foot.parameters));
         }
         Ok(found)
+    }
+
+    /// How far the curve is from the surface.
+    fn apart(&self, t: f64) -> f64 {
+        self.surface.closest(self.curve.point_at(t)).distance
+    }
+
+    /// Whether a stretch of that size has its floor in one place and rises on both sides of it: a
+    /// touch of higher order.
+    fn is_touch(&self, valley: &Valley, size: f64) -> bool {
+        let start = self.curve.point_at(valley.floor.start());
+        let floor = start.distance(self.curve.point_at(valley.floor.end()));
+        valley.is_single
+            && valley.rises_to(APART_SHARE * FLAT * self.tolerance)
+            && floor <= FLOOR_SHARE * size
     }
 
     /// In the order of the curve, each place once.

@@ -13,6 +13,7 @@ pub(super) mod remove_knot;
 pub(super) mod reparametrize;
 pub(super) mod reversed;
 pub(super) mod split;
+pub(super) mod standard_form;
 pub(super) mod to_nurbs;
 pub(super) mod trim;
 

@@ -16,6 +16,7 @@ op! {
     /// The nearest of the whole curve, ends included, by branch and bound. `count` tells how many places
     /// are as near as that, within the document's tolerance; `t` is the first of them. A whole stretch that
     /// is all as near, as a circle is to its centre, counts once, and a warning tells its parameters.
+    /// At the end of a part before a jump `t` is the last number before the jump, where the curve is there.
     /// Ma & Hewitt, *Point inversion and projection for NURBS curve and surface*, CAGD 20 (2003).
     closest in Measure -> Record {
         /// The curve.

@@ -53,6 +53,9 @@ impl Choice for CombSide {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     let (curve, span) = (&args.c.value, args.c.span);
+    if let Ok(nurbs) = curve.nurbs() {
+        nurbs.check_connected().at(span)?;
+    }
     let samples = args.samples;
     check_segments(samples, 1, ctx)?;
     let sign = if args.side == CombSide::Outside { -args.scale } else { args.scale };

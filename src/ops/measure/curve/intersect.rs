@@ -15,7 +15,8 @@ op! {
     /// surface, as `[{t, u, v, point}]`.
     ///
     /// Found completely, by halving pairs of pieces until they are apart, cross clearly or touch.
-    /// Curves that share a stretch are an error that tells which.
+    /// Where they touch, in whatever order, is one place: the nearest, from which the distance rises on
+    /// both sides. Curves that share a stretch are an error that tells which.
     /// A parametric curve is searched as the spline that `length` tells of; each place is then found
     /// on the function itself.
     /// Sederberg & Nishita, *Curve intersection using Bézier clipping*, CAD 22 (1990).

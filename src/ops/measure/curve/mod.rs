@@ -22,6 +22,7 @@ pub(super) mod intersect;
 pub(super) mod is_closed;
 pub(super) mod is_planar;
 pub(super) mod is_straight;
+pub(super) mod knot_class;
 pub(super) mod length;
 pub(super) mod normal;
 pub(super) mod normal_line;

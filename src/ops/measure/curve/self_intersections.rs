@@ -12,7 +12,7 @@ op! {
     /// `[{t, s, point}]` with `t` below `s`. The seam of a closed curve is none.
     ///
     /// Found completely: pieces that turn by less than half a turn cannot meet themselves, all
-    /// others are halved.
+    /// others are halved. A cusp is no meeting of its two sides.
     /// A parametric curve is searched as the spline that `length` tells of; each place is then found
     /// on the function itself.
     self_intersections in Measure -> Vec<Record> {

@@ -1,0 +1,142 @@
+//! Meetings in order, each once.
+
+use super::{
+    Meeting, Search,
+    contact::Contact,
+    newton::{foot, place},
+};
+use crate::kernel::{GeomError, Interval, curve::NurbsCurve, tolerance::KNOT_RELATIVE};
+
+/// Cells of an arc at whose ends two curves are compared.
+const ARC_CELLS: usize = 16;
+
+/// A meeting, and the stretch that came down to it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Told {
+    pub(super) meeting: Meeting,
+    pub(super) stretch: Option<Contact>,
+}
+
+impl Told {
+    /// Of two pieces that cross clearly.
+    pub(super) fn crossing(meeting: Meeting) -> Self {
+        Self { meeting, stretch: None }
+    }
+}
+
+impl Search<'_> {
+    /// The meetings in order.
+    ///
+    /// # Errors
+    /// [`GeomError::RunTogether`], [`GeomError::RunsAlongItself`].
+    pub(super) fn finish(mut self) -> Result<Vec<Meeting>, GeomError> {
+        for stretch in std::mem::take(&mut self.contacts) {
+            let told = self.told(stretch)?;
+            self.meetings.extend(told);
+        }
+        let mut meetings = std::mem::take(&mut self.meetings);
+        if !self.is_same {
+            for Told { meeting, .. } in &mut meetings {
+                meeting.first = self.at_seam(self.first, meeting.first);
+                meeting.second = self.at_seam(self.second, meeting.second);
+            }
+        }
+        let order = |a: &Meeting, b: &Meeting| {
+            a.first.total_cmp(&b.first).then(a.second.total_cmp(&b.second))
+        };
+        meetings.sort_by(|a, b| order(&a.meeting, &b.meeting));
+        let mut kept: Vec<Told> = Vec::new();
+        for told in meetings {
+            match kept.iter_mut().find(|known| self.are_one(known, &told)) {
+                Some(known) => {
+                    if self.is_nearer(&told, known) {
+                        *known = told;
+                    }
+                }
+                None => kept.push(told),
+            }
+        }
+        let mut meetings: Vec<Meeting> = kept.into_iter().map(|told| told.meeting).collect();
+        meetings.sort_by(order);
+        Ok(meetings)
+    }
+
+    /// A parameter; at the seam of a closed curve that of its start.
+    fn at_seam(&self, curve: &NurbsCurve, t: f64) -> f64 {
+        let domain = curve.domain();
+        let is_near = domain.end() - t <= KNOT_RELATIVE.sqrt() * domain.length()
+            && curve.point_at(t).distance(curve.start()) <= self.tolerance
+            && curve.is_closed(self.tolerance);
+        if is_near { domain.start() } else { t }
+    }
+
+    /// Whether two meetings are one: between them both curves stay at one place, or the one lies on
+    /// the stretch of the other.
+    fn are_one(&self, a: &Told, b: &Told) -> bool {
+        let is_on = |told: &Told, other: &Told| {
+            other.stretch.is_some_and(|Contact { first, second }| {
+                self.contains(self.first, first, told.meeting.first)
+                    && self.contains(self.second, second, told.meeting.second)
+            })
+        };
+        is_on(a, b)
+            || is_on(b, a)
+            || (a.stretch.is_some() || b.stretch.is_some())
+                && self.stay_together(&a.meeting, &b.meeting)
+            || a.meeting.point.distance(b.meeting.point) <= 2.0 * self.tolerance
+                && self.are_beside(self.first, a.meeting.first, b.meeting.first)
+                && self.are_beside(self.second, a.meeting.second, b.meeting.second)
+    }
+
+    /// Whether between two meetings the first curve stays within the tolerance of the second, over the
+    /// seams too.
+    fn stay_together(&self, a: &Meeting, b: &Meeting) -> bool {
+        let arcs = |curve: &NurbsCurve, a: f64, b: f64| {
+            let (low, high) = (a.min(b), a.max(b));
+            let over_seam = curve
+                .is_closed(self.tolerance)
+                .then(|| Interval::new(high, low + curve.domain().length()).ok());
+            Interval::new(low, high).ok().into_iter().chain(over_seam.flatten())
+        };
+        let others: Vec<Interval> = arcs(self.second, a.second, b.second).collect();
+        let is_on = |t: f64, other: Interval| {
+            let p = place(self.first, t);
+            place(self.second, foot(self.second, other, p)).distance(p) <= self.tolerance
+        };
+        arcs(self.first, a.first, b.first).any(|arc| {
+            others.iter().any(|&other| arc.steps(ARC_CELLS).into_iter().all(|t| is_on(t, other)))
+        })
+    }
+
+    /// Whether an interval, which may go over the seam, holds a parameter or its neighbourhood.
+    fn contains(&self, curve: &NurbsCurve, interval: Interval, t: f64) -> bool {
+        let period = curve.domain().length();
+        let is_beside = |t: f64| {
+            let gap = Interval::new(t, interval.start()).or(Interval::new(interval.end(), t));
+            gap.map_or(interval.contains(t), |gap| self.is_one_place(curve, gap))
+        };
+        let turns = [t, t + period, t - period];
+        let n = if curve.is_closed(self.tolerance) { turns.len() } else { 1 };
+        turns[..n].iter().any(|&t| is_beside(t))
+    }
+
+    /// Whether a curve stays at one place between two parameters, over its seam too.
+    fn are_beside(&self, curve: &NurbsCurve, a: f64, b: f64) -> bool {
+        let (low, high) = (a.min(b), a.max(b));
+        let period = curve.domain().length();
+        let is_short = |start: f64, end: f64| {
+            Interval::new(start, end).map_or(true, |arc| self.is_one_place(curve, arc))
+        };
+        is_short(low, high) || curve.is_closed(self.tolerance) && is_short(high, low + period)
+    }
+
+    /// Whether the curves are nearer at one meeting than at another, by more than rounding; a
+    /// crossing is known better than a touch.
+    fn is_nearer(&self, told: &Told, known: &Told) -> bool {
+        let apart = |told: &Told| {
+            let Meeting { first, second, .. } = told.meeting;
+            place(self.first, first).distance(place(self.second, second))
+        };
+        apart(told) + self.rounding < apart(known)
+    }
+}

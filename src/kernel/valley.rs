@@ -1,0 +1,163 @@
+//! Where a distance along a stretch is least, and whether that is one place.
+//!
+//! Two curves that touch in order k are (x − x₀)ᵏ apart: nearly nothing on a wide floor, of which
+//! no place is nearer than another up to rounding. What tells the touch from a shared stretch is
+//! that the distance rises behind the floor, and over a way as long as the floor.
+
+use super::Interval;
+
+/// Cells of a stretch at whose ends the distance is asked for.
+const N_CELLS: usize = 64;
+
+/// Golden sections towards the least distance beside the nearest of those places.
+const MAX_SECTIONS: usize = 60;
+
+/// Doublings of a step from the bottom to the edge of the floor, and bisections there.
+const MAX_STEPS: usize = 60;
+
+/// Roundings of a distance by which the floor may be above the least.
+const FLOOR_ROUNDINGS: f64 = 16.0;
+
+/// Where the bottom is so near to a number of few digits, as a fraction of the floor, that number
+/// is the bottom.
+const ROUND_SHARE: f64 = 0.02;
+
+/// Digits that a number written in full has at most.
+const MOST_DIGITS: usize = 16;
+
+/// How a distance runs along a stretch.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::kernel) struct Valley {
+    /// The middle of the floor, or where the distance is least if that is less.
+    pub(in crate::kernel) bottom: f64,
+    /// The places around the bottom where the distance is the least one up to rounding.
+    pub(in crate::kernel) floor: Interval,
+    /// Whether the distance rises from the floor to both ends.
+    pub(in crate::kernel) is_single: bool,
+    /// Whether the floor reaches the end, and the distance there.
+    sides: [(bool, f64); 2],
+}
+
+impl Valley {
+    /// Follows the distance along a stretch; `rounding` is what a distance may be wrong by.
+    pub(in crate::kernel) fn of(
+        distance: impl Fn(f64) -> f64,
+        stretch: Interval,
+        rounding: f64,
+    ) -> Self {
+        let places = stretch.steps(N_CELLS);
+        let heights: Vec<f64> = places.iter().map(|&t| distance(t)).collect();
+        let lowest =
+            (0..heights.len()).fold(0, |low, i| if heights[i] < heights[low] { i } else { low });
+        let around = [places[lowest.saturating_sub(1)], places[(lowest + 1).min(N_CELLS)]];
+        let mut least = (places[lowest], heights[lowest]);
+        let section = golden_section(&distance, around);
+        if section.1 < least.1 {
+            least = section;
+        }
+
+        let level = least.1 + FLOOR_ROUNDINGS * rounding;
+        let is_floor = |t: f64| distance(t) <= level;
+        let [low, high] = [stretch.start(), stretch.end()].map(|end| edge(&is_floor, least.0, end));
+        let rises = |pair: [usize; 2]| heights[pair[0]] <= heights[pair[1]] + 2.0 * rounding;
+        let is_single = (0..N_CELLS).all(|i| match () {
+            () if places[i + 1] <= low => rises([i + 1, i]),
+            () if high <= places[i] => rises([i, i + 1]),
+            () => true,
+        });
+
+        let middle = round(0.5 * (low + high), ROUND_SHARE * (high - low)).clamp(low, high);
+        let bottom = if distance(middle) <= least.1 + rounding { middle } else { least.0 };
+        let sides =
+            [(low <= stretch.start(), heights[0]), (stretch.end() <= high, heights[N_CELLS])];
+        let floor = Interval::new(low, high).unwrap_or(stretch);
+        Self { bottom, floor, is_single, sides }
+    }
+
+    /// Whether at each end the distance is at least this, or the floor goes that far.
+    pub(in crate::kernel) fn rises_to(&self, height: f64) -> bool {
+        self.sides.iter().all(|&(is_floor, end)| is_floor || height <= end)
+    }
+}
+
+/// The place in a bracket where a function with one minimum has it, and its value there.
+///
+/// Kiefer, *Sequential minimax search for a maximum*, Proc. AMS 4 (1953).
+pub(in crate::kernel) fn golden_section(
+    value: impl Fn(f64) -> f64,
+    [mut low, mut high]: [f64; 2],
+) -> (f64, f64) {
+    let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let mut inner = [high - golden * (high - low), low + golden * (high - low)];
+    let mut values = inner.map(&value);
+    for _ in 0..MAX_SECTIONS {
+        if values[0] <= values[1] {
+            high = inner[1];
+            inner = [high - golden * (high - low), inner[0]];
+            values = [value(inner[0]), values[0]];
+        } else {
+            low = inner[0];
+            inner = [inner[1], low + golden * (high - low)];
+            values = [values[1], value(inner[1])];
+        }
+    }
+    if values[0] <= values[1] { (inner[0], values[0]) } else { (inner[1], values[1]) }
+}
+
+/// The last place from `inside` towards `end` up to which something holds.
+pub(in crate::kernel) fn edge(holds: &impl Fn(f64) -> bool, inside: f64, end: f64) -> f64 {
+    let (mut on, mut step) = (inside, (end - inside) * f64::EPSILON);
+    let mut off = end;
+    for _ in 0..MAX_STEPS {
+        let next = if (end - inside).abs() <= step.abs() { end } else { inside + step };
+        if !holds(next) {
+            off = next;
+            break;
+        }
+        on = next;
+        if next.total_cmp(&end).is_eq() {
+            return end;
+        }
+        step *= 2.0;
+    }
+    for _ in 0..MAX_STEPS {
+        let middle = 0.5 * (on + off);
+        if holds(middle) { on = middle } else { off = middle }
+    }
+    on
+}
+
+/// The number with the fewest digits within `slack` of another.
+pub(in crate::kernel) fn round(t: f64, slack: f64) -> f64 {
+    if t.abs() <= slack {
+        return 0.0;
+    }
+    let written = (0..MOST_DIGITS).filter_map(|digits| format!("{t:.digits$e}").parse().ok());
+    written.into_iter().find(|short: &f64| (short - t).abs() <= slack).unwrap_or(t)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Valley, golden_section};
+    use crate::kernel::Interval;
+
+    #[test]
+    fn a_touch_of_ninth_order_is_one_place() {
+        let stretch = Interval::new(-0.2, 0.25).unwrap();
+        let valley = Valley::of(|t: f64| (t * t * t).abs().powi(3), stretch, 1e-16);
+        assert_eq!(valley.bottom, 0.0);
+        assert!(valley.is_single && valley.rises_to(1e-7) && !valley.rises_to(1e-6));
+    }
+
+    #[test]
+    fn two_crossings_are_no_single_valley() {
+        let around = Interval::new(-1.0, 1.0).unwrap();
+        assert!(!Valley::of(|t: f64| (t * t - 0.3).abs(), around, 1e-16).is_single);
+    }
+
+    #[test]
+    fn a_parabola_is_least_at_its_vertex() {
+        let (place, value) = golden_section(|t| (t - 0.3) * (t - 0.3), [0.0, 1.0]);
+        assert!((place - 0.3).abs() < 1e-8 && value < 1e-16);
+    }
+}
