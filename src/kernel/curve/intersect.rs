@@ -19,9 +19,12 @@ use super::{
     NurbsCurve,
     part::{Part, parts},
 };
-use crate::kernel::{
-    Bounds, GeomError, Interval, homogeneous,
-    tolerance::{KNOT_RELATIVE, LAST_BIT},
+use crate::{
+    kernel::{
+        Bounds, GeomError, Interval, homogeneous,
+        tolerance::{KNOT_RELATIVE, LAST_BIT},
+    },
+    limits::work,
 };
 
 /// Control points of pairs of pieces that are looked at before the meetings are too many.
@@ -129,7 +132,9 @@ impl NurbsCurve {
         for (i, j) in near_pairs(&pieces, tolerance) {
             pairs.push((pieces[i].clone(), pieces[j].clone()));
         }
-        while let Some(part) = alone.pop() {
+        while work::goes_on(1)
+            && let Some(part) = alone.pop()
+        {
             // Whatever turns by less than half a turn does not come back to itself.
             if part.cone.is_within_half_turn() || search.is_tiny(&part) {
                 continue;
@@ -171,7 +176,9 @@ impl<'c> Search<'c> {
         let mut todo = pairs;
         todo.retain(|(a, b)| a.may_meet(b, self.tolerance));
         let cost = self.first.degree() + self.second.degree() + 2;
-        while let Some((a, b)) = todo.pop() {
+        while work::goes_on(1)
+            && let Some((a, b)) = todo.pop()
+        {
             self.left = self.left.checked_sub(cost).ok_or(GeomError::Tangled)?;
             if self.is_settled(&a, &b) {
                 match self.contacts.last().filter(|stretch| self.is_long(stretch)) {

@@ -1,11 +1,14 @@
 //! Length and extent of curves.
 
 use super::{NurbsCurve, part::Part};
-use crate::kernel::{
-    Bounds, Grid, Interval, KnotVector,
-    frame::norm,
-    hull::Spline,
-    tolerance::{LAST_BIT, LENGTH_RELATIVE},
+use crate::{
+    kernel::{
+        Bounds, Grid, Interval, KnotVector,
+        frame::norm,
+        hull::Spline,
+        tolerance::{LAST_BIT, LENGTH_RELATIVE},
+    },
+    limits::work,
 };
 
 /// Halvings of a piece whose length does not settle: enough for a cusp, whose error falls by four
@@ -97,7 +100,9 @@ impl NurbsCurve {
         let mut n_cuts = 0;
         let mut todo: Vec<(Part, usize)> =
             spans.into_iter().rev().map(|span| (Part::of_span(self, span), 0)).collect();
-        while let Some((part, n_halvings)) = todo.pop() {
+        while work::goes_on(1)
+            && let Some((part, n_halvings)) = todo.pop()
+        {
             let own = part.interval;
             let (start, end) = (own.start().max(interval.start()), own.end().min(interval.end()));
             let Ok(piece) = Interval::new(start, end) else { continue };
@@ -136,7 +141,9 @@ fn refined(
     let mut length = 0.0;
     let mut todo = vec![(piece, estimate, 0)];
     let mut n_pieces = 0;
-    while let Some((piece, estimate, n_halvings)) = todo.pop() {
+    while work::goes_on(1)
+        && let Some((piece, estimate, n_halvings)) = todo.pop()
+    {
         let halves = piece.halves();
         let lengths = halves.map(|half| quadrature(speed, half));
         let sum = lengths[0] + lengths[1];

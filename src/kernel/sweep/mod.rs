@@ -127,6 +127,7 @@ pub fn swept(
     // On the path's own knots only simple motions are exact.
     let mut is_plain = fineness.keeps_path;
     loop {
+        GeomError::go_on(knots.n_points())?;
         let mut fit = moving.fitted(&knots)?;
         if !is_plain {
             moving.joined(&mut fit)?;
