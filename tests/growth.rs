@@ -11,7 +11,7 @@ use cap::Cap;
 use virote::{
     limits::{Limits, work},
     session::{Event, Session},
-    value::NoFiles,
+    value::Files,
 };
 
 #[global_allocator]
@@ -69,10 +69,22 @@ const SHAPES: &[Shape] = &[
     ("functions", "", "fn f#(x) = x + #", "\n", ""),
     ("parameters of the script", "", "param p# = # in 0..1000000", "\n", ""),
     ("points", "", "point p# = (#, 1)", "\n", ""),
-    ("lines with colours and layers", "", "curve c# = line((0, 0), (#, 1)) with (color = \"#0000ff\", layer = \"l#\")", "\n", ""),
+    (
+        "lines with colours and layers",
+        "",
+        "curve c# = line((0, 0), (#, 1)) with (color = \"#0000ff\", layer = \"l#\")",
+        "\n",
+        "",
+    ),
     ("definitions of a block", "let y = {\n", "let a# = #", "\n", "\n1 }"),
     ("functions of a block", "let y = {\n", "fn f#(x) = x", "\n", "\n1 }"),
-    ("functions of a block that use one another", "let y = {\nfn g(x) = x\n", "fn f#(x) = f(g(x))", "\n", "\nfn f(x) = f0(x)\n1 }"),
+    (
+        "functions of a block that use one another",
+        "let y = {\nfn g(x) = x\n",
+        "fn f#(x) = f(g(x))",
+        "\n",
+        "\nfn f(x) = f0(x)\n1 }",
+    ),
     ("names around a function", "let y = {\n", "let a# = #", "\n", "\nlet f = x => a0 + x\nf(1) }"),
     ("one name twice in a block", "let y = {\n", "let a = #", "\n", "\n1 }"),
     ("parameters of a function", "let f = (", "a#", ", ", ") => 1"),
@@ -89,7 +101,13 @@ const SHAPES: &[Shape] = &[
     ("records that are equal", "let r = {", "f#: #", ", ", "}\ncheck r == r\ncheck r ~= {...r}"),
     ("a pattern of names", "let [", "a#", ", ", "] = [1, 2]"),
     ("a comprehension", "let a = [for i in 1..@: i]\n", "", "", "print len(a)"),
-    ("steps through a list", "let a = [for i in 0..@: i]\nlet b = [for i in 0..@: a[i]]\n", "", "", ""),
+    (
+        "steps through a list",
+        "let a = [for i in 0..@: i]\nlet b = [for i in 0..@: a[i]]\n",
+        "",
+        "",
+        "",
+    ),
     // Operators and calls.
     ("calls", "let f = x => x\n", "print f(#)", "\n", ""),
     ("a call with labels that are not there", "let f = (x) => x\nlet y = f(", "l# = 1", ", ", ")"),
@@ -109,11 +127,35 @@ const SHAPES: &[Shape] = &[
     ("imports of one name", "", "import \"p.geo\" as p", "\n", ""),
     ("files", "curve c = line((0, 0), (1, 1))\n", "export c to \"o#.obj\"", "\n", ""),
     ("files of one name", "curve c = line((0, 0), (1, 1))\n", "export c to \"o.obj\"", "\n", ""),
-    ("one thing many times in a file", "curve c = line((0, 0), (1, 1))\nexport ", "c", ", ", " to \"o.obj\""),
+    (
+        "one thing many times in a file",
+        "curve c = line((0, 0), (1, 1))\nexport ",
+        "c",
+        ", ",
+        " to \"o.obj\"",
+    ),
     ("things without a name in a file", "export ", "line((0, 0), (#, 1))", ", ", " to \"o.obj\""),
-    ("all of many things", "", "curve c# = line((0, 0), (#, 1))", "\n", "\nexport all to \"o.step\""),
-    ("all of many things without a name", "", "curve line((0, 0), (#, 1))", "\n", "\nexport all to \"o.step\""),
-    ("options that are not there", "curve c = line((0, 0), (1, 1))\nexport c to \"o.obj\" with (", "o# = 1", ", ", ")"),
+    (
+        "all of many things",
+        "",
+        "curve c# = line((0, 0), (#, 1))",
+        "\n",
+        "\nexport all to \"o.step\"",
+    ),
+    (
+        "all of many things without a name",
+        "",
+        "curve line((0, 0), (#, 1))",
+        "\n",
+        "\nexport all to \"o.step\"",
+    ),
+    (
+        "options that are not there",
+        "curve c = line((0, 0), (1, 1))\nexport c to \"o.obj\" with (",
+        "o# = 1",
+        ", ",
+        ")",
+    ),
     // Operations on lists.
     ("`unique` of numbers", "let a = unique([for i in 1..@: i])\n", "", "", ""),
     ("`unique` of lengths", "let a = unique([for i in 1..@: i * 1mm])\n", "", "", ""),
@@ -129,12 +171,33 @@ const SHAPES: &[Shape] = &[
     ("`scan`", "let a = scan(1..@, 0, (a, x) => a + x)\n", "", "", ""),
     // Geometry.
     ("a polyline", "let a = polyline([for i in 0..@: (i, i % 2)])\n", "", "", ""),
-    ("the length of a polyline", "print length(polyline([for i in 0..@: (i, i % 2)]))\n", "", "", ""),
-    ("`join`", "let a = join([for i in 0..@: line((i, i % 2), (i + 1, (i + 1) % 2))])\n", "", "", ""),
+    (
+        "the length of a polyline",
+        "print length(polyline([for i in 0..@: (i, i % 2)]))\n",
+        "",
+        "",
+        "",
+    ),
+    (
+        "`join`",
+        "let a = join([for i in 0..@: line((i, i % 2), (i + 1, (i + 1) % 2))])\n",
+        "",
+        "",
+        "",
+    ),
     ("`bounds` of a list", "let a = bounds([for i in 0..@: line((i, 0), (i, 1))])\n", "", "", ""),
     ("`interpolate`", "let a = interpolate([for i in 0..@: (i, sin(i))])\n", "", "", ""),
     ("`helix`", "let a = helix((0, 0), 1, 1, @)\n", "", "", ""),
 ];
+
+#[derive(Debug)]
+struct NoFiles;
+
+impl Files for NoFiles {
+    fn read(&self, path: &str, _: usize) -> Result<Vec<u8>, String> {
+        Err(format!("there is no `{path}`"))
+    }
+}
 
 /// The script of a shape.
 fn script((_, before, repeated, between, behind): Shape, n: usize) -> String {
@@ -158,7 +221,7 @@ fn counted(text: &str) -> u64 {
     for event in &report.events {
         if let Event::File(file) = event {
             let mut written = Vec::new();
-            let outcome = file.format.write(&file.job, &mut written);
+            let outcome = (file.format.write)(&file.job, &mut written);
             let _ = write!(said, "{}", outcome.is_ok());
         }
     }
@@ -180,5 +243,9 @@ fn what_is_doubled_takes_twice_the_work() {
             complaints.push(format!("{}: {a}, {b}, {c}", shape.0));
         }
     }
-    assert!(complaints.is_empty(), "these grow faster than they are long:\n{}", complaints.join("\n"));
+    assert!(
+        complaints.is_empty(),
+        "these grow faster than they are long:\n{}",
+        complaints.join("\n")
+    );
 }

@@ -41,7 +41,8 @@ fn distance_within(a: &[char], b: &[char], most: usize) -> Option<usize> {
     }
     let beyond = most + 1;
     // The row, the one before it, and the one before that.
-    let mut rows = [vec![beyond; b.len() + 1], vec![beyond; b.len() + 1], vec![beyond; b.len() + 1]];
+    let mut rows =
+        [vec![beyond; b.len() + 1], vec![beyond; b.len() + 1], vec![beyond; b.len() + 1]];
     for (j, entry) in rows[1].iter_mut().enumerate().take(beyond) {
         *entry = j;
     }
@@ -53,7 +54,8 @@ fn distance_within(a: &[char], b: &[char], most: usize) -> Option<usize> {
         for j in first..=end {
             let is_same = a[i - 1] == b[j - 1];
             let above = if j < i + most { last[j] } else { beyond };
-            let mut least = (last[j - 1] + usize::from(!is_same)).min(row[j - 1] + 1).min(above + 1);
+            let mut least =
+                (last[j - 1] + usize::from(!is_same)).min(row[j - 1] + 1).min(above + 1);
             if 1 < i && 1 < j && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
                 least = least.min(before[j - 2] + 1);
             }

@@ -46,10 +46,10 @@ impl Run<'_> {
         let name = self.document.excerpt(root.span);
         work::count(1);
         // It is named, so it is meant.
-        looks.0.get(&*name).map_or_else(Look::default, |&look| Look {
-            is_hidden: false,
-            ..look.clone()
-        })
+        looks
+            .0
+            .get(&*name)
+            .map_or_else(Look::default, |&look| Look { is_hidden: false, ..look.clone() })
     }
 }
 

@@ -61,16 +61,8 @@ impl<'s> Scopes<'s> {
     }
 
     /// Enters a function that may use `siblings`; `captures` were taken by its siblings before.
-    pub(super) fn enter_function(
-        &mut self,
-        siblings: Arc<Siblings<'s>>,
-        captures: Captures<'s>,
-    ) {
-        self.functions.push(FunctionScope {
-            siblings,
-            captures,
-            ..FunctionScope::default()
-        });
+    pub(super) fn enter_function(&mut self, siblings: Arc<Siblings<'s>>, captures: Captures<'s>) {
+        self.functions.push(FunctionScope { siblings, captures, ..FunctionScope::default() });
     }
 
     /// Leaves the innermost function: the slots that it needs and what it captured.

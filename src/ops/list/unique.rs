@@ -40,7 +40,8 @@ fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<Value>> {
 /// Appends what equal values have in common and most others do not.
 fn spell(value: &Value, key: &mut Vec<u64>) {
     // Zero of either sign is one number.
-    let mut numbers = |values: &[f64]| key.extend(values.iter().map(|value| (value + 0.0).to_bits()));
+    let mut numbers =
+        |values: &[f64]| key.extend(values.iter().map(|value| (value + 0.0).to_bits()));
     match value {
         Value::Number(number) => numbers(&[number.value]),
         Value::Point(point) => numbers(&point.to_array()),
@@ -60,9 +61,11 @@ fn spell(value: &Value, key: &mut Vec<u64>) {
         }
         Value::Text(text) => {
             key.push(text.len() as u64);
-            key.extend(text.as_bytes().chunks(8).map(|chunk| {
-                chunk.iter().fold(0, |word, &byte| word << 8 | u64::from(byte))
-            }));
+            key.extend(
+                text.as_bytes()
+                    .chunks(8)
+                    .map(|chunk| chunk.iter().fold(0, |word, &byte| word << 8 | u64::from(byte))),
+            );
         }
         Value::Bool(is_true) => key.push(u64::from(*is_true)),
         Value::List(items) => {
