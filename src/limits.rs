@@ -2,6 +2,8 @@
 //!
 //! Algorithms receive the ceiling they obey; none is written where it is used.
 
+pub mod work;
+
 /// The ceilings of one run.
 ///
 /// Each default is far above honest use and far below what would hurt the machine.
@@ -29,7 +31,8 @@ pub struct Limits {
     pub text_bytes: usize,
     /// Elements of one list, rows of one table.
     pub list_length: usize,
-    /// Evaluation steps (an element of a comprehension, a call) of one definition.
+    /// Steps (an element of a comprehension, a call, a step of a long search in the geometry) of one
+    /// definition.
     pub steps: u64,
     /// Vertices of one mesh.
     pub mesh_vertices: usize,

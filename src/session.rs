@@ -12,7 +12,10 @@ mod plan;
 mod stop;
 mod test;
 
-use std::sync::{Arc, atomic::AtomicBool};
+use std::{
+    collections::HashMap,
+    sync::{Arc, atomic::AtomicBool},
+};
 
 pub use ceiling::name_flag;
 pub use extra::Extra;
@@ -326,7 +329,7 @@ impl Session {
         diagnostics: &mut Vec<Diagnostic>,
     ) -> Vec<Event> {
         let mut events = Vec::new();
-        let mut written: Vec<(String, Span)> = Vec::new();
+        let mut written: HashMap<String, Span> = HashMap::new();
         for output in outputs {
             match output {
                 Output::Printed(printed) => events.push(Event::Printed(printed)),
@@ -334,8 +337,8 @@ impl Session {
                 Output::Expected(expected) => events.push(Event::Expected(expected)),
                 Output::Exported(exported) => {
                     let Some(file) = self.plan(exported, document, diagnostics) else { continue };
-                    match written.iter().find(|(path, _)| path.eq_ignore_ascii_case(&file.path)) {
-                        Some(&(_, first)) => diagnostics.push(
+                    match written.insert(file.path.to_lowercase(), file.span) {
+                        Some(first) => diagnostics.push(
                             Diagnostic::error(
                                 Code::DuplicateExport,
                                 file.span,
@@ -347,7 +350,6 @@ impl Session {
                             ),
                         ),
                         None => {
-                            written.push((file.path.clone(), file.span));
                             events.push(Event::File(Box::new(file)));
                         }
                     }

@@ -15,6 +15,7 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::Jet,
+    limits::work,
     value::{
         At, Call, Ctx, Formal, FromValue, Function, Mistakes, Op, Partial, Real, Type, Value,
         assign, choose,
@@ -168,6 +169,7 @@ impl Machine<'_> {
         })?;
         let (env, span) = (self.env, call.span);
         let meter = self.meter();
+        let watch = self.watch();
         let home = Arc::clone(&self.home);
         let files = Beside { files: env.files, folder: &home.folder, reads: self.reads.clone() };
         let mut ctx = Ctx {
@@ -180,10 +182,15 @@ impl Machine<'_> {
             sources: env.sources,
             caller: self,
         };
-        let (value, used) = meter.lend(|| (op.run)(&mut ctx, call));
-        // What the operation called was counted by this machine; what it asked, by the meter.
-        self.add_steps(used.steps - meter.steps);
-        finite(value?, name, span)
+        let run = || meter.lend(|| (op.run)(&mut ctx, call));
+        let ((value, used), done) = work::under(watch, run);
+        // What the operation called was counted by this machine; what it asked, by the meter; what it
+        // did itself, under the watch.
+        self.add_steps(used.steps - meter.steps + done.steps);
+        match done.end {
+            None => finite(value?, name, span),
+            Some(end) => self.ended(end, span),
+        }
     }
 
     fn script(&mut self, function: &ScriptFunction, call: Call) -> Result<Value> {

@@ -7,7 +7,10 @@ use super::machine::Machine;
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     kernel::{Curve, Surface},
-    limits::Limits,
+    limits::{
+        Limits,
+        work::{self, End, Watch},
+    },
     value::{Extent, Value},
 };
 
@@ -24,27 +27,51 @@ impl Machine<'_> {
 
     /// Counts steps of evaluation.
     pub(super) fn steps(&mut self, n: u64, span: Span) -> Result<()> {
+        work::count(n);
         self.steps = self.steps.saturating_add(n);
         if self.steps <= self.env.limits.steps {
             return self.check_memory(span);
         }
-        let message = format!("this takes more than {} steps of evaluation", self.env.limits.steps);
-        Diagnostic::error(Code::TooLarge, span, message).label("under way here").fail()
+        self.ended(End::Steps, span)
     }
 
     /// Fails when the run holds more memory than it may, or is no longer wanted.
     pub(super) fn check_memory(&mut self, span: Span) -> Result<()> {
         if self.env.stop.load(Ordering::Relaxed) {
-            self.is_full = true;
-            return Diagnostic::error(Code::Stopped, span, "the evaluation was stopped")
-                .label("under way here")
-                .fail();
+            return self.ended(End::Stopped, span);
         }
         if (self.env.held)() <= self.env.limits.memory_bytes {
             return Ok(());
         }
-        self.is_full = true;
-        out_of_memory(self.env.limits, span).fail()
+        self.ended(End::Memory, span)
+    }
+
+    /// What an operation may take from now on.
+    pub(super) fn watch(&self) -> Watch {
+        let Limits { memory_bytes, steps, .. } = *self.env.limits;
+        let steps = steps.saturating_sub(self.steps);
+        Watch { held: self.env.held, memory_bytes, stop: self.env.stop, steps }
+    }
+
+    /// Fails because there is no more to be had.
+    pub(super) fn ended<T>(&mut self, end: End, span: Span) -> Result<T> {
+        let limits = self.env.limits;
+        let label = "under way here";
+        match end {
+            End::Steps => {
+                let message = format!("this takes more than {} steps of evaluation", limits.steps);
+                Diagnostic::error(Code::TooLarge, span, message).label(label).fail()
+            }
+            End::Stopped => {
+                self.is_full = true;
+                let message = "the evaluation was stopped";
+                Diagnostic::error(Code::Stopped, span, message).label(label).fail()
+            }
+            End::Memory => {
+                self.is_full = true;
+                out_of_memory(limits, span).fail()
+            }
+        }
     }
 
     /// The value, unless it is deeper or larger than whoever walks through it can bear.

@@ -1,5 +1,7 @@
 //! Presentation: what stands after `with` at a definition, and where an export finds it.
 
+use std::collections::HashMap;
+
 use super::{
     ir::{Definition, Expr, ExprKind},
     outcome::Defined,
@@ -7,6 +9,7 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Spanned, nearest},
+    limits::work,
     value::{COLOR_NAMES, Look, Value, color_of},
 };
 
@@ -30,7 +33,7 @@ impl Run<'_> {
     }
 
     /// The presentation of the definition that an exported expression names, or a part of.
-    pub(super) fn look_of_subject(&self, expr: &Expr, definitions: &[&[Defined]]) -> Look {
+    pub(super) fn look_of_subject(&self, expr: &Expr, looks: &Looks<'_>) -> Look {
         let mut root = expr;
         loop {
             root = match &root.kind {
@@ -41,11 +44,23 @@ impl Run<'_> {
             };
         }
         let name = self.document.excerpt(root.span);
-        let mut all = definitions.iter().copied().flatten();
-        all.find(|defined| defined.name == name).map_or_else(Look::default, |defined| {
-            // It is named, so it is meant.
-            Look { is_hidden: false, ..defined.look.clone() }
-        })
+        work::count(1);
+        // It is named, so it is meant.
+        looks
+            .0
+            .get(&*name)
+            .map_or_else(Look::default, |&look| Look { is_hidden: false, ..look.clone() })
+    }
+}
+
+/// The presentation of each definition, by its name.
+pub(super) struct Looks<'d>(HashMap<&'d str, &'d Look>);
+
+impl<'d> Looks<'d> {
+    pub(super) fn of(definitions: &[&'d [Defined]]) -> Self {
+        // Of two with one name the first counts.
+        let all = definitions.iter().rev().flat_map(|some| some.iter().rev());
+        Self(all.map(|defined| (&*defined.name, &defined.look)).collect())
     }
 }
 

@@ -67,6 +67,12 @@ pub(crate) struct Machine<'a> {
     pub(super) imported: Fields,
 }
 
+/// Fields that a message lists.
+const MOST_FIELDS_TOLD: usize = 40;
+
+/// Fields with which a misspelt one is compared.
+const MOST_NAMES: usize = 200;
+
 /// Files that were read so far.
 pub(super) type Reads = Arc<Mutex<BTreeSet<Read>>>;
 
@@ -304,12 +310,14 @@ impl<'a> Machine<'a> {
         let message = format!("{} has no field `{name}`", value.phrase());
         let mut diagnostic = Diagnostic::error(Code::NoField, place, message)
             .also(subject.span, format!("this is {}", value.phrase()));
-        if let Some(near) = crate::diag::nearest(name, names.iter().copied()) {
+        if let Some(near) = crate::diag::nearest(name, names.iter().copied().take(MOST_NAMES)) {
             diagnostic = diagnostic.label(format!("did you mean `{near}`?"));
         }
-        let list: Vec<String> = names.iter().map(|name| format!("`.{name}`")).collect();
+        let told = names.iter().take(MOST_FIELDS_TOLD).map(|name| format!("`.{name}`"));
+        let list: Vec<String> = told.collect();
         if !list.is_empty() {
-            diagnostic = diagnostic.hint(format!("its fields are {}", list.join(" ")));
+            let rest = if list.len() < names.len() { " ..." } else { "" };
+            diagnostic = diagnostic.hint(format!("its fields are {}{rest}", list.join(" ")));
         }
         diagnostic.fail()
     }

@@ -7,6 +7,7 @@ use super::{
     home::{Home, Kept},
     ir::{Arg, Effect, EffectKind, Expr, Kind, Program, Role},
     load::{Document, Loaded, load},
+    look::Looks,
     machine::Machine,
     memory::{Recall, Work},
     outcome::{Checked, Defined, Exported, Outcome, Output, Printed, Subject, in_order},
@@ -183,6 +184,7 @@ impl Run<'_> {
     /// Carries out every effect that can act; `definitions` are those that `all` takes from.
     pub(super) fn effects(&mut self, definitions: &[&[Defined]]) -> Vec<Output> {
         let mut outputs = Vec::new();
+        let looks = Looks::of(definitions);
         for effect in &self.program.effects {
             if self.machine.is_full {
                 break;
@@ -197,7 +199,7 @@ impl Run<'_> {
                 }
                 EffectKind::Print(exprs) => self.print(exprs, effect.n_slots, &mut outputs),
                 EffectKind::Export { .. } => {
-                    let exported = self.export(effect, definitions);
+                    let exported = self.export(effect, definitions, &looks);
                     outputs.extend(exported.map(Output::Exported));
                 }
                 EffectKind::Expect { code, subject, found } => {
@@ -253,7 +255,12 @@ impl Run<'_> {
         }
     }
 
-    fn export(&mut self, effect: &Effect, definitions: &[&[Defined]]) -> Option<Exported> {
+    fn export(
+        &mut self,
+        effect: &Effect,
+        definitions: &[&[Defined]],
+        looks: &Looks<'_>,
+    ) -> Option<Exported> {
         let EffectKind::Export { subjects, named, path, options } = &effect.kind else {
             return None;
         };
@@ -265,7 +272,7 @@ impl Run<'_> {
                     let result = self.machine.run(expr, effect.n_slots);
                     let value = self.keep(result)?;
                     let name = self.subject_name(expr, &value);
-                    let look = self.look_of_subject(expr, definitions);
+                    let look = self.look_of_subject(expr, looks);
                     subjects.push(Subject { name, value: Spanned::new(value, expr.span), look });
                 }
                 let named = named.iter().filter_map(|&idx| self.program.definition(idx));

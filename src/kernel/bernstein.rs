@@ -9,6 +9,7 @@ use std::{
 use glam::DVec4;
 
 use super::bezier;
+use crate::limits::work;
 
 /// Bernstein coefficients of the product of two polynomials on one interval, of any kind of
 /// values; `times` multiplies these. O(p·q).
@@ -139,7 +140,9 @@ pub(in crate::kernel) fn maximum(
     for points in pieces {
         highest = add(&mut todo, points, f64::INFINITY);
     }
-    while let Some(piece) = todo.pop() {
+    while work::goes_on(1)
+        && let Some(piece) = todo.pop()
+    {
         if left == 0 || piece.most <= SLACK * highest {
             return piece.most;
         }

@@ -3,6 +3,8 @@
 use glam::DVec3;
 use thiserror::Error;
 
+use crate::limits::work;
+
 use super::{FunctionFailure, Interval, JumpError, MeshError, PictureError, ShellError};
 
 /// A request that has no geometric answer.
@@ -13,6 +15,9 @@ use super::{FunctionFailure, Interval, JumpError, MeshError, PictureError, Shell
 #[non_exhaustive]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum GeomError {
+    /// Work that whoever started it has ended, and tells why.
+    #[error("the work was ended")]
+    Ended,
     /// Fewer points than the construction needs.
     #[error("{needed} points or more are needed, got {got}")]
     TooFewPoints { got: usize, needed: usize },
@@ -394,3 +399,13 @@ pub enum GeomError {
 
 pub(in crate::kernel) use super::digits::few_digits;
 use super::digits::{degrees, how_far, plain};
+
+impl GeomError {
+    /// Counts steps of work.
+    ///
+    /// # Errors
+    /// [`Self::Ended`] where it is to go no further.
+    pub(in crate::kernel) fn go_on(n_steps: usize) -> Result<(), Self> {
+        if work::goes_on(n_steps as u64) { Ok(()) } else { Err(Self::Ended) }
+    }
+}

@@ -5,6 +5,7 @@
 //! (1981). Nothing is sampled, so that no pair of roots is lost between samples.
 
 use super::{Interval, bernstein};
+use crate::limits::work;
 
 /// Halvings of an interval in which several roots cannot be told apart.
 const MAX_HALVINGS: usize = 40;
@@ -38,7 +39,9 @@ impl Signs {
     ) {
         let mut todo = vec![(Interval::UNIT, coefficients.to_vec(), 0)];
         let mut n_parts = 0;
-        while let Some((part, coefficients, n_halvings)) = todo.pop() {
+        while work::goes_on(1)
+            && let Some((part, coefficients, n_halvings)) = todo.pop()
+        {
             n_parts += 1;
             let signs = signs(&coefficients, rounding);
             let n_changes = signs.windows(2).filter(|pair| pair[0] != pair[1]).count();

@@ -5,6 +5,8 @@ use std::{
     thread,
 };
 
+use crate::limits::work::{self, Done};
+
 /// Values for which a further thread pays.
 const WORTH_A_THREAD: usize = 50_000;
 
@@ -25,23 +27,39 @@ pub(super) fn parts<T>(values: &mut [T], n_columns: usize, n_threads: usize) -> 
     chunks.map(|(i, values)| Rows { first: i * n_rows, values }).collect()
 }
 
-/// Does `work` on all parts, each on a thread of its own as far as there are threads to be had.
-pub(super) fn each<P: Send>(parts: Vec<P>, work: impl Fn(P) + Sync) {
+/// Does `serve_one` on all parts, each on a thread of its own as far as there are threads to be had.
+pub(super) fn each<P: Send>(parts: Vec<P>, serve_one: impl Fn(P) + Sync) {
     let n_parts = parts.len();
     let waiting = Mutex::new(parts);
     let next = || waiting.lock().unwrap_or_else(PoisonError::into_inner).pop();
     let serve = || {
         while let Some(part) = next() {
-            work(part);
+            serve_one(part);
         }
+    };
+    // Further threads work under the watch of this one.
+    let watch = work::current();
+    let helped = Mutex::new(Vec::new());
+    let help = || {
+        let done = match watch {
+            Some(watch) => work::under(watch, serve).1,
+            None => {
+                serve();
+                Done::default()
+            }
+        };
+        helped.lock().unwrap_or_else(PoisonError::into_inner).push((done, work::counted()));
     };
     thread::scope(|scope| {
         for _ in 1..n_parts {
             // Without it the others do its work.
-            let _ = thread::Builder::new().spawn_scoped(scope, serve);
+            let _ = thread::Builder::new().spawn_scoped(scope, help);
         }
         serve();
     });
+    for (done, n_counted) in helped.into_inner().unwrap_or_else(PoisonError::into_inner) {
+        work::add(done, n_counted);
+    }
 }
 
 #[cfg(test)]

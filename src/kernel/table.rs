@@ -1,5 +1,7 @@
 //! Tables: named columns of one length.
 
+use std::collections::HashSet;
+
 use super::GeomError;
 
 /// The cells of one column.
@@ -84,13 +86,14 @@ impl Table {
     /// [`GeomError::ColumnLength`], [`GeomError::DuplicateColumn`].
     pub fn new(columns: Vec<NamedColumn>) -> Result<Self, GeomError> {
         let expected = columns.first().map_or(0, |column| column.column.len());
-        for (i, column) in columns.iter().enumerate() {
+        let mut names: HashSet<&str> = HashSet::with_capacity(columns.len());
+        for column in &columns {
             let got = column.column.len();
             let name = || column.name.clone();
             if got != expected {
                 return Err(GeomError::ColumnLength { name: name(), got, expected });
             }
-            if columns[..i].iter().any(|earlier| earlier.name == column.name) {
+            if !names.insert(column.name.as_str()) {
                 return Err(GeomError::DuplicateColumn { name: name() });
             }
         }

@@ -1,6 +1,6 @@
 //! From an `export` to a file: its path, its format, what goes into it.
 
-use std::{collections::HashSet, sync::Arc};
+use std::{collections::HashMap, sync::Arc};
 
 use super::{File, Session, options::options};
 use crate::{
@@ -8,6 +8,7 @@ use crate::{
     eval::{self, Exported},
     export::{FORMATS, Format, Item, Job, Subject},
     kernel::{Curve, Surface, Tolerance},
+    limits::work,
     syntax::ast::Unit,
     value::{Function, Value, to_json},
 };
@@ -174,13 +175,13 @@ fn subject(value: &Value) -> Option<Subject> {
 pub(super) struct Gathering {
     format: &'static Format,
     pub(super) items: Vec<Item>,
-    /// Names that are taken.
-    names: HashSet<String>,
+    /// Names that are taken, each with the number to try next for another thing of that name.
+    names: HashMap<String, usize>,
 }
 
 impl Gathering {
     pub(super) fn new(format: &'static Format) -> Self {
-        Self { format, items: Vec::new(), names: HashSet::new() }
+        Self { format, items: Vec::new(), names: HashMap::new() }
     }
 
     /// Makes items of a value, lists and records of geometry element by element; else tells what
@@ -224,7 +225,7 @@ impl Gathering {
 
     fn push(&mut self, name: &str, whole: &eval::Subject, subject: Subject) {
         let name = self.unused(name);
-        self.names.insert(name.clone());
+        self.names.insert(name.clone(), 2);
         self.items.push(Item {
             name,
             group: whole.name.clone(),
@@ -235,12 +236,16 @@ impl Gathering {
     }
 
     /// The name, numbered where another item has it already.
-    fn unused(&self, name: &str) -> String {
-        if !self.names.contains(name) {
-            return name.to_owned();
-        }
-        let mut numbered = (2..=self.items.len() + 2).map(|i| format!("{name}-{i}"));
-        numbered.find(|name| !self.names.contains(name)).unwrap_or_else(|| name.to_owned())
+    fn unused(&mut self, name: &str) -> String {
+        let Some(&first) = self.names.get(name) else { return name.to_owned() };
+        let numbered = |i: usize| format!("{name}-{i}");
+        let is_free = |i: &usize| {
+            work::count(1);
+            !self.names.contains_key(&numbered(*i))
+        };
+        let free = (first..=first + self.items.len()).find(is_free).unwrap_or(first);
+        self.names.insert(name.to_owned(), free + 1);
+        numbered(free)
     }
 }
 

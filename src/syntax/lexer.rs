@@ -18,6 +18,7 @@ pub(super) fn lex(source: &str, most: usize) -> Lexed<'_> {
         open: Vec::new(),
         end: 0,
         most,
+        grown: None,
     };
     scanner.out.tokens.reserve(source.len() / 3);
     scanner.out.spans.reserve(source.len() / 3);
@@ -43,6 +44,8 @@ struct Scanner<'s> {
     /// Where the token before ends.
     end: usize,
     most: usize,
+    /// The finding about stray text that has grown since its message was made.
+    grown: Option<usize>,
 }
 
 /// What ends a piece of a string.
@@ -108,6 +111,7 @@ impl<'s> Scanner<'s> {
     }
 
     fn finish(mut self) -> Lexed<'s> {
+        self.name_grown();
         if !self.open.is_empty() {
             self.give_up_string(self.end);
         }
@@ -311,26 +315,22 @@ impl<'s> Scanner<'s> {
     /// Text that is nothing; neighbours are reported as one.
     fn stray(&mut self) {
         let span = self.span();
-        let message = |text: &str| match unseen::code(text) {
-            Some(code) => format!("the invisible character {code} means nothing here"),
-            None => format!("`{text}` means nothing here"),
-        };
+        self.name_grown();
         let glued = self.out.spans.last().is_some_and(|last| last.end == span.start);
         match self.out.diagnostics.last_mut() {
             Some(last)
                 if glued && last.code == Code::StrayText && last.primary.span.end == span.start =>
             {
-                let whole = last.primary.span.to(span);
-                last.primary.span = whole;
-                last.message = message(&self.source[whole.range()]);
+                last.primary.span = last.primary.span.to(span);
                 if let Some(token) = self.out.spans.last_mut() {
-                    *token = whole;
+                    *token = last.primary.span;
                 }
+                self.grown = Some(self.out.diagnostics.len() - 1);
                 return;
             }
             _ => {}
         }
-        let diagnostic = Diagnostic::error(Code::StrayText, span, message(self.lexer.slice()));
+        let diagnostic = Diagnostic::error(Code::StrayText, span, meaningless(self.lexer.slice()));
         let diagnostic = diagnostic.label("not part of the language");
         self.complain(match self.lexer.slice() {
             "?" => diagnostic.hint("a choice is written `if c then a else b`"),
@@ -339,6 +339,26 @@ impl<'s> Scanner<'s> {
             _ => diagnostic,
         });
         self.push(Token::Bad);
+    }
+
+    /// Makes the message of stray text that has grown.
+    fn name_grown(&mut self) {
+        if let Some(found) = self.grown.take().and_then(|at| self.out.diagnostics.get_mut(at)) {
+            found.message = meaningless(&self.source[found.primary.span.range()]);
+        }
+    }
+}
+
+/// Letters of stray text that its message repeats.
+const MOST_REPEATED: usize = 60;
+
+fn meaningless(text: &str) -> String {
+    if let Some(code) = unseen::code(text) {
+        return format!("the invisible character {code} means nothing here");
+    }
+    match text.char_indices().nth(MOST_REPEATED) {
+        Some((end, _)) => format!("`{}…` means nothing here", &text[..end]),
+        None => format!("`{text}` means nothing here"),
     }
 }
 

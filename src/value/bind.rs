@@ -3,7 +3,7 @@
 //! Required parameters take arguments by position or by name, optional ones by name only. One
 //! call yields one diagnostic, with a label for each mistake and the signature as a hint.
 
-use std::sync::Arc;
+use std::{collections::HashMap, sync::Arc};
 
 use super::{FromValue, Op, Type, Value};
 use crate::diag::{Code, Diagnostic, Span, Spanned, nearest};
@@ -73,13 +73,42 @@ impl Mistakes {
             let message = format!("{called} is called with {n_mistakes} mistakes");
             Diagnostic::error(first.code, first.span, message).label(first.text)
         };
-        for mistake in mistakes {
+        for mistake in mistakes.by_ref().take(MOST_TOLD - 1) {
             diagnostic = diagnostic.also(mistake.span, mistake.text);
             hints.extend(mistake.hint);
+        }
+        if let n_left @ 1.. = mistakes.len() {
+            hints.push(format!("and {n_left} more mistakes"));
         }
         hints.push(format!("its signature is `{signature}`"));
         diagnostic.hints = hints;
         Box::new(diagnostic)
+    }
+}
+
+/// Mistakes of one call that are told one by one; the rest is counted.
+const MOST_TOLD: usize = 20;
+
+/// Names that a misspelt one is compared with.
+const MOST_NAMES: usize = 1000;
+
+/// Parameters by name.
+struct Places<'f>(Option<HashMap<&'f str, usize>>);
+
+impl<'f> Places<'f> {
+    /// An index where it pays: with many parameters and many arguments by name.
+    fn of(formals: &[Formal<'f>], n_named: usize) -> Self {
+        /// Arguments up to which one looks through the parameters for each.
+        const FEW: usize = 16;
+        let places = || formals.iter().enumerate().rev().map(|(idx, formal)| (formal.name, idx));
+        Self((FEW < n_named).then(|| places().collect()))
+    }
+
+    fn find(&self, formals: &[Formal<'_>], name: &str) -> Option<usize> {
+        match &self.0 {
+            Some(places) => places.get(name).copied(),
+            None => formals.iter().position(|formal| *formal.name == *name),
+        }
     }
 }
 
@@ -92,11 +121,17 @@ pub fn assign(
     let mut slots: Vec<Option<Spanned<Value>>> = vec![None; formals.len()];
 
     // Arguments by name.
-    let mut by_name: Vec<String> = Vec::new();
+    let mut by_name: Vec<bool> = vec![false; formals.len()];
+    let places = Places::of(formals, call.named.len());
+    let mut n_searched = 0;
     for (label, value) in call.named {
-        match formals.iter().position(|formal| *formal.name == *label.value) {
+        match places.find(formals, &label.value) {
             None => {
-                let hint = nearest(&label.value, formals.iter().map(|formal| formal.name))
+                n_searched += 1;
+                let names = formals.iter().take(MOST_NAMES).map(|formal| formal.name);
+                let hint = (n_searched <= MOST_TOLD)
+                    .then(|| nearest(&label.value, names))
+                    .flatten()
                     .map(|near| format!("did you mean `{near}`?"));
                 let text = format!("there is no parameter `{}`", label.value);
                 mistakes.add(Code::BadCall, label.span, text, hint);
@@ -106,7 +141,7 @@ pub fn assign(
                 mistakes.add(Code::BadCall, label.span, text, None);
             }
             Some(idx) => {
-                by_name.push(label.value.to_string());
+                by_name[idx] = true;
                 slots[idx] = Some(value);
             }
         }
@@ -126,20 +161,20 @@ pub fn assign(
         }
     }
     // Where a required parameter was given by name, one of the places was meant for it.
-    let by_both =
-        |formal: &&Formal<'_>| !formal.optional && by_name.iter().any(|name| name == formal.name);
-    let twice = formals.iter().find(by_both).map(|formal| formal.name);
+    let by_both = |&(formal, by_name): &(&Formal<'_>, &bool)| !formal.optional && *by_name;
+    let twice = formals.iter().zip(&by_name).find(by_both).map(|(formal, _)| formal.name);
     complain_of_leftover(formals, &slots, &leftover, twice, mistakes);
 
     // Whatever is required and still open is missing.
     let unfilled = open.iter().skip(n_given).filter(|&&idx| !formals[idx].optional);
     let missing: Vec<&str> = unfilled.map(|&idx| formals[idx].name).collect();
     if !missing.is_empty() {
-        let names: Vec<String> = missing.iter().map(|name| format!("`{name}`")).collect();
+        let named = missing.iter().take(MOST_TOLD).map(|name| format!("`{name}`"));
         let text = format!(
-            "missing {} {}",
-            if names.len() == 1 { "argument" } else { "arguments" },
-            names.join(", ")
+            "missing {} {}{}",
+            if missing.len() == 1 { "argument" } else { "arguments" },
+            named.collect::<Vec<_>>().join(", "),
+            if MOST_TOLD < missing.len() { ", ..." } else { "" }
         );
         mistakes.add(Code::BadCall, call.span, text, None);
     }

@@ -1,28 +1,58 @@
 //! Records: values under labels, in the order in which they were written.
 
-use std::sync::Arc;
+use std::{collections::HashMap, sync::Arc};
 
 use super::{Value, list::Extent};
+use crate::limits::work;
 
 /// Labelled values. Labels are unique; the order is the script's.
 #[derive(Clone, Debug, Default)]
 pub struct Record {
     fields: Vec<(Arc<str>, Value)>,
     extent: Extent,
+    /// Where each label stands, where there are more than a few.
+    places: Option<Arc<HashMap<Arc<str>, usize>>>,
 }
+
+/// Fields up to which one looks through them for a label.
+const FEW: usize = 16;
 
 impl Record {
     /// A record; of a label given twice, which no script can write, the last value counts.
     pub fn new(fields: impl IntoIterator<Item = (Arc<str>, Value)>) -> Self {
         let mut record = Self::default();
+        let mut places: HashMap<Arc<str>, usize> = HashMap::new();
         for (label, value) in fields {
-            match record.fields.iter_mut().find(|(known, _)| *known == label) {
-                Some(slot) => slot.1 = value,
-                None => record.fields.push((label, value)),
+            work::count(1);
+            let known = match record.fields.len() {
+                ..=FEW => record.place(&label),
+                _ => places.get(&label).copied(),
+            };
+            if let Some(known) = known {
+                record.fields[known].1 = value;
+                continue;
+            }
+            record.fields.push((label, value));
+            let (n, fields) = (record.fields.len(), &record.fields);
+            let new = if n == FEW + 1 { 0 } else { n - 1 };
+            if FEW < n {
+                places.extend((new..n).map(|idx| (Arc::clone(&fields[idx].0), idx)));
             }
         }
+        record.places = (!places.is_empty()).then(|| Arc::new(places));
         record.extent = Extent::around(record.fields.iter().map(|(_, value)| value));
         record
+    }
+
+    /// Where a label stands.
+    fn place(&self, label: &str) -> Option<usize> {
+        match &self.places {
+            Some(places) => places.get(label).copied(),
+            None => {
+                work::count(self.fields.len() as u64);
+                self.fields.iter().position(|(known, _)| &**known == label)
+            }
+        }
     }
 
     /// How deep and how large it is.
@@ -34,7 +64,7 @@ impl Record {
     /// The value under `label`.
     #[must_use]
     pub fn get(&self, label: &str) -> Option<&Value> {
-        self.fields.iter().find(|(known, _)| &**known == label).map(|(_, value)| value)
+        self.place(label).map(|idx| &self.fields[idx].1)
     }
 
     /// Labels and values in order.

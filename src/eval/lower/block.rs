@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, sync::Arc};
 use super::{
     super::ir::{Block, Expr, ExprKind, Group},
     Lowerer, graph,
-    scope::Captures,
+    scope::{Captures, Siblings},
 };
 use crate::{
     diag::{Code, Diagnostic, Span},
@@ -140,14 +140,13 @@ impl<'s> Lowerer<'_, 's> {
         functions: &[&ast::Function<'s>],
         definitions: &mut Vec<(usize, Expr)>,
     ) {
-        let siblings: Vec<(&'s str, Span)> = functions
-            .iter()
-            .map(|function| (function.name.text, self.at(function.name.span)))
-            .collect();
+        let names =
+            functions.iter().map(|function| (function.name.text, self.at(function.name.span)));
+        let siblings = Arc::new(Siblings::new(names.collect()));
         let mut captures = Captures::default();
         let mut lambdas = Vec::new();
         for function in functions {
-            let (lambda, taken) = self.function(function, siblings.clone(), captures);
+            let (lambda, taken) = self.function(function, Arc::clone(&siblings), captures);
             lambdas.push(lambda);
             captures = taken;
         }

@@ -8,7 +8,7 @@ use super::{
         Piece,
     },
     Lowerer,
-    scope::Captures,
+    scope::{Captures, Siblings},
 };
 use crate::{
     diag::{Code, Diagnostic, Span, Spanned},
@@ -234,12 +234,11 @@ impl<'s> Lowerer<'_, 's> {
     }
 
     fn lambda(&mut self, names: &[ast::Name<'s>], body: &ast::Expr<'s>) -> ExprKind {
-        self.scopes.enter_function(Vec::new(), Captures::default());
+        self.scopes.enter_function(Arc::default(), Captures::default());
         let parameters = names
             .iter()
-            .enumerate()
-            .map(|(i, name)| {
-                self.bind_parameter(name, names[..i].iter());
+            .map(|name| {
+                self.bind_parameter(name);
                 Parameter { name: Arc::from(name.text), default: None }
             })
             .collect();
@@ -249,19 +248,13 @@ impl<'s> Lowerer<'_, 's> {
         ExprKind::Lambda(Arc::new(Group { lambdas: vec![lambda] }), 0, captures.sources())
     }
 
-    /// Gives a parameter its slot; `earlier` are those before it.
-    fn bind_parameter<'n>(
-        &mut self,
-        name: &ast::Name<'s>,
-        mut earlier: impl Iterator<Item = &'n ast::Name<'s>>,
-    ) where
-        's: 'n,
-    {
-        let Some(first) = earlier.find(|earlier| earlier.text == name.text) else {
+    /// Gives a parameter its slot.
+    fn bind_parameter(&mut self, name: &ast::Name<'s>) {
+        let Some(first) = self.scopes.own(name.text) else {
             self.bind(name);
             return;
         };
-        let (first, again) = (self.at(first.span), self.at(name.span));
+        let again = self.at(name.span);
         let message = format!("two parameters are called `{}`", name.text);
         self.report(
             Diagnostic::error(Code::Duplicate, again, message)
@@ -275,7 +268,7 @@ impl<'s> Lowerer<'_, 's> {
     pub(super) fn function(
         &mut self,
         function: &ast::Function<'s>,
-        siblings: Vec<(&'s str, Span)>,
+        siblings: Arc<Siblings<'s>>,
         captures: Captures<'s>,
     ) -> (Lambda, Captures<'s>) {
         self.scopes.enter_function(siblings, captures);
@@ -283,11 +276,9 @@ impl<'s> Lowerer<'_, 's> {
         let parameters = function
             .parameters
             .iter()
-            .enumerate()
-            .map(|(i, parameter)| {
+            .map(|parameter| {
                 let default = parameter.default.as_ref().map(|default| self.expr(default));
-                let earlier = function.parameters[..i].iter().map(|earlier| &earlier.name);
-                self.bind_parameter(&parameter.name, earlier);
+                self.bind_parameter(&parameter.name);
                 Parameter { name: Arc::from(parameter.name.text), default }
             })
             .collect();

@@ -4,20 +4,48 @@
 //! it, and whatever the functions around it see; of the latter it takes copies when it is made
 //! (captures). Names never hide one another, so each lookup has one answer.
 
+use std::{collections::HashMap, sync::Arc};
+
 use super::super::ir::Source;
-use crate::diag::Span;
+use crate::{diag::Span, limits::work};
 
 /// The names that one function can see without looking around it.
 #[derive(Debug, Default)]
 pub(super) struct FunctionScope<'s> {
-    /// Parameters and variables in force: name, slot, place of definition.
-    locals: Vec<(&'s str, usize, Span)>,
+    /// Parameters and variables in force.
+    locals: Vec<Local<'s>>,
+    /// Where the last of each name stands among them.
+    places: HashMap<&'s str, usize>,
     /// Functions defined together with this one.
-    siblings: Vec<(&'s str, Span)>,
+    siblings: Arc<Siblings<'s>>,
     /// What it takes from around it.
-    captures: Vec<(&'s str, Source, Span)>,
+    captures: Captures<'s>,
     /// Slots given out so far.
     n_slots: usize,
+}
+
+/// A parameter or variable.
+#[derive(Debug)]
+struct Local<'s> {
+    name: &'s str,
+    slot: usize,
+    span: Span,
+    /// Where the one of this name stands that it hides, which was told.
+    hidden: Option<usize>,
+}
+
+/// Functions that are defined together.
+#[derive(Debug, Default)]
+pub(super) struct Siblings<'s> {
+    names: Vec<(&'s str, Span)>,
+    places: HashMap<&'s str, usize>,
+}
+
+impl<'s> Siblings<'s> {
+    pub(super) fn new(names: Vec<(&'s str, Span)>) -> Self {
+        let places = names.iter().enumerate().rev().map(|(idx, &(name, _))| (name, idx)).collect();
+        Self { names, places }
+    }
 }
 
 /// The functions around a place, outermost first. The first one is the definition itself.
@@ -33,29 +61,22 @@ impl<'s> Scopes<'s> {
     }
 
     /// Enters a function that may use `siblings`; `captures` were taken by its siblings before.
-    pub(super) fn enter_function(
-        &mut self,
-        siblings: Vec<(&'s str, Span)>,
-        captures: Captures<'s>,
-    ) {
-        self.functions.push(FunctionScope {
-            siblings,
-            captures: captures.0,
-            ..FunctionScope::default()
-        });
+    pub(super) fn enter_function(&mut self, siblings: Arc<Siblings<'s>>, captures: Captures<'s>) {
+        self.functions.push(FunctionScope { siblings, captures, ..FunctionScope::default() });
     }
 
     /// Leaves the innermost function: the slots that it needs and what it captured.
     pub(super) fn leave(&mut self) -> (usize, Captures<'s>) {
         let scope = self.functions.pop().unwrap_or_default();
-        (scope.n_slots, Captures(scope.captures))
+        (scope.n_slots, scope.captures)
     }
 
     /// Gives `name` a slot in the innermost function.
     pub(super) fn bind(&mut self, name: &'s str, span: Span) -> usize {
         let slot = self.reserve();
         if let Some(scope) = self.functions.last_mut() {
-            scope.locals.push((name, slot, span));
+            let hidden = scope.places.insert(name, scope.locals.len());
+            scope.locals.push(Local { name, slot, span, hidden });
         }
         slot
     }
@@ -75,8 +96,19 @@ impl<'s> Scopes<'s> {
     /// Ends the scope of the variables that came after `mark`.
     pub(super) fn release(&mut self, mark: usize) {
         if let Some(scope) = self.functions.last_mut() {
-            scope.locals.truncate(mark);
+            for local in scope.locals.drain(mark..).rev() {
+                match local.hidden {
+                    Some(hidden) => scope.places.insert(local.name, hidden),
+                    None => scope.places.remove(local.name),
+                };
+            }
         }
+    }
+
+    /// Where the innermost function defines `name`, if it does.
+    pub(super) fn own(&self, name: &str) -> Option<Span> {
+        let scope = self.functions.last()?;
+        scope.places.get(name).map(|&idx| scope.locals[idx].span)
     }
 
     /// What `name` means here, if it is no definition of the file, and where it was defined.
@@ -86,30 +118,32 @@ impl<'s> Scopes<'s> {
 
     fn find_in(&mut self, n_functions: usize, name: &str) -> Option<(Source, Span)> {
         let (scope, outer) = self.functions[..n_functions].split_last_mut()?;
-        if let Some(&(_, slot, span)) = scope.locals.iter().rev().find(|local| local.0 == name) {
+        work::count(1);
+        if let Some(&idx) = scope.places.get(name) {
+            let Local { slot, span, .. } = scope.locals[idx];
             return Some((Source::Local(slot), span));
         }
-        if let Some(idx) = scope.siblings.iter().position(|sibling| sibling.0 == name) {
-            return Some((Source::Sibling(idx), scope.siblings[idx].1));
+        if let Some(&idx) = scope.siblings.places.get(name) {
+            return Some((Source::Sibling(idx), scope.siblings.names[idx].1));
         }
-        if let Some(idx) = scope.captures.iter().position(|capture| capture.0 == name) {
-            return Some((Source::Captured(idx), scope.captures[idx].2));
+        if let Some(&idx) = scope.captures.places.get(name) {
+            return Some((Source::Captured(idx), scope.captures.taken[idx].1));
         }
         let n_outer = outer.len();
         let known = self.name_around(n_outer, name)?;
         let (source, span) = self.find_in(n_outer, name)?;
-        let scope = &mut self.functions[n_outer];
-        scope.captures.push((known, source, span));
-        Some((Source::Captured(scope.captures.len() - 1), span))
+        let captures = &mut self.functions[n_outer].captures;
+        let idx = captures.taken.len();
+        captures.places.insert(known, idx);
+        captures.taken.push((source, span));
+        Some((Source::Captured(idx), span))
     }
 
     /// The name with the lifetime of the source, if a function around knows it.
     fn name_around(&self, n_functions: usize, name: &str) -> Option<&'s str> {
         self.functions[..n_functions].iter().rev().find_map(|scope| {
-            let locals = scope.locals.iter().map(|local| local.0);
-            let siblings = scope.siblings.iter().map(|sibling| sibling.0);
-            let captures = scope.captures.iter().map(|capture| capture.0);
-            locals.chain(siblings).chain(captures).find(|known| *known == name)
+            let all = [&scope.places, &scope.siblings.places, &scope.captures.places];
+            all.into_iter().find_map(|places| places.get_key_value(name)).map(|(&known, _)| known)
         })
     }
 
@@ -118,8 +152,8 @@ impl<'s> Scopes<'s> {
         self.functions
             .iter()
             .flat_map(|scope| {
-                let locals = scope.locals.iter().map(|local| local.0);
-                locals.chain(scope.siblings.iter().map(|sibling| sibling.0))
+                let locals = scope.locals.iter().map(|local| local.name);
+                locals.chain(scope.siblings.names.iter().map(|sibling| sibling.0))
             })
             .collect()
     }
@@ -127,11 +161,15 @@ impl<'s> Scopes<'s> {
 
 /// What a group of functions takes from around it.
 #[derive(Debug, Default)]
-pub(super) struct Captures<'s>(Vec<(&'s str, Source, Span)>);
+pub(super) struct Captures<'s> {
+    taken: Vec<(Source, Span)>,
+    /// Where each name stands among them.
+    places: HashMap<&'s str, usize>,
+}
 
 impl Captures<'_> {
     /// Where each captured value comes from.
     pub(super) fn sources(&self) -> Vec<Source> {
-        self.0.iter().map(|&(_, source, _)| source).collect()
+        self.taken.iter().map(|&(source, _)| source).collect()
     }
 }

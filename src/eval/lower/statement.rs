@@ -259,7 +259,7 @@ impl<'s> Lowerer<'_, 's> {
     }
 
     fn global_function(&mut self, function: &ast::Function<'s>, definitions: &mut Vec<Definition>) {
-        let (lambda, captures) = self.function(function, Vec::new(), Captures::default());
+        let (lambda, captures) = self.function(function, Arc::default(), Captures::default());
         let span = self.at(function.name.span);
         let kind =
             ExprKind::Lambda(Arc::new(Group { lambdas: vec![lambda] }), 0, captures.sources());

@@ -8,11 +8,14 @@
 use glam::DVec3;
 
 use super::{NurbsCurve, ParametricCurve, hermite::blossom_weights, series};
-use crate::kernel::{
-    Bounds, GeomError, Interval, Tolerance,
-    frame::norm,
-    roots::Signs,
-    tolerance::{FOLLOWED_RELATIVE, LAST_BIT, SIDE_STEP, SIGN_RELATIVE, TOUCH_RELATIVE},
+use crate::{
+    kernel::{
+        Bounds, GeomError, Interval, Tolerance,
+        frame::norm,
+        roots::Signs,
+        tolerance::{FOLLOWED_RELATIVE, LAST_BIT, SIDE_STEP, SIGN_RELATIVE, TOUCH_RELATIVE},
+    },
+    limits::work,
 };
 
 /// Order of the Taylor series that polynomials are made of.
@@ -158,7 +161,9 @@ impl ParametricCurve {
         let ends = [self.inside(piece, 0.0, question)?, self.inside(piece, 1.0, question)?];
         let [start, end] = ends;
         let mut todo = vec![(piece, start, end, 0)];
-        while let Some((part, start, end, n_halvings)) = todo.pop() {
+        while work::goes_on(1)
+            && let Some((part, start, end, n_halvings)) = todo.pop()
+        {
             let size = start.size.max(end.size);
             let coefficients = coefficients([&start, &end], part.length());
             let middle = self.inside(part, 0.5, question)?;

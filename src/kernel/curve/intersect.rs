@@ -22,9 +22,12 @@ use super::{
     NurbsCurve,
     part::{Part, parts},
 };
-use crate::kernel::{
-    Bounds, GeomError, Interval, homogeneous,
-    tolerance::{KNOT_RELATIVE, LAST_BIT},
+use crate::{
+    kernel::{
+        Bounds, GeomError, Interval, homogeneous,
+        tolerance::{KNOT_RELATIVE, LAST_BIT},
+    },
+    limits::work,
 };
 
 /// Control points of pairs of pieces that are looked at before the meetings are too many.
@@ -135,7 +138,9 @@ impl NurbsCurve {
         for (i, j) in near_pairs(&pieces, tolerance) {
             pairs.push((pieces[i].clone(), pieces[j].clone()));
         }
-        while let Some(part) = alone.pop() {
+        while work::goes_on(1)
+            && let Some(part) = alone.pop()
+        {
             // Whatever turns by less than half a turn does not come back to itself.
             if part.cone.is_within_half_turn() || search.is_tiny(&part) {
                 continue;
@@ -187,7 +192,9 @@ impl<'c> Search<'c> {
         let mut todo = pairs;
         todo.retain(|(a, b)| a.may_meet(b, self.tolerance));
         let cost = self.first.degree() + self.second.degree() + 2;
-        while let Some((a, b)) = todo.pop() {
+        while work::goes_on(1)
+            && let Some((a, b)) = todo.pop()
+        {
             let Some(left) = self.left.checked_sub(cost) else { return Err(self.tangled()) };
             self.left = left;
             if self.is_settled(&a, &b) {

@@ -5,12 +5,15 @@ use std::borrow::Cow;
 use glam::{DAffine3, DVec4};
 
 use super::{NurbsCurve, part::Part};
-use crate::kernel::{
-    Bounds, Grid, Interval, KnotVector,
-    bezier::{blend, cut_at},
-    frame::norm,
-    hull::Spline,
-    tolerance::{LAST_BIT, LENGTH_RELATIVE},
+use crate::{
+    kernel::{
+        Bounds, Grid, Interval, KnotVector,
+        bezier::{blend, cut_at},
+        frame::norm,
+        hull::Spline,
+        tolerance::{LAST_BIT, LENGTH_RELATIVE},
+    },
+    limits::work,
 };
 
 /// Halvings of a piece whose length does not settle: enough for a cusp, whose error falls by four
@@ -136,7 +139,9 @@ impl NurbsCurve {
         let mut parts = Vec::new();
         let mut n_cuts = 0;
         let mut todo: Vec<(Part, usize)> = within.into_iter().rev().map(|part| (part, 0)).collect();
-        while let Some((part, n_halvings)) = todo.pop() {
+        while work::goes_on(1)
+            && let Some((part, n_halvings)) = todo.pop()
+        {
             let is_smooth = part.cone.is_narrow() || part.bounds.diagonal() <= short;
             if is_smooth || MAX_HALVINGS <= n_halvings || most <= n_cuts {
                 parts.push(part);
@@ -221,7 +226,9 @@ fn refined(
     let mut length = 0.0;
     let mut todo = vec![(piece, estimate, 0)];
     let mut n_pieces = 0;
-    while let Some((piece, estimate, n_halvings)) = todo.pop() {
+    while work::goes_on(1)
+        && let Some((piece, estimate, n_halvings)) = todo.pop()
+    {
         let halves = piece.halves();
         let lengths = halves.map(|half| quadrature(speed, half));
         let sum = lengths[0] + lengths[1];

@@ -197,6 +197,7 @@ impl Maker<'_> {
             corners.windows(2).rev().map(|pair| (pair[0].clone(), pair[1].clone())).collect();
         let mut nodes = vec![corners[0].clone()];
         while let Some((a, b)) = todo.pop() {
+            GeomError::go_on(1)?;
             let width = b.parameter - a.parameter;
             if self.is_near(&a, &b, self.allowed[0])? {
                 nodes.push(b);

@@ -103,6 +103,7 @@ impl<'a, 's> Division<'a, 's> {
         let mut stops = Vec::new();
         let (mut low, mut todo) = (start, vec![(end, 0)]);
         while let Some((high, n_halvings)) = todo.pop() {
+            GeomError::go_on(1)?;
             if MAX_HALVINGS <= n_halvings || self.fits(&low, &high) {
                 stops.push(high.clone());
                 low = high;

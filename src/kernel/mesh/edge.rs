@@ -3,9 +3,12 @@
 use glam::{DVec3, DVec4};
 
 use super::sheet::Sheet;
-use crate::kernel::{
-    Bounds, GeomError, Interval, NurbsCurve, bezier, curve::ArcLengths, homogeneous::project,
-    surface::Break, tolerance::LAST_BIT,
+use crate::{
+    kernel::{
+        Bounds, GeomError, Interval, NurbsCurve, bezier, curve::ArcLengths, homogeneous::project,
+        surface::Break, tolerance::LAST_BIT,
+    },
+    limits::work,
 };
 
 /// Halvings of a piece of an edge, past the last bit of a parameter.
@@ -164,7 +167,9 @@ impl Edge {
             let points = bezier::piece(knots, self.curve.control_points(), span);
             let corners = near.clone();
             let mut todo = vec![Part { points, interval, corners, n_halvings: 0 }];
-            while let Some(mut part) = todo.pop() {
+            while work::goes_on(1)
+                && let Some(mut part) = todo.pop()
+            {
                 let hull = hull(&part.points);
                 part.corners.retain(|&corner| is_near(hull, corner));
                 if part.corners.is_empty() {

@@ -46,6 +46,7 @@ pub use grid::grid_mesh;
 pub use limits::MeshLimits;
 pub use nearest::Nearest;
 pub use planar::planar_mesh;
+pub(super) use tessellate::check_rounding;
 pub use tessellate::{tessellate, tessellate_all, tessellate_curve, tessellate_finely};
 pub use topology::{MeshCheck, Topology};
 

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Mesh, distance::to_triangle};
-use crate::kernel::Bounds;
+use crate::{kernel::Bounds, limits::work};
 
 /// Triangles of a box that is not divided.
 const FEW: usize = 4;
@@ -63,7 +63,9 @@ impl<'a> Nearest<'a> {
         };
         let mut found = f64::INFINITY;
         let mut todo = vec![(least(0), 0, 0, self.order.len())];
-        while let Some((distance, node, first, behind)) = todo.pop() {
+        while work::goes_on(1)
+            && let Some((distance, node, first, behind)) = todo.pop()
+        {
             if found <= distance {
                 continue;
             }

@@ -9,9 +9,12 @@ use glam::{DVec3, DVec4};
 use super::{
     Mesh, MeshError, MeshLimits, limits::Limits, seam::Seams, sheet::Sheet, stitch::stitched,
 };
-use crate::kernel::{
-    GeomError, NurbsCurve, NurbsSurface, Surface, bezier, homogeneous::project,
-    tolerance::PATH_ROUNDING,
+use crate::{
+    kernel::{
+        GeomError, NurbsCurve, NurbsSurface, Surface, bezier, homogeneous::project,
+        tolerance::PATH_ROUNDING,
+    },
+    limits::work,
 };
 
 /// Halvings of a piece of a curve, past the last bit of its parameter.
@@ -81,7 +84,7 @@ fn meshes_of(
         sheet.spline.check_connected()?;
         let [u, v] = sheet.domains();
         let ends = [sheet.point_at(u.start(), v.start())?, sheet.point_at(u.end(), v.end())?];
-        check_rounding(limits.tolerance, ends)?;
+        check_rounding(limits.tolerance, far(ends))?;
     }
     let seams = Seams::of(&mut sheets, limits)?;
     let all: Vec<Limits> = sheets.iter().map(|sheet| sheet.limits(limits)).collect();
@@ -89,6 +92,7 @@ fn meshes_of(
     let mut excesses = vec![f64::INFINITY; sheets.len()];
     let mut round = 0;
     loop {
+        GeomError::go_on(1)?;
         let sharpened = all.iter().zip(&sharpness).map(|(limits, &by)| limits.sharpened(by));
         let cells = |(sheet, limits): (&Sheet<'_>, Limits)| sheet.cells(limits, max_vertices);
         let cells: Result<Vec<_>, GeomError> = sheets.iter().zip(sharpened).map(cells).collect();
@@ -118,11 +122,17 @@ fn meshes_of(
     }
 }
 
+/// The largest coordinate of both.
+fn far(ends: [DVec3; 2]) -> f64 {
+    ends[0].abs().max(ends[1].abs()).max_element()
+}
+
+/// Checks that places of geometry whose largest coordinate is `far` can be told apart within the
+/// tolerance.
+///
 /// # Errors
-/// [`MeshError::BelowRounding`] where the ends of the geometry are so far away that places
-/// cannot be told apart within the tolerance.
-fn check_rounding(tolerance: f64, ends: [DVec3; 2]) -> Result<(), GeomError> {
-    let far = ends[0].abs().max(ends[1].abs()).max_element();
+/// [`MeshError::BelowRounding`].
+pub(in crate::kernel) fn check_rounding(tolerance: f64, far: f64) -> Result<(), GeomError> {
     let rounding = PATH_ROUNDING * far;
     if rounding <= tolerance {
         Ok(())
@@ -165,12 +175,14 @@ pub fn tessellate_curve(
 ) -> Result<Vec<DVec3>, GeomError> {
     MeshLimits::within(tolerance).check()?;
     curve.check_connected()?;
-    check_rounding(tolerance, [curve.start(), curve.end()])?;
+    check_rounding(tolerance, far([curve.start(), curve.end()]))?;
     let mut points = vec![curve.start()];
     for span in curve.knots().spans() {
         let piece = bezier::piece(curve.knots(), curve.control_points(), span);
         let mut todo = vec![(piece, curve.knots().span_interval(span), 0)];
-        while let Some((piece, interval, n_halvings)) = todo.pop() {
+        while work::goes_on(1)
+            && let Some((piece, interval, n_halvings)) = todo.pop()
+        {
             let deviation = chord_deviation(&piece, [piece[0], piece[piece.len() - 1]]);
             if n_halvings < MAX_HALVINGS && tolerance < deviation {
                 let (left, right) = bezier::cut_at(&piece, 0.5);

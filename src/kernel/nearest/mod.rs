@@ -16,6 +16,7 @@ mod tree;
 use glam::{DVec3, DVec4};
 
 use super::{Grid, KnotVector, knots::convert_to_bezier, tolerance::NEAREST_RELATIVE};
+use crate::limits::work;
 use gap::Gap;
 use patch::Patch;
 pub(in crate::kernel) use patch::{Cell, Way, descend};
@@ -194,7 +195,9 @@ struct Search<'a> {
 impl Search<'_> {
     fn run(&mut self) {
         let mut nodes = vec![(0.0, self.whole.tree.root())];
-        while let Some((least, node)) = nodes.pop() {
+        while (self.found.is_empty() || work::goes_on(1))
+            && let Some((least, node)) = nodes.pop()
+        {
             if self.limit() < least {
                 continue;
             }
@@ -233,7 +236,9 @@ impl Search<'_> {
         }
         self.gap.start(self.patch.net());
         self.todo.push(Cell::whole([whole.along[0].degree, whole.along[1].degree]));
-        while let Some(cell) = self.todo.pop() {
+        while (self.found.is_empty() || work::goes_on(1))
+            && let Some(cell) = self.todo.pop()
+        {
             self.gap.next();
             self.n_parts += 1;
             self.note_corners(cell, spans);

@@ -3,10 +3,13 @@
 use glam::{DVec3, DVec4};
 
 use super::{Edge, NurbsSurface, Surface, border::Border, level::Part};
-use crate::kernel::{
-    Bounds, GeomError, Grid, Interval, KnotVector, Tolerance,
-    frame::{norm, unit},
-    tolerance::{SIDE_STEP, VANISHING_RELATIVE},
+use crate::{
+    kernel::{
+        Bounds, GeomError, Grid, Interval, KnotVector, Tolerance,
+        frame::{norm, unit},
+        tolerance::{SIDE_STEP, VANISHING_RELATIVE},
+    },
+    limits::work,
 };
 
 /// Places of each piece along a direction where the normal is looked at: fewer where the pieces
@@ -148,7 +151,9 @@ impl Surface {
         let mut todo: Vec<(Part, usize)> =
             Part::all(surface).into_iter().map(|part| (part, 0)).collect();
         let (mut folds, mut n_parts) = (Vec::new(), 0);
-        while let Some((part, n_halvings)) = todo.pop() {
+        while work::goes_on(1)
+            && let Some((part, n_halvings)) = todo.pop()
+        {
             n_parts += 1;
             if MAX_PARTS < n_parts || folds.len() == MAX_FOLDS {
                 break;

@@ -148,6 +148,7 @@ pub(super) fn integral<const N: usize>(
     }
     let (mut n_cuts, mut late) = (MAX_CUTS, None);
     loop {
+        GeomError::go_on(all.len())?;
         let of_all = |f: &dyn Fn(&Known<N>, usize) -> f64| -> [f64; N] {
             std::array::from_fn(|i| all.iter().map(|known| f(known, i)).sum())
         };

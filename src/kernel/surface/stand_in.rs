@@ -65,7 +65,9 @@ impl ParametricSurface {
             nodes: BTreeMap::new(),
             settled: BTreeSet::new(),
         };
-        while maker.refine()? {}
+        while maker.refine()? {
+            GeomError::go_on(maker.nodes.len())?;
+        }
         maker.spline()
     }
 }

@@ -147,6 +147,7 @@ pub fn swept(
     // On the path's own knots only simple motions are exact.
     let mut is_plain = fineness.keeps_path;
     loop {
+        GeomError::go_on(knots.n_points())?;
         let mut fit = match fineness.columns {
             Columns::Through => moving.fitted(&knots)?,
             Columns::Offset => moving.offset(&knots)?,

@@ -8,16 +8,19 @@
 use glam::DVec3;
 
 use super::Aim;
-use crate::kernel::{
-    Interval, Side,
-    bernstein::{derivative, halves, largest, product},
-    bezier,
-    curve::{
-        NurbsCurve,
-        bend::{add, longest},
+use crate::{
+    kernel::{
+        Interval, Side,
+        bernstein::{derivative, halves, largest, product},
+        bezier,
+        curve::{
+            NurbsCurve,
+            bend::{add, longest},
+        },
+        roots::Signs,
+        tolerance::{CUSP_SLACK, SIGN_RELATIVE},
     },
-    roots::Signs,
-    tolerance::{CUSP_SLACK, SIGN_RELATIVE},
+    limits::work,
 };
 
 /// The speed varies by no more than this in a part that is looked at; it enters in the sixth power.
@@ -43,7 +46,9 @@ pub(super) fn cusps(curve: &NurbsCurve, aim: Aim) -> Vec<f64> {
         let velocity = piece.velocity.iter().map(flat).collect();
         let weight = piece.weight.clone();
         let mut todo = vec![Part { interval: piece.interval, velocity, weight, n_halvings: 0 }];
-        while let Some(part) = todo.pop() {
+        while work::goes_on(1)
+            && let Some(part) = todo.pop()
+        {
             let fastest = longest(&part.velocity);
             let along = part.velocity.iter().sum::<DVec3>().normalize_or_zero();
             let slowest = part.velocity.iter().map(|v| v.dot(along)).fold(f64::INFINITY, f64::min);

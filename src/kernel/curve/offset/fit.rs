@@ -27,6 +27,7 @@ pub(super) fn pieces(curve: &NurbsCurve, aim: Aim) -> Result<Vec<NurbsCurve>, Ge
         let whole = bezier::piece(curve.knots(), curve.control_points(), span);
         let mut todo = vec![(curve.knots().span_interval(span), whole, 0)];
         while let Some((interval, points, n_halvings)) = todo.pop() {
+            GeomError::go_on(1)?;
             let fitted = fitted(&points, interval, aim)?;
             if deviation(&points, &fitted, aim) <= aim.accuracy {
                 let knots = KnotVector::bezier(5)?.on(interval);

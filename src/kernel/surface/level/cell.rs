@@ -9,7 +9,7 @@
 use std::ops::Mul;
 
 use super::{Branch, square};
-use crate::kernel::Grid;
+use crate::{kernel::Grid, limits::work};
 
 /// Where cells are cut: no half, so that lines of round parameters are not sides of cells.
 const CUT: f64 = 0.4871;
@@ -46,6 +46,15 @@ pub(super) struct Found {
     pub(super) branches: Vec<Branch>,
     /// Middles and extents, by fractions of the patch, of cells that are left.
     pub(super) rest: Vec<[[f64; 2]; 2]>,
+}
+
+/// Why a search has no result.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Failure {
+    /// A place, by fractions of the patch, around which the zeros do not resolve.
+    Unresolved([f64; 2]),
+    /// The work was ended.
+    Ended,
 }
 
 /// How finely a patch is searched.
@@ -112,19 +121,22 @@ impl Cell {
 /// The zero set of a field where the conditions hold; `n_left` cells may be looked at.
 ///
 /// # Errors
-/// A place, by fractions of the patch, around which it does not resolve.
+/// A place, by fractions of the patch, around which it does not resolve; where the work was ended.
 pub(super) fn search(
     field: Grid<f64>,
     conditions: Vec<Condition>,
     fineness: Fineness,
     n_left: &mut usize,
-) -> Result<Found, [f64; 2]> {
+) -> Result<Found, Failure> {
     let mut found = Found::default();
     let mut todo = vec![Cell { low: [0.0; 2], high: [1.0; 2], field, conditions }];
     while let Some(mut cell) = todo.pop() {
         let middle = [0, 1].map(|i| 0.5 * (cell.low[i] + cell.high[i]));
         if *n_left == 0 {
-            return Err(middle);
+            return Err(Failure::Unresolved(middle));
+        }
+        if !work::goes_on(1) {
+            return Err(Failure::Ended);
         }
         *n_left -= 1;
         let [least, most] = square::range(&cell.field);

@@ -3,7 +3,10 @@
 use glam::DVec3;
 
 use super::sample::{Sample, length_between};
-use crate::kernel::{GeomError, KnotVector, NurbsCurve, frame::unit, tolerance::CORNER_RELATIVE};
+use crate::{
+    kernel::{GeomError, KnotVector, NurbsCurve, frame::unit, tolerance::CORNER_RELATIVE},
+    limits::work,
+};
 
 /// Where between two samples a spline is compared with the cubic between them.
 const SHARES: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
@@ -129,7 +132,9 @@ fn thinned(samples: &[Sample], tolerance: f64) -> Vec<(Sample, f64)> {
     let mut kept = vec![(samples[0], 0.0)];
     let mut from = 0;
     let mut todo = vec![samples.len() - 1];
-    while let Some(to) = todo.pop() {
+    while work::goes_on(1)
+        && let Some(to) = todo.pop()
+    {
         if to - from > 1 && !follows(from, to) {
             let middle = 0.5 * (places[from] + places[to]);
             let cut = places.partition_point(|&place| place < middle);

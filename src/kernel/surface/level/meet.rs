@@ -20,9 +20,13 @@ use super::{
     share::{Found, MAX_PAIRS, found, halved},
     trace::{Crossing, Ends, Place},
 };
-use crate::kernel::{
-    GeomError, NurbsCurve, Surface, Tolerance,
-    tolerance::{CONTACT_SHARE, ONE_PLACE_SHARE},
+use crate::{
+    kernel::{
+        GeomError, NurbsCurve, Surface, Tolerance,
+        mesh::check_rounding,
+        tolerance::{CONTACT_SHARE, ONE_PLACE_SHARE},
+    },
+    limits::work,
 };
 
 /// Part of the tolerance within which splines stand in for functions: less than what counts as a
@@ -47,6 +51,7 @@ impl Surface {
         let (a, b) = (a?, b?);
         let size = a.bounds().diagonal().min(b.bounds().diagonal());
         let tolerance = tolerance.distance_for(size);
+        check_rounding(tolerance, a.bounds().magnitude().max(b.bounds().magnitude()))?;
         let seams = Seam::all([&a, &b], tolerance)?;
         if let Some(point) = seams.iter().find_map(|seam| seam.overlap([&a, &b], tolerance)) {
             return Err(PictureError::SurfacesRunTogether { point }.into());
@@ -133,7 +138,9 @@ fn arcs(
     let near = crossing.rounding;
     let mut todo = pairs;
     let mut n_pairs = 0;
-    while let Some(pair) = todo.pop() {
+    while work::goes_on(1)
+        && let Some(pair) = todo.pop()
+    {
         let [a, b] = &pair;
         n_pairs += 1;
         if MAX_PAIRS < n_pairs {

@@ -45,6 +45,7 @@ use sample::Run;
 use super::{NurbsSurface, Surface, square};
 use crate::kernel::{
     Bounds, GeomError, Grid, NurbsCurve, Tolerance,
+    mesh::check_rounding,
     tolerance::{LAST_BIT, TOUCH_RELATIVE},
 };
 
@@ -134,7 +135,7 @@ impl Collected {
             if !conditions.iter().all(holds) {
                 continue;
             }
-            let run = Run::of(&branch, patch, SAMPLING * self.tolerance);
+            let run = Run::of(&branch, patch, SAMPLING * self.tolerance)?;
             if run.length() <= self.tolerance {
                 self.spots.push(Spot { point: run.start(), radius: 0.0 });
             } else {
@@ -149,12 +150,15 @@ impl Collected {
             [0, 1].map(|i| domains[i].at(place[i]))
         };
         let found = cell::search(rest, conditions, fineness, &mut self.n_cells_left);
-        let found = found.map_err(|place| {
-            let [u, v] = at(place);
-            GeomError::from(PictureError::Unresolved { u, v })
+        let found = found.map_err(|failure| match failure {
+            cell::Failure::Ended => GeomError::Ended,
+            cell::Failure::Unresolved(place) => {
+                let [u, v] = at(place);
+                PictureError::Unresolved { u, v }.into()
+            }
         })?;
         for branch in &found.branches {
-            let run = Run::of(branch, patch, SAMPLING * self.tolerance);
+            let run = Run::of(branch, patch, SAMPLING * self.tolerance)?;
             // A graph that touches its cell in a corner.
             if self.tolerance * LAST_BIT.sqrt() < run.length() {
                 self.runs.push(run);
@@ -195,9 +199,16 @@ impl Surface {
 
 impl NurbsSurface {
     /// The tolerance for lines on a surface of this size.
-    fn line_tolerance(&self, tolerance: Tolerance) -> f64 {
-        let size = Bounds::of(self.points().iter().copied()).map_or(0.0, Bounds::diagonal);
-        tolerance.distance_for(size)
+    ///
+    /// # Errors
+    /// [`crate::kernel::MeshError::BelowRounding`].
+    fn line_tolerance(&self, tolerance: Tolerance) -> Result<f64, GeomError> {
+        let Some(bounds) = Bounds::of(self.points().iter().copied()) else {
+            return Ok(tolerance.distance);
+        };
+        let distance = tolerance.distance_for(bounds.diagonal());
+        check_rounding(distance, bounds.magnitude())?;
+        Ok(distance)
     }
 }
 

@@ -11,12 +11,15 @@ use super::{
     pair::Part,
     trace::{solved, within},
 };
-use crate::kernel::{
-    Bounds, Curve, GeomError, Interval, NurbsCurve, NurbsSurface, Surface, Tolerance, bezier,
-    frame::{norm, unit},
-    homogeneous,
-    tolerance::{LAST_BIT, PLACE_RELATIVE},
-    valley::Valley,
+use crate::{
+    kernel::{
+        Bounds, Curve, GeomError, Interval, NurbsCurve, NurbsSurface, Surface, Tolerance, bezier,
+        frame::{norm, unit},
+        homogeneous,
+        tolerance::{LAST_BIT, PLACE_RELATIVE},
+        valley::Valley,
+    },
+    limits::work,
 };
 
 /// Pairs that are looked at before the curve counts as running along the surface.
@@ -117,7 +120,9 @@ impl Search<'_> {
         let mut found = Vec::new();
         let mut contacts: Vec<Contact> = Vec::new();
         let mut n_pairs = 0;
-        while let Some((piece, part)) = todo.pop() {
+        while work::goes_on(1)
+            && let Some((piece, part)) = todo.pop()
+        {
             n_pairs += 1;
             if MAX_PAIRS < n_pairs {
                 let [start, end] = piece.ends;

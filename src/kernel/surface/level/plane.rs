@@ -42,7 +42,7 @@ impl NurbsSurface {
     /// [`super::PictureError::Unresolved`] where the surface runs so near along the plane that rounding
     /// decides where it cuts.
     pub fn section(&self, plane: Frame, tolerance: Tolerance) -> Result<LevelSet, GeomError> {
-        let tolerance = self.line_tolerance(tolerance);
+        let tolerance = self.line_tolerance(tolerance)?;
         let (origin, normal) = (plane.origin(), plane.z());
         let height = |point: &glam::DVec4| (point.truncate() - origin * point.w).dot(normal);
         let heights = self.control_points.map(height);

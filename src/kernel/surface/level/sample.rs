@@ -2,11 +2,17 @@
 
 use glam::DVec3;
 
-use super::{Branch, chain::Spot, cubic::Cubic};
-use crate::kernel::{NurbsSurface, frame::unit};
+use super::{Branch, PictureError, chain::Spot, cubic::Cubic};
+use crate::{
+    kernel::{GeomError, NurbsSurface, frame::unit},
+    limits::work,
+};
 
 /// Halvings of the stretch between two samples.
 const MAX_HALVINGS: usize = 24;
+
+/// Samples of one branch: what no tolerance above rounding takes.
+const MAX_SAMPLES: usize = 1 << 18;
 
 /// Samples are so dense that the tangent turns from one to the next by less than about half of
 /// a right angle: the square of the chord between the unit tangents.
@@ -59,7 +65,14 @@ impl Run {
 
     /// Samples of a branch on a Bézier patch; the cubics between them stay within `tolerance` of
     /// the branch in the middle.
-    pub(super) fn of(branch: &Branch, patch: &NurbsSurface, tolerance: f64) -> Self {
+    ///
+    /// # Errors
+    /// [`PictureError::Unresolved`] where [`MAX_SAMPLES`] do not do.
+    pub(super) fn of(
+        branch: &Branch,
+        patch: &NurbsSurface,
+        tolerance: f64,
+    ) -> Result<Self, GeomError> {
         let sample = |fraction: f64| {
             let [[u, v], [du, dv]] = branch.at(fraction);
             let (u, v) = (patch.domain_u().at(u), patch.domain_v().at(v));
@@ -85,13 +98,21 @@ impl Run {
         // Two halves at least: the middle may look straight by symmetry.
         let mut todo = Vec::from(halves([0.0, 1.0], whole, 0));
         while let Some((ends, inside, n_halvings)) = todo.pop() {
+            if !work::goes_on(1) {
+                return Err(GeomError::Ended);
+            }
+            if MAX_SAMPLES < samples.len() {
+                let [u, v] = branch.place(0.5 * (ends[0] + ends[1]));
+                let (u, v) = (patch.domain_u().at(u), patch.domain_v().at(v));
+                return Err(PictureError::Unresolved { u, v }.into());
+            }
             if n_halvings < MAX_HALVINGS && !follows(&inside, tolerance) {
                 todo.extend(halves(ends, inside, n_halvings + 1));
             } else {
                 samples.push(inside[4]);
             }
         }
-        Self { samples }
+        Ok(Self { samples })
     }
 
     pub(super) fn start(&self) -> DVec3 {

@@ -156,7 +156,7 @@ impl Surface {
 /// The patches of a surface with their normals, but those that have none, and the tolerance for lines.
 fn shaded(surface: &Surface, tolerance: Tolerance) -> Result<(Vec<Shaded>, f64), GeomError> {
     let spline = surface.splined(LIGHT_SHARE * tolerance.distance)?;
-    let distance = spline.line_tolerance(tolerance);
+    let distance = spline.line_tolerance(tolerance)?;
     let spans = |knots: &crate::kernel::KnotVector| knots.spans().collect::<Vec<_>>();
     let (spans_u, spans_v) = (spans(spline.knots_u()), spans(spline.knots_v()));
     let pairs = spans_u.iter().flat_map(|&u| spans_v.iter().map(move |&v| (u, v)));

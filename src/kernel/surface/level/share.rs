@@ -89,6 +89,7 @@ impl Found {
         let mut contacts: Vec<(Bounds, [f64; 4])> = Vec::new();
         let mut n_pairs = 0;
         while let Some([a, b]) = todo.pop() {
+            GeomError::go_on(1)?;
             n_pairs += 1;
             if MAX_PAIRS < n_pairs {
                 return Err(PictureError::TooTangled { point: a.bounds.center() }.into());

@@ -9,10 +9,13 @@ use super::{
     sample::{MOST_TURN, Run, Sample, length_between},
     touch::{Junction, Way, poles},
 };
-use crate::kernel::{
-    Interval, NurbsSurface,
-    frame::{norm, unit},
-    tolerance::{KNOT_RELATIVE, LAST_BIT},
+use crate::{
+    kernel::{
+        Interval, NurbsSurface,
+        frame::{norm, unit},
+        tolerance::{KNOT_RELATIVE, LAST_BIT},
+    },
+    limits::work,
 };
 
 /// Steps of Newton's method.
@@ -183,7 +186,7 @@ impl<'s> Crossing<'s> {
         let mut places: Vec<Place> = Vec::new();
         let mut last = start;
         let mut step = 0.02 * self.size;
-        while places.len() < MAX_SAMPLES && last.tangent != DVec3::ZERO {
+        while places.len() < MAX_SAMPLES && last.tangent != DVec3::ZERO && work::goes_on(1) {
             if let Some(junction) = ends.junction_ahead(last, sign) {
                 if let Some(place) = self.arrival(last, sign, junction) {
                     places.push(place);

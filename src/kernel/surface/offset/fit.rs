@@ -145,6 +145,7 @@ pub(super) fn fitted(aim: Aim<'_>) -> Result<(NurbsSurface, Worst), GeomError> {
             (vec![false; spans_u.len()], vec![false; spans_v.len()]);
         for (i, &u) in spans_u.iter().enumerate() {
             for (j, &v) in spans_v.iter().enumerate() {
+                GeomError::go_on(1)?;
                 let of_patch = worst_of_patch(&surface, aim, [u, v])?;
                 worst.take(of_patch);
                 let is_far = SAFETY * aim.tolerance < of_patch.distance;
@@ -230,6 +231,7 @@ fn along_lines(aim: Aim<'_>, along: Direction, lines: &[f64]) -> Result<KnotVect
         let mut to_halve = vec![false; spans.len()];
         let mut place = [0.0; 2];
         for &line in lines {
+            GeomError::go_on(spans.len())?;
             let values: Result<Vec<DVec4>, GeomError> = knots
                 .greville()
                 .iter()

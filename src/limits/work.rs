@@ -1,0 +1,173 @@
+//! Work, counted while it is done, and whoever may end it.
+//!
+//! A long loop tells of each of its steps ([`goes_on`]). Above it whoever started it has said what it
+//! may take ([`under`]): so many steps, so much memory, and only as long as somebody wants the answer.
+//! When that is over every loop leaves as soon as it can with whatever it has, which is thrown away:
+//! whoever started it is told why it ended. The count belongs to the thread, because what is counted
+//! lies deep below whoever asks; no result depends on it.
+
+use std::{
+    cell::Cell,
+    sync::atomic::{AtomicBool, Ordering},
+};
+
+/// Steps from one look at memory and the switch to the next.
+const BETWEEN_LOOKS: u64 = 32;
+
+/// What work may take.
+#[derive(Clone, Copy, Debug)]
+pub struct Watch {
+    /// How many bytes of memory are held.
+    pub held: fn() -> usize,
+    /// How many may be.
+    pub memory_bytes: usize,
+    /// Set by whoever no longer wants the answer.
+    pub stop: &'static AtomicBool,
+    /// How many steps may be taken.
+    pub steps: u64,
+}
+
+/// Why work was ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// Nobody wants the answer.
+    Stopped,
+    /// It holds too much memory.
+    Memory,
+    /// It takes too many steps.
+    Steps,
+}
+
+/// What was done under a watch.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Done {
+    /// Steps, without those under watches inside.
+    pub steps: u64,
+    /// Why it was ended, if it was.
+    pub end: Option<End>,
+}
+
+/// What a thread is at.
+#[derive(Clone, Copy, Debug, Default)]
+struct State {
+    watch: Option<Watch>,
+    done: Done,
+    next_look: u64,
+}
+
+thread_local! {
+    static STATE: Cell<State> = const { Cell::new(State {
+        watch: None,
+        done: Done { steps: 0, end: None },
+        next_look: 0,
+    }) };
+    static COUNTED: Cell<u64> = const { Cell::new(0) };
+}
+
+/// Puts back what the thread was at, also where a panic passes.
+struct Outer(State);
+
+impl Drop for Outer {
+    fn drop(&mut self) {
+        STATE.set(self.0);
+    }
+}
+
+/// Does work under a watch.
+pub fn under<R>(watch: Watch, work: impl FnOnce() -> R) -> (R, Done) {
+    let outer = Outer(STATE.replace(State { watch: Some(watch), ..State::default() }));
+    let result = work();
+    let done = STATE.get().done;
+    drop(outer);
+    (result, done)
+}
+
+/// Counts steps; whether to go on. Whoever is told not to leaves at once, with anything.
+#[must_use]
+pub fn goes_on(n_steps: u64) -> bool {
+    count(n_steps);
+    let mut state = STATE.get();
+    state.done.steps += n_steps;
+    if state.next_look <= state.done.steps && state.done.end.is_none() {
+        state.next_look = state.done.steps + BETWEEN_LOOKS;
+        state.done.end = state.watch.and_then(|watch| watch.look(state.done.steps));
+    }
+    STATE.set(state);
+    state.done.end.is_none()
+}
+
+/// Counts steps of work that has an end in sight.
+pub fn count(n_steps: u64) {
+    COUNTED.set(COUNTED.get() + n_steps);
+}
+
+/// Steps that this thread has counted since it began, and those of threads that worked for it.
+#[must_use]
+pub fn counted() -> u64 {
+    COUNTED.get()
+}
+
+/// What a further thread needs to work for this one.
+#[must_use]
+pub fn current() -> Option<Watch> {
+    STATE.get().watch
+}
+
+/// Counts what a further thread has done for this one.
+pub fn add(done: Done, n_counted: u64) {
+    count(n_counted);
+    let mut state = STATE.get();
+    state.done.steps += done.steps;
+    state.done.end = state.done.end.or(done.end);
+    STATE.set(state);
+}
+
+impl Watch {
+    fn look(&self, n_steps: u64) -> Option<End> {
+        if self.stop.load(Ordering::Relaxed) {
+            Some(End::Stopped)
+        } else if self.steps < n_steps {
+            Some(End::Steps)
+        } else if self.memory_bytes < (self.held)() {
+            Some(End::Memory)
+        } else {
+            None
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::AtomicBool;
+
+    use super::{End, Watch, counted, goes_on, under};
+
+    static NEVER: AtomicBool = AtomicBool::new(false);
+    static AT_ONCE: AtomicBool = AtomicBool::new(true);
+
+    #[track_caller]
+    fn check(watch: Watch, end: End) {
+        let ((), done) = under(watch, || while goes_on(1) {});
+        assert_eq!(done.end, Some(end));
+        assert!(goes_on(1), "nobody watches any more");
+    }
+
+    #[test]
+    fn each_watch_ends_work_that_has_no_end() {
+        let open = Watch { held: || 0, memory_bytes: 1, stop: &NEVER, steps: 1000 };
+        check(open, End::Steps);
+        check(Watch { held: || 2, ..open }, End::Memory);
+        check(Watch { stop: &AT_ONCE, ..open }, End::Stopped);
+    }
+
+    #[test]
+    fn work_inside_work_is_counted_once() {
+        let watch = Watch { held: || 0, memory_bytes: 1, stop: &NEVER, steps: 1000 };
+        let before = counted();
+        let (inner, outer) = under(watch, || {
+            assert!(goes_on(5));
+            under(watch, || assert!(goes_on(7))).1
+        });
+        assert_eq!((inner.steps, outer.steps, counted() - before), (7, 5, 12));
+    }
+}

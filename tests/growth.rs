@@ -1,0 +1,259 @@
+//! No shape of a script takes quadratic time: each is doubled twice, and what is counted may grow
+//! with it and its logarithm, not with its square.
+//!
+//! Counted are the bytes that are allocated, which sees what is copied again and again, and the steps
+//! of the evaluator and of searches (`limits::work`), which sees what is looked through again and
+//! again. Neither depends on the machine.
+
+use std::{alloc::System, fmt::Write as _};
+
+use cap::Cap;
+use virote::{
+    limits::{Limits, work},
+    session::{Event, Session},
+    value::Files,
+};
+
+#[global_allocator]
+static MEMORY: Cap<System> = Cap::new(System, usize::MAX);
+
+/// Bytes that count as one step.
+const BYTES_A_STEP: u64 = 64;
+
+/// From one doubling to the next the growth may grow by this factor: 2 for n, 2.2 for n log n, 4 for
+/// n².
+const MOST: f64 = 2.7;
+
+/// The parts of a script: what stands once before, what is repeated with `#` for the number and what
+/// stands between two, and what stands behind. There `@` is the number of repetitions.
+type Shape = (&'static str, &'static str, &'static str, &'static str, &'static str);
+
+const SHAPES: &[Shape] = &[
+    // Text and tokens.
+    ("stray characters in a row", "let a = 1\n", "$$$$", "", ""),
+    ("stray characters apart", "let a = 1\n", "$", " ", ""),
+    ("a long name misspelt", "let a", "bcdefghi", "", " = 1\nprint b"),
+    ("comments", "", "// #", "\n", ""),
+    ("comments inside one another", "", "/*", "", ""),
+    ("documentation", "", "/// #", "\n", "\nlet a = 1"),
+    ("comments inside a list", "let a = [\n", "#, // #", "\n", "\n]"),
+    ("strings that are never closed", "", "let a# = \"abc", "\n", ""),
+    ("a string of wide letters", "let a = \"", "漢", "", "\"; let b = q"),
+    ("wide letters before mistakes", "", "let a# = \"漢\" + q", "; ", ""),
+    ("a string of escapes", "let a = \"", "\\n", "", "\""),
+    ("a string of inserted values", "let x = 1\nprint \"", "{x}", "", "\""),
+    ("digits", "let a = 1", "0_0", "", ""),
+    ("empty lines", "let a = 1", "\n", "", ""),
+    ("semicolons", "", ";", "", ""),
+    // Brackets.
+    ("round brackets that open", "let a = ", "(", "", ""),
+    ("square brackets that open", "let a = ", "[", "", ""),
+    ("braces that open", "let a = ", "{", "", ""),
+    ("round brackets that close", "let a = ", ")", "", ""),
+    ("square brackets that close", "let a = ", "]", "", ""),
+    ("braces that close", "let a = ", "}", "", ""),
+    ("brackets of all kinds that open", "let a = ", "([{", "", ""),
+    ("brackets that do not match", "let a = ", "(]", "", ""),
+    ("brackets that match crosswise", "let a = ", "([)]", "", ""),
+    ("pairs of brackets", "let a = [", "(#)", ", ", "]"),
+    ("strings that open inside strings", "let a = ", "\"{", "", ""),
+    // Definitions.
+    ("definitions", "", "let a# = #", "\n", ""),
+    ("definitions of what is not there", "", "let a# = b#", "\n", ""),
+    ("definitions of one name", "", "let a = #", "\n", ""),
+    ("definitions without a name", "", "let = #", "\n", ""),
+    ("definitions without a value", "", "let a# =", "\n", ""),
+    ("definitions without a keyword", "", "a# = #", "\n", ""),
+    ("definitions on one line", "", "let a# = #", "; ", ""),
+    ("mistakes on one line", "", "let a# = q", "; ", ""),
+    ("functions", "", "fn f#(x) = x + #", "\n", ""),
+    ("parameters of the script", "", "param p# = # in 0..1000000", "\n", ""),
+    ("points", "", "point p# = (#, 1)", "\n", ""),
+    (
+        "lines with colours and layers",
+        "",
+        "curve c# = line((0, 0), (#, 1)) with (color = \"#0000ff\", layer = \"l#\")",
+        "\n",
+        "",
+    ),
+    ("definitions of a block", "let y = {\n", "let a# = #", "\n", "\n1 }"),
+    ("functions of a block", "let y = {\n", "fn f#(x) = x", "\n", "\n1 }"),
+    (
+        "functions of a block that use one another",
+        "let y = {\nfn g(x) = x\n",
+        "fn f#(x) = f(g(x))",
+        "\n",
+        "\nfn f(x) = f0(x)\n1 }",
+    ),
+    ("names around a function", "let y = {\n", "let a# = #", "\n", "\nlet f = x => a0 + x\nf(1) }"),
+    ("one name twice in a block", "let y = {\n", "let a = #", "\n", "\n1 }"),
+    ("parameters of a function", "let f = (", "a#", ", ", ") => 1"),
+    ("parameters of one name", "let f = (", "a", ", ", ") => 1"),
+    ("parameters with defaults", "fn f(", "a# = #", ", ", ") = 1\nprint f()"),
+    // Lists and records.
+    ("a list", "let a = [", "#", ", ", "]"),
+    ("a list of texts", "let a = [", "\"#\"", ", ", "]\nprint a"),
+    ("a list of points", "let a = [", "(#, 1)", ", ", "]"),
+    ("mistakes in a list", "let a = [", "q", ", ", "]"),
+    ("a list spread again and again", "let b = [1]\nlet a = [", "...b", ", ", "]"),
+    ("a record", "let r = {", "f#: #", ", ", "}"),
+    ("a record with one label", "let r = {", "f: #", ", ", "}"),
+    ("records that are equal", "let r = {", "f#: #", ", ", "}\ncheck r == r\ncheck r ~= {...r}"),
+    ("a pattern of names", "let [", "a#", ", ", "] = [1, 2]"),
+    ("a comprehension", "let a = [for i in 1..@: i]\n", "", "", "print len(a)"),
+    (
+        "steps through a list",
+        "let a = [for i in 0..@: i]\nlet b = [for i in 0..@: a[i]]\n",
+        "",
+        "",
+        "",
+    ),
+    // Operators and calls.
+    ("calls", "let f = x => x\n", "print f(#)", "\n", ""),
+    ("a call with labels that are not there", "let f = (x) => x\nlet y = f(", "l# = 1", ", ", ")"),
+    ("an operation with labels that are not there", "let y = line(", "l# = 1", ", ", ")"),
+    ("a call with too many arguments", "let f = (x) => x\nlet y = f(", "#", ", ", ")"),
+    ("a call with too few arguments", "let f = (", "a#", ", ", ") => 1\nlet y = f()"),
+    ("fields that are not there", "let r = {a: 1, b: 2}\n", "let g# = r.g#", "\n", ""),
+    ("fields of a number", "", "let g# = 1.0.x", "\n", ""),
+    ("kinds that do not fit", "", "let g# = 1 + \"a\"", "\n", ""),
+    // Statements.
+    ("checks", "", "check # == #", "\n", ""),
+    ("checks that fail", "", "check # == 0.5", "\n", ""),
+    ("prints", "", "print #", "\n", ""),
+    ("tests", "", "test \"t#\" { check # == # }", "\n", ""),
+    ("tests of one name", "", "test \"t\" { check # == # }", "\n", ""),
+    ("imports that are not there", "", "import \"p#.geo\" as p#", "\n", ""),
+    ("imports of one name", "", "import \"p.geo\" as p", "\n", ""),
+    ("files", "curve c = line((0, 0), (1, 1))\n", "export c to \"o#.obj\"", "\n", ""),
+    ("files of one name", "curve c = line((0, 0), (1, 1))\n", "export c to \"o.obj\"", "\n", ""),
+    (
+        "one thing many times in a file",
+        "curve c = line((0, 0), (1, 1))\nexport ",
+        "c",
+        ", ",
+        " to \"o.obj\"",
+    ),
+    ("things without a name in a file", "export ", "line((0, 0), (#, 1))", ", ", " to \"o.obj\""),
+    (
+        "all of many things",
+        "",
+        "curve c# = line((0, 0), (#, 1))",
+        "\n",
+        "\nexport all to \"o.step\"",
+    ),
+    (
+        "all of many things without a name",
+        "",
+        "curve line((0, 0), (#, 1))",
+        "\n",
+        "\nexport all to \"o.step\"",
+    ),
+    (
+        "options that are not there",
+        "curve c = line((0, 0), (1, 1))\nexport c to \"o.obj\" with (",
+        "o# = 1",
+        ", ",
+        ")",
+    ),
+    // Operations on lists.
+    ("`unique` of numbers", "let a = unique([for i in 1..@: i])\n", "", "", ""),
+    ("`unique` of lengths", "let a = unique([for i in 1..@: i * 1mm])\n", "", "", ""),
+    ("`unique` of lists", "let a = unique([for i in 1..@: [i, 2]])\n", "", "", ""),
+    ("`unique` of records", "let a = unique([for i in 1..@: {b: i}])\n", "", "", ""),
+    ("`unique` of texts", "let a = unique([for i in 1..@: \"{i}\"])\n", "", "", ""),
+    ("`unique` of curves", "let a = unique([for i in 1..@: line((0, 0), (i, 1))])\n", "", "", ""),
+    ("`sort`", "let a = sort([for i in 1..@: sin(i)])\n", "", "", ""),
+    ("`flatten`", "let a = flatten([for i in 1..@: [i]])\n", "", "", ""),
+    ("`transpose`", "let a = transpose([for i in 1..@: [i, 2]])\n", "", "", ""),
+    ("`zip`", "let a = zip([for i in 1..@: i], [for i in 1..@: i])\n", "", "", ""),
+    ("`map` and `filter`", "let a = filter(map(1..@, x => x + 1), x => x > 2)\n", "", "", ""),
+    ("`scan`", "let a = scan(1..@, 0, (a, x) => a + x)\n", "", "", ""),
+    // Geometry.
+    ("a polyline", "let a = polyline([for i in 0..@: (i, i % 2)])\n", "", "", ""),
+    (
+        "the length of a polyline",
+        "print length(polyline([for i in 0..@: (i, i % 2)]))\n",
+        "",
+        "",
+        "",
+    ),
+    (
+        "`join`",
+        "let a = join([for i in 0..@: line((i, i % 2), (i + 1, (i + 1) % 2))])\n",
+        "",
+        "",
+        "",
+    ),
+    ("`bounds` of a list", "let a = bounds([for i in 0..@: line((i, 0), (i, 1))])\n", "", "", ""),
+    ("`interpolate`", "let a = interpolate([for i in 0..@: (i, sin(i))])\n", "", "", ""),
+    ("`helix`", "let a = helix((0, 0), 1, 1, @)\n", "", "", ""),
+];
+
+#[derive(Debug)]
+struct NoFiles;
+
+impl Files for NoFiles {
+    fn read(&self, path: &str, _: usize) -> Result<Vec<u8>, String> {
+        Err(format!("there is no `{path}`"))
+    }
+}
+
+/// The script of a shape.
+fn script((_, before, repeated, between, behind): Shape, n: usize) -> String {
+    let mut text = before.replace('@', &n.to_string());
+    if !repeated.is_empty() {
+        let parts = (0..n).map(|i| repeated.replace('#', &i.to_string()));
+        text.push_str(&parts.collect::<Vec<_>>().join(between));
+    }
+    text + &behind.replace('@', &n.to_string())
+}
+
+/// Runs a script in each way in which it can be run, and counts.
+fn counted(text: &str) -> u64 {
+    let (bytes, steps) = (MEMORY.total_allocated(), work::counted());
+    let session = Session::new(Limits::DEFAULT);
+    let report = session.run("a.geo", text.as_bytes(), &NoFiles, &[]);
+    let mut said = String::new();
+    for diagnostic in report.diagnostics.iter().take(Limits::DEFAULT.diagnostics) {
+        said += &virote::render::picture(diagnostic, &report.sources, false);
+    }
+    for event in &report.events {
+        if let Event::File(file) = event {
+            let mut written = Vec::new();
+            let outcome = (file.format.write)(&file.job, &mut written);
+            let _ = write!(said, "{}", outcome.is_ok());
+        }
+    }
+    let _ = session.format("a.geo", text.as_bytes());
+    (MEMORY.total_allocated() - bytes) as u64 / BYTES_A_STEP + work::counted() - steps
+}
+
+/// How often a shape is repeated at first.
+const FIRST: usize = 400;
+
+/// What grows by fewer steps than these for each repetition is growth of buffers: a square is a
+/// hundred times more.
+const FEW: usize = 16;
+
+/// What was counted, where it grows faster than the script.
+fn complaint(shape: Shape) -> Option<String> {
+    let [a, b, c] = [1, 2, 4].map(|times| counted(&script(shape, FIRST * times)));
+    let (before, after) = (b.saturating_sub(a), c.saturating_sub(b));
+    let is_fast = (FEW * FIRST) as u64 <= after && MOST * before as f64 <= after as f64;
+    is_fast.then(|| format!("{}: {a}, {b}, {c}", shape.0))
+}
+
+#[test]
+fn what_is_doubled_takes_twice_the_work() {
+    // Whatever is made once is made before.
+    counted("print 1");
+    let square = ("a square", "let a = [for i in 1..@: len([for j in 1..@: j + i])]", "", "", "");
+    assert!(complaint(square).is_some(), "what grows with the square is seen");
+    let complaints: Vec<String> = SHAPES.iter().copied().filter_map(complaint).collect();
+    assert!(
+        complaints.is_empty(),
+        "these grow faster than they are long:\n{}",
+        complaints.join("\n")
+    );
+}
