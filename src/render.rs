@@ -1,9 +1,11 @@
 //! Diagnostics as pictures of the source, drawn by ariadne, and as lines of JSON.
 
+use std::borrow::Cow;
+
 use ariadne::{CharSet, Color, Config, IndexType, Label, Report, ReportKind};
 use serde_json::{Value as Json, json};
 
-use crate::diag::{Diagnostic, Severity, Source, Sources, Span};
+use crate::diag::{Diagnostic, Severity, Source, Sources, Span, is_hidden, shown};
 
 /// A place as ariadne names it: the source's name, and bytes of its text.
 type Place = (String, std::ops::Range<usize>);
@@ -11,6 +13,7 @@ type Place = (String, std::ops::Range<usize>);
 /// Draws one diagnostic.
 #[must_use]
 pub fn picture(diagnostic: &Diagnostic, sources: &Sources, with_color: bool) -> String {
+    let diagnostic = &spelled(diagnostic);
     let (kind, color) = match diagnostic.severity {
         Severity::Error => (ReportKind::Error, Color::Red),
         Severity::Failure => (ReportKind::Custom("Failed", Color::Red), Color::Red),
@@ -46,13 +49,28 @@ pub fn picture(diagnostic: &Diagnostic, sources: &Sources, with_color: bool) -> 
     for hint in &diagnostic.hints {
         report = report.with_help(hint);
     }
-    let texts = sources.iter().map(|source| (source.name.clone(), source.text.to_string()));
+    let texts =
+        sources.iter().map(|source| (shown(&source.name).into(), shown(&source.text).into()));
+    let texts = texts.collect::<Vec<(String, String)>>();
     let mut out = Vec::new();
     // Writing into memory cannot fail.
     let _ = report.finish().write(ariadne::sources(texts), &mut out);
     let text = String::from_utf8_lossy(&out);
     let text = if with_color { text } else { without_escapes(&text).into() };
     text.lines().map(str::trim_end).collect::<Vec<_>>().join("\n") + "\n"
+}
+
+/// The same with all texts as they may stand on a terminal.
+fn spelled(diagnostic: &Diagnostic) -> Diagnostic {
+    let mut spelled = diagnostic.clone();
+    let labels = std::iter::once(&mut spelled.primary).chain(&mut spelled.others);
+    let texts = labels.map(|label| &mut label.text).chain(&mut spelled.hints);
+    for text in texts.chain([&mut spelled.message]) {
+        if let Cow::Owned(new) = shown(text) {
+            *text = new;
+        }
+    }
+    spelled
 }
 
 /// Bytes of a line that a picture shows; longer ones are no picture any more.
@@ -79,7 +97,8 @@ fn without_picture(diagnostic: &Diagnostic, sources: &Sources) -> String {
     {
         if let Some(source) = sources.at(span) {
             let (line, column) = source.line_column(span.start);
-            text.push_str(&format!("   {}:{line}:{column}: {remark}\n", source.name));
+            let name = shown(&source.name);
+            text.push_str(&format!("   {name}:{line}:{column}: {remark}\n"));
         }
     }
     diagnostic.hints.iter().for_each(|hint| text.push_str(&format!("   Help: {hint}\n")));
@@ -113,7 +132,14 @@ fn place(span: Span, sources: &Sources) -> Option<Place> {
             None => range.start = source.text.floor_char_boundary(range.start.saturating_sub(1)),
         }
     }
-    Some((source.name.clone(), range))
+    // The picture shows the text with what is hidden spelled out.
+    let spelled = |end: usize| shown(&source.text[..end]).len();
+    let range = if source.text.contains(is_hidden) {
+        spelled(range.start)..spelled(range.end)
+    } else {
+        range
+    };
+    Some((shown(&source.name).into(), range))
 }
 
 /// One diagnostic as one JSON object.

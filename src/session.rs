@@ -13,7 +13,6 @@ mod stop;
 mod test;
 
 use std::{
-    collections::HashMap,
     sync::{Arc, atomic::AtomicBool},
 };
 
@@ -23,7 +22,7 @@ pub use picture::Scene;
 pub use test::{Tested, Verdict};
 
 use crate::{
-    diag::{Code, Diagnostic, Severity, Sources, Span},
+    diag::{Code, Diagnostic, Severity, Sources, Span, fault},
     eval::{self, Memory, Output, Purpose, Setting, Work},
     export::{Format, Job},
     kernel::Tolerance,
@@ -220,13 +219,21 @@ impl Session {
         settings: &[Setting],
         purpose: Purpose<'_>,
     ) -> Report {
-        let report = self.attempt(name, bytes, files, settings, (purpose, self.n_threads));
+        let attempt = |n_threads| {
+            let attempt = || Ok(self.attempt(name, bytes, files, settings, (purpose, n_threads)));
+            fault::caught(Span::default(), attempt).unwrap_or_else(|told| {
+                let mut sources = Sources::default();
+                sources.add(name, String::from_utf8_lossy(bytes).into());
+                self.findings(sources, vec![*told])
+            })
+        };
+        let report = attempt(self.n_threads);
         if self.n_threads == 1 || !report.is_out_of_memory() {
             return report;
         }
         // Where memory ends depends on what else is under way: one thread gives one answer.
         drop(report);
-        self.attempt(name, bytes, files, settings, (purpose, 1))
+        attempt(1)
     }
 
     fn attempt(
@@ -329,25 +336,26 @@ impl Session {
         diagnostics: &mut Vec<Diagnostic>,
     ) -> Vec<Event> {
         let mut events = Vec::new();
-        let mut written: HashMap<String, Span> = HashMap::new();
+        let mut written = plan::Written::default();
         for output in outputs {
             match output {
                 Output::Printed(printed) => events.push(Event::Printed(printed)),
                 Output::Checked(checked) => events.push(Event::Checked(checked)),
                 Output::Expected(expected) => events.push(Event::Expected(expected)),
                 Output::Exported(exported) => {
-                    let Some(file) = self.plan(exported, document, diagnostics) else { continue };
-                    match written.insert(file.path.to_lowercase(), file.span) {
-                        Some(first) => diagnostics.push(
-                            Diagnostic::error(
-                                Code::DuplicateExport,
-                                file.span,
-                                format!("`{}` is exported twice", file.path),
-                            )
-                            .also(first, "exported here before")
-                            .hint(
-                                "one statement takes several values: `export a, b to \"both.obj\"`",
-                            ),
+                    let span = exported.path.span;
+                    let planned =
+                        fault::caught(span, || Ok(self.plan(exported, document, diagnostics)));
+                    let planned = planned.unwrap_or_else(|told| {
+                        diagnostics.push(*told);
+                        None
+                    });
+                    let Some(file) = planned else { continue };
+                    match written.add(&file.path, file.span) {
+                        Some(((message, hint), first)) => diagnostics.push(
+                            Diagnostic::error(Code::DuplicateExport, file.span, message)
+                                .also(first, "exported here before")
+                                .hint(hint),
                         ),
                         None => {
                             events.push(Event::File(Box::new(file)));

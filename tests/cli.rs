@@ -34,7 +34,7 @@ fn check_code(script: &str, args: &[&str], expected: i32) {
     scratch.file("a.geo", script);
     let (out, err, code) = run(&scratch, args);
     assert_eq!(code, expected, "{args:?}\n{out}{err}");
-    assert!(!err.contains("panicked"), "{err}");
+    assert!(!err.contains("virote failed"), "{err}");
 }
 
 /// A number that tells tests apart that run at the same time.
@@ -465,7 +465,7 @@ fn check_monster(name: &str, script: &str, code_of_error: &str) {
     let (_, err, code) = run(&scratch, &["run", "a.geo"]);
     let start: String = err.chars().take(2000).collect();
     assert_eq!(code, 2, "{name}: {start}");
-    assert!(err.contains(code_of_error) && !err.contains("panicked"), "{name}: {start}");
+    assert!(err.contains(code_of_error) && !err.contains("virote failed"), "{name}: {start}");
     assert!(err.len() < 20_000, "{name}: {} bytes of message", err.len());
 }
 
@@ -513,7 +513,11 @@ fn deep_values_are_no_crash() {
     scratch.file("a.geo", "let deep = fold(0..100000, [], (list, i) => [list])\nprint len(deep), deep == deep, deep\nexport deep to \"deep.json\"");
     let (out, err, code) = run(&scratch, &["run", "a.geo"]);
     let start: String = err.chars().take(2000).collect();
-    assert!((code == 0 || code == 2) && !err.contains("panicked"), "{code}: {} {start}", out.len());
+    assert!(
+        (code == 0 || code == 2) && !err.contains("virote failed"),
+        "{code}: {} {start}",
+        out.len()
+    );
 }
 
 #[test]
@@ -530,6 +534,82 @@ fn strange_bytes_are_no_crash() {
         b"export all to \"\0.obj\"",
     ] {
         let (_, err, code) = piped(&scratch, &["check", "-"], bytes);
-        assert!((0..=3).contains(&code) && !err.contains("panicked"), "{bytes:?}: {err}");
+        assert!((0..=3).contains(&code) && !err.contains("virote failed"), "{bytes:?}: {err}");
     }
+}
+
+/// A device on which there is never any room.
+#[cfg(target_os = "linux")]
+#[test]
+fn output_that_cannot_be_written_is_told_by_every_verb() {
+    let scratch = Scratch::new("full-device");
+    scratch.file("a.geo", "param p = 1\nprint p\ntest \"t\" { check p == 1 }\n");
+    scratch.file("b.geo", "print  1\n");
+    for args in [
+        "run a.geo",
+        "params a.geo",
+        "params a.geo --json",
+        "graph a.geo",
+        "graph a.geo --json",
+        "test a.geo",
+        "run a.geo --message-format json",
+        "doc",
+        "explain",
+        "completions bash",
+        "man",
+        "--help",
+        "--version",
+    ] {
+        let full = fs::File::options().write(true).open("/dev/full").expect("the device");
+        let done = virote(&scratch.0).args(args.split(' ')).stdout(full).output().expect("a run");
+        assert_eq!(done.status.code(), Some(3), "{args}");
+        let said = String::from_utf8_lossy(&done.stderr);
+        assert!(said.contains("cannot write to standard output"), "{args}: {said}");
+    }
+}
+
+#[test]
+fn escape_sequences_of_data_reach_no_terminal() {
+    let scratch = Scratch::new("escapes");
+    scratch.file("d.json", "{\"a\\u001b[2J\": \"\\u001b[31mred\\u202e\"}");
+    let script = "let d = load(\"d.json\")\nprint d\ncheck 1 == 2 \"m\\u{1b}[2J\" // \x1b[2J raw\nprint nothing // \x1b[1m raw\n";
+    scratch.file("a.geo", script);
+    for color in ["always", "never"] {
+        let (said, err, _) = run(&scratch, &["run", "a.geo", "--color", color]);
+        assert!(!said.contains('\x1b'), "{said:?}");
+        assert!(!err.contains("\x1b[2J") && !err.contains("\x1b[1m raw"), "{err:?}");
+        assert!(err.contains("\\u{1b}[2J") || err.contains("\\u{1b}[1m raw"), "{err:?}");
+    }
+}
+
+#[test]
+fn paths_that_other_systems_take_for_one_clash() {
+    for (first, second) in
+        [("ä.json", "Ä.json"), ("q.json", "q.json/a.json"), ("q.json/a.json", "Q.json")]
+    {
+        check_code(&format!("export 1 to {first:?}\nexport 2 to {second:?}"), &["run", "a.geo"], 2);
+    }
+    let scratch = Scratch::new("devices");
+    scratch.file("a.geo", "export 1 to \"aux.json\"\n");
+    let (_, err, code) = run(&scratch, &["run", "a.geo"]);
+    assert!(err.contains("`aux.json` is the name of a device") && code == 0, "{err}");
+}
+
+#[test]
+fn tables_read_back_from_csv_as_they_were() {
+    let table =
+        "table t = table({x: [1, 2], s: [\"\", \"1\"]})\ntable u = table({s: [\"\", \" a;\"]})\n";
+    let scratch = Scratch::new("tables");
+    scratch.file("a.geo", &format!("{table}export t to \"t.csv\"\nexport u to \"u.csv\"\n"));
+    scratch.file("mac.csv", "x,y\r1,2\r3,4\r");
+    scratch.file("marked.json", "\u{feff}[1]");
+    scratch.file(
+        "b.geo",
+        &format!(
+            "{table}check load(\"t.csv\") == t\ncheck load(\"u.csv\") == u\ncheck load(\"mac.csv\").y == [2, 4]\ncheck load(\"marked.json\") == [1]\n"
+        ),
+    );
+    assert_eq!(run(&scratch, &["run", "a.geo"]).2, 0);
+    let (_, err, code) = run(&scratch, &["run", "b.geo"]);
+    assert_eq!(code, 0, "{err}");
 }

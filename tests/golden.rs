@@ -18,7 +18,7 @@ fn programs_say_and_write_what_they_did() {
     let mut complaints = Vec::new();
     for name in programs(&folder) {
         let (code, text) = transcript(&folder, &name);
-        if text.contains("panicked") {
+        if text.contains("virote failed") {
             complaints.push(format!("{name}.geo panics:\n{text}"));
         }
         let expected = if name.starts_with("failed-") { 1 } else { 0 };

@@ -102,6 +102,10 @@ impl Files for Beside {
         if full.is_dir() {
             return Err(format!("`{path}` is a folder"));
         }
+        // A pipe or a device may never come to an end.
+        if full.metadata().is_ok_and(|data| !data.is_file()) {
+            return Err(format!("`{path}` is a pipe or a device, not a file with an end"));
+        }
         let bytes = File::open(&full)
             .and_then(|mut file| read_some(&mut file, most))
             .map_err(|err| format!("cannot read `{path}`: {}", reason(&err)))?;

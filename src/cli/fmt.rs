@@ -10,7 +10,7 @@ use super::{
     args::Talk,
     files::{Script, reason},
     message::Voice,
-    process, say,
+    process, say_exactly,
     write::replace,
 };
 use crate::{limits::Limits, session::Session};
@@ -46,7 +46,7 @@ fn one(session: &Session, path: &Path, is_check: bool, voice: &Voice) -> Ending 
         }
         _ if is_check => Ending::Well,
         None => {
-            say(&text);
+            say_exactly(&text);
             Ending::Well
         }
         Some(path) if is_changed => match overwrite(path, &text) {

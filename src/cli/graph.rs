@@ -9,7 +9,7 @@ use super::{
     args::Talk,
     files::{Beside, Script},
     look::look,
-    say,
+    say, say_exactly,
 };
 use crate::{
     eval::{Graph, Node},
@@ -41,11 +41,11 @@ pub(super) fn run(path: &Path, is_json: bool, talk: &Talk) -> Ending {
         session.graph(&script.name, &script.bytes, files)
     };
     look(path, talk, ask, |script, _, graph| {
-        say(&if is_json {
-            format!("{:#}\n", graph_json(&script.name, graph))
+        if is_json {
+            say_exactly(&format!("{:#}\n", graph_json(&script.name, graph)));
         } else {
-            dot(&script.name, graph)
-        });
+            say(&dot(&script.name, graph));
+        }
     })
 }
 

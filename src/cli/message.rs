@@ -9,7 +9,7 @@ use serde_json::json;
 
 use super::{
     args::{MessageFormat, Talk},
-    say, say_error,
+    say, say_error, say_exactly, say_painted,
 };
 use crate::{
     diag::{Diagnostic, Severity, Sources},
@@ -51,13 +51,13 @@ impl Voice {
                 .iter()
                 .map(|found| format!("{}\n", render::json(found, sources)))
                 .collect();
-            say(&lines);
+            say_exactly(&lines);
             return;
         }
         let is_heard = |found: &&Diagnostic| !self.is_quiet || found.severity != Severity::Warning;
         let heard: Vec<&Diagnostic> = diagnostics.iter().filter(is_heard).collect();
         for found in heard.iter().take(self.most_findings) {
-            say_error(render::picture(found, sources, self.with_color).trim_end());
+            say_painted(render::picture(found, sources, self.with_color).trim_end());
         }
         if heard.len() > self.most_findings {
             say_error(&format!("... and {} more", heard.len() - self.most_findings));
@@ -67,7 +67,7 @@ impl Voice {
     /// A mistake that has no place in a script.
     pub(super) fn trouble(&self, text: &str) {
         if self.is_json {
-            say(&format!("{}\n", json!({ "type": "trouble", "message": text })));
+            say_exactly(&format!("{}\n", json!({ "type": "trouble", "message": text })));
         } else {
             say_error(&format!("virote: {text}"));
         }
@@ -76,7 +76,7 @@ impl Voice {
     /// Something worth knowing about the run itself.
     pub(super) fn remark(&self, text: &str) {
         if self.is_json {
-            say(&format!("{}\n", json!({ "type": "remark", "message": text })));
+            say_exactly(&format!("{}\n", json!({ "type": "remark", "message": text })));
         } else if !self.is_quiet {
             say_error(text);
         }
@@ -92,7 +92,7 @@ impl Voice {
                 "value": to_json(&printed.value),
             });
             name_test(&mut line, test);
-            say(&format!("{line}\n"));
+            say_exactly(&format!("{line}\n"));
         } else {
             say(&format!("{} = {}\n", printed.source, printed.value));
         }
@@ -123,7 +123,7 @@ impl Voice {
             "limit": checked.verdict.limit,
         });
         name_test(&mut line, test);
-        say(&format!("{line}\n"));
+        say_exactly(&format!("{line}\n"));
     }
 
     pub(super) fn written(&self, path: &str, summary: Option<Summary>) {
@@ -142,7 +142,7 @@ impl Voice {
                 }),
                 None => json!({ "type": "export", "path": path, "dry_run": true }),
             };
-            say(&format!("{line}\n"));
+            say_exactly(&format!("{line}\n"));
         } else if !self.is_quiet {
             match summary {
                 Some(summary) => say(&format!("wrote {path}: {summary}\n")),
@@ -171,7 +171,7 @@ impl Voice {
             "line": source.map(|source| source.line_column(expected.span.start).0),
             "test": test,
         });
-        say(&format!("{line}\n"));
+        say_exactly(&format!("{line}\n"));
     }
 
     /// How a test came out.
@@ -186,7 +186,7 @@ impl Voice {
                 "file": source.name,
                 "line": line,
             });
-            say(&format!("{line}\n"));
+            say_exactly(&format!("{line}\n"));
         } else {
             self.result(tested.verdict, &format!("{}:{line}  {}", source.name, tested.name));
         }
@@ -218,7 +218,7 @@ impl Voice {
                 "result": word,
                 "differences": differences,
             });
-            say(&format!("{line}\n"));
+            say_exactly(&format!("{line}\n"));
         } else if is_heard || !self.is_quiet {
             say(&format!("{word:<7}  {script}  {text}\n"));
             differences.iter().for_each(|(text, _)| say(&format!("  {text}\n")));
@@ -235,7 +235,7 @@ impl Voice {
                 "kept": n_kept,
                 "milliseconds": milliseconds,
             });
-            say(&format!("{line}\n"));
+            say_exactly(&format!("{line}\n"));
             return;
         }
         let what = match names.len() {
@@ -260,7 +260,7 @@ impl Voice {
     pub(super) fn formatted(&self, path: &str, is_written: bool) {
         if self.is_json {
             let line = json!({ "type": "format", "path": path, "dry_run": !is_written });
-            say(&format!("{line}\n"));
+            say_exactly(&format!("{line}\n"));
         } else if !self.is_quiet {
             let verb = if is_written { "formatted" } else { "would format" };
             say(&format!("{verb} {path}\n"));

@@ -24,14 +24,17 @@ mod write;
 use std::{
     io::{self, Write},
     process::ExitCode,
-    sync::atomic::{AtomicBool, Ordering},
+    sync::{
+        OnceLock,
+        atomic::{AtomicBool, Ordering},
+    },
 };
 
 use clap::Parser as _;
 
 use self::args::{Cli, Verb};
 use crate::{
-    diag::{Code, Severity},
+    diag::{Code, Severity, fault, shown},
     docs, ops,
     session::Report,
 };
@@ -45,14 +48,16 @@ pub enum Ending {
     Failed = 1,
     /// The script has an error.
     Wrong = 2,
-    /// The command was used wrongly, or a file could not be read or written.
+    /// The command was used wrongly, something could not be read or written, or virote failed.
     Usage = 3,
 }
 
 impl Ending {
     /// How a script ended by what was found in it.
     fn of(report: &Report) -> Self {
-        if report.count(Severity::Error) > 0 {
+        if report.diagnostics.iter().any(|found| found.code == Code::Fault) {
+            Self::Usage
+        } else if report.count(Severity::Error) > 0 {
             Self::Wrong
         } else if report.count(Severity::Failure) > 0 {
             Self::Failed
@@ -72,16 +77,22 @@ impl From<Ending> for ExitCode {
 /// holds.
 #[must_use]
 pub fn main(held: fn() -> usize) -> ExitCode {
+    fault::listen();
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
-        Err(err) => {
-            // Asking for help or the version is no mistake.
-            let ending = if err.use_stderr() { Ending::Usage } else { Ending::Well };
+        Err(err) if err.use_stderr() => {
             let _ = err.print();
-            return ending.into();
+            return Ending::Usage.into();
+        }
+        // Asking for help or the version is no mistake.
+        Err(err) => {
+            if let Err(err) = err.print().and_then(|()| io::stdout().flush()) {
+                miss(&err);
+            }
+            return spoken(Ending::Well).into();
         }
     };
-    process::run(held, || dispatch(cli.verb))
+    process::run(held, || spoken(dispatch(cli.verb)))
 }
 
 fn dispatch(verb: Verb) -> Ending {
@@ -154,14 +165,44 @@ fn explain(code: Option<&str>) -> Ending {
     }
 }
 
-/// Whether the reader of standard output went away.
+/// Whether standard output takes no more.
 static CLOSED: AtomicBool = AtomicBool::new(false);
 
-/// Writes to standard output. A reader that went away is no error.
+/// Why it takes no more, unless its reader went away.
+static MISSED: OnceLock<String> = OnceLock::new();
+
+/// Writes text for people to standard output. A reader that went away is no error.
 fn say(text: &str) {
+    say_exactly(&shown(text));
+}
+
+/// Writes what programs read to standard output.
+fn say_exactly(text: &str) {
+    if is_closed() {
+        return;
+    }
     let mut out = io::stdout().lock();
-    if out.write_all(text.as_bytes()).and_then(|()| out.flush()).is_err() {
-        CLOSED.store(true, Ordering::Relaxed);
+    if let Err(err) = out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        miss(&err);
+    }
+}
+
+/// Keeps why standard output takes no more.
+fn miss(err: &io::Error) {
+    CLOSED.store(true, Ordering::Relaxed);
+    if err.kind() != io::ErrorKind::BrokenPipe {
+        MISSED.get_or_init(|| files::reason(err));
+    }
+}
+
+/// The ending, once all has been said: what could not be written is told.
+fn spoken(ending: Ending) -> Ending {
+    match MISSED.get() {
+        Some(reason) => {
+            say_error(&format!("virote: cannot write to standard output: {reason}"));
+            ending.max(Ending::Usage)
+        }
+        None => ending,
     }
 }
 
@@ -170,7 +211,12 @@ fn is_closed() -> bool {
     CLOSED.load(Ordering::Relaxed)
 }
 
-/// Writes a line to standard error.
+/// Writes a line of text to standard error.
 fn say_error(text: &str) {
+    say_painted(&shown(text));
+}
+
+/// Writes a line that may be coloured to standard error.
+fn say_painted(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{text}");
 }

@@ -9,7 +9,7 @@ use super::{
     args::Talk,
     files::{Beside, Script},
     look::look,
-    say,
+    say, say_exactly,
 };
 use crate::{
     eval::{Parameter, Schema},
@@ -24,7 +24,7 @@ pub(super) fn run(path: &Path, is_json: bool, talk: &Talk) -> Ending {
     };
     look(path, talk, ask, |script, voice, schema| {
         if is_json {
-            say(&format!("{:#}\n", schema_json(&script.name, schema)));
+            say_exactly(&format!("{:#}\n", schema_json(&script.name, schema)));
         } else if schema.parameters.is_empty() {
             voice.remark(&format!("`{}` has no parameters", script.name));
         } else {

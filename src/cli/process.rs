@@ -7,7 +7,11 @@ use std::{
 };
 
 use super::{Ending, say_error};
-use crate::{limits::Limits, session::Session};
+use crate::{
+    diag::{Span, fault},
+    limits::Limits,
+    session::Session,
+};
 
 /// Told once, when the process begins.
 struct Given {
@@ -30,7 +34,11 @@ pub(super) fn run(held: fn() -> usize, work: impl FnOnce() -> Ending + Send) -> 
         let take_up = || {
             GIVEN.get_or_init(|| Given { stack_bytes, held });
             let work = work.lock().ok().and_then(|mut work| work.take());
-            work.map_or(Ending::Usage, |work| work())
+            let Some(work) = work else { return Ending::Usage };
+            fault::caught(Span::default(), || Ok(work())).unwrap_or_else(|told| {
+                say_error(&format!("virote: {}\n{}", told.message, fault::REMEDY));
+                Ending::Usage
+            })
         };
         let done = thread::scope(|scope| {
             let worker =
@@ -39,7 +47,7 @@ pub(super) fn run(held: fn() -> usize, work: impl FnOnce() -> Ending + Send) -> 
         });
         match done {
             Ok(Ok(ending)) => return ending.into(),
-            Ok(Err(_)) => return ExitCode::from(101),
+            Ok(Err(_)) => return Ending::Usage.into(),
             Err(_) if usual / SMALLEST_PART < stack_bytes => stack_bytes /= 2,
             Err(err) => {
                 say_error(&format!("virote: no thread could be started: {err}"));

@@ -13,7 +13,7 @@ use super::{
     write::{Refusal, Staged, Target, failure},
 };
 use crate::{
-    diag::{Code, Diagnostic, Severity, nearest},
+    diag::{Code, Diagnostic, Severity, fault, nearest},
     eval::Setting,
     export::{ExportError, Summary},
     session::{Event, File, Report, Session, name_flag},
@@ -301,12 +301,14 @@ fn stage(
     let most = file.job.limits.output_bytes;
     progress.say(&format!("preparing {}", file.path));
     let told = |n_bytes| progress.written(&file.path, n_bytes);
-    match target.stage(most, &told, |out| (file.format.write)(&file.job, out)) {
-        Ok((staged, summary)) => Outcome::Staged(staged, summary),
-        Err(err) => {
+    let staged = || Ok(target.stage(most, &told, |out| (file.format.write)(&file.job, out)));
+    match fault::caught(file.span, staged) {
+        Ok(Ok((staged, summary))) => Outcome::Staged(staged, summary),
+        Ok(Err(err)) => {
             let (found, ending) = refusal(file, &err);
             Outcome::Refused(found, ending)
         }
+        Err(found) => Outcome::Refused(*found, Ending::Usage),
     }
 }
 

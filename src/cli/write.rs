@@ -8,6 +8,7 @@ use std::{
     fs::{self, File},
     io::{self, BufWriter, Write},
     path::{Path, PathBuf},
+    time::Duration,
 };
 
 use super::files::reason;
@@ -159,13 +160,15 @@ impl Write for Capped<'_> {
     }
 }
 
-/// Puts what `write` writes in the place of the file `path`, which is there whole or not at all.
+/// Puts what `write` writes in the place of the file `path`, behind its links, which is there whole or
+/// not at all.
 pub(super) fn replace<T, E: From<io::Error>>(
     path: &Path,
     permissions: Option<fs::Permissions>,
     write: impl FnOnce(&mut dyn Write) -> Result<T, E>,
 ) -> Result<T, E> {
-    let (staged, told) = Staged::new(path, permissions, write)?;
+    let real = path.canonicalize();
+    let (staged, told) = Staged::new(real.as_deref().unwrap_or(path), permissions, write)?;
     staged.place()?;
     Ok(told)
 }
@@ -175,6 +178,7 @@ fn temporary(path: &Path) -> io::Result<(File, PathBuf)> {
     /// Names tried before giving up.
     const MOST_TRIES: u32 = 1000;
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    clear_old(path, &name);
     let process = std::process::id();
     for attempt in 0..MOST_TRIES {
         let path = path.with_file_name(format!(".{name}.{process}-{attempt}.tmp"));
@@ -185,6 +189,29 @@ fn temporary(path: &Path) -> io::Result<(File, PathBuf)> {
         }
     }
     Err(io::Error::new(io::ErrorKind::AlreadyExists, "no free name for a temporary file"))
+}
+
+/// Removes temporary files for `path` that runs left which were killed long ago.
+fn clear_old(path: &Path, name: &str) {
+    /// No run takes so long between two writes.
+    const OLD: Duration = Duration::from_secs(24 * 60 * 60);
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let Ok(entries) = fs::read_dir(folder.unwrap_or(Path::new("."))) else { return };
+    let is_count = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    for entry in entries.flatten() {
+        let found = entry.file_name();
+        let marks = found.to_str().and_then(|found| {
+            let rest = found.strip_prefix('.')?.strip_prefix(name)?.strip_prefix('.')?;
+            rest.strip_suffix(".tmp")?.split_once('-')
+        });
+        let is_ours =
+            marks.is_some_and(|(process, attempt)| is_count(process) && is_count(attempt));
+        let age =
+            || entry.metadata().ok().filter(fs::Metadata::is_file)?.modified().ok()?.elapsed().ok();
+        if is_ours && age().is_some_and(|age| OLD < age) {
+            let _ = fs::remove_file(entry.path());
+        }
+    }
 }
 
 /// The real path of the innermost folder on the way that exists.

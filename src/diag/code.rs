@@ -184,6 +184,9 @@ codes! {
     Stopped "E0902" "stopped before it was done"
         "Whoever asked did not want to wait any longer. At the prompt Ctrl-C does this; the document stays as it was."
 
+    Fault "E0903" "virote itself failed"
+        "The program met something that its authors thought impossible. This is a fault of virote and not of the script: please report it, with the script and the message. Nothing was half-written, and what does not use the failed value was evaluated; another way to say the same may work until the fault is mended."
+
     // E10xx: claims.
     CheckFailed "E1001" "a check does not hold"
         "A claim of the script is false. The report shows the values of both sides and by how much they miss. All checks run, whatever the others say."

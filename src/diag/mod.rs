@@ -3,11 +3,14 @@
 //! Nothing here is coloured, wrapped or printed; the doors do that.
 
 mod code;
+pub mod fault;
 mod nearest;
+mod shown;
 mod source;
 
 pub use code::Code;
 pub use nearest::nearest;
+pub use shown::{is_hidden, shown};
 pub use source::{Source, Sources};
 
 /// Half-open byte range.

@@ -6,7 +6,7 @@ use super::{
     operator,
 };
 use crate::{
-    diag::{Code, Diagnostic, Result, Span},
+    diag::{Code, Diagnostic, Result, Span, fault},
     value::{Deviation, Value, deviation, shortest},
 };
 
@@ -77,7 +77,7 @@ impl Machine<'_> {
     /// Judges a claim in a fresh frame.
     pub(crate) fn judge(&mut self, claim: &Expr, n_slots: usize) -> Result<Verdict> {
         self.prepare(n_slots);
-        self.verdict(claim)
+        fault::caught(claim.span, || self.verdict(claim))
     }
 
     fn verdict(&mut self, claim: &Expr) -> Result<Verdict> {

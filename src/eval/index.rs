@@ -32,6 +32,9 @@ pub(super) fn index(
                 Value::Curve(_) | Value::Surface(_) => {
                     "curves and surfaces are called with round brackets: `c(t)`"
                 }
+                Value::Record(_) => {
+                    "a record is asked for a member by name: `r.x`, or `r[\"half breadth\"]`"
+                }
                 _ => "only lists and tables have elements",
             };
             Diagnostic::error(

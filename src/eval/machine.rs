@@ -20,7 +20,7 @@ use super::{
     parametric::{Asked, Meter},
 };
 use crate::{
-    diag::{Code, Diagnostic, Result, Sources, Span},
+    diag::{Code, Diagnostic, Result, Sources, Span, fault},
     kernel::{CurveFunction, SurfaceFunction, Tolerance},
     limits::Limits,
     syntax::ast::Unit,
@@ -98,7 +98,7 @@ impl<'a> Machine<'a> {
     pub(crate) fn run(&mut self, expr: &Expr, n_slots: usize) -> Result<Value> {
         self.prepare(n_slots);
         self.check_memory(expr.span)?;
-        self.eval(expr)
+        fault::caught(expr.span, || self.eval(expr))
     }
 
     /// An empty frame of so many slots at the bottom of the stack.
@@ -298,28 +298,48 @@ impl<'a> Machine<'a> {
 
     fn index(&mut self, parts: &[Expr; 2]) -> Result<Value> {
         let (subject, index) = (self.eval(&parts[0])?, self.eval(&parts[1])?);
-        index::index(&subject, &index, parts[0].span, parts[1].span)
+        match (&subject, &index) {
+            (Value::Table(_) | Value::Record(_), Value::Text(name)) => {
+                self.field_of(&subject, parts[0].span, name, parts[1].span)
+            }
+            _ => index::index(&subject, &index, parts[0].span, parts[1].span),
+        }
     }
 
     fn field(&mut self, subject: &Expr, name: &str, place: Span) -> Result<Value> {
         let value = self.eval(subject)?;
-        if let Some(found) = field(&value, name, self.env.tolerance).at(place)? {
+        self.field_of(&value, subject.span, name, place)
+    }
+
+    fn field_of(&self, value: &Value, subject: Span, name: &str, place: Span) -> Result<Value> {
+        if let Some(found) = field(value, name, self.env.tolerance).at(place)? {
             return Ok(found);
         }
-        let names = field_names(&value);
+        let names = field_names(value);
         let message = format!("{} has no field `{name}`", value.phrase());
         let mut diagnostic = Diagnostic::error(Code::NoField, place, message)
-            .also(subject.span, format!("this is {}", value.phrase()));
+            .also(subject, format!("this is {}", value.phrase()));
         if let Some(near) = crate::diag::nearest(name, names.iter().copied().take(MOST_NAMES)) {
             diagnostic = diagnostic.label(format!("did you mean `{near}`?"));
         }
-        let told = names.iter().take(MOST_FIELDS_TOLD).map(|name| format!("`.{name}`"));
+        let told = names.iter().take(MOST_FIELDS_TOLD).map(|name| shown_field(name));
         let list: Vec<String> = told.collect();
         if !list.is_empty() {
             let rest = if list.len() < names.len() { " ..." } else { "" };
             diagnostic = diagnostic.hint(format!("its fields are {}{rest}", list.join(" ")));
         }
         diagnostic.fail()
+    }
+}
+
+/// How a script reaches a field: `.x`, or `["half breadth"]` where the name is no word.
+fn shown_field(name: &str) -> String {
+    let is_word = |c: char| c.is_alphanumeric() || c == '_';
+    let starts_well = name.starts_with(|c: char| is_word(c) && !c.is_numeric());
+    if starts_well && name.chars().all(is_word) {
+        format!("`.{name}`")
+    } else {
+        format!("`[{name:?}]`")
     }
 }
 

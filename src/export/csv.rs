@@ -33,9 +33,12 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
             for (i, column) in table.columns().iter().enumerate() {
                 text.push(if i == 0 { "" } else { "," });
                 match &column.column {
-                    Column::Numbers(values) if !values[row].is_finite() => text.push(""),
+                    // A line with nothing on it would be no row.
+                    Column::Numbers(values) if !values[row].is_finite() => {
+                        text.push(if table.columns().len() == 1 { "\"\"" } else { "" })
+                    }
                     Column::Numbers(values) => text.number(values[row]),
-                    Column::Texts(values) => text.push(&cell(&values[row])),
+                    Column::Texts(values) => text.push(&text_cell(&values[row])),
                 };
             }
             text.push("\n");
@@ -47,9 +50,14 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     Ok(summary)
 }
 
+/// The cell of a text, in quotation marks also where it would be taken for nothing or for a number.
+fn text_cell(text: &str) -> String {
+    if text.is_empty() || text.parse::<f64>().is_ok() { format!("\"{text}\"") } else { cell(text) }
+}
+
 /// A cell, in quotation marks where it must be.
 fn cell(text: &str) -> String {
-    if text.contains(['"', ',', '\n', '\r']) {
+    if text.contains(['"', ',', ';', '\t', '\n', '\r']) || text.trim() != text {
         format!("\"{}\"", text.replace('"', "\"\""))
     } else {
         text.to_owned()

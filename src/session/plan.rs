@@ -4,7 +4,7 @@ use std::{collections::HashMap, sync::Arc};
 
 use super::{File, Session, options::options};
 use crate::{
-    diag::{Code, Diagnostic, Span, nearest},
+    diag::{Code, Diagnostic, Span, is_hidden, nearest},
     eval::{self, Exported},
     export::{FORMATS, Format, Item, Job, Subject},
     kernel::{Curve, Surface, Tolerance},
@@ -21,13 +21,21 @@ impl Session {
         (unit, tolerance): (Unit, Tolerance),
         diagnostics: &mut Vec<Diagnostic>,
     ) -> Option<File> {
-        let before = diagnostics.len();
         let span = exported.path.span;
         if self.limits.memory_bytes < (self.held)() {
             diagnostics.push(eval::out_of_memory(&self.limits, span));
             return None;
         }
-        let path = safe_path(&exported.path.value).map_err(|message| {
+        let path = safe_path(&exported.path.value);
+        if let Ok(path) = &path
+            && let Some((part, why)) = reserved(path)
+        {
+            let message = format!("on Windows this file cannot exist: `{part}` {why}");
+            let hint = "choose another name, so that the script runs on every system";
+            diagnostics.push(Diagnostic::warning(Code::Unclean, span, message).hint(hint));
+        }
+        let before = diagnostics.len();
+        let path = path.map_err(|message| {
             diagnostics.push(
                 Diagnostic::error(Code::PathEscapes, span, message)
                     .hint("paths are relative to the output folder, which `--out` names"),
@@ -92,6 +100,76 @@ fn safe_path(path: &str) -> Result<String, String> {
         }
     }
     if parts.is_empty() { Err(format!("`{path}` names no file")) } else { Ok(parts.join("/")) }
+}
+
+/// The paths that a script writes, so that each is compared with those alone that it may clash with.
+#[derive(Default)]
+pub(super) struct Written {
+    /// Files by their path in small letters.
+    files: HashMap<String, (String, Span)>,
+    /// The first file in each folder, by the folder's path in small letters.
+    folders: HashMap<String, (String, Span)>,
+}
+
+impl Written {
+    /// Adds a path, unless it cannot stand beside one before: then why, the remedy, and the place of that.
+    pub(super) fn add(&mut self, path: &str, span: Span) -> Option<((String, &'static str), Span)> {
+        let key = path.to_lowercase();
+        let folders = || key.match_indices('/').map(|(end, _)| &key[..end]);
+        let first = std::iter::once(key.as_str())
+            .chain(folders())
+            .find_map(|file| self.files.get(file))
+            .or_else(|| self.folders.get(&key));
+        if let Some((first, place)) = first {
+            return clash(first, path).map(|told| (told, *place));
+        }
+        for folder in folders() {
+            self.folders.entry(folder.to_owned()).or_insert_with(|| (path.to_owned(), span));
+        }
+        self.files.insert(key, (path.to_owned(), span));
+        None
+    }
+}
+
+/// What keeps a second path from standing beside a first one, and the remedy.
+fn clash(first: &str, second: &str) -> Option<(String, &'static str)> {
+    let (a, b) = (first.to_lowercase(), second.to_lowercase());
+    let lies_in = |a: &str, b: &str| a.strip_prefix(b).is_some_and(|rest| rest.starts_with('/'));
+    if first == second {
+        let hint = "one statement takes several values: `export a, b to \"both.obj\"`";
+        Some((format!("`{second}` is exported twice"), hint))
+    } else if a == b {
+        let hint = "many systems take capital and small letters for the same: choose another name";
+        Some((format!("`{second}` is exported twice: `{first}` differs in capitals alone"), hint))
+    } else if lies_in(&a, &b) || lies_in(&b, &a) {
+        let (file, inside) = if lies_in(&b, &a) { (first, second) } else { (second, first) };
+        let hint = "choose another name for the file or the folder";
+        Some((format!("`{file}` cannot be a file and the folder of `{inside}`"), hint))
+    } else {
+        None
+    }
+}
+
+/// The first part of a path that Windows can give no file, and why.
+fn reserved(path: &str) -> Option<(&str, &'static str)> {
+    let is_device = |part: &str| {
+        let base = part.split('.').next().unwrap_or(part).trim_end().to_ascii_uppercase();
+        let numbered = ["COM", "LPT"].iter().any(|device| {
+            base.strip_prefix(device).is_some_and(|rest| matches!(rest.as_bytes(), [b'1'..=b'9']))
+        });
+        numbered || ["CON", "PRN", "AUX", "NUL"].contains(&base.as_str())
+    };
+    path.split('/').find_map(|part| {
+        if is_device(part) {
+            Some((part, "is the name of a device"))
+        } else if part.ends_with(['.', ' ']) {
+            Some((part, "ends with a point or a blank"))
+        } else if part.contains(['<', '>', '"', '|', '?', '*']) {
+            Some((part, "holds one of `< > \" | ? *`"))
+        } else {
+            None
+        }
+    })
 }
 
 fn unknown_format(path: &str, span: Span) -> Diagnostic {
@@ -224,15 +302,15 @@ impl Gathering {
     }
 
     fn push(&mut self, name: &str, whole: &eval::Subject, subject: Subject) {
-        let name = self.unused(name);
+        // Data are kept as they are; other files have lines and XML, which names must not break.
+        let kept = |text: &str| {
+            if self.format.takes_data { text.to_owned() } else { printable(text) }
+        };
+        let (own, group) = (kept(name), kept(&whole.name));
+        let layer = whole.look.layer.as_deref().map(kept);
+        let name = self.unused(&own);
         self.names.insert(name.clone(), 2);
-        self.items.push(Item {
-            name,
-            group: whole.name.clone(),
-            color: whole.look.color,
-            layer: whole.look.layer.as_deref().map(str::to_owned),
-            subject,
-        });
+        self.items.push(Item { name, group, color: whole.look.color, layer, subject });
     }
 
     /// The name, numbered where another item has it already.
@@ -247,6 +325,16 @@ impl Gathering {
         self.names.insert(name.to_owned(), free + 1);
         numbered(free)
     }
+}
+
+/// A name with a blank for each character that no line of text, or no XML, can hold.
+fn printable(text: &str) -> String {
+    let is_kept = |c: char| {
+        !is_hidden(c)
+            && !matches!(c, '\n' | '\t' | '\u{2028}' | '\u{2029}')
+            && (c as u32) & 0xFFFE != 0xFFFE
+    };
+    text.chars().map(|c| if is_kept(c) { c } else { ' ' }).collect()
 }
 
 /// Whether a value is geometry or a list of it.

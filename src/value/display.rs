@@ -5,7 +5,10 @@ use std::fmt;
 use glam::DVec3;
 
 use super::{Value, shortest};
-use crate::kernel::{Curve, Frame, Interval, Surface};
+use crate::{
+    diag::{is_hidden, shown},
+    kernel::{Curve, Frame, Interval, Surface},
+};
 
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -28,7 +31,7 @@ impl fmt::Display for Value {
             Self::Record(record) => {
                 f.write_str("{")?;
                 for (i, (label, value)) in record.iter().enumerate() {
-                    write!(f, "{}{label}: {value}", if i == 0 { "" } else { ", " })?;
+                    write!(f, "{}{}: {value}", if i == 0 { "" } else { ", " }, shown(label))?;
                 }
                 f.write_str("}")
             }
@@ -45,7 +48,8 @@ impl fmt::Display for Value {
                 let names: Vec<&str> =
                     table.columns().iter().map(|column| column.name.as_str()).collect();
                 let rows = if table.n_rows() == 1 { "row" } else { "rows" };
-                write!(f, "table of {} {rows}: {}", table.n_rows(), names.join(", "))
+                let names = names.join(", ");
+                write!(f, "table of {} {rows}: {}", table.n_rows(), shown(&names))
             }
             Self::Frame(frame) => f.write_str(&frame_text(**frame)),
         }
@@ -107,7 +111,7 @@ fn quoted(text: &str) -> String {
             '\n' => out.push_str("\\n"),
             '\t' => out.push_str("\\t"),
             '"' | '\\' | '{' | '}' => out.extend(['\\', c]),
-            c if c.is_control() => out.push_str(&format!("\\u{{{:x}}}", u32::from(c))),
+            c if is_hidden(c) => out.push_str(&format!("\\u{{{:x}}}", u32::from(c))),
             c => out.push(c),
         }
     }

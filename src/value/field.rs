@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{IntoValue, Range, Real, Value};
+use super::{Dim, IntoValue, Number, Range, Real, Value, unit::dim_of};
 use crate::kernel::{
     Column, Curve, GeomError, Grid, Interval, NurbsCurve, NurbsSurface, Surface, Table, Tolerance,
 };
@@ -166,17 +166,19 @@ fn mesh_field(mesh: &crate::kernel::Mesh, name: &str) -> Option<Value> {
 
 /// Column `name` of a table as a list.
 pub(super) fn column(table: &Table, name: &str) -> Option<Value> {
-    Some(match table.column(name)? {
+    let column = table.columns().iter().find(|column| column.name == name)?;
+    Some(match &column.column {
         Column::Numbers(values) => {
-            Value::List(values.iter().map(|&cell| number_cell(cell)).collect())
+            let dim = dim_of(column);
+            Value::List(values.iter().map(|&cell| number_cell(cell, dim)).collect())
         }
         Column::Texts(values) => Value::list(values.iter().map(|text| Value::text(text)).collect()),
     })
 }
 
 /// The number of a cell; an empty one holds none.
-fn number_cell(cell: f64) -> Value {
-    if cell.is_finite() { Value::number(cell) } else { Value::None }
+fn number_cell(value: f64, dim: Dim) -> Value {
+    if value.is_finite() { Value::Number(Number { value, dim }) } else { Value::None }
 }
 
 fn domain(interval: Interval) -> Value {
@@ -205,7 +207,7 @@ fn grid<T>(grid: &Grid<T>, value: impl Fn(&T) -> Value) -> Value {
 pub fn table_row(table: &Table, idx: usize) -> Value {
     let fields = table.columns().iter().map(|column| {
         let cell = match &column.column {
-            Column::Numbers(values) => number_cell(values[idx]),
+            Column::Numbers(values) => number_cell(values[idx], dim_of(column)),
             Column::Texts(values) => Value::text(&values[idx]),
         };
         (Arc::from(column.name.as_str()), cell)

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3, DVec4};
 use serde_json::{Map, Value as Json, json};
 
-use super::{Dim, Number, Range, Record, Value};
+use super::{Dim, Number, Range, Record, Value, in_document_unit};
 use crate::kernel::{
     Column, Curve, Frame, Grid, Group, KnotVector, Mesh, NamedColumn, NurbsCurve, NurbsSurface,
     Surface, Table,
@@ -116,9 +116,11 @@ fn column(column: &NamedColumn) -> Json {
 
 /// The value that exact JSON stands for; of a whole document the record of its values.
 ///
+/// Columns of tables that state their unit are brought into that of the document, `length`.
+///
 /// # Errors
 /// A sentence on the member that does not fit.
-pub fn from_json(json: &Json) -> Result<Value, String> {
+pub fn from_json(json: &Json, length: &str) -> Result<Value, String> {
     Ok(match json {
         Json::Null => Value::None,
         Json::Bool(truth) => Value::Bool(*truth),
@@ -127,18 +129,21 @@ pub fn from_json(json: &Json) -> Result<Value, String> {
             Value::number(value.ok_or_else(|| format!("the number {number} is out of range"))?)
         }
         Json::String(text) => Value::text(text),
-        Json::Array(items) => Value::list(items.iter().map(from_json).collect::<Result<_, _>>()?),
+        Json::Array(items) => {
+            let items = items.iter().map(|item| from_json(item, length));
+            Value::list(items.collect::<Result<_, _>>()?)
+        }
         Json::Object(members) => match members.get("virote").and_then(Json::as_str) {
-            Some(kind) => Object { kind, members }.value()?,
-            None => record(members)?,
+            Some(kind) => Object { kind, members, length }.value()?,
+            None => record(members, length)?,
         },
     })
 }
 
-fn record(members: &Map<String, Json>) -> Result<Value, String> {
+fn record(members: &Map<String, Json>, length: &str) -> Result<Value, String> {
     let mut fields = Vec::with_capacity(members.len());
     for (label, member) in members {
-        fields.push((Arc::from(label.as_str()), from_json(member)?));
+        fields.push((Arc::from(label.as_str()), from_json(member, length)?));
     }
     Ok(Value::Record(Arc::new(Record::new(fields))))
 }
@@ -147,6 +152,8 @@ fn record(members: &Map<String, Json>) -> Result<Value, String> {
 struct Object<'j> {
     kind: &'j str,
     members: &'j Map<String, Json>,
+    /// The document's unit of length.
+    length: &'j str,
 }
 
 impl<'j> Object<'j> {
@@ -161,7 +168,7 @@ impl<'j> Object<'j> {
     }
 
     fn number(&self, name: &str) -> Result<Number, String> {
-        self.read(name, |json| match from_json(json) {
+        self.read(name, |json| match from_json(json, self.length) {
             Ok(Value::Number(number)) => Some(number),
             _ => None,
         })
@@ -210,7 +217,9 @@ impl<'j> Object<'j> {
         let columns = self.read("columns", |json| {
             json.as_array()?.iter().map(read_column).collect::<Option<_>>()
         })?;
-        Table::new(columns).map_err(|err| err.to_string())
+        let columns: Vec<NamedColumn> = columns;
+        let columns = columns.into_iter().map(|column| in_document_unit(column, self.length));
+        Table::new(columns.collect::<Result<_, _>>()?).map_err(|err| err.to_string())
     }
 
     fn plane(&self) -> Result<Frame, String> {
@@ -225,7 +234,7 @@ impl<'j> Object<'j> {
 
     fn value(&self) -> Result<Value, String> {
         Ok(match self.kind {
-            "document" => from_json(self.member("values")?)?,
+            "document" => from_json(self.member("values")?, self.length)?,
             "angle" => Value::Number(Number::angle(self.number("radians")?.value)),
             "point" => Value::Point(self.point("xyz")?),
             "range" => Value::Range(Range {

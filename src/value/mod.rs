@@ -26,6 +26,7 @@ mod registry;
 mod shape;
 mod smooth;
 mod ty;
+mod unit;
 mod vector;
 mod wrap;
 
@@ -58,6 +59,7 @@ pub use registry::{Constant, Registry, choose};
 pub use shape::Geometry;
 pub use smooth::Looked;
 pub use ty::Type;
+pub use unit::in_document_unit;
 pub use vector::Vector;
 pub use wrap::IntoValue;
 

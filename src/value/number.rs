@@ -15,7 +15,7 @@ pub struct Dim {
 }
 
 /// Sixths in one whole power.
-const WHOLE: i8 = 6;
+pub(super) const WHOLE: i8 = 6;
 
 impl Dim {
     /// A bare number.
@@ -24,6 +24,12 @@ impl Dim {
     pub const LENGTH: Self = Self { length: WHOLE, angle: 0 };
     /// An angle.
     pub const ANGLE: Self = Self { length: 0, angle: WHOLE };
+
+    /// The dimension of these powers of length and angle, in sixths.
+    #[must_use]
+    pub fn of_powers([length, angle]: [i8; 2]) -> Self {
+        Self { length, angle }
+    }
 
     /// The powers of length and angle in sixths.
     #[must_use]

@@ -186,6 +186,7 @@ fn write_mesh(
 
 /// A group's name is one word.
 fn group_name(name: &str) -> String {
-    let word: String = name.chars().map(|c| if c.is_whitespace() { '_' } else { c }).collect();
+    let word: String =
+        name.chars().map(|c| if c.is_whitespace() || c.is_control() { '_' } else { c }).collect();
     if word.is_empty() { "unnamed".to_owned() } else { word }
 }

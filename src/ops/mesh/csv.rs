@@ -7,7 +7,7 @@ use std::collections::HashSet;
 
 use crate::{
     kernel::{NamedColumn, Table},
-    value::{Ctx, IntoValue, Value},
+    value::{Ctx, IntoValue, Value, in_document_unit},
 };
 
 /// A cell: its text, and whether it stood in quotation marks.
@@ -16,7 +16,7 @@ pub(crate) type Cell = (String, bool);
 /// The table of a file.
 pub(super) fn read(bytes: &[u8], ctx: &Ctx<'_>) -> Result<Value, String> {
     let text = super::text(bytes)?;
-    let header_end = text.find('\n').unwrap_or(text.len());
+    let header_end = text.find(['\n', '\r']).unwrap_or(text.len());
     let separators = [',', ';', '\t'];
     let is_in_header = |separator: &char| text[..header_end].contains(*separator);
     let separator = separators.into_iter().find(is_in_header).unwrap_or(',');
@@ -44,30 +44,32 @@ pub(super) fn read(bytes: &[u8], ctx: &Ctx<'_>) -> Result<Value, String> {
         let cells = rows.iter().map(|(line, row)| (*line, &row[idx]));
         let column = column(name, cells)?;
         columns.push(match unit {
-            Some(unit) => column.with_unit(unit),
+            Some(unit) => in_document_unit(column.with_unit(unit), ctx.unit)
+                .map_err(|message| format!("line {line}: {message}"))?,
             None => column,
         });
     }
     Table::new(columns).map(IntoValue::into_value).map_err(|err| err.to_string())
 }
 
-/// Numbers if the first cell that is not empty is one, else texts.
+/// Numbers if the first cell that is not empty is one, else texts. Where all are empty, quotation
+/// marks tell texts.
 fn column<'c>(
     name: &str,
     cells: impl Iterator<Item = (usize, &'c Cell)> + Clone,
 ) -> Result<NamedColumn, String> {
-    let is_empty = |cell: &Cell| cell.0.is_empty() && !cell.1;
-    let first = cells.clone().find(|(_, cell)| !is_empty(cell));
-    let holds_numbers = first.is_none_or(|(_, (text, is_quoted))| {
-        !is_quoted && (number(text).is_some() || text.parse::<f64>().is_ok())
-    });
+    let first = cells.clone().find(|(_, (text, _))| !text.is_empty());
+    let holds_numbers = match first {
+        Some((_, (text, is_quoted))) => !is_quoted && text.parse::<f64>().is_ok(),
+        None => cells.clone().all(|(_, (_, is_quoted))| !is_quoted),
+    };
     if !holds_numbers {
         let texts = cells.map(|(_, (text, _))| text.clone()).collect();
         return Ok(NamedColumn::texts(name, texts));
     }
     let numbers = cells.map(|(line, cell)| match number(&cell.0) {
         Some(number) if !cell.1 => Ok(number),
-        _ if is_empty(cell) => Ok(f64::NAN),
+        _ if cell.0.is_empty() => Ok(f64::NAN),
         _ => Err(format!("line {line}: `{name}` must be a number, found `{}`", cell.0)),
     });
     Ok(NamedColumn::numbers(name, numbers.collect::<Result<_, String>>()?))
@@ -128,7 +130,7 @@ pub(crate) fn rows(
                 finish(&mut cell, &mut is_quoted, &mut row);
             }
             Some('\r') if characters.peek() == Some(&'\n') => {}
-            end @ (Some('\n') | None) => {
+            end @ (Some('\n' | '\r') | None) => {
                 finish(&mut cell, &mut is_quoted, &mut row);
                 let is_blank = row.len() == 1 && row[0].0.is_empty() && !row[0].1;
                 if !is_blank {

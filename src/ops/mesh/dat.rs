@@ -15,7 +15,7 @@ pub(super) fn read(bytes: &[u8], ctx: &Ctx<'_>) -> Result<Value, String> {
     let mut lines = lines.filter(|(_, line)| !line.is_empty()).peekable();
     // The name, which is left out of some files.
     if lines.next_if(|&(_, line)| pair(line).is_none()).is_none() && lines.peek().is_none() {
-        return Err("the file is empty".to_owned());
+        return Err("line 1: the file is empty, or holds a name alone".to_owned());
     }
     let mut pairs = Vec::new();
     for (line, text) in lines {
@@ -37,7 +37,11 @@ pub(super) fn read(bytes: &[u8], ctx: &Ctx<'_>) -> Result<Value, String> {
         _ => points,
     };
     if points.len() < 3 {
-        return Err(format!("a profile needs 3 points or more, found {}", points.len()));
+        let line = text.lines().count().max(1);
+        let found = points.len();
+        return Err(format!(
+            "line {line}: the file ends, and a profile needs 3 points or more, found {found}"
+        ));
     }
     Ok(points.into_value())
 }

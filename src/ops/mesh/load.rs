@@ -15,8 +15,8 @@ op! {
     ///
     /// `.obj` gives a mesh, polygons in triangles. `.bpt` gives a list of Bézier surfaces: a
     /// count, then for each patch its two degrees and its points row by row. `.csv` gives a table:
-    /// the first line names its columns, with their units as in `x [mm]`, which stay with the
-    /// columns; an empty cell is none. `.dat` gives the points of an aerofoil, in the form of Selig or of
+    /// the first line names its columns, with their units as in `x [mm]`, `turn [deg]` or `area [mm^2]`, from which
+    /// numbers are brought into the document's unit and radians; an empty cell is none. `.dat` gives the points of an aerofoil, in the form of Selig or of
     /// Lednicer, around the profile from the trailing edge over the upper side. `.json` gives what an
     /// export wrote, to the same bits, with a warning where that had another unit, or lists and
     /// records of other JSON.
@@ -76,8 +76,9 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
 
 /// Numbers of a document of another unit stay as they are, which is told.
 fn json(bytes: &[u8], ctx: &mut Ctx<'_>) -> std::result::Result<Value, String> {
-    let data: Json = serde_json::from_slice(bytes).map_err(|err| err.to_string())?;
-    let value = from_json(&data)?;
+    let text = super::text(bytes)?;
+    let data: Json = serde_json::from_str(text).map_err(|err| err.to_string())?;
+    let value = from_json(&data, ctx.unit)?;
     let is_document = data.get("virote").and_then(Json::as_str) == Some("document");
     let written_in = data.get("unit").and_then(Json::as_str).filter(|_| is_document);
     if let Some(unit) = written_in.filter(|unit| *unit != ctx.unit) {

@@ -1,5 +1,7 @@
 //! `edge_surface`: the surface within two, three or four edges, however they lie.
 
+use glam::DVec3;
+
 use super::{
     boundary::{Edge, edges, place, verb},
     with_area,
@@ -85,12 +87,10 @@ fn within(ring: &[Edge]) -> std::result::Result<NurbsSurface, crate::kernel::Geo
 
 /// Two edges in the direction in which their ends are nearer to one another.
 fn facing(found: &[Edge]) -> Ring {
-    let apart = |back: bool| {
-        let end = |which: usize| if back { 1 - which } else { which };
-        let squared = |i: usize| found[0].end(i).distance_squared(found[1].end(end(i)));
-        squared(0) + squared(1)
-    };
-    Ring { order: vec![(0, false), (1, apart(true) < apart(false))], gap: 0.0 }
+    let between =
+        |i: usize, back: bool| apart(found[0].end(i), found[1].end(if back { 1 - i } else { i }));
+    let both = |back: bool| libm::hypot(between(0, back), between(1, back));
+    Ring { order: vec![(0, false), (1, both(true) < both(false))], gap: 0.0 }
 }
 
 /// The order and directions in which the widest gap between an end and the next start is least;
@@ -100,19 +100,31 @@ fn ring(found: &[Edge]) -> Ring {
         3 => &[&[1, 2], &[2, 1]],
         _ => &[&[1, 2, 3], &[3, 2, 1], &[2, 1, 3], &[2, 3, 1], &[1, 3, 2], &[3, 1, 2]],
     };
-    let mut best = Ring { order: Vec::new(), gap: f64::INFINITY };
+    let of = |rest: &[usize], directions: usize| {
+        let back = |k: usize| directions & (1 << k) != 0;
+        let rest = rest.iter().enumerate().map(|(k, &idx)| (idx, back(k)));
+        let order: Vec<(usize, bool)> = [(0, false)].into_iter().chain(rest).collect();
+        let gap = gaps(found, &order).into_iter().fold(0.0, f64::max);
+        Ring { order, gap }
+    };
+    // There is always one, however far apart the ends are.
+    let mut best = of(orders[0], 0);
     for rest in orders {
         for directions in 0..1_usize << rest.len() {
-            let back = |k: usize| directions & (1 << k) != 0;
-            let rest = rest.iter().enumerate().map(|(k, &idx)| (idx, back(k)));
-            let order: Vec<(usize, bool)> = [(0, false)].into_iter().chain(rest).collect();
-            let gap = gaps(found, &order).into_iter().fold(0.0, f64::max);
-            if gap < best.gap {
-                best = Ring { order, gap };
+            let ring = of(rest, directions);
+            if ring.gap < best.gap {
+                best = ring;
             }
         }
     }
     best
+}
+
+/// The distance of two places, also where its square is beyond the numbers.
+fn apart(a: DVec3, b: DVec3) -> f64 {
+    let way = b - a;
+    let (plain, scale) = (way.length(), way.abs().max_element());
+    if plain.is_finite() || !scale.is_finite() { plain } else { scale * (way / scale).length() }
 }
 
 /// From each edge to the next.
@@ -121,18 +133,18 @@ fn gaps(found: &[Edge], order: &[(usize, bool)]) -> Vec<f64> {
         found[idx].end(if back { 1 - which } else { which })
     };
     let next = order.iter().cycle().skip(1);
-    order.iter().zip(next).map(|(edge, next)| end(edge, 1).distance(end(next, 0))).collect()
+    order.iter().zip(next).map(|(edge, next)| apart(end(edge, 1), end(next, 0))).collect()
 }
 
 /// Fails unless each edge starts where the one before ends.
 fn check(ring: &[Edge], span: crate::diag::Span, tolerance: f64) -> Result<()> {
     let next = ring.iter().cycle().skip(1);
     let widest = ring.iter().zip(next).max_by(|a, b| {
-        let gap = |(edge, next): &(&Edge, &Edge)| edge.end(1).distance(next.end(0));
+        let gap = |(edge, next): &(&Edge, &Edge)| apart(edge.end(1), next.end(0));
         gap(a).total_cmp(&gap(b))
     });
     let Some((edge, next)) = widest else { return Ok(()) };
-    let gap = edge.end(1).distance(next.end(0));
+    let gap = apart(edge.end(1), next.end(0));
     if gap <= tolerance {
         return Ok(());
     }

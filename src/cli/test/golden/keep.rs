@@ -14,6 +14,17 @@ use crate::{
 /// Writes all files of the folder, the header last; none is put into its place before all are
 /// written.
 pub(super) fn write(pages: &[Page<'_>], folder: &Path, header: Header) -> Result<(), String> {
+    let is_new = !folder.exists();
+    fill(pages, folder, header).inspect_err(|_| {
+        // Of a folder that could not be filled nothing stays; one that holds something is left alone.
+        if is_new {
+            let _ = fs::remove_dir(folder.join(FILES));
+            let _ = fs::remove_dir(folder);
+        }
+    })
+}
+
+fn fill(pages: &[Page<'_>], folder: &Path, header: Header) -> Result<(), String> {
     fs::create_dir_all(folder).map_err(|err| {
         format!("cannot make the folder `{}`: {}", folder.display(), reason(&err))
     })?;

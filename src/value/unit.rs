@@ -1,0 +1,176 @@
+//! Units as files write them: `mm`, `deg`, `mm^2`, `1/m`, `mm·rad`.
+
+use std::f64::consts::{PI, TAU};
+
+use super::{Dim, number::WHOLE};
+use crate::kernel::{Column, NamedColumn};
+
+/// Units of length by name, each with its size in micrometres.
+const LENGTHS: &[(&str, f64)] = &[
+    ("um", 1.0),
+    ("mm", 1e3),
+    ("cm", 1e4),
+    ("m", 1e6),
+    ("km", 1e9),
+    ("in", 25_400.0),
+    ("ft", 304_800.0),
+];
+
+/// Units of angle by name, each with its size in radians as a fraction.
+const ANGLES: &[(&str, [f64; 2])] =
+    &[("rad", [1.0, 1.0]), ("deg", [PI, 180.0]), ("°", [PI, 180.0]), ("turn", [TAU, 1.0])];
+
+/// What the unit of a column measures, and its size in the document's unit and radians as a
+/// fraction.
+struct Unit {
+    dim: Dim,
+    size: [f64; 2],
+}
+
+impl Unit {
+    /// The unit that `text` says, in a document whose unit of length is `length`.
+    fn read(text: &str, length: &str) -> Option<Self> {
+        let document = size_of(length)?;
+        let (mut powers, mut size) = ([0_i32; 2], [1.0; 2]);
+        let mut is_below = false;
+        let mut rest = text.trim();
+        loop {
+            let end = rest.find(['·', '*', '/']).unwrap_or(rest.len());
+            // In `mm^(3/6)` the stroke stands within brackets.
+            let end = match rest[..end].find('(') {
+                Some(open) => open + rest[open..].find(')')? + 1,
+                None => end,
+            };
+            let (name, power) = name_and_power(rest[..end].trim())?;
+            let power = if is_below { -power } else { power };
+            let (which, [above, below]) = match (size_of(name), name) {
+                (Some(micrometres), _) => (Some(0), [micrometres, document]),
+                (None, "1" | "-") => (None, [1.0, 1.0]),
+                (None, _) => (Some(1), ANGLES.iter().find(|(known, _)| *known == name)?.1),
+            };
+            if let Some(which) = which {
+                powers[which] = i32::checked_add(powers[which], power)?;
+                let exponent = f64::from(power.abs()) / f64::from(WHOLE);
+                let raised = [above, below].map(|part| libm::pow(part, exponent));
+                let turned = usize::from(power < 0);
+                size = [size[0] * raised[turned], size[1] * raised[1 - turned]];
+            }
+            rest = rest[end..].trim_start();
+            let Some(sign) = rest.chars().next() else { break };
+            is_below = match sign {
+                '/' => true,
+                '·' | '*' => false,
+                _ => return None,
+            };
+            rest = rest[sign.len_utf8()..].trim_start();
+        }
+        let [length, angle] = powers.map(|power| i8::try_from(power).ok());
+        let dim = Dim::of_powers([length?, angle?]);
+        size.iter().all(|part| part.is_normal()).then_some(Self { dim, size })
+    }
+
+    /// So many of this unit, in the document's unit and radians; whole ratios stay exact.
+    fn convert(&self, value: f64) -> f64 {
+        let [above, below] = self.size;
+        if above % below == 0.0 {
+            value * (above / below)
+        } else if below % above == 0.0 {
+            value / (below / above)
+        } else {
+            value * above / below
+        }
+    }
+}
+
+/// The size of a unit of length in micrometres.
+fn size_of(name: &str) -> Option<f64> {
+    LENGTHS.iter().find(|(known, _)| *known == name).map(|&(_, size)| size)
+}
+
+/// `mm^2` is `mm` to the power 12 in sixths; `mm²` says the same.
+fn name_and_power(text: &str) -> Option<(&str, i32)> {
+    let whole = i32::from(WHOLE);
+    if let Some(name) = text.strip_suffix('²') {
+        return Some((name, 2 * whole));
+    }
+    if let Some(name) = text.strip_suffix('³') {
+        return Some((name, 3 * whole));
+    }
+    let Some((name, power)) = text.split_once('^') else { return Some((text, whole)) };
+    let power = match power.strip_prefix('(').and_then(|power| power.strip_suffix(')')) {
+        Some(fraction) => {
+            let (above, below) = fraction.split_once('/').unwrap_or((fraction, "1"));
+            let sixths = above.parse::<i32>().ok()?.checked_mul(whole)?;
+            let below = below.parse::<i32>().ok().filter(|below| 0 < *below)?;
+            (sixths % below == 0).then_some(sixths / below)?
+        }
+        None => power.parse::<i32>().ok()?.checked_mul(whole)?,
+    };
+    Some((name.trim(), power)).filter(|_| power.abs() <= i32::from(i8::MAX))
+}
+
+/// What the numbers of a column measure.
+pub(super) fn dim_of(column: &NamedColumn) -> Dim {
+    // Columns are kept in the document's unit, so that only the powers are left to read.
+    let unit = column.unit.as_deref().and_then(|unit| Unit::read(unit, "mm"));
+    unit.map_or(Dim::NONE, |unit| unit.dim)
+}
+
+/// A column as a file gives it, in a document whose unit of length is `length`.
+///
+/// # Errors
+/// A sentence, where the unit is none, where it measures texts, or where a number in it is out of
+/// range.
+pub fn in_document_unit(column: NamedColumn, length: &str) -> Result<NamedColumn, String> {
+    let Some(text) = &column.unit else { return Ok(column) };
+    let name = &column.name;
+    let unit = Unit::read(text, length).ok_or_else(|| {
+        let lengths = LENGTHS.iter().map(|(name, _)| *name);
+        let angles = ANGLES.iter().map(|(name, _)| *name).filter(|name| name.is_ascii());
+        let known: Vec<&str> = lengths.chain(angles).collect();
+        format!(
+            "column `{name}` has the unit `{text}`, which is not known; units are {}, their powers and products such as `mm^2` and `1/m`, and what else is told of a column stands in its name without square brackets",
+            known.join(" ")
+        )
+    })?;
+    let Column::Numbers(numbers) = &column.column else {
+        return Err(format!("column `{name}` has the unit `{text}`, but holds texts"));
+    };
+    let converted: Vec<f64> = numbers.iter().map(|&number| unit.convert(number)).collect();
+    let is_lost = |(new, old): (&f64, &f64)| old.is_finite() && !new.is_finite();
+    if let Some(row) = converted.iter().zip(numbers).position(is_lost) {
+        return Err(format!("row {row} of column `{name}` is out of range in the document's unit"));
+    }
+    Ok(NamedColumn { unit: unit.dim.unit(length), ..NamedColumn::numbers(name, converted) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Dim, Unit};
+
+    #[test]
+    fn what_exports_write_is_read() {
+        for [length, angle] in [[6, 0], [0, 6], [12, 0], [-6, 0], [3, 0], [-12, 6], [-3, -9]] {
+            let dim = Dim::of_powers([length, angle]);
+            let text = dim.unit("cm").unwrap_or_default();
+            let unit = Unit::read(&text, "cm").expect("it is a unit");
+            assert_eq!(unit.dim, dim, "{text}");
+            assert_eq!(unit.convert(0.1).to_bits(), 0.1_f64.to_bits(), "{text}");
+        }
+    }
+
+    #[test]
+    fn powers_convert_by_their_power() {
+        let convert = |text: &str, value: f64| {
+            Unit::read(text, "mm").map(|unit| (unit.dim.powers(), unit.convert(value)))
+        };
+        assert_eq!(convert("cm^2", 2.0), Some(([12, 0], 200.0)));
+        assert_eq!(convert("m³", 1.0), Some(([18, 0], 1e9)));
+        assert_eq!(convert("1/m", 5.0), Some(([-6, 0], 0.005)));
+        assert_eq!(convert("deg/mm", 180.0), Some(([-6, 6], std::f64::consts::PI)));
+        assert_eq!(convert("1", 7.0), Some(([0, 0], 7.0)));
+        for text in ["kg", "mm^", "mm^x", "mm mm", "^2", "mm^(1/0)", "mm^(1/4", "mm^99", "/"] {
+            assert_eq!(convert(text, 1.0), None, "{text}");
+        }
+    }
+}
