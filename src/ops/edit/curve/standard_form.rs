@@ -21,7 +21,7 @@ op! {
     }
     example "standard_form(nurbs([(1, 0), (1, 1), (0, 1)], weights = [1, 1, 2], degree = 2)).weights" => "[1, 0.7071067811865475, 1]";
     example "standard_form(line((0, 0), (2, 4))).weights" => "[1, 1]";
-    refuses "standard_form(parametric(t => (t, t^2), 0..2))" => "E0301: a parametric curve is a function and no NURBS";
+    refuses "standard_form(parametric(t => (t, t^2), 0..2))" => "E0301: `standard_form`: `c` must be a NURBS curve, found a parametric curve";
     scene r#"
         curve c = nurbs([(1, 0), (1, 1), (0, 1)], weights = [1, 1, 2], degree = 2) with (color = "gray")
         curve even = translate(standard_form(c), (-0.2, -0.2))
