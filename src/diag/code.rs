@@ -151,7 +151,7 @@ codes! {
         "Every conversion between forms of a curve is exact, and one that could not be is refused: cubic forms hold no higher degree, forms without weights no circle, chains of equal segments no others, and a form that is smooth at its joints no corner. The message tells the reason. Split the curve, or approximate it."
 
     OpenShell "E0612" "surfaces that enclose nothing"
-        "A volume is enclosed by surfaces that close: every edge meets one other edge within the document's tolerance, of the same surface at a seam or of another one, or is collapsed to a point. The message tells the edge that does not, and where. Add what is missing, or ask for the `area`, which needs no inside."
+        "A volume is enclosed by surfaces that close: every edge meets one other edge within the document's tolerance, of the same surface at a seam or of another one, or is collapsed to a point. Edges may run together where a body is thinner than the tolerance. The message tells the edge that does not, and where. Let edges with a small gap run through the same points, or raise the document's tolerance above the gap. Add what is missing, or ask for the `area`, which needs no inside."
 
     // E07xx: files.
     FileMissing "E0701" "a file that cannot be read"

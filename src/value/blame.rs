@@ -150,11 +150,16 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
             "directions of the tangent plane are those of `tangent_u` and `tangent_v`".to_owned()
         }
         Error::Mesh(error) => return hint_about_mesh(error),
-        Error::Shell(ShellError::Open { .. } | ShellError::Alone { .. }) => {
-            "a volume needs surfaces that close it; `area` needs none".to_owned()
+        Error::Shell(error @ (ShellError::Open { .. } | ShellError::Alone { .. })) => {
+            match error.slit() {
+                Some([gap, allowed]) => format!(
+                    "edges are one within {allowed}: let both run through the same points, or raise the document's `tolerance` above {gap}"
+                ),
+                None => "a volume needs surfaces that close it; `area` needs none".to_owned(),
+            }
         }
         Error::Shell(ShellError::Crowded { .. }) => {
-            "give the surfaces of one body at a time".to_owned()
+            "give the surfaces of one body at a time, and each of them once".to_owned()
         }
         Error::Undetermined { .. } => "ask for fewer control points".to_owned(),
         Error::Straight { .. } => {

@@ -6,7 +6,7 @@ use super::{Curve, LocalGeometry, Neighbourhood, series};
 use crate::kernel::{
     GeomError, Side, Tolerance,
     frame::{angle_between, norm},
-    tolerance::PLACE_RELATIVE,
+    tolerance::{EXACT_RELATIVE, PLACE_RELATIVE},
 };
 
 /// The highest order that is compared.
@@ -163,9 +163,12 @@ fn joint(before: &Ending, after: &Ending, tolerance: Tolerance) -> Continuity {
     };
     let bounds = Bounds::new(before, after, tolerance);
     let gap = before.local.point().distance(after.local.point());
+    let c = bounds.order([&spatial(before), &spatial(after)], 1.0);
+    let g = if bounds.distance < gap { -1 } else { geometric_order(before, after, &bounds) };
     Continuity {
-        c: bounds.order([&spatial(before), &spatial(after)], 1.0),
-        g: if bounds.distance < gap { -1 } else { geometric_order(before, after, &bounds) },
+        c,
+        // Where the curve moves, what agrees by the parameter agrees by arc length.
+        g: if bounds.moves([before, after]) { g.max(c) } else { g },
         gap,
         angle: angle_between(before.local.tangent(), after.local.tangent()),
         curvature_gap: k_before.zip(k_after).map(|(a, b)| norm(a - b)),
@@ -179,6 +182,8 @@ struct Bounds<'a> {
     /// The parameter step over which derivatives are compared: the shorter reach.
     step: f64,
     distance: f64,
+    /// By how far two ways to write one curve differ.
+    exact: f64,
     /// Of directions, and of anything else relative to its size.
     angle: f64,
 }
@@ -186,8 +191,11 @@ struct Bounds<'a> {
 impl<'a> Bounds<'a> {
     fn new(before: &'a Ending, after: &'a Ending, tolerance: Tolerance) -> Self {
         let extent = before.local.extent().max(after.local.extent());
+        let points = [before, after].map(|ending| ending.local.point().abs().max_element());
+        let exact = EXACT_RELATIVE * (points[0].max(points[1]) + extent);
         let (before, after) = (&before.around, &after.around);
         Self {
+            exact,
             sides: [before, after],
             step: before.reach.min(after.reach),
             distance: tolerance.distance_for(extent).max(before.rounding).max(after.rounding),
@@ -198,6 +206,18 @@ impl<'a> Bounds<'a> {
     /// What rounding leaves in the terms of an order.
     fn rounding(&self, order: usize) -> f64 {
         self.sides.map(|side| side.rounding_of(order)).into_iter().fold(0.0, f64::max)
+    }
+
+    /// Whether the first derivatives are more than what counts as none.
+    fn moves(&self, endings: [&Ending; 2]) -> bool {
+        endings.iter().all(|ending| {
+            let terms = ending.derivatives.iter().zip(series::powers(self.step)).skip(1);
+            let sizes: Vec<f64> = terms.map(|(&d, power)| norm(d * power)).collect();
+            let largest = sizes.iter().copied().fold(0.0, f64::max);
+            sizes
+                .first()
+                .is_some_and(|&first| (PLACE_RELATIVE * largest).max(self.rounding(1)) < first)
+        })
     }
 
     /// The highest order up to which all derivatives agree, −1 where the points do not; `weight`
@@ -212,7 +232,7 @@ impl<'a> Bounds<'a> {
             let allowed = if k == 0 {
                 self.distance * weight
             } else {
-                relative.max(self.rounding(k) * weight)
+                relative.max(self.rounding(k).max(self.exact) * weight)
             };
             allowed < (terms[0][k] - terms[1][k]).length()
         };
@@ -227,11 +247,13 @@ fn geometric_order(before: &Ending, after: &Ending, bounds: &Bounds<'_>) -> i32 
     if bounds.angle < angle_between(a.tangent(), b.tangent()) {
         return 0;
     }
-    // Derivatives by arc length, as lengths over the shorter piece.
+    // Derivatives by arc length, and by how far they part the pieces over the shorter one.
     let extent = a.extent().min(b.extent());
     let agree = |a: DVec3, b: DVec3, unit: f64, order: usize| {
-        let size = norm(a).max(norm(b)).max(1.0 / unit);
-        let allowed = (bounds.angle * size).max(bounds.rounding(order) / extent / unit);
+        let factorial: f64 = (2..=order).map(|k| k as f64).product();
+        let size = norm(a).max(norm(b)).max(factorial / unit);
+        let apart = bounds.rounding(order).max(bounds.exact);
+        let allowed = (bounds.angle * size).max(factorial * apart / extent / unit);
         norm(a - b) <= allowed
     };
     match a.curvature_vector().zip(b.curvature_vector()) {

@@ -236,37 +236,43 @@ impl Found {
         self.gap.raise(point.distance(b.point()), point);
         let turn = if a.is_end == b.is_end { -1.0 } else { 1.0 };
         let bounds = Bounds { sides: [a, b], distance, angle, turn };
-        self.c = self.c.min(bounds.order(1.0, |side| side.across().map(|d| d.extend(0.0))));
+        let c = bounds.order(1.0, |side| side.across().map(|d| d.extend(0.0)));
+        self.c = self.c.min(c);
         let size = point.abs().max_element() + a.extent.max(b.extent);
         let to_length = DVec3::ONE.extend(size);
         let weight = a.homogeneous.get(0, 0).w;
         self.c_homogeneous = self
             .c_homogeneous
             .min(bounds.order(weight, |side| side.homogeneous_across().map(|d| d * to_length)));
+        // Where there are tangent planes, what agrees by the parameters agrees without them.
+        if let Some(g) = self.look_at_shapes(a, b, angle) {
+            self.g = self.g.min(g.max(c));
+        }
+    }
 
+    /// How many geometric orders agree at a place, from the gap on; none where a side has no
+    /// tangent plane.
+    fn look_at_shapes(&mut self, a: &Looked, b: &Looked, angle: f64) -> Option<usize> {
+        let point = a.point();
         // Unit tangent of the edge, and out of the first surface into the second.
-        let Some(along) = unit(a.along()) else { return };
-        let (Some(out), Some(into)) = (a.conormal(along, 1.0), b.conormal(along, -1.0)) else {
-            return;
-        };
+        let along = unit(a.along())?;
+        let (out, into) = (a.conormal(along, 1.0)?, b.conormal(along, -1.0)?);
         self.n_planes += 1;
         let turned = angle_between(out, into);
         self.angle.raise(turned, point);
         let noise = |order: usize| a.noise(order).max(b.noise(order));
-        if angle.max(noise(1)) < turned {
-            self.g = self.g.min(1);
-        }
+        let planes_differ = angle.max(noise(1)) < turned;
         let (Some(of_a), Some(of_b)) = (a.height_over([along, out]), b.height_over([along, into]))
         else {
             self.has_curvature = false;
-            self.g = self.g.min(2);
-            return;
+            return Some(if planes_differ { 1 } else { 2 });
         };
         self.curvature.raise(of_a.bend_from(&of_b), point);
         let extent = a.extent.min(b.extent);
         let agree = |difference: f64, size: f64, order: usize| {
             let unit = libm::pow(extent, order as f64 - 1.0);
-            difference <= (angle * size.max(1.0 / unit)).max(noise(order))
+            let factorial: f64 = (2..=order).map(|k| k as f64).product();
+            difference <= (angle * size.max(factorial / unit)).max(noise(order))
         };
         let [second, third] = [|h: &Height| h.second.to_vec(), |h: &Height| h.third.to_vec()];
         let largest = |values: Vec<f64>| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
@@ -275,11 +281,15 @@ impl Found {
             largest(pairs.map(|(x, y)| x - y).collect())
         };
         let size = |part: fn(&Height) -> Vec<f64>| largest(part(&of_a)).max(largest(part(&of_b)));
-        if !agree(differ(second), size(second), 2) {
-            self.g = self.g.min(2);
+        Some(if planes_differ {
+            1
+        } else if !agree(differ(second), size(second), 2) {
+            2
         } else if !agree(differ(third), size(third), 3) {
-            self.g = self.g.min(3);
-        }
+            3
+        } else {
+            MAX_ORDER + 1
+        })
     }
 
     fn joint(&self, distance: f64) -> SurfaceContinuity {

@@ -12,7 +12,10 @@ use super::{
     border::{Border, Nearest},
 };
 use crate::kernel::{
-    Bounds, GeomError, Tolerance, digits::few_digits, tolerance::VANISHING_RELATIVE,
+    Bounds, GeomError, Tolerance,
+    digits::few_digits,
+    frame::unit,
+    tolerance::{DETAIL_RELATIVE, VANISHING_RELATIVE},
 };
 
 /// Why surfaces enclose nothing. Edges are called as in scripts, surfaces by their index.
@@ -25,21 +28,44 @@ pub enum ShellError {
         if *n_surfaces < 2 { String::new() } else { format!(" of surface [{surface}]") },
         few_digits(*gap), place(*point)
     )]
-    Open { surface: usize, n_surfaces: usize, edge: &'static str, gap: f64, point: DVec3 },
+    Open {
+        surface: usize,
+        n_surfaces: usize,
+        edge: &'static str,
+        gap: f64,
+        point: DVec3,
+        /// How far apart edges may be that are one.
+        allowed: f64,
+        /// How large all edges are together.
+        size: f64,
+    },
     /// The only edge there is.
     #[error("the surface does not close: there is no edge but \"{edge}\"")]
     Alone { edge: &'static str },
     /// More than two surfaces at one edge.
     #[error(
-        "edge \"{edge}\" of surface [{surface}] meets {others} other edges at {}; what encloses a volume has two surfaces at each edge",
+        "edge \"{edge}\" of surface [{surface}] meets {n_others} other edges at {}, {others}; what encloses a volume has two surfaces at each edge",
         place(*point)
     )]
-    Crowded { surface: usize, edge: &'static str, others: usize, point: DVec3 },
+    Crowded { surface: usize, edge: &'static str, n_others: usize, others: String, point: DVec3 },
     /// Surfaces that cannot face alike.
     #[error(
         "the surfaces have one side only, like a Möbius strip: edge \"{edge}\" of surface [{surface}] meets its neighbour turned over"
     )]
     OneSided { surface: usize, edge: &'static str },
+}
+
+impl ShellError {
+    /// For a gap that is small beside the whole, the gap and the tolerance that it is beyond.
+    #[must_use]
+    pub fn slit(&self) -> Option<[String; 2]> {
+        match *self {
+            Self::Open { gap, allowed, size, .. } if gap < DETAIL_RELATIVE * size => {
+                Some([gap, allowed].map(few_digits))
+            }
+            _ => None,
+        }
+    }
 }
 
 /// A measured point for a message.
@@ -49,6 +75,9 @@ fn place(point: DVec3) -> String {
 
 /// Places of each edge where its neighbour is looked for.
 const PLACES: usize = 48;
+
+/// Each finer tolerance that is tried is this fraction of the one before.
+const FINER: f64 = 0.01;
 
 /// Surfaces that hang together, with the sign that makes them face alike.
 #[derive(Clone, Debug)]
@@ -66,6 +95,7 @@ struct Rim<'a> {
     border: Border<'a>,
     /// Places between its ends: the point, and the way of the boundary with the surface to its left.
     places: Vec<(DVec3, DVec3)>,
+    ends: [DVec3; 2],
     bounds: Bounds,
     /// The longest step from place to place.
     slack: f64,
@@ -79,7 +109,35 @@ struct Pair {
     edge: Edge,
 }
 
+/// A place of an edge that several others touch: which, and the cosines of their ways with its own.
+struct Crowd {
+    rim: usize,
+    point: DVec3,
+    others: Vec<(usize, f64)>,
+}
+
+/// What the places of all edges meet.
+#[derive(Default)]
+struct Met {
+    pairs: Vec<Pair>,
+    /// Whether some place of the edge has one neighbour.
+    has_pair: Vec<bool>,
+    crowds: Vec<Crowd>,
+}
+
+/// Another edge that is near enough to a place.
+struct Touch {
+    rim: usize,
+    /// The cosine between the ways.
+    along: f64,
+    /// Whether it comes that near with an end.
+    is_end: bool,
+}
+
 /// The shells that the surfaces make.
+///
+/// Where the tolerance leaves open which edges belong together, finer ones decide: what closes
+/// within one of them closes.
 ///
 /// # Errors
 /// [`ShellError`], of gaps that at the place which is furthest from all other edges; as
@@ -88,61 +146,137 @@ pub(super) fn oriented(
     surfaces: &[Surface],
     tolerance: Tolerance,
 ) -> Result<Vec<Shell>, GeomError> {
-    let rims = rims(surfaces, tolerance)?;
-    let allowed = allowed(&rims, tolerance);
-    let mut pairs = Vec::new();
+    let edges = edges(surfaces)?;
+    let whole = edges.iter().map(|edge| edge.bounds).reduce(Bounds::union);
+    let Some(whole) = whole else { return hanging_together(surfaces.len(), &[]) };
+    let least = VANISHING_RELATIVE * whole.magnitude();
+    let mut allowed = tolerance.distance_for(whole.diagonal()).max(least);
+    let first = within(surfaces.len(), &edges, allowed);
+    if matches!(
+        first,
+        Err(GeomError::Shell(ShellError::Crowded { .. } | ShellError::OneSided { .. }))
+    ) {
+        while least < allowed {
+            allowed = (allowed * FINER).max(least);
+            if let Ok(shells) = within(surfaces.len(), &edges, allowed) {
+                return Ok(shells);
+            }
+        }
+    }
+    first
+}
+
+/// The shells, where points nearer than `allowed` are one.
+///
+/// An edge that lies within that is collapsed: it closes itself. Several edges may run together for
+/// a while, as those of a deck and of two sides of a hull before they end in a point; the places
+/// where each has one neighbour tell how they belong together. Edges that run together all along
+/// must pass each other in pairs.
+fn within(n_surfaces: usize, edges: &[Rim<'_>], allowed: f64) -> Result<Vec<Shell>, GeomError> {
+    let rims: Vec<&Rim<'_>> =
+        edges.iter().filter(|edge| 2.0 * allowed < edge.bounds.diagonal()).collect();
+    let met = meet(n_surfaces, &rims, allowed)?;
+    let shells = hanging_together(n_surfaces, &met.pairs)?;
+    let mut signs = vec![1.0; n_surfaces];
+    for &(surface, sign) in shells.iter().flat_map(|shell| &shell.surfaces) {
+        signs[surface] = sign;
+    }
+    for Crowd { rim, point, others } in met.crowds {
+        if met.has_pair[rim] {
+            continue;
+        }
+        let sign_of = |rim: usize| signs[rims[rim].surface];
+        let passing = others.iter().map(|&(other, along)| sign_of(other) * along).sum::<f64>();
+        if (sign_of(rim) + passing).abs() < 0.5 {
+            continue;
+        }
+        let called = |&(other, _): &(usize, f64)| {
+            format!("\"{}\" of [{}]", rims[other].edge.word(), rims[other].surface)
+        };
+        return Err(ShellError::Crowded {
+            surface: rims[rim].surface,
+            edge: rims[rim].edge.word(),
+            n_others: others.len(),
+            others: others.iter().map(called).collect::<Vec<_>>().join(", "),
+            point,
+        }
+        .into());
+    }
+    Ok(shells)
+}
+
+/// # Errors
+/// [`ShellError::Open`] and [`ShellError::Alone`]; as [`Surface::point_at`].
+fn meet(n_surfaces: usize, rims: &[&Rim<'_>], allowed: f64) -> Result<Met, GeomError> {
+    let mut met = Met { has_pair: vec![false; rims.len()], ..Met::default() };
     let mut gap: Option<(f64, usize, DVec3)> = None;
     for (idx, rim) in rims.iter().enumerate() {
         for &(point, way) in &rim.places {
-            let mut others: Vec<(f64, usize)> = (0..rims.len())
-                .filter(|&other| other != idx)
-                .map(|other| (rims[other].distance_at_least(point), other))
-                .collect();
-            others.sort_by(|a, b| a.0.total_cmp(&b.0));
-            let mut touching = Vec::new();
-            let mut least = f64::INFINITY;
-            for (could_be, other_idx) in others {
-                if least.max(allowed) < could_be {
-                    break;
-                }
-                let (distance, other_way) = rims[other_idx].nearest(point)?;
-                least = least.min(distance);
-                if distance <= allowed {
-                    touching.push((other_idx, way.dot(other_way)));
-                }
-            }
-            match touching[..] {
-                [] => {
+            let (least, touching) = touching(rims, idx, point, way, allowed)?;
+            let inner: Vec<&Touch> = touching.iter().filter(|touch| !touch.is_end).collect();
+            let partner = match (&touching[..], &inner[..]) {
+                ([], _) => {
                     if gap.is_none_or(|(most, ..)| most < least) {
                         gap = Some((least, idx, point));
                     }
+                    continue;
                 }
-                [(other, along)] => pairs.push(Pair {
+                ([one], _) => Some(one),
+                (_, [one]) => Some(*one),
+                _ => None,
+            };
+            if let Some(&Touch { rim: other, along, .. }) = partner {
+                met.has_pair[idx] = true;
+                met.pairs.push(Pair {
                     surfaces: [rim.surface, rims[other].surface],
                     must_turn: 0.0 < along,
                     edge: rim.edge,
-                }),
-                _ => {
-                    return Err(ShellError::Crowded {
-                        surface: rim.surface,
-                        edge: rim.edge.word(),
-                        others: touching.len(),
-                        point,
-                    }
-                    .into());
-                }
+                });
+            } else {
+                let others = touching.iter().map(|touch| (touch.rim, touch.along)).collect();
+                met.crowds.push(Crowd { rim: idx, point, others });
             }
         }
     }
-    if let Some((gap, idx, point)) = gap {
-        let (surface, edge) = (rims[idx].surface, rims[idx].edge.word());
-        if !gap.is_finite() {
-            return Err(ShellError::Alone { edge }.into());
-        }
-        let n_surfaces = surfaces.len();
-        return Err(ShellError::Open { surface, n_surfaces, edge, gap, point }.into());
+    let Some((gap, idx, point)) = gap else { return Ok(met) };
+    let (surface, edge) = (rims[idx].surface, rims[idx].edge.word());
+    if !gap.is_finite() {
+        return Err(ShellError::Alone { edge }.into());
     }
-    hanging_together(surfaces.len(), &pairs)
+    let whole = rims.iter().map(|rim| rim.bounds).reduce(Bounds::union);
+    let size = whole.map_or(0.0, Bounds::diagonal);
+    Err(ShellError::Open { surface, n_surfaces, edge, gap, point, allowed, size }.into())
+}
+
+/// The other edges that are near enough to a place of one, and how far the nearest is.
+fn touching(
+    rims: &[&Rim<'_>],
+    idx: usize,
+    point: DVec3,
+    way: DVec3,
+    allowed: f64,
+) -> Result<(f64, Vec<Touch>), GeomError> {
+    let mut others: Vec<(f64, usize)> = (0..rims.len())
+        .filter(|&other| other != idx)
+        .map(|other| (rims[other].distance_at_least(point), other))
+        .collect();
+    others.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut touching = Vec::new();
+    let mut least = f64::INFINITY;
+    for (could_be, rim) in others {
+        if least.max(allowed) < could_be {
+            break;
+        }
+        let (foot, other_way) = rims[rim].nearest(point)?;
+        let distance = foot.distance(point);
+        least = least.min(distance);
+        if distance <= allowed {
+            let along = unit(way).zip(unit(other_way)).map_or(0.0, |(a, b)| a.dot(b));
+            let is_end = rims[rim].ends.iter().any(|end| end.distance(foot) <= allowed);
+            touching.push(Touch { rim, along, is_end });
+        }
+    }
+    Ok((least, touching))
 }
 
 /// Walks from surface to surface over their common edges.
@@ -183,9 +317,9 @@ fn hanging_together(n_surfaces: usize, pairs: &[Pair]) -> Result<Vec<Shell>, Geo
     Ok(shells)
 }
 
-/// The edges that have a length: a collapsed one closes itself.
-fn rims(surfaces: &[Surface], tolerance: Tolerance) -> Result<Vec<Rim<'_>>, GeomError> {
-    let mut rims = Vec::new();
+/// The edges that have a length.
+fn edges(surfaces: &[Surface]) -> Result<Vec<Rim<'_>>, GeomError> {
+    let mut edges = Vec::new();
     for (surface_idx, surface) in surfaces.iter().enumerate() {
         for edge in Edge::ALL {
             let border = Border::edge(surface, edge);
@@ -195,24 +329,28 @@ fn rims(surfaces: &[Surface], tolerance: Tolerance) -> Result<Vec<Rim<'_>>, Geom
                 let (point, tangent) = border.step(along.at((i as f64 + 0.5) / PLACES as f64))?;
                 places.push((point, boundary_sign(edge) * tangent));
             }
-            let Some(bounds) = Bounds::of(places.iter().map(|&(point, _)| point)) else { continue };
+            let ends = [border.step(along.start())?.0, border.step(along.end())?.0];
+            let points = places.iter().map(|&(point, _)| point).chain(ends);
+            let Some(bounds) = Bounds::of(points) else { continue };
+            if bounds.diagonal() <= VANISHING_RELATIVE * bounds.magnitude() {
+                continue;
+            }
             let steps = places.windows(2).map(|pair| pair[0].0.distance(pair[1].0));
             let slack = steps.fold(0.0, f64::max);
-            if tolerance.distance_for(size(surface)?).max(rounding(&bounds)) < border.length()? {
-                let nearest = border.nearest()?;
-                rims.push(Rim {
-                    surface: surface_idx,
-                    edge,
-                    border,
-                    places,
-                    bounds,
-                    slack,
-                    nearest,
-                });
-            }
+            let nearest = border.nearest()?;
+            edges.push(Rim {
+                surface: surface_idx,
+                edge,
+                border,
+                places,
+                ends,
+                bounds,
+                slack,
+                nearest,
+            });
         }
     }
-    Ok(rims)
+    Ok(edges)
 }
 
 /// 1 where the edge runs with the surface to its left, seen from the tip of Su × Sv.
@@ -223,22 +361,6 @@ fn boundary_sign(edge: Edge) -> f64 {
     }
 }
 
-/// How large a surface is, about.
-fn size(surface: &Surface) -> Result<f64, GeomError> {
-    let (us, vs) = (surface.domain_u().steps(4), surface.domain_v().steps(4));
-    let points = surface.points_on_grid(&us, &vs)?;
-    Ok(Bounds::of(points.into_values()).map_or(0.0, Bounds::diagonal))
-}
-
-fn allowed(rims: &[Rim<'_>], tolerance: Tolerance) -> f64 {
-    let whole = rims.iter().map(|rim| rim.bounds).reduce(Bounds::union);
-    whole.map_or(0.0, |whole| tolerance.distance_for(whole.diagonal()).max(rounding(&whole)))
-}
-
-fn rounding(bounds: &Bounds) -> f64 {
-    VANISHING_RELATIVE * bounds.magnitude()
-}
-
 impl Rim<'_> {
     /// Less than the distance of the point from the edge, which leaves the box of its places by no
     /// more than their steps.
@@ -246,9 +368,9 @@ impl Rim<'_> {
         point.distance(point.clamp(self.bounds.min, self.bounds.max)) - 2.0 * self.slack
     }
 
-    /// How far the nearest place is, and the way of the boundary there.
-    fn nearest(&self, point: DVec3) -> Result<(f64, DVec3), GeomError> {
+    /// The nearest place, and the way of the boundary there.
+    fn nearest(&self, point: DVec3) -> Result<(DVec3, DVec3), GeomError> {
         let (foot, tangent) = self.border.step(self.nearest.parameter(point)?)?;
-        Ok((foot.distance(point), boundary_sign(self.edge) * tangent))
+        Ok((foot, boundary_sign(self.edge) * tangent))
     }
 }
