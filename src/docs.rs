@@ -1,5 +1,7 @@
 //! The reference, generated from the registry: for the terminal, and as Markdown.
 
+pub mod language;
+
 use std::fmt::Write;
 
 use crate::value::{Family, Op, Picture, Registry, Type};
@@ -35,7 +37,7 @@ pub fn overview(registry: &Registry) -> String {
         out.push_str(&listed(constant.name, constant.docs));
     }
     out.push_str(
-        "\n`virote doc NAME` tells more about one of them, `virote doc WORDS` searches.\n",
+        "\n`virote doc NAME` tells more about one of them, `virote doc WORDS` searches.\n`virote doc language` is the language itself, `virote doc let` one of its words.\n",
     );
     out
 }

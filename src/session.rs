@@ -12,9 +12,7 @@ mod plan;
 mod stop;
 mod test;
 
-use std::{
-    sync::{Arc, atomic::AtomicBool},
-};
+use std::sync::{Arc, atomic::AtomicBool};
 
 pub use ceiling::name_flag;
 pub use extra::Extra;

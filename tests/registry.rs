@@ -327,3 +327,23 @@ fn the_reference_on_the_disk_is_up_to_date() {
         );
     }
 }
+
+#[test]
+fn every_keyword_is_told_by_the_language() {
+    for word in virote::syntax::KEYWORDS {
+        assert!(virote::docs::language::entry(word).is_some(), "`{word}`");
+    }
+}
+
+#[test]
+fn what_the_language_is_asked_for_is_told() {
+    use virote::docs::language::entry;
+
+    let words =
+        ["units", "range", "operators", "golden", "kinds", "tolerance", "|>", "..<", "~=", "color"];
+    for word in words {
+        assert!(entry(word).is_some(), "`{word}`");
+    }
+    assert_eq!(entry("qqq"), None);
+    assert!(entry("param").is_some_and(|text| text.contains("### Parameters")));
+}

@@ -204,6 +204,7 @@ Examples:
   virote doc                     every built-in, by chapter
   virote doc circle              one of them
   virote doc surfaces            a chapter
+  virote doc param               a word of the language; `virote doc language` is all of it
   virote doc closest surface     those that are about both words, the best first
   virote doc --search length     those that are about a word that is a name itself")]
     Doc {

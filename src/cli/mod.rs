@@ -120,7 +120,9 @@ fn doc(words: &[String], is_search: bool) -> Ending {
     let query = words.join(" ");
     let found = match (query.as_str(), is_search) {
         ("", _) => Some(docs::overview(&registry)),
-        (query, false) => docs::entry(&registry, query).or_else(|| docs::chapter(&registry, query)),
+        (query, false) => docs::entry(&registry, query)
+            .or_else(|| docs::chapter(&registry, query))
+            .or_else(|| docs::language::entry(query)),
         (_, true) => None,
     };
     if let Some(text) = found.or_else(|| docs::search(&registry, &query)) {
@@ -128,7 +130,10 @@ fn doc(words: &[String], is_search: bool) -> Ending {
         return Ending::Well;
     }
     if words.len() == 1 && !is_search {
-        let near = crate::diag::nearest(&query, registry.names().chain(docs::chapters()));
+        let near = crate::diag::nearest(
+            &query,
+            registry.names().chain(docs::chapters()).chain(docs::language::words()),
+        );
         let near = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
         say_error(&format!("virote: nothing built in is called `{query}`{near}"));
     } else {

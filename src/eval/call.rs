@@ -13,17 +13,16 @@ use super::{
     smooth::{point_on_curve, point_on_surface},
 };
 use crate::{
-    diag::{Code, Diagnostic, Result, Span, Spanned},
+    diag::{Code, Diagnostic, Label, Result, Span, Spanned},
     kernel::Jet,
     limits::work,
     value::{
-        At, Call, Ctx, Formal, FromValue, Function, Mistakes, Op, Partial, Real, Type, Value,
-        assign, choose,
+        Call, Ctx, Formal, FromValue, Function, Mistakes, Op, Real, Type, Value, assign, choose,
     },
 };
 
 /// Remarks "called from here" that one error collects.
-const MOST_CALLERS: usize = 3;
+const MOST_CALLERS: usize = 8;
 
 /// The value, unless arithmetic inside a built-in has left the numbers.
 fn finite(value: Value, name: &str, span: Span) -> Result<Value> {
@@ -66,6 +65,7 @@ impl Machine<'_> {
             }
         }
         self.invoke(&callee, args, call.callee.span)
+            .map_err(|found| self.env.told_of_hidden(&call.callee, found))
     }
 
     /// Calls with positional arguments that have no place of their own.
@@ -74,7 +74,7 @@ impl Machine<'_> {
         self.invoke(function, Call { span, positional, named: Vec::new() }, span)
     }
 
-    fn invoke(&mut self, callee: &Value, call: Call, place: Span) -> Result<Value> {
+    pub(super) fn invoke(&mut self, callee: &Value, call: Call, place: Span) -> Result<Value> {
         self.step(call.span)?;
         match callee {
             Value::Function(Function::Builtin(name, ops)) => self.builtin(name, ops, call),
@@ -182,11 +182,16 @@ impl Machine<'_> {
             sources: env.sources,
             caller: self,
         };
+        let foreign = first.filter(|first| op.is_foreign_to(&first.value)).cloned();
         let run = || meter.lend(|| (op.run)(&mut ctx, call));
         let ((value, used), done) = work::under(watch, run);
         // What the operation called was counted by this machine; what it asked, by the meter; what it
         // did itself, under the watch.
         self.add_steps(used.steps - meter.steps + done.steps);
+        let value = value.map_err(|found| {
+            let others = foreign.and_then(|first| env.others_for(op, &first.value));
+            others.into_iter().fold(found, |found, others| Box::new(found.hint(others)))
+        });
         match done.end {
             None => finite(value?, name, span),
             Some(end) => self.ended(end, span),
@@ -206,15 +211,28 @@ impl Machine<'_> {
         result.map_err(|mut diagnostic| {
             let is_told = diagnostic.primary.span == span
                 || diagnostic.others.iter().any(|other| other.span == span);
-            if diagnostic.others.len() < MOST_CALLERS && !is_told {
-                let text = match &function.lambda().name {
-                    Some(name) => format!("`{name}` is called from here"),
-                    None => "called from here".to_owned(),
-                };
-                diagnostic = Box::new(diagnostic.also(span, text));
+            if !is_told {
+                self.tell_caller(&mut diagnostic, function.lambda().name.as_deref(), span);
             }
             diagnostic
         })
+    }
+
+    /// One more caller of what failed; of a long chain the innermost and the outermost.
+    fn tell_caller(&mut self, diagnostic: &mut Diagnostic, name: Option<&str>, span: Span) {
+        let text = match name {
+            Some(name) => format!("`{name}` is called from here"),
+            None => "called from here".to_owned(),
+        };
+        if diagnostic.others.len() < MOST_CALLERS {
+            self.n_untold = 0;
+            diagnostic.others.push(Label { span, text });
+        } else if let Some(last) = diagnostic.others.last_mut() {
+            self.n_untold += 1;
+            let calls = if self.n_untold == 1 { "call" } else { "calls" };
+            let text = format!("{text}, with {} {calls} between", self.n_untold);
+            *last = Label { span, text };
+        }
     }
 
     fn run_script(&mut self, function: &ScriptFunction, call: Call) -> Result<Value> {
@@ -319,89 +337,5 @@ impl Machine<'_> {
             self.stack[place] = value;
         }
         Ok(())
-    }
-
-    /// A call with `_`: of geometry an isocurve, else a function of what is left out.
-    fn partial(&mut self, callee: Value, call: &CallExpr, span: Span) -> Result<Value> {
-        let (mut positional, mut named) = (Vec::new(), Vec::new());
-        for arg in &call.args {
-            let value = match &arg.value {
-                Some(expr) => Some(self.eval(expr)?),
-                None => None,
-            };
-            match &arg.label {
-                None => positional.push(value),
-                Some((label, _)) => named.push((Arc::clone(label), value)),
-            }
-        }
-        if let Some(geometry) = self.isocurve(&callee, &positional, &named, call)? {
-            return Ok(geometry);
-        }
-        if !Type::Function.accepts(&callee) {
-            let message = format!("{} cannot be called", callee.phrase());
-            return Diagnostic::error(Code::NotCallable, span, message).fail();
-        }
-        Ok(Value::Function(Function::Partial(Arc::new(Partial { callee, positional, named }))))
-    }
-
-    /// `s(u, _)` and `s(_, v)` are curves, `c(_)` is the curve itself.
-    fn isocurve(
-        &self,
-        callee: &Value,
-        positional: &[Option<Value>],
-        named: &[(Arc<str>, Option<Value>)],
-        call: &CallExpr,
-    ) -> Result<Option<Value>> {
-        if !named.is_empty() {
-            return Ok(None);
-        }
-        let parameter = |value: &Value, idx: usize| {
-            let span = call.args[idx].span;
-            f64::from_value(value, span).map(|t| (t, span)).map_err(|mismatch| {
-                let message = mismatch.sentence("a parameter of a surface", Type::Ratio);
-                Box::new(Diagnostic::error(mismatch.code, span, message))
-            })
-        };
-        Ok(Some(match (callee, positional) {
-            (Value::Curve(_), [None]) => callee.clone(),
-            (Value::Surface(_), [None, None]) => callee.clone(),
-            (Value::Surface(surface), [Some(u), None]) => {
-                let (u, span) = parameter(u, 0)?;
-                let u = surface.domain_u().clamp_inside(u).at(span)?;
-                Value::Curve(surface.isocurve_u(u).at(span)?)
-            }
-            (Value::Surface(surface), [None, Some(v)]) => {
-                let (v, span) = parameter(v, 1)?;
-                let v = surface.domain_v().clamp_inside(v).at(span)?;
-                Value::Curve(surface.isocurve_v(v).at(span)?)
-            }
-            _ => return Ok(None),
-        }))
-    }
-
-    /// Calls what was left open with the arguments for its placeholders.
-    fn fill(&mut self, partial: &Partial, call: Call, place: Span) -> Result<Value> {
-        let n_open = partial.positional.iter().filter(|arg| arg.is_none()).count()
-            + partial.named.iter().filter(|(_, arg)| arg.is_none()).count();
-        if call.positional.len() != n_open || !call.named.is_empty() {
-            let found = call.positional.len() + call.named.len();
-            let message =
-                format!("{n_open} arguments are left open with `_`, but {found} are given");
-            return Diagnostic::error(Code::BadCall, call.span, message).fail();
-        }
-        let span = call.span;
-        let mut given = call.positional.into_iter();
-        let mut next = |arg: &Option<Value>| match arg {
-            Some(value) => Some(Spanned::new(value.clone(), span)),
-            None => given.next(),
-        };
-        let positional: Vec<Spanned<Value>> =
-            partial.positional.iter().filter_map(&mut next).collect();
-        let named = partial
-            .named
-            .iter()
-            .filter_map(|(label, arg)| Some((Spanned::new(Arc::clone(label), span), next(arg)?)))
-            .collect();
-        self.invoke(&partial.callee, Call { span, positional, named }, place)
     }
 }

@@ -1,13 +1,13 @@
 //! Claims: what a failed `check` reports: both sides, the limit, the margin.
 
 use super::{
-    ir::{BinaryOp, Expr, ExprKind},
+    ir::{BinaryOp, Expr, ExprKind, UnaryOp},
     machine::Machine,
     operator,
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, fault},
-    value::{Deviation, Value, deviation, shortest},
+    value::{Deviation, Value, Witness, deviation, shortest},
 };
 
 /// How a claim came out.
@@ -23,6 +23,8 @@ pub struct Verdict {
     pub limit: Option<f64>,
     /// What keeps them from being compared by distance.
     pub differ: Option<String>,
+    /// What decided the test of a list.
+    pub witness: Option<String>,
 }
 
 /// A side of a comparison.
@@ -40,24 +42,68 @@ impl Verdict {
     /// The figures on one line: how far apart, how far allowed, the margin.
     #[must_use]
     pub fn figures(&self) -> String {
+        if let (false, Some(witness)) = (self.holds, &self.witness) {
+            return witness.clone();
+        }
         match (self.apart, self.limit, &self.differ) {
             (_, _, Some(what)) => format!("they differ: {what}"),
             (Some(apart), Some(limit), None) if self.holds => {
-                format!("apart by {}, within {}", shortest(apart), shortest(limit))
+                format!("apart by {}, within {}", brief([apart, limit])[0], shortest(limit))
             }
             (Some(apart), Some(limit), None) => format!(
                 "apart by {}, limit {}, misses by {}",
-                shortest(apart),
+                brief([apart, limit])[0],
                 shortest(limit),
-                shortest(apart - limit)
+                brief([apart - limit, 0.0])[0]
             ),
             (Some(apart), None, None) if self.holds => {
-                format!("holds with margin {}", shortest(apart))
+                format!("holds with margin {}", brief([apart, 0.0])[0])
             }
-            (Some(apart), None, None) => format!("misses by {}", shortest(apart)),
+            (Some(apart), None, None) => format!("misses by {}", brief([apart, 0.0])[0]),
             (None, ..) if self.holds => "this holds".to_owned(),
             (None, ..) => "this is false".to_owned(),
         }
+    }
+}
+
+/// Digits of a measured number that a report shows.
+const FEW_DIGITS: usize = 4;
+/// Digits of a compared number that a report shows at least.
+const SIDE_DIGITS: usize = 6;
+/// Digits behind the first in which two compared numbers differ.
+const MORE_DIGITS: usize = 2;
+
+/// A number with so many digits.
+fn with_digits(value: f64, digits: usize) -> f64 {
+    format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value)
+}
+
+/// Two measured numbers in few digits, in as many as tell them apart.
+fn brief(values: [f64; 2]) -> [String; 2] {
+    told_apart(values, FEW_DIGITS, 0)
+}
+
+/// Two numbers in the fewest digits from `least` on that tell them apart, and `more`; equal ones in full.
+fn told_apart([a, b]: [f64; 2], least: usize, more: usize) -> [String; 2] {
+    /// Digits that tell any two numbers apart.
+    const ALL: usize = 17;
+    let differ = (1..ALL).find(|&n| with_digits(a, n) != with_digits(b, n)).unwrap_or(ALL);
+    let digits = least.max(differ + more);
+    [a, b].map(
+        |value| if ALL <= digits { shortest(value) } else { shortest(with_digits(value, digits)) },
+    )
+}
+
+impl Verdict {
+    /// The sides as the report of a failure shows them: two numbers in no more digits than tell them apart.
+    pub(super) fn brief_sides(&self) -> Vec<Side> {
+        let mut sides = self.sides.clone();
+        if let [a, b] = &mut sides[..]
+            && let (Ok(x), Ok(y)) = (a.value.parse::<f64>(), b.value.parse::<f64>())
+        {
+            [a.value, b.value] = told_apart([x, y], SIDE_DIGITS, MORE_DIGITS);
+        }
+        sides
     }
 }
 
@@ -94,16 +140,29 @@ impl Machine<'_> {
                 let holds = operator::near(&a, &b, tolerance, places[0].to(places[1]))?;
                 Ok(near_verdict(holds, [&a, &b], places, tolerance))
             }
-            _ => match self.eval(claim)? {
-                Value::Bool(holds) => Ok(Verdict { holds, ..Verdict::default() }),
-                other => {
-                    let message =
-                        format!("a check takes something true or false, found {}", other.phrase());
-                    Diagnostic::error(Code::CheckNotBool, claim.span, message)
-                        .hint("compare it with something: `==`, `<`, `~=`")
-                        .fail()
-                }
-            },
+            _ => {
+                self.witness = None;
+                let value = self.eval(claim)?;
+                self.plain_verdict(&value, claim)
+            }
+        }
+    }
+
+    /// What a claim that compares nothing came to, and which element of a list decided it.
+    fn plain_verdict(&mut self, value: &Value, claim: &Expr) -> Result<Verdict> {
+        match value {
+            Value::Bool(holds) => {
+                let own = self.witness.take().filter(|(span, _)| is_decided_by(claim, *span));
+                let witness = own.map(|(_, witness)| told(&witness, *holds, claim));
+                Ok(Verdict { holds: *holds, witness, ..Verdict::default() })
+            }
+            other => {
+                let message =
+                    format!("a check takes something true or false, found {}", other.phrase());
+                Diagnostic::error(Code::CheckNotBool, claim.span, message)
+                    .hint("compare it with something: `==`, `<`, `~=`")
+                    .fail()
+            }
         }
     }
 
@@ -127,6 +186,38 @@ impl Machine<'_> {
             value: shown(value),
         });
         Ok(Verdict { holds, sides: sides.to_vec(), apart, ..Verdict::default() })
+    }
+}
+
+/// Whether the call at a place is the claim, or what it denies.
+fn is_decided_by(claim: &Expr, call: Span) -> bool {
+    match &claim.kind {
+        ExprKind::Unary(UnaryOp::Not, inner) => is_decided_by(inner, call),
+        _ => claim.span == call,
+    }
+}
+
+/// What decided the test of a list, in a sentence.
+fn told(witness: &Witness, holds: bool, claim: &Expr) -> String {
+    let mut passes = holds;
+    let mut inner = claim;
+    while let ExprKind::Unary(UnaryOp::Not, next) = &inner.kind {
+        (passes, inner) = (!passes, next);
+    }
+    match witness {
+        Witness::Element(idx, value) => {
+            let verb = if passes { "passes" } else { "fails" };
+            let value = match value {
+                Value::Number(_) | Value::Point(_) | Value::Text(_) | Value::Bool(_) => {
+                    shown(value)
+                }
+                other => other.phrase(),
+            };
+            format!("element [{idx}] is {value}, which {verb}")
+        }
+        Witness::All(0) => "the list is empty".to_owned(),
+        Witness::All(n) if passes => format!("all {n} elements pass"),
+        Witness::All(n) => format!("none of the {n} elements passes"),
     }
 }
 
@@ -157,7 +248,7 @@ fn near_verdict(holds: bool, values: [&Value; 2], spans: [Span; 2], limit: f64) 
             sides: vec![side(0, &path), side(1, &path)],
             apart: Some(apart),
             limit: Some(limit),
-            differ: None,
+            ..Verdict::default()
         },
         Deviation::Different(what) | Deviation::Incomparable(what) => Verdict {
             holds,

@@ -74,6 +74,7 @@ impl Loaded<'_> {
             files: settings.files,
             tolerance: self.program.tolerance,
             unit: self.program.unit,
+            registry: Some(settings.registry),
             library: Some(&self.library),
             sources: Some(&self.sources),
             held: settings.held,

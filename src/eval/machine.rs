@@ -24,7 +24,7 @@ use crate::{
     kernel::{CurveFunction, SurfaceFunction, Tolerance},
     limits::Limits,
     syntax::ast::Unit,
-    value::{At, Caller, Files, Function, Value, field, field_names},
+    value::{At, Caller, Files, Function, Registry, Value, Witness, field, field_names},
 };
 
 /// What evaluation may consult.
@@ -36,6 +36,8 @@ pub(crate) struct Env<'a> {
     pub(crate) files: &'a dyn Files,
     pub(crate) tolerance: Tolerance,
     pub(crate) unit: Unit,
+    /// Every built-in, for advice.
+    pub(crate) registry: Option<&'a Registry>,
     /// The files that the script imports.
     pub(crate) library: Option<&'a Library<'a>>,
     /// The texts of the script and of what it imports.
@@ -63,6 +65,10 @@ pub(crate) struct Machine<'a> {
     pub(crate) warnings: Vec<Diagnostic>,
     /// The files that were read, where somebody wants to know.
     pub(super) reads: Option<Reads>,
+    /// What decided the last test of a list, and the call that made it.
+    pub(super) witness: Option<(Span, Witness)>,
+    /// Callers of the failure under way that no remark tells of.
+    pub(super) n_untold: usize,
     /// The results that the last import brought, where they have an identity.
     pub(super) imported: Fields,
 }
@@ -90,6 +96,8 @@ impl<'a> Machine<'a> {
             is_full: false,
             warnings: Vec::new(),
             reads: None,
+            witness: None,
+            n_untold: 0,
             imported: Fields::default(),
         }
     }
@@ -322,6 +330,9 @@ impl<'a> Machine<'a> {
         if let Some(near) = crate::diag::nearest(name, names.iter().copied().take(MOST_NAMES)) {
             diagnostic = diagnostic.label(format!("did you mean `{near}`?"));
         }
+        if let Some(call) = self.env.instead_of_field(subject, value, name) {
+            diagnostic = diagnostic.hint(call);
+        }
         let told = names.iter().take(MOST_FIELDS_TOLD).map(|name| shown_field(name));
         let list: Vec<String> = told.collect();
         if !list.is_empty() {
@@ -354,6 +365,10 @@ impl Caller for Machine<'_> {
 
     fn surface_function(&self, function: &Value, span: Span) -> Result<Arc<dyn SurfaceFunction>> {
         Ok(Asked::new(self, function, span)?)
+    }
+
+    fn decided(&mut self, span: Span, witness: Witness) {
+        self.witness = Some((span, witness));
     }
 
     fn warn(&mut self, warning: Diagnostic) {

@@ -3,6 +3,7 @@
 //! Knows the operations only through the [`Registry`](crate::value::Registry). The session hands
 //! in the tree; files come in through [`Files`](crate::value::Files).
 
+mod advice;
 mod beside;
 mod call;
 mod ceiling;
@@ -24,6 +25,7 @@ mod operator;
 mod outcome;
 mod param;
 mod parametric;
+mod partial;
 mod promise;
 mod run;
 mod schedule;

@@ -253,6 +253,9 @@ impl Rules {
                 format!("the range is of another dimension than the parameter, {}", number.dim);
             return Diagnostic::error(Code::UnitMismatch, place, message).fail();
         }
+        if range.end.value < range.start.value {
+            return self.backwards(range, place).fail();
+        }
         let in_dim = |end: Number| self.shown(&Value::Number(Number { dim: number.dim, ..end }));
         let (start, end) = (in_dim(range.start), in_dim(range.end));
         let is_below = if range.closed {
@@ -275,6 +278,15 @@ impl Rules {
             }
             _ => Ok(()),
         }
+    }
+
+    /// That a range runs down.
+    fn backwards(&self, range: &Range, place: Span) -> Diagnostic {
+        let [start, end] = [range.start, range.end].map(|end| self.shown(&Value::Number(end)));
+        let dots = if range.closed { ".." } else { "..<" };
+        let message = format!("the range {start}{dots}{end} is backwards: it allows nothing");
+        Diagnostic::error(Code::BadParameterValue, place, message)
+            .hint(format!("a range runs up: write `{end}{dots}{start}`"))
     }
 
     /// A value as a script would write it, lengths with the document's unit.

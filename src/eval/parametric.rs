@@ -125,6 +125,7 @@ impl Asked {
             unit: self.unit,
             held: self.held,
             stop: self.stop,
+            registry: None,
             library: None,
             sources: None,
         };

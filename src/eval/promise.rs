@@ -2,7 +2,7 @@
 //! many elements as the pattern that takes it apart.
 
 use super::{
-    ir::{Expr, Kind},
+    ir::{Element, Expr, ExprKind, Kind},
     machine::Machine,
 };
 use crate::{
@@ -33,6 +33,12 @@ impl Machine<'_> {
             }
             _ => format!("a {}", kind.word()),
         };
+        if let Some(found) = stranger(expr, &value, kind, &promised) {
+            return found
+                .also(name, format!("promised to be {promised} here"))
+                .hint("leave it out, or write `let` for a list of several kinds")
+                .fail();
+        }
         let message = format!("{promised} is promised, but this is {}", value.phrase());
         Diagnostic::error(Code::BrokenPromise, expr.span, message)
             .label(format!("this is {}", value.phrase()))
@@ -47,21 +53,54 @@ impl Machine<'_> {
 
 /// Whether `value` is what `kind` promises.
 fn keeps(kind: Kind, value: &Value) -> bool {
-    let all = |wanted: &str| match value {
-        Value::List(items) => items.iter().all(|item| item.kind() == wanted),
-        _ => false,
-    };
     match kind {
         Kind::Let => true,
         Kind::Point | Kind::Curve | Kind::Surface | Kind::Mesh | Kind::Table => {
             value.kind() == kind.word()
         }
-        Kind::Points => all("point"),
-        Kind::Curves => all("curve"),
-        Kind::Surfaces => all("surface"),
-        Kind::Meshes => all("mesh"),
-        Kind::Tables => all("table"),
+        Kind::Points | Kind::Curves | Kind::Surfaces | Kind::Meshes | Kind::Tables => match value {
+            Value::List(items) => items.iter().all(|item| Some(item.kind()) == element_of(kind)),
+            _ => false,
+        },
     }
+}
+
+/// The first element of another kind, where others of the list keep the promise.
+fn stranger(expr: &Expr, value: &Value, kind: Kind, promised: &str) -> Option<Diagnostic> {
+    let wanted = element_of(kind)?;
+    let Value::List(items) = value else { return None };
+    let is_mixed = items.iter().any(|item| item.kind() == wanted);
+    let (idx, item) = items.iter().enumerate().find(|(_, item)| item.kind() != wanted)?;
+    if !is_mixed {
+        return None;
+    }
+    let found = item.phrase();
+    let message = format!("{promised} is promised, but its element [{idx}] is {found}");
+    let place = match &expr.kind {
+        ExprKind::List(elements) => match elements.get(idx) {
+            // What a spread brings shifts the places behind it.
+            Some(Element::Item(item)) if is_plain(&elements[..idx]) => item.span,
+            _ => expr.span,
+        },
+        _ => expr.span,
+    };
+    Some(Diagnostic::error(Code::BrokenPromise, place, message).label(format!("this is {found}")))
+}
+
+fn is_plain(elements: &[Element]) -> bool {
+    elements.iter().all(|element| matches!(element, Element::Item(_)))
+}
+
+/// What a list of a kind holds.
+fn element_of(kind: Kind) -> Option<&'static str> {
+    Some(match kind {
+        Kind::Points => "point",
+        Kind::Curves => "curve",
+        Kind::Surfaces => "surface",
+        Kind::Meshes => "mesh",
+        Kind::Tables => "table",
+        _ => return None,
+    })
 }
 
 /// The keyword that promises what `value` is.

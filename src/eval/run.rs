@@ -337,7 +337,7 @@ fn failure(checked: &Checked) -> Diagnostic {
     };
     let mut diagnostic = Diagnostic::error(Code::CheckFailed, checked.span, message);
     diagnostic.severity = Severity::Failure;
-    checked.verdict.sides.iter().fold(
+    checked.verdict.brief_sides().iter().fold(
         diagnostic.label(checked.verdict.figures()),
         |diagnostic, side| {
             let text = match side.path.as_str() {

@@ -40,14 +40,17 @@ pub enum GeomError {
     #[error("degree {degree} needs at least {needed} knots, got {got}")]
     TooFewKnots { degree: usize, needed: usize, got: usize },
     /// A knot below its predecessor.
-    #[error("knot {index} is {knot}, below the {previous} before it; knots never decrease")]
+    #[error("knot {index} is {knot}, below the {previous} before it; knots never decrease", previous = plain(*previous), knot = plain(*knot))]
     UnsortedKnots { index: usize, previous: f64, knot: f64 },
     /// A knot repeated more often than the degree allows.
-    #[error("knot {knot} stands {times} times from index {index}; at most {most} are possible")]
+    #[error("knot {knot} stands {times} times from index {index}; at most {most} are possible", knot = plain(*knot))]
     KnotMultiplicity { index: usize, knot: f64, times: usize, most: usize },
     /// All knots of the domain are one.
-    #[error("the knots leave no domain: it would begin and end at {at}")]
+    #[error("the knots leave no domain: it would begin and end at {at}", at = plain(*at))]
     EmptyDomain { at: f64 },
+    /// Knots whose difference overflows.
+    #[error("the knots span {start}..{end}, wider than the largest number, 1.8e308", start = plain(*start), end = plain(*end))]
+    DomainTooWide { start: f64, end: f64 },
     /// NaN or infinity.
     #[error("{what} {index} is not a finite number")]
     NotFinite { what: &'static str, index: usize },
@@ -55,16 +58,16 @@ pub enum GeomError {
     #[error("{points} control points need {points} weights, got {weights}")]
     WeightCount { points: usize, weights: usize },
     /// A weight below zero.
-    #[error("weight {index} is {weight}; weights are not negative")]
+    #[error("weight {index} is {weight}; weights are not negative", weight = plain(*weight))]
     BadWeight { index: usize, weight: f64 },
     /// A weight of zero at an end.
-    #[error("weight {index} is {weight}; the first and the last weight are positive")]
+    #[error("weight {index} is {weight}; the first and the last weight are positive", weight = plain(*weight))]
     BadEndWeight { index: usize, weight: f64 },
     /// The weights leave a parameter without a point.
-    #[error("the weights vanish together at parameter {parameter}, which leaves no point there")]
+    #[error("the weights vanish together at parameter {parameter}, which leaves no point there", parameter = plain(*parameter))]
     VanishingWeights { parameter: f64 },
     /// The weights leave a place of a surface without a point.
-    #[error("the weights vanish together at ({u}, {v}), which leaves no point there")]
+    #[error("the weights vanish together at ({u}, {v}), which leaves no point there", u = plain(*u), v = plain(*v))]
     VanishingWeightsAt { u: f64, v: f64 },
     /// Rows of different length.
     #[error(
@@ -76,16 +79,16 @@ pub enum GeomError {
     #[error("{rows} rows of {columns} need {needed} entries, got {got}")]
     GridSize { rows: usize, columns: usize, needed: usize, got: usize },
     /// An interval without an inside.
-    #[error("an interval needs its start below its end, got {start}..{end}")]
+    #[error("an interval needs its start below its end, got {start}..{end}", start = plain(*start), end = plain(*end))]
     EmptyInterval { start: f64, end: f64 },
     /// An interval between two parameters that count as one.
-    #[error("the range {start}..{end} is too narrow to tell its ends apart")]
+    #[error("the range {start}..{end} is too narrow to tell its ends apart", start = plain(*start), end = plain(*end))]
     NarrowInterval { start: f64, end: f64 },
     /// A parameter where there is nothing.
     #[error("parameter {} is outside the domain {domain}", plain(*parameter))]
     ParameterOutside { parameter: f64, domain: Interval },
     /// A parameter where nothing can be cut off.
-    #[error("parameter {parameter} is an end of the domain {domain}; there is nothing to split")]
+    #[error("parameter {parameter} is an end of the domain {domain}; there is nothing to split", parameter = plain(*parameter))]
     ParameterAtEnd { parameter: f64, domain: Interval },
     /// No inner knot where one is to be taken out.
     #[error(
@@ -98,8 +101,7 @@ pub enum GeomError {
     /// A knot that the curve cannot do without.
     #[error(
         "without the knot {knot} the curve would move {}, more than the tolerance {}",
-        how_far(*error), plain(*tolerance)
-    )]
+        how_far(*error), plain(*tolerance), knot = plain(*knot))]
     KnotNeeded { knot: f64, error: f64, tolerance: f64 },
     /// A degree that the curve cannot do without.
     #[error(
@@ -124,14 +126,12 @@ pub enum GeomError {
     /// A parameter line where the normal leaps.
     #[error(
         "the surface has a crease at {along} = {parameter}: its offset would be torn there by {}",
-        few_digits(*gap)
-    )]
+        few_digits(*gap), parameter = plain(*parameter))]
     Crease { along: &'static str, parameter: f64, gap: f64 },
     /// An offset that no spline surface of a reasonable size comes near.
     #[error(
         "no spline surface of {most} patches is within {} of the offset near ({u}, {v})",
-        few_digits(*tolerance)
-    )]
+        few_digits(*tolerance), u = plain(*u), v = plain(*v))]
     NoSurfaceNear { most: usize, tolerance: f64, u: f64, v: f64 },
     /// Lines on surfaces and regions that do not exist.
     #[error(transparent)]
@@ -149,10 +149,10 @@ pub enum GeomError {
     )]
     UnlikeWeights { before: [usize; 2], next: [usize; 2] },
     /// A span of a patch that is rounding beside the others.
-    #[error("a span of `patches[{}][{}]`, {} wide, vanishes in a domain of length {total}", patch[0], patch[1], plain(*length))]
+    #[error("a span of `patches[{}][{}]`, {} wide, vanishes in a domain of length {total}", patch[0], patch[1], plain(*length), total = plain(*total))]
     VanishingPatch { patch: [usize; 2], length: f64, total: f64 },
     /// A span that is rounding beside the others.
-    #[error("a span of `curves[{index}]`, {} wide, vanishes in a domain of length {total}", plain(*length))]
+    #[error("a span of `curves[{index}]`, {} wide, vanishes in a domain of length {total}", plain(*length), total = plain(*total))]
     VanishingPiece { index: usize, length: f64, total: f64 },
     /// A continuation that is shorter than asked for.
     #[error(
@@ -167,10 +167,10 @@ pub enum GeomError {
     )]
     ContinuationLost { degree: usize, length: f64 },
     /// A curve along the direction about which it should turn.
-    #[error("the curve runs along the normal at parameter {parameter}, so that it has no side")]
+    #[error("the curve runs along the normal at parameter {parameter}, so that it has no side", parameter = plain(*parameter))]
     AlongNormal { parameter: f64 },
     /// A curve that turns within its last digits.
-    #[error("at parameter {parameter} the curve turns too fast for an offset to follow")]
+    #[error("at parameter {parameter} the curve turns too fast for an offset to follow", parameter = plain(*parameter))]
     NoOffset { parameter: f64 },
     /// An offset beside which its curve is rounding.
     #[error(
@@ -188,31 +188,28 @@ pub enum GeomError {
     #[error("derivatives of order {order} are above {most}, the highest that is allowed")]
     OrderTooHigh { order: usize, most: usize },
     /// Every derivative vanishes, so that there is no direction.
-    #[error("there is no tangent at parameter {parameter}: every derivative vanishes")]
+    #[error("there is no tangent at parameter {parameter}: every derivative vanishes", parameter = plain(*parameter))]
     VanishingTangent { parameter: f64 },
     /// The curve stands still, and bends without bound on the way there.
     #[error(
-        "the derivative vanishes at parameter {parameter}, where the curvature grows without bound: there is no {what}"
-    )]
+        "the derivative vanishes at parameter {parameter}, where the curvature grows without bound: there is no {what}", parameter = plain(*parameter))]
     UnboundedCurvature { what: &'static str, parameter: f64 },
     /// The curve does not bend.
-    #[error("the curve is straight at parameter {parameter}: there is no {what}")]
+    #[error("the curve is straight at parameter {parameter}: there is no {what}", parameter = plain(*parameter))]
     Straight { what: &'static str, parameter: f64 },
     /// A bend seen from its own plane.
-    #[error("at parameter {parameter} the curve bends in a plane that holds the normal ({}, {}, {}): there is no left and right", normal.x, normal.y, normal.z)]
+    #[error("at parameter {parameter} the curve bends in a plane that holds the normal ({}, {}, {}): there is no left and right", normal.x, normal.y, normal.z, parameter = plain(*parameter))]
     NoSide { parameter: f64, normal: DVec3 },
     /// The surface has no tangent plane.
-    #[error("there is no normal at ({u}, {v}): the tangent plane has no limit there")]
+    #[error("there is no normal at ({u}, {v}): the tangent plane has no limit there", u = plain(*u), v = plain(*v))]
     NoNormal { u: f64, v: f64 },
     /// The surface has no curvature.
     #[error(
-        "there is no curvature at ({u}, {v}): Su × Sv vanishes there, and the curvatures around have no common limit"
-    )]
+        "there is no curvature at ({u}, {v}): Su × Sv vanishes there, and the curvatures around have no common limit", u = plain(*u), v = plain(*v))]
     NoCurvature { u: f64, v: f64 },
     /// A partial derivative vanishes and has no direction either.
     #[error(
-        "there is no tangent along {what} at ({u}, {v}): the derivative vanishes and has no direction"
-    )]
+        "there is no tangent along {what} at ({u}, {v}): the derivative vanishes and has no direction", u = plain(*u), v = plain(*v))]
     NoTangentAlong { what: &'static str, u: f64, v: f64 },
     /// A direction along the normal where one of the tangent plane is wanted.
     #[error(
@@ -225,6 +222,9 @@ pub enum GeomError {
     /// An area or volume of zero.
     #[error("there is no {what} that could have a centre")]
     NothingThere { what: &'static str },
+    /// An area or volume, or its moments, that overflow.
+    #[error("the {what} or its moments are beyond the largest number, 1.8e308")]
+    TooLargeToMeasure { what: &'static str },
     /// Two points that must differ do not.
     #[error("points {first} and {second} are at one place")]
     CoincidentPoints { first: usize, second: usize },
@@ -233,8 +233,7 @@ pub enum GeomError {
     WrongCount { what: &'static str, needed: usize, got: usize },
     /// A parameter of data that is not above its predecessor.
     #[error(
-        "parameter {index} is {parameter}, not above the {previous} before it; parameters increase"
-    )]
+        "parameter {index} is {parameter}, not above the {previous} before it; parameters increase", previous = plain(*previous), parameter = plain(*parameter))]
     ParametersNotIncreasing { index: usize, previous: f64, parameter: f64 },
     /// Conditions on a spline that contradict or repeat one another.
     #[error("the conditions do not determine a curve")]
@@ -252,10 +251,10 @@ pub enum GeomError {
     #[error("the three points lie on one line, so that no circle goes through them")]
     Collinear,
     /// A piece of a line where a conic is wanted.
-    #[error("the curve is straight from parameter {parameter}, which is no conic")]
+    #[error("the curve is straight from parameter {parameter}, which is no conic", parameter = plain(*parameter))]
     NoConic { parameter: f64 },
     /// Pieces of different conics.
-    #[error("the curve changes its kind at parameter {parameter}: its pieces are different conics")]
+    #[error("the curve changes its kind at parameter {parameter}: its pieces are different conics", parameter = plain(*parameter))]
     MixedConics { parameter: f64 },
     /// A curve that should lie in one plane.
     #[error("the curve is not planar: it leaves its plane by {}", few_digits(*by))]
@@ -269,7 +268,7 @@ pub enum GeomError {
     #[error("{points} points need {points} tangents, got {tangents}")]
     TangentCount { points: usize, tangents: usize },
     /// A tension that turns the Beta-spline's weights around.
-    #[error("the tension is {tension}; with this bias it must be above {above}")]
+    #[error("the tension is {tension}; with this bias it must be above {above}", tension = plain(*tension), above = plain(*above))]
     TensionTooLow { tension: f64, above: f64 },
     /// Weights in a form that has none.
     #[error("{what} has no weights, but those of the curve differ")]
@@ -279,13 +278,11 @@ pub enum GeomError {
     DegreeTooHighFor { what: &'static str, degree: usize, most: usize },
     /// Segments that do not take the same part of the parameter.
     #[error(
-        "the segments of {what} are equally long in parameter, but the curve has some of {width} and of {other}"
-    )]
+        "the segments of {what} are equally long in parameter, but the curve has some of {width} and of {other}", width = plain(*width), other = plain(*other))]
     UnevenSegments { what: &'static str, width: f64, other: f64 },
     /// A joint that is not smooth enough.
     #[error(
-        "{what} is C{needed} at its joints, but the curve is only C{order} at parameter {parameter}"
-    )]
+        "{what} is C{needed} at its joints, but the curve is only C{order} at parameter {parameter}", parameter = plain(*parameter))]
     TooRough { what: &'static str, parameter: f64, order: usize, needed: usize },
     /// Several segments where one is wanted.
     #[error("{what} has one segment, but the curve has {got}")]
@@ -312,7 +309,7 @@ pub enum GeomError {
     #[error("triangle {triangle} names vertex {vertex}; there are {vertices}")]
     NoSuchVertex { triangle: usize, vertex: u32, vertices: usize },
     /// A normal that is not a unit vector.
-    #[error("normal {index} has length {length}; normals are unit vectors")]
+    #[error("normal {index} has length {length}; normals are unit vectors", length = plain(*length))]
     NotUnit { index: usize, length: f64 },
     /// A count of zero where something must be divided.
     #[error("{what} is {got}; at least {needed} is needed")]
@@ -324,7 +321,7 @@ pub enum GeomError {
     #[error("{first} is parallel to {second}")]
     ParallelAxes { first: &'static str, second: &'static str },
     /// A radius, tolerance or the like that is not positive.
-    #[error("{what} is {got}; it must be above zero")]
+    #[error("{what} is {got}; it must be above zero", got = plain(*got))]
     NotPositive { what: &'static str, got: f64 },
     /// A transformation that flattens space.
     #[error("the transformation flattens space: its determinant is zero")]
@@ -335,14 +332,13 @@ pub enum GeomError {
     /// A coordinate of a curve, or of a derivative of it, overflows.
     #[error(
         "at parameter {parameter} the {} is beyond the largest number, 1.8e308",
-        if *order == 0 { "point" } else { "derivative" }
-    )]
+        if *order == 0 { "point" } else { "derivative" }, parameter = plain(*parameter))]
     BeyondNumbers { order: usize, parameter: f64 },
     /// A coordinate of a surface, or of a derivative of it, overflows.
-    #[error("at ({u}, {v}) a point or derivative is beyond the largest number, 1.8e308")]
+    #[error("at ({u}, {v}) a point or derivative is beyond the largest number, 1.8e308", u = plain(*u), v = plain(*v))]
     BeyondNumbersAt { u: f64, v: f64 },
     /// A place where a function has no derivative.
-    #[error("{what} has no derivative at {at}")]
+    #[error("{what} has no derivative at {at}", at = plain(*at))]
     NotDifferentiable { what: &'static str, at: f64 },
     /// A derivative overflows.
     #[error("a derivative is beyond the largest number, 1.8e308")]
@@ -351,10 +347,10 @@ pub enum GeomError {
     #[error("a parametric {what} is a function and no NURBS")]
     NotNurbs { what: &'static str },
     /// A function that no spline of a reasonable size comes near.
-    #[error("no spline of 4096 pieces is within {} of the function at {parameter}", few_digits(*tolerance))]
+    #[error("no spline of 4096 pieces is within {} of the function at {parameter}", few_digits(*tolerance), parameter = plain(*parameter))]
     NoSplineNear { tolerance: f64, parameter: f64 },
     /// A function of two parameters that no spline of a reasonable size comes near.
-    #[error("no spline of 16384 patches is within {} of the function at ({u}, {v})", few_digits(*tolerance))]
+    #[error("no spline of 16384 patches is within {} of the function at ({u}, {v})", few_digits(*tolerance), u = plain(*u), v = plain(*v))]
     NoSplineNearAt { tolerance: f64, u: f64, v: f64 },
     /// What is in pieces that do not meet.
     #[error(transparent)]

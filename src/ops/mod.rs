@@ -45,6 +45,19 @@ pub fn registry() -> Registry {
     .with_constants(constant::CONSTANTS)
 }
 
+/// A radius: above zero, with a square that is a number like others.
+fn radius(what: &str, length: Spanned<Length>) -> Result<f64> {
+    let value = positive(what, length)?;
+    if f64::MIN_POSITIVE <= value * value {
+        return Ok(value);
+    }
+    let message = format!(
+        "{what} is {}, too small to compute with: its square is below the smallest number, 2.2e-308",
+        shortest(value)
+    );
+    Diagnostic::error(Code::Degenerate, length.span, message).fail()
+}
+
 /// A length that is above zero.
 fn positive(what: &str, length: Spanned<Length>) -> Result<f64> {
     let value = length.value.0;

@@ -5,8 +5,8 @@
 
 use std::{collections::HashMap, sync::Arc};
 
-use super::{FromValue, Op, Type, Value};
-use crate::diag::{Code, Diagnostic, Span, Spanned, nearest};
+use super::{FromValue, Op, Param, Type, Value};
+use crate::diag::{Code, Diagnostic, Sources, Span, Spanned, nearest};
 
 /// Evaluated arguments on their way into a function.
 #[derive(Clone, Debug)]
@@ -220,8 +220,11 @@ pub struct Binder {
 impl Binder {
     /// Hands out the arguments of `call`; a range that is read as a list may have `most` elements.
     #[must_use]
-    pub fn new(op: &'static Op, mut call: Call, most: usize) -> Self {
+    pub fn new(op: &'static Op, mut call: Call, most: usize, sources: Option<&Sources>) -> Self {
         gather_spread(op, &mut call);
+        let mut mistakes = Mistakes::default();
+        bracket(op, &mut call, sources, &mut mistakes);
+        turn_around(op, &mut call, &mut mistakes);
         let formals: Vec<Formal<'_>> = op
             .params
             .iter()
@@ -231,7 +234,6 @@ impl Binder {
                 by_position: param.by_position,
             })
             .collect();
-        let mut mistakes = Mistakes::default();
         let span = call.span;
         let slots = assign(&formals, call, &mut mistakes);
         Self { op, span, slots, mistakes, most }
@@ -289,4 +291,51 @@ fn gather_spread(op: &Op, call: &mut Call) {
     let span = run[0].span.to(run[n_run - 1].span);
     let list = Value::list(run.into_iter().map(|arg| arg.value).collect());
     call.positional.insert(0, Spanned::new(list, span));
+}
+
+/// Where the first parameter is a list, and elements of it stand there without brackets: tells so,
+/// and reads them as that list.
+fn bracket(op: &Op, call: &mut Call, sources: Option<&Sources>, mistakes: &mut Mistakes) {
+    let Some(param) = op.params.first() else { return };
+    let is_element = |arg: &Spanned<Value>| param.ty.is_list_of(&arg.value);
+    let Some(first) = call.positional.first() else { return };
+    if param.ty.accepts(&first.value) || !is_element(first) {
+        return;
+    }
+    // A list further on is the one that was meant.
+    if call.positional.iter().any(|arg| param.ty.accepts(&arg.value)) {
+        return;
+    }
+    let is_like = |arg: &Spanned<Value>| arg.value.kind() == first.value.kind() && is_element(arg);
+    let n_run = call.positional.iter().take_while(|arg| is_like(arg)).count();
+    let rest = call.positional.len() - n_run + call.named.len();
+    let run: Vec<Spanned<Value>> = call.positional.drain(..n_run).collect();
+    let span = run[0].span.to(run[n_run - 1].span);
+    let written = sources.and_then(|sources| {
+        let source = sources.at(span)?;
+        source.text.get(source.local(span)).filter(|text| text.chars().count() <= MOST_REPEATED)
+    });
+    let text = format!("`{}` is one list: its elements stand in brackets", param.name);
+    let rest = if rest == 0 { "" } else { ", ..." };
+    let hint = format!("write `{}([{}]{rest})`", op.name, written.unwrap_or("a, b, ..."));
+    mistakes.add(Code::BadCall, span, text, Some(hint));
+    let list = Value::list(run.into_iter().map(|arg| arg.value).collect());
+    call.positional.insert(0, Spanned::new(list, span));
+}
+
+/// Characters of arguments that a hint repeats.
+const MOST_REPEATED: usize = 60;
+
+/// Where two arguments fit each in the place of the other alone: tells so, and turns them around.
+fn turn_around(op: &Op, call: &mut Call, mistakes: &mut Mistakes) {
+    let ([a, b], [first, second, ..]) = (&call.positional[..], op.params) else { return };
+    let fits = |param: &Param, arg: &Spanned<Value>| param.ty.accepts(&arg.value);
+    let is_turned = fits(first, b) && fits(second, a) && !fits(first, a) && !fits(second, b);
+    if !is_turned {
+        return;
+    }
+    let text = "the arguments stand the other way around".to_owned();
+    let hint = format!("`{}` comes first, then `{}`", first.name, second.name);
+    mistakes.add(Code::BadCall, a.span.to(b.span), text, Some(hint));
+    call.positional.swap(0, 1);
 }

@@ -79,7 +79,8 @@ pub fn code_of(error: &GeomError) -> Code {
         | Error::NoKnot { .. }
         | Error::VanishingPiece { .. }
         | Error::VanishingPatch { .. }
-        | Error::EmptyDomain { .. } => Code::BadKnots,
+        | Error::EmptyDomain { .. }
+        | Error::DomainTooWide { .. } => Code::BadKnots,
         Error::WeightCount { .. }
         | Error::BadWeight { .. }
         | Error::BadEndWeight { .. }
@@ -92,9 +93,10 @@ pub fn code_of(error: &GeomError) -> Code {
         | Error::LengthOutside { .. }
         | Error::EmptyInterval { .. }
         | Error::NarrowInterval { .. } => Code::OutsideDomain,
-        Error::NotFinite { .. } | Error::BeyondNumbers { .. } | Error::BeyondNumbersAt { .. } => {
-            Code::Domain
-        }
+        Error::NotFinite { .. }
+        | Error::TooLargeToMeasure { .. }
+        | Error::BeyondNumbers { .. }
+        | Error::BeyondNumbersAt { .. } => Code::Domain,
         Error::NotDifferentiable { .. } | Error::DerivativeBeyondNumbers => Code::NoDerivative,
         Error::TangentCount { .. } => Code::BadCall,
         Error::Function(_) => inside(error).map_or(Code::Domain, |reason| reason.code),
@@ -117,8 +119,10 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         Error::DegreeTooLow { .. } => {
             "name the degree of the result; `reduce(c, tolerance)` makes it lower".to_owned()
         }
-        Error::KnotNeeded { .. } | Error::NotReducible { .. } => {
-            "allow a larger tolerance, or keep the curve as it is".to_owned()
+        Error::KnotNeeded { error, .. } | Error::NotReducible { error, .. }
+            if error.is_finite() =>
+        {
+            format!("a tolerance of {} allows it; or keep the curve as it is", raised(*error))
         }
         Error::Gap { reversed: Some(index), .. } => {
             format!("`reversed(curves[{index}])` would fit")
@@ -137,6 +141,9 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         Error::VanishingPiece { .. } => "`reparametrize` the curves to similar domains".to_owned(),
         Error::RunTogether { .. } | Error::RunsAlongItself { .. } => {
             "curves that share a stretch have no single points there; `trim` it away".to_owned()
+        }
+        Error::TooLargeToMeasure { .. } => {
+            "scale it down, or state a larger `unit`".to_owned()
         }
         Error::AlongNormal { .. } => "give another `normal`".to_owned(),
         Error::NotNurbs { what } => match *what {
@@ -171,6 +178,14 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         }
         _ => return hint_about_input(error),
     })
+}
+
+/// A number with two digits, no smaller.
+fn raised(x: f64) -> String {
+    let rounded: f64 = format!("{x:.1e}").parse().unwrap_or(x);
+    let step = 10_f64.powf(x.abs().log10().floor() - 1.0);
+    let up = if rounded < x { rounded + step } else { rounded };
+    super::rounded(up)
 }
 
 fn hint_about_mesh(error: &MeshError) -> Option<String> {
@@ -281,7 +296,9 @@ fn hint_of_picture(error: &PictureError) -> Option<String> {
         Error::Outside { .. } | Error::HoleInHole { .. } => {
             "the first curve is the outer border, all others are holes in it"
         }
-        Error::NoArea { .. } => return None,
+        Error::NoArea { .. } => {
+            "a border goes once around: one that crosses itself, as a bow tie does, takes its area back; give its corners in the order in which they stand around it"
+        }
     };
     Some(hint.to_owned())
 }

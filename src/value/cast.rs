@@ -245,7 +245,9 @@ impl FromValue for Angle {
             Value::Number(number) if number.dim == Dim::ANGLE => Ok(Self(number.value)),
             Value::Number(number) if number.dim.is_none() => Err(Mismatch::kind(Self::TYPE, value)
                 .code(Code::MissingAngleUnit)
-                .hint(format!("write `{number}deg` or `{number}rad`"))),
+                .hint(format!(
+                    "write `{number}deg` or `{number}rad`; what was computed or read from a file becomes an angle by `* 1deg`"
+                ))),
             Value::Number(_) => Err(Mismatch::kind(Self::TYPE, value).code(Code::UnitMismatch)),
             _ => Err(Mismatch::kind(Self::TYPE, value)),
         }

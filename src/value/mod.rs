@@ -51,7 +51,7 @@ pub use list::{Extent, List};
 pub use look::{COLOR_NAMES, Look, color_of};
 pub use number::{Dim, Number, radians_of, rounded, shortest};
 pub(crate) use op::op;
-pub use op::{Caller, Ctx, Example, Family, Op, Param, Picture, Refusal};
+pub use op::{Caller, Ctx, Example, Family, Op, Param, Picture, Refusal, Witness};
 pub use range::Range;
 pub use real::Real;
 pub use record::Record;

@@ -44,10 +44,24 @@ impl Ctx<'_> {
         self.caller.call(&function.0, args, self.span)
     }
 
+    /// Tells what decided a test of the elements of a list.
+    pub fn decided(&mut self, witness: Witness) {
+        self.caller.decided(self.span, witness);
+    }
+
     /// Tells the user that the result needed help.
     pub fn warn(&mut self, warning: Diagnostic) {
         self.caller.warn(warning);
     }
+}
+
+/// What decided a test of the elements of a list.
+#[derive(Clone, Debug)]
+pub enum Witness {
+    /// One element, by its index: it alone passes, or fails.
+    Element(usize, Value),
+    /// All of so many elements, alike.
+    All(usize),
 }
 
 /// What the evaluator does for operations.
@@ -69,6 +83,9 @@ pub trait Caller {
     /// # Errors
     /// As for [`Self::curve_function`].
     fn surface_function(&self, function: &Value, span: Span) -> Result<Arc<dyn SurfaceFunction>>;
+
+    /// Takes what decided a test of the elements of a list, by the call at `span`.
+    fn decided(&mut self, span: Span, witness: Witness);
 
     /// Takes a warning.
     fn warn(&mut self, warning: Diagnostic);
@@ -212,6 +229,13 @@ impl Op {
         self.docs.split("\n\n").next().unwrap_or_default().trim()
     }
 
+    /// Whether its first argument can neither be such a value nor a list of such.
+    #[must_use]
+    pub fn is_foreign_to(&self, value: &Value) -> bool {
+        let takes = |param: &Param| param.ty.accepts(value) || param.ty.is_list_of(value);
+        self.params.first().is_some_and(|param| !takes(param))
+    }
+
     /// `name(a: T, b: U = d) -> R`, one line.
     #[must_use]
     pub fn signature(&self) -> String {
@@ -256,7 +280,9 @@ macro_rules! op {
             refusals: &[ $( $crate::value::Refusal { code: $misuse, says: $says } ),* ],
             picture: $crate::value::op!(@picture $(Value $picture)? $(Scene $scene)?),
             run: |ctx, call| {
-                let mut binder = $crate::value::Binder::new(&OP, call, ctx.limits.list_length);
+                let mut binder = $crate::value::Binder::new(
+                    &OP, call, ctx.limits.list_length, ctx.sources,
+                );
                 $( let $param: Option<$ty> =
                     binder.take(stringify!($param), $crate::value::op!(@value $($default)?)); )*
                 match ($($param,)*) {

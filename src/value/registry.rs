@@ -105,12 +105,19 @@ pub fn choose(
         (_, Some(value)) => {
             let mut taking = ops.iter().filter(|op| takes(op, value));
             let first = taking.clone().next();
-            taking.find(has_places).or(first).copied().ok_or_else(|| {
-                let wanted: Vec<String> = ops
-                    .iter()
-                    .filter_map(|op| op.params.first())
-                    .map(|param| param.ty.phrase())
-                    .collect();
+            // Of a list without its brackets the operation itself tells.
+            let loose = |op: &&&'static Op| {
+                op.params.first().is_some_and(|param| param.ty.is_list_of(value))
+            };
+            let loose = || ops.iter().find(loose);
+            taking.find(has_places).or(first).or_else(loose).copied().ok_or_else(|| {
+                let mut wanted: Vec<String> = Vec::new();
+                for param in ops.iter().filter_map(|op| op.params.first()) {
+                    let phrase = param.ty.phrase();
+                    if !wanted.contains(&phrase) {
+                        wanted.push(phrase);
+                    }
+                }
                 format!("takes {}, found {}", wanted.join(" or "), value.phrase())
             })
         }

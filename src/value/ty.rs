@@ -106,6 +106,20 @@ impl Type {
         }
     }
 
+    /// Whether a value looks like an element of a list of this type.
+    #[must_use]
+    pub fn is_list_of(self, value: &Value) -> bool {
+        match self {
+            Self::List(Self::Any, _) => {
+                !matches!(value, Value::Function(_) | Value::List(_) | Value::Range(_))
+            }
+            Self::List(of, _) => of.accepts(value),
+            Self::Grid(of) => Self::List(of, 0).accepts(value),
+            Self::OneOf(types) => types.iter().any(|of| of.is_list_of(value)),
+            _ => false,
+        }
+    }
+
     /// The type as a noun phrase of a message: `a list of 2 or more points`.
     #[must_use]
     pub fn phrase(self) -> String {

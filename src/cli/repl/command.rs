@@ -2,19 +2,13 @@
 
 use std::path::Path;
 
-use glam::DVec2;
-
-use super::{super::message::pretty, Prompt, plot, show};
+use super::{super::message::pretty, Prompt, graph, show};
 use crate::{
     diag::{Code, nearest},
     docs,
-    kernel::{Column, Table},
-    syntax::{Paint, Role, pieces},
+    syntax::Role,
     value::Value,
 };
-
-/// Points at which a function is plotted.
-const N_SAMPLES: usize = 201;
 
 /// A command.
 pub(super) struct Command {
@@ -37,7 +31,12 @@ impl Command {
 /// Every command, by name.
 pub(super) const COMMANDS: &[Command] = &[
     command("export", "[EXPR to \"FILE\"]", "writes a file, or those of the document", export),
-    command("help", "[NAME]", "tells about a built-in, a definition, a code, a command", help),
+    command(
+        "help",
+        "[NAME]",
+        "tells about a built-in, a definition, a code, a command; also `?NAME`",
+        help,
+    ),
     command("list", "", "lists the document's definitions", list),
     file_command("load", "FILE", "puts a script into the place of the document", |prompt, rest| {
         if rest.is_empty() {
@@ -46,7 +45,12 @@ pub(super) const COMMANDS: &[Command] = &[
             prompt.load(Path::new(rest));
         }
     }),
-    command("plot", "EXPR [in A..B]", "plots a function, a curve, a list, a table", plot),
+    command(
+        "plot",
+        "EXPR, ... [in A..B]",
+        "plots functions, a curve, a list, a table",
+        graph::plot,
+    ),
     command("quit", "", "ends, as Ctrl-D does", |prompt, _| prompt.is_over = true),
     file_command("save", "[FILE]", "writes the document as a script", |prompt, rest| {
         prompt.save(rest, false);
@@ -140,12 +144,14 @@ fn help(prompt: &mut Prompt, name: &str) {
         format!("{}: {}\n\n{}\n", code.id(), code.title(), docs::wrap(code.explanation()))
     });
     let command = COMMANDS.iter().find(|command| command.name == name).map(Command::entry);
-    match docs::entry(&prompt.registry, name).or(code).or(command) {
+    let word = || docs::language::entry(name);
+    match docs::entry(&prompt.registry, name).or(code).or(command).or_else(word) {
         Some(text) => super::say(&text),
         None if prompt.values.iter().any(|(own, _)| own == name) => {}
         None => {
             let mut names: Vec<&str> = prompt.registry.names().collect();
             names.extend(prompt.values.iter().map(|(own, _)| own.as_str()));
+            docs::language::words().for_each(|word| names.push(word));
             let near = nearest(name, names);
             let near = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
             prompt.refuse(&format!("nothing is called `{}`{near}", show::cut(name, 40)));
@@ -181,7 +187,7 @@ pub(super) fn some(n: usize, noun: &str) -> String {
 }
 
 /// The values of an expression, which must be there.
-fn asked(prompt: &mut Prompt, command: &str, text: &str) -> Option<Vec<Value>> {
+pub(super) fn asked(prompt: &mut Prompt, command: &str, text: &str) -> Option<Vec<Value>> {
     if text.is_empty() {
         prompt.refuse(&format!("of what? `:{command} EXPR`"));
         return None;
@@ -227,7 +233,7 @@ fn time(prompt: &mut Prompt, text: &str) {
 }
 
 fn undo(prompt: &mut Prompt, _: &str) {
-    let Some(document) = prompt.undo.pop() else {
+    let Some((document, last)) = prompt.undo.pop() else {
         return prompt.refuse("there is nothing to undo");
     };
     let text = document.text();
@@ -239,6 +245,8 @@ fn undo(prompt: &mut Prompt, _: &str) {
                 prompt.values.iter().map(|(name, _)| name.clone()).collect();
             prompt.know(&mut ran.report);
             prompt.document = document;
+            // What was asked since may use what is gone.
+            prompt.last = last;
             gone.retain(|name| prompt.values.iter().all(|(still, _)| still != name));
             let n = some(prompt.values.len(), "definition");
             let without = if gone.is_empty() { "" } else { ", without " };
@@ -246,7 +254,7 @@ fn undo(prompt: &mut Prompt, _: &str) {
         }
         None => {
             prompt.told = told;
-            prompt.undo.push(document);
+            prompt.undo.push(document, last);
         }
     }
 }
@@ -263,128 +271,5 @@ fn export(prompt: &mut Prompt, text: &str) {
     if let Some(mut ran) = prompt.evaluate(&base, '\n', &input, ["document", "input"]) {
         ran.report.diagnostics.clear();
         prompt.act(&mut ran.report);
-    }
-}
-
-fn plot(prompt: &mut Prompt, text: &str) {
-    if text.is_empty() {
-        return prompt.refuse("what? `:plot EXPR`");
-    }
-    let (expr, range) = match text.rsplit_once(" in ") {
-        Some((expr, range)) if range.contains("..") => (expr.trim(), Some(range.trim())),
-        _ => (text, None),
-    };
-    // `curvature(c)` lacks the parameter that it is plotted over.
-    let completed = expr.strip_suffix(')').map(|head| format!("{head}, _)"));
-    let is_call = completed.is_some() && is_function_of_one(prompt, completed.as_deref());
-    let expr = if is_call { completed.unwrap_or_default() } else { expr.to_owned() };
-    let Some(values) = asked(prompt, "plot", &expr) else { return };
-    for value in values {
-        let drawn = match &value {
-            Value::Function(_) => function(prompt, &expr, range),
-            value => drawn(value, prompt.columns),
-        };
-        match drawn {
-            Some(text) => super::say(&text),
-            None if matches!(value, Value::Function(_)) => {}
-            None => prompt.refuse(&format!("{} cannot be plotted", value.phrase())),
-        }
-    }
-}
-
-/// Whether this text is a function while the call without its `_` has no value: asked quietly.
-fn is_function_of_one(prompt: &mut Prompt, completed: Option<&str>) -> bool {
-    let Some(completed) = completed else { return false };
-    let plain = completed.replace(", _)", ")");
-    let base = prompt.document.definitions() + "print";
-    let mut has_value = |text: &str| {
-        let ran = prompt.engine.run(&base, ' ', text, ["document", "input"])?;
-        (ran.report.count(crate::diag::Severity::Error) == 0).then_some(())
-    };
-    has_value(&plain).is_none() && has_value(completed).is_some()
-}
-
-/// A function of one number over a range: the given one, else the domain of the first curve that it
-/// names, else 0..1.
-fn function(prompt: &mut Prompt, expr: &str, range: Option<&str>) -> Option<String> {
-    let names: Vec<&str> = pieces(expr)
-        .into_iter()
-        .filter(|(paint, _)| *paint == Paint::Name)
-        .filter_map(|(_, place)| expr.get(place))
-        .collect();
-    let domain = names.iter().find_map(|name| {
-        let (_, value) = prompt.values.iter().find(|(own, _)| own == name)?;
-        matches!(value, Value::Curve(_)).then(|| format!("{name}.domain"))
-    });
-    let range = range.map(str::to_owned).or(domain).unwrap_or_else(|| "0..1".to_owned());
-    let question = format!(
-        "{{ let range_ = ({range}) let function_ = ({expr}); [for t in linspace(range_.start, range_.end, {N_SAMPLES}): [t, function_(t)]] }}"
-    );
-    let (printed, _) = prompt.question(&question)?;
-    let Some(Value::List(pairs)) = printed.into_iter().next().map(|printed| printed.value) else {
-        return None;
-    };
-    let points: Vec<DVec2> = pairs.iter().filter_map(point).collect();
-    if points.is_empty() {
-        prompt.refuse("only functions with numbers as their values can be plotted");
-        return None;
-    }
-    Some(plot::chart(&[points], prompt.columns))
-}
-
-/// A pair of numbers as a point.
-fn point(pair: &Value) -> Option<DVec2> {
-    let Value::List(pair) = pair else { return None };
-    match (pair.get(0), pair.get(1)) {
-        (Some(Value::Number(x)), Some(Value::Number(y))) => Some(DVec2::new(x.value, y.value)),
-        _ => None,
-    }
-}
-
-/// Numbers one after the other.
-fn in_a_row(numbers: &[f64], columns: usize) -> String {
-    let points = numbers.iter().enumerate().map(|(i, &y)| DVec2::new(i as f64, y));
-    plot::chart(&[points.collect()], columns)
-}
-
-/// The columns of a table over its first one; an only column in a row.
-fn charted(table: &Table, columns: usize) -> Option<String> {
-    let numbers: Vec<(&str, &[f64])> = table
-        .columns()
-        .iter()
-        .filter_map(|column| match &column.column {
-            Column::Numbers(numbers) => Some((column.name.as_str(), numbers.as_slice())),
-            Column::Texts(_) => None,
-        })
-        .collect();
-    let ((over, x), others) = numbers.split_first()?;
-    if others.is_empty() {
-        return Some(in_a_row(x, columns));
-    }
-    let path = |y: &[f64]| x.iter().zip(y).map(|(&x, &y)| DVec2::new(x, y)).collect();
-    let paths: Vec<Vec<DVec2>> = others.iter().map(|(_, y)| path(y)).collect();
-    let names: Vec<&str> = others.iter().map(|&(name, _)| name).collect();
-    Some(format!("{}({} over {over})\n", plot::chart(&paths, columns), names.join(", ")))
-}
-
-/// A curve, points, numbers in a row, a table.
-fn drawn(value: &Value, columns: usize) -> Option<String> {
-    match value {
-        Value::Table(table) => charted(table, columns),
-        Value::List(items) if items.iter().all(|item| matches!(item, Value::Number(_))) => {
-            let numbers: Vec<f64> = items
-                .iter()
-                .filter_map(|item| match item {
-                    Value::Number(number) => Some(number.value),
-                    _ => None,
-                })
-                .collect();
-            (!numbers.is_empty()).then(|| in_a_row(&numbers, columns))
-        }
-        value => {
-            let (paths, axes) = plot::flat(&show::shapes(value));
-            let picture = plot::drawing(&paths, columns);
-            (!picture.is_empty()).then(|| format!("{picture}({axes})\n"))
-        }
     }
 }

@@ -151,21 +151,21 @@ impl Piece {
     }
 }
 
-/// The documents before, newest last.
+/// The documents before, newest last, each with what `_` stood for.
 #[derive(Debug, Default)]
-pub(super) struct Undo(Vec<Document>);
+pub(super) struct Undo(Vec<(Document, Option<String>)>);
 
 impl Undo {
     /// Remembers a document.
-    pub(super) fn push(&mut self, document: Document) {
+    pub(super) fn push(&mut self, document: Document, last: Option<String>) {
         if self.0.len() == MOST_UNDONE {
             self.0.remove(0);
         }
-        self.0.push(document);
+        self.0.push((document, last));
     }
 
     /// The document before.
-    pub(super) fn pop(&mut self) -> Option<Document> {
+    pub(super) fn pop(&mut self) -> Option<(Document, Option<String>)> {
         self.0.pop()
     }
 }

@@ -45,7 +45,8 @@ impl Prompt {
         };
         let mut report = ran.report;
         self.know(&mut report);
-        self.undo.push(std::mem::replace(&mut self.document, document));
+        let before = std::mem::replace(&mut self.document, document);
+        self.undo.push(before, self.last.clone());
         self.folder = script.folder;
         self.file = script.path;
         report.events.retain(|event| matches!(event, Event::Checked(_)));

@@ -10,6 +10,7 @@ mod complete;
 mod document;
 mod editor;
 mod engine;
+mod graph;
 mod load;
 mod pipe;
 mod plot;
@@ -154,6 +155,9 @@ impl Prompt {
         let text = text.trim_end();
         if let Some(command) = text.trim_start().strip_prefix(':') {
             return command::run(self, command);
+        }
+        if let Some(name) = text.trim_start().strip_prefix('?') {
+            return command::run(self, &format!("help {name}"));
         }
         match entry(text) {
             Entry::Empty => {}
@@ -310,7 +314,7 @@ impl Prompt {
         let is_changed = draft.next.text() != self.document.text();
         if is_changed {
             let before = std::mem::replace(&mut self.document, draft.next);
-            self.undo.push(before);
+            self.undo.push(before, self.last.clone());
         }
         self.act(&mut report);
     }

@@ -10,7 +10,9 @@ use crate::{
 };
 
 /// Columns of a plot where the terminal has more.
-const MOST_COLUMNS: usize = 72;
+const MOST_COLUMNS: usize = 240;
+/// Dots from one of an axis to the next.
+const AXIS_STEP: usize = 4;
 /// Lines of a plot.
 const MOST_LINES: usize = 20;
 /// Digits of a label.
@@ -60,6 +62,16 @@ impl Canvas {
     fn line(&mut self, from: DVec2, to: DVec2) {
         let n_steps = (to - from).abs().max_element().ceil().clamp(1.0, 1000.0) as usize;
         (0..=n_steps).for_each(|i| self.dot(from.lerp(to, i as f64 / n_steps as f64)));
+    }
+
+    /// Draws the line of height zero where it lies between `low` and `high`.
+    fn axis(&mut self, low: f64, high: f64) {
+        if !(low < 0.0 && 0.0 < high) {
+            return;
+        }
+        let size = self.size();
+        let y = -low / (high - low) * size.y;
+        (0..=size.x as usize).step_by(AXIS_STEP).for_each(|x| self.dot(DVec2::new(x as f64, y)));
     }
 
     /// Draws paths that lie between `low` and `high` over the whole canvas.
@@ -129,6 +141,7 @@ pub(super) fn chart(paths: &[Vec<DVec2>], columns: usize) -> String {
     let margin = labels.iter().map(|label| label.chars().count()).max().unwrap_or(0);
     let width = columns.min(MOST_COLUMNS).saturating_sub(margin + 2).max(4);
     let mut canvas = Canvas::new(width, CHART_LINES);
+    canvas.axis(low.y, high.y);
     canvas.paths(paths, (low, high));
     let mut text = String::new();
     for (i, line) in canvas.text().into_iter().enumerate() {

@@ -173,7 +173,17 @@ impl<'s> Lowerer<'_, 's> {
     /// The program of these statements, without its tests.
     fn program(&mut self, statements: &[Statement<'s>]) -> Program {
         let (mut definitions, effects) = self.statements(statements);
+        let n_before = self.diagnostics.len();
         let components = graph::order(&mut definitions, self.first, &mut self.diagnostics);
+        for found in &mut self.diagnostics[n_before..] {
+            let own = definitions.iter().find(|own| own.name_span == found.primary.span);
+            if let Some(own) = own.filter(|own| self.registry.get(&own.name).is_some()) {
+                found.hints.push(format!(
+                    "`{0}` is the script's own here, which hides the built-in; give it another name to use that one",
+                    own.name
+                ));
+            }
+        }
         Program {
             first: self.first,
             definitions,

@@ -62,7 +62,8 @@ impl KnotVector {
     ///
     /// # Errors
     /// [`GeomError::DegreeTooHigh`], [`GeomError::TooFewKnots`], [`GeomError::NotFinite`],
-    /// [`GeomError::UnsortedKnots`], [`GeomError::EmptyDomain`], [`GeomError::KnotMultiplicity`].
+    /// [`GeomError::UnsortedKnots`], [`GeomError::DomainTooWide`], [`GeomError::EmptyDomain`],
+    /// [`GeomError::KnotMultiplicity`].
     pub fn new(degree: usize, mut knots: Vec<f64>) -> Result<Self, GeomError> {
         check_degree(degree)?;
         let (got, needed) = (knots.len(), 2 * (degree + 1));
@@ -78,6 +79,9 @@ impl KnotVector {
         }
 
         let (start, end) = (knots[degree], knots[got - degree - 1]);
+        if !(end - start).is_finite() {
+            return Err(GeomError::DomainTooWide { start, end });
+        }
         // The cause before its consequence: a knot repeated too often can leave no domain.
         check_multiplicities(degree, &knots)?;
         let domain = Interval::new(start, end).map_err(|_| GeomError::EmptyDomain { at: start })?;

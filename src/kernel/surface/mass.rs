@@ -44,7 +44,7 @@ impl Surface {
 /// The skins that surfaces are, of density one.
 ///
 /// # Errors
-/// [`GeomError::NothingThere`] for an area of zero, and as [`Surface::point_at`].
+/// [`GeomError::NothingThere`] for an area of zero, [`GeomError::TooLargeToMeasure`], and as [`Surface::point_at`].
 pub fn area_mass(surfaces: &[Surface]) -> Result<Mass, GeomError> {
     let about = middle(surfaces)?;
     let mut sum = Sum::default();
@@ -52,7 +52,7 @@ pub fn area_mass(surfaces: &[Surface]) -> Result<Mass, GeomError> {
         let part = integral(surface, |point, normal| moments(point - about, normal.length()))?;
         sum.add(part, 1.0);
     }
-    sum.mass(about, [1.0; 3]).ok_or(GeomError::NothingThere { what: "area" })
+    sum.mass(about, [1.0; 3]).ok_or_else(|| sum.without("area"))
 }
 
 /// What a closed set of surfaces holds, of density one; the surfaces' own orientations need not
@@ -63,7 +63,7 @@ pub fn area_mass(surfaces: &[Surface]) -> Result<Mass, GeomError> {
 /// taken to point outward.
 ///
 /// # Errors
-/// [`GeomError::Shell`] where the surfaces enclose nothing; [`GeomError::NothingThere`] for a volume of zero, and as [`Surface::point_at`].
+/// [`GeomError::Shell`] where the surfaces enclose nothing; [`GeomError::NothingThere`] for a volume of zero, [`GeomError::TooLargeToMeasure`], and as [`Surface::point_at`].
 pub fn volume_mass(surfaces: &[Surface], tolerance: Tolerance) -> Result<Mass, GeomError> {
     let about = middle(surfaces)?;
     let shells = oriented(surfaces, tolerance)?;
@@ -83,7 +83,7 @@ pub fn volume_mass(surfaces: &[Surface], tolerance: Tolerance) -> Result<Mass, G
     if whole.values[0] < 0.0 {
         whole.values = whole.values.map(|value| -value);
     }
-    whole.mass(about, [3.0, 4.0, 5.0]).ok_or(GeomError::NothingThere { what: "volume" })
+    whole.mass(about, [3.0, 4.0, 5.0]).ok_or_else(|| whole.without("volume"))
 }
 
 /// A density times 1, x, y, z, and the products of these.
@@ -113,6 +113,15 @@ impl Sum {
     fn add(&mut self, part: Integral<10>, sign: f64) {
         self.values.iter_mut().zip(part.values).for_each(|(sum, value)| *sum += sign * value);
         self.relative_error = self.relative_error.max(part.relative_error);
+    }
+
+    /// Why they say nothing: they overflow, or there is nothing.
+    fn without(&self, what: &'static str) -> GeomError {
+        if self.values.iter().all(|value| value.is_finite()) {
+            GeomError::NothingThere { what }
+        } else {
+            GeomError::TooLargeToMeasure { what }
+        }
     }
 
     /// What they say, each order of moments divided by its own number; `None` of nothing.

@@ -7,7 +7,7 @@ use glam::DVec3;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{Frame, NurbsCurve, tolerance::KNOT_RELATIVE},
-    ops::positive,
+    ops::radius,
     value::{Angle, At, Ctx, Length, op},
 };
 
@@ -42,7 +42,7 @@ op! {
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
-    let radius = positive("the radius", args.radius)?;
+    let radius = radius("the radius", args.radius)?;
     let x = args.x.map(|x| x.value);
     let blamed = args.x.map_or(args.normal.span, |x| x.span);
     let frame = Frame::from_normal(args.center, args.normal.value, x).at(blamed)?;

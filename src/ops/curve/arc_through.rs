@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::{
     diag::{Code, Diagnostic, Result},
     kernel::{GeomError, NurbsCurve},
-    value::{At, Ctx, op},
+    value::{At, Ctx, op, rounded, shortest},
 };
 
 op! {
@@ -31,7 +31,15 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
     let arc = NurbsCurve::arc_through([args.a, args.b, args.c], ctx.tolerance.distance);
     if let Err(GeomError::CoincidentPoints { first, second }) = arc {
         let names = ["a", "b", "c"];
-        let message = format!("`{}` and `{}` are at one place", names[first], names[second]);
+        let points = [args.a, args.b, args.c];
+        let gap = points[first].distance(points[second]);
+        let pair = format!("`{}` and `{}`", names[first], names[second]);
+        let message = if gap == 0.0 {
+            format!("{pair} are at one place")
+        } else {
+            let (gap, limit) = (rounded(gap), shortest(ctx.tolerance.distance));
+            format!("{pair} are {gap} apart, within the tolerance {limit}: they count as one place")
+        };
         return Diagnostic::error(Code::Degenerate, ctx.span, message)
             .hint("three different points determine a circle")
             .fail();

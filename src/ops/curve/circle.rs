@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::{
     diag::{Result, Spanned},
     kernel::{CircleForm, Frame, NurbsCurve},
-    ops::positive,
+    ops::radius,
     value::{At, Choice, Ctx, Length, op},
 };
 
@@ -39,7 +39,7 @@ impl Choice for CircleForm {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
-    let radius = positive("the radius", args.radius)?;
+    let radius = radius("the radius", args.radius)?;
     let frame = Frame::from_normal(args.center, args.normal.value, None).at(args.normal.span)?;
     NurbsCurve::circle(args.center, radius, frame.x(), frame.z(), args.form).at(ctx.span)
 }

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::{
     diag::{Result, Spanned},
     kernel::{CircleForm, Frame, NurbsCurve},
-    ops::positive,
+    ops::radius,
     value::{At, Ctx, Length, op},
 };
 
@@ -36,7 +36,7 @@ op! {
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
     let blamed = args.rx.span;
-    let radii = [positive("the radius `rx`", args.rx)?, positive("the radius `ry`", args.ry)?];
+    let radii = [radius("the radius `rx`", args.rx)?, radius("the radius `ry`", args.ry)?];
     let x = args.x.map(|x| x.value);
     let at_axis = args.x.map_or(args.normal.span, |x| x.span);
     let frame = Frame::from_normal(args.center, args.normal.value, x).at(at_axis)?;

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{Frame, NurbsCurve},
-    ops::positive,
+    ops::radius,
     value::{At, Ctx, Length, op},
 };
 
@@ -32,7 +32,7 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
     let at_turns = args.turns.span;
-    let radius = positive("the radius", args.radius)?;
+    let radius = radius("the radius", args.radius)?;
     let turns = args.turns.value;
     if turns <= 0.0 {
         let message = format!(

@@ -3,7 +3,7 @@
 use super::{as_truth, truth};
 use crate::{
     diag::Result,
-    value::{Callback, Ctx, List, Maybe, op},
+    value::{Callback, Ctx, List, Maybe, Witness, op},
 };
 
 op! {
@@ -18,14 +18,16 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<bool> {
-    for item in args.list.iter() {
+    for (idx, item) in args.list.iter().enumerate() {
         let holds = match &args.f.0 {
             Some(test) => truth(ctx, test, item)?,
             None => as_truth(item, ctx.span)?,
         };
         if !holds {
+            ctx.decided(Witness::Element(idx, item.clone()));
             return Ok(false);
         }
     }
+    ctx.decided(Witness::All(args.list.len()));
     Ok(true)
 }

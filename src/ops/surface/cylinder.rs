@@ -6,7 +6,7 @@ use super::{around, upward};
 use crate::{
     diag::{Result, Spanned},
     kernel::NurbsSurface,
-    ops::positive,
+    ops::radius,
     value::{At, Ctx, Length, op},
 };
 
@@ -34,7 +34,7 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
-    let radius = positive("the radius", args.radius)?;
+    let radius = radius("the radius", args.radius)?;
     let height = upward(args.height)?;
     let frame = around(args.base, args.axis)?;
     NurbsSurface::cone(frame, [radius; 2], height).at(ctx.span)

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     diag::{Result, Spanned},
     kernel::{Frame, NurbsSurface},
-    ops::positive,
+    ops::radius,
     value::{At, Ctx, Length, op},
 };
 
@@ -28,6 +28,6 @@ op! {
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
-    let radius = positive("the radius", args.radius)?;
+    let radius = radius("the radius", args.radius)?;
     NurbsSurface::cone(*args.plane, [radius, 0.0], 0.0).at(args.radius.span)
 }

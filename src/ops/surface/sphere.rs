@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::{
     diag::{Result, Spanned},
     kernel::{Frame, NurbsSurface},
-    ops::positive,
+    ops::radius,
     value::{At, Ctx, Length, op},
 };
 
@@ -27,6 +27,6 @@ op! {
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
-    let radius = positive("the radius", args.radius)?;
+    let radius = radius("the radius", args.radius)?;
     NurbsSurface::sphere(Frame::XY.at(args.center), radius).at(args.radius.span)
 }

@@ -6,7 +6,7 @@ use super::around;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::NurbsSurface,
-    ops::positive,
+    ops::radius,
     value::{At, Ctx, Length, op},
 };
 
@@ -33,8 +33,8 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
-    let major = positive("the major radius", args.major)?;
-    let minor = positive("the minor radius", args.minor)?;
+    let major = radius("the major radius", args.major)?;
+    let minor = radius("the minor radius", args.minor)?;
     let frame = around(args.center, args.axis)?;
     let torus = NurbsSurface::torus(frame, major, minor).at(ctx.span)?;
     if major < minor {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::at_least_once;
+use super::{at_least_once, not_too_often};
 use crate::{
     diag::{Result, Spanned},
     kernel::NurbsCurve,
@@ -26,14 +26,13 @@ op! {
     example "insert_knot(bezier((0, 0), (2, 4), (4, 0)), 0.5).points" => "[(0, 0, 0), (1, 2, 0), (3, 2, 0), (4, 0, 0)]";
     example "insert_knot(bezier((0, 0), (2, 4), (4, 0)), 0.5, times = 2).knots" => "[0, 0, 0, 0.5, 0.5, 1, 1, 1]";
     refuses "insert_knot(bezier((0, 0), (1, 2), (2, 0)), 2)" => "E0606: parameter 2 is outside the domain 0..1";
-    refuses "insert_knot(bezier((0, 0), (1, 2), (2, 0)), 0.5, times = 4)" => "E0602: knot 0.5 stands 4 times from index 3; at most 3 are possible";
+    refuses "insert_knot(bezier((0, 0), (1, 2), (2, 0)), 0.5, times = 4)" => "E0602: knot 0.5 would stand 4 times; at degree 2 it stands 3 times at most";
     picture "insert_knot(bezier((0, 0), (1, 3), (3, -2), (4, 1)), 0.5)";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
     let Args { c, t, times } = args;
     at_least_once("inserted", times)?;
-    // One time more than can be makes the message, without a list of any length.
-    let knots = vec![t.value; times.value.min(c.degree() + 2)];
-    c.insert_knots(&knots).at(t.span)
+    not_too_often(c.knots(), t, times)?;
+    c.insert_knots(&vec![t.value; times.value]).at(t.span)
 }

@@ -31,10 +31,10 @@ op! {
     picture "reduce(elevate(bezier((0, 0), (1, 3), (3, -2), (4, 1)), 5), 1e-9)";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
     let tolerance = positive("the tolerance", args.tolerance)?;
     let degree = args.degree.map(|degree| degree.value);
-    let span = args.degree.map_or(ctx.span, |degree| degree.span);
+    let span = args.degree.map_or(args.tolerance.span, |degree| degree.span);
     match degree {
         Some(degree) if degree == 0 || args.c.degree() <= degree => {
             let own = args.c.degree();

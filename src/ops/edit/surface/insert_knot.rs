@@ -6,7 +6,7 @@ use super::{check_more, one_of};
 use crate::{
     diag::{Result, Spanned},
     kernel::NurbsSurface,
-    ops::edit::curve::at_least_once,
+    ops::edit::curve::{at_least_once, not_too_often},
     value::{At, Ctx, op},
 };
 
@@ -39,8 +39,8 @@ op! {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let (along, t) = one_of(args.u, args.v, ctx, "`refine` takes knots of both directions")?;
     at_least_once("inserted", args.times)?;
-    // One time more than can be makes the message, without a list of any length.
-    let times = args.times.value.min(args.s.knots(along).degree() + 2);
+    not_too_often(args.s.knots(along), t, args.times)?;
+    let times = args.times.value;
     check_more(&args.s, along, times, ctx)?;
     args.s.insert_knots(along, &vec![t.value; times]).at(t.span)
 }

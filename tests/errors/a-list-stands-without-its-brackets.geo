@@ -1,0 +1,5 @@
+curve a = line((0, 0), (1, 0))
+curve b = line((0, 1), (1, 1))
+surface s = skin(a, b)
+curve c = join(a, b)
+print mean(1, 2, 3)

@@ -1,0 +1,12 @@
+fn down(n) = if n == 0 then 1 / n else down(n - 1)
+fn a(n) = b(n)
+fn b(n) = c(n)
+fn c(n) = d(n)
+fn d(n) = e(n)
+fn e(n) = f(n)
+fn f(n) = g(n)
+fn g(n) = h(n)
+fn h(n) = i(n)
+fn i(n) = 1 / n
+print a(0)
+print down(20)

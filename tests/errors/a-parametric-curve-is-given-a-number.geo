@@ -1,0 +1,1 @@
+print parametric(5, 0..1)
