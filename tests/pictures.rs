@@ -184,8 +184,9 @@ fn each_view_looks_from_its_side() {
     let is_inside = |&[x, y]: &[usize; 2]| (9..191).contains(&x) && (76..124).contains(&y);
     assert!(shown.iter().all(is_inside));
     assert!((180 * 45..183 * 48).contains(&shown.len()), "{}", shown.len());
-    // From above and from the side it is a line.
-    for (view, n_long) in [("top", 180), ("right", 180)] {
+    // From above, from below and from the sides it is a line.
+    for view in ["top", "bottom", "right", "left"] {
+        let n_long = 180;
         let pixels = drawn("views", script, &["--size", "200x200", "--view", view]);
         let shown = pixels.places(|color| color != WHITE);
         assert!((n_long..3 * n_long).contains(&shown.len()), "{view}: {}", shown.len());
@@ -201,6 +202,35 @@ fn a_flat_script_is_seen_from_above_and_any_other_at_a_slant() {
     let slant = drawn("slant", &space, &["--size", "100x100"]);
     let isometric = drawn("slant", &space, &["--size", "100x100", "--view", "isometric"]);
     assert_eq!(slant.bytes, isometric.bytes);
+}
+
+#[test]
+fn views_from_opposite_sides_show_opposite_faces() {
+    // Six plates around a box: each view shows the one that is nearest to it alone.
+    let script =
+        "surface t = plane_patch((0, 0, 5), (4, 0, 0), (0, 4, 0)) with (color = \"#ff0000\")
+        surface b = plane_patch((0, 0, -1), (4, 0, 0), (0, 4, 0)) with (color = \"#0000ff\")
+        surface r = plane_patch((5, 0, 0), (0, 4, 0), (0, 0, 4)) with (color = \"#00ff00\")
+        surface l = plane_patch((-1, 0, 0), (0, 4, 0), (0, 0, 4)) with (color = \"#ffff00\")
+        surface f = plane_patch((0, -1, 0), (4, 0, 0), (0, 0, 4)) with (color = \"#ff00ff\")
+        surface k = plane_patch((0, 5, 0), (4, 0, 0), (0, 0, 4)) with (color = \"#00ffff\")";
+    let sides = [
+        ("top", RED),
+        ("bottom", BLUE),
+        ("right", [0, 255, 0]),
+        ("left", [255, 255, 0]),
+        ("front", [255, 0, 255]),
+        ("back", [0, 255, 255]),
+    ];
+    for (view, nearest) in sides {
+        let pixels = drawn("sides", script, &["--size", "200x200", "--view", view]);
+        // Two of three pixels and more are between the lines.
+        let inside = pixels.places(|color| color == nearest);
+        assert!(4000 < inside.len(), "{view}: {}", inside.len());
+        for (_, other) in sides.iter().filter(|(_, other)| *other != nearest) {
+            assert!(pixels.places(|color| color == *other).is_empty(), "{view}: {other:?}");
+        }
+    }
 }
 
 #[test]
@@ -383,7 +413,7 @@ fn what_cannot_be_drawn_is_said_and_nothing_is_written() {
         ),
         (
             &["a.geo", "-o", "a.png", "--view", "7"],
-            "views are top, front, right, isometric, oblique",
+            "views are top, front, right, bottom, back, left, isometric, oblique",
             3,
         ),
         (

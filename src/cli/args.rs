@@ -245,8 +245,8 @@ Examples:
 /// What a picture shows, and how.
 #[derive(Debug, Args)]
 pub(super) struct Drawn {
-    /// From where: top, front, right, isometric or oblique [default: top of what is flat, else
-    /// isometric]
+    /// From where: top, front, right, bottom, back, left, isometric or oblique [default: top of
+    /// what is flat, else isometric]
     #[arg(long, value_name = "VIEW", value_parser = render::view)]
     pub(super) view: Option<View>,
     /// Width and height in pixels

@@ -1,4 +1,4 @@
-//! The five views of a drawing: how a point in space becomes a point on paper and a depth.
+//! The views of a drawing: how a point in space becomes a point on paper and a depth.
 //!
 //! Every view is a parallel projection and linear, so that the picture of a polynomial curve is
 //! the polynomial curve of the pictures of its control points. Carlbom & Paciorek, *Planar
@@ -9,7 +9,8 @@ use glam::{DMat3, DVec2, DVec3};
 use super::{Item, shape::bounds};
 use crate::kernel::Bounds;
 
-/// From where a drawing looks at the geometry. The z axis points up but in [`View::Top`].
+/// From where a drawing looks at the geometry. The z axis points up but in [`View::Top`] and
+/// [`View::Bottom`].
 ///
 /// [`View::project`] gives x to the right, y upward, and a depth that grows toward the viewer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,6 +22,12 @@ pub enum View {
     Front,
     /// From the right, against x: y to the right, z upward.
     Right,
+    /// From below, along z: x to the right, y downward.
+    Bottom,
+    /// From the back, against y: x to the left, z upward.
+    Back,
+    /// From the left, along x: y to the left, z upward.
+    Left,
     /// From the front, the right and above, along (−1, 1, −1): the axes stand at 120°, z upward,
     /// x down to the right, y up to the right, each shortened to √(2/3).
     Isometric,
@@ -38,6 +45,9 @@ impl View {
         ("top", Self::Top),
         ("front", Self::Front),
         ("right", Self::Right),
+        ("bottom", Self::Bottom),
+        ("back", Self::Back),
+        ("left", Self::Left),
         ("isometric", Self::Isometric),
         ("oblique", Self::Oblique),
     ];
@@ -48,7 +58,7 @@ impl View {
     /// use virote::export::View;
     ///
     /// assert_eq!(View::from_name("front"), Some(View::Front));
-    /// assert_eq!(View::from_name("back"), None);
+    /// assert_eq!(View::from_name("behind"), None);
     /// ```
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
@@ -73,6 +83,9 @@ impl View {
             Self::Top => DMat3::IDENTITY,
             Self::Front => rows(DVec3::X, DVec3::Z, DVec3::NEG_Y),
             Self::Right => rows(DVec3::Y, DVec3::Z, DVec3::X),
+            Self::Bottom => rows(DVec3::X, DVec3::NEG_Y, DVec3::NEG_Z),
+            Self::Back => rows(DVec3::NEG_X, DVec3::Z, DVec3::Y),
+            Self::Left => rows(DVec3::NEG_Y, DVec3::Z, DVec3::NEG_X),
             Self::Isometric => rows(
                 DVec3::new(1.0, 1.0, 0.0) / 2.0_f64.sqrt(),
                 DVec3::new(-1.0, 1.0, 2.0) / 6.0_f64.sqrt(),
@@ -140,6 +153,14 @@ mod tests {
         for &(name, view) in View::ALL {
             assert!((view.matrix().determinant() - 1.0).abs() < 1e-15, "{name}");
         }
+    }
+
+    #[test]
+    fn opposite_views_mirror_what_is_to_the_right_or_up_and_see_the_other_side() {
+        let p = DVec3::new(1.0, 2.0, 3.0);
+        assert_eq!(View::Bottom.project(p), DVec3::new(1.0, -2.0, -3.0));
+        assert_eq!(View::Back.project(p), DVec3::new(-1.0, 3.0, 2.0));
+        assert_eq!(View::Left.project(p), DVec3::new(-2.0, 3.0, -1.0));
     }
 
     #[test]

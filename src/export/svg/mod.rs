@@ -1,4 +1,4 @@
-//! SVG: a drawing of the geometry from one of five sides, without hidden lines.
+//! SVG: a drawing of the geometry from one side, without hidden lines.
 //!
 //! `path` makes paths of curves, exactly where a cubic can be, [`super::wire`] finds the lines of
 //! surfaces and meshes, `hidden` what of a line is seen, `legend` explains colours. W3C, *Scalable Vector Graphics 1.1*, second edition.
