@@ -282,7 +282,10 @@ fn hint_of_picture(error: &PictureError) -> Option<String> {
         Error::SurfacesRunTogether { .. } => {
             "surfaces that share an area have no curve there; `trim` it away, or move one of them"
         }
-        Error::TooTangled { .. } => {
+        Error::TooTangled { .. }
+        | Error::OffSurface { .. }
+        | Error::ToldTwice { .. }
+        | Error::EndsInside { .. } => {
             "`trim` the surfaces to where they should cross, or state a larger `tolerance`"
         }
         Error::RunsAlong { .. } => {

@@ -12,6 +12,7 @@ mod construct;
 mod constructors;
 mod coons;
 mod crossing;
+mod crossing_turned;
 mod curve;
 mod edit;
 mod edit_surface;

@@ -9,7 +9,10 @@
 use std::ops::Mul;
 
 use super::{Branch, square};
-use crate::{kernel::Grid, limits::work};
+use crate::{
+    kernel::{Grid, Interval, bernstein, roots::Signs},
+    limits::work,
+};
 
 /// Where cells are cut: no half, so that lines of round parameters are not sides of cells.
 const CUT: f64 = 0.4871;
@@ -221,14 +224,32 @@ fn contacts(cell: &Cell, rounding: f64) -> Option<Vec<Branch>> {
         })
     };
     let along = |slopes: Grid<f64>, is_swapped: bool| {
-        let field = if is_swapped { slopes.transposed() } else { slopes };
+        let (whole, field) = match is_swapped {
+            true => (cell.field.transposed(), slopes.transposed()),
+            false => (cell.field.clone(), slopes),
+        };
         let bend = steadiness(&field.transposed(), rounding);
-        let branches = (0.0 < bend.abs())
-            .then(|| Branch::all(cell, field, is_swapped, 0.0 < bend, rounding))?;
+        if bend == 0.0 || !keeps_sign_on_sides(&whole, bend, rounding) {
+            return None;
+        }
+        let branches = Branch::all(cell, field, is_swapped, 0.0 < bend, rounding);
         let are_touching = !branches.is_empty() && branches.iter().all(touches);
         are_touching.then_some(branches)
     };
     along(square::slope_v(&cell.field), false).or_else(|| along(square::slope_u(&cell.field), true))
+}
+
+/// Whether a field that bends to one side along v is on that side of zero where v begins and ends. What
+/// only touches zero between is so; where it is not, the line of least slope leaves the cell and the field
+/// crosses zero beside it.
+fn keeps_sign_on_sides(field: &Grid<f64>, bend: f64, rounding: f64) -> bool {
+    [0, field.n_columns() - 1].into_iter().all(|column| {
+        let side: Vec<f64> =
+            field.column(column).iter().map(|value| value * bend.signum()).collect();
+        let mut signs = Signs::default();
+        signs.follow(Interval::UNIT, &side, rounding);
+        signs.changes().is_empty() && -rounding <= bernstein::value(&side, 0.5)
+    })
 }
 
 /// Sides of a patch: which parameter is constant, and at which end.

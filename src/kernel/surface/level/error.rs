@@ -20,6 +20,22 @@ pub enum PictureError {
     /// Surfaces whose curves are too many or too close.
     #[error("the surfaces cross too often, or run too close to one another, near {}", place(*point))]
     TooTangled { point: DVec3 },
+    /// A curve that was found and is not on a surface.
+    #[error(
+        "no curve can be told for certain near {}: what was found is {} off a surface",
+        place(*point),
+        few_digits(*distance)
+    )]
+    OffSurface { point: DVec3, distance: f64 },
+    /// Two curves that are one for a stretch.
+    #[error("no curve can be told for certain near {}: two that were found are one there", place(*point))]
+    ToldTwice { point: DVec3 },
+    /// A curve of which a part is missing.
+    #[error(
+        "no curve can be told for certain near {}: what was found ends there, inside the surfaces",
+        place(*point)
+    )]
+    EndsInside { point: DVec3 },
     /// A curve that shares a stretch with a surface.
     #[error("the curve runs along the surface from parameter {} to {}", few_digits(*start), few_digits(*end))]
     RunsAlong { start: f64, end: f64 },

@@ -19,6 +19,7 @@ use super::{
     seam::Seam,
     share::{Found, MAX_PAIRS, found, halved},
     trace::{Crossing, Ends, Place},
+    verify,
 };
 use crate::{
     kernel::{
@@ -84,11 +85,15 @@ impl Surface {
         let lines = chained.lines.into_iter().filter(|line| 1 < line.len()).map(spline);
         let curves: Result<Vec<NurbsCurve>, GeomError> =
             seams_once.map(|seam| Ok(seam.directed([&a, &b]))).chain(lines).collect();
+        let curves = curves?;
         let is_on_seam =
             |point: &DVec3| seams.iter().any(|seam| seam.holds(*point, crossing.tolerance));
         let touches = chained.isolated.into_iter().filter(|point| !is_on_seam(point)).collect();
         uncertain.retain(|point| !is_on_seam(point));
-        Ok(LevelSet { curves: curves?, touches, uncertain })
+        let known: Vec<DVec3> =
+            ends.spots.iter().map(|spot| spot.point).chain(uncertain.iter().copied()).collect();
+        verify::verify(&curves, &[&a, &b], &known, tolerance)?;
+        Ok(LevelSet { curves, touches, uncertain })
     }
 }
 
@@ -153,6 +158,13 @@ fn arcs(
             }
             continue;
         };
+        if crossing.is_collapsed(place.point) {
+            // From there no curve can be followed.
+            if crossing.tolerance < size {
+                todo.extend(halved(pair, near));
+            }
+            continue;
+        }
         let mut run = runs.iter().find(|run| run.passes(place.point, crossing.tolerance));
         if run.is_none() {
             let new = crossing.run(place, ends);

@@ -10,6 +10,7 @@
 //! of what they mirror. `meet` has the curves in which two surfaces cross,
 //! by parts of both (`pair`, `share`) and by following what is found (`trace`), also where they touch (`touch`)
 //! along lines (`tangency`) or are neighbours (`seam`), `pierce` the places that a curve shares with a surface.
+//! `verify` looks at every curve before it is told.
 //!
 //! Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988); Patrikalakis &
 //! Maekawa, *Shape Interrogation for Computer Aided Design and Manufacturing*, §4.
@@ -30,6 +31,7 @@ mod share;
 mod tangency;
 mod touch;
 mod trace;
+mod verify;
 
 use glam::DVec3;
 

@@ -1,6 +1,6 @@
 //! Plane sections of surfaces, exact fields: the height above the plane times the denominator.
 
-use super::{Collected, Field, LevelSet, square};
+use super::{Collected, Field, LevelSet, square, verify};
 use crate::kernel::{
     Frame, GeomError, Grid, NurbsSurface, Surface, Tolerance, tolerance::LAST_BIT,
 };
@@ -72,7 +72,9 @@ impl NurbsSurface {
                 collected.add(field)?;
             }
         }
-        collected.finish()
+        let found = collected.finish()?;
+        verify::verify(&found.curves, &[self], &found.touches, tolerance)?;
+        Ok(found)
     }
 }
 

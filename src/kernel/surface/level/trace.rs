@@ -7,7 +7,7 @@ use super::{
     chain::Spot,
     cubic::Cubic,
     sample::{MOST_TURN, Run, Sample, length_between},
-    touch::{Junction, Way, poles},
+    touch::{Collapsed, Junction, Way, collapsed, poles},
 };
 use crate::{
     kernel::{
@@ -27,6 +27,9 @@ const MAX_SAMPLES: usize = 200_000;
 /// How much longer the next step is than one that was good.
 const GROWTH: f64 = 1.6;
 
+/// A way this many times longer than it is along the curve leads past what it leads to.
+const WIDEST_ARRIVAL: f64 = 1.2;
+
 /// Two surfaces that are asked where they cross.
 #[derive(Debug)]
 pub(super) struct Crossing<'s> {
@@ -40,6 +43,8 @@ pub(super) struct Crossing<'s> {
     pub(super) rounding: f64,
     /// Poles and corners in which the surfaces touch.
     pub(super) poles: Vec<DVec3>,
+    /// Collapsed edges of either surface on the other one: curves that arrive there end.
+    collapsed: Vec<Collapsed>,
 }
 
 /// A place on both surfaces: u and v on the first, u and v on the second.
@@ -71,7 +76,8 @@ impl<'s> Crossing<'s> {
         let contact = share * tolerance;
         let poles = poles(surfaces, contact);
         let rounding = 8.0 * LAST_BIT * magnitude;
-        Self { surfaces, domains, tolerance, contact, size, rounding, poles }
+        let collapsed = collapsed(surfaces, contact);
+        Self { surfaces, domains, tolerance, contact, size, rounding, poles, collapsed }
     }
 
     /// Parts of surfaces that touch are no larger than this: the tolerance's height over a bend of
@@ -194,6 +200,13 @@ impl<'s> Crossing<'s> {
                 }
                 step = step.min(0.5 * junction.reach.point.distance(last.point));
             }
+            if let Some(collapsed) = self.collapsed_ahead(last, sign, step) {
+                if let Some(place) = self.arrival_at(last, sign, collapsed) {
+                    places.push(place);
+                    break;
+                }
+                step = step.min(0.5 * collapsed.point.distance(last.point));
+            }
             let Some((next, is_end)) = self.advance(last, sign * step) else {
                 step *= 0.5;
                 if step < 0.1 * self.tolerance {
@@ -241,6 +254,41 @@ impl<'s> Crossing<'s> {
         })
     }
 
+    /// Whether a point is a collapsed edge of either surface.
+    pub(super) fn is_collapsed(&self, point: DVec3) -> bool {
+        self.collapsed.iter().any(|edge| edge.point.distance(point) <= self.tolerance)
+    }
+
+    /// A collapsed edge that the next step may lead to.
+    fn collapsed_ahead(&self, last: Place, sign: f64, step: f64) -> Option<&Collapsed> {
+        self.collapsed.iter().find(|edge| {
+            let way = edge.point - last.point;
+            let along = way.dot(last.tangent * sign);
+            0.0 < along && along <= GROWTH * step && way.length() <= WIDEST_ARRIVAL * along
+        })
+    }
+
+    /// A collapsed edge as the next place, where a cubic to it stays on the curve. Parameters along such an
+    /// edge are all one point, so that no step leads over it.
+    fn arrival_at(&self, last: Place, sign: f64, edge: &Collapsed) -> Option<Place> {
+        let end = Place { at: last.at, point: edge.point, tangent: edge.tangent };
+        let way = edge.point - last.point;
+        if way.length() <= self.tolerance {
+            return Some(end);
+        }
+        let speed = self.speed(last);
+        let half = 0.5 * way.dot(last.tangent);
+        let middle = std::array::from_fn(|i| last.at[i] + speed[i] * half);
+        let cubic = self.cubic(last, end, sign);
+        let plane = Condition::InPlane { origin: cubic.middle(), normal: unit(way)? };
+        let place = self.common_where(middle, plane)?;
+        let turn = last.tangent.distance_squared(end.tangent);
+        let is_followed = (end.tangent == DVec3::ZERO || turn <= MOST_TURN)
+            && self.is_inside(place.at)
+            && cubic.misses(place.point) <= SAMPLING * self.tolerance;
+        is_followed.then_some(end)
+    }
+
     /// The junction as the next place, where a cubic to it stays on the curve.
     fn arrival(&self, last: Place, sign: f64, junction: &Junction) -> Option<Place> {
         let back = last.point - junction.reach.point;
@@ -276,11 +324,8 @@ impl<'s> Crossing<'s> {
             self.common_where(guess(f), Condition::InPlane { origin, normal: from.tangent })
         };
         let (middle, next) = (place(0.5)?, place(1.0)?);
-        let turn = from.tangent.distance_squared(next.tangent);
         let sign = step.signum();
-        if MOST_TURN < turn
-            || SAMPLING * self.tolerance < self.cubic(from, next, sign).misses(middle.point)
-        {
+        if !self.follows(from, [middle, next], sign) {
             return None;
         }
         if self.is_inside(next.at) {
@@ -300,11 +345,25 @@ impl<'s> Crossing<'s> {
             let mut found = self.common_where(guess(share), Condition::At { parameter, value })?;
             found.at[parameter] = value;
             let way = (found.point - from.point).dot(from.tangent) * sign;
-            if end.is_none_or(|(least, _)| way < least) {
+            if self.is_inside(found.at) && 0.0 <= way && end.is_none_or(|(least, _)| way < least) {
                 end = Some((way, found));
             }
         }
-        end.map(|(_, place)| (place, true))
+        // The end may be elsewhere, where the surfaces go on straight: it is looked at as any other place.
+        let (way, place) = end?;
+        let share = way / step.abs();
+        let origin = from.point + from.tangent * (0.5 * way * sign);
+        let plane = Condition::InPlane { origin, normal: from.tangent };
+        let middle = self.common_where(guess(0.5 * share), plane)?;
+        let is_followed =
+            share <= 1.0 && self.is_inside(middle.at) && self.follows(from, [middle, place], sign);
+        is_followed.then_some((place, true))
+    }
+
+    /// Whether the curve keeps to the cubic from one place to the last by way of the one between.
+    fn follows(&self, from: Place, [middle, to]: [Place; 2], sign: f64) -> bool {
+        from.tangent.distance_squared(to.tangent) <= MOST_TURN
+            && self.cubic(from, to, sign).misses(middle.point) <= SAMPLING * self.tolerance
     }
 
     /// How the parameters change along the curve, by its length.

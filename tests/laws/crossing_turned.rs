@@ -1,0 +1,143 @@
+//! Curves of quadrics and tori whose lengths are known, with poles, seams and contacts on them, turned
+//! in every way: what is found must not depend on where parameters run.
+
+use std::{f64::consts::TAU, sync::Arc};
+
+use glam::{DAffine3, DQuat, DVec3};
+use virote::kernel::{
+    Axis, Frame, KnotVector, LevelSet, NurbsCurve, NurbsSurface, Surface, Tolerance,
+};
+
+use crate::some::sphere;
+
+/// Orientations of each family; 200 of each were looked at once.
+const ORIENTATIONS: u64 = 12;
+
+/// Numbers between 0 and 1 without a pattern: the multiples of irrational numbers, less their integers.
+fn fractions(n: u64) -> [f64; 4] {
+    [2f64, 3.0, 5.0, 7.0].map(|prime| (prime.sqrt() * (n + 1) as f64).fract())
+}
+
+/// The n-th rotation: uniform over all of them (Shoemake, *Uniform random rotations*, Graphics Gems III).
+fn turn(n: u64) -> DAffine3 {
+    let [a, b, c, _] = fractions(n);
+    let ((s1, c1), (s2, c2)) = ((TAU * b).sin_cos(), (TAU * c).sin_cos());
+    let (low, high) = ((1.0 - a).sqrt(), a.sqrt());
+    DAffine3::from_quat(DQuat::from_xyzw(low * s1, low * c1, high * s2, high * c2))
+}
+
+fn cylinder(base: DVec3, radius: f64, height: f64) -> NurbsSurface {
+    let foot = base + DVec3::X * radius;
+    let side = NurbsCurve::line(foot, foot + DVec3::Z * height).unwrap();
+    NurbsSurface::revolved(&side, Axis::new(base, DVec3::Z).unwrap(), TAU).unwrap()
+}
+
+fn torus(major: f64, minor: f64) -> NurbsSurface {
+    let s = 0.5f64.sqrt();
+    let knots = vec![0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0, 1.0, 1.0];
+    let corners = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1), (1, 0)];
+    let points: Vec<DVec3> = corners
+        .iter()
+        .map(|&(x, z)| DVec3::new(major + minor * f64::from(x), 0.0, minor * f64::from(z)))
+        .collect();
+    let weights = [1.0, s, 1.0, s, 1.0, s, 1.0, s, 1.0];
+    let tube = NurbsCurve::rational(KnotVector::new(2, knots).unwrap(), &points, &weights).unwrap();
+    NurbsSurface::revolved(&tube, Axis::new(DVec3::ZERO, DVec3::Z).unwrap(), TAU).unwrap()
+}
+
+fn total(found: &LevelSet) -> f64 {
+    found.curves.iter().map(|curve| curve.length(curve.domain())).sum()
+}
+
+/// What both share in each orientation, at full length.
+#[track_caller]
+fn check(name: &str, surfaces: [&NurbsSurface; 2], length: f64) {
+    for n in 0..ORIENTATIONS {
+        let [a, b] = surfaces.map(|s| Surface::Nurbs(Arc::new(s.transformed(&turn(n)))));
+        for [first, second] in [[&a, &b], [&b, &a]] {
+            let found = first.intersections(second, Tolerance::DEFAULT);
+            let found = found.unwrap_or_else(|error| panic!("{name}, orientation {n}: {error}"));
+            let far = (total(&found) / length - 1.0).abs();
+            assert!(far < 2e-6, "{name}, orientation {n}: {} for {length}", total(&found));
+        }
+    }
+}
+
+/// The complete elliptic integral of the second kind, E(m), by arithmetic and geometric means.
+/// Abramowitz & Stegun, *Handbook of Mathematical Functions*, §17.6.
+fn elliptic(m: f64) -> f64 {
+    let (mut a, mut g, mut sum, mut power) = (1.0, (1.0 - m).sqrt(), 0.5 * m, 1.0);
+    for _ in 0..30 {
+        let c = 0.5 * (a - g);
+        (a, g) = (0.5 * (a + g), (a * g).sqrt());
+        sum += power * c * c;
+        power *= 2.0;
+    }
+    0.5 * std::f64::consts::PI / a * (1.0 - sum)
+}
+
+/// The perimeter of an ellipse.
+fn ellipse(major: f64, minor: f64) -> f64 {
+    4.0 * major * elliptic(1.0 - (minor / major).powi(2))
+}
+
+/// Of a sphere and a cylinder through its poles: cos φ = k cos λ on the sphere, k = R / 2r < 1, by the
+/// longitude φ from the plane of the two axes and the latitude λ. What is periodic and analytic is summed
+/// by the trapezium rule.
+fn through_both_poles(sphere: f64, cylinder: f64) -> f64 {
+    let k = sphere / (2.0 * cylinder);
+    let speed = |latitude: f64| {
+        let (s, c) = latitude.sin_cos();
+        (1.0 + (c * k * s).powi(2) / (1.0 - (k * c).powi(2))).sqrt()
+    };
+    let n = 4000;
+    let whole: f64 = (0..n).map(|i| speed(TAU * f64::from(i) / f64::from(n))).sum();
+    sphere * TAU * whole / f64::from(n)
+}
+
+#[test]
+fn a_curve_through_the_pole_of_a_sphere_that_crosses_itself_is_told_in_every_orientation() {
+    let viviani = 8.0 * 2f64.sqrt() * elliptic(0.5);
+    let cylinder = cylinder(DVec3::new(1.0, 0.0, -4.0), 1.0, 8.0);
+    check("Viviani's curve", [&sphere(DVec3::ZERO, 2.0), &cylinder], viviani);
+}
+
+#[test]
+fn loops_through_both_poles_of_a_sphere_are_told_once_in_every_orientation() {
+    for radius in [1.2, 1.4, 3.0] {
+        let cylinder = cylinder(DVec3::new(radius, 0.0, -8.0), radius, 16.0);
+        let length = through_both_poles(2.0, radius);
+        check("both poles", [&sphere(DVec3::ZERO, 2.0), &cylinder], length);
+    }
+}
+
+#[test]
+fn cylinders_of_one_radius_cross_in_two_ellipses_in_every_orientation() {
+    let upright = cylinder(DVec3::new(0.0, 0.0, -6.0), 1.0, 12.0);
+    for angle in [1.0f64, 0.5 * std::f64::consts::PI] {
+        let lying = upright.transformed(&DAffine3::from_rotation_x(angle));
+        let length =
+            ellipse(1.0 / (0.5 * angle).sin(), 1.0) + ellipse(1.0 / (0.5 * angle).cos(), 1.0);
+        check("two ellipses", [&upright, &lying], length);
+    }
+}
+
+#[test]
+fn planes_that_touch_a_torus_twice_cut_circles_of_its_major_radius() {
+    for n in 0..2 * ORIENTATIONS {
+        let [a, b, c, _] = fractions(n);
+        let minor = 0.3 + a;
+        let major = minor * (1.1 + 2.0 * b);
+        let steep = (minor / major).asin();
+        let across = DVec3::new(-(TAU * c).cos(), -(TAU * c).sin(), 0.0);
+        let normal = across * steep.sin() + DVec3::Z * steep.cos();
+        for turn in [DAffine3::IDENTITY, turn(n)] {
+            let plane =
+                Frame::from_normal(DVec3::ZERO, turn.transform_vector3(normal), None).unwrap();
+            let found =
+                torus(major, minor).transformed(&turn).section(plane, Tolerance::DEFAULT).unwrap();
+            let wanted = 2.0 * TAU * major;
+            assert!((total(&found) / wanted - 1.0).abs() < 2e-6, "{n}: {}", total(&found));
+        }
+    }
+}
