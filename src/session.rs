@@ -7,6 +7,7 @@ mod ceiling;
 mod extra;
 mod inspect;
 mod options;
+mod path;
 mod picture;
 mod plan;
 mod stop;
@@ -334,7 +335,7 @@ impl Session {
         diagnostics: &mut Vec<Diagnostic>,
     ) -> Vec<Event> {
         let mut events = Vec::new();
-        let mut written = plan::Written::default();
+        let mut written = path::Written::default();
         for output in outputs {
             match output {
                 Output::Printed(printed) => events.push(Event::Printed(printed)),

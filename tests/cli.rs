@@ -600,12 +600,12 @@ fn tables_read_back_from_csv_as_they_were() {
     let table =
         "table t = table({x: [1, 2], s: [\"\", \"1\"]})\ntable u = table({s: [\"\", \" a;\"]})\n";
     let scratch = Scratch::new("tables");
-    scratch.file("a.geo", &format!("{table}export t to \"t.csv\"\nexport u to \"u.csv\"\n"));
+    scratch.file("a.geo", format!("{table}export t to \"t.csv\"\nexport u to \"u.csv\"\n"));
     scratch.file("mac.csv", "x,y\r1,2\r3,4\r");
     scratch.file("marked.json", "\u{feff}[1]");
     scratch.file(
         "b.geo",
-        &format!(
+        format!(
             "{table}check load(\"t.csv\") == t\ncheck load(\"u.csv\") == u\ncheck load(\"mac.csv\").y == [2, 4]\ncheck load(\"marked.json\") == [1]\n"
         ),
     );

@@ -72,7 +72,8 @@ impl Env<'_> {
         let mut found: Vec<(u8, &Op)> = self
             .registry?
             .iter()
-            .filter(|other| other.name != op.name && takes(other, value))
+            .filter(|other| other.name != op.name && other.family == op.family)
+            .filter(|other| takes(other, value))
             .filter_map(|other| Some((kin(other)?, other)))
             .collect();
         found.sort_by_key(|&(kin, other)| (3 - kin, other.name));

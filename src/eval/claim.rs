@@ -87,7 +87,9 @@ fn brief(values: [f64; 2]) -> [String; 2] {
 fn told_apart([a, b]: [f64; 2], least: usize, more: usize) -> [String; 2] {
     /// Digits that tell any two numbers apart.
     const ALL: usize = 17;
-    let differ = (1..ALL).find(|&n| with_digits(a, n) != with_digits(b, n)).unwrap_or(ALL);
+    let differ = (1..ALL)
+        .find(|&n| with_digits(a, n).to_bits() != with_digits(b, n).to_bits())
+        .unwrap_or(ALL);
     let digits = least.max(differ + more);
     [a, b].map(
         |value| if ALL <= digits { shortest(value) } else { shortest(with_digits(value, digits)) },

@@ -3,8 +3,6 @@
 use glam::DVec3;
 use thiserror::Error;
 
-use crate::limits::work;
-
 use super::{FunctionFailure, Interval, JumpError, MeshError, PictureError, ShellError};
 
 /// A request that has no geometric answer.
@@ -395,13 +393,3 @@ pub enum GeomError {
 
 pub(in crate::kernel) use super::digits::few_digits;
 use super::digits::{degrees, how_far, plain};
-
-impl GeomError {
-    /// Counts steps of work.
-    ///
-    /// # Errors
-    /// [`Self::Ended`] where it is to go no further.
-    pub(in crate::kernel) fn go_on(n_steps: usize) -> Result<(), Self> {
-        if work::goes_on(n_steps as u64) { Ok(()) } else { Err(Self::Ended) }
-    }
-}

@@ -9,6 +9,7 @@ mod compatible;
 mod curve;
 mod datum;
 mod digits;
+mod ended;
 mod error;
 mod failure;
 mod fit;

@@ -4,7 +4,7 @@
 //! no place is nearer than another up to rounding. What tells the touch from a shared stretch is
 //! that the distance rises behind the floor, and over a way as long as the floor.
 
-use super::Interval;
+use super::{Interval, tolerance::LAST_BIT};
 
 /// Cells of a stretch at whose ends the distance is asked for.
 const N_CELLS: usize = 64;
@@ -106,7 +106,7 @@ pub(in crate::kernel) fn golden_section(
 
 /// The last place from `inside` towards `end` up to which something holds.
 pub(in crate::kernel) fn edge(holds: &impl Fn(f64) -> bool, inside: f64, end: f64) -> f64 {
-    let (mut on, mut step) = (inside, (end - inside) * f64::EPSILON);
+    let (mut on, mut step) = (inside, (end - inside) * LAST_BIT);
     let mut off = end;
     for _ in 0..MAX_STEPS {
         let next = if (end - inside).abs() <= step.abs() { end } else { inside + step };
@@ -144,8 +144,8 @@ mod tests {
     #[test]
     fn a_touch_of_ninth_order_is_one_place() {
         let stretch = Interval::new(-0.2, 0.25).unwrap();
-        let valley = Valley::of(|t: f64| (t * t * t).abs().powi(3), stretch, 1e-16);
-        assert_eq!(valley.bottom, 0.0);
+        let valley = Valley::of(|t: f64| libm::pow(t.abs(), 9.0), stretch, 1e-16);
+        assert_eq!(valley.bottom.to_bits(), 0);
         assert!(valley.is_single && valley.rises_to(1e-7) && !valley.rises_to(1e-6));
     }
 

@@ -1,9 +1,13 @@
 //! Text to tokens: logos finds them, this file adds what needs memory: the parts of interpolated
 //! strings, nested comments, the beginnings of lines, and habits from other languages.
 
+mod scan;
 mod unseen;
 
-use logos::{FilterResult, Lexer, Logos};
+use logos::{Lexer, Logos};
+
+pub(super) use scan::block_comment;
+use scan::{PieceEnd, is_closed, piece};
 
 use super::lexed::{Comment, Lexed};
 use super::token::Token;
@@ -46,13 +50,6 @@ struct Scanner<'s> {
     most: usize,
     /// The finding about stray text that has grown since its message was made.
     grown: Option<usize>,
-}
-
-/// What ends a piece of a string.
-enum PieceEnd {
-    Quote,
-    Brace,
-    Line,
 }
 
 /// Spellings of other languages: what they mean here, and what to do.
@@ -365,55 +362,6 @@ fn meaningless(text: &str) -> String {
 /// `source` is shorter than 4 GiB, which `parse` makes sure of.
 fn offset(at: usize) -> u32 {
     u32::try_from(at).unwrap_or(u32::MAX)
-}
-
-/// Takes a comment that began with `/*` to the `*/` of its own, or to the end of the text.
-pub(super) fn block_comment(lexer: &mut Lexer<'_, Token>) -> FilterResult<(), ()> {
-    let len = comment_len(lexer.remainder()).unwrap_or(lexer.remainder().len());
-    lexer.bump(len);
-    FilterResult::Emit(())
-}
-
-/// Bytes up to and with the `*/` that closes the comment around `rest`.
-fn comment_len(rest: &str) -> Option<usize> {
-    let bytes = rest.as_bytes();
-    let (mut at, mut depth) = (0, 1);
-    while at + 1 < bytes.len() {
-        match &bytes[at..at + 2] {
-            b"/*" => depth += 1,
-            b"*/" => depth -= 1,
-            _ => {
-                at += 1;
-                continue;
-            }
-        }
-        at += 2;
-        if depth == 0 {
-            return Some(at);
-        }
-    }
-    None
-}
-
-fn is_closed(comment: &str) -> bool {
-    comment_len(&comment[2..]).is_some()
-}
-
-/// The length of the piece of a string that begins with `rest`, its end mark included.
-fn piece(rest: &str) -> (usize, PieceEnd) {
-    let bytes = rest.as_bytes();
-    let mut at = 0;
-    while at < bytes.len() {
-        match bytes[at] {
-            b'\n' => return (at, PieceEnd::Line),
-            b'"' => return (at + 1, PieceEnd::Quote),
-            b'{' => return (at + 1, PieceEnd::Brace),
-            b'\\' if bytes[at + 1..].starts_with(b"u{") => at += 3,
-            b'\\' if bytes.get(at + 1).is_some_and(|&b| b != b'\n') => at += 2,
-            _ => at += 1,
-        }
-    }
-    (bytes.len(), PieceEnd::Line)
 }
 
 #[cfg(test)]

@@ -110,6 +110,7 @@ pub fn code_of(error: &GeomError) -> Code {
 
 /// What to do about an error of the kernel, where the message alone does not tell.
 #[must_use]
+#[expect(clippy::too_many_lines, reason = "one table")]
 pub fn hint_of(error: &GeomError) -> Option<String> {
     use GeomError as Error;
     Some(match error {
@@ -183,7 +184,7 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
 /// A number with two digits, no smaller.
 fn raised(x: f64) -> String {
     let rounded: f64 = format!("{x:.1e}").parse().unwrap_or(x);
-    let step = 10_f64.powf(x.abs().log10().floor() - 1.0);
+    let step = libm::pow(10.0, libm::log10(x.abs()).floor() - 1.0);
     let up = if rounded < x { rounded + step } else { rounded };
     super::rounded(up)
 }

@@ -167,7 +167,9 @@ mod tests {
         assert_eq!(convert("cm^2", 2.0), Some(([12, 0], 200.0)));
         assert_eq!(convert("m³", 1.0), Some(([18, 0], 1e9)));
         assert_eq!(convert("1/m", 5.0), Some(([-6, 0], 0.005)));
-        assert_eq!(convert("deg/mm", 180.0), Some(([-6, 6], std::f64::consts::PI)));
+        let (powers, turn) = convert("deg/mm", 180.0).expect("it is a unit");
+        assert_eq!(powers, [-6, 6]);
+        assert!((turn - std::f64::consts::PI).abs() <= 2.0 * f64::EPSILON);
         assert_eq!(convert("1", 7.0), Some(([0, 0], 7.0)));
         for text in ["kg", "mm^", "mm^x", "mm mm", "^2", "mm^(1/0)", "mm^(1/4", "mm^99", "/"] {
             assert_eq!(convert(text, 1.0), None, "{text}");

@@ -21,7 +21,7 @@ fn fractions(n: u64) -> [f64; 4] {
 /// The n-th rotation: uniform over all of them (Shoemake, *Uniform random rotations*, Graphics Gems III).
 fn turn(n: u64) -> DAffine3 {
     let [a, b, c, _] = fractions(n);
-    let ((s1, c1), (s2, c2)) = ((TAU * b).sin_cos(), (TAU * c).sin_cos());
+    let ((s1, c1), (s2, c2)) = (libm::sincos(TAU * b), libm::sincos(TAU * c));
     let (low, high) = ((1.0 - a).sqrt(), a.sqrt());
     DAffine3::from_quat(DQuat::from_xyzw(low * s1, low * c1, high * s2, high * c2))
 }
@@ -56,7 +56,8 @@ fn check(name: &str, surfaces: [&NurbsSurface; 2], length: f64) {
         let [a, b] = surfaces.map(|s| Surface::Nurbs(Arc::new(s.transformed(&turn(n)))));
         for [first, second] in [[&a, &b], [&b, &a]] {
             let found = first.intersections(second, Tolerance::DEFAULT);
-            let found = found.unwrap_or_else(|error| panic!("{name}, orientation {n}: {error}"));
+            assert!(found.is_ok(), "{name}, orientation {n}: {found:?}");
+            let found = found.unwrap();
             let far = (total(&found) / length - 1.0).abs();
             assert!(far < 2e-6, "{name}, orientation {n}: {} for {length}", total(&found));
         }
@@ -78,7 +79,7 @@ fn elliptic(m: f64) -> f64 {
 
 /// The perimeter of an ellipse.
 fn ellipse(major: f64, minor: f64) -> f64 {
-    4.0 * major * elliptic(1.0 - (minor / major).powi(2))
+    4.0 * major * elliptic(1.0 - (minor / major) * (minor / major))
 }
 
 /// Of a sphere and a cylinder through its poles: cos φ = k cos λ on the sphere, k = R / 2r < 1, by the
@@ -87,8 +88,8 @@ fn ellipse(major: f64, minor: f64) -> f64 {
 fn through_both_poles(sphere: f64, cylinder: f64) -> f64 {
     let k = sphere / (2.0 * cylinder);
     let speed = |latitude: f64| {
-        let (s, c) = latitude.sin_cos();
-        (1.0 + (c * k * s).powi(2) / (1.0 - (k * c).powi(2))).sqrt()
+        let (s, c) = libm::sincos(latitude);
+        (1.0 + c * k * s * c * k * s / (1.0 - k * c * k * c)).sqrt()
     };
     let n = 4000;
     let whole: f64 = (0..n).map(|i| speed(TAU * f64::from(i) / f64::from(n))).sum();
@@ -117,7 +118,7 @@ fn cylinders_of_one_radius_cross_in_two_ellipses_in_every_orientation() {
     for angle in [1.0f64, 0.5 * std::f64::consts::PI] {
         let lying = upright.transformed(&DAffine3::from_rotation_x(angle));
         let length =
-            ellipse(1.0 / (0.5 * angle).sin(), 1.0) + ellipse(1.0 / (0.5 * angle).cos(), 1.0);
+            ellipse(1.0 / libm::sin(0.5 * angle), 1.0) + ellipse(1.0 / libm::cos(0.5 * angle), 1.0);
         check("two ellipses", [&upright, &lying], length);
     }
 }
@@ -128,9 +129,9 @@ fn planes_that_touch_a_torus_twice_cut_circles_of_its_major_radius() {
         let [a, b, c, _] = fractions(n);
         let minor = 0.3 + a;
         let major = minor * (1.1 + 2.0 * b);
-        let steep = (minor / major).asin();
-        let across = DVec3::new(-(TAU * c).cos(), -(TAU * c).sin(), 0.0);
-        let normal = across * steep.sin() + DVec3::Z * steep.cos();
+        let steep = libm::asin(minor / major);
+        let across = DVec3::new(-libm::cos(TAU * c), -libm::sin(TAU * c), 0.0);
+        let normal = across * libm::sin(steep) + DVec3::Z * libm::cos(steep);
         for turn in [DAffine3::IDENTITY, turn(n)] {
             let plane =
                 Frame::from_normal(DVec3::ZERO, turn.transform_vector3(normal), None).unwrap();

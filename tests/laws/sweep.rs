@@ -3,8 +3,8 @@
 use glam::{DAffine3, DQuat, DVec3};
 use proptest::{collection::vec, prelude::Strategy, prop_assert, proptest};
 use virote::kernel::{
-    CircleForm, Ends, Fineness, Frames, Framing, GeomError, Held, Interpolator, Motion, NurbsCurve,
-    Spacing, Sweep, swept,
+    CircleForm, Columns, Ends, Fineness, Frames, Framing, GeomError, Held, Interpolator, Motion,
+    NurbsCurve, Spacing, Sweep, swept,
 };
 
 use crate::some::point;
@@ -49,7 +49,12 @@ fn ring() -> NurbsCurve {
 
 fn pipe(path: &NurbsCurve, up: DVec3) -> Sweep {
     let frames = Frames::new(path, Framing::RotationMinimizing, up, false).unwrap();
-    let fineness = Fineness { n_sections: None, tolerance: TOLERANCE, keeps_path: true };
+    let fineness = Fineness {
+        n_sections: None,
+        tolerance: TOLERANCE,
+        keeps_path: true,
+        columns: Columns::Through,
+    };
     swept(&ring(), path, &frames, &mut Still, &[], fineness).unwrap()
 }
 

@@ -14,6 +14,7 @@ use super::{
 use crate::kernel::{
     GeomError, Interval,
     curve::NurbsCurve,
+    tolerance::LAST_BIT,
     valley::{Valley, round},
 };
 
@@ -148,7 +149,7 @@ impl Search<'_> {
         }
         let crossing = self.crossing(stretch.first, stretch.second);
         let second = foot(self.second, stretch.second, place(self.first, valley.bottom));
-        let dust = f64::EPSILON * self.second.domain().length();
+        let dust = LAST_BIT * self.second.domain().length();
         let (first, second) = (inside(self.first, valley.bottom), inside(self.second, second));
         let touch = self.meeting(first, round(second, dust));
         // A crossing is known to the last bit, a touch is not.

@@ -18,8 +18,10 @@
 mod branch;
 mod cell;
 mod chain;
+mod collapsed;
 mod cubic;
 mod error;
+mod linear;
 mod meet;
 mod pair;
 mod pierce;
@@ -128,22 +130,7 @@ impl Collected {
             Some((rest, sides)) => (Some(rest), sides),
             None => (None, all_sides()),
         };
-        for (constant, end) in sides {
-            let branch = Branch::side(constant, end);
-            let middle = branch.place(0.5);
-            let holds = |condition: &Condition| {
-                -condition.rounding <= square::value(&condition.values, middle)
-            };
-            if !conditions.iter().all(holds) {
-                continue;
-            }
-            let run = Run::of(&branch, patch, SAMPLING * self.tolerance)?;
-            if run.length() <= self.tolerance {
-                self.spots.push(Spot { point: run.start(), radius: 0.0 });
-            } else {
-                self.sides.push(Side { run, is_of_zero });
-            }
-        }
+        self.add_sides(patch, sides, is_of_zero, &conditions)?;
         let Some(rest) = rest else { return Ok(()) };
         let extents = extents(patch);
         let fineness = Fineness { rounding, extents, tolerance: self.tolerance };
@@ -174,6 +161,33 @@ impl Collected {
             let [u, v] = at(middle);
             let radius = extents[0] * widths[0] + extents[1] * widths[1];
             self.spots.push(Spot { point: patch.point_at(u, v), radius });
+        }
+        Ok(())
+    }
+
+    /// Adds sides of a patch along which the field vanishes, where the conditions hold.
+    fn add_sides(
+        &mut self,
+        patch: &NurbsSurface,
+        sides: cell::Sides,
+        is_of_zero: bool,
+        conditions: &[Condition],
+    ) -> Result<(), GeomError> {
+        for (constant, end) in sides {
+            let branch = Branch::side(constant, end);
+            let middle = branch.place(0.5);
+            let holds = |condition: &Condition| {
+                -condition.rounding <= square::value(&condition.values, middle)
+            };
+            if !conditions.iter().all(holds) {
+                continue;
+            }
+            let run = Run::of(&branch, patch, SAMPLING * self.tolerance)?;
+            if run.length() <= self.tolerance {
+                self.spots.push(Spot { point: run.start(), radius: 0.0 });
+            } else {
+                self.sides.push(Side { run, is_of_zero });
+            }
         }
         Ok(())
     }

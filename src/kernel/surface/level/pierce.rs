@@ -6,11 +6,7 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{
-    PictureError,
-    pair::Part,
-    trace::{solved, within},
-};
+use super::{PictureError, linear::solved, pair::Part, trace::within};
 use crate::{
     kernel::{
         Bounds, Curve, GeomError, Interval, NurbsCurve, NurbsSurface, Surface, Tolerance, bezier,

@@ -13,7 +13,7 @@ use glam::{DMat2, DVec2, DVec3};
 
 use super::trace::{Crossing, Place, within};
 use crate::kernel::{
-    NurbsCurve, NurbsSurface,
+    NurbsSurface,
     frame::unit,
     homogeneous,
     tolerance::{BEND_RELATIVE, CONTACT_SHARE, LAST_BIT, PLACE_RELATIVE, SIGN_RELATIVE},
@@ -134,41 +134,6 @@ pub(super) fn poles(surfaces: [&NurbsSurface; 2], tolerance: f64) -> Vec<DVec3> 
         }
     }
     ends.into_iter().filter(|&end| touch(end)).collect()
-}
-
-/// An edge of one surface that is a point, on the other surface.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Collapsed {
-    pub(super) point: DVec3,
-    /// Along N × N of both, zero where one has no normal.
-    pub(super) tangent: DVec3,
-}
-
-/// The edges of either surface that are points on the other one.
-pub(super) fn collapsed(surfaces: [&NurbsSurface; 2], tolerance: f64) -> Vec<Collapsed> {
-    let bounds = surfaces.map(NurbsSurface::bounds);
-    let is_point = |edge: &NurbsCurve| edge.bounds().diagonal() <= LAST_BIT.sqrt() * tolerance;
-    let edges = surfaces.into_iter().flat_map(NurbsSurface::edges).filter(is_point);
-    let mut found: Vec<Collapsed> = Vec::new();
-    for point in edges.map(|edge| edge.start()) {
-        let is_known = found.iter().any(|known| known.point.distance(point) <= tolerance);
-        if is_known || !bounds.iter().all(|bounds| bounds.contains(point, tolerance)) {
-            continue;
-        }
-        let feet = surfaces.map(|surface| surface.closest(point));
-        if feet.iter().any(|foot| tolerance < foot.distance) {
-            continue;
-        }
-        let normal = |i: usize| {
-            let [u, v] = feet[i].parameters;
-            surfaces[i].normal_at(u, v).unwrap_or(DVec3::ZERO)
-        };
-        let across = normal(0).cross(normal(1));
-        let is_clear = LAST_BIT.sqrt() < across.length();
-        let tangent = unit(across).filter(|_| is_clear).unwrap_or(DVec3::ZERO);
-        found.push(Collapsed { point, tangent });
-    }
-    found
 }
 
 /// A surface over a plane.

@@ -5,9 +5,11 @@ use glam::DVec3;
 use super::{
     SAMPLING,
     chain::Spot,
+    collapsed::{Collapsed, collapsed},
     cubic::Cubic,
+    linear::solved,
     sample::{MOST_TURN, Run, Sample, length_between},
-    touch::{Collapsed, Junction, Way, collapsed, poles},
+    touch::{Junction, Way, poles},
 };
 use crate::{
     kernel::{
@@ -25,10 +27,7 @@ const MAX_STEPS: usize = 25;
 const MAX_SAMPLES: usize = 200_000;
 
 /// How much longer the next step is than one that was good.
-const GROWTH: f64 = 1.6;
-
-/// A way this many times longer than it is along the curve leads past what it leads to.
-const WIDEST_ARRIVAL: f64 = 1.2;
+pub(super) const GROWTH: f64 = 1.6;
 
 /// Two surfaces that are asked where they cross.
 #[derive(Debug)]
@@ -44,7 +43,7 @@ pub(super) struct Crossing<'s> {
     /// Poles and corners in which the surfaces touch.
     pub(super) poles: Vec<DVec3>,
     /// Collapsed edges of either surface on the other one: curves that arrive there end.
-    collapsed: Vec<Collapsed>,
+    pub(super) collapsed: Vec<Collapsed>,
 }
 
 /// A place on both surfaces: u and v on the first, u and v on the second.
@@ -128,7 +127,7 @@ impl<'s> Crossing<'s> {
     }
 
     /// The common place in a plane across a direction, or with one parameter given.
-    fn common_where(&self, mut at: [f64; 4], condition: Condition) -> Option<Place> {
+    pub(super) fn common_where(&self, mut at: [f64; 4], condition: Condition) -> Option<Place> {
         for _ in 0..MAX_STEPS {
             let look = self.look(at);
             let (row, value) = match condition {
@@ -254,41 +253,6 @@ impl<'s> Crossing<'s> {
         })
     }
 
-    /// Whether a point is a collapsed edge of either surface.
-    pub(super) fn is_collapsed(&self, point: DVec3) -> bool {
-        self.collapsed.iter().any(|edge| edge.point.distance(point) <= self.tolerance)
-    }
-
-    /// A collapsed edge that the next step may lead to.
-    fn collapsed_ahead(&self, last: Place, sign: f64, step: f64) -> Option<&Collapsed> {
-        self.collapsed.iter().find(|edge| {
-            let way = edge.point - last.point;
-            let along = way.dot(last.tangent * sign);
-            0.0 < along && along <= GROWTH * step && way.length() <= WIDEST_ARRIVAL * along
-        })
-    }
-
-    /// A collapsed edge as the next place, where a cubic to it stays on the curve. Parameters along such an
-    /// edge are all one point, so that no step leads over it.
-    fn arrival_at(&self, last: Place, sign: f64, edge: &Collapsed) -> Option<Place> {
-        let end = Place { at: last.at, point: edge.point, tangent: edge.tangent };
-        let way = edge.point - last.point;
-        if way.length() <= self.tolerance {
-            return Some(end);
-        }
-        let speed = self.speed(last);
-        let half = 0.5 * way.dot(last.tangent);
-        let middle = std::array::from_fn(|i| last.at[i] + speed[i] * half);
-        let cubic = self.cubic(last, end, sign);
-        let plane = Condition::InPlane { origin: cubic.middle(), normal: unit(way)? };
-        let place = self.common_where(middle, plane)?;
-        let turn = last.tangent.distance_squared(end.tangent);
-        let is_followed = (end.tangent == DVec3::ZERO || turn <= MOST_TURN)
-            && self.is_inside(place.at)
-            && cubic.misses(place.point) <= SAMPLING * self.tolerance;
-        is_followed.then_some(end)
-    }
-
     /// The junction as the next place, where a cubic to it stays on the curve.
     fn arrival(&self, last: Place, sign: f64, junction: &Junction) -> Option<Place> {
         let back = last.point - junction.reach.point;
@@ -305,7 +269,7 @@ impl<'s> Crossing<'s> {
         (cubic.misses(place.point) <= SAMPLING * self.tolerance).then_some(end)
     }
 
-    fn cubic(&self, from: Place, to: Place, sign: f64) -> Cubic {
+    pub(super) fn cubic(&self, from: Place, to: Place, sign: f64) -> Cubic {
         let sample = |place: Place| {
             let tangent = place.tangent * sign;
             Sample { point: place.point, before: tangent, behind: tangent }
@@ -367,7 +331,7 @@ impl<'s> Crossing<'s> {
     }
 
     /// How the parameters change along the curve, by its length.
-    fn speed(&self, from: Place) -> [f64; 4] {
+    pub(super) fn speed(&self, from: Place) -> [f64; 4] {
         let [pu, pv, qu, qv] = self.look(from.at).slopes;
         let one = |u: DVec3, v: DVec3| {
             let normal = u.cross(v);
@@ -417,7 +381,7 @@ fn run_of(places: Vec<Place>) -> Run {
 
 /// What a place must fulfil besides being on both surfaces.
 #[derive(Clone, Copy)]
-enum Condition {
+pub(super) enum Condition {
     InPlane { origin: DVec3, normal: DVec3 },
     At { parameter: usize, value: f64 },
 }
@@ -425,33 +389,4 @@ enum Condition {
 /// The parameter of a domain that is nearest to one.
 pub(super) fn within(domain: Interval, t: f64) -> f64 {
     t.clamp(domain.start(), domain.end())
-}
-
-/// The solution of a small linear system, by elimination with pivots.
-pub(super) fn solved<const N: usize>(
-    mut matrix: [[f64; N]; N],
-    mut right: [f64; N],
-) -> Option<[f64; N]> {
-    for column in 0..N {
-        let pivot = (column..N)
-            .max_by(|&i, &k| matrix[i][column].abs().total_cmp(&matrix[k][column].abs()))?;
-        if matrix[pivot][column].abs() < f64::MIN_POSITIVE {
-            return None;
-        }
-        matrix.swap(column, pivot);
-        right.swap(column, pivot);
-        for row in column + 1..N {
-            let factor = matrix[row][column] / matrix[column][column];
-            let above = matrix[column];
-            for (value, above) in matrix[row].iter_mut().zip(above).skip(column) {
-                *value -= factor * above;
-            }
-            right[row] -= factor * right[column];
-        }
-    }
-    for row in (0..N).rev() {
-        let known: f64 = (row + 1..N).map(|k| matrix[row][k] * right[k]).sum();
-        right[row] = (right[row] - known) / matrix[row][row];
-    }
-    right.iter().all(|x| x.is_finite()).then_some(right)
 }

@@ -55,8 +55,7 @@ pub(super) fn is_on(
         let point = curve.point_at(t);
         for surface in surfaces {
             let distance = surface.closest(point).distance;
-            // Not a number is off too.
-            if !(distance <= tolerance) {
+            if distance.is_nan() || tolerance < distance {
                 return Err(PictureError::OffSurface { point, distance }.into());
             }
         }
