@@ -10,7 +10,7 @@ use virote::kernel::{
 
 use crate::some::sphere;
 
-/// Orientations of each family; 200 of each were looked at once.
+/// Orientations of each family; 60 of each were looked at once.
 const ORIENTATIONS: u64 = 12;
 
 /// Numbers between 0 and 1 without a pattern: the multiples of irrational numbers, less their integers.
@@ -140,5 +140,39 @@ fn planes_that_touch_a_torus_twice_cut_circles_of_its_major_radius() {
             let wanted = 2.0 * TAU * major;
             assert!((total(&found) / wanted - 1.0).abs() < 2e-6, "{n}: {}", total(&found));
         }
+    }
+}
+
+#[test]
+fn a_plane_that_touches_a_cone_along_a_ruling_tells_it_up_to_the_tip() {
+    for n in 0..ORIENTATIONS {
+        let [a, b, c, _] = fractions(n);
+        let (radius, height, around) = (0.5 + a, 1.0 + b, TAU * c);
+        let foot = DVec3::new(radius, 0.0, height);
+        let side = NurbsCurve::line(DVec3::ZERO, foot).unwrap();
+        let axis = Axis::new(DVec3::ZERO, DVec3::Z).unwrap();
+        let cone = NurbsSurface::revolved(&side, axis, TAU).unwrap();
+        let normal = DVec3::new(height * libm::cos(around), height * libm::sin(around), -radius);
+        let turn = turn(n);
+        let plane = Frame::from_normal(DVec3::ZERO, turn.transform_vector3(normal), None).unwrap();
+        let found = cone.transformed(&turn).section(plane, Tolerance::DEFAULT).unwrap();
+        assert_eq!(found.curves.len(), 1, "{n}");
+        assert!((total(&found) / foot.length() - 1.0).abs() < 2e-6, "{n}: {}", total(&found));
+    }
+}
+
+/// The circle passes through the poles of the sphere, where it cannot be followed yet.
+#[test]
+fn a_ball_that_touches_a_tube_along_a_circle_tells_all_of_it_or_nothing() {
+    for n in 0..ORIENTATIONS {
+        let [a, b, c, _] = fractions(n);
+        let minor = 0.3 + a;
+        let major = minor * (1.1 + 2.0 * b);
+        let (sin, cos) = libm::sincos(TAU * c);
+        let ball = sphere(DVec3::new(major * cos, major * sin, 0.0), minor);
+        let [a, b] = [torus(major, minor), ball]
+            .map(|surface| Surface::Nurbs(Arc::new(surface.transformed(&turn(n)))));
+        let Ok(found) = a.intersections(&b, Tolerance::DEFAULT) else { continue };
+        assert!((total(&found) / (TAU * minor) - 1.0).abs() < 2e-6, "{n}: {}", total(&found));
     }
 }

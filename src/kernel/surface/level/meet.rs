@@ -19,7 +19,7 @@ use super::{
     seam::Seam,
     share::{Found, MAX_PAIRS, found, halved},
     trace::{Crossing, Ends, Place},
-    verify,
+    verify::{self, Meeting},
 };
 use crate::{
     kernel::{
@@ -90,7 +90,7 @@ impl Surface {
             |point: &DVec3| seams.iter().any(|seam| seam.holds(*point, crossing.tolerance));
         let touches = chained.isolated.into_iter().filter(|point| !is_on_seam(point)).collect();
         uncertain.retain(|point| !is_on_seam(point));
-        verify::verify(&curves, &[&a, &b], &[], tolerance)?;
+        verify::verify(&curves, &Meeting::Surfaces([&a, &b]), tolerance)?;
         Ok(LevelSet { curves, touches, uncertain })
     }
 }

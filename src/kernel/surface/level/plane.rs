@@ -1,6 +1,9 @@
 //! Plane sections of surfaces, exact fields: the height above the plane times the denominator.
 
-use super::{Collected, Field, LevelSet, square, verify};
+use super::{
+    Collected, Field, LevelSet, square,
+    verify::{self, Meeting},
+};
 use crate::kernel::{
     Frame, GeomError, Grid, NurbsSurface, Surface, Tolerance, tolerance::LAST_BIT,
 };
@@ -73,7 +76,8 @@ impl NurbsSurface {
             }
         }
         let found = collected.finish()?;
-        verify::verify(&found.curves, &[self], &found.touches, tolerance)?;
+        let meeting = Meeting::Section { surface: self, plane, touches: &found.touches };
+        verify::verify(&found.curves, &meeting, tolerance)?;
         Ok(found)
     }
 }

@@ -2,17 +2,20 @@
 //! and ends only where a curve of these surfaces can end.
 //!
 //! A curve in which surfaces cross ends at a border of one of them or where it meets others; so every end
-//! elsewhere tells that a part is missing.
+//! elsewhere tells that a part is missing. Half-branches of an analytic set come in pairs at each of its
+//! points (Sullivan, *Combinatorial invariants of analytic spaces*, 1971), so that an odd number of ends
+//! tells the same wherever surfaces are round. Only at a tip a line may end by itself, along which what
+//! touches the tip's cone does so.
 
 use glam::DVec3;
 
 use super::PictureError;
-use crate::kernel::{GeomError, NurbsCurve, NurbsSurface};
+use crate::kernel::{Frame, GeomError, NurbsCurve, NurbsSurface, tolerance::NORMAL_AGREEMENT};
 
 /// Where within each span a curve is looked at: not in its middle, where a cubic may be on by symmetry.
 const SHARE: f64 = 0.4;
 
-/// Places along a curve that are looked for on another, and how many of them make a stretch.
+/// Places along a curve that are looked at, and how many of them on another make a stretch.
 const N_PLACES: usize = 9;
 const MOST_SHARED: usize = 3;
 
@@ -22,42 +25,88 @@ const ONE_END: f64 = 4.0;
 /// Curves of fewer tolerances have no stretches.
 const SHORTEST: f64 = 200.0;
 
-/// Whether curves are on all surfaces, each once, and complete; `touches` are places where curves may end
-/// too.
+/// What curves are told of.
+pub(super) enum Meeting<'m> {
+    /// Two surfaces.
+    Surfaces([&'m NurbsSurface; 2]),
+    /// A surface and a plane, with places where curves may end too: flat parts are told by their borders,
+    /// where others end.
+    Section { surface: &'m NurbsSurface, plane: Frame, touches: &'m [DVec3] },
+}
+
+impl Meeting<'_> {
+    fn surfaces(&self) -> &[&NurbsSurface] {
+        match self {
+            Self::Surfaces(surfaces) => surfaces,
+            Self::Section { surface, .. } => std::slice::from_ref(surface),
+        }
+    }
+
+    /// How far a point is from the one that it is furthest from.
+    fn distance(&self, point: DVec3) -> f64 {
+        let from_plane = match self {
+            Self::Surfaces(_) => 0.0,
+            Self::Section { plane, .. } => (point - plane.origin()).dot(plane.z()).abs(),
+        };
+        let distances = self.surfaces().iter().map(|surface| surface.closest(point).distance);
+        // Not a number is off too.
+        distances.fold(from_plane, |far, near| if far.is_nan() || near <= far { far } else { near })
+    }
+
+    /// Whether that many ends in a place tell of no part that is missing.
+    fn allows(&self, n_ends: usize, end: DVec3, near: f64) -> bool {
+        match self {
+            Self::Surfaces(_) => n_ends.is_multiple_of(2),
+            Self::Section { touches, .. } => {
+                1 < n_ends || touches.iter().any(|touch| touch.distance(end) <= near)
+            }
+        }
+    }
+
+    /// Whether both only touch along the curve.
+    fn touches_along(&self, curve: &NurbsCurve) -> bool {
+        let point = curve.point_at(curve.domain().at(0.5));
+        let normal = |surface: &NurbsSurface| {
+            let [u, v] = surface.closest(point).parameters;
+            surface.normal_at(u, v).ok()
+        };
+        let normals = match self {
+            Self::Surfaces([a, b]) => normal(a).zip(normal(b)),
+            Self::Section { surface, plane, .. } => normal(surface).map(|a| (a, plane.z())),
+        };
+        normals.is_some_and(|(a, b)| a.cross(b).length() <= NORMAL_AGREEMENT)
+    }
+}
+
+/// Whether curves are on both that meet, each once, and complete.
 ///
 /// # Errors
 /// [`PictureError::OffSurface`], [`PictureError::ToldTwice`], [`PictureError::EndsInside`] with the place.
 pub(super) fn verify(
     curves: &[NurbsCurve],
-    surfaces: &[&NurbsSurface],
-    touches: &[DVec3],
+    meeting: &Meeting<'_>,
     tolerance: f64,
 ) -> Result<(), GeomError> {
     for curve in curves {
-        is_on(curve, surfaces, tolerance)?;
+        is_on(curve, meeting, tolerance)?;
     }
     for (i, curve) in curves.iter().enumerate() {
         let others = curves.iter().enumerate().filter(|&(k, _)| k != i).map(|(_, other)| other);
         stands_once(curve, others, tolerance)?;
     }
-    ends_are_ends(curves, surfaces, touches, tolerance)
+    ends_are_ends(curves, meeting, tolerance)
 }
 
-/// Fails where the curve is further than the tolerance from a surface.
-pub(super) fn is_on(
-    curve: &NurbsCurve,
-    surfaces: &[&NurbsSurface],
-    tolerance: f64,
-) -> Result<(), GeomError> {
+/// Fails where the curve is further than the tolerance from what meets.
+fn is_on(curve: &NurbsCurve, meeting: &Meeting<'_>, tolerance: f64) -> Result<(), GeomError> {
     let knots = curve.knots().distinct();
     for pair in knots.windows(2) {
         let t = pair[0].0 + (pair[1].0 - pair[0].0) * SHARE;
         let point = curve.point_at(t);
-        for surface in surfaces {
-            let distance = surface.closest(point).distance;
-            if distance.is_nan() || tolerance < distance {
-                return Err(PictureError::OffSurface { point, distance }.into());
-            }
+        let distance = meeting.distance(point);
+        let is_near = distance <= tolerance;
+        if !is_near {
+            return Err(PictureError::OffSurface { point, distance }.into());
         }
     }
     Ok(())
@@ -91,33 +140,49 @@ fn stands_once<'c>(
     Ok(())
 }
 
-/// Fails where a curve ends inside all surfaces, and nothing else ends there.
+/// Fails where a curve ends inside all surfaces, and what ends there too leaves one over.
 fn ends_are_ends(
     curves: &[NurbsCurve],
-    surfaces: &[&NurbsSurface],
-    touches: &[DVec3],
+    meeting: &Meeting<'_>,
     tolerance: f64,
 ) -> Result<(), GeomError> {
     let near = ONE_END * tolerance;
-    let ends: Vec<DVec3> = curves.iter().flat_map(|curve| [curve.start(), curve.end()]).collect();
+    let ends: Vec<(DVec3, &NurbsCurve)> =
+        curves.iter().flat_map(|curve| [(curve.start(), curve), (curve.end(), curve)]).collect();
     let mut borders: Option<Vec<NurbsCurve>> = None;
-    for (i, &end) in ends.iter().enumerate() {
-        let is_near = |other: DVec3| other.distance(end) <= near;
-        let is_met = ends.iter().enumerate().any(|(k, &other)| k != i && is_near(other));
-        if is_met || touches.iter().any(|&touch| is_near(touch)) {
+    for &(end, curve) in &ends {
+        let n_ends = ends.iter().filter(|(other, _)| other.distance(end) <= near).count();
+        if meeting.allows(n_ends, end, near) {
             continue;
         }
         let borders = borders.get_or_insert_with(|| {
-            surfaces.iter().flat_map(|surface| borders_of(surface, tolerance)).collect()
+            meeting.surfaces().iter().flat_map(|surface| borders_of(surface, tolerance)).collect()
         });
         let is_at_border = borders.iter().any(|border| {
             border.bounds().contains(end, near) && border.closest(end, tolerance).distance <= near
         });
-        if !is_at_border {
+        let is_at_tip = || meeting.surfaces().iter().any(|surface| is_tip(surface, end, tolerance));
+        if !(is_at_border || is_at_tip() && meeting.touches_along(curve)) {
             return Err(PictureError::EndsInside { point: end }.into());
         }
     }
     Ok(())
+}
+
+/// Whether a point is an edge of the surface that has no one tangent plane.
+fn is_tip(surface: &NurbsSurface, point: DVec3, tolerance: f64) -> bool {
+    let near = ONE_END * tolerance;
+    let (u, v) = (surface.domain_u(), surface.domain_v());
+    let sides = [(u.start(), true), (u.end(), true), (v.start(), false), (v.end(), false)];
+    surface.edges().iter().zip(sides).any(|(edge, (end, is_of_u))| {
+        let is_here = edge.bounds().diagonal() <= tolerance && edge.start().distance(point) <= near;
+        let normals = edge.domain().steps(N_PLACES).into_iter().map(|t| {
+            let (u, v) = if is_of_u { (end, t) } else { (t, end) };
+            surface.normal_at(u, v).unwrap_or(DVec3::ZERO)
+        });
+        let normals: Vec<DVec3> = if is_here { normals.collect() } else { Vec::new() };
+        normals.iter().any(|normal| NORMAL_AGREEMENT < normal.distance(normals[0]))
+    })
 }
 
 /// The edges at which a surface ends: no seams, and none that is a point.
