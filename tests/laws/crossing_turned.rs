@@ -161,9 +161,9 @@ fn a_plane_that_touches_a_cone_along_a_ruling_tells_it_up_to_the_tip() {
     }
 }
 
-/// The circle passes through the poles of the sphere, where it cannot be followed yet.
+/// The circle passes through the poles of the sphere.
 #[test]
-fn a_ball_that_touches_a_tube_along_a_circle_tells_all_of_it_or_nothing() {
+fn a_ball_that_touches_a_tube_along_a_circle_tells_all_of_it() {
     for n in 0..ORIENTATIONS {
         let [a, b, c, _] = fractions(n);
         let minor = 0.3 + a;
@@ -172,7 +172,7 @@ fn a_ball_that_touches_a_tube_along_a_circle_tells_all_of_it_or_nothing() {
         let ball = sphere(DVec3::new(major * cos, major * sin, 0.0), minor);
         let [a, b] = [torus(major, minor), ball]
             .map(|surface| Surface::Nurbs(Arc::new(surface.transformed(&turn(n)))));
-        let Ok(found) = a.intersections(&b, Tolerance::DEFAULT) else { continue };
+        let found = a.intersections(&b, Tolerance::DEFAULT).expect("a circle");
         assert!((total(&found) / (TAU * minor) - 1.0).abs() < 2e-6, "{n}: {}", total(&found));
     }
 }

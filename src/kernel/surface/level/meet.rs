@@ -18,6 +18,7 @@ use super::{
     sample::{Run, Sample},
     seam::Seam,
     share::{Found, MAX_PAIRS, found, halved},
+    sphere,
     trace::{Crossing, Ends, Place},
     verify::{self, Meeting},
 };
@@ -53,6 +54,7 @@ impl Surface {
         let size = a.bounds().diagonal().min(b.bounds().diagonal());
         let tolerance = tolerance.distance_for(size);
         check_rounding(tolerance, a.bounds().magnitude().max(b.bounds().magnitude()))?;
+        let [a, b] = sphere::with_poles_aside([a, b], CONTACT_SHARE * tolerance);
         let seams = Seam::all([&a, &b], tolerance)?;
         if let Some(point) = seams.iter().find_map(|seam| seam.overlap([&a, &b], tolerance)) {
             return Err(PictureError::SurfacesRunTogether { point }.into());

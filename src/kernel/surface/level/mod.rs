@@ -30,6 +30,7 @@ mod sample;
 mod seam;
 mod shade;
 mod share;
+mod sphere;
 mod tangency;
 mod touch;
 mod trace;

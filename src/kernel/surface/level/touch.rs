@@ -31,6 +31,10 @@ const MODEL_SLACK: f64 = 0.2;
 /// Places on a circle where e is looked at.
 const N_LOOKS: u32 = 16;
 
+/// Halvings of a step that leads beyond a surface, and the least part of it that tells anything.
+const MAX_SHORTENINGS: usize = 4;
+const LEAST_SHARE: f64 = 0.01;
+
 /// The least and the largest reach of what is known about a contact, the first by the size of
 /// parts that touch, the other by that of the surfaces.
 const LEAST_REACH: f64 = 4.0;
@@ -291,8 +295,8 @@ impl Crossing<'_> {
     /// How far about a contact e is what D tells, where D counts by `scale` at least.
     pub(super) fn radius(&self, seen: &Seen, scale: f64, most: f64) -> Option<f64> {
         let is_so = |radius: f64| {
-            let looks = self.looks(seen, radius).chain(self.looks(seen, 0.5 * radius));
-            looks.flatten().all(|(place, height)| {
+            let steps = circle(radius).chain(circle(0.5 * radius));
+            steps.filter_map(|step| self.difference_inside(seen, step)).all(|(place, height)| {
                 let told = 0.5 * place.dot(seen.difference * place);
                 (height - told).abs() <= MODEL_SLACK * 0.5 * scale * place.length_squared()
             })
@@ -313,18 +317,30 @@ impl Crossing<'_> {
             return false;
         }
         let is_one = |look: Option<(DVec2, f64)>| look.is_some_and(|(_, e)| e.abs() <= near);
-        let looks = self.looks(seen, radius).zip(self.looks(seen, 0.5 * radius));
-        let are_one: Vec<bool> = looks.map(|(far, close)| is_one(far) && is_one(close)).collect();
+        let look = |step: DVec2| is_one(self.difference_at(seen, step));
+        let are_one: Vec<bool> =
+            circle(radius).map(|step| look(step) && look(0.5 * step)).collect();
         let from = |i: usize| (0..AREA_LOOKS).all(|k| are_one[(i + k) % are_one.len()]);
         (0..are_one.len()).any(from)
     }
 
-    /// Places on a circle about a contact, in the plane, with e there; none beyond the surfaces.
-    fn looks(&self, seen: &Seen, radius: f64) -> impl Iterator<Item = Option<(DVec2, f64)>> {
-        (0..N_LOOKS).map(move |i| {
-            let (sine, cosine) = libm::sincos(std::f64::consts::TAU * f64::from(i) / 16.0);
-            self.difference_at(seen, DVec2::new(cosine, sine) * radius)
-        })
+    /// As `difference_at`, where a surface ends before at most there.
+    fn difference_inside(&self, seen: &Seen, step: DVec2) -> Option<(DVec2, f64)> {
+        let ahead = seen.moved(step, step);
+        let share = (0..4).fold(1.0, |share: f64, i| {
+            let end = within(self.domains[i], ahead[i]);
+            if end == ahead[i] {
+                share
+            } else {
+                share.min((end - seen.at[i]) / (ahead[i] - seen.at[i]))
+            }
+        });
+        // The foot may be beyond an end that the step itself is not.
+        let shares =
+            std::iter::successors(Some(share), |share| Some(0.5 * share)).take(MAX_SHORTENINGS);
+        shares
+            .take_while(|share| LEAST_SHARE <= *share)
+            .find_map(|share| self.difference_at(seen, step * share))
     }
 
     /// The place about a step from a contact, and e there; infinite where no foot is found.
@@ -353,6 +369,15 @@ impl Crossing<'_> {
         }
         Some((place, f64::INFINITY))
     }
+}
+
+/// Steps in the plane that lead around a contact.
+fn circle(radius: f64) -> impl Iterator<Item = DVec2> {
+    (0..N_LOOKS).map(move |i| {
+        let (sine, cosine) =
+            libm::sincos(std::f64::consts::TAU * f64::from(i) / f64::from(N_LOOKS));
+        DVec2::new(cosine, sine) * radius
+    })
 }
 
 /// S, Su, Sv, Suu, Suv, Svv; beyond the domain those of the last piece.
