@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use proptest::{prelude::ProptestConfig, prop_assert, proptest};
-use virote::kernel::{Grid, KnotVector, NurbsCurve, NurbsSurface};
+use virote::kernel::{Frame, Grid, KnotVector, NurbsCurve, NurbsSurface};
 
 use crate::some::{curve, point, surface};
 
@@ -318,5 +318,26 @@ fn a_foot_beside_a_knot_or_the_seam_is_one_place() {
     for angle in [0.0, 1e-4, -1e-4] {
         let p = 2.0 * DVec3::new(libm::cos(angle), libm::sin(angle), 0.0);
         assert_eq!(circle.closest(p, TOLERANCE).count, 1);
+    }
+}
+
+#[test]
+fn all_of_a_circle_far_away_is_as_near_to_a_point_of_its_axis() {
+    for (n, place) in scattered(60).enumerate() {
+        let far = libm::exp10((n % 6) as f64);
+        let center = (place - DVec3::splat(0.5)) * far;
+        let normal = DVec3::new(place.z - 0.5, place.x - 0.5, place.y + 0.1);
+        let frame = Frame::from_normal(center, normal, None).expect("a plane");
+        let radius = 0.2 + place.y;
+        let circle = NurbsCurve::arc(frame, radius, 0.0, std::f64::consts::TAU).expect("a circle");
+        let height = 2.0 * place.z;
+        let foot = circle.closest(center + frame.z() * height, TOLERANCE);
+        let stretch = foot.stretch.expect("a stretch");
+        assert_eq!(
+            [stretch.start(), stretch.end()],
+            [circle.domain().start(), circle.domain().end()]
+        );
+        assert!((foot.distance - libm::hypot(radius, height)).abs() <= 1e-14 * (1.0 + far), "{n}");
+        assert_eq!(foot.count, 1);
     }
 }

@@ -141,14 +141,20 @@ impl NurbsCurve {
         tolerance: f64,
     ) -> usize {
         let ends = stretches.iter().flat_map(|stretch| [stretch.start(), stretch.end()]);
+        // Sorted by x, so that few are compared.
         let mut places: Vec<DVec3> = ends.map(|t| self.point_at(t)).collect();
+        places.sort_by(|a, b| a.x.total_cmp(&b.x));
         let n_ends = places.len();
         for &(t, _) in feet {
             let point = self.point_at(t);
+            let first = places.partition_point(|place| place.x < point.x - tolerance);
+            let mut beside =
+                places[first..].iter().take_while(|place| place.x <= point.x + tolerance);
             let is_known = stretches.iter().any(|stretch| stretch.contains(t))
-                || places.iter().any(|place| place.distance(point) <= tolerance);
+                || beside.any(|place| place.distance(point) <= tolerance);
             if !is_known {
-                places.push(point);
+                let idx = places.partition_point(|place| place.x < point.x);
+                places.insert(idx, point);
             }
         }
         // Stretches on both sides of a seam are one.

@@ -132,10 +132,11 @@ impl Gap {
         self.gap.iter().all(|&value| -slack <= value)
     }
 
-    /// Whether all points of the part are √λ away, up to rounding.
-    pub(super) fn is_nothing(&mut self, lambda: f64) -> bool {
+    /// Whether all points of the part are √λ away, up to rounding and that of the squares of distances.
+    pub(super) fn is_nothing(&mut self, lambda: f64, of_square: f64) -> bool {
         self.fill(lambda);
-        let slack = self.slack();
+        let most = self.weights.iter().fold(0.0, |most: f64, weight| most.max(weight.abs()));
+        let slack = self.slack() + of_square * most;
         self.gap.iter().all(|value| value.abs() <= slack)
     }
 

@@ -15,7 +15,11 @@ mod tree;
 
 use glam::{DVec3, DVec4};
 
-use super::{Grid, KnotVector, knots::convert_to_bezier, tolerance::NEAREST_RELATIVE};
+use super::{
+    Grid, KnotVector,
+    knots::convert_to_bezier,
+    tolerance::{LAST_BIT, NEAREST_RELATIVE},
+};
 use crate::limits::work;
 use gap::Gap;
 use patch::Patch;
@@ -31,6 +35,9 @@ const LENIENCY: f64 = 8.0;
 
 /// Parts looked at, whatever comes: for the sake of numbers out of range.
 const MOST_PARTS: usize = 100 * MANY_PARTS;
+
+/// Last bits of the coordinates that what was placed in space may be off.
+const COORDINATE_ROUNDINGS: f64 = 16.0;
 
 /// Fourth powers of larger coordinates have no place among the numbers.
 const LARGE: f64 = (1_u128 << 120) as f64 * (1_u128 << 120) as f64;
@@ -267,8 +274,7 @@ impl Search<'_> {
         if is_done || self.gap.is_never_below(limit * limit) {
             return None;
         }
-        if matches!(self.wanted, Wanted::AllWithin(_)) && self.gap.is_nothing(self.best * self.best)
-        {
+        if matches!(self.wanted, Wanted::AllWithin(_)) && self.is_equally_near() {
             // A whole stretch is equally near.
             for place in [cell.low, cell.high] {
                 self.note(place, self.best, spans);
@@ -285,6 +291,14 @@ impl Search<'_> {
             }
         }
         self.gap.direction_to_halve(cell.n_halvings, MAX_HALVINGS)
+    }
+
+    /// Whether all of the part is as far away as the nearest, up to the rounding of coordinates.
+    fn is_equally_near(&mut self) -> bool {
+        let size = self.whole.magnitude.max(self.p.abs().max_element()) * self.unit;
+        let rounding = COORDINATE_ROUNDINGS * LAST_BIT * size;
+        let of_square = (2.0 * self.best + rounding) * rounding;
+        self.gap.is_nothing(self.best * self.best, of_square)
     }
 
     fn note(&mut self, place: [f64; 2], distance: f64, spans: [usize; 2]) {

@@ -3,6 +3,8 @@
 //! Of a NURBS that of the whole surface, its boundary included. Of a function nothing is known but
 //! its values: there the best of a grid's local minima is, improved by Newton's method.
 
+use std::convert::Infallible;
+
 use glam::DVec3;
 
 use super::{NurbsSurface, ParametricSurface, Surface};
@@ -73,6 +75,18 @@ impl NurbsSurface {
             foot = on_end.unwrap_or(foot);
         }
         foot
+    }
+
+    /// The point that a search from parameters goes down to: near that place, perhaps not the nearest of all.
+    pub(super) fn foot_from(&self, start: [f64; 2], p: DVec3) -> SurfaceFoot {
+        let cell = Cell::between(self.domain_u(), self.domain_v());
+        let Ok(found) = descend(&cell, start, |[u, v]| {
+            let mut derivatives = self.second_order_at(u, v);
+            derivatives[0] -= p;
+            Ok::<Way, Infallible>(Way::new([u, v], derivatives))
+        });
+        let point = self.point_at(found.place[0], found.place[1]);
+        SurfaceFoot { parameters: found.place, point, distance: norm(point - p) }
     }
 }
 

@@ -77,6 +77,14 @@ impl NurbsSurface {
         [point, tangent(along_u), tangent(along_v)]
     }
 
+    /// S, Su, Sv, Suu, Suv, Svv; beyond the domain those of the last piece.
+    pub(super) fn second_order_at(&self, u: f64, v: f64) -> [DVec3; 6] {
+        let spans = [self.knots_u.span_at(u), self.knots_v.span_at(v)];
+        let d = self.homogeneous_derivatives_on(spans, [u, v], 2);
+        let all = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)];
+        homogeneous::second_order(all.map(|(k, l)| d.get(k, l)))
+    }
+
     fn homogeneous_derivatives(&self, u: f64, v: f64, order: usize) -> Grid<DVec4> {
         let spans = [self.knots_u.span_at(u), self.knots_v.span_at(v)];
         self.homogeneous_derivatives_on(spans, [u, v], order)

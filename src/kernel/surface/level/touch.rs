@@ -15,7 +15,6 @@ use super::trace::{Crossing, Place, within};
 use crate::kernel::{
     NurbsSurface,
     frame::unit,
-    homogeneous,
     tolerance::{BEND_RELATIVE, CONTACT_SHARE, LAST_BIT, PLACE_RELATIVE, SIGN_RELATIVE},
 };
 
@@ -169,7 +168,7 @@ impl Seen {
     /// `None` where a surface has no normal, or the normals are far from parallel.
     pub(super) fn new(crossing: &Crossing<'_>, at: [f64; 4]) -> Option<Self> {
         let [first, second] =
-            [0, 1].map(|i| second_order(crossing.surfaces[i], [at[2 * i], at[2 * i + 1]]));
+            [0, 1].map(|i| crossing.surfaces[i].second_order_at(at[2 * i], at[2 * i + 1]));
         let normal = unit(first[1].cross(first[2]))?;
         let x = unit(first[1])?;
         let axes = [x, normal.cross(x), normal];
@@ -378,14 +377,6 @@ fn circle(radius: f64) -> impl Iterator<Item = DVec2> {
             libm::sincos(std::f64::consts::TAU * f64::from(i) / f64::from(N_LOOKS));
         DVec2::new(cosine, sine) * radius
     })
-}
-
-/// S, Su, Sv, Suu, Suv, Svv; beyond the domain those of the last piece.
-fn second_order(surface: &NurbsSurface, [u, v]: [f64; 2]) -> [DVec3; 6] {
-    let spans = [surface.knots_u().span_at(u), surface.knots_v().span_at(v)];
-    let d = surface.homogeneous_derivatives_on(spans, [u, v], 2);
-    let all = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)];
-    homogeneous::second_order(all.map(|(k, l)| d.get(k, l)))
 }
 
 /// The eigenvalues of a symmetric matrix with unit eigenvectors, the smaller one by size first.

@@ -10,14 +10,16 @@
 use glam::DVec3;
 
 use super::PictureError;
-use crate::kernel::{Frame, GeomError, NurbsCurve, NurbsSurface, tolerance::NORMAL_AGREEMENT};
+use crate::kernel::{
+    Bounds, Frame, GeomError, Interval, NurbsCurve, NurbsSurface, tolerance::NORMAL_AGREEMENT,
+};
 
 /// Where within each span a curve is looked at: not in its middle, where a cubic may be on by symmetry.
-const SHARE: f64 = 0.4;
+const SHARES: [f64; 3] = [0.15, 0.4, 0.75];
 
-/// Places along a curve that are looked at, and how many of them on another make a stretch.
+/// Places along a curve that are looked at, and how many of them elsewhere too make a stretch.
 const N_PLACES: usize = 9;
-const MOST_SHARED: usize = 3;
+const LEAST_SHARED: usize = 3;
 
 /// Ends this many tolerances apart are one: where many meet each has its own error.
 const ONE_END: f64 = 4.0;
@@ -42,15 +44,12 @@ impl Meeting<'_> {
         }
     }
 
-    /// How far a point is from the one that it is furthest from.
-    fn distance(&self, point: DVec3) -> f64 {
-        let from_plane = match self {
+    /// How far a point is from the plane of a section.
+    fn from_plane(&self, point: DVec3) -> f64 {
+        match self {
             Self::Surfaces(_) => 0.0,
             Self::Section { plane, .. } => (point - plane.origin()).dot(plane.z()).abs(),
-        };
-        let distances = self.surfaces().iter().map(|surface| surface.closest(point).distance);
-        // Not a number is off too.
-        distances.fold(from_plane, |far, near| if far.is_nan() || near <= far { far } else { near })
+        }
     }
 
     /// Whether that many ends in a place tell of no part that is missing.
@@ -97,22 +96,48 @@ pub(super) fn verify(
     ends_are_ends(curves, meeting, tolerance)
 }
 
+/// A surface with the parameters under the last of some points, where the next is looked for first.
+struct Under<'s> {
+    surface: &'s NurbsSurface,
+    parameters: Option<[f64; 2]>,
+}
+
+impl Under<'_> {
+    /// How far a point is from the surface, at most; beyond the tolerance, how far it is.
+    fn distance(&mut self, point: DVec3, tolerance: f64) -> f64 {
+        let beside = self.parameters.map(|start| self.surface.foot_from(start, point));
+        let foot = match beside {
+            Some(foot) if foot.distance <= tolerance => foot,
+            _ => self.surface.closest(point),
+        };
+        self.parameters = Some(foot.parameters);
+        foot.distance
+    }
+}
+
 /// Fails where the curve is further than the tolerance from what meets.
 fn is_on(curve: &NurbsCurve, meeting: &Meeting<'_>, tolerance: f64) -> Result<(), GeomError> {
+    let mut surfaces: Vec<Under<'_>> =
+        meeting.surfaces().iter().map(|&surface| Under { surface, parameters: None }).collect();
     let knots = curve.knots().distinct();
     for pair in knots.windows(2) {
-        let t = pair[0].0 + (pair[1].0 - pair[0].0) * SHARE;
-        let point = curve.point_at(t);
-        let distance = meeting.distance(point);
-        let is_near = distance <= tolerance;
-        if !is_near {
-            return Err(PictureError::OffSurface { point, distance }.into());
+        for share in SHARES {
+            let point = curve.point_at(pair[0].0 + (pair[1].0 - pair[0].0) * share);
+            let from_surfaces = surfaces.iter_mut().map(|under| under.distance(point, tolerance));
+            // What is no number is off too.
+            let distance = from_surfaces.fold(meeting.from_plane(point), |far, near| {
+                if far.is_nan() || near <= far { far } else { near }
+            });
+            let is_near = distance <= tolerance;
+            if !is_near {
+                return Err(PictureError::OffSurface { point, distance }.into());
+            }
         }
     }
     Ok(())
 }
 
-/// Fails where a stretch of the curve is one of another.
+/// Fails where a stretch of the curve is one of another, or one of its own further on.
 fn stands_once<'c>(
     curve: &NurbsCurve,
     others: impl Iterator<Item = &'c NurbsCurve>,
@@ -122,22 +147,29 @@ fn stands_once<'c>(
     if bounds.diagonal() <= SHORTEST * tolerance {
         return Ok(());
     }
-    let domain = curve.domain();
-    let places: Vec<DVec3> = (1..=N_PLACES)
-        .map(|i| curve.point_at(domain.at(i as f64 / (N_PLACES + 1) as f64)))
-        .collect();
+    let ends = curve.domain().steps(N_PLACES + 1);
+    let places: Vec<DVec3> = ends[1..=N_PLACES].iter().map(|&t| curve.point_at(t)).collect();
+    let is_of = |other: &NurbsCurve, around: Bounds, point: DVec3| {
+        around.contains(point, tolerance) && other.closest(point, tolerance).distance <= tolerance
+    };
+    let told_twice = |mut shared: Vec<DVec3>| match shared.len() {
+        LEAST_SHARED.. => Err(PictureError::ToldTwice { point: shared.swap_remove(0) }.into()),
+        _ => Ok(()),
+    };
     for other in others {
         let around = other.bounds();
-        let is_shared = |point: &&DVec3| {
-            around.contains(**point, tolerance)
-                && other.closest(**point, tolerance).distance <= tolerance
-        };
-        let mut shared = places.iter().filter(is_shared);
-        if let Some(&point) = shared.nth(MOST_SHARED - 1) {
-            return Err(PictureError::ToldTwice { point }.into());
+        told_twice(places.iter().copied().filter(|&point| is_of(other, around, point)).collect())?;
+    }
+    let mut again = vec![false; N_PLACES];
+    for (i, pair) in ends.windows(2).enumerate() {
+        let piece = curve.trimmed(Interval::new(pair[0], pair[1])?)?;
+        let around = piece.bounds();
+        // The places with these numbers are its own ends.
+        for k in (0..N_PLACES).filter(|&k| k + 1 != i && k != i) {
+            again[k] = again[k] || is_of(&piece, around, places[k]);
         }
     }
-    Ok(())
+    told_twice((0..N_PLACES).filter(|&k| again[k]).map(|k| places[k]).collect())
 }
 
 /// Fails where a curve ends inside all surfaces, and what ends there too leaves one over.
