@@ -1,5 +1,7 @@
 //! What the operators do to values: one function a family, and the errors that name both sides.
 
+use std::sync::Arc;
+
 use super::{
     ir::{BinaryOp, UnaryOp},
     smooth,
@@ -7,7 +9,7 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     kernel::Tolerance,
-    value::{Deviation, Dim, Number, Range, Value, deviation, equal},
+    value::{Deviation, Dim, FromValue, JetRange, Number, Range, Real, Value, deviation, equal},
 };
 
 /// Where an operation and its two sides stand.
@@ -298,7 +300,17 @@ fn range(a: &Value, b: &Value, closed: bool, span: Span) -> Result<Value> {
             let message = format!("a range from {} to {}", start.dim, end.dim);
             Diagnostic::error(Code::UnitMismatch, span, message).fail()
         }
-        _ if a.is_jet() || b.is_jet() => smooth::no_derivative("a range", span),
+        _ if a.is_jet() || b.is_jet() => {
+            // Units and mistakes are those of the values.
+            let plain = range(&a.looked_at(), &b.looked_at(), closed, span)?;
+            let real = |value: &Value| Number::<Real>::from_value(value, span).ok();
+            match (real(a), real(b)) {
+                (Some(start), Some(end)) => {
+                    Ok(Value::JetRange(Arc::new(JetRange { start, end, closed })))
+                }
+                _ => Ok(plain),
+            }
+        }
         _ => {
             let message = format!(
                 "a range runs between two numbers, found {} and {}",

@@ -10,7 +10,7 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{Curve, GeomError, Interval, Side, Surface, jet},
-    value::{At, FromValue, IntoValue, Number, Real, Value, Vector},
+    value::{At, CARRIES_DERIVATIVES, FromValue, IntoValue, Number, Real, Value, Vector},
 };
 
 /// Arithmetic of numbers and points, one of them with derivatives at least.
@@ -139,6 +139,6 @@ pub(super) fn point_on_surface(
 pub(super) fn no_derivative<T>(what: &str, span: Span) -> Result<T> {
     let message = format!("{what} cannot be differentiated");
     Diagnostic::error(Code::NoDerivative, span, message)
-        .hint("derivatives pass through arithmetic and the functions of numbers and points")
+        .hint(CARRIES_DERIVATIVES)
         .fail()
 }

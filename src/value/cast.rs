@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Dim, List, Number, Range, Real, Record, Type, Value};
+use super::{CARRIES_DERIVATIVES, Dim, List, Number, Range, Real, Record, Type, Value};
 use crate::{
     diag::{Code, Span, Spanned},
     kernel::{Curve, Frame, Grid, Interval, Mesh, Surface, Table},
@@ -31,9 +31,7 @@ impl Mismatch {
     pub fn kind(wanted: Type, value: &Value) -> Self {
         if value.is_jet() && wanted.accepts(&value.looked_at()) {
             let reason = "no derivative passes through here, and derivatives are wanted";
-            return Self::because(reason, Code::NoDerivative).hint(
-                "derivatives pass through arithmetic and the functions of numbers and points",
-            );
+            return Self::because(reason, Code::NoDerivative).hint(CARRIES_DERIVATIVES);
         }
         Self::new(wanted.phrase(), value.phrase())
     }

@@ -18,7 +18,7 @@ impl fmt::Display for Value {
             Self::Number(number) => write!(f, "{number}"),
             Self::Text(text) => f.write_str(&quoted(text)),
             Self::Jet(number) => write!(f, "{}", number.looked_at()),
-            Self::JetPoint(_) => self.looked_at().fmt(f),
+            Self::JetPoint(_) | Self::JetRange(_) => self.looked_at().fmt(f),
             Self::Point(point) => f.write_str(&point_text(*point)),
             Self::List(items) => {
                 f.write_str("[")?;

@@ -28,7 +28,7 @@ const CURVE_FRAME: &[&str] = &["origin", "x", "y", "z", "tangent", "normal", "bi
 pub fn field_names(value: &Value) -> Vec<&str> {
     match value {
         Value::Point(_) | Value::JetPoint(_) => POINT.to_vec(),
-        Value::Range(_) => RANGE.to_vec(),
+        Value::Range(_) | Value::JetRange(_) => RANGE.to_vec(),
         Value::Record(record) => record.iter().map(|(label, _)| label).collect(),
         Value::Curve(_) => CURVE.to_vec(),
         Value::Surface(_) => SURFACE.to_vec(),
@@ -66,6 +66,8 @@ fn plain_field(value: &Value, name: &str) -> Option<Value> {
         }
         (Value::Range(range), "start") => Value::Number(range.start),
         (Value::Range(range), "end") => Value::Number(range.end),
+        (Value::JetRange(range), "start") => range.start.clone().into_value(),
+        (Value::JetRange(range), "end") => range.end.clone().into_value(),
         (Value::Record(record), _) => record.get(name)?.clone(),
         (Value::Mesh(mesh), _) => return mesh_field(mesh, name),
         (Value::Table(table), _) => column(table, name)?,

@@ -52,12 +52,12 @@ pub use look::{COLOR_NAMES, Look, color_of};
 pub use number::{Dim, Number, radians_of, rounded, shortest};
 pub(crate) use op::op;
 pub use op::{Caller, Ctx, Example, Family, Op, Param, Picture, Refusal, Witness};
-pub use range::Range;
+pub use range::{JetRange, Range};
 pub use real::Real;
 pub use record::Record;
 pub use registry::{Constant, Registry, choose};
 pub use shape::Geometry;
-pub use smooth::Looked;
+pub use smooth::{CARRIES_DERIVATIVES, Looked, RealInterval};
 pub use ty::Type;
 pub use unit::in_document_unit;
 pub use vector::Vector;
@@ -84,6 +84,8 @@ pub enum Value {
     List(List),
     /// A range.
     Range(Range),
+    /// A range in a function that is differentiated.
+    JetRange(Arc<JetRange>),
     /// A record.
     Record(Arc<Record>),
     /// Something that can be called.
@@ -125,6 +127,7 @@ impl Value {
         match self {
             Self::Jet(number) => Self::Number(number.looked_at()),
             Self::JetPoint(jets) => Self::Point(DVec3::from(jets.each_ref().map(Jet::value))),
+            Self::JetRange(range) => Self::Range(range.looked_at()),
             other => other.clone(),
         }
     }
@@ -132,7 +135,7 @@ impl Value {
     /// Whether it carries derivatives.
     #[must_use]
     pub fn is_jet(&self) -> bool {
-        matches!(self, Self::Jet(_) | Self::JetPoint(_))
+        matches!(self, Self::Jet(_) | Self::JetPoint(_) | Self::JetRange(_))
     }
 
     /// How deep and how large it is.
@@ -164,7 +167,7 @@ impl Value {
             Self::Text(_) => "string",
             Self::Point(_) | Self::JetPoint(_) => "point",
             Self::List(_) => "list",
-            Self::Range(_) => "range",
+            Self::Range(_) | Self::JetRange(_) => "range",
             Self::Record(_) => "record",
             Self::Function(_) => "function",
             Self::Curve(_) => "curve",
@@ -189,6 +192,7 @@ impl Value {
             Self::Jet(number) => Self::Number(number.looked_at()).phrase(),
             Self::Point(_) | Self::JetPoint(_) => "a point".to_owned(),
             Self::Range(range) => format!("the range {range}"),
+            Self::JetRange(range) => format!("the range {}", range.looked_at()),
             Self::Curve(Curve::Parametric(_)) | Self::Surface(Surface::Parametric(_)) => {
                 format!("a parametric {}", self.kind())
             }

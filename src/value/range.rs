@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::Number;
+use super::{Number, Real};
 use crate::kernel::Interval;
 
 /// A range as it was written; `start` above `end` is empty.
@@ -14,6 +14,26 @@ pub struct Range {
     pub end: Number,
     /// Whether the end belongs to it: `..` against `..<`.
     pub closed: bool,
+}
+
+/// A range in a function that is differentiated, one end of which carries derivatives at least.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JetRange {
+    /// Its start.
+    pub start: Number<Real>,
+    /// Its end.
+    pub end: Number<Real>,
+    /// Whether the end belongs to it.
+    pub closed: bool,
+}
+
+impl JetRange {
+    /// The range without derivatives.
+    #[must_use]
+    pub fn looked_at(&self) -> Range {
+        let (start, end) = (self.start.looked_at(), self.end.looked_at());
+        Range { start, end, closed: self.closed }
+    }
 }
 
 impl Range {

@@ -1,6 +1,6 @@
 //! Numbers in functions that may be differentiated: as they are, or as jets.
 
-use crate::kernel::{GeomError, Jet};
+use crate::kernel::{GeomError, Jet, Side};
 
 /// A number, or one that carries its derivatives.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,6 +73,24 @@ impl Real {
         match self {
             Self::Plain(x) => *x,
             Self::Jet(jet) => jet.value(),
+        }
+    }
+
+    /// The same derivatives about another value; for a value that was computed more exactly.
+    #[must_use]
+    pub fn with_value(self, value: f64) -> Self {
+        match self {
+            Self::Plain(_) => Self::Plain(value),
+            Self::Jet(jet) => Self::Jet(jet.with_value(value)),
+        }
+    }
+
+    /// The side of a knot that the number moves into as a parameter.
+    #[must_use]
+    pub fn side(&self) -> Side {
+        match self {
+            Self::Jet(jet) if !jet.is_growing() => Side::Left,
+            _ => Side::Right,
         }
     }
 

@@ -11,7 +11,10 @@ use glam::DVec3;
 use super::{
     Angle, Dim, FromValue, IntoValue, Length, Mismatch, Number, Real, Type, Value, Vector,
 };
-use crate::diag::Span;
+use crate::{diag::Span, kernel::Interval};
+
+/// What carries derivatives on, as a hint.
+pub const CARRIES_DERIVATIVES: &str = "derivatives pass through arithmetic, the functions of numbers and points, and the questions about a place of a curve or surface that answer with numbers and points";
 
 /// A number that is only looked at: what an operation answers does not change nearby.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,6 +62,22 @@ from_jet! {
     Real, f64, |real| real, |plain| plain;
     Length<Real>, Length, Length, |plain: Length| plain.0;
     Angle<Real>, Angle, Angle, |plain: Angle| plain.0;
+}
+
+/// A range of a parameter whose ends may carry derivatives; its start is below its end.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RealInterval(pub [Real; 2]);
+
+impl FromValue for RealInterval {
+    const TYPE: Type = Type::Range;
+
+    fn from_value(value: &Value, span: Span) -> Result<Self, Mismatch> {
+        let plain = Interval::from_value(&value.looked_at(), span)?;
+        Ok(Self(match value {
+            Value::JetRange(range) => [range.start.value.clone(), range.end.value.clone()],
+            _ => [plain.start(), plain.end()].map(Real::Plain),
+        }))
+    }
 }
 
 impl FromValue for Vector {

@@ -74,7 +74,7 @@ impl Type {
             )
             | (Self::Text | Self::Choice(_), Value::Text(_))
             | (Self::Point, Value::Point(_) | Value::JetPoint(_))
-            | (Self::Range, Value::Range(_))
+            | (Self::Range, Value::Range(_) | Value::JetRange(_))
             | (Self::Record, Value::Record(_))
             | (Self::Function, Value::Function(_) | Value::Curve(_) | Value::Surface(_))
             | (Self::Curve, Value::Curve(_))

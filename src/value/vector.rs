@@ -46,6 +46,29 @@ impl Vector {
         }
     }
 
+    /// The same derivatives about another vector; for one that was computed more exactly.
+    #[must_use]
+    pub fn with_value(self, vector: DVec3) -> Self {
+        match self {
+            Self::Plain(_) => Self::Plain(vector),
+            Self::Jets(jets) => {
+                let [x, y, z] = *jets;
+                let exact =
+                    [x.with_value(vector.x), y.with_value(vector.y), z.with_value(vector.z)];
+                Self::Jets(Box::new(exact))
+            }
+        }
+    }
+
+    /// The largest coefficient of its series by size; of a plain vector its largest coordinate.
+    #[must_use]
+    pub fn magnitude(&self) -> f64 {
+        match self {
+            Self::Plain(vector) => vector.abs().max_element(),
+            Self::Jets(jets) => jets.iter().map(Jet::magnitude).fold(0.0, f64::max),
+        }
+    }
+
     fn zip(&self, other: &Self, f: impl Fn(&Real, &Real) -> Real) -> Self {
         let ([a, b, c], [x, y, z]) = (self.coordinates(), other.coordinates());
         Self::new([f(&a, &x), f(&b, &y), f(&c, &z)])

@@ -37,6 +37,9 @@ const SAFETY: f64 = 0.5;
 /// Pieces that a function may take.
 pub(super) const MAX_PIECES: usize = 4096;
 
+/// Fractions of a domain at which a function is not singular but by chance.
+const PROBES: [f64; 3] = [0.414_213_562, 0.732_050_808, 0.123_105_626];
+
 /// Places where a function may lack derivatives.
 const MAX_BREAKS: usize = 64;
 
@@ -106,9 +109,22 @@ impl ParametricCurve {
         n_parts: usize,
         allowed: [f64; 2],
     ) -> Result<NurbsCurve, GeomError> {
+        self.check_derivatives(order)?;
         let narrowest = NARROWEST * KNOT_RELATIVE * self.domain().length();
         let mut maker = Maker { curve: self, order, n_parts, allowed, narrowest, n_pieces: 0 };
         hermite::spline(&maker.stretches()?)
+    }
+
+    /// Fails with what the function says, where it has derivatives at none of some places: singular ones
+    /// are few.
+    fn check_derivatives(&self, order: usize) -> Result<(), GeomError> {
+        let places = PROBES.map(|share| self.domain().at(share));
+        let mut answers = places.into_iter().map(|t| self.derivatives_at(t, order));
+        let first = answers.next().unwrap_or(Ok(Vec::new()));
+        match first {
+            Err(failure) if answers.all(|answer| answer.is_err()) => Err(failure),
+            _ => Ok(()),
+        }
     }
 }
 

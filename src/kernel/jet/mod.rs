@@ -118,6 +118,12 @@ impl Jet {
         self.coefficients.iter().all(|coefficient| coefficient.is_finite())
     }
 
+    /// The largest coefficient by size.
+    #[must_use]
+    pub fn magnitude(&self) -> f64 {
+        self.coefficients.iter().fold(0.0, |most: f64, coefficient| most.max(coefficient.abs()))
+    }
+
     /// The jet, unless arithmetic has left the numbers.
     fn checked(self) -> Result<Self, GeomError> {
         if self.is_finite() { Ok(self) } else { Err(GeomError::DerivativeBeyondNumbers) }
@@ -203,7 +209,7 @@ impl Jet {
     ///
     /// # Errors
     /// [`GeomError::DerivativeBeyondNumbers`].
-    pub(super) fn compose(&self, series: &[f64]) -> Result<Self, GeomError> {
+    pub fn compose(&self, series: &[f64]) -> Result<Self, GeomError> {
         let varying = self.clone().with_value(0.0);
         let mut sum = self.same(0.0);
         for &term in series.iter().rev() {

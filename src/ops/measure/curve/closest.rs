@@ -2,12 +2,11 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
-
+use super::varying;
 use crate::{
-    diag::{Code, Diagnostic, Result},
-    kernel::Curve,
-    value::{At, Ctx, Record, Value, op, shortest},
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::{Curve, Side},
+    value::{At, Ctx, IntoValue, Real, Record, Value, Vector, op, shortest},
 };
 
 op! {
@@ -22,7 +21,7 @@ op! {
         /// The curve.
         c: Curve,
         /// The point.
-        p: DVec3,
+        p: Spanned<Vector>,
     }
     example "closest(bezier((0, 0), (1, 2), (2, 0)), (1, 3)).point" => "(1, 1, 0)";
     example "closest(line((0, 0), (4, 0)), (5, 1)).t" => "1";
@@ -35,7 +34,7 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
-    let foot = args.c.closest(args.p, ctx.tolerance.distance).at(ctx.span)?;
+    let foot = args.c.closest(args.p.value.value(), ctx.tolerance.distance).at(ctx.span)?;
     if let Some(stretch) = foot.stretch {
         let message = format!(
             "all of the curve from parameter {} to {} is equally near",
@@ -45,10 +44,23 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
         let hint = "`t` is the first of the nearest places, and `count` counts the stretch once";
         ctx.warn(Diagnostic::warning(Code::DegenerateResult, ctx.span, message).hint(hint));
     }
+    let Spanned { value: p, span } = &args.p;
+    let t = varying::closest(&args.c, p, foot.parameter).at(*span)?;
+    let point = match &t {
+        Real::Plain(_) => Vector::Plain(foot.point),
+        Real::Jet(t) => {
+            let point = varying::derivatives(&args.c, t, Side::Right, 0).at(*span)?.remove(0);
+            point.with_value(foot.point)
+        }
+    };
+    let distance = match &t {
+        Real::Plain(_) => Real::Plain(foot.distance),
+        Real::Jet(_) => point.minus(p).norm().at(*span)?.with_value(foot.distance),
+    };
     Ok(Record::new([
-        (Arc::from("t"), Value::number(foot.parameter)),
-        (Arc::from("point"), Value::Point(foot.point)),
-        (Arc::from("distance"), Value::number(foot.distance)),
+        (Arc::from("t"), t.into_value()),
+        (Arc::from("point"), point.into_value()),
+        (Arc::from("distance"), distance.into_value()),
         (Arc::from("count"), Value::number(foot.count as f64)),
     ]))
 }

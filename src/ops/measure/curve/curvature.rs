@@ -1,10 +1,10 @@
 //! `curvature` of a curve.
 
-use super::local;
+use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::{Curve, Side},
-    value::{At, Ctx, op},
+    value::{Ctx, Real, op},
 };
 
 op! {
@@ -13,11 +13,11 @@ op! {
     /// |C' × C''| / |C'|³, and 0 where the curve is straight. Where the first derivative vanishes it is
     /// the limit, if there is one: at a cusp there is none. do Carmo, *Differential Geometry of Curves
     /// and Surfaces*, §1-5.
-    curvature in Measure -> f64 {
+    curvature in Measure -> Real {
         /// The curve.
         c: Curve,
         /// The parameter, inside the curve's domain.
-        t: Spanned<f64>,
+        t: Spanned<Real>,
         /// The piece that is asked at a knot: after it or before it.
         side: Side = Side::Right,
     }
@@ -27,6 +27,7 @@ op! {
     refuses "curvature(bezier((0, 0), (1, 2), (2, 0)), 2)" => "E0606: parameter 2 is outside the domain 0..1";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    local(&args.c, args.t, args.side)?.curvature().at(args.t.span)
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {
+    let plain = |t| args.c.local_at(t, args.side)?.curvature();
+    varying::number(&args.c, &args.t, args.side, plain, (2, varying::curvature))
 }

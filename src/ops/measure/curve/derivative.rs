@@ -1,12 +1,10 @@
 //! `derivative` of a curve.
 
-use glam::DVec3;
-
-use super::inside;
+use super::varying;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{Curve, Side},
-    value::{At, Ctx, op},
+    value::{Ctx, Real, Vector, op},
 };
 
 op! {
@@ -14,11 +12,11 @@ op! {
     ///
     /// At a knot it is that of the piece to the right, unless the side says otherwise; at the end that
     /// of the piece to the left. Piegl & Tiller, *The NURBS Book*, A3.2 and A4.2.
-    derivative in Measure -> DVec3 {
+    derivative in Measure -> Vector {
         /// The curve.
         c: Curve,
         /// The parameter, inside the curve's domain.
-        t: Spanned<f64>,
+        t: Spanned<Real>,
         /// The order.
         order: Spanned<usize> = Spanned::unplaced(1),
         /// The piece that is asked at a knot: after it or before it.
@@ -31,13 +29,14 @@ op! {
     refuses "derivative(bezier((0, 0), (1, 2), (2, 0)), 0, order = -1)" => "E0301: `derivative`: `order` must be a whole number of zero or more, found the number -1";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
-    let t = inside(&args.c, args.t)?;
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vector> {
     let most = ctx.limits.degree;
     if most < args.order.value {
         let message = format!("derivatives go up to order {most}, found {}", args.order.value);
         return Diagnostic::error(Code::TooLarge, args.order.span, message).fail();
     }
     let order = args.order.value;
-    Ok(args.c.derivatives_beside(t, args.side, order).at(args.t.span)?[order])
+    let plain = |t| Ok(args.c.derivatives_beside(t, args.side, order)?[order]);
+    let formula = |d: &[Vector]| Ok(d[order].clone());
+    varying::vector(&args.c, &args.t, args.side, plain, (order, formula))
 }

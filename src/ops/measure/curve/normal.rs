@@ -1,12 +1,10 @@
 //! `normal` of a curve: the principal normal.
 
-use glam::DVec3;
-
-use super::local;
+use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::{Curve, Side},
-    value::{At, Ctx, op},
+    value::{Ctx, Real, Vector, op},
 };
 
 op! {
@@ -14,11 +12,11 @@ op! {
     ///
     /// Where the curve is straight there is none. Frenet's frame; do Carmo, *Differential Geometry of
     /// Curves and Surfaces*, §1-5.
-    normal in Measure -> DVec3 {
+    normal in Measure -> Vector {
         /// The curve.
         c: Curve,
         /// The parameter, inside the curve's domain.
-        t: Spanned<f64>,
+        t: Spanned<Real>,
         /// The piece that is asked at a knot: after it or before it.
         side: Side = Side::Right,
     }
@@ -26,6 +24,7 @@ op! {
     refuses "normal(line((0, 0), (1, 2)), 0.5)" => "E0607: the curve is straight at parameter 0.5: there is no principal normal";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
-    local(&args.c, args.t, args.side)?.normal().at(args.t.span)
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vector> {
+    let plain = |t| args.c.local_at(t, args.side)?.normal();
+    varying::vector(&args.c, &args.t, args.side, plain, (2, varying::normal))
 }

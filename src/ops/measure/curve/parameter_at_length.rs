@@ -1,9 +1,10 @@
 //! `parameter_at_length` of a curve.
 
+use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::Curve,
-    value::{At, Ctx, Length, op},
+    value::{At, Ctx, Length, Real, op},
 };
 
 op! {
@@ -11,16 +12,23 @@ op! {
     ///
     /// Newton's method on the arc length, kept inside a bracket.
     /// Of a parametric curve on the same spline as `length`.
-    parameter_at_length in Measure -> f64 {
+    parameter_at_length in Measure -> Real {
         /// The curve.
         c: Curve,
         /// The length from the start, not above the curve's own.
-        s: Spanned<Length>,
+        s: Spanned<Length<Real>>,
     }
     example "parameter_at_length(polyline((0, 0), (3, 4), (3, 5)), 2.5)" => "0.5";
     refuses "parameter_at_length(line((0, 0), (3, 4)), 6)" => "E0606: the curve is 5 long, so that it has no place at length 6";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    args.c.parameter_at_length(args.s.value.0).at(args.s.span)
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {
+    let Spanned { value: Length(length), span } = args.s;
+    let t = args.c.parameter_at_length(length.value()).at(span)?;
+    match length {
+        Real::Plain(_) => Ok(Real::Plain(t)),
+        Real::Jet(length) => {
+            varying::parameter_at_length(&args.c, &length, t).map(Real::Jet).at(span)
+        }
+    }
 }

@@ -1,10 +1,10 @@
 //! `radius_of_curvature` of a curve.
 
-use super::local;
+use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::{Curve, Side},
-    value::{At, Ctx, op},
+    value::{Ctx, Real, op},
 };
 
 op! {
@@ -12,11 +12,11 @@ op! {
     ///
     /// Where the curve is straight there is none.
     /// do Carmo, *Differential Geometry of Curves and Surfaces*, §1-5.
-    radius_of_curvature in Measure -> f64 {
+    radius_of_curvature in Measure -> Real {
         /// The curve.
         c: Curve,
         /// The parameter, inside the curve's domain.
-        t: Spanned<f64>,
+        t: Spanned<Real>,
         /// The piece that is asked at a knot: after it or before it.
         side: Side = Side::Right,
     }
@@ -24,6 +24,13 @@ op! {
     refuses "radius_of_curvature(line((0, 0), (1, 2)), 0.5)" => "E0607: the curve is straight at parameter 0.5: there is no radius of curvature";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    local(&args.c, args.t, args.side)?.radius_of_curvature().at(args.t.span)
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {
+    let plain = |t| args.c.local_at(t, args.side)?.radius_of_curvature();
+    varying::number(
+        &args.c,
+        &args.t,
+        args.side,
+        plain,
+        (2, |d, _| Real::Plain(1.0).over(&varying::bending(d)?.norm()?)),
+    )
 }

@@ -2,11 +2,11 @@
 
 use glam::DVec3;
 
-use super::local;
+use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::{Curve, Frame, Side},
-    value::{At, Ctx, op},
+    value::{At, Ctx, Real, Vector, op},
 };
 
 op! {
@@ -16,11 +16,11 @@ op! {
     /// (x'y'' − y'x'') / |C'|³ of a curve in the plane of x and y; of any other curve its curvature, with
     /// the sign of its turn about the normal. Where it bends in a plane that holds the normal there is
     /// no sign.
-    signed_curvature in Measure -> f64 {
+    signed_curvature in Measure -> Real {
         /// The curve.
         c: Curve,
         /// The parameter, inside the curve's domain.
-        t: Spanned<f64>,
+        t: Spanned<Real>,
         /// The direction that the curve is seen from.
         normal: Spanned<DVec3> = Spanned::unplaced(DVec3::Z),
         /// The piece that is asked at a knot: after it or before it.
@@ -31,8 +31,10 @@ op! {
     refuses "signed_curvature(bezier((0, 0, 0), (1, 0, 2), (2, 0, 0)), 0.5)" => "E0607: at parameter 0.5 the curve bends in a plane that holds the normal (0, 0, 1): there is no left and right";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    let local = local(&args.c, args.t, args.side)?;
-    let axis = Frame::from_normal(local.point(), args.normal.value, None).at(args.normal.span)?.z();
-    local.signed_curvature(axis, ctx.tolerance.angle).at(args.t.span)
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
+    let Spanned { value: normal, span } = args.normal;
+    let axis = Frame::from_normal(DVec3::ZERO, normal, None).at(span)?.z();
+    let plain = |t| args.c.local_at(t, args.side)?.signed_curvature(axis, ctx.tolerance.angle);
+    let formula = |d: &[Vector], value| varying::signed_curvature(d, axis, value);
+    varying::number(&args.c, &args.t, args.side, plain, (2, formula))
 }

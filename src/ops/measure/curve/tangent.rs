@@ -1,12 +1,10 @@
 //! `tangent` of a curve.
 
-use glam::DVec3;
-
-use super::inside;
+use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::{Curve, Side},
-    value::{At, Choice, Ctx, op},
+    value::{Choice, Ctx, Real, Vector, op},
 };
 
 op! {
@@ -15,11 +13,11 @@ op! {
     /// Where the first derivative vanishes, the direction of the first one that does not. At a
     /// corner the side decides.
     /// do Carmo, *Differential Geometry of Curves and Surfaces*, §1-5.
-    tangent in Measure -> DVec3 {
+    tangent in Measure -> Vector {
         /// The curve.
         c: Curve,
         /// The parameter, inside the curve's domain.
-        t: Spanned<f64>,
+        t: Spanned<Real>,
         /// The side of a corner: after it or before it.
         side: Side = Side::Right,
     }
@@ -34,7 +32,7 @@ impl Choice for Side {
     const MEANINGS: &'static [Self] = &[Self::Right, Self::Left];
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
-    let t = inside(&args.c, args.t)?;
-    args.c.tangent_at(t, args.side).at(args.t.span)
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vector> {
+    let plain = |t| args.c.tangent_at(t, args.side);
+    varying::vector(&args.c, &args.t, args.side, plain, (1, varying::tangent))
 }

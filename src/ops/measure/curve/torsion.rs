@@ -1,10 +1,10 @@
 //! `torsion` of a curve.
 
-use super::local;
+use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::{Curve, Side},
-    value::{At, Ctx, op},
+    value::{Ctx, Real, op},
 };
 
 op! {
@@ -12,11 +12,11 @@ op! {
     ///
     /// [C' C'' C‴] / |C' × C''|², positive for a right-handed screw and 0 for a plane curve. Where the
     /// curve is straight there is none. do Carmo, *Differential Geometry of Curves and Surfaces*, §1-5.
-    torsion in Measure -> f64 {
+    torsion in Measure -> Real {
         /// The curve.
         c: Curve,
         /// The parameter, inside the curve's domain.
-        t: Spanned<f64>,
+        t: Spanned<Real>,
         /// The piece that is asked at a knot: after it or before it.
         side: Side = Side::Right,
     }
@@ -25,6 +25,7 @@ op! {
     refuses "torsion(line((0, 0), (1, 2)), 0.5)" => "E0607: the curve is straight at parameter 0.5: there is no torsion";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    local(&args.c, args.t, args.side)?.torsion().at(args.t.span)
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {
+    let plain = |t| args.c.local_at(t, args.side)?.torsion();
+    varying::number(&args.c, &args.t, args.side, plain, (3, |d, _| varying::torsion(d)))
 }

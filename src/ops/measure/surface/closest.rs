@@ -2,12 +2,11 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
-
+use super::varying;
 use crate::{
-    diag::Result,
+    diag::{Result, Spanned},
     kernel::Surface,
-    value::{At, Ctx, Record, Value, op},
+    value::{At, Ctx, IntoValue, Real, Record, Vector, op},
 };
 
 op! {
@@ -22,7 +21,7 @@ op! {
         /// The surface.
         s: Surface,
         /// The point.
-        p: DVec3,
+        p: Spanned<Vector>,
     }
     example "closest(bilinear((0, 0), (0, 4), (4, 0), (4, 4)), (1, 3, 2))" => "{u: 0.25, v: 0.75, point: (1, 3, 0), distance: 2}";
     example "closest(bilinear((0, 0), (0, 4), (4, 0), (4, 4)), (7, 8)).distance" => "5";
@@ -35,12 +34,18 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
-    let foot = args.s.closest(args.p).at(ctx.span)?;
-    let [u, v] = foot.parameters;
+    let Spanned { value: p, span } = &args.p;
+    let foot = args.s.closest(p.value()).at(ctx.span)?;
+    let [u, v] = varying::closest(&args.s, p, foot.parameters).at(*span)?;
+    let point = varying::point(&args.s, &[u.clone(), v.clone()], foot.point).at(*span)?;
+    let distance = match p {
+        Vector::Plain(_) => Real::Plain(foot.distance),
+        Vector::Jets(_) => point.minus(p).norm().at(*span)?.with_value(foot.distance),
+    };
     Ok(Record::new([
-        (Arc::from("u"), Value::number(u)),
-        (Arc::from("v"), Value::number(v)),
-        (Arc::from("point"), Value::Point(foot.point)),
-        (Arc::from("distance"), Value::number(foot.distance)),
+        (Arc::from("u"), u.into_value()),
+        (Arc::from("v"), v.into_value()),
+        (Arc::from("point"), point.into_value()),
+        (Arc::from("distance"), distance.into_value()),
     ]))
 }

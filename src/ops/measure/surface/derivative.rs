@@ -1,25 +1,23 @@
 //! `derivative` of a surface.
 
-use glam::DVec3;
-
-use super::inside;
+use super::varying::{self, Varying};
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::Surface,
-    value::{At, Ctx, op},
+    value::{Ctx, Real, Vector, op},
 };
 
 op! {
     /// Partial derivative vector of a surface, of order `du` by u and `dv` by v.
     ///
     /// Piegl & Tiller, *The NURBS Book*, A3.6 and A4.4.
-    derivative in Measure -> DVec3 {
+    derivative in Measure -> Vector {
         /// The surface.
         s: Surface,
         /// The first parameter, inside the surface's domain.
-        u: Spanned<f64>,
+        u: Spanned<Real>,
         /// The second parameter.
-        v: Spanned<f64>,
+        v: Spanned<Real>,
         /// The order by u.
         du: usize = 1,
         /// The order by v.
@@ -30,12 +28,14 @@ op! {
     refuses "derivative(plane_patch((0, 0), (1, 0), (0, 1)), 2, 0)" => "E0606: parameter 2 is outside the domain 0..1";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
-    let (u, v) = inside(&args.s, args.u, args.v)?;
-    let (order, most) = (args.du.saturating_add(args.dv), ctx.limits.degree);
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vector> {
+    let (du, dv, most) = (args.du, args.dv, ctx.limits.degree);
+    let order = du.saturating_add(dv);
     if most < order {
         let message = format!("derivatives go up to order {most}, found {order}");
         return Diagnostic::error(Code::TooLarge, ctx.span, message).fail();
     }
-    Ok(args.s.derivatives_at(u, v, order).at(ctx.span)?.get(args.du, args.dv))
+    let plain = |u, v| Ok(args.s.derivatives_at(u, v, order)?.get(du, dv));
+    let formula = |at: &Varying| at.derivative(du, dv);
+    varying::vector(&args.s, [&args.u, &args.v], ctx.span, plain, (order, formula))
 }

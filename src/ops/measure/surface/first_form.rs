@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use super::inside;
+use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::Surface,
-    value::{At, Ctx, Record, Value, op},
+    value::{At, Ctx, IntoValue, Real, Record, op},
 };
 
 op! {
@@ -18,17 +18,22 @@ op! {
         /// The surface.
         s: Surface,
         /// The first parameter, inside the surface's domain.
-        u: Spanned<f64>,
+        u: Spanned<Real>,
         /// The second parameter.
-        v: Spanned<f64>,
+        v: Spanned<Real>,
     }
     example "first_form(bilinear((0, 0), (0, 2), (3, 0), (3, 2)), 0.5, 0.5)" => "{E: 9, F: 0, G: 4}";
     refuses "first_form(plane_patch((0, 0), (1, 0), (0, 1)), 2, 0)" => "E0606: parameter 2 is outside the domain 0..1";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
-    let (u, v) = inside(&args.s, args.u, args.v)?;
-    let form = args.s.first_form_at(u, v).at(ctx.span)?;
-    let entry = |(label, number)| (Arc::from(label), Value::number(number));
-    Ok(Record::new(["E", "F", "G"].into_iter().zip(form).map(entry)))
+    let ([u, v], varying) = varying::place(&args.s, [&args.u, &args.v], 2, None, ctx.span)?;
+    let plain = args.s.first_form_at(u, v).at(ctx.span)?;
+    let form = match varying {
+        None => plain.map(Real::Plain),
+        Some(varying) => varying.first_form().at(ctx.span)?,
+    };
+    let entry =
+        |((label, number), plain)| (Arc::from(label), Real::with_value(number, plain).into_value());
+    Ok(Record::new(["E", "F", "G"].into_iter().zip(form).zip(plain).map(entry)))
 }

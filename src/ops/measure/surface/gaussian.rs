@@ -1,10 +1,10 @@
 //! `gaussian` of a surface: the Gaussian curvature.
 
-use super::shape;
+use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::Surface,
-    value::{Ctx, op},
+    value::{Ctx, Real, op},
 };
 
 op! {
@@ -14,19 +14,26 @@ op! {
     /// where it can be unrolled. At the pole of a closed shape, where the parametrization is singular, it is the limit if the shape has one.
     ///
     /// do Carmo, *Differential Geometry of Curves and Surfaces*, §3-3.
-    gaussian in Measure -> f64 {
+    gaussian in Measure -> Real {
         /// The surface.
         s: Surface,
         /// The first parameter, inside the surface's domain.
-        u: Spanned<f64>,
+        u: Spanned<Real>,
         /// The second parameter.
-        v: Spanned<f64>,
+        v: Spanned<Real>,
     }
     example "gaussian(sphere((0, 0), 2), 0.3, 0.5) ~= 1/4 within 1e-12" => "true";
     example "gaussian(bezier([[(-1, -1, 0), (-1, 0, -1), (-1, 1, 0)], [(0, -1, 1), (0, 0, 0), (0, 1, 1)], [(1, -1, 0), (1, 0, -1), (1, 1, 0)]]), 0.5, 0.5)" => "-1";
     refuses "gaussian(cone((0, 0), 3, 0, 4), 0, 1)" => "E0607: there is no curvature at (0, 1): Su × Sv vanishes there, and the curvatures around have no common limit";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    Ok(shape(&args.s, args.u, args.v, ctx)?.gaussian())
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
+    let plain = |u, v| Ok(args.s.shape_at(u, v)?.gaussian());
+    varying::number(
+        &args.s,
+        [&args.u, &args.v],
+        ctx.span,
+        plain,
+        (2, |at: &varying::Varying| at.forms()?.gaussian()),
+    )
 }

@@ -24,12 +24,13 @@ pub(super) mod tangent_plane;
 pub(super) mod tangent_u;
 pub(super) mod tangent_v;
 pub(super) mod twist;
+mod varying;
 pub(super) mod volume;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        GeomError, Mass, ShellError, Surface, SurfaceShape, area_mass,
+        GeomError, Mass, ShellError, Surface, area_mass,
         tolerance::{ACCURACY_WORTH_HAVING, ACCURACY_WORTH_TELLING},
         volume_mass,
     },
@@ -108,17 +109,6 @@ fn inside(surface: &Surface, u: Spanned<f64>, v: Spanned<f64>) -> Result<(f64, f
     let inside_u = surface.domain_u().clamp_inside(u.value).at(u.span)?;
     let inside_v = surface.domain_v().clamp_inside(v.value).at(v.span)?;
     Ok((inside_u, inside_v))
-}
-
-/// The shape of a surface at a place.
-fn shape(
-    surface: &Surface,
-    u: Spanned<f64>,
-    v: Spanned<f64>,
-    ctx: &Ctx<'_>,
-) -> Result<SurfaceShape> {
-    let (u, v) = inside(surface, u, v)?;
-    surface.shape_at(u, v).at(ctx.span)
 }
 
 /// Evenly spaced parameters of a surface, so many along u and along v, the edges among them.

@@ -1,30 +1,28 @@
 //! `normal` of a surface.
 
-use glam::DVec3;
-
-use super::inside;
+use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::Surface,
-    value::{At, Ctx, op},
+    value::{Ctx, Real, Vector, op},
 };
 
 op! {
     /// Unit normal of a surface, in the direction of Su × Sv.
     ///
     /// At a pole or a collapsed edge it is the limit, where that exists.
-    normal in Measure -> DVec3 {
+    normal in Measure -> Vector {
         /// The surface.
         s: Surface,
         /// The first parameter, inside the surface's domain.
-        u: Spanned<f64>,
+        u: Spanned<Real>,
         /// The second parameter.
-        v: Spanned<f64>,
+        v: Spanned<Real>,
     }
     example "normal(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), 0.5, 0.5)" => "(0, 0, 1)";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
-    let (u, v) = inside(&args.s, args.u, args.v)?;
-    args.s.normal_at(u, v).at(ctx.span)
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vector> {
+    let plain = |u, v| args.s.normal_at(u, v);
+    varying::vector(&args.s, [&args.u, &args.v], ctx.span, plain, (1, varying::Varying::normal))
 }

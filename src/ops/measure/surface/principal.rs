@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use super::shape;
+use super::varying::{self, Varying};
 use crate::{
     diag::{Result, Spanned},
     kernel::{Principal, Surface},
-    value::{Ctx, Record, Value, op},
+    value::{At, Ctx, IntoValue, Real, Record, Vector, op},
 };
 
 op! {
@@ -22,9 +22,9 @@ op! {
         /// The surface.
         s: Surface,
         /// The first parameter, inside the surface's domain.
-        u: Spanned<f64>,
+        u: Spanned<Real>,
         /// The second parameter.
-        v: Spanned<f64>,
+        v: Spanned<Real>,
     }
     example "principal(cylinder((0, 0), 2, 1), 0, 0.5).d1" => "(0, 1, 0)";
     example "principal(parametric((u, v) => (2*cos(u), 2*sin(u), v), 0..tau, 0..1), 0, 0.5)" => "{k1: -0.5, k2: 0, d1: (0, 1, 0), d2: (0, 0, 1)}";
@@ -32,12 +32,29 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
-    let tolerance = ctx.tolerance;
-    let Principal { k1, k2, d1, d2 } = shape(&args.s, args.u, args.v, ctx)?.principal(tolerance);
+    let ([u, v], varying) = varying::place(&args.s, [&args.u, &args.v], 2, None, ctx.span)?;
+    let plain = args.s.shape_at(u, v).at(ctx.span)?.principal(ctx.tolerance);
+    let Principal { k1, k2, d1, d2 } = plain;
+    let mut found = ([k1, k2].map(Real::Plain), [d1, d2].map(Vector::Plain));
+    if let Some(at) = varying {
+        found = with_derivatives(&at, plain).at(ctx.span)?;
+    }
+    let ([k1, k2], [d1, d2]) = found;
     Ok(Record::new([
-        (Arc::from("k1"), Value::number(k1)),
-        (Arc::from("k2"), Value::number(k2)),
-        (Arc::from("d1"), Value::Point(d1)),
-        (Arc::from("d2"), Value::Point(d2)),
+        (Arc::from("k1"), k1.into_value()),
+        (Arc::from("k2"), k2.into_value()),
+        (Arc::from("d1"), d1.into_value()),
+        (Arc::from("d2"), d2.into_value()),
     ]))
+}
+
+fn with_derivatives(
+    at: &Varying,
+    Principal { k1, k2, d1, d2 }: Principal,
+) -> varying::Found<([Real; 2], [Vector; 2])> {
+    let forms = at.forms()?;
+    let [first, second] = forms.principal()?;
+    let one = forms.principal_direction(at, &first, d1)?.with_value(d1);
+    let other = forms.principal_direction(at, &second, d2)?.with_value(d2);
+    Ok(([first.with_value(k1), second.with_value(k2)], [one, other]))
 }

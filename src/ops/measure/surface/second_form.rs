@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use super::inside;
+use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::Surface,
-    value::{At, Ctx, Record, Value, op},
+    value::{At, Ctx, IntoValue, Real, Record, op},
 };
 
 op! {
@@ -19,16 +19,21 @@ op! {
         /// The surface.
         s: Surface,
         /// The first parameter, inside the surface's domain.
-        u: Spanned<f64>,
+        u: Spanned<Real>,
         /// The second parameter.
-        v: Spanned<f64>,
+        v: Spanned<Real>,
     }
     example "second_form(bezier([[(-1, -1, 0), (-1, 0, -1), (-1, 1, 0)], [(0, -1, 1), (0, 0, 0), (0, 1, 1)], [(1, -1, 0), (1, 0, -1), (1, 1, 0)]]), 0.5, 0.5)" => "{L: -4, M: 0, N: 4}";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
-    let (u, v) = inside(&args.s, args.u, args.v)?;
-    let form = args.s.second_form_at(u, v).at(ctx.span)?;
-    let entry = |(label, number)| (Arc::from(label), Value::number(number));
-    Ok(Record::new(["L", "M", "N"].into_iter().zip(form).map(entry)))
+    let ([u, v], varying) = varying::place(&args.s, [&args.u, &args.v], 2, None, ctx.span)?;
+    let plain = args.s.second_form_at(u, v).at(ctx.span)?;
+    let form = match varying {
+        None => plain.map(Real::Plain),
+        Some(varying) => varying.second_form().at(ctx.span)?,
+    };
+    let entry =
+        |((label, number), plain)| (Arc::from(label), Real::with_value(number, plain).into_value());
+    Ok(Record::new(["L", "M", "N"].into_iter().zip(form).zip(plain).map(entry)))
 }

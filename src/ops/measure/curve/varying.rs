@@ -1,0 +1,204 @@
+//! Questions about a curve at a parameter that carries derivatives: the formulas of the field, on the
+//! truncated Taylor series of the curve's derivatives.
+//!
+//! The value of an answer, and what is refused, is that of the question at the plain parameter; the
+//! derivatives come on top. do Carmo, *Differential Geometry of Curves and Surfaces*, §1-5; the functions
+//! that equations define by Griewank & Walther, *Evaluating Derivatives*, §15.1: each step of Newton's
+//! method on series, with the derivative at the place, makes one more order right.
+
+use glam::DVec3;
+
+use crate::{
+    diag::{Result, Spanned},
+    kernel::{Curve, GeomError, Jet, Side, jet, tolerance::LAST_BIT},
+    value::{At, Real, Vector},
+};
+
+/// A parameter of a curve, inside its domain.
+pub(super) fn inside(curve: &Curve, t: &Spanned<Real>) -> Result<Real> {
+    let clamped = curve.domain().clamp_inside(t.value.value()).at(t.span)?;
+    Ok(t.value.clone().with_value(clamped))
+}
+
+/// A number that a curve has at a parameter: that of the plain question, with the derivatives of a formula
+/// of C, C', … up to an order.
+pub(super) fn number(
+    curve: &Curve,
+    t: &Spanned<Real>,
+    side: Side,
+    plain: impl FnOnce(f64) -> Found<f64>,
+    (order, formula): (usize, impl FnOnce(&[Vector], f64) -> Found<Real>),
+) -> Result<Real> {
+    let t = Spanned::new(inside(curve, t)?, t.span);
+    let value = plain(t.value.value()).at(t.span)?;
+    match &t.value {
+        Real::Plain(_) => Ok(Real::Plain(value)),
+        Real::Jet(jet) => {
+            let found = derivatives(curve, jet, side, order).and_then(|d| formula(&d, value));
+            Ok(found.at(t.span)?.with_value(value))
+        }
+    }
+}
+
+/// A vector that a curve has at a parameter, as [`number`].
+pub(super) fn vector(
+    curve: &Curve,
+    t: &Spanned<Real>,
+    side: Side,
+    plain: impl FnOnce(f64) -> Found<DVec3>,
+    (order, formula): (usize, impl FnOnce(&[Vector]) -> Found<Vector>),
+) -> Result<Vector> {
+    let t = Spanned::new(inside(curve, t)?, t.span);
+    let value = plain(t.value.value()).at(t.span)?;
+    match &t.value {
+        Real::Plain(_) => Ok(Vector::Plain(value)),
+        Real::Jet(jet) => {
+            let found = derivatives(curve, jet, side, order).and_then(|d| formula(&d));
+            Ok(found.at(t.span)?.with_value(value))
+        }
+    }
+}
+
+pub(super) type Found<T> = std::result::Result<T, GeomError>;
+
+/// C, C', … up to an order at a parameter that varies.
+pub(super) fn derivatives(curve: &Curve, t: &Jet, side: Side, order: usize) -> Found<Vec<Vector>> {
+    let all = curve.derivatives_beside(t.value(), side, t.order() + order)?;
+    let one = |k: usize| Ok(Vector::Jets(Box::new(jet::along(&all[k..=k + t.order()], t)?)));
+    (0..=order).map(one).collect()
+}
+
+/// C'/|C'|.
+pub(super) fn tangent(d: &[Vector]) -> Found<Vector> {
+    d[1].over(&d[1].norm()?)
+}
+
+/// The derivative of the tangent by arc length, (C''(C'·C') − C'(C'·C''))/(C'·C')².
+pub(super) fn bending(d: &[Vector]) -> Found<Vector> {
+    let squared = d[1].dot(&d[1]);
+    let across = d[2].times(&squared).minus(&d[1].times(&d[1].dot(&d[2])));
+    across.over(&squared.times(&squared))
+}
+
+/// |C' × C''|/|C'|³; where it is zero it has derivatives only where the curve is straight all around.
+pub(super) fn curvature(d: &[Vector], value: f64) -> Found<Real> {
+    let bending = bending(d)?;
+    let rounding = LAST_BIT.sqrt() * (d[1].over(&d[1].dot(&d[1]))?).magnitude();
+    match value {
+        0.0 if bending.magnitude() <= rounding => Ok(Real::Plain(0.0)),
+        0.0 => Err(GeomError::NotDifferentiable { what: "the curvature", at: 0.0 }),
+        _ => bending.norm(),
+    }
+}
+
+/// N, the bending at length 1.
+pub(super) fn normal(d: &[Vector]) -> Found<Vector> {
+    let bending = bending(d)?;
+    bending.over(&bending.norm()?)
+}
+
+/// C' × C'' at length 1.
+pub(super) fn binormal(d: &[Vector]) -> Found<Vector> {
+    let axis = d[1].cross(&d[2]);
+    axis.over(&axis.norm()?)
+}
+
+/// C + N/κ.
+pub(super) fn center_of_curvature(d: &[Vector]) -> Found<Vector> {
+    let bending = bending(d)?;
+    Ok(d[0].plus(&bending.over(&bending.dot(&bending))?))
+}
+
+/// [C' C'' C‴]/|C' × C''|².
+pub(super) fn torsion(d: &[Vector]) -> Found<Real> {
+    let axis = d[1].cross(&d[2]);
+    axis.dot(&d[3]).over(&axis.dot(&axis))
+}
+
+/// The curvature with the sign of the turn about an axis, (C' × C'')·A/|C'|³ of a curve in a plane across it.
+pub(super) fn signed_curvature(d: &[Vector], axis: DVec3, value: f64) -> Found<Real> {
+    let turn = d[1].cross(&d[2]);
+    let axis = Vector::Plain(axis);
+    let along = turn.dot(&axis);
+    let is_plane =
+        turn.minus(&axis.times(&along)).magnitude() <= LAST_BIT.sqrt() * turn.magnitude();
+    if is_plane {
+        let speed = d[1].norm()?;
+        return along.over(&speed.times(&speed).times(&speed));
+    }
+    match value {
+        0.0 => Err(GeomError::NotDifferentiable { what: "the signed curvature", at: 0.0 }),
+        _ => Ok(bending(d)?.norm()?.scaled(value.signum())),
+    }
+}
+
+/// The arc length up to a parameter that varies, which is `value` at its value: the integral of the series
+/// of |C'|.
+fn length_up_to(curve: &Curve, t: &Jet, value: f64) -> Found<Jet> {
+    let side = if t.is_growing() { Side::Right } else { Side::Left };
+    let speeds = speeds(curve, t.value(), side, t.order())?;
+    let mut series = vec![value];
+    series.extend(speeds.iter().zip(1..).map(|(speed, k)| speed / f64::from(k)));
+    t.compose(&series)
+}
+
+/// The first coefficients of the series of |C'| about a parameter.
+fn speeds(curve: &Curve, t: f64, side: Side, n: usize) -> Found<Vec<f64>> {
+    let Some(order) = n.checked_sub(1) else { return Ok(Vec::new()) };
+    let velocity = &derivatives(curve, &Jet::variable(t, order), side, 1)?[1];
+    let speed = velocity.norm()?;
+    let mut factorial = 1.0;
+    let coefficient = |k: usize| {
+        factorial *= k.max(1) as f64;
+        speed.derivative(k, 0) / factorial
+    };
+    Ok((0..n).map(coefficient).collect())
+}
+
+/// The arc length between two parameters, which is `value` between their values.
+pub(super) fn length(curve: &Curve, [from, to]: [&Real; 2], value: f64) -> Found<Real> {
+    let up_to = |t: &Real, value: f64| match t {
+        Real::Plain(_) => Ok(Real::Plain(value)),
+        Real::Jet(jet) => length_up_to(curve, jet, value).map(Real::Jet),
+    };
+    Ok(up_to(to, value)?.minus(&up_to(from, 0.0)?).with_value(value))
+}
+
+/// The parameter at an arc length from the start that varies, which is `t` at its value.
+pub(super) fn parameter_at_length(curve: &Curve, length: &Jet, t: f64) -> Found<Jet> {
+    let side = if length.is_growing() { Side::Right } else { Side::Left };
+    let speed = speeds(curve, t, side, 1)?.first().copied().unwrap_or(0.0);
+    let mut found = length.same(t);
+    for _ in 0..length.order() {
+        let rest = length_up_to(curve, &found, length.value())?.minus(length);
+        found = found.minus(&rest.over(&rest.same(speed))?).with_value(t);
+    }
+    Ok(found)
+}
+
+/// The parameter of the point nearest to one that varies, which is `t` at its value: where
+/// (C − P)·C' vanishes, or an end of the curve that it stays at.
+pub(super) fn closest(curve: &Curve, p: &Vector, t: f64) -> Found<Real> {
+    let Vector::Jets(jets) = p else { return Ok(Real::Plain(t)) };
+    let like = &jets[0];
+    let at_place = curve.derivatives_beside(t, Side::Right, 2)?;
+    let way = at_place[0] - p.value();
+    let (slope, speed) = (way.dot(at_place[1]), at_place[1].length());
+    let (domain, rounding) = (curve.domain(), LAST_BIT.sqrt() * (speed * way.length()));
+    let is_at_end =
+        t <= domain.start() && rounding < slope || domain.end() <= t && slope < -rounding;
+    if is_at_end {
+        return Ok(Real::Jet(like.same(t)));
+    }
+    let bend = at_place[1].dot(at_place[1]) + way.dot(at_place[2]);
+    if bend <= LAST_BIT.sqrt() * speed * speed {
+        return Err(GeomError::NotDifferentiable { what: "the nearest place of the curve", at: t });
+    }
+    let mut found = like.same(t);
+    for _ in 0..like.order() {
+        let d = derivatives(curve, &found, Side::Right, 1)?;
+        let slope = d[0].minus(p).dot(&d[1]).like(like);
+        found = found.minus(&slope.scaled(1.0 / bend)).with_value(t);
+    }
+    Ok(Real::Jet(found))
+}
