@@ -138,7 +138,5 @@ pub(super) fn point_on_surface(
 /// Fails: nothing there could carry the derivatives on.
 pub(super) fn no_derivative<T>(what: &str, span: Span) -> Result<T> {
     let message = format!("{what} cannot be differentiated");
-    Diagnostic::error(Code::NoDerivative, span, message)
-        .hint(CARRIES_DERIVATIVES)
-        .fail()
+    Diagnostic::error(Code::NoDerivative, span, message).hint(CARRIES_DERIVATIVES).fail()
 }

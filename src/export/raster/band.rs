@@ -1,5 +1,7 @@
 //! A band of the picture: which triangle or line each sample shows, by depth.
 
+use std::ops::Range;
+
 use glam::{DVec2, DVec3};
 
 use super::{
@@ -23,6 +25,7 @@ const STEEPEST: f64 = 12.0;
 
 /// The colour of what nothing covers.
 const PAPER: DVec3 = DVec3::ONE;
+const PAPER_PIXEL: [u8; 3] = [255; 3];
 
 /// Some rows of samples, with an apron of more above and below where only depth matters.
 pub(super) struct Band {
@@ -32,6 +35,8 @@ pub(super) struct Band {
     inner: [usize; 2],
     width: usize,
     height: usize,
+    /// The columns in which anything is drawn; whatever the others hold is old.
+    columns: Range<usize>,
     depths: Vec<f64>,
     /// The triangle that a sample shows, by its place in `faces`.
     owners: Vec<u32>,
@@ -101,35 +106,91 @@ impl Face {
     }
 }
 
+impl Stroke {
+    /// The places along a row, of those within bounds, outside of which nothing of it is.
+    fn span(&self, y: f64, [low, high]: [f64; 2]) -> [f64; 2] {
+        let [a, b] = self.ends;
+        let along = (b - a).truncate();
+        let half = self.radius * along.length() / along.y.abs();
+        let middle = a.x + (y - a.y) * along.x / along.y;
+        // Of a level stroke, or of a point, these are no numbers.
+        match (middle - half).is_finite() {
+            true => [low.max(middle - half), high.min(middle + half)],
+            false => [low, high],
+        }
+    }
+}
+
 impl Band {
-    /// Draws what reaches into a band.
-    pub(super) fn of(scene: &Scene, idx: usize) -> Self {
-        let [from, to] = scene.rows(idx);
-        let height = to - from + 2 * scene.apron;
-        let n_samples = scene.width * height;
-        let mut band = Self {
-            top: from as isize - scene.apron as isize,
-            inner: [scene.apron, scene.apron + to - from],
-            width: scene.width,
-            height,
-            depths: vec![f64::NEG_INFINITY; n_samples],
-            owners: vec![NONE; n_samples],
+    /// Room for any band of a picture.
+    pub(super) fn new(width: usize) -> Self {
+        Self {
+            top: 0,
+            inner: [0, 0],
+            width,
+            height: 0,
+            columns: 0..0,
+            depths: Vec::new(),
+            owners: Vec::new(),
             faces: Vec::new(),
-            lines: vec![(f64::NEG_INFINITY, NONE); n_samples],
-        };
-        for &triangle in &scene.triangles_in[idx] {
-            if let Some(face) = Face::new(scene, triangle) {
-                band.draw(face);
-            }
+            lines: Vec::new(),
         }
-        for &stroke in &scene.strokes_in[idx] {
-            band.trace(&scene.strokes[stroke as usize], stroke);
+    }
+
+    /// Draws what reaches into a band, and forgets what it held.
+    pub(super) fn draw_all(&mut self, scene: &Scene, idx: usize) {
+        let [from, to] = scene.rows(idx);
+        self.top = from as isize - scene.apron as isize;
+        self.inner = [scene.apron, scene.apron + to - from];
+        self.height = to - from + 2 * scene.apron;
+        self.faces.clear();
+        let faces: Vec<Face> = scene.triangles_in[idx]
+            .iter()
+            .filter_map(|&triangle| Face::new(scene, triangle))
+            .collect();
+        let strokes: Vec<(u32, &Stroke)> = scene.strokes_in[idx]
+            .iter()
+            .map(|&name| (name, &scene.strokes[name as usize]))
+            .collect();
+        self.clear(&faces, &strokes);
+        for face in faces {
+            self.draw(face);
         }
-        band
+        for (name, stroke) in strokes {
+            self.trace(stroke, name);
+        }
+    }
+
+    /// Empties the samples of the columns in which something will be drawn, whole pixels.
+    fn clear(&mut self, faces: &[Face], strokes: &[(u32, &Stroke)]) {
+        let of_faces =
+            faces.iter().flat_map(|face| face.corners).map(|corner| [corner.x, corner.x]);
+        let of_strokes = strokes.iter().flat_map(|(_, stroke)| {
+            stroke.ends.map(|end| [end.x - stroke.radius, end.x + stroke.radius])
+        });
+        let [low, high] = of_faces
+            .chain(of_strokes)
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], [from, to]| {
+                [low.min(from), high.max(to)]
+            });
+        let end = ((high.max(-1.0) as usize).saturating_add(2)).next_multiple_of(SIDE);
+        let first = low.max(0.0) as usize / SIDE * SIDE;
+        self.columns = if low <= high { first.min(self.width)..end.min(self.width) } else { 0..0 };
+        let n_samples = self.width * self.height;
+        self.depths.resize(n_samples, f64::NEG_INFINITY);
+        self.owners.resize(n_samples, NONE);
+        self.lines.resize(n_samples, (f64::NEG_INFINITY, NONE));
+        for line in 0..self.height {
+            let samples =
+                line * self.width + self.columns.start..line * self.width + self.columns.end;
+            self.depths[samples.clone()].fill(f64::NEG_INFINITY);
+            self.owners[samples.clone()].fill(NONE);
+            self.lines[samples].fill((f64::NEG_INFINITY, NONE));
+        }
     }
 
     /// The lines and columns of samples in a box, as far as they are here.
-    fn samples(&self, low: DVec2, high: DVec2) -> [std::ops::Range<usize>; 2] {
+    fn samples(&self, low: DVec2, high: DVec2) -> [Range<usize>; 2] {
         let top = self.top as f64;
         let range = |low: f64, high: f64, n: usize| {
             let first = low.ceil().max(0.0) as usize;
@@ -171,10 +232,11 @@ impl Band {
         let along = (b - a).truncate();
         let radius = DVec2::splat(stroke.radius);
         let (low, high) = (a.min(b).truncate() - radius, a.max(b).truncate() + radius);
-        let [lines, columns] = self.samples(low, high);
-        for line in lines {
-            for column in columns.clone() {
-                let sample = DVec2::new(column as f64, (self.top + line as isize) as f64);
+        for line in self.samples(low, high)[0].clone() {
+            let y = (self.top + line as isize) as f64;
+            let [from, to] = stroke.span(y, [low.x, high.x]);
+            for column in self.samples(DVec2::new(from, y), DVec2::new(to, y))[1].clone() {
+                let sample = DVec2::new(column as f64, y);
                 let part = (sample - a.truncate()).dot(along) / along.length_squared();
                 // Of a point the part is no number.
                 let part = if part.is_finite() { part.clamp(0.0, 1.0) } else { 0.0 };
@@ -195,7 +257,7 @@ impl Band {
         let [line, column] = [place.y - self.top as f64, place.x].map(f64::round);
         let is_here =
             (0.0..self.height as f64).contains(&line) && (0.0..self.width as f64).contains(&column);
-        if !is_here {
+        if !(is_here && self.columns.contains(&(column as usize))) {
             return true;
         }
         let sample = line as usize * self.width + column as usize;
@@ -211,10 +273,13 @@ impl Band {
     /// Adds the pixels of the band.
     pub(super) fn resolve(&self, scene: &Scene, light: &Light, pixels: &mut Vec<u8>) {
         for first_line in (self.inner[0]..self.inner[1]).step_by(SIDE) {
-            for first_column in (0..self.width).step_by(SIDE) {
+            let blank = |columns: Range<usize>| columns.len().div_ceil(SIDE) * PAPER_PIXEL.len();
+            pixels.resize(pixels.len() + blank(0..self.columns.start), PAPER_PIXEL[0]);
+            for first_column in self.columns.clone().step_by(SIDE) {
                 let color = self.pixel(scene, light, [first_line, first_column]);
                 pixels.extend(color.to_array().map(|level| (255.0 * level).round() as u8));
             }
+            pixels.resize(pixels.len() + blank(self.columns.end..self.width), PAPER_PIXEL[0]);
         }
     }
 

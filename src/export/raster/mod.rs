@@ -57,8 +57,10 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     let scene = Scene::new(job, &drawings, picture, near)?;
     let light = Light::new(job.options.view, picture.stripes);
     let mut pixels = Vec::with_capacity(3 * picture.size[0] * picture.size[1]);
+    let mut band = Band::new(scene.width);
     for idx in 0..scene.n_bands() {
-        Band::of(&scene, idx).resolve(&scene, &light, &mut pixels);
+        band.draw_all(&scene, idx);
+        band.resolve(&scene, &light, &mut pixels);
     }
     legend::draw(picture, &mut pixels);
     encode(picture.size, &pixels, out)?;
