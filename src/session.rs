@@ -28,7 +28,7 @@ use crate::{
     limits::{Ceiling, Limits},
     ops,
     syntax::ast::Unit,
-    value::{Files, Registry},
+    value::{Files, Registry, stranger},
 };
 
 /// Interprets scripts.
@@ -321,7 +321,7 @@ impl Session {
             let message = format!("byte {} of the file is not UTF-8 text", at + 1);
             let diagnostic = Diagnostic::error(Code::NotUtf8, place, message)
                 .label(format!("the byte {:#04x}", bytes[at]))
-                .hint("save the file as UTF-8 in the editor");
+                .hint(stranger(bytes).unwrap_or("save the file as UTF-8 in the editor"));
             (text, Box::new(diagnostic))
         })
     }

@@ -109,9 +109,6 @@ impl Files for Beside {
         let bytes = File::open(&full)
             .and_then(|mut file| read_some(&mut file, most))
             .map_err(|err| format!("cannot read `{path}`: {}", reason(&err)))?;
-        if bytes.len() > most {
-            return Err(format!("`{path}` is larger than the ceiling of {most} bytes"));
-        }
         if let Ok(mut read) = self.read.lock() {
             read.push(full);
         }
