@@ -303,11 +303,8 @@ impl Session {
     /// The text of a script, or as much of it as a message can show.
     fn read<'b>(&self, bytes: &'b [u8]) -> Result<&'b str, (String, Box<Diagnostic>)> {
         if bytes.len() > self.limits.source_bytes {
-            let message = format!(
-                "the script has {} bytes; the ceiling is {}",
-                bytes.len(),
-                self.limits.source_bytes
-            );
+            let most = self.limits.source_bytes;
+            let message = format!("the script is larger than the ceiling of {most} bytes");
             return Err((
                 String::new(),
                 Box::new(Diagnostic::error(Code::SourceTooLarge, Span::default(), message)),

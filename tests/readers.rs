@@ -157,7 +157,7 @@ fn each_door_names_the_ceiling_that_moves_it() {
     );
     let message = told(&" ".repeat(101), Vec::new(), limits).expect_err("it is too large");
     assert!(
-        message.contains("ceiling is 100") && message.contains("--limit source-bytes=N"),
+        message.contains("ceiling of 100 bytes") && message.contains("--limit source-bytes=N"),
         "{message}"
     );
 }
