@@ -14,7 +14,8 @@ use std::{
 
 use support::{Scratch, files_below, told, virote};
 
-const SCRIPT: &str = "param n = 3\nprint 1\ncurve c = line((0, 0), (1, 1))\nexport c to \"deep/er/c.obj\"\n";
+const SCRIPT: &str =
+    "param n = 3\nprint 1\ncurve c = line((0, 0), (1, 1))\nexport c to \"deep/er/c.obj\"\n";
 
 /// Runs a line of the shell in the folder, where `$virote` is the command.
 fn shell(scratch: &Scratch, line: &str) -> (String, String, i32) {
@@ -231,10 +232,7 @@ fn names_that_no_format_was_made_for_stay_names() {
     assert!(quoted.len() % 2 == 1, "every string is closed");
     let layer =
         step.lines().find(|line| line.contains("PRESENTATION_LAYER_ASSIGNMENT")).expect("a layer");
-    assert!(
-        layer.contains("'a\"b''c\\X4\\0000000A\\X0\\0") && layer.contains("\\\\U+0041#;\\\\'"),
-        "{layer}"
-    );
+    assert!(layer.contains("'a\"b''c 0") && layer.contains("\\\\U+0041#;\\\\'"), "{layer}");
 
     let igs = read("igs");
     assert!(igs.is_ascii() && igs.lines().all(|line| line.len() == 80), "{igs}");
