@@ -28,7 +28,7 @@ use crate::{
     limits::{Ceiling, Limits},
     ops,
     syntax::ast::Unit,
-    value::{Files, Registry},
+    value::{Files, Registry, stranger},
 };
 
 /// Interprets scripts.
@@ -303,11 +303,8 @@ impl Session {
     /// The text of a script, or as much of it as a message can show.
     fn read<'b>(&self, bytes: &'b [u8]) -> Result<&'b str, (String, Box<Diagnostic>)> {
         if bytes.len() > self.limits.source_bytes {
-            let message = format!(
-                "the script has {} bytes; the ceiling is {}",
-                bytes.len(),
-                self.limits.source_bytes
-            );
+            let most = self.limits.source_bytes;
+            let message = format!("the script is larger than the ceiling of {most} bytes");
             return Err((
                 String::new(),
                 Box::new(Diagnostic::error(Code::SourceTooLarge, Span::default(), message)),
@@ -321,7 +318,7 @@ impl Session {
             let message = format!("byte {} of the file is not UTF-8 text", at + 1);
             let diagnostic = Diagnostic::error(Code::NotUtf8, place, message)
                 .label(format!("the byte {:#04x}", bytes[at]))
-                .hint("save the file as UTF-8 in the editor");
+                .hint(stranger(bytes).unwrap_or("save the file as UTF-8 in the editor"));
             (text, Box::new(diagnostic))
         })
     }

@@ -37,6 +37,11 @@ impl Script {
         if path.is_dir() {
             return Err(format!("`{name}` is a folder, not a script"));
         }
+        if may_be_silent(path) {
+            return Err(format!(
+                "`{name}` is a pipe, which nobody may ever write to; `-` with `< {name}` reads from it"
+            ));
+        }
         let bytes = File::open(path)
             .and_then(|mut file| read_some(&mut file, most))
             .map_err(|err| format!("cannot read `{name}`: {}", reason(&err)))?;
@@ -46,6 +51,13 @@ impl Script {
         };
         Ok(Self { name, bytes, folder, path: Some(path.to_path_buf()) })
     }
+}
+
+/// Whether it is a pipe with a name, which is opened only when somebody else opens it too. Those that
+/// the shell opened, as `/dev/stdin` and `<(...)`, are open already.
+fn may_be_silent(path: &Path) -> bool {
+    let is_open = path.starts_with("/dev") || path.starts_with("/proc");
+    !is_open && path.metadata().is_ok_and(|data| !data.is_file() && !data.is_dir())
 }
 
 /// Everything up to `most` bytes and one more.
@@ -60,6 +72,9 @@ fn read_some(from: &mut dyn Read, most: usize) -> io::Result<Vec<u8>> {
 /// # Errors
 /// What keeps it from being read, in a few words.
 pub(super) fn read_whole(path: &Path, most: usize) -> Result<Vec<u8>, String> {
+    if may_be_silent(path) {
+        return Err("it is a pipe, not a file with an end".to_owned());
+    }
     let bytes =
         File::open(path).and_then(|mut file| read_some(&mut file, most)).map_err(|e| reason(&e))?;
     if bytes.len() > most {
@@ -109,9 +124,6 @@ impl Files for Beside {
         let bytes = File::open(&full)
             .and_then(|mut file| read_some(&mut file, most))
             .map_err(|err| format!("cannot read `{path}`: {}", reason(&err)))?;
-        if bytes.len() > most {
-            return Err(format!("`{path}` is larger than the ceiling of {most} bytes"));
-        }
         if let Ok(mut read) = self.read.lock() {
             read.push(full);
         }

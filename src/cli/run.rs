@@ -1,6 +1,9 @@
 //! `virote run` and `virote check`.
 
-use std::path::{Path, PathBuf};
+use std::{
+    io::{self, Write},
+    path::{Path, PathBuf},
+};
 
 use super::{
     Ending,
@@ -10,7 +13,7 @@ use super::{
     message::Voice,
     progress::Progress,
     settings,
-    write::{Refusal, Staged, Target, failure},
+    write::{Refusal, Staged, Target, capped, failure},
 };
 use crate::{
     diag::{Code, Diagnostic, Severity, fault, nearest},
@@ -295,15 +298,26 @@ fn stage(
             let found = Diagnostic::error(Code::CannotWrite, file.span, message);
             return Outcome::Refused(found, Ending::Usage);
         }
-        (Mode::DryRun(_), Ok(_)) => return Outcome::Told,
-        (Mode::Write(_), Ok(target)) => target,
+        (_, Ok(target)) => target,
     };
     let most = file.job.limits.output_bytes;
     progress.say(&format!("preparing {}", file.path));
     let told = |n_bytes| progress.written(&file.path, n_bytes);
-    let staged = || Ok(target.stage(most, &told, |out| (file.format.write)(&file.job, out)));
+    let write = |out: &mut dyn Write| (file.format.write)(&file.job, out);
+    // Without writing it can be told whether it could be: whether there is a place, and a format for it.
+    let staged = || {
+        Ok(match mode {
+            Mode::Write(_) => target.stage(most, &told, write).map(Some),
+            _ => target
+                .probe()
+                .map_err(ExportError::from)
+                .and_then(|()| capped(&mut io::sink(), most, &told, write))
+                .map(|_| None),
+        })
+    };
     match fault::caught(file.span, staged) {
-        Ok(Ok((staged, summary))) => Outcome::Staged(staged, summary),
+        Ok(Ok(Some((staged, summary)))) => Outcome::Staged(staged, summary),
+        Ok(Ok(None)) => Outcome::Told,
         Ok(Err(err)) => {
             let (found, ending) = refusal(file, &err);
             Outcome::Refused(found, ending)

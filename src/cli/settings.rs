@@ -5,7 +5,7 @@ use std::path::Path;
 use serde_json::{Deserializer, Value as Json};
 
 use super::{Ending, args::Common, files::Script, message::Voice};
-use crate::eval::Setting;
+use crate::{eval::Setting, value::decode};
 
 /// The settings that the options give, those of `--params` first; what is wrong is told.
 ///
@@ -43,13 +43,10 @@ fn read(path: &Path, most: usize) -> Result<Vec<Setting>, String> {
     if script.bytes.len() > most {
         return Err(format!("`{}` is larger than the ceiling of {most} bytes", script.name));
     }
-    let text = std::str::from_utf8(&script.bytes).map_err(|err| {
-        format!("byte {} of `{}` is not UTF-8 text", err.valid_up_to() + 1, script.name)
-    })?;
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    members(text)
+    let text = decode(&script.bytes).map_err(|what| format!("{}: {what}", script.name))?;
+    members(&text)
         .and_then(|members| settings(members, &script.name))
-        .map_err(|(place, message)| told(&script.name, text, place, &message))
+        .map_err(|(place, message)| told(&script.name, &text, place, &message))
 }
 
 /// A byte of the text, and what is wrong there.

@@ -5,9 +5,11 @@
 //! leaves the old files as they were.
 
 use std::{
+    collections::BTreeSet,
     fs::{self, File},
     io::{self, BufWriter, Write},
     path::{Path, PathBuf},
+    sync::{Mutex, PoisonError},
     time::Duration,
 };
 
@@ -62,6 +64,23 @@ impl Target {
         Ok(Self { folder, path: full })
     }
 
+    /// The same, where the file is a link the one behind it, which need not be there.
+    ///
+    /// # Errors
+    /// Links that lead round in a circle.
+    pub(super) fn behind_links(self) -> io::Result<Self> {
+        Ok(Self { path: behind_links(&self.path)?, ..self })
+    }
+
+    /// Whether it could be written: makes a temporary file in its folder, or in the innermost one on the
+    /// way that exists, and takes it away.
+    pub(super) fn probe(&self) -> io::Result<()> {
+        let name = self.path.file_name().unwrap_or_default();
+        let folder = existing(&self.folder).unwrap_or_default();
+        let (_, temporary) = temporary(&folder.join(name))?;
+        fs::remove_file(temporary)
+    }
+
     /// Writes the file, of no more than `most` bytes, through `write`, under a temporary name;
     /// tells `progress` how far it is.
     pub(super) fn stage(
@@ -70,8 +89,9 @@ impl Target {
         progress: &dyn Fn(u64),
         write: impl FnOnce(&mut dyn Write) -> Result<Summary, ExportError>,
     ) -> Result<(Staged, Summary), ExportError> {
-        fs::create_dir_all(&self.folder)?;
-        Staged::new(&self.path, None, |out| capped(out, most, progress, write))
+        make_folder(&self.folder)?;
+        let staged = Staged::new(&self.path, None, |out| capped(out, most, progress, write));
+        staged.inspect_err(|_| clear_made(&self.folder))
     }
 }
 
@@ -119,6 +139,7 @@ impl Drop for Staged {
     fn drop(&mut self) {
         // The temporary file is ours alone; of one that is in its place there is none.
         let _ = fs::remove_file(&self.temporary);
+        self.path.parent().into_iter().for_each(clear_made);
     }
 }
 
@@ -167,10 +188,44 @@ pub(super) fn replace<T, E: From<io::Error>>(
     permissions: Option<fs::Permissions>,
     write: impl FnOnce(&mut dyn Write) -> Result<T, E>,
 ) -> Result<T, E> {
-    let real = path.canonicalize();
-    let (staged, told) = Staged::new(real.as_deref().unwrap_or(path), permissions, write)?;
+    let (staged, told) = Staged::new(&behind_links(path)?, permissions, write)?;
     staged.place()?;
     Ok(told)
+}
+
+/// The file that a path leads to by the links at its end, whether it is there or not.
+fn behind_links(path: &Path) -> io::Result<PathBuf> {
+    /// Links that lead to one another; systems allow no more.
+    const MOST_LINKS: usize = 40;
+    let mut path = path.to_path_buf();
+    for _ in 0..MOST_LINKS {
+        let Ok(next) = fs::read_link(&path) else { return Ok(path) };
+        path = path.parent().unwrap_or(Path::new("")).join(next);
+    }
+    Err(io::Error::other("its links lead round in a circle"))
+}
+
+/// Folders that this process made.
+static MADE: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+/// Makes a folder and those around it, and notes which were made.
+fn make_folder(folder: &Path) -> io::Result<()> {
+    let missing = folder.ancestors().filter(|part| !part.as_os_str().is_empty() && !part.exists());
+    let missing: Vec<PathBuf> = missing.map(Path::to_path_buf).collect();
+    let made = fs::create_dir_all(folder);
+    MADE.lock().unwrap_or_else(PoisonError::into_inner).extend(missing);
+    made.inspect_err(|_| clear_made(folder))
+}
+
+/// Removes a folder and those around it as far as this process made them and nothing is in them.
+fn clear_made(folder: &Path) {
+    let mut made = MADE.lock().unwrap_or_else(PoisonError::into_inner);
+    for part in folder.ancestors() {
+        let is_gone = || fs::remove_dir(part).is_ok() || !part.exists();
+        if made.contains(part) && is_gone() {
+            made.remove(part);
+        }
+    }
 }
 
 /// A new file beside `path` that nobody else has.

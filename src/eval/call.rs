@@ -15,7 +15,7 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Label, Result, Span, Spanned},
     kernel::Jet,
-    limits::work,
+    limits::work::{self, End},
     value::{
         Call, Ctx, Formal, FromValue, Function, Mistakes, Op, Real, Type, Value, assign, choose,
     },
@@ -192,9 +192,14 @@ impl Machine<'_> {
             let others = foreign.and_then(|first| env.others_for(op, &first.value));
             others.into_iter().fold(found, |found, others| Box::new(found.hint(others)))
         });
-        match done.end {
-            None => finite(value?, name, span),
-            Some(end) => self.ended(end, span),
+        match (done.end, value) {
+            (None, value) => finite(value?, name, span),
+            // It says itself what there was no room for.
+            (Some(End::Memory), Err(found)) if found.code == Code::TooLarge => {
+                self.is_full = true;
+                Err(found)
+            }
+            (Some(end), _) => self.ended(end, span),
         }
     }
 

@@ -26,7 +26,7 @@ use crate::{
         self,
         ast::{Expr, ExprKind, StatementKind, Tree, Unit},
     },
-    value::{Record, Value, exact_key},
+    value::{Record, Value, exact_key, script_text},
 };
 
 /// A file that some import names.
@@ -150,7 +150,14 @@ impl<'a> Library<'a> {
             self.tell(Diagnostic::error(Code::TooLarge, place, message));
             return None;
         }
-        let bytes = match self.settings.files.read(path, self.settings.limits.source_bytes) {
+        let most = self.settings.limits.source_bytes;
+        let bytes = match self.settings.files.read(path, most) {
+            Ok(bytes) if most < bytes.len() => {
+                let message = format!("`{path}` is larger than the ceiling of {most} bytes");
+                let hint = "numbers that a script needs are read by `load`";
+                self.tell(Diagnostic::error(Code::SourceTooLarge, place, message).hint(hint));
+                return None;
+            }
             Ok(bytes) => bytes,
             Err(message) => {
                 let hint = "paths are relative to the file that imports";
@@ -158,11 +165,10 @@ impl<'a> Library<'a> {
                 return None;
             }
         };
-        match String::from_utf8(bytes) {
-            Ok(text) => Some(text),
-            Err(err) => {
-                let at = err.utf8_error().valid_up_to() + 1;
-                let message = format!("byte {at} of `{path}` is not UTF-8 text");
+        match script_text(&bytes) {
+            Ok(text) => Some(text.to_owned()),
+            Err(what) => {
+                let message = format!("`{path}`: {what}");
                 self.tell(Diagnostic::error(Code::NotUtf8, place, message));
                 None
             }

@@ -10,6 +10,7 @@ use glam::DVec3;
 use super::{
     ExportError, Format, Item, Job, Subject, Summary,
     exact::{Exact, exact},
+    kept::Kept,
     shape::{meshes, tolerance},
     text::Text,
 };
@@ -179,15 +180,15 @@ impl Dxf {
         }
         self.group(0, "ENDTAB");
 
-        let mut layers: Vec<(String, Option<[u8; 3]>)> = vec![("0".to_owned(), None)];
+        // Names that differ in their case alone are one.
+        let mut layers: Kept<String, (String, Option<[u8; 3]>)> = Kept::default();
+        layers.entry("0", || ("0".to_owned(), None));
         for item in &job.items {
             let name = layer(item);
-            if layers.iter().all(|(known, _)| !known.eq_ignore_ascii_case(&name)) {
-                layers.push((name, item.color));
-            }
+            layers.entry(name.to_ascii_lowercase().as_str(), || (name, item.color));
         }
-        self.table("LAYER", 0x2, layers.len());
-        for (i, (name, color)) in layers.iter().enumerate() {
+        self.table("LAYER", 0x2, layers.pairs().len());
+        for (i, (_, (name, color))) in layers.pairs().iter().enumerate() {
             let own = if i == 0 { 0x10 } else { self.handle_of_next() };
             self.record("LAYER", own, 0x2, "AcDbLayerTableRecord", name);
             self.count(70, 0).count(62, FOREGROUND);
@@ -339,11 +340,12 @@ fn layer(item: &Item) -> String {
     if name.trim().is_empty() { "0".to_owned() } else { readable(&name) }
 }
 
-/// Text in the code page of the file; other characters by their number.
+/// Text in the code page of the file; other characters by their number, and so those that begin such a
+/// number or a control character, `^J`.
 fn readable(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
-        if c.is_ascii_graphic() || c == ' ' {
+        if (c.is_ascii_graphic() || c == ' ') && !matches!(c, '\\' | '^') {
             out.push(c);
         } else if !c.is_control() && (c as u32) <= 0xFFFF {
             out.push_str(&format!("\\U+{:04X}", c as u32));

@@ -8,6 +8,7 @@ use glam::DVec3;
 
 use super::{
     ExportError, Format, Job, Subject, Summary,
+    name::one_line,
     shape::{Shape, Shaped, byte_color, shapes},
     text::Text,
 };
@@ -84,8 +85,7 @@ fn head(job: &Job, shapes: &[Shaped<'_>], layout: Layout, is_binary: bool, text:
     let form = if is_binary { "binary_little_endian" } else { "ascii" };
     text.push("ply\nformat ").push(form).push(" 1.0\ncomment unit: ").push(job.unit);
     for shaped in shapes {
-        let name: String =
-            shaped.item.name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+        let name = one_line(&shaped.item.name);
         text.push("\ncomment ").count(shaped.n_vertices()).push(" vertices of ").push(&name);
     }
     text.push("\nelement vertex ").count(n_vertices);

@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::{
     ExportError, Format, Job, Subject, Summary,
+    name::one_line,
     shape::{Shape, Shaped, shapes},
     text::Text,
 };
@@ -88,8 +89,7 @@ fn write_text(job: &Job, shapes: &[Shaped<'_>], out: &mut dyn Write) -> Result<(
     let mut text = Text::rounded(job.options.decimals);
     for shaped in shapes {
         let Shape::Mesh(mesh) = &shaped.shape else { continue };
-        let name: String =
-            shaped.item.name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+        let name = one_line(&shaped.item.name);
         text.push("solid ").push(&name).push("\n");
         let vector = |text: &mut Text, keyword: &str, vector: DVec3| {
             text.push(keyword);

@@ -96,6 +96,50 @@ pub fn goes_on(n_steps: u64) -> bool {
     state.done.end.is_none()
 }
 
+/// Bytes that may be held besides those that are.
+#[must_use]
+pub fn room() -> usize {
+    STATE.get().watch.map_or(usize::MAX, |watch| watch.memory_bytes.saturating_sub((watch.held)()))
+}
+
+/// Whether so many more bytes may be held. Whoever is told not leaves at once, with anything.
+#[must_use]
+pub fn has_room(n_bytes: usize) -> bool {
+    let mut state = STATE.get();
+    if state.done.end.is_none() && room() < n_bytes {
+        state.done.end = Some(End::Memory);
+        STATE.set(state);
+    }
+    state.done.end.is_none()
+}
+
+/// Adds to a list and counts a step; asks for room before the list grows. Whether to go on.
+#[must_use]
+pub fn push<T>(items: &mut Vec<T>, item: T) -> bool {
+    /// Lists below this grow without asking.
+    const SMALL: usize = 1 << 12;
+    // It doubles.
+    let n_bytes = size_of::<T>() * items.len();
+    let is_small = items.len() < items.capacity() || n_bytes < SMALL;
+    if !is_small && !has_room(n_bytes) {
+        return false;
+    }
+    items.push(item);
+    goes_on(1)
+}
+
+/// What an iterator gives as a list; none when the work was ended.
+pub fn collect<T>(items: impl IntoIterator<Item = T>) -> Option<Vec<T>> {
+    let mut list = Vec::new();
+    items.into_iter().all(|item| push(&mut list, item)).then_some(list)
+}
+
+/// Why the work was ended, if it was.
+#[must_use]
+pub fn ended() -> Option<End> {
+    STATE.get().done.end
+}
+
 /// Counts steps of work that has an end in sight.
 pub fn count(n_steps: u64) {
     COUNTED.set(COUNTED.get() + n_steps);
@@ -140,7 +184,7 @@ impl Watch {
 mod tests {
     use std::sync::atomic::AtomicBool;
 
-    use super::{End, Watch, counted, goes_on, under};
+    use super::{End, Watch, collect, counted, goes_on, has_room, room, under};
 
     static NEVER: AtomicBool = AtomicBool::new(false);
     static AT_ONCE: AtomicBool = AtomicBool::new(true);
@@ -158,6 +202,18 @@ mod tests {
         check(open, End::Steps);
         check(Watch { held: || 2, ..open }, End::Memory);
         check(Watch { stop: &AT_ONCE, ..open }, End::Stopped);
+    }
+
+    #[test]
+    fn a_list_asks_for_room_before_it_grows() {
+        let open = Watch { held: || 0, memory_bytes: 1 << 20, stop: &NEVER, steps: 1 << 30 };
+        let (list, done) = under(open, || collect(0_u64..));
+        assert_eq!((list, done.end), (None, Some(End::Memory)), "though nothing seems to be held");
+        let ((), done) = under(Watch { held: || 1 << 19, ..open }, || {
+            assert_eq!(room(), 1 << 19);
+            assert!(has_room(1 << 19) && !has_room((1 << 19) + 1) && !has_room(0));
+        });
+        assert_eq!(done.end, Some(End::Memory));
     }
 
     #[test]

@@ -9,10 +9,13 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3, DVec4};
 use serde_json::{Map, Value as Json, json};
 
-use super::{Dim, Number, Range, Record, Value, in_document_unit};
-use crate::kernel::{
-    Column, Curve, Frame, Grid, Group, KnotVector, Mesh, NamedColumn, NurbsCurve, NurbsSurface,
-    Surface, Table,
+use super::{Dim, ENDED, Number, Range, Record, Value, in_document_unit};
+use crate::{
+    kernel::{
+        Column, Curve, Frame, Grid, Group, KnotVector, Mesh, NamedColumn, NurbsCurve, NurbsSurface,
+        Surface, Table,
+    },
+    limits::work,
 };
 
 /// The value as exact JSON; functions as their signature, what is made of functions as its kind.
@@ -130,8 +133,17 @@ pub fn from_json(json: &Json, length: &str) -> Result<Value, String> {
         }
         Json::String(text) => Value::text(text),
         Json::Array(items) => {
-            let items = items.iter().map(|item| from_json(item, length));
-            Value::list(items.collect::<Result<_, _>>()?)
+            let mut values = Vec::new();
+            for item in items {
+                if !work::push(&mut values, from_json(item, length)?) {
+                    return Err(ENDED.to_owned());
+                }
+            }
+            // A list is a copy.
+            if !work::has_room(values.len() * size_of::<Value>()) {
+                return Err(ENDED.to_owned());
+            }
+            Value::list(values)
         }
         Json::Object(members) => match members.get("virote").and_then(Json::as_str) {
             Some(kind) => Object { kind, members, length }.value()?,
@@ -189,9 +201,7 @@ impl<'j> Object<'j> {
     }
 
     fn surface(&self) -> Result<NurbsSurface, String> {
-        let rows = self.read("homogeneous", |json| {
-            json.as_array()?.iter().map(homogeneous_points).collect::<Option<Vec<_>>>()
-        })?;
+        let rows = self.read("homogeneous", |json| each(json, homogeneous_points))?;
         let net = Grid::from_rows(rows).map_err(|err| err.to_string())?;
         let knots_u = self.knots("degree_u", "knots_u")?;
         let knots_v = self.knots("degree_v", "knots_v")?;
@@ -214,9 +224,7 @@ impl<'j> Object<'j> {
     }
 
     fn table(&self) -> Result<Table, String> {
-        let columns = self.read("columns", |json| {
-            json.as_array()?.iter().map(read_column).collect::<Option<_>>()
-        })?;
+        let columns = self.read("columns", |json| each(json, read_column))?;
         let columns: Vec<NamedColumn> = columns;
         let columns = columns.into_iter().map(|column| in_document_unit(column, self.length));
         Table::new(columns.collect::<Result<_, _>>()?).map_err(|err| err.to_string())
@@ -258,22 +266,25 @@ fn homogeneous_points(json: &Json) -> Option<Vec<DVec4>> {
 }
 
 fn numbers(json: &Json) -> Option<Vec<f64>> {
-    json.as_array()?.iter().map(Json::as_f64).collect()
+    each(json, Json::as_f64)
+}
+
+/// What `read` makes of each element, counted.
+fn each<T>(json: &Json, read: impl Fn(&Json) -> Option<T>) -> Option<Vec<T>> {
+    let mut items = Vec::new();
+    let mut elements = json.as_array()?.iter();
+    elements
+        .all(|item| read(item).is_some_and(|item| work::push(&mut items, item)))
+        .then_some(items)
 }
 
 fn vectors<const N: usize>(json: &Json) -> Option<Vec<[f64; N]>> {
-    json.as_array()?.iter().map(|item| <[f64; N]>::try_from(numbers(item)?).ok()).collect()
+    each(json, |item| <[f64; N]>::try_from(numbers(item)?).ok())
 }
 
 fn corners(json: &Json) -> Option<Vec<[u32; 3]>> {
     let corner = |item: &Json| item.as_u64().and_then(|n| u32::try_from(n).ok());
-    json.as_array()?
-        .iter()
-        .map(|item| {
-            let corners: Option<Vec<u32>> = item.as_array()?.iter().map(corner).collect();
-            <[u32; 3]>::try_from(corners?).ok()
-        })
-        .collect()
+    each(json, |item| <[u32; 3]>::try_from(each(item, corner)?).ok())
 }
 
 fn groups(json: &Json) -> Option<Vec<Group>> {
@@ -282,7 +293,7 @@ fn groups(json: &Json) -> Option<Vec<Group>> {
         let n_triangles = usize::try_from(json.get("triangles")?.as_u64()?).ok()?;
         Some(Group { name, n_triangles })
     };
-    json.as_array()?.iter().map(group).collect()
+    each(json, group)
 }
 
 fn read_column(json: &Json) -> Option<NamedColumn> {
@@ -290,13 +301,9 @@ fn read_column(json: &Json) -> Option<NamedColumn> {
     let unit = json.get("unit").and_then(Json::as_str).map(str::to_owned);
     let values = json.get("values")?;
     let cell = |json: &Json| json.as_f64().or(json.is_null().then_some(f64::NAN));
-    let cells = values.as_array().and_then(|cells| cells.iter().map(cell).collect());
-    let column = match cells {
+    let column = match each(values, cell) {
         Some(values) => Column::Numbers(values),
-        None => {
-            let texts = values.as_array()?.iter().map(|text| text.as_str().map(str::to_owned));
-            Column::Texts(texts.collect::<Option<_>>()?)
-        }
+        None => Column::Texts(each(values, |text| text.as_str().map(str::to_owned))?),
     };
     Some(NamedColumn { name, unit, column })
 }

@@ -15,7 +15,7 @@ use super::{
     document::Document,
     show,
 };
-use crate::{session::Event, syntax::Role};
+use crate::{session::Event, syntax::Role, value::script_text};
 
 impl Prompt {
     /// Puts the document of a file into the place of this one, if all of it holds. Checks are
@@ -25,12 +25,9 @@ impl Prompt {
             Ok(script) => script,
             Err(message) => return self.refuse(&message),
         };
-        let text = match String::from_utf8(script.bytes) {
-            Ok(text) => text,
-            Err(err) => {
-                let at = err.utf8_error().valid_up_to() + 1;
-                return self.refuse(&format!("byte {at} of `{}` is not UTF-8 text", script.name));
-            }
+        let text = match script_text(&script.bytes) {
+            Ok(text) => text.to_owned(),
+            Err(what) => return self.refuse(&format!("{}: {what}", script.name)),
         };
         let document = match Document::of(&text, self.limits()) {
             Ok(document) => document,

@@ -13,6 +13,7 @@ use serde_json::{Map, Value as Json, json};
 use self::base64::Base64;
 use super::{
     ExportError, Format, Item, Job, Subject, Summary,
+    kept::Kept,
     shape::{Shape, Shaped, byte_color, shapes},
 };
 
@@ -163,7 +164,7 @@ fn linear(color: [u8; 3]) -> [f64; 3] {
 }
 
 /// What a material is made of.
-#[derive(Clone, PartialEq)]
+#[derive(Clone, PartialEq, Eq, Hash)]
 struct Look {
     color: Option<[u8; 3]>,
     layer: Option<String>,
@@ -204,10 +205,10 @@ impl<'a> Scene<'a> {
 struct Parts {
     nodes: Vec<Json>,
     /// The node of each layer, and its members.
-    layers: Vec<(String, Vec<usize>)>,
+    layers: Kept<String, Vec<usize>>,
     roots: Vec<usize>,
     meshes: Vec<Json>,
-    looks: Vec<Look>,
+    looks: Kept<Look, ()>,
     accessors: Vec<Json>,
     views: Vec<Json>,
     n_bytes: usize,
@@ -243,10 +244,7 @@ impl Parts {
             Shape::Point(_) => code::POINTS,
         };
         let look = Look { color: item.color, layer: item.layer.clone(), is_painted };
-        let material = self.looks.iter().position(|known| *known == look).unwrap_or_else(|| {
-            self.looks.push(look);
-            self.looks.len() - 1
-        });
+        let (material, ()) = self.looks.entry(&look, || ());
         primitive.insert("attributes".to_owned(), Json::Object(attributes));
         primitive.insert("material".to_owned(), json!(material));
         primitive.insert("mode".to_owned(), json!(mode));
@@ -261,10 +259,7 @@ impl Parts {
         self.nodes.push(json!({ "name": item.name, "mesh": self.meshes.len() - 1 }));
         match &item.layer {
             None => self.roots.push(idx),
-            Some(layer) => match self.layers.iter_mut().find(|(name, _)| name == layer) {
-                Some((_, members)) => members.push(idx),
-                None => self.layers.push((layer.clone(), vec![idx])),
-            },
+            Some(layer) => self.layers.entry(layer, Vec::new).1.push(idx),
         }
     }
 
@@ -309,11 +304,12 @@ impl Parts {
     }
 
     fn document(mut self) -> Map<String, Json> {
-        for (name, members) in std::mem::take(&mut self.layers) {
+        for (name, members) in std::mem::take(&mut self.layers).pairs() {
             self.roots.push(self.nodes.len());
             self.nodes.push(json!({ "name": name, "children": members }));
         }
-        let materials: Vec<Json> = self.looks.iter().map(material).collect();
+        let materials: Vec<Json> =
+            self.looks.pairs().iter().map(|(look, ())| material(look)).collect();
         let members = [
             ("asset", json!({ "version": "2.0", "generator": "virote" })),
             ("scene", json!(0)),

@@ -12,6 +12,7 @@ use self::record::{Cards, Entity};
 use super::{
     ExportError, Format, Item, Job, Subject, Summary,
     exact::{Exact, exact},
+    kept::Kept,
 };
 use crate::kernel::{Bounds, NurbsCurve, NurbsSurface};
 
@@ -54,36 +55,20 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
 /// Colours, layers and names that have an entity already.
 #[derive(Default)]
 struct Looks {
-    colors: Vec<([u8; 3], usize)>,
-    layers: Vec<String>,
+    colors: Kept<[u8; 3], usize>,
+    layers: Kept<String, ()>,
 }
 
 impl Looks {
     /// Adds an entity with the look and the name of its item.
     fn add(&mut self, item: &Item, mut entity: Entity, cards: &mut Cards) {
         if let Some(color) = item.color {
-            let known = self.colors.iter().find(|(its, _)| *its == color).map(|&(_, place)| place);
-            entity.color = known.unwrap_or_else(|| {
-                let mut definition = Entity::new(314);
-                color.into_iter().for_each(|level| definition.real(f64::from(level) / 2.55));
-                definition.status = "00000200";
-                let place = cards.add(definition);
-                self.colors.push((color, place));
-                place
-            });
+            entity.color = *self.colors.entry(&color, || definition(color, cards)).1;
         }
         if let Some(layer) = &item.layer {
-            let known = self.layers.iter().position(|name| name == layer);
-            entity.level = 1 + known.unwrap_or_else(|| {
-                let mut property = Entity::new(406);
-                property.form = 3;
-                property.int(2);
-                property.int(self.layers.len() + 1);
-                property.string(layer);
-                cards.add(property);
-                self.layers.push(layer.clone());
-                self.layers.len() - 1
-            });
+            let n_before = self.layers.pairs().len();
+            let (place, ()) = self.layers.entry(layer, || level(layer, n_before + 1, cards));
+            entity.level = 1 + place;
         }
         let mut name = Entity::new(406);
         name.form = 15;
@@ -179,4 +164,22 @@ fn global(job: &Job, magnitude: f64) -> Entity {
     global.int(0);
     global.string("19700101.000000");
     global
+}
+
+/// The definition of a colour, in hundredths.
+fn definition(color: [u8; 3], cards: &mut Cards) -> usize {
+    let mut definition = Entity::new(314);
+    color.into_iter().for_each(|level| definition.real(f64::from(level) / 2.55));
+    definition.status = "00000200";
+    cards.add(definition)
+}
+
+/// The name of a level.
+fn level(name: &str, number: usize, cards: &mut Cards) {
+    let mut property = Entity::new(406);
+    property.form = 3;
+    property.int(2);
+    property.int(number);
+    property.string(name);
+    cards.add(property);
 }

@@ -8,6 +8,7 @@ use std::io::Write;
 use super::{
     ExportError, Format, Item, Job, Subject, Summary,
     exact::{Exact, exact},
+    name::word,
     shape::{Shape, shape, shapes, tolerance},
     text::Text,
 };
@@ -40,7 +41,7 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     let (mut written, mut summary) = (Written::default(), Summary::default());
     let mut shapes = if job.options.free_form { Vec::new() } else { shapes(job)? }.into_iter();
     for item in &job.items {
-        text.push("g ").push(&group_name(&item.name)).push("\n");
+        text.push("g ").push(&word(&item.name)).push("\n");
         let is_exact = matches!(item.subject, Subject::Curve(_) | Subject::Surface(_));
         if job.options.free_form && is_exact {
             write_exact(item, job, &mut written, &mut text)?;
@@ -151,7 +152,7 @@ fn write_mesh(
     for triangle in mesh.triangles() {
         while n_left == 0 {
             let Some(group) = groups.next() else { break };
-            text.push("g ").push(&group_name(&group.name)).push("\n");
+            text.push("g ").push(&word(&group.name)).push("\n");
             n_left = group.n_triangles;
         }
         n_left = n_left.saturating_sub(1);
@@ -182,11 +183,4 @@ fn write_mesh(
     written.uvs += mesh.uvs().len();
     written.normals += mesh.normals().len();
     Ok(())
-}
-
-/// A group's name is one word.
-fn group_name(name: &str) -> String {
-    let word: String =
-        name.chars().map(|c| if c.is_whitespace() || c.is_control() { '_' } else { c }).collect();
-    if word.is_empty() { "unnamed".to_owned() } else { word }
 }

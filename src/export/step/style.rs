@@ -1,7 +1,7 @@
 //! Colours and layers. ISO 10303-46.
 
 use super::{
-    super::Item,
+    super::{Item, kept::Kept},
     entity::{Id, Records},
 };
 
@@ -10,9 +10,9 @@ use super::{
 pub(super) struct Looks {
     styled: Vec<Id>,
     /// The styles of surfaces and of curves by colour.
-    surfaces: Vec<([u8; 3], Id)>,
-    curves: Vec<([u8; 3], Id)>,
-    layers: Vec<(String, Vec<Id>)>,
+    surfaces: Kept<[u8; 3], Id>,
+    curves: Kept<[u8; 3], Id>,
+    layers: Kept<String, Vec<Id>>,
 }
 
 impl Looks {
@@ -20,7 +20,7 @@ impl Looks {
     pub(super) fn surface(&mut self, item: &Item, face: Id, model: Id, file: &mut Records) {
         self.layer(item, model);
         if let Some(color) = item.color {
-            let style = kept(&mut self.surfaces, color, || surface_style(color, file));
+            let style = *self.surfaces.entry(&color, || surface_style(color, file)).1;
             self.style(style, face, file);
         }
     }
@@ -29,7 +29,7 @@ impl Looks {
     pub(super) fn curve(&mut self, item: &Item, curve: Id, file: &mut Records) {
         self.layer(item, curve);
         if let Some(color) = item.color {
-            let style = kept(&mut self.curves, color, || curve_style(color, file));
+            let style = *self.curves.entry(&color, || curve_style(color, file)).1;
             self.style(style, curve, file);
         }
     }
@@ -37,10 +37,7 @@ impl Looks {
     /// Notes the layer of something.
     pub(super) fn layer(&mut self, item: &Item, id: Id) {
         let Some(layer) = &item.layer else { return };
-        match self.layers.iter_mut().find(|(name, _)| name == layer) {
-            Some((_, members)) => members.push(id),
-            None => self.layers.push((layer.clone(), vec![id])),
-        }
+        self.layers.entry(layer, Vec::new).1.push(id);
     }
 
     fn style(&mut self, style: Id, id: Id, file: &mut Records) {
@@ -51,7 +48,7 @@ impl Looks {
 
     /// Writes what holds all of it together.
     pub(super) fn write(&self, context: Id, file: &mut Records) {
-        for (name, members) in &self.layers {
+        for (name, members) in self.layers.pairs() {
             file.add(|r| {
                 r.text("PRESENTATION_LAYER_ASSIGNMENT(").string(name).text(",'',").ids(members);
                 r.text(")");
@@ -64,15 +61,6 @@ impl Looks {
             });
         }
     }
-}
-
-fn kept(known: &mut Vec<([u8; 3], Id)>, color: [u8; 3], make: impl FnOnce() -> Id) -> Id {
-    if let Some(&(_, id)) = known.iter().find(|(its, _)| *its == color) {
-        return id;
-    }
-    let id = make();
-    known.push((color, id));
-    id
 }
 
 fn colour([red, green, blue]: [u8; 3], file: &mut Records) -> Id {

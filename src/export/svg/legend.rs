@@ -2,7 +2,8 @@
 
 use super::{
     super::{Legend, shape::byte_color, text::Text},
-    Sheet, escaped, hex,
+    Sheet, hex,
+    xml::escaped,
 };
 
 /// Width of the legends, in strokes.

@@ -6,14 +6,20 @@
 mod hidden;
 mod legend;
 mod path;
+mod xml;
 
 use std::io::Write;
 
 use glam::{DAffine3, DVec3};
 
-use self::{hidden::Scene, path::Pen};
+use self::{
+    hidden::Scene,
+    path::Pen,
+    xml::{Ids, escaped},
+};
 use super::{
     ExportError, Format, Item, Job, POINT, STROKE, Subject, Summary,
+    kept::Kept,
     text::Text,
     wire::{Drawing, Extent, Line, Weight},
 };
@@ -65,14 +71,18 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     let legends = job.picture.as_ref().map_or(&[][..], |picture| &picture.legends);
     let mut text = Text::rounded(Some(sheet.decimals));
     sheet.head(job, &mut text);
-    for (layer, members) in layers(&job.items) {
+    let layers = layers(&job.items);
+    let mut ids = Ids::default();
+    for &(layer, ref members) in layers.pairs() {
         if let Some(layer) = layer {
-            text.push("<g id=\"layer-").push(&id(layer)).push("\" inkscape:groupmode=\"layer\"");
+            text.push("<g id=\"")
+                .push(&ids.next(&format!("layer-{layer}")))
+                .push("\" inkscape:groupmode=\"layer\"");
             text.push(" inkscape:label=\"").push(&escaped(layer)).push("\">\n");
         }
-        for idx in members {
+        for &idx in members {
             let item = &job.items[idx];
-            text.push("<g id=\"").push(&id(&item.name)).push("\"");
+            text.push("<g id=\"").push(&ids.next(&item.name)).push("\"");
             if let Some(color) = item.color {
                 text.push(" stroke=\"").push(&hex(color)).push("\"");
             }
@@ -91,14 +101,11 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
 }
 
 /// The items by layer, layers in the order of their first item, those without one before all.
-fn layers(items: &[Item]) -> Vec<(Option<&str>, Vec<usize>)> {
-    let mut layers: Vec<(Option<&str>, Vec<usize>)> = vec![(None, Vec::new())];
+fn layers(items: &[Item]) -> Kept<Option<&str>, Vec<usize>> {
+    let mut layers = Kept::default();
+    layers.entry(&None, Vec::new);
     for (idx, item) in items.iter().enumerate() {
-        let layer = item.layer.as_deref();
-        match layers.iter_mut().find(|(known, _)| *known == layer) {
-            Some((_, members)) => members.push(idx),
-            None => layers.push((layer, vec![idx])),
-        }
+        layers.entry(&item.layer.as_deref(), Vec::new).1.push(idx);
     }
     layers
 }
@@ -204,34 +211,4 @@ impl Sheet {
 /// `#6688aa`
 fn hex([r, g, b]: [u8; 3]) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
-}
-
-/// A name as an XML identifier: what a name of XML cannot hold becomes a point or a hyphen.
-fn id(name: &str) -> String {
-    let mut id = String::with_capacity(name.len());
-    for c in name.chars() {
-        match c {
-            ']' => {}
-            '[' => id.push('.'),
-            c if c.is_alphanumeric() || "_-.".contains(c) => id.push(c),
-            _ => id.push('-'),
-        }
-    }
-    if id.starts_with(|c: char| c.is_alphabetic() || c == '_') { id } else { format!("_{id}") }
-}
-
-/// Text as XML can hold it.
-fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            c if c.is_control() => out.push(' '),
-            c => out.push(c),
-        }
-    }
-    out
 }

@@ -5,14 +5,15 @@
 
 use glam::DVec3;
 
+use super::lines::lines;
 use crate::{
     kernel::{Grid, NurbsSurface},
-    value::{Ctx, IntoValue, Value},
+    limits::work,
+    value::{Ctx, ENDED, IntoValue, Value},
 };
 
 /// The patches of a file as a list of surfaces.
-pub(super) fn read(bytes: &[u8], ctx: &Ctx<'_>) -> Result<Value, String> {
-    let text = super::text(bytes)?;
+pub(super) fn read(text: &str, ctx: &Ctx<'_>) -> Result<Value, String> {
     let mut words = Words::new(text);
     let n_patches = words.count("the number of patches", ctx.limits.control_points)?;
     let mut patches = Vec::new();
@@ -26,12 +27,16 @@ pub(super) fn read(bytes: &[u8], ctx: &Ctx<'_>) -> Result<Value, String> {
             for axis in 0..3 {
                 point[axis] = words.number(&format!("a coordinate of {what}"))?;
             }
-            points.push(point);
+            if !work::push(&mut points, point) {
+                return Err(ENDED.to_owned());
+            }
         }
         let grid = Grid::new(degree_u + 1, degree_v + 1, points)
             .map_err(|err| format!("{what}: {err}"))?;
         let patch = NurbsSurface::bezier(&grid).map_err(|err| format!("{what}: {err}"))?;
-        patches.push(patch.into_value());
+        if !work::push(&mut patches, patch.into_value()) {
+            return Err(ENDED.to_owned());
+        }
     }
     match words.next() {
         None => Ok(Value::list(patches)),
@@ -49,10 +54,10 @@ struct Words<'t> {
 
 impl<'t> Words<'t> {
     fn new(text: &'t str) -> Self {
-        let words = text.lines().enumerate();
+        let words = lines(text).enumerate();
         let words =
             words.flat_map(|(i, line)| line.split_whitespace().map(move |word| (i + 1, word)));
-        Self { words: Box::new(words), last_line: text.lines().count().max(1) }
+        Self { words: Box::new(words), last_line: lines(text).count().max(1) }
     }
 
     fn next(&mut self) -> Option<(usize, &'t str)> {

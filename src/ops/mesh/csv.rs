@@ -7,15 +7,15 @@ use std::collections::HashSet;
 
 use crate::{
     kernel::{NamedColumn, Table},
-    value::{Ctx, IntoValue, Value, in_document_unit},
+    limits::work,
+    value::{Ctx, ENDED, IntoValue, Value, in_document_unit},
 };
 
 /// A cell: its text, and whether it stood in quotation marks.
 pub(crate) type Cell = (String, bool);
 
 /// The table of a file.
-pub(super) fn read(bytes: &[u8], ctx: &Ctx<'_>) -> Result<Value, String> {
-    let text = super::text(bytes)?;
+pub(super) fn read(text: &str, ctx: &Ctx<'_>) -> Result<Value, String> {
     let header_end = text.find(['\n', '\r']).unwrap_or(text.len());
     let separators = [',', ';', '\t'];
     let is_in_header = |separator: &char| text[..header_end].contains(*separator);
@@ -64,15 +64,21 @@ fn column<'c>(
         None => cells.clone().all(|(_, (_, is_quoted))| !is_quoted),
     };
     if !holds_numbers {
-        let texts = cells.map(|(_, (text, _))| text.clone()).collect();
+        let texts = work::collect(cells.map(|(_, (text, _))| text.clone())).ok_or(ENDED)?;
         return Ok(NamedColumn::texts(name, texts));
     }
-    let numbers = cells.map(|(line, cell)| match number(&cell.0) {
-        Some(number) if !cell.1 => Ok(number),
-        _ if cell.0.is_empty() => Ok(f64::NAN),
-        _ => Err(format!("line {line}: `{name}` must be a number, found `{}`", cell.0)),
-    });
-    Ok(NamedColumn::numbers(name, numbers.collect::<Result<_, String>>()?))
+    let mut numbers = Vec::new();
+    for (line, cell) in cells {
+        let number = match number(&cell.0) {
+            Some(number) if !cell.1 => number,
+            _ if cell.0.is_empty() => f64::NAN,
+            _ => return Err(format!("line {line}: `{name}` must be a number, found `{}`", cell.0)),
+        };
+        if !work::push(&mut numbers, number) {
+            return Err(ENDED.to_owned());
+        }
+    }
+    Ok(NamedColumn::numbers(name, numbers))
 }
 
 /// A number as it is written in data: no infinity, no NaN.
@@ -105,7 +111,8 @@ pub(crate) fn rows(
     let finish = |cell: &mut String, is_quoted: &mut bool, row: &mut Vec<Cell>| {
         let text = std::mem::take(cell);
         let text = if *is_quoted { text } else { text.trim().to_owned() };
-        row.push((text, std::mem::take(is_quoted)));
+        let is_counted = work::push(row, (text, std::mem::take(is_quoted)));
+        is_counted.then_some(()).ok_or_else(|| ENDED.to_owned())
     };
     loop {
         match characters.next() {
@@ -127,14 +134,14 @@ pub(crate) fn rows(
                 }
             }
             Some(character) if character == separator => {
-                finish(&mut cell, &mut is_quoted, &mut row);
+                finish(&mut cell, &mut is_quoted, &mut row)?;
             }
             Some('\r') if characters.peek() == Some(&'\n') => {}
             end @ (Some('\n' | '\r') | None) => {
-                finish(&mut cell, &mut is_quoted, &mut row);
+                finish(&mut cell, &mut is_quoted, &mut row)?;
                 let is_blank = row.len() == 1 && row[0].0.is_empty() && !row[0].1;
-                if !is_blank {
-                    rows.push((first_line, std::mem::take(&mut row)));
+                if !is_blank && !work::push(&mut rows, (first_line, std::mem::take(&mut row))) {
+                    return Err(ENDED.to_owned());
                 }
                 row.clear();
                 line += 1;

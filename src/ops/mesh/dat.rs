@@ -6,42 +6,49 @@
 
 use glam::DVec3;
 
-use crate::value::{Ctx, IntoValue, Value};
+use super::lines::lines;
+use crate::{
+    limits::work,
+    value::{Ctx, ENDED, IntoValue, Value},
+};
 
 /// The points of a file, around the profile from the trailing edge over the upper side.
-pub(super) fn read(bytes: &[u8], ctx: &Ctx<'_>) -> Result<Value, String> {
-    let text = super::text(bytes)?;
-    let lines = text.lines().enumerate().map(|(i, line)| (i + 1, line.trim()));
+pub(super) fn read(text: &str, ctx: &Ctx<'_>) -> Result<Value, String> {
+    let lines = lines(text).enumerate().map(|(i, line)| (i + 1, line.trim()));
     let mut lines = lines.filter(|(_, line)| !line.is_empty()).peekable();
     // The name, which is left out of some files.
     if lines.next_if(|&(_, line)| pair(line).is_none()).is_none() && lines.peek().is_none() {
         return Err("line 1: the file is empty, or holds a name alone".to_owned());
     }
-    let mut pairs = Vec::new();
+    let mut first = None;
+    let mut points = Vec::new();
     for (line, text) in lines {
         let wrong = || format!("line {line}: two coordinates are needed, found `{}`", short(text));
-        pairs.push((line, pair(text).ok_or_else(wrong)?));
-        if ctx.limits.list_length < pairs.len() {
+        let [x, y] = pair(text).ok_or_else(wrong)?;
+        first = first.or(Some((line, [x, y])));
+        if !work::push(&mut points, DVec3::new(x, y, 0.0)) {
+            return Err(ENDED.to_owned());
+        }
+        if ctx.limits.list_length < points.len() {
             let most = ctx.limits.list_length;
             return Err(format!("the file has more than the {most} points that are allowed"));
         }
     }
-    let points: Vec<DVec3> = pairs.iter().map(|&(_, [x, y])| DVec3::new(x, y, 0.0)).collect();
     // No coordinate of a profile of unit chord is beyond two.
-    let points = match pairs.first() {
-        Some(&(line, counts))
-            if counts.iter().all(|count| 2.0 <= *count && count.fract() <= 0.0) =>
-        {
-            around(line, counts, &points[1..])?
-        }
+    let is_count = |count: &f64| 2.0 <= *count && count.fract() <= 0.0;
+    let points = match first {
+        Some((line, counts)) if counts.iter().all(is_count) => around(line, counts, &points[1..])?,
         _ => points,
     };
     if points.len() < 3 {
-        let line = text.lines().count().max(1);
+        let line = super::lines::lines(text).count().max(1);
         let found = points.len();
         return Err(format!(
             "line {line}: the file ends, and a profile needs 3 points or more, found {found}"
         ));
+    }
+    if !work::has_room(points.len() * size_of::<Value>()) {
+        return Err(ENDED.to_owned());
     }
     Ok(points.into_value())
 }

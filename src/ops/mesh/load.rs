@@ -6,8 +6,12 @@ use serde_json::Value as Json;
 
 use super::{bpt, csv, dat, obj};
 use crate::{
-    diag::{Code, Diagnostic, Result, Spanned, nearest},
-    value::{Ctx, Value, from_json, op},
+    diag::{Code, Diagnostic, Result, Span, Spanned, nearest},
+    limits::{
+        Limits,
+        work::{self, End},
+    },
+    value::{Ctx, Value, decode, from_json, op, read_json},
 };
 
 op! {
@@ -18,8 +22,9 @@ op! {
     /// the first line names its columns, with their units as in `x [mm]`, `turn [deg]` or `area [mm^2]`, from which
     /// numbers are brought into the document's unit and radians; an empty cell is none. `.dat` gives the points of an aerofoil, in the form of Selig or of
     /// Lednicer, around the profile from the trailing edge over the upper side. `.json` gives what an
-    /// export wrote, to the same bits, with a warning where that had another unit, or lists and
-    /// records of other JSON.
+    /// export wrote, to the same bits, or lists and records of other JSON. Of an export in another unit the
+    /// columns of tables are brought into the document's, all other numbers are taken as they stand, with a
+    /// warning. Files are text in UTF-8, or in UTF-16 with its byte-order mark.
     /// The example's `points.csv` has the lines `x,y`, `0,0`, `1,2` and `4,3`.
     load in Mesh -> Value {
         /// The path.
@@ -29,15 +34,16 @@ op! {
     refuses "load(\"points.xyz\")" => "E0703: no data format has the ending `.xyz`";
 }
 
-/// A reader of one format: the value, or a sentence on what is wrong and its line.
-type Reader = fn(&[u8], &mut Ctx<'_>) -> std::result::Result<Value, String>;
+/// A reader of one format, from text: the value, or a sentence on what is wrong and its line. It counts
+/// what it makes while it makes it, and leaves when the work is ended.
+type Reader = fn(&str, &mut Ctx<'_>) -> std::result::Result<Value, String>;
 
 /// Every format that can be read, by ending.
 const READERS: &[(&str, Reader)] = &[
-    ("obj", |bytes, ctx| obj::read(bytes, ctx)),
-    ("bpt", |bytes, ctx| bpt::read(bytes, ctx)),
-    ("csv", |bytes, ctx| csv::read(bytes, ctx)),
-    ("dat", |bytes, ctx| dat::read(bytes, ctx)),
+    ("obj", |text, ctx| obj::read(text, ctx)),
+    ("bpt", |text, ctx| bpt::read(text, ctx)),
+    ("csv", |text, ctx| csv::read(text, ctx)),
+    ("dat", |text, ctx| dat::read(text, ctx)),
     ("json", json),
 ];
 
@@ -63,25 +69,57 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
             None => diagnostic.fail(),
         };
     };
-    let bytes = ctx.files.read(path, ctx.limits.input_bytes).map_err(|message| {
-        Box::new(
-            Diagnostic::error(Code::FileMissing, span, message)
-                .hint("paths are relative to the script"),
-        )
-    })?;
-    reader(&bytes, ctx).map_err(|message| {
-        Box::new(Diagnostic::error(Code::BadData, span, format!("`{path}`: {message}")))
+    let bytes = bytes(path, span, ctx)?;
+    let value = decode(&bytes).and_then(|text| reader(&text, ctx));
+    value.map_err(|message| match work::ended() {
+        Some(End::Memory) => no_room(path, span, ctx.limits),
+        _ => Box::new(Diagnostic::error(Code::BadData, span, format!("`{path}`: {message}"))),
     })
 }
 
-/// Numbers of a document of another unit stay as they are, which is told.
-fn json(bytes: &[u8], ctx: &mut Ctx<'_>) -> std::result::Result<Value, String> {
-    let text = super::text(bytes)?;
-    let data: Json = serde_json::from_str(text).map_err(|err| err.to_string())?;
+/// The bytes of a file, if there may be so many of them.
+fn bytes(path: &str, span: Span, ctx: &Ctx<'_>) -> Result<Vec<u8>> {
+    let most = ctx.limits.input_bytes.min(work::room());
+    let bytes = ctx.files.read(path, most).map_err(|message| {
+        let hint = "paths are relative to the script";
+        Box::new(Diagnostic::error(Code::FileMissing, span, message).hint(hint))
+    })?;
+    if bytes.len() <= most {
+        return Ok(bytes);
+    }
+    if most < ctx.limits.input_bytes {
+        // Whoever counts is told too.
+        let _ = work::has_room(bytes.len());
+        return Err(no_room(path, span, ctx.limits));
+    }
+    Diagnostic::error(
+        Code::FileMissing,
+        span,
+        format!("`{path}` is larger than the ceiling of {most} bytes"),
+    )
+    .hint("load a part of it, or thin it out")
+    .fail()
+}
+
+/// The finding that what a file holds does not fit into the memory that the run may hold.
+fn no_room(path: &str, span: Span, limits: &Limits) -> Box<Diagnostic> {
+    let most = limits.memory_bytes;
+    let message = format!(
+        "to read `{path}` takes more than {most} bytes of memory, with what the script holds"
+    );
+    let diagnostic = Diagnostic::error(Code::TooLarge, span, message).label("under way here");
+    Box::new(diagnostic.hint("load a part of it, or thin it out"))
+}
+
+/// Tables of a document of another unit come in that of the script, as their columns tell what they
+/// measure; all other numbers stay as they are, which is told.
+fn json(text: &str, ctx: &mut Ctx<'_>) -> std::result::Result<Value, String> {
+    let data = read_json(text)?;
     let value = from_json(&data, ctx.unit)?;
     let is_document = data.get("virote").and_then(Json::as_str) == Some("document");
     let written_in = data.get("unit").and_then(Json::as_str).filter(|_| is_document);
-    if let Some(unit) = written_in.filter(|unit| *unit != ctx.unit) {
+    let stays = || data.get("values").is_none_or(holds_lengths);
+    if let Some(unit) = written_in.filter(|unit| *unit != ctx.unit && stays()) {
         let message = format!(
             "the file was written in {unit}, and the script's unit is {}: its lengths are taken as they stand",
             ctx.unit
@@ -90,4 +128,18 @@ fn json(bytes: &[u8], ctx: &mut Ctx<'_>) -> std::result::Result<Value, String> {
         ctx.warn(Diagnostic::warning(Code::Unclean, ctx.span, message).hint(hint));
     }
     Ok(value)
+}
+
+/// Whether some number may be a length that is not known to be one.
+fn holds_lengths(json: &Json) -> bool {
+    match json {
+        Json::Null | Json::Bool(_) | Json::String(_) => false,
+        Json::Number(_) => true,
+        Json::Array(items) => items.iter().any(holds_lengths),
+        Json::Object(members) => match members.get("virote").and_then(Json::as_str) {
+            Some("table" | "angle") => false,
+            Some(_) => true,
+            None => members.values().any(holds_lengths),
+        },
+    }
 }

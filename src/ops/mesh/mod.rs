@@ -8,8 +8,10 @@ mod check_mesh;
 mod csv;
 mod dat;
 mod grid_mesh;
+mod lines;
 mod load;
 mod obj;
+mod obj_lines;
 mod planar_mesh;
 mod table_columns;
 mod table_rows;
@@ -33,15 +35,3 @@ pub(super) static OPS: &[&Op] = &[
     &table_rows::OP,
     &load::OP,
 ];
-
-/// A file as text; a byte-order mark is allowed.
-fn text(bytes: &[u8]) -> Result<&str, String> {
-    match std::str::from_utf8(bytes) {
-        Ok(text) => Ok(text.strip_prefix('\u{feff}').unwrap_or(text)),
-        Err(err) => {
-            let before = &bytes[..err.valid_up_to()];
-            let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-            Err(format!("line {line}: the file is not text in UTF-8"))
-        }
-    }
-}

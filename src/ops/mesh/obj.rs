@@ -2,49 +2,30 @@
 
 use glam::{DVec2, DVec3};
 
+use super::obj_lines::{ObjLines, whole_lines};
 use crate::{
-    kernel::Mesh,
-    value::{Ctx, IntoValue, Value},
+    kernel::{GeomError, Mesh},
+    limits::work,
+    value::{Ctx, ENDED, IntoValue, Value},
 };
 
 /// All objects of a file as one mesh; polygons become triangles.
-pub(super) fn read(bytes: &[u8], ctx: &Ctx<'_>) -> Result<Value, String> {
-    let options = tobj::LoadOptions {
-        triangulate: true,
-        ignore_points: true,
-        ignore_lines: true,
-        single_index: true,
-    };
-    let faces = without_lines(bytes);
-    // Materials are of no interest here.
-    let told = |error: String| match first_mistake(&String::from_utf8_lossy(bytes)) {
+pub(super) fn read(text: &str, ctx: &Ctx<'_>) -> Result<Value, String> {
+    let told = |error: String| match first_mistake(text) {
         Some((line, what)) => format!("line {line}: {what}"),
         None => error,
     };
-    let (models, _) = tobj::load_obj_buf(&mut &faces[..], &options, |_| Ok(Default::default()))
-        .map_err(|err| told(err.to_string()))?;
     let mut meshes = Vec::new();
-    for model in &models {
-        let mesh = &model.mesh;
-        let vertices = vectors(&mesh.positions);
-        let normals = if mesh.normals.len() == mesh.positions.len() {
-            vectors(&mesh.normals)
-        } else {
-            Vec::new()
-        };
-        let uvs: Vec<DVec2> =
-            mesh.texcoords.chunks_exact(2).map(|uv| DVec2::new(uv[0], uv[1])).collect();
-        let uvs = if uvs.len() == vertices.len() { uvs } else { Vec::new() };
-        let triangles = mesh
-            .indices
-            .chunks_exact(3)
-            .map(|corners| [corners[0], corners[1], corners[2]])
-            .collect();
-        let normals = normals.into_iter().map(DVec3::normalize_or_zero).collect();
-        meshes.push(
-            Mesh::new(vertices, normals, uvs, triangles)
-                .map_err(|err| told(format!("{}: {err}", model.name)))?,
-        );
+    for model in models(text, &told)? {
+        let name = model.name;
+        let mesh = mesh(model.mesh).ok_or(ENDED)?;
+        meshes.push(mesh.map_err(|err| told(format!("{name}: {err}")))?);
+    }
+    let n_vertices: usize = meshes.iter().map(|mesh| mesh.vertices().len()).sum();
+    let n_triangles: usize = meshes.iter().map(|mesh| mesh.triangles().len()).sum();
+    let n_bytes = n_vertices * size_of::<[DVec3; 3]>() + n_triangles * size_of::<[u32; 3]>();
+    if !work::has_room(n_bytes) {
+        return Err(ENDED.to_owned());
     }
     let merged = Mesh::merged(&meshes, ctx.limits.mesh_vertices).map_err(|err| err.to_string())?;
     if merged.triangles().is_empty() {
@@ -53,35 +34,54 @@ pub(super) fn read(bytes: &[u8], ctx: &Ctx<'_>) -> Result<Value, String> {
     Ok(merged.into_value())
 }
 
-/// The same text with its points and polylines emptied: the library takes a polyline of three
-/// vertices or more for a polygon, whatever its options say.
-fn without_lines(bytes: &[u8]) -> Vec<u8> {
-    let is_face = |line: &&[u8]| {
-        let line = line.trim_ascii_start();
-        !matches!(line, [b'l' | b'p', rest @ ..] if rest.first().is_none_or(u8::is_ascii_whitespace))
+/// The objects of a file as the library makes them; `told` finds the line of its mistakes.
+fn models(text: &str, told: &dyn Fn(String) -> String) -> Result<Vec<tobj::Model>, String> {
+    let options = tobj::LoadOptions {
+        triangulate: true,
+        ignore_points: true,
+        ignore_lines: true,
+        single_index: true,
     };
-    let lines = bytes.split(|&byte| byte == b'\n');
-    let kept: Vec<&[u8]> = lines.map(|line| if is_face(&line) { line } else { &[] }).collect();
-    kept.join(&b'\n')
+    let mut lines = ObjLines::new(whole_lines(text));
+    // Materials are of no interest here.
+    match tobj::load_obj_buf(&mut lines, &options, |_| Ok(Default::default())) {
+        Ok((models, _)) => Ok(models),
+        Err(err) => Err(lines.mistake.unwrap_or_else(|| told(err.to_string()))),
+    }
+}
+
+/// One object as a mesh; none when the work was ended.
+fn mesh(mesh: tobj::Mesh) -> Option<Result<Mesh, GeomError>> {
+    let vertices = vectors(&mesh.positions)?;
+    let normals = if mesh.normals.len() == mesh.positions.len() {
+        vectors(&mesh.normals)?
+    } else {
+        Vec::new()
+    };
+    let normals = normals.into_iter().map(DVec3::normalize_or_zero).collect();
+    let uvs = work::collect(mesh.texcoords.chunks_exact(2).map(|uv| DVec2::new(uv[0], uv[1])))?;
+    let uvs = if uvs.len() == vertices.len() { uvs } else { Vec::new() };
+    let corners = mesh.indices.chunks_exact(3);
+    let triangles = work::collect(corners.map(|corners| [corners[0], corners[1], corners[2]]))?;
+    Some(Mesh::new(vertices, normals, uvs, triangles))
 }
 
 /// The first line that cannot be read, which the library does not tell, and what is wrong with it.
 fn first_mistake(text: &str) -> Option<(usize, String)> {
-    let mut n_before = [0; 3];
-    for (i, line) in text.lines().enumerate() {
+    let n_all = ["v", "vt", "vn"].map(|kind| {
+        whole_lines(text).filter(|(_, line)| line.split_whitespace().next() == Some(kind)).count()
+    });
+    for (number, line) in whole_lines(text) {
+        let line = line.split('#').next().unwrap_or_default();
         let mut words = line.split_whitespace();
         let mistake = match words.next() {
-            Some(keyword)
-                if let Some(kind) = ["v", "vt", "vn"].iter().position(|k| *k == keyword) =>
-            {
-                n_before[kind] += 1;
-                numbers_mistake(keyword, words)
-            }
-            Some("f" | "l" | "p") => words.find_map(|corner| corner_mistake(corner, n_before)),
+            Some(keyword @ ("v" | "vt" | "vn")) => numbers_mistake(keyword, words),
+            // Those of other kinds were looked at before.
+            Some("f") => words.find_map(|corner| later_mistake(corner, n_all)),
             _ => None,
         };
         if let Some(what) = mistake {
-            return Some((i + 1, what));
+            return Some((number, what));
         }
     }
     None
@@ -106,27 +106,15 @@ fn numbers_mistake<'w>(
     })
 }
 
-/// What is wrong with a corner such as `7/1/3` when so many vertices, texture coordinates and
-/// normals came before.
-fn corner_mistake(corner: &str, n_before: [i64; 3]) -> Option<String> {
+/// What is wrong with a corner whose form is right, when the file has so many of all it may name.
+fn later_mistake(corner: &str, n_all: [usize; 3]) -> Option<String> {
     let kinds = ["vertex", "texture coordinate", "normal"];
-    for ((part, kind), n_before) in corner.split('/').zip(kinds).zip(n_before) {
-        if part.is_empty() && kind != "vertex" {
-            continue;
-        }
-        match part.parse::<i64>() {
-            Err(_) => {
-                return Some(format!("a corner must be the number of a {kind}, found `{corner}`"));
-            }
-            Ok(idx) if idx == 0 || idx.unsigned_abs() > n_before.unsigned_abs() => {
-                return Some(format!("{kind} {idx} does not exist; {n_before} came before"));
-            }
-            Ok(_) => {}
-        }
-    }
-    None
+    corner.split('/').zip(kinds).zip(n_all).find_map(|((part, kind), n_all)| {
+        let idx = part.parse::<usize>().ok().filter(|idx| n_all < *idx)?;
+        Some(format!("{kind} {idx} does not exist; the file has {n_all}"))
+    })
 }
 
-fn vectors(numbers: &[f64]) -> Vec<DVec3> {
-    numbers.chunks_exact(3).map(DVec3::from_slice).collect()
+fn vectors(numbers: &[f64]) -> Option<Vec<DVec3>> {
+    work::collect(numbers.chunks_exact(3).map(DVec3::from_slice))
 }

@@ -11,23 +11,9 @@ use crate::{
     export::{ExportError, Summary},
 };
 
-/// Writes all files of the folder, the header last; none is put into its place before all are
-/// written.
+/// Writes all files of the folder, behind their links, the header last; none is put into its place
+/// before all are written. Of a folder that could not be filled nothing stays.
 pub(super) fn write(pages: &[Page<'_>], folder: &Path, header: Header) -> Result<(), String> {
-    let is_new = !folder.exists();
-    fill(pages, folder, header).inspect_err(|_| {
-        // Of a folder that could not be filled nothing stays; one that holds something is left alone.
-        if is_new {
-            let _ = fs::remove_dir(folder.join(FILES));
-            let _ = fs::remove_dir(folder);
-        }
-    })
-}
-
-fn fill(pages: &[Page<'_>], folder: &Path, header: Header) -> Result<(), String> {
-    fs::create_dir_all(folder).map_err(|err| {
-        format!("cannot make the folder `{}`: {}", folder.display(), reason(&err))
-    })?;
     let mut staged = Vec::with_capacity(pages.len() + 1);
     for page in pages {
         staged.push(stage(folder, &page.path, &page.content.bytes())?);
@@ -52,6 +38,7 @@ fn stage(folder: &Path, path: &str, bytes: &[u8]) -> Result<Staged, String> {
     let target = Target::new(folder, path, &[]).map_err(|refusal| match refusal {
         Refusal::Forbidden(message) | Refusal::System(message) => message,
     })?;
+    let target = target.behind_links().map_err(|err| cannot(folder, path, &err.into()))?;
     let written = target.stage(u64::MAX, &|_| {}, |out| {
         out.write_all(bytes)?;
         Ok(Summary::default())
