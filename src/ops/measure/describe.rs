@@ -32,8 +32,8 @@ op! {
     }
     example "describe(line((0, 0), (1, 2))).knots" => "[0, 0, 1, 1]";
     example "describe(bilinear((0, 0), (0, 0), (1, 0), (1, 1))).collapsed" => "[\"u0\"]";
-    example "describe(elevate(circle((0, 0), 2), 4)).form" => "circle";
-    example "describe(revolve(line((1, 0), (2, 0, 3)))).form" => "cone";
+    example "describe(elevate(circle((0, 0), 2), 4)).form" => "\"circle\"";
+    example "describe(revolve(line((1, 0), (2, 0, 3)))).form" => "\"cone\"";
     example "describe((1, 2))" => "{kind: \"point\", x: 1, y: 2, z: 0}";
 }
 
