@@ -218,6 +218,7 @@ pub(super) fn act(
     }
     .into_iter();
     drop(progress);
+    let mut findings = report.diagnostics.clone();
     let is_refused =
         outcomes.as_slice().iter().any(|outcome| matches!(outcome, Outcome::Refused(..)));
     for event in &report.events {
@@ -235,7 +236,10 @@ pub(super) fn act(
                 }
                 Some(Outcome::Told) if !is_refused => voice.written(&file.path, None),
                 Some(Outcome::Staged(staged, summary)) if !is_refused => match staged.place() {
-                    Ok(()) => voice.written(&file.path, Some(summary)),
+                    Ok(()) => {
+                        findings.extend(turned(file, &summary));
+                        voice.written(&file.path, Some(summary));
+                    }
                     Err(err) => {
                         let (found, worst) = refusal(file, &ExportError::Io(err));
                         refuse(found, report, voice);
@@ -249,7 +253,8 @@ pub(super) fn act(
         }
     }
     // Last, so that what is wrong is what stands above the prompt.
-    voice.findings(&report.diagnostics, &report.sources);
+    findings.sort_by_key(|found| found.primary.span);
+    voice.findings(&findings, &report.sources);
     if has_errors && !targets.is_empty() {
         voice.remark("nothing was written, because the script has errors");
     }
@@ -324,6 +329,25 @@ fn stage(
         }
         Err(found) => Outcome::Refused(*found, Ending::Usage),
     }
+}
+
+/// A warning of surfaces and meshes that were turned for a file.
+fn turned(file: &File, summary: &Summary) -> Option<Diagnostic> {
+    /// Names that are told; the rest is counted.
+    const MOST: usize = 6;
+    let names: Vec<String> =
+        summary.turned.iter().take(MOST).map(|name| format!("`{name}`")).collect();
+    let more = match summary.turned.len().saturating_sub(MOST) {
+        0 => String::new(),
+        n_more => format!(" and {n_more} more"),
+    };
+    let message = format!(
+        "turned {}{more} in the file: parts of closed shells that faced inward now face outward",
+        names.join(", ")
+    );
+    let hint = "`orient([…])` gives surfaces that face outward, `flip(s)` turns one of them";
+    let warning = Diagnostic::warning(Code::Unclean, file.span, message).hint(hint);
+    (!names.is_empty()).then_some(warning)
 }
 
 /// Why a file cannot be written, and how the run ends.

@@ -3,7 +3,7 @@
 //! Autodesk, *AutoCAD 2000 DXF Reference* (AC1015), the oldest version with true colours by 420 and
 //! splines in a form that all readers know.
 
-use std::{io::Write, sync::Arc};
+use std::io::Write;
 
 use glam::DVec3;
 
@@ -11,10 +11,10 @@ use super::{
     ExportError, Format, Item, Job, Subject, Summary,
     exact::{Exact, exact},
     kept::Kept,
-    shape::{meshes, tolerance},
+    shape::{solids, tolerance},
     text::Text,
 };
-use crate::kernel::NurbsCurve;
+use crate::kernel::{Mesh, NurbsCurve};
 
 pub(super) static FORMAT: Format = Format {
     ending: "dxf",
@@ -41,7 +41,7 @@ mod handle {
 const FOREGROUND: usize = 7;
 
 fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
-    let mut meshes = meshes(job, tolerance(job)?)?.into_iter();
+    let mut solids = solids(job, tolerance(job)?)?.into_iter();
     let mut summary = Summary::default();
     let mut file = Dxf { text: Text::rounded(job.options.decimals), next: handle::FIRST };
     file.head(job);
@@ -61,18 +61,12 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
                 summary.count(&item.subject);
             }
             _ => {
-                let mesh = match &item.subject {
-                    Subject::Mesh(mesh) => Some(Arc::clone(mesh)),
-                    Subject::Surface(_) => meshes.next().map(Arc::new),
-                    _ => None,
-                };
-                if let Some(mesh) = mesh {
-                    for corners in mesh.corners() {
+                if let Some(solid) = solids.next() {
+                    for corners in solid.mesh().into_iter().flat_map(Mesh::corners) {
                         file.face(item, corners);
                         file.text.flush_if_large(out)?;
                     }
-                    summary.vertices += mesh.n_vertices();
-                    summary.triangles += mesh.n_triangles();
+                    summary.add(&solid);
                 }
             }
         }

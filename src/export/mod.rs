@@ -171,7 +171,7 @@ const STROKE: f64 = 0.002;
 const POINT: f64 = 1.75;
 
 /// What a file came to hold.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Summary {
     /// Vertices of meshes.
     pub vertices: usize,
@@ -187,6 +187,8 @@ pub struct Summary {
     pub rows: usize,
     /// Values as exact data.
     pub values: usize,
+    /// What was turned so that closed shells face outward, by name.
+    pub turned: Vec<String>,
 }
 
 /// `482 vertices, 960 triangles`.

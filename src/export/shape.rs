@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::{ExportError, Item, Job, Subject, Summary};
 use crate::kernel::{
-    Bounds, GeomError, Mesh, MeshLimits, Surface, tessellate_all, tessellate_any,
+    Bounds, GeomError, Mesh, MeshLimits, Surface, facing_inward, tessellate_all, tessellate_any,
     tessellate_curve_any, tolerance::DEFAULT_CHORD_RELATIVE,
 };
 
@@ -21,6 +21,8 @@ pub(super) enum Shape {
 pub(super) struct Shaped<'a> {
     pub(super) item: &'a Item,
     pub(super) shape: Shape,
+    /// Whether some of it was turned to face outward.
+    pub(super) is_turned: bool,
 }
 
 impl Shaped<'_> {
@@ -33,15 +35,20 @@ impl Shaped<'_> {
         }
     }
 
+    /// It as a mesh, if it is one.
+    pub(super) fn mesh(&self) -> Option<&Mesh> {
+        match &self.shape {
+            Shape::Mesh(mesh) => Some(mesh),
+            _ => None,
+        }
+    }
+
     pub(super) fn n_vertices(&self) -> usize {
         self.points().len()
     }
 
     pub(super) fn n_triangles(&self) -> usize {
-        match &self.shape {
-            Shape::Mesh(mesh) => mesh.n_triangles(),
-            _ => 0,
-        }
+        self.mesh().map_or(0, Mesh::n_triangles)
     }
 
     /// Segments of a polyline.
@@ -77,17 +84,23 @@ impl Summary {
     /// What the shapes of a file come to.
     pub(super) fn of(shapes: &[Shaped<'_>]) -> Self {
         let mut summary = Self::default();
-        for shaped in shapes {
-            match &shaped.shape {
-                Shape::Mesh(mesh) => {
-                    summary.vertices += mesh.n_vertices();
-                    summary.triangles += mesh.n_triangles();
-                }
-                Shape::Polyline(_) => summary.curves += 1,
-                Shape::Point(_) => summary.points += 1,
-            }
-        }
+        shapes.iter().for_each(|shaped| summary.add(shaped));
         summary
+    }
+
+    /// Counts a shape.
+    pub(super) fn add(&mut self, shaped: &Shaped<'_>) {
+        match &shaped.shape {
+            Shape::Mesh(mesh) => {
+                self.vertices += mesh.n_vertices();
+                self.triangles += mesh.n_triangles();
+            }
+            Shape::Polyline(_) => self.curves += 1,
+            Shape::Point(_) => self.points += 1,
+        }
+        if shaped.is_turned {
+            self.turned.push(shaped.item.name.clone());
+        }
     }
 
     /// Counts a subject that is written as what it is.
@@ -139,25 +152,56 @@ pub(super) fn bounds(item: &Item) -> Option<Bounds> {
     }
 }
 
-/// The shapes of all items, those of surfaces with common vertices on common edges.
+/// The shapes of all items, those of surfaces and meshes as [`solids`] has them.
 pub(super) fn shapes(job: &Job) -> Result<Vec<Shaped<'_>>, ExportError> {
     let tolerance = tolerance(job)?;
-    let mut meshes = meshes(job, tolerance)?.into_iter();
+    let mut solids = solids(job, tolerance)?.into_iter();
     let mut shapes = Vec::with_capacity(job.items.len());
     for item in &job.items {
-        let shape = match &item.subject {
-            Subject::Surface(_) => meshes.next().map(|mesh| Shape::Mesh(Arc::new(mesh))),
-            _ => shape(item, tolerance, job)?,
-        };
-        if let Some(shape) = shape {
-            shapes.push(Shaped { item, shape });
+        if matches!(item.subject, Subject::Surface(_) | Subject::Mesh(_)) {
+            shapes.extend(solids.next());
+        } else if let Some(shape) = shape(item, tolerance, job)? {
+            shapes.push(Shaped { item, shape, is_turned: false });
         }
     }
     Ok(shapes)
 }
 
+/// The meshes among the items, and those of the surfaces, with common vertices on common edges; those
+/// that make a closed shell together face outward.
+pub(super) fn solids(job: &Job, tolerance: f64) -> Result<Vec<Shaped<'_>>, ExportError> {
+    let mut meshes = meshes(job, tolerance)?.into_iter();
+    let mut shapes = Vec::with_capacity(job.items.len());
+    for item in &job.items {
+        let mesh = match &item.subject {
+            Subject::Surface(_) => meshes.next().map(Arc::new),
+            Subject::Mesh(mesh) => Some(Arc::clone(mesh)),
+            _ => None,
+        };
+        let shaped = |mesh| Shaped { item, shape: Shape::Mesh(mesh), is_turned: false };
+        shapes.extend(mesh.map(shaped));
+    }
+    face_outward(&mut shapes);
+    Ok(shapes)
+}
+
+/// Turns the triangles of closed shells that face inward.
+fn face_outward(shapes: &mut [Shaped<'_>]) {
+    let meshes: Vec<&Mesh> = shapes.iter().filter_map(Shaped::mesh).collect();
+    let mut turns = facing_inward(&meshes).into_iter();
+    for shaped in shapes {
+        if let Shape::Mesh(mesh) = &shaped.shape
+            && let Some(turns) = turns.next()
+            && turns.contains(&true)
+        {
+            shaped.shape = Shape::Mesh(Arc::new(mesh.with_turned(&turns)));
+            shaped.is_turned = true;
+        }
+    }
+}
+
 /// The meshes of the surfaces among the items, in their order.
-pub(super) fn meshes(job: &Job, tolerance: f64) -> Result<Vec<Mesh>, ExportError> {
+fn meshes(job: &Job, tolerance: f64) -> Result<Vec<Mesh>, ExportError> {
     let surfaces: Vec<Surface> = job.items.iter().filter_map(surface).collect();
     let most = job.limits.mesh_vertices;
     tessellate_all(&surfaces, &limits(job, tolerance), most).map_err(|source| {

@@ -285,6 +285,9 @@ pub enum GeomError {
     /// Several segments where one is wanted.
     #[error("{what} has one segment, but the curve has {got}")]
     TooManySegments { what: &'static str, got: usize },
+    /// A surface that has not the form that is wanted.
+    #[error("{wanted}, but {found}")]
+    OtherForm { wanted: &'static str, found: String },
     /// Coordinates where only x may be.
     #[error("a scalar spline has its values in x, but y or z of point {index} is not zero")]
     NotScalar { index: usize },

@@ -61,8 +61,8 @@ pub use jump::JumpError;
 pub use knots::{KnotClass, KnotVector, Side};
 pub use mesh::{
     Group, Mesh, MeshCheck, MeshError, MeshLimits, Nearest, Topology, distance_to_polyline,
-    grid_mesh, grid_mesh_any, planar_mesh, tessellate, tessellate_all, tessellate_any,
-    tessellate_curve, tessellate_curve_any, tessellate_finely,
+    facing_inward, grid_mesh, grid_mesh_any, planar_mesh, tessellate, tessellate_all,
+    tessellate_any, tessellate_curve, tessellate_curve_any, tessellate_finely,
 };
 pub use receipt::{Fact, Receipt};
 pub use skin::{
@@ -74,7 +74,7 @@ pub use surface::{
     GridSamples, LevelSet, Mass, NurbsSurface, ParametricPlaces, ParametricSurface, PictureError,
     Piercing, Principal, ShellError, Surface, SurfaceContinuity, SurfaceEvaluator, SurfaceFoot,
     SurfaceFunction, SurfaceKind, SurfaceOffset, SurfaceShape, Turn, Twists, area_mass,
-    join_patches, make_surfaces_compatible, principal_axes, volume_mass,
+    facing_unlike, join_patches, make_surfaces_compatible, principal_axes, volume_mass,
 };
 pub use sweep::{
     Axes, Columns, Fineness, Frames, Framing, Held, Leg, Motion, Sweep, legs, mitred, overreaches,

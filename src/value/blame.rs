@@ -71,6 +71,7 @@ pub fn code_of(error: &GeomError) -> Code {
         | Error::UnevenSegments { .. }
         | Error::TooRough { .. }
         | Error::TooManySegments { .. }
+        | Error::OtherForm { .. }
         | Error::UnlikeWeights { .. } => Code::NotExact,
         Error::KnotCount { .. }
         | Error::TooFewKnots { .. }

@@ -1,7 +1,7 @@
 //! How the triangles of meshes hang together: bodies and bands whose answers are known.
 
 use glam::{DAffine3, DVec3};
-use virote::kernel::{GeomError, Group, Mesh, MeshCheck, MeshError, Tolerance};
+use virote::kernel::{GeomError, Group, Mesh, MeshCheck, MeshError, Tolerance, facing_inward};
 
 const TETRAHEDRON: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
 
@@ -161,4 +161,86 @@ fn colours_and_groups_stay_with_their_triangles() {
         tetrahedron().with_groups(vec![group("a"); 2]),
         Err(GeomError::WrongCount { .. })
     ));
+}
+
+/// The triangles that face outward, those of `turned` turned over, in two meshes.
+fn in_two(vertices: &[[f64; 3]], triangles: &[[u32; 3]], turned: usize) -> [Mesh; 2] {
+    let way = |(i, &[a, b, c]): (usize, &[u32; 3])| {
+        if turned >> i & 1 == 1 { [a, c, b] } else { [a, b, c] }
+    };
+    let triangles: Vec<[u32; 3]> = triangles.iter().enumerate().map(way).collect();
+    let (first, second) = triangles.split_at(triangles.len() / 2);
+    [first, second].map(|part| mesh(vertices, part))
+}
+
+fn facing_outward(meshes: &[Mesh]) -> Mesh {
+    let borrowed: Vec<&Mesh> = meshes.iter().collect();
+    let turns = facing_inward(&borrowed);
+    let parts: Vec<Mesh> =
+        meshes.iter().zip(turns).map(|(mesh, turns)| mesh.with_turned(&turns)).collect();
+    Mesh::merged(&parts, 1000).unwrap()
+}
+
+#[test]
+fn a_closed_body_faces_outward_whichever_triangles_were_turned() {
+    let vertices = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    // Far away and tiny, where a sum of volumes about the origin would lose its sign.
+    for (size, shift) in [(1.0, 0.0), (1e-3, 1e4), (1e150, 0.0), (1e-150, 0.0)] {
+        let vertices = vertices.map(|place| place.map(|x| shift + size * x));
+        for turned in 0..16 {
+            let whole = facing_outward(&in_two(&vertices, &TETRAHEDRON, turned));
+            let outward = Mesh::merged(&in_two(&vertices, &TETRAHEDRON, 0), 1000).unwrap();
+            assert_eq!(whole.triangles(), outward.triangles(), "{turned} at {size}");
+        }
+    }
+}
+
+#[test]
+fn bodies_that_share_an_edge_face_outward_each() {
+    let vertices = [
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, 0.0, 1.0],
+        [0.0, -1.0, 0.0],
+        [0.0, 0.0, -1.0],
+    ];
+    let other: [[u32; 3]; 4] = [[0, 4, 1], [0, 1, 5], [1, 4, 5], [0, 5, 4]];
+    let both: Vec<[u32; 3]> = TETRAHEDRON.into_iter().chain(other).collect();
+    for turned in 0..256 {
+        let whole = facing_outward(&in_two(&vertices, &both, turned));
+        assert!((whole.volume() - 1.0 / 3.0).abs() < 1e-15, "{turned}");
+    }
+}
+
+#[test]
+fn what_has_no_outside_stays_as_it_is() {
+    let vertices = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    // Without one of its triangles a body is open.
+    let [first, second] = in_two(&vertices, &TETRAHEDRON[..3], 2);
+    assert_eq!(facing_inward(&[&first, &second]), [vec![false], vec![false, false]]);
+    // Two triangles back to back enclose nothing, but can face alike.
+    let flat = mesh(&vertices, &[[0, 1, 2], [0, 1, 2]]);
+    assert_eq!(facing_inward(&[&flat]), [[false, true]]);
+    // A cavity faces inward.
+    let large = vertices.map(|place| place.map(|x| 100.0 * x - 20.0));
+    let [a, b] = in_two(&large, &TETRAHEDRON, 0);
+    let [c, d] = in_two(&vertices, &TETRAHEDRON, 15);
+    assert!(facing_inward(&[&a, &b, &c, &d]).into_iter().flatten().all(|turns| !turns));
+    assert_eq!(facing_inward(&[&c, &d]), [[true; 2]; 2]);
+}
+
+#[test]
+fn a_turned_vertex_with_a_normal_turns_its_normal() {
+    let places_of = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
+    let normals = vec![DVec3::Z; 4];
+    let quad = Mesh::new(places(&places_of), normals, Vec::new(), vec![[0, 1, 2], [2, 1, 3]]);
+    let turned = quad.unwrap().with_turned(&[false, true]);
+    // The vertices on the common edge are there twice.
+    assert_eq!((turned.n_vertices(), turned.triangles()[0]), (6, [0, 1, 2]));
+    for (corners, normal) in turned.triangles().iter().zip([DVec3::Z, -DVec3::Z]) {
+        let [a, b, c] = corners.map(|i| turned.vertices()[i as usize]);
+        assert!((b - a).cross(c - a).dot(normal) > 0.0);
+        assert!(corners.iter().all(|&i| turned.normals()[i as usize] == normal));
+    }
 }

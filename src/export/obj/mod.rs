@@ -9,7 +9,7 @@ use super::{
     ExportError, Format, Item, Job, Subject, Summary,
     exact::{Exact, exact},
     name::word,
-    shape::{Shape, shape, shapes, tolerance},
+    shape::{Shape, Shaped, shape, shapes, tolerance},
     text::Text,
 };
 use crate::kernel::Mesh;
@@ -48,10 +48,17 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
             summary.count(&item.subject);
         } else {
             let shape = match shapes.next() {
-                Some(shaped) => Some(shaped.shape),
-                None => shape(item, tolerance, job)?,
+                Some(shaped) => Some(shaped),
+                None => shape(item, tolerance, job)?.map(|shape| Shaped {
+                    item,
+                    shape,
+                    is_turned: false,
+                }),
             };
-            write_shape(shape, (&mut written, &mut summary), &mut text, out)?;
+            if let Some(shaped) = shape {
+                summary.add(&shaped);
+                write_shape(&shaped.shape, &mut written, &mut text, out)?;
+            }
         }
         text.flush_if_large(out)?;
     }
@@ -80,18 +87,14 @@ fn write_exact(
 }
 
 fn write_shape(
-    shape: Option<Shape>,
-    (written, summary): (&mut Written, &mut Summary),
+    shape: &Shape,
+    written: &mut Written,
     text: &mut Text,
     out: &mut dyn Write,
 ) -> Result<(), ExportError> {
     match shape {
-        Some(Shape::Mesh(mesh)) => {
-            write_mesh(&mesh, written, text, out)?;
-            summary.vertices += mesh.n_vertices();
-            summary.triangles += mesh.n_triangles();
-        }
-        Some(Shape::Polyline(points)) => {
+        Shape::Mesh(mesh) => write_mesh(mesh, written, text, out)?,
+        Shape::Polyline(points) => {
             points.iter().for_each(|point| vector(text, "v", &point.to_array()));
             text.push("l");
             for idx in 1..=points.len() {
@@ -99,15 +102,12 @@ fn write_shape(
             }
             text.push("\n");
             written.vertices += points.len();
-            summary.curves += 1;
         }
-        Some(Shape::Point(point)) => {
+        Shape::Point(point) => {
             vector(text, "v", &point.to_array());
             written.vertices += 1;
             text.push("p ").count(written.vertices).push("\n");
-            summary.points += 1;
         }
-        None => {}
     }
     Ok(())
 }

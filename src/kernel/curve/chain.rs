@@ -146,32 +146,36 @@ impl NurbsCurve {
         if self.n_segments() != 1 {
             return Err(GeomError::TooManySegments { what, got: self.n_segments() });
         }
-        // Coefficients in the fraction of the domain are differences of Bézier points.
-        let curve = self.clamped();
-        let (degree, domain) = (self.degree(), self.domain());
-        let mut differences: Vec<DVec3> = curve.points();
-        for level in 1..=degree {
-            for i in (level..=degree).rev() {
-                differences[i] = differences[i] - differences[i - 1];
-            }
-        }
-        let mut scale = 1.0;
-        let mut local: Vec<DVec3> = Vec::with_capacity(degree + 1);
-        for (difference, binomial) in differences.into_iter().zip(binomials(degree)) {
-            local.push(difference * (binomial / scale));
-            scale *= domain.length();
-        }
-        // Horner's shift from powers of t − start to powers of t.
-        for i in 0..degree {
-            for j in (i..degree).rev() {
-                let shift = local[j + 1] * domain.start();
-                local[j] -= shift;
-            }
-        }
-        let finite: Vec<DVec4> = local.iter().map(|c| c.extend(1.0)).collect();
+        let coefficients = powers(self.clamped().points(), self.domain());
+        let finite: Vec<DVec4> = coefficients.iter().map(|c| c.extend(1.0)).collect();
         homogeneous::check_finite(&finite)?;
-        Ok(local)
+        Ok(coefficients)
     }
+}
+
+/// Coefficients of the powers of a parameter, lowest first, of a Bézier form over a domain.
+pub(in crate::kernel) fn powers(points: Vec<DVec3>, domain: Interval) -> Vec<DVec3> {
+    // Coefficients in the fraction of the domain are differences of Bézier points.
+    let (degree, mut differences) = (points.len() - 1, points);
+    for level in 1..=degree {
+        for i in (level..=degree).rev() {
+            differences[i] = differences[i] - differences[i - 1];
+        }
+    }
+    let mut scale = 1.0;
+    let mut local: Vec<DVec3> = Vec::with_capacity(degree + 1);
+    for (difference, binomial) in differences.into_iter().zip(binomials(degree)) {
+        local.push(difference * (binomial / scale));
+        scale *= domain.length();
+    }
+    // Horner's shift from powers of t − start to powers of t.
+    for i in 0..degree {
+        for j in (i..degree).rev() {
+            let shift = local[j + 1] * domain.start();
+            local[j] -= shift;
+        }
+    }
+    local
 }
 
 /// The points of a closed spline with the first p of them again at the end.

@@ -67,6 +67,7 @@ pub use analytic::AnalyticCurve;
 pub(in crate::kernel) use analytic::{rounded, rounded_place};
 pub use any::Curve;
 pub(in crate::kernel) use arc_length::ArcLengths;
+pub(in crate::kernel) use chain::powers;
 pub use circle::CircleForm;
 pub use closest::Foot;
 pub use compatible::make_compatible;

@@ -5,7 +5,7 @@
 //! makes of them `rules` for each piece, `form`s of what a cell may be, and `near` those along its
 //! normal; `steps` lays the lines of a `sheet`, `seam` finds what the `edge`s of sheets share, `division`
 //! divides that, and `stitch` makes the triangles. `weld` tells which vertices are one place, `topology` how the triangles
-//! hang together, `measure` area, volume and their centres, `deviation` how far one is from a
+//! hang together, `orient` which of them face inward, `measure` area, volume and their centres, `deviation` how far one is from a
 //! surface, `distance` how far a place is from one, `nearest` the same for many places, `fault` why a
 //! mesh encloses nothing, `section` where a plane cuts it.
 
@@ -22,6 +22,7 @@ mod limits;
 mod measure;
 mod near;
 mod nearest;
+mod orient;
 mod outline;
 mod planar;
 mod quotient;
@@ -45,6 +46,7 @@ pub use fault::MeshError;
 pub use grid::grid_mesh;
 pub use limits::MeshLimits;
 pub use nearest::Nearest;
+pub use orient::facing_inward;
 pub use planar::planar_mesh;
 pub(super) use tessellate::check_rounding;
 pub use tessellate::{tessellate, tessellate_all, tessellate_curve, tessellate_finely};

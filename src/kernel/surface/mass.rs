@@ -66,7 +66,7 @@ pub fn area_mass(surfaces: &[Surface]) -> Result<Mass, GeomError> {
 /// [`GeomError::Shell`] where the surfaces enclose nothing; [`GeomError::NothingThere`] for a volume of zero, [`GeomError::TooLargeToMeasure`], and as [`Surface::point_at`].
 pub fn volume_mass(surfaces: &[Surface], tolerance: Tolerance) -> Result<Mass, GeomError> {
     let about = middle(surfaces)?;
-    let shells = oriented(surfaces, tolerance)?;
+    let shells = oriented(surfaces, tolerance, false)?;
     let mut whole = Sum::default();
     for shell in shells {
         let mut sum = Sum::default();
@@ -84,6 +84,31 @@ pub fn volume_mass(surfaces: &[Surface], tolerance: Tolerance) -> Result<Mass, G
         whole.values = whole.values.map(|value| -value);
     }
     whole.mass(about, [3.0, 4.0, 5.0]).ok_or_else(|| whole.without("volume"))
+}
+
+/// For each surface, whether it must turn over so that those that hang together face alike: outward
+/// where they close, otherwise as the first of them.
+///
+/// # Errors
+/// [`GeomError::Shell`] of surfaces with one side only, and of more than two at an edge; as
+/// [`Surface::point_at`].
+pub fn facing_unlike(surfaces: &[Surface], tolerance: Tolerance) -> Result<Vec<bool>, GeomError> {
+    let about = middle(surfaces)?;
+    let mut turns = vec![false; surfaces.len()];
+    for shell in oriented(surfaces, tolerance, true)? {
+        let mut flux = 0.0;
+        for &(idx, sign) in shell.surfaces.iter().filter(|_| shell.is_closed) {
+            let part = integral(&surfaces[idx], |point, normal| [(point - about).dot(normal)])?;
+            flux += sign * part.values[0];
+        }
+        if !flux.is_finite() {
+            return Err(GeomError::TooLargeToMeasure { what: "volume" });
+        }
+        for (idx, sign) in shell.surfaces {
+            turns[idx] = (sign < 0.0) != (flux < 0.0);
+        }
+    }
+    Ok(turns)
 }
 
 /// A density times 1, x, y, z, and the products of these.

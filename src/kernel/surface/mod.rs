@@ -8,7 +8,7 @@
 //! surfaces between curves, `revolve` those that turn about an axis, `round` the primitives, `coons`
 //! those within four boundaries, by `sum`, the exact sum of surfaces that curves span. `direction`
 //! is u or v, along which `edit` changes the representation or cuts, and `compatible` brings several
-//! to one basis. `rearrange` does of this what functions allow, `parts` has what a form is made of,
+//! to one basis. `rearrange` does of this what functions allow, `parts` has what a form is made of, `power` the coefficients of powers,
 //! `continuation` patches that go on from a side, `join` makes one surface of many, `offset` runs
 //! beside, `analytic` finds planes and surfaces of revolution that have an equation, `level` has the lines along which a field on a surface vanishes,
 //! `crease` those across which its derivative jumps, `square` the polynomials that this takes.
@@ -51,6 +51,7 @@ mod offset;
 mod parametric;
 mod parts;
 mod pole;
+mod power;
 mod quadrature;
 mod rearrange;
 mod revolve;
@@ -79,7 +80,7 @@ pub use join::join_patches;
 pub use joint::SurfaceContinuity;
 pub use level::{LevelSet, PictureError, Piercing};
 pub use local::{Principal, SurfaceKind, SurfaceShape};
-pub use mass::{Mass, area_mass, principal_axes, volume_mass};
+pub use mass::{Mass, area_mass, facing_unlike, principal_axes, volume_mass};
 pub use offset::{SurfaceOffset, Turn};
 pub use parametric::{ParametricSurface, SurfaceFunction};
 pub use revolve::{Axis, AxisContact};

@@ -86,6 +86,8 @@ pub(super) struct Shell {
     pub(super) surfaces: Vec<(usize, f64)>,
     /// Whether all signs are 1.
     pub(super) was_oriented: bool,
+    /// Whether all edges have neighbours.
+    pub(super) is_closed: bool,
 }
 
 /// An edge that has a length.
@@ -123,6 +125,8 @@ struct Met {
     /// Whether some place of the edge has one neighbour.
     has_pair: Vec<bool>,
     crowds: Vec<Crowd>,
+    /// Surfaces with places that have no neighbour.
+    with_ends: Vec<usize>,
 }
 
 /// Another edge that is near enough to a place.
@@ -137,7 +141,7 @@ struct Touch {
 /// The shells that the surfaces make.
 ///
 /// Where the tolerance leaves open which edges belong together, finer ones decide: what closes
-/// within one of them closes.
+/// within one of them closes. Where an edge `may_end` without a neighbour, shells may be open.
 ///
 /// # Errors
 /// [`ShellError`], of gaps that at the place which is furthest from all other edges; as
@@ -145,23 +149,28 @@ struct Touch {
 pub(super) fn oriented(
     surfaces: &[Surface],
     tolerance: Tolerance,
+    may_end: bool,
 ) -> Result<Vec<Shell>, GeomError> {
     let edges = edges(surfaces)?;
-    let whole = edges.iter().map(|edge| edge.bounds).reduce(Bounds::union);
-    let Some(whole) = whole else { return hanging_together(surfaces.len(), &[]) };
+    let Some(whole) = edges.iter().map(|edge| edge.bounds).reduce(Bounds::union) else {
+        return hanging_together(surfaces.len(), &Met::default());
+    };
     let least = VANISHING_RELATIVE * whole.magnitude();
     let mut allowed = tolerance.distance_for(whole.diagonal()).max(least);
-    let first = within(surfaces.len(), &edges, allowed);
-    if matches!(
-        first,
-        Err(GeomError::Shell(ShellError::Crowded { .. } | ShellError::OneSided { .. }))
-    ) {
-        while least < allowed {
-            allowed = (allowed * FINER).max(least);
-            if let Ok(shells) = within(surfaces.len(), &edges, allowed) {
-                return Ok(shells);
+    let first = within(surfaces.len(), &edges, allowed, false);
+    match &first {
+        Err(GeomError::Shell(ShellError::Open { .. } | ShellError::Alone { .. })) if may_end => {
+            return within(surfaces.len(), &edges, allowed, true);
+        }
+        Err(GeomError::Shell(ShellError::Crowded { .. } | ShellError::OneSided { .. })) => {
+            while least < allowed {
+                allowed = (allowed * FINER).max(least);
+                if let Ok(shells) = within(surfaces.len(), &edges, allowed, false) {
+                    return Ok(shells);
+                }
             }
         }
+        _ => {}
     }
     first
 }
@@ -172,11 +181,16 @@ pub(super) fn oriented(
 /// a while, as those of a deck and of two sides of a hull before they end in a point; the places
 /// where each has one neighbour tell how they belong together. Edges that run together all along
 /// must pass each other in pairs.
-fn within(n_surfaces: usize, edges: &[Rim<'_>], allowed: f64) -> Result<Vec<Shell>, GeomError> {
+fn within(
+    n_surfaces: usize,
+    edges: &[Rim<'_>],
+    allowed: f64,
+    may_end: bool,
+) -> Result<Vec<Shell>, GeomError> {
     let rims: Vec<&Rim<'_>> =
         edges.iter().filter(|edge| 2.0 * allowed < edge.bounds.diagonal()).collect();
-    let met = meet(n_surfaces, &rims, allowed)?;
-    let shells = hanging_together(n_surfaces, &met.pairs)?;
+    let met = meet(n_surfaces, &rims, allowed, may_end)?;
+    let shells = hanging_together(n_surfaces, &met)?;
     let mut signs = vec![1.0; n_surfaces];
     for &(surface, sign) in shells.iter().flat_map(|shell| &shell.surfaces) {
         signs[surface] = sign;
@@ -207,7 +221,12 @@ fn within(n_surfaces: usize, edges: &[Rim<'_>], allowed: f64) -> Result<Vec<Shel
 
 /// # Errors
 /// [`ShellError::Open`] and [`ShellError::Alone`]; as [`Surface::point_at`].
-fn meet(n_surfaces: usize, rims: &[&Rim<'_>], allowed: f64) -> Result<Met, GeomError> {
+fn meet(
+    n_surfaces: usize,
+    rims: &[&Rim<'_>],
+    allowed: f64,
+    may_end: bool,
+) -> Result<Met, GeomError> {
     let mut met = Met { has_pair: vec![false; rims.len()], ..Met::default() };
     let mut gap: Option<(f64, usize, DVec3)> = None;
     for (idx, rim) in rims.iter().enumerate() {
@@ -219,6 +238,7 @@ fn meet(n_surfaces: usize, rims: &[&Rim<'_>], allowed: f64) -> Result<Met, GeomE
                     if gap.is_none_or(|(most, ..)| most < least) {
                         gap = Some((least, idx, point));
                     }
+                    met.with_ends.push(rim.surface);
                     continue;
                 }
                 ([one], _) => Some(one),
@@ -238,7 +258,7 @@ fn meet(n_surfaces: usize, rims: &[&Rim<'_>], allowed: f64) -> Result<Met, GeomE
             }
         }
     }
-    let Some((gap, idx, point)) = gap else { return Ok(met) };
+    let Some((gap, idx, point)) = gap.filter(|_| !may_end) else { return Ok(met) };
     let (surface, edge) = (rims[idx].surface, rims[idx].edge.word());
     if !gap.is_finite() {
         return Err(ShellError::Alone { edge }.into());
@@ -280,9 +300,11 @@ fn touching(
 }
 
 /// Walks from surface to surface over their common edges.
-fn hanging_together(n_surfaces: usize, pairs: &[Pair]) -> Result<Vec<Shell>, GeomError> {
+fn hanging_together(n_surfaces: usize, met: &Met) -> Result<Vec<Shell>, GeomError> {
+    let mut has_end = vec![false; n_surfaces];
+    met.with_ends.iter().for_each(|&surface| has_end[surface] = true);
     let mut neighbours: Vec<Vec<(usize, bool, Edge)>> = vec![Vec::new(); n_surfaces];
-    for pair in pairs {
+    for pair in &met.pairs {
         let [a, b] = pair.surfaces;
         neighbours[a].push((b, pair.must_turn, pair.edge));
     }
@@ -312,7 +334,8 @@ fn hanging_together(n_surfaces: usize, pairs: &[Pair]) -> Result<Vec<Shell>, Geo
             }
         }
         let was_oriented = members.iter().all(|&(_, sign)| 0.0 < sign);
-        shells.push(Shell { surfaces: members, was_oriented });
+        let is_closed = members.iter().all(|&(surface, _)| !has_end[surface]);
+        shells.push(Shell { surfaces: members, was_oriented, is_closed });
     }
     Ok(shells)
 }

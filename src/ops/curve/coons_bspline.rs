@@ -18,7 +18,7 @@ op! {
     /// Linkeová, *Curves and Surfaces for Computer Graphics*, Definition 2.4.
     coons_bspline in Curve -> NurbsCurve {
         /// The control points: four or more, for a closed curve three or more.
-        points: Spanned<AtLeast<3, DVec3>>,
+        points: Spanned<AtLeast<1, DVec3>>,
         /// Whether the curve closes without a seam.
         closed: bool = false,
     }
@@ -26,6 +26,8 @@ op! {
     example "coons_bspline((0, 0), (0, 6), (6, 6), (6, 0), (12, 0))(1) ~= (5, 5) within 1e-14" => "true";
     example "coons_bspline((0, 0), (6, 0), (6, 6), (0, 6), closed = true).segments" => "4";
     refuses "coons_bspline((0, 0), (1, 2), (2, 0))" => "E0601: a cubic needs 4 points or more, found 3";
+    refuses "coons_bspline((0, 0))" => "E0601: a cubic needs 4 points or more, found 1";
+    refuses "coons_bspline((0, 0), (1, 2), closed = true)" => "E0601: a closed curve needs 3 points or more, found 2";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

@@ -33,6 +33,8 @@ pub(super) static OPS: &[&Op] = &[
     &surface::edges::OP,
     &surface::elevate::OP,
     &surface::flip::OP,
+    &surface::orient::OP,
+    &surface::power_coefficients::OP,
     &surface::insert_knot::OP,
     &surface::join::OP,
     &surface::offset::OP,

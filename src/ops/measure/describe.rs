@@ -1,12 +1,12 @@
 //! `describe`: all data of a value as a record.
 
-use std::sync::Arc;
+use std::{f64::consts::TAU, sync::Arc};
 
 use glam::DVec3;
 
 use crate::{
     diag::{Result, Span, Spanned},
-    kernel::{Defects, Edge, GeomError, Tolerance},
+    kernel::{AnalyticCurve, AnalyticForm, Defects, Edge, GeomError, NurbsCurve, Tolerance},
     value::{At, Ctx, FromValue, IntoValue, Mismatch, Record, Type, Value, field, field_names, op},
 };
 
@@ -16,7 +16,9 @@ op! {
     ///
     /// A curve also tells its `order`, degree + 1, the `count` of its control points, and the class of
     /// its knots as `knot_class` does; a table
-    /// the `count` of its rows. A parametric curve or surface has no control points to tell.
+    /// the `count` of its rows. `form` is what a curve or surface is whatever made it or was done to it
+    /// since, as far as its coefficients prove it: `"line"`, `"circle"`, `"arc"`; `"plane"`, `"cylinder"`,
+    /// `"cone"`, `"sphere"`, `"torus"`, of each a part that is covered once; otherwise `none`. A parametric curve or surface has no control points to tell.
     ///
     /// A surface tells both numbers for u and for v, and where it is not regular: the edges that are
     /// `collapsed` to a point, the other corners that are `singular` because Su × Sv vanishes there,
@@ -30,6 +32,8 @@ op! {
     }
     example "describe(line((0, 0), (1, 2))).knots" => "[0, 0, 1, 1]";
     example "describe(bilinear((0, 0), (0, 0), (1, 0), (1, 1))).collapsed" => "[\"u0\"]";
+    example "describe(elevate(circle((0, 0), 2), 4)).form" => "\"circle\"";
+    example "describe(revolve(line((1, 0), (2, 0, 3)))).form" => "\"cone\"";
     example "describe((1, 2))" => "{kind: \"point\", x: 1, y: 2, z: 0}";
 }
 
@@ -85,6 +89,10 @@ fn described(value: &Value, tolerance: Tolerance, span: Span) -> Result<Value> {
                 fields.push((Arc::from("count"), Value::number(count as f64)));
                 let class = curve.knots().class().word();
                 fields.push((Arc::from("knot_class"), Value::text(class)));
+                fields.push((
+                    Arc::from("form"),
+                    form_of_curve(curve).map_or(Value::None, Value::text),
+                ));
             }
             fields.extend(data);
         }
@@ -95,6 +103,8 @@ fn described(value: &Value, tolerance: Tolerance, span: Span) -> Result<Value> {
                 let orders = degrees.map(|degree| degree + 1).to_vec();
                 fields.push((Arc::from("order"), orders.into_value()));
                 fields.push((Arc::from("count"), counts.into_value()));
+                let form = nurbs.analytic(tolerance.distance).map(|found| word(found.form));
+                fields.push((Arc::from("form"), form.map_or(Value::None, Value::text)));
             }
             fields.extend(data);
             let defects = surface.defects(tolerance).at(span)?;
@@ -112,4 +122,23 @@ fn described(value: &Value, tolerance: Tolerance, span: Span) -> Result<Value> {
         _ => fields.extend(data),
     }
     Ok(Value::Record(Arc::new(Record::new(fields))))
+}
+
+/// The line or circle that a curve is, by name.
+fn form_of_curve(curve: &NurbsCurve) -> Option<&'static str> {
+    curve.analytic().map(|found| match found {
+        AnalyticCurve::Line { .. } => "line",
+        AnalyticCurve::Circle { turn, .. } if TAU <= turn => "circle",
+        AnalyticCurve::Circle { .. } => "arc",
+    })
+}
+
+fn word(form: AnalyticForm) -> &'static str {
+    match form {
+        AnalyticForm::Plane => "plane",
+        AnalyticForm::Cylinder { .. } => "cylinder",
+        AnalyticForm::Cone { .. } => "cone",
+        AnalyticForm::Sphere { .. } => "sphere",
+        AnalyticForm::Torus { .. } => "torus",
+    }
 }

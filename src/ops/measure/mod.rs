@@ -43,6 +43,7 @@ pub(super) static OPS: &[&Op] = &[
     &curve::rectifying_plane::OP,
     &curve::tangent_line::OP,
     &curve::normal_line::OP,
+    &surface::normal_line::OP,
     &curve::binormal_line::OP,
     &curve::classify::OP,
     &surface::classify::OP,

@@ -14,6 +14,8 @@ pub(super) mod flip;
 pub(super) mod insert_knot;
 pub(super) mod join;
 pub(super) mod offset;
+pub(super) mod orient;
+pub(super) mod power_coefficients;
 pub(super) mod refine;
 pub(super) mod reparametrize;
 pub(super) mod reverse_u;

@@ -18,6 +18,7 @@ pub(super) mod is_planar;
 pub(super) mod mean;
 pub(super) mod normal;
 pub(super) mod normal_curvature;
+pub(super) mod normal_line;
 pub(super) mod principal;
 pub(super) mod second_form;
 pub(super) mod tangent_plane;

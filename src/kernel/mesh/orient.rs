@@ -1,0 +1,219 @@
+//! Which triangles of closed shells must turn so that they face outward.
+//!
+//! Vertices at one place, to the last bit, count as one: surfaces side by side share them. Triangles
+//! with a common edge that no third has hang together, and face alike if they run along it against
+//! one another. Parts that close so are turned outward by the sign of the volume that they enclose,
+//! the sum of the tetrahedra under their triangles. Mirtich, *Fast and accurate computation of
+//! polyhedral mass properties*, JGT 1 (1996).
+
+use std::collections::HashMap;
+
+use glam::DVec3;
+
+use super::Mesh;
+use crate::kernel::{Bounds, tolerance::VANISHING_RELATIVE};
+
+/// A side of a triangle under its edge.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Side {
+    edge: [u32; 2],
+    triangle: u32,
+    is_forward: bool,
+}
+
+/// Triangles in sets, each with whether it faces another way than the first of its set.
+struct Parts {
+    parents: Vec<(u32, bool)>,
+}
+
+/// A closed part.
+struct Shell {
+    bounds: Bounds,
+    /// Six times the volume that it encloses if it faces as its first triangle, and the sum of what
+    /// that was added up from.
+    volume: [f64; 2],
+    /// Whether its triangles do not all face alike.
+    is_mixed: bool,
+}
+
+/// For each triangle of each mesh, whether it must turn so that closed shells face outward; several
+/// meshes may make one shell.
+///
+/// What is not closed or has one side only stays as it is, and so does a cavity: a shell that faces
+/// inward as a whole, in the box of another one.
+#[must_use]
+pub fn facing_inward(meshes: &[&Mesh]) -> Vec<Vec<bool>> {
+    let (places, triangles) = gathered(meshes);
+    let sides = sides(&triangles);
+    let mut parts = Parts { parents: (0..triangles.len() as u32).map(|i| (i, false)).collect() };
+    for edge in sides.chunk_by(|a, b| a.edge == b.edge) {
+        if let [a, b] = edge {
+            parts.unite(a.triangle, b.triangle, a.is_forward == b.is_forward);
+        }
+    }
+    let found: Vec<(u32, bool)> =
+        (0..triangles.len() as u32).map(|triangle| parts.root(triangle)).collect();
+    let shells = shells(&places, &triangles, &found, &open(&sides, &found));
+    let turns = |shell: &Shell| {
+        let [volume, added] = shell.volume;
+        let is_inward = volume < -VANISHING_RELATIVE * added;
+        let is_cavity = || shells.values().any(|other| is_inside(shell.bounds, other.bounds));
+        is_inward && (shell.is_mixed || !is_cavity())
+    };
+    let turned: HashMap<u32, bool> =
+        shells.iter().map(|(&root, shell)| (root, turns(shell))).collect();
+    let mut all =
+        found.iter().map(|(root, differs)| turned.get(root).is_some_and(|turns| turns != differs));
+    meshes.iter().map(|mesh| all.by_ref().take(mesh.n_triangles()).collect()).collect()
+}
+
+impl Mesh {
+    /// The same with some of its triangles turned over, and the normals there with them.
+    #[must_use]
+    pub fn with_turned(&self, turns: &[bool]) -> Self {
+        let mut is_kept = vec![false; self.n_vertices()];
+        let triangles = || self.triangles.iter().zip(turns);
+        for (corners, _) in triangles().filter(|(_, turns)| !**turns) {
+            corners.iter().for_each(|&corner| is_kept[corner as usize] = true);
+        }
+        let mut turned = self.clone();
+        // Where a vertex has a normal and triangles of both kinds, there are two of it.
+        let mut other: HashMap<u32, u32> = HashMap::new();
+        for (idx, (&[a, b, c], _)) in triangles().enumerate().filter(|(_, (_, turns))| **turns) {
+            turned.triangles[idx] = [a, c, b].map(|corner| {
+                let i = corner as usize;
+                if self.normals.is_empty() {
+                    return corner;
+                }
+                *other.entry(corner).or_insert_with(|| {
+                    if !is_kept[i] {
+                        turned.normals[i] = -self.normals[i];
+                        return corner;
+                    }
+                    turned.vertices.push(self.vertices[i]);
+                    turned.normals.push(-self.normals[i]);
+                    turned.uvs.extend(self.uvs.get(i));
+                    turned.colors.extend(self.colors.get(i));
+                    turned.vertices.len() as u32 - 1
+                })
+            });
+        }
+        turned
+    }
+}
+
+/// The places of all vertices, and the triangles of all meshes over these.
+fn gathered(meshes: &[&Mesh]) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+    let mut known: HashMap<[u64; 3], u32> = HashMap::new();
+    let (mut places, mut triangles) = (Vec::new(), Vec::new());
+    for mesh in meshes {
+        let mut name = |place: DVec3| {
+            // Zero has no sign.
+            let bits = (place + 0.0).to_array().map(f64::to_bits);
+            *known.entry(bits).or_insert_with(|| {
+                places.push(place);
+                places.len() as u32 - 1
+            })
+        };
+        let names: Vec<u32> = mesh.vertices().iter().map(|&vertex| name(vertex)).collect();
+        triangles.extend(mesh.triangles().iter().map(|corners| corners.map(|i| names[i as usize])));
+    }
+    (places, triangles)
+}
+
+/// The sides of triangles that have three places, sorted by edges.
+fn sides(triangles: &[[u32; 3]]) -> Vec<Side> {
+    let mut sides = Vec::with_capacity(3 * triangles.len());
+    for (triangle, &[a, b, c]) in triangles.iter().enumerate() {
+        if a != b && b != c && c != a {
+            let side = |[a, b]: [u32; 2]| Side {
+                edge: [a.min(b), a.max(b)],
+                triangle: triangle as u32,
+                is_forward: a < b,
+            };
+            sides.extend([[a, b], [b, c], [c, a]].map(side));
+        }
+    }
+    sides.sort_unstable();
+    sides
+}
+
+/// For each triangle that stands for a part, whether that has an end somewhere, or one side only.
+fn open(sides: &[Side], found: &[(u32, bool)]) -> Vec<bool> {
+    let mut is_open = vec![false; found.len()];
+    for edge in sides.chunk_by(|a, b| a.edge == b.edge) {
+        let mut passing: Vec<(u32, bool)> = edge
+            .iter()
+            .map(|side| {
+                let (root, differs) = found[side.triangle as usize];
+                (root, side.is_forward != differs)
+            })
+            .collect();
+        passing.sort_unstable();
+        for part in passing.chunk_by(|a, b| a.0 == b.0) {
+            let n_forward = part.iter().filter(|(_, is_forward)| *is_forward).count();
+            is_open[part[0].0 as usize] |= 2 * n_forward != part.len();
+        }
+    }
+    is_open
+}
+
+/// The closed parts, by the triangles that stand for them.
+fn shells(
+    places: &[DVec3],
+    triangles: &[[u32; 3]],
+    found: &[(u32, bool)],
+    is_open: &[bool],
+) -> HashMap<u32, Shell> {
+    let mut shells: HashMap<u32, Shell> = HashMap::new();
+    let Some(whole) = Bounds::of(places.iter().copied()) else { return shells };
+    let size = whole.diagonal();
+    for (corners, &(root, differs)) in triangles.iter().zip(found) {
+        if is_open[root as usize] {
+            continue;
+        }
+        // About a corner of the part, which cancels least, and of size one, which cannot overflow.
+        let about = places[triangles[root as usize][0] as usize];
+        let corners = corners.map(|corner| places[corner as usize]);
+        let [a, b, c] = corners.map(|corner| (corner - about) / size);
+        let term = a.dot(b.cross(c));
+        let bounds = Bounds::of(corners).unwrap_or(Bounds { min: about, max: about });
+        let shell =
+            shells.entry(root).or_insert(Shell { bounds, volume: [0.0; 2], is_mixed: false });
+        shell.bounds = shell.bounds.union(bounds);
+        shell.volume[0] += if differs { -term } else { term };
+        shell.volume[1] += term.abs();
+        shell.is_mixed |= differs;
+    }
+    shells
+}
+
+/// Whether a box is inside of another one.
+fn is_inside(inner: Bounds, outer: Bounds) -> bool {
+    outer.min.cmplt(inner.min).all() && inner.max.cmplt(outer.max).all()
+}
+
+impl Parts {
+    /// The triangle that stands for the part of another one, and whether that faces another way;
+    /// makes the way there short.
+    fn root(&mut self, triangle: u32) -> (u32, bool) {
+        let (mut at, mut differs) = (triangle, false);
+        while self.parents[at as usize].0 != at {
+            let (above, turns) = self.parents[at as usize];
+            let (further, turns_further) = self.parents[above as usize];
+            // What stands for itself does not differ from itself.
+            self.parents[at as usize] = (further, turns ^ turns_further);
+            differs ^= turns ^ turns_further;
+            at = further;
+        }
+        (at, differs)
+    }
+
+    /// Joins the parts of two triangles.
+    fn unite(&mut self, a: u32, b: u32, differ: bool) {
+        let ((a, turns_a), (b, turns_b)) = (self.root(a), self.root(b));
+        if a != b {
+            self.parents[a.max(b) as usize] = (a.min(b), turns_a ^ turns_b ^ differ);
+        }
+    }
+}
