@@ -125,6 +125,11 @@ fn doc(words: &[String], is_search: bool) -> Ending {
             .or_else(|| docs::language::entry(query)),
         (_, true) => None,
     };
+    let foreign = crate::eval::foreign_advice(&query).filter(|_| !is_search && found.is_none());
+    if let Some(advice) = foreign {
+        say(&format!("nothing built in is called `{query}`: {advice}\n"));
+        return Ending::Well;
+    }
     if let Some(text) = found.or_else(|| docs::search(&registry, &query)) {
         say(&text);
         return Ending::Well;

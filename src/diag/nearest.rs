@@ -11,8 +11,10 @@ pub fn nearest<'a>(word: &str, among: impl IntoIterator<Item = &'a str>) -> Opti
     let lower: Vec<char> = word.to_lowercase().chars().collect();
     let n_chars = word.chars().count();
     let most = match n_chars {
-        0..=2 => 1,
-        3..=5 => 2,
+        // Any letter is one mistake from any other.
+        0..=1 => 0,
+        2..=5 => 1,
+        6..=8 => 2,
         _ => 3,
     };
     among
@@ -117,5 +119,9 @@ mod tests {
     fn a_stranger_has_no_neighbour() {
         assert_eq!(nearest("qqq", ["line", "bezier"]), None);
         assert_eq!(nearest("ab", ["x", "cd"]), None);
+        assert_eq!(nearest("x", ["XY", "y"]), None);
+        assert_eq!(nearest("math", ["map"]), None);
+        assert_eq!(nearest("region", ["refine"]), None);
+        assert_eq!(nearest("xy", ["XY"]), Some("XY"));
     }
 }

@@ -39,6 +39,7 @@ pub(crate) use ceiling::out_of_memory;
 pub use claim::{Side, Verdict};
 pub use dependencies::{Graph, Node, graph};
 pub use home::Kept;
+pub(crate) use lower::words::advice as foreign_advice;
 pub use memory::{Memory, Recall, Work};
 pub(crate) use outcome::in_order;
 pub use outcome::{

@@ -8,7 +8,7 @@ mod import;
 mod scope;
 mod statement;
 mod test;
-mod words;
+pub(in crate::eval) mod words;
 
 use std::{
     collections::{BTreeMap, BTreeSet},

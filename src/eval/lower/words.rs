@@ -1,27 +1,74 @@
-//! Words that people bring along from other languages, and what to write here.
+//! Words that people bring along from other languages and programs, and what to write here.
 
-/// What to write instead of `name`, when it is the habit of another language.
-pub(super) fn advice(name: &str) -> Option<&'static str> {
-    Some(match name {
-        "null" | "nil" | "undef" | "undefined" | "None" => "the empty value is written `none`",
-        "True" => "write `true`",
-        "False" => "write `false`",
-        "PI" | "Pi" | "M_PI" => "write `pi`",
-        "var" | "const" | "set" => "definitions begin with `let`",
-        "function" | "def" | "func" | "module" => "functions are defined as `fn name(a, b) = ...`",
-        "return" => "a function is one expression: `fn f(x) = x^2`",
-        "echo" => "write `print`, a statement of its own",
-        "isocurve" | "isocurves" | "isoline" | "iso_curve" => {
-            "an isocurve is the surface with one parameter left out: `s(0.5, _)` or `s(_, 0.5)`"
-        }
-        "umbilic" | "umbilics" => "`describe(s).umbilics` lists the umbilics of a surface",
-        "merge" => "`join` makes one curve of curves, and one surface of patches",
-        "union" | "subtract" | "intersection" => {
-            "surfaces are not combined as solids; `intersect(a, b)` tells where two of them cross"
-        }
-        "cube" | "cuboid" => "write `box(corner, size)`",
-        "linear_extrude" => "write `extrude(curve, vector)`",
-        "rotate_extrude" => "write `revolve(curve)`",
-        _ => return None,
-    })
+/// Words, in lower case and without `_`, and what to write instead of each.
+const FOREIGN: &[(&[&str], &str)] = &[
+    (&["null", "nil", "undef", "undefined", "none"], "the empty value is written `none`"),
+    (&["true"], "write `true`"),
+    (&["false"], "write `false`"),
+    (&["pi", "mpi"], "write `pi`"),
+    (&["math", "np", "numpy"], "functions and constants stand alone: `sqrt(2)`, `pi`"),
+    (&["var", "const", "set"], "definitions begin with `let`"),
+    (&["function", "def", "func", "module"], "functions are defined as `fn name(a, b) = ...`"),
+    (&["lambda"], "a function without a name is written `x => x^2`"),
+    (&["return"], "a function is one expression: `fn f(x) = x^2`"),
+    (&["echo"], "write `print`, a statement of its own"),
+    (&["read", "open", "readcsv"], "write `load(\"points.csv\")`"),
+    (&["isocurve", "isocurves", "isoline"], ISOCURVE),
+    (&["umbilic", "umbilics"], "`describe(s).umbilics` lists the umbilics of a surface"),
+    (&["merge"], "`join` makes one curve of curves, and one surface of patches"),
+    (&["union", "subtract", "difference", "intersection", "boolean", "cut"], NO_SOLIDS),
+    (
+        &["color", "colour", "material"],
+        "a definition has a colour: `curve c = ... with (color = \"red\")`",
+    ),
+    (&["move", "moved", "shift"], "write `translate(g, vector)`"),
+    (&["rotated", "turn", "orient"], "write `rotate(g, angle)`"),
+    (&["mirrored", "reflect", "flipped"], "write `mirror(g, plane)`"),
+    (&["resize", "scaled", "scale1d"], "write `scale(g, factor)`"),
+    (&["multmatrix", "affine"], "write `transform(...)`; `virote doc transform` tells how"),
+    (&["cube", "cuboid", "makebox"], "write `box(corner, size)`"),
+    (&["linearextrude", "extrudecrv"], "write `extrude(curve, vector)`"),
+    (&["rotateextrude", "lathe", "revsrf", "surfaceofrevolution"], "write `revolve(curve)`"),
+    (&["loftsrf", "multisection", "blendsurface"], "write `skin([a, b, c])`"),
+    (&["sweep1", "sweep2", "pipe"], "write `sweep(section, path)`"),
+    (&["networksrf", "curvenetwork"], "write `gordon(u, v)`"),
+    (&["edgesrf", "patch"], "write `coons(u, v)`"),
+    (&["planarsrf", "makeface", "region", "face"], "write `planar_mesh(curve)`"),
+    (
+        &["bsplinecurve", "nurbscurve"],
+        "write `bspline(points)`, or `nurbs(points, ...)` with weights",
+    ),
+    (&["spline", "interpcrv", "interpolatecurve", "makespline"], "write `interpolate(points)`"),
+    (&["approximatecurve", "fitcrv", "rebuild"], "write `approximate(points, ...)`"),
+    (
+        &["centerarc", "makecircle"],
+        "write `arc(center, radius, from, to)`, or `circle(center, radius)`",
+    ),
+    (&["threepointarc", "arc3pt"], "write `arc_through(a, b, c)`"),
+    (&["dividecurve", "dividelength"], "write `divide(curve, n)`"),
+    (
+        &["curveclosestpoint", "surfaceclosestpoint", "crvcp", "pullpoint"],
+        "write `closest(g, point)`",
+    ),
+    (
+        &["evaluatecurve", "evaluatesurface", "evaluatesingle", "evalcrv"],
+        "a curve is called as `c(t)`, a surface as `s(u, v)`",
+    ),
+    (&["curvelength", "lengthcurve", "arclength"], "write `length(curve)`"),
+    (&["findctrlpts", "ctrlpts", "controlpoints", "poles"], "write `c.points`"),
+    (&["splitcurve", "shatter"], "write `split(curve, t)`"),
+    (&["offsetcrv", "offset2d", "offsetsrf"], "write `offset(g, distance)`"),
+    (&["concat", "append"], "write `flatten([a, b])`"),
+];
+
+const ISOCURVE: &str =
+    "an isocurve is the surface with one parameter left out: `s(0.5, _)` or `s(_, 0.5)`";
+const NO_SOLIDS: &str =
+    "surfaces are not combined as solids; `intersect(a, b)` tells where two of them cross";
+
+/// What to write instead of `name`, when it is the habit of another language or program.
+pub(crate) fn advice(name: &str) -> Option<&'static str> {
+    let plain = name.replace('_', "").to_lowercase();
+    let row = FOREIGN.iter().find(|(words, _)| words.contains(&plain.as_str()));
+    row.map(|&(_, advice)| advice)
 }

@@ -12,6 +12,7 @@ const HABITS: &[(&str, &str)] = &[
     ("def", "fn"),
     ("func", "fn"),
     ("fun", "fn"),
+    ("module", "fn"),
     ("const", "let"),
     ("var", "let"),
     ("val", "let"),
@@ -77,6 +78,9 @@ fn name(place: &Place<'_, '_, '_>) -> Diagnostic {
     let keywords = Token::STATEMENTS.iter().map(|keyword| keyword.text());
     match place.slip(keywords) {
         Some(keyword) if is_statement => diagnostic.label(guess(keyword)),
+        _ if follows == Token::OpenParen && defines_function(place) => {
+            diagnostic.label(guess(&format!("fn {text}(...) = ...")))
+        }
         _ if matches!(follows, Token::OpenParen | Token::Dot | Token::OpenBracket) => {
             lone_expression(place)
         }
@@ -84,6 +88,17 @@ fn name(place: &Place<'_, '_, '_>) -> Diagnostic {
             "statements begin with `let`, `param`, `fn`, `point`, `curve`, `surface`, `mesh`, `table`, `check`, `print`, `export`, `import` or `test`",
         ),
     }
+}
+
+/// Whether `f(a, b)` is followed by `=`.
+fn defines_function(place: &Place<'_, '_, '_>) -> bool {
+    /// Tokens of a list of parameters that are looked at.
+    const MOST: usize = 64;
+    let tokens = || (place.at + 1..).take(MOST).map(|at| (at, place.script.token(at)));
+    let end = tokens().find(|(_, token)| matches!(token, Token::CloseParen | Token::End));
+    end.is_some_and(|(at, token)| {
+        token == Token::CloseParen && place.script.token(at + 1) == Token::Equals
+    })
 }
 
 fn lone_expression(place: &Place<'_, '_, '_>) -> Diagnostic {
@@ -111,6 +126,9 @@ pub(crate) fn trailing(script: &Script<'_, '_>, start: usize, at: usize) -> Opti
             let meant = slip_of_part(&place).unwrap_or_default();
             place.guess("the next statement", meant)
         }
+        Token::Name if before == Token::Name && is_of_lists(script.text(at - 1)) => place
+            .wrong(format!("`{}` is called with a list and a function", script.text(at - 1)))
+            .hint(format!("write `{}(xs, x => x < 3)`", script.text(at - 1))),
         Token::OpenParen => call_of_literal(&place),
         Token::LineMinus | Token::LineParen | Token::LineBracket => beginning(&place),
         Token::Within => place.wrong("`within` belongs to `~=`").hint("write `a ~= b within 1e-9`"),
@@ -143,6 +161,11 @@ fn slip_of_part<'w>(place: &Place<'_, '_, '_>) -> Option<&'w str> {
         Token::Import => place.slip(["as", "with"]),
         _ => place.slip(["with", "and", "or"]),
     }
+}
+
+/// Whether a name is one of the built-ins that ask each element of a list.
+fn is_of_lists(text: &str) -> bool {
+    matches!(text, "every" | "any")
 }
 
 fn is_unit(text: &str) -> bool {
