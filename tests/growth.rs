@@ -187,6 +187,29 @@ const SHAPES: &[Shape] = &[
     ),
     ("`bounds` of a list", "let a = bounds([for i in 0..@: line((i, 0), (i, 1))])\n", "", "", ""),
     ("`interpolate`", "let a = interpolate([for i in 0..@: (i, sin(i))])\n", "", "", ""),
+    (
+        "`intersect` of a polyline with a line that it never meets",
+        "let a = intersect(polyline([for i in 0..@: (i, i % 2)]), line((0, 2), (@, 2)))\n",
+        "",
+        "",
+        "",
+    ),
+    (
+        "`intersect` of two polylines beside one another",
+        "let a = intersect(polyline([for i in 0..@: (i, i % 2)]), \
+         polyline([for i in 0..@: (i, i % 2 + 3)]))\n",
+        "",
+        "",
+        "",
+    ),
+    (
+        "`intersect` of two polylines that cross in each step",
+        "let a = intersect(polyline([for i in 0..@: (i, i % 2)]), \
+         polyline([for i in 0..@: (i, 0.7 - i % 2)]))\n",
+        "",
+        "",
+        "",
+    ),
     ("`helix`", "let a = helix((0, 0), 1, 1, @)\n", "", "", ""),
 ];
 

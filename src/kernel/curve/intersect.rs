@@ -99,12 +99,10 @@ impl NurbsCurve {
         }
         let mut search = Search::new(self, other, tolerance, *left);
         let mut pairs = Vec::new();
-        let others = parts(other);
-        for own in parts(self) {
-            for other in others.iter().filter(|other| own.may_meet(other, tolerance)) {
-                search.check_shared(&own, other)?;
-                pairs.push((own.clone(), other.clone()));
-            }
+        let (pieces, others) = (parts(self), parts(other));
+        for (i, j) in near_pairs_between(&pieces, &others, tolerance) {
+            search.check_shared(&pieces[i], &others[j])?;
+            pairs.push((pieces[i].clone(), others[j].clone()));
         }
         *left = search.run(pairs)?;
         search.finish()
@@ -310,17 +308,53 @@ impl<'c> Search<'c> {
 /// Pairs of pieces whose boxes are within the tolerance of one another, in order. Found along the
 /// axis on which the pieces spread most, so that not all pairs are looked at.
 fn near_pairs(pieces: &[Part], tolerance: f64) -> Vec<(usize, usize)> {
-    let whole = pieces.iter().map(|piece| piece.bounds).reduce(Bounds::union);
-    let axis = whole.map_or(0, |whole| (whole.max - whole.min).max_position());
-    let mut order: Vec<usize> = (0..pieces.len()).collect();
-    order.sort_by(|&i, &j| pieces[i].bounds.min[axis].total_cmp(&pieces[j].bounds.min[axis]));
+    let axis = longest_axis(pieces);
+    let order = by_start(pieces, axis);
     let mut pairs = Vec::new();
     for (place, &i) in order.iter().enumerate() {
         let end = pieces[i].bounds.max[axis] + tolerance;
         let beside = order[place + 1..].iter().take_while(|&&j| pieces[j].bounds.min[axis] <= end);
-        let near = beside.filter(|&&j| pieces[i].may_meet(&pieces[j], tolerance));
+        let near =
+            beside.filter(|&&j| work::goes_on(1) && pieces[i].may_meet(&pieces[j], tolerance));
         pairs.extend(near.map(|&j| (i.min(j), i.max(j))));
     }
     pairs.sort_unstable();
     pairs
+}
+
+/// [`near_pairs`] of a piece of the first curve and one of the second: of each pair one starts
+/// first along the axis, and the other before that one ends.
+fn near_pairs_between(first: &[Part], second: &[Part], tolerance: f64) -> Vec<(usize, usize)> {
+    let axis = longest_axis(first.iter().chain(second));
+    let orders = [by_start(first, axis), by_start(second, axis)];
+    let start = |piece: &Part| piece.bounds.min[axis];
+    let end = |piece: &Part| piece.bounds.max[axis] + tolerance;
+    let mut pairs = Vec::new();
+    for (i, own) in first.iter().enumerate() {
+        let from = orders[1].partition_point(|&j| start(&second[j]) < start(own));
+        let beside = orders[1][from..].iter().take_while(|&&j| start(&second[j]) <= end(own));
+        let near = beside.filter(|&&j| work::goes_on(1) && own.may_meet(&second[j], tolerance));
+        pairs.extend(near.map(|&j| (i, j)));
+    }
+    for (j, other) in second.iter().enumerate() {
+        let from = orders[0].partition_point(|&i| start(&first[i]) <= start(other));
+        let beside = orders[0][from..].iter().take_while(|&&i| start(&first[i]) <= end(other));
+        let near = beside.filter(|&&i| work::goes_on(1) && first[i].may_meet(other, tolerance));
+        pairs.extend(near.map(|&i| (i, j)));
+    }
+    pairs.sort_unstable();
+    pairs
+}
+
+/// The axis on which the pieces spread most.
+fn longest_axis<'p>(pieces: impl IntoIterator<Item = &'p Part>) -> usize {
+    let whole = pieces.into_iter().map(|piece| piece.bounds).reduce(Bounds::union);
+    whole.map_or(0, |whole| (whole.max - whole.min).max_position())
+}
+
+/// The pieces in the order in which they start along an axis.
+fn by_start(pieces: &[Part], axis: usize) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..pieces.len()).collect();
+    order.sort_by(|&i, &j| pieces[i].bounds.min[axis].total_cmp(&pieces[j].bounds.min[axis]));
+    order
 }
