@@ -132,7 +132,9 @@ fn whatever_is_wrong_leaves_the_document_as_it_was() {
     assert!(!err.contains("virote failed"), "{err}");
     assert_eq!(out.matches("user = 42\n").count(), wrong.len() + 1, "{out}\n{err}");
     assert_eq!(code, 2);
-    for text in ["did you mean `:list`?", "did you mean `bezier`?", "is not UTF-8", "wrong.geo:2"] {
+    for text in
+        ["did you mean `:list`?", "did you mean `bezier`?", "save it as UTF-8", "wrong.geo:2"]
+    {
         assert!(err.contains(text), "`{text}` is missing in {err}");
     }
 }

@@ -22,7 +22,7 @@ const FOREIGN: &[(&[&str], &str)] = &[
         "a definition has a colour: `curve c = ... with (color = \"red\")`",
     ),
     (&["move", "moved", "shift"], "write `translate(g, vector)`"),
-    (&["rotated", "turn", "orient"], "write `rotate(g, angle)`"),
+    (&["rotated", "turn"], "write `rotate(g, angle)`"),
     (&["mirrored", "reflect", "flipped"], "write `mirror(g, plane)`"),
     (&["resize", "scaled", "scale1d"], "write `scale(g, factor)`"),
     (&["multmatrix", "affine"], "write `transform(...)`; `virote doc transform` tells how"),

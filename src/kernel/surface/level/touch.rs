@@ -327,12 +327,9 @@ impl Crossing<'_> {
     fn difference_inside(&self, seen: &Seen, step: DVec2) -> Option<(DVec2, f64)> {
         let ahead = seen.moved(step, step);
         let share = (0..4).fold(1.0, |share: f64, i| {
-            let end = within(self.domains[i], ahead[i]);
-            if end == ahead[i] {
-                share
-            } else {
-                share.min((end - seen.at[i]) / (ahead[i] - seen.at[i]))
-            }
+            let (whole, inside) =
+                (ahead[i] - seen.at[i], within(self.domains[i], ahead[i]) - seen.at[i]);
+            if inside.abs() < whole.abs() { share.min(inside / whole) } else { share }
         });
         // The foot may be beyond an end that the step itself is not.
         let shares =

@@ -45,7 +45,7 @@ impl Meeting<'_> {
     }
 
     /// How far a point is from the plane of a section.
-    fn from_plane(&self, point: DVec3) -> f64 {
+    fn height_over_plane(&self, point: DVec3) -> f64 {
         match self {
             Self::Surfaces(_) => 0.0,
             Self::Section { plane, .. } => (point - plane.origin()).dot(plane.z()).abs(),
@@ -125,7 +125,7 @@ fn is_on(curve: &NurbsCurve, meeting: &Meeting<'_>, tolerance: f64) -> Result<()
             let point = curve.point_at(pair[0].0 + (pair[1].0 - pair[0].0) * share);
             let from_surfaces = surfaces.iter_mut().map(|under| under.distance(point, tolerance));
             // What is no number is off too.
-            let distance = from_surfaces.fold(meeting.from_plane(point), |far, near| {
+            let distance = from_surfaces.fold(meeting.height_over_plane(point), |far, near| {
                 if far.is_nan() || near <= far { far } else { near }
             });
             let is_near = distance <= tolerance;
@@ -160,7 +160,7 @@ fn stands_once<'c>(
         let around = other.bounds();
         told_twice(places.iter().copied().filter(|&point| is_of(other, around, point)).collect())?;
     }
-    let mut again = vec![false; N_PLACES];
+    let mut again = [false; N_PLACES];
     for (i, pair) in ends.windows(2).enumerate() {
         let piece = curve.trimmed(Interval::new(pair[0], pair[1])?)?;
         let around = piece.bounds();

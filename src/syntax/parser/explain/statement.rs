@@ -126,7 +126,7 @@ pub(crate) fn trailing(script: &Script<'_, '_>, start: usize, at: usize) -> Opti
             let meant = slip_of_part(&place).unwrap_or_default();
             place.guess("the next statement", meant)
         }
-        Token::Name if before == Token::Name && is_of_lists(script.text(at - 1)) => place
+        Token::Name if before == Token::Name && script.token(at + 1) == Token::In => place
             .wrong(format!("`{}` is called with a list and a function", script.text(at - 1)))
             .hint(format!("write `{}(xs, x => x < 3)`", script.text(at - 1))),
         Token::OpenParen => call_of_literal(&place),
@@ -161,11 +161,6 @@ fn slip_of_part<'w>(place: &Place<'_, '_, '_>) -> Option<&'w str> {
         Token::Import => place.slip(["as", "with"]),
         _ => place.slip(["with", "and", "or"]),
     }
-}
-
-/// Whether a name is one of the built-ins that ask each element of a list.
-fn is_of_lists(text: &str) -> bool {
-    matches!(text, "every" | "any")
 }
 
 fn is_unit(text: &str) -> bool {
