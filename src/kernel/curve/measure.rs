@@ -72,10 +72,15 @@ impl NurbsCurve {
         let leg = |span: usize| {
             let own = self.knots.span_interval(span);
             let ends = [own.start().max(interval.start()), own.end().min(interval.end())];
+            if ends[1] <= ends[0] {
+                return 0.0;
+            }
             let [a, b] = ends.map(|t| self.velocity_on(span, t)[0]);
-            if ends[0] < ends[1] { norm(b - a) } else { 0.0 }
+            norm(b - a)
         };
-        self.knots.spans().map(leg).sum()
+        let [first, last] = [interval.start(), interval.end()].map(|t| self.knots.span_at(t));
+        let knots = self.knots.as_slice();
+        (first..=last).filter(|&span| knots[span] < knots[span + 1]).map(leg).sum()
     }
 
     /// The curve about the middle of its box, if that is far away: differences of coordinates there
