@@ -21,6 +21,7 @@ mod hull;
 mod interval;
 pub mod jet;
 mod joint;
+mod joint_tolerance;
 mod jump;
 mod knots;
 mod lazy;
@@ -57,6 +58,7 @@ pub use gordon::{Changes, Gordon, Network, NetworkError, gordon};
 pub use grid::Grid;
 pub use interval::Interval;
 pub use jet::Jet;
+pub use joint_tolerance::JointTolerance;
 pub use jump::JumpError;
 pub use knots::{KnotClass, KnotVector, Side};
 pub use mesh::{

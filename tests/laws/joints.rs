@@ -2,7 +2,9 @@
 
 use glam::{DAffine3, DVec3};
 use proptest::{prop_assert, prop_assert_eq, proptest};
-use virote::kernel::{CircleForm, Continuity, Curve, Interval, KnotVector, NurbsCurve, Tolerance};
+use virote::kernel::{
+    CircleForm, Continuity, Curve, Interval, JointTolerance, KnotVector, NurbsCurve, Tolerance,
+};
 
 use crate::some::curve;
 
@@ -177,5 +179,30 @@ proptest! {
         let back = joint(&b.reversed(), &a.reversed());
         prop_assert_eq!((forth.c, forth.g, forth.c_homogeneous), (back.c, back.g, back.c_homogeneous));
         prop_assert!((forth.angle - back.angle).abs() < 1e-9);
+    }
+
+    #[test]
+    fn limits_that_are_asked_for_decide(a in curve(), b in curve(), gap in 1e-4..1.0) {
+        let b = b.transformed(&DAffine3::from_translation(a.end() - b.start() + gap * DVec3::Z));
+        let [a, b] = [a, b].map(Curve::from);
+        let found = a.continuity_with(&b, Tolerance::DEFAULT).unwrap();
+        prop_assert_eq!(found.g, -1);
+        let asked = |distance: f64, angle: f64, curvature_gap: f64| {
+            let [distance, angle, curvature_gap] = [distance, angle, curvature_gap].map(Some);
+            let document = Tolerance::DEFAULT;
+            let asked = JointTolerance { document, distance, angle, curvature_gap };
+            let joint = a.continuity_with(&b, asked).unwrap();
+            (joint.g, joint.c <= joint.g)
+        };
+        // A thousandth above and below each, where rounding does not count.
+        let (above, below) = (1.001, 0.999);
+        let (gap, angle) = (found.gap, found.angle);
+        if let Some(bend) = found.curvature_gap && 1e-3 < angle && 1e-3 < bend {
+            prop_assert_eq!(asked(below * gap, above * angle, above * bend), (-1, true));
+            prop_assert_eq!(asked(above * gap, below * angle, above * bend), (0, true));
+            prop_assert_eq!(asked(above * gap, above * angle, below * bend), (1, true));
+            let (g, holds) = asked(above * gap, above * angle, above * bend);
+            prop_assert!(2 <= g && holds);
+        }
     }
 }

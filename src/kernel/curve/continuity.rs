@@ -4,8 +4,9 @@ use glam::{DVec3, DVec4};
 
 use super::{Curve, LocalGeometry, Neighbourhood, series};
 use crate::kernel::{
-    GeomError, Side, Tolerance,
+    GeomError, JointTolerance, Side,
     frame::{angle_between, norm},
+    joint_tolerance::Agreement,
     tolerance::{EXACT_RELATIVE, PLACE_RELATIVE},
 };
 
@@ -44,9 +45,11 @@ struct Ending {
 impl Curve {
     /// How `next` goes on where this curve ends.
     ///
-    /// Points are compared by the tolerance's distance, directions and all that is higher by its
-    /// angle, relative to the size of the pieces. Barsky & DeRose, *Geometric continuity of
-    /// parametric curves*.
+    /// Points are compared by the document's distance, directions and all that is higher by its
+    /// angle, relative to the size of the pieces. Where a distance, an angle or a curvature gap is
+    /// asked for, it decides in their place on points, directions and curvature vectors, and the
+    /// orders by the parameter are no higher than the geometric one. Barsky & DeRose, *Geometric
+    /// continuity of parametric curves*.
     ///
     /// # Errors
     /// [`GeomError::VanishingTangent`] where one of the curves stays at one point, and as
@@ -54,8 +57,9 @@ impl Curve {
     pub fn continuity_with(
         &self,
         next: &Self,
-        tolerance: Tolerance,
+        tolerance: impl Into<JointTolerance>,
     ) -> Result<Continuity, GeomError> {
+        let tolerance = tolerance.into();
         let end = self.ending(self.domain().end(), Side::Left)?;
         Ok(joint(&end, &next.ending(next.domain().start(), Side::Right)?, tolerance))
     }
@@ -68,7 +72,11 @@ impl Curve {
     /// # Errors
     /// [`GeomError::VanishingTangent`] where a piece stays at one point, and as
     /// [`Self::spline`].
-    pub fn continuity(&self, tolerance: Tolerance) -> Result<Continuity, GeomError> {
+    pub fn continuity(
+        &self,
+        tolerance: impl Into<JointTolerance>,
+    ) -> Result<Continuity, GeomError> {
+        let tolerance = tolerance.into();
         let domain = self.domain();
         let mut worst = Continuity::PERFECT;
         let sides = [Side::Left, Side::Right];
@@ -92,7 +100,7 @@ impl Curve {
             let [before, after] = sides.map(|side| self.ending_near(t, side));
             worst = worst.or_worse(joint(&before?, &after?, tolerance));
         }
-        if self.is_closed(tolerance.distance) {
+        if self.is_closed(tolerance.closed_within()) {
             worst = worst.or_worse(self.continuity_with(self, tolerance)?);
         }
         Ok(worst)
@@ -149,7 +157,7 @@ impl Continuity {
     }
 }
 
-fn joint(before: &Ending, after: &Ending, tolerance: Tolerance) -> Continuity {
+fn joint(before: &Ending, after: &Ending, tolerance: JointTolerance) -> Continuity {
     let (k_before, k_after) = (before.local.curvature_vector(), after.local.curvature_vector());
     let spatial = |ending: &Ending| -> Vec<DVec4> {
         ending.derivatives.iter().map(|derivative| derivative.extend(0.0)).collect()
@@ -163,16 +171,23 @@ fn joint(before: &Ending, after: &Ending, tolerance: Tolerance) -> Continuity {
     };
     let bounds = Bounds::new(before, after, tolerance);
     let gap = before.local.point().distance(after.local.point());
-    let c = bounds.order([&spatial(before), &spatial(after)], 1.0);
-    let g = if bounds.distance < gap { -1 } else { geometric_order(before, after, &bounds) };
+    let by_parameter = bounds.order([&spatial(before), &spatial(after)], 1.0);
+    let homogeneous = bounds.order([&scaled(before), &scaled(after)], before.homogeneous[0].w);
+    // Where the curve moves, what agrees by the parameter agrees by arc length.
+    let moves = bounds.moves([before, after]);
+    let known = if moves { usize::try_from(by_parameter).unwrap_or(0) } else { 0 };
+    let g = match bounds.distance < gap {
+        true => -1,
+        false => geometric(before, after, &bounds).order(known) as i32,
+    };
+    let no_more = |order: i32| if moves { order.min(g) } else { order };
     Continuity {
-        c,
-        // Where the curve moves, what agrees by the parameter agrees by arc length.
-        g: if bounds.moves([before, after]) { g.max(c) } else { g },
+        c: no_more(by_parameter),
+        g,
         gap,
         angle: angle_between(before.local.tangent(), after.local.tangent()),
         curvature_gap: k_before.zip(k_after).map(|(a, b)| norm(a - b)),
-        c_homogeneous: bounds.order([&scaled(before), &scaled(after)], before.homogeneous[0].w),
+        c_homogeneous: no_more(homogeneous),
     }
 }
 
@@ -184,12 +199,13 @@ struct Bounds<'a> {
     distance: f64,
     /// By how far two ways to write one curve differ.
     exact: f64,
-    /// Of directions, and of anything else relative to its size.
-    angle: f64,
+    /// Of anything else, relative to its size.
+    relative: f64,
+    asked: JointTolerance,
 }
 
 impl<'a> Bounds<'a> {
-    fn new(before: &'a Ending, after: &'a Ending, tolerance: Tolerance) -> Self {
+    fn new(before: &'a Ending, after: &'a Ending, tolerance: JointTolerance) -> Self {
         let extent = before.local.extent().max(after.local.extent());
         let points = [before, after].map(|ending| ending.local.point().abs().max_element());
         let exact = EXACT_RELATIVE * (points[0].max(points[1]) + extent);
@@ -198,8 +214,9 @@ impl<'a> Bounds<'a> {
             exact,
             sides: [before, after],
             step: before.reach.min(after.reach),
-            distance: tolerance.distance_for(extent).max(before.rounding).max(after.rounding),
-            angle: tolerance.angle,
+            distance: tolerance.distance_for(extent, before.rounding.max(after.rounding)),
+            relative: tolerance.document.angle,
+            asked: tolerance,
         }
     }
 
@@ -227,7 +244,7 @@ impl<'a> Bounds<'a> {
             derivatives.iter().zip(series::powers(self.step)).map(|(&d, power)| d * power).collect()
         });
         let size = terms.iter().flat_map(|terms| &terms[1..]).map(|term| term.length());
-        let relative = self.angle * size.fold(0.0, f64::max);
+        let relative = self.relative * size.fold(0.0, f64::max);
         let differs = |k: usize| {
             let allowed = if k == 0 {
                 self.distance * weight
@@ -241,27 +258,40 @@ impl<'a> Bounds<'a> {
     }
 }
 
-/// The highest order up to which all derivatives by arc length agree, where the points do.
-fn geometric_order(before: &Ending, after: &Ending, bounds: &Bounds<'_>) -> i32 {
+/// Which derivatives by arc length agree, where the points do.
+fn geometric(before: &Ending, after: &Ending, bounds: &Bounds<'_>) -> Agreement<MAX_ORDER> {
     let (a, b) = (&before.local, &after.local);
-    if bounds.angle < angle_between(a.tangent(), b.tangent()) {
-        return 0;
-    }
     // Derivatives by arc length, and by how far they part the pieces over the shorter one.
     let extent = a.extent().min(b.extent());
-    let agree = |a: DVec3, b: DVec3, unit: f64, order: usize| {
+    let unseen = |apart: f64, order: usize| {
         let factorial: f64 = (2..=order).map(|k| k as f64).product();
-        let size = norm(a).max(norm(b)).max(factorial / unit);
-        let apart = bounds.rounding(order).max(bounds.exact);
-        let allowed = (bounds.angle * size).max(factorial * apart / extent / unit);
-        norm(a - b) <= allowed
+        factorial * apart / libm::pow(extent, order as f64)
     };
-    match a.curvature_vector().zip(b.curvature_vector()) {
-        Some((a, b)) if agree(a, b, extent, 2) => {}
-        _ => return 1,
-    }
-    match a.curvature_slope().zip(b.curvature_slope()) {
-        Some((a, b)) if agree(a, b, extent * extent, 3) => MAX_ORDER as i32,
-        _ => 2,
+    let agree = |a: DVec3, b: DVec3, order: usize| {
+        let size = norm(a).max(norm(b)).max(unseen(extent, order));
+        let apart = unseen(bounds.rounding(order).max(bounds.exact), order);
+        norm(a - b) <= (bounds.relative * size).max(apart)
+    };
+    // What was asked for counts down to the rounding.
+    let within = |found: f64, asked: f64, order: usize| {
+        found <= asked.max(unseen(bounds.rounding(order), order))
+    };
+    let turn = angle_between(a.tangent(), b.tangent());
+    let direction = match bounds.asked.angle {
+        Some(asked) => within(turn, asked, 1),
+        None => turn <= bounds.relative,
+    };
+    let curvatures = a.curvature_vector().zip(b.curvature_vector());
+    let curvature = curvatures.is_some_and(|(a, b)| match bounds.asked.curvature_gap {
+        Some(asked) => within(norm(a - b), asked, 2),
+        None => agree(a, b, 2),
+    });
+    let slopes = a.curvature_slope().zip(b.curvature_slope());
+    Agreement {
+        orders: [
+            (direction, bounds.asked.angle.is_some()),
+            (curvature, bounds.asked.curvature_gap.is_some()),
+            (slopes.is_some_and(|(a, b)| agree(a, b, 3)), false),
+        ],
     }
 }

@@ -15,6 +15,7 @@ use super::{
 use crate::kernel::{
     Frame, Interval, Side, Tolerance,
     bernstein::{derivative, product},
+    frame::angle_between,
     roots::Signs,
     tolerance::{KNOT_RELATIVE, LAST_BIT, SIDE_STEP, SIGN_RELATIVE, TOUCH_RELATIVE},
     valley::{Valley, edge},
@@ -70,7 +71,7 @@ impl NurbsCurve {
     #[must_use]
     pub fn corners(&self, tolerance: Tolerance) -> Vec<f64> {
         let turns_back = |a: DVec3, b: DVec3| (a + b).length() <= tolerance.angle;
-        self.joints(tolerance, |a, b| tolerance.angle < a.angle_between(b) && !turns_back(a, b))
+        self.joints(tolerance, |a, b| tolerance.angle < angle_between(a, b) && !turns_back(a, b))
     }
 
     /// Parameters where the curve turns back on itself, in order.

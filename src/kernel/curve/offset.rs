@@ -11,7 +11,7 @@ use glam::{DVec3, DVec4};
 use super::{Meeting, NurbsCurve, join};
 use crate::kernel::{
     GeomError, Interval, Side,
-    frame::{norm, unit},
+    frame::{angle_between, norm, unit},
     tolerance::{LAST_BIT, Tolerance},
 };
 
@@ -226,7 +226,7 @@ impl NurbsCurve {
                 continue;
             }
             let [left, right] = [Side::Left, Side::Right].map(|side| self.tangent_at(t, side));
-            if angle < left?.angle_between(right?) {
+            if angle < angle_between(left?, right?) {
                 let [left, right] = rest.split(t)?;
                 parts.push(left);
                 rest = right;

@@ -8,7 +8,9 @@ use glam::DVec3;
 
 use super::align::{Alignment, N_PLACES};
 use crate::kernel::{
-    GeomError, Interval, NurbsCurve, Side, join,
+    GeomError, Interval, NurbsCurve, Side,
+    frame::angle_between,
+    join,
     tolerance::{PLACE_RELATIVE, TURN_RELATIVE},
 };
 
@@ -28,7 +30,7 @@ pub fn corners_of_ring(curve: &NurbsCurve) -> Vec<f64> {
     let turns = |before: f64, behind: f64| {
         let into = curve.tangent_at(before, Side::Left);
         let out = curve.tangent_at(behind, Side::Right);
-        into.ok().zip(out.ok()).map_or(0.0, |(a, b)| a.angle_between(b))
+        into.ok().zip(out.ok()).map_or(0.0, |(a, b)| angle_between(a, b))
     };
     let breaks = curve.knots().breaks();
     let can_turn = |t: &f64| curve.degree() <= curve.knots().times(*t);
@@ -139,7 +141,7 @@ pub fn with_seam_at_corner(
     let turn = |&fraction: &f64| {
         let t = domain.at(fraction);
         let both = [Side::Left, Side::Right].map(|side| curve.tangent_at(t, side).ok());
-        both[0].zip(both[1]).map_or(0.0, |(a, b)| a.angle_between(b))
+        both[0].zip(both[1]).map_or(0.0, |(a, b)| angle_between(a, b))
     };
     let corners = corners_of_ring(curve);
     if corners.first().is_none_or(|&first| first <= 0.0) {

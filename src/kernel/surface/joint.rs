@@ -9,14 +9,12 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{
-    Edge, Surface,
-    border::Border,
-    looked::{Height, Looked},
-};
+use super::{Edge, Surface, border::Border, looked::Looked};
 use crate::kernel::{
-    GeomError, Tolerance,
+    GeomError, JointTolerance,
     frame::{angle_between, unit},
+    joint_tolerance::Agreement,
+    tolerance::EXACT_RELATIVE,
 };
 
 /// The highest order that is compared.
@@ -84,9 +82,11 @@ impl Surface {
     /// How `next` goes on across its edge where this surface ends at an edge, whichever way the
     /// edges run.
     ///
-    /// Points are compared by the tolerance's distance, directions and all that is higher by its
-    /// angle, relative to the size of the pieces. Edges that are one curve with different
-    /// parameters meet, but no better than C0.
+    /// Points are compared by the document's distance, directions and all that is higher by its
+    /// angle, relative to the size of the pieces. Where a distance, an angle or a curvature gap is
+    /// asked for, it decides in their place on points, tangent planes and normal curvatures, and the
+    /// orders by the parameters are no higher than the geometric one. Edges that are one curve with
+    /// different parameters meet, but no better than C0.
     ///
     /// # Errors
     /// [`GeomError::NoNormal`] where a surface has no tangent plane along the whole edge, and as
@@ -96,11 +96,11 @@ impl Surface {
         edge: Edge,
         next: &Self,
         next_edge: Edge,
-        tolerance: Tolerance,
+        tolerance: impl Into<JointTolerance>,
     ) -> Result<SurfaceContinuity, GeomError> {
         let (a, b) = (Border::edge(self, edge), Border::edge(next, next_edge));
         let is_reversed = a.runs_against(&b)?;
-        joint(&a, &b, is_reversed, tolerance)
+        joint(&a, &b, is_reversed, tolerance.into())
     }
 
     /// The edges of both that are nearest to one another.
@@ -126,18 +126,23 @@ impl Surface {
     ///
     /// # Errors
     /// As [`Self::continuity_with`].
-    pub fn continuity(&self, tolerance: Tolerance) -> Result<SurfaceContinuity, GeomError> {
+    pub fn continuity(
+        &self,
+        tolerance: impl Into<JointTolerance>,
+    ) -> Result<SurfaceContinuity, GeomError> {
+        let tolerance = tolerance.into();
+        let closed_within = tolerance.closed_within();
         let mut worst = SurfaceContinuity::PERFECT;
         for [before, after] in Border::inner_knots(self) {
             worst = worst.or_worse(joint(&before, &after, false, tolerance)?);
         }
         let seams = [
-            (self.is_closed_u(tolerance.distance)?, [Edge::U1, Edge::U0]),
-            (self.is_closed_v(tolerance.distance)?, [Edge::V1, Edge::V0]),
+            (self.is_closed_u(closed_within)?, [Edge::U1, Edge::U0]),
+            (self.is_closed_v(closed_within)?, [Edge::V1, Edge::V0]),
         ];
         for (is_closed, edges) in seams {
             let [end, start] = edges.map(|edge| Border::edge(self, edge));
-            if is_closed && end.length()? > tolerance.distance {
+            if is_closed && end.length()? > closed_within {
                 worst = worst.or_worse(joint(&end, &start, false, tolerance)?);
             }
         }
@@ -150,13 +155,13 @@ fn joint(
     a: &Border<'_>,
     b: &Border<'_>,
     is_reversed: bool,
-    tolerance: Tolerance,
+    tolerance: JointTolerance,
 ) -> Result<SurfaceContinuity, GeomError> {
     let mut pairs = a.pairs(b, is_reversed)?;
     let allowed = |pairs: &[[Looked; 2]]| {
         let sizes = pairs.iter().flatten().map(|side| side.extent);
         let rounding = pairs.iter().flatten().map(|side| side.rounding).fold(0.0, f64::max);
-        tolerance.distance_for(sizes.fold(0.0, f64::max)).max(rounding)
+        tolerance.distance_for(sizes.fold(0.0, f64::max), rounding)
     };
     let distance = allowed(&pairs);
     let has_equal_parameters = pairs.iter().all(|[a, b]| a.point().distance(b.point()) <= distance);
@@ -169,7 +174,7 @@ fn joint(
     let distance = allowed(&pairs);
     let mut found = Found { further, ..Found::default() };
     for [a, b] in &pairs {
-        found.look_at(a, b, distance, tolerance.angle);
+        found.look_at(a, b, distance, tolerance);
     }
     let mut joint = found.joint(distance);
     if found.n_planes == 0 && 0 <= joint.g {
@@ -231,28 +236,37 @@ impl Default for Found {
 }
 
 impl Found {
-    fn look_at(&mut self, a: &Looked, b: &Looked, distance: f64, angle: f64) {
+    fn look_at(&mut self, a: &Looked, b: &Looked, distance: f64, asked: JointTolerance) {
         let point = a.point();
         self.gap.raise(point.distance(b.point()), point);
         let turn = if a.is_end == b.is_end { -1.0 } else { 1.0 };
-        let bounds = Bounds { sides: [a, b], distance, angle, turn };
-        let c = bounds.order(1.0, |side| side.across().map(|d| d.extend(0.0)));
-        self.c = self.c.min(c);
         let size = point.abs().max_element() + a.extent.max(b.extent);
+        let exact = EXACT_RELATIVE * size;
+        let bounds =
+            Bounds { sides: [a, b], distance, exact, relative: asked.document.angle, turn };
+        let mut c = bounds.order(1.0, |side| side.across().map(|d| d.extend(0.0)));
         let to_length = DVec3::ONE.extend(size);
         let weight = a.homogeneous.get(0, 0).w;
-        self.c_homogeneous = self
-            .c_homogeneous
-            .min(bounds.order(weight, |side| side.homogeneous_across().map(|d| d * to_length)));
+        let mut homogeneous =
+            bounds.order(weight, |side| side.homogeneous_across().map(|d| d * to_length));
         // Where there are tangent planes, what agrees by the parameters agrees without them.
-        if let Some(g) = self.look_at_shapes(a, b, angle) {
-            self.g = self.g.min(g.max(c));
+        if let Some(geometric) = self.look_at_shapes(&bounds, asked) {
+            let g = 1 + geometric.order(c.saturating_sub(1));
+            self.g = self.g.min(g);
+            (c, homogeneous) = (c.min(g), homogeneous.min(g));
         }
+        self.c = self.c.min(c);
+        self.c_homogeneous = self.c_homogeneous.min(homogeneous);
     }
 
-    /// How many geometric orders agree at a place, from the gap on; none where a side has no
-    /// tangent plane.
-    fn look_at_shapes(&mut self, a: &Looked, b: &Looked, angle: f64) -> Option<usize> {
+    /// Which geometric orders agree at a place, apart from a gap; none where a side has no tangent
+    /// plane.
+    fn look_at_shapes(
+        &mut self,
+        bounds: &Bounds<'_>,
+        asked: JointTolerance,
+    ) -> Option<Agreement<MAX_ORDER>> {
+        let [a, b] = bounds.sides;
         let point = a.point();
         // Unit tangent of the edge, and out of the first surface into the second.
         let along = unit(a.along())?;
@@ -260,36 +274,36 @@ impl Found {
         self.n_planes += 1;
         let turned = angle_between(out, into);
         self.angle.raise(turned, point);
+        let relative = bounds.relative;
         let noise = |order: usize| a.noise(order).max(b.noise(order));
-        let planes_differ = angle.max(noise(1)) < turned;
+        let plane =
+            (turned <= asked.angle.unwrap_or(relative).max(noise(1)), asked.angle.is_some());
+        let is_asked = asked.curvature_gap.is_some();
         let (Some(of_a), Some(of_b)) = (a.height_over([along, out]), b.height_over([along, into]))
         else {
             self.has_curvature = false;
-            return Some(if planes_differ { 1 } else { 2 });
+            return Some(Agreement { orders: [plane, (false, is_asked), (false, false)] });
         };
-        self.curvature.raise(of_a.bend_from(&of_b), point);
+        let bend = of_a.bend_from(&of_b);
+        self.curvature.raise(bend, point);
         let extent = a.extent.min(b.extent);
-        let agree = |difference: f64, size: f64, order: usize| {
-            let unit = libm::pow(extent, order as f64 - 1.0);
+        let agree = |[a, b]: [&[f64]; 2], order: usize| {
+            let largest = |values: &mut dyn Iterator<Item = f64>| {
+                values.fold(0.0, |most: f64, x| most.max(x.abs()))
+            };
+            let difference = largest(&mut a.iter().zip(b).map(|(x, y)| x - y));
+            let size = largest(&mut a.iter().chain(b).copied());
             let factorial: f64 = (2..=order).map(|k| k as f64).product();
-            difference <= (angle * size.max(factorial / unit)).max(noise(order))
+            let unseen = |apart: f64| factorial * apart / libm::pow(extent, order as f64);
+            let apart = noise(order).max(unseen(bounds.exact));
+            difference <= (relative * size.max(unseen(extent))).max(apart)
         };
-        let [second, third] = [|h: &Height| h.second.to_vec(), |h: &Height| h.third.to_vec()];
-        let largest = |values: Vec<f64>| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        let differ = |part: fn(&Height) -> Vec<f64>| {
-            let pairs = part(&of_a).into_iter().zip(part(&of_b));
-            largest(pairs.map(|(x, y)| x - y).collect())
+        let second = match asked.curvature_gap {
+            Some(gap) => bend <= gap.max(noise(2)),
+            None => agree([&of_a.second, &of_b.second], 2),
         };
-        let size = |part: fn(&Height) -> Vec<f64>| largest(part(&of_a)).max(largest(part(&of_b)));
-        Some(if planes_differ {
-            1
-        } else if !agree(differ(second), size(second), 2) {
-            2
-        } else if !agree(differ(third), size(third), 3) {
-            3
-        } else {
-            MAX_ORDER + 1
-        })
+        let third = agree([&of_a.third, &of_b.third], 3);
+        Some(Agreement { orders: [plane, (second, is_asked), (third, false)] })
     }
 
     fn joint(&self, distance: f64) -> SurfaceContinuity {
@@ -320,8 +334,10 @@ impl Found {
 struct Bounds<'a> {
     sides: [&'a Looked; 2],
     distance: f64,
-    /// Of directions, and of anything else relative to its size.
-    angle: f64,
+    /// By how far two ways to write one surface differ.
+    exact: f64,
+    /// Of anything else, relative to its size.
+    relative: f64,
     /// −1 where the parameters across the edge run against one another.
     turn: f64,
 }
@@ -345,11 +361,11 @@ impl Bounds<'_> {
             terms
         });
         let sizes = a[1..].iter().chain(&b[1..]).map(|term| term.length());
-        let relative = self.angle * sizes.fold(0.0, f64::max);
+        let relative = self.relative * sizes.fold(0.0, f64::max);
         let agrees = |k: usize| {
             let allowed = match k {
                 0 => self.distance * weight,
-                _ => relative.max(self.rounding(k) * weight),
+                _ => relative.max(self.rounding(k).max(self.exact) * weight),
             };
             let turn = if k % 2 == 1 { self.turn } else { 1.0 };
             (a[k] - turn * b[k]).length() <= allowed

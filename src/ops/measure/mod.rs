@@ -1,6 +1,7 @@
 //! Questions about geometry.
 
 mod arrows;
+mod asked;
 mod bounds;
 mod curve;
 mod describe;

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{Edge, Surface, SurfaceContinuity},
-    value::{Angle, At, Ctx, IntoValue, Maybe, Record, Value, op},
+    ops::measure::asked::Asked,
+    value::{Angle, At, Ctx, IntoValue, Length, Maybe, Record, Value, op},
 };
 
 op! {
@@ -21,6 +22,11 @@ op! {
     /// largest gap if the edges are apart, else of the largest angle, or curvature gap where the planes
     /// agree. The edges may run opposite ways.
     ///
+    /// What counts as equal is decided by the document's tolerance: points by its distance, tangent
+    /// planes within 1e-9 rad, and all that is higher to 1e-9 of its size. `tolerance`, `angle` and
+    /// `curvature_gap` ask for other limits of the fields `gap`, `angle` and `curvature_gap`; an order
+    /// fails where the field exceeds its limit, and `c` is then no higher than `g`.
+    ///
     /// Of NURBS each piece is compared in more places than a difference of its degree could have
     /// zeros; of `parametric` surfaces in 129. Linkeová, *Curves and Surfaces for Computer Graphics*,
     /// Definitions 1.32 to 1.34; Peters, *Geometric continuity*.
@@ -33,20 +39,29 @@ op! {
         edge_a: Spanned<Maybe<Edge>>,
         /// The edge of the second where it begins.
         edge_b: Spanned<Maybe<Edge>>,
+        /// How far the edges may be apart; otherwise the document's tolerance, at most a thousandth
+        /// of the size.
+        tolerance: Option<Spanned<Length>>,
+        /// By how much tangent planes may differ for G1.
+        angle: Option<Spanned<Angle>>,
+        /// By how much normal curvatures may differ for G2.
+        curvature_gap: Option<Spanned<f64>>,
     }
     example "continuity(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), bilinear((1, 0), (1, 1), (3, 0), (3, 1)), \"u1\", \"u0\").c" => "0";
     example "continuity(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), bilinear((1, 0), (1, 1), (3, 0), (3, 1)), \"u1\", \"u0\").g" => "3";
     example "continuity(bspline([[(0, 0), (0, 1)], [(1, 0), (1, 1)], [(1, 0, 1), (1, 1, 1)]], degree = 1)).angle" => "90deg";
+    example "continuity(bspline([[(0, 0), (0, 1)], [(1, 0), (1, 1)], [(2, 0, 0.01), (2, 1, 0.01)]], degree = 1), angle = 1deg).g" => "3";
     refuses "continuity(plane_patch((0, 0), (1, 0), (0, 1)), plane_patch((0, 0), (1, 0), (0, 1)))" => "E0401: two surfaces are compared along one edge of each";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     let a = &args.a.value;
+    let asked =
+        Asked { tolerance: args.tolerance, angle: args.angle, curvature_gap: args.curvature_gap };
+    let tolerance = asked.over(ctx.tolerance)?;
     let found = match (args.b.value.0, args.edge_a.value.0, args.edge_b.value.0) {
-        (None, None, None) => a.continuity(ctx.tolerance),
-        (Some(b), Some(edge_a), Some(edge_b)) => {
-            a.continuity_with(edge_a, &b, edge_b, ctx.tolerance)
-        }
+        (None, None, None) => a.continuity(tolerance),
+        (Some(b), Some(edge_a), Some(edge_b)) => a.continuity_with(edge_a, &b, edge_b, tolerance),
         (b, ..) => {
             let message = "two surfaces are compared along one edge of each";
             let mistake = Diagnostic::error(Code::BadCall, ctx.span, message);

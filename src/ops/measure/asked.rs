@@ -1,0 +1,41 @@
+//! Limits that a script asks for where pieces of geometry meet.
+
+use crate::{
+    diag::{Code, Diagnostic, Result, Span, Spanned},
+    kernel::{JointTolerance, Tolerance},
+    ops::positive,
+    value::{Angle, Length, shortest},
+};
+
+/// The options of `continuity`.
+pub(super) struct Asked {
+    pub(super) tolerance: Option<Spanned<Length>>,
+    pub(super) angle: Option<Spanned<Angle>>,
+    pub(super) curvature_gap: Option<Spanned<f64>>,
+}
+
+impl Asked {
+    /// What counts as equal at a joint in a document of this tolerance.
+    pub(super) fn over(self, document: Tolerance) -> Result<JointTolerance> {
+        let distance =
+            self.tolerance.map(|length| positive("the tolerance", length)).transpose()?;
+        if let Some(angle) = self.angle.filter(|angle| angle.value.0 <= 0.0) {
+            let degrees = shortest(angle.value.0.to_degrees());
+            return refused(format!("the angle must be positive, found {degrees}deg"), angle.span);
+        }
+        if let Some(gap) = self.curvature_gap.filter(|gap| gap.value <= 0.0) {
+            let found = shortest(gap.value);
+            return refused(format!("the curvature gap must be positive, found {found}"), gap.span);
+        }
+        Ok(JointTolerance {
+            document,
+            distance,
+            angle: self.angle.map(|angle| angle.value.0),
+            curvature_gap: self.curvature_gap.map(|gap| gap.value),
+        })
+    }
+}
+
+fn refused<T>(message: String, span: Span) -> Result<T> {
+    Diagnostic::error(Code::Degenerate, span, message).fail()
+}
