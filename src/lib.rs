@@ -11,10 +11,11 @@ pub mod diag;
 pub mod docs;
 pub mod eval;
 pub mod export;
-pub mod kernel;
 pub mod limits;
 pub mod ops;
 pub mod render;
 pub mod session;
 pub mod syntax;
 pub mod value;
+
+pub use virote_kernel as kernel;

@@ -2,7 +2,7 @@
 //!
 //! Algorithms receive the ceiling they obey; none is written where it is used.
 
-pub mod work;
+pub use crate::kernel::work;
 
 /// The ceilings of one run.
 ///

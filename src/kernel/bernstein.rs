@@ -9,17 +9,13 @@ use std::{
 use glam::DVec4;
 
 use super::bezier;
-use crate::limits::work;
+use crate::work;
 
 /// Bernstein coefficients of the product of two polynomials on one interval, of any kind of
 /// values; `times` multiplies these. O(p·q).
 ///
 /// Farouki & Rajan, *Algorithms for polynomials in Bernstein form*, CAGD 5 (1988), (44).
-pub(in crate::kernel) fn product<A: Copy, B: Copy, C>(
-    a: &[A],
-    b: &[B],
-    times: impl Fn(A, B) -> C,
-) -> Vec<C>
+pub(crate) fn product<A: Copy, B: Copy, C>(a: &[A], b: &[B], times: impl Fn(A, B) -> C) -> Vec<C>
 where
     C: Copy + Default + Add<Output = C> + Mul<f64, Output = C>,
 {
@@ -36,7 +32,7 @@ where
 }
 
 /// Coefficients of the derivative by the local parameter 0..1.
-pub(in crate::kernel) fn derivative<T>(coefficients: &[T]) -> Vec<T>
+pub(crate) fn derivative<T>(coefficients: &[T]) -> Vec<T>
 where
     T: Copy + Default + Sub<Output = T> + Mul<f64, Output = T>,
 {
@@ -49,7 +45,7 @@ where
 /// The value at a local parameter of 0..1: Horner's scheme, O(p).
 ///
 /// Farin, *Curves and Surfaces for CAGD*, §5.6.
-pub(in crate::kernel) fn value(coefficients: &[f64], t: f64) -> f64 {
+pub(crate) fn value(coefficients: &[f64], t: f64) -> f64 {
     let degree = coefficients.len() - 1;
     if degree == 0 {
         return coefficients[0];
@@ -66,7 +62,7 @@ pub(in crate::kernel) fn value(coefficients: &[f64], t: f64) -> f64 {
 }
 
 /// The Bernstein polynomials of a degree at a local parameter of 0..1.
-pub(in crate::kernel) fn basis(degree: usize, t: f64) -> Vec<f64> {
+pub(crate) fn basis(degree: usize, t: f64) -> Vec<f64> {
     let mut values = binomials(degree);
     let (mut rising, mut falling) = (1.0, 1.0);
     for i in 0..=degree {
@@ -79,7 +75,7 @@ pub(in crate::kernel) fn basis(degree: usize, t: f64) -> Vec<f64> {
 }
 
 /// The coefficients over both halves of the interval.
-pub(in crate::kernel) fn halves(coefficients: &[f64]) -> [Vec<f64>; 2] {
+pub(crate) fn halves(coefficients: &[f64]) -> [Vec<f64>; 2] {
     let mut right = coefficients.to_vec();
     let mut left = Vec::with_capacity(right.len());
     for n_left in (0..right.len()).rev() {
@@ -92,12 +88,12 @@ pub(in crate::kernel) fn halves(coefficients: &[f64]) -> [Vec<f64>; 2] {
 }
 
 /// The largest coefficient by absolute value.
-pub(in crate::kernel) fn largest(coefficients: &[f64]) -> f64 {
+pub(crate) fn largest(coefficients: &[f64]) -> f64 {
     coefficients.iter().fold(0.0, |most, value| most.max(value.abs()))
 }
 
 /// `n` over 0, 1, … n.
-pub(in crate::kernel) fn binomials(n: usize) -> Vec<f64> {
+pub(crate) fn binomials(n: usize) -> Vec<f64> {
     let next = |value: &mut f64, k: usize| {
         let this = *value;
         *value *= (n - k) as f64 / (k + 1) as f64;
@@ -119,7 +115,7 @@ const SLACK: f64 = 1.02;
 ///
 /// `bound` tells from coefficients how large the quantity can be between the ends, `value` how
 /// large it is at an end.
-pub(in crate::kernel) fn maximum(
+pub(crate) fn maximum(
     pieces: Vec<Vec<DVec4>>,
     rounding: f64,
     bound: impl Fn(&[DVec4]) -> f64,

@@ -11,13 +11,13 @@ use super::{Grid, KnotVector};
 ///
 /// The j-th is the blossom with p − j arguments at the span's start and j at its end; O(p³).
 /// Ramshaw, *Blossoms are polar forms*, §5.
-pub(in crate::kernel) fn piece(knots: &KnotVector, points: &[DVec4], span: usize) -> Vec<DVec4> {
+pub(crate) fn piece(knots: &KnotVector, points: &[DVec4], span: usize) -> Vec<DVec4> {
     local_piece(knots, &points[knots.support(span)], span)
 }
 
 /// The symmetric multi-affine function of p arguments that is the spline's piece over `span`
 /// where all of them are equal.
-pub(in crate::kernel) fn blossom(
+pub(crate) fn blossom(
     knots: &KnotVector,
     points: &[DVec4],
     span: usize,
@@ -40,14 +40,14 @@ fn cut(knots: &[f64], span: usize, q: usize, t: f64, corners: &mut [DVec4]) {
 }
 
 /// The point a fraction of the way from `a` to `b`; exactly these at 0 and 1.
-pub(in crate::kernel) fn blend(a: DVec4, b: DVec4, fraction: f64) -> DVec4 {
+pub(crate) fn blend(a: DVec4, b: DVec4, fraction: f64) -> DVec4 {
     a * (1.0 - fraction) + b * fraction
 }
 
 /// Both parts of a Bézier curve cut at a fraction of its domain: de Casteljau.
 ///
 /// Farin, *Curves and Surfaces for CAGD*, §4.6.
-pub(in crate::kernel) fn cut_at(points: &[DVec4], fraction: f64) -> (Vec<DVec4>, Vec<DVec4>) {
+pub(crate) fn cut_at(points: &[DVec4], fraction: f64) -> (Vec<DVec4>, Vec<DVec4>) {
     let mut right = points.to_vec();
     let mut left = Vec::with_capacity(points.len());
     for n_left in (0..points.len()).rev() {
@@ -60,7 +60,7 @@ pub(in crate::kernel) fn cut_at(points: &[DVec4], fraction: f64) -> (Vec<DVec4>,
 }
 
 /// The net of the Bézier patch that a tensor-product spline is over a pair of spans.
-pub(in crate::kernel) fn patch(
+pub(crate) fn patch(
     knots: [&KnotVector; 2],
     points: &Grid<DVec4>,
     span_u: usize,
@@ -96,7 +96,7 @@ fn local_piece(knots: &KnotVector, local: &[DVec4], span: usize) -> Vec<DVec4> {
 }
 
 /// Both halves of a Bézier net along u, or along v.
-pub(in crate::kernel) fn halves(net: &Grid<DVec4>, along_u: bool) -> [Grid<DVec4>; 2] {
+pub(crate) fn halves(net: &Grid<DVec4>, along_u: bool) -> [Grid<DVec4>; 2] {
     if along_u {
         return halves(&net.transposed(), false).map(|half| half.transposed());
     }

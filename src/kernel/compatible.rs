@@ -28,7 +28,7 @@ struct Cluster {
 ///
 /// # Errors
 /// [`GeomError::KnotMultiplicity`] where knots fall together for lack of digits on that domain.
-pub(in crate::kernel) fn on_common_knots(splines: Vec<Lines>) -> Result<Vec<Lines>, GeomError> {
+pub(crate) fn on_common_knots(splines: Vec<Lines>) -> Result<Vec<Lines>, GeomError> {
     let Some(first) = splines.first() else { return Ok(splines) };
     if splines.iter().all(|spline| spline.knots == first.knots) {
         return Ok(splines);

@@ -16,7 +16,7 @@ pub(super) fn degrees(turns: f64) -> String {
 }
 
 /// A measured number for a message.
-pub(in crate::kernel) fn few_digits(x: f64) -> String {
+pub(crate) fn few_digits(x: f64) -> String {
     let rounded = format!("{x:.3e}").parse().unwrap_or(x);
     if rounded <= 0.0 || (0.001..1_000_000.0).contains(&rounded) {
         rounded.to_string()

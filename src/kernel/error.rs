@@ -394,5 +394,5 @@ pub enum GeomError {
     ColumnLength { name: String, got: usize, expected: usize },
 }
 
-pub(in crate::kernel) use super::digits::few_digits;
+pub(crate) use super::digits::few_digits;
 use super::digits::{degrees, how_far, plain};

@@ -23,7 +23,7 @@ impl Frame {
     pub const ZX: Self = Self::plane([DVec3::Z, DVec3::X, DVec3::Y]);
 
     /// The plane of x and z, seen from the front: its second direction is z, its normal −y.
-    pub(in crate::kernel) const XZ: Self = Self::plane([DVec3::X, DVec3::Z, DVec3::NEG_Y]);
+    pub(crate) const XZ: Self = Self::plane([DVec3::X, DVec3::Z, DVec3::NEG_Y]);
 
     const fn plane([x, y, z]: [DVec3; 3]) -> Self {
         Self { origin: DVec3::ZERO, x, y, z, is_of_curve: false }
@@ -156,7 +156,7 @@ impl Frame {
 }
 
 /// The length of `v`, also where its square is out of range.
-pub(in crate::kernel) fn norm(v: DVec3) -> f64 {
+pub(crate) fn norm(v: DVec3) -> f64 {
     let squared = v.length_squared();
     if squared.is_normal() {
         return squared.sqrt();
@@ -166,12 +166,12 @@ pub(in crate::kernel) fn norm(v: DVec3) -> f64 {
 }
 
 /// The angle between two directions, 0 to π, accurate also where they are nearly parallel.
-pub(in crate::kernel) fn angle_between(a: DVec3, b: DVec3) -> f64 {
+pub(crate) fn angle_between(a: DVec3, b: DVec3) -> f64 {
     libm::atan2(a.cross(b).length(), a.dot(b))
 }
 
 /// The unit vector along `v`, at any length that is not zero.
-pub(in crate::kernel) fn unit(v: DVec3) -> Option<DVec3> {
+pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
     let largest = v.abs().max_element();
     if !largest.is_finite() || largest <= 0.0 {
         return None;
@@ -183,7 +183,7 @@ pub(in crate::kernel) fn unit(v: DVec3) -> Option<DVec3> {
 }
 
 /// The unit vector along the part of `v` that is normal to the unit vector `axis`.
-pub(in crate::kernel) fn across(v: DVec3, axis: DVec3) -> Option<DVec3> {
+pub(crate) fn across(v: DVec3, axis: DVec3) -> Option<DVec3> {
     let v = unit(v)?;
     let part = v - axis * v.dot(axis);
     if part.length() <= VANISHING_RELATIVE {

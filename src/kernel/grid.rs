@@ -53,7 +53,7 @@ impl<T> Grid<T> {
     }
 
     /// Whole rows of a known width laid out row after row.
-    pub(in crate::kernel) fn from_rows_of(n_columns: usize, values: Vec<T>) -> Self {
+    pub(crate) fn from_rows_of(n_columns: usize, values: Vec<T>) -> Self {
         let n_rows = values.len().checked_div(n_columns).unwrap_or(0);
         Self { n_rows, n_columns, values }
     }

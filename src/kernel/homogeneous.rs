@@ -5,13 +5,13 @@ use glam::{DAffine3, DVec3, DVec4};
 use super::{GeomError, Grid, tolerance::WEIGHT_RELATIVE};
 
 /// The point in space.
-pub(in crate::kernel) fn project(point: DVec4) -> DVec3 {
+pub(crate) fn project(point: DVec4) -> DVec3 {
     // One division: the quotient of each coordinate may round twice, but not where w is 1.
     point.truncate() * (1.0 / point.w)
 }
 
 /// The place of a control point; one of weight zero has none, and gives its direction instead.
-pub(in crate::kernel) fn place(point: DVec4) -> DVec3 {
+pub(crate) fn place(point: DVec4) -> DVec3 {
     if point.w.abs() < f64::MIN_POSITIVE { point.truncate() } else { project(point) }
 }
 
@@ -19,7 +19,7 @@ pub(in crate::kernel) fn place(point: DVec4) -> DVec3 {
 ///
 /// # Errors
 /// [`GeomError::NotFinite`].
-pub(in crate::kernel) fn unweighted(points: &[DVec3]) -> Result<Vec<DVec4>, GeomError> {
+pub(crate) fn unweighted(points: &[DVec3]) -> Result<Vec<DVec4>, GeomError> {
     let points: Vec<DVec4> = points.iter().map(|point| point.extend(1.0)).collect();
     check_finite(&points)?;
     Ok(points)
@@ -29,10 +29,7 @@ pub(in crate::kernel) fn unweighted(points: &[DVec3]) -> Result<Vec<DVec4>, Geom
 ///
 /// # Errors
 /// [`GeomError::WeightCount`], [`GeomError::NotFinite`], [`GeomError::BadWeight`] below zero.
-pub(in crate::kernel) fn weighted(
-    points: &[DVec3],
-    weights: &[f64],
-) -> Result<Vec<DVec4>, GeomError> {
+pub(crate) fn weighted(points: &[DVec3], weights: &[f64]) -> Result<Vec<DVec4>, GeomError> {
     if points.len() != weights.len() {
         return Err(GeomError::WeightCount { points: points.len(), weights: weights.len() });
     }
@@ -49,7 +46,7 @@ pub(in crate::kernel) fn weighted(
 
 /// # Errors
 /// [`GeomError::NotFinite`].
-pub(in crate::kernel) fn check_finite(points: &[DVec4]) -> Result<(), GeomError> {
+pub(crate) fn check_finite(points: &[DVec4]) -> Result<(), GeomError> {
     match points.iter().position(|point| !point.is_finite()) {
         Some(index) => Err(GeomError::NotFinite { what: "control point", index }),
         None => Ok(()),
@@ -57,14 +54,14 @@ pub(in crate::kernel) fn check_finite(points: &[DVec4]) -> Result<(), GeomError>
 }
 
 /// Whether the weights differ by more than rounding.
-pub(in crate::kernel) fn have_different_weights(points: &[DVec4]) -> bool {
+pub(crate) fn have_different_weights(points: &[DVec4]) -> bool {
     let low = points.iter().map(|point| point.w).fold(f64::INFINITY, f64::min);
     let high = points.iter().map(|point| point.w).fold(f64::NEG_INFINITY, f64::max);
     WEIGHT_RELATIVE * high < high - low
 }
 
 /// The image of a homogeneous point under an affine map.
-pub(in crate::kernel) fn transformed(point: DVec4, map: &DAffine3) -> DVec4 {
+pub(crate) fn transformed(point: DVec4, map: &DAffine3) -> DVec4 {
     (map.matrix3 * point.truncate() + map.translation * point.w).extend(point.w)
 }
 
@@ -72,7 +69,7 @@ pub(in crate::kernel) fn transformed(point: DVec4, map: &DAffine3) -> DVec4 {
 ///
 /// Division of truncated Taylor series, which is Leibniz' rule without its binomials.
 /// Piegl & Tiller, *The NURBS Book*, A4.2.
-pub(in crate::kernel) fn quotient(derivatives: &[DVec4]) -> Vec<DVec3> {
+pub(crate) fn quotient(derivatives: &[DVec4]) -> Vec<DVec3> {
     let mut series = series(derivatives);
     let mut factorial = 1.0;
     for (k, term) in series.iter_mut().enumerate().skip(1) {
@@ -83,7 +80,7 @@ pub(in crate::kernel) fn quotient(derivatives: &[DVec4]) -> Vec<DVec3> {
 }
 
 /// Coefficients of the power series in space from homogeneous derivatives by order.
-pub(in crate::kernel) fn series(derivatives: &[DVec4]) -> Vec<DVec3> {
+pub(crate) fn series(derivatives: &[DVec4]) -> Vec<DVec3> {
     let mut series: Vec<DVec3> = Vec::with_capacity(derivatives.len());
     let scaled: Vec<DVec4> = over_factorials(derivatives);
     for (k, numerator) in scaled.iter().enumerate() {
@@ -99,7 +96,7 @@ pub(in crate::kernel) fn series(derivatives: &[DVec4]) -> Vec<DVec3> {
 /// Derivatives in space from homogeneous derivatives, `[k][l]` by u and by v.
 ///
 /// Piegl & Tiller, *The NURBS Book*, A4.4, as the division of Taylor series in two variables.
-pub(in crate::kernel) fn quotient_grid(derivatives: &Grid<DVec4>) -> Grid<DVec3> {
+pub(crate) fn quotient_grid(derivatives: &Grid<DVec4>) -> Grid<DVec3> {
     let (n_rows, n_columns) = (derivatives.n_rows(), derivatives.n_columns());
     let factorials: Vec<f64> = factorials(n_rows.max(n_columns));
     let scaled = Grid::from_fn(n_rows, n_columns, |k, l| {
@@ -126,7 +123,7 @@ pub(in crate::kernel) fn quotient_grid(derivatives: &Grid<DVec4>) -> Grid<DVec3>
 ///
 /// Piegl & Tiller, *The NURBS Book*, (4.20).
 #[inline(always)]
-pub(in crate::kernel) fn second_order([value, u, v, uu, uv, vv]: [DVec4; 6]) -> [DVec3; 6] {
+pub(crate) fn second_order([value, u, v, uu, uv, vv]: [DVec4; 6]) -> [DVec3; 6] {
     let per_weight = 1.0 / value.w;
     let s = value.truncate() * per_weight;
     let su = (u.truncate() - s * u.w) * per_weight;

@@ -16,11 +16,11 @@ const MAX_PIECES: usize = 20_000;
 
 /// A tensor-product spline; a curve is one with a single row.
 #[derive(Clone, Copy)]
-pub(in crate::kernel) struct Spline<'a> {
+pub(crate) struct Spline<'a> {
     /// Knots along the rows' index and along the columns'.
-    pub(in crate::kernel) knots: [&'a KnotVector; 2],
+    pub(crate) knots: [&'a KnotVector; 2],
     /// Homogeneous control points, with a positive denominator on the whole domain.
-    pub(in crate::kernel) points: &'a Grid<DVec4>,
+    pub(crate) points: &'a Grid<DVec4>,
 }
 
 /// A direction along an axis.
@@ -45,7 +45,7 @@ enum Shape {
 
 impl Spline<'_> {
     /// The smallest box around all points of the spline.
-    pub(in crate::kernel) fn bounds(self) -> Bounds {
+    pub(crate) fn bounds(self) -> Bounds {
         let reach = |sign: f64| {
             // The sum turns a negative zero into a positive one.
             let along = |axis: usize| sign * self.reach(Direction { axis, sign }) + 0.0;

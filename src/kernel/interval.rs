@@ -84,13 +84,13 @@ impl Interval {
     }
 
     /// `t`; 0 where it is that but for the rounding of the interval's ends.
-    pub(in crate::kernel) fn without_dust(self, t: f64) -> f64 {
+    pub(crate) fn without_dust(self, t: f64) -> f64 {
         let is_dust = t.abs() <= MOST_DUST * LAST_BIT * self.length();
         if is_dust && self.contains(0.0) { 0.0 } else { t }
     }
 
     /// The sign of steps from `t` that stay inside; none where both do.
-    pub(in crate::kernel) fn inward(self, t: f64) -> Option<f64> {
+    pub(crate) fn inward(self, t: f64) -> Option<f64> {
         if t <= self.start {
             Some(1.0)
         } else if self.end <= t {
@@ -101,7 +101,7 @@ impl Interval {
     }
 
     /// The left and the right half.
-    pub(in crate::kernel) fn halves(self) -> [Self; 2] {
+    pub(crate) fn halves(self) -> [Self; 2] {
         let middle = self.at(0.5);
         [Self { start: self.start, end: middle }, Self { start: middle, end: self.end }]
     }

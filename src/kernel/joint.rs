@@ -5,7 +5,7 @@ use glam::DVec4;
 use super::{GeomError, KnotVector, refine::Lines, removal::removal, tolerance::KNOT_RELATIVE};
 
 /// Clamped splines of one degree that grow at their end; many lines share the knots.
-pub(in crate::kernel) struct Joined {
+pub(crate) struct Joined {
     degree: usize,
     knots: Vec<f64>,
     lines: Vec<Vec<DVec4>>,
@@ -13,20 +13,20 @@ pub(in crate::kernel) struct Joined {
 
 impl Joined {
     /// The first splines, which are clamped.
-    pub(in crate::kernel) fn new(first: Lines) -> Self {
+    pub(crate) fn new(first: Lines) -> Self {
         let Lines { knots, lines } = first;
         Self { degree: knots.degree(), knots: knots.as_slice().to_vec(), lines }
     }
 
     /// The last control point of each line.
-    pub(in crate::kernel) fn ends(&self) -> Vec<DVec4> {
+    pub(crate) fn ends(&self) -> Vec<DVec4> {
         self.lines.iter().map(|line| line[line.len() - 1]).collect()
     }
 
     /// Puts clamped splines of the same degree behind, their homogeneous points times a factor.
     /// Where a point differs from the one before they meet halfway. Of the joint's knots those go
     /// without which no line moves further than the accuracy.
-    pub(in crate::kernel) fn append(&mut self, next: &Lines, scale: f64, accuracy: f64) {
+    pub(crate) fn append(&mut self, next: &Lines, scale: f64, accuracy: f64) {
         let degree = self.degree;
         let joint = self.knots[self.knots.len() - 1];
         let shift = joint - next.knots.domain().start();
@@ -56,13 +56,13 @@ impl Joined {
 
     /// # Errors
     /// Those of [`KnotVector::new`].
-    pub(in crate::kernel) fn finish(self) -> Result<Lines, GeomError> {
+    pub(crate) fn finish(self) -> Result<Lines, GeomError> {
         Ok(Lines { knots: KnotVector::new(self.degree, self.knots)?, lines: self.lines })
     }
 }
 
 /// The narrowest span of splines if it vanishes beside a domain of a length.
-pub(in crate::kernel) fn vanishing_span(knots: &KnotVector, total: f64) -> Option<f64> {
+pub(crate) fn vanishing_span(knots: &KnotVector, total: f64) -> Option<f64> {
     let spans = knots.spans().map(|span| knots.span_interval(span).length());
     let length = spans.fold(f64::INFINITY, f64::min);
     // Twice, because the sum of the domains rounds.

@@ -20,12 +20,12 @@ pub struct JointTolerance {
 
 impl JointTolerance {
     /// The distance within which ends are one place, as where a closed curve is looked for.
-    pub(in crate::kernel) fn closed_within(&self) -> f64 {
+    pub(crate) fn closed_within(&self) -> f64 {
         self.distance.unwrap_or(self.document.distance)
     }
 
     /// The distance for pieces of a size, whose points are known but for a rounding.
-    pub(in crate::kernel) fn distance_for(&self, size: f64, rounding: f64) -> f64 {
+    pub(crate) fn distance_for(&self, size: f64, rounding: f64) -> f64 {
         self.distance.unwrap_or_else(|| self.document.distance_for(size)).max(rounding)
     }
 }
@@ -40,15 +40,15 @@ impl From<Tolerance> for JointTolerance {
 ///
 /// An order counts where it was measured to hold. Where nobody asked for its tolerance it also counts
 /// where the pieces agree to it by the parameter, which says more.
-pub(in crate::kernel) struct Agreement<const N: usize> {
+pub(crate) struct Agreement<const N: usize> {
     /// Of each order from 1 on, whether it holds, and whether somebody asked for its tolerance.
-    pub(in crate::kernel) orders: [(bool, bool); N],
+    pub(crate) orders: [(bool, bool); N],
 }
 
 impl<const N: usize> Agreement<N> {
     /// The highest order up to which all hold, where points and derivatives by the parameter agree
     /// up to an order.
-    pub(in crate::kernel) fn order(&self, by_parameter: usize) -> usize {
+    pub(crate) fn order(&self, by_parameter: usize) -> usize {
         let holds = |&(k, &(is_met, is_asked)): &(usize, &(bool, bool))| {
             is_met || !is_asked && k < by_parameter
         };

@@ -5,11 +5,11 @@ use std::{fmt, sync::OnceLock};
 /// Something computed from the rest of a struct, once and only if it is needed.
 ///
 /// It is no part of what the struct is: copies begin without it, and it never tells two apart.
-pub(in crate::kernel) struct Lazy<T>(OnceLock<Box<T>>);
+pub(crate) struct Lazy<T>(OnceLock<Box<T>>);
 
 impl<T> Lazy<T> {
     /// The value; `make` must give the same one each time.
-    pub(in crate::kernel) fn get_or_make(&self, make: impl FnOnce() -> T) -> &T {
+    pub(crate) fn get_or_make(&self, make: impl FnOnce() -> T) -> &T {
         self.0.get_or_init(|| Box::new(make()))
     }
 }

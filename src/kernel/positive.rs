@@ -20,10 +20,7 @@ struct Piece {
 
 /// # Errors
 /// [`GeomError::VanishingWeights`] unless `Σ wᵢNᵢ` is positive on the whole domain.
-pub(in crate::kernel) fn check_curve(
-    knots: &KnotVector,
-    points: &[DVec4],
-) -> Result<(), GeomError> {
+pub(crate) fn check_curve(knots: &KnotVector, points: &[DVec4]) -> Result<(), GeomError> {
     if points.iter().all(|point| 0.0 < point.w) {
         return Ok(());
     }
@@ -41,7 +38,7 @@ pub(in crate::kernel) fn check_curve(
 
 /// # Errors
 /// [`GeomError::VanishingWeightsAt`] unless `Σ wᵢⱼNᵢNⱼ` is positive on the whole domain.
-pub(in crate::kernel) fn check_surface(
+pub(crate) fn check_surface(
     knots: [&KnotVector; 2],
     points: &Grid<DVec4>,
 ) -> Result<(), GeomError> {

@@ -6,12 +6,12 @@ use glam::DVec3;
 
 /// What a construction did that its result does not show: facts under names, in order.
 ///
-/// It travels with the geometry that the construction returns ([`crate::kernel::NurbsCurve::with_receipt`],
-/// [`crate::kernel::NurbsSurface::with_receipt`]); whatever is made of that geometry has none, or its own.
+/// It travels with the geometry that the construction returns ([`crate::NurbsCurve::with_receipt`],
+/// [`crate::NurbsSurface::with_receipt`]); whatever is made of that geometry has none, or its own.
 /// Two receipts are always equal: none is a part of the geometry.
 ///
 /// ```
-/// use virote::kernel::Receipt;
+/// use virote_kernel::Receipt;
 ///
 /// let receipt = Receipt::of("offset").with("pieces", 12).with("cusps", vec![0.25, 0.75]);
 /// assert_eq!(receipt.facts().count(), 3);
@@ -45,7 +45,7 @@ pub enum Fact {
 
 impl Receipt {
     /// The one without facts.
-    pub(in crate::kernel) const NONE: Self = Self { facts: None };
+    pub(crate) const NONE: Self = Self { facts: None };
 
     /// The receipt of an operation, as scripts call it: the first fact is its name.
     #[must_use]
@@ -61,7 +61,7 @@ impl Receipt {
     }
 
     /// The receipt, if it has facts.
-    pub(in crate::kernel) fn if_any(&self) -> Option<&Self> {
+    pub(crate) fn if_any(&self) -> Option<&Self> {
         self.facts.as_ref().map(|_| self)
     }
 

@@ -9,9 +9,9 @@ use super::{GeomError, KnotVector, bezier, tolerance::KNOT_RELATIVE};
 
 /// Lines of control points over one knot vector.
 #[derive(Clone, Debug)]
-pub(in crate::kernel) struct Lines {
-    pub(in crate::kernel) knots: KnotVector,
-    pub(in crate::kernel) lines: Vec<Vec<DVec4>>,
+pub(crate) struct Lines {
+    pub(crate) knots: KnotVector,
+    pub(crate) lines: Vec<Vec<DVec4>>,
 }
 
 impl Lines {
@@ -23,7 +23,7 @@ impl Lines {
     ///
     /// # Errors
     /// [`GeomError::ParameterOutside`] the domain; [`GeomError::KnotMultiplicity`] above p + 1.
-    pub(in crate::kernel) fn with_knots(self, new: &[f64]) -> Result<Self, GeomError> {
+    pub(crate) fn with_knots(self, new: &[f64]) -> Result<Self, GeomError> {
         let new = self.one_of_each_cluster(new)?;
         let degree = self.knots.degree();
         let mut knots = self.knots.as_slice().to_vec();
@@ -84,7 +84,7 @@ impl Lines {
 
     /// What is left and right of a parameter of the domain, clamped there; at an end one of them
     /// is of no use.
-    pub(in crate::kernel) fn cut_at(&self, t: f64) -> (Self, Self) {
+    pub(crate) fn cut_at(&self, t: f64) -> (Self, Self) {
         let degree = self.knots.degree();
         let missing = vec![t; degree.saturating_sub(self.knots.times(t))];
         let Ok(lines) = self.clone().with_knots(&missing) else {
@@ -107,7 +107,7 @@ impl Lines {
     }
 
     /// The same splines with knots that stand p + 1 times at both ends.
-    pub(in crate::kernel) fn clamped(&self) -> Self {
+    pub(crate) fn clamped(&self) -> Self {
         let domain = self.knots.domain();
         self.cut_at(domain.start()).1.cut_at(domain.end()).0
     }
@@ -116,7 +116,7 @@ impl Lines {
     ///
     /// # Errors
     /// [`GeomError::DegreeTooLow`] below the degree there is, [`GeomError::DegreeTooHigh`].
-    pub(in crate::kernel) fn elevated(self, degree: usize) -> Result<Self, GeomError> {
+    pub(crate) fn elevated(self, degree: usize) -> Result<Self, GeomError> {
         let from = self.knots.degree();
         if degree < from {
             return Err(GeomError::DegreeTooLow { from, to: degree });

@@ -7,12 +7,12 @@ use glam::DVec4;
 use super::homogeneous;
 
 /// What taking out one copy of a knot does: the points of a range are replaced by one less.
-pub(in crate::kernel) struct Removal {
-    pub(in crate::kernel) range: Range<usize>,
-    pub(in crate::kernel) points: Vec<DVec4>,
+pub(crate) struct Removal {
+    pub(crate) range: Range<usize>,
+    pub(crate) points: Vec<DVec4>,
     /// A distance that no point of a polynomial curve moves further than; of a rational one an
     /// estimate.
-    pub(in crate::kernel) displacement: f64,
+    pub(crate) displacement: f64,
 }
 
 /// The removal of the knot at `index`, the last of its copies, which lies inside the domain.
@@ -22,12 +22,7 @@ pub(in crate::kernel) struct Removal {
 /// largest residual as small as it can be; the curve, a mean of the residuals, moves no further.
 /// Eck & Hadenfeld, *Knot removal for B-spline curves*, CAGD 12 (1995); the equations are
 /// Piegl & Tiller, *The NURBS Book*, (5.28).
-pub(in crate::kernel) fn removal(
-    degree: usize,
-    knots: &[f64],
-    points: &[DVec4],
-    index: usize,
-) -> Removal {
+pub(crate) fn removal(degree: usize, knots: &[f64], points: &[DVec4], index: usize) -> Removal {
     let t = knots[index];
     let times = index - knots.partition_point(|&knot| knot < t);
     // As for an insertion at `t` into the knots without it.

@@ -5,7 +5,7 @@
 //! (1981). Nothing is sampled, so that no pair of roots is lost between samples.
 
 use super::{Interval, bernstein};
-use crate::limits::work;
+use crate::work;
 
 /// Halvings of an interval in which several roots cannot be told apart.
 const MAX_HALVINGS: usize = 40;
@@ -22,7 +22,7 @@ const MAX_BISECTIONS: usize = 60;
 /// Where the function is zero along a stretch and has different signs before and behind it, the
 /// change is in the middle of the stretch. A root that is touched and not crossed is no change.
 #[derive(Debug, Default)]
-pub(in crate::kernel) struct Signs {
+pub(crate) struct Signs {
     first: i8,
     current: i8,
     zero_from: Option<f64>,
@@ -31,12 +31,7 @@ pub(in crate::kernel) struct Signs {
 
 impl Signs {
     /// Goes on over a piece: Bernstein coefficients, of which those up to `rounding` have no sign.
-    pub(in crate::kernel) fn follow(
-        &mut self,
-        interval: Interval,
-        coefficients: &[f64],
-        rounding: f64,
-    ) {
+    pub(crate) fn follow(&mut self, interval: Interval, coefficients: &[f64], rounding: f64) {
         let mut todo = vec![(Interval::UNIT, coefficients.to_vec(), 0)];
         let mut n_parts = 0;
         while work::goes_on(1)
@@ -78,12 +73,12 @@ impl Signs {
 
     /// Whether the sign behind the last piece differs from that before the first: a change at the
     /// seam of a closed curve.
-    pub(in crate::kernel) fn changes_at_seam(&self) -> bool {
+    pub(crate) fn changes_at_seam(&self) -> bool {
         self.first != self.current
     }
 
     /// The places where the sign changes, in order, each with the sign behind it.
-    pub(in crate::kernel) fn changes(&self) -> &[(f64, i8)] {
+    pub(crate) fn changes(&self) -> &[(f64, i8)] {
         &self.changes
     }
 }
@@ -112,7 +107,7 @@ fn bisected(coefficients: &[f64], start: i8) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::Signs;
-    use crate::kernel::Interval;
+    use crate::Interval;
 
     fn changes(pieces: &[&[f64]]) -> Vec<(f64, i8)> {
         let mut signs = Signs::default();

@@ -5,7 +5,7 @@ use std::{
     thread,
 };
 
-use crate::limits::work::{self, Done};
+use crate::work::{self, Done};
 
 /// Values for which a further thread pays.
 const WORTH_A_THREAD: usize = 50_000;

@@ -27,24 +27,20 @@ const MOST_DIGITS: usize = 16;
 
 /// How a distance runs along a stretch.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::kernel) struct Valley {
+pub(crate) struct Valley {
     /// The middle of the floor, or where the distance is least if that is less.
-    pub(in crate::kernel) bottom: f64,
+    pub(crate) bottom: f64,
     /// The places around the bottom where the distance is the least one up to rounding.
-    pub(in crate::kernel) floor: Interval,
+    pub(crate) floor: Interval,
     /// Whether the distance rises from the floor to both ends.
-    pub(in crate::kernel) is_single: bool,
+    pub(crate) is_single: bool,
     /// Whether the floor reaches the end, and the distance there.
     sides: [(bool, f64); 2],
 }
 
 impl Valley {
     /// Follows the distance along a stretch; `rounding` is what a distance may be wrong by.
-    pub(in crate::kernel) fn of(
-        distance: impl Fn(f64) -> f64,
-        stretch: Interval,
-        rounding: f64,
-    ) -> Self {
+    pub(crate) fn of(distance: impl Fn(f64) -> f64, stretch: Interval, rounding: f64) -> Self {
         let places = stretch.steps(N_CELLS);
         let heights: Vec<f64> = places.iter().map(|&t| distance(t)).collect();
         let lowest =
@@ -75,7 +71,7 @@ impl Valley {
     }
 
     /// Whether at each end the distance is at least this, or the floor goes that far.
-    pub(in crate::kernel) fn rises_to(&self, height: f64) -> bool {
+    pub(crate) fn rises_to(&self, height: f64) -> bool {
         self.sides.iter().all(|&(is_floor, end)| is_floor || height <= end)
     }
 }
@@ -83,7 +79,7 @@ impl Valley {
 /// The place in a bracket where a function with one minimum has it, and its value there.
 ///
 /// Kiefer, *Sequential minimax search for a maximum*, Proc. AMS 4 (1953).
-pub(in crate::kernel) fn golden_section(
+pub(crate) fn golden_section(
     value: impl Fn(f64) -> f64,
     [mut low, mut high]: [f64; 2],
 ) -> (f64, f64) {
@@ -105,7 +101,7 @@ pub(in crate::kernel) fn golden_section(
 }
 
 /// The last place from `inside` towards `end` up to which something holds.
-pub(in crate::kernel) fn edge(holds: &impl Fn(f64) -> bool, inside: f64, end: f64) -> f64 {
+pub(crate) fn edge(holds: &impl Fn(f64) -> bool, inside: f64, end: f64) -> f64 {
     let (mut on, mut step) = (inside, (end - inside) * LAST_BIT);
     let mut off = end;
     for _ in 0..MAX_STEPS {
@@ -128,7 +124,7 @@ pub(in crate::kernel) fn edge(holds: &impl Fn(f64) -> bool, inside: f64, end: f6
 }
 
 /// The number with the fewest digits within `slack` of another.
-pub(in crate::kernel) fn round(t: f64, slack: f64) -> f64 {
+pub(crate) fn round(t: f64, slack: f64) -> f64 {
     if t.abs() <= slack {
         return 0.0;
     }
@@ -139,7 +135,7 @@ pub(in crate::kernel) fn round(t: f64, slack: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{Valley, golden_section};
-    use crate::kernel::Interval;
+    use crate::Interval;
 
     #[test]
     fn a_touch_of_ninth_order_is_one_place() {

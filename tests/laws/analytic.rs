@@ -8,7 +8,7 @@ use proptest::{
     prelude::{Strategy, any},
     prop_assert, proptest,
 };
-use virote::kernel::{
+use virote_kernel::{
     AnalyticCurve, AnalyticForm, AnalyticSurface, Axis, CircleForm, Direction, Frame, Grid,
     Interval, NurbsCurve, NurbsSurface, join,
 };

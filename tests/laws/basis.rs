@@ -1,7 +1,7 @@
 //! Laws of the basis functions.
 
 use proptest::{prop_assert, proptest};
-use virote::kernel::KnotVector;
+use virote_kernel::KnotVector;
 
 use crate::some::{fraction, knots};
 

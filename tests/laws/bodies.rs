@@ -4,7 +4,7 @@ use std::{f64::consts::PI, sync::Arc};
 
 use glam::{DAffine3, DQuat, DVec3};
 use proptest::{prelude::ProptestConfig, prop_assert, prop_assert_eq, prop_assume, proptest};
-use virote::kernel::{
+use virote_kernel::{
     Datum, Direction, Edge, FunctionFailure, Grid, KnotVector, NurbsSurface, ParametricSurface,
     Surface, SurfaceFunction, Tolerance, area_mass, volume_mass,
 };

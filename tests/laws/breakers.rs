@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use glam::{DAffine3, DVec3};
-use virote::kernel::{
+use virote_kernel::{
     CircleForm, Curve, Ends, Frame, GeomError, Interpolator, KnotVector, NurbsCurve, Side, Spacing,
     Tolerance, approximate, approximate_within, lagrange, make_compatible,
 };
@@ -316,7 +316,7 @@ mod feet {
     fn a_cusp_is_the_nearest_point_of_what_lies_before_its_tip() {
         // (t², t³) points its tip along −x.
         let coefficients = [DVec3::ZERO, DVec3::ZERO, DVec3::X, DVec3::Y];
-        let domain = virote::kernel::Interval::new(-1.0, 1.0).unwrap();
+        let domain = virote_kernel::Interval::new(-1.0, 1.0).unwrap();
         let curve = NurbsCurve::power_form(&coefficients, domain).unwrap();
         let foot = curve.closest(DVec3::new(-3.0, 0.0, 0.0), 1e-9);
         near(foot.distance, 3.0, 1e-13);
@@ -390,7 +390,7 @@ mod lengths {
         let coefficients = [DVec3::ZERO, DVec3::ZERO, DVec3::X, DVec3::Y];
         let part = |t: f64| (libm::pow(4.0 + 9.0 * t * t, 1.5) - 8.0) / 27.0;
         for (from, to) in [(-1.0, 2.0), (-1.0, 1.0), (-0.001, 1.0), (0.0, 3.0)] {
-            let domain = virote::kernel::Interval::new(from, to).unwrap();
+            let domain = virote_kernel::Interval::new(from, to).unwrap();
             let curve = NurbsCurve::power_form(&coefficients, domain).unwrap();
             near(length(&curve), part(from) + part(to), 1e-12);
         }
@@ -444,7 +444,7 @@ mod lengths {
     #[test]
     fn length_is_inverted_through_a_cusp() {
         let coefficients = [DVec3::ZERO, DVec3::ZERO, DVec3::X, DVec3::Y];
-        let domain = virote::kernel::Interval::new(-1.0, 1.0).unwrap();
+        let domain = virote_kernel::Interval::new(-1.0, 1.0).unwrap();
         let curve = NurbsCurve::power_form(&coefficients, domain).unwrap();
         let part = |t: f64| (libm::pow(4.0 + 9.0 * t * t, 1.5) - 8.0) / 27.0;
         for t in [-0.9, -0.5, -0.1, 0.1, 0.5, 0.9] {
@@ -523,7 +523,7 @@ mod knots {
 
     #[test]
     fn domains_of_one_and_of_a_million_become_one() {
-        let long = with_knot(0.25).reparametrized(virote::kernel::Interval::new(0.0, 1e6).unwrap());
+        let long = with_knot(0.25).reparametrized(virote_kernel::Interval::new(0.0, 1e6).unwrap());
         assert_eq!(merged(&[with_knot(0.25), long.clone()]), [0.25]);
         assert_eq!(merged(&[long, with_knot(0.25)]), [0.25e6]);
     }

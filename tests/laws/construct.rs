@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use glam::{DAffine3, DVec3};
 use proptest::{collection::vec, prop_assert, prop_assume, proptest};
-use virote::kernel::{
+use virote_kernel::{
     CircleForm, ConicKind, Curve, Frame, GeomError, Interval, KnotVector, NurbsCurve, Side,
 };
 

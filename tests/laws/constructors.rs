@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::{DAffine3, DMat3, DVec3};
 use proptest::{collection::vec, prelude::Strategy, prop_assert, proptest};
-use virote::kernel::{
+use virote_kernel::{
     CircleForm, Curve, Ends, Frame, GeomError, Interpolator, Interval, KnotVector, NurbsCurve,
     Side, Spacing, Tolerance, approximate, approximate_within, lagrange,
 };

@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 use proptest::{array::uniform4, collection::vec, prelude::Strategy, prop_assert, proptest};
-use virote::kernel::{Blend, CrossFields, Direction, Grid, Interval, NurbsCurve, NurbsSurface};
+use virote_kernel::{Blend, CrossFields, Direction, Grid, Interval, NurbsCurve, NurbsSurface};
 
 use crate::some::{affine_map, are_near, curve, fraction, point};
 
@@ -20,7 +20,7 @@ fn between(c: &NurbsCurve, from: DVec3, to: DVec3) -> NurbsCurve {
     let weights: Vec<DVec3> = c.weights().iter().map(|&w| DVec3::new(w, 0.0, 0.0)).collect();
     let factor = NurbsCurve::polynomial(c.knots().clone(), &weights).unwrap();
     let shift = line.reweighted(&factor).unwrap();
-    let both = virote::kernel::make_compatible(&[c, shift]).unwrap();
+    let both = virote_kernel::make_compatible(&[c, shift]).unwrap();
     let points = both[0].points().into_iter().zip(both[1].points()).map(|(p, q)| p + q);
     NurbsCurve::rational(both[0].knots().clone(), &points.collect::<Vec<_>>(), &both[0].weights())
         .unwrap()
@@ -99,7 +99,7 @@ proptest! {
         let [p00, p01, p10, p11] = corners;
         let clamped = |from: DVec3, inner: &[DVec3], to: DVec3| {
             let points: Vec<DVec3> = [from].into_iter().chain(inner.iter().copied()).chain([to]).collect();
-            let knots = virote::kernel::KnotVector::uniform_clamped(3, points.len(), (points.len() - 3) as f64);
+            let knots = virote_kernel::KnotVector::uniform_clamped(3, points.len(), (points.len() - 3) as f64);
             NurbsCurve::polynomial(knots.unwrap(), &points).unwrap()
         };
         // Of equal counts along u and along v: Coons of clamped boundaries is a clamped surface.
@@ -243,7 +243,7 @@ fn own_fields(s: &NurbsSurface) -> CrossFields {
 fn four_arcs_of_one_circle_fill_it() {
     use std::f64::consts::FRAC_PI_2;
     let arc =
-        |k: f64| NurbsCurve::arc(virote::kernel::Frame::XY, 2.0, k * FRAC_PI_2, FRAC_PI_2).unwrap();
+        |k: f64| NurbsCurve::arc(virote_kernel::Frame::XY, 2.0, k * FRAC_PI_2, FRAC_PI_2).unwrap();
     let [low, right, high, left] = [0.0, 1.0, 2.0, 3.0].map(arc);
     let curves = [low, high.reversed(), left.reversed(), right];
     let [c0, c1, d0, d1] = &curves;
@@ -263,7 +263,7 @@ fn four_arcs_of_one_circle_fill_it() {
 fn curves_of_different_weights_meet_over_the_product_of_their_denominators() {
     let conic = |weight: f64, z: f64| {
         let points = [DVec3::new(0.0, z, 0.0), DVec3::new(1.0, z, 2.0), DVec3::new(2.0, z, 0.0)];
-        let knots = virote::kernel::KnotVector::bezier(2).unwrap();
+        let knots = virote_kernel::KnotVector::bezier(2).unwrap();
         NurbsCurve::rational(knots, &points, &[1.0, weight, 1.0]).unwrap()
     };
     let (low, high) = (conic(0.5, 0.0), conic(3.0, 4.0));

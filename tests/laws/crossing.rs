@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 use proptest::{collection::vec, prelude::*, prop_assert, prop_assume, proptest};
-use virote::kernel::{Direction, Grid, LevelSet, NurbsSurface, Surface, Tolerance};
+use virote_kernel::{Direction, Grid, LevelSet, NurbsSurface, Surface, Tolerance};
 
 use crate::some::{fraction, point, sphere};
 

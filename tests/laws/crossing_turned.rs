@@ -4,7 +4,7 @@
 use std::{f64::consts::TAU, sync::Arc};
 
 use glam::{DAffine3, DQuat, DVec3};
-use virote::kernel::{
+use virote_kernel::{
     Axis, Frame, KnotVector, LevelSet, NurbsCurve, NurbsSurface, Surface, Tolerance,
 };
 

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use proptest::{collection::vec, prop_assert, prop_assume, proptest};
-use virote::kernel::{CircleForm, Curve, Interval, KnotVector, NurbsCurve, Side, make_compatible};
+use virote_kernel::{CircleForm, Curve, Interval, KnotVector, NurbsCurve, Side, make_compatible};
 
 use crate::some::{affine_map, are_near, curve, fraction, knots, parameter, point};
 

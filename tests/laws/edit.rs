@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DVec3};
 use proptest::{collection::vec, prelude::Strategy, prop_assert, prop_assume, proptest};
-use virote::kernel::{
+use virote_kernel::{
     CircleForm, Curve, GeomError, Interval, KnotVector, NurbsCurve, Side, Tolerance, join,
 };
 

@@ -6,7 +6,7 @@ use proptest::{
     prelude::{Just, Strategy, any},
     prop_assert, prop_assert_eq, prop_oneof, proptest,
 };
-use virote::kernel::{
+use virote_kernel::{
     Direction, GeomError, Grid, Interval, KnotVector, NurbsSurface, Side, join_patches,
     make_surfaces_compatible,
 };

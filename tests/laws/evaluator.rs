@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use proptest::{collection::vec, prop_assert, prop_assert_eq, proptest};
-use virote::kernel::{CircleForm, Grid, KnotVector, NurbsCurve, NurbsSurface};
+use virote_kernel::{CircleForm, Grid, KnotVector, NurbsCurve, NurbsSurface};
 
 use crate::some::{are_near, curve, fraction, parameter, point, surface};
 

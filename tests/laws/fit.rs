@@ -5,7 +5,7 @@ use proptest::{
     collection, prop_assert, prop_assume, proptest,
     strategy::{Just, Strategy},
 };
-use virote::kernel::{
+use virote_kernel::{
     Ends, GeomError, Interpolator, KnotVector, NurbsCurve, Side, Spacing, approximate,
     approximate_within, lagrange,
 };

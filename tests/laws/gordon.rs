@@ -1,7 +1,7 @@
 //! Laws of surfaces through networks.
 
 use proptest::{collection::vec, prelude::Strategy, prop_assert, proptest};
-use virote::kernel::{Grid, KnotVector, Network, NurbsCurve, NurbsSurface, gordon};
+use virote_kernel::{Grid, KnotVector, Network, NurbsCurve, NurbsSurface, gordon};
 
 use crate::some::point;
 

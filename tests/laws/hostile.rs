@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DVec3};
 use proptest::{collection::vec, prelude::Strategy, proptest, sample::select};
-use virote::kernel::{
+use virote_kernel::{
     Curve, Grid, Interval, KnotVector, Mesh, NurbsCurve, NurbsSurface, Side, Tolerance, grid_mesh,
     make_compatible, tessellate, tessellate_curve,
 };

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use proptest::prelude::{prop_assert, proptest};
-use virote::kernel::{
+use virote_kernel::{
     GeomError, Jet, NurbsCurve, NurbsSurface,
     jet::{across, along},
 };

@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DVec3};
 use proptest::{prop_assert, prop_assert_eq, proptest};
-use virote::kernel::{
+use virote_kernel::{
     CircleForm, Continuity, Curve, Interval, JointTolerance, KnotVector, NurbsCurve, Tolerance,
 };
 

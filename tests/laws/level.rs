@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 use proptest::{prop_assert, prop_assert_eq, prop_assume, proptest};
-use virote::kernel::{
+use virote_kernel::{
     Axis, CircleForm, Frame, Grid, KnotVector, LevelSet, NurbsCurve, NurbsSurface, Tolerance,
 };
 

@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DQuat, DVec3};
 use proptest::{prop_assert, prop_assume, proptest};
-use virote::kernel::{
+use virote_kernel::{
     CircleForm, Curve, GeomError, Interval, KnotVector, LocalGeometry, Neighbourhood, NurbsCurve,
     PlaceKind, Side, Tolerance,
 };

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 use proptest::{prop_assert, proptest};
-use virote::kernel::{Bounds, CircleForm, Interval, KnotVector, NurbsCurve};
+use virote_kernel::{Bounds, CircleForm, Interval, KnotVector, NurbsCurve};
 
 use crate::some::{affine_map, curve, sphere, surface};
 

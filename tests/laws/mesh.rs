@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use glam::{DAffine3, DVec3};
 use proptest::{prop_assert, proptest};
-use virote::kernel::{GeomError, Mesh, NurbsSurface, grid_mesh, tessellate, tessellate_curve};
+use virote_kernel::{GeomError, Mesh, NurbsSurface, grid_mesh, tessellate, tessellate_curve};
 
 use crate::some::{curve, sphere, surface};
 

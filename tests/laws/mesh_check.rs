@@ -1,7 +1,7 @@
 //! How the triangles of meshes hang together: bodies and bands whose answers are known.
 
 use glam::{DAffine3, DVec3};
-use virote::kernel::{GeomError, Group, Mesh, MeshCheck, MeshError, Tolerance, facing_inward};
+use virote_kernel::{GeomError, Group, Mesh, MeshCheck, MeshError, Tolerance, facing_inward};
 
 const TETRAHEDRON: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
 

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use proptest::{prelude::ProptestConfig, prop_assert, proptest};
-use virote::kernel::{Frame, Grid, KnotVector, NurbsCurve, NurbsSurface};
+use virote_kernel::{Frame, Grid, KnotVector, NurbsCurve, NurbsSurface};
 
 use crate::some::{curve, point, surface};
 
@@ -49,7 +49,7 @@ fn by_force_on(surface: &NurbsSurface, samples: &[([f64; 2], DVec3)], p: DVec3) 
         let mut step = 2.0 / (samples.len() as f64).sqrt();
         for _ in 0..45 {
             for (i, j) in [(-1, 0), (1, 0), (0, -1), (0, 1), (-1, -1), (1, 1), (-1, 1), (1, -1)] {
-                let moved = |at: f64, k: i32, domain: virote::kernel::Interval| {
+                let moved = |at: f64, k: i32, domain: virote_kernel::Interval| {
                     let by = f64::from(k) * step * domain.length();
                     (at + by).clamp(domain.start(), domain.end())
                 };
@@ -313,7 +313,7 @@ fn a_foot_beside_a_knot_or_the_seam_is_one_place() {
         assert_eq!(foot.count, 1, "{beside}: {foot:?}");
         assert!((foot.parameter - (0.5 + 0.5 * beside)).abs() <= 1e-12);
     }
-    let form = virote::kernel::CircleForm::NinePoint;
+    let form = virote_kernel::CircleForm::NinePoint;
     let circle = NurbsCurve::circle(DVec3::ZERO, 1.0, DVec3::X, DVec3::Z, form).unwrap();
     for angle in [0.0, 1e-4, -1e-4] {
         let p = 2.0 * DVec3::new(libm::cos(angle), libm::sin(angle), 0.0);

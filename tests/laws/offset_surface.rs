@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use proptest::{collection::vec, prelude::Strategy, prop_assert, proptest};
-use virote::kernel::{
+use virote_kernel::{
     CircleForm, Direction, GeomError, Grid, Interval, KnotVector, NurbsCurve, NurbsSurface, Surface,
 };
 

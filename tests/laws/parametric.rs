@@ -6,7 +6,7 @@ use std::{
 };
 
 use glam::{DAffine3, DVec3};
-use virote::kernel::{
+use virote_kernel::{
     Curve, CurveFunction, FunctionFailure, GeomError, Grid, Interval, ParametricCurve,
     ParametricSurface, Side, Surface, SurfaceFunction,
 };

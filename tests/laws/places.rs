@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DMat3, DVec3};
 use proptest::{prelude::*, proptest};
-use virote::kernel::{CircleForm, Frame, Interval, NurbsCurve, Tolerance};
+use virote_kernel::{CircleForm, Frame, Interval, NurbsCurve, Tolerance};
 
 use crate::some::{curve, fraction, parameter, point};
 
@@ -295,7 +295,7 @@ fn a_small_loop_is_not_overlooked() {
     let at = |x: f64, y: f64| DVec3::new(x, y, 0.0);
     let mut points: Vec<DVec3> = (0..200).map(|i| at(f64::from(i), 0.0)).collect();
     points.splice(100..100, [at(99.7, 0.0), at(99.4, 0.3), at(99.3, -0.3)]);
-    let knots = virote::kernel::KnotVector::uniform_clamped(3, points.len(), 1.0).unwrap();
+    let knots = virote_kernel::KnotVector::uniform_clamped(3, points.len(), 1.0).unwrap();
     let curve = NurbsCurve::polynomial(knots, &points).unwrap();
     let of_samples = crossings_of_samples(&curve, &curve, 20_000, 2).len();
     assert!(of_samples > 0);

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 use proptest::{prelude::Strategy, prop_assert, prop_assume, proptest};
-use virote::kernel::{Axis, AxisContact, CircleForm, Frame, GeomError, NurbsCurve, NurbsSurface};
+use virote_kernel::{Axis, AxisContact, CircleForm, Frame, GeomError, NurbsCurve, NurbsSurface};
 
 use crate::some::{affine_map, are_near, curve, fraction, point};
 

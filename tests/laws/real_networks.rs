@@ -1,7 +1,7 @@
 //! Networks of real aircraft parts, which other programs miss, refuse, or make millions of control
 //! points of.
 
-use virote::kernel::{Gordon, Network, NetworkError, NurbsCurve, gordon};
+use virote_kernel::{Gordon, Network, NetworkError, NurbsCurve, gordon};
 
 use crate::networks::{Known, NETWORKS, measured, size};
 

@@ -7,7 +7,7 @@ use proptest::{
     prelude::{ProptestConfig, Strategy, any},
     prop_assert, prop_assert_eq, proptest,
 };
-use virote::kernel::{
+use virote_kernel::{
     Datum, Direction, Frame, Grid, KnotVector, Mesh, MeshLimits, Nearest, NurbsSurface, Surface,
     Tolerance, tessellate_all,
 };

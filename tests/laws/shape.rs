@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DQuat, DVec3};
 use proptest::{prop_assert, prop_assume, proptest};
-use virote::kernel::{Grid, NurbsSurface, Surface, SurfaceShape, Tolerance};
+use virote_kernel::{Grid, NurbsSurface, Surface, SurfaceShape, Tolerance};
 
 use crate::some::{fraction, point, sphere, surface};
 
@@ -159,7 +159,7 @@ fn the_top_of_an_elliptic_paraboloid_has_both_of_its_curvatures() {
         let (leg, height) = ([0.0, 0.5, 1.0][j], [0.0, 0.0, 1.0][j]);
         DVec3::new(leg * x, leg * y, height * z) / w
     });
-    let knots = |degree| virote::kernel::KnotVector::bezier(degree).unwrap();
+    let knots = |degree| virote_kernel::KnotVector::bezier(degree).unwrap();
     let s = NurbsSurface::rational(knots(4), knots(2), &points, &weights).unwrap();
     let s = Surface::from(s);
     for u in [0.0, 0.3, 0.5, 1.0] {

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use proptest::{collection::vec, prelude::Strategy, prop_assert, proptest};
-use virote::kernel::{Along, GeomError, NurbsCurve, NurbsSurface, Rule, Sections};
+use virote_kernel::{Along, GeomError, NurbsCurve, NurbsSurface, Rule, Sections};
 
 use crate::some::{affine_map, curve};
 

@@ -5,7 +5,7 @@ use proptest::{
     collection::vec,
     prelude::{Just, Strategy, any},
 };
-use virote::kernel::{Grid, KnotVector, NurbsCurve, NurbsSurface};
+use virote_kernel::{Grid, KnotVector, NurbsCurve, NurbsSurface};
 
 /// Knots of degree 1 to 5 with up to four spans, clamped or not.
 pub(crate) fn knots() -> impl Strategy<Value = KnotVector> {

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use proptest::{prop_assert, prop_assume, proptest};
-use virote::kernel::{CircleForm, NurbsCurve, NurbsSurface};
+use virote_kernel::{CircleForm, NurbsCurve, NurbsSurface};
 
 use crate::some::{affine_map, are_near, curve, fraction, parameter, point, sphere, surface};
 

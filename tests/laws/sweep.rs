@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DQuat, DVec3};
 use proptest::{collection::vec, prelude::Strategy, prop_assert, proptest};
-use virote::kernel::{
+use virote_kernel::{
     CircleForm, Columns, Ends, Fineness, Frames, Framing, GeomError, Held, Interpolator, Motion,
     NurbsCurve, Spacing, Sweep, swept,
 };

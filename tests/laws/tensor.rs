@@ -7,7 +7,7 @@ use proptest::{
     prelude::{Just, Strategy},
     prop_assert, prop_assume, proptest,
 };
-use virote::kernel::{
+use virote_kernel::{
     Direction, Ends, FirstPass, Grid, Interpolator, KnotVector, LineFit, NurbsSurface,
 };
 

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 use proptest::{prop_assert, proptest};
-use virote::kernel::{
+use virote_kernel::{
     Axis, Direction, Frame, GeomError, Grid, KnotVector, Mesh, MeshLimits, NurbsCurve,
     NurbsSurface, Surface, Tolerance, distance_to_polyline, tessellate, tessellate_all,
     tessellate_finely,
@@ -200,7 +200,7 @@ proptest! {
 
 /// The patches of the Utah teapot.
 fn teapot() -> Vec<NurbsSurface> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/teapot.bpt");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/teapot.bpt");
     let text = std::fs::read_to_string(path).unwrap();
     let numbers = |line: &str| -> Vec<f64> {
         line.split_whitespace().filter_map(|word| word.parse().ok()).collect()

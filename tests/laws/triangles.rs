@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 use proptest::{collection::vec, prop_assert, proptest};
-use virote::kernel::{
+use virote_kernel::{
     Datum, Frame, Grid, KnotVector, Mesh, Nearest, NurbsSurface, Surface, tessellate,
 };
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use proptest::prelude::*;
-use virote::kernel::{
+use virote_kernel::{
     Curve, CurveFunction, FunctionFailure, Interval, NurbsCurve, ParametricCurve, Tolerance,
 };
 

@@ -2,7 +2,7 @@
 //! J. Duhovnik, *Advanced CAD Modeling*; and the messages that a person reads.
 
 use glam::DVec3;
-use virote::kernel::{GeomError, Grid, Interval, KnotVector, NurbsCurve};
+use virote_kernel::{GeomError, Grid, Interval, KnotVector, NurbsCurve};
 
 fn plane(points: &[[f64; 2]]) -> Vec<DVec3> {
     points.iter().map(|&[x, y]| DVec3::new(x, y, 0.0)).collect()

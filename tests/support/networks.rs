@@ -6,7 +6,7 @@ use std::{fs, path::Path};
 
 use glam::DVec3;
 use serde_json::Value;
-use virote::kernel::{Bounds, KnotVector, NurbsCurve, NurbsSurface};
+use virote_kernel::{Bounds, KnotVector, NurbsCurve, NurbsSurface};
 
 /// A network, and what another program makes of it.
 pub(crate) struct Known {
@@ -38,7 +38,10 @@ pub(crate) const NETWORKS: &[Known] = &[
 impl Known {
     /// The profiles and the guides; of guides that close, the first is not repeated.
     pub(crate) fn curves(&self) -> [Vec<NurbsCurve>; 2] {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/networks");
+        // Laws are built in the kernel's package, benches in the one above it.
+        let above = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors();
+        let mut folders = above.map(|folder| folder.join("tests/data/networks"));
+        let folder = folders.find(|folder| folder.is_dir()).unwrap();
         let data = fs::read(folder.join(format!("{}.json", self.name))).unwrap();
         let data: Value = serde_json::from_slice(&data).unwrap();
         let family =

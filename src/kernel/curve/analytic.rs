@@ -9,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 use glam::{DVec3, DVec4};
 
 use super::NurbsCurve;
-use crate::kernel::{
+use crate::{
     Frame, Tolerance,
     bernstein::{derivative, product},
     bezier,
@@ -56,7 +56,7 @@ impl NurbsCurve {
     }
 
     /// The line or circle that it is up to a distance, which is that of rounding.
-    pub(in crate::kernel) fn analytic_within(&self, allowed: f64) -> Option<AnalyticCurve> {
+    pub(crate) fn analytic_within(&self, allowed: f64) -> Option<AnalyticCurve> {
         if self.degree() == 0 || self.control_points.iter().any(|point| point.w <= 0.0) {
             return None;
         }
@@ -95,7 +95,7 @@ impl NurbsCurve {
     }
 
     /// The arc about a centre in the plane of a normal that it is up to a distance.
-    pub(in crate::kernel) fn arc_about(
+    pub(crate) fn arc_about(
         &self,
         center: DVec3,
         normal: DVec3,
@@ -139,7 +139,7 @@ impl NurbsCurve {
 
 /// A number without the digits that are rounding: what is proposed is rounded, so that files have
 /// the numbers of scripts, before it is proven.
-pub(in crate::kernel) fn rounded(x: f64, allowed: f64) -> f64 {
+pub(crate) fn rounded(x: f64, allowed: f64) -> f64 {
     let most = f64::from(f64::MAX_10_EXP);
     let n_digits = libm::ceil(1.0 - libm::log10(allowed)).clamp(0.0, most) as usize;
     // Adding zero takes the sign from a zero.
@@ -147,7 +147,7 @@ pub(in crate::kernel) fn rounded(x: f64, allowed: f64) -> f64 {
 }
 
 /// [`rounded`] coordinates.
-pub(in crate::kernel) fn rounded_place(place: DVec3, allowed: f64) -> DVec3 {
+pub(crate) fn rounded_place(place: DVec3, allowed: f64) -> DVec3 {
     DVec3::from_array(place.to_array().map(|x| rounded(x, allowed)))
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use super::{NurbsCurve, ParametricCurve};
-use crate::kernel::{GeomError, Interval, Side};
+use crate::{GeomError, Interval, Side};
 
 /// A curve. Cheap to clone.
 #[derive(Clone, Debug, PartialEq)]

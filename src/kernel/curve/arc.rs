@@ -6,12 +6,9 @@ use glam::{DVec3, DVec4};
 
 use super::NurbsCurve;
 use crate::{
-    kernel::{
-        Frame, GeomError, Interval, KnotVector,
-        frame::norm,
-        tolerance::{KNOT_RELATIVE, LAST_BIT},
-    },
-    limits::Limits,
+    Frame, GeomError, Interval, KnotVector,
+    frame::norm,
+    tolerance::{KNOT_RELATIVE, LAST_BIT},
 };
 
 impl NurbsCurve {
@@ -106,7 +103,7 @@ impl NurbsCurve {
         let allowed = (0.5 * distance / radius).max(LAST_BIT);
         let step = libm::pow(46080.0 * allowed, 1.0 / 6.0).min(FRAC_PI_2);
         let n_pieces = libm::ceil(turns * TAU / step);
-        let most = Limits::DEFAULT.control_points;
+        let most = crate::ceiling::CONTROL_POINTS;
         if (most / 6) as f64 <= n_pieces {
             // As a number of points it is as good as infinite.
             return Err(GeomError::TooManyPoints { got: (6.0 * n_pieces) as usize, most });

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{NurbsCurve, measure::quadrature};
-use crate::kernel::{
+use crate::{
     GeomError, Interval,
     tolerance::{LAST_BIT, LENGTH_RELATIVE},
 };
@@ -16,7 +16,7 @@ const QUICK_STEPS: usize = 12;
 
 /// The length of a curve from its start at many places, to be asked often.
 #[derive(Debug)]
-pub(in crate::kernel) struct ArcLengths {
+pub(crate) struct ArcLengths {
     /// Parts over which one rule of quadrature is exact to rounding, and the lengths before them.
     parts: Vec<(Interval, f64)>,
     total: f64,
@@ -24,14 +24,14 @@ pub(in crate::kernel) struct ArcLengths {
 
 impl ArcLengths {
     /// The length of the whole curve.
-    pub(in crate::kernel) fn total(&self) -> f64 {
+    pub(crate) fn total(&self) -> f64 {
         self.total
     }
 }
 
 impl NurbsCurve {
     /// What tells parameters by fractions of the length.
-    pub(in crate::kernel) fn arc_lengths(&self) -> ArcLengths {
+    pub(crate) fn arc_lengths(&self) -> ArcLengths {
         let mut parts = Vec::new();
         let mut total = 0.0;
         for piece in self.smooth_pieces(self.domain(), LAST_BIT * self.magnitude()) {
@@ -50,7 +50,7 @@ impl NurbsCurve {
     }
 
     /// The parameter at a fraction of the length: Newton's method from linear interpolation.
-    pub(in crate::kernel) fn at_fraction(&self, lengths: &ArcLengths, fraction: f64) -> f64 {
+    pub(crate) fn at_fraction(&self, lengths: &ArcLengths, fraction: f64) -> f64 {
         let length = fraction * lengths.total;
         let behind = lengths.parts.partition_point(|&(_, before)| before <= length);
         let Some(&(part, before)) = lengths.parts.get(behind.saturating_sub(1)) else {
@@ -71,7 +71,7 @@ impl NurbsCurve {
     }
 
     /// The fraction of the length at a parameter.
-    pub(in crate::kernel) fn fraction_at(&self, lengths: &ArcLengths, t: f64) -> f64 {
+    pub(crate) fn fraction_at(&self, lengths: &ArcLengths, t: f64) -> f64 {
         let behind = lengths.parts.partition_point(|(part, _)| part.start() <= t);
         let part = lengths.parts.get(behind.saturating_sub(1));
         part.map_or(0.0, |&(part, before)| {

@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::NurbsCurve;
-use crate::kernel::{
+use crate::{
     GeomError, KnotVector, Side, bezier,
     tolerance::{EXACT_RELATIVE, KNOT_RELATIVE},
 };

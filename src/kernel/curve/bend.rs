@@ -7,7 +7,7 @@
 use glam::{DVec3, DVec4};
 
 use super::NurbsCurve;
-use crate::kernel::{
+use crate::{
     Bounds, Interval,
     bernstein::{derivative, largest, product},
     bezier,

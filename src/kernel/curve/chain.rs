@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::NurbsCurve;
-use crate::kernel::{GeomError, Interval, KnotVector, homogeneous};
+use crate::{GeomError, Interval, KnotVector, homogeneous};
 
 impl NurbsCurve {
     /// The cubic through the points with these derivatives, one unit of parameter a segment, C1.
@@ -154,7 +154,7 @@ impl NurbsCurve {
 }
 
 /// Coefficients of the powers of a parameter, lowest first, of a Bézier form over a domain.
-pub(in crate::kernel) fn powers(points: Vec<DVec3>, domain: Interval) -> Vec<DVec3> {
+pub(crate) fn powers(points: Vec<DVec3>, domain: Interval) -> Vec<DVec3> {
     // Coefficients in the fraction of the domain are differences of Bézier points.
     let (degree, mut differences) = (points.len() - 1, points);
     for level in 1..=degree {

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::NurbsCurve;
-use crate::kernel::{Frame, GeomError, KnotVector};
+use crate::{Frame, GeomError, KnotVector};
 
 /// Which of the exact representations of a circle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -45,14 +45,14 @@ impl NurbsCurve {
     ///
     /// ```
     /// use glam::DVec3;
-    /// use virote::kernel::{CircleForm, NurbsCurve};
+    /// use virote_kernel::{CircleForm, NurbsCurve};
     ///
     /// for form in CircleForm::ALL {
     ///     let circle = NurbsCurve::circle(DVec3::ZERO, 2.0, DVec3::X, DVec3::Z, form)?;
     ///     assert!((circle.point_at(0.3).length() - 2.0).abs() < 1e-14);
     ///     assert!((circle.length(circle.domain()) - 4.0 * std::f64::consts::PI).abs() < 1e-12);
     /// }
-    /// # Ok::<(), virote::kernel::GeomError>(())
+    /// # Ok::<(), virote_kernel::GeomError>(())
     /// ```
     ///
     /// # Errors

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::NurbsCurve;
-use crate::kernel::{
+use crate::{
     Interval, Side,
     frame::norm,
     nearest::{Nearest, Wanted},

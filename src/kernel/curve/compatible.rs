@@ -1,7 +1,7 @@
 //! Several curves on one degree and one knot vector.
 
 use super::NurbsCurve;
-use crate::kernel::{GeomError, compatible::on_common_knots};
+use crate::{GeomError, compatible::on_common_knots};
 
 /// The same curves on the highest degree among them, the domain of the first, and one knot vector
 /// with every knot of any of them as often as it stands in one.
@@ -13,7 +13,7 @@ use crate::kernel::{GeomError, compatible::on_common_knots};
 /// # Errors
 /// [`GeomError::KnotMultiplicity`] where knots fall together for lack of digits on that domain.
 ///
-/// [`KNOT_CLUSTER_RELATIVE`]: crate::kernel::tolerance::KNOT_CLUSTER_RELATIVE
+/// [`KNOT_CLUSTER_RELATIVE`]: crate::tolerance::KNOT_CLUSTER_RELATIVE
 pub fn make_compatible(curves: &[NurbsCurve]) -> Result<Vec<NurbsCurve>, GeomError> {
     let lines = on_common_knots(curves.iter().map(NurbsCurve::lines).collect())?;
     Ok(lines.into_iter().map(NurbsCurve::from_lines).collect())

@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::NurbsCurve;
-use crate::kernel::{
+use crate::{
     GeomError, bezier, homogeneous,
     tolerance::{EXACT_RELATIVE, VANISHING_RELATIVE},
 };

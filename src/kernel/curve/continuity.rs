@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{Curve, LocalGeometry, Neighbourhood, series};
-use crate::kernel::{
+use crate::{
     GeomError, JointTolerance, Side,
     frame::{angle_between, norm},
     joint_tolerance::Agreement,

@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{NurbsCurve, make_compatible};
-use crate::kernel::{GeomError, homogeneous, tolerance::WEIGHT_RELATIVE};
+use crate::{GeomError, homogeneous, tolerance::WEIGHT_RELATIVE};
 
 /// The same curves on one degree, one knot vector, the domain of the first, and one set of
 /// weights; so that sums of their homogeneous points stand for sums of their points.
@@ -16,9 +16,7 @@ use crate::kernel::{GeomError, homogeneous, tolerance::WEIGHT_RELATIVE};
 ///
 /// # Errors
 /// Those of [`make_compatible`]; [`GeomError::DegreeTooHigh`], [`GeomError::NotFinite`].
-pub(in crate::kernel) fn on_one_denominator(
-    curves: &[NurbsCurve],
-) -> Result<Vec<NurbsCurve>, GeomError> {
+pub(crate) fn on_one_denominator(curves: &[NurbsCurve]) -> Result<Vec<NurbsCurve>, GeomError> {
     let Some(first) = curves.first() else { return Ok(Vec::new()) };
     let domain = first.domain();
     let curves: Vec<NurbsCurve> =

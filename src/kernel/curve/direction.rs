@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{Curve, LocalGeometry, Neighbourhood, NurbsCurve, ParametricCurve, series};
-use crate::kernel::{
+use crate::{
     GeomError, Interval, Side, Tolerance,
     frame::{angle_between, norm, unit},
     homogeneous,

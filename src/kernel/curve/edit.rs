@@ -1,9 +1,7 @@
 //! Other representations of a curve, and parts of it.
 
 use super::NurbsCurve;
-use crate::kernel::{
-    GeomError, Interval, Receipt, bezier, refine::Lines, tolerance::KNOT_RELATIVE,
-};
+use crate::{GeomError, Interval, Receipt, bezier, refine::Lines, tolerance::KNOT_RELATIVE};
 
 impl NurbsCurve {
     /// The same curve with more knots; a knot that is to be there twice is given twice.

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Curve, Offset, ParametricCurve};
-use crate::kernel::{GeomError, Interval, Tolerance, frame::norm};
+use crate::{GeomError, Interval, Tolerance, frame::norm};
 
 /// Doublings of a domain that is prolonged until it is long enough.
 const MAX_DOUBLINGS: usize = 40;

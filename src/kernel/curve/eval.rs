@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::NurbsCurve;
-use crate::kernel::{Grid, Interval, Side, homogeneous, knots::acting};
+use crate::{Grid, Interval, Side, homogeneous, knots::acting};
 
 impl NurbsCurve {
     /// Point at parameter `t`; outside the domain the first and the last piece go on.

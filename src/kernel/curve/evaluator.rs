@@ -10,7 +10,7 @@
 use glam::{DVec3, DVec4};
 
 use super::NurbsCurve;
-use crate::kernel::{
+use crate::{
     homogeneous,
     knots::{BATCH, Lookup, POWER_DEGREE, Place, convert_to_bezier, in_powers},
 };
@@ -22,7 +22,7 @@ use crate::kernel::{
 ///
 /// ```
 /// use glam::DVec3;
-/// use virote::kernel::NurbsCurve;
+/// use virote_kernel::NurbsCurve;
 ///
 /// let peak = [DVec3::ZERO, DVec3::new(1.0, 2.0, 0.0), DVec3::new(2.0, 0.0, 0.0)];
 /// let curve = NurbsCurve::bezier(&peak)?;
@@ -30,7 +30,7 @@ use crate::kernel::{
 /// assert_eq!(parabola.points_at(&[0.0, 0.5]), [DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0)]);
 /// let [_, velocity, acceleration] = parabola.second_order_at(0.5);
 /// assert_eq!([velocity, acceleration], [DVec3::new(2.0, 0.0, 0.0), DVec3::new(0.0, -8.0, 0.0)]);
-/// # Ok::<(), virote::kernel::GeomError>(())
+/// # Ok::<(), virote_kernel::GeomError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct CurveEvaluator {

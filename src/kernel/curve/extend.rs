@@ -6,7 +6,7 @@ use super::{
     AnalyticCurve, NurbsCurve, join,
     measure::{MAX_PIECES, integral},
 };
-use crate::kernel::{
+use crate::{
     GeomError, Interval, Receipt, bezier,
     frame::norm,
     homogeneous,

@@ -12,7 +12,7 @@ use super::{
     NurbsCurve,
     bend::{Piece, Rounded, longest},
 };
-use crate::kernel::{
+use crate::{
     Frame, Interval, Side, Tolerance,
     bernstein::{derivative, product},
     frame::angle_between,

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Curve, NurbsCurve};
-use crate::kernel::{
+use crate::{
     GeomError, Tolerance,
     frame::{norm, unit},
     homogeneous,
@@ -36,7 +36,7 @@ impl Curve {
 }
 
 /// Whether points lie within the tolerance of one plane; points of a line do.
-pub(in crate::kernel) fn lie_in_a_plane(points: &[DVec3], tolerance: Tolerance) -> bool {
+pub(crate) fn lie_in_a_plane(points: &[DVec3], tolerance: Tolerance) -> bool {
     let Some(widest) = widest(points) else { return true };
     lie_across(points, widest.normal, allowed(points, tolerance))
 }
@@ -72,7 +72,7 @@ impl NurbsCurve {
 }
 
 /// A normal of the plane of points that are not on one line.
-pub(in crate::kernel) fn plane_of(points: &[DVec3]) -> Option<DVec3> {
+pub(crate) fn plane_of(points: &[DVec3]) -> Option<DVec3> {
     widest(points).map(|widest| widest.normal)
 }
 

@@ -9,13 +9,11 @@ use glam::DVec3;
 
 use super::{NurbsCurve, ParametricCurve, hermite::blossom_weights, series};
 use crate::{
-    kernel::{
-        Bounds, GeomError, Interval, Tolerance,
-        frame::norm,
-        roots::Signs,
-        tolerance::{FOLLOWED_RELATIVE, LAST_BIT, SIDE_STEP, SIGN_RELATIVE, TOUCH_RELATIVE},
-    },
-    limits::work,
+    Bounds, GeomError, Interval, Tolerance,
+    frame::norm,
+    roots::Signs,
+    tolerance::{FOLLOWED_RELATIVE, LAST_BIT, SIDE_STEP, SIGN_RELATIVE, TOUCH_RELATIVE},
+    work,
 };
 
 /// Order of the Taylor series that polynomials are made of.
@@ -170,7 +168,7 @@ impl ParametricCurve {
             let is_near = || -> Result<bool, GeomError> {
                 for fraction in PLACES {
                     let value = self.inside(part, fraction, question)?.terms[0];
-                    let guess = crate::kernel::bernstein::value(&coefficients, fraction);
+                    let guess = crate::bernstein::value(&coefficients, fraction);
                     if FOLLOWED_RELATIVE * size < (value - guess).abs() {
                         return Ok(false);
                     }

@@ -9,7 +9,7 @@
 use glam::DVec3;
 
 use super::NurbsCurve;
-use crate::kernel::{GeomError, KnotVector, frame::norm};
+use crate::{GeomError, KnotVector, frame::norm};
 
 /// A parameter with the derivatives of a curve there, by order.
 #[derive(Clone, Debug)]
@@ -56,7 +56,7 @@ impl Node {
 
 /// What the derivatives up to `order` at a node count in each of its control points, with the
 /// differences of its neighbours' parameters from its own.
-pub(in crate::kernel) fn blossom_weights(before: f64, behind: f64, order: usize) -> Vec<Vec<f64>> {
+pub(crate) fn blossom_weights(before: f64, behind: f64, order: usize) -> Vec<Vec<f64>> {
     let degree = 2 * order + 1;
     let weights = |n_behind: usize| {
         let elementary = elementary_symmetric(before, order - n_behind, behind, n_behind);

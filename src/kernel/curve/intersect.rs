@@ -23,11 +23,9 @@ use super::{
     part::{Part, parts},
 };
 use crate::{
-    kernel::{
-        Bounds, GeomError, Interval, homogeneous,
-        tolerance::{KNOT_RELATIVE, LAST_BIT},
-    },
-    limits::work,
+    Bounds, GeomError, Interval, homogeneous,
+    tolerance::{KNOT_RELATIVE, LAST_BIT},
+    work,
 };
 
 /// Control points of pairs of pieces that are looked at before the meetings are too many.

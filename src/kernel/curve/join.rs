@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::NurbsCurve;
-use crate::kernel::{
+use crate::{
     GeomError,
     joint::{Joined, vanishing_span},
     refine::Lines,

@@ -9,7 +9,7 @@ use std::borrow::Cow;
 use glam::DVec3;
 
 use super::{Meeting, NurbsCurve, intersect::work};
-use crate::kernel::{GeomError, JumpError, Side, homogeneous, tolerance::LAST_BIT};
+use crate::{GeomError, JumpError, Side, homogeneous, tolerance::LAST_BIT};
 
 /// Last bits of a coordinate within which two ends meet.
 const MOST_ROUNDINGS: f64 = 16.0;

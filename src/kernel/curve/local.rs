@@ -8,7 +8,7 @@
 use glam::DVec3;
 
 use super::{CircleForm, NurbsCurve, series};
-use crate::kernel::{Frame, GeomError, Side, frame::norm};
+use crate::{Frame, GeomError, Side, frame::norm};
 
 /// Where a curve is looked at, and which lengths are rounding there.
 #[derive(Clone, Copy, Debug)]

@@ -6,14 +6,12 @@ use glam::{DAffine3, DVec4};
 
 use super::{NurbsCurve, part::Part};
 use crate::{
-    kernel::{
-        Bounds, Grid, Interval, KnotVector,
-        bezier::{blend, cut_at},
-        frame::norm,
-        hull::Spline,
-        tolerance::{LAST_BIT, LENGTH_RELATIVE},
-    },
-    limits::work,
+    Bounds, Grid, Interval, KnotVector,
+    bezier::{blend, cut_at},
+    frame::norm,
+    hull::Spline,
+    tolerance::{LAST_BIT, LENGTH_RELATIVE},
+    work,
 };
 
 /// Halvings of a piece whose length does not settle: enough for a cusp, whose error falls by four

@@ -64,20 +64,20 @@ use super::{
 };
 
 pub use analytic::AnalyticCurve;
-pub(in crate::kernel) use analytic::{rounded, rounded_place};
+pub(crate) use analytic::{rounded, rounded_place};
 pub use any::Curve;
-pub(in crate::kernel) use arc_length::ArcLengths;
-pub(in crate::kernel) use chain::powers;
+pub(crate) use arc_length::ArcLengths;
+pub(crate) use chain::powers;
 pub use circle::CircleForm;
 pub use closest::Foot;
 pub use compatible::make_compatible;
 pub use conic::ConicKind;
 pub use continuity::Continuity;
-pub(in crate::kernel) use denominator::on_one_denominator;
+pub(crate) use denominator::on_one_denominator;
 pub use direction::PlaceKind;
 pub use evaluator::CurveEvaluator;
-pub(in crate::kernel) use flat::{lie_in_a_plane, plane_of};
-pub(in crate::kernel) use hermite::blossom_weights;
+pub(crate) use flat::{lie_in_a_plane, plane_of};
+pub(crate) use hermite::blossom_weights;
 pub use intersect::Meeting;
 pub use join::join;
 pub use local::{LocalGeometry, Neighbourhood};
@@ -146,12 +146,12 @@ impl NurbsCurve {
     ///
     /// ```
     /// use glam::DVec3;
-    /// use virote::kernel::NurbsCurve;
+    /// use virote_kernel::NurbsCurve;
     ///
     /// let peak = [DVec3::ZERO, DVec3::new(1.0, 2.0, 0.0), DVec3::new(2.0, 0.0, 0.0)];
     /// let parabola = NurbsCurve::bezier(&peak)?;
     /// assert_eq!(parabola.point_at(0.5), DVec3::new(1.0, 1.0, 0.0));
-    /// # Ok::<(), virote::kernel::GeomError>(())
+    /// # Ok::<(), virote_kernel::GeomError>(())
     /// ```
     ///
     /// # Errors
@@ -185,7 +185,7 @@ impl NurbsCurve {
     }
 
     /// A curve of parts that keep the invariants by construction.
-    pub(in crate::kernel) fn trusted(knots: KnotVector, control_points: Vec<DVec4>) -> Self {
+    pub(crate) fn trusted(knots: KnotVector, control_points: Vec<DVec4>) -> Self {
         let is_rational = homogeneous::have_different_weights(&control_points);
         let (evaluator, nearest) = (Lazy::default(), Lazy::default());
         let receipt = Receipt::NONE;

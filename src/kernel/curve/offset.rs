@@ -9,7 +9,7 @@ mod straight;
 use glam::{DVec3, DVec4};
 
 use super::{Meeting, NurbsCurve, join};
-use crate::kernel::{
+use crate::{
     GeomError, Interval, Side,
     frame::{angle_between, norm, unit},
     tolerance::{LAST_BIT, Tolerance},

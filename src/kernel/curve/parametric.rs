@@ -8,7 +8,7 @@ use std::{
 use glam::{DAffine3, DVec3};
 
 use super::NurbsCurve;
-use crate::kernel::{FunctionFailure, GeomError, Interval, tolerance::KNOT_RELATIVE};
+use crate::{FunctionFailure, GeomError, Interval, tolerance::KNOT_RELATIVE};
 
 /// Even parts of a domain at whose ends a function is tried when a curve is made of it.
 const PROBES: usize = 8;

@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{NurbsCurve, bend::longest};
-use crate::kernel::{
+use crate::{
     Bounds, Interval,
     bernstein::{derivative, product},
     bezier, homogeneous,

@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::NurbsCurve;
-use crate::kernel::{GeomError, bezier::blend, homogeneous};
+use crate::{GeomError, bezier::blend, homogeneous};
 
 impl NurbsCurve {
     /// The polyline through the control points, without those of weight zero.

@@ -3,9 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{NurbsCurve, chain::binomials};
-use crate::kernel::{
-    GeomError, KnotVector, bezier, homogeneous, positive, tolerance::KNOT_RELATIVE,
-};
+use crate::{GeomError, KnotVector, bezier, homogeneous, positive, tolerance::KNOT_RELATIVE};
 
 impl NurbsCurve {
     /// The curve of derivative vectors, on the same domain.

@@ -3,7 +3,7 @@
 use glam::DVec4;
 
 use super::NurbsCurve;
-use crate::kernel::{GeomError, KnotVector, refine::Lines, removal::removal};
+use crate::{GeomError, KnotVector, refine::Lines, removal::removal};
 
 impl NurbsCurve {
     /// The curve at another degree below its own, or at the lowest that the tolerance allows.

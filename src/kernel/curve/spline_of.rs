@@ -13,7 +13,7 @@ use super::{
     NurbsCurve, ParametricCurve,
     hermite::{self, Node},
 };
-use crate::kernel::{
+use crate::{
     Bounds, GeomError, Interval, JumpError,
     frame::norm,
     tolerance::{

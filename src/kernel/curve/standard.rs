@@ -5,7 +5,7 @@
 //! B-splines*, CAGD 8 (1991).
 
 use super::NurbsCurve;
-use crate::kernel::{GeomError, KnotVector, Receipt};
+use crate::{GeomError, KnotVector, Receipt};
 
 impl NurbsCurve {
     /// The same points over the same domain, with weight one at both ends.

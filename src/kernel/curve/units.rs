@@ -4,7 +4,7 @@
 //! does so in other units; changing them by a power of two changes no digit.
 
 use super::NurbsCurve;
-use crate::kernel::Receipt;
+use crate::Receipt;
 
 /// Powers of two beyond this one have no inverse.
 const MOST: i32 = 1000;

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::{Curve, Foot, Meeting, NurbsCurve, ParametricCurve, function};
-use crate::kernel::{
+use crate::{
     Bounds, Frame, GeomError, Interval, Tolerance,
     frame::norm,
     tolerance::{LAST_BIT, SIDE_STEP, TOUCH_RELATIVE},

@@ -8,10 +8,7 @@ use super::{
     least::Approximator,
     search::{MANY, Search, Trial},
 };
-use crate::{
-    kernel::{GeomError, KnotVector, NurbsCurve, Receipt},
-    limits::Limits,
-};
+use crate::{GeomError, KnotVector, NurbsCurve, Receipt};
 
 /// The curve of `n_control` control points that comes nearest to the points at the parameters,
 /// through the first and the last. Its receipt tells the deviation.
@@ -59,7 +56,7 @@ pub fn approximate_within(
         return Err(GeomError::BadDegree { degree, points: points.len(), needed });
     }
     let kinks = kinks(points, parameters);
-    let left = Limits::DEFAULT.fit_steps / if kinks.is_empty() { 1 } else { 2 };
+    let left = crate::ceiling::FIT_STEPS / if kinks.is_empty() { 1 } else { 2 };
     let search = |points| Search { points, degree, tolerance, are_fixed, left };
     if kinks.is_empty() {
         let found = search(points).run(parameters)?;

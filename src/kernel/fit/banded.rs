@@ -3,14 +3,14 @@
 use glam::DVec4;
 
 use super::equation::Equation;
-use crate::kernel::GeomError;
+use crate::GeomError;
 
 /// As many equations as unknowns, factored once for any number of right-hand sides.
 ///
 /// Gaussian elimination with row exchanges inside the band: O(n·b²) once and O(n·b) for each
 /// right-hand side. Golub & Van Loan, *Matrix Computations*, §4.3.
 #[derive(Clone, Debug)]
-pub(in crate::kernel) struct Banded {
+pub(crate) struct Banded {
     /// Coefficients below the diagonal, at most.
     lower: usize,
     /// Length of a row: from `lower` before the diagonal to where exchanges can reach.
@@ -24,7 +24,7 @@ pub(in crate::kernel) struct Banded {
 impl Banded {
     /// # Errors
     /// [`GeomError::NoFit`] where the equations contradict or repeat one another.
-    pub(in crate::kernel) fn new(equations: &[Equation]) -> Result<Self, GeomError> {
+    pub(crate) fn new(equations: &[Equation]) -> Result<Self, GeomError> {
         let n = equations.len();
         let below = |(i, equation): (usize, &Equation)| i.saturating_sub(equation.first);
         let above =
@@ -46,7 +46,7 @@ impl Banded {
     }
 
     /// How many unknowns there are.
-    pub(in crate::kernel) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.exchanged.len()
     }
 
@@ -86,7 +86,7 @@ impl Banded {
     }
 
     /// Replaces the right-hand sides by the unknowns.
-    pub(in crate::kernel) fn solve(&self, values: &mut [DVec4]) {
+    pub(crate) fn solve(&self, values: &mut [DVec4]) {
         let n = self.len();
         for k in 0..n {
             values.swap(k, self.exchanged[k]);

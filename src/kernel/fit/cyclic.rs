@@ -3,7 +3,7 @@
 use glam::DVec4;
 
 use super::{banded::Banded, equation::Equation};
-use crate::kernel::GeomError;
+use crate::GeomError;
 
 /// As many equations as unknowns, where the unknown after the last is the first.
 ///

@@ -1,35 +1,35 @@
 //! One linear condition on the control points of a spline.
 
-use crate::kernel::KnotVector;
+use crate::KnotVector;
 
 /// The condition Σ `values[j]`·P[`first` + j] = a given point.
 #[derive(Clone, Debug)]
-pub(in crate::kernel) struct Equation {
-    pub(in crate::kernel) first: usize,
-    pub(in crate::kernel) values: Vec<f64>,
+pub(crate) struct Equation {
+    pub(crate) first: usize,
+    pub(crate) values: Vec<f64>,
 }
 
 impl Equation {
     /// The spline's point at `t` is given.
-    pub(in crate::kernel) fn point(knots: &KnotVector, t: f64) -> Self {
+    pub(crate) fn point(knots: &KnotVector, t: f64) -> Self {
         let row = knots.with_basis(t, |span, basis| (span, basis.to_vec()));
         Self { first: row.0 - knots.degree(), values: row.1 }.without_zeros()
     }
 
     /// The spline's derivative at `t` is given.
-    pub(in crate::kernel) fn derivative(knots: &KnotVector, t: f64, order: usize) -> Self {
+    pub(crate) fn derivative(knots: &KnotVector, t: f64, order: usize) -> Self {
         let span = knots.span_at(t);
         let values = knots.basis_derivatives_on(span, t, order).row(order).to_vec();
         Self { first: span - knots.degree(), values }.without_zeros()
     }
 
     /// One control point is given.
-    pub(in crate::kernel) fn control_point(index: usize) -> Self {
+    pub(crate) fn control_point(index: usize) -> Self {
         Self { first: index, values: vec![1.0] }
     }
 
     /// The equation divided by its largest coefficient: for right-hand sides of zero.
-    pub(in crate::kernel) fn scaled(mut self) -> Self {
+    pub(crate) fn scaled(mut self) -> Self {
         let largest = self.values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
         if largest > 0.0 {
             self.values.iter_mut().for_each(|value| *value /= largest);
@@ -38,7 +38,7 @@ impl Equation {
     }
 
     /// The unknowns that it is about.
-    pub(in crate::kernel) fn columns(&self) -> std::ops::Range<usize> {
+    pub(crate) fn columns(&self) -> std::ops::Range<usize> {
         self.first..self.first + self.values.len()
     }
 

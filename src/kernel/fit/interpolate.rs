@@ -1,7 +1,7 @@
 //! The equations of splines through points: which knots, which conditions.
 
 use super::{banded::Banded, check_parameters, cyclic::Cyclic, equation::Equation};
-use crate::kernel::{GeomError, KnotVector};
+use crate::{GeomError, KnotVector};
 
 /// What a cubic with its knots at the points does where it begins and ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -144,10 +144,7 @@ impl Interpolator {
     ///
     /// # Errors
     /// [`GeomError::NoFit`] where the values do not determine a spline.
-    pub(in crate::kernel) fn on_knots(
-        parameters: &[f64],
-        knots: KnotVector,
-    ) -> Result<Self, GeomError> {
+    pub(crate) fn on_knots(parameters: &[f64], knots: KnotVector) -> Result<Self, GeomError> {
         let rows: Vec<Equation> = parameters.iter().map(|&t| Equation::point(&knots, t)).collect();
         let equations = Equations::Values(Banded::new(&rows)?);
         Ok(Self { knots, n_values: parameters.len(), equations })

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::kernel::tolerance::PARAMETER_RELATIVE;
+use crate::tolerance::PARAMETER_RELATIVE;
 
 /// The least turn of a kink, in radians: a sixteenth of a turn.
 const LEAST_TURN: f64 = std::f64::consts::FRAC_PI_8;

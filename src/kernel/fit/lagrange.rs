@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{banded::Banded, check_parameters, equation::Equation};
-use crate::kernel::{GeomError, KnotVector, NurbsCurve};
+use crate::{GeomError, KnotVector, NurbsCurve};
 
 /// The polynomial curve through the points at the parameters, as a Bézier curve over them; its
 /// degree is one less than the number of points.

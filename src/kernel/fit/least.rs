@@ -3,17 +3,17 @@
 use glam::{DVec3, DVec4};
 
 use super::equation::Equation;
-use crate::kernel::{GeomError, KnotVector, NurbsCurve, tolerance::RANK_RELATIVE};
+use crate::{GeomError, KnotVector, NurbsCurve, tolerance::RANK_RELATIVE};
 
 /// What a fit is to have at a parameter: a value, or a derivative of an order.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::kernel) struct Condition {
+pub(crate) struct Condition {
     /// The parameter.
-    pub(in crate::kernel) t: f64,
+    pub(crate) t: f64,
     /// Which derivative is meant.
-    pub(in crate::kernel) order: usize,
+    pub(crate) order: usize,
     /// By how much the difference counts more than that of a value.
-    pub(in crate::kernel) weight: f64,
+    pub(crate) weight: f64,
 }
 
 /// A basis, with the factored equations of a spline over it that begins at the first value, ends
@@ -51,10 +51,7 @@ impl Approximator {
     ///
     /// # Errors
     /// As [`Self::new`].
-    pub(in crate::kernel) fn weighted(
-        conditions: &[Condition],
-        knots: KnotVector,
-    ) -> Result<Self, GeomError> {
+    pub(crate) fn weighted(conditions: &[Condition], knots: KnotVector) -> Result<Self, GeomError> {
         let width = knots.degree() + 1;
         let mut firsts = Vec::with_capacity(conditions.len());
         let mut shares = Vec::with_capacity(conditions.len() * width);
@@ -97,10 +94,7 @@ impl Approximator {
     }
 
     /// The spline of control points at each of the parameters.
-    pub(in crate::kernel) fn values<'a>(
-        &'a self,
-        points: &'a [DVec4],
-    ) -> impl Iterator<Item = DVec4> + 'a {
+    pub(crate) fn values<'a>(&'a self, points: &'a [DVec4]) -> impl Iterator<Item = DVec4> + 'a {
         self.rows().map(|(first, shares)| value(&points[first..], shares))
     }
 
@@ -127,7 +121,7 @@ impl Approximator {
 
     /// The control points from end to end of the spline that comes nearest to what the conditions
     /// want, each times its weight.
-    pub(in crate::kernel) fn between(&self, ends: [DVec4; 2], wanted: &[DVec4]) -> Vec<DVec4> {
+    pub(crate) fn between(&self, ends: [DVec4; 2], wanted: &[DVec4]) -> Vec<DVec4> {
         let mut points = vec![DVec4::ZERO; self.knots.n_points()];
         let last = points.len() - 1;
         (points[0], points[last]) = (ends[0], ends[1]);

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::kernel::{GeomError, frame::norm, tolerance::PARAMETER_RELATIVE};
+use crate::{GeomError, frame::norm, tolerance::PARAMETER_RELATIVE};
 
 /// A rule for the distance of neighbouring parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

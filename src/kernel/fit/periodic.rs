@@ -8,7 +8,7 @@ use super::{
     equation::Equation,
     interpolate::{Equations, Interpolator, check_degree},
 };
-use crate::kernel::{GeomError, Interval, KnotVector, NurbsCurve};
+use crate::{GeomError, Interval, KnotVector, NurbsCurve};
 
 impl Interpolator {
     /// For values at all but the last of the parameters, where it comes back to the first value:

@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{Ends, Interpolator, least::Approximator, slide::slid, spread};
-use crate::kernel::{
+use crate::{
     GeomError, KnotVector, NurbsCurve,
     removal::removal,
     tolerance::{PARAMETER_RELATIVE, SLIDE_RELATIVE},

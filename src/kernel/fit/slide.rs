@@ -9,7 +9,7 @@
 
 use glam::{DMat3, DVec3};
 
-use crate::kernel::NurbsCurve;
+use crate::NurbsCurve;
 
 /// The control points of the spline over the knots of a polynomial curve, from its first to its
 /// last control point, which comes nearest to the points across the directions that the curve has

@@ -8,7 +8,7 @@ use super::{
     equation::Equation,
     interpolate::{Equations, Interpolator, check_degree, clamped},
 };
-use crate::kernel::GeomError;
+use crate::GeomError;
 
 impl Interpolator {
     /// For values at the parameters and first derivatives at one end or both; where these do not

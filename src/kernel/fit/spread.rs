@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::kernel::{GeomError, KnotVector, NurbsCurve, tolerance::PARAMETER_RELATIVE};
+use crate::{GeomError, KnotVector, NurbsCurve, tolerance::PARAMETER_RELATIVE};
 
 /// The least density of knots, as a share of the mean: no part of a curve is left without.
 const LEAST_DENSITY: f64 = 0.05;

@@ -5,7 +5,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{Approximator, Interpolator, Spacing};
-use crate::kernel::{GeomError, Grid, NurbsSurface, tolerance::PARAMETER_RELATIVE};
+use crate::{GeomError, Grid, NurbsSurface, tolerance::PARAMETER_RELATIVE};
 
 /// How the lines of a grid in one direction become splines.
 #[derive(Clone, Debug)]
@@ -24,7 +24,7 @@ impl LineFit {
         }
     }
 
-    fn knots(&self) -> &crate::kernel::KnotVector {
+    fn knots(&self) -> &crate::KnotVector {
         match self {
             Self::Through(fit) => fit.knots(),
             Self::Near(fit) => fit.knots(),

@@ -6,7 +6,7 @@ use super::{
     interpolate::{EndRow, Equations, Interpolator},
     periodic::cut_to,
 };
-use crate::kernel::{GeomError, NurbsCurve};
+use crate::{GeomError, NurbsCurve};
 
 impl Interpolator {
     /// The control points of the spline through the values.

@@ -5,7 +5,7 @@ use super::{
     map::Map,
     refit::{Wanted, refitted},
 };
-use crate::kernel::{GeomError, Interval, KnotVector, NurbsCurve, curve::on_one_denominator};
+use crate::{GeomError, Interval, KnotVector, NurbsCurve, curve::on_one_denominator};
 
 /// The degree of curves that become splines, if none has a higher one.
 const DEGREE: usize = 3;

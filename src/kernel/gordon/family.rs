@@ -6,7 +6,7 @@ use super::{
     N_PLACES,
     network::{Meet, NetworkError},
 };
-use crate::kernel::{
+use crate::{
     GeomError, Interval, NurbsCurve,
     tolerance::{KNOT_RELATIVE, PLACE_RELATIVE},
 };

@@ -2,7 +2,7 @@
 
 use glam::DVec4;
 
-use crate::kernel::{
+use crate::{
     Ends, GeomError, Interpolator, Interval, KnotVector, NurbsCurve,
     bernstein::{derivative, product, value},
     bezier,
@@ -11,7 +11,7 @@ use crate::kernel::{
 
 /// A change of parameter: polynomials by their Bernstein coefficients between breaks.
 #[derive(Clone, Debug)]
-pub(in crate::kernel) struct Map {
+pub(crate) struct Map {
     breaks: Vec<f64>,
     pieces: Vec<Vec<f64>>,
 }
@@ -26,11 +26,7 @@ impl Map {
     /// has the least of both neighbours' slopes at each place, and a bump between them that makes
     /// up for the rest: positive by construction. With `is_ring` the derivative at the end is that
     /// at the start.
-    pub(in crate::kernel) fn new(
-        from: &[f64],
-        to: &[f64],
-        is_ring: bool,
-    ) -> Result<Self, GeomError> {
+    pub(crate) fn new(from: &[f64], to: &[f64], is_ring: bool) -> Result<Self, GeomError> {
         let widths: Vec<f64> = from.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let slopes: Vec<f64> =
             to.windows(2).zip(&widths).map(|(pair, width)| (pair[1] - pair[0]) / width).collect();
@@ -132,7 +128,7 @@ impl Map {
     /// of the derivatives that there are.
     ///
     /// de Casteljau's algorithm on polynomials: Farin, *Curves and Surfaces for CAGD*, §5.5.
-    pub(in crate::kernel) fn applied(
+    pub(crate) fn applied(
         &self,
         curve: &NurbsCurve,
     ) -> Result<(NurbsCurve, Vec<(f64, usize)>), GeomError> {

@@ -13,8 +13,8 @@ mod refit;
 pub use family::Changes;
 pub use network::NetworkError;
 
-pub(in crate::kernel) use map::Map;
-pub(in crate::kernel) use refit::{Wanted, refitted};
+pub(crate) use map::Map;
+pub(crate) use refit::{Wanted, refitted};
 
 use family::Member;
 use glam::{DVec3, DVec4};

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::kernel::{GeomError, NurbsCurve, tolerance::PLACE_RELATIVE};
+use crate::{GeomError, NurbsCurve, tolerance::PLACE_RELATIVE};
 
 /// Why curves are no network; indices are those in which the curves were given.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use glam::DVec4;
 
-use crate::kernel::{
+use crate::{
     Approximator, GeomError, Interval, KnotVector, NurbsCurve, Side, fit::Condition,
     tolerance::KNOT_CLUSTER_RELATIVE,
 };
@@ -35,15 +35,15 @@ const LEAST_DENSITY: f64 = 0.05;
 
 /// What splines in place of curves are to be like.
 #[derive(Clone, Debug)]
-pub(in crate::kernel) struct Wanted {
+pub(crate) struct Wanted {
     /// Their degree.
-    pub(in crate::kernel) degree: usize,
+    pub(crate) degree: usize,
     /// Parameters where they have the curves' points.
-    pub(in crate::kernel) at: Vec<f64>,
+    pub(crate) at: Vec<f64>,
     /// Inner knots that they have anyway, with their multiplicities.
-    pub(in crate::kernel) held: Vec<(f64, usize)>,
+    pub(crate) held: Vec<(f64, usize)>,
     /// Whether second derivatives at both ends count.
-    pub(in crate::kernel) is_ring: bool,
+    pub(crate) is_ring: bool,
 }
 
 /// Splines of the curves, all on one domain, on common knots; with a bound of the distance at equal
@@ -54,7 +54,7 @@ pub(in crate::kernel) struct Wanted {
 ///
 /// # Errors
 /// [`GeomError::ToleranceNotKept`] where 4096 control points do not suffice.
-pub(in crate::kernel) fn refitted(
+pub(crate) fn refitted(
     curves: &[NurbsCurve],
     wanted: &Wanted,
     tolerance: f64,

@@ -4,7 +4,7 @@
 //! not the derivatives, or has no value; and with [`GeomError::DerivativeBeyondNumbers`].
 
 use super::{Jet, series};
-use crate::kernel::GeomError;
+use crate::GeomError;
 
 type Found = Result<Jet, GeomError>;
 

@@ -1,11 +1,11 @@
 //! Knot vectors made of others. None of these can break an invariant.
 
 use super::KnotVector;
-use crate::kernel::{GeomError, Interval, tolerance::KNOT_RELATIVE};
+use crate::{GeomError, Interval, tolerance::KNOT_RELATIVE};
 
 impl KnotVector {
     /// The knot nearest to `t` if it is closer than [`KNOT_RELATIVE`] of the domain, else `t`.
-    pub(in crate::kernel) fn snapped(&self, t: f64) -> f64 {
+    pub(crate) fn snapped(&self, t: f64) -> f64 {
         let same = KNOT_RELATIVE * self.domain().length();
         let next = self.knots.partition_point(|&knot| knot < t);
         let near = |i: usize| self.knots.get(i).copied().filter(|knot| (knot - t).abs() <= same);
@@ -13,31 +13,31 @@ impl KnotVector {
     }
 
     /// More knots, which lie between those there are.
-    pub(in crate::kernel) fn with(&self, more: &[f64]) -> Self {
+    pub(crate) fn with(&self, more: &[f64]) -> Self {
         let mut knots = [&self.knots, more].concat();
         knots.sort_by(f64::total_cmp);
         Self::trusted(self.degree, knots)
     }
 
     /// One knot less: the last of those at `t`, which is one of them.
-    pub(in crate::kernel) fn without(&self, t: f64) -> Self {
+    pub(crate) fn without(&self, t: f64) -> Self {
         let mut knots = self.knots.clone();
         knots.remove(knots.partition_point(|&knot| knot <= t) - 1);
         Self::trusted(self.degree, knots)
     }
 
     /// Every knot replaced by `f(knot)`, which must not decrease.
-    pub(in crate::kernel) fn map(&self, f: impl Fn(f64) -> f64) -> Self {
+    pub(crate) fn map(&self, f: impl Fn(f64) -> f64) -> Self {
         Self::trusted(self.degree, self.knots.iter().map(|&knot| f(knot)).collect())
     }
 
     /// Some of the knots, and others at either end, as a vector of the same degree.
-    pub(in crate::kernel) fn part(&self, parts: [&[f64]; 3]) -> Self {
+    pub(crate) fn part(&self, parts: [&[f64]; 3]) -> Self {
         Self::trusted(self.degree, parts.concat())
     }
 
     /// The same knots over another domain.
-    pub(in crate::kernel) fn on(&self, target: Interval) -> Self {
+    pub(crate) fn on(&self, target: Interval) -> Self {
         let domain = self.domain();
         self.map(|t| {
             if t <= domain.start() {
@@ -51,7 +51,7 @@ impl KnotVector {
     }
 
     /// The knots of the spline run backwards, on the same domain.
-    pub(in crate::kernel) fn reversed(&self) -> Self {
+    pub(crate) fn reversed(&self) -> Self {
         let domain = self.domain();
         let mirror = |t: f64| {
             if t <= domain.start() {
@@ -67,13 +67,13 @@ impl KnotVector {
     }
 
     /// The opposite numbers in order: exactly its own inverse.
-    pub(in crate::kernel) fn mirrored(&self) -> Self {
+    pub(crate) fn mirrored(&self) -> Self {
         Self::trusted(self.degree, self.knots.iter().rev().map(|&t| -t).collect())
     }
 
     /// Knots for nearby splines of one degree less: of clamped ones every knot once less, but no
     /// inner knot gone.
-    pub(in crate::kernel) fn lowered(&self) -> Self {
+    pub(crate) fn lowered(&self) -> Self {
         let domain = self.domain();
         let is_inner = |t: f64| domain.start() < t && t < domain.end();
         let less = |(t, times): (f64, usize)| vec![t; (times - 1).max(usize::from(is_inner(t)))];
@@ -85,7 +85,7 @@ impl KnotVector {
     ///
     /// # Errors
     /// [`GeomError::DegreeTooHigh`].
-    pub(in crate::kernel) fn elevated(&self) -> Result<Self, GeomError> {
+    pub(crate) fn elevated(&self) -> Result<Self, GeomError> {
         let degree = self.degree + 1;
         super::check_degree(degree)?;
         let domain = self.domain();

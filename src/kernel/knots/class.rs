@@ -1,7 +1,7 @@
 //! What kind of knots a vector has.
 
 use super::KnotVector;
-use crate::kernel::tolerance::KNOT_RELATIVE;
+use crate::tolerance::KNOT_RELATIVE;
 
 /// The kinds of knots that the field has names for; a vector can be of several.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,17 +3,17 @@
 use std::ops::{Add, Mul, Sub};
 
 use super::{KnotVector, Lookup, Place};
-use crate::kernel::bernstein::binomials;
+use crate::bernstein::binomials;
 
 /// The highest degree that is evaluated in powers: over half a span, rounding is at most 2ᵖ that
 /// of the coefficients.
-pub(in crate::kernel) const POWER_DEGREE: usize = 5;
+pub(crate) const POWER_DEGREE: usize = 5;
 
 /// Turns the coefficients of a span, p + 1 of any kind, into those of its Bézier form: the
 /// blossoms `f(a, … a, b, … b)` at the ends a and b of the span, by interpolation alone.
 ///
 /// Ramshaw, *Blossoming: a connect-the-dots approach to splines*.
-pub(in crate::kernel) fn convert_to_bezier<T>(knots: &KnotVector, span: usize, points: &mut [T])
+pub(crate) fn convert_to_bezier<T>(knots: &KnotVector, span: usize, points: &mut [T])
 where
     T: Copy + Add<Output = T> + Mul<f64, Output = T>,
 {
@@ -42,7 +42,7 @@ where
 /// `C(p, k)ΔᵏP₀` and `C(p, k)∇ᵏPₚ`, one after the other.
 ///
 /// Farin, *Curves and Surfaces for CAGD*, §5.8.
-pub(in crate::kernel) fn in_powers<T>(mut points: Vec<T>) -> Vec<T>
+pub(crate) fn in_powers<T>(mut points: Vec<T>) -> Vec<T>
 where
     T: Copy + Sub<Output = T> + Mul<f64, Output = T>,
 {
@@ -62,8 +62,8 @@ where
 
 /// The functions of a basis expanded in powers, for degrees up to [`POWER_DEGREE`].
 #[derive(Debug)]
-pub(in crate::kernel) struct BasisExpansion {
-    pub(in crate::kernel) lookup: Lookup,
+pub(crate) struct BasisExpansion {
+    pub(crate) lookup: Lookup,
     /// The first function that acts on each half of a span.
     firsts: Vec<usize>,
     /// For each half of a span the coefficients of s⁰, s¹, …; each the p + 1 of the functions.
@@ -71,10 +71,10 @@ pub(in crate::kernel) struct BasisExpansion {
 }
 
 /// A value for each of the functions that act on a span; beyond p + 1 there are zeros.
-pub(in crate::kernel) type Functions = [f64; POWER_DEGREE + 1];
+pub(crate) type Functions = [f64; POWER_DEGREE + 1];
 
 impl BasisExpansion {
-    pub(in crate::kernel) fn new(knots: &KnotVector) -> Self {
+    pub(crate) fn new(knots: &KnotVector) -> Self {
         let n = knots.degree() + 1;
         let (mut firsts, mut coefficients) = (Vec::new(), Vec::new());
         for span in knots.spans() {
@@ -95,13 +95,13 @@ impl BasisExpansion {
 
     /// The first function that acts at a place.
     #[inline(always)]
-    pub(in crate::kernel) fn first(&self, place: Place) -> usize {
+    pub(crate) fn first(&self, place: Place) -> usize {
         self.firsts[place.piece]
     }
 
     /// The values of the `n` functions, p + 1.
     #[inline(always)]
-    pub(in crate::kernel) fn values(&self, place: Place, n: usize) -> Functions {
+    pub(crate) fn values(&self, place: Place, n: usize) -> Functions {
         let rows = &self.coefficients[place.piece * n..][..n];
         let mut values = rows[n - 1];
         for row in rows[..n - 1].iter().rev() {
@@ -114,7 +114,7 @@ impl BasisExpansion {
 
     /// The values of the `n` functions with their first and second derivatives, by s.
     #[inline(always)]
-    pub(in crate::kernel) fn second_order(&self, place: Place, n: usize) -> [Functions; 3] {
+    pub(crate) fn second_order(&self, place: Place, n: usize) -> [Functions; 3] {
         let rows = &self.coefficients[place.piece * n..][..n];
         let mut values = rows[n - 1];
         let (mut slopes, mut bends) = ([0.0; POWER_DEGREE + 1], [0.0; POWER_DEGREE + 1]);

@@ -35,7 +35,7 @@ impl Reciprocals {
 impl KnotVector {
     /// Calls `f` with the span of `t` and the basis there; no heap allocation up to degree 7.
     #[inline]
-    pub(in crate::kernel) fn with_basis<R>(&self, t: f64, f: impl FnOnce(usize, &[f64]) -> R) -> R {
+    pub(crate) fn with_basis<R>(&self, t: f64, f: impl FnOnce(usize, &[f64]) -> R) -> R {
         let span = self.span_at(t);
         match self.degree {
             1 => f(span, &self.unrolled::<2>(span, t).0),
@@ -57,7 +57,7 @@ impl KnotVector {
     /// Calls `f` with the basis on a span and its first derivatives; no heap allocation up to
     /// degree 7.
     #[inline]
-    pub(in crate::kernel) fn with_slopes<R>(
+    pub(crate) fn with_slopes<R>(
         &self,
         span: usize,
         t: f64,
@@ -175,6 +175,6 @@ impl<const N: usize> Around<'_, N> {
 /// The values that the functions of a span act on: as many as there are functions, in a number
 /// that the compiler knows where it knows theirs.
 #[inline]
-pub(in crate::kernel) fn acting<'a, T>(values: &'a [T], span: usize, basis: &[f64]) -> &'a [T] {
+pub(crate) fn acting<'a, T>(values: &'a [T], span: usize, basis: &[f64]) -> &'a [T] {
     &values[span + 1 - basis.len()..][..basis.len()]
 }

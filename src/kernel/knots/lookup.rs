@@ -12,11 +12,11 @@ const WHOLE: f64 = (1_u64 << 52) as f64;
 const PARTS_A_PIECE: usize = 2;
 
 /// Parameters that are looked up at a time: enough to hide what each lookup waits for.
-pub(in crate::kernel) const BATCH: usize = 64;
+pub(crate) const BATCH: usize = 64;
 
 /// The pieces of a spline, each with the place that its parameters are counted from.
 #[derive(Clone, Debug)]
-pub(in crate::kernel) struct Lookup {
+pub(crate) struct Lookup {
     pieces: Vec<Piece>,
     parts: Vec<Part>,
     /// Start of the domain.
@@ -48,16 +48,16 @@ struct Part {
 
 /// A parameter within its piece.
 #[derive(Clone, Copy, Debug, Default)]
-pub(in crate::kernel) struct Place {
-    pub(in crate::kernel) piece: usize,
+pub(crate) struct Place {
+    pub(crate) piece: usize,
     /// From the origin of the piece, in widths of its span.
-    pub(in crate::kernel) s: f64,
+    pub(crate) s: f64,
 }
 
 impl Lookup {
     /// The halves of the spans, each counted from the knot beside it: the left one 0 to 1/2, the
     /// right one −1/2 to 0. What is counted from a knot is exact at the knot.
-    pub(in crate::kernel) fn of_halves(knots: &KnotVector) -> Self {
+    pub(crate) fn of_halves(knots: &KnotVector) -> Self {
         let pieces = |span: usize| {
             let interval = knots.span_interval(span);
             let per_width = 1.0 / interval.length();
@@ -93,13 +93,13 @@ impl Lookup {
 
     /// Where a parameter lies; outside the domain in the first or the last piece.
     #[inline(always)]
-    pub(in crate::kernel) fn place_at(&self, t: f64) -> Place {
+    pub(crate) fn place_at(&self, t: f64) -> Place {
         self.place_in(self.part_at(t), t)
     }
 
     /// The places of up to [`BATCH`] parameters.
     #[inline(always)]
-    pub(in crate::kernel) fn places_at(&self, parameters: &[f64], places: &mut [Place; BATCH]) {
+    pub(crate) fn places_at(&self, parameters: &[f64], places: &mut [Place; BATCH]) {
         let mut parts = [0; BATCH];
         for (part, &t) in parts.iter_mut().zip(parameters) {
             *part = self.part_at(t);
@@ -111,7 +111,7 @@ impl Lookup {
 
     /// One over the width of the span that a piece belongs to.
     #[inline(always)]
-    pub(in crate::kernel) fn per_width(&self, piece: usize) -> f64 {
+    pub(crate) fn per_width(&self, piece: usize) -> f64 {
         self.pieces[piece].per_width
     }
 

@@ -12,14 +12,12 @@ mod fast;
 mod lookup;
 
 pub use class::KnotClass;
-pub(in crate::kernel) use expansion::{BasisExpansion, POWER_DEGREE, convert_to_bezier, in_powers};
+pub(crate) use expansion::{BasisExpansion, POWER_DEGREE, convert_to_bezier, in_powers};
 use fast::Reciprocals;
-pub(in crate::kernel) use fast::acting;
-pub(in crate::kernel) use lookup::{BATCH, Lookup, Place};
+pub(crate) use fast::acting;
+pub(crate) use lookup::{BATCH, Lookup, Place};
 
 use std::ops::RangeInclusive;
-
-use crate::limits::Limits;
 
 use super::{GeomError, Grid, Interval, tolerance::KNOT_RELATIVE};
 
@@ -40,13 +38,13 @@ pub enum Side {
 /// Its functions sum to one everywhere in the domain:
 ///
 /// ```
-/// use virote::kernel::KnotVector;
+/// use virote_kernel::KnotVector;
 ///
 /// let knots = KnotVector::new(2, vec![0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0])?;
 /// let mut basis = [0.0; 3];
 /// knots.basis_at(knots.span_at(0.3), 0.3, &mut basis);
 /// assert!((basis.iter().sum::<f64>() - 1.0).abs() < 1e-15);
-/// # Ok::<(), virote::kernel::GeomError>(())
+/// # Ok::<(), virote_kernel::GeomError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct KnotVector {
@@ -167,7 +165,7 @@ impl KnotVector {
 
     /// # Errors
     /// [`GeomError::KnotCount`] unless the knots are for that many control points.
-    pub(in crate::kernel) fn check_points(&self, points: usize) -> Result<(), GeomError> {
+    pub(crate) fn check_points(&self, points: usize) -> Result<(), GeomError> {
         if points == self.n_points() {
             return Ok(());
         }
@@ -234,7 +232,7 @@ impl KnotVector {
     }
 
     /// The knots that stand degree + 1 times or more, each once.
-    pub(in crate::kernel) fn full_breaks(&self) -> Vec<f64> {
+    pub(crate) fn full_breaks(&self) -> Vec<f64> {
         let runs = self.knots.chunk_by(|a, b| a.total_cmp(b).is_eq());
         runs.filter(|run| self.degree < run.len()).map(|run| run[0]).collect()
     }
@@ -247,7 +245,7 @@ impl KnotVector {
     }
 
     /// How often exactly `t` stands among the knots.
-    pub(in crate::kernel) fn times(&self, t: f64) -> usize {
+    pub(crate) fn times(&self, t: f64) -> usize {
         self.knots.partition_point(|&knot| knot <= t) - self.knots.partition_point(|&knot| knot < t)
     }
 
@@ -359,7 +357,7 @@ impl KnotVector {
 }
 
 fn check_degree(degree: usize) -> Result<(), GeomError> {
-    let most = Limits::DEFAULT.degree;
+    let most = crate::ceiling::DEGREE;
     if degree <= most { Ok(()) } else { Err(GeomError::DegreeTooHigh { degree, most }) }
 }
 

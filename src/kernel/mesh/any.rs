@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::{
     Mesh, MeshLimits, grid::check_counts, grid::mesh_of, tessellate_all, tessellate_curve,
 };
-use crate::kernel::{Curve, GeomError, Surface};
+use crate::{Curve, GeomError, Surface};
 
 /// A mesh of the surface within the limits.
 ///

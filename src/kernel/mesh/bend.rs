@@ -9,7 +9,7 @@
 use glam::{DVec3, DVec4};
 
 use super::quotient::second_hulls;
-use crate::kernel::{
+use crate::{
     Direction, Grid, Interval, KnotVector, NurbsSurface, bezier, frame::unit, homogeneous::place,
     tolerance::EXACT_RELATIVE,
 };

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::Mesh;
-use crate::kernel::{Datum, Deviation, GeomError};
+use crate::{Datum, Deviation, GeomError};
 
 /// Triangles in which the farthest place is searched: those with the farthest middles.
 const SEARCHED: usize = 16;

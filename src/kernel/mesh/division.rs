@@ -11,7 +11,7 @@ use super::{
     sheet::{Cells, Sheet},
     tessellate::chord_deviation,
 };
-use crate::kernel::{
+use crate::{
     GeomError, Interval, bezier,
     tolerance::{BORDER_SHARE, PLACE_RELATIVE},
 };

@@ -4,11 +4,8 @@ use glam::{DVec3, DVec4};
 
 use super::sheet::Sheet;
 use crate::{
-    kernel::{
-        Bounds, GeomError, Interval, NurbsCurve, bezier, curve::ArcLengths, homogeneous::project,
-        surface::Break, tolerance::LAST_BIT,
-    },
-    limits::work,
+    Bounds, GeomError, Interval, NurbsCurve, bezier, curve::ArcLengths, homogeneous::project,
+    surface::Break, tolerance::LAST_BIT, work,
 };
 
 /// Halvings of a piece of an edge, past the last bit of a parameter.

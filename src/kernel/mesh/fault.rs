@@ -3,7 +3,7 @@
 use glam::DVec3;
 use thiserror::Error;
 
-use crate::kernel::error::few_digits;
+use crate::error::few_digits;
 
 /// What is wrong with a mesh.
 #[derive(Clone, Debug, PartialEq, Error)]

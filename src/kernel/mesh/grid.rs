@@ -4,7 +4,7 @@ use bytemuck::zeroed_vec;
 use glam::{DVec2, DVec3};
 
 use super::Mesh;
-use crate::kernel::{
+use crate::{
     Bounds, GeomError, Grid, GridSamples, NurbsSurface, side_by_side, tolerance::VANISHING_RELATIVE,
 };
 

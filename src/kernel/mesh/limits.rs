@@ -18,7 +18,7 @@ use super::{
     near::near_rules,
     rules::Rules,
 };
-use crate::kernel::{GeomError, Grid, NurbsSurface, Tolerance, tolerance::BORDER_SHARE};
+use crate::{GeomError, Grid, NurbsSurface, Tolerance, tolerance::BORDER_SHARE};
 
 /// Pieces along one direction by which the cells are counted, about; and of those that bound them
 /// then, one for each cell, about, how many at most.

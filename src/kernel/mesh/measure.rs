@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 use super::{Mesh, MeshError};
-use crate::kernel::{GeomError, Tolerance};
+use crate::{GeomError, Tolerance};
 
 impl Mesh {
     /// Sum of the areas of the triangles.

@@ -20,7 +20,7 @@ use super::{
     limits::form,
     rules::{Near, Sense},
 };
-use crate::kernel::{Grid, tolerance::FLAT_SLOPE};
+use crate::{Grid, tolerance::FLAT_SLOPE};
 
 /// How many times as long as the tolerance the part across may be.
 const MAX_SLIDE: f64 = 4.0;

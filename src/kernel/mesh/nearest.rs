@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Mesh, distance::to_triangle};
-use crate::{kernel::Bounds, limits::work};
+use crate::{Bounds, work};
 
 /// Triangles of a box that is not divided.
 const FEW: usize = 4;
@@ -85,7 +85,7 @@ impl<'a> Nearest<'a> {
     }
 
     /// How many triangles there are.
-    pub(in crate::kernel) fn n_triangles(&self) -> usize {
+    pub(crate) fn n_triangles(&self) -> usize {
         self.order.len()
     }
 }

@@ -11,7 +11,7 @@ use std::collections::HashMap;
 use glam::DVec3;
 
 use super::Mesh;
-use crate::kernel::{Bounds, tolerance::VANISHING_RELATIVE};
+use crate::{Bounds, tolerance::VANISHING_RELATIVE};
 
 /// A side of a triangle under its edge.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::Mesh;
-use crate::kernel::Tolerance;
+use crate::Tolerance;
 
 impl Mesh {
     /// The edges at which a drawing shows a line, seen along the direction `toward` the eye: those
@@ -33,7 +33,7 @@ impl Mesh {
 mod tests {
     use glam::DVec3;
 
-    use crate::kernel::{Mesh, Tolerance};
+    use crate::{Mesh, Tolerance};
 
     /// A square roof of four triangles over z = 0, `height` high in the middle.
     fn roof(height: f64) -> Mesh {

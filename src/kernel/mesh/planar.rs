@@ -11,7 +11,7 @@ use spade::{
 };
 
 use super::Mesh;
-use crate::kernel::{
+use crate::{
     Frame, GeomError, PictureError as Error,
     frame::{norm, unit},
 };

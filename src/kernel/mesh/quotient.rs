@@ -10,7 +10,7 @@ use std::ops::{Add, Mul, Sub};
 
 use glam::{DVec3, DVec4};
 
-use crate::kernel::{Grid, bernstein::binomials, homogeneous};
+use crate::{Grid, bernstein::binomials, homogeneous};
 
 /// Vectors in whose hulls Suu, Suv and Svv are over all of a patch with positive weights; by
 /// fractions of the patch.

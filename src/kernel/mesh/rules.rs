@@ -1,7 +1,7 @@
 //! What the cells over a piece of a surface must keep to.
 
 use super::form::Form;
-use crate::kernel::tolerance::VANISHING_RELATIVE;
+use crate::tolerance::VANISHING_RELATIVE;
 
 /// The rules of a piece: a cell keeps to all of `also`, and to `whole` or to `near`.
 #[derive(Clone, Copy, Debug)]

@@ -14,7 +14,7 @@ use super::{
     sheet::{Cells, SHARE, Sheet},
     weld::welded,
 };
-use crate::kernel::{Bounds, GeomError, Interval, tolerance::WELD_SHARE};
+use crate::{Bounds, GeomError, Interval, tolerance::WELD_SHARE};
 
 /// Parts of a stretch between which it is compared with another.
 const COMPARED: usize = 8;

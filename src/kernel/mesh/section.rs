@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 
 use super::Mesh;
-use crate::kernel::{Frame, GeomError, NurbsCurve};
+use crate::{Frame, GeomError, NurbsCurve};
 
 /// An edge by the bits of its corners, which are the same for both of its triangles.
 type Key = [[u64; 3]; 2];

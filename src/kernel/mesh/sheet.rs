@@ -9,7 +9,7 @@ use super::{
     limits::{Limits, MeshLimits},
     steps::Widths,
 };
-use crate::kernel::{
+use crate::{
     Direction, GeomError, Interval, KnotVector, NurbsSurface, ParametricSurface, Surface,
     surface::Break,
 };

@@ -1,6 +1,6 @@
 //! Lines of a grid along one direction of a surface.
 
-use crate::kernel::GeomError;
+use crate::GeomError;
 
 /// Halvings of the search for the widths that use up the last step as well.
 const HALVINGS: usize = 30;

@@ -7,7 +7,7 @@
 use glam::{DVec2, DVec3};
 
 use super::{Mesh, seam::Vertices, sheet::Cells, sheet::Sheet};
-use crate::kernel::{
+use crate::{
     Bounds, GeomError, Interval, Side,
     tolerance::{PLACE_RELATIVE, VANISHING_RELATIVE},
 };

@@ -10,11 +10,8 @@ use super::{
     Mesh, MeshError, MeshLimits, limits::Limits, seam::Seams, sheet::Sheet, stitch::stitched,
 };
 use crate::{
-    kernel::{
-        GeomError, NurbsCurve, NurbsSurface, Surface, bezier, homogeneous::project,
-        tolerance::PATH_ROUNDING,
-    },
-    limits::work,
+    GeomError, NurbsCurve, NurbsSurface, Surface, bezier, homogeneous::project,
+    tolerance::PATH_ROUNDING, work,
 };
 
 /// Halvings of a piece of a curve, past the last bit of its parameter.
@@ -63,7 +60,7 @@ pub fn tessellate_finely(
 /// Meshes of surfaces, which share the vertices on edges that they share.
 ///
 /// # Errors
-/// Those of [`tessellate_finely`], and as [`crate::kernel::ParametricSurface::to_nurbs`].
+/// Those of [`tessellate_finely`], and as [`crate::ParametricSurface::to_nurbs`].
 pub fn tessellate_all(
     surfaces: &[Surface],
     limits: &MeshLimits,
@@ -132,7 +129,7 @@ fn far(ends: [DVec3; 2]) -> f64 {
 ///
 /// # Errors
 /// [`MeshError::BelowRounding`].
-pub(in crate::kernel) fn check_rounding(tolerance: f64, far: f64) -> Result<(), GeomError> {
+pub(crate) fn check_rounding(tolerance: f64, far: f64) -> Result<(), GeomError> {
     let rounding = PATH_ROUNDING * far;
     if rounding <= tolerance {
         Ok(())

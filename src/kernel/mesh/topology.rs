@@ -5,7 +5,7 @@
 //! edge there are one fan, and in a manifold there is one fan at each vertex.
 
 use super::{Mesh, weld::welded};
-use crate::kernel::{
+use crate::{
     Bounds, Tolerance,
     tolerance::{LAST_BIT, VANISHING_RELATIVE},
 };

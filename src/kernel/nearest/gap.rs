@@ -6,7 +6,7 @@
 
 use glam::DVec4;
 
-use crate::kernel::{bernstein::binomials, tolerance::LAST_BIT};
+use crate::{bernstein::binomials, tolerance::LAST_BIT};
 
 /// Roundings in a coefficient, for each coefficient along a side.
 const ROUNDINGS: f64 = 4.0;

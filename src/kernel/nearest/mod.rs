@@ -20,10 +20,10 @@ use super::{
     knots::convert_to_bezier,
     tolerance::{LAST_BIT, NEAREST_RELATIVE},
 };
-use crate::limits::work;
+use crate::work;
 use gap::Gap;
 use patch::Patch;
-pub(in crate::kernel) use patch::{Cell, Way, descend};
+pub(crate) use patch::{Cell, Way, descend};
 use tree::Tree;
 
 /// Parts looked at before the search becomes content with less. Only where a whole line is nearly
@@ -47,7 +47,7 @@ const MAX_HALVINGS: u8 = 48;
 
 /// A tensor-product spline prepared to be searched; a curve has a single column.
 #[derive(Debug)]
-pub(in crate::kernel) struct Nearest {
+pub(crate) struct Nearest {
     along: [Direction; 2],
     tree: Tree,
     magnitude: f64,
@@ -72,16 +72,16 @@ struct Span {
 
 /// Parameters of a spline.
 #[derive(Debug)]
-pub(in crate::kernel) struct Places {
+pub(crate) struct Places {
     /// Places that are nearest, at least one, and some that were on the way to them.
-    pub(in crate::kernel) single: Vec<[f64; 2]>,
+    pub(crate) single: Vec<[f64; 2]>,
     /// The ends of stretches that are equally near all along; they are among the places too.
-    pub(in crate::kernel) stretches: Vec<[[f64; 2]; 2]>,
+    pub(crate) stretches: Vec<[[f64; 2]; 2]>,
 }
 
 /// Which places are looked for.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::kernel) enum Wanted {
+pub(crate) enum Wanted {
     /// One of the nearest.
     One,
     /// Each local minimum that is at most so much further away than the nearest.
@@ -124,12 +124,12 @@ impl Direction {
 
 impl Nearest {
     /// Prepares a curve.
-    pub(in crate::kernel) fn of_curve(knots: &KnotVector, points: &[DVec4]) -> Self {
+    pub(crate) fn of_curve(knots: &KnotVector, points: &[DVec4]) -> Self {
         Self::new([Direction::new(knots), Direction::single()], 1, points)
     }
 
     /// Prepares a surface.
-    pub(in crate::kernel) fn of_surface(knots: [&KnotVector; 2], points: &Grid<DVec4>) -> Self {
+    pub(crate) fn of_surface(knots: [&KnotVector; 2], points: &Grid<DVec4>) -> Self {
         Self::new(knots.map(Direction::new), points.n_columns(), points.as_slice())
     }
 
@@ -144,7 +144,7 @@ impl Nearest {
 
     /// The places that are nearest to `p`; `points` are those that it was made of. Stretches are
     /// looked for with [`Wanted::AllWithin`] only.
-    pub(in crate::kernel) fn places(&self, points: &[DVec4], p: DVec3, wanted: Wanted) -> Places {
+    pub(crate) fn places(&self, points: &[DVec4], p: DVec3, wanted: Wanted) -> Places {
         let size = self.magnitude.max(p.abs().max_element());
         let unit = if size < LARGE { 1.0 } else { 1.0 / size };
         let degrees = [self.along[0].degree, self.along[1].degree];

@@ -5,7 +5,7 @@ use std::convert::Infallible;
 use glam::{DVec2, DVec3, DVec4};
 
 use super::Direction;
-use crate::kernel::{Bounds, Interval, homogeneous, tolerance::LAST_BIT};
+use crate::{Bounds, Interval, homogeneous, tolerance::LAST_BIT};
 
 /// Steps towards a minimum; some five are enough where the squared distance is curved.
 const MAX_STEPS: usize = 40;
@@ -15,7 +15,7 @@ const MAX_HALVINGS: usize = 12;
 
 /// A part of a patch, in fractions of its spans.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::kernel) struct Cell {
+pub(crate) struct Cell {
     pub(super) low: [f64; 2],
     pub(super) high: [f64; 2],
     pub(super) n_halvings: [u8; 2],
@@ -48,8 +48,8 @@ struct Basis {
 
 /// The way from the place that is asked for to a point, with its derivatives.
 #[derive(Clone, Copy)]
-pub(in crate::kernel) struct Way {
-    pub(in crate::kernel) place: [f64; 2],
+pub(crate) struct Way {
+    pub(crate) place: [f64; 2],
     squared: f64,
     /// Half the derivatives of the square.
     slope: [f64; 2],
@@ -67,7 +67,7 @@ impl Cell {
     }
 
     /// A rectangle of parameters.
-    pub(in crate::kernel) fn between(u: Interval, v: Interval) -> Self {
+    pub(crate) fn between(u: Interval, v: Interval) -> Self {
         let (low, high) = ([u.start(), v.start()], [u.end(), v.end()]);
         Self { low, high, n_halvings: [0; 2] }
     }
@@ -204,7 +204,7 @@ impl Patch {
 }
 
 /// Goes down from `start` within a part, by Newton's method, as far as that leads.
-pub(in crate::kernel) fn descend<E>(
+pub(crate) fn descend<E>(
     cell: &Cell,
     start: [f64; 2],
     mut way_at: impl FnMut([f64; 2]) -> Result<Way, E>,
@@ -247,7 +247,7 @@ fn lower<E>(
 
 impl Way {
     /// From the way and its derivatives S, Su, Sv, Suu, Suv, Svv.
-    pub(in crate::kernel) fn new(place: [f64; 2], [r, u, v, uu, uv, vv]: [DVec3; 6]) -> Self {
+    pub(crate) fn new(place: [f64; 2], [r, u, v, uu, uv, vv]: [DVec3; 6]) -> Self {
         let metric = [u.dot(u), u.dot(v), v.dot(v)];
         let bend = [metric[0] + r.dot(uu), metric[1] + r.dot(uv), metric[2] + r.dot(vv)];
         Self { place, squared: r.dot(r), slope: [r.dot(u), r.dot(v)], bend, metric }

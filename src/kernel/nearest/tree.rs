@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::kernel::Bounds;
+use crate::Bounds;
 
 /// A binary tree over the grid of patches.
 #[derive(Debug)]

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::corner::cornered;
-use crate::kernel::{
+use crate::{
     GeomError, NurbsCurve, join,
     tolerance::{PLACE_RELATIVE, TURN_RELATIVE},
 };
@@ -146,7 +146,7 @@ impl NurbsCurve {
     ///
     /// # Errors
     /// Those of [`Self::split`] and [`join`].
-    pub(in crate::kernel) fn with_seam_at(&self, t: f64, distance: f64) -> Result<Self, GeomError> {
+    pub(crate) fn with_seam_at(&self, t: f64, distance: f64) -> Result<Self, GeomError> {
         let [before, behind] = self.split(t)?;
         Ok(join(&[behind, before], distance)?.reparametrized(self.domain()))
     }

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
-use crate::kernel::{Ends, GeomError, Interpolator, KnotVector, NurbsCurve};
+use crate::{Ends, GeomError, Interpolator, KnotVector, NurbsCurve};
 
 /// How the lines of control points run from section to section.
 #[derive(Clone, Debug)]
@@ -154,7 +154,7 @@ fn along_spine(
     tangents: &[DVec3],
     is_closed: bool,
 ) -> Vec<DVec4> {
-    let place = |k: usize| crate::kernel::homogeneous::place(line[k]);
+    let place = |k: usize| crate::homogeneous::place(line[k]);
     let steps = |k: usize| (place(k).distance(place(k + 1)), places[k].distance(places[k + 1]));
     let last = line.len() - 1;
     let scaled = |k: usize| {

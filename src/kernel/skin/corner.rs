@@ -7,7 +7,7 @@
 use glam::DVec3;
 
 use super::align::{Alignment, N_PLACES};
-use crate::kernel::{
+use crate::{
     GeomError, Interval, NurbsCurve, Side,
     frame::angle_between,
     join,

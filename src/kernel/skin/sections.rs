@@ -2,7 +2,7 @@
 
 use glam::DVec4;
 
-use crate::kernel::{
+use crate::{
     GeomError, KnotVector, NurbsCurve,
     gordon::{Wanted, refitted},
     make_compatible,

@@ -1,6 +1,6 @@
 //! Sections that run at constant speed, so that equal parameters are equal parts of the length.
 
-use crate::kernel::{
+use crate::{
     GeomError, Interval, NurbsCurve,
     gordon::{Map, Wanted, refitted},
     tolerance::PLACE_RELATIVE,

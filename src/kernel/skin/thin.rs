@@ -1,7 +1,7 @@
 //! Sections on fewer knots.
 
 use super::Sections;
-use crate::{kernel::NurbsCurve, limits::work};
+use crate::{NurbsCurve, work};
 
 /// The first pass may use this part of the tolerance, each next one four times as much: what
 /// costs least goes first.

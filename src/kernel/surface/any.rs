@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use super::{GridSamples, NurbsSurface, ParametricSurface};
-use crate::kernel::{Bounds, Curve, GeomError, Grid, Interval};
+use crate::{Bounds, Curve, GeomError, Grid, Interval};
 
 /// A surface. Cheap to clone.
 #[derive(Clone, Debug, PartialEq)]

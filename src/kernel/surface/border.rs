@@ -6,9 +6,7 @@ use super::{
     Edge, Surface,
     looked::{Looked, ORDER},
 };
-use crate::kernel::{
-    Curve, GeomError, Interval, KnotVector, Side, frame::norm, tolerance::KNOT_RELATIVE,
-};
+use crate::{Curve, GeomError, Interval, KnotVector, Side, frame::norm, tolerance::KNOT_RELATIVE};
 
 /// Places of one piece of an edge, at least; of a function, in all.
 const FEWEST: usize = 33;

@@ -8,7 +8,7 @@ use std::convert::Infallible;
 use glam::DVec3;
 
 use super::{NurbsSurface, ParametricSurface, Surface};
-use crate::kernel::{
+use crate::{
     GeomError, Interval,
     frame::norm,
     nearest::{Cell, Nearest, Wanted, Way, descend},

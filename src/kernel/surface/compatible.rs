@@ -1,7 +1,7 @@
 //! Several surfaces on one pair of degrees and one pair of knot vectors.
 
 use super::{Direction, NurbsSurface};
-use crate::kernel::{GeomError, compatible::on_common_knots};
+use crate::{GeomError, compatible::on_common_knots};
 
 /// The same surfaces on the highest degrees among them, the domains of the first, and, along both
 /// directions, one knot vector with every knot of any of them as often as it stands in one.
@@ -13,7 +13,7 @@ use crate::kernel::{GeomError, compatible::on_common_knots};
 /// # Errors
 /// [`GeomError::KnotMultiplicity`] where knots fall together for lack of digits on that domain.
 ///
-/// [`KNOT_CLUSTER_RELATIVE`]: crate::kernel::tolerance::KNOT_CLUSTER_RELATIVE
+/// [`KNOT_CLUSTER_RELATIVE`]: crate::tolerance::KNOT_CLUSTER_RELATIVE
 pub fn make_surfaces_compatible(surfaces: &[NurbsSurface]) -> Result<Vec<NurbsSurface>, GeomError> {
     let mut common = surfaces.to_vec();
     for along in Direction::BOTH {

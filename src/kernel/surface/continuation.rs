@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{Direction, NurbsSurface};
-use crate::kernel::{GeomError, Grid, KnotVector, Side, bezier, refine::Lines};
+use crate::{GeomError, Grid, KnotVector, Side, bezier, refine::Lines};
 
 impl NurbsSurface {
     /// The surface on 0..1 across a side, of Bézier form there, whose derivatives across it are

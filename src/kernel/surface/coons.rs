@@ -6,7 +6,7 @@ use super::{
     NurbsSurface,
     sum::{Strands, blend},
 };
-use crate::kernel::{GeomError, Grid, Interval, NurbsCurve};
+use crate::{GeomError, Grid, Interval, NurbsCurve};
 
 /// How a Coons surface goes from one boundary to the one opposite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,7 +58,7 @@ impl NurbsSurface {
     ///
     /// # Errors
     /// [`GeomError::DegreeTooHigh`], where different denominators multiply; those of
-    /// [`crate::kernel::make_compatible`]; [`GeomError::NotFinite`].
+    /// [`crate::make_compatible`]; [`GeomError::NotFinite`].
     pub fn coons(
         u: [&NurbsCurve; 2],
         v: [&NurbsCurve; 2],
@@ -186,7 +186,7 @@ fn corners(u: [&NurbsCurve; 2], v: [&NurbsCurve; 2]) -> Grid<DVec3> {
 }
 
 /// The first derivative at the lower or upper end.
-pub(in crate::kernel) fn slope_at_end(curve: &NurbsCurve, end: usize) -> DVec3 {
+pub(crate) fn slope_at_end(curve: &NurbsCurve, end: usize) -> DVec3 {
     let domain = curve.domain();
     curve.derivatives_at([domain.start(), domain.end()][end], 1)[1]
 }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Direction, NurbsSurface};
-use crate::kernel::{
+use crate::{
     Side,
     frame::unit,
     homogeneous,
@@ -12,10 +12,10 @@ use crate::kernel::{
 
 /// An inner knot across which the derivative jumps somewhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::kernel) struct Break {
-    pub(in crate::kernel) at: f64,
+pub(crate) struct Break {
+    pub(crate) at: f64,
     /// Whether the normal or the surface itself jumps, too, and not only the pace of the parameter.
-    pub(in crate::kernel) is_crease: bool,
+    pub(crate) is_crease: bool,
 }
 
 impl NurbsSurface {
@@ -23,7 +23,7 @@ impl NurbsSurface {
     ///
     /// Compared at so many places of each span across that rational derivatives which agree at
     /// all of them are the same.
-    pub(in crate::kernel) fn breaks_of_derivative(&self, along: Direction) -> Vec<Break> {
+    pub(crate) fn breaks_of_derivative(&self, along: Direction) -> Vec<Break> {
         let (knots, domain) = (self.knots(along), self.domain(along));
         let across = self.knots(along.other());
         let n_steps = 2 * across.degree() + 1;
@@ -69,11 +69,7 @@ impl NurbsSurface {
     }
 
     /// The point, and a unit normal for shading, of the pieces on these sides of a place.
-    pub(in crate::kernel) fn sample_beside(
-        &self,
-        [u, v]: [f64; 2],
-        sides: [Side; 2],
-    ) -> (DVec3, DVec3) {
+    pub(crate) fn sample_beside(&self, [u, v]: [f64; 2], sides: [Side; 2]) -> (DVec3, DVec3) {
         let [point, along_u, along_v] = self.tangents_beside([u, v], sides);
         let normal = along_u.cross(along_v);
         let [width_u, width_v] = self.span_widths(u, v);
@@ -91,7 +87,7 @@ impl NurbsSurface {
     }
 
     /// A unit vector for shading at a place.
-    pub(in crate::kernel) fn shade_at(&self, u: f64, v: f64) -> DVec3 {
+    pub(crate) fn shade_at(&self, u: f64, v: f64) -> DVec3 {
         self.shading_normal(u, v)
     }
 }

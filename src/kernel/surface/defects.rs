@@ -4,12 +4,10 @@ use glam::{DVec3, DVec4};
 
 use super::{Edge, NurbsSurface, Surface, border::Border, level::Part};
 use crate::{
-    kernel::{
-        Bounds, GeomError, Grid, Interval, KnotVector, Tolerance,
-        frame::{norm, unit},
-        tolerance::{SIDE_STEP, VANISHING_RELATIVE},
-    },
-    limits::work,
+    Bounds, GeomError, Grid, Interval, KnotVector, Tolerance,
+    frame::{norm, unit},
+    tolerance::{SIDE_STEP, VANISHING_RELATIVE},
+    work,
 };
 
 /// Places of each piece along a direction where the normal is looked at: fewer where the pieces

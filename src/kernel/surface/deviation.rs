@@ -1,7 +1,7 @@
 //! How far a surface is from another surface, or from a mesh.
 
 use super::Surface;
-use crate::kernel::{Datum, Deviation, GeomError, Interval, KnotVector};
+use crate::{Datum, Deviation, GeomError, Interval, KnotVector};
 
 /// Even parts of a domain, all its pieces together, at whose ends the distance is measured.
 const PARTS: usize = 24;

@@ -4,7 +4,7 @@
 use glam::DVec4;
 
 use super::NurbsSurface;
-use crate::kernel::{Grid, Interval, KnotVector, refine::Lines};
+use crate::{Grid, Interval, KnotVector, refine::Lines};
 
 /// A direction of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,7 +55,7 @@ impl NurbsSurface {
     }
 
     /// The control points as splines along a direction.
-    pub(in crate::kernel) fn lines(&self, along: Direction) -> Lines {
+    pub(crate) fn lines(&self, along: Direction) -> Lines {
         let net = &self.control_points;
         let lines = match along {
             Direction::U => (0..net.n_columns()).map(|j| net.column(j)).collect(),
@@ -65,7 +65,7 @@ impl NurbsSurface {
     }
 
     /// The surface with other splines along a direction, as many as it has.
-    pub(in crate::kernel) fn with_lines(&self, along: Direction, lines: Lines) -> Self {
+    pub(crate) fn with_lines(&self, along: Direction, lines: Lines) -> Self {
         let Lines { knots, lines } = lines;
         let n_points = knots.n_points();
         let points: Vec<DVec4> = lines.into_iter().flatten().collect();

@@ -1,7 +1,7 @@
 //! The four edges of a surface by name.
 
 use super::Direction;
-use crate::kernel::Side;
+use crate::Side;
 
 /// An edge of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,9 +2,7 @@
 //! to all splines of the net at once.
 
 use super::{Direction, NurbsSurface};
-use crate::kernel::{
-    GeomError, Grid, Interval, KnotVector, Receipt, bezier, tolerance::KNOT_RELATIVE,
-};
+use crate::{GeomError, Grid, Interval, KnotVector, Receipt, bezier, tolerance::KNOT_RELATIVE};
 
 impl NurbsSurface {
     /// The same surface with more knots along a direction; a knot that is to be there twice is

@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::NurbsSurface;
-use crate::kernel::{Grid, homogeneous, knots::acting};
+use crate::{Grid, homogeneous, knots::acting};
 
 impl NurbsSurface {
     /// Point at `(u, v)`; outside the domain the outer pieces go on.

@@ -8,7 +8,7 @@
 use glam::{DVec3, DVec4};
 
 use super::NurbsSurface;
-use crate::kernel::{
+use crate::{
     homogeneous,
     knots::{BATCH, BasisExpansion, Lookup, POWER_DEGREE, Place, convert_to_bezier, in_powers},
 };
@@ -17,14 +17,14 @@ use crate::kernel::{
 ///
 /// ```
 /// use glam::DVec3;
-/// use virote::kernel::NurbsSurface;
+/// use virote_kernel::NurbsSurface;
 ///
 /// let (o, x, y) = (DVec3::ZERO, DVec3::X, DVec3::Y);
 /// let saddle = NurbsSurface::bilinear(o, y, x, DVec3::ONE)?;
 /// let prepared = saddle.evaluator();
 /// assert_eq!(prepared.point_at(0.5, 0.5), DVec3::new(0.5, 0.5, 0.25));
 /// assert_eq!(prepared.second_order_at(0.5, 0.5)[4], DVec3::Z);
-/// # Ok::<(), virote::kernel::GeomError>(())
+/// # Ok::<(), virote_kernel::GeomError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct SurfaceEvaluator<'a> {

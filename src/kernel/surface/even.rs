@@ -9,7 +9,7 @@
 use glam::DVec4;
 
 use super::{Direction, NurbsSurface};
-use crate::kernel::{Grid, KnotVector, bezier};
+use crate::{Grid, KnotVector, bezier};
 
 /// Weights of a patch that differ by no larger factor are alike: derivatives along it differ by no
 /// more than the square of that.

@@ -8,7 +8,7 @@
 use glam::DVec3;
 
 use super::{NurbsSurface, Surface, SurfaceShape};
-use crate::kernel::{GeomError, Interval, KnotVector, Tolerance, curve, homogeneous};
+use crate::{GeomError, Interval, KnotVector, Tolerance, curve, homogeneous};
 
 /// Places of a patch in each direction, at most: more than eight times the degree up to 8.
 const MOST_PLACES: usize = 65;

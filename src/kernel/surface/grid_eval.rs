@@ -8,7 +8,7 @@ use bytemuck::zeroed_vec;
 use glam::{DVec3, DVec4};
 
 use super::NurbsSurface;
-use crate::kernel::{
+use crate::{
     Grid, KnotVector, homogeneous,
     side_by_side::{self, Rows},
 };

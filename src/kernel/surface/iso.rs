@@ -3,7 +3,7 @@
 use glam::DVec4;
 
 use super::NurbsSurface;
-use crate::kernel::{Bounds, NurbsCurve, hull::Spline};
+use crate::{Bounds, NurbsCurve, hull::Spline};
 
 impl NurbsSurface {
     /// The curve of constant `u`, which runs along v: exact, on v's knots.

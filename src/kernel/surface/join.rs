@@ -3,7 +3,7 @@
 use glam::DVec4;
 
 use super::{Direction, NurbsSurface};
-use crate::kernel::{
+use crate::{
     GeomError, Grid,
     compatible::on_common_knots,
     homogeneous,

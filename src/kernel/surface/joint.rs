@@ -10,7 +10,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{Edge, Surface, border::Border, looked::Looked};
-use crate::kernel::{
+use crate::{
     GeomError, JointTolerance,
     frame::{angle_between, unit},
     joint_tolerance::Agreement,

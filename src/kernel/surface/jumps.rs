@@ -4,7 +4,7 @@
 use glam::DVec3;
 
 use super::{Direction, NurbsSurface, SurfaceFoot};
-use crate::kernel::{GeomError, JumpError, homogeneous, tolerance::LAST_BIT};
+use crate::{GeomError, JumpError, homogeneous, tolerance::LAST_BIT};
 
 /// Last bits of a coordinate within which two edges meet.
 const MOST_ROUNDINGS: f64 = 16.0;

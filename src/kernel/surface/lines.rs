@@ -2,9 +2,7 @@
 
 use glam::DVec3;
 
-use crate::kernel::{
-    GeomError, Grid, Interval, KnotVector, curve::blossom_weights, tolerance::LAST_BIT,
-};
+use crate::{GeomError, Grid, Interval, KnotVector, curve::blossom_weights, tolerance::LAST_BIT};
 
 /// Order of the derivatives in each direction.
 pub(super) const ORDER: usize = 2;

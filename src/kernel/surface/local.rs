@@ -8,7 +8,7 @@
 use glam::DVec3;
 
 use super::Surface;
-use crate::kernel::{
+use crate::{
     Frame, GeomError, Grid, Side, Tolerance,
     frame::{norm, unit},
     tolerance::VANISHING_RELATIVE,

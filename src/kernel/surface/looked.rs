@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::NurbsSurface;
-use crate::kernel::{
+use crate::{
     Grid, Interval, Side,
     frame::{norm, unit},
     homogeneous,

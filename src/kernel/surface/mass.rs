@@ -11,7 +11,7 @@ use super::{
     quadrature::{Integral, integral},
     shell::oriented,
 };
-use crate::kernel::{Bounds, GeomError, Tolerance};
+use crate::{Bounds, GeomError, Tolerance};
 
 /// Even parts of each domain at whose ends points tell where a surface is.
 const PARTS: usize = 8;

@@ -70,7 +70,7 @@ pub use any::Surface;
 pub use closest::{ParametricPlaces, SurfaceFoot};
 pub use compatible::make_surfaces_compatible;
 pub use coons::{Blend, CrossFields, Twists};
-pub(in crate::kernel) use crease::Break;
+pub(crate) use crease::Break;
 pub use defects::Defects;
 pub use direction::Direction;
 pub use edge::Edge;
@@ -85,7 +85,7 @@ pub use offset::{SurfaceOffset, Turn};
 pub use parametric::{ParametricSurface, SurfaceFunction};
 pub use revolve::{Axis, AxisContact};
 pub use shell::ShellError;
-pub(in crate::kernel) use sum::Strands;
+pub(crate) use sum::Strands;
 
 use evaluator::Expanded;
 
@@ -188,7 +188,7 @@ impl NurbsSurface {
     }
 
     /// A surface of parts that keep the invariants by construction.
-    pub(in crate::kernel) fn trusted(
+    pub(crate) fn trusted(
         knots_u: KnotVector,
         knots_v: KnotVector,
         control_points: Grid<DVec4>,

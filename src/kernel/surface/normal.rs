@@ -7,7 +7,7 @@
 use glam::{DVec3, DVec4};
 
 use super::NurbsSurface;
-use crate::kernel::{
+use crate::{
     Bounds, GeomError, Grid, Interval,
     frame::unit,
     homogeneous,

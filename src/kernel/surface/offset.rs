@@ -6,7 +6,7 @@ mod turn;
 use glam::{DVec3, DVec4};
 
 use super::{Direction, NurbsSurface, Surface};
-use crate::kernel::{
+use crate::{
     Bounds, GeomError, Grid, Interpolator, KnotVector,
     tolerance::{EXACT_RELATIVE, LAST_BIT},
 };

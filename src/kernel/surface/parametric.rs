@@ -8,7 +8,7 @@ use super::{
     Direction,
     normal::{limit_normal, shading_place},
 };
-use crate::kernel::{
+use crate::{
     Bounds, CurveFunction, FunctionFailure, GeomError, Grid, Interval, ParametricCurve,
     frame::unit, tolerance::VANISHING_RELATIVE,
 };

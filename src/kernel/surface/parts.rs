@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::NurbsSurface;
-use crate::kernel::{Bounds, GeomError, Grid, NurbsCurve, bezier::blend, homogeneous, join};
+use crate::{Bounds, GeomError, Grid, NurbsCurve, bezier::blend, homogeneous, join};
 
 impl NurbsSurface {
     /// The polylines through the control points: those along u, then those along v. Points of

@@ -9,7 +9,7 @@
 use glam::DVec3;
 
 use super::{Surface, SurfaceShape};
-use crate::kernel::{
+use crate::{
     GeomError, Grid,
     frame::{norm, unit},
     tolerance::{NORMAL_AGREEMENT, VANISHING_RELATIVE},

@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{Direction, NurbsSurface};
-use crate::kernel::{GeomError, Grid, curve::powers, homogeneous};
+use crate::{GeomError, Grid, curve::powers, homogeneous};
 
 impl NurbsSurface {
     /// Coefficients cᵢⱼ of Σ cᵢⱼ uⁱ vʲ, lowest powers first, rows along u.

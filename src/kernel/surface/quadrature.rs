@@ -15,7 +15,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::{Surface, even::evened};
-use crate::kernel::{
+use crate::{
     GeomError, Interval,
     tolerance::{LAST_BIT, QUADRATURE_RELATIVE},
 };

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::{Direction, ParametricSurface, Surface, SurfaceFunction};
-use crate::kernel::{Curve, FunctionFailure, GeomError, Grid, Interval, tolerance::KNOT_RELATIVE};
+use crate::{Curve, FunctionFailure, GeomError, Grid, Interval, tolerance::KNOT_RELATIVE};
 
 impl Surface {
     /// The parameters along a direction that have points.

@@ -4,13 +4,10 @@ use glam::{DVec3, DVec4};
 
 use super::NurbsSurface;
 use crate::{
-    kernel::{
-        Bounds, Frame, GeomError, Grid, NurbsCurve,
-        frame::{norm, unit},
-        homogeneous,
-        tolerance::{KNOT_RELATIVE, SIDE_STEP, VANISHING_RELATIVE},
-    },
-    limits::Limits,
+    Bounds, Frame, GeomError, Grid, NurbsCurve,
+    frame::{norm, unit},
+    homogeneous,
+    tolerance::{KNOT_RELATIVE, SIDE_STEP, VANISHING_RELATIVE},
 };
 
 /// A line with a direction: what something turns around.
@@ -215,7 +212,7 @@ impl NurbsSurface {
 
 /// # Errors
 /// [`GeomError::TooManyPoints`].
-pub(in crate::kernel) fn check_size(n_rows: usize, n_columns: usize) -> Result<(), GeomError> {
-    let (got, most) = (n_rows.saturating_mul(n_columns), Limits::DEFAULT.control_points);
+pub(crate) fn check_size(n_rows: usize, n_columns: usize) -> Result<(), GeomError> {
+    let (got, most) = (n_rows.saturating_mul(n_columns), crate::ceiling::CONTROL_POINTS);
     if got <= most { Ok(()) } else { Err(GeomError::TooManyPoints { got, most }) }
 }

@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use glam::DVec3;
 
 use super::{Axis, NurbsSurface};
-use crate::kernel::{Frame, GeomError, NurbsCurve};
+use crate::{Frame, GeomError, NurbsCurve};
 
 impl NurbsSurface {
     /// The sphere about the origin of a frame, v from the lower pole to the upper one.
@@ -60,6 +60,6 @@ const MERIDIAN: Frame = Frame::XZ;
 fn around(frame: Frame, meridian: &NurbsCurve) -> Result<NurbsSurface, GeomError> {
     let axis = Axis::new(DVec3::ZERO, DVec3::Z)?;
     let surface = NurbsSurface::revolved(meridian, axis, TAU)?.transformed(&frame.to_space());
-    crate::kernel::homogeneous::check_finite(surface.control_points().as_slice())?;
+    crate::homogeneous::check_finite(surface.control_points().as_slice())?;
     Ok(surface)
 }

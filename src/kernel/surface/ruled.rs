@@ -3,7 +3,7 @@
 use glam::DVec4;
 
 use super::NurbsSurface;
-use crate::kernel::{GeomError, Grid, KnotVector, NurbsCurve, curve::on_one_denominator};
+use crate::{GeomError, Grid, KnotVector, NurbsCurve, curve::on_one_denominator};
 
 impl NurbsSurface {
     /// The straight lines between points of equal parameter: `c0` at v = 0, `c1` at v = 1, u along
@@ -17,7 +17,7 @@ impl NurbsSurface {
     ///
     /// # Errors
     /// [`GeomError::DegreeTooHigh`], where different denominators multiply; those of
-    /// [`crate::kernel::make_compatible`].
+    /// [`crate::make_compatible`].
     pub fn ruled(c0: &NurbsCurve, c1: &NurbsCurve) -> Result<Self, GeomError> {
         let curves = on_one_denominator(&[c0.clone(), c1.clone()])?;
         let rows: Vec<Vec<DVec4>> =

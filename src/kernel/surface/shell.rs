@@ -11,7 +11,7 @@ use super::{
     Edge, Surface,
     border::{Border, Nearest},
 };
-use crate::kernel::{
+use crate::{
     Bounds, GeomError, Tolerance,
     digits::few_digits,
     frame::unit,

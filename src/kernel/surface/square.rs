@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use crate::kernel::{Grid, bernstein};
+use crate::{Grid, bernstein};
 
 /// The derivative along u; that along v is the transpose of the transpose's.
 pub(super) fn slope_u<T>(field: &Grid<T>) -> Grid<T>
@@ -128,7 +128,7 @@ pub(super) fn turned_u<T: Copy>(field: &Grid<T>) -> Grid<T> {
 #[cfg(test)]
 mod tests {
     use super::{cut_v, over_u, product, slope_v, value};
-    use crate::kernel::Grid;
+    use crate::Grid;
 
     #[test]
     fn slopes_and_parts_are_those_of_the_polynomials() {

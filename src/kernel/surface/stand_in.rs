@@ -13,7 +13,7 @@ use super::{
     NurbsSurface, ParametricSurface,
     lines::{Cell, FIRST_PARTS, Lines, Node, ORDER, between, combined, net, point_of},
 };
-use crate::kernel::{
+use crate::{
     Bounds, GeomError, Grid, JumpError,
     frame::norm,
     tolerance::{BOX_RELATIVE, KNOT_RELATIVE, LAST_BIT, UNBOUNDED_RELATIVE},

@@ -3,16 +3,16 @@
 use glam::{DVec3, DVec4};
 
 use super::{NurbsSurface, revolve::check_size};
-use crate::kernel::{GeomError, Grid, Interval, KnotVector, NurbsCurve, homogeneous};
+use crate::{GeomError, Grid, Interval, KnotVector, NurbsCurve, homogeneous};
 
 /// What a boolean sum takes along one of its directions.
 #[derive(Clone, Debug)]
-pub(in crate::kernel) struct Strands {
+pub(crate) struct Strands {
     /// The curves that run along it; the first one's domain becomes the surface's.
-    pub(in crate::kernel) curves: Vec<NurbsCurve>,
+    pub(crate) curves: Vec<NurbsCurve>,
     /// A function of its parameter for each curve of the other direction, which that curve is
     /// multiplied by: a curve without weights that has its values in x.
-    pub(in crate::kernel) blends: Vec<NurbsCurve>,
+    pub(crate) blends: Vec<NurbsCurve>,
 }
 
 impl NurbsSurface {
@@ -28,7 +28,7 @@ impl NurbsSurface {
     /// [`GeomError::DegreeTooHigh`], where many different denominators multiply;
     /// [`GeomError::TooManyPoints`], [`GeomError::NotFinite`],
     /// [`GeomError::GridSize`] unless the numbers of curves, functions and values go together.
-    pub(in crate::kernel) fn boolean_sum(
+    pub(crate) fn boolean_sum(
         u: Strands,
         v: Strands,
         meetings: &Grid<DVec3>,
@@ -69,7 +69,7 @@ type Common = (Vec<Vec<DVec4>>, Vec<Vec<DVec4>>, KnotVector);
 fn over_one_denominator(strands: Strands) -> Result<Common, GeomError> {
     let n_curves = strands.curves.len();
     let all = [strands.curves, strands.blends].concat();
-    let common = crate::kernel::curve::on_one_denominator(&all)?;
+    let common = crate::curve::on_one_denominator(&all)?;
     let knots = match common.first() {
         Some(curve) => curve.knots().clone(),
         None => return Err(GeomError::TooFewCurves { got: 0, needed: 1 }),
@@ -84,10 +84,7 @@ fn over_one_denominator(strands: Strands) -> Result<Common, GeomError> {
 ///
 /// # Errors
 /// [`GeomError::NotFinite`], [`GeomError::TooFewPoints`].
-pub(in crate::kernel) fn blend(
-    coefficients: &[f64],
-    domain: Interval,
-) -> Result<NurbsCurve, GeomError> {
+pub(crate) fn blend(coefficients: &[f64], domain: Interval) -> Result<NurbsCurve, GeomError> {
     let values: Vec<DVec3> = coefficients.iter().map(|&x| DVec3::new(x, 0.0, 0.0)).collect();
     NurbsCurve::bezier(&values).map(|blend| blend.reparametrized(domain))
 }

@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 use glam::{DMat2, DVec2};
 
 use super::{Defects, Edge, Surface};
-use crate::kernel::{
+use crate::{
     GeomError, Interval, KnotVector, Tolerance,
     tolerance::{
         LAST_BIT, TOUCH_RELATIVE, UMBILIC_CIRCLE, UMBILIC_CLEAR, UMBILIC_DIFFERENCE, UMBILIC_SHARE,

@@ -4,7 +4,7 @@
 use glam::DVec4;
 
 use super::{Fit, Moving, SKIN_DEGREE};
-use crate::kernel::{Ends, GeomError, Grid, Interpolator, KnotVector, NurbsSurface, homogeneous};
+use crate::{Ends, GeomError, Grid, Interpolator, KnotVector, NurbsSurface, homogeneous};
 
 /// Steps of a span in which the derivatives at its ends are taken: differences of the fourth order
 /// are then right to rounding.

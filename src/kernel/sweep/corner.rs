@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::frames::{Axes, Frames, Framing, over_corner};
-use crate::kernel::{
+use crate::{
     GeomError, Grid, Interval, NurbsCurve, NurbsSurface, Side,
     frame::{across, unit},
     tolerance::VANISHING_RELATIVE,

@@ -4,7 +4,7 @@
 use glam::DVec3;
 
 use super::Moving;
-use crate::kernel::{
+use crate::{
     GeomError,
     tolerance::{KNOT_RELATIVE, VANISHING_RELATIVE},
 };

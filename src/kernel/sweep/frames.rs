@@ -2,7 +2,7 @@
 
 use glam::{DQuat, DVec3};
 
-use crate::kernel::{
+use crate::{
     GeomError, NurbsCurve, Side,
     frame::{across, norm, unit},
     tolerance::{TURN_ACCURACY, VANISHING_RELATIVE},

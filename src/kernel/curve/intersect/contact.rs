@@ -11,7 +11,7 @@ use super::{
     newton::{foot, inside, place},
     told::Told,
 };
-use crate::kernel::{
+use crate::{
     GeomError, Interval,
     curve::NurbsCurve,
     tolerance::LAST_BIT,

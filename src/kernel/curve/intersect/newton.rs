@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::MAX_STEPS;
-use crate::kernel::{
+use crate::{
     Interval, curve::NurbsCurve, frame::norm, tolerance::LAST_BIT, valley::golden_section,
 };
 

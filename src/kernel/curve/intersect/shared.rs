@@ -4,7 +4,7 @@
 //! since halving would come to as many parts as the arc is tolerances long.
 
 use super::{Search, contact::Contact, newton::foot};
-use crate::kernel::{GeomError, Interval, curve::part::Part};
+use crate::{GeomError, Interval, curve::part::Part};
 
 /// Places of an arc that are looked at, besides its ends.
 const N_LOOKS: usize = 16;

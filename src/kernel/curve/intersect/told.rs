@@ -5,7 +5,7 @@ use super::{
     contact::Contact,
     newton::{foot, place},
 };
-use crate::kernel::{GeomError, Interval, curve::NurbsCurve, tolerance::KNOT_RELATIVE};
+use crate::{GeomError, Interval, curve::NurbsCurve, tolerance::KNOT_RELATIVE};
 
 /// Cells of an arc at whose ends two curves are compared.
 const ARC_CELLS: usize = 16;

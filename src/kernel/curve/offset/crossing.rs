@@ -1,6 +1,6 @@
 //! Where an offset crosses itself.
 
-use crate::kernel::{
+use crate::{
     Bounds, GeomError, Interval,
     curve::{Meeting, NurbsCurve, intersect::work},
     tolerance::TURN_MARGIN,

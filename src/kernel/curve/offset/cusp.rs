@@ -9,18 +9,16 @@ use glam::DVec3;
 
 use super::Aim;
 use crate::{
-    kernel::{
-        Interval, Side,
-        bernstein::{derivative, halves, largest, product},
-        bezier,
-        curve::{
-            NurbsCurve,
-            bend::{add, longest},
-        },
-        roots::Signs,
-        tolerance::{CUSP_SLACK, SIGN_RELATIVE},
+    Interval, Side,
+    bernstein::{derivative, halves, largest, product},
+    bezier,
+    curve::{
+        NurbsCurve,
+        bend::{add, longest},
     },
-    limits::work,
+    roots::Signs,
+    tolerance::{CUSP_SLACK, SIGN_RELATIVE},
+    work,
 };
 
 /// The speed varies by no more than this in a part that is looked at; it enters in the sixth power.

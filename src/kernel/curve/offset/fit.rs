@@ -4,13 +4,10 @@ use glam::{DVec3, DVec4};
 
 use super::{Aim, unweighted};
 use crate::{
-    kernel::{
-        GeomError, Interval, KnotVector, NurbsCurve,
-        bernstein::{binomials, derivative, product},
-        bezier, homogeneous,
-        tolerance::VANISHING_RELATIVE,
-    },
-    limits::Limits,
+    GeomError, Interval, KnotVector, NurbsCurve,
+    bernstein::{binomials, derivative, product},
+    bezier, homogeneous,
+    tolerance::VANISHING_RELATIVE,
 };
 
 /// Halvings of a span before its offset counts as having no direction there: their knots are still
@@ -40,7 +37,7 @@ pub(super) fn pieces(curve: &NurbsCurve, aim: Aim) -> Result<Vec<NurbsCurve>, Ge
                 todo.push((halves[1], right, n_halvings + 1));
                 todo.push((halves[0], left, n_halvings + 1));
             }
-            let most = Limits::DEFAULT.control_points;
+            let most = crate::ceiling::CONTROL_POINTS;
             if most < 6 * (pieces.len() + todo.len()) {
                 return Err(GeomError::TooManyPoints { got: 6 * pieces.len(), most });
             }

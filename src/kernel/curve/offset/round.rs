@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::Aim;
-use crate::kernel::{
+use crate::{
     Curve, GeomError, Interval, KnotVector, NurbsCurve, Side,
     bernstein::product,
     bezier,

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Aim, Offset};
-use crate::kernel::{GeomError, NurbsCurve, tolerance::VANISHING_RELATIVE};
+use crate::{GeomError, NurbsCurve, tolerance::VANISHING_RELATIVE};
 
 /// The least squared cosine of half a corner's turn that keeps the corner: a spike of four times
 /// the distance. Beyond it the corner is rounded.

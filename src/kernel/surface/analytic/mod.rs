@@ -13,7 +13,7 @@ mod revolved;
 use glam::DVec4;
 
 use super::{NurbsSurface, square::range};
-use crate::kernel::{
+use crate::{
     Frame, Grid, bezier,
     tolerance::{ANALYTIC_RELATIVE, SIGN_RELATIVE},
 };

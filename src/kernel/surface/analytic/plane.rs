@@ -6,7 +6,7 @@ use super::{
     super::square::{product, slope_u, slope_v},
     AnalyticForm, AnalyticSurface,
 };
-use crate::kernel::{Frame, Grid, NurbsCurve, NurbsSurface, curve::plane_of};
+use crate::{Frame, Grid, NurbsCurve, NurbsSurface, curve::plane_of};
 
 impl NurbsSurface {
     /// The plane that it is in, with its normal along Su × Sv.

@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use glam::{DAffine3, DVec3, DVec4};
 
 use super::{super::square::product, AnalyticForm, AnalyticSurface};
-use crate::kernel::{
+use crate::{
     AnalyticCurve, Frame, Grid, NurbsCurve, NurbsSurface, Tolerance, bezier,
     curve::{rounded, rounded_place},
     frame::norm,

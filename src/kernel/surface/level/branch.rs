@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use super::{cell::Cell, square};
-use crate::kernel::{
+use crate::{
     Grid, Interval, bernstein,
     roots::Signs,
     tolerance::{KNOT_RELATIVE, LAST_BIT},

@@ -9,10 +9,7 @@
 use std::ops::Mul;
 
 use super::{Branch, square};
-use crate::{
-    kernel::{Grid, Interval, bernstein, roots::Signs},
-    limits::work,
-};
+use crate::{Grid, Interval, bernstein, roots::Signs, work};
 
 /// Where cells are cut: no half, so that lines of round parameters are not sides of cells.
 const CUT: f64 = 0.4871;

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::sample::{Run, Sample};
-use crate::kernel::tolerance::ONE_PLACE_SHARE;
+use crate::tolerance::ONE_PLACE_SHARE;
 
 /// A place where the field vanishes with its slopes, up to a radius.
 #[derive(Clone, Copy, Debug)]

@@ -10,7 +10,7 @@ use super::{
     sample::MOST_TURN,
     trace::{Condition, Crossing, GROWTH, Place},
 };
-use crate::kernel::{NurbsCurve, NurbsSurface, frame::unit, tolerance::LAST_BIT};
+use crate::{NurbsCurve, NurbsSurface, frame::unit, tolerance::LAST_BIT};
 
 /// A way this many times longer than it is along the curve leads past what it leads to.
 const WIDEST_ARRIVAL: f64 = 1.2;

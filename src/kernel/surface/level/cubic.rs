@@ -3,10 +3,7 @@
 use glam::DVec3;
 
 use super::sample::{Sample, length_between};
-use crate::{
-    kernel::{GeomError, KnotVector, NurbsCurve, frame::unit, tolerance::CORNER_RELATIVE},
-    limits::work,
-};
+use crate::{GeomError, KnotVector, NurbsCurve, frame::unit, tolerance::CORNER_RELATIVE, work};
 
 /// Where between two samples a spline is compared with the cubic between them.
 const SHARES: [f64; 4] = [0.0, 0.25, 0.5, 0.75];

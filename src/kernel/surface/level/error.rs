@@ -3,7 +3,7 @@
 use glam::DVec3;
 use thiserror::Error;
 
-use crate::kernel::error::few_digits;
+use crate::error::few_digits;
 
 /// Why there is no picture.
 #[derive(Clone, Debug, PartialEq, Error)]

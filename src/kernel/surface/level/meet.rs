@@ -23,12 +23,10 @@ use super::{
     verify::{self, Meeting},
 };
 use crate::{
-    kernel::{
-        GeomError, NurbsCurve, Surface, Tolerance,
-        mesh::check_rounding,
-        tolerance::{CONTACT_SHARE, ONE_PLACE_SHARE},
-    },
-    limits::work,
+    GeomError, NurbsCurve, Surface, Tolerance,
+    mesh::check_rounding,
+    tolerance::{CONTACT_SHARE, ONE_PLACE_SHARE},
+    work,
 };
 
 /// Part of the tolerance within which splines stand in for functions: less than what counts as a

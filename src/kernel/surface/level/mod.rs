@@ -48,7 +48,7 @@ use chain::Spot;
 use sample::Run;
 
 use super::{NurbsSurface, Surface, square};
-use crate::kernel::{
+use crate::{
     Bounds, GeomError, Grid, NurbsCurve, Tolerance,
     mesh::check_rounding,
     tolerance::{LAST_BIT, TOUCH_RELATIVE},
@@ -218,7 +218,7 @@ impl NurbsSurface {
     /// The tolerance for lines on a surface of this size.
     ///
     /// # Errors
-    /// [`crate::kernel::MeshError::BelowRounding`].
+    /// [`crate::MeshError::BelowRounding`].
     fn line_tolerance(&self, tolerance: Tolerance) -> Result<f64, GeomError> {
         let Some(bounds) = Bounds::of(self.points().iter().copied()) else {
             return Ok(tolerance.distance);

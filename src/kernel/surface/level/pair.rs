@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{shade, square};
-use crate::kernel::{
+use crate::{
     Bounds, Direction, Grid, Interval, NurbsSurface, Side, frame::unit, homogeneous, surface::Edge,
     tolerance::PLACE_RELATIVE,
 };
@@ -18,9 +18,9 @@ const FLAT_ENOUGH: f64 = 0.8;
 
 /// A part of a surface, between parameters.
 #[derive(Clone, Debug)]
-pub(in crate::kernel::surface) struct Part {
-    pub(in crate::kernel::surface) low: [f64; 2],
-    pub(in crate::kernel::surface) high: [f64; 2],
+pub(in crate::surface) struct Part {
+    pub(in crate::surface) low: [f64; 2],
+    pub(in crate::surface) high: [f64; 2],
     net: Grid<DVec4>,
     normals: Grid<DVec3>,
     places: Grid<DVec3>,
@@ -32,7 +32,7 @@ pub(in crate::kernel::surface) struct Part {
 
 impl Part {
     /// The Bézier patches of a surface; those that are lines or points are left out.
-    pub(in crate::kernel::surface) fn all(surface: &NurbsSurface) -> Vec<Self> {
+    pub(in crate::surface) fn all(surface: &NurbsSurface) -> Vec<Self> {
         let spans = [surface.knots_u(), surface.knots_v()].map(|k| k.spans().collect::<Vec<_>>());
         let pairs = spans[0].iter().flat_map(|&u| spans[1].iter().map(move |&v| (u, v)));
         let part = |(u, v)| {
@@ -63,7 +63,7 @@ impl Part {
     }
 
     /// The halves across the direction in which it is longer.
-    pub(in crate::kernel::surface) fn halves(&self) -> [Self; 2] {
+    pub(in crate::surface) fn halves(&self) -> [Self; 2] {
         let along_u = longest(&self.places) >= longest(&self.places.transposed());
         let direction = usize::from(!along_u);
         let middle = self.middle()[direction];
@@ -140,7 +140,7 @@ impl Part {
     }
 
     /// Whether its normals are all on one side of a plane, so that it does not turn over.
-    pub(in crate::kernel::surface) fn is_regular(&self) -> bool {
+    pub(in crate::surface) fn is_regular(&self) -> bool {
         self.angle < std::f64::consts::FRAC_PI_2
     }
 

@@ -8,14 +8,12 @@ use glam::{DVec3, DVec4};
 
 use super::{PictureError, linear::solved, pair::Part, trace::within};
 use crate::{
-    kernel::{
-        Bounds, Curve, GeomError, Interval, NurbsCurve, NurbsSurface, Surface, Tolerance, bezier,
-        frame::{norm, unit},
-        homogeneous,
-        tolerance::{LAST_BIT, PLACE_RELATIVE},
-        valley::Valley,
-    },
-    limits::work,
+    Bounds, Curve, GeomError, Interval, NurbsCurve, NurbsSurface, Surface, Tolerance, bezier,
+    frame::{norm, unit},
+    homogeneous,
+    tolerance::{LAST_BIT, PLACE_RELATIVE},
+    valley::Valley,
+    work,
 };
 
 /// Pairs that are looked at before the curve counts as running along the surface.

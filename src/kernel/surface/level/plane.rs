@@ -4,9 +4,7 @@ use super::{
     Collected, Field, LevelSet, square,
     verify::{self, Meeting},
 };
-use crate::kernel::{
-    Frame, GeomError, Grid, NurbsSurface, Surface, Tolerance, tolerance::LAST_BIT,
-};
+use crate::{Frame, GeomError, Grid, NurbsSurface, Surface, Tolerance, tolerance::LAST_BIT};
 
 /// Rounding of a height, in last bits of what it is computed of.
 const ROUNDING: f64 = 16.0 * LAST_BIT;

@@ -3,10 +3,7 @@
 use glam::DVec3;
 
 use super::{Branch, PictureError, chain::Spot, cubic::Cubic};
-use crate::{
-    kernel::{GeomError, NurbsSurface, frame::unit},
-    limits::work,
-};
+use crate::{GeomError, NurbsSurface, frame::unit, work};
 
 /// Halvings of the stretch between two samples.
 const MAX_HALVINGS: usize = 24;

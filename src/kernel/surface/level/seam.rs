@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use super::pair::Part;
-use crate::kernel::{
+use crate::{
     Direction, GeomError, Interval, NurbsCurve, NurbsSurface, Side, frame::unit, surface::Edge,
 };
 

@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 use glam::DVec3;
 
 use super::{Collected, Condition, Field, LevelSet, cell, square};
-use crate::kernel::{
+use crate::{
     GeomError, Grid, NurbsSurface, Surface, Tolerance,
     frame::{across, norm, unit},
     tolerance::{LIGHT_SHARE, SIGN_RELATIVE, VANISHING_RELATIVE},
@@ -157,7 +157,7 @@ impl Surface {
 fn shaded(surface: &Surface, tolerance: Tolerance) -> Result<(Vec<Shaded>, f64), GeomError> {
     let spline = surface.splined(LIGHT_SHARE * tolerance.distance)?;
     let distance = spline.line_tolerance(tolerance)?;
-    let spans = |knots: &crate::kernel::KnotVector| knots.spans().collect::<Vec<_>>();
+    let spans = |knots: &crate::KnotVector| knots.spans().collect::<Vec<_>>();
     let (spans_u, spans_v) = (spans(spline.knots_u()), spans(spline.knots_v()));
     let pairs = spans_u.iter().flat_map(|&u| spans_v.iter().map(move |&v| (u, v)));
     let patches = pairs.filter_map(|(u, v)| Shaded::new(spline.patch(u, v)));

@@ -15,7 +15,7 @@ use super::{
     touch::{Contact, Reach},
     trace::{Crossing, Ends},
 };
-use crate::kernel::{Bounds, GeomError, NurbsSurface, tolerance::CONTACT_SHARE};
+use crate::{Bounds, GeomError, NurbsSurface, tolerance::CONTACT_SHARE};
 
 /// Pairs of parts that are looked at before the surfaces count as running together.
 pub(super) const MAX_PAIRS: usize = 200_000;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::touch::poles;
-use crate::kernel::{AnalyticForm, AnalyticSurface, Frame, NurbsCurve, NurbsSurface, frame::unit};
+use crate::{AnalyticForm, AnalyticSurface, Frame, NurbsCurve, NurbsSurface, frame::unit};
 
 /// Steps of −1, 0 and 1 that lead to the directions in which poles are looked for: the faces, edges and
 /// corners of a cube, one of each two that are opposite.

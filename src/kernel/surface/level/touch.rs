@@ -12,7 +12,7 @@
 use glam::{DMat2, DVec2, DVec3};
 
 use super::trace::{Crossing, Place, within};
-use crate::kernel::{
+use crate::{
     NurbsSurface,
     frame::unit,
     tolerance::{BEND_RELATIVE, CONTACT_SHARE, LAST_BIT, PLACE_RELATIVE, SIGN_RELATIVE},

@@ -12,12 +12,10 @@ use super::{
     touch::{Junction, Way, poles},
 };
 use crate::{
-    kernel::{
-        Interval, NurbsSurface,
-        frame::{norm, unit},
-        tolerance::{KNOT_RELATIVE, LAST_BIT},
-    },
-    limits::work,
+    Interval, NurbsSurface,
+    frame::{norm, unit},
+    tolerance::{KNOT_RELATIVE, LAST_BIT},
+    work,
 };
 
 /// Steps of Newton's method.

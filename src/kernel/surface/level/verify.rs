@@ -10,7 +10,7 @@
 use glam::DVec3;
 
 use super::PictureError;
-use crate::kernel::{
+use crate::{
     Bounds, Frame, GeomError, Interval, NurbsCurve, NurbsSurface, tolerance::NORMAL_AGREEMENT,
 };
 

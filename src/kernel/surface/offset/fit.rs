@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::tensor;
-use crate::kernel::{
+use crate::{
     Direction, GeomError, Grid, Interpolator, Interval, KnotVector, NurbsSurface, Surface,
 };
 

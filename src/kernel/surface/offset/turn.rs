@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::kernel::{Direction, GeomError, Surface};
+use crate::{Direction, GeomError, Surface};
 
 /// Places of a span, along each direction, at which the bend is measured.
 const N_PLACES: usize = 4;
@@ -72,7 +72,7 @@ fn places(surface: &Surface, along: Direction) -> Vec<f64> {
         }
         Surface::Parametric(_) => {
             let steps = surface.domain(along).steps(FUNCTION_SPANS);
-            let between = |pair: &[f64]| crate::kernel::Interval::new(pair[0], pair[1]).ok();
+            let between = |pair: &[f64]| crate::Interval::new(pair[0], pair[1]).ok();
             steps.windows(2).filter_map(between).collect::<Vec<_>>()
         }
     };

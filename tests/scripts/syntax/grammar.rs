@@ -7,10 +7,10 @@ use serde_json::Value;
 use virote::syntax::KEYWORDS;
 use virote::syntax::ast::{Kind, Unit};
 
-const GRAMMAR: &str = include_str!("../../grammar/virote.ebnf");
-const TEXT_MATE: &str = include_str!("../../grammar/virote.tmLanguage.json");
-const TREE_SITTER: &str = include_str!("../../grammar/tree-sitter-virote/grammar.js");
-const HIGHLIGHTS: &str = include_str!("../../grammar/tree-sitter-virote/queries/highlights.scm");
+const GRAMMAR: &str = include_str!("../../../grammar/virote.ebnf");
+const TEXT_MATE: &str = include_str!("../../../grammar/virote.tmLanguage.json");
+const TREE_SITTER: &str = include_str!("../../../grammar/tree-sitter-virote/grammar.js");
+const HIGHLIGHTS: &str = include_str!("../../../grammar/tree-sitter-virote/queries/highlights.scm");
 
 /// Words that mean something in one place only and may be names elsewhere, units aside.
 const CONTEXTUAL: [&str; 4] = ["all", "error", "expect", "step"];

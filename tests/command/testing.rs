@@ -1,11 +1,9 @@
 //! `virote test`: what it runs, how it tells how that came out, and how it ends.
 
-mod support;
-
 use std::process::{Command, Stdio};
 
+use crate::support::{Scratch, files_below, told, virote};
 use serde_json::{Value as Json, json};
-use support::{Scratch, files_below, told, virote};
 
 /// Runs `virote test` in the folder; standard output, standard error, exit code.
 fn test(scratch: &Scratch, args: &[&str]) -> (String, String, i32) {

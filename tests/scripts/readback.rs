@@ -1,10 +1,8 @@
 //! Files that we write, read by programs that we did not write.
 
-mod support;
-
 use std::fs;
 
-use support::{Scratch, folder, virote};
+use crate::support::{Scratch, folder, virote};
 
 /// The number before `word` in what a run printed of `file`.
 fn printed(said: &str, file: &str, word: &str) -> usize {

@@ -1,7 +1,5 @@
 //! `virote render`: pictures compared with closed forms pixel by pixel, and what it refuses.
 
-mod support;
-
 use std::{env, fs, io::BufReader};
 
 use virote::{
@@ -13,7 +11,7 @@ use virote::{
     value::{Files, Picture, Type},
 };
 
-use support::{Scratch, files_below, told, virote};
+use crate::support::{Scratch, files_below, told, virote};
 
 /// A picture as rows of red, green and blue.
 struct Pixels {
@@ -92,7 +90,7 @@ fn illustration(picture: &Illustration) -> Vec<u8> {
 
 #[test]
 fn the_pictures_of_the_reference_are_up_to_date() {
-    let folder = support::folder("docs").join("pictures");
+    let folder = crate::support::folder("docs").join("pictures");
     let pictures = illustrations(&ops::registry());
     assert!(100 < pictures.len(), "{}", pictures.len());
     let files: Vec<String> = pictures.iter().map(|picture| picture.file.clone()).collect();

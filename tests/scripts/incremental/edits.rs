@@ -10,7 +10,7 @@ use virote::{
     session::{Event, Report, Session},
 };
 
-use crate::harness::Shelf;
+use super::harness::Shelf;
 
 /// Statements of a document: `#` is the number of the new one, `A` and `B` of others.
 const STATEMENTS: &[&str] = &[

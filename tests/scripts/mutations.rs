@@ -1,10 +1,8 @@
 //! Every example, torn: cut at every byte, and with each token lost, doubled, or swapped with the next.
 //! Whatever is left is read and evaluated, or refused by messages that point into the text.
 //!
-//! Evaluation has small ceilings here. `VIROTE_MUTATIONS=all cargo test --test mutations` evaluates
+//! Evaluation has small ceilings here. `VIROTE_MUTATIONS=all cargo test --test scripts mutations` evaluates
 //! every torn script that can be read; without it every one is read, and one of [`EVALUATED`] is evaluated.
-
-mod support;
 
 use std::{
     env, fs,
@@ -25,7 +23,7 @@ use virote::{
     value::Files,
 };
 
-use support::{folder, programs, report};
+use crate::support::{folder, programs, report};
 
 /// Of so many torn scripts that can be read one is evaluated.
 const EVALUATED: usize = 40;

@@ -323,7 +323,7 @@ fn the_reference_on_the_disk_is_up_to_date() {
     } else {
         assert!(
             found == expected,
-            "docs/reference.md is out of date: VIROTE_BLESS=1 cargo test --test registry rewrites it"
+            "docs/reference.md is out of date: VIROTE_BLESS=1 cargo test --test scripts registry rewrites it"
         );
     }
 }

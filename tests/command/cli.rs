@@ -1,15 +1,13 @@
 //! The command as a process: exit codes, options, files that are whole or not at all.
 
-mod support;
-
 use std::{
     fs,
     io::Write as _,
     process::{Command, Stdio},
 };
 
+use crate::support::{Scratch, files_below, told, virote};
 use serde_json::Value as Json;
-use support::{Scratch, files_below, told, virote};
 
 const CURVE: &str = "curve c = bezier((0, 0), (1, 2), (2, 0))\n";
 

@@ -1,8 +1,6 @@
 //! Files of a run that does not end well: what stood there before stays, or the whole new file is
 //! there, and nothing else.
 
-mod support;
-
 use std::{
     fs,
     path::Path,
@@ -11,7 +9,7 @@ use std::{
     time::Instant,
 };
 
-use support::{Scratch, told, virote};
+use crate::support::{Scratch, told, virote};
 
 /// Every form of file that geometry and tables have.
 const ALL_FORMATS: &str = r#"

@@ -2,13 +2,11 @@
 //! `NAME.out` holds the message that it gets.
 //!
 //! The exit code is 2, but 1 where the name begins with `check-` and 3 where it begins with
-//! `usage-`. `VIROTE_BLESS=1 cargo test --test errors` rewrites the golden files: read each
+//! `usage-`. `VIROTE_BLESS=1 cargo test --test scripts errors` rewrites the golden files: read each
 //! message as a beginner would. Does it name the culprit and its place, what was expected and
 //! found, and what to do?
 
-mod support;
-
-use support::{compare, files_below, folder, programs, report, transcript};
+use crate::support::{compare, files_below, folder, programs, report, transcript};
 
 fn expected_code(name: &str) -> i32 {
     match name.split('-').next() {

@@ -1,12 +1,10 @@
 //! `virote test` with golden folders: what is kept, what is compared, what a difference says, and
 //! what becomes of folders that are not as they should be; and the results for other programs.
 
-mod support;
-
 use std::fs;
 
+use crate::support::{Scratch, files_below, told, virote};
 use serde_json::{Value as Json, json};
-use support::{Scratch, files_below, told, virote};
 
 /// Runs `virote test` in the folder; standard output, standard error, exit code.
 fn test(scratch: &Scratch, args: &[&str]) -> (String, String, i32) {

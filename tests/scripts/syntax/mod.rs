@@ -36,7 +36,7 @@ fn shape(tree: &Tree<'_>) -> String {
 
 /// Scripts of all sorts, by name.
 fn scripts() -> Vec<(String, String)> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/syntax/scripts");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/scripts/syntax/scripts");
     let mut scripts: Vec<(String, String)> = std::fs::read_dir(folder)
         .unwrap()
         .map(|entry| entry.unwrap().path())

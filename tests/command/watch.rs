@@ -1,8 +1,4 @@
 //! `virote watch`: what it carries out again when something is saved, and how it ends.
-#![cfg(unix)]
-
-mod support;
-
 use std::{
     fs,
     io::{BufRead, BufReader},
@@ -12,7 +8,7 @@ use std::{
     time::Duration,
 };
 
-use support::{Scratch, files_below, told, virote};
+use crate::support::{Scratch, files_below, told, virote};
 
 /// A script that is watched, and the lines that are told of it.
 struct Watch {

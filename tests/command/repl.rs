@@ -1,14 +1,12 @@
 //! `virote repl`: entries from a pipe, and keystroke by keystroke at a terminal of its own.
 
-mod support;
-
 use std::{
     io::{Read, Write},
     process::{Command, Stdio},
     thread,
 };
 
-use support::{Scratch, folder, programs, told, virote};
+use crate::support::{Scratch, folder, programs, told, virote};
 
 /// What the prompt says to entries from a pipe: standard output, standard error, exit code.
 fn piped(scratch: &Scratch, args: &[&str], input: impl Into<Vec<u8>>) -> (String, String, i32) {

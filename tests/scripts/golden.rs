@@ -5,12 +5,10 @@
 //! the values of `tests/golden/values`, computed with forty digits by other means, check themselves
 //! and say nothing else than what `warnings.out` beside them holds.
 //!
-//! `VIROTE_BLESS=1 cargo test --test golden` rewrites the golden files. A program that begins with
+//! `VIROTE_BLESS=1 cargo test --test scripts golden` rewrites the golden files. A program that begins with
 //! a line such as `// --set n=3` is run with those arguments.
 
-mod support;
-
-use support::{compare, folder, programs, report, told, transcript, virote};
+use crate::support::{compare, folder, programs, report, told, transcript, virote};
 
 #[test]
 fn programs_say_and_write_what_they_did() {

@@ -7,7 +7,7 @@ use virote::{
     value::Value,
 };
 
-use crate::harness::{Desk, Run};
+use super::harness::{Desk, Run};
 
 /// Documents of a hundred definitions are tried on one thread and on several.
 const THREADS: [usize; 2] = [1, 4];

@@ -1,10 +1,12 @@
 //! Geometry: exact NURBS, and functions with exact derivatives. Knows nothing of scripts, spans or files; equal input gives equal bits.
 //!
 //! Reading order: [`tolerance`], then [`KnotVector`], [`NurbsCurve`], [`NurbsSurface`], [`Mesh`].
+#![doc = include_str!("README.md")]
 
 mod bernstein;
 mod bezier;
 mod bounds;
+pub mod ceiling;
 mod compatible;
 mod curve;
 mod datum;
@@ -39,6 +41,7 @@ mod sweep;
 mod table;
 pub mod tolerance;
 mod valley;
+pub mod work;
 
 pub use bounds::Bounds;
 pub use curve::{

@@ -1,11 +1,9 @@
 //! The scripts in the documents: each `geo` block runs and passes its tests, each `geo-error` block
 //! does not.
 
-mod support;
-
 use std::fs;
 
-use support::{Scratch, folder, told, virote};
+use crate::support::{Scratch, folder, told, virote};
 
 /// Documents with scripts in them.
 const DOCUMENTS: &[&str] =

@@ -1,10 +1,6 @@
 //! Where the command reads and writes: links, pipes, full disks, folders that take nothing, and names
 //! that no format was made for.
 
-#![cfg(unix)]
-
-mod support;
-
 use std::{
     fs::{self, File},
     os::unix::fs::symlink,
@@ -12,7 +8,7 @@ use std::{
     time::{Duration, SystemTime},
 };
 
-use support::{Scratch, files_below, told, virote};
+use crate::support::{Scratch, files_below, told, virote};
 
 const SCRIPT: &str =
     "param n = 3\nprint 1\ncurve c = line((0, 0), (1, 1))\nexport c to \"deep/er/c.obj\"\n";

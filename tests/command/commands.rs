@@ -1,16 +1,14 @@
 //! The verbs that look at a script without making its files: `fmt`, `params`, `graph`; and the
 //! options that choose and limit what a run does.
 
-mod support;
-
 use std::{
     fs,
     io::Write as _,
     process::{Command, Stdio},
 };
 
+use crate::support::{Scratch, files_below, folder, programs, told, transcript, virote};
 use serde_json::{Value as Json, json};
-use support::{Scratch, files_below, folder, programs, told, transcript, virote};
 use virote::limits::Ceiling;
 
 /// Runs the command in the folder; standard output, standard error, exit code.

@@ -1,0 +1,15 @@
+//! The built command as people use it: arguments, exit codes, files, pictures, the prompt, the watch.
+
+mod cli;
+mod commands;
+#[cfg(unix)]
+mod doors;
+mod golden_folders;
+mod pictures;
+mod repl;
+mod safety;
+#[path = "../support/mod.rs"]
+mod support;
+mod testing;
+#[cfg(unix)]
+mod watch;

@@ -1,0 +1,16 @@
+//! The language and its built-ins: what scripts say, refuse, draw and write, and the rules of the house.
+
+mod docs;
+mod errors;
+mod faults;
+mod golden;
+mod incremental;
+mod lanes;
+mod maps;
+mod mutations;
+mod readback;
+mod registry;
+#[path = "../support/mod.rs"]
+mod support;
+mod syntax;
+mod tidy;
