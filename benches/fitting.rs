@@ -4,7 +4,7 @@
 
 use divan::{Bencher, counter::ItemsCount};
 use glam::DVec3;
-use virote::kernel::{Ends, Interpolator, Spacing, approximate, approximate_within};
+use virote::kernel::{Ends, Interpolator, Parametrization, approximate, approximate_within};
 
 fn main() {
     divan::main();
@@ -45,7 +45,7 @@ fn aerofoil() -> Vec<DVec3> {
 fn interpolate_by_chord_length(bencher: Bencher<'_, '_>, n: usize) {
     let points = wave(n);
     bencher.counter(ItemsCount::new(n)).bench(|| {
-        let parameters = Spacing::Chord.parameters(&points).unwrap();
+        let parameters = Parametrization::Chord.parameters(&points).unwrap();
         Interpolator::new(&parameters, 3, Ends::Bessel).unwrap().curve(&points).unwrap()
     });
 }
@@ -55,7 +55,7 @@ fn interpolate_closed(bencher: Bencher<'_, '_>, n: usize) {
     let mut points = wave(n);
     points.push(points[0]);
     bencher.counter(ItemsCount::new(n)).bench(|| {
-        let parameters = Spacing::Chord.parameters(&points).unwrap();
+        let parameters = Parametrization::Chord.parameters(&points).unwrap();
         Interpolator::periodic(&parameters, 3).unwrap().curve(&points[..n]).unwrap()
     });
 }
@@ -63,7 +63,7 @@ fn interpolate_closed(bencher: Bencher<'_, '_>, n: usize) {
 #[divan::bench(args = [1_000, 100_000])]
 fn least_squares(bencher: Bencher<'_, '_>, n: usize) {
     let points = wave(n);
-    let parameters = Spacing::Chord.parameters(&points).unwrap();
+    let parameters = Parametrization::Chord.parameters(&points).unwrap();
     bencher
         .counter(ItemsCount::new(n))
         .bench(|| approximate(&points, &parameters, 3, n / 10).unwrap());
@@ -72,27 +72,27 @@ fn least_squares(bencher: Bencher<'_, '_>, n: usize) {
 #[divan::bench(args = [1e-3, 1e-4, 1e-5])]
 fn aerofoil_within(bencher: Bencher<'_, '_>, tolerance: f64) {
     let points = aerofoil();
-    let parameters = Spacing::Chord.parameters(&points).unwrap();
+    let parameters = Parametrization::Chord.parameters(&points).unwrap();
     bencher.bench(|| approximate_within(&points, &parameters, 3, tolerance, false).unwrap());
 }
 
 #[divan::bench(args = [1_000, 10_000, 100_000], sample_count = 5)]
 fn wave_within_a_thousandth(bencher: Bencher<'_, '_>, n: usize) {
     let points = wave(n);
-    let parameters = Spacing::Chord.parameters(&points).unwrap();
+    let parameters = Parametrization::Chord.parameters(&points).unwrap();
     bencher.bench(|| approximate_within(&points, &parameters, 3, 1e-3, false).unwrap());
 }
 
 #[divan::bench(args = [1_000, 100_000], sample_count = 5)]
 fn noisy_wave_within_a_tenth(bencher: Bencher<'_, '_>, n: usize) {
     let points = noisy_wave(n);
-    let parameters = Spacing::Chord.parameters(&points).unwrap();
+    let parameters = Parametrization::Chord.parameters(&points).unwrap();
     bencher.bench(|| approximate_within(&points, &parameters, 3, 0.1, false).unwrap());
 }
 
 #[divan::bench(args = [1_000, 100_000], sample_count = 5)]
 fn clipped_wave_within_a_thousandth(bencher: Bencher<'_, '_>, n: usize) {
     let points = clipped_wave(n);
-    let parameters = Spacing::Chord.parameters(&points).unwrap();
+    let parameters = Parametrization::Chord.parameters(&points).unwrap();
     bencher.bench(|| approximate_within(&points, &parameters, 3, 1e-3, false).unwrap());
 }

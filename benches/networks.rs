@@ -16,7 +16,8 @@ use std::time::Instant;
 use glam::DVec3;
 use networks::{NETWORKS, measured, size};
 use virote::kernel::{
-    Along, Grid, KnotVector, Network, NurbsCurve, NurbsSurface, Rule, Sections, gordon,
+    Along, CompatibleSections, Grid, KnotVector, Network, NurbsCurve, NurbsSurface,
+    SectionParameters, gordon,
 };
 
 /// Points of the curves of each direction.
@@ -59,8 +60,8 @@ fn print_times() {
     let wide = self::sheet(50);
     let sections: Vec<NurbsCurve> = (0..50).map(|k| wide.isocurve_v(k as f64 / 49.0)).collect();
     let time = best(10, || {
-        let all = Sections::new(&sections).unwrap();
-        let parameters = all.parameters(Rule::Average, false).unwrap();
+        let all = CompatibleSections::new(&sections).unwrap();
+        let parameters = all.parameters(SectionParameters::Average, false).unwrap();
         drop(all.skinned(&Along::free(&parameters, 3).unwrap()).unwrap());
     });
     println!("A skin of 50 cubic sections of 50 control points: {time:.1} ms");

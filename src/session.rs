@@ -17,12 +17,12 @@ use std::sync::{Arc, atomic::AtomicBool};
 
 pub use ceiling::name_flag;
 pub use extra::Extra;
-pub use picture::Scene;
-pub use test::{Tested, Verdict};
+pub use picture::PictureContent;
+pub use test::{TestReport, TestVerdict};
 
 use crate::{
     diag::{Code, Diagnostic, Severity, Sources, Span, fault},
-    eval::{self, Memory, Output, Purpose, Setting, Work},
+    eval::{self, EffectOutput, Memory, Purpose, Setting, Work},
     export::{Format, Job},
     kernel::Tolerance,
     limits::{Ceiling, Limits},
@@ -68,7 +68,7 @@ pub enum Event {
     /// A file to be written.
     File(Box<File>),
     /// An error that a test expects, and what happened.
-    Expected(eval::Expected),
+    Expected(eval::ExpectedMistake),
 }
 
 /// What became of a script.
@@ -81,7 +81,7 @@ pub struct Report {
     /// What the script says and does.
     pub events: Vec<Event>,
     /// What its tests came to, as far as they were run.
-    pub tests: Vec<Tested>,
+    pub tests: Vec<TestReport>,
     /// The unit of length, and the tolerance.
     pub document: (Unit, Tolerance),
     /// Its definitions.
@@ -89,7 +89,7 @@ pub struct Report {
     /// Settings that no parameter takes, each a sentence.
     pub unknown_settings: Vec<String>,
     /// What parametric curves and surfaces need to answer: keep it as long as the values.
-    pub kept: eval::Kept,
+    pub kept: eval::KeptGlobals,
 }
 
 impl Report {
@@ -296,7 +296,7 @@ impl Session {
             document: (Unit::Mm, Tolerance::DEFAULT),
             definitions: Vec::new(),
             unknown_settings: Vec::new(),
-            kept: eval::Kept::default(),
+            kept: eval::KeptGlobals::default(),
         }
     }
 
@@ -327,18 +327,18 @@ impl Session {
     /// `diagnostics`.
     fn events(
         &self,
-        outputs: Vec<Output>,
+        outputs: Vec<EffectOutput>,
         document: (Unit, Tolerance),
         diagnostics: &mut Vec<Diagnostic>,
     ) -> Vec<Event> {
         let mut events = Vec::new();
-        let mut written = path::Written::default();
+        let mut written = path::WrittenPaths::default();
         for output in outputs {
             match output {
-                Output::Printed(printed) => events.push(Event::Printed(printed)),
-                Output::Checked(checked) => events.push(Event::Checked(checked)),
-                Output::Expected(expected) => events.push(Event::Expected(expected)),
-                Output::Exported(exported) => {
+                EffectOutput::Printed(printed) => events.push(Event::Printed(printed)),
+                EffectOutput::Checked(checked) => events.push(Event::Checked(checked)),
+                EffectOutput::Expected(expected) => events.push(Event::Expected(expected)),
+                EffectOutput::Exported(exported) => {
                     let span = exported.path.span;
                     let planned =
                         fault::caught(span, || Ok(self.plan(exported, document, diagnostics)));

@@ -8,7 +8,7 @@ use std::{
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::{
-    limits::{self, Moved},
+    limits::{self, MovedCeiling},
     process, render, settings, test, watch,
 };
 use crate::{
@@ -23,7 +23,7 @@ use crate::{
 #[command(name = "virote", version, about, after_help = EXAMPLES, max_term_width = 100)]
 pub(super) struct Cli {
     #[command(subcommand)]
-    pub(super) verb: Verb,
+    pub(super) verb: CliCommand,
 }
 
 const EXAMPLES: &str = "\
@@ -46,7 +46,7 @@ Examples:
 Exit codes: 0 all well; 1 a check or test failed; 2 an error in the script; 3 usage, files.";
 
 #[derive(Debug, Subcommand)]
-pub(super) enum Verb {
+pub(super) enum CliCommand {
     /// Evaluates a script, then does its checks, prints and exports
     #[command(after_help = "\
 Examples:
@@ -68,7 +68,7 @@ Examples:
         #[arg(long)]
         dry_run: bool,
         #[command(flatten)]
-        common: Common,
+        common: RunArgs,
     },
     /// Does everything but writing files
     #[command(after_help = "Example: virote check *.geo --message-format json")]
@@ -77,7 +77,7 @@ Examples:
         #[arg(required = true)]
         files: Vec<PathBuf>,
         #[command(flatten)]
-        common: Common,
+        common: RunArgs,
     },
     /// Runs the tests and checks of scripts
     ///
@@ -96,7 +96,7 @@ Examples:
   virote test --bless bottle.geo            writes bottle.golden/, or tells what changed in it
   virote test --junit results.xml           the results for CI
   virote test --message-format json")]
-    Test(test::Asked),
+    Test(test::TestOptions),
     /// Answers questions and takes statements, one by one
     ///
     /// Statements join a document, expressions are answered, and commands begin with a colon:
@@ -114,7 +114,7 @@ Examples:
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
         #[command(flatten)]
-        common: Common,
+        common: RunArgs,
     },
     /// Draws the geometry of a script
     ///
@@ -133,9 +133,9 @@ Examples:
         #[arg(long, short, value_name = "PICTURE")]
         out: PathBuf,
         #[command(flatten)]
-        drawn: Drawn,
+        drawn: PictureArgs,
         #[command(flatten)]
-        common: Common,
+        common: RunArgs,
     },
     /// Tells the parameters of a script: kind, default, what is allowed, label, documentation
     ///
@@ -152,7 +152,7 @@ Examples:
         #[arg(long)]
         json: bool,
         #[command(flatten)]
-        talk: Talk,
+        talk: OutputArgs,
     },
     /// Tells what depends on what, for Graphviz
     ///
@@ -169,7 +169,7 @@ Examples:
         #[arg(long)]
         json: bool,
         #[command(flatten)]
-        talk: Talk,
+        talk: OutputArgs,
     },
     /// Rewrites scripts in canonical form
     ///
@@ -188,7 +188,7 @@ Examples:
         #[arg(long)]
         check: bool,
         #[command(flatten)]
-        talk: Talk,
+        talk: OutputArgs,
     },
     /// Carries a script out again whenever it is saved, or a file that it reads
     ///
@@ -197,7 +197,7 @@ Examples:
 Examples:
   virote watch bottle.geo --out build
   virote watch bottle.geo --check          writes no file")]
-    Watch(watch::Asked),
+    Watch(watch::WatchOptions),
     /// Explains a built-in, lists a chapter or all of them, or searches
     #[command(after_help = "\
 Examples:
@@ -244,7 +244,7 @@ Examples:
 
 /// What a picture shows, and how.
 #[derive(Debug, Args)]
-pub(super) struct Drawn {
+pub(super) struct PictureArgs {
     /// From where: top, front, right, bottom, back, left, isometric or oblique [default: top of
     /// what is flat, else isometric]
     #[arg(long, value_name = "VIEW", value_parser = render::view)]
@@ -263,7 +263,7 @@ pub(super) struct Drawn {
 
 /// What every verb that evaluates takes.
 #[derive(Debug, Args)]
-pub(super) struct Common {
+pub(super) struct RunArgs {
     /// Replaces a parameter of the script; may be given several times
     #[arg(long = "set", short = 'D', value_name = "NAME=VALUE", value_parser = settings::setting)]
     pub(super) settings: Vec<Setting>,
@@ -273,17 +273,17 @@ pub(super) struct Common {
     /// Moves a ceiling, such as `steps=1_000_000`; may be given several times; `--help` lists them
     #[arg(long = "limit", value_name = "NAME=VALUE", value_parser = limits::limit,
         long_help = limits::help())]
-    limits: Vec<Moved>,
+    limits: Vec<MovedCeiling>,
     /// How many threads evaluate [default: one for each processor]
     #[arg(long, value_name = "N")]
     threads: Option<std::num::NonZeroUsize>,
     #[command(flatten)]
-    pub(super) talk: Talk,
+    pub(super) talk: OutputArgs,
 }
 
 /// How the command speaks.
 #[derive(Debug, Args)]
-pub(super) struct Talk {
+pub(super) struct OutputArgs {
     /// Says nothing but what the script prints, and errors
     #[arg(long, short)]
     pub(super) quiet: bool,
@@ -313,7 +313,7 @@ pub(super) enum ColorWhen {
     Never,
 }
 
-impl Common {
+impl RunArgs {
     /// A session as these options want it.
     pub(super) fn session(&self) -> Session {
         self.session_for(1)
@@ -340,7 +340,7 @@ impl Common {
     }
 }
 
-impl Talk {
+impl OutputArgs {
     /// Whether findings are coloured.
     pub(super) fn with_color(&self) -> bool {
         match self.color {

@@ -94,12 +94,12 @@ pub(super) fn reason(err: &io::Error) -> String {
 
 /// Data files beside a script; remembers which were read.
 #[derive(Debug)]
-pub(super) struct Beside {
+pub(super) struct ScriptFiles {
     folder: PathBuf,
     read: std::sync::Mutex<Vec<PathBuf>>,
 }
 
-impl Beside {
+impl ScriptFiles {
     /// Files relative to `folder`.
     pub(super) fn new(folder: &Path) -> Self {
         Self { folder: folder.to_path_buf(), read: std::sync::Mutex::default() }
@@ -111,7 +111,7 @@ impl Beside {
     }
 }
 
-impl Files for Beside {
+impl Files for ScriptFiles {
     fn read(&self, path: &str, most: usize) -> Result<Vec<u8>, String> {
         let full = self.folder.join(path);
         if full.is_dir() {

@@ -6,60 +6,61 @@ use std::{
 };
 
 use super::{
-    Ending,
-    args::Talk,
+    ExitStatus,
+    args::OutputArgs,
     files::{Script, reason},
-    message::Voice,
-    process, say_exactly,
+    process,
+    reporter::Reporter,
+    say_exactly,
     write::replace,
 };
 use crate::{limits::Limits, session::Session};
 
 /// `virote fmt [--check] FILE...`: the worst ending of all.
-pub(super) fn run(paths: &[PathBuf], is_check: bool, talk: &Talk) -> Ending {
+pub(super) fn run(paths: &[PathBuf], is_check: bool, talk: &OutputArgs) -> ExitStatus {
     let session = process::session(Limits::DEFAULT);
-    let voice = Voice::new(talk, session.limits().diagnostics);
+    let voice = Reporter::new(talk, session.limits().diagnostics);
     let endings = paths.iter().map(|path| one(&session, path, is_check, &voice));
-    endings.max().unwrap_or(Ending::Well)
+    endings.max().unwrap_or(ExitStatus::Well)
 }
 
-fn one(session: &Session, path: &Path, is_check: bool, voice: &Voice) -> Ending {
+fn one(session: &Session, path: &Path, is_check: bool, voice: &Reporter) -> ExitStatus {
     let script = match Script::read(path, session.limits().source_bytes) {
         Ok(script) => script,
         Err(message) => {
             voice.trouble(&message);
-            return Ending::Usage;
+            return ExitStatus::Usage;
         }
     };
     let text = match session.format(&script.name, &script.bytes) {
         Ok(text) => text,
         Err(report) => {
             voice.findings(&report.diagnostics, &report.sources);
-            return Ending::Wrong;
+            return ExitStatus::Wrong;
         }
     };
     let is_changed = text.as_bytes() != script.bytes;
     match &script.path {
         _ if is_check && is_changed => {
             voice.formatted(&script.name, false);
-            Ending::Failed
+            ExitStatus::Failed
         }
-        _ if is_check => Ending::Well,
+        _ if is_check => ExitStatus::Well,
         None => {
             say_exactly(&text);
-            Ending::Well
+            ExitStatus::Well
         }
         Some(path) if is_changed => match overwrite(path, &text) {
             Ok(()) => {
                 voice.formatted(&script.name, true);
-                Ending::Well
+                ExitStatus::Well
             }
             Err(err) => {
                 voice.trouble(&format!("cannot write `{}`: {}", script.name, reason(&err)));
-                Ending::Usage
+                ExitStatus::Usage
             }
         },
-        Some(_) => Ending::Well,
+        Some(_) => ExitStatus::Well,
     }
 }
 

@@ -5,14 +5,14 @@ use std::path::Path;
 use serde_json::{Value as Json, json};
 
 use super::{
-    Ending,
-    args::Talk,
-    files::{Beside, Script},
-    look::look,
+    ExitStatus,
+    args::OutputArgs,
+    files::{Script, ScriptFiles},
+    inspect::look,
     say, say_exactly,
 };
 use crate::{
-    eval::{Graph, Node},
+    eval::{DependencyNode, Graph},
     session::Session,
 };
 
@@ -36,8 +36,8 @@ const SHAPES: &[(&str, &str)] = &[
 ];
 
 /// `virote graph FILE [--json]`
-pub(super) fn run(path: &Path, is_json: bool, talk: &Talk) -> Ending {
-    let ask = |session: &Session, script: &Script, files: &Beside| {
+pub(super) fn run(path: &Path, is_json: bool, talk: &OutputArgs) -> ExitStatus {
+    let ask = |session: &Session, script: &Script, files: &ScriptFiles| {
         session.graph(&script.name, &script.bytes, files)
     };
     look(path, talk, ask, |script, _, graph| {
@@ -108,7 +108,7 @@ fn quoted(text: &str) -> String {
 }
 
 fn graph_json(file: &str, graph: &Graph) -> Json {
-    let node = |node: &Node| {
+    let node = |node: &DependencyNode| {
         let uses: Vec<&str> = node.uses.iter().map(|&idx| graph.nodes[idx].name.as_str()).collect();
         let mut json = json!({ "name": node.name, "kind": node.kind, "line": node.line });
         if let Some(text) = &node.text {

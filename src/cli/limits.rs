@@ -7,13 +7,13 @@ use crate::{
 
 /// A ceiling with its new value.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Moved {
+pub(super) struct MovedCeiling {
     ceiling: &'static Ceiling,
     value: u64,
 }
 
 /// Reads `NAME=VALUE`; underscores may group the digits.
-pub(super) fn limit(text: &str) -> Result<Moved, String> {
+pub(super) fn limit(text: &str) -> Result<MovedCeiling, String> {
     let Some((name, value)) = text.split_once('=') else {
         return Err("write NAME=VALUE, for example steps=1_000_000".to_owned());
     };
@@ -31,15 +31,15 @@ pub(super) fn limit(text: &str) -> Result<Moved, String> {
     let number = value.replace('_', "").parse().ok();
     let mut limits = Limits::DEFAULT;
     match number.filter(|&number| ceiling.move_to(number, &mut limits)) {
-        Some(value) => Ok(Moved { ceiling, value }),
+        Some(value) => Ok(MovedCeiling { ceiling, value }),
         None => Err(format!("`{name}` is a whole number from 1 to {}", ceiling.most)),
     }
 }
 
 /// The default ceilings, some of them moved; of two for one ceiling the last counts.
-pub(super) fn moved(moves: &[Moved]) -> Limits {
+pub(super) fn moved(moves: &[MovedCeiling]) -> Limits {
     let mut limits = Limits::DEFAULT;
-    for Moved { ceiling, value } in moves {
+    for MovedCeiling { ceiling, value } in moves {
         // The value was judged when it was read.
         let _ = ceiling.move_to(*value, &mut limits);
     }

@@ -5,15 +5,15 @@ mod args;
 mod files;
 mod fmt;
 mod graph;
+mod inspect;
 mod interrupt;
 mod limits;
-mod look;
-mod message;
 mod params;
 mod process;
 mod progress;
 mod render;
 mod repl;
+mod reporter;
 mod run;
 mod settings;
 mod shell;
@@ -32,7 +32,7 @@ use std::{
 
 use clap::Parser as _;
 
-use self::args::{Cli, Verb};
+use self::args::{Cli, CliCommand};
 use crate::{
     diag::{Code, Severity, fault, shown},
     docs, ops,
@@ -41,7 +41,7 @@ use crate::{
 
 /// How a run ended; the numbers are part of the contract.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Ending {
+pub enum ExitStatus {
     /// All is well.
     Well = 0,
     /// A check or test failed.
@@ -52,7 +52,7 @@ pub enum Ending {
     Usage = 3,
 }
 
-impl Ending {
+impl ExitStatus {
     /// How a script ended by what was found in it.
     fn of(report: &Report) -> Self {
         if report.diagnostics.iter().any(|found| found.code == Code::Fault) {
@@ -67,8 +67,8 @@ impl Ending {
     }
 }
 
-impl From<Ending> for ExitCode {
-    fn from(ending: Ending) -> Self {
+impl From<ExitStatus> for ExitCode {
+    fn from(ending: ExitStatus) -> Self {
         Self::from(ending as u8)
     }
 }
@@ -82,40 +82,44 @@ pub fn main(held: fn() -> usize) -> ExitCode {
         Ok(cli) => cli,
         Err(err) if err.use_stderr() => {
             let _ = err.print();
-            return Ending::Usage.into();
+            return ExitStatus::Usage.into();
         }
         // Asking for help or the version is no mistake.
         Err(err) => {
             if let Err(err) = err.print().and_then(|()| io::stdout().flush()) {
                 miss(&err);
             }
-            return spoken(Ending::Well).into();
+            return spoken(ExitStatus::Well).into();
         }
     };
     process::run(held, || spoken(dispatch(cli.verb)))
 }
 
-fn dispatch(verb: Verb) -> Ending {
+fn dispatch(verb: CliCommand) -> ExitStatus {
     match verb {
-        Verb::Run { file, out, only, dry_run, common } => {
+        CliCommand::Run { file, out, only, dry_run, common } => {
             run::run(&file, out.as_deref(), dry_run, &only, &common)
         }
-        Verb::Check { files, common } => run::check(&files, &common),
-        Verb::Test(asked) => test::run(&asked),
-        Verb::Params { file, json, talk } => params::run(&file, json, &talk),
-        Verb::Graph { file, json, talk } => graph::run(&file, json, &talk),
-        Verb::Repl { file, out, common } => repl::run(file.as_deref(), out.as_deref(), &common),
-        Verb::Render { file, out, drawn, common } => render::run(&file, &out, &drawn, &common),
-        Verb::Fmt { files, check, talk } => fmt::run(&files, check, &talk),
-        Verb::Watch(asked) => watch::run(&asked),
-        Verb::Doc { words, search } => doc(&words, search),
-        Verb::Explain { code } => explain(code.as_deref()),
-        Verb::Completions { shell } => shell::completions(shell),
-        Verb::Man { verb } => shell::man(verb.as_deref()),
+        CliCommand::Check { files, common } => run::check(&files, &common),
+        CliCommand::Test(asked) => test::run(&asked),
+        CliCommand::Params { file, json, talk } => params::run(&file, json, &talk),
+        CliCommand::Graph { file, json, talk } => graph::run(&file, json, &talk),
+        CliCommand::Repl { file, out, common } => {
+            repl::run(file.as_deref(), out.as_deref(), &common)
+        }
+        CliCommand::Render { file, out, drawn, common } => {
+            render::run(&file, &out, &drawn, &common)
+        }
+        CliCommand::Fmt { files, check, talk } => fmt::run(&files, check, &talk),
+        CliCommand::Watch(asked) => watch::run(&asked),
+        CliCommand::Doc { words, search } => doc(&words, search),
+        CliCommand::Explain { code } => explain(code.as_deref()),
+        CliCommand::Completions { shell } => shell::completions(shell),
+        CliCommand::Man { verb } => shell::man(verb.as_deref()),
     }
 }
 
-fn doc(words: &[String], is_search: bool) -> Ending {
+fn doc(words: &[String], is_search: bool) -> ExitStatus {
     let registry = ops::registry();
     let query = words.join(" ");
     let found = match (query.as_str(), is_search) {
@@ -128,11 +132,11 @@ fn doc(words: &[String], is_search: bool) -> Ending {
     let foreign = crate::eval::foreign_advice(&query).filter(|_| !is_search && found.is_none());
     if let Some(advice) = foreign {
         say(&format!("nothing built in is called `{query}`: {advice}\n"));
-        return Ending::Well;
+        return ExitStatus::Well;
     }
     if let Some(text) = found.or_else(|| docs::search(&registry, &query)) {
         say(&text);
-        return Ending::Well;
+        return ExitStatus::Well;
     }
     if words.len() == 1 && !is_search {
         let near = crate::diag::nearest(
@@ -144,15 +148,15 @@ fn doc(words: &[String], is_search: bool) -> Ending {
     } else {
         say_error(&format!("virote: nothing built in is about `{query}`"));
     }
-    Ending::Usage
+    ExitStatus::Usage
 }
 
-fn explain(code: Option<&str>) -> Ending {
+fn explain(code: Option<&str>) -> ExitStatus {
     let Some(text) = code else {
         let list: String =
             Code::ALL.iter().map(|code| format!("{}  {}\n", code.id(), code.title())).collect();
         say(&list);
-        return Ending::Well;
+        return ExitStatus::Well;
     };
     match Code::from_id(text) {
         Some(code) => {
@@ -162,7 +166,7 @@ fn explain(code: Option<&str>) -> Ending {
                 code.title(),
                 docs::wrap(code.explanation())
             ));
-            Ending::Well
+            ExitStatus::Well
         }
         None => {
             let near = crate::diag::nearest(text, Code::ALL.iter().map(|code| code.id()));
@@ -170,7 +174,7 @@ fn explain(code: Option<&str>) -> Ending {
             say_error(&format!(
                 "virote: there is no code `{text}`{near}; `virote explain` lists all"
             ));
-            Ending::Usage
+            ExitStatus::Usage
         }
     }
 }
@@ -206,11 +210,11 @@ fn miss(err: &io::Error) {
 }
 
 /// The ending, once all has been said: what could not be written is told.
-fn spoken(ending: Ending) -> Ending {
+fn spoken(ending: ExitStatus) -> ExitStatus {
     match MISSED.get() {
         Some(reason) => {
             say_error(&format!("virote: cannot write to standard output: {reason}"));
-            ending.max(Ending::Usage)
+            ending.max(ExitStatus::Usage)
         }
         None => ending,
     }

@@ -5,21 +5,21 @@ use std::path::Path;
 use serde_json::{Value as Json, json};
 
 use super::{
-    Ending,
-    args::Talk,
-    files::{Beside, Script},
-    look::look,
+    ExitStatus,
+    args::OutputArgs,
+    files::{Script, ScriptFiles},
+    inspect::look,
     say, say_exactly,
 };
 use crate::{
-    eval::{Parameter, Schema},
+    eval::{Schema, SchemaParameter},
     session::Session,
-    value::{Dim, Number, Value, to_json},
+    value::{Dimension, Number, Value, to_json},
 };
 
 /// `virote params FILE [--json]`
-pub(super) fn run(path: &Path, is_json: bool, talk: &Talk) -> Ending {
-    let ask = |session: &Session, script: &Script, files: &Beside| {
+pub(super) fn run(path: &Path, is_json: bool, talk: &OutputArgs) -> ExitStatus {
+    let ask = |session: &Session, script: &Script, files: &ScriptFiles| {
         session.parameters(&script.name, &script.bytes, files)
     };
     look(path, talk, ask, |script, voice, schema| {
@@ -65,7 +65,7 @@ fn table(schema: &Schema) -> String {
     text
 }
 
-fn row(parameter: &Parameter, unit: &str) -> [String; 6] {
+fn row(parameter: &SchemaParameter, unit: &str) -> [String; 6] {
     let step = parameter.step.map(Value::Number);
     [
         parameter.name.clone(),
@@ -78,7 +78,7 @@ fn row(parameter: &Parameter, unit: &str) -> [String; 6] {
 }
 
 /// A value as the script could write it, lengths in the document's unit.
-fn written(value: &Value, parameter: &Parameter, unit: &str) -> String {
+fn written(value: &Value, parameter: &SchemaParameter, unit: &str) -> String {
     let is_length = is_length(parameter);
     let number = |number: Number| {
         if is_length { format!("{number}{unit}") } else { number.to_string() }
@@ -105,7 +105,7 @@ fn schema_json(file: &str, schema: &Schema) -> Json {
 }
 
 /// Every member is always there; what a parameter lacks is null.
-fn parameter_json(parameter: &Parameter, unit: &str) -> Json {
+fn parameter_json(parameter: &SchemaParameter, unit: &str) -> Json {
     let unit = match parameter.kind {
         _ if is_length(parameter) => Some(unit),
         _ if is_angle(parameter) => Some("deg"),
@@ -136,12 +136,12 @@ fn parameter_json(parameter: &Parameter, unit: &str) -> Json {
     })
 }
 
-fn is_length(parameter: &Parameter) -> bool {
-    matches!(&parameter.default, Value::Number(number) if number.dim == Dim::LENGTH)
+fn is_length(parameter: &SchemaParameter) -> bool {
+    matches!(&parameter.default, Value::Number(number) if number.dim == Dimension::LENGTH)
 }
 
-fn is_angle(parameter: &Parameter) -> bool {
-    matches!(&parameter.default, Value::Number(number) if number.dim == Dim::ANGLE)
+fn is_angle(parameter: &SchemaParameter) -> bool {
+    matches!(&parameter.default, Value::Number(number) if number.dim == Dimension::ANGLE)
 }
 
 fn value_json(value: &Value) -> Json {

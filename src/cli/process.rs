@@ -6,7 +6,7 @@ use std::{
     thread,
 };
 
-use super::{Ending, say_error};
+use super::{ExitStatus, say_error};
 use crate::{
     diag::{Span, fault},
     limits::Limits,
@@ -14,30 +14,30 @@ use crate::{
 };
 
 /// Told once, when the process begins.
-struct Given {
+struct ProcessTraits {
     stack_bytes: usize,
     held: fn() -> usize,
 }
 
-static GIVEN: OnceLock<Given> = OnceLock::new();
+static GIVEN: OnceLock<ProcessTraits> = OnceLock::new();
 
 /// The smallest stack that is tried, as a part of the usual one.
 const SMALLEST_PART: usize = 32;
 
 /// Does the work on a thread with a large stack. Where the system has no room for it, a smaller one
 /// has to do, and the ceilings that keep to the stack come down with it.
-pub(super) fn run(held: fn() -> usize, work: impl FnOnce() -> Ending + Send) -> ExitCode {
+pub(super) fn run(held: fn() -> usize, work: impl FnOnce() -> ExitStatus + Send) -> ExitCode {
     let usual = Limits::DEFAULT.stack_bytes;
     let work = Mutex::new(Some(work));
     let mut stack_bytes = usual;
     loop {
         let take_up = || {
-            GIVEN.get_or_init(|| Given { stack_bytes, held });
+            GIVEN.get_or_init(|| ProcessTraits { stack_bytes, held });
             let work = work.lock().ok().and_then(|mut work| work.take());
-            let Some(work) = work else { return Ending::Usage };
+            let Some(work) = work else { return ExitStatus::Usage };
             fault::caught(Span::default(), || Ok(work())).unwrap_or_else(|told| {
                 say_error(&format!("virote: {}\n{}", told.message, fault::REMEDY));
-                Ending::Usage
+                ExitStatus::Usage
             })
         };
         let done = thread::scope(|scope| {
@@ -47,11 +47,11 @@ pub(super) fn run(held: fn() -> usize, work: impl FnOnce() -> Ending + Send) -> 
         });
         match done {
             Ok(Ok(ending)) => return ending.into(),
-            Ok(Err(_)) => return Ending::Usage.into(),
+            Ok(Err(_)) => return ExitStatus::Usage.into(),
             Err(_) if usual / SMALLEST_PART < stack_bytes => stack_bytes /= 2,
             Err(err) => {
                 say_error(&format!("virote: no thread could be started: {err}"));
-                return Ending::Usage.into();
+                return ExitStatus::Usage.into();
             }
         }
     }

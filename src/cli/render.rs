@@ -3,27 +3,27 @@
 use std::path::{Path, PathBuf};
 
 use super::{
-    Ending,
-    args::{Common, Drawn},
-    files::{Beside, Script},
-    message::Voice,
+    ExitStatus,
+    args::{PictureArgs, RunArgs},
+    files::{Script, ScriptFiles},
     progress::Progress,
+    reporter::Reporter,
     settings,
-    write::{Refusal, Target, failure},
+    write::{OutputTarget, TargetRefusal, failure},
 };
 use crate::{
     diag::{Severity, nearest},
     export::{ExportError, Format, Job, PICTURES, Summary, View},
-    session::{Extra, Scene},
+    session::{Extra, PictureContent},
 };
 
 /// `virote render FILE -o PICTURE`
-pub(super) fn run(path: &Path, out: &Path, drawn: &Drawn, common: &Common) -> Ending {
+pub(super) fn run(path: &Path, out: &Path, drawn: &PictureArgs, common: &RunArgs) -> ExitStatus {
     let session = common.session();
-    let voice = Voice::new(&common.talk, session.limits().diagnostics);
+    let voice = Reporter::new(&common.talk, session.limits().diagnostics);
     let Some(format) = Format::among(PICTURES, &out.to_string_lossy()) else {
         voice.trouble(&unknown_ending(out));
-        return Ending::Usage;
+        return ExitStatus::Usage;
     };
     if session.limits().picture_pixels < drawn.size[0].saturating_mul(drawn.size[1]) {
         let [width, height] = drawn.size;
@@ -31,7 +31,7 @@ pub(super) fn run(path: &Path, out: &Path, drawn: &Drawn, common: &Common) -> En
             "a picture of {width}x{height} pixels; the ceiling is {} pixels in all",
             session.limits().picture_pixels
         ));
-        return Ending::Usage;
+        return ExitStatus::Usage;
     }
     let settings = match settings::given(common, session.limits().input_bytes, &voice) {
         Ok(settings) => settings,
@@ -41,25 +41,30 @@ pub(super) fn run(path: &Path, out: &Path, drawn: &Drawn, common: &Common) -> En
         Ok(script) => script,
         Err(message) => {
             voice.trouble(&message);
-            return Ending::Usage;
+            return ExitStatus::Usage;
         }
     };
-    let files = Beside::new(&script.folder);
+    let files = ScriptFiles::new(&script.folder);
     let progress = Progress::begin(&format!("evaluating {}", script.name), voice.is_lively());
     let report = session.run(&script.name, &script.bytes, &files, &settings);
     let mut inputs = files.inputs();
     inputs.extend(script.path);
     inputs.extend(common.params.clone());
 
-    let scene =
-        Scene { only: &drawn.only, extras: &drawn.show, view: drawn.view, size: drawn.size };
+    let scene = PictureContent {
+        only: &drawn.only,
+        extras: &drawn.show,
+        view: drawn.view,
+        size: drawn.size,
+    };
     let has_errors = report.count(Severity::Error) > 0;
     let done = if !report.unknown_settings.is_empty() {
-        Err((report.unknown_settings.join("\n"), Ending::Usage))
+        Err((report.unknown_settings.join("\n"), ExitStatus::Usage))
     } else if has_errors {
         Ok(None)
     } else {
-        let job = session.picture(&report, &scene, format).map_err(|text| (text, Ending::Usage));
+        let job =
+            session.picture(&report, &scene, format).map_err(|text| (text, ExitStatus::Usage));
         job.and_then(|job| draw(&job, format, out, &inputs, &progress)).map(Some)
     };
     drop(progress);
@@ -67,15 +72,15 @@ pub(super) fn run(path: &Path, out: &Path, drawn: &Drawn, common: &Common) -> En
     match done {
         Ok(Some(summary)) => {
             voice.written(&out.display().to_string(), Some(summary));
-            Ending::of(&report)
+            ExitStatus::of(&report)
         }
         Ok(None) => {
             voice.remark("nothing was drawn, because the script has errors");
-            Ending::of(&report)
+            ExitStatus::of(&report)
         }
         Err((message, ending)) => {
             message.lines().for_each(|line| voice.trouble(line));
-            Ending::of(&report).max(ending)
+            ExitStatus::of(&report).max(ending)
         }
     }
 }
@@ -87,16 +92,16 @@ fn draw(
     out: &Path,
     inputs: &[PathBuf],
     progress: &Progress,
-) -> Result<Summary, (String, Ending)> {
+) -> Result<Summary, (String, ExitStatus)> {
     let shown = out.display().to_string();
-    let cannot = |why: String| (format!("cannot write `{shown}`: {why}"), Ending::Usage);
+    let cannot = |why: String| (format!("cannot write `{shown}`: {why}"), ExitStatus::Usage);
     let folder = match out.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
     let name = out.file_name().unwrap_or_default().to_string_lossy();
-    let target = Target::new(folder, &name, inputs).map_err(|refusal| match refusal {
-        Refusal::Forbidden(message) | Refusal::System(message) => cannot(message),
+    let target = OutputTarget::new(folder, &name, inputs).map_err(|refusal| match refusal {
+        TargetRefusal::Forbidden(message) | TargetRefusal::System(message) => cannot(message),
     })?;
     progress.say(&format!("drawing {shown}"));
     let told = |n_bytes| progress.written(&shown, n_bytes);
@@ -104,7 +109,7 @@ fn draw(
     let staged = target.stage(job.limits.output_bytes, &told, write);
     let (staged, summary) = staged.map_err(|err| match &err {
         ExportError::Io(_) => cannot(failure(&err)),
-        _ => (failure(&err), Ending::Wrong),
+        _ => (failure(&err), ExitStatus::Wrong),
     })?;
     staged.place().map_err(|err| cannot(failure(&ExportError::Io(err))))?;
     Ok(summary)

@@ -6,14 +6,14 @@ use std::{
 };
 
 use super::{
-    Ending,
-    args::Common,
-    files::{Beside, Script},
+    ExitStatus,
+    args::RunArgs,
+    files::{Script, ScriptFiles},
     interrupt::INTERRUPTED,
-    message::Voice,
     progress::Progress,
+    reporter::Reporter,
     settings,
-    write::{Refusal, Staged, Target, capped, failure},
+    write::{OutputTarget, StagedFile, TargetRefusal, capped, failure},
 };
 use crate::{
     diag::{Code, Diagnostic, Severity, fault, nearest},
@@ -24,7 +24,7 @@ use crate::{
 
 /// Whether and where a run writes its files.
 #[derive(Clone, Copy)]
-pub(super) enum Mode<'a> {
+pub(super) enum OutputMode<'a> {
     /// Below this folder; by default the script's own.
     Write(Option<&'a Path>),
     /// Nowhere, but tells what it would write.
@@ -39,10 +39,10 @@ pub(super) fn run(
     out: Option<&Path>,
     dry_run: bool,
     only: &[String],
-    common: &Common,
-) -> Ending {
-    let mode = if dry_run { Mode::DryRun(out) } else { Mode::Write(out) };
-    let run = match Run::new(mode, only, common) {
+    common: &RunArgs,
+) -> ExitStatus {
+    let mode = if dry_run { OutputMode::DryRun(out) } else { OutputMode::Write(out) };
+    let run = match RunOptions::new(mode, only, common) {
         Ok(run) => run,
         Err(ending) => return ending,
     };
@@ -50,34 +50,34 @@ pub(super) fn run(
 }
 
 /// `virote check FILE...`: the worst ending of all.
-pub(super) fn check(paths: &[PathBuf], common: &Common) -> Ending {
-    let run = match Run::new(Mode::Check, &[], common) {
+pub(super) fn check(paths: &[PathBuf], common: &RunArgs) -> ExitStatus {
+    let run = match RunOptions::new(OutputMode::Check, &[], common) {
         Ok(run) => run,
         Err(ending) => return ending,
     };
-    paths.iter().map(|path| run.interpret(path)).max().unwrap_or(Ending::Well)
+    paths.iter().map(|path| run.interpret(path)).max().unwrap_or(ExitStatus::Well)
 }
 
 /// What is done with each script.
-pub(super) struct Run<'a> {
+pub(super) struct RunOptions<'a> {
     session: Session,
-    voice: Voice,
+    voice: Reporter,
     settings: Vec<Setting>,
     /// The file that settings come from.
     params: Option<&'a Path>,
     only: &'a [String],
-    mode: Mode<'a>,
+    mode: OutputMode<'a>,
 }
 
-impl<'a> Run<'a> {
+impl<'a> RunOptions<'a> {
     /// Reads the settings; what is wrong with them has been told.
     pub(super) fn new(
-        mode: Mode<'a>,
+        mode: OutputMode<'a>,
         only: &'a [String],
-        common: &'a Common,
-    ) -> Result<Self, Ending> {
+        common: &'a RunArgs,
+    ) -> Result<Self, ExitStatus> {
         let session = common.session();
-        let voice = Voice::new(&common.talk, session.limits().diagnostics);
+        let voice = Reporter::new(&common.talk, session.limits().diagnostics);
         let settings = settings::given(common, session.limits().input_bytes, &voice)?;
         Ok(Self { session, voice, settings, params: common.params.as_deref(), only, mode })
     }
@@ -89,7 +89,7 @@ impl<'a> Run<'a> {
     }
 
     /// Who tells.
-    pub(super) fn voice(&self) -> &Voice {
+    pub(super) fn voice(&self) -> &Reporter {
         &self.voice
     }
 
@@ -99,14 +99,14 @@ impl<'a> Run<'a> {
         script.map_err(|message| self.voice.trouble(&message)).ok()
     }
 
-    fn interpret(&self, path: &Path) -> Ending {
-        let Some(script) = self.read(path) else { return Ending::Usage };
-        let files = Beside::new(&script.folder);
+    fn interpret(&self, path: &Path) -> ExitStatus {
+        let Some(script) = self.read(path) else { return ExitStatus::Usage };
+        let files = ScriptFiles::new(&script.folder);
         self.carry_out(script, &files).1
     }
 
     /// Does all that the script wants, with data from `files`.
-    pub(super) fn carry_out(&self, script: Script, files: &Beside) -> (Report, Ending) {
+    pub(super) fn carry_out(&self, script: Script, files: &ScriptFiles) -> (Report, ExitStatus) {
         let voice = &self.voice;
         let progress = Progress::begin(&format!("evaluating {}", script.name), voice.is_lively());
         let mut report = self.session.run(&script.name, &script.bytes, files, &self.settings);
@@ -115,10 +115,10 @@ impl<'a> Run<'a> {
         if !misuse.is_empty() {
             misuse.iter().for_each(|message| voice.trouble(message));
             voice.findings(&report.diagnostics, &report.sources);
-            return (report, Ending::Usage);
+            return (report, ExitStatus::Usage);
         }
         let out = match self.mode {
-            Mode::Write(Some(out)) | Mode::DryRun(Some(out)) => out.to_path_buf(),
+            OutputMode::Write(Some(out)) | OutputMode::DryRun(Some(out)) => out.to_path_buf(),
             _ => script.folder.clone(),
         };
         let mut inputs = files.inputs();
@@ -181,14 +181,14 @@ pub(super) fn targets(
     report: &mut Report,
     out: &Path,
     inputs: &[PathBuf],
-) -> Vec<Result<Target, String>> {
+) -> Vec<Result<OutputTarget, String>> {
     let mut targets = Vec::new();
     for event in &report.events {
         let Event::File(file) = event else { continue };
-        targets.push(match Target::new(out, &file.path, inputs) {
+        targets.push(match OutputTarget::new(out, &file.path, inputs) {
             Ok(target) => Ok(target),
-            Err(Refusal::System(message)) => Err(message),
-            Err(Refusal::Forbidden(message)) => {
+            Err(TargetRefusal::System(message)) => Err(message),
+            Err(TargetRefusal::Forbidden(message)) => {
                 report.diagnostics.push(
                     Diagnostic::error(Code::PathEscapes, file.span, message.clone())
                         .hint("choose another name, or another folder by `--out`"),
@@ -204,13 +204,13 @@ pub(super) fn targets(
 /// Prints, and writes files unless the script has an error.
 pub(super) fn act(
     report: &Report,
-    targets: &[Result<Target, String>],
-    mode: Mode<'_>,
+    targets: &[Result<OutputTarget, String>],
+    mode: OutputMode<'_>,
     progress: Progress,
-    voice: &Voice,
-) -> Ending {
+    voice: &Reporter,
+) -> ExitStatus {
     let has_errors = report.count(Severity::Error) > 0;
-    let mut ending = Ending::of(report);
+    let mut ending = ExitStatus::of(report);
     let (mut n_checks, mut n_failed) = (0, 0);
     let mut outcomes = match has_errors {
         true => Vec::new(),
@@ -220,7 +220,7 @@ pub(super) fn act(
     drop(progress);
     let mut findings = report.diagnostics.clone();
     let is_refused =
-        outcomes.as_slice().iter().any(|outcome| matches!(outcome, Outcome::Refused(..)));
+        outcomes.as_slice().iter().any(|outcome| matches!(outcome, FileOutcome::Refused(..)));
     for event in &report.events {
         match event {
             Event::Printed(printed) => voice.printed(printed, None),
@@ -230,12 +230,12 @@ pub(super) fn act(
                 n_failed += usize::from(!checked.verdict.holds);
             }
             Event::File(file) => match outcomes.next() {
-                Some(Outcome::Refused(found, worst)) => {
+                Some(FileOutcome::Refused(found, worst)) => {
                     refuse(found, report, voice);
                     ending = ending.max(worst);
                 }
-                Some(Outcome::Told) if !is_refused => voice.written(&file.path, None),
-                Some(Outcome::Staged(staged, summary)) if !is_refused => match staged.place() {
+                Some(FileOutcome::Told) if !is_refused => voice.written(&file.path, None),
+                Some(FileOutcome::Staged(staged, summary)) if !is_refused => match staged.place() {
                     Ok(()) => {
                         findings.extend(turned(file, &summary));
                         voice.written(&file.path, Some(summary));
@@ -266,23 +266,23 @@ pub(super) fn act(
 }
 
 /// What came of a file before any is put into its place.
-enum Outcome {
+enum FileOutcome {
     /// Written under a temporary name.
-    Staged(Staged, Summary),
+    Staged(StagedFile, Summary),
     /// Not written, but it would be.
     Told,
     /// Not asked for.
     Unasked,
     /// Cannot be: why, and how the run ends.
-    Refused(Diagnostic, Ending),
+    Refused(Diagnostic, ExitStatus),
 }
 
 fn staged(
     report: &Report,
-    targets: &[Result<Target, String>],
-    mode: Mode<'_>,
+    targets: &[Result<OutputTarget, String>],
+    mode: OutputMode<'_>,
     progress: &Progress,
-) -> Vec<Outcome> {
+) -> Vec<FileOutcome> {
     let files = report.events.iter().filter_map(|event| match event {
         Event::File(file) => Some(file),
         _ => None,
@@ -292,16 +292,16 @@ fn staged(
 
 fn stage(
     file: &File,
-    target: &Result<Target, String>,
-    mode: Mode<'_>,
+    target: &Result<OutputTarget, String>,
+    mode: OutputMode<'_>,
     progress: &Progress,
-) -> Outcome {
+) -> FileOutcome {
     let target = match (mode, target) {
-        (Mode::Check, _) => return Outcome::Unasked,
+        (OutputMode::Check, _) => return FileOutcome::Unasked,
         (_, Err(message)) => {
             let message = format!("cannot write `{}`: {message}", file.path);
             let found = Diagnostic::error(Code::CannotWrite, file.span, message);
-            return Outcome::Refused(found, Ending::Usage);
+            return FileOutcome::Refused(found, ExitStatus::Usage);
         }
         (_, Ok(target)) => target,
     };
@@ -312,7 +312,7 @@ fn stage(
     // Without writing it can be told whether it could be: whether there is a place, and a format for it.
     let staged = || {
         Ok(match mode {
-            Mode::Write(_) => target.stage(most, &told, write).map(Some),
+            OutputMode::Write(_) => target.stage(most, &told, write).map(Some),
             _ => target
                 .probe()
                 .map_err(ExportError::from)
@@ -321,13 +321,13 @@ fn stage(
         })
     };
     match fault::caught(file.span, staged) {
-        Ok(Ok(Some((staged, summary)))) => Outcome::Staged(staged, summary),
-        Ok(Ok(None)) => Outcome::Told,
+        Ok(Ok(Some((staged, summary)))) => FileOutcome::Staged(staged, summary),
+        Ok(Ok(None)) => FileOutcome::Told,
         Ok(Err(err)) => {
             let (found, ending) = refusal(file, &err);
-            Outcome::Refused(found, ending)
+            FileOutcome::Refused(found, ending)
         }
-        Err(found) => Outcome::Refused(*found, Ending::Usage),
+        Err(found) => FileOutcome::Refused(*found, ExitStatus::Usage),
     }
 }
 
@@ -351,23 +351,23 @@ fn turned(file: &File, summary: &Summary) -> Option<Diagnostic> {
 }
 
 /// Why a file cannot be written, and how the run ends.
-pub(super) fn refusal(file: &File, err: &ExportError) -> (Diagnostic, Ending) {
+pub(super) fn refusal(file: &File, err: &ExportError) -> (Diagnostic, ExitStatus) {
     let (code, message, ending) = match err {
         ExportError::Geometry { .. } | ExportError::Unfit { .. } => {
-            (Code::CannotExport, failure(err), Ending::Wrong)
+            (Code::CannotExport, failure(err), ExitStatus::Wrong)
         }
         ExportError::TooLarge { .. } => {
-            (Code::TooLarge, format!("`{}` would be {err}", file.path), Ending::Wrong)
+            (Code::TooLarge, format!("`{}` would be {err}", file.path), ExitStatus::Wrong)
         }
         ExportError::Io(_) => {
             let message = format!("cannot write `{}`: {}", file.path, failure(err));
-            (Code::CannotWrite, message, Ending::Usage)
+            (Code::CannotWrite, message, ExitStatus::Usage)
         }
     };
     (Diagnostic::error(code, file.span, message), ending)
 }
 
-fn refuse(mut found: Diagnostic, report: &Report, voice: &Voice) {
+fn refuse(mut found: Diagnostic, report: &Report, voice: &Reporter) {
     name_flag(&mut found);
     voice.findings(&[found], &report.sources);
 }

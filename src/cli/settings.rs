@@ -4,19 +4,23 @@ use std::path::Path;
 
 use serde_json::{Deserializer, Value as Json};
 
-use super::{Ending, args::Common, files::Script, message::Voice};
+use super::{ExitStatus, args::RunArgs, files::Script, reporter::Reporter};
 use crate::{eval::Setting, value::decode};
 
 /// The settings that the options give, those of `--params` first; what is wrong is told.
 ///
 /// # Errors
 /// How the command ends then.
-pub(super) fn given(common: &Common, most: usize, voice: &Voice) -> Result<Vec<Setting>, Ending> {
+pub(super) fn given(
+    common: &RunArgs,
+    most: usize,
+    voice: &Reporter,
+) -> Result<Vec<Setting>, ExitStatus> {
     let mut settings = match &common.params {
         None => Vec::new(),
         Some(path) => read(path, most).map_err(|message| {
             voice.trouble(&message);
-            Ending::Usage
+            ExitStatus::Usage
         })?,
     };
     // Of two settings the last one counts.
@@ -50,17 +54,17 @@ fn read(path: &Path, most: usize) -> Result<Vec<Setting>, String> {
 }
 
 /// A byte of the text, and what is wrong there.
-type Fault = (usize, String);
+type SettingsFault = (usize, String);
 
 /// A member of an object, and where its name stands.
-struct Member {
+struct JsonMember {
     name: String,
     value: Json,
     place: usize,
 }
 
 /// The members of the object that the text is, in its order, those of one name included.
-fn members(text: &str) -> Result<Vec<Member>, Fault> {
+fn members(text: &str) -> Result<Vec<JsonMember>, SettingsFault> {
     let whole: Json = serde_json::from_str(text).map_err(|err| {
         let message = err.to_string();
         let message = message.split(" at line ").next().unwrap_or_default().to_owned();
@@ -79,7 +83,7 @@ fn members(text: &str) -> Result<Vec<Member>, Fault> {
         let Some(Json::String(name)) = next(text, &mut at) else { return Ok(found) };
         at += text[at..].find(':').map_or(0, |colon| colon + 1);
         let Some(value) = next(text, &mut at) else { return Ok(found) };
-        found.push(Member { name, value, place });
+        found.push(JsonMember { name, value, place });
     }
 }
 
@@ -91,9 +95,9 @@ fn next(text: &str, at: &mut usize) -> Option<Json> {
     Some(value)
 }
 
-fn settings(members: Vec<Member>, file: &str) -> Result<Vec<Setting>, Fault> {
+fn settings(members: Vec<JsonMember>, file: &str) -> Result<Vec<Setting>, SettingsFault> {
     let mut settings: Vec<Setting> = Vec::new();
-    for Member { name, value, place } in members {
+    for JsonMember { name, value, place } in members {
         if settings.iter().any(|setting| setting.name == name) {
             return Err((place, format!("`{name}` is given twice")));
         }

@@ -3,22 +3,22 @@
 use clap::CommandFactory as _;
 use clap_complete::Shell;
 
-use super::{Ending, args::Cli, say, say_error};
+use super::{ExitStatus, args::Cli, say, say_error};
 use crate::diag::nearest;
 
 /// The name of the command.
 const NAME: &str = "virote";
 
 /// `virote completions SHELL`
-pub(super) fn completions(shell: Shell) -> Ending {
+pub(super) fn completions(shell: Shell) -> ExitStatus {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Cli::command(), NAME, &mut script);
     say(&String::from_utf8_lossy(&script));
-    Ending::Well
+    ExitStatus::Well
 }
 
 /// `virote man [VERB]`: the page of the command, or of one of its verbs.
-pub(super) fn man(verb: Option<&str>) -> Ending {
+pub(super) fn man(verb: Option<&str>) -> ExitStatus {
     let mut cli = Cli::command();
     // Global names and versions reach the verbs.
     cli.build();
@@ -34,18 +34,18 @@ pub(super) fn man(verb: Option<&str>) -> Ending {
             None => format!("there are {}", verbs.join(", ")),
         };
         say_error(&format!("virote: there is no verb `{verb}`; {remedy}"));
-        return Ending::Usage;
+        return ExitStatus::Usage;
     };
     let mut text = Vec::new();
     let source = format!("{NAME} {}", env!("CARGO_PKG_VERSION"));
     match clap_mangen::Man::new(page).source(source).render(&mut text) {
         Ok(()) => {
             say(&String::from_utf8_lossy(&text));
-            Ending::Well
+            ExitStatus::Well
         }
         Err(err) => {
             say_error(&format!("virote: the page cannot be written: {err}"));
-            Ending::Usage
+            ExitStatus::Usage
         }
     }
 }

@@ -14,12 +14,12 @@ use std::{
 use clap::Args;
 
 use super::{
-    Ending,
-    args::Common,
-    files::Beside,
+    ExitStatus,
+    args::RunArgs,
+    files::ScriptFiles,
     interrupt::{self, INTERRUPTED},
     is_closed,
-    run::{Mode, Run},
+    run::{OutputMode, RunOptions},
 };
 use crate::{eval::Work, session::Report};
 
@@ -31,7 +31,7 @@ const MOST_GONE: usize = 2;
 
 /// What `virote watch` is asked for.
 #[derive(Debug, Args)]
-pub(super) struct Asked {
+pub(super) struct WatchOptions {
     /// The script
     file: PathBuf,
     /// The folder for exported files [default: the script's own]
@@ -41,35 +41,36 @@ pub(super) struct Asked {
     #[arg(long, conflicts_with = "out")]
     check: bool,
     #[command(flatten)]
-    common: Common,
+    common: RunArgs,
 }
 
 /// `virote watch FILE`: until Ctrl-C, or until nobody reads what it says.
-pub(super) fn run(asked: &Asked) -> Ending {
-    let mode = if asked.check { Mode::Check } else { Mode::Write(asked.out.as_deref()) };
-    let run = match Run::new(mode, &[], &asked.common) {
+pub(super) fn run(asked: &WatchOptions) -> ExitStatus {
+    let mode =
+        if asked.check { OutputMode::Check } else { OutputMode::Write(asked.out.as_deref()) };
+    let run = match RunOptions::new(mode, &[], &asked.common) {
         Ok(run) => run.watching(),
         Err(ending) => return ending,
     };
     if asked.file.as_os_str() == "-" {
         run.voice().trouble("standard input cannot be watched");
-        return Ending::Usage;
+        return ExitStatus::Usage;
     }
     // A name that was mistyped is not waited for.
     if run.read(&asked.file).is_none() {
-        return Ending::Usage;
+        return ExitStatus::Usage;
     }
     interrupt::listen_once();
-    let mut watched = Watched::new(&asked.file);
+    let mut watched = WatchedFiles::new(&asked.file);
     let mut n_runs = 0;
     while !INTERRUPTED.load(Ordering::Relaxed) && !is_closed() {
         match watched.change() {
-            Change::Nothing => {}
-            Change::Gone => {
+            FileChange::Nothing => {}
+            FileChange::Gone => {
                 let text = format!("{} is gone; it is waited for", asked.file.display());
                 run.voice().remark(&text);
             }
-            Change::Saved(what) => {
+            FileChange::Saved(what) => {
                 if 0 < n_runs {
                     run.voice().remark(&format!("\n{what} changed"));
                 }
@@ -79,14 +80,14 @@ pub(super) fn run(asked: &Asked) -> Ending {
         }
         thread::sleep(TICK);
     }
-    Ending::Well
+    ExitStatus::Well
 }
 
 /// Carries the script out and tells what was evaluated.
-fn once(run: &Run<'_>, path: &Path, watched: &mut Watched) {
+fn once(run: &RunOptions<'_>, path: &Path, watched: &mut WatchedFiles) {
     let begin = Instant::now();
     let Some(script) = run.read(path) else { return };
-    let files = Beside::new(&script.folder);
+    let files = ScriptFiles::new(&script.folder);
     let (report, _) = run.carry_out(script, &files);
     if INTERRUPTED.load(Ordering::Relaxed) {
         return;
@@ -107,25 +108,25 @@ fn names(report: &Report) -> Vec<&str> {
 
 /// What tells a file from the one that stood in its place before: when it was written, and its
 /// length; nothing where there is none.
-type Mark = Option<(SystemTime, u64)>;
+type FileStamp = Option<(SystemTime, u64)>;
 
-fn mark(path: &Path) -> Mark {
+fn mark(path: &Path) -> FileStamp {
     let data = fs::metadata(path).ok().filter(fs::Metadata::is_file)?;
     Some((data.modified().ok()?, data.len()))
 }
 
 /// The script and the files that it reads.
-struct Watched {
+struct WatchedFiles {
     /// As they were when the script was carried out last.
-    seen: Vec<(PathBuf, Mark)>,
+    seen: Vec<(PathBuf, FileStamp)>,
     /// As they were at the last look: who still writes is waited for.
-    last: Vec<Mark>,
+    last: Vec<FileStamp>,
     n_gone: usize,
     is_first: bool,
 }
 
 /// What became of the files.
-enum Change {
+enum FileChange {
     Nothing,
     /// The script is gone.
     Gone,
@@ -133,7 +134,7 @@ enum Change {
     Saved(String),
 }
 
-impl Watched {
+impl WatchedFiles {
     fn new(script: &Path) -> Self {
         let seen = vec![(script.to_path_buf(), None)];
         Self { seen, last: vec![None], n_gone: 0, is_first: true }
@@ -152,27 +153,27 @@ impl Watched {
     }
 
     /// What happened since the script was carried out last.
-    fn change(&mut self) -> Change {
-        let now: Vec<Mark> = self.seen.iter().map(|(path, _)| mark(path)).collect();
+    fn change(&mut self) -> FileChange {
+        let now: Vec<FileStamp> = self.seen.iter().map(|(path, _)| mark(path)).collect();
         let is_still = now == self.last || self.is_first;
         self.last.clone_from(&now);
         if now[0].is_none() {
             self.n_gone += 1;
             if self.n_gone != MOST_GONE {
-                return Change::Nothing;
+                return FileChange::Nothing;
             }
             // When it comes back it is carried out, even if it is the same.
             self.seen[0].1 = None;
-            return Change::Gone;
+            return FileChange::Gone;
         }
         self.n_gone = 0;
         let mut apart = self.seen.iter().zip(&now).filter(|((_, seen), now)| seen != *now);
         let Some(((path, _), _)) = apart.next().filter(|_| is_still) else {
-            return Change::Nothing;
+            return FileChange::Nothing;
         };
         let what = path.strip_prefix(".").unwrap_or(path).display().to_string();
         self.is_first = false;
         self.seen.iter_mut().zip(now).for_each(|((_, seen), now)| *seen = now);
-        Change::Saved(what)
+        FileChange::Saved(what)
     }
 }

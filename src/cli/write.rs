@@ -18,35 +18,35 @@ use crate::export::{ExportError, Summary};
 
 /// A file of the output folder that may be written.
 #[derive(Debug)]
-pub(super) struct Target {
+pub(super) struct OutputTarget {
     folder: PathBuf,
     path: PathBuf,
 }
 
 /// Why a target is refused before anything is written.
 #[derive(Debug)]
-pub(super) enum Refusal {
+pub(super) enum TargetRefusal {
     /// The script may not write there.
     Forbidden(String),
     /// The operating system does not let us.
     System(String),
 }
 
-impl Target {
+impl OutputTarget {
     /// The file `path` below `out`. `inputs` are files that must stay as they are.
     ///
     /// Makes no folder and no file; folders that exist are looked through, so that a symbolic
     /// link cannot lead out of the output folder.
-    pub(super) fn new(out: &Path, path: &str, inputs: &[PathBuf]) -> Result<Self, Refusal> {
+    pub(super) fn new(out: &Path, path: &str, inputs: &[PathBuf]) -> Result<Self, TargetRefusal> {
         let full = out.join(path);
         let folder = full.parent().unwrap_or(out).to_path_buf();
         if full.is_dir() {
-            return Err(Refusal::Forbidden(format!("`{path}` is a folder")));
+            return Err(TargetRefusal::Forbidden(format!("`{path}` is a folder")));
         }
         if let (Ok(root), Some(real)) = (out.canonicalize(), existing(&folder))
             && !real.starts_with(&root)
         {
-            return Err(Refusal::Forbidden(format!(
+            return Err(TargetRefusal::Forbidden(format!(
                 "`{path}` leads out of the output folder through a link"
             )));
         }
@@ -55,11 +55,13 @@ impl Target {
             _ => false,
         };
         if inputs.iter().any(same) {
-            return Err(Refusal::Forbidden(format!("`{path}` is the script or one of its inputs")));
+            return Err(TargetRefusal::Forbidden(format!(
+                "`{path}` is the script or one of its inputs"
+            )));
         }
         if let Some(obstacle) = obstacle(&folder) {
             let message = format!("`{}` is a file, not a folder", obstacle.display());
-            return Err(Refusal::System(message));
+            return Err(TargetRefusal::System(message));
         }
         Ok(Self { folder, path: full })
     }
@@ -88,21 +90,21 @@ impl Target {
         most: u64,
         progress: &dyn Fn(u64),
         write: impl FnOnce(&mut dyn Write) -> Result<Summary, ExportError>,
-    ) -> Result<(Staged, Summary), ExportError> {
+    ) -> Result<(StagedFile, Summary), ExportError> {
         make_folder(&self.folder)?;
-        let staged = Staged::new(&self.path, None, |out| capped(out, most, progress, write));
+        let staged = StagedFile::new(&self.path, None, |out| capped(out, most, progress, write));
         staged.inspect_err(|_| clear_made(&self.folder))
     }
 }
 
 /// A whole file under a temporary name, which goes with it unless it is put into its place.
 #[derive(Debug)]
-pub(super) struct Staged {
+pub(super) struct StagedFile {
     temporary: PathBuf,
     path: PathBuf,
 }
 
-impl Staged {
+impl StagedFile {
     /// What `write` writes, with what it tells.
     fn new<T, E: From<io::Error>>(
         path: &Path,
@@ -135,7 +137,7 @@ impl Staged {
     }
 }
 
-impl Drop for Staged {
+impl Drop for StagedFile {
     fn drop(&mut self) {
         // The temporary file is ours alone; of one that is in its place there is none.
         let _ = fs::remove_file(&self.temporary);
@@ -150,13 +152,13 @@ pub(super) fn capped(
     progress: &dyn Fn(u64),
     write: impl FnOnce(&mut dyn Write) -> Result<Summary, ExportError>,
 ) -> Result<Summary, ExportError> {
-    let mut out = Capped { out, most, n_left: most, is_full: false, progress };
+    let mut out = LimitedWriter { out, most, n_left: most, is_full: false, progress };
     let written = write(&mut out);
     if out.is_full { Err(ExportError::TooLarge { most }) } else { written }
 }
 
 /// Takes so many bytes and no more.
-struct Capped<'a> {
+struct LimitedWriter<'a> {
     out: &'a mut dyn Write,
     most: u64,
     n_left: u64,
@@ -164,7 +166,7 @@ struct Capped<'a> {
     progress: &'a dyn Fn(u64),
 }
 
-impl Write for Capped<'_> {
+impl Write for LimitedWriter<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         if self.n_left < bytes.len() as u64 {
             self.is_full = true;
@@ -188,7 +190,7 @@ pub(super) fn replace<T, E: From<io::Error>>(
     permissions: Option<fs::Permissions>,
     write: impl FnOnce(&mut dyn Write) -> Result<T, E>,
 ) -> Result<T, E> {
-    let (staged, told) = Staged::new(&behind_links(path)?, permissions, write)?;
+    let (staged, told) = StagedFile::new(&behind_links(path)?, permissions, write)?;
     staged.place()?;
     Ok(told)
 }

@@ -30,7 +30,8 @@ pub fn entry(word: &str) -> Option<String> {
         return None;
     }
     let sections = sections();
-    let titled: Vec<&Section<'_>> = sections.iter().filter(|section| section.has(&word)).collect();
+    let titled: Vec<&HeadedSection<'_>> =
+        sections.iter().filter(|section| section.has(&word)).collect();
     let coded = || passages(&sections, |text| in_code(text, &word));
     let plain = || passages(&sections, |text| words_of(text).any(|one| is_form_of(&one, &word)));
     let is_word = word.chars().any(char::is_alphabetic);
@@ -47,12 +48,12 @@ pub fn entry(word: &str) -> Option<String> {
 }
 
 /// A heading with the paragraphs below it, down to the next heading.
-struct Section<'a> {
+struct HeadedSection<'a> {
     heading: &'a str,
     blocks: Vec<&'a str>,
 }
 
-impl Section<'_> {
+impl HeadedSection<'_> {
     /// Whether the heading has the word, or one that begins with it.
     fn has(&self, word: &str) -> bool {
         words_of(self.heading).any(|one| is_form_of(&one, word))
@@ -83,8 +84,8 @@ fn level(line: &str) -> Option<usize> {
 }
 
 /// The text by headings; a block of code is one paragraph.
-fn sections() -> Vec<Section<'static>> {
-    let mut sections: Vec<Section<'_>> = Vec::new();
+fn sections() -> Vec<HeadedSection<'static>> {
+    let mut sections: Vec<HeadedSection<'_>> = Vec::new();
     let (mut from, mut at, mut is_code) = (0, 0, false);
     for line in LANGUAGE.split_inclusive('\n') {
         let end = at + line.len();
@@ -98,7 +99,7 @@ fn sections() -> Vec<Section<'static>> {
             from = end;
         }
         if heading.is_some() {
-            sections.push(Section { heading: line.trim(), blocks: Vec::new() });
+            sections.push(HeadedSection { heading: line.trim(), blocks: Vec::new() });
         }
         at = end;
     }
@@ -109,7 +110,7 @@ fn sections() -> Vec<Section<'static>> {
 }
 
 /// Rows of tables, items of lists and paragraphs that hold, each below its heading.
-fn passages(sections: &[Section<'_>], holds: impl Fn(&str) -> bool) -> Vec<String> {
+fn passages(sections: &[HeadedSection<'_>], holds: impl Fn(&str) -> bool) -> Vec<String> {
     let mut found = Vec::new();
     for section in sections {
         let mut text = String::new();

@@ -4,20 +4,21 @@
 use std::sync::Arc;
 
 use super::{
-    beside::Beside,
+    autodiff::{point_on_curve, point_on_surface},
     function::ScriptFunction,
-    home::Home,
+    globals::Globals,
     ir::{Arg, CallExpr},
     machine::Machine,
     parametric::gone,
-    smooth::{point_on_curve, point_on_surface},
+    relative_files::RelativeFiles,
 };
 use crate::{
     diag::{Code, Diagnostic, Label, Result, Span, Spanned},
     kernel::Jet,
     limits::work::{self, End},
     value::{
-        Call, Ctx, Formal, FromValue, Function, Mistakes, Op, Real, Type, Value, assign, choose,
+        Call, Ctx, FormalParameter, FromValue, Function, Mistakes, Op, Real, Type, Value, assign,
+        choose,
     },
 };
 
@@ -171,7 +172,8 @@ impl Machine<'_> {
         let meter = self.meter();
         let watch = self.watch();
         let home = Arc::clone(&self.home);
-        let files = Beside { files: env.files, folder: &home.folder, reads: self.reads.clone() };
+        let files =
+            RelativeFiles { files: env.files, folder: &home.folder, reads: self.reads.clone() };
         let mut ctx = Ctx {
             tolerance: env.tolerance,
             unit: env.unit.name(),
@@ -250,10 +252,10 @@ impl Machine<'_> {
         let slots: Vec<Option<Value>> = if is_plain {
             call.positional.into_iter().map(|arg| Some(arg.value)).collect()
         } else {
-            let formals: Vec<Formal<'_>> = lambda
+            let formals: Vec<FormalParameter<'_>> = lambda
                 .parameters
                 .iter()
-                .map(|parameter| Formal {
+                .map(|parameter| FormalParameter {
                     name: &parameter.name,
                     optional: parameter.default.is_some(),
                     by_position: false,
@@ -294,7 +296,7 @@ impl Machine<'_> {
     }
 
     /// Enters the file of a function, unless it runs already; the file that ran before.
-    fn go_home(&mut self, function: &ScriptFunction) -> Result<Option<Arc<Home>>> {
+    fn go_home(&mut self, function: &ScriptFunction) -> Result<Option<Arc<Globals>>> {
         if std::ptr::eq(function.home.as_ptr(), Arc::as_ptr(&self.home)) {
             return Ok(None);
         }

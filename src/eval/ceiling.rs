@@ -11,7 +11,7 @@ use crate::{
         Limits,
         work::{self, End, Watch},
     },
-    value::{Extent, Value},
+    value::{Value, ValueExtent},
 };
 
 impl Machine<'_> {
@@ -76,7 +76,7 @@ impl Machine<'_> {
 
     /// The value, unless it is deeper or larger than whoever walks through it can bear.
     pub(super) fn check_extent(&self, value: Value, span: Span) -> Result<Value> {
-        let (Extent { depth, size, .. }, limits) = (value.extent(), self.env.limits);
+        let (ValueExtent { depth, size, .. }, limits) = (value.extent(), self.env.limits);
         let message = if limits.value_depth < depth {
             let most = limits.value_depth;
             format!("lists, records and functions lie more than {most} deep inside one another")

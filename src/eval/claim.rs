@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, fault},
-    value::{Deviation, Value, Witness, deviation, shortest},
+    value::{Discrepancy, Value, Witness, deviation, shortest},
 };
 
 /// How a claim came out.
@@ -16,7 +16,7 @@ pub struct Verdict {
     /// Whether it holds.
     pub holds: bool,
     /// The left and the right side of a comparison; under `~=` their parts that differ most.
-    pub sides: Vec<Side>,
+    pub sides: Vec<ClaimSide>,
     /// How far the sides are apart.
     pub apart: Option<f64>,
     /// How far they may be apart.
@@ -29,7 +29,7 @@ pub struct Verdict {
 
 /// A side of a comparison.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Side {
+pub struct ClaimSide {
     /// Where it stands.
     pub span: Span,
     /// The part of it that is shown, such as `[3].x`; empty for all of it.
@@ -98,7 +98,7 @@ fn told_apart([a, b]: [f64; 2], least: usize, more: usize) -> [String; 2] {
 
 impl Verdict {
     /// The sides as the report of a failure shows them: two numbers in no more digits than tell them apart.
-    pub(super) fn brief_sides(&self) -> Vec<Side> {
+    pub(super) fn brief_sides(&self) -> Vec<ClaimSide> {
         let mut sides = self.sides.clone();
         if let [a, b] = &mut sides[..]
             && let (Ok(x), Ok(y)) = (a.value.parse::<f64>(), b.value.parse::<f64>())
@@ -170,8 +170,11 @@ impl Machine<'_> {
 
     fn comparison(&mut self, op: BinaryOp, sides: &[Expr; 2], claim: &Expr) -> Result<Verdict> {
         let (a, b) = (self.eval(&sides[0])?, self.eval(&sides[1])?);
-        let places =
-            operator::Places { whole: claim.span, left: sides[0].span, right: sides[1].span };
+        let places = operator::OperandPlaces {
+            whole: claim.span,
+            left: sides[0].span,
+            right: sides[1].span,
+        };
         let holds =
             matches!(operator::binary(op, &a, &b, places, self.env.tolerance)?, Value::Bool(true));
         let spans = [sides[0].span, sides[1].span];
@@ -182,7 +185,7 @@ impl Machine<'_> {
             (Value::Number(x), Value::Number(y)) => Some((x.value - y.value).abs()),
             _ => None,
         };
-        let sides = [(&a, spans[0]), (&b, spans[1])].map(|(value, span)| Side {
+        let sides = [(&a, spans[0]), (&b, spans[1])].map(|(value, span)| ClaimSide {
             span,
             path: String::new(),
             value: shown(value),
@@ -239,20 +242,20 @@ fn is_comparison(op: BinaryOp) -> bool {
 
 /// Both sides where they differ most, by how much, and how much is allowed.
 fn near_verdict(holds: bool, values: [&Value; 2], spans: [Span; 2], limit: f64) -> Verdict {
-    let side = |i: usize, path: &str| Side {
+    let side = |i: usize, path: &str| ClaimSide {
         span: spans[i],
         path: path.to_owned(),
         value: shown(&follow(values[i], path)),
     };
     match deviation(values[0], values[1]) {
-        Deviation::Apart(apart, path) => Verdict {
+        Discrepancy::Apart(apart, path) => Verdict {
             holds,
             sides: vec![side(0, &path), side(1, &path)],
             apart: Some(apart),
             limit: Some(limit),
             ..Verdict::default()
         },
-        Deviation::Different(what) | Deviation::Incomparable(what) => Verdict {
+        Discrepancy::Different(what) | Discrepancy::Incomparable(what) => Verdict {
             holds,
             sides: vec![side(0, ""), side(1, "")],
             differ: Some(what),

@@ -6,12 +6,12 @@ use glam::DVec3;
 
 use super::{
     ir::{Comprehension, Element, Expr, Piece},
-    lanes::{Lanes, Made},
+    lanes::{BlockResult, Lanes},
     machine::Machine,
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
-    value::{Dim, IntoValue, List, Number, Real, Record, Value, Vector},
+    value::{Dimension, IntoValue, List, Number, Real, Record, Value, Vector},
 };
 
 /// Fails: this cannot be a coordinate.
@@ -40,10 +40,12 @@ impl Machine<'_> {
         let mut jets: [Option<Real>; 3] = [None, None, None];
         for (i, expr) in coordinates.iter().enumerate() {
             point[i] = match self.eval(expr)? {
-                Value::Number(number) if number.dim.is_none() || number.dim == Dim::LENGTH => {
+                Value::Number(number)
+                    if number.dim.is_none() || number.dim == Dimension::LENGTH =>
+                {
                     number.value
                 }
-                Value::Jet(number) if number.dim.is_none() || number.dim == Dim::LENGTH => {
+                Value::Jet(number) if number.dim.is_none() || number.dim == Dimension::LENGTH => {
                     jets[i] = Some(number.value.clone());
                     number.value.value()
                 }
@@ -151,7 +153,7 @@ impl Machine<'_> {
         comprehension: &Comprehension,
         span: Span,
     ) -> Result<Value> {
-        let mut collected = Collected::default();
+        let mut collected = GrowingList::default();
         self.generate(comprehension, 0, &mut collected, span)?;
         Ok(Value::List(collected.into_list()))
     }
@@ -160,7 +162,7 @@ impl Machine<'_> {
         &mut self,
         comprehension: &Comprehension,
         level: usize,
-        collected: &mut Collected,
+        collected: &mut GrowingList,
         span: Span,
     ) -> Result<()> {
         let Some(generator) = comprehension.generators.get(level) else {
@@ -188,7 +190,7 @@ impl Machine<'_> {
         comprehension: &Comprehension,
         level: usize,
         item: Value,
-        collected: &mut Collected,
+        collected: &mut GrowingList,
         span: Span,
     ) -> Result<()> {
         let generator = &comprehension.generators[level];
@@ -214,7 +216,7 @@ impl Machine<'_> {
         &mut self,
         lanes: &Lanes,
         comprehension: &Comprehension,
-        collected: &mut Collected,
+        collected: &mut GrowingList,
         span: Span,
     ) -> Result<()> {
         let level = comprehension.generators.len() - 1;
@@ -238,18 +240,18 @@ impl Machine<'_> {
 
 /// The elements of a list that grows; numbers of one dimension as long as there is nothing else.
 #[derive(Debug)]
-enum Collected {
-    Numbers(Vec<f64>, Dim),
+enum GrowingList {
+    Numbers(Vec<f64>, Dimension),
     Values(Vec<Value>),
 }
 
-impl Default for Collected {
+impl Default for GrowingList {
     fn default() -> Self {
-        Self::Numbers(Vec::new(), Dim::NONE)
+        Self::Numbers(Vec::new(), Dimension::NONE)
     }
 }
 
-impl Collected {
+impl GrowingList {
     fn len(&self) -> usize {
         match self {
             Self::Numbers(values, _) => values.len(),
@@ -269,9 +271,9 @@ impl Collected {
         }
     }
 
-    fn extend(&mut self, made: Made) {
+    fn extend(&mut self, made: BlockResult) {
         match (&mut *self, made) {
-            (Self::Numbers(values, dim), Made::Numbers(more, more_dim))
+            (Self::Numbers(values, dim), BlockResult::Numbers(more, more_dim))
                 if values.is_empty() || *dim == more_dim =>
             {
                 *dim = more_dim;
@@ -307,7 +309,7 @@ pub(super) enum Items<'v> {
     /// Elements of a list.
     List(std::slice::Iter<'v, Value>),
     /// Elements of a list that holds them as numbers.
-    Numbers(std::slice::Iter<'v, f64>, Dim),
+    Numbers(std::slice::Iter<'v, f64>, Dimension),
     /// The next whole number and how many are left.
     Integers(i64, usize),
 }

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::{
-    ir::{Definition, Effect, EffectKind, Expr, ExprKind, Kind, Program, Role},
-    load::{Document, load},
+    ir::{Definition, DefinitionRole, Effect, EffectKind, Expr, ExprKind, Kind, Program},
+    load::{LoadingScript, load},
     run::Settings,
 };
 use crate::{
@@ -14,7 +14,7 @@ use crate::{
 
 /// A definition or an effect.
 #[derive(Clone, Debug)]
-pub struct Node {
+pub struct DependencyNode {
     /// Its name, or `KIND@LINE` where it has none; another of the same name and line is `KIND@LINE#2`.
     pub name: String,
     /// `param`, `fn`, `import`, `let` or a kind of geometry; `check`, `print` or `export`.
@@ -31,7 +31,7 @@ pub struct Node {
 #[derive(Debug)]
 pub struct Graph {
     /// Every one of them.
-    pub nodes: Vec<Node>,
+    pub nodes: Vec<DependencyNode>,
     /// What is wrong with the text or its names.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -41,24 +41,24 @@ pub struct Graph {
 pub fn graph(name: &str, text: &str, sources: &mut Sources, settings: Settings<'_>) -> Graph {
     let loaded = load(name, text, sources, settings);
     let (program, document) = (&loaded.program, loaded.document);
-    let mut items: Vec<Item<'_>> = program
+    let mut items: Vec<GraphItem<'_>> = program
         .definitions
         .iter()
         .enumerate()
-        .filter(|(_, definition)| !matches!(definition.role, Role::Hidden))
-        .map(|(idx, definition)| Item::Definition(idx, definition))
-        .chain(program.effects.iter().map(Item::Effect))
+        .filter(|(_, definition)| !matches!(definition.role, DefinitionRole::Hidden))
+        .map(|(idx, definition)| GraphItem::Definition(idx, definition))
+        .chain(program.effects.iter().map(GraphItem::Effect))
         .collect();
-    items.sort_by_key(Item::start);
+    items.sort_by_key(GraphItem::start);
     let places: BTreeMap<usize, usize> = items
         .iter()
         .enumerate()
         .filter_map(|(place, item)| match item {
-            Item::Definition(idx, _) => Some((*idx, place)),
-            Item::Effect(_) => None,
+            GraphItem::Definition(idx, _) => Some((*idx, place)),
+            GraphItem::Effect(_) => None,
         })
         .collect();
-    let mut nodes: Vec<Node> = Vec::with_capacity(items.len());
+    let mut nodes: Vec<DependencyNode> = Vec::with_capacity(items.len());
     let mut seen: BTreeMap<String, usize> = BTreeMap::new();
     for item in &items {
         let mut node = item.node(document);
@@ -85,12 +85,12 @@ pub fn graph(name: &str, text: &str, sources: &mut Sources, settings: Settings<'
 }
 
 /// What becomes a node.
-enum Item<'p> {
+enum GraphItem<'p> {
     Definition(usize, &'p Definition),
     Effect(&'p Effect),
 }
 
-impl Item<'_> {
+impl GraphItem<'_> {
     fn start(&self) -> u32 {
         match self {
             Self::Definition(_, definition) => definition.name_span.start,
@@ -99,7 +99,7 @@ impl Item<'_> {
     }
 
     /// The node, but for what it uses.
-    fn node(&self, document: Document<'_>) -> Node {
+    fn node(&self, document: LoadingScript<'_>) -> DependencyNode {
         let (kind, name, span, text) = match self {
             Self::Definition(_, definition) => {
                 (kind(definition), &*definition.name, definition.name_span, None)
@@ -121,7 +121,7 @@ impl Item<'_> {
         };
         let line = document.line(span);
         let name = if name.is_empty() { format!("{kind}@{line}") } else { name.to_owned() };
-        Node { name, kind, line, text, uses: Vec::new() }
+        DependencyNode { name, kind, line, text, uses: Vec::new() }
     }
 
     fn dependencies(&self, program: &Program) -> Vec<usize> {
@@ -140,7 +140,7 @@ impl Item<'_> {
 }
 
 /// The path of an export, without its quotes where it is plain.
-fn path_text(path: &Expr, document: Document<'_>) -> String {
+fn path_text(path: &Expr, document: LoadingScript<'_>) -> String {
     match &path.kind {
         ExprKind::Constant(Value::Text(text)) => text.to_string(),
         _ => document.excerpt(path.span),
@@ -149,11 +149,11 @@ fn path_text(path: &Expr, document: Document<'_>) -> String {
 
 fn kind(definition: &Definition) -> &'static str {
     match &definition.role {
-        Role::Param(_) => "param",
-        Role::Function => "fn",
-        Role::Import => "import",
-        Role::Value(kind) => kind.word(),
-        Role::Hidden => "",
+        DefinitionRole::Param(_) => "param",
+        DefinitionRole::Function => "fn",
+        DefinitionRole::Import => "import",
+        DefinitionRole::Value(kind) => kind.word(),
+        DefinitionRole::Hidden => "",
     }
 }
 
@@ -167,8 +167,8 @@ fn is_exported_by_all(definition: &Definition) -> bool {
         is_true && option.label.as_ref().is_some_and(|(label, _)| &**label == "hidden")
     });
     match definition.role {
-        Role::Value(Kind::Let | Kind::Table | Kind::Tables) => false,
-        Role::Value(_) => !is_hidden,
+        DefinitionRole::Value(Kind::Let | Kind::Table | Kind::Tables) => false,
+        DefinitionRole::Value(_) => !is_hidden,
         _ => false,
     }
 }
@@ -176,7 +176,7 @@ fn is_exported_by_all(definition: &Definition) -> bool {
 /// A definition, or what stands behind one that is not shown: the right side of a pattern.
 fn shown(idx: usize, program: &Program) -> Vec<usize> {
     match &program.definitions[idx] {
-        Definition { role: Role::Hidden, dependencies, .. } => dependencies.clone(),
+        Definition { role: DefinitionRole::Hidden, dependencies, .. } => dependencies.clone(),
         _ => vec![idx],
     }
 }

@@ -3,10 +3,10 @@
 use std::sync::{Arc, Weak};
 
 use super::{
-    home::Home,
+    globals::Globals,
     ir::{Group, Lambda},
 };
-use crate::value::{Closure, Extent, Function, List, Value};
+use crate::value::{Closure, Function, List, Value, ValueExtent};
 
 /// A function of the script with what it took from around it.
 #[derive(Clone, Debug)]
@@ -15,7 +15,7 @@ pub(crate) struct ScriptFunction {
     pub(crate) idx: usize,
     pub(crate) captures: List,
     /// The file that it belongs to.
-    pub(crate) home: Weak<Home>,
+    pub(crate) home: Weak<Globals>,
 }
 
 impl ScriptFunction {
@@ -46,8 +46,8 @@ impl Closure for ScriptFunction {
         }
     }
 
-    fn extent(&self) -> Extent {
-        Extent { holds_functions: true, ..self.captures.extent() }
+    fn extent(&self) -> ValueExtent {
+        ValueExtent { holds_functions: true, ..self.captures.extent() }
     }
 
     fn as_any(&self) -> &dyn std::any::Any {

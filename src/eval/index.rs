@@ -1,6 +1,6 @@
 //! Elements and slices of lists and tables.
 
-use super::smooth;
+use super::autodiff;
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     value::{Number, Range, Value},
@@ -56,7 +56,7 @@ fn place(n: usize, index: &Value, what: &str, subject: Span, span: Span) -> Resu
     };
     let Some(number) = number else {
         if index.is_jet() {
-            return smooth::no_derivative("an index", span);
+            return autodiff::no_derivative("an index", span);
         }
         let message = format!("an index must be a whole number, found {}", index.phrase());
         return Diagnostic::error(Code::WrongKind, span, message).fail();

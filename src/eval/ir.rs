@@ -47,7 +47,7 @@ pub(crate) enum ExprKind {
     Call(Box<CallExpr>),
     Index(Box<[Expr; 2]>),
     Field(Box<Expr>, Arc<str>, Span),
-    Lambda(Arc<Group>, usize, Vec<Source>),
+    Lambda(Arc<Group>, usize, Vec<CaptureSource>),
     If(Box<[Expr; 3]>),
     /// A list that must have so many elements, because a pattern takes it apart.
     Exactly(Box<Expr>, usize),
@@ -139,7 +139,7 @@ pub(crate) struct Parameter {
 
 /// Where a captured value comes from, in the frame that makes the function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Source {
+pub(crate) enum CaptureSource {
     Local(usize),
     Captured(usize),
     Sibling(usize),
@@ -152,7 +152,7 @@ pub(crate) struct Definition {
     pub(crate) name: Arc<str>,
     /// The name itself, or the keyword where there is none.
     pub(crate) name_span: Span,
-    pub(crate) role: Role,
+    pub(crate) role: DefinitionRole,
     pub(crate) value: Expr,
     /// Slots that its expression needs.
     pub(crate) n_slots: usize,
@@ -166,7 +166,7 @@ pub(crate) struct Definition {
 
 /// What sort of definition it is.
 #[derive(Debug)]
-pub(crate) enum Role {
+pub(crate) enum DefinitionRole {
     /// An input of the file.
     Param(Box<ParamRules>),
     /// A function, which may use itself.
@@ -287,7 +287,8 @@ impl Program {
 
     /// The names of the parameters.
     pub(crate) fn parameters(&self) -> impl Iterator<Item = &str> {
-        let is_param = |definition: &&Definition| matches!(definition.role, Role::Param(_));
+        let is_param =
+            |definition: &&Definition| matches!(definition.role, DefinitionRole::Param(_));
         self.definitions.iter().filter(is_param).map(|definition| &*definition.name)
     }
 }
@@ -295,6 +296,7 @@ impl Program {
 impl Definition {
     /// Whether it gives a name to something of its own file.
     pub(crate) fn is_named(&self) -> bool {
-        !matches!(self.role, Role::Hidden | Role::Import) && !self.name.is_empty()
+        !matches!(self.role, DefinitionRole::Hidden | DefinitionRole::Import)
+            && !self.name.is_empty()
     }
 }

@@ -11,12 +11,12 @@ use std::{
 };
 
 use super::{
-    home::Home,
+    globals::Globals,
     ir::Program,
     lower::{self, Imported, Origin},
     machine::{Env, Machine},
     memory::Fields,
-    param::Given,
+    param::GivenValue,
     run::Settings,
     worker::{Inputs, Worker},
 };
@@ -31,7 +31,7 @@ use crate::{
 
 /// A file that some import names.
 #[derive(Debug)]
-struct File {
+struct LibraryFile {
     /// Its path as messages give it.
     path: String,
     program: Program,
@@ -41,9 +41,9 @@ struct File {
 
 /// An imported file with its parameters, evaluated.
 #[derive(Debug)]
-struct Instance {
+struct ImportInstance {
     /// Functions of the file look here for its definitions.
-    home: Arc<Home>,
+    home: Arc<Globals>,
     outcome: Result<(Value, Fields)>,
 }
 
@@ -53,15 +53,15 @@ pub(crate) struct Library<'a> {
     settings: Settings<'a>,
     /// The unit of the script; files that state none follow it.
     unit: Unit,
-    files: Vec<File>,
+    files: Vec<LibraryFile>,
     by_path: BTreeMap<String, Option<usize>>,
     /// By the file and the exact key of its parameters.
-    instances: Mutex<BTreeMap<(usize, Vec<u8>), Arc<OnceLock<Instance>>>>,
+    instances: Mutex<BTreeMap<(usize, Vec<u8>), Arc<OnceLock<ImportInstance>>>>,
     findings: Mutex<Vec<Diagnostic>>,
 }
 
 /// A text on its way in.
-pub(crate) struct Text<'t> {
+pub(crate) struct LoadedText<'t> {
     /// Its path, relative to the script's folder.
     pub(crate) path: &'t str,
     /// Its first byte in all sources.
@@ -86,7 +86,7 @@ impl<'a> Library<'a> {
     /// Loads the files that a text imports; what each import's path stands for, by its first byte.
     pub(crate) fn load_imports(
         &mut self,
-        importer: &Text<'_>,
+        importer: &LoadedText<'_>,
         chain: &mut Vec<String>,
         sources: &mut Sources,
     ) -> Vec<(u32, Option<Imported>)> {
@@ -187,7 +187,7 @@ impl<'a> Library<'a> {
         let base = sources.add(path, Arc::clone(text));
         let (tree, found) = syntax::parse(text, self.settings.limits);
         let found: Vec<Diagnostic> = found.into_iter().map(|found| found.shifted(base)).collect();
-        let imports = self.load_imports(&Text { path, base, tree: &tree }, chain, sources);
+        let imports = self.load_imports(&LoadedText { path, base, tree: &tree }, chain, sources);
         let faults = lower::faults(&found);
         let origin = Origin { text, base, faults: &faults, imports: &imports };
         let lowered = lower::lower(&tree, origin, self.settings.registry, self.unit);
@@ -205,7 +205,7 @@ impl<'a> Library<'a> {
         let is_error = |found: &&Diagnostic| found.severity == Severity::Error;
         let fault = findings.iter().find(is_error).cloned().map(Box::new);
         findings.into_iter().for_each(|finding| self.tell(finding));
-        self.files.push(File { path: path.to_owned(), program: lowered.program, fault });
+        self.files.push(LibraryFile { path: path.to_owned(), program: lowered.program, fault });
         Some(self.files.len() - 1)
     }
 
@@ -225,7 +225,7 @@ impl<'a> Library<'a> {
     }
 
     /// The homes of all files that were evaluated.
-    pub(super) fn homes(&self) -> Vec<Arc<Home>> {
+    pub(super) fn homes(&self) -> Vec<Arc<Globals>> {
         let instances = self.instances.lock().unwrap_or_else(PoisonError::into_inner);
         let evaluated = instances.values().filter_map(|instance| instance.get());
         evaluated.map(|instance| Arc::clone(&instance.home)).collect()
@@ -262,7 +262,7 @@ impl<'a> Library<'a> {
         file: usize,
         parameters: &[(Spanned<Arc<str>>, Spanned<Value>)],
     ) -> Result<()> {
-        let File { path, program, .. } = &self.files[file];
+        let LibraryFile { path, program, .. } = &self.files[file];
         let names: Vec<&str> = program.parameters().collect();
         for (name, _) in parameters {
             if !names.contains(&&*name.value) {
@@ -286,13 +286,13 @@ impl<'a> Library<'a> {
         file: usize,
         parameters: &[(Spanned<Arc<str>>, Spanned<Value>)],
         env: Env<'_>,
-    ) -> Instance {
-        let File { path, program, fault } = &self.files[file];
+    ) -> ImportInstance {
+        let LibraryFile { path, program, fault } = &self.files[file];
         let recall = self.settings.recall;
-        let home = Home::new(program, folder(path), recall);
+        let home = Globals::new(program, folder(path), recall);
         let env = Env { tolerance: program.tolerance, library: Some(self), ..env };
-        let given: Vec<Given<'_>> =
-            parameters.iter().map(|(name, value)| Given::Value(&name.value, value)).collect();
+        let given: Vec<GivenValue<'_>> =
+            parameters.iter().map(|(name, value)| GivenValue::Value(&name.value, value)).collect();
         let inputs = Inputs { given: &given, registry: self.settings.registry };
         let mut worker = Worker::new(Machine::new(env, Arc::clone(&home)), recall);
         for component in &program.components {
@@ -308,13 +308,13 @@ impl<'a> Library<'a> {
             Some(failed) => Err(failed),
             None => Ok(public(program, &home)),
         };
-        Instance { home, outcome }
+        ImportInstance { home, outcome }
     }
 }
 
 /// What a file shows: its named definitions but for those that begin with `_`, and their
 /// identities.
-fn public(program: &Program, home: &Home) -> (Value, Fields) {
+fn public(program: &Program, home: &Globals) -> (Value, Fields) {
     let shown = || {
         program
             .definitions

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{
     ir::Program,
-    library::{Library, Text},
+    library::{Library, LoadedText},
     lower,
     machine::Env,
     run::Settings,
@@ -18,8 +18,8 @@ use crate::{
 };
 
 /// A script, ready to run.
-pub(super) struct Loaded<'a> {
-    pub(super) document: Document<'a>,
+pub(super) struct LoadedScript<'a> {
+    pub(super) document: LoadingScript<'a>,
     pub(super) unit: Unit,
     /// What it imports.
     pub(super) library: Library<'a>,
@@ -37,7 +37,7 @@ pub(super) fn load<'a>(
     text: &'a str,
     sources: &mut Sources,
     settings: Settings<'a>,
-) -> Loaded<'a> {
+) -> LoadedScript<'a> {
     let base = sources.add(name, Arc::from(text));
     let (tree, found) = syntax::parse(text, settings.limits);
     let mut diagnostics: Vec<Diagnostic> =
@@ -45,15 +45,15 @@ pub(super) fn load<'a>(
     let unit = stated_unit(&tree);
     let mut library = Library::new(settings, unit);
     let file = name.rsplit('/').next().unwrap_or(name);
-    let importer = Text { path: file, base, tree: &tree };
+    let importer = LoadedText { path: file, base, tree: &tree };
     let imports = library.load_imports(&importer, &mut vec![file.to_owned()], sources);
     let faults = lower::faults(&diagnostics);
     let origin = lower::Origin { text, base, faults: &faults, imports: &imports };
     let lowered = lower::lower(&tree, origin, settings.registry, unit);
     diagnostics.extend(lowered.diagnostics);
-    let document = Document { text, base };
+    let document = LoadingScript { text, base };
     let (program, sources) = (lowered.program, sources.clone());
-    Loaded { document, unit, library, program, sources, diagnostics }
+    LoadedScript { document, unit, library, program, sources, diagnostics }
 }
 
 /// The unit that a script states; millimetres where it states none.
@@ -65,7 +65,7 @@ fn stated_unit(tree: &Tree<'_>) -> Unit {
     stated.filter(|unit| unit.millimetres().is_some()).unwrap_or(Unit::Mm)
 }
 
-impl Loaded<'_> {
+impl LoadedScript<'_> {
     /// What evaluation looks things up in.
     pub(super) fn env<'e>(&'e self, settings: Settings<'e>) -> Env<'e> {
         Env {
@@ -85,14 +85,14 @@ impl Loaded<'_> {
 
 /// A script on its way into evaluation.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Document<'a> {
+pub(super) struct LoadingScript<'a> {
     /// Its text.
     text: &'a str,
     /// The first byte of its text in all sources.
     base: u32,
 }
 
-impl Document<'_> {
+impl LoadingScript<'_> {
     /// The text at a place, white space folded to single spaces.
     pub(super) fn excerpt(&self, span: Span) -> String {
         let start = (span.start.saturating_sub(self.base)) as usize;

@@ -11,13 +11,13 @@ use std::{
 
 use super::{
     function::ScriptFunction,
-    home::Home,
+    globals::Globals,
     index,
-    ir::{BinaryOp, Block, Expr, ExprKind, Group, Source},
+    ir::{BinaryOp, Block, CaptureSource, Expr, ExprKind, Group},
     library::Library,
-    memory::{Fields, Read},
+    memory::{Fields, FileRead},
     operator,
-    parametric::{Asked, Meter},
+    parametric::{GeometryFunction, Meter},
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Sources, Span, fault},
@@ -53,7 +53,7 @@ pub(crate) struct Env<'a> {
 pub(crate) struct Machine<'a> {
     pub(crate) env: Env<'a>,
     /// The file that runs.
-    pub(crate) home: Arc<Home>,
+    pub(crate) home: Arc<Globals>,
     pub(super) stack: Vec<Value>,
     pub(super) base: usize,
     pub(super) running: Option<ScriptFunction>,
@@ -64,7 +64,7 @@ pub(crate) struct Machine<'a> {
     pub(super) is_full: bool,
     pub(crate) warnings: Vec<Diagnostic>,
     /// The files that were read, where somebody wants to know.
-    pub(super) reads: Option<Reads>,
+    pub(super) reads: Option<FileReads>,
     /// What decided the last test of a list, and the call that made it.
     pub(super) witness: Option<(Span, Witness)>,
     /// Callers of the failure under way that no remark tells of.
@@ -80,10 +80,10 @@ const MOST_FIELDS_TOLD: usize = 40;
 const MOST_NAMES: usize = 200;
 
 /// Files that were read so far.
-pub(super) type Reads = Arc<Mutex<BTreeSet<Read>>>;
+pub(super) type FileReads = Arc<Mutex<BTreeSet<FileRead>>>;
 
 impl<'a> Machine<'a> {
-    pub(crate) fn new(env: Env<'a>, home: Arc<Home>) -> Self {
+    pub(crate) fn new(env: Env<'a>, home: Arc<Globals>) -> Self {
         Self {
             env,
             home,
@@ -222,13 +222,13 @@ impl<'a> Machine<'a> {
         self.running.as_ref().map_or(Value::None, |running| running.sibling(idx))
     }
 
-    fn make_function(&self, group: &Arc<Group>, idx: usize, sources: &[Source]) -> Value {
+    fn make_function(&self, group: &Arc<Group>, idx: usize, sources: &[CaptureSource]) -> Value {
         let captures = sources
             .iter()
             .map(|source| match source {
-                Source::Local(slot) => self.stack[self.base + slot].clone(),
-                Source::Captured(idx) => self.captured(*idx),
-                Source::Sibling(idx) => self.sibling(*idx),
+                CaptureSource::Local(slot) => self.stack[self.base + slot].clone(),
+                CaptureSource::Captured(idx) => self.captured(*idx),
+                CaptureSource::Sibling(idx) => self.sibling(*idx),
             })
             .collect();
         let home = Arc::downgrade(&self.home);
@@ -268,7 +268,8 @@ impl<'a> Machine<'a> {
                 {
                     return Ok(value);
                 }
-                let places = operator::Places { whole: span, left: left.span, right: right.span };
+                let places =
+                    operator::OperandPlaces { whole: span, left: left.span, right: right.span };
                 operator::binary(op, &a, &b, places, self.env.tolerance)
             }
         }
@@ -360,11 +361,11 @@ impl Caller for Machine<'_> {
     }
 
     fn curve_function(&self, function: &Value, span: Span) -> Result<Arc<dyn CurveFunction>> {
-        Ok(Asked::new(self, function, span)?)
+        Ok(GeometryFunction::new(self, function, span)?)
     }
 
     fn surface_function(&self, function: &Value, span: Span) -> Result<Arc<dyn SurfaceFunction>> {
-        Ok(Asked::new(self, function, span)?)
+        Ok(GeometryFunction::new(self, function, span)?)
     }
 
     fn decided(&mut self, span: Span, witness: Witness) {

@@ -30,7 +30,7 @@ pub enum Work {
 
 /// The identity of a definition's result.
 #[derive(Debug)]
-pub(crate) struct Mark {
+pub(crate) struct ResultId {
     pub(crate) result: u64,
     pub(crate) work: Work,
     /// Of an import, the results under the names that its file shows.
@@ -40,7 +40,7 @@ pub(crate) struct Mark {
 /// Names with the identities of their results.
 pub(crate) type Fields = Arc<[(Arc<str>, u64)]>;
 
-impl Mark {
+impl ResultId {
     /// The identity of a result that is no import.
     pub(super) fn new(result: u64, work: Work) -> Self {
         Self { result, work, fields: Fields::default() }
@@ -54,22 +54,22 @@ impl Mark {
 
 /// Results of earlier runs. Belongs to one set of built-ins.
 #[derive(Debug, Default)]
-pub struct Memory(Mutex<State>);
+pub struct Memory(Mutex<MemoryState>);
 
 #[derive(Debug, Default)]
-struct State {
-    results: BTreeMap<Box<[u8]>, Entry>,
+struct MemoryState {
+    results: BTreeMap<Box<[u8]>, MemoryEntry>,
     n_results: u64,
     n_runs: u64,
 }
 
 /// A remembered result.
 #[derive(Debug)]
-struct Entry {
+struct MemoryEntry {
     result: u64,
     /// Missing where it must be made again.
     value: Option<Value>,
-    reads: Arc<BTreeSet<Read>>,
+    reads: Arc<BTreeSet<FileRead>>,
     /// The run that gave the identity.
     first_run: u64,
     last_run: u64,
@@ -79,7 +79,7 @@ struct Entry {
 
 /// A file that a definition read, and what it held.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Read {
+pub(crate) struct FileRead {
     path: String,
     most: usize,
     print: Fingerprint,
@@ -111,7 +111,7 @@ impl Fingerprint {
     }
 }
 
-impl Read {
+impl FileRead {
     /// What was read of a file.
     pub(crate) fn new(path: String, most: usize, outcome: &Result<Vec<u8>, String>) -> Self {
         Self { path, most, print: Fingerprint::of(outcome) }
@@ -119,7 +119,7 @@ impl Read {
 }
 
 /// A result that is known from an earlier run.
-pub(crate) struct Known {
+pub(crate) struct CachedResult {
     pub(crate) result: u64,
     pub(crate) value: Option<Value>,
 }
@@ -127,10 +127,10 @@ pub(crate) struct Known {
 impl Memory {
     /// Begins a run.
     #[must_use]
-    pub fn begin(&self) -> Recall<'_> {
+    pub fn begin(&self) -> CacheRun<'_> {
         let mut state = self.lock();
         state.n_runs += 1;
-        Recall { memory: self, run: state.n_runs, prints: Mutex::default() }
+        CacheRun { memory: self, run: state.n_runs, prints: Mutex::default() }
     }
 
     /// How many results are remembered.
@@ -145,21 +145,21 @@ impl Memory {
         self.len() == 0
     }
 
-    fn lock(&self) -> MutexGuard<'_, State> {
+    fn lock(&self) -> MutexGuard<'_, MemoryState> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
 /// A memory in use by one run.
 #[derive(Debug)]
-pub struct Recall<'m> {
+pub struct CacheRun<'m> {
     memory: &'m Memory,
     run: u64,
     /// Files that were looked at again, each once a run.
     prints: Mutex<BTreeMap<(String, usize), Fingerprint>>,
 }
 
-impl Recall<'_> {
+impl CacheRun<'_> {
     /// Ends the run, and forgets what it did not use. After a run with errors also the results of the
     /// last one without are kept, for when the errors are mended.
     pub fn end(self, has_errors: bool) {
@@ -180,7 +180,7 @@ impl Recall<'_> {
     }
 
     /// The result of an earlier run under this key, if the files that it read hold what they held.
-    pub(super) fn find(&self, key: &[u8], files: &dyn Files) -> Option<Known> {
+    pub(super) fn find(&self, key: &[u8], files: &dyn Files) -> Option<CachedResult> {
         let (known, reads) = {
             let mut state = self.memory.lock();
             let entry = state.results.get_mut(key)?;
@@ -190,14 +190,19 @@ impl Recall<'_> {
             if entry.first_run == self.run {
                 return None;
             }
-            let known = Known { result: entry.result, value: entry.value.clone() };
+            let known = CachedResult { result: entry.result, value: entry.value.clone() };
             (known, Arc::clone(&entry.reads))
         };
         reads.iter().all(|read| self.print(read, files) == read.print).then_some(known)
     }
 
     /// Remembers a result; its identity, which is the one that it had if it is the same.
-    pub(super) fn keep(&self, key: Box<[u8]>, value: Option<Value>, reads: BTreeSet<Read>) -> u64 {
+    pub(super) fn keep(
+        &self,
+        key: Box<[u8]>,
+        value: Option<Value>,
+        reads: BTreeSet<FileRead>,
+    ) -> u64 {
         let mut state = self.memory.lock();
         if let Some(entry) = state.results.get_mut(&key)
             && *entry.reads == reads
@@ -206,7 +211,7 @@ impl Recall<'_> {
             return entry.result;
         }
         state.n_results += 1;
-        let entry = Entry {
+        let entry = MemoryEntry {
             result: state.n_results,
             value,
             reads: Arc::new(reads),
@@ -220,7 +225,7 @@ impl Recall<'_> {
     }
 
     /// What a file holds now.
-    fn print(&self, read: &Read, files: &dyn Files) -> Fingerprint {
+    fn print(&self, read: &FileRead, files: &dyn Files) -> Fingerprint {
         let name = (read.path.clone(), read.most);
         let prints = || self.prints.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(&print) = prints().get(&name) {

@@ -4,20 +4,22 @@
 //! in the tree; files come in through [`Files`](crate::value::Files).
 
 mod advice;
-mod beside;
+mod appearance;
+mod autodiff;
+mod cache_key;
 mod call;
 mod ceiling;
 mod claim;
 mod collection;
 mod dependencies;
 mod function;
-mod home;
+mod globals;
 mod index;
 mod ir;
+mod kind_check;
 mod lanes;
 mod library;
 mod load;
-mod look;
 mod lower;
 mod machine;
 mod memory;
@@ -26,25 +28,24 @@ mod outcome;
 mod param;
 mod parametric;
 mod partial;
-mod promise;
+mod relative_files;
 mod run;
 mod schedule;
 mod schema;
-mod smooth;
-mod spelling;
 mod test;
 mod worker;
 
 pub(crate) use ceiling::out_of_memory;
-pub use claim::{Side, Verdict};
-pub use dependencies::{Graph, Node, graph};
-pub use home::Kept;
-pub(crate) use lower::words::advice as foreign_advice;
-pub use memory::{Memory, Recall, Work};
+pub use claim::{ClaimSide, Verdict};
+pub use dependencies::{DependencyNode, Graph, graph};
+pub use globals::KeptGlobals;
+pub(crate) use lower::foreign_names::advice as foreign_advice;
+pub use memory::{CacheRun, Memory, Work};
 pub(crate) use outcome::in_order;
 pub use outcome::{
-    Checked, Defined, Expected, Exported, Outcome, Output, Printed, Subject, Tested,
+    Checked, Defined, EffectOutput, ExpectedMistake, ExportSubject, Exported, Outcome, Printed,
+    TestOutcome,
 };
 pub use param::Setting;
 pub use run::{Purpose, Settings, evaluate};
-pub use schema::{Parameter, Schema, parameters};
+pub use schema::{Schema, SchemaParameter, parameters};

@@ -3,18 +3,20 @@
 use std::sync::Arc;
 
 use super::{
+    autodiff,
     ir::{BinaryOp, UnaryOp},
-    smooth,
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     kernel::Tolerance,
-    value::{Deviation, Dim, FromValue, JetRange, Number, Range, Real, Value, deviation, equal},
+    value::{
+        Dimension, Discrepancy, FromValue, JetRange, Number, Range, Real, Value, deviation, equal,
+    },
 };
 
 /// Where an operation and its two sides stand.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Places {
+pub(super) struct OperandPlaces {
     pub(super) whole: Span,
     pub(super) left: Span,
     pub(super) right: Span,
@@ -48,7 +50,7 @@ pub(super) fn binary(
     op: BinaryOp,
     a: &Value,
     b: &Value,
-    places: Places,
+    places: OperandPlaces,
     tolerance: Tolerance,
 ) -> Result<Value> {
     use BinaryOp as Op;
@@ -70,7 +72,12 @@ pub(super) fn binary(
     }
 }
 
-pub(super) fn arithmetic(op: BinaryOp, a: &Value, b: &Value, places: Places) -> Result<Value> {
+pub(super) fn arithmetic(
+    op: BinaryOp,
+    a: &Value,
+    b: &Value,
+    places: OperandPlaces,
+) -> Result<Value> {
     use BinaryOp as Op;
     match (a, op, b) {
         (Value::Number(x), _, Value::Number(y)) => numbers(op, *x, *y, places).map(Value::Number),
@@ -89,14 +96,14 @@ pub(super) fn arithmetic(op: BinaryOp, a: &Value, b: &Value, places: Places) -> 
             }
             finite_point(*p / n, places)
         }
-        _ if a.is_jet() || b.is_jet() => smooth::arithmetic(op, a, b, places),
+        _ if a.is_jet() || b.is_jet() => autodiff::arithmetic(op, a, b, places),
         _ => inapplicable(op, a, b, places),
     }
 }
 
 /// A number that a point can be multiplied by: lengths count in document units.
 fn factor(number: Number, span: Span) -> Result<f64> {
-    let has_angle = Dim::LENGTH.over(number.dim).is_none() || number.dim == Dim::ANGLE;
+    let has_angle = Dimension::LENGTH.over(number.dim).is_none() || number.dim == Dimension::ANGLE;
     if has_angle {
         return Diagnostic::error(Code::UnitMismatch, span, "a point cannot be scaled by an angle")
             .fail();
@@ -104,12 +111,12 @@ fn factor(number: Number, span: Span) -> Result<f64> {
     Ok(number.value)
 }
 
-fn finite_point(point: glam::DVec3, places: Places) -> Result<Value> {
+fn finite_point(point: glam::DVec3, places: OperandPlaces) -> Result<Value> {
     if point.is_finite() { Ok(Value::Point(point)) } else { overflow(places.whole) }
 }
 
 /// Arithmetic of two numbers with their dimensions.
-pub(super) fn numbers(op: BinaryOp, a: Number, b: Number, places: Places) -> Result<Number> {
+pub(super) fn numbers(op: BinaryOp, a: Number, b: Number, places: OperandPlaces) -> Result<Number> {
     use BinaryOp as Op;
     let common = || {
         a.dim.common(b.dim).ok_or_else(|| {
@@ -146,7 +153,7 @@ pub(super) fn remainder(a: f64, b: f64) -> f64 {
     if rest != 0.0 && (rest < 0.0) != (b < 0.0) { rest + b } else { rest }
 }
 
-fn power(base: Number, exponent: Number, places: Places) -> Result<Number> {
+fn power(base: Number, exponent: Number, places: OperandPlaces) -> Result<Number> {
     if !exponent.dim.is_none() {
         let message = format!("an exponent has no unit, found {}", exponent.dim);
         return Diagnostic::error(Code::UnitMismatch, places.right, message).fail();
@@ -170,7 +177,7 @@ fn power(base: Number, exponent: Number, places: Places) -> Result<Number> {
     if value.is_finite() { Ok(Number { value, dim }) } else { overflow(places.whole) }
 }
 
-fn zero_divisor<T>(places: Places) -> Result<T> {
+fn zero_divisor<T>(places: OperandPlaces) -> Result<T> {
     Diagnostic::error(Code::DivisionByZero, places.whole, "division by zero")
         .also(places.right, "this is 0")
         .fail()
@@ -183,7 +190,7 @@ fn overflow<T>(span: Span) -> Result<T> {
 }
 
 /// Two values whose units do not go together.
-fn mismatch(verb: &str, a: &Value, b: &Value, places: Places) -> Box<Diagnostic> {
+fn mismatch(verb: &str, a: &Value, b: &Value, places: OperandPlaces) -> Box<Diagnostic> {
     let message = format!("{} and {} cannot be {verb}", noun(a), noun(b));
     Box::new(
         Diagnostic::error(Code::UnitMismatch, places.whole, message)
@@ -203,7 +210,7 @@ fn noun(value: &Value) -> String {
     }
 }
 
-fn inapplicable(op: BinaryOp, a: &Value, b: &Value, places: Places) -> Result<Value> {
+fn inapplicable(op: BinaryOp, a: &Value, b: &Value, places: OperandPlaces) -> Result<Value> {
     use BinaryOp as Op;
     let message = format!("`{}` cannot work on {} and {}", op.symbol(), a.phrase(), b.phrase());
     let diagnostic = Diagnostic::error(Code::WrongKind, places.whole, message)
@@ -230,7 +237,7 @@ fn inapplicable(op: BinaryOp, a: &Value, b: &Value, places: Places) -> Result<Va
     .fail()
 }
 
-fn order(op: BinaryOp, a: &Value, b: &Value, places: Places) -> Result<bool> {
+fn order(op: BinaryOp, a: &Value, b: &Value, places: OperandPlaces) -> Result<bool> {
     let ordering = match (a, b) {
         (Value::Number(x), Value::Number(y)) => {
             x.dim.common(y.dim).ok_or_else(|| mismatch("compared", a, b, places))?;
@@ -253,9 +260,9 @@ fn order(op: BinaryOp, a: &Value, b: &Value, places: Places) -> Result<bool> {
 /// Whether two values are nearer than a tolerance.
 pub(super) fn near(a: &Value, b: &Value, tolerance: f64, span: Span) -> Result<bool> {
     match deviation(a, b) {
-        Deviation::Apart(distance, _) => Ok(distance <= tolerance),
-        Deviation::Different(_) => Ok(false),
-        Deviation::Incomparable(what) => Diagnostic::error(
+        Discrepancy::Apart(distance, _) => Ok(distance <= tolerance),
+        Discrepancy::Different(_) => Ok(false),
+        Discrepancy::Incomparable(what) => Diagnostic::error(
             Code::WrongKind,
             span,
             format!(
@@ -273,7 +280,7 @@ pub(super) fn unary(op: UnaryOp, value: &Value, span: Span) -> Result<Value> {
             Ok(Value::Number(Number { value: -number.value, dim: number.dim }))
         }
         (UnaryOp::Negate, Value::Point(point)) => Ok(Value::Point(-*point)),
-        (UnaryOp::Negate, Value::Jet(_) | Value::JetPoint(_)) => smooth::negated(value, span),
+        (UnaryOp::Negate, Value::Jet(_) | Value::JetPoint(_)) => autodiff::negated(value, span),
         (UnaryOp::Not, Value::Bool(truth)) => Ok(Value::Bool(!truth)),
         (UnaryOp::Negate, other) => Diagnostic::error(
             Code::WrongKind,

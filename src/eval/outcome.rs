@@ -1,11 +1,11 @@
 //! What became of a file: its definitions, what its effects came to, what was found.
 
-use super::{claim::Verdict, home::Kept, memory::Work};
+use super::{claim::Verdict, globals::KeptGlobals, memory::Work};
 use crate::{
     diag::{Code, Diagnostic, Span, Spanned},
     kernel::Tolerance,
     syntax::ast::{Kind, Unit},
-    value::{Look, Value},
+    value::{Appearance, Value},
 };
 
 /// A definition with its value.
@@ -22,7 +22,7 @@ pub struct Defined {
     /// How it came by its value.
     pub work: Work,
     /// How it is presented.
-    pub look: Look,
+    pub look: Appearance,
 }
 
 /// A printed line.
@@ -49,7 +49,7 @@ pub struct Checked {
 
 /// A mistake that a test expects, and what happened.
 #[derive(Clone, Debug)]
-pub struct Expected {
+pub struct ExpectedMistake {
     /// The expression as it was written.
     pub source: String,
     /// Where it stands.
@@ -60,7 +60,7 @@ pub struct Expected {
     pub found: std::result::Result<String, Box<Diagnostic>>,
 }
 
-impl Expected {
+impl ExpectedMistake {
     /// Whether the expected error came.
     #[must_use]
     pub fn holds(&self) -> bool {
@@ -70,13 +70,13 @@ impl Expected {
 
 /// One thing that goes into a file.
 #[derive(Clone, Debug)]
-pub struct Subject {
+pub struct ExportSubject {
     /// What the file calls it.
     pub name: String,
     /// Its value.
     pub value: Spanned<Value>,
     /// How the definition is presented that it is, or is a part of.
-    pub look: Look,
+    pub look: Appearance,
 }
 
 /// A file to be written.
@@ -85,7 +85,7 @@ pub struct Exported {
     /// The path as the script gives it.
     pub path: Spanned<String>,
     /// What goes into it.
-    pub subjects: Vec<Subject>,
+    pub subjects: Vec<ExportSubject>,
     /// The definitions that its subjects name.
     pub names: Vec<String>,
     /// Options after `with`.
@@ -94,7 +94,7 @@ pub struct Exported {
 
 /// What an effect came to.
 #[derive(Clone, Debug)]
-pub enum Output {
+pub enum EffectOutput {
     /// `print`
     Printed(Printed),
     /// `check`
@@ -102,18 +102,18 @@ pub enum Output {
     /// `export`
     Exported(Exported),
     /// `expect error`
-    Expected(Expected),
+    Expected(ExpectedMistake),
 }
 
 /// What became of a test.
 #[derive(Clone, Debug)]
-pub struct Tested {
+pub struct TestOutcome {
     /// Its name.
     pub name: String,
     /// Where its name stands.
     pub span: Span,
     /// Every effect that could act, in the order of the source.
-    pub outputs: Vec<Output>,
+    pub outputs: Vec<EffectOutput>,
     /// What went wrong when it ran.
     pub diagnostics: Vec<Diagnostic>,
     /// Whether it has a mistake that kept it from running.
@@ -128,9 +128,9 @@ pub struct Outcome {
     /// Every definition.
     pub definitions: Vec<Defined>,
     /// Every effect that could act, in the order of the source.
-    pub outputs: Vec<Output>,
+    pub outputs: Vec<EffectOutput>,
     /// The tests that were run, in the order of the source.
-    pub tests: Vec<Tested>,
+    pub tests: Vec<TestOutcome>,
     /// What went wrong outside of them, in the order of the source.
     pub diagnostics: Vec<Diagnostic>,
     /// Settings that no parameter takes, each a sentence.
@@ -140,7 +140,7 @@ pub struct Outcome {
     /// The tolerance.
     pub tolerance: Tolerance,
     /// What parametric curves and surfaces among the values need to answer.
-    pub kept: Kept,
+    pub kept: KeptGlobals,
 }
 
 /// Puts findings into the order of the source, whatever thread they come from, each once: a

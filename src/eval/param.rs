@@ -12,7 +12,7 @@ use crate::{
     kernel::tolerance::STEP_RELATIVE,
     limits::Limits,
     syntax::{self, ast::Unit},
-    value::{Dim, Number, Range, Registry, Value},
+    value::{Dimension, Number, Range, Registry, Value},
 };
 
 /// A value for a parameter from outside: `--set NAME=TEXT`.
@@ -38,14 +38,14 @@ impl fmt::Display for Setting {
 
 /// A value for a parameter on its way in.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Given<'a> {
+pub(super) enum GivenValue<'a> {
     /// From the command line.
     Text(&'a Setting),
     /// From the file that imports.
     Value(&'a str, &'a Spanned<Value>),
 }
 
-impl Given<'_> {
+impl GivenValue<'_> {
     /// The parameter.
     pub(super) fn name(&self) -> &str {
         match self {
@@ -60,16 +60,16 @@ pub(super) fn evaluate(
     machine: &mut Machine<'_>,
     definition: &Definition,
     rules: &ParamRules,
-    given: Option<&Given<'_>>,
+    given: Option<&GivenValue<'_>>,
     registry: &Registry,
 ) -> Result<Value> {
     let (rules, default) = self::rules(machine, definition, rules)?;
     match given {
         None => Ok(default),
-        Some(Given::Value(name, value)) => {
+        Some(GivenValue::Value(name, value)) => {
             rules.admit(value.value.clone(), value.span, &format!("`{name}`"))
         }
-        Some(Given::Text(setting)) => {
+        Some(GivenValue::Text(setting)) => {
             let value = read(machine.env, rules.kind, setting, definition.name_span, registry)?;
             rules.admit(value, definition.name_span, &setting.to_string())
         }
@@ -81,7 +81,7 @@ pub(super) fn rules(
     machine: &mut Machine<'_>,
     definition: &Definition,
     rules: &ParamRules,
-) -> Result<(Rules, Value)> {
+) -> Result<(ParameterRules, Value)> {
     let default = machine.run(&definition.value, definition.n_slots)?;
     let kind = match rules.kind {
         Some(kind) => kind,
@@ -96,7 +96,7 @@ pub(super) fn rules(
             )
         })?,
     };
-    let rules = Rules {
+    let rules = ParameterRules {
         kind,
         allowed: match &rules.allowed {
             Some(expr) => Some((machine.run(expr, definition.n_slots)?, expr.span)),
@@ -132,8 +132,8 @@ fn inferred(value: &Value) -> Option<ParamKind> {
     Some(match value {
         Value::Bool(_) => ParamKind::Bool,
         Value::Text(_) => ParamKind::Text,
-        Value::Number(number) if number.dim == Dim::LENGTH => ParamKind::Length,
-        Value::Number(number) if number.dim == Dim::ANGLE => ParamKind::Angle,
+        Value::Number(number) if number.dim == Dimension::LENGTH => ParamKind::Length,
+        Value::Number(number) if number.dim == Dimension::ANGLE => ParamKind::Angle,
         Value::Number(_) => ParamKind::Number,
         _ => return None,
     })
@@ -150,7 +150,7 @@ fn step(value: Value, span: Span) -> Result<Number> {
 }
 
 /// What a parameter allows, evaluated.
-pub(super) struct Rules {
+pub(super) struct ParameterRules {
     pub(super) kind: ParamKind,
     pub(super) allowed: Option<(Value, Span)>,
     pub(super) step: Option<(Number, Span)>,
@@ -159,7 +159,7 @@ pub(super) struct Rules {
     unit: Unit,
 }
 
-impl Rules {
+impl ParameterRules {
     /// `value` in the parameter's kind, if the rules allow it; `subject` names it in messages.
     fn admit(&self, value: Value, span: Span, subject: &str) -> Result<Value> {
         let value = self.of_kind(&value).ok_or_else(|| {
@@ -188,16 +188,18 @@ impl Rules {
                 value.clone()
             }
             (ParamKind::Number, Value::Number(number))
-                if number.dim != Dim::ANGLE && number.dim != Dim::LENGTH =>
+                if number.dim != Dimension::ANGLE && number.dim != Dimension::LENGTH =>
             {
                 value.clone()
             }
             (ParamKind::Length, Value::Number(number))
-                if number.dim.is_none() || number.dim == Dim::LENGTH =>
+                if number.dim.is_none() || number.dim == Dimension::LENGTH =>
             {
-                Value::Number(Number { dim: Dim::LENGTH, ..*number })
+                Value::Number(Number { dim: Dimension::LENGTH, ..*number })
             }
-            (ParamKind::Angle, Value::Number(number)) if number.dim == Dim::ANGLE => value.clone(),
+            (ParamKind::Angle, Value::Number(number)) if number.dim == Dimension::ANGLE => {
+                value.clone()
+            }
             _ => return None,
         })
     }
@@ -292,7 +294,7 @@ impl Rules {
     /// A value as a script would write it, lengths with the document's unit.
     fn shown(&self, value: &Value) -> String {
         match value {
-            Value::Number(number) if number.dim == Dim::LENGTH => {
+            Value::Number(number) if number.dim == Dimension::LENGTH => {
                 format!("{number}{}", self.unit.name())
             }
             other => other.to_string(),

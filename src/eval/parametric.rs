@@ -13,7 +13,7 @@ use glam::DVec3;
 
 use super::{
     function::ScriptFunction,
-    home::Home,
+    globals::Globals,
     machine::{Env, Machine},
 };
 use crate::{
@@ -21,7 +21,7 @@ use crate::{
     kernel::{CurveFunction, FunctionFailure, Grid, Jet, SurfaceFunction, Tolerance},
     limits::Limits,
     syntax::ast::Unit,
-    value::{Dim, Files, Function, IntoValue, Real, Value, shortest},
+    value::{Dimension, Files, Function, IntoValue, Real, Value, shortest},
 };
 
 /// What evaluation has used up on its way to a place.
@@ -65,7 +65,7 @@ pub(super) fn gone<T>(span: Span) -> Result<T> {
 
 /// A function of the script under the conditions in which it was made into geometry.
 #[derive(Debug)]
-pub(super) struct Asked {
+pub(super) struct GeometryFunction {
     function: Value,
     /// The call that made it.
     span: Span,
@@ -75,10 +75,10 @@ pub(super) struct Asked {
     held: fn() -> usize,
     stop: &'static AtomicBool,
     /// Whoever keeps the result of the script keeps it alive.
-    home: Weak<Home>,
+    home: Weak<Globals>,
 }
 
-impl Asked {
+impl GeometryFunction {
     pub(super) fn new(machine: &Machine<'_>, function: &Value, span: Span) -> Result<Arc<Self>> {
         if holds_jets(function) {
             let message = "this function uses a parameter of a function that is differentiated";
@@ -192,10 +192,10 @@ fn holds_jets(value: &Value) -> bool {
 }
 
 fn number(real: Real) -> Value {
-    crate::value::Number { value: real, dim: Dim::NONE }.into_value()
+    crate::value::Number { value: real, dim: Dimension::NONE }.into_value()
 }
 
-impl CurveFunction for Asked {
+impl CurveFunction for GeometryFunction {
     fn derivatives_at(
         &self,
         t: f64,
@@ -211,7 +211,7 @@ impl CurveFunction for Asked {
     }
 }
 
-impl SurfaceFunction for Asked {
+impl SurfaceFunction for GeometryFunction {
     fn derivatives_at(
         &self,
         u: f64,

@@ -4,14 +4,16 @@
 use std::sync::{Arc, atomic::AtomicBool};
 
 use super::{
-    home::{Home, Kept},
-    ir::{Arg, Effect, EffectKind, Expr, Kind, Program, Role},
-    load::{Document, Loaded, load},
-    look::Looks,
+    appearance::Appearances,
+    globals::{Globals, KeptGlobals},
+    ir::{Arg, DefinitionRole, Effect, EffectKind, Expr, Kind, Program},
+    load::{LoadedScript, LoadingScript, load},
     machine::Machine,
-    memory::{Recall, Work},
-    outcome::{Checked, Defined, Exported, Outcome, Output, Printed, Subject, in_order},
-    param::{self, Given, Setting},
+    memory::{CacheRun, Work},
+    outcome::{
+        Checked, Defined, EffectOutput, ExportSubject, Exported, Outcome, Printed, in_order,
+    },
+    param::{self, GivenValue, Setting},
     schedule,
     worker::{Inputs, Worker},
 };
@@ -48,7 +50,7 @@ pub struct Settings<'a> {
     /// What of the script acts.
     pub purpose: Purpose<'a>,
     /// What earlier runs gave, if they are to be remembered.
-    pub recall: Option<&'a Recall<'a>>,
+    pub recall: Option<&'a CacheRun<'a>>,
     /// How many bytes of memory are held.
     pub held: fn() -> usize,
     /// Set by whoever no longer wants the answer.
@@ -62,9 +64,9 @@ pub fn evaluate(name: &str, text: &str, sources: &mut Sources, settings: Setting
     let mut loaded = load(name, text, sources, settings);
     let diagnostics = std::mem::take(&mut loaded.diagnostics);
     let machine =
-        Machine::new(loaded.env(settings), Home::new(&loaded.program, "", settings.recall));
-    let Loaded { document, unit, ref library, ref program, .. } = loaded;
-    let mut run = Run { machine, settings, program, diagnostics, document };
+        Machine::new(loaded.env(settings), Globals::new(&loaded.program, "", settings.recall));
+    let LoadedScript { document, unit, ref library, ref program, .. } = loaded;
+    let mut run = FileRun { machine, settings, program, diagnostics, document };
     run.definitions();
     let definitions = run.defined();
     let outputs = match settings.purpose {
@@ -87,20 +89,20 @@ pub fn evaluate(name: &str, text: &str, sources: &mut Sources, settings: Setting
         unknown_settings,
         unit,
         tolerance: program.tolerance,
-        kept: Kept::new(kept),
+        kept: KeptGlobals::new(kept),
     }
 }
 
 /// The evaluation of one file or test under way.
-pub(super) struct Run<'a> {
+pub(super) struct FileRun<'a> {
     pub(super) machine: Machine<'a>,
     pub(super) settings: Settings<'a>,
     pub(super) program: &'a Program,
     pub(super) diagnostics: Vec<Diagnostic>,
-    pub(super) document: Document<'a>,
+    pub(super) document: LoadingScript<'a>,
 }
 
-impl Run<'_> {
+impl FileRun<'_> {
     pub(super) fn value(&self, idx: usize) -> Option<&Value> {
         self.machine.home.value(idx)
     }
@@ -114,7 +116,7 @@ impl Run<'_> {
     fn definitions(&mut self) {
         let (env, settings, program) = (self.machine.env, self.settings, self.program);
         let home = &self.machine.home;
-        let given: Vec<Given<'_>> = settings.overrides.iter().map(Given::Text).collect();
+        let given: Vec<GivenValue<'_>> = settings.overrides.iter().map(GivenValue::Text).collect();
         let inputs = Inputs { given: &given, registry: settings.registry };
         let workers = schedule::run(
             program,
@@ -141,9 +143,11 @@ impl Run<'_> {
         let mut defined = Vec::with_capacity(program.definitions.len());
         for (idx, definition) in (program.first..).zip(&program.definitions) {
             let kind = match definition.role {
-                Role::Hidden => continue,
-                Role::Value(kind) => Some(kind),
-                Role::Param(_) | Role::Function | Role::Import => None,
+                DefinitionRole::Hidden => continue,
+                DefinitionRole::Value(kind) => Some(kind),
+                DefinitionRole::Param(_) | DefinitionRole::Function | DefinitionRole::Import => {
+                    None
+                }
             };
             let name = match (&*definition.name, kind) {
                 ("", Some(kind)) => {
@@ -182,9 +186,9 @@ impl Run<'_> {
     }
 
     /// Carries out every effect that can act; `definitions` are those that `all` takes from.
-    pub(super) fn effects(&mut self, definitions: &[&[Defined]]) -> Vec<Output> {
+    pub(super) fn effects(&mut self, definitions: &[&[Defined]]) -> Vec<EffectOutput> {
         let mut outputs = Vec::new();
-        let looks = Looks::of(definitions);
+        let looks = Appearances::of(definitions);
         for effect in &self.program.effects {
             if self.machine.is_full {
                 break;
@@ -194,18 +198,19 @@ impl Run<'_> {
             }
             match &effect.kind {
                 EffectKind::Check { claim, message } => {
-                    outputs
-                        .extend(self.check(effect, claim, message.as_ref()).map(Output::Checked));
+                    outputs.extend(
+                        self.check(effect, claim, message.as_ref()).map(EffectOutput::Checked),
+                    );
                 }
                 EffectKind::Print(exprs) => self.print(exprs, effect.n_slots, &mut outputs),
                 EffectKind::Export { .. } => {
                     let exported = self.export(effect, definitions, &looks);
-                    outputs.extend(exported.map(Output::Exported));
+                    outputs.extend(exported.map(EffectOutput::Exported));
                 }
                 EffectKind::Expect { code, subject, found } => {
                     let expected =
                         self.expectation(*code, subject, found.as_deref(), effect.n_slots);
-                    outputs.push(Output::Expected(expected));
+                    outputs.push(EffectOutput::Expected(expected));
                 }
             }
         }
@@ -243,11 +248,11 @@ impl Run<'_> {
         }
     }
 
-    fn print(&mut self, exprs: &[Expr], n_slots: usize, outputs: &mut Vec<Output>) {
+    fn print(&mut self, exprs: &[Expr], n_slots: usize, outputs: &mut Vec<EffectOutput>) {
         for expr in exprs {
             let result = self.machine.run(expr, n_slots);
             if let Some(value) = self.keep(result) {
-                outputs.push(Output::Printed(Printed {
+                outputs.push(EffectOutput::Printed(Printed {
                     source: self.document.excerpt(expr.span),
                     value,
                 }));
@@ -259,7 +264,7 @@ impl Run<'_> {
         &mut self,
         effect: &Effect,
         definitions: &[&[Defined]],
-        looks: &Looks<'_>,
+        looks: &Appearances<'_>,
     ) -> Option<Exported> {
         let EffectKind::Export { subjects, named, path, options } = &effect.kind else {
             return None;
@@ -273,7 +278,11 @@ impl Run<'_> {
                     let value = self.keep(result)?;
                     let name = self.subject_name(expr, &value);
                     let look = self.look_of_subject(expr, looks);
-                    subjects.push(Subject { name, value: Spanned::new(value, expr.span), look });
+                    subjects.push(ExportSubject {
+                        name,
+                        value: Spanned::new(value, expr.span),
+                        look,
+                    });
                 }
                 let named = named.iter().filter_map(|&idx| self.program.definition(idx));
                 (subjects, named.map(|definition| definition.name.to_string()).collect())
@@ -302,7 +311,7 @@ impl Run<'_> {
         let definitions = &self.program.definitions;
         let names: Vec<&str> = definitions
             .iter()
-            .filter(|definition| matches!(definition.role, Role::Param(_)))
+            .filter(|definition| matches!(definition.role, DefinitionRole::Param(_)))
             .map(|definition| &*definition.name)
             .collect();
         let unknown = self
@@ -316,13 +325,13 @@ impl Run<'_> {
 
 /// Every definition that promises geometry and is not hidden, and their names; `None` where the
 /// file has a definition without a value.
-fn all_geometry(definitions: &[&[Defined]]) -> Option<(Vec<Subject>, Vec<String>)> {
+fn all_geometry(definitions: &[&[Defined]]) -> Option<(Vec<ExportSubject>, Vec<String>)> {
     let mut subjects = Vec::new();
     for defined in definitions.iter().copied().flatten() {
         let value = defined.value.clone()?;
         if !defined.look.is_hidden && defined.kind.is_some_and(Kind::is_geometry) {
             let (name, look) = (defined.name.clone(), defined.look.clone());
-            subjects.push(Subject { name, value: Spanned::new(value, defined.span), look });
+            subjects.push(ExportSubject { name, value: Spanned::new(value, defined.span), look });
         }
     }
     let names = subjects.iter().map(|subject| subject.name.clone()).collect();

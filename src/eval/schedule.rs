@@ -61,13 +61,13 @@ pub(super) fn run<T: Send>(
 
 /// Components that can be taken up, and what the others wait for.
 struct Queue {
-    state: Mutex<State>,
+    state: Mutex<QueueState>,
     changed: Condvar,
     /// The components that use each component.
     users: Vec<Vec<usize>>,
 }
 
-struct State {
+struct QueueState {
     ready: BinaryHeap<Reverse<usize>>,
     /// Components that each component still waits for.
     n_missing: Vec<usize>,
@@ -93,7 +93,7 @@ impl Queue {
         }
         let ready =
             (0..n_components).filter(|&component| n_missing[component] == 0).map(Reverse).collect();
-        let state = State { ready, n_missing, n_left: n_components };
+        let state = QueueState { ready, n_missing, n_left: n_components };
         Self { state: Mutex::new(state), changed: Condvar::new(), users }
     }
 
@@ -124,7 +124,7 @@ impl Queue {
         self.changed.notify_all();
     }
 
-    fn lock(&self) -> MutexGuard<'_, State> {
+    fn lock(&self) -> MutexGuard<'_, QueueState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -3,8 +3,8 @@
 //! Only the parameters are evaluated, and what their defaults and ranges use.
 
 use super::{
-    home::Home,
-    ir::{Program, Role},
+    globals::Globals,
+    ir::{DefinitionRole, Program},
     load::load,
     machine::Machine,
     outcome::in_order,
@@ -20,7 +20,7 @@ use crate::{
 
 /// An input of a file.
 #[derive(Clone, Debug)]
-pub struct Parameter {
+pub struct SchemaParameter {
     /// Its name.
     pub name: String,
     /// The word of its kind, stated or taken from the default.
@@ -41,7 +41,7 @@ pub struct Parameter {
 #[derive(Debug)]
 pub struct Schema {
     /// In the order of the source; those that could not be evaluated are left out.
-    pub parameters: Vec<Parameter>,
+    pub parameters: Vec<SchemaParameter>,
     /// The unit of length.
     pub unit: Unit,
     /// What is wrong with the text, its names, or its parameters.
@@ -53,7 +53,7 @@ pub struct Schema {
 pub fn parameters(name: &str, text: &str, sources: &mut Sources, settings: Settings<'_>) -> Schema {
     let mut loaded = load(name, text, sources, settings);
     let mut diagnostics = std::mem::take(&mut loaded.diagnostics);
-    let (program, home) = (&loaded.program, Home::new(&loaded.program, "", settings.recall));
+    let (program, home) = (&loaded.program, Globals::new(&loaded.program, "", settings.recall));
     let mut worker = Worker::new(Machine::new(loaded.env(settings), home), settings.recall);
     let inputs = Inputs { given: &[], registry: settings.registry };
 
@@ -66,13 +66,13 @@ pub fn parameters(name: &str, text: &str, sources: &mut Sources, settings: Setti
     // Ask the parameters that have a value for what they allow.
     let mut parameters = Vec::new();
     for (idx, definition) in program.definitions.iter().enumerate() {
-        let Role::Param(stated) = &definition.role else { continue };
+        let DefinitionRole::Param(stated) = &definition.role else { continue };
         if worker.machine.home.value(idx).is_none() {
             continue;
         }
         // A mistake was told when the parameter was evaluated.
         let Ok((rules, default)) = rules(&mut worker.machine, definition, stated) else { continue };
-        parameters.push(Parameter {
+        parameters.push(SchemaParameter {
             name: definition.name.to_string(),
             kind: rules.kind.word(),
             default,
@@ -92,7 +92,7 @@ pub fn parameters(name: &str, text: &str, sources: &mut Sources, settings: Setti
 /// Which definitions are parameters, or are used by one.
 fn used_by_parameters(program: &Program) -> Vec<bool> {
     let definitions = &program.definitions;
-    let is_param = |&idx: &usize| matches!(definitions[idx].role, Role::Param(_));
+    let is_param = |&idx: &usize| matches!(definitions[idx].role, DefinitionRole::Param(_));
     let mut left: Vec<usize> = (0..definitions.len()).filter(is_param).collect();
     let mut is_used = vec![false; definitions.len()];
     while let Some(idx) = left.pop() {

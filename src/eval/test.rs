@@ -6,15 +6,15 @@ use super::{
     claim::shown,
     ir::{EffectKind, Expr, Test},
     machine::Machine,
-    outcome::{Defined, Expected, Tested},
-    run::{Purpose, Run},
+    outcome::{Defined, ExpectedMistake, TestOutcome},
+    run::{FileRun, Purpose},
     worker::{Inputs, Worker},
 };
 use crate::diag::{Code, Diagnostic, Severity};
 
-impl Run<'_> {
+impl FileRun<'_> {
     /// Runs the tests that are asked for; `definitions` are those of the file.
-    pub(super) fn tests(&self, definitions: &[Defined]) -> Vec<Tested> {
+    pub(super) fn tests(&self, definitions: &[Defined]) -> Vec<TestOutcome> {
         let is_wanted = |test: &&Test| match self.settings.purpose {
             Purpose::Run => false,
             Purpose::Test => true,
@@ -24,8 +24,8 @@ impl Run<'_> {
         tests.map(|test| self.test(test, definitions)).collect()
     }
 
-    fn test(&self, test: &Test, definitions: &[Defined]) -> Tested {
-        let mut tested = Tested {
+    fn test(&self, test: &Test, definitions: &[Defined]) -> TestOutcome {
+        let mut tested = TestOutcome {
             name: test.name.to_string(),
             span: test.span,
             outputs: Vec::new(),
@@ -45,7 +45,7 @@ impl Run<'_> {
             worker.component(program, component, inputs);
         }
         let Worker { machine, diagnostics, .. } = worker;
-        let mut run = Run { machine, program, diagnostics, ..*self };
+        let mut run = FileRun { machine, program, diagnostics, ..*self };
         let own = run.defined();
         tested.outputs = run.effects(&[definitions, &own]);
         let have_values = |defined: &[Defined]| defined.iter().all(|one| one.value.is_some());
@@ -68,7 +68,7 @@ impl Run<'_> {
         subject: &Expr,
         found: Option<&Diagnostic>,
         n_slots: usize,
-    ) -> Expected {
+    ) -> ExpectedMistake {
         let n_warnings = self.machine.warnings.len();
         let found = match found {
             Some(found) => Err(Box::new(found.clone())),
@@ -77,7 +77,7 @@ impl Run<'_> {
         // Whatever else was said of what must fail is of no interest.
         self.machine.warnings.truncate(n_warnings);
         let source = self.document.excerpt(subject.span);
-        let expected = Expected { source, span: subject.span, code, found };
+        let expected = ExpectedMistake { source, span: subject.span, code, found };
         if !expected.holds() {
             self.diagnostics.push(failure(&expected));
         }
@@ -86,7 +86,7 @@ impl Run<'_> {
 }
 
 /// The report of an expected error that did not come.
-fn failure(expected: &Expected) -> Diagnostic {
+fn failure(expected: &ExpectedMistake) -> Diagnostic {
     let code = expected.code.id();
     let failure = |message: String| Diagnostic {
         severity: Severity::Failure,

@@ -6,12 +6,12 @@ use std::{
 };
 
 use super::{
-    home::Home,
-    ir::{Definition, ExprKind, Program, Role},
-    machine::{Machine, Reads},
-    memory::{Mark, Read, Recall, Work},
-    param::{self, Given},
-    spelling::{Sort, Spelling},
+    cache_key::{CacheKey, KeySort},
+    globals::Globals,
+    ir::{Definition, DefinitionRole, ExprKind, Program},
+    machine::{FileReads, Machine},
+    memory::{CacheRun, FileRead, ResultId, Work},
+    param::{self, GivenValue},
 };
 use crate::{
     diag::Diagnostic,
@@ -22,16 +22,18 @@ use crate::{
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Inputs<'a> {
     /// Values for its parameters.
-    pub(super) given: &'a [Given<'a>],
+    pub(super) given: &'a [GivenValue<'a>],
     /// The built-ins.
     pub(super) registry: &'a Registry,
 }
 
 impl Inputs<'_> {
     /// The value that is given for a definition. Of two the last one counts.
-    fn of(&self, definition: &Definition) -> Option<&Given<'_>> {
+    fn of(&self, definition: &Definition) -> Option<&GivenValue<'_>> {
         match definition.role {
-            Role::Param(_) => self.given.iter().rfind(|given| given.name() == &*definition.name),
+            DefinitionRole::Param(_) => {
+                self.given.iter().rfind(|given| given.name() == &*definition.name)
+            }
             _ => None,
         }
     }
@@ -42,15 +44,15 @@ pub(super) struct Worker<'a> {
     pub(super) machine: Machine<'a>,
     pub(super) diagnostics: Vec<Diagnostic>,
     /// What earlier runs gave, and the identity of what holds for the whole file.
-    memory: Option<(&'a Recall<'a>, u64)>,
+    memory: Option<(&'a CacheRun<'a>, u64)>,
 }
 
 impl<'a> Worker<'a> {
     /// A worker that has found nothing yet.
-    pub(super) fn new(machine: Machine<'a>, recall: Option<&'a Recall<'a>>) -> Self {
+    pub(super) fn new(machine: Machine<'a>, recall: Option<&'a CacheRun<'a>>) -> Self {
         let memory = recall.map(|recall| {
             let (env, home) = (machine.env, &machine.home);
-            let mut file = Spelling::new(Sort::File, home, &[]);
+            let mut file = CacheKey::new(KeySort::File, home, &[]);
             file.text(&home.folder);
             file.text(&format!("{:?} {:?} {:?}", env.unit, env.tolerance, env.limits));
             (recall, recall.intern(file.finish()))
@@ -93,25 +95,25 @@ impl<'a> Worker<'a> {
         definition: &Definition,
         key: Box<[u8]>,
         inputs: Inputs<'_>,
-        recall: &Recall<'_>,
-    ) -> Option<(Value, Mark)> {
+        recall: &CacheRun<'_>,
+    ) -> Option<(Value, ResultId)> {
         if matches!(definition.value.kind, ExprKind::Import(..)) {
             return self.imported(definition, inputs, recall);
         }
         let known = recall.find(&key, self.machine.env.files);
         let old = known.as_ref().map(|known| known.result);
         if let (Some(value), Some(result)) = (known.and_then(|known| known.value), old) {
-            return Some((value, Mark::new(result, Work::Reused)));
+            return Some((value, ResultId::new(result, Work::Reused)));
         }
         let n_warnings = self.machine.warnings.len();
-        let reads = self.machine.reads.insert(Reads::default()).clone();
+        let reads = self.machine.reads.insert(FileReads::default()).clone();
         let value = self.definition(definition, inputs)?;
         let is_kept = !value.extent().holds_functions && self.machine.warnings.len() == n_warnings;
-        let reads: BTreeSet<Read> =
+        let reads: BTreeSet<FileRead> =
             std::mem::take(&mut *reads.lock().unwrap_or_else(PoisonError::into_inner));
         let result = recall.keep(key, is_kept.then(|| value.clone()), reads);
         let work = if old == Some(result) { Work::Renewed } else { Work::Evaluated };
-        Some((value, Mark::new(result, work)))
+        Some((value, ResultId::new(result, work)))
     }
 
     /// What an import brings, put together again from the definitions of its file, which have
@@ -120,11 +122,11 @@ impl<'a> Worker<'a> {
         &mut self,
         definition: &Definition,
         inputs: Inputs<'_>,
-        recall: &Recall<'_>,
-    ) -> Option<(Value, Mark)> {
+        recall: &CacheRun<'_>,
+    ) -> Option<(Value, ResultId)> {
         let value = self.definition(definition, inputs)?;
         let fields = std::mem::take(&mut self.machine.imported);
-        let mut key = Spelling::new(Sort::Import, &self.machine.home, &[]);
+        let mut key = CacheKey::new(KeySort::Import, &self.machine.home, &[]);
         for (name, result) in &*fields {
             key.text(name);
             key.result(*result);
@@ -133,7 +135,7 @@ impl<'a> Worker<'a> {
         let known = recall.find(&key, self.machine.env.files);
         let work = if known.is_some() { Work::Reused } else { Work::Evaluated };
         let result = recall.intern(key);
-        Some((value, Mark { fields, ..Mark::new(result, work) }))
+        Some((value, ResultId { fields, ..ResultId::new(result, work) }))
     }
 
     fn definition(&mut self, definition: &Definition, inputs: Inputs<'_>) -> Option<Value> {
@@ -141,7 +143,7 @@ impl<'a> Worker<'a> {
             return None;
         }
         let result = match &definition.role {
-            Role::Param(rules) => {
+            DefinitionRole::Param(rules) => {
                 let given = inputs.of(definition);
                 param::evaluate(&mut self.machine, definition, rules, given, inputs.registry)
             }
@@ -153,14 +155,14 @@ impl<'a> Worker<'a> {
 
 /// The members of a component with their keys.
 fn keys(
-    home: &Home,
+    home: &Globals,
     program: &Program,
     members: &[usize],
     inputs: Inputs<'_>,
-    (recall, file): (&Recall<'_>, u64),
+    (recall, file): (&CacheRun<'_>, u64),
 ) -> Vec<(usize, Box<[u8]>)> {
     let spell = |sort, members: &[usize]| {
-        let mut key = Spelling::new(sort, home, members);
+        let mut key = CacheKey::new(sort, home, members);
         key.result(file);
         for &idx in members {
             let Some(definition) = program.definition(idx) else { continue };
@@ -169,14 +171,14 @@ fn keys(
         key.finish()
     };
     if let &[only] = members {
-        return vec![(only, spell(Sort::Definition, members))];
+        return vec![(only, spell(KeySort::Definition, members))];
     }
     // Functions that use one another, in an order that does not depend on their places.
     let mut members = members.to_vec();
     members.sort_by_key(|&idx| program.definition(idx).map(|definition| &definition.name));
-    let component = recall.intern(spell(Sort::Component, &members));
+    let component = recall.intern(spell(KeySort::Component, &members));
     let member = |(place, idx)| {
-        let mut key = Spelling::new(Sort::Member, home, &[]);
+        let mut key = CacheKey::new(KeySort::Member, home, &[]);
         key.result(component);
         key.number(place);
         (idx, key.finish())

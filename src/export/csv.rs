@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use super::{ExportError, Format, Job, Subject, Summary, text::Text};
+use super::{ExportError, Format, Job, Subject, Summary, text::TextBuffer};
 use crate::kernel::Column;
 
 pub(super) static FORMAT: Format = Format {
@@ -18,7 +18,7 @@ pub(super) static FORMAT: Format = Format {
 };
 
 fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
-    let (mut text, mut summary) = (Text::default(), Summary::default());
+    let (mut text, mut summary) = (TextBuffer::default(), Summary::default());
     for item in &job.items {
         let Subject::Table(table) = &item.subject else { continue };
         for (i, column) in table.columns().iter().enumerate() {

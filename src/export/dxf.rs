@@ -10,9 +10,9 @@ use glam::DVec3;
 use super::{
     ExportError, Format, Item, Job, Subject, Summary,
     exact::{Exact, exact},
-    kept::Kept,
     shape::{solids, tolerance},
-    text::Text,
+    text::TextBuffer,
+    unique_values::Kept,
 };
 use crate::kernel::{Mesh, NurbsCurve};
 
@@ -43,7 +43,7 @@ const FOREGROUND: usize = 7;
 fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     let mut solids = solids(job, tolerance(job)?)?.into_iter();
     let mut summary = Summary::default();
-    let mut file = Dxf { text: Text::rounded(job.options.decimals), next: handle::FIRST };
+    let mut file = Dxf { text: TextBuffer::rounded(job.options.decimals), next: handle::FIRST };
     file.head(job);
     file.tables(job);
     file.blocks();
@@ -80,7 +80,7 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
 }
 
 struct Dxf {
-    text: Text,
+    text: TextBuffer,
     /// The next free handle.
     next: usize,
 }

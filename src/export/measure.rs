@@ -5,17 +5,17 @@ use glam::DVec3;
 
 use super::{
     ExportError, Job,
-    shape::{Shape, Shaped, shapes},
+    shape::{MeshShape, ShapedItem, shapes},
 };
 use crate::kernel::{Bounds, Tolerance, distance_to_polyline};
 
 /// A mesh, polyline or point as a file holds it.
-pub struct Part<'a> {
-    shaped: Shaped<'a>,
+pub struct MeasuredPart<'a> {
+    shaped: ShapedItem<'a>,
     tolerance: Tolerance,
 }
 
-impl std::fmt::Debug for Part<'_> {
+impl std::fmt::Debug for MeasuredPart<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_tuple("Part").field(&self.shaped.item.name).finish()
     }
@@ -25,12 +25,12 @@ impl std::fmt::Debug for Part<'_> {
 ///
 /// # Errors
 /// [`ExportError::Geometry`] where a curve or surface has no mesh.
-pub fn parts(job: &Job) -> Result<Vec<Part<'_>>, ExportError> {
+pub fn parts(job: &Job) -> Result<Vec<MeasuredPart<'_>>, ExportError> {
     let tolerance = Tolerance::DEFAULT.with_distance(job.precision);
-    Ok(shapes(job)?.into_iter().map(|shaped| Part { shaped, tolerance }).collect())
+    Ok(shapes(job)?.into_iter().map(|shaped| MeasuredPart { shaped, tolerance }).collect())
 }
 
-impl Part<'_> {
+impl MeasuredPart<'_> {
     /// What it is called.
     #[must_use]
     pub fn name(&self) -> &str {
@@ -43,37 +43,37 @@ impl Part<'_> {
     pub fn measures(&self) -> Vec<String> {
         let triple = |place: DVec3| format!("({}, {}, {})", place.x, place.y, place.z);
         let mut lines = vec![match &self.shaped.shape {
-            Shape::Mesh(_) => "mesh".to_owned(),
-            Shape::Polyline(_) => "polyline".to_owned(),
-            Shape::Point(place) => format!("point {}", triple(*place)),
+            MeshShape::Mesh(_) => "mesh".to_owned(),
+            MeshShape::Polyline(_) => "polyline".to_owned(),
+            MeshShape::Point(place) => format!("point {}", triple(*place)),
         }];
         if let Some([red, green, blue]) = self.shaped.item.color {
             lines.push(format!("color {red} {green} {blue}"));
         }
-        if let Shape::Point(_) = self.shaped.shape {
+        if let MeshShape::Point(_) = self.shaped.shape {
             return lines;
         }
         let (n_vertices, n_triangles) = (self.shaped.n_vertices(), self.shaped.n_triangles());
         lines.push(format!("{n_vertices} vertices"));
-        if let Shape::Mesh(_) = self.shaped.shape {
+        if let MeshShape::Mesh(_) = self.shaped.shape {
             lines.push(format!("{n_triangles} triangles"));
         }
         if let Some(bounds) = self.bounds() {
             lines.push(format!("bounds {} to {}", triple(bounds.min), triple(bounds.max)));
         }
         match &self.shaped.shape {
-            Shape::Mesh(mesh) => {
+            MeshShape::Mesh(mesh) => {
                 lines.push(format!("area {}", mesh.area()));
                 lines.push(match mesh.check_solid(self.tolerance) {
                     Ok(()) => format!("volume {}", mesh.volume()),
                     Err(_) => "encloses no volume".to_owned(),
                 });
             }
-            Shape::Polyline(points) => {
+            MeshShape::Polyline(points) => {
                 let length: f64 = points.windows(2).map(|leg| leg[0].distance(leg[1])).sum();
                 lines.push(format!("length {length}"));
             }
-            Shape::Point(_) => {}
+            MeshShape::Point(_) => {}
         }
         lines
     }
@@ -84,7 +84,7 @@ impl Part<'_> {
     pub fn places(&self, most: usize) -> Vec<DVec3> {
         let points = self.shaped.points();
         let n_places = match self.shaped.shape {
-            Shape::Point(_) => 0,
+            MeshShape::Point(_) => 0,
             _ => most.min(points.len()),
         };
         let last = points.len().saturating_sub(1);
@@ -96,10 +96,10 @@ impl Part<'_> {
     pub fn distance_to(&self, place: DVec3) -> Option<f64> {
         match &self.shaped.shape {
             // A vertex that is there spares the search over all triangles.
-            Shape::Mesh(mesh) if mesh.vertices().contains(&place) => Some(0.0),
-            Shape::Mesh(mesh) => mesh.distance_to(place),
-            Shape::Polyline(points) => distance_to_polyline(place, points),
-            Shape::Point(point) => Some(point.distance(place)),
+            MeshShape::Mesh(mesh) if mesh.vertices().contains(&place) => Some(0.0),
+            MeshShape::Mesh(mesh) => mesh.distance_to(place),
+            MeshShape::Polyline(points) => distance_to_polyline(place, points),
+            MeshShape::Point(point) => Some(point.distance(place)),
         }
     }
 

@@ -8,7 +8,6 @@ mod exact;
 mod gltf;
 mod iges;
 mod json;
-mod kept;
 mod measure;
 mod name;
 mod obj;
@@ -19,6 +18,7 @@ mod step;
 mod stl;
 mod svg;
 mod text;
+mod unique_values;
 mod view;
 mod wire;
 
@@ -35,7 +35,7 @@ use crate::{
     limits::Limits,
 };
 
-pub use measure::{Part, parts};
+pub use measure::{MeasuredPart, parts};
 pub use view::View;
 
 /// Something that a file can hold.

@@ -9,8 +9,8 @@ use glam::DVec3;
 use super::{
     ExportError, Format, Job, Subject, Summary,
     name::one_line,
-    shape::{Shape, Shaped, byte_color, shapes},
-    text::Text,
+    shape::{MeshShape, ShapedItem, byte_color, shapes},
+    text::TextBuffer,
 };
 
 pub(super) static FORMAT: Format = Format {
@@ -30,7 +30,7 @@ const GREY: [u8; 3] = [200; 3];
 
 /// What stands at a vertex besides its place.
 #[derive(Clone, Copy)]
-struct Layout {
+struct VertexLayout {
     with_normals: bool,
     with_colors: bool,
 }
@@ -38,25 +38,25 @@ struct Layout {
 fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     let shapes = shapes(job)?;
     let summary = Summary::of(&shapes);
-    let has_normals = |shaped: &Shaped<'_>| match &shaped.shape {
-        Shape::Mesh(mesh) => !mesh.normals().is_empty(),
+    let has_normals = |shaped: &ShapedItem<'_>| match &shaped.shape {
+        MeshShape::Mesh(mesh) => !mesh.normals().is_empty(),
         _ => false,
     };
-    let layout = Layout {
+    let layout = VertexLayout {
         with_normals: shapes.iter().all(has_normals),
-        with_colors: shapes.iter().any(Shaped::is_colored),
+        with_colors: shapes.iter().any(ShapedItem::is_colored),
     };
     let is_binary = job.options.binary.unwrap_or(true);
-    let mut text = Text::rounded(job.options.decimals);
+    let mut text = TextBuffer::rounded(job.options.decimals);
     head(job, &shapes, layout, is_binary, &mut text);
     text.flush(out)?;
-    let mut body = Body { is_binary, text, bytes: Vec::new() };
+    let mut body = PlyBody { is_binary, text, bytes: Vec::new() };
     for shaped in &shapes {
         body.vertices(shaped, layout, out)?;
     }
     let mut first = 0;
     for shaped in &shapes {
-        if let Shape::Mesh(mesh) = &shaped.shape {
+        if let MeshShape::Mesh(mesh) = &shaped.shape {
             for triangle in mesh.triangles() {
                 body.face(triangle.map(|corner| corner + first));
                 body.flush_if_large(out)?;
@@ -66,7 +66,7 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     }
     let mut first = 0;
     for shaped in &shapes {
-        if let Shape::Polyline(points) = &shaped.shape {
+        if let MeshShape::Polyline(points) = &shaped.shape {
             for i in 1..points.len() as u32 {
                 body.edge([first + i - 1, first + i]);
                 body.flush_if_large(out)?;
@@ -78,10 +78,16 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     Ok(summary)
 }
 
-fn head(job: &Job, shapes: &[Shaped<'_>], layout: Layout, is_binary: bool, text: &mut Text) {
-    let n_vertices: usize = shapes.iter().map(Shaped::n_vertices).sum();
-    let n_edges: usize = shapes.iter().map(Shaped::n_legs).sum();
-    let n_faces: usize = shapes.iter().map(Shaped::n_triangles).sum();
+fn head(
+    job: &Job,
+    shapes: &[ShapedItem<'_>],
+    layout: VertexLayout,
+    is_binary: bool,
+    text: &mut TextBuffer,
+) {
+    let n_vertices: usize = shapes.iter().map(ShapedItem::n_vertices).sum();
+    let n_edges: usize = shapes.iter().map(ShapedItem::n_legs).sum();
+    let n_faces: usize = shapes.iter().map(ShapedItem::n_triangles).sum();
     let form = if is_binary { "binary_little_endian" } else { "ascii" };
     text.push("ply\nformat ").push(form).push(" 1.0\ncomment unit: ").push(job.unit);
     for shaped in shapes {
@@ -108,23 +114,23 @@ fn head(job: &Job, shapes: &[Shaped<'_>], layout: Layout, is_binary: bool, text:
 }
 
 /// What follows the header, as bytes or as lines.
-struct Body {
+struct PlyBody {
     is_binary: bool,
-    text: Text,
+    text: TextBuffer,
     bytes: Vec<u8>,
 }
 
-impl Body {
+impl PlyBody {
     fn vertices(
         &mut self,
-        shaped: &Shaped<'_>,
-        layout: Layout,
+        shaped: &ShapedItem<'_>,
+        layout: VertexLayout,
         out: &mut dyn Write,
     ) -> Result<(), ExportError> {
         let (points, normals, paint): (&[DVec3], &[DVec3], &[DVec3]) = match &shaped.shape {
-            Shape::Mesh(mesh) => (mesh.vertices(), mesh.normals(), mesh.colors()),
-            Shape::Polyline(points) => (points, &[], &[]),
-            Shape::Point(point) => (std::slice::from_ref(point), &[], &[]),
+            MeshShape::Mesh(mesh) => (mesh.vertices(), mesh.normals(), mesh.colors()),
+            MeshShape::Polyline(points) => (points, &[], &[]),
+            MeshShape::Point(point) => (std::slice::from_ref(point), &[], &[]),
         };
         for (i, point) in points.iter().enumerate() {
             point.to_array().into_iter().for_each(|x| self.double(x));

@@ -6,39 +6,39 @@ use glam::DVec3;
 
 use super::{ExportError, Item, Job, Subject, Summary};
 use crate::kernel::{
-    Bounds, GeomError, Mesh, MeshLimits, Surface, facing_inward, tessellate_all, tessellate_any,
-    tessellate_curve_any, tolerance::DEFAULT_CHORD_RELATIVE,
+    Bounds, GeomError, Mesh, Surface, TessellationOptions, facing_inward, tessellate_all,
+    tessellate_any, tessellate_curve_any, tolerance::DEFAULT_CHORD_RELATIVE,
 };
 
 /// A subject as a mesh format holds it.
-pub(super) enum Shape {
+pub(super) enum MeshShape {
     Mesh(Arc<Mesh>),
     Polyline(Vec<DVec3>),
     Point(DVec3),
 }
 
 /// An item with its shape.
-pub(super) struct Shaped<'a> {
+pub(super) struct ShapedItem<'a> {
     pub(super) item: &'a Item,
-    pub(super) shape: Shape,
+    pub(super) shape: MeshShape,
     /// Whether some of it was turned to face outward.
     pub(super) is_turned: bool,
 }
 
-impl Shaped<'_> {
+impl ShapedItem<'_> {
     /// Its vertices.
     pub(super) fn points(&self) -> &[DVec3] {
         match &self.shape {
-            Shape::Mesh(mesh) => mesh.vertices(),
-            Shape::Polyline(points) => points,
-            Shape::Point(point) => std::slice::from_ref(point),
+            MeshShape::Mesh(mesh) => mesh.vertices(),
+            MeshShape::Polyline(points) => points,
+            MeshShape::Point(point) => std::slice::from_ref(point),
         }
     }
 
     /// It as a mesh, if it is one.
     pub(super) fn mesh(&self) -> Option<&Mesh> {
         match &self.shape {
-            Shape::Mesh(mesh) => Some(mesh),
+            MeshShape::Mesh(mesh) => Some(mesh),
             _ => None,
         }
     }
@@ -54,7 +54,7 @@ impl Shaped<'_> {
     /// Segments of a polyline.
     pub(super) fn n_legs(&self) -> usize {
         match &self.shape {
-            Shape::Polyline(points) => points.len().saturating_sub(1),
+            MeshShape::Polyline(points) => points.len().saturating_sub(1),
             _ => 0,
         }
     }
@@ -62,7 +62,7 @@ impl Shaped<'_> {
     /// Whether it has a colour, or its vertices have.
     pub(super) fn is_colored(&self) -> bool {
         let is_painted = match &self.shape {
-            Shape::Mesh(mesh) => !mesh.colors().is_empty(),
+            MeshShape::Mesh(mesh) => !mesh.colors().is_empty(),
             _ => false,
         };
         is_painted || self.item.color.is_some()
@@ -70,7 +70,7 @@ impl Shaped<'_> {
 
     /// Whether there is nothing to draw.
     pub(super) fn is_empty(&self) -> bool {
-        matches!(&self.shape, Shape::Mesh(mesh) if mesh.triangles().is_empty())
+        matches!(&self.shape, MeshShape::Mesh(mesh) if mesh.triangles().is_empty())
     }
 
     /// The error for coordinates that a format of single precision cannot hold.
@@ -82,21 +82,21 @@ impl Shaped<'_> {
 
 impl Summary {
     /// What the shapes of a file come to.
-    pub(super) fn of(shapes: &[Shaped<'_>]) -> Self {
+    pub(super) fn of(shapes: &[ShapedItem<'_>]) -> Self {
         let mut summary = Self::default();
         shapes.iter().for_each(|shaped| summary.add(shaped));
         summary
     }
 
     /// Counts a shape.
-    pub(super) fn add(&mut self, shaped: &Shaped<'_>) {
+    pub(super) fn add(&mut self, shaped: &ShapedItem<'_>) {
         match &shaped.shape {
-            Shape::Mesh(mesh) => {
+            MeshShape::Mesh(mesh) => {
                 self.vertices += mesh.n_vertices();
                 self.triangles += mesh.n_triangles();
             }
-            Shape::Polyline(_) => self.curves += 1,
-            Shape::Point(_) => self.points += 1,
+            MeshShape::Polyline(_) => self.curves += 1,
+            MeshShape::Point(_) => self.points += 1,
         }
         if shaped.is_turned {
             self.turned.push(shaped.item.name.clone());
@@ -153,7 +153,7 @@ pub(super) fn bounds(item: &Item) -> Option<Bounds> {
 }
 
 /// The shapes of all items, those of surfaces and meshes as [`solids`] has them.
-pub(super) fn shapes(job: &Job) -> Result<Vec<Shaped<'_>>, ExportError> {
+pub(super) fn shapes(job: &Job) -> Result<Vec<ShapedItem<'_>>, ExportError> {
     let tolerance = tolerance(job)?;
     let mut solids = solids(job, tolerance)?.into_iter();
     let mut shapes = Vec::with_capacity(job.items.len());
@@ -161,7 +161,7 @@ pub(super) fn shapes(job: &Job) -> Result<Vec<Shaped<'_>>, ExportError> {
         if matches!(item.subject, Subject::Surface(_) | Subject::Mesh(_)) {
             shapes.extend(solids.next());
         } else if let Some(shape) = shape(item, tolerance, job)? {
-            shapes.push(Shaped { item, shape, is_turned: false });
+            shapes.push(ShapedItem { item, shape, is_turned: false });
         }
     }
     Ok(shapes)
@@ -169,7 +169,7 @@ pub(super) fn shapes(job: &Job) -> Result<Vec<Shaped<'_>>, ExportError> {
 
 /// The meshes among the items, and those of the surfaces, with common vertices on common edges; those
 /// that make a closed shell together face outward.
-pub(super) fn solids(job: &Job, tolerance: f64) -> Result<Vec<Shaped<'_>>, ExportError> {
+pub(super) fn solids(job: &Job, tolerance: f64) -> Result<Vec<ShapedItem<'_>>, ExportError> {
     let mut meshes = meshes(job, tolerance)?.into_iter();
     let mut shapes = Vec::with_capacity(job.items.len());
     for item in &job.items {
@@ -178,7 +178,7 @@ pub(super) fn solids(job: &Job, tolerance: f64) -> Result<Vec<Shaped<'_>>, Expor
             Subject::Mesh(mesh) => Some(Arc::clone(mesh)),
             _ => None,
         };
-        let shaped = |mesh| Shaped { item, shape: Shape::Mesh(mesh), is_turned: false };
+        let shaped = |mesh| ShapedItem { item, shape: MeshShape::Mesh(mesh), is_turned: false };
         shapes.extend(mesh.map(shaped));
     }
     face_outward(&mut shapes);
@@ -186,15 +186,15 @@ pub(super) fn solids(job: &Job, tolerance: f64) -> Result<Vec<Shaped<'_>>, Expor
 }
 
 /// Turns the triangles of closed shells that face inward.
-fn face_outward(shapes: &mut [Shaped<'_>]) {
-    let meshes: Vec<&Mesh> = shapes.iter().filter_map(Shaped::mesh).collect();
+fn face_outward(shapes: &mut [ShapedItem<'_>]) {
+    let meshes: Vec<&Mesh> = shapes.iter().filter_map(ShapedItem::mesh).collect();
     let mut turns = facing_inward(&meshes).into_iter();
     for shaped in shapes {
-        if let Shape::Mesh(mesh) = &shaped.shape
+        if let MeshShape::Mesh(mesh) = &shaped.shape
             && let Some(turns) = turns.next()
             && turns.contains(&true)
         {
-            shaped.shape = Shape::Mesh(Arc::new(mesh.with_turned(&turns)));
+            shaped.shape = MeshShape::Mesh(Arc::new(mesh.with_turned(&turns)));
             shaped.is_turned = true;
         }
     }
@@ -222,25 +222,33 @@ fn surface(item: &Item) -> Option<Surface> {
     }
 }
 
-fn limits(job: &Job, tolerance: f64) -> MeshLimits {
-    let within = MeshLimits::within(tolerance);
-    MeshLimits { angle: job.options.angle.unwrap_or(within.angle), weld: job.precision, ..within }
+fn limits(job: &Job, tolerance: f64) -> TessellationOptions {
+    let within = TessellationOptions::within(tolerance);
+    TessellationOptions {
+        angle: job.options.angle.unwrap_or(within.angle),
+        weld: job.precision,
+        ..within
+    }
 }
 
 /// The shape of an item within `tolerance`; `None` for what has no place in space.
-pub(super) fn shape(item: &Item, tolerance: f64, job: &Job) -> Result<Option<Shape>, ExportError> {
+pub(super) fn shape(
+    item: &Item,
+    tolerance: f64,
+    job: &Job,
+) -> Result<Option<MeshShape>, ExportError> {
     let blame = |source: GeomError| ExportError::Geometry { name: item.name.clone(), source };
     let most = job.limits.mesh_vertices;
     Ok(Some(match &item.subject {
-        Subject::Point(point) => Shape::Point(*point),
+        Subject::Point(point) => MeshShape::Point(*point),
         Subject::Curve(curve) => {
-            Shape::Polyline(tessellate_curve_any(curve, tolerance, most).map_err(blame)?)
+            MeshShape::Polyline(tessellate_curve_any(curve, tolerance, most).map_err(blame)?)
         }
         Subject::Surface(surface) => {
             let mesh = tessellate_any(surface, &limits(job, tolerance), most).map_err(blame)?;
-            Shape::Mesh(Arc::new(mesh))
+            MeshShape::Mesh(Arc::new(mesh))
         }
-        Subject::Mesh(mesh) => Shape::Mesh(Arc::clone(mesh)),
+        Subject::Mesh(mesh) => MeshShape::Mesh(Arc::clone(mesh)),
         Subject::Table(_) | Subject::Data(_) => return Ok(None),
     }))
 }

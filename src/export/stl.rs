@@ -7,8 +7,8 @@ use glam::DVec3;
 use super::{
     ExportError, Format, Job, Subject, Summary,
     name::one_line,
-    shape::{Shape, Shaped, shapes},
-    text::Text,
+    shape::{MeshShape, ShapedItem, shapes},
+    text::TextBuffer,
 };
 use crate::kernel::Mesh;
 
@@ -46,8 +46,12 @@ fn facet_normal([a, b, c]: [DVec3; 3]) -> DVec3 {
     (b - a).cross(c - a).normalize_or_zero()
 }
 
-fn write_binary(job: &Job, shapes: &[Shaped<'_>], out: &mut dyn Write) -> Result<(), ExportError> {
-    let n_triangles: usize = shapes.iter().map(Shaped::n_triangles).sum();
+fn write_binary(
+    job: &Job,
+    shapes: &[ShapedItem<'_>],
+    out: &mut dyn Write,
+) -> Result<(), ExportError> {
+    let n_triangles: usize = shapes.iter().map(ShapedItem::n_triangles).sum();
     let n_triangles = u32::try_from(n_triangles)
         .map_err(|_| std::io::Error::other("binary STL holds at most 4294967295 triangles"))?;
     let mut header = [b' '; HEADER_BYTES];
@@ -56,7 +60,7 @@ fn write_binary(job: &Job, shapes: &[Shaped<'_>], out: &mut dyn Write) -> Result
     out.write_all(&header)?;
     out.write_all(&n_triangles.to_le_bytes())?;
     for shaped in shapes {
-        if let Shape::Mesh(mesh) = &shaped.shape {
+        if let MeshShape::Mesh(mesh) = &shaped.shape {
             if shaped.points().iter().any(|point| !point.as_vec3().is_finite()) {
                 return Err(shaped.beyond_single_precision());
             }
@@ -85,13 +89,17 @@ fn write_triangles(mesh: &Mesh, out: &mut dyn Write) -> Result<(), ExportError> 
     Ok(out.write_all(&bytes)?)
 }
 
-fn write_text(job: &Job, shapes: &[Shaped<'_>], out: &mut dyn Write) -> Result<(), ExportError> {
-    let mut text = Text::rounded(job.options.decimals);
+fn write_text(
+    job: &Job,
+    shapes: &[ShapedItem<'_>],
+    out: &mut dyn Write,
+) -> Result<(), ExportError> {
+    let mut text = TextBuffer::rounded(job.options.decimals);
     for shaped in shapes {
-        let Shape::Mesh(mesh) = &shaped.shape else { continue };
+        let MeshShape::Mesh(mesh) = &shaped.shape else { continue };
         let name = one_line(&shaped.item.name);
         text.push("solid ").push(&name).push("\n");
-        let vector = |text: &mut Text, keyword: &str, vector: DVec3| {
+        let vector = |text: &mut TextBuffer, keyword: &str, vector: DVec3| {
             text.push(keyword);
             for number in vector.to_array() {
                 text.push(" ").number(number);

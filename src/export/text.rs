@@ -5,13 +5,13 @@ const MOST_DECIMALS: usize = 17;
 
 /// Text under construction; numbers in the shortest form that reads back, or rounded.
 #[derive(Default)]
-pub(super) struct Text {
+pub(super) struct TextBuffer {
     bytes: Vec<u8>,
     /// Digits after the point; without a count as many as a number has.
     decimals: Option<usize>,
 }
 
-impl Text {
+impl TextBuffer {
     /// Text whose numbers have at most so many digits after the point.
     pub(super) fn rounded(decimals: Option<usize>) -> Self {
         Self { bytes: Vec::new(), decimals }
@@ -144,11 +144,11 @@ impl Text {
 
 #[cfg(test)]
 mod tests {
-    use super::Text;
+    use super::TextBuffer;
 
     #[track_caller]
     fn check(value: f64, decimals: Option<usize>, expected: &str) {
-        let mut text = Text::rounded(decimals);
+        let mut text = TextBuffer::rounded(decimals);
         text.number(value);
         assert_eq!(String::from_utf8_lossy(&text.bytes), expected);
     }

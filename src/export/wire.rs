@@ -6,7 +6,7 @@ use glam::{DAffine3, DVec2, DVec3};
 
 use super::{
     ExportError, Item, Job, Subject,
-    shape::{Shape, bounds, byte_color, shape, size},
+    shape::{MeshShape, bounds, byte_color, shape, size},
 };
 use crate::kernel::{
     Bounds, Curve, GeomError, Interval, Mesh, NurbsCurve, Surface, Tolerance,
@@ -18,7 +18,7 @@ const N_LINES: usize = 7;
 
 /// How thick a line is.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Weight {
+pub(super) enum LineWeight {
     /// Curves, edges and outlines.
     Full,
     /// Lines inside.
@@ -26,7 +26,7 @@ pub(super) enum Weight {
 }
 
 /// How large is what is drawn.
-pub(super) struct Extent {
+pub(super) struct DrawingExtent {
     /// The diagonal, 1 where that is nothing.
     pub(super) size: f64,
     /// The diagonal on paper of the box around all.
@@ -35,7 +35,7 @@ pub(super) struct Extent {
     pub(super) finest: f64,
 }
 
-impl Extent {
+impl DrawingExtent {
     /// Of all items of a job, if that has an end.
     pub(super) fn of(job: &Job) -> Result<Self, ExportError> {
         let whole = job.items.iter().filter_map(bounds).reduce(Bounds::union);
@@ -53,7 +53,7 @@ impl Extent {
 }
 
 /// A line in the view's coordinates.
-pub(super) enum Line {
+pub(super) enum DrawnLine {
     Curve(NurbsCurve),
     Polygon(Vec<DVec3>),
 }
@@ -61,7 +61,7 @@ pub(super) enum Line {
 /// An item in the view's coordinates: x to the right, y upward, z toward the viewer.
 #[derive(Default)]
 pub(super) struct Drawing {
-    pub(super) lines: Vec<(Weight, Line)>,
+    pub(super) lines: Vec<(LineWeight, DrawnLine)>,
     pub(super) points: Vec<DVec3>,
     /// Triangles filled with a colour.
     pub(super) fills: Vec<([DVec3; 3], [u8; 3])>,
@@ -87,14 +87,16 @@ impl Drawing {
                 drawing.bounds = Bounds::of(drawing.points.iter().copied());
             }
             Subject::Curve(curve) => {
-                drawing.curve(Weight::Full, curve, view).map_err(blame)?;
+                drawing.curve(LineWeight::Full, curve, view).map_err(blame)?;
             }
             Subject::Surface(surface) => {
                 drawing.lines_of(surface, view).map_err(blame)?;
-                if let Some(Shape::Mesh(mesh)) = shape(item, near, job)? {
+                if let Some(MeshShape::Mesh(mesh)) = shape(item, near, job)? {
                     let outline = outline(&mesh, view);
                     drawing.lines.extend(
-                        outline.into_iter().map(|points| (Weight::Full, Line::Polygon(points))),
+                        outline
+                            .into_iter()
+                            .map(|points| (LineWeight::Full, DrawnLine::Polygon(points))),
                     );
                     drawing.hide_behind(mesh, view);
                 }
@@ -107,7 +109,9 @@ impl Drawing {
                 }
                 let place = |i: u32| view.transform_point3(mesh.vertices()[i as usize]);
                 let edges = edges(mesh).into_iter().map(|[a, b]| vec![place(a), place(b)]);
-                drawing.lines.extend(edges.map(|edge| (Weight::Half, Line::Polygon(edge))));
+                drawing
+                    .lines
+                    .extend(edges.map(|edge| (LineWeight::Half, DrawnLine::Polygon(edge))));
                 drawing.hide_behind(Arc::clone(mesh), view);
             }
             Subject::Table(_) | Subject::Data(_) => {}
@@ -121,11 +125,16 @@ impl Drawing {
         self.mesh.iter().flat_map(|mesh| mesh.corners()).map(image)
     }
 
-    fn curve(&mut self, weight: Weight, curve: &Curve, view: &DAffine3) -> Result<(), GeomError> {
+    fn curve(
+        &mut self,
+        weight: LineWeight,
+        curve: &Curve,
+        view: &DAffine3,
+    ) -> Result<(), GeomError> {
         let curve = curve.spline()?.transformed(view);
         let bounds = curve.bounds();
         self.bounds = Some(self.bounds.map_or(bounds, |whole| whole.union(bounds)));
-        self.lines.push((weight, Line::Curve(curve)));
+        self.lines.push((weight, DrawnLine::Curve(curve)));
         Ok(())
     }
 
@@ -139,7 +148,7 @@ impl Drawing {
         let same = DRAWING_DIGIT * size;
         let weight = |i: usize, is_closed: bool| {
             let is_edge = !is_closed && (i == 0 || i == N_LINES + 1);
-            if is_edge { Weight::Full } else { Weight::Half }
+            if is_edge { LineWeight::Full } else { LineWeight::Half }
         };
         let (closed_u, closed_v) = (surface.is_closed_u(same)?, surface.is_closed_v(same)?);
         let mut lines = Vec::new();
@@ -174,7 +183,8 @@ impl Drawing {
         let sets = surface.zebra(job.options.view.toward(), n_stripes, tolerance);
         let blame = |source: GeomError| ExportError::Geometry { name: item.name.clone(), source };
         let curves = sets.map_err(blame)?.into_iter().flat_map(|set| set.curves);
-        let lines = curves.map(|curve| (Weight::Full, Line::Curve(curve.transformed(view))));
+        let lines =
+            curves.map(|curve| (LineWeight::Full, DrawnLine::Curve(curve.transformed(view))));
         self.lines.extend(lines);
         Ok(())
     }

@@ -125,11 +125,11 @@ pub(crate) fn maximum(
     let mut left = MAX_HALVINGS + pieces.len();
     let mut todo = BinaryHeap::with_capacity(pieces.len());
     let mut n_pieces = 0;
-    let mut add = |todo: &mut BinaryHeap<Bounded>, points: Vec<DVec4>, most: f64| {
+    let mut add = |todo: &mut BinaryHeap<BoundedPiece>, points: Vec<DVec4>, most: f64| {
         let ends = [points[0], points[points.len() - 1]];
         reached = ends.into_iter().map(&value).fold(reached, f64::max);
         n_pieces += 1;
-        todo.push(Bounded { most: bound(&points).min(most), number: n_pieces, points });
+        todo.push(BoundedPiece { most: bound(&points).min(most), number: n_pieces, points });
         reached
     };
     let mut highest = rounding;
@@ -152,31 +152,31 @@ pub(crate) fn maximum(
 
 /// A piece in the search for a maximum: the one with the largest bound comes first, of equal ones
 /// that which was made first.
-struct Bounded {
+struct BoundedPiece {
     most: f64,
     number: usize,
     points: Vec<DVec4>,
 }
 
-impl Ord for Bounded {
+impl Ord for BoundedPiece {
     fn cmp(&self, other: &Self) -> Ordering {
         self.most.total_cmp(&other.most).then(other.number.cmp(&self.number))
     }
 }
 
-impl PartialOrd for Bounded {
+impl PartialOrd for BoundedPiece {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl PartialEq for Bounded {
+impl PartialEq for BoundedPiece {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other).is_eq()
     }
 }
 
-impl Eq for Bounded {}
+impl Eq for BoundedPiece {}
 
 #[cfg(test)]
 mod tests {

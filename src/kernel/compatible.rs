@@ -1,22 +1,24 @@
 //! Several splines on one degree and one knot vector: what curves and surfaces share of it.
 
-use super::{GeomError, Interval, KnotVector, refine::Lines, tolerance::KNOT_CLUSTER_RELATIVE};
+use super::{
+    GeomError, Interval, KnotVector, refine::ControlLines, tolerance::KNOT_CLUSTER_RELATIVE,
+};
 
 /// A knot inside a domain, with the number of the spline that it belongs to.
 #[derive(Clone, Copy)]
-struct Owned {
+struct OwnedKnot {
     knot: f64,
     times: usize,
     owner: usize,
 }
 
 /// Knots of different splines that count as one.
-struct Cluster {
+struct KnotCluster {
     /// The smallest, which stands for all.
     knot: f64,
     /// The highest multiplicity.
     times: usize,
-    members: Vec<Owned>,
+    members: Vec<OwnedKnot>,
 }
 
 /// The same splines on the highest degree among them, the domain of the first, and one knot vector
@@ -28,7 +30,7 @@ struct Cluster {
 ///
 /// # Errors
 /// [`GeomError::KnotMultiplicity`] where knots fall together for lack of digits on that domain.
-pub(crate) fn on_common_knots(splines: Vec<Lines>) -> Result<Vec<Lines>, GeomError> {
+pub(crate) fn on_common_knots(splines: Vec<ControlLines>) -> Result<Vec<ControlLines>, GeomError> {
     let Some(first) = splines.first() else { return Ok(splines) };
     if splines.iter().all(|spline| spline.knots == first.knots) {
         return Ok(splines);
@@ -37,19 +39,20 @@ pub(crate) fn on_common_knots(splines: Vec<Lines>) -> Result<Vec<Lines>, GeomErr
     // Bring all to one degree and one domain.
     let degree = splines.iter().map(|spline| spline.knots.degree()).max().unwrap_or(0);
     let domain = first.knots.domain();
-    let raised = |spline: &Lines| {
-        let Lines { knots, lines } = spline.clamped().elevated(degree)?;
+    let raised = |spline: &ControlLines| {
+        let ControlLines { knots, lines } = spline.clamped().elevated(degree)?;
         let knots = KnotVector::new(degree, knots.on(domain).as_slice().to_vec())?;
-        Ok(Lines { knots, lines })
+        Ok(ControlLines { knots, lines })
     };
-    let splines: Vec<Lines> = splines.iter().map(raised).collect::<Result<_, GeomError>>()?;
+    let splines: Vec<ControlLines> =
+        splines.iter().map(raised).collect::<Result<_, GeomError>>()?;
 
     // Insert into each what only others have.
     let clusters = clusters(&splines, domain);
-    let refined = |(owner, spline): (usize, Lines)| {
+    let refined = |(owner, spline): (usize, ControlLines)| {
         let knots = on_clusters(&spline.knots, &clusters, owner);
         let missing = missing_knots(&clusters, &knots);
-        Lines { knots, ..spline }.with_knots(&missing)
+        ControlLines { knots, ..spline }.with_knots(&missing)
     };
     splines.into_iter().enumerate().map(refined).collect()
 }
@@ -59,16 +62,16 @@ pub(crate) fn on_common_knots(splines: Vec<Lines>) -> Result<Vec<Lines>, GeomErr
 /// A cluster reaches as far from its first knot as knots may be moved, so that it does not grow
 /// from neighbour to neighbour; and it holds one knot of a spline at most, so that none that
 /// somebody placed beside another one is lost.
-fn clusters(splines: &[Lines], domain: Interval) -> Vec<Cluster> {
-    let inner = |(owner, spline): (usize, &Lines)| {
+fn clusters(splines: &[ControlLines], domain: Interval) -> Vec<KnotCluster> {
+    let inner = |(owner, spline): (usize, &ControlLines)| {
         let distinct = spline.knots.distinct().into_iter();
-        let owned = distinct.map(move |(knot, times)| Owned { knot, times, owner });
+        let owned = distinct.map(move |(knot, times)| OwnedKnot { knot, times, owner });
         owned.filter(move |owned| domain.start() < owned.knot && owned.knot < domain.end())
     };
-    let mut all: Vec<Owned> = splines.iter().enumerate().flat_map(inner).collect();
+    let mut all: Vec<OwnedKnot> = splines.iter().enumerate().flat_map(inner).collect();
     all.sort_by(|a, b| a.knot.total_cmp(&b.knot));
     let same = KNOT_CLUSTER_RELATIVE * domain.length();
-    let mut clusters: Vec<Cluster> = Vec::new();
+    let mut clusters: Vec<KnotCluster> = Vec::new();
     for owned in all {
         match clusters.last_mut() {
             Some(last)
@@ -78,7 +81,7 @@ fn clusters(splines: &[Lines], domain: Interval) -> Vec<Cluster> {
                 last.times = last.times.max(owned.times);
                 last.members.push(owned);
             }
-            _ => clusters.push(Cluster {
+            _ => clusters.push(KnotCluster {
                 knot: owned.knot,
                 times: owned.times,
                 members: vec![owned],
@@ -89,7 +92,7 @@ fn clusters(splines: &[Lines], domain: Interval) -> Vec<Cluster> {
 }
 
 /// The knots of a spline, each moved to the one that stands for its cluster.
-fn on_clusters(knots: &KnotVector, clusters: &[Cluster], owner: usize) -> KnotVector {
+fn on_clusters(knots: &KnotVector, clusters: &[KnotCluster], owner: usize) -> KnotVector {
     let mut moved: Vec<(f64, f64)> = Vec::new();
     for cluster in clusters {
         let own = cluster.members.iter().filter(|member| member.owner == owner);
@@ -101,8 +104,8 @@ fn on_clusters(knots: &KnotVector, clusters: &[Cluster], owner: usize) -> KnotVe
     })
 }
 
-fn missing_knots(clusters: &[Cluster], knots: &KnotVector) -> Vec<f64> {
-    let missing = |cluster: &Cluster| {
+fn missing_knots(clusters: &[KnotCluster], knots: &KnotVector) -> Vec<f64> {
+    let missing = |cluster: &KnotCluster| {
         vec![cluster.knot; cluster.times.saturating_sub(knots.times(cluster.knot))]
     };
     clusters.iter().flat_map(missing).collect()

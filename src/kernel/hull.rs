@@ -16,7 +16,7 @@ const MAX_PIECES: usize = 20_000;
 
 /// A tensor-product spline; a curve is one with a single row.
 #[derive(Clone, Copy)]
-pub(crate) struct Spline<'a> {
+pub(crate) struct TensorSpline<'a> {
     /// Knots along the rows' index and along the columns'.
     pub(crate) knots: [&'a KnotVector; 2],
     /// Homogeneous control points, with a positive denominator on the whole domain.
@@ -25,52 +25,52 @@ pub(crate) struct Spline<'a> {
 
 /// A direction along an axis.
 #[derive(Clone, Copy)]
-struct Direction {
+struct AxisDirection {
     axis: usize,
     sign: f64,
 }
 
 /// A part of the spline with how far its control points reach.
-struct Part {
+struct SplinePart {
     promise: f64,
-    shape: Shape,
+    shape: HullShape,
 }
 
-enum Shape {
+enum HullShape {
     /// A pair of spans, not cut out yet.
     Spans(usize, usize),
     /// The net of a Bézier patch.
     Net(Grid<DVec4>),
 }
 
-impl Spline<'_> {
+impl TensorSpline<'_> {
     /// The smallest box around all points of the spline.
     pub(crate) fn bounds(self) -> Bounds {
         let reach = |sign: f64| {
             // The sum turns a negative zero into a positive one.
-            let along = |axis: usize| sign * self.reach(Direction { axis, sign }) + 0.0;
+            let along = |axis: usize| sign * self.reach(AxisDirection { axis, sign }) + 0.0;
             DVec3::new(along(0), along(1), along(2))
         };
         Bounds { min: reach(-1.0), max: reach(1.0) }
     }
 
-    fn reach(self, direction: Direction) -> f64 {
+    fn reach(self, direction: AxisDirection) -> f64 {
         let mut reached = f64::NEG_INFINITY;
-        let mut parts: BinaryHeap<Part> = self.spans(direction).into();
+        let mut parts: BinaryHeap<SplinePart> = self.spans(direction).into();
         for _ in 0..MAX_PIECES {
             let Some(part) = parts.pop() else { return reached };
             if part.promise <= reached + BOUNDS_RELATIVE * reached.abs() {
                 return reached;
             }
             let nets = match part.shape {
-                Shape::Spans(u, v) => vec![bezier::patch(self.knots, self.points, u, v)],
-                Shape::Net(net) => bezier::halves(&net, direction.is_along_u(&net)).into(),
+                HullShape::Spans(u, v) => vec![bezier::patch(self.knots, self.points, u, v)],
+                HullShape::Net(net) => bezier::halves(&net, direction.is_along_u(&net)).into(),
             };
             for net in nets {
                 reached = reached.max(direction.corner_reach(&net));
                 let promise = direction.promise(net.iter());
                 if reached < promise {
-                    parts.push(Part { promise, shape: Shape::Net(net) });
+                    parts.push(SplinePart { promise, shape: HullShape::Net(net) });
                 }
             }
         }
@@ -79,21 +79,21 @@ impl Spline<'_> {
             .map_or(reached, |part| if part.promise.is_finite() { part.promise } else { reached })
     }
 
-    fn spans(self, direction: Direction) -> Vec<Part> {
+    fn spans(self, direction: AxisDirection) -> Vec<SplinePart> {
         let [knots_u, knots_v] = self.knots;
         let mut parts = Vec::new();
         for u in knots_u.spans() {
             for v in knots_v.spans() {
                 let rows = knots_u.support(u).map(|i| &self.points.row(i)[knots_v.support(v)]);
                 let promise = direction.promise(rows.flatten());
-                parts.push(Part { promise, shape: Shape::Spans(u, v) });
+                parts.push(SplinePart { promise, shape: HullShape::Spans(u, v) });
             }
         }
         parts
     }
 }
 
-impl Direction {
+impl AxisDirection {
     /// How far the control points reach; a weight that is not positive promises nothing.
     fn promise<'a>(self, points: impl Iterator<Item = &'a DVec4>) -> f64 {
         let reach = |point: &DVec4| {
@@ -124,22 +124,22 @@ impl Direction {
     }
 }
 
-impl Ord for Part {
+impl Ord for SplinePart {
     fn cmp(&self, other: &Self) -> Ordering {
         self.promise.total_cmp(&other.promise)
     }
 }
 
-impl PartialOrd for Part {
+impl PartialOrd for SplinePart {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl PartialEq for Part {
+impl PartialEq for SplinePart {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other).is_eq()
     }
 }
 
-impl Eq for Part {}
+impl Eq for SplinePart {}

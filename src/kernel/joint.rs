@@ -2,7 +2,9 @@
 
 use glam::DVec4;
 
-use super::{GeomError, KnotVector, refine::Lines, removal::removal, tolerance::KNOT_RELATIVE};
+use super::{
+    GeomError, KnotVector, refine::ControlLines, removal::removal, tolerance::KNOT_RELATIVE,
+};
 
 /// Clamped splines of one degree that grow at their end; many lines share the knots.
 pub(crate) struct Joined {
@@ -13,8 +15,8 @@ pub(crate) struct Joined {
 
 impl Joined {
     /// The first splines, which are clamped.
-    pub(crate) fn new(first: Lines) -> Self {
-        let Lines { knots, lines } = first;
+    pub(crate) fn new(first: ControlLines) -> Self {
+        let ControlLines { knots, lines } = first;
         Self { degree: knots.degree(), knots: knots.as_slice().to_vec(), lines }
     }
 
@@ -26,7 +28,7 @@ impl Joined {
     /// Puts clamped splines of the same degree behind, their homogeneous points times a factor.
     /// Where a point differs from the one before they meet halfway. Of the joint's knots those go
     /// without which no line moves further than the accuracy.
-    pub(crate) fn append(&mut self, next: &Lines, scale: f64, accuracy: f64) {
+    pub(crate) fn append(&mut self, next: &ControlLines, scale: f64, accuracy: f64) {
         let degree = self.degree;
         let joint = self.knots[self.knots.len() - 1];
         let shift = joint - next.knots.domain().start();
@@ -56,8 +58,8 @@ impl Joined {
 
     /// # Errors
     /// Those of [`KnotVector::new`].
-    pub(crate) fn finish(self) -> Result<Lines, GeomError> {
-        Ok(Lines { knots: KnotVector::new(self.degree, self.knots)?, lines: self.lines })
+    pub(crate) fn finish(self) -> Result<ControlLines, GeomError> {
+        Ok(ControlLines { knots: KnotVector::new(self.degree, self.knots)?, lines: self.lines })
     }
 }
 

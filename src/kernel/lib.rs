@@ -8,8 +8,9 @@ mod bezier;
 mod bounds;
 pub mod ceiling;
 mod compatible;
+mod construction_report;
 mod curve;
-mod datum;
+mod deviation_reference;
 mod digits;
 mod ended;
 mod error;
@@ -30,7 +31,6 @@ mod lazy;
 mod mesh;
 mod nearest;
 mod positive;
-mod receipt;
 mod refine;
 mod removal;
 mod roots;
@@ -44,20 +44,21 @@ mod valley;
 pub mod work;
 
 pub use bounds::Bounds;
+pub use construction_report::{ConstructionReport, ReportEntry};
 pub use curve::{
-    AnalyticCurve, CircleForm, ConicKind, Continuity, Curve, CurveEvaluator, CurveFunction, Foot,
-    LocalGeometry, Meeting, Neighbourhood, NurbsCurve, Offset, ParametricCurve, PlaceKind, join,
-    make_compatible,
+    AnalyticCurve, CircleForm, ClosestPoint, ConicKind, Continuity, Curve, CurveEvaluator,
+    CurveFunction, CurveIntersection, CurvePointKind, EvaluationPlace, LocalGeometry, NurbsCurve,
+    Offset, ParametricCurve, join, make_compatible,
 };
-pub use datum::{Datum, Deviation};
+pub use deviation_reference::{Deviation, DeviationReference};
 pub use error::GeomError;
 pub use failure::FunctionFailure;
 pub use fit::{
-    Approximator, Ends, FirstPass, Interpolator, LineFit, Spacing, approximate, approximate_within,
-    check_parameters, lagrange,
+    Approximator, Ends, FirstPass, Interpolator, LineFit, Parametrization, approximate,
+    approximate_within, check_parameters, lagrange,
 };
 pub use frame::Frame;
-pub use gordon::{Changes, Gordon, Network, NetworkError, gordon};
+pub use gordon::{CurveAdjustment, Gordon, Network, NetworkError, gordon};
 pub use grid::Grid;
 pub use interval::Interval;
 pub use jet::Jet;
@@ -65,25 +66,25 @@ pub use joint_tolerance::JointTolerance;
 pub use jump::JumpError;
 pub use knots::{KnotClass, KnotVector, Side};
 pub use mesh::{
-    Group, Mesh, MeshCheck, MeshError, MeshLimits, Nearest, Topology, distance_to_polyline,
-    facing_inward, grid_mesh, grid_mesh_any, planar_mesh, tessellate, tessellate_all,
-    tessellate_any, tessellate_curve, tessellate_curve_any, tessellate_finely,
+    Group, Mesh, MeshCheck, MeshDistance, MeshError, TessellationOptions, Topology,
+    distance_to_polyline, facing_inward, grid_mesh, grid_mesh_any, planar_mesh, tessellate,
+    tessellate_all, tessellate_any, tessellate_curve, tessellate_curve_any, tessellate_finely,
 };
-pub use receipt::{Fact, Receipt};
 pub use skin::{
-    Alignment, Along, Rule, Sections, Skin, aligned, at_constant_speed, corners_of_ring,
-    with_seam_at_corner,
+    AlignedSection, Along, CompatibleSections, SectionParameters, Skin, aligned, at_constant_speed,
+    corners_of_ring, with_seam_at_corner,
 };
 pub use surface::{
-    AnalyticForm, AnalyticSurface, Axis, AxisContact, Blend, CrossFields, Defects, Direction, Edge,
-    GridSamples, LevelSet, Mass, NurbsSurface, ParametricPlaces, ParametricSurface, PictureError,
-    Piercing, Principal, ShellError, Surface, SurfaceContinuity, SurfaceEvaluator, SurfaceFoot,
-    SurfaceFunction, SurfaceKind, SurfaceOffset, SurfaceShape, Turn, Twists, area_mass,
-    facing_unlike, join_patches, make_surfaces_compatible, principal_axes, volume_mass,
+    AnalyticForm, AnalyticSurface, Axis, AxisContact, Blend, CrossFields, CurveSurfaceIntersection,
+    Direction, Edge, FocalPoint, GridSamples, LevelSet, MassProperties, NurbsSurface,
+    ParametricPlaces, ParametricSurface, PictureError, Principal, ShellError, Surface,
+    SurfaceClosestPoint, SurfaceContinuity, SurfaceDefects, SurfaceEvaluator, SurfaceFunction,
+    SurfaceOffset, SurfacePointKind, SurfaceShape, Twists, area_mass, facing_unlike, join_patches,
+    make_surfaces_compatible, principal_axes, volume_mass,
 };
 pub use sweep::{
-    Axes, Columns, Fineness, Frames, Framing, Held, Leg, Motion, Sweep, legs, mitred, overreaches,
-    swept, translated,
+    Axes, Columns, FrameRule, Frames, Motion, PathLeg, PlacedAxes, Sweep, SweepResolution, legs,
+    mitred, overreaches, swept, translated,
 };
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;

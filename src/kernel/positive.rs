@@ -12,7 +12,7 @@ use super::{GeomError, Grid, Interval, KnotVector, bezier};
 const MAX_PIECES: usize = 4096;
 
 /// A Bézier net over a rectangle of parameters.
-struct Piece {
+struct BezierNet {
     net: Grid<DVec4>,
     u: Interval,
     v: Interval,
@@ -26,7 +26,7 @@ pub(crate) fn check_curve(knots: &KnotVector, points: &[DVec4]) -> Result<(), Ge
     }
     for span in knots.spans() {
         let net = bezier::piece(knots, points, span);
-        let piece = Piece {
+        let piece = BezierNet {
             net: Grid::new(1, net.len(), net)?,
             u: Interval::UNIT,
             v: knots.span_interval(span),
@@ -47,7 +47,7 @@ pub(crate) fn check_surface(
     }
     for span_u in knots[0].spans() {
         for span_v in knots[1].spans() {
-            let piece = Piece {
+            let piece = BezierNet {
                 net: bezier::patch(knots, points, span_u, span_v),
                 u: knots[0].span_interval(span_u),
                 v: knots[1].span_interval(span_v),
@@ -60,7 +60,7 @@ pub(crate) fn check_surface(
 
 /// # Errors
 /// The parameters of a place where the denominator is not positive.
-fn check_piece(piece: Piece) -> Result<(), [f64; 2]> {
+fn check_piece(piece: BezierNet) -> Result<(), [f64; 2]> {
     let mut todo = vec![piece];
     for _ in 0..MAX_PIECES {
         let Some(piece) = todo.pop() else { return Ok(()) };
@@ -80,7 +80,7 @@ fn check_piece(piece: Piece) -> Result<(), [f64; 2]> {
 }
 
 /// The piece halved in both directions, or along v where it is constant along u.
-fn quarters(piece: &Piece) -> Vec<Piece> {
+fn quarters(piece: &BezierNet) -> Vec<BezierNet> {
     let rows: Vec<(Grid<DVec4>, Interval)> = if piece.net.n_rows() == 1 {
         vec![(piece.net.clone(), piece.u)]
     } else {
@@ -88,7 +88,7 @@ fn quarters(piece: &Piece) -> Vec<Piece> {
     };
     let both = |(net, u): (Grid<DVec4>, Interval)| {
         let nets = bezier::halves(&net, false).into_iter();
-        nets.zip(piece.v.halves()).map(move |(net, v)| Piece { net, u, v })
+        nets.zip(piece.v.halves()).map(move |(net, v)| BezierNet { net, u, v })
     };
     rows.into_iter().flat_map(both).collect()
 }

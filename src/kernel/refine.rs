@@ -9,12 +9,12 @@ use super::{GeomError, KnotVector, bezier, tolerance::KNOT_RELATIVE};
 
 /// Lines of control points over one knot vector.
 #[derive(Clone, Debug)]
-pub(crate) struct Lines {
+pub(crate) struct ControlLines {
     pub(crate) knots: KnotVector,
     pub(crate) lines: Vec<Vec<DVec4>>,
 }
 
-impl Lines {
+impl ControlLines {
     /// The same splines with more knots; each of the new ones counts once. Knots within
     /// [`KNOT_RELATIVE`] of the domain of one another are one knot.
     ///

@@ -11,7 +11,7 @@ use crate::work::{self, Done};
 const WORTH_A_THREAD: usize = 50_000;
 
 /// Some rows of a table.
-pub(super) struct Rows<'a, T> {
+pub(super) struct RowBlock<'a, T> {
     /// The number of the first.
     pub(super) first: usize,
     /// Their values, row after row.
@@ -19,12 +19,16 @@ pub(super) struct Rows<'a, T> {
 }
 
 /// A table with rows of `n_columns` values, in parts for up to `n_threads` threads.
-pub(super) fn parts<T>(values: &mut [T], n_columns: usize, n_threads: usize) -> Vec<Rows<'_, T>> {
+pub(super) fn parts<T>(
+    values: &mut [T],
+    n_columns: usize,
+    n_threads: usize,
+) -> Vec<RowBlock<'_, T>> {
     let n_parts = n_threads.clamp(1, (values.len() / WORTH_A_THREAD).max(1));
     let n_columns = n_columns.max(1);
     let n_rows = (values.len() / n_columns).div_ceil(n_parts).max(1);
     let chunks = values.chunks_mut(n_rows * n_columns).enumerate();
-    chunks.map(|(i, values)| Rows { first: i * n_rows, values }).collect()
+    chunks.map(|(i, values)| RowBlock { first: i * n_rows, values }).collect()
 }
 
 /// Does `serve_one` on all parts, each on a thread of its own as far as there are threads to be had.

@@ -49,14 +49,14 @@ pub struct Done {
 
 /// What a thread is at.
 #[derive(Clone, Copy, Debug, Default)]
-struct State {
+struct ThreadState {
     watch: Option<Watch>,
     done: Done,
     next_look: u64,
 }
 
 thread_local! {
-    static STATE: Cell<State> = const { Cell::new(State {
+    static STATE: Cell<ThreadState> = const { Cell::new(ThreadState {
         watch: None,
         done: Done { steps: 0, end: None },
         next_look: 0,
@@ -65,9 +65,9 @@ thread_local! {
 }
 
 /// Puts back what the thread was at, also where a panic passes.
-struct Outer(State);
+struct RestoredState(ThreadState);
 
-impl Drop for Outer {
+impl Drop for RestoredState {
     fn drop(&mut self) {
         STATE.set(self.0);
     }
@@ -75,7 +75,8 @@ impl Drop for Outer {
 
 /// Does work under a watch.
 pub fn under<R>(watch: Watch, work: impl FnOnce() -> R) -> (R, Done) {
-    let outer = Outer(STATE.replace(State { watch: Some(watch), ..State::default() }));
+    let outer =
+        RestoredState(STATE.replace(ThreadState { watch: Some(watch), ..ThreadState::default() }));
     let result = work();
     let done = STATE.get().done;
     drop(outer);

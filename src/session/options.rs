@@ -3,7 +3,7 @@
 use crate::{
     diag::{Code, Diagnostic, Spanned, nearest},
     export::{Format, Options, View},
-    value::{Dim, Value},
+    value::{Dimension, Value},
 };
 
 /// Digits after the point that an f64 can have any use for.
@@ -50,12 +50,14 @@ fn read(
     };
     match (label.value.as_str(), &value.value) {
         ("tolerance", Value::Number(number))
-            if 0.0 < number.value && (number.dim.is_none() || number.dim == Dim::LENGTH) =>
+            if 0.0 < number.value && (number.dim.is_none() || number.dim == Dimension::LENGTH) =>
         {
             options.tolerance = Some(number.value);
         }
         ("tolerance", _) => return Err(wrong("a positive length")),
-        ("angle", Value::Number(number)) if 0.0 < number.value && number.dim == Dim::ANGLE => {
+        ("angle", Value::Number(number))
+            if 0.0 < number.value && number.dim == Dimension::ANGLE =>
+        {
             options.angle = Some(number.value);
         }
         ("angle", _) => return Err(wrong("a positive angle, such as `15deg`")),

@@ -28,14 +28,14 @@ pub(super) fn safe_path(path: &str) -> Result<String, String> {
 
 /// The paths that a script writes, so that each is compared with those alone that it may clash with.
 #[derive(Default)]
-pub(super) struct Written {
+pub(super) struct WrittenPaths {
     /// Files by their path in small letters.
     files: HashMap<String, (String, Span)>,
     /// The first file in each folder, by the folder's path in small letters.
     folders: HashMap<String, (String, Span)>,
 }
 
-impl Written {
+impl WrittenPaths {
     /// Adds a path, unless it cannot stand beside one before: then why, the remedy, and the place of that.
     pub(super) fn add(&mut self, path: &str, span: Span) -> Option<((String, &'static str), Span)> {
         let key = path.to_lowercase();

@@ -3,7 +3,7 @@
 use super::{
     Report, Session,
     extra::{self, Extra},
-    plan::Gathering,
+    plan::GatheredItems,
 };
 use crate::{
     diag::{Spanned, nearest},
@@ -15,7 +15,7 @@ use crate::{
 
 /// What a picture is to show, and how.
 #[derive(Clone, Debug)]
-pub struct Scene<'a> {
+pub struct PictureContent<'a> {
     /// The definitions that are drawn; with no name all that are geometry and not hidden.
     pub only: &'a [String],
     /// What is shown beside it.
@@ -52,17 +52,17 @@ impl Session {
     pub fn picture(
         &self,
         report: &Report,
-        scene: &Scene<'_>,
+        scene: &PictureContent<'_>,
         format: &'static Format,
     ) -> Result<Job, String> {
         let chosen = chosen(&report.definitions, scene.only)?;
-        let mut gathering = Gathering::new(format);
+        let mut gathering = GatheredItems::new(format);
         let mut legends = Vec::new();
         for (idx, (defined, value)) in chosen.into_iter().enumerate() {
             let mut look = defined.look.clone();
             look.color = look.color.or(Some(PALETTE[idx % PALETTE.len()]));
             let value = Spanned::new(value.clone(), defined.span);
-            let subject = eval::Subject { name: defined.name.clone(), value, look };
+            let subject = eval::ExportSubject { name: defined.name.clone(), value, look };
             if let Err(misfit) = gathering.add_all_of(&subject) {
                 return Err(undrawable(&defined.name, &misfit.found));
             }

@@ -49,9 +49,9 @@ impl Session {
             diagnostics.push(unknown_format(&exported.path.value, span));
             return None;
         };
-        let mut gathering = Gathering::new(format);
+        let mut gathering = GatheredItems::new(format);
         for subject in &exported.subjects {
-            if let Err(Misfit { found, hint }) = gathering.add_all_of(subject) {
+            if let Err(FormatMismatch { found, hint }) = gathering.add_all_of(subject) {
                 let message = format!("`.{}` takes {}, found {found}", format.ending, format.wants);
                 diagnostics.push(
                     Diagnostic::error(Code::CannotExport, subject.value.span, message).hint(hint),
@@ -109,12 +109,12 @@ fn unknown_format(path: &str, span: Span) -> Diagnostic {
 }
 
 /// What a format has no place for, and where it could go instead.
-pub(super) struct Misfit {
+pub(super) struct FormatMismatch {
     pub(super) found: String,
     pub(super) hint: String,
 }
 
-impl Misfit {
+impl FormatMismatch {
     fn of(value: &Value) -> Self {
         let hint = match value {
             Value::Function(_) => "export what the function yields".to_owned(),
@@ -162,22 +162,25 @@ fn subject(value: &Value) -> Option<Subject> {
 }
 
 /// Values on their way into a file.
-pub(super) struct Gathering {
+pub(super) struct GatheredItems {
     format: &'static Format,
     pub(super) items: Vec<Item>,
     /// Names that are taken, each with the number to try next for another thing of that name.
     names: HashMap<String, usize>,
 }
 
-impl Gathering {
+impl GatheredItems {
     pub(super) fn new(format: &'static Format) -> Self {
         Self { format, items: Vec::new(), names: HashMap::new() }
     }
 
     /// Makes items of a value, lists and records of geometry element by element; else tells what
     /// was found.
-    pub(super) fn add_all_of(&mut self, subject: &eval::Subject) -> Result<(), Misfit> {
-        let eval::Subject { name, value, .. } = subject;
+    pub(super) fn add_all_of(
+        &mut self,
+        subject: &eval::ExportSubject,
+    ) -> Result<(), FormatMismatch> {
+        let eval::ExportSubject { name, value, .. } = subject;
         if self.format.takes_data {
             let data = data(&value.value)?;
             self.push(name, subject, data);
@@ -186,7 +189,12 @@ impl Gathering {
         self.add(name, &value.value, subject)
     }
 
-    fn add(&mut self, name: &str, value: &Value, whole: &eval::Subject) -> Result<(), Misfit> {
+    fn add(
+        &mut self,
+        name: &str,
+        value: &Value,
+        whole: &eval::ExportSubject,
+    ) -> Result<(), FormatMismatch> {
         match value {
             Value::List(elements) => elements
                 .iter()
@@ -199,13 +207,13 @@ impl Gathering {
                 )
             }
             _ => {
-                let subject = subject(value).ok_or_else(|| Misfit::of(value))?;
+                let subject = subject(value).ok_or_else(|| FormatMismatch::of(value))?;
                 if !(self.format.takes)(&subject) {
-                    return Err(Misfit::of(value));
+                    return Err(FormatMismatch::of(value));
                 }
                 if matches!(subject, Subject::Table(_)) && !self.items.is_empty() {
                     let found = "a second table".to_owned();
-                    return Err(Misfit { found, ..Misfit::of(value) });
+                    return Err(FormatMismatch { found, ..FormatMismatch::of(value) });
                 }
                 self.push(name, whole, subject);
                 Ok(())
@@ -213,7 +221,7 @@ impl Gathering {
         }
     }
 
-    fn push(&mut self, name: &str, whole: &eval::Subject, subject: Subject) {
+    fn push(&mut self, name: &str, whole: &eval::ExportSubject, subject: Subject) {
         // Data are kept as they are; other files have lines and XML, which names must not break.
         let kept = |text: &str| {
             if self.format.takes_data { text.to_owned() } else { printable(text) }
@@ -258,13 +266,16 @@ fn has_place(value: &Value) -> bool {
 }
 
 /// A value as exact data, which holds everything but functions.
-fn data(value: &Value) -> Result<Subject, Misfit> {
+fn data(value: &Value) -> Result<Subject, FormatMismatch> {
     if let Some(function) = function_in(value) {
         let found = format!("the function `{}`", function.signature());
-        return Err(Misfit { found, ..Misfit::of(&Value::Function(function.clone())) });
+        return Err(FormatMismatch {
+            found,
+            ..FormatMismatch::of(&Value::Function(function.clone()))
+        });
     }
     if has_parametric(value) {
-        return Err(Misfit {
+        return Err(FormatMismatch {
             found: "a parametric curve or surface, which is a function".to_owned(),
             hint: "`to_nurbs(g, tolerance)` makes a NURBS of it".to_owned(),
         });

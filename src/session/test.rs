@@ -11,13 +11,13 @@ use crate::{
 
 /// A test that was run.
 #[derive(Debug)]
-pub struct Tested {
+pub struct TestReport {
     /// Its name.
     pub name: String,
     /// Where its name stands.
     pub span: Span,
     /// How it came out.
-    pub verdict: Verdict,
+    pub verdict: TestVerdict,
     /// What it says and claims. Files of a test are planned, so that mistakes in them show, but
     /// nobody writes them.
     pub events: Vec<Event>,
@@ -25,7 +25,7 @@ pub struct Tested {
 
 /// How a test came out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum TestVerdict {
     /// All of it holds.
     Passed,
     /// A claim does not hold, or an expected error did not come.
@@ -36,7 +36,7 @@ pub enum Verdict {
     Skipped,
 }
 
-impl Verdict {
+impl TestVerdict {
     /// Its word in reports.
     #[must_use]
     pub fn word(self) -> &'static str {
@@ -54,7 +54,7 @@ impl Session {
     /// contain it, and no effects of the script itself.
     ///
     /// ```
-    /// use virote::{session::{Session, Verdict}, value::Files};
+    /// use virote::{session::{Session, TestVerdict}, value::Files};
     ///
     /// #[derive(Debug)]
     /// struct NoFiles;
@@ -69,7 +69,7 @@ impl Session {
     ///     test \"quotients\" { expect error \"E0501\" a / 0 }";
     /// let report = Session::default().test("demo", script, &NoFiles, &[], Some("quot"));
     /// assert!(report.diagnostics.is_empty());
-    /// assert!(matches!(&report.tests[..], [test] if test.verdict == Verdict::Passed));
+    /// assert!(matches!(&report.tests[..], [test] if test.verdict == TestVerdict::Passed));
     /// ```
     #[must_use]
     pub fn test(
@@ -87,24 +87,30 @@ impl Session {
     /// A test with its files planned; what went wrong in it goes to `diagnostics`.
     pub(super) fn tested(
         &self,
-        tested: eval::Tested,
+        tested: eval::TestOutcome,
         document: (Unit, Tolerance),
         diagnostics: &mut Vec<Diagnostic>,
-    ) -> Tested {
-        let eval::Tested { name, span, outputs, diagnostics: mut found, is_poisoned, is_whole } =
-            tested;
+    ) -> TestReport {
+        let eval::TestOutcome {
+            name,
+            span,
+            outputs,
+            diagnostics: mut found,
+            is_poisoned,
+            is_whole,
+        } = tested;
         let events = self.events(outputs, document, &mut found);
         let has = |severity: Severity| found.iter().any(|found| found.severity == severity);
         let verdict = if is_poisoned || has(Severity::Error) {
-            Verdict::Wrong
+            TestVerdict::Wrong
         } else if has(Severity::Failure) {
-            Verdict::Failed
+            TestVerdict::Failed
         } else if is_whole {
-            Verdict::Passed
+            TestVerdict::Passed
         } else {
-            Verdict::Skipped
+            TestVerdict::Skipped
         };
         diagnostics.append(&mut found);
-        Tested { name, span, verdict, events }
+        TestReport { name, span, verdict, events }
     }
 }

@@ -9,7 +9,8 @@ mod print;
 mod token;
 
 pub use outline::{
-    Entry, Paint, Part, Place, Role, entry, free_placeholders, is_complete, parts, pieces, place,
+    CompletionPlace, Highlight, OutlinedStatement, PromptEntry, StatementRole, entry,
+    free_placeholders, is_complete, parts, pieces, place,
 };
 pub use parser::parse;
 pub use print::{format, print};

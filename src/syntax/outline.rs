@@ -17,7 +17,7 @@ use crate::{
 
 /// How a piece of text is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Paint {
+pub enum Highlight {
     /// A word of the language.
     Keyword,
     /// A name.
@@ -37,40 +37,40 @@ pub enum Paint {
 /// The pieces of a text in order, with their places in bytes; white space is left out.
 ///
 /// ```
-/// use virote::syntax::{Paint, pieces};
+/// use virote::syntax::{Highlight, pieces};
 ///
-/// let found: Vec<Paint> = pieces("let a = 2mm // two").into_iter().map(|(paint, _)| paint).collect();
-/// assert_eq!(found, [Paint::Keyword, Paint::Name, Paint::Mark, Paint::Number, Paint::Comment]);
+/// let found: Vec<Highlight> = pieces("let a = 2mm // two").into_iter().map(|(paint, _)| paint).collect();
+/// assert_eq!(found, [Highlight::Keyword, Highlight::Name, Highlight::Mark, Highlight::Number, Highlight::Comment]);
 /// ```
 #[must_use]
-pub fn pieces(source: &str) -> Vec<(Paint, Range<usize>)> {
+pub fn pieces(source: &str) -> Vec<(Highlight, Range<usize>)> {
     let lexed = lex(source, 0);
-    let mut found: Vec<(Paint, Range<usize>)> = lexed
+    let mut found: Vec<(Highlight, Range<usize>)> = lexed
         .tokens
         .iter()
         .zip(&lexed.spans)
         .filter(|(token, _)| **token != Token::End)
         .map(|(&token, span)| (paint(token), span.range()))
         .collect();
-    found.extend(lexed.comments.iter().map(|comment| (Paint::Comment, comment.span.range())));
+    found.extend(lexed.comments.iter().map(|comment| (Highlight::Comment, comment.span.range())));
     found.sort_by_key(|(_, range)| range.start);
     found
 }
 
-fn paint(token: Token) -> Paint {
+fn paint(token: Token) -> Highlight {
     match token {
-        _ if token.is_keyword() => Paint::Keyword,
-        Token::Name => Paint::Name,
-        Token::Number => Paint::Number,
-        Token::Text | Token::TextHead | Token::TextMiddle | Token::TextTail => Paint::Text,
-        Token::Bad | Token::Foreign | Token::ForeignText | Token::Hash => Paint::Bad,
-        _ => Paint::Mark,
+        _ if token.is_keyword() => Highlight::Keyword,
+        Token::Name => Highlight::Name,
+        Token::Number => Highlight::Number,
+        Token::Text | Token::TextHead | Token::TextMiddle | Token::TextTail => Highlight::Text,
+        Token::Bad | Token::Foreign | Token::ForeignText | Token::Hash => Highlight::Bad,
+        _ => Highlight::Mark,
     }
 }
 
 /// What somebody types at a prompt.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Entry {
+pub enum PromptEntry {
     /// Nothing but white space and comments.
     Empty,
     /// An expression, or several with commas between them.
@@ -81,20 +81,20 @@ pub enum Entry {
 
 /// What kind of entry a text is.
 #[must_use]
-pub fn entry(source: &str) -> Entry {
+pub fn entry(source: &str) -> PromptEntry {
     let lexed = lex(source, 0);
     // `a = 3` lacks its keyword: the parser of statements says so best.
     let lacks_keyword = lexed.token(0) == Token::Name && lexed.token(1) == Token::Equals;
     if lexed.token(0) == Token::End {
         if lexed.comments.iter().any(|comment| comment.is_doc) {
-            Entry::Statements
+            PromptEntry::Statements
         } else {
-            Entry::Empty
+            PromptEntry::Empty
         }
     } else if lexed.begins_statement(0) || lacks_keyword {
-        Entry::Statements
+        PromptEntry::Statements
     } else {
-        Entry::Expression
+        PromptEntry::Expression
     }
 }
 
@@ -106,8 +106,8 @@ pub fn is_complete(source: &str, limits: &Limits) -> bool {
             || found.message.contains(Token::End.text())
     };
     let found = match entry(source) {
-        Entry::Empty => parse(source, limits).1,
-        Entry::Statements => {
+        PromptEntry::Empty => parse(source, limits).1,
+        PromptEntry::Statements => {
             let lexed = lex(source, 0);
             // Documentation waits for its definition.
             let is_doc_last = lexed
@@ -119,14 +119,14 @@ pub fn is_complete(source: &str, limits: &Limits) -> bool {
             }
             parse(source, limits).1
         }
-        Entry::Expression => parse(&format!("print {source}"), limits).1,
+        PromptEntry::Expression => parse(&format!("print {source}"), limits).1,
     };
     !found.iter().any(is_open)
 }
 
 /// What a statement is to a document that grows statement by statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Role {
+pub enum StatementRole {
     /// `geo`, `unit`, `tolerance`: at most one of each.
     Setting(&'static str),
     /// A definition, a parameter, a function, an import.
@@ -143,11 +143,11 @@ pub enum Role {
 
 /// A statement of a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Part {
+pub struct OutlinedStatement {
     /// Its place, with the comments before it.
     pub range: Range<usize>,
     /// What it is.
-    pub role: Role,
+    pub role: StatementRole,
     /// The names that it defines.
     pub names: Vec<String>,
 }
@@ -156,7 +156,7 @@ pub struct Part {
 ///
 /// # Errors
 /// What is wrong with the text.
-pub fn parts(source: &str, limits: &Limits) -> Result<Vec<Part>, Vec<Diagnostic>> {
+pub fn parts(source: &str, limits: &Limits) -> Result<Vec<OutlinedStatement>, Vec<Diagnostic>> {
     let (tree, found) = parse(source, limits);
     if !found.is_empty() {
         return Err(found);
@@ -166,7 +166,7 @@ pub fn parts(source: &str, limits: &Limits) -> Result<Vec<Part>, Vec<Diagnostic>
     for statement in &tree.statements {
         let end = behind(source, statement.span.end as usize);
         let (role, names) = role(statement);
-        parts.push(Part { range: start..end, role, names });
+        parts.push(OutlinedStatement { range: start..end, role, names });
         start = end;
     }
     if let Some(last) = parts.last_mut() {
@@ -182,15 +182,15 @@ fn behind(source: &str, end: usize) -> usize {
     if rest.is_empty() || rest.starts_with("//") { end + line.len() } else { end }
 }
 
-fn role(statement: &Statement<'_>) -> (Role, Vec<String>) {
+fn role(statement: &Statement<'_>) -> (StatementRole, Vec<String>) {
     let one = |name: &str| vec![name.to_owned()];
     let none = Vec::new();
     match &statement.kind {
-        StatementKind::Edition(_) => (Role::Setting("geo"), none),
-        StatementKind::Unit(_) => (Role::Setting("unit"), none),
-        StatementKind::Tolerance(_) => (Role::Setting("tolerance"), none),
-        StatementKind::Param(param) => (Role::Definition, one(param.name.text)),
-        StatementKind::Function(function) => (Role::Definition, one(function.name.text)),
+        StatementKind::Edition(_) => (StatementRole::Setting("geo"), none),
+        StatementKind::Unit(_) => (StatementRole::Setting("unit"), none),
+        StatementKind::Tolerance(_) => (StatementRole::Setting("tolerance"), none),
+        StatementKind::Param(param) => (StatementRole::Definition, one(param.name.text)),
+        StatementKind::Function(function) => (StatementRole::Definition, one(function.name.text)),
         StatementKind::Definition(definition) => {
             let names = match &definition.pattern {
                 Pattern::Anonymous => none,
@@ -199,7 +199,7 @@ fn role(statement: &Statement<'_>) -> (Role, Vec<String>) {
                     names.iter().map(|name| name.text.to_owned()).collect()
                 }
             };
-            (Role::Definition, names)
+            (StatementRole::Definition, names)
         }
         StatementKind::Import(import) => {
             let names = match (&import.alias, &import.names) {
@@ -207,13 +207,13 @@ fn role(statement: &Statement<'_>) -> (Role, Vec<String>) {
                 (None, Some(names)) => names.iter().map(|name| name.text.to_owned()).collect(),
                 (None, None) => none,
             };
-            (Role::Definition, names)
+            (StatementRole::Definition, names)
         }
-        StatementKind::Check { .. } => (Role::Check, none),
-        StatementKind::Print(_) => (Role::Print, none),
-        StatementKind::Export(_) => (Role::Export, none),
+        StatementKind::Check { .. } => (StatementRole::Check, none),
+        StatementKind::Print(_) => (StatementRole::Print, none),
+        StatementKind::Export(_) => (StatementRole::Export, none),
         StatementKind::Test { .. } | StatementKind::ExpectError { .. } | StatementKind::Error => {
-            (Role::Test, none)
+            (StatementRole::Test, none)
         }
     }
 }
@@ -269,7 +269,7 @@ fn opening(lexed: &Lexed<'_>, at: usize) -> Option<usize> {
 
 /// What stands around a place at which somebody types.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Place<'s> {
+pub enum CompletionPlace<'s> {
     /// A name that begins at a byte; inside the brackets of a call also the called name.
     Name {
         /// Where it begins.
@@ -301,11 +301,11 @@ pub enum Place<'s> {
 
 /// What stands around the end of a text.
 #[must_use]
-pub fn place(source: &str) -> Place<'_> {
+pub fn place(source: &str) -> CompletionPlace<'_> {
     let lexed = lex(source, 0);
     let end = source.len();
     if lexed.comments.iter().any(|comment| comment.span.range().end == end) {
-        return Place::Comment;
+        return CompletionPlace::Comment;
     }
     // An open string is one bad token up to the end of its line.
     let last = lexed.tokens.len().saturating_sub(2);
@@ -317,7 +317,7 @@ pub fn place(source: &str) -> Place<'_> {
         let label = (at > 1 && lexed.token(at - 1) == Token::Equals).then(|| lexed.text(at - 2));
         let start = lexed.span(at).range().start + 1;
         let is_import = at > 0 && lexed.token(at - 1) == Token::Import;
-        return Place::Text { start, call: called(&lexed, at), label, is_import };
+        return CompletionPlace::Text { start, call: called(&lexed, at), label, is_import };
     }
     let is_word = lexed.tokens.len() > 1
         && (lexed.token(last).is_word() || lexed.token(last) == Token::Placeholder)
@@ -325,9 +325,9 @@ pub fn place(source: &str) -> Place<'_> {
     let at = if is_word { last } else { lexed.tokens.len() - 1 };
     let start = if is_word { lexed.span(last).range().start } else { end };
     if at > 1 && lexed.token(at - 1) == Token::Dot {
-        return Place::Field { start, of: lexed.text(at - 2) };
+        return CompletionPlace::Field { start, of: lexed.text(at - 2) };
     }
-    Place::Name { start, call: called(&lexed, at) }
+    CompletionPlace::Name { start, call: called(&lexed, at) }
 }
 
 /// The name that is called in the innermost brackets around token `at`.
@@ -338,7 +338,7 @@ fn called<'s>(lexed: &Lexed<'s>, at: usize) -> Option<&'s str> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Entry, Place, entry, is_complete, parts, place};
+    use super::{CompletionPlace, PromptEntry, entry, is_complete, parts, place};
     use crate::limits::Limits;
 
     #[test]
@@ -356,9 +356,9 @@ mod tests {
 
     #[test]
     fn an_entry_is_an_expression_unless_it_begins_like_a_statement() {
-        assert_eq!(entry("table({x: [1]})"), Entry::Expression);
-        assert_eq!(entry("point p = (0, 0)"), Entry::Statements);
-        assert_eq!(entry("  // nothing"), Entry::Empty);
+        assert_eq!(entry("table({x: [1]})"), PromptEntry::Expression);
+        assert_eq!(entry("point p = (0, 0)"), PromptEntry::Statements);
+        assert_eq!(entry("  // nothing"), PromptEntry::Empty);
     }
 
     #[test]
@@ -375,12 +375,15 @@ mod tests {
 
     #[test]
     fn a_place_knows_what_is_around_it() {
-        assert_eq!(place("let a = bez"), Place::Name { start: 8, call: None });
-        assert_eq!(place("bezier(pts, wei"), Place::Name { start: 12, call: Some("bezier") });
-        assert_eq!(place("c.deg"), Place::Field { start: 2, of: "c" });
+        assert_eq!(place("let a = bez"), CompletionPlace::Name { start: 8, call: None });
+        assert_eq!(
+            place("bezier(pts, wei"),
+            CompletionPlace::Name { start: 12, call: Some("bezier") }
+        );
+        assert_eq!(place("c.deg"), CompletionPlace::Field { start: 2, of: "c" });
         assert_eq!(
             place("interpolate(p, ends = \"nat"),
-            Place::Text {
+            CompletionPlace::Text {
                 start: 23,
                 call: Some("interpolate"),
                 label: Some("ends"),

@@ -5,7 +5,7 @@
 
 use std::{collections::HashMap, sync::Arc};
 
-use super::{FromValue, Op, Param, Type, Value};
+use super::{FromValue, Op, OpParameter, Type, Value};
 use crate::diag::{Code, Diagnostic, Sources, Span, Spanned, nearest};
 
 /// Evaluated arguments on their way into a function.
@@ -21,7 +21,7 @@ pub struct Call {
 
 /// A parameter as binding sees it.
 #[derive(Clone, Copy, Debug)]
-pub struct Formal<'a> {
+pub struct FormalParameter<'a> {
     /// Its label.
     pub name: &'a str,
     /// Whether it may be left out.
@@ -93,18 +93,18 @@ const MOST_TOLD: usize = 20;
 const MOST_NAMES: usize = 1000;
 
 /// Parameters by name.
-struct Places<'f>(Option<HashMap<&'f str, usize>>);
+struct ParameterPlaces<'f>(Option<HashMap<&'f str, usize>>);
 
-impl<'f> Places<'f> {
+impl<'f> ParameterPlaces<'f> {
     /// An index where it pays: with many parameters and many arguments by name.
-    fn of(formals: &[Formal<'f>], n_named: usize) -> Self {
+    fn of(formals: &[FormalParameter<'f>], n_named: usize) -> Self {
         /// Arguments up to which one looks through the parameters for each.
         const FEW: usize = 16;
         let places = || formals.iter().enumerate().rev().map(|(idx, formal)| (formal.name, idx));
         Self((FEW < n_named).then(|| places().collect()))
     }
 
-    fn find(&self, formals: &[Formal<'_>], name: &str) -> Option<usize> {
+    fn find(&self, formals: &[FormalParameter<'_>], name: &str) -> Option<usize> {
         match &self.0 {
             Some(places) => places.get(name).copied(),
             None => formals.iter().position(|formal| *formal.name == *name),
@@ -114,7 +114,7 @@ impl<'f> Places<'f> {
 
 /// Hands the arguments of `call` to `formals`: one slot a parameter, empty where it was left out.
 pub fn assign(
-    formals: &[Formal<'_>],
+    formals: &[FormalParameter<'_>],
     call: Call,
     mistakes: &mut Mistakes,
 ) -> Vec<Option<Spanned<Value>>> {
@@ -122,7 +122,7 @@ pub fn assign(
 
     // Arguments by name.
     let mut by_name: Vec<bool> = vec![false; formals.len()];
-    let places = Places::of(formals, call.named.len());
+    let places = ParameterPlaces::of(formals, call.named.len());
     let mut n_searched = 0;
     for (label, value) in call.named {
         match places.find(formals, &label.value) {
@@ -161,7 +161,7 @@ pub fn assign(
         }
     }
     // Where a required parameter was given by name, one of the places was meant for it.
-    let by_both = |&(formal, by_name): &(&Formal<'_>, &bool)| !formal.optional && *by_name;
+    let by_both = |&(formal, by_name): &(&FormalParameter<'_>, &bool)| !formal.optional && *by_name;
     let twice = formals.iter().zip(&by_name).find(by_both).map(|(formal, _)| formal.name);
     complain_of_leftover(formals, &slots, &leftover, twice, mistakes);
 
@@ -183,7 +183,7 @@ pub fn assign(
 
 /// Arguments by position for which no required parameter is left.
 fn complain_of_leftover(
-    formals: &[Formal<'_>],
+    formals: &[FormalParameter<'_>],
     slots: &[Option<Spanned<Value>>],
     leftover: &[Span],
     twice: Option<&str>,
@@ -225,10 +225,10 @@ impl Binder {
         let mut mistakes = Mistakes::default();
         bracket(op, &mut call, sources, &mut mistakes);
         turn_around(op, &mut call, &mut mistakes);
-        let formals: Vec<Formal<'_>> = op
+        let formals: Vec<FormalParameter<'_>> = op
             .params
             .iter()
-            .map(|param| Formal {
+            .map(|param| FormalParameter {
                 name: param.name,
                 optional: param.may_be_left_out(),
                 by_position: param.by_position,
@@ -329,7 +329,7 @@ const MOST_REPEATED: usize = 60;
 /// Where two arguments fit each in the place of the other alone: tells so, and turns them around.
 fn turn_around(op: &Op, call: &mut Call, mistakes: &mut Mistakes) {
     let ([a, b], [first, second, ..]) = (&call.positional[..], op.params) else { return };
-    let fits = |param: &Param, arg: &Spanned<Value>| param.ty.accepts(&arg.value);
+    let fits = |param: &OpParameter, arg: &Spanned<Value>| param.ty.accepts(&arg.value);
     let is_turned = fits(first, b) && fits(second, a) && !fits(first, a) && !fits(second, b);
     if !is_turned {
         return;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Dim, Function, Number, Value};
+use super::{Dimension, Function, Number, Value};
 
 /// Exact equality; `None` when two numbers of different dimension meet.
 ///
@@ -41,7 +41,7 @@ pub fn equal(a: &Value, b: &Value) -> Option<bool> {
     })
 }
 
-fn common(a: Number, b: Number) -> Option<Dim> {
+fn common(a: Number, b: Number) -> Option<Dimension> {
     a.dim.common(b.dim)
 }
 
@@ -69,7 +69,7 @@ fn same_function(a: &Function, b: &Function) -> bool {
 
 /// How far two values are apart under `~=`.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Deviation {
+pub enum Discrepancy {
     /// The largest distance of numbers or points in them, and the path that leads to it:
     /// `[3].x` inside a list of records.
     Apart(f64, String),
@@ -83,16 +83,16 @@ pub enum Deviation {
 /// The deviation of two values; numbers by difference, points by distance, lists, records and
 /// tables by their worst element.
 #[must_use]
-pub fn deviation(a: &Value, b: &Value) -> Deviation {
+pub fn deviation(a: &Value, b: &Value) -> Discrepancy {
     if a.is_jet() || b.is_jet() {
         return deviation(&a.looked_at(), &b.looked_at());
     }
     match (a, b) {
         (Value::Number(x), Value::Number(y)) => match common(*x, *y) {
-            Some(_) => Deviation::Apart((x.value - y.value).abs(), String::new()),
-            None => Deviation::Incomparable(format!("{} against {}", a.phrase(), b.phrase())),
+            Some(_) => Discrepancy::Apart((x.value - y.value).abs(), String::new()),
+            None => Discrepancy::Incomparable(format!("{} against {}", a.phrase(), b.phrase())),
         },
-        (Value::Point(a), Value::Point(b)) => Deviation::Apart(a.distance(*b), String::new()),
+        (Value::Point(a), Value::Point(b)) => Discrepancy::Apart(a.distance(*b), String::new()),
         (Value::List(xs), Value::List(ys)) if xs.len() == ys.len() => worst(
             xs.iter()
                 .zip(ys.iter())
@@ -100,57 +100,57 @@ pub fn deviation(a: &Value, b: &Value) -> Deviation {
                 .map(|(i, (x, y))| (format!("[{i}]"), deviation(x, y))),
         ),
         (Value::List(xs), Value::List(ys)) => {
-            Deviation::Different(format!("lists of {} and {} elements", xs.len(), ys.len()))
+            Discrepancy::Different(format!("lists of {} and {} elements", xs.len(), ys.len()))
         }
         (Value::Record(xs), Value::Record(ys)) => match all_some(
             xs.iter()
                 .map(|(label, x)| ys.get(label).map(|y| (format!(".{label}"), deviation(x, y)))),
         ) {
             Some(pairs) if xs.len() == ys.len() => worst(pairs.into_iter()),
-            _ => Deviation::Different("records with different labels".to_owned()),
+            _ => Discrepancy::Different("records with different labels".to_owned()),
         },
         (Value::Table(xs), Value::Table(ys)) => table_deviation(xs, ys),
         (Value::Bool(_) | Value::Text(_) | Value::None, _) if a.kind() == b.kind() => {
             if equal(a, b) == Some(true) {
-                Deviation::Apart(0.0, String::new())
+                Discrepancy::Apart(0.0, String::new())
             } else {
-                Deviation::Different(format!("{a} and {b}"))
+                Discrepancy::Different(format!("{a} and {b}"))
             }
         }
-        _ => Deviation::Incomparable(format!("{} against {}", a.phrase(), b.phrase())),
+        _ => Discrepancy::Incomparable(format!("{} against {}", a.phrase(), b.phrase())),
     }
 }
 
 /// The worst of the parts: what cannot be compared first, then what differs, then the distance.
-fn worst(parts: impl Iterator<Item = (String, Deviation)>) -> Deviation {
-    let mut found = Deviation::Apart(0.0, String::new());
+fn worst(parts: impl Iterator<Item = (String, Discrepancy)>) -> Discrepancy {
+    let mut found = Discrepancy::Apart(0.0, String::new());
     for (step, part) in parts {
         match (part, &found) {
-            (Deviation::Incomparable(what), _) => {
-                return Deviation::Incomparable(format!("{what} at {step}"));
+            (Discrepancy::Incomparable(what), _) => {
+                return Discrepancy::Incomparable(format!("{what} at {step}"));
             }
-            (_, Deviation::Different(_)) => {}
-            (Deviation::Different(what), _) => {
-                found = Deviation::Different(format!("{what} at {step}"));
+            (_, Discrepancy::Different(_)) => {}
+            (Discrepancy::Different(what), _) => {
+                found = Discrepancy::Different(format!("{what} at {step}"));
             }
-            (Deviation::Apart(distance, path), Deviation::Apart(most, so_far)) => {
+            (Discrepancy::Apart(distance, path), Discrepancy::Apart(most, so_far)) => {
                 if *most < distance || (so_far.is_empty() && distance == 0.0) {
-                    found = Deviation::Apart(distance, format!("{step}{path}"));
+                    found = Discrepancy::Apart(distance, format!("{step}{path}"));
                 }
             }
-            (Deviation::Apart(..), Deviation::Incomparable(_)) => {}
+            (Discrepancy::Apart(..), Discrepancy::Incomparable(_)) => {}
         }
     }
     found
 }
 
-fn table_deviation(a: &crate::kernel::Table, b: &crate::kernel::Table) -> Deviation {
+fn table_deviation(a: &crate::kernel::Table, b: &crate::kernel::Table) -> Discrepancy {
     let (names_a, names_b): (Vec<&str>, Vec<&str>) = (
         a.columns().iter().map(|column| column.name.as_str()).collect(),
         b.columns().iter().map(|column| column.name.as_str()).collect(),
     );
     if names_a != names_b {
-        return Deviation::Different("tables with different columns".to_owned());
+        return Discrepancy::Different("tables with different columns".to_owned());
     }
     worst(names_a.into_iter().map(|name| {
         let column = |table| super::field::column(table, name).unwrap_or(Value::None);

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Dim, IntoValue, Number, Range, Real, Value, unit::dim_of};
+use super::{Dimension, IntoValue, Number, Range, Real, Value, unit::dim_of};
 use crate::kernel::{
     Column, Curve, GeomError, Grid, Interval, NurbsCurve, NurbsSurface, Surface, Table, Tolerance,
 };
@@ -179,7 +179,7 @@ pub(super) fn column(table: &Table, name: &str) -> Option<Value> {
 }
 
 /// The number of a cell; an empty one holds none.
-fn number_cell(value: f64, dim: Dim) -> Value {
+fn number_cell(value: f64, dim: Dimension) -> Value {
     if value.is_finite() { Value::Number(Number { value, dim }) } else { Value::None }
 }
 

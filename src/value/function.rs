@@ -2,7 +2,7 @@
 
 use std::{any::Any, fmt::Debug, sync::Arc};
 
-use super::{Op, Value, list::Extent};
+use super::{Op, Value, list::ValueExtent};
 
 /// A function of the script. The evaluator makes it and knows how to call it; everyone else sees
 /// its name and parameters.
@@ -10,7 +10,7 @@ pub trait Closure: Any + Debug + Send + Sync {
     /// The signature as it was declared: `fn radius(h)` or `(x, y) => ...`.
     fn signature(&self) -> String;
     /// How deep and how large it is with what it took from around it.
-    fn extent(&self) -> Extent;
+    fn extent(&self) -> ValueExtent;
     /// For the evaluator to recognise its own.
     fn as_any(&self) -> &dyn Any;
 }
@@ -40,14 +40,14 @@ pub struct Partial {
 impl Function {
     /// How deep and how large it is with what it holds.
     #[must_use]
-    pub fn extent(&self) -> Extent {
+    pub fn extent(&self) -> ValueExtent {
         match self {
-            Self::Builtin(..) => Extent::ATOM,
+            Self::Builtin(..) => ValueExtent::ATOM,
             Self::Closure(closure) => closure.extent(),
             Self::Partial(partial) => {
                 let positional = partial.positional.iter().flatten();
                 let named = partial.named.iter().filter_map(|(_, arg)| arg.as_ref());
-                Extent::around(positional.chain(named).chain([&partial.callee]))
+                ValueExtent::around(positional.chain(named).chain([&partial.callee]))
             }
         }
     }

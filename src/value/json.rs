@@ -9,7 +9,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3, DVec4};
 use serde_json::{Map, Value as Json, json};
 
-use super::{Dim, ENDED, Number, Range, Record, Value, in_document_unit};
+use super::{Dimension, ENDED, Number, Range, Record, Value, in_document_unit};
 use crate::{
     kernel::{
         Column, Curve, Frame, Grid, Group, KnotVector, Mesh, NamedColumn, NurbsCurve, NurbsSurface,
@@ -94,7 +94,7 @@ fn mesh_json(mesh: &Mesh) -> Json {
 }
 
 fn number_json(number: Number) -> Json {
-    if number.dim == Dim::ANGLE {
+    if number.dim == Dimension::ANGLE {
         json!({ "virote": "angle", "radians": number.value })
     } else {
         json!(number.value)

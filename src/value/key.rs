@@ -30,7 +30,7 @@ fn tagged_text(tag: u8, text: &str, key: &mut Vec<u8>) {
 
 #[cfg(test)]
 mod tests {
-    use super::{super::Dim, Number, Value, exact_key};
+    use super::{super::Dimension, Number, Value, exact_key};
 
     fn key(value: &Value) -> Vec<u8> {
         let mut key = Vec::new();
@@ -40,7 +40,7 @@ mod tests {
 
     #[test]
     fn numbers_of_other_dimensions_have_other_keys() {
-        let keys: Vec<_> = [Dim::NONE, Dim::LENGTH, Dim::ANGLE]
+        let keys: Vec<_> = [Dimension::NONE, Dimension::LENGTH, Dimension::ANGLE]
             .map(|dim| key(&Value::Number(Number { value: 5.0, dim })))
             .into();
         assert!(keys[0] != keys[1] && keys[1] != keys[2] && keys[0] != keys[2]);

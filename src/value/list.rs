@@ -9,12 +9,12 @@ use std::{
     sync::{Arc, OnceLock},
 };
 
-use super::{Dim, FromValue, Mismatch, Number, Type, Value};
+use super::{Dimension, FromValue, Mismatch, Number, Type, Value};
 use crate::diag::Span;
 
 /// How deep and how large a value is, told without walking through it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Extent {
+pub struct ValueExtent {
     /// Lists, records and functions inside one another.
     pub depth: u32,
     /// Values in it; what stands in it twice counts twice, also where it is shared.
@@ -23,7 +23,7 @@ pub struct Extent {
     pub holds_functions: bool,
 }
 
-impl Extent {
+impl ValueExtent {
     /// The extent of something that holds no values.
     pub(super) const ATOM: Self = Self { depth: 0, size: 1, holds_functions: false };
 
@@ -41,32 +41,32 @@ impl Extent {
 /// A list. Cheap to clone.
 #[derive(Clone, Debug)]
 pub struct List {
-    items: Items,
-    extent: Extent,
+    items: ListItems,
+    extent: ValueExtent,
 }
 
 #[derive(Clone, Debug)]
-enum Items {
+enum ListItems {
     Values(Arc<[Value]>),
-    Numbers(Arc<Numbers>),
+    NumberList(Arc<NumberList>),
 }
 
 /// Numbers of one dimension.
-struct Numbers {
+struct NumberList {
     values: Vec<f64>,
-    dim: Dim,
+    dim: Dimension,
     /// The same as values, once somebody wanted them.
     spelled: OnceLock<Box<[Value]>>,
 }
 
-impl Numbers {
+impl NumberList {
     fn value(&self, value: f64) -> Value {
         Value::Number(Number { value, dim: self.dim })
     }
 }
 
 /// Whether somebody wanted the values does not show.
-impl fmt::Debug for Numbers {
+impl fmt::Debug for NumberList {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { values, dim, spelled: _ } = self;
         f.debug_struct("Numbers").field("values", values).field("dim", dim).finish()
@@ -76,15 +76,15 @@ impl fmt::Debug for Numbers {
 impl List {
     /// The list of finite numbers of one dimension.
     #[must_use]
-    pub fn of_numbers(values: Vec<f64>, dim: Dim) -> Self {
-        let extent = Extent { depth: 1, size: 1 + values.len() as u64, ..Extent::ATOM };
-        let numbers = Numbers { values, dim, spelled: OnceLock::new() };
-        Self { items: Items::Numbers(Arc::new(numbers)), extent }
+    pub fn of_numbers(values: Vec<f64>, dim: Dimension) -> Self {
+        let extent = ValueExtent { depth: 1, size: 1 + values.len() as u64, ..ValueExtent::ATOM };
+        let numbers = NumberList { values, dim, spelled: OnceLock::new() };
+        Self { items: ListItems::NumberList(Arc::new(numbers)), extent }
     }
 
     /// How deep and how large it is.
     #[must_use]
-    pub fn extent(&self) -> Extent {
+    pub fn extent(&self) -> ValueExtent {
         self.extent
     }
 
@@ -92,8 +92,8 @@ impl List {
     #[must_use]
     pub fn len(&self) -> usize {
         match &self.items {
-            Items::Values(values) => values.len(),
-            Items::Numbers(numbers) => numbers.values.len(),
+            ListItems::Values(values) => values.len(),
+            ListItems::NumberList(numbers) => numbers.values.len(),
         }
     }
 
@@ -107,8 +107,10 @@ impl List {
     #[must_use]
     pub fn get(&self, idx: usize) -> Option<Value> {
         match &self.items {
-            Items::Values(values) => values.get(idx).cloned(),
-            Items::Numbers(numbers) => numbers.values.get(idx).map(|&value| numbers.value(value)),
+            ListItems::Values(values) => values.get(idx).cloned(),
+            ListItems::NumberList(numbers) => {
+                numbers.values.get(idx).map(|&value| numbers.value(value))
+            }
         }
     }
 
@@ -119,10 +121,10 @@ impl List {
 
     /// Its elements, where it holds them as numbers of one dimension.
     #[must_use]
-    pub fn numbers(&self) -> Option<(&[f64], Dim)> {
+    pub fn numbers(&self) -> Option<(&[f64], Dimension)> {
         match &self.items {
-            Items::Values(_) => None,
-            Items::Numbers(numbers) => Some((&numbers.values, numbers.dim)),
+            ListItems::Values(_) => None,
+            ListItems::NumberList(numbers) => Some((&numbers.values, numbers.dim)),
         }
     }
 
@@ -130,8 +132,8 @@ impl List {
     #[must_use]
     pub fn slice(&self, range: std::ops::Range<usize>) -> Self {
         match &self.items {
-            Items::Values(values) => values[range].iter().cloned().collect(),
-            Items::Numbers(numbers) => {
+            ListItems::Values(values) => values[range].iter().cloned().collect(),
+            ListItems::NumberList(numbers) => {
                 Self::of_numbers(numbers.values[range].to_vec(), numbers.dim)
             }
         }
@@ -141,8 +143,8 @@ impl List {
     #[must_use]
     pub fn is_same(&self, other: &Self) -> bool {
         match (&self.items, &other.items) {
-            (Items::Values(own), Items::Values(other)) => Arc::ptr_eq(own, other),
-            (Items::Numbers(own), Items::Numbers(other)) => Arc::ptr_eq(own, other),
+            (ListItems::Values(own), ListItems::Values(other)) => Arc::ptr_eq(own, other),
+            (ListItems::NumberList(own), ListItems::NumberList(other)) => Arc::ptr_eq(own, other),
             _ => false,
         }
     }
@@ -153,8 +155,8 @@ impl Deref for List {
 
     fn deref(&self) -> &[Value] {
         match &self.items {
-            Items::Values(values) => values,
-            Items::Numbers(numbers) => numbers
+            ListItems::Values(values) => values,
+            ListItems::NumberList(numbers) => numbers
                 .spelled
                 .get_or_init(|| numbers.values.iter().map(|&value| numbers.value(value)).collect()),
         }
@@ -162,7 +164,7 @@ impl Deref for List {
 }
 
 /// The numbers, if all are such and of one dimension, and enough that it pays.
-fn all_numbers(items: &[Value]) -> Option<(Vec<f64>, Dim)> {
+fn all_numbers(items: &[Value]) -> Option<(Vec<f64>, Dimension)> {
     /// Elements from which on numbers are held as such.
     const WORTH: usize = 64;
     let Some(Value::Number(Number { dim, .. })) = items.first() else { return None };
@@ -181,14 +183,14 @@ impl From<Vec<Value>> for List {
         if let Some((values, dim)) = all_numbers(&items) {
             return Self::of_numbers(values, dim);
         }
-        Self { extent: Extent::around(&items), items: Items::Values(Arc::from(items)) }
+        Self { extent: ValueExtent::around(&items), items: ListItems::Values(Arc::from(items)) }
     }
 }
 
 impl FromIterator<Value> for List {
     fn from_iter<I: IntoIterator<Item = Value>>(items: I) -> Self {
         let items: Arc<[Value]> = items.into_iter().collect();
-        Self { extent: Extent::around(items.iter()), items: Items::Values(items) }
+        Self { extent: ValueExtent::around(items.iter()), items: ListItems::Values(items) }
     }
 }
 
@@ -209,7 +211,7 @@ impl List {
             Value::Range(range) => match range.integers() {
                 Some((start, count)) => {
                     let values = (0..count).map(|i| (start + i as i64) as f64).collect();
-                    Ok(Self::of_numbers(values, Dim::NONE))
+                    Ok(Self::of_numbers(values, Dimension::NONE))
                 }
                 None => Err(Mismatch::kind(wanted, value)),
             },

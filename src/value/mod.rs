@@ -4,20 +4,22 @@
 //! one declaration of a built-in: the `op!` macro makes it, the [`Registry`] lists it, and the
 //! evaluator, the reference, the help and the tests read nothing else.
 
+mod appearance;
 mod bind;
-mod blame;
-mod cast;
 mod compare;
 mod decode;
 mod display;
 mod element;
+mod error_map;
 mod field;
 mod files;
+mod from_value;
 mod function;
+mod into_value;
 mod json;
 mod key;
 mod list;
-mod look;
+mod locally_constant;
 mod number;
 mod op;
 mod range;
@@ -26,11 +28,9 @@ mod real;
 mod record;
 mod registry;
 mod shape;
-mod smooth;
 mod ty;
 mod unit;
 mod vector;
-mod wrap;
 
 use std::sync::Arc;
 
@@ -38,34 +38,34 @@ use glam::DVec3;
 
 use crate::kernel::{Curve, Frame, Jet, Mesh, Surface, Table};
 
-pub use bind::{Binder, Call, Formal, Mistakes, assign};
-pub use blame::{At, code_of, hint_of};
-pub use cast::{
-    Angle, AtLeast, Callback, Choice, FromValue, Length, Maybe, Mismatch, Numbers, Rows,
-};
-pub use compare::{Deviation, deviation, equal};
+pub use appearance::{Appearance, COLOR_NAMES, color_of};
+pub use bind::{Binder, Call, FormalParameter, Mistakes, assign};
+pub use compare::{Discrepancy, deviation, equal};
 pub use decode::{decode, script_text, stranger};
+pub use error_map::{At, code_of, hint_of};
 pub use field::{field, field_names, table_row};
 pub use files::Files;
+pub use from_value::{
+    Angle, AtLeast, Callback, Choice, FromValue, Length, Maybe, Mismatch, Numbers, Rows,
+};
 pub use function::{Closure, Function, Partial};
+pub use into_value::IntoValue;
 pub use json::{from_json, to_json};
 pub(crate) use key::exact_key;
-pub use list::{Extent, List};
-pub use look::{COLOR_NAMES, Look, color_of};
-pub use number::{Dim, Number, radians_of, rounded, shortest};
+pub use list::{List, ValueExtent};
+pub use locally_constant::{CARRIES_DERIVATIVES, LocallyConstant, RealInterval};
+pub use number::{Dimension, Number, radians_of, rounded, shortest};
 pub(crate) use op::op;
-pub use op::{Caller, Ctx, Example, Family, Op, Param, Picture, Refusal, Witness};
+pub use op::{Caller, Ctx, Example, Family, Op, OpParameter, Picture, RefusalExample, Witness};
 pub use range::{JetRange, Range};
 pub use read_json::{ENDED, read_json};
 pub use real::Real;
 pub use record::Record;
 pub use registry::{Constant, Registry, choose};
 pub use shape::Geometry;
-pub use smooth::{CARRIES_DERIVATIVES, Looked, RealInterval};
 pub use ty::Type;
 pub use unit::in_document_unit;
 pub use vector::Vector;
-pub use wrap::IntoValue;
 
 /// What an expression evaluates to. Cheap to clone.
 #[derive(Clone, Debug)]
@@ -144,7 +144,7 @@ impl Value {
 
     /// How deep and how large it is.
     #[must_use]
-    pub fn extent(&self) -> Extent {
+    pub fn extent(&self) -> ValueExtent {
         /// Bytes of text that count as one value.
         const BYTES_A_VALUE: usize = 32;
         match self {
@@ -152,12 +152,12 @@ impl Value {
             Self::Record(record) => record.extent(),
             Self::Function(function) => function.extent(),
             Self::Text(text) => {
-                Extent { size: 1 + (text.len() / BYTES_A_VALUE) as u64, ..Extent::ATOM }
+                ValueExtent { size: 1 + (text.len() / BYTES_A_VALUE) as u64, ..ValueExtent::ATOM }
             }
             Self::Curve(Curve::Parametric(_)) | Self::Surface(Surface::Parametric(_)) => {
-                Extent { holds_functions: true, ..Extent::ATOM }
+                ValueExtent { holds_functions: true, ..ValueExtent::ATOM }
             }
-            _ => Extent::ATOM,
+            _ => ValueExtent::ATOM,
         }
     }
 

@@ -9,7 +9,7 @@ use super::Real;
 
 /// Powers of length and angle, in sixths so that square and cube roots stay exact.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Dim {
+pub struct Dimension {
     length: i8,
     angle: i8,
 }
@@ -17,7 +17,7 @@ pub struct Dim {
 /// Sixths in one whole power.
 pub(super) const WHOLE: i8 = 6;
 
-impl Dim {
+impl Dimension {
     /// A bare number.
     pub const NONE: Self = Self { length: 0, angle: 0 };
     /// A length.
@@ -91,7 +91,7 @@ impl Dim {
     }
 }
 
-impl Dim {
+impl Dimension {
     /// The unit of numbers as they are kept, in this unit of length and in radians: `mm`, `mm^2`,
     /// `rad`; none of a bare number.
     #[must_use]
@@ -113,7 +113,7 @@ fn exponent(power: i8) -> String {
 }
 
 /// As a noun: `a length`, `an area`, `an angle`, `length^-1`.
-impl fmt::Display for Dim {
+impl fmt::Display for Dimension {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let named = match (self.length, self.angle) {
             (0, 0) => "a number without a unit",
@@ -146,20 +146,20 @@ pub struct Number<T = f64> {
     /// In document units and radians.
     pub value: T,
     /// Its powers of length and angle.
-    pub dim: Dim,
+    pub dim: Dimension,
 }
 
 impl Number {
     /// A number without a unit.
     #[must_use]
     pub fn bare(value: f64) -> Self {
-        Self { value, dim: Dim::NONE }
+        Self { value, dim: Dimension::NONE }
     }
 
     /// An angle in radians.
     #[must_use]
     pub fn angle(value: f64) -> Self {
-        Self { value, dim: Dim::ANGLE }
+        Self { value, dim: Dimension::ANGLE }
     }
 
     /// The whole number it is, if it is one that an index can be.
@@ -183,7 +183,7 @@ impl Number<Real> {
 /// The shortest text that reads back; angles in degrees with their unit.
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.dim == Dim::ANGLE {
+        if self.dim == Dimension::ANGLE {
             write!(f, "{}deg", shortest_degrees(self.value))
         } else {
             f.write_str(&shortest(self.value))
@@ -225,7 +225,7 @@ pub fn radians_of(degrees: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Dim, Number, radians_of, shortest};
+    use super::{Dimension, Number, radians_of, shortest};
 
     #[test]
     fn degrees_print_as_they_were_written() {
@@ -242,10 +242,13 @@ mod tests {
 
     #[test]
     fn dimensions_speak() {
-        let area = Dim::LENGTH.power(2.0).unwrap();
+        let area = Dimension::LENGTH.power(2.0).unwrap();
         assert_eq!(area.to_string(), "an area");
-        assert_eq!(area.power(0.5), Some(Dim::LENGTH));
-        assert_eq!(Dim::NONE.over(Dim::LENGTH).unwrap().to_string(), "a quantity in length^-1");
-        assert_eq!(Dim::LENGTH.power(0.3), None);
+        assert_eq!(area.power(0.5), Some(Dimension::LENGTH));
+        assert_eq!(
+            Dimension::NONE.over(Dimension::LENGTH).unwrap().to_string(),
+            "a quantity in length^-1"
+        );
+        assert_eq!(Dimension::LENGTH.power(0.3), None);
     }
 }

@@ -146,7 +146,7 @@ pub struct Example {
 
 /// A tested sample of misuse: an expression and the error that it is.
 #[derive(Clone, Copy, Debug)]
-pub struct Refusal {
+pub struct RefusalExample {
     /// The expression.
     pub code: &'static str,
     /// The code of the error and its message, `E0607: the radius must be positive, found -2`.
@@ -164,7 +164,7 @@ pub enum Picture {
 
 /// One parameter.
 #[derive(Clone, Copy, Debug)]
-pub struct Param {
+pub struct OpParameter {
     /// Its label.
     pub name: &'static str,
     /// What it means.
@@ -181,7 +181,7 @@ pub struct Param {
     pub by_position: bool,
 }
 
-impl Param {
+impl OpParameter {
     /// Whether a call may leave it out; most such parameters are given by name only.
     #[must_use]
     pub fn may_be_left_out(&self) -> bool {
@@ -209,13 +209,13 @@ pub struct Op {
     /// What it does: a sentence, then the rest, last the source.
     pub docs: &'static str,
     /// Its parameters.
-    pub params: &'static [Param],
+    pub params: &'static [OpParameter],
     /// What it yields.
     pub returns: Type,
     /// Tested samples of use.
     pub examples: &'static [Example],
     /// Tested samples of misuse.
-    pub refusals: &'static [Refusal],
+    pub refusals: &'static [RefusalExample],
     /// What its picture in the reference shows, where that is more than its first example.
     pub picture: Option<Picture>,
     /// Its implementation.
@@ -232,14 +232,14 @@ impl Op {
     /// Whether its first argument can neither be such a value nor a list of such.
     #[must_use]
     pub fn is_foreign_to(&self, value: &Value) -> bool {
-        let takes = |param: &Param| param.ty.accepts(value) || param.ty.is_list_of(value);
+        let takes = |param: &OpParameter| param.ty.accepts(value) || param.ty.is_list_of(value);
         self.params.first().is_some_and(|param| !takes(param))
     }
 
     /// `name(a: T, b: U = d) -> R`, one line.
     #[must_use]
     pub fn signature(&self) -> String {
-        let params: Vec<String> = self.params.iter().map(Param::signature).collect();
+        let params: Vec<String> = self.params.iter().map(OpParameter::signature).collect();
         format!("{}({}) -> {}", self.name, params.join(", "), self.returns)
     }
 }
@@ -266,7 +266,7 @@ macro_rules! op {
             aliases: &[ $( stringify!($alias) ),* ],
             family: $crate::value::Family::$family,
             docs: concat!($($docs, "\n"),+),
-            params: &[ $( $crate::value::Param {
+            params: &[ $( $crate::value::OpParameter {
                 name: stringify!($param),
                 docs: concat!($($pdocs, "\n"),+),
                 ty: <$ty as $crate::value::FromValue>::TYPE,
@@ -277,7 +277,7 @@ macro_rules! op {
             } ),* ],
             returns: <$returns as $crate::value::IntoValue>::RETURNS,
             examples: &[ $( $crate::value::Example { code: $code, prints: $prints } ),+ ],
-            refusals: &[ $( $crate::value::Refusal { code: $misuse, says: $says } ),* ],
+            refusals: &[ $( $crate::value::RefusalExample { code: $misuse, says: $says } ),* ],
             picture: $crate::value::op!(@picture $(Value $picture)? $(Scene $scene)?),
             run: |ctx, call| {
                 let mut binder = $crate::value::Binder::new(

@@ -12,7 +12,7 @@ pub enum Real {
 }
 
 /// Two numbers brought to one form.
-enum Pair {
+enum MatchedReals {
     Plain(f64, f64),
     Jets(Jet, Jet),
 }
@@ -123,11 +123,11 @@ impl Real {
         }
     }
 
-    fn with(&self, other: &Self) -> Pair {
+    fn with(&self, other: &Self) -> MatchedReals {
         match (self, other) {
-            (Self::Plain(a), Self::Plain(b)) => Pair::Plain(*a, *b),
-            (Self::Jet(a), b) => Pair::Jets(a.clone(), b.like(a)),
-            (a, Self::Jet(b)) => Pair::Jets(a.like(b), b.clone()),
+            (Self::Plain(a), Self::Plain(b)) => MatchedReals::Plain(*a, *b),
+            (Self::Jet(a), b) => MatchedReals::Jets(a.clone(), b.like(a)),
+            (a, Self::Jet(b)) => MatchedReals::Jets(a.like(b), b.clone()),
         }
     }
 
@@ -135,8 +135,8 @@ impl Real {
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
         match self.with(other) {
-            Pair::Plain(a, b) => Self::Plain(a + b),
-            Pair::Jets(a, b) => Self::Jet(a.plus(&b)),
+            MatchedReals::Plain(a, b) => Self::Plain(a + b),
+            MatchedReals::Jets(a, b) => Self::Jet(a.plus(&b)),
         }
     }
 
@@ -144,8 +144,8 @@ impl Real {
     #[must_use]
     pub fn minus(&self, other: &Self) -> Self {
         match self.with(other) {
-            Pair::Plain(a, b) => Self::Plain(a - b),
-            Pair::Jets(a, b) => Self::Jet(a.minus(&b)),
+            MatchedReals::Plain(a, b) => Self::Plain(a - b),
+            MatchedReals::Jets(a, b) => Self::Jet(a.minus(&b)),
         }
     }
 
@@ -153,8 +153,8 @@ impl Real {
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
         match self.with(other) {
-            Pair::Plain(a, b) => Self::Plain(a * b),
-            Pair::Jets(a, b) => Self::Jet(a.times(&b)),
+            MatchedReals::Plain(a, b) => Self::Plain(a * b),
+            MatchedReals::Jets(a, b) => Self::Jet(a.times(&b)),
         }
     }
 
@@ -173,8 +173,8 @@ impl Real {
     /// As for [`Jet::over`].
     pub fn over(&self, other: &Self) -> Result<Self, GeomError> {
         Ok(match self.with(other) {
-            Pair::Plain(a, b) => Self::Plain(a / b),
-            Pair::Jets(a, b) => Self::Jet(a.over(&b)?.with_value(a.value() / b.value())),
+            MatchedReals::Plain(a, b) => Self::Plain(a / b),
+            MatchedReals::Jets(a, b) => Self::Jet(a.over(&b)?.with_value(a.value() / b.value())),
         })
     }
 
@@ -185,8 +185,8 @@ impl Real {
     pub fn atan2(&self, x: &Self) -> Result<Self, GeomError> {
         let angle = libm::atan2(self.value(), x.value());
         Ok(match self.with(x) {
-            Pair::Plain(..) => Self::Plain(angle),
-            Pair::Jets(y, x) => Self::Jet(y.atan2(&x)?.with_value(angle)),
+            MatchedReals::Plain(..) => Self::Plain(angle),
+            MatchedReals::Jets(y, x) => Self::Jet(y.atan2(&x)?.with_value(angle)),
         })
     }
 
@@ -197,8 +197,10 @@ impl Real {
     pub fn hypot(&self, other: &Self) -> Result<Self, GeomError> {
         let length = libm::hypot(self.value(), other.value());
         Ok(match self.with(other) {
-            Pair::Plain(..) => Self::Plain(length),
-            Pair::Jets(a, b) => Self::Jet(Jet::norm([&a, &b].into_iter())?.with_value(length)),
+            MatchedReals::Plain(..) => Self::Plain(length),
+            MatchedReals::Jets(a, b) => {
+                Self::Jet(Jet::norm([&a, &b].into_iter())?.with_value(length))
+            }
         })
     }
 
@@ -226,7 +228,7 @@ impl Real {
         }
         #[expect(clippy::float_cmp, reason = "only where both are one number is there a kink")]
         if self.value() == other.value()
-            && let Pair::Jets(a, b) = self.with(&other)
+            && let MatchedReals::Jets(a, b) = self.with(&other)
             && !a.has_slopes_of(&b)
         {
             return Err(GeomError::NotDifferentiable { what, at: a.value() });

@@ -2,14 +2,14 @@
 
 use std::{collections::HashMap, sync::Arc};
 
-use super::{Value, list::Extent};
+use super::{Value, list::ValueExtent};
 use crate::limits::work;
 
 /// Labelled values. Labels are unique; the order is the script's.
 #[derive(Clone, Debug, Default)]
 pub struct Record {
     fields: Vec<(Arc<str>, Value)>,
-    extent: Extent,
+    extent: ValueExtent,
     /// Where each label stands, where there are more than a few.
     places: Option<Arc<HashMap<Arc<str>, usize>>>,
 }
@@ -40,7 +40,7 @@ impl Record {
             }
         }
         record.places = (!places.is_empty()).then(|| Arc::new(places));
-        record.extent = Extent::around(record.fields.iter().map(|(_, value)| value));
+        record.extent = ValueExtent::around(record.fields.iter().map(|(_, value)| value));
         record
     }
 
@@ -57,7 +57,7 @@ impl Record {
 
     /// How deep and how large it is.
     #[must_use]
-    pub fn extent(&self) -> Extent {
+    pub fn extent(&self) -> ValueExtent {
         self.extent
     }
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::{Dim, number::WHOLE};
+use super::{Dimension, number::WHOLE};
 use crate::kernel::{Column, NamedColumn};
 
 /// Units of length by name, each with its size in micrometres.
@@ -22,12 +22,12 @@ const ANGLES: &[(&str, [f64; 2])] =
 
 /// What the unit of a column measures, and its size in the document's unit and radians as a
 /// fraction.
-struct Unit {
-    dim: Dim,
+struct ColumnUnit {
+    dim: Dimension,
     size: [f64; 2],
 }
 
-impl Unit {
+impl ColumnUnit {
     /// The unit that `text` says, in a document whose unit of length is `length`.
     fn read(text: &str, length: &str) -> Option<Self> {
         let document = size_of(length)?;
@@ -65,7 +65,7 @@ impl Unit {
             rest = rest[sign.len_utf8()..].trim_start();
         }
         let [length, angle] = powers.map(|power| i8::try_from(power).ok());
-        let dim = Dim::of_powers([length?, angle?]);
+        let dim = Dimension::of_powers([length?, angle?]);
         size.iter().all(|part| part.is_normal()).then_some(Self { dim, size })
     }
 
@@ -110,10 +110,10 @@ fn name_and_power(text: &str) -> Option<(&str, i32)> {
 }
 
 /// What the numbers of a column measure.
-pub(super) fn dim_of(column: &NamedColumn) -> Dim {
+pub(super) fn dim_of(column: &NamedColumn) -> Dimension {
     // Columns are kept in the document's unit, so that only the powers are left to read.
-    let unit = column.unit.as_deref().and_then(|unit| Unit::read(unit, "mm"));
-    unit.map_or(Dim::NONE, |unit| unit.dim)
+    let unit = column.unit.as_deref().and_then(|unit| ColumnUnit::read(unit, "mm"));
+    unit.map_or(Dimension::NONE, |unit| unit.dim)
 }
 
 /// A column as a file gives it, in a document whose unit of length is `length`.
@@ -124,7 +124,7 @@ pub(super) fn dim_of(column: &NamedColumn) -> Dim {
 pub fn in_document_unit(column: NamedColumn, length: &str) -> Result<NamedColumn, String> {
     let Some(text) = &column.unit else { return Ok(column) };
     let name = &column.name;
-    let unit = Unit::read(text, length).ok_or_else(|| {
+    let unit = ColumnUnit::read(text, length).ok_or_else(|| {
         let lengths = LENGTHS.iter().map(|(name, _)| *name);
         let angles = ANGLES.iter().map(|(name, _)| *name).filter(|name| name.is_ascii());
         let known: Vec<&str> = lengths.chain(angles).collect();
@@ -146,14 +146,14 @@ pub fn in_document_unit(column: NamedColumn, length: &str) -> Result<NamedColumn
 
 #[cfg(test)]
 mod tests {
-    use super::{Dim, Unit};
+    use super::{ColumnUnit, Dimension};
 
     #[test]
     fn what_exports_write_is_read() {
         for [length, angle] in [[6, 0], [0, 6], [12, 0], [-6, 0], [3, 0], [-12, 6], [-3, -9]] {
-            let dim = Dim::of_powers([length, angle]);
+            let dim = Dimension::of_powers([length, angle]);
             let text = dim.unit("cm").unwrap_or_default();
-            let unit = Unit::read(&text, "cm").expect("it is a unit");
+            let unit = ColumnUnit::read(&text, "cm").expect("it is a unit");
             assert_eq!(unit.dim, dim, "{text}");
             assert_eq!(unit.convert(0.1).to_bits(), 0.1_f64.to_bits(), "{text}");
         }
@@ -162,7 +162,7 @@ mod tests {
     #[test]
     fn powers_convert_by_their_power() {
         let convert = |text: &str, value: f64| {
-            Unit::read(text, "mm").map(|unit| (unit.dim.powers(), unit.convert(value)))
+            ColumnUnit::read(text, "mm").map(|unit| (unit.dim.powers(), unit.convert(value)))
         };
         assert_eq!(convert("cm^2", 2.0), Some(([12, 0], 200.0)));
         assert_eq!(convert("m³", 1.0), Some(([18, 0], 1e9)));

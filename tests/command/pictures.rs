@@ -7,7 +7,7 @@ use virote::{
     docs::{Illustration, illustrations},
     export::{Format, PICTURES},
     ops,
-    session::{Extra, Scene, Session},
+    session::{Extra, PictureContent, Session},
     value::{Files, Picture, Type},
 };
 
@@ -80,7 +80,7 @@ fn illustration(picture: &Illustration) -> Vec<u8> {
         |text: &str| text.starts_with(picture.op.name) && matches!(picture.op.returns, Type::Curve);
     let is_curve = matches!(picture.picture, Picture::Value(text) if is_one(text));
     let extras: &[Extra] = if is_curve { &[Extra::Control] } else { &[] };
-    let scene = Scene { only: &[], extras, view: None, size: [320, 240] };
+    let scene = PictureContent { only: &[], extras, view: None, size: [320, 240] };
     let format = Format::among(PICTURES, &picture.file).expect("a format");
     let job = session.picture(&report, &scene, format).expect("geometry");
     let mut bytes = Vec::new();

@@ -5,8 +5,8 @@ use std::{f64::consts::PI, sync::Arc};
 use glam::{DAffine3, DQuat, DVec3};
 use proptest::{prelude::ProptestConfig, prop_assert, prop_assert_eq, prop_assume, proptest};
 use virote_kernel::{
-    Datum, Direction, Edge, FunctionFailure, Grid, KnotVector, NurbsSurface, ParametricSurface,
-    Surface, SurfaceFunction, Tolerance, area_mass, volume_mass,
+    DeviationReference, Direction, Edge, FunctionFailure, Grid, KnotVector, NurbsSurface,
+    ParametricSurface, Surface, SurfaceFunction, Tolerance, area_mass, volume_mass,
 };
 
 use crate::some::{point, sphere, surface};
@@ -191,7 +191,7 @@ fn closed_primitives_are_smooth_across_their_seams_and_knots() {
 #[test]
 fn a_larger_ball_is_as_far_away_as_it_is_larger() {
     let [small, large] = [2.0, 2.25].map(|radius| Surface::from(sphere(DVec3::ONE, radius)));
-    let small = Datum::of_surface(&small).unwrap();
+    let small = DeviationReference::of_surface(&small).unwrap();
     let found = large.deviation_from(&small).unwrap();
     assert!((found.max - 0.25).abs() < 1e-12 && (found.mean - 0.25).abs() < 1e-12, "{found:?}");
     let points = [DVec3::ONE, DVec3::ONE + 5.0 * DVec3::Z];

@@ -5,14 +5,18 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use glam::{DAffine3, DVec3};
 use virote_kernel::{
-    CircleForm, Curve, Ends, Frame, GeomError, Interpolator, KnotVector, NurbsCurve, Side, Spacing,
-    Tolerance, approximate, approximate_within, lagrange, make_compatible,
+    CircleForm, Curve, Ends, Frame, GeomError, Interpolator, KnotVector, NurbsCurve,
+    Parametrization, Side, Tolerance, approximate, approximate_within, lagrange, make_compatible,
 };
 
 use crate::{curve::are_same, some::parameter};
 
-const SPACINGS: [Spacing; 4] =
-    [Spacing::Uniform, Spacing::Chord, Spacing::Centripetal, Spacing::Foley];
+const SPACINGS: [Parametrization; 4] = [
+    Parametrization::Uniform,
+    Parametrization::Chord,
+    Parametrization::Centripetal,
+    Parametrization::Foley,
+];
 const ENDS: [Ends; 5] =
     [Ends::Bessel, Ends::Natural, Ends::Quadratic, Ends::NotAKnot, Ends::Averaged];
 
@@ -64,11 +68,13 @@ mod fits {
     #[test]
     fn duplicate_consecutive_points_are_told_and_uniform_parameters_take_them() {
         let points = plane(&[[0.0, 0.0], [1.0, 1.0], [1.0, 1.0], [2.0, 0.0], [3.0, 1.0]]);
-        for spacing in [Spacing::Chord, Spacing::Centripetal, Spacing::Foley] {
+        for spacing in
+            [Parametrization::Chord, Parametrization::Centripetal, Parametrization::Foley]
+        {
             let found = spacing.parameters(&points);
             assert_eq!(found, Err(GeomError::CoincidentPoints { first: 1, second: 2 }));
         }
-        let parameters = Spacing::Uniform.parameters(&points).unwrap();
+        let parameters = Parametrization::Uniform.parameters(&points).unwrap();
         for ends in ENDS {
             let curve = Interpolator::new(&parameters, 3, ends).unwrap().curve(&points).unwrap();
             for (&t, &point) in parameters.iter().zip(&points) {
@@ -83,7 +89,7 @@ mod fits {
         let at = |angle: f64| DVec3::new(libm::cos(angle), libm::sin(angle), 0.0);
         let angles = [0.0, 0.5, 0.5 + 1e-6, 1.0, 1.5, 2.0];
         let points: Vec<DVec3> = angles.iter().map(|&angle| at(angle)).collect();
-        for spacing in [Spacing::Chord, Spacing::Centripetal] {
+        for spacing in [Parametrization::Chord, Parametrization::Centripetal] {
             let parameters = spacing.parameters(&points).unwrap();
             let curve =
                 Interpolator::new(&parameters, 3, Ends::Bessel).unwrap().curve(&points).unwrap();
@@ -140,7 +146,7 @@ mod fits {
     fn exactly_closed_data_make_a_periodic_curve_without_a_seam() {
         let ring = plane(&[[2.0, 0.0], [0.0, 2.0], [-3.0, 0.5], [-1.0, -2.0], [1.0, -1.0]]);
         let closed: Vec<DVec3> = ring.iter().copied().chain([ring[0]]).collect();
-        let parameters = Spacing::Chord.parameters(&closed).unwrap();
+        let parameters = Parametrization::Chord.parameters(&closed).unwrap();
         let curve = Interpolator::periodic(&parameters, 3).unwrap().curve(&ring).unwrap();
         let domain = curve.domain();
         let before = curve.derivatives_beside(domain.end(), Side::Left, 2);
@@ -170,7 +176,7 @@ mod fits {
     #[test]
     fn noisy_data_are_approximated_and_their_noise_is_not() {
         let points = noisy_circle(0.01);
-        let parameters = Spacing::Chord.parameters(&points).unwrap();
+        let parameters = Parametrization::Chord.parameters(&points).unwrap();
         let curve = approximate(&points, &parameters, 3, 6).unwrap();
         for point in curve.sample(500) {
             assert!((point.length() - 10.0).abs() < 0.01, "{}", point.length());
@@ -207,7 +213,7 @@ mod fits {
     fn a_kink_in_the_data_is_kept_within_the_tolerance() {
         let leg = |i: u32| if i <= 50 { [f64::from(i), 0.0] } else { [50.0, f64::from(i) - 50.0] };
         let points = plane(&(0..=100).map(leg).collect::<Vec<_>>());
-        let parameters = Spacing::Chord.parameters(&points).unwrap();
+        let parameters = Parametrization::Chord.parameters(&points).unwrap();
         let curve = approximate_within(&points, &parameters, 3, 0.01, false).unwrap();
         for &point in &points {
             let distance = curve.closest(point, 1e-9).distance;
@@ -250,7 +256,7 @@ mod fits {
             .map(|i| f64::from(i) * FRAC_PI_2 / 8.0)
             .map(|a| DVec3::new(libm::cos(a), libm::sin(a), 0.0))
             .collect();
-        let parameters = Spacing::Chord.parameters(&points).unwrap();
+        let parameters = Parametrization::Chord.parameters(&points).unwrap();
         let curve =
             Interpolator::new(&parameters, 3, Ends::Natural).unwrap().curve(&points).unwrap();
         for point in curve.sample(400) {

@@ -6,7 +6,7 @@ use glam::{DAffine3, DMat3, DVec3};
 use proptest::{collection::vec, prelude::Strategy, prop_assert, proptest};
 use virote_kernel::{
     CircleForm, Curve, Ends, Frame, GeomError, Interpolator, Interval, KnotVector, NurbsCurve,
-    Side, Spacing, Tolerance, approximate, approximate_within, lagrange,
+    Parametrization, Side, Tolerance, approximate, approximate_within, lagrange,
 };
 
 use crate::some::{affine_map, are_near, fraction, parameter, point};
@@ -86,7 +86,7 @@ fn knots(degree: usize, inner: &[f64]) -> KnotVector {
     KnotVector::new(degree, knots).unwrap()
 }
 
-fn through(data: &Data, spacing: Spacing, ends: Ends) -> Result<NurbsCurve, GeomError> {
+fn through(data: &Data, spacing: Parametrization, ends: Ends) -> Result<NurbsCurve, GeomError> {
     let parameters = spacing.parameters(&data.points)?;
     Interpolator::new(&parameters, 3, ends)?.curve(&data.points)
 }
@@ -142,16 +142,16 @@ const ALL: &[Construction] = &[
         NurbsCurve::beta_spline(&d.points, d.sizes[0], d.sizes[1], true)
     }),
     construction!("interpolate by chords", Similarly, Passes, |d| {
-        through(d, Spacing::Chord, Ends::Bessel)
+        through(d, Parametrization::Chord, Ends::Bessel)
     }),
     construction!("interpolate by roots of chords", Similarly, Passes, |d| {
-        through(d, Spacing::Centripetal, Ends::NotAKnot)
+        through(d, Parametrization::Centripetal, Ends::NotAKnot)
     }),
     construction!("interpolate by Foley", Similarly, Passes, |d| {
-        through(d, Spacing::Foley, Ends::Natural)
+        through(d, Parametrization::Foley, Ends::Natural)
     }),
     construction!("interpolate uniformly", Affinely, Passes, |d| {
-        through(d, Spacing::Uniform, Ends::Quadratic)
+        through(d, Parametrization::Uniform, Ends::Quadratic)
     }),
     construction!("interpolate at parameters, degree 5", Affinely, Passes, |d| {
         at_values(d, 5, Ends::Averaged)
@@ -471,7 +471,7 @@ proptest! {
 
     #[test]
     fn an_approximation_within_a_tolerance_keeps_it(data in data(), tolerance in 0.01..2.0) {
-        let parameters = Spacing::Chord.parameters(&data.points).unwrap();
+        let parameters = Parametrization::Chord.parameters(&data.points).unwrap();
         let curve = approximate_within(&data.points, &parameters, 3, tolerance, false).unwrap();
         for &point in &data.points {
             prop_assert!(curve.closest(point, 1e-9).distance <= tolerance * (1.0 + 1e-9));

@@ -6,14 +6,18 @@ use proptest::{
     strategy::{Just, Strategy},
 };
 use virote_kernel::{
-    Ends, GeomError, Interpolator, KnotVector, NurbsCurve, Side, Spacing, approximate,
+    Ends, GeomError, Interpolator, KnotVector, NurbsCurve, Parametrization, Side, approximate,
     approximate_within, lagrange,
 };
 
 use crate::some::{affine_map, are_near, point};
 
-const SPACINGS: [Spacing; 4] =
-    [Spacing::Uniform, Spacing::Chord, Spacing::Centripetal, Spacing::Foley];
+const SPACINGS: [Parametrization; 4] = [
+    Parametrization::Uniform,
+    Parametrization::Chord,
+    Parametrization::Centripetal,
+    Parametrization::Foley,
+];
 const FREE_ENDS: [Ends; 5] =
     [Ends::Bessel, Ends::Natural, Ends::Quadratic, Ends::NotAKnot, Ends::Averaged];
 
@@ -186,7 +190,7 @@ proptest! {
 proptest! {
     #[test]
     fn approximation_keeps_the_ends_and_its_tolerance(points in points(4, 40), fraction in 0.001..0.3_f64) {
-        let parameters = Spacing::Chord.loose_parameters(&points).unwrap();
+        let parameters = Parametrization::Chord.loose_parameters(&points).unwrap();
         let tolerance = 10.0 * fraction;
         let curve = approximate_within(&points, &parameters, 3, tolerance, false).unwrap();
         prop_assert!(curve.points().len() <= points.len());
@@ -302,11 +306,11 @@ fn two_points_of_degree_three_are_a_line() {
 #[test]
 fn points_at_one_place_are_told_by_their_indices() {
     let points = along_x(&[0.0, 1.0, 1.0, 2.0]);
-    for spacing in [Spacing::Chord, Spacing::Centripetal, Spacing::Foley] {
+    for spacing in [Parametrization::Chord, Parametrization::Centripetal, Parametrization::Foley] {
         let found = spacing.parameters(&points);
         assert_eq!(found, Err(GeomError::CoincidentPoints { first: 1, second: 2 }), "{spacing:?}");
     }
-    assert!(Spacing::Uniform.parameters(&points).is_ok());
+    assert!(Parametrization::Uniform.parameters(&points).is_ok());
 }
 
 #[test]

@@ -3,8 +3,8 @@
 use glam::{DAffine3, DQuat, DVec3};
 use proptest::{prop_assert, prop_assume, proptest};
 use virote_kernel::{
-    CircleForm, Curve, GeomError, Interval, KnotVector, LocalGeometry, Neighbourhood, NurbsCurve,
-    PlaceKind, Side, Tolerance,
+    CircleForm, Curve, CurvePointKind, EvaluationPlace, GeomError, Interval, KnotVector,
+    LocalGeometry, NurbsCurve, Side, Tolerance,
 };
 
 use crate::some::{curve, fraction, parameter, point};
@@ -17,13 +17,13 @@ fn beside(curve: &NurbsCurve, t: f64, side: Side) -> LocalGeometry {
     Curve::from(curve.clone()).local_at(t, side).unwrap()
 }
 
-fn kind(curve: &NurbsCurve, t: f64) -> PlaceKind {
+fn kind(curve: &NurbsCurve, t: f64) -> CurvePointKind {
     Curve::from(curve.clone()).place_kind_at(t, Tolerance::DEFAULT).unwrap()
 }
 
 /// The shape that derivative vectors alone tell.
 fn told_by(derivatives: &[DVec3], side: Side) -> Result<LocalGeometry, GeomError> {
-    let around = Neighbourhood {
+    let around = EvaluationPlace {
         parameter: 0.0,
         side,
         reach: 1.0,
@@ -221,14 +221,14 @@ fn kinds_of_places_are_the_same_at_every_scale() {
         [[-1.0, 1.0, 0.0], [-0.5, -1.0, 0.0], [0.0, 1.0, 0.0], [0.5, -1.0, 0.0], [1.0, 1.0, 0.0]];
     for scale in SCALES {
         let kind = |points: &[[f64; 3]], t| kind(&bezier(points, scale), t);
-        assert_eq!(kind(&s_bend, 0.5), PlaceKind::Inflection);
-        assert_eq!(kind(&s_bend, 0.5 + 1e-11), PlaceKind::Inflection);
-        assert_eq!(kind(&s_bend, 0.5 + 1e-6), PlaceKind::Regular);
-        assert_eq!(kind(&cusp, 0.5), PlaceKind::Cusp);
-        assert_eq!(kind(&cusp, 0.5 - 1e-12), PlaceKind::Cusp);
-        assert_eq!(kind(&cusp, 0.4), PlaceKind::Regular);
-        assert_eq!(kind(&space_cusp, 0.5), PlaceKind::Regular);
-        assert_eq!(kind(&flat, 0.5), PlaceKind::Regular);
+        assert_eq!(kind(&s_bend, 0.5), CurvePointKind::Inflection);
+        assert_eq!(kind(&s_bend, 0.5 + 1e-11), CurvePointKind::Inflection);
+        assert_eq!(kind(&s_bend, 0.5 + 1e-6), CurvePointKind::Regular);
+        assert_eq!(kind(&cusp, 0.5), CurvePointKind::Cusp);
+        assert_eq!(kind(&cusp, 0.5 - 1e-12), CurvePointKind::Cusp);
+        assert_eq!(kind(&cusp, 0.4), CurvePointKind::Regular);
+        assert_eq!(kind(&space_cusp, 0.5), CurvePointKind::Regular);
+        assert_eq!(kind(&flat, 0.5), CurvePointKind::Regular);
     }
 }
 
@@ -240,19 +240,19 @@ fn corners_and_turns_at_knots_are_told_apart() {
     };
     let square = polyline(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.0]]);
     for t in [0.0, 1.0, 2.0, 3.0, 4.0] {
-        assert_eq!(kind(&square, t), PlaceKind::Corner);
+        assert_eq!(kind(&square, t), CurvePointKind::Corner);
     }
     let back = polyline(&[[0.0, 0.0], [2.0, 0.0], [1.0, 0.0], [-1.0, 0.0]]);
-    assert_eq!(kind(&back, 1.0), PlaceKind::Cusp);
-    assert_eq!(kind(&back, 2.0), PlaceKind::Regular);
-    assert_eq!(kind(&back, 0.0), PlaceKind::Regular);
+    assert_eq!(kind(&back, 1.0), CurvePointKind::Cusp);
+    assert_eq!(kind(&back, 2.0), CurvePointKind::Regular);
+    assert_eq!(kind(&back, 0.0), CurvePointKind::Regular);
     // Two quarter circles that make an S: the bend changes its side at the knot.
     let h = std::f64::consts::FRAC_1_SQRT_2;
     let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [1.0, 2.0], [2.0, 2.0]];
     let points = points.map(|[x, y]| DVec3::new(x, y, 0.0));
     let knots = KnotVector::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 2.0]).unwrap();
     let s = NurbsCurve::rational(knots, &points, &[1.0, h, 1.0, h, 1.0]).unwrap();
-    assert_eq!(kind(&s, 1.0), PlaceKind::Inflection);
+    assert_eq!(kind(&s, 1.0), CurvePointKind::Inflection);
     near(beside(&s, 1.0, Side::Left).signed_curvature(DVec3::Z, 1e-9).unwrap(), 1.0);
     near(beside(&s, 1.0, Side::Right).signed_curvature(DVec3::Z, 1e-9).unwrap(), -1.0);
 }

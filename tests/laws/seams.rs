@@ -8,8 +8,8 @@ use proptest::{
     prop_assert, prop_assert_eq, proptest,
 };
 use virote_kernel::{
-    Datum, Direction, Frame, Grid, KnotVector, Mesh, MeshLimits, Nearest, NurbsSurface, Surface,
-    Tolerance, tessellate_all,
+    DeviationReference, Direction, Frame, Grid, KnotVector, Mesh, MeshDistance, NurbsSurface,
+    Surface, TessellationOptions, Tolerance, tessellate_all,
 };
 
 const MOST: usize = 1_000_000;
@@ -17,15 +17,16 @@ const MOST: usize = 1_000_000;
 /// One mesh of all.
 fn meshed(surfaces: &[NurbsSurface], tolerance: f64) -> Mesh {
     let surfaces: Vec<Surface> = surfaces.iter().cloned().map(Surface::from).collect();
-    let meshes = tessellate_all(&surfaces, &MeshLimits::within(tolerance), MOST).unwrap();
+    let meshes = tessellate_all(&surfaces, &TessellationOptions::within(tolerance), MOST).unwrap();
     Mesh::merged(&meshes, MOST).unwrap()
 }
 
 /// How far the mesh is from the surface, and the surface from the mesh.
 fn deviations(surface: &NurbsSurface, mesh: &Mesh) -> [f64; 2] {
     let surface = Surface::from(surface.clone());
-    let of_mesh = mesh.deviation_from(&Datum::of_surface(&surface).unwrap()).unwrap().unwrap();
-    let nearest = Datum::Mesh(Nearest::new(mesh).unwrap());
+    let of_mesh =
+        mesh.deviation_from(&DeviationReference::of_surface(&surface).unwrap()).unwrap().unwrap();
+    let nearest = DeviationReference::Mesh(MeshDistance::new(mesh).unwrap());
     [of_mesh.max, surface.deviation_from(&nearest).unwrap().max]
 }
 
@@ -38,7 +39,7 @@ fn shape(mesh: &Mesh) -> (i64, usize, usize, usize) {
 
 /// How a piece is cut and written anew.
 #[derive(Clone, Debug)]
-struct Turn {
+struct FocalPoint {
     /// Which piece is cut, where, and along which direction.
     piece: usize,
     fraction: f64,
@@ -50,22 +51,16 @@ struct Turn {
     swaps: bool,
 }
 
-fn turn() -> impl Strategy<Value = Turn> {
+fn turn() -> impl Strategy<Value = FocalPoint> {
     let cut = (0..100usize, 0.03..0.97, any::<bool>());
     let form = ([0..3usize, 0..3usize], [0.1..0.9, 0.1..0.9], any::<[bool; 2]>(), any::<bool>());
-    (cut, form).prop_map(|((piece, fraction, is_u), (elevation, knots, reverses, swaps))| Turn {
-        piece,
-        fraction,
-        is_u,
-        elevation,
-        knots,
-        reverses,
-        swaps,
+    (cut, form).prop_map(|((piece, fraction, is_u), (elevation, knots, reverses, swaps))| {
+        FocalPoint { piece, fraction, is_u, elevation, knots, reverses, swaps }
     })
 }
 
 /// The same surface with other degrees, knots and directions.
-fn rewritten(mut surface: NurbsSurface, turn: &Turn) -> NurbsSurface {
+fn rewritten(mut surface: NurbsSurface, turn: &FocalPoint) -> NurbsSurface {
     for (i, along) in Direction::BOTH.into_iter().enumerate() {
         let degree = surface.knots(along).degree() + turn.elevation[i];
         surface = surface.elevate_degree(along, degree).unwrap();
@@ -79,7 +74,7 @@ fn rewritten(mut surface: NurbsSurface, turn: &Turn) -> NurbsSurface {
 }
 
 /// The surface in pieces, each a rectangle of its parameters, which meet in parts of their edges.
-fn in_pieces(surface: &NurbsSurface, turns: &[Turn]) -> Vec<NurbsSurface> {
+fn in_pieces(surface: &NurbsSurface, turns: &[FocalPoint]) -> Vec<NurbsSurface> {
     let mut pieces = vec![surface.clone()];
     for turn in turns {
         let piece = pieces.swap_remove(turn.piece % pieces.len());

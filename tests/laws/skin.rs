@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 use proptest::{collection::vec, prelude::Strategy, prop_assert, proptest};
-use virote_kernel::{Along, GeomError, NurbsCurve, NurbsSurface, Rule, Sections};
+use virote_kernel::{
+    Along, CompatibleSections, GeomError, NurbsCurve, NurbsSurface, SectionParameters,
+};
 
 use crate::some::{affine_map, curve};
 
@@ -26,7 +28,7 @@ fn miss(surface: &NurbsSurface, v: f64, section: &NurbsCurve) -> f64 {
 }
 
 /// The skin, unless the weights between the sections leave no point.
-fn skin(sections: &Sections, along: &Along) -> Option<NurbsSurface> {
+fn skin(sections: &CompatibleSections, along: &Along) -> Option<NurbsSurface> {
     match sections.skinned(along) {
         Err(GeomError::VanishingWeightsAt { .. }) => None,
         made => Some(made.unwrap().surface),
@@ -36,8 +38,8 @@ fn skin(sections: &Sections, along: &Along) -> Option<NurbsSurface> {
 proptest! {
     #[test]
     fn sections_are_isocurves(curves in sections(2..6), degree in 1..=4usize) {
-        let all = Sections::new(&curves).unwrap();
-        let parameters = all.parameters(Rule::Average, false).unwrap();
+        let all = CompatibleSections::new(&curves).unwrap();
+        let parameters = all.parameters(SectionParameters::Average, false).unwrap();
         let Some(s) = skin(&all, &Along::free(&parameters, degree).unwrap()) else { return Ok(()) };
         prop_assert!(s.degree_v() == degree.min(curves.len() - 1));
         for (curve, &v) in curves.iter().zip(&parameters) {
@@ -47,8 +49,8 @@ proptest! {
 
     #[test]
     fn sections_of_closed_and_monotone_skins_are_isocurves(curves in sections(3..6), degree in 1..=5usize, is_monotone in proptest::prelude::any::<bool>()) {
-        let all = Sections::new(&curves).unwrap();
-        let parameters = all.parameters(Rule::Centripetal, true).unwrap();
+        let all = CompatibleSections::new(&curves).unwrap();
+        let parameters = all.parameters(SectionParameters::Centripetal, true).unwrap();
         let along = match is_monotone {
             true => Along::monotone(&parameters, true),
             false => Along::closed(&parameters, degree),
@@ -61,8 +63,8 @@ proptest! {
 
     #[test]
     fn monotone_skins_stay_in_the_box_of_two_neighbours(curves in sections(2..6), f in 0.0..1.0, g in 0.0..1.0) {
-        let all = Sections::new(&curves).unwrap();
-        let parameters = all.parameters(Rule::Average, false).unwrap();
+        let all = CompatibleSections::new(&curves).unwrap();
+        let parameters = all.parameters(SectionParameters::Average, false).unwrap();
         let s = skin(&all, &Along::monotone(&parameters, false).unwrap()).unwrap();
         let (u, v) = (s.domain_u().at(f), g);
         let k = parameters.partition_point(|&t| t <= v).clamp(1, curves.len() - 1);
@@ -81,7 +83,7 @@ proptest! {
     fn skins_at_given_parameters_are_affinely_invariant(curves in sections(2..6), map in affine_map()) {
         let parameters: Vec<f64> = (0..curves.len()).map(|k| k as f64).collect();
         let along = Along::free(&parameters, 3).unwrap();
-        let made = |curves: &[NurbsCurve]| skin(&Sections::new(curves).unwrap(), &along);
+        let made = |curves: &[NurbsCurve]| skin(&CompatibleSections::new(curves).unwrap(), &along);
         let images: Vec<NurbsCurve> = curves.iter().map(|curve| curve.transformed(&map)).collect();
         let (Some(s), Some(image)) = (made(&curves), made(&images)) else { return Ok(()) };
         for (u, v) in [(0.1, 0.3), (0.5, 0.9), (0.8, 0.6)] {
@@ -98,7 +100,7 @@ proptest! {
     #[test]
     fn derivatives_follow_the_spine(curves in sections(2..5), spine in vec(crate::some::point(), 4), degree in 2..=3usize) {
         let path = NurbsCurve::bezier(&spine).unwrap();
-        let all = Sections::new(&curves).unwrap();
+        let all = CompatibleSections::new(&curves).unwrap();
         let n = curves.len();
         let parameters: Vec<f64> = (0..n).map(|k| k as f64 / (n - 1) as f64).collect();
         let Ok(along) = Along::spine(&parameters, degree, &path, false) else { return Ok(()) };

@@ -3,8 +3,8 @@
 use glam::{DAffine3, DQuat, DVec3};
 use proptest::{collection::vec, prelude::Strategy, prop_assert, proptest};
 use virote_kernel::{
-    CircleForm, Columns, Ends, Fineness, Frames, Framing, GeomError, Held, Interpolator, Motion,
-    NurbsCurve, Spacing, Sweep, swept,
+    CircleForm, Columns, Ends, FrameRule, Frames, GeomError, Interpolator, Motion, NurbsCurve,
+    Parametrization, PlacedAxes, Sweep, SweepResolution, swept,
 };
 
 use crate::some::point;
@@ -25,7 +25,7 @@ impl Motion for Still {
         Ok(None)
     }
 
-    fn held(&mut self, _: f64, _: DVec3, _: DVec3) -> Result<Option<Held>, GeomError> {
+    fn held(&mut self, _: f64, _: DVec3, _: DVec3) -> Result<Option<PlacedAxes>, GeomError> {
         Ok(None)
     }
 }
@@ -35,7 +35,7 @@ fn path() -> impl Strategy<Value = NurbsCurve> {
     vec(point(), 4..7).prop_map(|points| {
         let at = |(k, p): (usize, &DVec3)| 0.2 * *p + DVec3::X * (8.0 * k as f64);
         let points: Vec<DVec3> = points.iter().enumerate().map(at).collect();
-        let parameters = Spacing::Chord.parameters(&points).unwrap();
+        let parameters = Parametrization::Chord.parameters(&points).unwrap();
         Interpolator::new(&parameters, 3, Ends::Averaged).unwrap().curve(&points).unwrap()
     })
 }
@@ -48,8 +48,8 @@ fn ring() -> NurbsCurve {
 }
 
 fn pipe(path: &NurbsCurve, up: DVec3) -> Sweep {
-    let frames = Frames::new(path, Framing::RotationMinimizing, up, false).unwrap();
-    let fineness = Fineness {
+    let frames = Frames::new(path, FrameRule::RotationMinimizing, up, false).unwrap();
+    let fineness = SweepResolution {
         n_sections: None,
         tolerance: TOLERANCE,
         keeps_path: true,
@@ -81,7 +81,7 @@ proptest! {
 
     #[test]
     fn a_rotation_minimizing_frame_does_not_turn_about_the_path(path in path(), f in 0.01..0.99) {
-        let frames = Frames::new(&path, Framing::RotationMinimizing, DVec3::Z, false).unwrap();
+        let frames = Frames::new(&path, FrameRule::RotationMinimizing, DVec3::Z, false).unwrap();
         let (t, h) = (path.domain().at(f), 1e-4 * path.domain().length());
         let [before, here, behind] = [t - h, t, t + h].map(|t| frames.at(t).unwrap());
         prop_assert!((here.x.dot(here.z)).abs() < 1e-12 && (here.z.length() - 1.0).abs() < 1e-12);

@@ -6,8 +6,8 @@ use std::f64::consts::PI;
 use glam::DVec3;
 use proptest::{prop_assert, proptest};
 use virote_kernel::{
-    Axis, Direction, Frame, GeomError, Grid, KnotVector, Mesh, MeshLimits, NurbsCurve,
-    NurbsSurface, Surface, Tolerance, distance_to_polyline, tessellate, tessellate_all,
+    Axis, Direction, Frame, GeomError, Grid, KnotVector, Mesh, NurbsCurve, NurbsSurface, Surface,
+    TessellationOptions, Tolerance, distance_to_polyline, tessellate, tessellate_all,
     tessellate_finely,
 };
 
@@ -142,7 +142,7 @@ fn weights_that_differ_much_hide_nothing() {
 #[test]
 fn no_edge_is_longer_than_asked_for() {
     for max_edge in [0.3, 1.0] {
-        let limits = MeshLimits { max_edge, ..MeshLimits::within(0.1) };
+        let limits = TessellationOptions { max_edge, ..TessellationOptions::within(0.1) };
         let mesh = tessellate_finely(&wave(9), &limits, MOST).unwrap();
         for [a, b, c] in mesh.corners() {
             let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
@@ -155,7 +155,7 @@ fn no_edge_is_longer_than_asked_for() {
 fn the_normal_turns_no_further_than_asked_for() {
     for degrees in [5.0, 15.0] {
         let angle = degrees * PI / 180.0;
-        let limits = MeshLimits { angle, ..MeshLimits::within(1.0) };
+        let limits = TessellationOptions { angle, ..TessellationOptions::within(1.0) };
         for surface in [wave(9), NurbsSurface::torus(Frame::XY, 5.0, 2.0).unwrap()] {
             let mesh = tessellate_finely(&surface, &limits, MOST).unwrap();
             let normals = mesh.normals();
@@ -171,15 +171,15 @@ fn the_normal_turns_no_further_than_asked_for() {
 #[test]
 fn limits_that_allow_nothing_are_refused() {
     let ball = sphere(DVec3::ZERO, 1.0);
-    let limits = MeshLimits::within(0.1);
+    let limits = TessellationOptions::within(0.1);
     for limits in [
-        MeshLimits { tolerance: 0.0, ..limits },
-        MeshLimits { tolerance: f64::INFINITY, ..limits },
-        MeshLimits { tolerance: f64::NAN, ..limits },
-        MeshLimits { angle: -1.0, ..limits },
-        MeshLimits { angle: f64::NAN, ..limits },
-        MeshLimits { max_edge: 0.0, ..limits },
-        MeshLimits { max_edge: f64::NAN, ..limits },
+        TessellationOptions { tolerance: 0.0, ..limits },
+        TessellationOptions { tolerance: f64::INFINITY, ..limits },
+        TessellationOptions { tolerance: f64::NAN, ..limits },
+        TessellationOptions { angle: -1.0, ..limits },
+        TessellationOptions { angle: f64::NAN, ..limits },
+        TessellationOptions { max_edge: 0.0, ..limits },
+        TessellationOptions { max_edge: f64::NAN, ..limits },
     ] {
         let refused = tessellate_finely(&ball, &limits, MOST);
         assert!(matches!(refused, Err(GeomError::NotPositive { .. })), "{limits:?}");
@@ -215,7 +215,7 @@ fn teapot() -> Vec<NurbsSurface> {
     points.chunks(16).map(|net| patch(net).unwrap()).collect()
 }
 
-fn meshed(surfaces: &[NurbsSurface], limits: &MeshLimits) -> Mesh {
+fn meshed(surfaces: &[NurbsSurface], limits: &TessellationOptions) -> Mesh {
     let surfaces: Vec<Surface> = surfaces.iter().cloned().map(Surface::from).collect();
     let meshes = tessellate_all(&surfaces, limits, MOST).unwrap();
     for (surface, mesh) in surfaces.iter().zip(&meshes) {
@@ -247,7 +247,7 @@ fn rewritten(surface: &NurbsSurface) -> NurbsSurface {
 
 #[test]
 fn t2_the_teapot_is_open_only_where_its_patches_are() {
-    let mesh = meshed(&teapot(), &MeshLimits::within(0.1));
+    let mesh = meshed(&teapot(), &TessellationOptions::within(0.1));
     let check = mesh.check(Tolerance::DEFAULT);
     assert_eq!(check.degenerate, 0);
     // Its parts, body with lid and bottom, handle and spout, are open at their rims only.
@@ -290,7 +290,7 @@ fn t2_the_teapot_is_open_only_where_its_patches_are() {
 
 #[test]
 fn t3_patches_written_otherwise_open_no_crack() {
-    let limits = MeshLimits::within(0.1);
+    let limits = TessellationOptions::within(0.1);
     let original = boundary(&meshed(&teapot(), &limits));
     let mut patches = teapot();
     for patch in patches.iter_mut().step_by(2) {
@@ -319,7 +319,7 @@ fn surfaces_whose_edge_runs_at_another_pace_share_its_vertices() {
     let weights = Grid::from_fn(4, 4, |_, j| [1.0, 3.0, 9.0, 27.0][j]);
     let right = NurbsSurface::rational(knots.clone(), knots, &net(3), &weights).unwrap();
     let right = rewritten(&right).reversed(Direction::V).swapped();
-    let mesh = meshed(&[left, right], &MeshLimits::within(0.01));
+    let mesh = meshed(&[left, right], &TessellationOptions::within(0.01));
     let check = mesh.check(Tolerance::DEFAULT);
     assert_eq!((check.boundaries, check.components), (1, 1));
     let is_on_edge = |[a, b]: &[DVec3; 2]| [a, b].iter().all(|end| (end.x - 3.0).abs() < 1e-9);
@@ -338,7 +338,7 @@ fn an_edge_alone_is_divided_as_beside_its_neighbour() {
     let strip = |low: f64, high: f64| {
         NurbsSurface::ruled(&arc(2.0, low).unwrap(), &arc(2.0, high).unwrap()).unwrap()
     };
-    let limits = MeshLimits::within(0.001);
+    let limits = TessellationOptions::within(0.001);
     let (low, high) = (strip(0.0, 1.0), strip(1.0, 3.0));
     let alone = tessellate_finely(&low, &limits, MOST).unwrap();
     let both = meshed(&[low, high], &limits);
@@ -384,7 +384,7 @@ fn faces_of_a_body_make_a_closed_mesh() {
         NurbsSurface::revolved(&leg, axis, 2.0 * PI).unwrap()
     };
     let faces = [cap(2.0, 0.0).reversed(Direction::U), side, cap(1.0, 3.0)];
-    let check = meshed(&faces, &MeshLimits::within(0.01)).check(Tolerance::DEFAULT);
+    let check = meshed(&faces, &TessellationOptions::within(0.01)).check(Tolerance::DEFAULT);
     assert!(check.is_closed && check.is_manifold && check.is_oriented, "{check:?}");
     assert_eq!(check.euler, 2);
 }

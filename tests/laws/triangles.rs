@@ -5,7 +5,8 @@ use std::f64::consts::PI;
 use glam::DVec3;
 use proptest::{collection::vec, prop_assert, proptest};
 use virote_kernel::{
-    Datum, Frame, Grid, KnotVector, Mesh, Nearest, NurbsSurface, Surface, tessellate,
+    DeviationReference, Frame, Grid, KnotVector, Mesh, MeshDistance, NurbsSurface, Surface,
+    tessellate,
 };
 
 const MOST: usize = 1_000_000;
@@ -13,8 +14,9 @@ const MOST: usize = 1_000_000;
 /// How far the mesh is from the surface, and the surface from the mesh.
 fn deviations(surface: &NurbsSurface, mesh: &Mesh) -> [f64; 2] {
     let surface = Surface::from(surface.clone());
-    let of_mesh = mesh.deviation_from(&Datum::of_surface(&surface).unwrap()).unwrap().unwrap();
-    let nearest = Datum::Mesh(Nearest::new(mesh).unwrap());
+    let of_mesh =
+        mesh.deviation_from(&DeviationReference::of_surface(&surface).unwrap()).unwrap().unwrap();
+    let nearest = DeviationReference::Mesh(MeshDistance::new(mesh).unwrap());
     [of_mesh.max, surface.deviation_from(&nearest).unwrap().max]
 }
 

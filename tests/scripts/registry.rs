@@ -8,7 +8,7 @@ use virote::{
     ops,
     session::{Event, Report, Session},
     syntax,
-    value::{Call, Files, Op, Param, Type, choose},
+    value::{Call, Files, Op, OpParameter, Type, choose},
 };
 
 /// The one file that examples may load.
@@ -45,7 +45,7 @@ fn ask(question: impl Fn(&Op) -> Option<String>) {
 
 /// Asks a question about every parameter of every operation.
 #[track_caller]
-fn ask_params(question: impl Fn(&Param) -> Option<String>) {
+fn ask_params(question: impl Fn(&OpParameter) -> Option<String>) {
     ask(|op| {
         op.params
             .iter()
@@ -109,7 +109,7 @@ fn parameters_are_documented() {
 #[test]
 fn required_parameters_stand_first() {
     ask(|op| {
-        let optional = op.params.iter().map(Param::may_be_left_out);
+        let optional = op.params.iter().map(OpParameter::may_be_left_out);
         (!optional.is_sorted())
             .then(|| format!("a required parameter follows an optional one: {}", op.signature()))
     });
@@ -214,7 +214,7 @@ fn operations_of_one_name_differ_in_their_first_parameter_or_in_how_many_they_ta
                     continue;
                 };
                 // Elements may stand as the arguments: then the first one is compared.
-                let variants = |param: &Param| match param.ty {
+                let variants = |param: &OpParameter| match param.ty {
                     Type::List(of, _) if param.spreads => vec![param.ty, *of],
                     ty => vec![ty],
                 };

@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use super::{super::message::pretty, Prompt, graph, show};
+use super::{super::reporter::pretty, Prompt, graph, show};
 use crate::{
     diag::{Code, nearest},
     docs,
-    syntax::Role,
+    syntax::StatementRole,
     value::Value,
 };
 
@@ -169,7 +169,11 @@ fn list(prompt: &mut Prompt, _: &str) {
         .map(|(name, value)| format!("{}\n", show::line(name, value)))
         .collect();
     super::say(&text);
-    let others = [(Role::Check, "check"), (Role::Export, "export"), (Role::Test, "test")];
+    let others = [
+        (StatementRole::Check, "check"),
+        (StatementRole::Export, "export"),
+        (StatementRole::Test, "test"),
+    ];
     let others: Vec<String> = others
         .into_iter()
         .map(|(role, noun)| (prompt.document.count(role), noun))
@@ -261,7 +265,7 @@ fn undo(prompt: &mut Prompt, _: &str) {
 
 fn export(prompt: &mut Prompt, text: &str) {
     let (base, input) = if text.is_empty() {
-        if prompt.document.count(Role::Export) == 0 {
+        if prompt.document.count(StatementRole::Export) == 0 {
             return prompt.refuse("the document exports nothing; `:export EXPR to \"FILE\"`");
         }
         (prompt.document.with_exports(), String::new())

@@ -3,8 +3,8 @@
 use std::{fs, path::PathBuf};
 
 use crate::{
-    syntax::{KEYWORDS, Place, place},
-    value::{Op, Param, Registry, Type, Value, field_names},
+    syntax::{CompletionPlace, KEYWORDS, place},
+    value::{Op, OpParameter, Registry, Type, Value, field_names},
 };
 
 use super::{command::COMMANDS, show};
@@ -13,14 +13,14 @@ use super::{command::COMMANDS, show};
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scope {
     /// Its definitions.
-    pub(super) names: Vec<Known>,
+    pub(super) names: Vec<KnownDefinition>,
     /// The folder that its files lie in.
     pub(super) folder: PathBuf,
 }
 
 /// A definition.
 #[derive(Clone, Debug)]
-pub(super) struct Known {
+pub(super) struct KnownDefinition {
     pub(super) name: String,
     /// Kind and size, or the value.
     pub(super) what: String,
@@ -28,7 +28,7 @@ pub(super) struct Known {
     pub(super) fields: Vec<String>,
 }
 
-impl Known {
+impl KnownDefinition {
     pub(super) fn of(name: &str, value: &Value) -> Self {
         let fields = field_names(value).into_iter().map(str::to_owned).collect();
         let what = show::cut(&show::line(name, value)[name.len()..], 60);
@@ -97,13 +97,13 @@ fn command(
 
 fn in_expression(line: &str, scope: &Scope, registry: &Registry) -> (usize, Vec<Candidate>) {
     match place(line) {
-        Place::Comment => (line.len(), Vec::new()),
-        Place::Field { start, of } => {
+        CompletionPlace::Comment => (line.len(), Vec::new()),
+        CompletionPlace::Field { start, of } => {
             let known = scope.names.iter().find(|known| known.name == of);
             let fields = known.map(|known| known.fields.as_slice()).unwrap_or_default();
             (start, fields.iter().map(|field| Candidate::new(field, "field")).collect())
         }
-        Place::Text { start, call, label, .. } => {
+        CompletionPlace::Text { start, call, label, .. } => {
             let words = call
                 .zip(label)
                 .and_then(|(call, label)| parameter(registry, call, label))
@@ -116,7 +116,7 @@ fn in_expression(line: &str, scope: &Scope, registry: &Registry) -> (usize, Vec<
             }
             (start, words.into_iter().map(|word| Candidate::new(word, "word")).collect())
         }
-        Place::Name { start, call } => {
+        CompletionPlace::Name { start, call } => {
             let mut found: Vec<Candidate> =
                 scope.names.iter().map(|known| Candidate::new(&known.name, &known.what)).collect();
             let labels = call.map(|call| ops(registry, call)).unwrap_or_default();
@@ -143,7 +143,7 @@ fn ops<'r>(registry: &'r Registry, name: &str) -> Vec<&'r Op> {
     registry.get(name).map(|(_, ops)| ops.iter().copied().collect()).unwrap_or_default()
 }
 
-fn parameter(registry: &Registry, call: &str, label: &str) -> Option<&'static Param> {
+fn parameter(registry: &Registry, call: &str, label: &str) -> Option<&'static OpParameter> {
     let (_, ops) = registry.get(call)?;
     ops.iter().flat_map(|op| op.params).find(|param| param.name == label)
 }
@@ -188,12 +188,12 @@ fn files(begun: &str, scope: &Scope) -> Vec<Candidate> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Known, Scope, candidates};
+    use super::{KnownDefinition, Scope, candidates};
     use crate::{ops, value::Value};
 
     #[track_caller]
     fn check(line: &str, start: usize, expected: &[&str]) {
-        let names = vec![Known::of("benchmark", &Value::Point(glam::DVec3::ZERO))];
+        let names = vec![KnownDefinition::of("benchmark", &Value::Point(glam::DVec3::ZERO))];
         let scope = Scope { names, ..Scope::default() };
         let (at, found) = candidates(line, &scope, &ops::registry());
         let texts: Vec<&str> = found.iter().map(|candidate| candidate.text.as_str()).collect();

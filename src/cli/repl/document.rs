@@ -3,7 +3,7 @@
 use crate::{
     diag::Diagnostic,
     limits::Limits,
-    syntax::{Role, parts},
+    syntax::{StatementRole, parts},
 };
 
 /// Documents that `:undo` can go back to.
@@ -11,16 +11,16 @@ const MOST_UNDONE: usize = 200;
 
 /// A statement with the comments before it.
 #[derive(Clone, Debug)]
-struct Piece {
+struct DocumentStatement {
     text: String,
-    role: Role,
+    role: StatementRole,
     names: Vec<String>,
 }
 
 /// The statements so far.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Document {
-    pieces: Vec<Piece>,
+    pieces: Vec<DocumentStatement>,
 }
 
 /// A document on its way to the next one.
@@ -43,7 +43,7 @@ impl Document {
     /// What is wrong with the text.
     pub(super) fn of(text: &str, limits: &Limits) -> Result<Self, Vec<Diagnostic>> {
         let text = text.trim_start_matches('\u{feff}');
-        let pieces = parts(text, limits)?.into_iter().map(|part| Piece {
+        let pieces = parts(text, limits)?.into_iter().map(|part| DocumentStatement {
             text: text[part.range].trim_matches('\n').to_owned(),
             role: part.role,
             names: part.names,
@@ -57,7 +57,7 @@ impl Document {
     }
 
     /// How many statements play a role.
-    pub(super) fn count(&self, role: Role) -> usize {
+    pub(super) fn count(&self, role: StatementRole) -> usize {
         self.pieces.iter().filter(|piece| piece.role == role).count()
     }
 
@@ -76,17 +76,22 @@ impl Document {
 
     /// What a question is asked of: settings and definitions.
     pub(super) fn definitions(&self) -> String {
-        self.text_of(|piece| matches!(piece.role, Role::Setting(_) | Role::Definition))
+        self.text_of(|piece| {
+            matches!(piece.role, StatementRole::Setting(_) | StatementRole::Definition)
+        })
     }
 
     /// What `:export` carries out: the exports with all that they need.
     pub(super) fn with_exports(&self) -> String {
         self.text_of(|piece| {
-            matches!(piece.role, Role::Setting(_) | Role::Definition | Role::Export)
+            matches!(
+                piece.role,
+                StatementRole::Setting(_) | StatementRole::Definition | StatementRole::Export
+            )
         })
     }
 
-    fn text_of(&self, is_wanted: impl Fn(&Piece) -> bool) -> String {
+    fn text_of(&self, is_wanted: impl Fn(&DocumentStatement) -> bool) -> String {
         let wanted = self.pieces.iter().filter(|piece| is_wanted(piece));
         wanted.map(|piece| format!("{}\n", piece.text)).collect()
     }
@@ -101,51 +106,54 @@ impl Document {
         let base = Self { pieces: self.outside(&added) };
         let lost = self.lost(&added);
         let replaces = base.pieces.len() < self.pieces.len();
-        added.retain(|piece| piece.role != Role::Print);
+        added.retain(|piece| piece.role != StatementRole::Print);
         let mut next = self.clone();
         for piece in added {
             next.put(piece);
         }
         let base = base.text_of(|piece| {
-            matches!(piece.role, Role::Setting(_) | Role::Definition | Role::Check)
+            matches!(
+                piece.role,
+                StatementRole::Setting(_) | StatementRole::Definition | StatementRole::Check
+            )
         });
         Ok(Draft { base, replaces, lost, next })
     }
 
     /// The pieces that none of `added` takes the place of.
-    fn outside(&self, added: &[Piece]) -> Vec<Piece> {
-        let stays = |old: &&Piece| !added.iter().any(|new| new.replaces(old));
+    fn outside(&self, added: &[DocumentStatement]) -> Vec<DocumentStatement> {
+        let stays = |old: &&DocumentStatement| !added.iter().any(|new| new.replaces(old));
         self.pieces.iter().filter(stays).cloned().collect()
     }
 
     /// Names of replaced pieces that nothing defines any more.
-    fn lost(&self, added: &[Piece]) -> Vec<String> {
+    fn lost(&self, added: &[DocumentStatement]) -> Vec<String> {
         let gone = self.pieces.iter().filter(|old| added.iter().any(|new| new.replaces(old)));
         let is_lost = |name: &&String| !added.iter().any(|new| new.names.contains(name));
         gone.flat_map(|old| old.names.iter().filter(is_lost).cloned()).collect()
     }
 
     /// Puts a piece into the place of what it replaces, or at the end; a setting to the front.
-    fn put(&mut self, piece: Piece) {
+    fn put(&mut self, piece: DocumentStatement) {
         let place = self.pieces.iter().position(|old| piece.replaces(old));
         self.pieces.retain(|old| !piece.replaces(old));
         let end = self.pieces.len();
         let front = match piece.role {
-            Role::Setting("geo") => 0,
-            Role::Setting(_) => {
-                usize::from(self.pieces.first().is_some_and(|p| p.role == Role::Setting("geo")))
-            }
+            StatementRole::Setting("geo") => 0,
+            StatementRole::Setting(_) => usize::from(
+                self.pieces.first().is_some_and(|p| p.role == StatementRole::Setting("geo")),
+            ),
             _ => end,
         };
         self.pieces.insert(place.unwrap_or(front).min(end), piece);
     }
 }
 
-impl Piece {
+impl DocumentStatement {
     /// Whether it takes the place of another one.
     fn replaces(&self, old: &Self) -> bool {
         match (self.role, old.role) {
-            (Role::Setting(a), Role::Setting(b)) => a == b,
+            (StatementRole::Setting(a), StatementRole::Setting(b)) => a == b,
             _ => self.names.iter().any(|name| old.names.contains(name)),
         }
     }
@@ -153,9 +161,9 @@ impl Piece {
 
 /// The documents before, newest last, each with what `_` stood for.
 #[derive(Debug, Default)]
-pub(super) struct Undo(Vec<(Document, Option<String>)>);
+pub(super) struct UndoHistory(Vec<(Document, Option<String>)>);
 
-impl Undo {
+impl UndoHistory {
     /// Remembers a document.
     pub(super) fn push(&mut self, document: Document, last: Option<String>) {
         if self.0.len() == MOST_UNDONE {

@@ -15,7 +15,7 @@ use rustyline::{
 use super::complete::{Scope, candidates};
 use crate::{
     limits::Limits,
-    syntax::{Paint, is_complete, pieces},
+    syntax::{Highlight, is_complete, pieces},
     value::Registry,
 };
 
@@ -29,7 +29,7 @@ const MOST_BYTES: usize = 16 << 10;
 const MOST_ENTRIES: usize = 5_000;
 
 /// What somebody did at the prompt.
-pub(super) enum Typed {
+pub(super) enum EditorEvent {
     /// An entry.
     Entry(String),
     /// Ctrl-C: the entry is given up.
@@ -40,7 +40,7 @@ pub(super) enum Typed {
 
 /// Reads entries from a terminal.
 pub(super) struct Editor {
-    lines: Lines<Assistant, FileHistory>,
+    lines: Lines<LineHelper, FileHistory>,
     history: Option<PathBuf>,
 }
 
@@ -59,7 +59,7 @@ impl Editor {
             .auto_add_history(false)
             .build();
         let mut lines = Lines::with_config(config)?;
-        let assistant = Assistant { registry, limits, with_color, scope: Scope::default() };
+        let assistant = LineHelper { registry, limits, with_color, scope: Scope::default() };
         lines.set_helper(Some(assistant));
         let (history, warning) = match history_file() {
             Some(path) => match open(&mut lines, &path) {
@@ -87,14 +87,14 @@ impl Editor {
     }
 
     /// The next entry.
-    pub(super) fn read(&mut self) -> Typed {
+    pub(super) fn read(&mut self) -> EditorEvent {
         match self.lines.readline(PROMPT) {
             Ok(entry) => {
                 self.remember(&entry);
-                Typed::Entry(entry)
+                EditorEvent::Entry(entry)
             }
-            Err(ReadlineError::Interrupted) => Typed::GivenUp,
-            Err(_) => Typed::End,
+            Err(ReadlineError::Interrupted) => EditorEvent::GivenUp,
+            Err(_) => EditorEvent::End,
         }
     }
 
@@ -112,7 +112,7 @@ impl Editor {
 }
 
 /// Reads the history, and makes sure that it can be written.
-fn open(lines: &mut Lines<Assistant, FileHistory>, path: &PathBuf) -> Result<(), String> {
+fn open(lines: &mut Lines<LineHelper, FileHistory>, path: &PathBuf) -> Result<(), String> {
     let told = |err: std::io::Error| super::super::files::reason(&err);
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder).map_err(told)?;
@@ -138,20 +138,20 @@ fn history_file() -> Option<PathBuf> {
 }
 
 /// What helps while an entry is typed.
-struct Assistant {
+struct LineHelper {
     registry: Registry,
     limits: Limits,
     with_color: bool,
     scope: Scope,
 }
 
-impl Helper for Assistant {}
+impl Helper for LineHelper {}
 
-impl Hinter for Assistant {
+impl Hinter for LineHelper {
     type Hint = String;
 }
 
-impl Completer for Assistant {
+impl Completer for LineHelper {
     type Candidate = Pair;
 
     fn complete(
@@ -174,7 +174,7 @@ impl Completer for Assistant {
     }
 }
 
-impl Highlighter for Assistant {
+impl Highlighter for LineHelper {
     fn highlight<'l>(&self, line: &'l str, _: usize) -> Cow<'l, str> {
         let is_plain = !self.with_color || line.len() > MOST_BYTES || line.starts_with(':');
         if is_plain { Cow::Borrowed(line) } else { Cow::Owned(painted(line)) }
@@ -193,7 +193,7 @@ impl Highlighter for Assistant {
     }
 }
 
-impl Validator for Assistant {
+impl Validator for LineHelper {
     fn validate(&self, ctx: &mut ValidationContext<'_>) -> rustyline::Result<ValidationResult> {
         let input = ctx.input();
         let is_whole = input.trim_start().starts_with(':')
@@ -212,12 +212,12 @@ pub(super) fn painted(text: &str) -> String {
         out.push_str(text.get(at..range.start).unwrap_or_default());
         at = range.end;
         let color = match paint {
-            Paint::Keyword => "1;34",
-            Paint::Number => "36",
-            Paint::Text => "32",
-            Paint::Comment => "2",
-            Paint::Bad => "31",
-            Paint::Name | Paint::Mark => {
+            Highlight::Keyword => "1;34",
+            Highlight::Number => "36",
+            Highlight::Text => "32",
+            Highlight::Comment => "2",
+            Highlight::Bad => "31",
+            Highlight::Name | Highlight::Mark => {
                 out.push_str(piece);
                 continue;
             }

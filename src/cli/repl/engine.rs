@@ -11,7 +11,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use super::super::{args::Common, files::Beside, interrupt::INTERRUPTED};
+use super::super::{args::RunArgs, files::ScriptFiles, interrupt::INTERRUPTED};
 use crate::{
     diag::Sources,
     eval::Setting,
@@ -29,13 +29,13 @@ pub(super) struct Engine {
     session: Arc<Session>,
     /// The switch that stops the session's run.
     stop: &'static AtomicBool,
-    files: Arc<Beside>,
+    files: Arc<ScriptFiles>,
     settings: Arc<[Setting]>,
     renew: Box<dyn Fn(&'static AtomicBool) -> Session>,
 }
 
 /// A run that came to its end.
-pub(super) struct Ran {
+pub(super) struct EngineRun {
     /// What became of it; its places lie in the document or in the input.
     pub(super) report: Report,
     /// The first place of the input.
@@ -50,7 +50,7 @@ fn switch() -> &'static AtomicBool {
 }
 
 impl Engine {
-    pub(super) fn new(common: &Common, folder: &Path, settings: Vec<Setting>) -> Self {
+    pub(super) fn new(common: &RunArgs, folder: &Path, settings: Vec<Setting>) -> Self {
         let (ceilings, n_threads) = (common.ceilings(), common.n_threads());
         let renew = move |stop| {
             super::super::process::session(ceilings)
@@ -62,7 +62,7 @@ impl Engine {
         Self {
             session: Arc::new(renew(stop)),
             stop,
-            files: Arc::new(Beside::new(folder)),
+            files: Arc::new(ScriptFiles::new(folder)),
             settings: settings.into(),
             renew: Box::new(renew),
         }
@@ -79,7 +79,7 @@ impl Engine {
 
     /// Reads files beside another document from now on.
     pub(super) fn move_to(&mut self, folder: &Path) {
-        self.files = Arc::new(Beside::new(folder));
+        self.files = Arc::new(ScriptFiles::new(folder));
     }
 
     /// Evaluates `input` behind `base`, with `gap` between them; `None` if it was stopped.
@@ -90,7 +90,7 @@ impl Engine {
         gap: char,
         input: &str,
         names: [&str; 2],
-    ) -> Option<Ran> {
+    ) -> Option<EngineRun> {
         let text = format!("{base}{gap}{input}");
         let (session, files) = (Arc::clone(&self.session), Arc::clone(&self.files));
         let settings = Arc::clone(&self.settings);
@@ -107,7 +107,7 @@ impl Engine {
         let mut report = self.wait(&receiver)?;
         let time = begin.elapsed();
         report.sources = told_apart(&report.sources, base.len(), names);
-        Some(Ran { report, start: base.len() as u32 + gap.len_utf8() as u32, time })
+        Some(EngineRun { report, start: base.len() as u32 + gap.len_utf8() as u32, time })
     }
 
     /// Waits for the end of a run, or for Ctrl-C.

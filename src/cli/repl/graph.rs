@@ -6,7 +6,7 @@ use super::{Prompt, command::asked, plot, show};
 use crate::{
     diag::Severity,
     kernel::{Column, Table},
-    syntax::{Paint, pieces},
+    syntax::{Highlight, pieces},
     value::{Range, Value},
 };
 
@@ -94,7 +94,7 @@ fn functions(prompt: &mut Prompt, exprs: &[String], range: Option<&str>) -> Opti
     let all = exprs.join(", ");
     let names: Vec<&str> = pieces(&all)
         .into_iter()
-        .filter(|(paint, _)| *paint == Paint::Name)
+        .filter(|(paint, _)| *paint == Highlight::Name)
         .filter_map(|(_, place)| all.get(place))
         .collect();
     let domain = names.iter().find_map(|name| {

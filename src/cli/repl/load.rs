@@ -8,14 +8,14 @@ use std::{
 use super::{
     super::{
         files::{Script, reason},
-        message::pretty,
+        reporter::pretty,
         write::replace,
     },
     Prompt, command,
     document::Document,
     show,
 };
-use crate::{session::Event, syntax::Role, value::script_text};
+use crate::{session::Event, syntax::StatementRole, value::script_text};
 
 impl Prompt {
     /// Puts the document of a file into the place of this one, if all of it holds. Checks are
@@ -50,7 +50,7 @@ impl Prompt {
         self.act(&mut report);
         let time = pretty(ran.time);
         let n = command::some(self.values.len(), "definition");
-        let n_exports = self.document.count(Role::Export);
+        let n_exports = self.document.count(StatementRole::Export);
         let exports = match n_exports {
             0 => String::new(),
             _ => format!(", {} for `:export`", command::some(n_exports, "file")),

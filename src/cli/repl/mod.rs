@@ -24,21 +24,22 @@ use std::{
 };
 
 use self::{
-    complete::{Known, Scope},
-    document::{Document, Undo},
-    editor::{Editor, Typed},
-    engine::{Engine, Ran},
+    complete::{KnownDefinition, Scope},
+    document::{Document, UndoHistory},
+    editor::{Editor, EditorEvent},
+    engine::{Engine, EngineRun},
 };
 use super::{
-    Ending, args::Common, interrupt, message::Voice, progress::Progress, run, say, settings,
+    ExitStatus, args::RunArgs, interrupt, progress::Progress, reporter::Reporter, run, say,
+    settings,
 };
 use crate::{
     diag::{Diagnostic, Severity, Sources},
-    eval::{Kept, Printed, Work},
+    eval::{KeptGlobals, Printed, Work},
     limits::Limits,
     ops,
     session::{Event, Report},
-    syntax::{Entry, Role, entry, free_placeholders, parts},
+    syntax::{PromptEntry, StatementRole, entry, free_placeholders, parts},
     value::{Registry, Value},
 };
 
@@ -52,8 +53,8 @@ const MOST_LAST: usize = 64 << 10;
 const LAST: &str = "_last";
 
 /// `virote repl [FILE]`
-pub(super) fn run(file: Option<&Path>, out: Option<&Path>, common: &Common) -> Ending {
-    let voice = Voice::new(&common.talk, common.ceilings().diagnostics);
+pub(super) fn run(file: Option<&Path>, out: Option<&Path>, common: &RunArgs) -> ExitStatus {
+    let voice = Reporter::new(&common.talk, common.ceilings().diagnostics);
     let settings = match settings::given(common, common.ceilings().input_bytes, &voice) {
         Ok(settings) => settings,
         Err(ending) => return ending,
@@ -64,18 +65,18 @@ pub(super) fn run(file: Option<&Path>, out: Option<&Path>, common: &Common) -> E
         voice,
         registry: ops::registry(),
         document: Document::default(),
-        undo: Undo::default(),
+        undo: UndoHistory::default(),
         last: None,
         told: BTreeSet::new(),
         values: Vec::new(),
-        kept: Kept::default(),
+        kept: KeptGlobals::default(),
         folder: PathBuf::from("."),
         out: out.map(Path::to_path_buf),
         file: None,
         columns: 80,
         is_terminal: io::stdin().is_terminal() && io::stdout().is_terminal(),
         with_color: common.talk.with_color(),
-        worst: Ending::Well,
+        worst: ExitStatus::Well,
         is_over: false,
     };
     if let Some(file) = file {
@@ -87,10 +88,10 @@ pub(super) fn run(file: Option<&Path>, out: Option<&Path>, common: &Common) -> E
 /// A document and whoever is asked about it.
 struct Prompt {
     engine: Engine,
-    voice: Voice,
+    voice: Reporter,
     registry: Registry,
     document: Document,
-    undo: Undo,
+    undo: UndoHistory,
     /// What `_` stands for, as text.
     last: Option<String>,
     /// The findings that the document as it is has been told of.
@@ -98,7 +99,7 @@ struct Prompt {
     /// The definitions with their values.
     values: Vec<(String, Value)>,
     /// What parametric curves among them need to answer.
-    kept: Kept,
+    kept: KeptGlobals,
     folder: PathBuf,
     out: Option<PathBuf>,
     /// The file that the document was read from or written to.
@@ -106,20 +107,20 @@ struct Prompt {
     columns: usize,
     is_terminal: bool,
     with_color: bool,
-    worst: Ending,
+    worst: ExitStatus,
     is_over: bool,
 }
 
 impl Prompt {
     /// Entries from a terminal.
-    fn converse(&mut self, is_quiet: bool) -> Ending {
+    fn converse(&mut self, is_quiet: bool) -> ExitStatus {
         interrupt::listen();
         let (mut editor, warning) =
             match Editor::new(ops::registry(), *self.limits(), self.with_color) {
                 Ok(editor) => editor,
                 Err(err) => {
                     self.voice.trouble(&format!("the terminal cannot be used: {err}"));
-                    return Ending::Usage;
+                    return ExitStatus::Usage;
                 }
             };
         if !is_quiet {
@@ -132,12 +133,12 @@ impl Prompt {
             self.columns = editor.columns();
             editor.know(self.scope());
             match editor.read() {
-                Typed::Entry(text) => self.take(&text),
-                Typed::GivenUp => self.voice.remark("(Ctrl-D or `:quit` ends)"),
-                Typed::End => break,
+                EditorEvent::Entry(text) => self.take(&text),
+                EditorEvent::GivenUp => self.voice.remark("(Ctrl-D or `:quit` ends)"),
+                EditorEvent::End => break,
             }
         }
-        Ending::Well
+        ExitStatus::Well
     }
 
     fn limits(&self) -> &Limits {
@@ -146,7 +147,8 @@ impl Prompt {
 
     /// What can be completed.
     fn scope(&self) -> Scope {
-        let names = self.values.iter().map(|(name, value)| Known::of(name, value)).collect();
+        let names =
+            self.values.iter().map(|(name, value)| KnownDefinition::of(name, value)).collect();
         Scope { names, folder: self.folder.clone() }
     }
 
@@ -160,9 +162,9 @@ impl Prompt {
             return command::run(self, &format!("help {name}"));
         }
         match entry(text) {
-            Entry::Empty => {}
-            Entry::Statements => self.state(text),
-            Entry::Expression => {
+            PromptEntry::Empty => {}
+            PromptEntry::Statements => self.state(text),
+            PromptEntry::Expression => {
                 // Statements may follow where several lines were pasted.
                 let asked = format!("print {text}");
                 let end = match parts(&asked, self.limits()) {
@@ -212,7 +214,7 @@ impl Prompt {
         }
         base.push_str("print");
         let ran = self.evaluate(&base, ' ', &text, ["document", "input"])?;
-        let Ran { report, time, .. } = ran;
+        let EngineRun { report, time, .. } = ran;
         let printed: Vec<Printed> = report
             .events
             .into_iter()
@@ -246,7 +248,13 @@ impl Prompt {
 
     /// Evaluates a text behind the document. Nothing comes of it when there are errors, which are
     /// told, or when it was stopped.
-    fn evaluate(&mut self, base: &str, gap: char, text: &str, names: [&str; 2]) -> Option<Ran> {
+    fn evaluate(
+        &mut self,
+        base: &str,
+        gap: char,
+        text: &str,
+        names: [&str; 2],
+    ) -> Option<EngineRun> {
         let Some(mut ran) = self.engine.run(base, gap, text, names) else {
             self.voice.remark("stopped; the document is as it was");
             return None;
@@ -254,7 +262,7 @@ impl Prompt {
         if ran.report.count(Severity::Error) > 0 {
             ran.report.diagnostics.retain(|found| found.severity == Severity::Error);
             self.voice.findings(&ran.report.diagnostics, &ran.report.sources);
-            self.worst = self.worst.max(Ending::Wrong);
+            self.worst = self.worst.max(ExitStatus::Wrong);
             return None;
         }
         let told = |found: &Diagnostic| format!("{} {}", found.code.id(), found.message);
@@ -283,7 +291,7 @@ impl Prompt {
             self.told = told;
             return;
         };
-        let Ran { mut report, start, time } = ran;
+        let EngineRun { mut report, start, time } = ran;
         let is_new = |span: crate::diag::Span| span.start >= start;
         let (mut news, mut again) = (Vec::new(), Vec::new());
         for defined in &report.definitions {
@@ -308,7 +316,7 @@ impl Prompt {
             Event::Checked(checked) => is_new(checked.span),
             _ => true,
         });
-        if self.document.count(Role::Test) < draft.next.count(Role::Test) {
+        if self.document.count(StatementRole::Test) < draft.next.count(StatementRole::Test) {
             self.voice.remark("(`virote test` runs it once the document is saved)");
         }
         let is_changed = draft.next.text() != self.document.text();
@@ -326,7 +334,7 @@ impl Prompt {
         inputs.extend(self.file.clone());
         let targets = run::targets(report, &out, &inputs);
         let progress = Progress::begin("writing", self.voice.is_lively());
-        let mode = run::Mode::Write(Some(&out));
+        let mode = run::OutputMode::Write(Some(&out));
         let ending = run::act(report, &targets, mode, progress, &self.voice);
         self.worst = self.worst.max(ending);
     }
@@ -345,12 +353,12 @@ impl Prompt {
         let mut sources = Sources::default();
         sources.add(name, text.into());
         self.voice.findings(found, &sources);
-        self.worst = self.worst.max(Ending::Wrong);
+        self.worst = self.worst.max(ExitStatus::Wrong);
     }
 
     /// Tells what cannot be done.
     fn refuse(&mut self, text: &str) {
         self.voice.trouble(text);
-        self.worst = self.worst.max(Ending::Wrong);
+        self.worst = self.worst.max(ExitStatus::Wrong);
     }
 }

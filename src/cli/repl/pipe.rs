@@ -3,14 +3,14 @@
 use std::io::{self, BufRead, Read};
 
 use super::{
-    super::{Ending, is_closed},
+    super::{ExitStatus, is_closed},
     Prompt,
 };
 use crate::syntax::is_complete;
 
 impl Prompt {
     /// Entries from standard input, each as many lines as it takes.
-    pub(super) fn listen(&mut self) -> Ending {
+    pub(super) fn listen(&mut self) -> ExitStatus {
         let most = self.limits().source_bytes;
         let mut input = io::stdin().lock();
         let (mut text, mut is_skipping) = (String::new(), false);

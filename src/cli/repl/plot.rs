@@ -26,7 +26,7 @@ const MOST_TRIANGLES: usize = 200;
 const CREASE: f64 = 0.5;
 
 /// What is drawn.
-pub(super) enum Shape {
+pub(super) enum PlotSubject {
     Path(Vec<DVec3>),
     Mesh(Arc<Mesh>),
 }
@@ -166,10 +166,10 @@ pub(super) fn short(value: f64, n_digits: usize) -> String {
 
 /// Shapes of space seen along the axis in which they reach least far, as paths, and the axes of the
 /// picture. Of a mesh of many triangles only the outlines are drawn.
-pub(super) fn flat(shapes: &[Shape]) -> (Vec<Vec<DVec2>>, &'static str) {
-    let of = |shape: &Shape| match shape {
-        Shape::Path(points) => points.clone(),
-        Shape::Mesh(mesh) => {
+pub(super) fn flat(shapes: &[PlotSubject]) -> (Vec<Vec<DVec2>>, &'static str) {
+    let of = |shape: &PlotSubject| match shape {
+        PlotSubject::Path(points) => points.clone(),
+        PlotSubject::Mesh(mesh) => {
             mesh.bounds().map_or(Vec::new(), |bounds| vec![bounds.min, bounds.max])
         }
     };
@@ -186,11 +186,11 @@ pub(super) fn flat(shapes: &[Shape]) -> (Vec<Vec<DVec2>>, &'static str) {
         (DVec3::X, |p| DVec2::new(p.y, p.z), "y to the right, z up")
     };
     let paths = shapes.iter().flat_map(|shape| match shape {
-        Shape::Path(points) => vec![points.clone()],
-        Shape::Mesh(mesh) if mesh.n_triangles() <= MOST_TRIANGLES => {
+        PlotSubject::Path(points) => vec![points.clone()],
+        PlotSubject::Mesh(mesh) if mesh.n_triangles() <= MOST_TRIANGLES => {
             mesh.corners().map(|[a, b, c]| vec![a, b, c, a]).collect()
         }
-        Shape::Mesh(mesh) => {
+        PlotSubject::Mesh(mesh) => {
             let lines = mesh.outlines(toward, CREASE, Tolerance::default());
             lines.into_iter().map(Vec::from).collect()
         }

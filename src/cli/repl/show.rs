@@ -5,12 +5,12 @@ use std::time::Duration;
 use glam::DVec3;
 
 use super::{
-    super::message::{first_of, pretty},
-    plot::{self, Shape},
+    super::reporter::{first_of, pretty},
+    plot::{self, PlotSubject},
 };
 use crate::{
     kernel::{Column, Curve, Mesh, Surface, Table},
-    value::{Dim, Value, shortest},
+    value::{Dimension, Value, shortest},
 };
 
 /// Characters of a value that stand on one line.
@@ -70,9 +70,9 @@ pub(super) fn whole(value: &Value, columns: usize) -> String {
         _ => format!("{}\n", brief(value).unwrap_or_else(|| sized(value))),
     };
     let shapes = shapes(value);
-    let is_more_than_a_point = |shape: &Shape| match shape {
-        Shape::Path(points) => 1 < points.len(),
-        Shape::Mesh(mesh) => 0 < mesh.n_triangles(),
+    let is_more_than_a_point = |shape: &PlotSubject| match shape {
+        PlotSubject::Path(points) => 1 < points.len(),
+        PlotSubject::Mesh(mesh) => 0 < mesh.n_triangles(),
     };
     if shapes.iter().any(is_more_than_a_point) {
         let (flat, axes) = plot::flat(&shapes);
@@ -187,11 +187,11 @@ pub(super) fn cut(text: &str, most: usize) -> String {
 }
 
 /// What can be drawn of a value.
-pub(super) fn shapes(value: &Value) -> Vec<Shape> {
+pub(super) fn shapes(value: &Value) -> Vec<PlotSubject> {
     match value {
-        Value::Curve(curve) => curve.sample(N_POINTS).into_iter().map(Shape::Path).collect(),
-        Value::Surface(surface) => isocurves(surface).into_iter().map(Shape::Path).collect(),
-        Value::Mesh(mesh) => vec![Shape::Mesh(mesh.clone())],
+        Value::Curve(curve) => curve.sample(N_POINTS).into_iter().map(PlotSubject::Path).collect(),
+        Value::Surface(surface) => isocurves(surface).into_iter().map(PlotSubject::Path).collect(),
+        Value::Mesh(mesh) => vec![PlotSubject::Mesh(mesh.clone())],
         Value::List(items) => {
             let points: Vec<DVec3> = items
                 .iter()
@@ -201,8 +201,8 @@ pub(super) fn shapes(value: &Value) -> Vec<Shape> {
                 })
                 .collect();
             let others = items.iter().filter(|item| !matches!(item, Value::Point(_)));
-            let mut found: Vec<Shape> = others.take(500).flat_map(shapes).collect();
-            found.extend(Some(points).filter(|points| !points.is_empty()).map(Shape::Path));
+            let mut found: Vec<PlotSubject> = others.take(500).flat_map(shapes).collect();
+            found.extend(Some(points).filter(|points| !points.is_empty()).map(PlotSubject::Path));
             found
         }
         Value::Record(record) => record.iter().flat_map(|(_, value)| shapes(value)).collect(),
@@ -229,7 +229,7 @@ fn isocurves(surface: &Surface) -> Vec<Vec<DVec3>> {
 pub(super) fn is_written(value: &Value) -> bool {
     match value {
         Value::None | Value::Bool(_) | Value::Text(_) | Value::Point(_) => true,
-        Value::Number(number) => number.dim == Dim::NONE,
+        Value::Number(number) => number.dim == Dimension::NONE,
         Value::List(items) => items.len() <= 1000 && items.iter().all(is_written),
         Value::Record(record) => record.iter().all(|(_, value)| is_written(value)),
         _ => false,

@@ -54,9 +54,9 @@ pub(super) fn in_order<T: Sync, R: Send>(
 /// Lets scripts run side by side, and alone where memory ran out: where it ends then depends on
 /// the script and on nothing beside it.
 #[derive(Debug, Default)]
-pub(super) struct Door(RwLock<()>);
+pub(super) struct JobGate(RwLock<()>);
 
-impl Door {
+impl JobGate {
     /// What the script came to.
     pub(super) fn run(&self, work: impl Fn() -> Report) -> Report {
         {

@@ -5,53 +5,53 @@
 
 use std::{fmt::Write as _, io, path::Path};
 
-use super::{Tested, Tried, golden::Judged, tell::some};
+use super::{TestAttempt, TestedScript, golden::GoldenOutcome, report::some};
 use crate::{
     cli::write::replace,
     diag::Severity,
     render,
-    session::{Event, Report, Verdict},
+    session::{Event, Report, TestVerdict},
 };
 
 /// What became of a script.
-pub(super) struct Suite {
+pub(super) struct JunitSuite {
     name: String,
     seconds: f64,
-    cases: Vec<Case>,
+    cases: Vec<JunitCase>,
     /// All findings.
     findings: String,
 }
 
 /// What became of a test, or of what stands for one.
-struct Case {
+struct JunitCase {
     name: String,
     line: Option<usize>,
-    verdict: Verdict,
+    verdict: TestVerdict,
     /// What is wrong, if anything.
     message: String,
     details: String,
 }
 
-impl Case {
-    fn new(name: &str, verdict: Verdict, message: String) -> Self {
+impl JunitCase {
+    fn new(name: &str, verdict: TestVerdict, message: String) -> Self {
         Self { name: name.to_owned(), line: None, verdict, message, details: String::new() }
     }
 }
 
 /// The suite of a script.
-pub(super) fn suite(tried: &Tried) -> Suite {
+pub(super) fn suite(tried: &TestAttempt) -> JunitSuite {
     let tested = match tried {
         Ok(tested) => tested,
         Err(unread) => {
-            let case = Case::new("script", Verdict::Wrong, unread.message.clone());
+            let case = JunitCase::new("script", TestVerdict::Wrong, unread.message.clone());
             let (name, findings) = (unread.name.clone(), String::new());
-            return Suite { name, seconds: 0.0, cases: vec![case], findings };
+            return JunitSuite { name, seconds: 0.0, cases: vec![case], findings };
         }
     };
     let report = &tested.report;
     let pictures = report.diagnostics.iter();
     let findings = pictures.map(|found| render::picture(found, &report.sources, false)).collect();
-    Suite {
+    JunitSuite {
         name: tested.name.clone(),
         seconds: tested.time.as_secs_f64(),
         cases: cases(tested),
@@ -59,21 +59,21 @@ pub(super) fn suite(tried: &Tried) -> Suite {
     }
 }
 
-fn cases(tested: &Tested) -> Vec<Case> {
+fn cases(tested: &TestedScript) -> Vec<JunitCase> {
     let report = &tested.report;
     let mut cases = Vec::new();
     let n_errors = report.count(Severity::Error);
     if !report.unknown_settings.is_empty() {
         let message = report.unknown_settings.join("; ");
-        cases.push(Case::new("parameters", Verdict::Wrong, message));
+        cases.push(JunitCase::new("parameters", TestVerdict::Wrong, message));
     }
     if 0 < n_errors {
-        cases.push(Case::new("script", Verdict::Wrong, some(n_errors, "error")));
+        cases.push(JunitCase::new("script", TestVerdict::Wrong, some(n_errors, "error")));
     }
     cases.extend(of_claims("checks", &report.events, None));
     for test in &report.tests {
         let mut case = of_claims(&test.name, &test.events, Some(test.verdict))
-            .unwrap_or_else(|| Case::new(&test.name, test.verdict, String::new()));
+            .unwrap_or_else(|| JunitCase::new(&test.name, test.verdict, String::new()));
         case.line = line(report, test.span.start);
         cases.push(case);
     }
@@ -88,7 +88,7 @@ fn line(report: &Report, start: u32) -> Option<usize> {
 }
 
 /// What some claims came to, told of the first that do not hold; none without claims.
-fn of_claims(name: &str, events: &[Event], verdict: Option<Verdict>) -> Option<Case> {
+fn of_claims(name: &str, events: &[Event], verdict: Option<TestVerdict>) -> Option<JunitCase> {
     let (mut n_claims, mut broken) = (0, Vec::new());
     for event in events {
         match event {
@@ -112,33 +112,34 @@ fn of_claims(name: &str, events: &[Event], verdict: Option<Verdict>) -> Option<C
     if n_claims == 0 {
         return None;
     }
-    let of_them = if broken.is_empty() { Verdict::Passed } else { Verdict::Failed };
+    let of_them = if broken.is_empty() { TestVerdict::Passed } else { TestVerdict::Failed };
     let message = broken.first().cloned().unwrap_or_default();
-    let case = Case::new(name, verdict.unwrap_or(of_them), message);
-    Some(Case { details: broken.join("\n"), ..case })
+    let case = JunitCase::new(name, verdict.unwrap_or(of_them), message);
+    Some(JunitCase { details: broken.join("\n"), ..case })
 }
 
-fn of_golden(golden: &Judged) -> Case {
-    let case = |verdict, message: &str| Case::new("golden folder", verdict, message.to_owned());
+fn of_golden(golden: &GoldenOutcome) -> JunitCase {
+    let case =
+        |verdict, message: &str| JunitCase::new("golden folder", verdict, message.to_owned());
     match golden {
-        Judged::Same(_) | Judged::Blessed(..) => case(Verdict::Passed, ""),
-        Judged::Skipped => case(Verdict::Skipped, "the script has errors"),
-        Judged::Unusable(message) => case(Verdict::Wrong, message),
-        Judged::Apart(apart) => {
+        GoldenOutcome::Same(_) | GoldenOutcome::Blessed(..) => case(TestVerdict::Passed, ""),
+        GoldenOutcome::Skipped => case(TestVerdict::Skipped, "the script has errors"),
+        GoldenOutcome::Unusable(message) => case(TestVerdict::Wrong, message),
+        GoldenOutcome::Apart(apart) => {
             let details: Vec<String> = apart.iter().map(super::golden::Difference::text).collect();
             let message = some(apart.len(), "difference");
-            Case { details: details.join("\n"), ..case(Verdict::Failed, &message) }
+            JunitCase { details: details.join("\n"), ..case(TestVerdict::Failed, &message) }
         }
     }
 }
 
 /// Writes the suites into a file, whole or not at all.
-pub(super) fn write(path: &Path, suites: &[Suite]) -> io::Result<()> {
+pub(super) fn write(path: &Path, suites: &[JunitSuite]) -> io::Result<()> {
     let text = text(suites);
     replace(path, None, |out| out.write_all(text.as_bytes()))
 }
 
-fn text(suites: &[Suite]) -> String {
+fn text(suites: &[JunitSuite]) -> String {
     let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     let all = || suites.iter().flat_map(|suite| &suite.cases);
     let seconds: f64 = suites.iter().map(|suite| suite.seconds).sum();
@@ -158,32 +159,32 @@ fn text(suites: &[Suite]) -> String {
 }
 
 /// How many cases there are, and how they came out, as attributes.
-fn counts<'a>(cases: impl Iterator<Item = &'a Case> + Clone) -> String {
+fn counts<'a>(cases: impl Iterator<Item = &'a JunitCase> + Clone) -> String {
     let count = |verdict| cases.clone().filter(|case| case.verdict == verdict).count();
     format!(
         " tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\"",
         cases.clone().count(),
-        count(Verdict::Failed),
-        count(Verdict::Wrong),
-        count(Verdict::Skipped)
+        count(TestVerdict::Failed),
+        count(TestVerdict::Wrong),
+        count(TestVerdict::Skipped)
     )
 }
 
 /// Adds a case of the suite called `suite`.
-fn push_case(out: &mut String, case: &Case, suite: &str) {
+fn push_case(out: &mut String, case: &JunitCase, suite: &str) {
     let name = escaped(&case.name);
     let _ = write!(out, "    <testcase name=\"{name}\" classname=\"{suite}\" file=\"{suite}\"");
     if let Some(line) = case.line {
         let _ = write!(out, " line=\"{line}\"");
     }
     let element = match case.verdict {
-        Verdict::Passed => {
+        TestVerdict::Passed => {
             out.push_str("/>\n");
             return;
         }
-        Verdict::Failed => "failure",
-        Verdict::Wrong => "error",
-        Verdict::Skipped => "skipped",
+        TestVerdict::Failed => "failure",
+        TestVerdict::Wrong => "error",
+        TestVerdict::Skipped => "skipped",
     };
     let (message, details) = (escaped(&case.message), escaped(&case.details));
     let _ = writeln!(out, ">\n      <{element} message=\"{message}\">{details}</{element}>");

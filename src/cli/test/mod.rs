@@ -1,13 +1,13 @@
 //! `virote test`: the tests and checks of scripts, files or whole folders of them, and their golden
 //! folders.
 //!
-//! Several scripts are run at a time (`jobs`); what became of them is told in order (`tell`), and
+//! Several scripts are run at a time (`jobs`); what became of them is told in order (`report`), and
 //! kept for other programs (`junit`).
 
 mod golden;
 mod jobs;
 mod junit;
-mod tell;
+mod report;
 
 use std::{
     fs,
@@ -19,15 +19,15 @@ use std::{
 use clap::Args;
 
 use self::{
-    golden::{Judged, Wish},
-    jobs::Door,
-    tell::Teller,
+    golden::{GoldenMode, GoldenOutcome},
+    jobs::JobGate,
+    report::TestReporter,
 };
 use super::{
-    Ending,
-    args::Common,
-    files::{Beside, Script, reason},
-    message::Voice,
+    ExitStatus,
+    args::RunArgs,
+    files::{Script, ScriptFiles, reason},
+    reporter::Reporter,
     settings,
 };
 use crate::{
@@ -37,7 +37,7 @@ use crate::{
 
 /// What `virote test` is asked for.
 #[derive(Debug, Args)]
-pub(super) struct Asked {
+pub(super) struct TestOptions {
     /// Scripts, or folders with scripts at any depth; `-` is standard input [default: .]
     #[arg(value_name = "PATH")]
     paths: Vec<PathBuf>,
@@ -55,67 +55,67 @@ pub(super) struct Asked {
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
     #[command(flatten)]
-    common: Common,
+    common: RunArgs,
 }
 
 /// `virote test [PATH...]`: the worst ending of all.
-pub(super) fn run(asked: &Asked) -> Ending {
+pub(super) fn run(asked: &TestOptions) -> ExitStatus {
     let common = &asked.common;
-    let voice = Voice::new(&common.talk, common.ceilings().diagnostics);
+    let voice = Reporter::new(&common.talk, common.ceilings().diagnostics);
     let settings = match settings::given(common, common.ceilings().input_bytes, &voice) {
         Ok(settings) => settings,
         Err(ending) => return ending,
     };
     let here = [PathBuf::from(".")];
     let paths = if asked.paths.is_empty() { &here } else { &*asked.paths };
-    let (mut found, mut ending) = (Vec::new(), Ending::Well);
+    let (mut found, mut ending) = (Vec::new(), ExitStatus::Well);
     for path in paths {
         match scripts(path) {
             Ok(scripts) => found.extend(scripts),
             Err(message) => {
                 voice.trouble(&message);
-                ending = Ending::Usage;
+                ending = ExitStatus::Usage;
             }
         }
     }
     let n_jobs = asked.jobs.map_or(common.n_threads(), NonZeroUsize::get).min(found.len().max(1));
     let session = common.session_for(n_jobs);
-    let tests = Tests {
+    let tests = TestRun {
         session,
         settings,
         filter: asked.filter.as_deref(),
         bless: asked.bless,
-        door: Door::default(),
+        door: JobGate::default(),
     };
-    let mut teller = Teller::new(&voice, asked.junit.is_some());
+    let mut teller = TestReporter::new(&voice, asked.junit.is_some());
     jobs::in_order(&found, n_jobs, |chosen| tests.script(chosen), |tried| teller.tell(&tried));
     ending = ending.max(teller.ending());
-    let is_missed = teller.n_tests() == 0 && ending == Ending::Well;
+    let is_missed = teller.n_tests() == 0 && ending == ExitStatus::Well;
     if let Some(filter) = asked.filter.as_deref().filter(|_| is_missed) {
         voice.trouble(&format!("no test has a name that contains `{filter}`"));
-        ending = Ending::Usage;
+        ending = ExitStatus::Usage;
     }
     teller.total();
     if let Some(path) = &asked.junit
         && let Err(err) = junit::write(path, teller.suites())
     {
         voice.trouble(&format!("cannot write `{}`: {}", path.display(), reason(&err)));
-        ending = Ending::Usage;
+        ending = ExitStatus::Usage;
     }
     ending
 }
 
 /// A script to be tested.
-struct Chosen {
+struct ChosenScript {
     path: PathBuf,
     /// Whether the command names it, not only a folder around it.
     is_named: bool,
 }
 
 /// The scripts that a path stands for: itself, or what lies in a folder at any depth, in order.
-fn scripts(path: &Path) -> Result<Vec<Chosen>, String> {
+fn scripts(path: &Path) -> Result<Vec<ChosenScript>, String> {
     if !path.is_dir() {
-        return Ok(vec![Chosen { path: path.to_path_buf(), is_named: true }]);
+        return Ok(vec![ChosenScript { path: path.to_path_buf(), is_named: true }]);
     }
     let mut folders = vec![path.to_path_buf()];
     let mut found = Vec::new();
@@ -138,65 +138,65 @@ fn scripts(path: &Path) -> Result<Vec<Chosen>, String> {
         return Err(format!("there is no script in the folder `{}`", path.display()));
     }
     found.sort();
-    Ok(found.into_iter().map(|path| Chosen { path, is_named: false }).collect())
+    Ok(found.into_iter().map(|path| ChosenScript { path, is_named: false }).collect())
 }
 
 /// What is done with each script.
-struct Tests<'a> {
+struct TestRun<'a> {
     session: Session,
     settings: Vec<Setting>,
     filter: Option<&'a str>,
     bless: bool,
-    door: Door,
+    door: JobGate,
 }
 
 /// What became of a script; or why it could not be read.
-type Tried = Result<Tested, Unread>;
+type TestAttempt = Result<TestedScript, UnreadScript>;
 
 /// A script that could not be read.
-struct Unread {
+struct UnreadScript {
     name: String,
     message: String,
 }
 
 /// A script that was tested.
-struct Tested {
+struct TestedScript {
     name: String,
     /// Without the files, which are large.
     report: Report,
-    golden: Option<Judged>,
-    ending: Ending,
+    golden: Option<GoldenOutcome>,
+    ending: ExitStatus,
     time: Duration,
 }
 
-impl Tests<'_> {
-    fn script(&self, chosen: &Chosen) -> Tried {
+impl TestRun<'_> {
+    fn script(&self, chosen: &ChosenScript) -> TestAttempt {
         let begin = Instant::now();
         let script = Script::read(&chosen.path, self.session.limits().source_bytes)
-            .map_err(|message| Unread { name: chosen.path.display().to_string(), message })?;
-        let files = Beside::new(&script.folder);
+            .map_err(|message| UnreadScript { name: chosen.path.display().to_string(), message })?;
+        let files = ScriptFiles::new(&script.folder);
         let mut report = self.door.run(|| {
             self.session.test(&script.name, &script.bytes, &files, &self.settings, self.filter)
         });
         let golden = match &script.path {
             Some(path) if self.filter.is_none() && report.unknown_settings.is_empty() => {
                 let wish = match (self.bless, chosen.is_named) {
-                    (false, _) => Wish::Compare,
-                    (true, false) => Wish::Bless,
-                    (true, true) => Wish::Make,
+                    (false, _) => GoldenMode::Compare,
+                    (true, false) => GoldenMode::Bless,
+                    (true, true) => GoldenMode::Make,
                 };
                 golden::judge(&mut report, &golden::folder(path), wish, self.session.limits())
             }
             _ => None,
         };
-        let mut ending = Ending::of(&report);
+        let mut ending = ExitStatus::of(&report);
         if !report.unknown_settings.is_empty() {
-            ending = Ending::Usage;
+            ending = ExitStatus::Usage;
         }
-        let (golden, worst) = golden.map_or((None, Ending::Well), |(it, its)| (Some(it), its));
+        let (golden, worst) = golden.map_or((None, ExitStatus::Well), |(it, its)| (Some(it), its));
         report.events.retain(|event| !matches!(event, Event::File(_)));
         report.definitions.clear();
         let ending = ending.max(worst);
-        Ok(Tested { name: script.name, report, golden, ending, time: begin.elapsed() })
+        Ok(TestedScript { name: script.name, report, golden, ending, time: begin.elapsed() })
     }
 }

@@ -1,13 +1,13 @@
 //! Compiles expressions of numbers to lanes; `None` wherever the machine is needed.
 
-use super::{Body, Comparison, Node, Operation, Truth};
+use super::{LaneBody, LaneComparison, LaneNode, LaneOperation, TruthNode};
 use crate::{
     eval::{
         function::ScriptFunction,
         ir::{BinaryOp, Block, CallExpr, Expr, ExprKind, UnaryOp},
         machine::Machine,
     },
-    value::{Dim, Function, Number, Value},
+    value::{Dimension, Function, Number, Value},
 };
 
 /// Expressions inside one another, calls included; also what keeps recursion from being compiled.
@@ -18,30 +18,30 @@ const MOST_CALLS: usize = 6;
 
 /// What is known of an expression before any element is.
 #[derive(Clone, Debug)]
-enum Known {
+enum LaneInput {
     /// A value that is the same for all elements.
     Value(Value),
     /// A lane of numbers.
-    Lane(usize, Dim),
+    Lane(usize, Dimension),
 }
 
 /// A compiled expression.
 enum Compiled {
-    Known(Known),
-    Number(Node, Dim),
-    Truth(Truth),
+    LaneInput(LaneInput),
+    Number(LaneNode, Dimension),
+    TruthNode(TruthNode),
 }
 
 /// A frame of the machine as far as it differs from the one on its stack.
-struct Frame<'f> {
+struct LaneFrame<'f> {
     /// `None` for the frame in which the comprehension stands.
     function: Option<&'f ScriptFunction>,
-    slots: Vec<(usize, Known)>,
+    slots: Vec<(usize, LaneInput)>,
 }
 
 pub(super) struct Compiler<'m> {
     machine: &'m Machine<'m>,
-    slots: Vec<(usize, Known)>,
+    slots: Vec<(usize, LaneInput)>,
     n_variables: usize,
     n_nested: usize,
     n_calls: usize,
@@ -49,8 +49,8 @@ pub(super) struct Compiler<'m> {
 
 impl<'m> Compiler<'m> {
     /// A compiler in the running frame, whose slot `variable` is lane 0.
-    pub(super) fn new(machine: &'m Machine<'_>, variable: usize, dim: Dim) -> Self {
-        let slots = vec![(variable, Known::Lane(0, dim))];
+    pub(super) fn new(machine: &'m Machine<'_>, variable: usize, dim: Dimension) -> Self {
+        let slots = vec![(variable, LaneInput::Lane(0, dim))];
         Self { machine, slots, n_variables: 1, n_nested: 0, n_calls: 0 }
     }
 
@@ -58,26 +58,30 @@ impl<'m> Compiler<'m> {
         self.n_variables
     }
 
-    pub(super) fn condition(&mut self, expr: &Expr) -> Option<Truth> {
-        let mut frame = Frame { function: None, slots: self.slots.clone() };
+    pub(super) fn condition(&mut self, expr: &Expr) -> Option<TruthNode> {
+        let mut frame = LaneFrame { function: None, slots: self.slots.clone() };
         self.expr(expr, &mut frame)?.truth()
     }
 
-    pub(super) fn body(&mut self, expr: &Expr) -> Option<Body> {
-        let mut frame = Frame { function: None, slots: self.slots.clone() };
+    pub(super) fn body(&mut self, expr: &Expr) -> Option<LaneBody> {
+        let mut frame = LaneFrame { function: None, slots: self.slots.clone() };
         if let ExprKind::Point(coordinates) = &expr.kind {
             let mut coordinate = |expr: &Expr| {
                 let (node, dim) = self.expr(expr, &mut frame)?.number()?;
-                (dim.is_none() || dim == Dim::LENGTH).then_some(node)
+                (dim.is_none() || dim == Dimension::LENGTH).then_some(node)
             };
             let [x, y, z] = &**coordinates;
-            return Some(Body::Point(Box::new([coordinate(x)?, coordinate(y)?, coordinate(z)?])));
+            return Some(LaneBody::Point(Box::new([
+                coordinate(x)?,
+                coordinate(y)?,
+                coordinate(z)?,
+            ])));
         }
         let (node, dim) = self.expr(expr, &mut frame)?.number()?;
-        Some(Body::Number(node, dim))
+        Some(LaneBody::Number(node, dim))
     }
 
-    fn expr(&mut self, expr: &Expr, frame: &mut Frame<'_>) -> Option<Compiled> {
+    fn expr(&mut self, expr: &Expr, frame: &mut LaneFrame<'_>) -> Option<Compiled> {
         self.n_nested += 1;
         let most = MOST_NESTED.min(self.machine.depth_left());
         let compiled = if self.n_nested <= most { self.dispatch(expr, frame) } else { None };
@@ -85,8 +89,8 @@ impl<'m> Compiler<'m> {
         compiled
     }
 
-    fn dispatch(&mut self, expr: &Expr, frame: &mut Frame<'_>) -> Option<Compiled> {
-        let known = |value: Value| Some(Compiled::Known(Known::Value(value)));
+    fn dispatch(&mut self, expr: &Expr, frame: &mut LaneFrame<'_>) -> Option<Compiled> {
+        let known = |value: Value| Some(Compiled::LaneInput(LaneInput::Value(value)));
         match &expr.kind {
             ExprKind::Constant(value) => known(value.clone()),
             ExprKind::Local(slot) => self.local(*slot, frame),
@@ -104,11 +108,11 @@ impl<'m> Compiler<'m> {
             }),
             ExprKind::Unary(UnaryOp::Negate, operand) => {
                 let (node, dim) = self.expr(operand, frame)?.number()?;
-                Some(Compiled::Number(Node::Negate(Box::new(node)), dim))
+                Some(Compiled::Number(LaneNode::Negate(Box::new(node)), dim))
             }
             ExprKind::Unary(UnaryOp::Not, operand) => {
                 let truth = self.expr(operand, frame)?.truth()?;
-                Some(Compiled::Truth(Truth::Not(Box::new(truth))))
+                Some(Compiled::TruthNode(TruthNode::Not(Box::new(truth))))
             }
             ExprKind::Binary(op, sides) => self.binary(*op, sides, frame),
             ExprKind::If(parts) => {
@@ -116,7 +120,7 @@ impl<'m> Compiler<'m> {
                 let condition = self.expr(condition, frame)?.truth()?;
                 let (yes, dim) = self.expr(yes, frame)?.number()?;
                 let (no, other) = self.expr(no, frame)?.number()?;
-                let choice = Node::Choose(Box::new(condition), Box::new([yes, no]));
+                let choice = LaneNode::Choose(Box::new(condition), Box::new([yes, no]));
                 (dim == other).then_some(Compiled::Number(choice, dim))
             }
             ExprKind::Block(block) => self.block(block, frame),
@@ -125,62 +129,62 @@ impl<'m> Compiler<'m> {
         }
     }
 
-    fn local(&self, slot: usize, frame: &Frame<'_>) -> Option<Compiled> {
-        let is_it = |(own, _): &&(usize, Known)| *own == slot;
+    fn local(&self, slot: usize, frame: &LaneFrame<'_>) -> Option<Compiled> {
+        let is_it = |(own, _): &&(usize, LaneInput)| *own == slot;
         let known = match (frame.slots.iter().rev().find(is_it), frame.function) {
             (Some((_, known)), _) => known.clone(),
-            (None, None) => Known::Value(self.machine.local(slot)),
+            (None, None) => LaneInput::Value(self.machine.local(slot)),
             (None, Some(_)) => return None,
         };
-        Some(Compiled::Known(known))
+        Some(Compiled::LaneInput(known))
     }
 
     fn binary(
         &mut self,
         op: BinaryOp,
         sides: &[Expr; 2],
-        frame: &mut Frame<'_>,
+        frame: &mut LaneFrame<'_>,
     ) -> Option<Compiled> {
         use BinaryOp as Op;
         let (left, right) = (self.expr(&sides[0], frame)?, self.expr(&sides[1], frame)?);
         if matches!(op, Op::And | Op::Or) {
             let sides = Box::new([left.truth()?, right.truth()?]);
-            let truth = if op == Op::And { Truth::And(sides) } else { Truth::Or(sides) };
-            return Some(Compiled::Truth(truth));
+            let truth = if op == Op::And { TruthNode::And(sides) } else { TruthNode::Or(sides) };
+            return Some(Compiled::TruthNode(truth));
         }
         let ((left, a), (right, b)) = (left.number()?, right.number()?);
         let comparison = match op {
-            Op::Less => Some(Comparison::Less),
-            Op::LessEqual => Some(Comparison::LessEqual),
-            Op::Greater => Some(Comparison::Greater),
-            Op::GreaterEqual => Some(Comparison::GreaterEqual),
-            Op::Equal => Some(Comparison::Equal),
-            Op::NotEqual => Some(Comparison::NotEqual),
+            Op::Less => Some(LaneComparison::Less),
+            Op::LessEqual => Some(LaneComparison::LessEqual),
+            Op::Greater => Some(LaneComparison::Greater),
+            Op::GreaterEqual => Some(LaneComparison::GreaterEqual),
+            Op::Equal => Some(LaneComparison::Equal),
+            Op::NotEqual => Some(LaneComparison::NotEqual),
             _ => None,
         };
         if let Some(comparison) = comparison {
             a.common(b)?;
             let sides = Box::new([left, right]);
-            return Some(Compiled::Truth(Truth::Compare(comparison, sides)));
+            return Some(Compiled::TruthNode(TruthNode::Compare(comparison, sides)));
         }
         let (operation, dim) = match op {
-            Op::Add => (Operation::Add, a.common(b)?),
-            Op::Subtract => (Operation::Subtract, a.common(b)?),
-            Op::Multiply => (Operation::Multiply, a.times(b)?),
-            Op::Divide => (Operation::Divide, a.over(b)?),
-            Op::Remainder => (Operation::Remainder, a.common(b)?),
+            Op::Add => (LaneOperation::Add, a.common(b)?),
+            Op::Subtract => (LaneOperation::Subtract, a.common(b)?),
+            Op::Multiply => (LaneOperation::Multiply, a.times(b)?),
+            Op::Divide => (LaneOperation::Divide, a.over(b)?),
+            Op::Remainder => (LaneOperation::Remainder, a.common(b)?),
             Op::Power => match right {
                 _ if !b.is_none() => return None,
-                Node::Constant(exponent) => (Operation::Power, a.power(exponent)?),
-                _ if a.is_none() => (Operation::Power, a),
+                LaneNode::Constant(exponent) => (LaneOperation::Power, a.power(exponent)?),
+                _ if a.is_none() => (LaneOperation::Power, a),
                 _ => return None,
             },
             _ => return None,
         };
-        Some(Compiled::Number(Node::Arithmetic(operation, Box::new([left, right])), dim))
+        Some(Compiled::Number(LaneNode::Arithmetic(operation, Box::new([left, right])), dim))
     }
 
-    fn block(&mut self, block: &Block, frame: &mut Frame<'_>) -> Option<Compiled> {
+    fn block(&mut self, block: &Block, frame: &mut LaneFrame<'_>) -> Option<Compiled> {
         let mut lanes = Vec::new();
         for (slot, expr) in &block.definitions {
             let compiled = self.expr(expr, frame)?;
@@ -192,21 +196,25 @@ impl<'m> Compiler<'m> {
     }
 
     /// What a name stands for; a computation gets a lane of its own.
-    fn named(&mut self, compiled: Compiled, lanes: &mut Vec<(usize, Node)>) -> Option<Known> {
+    fn named(
+        &mut self,
+        compiled: Compiled,
+        lanes: &mut Vec<(usize, LaneNode)>,
+    ) -> Option<LaneInput> {
         match compiled {
-            Compiled::Known(known) => Some(known),
+            Compiled::LaneInput(known) => Some(known),
             Compiled::Number(node, dim) => {
                 lanes.push((self.n_variables, node));
                 self.n_variables += 1;
-                Some(Known::Lane(self.n_variables - 1, dim))
+                Some(LaneInput::Lane(self.n_variables - 1, dim))
             }
-            Compiled::Truth(_) => None,
+            Compiled::TruthNode(_) => None,
         }
     }
 
     /// The body of a function of the script in the place of its call.
-    fn call(&mut self, call: &CallExpr, frame: &mut Frame<'_>) -> Option<Compiled> {
-        let Compiled::Known(Known::Value(Value::Function(Function::Closure(closure)))) =
+    fn call(&mut self, call: &CallExpr, frame: &mut LaneFrame<'_>) -> Option<Compiled> {
+        let Compiled::LaneInput(LaneInput::Value(Value::Function(Function::Closure(closure)))) =
             self.expr(&call.callee, frame)?
         else {
             return None;
@@ -227,41 +235,45 @@ impl<'m> Compiler<'m> {
             slots.push((slot, self.named(compiled, &mut lanes)?));
         }
         self.n_calls += 1;
-        let body = self.expr(&lambda.body, &mut Frame { function: Some(function), slots });
+        let body = self.expr(&lambda.body, &mut LaneFrame { function: Some(function), slots });
         self.n_calls -= 1;
         body?.after(lanes, 1)
     }
 }
 
 impl Compiled {
-    fn number(self) -> Option<(Node, Dim)> {
+    fn number(self) -> Option<(LaneNode, Dimension)> {
         match self {
             Self::Number(node, dim) => Some((node, dim)),
-            Self::Known(Known::Lane(variable, dim)) => Some((Node::Variable(variable), dim)),
-            Self::Known(Known::Value(Value::Number(Number { value, dim }))) => {
-                Some((Node::Constant(value), dim))
+            Self::LaneInput(LaneInput::Lane(variable, dim)) => {
+                Some((LaneNode::Variable(variable), dim))
+            }
+            Self::LaneInput(LaneInput::Value(Value::Number(Number { value, dim }))) => {
+                Some((LaneNode::Constant(value), dim))
             }
             _ => None,
         }
     }
 
-    fn truth(self) -> Option<Truth> {
+    fn truth(self) -> Option<TruthNode> {
         match self {
-            Self::Truth(truth) => Some(truth),
-            Self::Known(Known::Value(Value::Bool(truth))) => Some(Truth::Constant(truth)),
+            Self::TruthNode(truth) => Some(truth),
+            Self::LaneInput(LaneInput::Value(Value::Bool(truth))) => {
+                Some(TruthNode::Constant(truth))
+            }
             _ => None,
         }
     }
 
     /// The same after some lanes were computed and so many functions called.
-    fn after(self, lanes: Vec<(usize, Node)>, n_calls: u64) -> Option<Self> {
+    fn after(self, lanes: Vec<(usize, LaneNode)>, n_calls: u64) -> Option<Self> {
         if lanes.is_empty() && n_calls == 0 {
             return Some(self);
         }
-        if let Self::Truth(truth) = self {
-            return Some(Self::Truth(Truth::Let(lanes, Box::new(truth), n_calls)));
+        if let Self::TruthNode(truth) = self {
+            return Some(Self::TruthNode(TruthNode::Let(lanes, Box::new(truth), n_calls)));
         }
         let (node, dim) = self.number()?;
-        Some(Self::Number(Node::Let(lanes, Box::new(node), n_calls), dim))
+        Some(Self::Number(LaneNode::Let(lanes, Box::new(node), n_calls), dim))
     }
 }

@@ -20,7 +20,7 @@ use super::{
     ir::{Comprehension, Generator},
     machine::Machine,
 };
-use crate::value::{Dim, List, Number, Value};
+use crate::value::{Dimension, List, Number, Value};
 use compile::Compiler;
 use run::Runner;
 
@@ -32,32 +32,32 @@ const WORTH_COMPILING: usize = 32;
 
 /// A computation of numbers.
 #[derive(Debug)]
-enum Node {
+enum LaneNode {
     Constant(f64),
     /// A lane.
     Variable(usize),
     Negate(Box<Self>),
-    Arithmetic(Operation, Box<[Self; 2]>),
-    Choose(Box<Truth>, Box<[Self; 2]>),
+    Arithmetic(LaneOperation, Box<[Self; 2]>),
+    Choose(Box<TruthNode>, Box<[Self; 2]>),
     /// Lanes that are computed first, then the result; so many calls are counted as steps.
     Let(Vec<(usize, Self)>, Box<Self>, u64),
 }
 
 /// A computation of truths.
 #[derive(Debug)]
-enum Truth {
+enum TruthNode {
     Constant(bool),
-    Compare(Comparison, Box<[Node; 2]>),
+    Compare(LaneComparison, Box<[LaneNode; 2]>),
     Not(Box<Self>),
     /// The second where the first is true.
     And(Box<[Self; 2]>),
     /// The second where the first is false.
     Or(Box<[Self; 2]>),
-    Let(Vec<(usize, Node)>, Box<Self>, u64),
+    Let(Vec<(usize, LaneNode)>, Box<Self>, u64),
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Operation {
+enum LaneOperation {
     Add,
     Subtract,
     Multiply,
@@ -67,7 +67,7 @@ enum Operation {
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Comparison {
+enum LaneComparison {
     Less,
     LessEqual,
     Greater,
@@ -78,28 +78,28 @@ enum Comparison {
 
 /// What a comprehension makes of each element.
 #[derive(Debug)]
-enum Body {
-    Number(Node, Dim),
-    Point(Box<[Node; 3]>),
+enum LaneBody {
+    Number(LaneNode, Dimension),
+    Point(Box<[LaneNode; 3]>),
 }
 
 /// A comprehension over one source of numbers, ready to run.
 #[derive(Debug)]
 pub(super) struct Lanes {
-    source: Source,
-    condition: Option<Truth>,
-    body: Body,
+    source: LaneSource,
+    condition: Option<TruthNode>,
+    body: LaneBody,
     n_variables: usize,
 }
 
 /// The numbers that the variable runs through.
 #[derive(Debug)]
-enum Source {
+enum LaneSource {
     Integers(i64, usize),
     Numbers(List),
 }
 
-impl Source {
+impl LaneSource {
     fn len(&self) -> usize {
         match self {
             Self::Integers(_, count) => *count,
@@ -114,7 +114,7 @@ impl Source {
                 lane.extend(range.clone().map(|i| (start + i as i64) as f64));
             }
             Self::Numbers(list) => {
-                let (values, _) = list.numbers().unwrap_or((&[], Dim::NONE));
+                let (values, _) = list.numbers().unwrap_or((&[], Dimension::NONE));
                 lane.extend_from_slice(&values[range.clone()]);
             }
         }
@@ -123,14 +123,14 @@ impl Source {
 
 /// What a block of elements came to.
 #[derive(Debug)]
-pub(super) enum Made {
+pub(super) enum BlockResult {
     /// Numbers of one dimension.
-    Numbers(Vec<f64>, Dim),
+    Numbers(Vec<f64>, Dimension),
     /// Anything else.
     Values(Vec<Value>),
 }
 
-impl Made {
+impl BlockResult {
     pub(super) fn len(&self) -> usize {
         match self {
             Self::Numbers(values, _) => values.len(),
@@ -163,11 +163,11 @@ impl Lanes {
         let (source, dim) = match source {
             Value::Range(range) => {
                 let (start, count) = range.integers()?;
-                (Source::Integers(start, count), Dim::NONE)
+                (LaneSource::Integers(start, count), Dimension::NONE)
             }
             Value::List(list) => {
                 let (_, dim) = list.numbers()?;
-                (Source::Numbers(list.clone()), dim)
+                (LaneSource::Numbers(list.clone()), dim)
             }
             _ => return None,
         };
@@ -192,13 +192,15 @@ impl Lanes {
     /// The elements of a block one by one.
     pub(super) fn elements(&self, range: Range<usize>) -> Items<'_> {
         match &self.source {
-            Source::Integers(start, _) => Items::Integers(start + range.start as i64, range.len()),
-            Source::Numbers(list) => Items::of(list, range),
+            LaneSource::Integers(start, _) => {
+                Items::Integers(start + range.start as i64, range.len())
+            }
+            LaneSource::Numbers(list) => Items::of(list, range),
         }
     }
 
     /// What a block comes to and in how many steps; `None` where only the machine can tell.
-    pub(super) fn run(&self, range: &Range<usize>) -> Option<(Made, u64)> {
+    pub(super) fn run(&self, range: &Range<usize>) -> Option<(BlockResult, u64)> {
         let mut runner = Runner::new(self.n_variables, range.len());
         self.source.fill(range, runner.lane(0));
         let mut steps = range.len() as u64;
@@ -210,19 +212,19 @@ impl Lanes {
         }
         let n = runner.len();
         let made = match &self.body {
-            Body::Number(node, dim) => {
+            LaneBody::Number(node, dim) => {
                 let mut out = vec![0.0; n];
                 runner.number(node, &mut out)?;
-                Made::Numbers(out, *dim)
+                BlockResult::Numbers(out, *dim)
             }
-            Body::Point(coordinates) => {
+            LaneBody::Point(coordinates) => {
                 let mut lanes = [vec![0.0; n], vec![0.0; n], vec![0.0; n]];
                 for (coordinate, lane) in coordinates.iter().zip(&mut lanes) {
                     runner.number(coordinate, lane)?;
                 }
                 let [x, y, z] = lanes;
                 let point = |i: usize| Value::Point(glam::DVec3::new(x[i], y[i], z[i]));
-                Made::Values((0..n).map(point).collect())
+                BlockResult::Values((0..n).map(point).collect())
             }
         };
         Some((made, steps + runner.steps()))

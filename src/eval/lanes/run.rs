@@ -1,6 +1,6 @@
 //! Runs compiled comprehensions over a block of lanes.
 
-use super::{Comparison, Node, Operation, Truth};
+use super::{LaneComparison, LaneNode, LaneOperation, TruthNode};
 use crate::eval::operator::remainder;
 
 /// The lanes of a block.
@@ -40,20 +40,20 @@ impl Runner {
     }
 
     /// Computes a number for each element; `None` where one of them is none.
-    pub(super) fn number(&mut self, node: &Node, out: &mut [f64]) -> Option<()> {
+    pub(super) fn number(&mut self, node: &LaneNode, out: &mut [f64]) -> Option<()> {
         match node {
-            Node::Constant(value) => out.fill(*value),
-            Node::Variable(variable) => out.copy_from_slice(&self.lanes[*variable]),
-            Node::Negate(inner) => {
+            LaneNode::Constant(value) => out.fill(*value),
+            LaneNode::Variable(variable) => out.copy_from_slice(&self.lanes[*variable]),
+            LaneNode::Negate(inner) => {
                 self.number(inner, out)?;
                 out.iter_mut().for_each(|value| *value = -*value);
             }
-            Node::Arithmetic(operation, sides) => {
+            LaneNode::Arithmetic(operation, sides) => {
                 let [left, right] = &**sides;
                 self.number(left, out)?;
                 match right {
-                    Node::Constant(value) => with_constant(*operation, out, *value),
-                    Node::Variable(variable) => {
+                    LaneNode::Constant(value) => with_constant(*operation, out, *value),
+                    LaneNode::Variable(variable) => {
                         with_lane(*operation, out, &self.lanes[*variable]);
                     }
                     _ => {
@@ -64,8 +64,8 @@ impl Runner {
                 }
                 return are_finite(out).then_some(());
             }
-            Node::Choose(condition, sides) => self.choose(condition, sides, out)?,
-            Node::Let(definitions, value, n_calls) => {
+            LaneNode::Choose(condition, sides) => self.choose(condition, sides, out)?,
+            LaneNode::Let(definitions, value, n_calls) => {
                 self.define(definitions, *n_calls)?;
                 self.number(value, out)?;
             }
@@ -73,7 +73,7 @@ impl Runner {
         Some(())
     }
 
-    fn define(&mut self, definitions: &[(usize, Node)], n_calls: u64) -> Option<()> {
+    fn define(&mut self, definitions: &[(usize, LaneNode)], n_calls: u64) -> Option<()> {
         self.steps += n_calls * self.len as u64;
         for (variable, node) in definitions {
             let mut lane = vec![0.0; self.len];
@@ -84,7 +84,12 @@ impl Runner {
     }
 
     /// Each side only where the condition asks for it.
-    fn choose(&mut self, condition: &Truth, sides: &[Node; 2], out: &mut [f64]) -> Option<()> {
+    fn choose(
+        &mut self,
+        condition: &TruthNode,
+        sides: &[LaneNode; 2],
+        out: &mut [f64],
+    ) -> Option<()> {
         let mask = self.truth(condition)?;
         for (wanted, side) in [(true, &sides[0]), (false, &sides[1])] {
             let n = mask.iter().filter(|&&is| is == wanted).count();
@@ -103,20 +108,20 @@ impl Runner {
     }
 
     /// Computes a truth for each element.
-    pub(super) fn truth(&mut self, truth: &Truth) -> Option<Vec<bool>> {
+    pub(super) fn truth(&mut self, truth: &TruthNode) -> Option<Vec<bool>> {
         Some(match truth {
-            Truth::Constant(value) => vec![*value; self.len],
-            Truth::Compare(comparison, sides) => {
+            TruthNode::Constant(value) => vec![*value; self.len],
+            TruthNode::Compare(comparison, sides) => {
                 let mut lanes = [vec![0.0; self.len], vec![0.0; self.len]];
                 for (side, lane) in sides.iter().zip(&mut lanes) {
                     self.number(side, lane)?;
                 }
                 compare(*comparison, &lanes[0], &lanes[1])
             }
-            Truth::Not(inner) => self.truth(inner)?.into_iter().map(|is| !is).collect(),
-            Truth::And(sides) => self.both(sides, true)?,
-            Truth::Or(sides) => self.both(sides, false)?,
-            Truth::Let(definitions, value, n_calls) => {
+            TruthNode::Not(inner) => self.truth(inner)?.into_iter().map(|is| !is).collect(),
+            TruthNode::And(sides) => self.both(sides, true)?,
+            TruthNode::Or(sides) => self.both(sides, false)?,
+            TruthNode::Let(definitions, value, n_calls) => {
                 self.define(definitions, *n_calls)?;
                 self.truth(value)?
             }
@@ -124,7 +129,7 @@ impl Runner {
     }
 
     /// The first truth, and where it is `undecided` the second.
-    fn both(&mut self, sides: &[Truth; 2], undecided: bool) -> Option<Vec<bool>> {
+    fn both(&mut self, sides: &[TruthNode; 2], undecided: bool) -> Option<Vec<bool>> {
         let mut mask = self.truth(&sides[0])?;
         let mut part = self.narrowed(&mask, undecided);
         let mut rest = part.truth(&sides[1])?.into_iter();
@@ -143,39 +148,39 @@ fn are_finite(lane: &[f64]) -> bool {
     !lane.iter().fold(false, |bad, value| bad | (value.to_bits() & EXPONENT == EXPONENT))
 }
 
-fn with_constant(operation: Operation, out: &mut [f64], b: f64) {
+fn with_constant(operation: LaneOperation, out: &mut [f64], b: f64) {
     let out = out.iter_mut();
     match operation {
-        Operation::Add => out.for_each(|a| *a += b),
-        Operation::Subtract => out.for_each(|a| *a -= b),
-        Operation::Multiply => out.for_each(|a| *a *= b),
-        Operation::Divide => out.for_each(|a| *a /= b),
-        Operation::Remainder => out.for_each(|a| *a = remainder(*a, b)),
-        Operation::Power => out.for_each(|a| *a = libm::pow(*a, b)),
+        LaneOperation::Add => out.for_each(|a| *a += b),
+        LaneOperation::Subtract => out.for_each(|a| *a -= b),
+        LaneOperation::Multiply => out.for_each(|a| *a *= b),
+        LaneOperation::Divide => out.for_each(|a| *a /= b),
+        LaneOperation::Remainder => out.for_each(|a| *a = remainder(*a, b)),
+        LaneOperation::Power => out.for_each(|a| *a = libm::pow(*a, b)),
     }
 }
 
-fn with_lane(operation: Operation, out: &mut [f64], b: &[f64]) {
+fn with_lane(operation: LaneOperation, out: &mut [f64], b: &[f64]) {
     let both = out.iter_mut().zip(b);
     match operation {
-        Operation::Add => both.for_each(|(a, b)| *a += b),
-        Operation::Subtract => both.for_each(|(a, b)| *a -= b),
-        Operation::Multiply => both.for_each(|(a, b)| *a *= b),
-        Operation::Divide => both.for_each(|(a, b)| *a /= b),
-        Operation::Remainder => both.for_each(|(a, b)| *a = remainder(*a, *b)),
-        Operation::Power => both.for_each(|(a, b)| *a = libm::pow(*a, *b)),
+        LaneOperation::Add => both.for_each(|(a, b)| *a += b),
+        LaneOperation::Subtract => both.for_each(|(a, b)| *a -= b),
+        LaneOperation::Multiply => both.for_each(|(a, b)| *a *= b),
+        LaneOperation::Divide => both.for_each(|(a, b)| *a /= b),
+        LaneOperation::Remainder => both.for_each(|(a, b)| *a = remainder(*a, *b)),
+        LaneOperation::Power => both.for_each(|(a, b)| *a = libm::pow(*a, *b)),
     }
 }
 
 #[expect(clippy::float_cmp, reason = "exact equality is what `==` means")]
-fn compare(comparison: Comparison, a: &[f64], b: &[f64]) -> Vec<bool> {
+fn compare(comparison: LaneComparison, a: &[f64], b: &[f64]) -> Vec<bool> {
     let both = a.iter().zip(b);
     match comparison {
-        Comparison::Less => both.map(|(a, b)| a < b).collect(),
-        Comparison::LessEqual => both.map(|(a, b)| a <= b).collect(),
-        Comparison::Greater => both.map(|(a, b)| a > b).collect(),
-        Comparison::GreaterEqual => both.map(|(a, b)| a >= b).collect(),
-        Comparison::Equal => both.map(|(a, b)| a == b).collect(),
-        Comparison::NotEqual => both.map(|(a, b)| a != b).collect(),
+        LaneComparison::Less => both.map(|(a, b)| a < b).collect(),
+        LaneComparison::LessEqual => both.map(|(a, b)| a <= b).collect(),
+        LaneComparison::Greater => both.map(|(a, b)| a > b).collect(),
+        LaneComparison::GreaterEqual => both.map(|(a, b)| a >= b).collect(),
+        LaneComparison::Equal => both.map(|(a, b)| a == b).collect(),
+        LaneComparison::NotEqual => both.map(|(a, b)| a != b).collect(),
     }
 }

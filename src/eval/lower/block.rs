@@ -13,12 +13,12 @@ use crate::{
 };
 
 /// A definition of a block.
-enum Item<'t, 's> {
+enum BlockItem<'t, 's> {
     Function(&'t ast::Function<'s>),
     Value(&'t Definition<'s>),
 }
 
-impl<'s> Item<'_, 's> {
+impl<'s> BlockItem<'_, 's> {
     fn names(&self) -> Vec<ast::Name<'s>> {
         match self {
             Self::Function(function) => vec![function.name],
@@ -35,12 +35,12 @@ impl<'s> Lowerer<'_, 's> {
     /// Lowers `{ definitions  value }`.
     pub(super) fn block(&mut self, block: &ast::Block<'s>) -> ExprKind {
         let mark = self.scopes.mark();
-        let items: Vec<Item<'_, 's>> = block
+        let items: Vec<BlockItem<'_, 's>> = block
             .statements
             .iter()
             .filter_map(|statement| match &statement.kind {
-                StatementKind::Function(function) => Some(Item::Function(function)),
-                StatementKind::Definition(definition) => Some(Item::Value(definition)),
+                StatementKind::Function(function) => Some(BlockItem::Function(function)),
+                StatementKind::Definition(definition) => Some(BlockItem::Value(definition)),
                 // The parser has told that only definitions stand in blocks.
                 _ => None,
             })
@@ -62,7 +62,7 @@ impl<'s> Lowerer<'_, 's> {
     }
 
     /// Which item defines each name; a name defined twice is reported.
-    fn owners(&mut self, items: &[Item<'_, 's>]) -> BTreeMap<&'s str, (usize, Span)> {
+    fn owners(&mut self, items: &[BlockItem<'_, 's>]) -> BTreeMap<&'s str, (usize, Span)> {
         let mut owners: BTreeMap<&'s str, (usize, Span)> = BTreeMap::new();
         for (idx, item) in items.iter().enumerate() {
             for name in item.names() {
@@ -81,7 +81,7 @@ impl<'s> Lowerer<'_, 's> {
     /// Lowers definitions that use one another, or a single one.
     fn component(
         &mut self,
-        items: &[Item<'_, 's>],
+        items: &[BlockItem<'_, 's>],
         mut component: Vec<usize>,
         is_loop: bool,
         definitions: &mut Vec<(usize, Expr)>,
@@ -90,8 +90,8 @@ impl<'s> Lowerer<'_, 's> {
         let functions: Vec<&ast::Function<'s>> = component
             .iter()
             .filter_map(|&idx| match items[idx] {
-                Item::Function(function) => Some(function),
-                Item::Value(_) => None,
+                BlockItem::Function(function) => Some(function),
+                BlockItem::Value(_) => None,
             })
             .collect();
         if functions.len() == component.len() {
@@ -106,8 +106,8 @@ impl<'s> Lowerer<'_, 's> {
         let n_found = self.diagnostics.len();
         for &idx in &component {
             match items[idx] {
-                Item::Function(function) => self.functions(&[function], definitions),
-                Item::Value(definition) => self.value(definition, definitions),
+                BlockItem::Function(function) => self.functions(&[function], definitions),
+                BlockItem::Value(definition) => self.value(definition, definitions),
             }
         }
         if is_loop {
@@ -185,7 +185,7 @@ pub(super) fn duplicate(name: &str, second: Span, first: Span) -> Diagnostic {
 
 /// The items whose names occur in an item. Names never hide one another, so that every occurrence
 /// of the word counts.
-fn uses(item: &Item<'_, '_>, owners: &BTreeMap<&str, (usize, Span)>) -> Vec<usize> {
+fn uses(item: &BlockItem<'_, '_>, owners: &BTreeMap<&str, (usize, Span)>) -> Vec<usize> {
     let mut found = Vec::new();
     let mut see = |name: &str| {
         if let Some(&(idx, _)) = owners.get(name) {
@@ -193,7 +193,7 @@ fn uses(item: &Item<'_, '_>, owners: &BTreeMap<&str, (usize, Span)>) -> Vec<usiz
         }
     };
     match item {
-        Item::Function(function) => {
+        BlockItem::Function(function) => {
             function
                 .parameters
                 .iter()
@@ -201,7 +201,7 @@ fn uses(item: &Item<'_, '_>, owners: &BTreeMap<&str, (usize, Span)>) -> Vec<usiz
                 .for_each(|default| walk(default, &mut see));
             walk(&function.body, &mut see);
         }
-        Item::Value(definition) => walk(&definition.value, &mut see),
+        BlockItem::Value(definition) => walk(&definition.value, &mut see),
     }
     found.sort_unstable();
     found.dedup();

@@ -13,7 +13,7 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Span, Spanned},
     syntax::ast::{self, Pattern, Unit},
-    value::{Dim, Number, Value, radians_of},
+    value::{Dimension, Number, Value, radians_of},
 };
 
 impl<'s> Lowerer<'_, 's> {
@@ -64,7 +64,7 @@ impl<'s> Lowerer<'_, 's> {
             Some(Unit::Deg) => Number::angle(radians_of(value)),
             Some(Unit::Rad) => Number::angle(value),
             Some(Unit::Turn) => Number::angle(value * std::f64::consts::TAU),
-            Some(unit) => Number { value: convert(value, unit, self.unit), dim: Dim::LENGTH },
+            Some(unit) => Number { value: convert(value, unit, self.unit), dim: Dimension::LENGTH },
         }
     }
 

@@ -6,7 +6,7 @@
 
 use std::collections::VecDeque;
 
-use super::super::ir::{Definition, Role};
+use super::super::ir::{Definition, DefinitionRole};
 use crate::diag::{Code, Diagnostic};
 
 /// Components of the graph of definitions, each after those that it uses. Functions may use one
@@ -26,8 +26,9 @@ pub(super) fn order(
         .iter()
         .filter(|component| {
             let is_loop = component.len() > 1 || edges[component[0]].contains(&component[0]);
-            let is_functions =
-                component.iter().all(|&idx| matches!(definitions[idx].role, Role::Function));
+            let is_functions = component
+                .iter()
+                .all(|&idx| matches!(definitions[idx].role, DefinitionRole::Function));
             is_loop && !is_functions
         })
         .cloned()

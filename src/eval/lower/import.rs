@@ -1,7 +1,7 @@
 //! Lowering of imports: a record under a name, or some of its fields under theirs.
 
 use super::{
-    super::ir::{Definition, Expr, ExprKind, Role},
+    super::ir::{Definition, DefinitionRole, Expr, ExprKind},
     Imported, Lowerer,
 };
 use crate::{
@@ -76,11 +76,11 @@ impl<'s> Lowerer<'_, 's> {
                 Some(name) => (name.text, self.at(name.span)),
                 None => ("", span),
             };
-            definitions.push(self.finish(name, place, Role::Import, whole));
+            definitions.push(self.finish(name, place, DefinitionRole::Import, whole));
             return;
         };
         let whole_idx = self.first + definitions.len();
-        definitions.push(self.finish("the import", span, Role::Hidden, whole));
+        definitions.push(self.finish("the import", span, DefinitionRole::Hidden, whole));
         for name in listed {
             let place = self.at(name.span);
             if let Some(imported) = imported {
@@ -90,7 +90,7 @@ impl<'s> Lowerer<'_, 's> {
             let record = Expr { kind: ExprKind::Global(whole_idx), span: place };
             let field = ExprKind::Field(Box::new(record), name.text.into(), place);
             let field = Expr { kind: field, span: place };
-            definitions.push(self.finish(name.text, place, Role::Import, field));
+            definitions.push(self.finish(name.text, place, DefinitionRole::Import, field));
         }
     }
 

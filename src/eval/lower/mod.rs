@@ -3,12 +3,12 @@
 
 mod block;
 mod expr;
+pub(in crate::eval) mod foreign_names;
 mod graph;
 mod import;
 mod scope;
 mod statement;
 mod test;
-pub(in crate::eval) mod words;
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -17,7 +17,7 @@ use std::{
 
 use scope::Scopes;
 
-use super::ir::{Expr, ExprKind, Program, Source};
+use super::ir::{CaptureSource, Expr, ExprKind, Program};
 use crate::{
     diag::{Code, Diagnostic, Severity, Span, nearest},
     kernel::Tolerance,
@@ -206,9 +206,9 @@ impl<'s> Lowerer<'_, 's> {
         let span = self.at(local_span);
         if let Some((source, _)) = self.scopes.find(name) {
             let kind = match source {
-                Source::Local(slot) => ExprKind::Local(slot),
-                Source::Captured(idx) => ExprKind::Captured(idx),
-                Source::Sibling(idx) => ExprKind::Sibling(idx),
+                CaptureSource::Local(slot) => ExprKind::Local(slot),
+                CaptureSource::Captured(idx) => ExprKind::Captured(idx),
+                CaptureSource::Sibling(idx) => ExprKind::Sibling(idx),
             };
             return Expr { kind, span };
         }
@@ -239,7 +239,7 @@ impl<'s> Lowerer<'_, 's> {
             return self.poison(span);
         }
         let defined = near.and_then(|near| self.global(near)).map(|(_, span)| span);
-        match (near.or(near_builtin), words::advice(name)) {
+        match (near.or(near_builtin), foreign_names::advice(name)) {
             (_, Some(advice)) => {
                 let diagnostic = Diagnostic::error(
                     Code::UnknownName,

@@ -6,7 +6,7 @@
 
 use std::{collections::HashMap, sync::Arc};
 
-use super::super::ir::Source;
+use super::super::ir::CaptureSource;
 use crate::{diag::Span, limits::work};
 
 /// The names that one function can see without looking around it.
@@ -112,22 +112,22 @@ impl<'s> Scopes<'s> {
     }
 
     /// What `name` means here, if it is no definition of the file, and where it was defined.
-    pub(super) fn find(&mut self, name: &str) -> Option<(Source, Span)> {
+    pub(super) fn find(&mut self, name: &str) -> Option<(CaptureSource, Span)> {
         self.find_in(self.functions.len(), name)
     }
 
-    fn find_in(&mut self, n_functions: usize, name: &str) -> Option<(Source, Span)> {
+    fn find_in(&mut self, n_functions: usize, name: &str) -> Option<(CaptureSource, Span)> {
         let (scope, outer) = self.functions[..n_functions].split_last_mut()?;
         work::count(1);
         if let Some(&idx) = scope.places.get(name) {
             let Local { slot, span, .. } = scope.locals[idx];
-            return Some((Source::Local(slot), span));
+            return Some((CaptureSource::Local(slot), span));
         }
         if let Some(&idx) = scope.siblings.places.get(name) {
-            return Some((Source::Sibling(idx), scope.siblings.names[idx].1));
+            return Some((CaptureSource::Sibling(idx), scope.siblings.names[idx].1));
         }
         if let Some(&idx) = scope.captures.places.get(name) {
-            return Some((Source::Captured(idx), scope.captures.taken[idx].1));
+            return Some((CaptureSource::Captured(idx), scope.captures.taken[idx].1));
         }
         let n_outer = outer.len();
         let known = self.name_around(n_outer, name)?;
@@ -136,7 +136,7 @@ impl<'s> Scopes<'s> {
         let idx = captures.taken.len();
         captures.places.insert(known, idx);
         captures.taken.push((source, span));
-        Some((Source::Captured(idx), span))
+        Some((CaptureSource::Captured(idx), span))
     }
 
     /// The name with the lifetime of the source, if a function around knows it.
@@ -162,14 +162,14 @@ impl<'s> Scopes<'s> {
 /// What a group of functions takes from around it.
 #[derive(Debug, Default)]
 pub(super) struct Captures<'s> {
-    taken: Vec<(Source, Span)>,
+    taken: Vec<(CaptureSource, Span)>,
     /// Where each name stands among them.
     places: HashMap<&'s str, usize>,
 }
 
 impl Captures<'_> {
     /// Where each captured value comes from.
-    pub(super) fn sources(&self) -> Vec<Source> {
+    pub(super) fn sources(&self) -> Vec<CaptureSource> {
         self.taken.iter().map(|&(source, _)| source).collect()
     }
 }

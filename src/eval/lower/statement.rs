@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::{
     super::ir::{
-        Arg, Definition, Effect, EffectKind, Expr, ExprKind, Group, Kind, ParamKind, ParamRules,
-        Role,
+        Arg, Definition, DefinitionRole, Effect, EffectKind, Expr, ExprKind, Group, Kind,
+        ParamKind, ParamRules,
     },
     Lowerer,
     block::duplicate,
@@ -16,7 +16,7 @@ use crate::{
     diag::{Code, Diagnostic, Span, nearest},
     kernel::Tolerance,
     syntax::ast::{self, Pattern, Statement, StatementKind, Unit},
-    value::Dim,
+    value::Dimension,
 };
 
 impl<'s> Lowerer<'_, 's> {
@@ -98,7 +98,7 @@ impl<'s> Lowerer<'_, 's> {
 
     fn set_tolerance(&mut self, value: &ast::Expr<'s>) {
         let number = self.literal(value).map(|number| number.value);
-        let fits = |dim: Dim| dim.is_none() || dim == Dim::LENGTH;
+        let fits = |dim: Dimension| dim.is_none() || dim == Dimension::LENGTH;
         match number.filter(|number| 0.0 < number.value && fits(number.dim)) {
             Some(number) => self.tolerance = Tolerance::DEFAULT.with_distance(number.value),
             None => {
@@ -208,7 +208,7 @@ impl<'s> Lowerer<'_, 's> {
         &mut self,
         name: &str,
         name_span: Span,
-        role: Role,
+        role: DefinitionRole,
         value: Expr,
     ) -> Definition {
         let (n_slots, _) = self.scopes.leave();
@@ -255,7 +255,12 @@ impl<'s> Lowerer<'_, 's> {
             docs: docs.map(str::to_owned),
         };
         let span = self.at(param.name.span);
-        definitions.push(self.finish(param.name.text, span, Role::Param(Box::new(rules)), value));
+        definitions.push(self.finish(
+            param.name.text,
+            span,
+            DefinitionRole::Param(Box::new(rules)),
+            value,
+        ));
     }
 
     fn global_function(&mut self, function: &ast::Function<'s>, definitions: &mut Vec<Definition>) {
@@ -266,7 +271,7 @@ impl<'s> Lowerer<'_, 's> {
         definitions.push(self.finish(
             function.name.text,
             span,
-            Role::Function,
+            DefinitionRole::Function,
             Expr { kind, span },
         ));
     }
@@ -293,7 +298,7 @@ impl<'s> Lowerer<'_, 's> {
     ) {
         let value = self.promised(definition);
         let with = self.args(&definition.with);
-        let role = || Role::Value(definition.kind);
+        let role = || DefinitionRole::Value(definition.kind);
         match &definition.pattern {
             Pattern::Name(name) => {
                 let span = self.at(name.span);
@@ -308,7 +313,12 @@ impl<'s> Lowerer<'_, 's> {
             pattern @ (Pattern::List(_, span) | Pattern::Record(_, span)) => {
                 let whole = self.first + definitions.len();
                 let span = self.at(*span);
-                definitions.push(self.finish("the value taken apart", span, Role::Hidden, value));
+                definitions.push(self.finish(
+                    "the value taken apart",
+                    span,
+                    DefinitionRole::Hidden,
+                    value,
+                ));
                 let parts =
                     self.take_apart(pattern, |span| Expr { kind: ExprKind::Global(whole), span });
                 for (name, part) in parts {

@@ -13,8 +13,8 @@ use serde_json::{Map, Value as Json, json};
 use self::base64::Base64;
 use super::{
     ExportError, Format, Item, Job, Subject, Summary,
-    kept::Kept,
-    shape::{Shape, Shaped, byte_color, shapes},
+    shape::{MeshShape, ShapedItem, byte_color, shapes},
+    unique_values::Kept,
 };
 
 pub(super) static GLB: Format = Format {
@@ -60,7 +60,7 @@ mod code {
 const GREY: [u8; 3] = [204; 3];
 
 fn write_glb(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
-    let scene = Scene::new(job)?;
+    let scene = GltfScene::new(job)?;
     let mut document = scene.document;
     document.insert("buffers".to_owned(), json!([{ "byteLength": scene.n_bytes }]));
     let mut text = serde_json::to_vec(&document).map_err(std::io::Error::from)?;
@@ -80,7 +80,7 @@ fn write_glb(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
 }
 
 fn write_gltf(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
-    let scene = Scene::new(job)?;
+    let scene = GltfScene::new(job)?;
     let text = serde_json::to_string_pretty(&scene.document).map_err(std::io::Error::from)?;
     // The buffer goes before the last brace, as it is made.
     out.write_all(text.trim_end_matches(['}', '\n']).as_bytes())?;
@@ -102,12 +102,16 @@ fn placed(point: DVec3, scale: f64) -> [f32; 3] {
 }
 
 /// Writes the numbers of an item: places, then normals, colours and corners where it has them.
-fn write_buffers(shaped: &Shaped<'_>, scale: f64, out: &mut dyn Write) -> Result<(), ExportError> {
+fn write_buffers(
+    shaped: &ShapedItem<'_>,
+    scale: f64,
+    out: &mut dyn Write,
+) -> Result<(), ExportError> {
     let mut buffer = Buffer { bytes: Vec::with_capacity(2 * Buffer::LARGE), out };
     for &point in shaped.points() {
         buffer.floats(placed(point, scale))?;
     }
-    if let Shape::Mesh(mesh) = &shaped.shape {
+    if let MeshShape::Mesh(mesh) = &shaped.shape {
         for &normal in mesh.normals() {
             buffer.floats(placed(normal, 1.0))?;
         }
@@ -165,7 +169,7 @@ fn linear(color: [u8; 3]) -> [f64; 3] {
 
 /// What a material is made of.
 #[derive(Clone, PartialEq, Eq, Hash)]
-struct Look {
+struct Material {
     color: Option<[u8; 3]>,
     layer: Option<String>,
     /// Whether the vertices have colours of their own.
@@ -173,8 +177,8 @@ struct Look {
 }
 
 /// The file's text without its buffer, and what goes into that.
-struct Scene<'a> {
-    shapes: Vec<Shaped<'a>>,
+struct GltfScene<'a> {
+    shapes: Vec<ShapedItem<'a>>,
     summary: Summary,
     document: Map<String, Json>,
     n_bytes: usize,
@@ -182,7 +186,7 @@ struct Scene<'a> {
     scale: f64,
 }
 
-impl<'a> Scene<'a> {
+impl<'a> GltfScene<'a> {
     fn new(job: &'a Job) -> Result<Self, ExportError> {
         let mut shapes = shapes(job)?;
         shapes.retain(|shaped| !shaped.is_empty());
@@ -191,7 +195,7 @@ impl<'a> Scene<'a> {
             return Err(ExportError::Unfit { name, problem: "has no triangle".to_owned() });
         }
         let scale = job.millimetres / 1000.0;
-        let mut parts = Parts::default();
+        let mut parts = GltfParts::default();
         for shaped in &shapes {
             parts.add(shaped, scale)?;
         }
@@ -202,27 +206,27 @@ impl<'a> Scene<'a> {
 
 /// The lists of a document under construction.
 #[derive(Default)]
-struct Parts {
+struct GltfParts {
     nodes: Vec<Json>,
     /// The node of each layer, and its members.
     layers: Kept<String, Vec<usize>>,
     roots: Vec<usize>,
     meshes: Vec<Json>,
-    looks: Kept<Look, ()>,
+    looks: Kept<Material, ()>,
     accessors: Vec<Json>,
     views: Vec<Json>,
     n_bytes: usize,
 }
 
-impl Parts {
-    fn add(&mut self, shaped: &Shaped<'_>, scale: f64) -> Result<(), ExportError> {
+impl GltfParts {
+    fn add(&mut self, shaped: &ShapedItem<'_>, scale: f64) -> Result<(), ExportError> {
         let item = shaped.item;
         let mut attributes = Map::new();
         attributes.insert("POSITION".to_owned(), json!(self.places(shaped, scale)?));
         let mut primitive = Map::new();
         let mut is_painted = false;
         let mode = match &shaped.shape {
-            Shape::Mesh(mesh) => {
+            MeshShape::Mesh(mesh) => {
                 let n = mesh.n_vertices();
                 if !mesh.normals().is_empty() {
                     let idx = self.accessor(n, code::FLOAT, "VEC3", 12, code::ARRAY_BUFFER);
@@ -240,10 +244,10 @@ impl Parts {
                 primitive.insert("indices".to_owned(), json!(idx));
                 code::TRIANGLES
             }
-            Shape::Polyline(_) => code::LINE_STRIP,
-            Shape::Point(_) => code::POINTS,
+            MeshShape::Polyline(_) => code::LINE_STRIP,
+            MeshShape::Point(_) => code::POINTS,
         };
-        let look = Look { color: item.color, layer: item.layer.clone(), is_painted };
+        let look = Material { color: item.color, layer: item.layer.clone(), is_painted };
         let (material, ()) = self.looks.entry(&look, || ());
         primitive.insert("attributes".to_owned(), Json::Object(attributes));
         primitive.insert("material".to_owned(), json!(material));
@@ -264,7 +268,7 @@ impl Parts {
     }
 
     /// The places of an item, with the box around them as the file's numbers have it.
-    fn places(&mut self, shaped: &Shaped<'_>, scale: f64) -> Result<usize, ExportError> {
+    fn places(&mut self, shaped: &ShapedItem<'_>, scale: f64) -> Result<usize, ExportError> {
         let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
         for &point in shaped.points() {
             let place = placed(point, scale);
@@ -324,7 +328,7 @@ impl Parts {
     }
 }
 
-fn material(look: &Look) -> Json {
+fn material(look: &Material) -> Json {
     let color = look.color.unwrap_or(if look.is_painted { [u8::MAX; 3] } else { GREY });
     let [r, g, b] = linear(if look.is_painted { [u8::MAX; 3] } else { color });
     let hex = || look.color.map(|[r, g, b]| format!("#{r:02x}{g:02x}{b:02x}"));

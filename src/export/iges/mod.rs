@@ -12,7 +12,7 @@ use self::record::{Cards, Entity};
 use super::{
     ExportError, Format, Item, Job, Subject, Summary,
     exact::{Exact, exact},
-    kept::Kept,
+    unique_values::Kept,
 };
 use crate::kernel::{Bounds, NurbsCurve, NurbsSurface};
 
@@ -30,7 +30,7 @@ pub(super) static FORMAT: Format = Format {
 
 fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     let mut summary = Summary::default();
-    let (mut cards, mut looks) = (Cards::default(), Looks::default());
+    let (mut cards, mut looks) = (Cards::default(), IgesPresentation::default());
     for item in &job.items {
         for part in exact(item, job)? {
             let entity = match part {
@@ -54,12 +54,12 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
 
 /// Colours, layers and names that have an entity already.
 #[derive(Default)]
-struct Looks {
+struct IgesPresentation {
     colors: Kept<[u8; 3], usize>,
     layers: Kept<String, ()>,
 }
 
-impl Looks {
+impl IgesPresentation {
     /// Adds an entity with the look and the name of its item.
     fn add(&mut self, item: &Item, mut entity: Entity, cards: &mut Cards) {
         if let Some(color) = item.color {

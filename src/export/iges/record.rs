@@ -4,7 +4,7 @@
 
 use std::io::Write;
 
-use super::super::{ExportError, text::Text};
+use super::super::{ExportError, text::TextBuffer};
 
 /// Columns that parameters may use in the global section, and in the parameter section.
 const GLOBAL_COLUMNS: usize = 72;
@@ -44,7 +44,7 @@ impl Entity {
 
     /// A number, which must have a decimal point; `D` marks double precision.
     pub(super) fn real(&mut self, value: f64) {
-        let mut text = Text::default();
+        let mut text = TextBuffer::default();
         text.pointed(value, "D");
         self.tokens.push(text.into_string());
     }
@@ -82,8 +82,8 @@ fn ascii(text: &str) -> String {
 /// The directory and the parameters of a file under construction.
 #[derive(Default)]
 pub(super) struct Cards {
-    directory: Text,
-    parameters: Text,
+    directory: TextBuffer,
+    parameters: TextBuffer,
     n_directory: usize,
     n_parameters: usize,
 }
@@ -121,7 +121,7 @@ impl Cards {
 
     /// Writes all sections.
     pub(super) fn write(mut self, global: &Entity, out: &mut dyn Write) -> Result<(), ExportError> {
-        let mut head = Text::default();
+        let mut head = TextBuffer::default();
         head.push(&format!("{:<72}S{:>7}\n", "virote", 1));
         let lines = global.lines(GLOBAL_COLUMNS);
         for (i, line) in lines.iter().enumerate() {

@@ -2,11 +2,11 @@
 //!
 //! Wavefront, *Advanced Visualizer Manual*, appendix B1, "Free-form curve/surface attributes".
 
-use super::{Text, Written, vector};
+use super::{TextBuffer, WrittenCounts, vector};
 use crate::kernel::{Interval, KnotVector, NurbsCurve, NurbsSurface};
 
 /// Writes a curve behind its control points.
-pub(super) fn curve(curve: &NurbsCurve, written: &mut Written, text: &mut Text) {
+pub(super) fn curve(curve: &NurbsCurve, written: &mut WrittenCounts, text: &mut TextBuffer) {
     let first = written.vertices + 1;
     for (point, homogeneous) in curve.points().iter().zip(curve.control_points()) {
         if curve.is_rational() {
@@ -27,7 +27,7 @@ pub(super) fn curve(curve: &NurbsCurve, written: &mut Written, text: &mut Text) 
 }
 
 /// Writes a surface behind its control points, which go along u first.
-pub(super) fn surface(surface: &NurbsSurface, written: &mut Written, text: &mut Text) {
+pub(super) fn surface(surface: &NurbsSurface, written: &mut WrittenCounts, text: &mut TextBuffer) {
     let first = written.vertices + 1;
     let (points, weights) = (surface.points().transposed(), surface.weights().transposed());
     for (point, &weight) in points.iter().zip(weights.iter()) {
@@ -51,15 +51,15 @@ pub(super) fn surface(surface: &NurbsSurface, written: &mut Written, text: &mut 
     text.push("\nend\n");
 }
 
-fn kind(is_rational: bool, text: &mut Text) {
+fn kind(is_rational: bool, text: &mut TextBuffer) {
     text.push(if is_rational { "cstype rat bspline\n" } else { "cstype bspline\n" });
 }
 
-fn domain(domain: Interval, text: &mut Text) {
+fn domain(domain: Interval, text: &mut TextBuffer) {
     text.push(" ").exact(domain.start()).push(" ").exact(domain.end());
 }
 
-fn parameters(name: &str, knots: &KnotVector, text: &mut Text) {
+fn parameters(name: &str, knots: &KnotVector, text: &mut TextBuffer) {
     text.push("\nparm ").push(name);
     for &knot in knots.as_slice() {
         text.push(" ").exact(knot);

@@ -9,8 +9,8 @@ use super::{
     ExportError, Format, Item, Job, Subject, Summary,
     exact::{Exact, exact},
     name::word,
-    shape::{Shape, Shaped, shape, shapes, tolerance},
-    text::Text,
+    shape::{MeshShape, ShapedItem, shape, shapes, tolerance},
+    text::TextBuffer,
 };
 use crate::kernel::Mesh;
 
@@ -28,7 +28,7 @@ pub(super) static FORMAT: Format = Format {
 
 /// Numbers of vertices, normals and texture coordinates written so far.
 #[derive(Default)]
-struct Written {
+struct WrittenCounts {
     vertices: usize,
     normals: usize,
     uvs: usize,
@@ -36,9 +36,9 @@ struct Written {
 
 fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     let tolerance = tolerance(job)?;
-    let mut text = Text::rounded(job.options.decimals);
+    let mut text = TextBuffer::rounded(job.options.decimals);
     text.push("# unit: ").push(job.unit).push("\n");
-    let (mut written, mut summary) = (Written::default(), Summary::default());
+    let (mut written, mut summary) = (WrittenCounts::default(), Summary::default());
     let mut shapes = if job.options.free_form { Vec::new() } else { shapes(job)? }.into_iter();
     for item in &job.items {
         text.push("g ").push(&word(&item.name)).push("\n");
@@ -49,7 +49,7 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
         } else {
             let shape = match shapes.next() {
                 Some(shaped) => Some(shaped),
-                None => shape(item, tolerance, job)?.map(|shape| Shaped {
+                None => shape(item, tolerance, job)?.map(|shape| ShapedItem {
                     item,
                     shape,
                     is_turned: false,
@@ -69,8 +69,8 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
 fn write_exact(
     item: &Item,
     job: &Job,
-    written: &mut Written,
-    text: &mut Text,
+    written: &mut WrittenCounts,
+    text: &mut TextBuffer,
 ) -> Result<(), ExportError> {
     for part in exact(item, job)? {
         match part {
@@ -87,14 +87,14 @@ fn write_exact(
 }
 
 fn write_shape(
-    shape: &Shape,
-    written: &mut Written,
-    text: &mut Text,
+    shape: &MeshShape,
+    written: &mut WrittenCounts,
+    text: &mut TextBuffer,
     out: &mut dyn Write,
 ) -> Result<(), ExportError> {
     match shape {
-        Shape::Mesh(mesh) => write_mesh(mesh, written, text, out)?,
-        Shape::Polyline(points) => {
+        MeshShape::Mesh(mesh) => write_mesh(mesh, written, text, out)?,
+        MeshShape::Polyline(points) => {
             points.iter().for_each(|point| vector(text, "v", &point.to_array()));
             text.push("l");
             for idx in 1..=points.len() {
@@ -103,7 +103,7 @@ fn write_shape(
             text.push("\n");
             written.vertices += points.len();
         }
-        Shape::Point(point) => {
+        MeshShape::Point(point) => {
             vector(text, "v", &point.to_array());
             written.vertices += 1;
             text.push("p ").count(written.vertices).push("\n");
@@ -112,7 +112,7 @@ fn write_shape(
     Ok(())
 }
 
-fn vector(text: &mut Text, keyword: &str, coordinates: &[f64]) {
+fn vector(text: &mut TextBuffer, keyword: &str, coordinates: &[f64]) {
     text.push(keyword);
     for &coordinate in coordinates {
         text.push(" ").number(coordinate);
@@ -122,8 +122,8 @@ fn vector(text: &mut Text, keyword: &str, coordinates: &[f64]) {
 
 fn write_mesh(
     mesh: &Mesh,
-    written: &mut Written,
-    text: &mut Text,
+    written: &mut WrittenCounts,
+    text: &mut TextBuffer,
     out: &mut dyn Write,
 ) -> Result<(), ExportError> {
     let paint = mesh.colors();

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use super::{
     SIDE,
     light::Light,
-    scene::{Body, Scene, Stroke},
+    scene::{PlacedMesh, RasterScene, Stroke},
 };
 
 /// No triangle.
@@ -28,7 +28,7 @@ const PAPER: DVec3 = DVec3::ONE;
 const PAPER_PIXEL: [u8; 3] = [255; 3];
 
 /// Some rows of samples, with an apron of more above and below where only depth matters.
-pub(super) struct Band {
+pub(super) struct RowBand {
     /// The row of the picture in the first line, which may lie above the picture.
     top: isize,
     /// Where the rows of the band begin and end among its lines.
@@ -40,13 +40,13 @@ pub(super) struct Band {
     depths: Vec<f64>,
     /// The triangle that a sample shows, by its place in `faces`.
     owners: Vec<u32>,
-    faces: Vec<Face>,
+    faces: Vec<VisibleTriangle>,
     /// Depth and stroke of lines.
     lines: Vec<(f64, u32)>,
 }
 
 /// A triangle that is seen from one of its sides.
-struct Face {
+struct VisibleTriangle {
     body: u32,
     idx: u32,
     corners: [DVec3; 3],
@@ -54,9 +54,9 @@ struct Face {
     slope: DVec2,
 }
 
-impl Face {
+impl VisibleTriangle {
     /// None for what is seen from the edge.
-    fn new(scene: &Scene, [body, idx]: [u32; 2]) -> Option<Self> {
+    fn new(scene: &RasterScene, [body, idx]: [u32; 2]) -> Option<Self> {
         let whole = &scene.bodies[body as usize];
         let corners =
             whole.mesh.triangles()[idx as usize].map(|corner| whole.places[corner as usize]);
@@ -121,7 +121,7 @@ impl Stroke {
     }
 }
 
-impl Band {
+impl RowBand {
     /// Room for any band of a picture.
     pub(super) fn new(width: usize) -> Self {
         Self {
@@ -138,15 +138,15 @@ impl Band {
     }
 
     /// Draws what reaches into a band, and forgets what it held.
-    pub(super) fn draw_all(&mut self, scene: &Scene, idx: usize) {
+    pub(super) fn draw_all(&mut self, scene: &RasterScene, idx: usize) {
         let [from, to] = scene.rows(idx);
         self.top = from as isize - scene.apron as isize;
         self.inner = [scene.apron, scene.apron + to - from];
         self.height = to - from + 2 * scene.apron;
         self.faces.clear();
-        let faces: Vec<Face> = scene.triangles_in[idx]
+        let faces: Vec<VisibleTriangle> = scene.triangles_in[idx]
             .iter()
-            .filter_map(|&triangle| Face::new(scene, triangle))
+            .filter_map(|&triangle| VisibleTriangle::new(scene, triangle))
             .collect();
         let strokes: Vec<(u32, &Stroke)> = scene.strokes_in[idx]
             .iter()
@@ -162,7 +162,7 @@ impl Band {
     }
 
     /// Empties the samples of the columns in which something will be drawn, whole pixels.
-    fn clear(&mut self, faces: &[Face], strokes: &[(u32, &Stroke)]) {
+    fn clear(&mut self, faces: &[VisibleTriangle], strokes: &[(u32, &Stroke)]) {
         let of_faces =
             faces.iter().flat_map(|face| face.corners).map(|corner| [corner.x, corner.x]);
         let of_strokes = strokes.iter().flat_map(|(_, stroke)| {
@@ -200,7 +200,7 @@ impl Band {
         [range(low.y - top, high.y - top, self.height), range(low.x, high.x, self.width)]
     }
 
-    fn draw(&mut self, face: Face) {
+    fn draw(&mut self, face: VisibleTriangle) {
         let name = self.faces.len() as u32;
         let [a, b, c] = face.corners.map(DVec3::truncate);
         let (low, high) = (a.min(b).min(c), a.max(b).max(c));
@@ -271,7 +271,7 @@ impl Band {
     }
 
     /// Adds the pixels of the band.
-    pub(super) fn resolve(&self, scene: &Scene, light: &Light, pixels: &mut Vec<u8>) {
+    pub(super) fn resolve(&self, scene: &RasterScene, light: &Light, pixels: &mut Vec<u8>) {
         for first_line in (self.inner[0]..self.inner[1]).step_by(SIDE) {
             let blank = |columns: Range<usize>| columns.len().div_ceil(SIDE) * PAPER_PIXEL.len();
             pixels.resize(pixels.len() + blank(0..self.columns.start), PAPER_PIXEL[0]);
@@ -285,7 +285,7 @@ impl Band {
 
     /// The mean of the samples of a pixel. What a triangle shows is found once a pixel, in the
     /// middle of its samples.
-    fn pixel(&self, scene: &Scene, light: &Light, [line, column]: [usize; 2]) -> DVec3 {
+    fn pixel(&self, scene: &RasterScene, light: &Light, [line, column]: [usize; 2]) -> DVec3 {
         let mut sum = DVec3::ZERO;
         // Triangles with how many samples they have, and the sum of their places.
         let mut shown: Vec<(u32, f64, DVec2)> = Vec::new();
@@ -321,7 +321,7 @@ impl Band {
 }
 
 /// The colour of a triangle in a place.
-fn shaded(face: &Face, body: &Body, place: DVec2, light: &Light) -> DVec3 {
+fn shaded(face: &VisibleTriangle, body: &PlacedMesh, place: DVec2, light: &Light) -> DVec3 {
     let corners = body.mesh.triangles()[face.idx as usize].map(|corner| corner as usize);
     let parts = face.parts(place);
     let mean = |values: &[DVec3]| -> DVec3 {

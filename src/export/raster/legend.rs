@@ -35,21 +35,21 @@ pub(super) fn draw(picture: &Picture, pixels: &mut [u8]) {
         return;
     }
     let height = picture.size[1] / n_legends;
-    let mut sheet = Sheet { pixels, size: picture.size, times: enlargement(picture) };
+    let mut sheet = PictureSheet { pixels, size: picture.size, times: enlargement(picture) };
     for (i, legend) in picture.legends.iter().enumerate() {
         sheet.legend(legend, [picture.size[0] - width, i * height], height);
     }
 }
 
 /// The picture as something to write on.
-struct Sheet<'a> {
+struct PictureSheet<'a> {
     pixels: &'a mut [u8],
     size: [usize; 2],
     /// How many times letters are enlarged.
     times: usize,
 }
 
-impl Sheet<'_> {
+impl PictureSheet<'_> {
     /// Draws a legend with its upper left corner in a place.
     fn legend(&mut self, legend: &Legend, [x, y]: [usize; 2], height: usize) {
         let (gap, letter) = (self.times * GAP, self.times * LETTER);

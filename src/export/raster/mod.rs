@@ -14,10 +14,10 @@ use std::io::{self, Write};
 
 use glam::{DAffine3, DVec3};
 
-use self::{band::Band, light::Light, scene::Scene};
+use self::{band::RowBand, light::Light, scene::RasterScene};
 use super::{
     ExportError, Format, Job, Picture, Subject, Summary,
-    wire::{Drawing, Extent},
+    wire::{Drawing, DrawingExtent},
 };
 
 pub(super) static FORMAT: Format = Format {
@@ -44,7 +44,7 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     let view = DAffine3::from_mat3(job.options.view.matrix());
     let n_across = SIDE * picture.size[0].max(picture.size[1]);
     // What lies nearer to a surface than half a sample cannot be told from it.
-    let extent = Extent::of(job)?;
+    let extent = DrawingExtent::of(job)?;
     let visible = if 0.0 < extent.on_paper { extent.on_paper } else { extent.size };
     let near = (0.5 * visible / n_across as f64).max(extent.finest);
 
@@ -54,10 +54,10 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
         summary.count(&item.subject);
         drawings.push(Drawing::of(item, &view, near, job)?);
     }
-    let scene = Scene::new(job, &drawings, picture, near)?;
+    let scene = RasterScene::new(job, &drawings, picture, near)?;
     let light = Light::new(job.options.view, picture.stripes);
     let mut pixels = Vec::with_capacity(3 * picture.size[0] * picture.size[1]);
-    let mut band = Band::new(scene.width);
+    let mut band = RowBand::new(scene.width);
     for idx in 0..scene.n_bands() {
         band.draw_all(&scene, idx);
         band.resolve(&scene, &light, &mut pixels);

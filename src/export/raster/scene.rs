@@ -8,7 +8,7 @@ use glam::{DAffine3, DVec2, DVec3};
 use super::{
     super::{
         ExportError, Item, Job, POINT, Picture, STROKE, Subject,
-        wire::{Drawing, Line, Weight},
+        wire::{Drawing, DrawnLine, LineWeight},
     },
     SIDE, legend, levels,
 };
@@ -27,7 +27,7 @@ const LEAST_EDGE: f64 = 5.0;
 const DARK: f64 = 0.4;
 
 /// A mesh on the picture.
-pub(super) struct Body {
+pub(super) struct PlacedMesh {
     pub(super) mesh: Arc<Mesh>,
     /// Its vertices on the picture.
     pub(super) places: Vec<DVec3>,
@@ -46,10 +46,10 @@ pub(super) struct Stroke {
 }
 
 /// Everything on the picture, sorted into bands of rows.
-pub(super) struct Scene {
+pub(super) struct RasterScene {
     /// Samples in a row.
     pub(super) width: usize,
-    pub(super) bodies: Vec<Body>,
+    pub(super) bodies: Vec<PlacedMesh>,
     pub(super) strokes: Vec<Stroke>,
     /// Rows of samples above and below a band where its lines may lie behind something.
     pub(super) apron: usize,
@@ -61,7 +61,7 @@ pub(super) struct Scene {
     height: usize,
 }
 
-impl Scene {
+impl RasterScene {
     pub(super) fn new(
         job: &Job,
         drawings: &[Drawing],
@@ -88,7 +88,7 @@ impl Scene {
             if let Some(mesh) = &drawing.mesh {
                 let place = |&vertex: &DVec3| camera.place(view.transform_point3(vertex));
                 let places = mesh.vertices().iter().map(place).collect();
-                scene.bodies.push(Body { mesh: Arc::clone(mesh), places, color });
+                scene.bodies.push(PlacedMesh { mesh: Arc::clone(mesh), places, color });
             }
             scene.add_lines(item, drawing, &camera, (stroke, color), (near, job))?;
         }
@@ -118,11 +118,11 @@ impl Scene {
         let color = if drawing.mesh.is_some() { DARK * color } else { color };
         let body = drawing.mesh.as_ref().map(|_| self.bodies.len() as u32 - 1);
         for (weight, line) in &drawing.lines {
-            let is_full = *weight == Weight::Full;
+            let is_full = *weight == LineWeight::Full;
             let radius = if is_full { 0.5 } else { 0.25 } * stroke;
             let polygons = match line {
-                Line::Polygon(points) => vec![points.clone()],
-                Line::Curve(curve) => {
+                DrawnLine::Polygon(points) => vec![points.clone()],
+                DrawnLine::Curve(curve) => {
                     let of_part = |part: &Cow<'_, NurbsCurve>| {
                         tessellate_curve(part, near, job.limits.mesh_vertices)
                     };

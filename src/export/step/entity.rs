@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::super::text::Text;
+use super::super::text::TextBuffer;
 
 /// The number by which records name one another.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -10,13 +10,13 @@ pub(super) struct Id(usize);
 
 /// Records in the order of their numbers.
 pub(super) struct Records {
-    pub(super) text: Text,
+    pub(super) text: TextBuffer,
     n_records: usize,
 }
 
 impl Records {
     pub(super) fn new() -> Self {
-        Self { text: Text::default(), n_records: 0 }
+        Self { text: TextBuffer::default(), n_records: 0 }
     }
 
     /// A record of what `write` writes.

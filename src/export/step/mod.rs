@@ -36,8 +36,8 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     let mut file = Records::new();
     let mut summary = Summary::default();
     head(job, &mut file);
-    let document = Document::new(job, &mut file);
-    let mut looks = style::Looks::default();
+    let document = StepDocument::new(job, &mut file);
+    let mut looks = style::StepPresentation::default();
     let mut items = &job.items[..];
     while let Some(first) = items.first() {
         // What stands together under one name is one part.
@@ -64,7 +64,7 @@ fn head(job: &Job, file: &mut Records) {
 }
 
 /// What all parts share.
-struct Document {
+struct StepDocument {
     /// Of products, and of their definitions.
     product: Id,
     definition: Id,
@@ -74,7 +74,7 @@ struct Document {
     placement: Id,
 }
 
-impl Document {
+impl StepDocument {
     fn new(job: &Job, file: &mut Records) -> Self {
         let application = file.add(|r| {
             r.text("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
@@ -103,7 +103,7 @@ impl Document {
         members: &[Item],
         job: &Job,
         file: &mut Records,
-        looks: &mut style::Looks,
+        looks: &mut style::StepPresentation,
         out: &mut dyn Write,
     ) -> Result<(), ExportError> {
         let (mut models, mut set) = (Vec::new(), Vec::new());

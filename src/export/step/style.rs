@@ -1,13 +1,13 @@
 //! Colours and layers. ISO 10303-46.
 
 use super::{
-    super::{Item, kept::Kept},
+    super::{Item, unique_values::Kept},
     entity::{Id, Records},
 };
 
 /// Styles and layers, as far as items have any.
 #[derive(Default)]
-pub(super) struct Looks {
+pub(super) struct StepPresentation {
     styled: Vec<Id>,
     /// The styles of surfaces and of curves by colour.
     surfaces: Kept<[u8; 3], Id>,
@@ -15,7 +15,7 @@ pub(super) struct Looks {
     layers: Kept<String, Vec<Id>>,
 }
 
-impl Looks {
+impl StepPresentation {
     /// Notes how a surface looks: its face has the colour, its model the layer.
     pub(super) fn surface(&mut self, item: &Item, face: Id, model: Id, file: &mut Records) {
         self.layer(item, model);

@@ -23,14 +23,14 @@ const STEP: f64 = 4.0;
 const MOST_CELLS: usize = 4_000_000;
 
 /// A triangle with its plane's normal toward the viewer.
-struct Triangle {
+struct HidingTriangle {
     corners: [DVec3; 3],
     normal: DVec3,
 }
 
 /// The triangles that hide, by their place in the picture.
-pub(super) struct Scene {
-    triangles: Vec<Triangle>,
+pub(super) struct HidingScene {
+    triangles: Vec<HidingTriangle>,
     corner: DVec2,
     cell: f64,
     n_cells: [usize; 2],
@@ -41,10 +41,10 @@ pub(super) struct Scene {
     near: f64,
 }
 
-impl Scene {
+impl HidingScene {
     /// Triangles in the view's coordinates, within `near` of their surfaces.
     pub(super) fn new(corners: impl Iterator<Item = [DVec3; 3]>, near: f64) -> Self {
-        let triangles: Vec<Triangle> = corners.filter_map(Triangle::new).collect();
+        let triangles: Vec<HidingTriangle> = corners.filter_map(HidingTriangle::new).collect();
         let all = || triangles.iter().flat_map(|triangle| triangle.corners);
         let low = all().fold(DVec3::INFINITY, DVec3::min).truncate();
         let high = all().fold(DVec3::NEG_INFINITY, DVec3::max).truncate();
@@ -192,7 +192,7 @@ impl Scene {
     }
 }
 
-impl Triangle {
+impl HidingTriangle {
     /// None for what is seen from the edge, and hides nothing.
     fn new([a, b, c]: [DVec3; 3]) -> Option<Self> {
         let sides = [b - a, c - a];

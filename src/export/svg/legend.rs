@@ -1,8 +1,8 @@
 //! What colours mean: a bar with values beside the drawing.
 
 use super::{
-    super::{Legend, shape::byte_color, text::Text},
-    Sheet, hex,
+    super::{Legend, shape::byte_color, text::TextBuffer},
+    SvgSheet, hex,
     xml::escaped,
 };
 
@@ -16,7 +16,7 @@ const LETTER: f64 = 12.0;
 const N_PIECES: usize = 8;
 
 /// Draws the legends at the right, one below the other.
-pub(super) fn draw(legends: &[Legend], sheet: &Sheet, text: &mut Text) {
+pub(super) fn draw(legends: &[Legend], sheet: &SvgSheet, text: &mut TextBuffer) {
     let left = sheet.corner[0] + sheet.extent[0] - WIDTH * sheet.stroke;
     let height = sheet.extent[1] / legends.len().max(1) as f64;
     for (i, legend) in legends.iter().enumerate() {
@@ -28,7 +28,7 @@ pub(super) fn draw(legends: &[Legend], sheet: &Sheet, text: &mut Text) {
     }
 }
 
-fn bar(legend: &Legend, [left, top]: [f64; 2], height: f64, stroke: f64, text: &mut Text) {
+fn bar(legend: &Legend, [left, top]: [f64; 2], height: f64, stroke: f64, text: &mut TextBuffer) {
     let line = 1.5 * LETTER * stroke;
     write(&legend.title, [left, top + line], text);
     let (top, height) = (top + 2.0 * line, height - 3.0 * line);
@@ -48,7 +48,7 @@ fn bar(legend: &Legend, [left, top]: [f64; 2], height: f64, stroke: f64, text: &
     }
 }
 
-fn write(words: &str, [x, y]: [f64; 2], text: &mut Text) {
+fn write(words: &str, [x, y]: [f64; 2], text: &mut TextBuffer) {
     text.push("<text x=\"").number(x).push("\" y=\"").number(y).push("\">");
     text.push(&escaped(words)).push("</text>\n");
 }

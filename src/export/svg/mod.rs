@@ -13,15 +13,15 @@ use std::io::Write;
 use glam::{DAffine3, DVec3};
 
 use self::{
-    hidden::Scene,
+    hidden::HidingScene,
     path::Pen,
     xml::{Ids, escaped},
 };
 use super::{
     ExportError, Format, Item, Job, POINT, STROKE, Subject, Summary,
-    kept::Kept,
-    text::Text,
-    wire::{Drawing, Extent, Line, Weight},
+    text::TextBuffer,
+    unique_values::Kept,
+    wire::{Drawing, DrawingExtent, DrawnLine, LineWeight},
 };
 use crate::kernel::{
     Bounds,
@@ -49,7 +49,7 @@ const PAPER: std::ops::RangeInclusive<f64> = 10.0..=2000.0;
 
 fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     let view = DAffine3::from_mat3(job.options.view.matrix());
-    let extent = Extent::of(job)?;
+    let extent = DrawingExtent::of(job)?;
     let within =
         |share: f64| job.options.tolerance.unwrap_or(share * extent.size).max(extent.finest);
     let (tolerance, near) = (within(PATH_RELATIVE), within(HIDDEN_RELATIVE));
@@ -63,13 +63,14 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
         drawing.add_stripes(item, &view, near, job)?;
         drawings.push(drawing);
     }
-    let scene = Scene::new(drawings.iter().flat_map(|drawing| drawing.triangles(&view)), near);
+    let scene =
+        HidingScene::new(drawings.iter().flat_map(|drawing| drawing.triangles(&view)), near);
     let bounds = drawings.iter().filter_map(|drawing| drawing.bounds).reduce(Bounds::union);
     let bounds = bounds.unwrap_or(Bounds { min: DVec3::ZERO, max: DVec3::ZERO });
 
-    let sheet = Sheet::new(job, bounds);
+    let sheet = SvgSheet::new(job, bounds);
     let legends = job.picture.as_ref().map_or(&[][..], |picture| &picture.legends);
-    let mut text = Text::rounded(Some(sheet.decimals));
+    let mut text = TextBuffer::rounded(Some(sheet.decimals));
     sheet.head(job, &mut text);
     let layers = layers(&job.items);
     let mut ids = Ids::default();
@@ -111,7 +112,7 @@ fn layers(items: &[Item]) -> Kept<Option<&str>, Vec<usize>> {
 }
 
 /// The paper: where the drawing lies on it, and how thick its lines are.
-struct Sheet {
+struct SvgSheet {
     /// Least x and y of the drawing on paper with its margin, y downward.
     corner: [f64; 2],
     /// Width and height.
@@ -120,7 +121,7 @@ struct Sheet {
     decimals: usize,
 }
 
-impl Sheet {
+impl SvgSheet {
     fn new(job: &Job, bounds: Bounds) -> Self {
         let size = bounds.size().truncate().length();
         let size = if size == 0.0 { 1.0 } else { size };
@@ -135,7 +136,7 @@ impl Sheet {
         Self { corner, extent, stroke, decimals }
     }
 
-    fn head(&self, job: &Job, text: &mut Text) {
+    fn head(&self, job: &Job, text: &mut TextBuffer) {
         text.push("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
         text.push("<svg xmlns=\"http://www.w3.org/2000/svg\"");
         text.push(
@@ -159,7 +160,7 @@ impl Sheet {
 
     /// Fills the triangles that are seen, as far as their middle tells. A thin line of the same
     /// colour closes the gaps between them.
-    fn fill(&self, drawing: &Drawing, scene: &Scene, text: &mut Text) {
+    fn fill(&self, drawing: &Drawing, scene: &HidingScene, text: &mut TextBuffer) {
         let is_seen = |corners: &[DVec3; 3]| scene.is_seen(corners.iter().sum::<DVec3>() / 3.0);
         let seen = drawing.fills.iter().filter(|(corners, _)| is_seen(corners));
         for (corners, color) in seen {
@@ -173,19 +174,26 @@ impl Sheet {
     }
 
     /// Draws what is seen of an item.
-    fn draw(&self, item: &Item, drawing: &Drawing, scene: &Scene, tolerance: f64, text: &mut Text) {
+    fn draw(
+        &self,
+        item: &Item,
+        drawing: &Drawing,
+        scene: &HidingScene,
+        tolerance: f64,
+        text: &mut TextBuffer,
+    ) {
         self.fill(drawing, scene, text);
-        for weight in [Weight::Full, Weight::Half] {
+        for weight in [LineWeight::Full, LineWeight::Half] {
             let mut pen = Pen::new(self.decimals);
             let of_weight = drawing.lines.iter().filter(|(its, _)| *its == weight);
             for (_, line) in of_weight {
                 match line {
-                    Line::Curve(curve) => {
+                    DrawnLine::Curve(curve) => {
                         for part in scene.seen_parts(curve) {
                             pen.curve(&part, tolerance);
                         }
                     }
-                    Line::Polygon(points) => {
+                    DrawnLine::Polygon(points) => {
                         for part in scene.seen_pieces(points) {
                             pen.polygon(&part);
                         }
@@ -194,7 +202,7 @@ impl Sheet {
             }
             if !pen.text.is_empty() {
                 text.push("<path");
-                if weight == Weight::Half {
+                if weight == LineWeight::Half {
                     text.push(" stroke-width=\"").number(0.5 * self.stroke).push("\"");
                 }
                 text.push(" d=\"").append(&pen.text).push("\"/>\n");

@@ -3,7 +3,7 @@
 
 use glam::{DVec2, DVec3, DVec4};
 
-use super::super::text::Text;
+use super::super::text::TextBuffer;
 use crate::kernel::NurbsCurve;
 
 /// Halvings of a piece. The error falls by sixteen with each, and by less than two at a cusp.
@@ -17,13 +17,13 @@ const PROBES: [f64; 5] = [0.15, 0.35, 0.5, 0.65, 0.85];
 
 /// Writes path data. Points are in the view's coordinates, y upward; on paper it is downward.
 pub(super) struct Pen {
-    pub(super) text: Text,
+    pub(super) text: TextBuffer,
     at: Option<DVec2>,
 }
 
 impl Pen {
     pub(super) fn new(decimals: usize) -> Self {
-        Self { text: Text::rounded(Some(decimals)), at: None }
+        Self { text: TextBuffer::rounded(Some(decimals)), at: None }
     }
 
     /// Draws a curve.

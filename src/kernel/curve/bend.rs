@@ -16,7 +16,7 @@ use crate::{
 
 /// Bernstein coefficients of one piece, by its local parameter.
 #[derive(Debug)]
-pub(super) struct Piece {
+pub(super) struct BernsteinPiece {
     pub(super) interval: Interval,
     /// The denominator w; a single 1 where the curve is polynomial.
     pub(super) weight: Vec<f64>,
@@ -28,27 +28,33 @@ pub(super) struct Piece {
 
 /// A polynomial with the size of coefficients that rounding may leave.
 #[derive(Debug)]
-pub(super) struct Rounded {
+pub(super) struct RoundedPolynomial {
     pub(super) coefficients: Vec<f64>,
     pub(super) rounding: f64,
 }
 
 impl NurbsCurve {
     /// The pieces between its knots.
-    pub(super) fn pieces(&self) -> Vec<Piece> {
+    pub(super) fn pieces(&self) -> Vec<BernsteinPiece> {
         let bounds = Bounds::of(self.points());
         let middle = bounds.map_or(DVec3::ZERO, Bounds::center);
         let size = bounds.map_or(0.0, Bounds::diagonal);
         let rounding = bounds.map_or(0.0, Bounds::magnitude) * LAST_BIT / SIGN_RELATIVE;
         let piece = |span: usize| {
             let points = bezier::piece(self.knots(), self.control_points(), span);
-            Piece::new(self.knots().span_interval(span), &points, middle, size.max(rounding), self)
+            BernsteinPiece::new(
+                self.knots().span_interval(span),
+                &points,
+                middle,
+                size.max(rounding),
+                self,
+            )
         };
         self.knots().spans().map(piece).collect()
     }
 }
 
-impl Piece {
+impl BernsteinPiece {
     fn new(
         interval: Interval,
         points: &[DVec4],
@@ -75,9 +81,12 @@ impl Piece {
     }
 
     /// How fast the curve goes along a direction.
-    pub(super) fn along(&self, direction: DVec3) -> Rounded {
+    pub(super) fn along(&self, direction: DVec3) -> RoundedPolynomial {
         let coefficients = self.velocity.iter().map(|slope| slope.dot(direction)).collect();
-        Rounded { coefficients, rounding: SIGN_RELATIVE * self.fastest() * direction.length() }
+        RoundedPolynomial {
+            coefficients,
+            rounding: SIGN_RELATIVE * self.fastest() * direction.length(),
+        }
     }
 
     /// V × V', along the binormal.
@@ -93,9 +102,9 @@ impl Piece {
     }
 
     /// The signed bend about a normal.
-    pub(super) fn bend_about(&self, normal: DVec3) -> Rounded {
+    pub(super) fn bend_about(&self, normal: DVec3) -> RoundedPolynomial {
         let coefficients = self.bend().iter().map(|bend| bend.dot(normal)).collect();
-        Rounded { coefficients, rounding: self.bend_rounding() }
+        RoundedPolynomial { coefficients, rounding: self.bend_rounding() }
     }
 
     /// A positive multiple of the slope of the curvature, signed about a normal where there is
@@ -103,7 +112,7 @@ impl Piece {
     ///
     /// The signed curvature is b·w²/|V|³ with b = (V × V')·n; its slope has the sign of
     /// (b'w + 2bw')|V|² − 3bw V·V'. Without a normal the same holds for the square of |V × V'|.
-    pub(super) fn curvature_slope(&self, normal: Option<DVec3>) -> Rounded {
+    pub(super) fn curvature_slope(&self, normal: Option<DVec3>) -> RoundedPolynomial {
         let bend = self.bend();
         // b and b', or |B|² and half of its derivative.
         let (b, change) = match normal {
@@ -138,7 +147,7 @@ impl Piece {
         let degree = b.len() as f64;
         let carried = degree * carried * largest(&self.weight) * largest(&speed);
         let rounding = SIGN_RELATIVE * scale + carried;
-        Rounded { coefficients: slope, rounding }
+        RoundedPolynomial { coefficients: slope, rounding }
     }
 
     fn fastest(&self) -> f64 {

@@ -6,13 +6,13 @@ use super::NurbsCurve;
 use crate::{
     Interval, Side,
     frame::norm,
-    nearest::{Nearest, Wanted},
+    nearest::{ClosestPointTree, SearchTarget},
     tolerance::{LAST_BIT, PLACE_RELATIVE},
 };
 
 /// The nearest point of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Foot {
+pub struct ClosestPoint {
     /// Where it is; the least parameter among equals.
     pub parameter: f64,
     /// The point.
@@ -30,32 +30,32 @@ impl NurbsCurve {
     /// The nearest point to `p`, of the whole curve. Places of the curve whose distances differ by
     /// less than `tolerance` count as equally near.
     #[must_use]
-    pub fn closest(&self, p: DVec3, tolerance: f64) -> Foot {
+    pub fn closest(&self, p: DVec3, tolerance: f64) -> ClosestPoint {
         let parts = self.connected_parts();
         if let [_] = parts[..] {
             return self.closest_of_part(p, tolerance);
         }
-        let feet: Vec<Foot> = parts
+        let feet: Vec<ClosestPoint> = parts
             .iter()
             .map(|part| {
                 let foot = part.closest_of_part(p, tolerance);
-                Foot { parameter: self.on_whole(part, foot.parameter), ..foot }
+                ClosestPoint { parameter: self.on_whole(part, foot.parameter), ..foot }
             })
             .collect();
         let best = feet.iter().map(|foot| foot.distance).fold(f64::INFINITY, f64::min);
         let rounding = LAST_BIT * (p.abs().max_element() + self.magnitude());
-        let is_as_near = |foot: &&Foot| foot.distance <= best + tolerance;
+        let is_as_near = |foot: &&ClosestPoint| foot.distance <= best + tolerance;
         let count = feet.iter().filter(is_as_near).map(|foot| foot.count).sum();
         let stretch = feet.iter().filter(is_as_near).find_map(|foot| foot.stretch);
         let nearest = feet.iter().find(|foot| foot.distance <= best + rounding);
-        Foot { count, stretch, ..*nearest.unwrap_or(&feet[0]) }
+        ClosestPoint { count, stretch, ..*nearest.unwrap_or(&feet[0]) }
     }
 
     /// [`Self::closest`] of a curve that does not jump.
-    fn closest_of_part(&self, p: DVec3, tolerance: f64) -> Foot {
-        let prepare = || Nearest::of_curve(&self.knots, &self.control_points);
+    fn closest_of_part(&self, p: DVec3, tolerance: f64) -> ClosestPoint {
+        let prepare = || ClosestPointTree::of_curve(&self.knots, &self.control_points);
         let nearest = self.nearest.get_or_make(prepare);
-        let near = nearest.places(&self.control_points, p, Wanted::AllWithin(tolerance));
+        let near = nearest.places(&self.control_points, p, SearchTarget::AllWithin(tolerance));
         let to_foot = |[t, _]: [f64; 2]| {
             let t = self.domain().without_dust(t);
             (t, norm(self.point_at(t) - p))
@@ -80,7 +80,7 @@ impl NurbsCurve {
         let stretches = self.joined_stretches(pieces, tolerance);
         let count = self.different_places(&feet, &stretches, tolerance).max(1);
         let stretch = stretches.first().copied();
-        Foot { parameter, point, distance: norm(point - p), count, stretch }
+        ClosestPoint { parameter, point, distance: norm(point - p), count, stretch }
     }
 
     /// Pieces that touch as one; without those that are but a place within the tolerance.

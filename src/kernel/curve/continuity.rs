@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{Curve, LocalGeometry, Neighbourhood, series};
+use super::{Curve, EvaluationPlace, LocalGeometry, series};
 use crate::{
     GeomError, JointTolerance, Side,
     frame::{angle_between, norm},
@@ -35,8 +35,8 @@ pub struct Continuity {
 }
 
 /// One side of a joint.
-struct Ending {
-    around: Neighbourhood,
+struct JointSide {
+    around: EvaluationPlace,
     local: LocalGeometry,
     derivatives: Vec<DVec3>,
     homogeneous: Vec<DVec4>,
@@ -83,7 +83,7 @@ impl Curve {
         let (breaks, standstills) = match self {
             Self::Nurbs(curve) => (curve.knots().breaks(), curve.standstills()),
             Self::Parametric(curve) => {
-                let spline = curve.stand_in()?;
+                let spline = curve.nurbs_approximation()?;
                 if !spline.breaks().is_empty() {
                     return Self::Nurbs(spline).continuity(tolerance);
                 }
@@ -106,17 +106,17 @@ impl Curve {
         Ok(worst)
     }
 
-    fn ending(&self, t: f64, side: Side) -> Result<Ending, GeomError> {
+    fn ending(&self, t: f64, side: Side) -> Result<JointSide, GeomError> {
         self.ending_around(self.neighbourhood(t, side)?)
     }
 
     /// The same where a singular place is known but for the rounding of its parameter.
-    fn ending_near(&self, t: f64, side: Side) -> Result<Ending, GeomError> {
+    fn ending_near(&self, t: f64, side: Side) -> Result<JointSide, GeomError> {
         let around = self.neighbourhood(t, side)?;
-        self.ending_around(Neighbourhood { slack: PLACE_RELATIVE, ..around })
+        self.ending_around(EvaluationPlace { slack: PLACE_RELATIVE, ..around })
     }
 
-    fn ending_around(&self, around: Neighbourhood) -> Result<Ending, GeomError> {
+    fn ending_around(&self, around: EvaluationPlace) -> Result<JointSide, GeomError> {
         let derivatives = self.derivatives_around(&around, MAX_ORDER)?;
         let homogeneous = match self {
             Self::Nurbs(curve) => {
@@ -129,7 +129,7 @@ impl Curve {
                 derivatives.iter().zip(weights).map(|(d, weight)| d.extend(weight)).collect()
             }
         };
-        Ok(Ending { local: self.local_around(around)?, around, derivatives, homogeneous })
+        Ok(JointSide { local: self.local_around(around)?, around, derivatives, homogeneous })
     }
 }
 
@@ -157,19 +157,19 @@ impl Continuity {
     }
 }
 
-fn joint(before: &Ending, after: &Ending, tolerance: JointTolerance) -> Continuity {
+fn joint(before: &JointSide, after: &JointSide, tolerance: JointTolerance) -> Continuity {
     let (k_before, k_after) = (before.local.curvature_vector(), after.local.curvature_vector());
-    let spatial = |ending: &Ending| -> Vec<DVec4> {
+    let spatial = |ending: &JointSide| -> Vec<DVec4> {
         ending.derivatives.iter().map(|derivative| derivative.extend(0.0)).collect()
     };
     let farthest = before.local.point().abs().max(after.local.point().abs()).max_element();
     let size = farthest + before.local.extent().max(after.local.extent());
     // The weight becomes a length, so that it counts like the others.
-    let scaled = |ending: &Ending| -> Vec<DVec4> {
+    let scaled = |ending: &JointSide| -> Vec<DVec4> {
         let to_length = DVec3::ONE.extend(size);
         ending.homogeneous.iter().map(|&derivative| derivative * to_length).collect()
     };
-    let bounds = Bounds::new(before, after, tolerance);
+    let bounds = CurveJointTolerance::new(before, after, tolerance);
     let gap = before.local.point().distance(after.local.point());
     let by_parameter = bounds.order([&spatial(before), &spatial(after)], 1.0);
     let homogeneous = bounds.order([&scaled(before), &scaled(after)], before.homogeneous[0].w);
@@ -192,8 +192,8 @@ fn joint(before: &Ending, after: &Ending, tolerance: JointTolerance) -> Continui
 }
 
 /// What counts as equal at a joint.
-struct Bounds<'a> {
-    sides: [&'a Neighbourhood; 2],
+struct CurveJointTolerance<'a> {
+    sides: [&'a EvaluationPlace; 2],
     /// The parameter step over which derivatives are compared: the shorter reach.
     step: f64,
     distance: f64,
@@ -204,8 +204,8 @@ struct Bounds<'a> {
     asked: JointTolerance,
 }
 
-impl<'a> Bounds<'a> {
-    fn new(before: &'a Ending, after: &'a Ending, tolerance: JointTolerance) -> Self {
+impl<'a> CurveJointTolerance<'a> {
+    fn new(before: &'a JointSide, after: &'a JointSide, tolerance: JointTolerance) -> Self {
         let extent = before.local.extent().max(after.local.extent());
         let points = [before, after].map(|ending| ending.local.point().abs().max_element());
         let exact = EXACT_RELATIVE * (points[0].max(points[1]) + extent);
@@ -226,7 +226,7 @@ impl<'a> Bounds<'a> {
     }
 
     /// Whether the first derivatives are more than what counts as none.
-    fn moves(&self, endings: [&Ending; 2]) -> bool {
+    fn moves(&self, endings: [&JointSide; 2]) -> bool {
         endings.iter().all(|ending| {
             let terms = ending.derivatives.iter().zip(series::powers(self.step)).skip(1);
             let sizes: Vec<f64> = terms.map(|(&d, power)| norm(d * power)).collect();
@@ -259,7 +259,11 @@ impl<'a> Bounds<'a> {
 }
 
 /// Which derivatives by arc length agree, where the points do.
-fn geometric(before: &Ending, after: &Ending, bounds: &Bounds<'_>) -> Agreement<MAX_ORDER> {
+fn geometric(
+    before: &JointSide,
+    after: &JointSide,
+    bounds: &CurveJointTolerance<'_>,
+) -> Agreement<MAX_ORDER> {
     let (a, b) = (&before.local, &after.local);
     // Derivatives by arc length, and by how far they part the pieces over the shorter one.
     let extent = a.extent().min(b.extent());

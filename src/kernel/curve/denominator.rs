@@ -58,7 +58,7 @@ pub(crate) fn on_one_denominator(curves: &[NurbsCurve]) -> Result<Vec<NurbsCurve
         let point = |(point, &w): (&DVec4, &f64)| (point.truncate() * scale).extend(w);
         let points: Vec<DVec4> = curve.control_points.iter().zip(&weights).map(point).collect();
         homogeneous::check_finite(&points)?;
-        *curve = NurbsCurve::trusted(curve.knots.clone(), points);
+        *curve = NurbsCurve::new_unchecked(curve.knots.clone(), points);
     }
     Ok(common)
 }

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{Curve, LocalGeometry, Neighbourhood, NurbsCurve, ParametricCurve, series};
+use super::{Curve, EvaluationPlace, LocalGeometry, NurbsCurve, ParametricCurve, series};
 use crate::{
     GeomError, Interval, Side, Tolerance,
     frame::{angle_between, norm, unit},
@@ -29,7 +29,7 @@ const SHORTEST_REACH: f64 = 1.0 / 1024.0;
 
 /// What kind of place a parameter of a curve is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PlaceKind {
+pub enum CurvePointKind {
     /// The tangent goes on, and the curve bends to the same side before and after it.
     Regular,
     /// The tangent goes on, and the curve bends to the other side after it.
@@ -42,7 +42,7 @@ pub enum PlaceKind {
 
 /// How a curve leaves a place on one side: its direction, and the axis that it turns about unless
 /// it is straight.
-struct Approach {
+struct OneSidedDirection {
     tangent: DVec3,
     turn: Option<DVec3>,
 }
@@ -59,7 +59,7 @@ impl Curve {
     }
 
     /// The shape at the place that is looked at.
-    pub(super) fn local_around(&self, around: Neighbourhood) -> Result<LocalGeometry, GeomError> {
+    pub(super) fn local_around(&self, around: EvaluationPlace) -> Result<LocalGeometry, GeomError> {
         let derivatives = match self {
             Self::Nurbs(curve) if curve.is_rational => curve.derivatives_of_shape(&around).to_vec(),
             // A function may have a curvature, although no change of it.
@@ -80,11 +80,11 @@ impl Curve {
     ///
     /// # Errors
     /// As [`Self::local_at`].
-    pub fn place_kind_at(&self, t: f64, tolerance: Tolerance) -> Result<PlaceKind, GeomError> {
+    pub fn place_kind_at(&self, t: f64, tolerance: Tolerance) -> Result<CurvePointKind, GeomError> {
         let domain = self.domain();
         if let Self::Parametric(curve) = self {
             let near = PLACE_RELATIVE * domain.length();
-            let spline = curve.stand_in()?;
+            let spline = curve.nurbs_approximation()?;
             if let Some(&at) = spline.breaks().iter().find(|at| (t - **at).abs() <= near) {
                 return Self::Nurbs(spline).place_kind_at(at, tolerance);
             }
@@ -93,25 +93,27 @@ impl Curve {
         let (before, after) = match (t <= domain.start(), domain.end() <= t) {
             (false, false) => (t, t),
             _ if self.is_closed(tolerance.distance) => (domain.end(), domain.start()),
-            _ => return Ok(PlaceKind::Regular),
+            _ => return Ok(CurvePointKind::Regular),
         };
         let (before, after) =
             (self.approach(before, Side::Left)?, self.approach(after, Side::Right)?);
         let angle = angle_between(before.tangent, after.tangent);
         Ok(if tolerance.angle < std::f64::consts::PI - angle && tolerance.angle < angle {
-            PlaceKind::Corner
+            CurvePointKind::Corner
         } else if tolerance.angle < angle {
-            PlaceKind::Cusp
+            CurvePointKind::Cusp
         } else {
             match (before.turn, after.turn) {
-                (Some(before), Some(after)) if before.dot(after) < 0.0 => PlaceKind::Inflection,
-                _ => PlaceKind::Regular,
+                (Some(before), Some(after)) if before.dot(after) < 0.0 => {
+                    CurvePointKind::Inflection
+                }
+                _ => CurvePointKind::Regular,
             }
         })
     }
 
-    fn approach(&self, t: f64, side: Side) -> Result<Approach, GeomError> {
-        let around = Neighbourhood { slack: PLACE_RELATIVE, ..self.neighbourhood(t, side)? };
+    fn approach(&self, t: f64, side: Side) -> Result<OneSidedDirection, GeomError> {
+        let around = EvaluationPlace { slack: PLACE_RELATIVE, ..self.neighbourhood(t, side)? };
         let order = MAX_ORDER.min(2 * self.direction_order() + 2);
         let terms = around.terms(&self.derivatives_around(&around, order)?);
         let standing = GeomError::VanishingTangent { parameter: t };
@@ -129,14 +131,14 @@ impl Curve {
         let turns: Vec<DVec3> =
             series::cross_derivative(&velocity).into_iter().map(|turn| turn * extent).collect();
         let turn = around.first(&turns, 0, first + 1);
-        Ok(Approach {
+        Ok(OneSidedDirection {
             tangent: sign(first - 1) * leading,
             turn: turn.and_then(|k| Some(sign(k) * unit(turns[k])?)),
         })
     }
 
     /// What is looked at from a side of `t`, and what counts as rounding there.
-    pub(super) fn neighbourhood(&self, t: f64, side: Side) -> Result<Neighbourhood, GeomError> {
+    pub(super) fn neighbourhood(&self, t: f64, side: Side) -> Result<EvaluationPlace, GeomError> {
         match self {
             Self::Nurbs(curve) => Ok(curve.neighbourhood(t, side)),
             Self::Parametric(curve) => curve.neighbourhood(t, side),
@@ -145,7 +147,7 @@ impl Curve {
 
     pub(super) fn derivatives_around(
         &self,
-        around: &Neighbourhood,
+        around: &EvaluationPlace,
         order: usize,
     ) -> Result<Vec<DVec3>, GeomError> {
         self.derivatives_beside(around.parameter, around.side, order)
@@ -187,7 +189,7 @@ impl NurbsCurve {
     /// With A and w the Taylor coefficients of the homogeneous curve about its point, over the
     /// weight there, the parameter t + w₁t² + (w₁² + w₂)t³ makes of A/w the series
     /// A₁t + A₂t² + (A₃ + w₁A₂)t³.
-    fn derivatives_of_shape(&self, around: &Neighbourhood) -> [DVec3; SHAPE_ORDER + 1] {
+    fn derivatives_of_shape(&self, around: &EvaluationPlace) -> [DVec3; SHAPE_ORDER + 1] {
         let span = self.knots.span_beside(around.parameter, around.side);
         let support = &self.control_points[self.knots.support(span)];
         let orders = SHAPE_ORDER.min(self.degree());
@@ -210,14 +212,14 @@ impl NurbsCurve {
         [at, first, second, third + 3.0 * terms[1].w * second]
     }
 
-    fn neighbourhood(&self, t: f64, side: Side) -> Neighbourhood {
+    fn neighbourhood(&self, t: f64, side: Side) -> EvaluationPlace {
         let parameter = self.knots.snapped(t);
         let side = only_side(self.domain(), parameter, side);
         let span = self.knots.span_beside(parameter, side);
         let points = &self.control_points[self.knots.support(span)];
         let magnitude = |&point| homogeneous::place(point).abs().max_element();
         let largest = points.iter().map(|point| point.w).fold(0.0, f64::max);
-        Neighbourhood {
+        EvaluationPlace {
             parameter,
             side,
             reach: self.knots.span_interval(span).length(),
@@ -246,7 +248,7 @@ impl ParametricCurve {
     }
 
     /// The place with the reach over which the first derivatives keep to the size of the curve.
-    fn neighbourhood(&self, t: f64, side: Side) -> Result<Neighbourhood, GeomError> {
+    fn neighbourhood(&self, t: f64, side: Side) -> Result<EvaluationPlace, GeomError> {
         let domain = self.domain();
         let derivatives = self.derivatives_at(t, 1)?;
         let travel = norm(derivatives[1]) * domain.length();
@@ -257,7 +259,7 @@ impl ParametricCurve {
             true => domain.length() * (farthest / travel).clamp(SHORTEST_REACH, 1.0),
             false => domain.length(),
         };
-        Ok(Neighbourhood {
+        Ok(EvaluationPlace {
             parameter: t,
             side: only_side(domain, t, side),
             reach,

@@ -1,7 +1,9 @@
 //! Other representations of a curve, and parts of it.
 
 use super::NurbsCurve;
-use crate::{GeomError, Interval, Receipt, bezier, refine::Lines, tolerance::KNOT_RELATIVE};
+use crate::{
+    ConstructionReport, GeomError, Interval, bezier, refine::ControlLines, tolerance::KNOT_RELATIVE,
+};
 
 impl NurbsCurve {
     /// The same curve with more knots; a knot that is to be there twice is given twice.
@@ -28,7 +30,7 @@ impl NurbsCurve {
             let ends = self.knots.span_interval(span);
             let start = vec![ends.start(); points.len()];
             let knots = self.knots.part([&start, &[], &vec![ends.end(); points.len()]]);
-            Self::trusted(knots, points)
+            Self::new_unchecked(knots, points)
         };
         self.knots.spans().map(piece).collect()
     }
@@ -74,7 +76,7 @@ impl NurbsCurve {
     pub fn reversed(&self) -> Self {
         let control_points = self.control_points.iter().rev().copied().collect();
         let knots = self.knots.reversed();
-        Self { knots, control_points, receipt: Receipt::NONE, ..self.clone() }
+        Self { knots, control_points, report: ConstructionReport::NONE, ..self.clone() }
     }
 
     /// The same points over another domain.
@@ -83,12 +85,12 @@ impl NurbsCurve {
         Self { knots: self.knots.on(domain), ..self.clone() }
     }
 
-    pub(super) fn lines(&self) -> Lines {
-        Lines { knots: self.knots.clone(), lines: vec![self.control_points.clone()] }
+    pub(super) fn lines(&self) -> ControlLines {
+        ControlLines { knots: self.knots.clone(), lines: vec![self.control_points.clone()] }
     }
 
-    pub(super) fn from_lines(lines: Lines) -> Self {
-        let Lines { knots, lines } = lines;
-        Self::trusted(knots, lines.into_iter().flatten().collect())
+    pub(super) fn from_lines(lines: ControlLines) -> Self {
+        let ControlLines { knots, lines } = lines;
+        Self::new_unchecked(knots, lines.into_iter().flatten().collect())
     }
 }

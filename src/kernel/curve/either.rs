@@ -120,7 +120,7 @@ impl ParametricCurve {
         for _ in 0..MAX_DOUBLINGS {
             let far = end + sign * step;
             let beyond = Interval::new(low.min(far), low.max(far))?;
-            let rest = self.on(beyond)?.stand_in()?;
+            let rest = self.on(beyond)?.nurbs_approximation()?;
             let more = rest.length(beyond);
             if length <= reached + more {
                 let missing = length - reached;

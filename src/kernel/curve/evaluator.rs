@@ -12,7 +12,7 @@ use glam::{DVec3, DVec4};
 use super::NurbsCurve;
 use crate::{
     homogeneous,
-    knots::{BATCH, Lookup, POWER_DEGREE, Place, convert_to_bezier, in_powers},
+    knots::{BATCH, LocalParameter, POWER_DEGREE, SpanLookup, convert_to_bezier, in_powers},
 };
 
 /// A curve prepared to be evaluated at many parameters.
@@ -36,7 +36,7 @@ use crate::{
 pub struct CurveEvaluator {
     degree: usize,
     is_rational: bool,
-    lookup: Lookup,
+    lookup: SpanLookup,
     /// p + 1 of each half of a span: `Cₖ` of `Σ Cₖsᵏ`. Above [`POWER_DEGREE`] p + 1 Bézier points
     /// of each span.
     coefficients: Vec<DVec4>,
@@ -52,7 +52,7 @@ impl NurbsCurve {
 
     fn expanded(&self) -> CurveEvaluator {
         let degree = self.degree();
-        let lookup = Lookup::of_halves(&self.knots);
+        let lookup = SpanLookup::of_halves(&self.knots);
         let mut coefficients = Vec::with_capacity(2 * self.n_segments() * (degree + 1));
         for span in self.knots.spans() {
             let mut points = self.control_points[self.knots.support(span)].to_vec();
@@ -141,8 +141,13 @@ impl CurveEvaluator {
 
     /// Looks up many places before any is used, so that none waits for its lookup.
     #[inline(always)]
-    fn each<T>(&self, parameters: &[f64], at: impl Fn(Place) -> T, mut visit: impl FnMut(T)) {
-        let mut places = [Place::default(); BATCH];
+    fn each<T>(
+        &self,
+        parameters: &[f64],
+        at: impl Fn(LocalParameter) -> T,
+        mut visit: impl FnMut(T),
+    ) {
+        let mut places = [LocalParameter::default(); BATCH];
         for parameters in parameters.chunks(BATCH) {
             self.lookup.places_at(parameters, &mut places);
             for &place in &places[..parameters.len()] {
@@ -152,7 +157,7 @@ impl CurveEvaluator {
     }
 
     #[inline(always)]
-    fn point_by<const N: usize>(&self, place: Place) -> DVec3 {
+    fn point_by<const N: usize>(&self, place: LocalParameter) -> DVec3 {
         let coefficients = self.expansion::<N>(place);
         let mut value = coefficients[N - 1];
         for &coefficient in coefficients[..N - 1].iter().rev() {
@@ -163,7 +168,7 @@ impl CurveEvaluator {
 
     /// For a degree of 2 or more.
     #[inline(always)]
-    fn second_order_by<const N: usize>(&self, place: Place) -> [DVec3; 3] {
+    fn second_order_by<const N: usize>(&self, place: LocalParameter) -> [DVec3; 3] {
         let (coefficients, s) = (self.expansion::<N>(place), place.s);
         let [mut value, mut slope, mut bend] = [coefficients[N - 1]; 3];
         value = value * s + coefficients[N - 2];
@@ -177,13 +182,13 @@ impl CurveEvaluator {
         self.in_space(place, [value, slope, bend * 2.0])
     }
 
-    fn point_by_bezier(&self, place: Place) -> DVec3 {
+    fn point_by_bezier(&self, place: LocalParameter) -> DVec3 {
         let (points, s, r) = self.bezier(place);
         homogeneous::project(nested(points, s, r))
     }
 
     #[inline(never)]
-    fn second_order_by_any(&self, place: Place) -> [DVec3; 3] {
+    fn second_order_by_any(&self, place: LocalParameter) -> [DVec3; 3] {
         let homogeneous = match self.degree {
             0 => [self.coefficients[place.piece], DVec4::ZERO, DVec4::ZERO],
             1 => {
@@ -204,7 +209,7 @@ impl CurveEvaluator {
 
     /// Derivatives in space by the parameter, of homogeneous ones by the place in the piece.
     #[inline(always)]
-    fn in_space(&self, place: Place, [value, slope, bend]: [DVec4; 3]) -> [DVec3; 3] {
+    fn in_space(&self, place: LocalParameter, [value, slope, bend]: [DVec4; 3]) -> [DVec3; 3] {
         let per_weight = 1.0 / value.w;
         let per_width = self.lookup.per_width(place.piece);
         let point = value.truncate() * per_weight;
@@ -219,7 +224,7 @@ impl CurveEvaluator {
 
     /// The coefficients of a half, in a number that the compiler knows.
     #[inline(always)]
-    fn expansion<const N: usize>(&self, place: Place) -> &[DVec4; N] {
+    fn expansion<const N: usize>(&self, place: LocalParameter) -> &[DVec4; N] {
         match self.coefficients[place.piece * N..].first_chunk() {
             Some(coefficients) => coefficients,
             None => unreachable!("a half of a span has p + 1 coefficients"),
@@ -227,7 +232,7 @@ impl CurveEvaluator {
     }
 
     /// The Bézier points of a span, and the place between its ends from both of them.
-    fn bezier(&self, Place { piece, s }: Place) -> (&[DVec4], f64, f64) {
+    fn bezier(&self, LocalParameter { piece, s }: LocalParameter) -> (&[DVec4], f64, f64) {
         let n = self.degree + 1;
         let is_left = piece.is_multiple_of(2);
         let (s, r) = if is_left { (s, 1.0 - s) } else { (1.0 + s, -s) };

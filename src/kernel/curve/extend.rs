@@ -7,7 +7,7 @@ use super::{
     measure::{MAX_PIECES, integral},
 };
 use crate::{
-    GeomError, Interval, Receipt, bezier,
+    ConstructionReport, GeomError, Interval, bezier,
     frame::norm,
     homogeneous,
     tolerance::{LAST_BIT, LENGTH_RELATIVE, PLACE_RELATIVE, VANISHING_RELATIVE},
@@ -108,7 +108,7 @@ impl NurbsCurve {
     fn mirrored(&self) -> Self {
         let control_points = self.control_points.iter().rev().copied().collect();
         let knots = self.knots.mirrored();
-        Self { knots, control_points, receipt: Receipt::NONE, ..self.clone() }
+        Self { knots, control_points, report: ConstructionReport::NONE, ..self.clone() }
     }
 
     /// The last piece of a clamped curve prolonged or cut, so that the domain ends at `end`.
@@ -195,7 +195,7 @@ impl NurbsCurve {
     }
 
     /// The last piece, to be looked at beyond the domain.
-    fn beyond(&self) -> Beyond {
+    fn beyond(&self) -> EndExtrapolation {
         let start = self.domain().end();
         let span = self.knots.span_at(start);
         let piece = bezier::piece(&self.knots, &self.control_points, span);
@@ -215,20 +215,20 @@ impl NurbsCurve {
             coefficients.iter_mut().skip(1).for_each(|term| term.w = 0.0);
         }
         let width = self.knots.span_interval(span).length();
-        Beyond { start, width, coefficients, rounding: LAST_BIT * self.magnitude() }
+        EndExtrapolation { start, width, coefficients, rounding: LAST_BIT * self.magnitude() }
     }
 }
 
 /// A polynomial piece by the powers of how far a parameter is beyond its end, in widths of the
 /// piece: all of one sign where it grows, so that it has digits far away.
-struct Beyond {
+struct EndExtrapolation {
     start: f64,
     width: f64,
     coefficients: Vec<DVec4>,
     rounding: f64,
 }
 
-impl Beyond {
+impl EndExtrapolation {
     fn point(&self, t: f64) -> DVec3 {
         let s = (t - self.start) / self.width;
         let add = |value: DVec4, &term: &DVec4| value * s + term;

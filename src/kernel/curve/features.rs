@@ -10,7 +10,7 @@ use glam::DVec3;
 
 use super::{
     NurbsCurve,
-    bend::{Piece, Rounded, longest},
+    bend::{BernsteinPiece, RoundedPolynomial, longest},
 };
 use crate::{
     Frame, Interval, Side, Tolerance,
@@ -38,7 +38,7 @@ impl NurbsCurve {
         let pieces = self.pieces();
         let found = match self.plane_normal(tolerance) {
             Some(normal) => self.sign_changes(&pieces, |piece| piece.bend_about(normal), tolerance),
-            None => self.vanishing(&pieces, Piece::bend, Piece::bend_rounding),
+            None => self.vanishing(&pieces, BernsteinPiece::bend, BernsteinPiece::bend_rounding),
         };
         let corners = self.corners(tolerance);
         found.into_iter().filter(|t| !self.is_among(*t, &corners)).collect()
@@ -49,7 +49,7 @@ impl NurbsCurve {
     #[must_use]
     pub fn vertices(&self, tolerance: Tolerance) -> Vec<f64> {
         let normal = self.plane_normal(tolerance);
-        let slope = |piece: &Piece| piece.curvature_slope(normal);
+        let slope = |piece: &BernsteinPiece| piece.curvature_slope(normal);
         let mut found = self.sign_changes(&self.pieces(), slope, tolerance);
         let corners = self.corners(tolerance);
         let (cusps, near) = (self.cusps(tolerance), TOUCH_RELATIVE * self.domain().length());
@@ -86,7 +86,7 @@ impl NurbsCurve {
 
     /// Parameters inside the domain where the derivative vanishes, in order.
     pub(super) fn standstills(&self) -> Vec<f64> {
-        let rounding = |piece: &Piece| SIGN_RELATIVE * longest(&piece.velocity);
+        let rounding = |piece: &BernsteinPiece| SIGN_RELATIVE * longest(&piece.velocity);
         self.vanishing(&self.pieces(), |piece| piece.velocity.clone(), rounding)
     }
 
@@ -178,13 +178,13 @@ impl NurbsCurve {
     /// Where a polynomial of the pieces changes its sign, at the seam of a closed curve too.
     fn sign_changes(
         &self,
-        pieces: &[Piece],
-        of: impl Fn(&Piece) -> Rounded,
+        pieces: &[BernsteinPiece],
+        of: impl Fn(&BernsteinPiece) -> RoundedPolynomial,
         tolerance: Tolerance,
     ) -> Vec<f64> {
         let mut signs = Signs::default();
         for piece in pieces {
-            let Rounded { coefficients, rounding } = of(piece);
+            let RoundedPolynomial { coefficients, rounding } = of(piece);
             signs.follow(piece.interval, &coefficients, rounding);
         }
         let at_seam = self.is_closed(tolerance.distance) && signs.changes_at_seam();
@@ -200,9 +200,9 @@ impl NurbsCurve {
     /// Where a polynomial vector of the pieces vanishes: where its length has a minimum of nothing.
     fn vanishing(
         &self,
-        pieces: &[Piece],
-        of: impl Fn(&Piece) -> Vec<DVec3>,
-        rounding: impl Fn(&Piece) -> f64,
+        pieces: &[BernsteinPiece],
+        of: impl Fn(&BernsteinPiece) -> Vec<DVec3>,
+        rounding: impl Fn(&BernsteinPiece) -> f64,
     ) -> Vec<f64> {
         let most = pieces.iter().map(|piece| longest(&of(piece))).fold(0.0, f64::max);
         let mut found = Vec::new();

@@ -85,18 +85,18 @@ fn allowed(points: &[DVec3], tolerance: Tolerance) -> f64 {
 
 /// The plane through the first point, the one furthest from it, and the one furthest from the
 /// line of both.
-struct Widest {
+struct WidestPlane {
     normal: DVec3,
     /// How far the third point is from the line.
     width: f64,
 }
 
-fn widest(points: &[DVec3]) -> Option<Widest> {
+fn widest(points: &[DVec3]) -> Option<WidestPlane> {
     let line = line(points)?;
     let sideways = points.iter().map(|&point| across(point - points[0], line));
     let furthest = sideways.max_by(|a, b| norm(*a).total_cmp(&norm(*b)))?;
     let normal = unit(line.cross(unit(furthest)?))?;
-    Some(Widest { normal, width: norm(furthest) })
+    Some(WidestPlane { normal, width: norm(furthest) })
 }
 
 /// Whether the points are as near as that to the plane through the first of them.

@@ -30,13 +30,13 @@ const MAX_STEPS: usize = 60;
 
 /// A number at a parameter as a Taylor series, with the size of what it is the sum of.
 #[derive(Clone)]
-pub(super) struct Followed {
+pub(super) struct MeasuredSeries {
     terms: Vec<f64>,
     size: f64,
 }
 
 /// A number that derivatives tell.
-pub(super) struct Question<F> {
+pub(super) struct DerivativeQuestion<F> {
     /// How many orders it takes from the series of the curve.
     orders: usize,
     /// Computes its series of the curve's.
@@ -44,25 +44,28 @@ pub(super) struct Question<F> {
 }
 
 /// How fast the curve goes along a direction.
-pub(super) fn along(direction: DVec3) -> Question<impl Fn(&[DVec3]) -> Followed> {
+pub(super) fn along(direction: DVec3) -> DerivativeQuestion<impl Fn(&[DVec3]) -> MeasuredSeries> {
     let of = move |curve: &[DVec3]| {
         let velocity = series::derivative(curve);
         let terms = velocity.iter().map(|term| term.dot(direction)).collect();
-        Followed { terms, size: longest(&velocity) }
+        MeasuredSeries { terms, size: longest(&velocity) }
     };
-    Question { orders: 1, of }
+    DerivativeQuestion { orders: 1, of }
 }
 
 /// The bend about a normal, (V × V')·n; less than a turn over the `reach` is rounding.
-pub(super) fn bend_about(normal: DVec3, reach: f64) -> Question<impl Fn(&[DVec3]) -> Followed> {
+pub(super) fn bend_about(
+    normal: DVec3,
+    reach: f64,
+) -> DerivativeQuestion<impl Fn(&[DVec3]) -> MeasuredSeries> {
     let of = move |curve: &[DVec3]| {
         let velocity = series::derivative(curve);
         let change = series::derivative(&velocity);
         let terms = series::cross_derivative(&velocity).iter().map(|b| b.dot(normal)).collect();
         let (v, a) = (longest(&velocity), longest(&change));
-        Followed { terms, size: v * (a + v / reach) }
+        MeasuredSeries { terms, size: v * (a + v / reach) }
     };
-    Question { orders: 2, of }
+    DerivativeQuestion { orders: 2, of }
 }
 
 /// A positive multiple of the slope of the curvature, signed about a normal where there is one:
@@ -71,7 +74,7 @@ pub(super) fn bend_about(normal: DVec3, reach: f64) -> Question<impl Fn(&[DVec3]
 pub(super) fn curvature_slope(
     normal: Option<DVec3>,
     reach: f64,
-) -> Question<impl Fn(&[DVec3]) -> Followed> {
+) -> DerivativeQuestion<impl Fn(&[DVec3]) -> MeasuredSeries> {
     let of = move |curve: &[DVec3]| {
         let velocity = series::derivative(curve);
         let change = series::derivative(&velocity);
@@ -91,9 +94,9 @@ pub(super) fn curvature_slope(
         let rise = times(&change_of_b, &dot(&velocity, &velocity));
         let fall = times(&b, &dot(&velocity, &change));
         let terms = rise.iter().zip(&fall).map(|(rise, fall)| rise - 3.0 * fall).collect();
-        Followed { terms, size: size_of_b * v * v * (v * j + 3.0 * a * a) }
+        MeasuredSeries { terms, size: size_of_b * v * v * (v * j + 3.0 * a * a) }
     };
-    Question { orders: 3, of }
+    DerivativeQuestion { orders: 3, of }
 }
 
 /// The height over a plane, for a curve with coordinates of a size.
@@ -101,31 +104,34 @@ pub(super) fn height(
     origin: DVec3,
     normal: DVec3,
     size: f64,
-) -> Question<impl Fn(&[DVec3]) -> Followed> {
+) -> DerivativeQuestion<impl Fn(&[DVec3]) -> MeasuredSeries> {
     let of = move |curve: &[DVec3]| {
         let mut terms: Vec<f64> = curve.iter().map(|term| term.dot(normal)).collect();
         terms[0] = (curve[0] - origin).dot(normal);
-        Followed { terms, size }
+        MeasuredSeries { terms, size }
     };
-    Question { orders: 0, of }
+    DerivativeQuestion { orders: 0, of }
 }
 
 /// Half of the slope of the squared speed.
-pub(super) fn speeding() -> Question<impl Fn(&[DVec3]) -> Followed> {
+pub(super) fn speeding() -> DerivativeQuestion<impl Fn(&[DVec3]) -> MeasuredSeries> {
     let of = |curve: &[DVec3]| {
         let velocity = series::derivative(curve);
         let change = series::derivative(&velocity);
-        Followed { terms: dot(&velocity, &change), size: longest(&velocity) * longest(&change) }
+        MeasuredSeries {
+            terms: dot(&velocity, &change),
+            size: longest(&velocity) * longest(&change),
+        }
     };
-    Question { orders: 2, of }
+    DerivativeQuestion { orders: 2, of }
 }
 
 impl ParametricCurve {
     /// Parameters where the number changes its sign, in order, at the seam of a closed curve too.
-    pub(super) fn sign_changes<F: Fn(&[DVec3]) -> Followed>(
+    pub(super) fn sign_changes<F: Fn(&[DVec3]) -> MeasuredSeries>(
         &self,
         spline: &NurbsCurve,
-        question: &Question<F>,
+        question: &DerivativeQuestion<F>,
         is_closed: bool,
     ) -> Result<Vec<f64>, GeomError> {
         let mut signs = Signs::default();
@@ -150,10 +156,10 @@ impl ParametricCurve {
     }
 
     /// Follows a number along a piece that has no break inside.
-    fn follow<F: Fn(&[DVec3]) -> Followed>(
+    fn follow<F: Fn(&[DVec3]) -> MeasuredSeries>(
         &self,
         piece: Interval,
-        question: &Question<F>,
+        question: &DerivativeQuestion<F>,
         signs: &mut Signs,
     ) -> Result<(), GeomError> {
         let ends = [self.inside(piece, 0.0, question)?, self.inside(piece, 1.0, question)?];
@@ -187,12 +193,12 @@ impl ParametricCurve {
     }
 
     /// The number at a fraction of a piece; at an end that has none, beside it.
-    fn inside<F: Fn(&[DVec3]) -> Followed>(
+    fn inside<F: Fn(&[DVec3]) -> MeasuredSeries>(
         &self,
         piece: Interval,
         fraction: f64,
-        question: &Question<F>,
-    ) -> Result<Followed, GeomError> {
+        question: &DerivativeQuestion<F>,
+    ) -> Result<MeasuredSeries, GeomError> {
         let step = 2.0 * LAST_BIT * self.domain().length() / piece.length();
         let beside = |step: f64| fraction.clamp(step, 1.0 - step);
         let is_end = fraction <= 0.0 || 1.0 <= fraction;
@@ -202,12 +208,12 @@ impl ParametricCurve {
     }
 
     /// The number at a parameter, with its Taylor series up to an order.
-    fn asked<F: Fn(&[DVec3]) -> Followed>(
+    fn asked<F: Fn(&[DVec3]) -> MeasuredSeries>(
         &self,
         t: f64,
-        question: &Question<F>,
+        question: &DerivativeQuestion<F>,
         order: usize,
-    ) -> Result<Followed, GeomError> {
+    ) -> Result<MeasuredSeries, GeomError> {
         let derivatives = self.derivatives_at(t, question.orders + order)?;
         let terms: Vec<DVec3> =
             derivatives.iter().zip(series::powers(1.0)).map(|(&d, power)| d * power).collect();
@@ -215,18 +221,19 @@ impl ParametricCurve {
     }
 
     /// The zero within a step of a parameter, unless the number has one sign there.
-    fn confirmed<F: Fn(&[DVec3]) -> Followed>(
+    fn confirmed<F: Fn(&[DVec3]) -> MeasuredSeries>(
         &self,
         t: f64,
         step: f64,
-        question: &Question<F>,
+        question: &DerivativeQuestion<F>,
     ) -> Result<Option<f64>, GeomError> {
         let domain = self.domain();
         let sides = [(t - step).max(domain.start()), (t + step).min(domain.end())];
         let [Ok(before), Ok(behind)] = sides.map(|side| self.asked(side, question, 0)) else {
             return Ok(Some(t));
         };
-        let is_clear = |number: &Followed| SIGN_RELATIVE * number.size < number.terms[0].abs();
+        let is_clear =
+            |number: &MeasuredSeries| SIGN_RELATIVE * number.size < number.terms[0].abs();
         match (is_clear(&before), is_clear(&behind)) {
             (false, false) => Ok(Some(t)),
             (true, true) if 0.0 < before.terms[0] * behind.terms[0] => Ok(None),
@@ -235,11 +242,11 @@ impl ParametricCurve {
     }
 
     /// Newton's method from `t`, kept between parameters of different signs.
-    pub(super) fn polished<F: Fn(&[DVec3]) -> Followed>(
+    pub(super) fn polished<F: Fn(&[DVec3]) -> MeasuredSeries>(
         &self,
         t: f64,
         [mut low, mut high]: [f64; 2],
-        question: &Question<F>,
+        question: &DerivativeQuestion<F>,
     ) -> Result<f64, GeomError> {
         let (first, mut t) = (self.asked(low, question, 0)?.terms[0], t);
         let resolution = LAST_BIT * low.abs().max(high.abs());
@@ -322,8 +329,8 @@ impl ParametricCurve {
 }
 
 /// Bernstein coefficients of the polynomial with these series at both ends of an interval.
-fn coefficients([start, end]: [&Followed; 2], width: f64) -> Vec<f64> {
-    let own = |number: &Followed, sides: [f64; 2]| {
+fn coefficients([start, end]: [&MeasuredSeries; 2], width: f64) -> Vec<f64> {
+    let own = |number: &MeasuredSeries, sides: [f64; 2]| {
         let mut factorial = 1.0;
         let derivatives: Vec<f64> = number
             .terms

@@ -13,12 +13,12 @@ use crate::{GeomError, KnotVector, frame::norm};
 
 /// A parameter with the derivatives of a curve there, by order.
 #[derive(Clone, Debug)]
-pub(super) struct Node {
+pub(super) struct HermiteNode {
     pub(super) parameter: f64,
     pub(super) derivatives: Vec<DVec3>,
 }
 
-impl Node {
+impl HermiteNode {
     /// The order m to which derivatives are known.
     pub(super) fn order(&self) -> usize {
         self.derivatives.len() - 1
@@ -86,7 +86,7 @@ fn elementary_symmetric(a: f64, p: usize, b: f64, q: usize) -> Vec<f64> {
 }
 
 /// The control points of the one Bézier piece between two nodes.
-pub(super) fn piece(start: &Node, end: &Node) -> Vec<DVec3> {
+pub(super) fn piece(start: &HermiteNode, end: &HermiteNode) -> Vec<DVec3> {
     let (a, b) = (start.parameter, end.parameter);
     start.control_points(a, b).chain(end.control_points(a, b)).collect()
 }
@@ -109,8 +109,8 @@ pub(super) fn point_of(piece: &[DVec3], fraction: f64) -> DVec3 {
 /// # Errors
 /// [`GeomError::TooFewKnots`] for no stretch, [`GeomError::KnotMultiplicity`] where nodes count as
 /// one parameter, [`GeomError::NotFinite`].
-pub(super) fn spline(stretches: &[Vec<Node>]) -> Result<NurbsCurve, GeomError> {
-    let order = stretches.iter().flatten().map(Node::order).next().unwrap_or(0);
+pub(super) fn spline(stretches: &[Vec<HermiteNode>]) -> Result<NurbsCurve, GeomError> {
+    let order = stretches.iter().flatten().map(HermiteNode::order).next().unwrap_or(0);
     let degree = 2 * order + 1;
     let (mut knots, mut points) = (Vec::new(), Vec::<DVec3>::new());
     for stretch in stretches {
@@ -139,7 +139,7 @@ pub(super) fn spline(stretches: &[Vec<Node>]) -> Result<NurbsCurve, GeomError> {
 }
 
 /// How far apart the ends of two stretches are where they should meet.
-pub(super) fn gap(before: &[Node], behind: &[Node]) -> f64 {
+pub(super) fn gap(before: &[HermiteNode], behind: &[HermiteNode]) -> f64 {
     match (before.last(), behind.first()) {
         (Some(a), Some(b)) => norm(a.derivatives[0] - b.derivatives[0]),
         _ => 0.0,

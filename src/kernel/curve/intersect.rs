@@ -14,13 +14,13 @@ mod told;
 use glam::DVec3;
 
 use self::{
-    contact::Contact,
+    contact::ContactInterval,
     newton::{beside, nearest_on, nearest_step},
-    told::Told,
+    told::ReportedIntersection,
 };
 use super::{
     NurbsCurve,
-    part::{Part, parts},
+    part::{CurvePart, parts},
 };
 use crate::{
     Bounds, GeomError, Interval, homogeneous,
@@ -46,7 +46,7 @@ const LONGEST_TOUCH: f64 = 16.0;
 
 /// A place where two curves meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Meeting {
+pub struct CurveIntersection {
     /// The parameter on the first curve.
     pub first: f64,
     /// The parameter on the second.
@@ -56,7 +56,7 @@ pub struct Meeting {
 }
 
 /// The curves in search of each other.
-struct Search<'c> {
+struct IntersectionSearch<'c> {
     first: &'c NurbsCurve,
     second: &'c NurbsCurve,
     tolerance: f64,
@@ -68,8 +68,8 @@ struct Search<'c> {
     rounding: f64,
     /// Control points that may still be looked at.
     left: usize,
-    meetings: Vec<Told>,
-    contacts: Vec<Contact>,
+    meetings: Vec<ReportedIntersection>,
+    contacts: Vec<ContactInterval>,
 }
 
 impl NurbsCurve {
@@ -78,7 +78,11 @@ impl NurbsCurve {
     /// # Errors
     /// [`GeomError::RunTogether`] where they share a stretch and not single points,
     /// [`GeomError::Tangled`] where the meetings are too many.
-    pub fn intersections(&self, other: &Self, tolerance: f64) -> Result<Vec<Meeting>, GeomError> {
+    pub fn intersections(
+        &self,
+        other: &Self,
+        tolerance: f64,
+    ) -> Result<Vec<CurveIntersection>, GeomError> {
         let over_jumps = self.meetings_over_jumps(Some(other), tolerance);
         over_jumps.unwrap_or_else(|| self.meetings_with(other, tolerance, &mut work([self, other])))
     }
@@ -89,13 +93,13 @@ impl NurbsCurve {
         other: &Self,
         tolerance: f64,
         left: &mut usize,
-    ) -> Result<Vec<Meeting>, GeomError> {
+    ) -> Result<Vec<CurveIntersection>, GeomError> {
         if let Some(factor) = self.unit_factor(&[other]) {
             let curves = [self, other].map(|curve| curve.in_units(factor));
             let found = curves[0].meetings_with(&curves[1], tolerance * factor, left);
             return Ok(in_units(found?, factor));
         }
-        let mut search = Search::new(self, other, tolerance, *left);
+        let mut search = IntersectionSearch::new(self, other, tolerance, *left);
         let mut pairs = Vec::new();
         let (pieces, others) = (parts(self), parts(other));
         for (i, j) in near_pairs_between(&pieces, &others, tolerance) {
@@ -112,7 +116,7 @@ impl NurbsCurve {
     /// # Errors
     /// [`GeomError::RunsAlongItself`], [`GeomError::Tangled`] where the
     /// meetings are too many.
-    pub fn self_intersections(&self, tolerance: f64) -> Result<Vec<Meeting>, GeomError> {
+    pub fn self_intersections(&self, tolerance: f64) -> Result<Vec<CurveIntersection>, GeomError> {
         let over_jumps = self.meetings_over_jumps(None, tolerance);
         over_jumps.unwrap_or_else(|| self.own_meetings(tolerance, &mut work([self, self])))
     }
@@ -122,12 +126,15 @@ impl NurbsCurve {
         &self,
         tolerance: f64,
         left: &mut usize,
-    ) -> Result<Vec<Meeting>, GeomError> {
+    ) -> Result<Vec<CurveIntersection>, GeomError> {
         if let Some(factor) = self.unit_factor(&[]) {
             let found = self.in_units(factor).own_meetings(tolerance * factor, left);
             return Ok(in_units(found?, factor));
         }
-        let mut search = Search { is_same: true, ..Search::new(self, self, tolerance, *left) };
+        let mut search = IntersectionSearch {
+            is_same: true,
+            ..IntersectionSearch::new(self, self, tolerance, *left)
+        };
         let pieces = parts(self);
         let mut pairs = Vec::new();
         let mut alone = pieces.clone();
@@ -157,12 +164,12 @@ pub(super) fn work(curves: [&NurbsCurve; 2]) -> usize {
 }
 
 /// Meetings that were found in other units.
-fn in_units(mut meetings: Vec<Meeting>, factor: f64) -> Vec<Meeting> {
+fn in_units(mut meetings: Vec<CurveIntersection>, factor: f64) -> Vec<CurveIntersection> {
     meetings.iter_mut().for_each(|meeting| meeting.point /= factor);
     meetings
 }
 
-impl<'c> Search<'c> {
+impl<'c> IntersectionSearch<'c> {
     fn new(first: &'c NurbsCurve, second: &'c NurbsCurve, tolerance: f64, left: usize) -> Self {
         let rounding = LAST_BIT * first.magnitude().max(second.magnitude());
         let tolerance = tolerance.max(MOST_ROUNDINGS * rounding);
@@ -184,7 +191,7 @@ impl<'c> Search<'c> {
     }
 
     /// Looks at all pairs; tells how much work is left.
-    fn run(&mut self, pairs: Vec<(Part, Part)>) -> Result<usize, GeomError> {
+    fn run(&mut self, pairs: Vec<(CurvePart, CurvePart)>) -> Result<usize, GeomError> {
         let mut todo = pairs;
         todo.retain(|(a, b)| a.may_meet(b, self.tolerance));
         let cost = self.first.degree() + self.second.degree() + 2;
@@ -209,7 +216,7 @@ impl<'c> Search<'c> {
     }
 
     /// Whether a pair needs no further halving; what it came to is noted.
-    fn is_settled(&mut self, a: &Part, b: &Part) -> bool {
+    fn is_settled(&mut self, a: &CurvePart, b: &CurvePart) -> bool {
         if self.is_joint(a, b) {
             return true;
         }
@@ -217,18 +224,18 @@ impl<'c> Search<'c> {
             && !self.are_neighbours(a, b)
             && let Some(meeting) = self.crossing(a.interval, b.interval)
         {
-            self.meetings.push(Told::crossing(meeting));
+            self.meetings.push(ReportedIntersection::crossing(meeting));
             return true;
         }
         if self.is_tiny(a) && self.is_tiny(b) {
             let place = homogeneous::project(a.points[0]);
             if nearest_on(self.second, b.interval, place) <= self.tolerance {
-                self.touches(Contact { first: a.interval, second: b.interval });
+                self.touches(ContactInterval { first: a.interval, second: b.interval });
             }
             return true;
         }
         if self.lies_along(a, b) {
-            self.touches(Contact { first: a.interval, second: b.interval });
+            self.touches(ContactInterval { first: a.interval, second: b.interval });
             return true;
         }
         false
@@ -236,13 +243,13 @@ impl<'c> Search<'c> {
 
     /// Whether both are one curve's neighbours and together turn by less than half a turn, so that
     /// they share their joint and nothing else.
-    fn is_joint(&self, a: &Part, b: &Part) -> bool {
+    fn is_joint(&self, a: &CurvePart, b: &CurvePart) -> bool {
         self.are_neighbours(a, b)
             && (a.cone.with(b.cone).is_within_half_turn() || self.is_tiny(a) && self.is_tiny(b))
     }
 
     /// Whether both follow one another along one curve, over its seam too.
-    fn are_neighbours(&self, a: &Part, b: &Part) -> bool {
+    fn are_neighbours(&self, a: &CurvePart, b: &CurvePart) -> bool {
         let domain = self.first.domain();
         let near = KNOT_RELATIVE * domain.length();
         let touches = |end: f64, start: f64| (end - start).abs() <= near;
@@ -252,12 +259,12 @@ impl<'c> Search<'c> {
         self.is_same && (touches(a.interval.end(), b.interval.start()) || over_seam)
     }
 
-    fn is_tiny(&self, part: &Part) -> bool {
+    fn is_tiny(&self, part: &CurvePart) -> bool {
         part.bounds.diagonal() <= self.tolerance
     }
 
     /// The one place where two pieces that cross clearly come nearest, if they meet there.
-    fn crossing(&self, first: Interval, second: Interval) -> Option<Meeting> {
+    fn crossing(&self, first: Interval, second: Interval) -> Option<CurveIntersection> {
         let (mut t, mut s) = (first.at(0.5), second.at(0.5));
         for _ in 0..MAX_STEPS {
             let (p, q) = (self.first.derivatives_at(t, 1), self.second.derivatives_at(s, 1));
@@ -280,14 +287,18 @@ impl<'c> Search<'c> {
     }
 
     /// The meeting at these parameters, if the points are within the tolerance.
-    fn meeting(&self, first: f64, second: f64) -> Option<Meeting> {
+    fn meeting(&self, first: f64, second: f64) -> Option<CurveIntersection> {
         let (p, q) = (self.first.point_at(first), self.second.point_at(second));
-        (p.distance(q) <= self.tolerance).then(|| Meeting { first, second, point: p.midpoint(q) })
+        (p.distance(q) <= self.tolerance).then(|| CurveIntersection {
+            first,
+            second,
+            point: p.midpoint(q),
+        })
     }
 
     /// Whether all of the shorter piece that can be told lies within the tolerance of the other:
     /// they touch, or run together.
-    fn lies_along(&self, a: &Part, b: &Part) -> bool {
+    fn lies_along(&self, a: &CurvePart, b: &CurvePart) -> bool {
         let (short, other, curve) = if a.bounds.diagonal() <= b.bounds.diagonal() {
             (a, b, self.second)
         } else {
@@ -305,7 +316,7 @@ impl<'c> Search<'c> {
 
 /// Pairs of pieces whose boxes are within the tolerance of one another, in order. Found along the
 /// axis on which the pieces spread most, so that not all pairs are looked at.
-fn near_pairs(pieces: &[Part], tolerance: f64) -> Vec<(usize, usize)> {
+fn near_pairs(pieces: &[CurvePart], tolerance: f64) -> Vec<(usize, usize)> {
     let axis = longest_axis(pieces);
     let order = by_start(pieces, axis);
     let mut pairs = Vec::new();
@@ -322,11 +333,15 @@ fn near_pairs(pieces: &[Part], tolerance: f64) -> Vec<(usize, usize)> {
 
 /// [`near_pairs`] of a piece of the first curve and one of the second: of each pair one starts
 /// first along the axis, and the other before that one ends.
-fn near_pairs_between(first: &[Part], second: &[Part], tolerance: f64) -> Vec<(usize, usize)> {
+fn near_pairs_between(
+    first: &[CurvePart],
+    second: &[CurvePart],
+    tolerance: f64,
+) -> Vec<(usize, usize)> {
     let axis = longest_axis(first.iter().chain(second));
     let orders = [by_start(first, axis), by_start(second, axis)];
-    let start = |piece: &Part| piece.bounds.min[axis];
-    let end = |piece: &Part| piece.bounds.max[axis] + tolerance;
+    let start = |piece: &CurvePart| piece.bounds.min[axis];
+    let end = |piece: &CurvePart| piece.bounds.max[axis] + tolerance;
     let mut pairs = Vec::new();
     for (i, own) in first.iter().enumerate() {
         let from = orders[1].partition_point(|&j| start(&second[j]) < start(own));
@@ -345,13 +360,13 @@ fn near_pairs_between(first: &[Part], second: &[Part], tolerance: f64) -> Vec<(u
 }
 
 /// The axis on which the pieces spread most.
-fn longest_axis<'p>(pieces: impl IntoIterator<Item = &'p Part>) -> usize {
+fn longest_axis<'p>(pieces: impl IntoIterator<Item = &'p CurvePart>) -> usize {
     let whole = pieces.into_iter().map(|piece| piece.bounds).reduce(Bounds::union);
     whole.map_or(0, |whole| (whole.max - whole.min).max_position())
 }
 
 /// The pieces in the order in which they start along an axis.
-fn by_start(pieces: &[Part], axis: usize) -> Vec<usize> {
+fn by_start(pieces: &[CurvePart], axis: usize) -> Vec<usize> {
     let mut order: Vec<usize> = (0..pieces.len()).collect();
     order.sort_by(|&i, &j| pieces[i].bounds.min[axis].total_cmp(&pieces[j].bounds.min[axis]));
     order

@@ -6,7 +6,7 @@ use super::NurbsCurve;
 use crate::{
     GeomError,
     joint::{Joined, vanishing_span},
-    refine::Lines,
+    refine::ControlLines,
     tolerance::EXACT_RELATIVE,
 };
 
@@ -41,7 +41,7 @@ pub fn join(curves: &[NurbsCurve], tolerance: f64) -> Result<NurbsCurve, GeomErr
         let scale = joined.ends()[0].w / next.control_points[0].w;
         joined.append(&next.lines(), scale, EXACT_RELATIVE * next.magnitude() + gap);
     }
-    let Lines { knots, lines } = joined.finish()?;
+    let ControlLines { knots, lines } = joined.finish()?;
     NurbsCurve::new(knots, lines.concat())
 }
 

@@ -8,7 +8,7 @@ use std::borrow::Cow;
 
 use glam::DVec3;
 
-use super::{Meeting, NurbsCurve, intersect::work};
+use super::{CurveIntersection, NurbsCurve, intersect::work};
 use crate::{GeomError, JumpError, Side, homogeneous, tolerance::LAST_BIT};
 
 /// Last bits of a coordinate within which two ends meet.
@@ -77,7 +77,7 @@ impl NurbsCurve {
         other: Option<&Self>,
         tolerance: f64,
         left: &mut usize,
-    ) -> Result<Vec<Meeting>, GeomError> {
+    ) -> Result<Vec<CurveIntersection>, GeomError> {
         let own = self.connected_parts();
         let others = other.map(Self::connected_parts);
         let mut meetings = Vec::new();
@@ -85,7 +85,7 @@ impl NurbsCurve {
             if others.is_none() {
                 for found in a.own_meetings(tolerance, left)? {
                     let [first, second] = [found.first, found.second].map(|t| self.on_whole(a, t));
-                    meetings.push(Meeting { first, second, ..found });
+                    meetings.push(CurveIntersection { first, second, ..found });
                 }
             }
             let whole = other.unwrap_or(self);
@@ -93,7 +93,7 @@ impl NurbsCurve {
                 for found in a.meetings_with(b, tolerance, left)? {
                     let (first, second) =
                         (self.on_whole(a, found.first), whole.on_whole(b, found.second));
-                    meetings.push(Meeting { first, second, ..found });
+                    meetings.push(CurveIntersection { first, second, ..found });
                 }
             }
         }
@@ -106,7 +106,7 @@ impl NurbsCurve {
         &self,
         other: Option<&Self>,
         tolerance: f64,
-    ) -> Option<Result<Vec<Meeting>, GeomError>> {
+    ) -> Option<Result<Vec<CurveIntersection>, GeomError>> {
         let is_connected = |curve: &Self| curve.jumps().is_empty();
         if is_connected(self) && other.is_none_or(is_connected) {
             return None;

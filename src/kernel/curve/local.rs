@@ -12,7 +12,7 @@ use crate::{Frame, GeomError, Side, frame::norm};
 
 /// Where a curve is looked at, and which lengths are rounding there.
 #[derive(Clone, Copy, Debug)]
-pub struct Neighbourhood {
+pub struct EvaluationPlace {
     /// The parameter.
     pub parameter: f64,
     /// The side from which it is approached.
@@ -28,7 +28,7 @@ pub struct Neighbourhood {
     pub slack: f64,
 }
 
-impl Neighbourhood {
+impl EvaluationPlace {
     /// The terms of the Taylor series over the reach, which are lengths.
     pub(super) fn terms(&self, derivatives: &[DVec3]) -> Vec<DVec3> {
         derivatives.iter().zip(series::powers(self.reach)).map(|(&d, power)| d * power).collect()
@@ -67,7 +67,7 @@ impl LocalGeometry {
     ///
     /// # Errors
     /// [`GeomError::VanishingTangent`] where all but order 0 vanish.
-    pub fn new(derivatives: &[DVec3], around: Neighbourhood) -> Result<Self, GeomError> {
+    pub fn new(derivatives: &[DVec3], around: EvaluationPlace) -> Result<Self, GeomError> {
         let parameter = around.parameter;
         let terms = around.terms(derivatives);
         let standing = GeomError::VanishingTangent { parameter };

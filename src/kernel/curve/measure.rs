@@ -4,12 +4,12 @@ use std::borrow::Cow;
 
 use glam::{DAffine3, DVec4};
 
-use super::{NurbsCurve, part::Part};
+use super::{NurbsCurve, part::CurvePart};
 use crate::{
     Bounds, Grid, Interval, KnotVector,
     bezier::{blend, cut_at},
     frame::norm,
-    hull::Spline,
+    hull::TensorSpline,
     tolerance::{LAST_BIT, LENGTH_RELATIVE},
     work,
 };
@@ -104,7 +104,7 @@ impl NurbsCurve {
         let share = total / estimates.len().max(1) as f64;
         let order = self.degree() + 1;
         let most = (MAX_PIECES * LOW / (order * order)).clamp(LEAST_PIECES, MAX_PIECES);
-        let refined = |(part, estimate): (Part, f64)| {
+        let refined = |(part, estimate): (CurvePart, f64)| {
             let accuracy = LENGTH_RELATIVE * estimate.max(share) + rounding;
             refined_part(part.points, estimate, accuracy, most)
         };
@@ -125,7 +125,7 @@ impl NurbsCurve {
             unreachable!("degree 0 is below every ceiling")
         };
         let points = Grid::from_rows_of(self.control_points.len(), self.control_points.clone());
-        Spline { knots: [&constant, &self.knots], points: &points }.bounds()
+        TensorSpline { knots: [&constant, &self.knots], points: &points }.bounds()
     }
 
     /// The interval cut to the domain, at the knots, and so often that no tangent of a piece is far
@@ -135,13 +135,14 @@ impl NurbsCurve {
     }
 
     /// [`Self::smooth_pieces`] with their control points.
-    fn narrow_parts(&self, interval: Interval, short: f64) -> Vec<Part> {
-        let spans = self.knots.spans().map(|span| Part::of_span(self, span));
-        let within: Vec<Part> = spans.filter_map(|part| part.within(interval)).collect();
+    fn narrow_parts(&self, interval: Interval, short: f64) -> Vec<CurvePart> {
+        let spans = self.knots.spans().map(|span| CurvePart::of_span(self, span));
+        let within: Vec<CurvePart> = spans.filter_map(|part| part.within(interval)).collect();
         let most = within.len().saturating_mul(MAX_CUTS);
         let mut parts = Vec::new();
         let mut n_cuts = 0;
-        let mut todo: Vec<(Part, usize)> = within.into_iter().rev().map(|part| (part, 0)).collect();
+        let mut todo: Vec<(CurvePart, usize)> =
+            within.into_iter().rev().map(|part| (part, 0)).collect();
         while work::goes_on(1)
             && let Some((part, n_halvings)) = todo.pop()
         {

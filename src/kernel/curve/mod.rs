@@ -1,6 +1,6 @@
 //! Curves: rational B-splines, and functions.
 //!
-//! `any` is a curve of either kind, `parametric` that of a function, `spline_of` a spline near it, made by `hermite`, `function` answers for it, `whole` for both, `either` edits both. Of B-splines this file has the
+//! `any` is a curve of either kind, `parametric` that of a function, `hermite_approximation` a spline near it, made by `hermite`, `function` answers for it, `global_queries` for both, `either` edits both. Of B-splines this file has the
 //! type, its constructors and what can be read off it; `eval` computes points and derivatives,
 //! `evaluator` the same at many parameters, `circle`, `arc` and `conic` have the exact conics,
 //! `chain` curves of segments, `edit` changes the representation or cuts, `basis_change` finds the
@@ -37,7 +37,9 @@ mod extend;
 mod features;
 mod flat;
 mod function;
+mod global_queries;
 mod hermite;
+mod hermite_approximation;
 mod intersect;
 mod join;
 mod jumps;
@@ -51,16 +53,14 @@ mod planar;
 mod product;
 mod reduce;
 mod series;
-mod spline_of;
 mod standard;
 mod units;
-mod whole;
 
 use glam::{DAffine3, DVec3, DVec4};
 
 use super::{
-    GeomError, Interval, KnotVector, Receipt, Tolerance, frame::norm, homogeneous, lazy::Lazy,
-    nearest::Nearest, positive,
+    ConstructionReport, GeomError, Interval, KnotVector, Tolerance, frame::norm, homogeneous,
+    lazy::Lazy, nearest::ClosestPointTree, positive,
 };
 
 pub use analytic::AnalyticCurve;
@@ -69,18 +69,18 @@ pub use any::Curve;
 pub(crate) use arc_length::ArcLengths;
 pub(crate) use chain::powers;
 pub use circle::CircleForm;
-pub use closest::Foot;
+pub use closest::ClosestPoint;
 pub use compatible::make_compatible;
 pub use conic::ConicKind;
 pub use continuity::Continuity;
 pub(crate) use denominator::on_one_denominator;
-pub use direction::PlaceKind;
+pub use direction::CurvePointKind;
 pub use evaluator::CurveEvaluator;
 pub(crate) use flat::{lie_in_a_plane, plane_of};
 pub(crate) use hermite::blossom_weights;
-pub use intersect::Meeting;
+pub use intersect::CurveIntersection;
 pub use join::join;
-pub use local::{LocalGeometry, Neighbourhood};
+pub use local::{EvaluationPlace, LocalGeometry};
 pub use offset::Offset;
 pub use parametric::{CurveFunction, ParametricCurve};
 
@@ -93,11 +93,11 @@ pub struct NurbsCurve {
     knots: KnotVector,
     control_points: Vec<DVec4>,
     is_rational: bool,
-    receipt: Receipt,
+    report: ConstructionReport,
     /// The pieces, prepared for many parameters.
     evaluator: Lazy<CurveEvaluator>,
     /// The same, prepared to be searched for the nearest point.
-    nearest: Lazy<Nearest>,
+    nearest: Lazy<ClosestPointTree>,
 }
 
 impl NurbsCurve {
@@ -109,7 +109,7 @@ impl NurbsCurve {
         knots.check_points(control_points.len())?;
         homogeneous::check_finite(&control_points)?;
         positive::check_curve(&knots, &control_points)?;
-        Ok(Self::trusted(knots, control_points))
+        Ok(Self::new_unchecked(knots, control_points))
     }
 
     /// The curve with all weights one.
@@ -118,7 +118,7 @@ impl NurbsCurve {
     /// [`GeomError::KnotCount`], [`GeomError::NotFinite`].
     pub fn polynomial(knots: KnotVector, points: &[DVec3]) -> Result<Self, GeomError> {
         knots.check_points(points.len())?;
-        Ok(Self::trusted(knots, homogeneous::unweighted(points)?))
+        Ok(Self::new_unchecked(knots, homogeneous::unweighted(points)?))
     }
 
     /// The curve with a weight for each point; a weight of zero takes its point away.
@@ -185,23 +185,23 @@ impl NurbsCurve {
     }
 
     /// A curve of parts that keep the invariants by construction.
-    pub(crate) fn trusted(knots: KnotVector, control_points: Vec<DVec4>) -> Self {
+    pub(crate) fn new_unchecked(knots: KnotVector, control_points: Vec<DVec4>) -> Self {
         let is_rational = homogeneous::have_different_weights(&control_points);
         let (evaluator, nearest) = (Lazy::default(), Lazy::default());
-        let receipt = Receipt::NONE;
-        Self { knots, control_points, is_rational, receipt, evaluator, nearest }
+        let report = ConstructionReport::NONE;
+        Self { knots, control_points, is_rational, report, evaluator, nearest }
     }
 
-    /// The same with a receipt of how it was made.
+    /// The same with a report of how it was made.
     #[must_use]
-    pub fn with_receipt(self, receipt: Receipt) -> Self {
-        Self { receipt, ..self }
+    pub fn with_report(self, report: ConstructionReport) -> Self {
+        Self { report, ..self }
     }
 
-    /// What the construction that made it did, if it left a receipt.
+    /// What the construction that made it did, if it left a report.
     #[must_use]
-    pub fn receipt(&self) -> Option<&Receipt> {
-        self.receipt.if_any()
+    pub fn report(&self) -> Option<&ConstructionReport> {
+        self.report.if_any()
     }
 
     /// Polynomial degree of the pieces.
@@ -279,6 +279,6 @@ impl NurbsCurve {
     pub fn transformed(&self, map: &DAffine3) -> Self {
         let move_point = |&point: &DVec4| homogeneous::transformed(point, map);
         let control_points = self.control_points.iter().map(move_point).collect();
-        Self { control_points, receipt: Receipt::NONE, ..self.clone() }
+        Self { control_points, report: ConstructionReport::NONE, ..self.clone() }
     }
 }

@@ -8,7 +8,7 @@ mod straight;
 
 use glam::{DVec3, DVec4};
 
-use super::{Meeting, NurbsCurve, join};
+use super::{CurveIntersection, NurbsCurve, join};
 use crate::{
     GeomError, Interval, Side,
     frame::{angle_between, norm, unit},
@@ -35,7 +35,7 @@ pub struct Offset {
     /// Whether all of it runs backwards: the distance is beyond every centre of curvature.
     pub is_reversed: bool,
     /// Where the offset crosses itself, by its own parameters.
-    pub crossings: Vec<Meeting>,
+    pub crossings: Vec<CurveIntersection>,
     /// A stretch of its own parameters on which it runs along itself; there may be more, and
     /// crossings are not known then.
     pub overlap: Option<Interval>,
@@ -60,7 +60,7 @@ impl Offset {
 
     /// The same, once it is known where it meets itself; `turns` are the parameters at which it
     /// turns back.
-    fn crossed(self, turns: &[f64], aim: Aim) -> Self {
+    fn crossed(self, turns: &[f64], aim: CurveOffsetTarget) -> Self {
         match crossing::crossings(&self.curve, turns, aim.rounding) {
             Ok(crossings) => Self { crossings, ..self },
             Err(GeomError::RunsAlongItself { start, end }) => {
@@ -73,7 +73,10 @@ impl Offset {
 
     /// The same in units that are smaller by a factor.
     fn in_units(self, factor: f64) -> Self {
-        let back = |meeting: Meeting| Meeting { point: meeting.point / factor, ..meeting };
+        let back = |meeting: CurveIntersection| CurveIntersection {
+            point: meeting.point / factor,
+            ..meeting
+        };
         Self {
             curve: self.curve.in_units(1.0 / factor),
             deviation: self.deviation / factor,
@@ -85,7 +88,7 @@ impl Offset {
 
 /// What an offset is put together of.
 #[derive(Default)]
-struct Pieces {
+struct OffsetPieces {
     /// In order.
     pieces: Vec<NurbsCurve>,
     /// Parameters of the original at which a corner turns to the side of the offset.
@@ -98,7 +101,7 @@ struct Pieces {
 
 /// What an offset needs to know besides the curve.
 #[derive(Clone, Copy)]
-struct Aim {
+struct CurveOffsetTarget {
     distance: f64,
     normal: DVec3,
     accuracy: f64,
@@ -106,7 +109,7 @@ struct Aim {
     rounding: f64,
 }
 
-impl Aim {
+impl CurveOffsetTarget {
     /// Where the offset of a point lies, for the direction of the curve there.
     fn side(self, tangent: DVec3, parameter: f64) -> Result<DVec3, GeomError> {
         let side = unit(tangent.cross(self.normal)).ok_or(GeomError::AlongNormal { parameter })?;
@@ -146,7 +149,7 @@ impl NurbsCurve {
         }
         let rounding = MOST_ROUNDINGS * LAST_BIT * (self.magnitude() + distance.abs());
         let accuracy = tolerance.distance.max(rounding);
-        let aim = Aim { distance, normal, accuracy, rounding };
+        let aim = CurveOffsetTarget { distance, normal, accuracy, rounding };
         if distance.abs() <= rounding {
             // Beside itself by less than its coordinates are rounded.
             return Ok(Offset { deviation: distance.abs(), ..Offset::exact(self.clone()) });
@@ -167,7 +170,8 @@ impl NurbsCurve {
         if let Some(curve) = round::offset(self, aim)? {
             return Ok(Offset { is_reversed: runs_backwards(), ..Offset::exact(curve) });
         }
-        let Pieces { pieces, folds, mut turns, starts } = self.offset_pieces(aim, tolerance)?;
+        let OffsetPieces { pieces, folds, mut turns, starts } =
+            self.offset_pieces(aim, tolerance)?;
         let curve = match pieces.as_slice() {
             [piece] => piece.clone(),
             // The pieces meet by construction; what is between them is rounding.
@@ -185,10 +189,14 @@ impl NurbsCurve {
     }
 
     /// What follows the offset from end to end.
-    fn offset_pieces(&self, aim: Aim, tolerance: Tolerance) -> Result<Pieces, GeomError> {
+    fn offset_pieces(
+        &self,
+        aim: CurveOffsetTarget,
+        tolerance: Tolerance,
+    ) -> Result<OffsetPieces, GeomError> {
         let parts = self.smooth_parts(tolerance.angle)?;
         let is_closed = self.is_closed(tolerance.distance);
-        let mut found = Pieces::default();
+        let mut found = OffsetPieces::default();
         let mut end = self.domain().start();
         for (index, part) in parts.iter().enumerate() {
             found.starts.push((part.domain().start(), end));

@@ -30,23 +30,23 @@ pub struct ParametricCurve {
     domain: Interval,
     function: Arc<dyn CurveFunction>,
     /// Where the parameter has been moved to since.
-    pace: Pace,
+    pace: CurveParameterMap,
     /// Where space has been moved to since.
     map: DAffine3,
     /// Points at even steps of the domain.
     probes: [DVec3; PROBES + 1],
     /// The spline near it, once it was made.
-    stand_in: Arc<OnceLock<Arc<NurbsCurve>>>,
+    nurbs_approximation: Arc<OnceLock<Arc<NurbsCurve>>>,
 }
 
 /// An even map of parameters, exact where it is known: `to[0]` at `from[0]`, `to[1]` at `from[1]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Pace {
+enum CurveParameterMap {
     Same,
     Even { from: [f64; 2], to: [f64; 2] },
 }
 
-impl Pace {
+impl CurveParameterMap {
     fn at(self, t: f64) -> f64 {
         match self {
             Self::Same => t,
@@ -75,10 +75,10 @@ impl ParametricCurve {
         Self {
             domain,
             function,
-            pace: Pace::Same,
+            pace: CurveParameterMap::Same,
             map: DAffine3::IDENTITY,
             probes: [DVec3::ZERO; PROBES + 1],
-            stand_in: Arc::default(),
+            nurbs_approximation: Arc::default(),
         }
         .probed()
     }
@@ -88,7 +88,7 @@ impl ParametricCurve {
         for (i, t) in self.domain.steps(PROBES).into_iter().enumerate() {
             self.probes[i] = self.point_at(t)?;
         }
-        self.stand_in = Arc::default();
+        self.nurbs_approximation = Arc::default();
         Ok(self)
     }
 
@@ -156,7 +156,7 @@ impl ParametricCurve {
         Self {
             map: *map * self.map,
             probes: self.probes.map(|point| map.transform_point3(point)),
-            stand_in: Arc::default(),
+            nurbs_approximation: Arc::default(),
             ..self.clone()
         }
     }
@@ -167,7 +167,10 @@ impl ParametricCurve {
     /// As [`Self::derivatives_at`].
     pub fn reversed(&self) -> Result<Self, GeomError> {
         let (start, end) = (self.domain.start(), self.domain.end());
-        let pace = Pace::Even { from: [start, end], to: [self.pace.at(end), self.pace.at(start)] };
+        let pace = CurveParameterMap::Even {
+            from: [start, end],
+            to: [self.pace.at(end), self.pace.at(start)],
+        };
         Self { pace, ..self.clone() }.probed()
     }
 
@@ -177,7 +180,7 @@ impl ParametricCurve {
     /// As [`Self::derivatives_at`].
     pub fn reparametrized(&self, domain: Interval) -> Result<Self, GeomError> {
         let ends = [self.domain.start(), self.domain.end()];
-        let pace = Pace::Even {
+        let pace = CurveParameterMap::Even {
             from: [domain.start(), domain.end()],
             to: ends.map(|end| self.pace.at(end)),
         };
@@ -231,13 +234,13 @@ impl ParametricCurve {
 
     /// The spline near the curve, where it was made before.
     pub(super) fn known_stand_in(&self) -> Option<Arc<NurbsCurve>> {
-        self.stand_in.get().map(Arc::clone)
+        self.nurbs_approximation.get().map(Arc::clone)
     }
 
     /// Keeps the spline near the curve for the next question.
     pub(super) fn keep_stand_in(&self, spline: NurbsCurve) -> Arc<NurbsCurve> {
         // Another thread may have been first, with the same spline.
-        Arc::clone(self.stand_in.get_or_init(|| Arc::new(spline)))
+        Arc::clone(self.nurbs_approximation.get_or_init(|| Arc::new(spline)))
     }
 }
 

@@ -15,26 +15,26 @@ const CLEAR_ANGLE: f64 = 0.1;
 
 /// A Bézier piece of a curve.
 #[derive(Clone)]
-pub(super) struct Part {
+pub(super) struct CurvePart {
     pub(super) interval: Interval,
     pub(super) points: Vec<DVec4>,
     pub(super) bounds: Bounds,
-    pub(super) cone: Cone,
+    pub(super) cone: DirectionCone,
 }
 
 /// Directions within an angle of an axis; `None` stands for all of them.
 #[derive(Clone, Copy)]
-pub(super) struct Cone {
+pub(super) struct DirectionCone {
     axis: DVec3,
     angle: Option<f64>,
 }
 
 /// The pieces of a curve between its knots.
-pub(super) fn parts(curve: &NurbsCurve) -> Vec<Part> {
-    curve.knots().spans().map(|span| Part::of_span(curve, span)).collect()
+pub(super) fn parts(curve: &NurbsCurve) -> Vec<CurvePart> {
+    curve.knots().spans().map(|span| CurvePart::of_span(curve, span)).collect()
 }
 
-impl Part {
+impl CurvePart {
     pub(super) fn of_span(curve: &NurbsCurve, span: usize) -> Self {
         let points = bezier::piece(curve.knots(), curve.control_points(), span);
         Self::new(curve.knots().span_interval(span), points)
@@ -43,7 +43,7 @@ impl Part {
     fn new(interval: Interval, points: Vec<DVec4>) -> Self {
         let places = points.iter().map(|&point| homogeneous::place(point));
         let bounds = Bounds::of(places).unwrap_or(Bounds { min: DVec3::ZERO, max: DVec3::ZERO });
-        let cone = Cone::of_velocity(&points);
+        let cone = DirectionCone::of_velocity(&points);
         Self { interval, points, bounds, cone }
     }
 
@@ -105,7 +105,7 @@ impl Part {
     }
 }
 
-impl Cone {
+impl DirectionCone {
     const EVERYTHING: Self = Self { axis: DVec3::ZERO, angle: None };
 
     /// A cone that holds every tangent of a piece.

@@ -3,7 +3,7 @@
 use glam::DVec4;
 
 use super::NurbsCurve;
-use crate::{GeomError, KnotVector, refine::Lines, removal::removal};
+use crate::{GeomError, KnotVector, refine::ControlLines, removal::removal};
 
 impl NurbsCurve {
     /// The curve at another degree below its own, or at the lowest that the tolerance allows.
@@ -113,7 +113,7 @@ impl Elevation {
             let entry = |j: usize| if j % width == color { DVec4::X } else { DVec4::ZERO };
             (0..n_columns).map(entry).collect()
         };
-        let lines = Lines { knots: knots.clone(), lines: (0..width).map(ones).collect() };
+        let lines = ControlLines { knots: knots.clone(), lines: (0..width).map(ones).collect() };
         let elevated = lines.elevated(width)?;
         let (mut firsts, mut rows) = (Vec::new(), Vec::new());
         for i in 0..elevated.knots.n_points() {

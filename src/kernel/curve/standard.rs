@@ -5,7 +5,7 @@
 //! B-splines*, CAGD 8 (1991).
 
 use super::NurbsCurve;
-use crate::{GeomError, KnotVector, Receipt};
+use crate::{ConstructionReport, GeomError, KnotVector};
 
 impl NurbsCurve {
     /// The same points over the same domain, with weight one at both ends.
@@ -45,6 +45,6 @@ impl NurbsCurve {
         });
         let control_points = control_points.collect();
         let changed = Self::new(knots, control_points)?;
-        Ok(Self { receipt: Receipt::NONE, ..changed })
+        Ok(Self { report: ConstructionReport::NONE, ..changed })
     }
 }

@@ -4,7 +4,7 @@
 //! does so in other units; changing them by a power of two changes no digit.
 
 use super::NurbsCurve;
-use crate::Receipt;
+use crate::ConstructionReport;
 
 /// Powers of two beyond this one have no inverse.
 const MOST: i32 = 1000;
@@ -37,6 +37,9 @@ impl NurbsCurve {
             (weighed.truncate() * factor).extend(weighed.w)
         };
         let control_points = self.control_points.iter().map(scaled).collect();
-        Self { receipt: Receipt::NONE, ..Self::trusted(self.knots.clone(), control_points) }
+        Self {
+            report: ConstructionReport::NONE,
+            ..Self::new_unchecked(self.knots.clone(), control_points)
+        }
     }
 }

@@ -6,12 +6,12 @@ use super::{
     Ends, Interpolator,
     kinks::kinks,
     least::Approximator,
-    search::{MANY, Search, Trial},
+    search::{FitSearch, FittedCurve, MANY},
 };
-use crate::{GeomError, KnotVector, NurbsCurve, Receipt};
+use crate::{ConstructionReport, GeomError, KnotVector, NurbsCurve};
 
 /// The curve of `n_control` control points that comes nearest to the points at the parameters,
-/// through the first and the last. Its receipt tells the deviation.
+/// through the first and the last. Its report tells the deviation.
 ///
 /// Least squares over knots that spread the parameters evenly: Piegl & Tiller, *The NURBS Book*,
 /// §9.4.1, (9.68) and (9.69).
@@ -31,7 +31,7 @@ pub fn approximate(
 }
 
 /// A curve with every point within the tolerance, through the first and the last, with as few
-/// control points as are found. Its receipt tells the deviation, the parameters, and the corners.
+/// control points as are found. Its report tells the deviation, the parameters, and the corners.
 ///
 /// Knots are added where points are missed, then spread by what the curve found so needs, then
 /// taken away; after each fit the parameters move to the nearest places of the curve unless they
@@ -57,7 +57,7 @@ pub fn approximate_within(
     }
     let kinks = kinks(points, parameters);
     let left = crate::ceiling::FIT_STEPS / if kinks.is_empty() { 1 } else { 2 };
-    let search = |points| Search { points, degree, tolerance, are_fixed, left };
+    let search = |points| FitSearch { points, degree, tolerance, are_fixed, left };
     if kinks.is_empty() {
         let found = search(points).run(parameters)?;
         return Ok(reporting(found.curve, points, &found.parameters, &[]));
@@ -71,15 +71,16 @@ pub fn approximate_within(
         if points.len() <= degree {
             return through(points, parameters, degree);
         }
-        let trial = Search { left: share(points.len()), ..search(points) }.run(parameters)?;
+        let trial = FitSearch { left: share(points.len()), ..search(points) }.run(parameters)?;
         Ok((trial.curve, trial.parameters))
     };
     let parts: Vec<(NurbsCurve, Vec<f64>)> =
         ends.windows(2).map(part).collect::<Result<_, GeomError>>()?;
     let corners: Vec<f64> = kinks.iter().map(|&i| parameters[i]).collect();
     let cornered = chained(&parts, degree)?;
-    let has_fewer =
-        |smooth: &Trial| smooth.curve.control_points().len() < cornered.control_points().len();
+    let has_fewer = |smooth: &FittedCurve| {
+        smooth.curve.control_points().len() < cornered.control_points().len()
+    };
     // Corners take many knots of a smooth curve; of many points that is seldom worth the time.
     let smooth = (points.len() <= MANY).then(|| search(points).run(parameters));
     match smooth.and_then(Result::ok).filter(has_fewer) {
@@ -121,7 +122,7 @@ fn chained(parts: &[(NurbsCurve, Vec<f64>)], degree: usize) -> Result<NurbsCurve
     NurbsCurve::new(KnotVector::for_points(degree, points.len(), knots)?, points)
 }
 
-/// The curve with a receipt.
+/// The curve with a report.
 fn reporting(
     curve: NurbsCurve,
     points: &[DVec3],
@@ -139,11 +140,12 @@ fn reporting(
             },
         );
     let mean = misses.iter().map(|miss| miss.0).sum::<f64>() / misses.len() as f64;
-    let deviation = Receipt::default().with("max", worst.0).with("mean", mean).with("at", worst.1);
-    let receipt = Receipt::of("approximate")
+    let deviation =
+        ConstructionReport::default().with("max", worst.0).with("mean", mean).with("at", worst.1);
+    let report = ConstructionReport::of("approximate")
         .with("control_points", curve.control_points().len())
         .with("deviation", deviation)
         .with("corners", corners.to_vec())
         .with("parameters", parameters.to_vec());
-    curve.with_receipt(receipt)
+    curve.with_report(report)
 }

@@ -10,7 +10,7 @@ use crate::GeomError;
 /// Gaussian elimination with row exchanges inside the band: O(n·b²) once and O(n·b) for each
 /// right-hand side. Golub & Van Loan, *Matrix Computations*, §4.3.
 #[derive(Clone, Debug)]
-pub(crate) struct Banded {
+pub(crate) struct BandedSystem {
     /// Coefficients below the diagonal, at most.
     lower: usize,
     /// Length of a row: from `lower` before the diagonal to where exchanges can reach.
@@ -21,7 +21,7 @@ pub(crate) struct Banded {
     exchanged: Vec<usize>,
 }
 
-impl Banded {
+impl BandedSystem {
     /// # Errors
     /// [`GeomError::NoFit`] where the equations contradict or repeat one another.
     pub(crate) fn new(equations: &[Equation]) -> Result<Self, GeomError> {
@@ -109,7 +109,7 @@ impl Banded {
 mod tests {
     use glam::DVec4;
 
-    use super::{Banded, Equation};
+    use super::{BandedSystem, Equation};
 
     #[test]
     fn a_zero_on_the_diagonal_is_exchanged() {
@@ -117,7 +117,7 @@ mod tests {
         let equation = |first, values: &[f64]| Equation { first, values: values.to_vec() };
         let equations =
             [equation(1, &[1.0]), equation(0, &[1.0, 0.0, 1.0]), equation(0, &[1.0, 1.0])];
-        let system = Banded::new(&equations).expect("independent equations");
+        let system = BandedSystem::new(&equations).expect("independent equations");
         let mut values = [2.0, 4.0, 3.0].map(DVec4::splat);
         system.solve(&mut values);
         assert_eq!(values, [1.0, 2.0, 3.0].map(DVec4::splat));
@@ -129,6 +129,6 @@ mod tests {
             Equation { first: 0, values: vec![1.0, 1.0] },
             Equation { first: 0, values: vec![2.0, 2.0] },
         ];
-        assert!(Banded::new(&twice).is_err());
+        assert!(BandedSystem::new(&twice).is_err());
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec4;
 
-use super::{banded::Banded, equation::Equation};
+use super::{banded::BandedSystem, equation::Equation};
 use crate::GeomError;
 
 /// As many equations as unknowns, where the unknown after the last is the first.
@@ -10,18 +10,18 @@ use crate::GeomError;
 /// The last few unknowns are taken out, so that the rest is a band; they follow from what is left
 /// of their own equations (block elimination). Golub & Van Loan, *Matrix Computations*, §3.2.
 #[derive(Clone, Debug)]
-pub(super) struct Cyclic {
+pub(super) struct CyclicSystem {
     /// The equations of the first unknowns among themselves.
-    band: Banded,
+    band: BandedSystem,
     /// How the first unknowns answer to each of the last ones: `[unknown][last / 4]`, four a vector.
     answers: Vec<Vec<DVec4>>,
     /// The first unknowns' part of the last equations.
     last: Vec<Vec<(usize, f64)>>,
     /// What is left of the last equations for the last unknowns.
-    rest: Banded,
+    rest: BandedSystem,
 }
 
-impl Cyclic {
+impl CyclicSystem {
     /// The equations, the i-th of which is about unknowns up to `reach` from the i-th; columns
     /// count modulo their number.
     ///
@@ -44,7 +44,7 @@ impl Cyclic {
             own.values.truncate((n_first - own.first).min(2 * reach + 1));
             inside.push(own);
         }
-        let band = Banded::new(&inside)?;
+        let band = BandedSystem::new(&inside)?;
 
         // Let each of the last unknowns be one in turn.
         let mut answers: Vec<Vec<DVec4>> = Vec::new();
@@ -74,7 +74,7 @@ impl Cyclic {
                 }
             }
         }
-        Ok(Self { band, answers, last, rest: Banded::new(&rest)? })
+        Ok(Self { band, answers, last, rest: BandedSystem::new(&rest)? })
     }
 
     /// Replaces the right-hand sides by the unknowns.

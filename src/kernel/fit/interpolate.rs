@@ -1,6 +1,6 @@
 //! The equations of splines through points: which knots, which conditions.
 
-use super::{banded::Banded, check_parameters, cyclic::Cyclic, equation::Equation};
+use super::{banded::BandedSystem, check_parameters, cyclic::CyclicSystem, equation::Equation};
 use crate::{GeomError, KnotVector};
 
 /// What a cubic with its knots at the points does where it begins and ends.
@@ -26,21 +26,21 @@ pub enum Ends {
 pub struct Interpolator {
     pub(super) knots: KnotVector,
     pub(super) n_values: usize,
-    pub(super) equations: Equations,
+    pub(super) equations: FactoredEquations,
 }
 
 #[derive(Clone, Debug)]
-pub(super) enum Equations {
+pub(super) enum FactoredEquations {
     /// One an unknown, and nothing else.
-    Values(Banded),
+    Values(BandedSystem),
     /// One more at each end: what stands on their right-hand side.
-    WithEnds(Banded, [EndRow; 2]),
+    WithEnds(BandedSystem, [EndRow; 2]),
     /// A derivative after each value.
-    WithDerivatives(Banded),
+    WithDerivatives(BandedSystem),
     /// A derivative after the first value, before the last, or both.
-    WithEndSlopes(Banded, [bool; 2]),
+    WithEndSlopes(BandedSystem, [bool; 2]),
     /// A ring; over its own knots, where the basis does not begin and end at the seam.
-    Ring(Cyclic, Option<KnotVector>),
+    Ring(CyclicSystem, Option<KnotVector>),
 }
 
 /// The right-hand side of an end condition.
@@ -117,7 +117,7 @@ impl Interpolator {
         // The last value belongs to the last unknown, as the first to the first.
         let last = rows.len() - 1;
         rows.swap(last - 1, last);
-        let equations = Equations::WithDerivatives(Banded::new(&rows)?);
+        let equations = FactoredEquations::WithDerivatives(BandedSystem::new(&rows)?);
         Ok(Self { knots, n_values: got, equations })
     }
 
@@ -146,7 +146,7 @@ impl Interpolator {
     /// [`GeomError::NoFit`] where the values do not determine a spline.
     pub(crate) fn on_knots(parameters: &[f64], knots: KnotVector) -> Result<Self, GeomError> {
         let rows: Vec<Equation> = parameters.iter().map(|&t| Equation::point(&knots, t)).collect();
-        let equations = Equations::Values(Banded::new(&rows)?);
+        let equations = FactoredEquations::Values(BandedSystem::new(&rows)?);
         Ok(Self { knots, n_values: parameters.len(), equations })
     }
 
@@ -170,7 +170,8 @@ impl Interpolator {
         let mut rows = vec![Equation::control_point(0), start];
         rows.extend(parameters[1..n - 1].iter().map(|&t| Equation::point(&knots, t)));
         rows.extend([end, Equation::control_point(n + 1)]);
-        let equations = Equations::WithEnds(Banded::new(&rows)?, [start_row, end_row]);
+        let equations =
+            FactoredEquations::WithEnds(BandedSystem::new(&rows)?, [start_row, end_row]);
         Ok(Self { knots, n_values: n, equations })
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{banded::Banded, check_parameters, equation::Equation};
+use super::{banded::BandedSystem, check_parameters, equation::Equation};
 use crate::{GeomError, KnotVector, NurbsCurve};
 
 /// The polynomial curve through the points at the parameters, as a Bézier curve over them; its
@@ -23,7 +23,7 @@ pub fn lagrange(points: &[DVec3], parameters: &[f64]) -> Result<NurbsCurve, Geom
     let knots = KnotVector::new(got - 1, [start, end].concat())?;
     let rows: Vec<Equation> = parameters.iter().map(|&t| Equation::point(&knots, t)).collect();
     let mut unknowns: Vec<DVec4> = points.iter().map(|point| point.extend(1.0)).collect();
-    Banded::new(&rows)?.solve(&mut unknowns);
+    BandedSystem::new(&rows)?.solve(&mut unknowns);
     let control_points: Vec<DVec3> = unknowns.into_iter().map(DVec4::truncate).collect();
     NurbsCurve::polynomial(knots, &control_points)
 }

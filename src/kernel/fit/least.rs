@@ -7,7 +7,7 @@ use crate::{GeomError, KnotVector, NurbsCurve, tolerance::RANK_RELATIVE};
 
 /// What a fit is to have at a parameter: a value, or a derivative of an order.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Condition {
+pub(crate) struct FitCondition {
     /// The parameter.
     pub(crate) t: f64,
     /// Which derivative is meant.
@@ -26,7 +26,7 @@ pub struct Approximator {
     firsts: Vec<usize>,
     /// How much it and those behind it count, degree + 1 a parameter.
     shares: Vec<f64>,
-    factor: Triangle,
+    factor: TriangularFactor,
 }
 
 impl Approximator {
@@ -51,11 +51,14 @@ impl Approximator {
     ///
     /// # Errors
     /// As [`Self::new`].
-    pub(crate) fn weighted(conditions: &[Condition], knots: KnotVector) -> Result<Self, GeomError> {
+    pub(crate) fn weighted(
+        conditions: &[FitCondition],
+        knots: KnotVector,
+    ) -> Result<Self, GeomError> {
         let width = knots.degree() + 1;
         let mut firsts = Vec::with_capacity(conditions.len());
         let mut shares = Vec::with_capacity(conditions.len() * width);
-        for &Condition { t, order, weight } in conditions {
+        for &FitCondition { t, order, weight } in conditions {
             let begin = shares.len();
             if order == 0 {
                 knots.with_basis(t, |span, basis| {
@@ -82,7 +85,7 @@ impl Approximator {
         let n_inner = knots.n_points().saturating_sub(2);
         let rows = firsts.iter().copied().zip(shares.chunks_exact(width));
         let control_points = knots.n_points();
-        let factor = Triangle::new(rows.map(|row| inside(row, n_inner)), n_inner, width)
+        let factor = TriangularFactor::new(rows.map(|row| inside(row, n_inner)), n_inner, width)
             .ok_or(GeomError::Undetermined { control_points })?;
         Ok(Self { knots, firsts, shares, factor })
     }
@@ -176,13 +179,13 @@ fn inside((first, shares): (usize, &[f64]), n_inner: usize) -> (usize, &[f64]) {
 ///
 /// Givens rotations, an equation after the other. Golub & Van Loan, *Matrix Computations*, §5.2.
 #[derive(Clone, Debug)]
-struct Triangle {
+struct TriangularFactor {
     width: usize,
     /// Rows from the diagonal on.
     rows: Vec<f64>,
 }
 
-impl Triangle {
+impl TriangularFactor {
     /// `None` where the equations leave an unknown open.
     fn new<'a>(
         equations: impl Iterator<Item = (usize, &'a [f64])>,

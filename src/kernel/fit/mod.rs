@@ -28,6 +28,6 @@ pub use approximate::{approximate, approximate_within};
 pub use interpolate::{Ends, Interpolator};
 pub use lagrange::lagrange;
 pub use least::Approximator;
-pub(crate) use least::Condition;
-pub use parameters::{Spacing, check_parameters};
+pub(crate) use least::FitCondition;
+pub use parameters::{Parametrization, check_parameters};
 pub use surface::{FirstPass, LineFit};

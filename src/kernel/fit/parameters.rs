@@ -6,7 +6,7 @@ use crate::{GeomError, frame::norm, tolerance::PARAMETER_RELATIVE};
 
 /// A rule for the distance of neighbouring parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Spacing {
+pub enum Parametrization {
     /// All the same.
     Uniform,
     /// The distance of the points.
@@ -18,7 +18,7 @@ pub enum Spacing {
     Foley,
 }
 
-impl Spacing {
+impl Parametrization {
     /// One parameter a point, from 0 to 1.
     ///
     /// # Errors
@@ -124,10 +124,10 @@ pub fn check_parameters(parameters: &[f64], needed: usize) -> Result<(), GeomErr
 mod tests {
     use glam::DVec3;
 
-    use super::Spacing;
+    use super::Parametrization;
 
     #[track_caller]
-    fn check(spacing: Spacing, points: &[[f64; 3]], expected: &[f64]) {
+    fn check(spacing: Parametrization, points: &[[f64; 3]], expected: &[f64]) {
         let points: Vec<DVec3> = points.iter().copied().map(DVec3::from_array).collect();
         let found = spacing.parameters(&points).expect("points apart");
         let differs = |(a, b): (&f64, &f64)| (a - b).abs() > 1e-15;
@@ -137,9 +137,9 @@ mod tests {
     #[test]
     fn chords_of_one_and_three_divide_at_a_quarter() {
         let points = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 3.0, 0.0]];
-        check(Spacing::Chord, &points, &[0.0, 0.25, 1.0]);
-        check(Spacing::Uniform, &points, &[0.0, 0.5, 1.0]);
-        check(Spacing::Centripetal, &points, &[0.0, 1.0 / (1.0 + f64::sqrt(3.0)), 1.0]);
+        check(Parametrization::Chord, &points, &[0.0, 0.25, 1.0]);
+        check(Parametrization::Uniform, &points, &[0.0, 0.5, 1.0]);
+        check(Parametrization::Centripetal, &points, &[0.0, 1.0 / (1.0 + f64::sqrt(3.0)), 1.0]);
     }
 
     #[test]
@@ -148,9 +148,9 @@ mod tests {
         let points = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 3.0, 0.0]];
         let pi = std::f64::consts::PI;
         let (first, second) = (1.0 + pi * 9.0 / 16.0, 3.0 * (1.0 + pi * 3.0 / 16.0));
-        check(Spacing::Foley, &points, &[0.0, first / (first + second), 1.0]);
+        check(Parametrization::Foley, &points, &[0.0, first / (first + second), 1.0]);
         // On a straight line it is the chord length.
         let line = [[0.0; 3], [1.0, 0.0, 0.0], [4.0, 0.0, 0.0]];
-        check(Spacing::Foley, &line, &[0.0, 0.25, 1.0]);
+        check(Parametrization::Foley, &line, &[0.0, 0.25, 1.0]);
     }
 }

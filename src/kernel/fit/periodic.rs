@@ -4,9 +4,9 @@ use glam::DVec4;
 
 use super::{
     check_parameters,
-    cyclic::Cyclic,
+    cyclic::CyclicSystem,
     equation::Equation,
-    interpolate::{Equations, Interpolator, check_degree},
+    interpolate::{FactoredEquations, Interpolator, check_degree},
 };
 use crate::{GeomError, Interval, KnotVector, NurbsCurve};
 
@@ -51,17 +51,17 @@ impl Interpolator {
             Equation { first: got + equation.first - reach, ..equation }
         };
         let rows: Vec<Equation> = parameters[..got].iter().map(centred).collect();
-        let cyclic = Cyclic::new(&rows, reach)?;
+        let cyclic = CyclicSystem::new(&rows, reach)?;
         if !is_even {
             return Ok(Self {
                 knots: ring,
                 n_values: got,
-                equations: Equations::Ring(cyclic, None),
+                equations: FactoredEquations::Ring(cyclic, None),
             });
         }
         let anything = vec![DVec4::W; ring.n_points()];
         let knots = cut_to(parameters, &ring, anything)?.knots().clone();
-        Ok(Self { knots, n_values: got, equations: Equations::Ring(cyclic, Some(ring)) })
+        Ok(Self { knots, n_values: got, equations: FactoredEquations::Ring(cyclic, Some(ring)) })
     }
 }
 
@@ -72,5 +72,5 @@ pub(super) fn cut_to(
     points: Vec<DVec4>,
 ) -> Result<NurbsCurve, GeomError> {
     let domain = Interval::new(parameters[0], parameters[parameters.len() - 1])?;
-    NurbsCurve::trusted(knots.clone(), points).trimmed(domain)
+    NurbsCurve::new_unchecked(knots.clone(), points).trimmed(domain)
 }

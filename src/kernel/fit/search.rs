@@ -41,7 +41,7 @@ const MAX_SPREADS: usize = 3;
 const SHARE: usize = 64;
 
 /// The search for a curve within the tolerance.
-pub(super) struct Search<'a> {
+pub(super) struct FitSearch<'a> {
     pub(super) points: &'a [DVec3],
     pub(super) degree: usize,
     pub(super) tolerance: f64,
@@ -53,7 +53,7 @@ pub(super) struct Search<'a> {
 
 /// A curve fitted to the points.
 #[derive(Clone)]
-pub(super) struct Trial {
+pub(super) struct FittedCurve {
     pub(super) curve: NurbsCurve,
     pub(super) parameters: Vec<f64>,
     /// Distances of the points from the curve at their parameters.
@@ -63,7 +63,7 @@ pub(super) struct Trial {
     squares: f64,
 }
 
-impl Trial {
+impl FittedCurve {
     fn new(curve: NurbsCurve, parameters: Vec<f64>, misses: Vec<f64>) -> Self {
         let worst = misses.iter().fold(0.0_f64, |worst, &miss| worst.max(miss));
         let squares = misses.iter().map(|miss| miss * miss).sum();
@@ -75,20 +75,20 @@ impl Trial {
     }
 }
 
-impl Search<'_> {
+impl FitSearch<'_> {
     /// The curve with the fewest control points that is found.
     ///
     /// # Errors
     /// [`GeomError::ToleranceNotKept`] below the rounding of the coordinates.
-    pub(super) fn run(&mut self, parameters: &[f64]) -> Result<Trial, GeomError> {
+    pub(super) fn run(&mut self, parameters: &[f64]) -> Result<FittedCurve, GeomError> {
         let domain = [parameters[0], parameters[parameters.len() - 1]];
         let ends = domain.map(|t| vec![t; self.degree + 1]);
         let coarsest = KnotVector::for_points(self.degree, self.degree + 1, ends.concat())?;
         // Points that slide along a curve that is still far from them can crowd, and then no number
         // of knots is enough; at parameters that stand still knots only ever help.
         let all = self.points.len();
-        let still = Search { are_fixed: true, ..*self }.grown(coarsest.clone(), parameters, all);
-        let most = still.as_ref().map_or(all, Trial::n_control);
+        let still = FitSearch { are_fixed: true, ..*self }.grown(coarsest.clone(), parameters, all);
+        let most = still.as_ref().map_or(all, FittedCurve::n_control);
         let slid = if self.are_fixed { None } else { self.grown(coarsest, parameters, most) };
         let Some(first) = slid.or(still) else {
             return self.interpolated(parameters);
@@ -98,12 +98,12 @@ impl Search<'_> {
         Ok(self.thinned(thinned))
     }
 
-    fn keeps(&self, trial: &Trial) -> bool {
+    fn keeps(&self, trial: &FittedCurve) -> bool {
         trial.worst <= self.tolerance
     }
 
     /// The nearest curve over the knots, to which the points slide while that helps.
-    fn trial(&mut self, knots: &KnotVector, parameters: &[f64]) -> Option<Trial> {
+    fn trial(&mut self, knots: &KnotVector, parameters: &[f64]) -> Option<FittedCurve> {
         let mut best = self.fitted(knots, parameters.to_vec())?;
         let are_many = MANY < self.points.len();
         let is_far = are_many && NEAR * self.tolerance < best.worst;
@@ -131,7 +131,7 @@ impl Search<'_> {
     }
 
     /// A step towards the nearest curve of the same knots, unless it comes to a stop on the way.
-    fn slid(&mut self, trial: &Trial, along: f64) -> Option<Trial> {
+    fn slid(&mut self, trial: &FittedCurve, along: f64) -> Option<FittedCurve> {
         self.left = self.left.saturating_sub(self.points.len());
         let parameters = self.corrected(&trial.curve, trial.parameters.clone());
         let places = slid(&trial.curve, &parameters, self.points, along)?;
@@ -145,10 +145,10 @@ impl Search<'_> {
             return None;
         }
         let misses = looks().zip(self.points).map(|(look, p)| look[0].distance(*p)).collect();
-        Some(Trial::new(curve, parameters, misses))
+        Some(FittedCurve::new(curve, parameters, misses))
     }
 
-    fn fitted(&mut self, knots: &KnotVector, parameters: Vec<f64>) -> Option<Trial> {
+    fn fitted(&mut self, knots: &KnotVector, parameters: Vec<f64>) -> Option<FittedCurve> {
         self.left = self.left.saturating_sub(self.points.len());
         let fit = Approximator::new(&parameters, knots.clone()).ok()?;
         let wanted: Vec<DVec4> = self.points.iter().map(|point| point.extend(1.0)).collect();
@@ -157,7 +157,7 @@ impl Search<'_> {
         let misses = pairs.map(|(value, point)| value.truncate().distance(*point)).collect();
         let places: Vec<DVec3> = found.into_iter().map(DVec4::truncate).collect();
         let curve = NurbsCurve::polynomial(knots.clone(), &places).ok()?;
-        Some(Trial::new(curve, parameters, misses))
+        Some(FittedCurve::new(curve, parameters, misses))
     }
 
     /// One step of each inner parameter towards the nearest place of the curve, in order.
@@ -183,7 +183,12 @@ impl Search<'_> {
 
     /// Adds knots where points are missed until none is; `None` where `most` control points would
     /// not do.
-    fn grown(&mut self, coarsest: KnotVector, parameters: &[f64], most: usize) -> Option<Trial> {
+    fn grown(
+        &mut self,
+        coarsest: KnotVector,
+        parameters: &[f64],
+        most: usize,
+    ) -> Option<FittedCurve> {
         let mut knots = coarsest;
         let mut start = parameters.to_vec();
         for _ in 0..MAX_ROUNDS {
@@ -205,7 +210,7 @@ impl Search<'_> {
     }
 
     /// The curve through all points, which no tolerance above rounding can refuse.
-    fn interpolated(&self, parameters: &[f64]) -> Result<Trial, GeomError> {
+    fn interpolated(&self, parameters: &[f64]) -> Result<FittedCurve, GeomError> {
         // Neighbours at one place are passed together.
         let same = PARAMETER_RELATIVE * (parameters[parameters.len() - 1] - parameters[0]);
         let mut apart: (Vec<f64>, Vec<DVec3>) = (Vec::new(), Vec::new());
@@ -220,7 +225,7 @@ impl Search<'_> {
         let found = curve.evaluator();
         let pairs = self.points.iter().zip(parameters);
         let misses = pairs.map(|(point, &t)| found.point_at(t).distance(*point)).collect();
-        let trial = Trial::new(curve, parameters.to_vec(), misses);
+        let trial = FittedCurve::new(curve, parameters.to_vec(), misses);
         if self.keeps(&trial) {
             return Ok(trial);
         }
@@ -228,7 +233,7 @@ impl Search<'_> {
     }
 
     /// Fewer control points, with the knots where the curve needs them.
-    fn respread(&mut self, first: Trial) -> Trial {
+    fn respread(&mut self, first: FittedCurve) -> FittedCurve {
         let mut best = first;
         let (mut low, mut high) = (self.degree + 1, best.n_control());
         while low + high / SHARE < high && 0 < self.left {
@@ -243,7 +248,7 @@ impl Search<'_> {
 
     /// A curve of so many control points within the tolerance, if spreading the knots by what each
     /// one found needs comes to it.
-    fn spread(&mut self, best: &Trial, n: usize) -> Option<Trial> {
+    fn spread(&mut self, best: &FittedCurve, n: usize) -> Option<FittedCurve> {
         let (mut curve, start) = (best.curve.clone(), best.parameters.clone());
         for _ in 0..MAX_SPREADS {
             let trial = self.trial(&spread::by_need(&curve, n), &start)?;
@@ -257,7 +262,7 @@ impl Search<'_> {
 
     /// Takes many knots away together: of those whose removal alone would be within the tolerance
     /// as many as may go, no two of them neighbours.
-    fn thinned_at_once(&mut self, first: Trial) -> Trial {
+    fn thinned_at_once(&mut self, first: FittedCurve) -> FittedCurve {
         let mut best = first;
         while FEW < best.n_control() {
             let spare = self.spare_knots(&best.curve);
@@ -300,11 +305,11 @@ impl Search<'_> {
     }
 
     /// Takes knots away one by one, the least needed first.
-    fn thinned(&mut self, first: Trial) -> Trial {
+    fn thinned(&mut self, first: FittedCurve) -> FittedCurve {
         let mut best = first;
         while best.n_control() <= FEW {
             let breaks = best.curve.knots().breaks();
-            let mut without: Option<Trial> = None;
+            let mut without: Option<FittedCurve> = None;
             for &t in &breaks[1..breaks.len() - 1] {
                 if self.left == 0 {
                     return best;
@@ -313,7 +318,7 @@ impl Search<'_> {
                 let start = best.parameters.clone();
                 let found = self.trial(&knots, &start).filter(|trial| self.keeps(trial));
                 let is_better =
-                    |found: &Trial| without.as_ref().is_none_or(|w| found.worst < w.worst);
+                    |found: &FittedCurve| without.as_ref().is_none_or(|w| found.worst < w.worst);
                 if let Some(found) = found.filter(is_better) {
                     without = Some(found);
                 }

@@ -26,7 +26,7 @@ pub(super) fn slid(
     let (knots, found) = (curve.knots(), curve.evaluator());
     let old: Vec<DVec3> = curve.control_points().iter().map(|point| point.truncate()).collect();
     let n_inner = old.len().checked_sub(2)?;
-    let mut band = Band::new(3 * n_inner, 3 * (knots.degree() + 1));
+    let mut band = SymmetricBand::new(3 * n_inner, 3 * (knots.degree() + 1));
     let mut steps = vec![0.0; 3 * n_inner];
     for (&t, &point) in parameters.iter().zip(points) {
         let [value, velocity, _] = found.second_order_at(t);
@@ -64,13 +64,13 @@ pub(super) fn slid(
 }
 
 /// Symmetric equations whose coefficients stand near the diagonal.
-struct Band {
+struct SymmetricBand {
     width: usize,
     /// Rows from the diagonal on.
     rows: Vec<f64>,
 }
 
-impl Band {
+impl SymmetricBand {
     fn new(n: usize, width: usize) -> Self {
         Self { width, rows: vec![0.0; n * width] }
     }

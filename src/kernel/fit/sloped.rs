@@ -3,10 +3,10 @@
 use glam::DVec4;
 
 use super::{
-    banded::Banded,
+    banded::BandedSystem,
     check_parameters,
     equation::Equation,
-    interpolate::{Equations, Interpolator, check_degree, clamped},
+    interpolate::{FactoredEquations, Interpolator, check_degree, clamped},
 };
 use crate::GeomError;
 
@@ -46,7 +46,7 @@ impl Interpolator {
         rows.extend(parameters[1..got - 1].iter().map(|&t| Equation::point(&knots, t)));
         rows.extend(has_slope[1].then(|| slope(parameters[got - 1])));
         rows.push(Equation::point(&knots, parameters[got - 1]));
-        let equations = Equations::WithEndSlopes(Banded::new(&rows)?, has_slope);
+        let equations = FactoredEquations::WithEndSlopes(BandedSystem::new(&rows)?, has_slope);
         Ok(Self { knots, n_values: got, equations })
     }
 
@@ -65,7 +65,7 @@ impl Interpolator {
         if got != needed {
             return Err(GeomError::WrongCount { what: "points", needed, got });
         }
-        let Equations::WithEndSlopes(band, has_slope) = &self.equations else {
+        let FactoredEquations::WithEndSlopes(band, has_slope) = &self.equations else {
             return Err(GeomError::NoFit);
         };
         if slopes.map(|slope| slope.is_some()) != *has_slope {

@@ -53,9 +53,9 @@ pub(super) fn splits(
 ) -> Vec<f64> {
     let same = PARAMETER_RELATIVE * knots.domain().length();
     let breaks = knots.breaks();
-    let spans: Vec<Inside<'_>> =
-        breaks.windows(2).map(|ends| Inside::new(ends, parameters, misses, same)).collect();
-    let split = |inside: &Inside<'_>| {
+    let spans: Vec<SpanData<'_>> =
+        breaks.windows(2).map(|ends| SpanData::new(ends, parameters, misses, same)).collect();
+    let split = |inside: &SpanData<'_>| {
         let worst = inside.misses.iter().fold(0.0_f64, |worst, &miss| worst.max(miss));
         if worst <= tolerance {
             return None;
@@ -82,7 +82,7 @@ pub(super) fn splits(
 }
 
 /// The data inside a span.
-struct Inside<'a> {
+struct SpanData<'a> {
     ends: &'a [f64],
     parameters: &'a [f64],
     misses: &'a [f64],
@@ -90,7 +90,7 @@ struct Inside<'a> {
     same: f64,
 }
 
-impl<'a> Inside<'a> {
+impl<'a> SpanData<'a> {
     fn new(ends: &'a [f64], parameters: &'a [f64], misses: &'a [f64], same: f64) -> Self {
         let first = parameters.partition_point(|&t| t <= ends[0]);
         let last = parameters.partition_point(|&t| t < ends[1]).max(first);

@@ -4,7 +4,7 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{Approximator, Interpolator, Spacing};
+use super::{Approximator, Interpolator, Parametrization};
 use crate::{GeomError, Grid, NurbsSurface, tolerance::PARAMETER_RELATIVE};
 
 /// How the lines of a grid in one direction become splines.
@@ -73,7 +73,7 @@ fn each_row(grid: &Grid<DVec4>, fit: &LineFit) -> Result<Grid<DVec4>, GeomError>
     Grid::from_rows(rows?)
 }
 
-impl Spacing {
+impl Parametrization {
     /// One parameter for each column of a grid, from 0 to 1: the mean of what its rows have. Rows
     /// that are one point, such as poles, say nothing.
     ///

@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{
-    interpolate::{EndRow, Equations, Interpolator},
+    interpolate::{EndRow, FactoredEquations, Interpolator},
     periodic::cut_to,
 };
 use crate::{GeomError, NurbsCurve};
@@ -17,16 +17,16 @@ impl Interpolator {
     pub fn through(&self, values: &[DVec4]) -> Result<Vec<DVec4>, GeomError> {
         self.check_count("points", values.len())?;
         match &self.equations {
-            Equations::Values(band) => {
+            FactoredEquations::Values(band) => {
                 let mut unknowns = values.to_vec();
                 band.solve(&mut unknowns);
                 Ok(unknowns)
             }
-            Equations::WithEnds(_, [EndRow::Along(_), _])
-            | Equations::WithDerivatives(_)
-            | Equations::WithEndSlopes(..) => Err(GeomError::NoFit),
-            Equations::WithEnds(..) => self.with_tangents(values, [DVec4::ZERO; 2]),
-            Equations::Ring(cyclic, ring) => {
+            FactoredEquations::WithEnds(_, [EndRow::Along(_), _])
+            | FactoredEquations::WithDerivatives(_)
+            | FactoredEquations::WithEndSlopes(..) => Err(GeomError::NoFit),
+            FactoredEquations::WithEnds(..) => self.with_tangents(values, [DVec4::ZERO; 2]),
+            FactoredEquations::Ring(cyclic, ring) => {
                 let mut unknowns = values.to_vec();
                 cyclic.solve(&mut unknowns);
                 let reach = self.knots.degree() / 2;
@@ -56,7 +56,9 @@ impl Interpolator {
         tangents: [DVec4; 2],
     ) -> Result<Vec<DVec4>, GeomError> {
         self.check_count("points", values.len())?;
-        let Equations::WithEnds(band, rows) = &self.equations else { return Err(GeomError::NoFit) };
+        let FactoredEquations::WithEnds(band, rows) = &self.equations else {
+            return Err(GeomError::NoFit);
+        };
         let last = values.len() - 1;
         let from_end = |k: usize| values[last - k.min(last)];
         let start = rows[0].value(|k| values[k.min(last)], tangents[0]);
@@ -81,7 +83,7 @@ impl Interpolator {
     ) -> Result<Vec<DVec4>, GeomError> {
         self.check_count("points", values.len())?;
         self.check_count("derivatives", derivatives.len())?;
-        let Equations::WithDerivatives(band) = &self.equations else {
+        let FactoredEquations::WithDerivatives(band) = &self.equations else {
             return Err(GeomError::NoFit);
         };
         let both = |(&value, &derivative): (&DVec4, &DVec4)| [value, derivative];

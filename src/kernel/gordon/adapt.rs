@@ -1,9 +1,9 @@
 //! The curves of one direction of a network on common parameters.
 
 use super::{
-    family::{Family, Member},
-    map::Map,
-    refit::{Wanted, refitted},
+    family::{CurveFamily, NetworkCurve},
+    map::NetworkParameterMap,
+    refit::{RefitRequest, refitted},
 };
 use crate::{GeomError, Interval, KnotVector, NurbsCurve, curve::on_one_denominator};
 
@@ -14,12 +14,12 @@ const DEGREE: usize = 3;
 /// that was given first: those given; else the means of the fractions at which its curves do, or,
 /// where not all do there but the first and the last do at one set of parameters, at these,
 /// as they are boundaries. A ring has one more, its end.
-pub(super) fn common(family: &Family, given: Option<&[f64]>, tolerance: f64) -> Vec<f64> {
+pub(super) fn common(family: &CurveFamily, given: Option<&[f64]>, tolerance: f64) -> Vec<f64> {
     let members = &family.members;
     let first = members.iter().min_by_key(|member| member.changes.index).unwrap_or(&members[0]);
     let domain = first.curve.domain();
     let n = first.at.len();
-    let mean = |members: &[Member]| {
+    let mean = |members: &[NetworkCurve]| {
         let mean = |j: usize| {
             let sum: f64 = members.iter().map(|m| m.curve.domain().fraction_of(m.at[j])).sum();
             domain.at(sum / members.len() as f64)
@@ -44,10 +44,10 @@ pub(super) fn common(family: &Family, given: Option<&[f64]>, tolerance: f64) -> 
     let of_all = mean(members);
     let (start, end) = (&members[0], &members[members.len() - 1]);
     let of_ends = mean(&[start.clone(), end.clone()]);
-    let are_there = |at: &[f64], members: &[&Member]| {
+    let are_there = |at: &[f64], members: &[&NetworkCurve]| {
         members.iter().all(|member| member.is_there(domain, at, tolerance))
     };
-    let all: Vec<&Member> = members.iter().collect();
+    let all: Vec<&NetworkCurve> = members.iter().collect();
     if !are_there(&of_all, &all) && are_there(&of_ends, &[start, end]) { of_ends } else { of_all }
 }
 
@@ -58,7 +58,7 @@ pub(super) fn common(family: &Family, given: Option<&[f64]>, tolerance: f64) -> 
 /// # Errors
 /// [`GeomError::ToleranceNotKept`].
 pub(super) fn adapt(
-    family: &mut Family,
+    family: &mut CurveFamily,
     at: &[f64],
     blend: &KnotVector,
     [near, tolerance]: [f64; 2],
@@ -81,10 +81,12 @@ pub(super) fn adapt(
         }
         let is_there = member.is_there(domain, at, near);
         let map = match is_there {
-            true => {
-                Map::new(&[domain.start(), domain.end()], &[own[0], own[own.len() - 1]], false)?
-            }
-            false => Map::new(at, &own, is_ring)?,
+            true => NetworkParameterMap::new(
+                &[domain.start(), domain.end()],
+                &[own[0], own[own.len() - 1]],
+                false,
+            )?,
+            false => NetworkParameterMap::new(at, &own, is_ring)?,
         };
         let (curve, own_rough) = map.applied(&member.curve.without_needless_knots())?;
         rough.extend(own_rough);
@@ -103,7 +105,7 @@ pub(super) fn adapt(
         held.extend(knots.distinct().into_iter().map(|(t, times)| (t, times + more)));
     }
     let (indices, curves): (Vec<usize>, Vec<NurbsCurve>) = waiting.into_iter().unzip();
-    let wanted = Wanted { degree, at: at.to_vec(), held, is_ring };
+    let wanted = RefitRequest { degree, at: at.to_vec(), held, is_ring };
     let (fits, bounds) = refitted(&curves, &wanted, tolerance)?;
     for ((k, fit), bound) in indices.into_iter().zip(fits).zip(bounds) {
         let member = &mut family.members[k];
@@ -115,7 +117,7 @@ pub(super) fn adapt(
 
 /// The curves that may stay as they are: those that meet the others at `at`; of rational ones only
 /// if they have one denominator, as over many the degree would be too high.
-fn staying(family: &Family, domain: Interval, at: &[f64], tolerance: f64) -> Vec<usize> {
+fn staying(family: &CurveFamily, domain: Interval, at: &[f64], tolerance: f64) -> Vec<usize> {
     let members = &family.members;
     let is_there = |&k: &usize| members[k].is_there(domain, at, tolerance);
     let mut staying: Vec<usize> = (0..members.len()).filter(is_there).collect();

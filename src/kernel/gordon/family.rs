@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::{
     N_PLACES,
-    network::{Meet, NetworkError},
+    network::{NetworkCrossing, NetworkError},
 };
 use crate::{
     GeomError, Interval, NurbsCurve,
@@ -16,7 +16,7 @@ const NEAR: f64 = 1.0 / 16.0;
 
 /// What was done to one curve of a network.
 #[derive(Clone, Debug)]
-pub struct Changes {
+pub struct CurveAdjustment {
     /// Its index among those given.
     pub index: usize,
     /// Whether it runs the other way now.
@@ -37,17 +37,17 @@ pub struct Changes {
 
 /// A curve of a network.
 #[derive(Clone, Debug)]
-pub(super) struct Member {
+pub(super) struct NetworkCurve {
     pub(super) curve: NurbsCurve,
     /// Where it meets the others, in their order; a ring's first one is its start.
     pub(super) at: Vec<f64>,
-    pub(super) changes: Changes,
+    pub(super) changes: CurveAdjustment,
 }
 
 /// The curves of one direction.
 #[derive(Clone, Debug)]
-pub(super) struct Family {
-    pub(super) members: Vec<Member>,
+pub(super) struct CurveFamily {
+    pub(super) members: Vec<NetworkCurve>,
     /// Whether all of them close.
     pub(super) is_ring: bool,
 }
@@ -60,10 +60,10 @@ pub(super) struct Family {
 pub(super) fn in_order(
     us: &[NurbsCurve],
     vs: &[NurbsCurve],
-    found: &[Vec<Meet>],
+    found: &[Vec<NetworkCrossing>],
     is_given: [bool; 2],
     tolerance: f64,
-) -> Result<[Family; 2], NetworkError> {
+) -> Result<[CurveFamily; 2], NetworkError> {
     let order = |n: usize, is_kept: bool, place: &dyn Fn(usize) -> f64| {
         let mut order: Vec<usize> = (0..n).collect();
         if !is_kept {
@@ -78,14 +78,14 @@ pub(super) fn in_order(
             if is_u { (us, &order_u, &order_v) } else { (vs, &order_v, &order_u) };
         let is_kept = is_given[usize::from(!is_u)];
         let is_ring = curves.iter().all(|curve| curve.is_closed(tolerance));
-        let mut members: Vec<Member> = Vec::new();
+        let mut members: Vec<NetworkCurve> = Vec::new();
         for &index in own {
             let at = others
                 .iter()
                 .map(|&other| if is_u { found[index][other].t } else { found[other][index].s });
             let (curve, at) = (curves[index].clone(), at.collect());
-            let mut member = Member::new(curve, at, index);
-            let towards = members.first().map(Member::direction);
+            let mut member = NetworkCurve::new(curve, at, index);
+            let towards = members.first().map(NetworkCurve::direction);
             if is_ring {
                 member.begin_at_first(towards, tolerance)?;
             } else if !is_kept {
@@ -99,12 +99,12 @@ pub(super) fn in_order(
             members.push(member);
         }
         // Of two families the first curve gives the direction, whatever the order is now.
-        Ok::<Family, NetworkError>(Family { members, is_ring })
+        Ok::<CurveFamily, NetworkError>(CurveFamily { members, is_ring })
     };
     Ok([family(true)?, family(false)?])
 }
 
-impl Family {
+impl CurveFamily {
     /// Fails where neighbours cross between their ends.
     ///
     /// # Errors
@@ -133,9 +133,9 @@ impl Family {
     }
 }
 
-impl Member {
+impl NetworkCurve {
     fn new(curve: NurbsCurve, at: Vec<f64>, index: usize) -> Self {
-        let changes = Changes {
+        let changes = CurveAdjustment {
             index,
             is_reversed: false,
             is_trimmed: false,
@@ -148,7 +148,7 @@ impl Member {
         Self { curve, at, changes }
     }
 
-    pub(super) fn changes(self) -> Changes {
+    pub(super) fn changes(self) -> CurveAdjustment {
         self.changes
     }
 

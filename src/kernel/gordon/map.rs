@@ -11,7 +11,7 @@ use crate::{
 
 /// A change of parameter: polynomials by their Bernstein coefficients between breaks.
 #[derive(Clone, Debug)]
-pub(crate) struct Map {
+pub(crate) struct NetworkParameterMap {
     breaks: Vec<f64>,
     pieces: Vec<Vec<f64>>,
 }
@@ -19,7 +19,7 @@ pub(crate) struct Map {
 /// The derivative of a spline map may not fall below this part of its least mean slope.
 const LEAST_SLOPE: f64 = 0.25;
 
-impl Map {
+impl NetworkParameterMap {
     /// A map that takes each of `from` to the one of `to`; both increase.
     ///
     /// The cubic spline where its derivative stays clear of zero. Else a quintic whose derivative

@@ -10,19 +10,19 @@ mod map;
 mod network;
 mod refit;
 
-pub use family::Changes;
+pub use family::CurveAdjustment;
 pub use network::NetworkError;
 
-pub(crate) use map::Map;
-pub(crate) use refit::{Wanted, refitted};
+pub(crate) use map::NetworkParameterMap;
+pub(crate) use refit::{RefitRequest, refitted};
 
-use family::Member;
+use family::NetworkCurve;
 use glam::{DVec3, DVec4};
-use network::{Meet, apart, check_alike, chosen, meets};
+use network::{NetworkCrossing, apart, check_alike, chosen, meets};
 
 use super::{
     Ends, GeomError, Grid, Interpolator, KnotVector, NurbsCurve, NurbsSurface,
-    frame::angle_between, surface::Strands,
+    frame::angle_between, surface::BooleanSumTerm,
 };
 
 /// What a network is made of, and how.
@@ -46,7 +46,7 @@ pub struct Gordon {
     /// The u of each v-curve and the v of each u-curve, in the order of the surface.
     pub at: [Vec<f64>; 2],
     /// What was done to the curves along u and along v, in the order of the surface.
-    pub changes: [Vec<Changes>; 2],
+    pub changes: [Vec<CurveAdjustment>; 2],
     /// The widest gap of two curves where they meet, and the indices of these.
     pub gap: (f64, [usize; 2]),
     /// The largest angle between both sides of the seam, along u and along v, where they close.
@@ -94,8 +94,8 @@ pub fn gordon(network: Network<'_>) -> Result<Gordon, NetworkError> {
     let at = [0, 1].map(|f| adapt::common(&families[f], network.at[f], tolerance));
     let nodes = nodes(&families);
     let blends = [
-        Blend::new(&at[0], families[0].is_ring, network.is_lagrange)?,
-        Blend::new(&at[1], families[1].is_ring, network.is_lagrange)?,
+        BlendingSplines::new(&at[0], families[0].is_ring, network.is_lagrange)?,
+        BlendingSplines::new(&at[1], families[1].is_ring, network.is_lagrange)?,
     ];
     // Half a gap remains, and a little more between the curves.
     let mut share = (tolerance - GAP_SHARE * gap.0).max(LEAST_SHARE * tolerance);
@@ -114,14 +114,14 @@ pub fn gordon(network: Network<'_>) -> Result<Gordon, NetworkError> {
             }
         }
         let members = || families.iter().flat_map(|family| &family.members);
-        found = members().map(Member::deviation).fold(0.0, f64::max);
+        found = members().map(NetworkCurve::deviation).fold(0.0, f64::max);
         if found <= tolerance {
             let seams = [0, 1].map(|f| families[f].is_ring.then(|| seam_angle(&surface, f == 0)));
-            let changes =
-                families.map(|family| family.members.into_iter().map(Member::changes).collect());
+            let changes = families
+                .map(|family| family.members.into_iter().map(NetworkCurve::changes).collect());
             return Ok(Gordon { surface, at, changes, gap, seams });
         }
-        if !members().any(Member::is_refitted) {
+        if !members().any(NetworkCurve::is_refitted) {
             break;
         }
         share *= LEAST_SHARE;
@@ -130,30 +130,30 @@ pub fn gordon(network: Network<'_>) -> Result<Gordon, NetworkError> {
 }
 
 /// The meetings of all pairs, and the widest gap.
-type Meetings = (Vec<Vec<Meet>>, (f64, [usize; 2]));
+type NetworkCrossings = (Vec<Vec<NetworkCrossing>>, (f64, [usize; 2]));
 
 fn meetings(
     network: &Network<'_>,
     us: &[NurbsCurve],
     vs: &[NurbsCurve],
-) -> Result<Meetings, NetworkError> {
+) -> Result<NetworkCrossings, NetworkError> {
     let tolerance = network.tolerance;
     let all = match network.at {
         [Some(at_u), Some(at_v)] => {
-            let meet = |k: usize, l: usize| Meet { t: at_u[l], s: at_v[k] };
+            let meet = |k: usize, l: usize| NetworkCrossing { t: at_u[l], s: at_v[k] };
             (0..us.len()).map(|k| (0..vs.len()).map(|l| meet(k, l)).collect()).collect()
         }
         [Some(at_u), None] => {
             let meet = |c: &NurbsCurve, l: usize| {
                 let foot = vs[l].closest(c.point_at(at_u[l]), tolerance);
-                Meet { t: at_u[l], s: foot.parameter }
+                NetworkCrossing { t: at_u[l], s: foot.parameter }
             };
             us.iter().map(|c| (0..vs.len()).map(|l| meet(c, l)).collect()).collect()
         }
         [None, Some(at_v)] => {
             let meet = |k: usize, d: &NurbsCurve| {
                 let foot = us[k].closest(d.point_at(at_v[k]), tolerance);
-                Meet { t: foot.parameter, s: at_v[k] }
+                NetworkCrossing { t: foot.parameter, s: at_v[k] }
             };
             (0..us.len()).map(|k| vs.iter().map(|d| meet(k, d)).collect()).collect()
         }
@@ -162,7 +162,7 @@ fn meetings(
     let mut widest = (0.0_f64, [0, 0]);
     for (k, c) in us.iter().enumerate() {
         for (l, d) in vs.iter().enumerate() {
-            let Meet { t, s } = all[k][l];
+            let NetworkCrossing { t, s } = all[k][l];
             c.domain().clamp_inside(t)?;
             d.domain().clamp_inside(s)?;
             let (p, q) = (c.point_at(t), d.point_at(s));
@@ -186,7 +186,7 @@ fn found(
     us: &[NurbsCurve],
     vs: &[NurbsCurve],
     tolerance: f64,
-) -> Result<Vec<Vec<Meet>>, NetworkError> {
+) -> Result<Vec<Vec<NetworkCrossing>>, NetworkError> {
     let rings = [us, vs].map(|curves| curves.iter().all(|c| c.is_closed(tolerance)));
     let mut all = Vec::with_capacity(us.len());
     let mut missing: Vec<[usize; 2]> = Vec::new();
@@ -214,7 +214,7 @@ fn found(
 }
 
 /// The places where the curves meet, by u-curve and v-curve.
-fn nodes(families: &[family::Family; 2]) -> Vec<Vec<DVec3>> {
+fn nodes(families: &[family::CurveFamily; 2]) -> Vec<Vec<DVec3>> {
     let [us, vs] = [&families[0].members, &families[1].members];
     let node = |k: usize, l: usize| {
         let (c, d) = (&us[k], &vs[l]);
@@ -224,14 +224,14 @@ fn nodes(families: &[family::Family; 2]) -> Vec<Vec<DVec3>> {
 }
 
 /// Splines through values at places of one direction.
-struct Blend {
+struct BlendingSplines {
     fit: Interpolator,
     n_places: usize,
     /// Whether there is a value halfway between the two that close, and one behind them.
     is_doubled: bool,
 }
 
-impl Blend {
+impl BlendingSplines {
     /// `at` has one parameter more than there are values where the direction closes.
     fn new(at: &[f64], is_ring: bool, is_lagrange: bool) -> Result<Self, GeomError> {
         let n_places = at.len() - usize::from(is_ring);
@@ -271,12 +271,12 @@ impl Blend {
 
 /// L1 + L2 − T.
 fn added(
-    [us, vs]: &[family::Family; 2],
+    [us, vs]: &[family::CurveFamily; 2],
     nodes: &[Vec<DVec3>],
-    [along_u, along_v]: &[Blend; 2],
+    [along_u, along_v]: &[BlendingSplines; 2],
 ) -> Result<NurbsSurface, GeomError> {
-    let strands = |family: &family::Family, blend: &Blend| {
-        Ok::<_, GeomError>(Strands {
+    let strands = |family: &family::CurveFamily, blend: &BlendingSplines| {
+        Ok::<_, GeomError>(BooleanSumTerm {
             curves: family.members.iter().map(|member| member.curve.clone()).collect(),
             blends: blend.functions()?,
         })

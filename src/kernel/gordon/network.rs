@@ -81,7 +81,7 @@ impl From<GeomError> for NetworkError {
 
 /// A place where two curves meet.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Meet {
+pub(super) struct NetworkCrossing {
     /// Parameter of the u-curve.
     pub(super) t: f64,
     /// Parameter of the v-curve.
@@ -103,16 +103,16 @@ pub(super) fn meets(
     d: &NurbsCurve,
     tolerance: f64,
     pair: [usize; 2],
-) -> Result<Vec<Meet>, NetworkError> {
+) -> Result<Vec<NetworkCrossing>, NetworkError> {
     let ends = |curve: &NurbsCurve| [curve.domain().start(), curve.domain().end()];
-    let mut found: Vec<Meet> = Vec::new();
+    let mut found: Vec<NetworkCrossing> = Vec::new();
     let near = |curve: &NurbsCurve, a: f64, b: f64| {
         let same = PLACE_RELATIVE * curve.domain().length();
         (a - b).abs() <= same
             || curve.point_at(a).distance(curve.point_at(b)) <= 4.0 * tolerance
                 && (a - b).abs() <= 0.01 * curve.domain().length()
     };
-    let add = |found: &mut Vec<Meet>, meet: Meet| {
+    let add = |found: &mut Vec<NetworkCrossing>, meet: NetworkCrossing| {
         let is_told =
             found.iter().any(|other| near(c, other.t, meet.t) && near(d, other.s, meet.s));
         if !is_told {
@@ -123,26 +123,26 @@ pub(super) fn meets(
     for t in ends(c) {
         for s in ends(d) {
             if c.point_at(t).distance(d.point_at(s)) <= tolerance {
-                add(&mut found, Meet { t, s });
+                add(&mut found, NetworkCrossing { t, s });
             }
         }
     }
     for t in ends(c) {
         let foot = d.closest(c.point_at(t), tolerance);
         if foot.distance <= tolerance {
-            add(&mut found, Meet { t, s: foot.parameter });
+            add(&mut found, NetworkCrossing { t, s: foot.parameter });
         }
     }
     for s in ends(d) {
         let foot = c.closest(d.point_at(s), tolerance);
         if foot.distance <= tolerance {
-            add(&mut found, Meet { t: foot.parameter, s });
+            add(&mut found, NetworkCrossing { t: foot.parameter, s });
         }
     }
     match c.intersections(d, tolerance) {
         Ok(inside) => {
             for meeting in inside {
-                add(&mut found, Meet { t: meeting.first, s: meeting.second });
+                add(&mut found, NetworkCrossing { t: meeting.first, s: meeting.second });
             }
         }
         Err(GeomError::RunTogether { start, end }) => {
@@ -225,10 +225,10 @@ fn nearest(c: &NurbsCurve, d: &NurbsCurve, tolerance: f64) -> ([f64; 2], DVec3, 
 /// # Errors
 /// [`NetworkError::Ambiguous`].
 pub(super) fn chosen(
-    all: &[Vec<Vec<Meet>>],
+    all: &[Vec<Vec<NetworkCrossing>>],
     us: &[NurbsCurve],
     vs: &[NurbsCurve],
-) -> Result<Vec<Vec<Meet>>, NetworkError> {
+) -> Result<Vec<Vec<NetworkCrossing>>, NetworkError> {
     let fraction = |curve: &NurbsCurve, t: f64| curve.domain().fraction_of(t);
     let mean = |values: Vec<f64>| match values.len() {
         0 => None,
@@ -243,19 +243,21 @@ pub(super) fn chosen(
             pair: [k, l],
             at: own.iter().map(|m| ([m.t, m.s], us[k].point_at(m.t))).collect(),
         };
-        let clear = |meets: &Vec<Meet>| if let [only] = meets[..] { Some(only) } else { None };
+        let clear =
+            |meets: &Vec<NetworkCrossing>| if let [only] = meets[..] { Some(only) } else { None };
         let column = (0..us.len()).filter_map(|i| clear(&all[i][l]).map(|m| fraction(&us[i], m.t)));
         let row = (0..vs.len()).filter_map(|j| clear(&all[k][j]).map(|m| fraction(&vs[j], m.s)));
         let (t, s) = (mean(column.collect()), mean(row.collect()));
         if t.is_none() && s.is_none() {
             return Err(ambiguous());
         }
-        let miss = |meet: &Meet| {
+        let miss = |meet: &NetworkCrossing| {
             let by =
                 |wanted: Option<f64>, got: f64| wanted.map_or(0.0, |wanted| (wanted - got).abs());
             by(t, fraction(&us[k], meet.t)) + by(s, fraction(&vs[l], meet.s))
         };
-        let mut sorted: Vec<(f64, Meet)> = own.iter().map(|meet| (miss(meet), *meet)).collect();
+        let mut sorted: Vec<(f64, NetworkCrossing)> =
+            own.iter().map(|meet| (miss(meet), *meet)).collect();
         sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
         match sorted[..] {
             [(best, meet), (second, _), ..] if 2.0 * best < second => Ok(meet),

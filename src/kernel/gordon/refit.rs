@@ -3,7 +3,7 @@
 use glam::DVec4;
 
 use crate::{
-    Approximator, GeomError, Interval, KnotVector, NurbsCurve, Side, fit::Condition,
+    Approximator, GeomError, Interval, KnotVector, NurbsCurve, Side, fit::FitCondition,
     tolerance::KNOT_CLUSTER_RELATIVE,
 };
 
@@ -35,7 +35,7 @@ const LEAST_DENSITY: f64 = 0.05;
 
 /// What splines in place of curves are to be like.
 #[derive(Clone, Debug)]
-pub(crate) struct Wanted {
+pub(crate) struct RefitRequest {
     /// Their degree.
     pub(crate) degree: usize,
     /// Parameters where they have the curves' points.
@@ -56,10 +56,10 @@ pub(crate) struct Wanted {
 /// [`GeomError::ToleranceNotKept`] where 4096 control points do not suffice.
 pub(crate) fn refitted(
     curves: &[NurbsCurve],
-    wanted: &Wanted,
+    wanted: &RefitRequest,
     tolerance: f64,
 ) -> Result<(Vec<NurbsCurve>, Vec<f64>), GeomError> {
-    let search = Search::new(curves, wanted);
+    let search = KnotSearch::new(curves, wanted);
     let mut allowed = SAFETY * tolerance;
     let mut best = search.economical(allowed, tolerance)?;
     let mut found = best.worst();
@@ -77,7 +77,7 @@ pub(crate) fn refitted(
     Err(GeomError::ToleranceNotKept { tolerance, found })
 }
 
-struct Search<'a> {
+struct KnotSearch<'a> {
     curves: &'a [NurbsCurve],
     degree: usize,
     domain: Interval,
@@ -87,7 +87,7 @@ struct Search<'a> {
 }
 
 /// Splines over some knots.
-struct Trial {
+struct TrialSplines {
     knots: KnotVector,
     /// Knots beyond those that are held.
     free: Vec<f64>,
@@ -96,7 +96,7 @@ struct Trial {
     misses: Vec<f64>,
 }
 
-impl Trial {
+impl TrialSplines {
     fn worst(&self) -> f64 {
         self.misses.iter().copied().fold(0.0, f64::max)
     }
@@ -110,8 +110,8 @@ impl Trial {
     }
 }
 
-impl<'a> Search<'a> {
-    fn new(curves: &'a [NurbsCurve], wanted: &Wanted) -> Self {
+impl<'a> KnotSearch<'a> {
+    fn new(curves: &'a [NurbsCurve], wanted: &RefitRequest) -> Self {
         let domain = curves[0].domain();
         let same = KNOT_CLUSTER_RELATIVE * domain.length();
         let inside = |t: f64| domain.start() + same < t && t < domain.end() - same;
@@ -142,18 +142,18 @@ impl<'a> Search<'a> {
     }
 
     /// Places of each span, those to be met, and derivatives at the ends; in order.
-    fn conditions(&self, breaks: &[f64]) -> (Vec<Condition>, Vec<Option<usize>>) {
+    fn conditions(&self, breaks: &[f64]) -> (Vec<FitCondition>, Vec<Option<usize>>) {
         let n = self.degree + MORE_PLACES;
         let place = |i: usize| {
             let angle = std::f64::consts::PI * (i as f64 + 0.5) / n as f64;
             0.5 - 0.5 * libm::cos(angle)
         };
         let places: Vec<f64> = (0..n).map(place).collect();
-        let mut all: Vec<(Condition, Option<usize>)> = Vec::new();
+        let mut all: Vec<(FitCondition, Option<usize>)> = Vec::new();
         let at_end = |t: f64, width: f64| {
             (1..=1 + usize::from(self.is_ring)).map(move |order| {
                 let weight = HEAVY * if order == 1 { width } else { width * width };
-                (Condition { t, order, weight }, None)
+                (FitCondition { t, order, weight }, None)
             })
         };
         let last = breaks.len() - 1;
@@ -161,16 +161,18 @@ impl<'a> Search<'a> {
         for (span, ends) in breaks.windows(2).enumerate() {
             let at = |x: &f64| ends[0] + (ends[1] - ends[0]) * x;
             all.extend(
-                places.iter().map(|x| (Condition { t: at(x), order: 0, weight: 1.0 }, Some(span))),
+                places
+                    .iter()
+                    .map(|x| (FitCondition { t: at(x), order: 0, weight: 1.0 }, Some(span))),
             );
         }
         all.extend(at_end(breaks[last], breaks[last] - breaks[last - 1]));
-        all.extend(self.at.iter().map(|&t| (Condition { t, order: 0, weight: HEAVY }, None)));
+        all.extend(self.at.iter().map(|&t| (FitCondition { t, order: 0, weight: HEAVY }, None)));
         all.sort_by(|a, b| a.0.t.total_cmp(&b.0.t));
         all.into_iter().unzip()
     }
 
-    fn trial(&self, free: Vec<f64>) -> Result<Trial, GeomError> {
+    fn trial(&self, free: Vec<f64>) -> Result<TrialSplines, GeomError> {
         let knots = self.knots(&free)?;
         let breaks = knots.breaks();
         let (conditions, spans) = self.conditions(&breaks);
@@ -182,7 +184,7 @@ impl<'a> Search<'a> {
             let mut wanted = Vec::with_capacity(parameters.len());
             curve.evaluator().each_point(&parameters, |point| wanted.push(point.extend(1.0)));
             for (value, condition) in wanted.iter_mut().zip(&conditions) {
-                let &Condition { t, order, weight } = condition;
+                let &FitCondition { t, order, weight } = condition;
                 if 0 < order {
                     let is_start = t <= self.domain.start();
                     let side = if is_start { Side::Right } else { Side::Left };
@@ -200,7 +202,7 @@ impl<'a> Search<'a> {
             }
             points.push(own);
         }
-        Ok(Trial { knots, free, points, misses })
+        Ok(TrialSplines { knots, free, points, misses })
     }
 
     /// Gives the points next to the ends the derivatives of the curve there to the last digit, which
@@ -236,7 +238,12 @@ impl<'a> Search<'a> {
     }
 
     /// The trial with spans divided until none misses by more than is allowed.
-    fn grown(&self, first: Trial, allowed: f64, tolerance: f64) -> Result<Trial, GeomError> {
+    fn grown(
+        &self,
+        first: TrialSplines,
+        allowed: f64,
+        tolerance: f64,
+    ) -> Result<TrialSplines, GeomError> {
         let mut trial = first;
         for _ in 0..MAX_ROUNDS {
             let more = self.splits(&trial, allowed);
@@ -254,7 +261,7 @@ impl<'a> Search<'a> {
     }
 
     /// Knots that divide what misses, by how far it does.
-    fn splits(&self, trial: &Trial, allowed: f64) -> Vec<f64> {
+    fn splits(&self, trial: &TrialSplines, allowed: f64) -> Vec<f64> {
         let breaks = trial.knots.breaks();
         let order = (self.degree + 1) as f64;
         let split = |(ends, &miss): (&[f64], &f64)| {
@@ -267,7 +274,7 @@ impl<'a> Search<'a> {
     }
 
     /// The trial with the fewest knots that is found.
-    fn economical(&self, allowed: f64, tolerance: f64) -> Result<Trial, GeomError> {
+    fn economical(&self, allowed: f64, tolerance: f64) -> Result<TrialSplines, GeomError> {
         let mut best = self.grown(self.trial(Vec::new())?, allowed, tolerance)?;
         let (mut low, mut high) = (0, best.free.len());
         for _ in 0..MAX_TRIALS {
@@ -299,7 +306,7 @@ impl<'a> Search<'a> {
     /// Some `n` knots, denser where the next derivative would be large.
     ///
     /// De Boor, *A Practical Guide to Splines*, §XII (`NEWNOT`), between those that are held.
-    fn spread(&self, trial: &Trial, n: usize) -> Result<Vec<f64>, GeomError> {
+    fn spread(&self, trial: &TrialSplines, n: usize) -> Result<Vec<f64>, GeomError> {
         let breaks = trial.knots.breaks();
         let needs = self.needs(trial, &breaks)?;
         let shares: Vec<f64> =
@@ -330,7 +337,7 @@ impl<'a> Search<'a> {
 
     /// For each span the root of order p + 1 of the derivative of that order, from the jumps of
     /// the one below.
-    fn needs(&self, trial: &Trial, breaks: &[f64]) -> Result<Vec<f64>, GeomError> {
+    fn needs(&self, trial: &TrialSplines, breaks: &[f64]) -> Result<Vec<f64>, GeomError> {
         let (p, n) = (self.degree, breaks.len() - 1);
         let mut slopes = vec![0.0_f64; n - 1];
         for curve in trial.curves()? {

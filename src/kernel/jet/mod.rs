@@ -16,19 +16,19 @@ use super::{GeomError, Grid};
 /// needs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Jet {
-    shape: Shape,
+    shape: JetShape,
     /// By total degree, within a degree by the power of the second variable.
     coefficients: Vec<f64>,
 }
 
 /// Of how many variables, and to which order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Shape {
+struct JetShape {
     order: usize,
     has_second: bool,
 }
 
-impl Shape {
+impl JetShape {
     fn n_coefficients(self) -> usize {
         if self.has_second { (self.order + 1) * (self.order + 2) / 2 } else { self.order + 1 }
     }
@@ -52,17 +52,17 @@ impl Jet {
     /// The variable itself at a place, to an order.
     #[must_use]
     pub fn variable(value: f64, order: usize) -> Self {
-        Self::constant(value, Shape { order, has_second: false }).with_slope(1)
+        Self::constant(value, JetShape { order, has_second: false }).with_slope(1)
     }
 
     /// Both variables at a place, to a total order.
     #[must_use]
     pub fn variables(u: f64, v: f64, order: usize) -> [Self; 2] {
-        let shape = Shape { order, has_second: true };
+        let shape = JetShape { order, has_second: true };
         [Self::constant(u, shape).with_slope(1), Self::constant(v, shape).with_slope(2)]
     }
 
-    fn constant(value: f64, shape: Shape) -> Self {
+    fn constant(value: f64, shape: JetShape) -> Self {
         let mut coefficients = vec![0.0; shape.n_coefficients()];
         coefficients[0] = value;
         Self { shape, coefficients }

@@ -16,24 +16,24 @@ impl KnotVector {
     pub(crate) fn with(&self, more: &[f64]) -> Self {
         let mut knots = [&self.knots, more].concat();
         knots.sort_by(f64::total_cmp);
-        Self::trusted(self.degree, knots)
+        Self::new_unchecked(self.degree, knots)
     }
 
     /// One knot less: the last of those at `t`, which is one of them.
     pub(crate) fn without(&self, t: f64) -> Self {
         let mut knots = self.knots.clone();
         knots.remove(knots.partition_point(|&knot| knot <= t) - 1);
-        Self::trusted(self.degree, knots)
+        Self::new_unchecked(self.degree, knots)
     }
 
     /// Every knot replaced by `f(knot)`, which must not decrease.
     pub(crate) fn map(&self, f: impl Fn(f64) -> f64) -> Self {
-        Self::trusted(self.degree, self.knots.iter().map(|&knot| f(knot)).collect())
+        Self::new_unchecked(self.degree, self.knots.iter().map(|&knot| f(knot)).collect())
     }
 
     /// Some of the knots, and others at either end, as a vector of the same degree.
     pub(crate) fn part(&self, parts: [&[f64]; 3]) -> Self {
-        Self::trusted(self.degree, parts.concat())
+        Self::new_unchecked(self.degree, parts.concat())
     }
 
     /// The same knots over another domain.
@@ -63,12 +63,12 @@ impl KnotVector {
             }
         };
         let knots = self.knots.iter().rev().map(|&t| mirror(t)).collect();
-        Self::trusted(self.degree, knots)
+        Self::new_unchecked(self.degree, knots)
     }
 
     /// The opposite numbers in order: exactly its own inverse.
     pub(crate) fn mirrored(&self) -> Self {
-        Self::trusted(self.degree, self.knots.iter().rev().map(|&t| -t).collect())
+        Self::new_unchecked(self.degree, self.knots.iter().rev().map(|&t| -t).collect())
     }
 
     /// Knots for nearby splines of one degree less: of clamped ones every knot once less, but no
@@ -78,7 +78,7 @@ impl KnotVector {
         let is_inner = |t: f64| domain.start() < t && t < domain.end();
         let less = |(t, times): (f64, usize)| vec![t; (times - 1).max(usize::from(is_inner(t)))];
         let knots = self.distinct().into_iter().flat_map(less).collect();
-        Self::trusted(self.degree - 1, knots)
+        Self::new_unchecked(self.degree - 1, knots)
     }
 
     /// Knots for the same splines at one degree more: every knot once more, the domain kept.
@@ -95,6 +95,6 @@ impl KnotVector {
         // Beyond the domain only as many as the degree needs.
         let first = knots.partition_point(|&knot| knot <= domain.start()) - 1 - degree;
         let last = knots.partition_point(|&knot| knot < domain.end()) + degree;
-        Ok(Self::trusted(degree, knots[first..=last].to_vec()))
+        Ok(Self::new_unchecked(degree, knots[first..=last].to_vec()))
     }
 }

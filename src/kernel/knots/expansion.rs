@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use super::{KnotVector, Lookup, Place};
+use super::{KnotVector, LocalParameter, SpanLookup};
 use crate::bernstein::binomials;
 
 /// The highest degree that is evaluated in powers: over half a span, rounding is at most 2ᵖ that
@@ -63,15 +63,15 @@ where
 /// The functions of a basis expanded in powers, for degrees up to [`POWER_DEGREE`].
 #[derive(Debug)]
 pub(crate) struct BasisExpansion {
-    pub(crate) lookup: Lookup,
+    pub(crate) lookup: SpanLookup,
     /// The first function that acts on each half of a span.
     firsts: Vec<usize>,
     /// For each half of a span the coefficients of s⁰, s¹, …; each the p + 1 of the functions.
-    coefficients: Vec<Functions>,
+    coefficients: Vec<BasisValues>,
 }
 
 /// A value for each of the functions that act on a span; beyond p + 1 there are zeros.
-pub(crate) type Functions = [f64; POWER_DEGREE + 1];
+pub(crate) type BasisValues = [f64; POWER_DEGREE + 1];
 
 impl BasisExpansion {
     pub(crate) fn new(knots: &KnotVector) -> Self {
@@ -90,18 +90,18 @@ impl BasisExpansion {
             firsts.extend([span + 1 - n; 2]);
             coefficients.extend(halves);
         }
-        Self { lookup: Lookup::of_halves(knots), firsts, coefficients }
+        Self { lookup: SpanLookup::of_halves(knots), firsts, coefficients }
     }
 
     /// The first function that acts at a place.
     #[inline(always)]
-    pub(crate) fn first(&self, place: Place) -> usize {
+    pub(crate) fn first(&self, place: LocalParameter) -> usize {
         self.firsts[place.piece]
     }
 
     /// The values of the `n` functions, p + 1.
     #[inline(always)]
-    pub(crate) fn values(&self, place: Place, n: usize) -> Functions {
+    pub(crate) fn values(&self, place: LocalParameter, n: usize) -> BasisValues {
         let rows = &self.coefficients[place.piece * n..][..n];
         let mut values = rows[n - 1];
         for row in rows[..n - 1].iter().rev() {
@@ -114,7 +114,7 @@ impl BasisExpansion {
 
     /// The values of the `n` functions with their first and second derivatives, by s.
     #[inline(always)]
-    pub(crate) fn second_order(&self, place: Place, n: usize) -> [Functions; 3] {
+    pub(crate) fn second_order(&self, place: LocalParameter, n: usize) -> [BasisValues; 3] {
         let rows = &self.coefficients[place.piece * n..][..n];
         let mut values = rows[n - 1];
         let (mut slopes, mut bends) = ([0.0; POWER_DEGREE + 1], [0.0; POWER_DEGREE + 1]);

@@ -115,7 +115,7 @@ impl KnotVector {
             self.slopes_at(span, t, &mut values, &mut slopes);
             return (values, slopes);
         }
-        let around = Around { t, lefts, widths };
+        let around = NearbyKnots { t, lefts, widths };
         let mut values: [f64; N] = from_fn(|r| if r == 0 { 1.0 } else { 0.0 });
         if 2 < N {
             values = around.raised::<1>(values);
@@ -136,13 +136,13 @@ impl KnotVector {
 /// A parameter with the knots around it from p − 1 before its span, and the reciprocals of the
 /// widths from these knots on.
 #[derive(Clone, Copy)]
-struct Around<'a, const N: usize> {
+struct NearbyKnots<'a, const N: usize> {
     t: f64,
     lefts: &'a [f64; N],
     widths: &'a [[f64; UNROLLED_DEGREE]; N],
 }
 
-impl<const N: usize> Around<'_, N> {
+impl<const N: usize> NearbyKnots<'_, N> {
     /// Values of degree Q from those of degree Q − 1.
     ///
     /// Whole arrays follow one another, so that they stay in registers: written entry by entry

@@ -16,9 +16,9 @@ pub(crate) const BATCH: usize = 64;
 
 /// The pieces of a spline, each with the place that its parameters are counted from.
 #[derive(Clone, Debug)]
-pub(crate) struct Lookup {
-    pieces: Vec<Piece>,
-    parts: Vec<Part>,
+pub(crate) struct SpanLookup {
+    pieces: Vec<SpanRange>,
+    parts: Vec<DomainPart>,
     /// Start of the domain.
     start: f64,
     /// Parts over the length of the domain.
@@ -29,7 +29,7 @@ pub(crate) struct Lookup {
 
 /// The parameters of a piece.
 #[derive(Clone, Copy, Debug)]
-struct Piece {
+struct SpanRange {
     start: f64,
     /// Where its parameters are counted from.
     origin: f64,
@@ -39,7 +39,7 @@ struct Piece {
 
 /// One of the equal parts of the domain.
 #[derive(Clone, Copy, Debug)]
-struct Part {
+struct DomainPart {
     /// The piece at its start; where breaks crowd, a piece that there is none.
     first: usize,
     /// Where the next piece begins.
@@ -48,13 +48,13 @@ struct Part {
 
 /// A parameter within its piece.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Place {
+pub(crate) struct LocalParameter {
     pub(crate) piece: usize,
     /// From the origin of the piece, in widths of its span.
     pub(crate) s: f64,
 }
 
-impl Lookup {
+impl SpanLookup {
     /// The halves of the spans, each counted from the knot beside it: the left one 0 to 1/2, the
     /// right one −1/2 to 0. What is counted from a knot is exact at the knot.
     pub(crate) fn of_halves(knots: &KnotVector) -> Self {
@@ -62,13 +62,13 @@ impl Lookup {
             let interval = knots.span_interval(span);
             let per_width = 1.0 / interval.length();
             let [left, right] = interval.halves();
-            let half = |start: f64, origin: f64| Piece { start, origin, per_width };
+            let half = |start: f64, origin: f64| SpanRange { start, origin, per_width };
             [half(left.start(), left.start()), half(right.start(), right.end())]
         };
         Self::new(knots, knots.spans().flat_map(pieces).collect())
     }
 
-    fn new(knots: &KnotVector, pieces: Vec<Piece>) -> Self {
+    fn new(knots: &KnotVector, pieces: Vec<SpanRange>) -> Self {
         let (domain, n_parts) = (knots.domain(), PARTS_A_PIECE * pieces.len());
         let mut lookup = Self {
             pieces,
@@ -82,9 +82,9 @@ impl Lookup {
         for part in 0..=n_parts {
             let inside = breaks[first..].iter().take_while(|&&t| lookup.part_at(t) <= part).count();
             lookup.parts.push(match inside {
-                0 => Part { first, next: f64::INFINITY },
-                1 => Part { first, next: breaks[first] },
-                _ => Part { first: lookup.pieces.len(), next: f64::INFINITY },
+                0 => DomainPart { first, next: f64::INFINITY },
+                1 => DomainPart { first, next: breaks[first] },
+                _ => DomainPart { first: lookup.pieces.len(), next: f64::INFINITY },
             });
             first += inside;
         }
@@ -93,13 +93,13 @@ impl Lookup {
 
     /// Where a parameter lies; outside the domain in the first or the last piece.
     #[inline(always)]
-    pub(crate) fn place_at(&self, t: f64) -> Place {
+    pub(crate) fn place_at(&self, t: f64) -> LocalParameter {
         self.place_in(self.part_at(t), t)
     }
 
     /// The places of up to [`BATCH`] parameters.
     #[inline(always)]
-    pub(crate) fn places_at(&self, parameters: &[f64], places: &mut [Place; BATCH]) {
+    pub(crate) fn places_at(&self, parameters: &[f64], places: &mut [LocalParameter; BATCH]) {
         let mut parts = [0; BATCH];
         for (part, &t) in parts.iter_mut().zip(parameters) {
             *part = self.part_at(t);
@@ -116,11 +116,13 @@ impl Lookup {
     }
 
     #[inline(always)]
-    fn place_in(&self, part: usize, t: f64) -> Place {
-        let Part { first, next } = self.parts[part];
+    fn place_in(&self, part: usize, t: f64) -> LocalParameter {
+        let DomainPart { first, next } = self.parts[part];
         let piece = first + usize::from(next <= t);
         match self.pieces.get(piece) {
-            Some(&Piece { origin, per_width, .. }) => Place { piece, s: (t - origin) * per_width },
+            Some(&SpanRange { origin, per_width, .. }) => {
+                LocalParameter { piece, s: (t - origin) * per_width }
+            }
             None => self.searched(t),
         }
     }
@@ -128,10 +130,10 @@ impl Lookup {
     /// The place where breaks crowd.
     #[cold]
     #[inline(never)]
-    fn searched(&self, t: f64) -> Place {
+    fn searched(&self, t: f64) -> LocalParameter {
         let piece = self.pieces.partition_point(|piece| piece.start <= t).saturating_sub(1);
-        let Piece { origin, per_width, .. } = self.pieces[piece];
-        Place { piece, s: (t - origin) * per_width }
+        let SpanRange { origin, per_width, .. } = self.pieces[piece];
+        LocalParameter { piece, s: (t - origin) * per_width }
     }
 
     /// Which of the equal parts of the domain holds `t`; beyond the ends the first or the last.

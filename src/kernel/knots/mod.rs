@@ -15,7 +15,7 @@ pub use class::KnotClass;
 pub(crate) use expansion::{BasisExpansion, POWER_DEGREE, convert_to_bezier, in_powers};
 use fast::Reciprocals;
 pub(crate) use fast::acting;
-pub(crate) use lookup::{BATCH, Lookup, Place};
+pub(crate) use lookup::{BATCH, LocalParameter, SpanLookup};
 
 use std::ops::RangeInclusive;
 
@@ -90,7 +90,7 @@ impl KnotVector {
             }
         }
         check_multiplicities(degree, &knots)?;
-        Ok(Self::trusted(degree, knots))
+        Ok(Self::new_unchecked(degree, knots))
     }
 
     /// The given knots for a number of control points.
@@ -126,7 +126,7 @@ impl KnotVector {
         let mut knots = vec![0.0; degree];
         knots.extend(domain.steps(n_spans));
         knots.extend(vec![end; degree]);
-        Ok(Self::trusted(degree, knots))
+        Ok(Self::new_unchecked(degree, knots))
     }
 
     /// The whole numbers from −p, not clamped: domain `0..(n_points - p)`, one unit a span.
@@ -136,11 +136,11 @@ impl KnotVector {
     pub fn uniform(degree: usize, n_points: usize) -> Result<Self, GeomError> {
         check_points(degree, n_points)?;
         let knots = (0..=n_points + degree).map(|i| i as f64 - degree as f64).collect();
-        Ok(Self::trusted(degree, knots))
+        Ok(Self::new_unchecked(degree, knots))
     }
 
     /// Knots that keep the invariants by construction.
-    fn trusted(degree: usize, knots: Vec<f64>) -> Self {
+    fn new_unchecked(degree: usize, knots: Vec<f64>) -> Self {
         let reciprocals = Reciprocals::new(degree, &knots);
         Self { degree, knots, reciprocals }
     }

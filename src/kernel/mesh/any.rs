@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 use super::{
-    Mesh, MeshLimits, grid::check_counts, grid::mesh_of, tessellate_all, tessellate_curve,
+    Mesh, TessellationOptions, grid::check_counts, grid::mesh_of, tessellate_all, tessellate_curve,
 };
 use crate::{Curve, GeomError, Surface};
 
@@ -16,7 +16,7 @@ use crate::{Curve, GeomError, Surface};
 /// As [`tessellate_all`].
 pub fn tessellate_any(
     surface: &Surface,
-    limits: &MeshLimits,
+    limits: &TessellationOptions,
     max_vertices: usize,
 ) -> Result<Mesh, GeomError> {
     let meshes = tessellate_all(std::slice::from_ref(surface), limits, max_vertices)?;

@@ -20,17 +20,17 @@ const MAX_QUARTERINGS: usize = 12;
 
 /// The pieces of a surface with what bounds its derivatives there.
 #[derive(Debug)]
-pub(super) struct Bends {
+pub(super) struct DerivativeBounds {
     /// Where the pieces along u and along v begin and end.
     pub(super) ends: [Vec<f64>; 2],
-    pub(super) pieces: Grid<Bend>,
+    pub(super) pieces: Grid<PieceBounds>,
     /// The normal of the plane that it is.
     pub(super) plane: Option<DVec3>,
 }
 
 /// Bounds over one piece, of derivatives by the parameters.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Bend {
+pub(super) struct PieceBounds {
     /// Of the lengths of Suu, Suv and Svv.
     pub(super) second: [f64; 3],
     /// Least and most of what they are along the normal in the middle.
@@ -47,7 +47,7 @@ pub(super) struct Bend {
     pub(super) middle: [DVec3; 5],
 }
 
-impl Bends {
+impl DerivativeBounds {
     /// Those of about as many pieces along u and along v as wanted.
     pub(super) fn of(surface: &NurbsSurface, wanted: [usize; 2]) -> Self {
         let mut refined = surface.clone();
@@ -99,7 +99,11 @@ fn missing_knots(knots: &KnotVector, wanted: usize) -> Vec<f64> {
 }
 
 /// The normal of the plane that the surface lies in without a fold; none of another surface.
-fn plane(surface: &NurbsSurface, pieces: &Grid<Bend>, ends: &[Vec<f64>; 2]) -> Option<DVec3> {
+fn plane(
+    surface: &NurbsSurface,
+    pieces: &Grid<PieceBounds>,
+    ends: &[Vec<f64>; 2],
+) -> Option<DVec3> {
     let mut sum = DVec3::ZERO;
     for (i, u) in ends[0].windows(2).enumerate() {
         for (j, v) in ends[1].windows(2).enumerate() {
@@ -113,7 +117,7 @@ fn plane(surface: &NurbsSurface, pieces: &Grid<Bend>, ends: &[Vec<f64>; 2]) -> O
     let offsets = || net.iter().map(|point| point.truncate() - center * point.w);
     let size = offsets().map(DVec3::length).fold(0.0, f64::max);
     let is_flat = offsets().all(|offset| normal.dot(offset).abs() <= EXACT_RELATIVE * size);
-    let faces = |bend: &Bend| 0.0 < normal.dot(bend.middle[0].cross(bend.middle[1]));
+    let faces = |bend: &PieceBounds| 0.0 < normal.dot(bend.middle[0].cross(bend.middle[1]));
     (is_flat && pieces.iter().all(faces)).then_some(normal)
 }
 
@@ -123,12 +127,12 @@ fn bend(
     net: &Grid<DVec4>,
     domains: [Interval; 2],
     n_quarterings: usize,
-) -> Bend {
+) -> PieceBounds {
     match net.iter().all(|point| 0.0 < point.w) {
         true => of_positive(surface, net, domains),
         false if n_quarterings < MAX_QUARTERINGS => {
             let (halves_u, halves_v) = (domains[0].halves(), domains[1].halves());
-            let mut all = Bend::default();
+            let mut all = PieceBounds::default();
             for (half, domain_u) in bezier::halves(net, true).iter().zip(halves_u) {
                 for (quarter, domain_v) in bezier::halves(half, false).iter().zip(halves_v) {
                     let domains = [domain_u, domain_v];
@@ -137,11 +141,11 @@ fn bend(
             }
             all
         }
-        false => Bend::UNBOUNDED,
+        false => PieceBounds::UNBOUNDED,
     }
 }
 
-impl Bend {
+impl PieceBounds {
     /// What is known of nothing.
     const UNBOUNDED: Self = Self {
         second: [f64::INFINITY; 3],
@@ -170,7 +174,7 @@ impl Bend {
 }
 
 /// The bounds over a piece with positive weights.
-fn of_positive(surface: &NurbsSurface, net: &Grid<DVec4>, domains: [Interval; 2]) -> Bend {
+fn of_positive(surface: &NurbsSurface, net: &Grid<DVec4>, domains: [Interval; 2]) -> PieceBounds {
     let [u, v] = domains.map(|domain| domain.at(0.5));
     let [a, b] = domains.map(Interval::length);
     let at_middle = surface.derivatives_at(u, v, 2);
@@ -193,5 +197,5 @@ fn of_positive(surface: &NurbsSurface, net: &Grid<DVec4>, domains: [Interval; 2]
     let (second, across) = (second.map(f64::sqrt), across.map(f64::sqrt));
     let spread = [0, 1].map(|i| 0.5 * (a * second[i] + b * second[i + 1]));
     let first = [0, 1].map(|i| middle[i].length() + spread[i]);
-    Bend { second, lift, across, normal, first, spread, middle }
+    PieceBounds { second, lift, across, normal, first, spread, middle }
 }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::Mesh;
-use crate::{Datum, Deviation, GeomError};
+use crate::{Deviation, DeviationReference, GeomError};
 
 /// Triangles in which the farthest place is searched: those with the farthest middles.
 const SEARCHED: usize = 16;
@@ -19,8 +19,11 @@ impl Mesh {
     /// that are quadratic over each triangle.
     ///
     /// # Errors
-    /// As [`Datum::distance`].
-    pub fn deviation_from(&self, datum: &Datum<'_>) -> Result<Option<Deviation>, GeomError> {
+    /// As [`DeviationReference::distance`].
+    pub fn deviation_from(
+        &self,
+        datum: &DeviationReference<'_>,
+    ) -> Result<Option<Deviation>, GeomError> {
         let distance = |place: DVec3| datum.distance(place);
         let distances = |places: &mut dyn Iterator<Item = DVec3>| {
             places.map(distance).collect::<Result<Vec<f64>, GeomError>>()

@@ -6,9 +6,9 @@
 use glam::DVec4;
 
 use super::{
-    edge::Edge,
-    seam::{Seam, Seams, Stretch},
-    sheet::{Cells, Sheet},
+    edge::PatchEdge,
+    seam::{EdgeStretch, SharedEdge, SharedEdges},
+    surface_patch::{Cells, SurfacePatch},
     tessellate::chord_deviation,
 };
 use crate::{
@@ -20,10 +20,10 @@ use crate::{
 const MAX_HALVINGS: usize = 52;
 
 /// A seam while it is divided.
-pub(super) struct Division<'a, 's> {
-    seams: &'a Seams,
-    seam: &'a Seam,
-    sheets: &'a [Sheet<'s>],
+pub(super) struct SeamDivision<'a, 's> {
+    seams: &'a SharedEdges,
+    seam: &'a SharedEdge,
+    sheets: &'a [SurfacePatch<'s>],
     cells: &'a [Cells],
     /// How far its polygon may be away.
     tolerance: f64,
@@ -33,17 +33,17 @@ pub(super) struct Division<'a, 's> {
 
 /// A place on a seam.
 #[derive(Clone, Debug)]
-pub(super) struct Stop {
+pub(super) struct SeamPlace {
     fraction: f64,
     /// The parameters there of its stretches.
     pub(super) parameters: Vec<f64>,
 }
 
-impl<'a, 's> Division<'a, 's> {
+impl<'a, 's> SeamDivision<'a, 's> {
     pub(super) fn new(
-        seams: &'a Seams,
-        seam: &'a Seam,
-        sheets: &'a [Sheet<'s>],
+        seams: &'a SharedEdges,
+        seam: &'a SharedEdge,
+        sheets: &'a [SurfacePatch<'s>],
         cells: &'a [Cells],
     ) -> Self {
         let edge = |stretch: usize| &seams.edges[seams.stretches[stretch].edge];
@@ -62,7 +62,7 @@ impl<'a, 's> Division<'a, 's> {
     }
 
     /// What it consists of: stretches, their edges, and whether they run against the first.
-    fn stretches(&self) -> impl Iterator<Item = (&'a Stretch, &'a Edge, bool)> + use<'a> {
+    fn stretches(&self) -> impl Iterator<Item = (&'a EdgeStretch, &'a PatchEdge, bool)> + use<'a> {
         let seams = self.seams;
         self.seam.stretches.iter().map(move |&(stretch, turns)| {
             let stretch = &seams.stretches[stretch];
@@ -70,18 +70,18 @@ impl<'a, 's> Division<'a, 's> {
         })
     }
 
-    fn stop(&self, fraction: f64) -> Stop {
-        let parameter = |(stretch, edge, turns): (&Stretch, &Edge, bool)| {
+    fn stop(&self, fraction: f64) -> SeamPlace {
+        let parameter = |(stretch, edge, turns): (&EdgeStretch, &PatchEdge, bool)| {
             stretch.parameter(edge, fraction, turns)
         };
-        Stop { fraction, parameters: self.stretches().map(parameter).collect() }
+        SeamPlace { fraction, parameters: self.stretches().map(parameter).collect() }
     }
 
     /// Where there are vertices.
     ///
     /// # Errors
     /// [`GeomError::TooManyVertices`].
-    pub(super) fn stops(&self, most: usize) -> Result<Vec<Stop>, GeomError> {
+    pub(super) fn stops(&self, most: usize) -> Result<Vec<SeamPlace>, GeomError> {
         let mut stops = vec![self.stop(0.0)];
         for section in self.forced().windows(2) {
             let (start, end) = (stops[stops.len() - 1].clone(), self.stop(section[1]));
@@ -99,7 +99,12 @@ impl<'a, 's> Division<'a, 's> {
     }
 
     /// The stops behind the start up to the end, by halving.
-    fn halved(&self, start: Stop, end: Stop, most: usize) -> Result<Vec<Stop>, GeomError> {
+    fn halved(
+        &self,
+        start: SeamPlace,
+        end: SeamPlace,
+        most: usize,
+    ) -> Result<Vec<SeamPlace>, GeomError> {
         let mut stops = Vec::new();
         let (mut low, mut todo) = (start, vec![(end, 0)]);
         while let Some((high, n_halvings)) = todo.pop() {
@@ -120,9 +125,14 @@ impl<'a, 's> Division<'a, 's> {
     }
 
     /// The stops at equal parts, if they are fewer than by halving.
-    fn fewer_equal(&self, start: &Stop, section: [f64; 2], n_halved: usize) -> Option<Vec<Stop>> {
+    fn fewer_equal(
+        &self,
+        start: &SeamPlace,
+        section: [f64; 2],
+        n_halved: usize,
+    ) -> Option<Vec<SeamPlace>> {
         let try_parts = |n: usize| {
-            let mut stops: Vec<Stop> = Vec::with_capacity(n);
+            let mut stops: Vec<SeamPlace> = Vec::with_capacity(n);
             for i in 1..=n {
                 let stop = self.stop(equal(section, i, n));
                 if !self.fits(stops.last().unwrap_or(start), &stop) {
@@ -163,7 +173,7 @@ impl<'a, 's> Division<'a, 's> {
     }
 
     /// Whether one leg may run between two stops.
-    fn fits(&self, low: &Stop, high: &Stop) -> bool {
+    fn fits(&self, low: &SeamPlace, high: &SeamPlace) -> bool {
         if self.tolerance < deviation(&self.pieces, [low.parameters[0], high.parameters[0]]) {
             return false;
         }

@@ -2,10 +2,10 @@
 
 use glam::{DVec3, DVec4};
 
-use super::sheet::Sheet;
+use super::surface_patch::SurfacePatch;
 use crate::{
     Bounds, GeomError, Interval, NurbsCurve, bezier, curve::ArcLengths, homogeneous::project,
-    surface::Break, tolerance::LAST_BIT, work,
+    surface::Crease, tolerance::LAST_BIT, work,
 };
 
 /// Halvings of a piece of an edge, past the last bit of a parameter.
@@ -16,7 +16,7 @@ const MAX_STEPS: usize = 6;
 
 /// An edge of a sheet: u0, u1, v0 or v1 by its number.
 #[derive(Debug)]
-pub(super) struct Edge {
+pub(super) struct PatchEdge {
     pub(super) sheet: usize,
     pub(super) number: usize,
     pub(super) curve: NurbsCurve,
@@ -29,7 +29,7 @@ pub(super) struct Edge {
 
 /// A place on an edge where a corner is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Cut {
+pub(super) struct EdgeCorner {
     pub(super) parameter: f64,
     /// How much of the edge's length is before it.
     pub(super) fraction: f64,
@@ -37,14 +37,14 @@ pub(super) struct Cut {
 }
 
 /// A part of an edge that may hold corners.
-struct Part {
+struct EdgePart {
     points: Vec<DVec4>,
     interval: Interval,
     corners: Vec<u32>,
     n_halvings: usize,
 }
 
-impl Edge {
+impl PatchEdge {
     /// An edge of the sheet of this index.
     pub(super) fn new(
         sheet: usize,
@@ -80,8 +80,8 @@ impl Edge {
     /// The point of its surface.
     ///
     /// # Errors
-    /// Those of [`Sheet::point_at`].
-    pub(super) fn point(&self, sheet: &Sheet<'_>, t: f64) -> Result<DVec3, GeomError> {
+    /// Those of [`SurfacePatch::point_at`].
+    pub(super) fn point(&self, sheet: &SurfacePatch<'_>, t: f64) -> Result<DVec3, GeomError> {
         let [u, v] = sheet.domains();
         match self.number {
             0 => sheet.point_at(u.start(), t),
@@ -92,7 +92,7 @@ impl Edge {
     }
 
     /// Where lines end on it along which its surface has a break.
-    pub(super) fn breaks<'a>(&self, sheet: &'a Sheet<'_>) -> &'a [Break] {
+    pub(super) fn breaks<'a>(&self, sheet: &'a SurfacePatch<'_>) -> &'a [Crease] {
         // Lines of constant u end on edges along u.
         &sheet.breaks[usize::from(self.number < 2)]
     }
@@ -102,14 +102,14 @@ impl Edge {
     /// points may be from its curve.
     ///
     /// # Errors
-    /// Those of [`Sheet::point_at`].
+    /// Those of [`SurfacePatch::point_at`].
     pub(super) fn cuts(
         &self,
-        sheet: &Sheet<'_>,
+        sheet: &SurfacePatch<'_>,
         corners: &[DVec3],
         near: &[u32],
         [weld, slack]: [f64; 2],
-    ) -> Result<Vec<Cut>, GeomError> {
+    ) -> Result<Vec<EdgeCorner>, GeomError> {
         // No two places of a shorter stretch are further apart than the weld.
         let least = weld / self.lengths.total();
         let mut found = Vec::new();
@@ -117,27 +117,27 @@ impl Edge {
             let place = corners[corner as usize];
             let Some(parameter) = self.foot(sheet, place, [about, weld], span)? else { continue };
             let fraction = self.fraction(parameter);
-            found.push(Cut { parameter, fraction, corner });
+            found.push(EdgeCorner { parameter, fraction, corner });
         }
         if !found.is_empty() {
             for line in self.breaks(sheet) {
                 let fraction = self.fraction(line.at);
-                let is_near = |cut: &&mut Cut| (cut.fraction - fraction).abs() <= least;
+                let is_near = |cut: &&mut EdgeCorner| (cut.fraction - fraction).abs() <= least;
                 for cut in found.iter_mut().filter(is_near) {
-                    *cut = Cut { parameter: line.at, fraction, ..*cut };
+                    *cut = EdgeCorner { parameter: line.at, fraction, ..*cut };
                 }
             }
         }
         found.sort_by(|a, b| a.fraction.total_cmp(&b.fraction).then(a.corner.cmp(&b.corner)));
         let ([first, last], domain) = (self.corners, self.domain());
-        let mut cuts = vec![Cut { parameter: domain.start(), fraction: 0.0, corner: first }];
+        let mut cuts = vec![EdgeCorner { parameter: domain.start(), fraction: 0.0, corner: first }];
         for cut in found {
             let before = cuts[cuts.len() - 1].fraction;
             if least < cut.fraction - before && least < 1.0 - cut.fraction {
                 cuts.push(cut);
             }
         }
-        cuts.push(Cut { parameter: domain.end(), fraction: 1.0, corner: last });
+        cuts.push(EdgeCorner { parameter: domain.end(), fraction: 1.0, corner: last });
         Ok(cuts)
     }
 
@@ -163,7 +163,7 @@ impl Edge {
             let interval = knots.span_interval(span);
             let points = bezier::piece(knots, self.curve.control_points(), span);
             let corners = near.clone();
-            let mut todo = vec![Part { points, interval, corners, n_halvings: 0 }];
+            let mut todo = vec![EdgePart { points, interval, corners, n_halvings: 0 }];
             while work::goes_on(1)
                 && let Some(mut part) = todo.pop()
             {
@@ -188,7 +188,7 @@ impl Edge {
     /// method; none if that is further than the weld.
     fn foot(
         &self,
-        sheet: &Sheet<'_>,
+        sheet: &SurfacePatch<'_>,
         place: DVec3,
         [mut t, weld]: [f64; 2],
         span: Interval,
@@ -211,7 +211,7 @@ impl Edge {
     }
 }
 
-impl Part {
+impl EdgePart {
     /// Both halves, the second first.
     fn halves(self) -> [Self; 2] {
         let (left, right) = bezier::cut_at(&self.points, 0.5);

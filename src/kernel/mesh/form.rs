@@ -3,7 +3,7 @@
 /// The boxes of parameters that a triangle may have: those of widths a along u and b along v with
 /// `uu·a² + 2·uv·ab + vv·b² ≤ 1`. No coefficient is negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Form {
+pub(super) struct ParameterBoxes {
     pub(super) uu: f64,
     pub(super) uv: f64,
     pub(super) vv: f64,
@@ -13,7 +13,7 @@ pub(super) struct Form {
 /// else decides it.
 const ROUNDNESS: f64 = 0.1;
 
-impl Form {
+impl ParameterBoxes {
     /// The limit that allows everything.
     pub(super) const NONE: Self = Self { uu: 0.0, uv: 0.0, vv: 0.0 };
 
@@ -83,10 +83,10 @@ impl Form {
 
 #[cfg(test)]
 mod tests {
-    use super::Form;
+    use super::ParameterBoxes;
 
     #[track_caller]
-    fn check(form: Form, ratio: f64) {
+    fn check(form: ParameterBoxes, ratio: f64) {
         let [a, b] = form.largest(ratio);
         assert!((form.share([a, b]) - 1.0).abs() < 1e-12, "{a} × {b}");
         assert!((form.widest(b) / a - 1.0).abs() < 1e-9, "{a} × {b}");
@@ -95,16 +95,16 @@ mod tests {
 
     #[test]
     fn the_largest_box_uses_the_limit_up() {
-        check(Form { uu: 3.0, uv: 1.0, vv: 2.0 }, 1.0);
-        check(Form { uu: 0.0, uv: 4.0, vv: 0.0 }, 7.0);
-        check(Form { uu: 5.0, uv: 0.5, vv: 0.0 }, 0.1);
+        check(ParameterBoxes { uu: 3.0, uv: 1.0, vv: 2.0 }, 1.0);
+        check(ParameterBoxes { uu: 0.0, uv: 4.0, vv: 0.0 }, 7.0);
+        check(ParameterBoxes { uu: 5.0, uv: 0.5, vv: 0.0 }, 0.1);
     }
 
     #[test]
     fn without_bends_a_box_has_no_limit() {
-        assert!(Form::NONE.largest(1.0).into_iter().all(f64::is_infinite));
-        assert!(Form::NONE.widest(1e9).is_infinite());
-        let [a, b] = Form { uu: 4.0, uv: 0.0, vv: 0.0 }.largest(1.0);
+        assert!(ParameterBoxes::NONE.largest(1.0).into_iter().all(f64::is_infinite));
+        assert!(ParameterBoxes::NONE.widest(1e9).is_infinite());
+        let [a, b] = ParameterBoxes { uu: 4.0, uv: 0.0, vv: 0.0 }.largest(1.0);
         assert!((a - 0.5).abs() < 1e-15 && b.is_infinite());
     }
 }

@@ -1,9 +1,9 @@
 //! Triangle meshes.
 //!
 //! This file has the type; `grid` makes a mesh of a surface by counts, `tessellate` by a tolerance,
-//! `any` of functions too. For the latter `bend` bounds derivatives, by the hulls of `quotient`; `limits`
+//! `any` of functions too. For the latter `bend` bounds derivatives, by the hulls of `quotient`; `cell_bounds`
 //! makes of them `rules` for each piece, `form`s of what a cell may be, and `near` those along its
-//! normal; `steps` lays the lines of a `sheet`, `seam` finds what the `edge`s of sheets share, `division`
+//! normal; `steps` lays the lines of a `surface_patch`, `seam` finds what the `edge`s of patches share, `division`
 //! divides that, and `stitch` makes the triangles. `weld` tells which vertices are one place, `topology` how the triangles
 //! hang together, `orient` which of them face inward, `measure` area, volume and their centres, `deviation` how far one is from a
 //! surface, `distance` how far a place is from one, `nearest` the same for many places, `fault` why a
@@ -11,6 +11,7 @@
 
 mod any;
 mod bend;
+mod cell_bounds;
 mod deviation;
 mod distance;
 mod division;
@@ -18,7 +19,6 @@ mod edge;
 mod fault;
 mod form;
 mod grid;
-mod limits;
 mod measure;
 mod near;
 mod nearest;
@@ -29,9 +29,9 @@ mod quotient;
 mod rules;
 mod seam;
 mod section;
-mod sheet;
 mod steps;
 mod stitch;
+mod surface_patch;
 mod tessellate;
 mod topology;
 mod weld;
@@ -41,11 +41,11 @@ use glam::{DAffine3, DMat3, DVec2, DVec3};
 use super::{Bounds, GeomError, frame::unit, tolerance::UNIT_SLACK};
 
 pub use any::{grid_mesh_any, tessellate_any, tessellate_curve_any};
+pub use cell_bounds::TessellationOptions;
 pub use distance::distance_to_polyline;
 pub use fault::MeshError;
 pub use grid::grid_mesh;
-pub use limits::MeshLimits;
-pub use nearest::Nearest;
+pub use nearest::MeshDistance;
 pub use orient::facing_inward;
 pub use planar::planar_mesh;
 pub(super) use tessellate::check_rounding;

@@ -15,10 +15,10 @@
 use std::f64::consts::PI;
 
 use super::{
-    bend::Bend,
-    form::Form,
-    limits::form,
-    rules::{Near, Sense},
+    bend::PieceBounds,
+    cell_bounds::form,
+    form::ParameterBoxes,
+    rules::{BendingSide, NormalRules},
 };
 use crate::{Grid, tolerance::FLAT_SLOPE};
 
@@ -35,7 +35,7 @@ const TILT: f64 = 1.04;
 
 /// What is known of a piece that its middle normal sees all of.
 #[derive(Clone, Copy, Debug)]
-struct Steady {
+struct SteadyNormal {
     /// How far the normal may be from that in the middle; radians.
     swing: f64,
     /// How far it turns per step of u and of v.
@@ -48,12 +48,12 @@ struct Steady {
 
 /// The rules for cells over each piece; none where they see too much slope.
 pub(super) fn near_rules(
-    pieces: &Grid<Bend>,
+    pieces: &Grid<PieceBounds>,
     ends: &[Vec<f64>; 2],
     ratios: &Grid<f64>,
     breaks: [&[f64]; 2],
     tolerance: f64,
-) -> Grid<Option<Near>> {
+) -> Grid<Option<NormalRules>> {
     let steady = Grid::from_fn(pieces.n_rows(), pieces.n_columns(), |i, j| {
         let widths = [ends[0][i + 1] - ends[0][i], ends[1][j + 1] - ends[1][j]];
         steady(&pieces.get(i, j), widths)
@@ -83,7 +83,13 @@ pub(super) fn near_rules(
 }
 
 /// The rules of a piece from where a path turns the normal by no more than `strayed`.
-fn near(bend: &Bend, this: &Steady, strayed: f64, ratio: f64, tolerance: f64) -> Option<Near> {
+fn near(
+    bend: &PieceBounds,
+    this: &SteadyNormal,
+    strayed: f64,
+    ratio: f64,
+    tolerance: f64,
+) -> Option<NormalRules> {
     let most = |i: usize| bend.lift[i][1].max(-bend.lift[i][0]);
     let per_tolerance = 1.0 / (8.0 * tolerance);
     let about: [f64; 3] = std::array::from_fn(|i| most(i) + this.swing * bend.across[i]);
@@ -99,27 +105,27 @@ fn near(bend: &Bend, this: &Steady, strayed: f64, ratio: f64, tolerance: f64) ->
     let across: [f64; 3] = std::array::from_fn(|i| bend.across[i] + lean * most(i));
     let slope = TILT * (0.5 * turn + strayed);
     let sense = |i: usize| match bend.lift[i] {
-        [low, _] if lean * bend.across[i] <= low => Some(Sense::Along),
-        [_, high] if high <= -lean * bend.across[i] => Some(Sense::Against),
+        [low, _] if lean * bend.across[i] <= low => Some(BendingSide::Along),
+        [_, high] if high <= -lean * bend.across[i] => Some(BendingSide::Against),
         _ => None,
     };
     let saddle = sense(0).filter(|along_u| sense(2).is_some_and(|along_v| along_v != *along_u));
     let [per_u, per_v] = this.turns;
     let across = form(across).scaled(per_tolerance);
-    Some(Near {
+    Some(NormalRules {
         lift: form(lift).scaled(per_tolerance),
         saddle,
         slip: across.scaled(slope),
-        turn: Form { uu: per_u * per_u, uv: per_u * per_v, vv: per_v * per_v },
+        turn: ParameterBoxes { uu: per_u * per_u, uv: per_u * per_v, vv: per_v * per_v },
         most_turn: turn,
         slide: across.scaled(1.0 / MAX_SLIDE),
-        line: Form::NONE,
+        line: ParameterBoxes::NONE,
     })
 }
 
 /// What is known of a piece of these widths; none where the slope over the plane of its middle
 /// normal is more than [`FLAT_SLOPE`].
-fn steady(bend: &Bend, widths: [f64; 2]) -> Option<Steady> {
+fn steady(bend: &PieceBounds, widths: [f64; 2]) -> Option<SteadyNormal> {
     bend.normal?;
     let [along_u, along_v, ..] = bend.middle;
     let lengths = [along_u.length(), along_v.length()];
@@ -147,5 +153,5 @@ fn steady(bend: &Bend, widths: [f64; 2]) -> Option<Steady> {
     let turns = [0, 1].map(|i| (bends[i] / least[0] + bends[i + 1] / least[1]) / sine);
     let curvature = TILT * (turns[0] / least[0] + turns[1] / least[1]) / sine;
     let extent = (widths[0] * least[0]).min(widths[1] * least[1]) * sine / TILT;
-    Some(Steady { swing, turns, curvature, extent })
+    Some(SteadyNormal { swing, turns, curvature, extent })
 }

@@ -13,13 +13,13 @@ const FEW: usize = 4;
 /// A balanced tree of boxes, halved along their longest side at the median of the middles of the
 /// triangles: a node's children are numbers 2i + 1 and 2i + 2.
 #[derive(Debug)]
-pub struct Nearest<'a> {
+pub struct MeshDistance<'a> {
     mesh: &'a Mesh,
     order: Vec<u32>,
     boxes: Vec<Bounds>,
 }
 
-impl<'a> Nearest<'a> {
+impl<'a> MeshDistance<'a> {
     /// The tree over the triangles, in O(n log² n) time; none of a mesh without triangles.
     #[must_use]
     pub fn new(mesh: &'a Mesh) -> Option<Self> {
@@ -94,7 +94,7 @@ impl<'a> Nearest<'a> {
 mod tests {
     use glam::DVec3;
 
-    use super::{Mesh, Nearest};
+    use super::{Mesh, MeshDistance};
 
     #[test]
     fn the_tree_finds_what_looking_at_all_triangles_finds() {
@@ -105,7 +105,7 @@ mod tests {
         let vertices: Vec<DVec3> = (0..120).map(place).collect();
         let triangles = (0..118).map(|i| [i, i + 1, i + 2]).collect();
         let mesh = Mesh::new(vertices, Vec::new(), Vec::new(), triangles).unwrap();
-        let nearest = Nearest::new(&mesh).unwrap();
+        let nearest = MeshDistance::new(&mesh).unwrap();
         for i in 200..300 {
             let place = 1.5 * place(i);
             assert_eq!(Some(nearest.distance(place)), mesh.distance_to(place));

@@ -15,19 +15,19 @@ use crate::{Bounds, tolerance::VANISHING_RELATIVE};
 
 /// A side of a triangle under its edge.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Side {
+struct OrientedSide {
     edge: [u32; 2],
     triangle: u32,
     is_forward: bool,
 }
 
 /// Triangles in sets, each with whether it faces another way than the first of its set.
-struct Parts {
+struct TriangleSets {
     parents: Vec<(u32, bool)>,
 }
 
 /// A closed part.
-struct Shell {
+struct ClosedPart {
     bounds: Bounds,
     /// Six times the volume that it encloses if it faces as its first triangle, and the sum of what
     /// that was added up from.
@@ -45,7 +45,8 @@ struct Shell {
 pub fn facing_inward(meshes: &[&Mesh]) -> Vec<Vec<bool>> {
     let (places, triangles) = gathered(meshes);
     let sides = sides(&triangles);
-    let mut parts = Parts { parents: (0..triangles.len() as u32).map(|i| (i, false)).collect() };
+    let mut parts =
+        TriangleSets { parents: (0..triangles.len() as u32).map(|i| (i, false)).collect() };
     for edge in sides.chunk_by(|a, b| a.edge == b.edge) {
         if let [a, b] = edge {
             parts.unite(a.triangle, b.triangle, a.is_forward == b.is_forward);
@@ -54,7 +55,7 @@ pub fn facing_inward(meshes: &[&Mesh]) -> Vec<Vec<bool>> {
     let found: Vec<(u32, bool)> =
         (0..triangles.len() as u32).map(|triangle| parts.root(triangle)).collect();
     let shells = shells(&places, &triangles, &found, &open(&sides, &found));
-    let turns = |shell: &Shell| {
+    let turns = |shell: &ClosedPart| {
         let [volume, added] = shell.volume;
         let is_inward = volume < -VANISHING_RELATIVE * added;
         let is_cavity = || shells.values().any(|other| is_inside(shell.bounds, other.bounds));
@@ -122,11 +123,11 @@ fn gathered(meshes: &[&Mesh]) -> (Vec<DVec3>, Vec<[u32; 3]>) {
 }
 
 /// The sides of triangles that have three places, sorted by edges.
-fn sides(triangles: &[[u32; 3]]) -> Vec<Side> {
+fn sides(triangles: &[[u32; 3]]) -> Vec<OrientedSide> {
     let mut sides = Vec::with_capacity(3 * triangles.len());
     for (triangle, &[a, b, c]) in triangles.iter().enumerate() {
         if a != b && b != c && c != a {
-            let side = |[a, b]: [u32; 2]| Side {
+            let side = |[a, b]: [u32; 2]| OrientedSide {
                 edge: [a.min(b), a.max(b)],
                 triangle: triangle as u32,
                 is_forward: a < b,
@@ -139,7 +140,7 @@ fn sides(triangles: &[[u32; 3]]) -> Vec<Side> {
 }
 
 /// For each triangle that stands for a part, whether that has an end somewhere, or one side only.
-fn open(sides: &[Side], found: &[(u32, bool)]) -> Vec<bool> {
+fn open(sides: &[OrientedSide], found: &[(u32, bool)]) -> Vec<bool> {
     let mut is_open = vec![false; found.len()];
     for edge in sides.chunk_by(|a, b| a.edge == b.edge) {
         let mut passing: Vec<(u32, bool)> = edge
@@ -164,8 +165,8 @@ fn shells(
     triangles: &[[u32; 3]],
     found: &[(u32, bool)],
     is_open: &[bool],
-) -> HashMap<u32, Shell> {
-    let mut shells: HashMap<u32, Shell> = HashMap::new();
+) -> HashMap<u32, ClosedPart> {
+    let mut shells: HashMap<u32, ClosedPart> = HashMap::new();
     let Some(whole) = Bounds::of(places.iter().copied()) else { return shells };
     let size = whole.diagonal();
     for (corners, &(root, differs)) in triangles.iter().zip(found) {
@@ -179,7 +180,7 @@ fn shells(
         let term = a.dot(b.cross(c));
         let bounds = Bounds::of(corners).unwrap_or(Bounds { min: about, max: about });
         let shell =
-            shells.entry(root).or_insert(Shell { bounds, volume: [0.0; 2], is_mixed: false });
+            shells.entry(root).or_insert(ClosedPart { bounds, volume: [0.0; 2], is_mixed: false });
         shell.bounds = shell.bounds.union(bounds);
         shell.volume[0] += if differs { -term } else { term };
         shell.volume[1] += term.abs();
@@ -193,7 +194,7 @@ fn is_inside(inner: Bounds, outer: Bounds) -> bool {
     outer.min.cmplt(inner.min).all() && inner.max.cmplt(outer.max).all()
 }
 
-impl Parts {
+impl TriangleSets {
     /// The triangle that stands for the part of another one, and whether that faces another way;
     /// makes the way there short.
     fn root(&mut self, triangle: u32) -> (u32, bool) {

@@ -17,7 +17,7 @@ use crate::{
 };
 
 /// A border as a polygon, in the plane.
-struct Ring {
+struct BorderPolygon {
     places: Vec<DVec2>,
     /// The index of its first vertex.
     first: usize,
@@ -39,7 +39,7 @@ pub fn planar_mesh(polygons: &[Vec<DVec3>], distance: f64) -> Result<Mesh, GeomE
     let normal = normal.ok_or(Error::NoArea { index: 0, of })?;
     let center = outer.iter().copied().sum::<DVec3>() / outer.len() as f64;
     let frame = Frame::from_normal(center, normal, None)?;
-    let mut rings: Vec<Ring> = Vec::new();
+    let mut rings: Vec<BorderPolygon> = Vec::new();
     for (index, points) in polygons.iter().enumerate() {
         let by = points.iter().map(|&p| (p - center).dot(normal).abs()).fold(0.0, f64::max);
         if distance < by {
@@ -51,7 +51,7 @@ pub fn planar_mesh(polygons: &[Vec<DVec3>], distance: f64) -> Result<Mesh, GeomE
         let place =
             |&p: &DVec3| DVec2::new((p - center).dot(frame.x()), (p - center).dot(frame.y()));
         let first = rings.last().map_or(0, |ring| ring.first + ring.places.len());
-        rings.push(Ring { places: points.iter().map(place).collect(), first });
+        rings.push(BorderPolygon { places: points.iter().map(place).collect(), first });
     }
     check_crossings(&rings, &polygons)?;
     check_nesting(&rings)?;
@@ -91,31 +91,32 @@ fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
 
 /// A side of a ring.
 #[derive(Clone, Copy)]
-struct Side {
+struct PolygonSide {
     ring: usize,
     index: usize,
     ends: [DVec2; 2],
 }
 
-fn check_crossings(rings: &[Ring], polygons: &[Vec<DVec3>]) -> Result<(), GeomError> {
-    let mut sides: Vec<Side> = Vec::new();
-    for (ring, Ring { places, .. }) in rings.iter().enumerate() {
+fn check_crossings(rings: &[BorderPolygon], polygons: &[Vec<DVec3>]) -> Result<(), GeomError> {
+    let mut sides: Vec<PolygonSide> = Vec::new();
+    for (ring, BorderPolygon { places, .. }) in rings.iter().enumerate() {
         let end = |i: usize| places[(i + 1) % places.len()];
-        sides.extend((0..places.len()).map(|index| Side {
+        sides.extend((0..places.len()).map(|index| PolygonSide {
             ring,
             index,
             ends: [places[index], end(index)],
         }));
     }
-    let left = |side: &Side| side.ends[0].x.min(side.ends[1].x);
-    let right = |side: &Side| side.ends[0].x.max(side.ends[1].x);
+    let left = |side: &PolygonSide| side.ends[0].x.min(side.ends[1].x);
+    let right = |side: &PolygonSide| side.ends[0].x.max(side.ends[1].x);
     sides.sort_by(|a, b| left(a).total_cmp(&left(b)));
-    let mut open: Vec<Side> = Vec::new();
+    let mut open: Vec<PolygonSide> = Vec::new();
     for side in sides {
         open.retain(|other| left(&side) <= right(other));
         for other in &open {
             let n = rings[side.ring].places.len();
-            let is_next = |a: &Side, b: &Side| a.ring == b.ring && (a.index + 1) % n == b.index;
+            let is_next =
+                |a: &PolygonSide, b: &PolygonSide| a.ring == b.ring && (a.index + 1) % n == b.index;
             let meets = if is_next(&side, other) {
                 turns_back(&side, other)
             } else if is_next(other, &side) {
@@ -138,14 +139,14 @@ fn check_crossings(rings: &[Ring], polygons: &[Vec<DVec3>]) -> Result<(), GeomEr
 }
 
 /// Whether a side runs back along the one before it.
-fn turns_back(side: &Side, next: &Side) -> bool {
+fn turns_back(side: &PolygonSide, next: &PolygonSide) -> bool {
     let [a, b] = side.ends;
     let [_, c] = next.ends;
     turn(a, b, c).abs() <= 0.0 && (b - a).dot(c - b) < 0.0
 }
 
 /// Whether two sides have a point in common.
-fn cross(one: &Side, other: &Side) -> bool {
+fn cross(one: &PolygonSide, other: &PolygonSide) -> bool {
     let ([a, b], [c, d]) = (one.ends, other.ends);
     let is_apart = |i: usize| a[i].max(b[i]) < c[i].min(d[i]) || c[i].max(d[i]) < a[i].min(b[i]);
     let (on_c, on_d) = (turn(a, b, c), turn(a, b, d));
@@ -155,7 +156,7 @@ fn cross(one: &Side, other: &Side) -> bool {
 }
 
 /// How far along a side another one crosses it.
-fn share(side: &Side, other: &Side) -> f64 {
+fn share(side: &PolygonSide, other: &PolygonSide) -> f64 {
     let ([a, b], [c, d]) = (side.ends, other.ends);
     let (on_a, on_b) = (turn(c, d, a), turn(c, d, b));
     let share = on_a / (on_a - on_b);
@@ -163,7 +164,7 @@ fn share(side: &Side, other: &Side) -> f64 {
 }
 
 /// Whether a place is inside a ring, by how often a ray to the right crosses it.
-fn is_within(place: DVec2, ring: &Ring) -> bool {
+fn is_within(place: DVec2, ring: &BorderPolygon) -> bool {
     let n = ring.places.len();
     let crosses = |i: usize| {
         let (a, b) = (ring.places[i], ring.places[(i + 1) % n]);
@@ -173,7 +174,7 @@ fn is_within(place: DVec2, ring: &Ring) -> bool {
     (0..n).filter(|&i| crosses(i)).count() % 2 == 1
 }
 
-fn check_nesting(rings: &[Ring]) -> Result<(), GeomError> {
+fn check_nesting(rings: &[BorderPolygon]) -> Result<(), GeomError> {
     for (index, hole) in rings.iter().enumerate().skip(1) {
         if !is_within(hole.places[0], &rings[0]) {
             return Err(Error::Outside { index }.into());
@@ -189,12 +190,12 @@ fn check_nesting(rings: &[Ring]) -> Result<(), GeomError> {
 }
 
 /// A vertex of the triangulation: where it is, and which of the mesh it is.
-struct Corner {
+struct PlanarVertex {
     place: Point2<f64>,
     index: u32,
 }
 
-impl HasPosition for Corner {
+impl HasPosition for PlanarVertex {
     type Scalar = f64;
 
     fn position(&self) -> Point2<f64> {
@@ -202,20 +203,21 @@ impl HasPosition for Corner {
     }
 }
 
-type Triangulation = ConstrainedDelaunayTriangulation<Corner>;
+type Triangulation = ConstrainedDelaunayTriangulation<PlanarVertex>;
 
 /// The triangles of the region, no least angle of which could be larger with the same corners; else a
 /// vertex at which sides cross by rounding.
-fn triangles(rings: &[Ring]) -> Result<Vec<[u32; 3]>, usize> {
+fn triangles(rings: &[BorderPolygon]) -> Result<Vec<[u32; 3]>, usize> {
     let places = || rings.iter().flat_map(|ring| ring.places.iter());
     let size = places().map(|place| place.abs().max_element()).fold(0.0, f64::max);
     // Numbers so small are no places to the triangulation.
     let number = |x: f64| if x.abs() < MIN_ALLOWED_VALUE { 0.0 } else { x };
     let corner = |(index, place): (usize, &DVec2)| {
         let DVec2 { x, y } = *place / size;
-        Corner { place: Point2::new(number(x), number(y)), index: index as u32 }
+        PlanarVertex { place: Point2::new(number(x), number(y)), index: index as u32 }
     };
-    let side = |ring: &Ring, i: usize| [i, (i + 1) % ring.places.len()].map(|i| ring.first + i);
+    let side =
+        |ring: &BorderPolygon, i: usize| [i, (i + 1) % ring.places.len()].map(|i| ring.first + i);
     let sides = rings.iter().flat_map(|ring| (0..ring.places.len()).map(move |i| side(ring, i)));
     let mut crossed: Option<usize> = None;
     let loaded = Triangulation::try_bulk_load_cdt(

@@ -1,45 +1,45 @@
 //! What the cells over a piece of a surface must keep to.
 
-use super::form::Form;
+use super::form::ParameterBoxes;
 use crate::tolerance::VANISHING_RELATIVE;
 
 /// The rules of a piece: a cell keeps to all of `also`, and to `whole` or to `near`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Rules {
+pub(super) struct CellRules {
     /// The deviation at equal parameters.
-    pub(super) whole: Form,
+    pub(super) whole: ParameterBoxes,
     /// The deviation along the normal, where cells see nothing fold.
-    pub(super) near: Option<Near>,
+    pub(super) near: Option<NormalRules>,
     /// Of the longest edge, of the angle, of planes, of the lines in these.
-    pub(super) also: [Form; 4],
+    pub(super) also: [ParameterBoxes; 4],
 }
 
 /// Rules of cells of which the deviation along the normal counts.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Near {
+pub(super) struct NormalRules {
     /// What bends along the normal.
-    pub(super) lift: Form,
+    pub(super) lift: ParameterBoxes,
     /// Whether it bends to one side along u and to the other along v, and to which along u.
-    pub(super) saddle: Option<Sense>,
+    pub(super) saddle: Option<BendingSide>,
     /// The rest, as much of it as the slope lifts.
-    pub(super) slip: Form,
+    pub(super) slip: ParameterBoxes,
     /// The square of how far the normal turns, and how far it may turn at most; radians.
-    pub(super) turn: Form,
+    pub(super) turn: ParameterBoxes,
     pub(super) most_turn: f64,
     /// How far points may slide along the surface.
-    pub(super) slide: Form,
+    pub(super) slide: ParameterBoxes,
     /// What lines need at which the surface is broken.
-    pub(super) line: Form,
+    pub(super) line: ParameterBoxes,
 }
 
 /// The side to which something bends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Sense {
+pub(super) enum BendingSide {
     Along,
     Against,
 }
 
-impl Rules {
+impl CellRules {
     /// Those of a cell that touches this piece and another one.
     pub(super) fn joined(self, other: Self) -> Self {
         Self {
@@ -55,7 +55,7 @@ impl Rules {
     /// Which piece bends the cell most may differ from corner to corner: each second derivative
     /// counts where it is largest, or all where together they bend it most in any direction.
     pub(super) fn all_allow(pieces: impl Iterator<Item = Self> + Clone, widths: [f64; 2]) -> bool {
-        let fits = |form: &Form| form.share(widths) <= 1.0 + VANISHING_RELATIVE;
+        let fits = |form: &ParameterBoxes| form.share(widths) <= 1.0 + VANISHING_RELATIVE;
         if !pieces.clone().all(|rules| rules.also.iter().all(fits)) {
             return false;
         }
@@ -63,7 +63,7 @@ impl Rules {
         if fits(&joined.whole) || joined.near.is_some_and(|near| near.forms().iter().all(fits)) {
             return true;
         }
-        let are_round = |form: fn(Self) -> Option<Form>| {
+        let are_round = |form: fn(Self) -> Option<ParameterBoxes>| {
             pieces
                 .clone()
                 .filter_map(form)
@@ -76,8 +76,9 @@ impl Rules {
 
     /// The widest step along u for one along v; nothing where the latter is too wide alone.
     pub(super) fn widest(&self, b: f64) -> f64 {
-        let least =
-            |forms: &[Form]| forms.iter().map(|form| form.widest(b)).fold(f64::INFINITY, f64::min);
+        let least = |forms: &[ParameterBoxes]| {
+            forms.iter().map(|form| form.widest(b)).fold(f64::INFINITY, f64::min)
+        };
         let near = self.near.map_or(0.0, |near| least(&near.forms()));
         least(&self.also).min(self.whole.widest(b).max(near))
     }
@@ -85,7 +86,7 @@ impl Rules {
     /// Widths of a cell that keeps to them, about as large as one may be; `ratio` is how many times
     /// longer a step along u is than one along v.
     pub(super) fn largest(&self, ratio: f64) -> [f64; 2] {
-        let least = |forms: &[Form]| {
+        let least = |forms: &[ParameterBoxes]| {
             let sizes = forms.iter().map(|form| form.largest(ratio));
             sizes.fold([f64::INFINITY; 2], |[a, b], [c, d]| [a.min(c), b.min(d)])
         };
@@ -104,13 +105,13 @@ impl Rules {
     pub(super) fn swapped(self) -> Self {
         Self {
             whole: self.whole.swapped(),
-            near: self.near.map(Near::swapped),
-            also: self.also.map(Form::swapped),
+            near: self.near.map(NormalRules::swapped),
+            also: self.also.map(ParameterBoxes::swapped),
         }
     }
 }
 
-impl Near {
+impl NormalRules {
     fn joined(self, other: Self) -> Self {
         Self {
             lift: self.lift.joined(other.lift),
@@ -128,22 +129,30 @@ impl Near {
     /// Where the surface bends to one side along u and to the other along v, what is between it and
     /// a triangle is convex along u and concave along v, so that it is largest on the sides of the
     /// triangle; along one of these the two take away from one another.
-    fn forms(&self) -> [Form; 5] {
+    fn forms(&self) -> [ParameterBoxes; 5] {
         let Self { lift, slip, .. } = *self;
         let both = lift.and(slip);
         let [turn, slide, line] = self.others();
         if self.saddle.is_none() {
-            return [both, Form::NONE, turn, slide, line];
+            return [both, ParameterBoxes::NONE, turn, slide, line];
         }
-        [Form { vv: slip.vv, ..both }, Form { uu: slip.uu, ..both }, turn, slide, line]
+        [
+            ParameterBoxes { vv: slip.vv, ..both },
+            ParameterBoxes { uu: slip.uu, ..both },
+            turn,
+            slide,
+            line,
+        ]
     }
 
-    fn others(&self) -> [Form; 3] {
+    fn others(&self) -> [ParameterBoxes; 3] {
         [self.turn.scaled(1.0 / (self.most_turn * self.most_turn)), self.slide, self.line]
     }
 
     fn swapped(self) -> Self {
-        let turned = |sense| if sense == Sense::Along { Sense::Against } else { Sense::Along };
+        let turned = |sense| {
+            if sense == BendingSide::Along { BendingSide::Against } else { BendingSide::Along }
+        };
         Self {
             lift: self.lift.swapped(),
             saddle: self.saddle.map(turned),
@@ -156,6 +165,9 @@ impl Near {
     }
 }
 
-fn joined<const N: usize>(forms: [Form; N], others: [Form; N]) -> [Form; N] {
+fn joined<const N: usize>(
+    forms: [ParameterBoxes; N],
+    others: [ParameterBoxes; N],
+) -> [ParameterBoxes; N] {
     std::array::from_fn(|i| forms[i].joined(others[i]))
 }

@@ -8,10 +8,10 @@
 use glam::DVec3;
 
 use super::{
-    division::Division,
-    edge::{Cut, Edge},
-    limits::MeshLimits,
-    sheet::{Cells, SHARE, Sheet},
+    cell_bounds::TessellationOptions,
+    division::SeamDivision,
+    edge::{EdgeCorner, PatchEdge},
+    surface_patch::{Cells, SHARE, SurfacePatch},
     weld::welded,
 };
 use crate::{Bounds, GeomError, Interval, tolerance::WELD_SHARE};
@@ -21,14 +21,14 @@ const COMPARED: usize = 8;
 
 /// A part of an edge from one corner on it to the next.
 #[derive(Debug)]
-pub(super) struct Stretch {
+pub(super) struct EdgeStretch {
     pub(super) edge: usize,
-    ends: [Cut; 2],
+    ends: [EdgeCorner; 2],
 }
 
 /// Stretches that are one curve; the first gives the points.
 #[derive(Debug)]
-pub(super) struct Seam {
+pub(super) struct SharedEdge {
     /// Indices of stretches, and whether they run against the first.
     pub(super) stretches: Vec<(usize, bool)>,
 }
@@ -38,21 +38,24 @@ pub(super) type Vertices = Vec<(f64, DVec3)>;
 
 /// All edges of some sheets.
 #[derive(Debug)]
-pub(super) struct Seams {
-    pub(super) edges: Vec<Edge>,
+pub(super) struct SharedEdges {
+    pub(super) edges: Vec<PatchEdge>,
     /// Those of an edge one behind the other; none of edges that are points.
-    pub(super) stretches: Vec<Stretch>,
-    seams: Vec<Seam>,
+    pub(super) stretches: Vec<EdgeStretch>,
+    seams: Vec<SharedEdge>,
     /// Where the corners are that others are welded to.
     corners: Vec<DVec3>,
 }
 
-impl Seams {
+impl SharedEdges {
     /// Finds what the sheets share, and takes what that costs from their tolerances.
     ///
     /// # Errors
-    /// Those of [`Sheet::point_at`].
-    pub(super) fn of(sheets: &mut [Sheet<'_>], wanted: &MeshLimits) -> Result<Self, GeomError> {
+    /// Those of [`SurfacePatch::point_at`].
+    pub(super) fn of(
+        sheets: &mut [SurfacePatch<'_>],
+        wanted: &TessellationOptions,
+    ) -> Result<Self, GeomError> {
         let weld = wanted.weld.min(WELD_SHARE * wanted.tolerance);
         let mut corners = Vec::with_capacity(4 * sheets.len());
         for sheet in &*sheets {
@@ -70,7 +73,7 @@ impl Seams {
             let ends = [[0, 1], [2, 3], [0, 2], [1, 3]];
             for (number, curve) in sheet.spline.edges().into_iter().enumerate() {
                 let corners = ends[number].map(|corner| names[4 * i + corner]);
-                edges.push(Edge::new(i, number, curve, corners, weld));
+                edges.push(PatchEdge::new(i, number, curve, corners, weld));
             }
         }
         let mut seams = Self { edges, stretches: Vec::new(), seams: Vec::new(), corners };
@@ -88,7 +91,7 @@ impl Seams {
     /// Cuts each edge where corners lie on it, those of its own sheet too.
     fn cut(
         &mut self,
-        sheets: &[Sheet<'_>],
+        sheets: &[SurfacePatch<'_>],
         names: &[u32],
         weld: f64,
         tolerance: f64,
@@ -111,7 +114,8 @@ impl Seams {
                 &order[first..first.max(order.partition_point(|&corner| at(corner) <= high))]
             });
             let cuts = edge.cuts(sheet, &self.corners, near, [weld, slack])?;
-            let stretch = |ends: &[Cut]| Stretch { edge: index, ends: [ends[0], ends[1]] };
+            let stretch =
+                |ends: &[EdgeCorner]| EdgeStretch { edge: index, ends: [ends[0], ends[1]] };
             stretches.extend(cuts.windows(2).map(stretch));
         }
         self.stretches = stretches;
@@ -121,7 +125,7 @@ impl Seams {
     /// Finds the stretches that are one curve; how far that moves vertices of each sheet.
     fn join(
         &mut self,
-        sheets: &[Sheet<'_>],
+        sheets: &[SurfacePatch<'_>],
         weld: f64,
         tolerance: f64,
     ) -> Result<Vec<f64>, GeomError> {
@@ -134,7 +138,7 @@ impl Seams {
         let mut gaps = vec![0.0_f64; sheets.len()];
         let mut seams = Vec::new();
         for alike in order.chunk_by(|&a, &b| ends(a) == ends(b)) {
-            let mut here: Vec<(Vec<DVec3>, Seam)> = Vec::new();
+            let mut here: Vec<(Vec<DVec3>, SharedEdge)> = Vec::new();
             for &stretch in alike {
                 let of = |stretch: usize| self.edges[self.stretches[stretch].edge].sheet;
                 let places = self.compared(stretch, sheets)?;
@@ -155,7 +159,7 @@ impl Seams {
                         *gap = gap.max(moved);
                         here[i].1.stretches.push((stretch, turns));
                     }
-                    None => here.push((places, Seam { stretches: vec![(stretch, false)] })),
+                    None => here.push((places, SharedEdge { stretches: vec![(stretch, false)] })),
                 }
             }
             seams.extend(here.into_iter().map(|(_, seam)| seam));
@@ -168,7 +172,7 @@ impl Seams {
     /// ends: a corner that only touches edges joins nothing. Whether there are such.
     fn mend(&mut self) -> bool {
         let mut sharing: Vec<&[usize]> = vec![&[]; self.stretches.len()];
-        let edges_of = |seam: &Seam| {
+        let edges_of = |seam: &SharedEdge| {
             let edges = seam.stretches.iter().map(|&(stretch, _)| self.stretches[stretch].edge);
             let mut edges: Vec<usize> = edges.collect();
             edges.sort_unstable();
@@ -178,14 +182,14 @@ impl Seams {
         for (seam, edges) in self.seams.iter().zip(&edges) {
             seam.stretches.iter().for_each(|&(stretch, _)| sharing[stretch] = edges);
         }
-        let mut mended: Vec<Stretch> = Vec::with_capacity(self.stretches.len());
+        let mut mended: Vec<EdgeStretch> = Vec::with_capacity(self.stretches.len());
         for (i, stretch) in self.stretches.iter().enumerate() {
             let is_end = |edge: &usize| self.edges[*edge].corners.contains(&stretch.ends[0].corner);
             match mended.last_mut().filter(|before| before.edge == stretch.edge) {
                 Some(before) if sharing[i - 1] == sharing[i] && !sharing[i].iter().any(is_end) => {
                     before.ends[1] = stretch.ends[1];
                 }
-                _ => mended.push(Stretch { ..*stretch }),
+                _ => mended.push(EdgeStretch { ..*stretch }),
             }
         }
         let are_fewer = mended.len() < self.stretches.len();
@@ -194,7 +198,11 @@ impl Seams {
     }
 
     /// Places of a stretch between equal parts of its length.
-    fn compared(&self, stretch: usize, sheets: &[Sheet<'_>]) -> Result<Vec<DVec3>, GeomError> {
+    fn compared(
+        &self,
+        stretch: usize,
+        sheets: &[SurfacePatch<'_>],
+    ) -> Result<Vec<DVec3>, GeomError> {
         let stretch = &self.stretches[stretch];
         let edge = &self.edges[stretch.edge];
         let at = |i: usize| {
@@ -205,7 +213,7 @@ impl Seams {
     }
 
     /// How far the ends of a stretch are from the corners there.
-    fn moved_at_ends(&self, stretch: usize, sheets: &[Sheet<'_>]) -> Result<f64, GeomError> {
+    fn moved_at_ends(&self, stretch: usize, sheets: &[SurfacePatch<'_>]) -> Result<f64, GeomError> {
         let stretch = &self.stretches[stretch];
         let edge = &self.edges[stretch.edge];
         let mut most = 0.0_f64;
@@ -219,10 +227,10 @@ impl Seams {
     /// The vertices on the four edges of each sheet, those of a point only at its ends.
     ///
     /// # Errors
-    /// Those of [`Sheet::point_at`]; [`GeomError::TooManyVertices`].
+    /// Those of [`SurfacePatch::point_at`]; [`GeomError::TooManyVertices`].
     pub(super) fn vertices(
         &self,
-        sheets: &[Sheet<'_>],
+        sheets: &[SurfacePatch<'_>],
         cells: &[Cells],
         most: usize,
     ) -> Result<Vec<[Vertices; 4]>, GeomError> {
@@ -234,7 +242,7 @@ impl Seams {
         }
         let mut found: Vec<Vertices> = vec![Vertices::new(); self.stretches.len()];
         for seam in &self.seams {
-            let stops = Division::new(self, seam, sheets, cells).stops(most)?;
+            let stops = SeamDivision::new(self, seam, sheets, cells).stops(most)?;
             let first = &self.stretches[seam.stretches[0].0];
             let edge = &self.edges[first.edge];
             let mut points = Vec::with_capacity(stops.len());
@@ -261,9 +269,9 @@ impl Seams {
     }
 }
 
-impl Stretch {
+impl EdgeStretch {
     /// The parameter at a fraction of its length, of that from the end where it `turns`.
-    pub(super) fn parameter(&self, edge: &Edge, fraction: f64, turns: bool) -> f64 {
+    pub(super) fn parameter(&self, edge: &PatchEdge, fraction: f64, turns: bool) -> f64 {
         let [start, end] = self.ends;
         let fraction = if turns { 1.0 - fraction } else { fraction };
         if fraction <= 0.0 {
@@ -282,7 +290,7 @@ impl Stretch {
     }
 
     /// The fraction of its length before a parameter, if that is inside it.
-    pub(super) fn fraction(&self, edge: &Edge, parameter: f64) -> Option<f64> {
+    pub(super) fn fraction(&self, edge: &PatchEdge, parameter: f64) -> Option<f64> {
         let [start, end] = self.ends;
         let is_inside = start.parameter < parameter && parameter < end.parameter;
         let part = |fraction: f64| (fraction - start.fraction) / (end.fraction - start.fraction);
@@ -291,7 +299,7 @@ impl Stretch {
 }
 
 /// How far the points of a sheet may be from the spline that its edges are taken of.
-fn slack(sheet: &Sheet<'_>, tolerance: f64) -> f64 {
+fn slack(sheet: &SurfacePatch<'_>, tolerance: f64) -> f64 {
     if sheet.is_function() { SHARE * tolerance } else { 0.0 }
 }
 

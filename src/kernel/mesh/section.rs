@@ -8,11 +8,11 @@ use super::Mesh;
 use crate::{Frame, GeomError, NurbsCurve};
 
 /// An edge by the bits of its corners, which are the same for both of its triangles.
-type Key = [[u64; 3]; 2];
+type EdgeKey = [[u64; 3]; 2];
 
 /// A stretch across a triangle, with the edges that it starts and ends on.
-struct Stretch {
-    keys: [Key; 2],
+struct TriangleCut {
+    keys: [EdgeKey; 2],
     points: [DVec3; 2],
 }
 
@@ -26,14 +26,14 @@ impl Mesh {
     /// # Errors
     /// Those of [`NurbsCurve::polyline`].
     pub fn section(&self, plane: Frame) -> Result<Vec<NurbsCurve>, GeomError> {
-        let stretches: Vec<Stretch> =
+        let stretches: Vec<TriangleCut> =
             self.corners().filter_map(|corners| stretch(corners, plane)).collect();
         let lines = chained(&stretches).into_iter().filter(|line| 1 < line.len());
         lines.map(|line| NurbsCurve::polyline(&line)).collect()
     }
 }
 
-fn stretch(corners: [DVec3; 3], plane: Frame) -> Option<Stretch> {
+fn stretch(corners: [DVec3; 3], plane: Frame) -> Option<TriangleCut> {
     let heights = corners.map(|corner| (corner - plane.origin()).dot(plane.z()));
     let is_above = heights.map(|height| 0.0 <= height);
     let falling = (0..3).find(|&i| is_above[i] && !is_above[(i + 1) % 3])?;
@@ -46,13 +46,13 @@ fn stretch(corners: [DVec3; 3], plane: Frame) -> Option<Stretch> {
         ([key(i), key(k)], corners[i].lerp(corners[k], fraction))
     };
     let ((start_key, start), (end_key, end)) = (cut(falling), cut(rising));
-    Some(Stretch { keys: [start_key, end_key], points: [start, end] })
+    Some(TriangleCut { keys: [start_key, end_key], points: [start, end] })
 }
 
 /// The stretches one behind the other: first the lines with ends, then the closed ones.
-fn chained(stretches: &[Stretch]) -> Vec<Vec<DVec3>> {
-    let mut from: BTreeMap<Key, Vec<usize>> = BTreeMap::new();
-    let mut n_ends: BTreeMap<Key, usize> = BTreeMap::new();
+fn chained(stretches: &[TriangleCut]) -> Vec<Vec<DVec3>> {
+    let mut from: BTreeMap<EdgeKey, Vec<usize>> = BTreeMap::new();
+    let mut n_ends: BTreeMap<EdgeKey, usize> = BTreeMap::new();
     for (i, stretch) in stretches.iter().enumerate().rev() {
         from.entry(stretch.keys[0]).or_default().push(i);
         *n_ends.entry(stretch.keys[1]).or_default() += 1;

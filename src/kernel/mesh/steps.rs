@@ -7,13 +7,13 @@ const HALVINGS: usize = 30;
 
 /// Widths that cells may have over parts of an interval.
 #[derive(Debug)]
-pub(super) struct Widths<'a> {
+pub(super) struct CellWidths<'a> {
     /// Where the parts begin and end.
     pub(super) ends: &'a [f64],
     pub(super) widths: &'a [f64],
 }
 
-impl Widths<'_> {
+impl CellWidths<'_> {
     /// Lines from one break to the next, of which any two neighbours are no further apart than is
     /// allowed in all parts that they touch, and as few as that takes.
     ///

@@ -6,7 +6,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Mesh, seam::Vertices, sheet::Cells, sheet::Sheet};
+use super::{Mesh, seam::Vertices, surface_patch::Cells, surface_patch::SurfacePatch};
 use crate::{
     Bounds, GeomError, Interval, Side,
     tolerance::{PLACE_RELATIVE, VANISHING_RELATIVE},
@@ -14,14 +14,14 @@ use crate::{
 
 /// A line of the grid, seen from one side.
 #[derive(Clone, Copy, Debug)]
-struct Line {
+struct GridLine {
     at: f64,
     side: Side,
 }
 
 /// A vertex on a side of a strip.
 #[derive(Clone, Copy, Debug)]
-struct Knot {
+struct StripVertex {
     at: f64,
     side: Side,
     vertex: u32,
@@ -29,10 +29,10 @@ struct Knot {
 
 /// A mesh in the making.
 struct Stitcher<'a, 's> {
-    sheet: &'a Sheet<'s>,
+    sheet: &'a SurfacePatch<'s>,
     mesh: Mesh,
     /// Lines inside along u and along v.
-    lines: [Vec<Line>; 2],
+    lines: [Vec<GridLine>; 2],
     /// A length that is rounding.
     rounding: f64,
 }
@@ -40,9 +40,9 @@ struct Stitcher<'a, 's> {
 /// The mesh of a sheet whose edges have these vertices.
 ///
 /// # Errors
-/// Those of [`Sheet::point_at`]; [`GeomError::TooManyVertices`].
+/// Those of [`SurfacePatch::point_at`]; [`GeomError::TooManyVertices`].
 pub(super) fn stitched(
-    sheet: &Sheet<'_>,
+    sheet: &SurfacePatch<'_>,
     cells: &Cells,
     edges: &[Vertices; 4],
     most: usize,
@@ -56,7 +56,7 @@ pub(super) fn stitched(
     if !is_open_u && !is_open_v {
         for (along, domain) in sheet.domains().into_iter().enumerate() {
             if lines[along].is_empty() {
-                lines[along].push(Line { at: domain.at(0.5), side: Side::Right });
+                lines[along].push(GridLine { at: domain.at(0.5), side: Side::Right });
             }
         }
     }
@@ -78,14 +78,14 @@ pub(super) fn stitched(
 }
 
 /// The lines between the first and the last; where there is a crease, two.
-fn inner_lines(sheet: &Sheet<'_>, lines: &[f64], along: usize) -> Vec<Line> {
+fn inner_lines(sheet: &SurfacePatch<'_>, lines: &[f64], along: usize) -> Vec<GridLine> {
     let mut creases = sheet.breaks[along].iter().filter(|line| line.is_crease).peekable();
     let mut all = Vec::with_capacity(lines.len());
     for &at in &lines[1..lines.len() - 1] {
         if creases.next_if(|crease| crease.at <= at).is_some() {
-            all.push(Line { at, side: Side::Left });
+            all.push(GridLine { at, side: Side::Left });
         }
-        all.push(Line { at, side: Side::Right });
+        all.push(GridLine { at, side: Side::Right });
     }
     all
 }
@@ -134,7 +134,7 @@ impl Stitcher<'_, '_> {
                 }
             }
         }
-        let is_gap = |lines: &[Line], i: usize| {
+        let is_gap = |lines: &[GridLine], i: usize| {
             lines[i].side == Side::Left && lines[i + 1].side == Side::Right
         };
         let n = vs.len() as u32;
@@ -159,12 +159,12 @@ impl Stitcher<'_, '_> {
         let mut corners = [[None; 2]; 2];
         for (number, vertices) in edges.iter().enumerate() {
             let (along, is_last) = (usize::from(number < 2), number % 2);
-            let inner: Vec<Knot> = (0..if along == 0 { n } else { m })
+            let inner: Vec<StripVertex> = (0..if along == 0 { n } else { m })
                 .map(|i| {
                     let across = if is_last == 1 { [n, m][1 - along] - 1 } else { 0 };
                     let vertex = if along == 0 { i * m + across } else { across * m + i };
-                    let Line { at, side } = self.lines[along][i];
-                    Knot { at, side, vertex: vertex as u32 }
+                    let GridLine { at, side } = self.lines[along][i];
+                    StripVertex { at, side, vertex: vertex as u32 }
                 })
                 .collect();
             let outer = self.outer(number, vertices, &mut corners);
@@ -187,7 +187,7 @@ impl Stitcher<'_, '_> {
         number: usize,
         vertices: &Vertices,
         corners: &mut [[Option<u32>; 2]; 2],
-    ) -> Vec<Knot> {
+    ) -> Vec<StripVertex> {
         let (along, is_last) = (usize::from(number < 2), number % 2);
         let across = self.sheet.domains()[1 - along];
         let fixed = if is_last == 1 { across.end() } else { across.start() };
@@ -206,7 +206,7 @@ impl Stitcher<'_, '_> {
                     self.add(place, point, normal)
                 });
                 corners[i][j] = Some(vertex);
-                knots.push(Knot { at, side: Side::Right, vertex });
+                knots.push(StripVertex { at, side: Side::Right, vertex });
                 continue;
             }
             let crease = creases.iter().find(|crease| crease.0 == k).map(|crease| crease.1);
@@ -224,7 +224,7 @@ impl Stitcher<'_, '_> {
                     }
                 };
                 let vertex = self.add(place, point, normal);
-                knots.push(Knot { at, side, vertex });
+                knots.push(StripVertex { at, side, vertex });
             }
         }
         knots
@@ -257,8 +257,8 @@ impl Stitcher<'_, '_> {
     }
 
     /// Triangles between two sides that run alike; `turns` if the first is to the right of the other.
-    fn strip(&mut self, first: &[Knot], second: &[Knot], turns: bool) {
-        let sections = |side: &[Knot]| -> Vec<usize> {
+    fn strip(&mut self, first: &[StripVertex], second: &[StripVertex], turns: bool) {
+        let sections = |side: &[StripVertex]| -> Vec<usize> {
             let gaps = (1..side.len()).filter(|&i| side[i - 1].side == Side::Left);
             [0].into_iter().chain(gaps).chain([side.len()]).collect()
         };
@@ -272,7 +272,7 @@ impl Stitcher<'_, '_> {
         }
     }
 
-    fn zip(&mut self, first: &[Knot], second: &[Knot], turns: bool) {
+    fn zip(&mut self, first: &[StripVertex], second: &[StripVertex], turns: bool) {
         let (mut i, mut j) = (0, 0);
         loop {
             let (next, other) = (first.get(i + 1), second.get(j + 1));

@@ -1,13 +1,14 @@
 //! Meshes and polygons within a tolerance, by bounds.
 //!
-//! `bend` bounds the derivatives of a surface, `limits` makes of them the cells that a mesh may
+//! `bend` bounds the derivatives of a surface, `cell_bounds` makes of them the cells that a mesh may
 //! have, `steps` lays lines through the parameters that keep to these, `seam` divides the edges, and
-//! `stitch` makes the triangles of each `sheet`.
+//! `stitch` makes the triangles of each `surface_patch`.
 
 use glam::{DVec3, DVec4};
 
 use super::{
-    Mesh, MeshError, MeshLimits, limits::Limits, seam::Seams, sheet::Sheet, stitch::stitched,
+    Mesh, MeshError, TessellationOptions, cell_bounds::CellBounds, seam::SharedEdges,
+    stitch::stitched, surface_patch::SurfacePatch,
 };
 use crate::{
     GeomError, NurbsCurve, NurbsSurface, Surface, bezier, homogeneous::project,
@@ -38,7 +39,7 @@ pub fn tessellate(
     tolerance: f64,
     max_vertices: usize,
 ) -> Result<Mesh, GeomError> {
-    tessellate_finely(surface, &MeshLimits::within(tolerance), max_vertices)
+    tessellate_finely(surface, &TessellationOptions::within(tolerance), max_vertices)
 }
 
 /// A mesh of the surface as fine as is asked for.
@@ -48,11 +49,11 @@ pub fn tessellate(
 /// it would need more than the ceiling.
 pub fn tessellate_finely(
     surface: &NurbsSurface,
-    limits: &MeshLimits,
+    limits: &TessellationOptions,
     max_vertices: usize,
 ) -> Result<Mesh, GeomError> {
     limits.check()?;
-    let sheet = Sheet::of_spline(surface, limits.tolerance);
+    let sheet = SurfacePatch::of_spline(surface, limits.tolerance);
     let meshes = meshes_of(vec![sheet], limits, max_vertices)?;
     Mesh::merged(&meshes, max_vertices)
 }
@@ -63,18 +64,18 @@ pub fn tessellate_finely(
 /// Those of [`tessellate_finely`], and as [`crate::ParametricSurface::to_nurbs`].
 pub fn tessellate_all(
     surfaces: &[Surface],
-    limits: &MeshLimits,
+    limits: &TessellationOptions,
     max_vertices: usize,
 ) -> Result<Vec<Mesh>, GeomError> {
     limits.check()?;
-    let sheet = |surface| Sheet::new(surface, limits.tolerance);
-    let sheets: Result<Vec<Sheet<'_>>, GeomError> = surfaces.iter().map(sheet).collect();
+    let sheet = |surface| SurfacePatch::new(surface, limits.tolerance);
+    let sheets: Result<Vec<SurfacePatch<'_>>, GeomError> = surfaces.iter().map(sheet).collect();
     meshes_of(sheets?, limits, max_vertices)
 }
 
 fn meshes_of(
-    mut sheets: Vec<Sheet<'_>>,
-    limits: &MeshLimits,
+    mut sheets: Vec<SurfacePatch<'_>>,
+    limits: &TessellationOptions,
     max_vertices: usize,
 ) -> Result<Vec<Mesh>, GeomError> {
     for sheet in &sheets {
@@ -83,15 +84,16 @@ fn meshes_of(
         let ends = [sheet.point_at(u.start(), v.start())?, sheet.point_at(u.end(), v.end())?];
         check_rounding(limits.tolerance, far(ends))?;
     }
-    let seams = Seams::of(&mut sheets, limits)?;
-    let all: Vec<Limits> = sheets.iter().map(|sheet| sheet.limits(limits)).collect();
+    let seams = SharedEdges::of(&mut sheets, limits)?;
+    let all: Vec<CellBounds> = sheets.iter().map(|sheet| sheet.limits(limits)).collect();
     let mut sharpness = vec![1.0; sheets.len()];
     let mut excesses = vec![f64::INFINITY; sheets.len()];
     let mut round = 0;
     loop {
         GeomError::go_on(1)?;
         let sharpened = all.iter().zip(&sharpness).map(|(limits, &by)| limits.sharpened(by));
-        let cells = |(sheet, limits): (&Sheet<'_>, Limits)| sheet.cells(limits, max_vertices);
+        let cells =
+            |(sheet, limits): (&SurfacePatch<'_>, CellBounds)| sheet.cells(limits, max_vertices);
         let cells: Result<Vec<_>, GeomError> = sheets.iter().zip(sharpened).map(cells).collect();
         let cells = cells?;
         let edges = seams.vertices(&sheets, &cells, max_vertices)?;
@@ -170,7 +172,7 @@ pub fn tessellate_curve(
     tolerance: f64,
     max_points: usize,
 ) -> Result<Vec<DVec3>, GeomError> {
-    MeshLimits::within(tolerance).check()?;
+    TessellationOptions::within(tolerance).check()?;
     curve.check_connected()?;
     check_rounding(tolerance, far([curve.start(), curve.end()]))?;
     let mut points = vec![curve.start()];

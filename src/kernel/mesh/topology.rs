@@ -20,7 +20,7 @@ pub struct Topology {
     /// How many places the triangles have.
     n_vertices: usize,
     /// Sides, sorted by their edge.
-    sides: Vec<Side>,
+    sides: Vec<TriangleSide>,
     /// Where the sides of each edge begin, and the end.
     edges: Vec<u32>,
     /// Sides without a neighbour, as they are directed.
@@ -33,7 +33,7 @@ pub struct Topology {
 
 /// A side of a triangle under its edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Side {
+struct TriangleSide {
     edge: [u32; 2],
     /// Three times the triangle, and the corner that it begins at.
     number: u32,
@@ -89,11 +89,11 @@ impl Mesh {
 
 impl Topology {
     fn new(triangles: Vec<[u32; 3]>, n_all: usize, n_places: usize) -> Self {
-        let mut sides: Vec<Side> = Vec::with_capacity(3 * triangles.len());
+        let mut sides: Vec<TriangleSide> = Vec::with_capacity(3 * triangles.len());
         for (t, corners) in triangles.iter().enumerate() {
             for k in 0..3 {
                 let (a, b) = (corners[k], corners[(k + 1) % 3]);
-                sides.push(Side { edge: [a.min(b), a.max(b)], number: (3 * t + k) as u32 });
+                sides.push(TriangleSide { edge: [a.min(b), a.max(b)], number: (3 * t + k) as u32 });
             }
         }
         sides.sort_unstable();
@@ -125,13 +125,13 @@ impl Topology {
     }
 
     /// The sides of each edge.
-    fn each_edge(&self) -> impl Iterator<Item = &[Side]> {
+    fn each_edge(&self) -> impl Iterator<Item = &[TriangleSide]> {
         self.edges.windows(2).map(|ends| &self.sides[ends[0] as usize..ends[1] as usize])
     }
 
     /// Each edge with its triangles.
     pub(super) fn edges_with_triangles(&self) -> impl Iterator<Item = ([u32; 2], Vec<&[u32; 3]>)> {
-        let triangle = |side: &Side| &self.triangles[side.number as usize / 3];
+        let triangle = |side: &TriangleSide| &self.triangles[side.number as usize / 3];
         self.each_edge().map(move |sides| (sides[0].edge, sides.iter().map(triangle).collect()))
     }
 

@@ -12,7 +12,7 @@ use crate::{bernstein::binomials, tolerance::LAST_BIT};
 const ROUNDINGS: f64 = 4.0;
 
 /// Coefficients of |A|² and of w² for a part of a patch, and of more parts that wait.
-pub(super) struct Gap {
+pub(super) struct DistanceBounds {
     /// Coefficients along each direction.
     n: [usize; 2],
     n_points: [usize; 2],
@@ -29,7 +29,7 @@ pub(super) struct Gap {
     waiting: Vec<f64>,
 }
 
-impl Gap {
+impl DistanceBounds {
     /// For patches of these degrees.
     pub(super) fn new(degrees: [usize; 2]) -> Self {
         let products = |degrees: [usize; 2]| -> Vec<f64> {

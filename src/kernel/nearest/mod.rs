@@ -21,10 +21,10 @@ use super::{
     tolerance::{LAST_BIT, NEAREST_RELATIVE},
 };
 use crate::work;
-use gap::Gap;
-use patch::Patch;
-pub(crate) use patch::{Cell, Way, descend};
-use tree::Tree;
+use gap::DistanceBounds;
+use patch::BezierPatch;
+pub(crate) use patch::{PatchPart, Residual, descend};
+use tree::PatchTree;
 
 /// Parts looked at before the search becomes content with less. Only where a whole line is nearly
 /// equally near, askew to the parameters, are there that many.
@@ -47,23 +47,23 @@ const MAX_HALVINGS: u8 = 48;
 
 /// A tensor-product spline prepared to be searched; a curve has a single column.
 #[derive(Debug)]
-pub(crate) struct Nearest {
-    along: [Direction; 2],
-    tree: Tree,
+pub(crate) struct ClosestPointTree {
+    along: [DirectionSpans; 2],
+    tree: PatchTree,
     magnitude: f64,
 }
 
 /// The spans of one direction.
 #[derive(Debug)]
-struct Direction {
+struct DirectionSpans {
     degree: usize,
-    spans: Vec<Span>,
+    spans: Vec<KnotSpan>,
     /// For each span the (p + 1)² factors that make Bézier points of control points, row by row.
     to_bezier: Vec<f64>,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Span {
+struct KnotSpan {
     start: f64,
     end: f64,
     /// The first control point that acts on it.
@@ -72,7 +72,7 @@ struct Span {
 
 /// Parameters of a spline.
 #[derive(Debug)]
-pub(crate) struct Places {
+pub(crate) struct SplineParameters {
     /// Places that are nearest, at least one, and some that were on the way to them.
     pub(crate) single: Vec<[f64; 2]>,
     /// The ends of stretches that are equally near all along; they are among the places too.
@@ -81,20 +81,20 @@ pub(crate) struct Places {
 
 /// Which places are looked for.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Wanted {
+pub(crate) enum SearchTarget {
     /// One of the nearest.
     One,
     /// Each local minimum that is at most so much further away than the nearest.
     AllWithin(f64),
 }
 
-impl Direction {
+impl DirectionSpans {
     fn new(knots: &KnotVector) -> Self {
         let n = knots.degree() + 1;
         let (mut spans, mut to_bezier) = (Vec::new(), Vec::new());
         for span in knots.spans() {
             let interval = knots.span_interval(span);
-            spans.push(Span {
+            spans.push(KnotSpan {
                 start: interval.start(),
                 end: interval.end(),
                 first: *knots.support(span).start(),
@@ -112,7 +112,7 @@ impl Direction {
 
     /// The only span of a direction that a curve does not have.
     fn single() -> Self {
-        let span = Span { start: 0.0, end: 0.0, first: 0 };
+        let span = KnotSpan { start: 0.0, end: 0.0, first: 0 };
         Self { degree: 0, spans: vec![span], to_bezier: vec![1.0] }
     }
 
@@ -122,20 +122,20 @@ impl Direction {
     }
 }
 
-impl Nearest {
+impl ClosestPointTree {
     /// Prepares a curve.
     pub(crate) fn of_curve(knots: &KnotVector, points: &[DVec4]) -> Self {
-        Self::new([Direction::new(knots), Direction::single()], 1, points)
+        Self::new([DirectionSpans::new(knots), DirectionSpans::single()], 1, points)
     }
 
     /// Prepares a surface.
     pub(crate) fn of_surface(knots: [&KnotVector; 2], points: &Grid<DVec4>) -> Self {
-        Self::new(knots.map(Direction::new), points.n_columns(), points.as_slice())
+        Self::new(knots.map(DirectionSpans::new), points.n_columns(), points.as_slice())
     }
 
-    fn new(along: [Direction; 2], n_columns: usize, points: &[DVec4]) -> Self {
-        let mut patch = Patch::new([along[0].degree, along[1].degree]);
-        let tree = Tree::new([along[0].spans.len(), along[1].spans.len()], |spans| {
+    fn new(along: [DirectionSpans; 2], n_columns: usize, points: &[DVec4]) -> Self {
+        let mut patch = BezierPatch::new([along[0].degree, along[1].degree]);
+        let tree = PatchTree::new([along[0].spans.len(), along[1].spans.len()], |spans| {
             patch.take(&along, spans, (points, n_columns), (DVec3::ZERO, 1.0));
             patch.bounds()
         });
@@ -143,27 +143,32 @@ impl Nearest {
     }
 
     /// The places that are nearest to `p`; `points` are those that it was made of. Stretches are
-    /// looked for with [`Wanted::AllWithin`] only.
-    pub(crate) fn places(&self, points: &[DVec4], p: DVec3, wanted: Wanted) -> Places {
+    /// looked for with [`SearchTarget::AllWithin`] only.
+    pub(crate) fn places(
+        &self,
+        points: &[DVec4],
+        p: DVec3,
+        wanted: SearchTarget,
+    ) -> SplineParameters {
         let size = self.magnitude.max(p.abs().max_element());
         let unit = if size < LARGE { 1.0 } else { 1.0 / size };
         let degrees = [self.along[0].degree, self.along[1].degree];
-        let mut search = Search {
+        let mut search = ClosestPointSearch {
             whole: self,
             points,
             n_columns: points.len() / self.n_rows(),
             p,
             unit,
             wanted: match wanted {
-                Wanted::One => Wanted::One,
-                Wanted::AllWithin(tolerance) => Wanted::AllWithin(tolerance * unit),
+                SearchTarget::One => SearchTarget::One,
+                SearchTarget::AllWithin(tolerance) => SearchTarget::AllWithin(tolerance * unit),
             },
             rounding: NEAREST_RELATIVE * size * unit,
             best: f64::INFINITY,
             found: Vec::new(),
             stretches: Vec::new(),
-            patch: Patch::new(degrees),
-            gap: Gap::new(degrees),
+            patch: BezierPatch::new(degrees),
+            gap: DistanceBounds::new(degrees),
             todo: Vec::new(),
             n_parts: 0,
         };
@@ -178,14 +183,14 @@ impl Nearest {
 }
 
 /// One search.
-struct Search<'a> {
-    whole: &'a Nearest,
+struct ClosestPointSearch<'a> {
+    whole: &'a ClosestPointTree,
     points: &'a [DVec4],
     n_columns: usize,
     p: DVec3,
     /// Lengths are multiplied by this.
     unit: f64,
-    wanted: Wanted,
+    wanted: SearchTarget,
     /// What a distance may be wrong by.
     rounding: f64,
     best: f64,
@@ -193,13 +198,13 @@ struct Search<'a> {
     found: Vec<([usize; 2], [f64; 2])>,
     /// Patches by their spans, and the corners of parts that are equally near everywhere.
     stretches: Vec<([usize; 2], [[f64; 2]; 2])>,
-    patch: Patch,
-    gap: Gap,
-    todo: Vec<Cell>,
+    patch: BezierPatch,
+    gap: DistanceBounds,
+    todo: Vec<PatchPart>,
     n_parts: usize,
 }
 
-impl Search<'_> {
+impl ClosestPointSearch<'_> {
     fn run(&mut self) {
         let mut nodes = vec![(0.0, self.whole.tree.root())];
         while (self.found.is_empty() || work::goes_on(1))
@@ -225,8 +230,8 @@ impl Search<'_> {
     /// What is further away than this is of no interest.
     fn limit(&self) -> f64 {
         match self.wanted {
-            Wanted::AllWithin(tolerance) => self.best + tolerance,
-            Wanted::One => {
+            SearchTarget::AllWithin(tolerance) => self.best + tolerance,
+            SearchTarget::One => {
                 let many = self.n_parts / MANY_PARTS;
                 let leniency = (0..many).fold(1.0, |all, _| all * LENIENCY);
                 self.best - self.rounding * leniency
@@ -242,7 +247,7 @@ impl Search<'_> {
             return;
         }
         self.gap.start(self.patch.net());
-        self.todo.push(Cell::whole([whole.along[0].degree, whole.along[1].degree]));
+        self.todo.push(PatchPart::whole([whole.along[0].degree, whole.along[1].degree]));
         while (self.found.is_empty() || work::goes_on(1))
             && let Some(cell) = self.todo.pop()
         {
@@ -258,7 +263,7 @@ impl Search<'_> {
     }
 
     /// The squares of the distances of the corners are among the coefficients.
-    fn note_corners(&mut self, cell: Cell, spans: [usize; 2]) {
+    fn note_corners(&mut self, cell: PatchPart, spans: [usize; 2]) {
         for corner in [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]] {
             let squared = self.gap.squared_at(corner);
             if squared < self.best * self.best || self.found.is_empty() {
@@ -268,13 +273,13 @@ impl Search<'_> {
     }
 
     /// Finds the minimum on a part that can have but one, and tells how to halve another.
-    fn direction_to_halve(&mut self, cell: Cell, spans: [usize; 2]) -> Option<usize> {
+    fn direction_to_halve(&mut self, cell: PatchPart, spans: [usize; 2]) -> Option<usize> {
         let limit = self.limit();
         let is_done = limit < 0.0 || MOST_PARTS < self.n_parts;
         if is_done || self.gap.is_never_below(limit * limit) {
             return None;
         }
-        if matches!(self.wanted, Wanted::AllWithin(_)) && self.is_equally_near() {
+        if matches!(self.wanted, SearchTarget::AllWithin(_)) && self.is_equally_near() {
             // A whole stretch is equally near.
             for place in [cell.low, cell.high] {
                 self.note(place, self.best, spans);
@@ -303,13 +308,13 @@ impl Search<'_> {
 
     fn note(&mut self, place: [f64; 2], distance: f64, spans: [usize; 2]) {
         let distance_limit = match self.wanted {
-            Wanted::One => self.best,
-            Wanted::AllWithin(_) => self.limit(),
+            SearchTarget::One => self.best,
+            SearchTarget::AllWithin(_) => self.limit(),
         };
         if !self.found.is_empty() && distance_limit < distance {
             return;
         }
-        if let Wanted::One = self.wanted {
+        if let SearchTarget::One = self.wanted {
             self.found.clear();
         }
         self.best = self.best.min(distance);
@@ -318,16 +323,16 @@ impl Search<'_> {
 
     /// The parameters of what was found; the nearest place, which may be nearest up to rounding
     /// only, is improved as far as that goes.
-    fn finish(&mut self) -> Places {
+    fn finish(&mut self) -> SplineParameters {
         let along = &self.whole.along;
-        if let (Wanted::One, &[(spans, place)]) = (self.wanted, &self.found[..]) {
+        if let (SearchTarget::One, &[(spans, place)]) = (self.wanted, &self.found[..]) {
             self.patch.take(along, spans, (self.points, self.n_columns), (self.p, self.unit));
-            let cell = Cell::whole([along[0].degree, along[1].degree]);
+            let cell = PatchPart::whole([along[0].degree, along[1].degree]);
             self.found[0].1 = self.patch.minimum(cell, place, self.rounding).place;
         }
         let parameters = |spans: [usize; 2], place: [f64; 2]| {
             [0, 1].map(|direction| {
-                let Span { start, end, .. } = along[direction].spans[spans[direction]];
+                let KnotSpan { start, end, .. } = along[direction].spans[spans[direction]];
                 start * (1.0 - place[direction]) + end * place[direction]
             })
         };
@@ -335,6 +340,6 @@ impl Search<'_> {
         let of_stretch = |&(spans, ends): &([usize; 2], [[f64; 2]; 2])| {
             ends.map(|place| parameters(spans, place))
         };
-        Places { single, stretches: self.stretches.iter().map(of_stretch).collect() }
+        SplineParameters { single, stretches: self.stretches.iter().map(of_stretch).collect() }
     }
 }

@@ -4,7 +4,7 @@ use std::convert::Infallible;
 
 use glam::{DVec2, DVec3, DVec4};
 
-use super::Direction;
+use super::DirectionSpans;
 use crate::{Bounds, Interval, homogeneous, tolerance::LAST_BIT};
 
 /// Steps towards a minimum; some five are enough where the squared distance is curved.
@@ -15,7 +15,7 @@ const MAX_HALVINGS: usize = 12;
 
 /// A part of a patch, in fractions of its spans.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Cell {
+pub(crate) struct PatchPart {
     pub(super) low: [f64; 2],
     pub(super) high: [f64; 2],
     pub(super) n_halvings: [u8; 2],
@@ -32,7 +32,7 @@ pub(super) struct Minimum {
 }
 
 /// The net of a patch, with room to work.
-pub(super) struct Patch {
+pub(super) struct BezierPatch {
     degrees: [usize; 2],
     net: Vec<DVec4>,
     strip: Vec<DVec4>,
@@ -48,7 +48,7 @@ struct Basis {
 
 /// The way from the place that is asked for to a point, with its derivatives.
 #[derive(Clone, Copy)]
-pub(crate) struct Way {
+pub(crate) struct Residual {
     pub(crate) place: [f64; 2],
     squared: f64,
     /// Half the derivatives of the square.
@@ -59,7 +59,7 @@ pub(crate) struct Way {
     metric: [f64; 3],
 }
 
-impl Cell {
+impl PatchPart {
     /// The whole patch; of a direction without extent its start.
     pub(super) fn whole(degrees: [usize; 2]) -> Self {
         let high = degrees.map(|degree| if degree == 0 { 0.0 } else { 1.0 });
@@ -90,13 +90,13 @@ impl Cell {
     }
 
     /// Whether the way down is barred along a direction.
-    fn bars(&self, way: &Way, i: usize) -> bool {
+    fn bars(&self, way: &Residual, i: usize) -> bool {
         (way.place[i] <= self.low[i] && 0.0 <= way.slope[i])
             || (self.high[i] <= way.place[i] && way.slope[i] <= 0.0)
     }
 }
 
-impl Patch {
+impl BezierPatch {
     pub(super) fn new(degrees: [usize; 2]) -> Self {
         let basis = |degree: usize| Basis {
             values: vec![0.0; degree + 1],
@@ -110,7 +110,7 @@ impl Patch {
     /// Becomes the patch over a pair of spans, seen from `p` with lengths multiplied by `unit`.
     pub(super) fn take(
         &mut self,
-        along: &[Direction; 2],
+        along: &[DirectionSpans; 2],
         spans: [usize; 2],
         (points, n_columns): (&[DVec4], usize),
         (p, unit): (DVec3, f64),
@@ -167,8 +167,8 @@ impl Patch {
     /// The nearest point on a part, of those that a descent from `start` comes to. It is a minimum
     /// if no other distance in the part would be less by more than `rounding`, were the square of
     /// the distance convex.
-    pub(super) fn minimum(&mut self, cell: Cell, start: [f64; 2], rounding: f64) -> Minimum {
-        let Ok(way) = descend(&cell, start, |place| Ok::<Way, Infallible>(self.way(place)));
+    pub(super) fn minimum(&mut self, cell: PatchPart, start: [f64; 2], rounding: f64) -> Minimum {
+        let Ok(way) = descend(&cell, start, |place| Ok::<Residual, Infallible>(self.way(place)));
         let left: f64 = [0, 1]
             .into_iter()
             .filter(|&i| !cell.bars(&way, i))
@@ -178,7 +178,7 @@ impl Patch {
         Minimum { place: way.place, squared: way.squared, is_stationary }
     }
 
-    fn way(&mut self, place: [f64; 2]) -> Way {
+    fn way(&mut self, place: [f64; 2]) -> Residual {
         let [along_u, along_v] = &mut self.bases;
         along_u.tabulate(place[0]);
         along_v.tabulate(place[1]);
@@ -199,16 +199,16 @@ impl Patch {
             sums[4] += slope * dn;
             sums[5] += bend * n;
         }
-        Way::new(place, homogeneous::second_order(sums))
+        Residual::new(place, homogeneous::second_order(sums))
     }
 }
 
 /// Goes down from `start` within a part, by Newton's method, as far as that leads.
 pub(crate) fn descend<E>(
-    cell: &Cell,
+    cell: &PatchPart,
     start: [f64; 2],
-    mut way_at: impl FnMut([f64; 2]) -> Result<Way, E>,
-) -> Result<Way, E> {
+    mut way_at: impl FnMut([f64; 2]) -> Result<Residual, E>,
+) -> Result<Residual, E> {
     let mut way = way_at(start)?;
     for _ in 0..MAX_STEPS {
         match lower(cell, &way, &mut way_at)? {
@@ -221,11 +221,11 @@ pub(crate) fn descend<E>(
 
 /// A step that leads down, or none.
 fn lower<E>(
-    cell: &Cell,
-    way: &Way,
-    way_at: &mut impl FnMut([f64; 2]) -> Result<Way, E>,
-) -> Result<Option<Way>, E> {
-    let steepness = |way: &Way| {
+    cell: &PatchPart,
+    way: &Residual,
+    way_at: &mut impl FnMut([f64; 2]) -> Result<Residual, E>,
+) -> Result<Option<Residual>, E> {
+    let steepness = |way: &Residual| {
         let free = |i: usize| if cell.bars(way, i) { 0.0 } else { way.slope[i].abs() };
         free(0).max(free(1))
     };
@@ -245,7 +245,7 @@ fn lower<E>(
     Ok(None)
 }
 
-impl Way {
+impl Residual {
     /// From the way and its derivatives S, Su, Sv, Suu, Suv, Svv.
     pub(crate) fn new(place: [f64; 2], [r, u, v, uu, uv, vv]: [DVec3; 6]) -> Self {
         let metric = [u.dot(u), u.dot(v), v.dot(v)];

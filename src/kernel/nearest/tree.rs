@@ -6,26 +6,26 @@ use crate::Bounds;
 
 /// A binary tree over the grid of patches.
 #[derive(Debug)]
-pub(super) struct Tree {
-    nodes: Vec<Node>,
+pub(super) struct PatchTree {
+    nodes: Vec<TreeNode>,
 }
 
 #[derive(Debug)]
-struct Node {
+struct TreeNode {
     bounds: Bounds,
-    below: Below,
+    below: Children,
 }
 
 #[derive(Debug)]
-enum Below {
+enum Children {
     Children([usize; 2]),
     Patch([usize; 2]),
 }
 
 /// A rectangle of patches: the first one along each direction, and behind the last.
-type Block = [[usize; 2]; 2];
+type PatchBlock = [[usize; 2]; 2];
 
-impl Tree {
+impl PatchTree {
     /// The tree over so many patches along each direction, each in its box.
     pub(super) fn new(n: [usize; 2], mut bounds: impl FnMut([usize; 2]) -> Bounds) -> Self {
         let mut tree = Self { nodes: Vec::with_capacity(2 * n[0] * n[1]) };
@@ -34,12 +34,12 @@ impl Tree {
     }
 
     /// Adds a block, as deep as its size has bits.
-    fn add(&mut self, block: Block, bounds: &mut impl FnMut([usize; 2]) -> Bounds) -> usize {
+    fn add(&mut self, block: PatchBlock, bounds: &mut impl FnMut([usize; 2]) -> Bounds) -> usize {
         let counts = block.map(|[first, behind]| behind - first);
         let index = self.nodes.len();
         if counts == [1, 1] {
             let patch = block.map(|[first, _]| first);
-            self.nodes.push(Node { bounds: bounds(patch), below: Below::Patch(patch) });
+            self.nodes.push(TreeNode { bounds: bounds(patch), below: Children::Patch(patch) });
             return index;
         }
         let direction = usize::from(counts[0] < counts[1]);
@@ -47,10 +47,10 @@ impl Tree {
         let (mut left, mut right) = (block, block);
         (left[direction][1], right[direction][0]) = (middle, middle);
         let nowhere = Bounds { min: DVec3::ZERO, max: DVec3::ZERO };
-        self.nodes.push(Node { bounds: nowhere, below: Below::Patch([0, 0]) });
+        self.nodes.push(TreeNode { bounds: nowhere, below: Children::Patch([0, 0]) });
         let children = [self.add(left, bounds), self.add(right, bounds)];
         let [a, b] = children.map(|child| self.nodes[child].bounds);
-        self.nodes[index] = Node { bounds: a.union(b), below: Below::Children(children) };
+        self.nodes[index] = TreeNode { bounds: a.union(b), below: Children::Children(children) };
         index
     }
 
@@ -60,16 +60,16 @@ impl Tree {
 
     pub(super) fn children(&self, node: usize) -> Option<[usize; 2]> {
         match self.nodes[node].below {
-            Below::Children(children) => Some(children),
-            Below::Patch(_) => None,
+            Children::Children(children) => Some(children),
+            Children::Patch(_) => None,
         }
     }
 
     /// The spans of the patch that a node without children stands for.
     pub(super) fn spans(&self, node: usize) -> [usize; 2] {
         match self.nodes[node].below {
-            Below::Patch(spans) => spans,
-            Below::Children(_) => unreachable!("it has no children"),
+            Children::Patch(spans) => spans,
+            Children::Children(_) => unreachable!("it has no children"),
         }
     }
 
@@ -81,7 +81,7 @@ impl Tree {
 
     /// The largest coordinate of all boxes that are known.
     pub(super) fn magnitude(&self) -> f64 {
-        let leaves = self.nodes.iter().filter(|node| matches!(node.below, Below::Patch(_)));
+        let leaves = self.nodes.iter().filter(|node| matches!(node.below, Children::Patch(_)));
         let magnitudes = leaves.map(|node| node.bounds.magnitude());
         magnitudes.filter(|magnitude| magnitude.is_finite()).fold(0.0, f64::max)
     }

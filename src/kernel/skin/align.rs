@@ -21,7 +21,7 @@ const MAX_BISECTIONS: usize = 60;
 
 /// A section made to run beside another one.
 #[derive(Clone, Debug)]
-pub struct Alignment {
+pub struct AlignedSection {
     /// The section as it runs now.
     pub curve: NurbsCurve,
     /// Whether it ran the other way.
@@ -34,7 +34,7 @@ pub struct Alignment {
     pub unpaired: Option<[usize; 2]>,
 }
 
-impl Alignment {
+impl AlignedSection {
     fn of(curve: NurbsCurve, is_reversed: bool, seam: Option<f64>) -> Self {
         Self { curve, is_reversed, seam, has_moved_corners: false, unpaired: None }
     }
@@ -55,8 +55,8 @@ pub fn aligned(
     beside: &NurbsCurve,
     is_closed: bool,
     distance: f64,
-) -> Result<Alignment, GeomError> {
-    let as_it_is = Alignment::of(curve.clone(), false, None);
+) -> Result<AlignedSection, GeomError> {
+    let as_it_is = AlignedSection::of(curve.clone(), false, None);
     if curve.is_point() || beside.is_point() {
         return Ok(as_it_is);
     }
@@ -77,7 +77,7 @@ pub fn aligned(
         let is_reversed =
             against(together(&|i| i), together(&|i| n - 1 - i)) && against(chords, -chords);
         let curve = if is_reversed { curve.reversed() } else { curve.clone() };
-        return Ok(Alignment::of(curve, is_reversed, None));
+        return Ok(AlignedSection::of(curve, is_reversed, None));
     }
 
     let forwards: Vec<f64> = (0..n).map(|m| together(&|i| (i + m) % n)).collect();
@@ -90,13 +90,13 @@ pub fn aligned(
     let shift = sums.iter().position(|&sum| most - margin <= sum).unwrap_or(0);
     let from_start = shift.min(n - shift);
     if most - margin <= sums[0] || from_start * NEAR_SEAM <= n {
-        return Ok(Alignment::of(curve, is_reversed, None));
+        return Ok(AlignedSection::of(curve, is_reversed, None));
     }
     let seam = nearest_place(&curve, shift, beside);
     let seam_before =
         if is_reversed { curve.domain().start() + (curve.domain().end() - seam) } else { seam };
     let curve = curve.with_seam_at(seam, distance)?;
-    Ok(Alignment::of(curve, is_reversed, Some(seam_before)))
+    Ok(AlignedSection::of(curve, is_reversed, Some(seam_before)))
 }
 
 /// Points at even parameters about their centre; the last one of a closed curve is the first.

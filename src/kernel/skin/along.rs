@@ -9,11 +9,11 @@ use crate::{Ends, GeomError, Interpolator, KnotVector, NurbsCurve};
 pub struct Along {
     knots: KnotVector,
     n_sections: usize,
-    way: Way,
+    way: Lofting,
 }
 
 #[derive(Clone, Debug)]
-enum Way {
+enum Lofting {
     /// Through the sections, and nothing else; of a closed one round and round.
     Through(Interpolator),
     /// With the derivatives by v that are given at the ends, one a line.
@@ -33,7 +33,7 @@ impl Along {
     pub fn free(parameters: &[f64], degree: usize) -> Result<Self, GeomError> {
         let fit = Interpolator::new(parameters, degree, Ends::Averaged)?;
         let (knots, n_sections) = (fit.knots().clone(), parameters.len());
-        Ok(Self { knots, n_sections, way: Way::Through(fit) })
+        Ok(Self { knots, n_sections, way: Lofting::Through(fit) })
     }
 
     /// Periodic splines; the last parameter is where the first section comes again.
@@ -43,7 +43,7 @@ impl Along {
     pub fn closed(parameters: &[f64], degree: usize) -> Result<Self, GeomError> {
         let fit = Interpolator::periodic(parameters, degree)?;
         let (knots, n_sections) = (fit.knots().clone(), parameters.len() - 1);
-        Ok(Self { knots, n_sections, way: Way::Through(fit) })
+        Ok(Self { knots, n_sections, way: Lofting::Through(fit) })
     }
 
     /// As [`Self::free`], with homogeneous derivatives by v at one end or both.
@@ -58,7 +58,7 @@ impl Along {
         let fit =
             Interpolator::with_end_slopes(parameters, degree, [start.is_some(), end.is_some()])?;
         let (knots, n_sections) = (fit.knots().clone(), parameters.len());
-        Ok(Self { knots, n_sections, way: Way::WithSlopes { fit, start, end } })
+        Ok(Self { knots, n_sections, way: Lofting::WithSlopes { fit, start, end } })
     }
 
     /// Splines of degree 2 or 3 whose derivatives at every section point along the spine there,
@@ -88,7 +88,7 @@ impl Along {
         }
         let (knots, n) = (fit.knots().clone(), parameters.len());
         let n_sections = n - usize::from(is_closed);
-        Ok(Self { knots, n_sections, way: Way::Spine { fit, places, tangents, is_closed } })
+        Ok(Self { knots, n_sections, way: Lofting::Spine { fit, places, tangents, is_closed } })
     }
 
     /// C1 cubics of which each coordinate stays between its values at two neighbouring sections.
@@ -104,7 +104,7 @@ impl Along {
         let knots: Vec<f64> = [start; 4].into_iter().chain(inner).chain([end; 4]).collect();
         let knots = KnotVector::new(3, knots)?;
         let n_sections = parameters.len() - usize::from(is_closed);
-        let way = Way::Monotone { parameters: parameters.to_vec(), is_closed };
+        let way = Lofting::Monotone { parameters: parameters.to_vec(), is_closed };
         Ok(Self { knots, n_sections, way })
     }
 
@@ -124,19 +124,19 @@ impl Along {
             return Err(GeomError::WrongCount { what: "sections", needed, got });
         }
         match &self.way {
-            Way::Through(fit) => fit.through(line),
-            Way::WithSlopes { fit, start, end } => {
+            Lofting::Through(fit) => fit.through(line),
+            Lofting::WithSlopes { fit, start, end } => {
                 let slope = |all: &Option<Vec<DVec4>>| all.as_ref().map(|slopes| slopes[index]);
                 fit.with_slopes_at_ends(line, [slope(start), slope(end)])
             }
-            Way::Spine { fit, places, tangents, is_closed } => {
+            Lofting::Spine { fit, places, tangents, is_closed } => {
                 let mut line = line.to_vec();
                 if *is_closed {
                     line.push(line[0]);
                 }
                 fit.with_slopes(&line, &along_spine(&line, places, tangents, *is_closed))
             }
-            Way::Monotone { parameters, is_closed } => {
+            Lofting::Monotone { parameters, is_closed } => {
                 let mut line = line.to_vec();
                 if *is_closed {
                     line.push(line[0]);

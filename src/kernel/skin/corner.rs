@@ -6,7 +6,7 @@
 
 use glam::DVec3;
 
-use super::align::{Alignment, N_PLACES};
+use super::align::{AlignedSection, N_PLACES};
 use crate::{
     GeomError, Interval, NurbsCurve, Side,
     frame::angle_between,
@@ -44,13 +44,13 @@ pub fn corners_of_ring(curve: &NurbsCurve) -> Vec<f64> {
 
 /// A way to run around a closed curve: from a corner, forwards or backwards, with the corners on
 /// the way as fractions of the domain from there.
-struct Way {
+struct RunDirection {
     from: f64,
     is_reversed: bool,
     corners: Vec<f64>,
 }
 
-impl Way {
+impl RunDirection {
     /// All ways from the corners, that of the curve as it is first.
     fn all(corners: &[f64]) -> Vec<Self> {
         let from = |&from: &f64, is_reversed: bool| {
@@ -91,11 +91,11 @@ pub(super) fn cornered(
     curve: &NurbsCurve,
     beside: &NurbsCurve,
     distance: f64,
-) -> Result<Option<Alignment>, GeomError> {
+) -> Result<Option<AlignedSection>, GeomError> {
     let (own, others) = (corners_of_ring(curve), corners_of_ring(beside));
     let are_paired = own.len() == others.len() && others.first().is_some_and(|&at| at <= 0.0);
-    let (here, there) = (About::new(curve), About::new(beside));
-    let apart = |way: &Way| -> f64 {
+    let (here, there) = (CentredCurve::new(curve), CentredCurve::new(beside));
+    let apart = |way: &RunDirection| -> f64 {
         let place = |i: usize| {
             let fraction = i as f64 / N_PLACES as f64;
             way.place(if are_paired { carried(fraction, &others, &way.corners) } else { fraction })
@@ -104,8 +104,8 @@ pub(super) fn cornered(
             |i: usize| there.at(i as f64 / N_PLACES as f64).distance_squared(here.at(place(i)));
         (0..N_PLACES).map(miss).sum()
     };
-    let mut best: Option<(f64, Way)> = None;
-    for way in Way::all(&own) {
+    let mut best: Option<(f64, RunDirection)> = None;
+    for way in RunDirection::all(&own) {
         let found = apart(&way);
         if best.as_ref().is_none_or(|(least, _)| found < least * (1.0 - TURN_RELATIVE)) {
             best = Some((found, way));
@@ -119,7 +119,7 @@ pub(super) fn cornered(
         if moves { with_corners_at(&run, &way.corners, &others, distance)? } else { run };
     let seam = (0.0 < way.from).then(|| curve.domain().at(way.from));
     let lost = if are_paired || others.is_empty() { None } else { Some([own.len(), others.len()]) };
-    Ok(Some(Alignment {
+    Ok(Some(AlignedSection {
         curve: curve_there,
         is_reversed: way.is_reversed,
         seam,
@@ -192,12 +192,12 @@ fn with_corners_at(
 }
 
 /// A closed curve about its centre.
-struct About<'a> {
+struct CentredCurve<'a> {
     curve: &'a NurbsCurve,
     centre: DVec3,
 }
 
-impl<'a> About<'a> {
+impl<'a> CentredCurve<'a> {
     fn new(curve: &'a NurbsCurve) -> Self {
         let points = curve.sample(N_PLACES + 1);
         Self { curve, centre: points[..N_PLACES].iter().sum::<DVec3>() / N_PLACES as f64 }

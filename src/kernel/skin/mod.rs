@@ -13,10 +13,10 @@ mod sections;
 mod spread;
 mod thin;
 
-pub use align::{Alignment, aligned};
+pub use align::{AlignedSection, aligned};
 pub use along::Along;
 pub use corner::{corners_of_ring, with_seam_at_corner};
-pub use sections::{Rule, Sections};
+pub use sections::{CompatibleSections, SectionParameters};
 pub use spread::at_constant_speed;
 
 use glam::DVec4;
@@ -32,7 +32,7 @@ pub struct Skin {
     pub bad_weight: Option<(usize, usize, f64)>,
 }
 
-impl Sections {
+impl CompatibleSections {
     /// The surface that has the sections as isocurves, exactly.
     ///
     /// Piegl & Tiller, *The NURBS Book*, §10.3, in homogeneous space.

@@ -4,14 +4,14 @@ use glam::DVec4;
 
 use crate::{
     GeomError, KnotVector, NurbsCurve,
-    gordon::{Wanted, refitted},
+    gordon::{RefitRequest, refitted},
     make_compatible,
     tolerance::{PARAMETER_RELATIVE, VANISHING_RELATIVE},
 };
 
 /// A rule for the parameters of sections.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rule {
+pub enum SectionParameters {
     /// The mean, over the lines of control points, of what the distances in each line make.
     Average,
     /// The same with the square roots of the distances.
@@ -22,9 +22,9 @@ pub enum Rule {
 
 /// Curves of one degree on one knot vector, whose weights are 1 in the mean of the ends.
 #[derive(Clone, Debug)]
-pub struct Sections(Vec<NurbsCurve>);
+pub struct CompatibleSections(Vec<NurbsCurve>);
 
-impl Sections {
+impl CompatibleSections {
     /// The curves brought to one degree and one knot vector, exactly, on the domain of the first.
     ///
     /// Weights are first divided by the root of those at the two ends, as a common factor changes
@@ -54,7 +54,7 @@ impl Sections {
             let place = common[i].start();
             let shaped =
                 common[beside].control_points().iter().map(|p| (place * p.w).extend(p.w)).collect();
-            common[i] = NurbsCurve::trusted(common[i].knots().clone(), shaped);
+            common[i] = NurbsCurve::new_unchecked(common[i].knots().clone(), shaped);
         }
         Ok(Self(common))
     }
@@ -81,7 +81,8 @@ impl Sections {
         let held = knots.distinct().into_iter().filter(|&(_, times)| knots.degree() <= times + 1);
         let held = held.map(|(t, times)| (t, times + degree - knots.degree())).collect();
         let at = vec![domain.start(), domain.end()];
-        let (fits, _) = refitted(&rational, &Wanted { degree, at, held, is_ring }, tolerance)?;
+        let (fits, _) =
+            refitted(&rational, &RefitRequest { degree, at, held, is_ring }, tolerance)?;
         let mut fits = fits.into_iter();
         let own = |curve: &NurbsCurve| match curve.is_rational() {
             true if curve.is_point() => NurbsCurve::bezier(&[curve.start()]),
@@ -128,15 +129,19 @@ impl Sections {
     ///
     /// # Errors
     /// [`GeomError::CoincidentPoints`] with the indices of two sections that are one.
-    pub fn parameters(&self, rule: Rule, is_closed: bool) -> Result<Vec<f64>, GeomError> {
+    pub fn parameters(
+        &self,
+        rule: SectionParameters,
+        is_closed: bool,
+    ) -> Result<Vec<f64>, GeomError> {
         let n_steps = self.0.len() - usize::from(!is_closed);
-        if rule == Rule::Uniform {
+        if rule == SectionParameters::Uniform {
             return Ok((0..=n_steps).map(|k| k as f64 / n_steps as f64).collect());
         }
         let lines = self.lines();
         let step = |line: &[DVec4], k: usize| {
             let distance = (line[(k + 1) % line.len()] - line[k]).length();
-            if rule == Rule::Centripetal { distance.sqrt() } else { distance }
+            if rule == SectionParameters::Centripetal { distance.sqrt() } else { distance }
         };
         let lengths: Vec<f64> =
             lines.iter().map(|line| (0..n_steps).map(|k| step(line, k)).sum()).collect();
@@ -169,7 +174,7 @@ impl NurbsCurve {
         let [start, end] = [domain.start(), domain.end()].map(|t| self.homogeneous_at(t).w);
         let factor = 1.0 / (start.sqrt() * end.sqrt());
         let scaled = self.control_points().iter().map(|&point| point * factor).collect();
-        Self::trusted(self.knots().clone(), scaled)
+        Self::new_unchecked(self.knots().clone(), scaled)
     }
 
     /// Whether all control points are at one place.

@@ -2,7 +2,7 @@
 
 use crate::{
     GeomError, Interval, NurbsCurve,
-    gordon::{Map, Wanted, refitted},
+    gordon::{NetworkParameterMap, RefitRequest, refitted},
     tolerance::PLACE_RELATIVE,
 };
 
@@ -38,7 +38,7 @@ pub fn at_constant_speed(
         if fractions.iter().zip(&parameters).all(is_even) {
             continue;
         }
-        let map = Map::new(&fractions, &parameters, false)?;
+        let map = NetworkParameterMap::new(&fractions, &parameters, false)?;
         let (run, rough) = map.applied(&curve.without_needless_knots())?;
         held.extend(rough.into_iter().map(|(t, order)| (t, DEGREE - order)));
         waiting.push((k, run));
@@ -47,7 +47,7 @@ pub fn at_constant_speed(
         return Ok(spread);
     }
     let (indices, runs): (Vec<usize>, Vec<NurbsCurve>) = waiting.into_iter().unzip();
-    let wanted = Wanted { degree: DEGREE, at: Vec::new(), held, is_ring: false };
+    let wanted = RefitRequest { degree: DEGREE, at: Vec::new(), held, is_ring: false };
     let (fits, _) = refitted(&runs, &wanted, tolerance)?;
     for (k, fit) in indices.into_iter().zip(fits) {
         spread[k] = fit;

@@ -1,13 +1,13 @@
 //! Sections on fewer knots.
 
-use super::Sections;
+use super::CompatibleSections;
 use crate::{NurbsCurve, work};
 
 /// The first pass may use this part of the tolerance, each next one four times as much: what
 /// costs least goes first.
 const FIRST_PART: f64 = 1.0 / 256.0;
 
-impl Sections {
+impl CompatibleSections {
     /// The sections without the inner knots that none of them needs to stay within the tolerance
     /// of where it was.
     ///

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::{
     Edge, Surface,
-    looked::{Looked, ORDER},
+    two_sided::{ORDER, TwoSidedSample},
 };
 use crate::{Curve, GeomError, Interval, KnotVector, Side, frame::norm, tolerance::KNOT_RELATIVE};
 
@@ -20,7 +20,7 @@ const STEPS: usize = 20;
 
 /// A parameter line of a surface, and the side of it on which the surface is looked at.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Border<'a> {
+pub(super) struct SurfaceBorder<'a> {
     surface: &'a Surface,
     /// Whether the line is one of constant u.
     is_of_u: bool,
@@ -30,7 +30,7 @@ pub(super) struct Border<'a> {
     side: Side,
 }
 
-impl<'a> Border<'a> {
+impl<'a> SurfaceBorder<'a> {
     pub(super) fn edge(surface: &'a Surface, edge: Edge) -> Self {
         let (u, v) = (surface.domain_u(), surface.domain_v());
         let (is_of_u, at, side) = match edge {
@@ -148,7 +148,7 @@ impl<'a> Border<'a> {
         &self,
         other: &Self,
         is_reversed: bool,
-    ) -> Result<Vec<[Looked; 2]>, GeomError> {
+    ) -> Result<Vec<[TwoSidedSample; 2]>, GeomError> {
         let pair = |fraction: f64| {
             let (beside, side) =
                 if is_reversed { (1.0 - fraction, Side::Left) } else { (fraction, Side::Right) };
@@ -159,7 +159,10 @@ impl<'a> Border<'a> {
     }
 
     /// Both sides at places of this line and those of the other that are nearest to them.
-    pub(super) fn nearest_pairs(&self, other: &Self) -> Result<Vec<[Looked; 2]>, GeomError> {
+    pub(super) fn nearest_pairs(
+        &self,
+        other: &Self,
+    ) -> Result<Vec<[TwoSidedSample; 2]>, GeomError> {
         let nearest = other.nearest()?;
         let pair = |fraction: f64| {
             let here = self.look(self.along().at(fraction), Side::Right)?;
@@ -184,7 +187,7 @@ impl<'a> Border<'a> {
     }
 
     /// What finds the place of the line that is nearest to a point.
-    pub(super) fn nearest(&self) -> Result<Nearest, GeomError> {
+    pub(super) fn nearest(&self) -> Result<LineDistance, GeomError> {
         let curve = self.curve()?;
         let mut seeds = Vec::new();
         if curve.nurbs().is_err() {
@@ -192,7 +195,7 @@ impl<'a> Border<'a> {
                 seeds.push((t, curve.point_at(t)?));
             }
         }
-        Ok(Nearest { curve, seeds })
+        Ok(LineDistance { curve, seeds })
     }
 
     /// The point at a place of the line, and the derivative along it.
@@ -202,15 +205,17 @@ impl<'a> Border<'a> {
         Ok((point, if self.is_of_u { along_v } else { along_u }))
     }
 
-    fn look(&self, t: f64, along: Side) -> Result<Looked, GeomError> {
+    fn look(&self, t: f64, along: Side) -> Result<TwoSidedSample, GeomError> {
         let (u, v) = self.place(t);
         let sides = if self.is_of_u { [self.side, along] } else { [along, self.side] };
         let mut looked = match self.surface {
-            Surface::Nurbs(surface) => Looked::of_nurbs(surface, [u, v], sides, self.is_of_u),
+            Surface::Nurbs(surface) => {
+                TwoSidedSample::of_nurbs(surface, [u, v], sides, self.is_of_u)
+            }
             Surface::Parametric(surface) => {
                 let space = surface.derivatives_at(u, v, ORDER)?;
                 let widths = [surface.domain_u().length(), surface.domain_v().length()];
-                Looked::of_function(&space, widths, self.is_of_u)
+                TwoSidedSample::of_function(&space, widths, self.is_of_u)
             }
         };
         looked.is_end = self.side == Side::Left;
@@ -220,13 +225,13 @@ impl<'a> Border<'a> {
 
 /// A line, ready to be asked for its place nearest to a point.
 #[derive(Debug)]
-pub(super) struct Nearest {
+pub(super) struct LineDistance {
     curve: Curve,
     /// Parameters and points of a function.
     seeds: Vec<(f64, DVec3)>,
 }
 
-impl Nearest {
+impl LineDistance {
     /// The parameter of the nearest place; of a function, by Newton's method from the nearest seed.
     pub(super) fn parameter(&self, point: DVec3) -> Result<f64, GeomError> {
         let curve = &self.curve;

@@ -11,7 +11,7 @@ use super::{NurbsSurface, ParametricSurface, Surface};
 use crate::{
     GeomError, Interval,
     frame::norm,
-    nearest::{Cell, Nearest, Wanted, Way, descend},
+    nearest::{ClosestPointTree, PatchPart, Residual, SearchTarget, descend},
     tolerance::LAST_BIT,
 };
 
@@ -20,7 +20,7 @@ const GRID: usize = 48;
 
 /// The nearest point of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SurfaceFoot {
+pub struct SurfaceClosestPoint {
     /// Where it is: along u and along v. At a seam and at a pole the start of the domain; what is
     /// at an end of a domain up to rounding is there.
     pub parameters: [f64; 2],
@@ -36,7 +36,7 @@ impl Surface {
     ///
     /// # Errors
     /// As [`Self::point_at`].
-    pub fn closest(&self, p: DVec3) -> Result<SurfaceFoot, GeomError> {
+    pub fn closest(&self, p: DVec3) -> Result<SurfaceClosestPoint, GeomError> {
         match self {
             Self::Nurbs(surface) => Ok(surface.closest(p)),
             Self::Parametric(surface) => surface.closest(p),
@@ -50,27 +50,32 @@ impl NurbsSurface {
     /// Ma & Hewitt, *Point inversion and projection for NURBS curve and surface*, CAGD 20 (2003),
     /// say how a patch is left out; here that is decided without their conditions on the net.
     #[must_use]
-    pub fn closest(&self, p: DVec3) -> SurfaceFoot {
+    pub fn closest(&self, p: DVec3) -> SurfaceClosestPoint {
         if let Some(foot) = self.closest_beside_jump(p) {
             return foot;
         }
         let knots = [&self.knots_u, &self.knots_v];
-        let nearest = self.nearest.get_or_make(|| Nearest::of_surface(knots, &self.control_points));
-        let near = nearest.places(self.control_points.as_slice(), p, Wanted::One).single;
+        let nearest =
+            self.nearest.get_or_make(|| ClosestPointTree::of_surface(knots, &self.control_points));
+        let near = nearest.places(self.control_points.as_slice(), p, SearchTarget::One).single;
         let domains = [self.domain_u(), self.domain_v()];
         let parameters = near.first().copied().unwrap_or(domains.map(Interval::start));
         let at = |[u, v]: [f64; 2]| self.point_at(u, v);
         let point = at(parameters);
         let rounding = LAST_BIT * (p.abs().max_element() + point.abs().max_element());
 
-        let mut foot = SurfaceFoot { parameters, point, distance: norm(point - p) };
+        let mut foot = SurfaceClosestPoint { parameters, point, distance: norm(point - p) };
         for (direction, domain) in domains.into_iter().enumerate() {
             let on_end = [domain.start(), domain.end()].into_iter().find_map(|end| {
                 let mut parameters = foot.parameters;
                 parameters[direction] = end;
                 let point = at(parameters);
                 let is_there = norm(point - foot.point) <= 4.0 * rounding;
-                is_there.then(|| SurfaceFoot { parameters, point, distance: norm(point - p) })
+                is_there.then(|| SurfaceClosestPoint {
+                    parameters,
+                    point,
+                    distance: norm(point - p),
+                })
             });
             foot = on_end.unwrap_or(foot);
         }
@@ -78,15 +83,15 @@ impl NurbsSurface {
     }
 
     /// The point that a search from parameters goes down to: near that place, perhaps not the nearest of all.
-    pub(super) fn foot_from(&self, start: [f64; 2], p: DVec3) -> SurfaceFoot {
-        let cell = Cell::between(self.domain_u(), self.domain_v());
+    pub(super) fn foot_from(&self, start: [f64; 2], p: DVec3) -> SurfaceClosestPoint {
+        let cell = PatchPart::between(self.domain_u(), self.domain_v());
         let Ok(found) = descend(&cell, start, |[u, v]| {
             let mut derivatives = self.second_order_at(u, v);
             derivatives[0] -= p;
-            Ok::<Way, Infallible>(Way::new([u, v], derivatives))
+            Ok::<Residual, Infallible>(Residual::new([u, v], derivatives))
         });
         let point = self.point_at(found.place[0], found.place[1]);
-        SurfaceFoot { parameters: found.place, point, distance: norm(point - p) }
+        SurfaceClosestPoint { parameters: found.place, point, distance: norm(point - p) }
     }
 }
 
@@ -104,7 +109,7 @@ impl ParametricSurface {
     ///
     /// # Errors
     /// As [`Self::derivatives_at`].
-    pub fn closest(&self, p: DVec3) -> Result<SurfaceFoot, GeomError> {
+    pub fn closest(&self, p: DVec3) -> Result<SurfaceClosestPoint, GeomError> {
         self.places()?.closest(p)
     }
 
@@ -130,12 +135,12 @@ impl ParametricPlaces<'_> {
     ///
     /// # Errors
     /// As [`ParametricSurface::derivatives_at`].
-    pub fn closest(&self, p: DVec3) -> Result<SurfaceFoot, GeomError> {
+    pub fn closest(&self, p: DVec3) -> Result<SurfaceClosestPoint, GeomError> {
         let (surface, us, vs) = (self.surface, &self.us, &self.vs);
         let n = GRID + 1;
         let distances: Vec<f64> = self.points.iter().map(|&point| norm(point - p)).collect();
-        let cell = Cell::between(surface.domain_u(), surface.domain_v());
-        let mut best: Option<SurfaceFoot> = None;
+        let cell = PatchPart::between(surface.domain_u(), surface.domain_v());
+        let mut best: Option<SurfaceClosestPoint> = None;
         for i in 0..n * n {
             if !is_least_around(&distances, n, i) {
                 continue;
@@ -145,10 +150,11 @@ impl ParametricPlaces<'_> {
                 let orders = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)];
                 let mut derivatives = orders.map(|(k, l)| all.get(k, l));
                 derivatives[0] -= p;
-                Ok::<Way, GeomError>(Way::new([u, v], derivatives))
+                Ok::<Residual, GeomError>(Residual::new([u, v], derivatives))
             })?;
             let point = surface.point_at(found.place[0], found.place[1])?;
-            let foot = SurfaceFoot { parameters: found.place, point, distance: norm(point - p) };
+            let foot =
+                SurfaceClosestPoint { parameters: found.place, point, distance: norm(point - p) };
             if best.is_none_or(|best| foot.distance < best.distance) {
                 best = Some(foot);
             }

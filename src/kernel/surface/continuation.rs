@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{Direction, NurbsSurface};
-use crate::{GeomError, Grid, KnotVector, Side, bezier, refine::Lines};
+use crate::{GeomError, Grid, KnotVector, Side, bezier, refine::ControlLines};
 
 impl NurbsSurface {
     /// The surface on 0..1 across a side, of Bézier form there, whose derivatives across it are
@@ -42,7 +42,7 @@ impl NurbsSurface {
             Direction::U => free.transposed(),
             Direction::V => free.clone(),
         };
-        let Lines { knots, lines } = self.clamped(across).lines(across);
+        let ControlLines { knots, lines } = self.clamped(across).lines(across);
         let needed = lines.len();
         if free.n_rows() != needed || free.n_columns() == 0 {
             let what = "rows of points along the side";
@@ -60,7 +60,7 @@ impl NurbsSurface {
             points
         };
         let lines = lines.iter().enumerate().map(line).collect();
-        let new = self.with_lines(across, Lines { knots: new_knots, lines });
+        let new = self.with_lines(across, ControlLines { knots: new_knots, lines });
         Self::new(new.knots_u, new.knots_v, new.control_points)
     }
 }

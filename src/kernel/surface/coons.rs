@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::{
     NurbsSurface,
-    sum::{Strands, blend},
+    sum::{BooleanSumTerm, blend},
 };
 use crate::{GeomError, Grid, Interval, NurbsCurve};
 
@@ -72,7 +72,7 @@ impl NurbsSurface {
             coefficients.into_iter().map(|c| blend(c, curve.domain())).collect::<Result<_, _>>()
         };
         let strands = |curves: [&NurbsCurve; 2]| {
-            Ok::<_, GeomError>(Strands {
+            Ok::<_, GeomError>(BooleanSumTerm {
                 curves: curves.map(NurbsCurve::clone).to_vec(),
                 blends: functions(curves[0])?,
             })
@@ -112,7 +112,7 @@ impl NurbsSurface {
                 &[0.0, 0.0, -third, 0.0],
             ];
             let blends = hermite.into_iter().map(|c| blend(c, domain));
-            Ok::<_, GeomError>(Strands {
+            Ok::<_, GeomError>(BooleanSumTerm {
                 curves: curves.into_iter().chain(across).cloned().collect(),
                 blends: blends.collect::<Result<_, _>>()?,
             })

@@ -12,7 +12,7 @@ use crate::{
 
 /// An inner knot across which the derivative jumps somewhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Break {
+pub(crate) struct Crease {
     pub(crate) at: f64,
     /// Whether the normal or the surface itself jumps, too, and not only the pace of the parameter.
     pub(crate) is_crease: bool,
@@ -23,7 +23,7 @@ impl NurbsSurface {
     ///
     /// Compared at so many places of each span across that rational derivatives which agree at
     /// all of them are the same.
-    pub(crate) fn breaks_of_derivative(&self, along: Direction) -> Vec<Break> {
+    pub(crate) fn breaks_of_derivative(&self, along: Direction) -> Vec<Crease> {
         let (knots, domain) = (self.knots(along), self.domain(along));
         let across = self.knots(along.other());
         let n_steps = 2 * across.degree() + 1;
@@ -36,7 +36,7 @@ impl NurbsSurface {
         inner.filter_map(|(t, _)| self.break_at(along, t, &places)).collect()
     }
 
-    fn break_at(&self, along: Direction, t: f64, places: &[f64]) -> Option<Break> {
+    fn break_at(&self, along: Direction, t: f64, places: &[f64]) -> Option<Crease> {
         let (mut most, mut jump, mut is_crease) = (0.0_f64, 0.0_f64, false);
         let mut gap = 0.0_f64;
         for &s in places {
@@ -57,7 +57,7 @@ impl NurbsSurface {
         }
         let is_torn = SMOOTH_RELATIVE * most * self.domain(along).length() < gap;
         (is_torn || SMOOTH_RELATIVE * most < jump)
-            .then_some(Break { at: t, is_crease: is_crease || is_torn })
+            .then_some(Crease { at: t, is_crease: is_crease || is_torn })
     }
 
     /// Point, Su and Sv of the pieces on these sides of a place.

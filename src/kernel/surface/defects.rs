@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{Edge, NurbsSurface, Surface, border::Border, level::Part};
+use super::{Edge, NurbsSurface, Surface, border::SurfaceBorder, level_set::SurfacePart};
 use crate::{
     Bounds, GeomError, Grid, Interval, KnotVector, Tolerance,
     frame::{norm, unit},
@@ -34,7 +34,7 @@ const MAX_PARTS: usize = 4000;
 
 /// Where a surface is not regular.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Defects {
+pub struct SurfaceDefects {
     /// Edges that are one point.
     pub collapsed: Vec<Edge>,
     /// Corners `[u, v]` where Su × Sv vanishes although no edge is collapsed.
@@ -44,7 +44,7 @@ pub struct Defects {
 }
 
 /// A place with the unit vector along Su × Sv, none where that vanishes.
-struct Place {
+struct NormalPlace {
     at: [f64; 2],
     normal: Option<DVec3>,
 }
@@ -81,8 +81,8 @@ impl Surface {
     ///
     /// # Errors
     /// As [`Self::point_at`].
-    pub fn defects(&self, tolerance: Tolerance) -> Result<Defects, GeomError> {
-        let mut defects = Defects::default();
+    pub fn defects(&self, tolerance: Tolerance) -> Result<SurfaceDefects, GeomError> {
+        let mut defects = SurfaceDefects::default();
         for edge in Edge::ALL {
             if self.is_collapsed(edge, tolerance)? {
                 defects.collapsed.push(edge);
@@ -110,7 +110,7 @@ impl Surface {
     }
 
     fn is_collapsed(&self, edge: Edge, tolerance: Tolerance) -> Result<bool, GeomError> {
-        let border = Border::edge(self, edge);
+        let border = SurfaceBorder::edge(self, edge);
         let (us, vs) = (self.domain_u().steps(4), self.domain_v().steps(4));
         let whole = Bounds::of(self.points_on_grid(&us, &vs)?.into_values());
         let size = whole.map_or(0.0, Bounds::diagonal);
@@ -121,11 +121,11 @@ impl Surface {
     fn folds(&self) -> Result<Vec<[f64; 2]>, GeomError> {
         let (us, vs) = self.spread_places();
         let mut folds = Vec::new();
-        let mut last: Vec<Option<Place>> = Vec::new();
+        let mut last: Vec<Option<NormalPlace>> = Vec::new();
         for &(u, begins_u) in &us {
             let mut row = Vec::with_capacity(vs.len());
             for (j, &(v, begins_v)) in vs.iter().enumerate() {
-                let here = Place { at: [u, v], normal: self.unit_product([u, v])? };
+                let here = NormalPlace { at: [u, v], normal: self.unit_product([u, v])? };
                 let below = last.get(j).and_then(Option::as_ref).filter(|_| !begins_u);
                 let before = row.last().and_then(Option::as_ref).filter(|_| !begins_v);
                 for beside in [below, before].into_iter().flatten() {
@@ -146,8 +146,8 @@ impl Surface {
     /// The coefficients of Su × Sv in Bernstein's form tell, within whose cone all normals are.
     /// Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988).
     fn small_folds(&self, surface: &NurbsSurface) -> Result<Vec<[f64; 2]>, GeomError> {
-        let mut todo: Vec<(Part, usize)> =
-            Part::all(surface).into_iter().map(|part| (part, 0)).collect();
+        let mut todo: Vec<(SurfacePart, usize)> =
+            SurfacePart::all(surface).into_iter().map(|part| (part, 0)).collect();
         let (mut folds, mut n_parts) = (Vec::new(), 0);
         while work::goes_on(1)
             && let Some((part, n_halvings)) = todo.pop()
@@ -173,14 +173,14 @@ impl Surface {
     }
 
     /// Two corners of a part whose normals are opposite.
-    fn turned_corners(&self, part: &Part) -> Result<Option<[Place; 2]>, GeomError> {
+    fn turned_corners(&self, part: &SurfacePart) -> Result<Option<[NormalPlace; 2]>, GeomError> {
         // Inside: at a knot the next patch would answer.
         let inside =
             |share: f64| [0, 1].map(|i| part.low[i] + (part.high[i] - part.low[i]) * share);
         let ([u0, v0], [u1, v1]) = (inside(INSIDE), inside(1.0 - INSIDE));
-        let mut known: Vec<Place> = Vec::new();
+        let mut known: Vec<NormalPlace> = Vec::new();
         for at in [[u0, v0], [u1, v0], [u1, v1], [u0, v1]] {
-            let here = Place { at, normal: self.unit_product(at)? };
+            let here = NormalPlace { at, normal: self.unit_product(at)? };
             if let Some(i) = known.iter().position(|other| are_opposite(other, &here)) {
                 return Ok(Some([known.swap_remove(i), here]));
             }
@@ -190,7 +190,11 @@ impl Surface {
     }
 
     /// Between two places with opposite normals, where it turns over; none where it only turns far.
-    fn turning_place(&self, from: &Place, to: &Place) -> Result<Option<[f64; 2]>, GeomError> {
+    fn turning_place(
+        &self,
+        from: &NormalPlace,
+        to: &NormalPlace,
+    ) -> Result<Option<[f64; 2]>, GeomError> {
         let between = |f: f64| [0, 1].map(|i| from.at[i] * (1.0 - f) + to.at[i] * f);
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..BISECTIONS {
@@ -242,6 +246,6 @@ impl Surface {
     }
 }
 
-fn are_opposite(a: &Place, b: &Place) -> bool {
+fn are_opposite(a: &NormalPlace, b: &NormalPlace) -> bool {
     a.normal.zip(b.normal).is_some_and(|(a, b)| a.dot(b) < 0.0)
 }

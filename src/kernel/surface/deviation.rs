@@ -1,7 +1,7 @@
 //! How far a surface is from another surface, or from a mesh.
 
 use super::Surface;
-use crate::{Datum, Deviation, GeomError, Interval, KnotVector};
+use crate::{Deviation, DeviationReference, GeomError, Interval, KnotVector};
 
 /// Even parts of a domain, all its pieces together, at whose ends the distance is measured.
 const PARTS: usize = 24;
@@ -23,11 +23,11 @@ impl Surface {
     ///
     /// # Errors
     /// As [`Self::point_at`].
-    pub fn deviation_from(&self, datum: &Datum<'_>) -> Result<Deviation, GeomError> {
+    pub fn deviation_from(&self, datum: &DeviationReference<'_>) -> Result<Deviation, GeomError> {
         let parts = match datum {
-            Datum::Function(_) => PARTS_BY_FUNCTION,
-            Datum::Surface(_) => PARTS,
-            Datum::Mesh(mesh) => {
+            DeviationReference::Function(_) => PARTS_BY_FUNCTION,
+            DeviationReference::Surface(_) => PARTS,
+            DeviationReference::Mesh(mesh) => {
                 let parts = PARTS_OF_TRIANGLE * (mesh.n_triangles() as f64).sqrt();
                 (parts as usize).clamp(PARTS, MOST_PARTS)
             }

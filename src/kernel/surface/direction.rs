@@ -4,7 +4,7 @@
 use glam::DVec4;
 
 use super::NurbsSurface;
-use crate::{Grid, Interval, KnotVector, refine::Lines};
+use crate::{Grid, Interval, KnotVector, refine::ControlLines};
 
 /// A direction of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,24 +55,24 @@ impl NurbsSurface {
     }
 
     /// The control points as splines along a direction.
-    pub(crate) fn lines(&self, along: Direction) -> Lines {
+    pub(crate) fn lines(&self, along: Direction) -> ControlLines {
         let net = &self.control_points;
         let lines = match along {
             Direction::U => (0..net.n_columns()).map(|j| net.column(j)).collect(),
             Direction::V => (0..net.n_rows()).map(|i| net.row(i).to_vec()).collect(),
         };
-        Lines { knots: self.knots(along).clone(), lines }
+        ControlLines { knots: self.knots(along).clone(), lines }
     }
 
     /// The surface with other splines along a direction, as many as it has.
-    pub(crate) fn with_lines(&self, along: Direction, lines: Lines) -> Self {
-        let Lines { knots, lines } = lines;
+    pub(crate) fn with_lines(&self, along: Direction, lines: ControlLines) -> Self {
+        let ControlLines { knots, lines } = lines;
         let n_points = knots.n_points();
         let points: Vec<DVec4> = lines.into_iter().flatten().collect();
         let net = Grid::from_rows_of(n_points, points);
         match along {
-            Direction::U => Self::trusted(knots, self.knots_v.clone(), net.transposed()),
-            Direction::V => Self::trusted(self.knots_u.clone(), knots, net),
+            Direction::U => Self::new_unchecked(knots, self.knots_v.clone(), net.transposed()),
+            Direction::V => Self::new_unchecked(self.knots_u.clone(), knots, net),
         }
     }
 }

@@ -2,7 +2,9 @@
 //! to all splines of the net at once.
 
 use super::{Direction, NurbsSurface};
-use crate::{GeomError, Grid, Interval, KnotVector, Receipt, bezier, tolerance::KNOT_RELATIVE};
+use crate::{
+    ConstructionReport, GeomError, Grid, Interval, KnotVector, bezier, tolerance::KNOT_RELATIVE,
+};
 
 impl NurbsSurface {
     /// The same surface with more knots along a direction; a knot that is to be there twice is
@@ -40,7 +42,7 @@ impl NurbsSurface {
             let (ends, order) = (knots.span_interval(span), knots.degree() + 1);
             knots.part([&vec![ends.start(); order], &[], &vec![ends.end(); order]])
         };
-        Self::trusted(own(&self.knots_u, span_u), own(&self.knots_v, span_v), net)
+        Self::new_unchecked(own(&self.knots_u, span_u), own(&self.knots_v, span_v), net)
     }
 
     /// Both parts at a parameter, each on its part of the domain, clamped where they were cut.
@@ -90,7 +92,8 @@ impl NurbsSurface {
             Direction::U => net.get(last_row - i, j),
             Direction::V => net.get(i, last_column - j),
         });
-        let surface = Self { control_points: turned, receipt: Receipt::NONE, ..self.clone() };
+        let surface =
+            Self { control_points: turned, report: ConstructionReport::NONE, ..self.clone() };
         surface.on_knots(along, self.knots(along).reversed())
     }
 
@@ -101,7 +104,7 @@ impl NurbsSurface {
             knots_u: self.knots_v.clone(),
             knots_v: self.knots_u.clone(),
             control_points: self.control_points.transposed(),
-            receipt: Receipt::NONE,
+            report: ConstructionReport::NONE,
             ..self.clone()
         }
     }
@@ -109,7 +112,7 @@ impl NurbsSurface {
     /// The same points over another domain of one parameter.
     #[must_use]
     pub fn reparametrized(&self, along: Direction, domain: Interval) -> Self {
-        let surface = Self { receipt: Receipt::NONE, ..self.clone() };
+        let surface = Self { report: ConstructionReport::NONE, ..self.clone() };
         surface.on_knots(along, self.knots(along).on(domain))
     }
 

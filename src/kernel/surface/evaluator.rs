@@ -10,7 +10,10 @@ use glam::{DVec3, DVec4};
 use super::NurbsSurface;
 use crate::{
     homogeneous,
-    knots::{BATCH, BasisExpansion, Lookup, POWER_DEGREE, Place, convert_to_bezier, in_powers},
+    knots::{
+        BATCH, BasisExpansion, LocalParameter, POWER_DEGREE, SpanLookup, convert_to_bezier,
+        in_powers,
+    },
 };
 
 /// A surface prepared to be evaluated at many scattered parameters.
@@ -38,7 +41,7 @@ pub struct SurfaceEvaluator<'a> {
 pub(super) struct Expanded {
     basis: BasisExpansion,
     /// The halves of the spans along v.
-    lookup: Lookup,
+    lookup: SpanLookup,
     n_halves: usize,
     /// For each row of control points and each half of a span along v the coefficients of s⁰, s¹, …
     rows: Vec<DVec4>,
@@ -70,23 +73,27 @@ impl Expanded {
             }
         }
         let basis = BasisExpansion::new(&surface.knots_u);
-        Self { basis, lookup: Lookup::of_halves(knots), n_halves, rows }
+        Self { basis, lookup: SpanLookup::of_halves(knots), n_halves, rows }
     }
 
-    fn places_at(&self, u: f64, v: f64) -> [Place; 2] {
+    fn places_at(&self, u: f64, v: f64) -> [LocalParameter; 2] {
         [self.basis.lookup.place_at(u), self.lookup.place_at(v)]
     }
 
     /// The coefficients along v of the rows that act.
     #[inline(always)]
-    fn acting(&self, places: [Place; 2], [n_u, n_v]: [usize; 2]) -> impl Iterator<Item = &[DVec4]> {
+    fn acting(
+        &self,
+        places: [LocalParameter; 2],
+        [n_u, n_v]: [usize; 2],
+    ) -> impl Iterator<Item = &[DVec4]> {
         let first = self.basis.first(places[0]);
         (first..first + n_u)
             .map(move |i| &self.rows[(i * self.n_halves + places[1].piece) * n_v..][..n_v])
     }
 
     #[inline(always)]
-    fn point(&self, places: [Place; 2], n: [usize; 2]) -> DVec3 {
+    fn point(&self, places: [LocalParameter; 2], n: [usize; 2]) -> DVec3 {
         let of_u = self.basis.values(places[0], n[0]);
         let mut sum = DVec4::ZERO;
         for (row, &n_u) in self.acting(places, n).zip(&of_u) {
@@ -100,7 +107,7 @@ impl Expanded {
     }
 
     #[inline(always)]
-    fn second_order(&self, places: [Place; 2], n: [usize; 2]) -> [DVec3; 6] {
+    fn second_order(&self, places: [LocalParameter; 2], n: [usize; 2]) -> [DVec3; 6] {
         let of_u = self.basis.second_order(places[0], n[0]);
         let mut sums = [DVec4::ZERO; 6];
         for (i, row) in self.acting(places, n).enumerate() {
@@ -131,11 +138,12 @@ impl Expanded {
     fn each<T>(
         &self,
         parameters: &[[f64; 2]],
-        at: impl Fn([Place; 2]) -> T,
+        at: impl Fn([LocalParameter; 2]) -> T,
         mut visit: impl FnMut(T),
     ) {
         let (mut us, mut vs) = ([0.0; BATCH], [0.0; BATCH]);
-        let (mut places_u, mut places_v) = ([Place::default(); BATCH], [Place::default(); BATCH]);
+        let (mut places_u, mut places_v) =
+            ([LocalParameter::default(); BATCH], [LocalParameter::default(); BATCH]);
         for parameters in parameters.chunks(BATCH) {
             let n = parameters.len();
             for ((u, v), parameters) in us.iter_mut().zip(&mut vs).zip(parameters) {

@@ -37,7 +37,7 @@ pub(super) fn evened(surface: &NurbsSurface) -> Option<Vec<NurbsSurface>> {
         let (along_u, along_v) = (lines(&net.transposed()), lines(&net));
         let is_full = MAX_PATCHES <= open.len() + even.len();
         if along_u.max(along_v) <= ALIKE || is_full {
-            even.push(NurbsSurface::trusted(knots_u.clone(), knots_v.clone(), net));
+            even.push(NurbsSurface::new_unchecked(knots_u.clone(), knots_v.clone(), net));
             continue;
         }
         let along = if along_u < along_v { Direction::V } else { Direction::U };

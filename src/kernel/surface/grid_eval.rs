@@ -10,7 +10,7 @@ use glam::{DVec3, DVec4};
 use super::NurbsSurface;
 use crate::{
     Grid, KnotVector, homogeneous,
-    side_by_side::{self, Rows},
+    side_by_side::{self, RowBlock},
 };
 
 /// Points and unit normals at all pairs of parameters; row i for the i-th u.
@@ -25,14 +25,14 @@ pub struct GridSamples {
 /// Basis functions at each of a list of parameters.
 struct BasisTable {
     n_functions: usize,
-    spans: Vec<Span>,
+    spans: Vec<ActiveSpan>,
     /// For each parameter the values with the derivatives, `[N, N′]`.
     functions: Vec<[f64; 2]>,
 }
 
 /// Where the functions of a parameter act.
 #[derive(Clone, Copy, PartialEq)]
-struct Span {
+struct ActiveSpan {
     /// First control point that acts.
     first: usize,
     /// Width in the parameter.
@@ -50,12 +50,12 @@ impl BasisTable {
                 functions.extend(values.iter().zip(slopes).map(|(&n, &dn)| [n, dn]));
             });
             let width = knots.span_interval(span).length();
-            spans.push(Span { first: span - knots.degree(), width });
+            spans.push(ActiveSpan { first: span - knots.degree(), width });
         }
         Self { n_functions, spans, functions }
     }
 
-    fn rows(&self) -> impl Iterator<Item = (Span, &[[f64; 2]])> {
+    fn rows(&self) -> impl Iterator<Item = (ActiveSpan, &[[f64; 2]])> {
         self.spans.iter().copied().zip(self.functions.chunks_exact(self.n_functions))
     }
 }
@@ -113,7 +113,7 @@ impl NurbsSurface {
         &self,
         [table_u, table_v]: &[BasisTable; 2],
         [us, vs]: [&[f64]; 2],
-        points: Rows<'_, DVec3>,
+        points: RowBlock<'_, DVec3>,
         normals: &mut [DVec3],
     ) {
         let mut strip = Vec::with_capacity(self.control_points.n_columns());
@@ -126,7 +126,7 @@ impl NurbsSurface {
             for ((place, facing), (&v, (span_v, functions_v))) in
                 places.zip(vs.iter().zip(table_v.rows()))
             {
-                let sums = Sums::over(&strip[span_v.first..], functions_v);
+                let sums = HomogeneousSums::over(&strip[span_v.first..], functions_v);
                 let (point, normal) = sums.point_and_normal();
                 let length = normal.length_squared().sqrt();
                 let is_regular = fold * (sums.value.w * sums.value.w) < length * span_v.width;
@@ -152,13 +152,13 @@ impl NurbsSurface {
 }
 
 /// The homogeneous point with its first derivatives.
-struct Sums {
+struct HomogeneousSums {
     value: DVec4,
     along_u: DVec4,
     along_v: DVec4,
 }
 
-impl Sums {
+impl HomogeneousSums {
     /// Contracts the columns at the head of the strip, as many as there are functions.
     fn over(strip: &[ColumnSum], functions: &[[f64; 2]]) -> Self {
         // Lengths known to the compiler unroll the loop.

@@ -3,7 +3,7 @@
 use glam::DVec4;
 
 use super::NurbsSurface;
-use crate::{Bounds, NurbsCurve, hull::Spline};
+use crate::{Bounds, NurbsCurve, hull::TensorSpline};
 
 impl NurbsSurface {
     /// The curve of constant `u`, which runs along v: exact, on v's knots.
@@ -18,7 +18,7 @@ impl NurbsSurface {
             }
             sums
         });
-        NurbsCurve::trusted(self.knots_v.clone(), points)
+        NurbsCurve::new_unchecked(self.knots_v.clone(), points)
     }
 
     /// The curve of constant `v`, which runs along u: exact, on u's knots.
@@ -32,7 +32,7 @@ impl NurbsSurface {
             };
             (0..self.control_points.n_rows()).map(along_v).collect()
         });
-        NurbsCurve::trusted(self.knots_u.clone(), points)
+        NurbsCurve::new_unchecked(self.knots_u.clone(), points)
     }
 
     /// The boundary, `[u0, u1, v0, v1]`: first and last u, then first and last v.
@@ -52,6 +52,6 @@ impl NurbsSurface {
     #[must_use]
     pub fn bounds(&self) -> Bounds {
         let knots = [&self.knots_u, &self.knots_v];
-        Spline { knots, points: &self.control_points }.bounds()
+        TensorSpline { knots, points: &self.control_points }.bounds()
     }
 }

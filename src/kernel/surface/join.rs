@@ -8,7 +8,7 @@ use crate::{
     compatible::on_common_knots,
     homogeneous,
     joint::{Joined, vanishing_span},
-    refine::Lines,
+    refine::ControlLines,
     tolerance::EXACT_RELATIVE,
 };
 
@@ -76,7 +76,7 @@ fn joined(
 }
 
 /// How two sides meet.
-struct Meeting {
+struct SideMatch {
     /// The factor of the next one's homogeneous points.
     scale: f64,
     /// How far control points are apart at most.
@@ -85,7 +85,11 @@ struct Meeting {
 
 /// # Errors
 /// [`GeomError::UnlikeWeights`].
-fn meeting(ends: &[DVec4], next: &Lines, places: [[usize; 2]; 2]) -> Result<Meeting, GeomError> {
+fn meeting(
+    ends: &[DVec4],
+    next: &ControlLines,
+    places: [[usize; 2]; 2],
+) -> Result<SideMatch, GeomError> {
     let starts: Vec<DVec4> = next.lines.iter().map(|line| line[0]).collect();
     let sum = |points: &[DVec4]| points.iter().map(|point| point.w).sum::<f64>();
     let scale = sum(ends) / sum(&starts);
@@ -98,11 +102,11 @@ fn meeting(ends: &[DVec4], next: &Lines, places: [[usize; 2]; 2]) -> Result<Meet
             return Err(GeomError::UnlikeWeights { before, next });
         }
     }
-    Ok(Meeting { scale, width })
+    Ok(SideMatch { scale, width })
 }
 
 /// The largest coordinate of a control point.
-fn magnitude(lines: &Lines) -> f64 {
+fn magnitude(lines: &ControlLines) -> f64 {
     let largest = |&point: &DVec4| homogeneous::place(point).abs().max_element();
     lines.lines.iter().flatten().map(largest).fold(0.0, f64::max)
 }

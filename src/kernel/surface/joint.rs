@@ -9,7 +9,7 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{Edge, Surface, border::Border, looked::Looked};
+use super::{Edge, Surface, border::SurfaceBorder, two_sided::TwoSidedSample};
 use crate::{
     GeomError, JointTolerance,
     frame::{angle_between, unit},
@@ -98,7 +98,7 @@ impl Surface {
         next_edge: Edge,
         tolerance: impl Into<JointTolerance>,
     ) -> Result<SurfaceContinuity, GeomError> {
-        let (a, b) = (Border::edge(self, edge), Border::edge(next, next_edge));
+        let (a, b) = (SurfaceBorder::edge(self, edge), SurfaceBorder::edge(next, next_edge));
         let is_reversed = a.runs_against(&b)?;
         joint(&a, &b, is_reversed, tolerance.into())
     }
@@ -111,7 +111,8 @@ impl Surface {
         let (mut nearest, mut least) = ((Edge::U1, Edge::U0), f64::INFINITY);
         for edge in Edge::ALL {
             for other_edge in Edge::ALL {
-                let (a, b) = (Border::edge(self, edge), Border::edge(other, other_edge));
+                let (a, b) =
+                    (SurfaceBorder::edge(self, edge), SurfaceBorder::edge(other, other_edge));
                 let [with, against] = a.distances(&b)?;
                 if with.min(against) < least {
                     (nearest, least) = ((edge, other_edge), with.min(against));
@@ -133,7 +134,7 @@ impl Surface {
         let tolerance = tolerance.into();
         let closed_within = tolerance.closed_within();
         let mut worst = SurfaceContinuity::PERFECT;
-        for [before, after] in Border::inner_knots(self) {
+        for [before, after] in SurfaceBorder::inner_knots(self) {
             worst = worst.or_worse(joint(&before, &after, false, tolerance)?);
         }
         let seams = [
@@ -141,7 +142,7 @@ impl Surface {
             (self.is_closed_v(closed_within)?, [Edge::V1, Edge::V0]),
         ];
         for (is_closed, edges) in seams {
-            let [end, start] = edges.map(|edge| Border::edge(self, edge));
+            let [end, start] = edges.map(|edge| SurfaceBorder::edge(self, edge));
             if is_closed && end.length()? > closed_within {
                 worst = worst.or_worse(joint(&end, &start, false, tolerance)?);
             }
@@ -152,13 +153,13 @@ impl Surface {
 
 /// Compares both sides along the line.
 fn joint(
-    a: &Border<'_>,
-    b: &Border<'_>,
+    a: &SurfaceBorder<'_>,
+    b: &SurfaceBorder<'_>,
     is_reversed: bool,
     tolerance: JointTolerance,
 ) -> Result<SurfaceContinuity, GeomError> {
     let mut pairs = a.pairs(b, is_reversed)?;
-    let allowed = |pairs: &[[Looked; 2]]| {
+    let allowed = |pairs: &[[TwoSidedSample; 2]]| {
         let sizes = pairs.iter().flatten().map(|side| side.extent);
         let rounding = pairs.iter().flatten().map(|side| side.rounding).fold(0.0, f64::max);
         tolerance.distance_for(sizes.fold(0.0, f64::max), rounding)
@@ -172,7 +173,7 @@ fn joint(
         further = b.farthest_from(a)?;
     }
     let distance = allowed(&pairs);
-    let mut found = Found { further, ..Found::default() };
+    let mut found = JointFindings { further, ..JointFindings::default() };
     for [a, b] in &pairs {
         found.look_at(a, b, distance, tolerance);
     }
@@ -190,9 +191,9 @@ fn joint(
 
 /// A largest value with its place.
 #[derive(Clone, Copy, Debug, Default)]
-struct Peak(f64, Option<DVec3>);
+struct LargestValue(f64, Option<DVec3>);
 
-impl Peak {
+impl LargestValue {
     fn raise(&mut self, value: f64, point: DVec3) {
         if self.1.is_none() || self.0 < value {
             *self = Self(value, Some(point));
@@ -202,13 +203,13 @@ impl Peak {
 
 /// What was found along an edge so far.
 #[derive(Debug)]
-struct Found {
+struct JointFindings {
     c: usize,
     c_homogeneous: usize,
     g: usize,
-    gap: Peak,
-    angle: Peak,
-    curvature: Peak,
+    gap: LargestValue,
+    angle: LargestValue,
+    curvature: LargestValue,
     /// Places where both sides have a tangent plane.
     n_planes: usize,
     has_curvature: bool,
@@ -216,11 +217,11 @@ struct Found {
     further: Option<(f64, DVec3)>,
 }
 
-impl Default for Found {
+impl Default for JointFindings {
     /// All orders hold before anything was looked at; the count is one above the order.
     fn default() -> Self {
         let most = MAX_ORDER + 1;
-        let none = Peak::default();
+        let none = LargestValue::default();
         Self {
             c: most,
             c_homogeneous: most,
@@ -235,15 +236,26 @@ impl Default for Found {
     }
 }
 
-impl Found {
-    fn look_at(&mut self, a: &Looked, b: &Looked, distance: f64, asked: JointTolerance) {
+impl JointFindings {
+    fn look_at(
+        &mut self,
+        a: &TwoSidedSample,
+        b: &TwoSidedSample,
+        distance: f64,
+        asked: JointTolerance,
+    ) {
         let point = a.point();
         self.gap.raise(point.distance(b.point()), point);
         let turn = if a.is_end == b.is_end { -1.0 } else { 1.0 };
         let size = point.abs().max_element() + a.extent.max(b.extent);
         let exact = EXACT_RELATIVE * size;
-        let bounds =
-            Bounds { sides: [a, b], distance, exact, relative: asked.document.angle, turn };
+        let bounds = SurfaceJointTolerance {
+            sides: [a, b],
+            distance,
+            exact,
+            relative: asked.document.angle,
+            turn,
+        };
         let mut c = bounds.order(1.0, |side| side.across().map(|d| d.extend(0.0)));
         let to_length = DVec3::ONE.extend(size);
         let weight = a.homogeneous.get(0, 0).w;
@@ -263,7 +275,7 @@ impl Found {
     /// plane.
     fn look_at_shapes(
         &mut self,
-        bounds: &Bounds<'_>,
+        bounds: &SurfaceJointTolerance<'_>,
         asked: JointTolerance,
     ) -> Option<Agreement<MAX_ORDER>> {
         let [a, b] = bounds.sides;
@@ -331,8 +343,8 @@ impl Found {
 }
 
 /// What counts as equal at a place of an edge.
-struct Bounds<'a> {
-    sides: [&'a Looked; 2],
+struct SurfaceJointTolerance<'a> {
+    sides: [&'a TwoSidedSample; 2],
     distance: f64,
     /// By how far two ways to write one surface differ.
     exact: f64,
@@ -342,14 +354,18 @@ struct Bounds<'a> {
     turn: f64,
 }
 
-impl Bounds<'_> {
+impl SurfaceJointTolerance<'_> {
     /// What rounding leaves in the terms of an order.
     fn rounding(&self, order: usize) -> f64 {
         self.sides.map(|side| side.rounding_of(order)).into_iter().fold(0.0, f64::max)
     }
 
     /// How many orders, from 0 on, agree; `weight` multiplies what is in space.
-    fn order(&self, weight: f64, derivatives: impl Fn(&Looked) -> [DVec4; MAX_ORDER + 1]) -> usize {
+    fn order(
+        &self,
+        weight: f64,
+        derivatives: impl Fn(&TwoSidedSample) -> [DVec4; MAX_ORDER + 1],
+    ) -> usize {
         let step = self.sides[0].reach.min(self.sides[1].reach);
         let [a, b] = self.sides.map(|side| {
             let mut power = 1.0;

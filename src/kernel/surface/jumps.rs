@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 
-use super::{Direction, NurbsSurface, SurfaceFoot};
+use super::{Direction, NurbsSurface, SurfaceClosestPoint};
 use crate::{GeomError, JumpError, homogeneous, tolerance::LAST_BIT};
 
 /// Last bits of a coordinate within which two edges meet.
@@ -11,7 +11,7 @@ const MOST_ROUNDINGS: f64 = 16.0;
 
 /// An inner line of parameters across which a surface is apart.
 #[derive(Clone, Copy, Debug)]
-struct Jump {
+struct JumpLine {
     along: Direction,
     at: f64,
     /// How far the control points of both edges are apart at most.
@@ -19,7 +19,7 @@ struct Jump {
 }
 
 impl NurbsSurface {
-    fn jump(&self) -> Option<Jump> {
+    fn jump(&self) -> Option<JumpLine> {
         let net = &self.control_points;
         let place = |i: usize, j: usize| homogeneous::place(net.row(i)[j]);
         let size = net.as_slice().iter().map(|&point| homogeneous::place(point).abs());
@@ -39,7 +39,7 @@ impl NurbsSurface {
                         .map(|i| place(i, k - 1).distance(place(i, k)))
                         .fold(0.0, f64::max),
                 };
-                (rounding < gap).then_some(Jump { along, at, gap })
+                (rounding < gap).then_some(JumpLine { along, at, gap })
             })
         })
     }
@@ -48,7 +48,7 @@ impl NurbsSurface {
     /// [`JumpError::Surface`] at the first line across which it is apart.
     pub fn check_connected(&self) -> Result<(), GeomError> {
         match self.jump() {
-            Some(Jump { along, at, gap }) => {
+            Some(JumpLine { along, at, gap }) => {
                 Err(JumpError::Surface { along: along.name(), at, gap }.into())
             }
             None => Ok(()),
@@ -56,8 +56,8 @@ impl NurbsSurface {
     }
 
     /// The nearest point of both sides of a jump; none of a surface that is connected.
-    pub(super) fn closest_beside_jump(&self, p: DVec3) -> Option<SurfaceFoot> {
-        let Jump { along, at, .. } = self.jump()?;
+    pub(super) fn closest_beside_jump(&self, p: DVec3) -> Option<SurfaceClosestPoint> {
+        let JumpLine { along, at, .. } = self.jump()?;
         let [before, behind] = self.split(along, at).ok()?.map(|side| side.closest(p));
         if before.distance <= behind.distance {
             let mut foot = before;

@@ -15,31 +15,31 @@ pub(super) const FIRST_PARTS: usize = 3;
 
 /// Parameters of a direction, in order; at creases derivatives are taken on both sides.
 #[derive(Clone, Debug)]
-pub(super) struct Lines {
+pub(super) struct ParameterLines {
     pub(super) domain: Interval,
     pub(super) parameters: Vec<f64>,
     pub(super) creases: Vec<f64>,
 }
 
 /// A row of control points: where its derivatives are taken, and what each counts.
-pub(super) struct Row {
+pub(super) struct ControlRow {
     pub(super) place: f64,
     pub(super) weights: Vec<f64>,
 }
 
 /// Derivatives up to [`ORDER`] in each direction.
-pub(super) type Node = Grid<DVec3>;
+pub(super) type MixedDerivatives = Grid<DVec3>;
 
 /// One cell between neighbouring lines: where its corners are, and where derivatives are taken.
 #[derive(Clone, Copy)]
-pub(super) struct Cell {
+pub(super) struct LineCell {
     pub(super) u: [f64; 2],
     pub(super) v: [f64; 2],
     pub(super) places_u: [f64; 2],
     pub(super) places_v: [f64; 2],
 }
 
-impl Lines {
+impl ParameterLines {
     pub(super) fn new(domain: Interval) -> Self {
         Self { domain, parameters: domain.steps(FIRST_PARTS), creases: Vec::new() }
     }
@@ -72,7 +72,7 @@ impl Lines {
     }
 
     /// The rows of control points between the lines, with the knots.
-    pub(super) fn rows(&self) -> Result<(KnotVector, Vec<Row>), GeomError> {
+    pub(super) fn rows(&self) -> Result<(KnotVector, Vec<ControlRow>), GeomError> {
         let last = self.parameters.len() - 1;
         let (mut knots, mut rows) = (vec![self.domain.start()], Vec::new());
         for (i, &t) in self.parameters.iter().enumerate() {
@@ -80,7 +80,7 @@ impl Lines {
             let before = self.parameters[i.saturating_sub(1)] - t;
             let behind = self.parameters[(i + 1).min(last)] - t;
             let (before_place, behind_place) = (t - self.step(t), t + self.step(t));
-            let row = |place: f64| move |weights: Vec<f64>| Row { place, weights };
+            let row = |place: f64| move |weights: Vec<f64>| ControlRow { place, weights };
             if is_end || !self.is_crease(t) {
                 let place = match self.is_crease(t) {
                     true if i == 0 => behind_place,
@@ -103,7 +103,7 @@ impl Lines {
 }
 
 /// The sum of a node's derivatives with these weights.
-pub(super) fn combined(node: &Node, weights_u: &[f64], weights_v: &[f64]) -> DVec3 {
+pub(super) fn combined(node: &MixedDerivatives, weights_u: &[f64], weights_v: &[f64]) -> DVec3 {
     let mut sum = DVec3::ZERO;
     for (k, u) in weights_u.iter().enumerate() {
         for (l, v) in weights_v.iter().enumerate() {
@@ -114,7 +114,7 @@ pub(super) fn combined(node: &Node, weights_u: &[f64], weights_v: &[f64]) -> DVe
 }
 
 /// The net of the Bézier patch of a cell.
-pub(super) fn net(cell: Cell, corners: &[Node; 4]) -> Grid<DVec3> {
+pub(super) fn net(cell: LineCell, corners: &[MixedDerivatives; 4]) -> Grid<DVec3> {
     let sides = |[a, b]: [f64; 2]| {
         let own = blossom_weights(0.0, b - a, ORDER).into_iter().map(|weights| (0, weights));
         let other = blossom_weights(a - b, 0.0, ORDER).into_iter().map(|weights| (1, weights));

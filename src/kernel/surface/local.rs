@@ -16,7 +16,7 @@ use crate::{
 
 /// What kind of place of a surface a pair of parameters is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SurfaceKind {
+pub enum SurfacePointKind {
     /// Bent to one side in all directions.
     Elliptic,
     /// Bent in all directions but one.
@@ -98,13 +98,18 @@ impl Surface {
     ///
     /// # Errors
     /// As [`Self::point_at`].
-    pub fn kind_at(&self, u: f64, v: f64, tolerance: Tolerance) -> Result<SurfaceKind, GeomError> {
+    pub fn kind_at(
+        &self,
+        u: f64,
+        v: f64,
+        tolerance: Tolerance,
+    ) -> Result<SurfacePointKind, GeomError> {
         let derivatives = self.derivatives_at(u, v, 2)?;
         let Some(normal) = self.regular_normal(&derivatives, u, v) else {
-            return Ok(SurfaceKind::Singular);
+            return Ok(SurfacePointKind::Singular);
         };
         let shape = SurfaceShape::new(&derivatives, normal, self.widths_at(u, v));
-        Ok(shape.map_or(SurfaceKind::Singular, |shape| shape.kind(tolerance)))
+        Ok(shape.map_or(SurfacePointKind::Singular, |shape| shape.kind(tolerance)))
     }
 
     /// The tangent plane: x along Su where that does not vanish, z the normal.
@@ -313,16 +318,16 @@ impl SurfaceShape {
 
     /// The kind of a regular place.
     #[must_use]
-    pub fn kind(&self, tolerance: Tolerance) -> SurfaceKind {
+    pub fn kind(&self, tolerance: Tolerance) -> SurfacePointKind {
         let [k1, k2] = self.curvatures();
         let most = k1.abs().max(k2.abs());
         let flat = self.flat_below(tolerance);
         let none = flat.max(tolerance.angle * most);
         match (k1.abs() <= none, k2.abs() <= none) {
-            _ if most <= flat => SurfaceKind::Planar,
-            (true, _) | (_, true) => SurfaceKind::Parabolic,
-            _ if (k1 < 0.0) == (k2 < 0.0) => SurfaceKind::Elliptic,
-            _ => SurfaceKind::Hyperbolic,
+            _ if most <= flat => SurfacePointKind::Planar,
+            (true, _) | (_, true) => SurfacePointKind::Parabolic,
+            _ if (k1 < 0.0) == (k2 < 0.0) => SurfacePointKind::Elliptic,
+            _ => SurfacePointKind::Hyperbolic,
         }
     }
 

@@ -18,7 +18,7 @@ const PARTS: usize = 8;
 
 /// How much there is of something of density one, and how it is spread.
 #[derive(Clone, Copy, Debug)]
-pub struct Mass {
+pub struct MassProperties {
     /// Area or volume.
     pub amount: f64,
     /// The centre of gravity.
@@ -45,9 +45,9 @@ impl Surface {
 ///
 /// # Errors
 /// [`GeomError::NothingThere`] for an area of zero, [`GeomError::TooLargeToMeasure`], and as [`Surface::point_at`].
-pub fn area_mass(surfaces: &[Surface]) -> Result<Mass, GeomError> {
+pub fn area_mass(surfaces: &[Surface]) -> Result<MassProperties, GeomError> {
     let about = middle(surfaces)?;
-    let mut sum = Sum::default();
+    let mut sum = MassIntegral::default();
     for surface in surfaces {
         let part = integral(surface, |point, normal| moments(point - about, normal.length()))?;
         sum.add(part, 1.0);
@@ -64,12 +64,15 @@ pub fn area_mass(surfaces: &[Surface]) -> Result<Mass, GeomError> {
 ///
 /// # Errors
 /// [`GeomError::Shell`] where the surfaces enclose nothing; [`GeomError::NothingThere`] for a volume of zero, [`GeomError::TooLargeToMeasure`], and as [`Surface::point_at`].
-pub fn volume_mass(surfaces: &[Surface], tolerance: Tolerance) -> Result<Mass, GeomError> {
+pub fn volume_mass(
+    surfaces: &[Surface],
+    tolerance: Tolerance,
+) -> Result<MassProperties, GeomError> {
     let about = middle(surfaces)?;
     let shells = oriented(surfaces, tolerance, false)?;
-    let mut whole = Sum::default();
+    let mut whole = MassIntegral::default();
     for shell in shells {
-        let mut sum = Sum::default();
+        let mut sum = MassIntegral::default();
         for (idx, sign) in shell.surfaces {
             let part = integral(&surfaces[idx], |point, normal| {
                 let arm = point - about;
@@ -129,12 +132,12 @@ fn middle(surfaces: &[Surface]) -> Result<DVec3, GeomError> {
 
 /// Integrals of several surfaces together.
 #[derive(Clone, Copy, Debug, Default)]
-struct Sum {
+struct MassIntegral {
     values: [f64; 10],
     relative_error: f64,
 }
 
-impl Sum {
+impl MassIntegral {
     fn add(&mut self, part: Integral<10>, sign: f64) {
         self.values.iter_mut().zip(part.values).for_each(|(sum, value)| *sum += sign * value);
         self.relative_error = self.relative_error.max(part.relative_error);
@@ -150,7 +153,11 @@ impl Sum {
     }
 
     /// What they say, each order of moments divided by its own number; `None` of nothing.
-    fn mass(&self, about: DVec3, [of_one, of_point, of_product]: [f64; 3]) -> Option<Mass> {
+    fn mass(
+        &self,
+        about: DVec3,
+        [of_one, of_point, of_product]: [f64; 3],
+    ) -> Option<MassProperties> {
         let [m, x, y, z, xx, yy, zz, xy, yz, zx] = self.values;
         let amount = m / of_one;
         let arm = DVec3::new(x, y, z) / of_point / amount;
@@ -163,8 +170,12 @@ impl Sum {
         let about_centroid = products - shift;
         let trace = about_centroid.x_axis.x + about_centroid.y_axis.y + about_centroid.z_axis.z;
         let inertia = DMat3::from_diagonal(DVec3::splat(trace)) - about_centroid;
-        let mass =
-            Mass { amount, centroid: about + arm, inertia, relative_error: self.relative_error };
+        let mass = MassProperties {
+            amount,
+            centroid: about + arm,
+            inertia,
+            relative_error: self.relative_error,
+        };
         (0.0 < amount && mass.centroid.is_finite()).then_some(mass)
     }
 }

@@ -1,6 +1,6 @@
 //! Surfaces: rational B-splines, and functions.
 //!
-//! `any` is a surface of either kind, `parametric` that of a function, `stand_in` a spline near it,
+//! `any` is a surface of either kind, `parametric` that of a function, `nurbs_approximation` a spline near it,
 //! made between `lines`. Of B-splines this file has
 //! the type, its constructors and what can be read off it; `eval` computes points
 //! and derivatives, `evaluator` the same at many places, `grid_eval` on grids, `normal` unit normals
@@ -10,7 +10,7 @@
 //! is u or v, along which `edit` changes the representation or cuts, and `compatible` brings several
 //! to one basis. `rearrange` does of this what functions allow, `parts` has what a form is made of, `power` the coefficients of powers,
 //! `continuation` patches that go on from a side, `join` makes one surface of many, `offset` runs
-//! beside, `analytic` finds planes and surfaces of revolution that have an equation, `level` has the lines along which a field on a surface vanishes,
+//! beside, `analytic` finds planes and surfaces of revolution that have an equation, `level_set` has the lines along which a field on a surface vanishes,
 //! `crease` those across which its derivative jumps, `square` the polynomials that this takes.
 //!
 //! Of both kinds `local` tells how they bend at a place, `pole` where an edge is collapsed,
@@ -41,12 +41,12 @@ mod iso;
 mod join;
 mod joint;
 mod jumps;
-mod level;
+mod level_set;
 mod lines;
 mod local;
-mod looked;
 mod mass;
 mod normal;
+mod nurbs_approximation;
 mod offset;
 mod parametric;
 mod parts;
@@ -59,39 +59,39 @@ mod round;
 mod ruled;
 mod shell;
 mod square;
-mod stand_in;
 mod sum;
+mod two_sided;
 mod umbilics;
 
 use glam::{DAffine3, DVec3, DVec4};
 
 pub use analytic::{AnalyticForm, AnalyticSurface};
 pub use any::Surface;
-pub use closest::{ParametricPlaces, SurfaceFoot};
+pub use closest::{ParametricPlaces, SurfaceClosestPoint};
 pub use compatible::make_surfaces_compatible;
 pub use coons::{Blend, CrossFields, Twists};
-pub(crate) use crease::Break;
-pub use defects::Defects;
+pub(crate) use crease::Crease;
+pub use defects::SurfaceDefects;
 pub use direction::Direction;
 pub use edge::Edge;
 pub use evaluator::SurfaceEvaluator;
 pub use grid_eval::GridSamples;
 pub use join::join_patches;
 pub use joint::SurfaceContinuity;
-pub use level::{LevelSet, PictureError, Piercing};
-pub use local::{Principal, SurfaceKind, SurfaceShape};
-pub use mass::{Mass, area_mass, facing_unlike, principal_axes, volume_mass};
-pub use offset::{SurfaceOffset, Turn};
+pub use level_set::{CurveSurfaceIntersection, LevelSet, PictureError};
+pub use local::{Principal, SurfacePointKind, SurfaceShape};
+pub use mass::{MassProperties, area_mass, facing_unlike, principal_axes, volume_mass};
+pub use offset::{FocalPoint, SurfaceOffset};
 pub use parametric::{ParametricSurface, SurfaceFunction};
 pub use revolve::{Axis, AxisContact};
 pub use shell::ShellError;
-pub(crate) use sum::Strands;
+pub(crate) use sum::BooleanSumTerm;
 
 use evaluator::Expanded;
 
 use super::{
-    GeomError, Grid, Interval, KnotVector, Receipt, homogeneous, lazy::Lazy, nearest::Nearest,
-    positive,
+    ConstructionReport, GeomError, Grid, Interval, KnotVector, homogeneous, lazy::Lazy,
+    nearest::ClosestPointTree, positive,
 };
 
 /// A rational B-spline surface; row i of its net runs along u, column j along v.
@@ -106,11 +106,11 @@ pub struct NurbsSurface {
     is_rational: bool,
     /// The area of Su × Sv over a span each that is rounding and no area.
     fold_area: f64,
-    receipt: Receipt,
+    report: ConstructionReport,
     /// The surface in powers, prepared for many parameters.
     expanded: Lazy<Expanded>,
     /// The patches, prepared to be searched for the nearest point.
-    nearest: Lazy<Nearest>,
+    nearest: Lazy<ClosestPointTree>,
 }
 
 impl NurbsSurface {
@@ -127,7 +127,7 @@ impl NurbsSurface {
         knots_v.check_points(control_points.n_columns())?;
         homogeneous::check_finite(control_points.as_slice())?;
         positive::check_surface([&knots_u, &knots_v], &control_points)?;
-        Ok(Self::trusted(knots_u, knots_v, control_points))
+        Ok(Self::new_unchecked(knots_u, knots_v, control_points))
     }
 
     /// The surface with all weights one.
@@ -188,7 +188,7 @@ impl NurbsSurface {
     }
 
     /// A surface of parts that keep the invariants by construction.
-    pub(crate) fn trusted(
+    pub(crate) fn new_unchecked(
         knots_u: KnotVector,
         knots_v: KnotVector,
         control_points: Grid<DVec4>,
@@ -201,22 +201,22 @@ impl NurbsSurface {
             control_points,
             is_rational,
             fold_area,
-            receipt: Receipt::NONE,
+            report: ConstructionReport::NONE,
             expanded: Lazy::default(),
             nearest: Lazy::default(),
         }
     }
 
-    /// The same with a receipt of how it was made.
+    /// The same with a report of how it was made.
     #[must_use]
-    pub fn with_receipt(self, receipt: Receipt) -> Self {
-        Self { receipt, ..self }
+    pub fn with_report(self, report: ConstructionReport) -> Self {
+        Self { report, ..self }
     }
 
-    /// What the construction that made it did, if it left a receipt.
+    /// What the construction that made it did, if it left a report.
     #[must_use]
-    pub fn receipt(&self) -> Option<&Receipt> {
-        self.receipt.if_any()
+    pub fn report(&self) -> Option<&ConstructionReport> {
+        self.report.if_any()
     }
 
     /// Polynomial degree along u.
@@ -305,7 +305,7 @@ impl NurbsSurface {
     #[must_use]
     pub fn transformed(&self, map: &DAffine3) -> Self {
         let control_points = self.control_points.map(|&point| homogeneous::transformed(point, map));
-        Self::trusted(self.knots_u.clone(), self.knots_v.clone(), control_points)
+        Self::new_unchecked(self.knots_u.clone(), self.knots_v.clone(), control_points)
     }
 }
 

@@ -11,8 +11,8 @@ use crate::{
     tolerance::{EXACT_RELATIVE, LAST_BIT},
 };
 
-use fit::{Aim, Layout};
-pub use turn::Turn;
+use fit::{SpanLayout, SurfaceOffsetTarget};
+pub use turn::FocalPoint;
 
 /// Last bits of a coordinate that a point of the offset may be off.
 const MOST_ROUNDINGS: f64 = 64.0;
@@ -31,7 +31,7 @@ pub struct SurfaceOffset {
     /// Where that is.
     pub at: [f64; 2],
     /// The tightest bend towards the offset, if the distance is beyond its radius.
-    pub turn: Option<Turn>,
+    pub turn: Option<FocalPoint>,
 }
 
 impl Surface {
@@ -64,7 +64,7 @@ impl Surface {
         }
         let size = self.magnitude()? + distance.abs();
         let tolerance = tolerance.max(MOST_ROUNDINGS * LAST_BIT * size);
-        let aim = Aim { surface: self, distance, tolerance };
+        let aim = SurfaceOffsetTarget { surface: self, distance, tolerance };
         if let Self::Nurbs(surface) = self {
             check_creases(surface, aim)?;
         }
@@ -98,9 +98,9 @@ impl Surface {
 /// places as there are control points is compared at others.
 fn exact(
     surface: &NurbsSurface,
-    aim: Aim<'_>,
+    aim: SurfaceOffsetTarget<'_>,
     accuracy: f64,
-) -> Result<Option<(NurbsSurface, fit::Worst)>, GeomError> {
+) -> Result<Option<(NurbsSurface, fit::LargestDeviation)>, GeomError> {
     let clamped = surface.clamped(Direction::U).clamped(Direction::V);
     let knots = Direction::BOTH.map(|along| clamped.knots(along).clone());
     let is_broken = |knots: &KnotVector| {
@@ -129,7 +129,7 @@ fn exact(
     let candidate = NurbsSurface::new(along_u.knots().clone(), along_v.knots().clone(), net);
     let Ok(candidate) = candidate else { return Ok(None) };
     let allowed = accuracy.min(aim.tolerance);
-    let layout = Layout::of(&candidate);
+    let layout = SpanLayout::of(&candidate);
     let worst = layout.worst(&candidate, aim, Some(allowed))?;
     Ok((worst.distance <= allowed).then_some((candidate, worst)))
 }
@@ -150,7 +150,7 @@ const N_CREASE_SAMPLES: usize = 16;
 /// # Errors
 /// [`GeomError::Crease`] at a knot where the two sides' normals, or points, move the offset further
 /// apart than the tolerance.
-fn check_creases(surface: &NurbsSurface, aim: Aim<'_>) -> Result<(), GeomError> {
+fn check_creases(surface: &NurbsSurface, aim: SurfaceOffsetTarget<'_>) -> Result<(), GeomError> {
     for along in Direction::BOTH {
         let (knots, domain) = (surface.knots(along), surface.domain(along));
         let is_rough = |&(t, times): &(f64, usize)| {
@@ -177,6 +177,11 @@ fn check_creases(surface: &NurbsSurface, aim: Aim<'_>) -> Result<(), GeomError> 
     Ok(())
 }
 
-fn offset_point(surface: &NurbsSurface, aim: Aim<'_>, u: f64, v: f64) -> Result<DVec3, GeomError> {
+fn offset_point(
+    surface: &NurbsSurface,
+    aim: SurfaceOffsetTarget<'_>,
+    u: f64,
+    v: f64,
+) -> Result<DVec3, GeomError> {
     Ok(surface.point_at(u, v) + surface.normal_at(u, v)? * aim.distance)
 }

@@ -19,7 +19,7 @@ use crate::{
 const PARTS: usize = 32;
 
 /// Derivatives at a place of a collapsed edge: first index along it, second across it.
-struct Fan(Grid<DVec3>);
+struct PoleDerivatives(Grid<DVec3>);
 
 impl Surface {
     /// The shape at a place where Su × Sv vanishes.
@@ -36,10 +36,10 @@ impl Surface {
         ];
         for (across, is_along_u, along, widths) in edges {
             let Some(across) = across else { continue };
-            let fan_at = |t: f64| -> Result<Fan, GeomError> {
+            let fan_at = |t: f64| -> Result<PoleDerivatives, GeomError> {
                 let (u, v) = if is_along_u { (t, v) } else { (u, t) };
                 let derivatives = self.derivatives_at(u, v, 4)?;
-                Ok(Fan(if is_along_u { derivatives } else { derivatives.transposed() }))
+                Ok(PoleDerivatives(if is_along_u { derivatives } else { derivatives.transposed() }))
             };
             let here = fan_at(if is_along_u { u } else { v })?;
             let Some(shape) = here.shape(normal, across, widths) else { continue };
@@ -55,7 +55,7 @@ impl Surface {
     }
 }
 
-impl Fan {
+impl PoleDerivatives {
     /// The form that derivatives along the edge give; `None` where it does not follow from them.
     fn shape(&self, normal: DVec3, across: f64, widths: [f64; 2]) -> Option<SurfaceShape> {
         let Self(derivatives) = self;

@@ -52,7 +52,7 @@ pub(super) struct Integral<const N: usize> {
 
 /// A rectangle of parameters of a part of the surface.
 #[derive(Clone, Copy, Debug)]
-struct Cell {
+struct QuadratureCell {
     part: usize,
     u: Interval,
     v: Interval,
@@ -60,15 +60,15 @@ struct Cell {
 
 /// A quantity over a cell, and its absolute value.
 #[derive(Clone, Copy, Debug)]
-struct Estimate<const N: usize> {
+struct CellEstimate<const N: usize> {
     values: [f64; N],
     absolute: [f64; N],
 }
 
 /// A cell with its integral by the whole, and by the halves along u and along v.
-struct Known<const N: usize> {
-    cell: Cell,
-    halves: [[Estimate<N>; 2]; 2],
+struct IntegratedCell<const N: usize> {
+    cell: QuadratureCell,
+    halves: [[CellEstimate<N>; 2]; 2],
     values: [f64; N],
     absolute: [f64; N],
     /// How much the halves differ from the whole, along u and along v.
@@ -80,9 +80,13 @@ struct Known<const N: usize> {
 /// Changes that hardly fade are not taken to go on for longer than this many times the last.
 const MOST_TO_COME: f64 = 64.0;
 
-impl<const N: usize> Known<N> {
-    fn new(cell: Cell, whole: Estimate<N>, halves: [[Estimate<N>; 2]; 2]) -> Self {
-        let sum = |[a, b]: &[Estimate<N>; 2], i: usize| a.values[i] + b.values[i];
+impl<const N: usize> IntegratedCell<N> {
+    fn new(
+        cell: QuadratureCell,
+        whole: CellEstimate<N>,
+        halves: [[CellEstimate<N>; 2]; 2],
+    ) -> Self {
+        let sum = |[a, b]: &[CellEstimate<N>; 2], i: usize| a.values[i] + b.values[i];
         let changes =
             halves.each_ref().map(|pair| std::array::from_fn(|i| sum(pair, i) - whole.values[i]));
         // What either pair of halves corrects.
@@ -134,26 +138,27 @@ pub(super) fn integral<const N: usize>(
     density: impl Fn(DVec3, DVec3) -> [f64; N],
 ) -> Result<Integral<N>, GeomError> {
     let parts = parts(surface);
-    let rule = |cell: Cell| quadrature(&parts[cell.part], cell, &density);
-    let known = |cell: Cell, whole: Estimate<N>| -> Result<Known<N>, GeomError> {
-        let pair = |direction: usize| -> Result<[Estimate<N>; 2], GeomError> {
-            let [a, b] = cell.halves(direction);
-            Ok([rule(a)?, rule(b)?])
+    let rule = |cell: QuadratureCell| quadrature(&parts[cell.part], cell, &density);
+    let known =
+        |cell: QuadratureCell, whole: CellEstimate<N>| -> Result<IntegratedCell<N>, GeomError> {
+            let pair = |direction: usize| -> Result<[CellEstimate<N>; 2], GeomError> {
+                let [a, b] = cell.halves(direction);
+                Ok([rule(a)?, rule(b)?])
+            };
+            Ok(IntegratedCell::new(cell, whole, [pair(0)?, pair(1)?]))
         };
-        Ok(Known::new(cell, whole, [pair(0)?, pair(1)?]))
-    };
-    let mut all: Vec<Known<N>> = Vec::new();
+    let mut all: Vec<IntegratedCell<N>> = Vec::new();
     for cell in parts.iter().enumerate().flat_map(|(part, surface)| cells(part, surface)) {
         all.push(known(cell, rule(cell)?)?);
     }
     let (mut n_cuts, mut late) = (MAX_CUTS, None);
     loop {
         GeomError::go_on(all.len())?;
-        let of_all = |f: &dyn Fn(&Known<N>, usize) -> f64| -> [f64; N] {
+        let of_all = |f: &dyn Fn(&IntegratedCell<N>, usize) -> f64| -> [f64; N] {
             std::array::from_fn(|i| all.iter().map(|known| f(known, i)).sum())
         };
         let sizes = of_all(&|known, i| known.absolute[i]);
-        let changes = of_all(&Known::change);
+        let changes = of_all(&IntegratedCell::change);
         let allowed = sizes.map(|size| QUADRATURE_RELATIVE * size + f64::MIN_POSITIVE);
         let is_done = (0..N).all(|i| changes[i] <= allowed[i]);
         let urgency = |i: &usize| all[*i].urgency(allowed);
@@ -196,7 +201,7 @@ fn parts(surface: &Surface) -> Vec<Surface> {
 }
 
 /// What the surface is made of, or for a function even parts.
-fn cells(part: usize, surface: &Surface) -> Vec<Cell> {
+fn cells(part: usize, surface: &Surface) -> Vec<QuadratureCell> {
     let [us, vs]: [Vec<Interval>; 2] = match surface {
         Surface::Nurbs(surface) => [surface.knots_u(), surface.knots_v()]
             .map(|knots| knots.spans().map(|span| knots.span_interval(span)).collect()),
@@ -205,7 +210,7 @@ fn cells(part: usize, surface: &Surface) -> Vec<Cell> {
             ends.windows(2).filter_map(|ends| Interval::new(ends[0], ends[1]).ok()).collect()
         }),
     };
-    us.iter().flat_map(|&u| vs.iter().map(move |&v| Cell { part, u, v })).collect()
+    us.iter().flat_map(|&u| vs.iter().map(move |&v| QuadratureCell { part, u, v })).collect()
 }
 
 /// The rule on one cell, of the quantities and of their absolute values.
@@ -214,9 +219,9 @@ fn cells(part: usize, surface: &Surface) -> Vec<Cell> {
 /// has its exact integral.
 fn quadrature<const N: usize>(
     surface: &Surface,
-    cell: Cell,
+    cell: QuadratureCell,
     density: &impl Fn(DVec3, DVec3) -> [f64; N],
-) -> Result<Estimate<N>, GeomError> {
+) -> Result<CellEstimate<N>, GeomError> {
     let at = |u: f64, v: f64| -> Result<[f64; N], GeomError> {
         let [point, along_u, along_v] = surface.tangents_at(u, v)?;
         Ok(density(point, along_u.cross(along_v)))
@@ -240,13 +245,13 @@ fn quadrature<const N: usize>(
     }
     means.iter_mut().zip(middle).for_each(|(mean, value)| *mean += value);
     let size = cell.u.length() * cell.v.length();
-    Ok(Estimate {
+    Ok(CellEstimate {
         values: means.map(|mean| mean * size),
         absolute: absolute.map(|mean| mean * size),
     })
 }
 
-impl Cell {
+impl QuadratureCell {
     /// The halves across u or across v.
     fn halves(self, direction: usize) -> [Self; 2] {
         let Self { part, u, v } = self;

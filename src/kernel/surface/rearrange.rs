@@ -50,7 +50,7 @@ impl Surface {
         match self {
             Self::Nurbs(surface) => Ok(surface.reversed(along).into()),
             Self::Parametric(surface) => {
-                surface.rearranged(Change::Reversed(along)).map(Self::from)
+                surface.rearranged(Reparametrization::Reversed(along)).map(Self::from)
             }
         }
     }
@@ -62,7 +62,9 @@ impl Surface {
     pub fn swapped(&self) -> Result<Self, GeomError> {
         match self {
             Self::Nurbs(surface) => Ok(surface.swapped().into()),
-            Self::Parametric(surface) => surface.rearranged(Change::Swapped).map(Self::from),
+            Self::Parametric(surface) => {
+                surface.rearranged(Reparametrization::Swapped).map(Self::from)
+            }
         }
     }
 
@@ -127,19 +129,19 @@ impl ParametricSurface {
         Ok([self.over(along, before)?, self.over(along, behind)?])
     }
 
-    fn rearranged(&self, change: Change) -> Result<Self, GeomError> {
+    fn rearranged(&self, change: Reparametrization) -> Result<Self, GeomError> {
         let domains = match change {
-            Change::Swapped => [self.domain_v(), self.domain_u()],
-            Change::Reversed(_) => [self.domain_u(), self.domain_v()],
+            Reparametrization::Swapped => [self.domain_v(), self.domain_u()],
+            Reparametrization::Reversed(_) => [self.domain_u(), self.domain_v()],
         };
-        let function = Rearranged { surface: self.clone(), change };
+        let function = ReparametrizedSurface { surface: self.clone(), change };
         Self::new(domains[0], domains[1], Arc::new(function))
     }
 }
 
 /// How the parameters of a function are run differently.
 #[derive(Clone, Copy, Debug)]
-enum Change {
+enum Reparametrization {
     /// u and v exchanged.
     Swapped,
     /// One of them backwards over its domain.
@@ -148,12 +150,12 @@ enum Change {
 
 /// A surface with other parameters.
 #[derive(Debug)]
-struct Rearranged {
+struct ReparametrizedSurface {
     surface: ParametricSurface,
-    change: Change,
+    change: Reparametrization,
 }
 
-impl SurfaceFunction for Rearranged {
+impl SurfaceFunction for ReparametrizedSurface {
     fn derivatives_at(&self, u: f64, v: f64, order: usize) -> Result<Grid<DVec3>, FunctionFailure> {
         let at =
             |u: f64, v: f64| self.surface.derivatives_at(u, v, order).map_err(FunctionFailure::new);
@@ -164,12 +166,12 @@ impl SurfaceFunction for Rearranged {
         let odd = |k: usize| if k % 2 == 1 { -1.0 } else { 1.0 };
         let n = order + 1;
         Ok(match self.change {
-            Change::Swapped => at(v, u)?.transposed(),
-            Change::Reversed(Direction::U) => {
+            Reparametrization::Swapped => at(v, u)?.transposed(),
+            Reparametrization::Reversed(Direction::U) => {
                 let forward = at(back(Direction::U, u), v)?;
                 Grid::from_fn(n, n, |k, l| forward.get(k, l) * odd(k))
             }
-            Change::Reversed(Direction::V) => {
+            Reparametrization::Reversed(Direction::V) => {
                 let forward = at(u, back(Direction::V, v))?;
                 Grid::from_fn(n, n, |k, l| forward.get(k, l) * odd(l))
             }

@@ -171,7 +171,7 @@ impl NurbsSurface {
             (on * around.w + out * around.x + across * around.y).extend(weight * around.w)
         });
         homogeneous::check_finite(net.as_slice())?;
-        Ok(Self::trusted(arc.knots().clone(), profile.knots().clone(), net))
+        Ok(Self::new_unchecked(arc.knots().clone(), profile.knots().clone(), net))
     }
 
     /// The swung surface: its point at (u, v) is (s·x·X, s·x·Y, z) of the point (x, ·, z) of the
@@ -193,7 +193,7 @@ impl NurbsSurface {
             DVec4::new(scale * p.x * t.x, scale * p.x * t.y, p.z * t.w, p.w * t.w)
         });
         homogeneous::check_finite(net.as_slice())?;
-        Ok(Self::trusted(profile.knots().clone(), trajectory.knots().clone(), net))
+        Ok(Self::new_unchecked(profile.knots().clone(), trajectory.knots().clone(), net))
     }
 
     /// The curve moved along a vector: u along the curve, v on 0..1 along the vector.

@@ -23,6 +23,6 @@ impl NurbsSurface {
         let rows: Vec<Vec<DVec4>> =
             curves.iter().map(|curve| curve.control_points().to_vec()).collect();
         let net = Grid::from_rows(rows)?.transposed();
-        Ok(Self::trusted(curves[0].knots().clone(), KnotVector::bezier(1)?, net))
+        Ok(Self::new_unchecked(curves[0].knots().clone(), KnotVector::bezier(1)?, net))
     }
 }

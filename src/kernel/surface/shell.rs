@@ -9,7 +9,7 @@ use thiserror::Error;
 
 use super::{
     Edge, Surface,
-    border::{Border, Nearest},
+    border::{LineDistance, SurfaceBorder},
 };
 use crate::{
     Bounds, GeomError, Tolerance,
@@ -91,28 +91,28 @@ pub(super) struct Shell {
 }
 
 /// An edge that has a length.
-struct Rim<'a> {
+struct ShellEdge<'a> {
     surface: usize,
     edge: Edge,
-    border: Border<'a>,
+    border: SurfaceBorder<'a>,
     /// Places between its ends: the point, and the way of the boundary with the surface to its left.
     places: Vec<(DVec3, DVec3)>,
     ends: [DVec3; 2],
     bounds: Bounds,
     /// The longest step from place to place.
     slack: f64,
-    nearest: Nearest,
+    nearest: LineDistance,
 }
 
 /// Two surfaces that share an edge, and whether one of them must turn.
-struct Pair {
+struct EdgeNeighbours {
     surfaces: [usize; 2],
     must_turn: bool,
     edge: Edge,
 }
 
 /// A place of an edge that several others touch: which, and the cosines of their ways with its own.
-struct Crowd {
+struct TouchingEdges {
     rim: usize,
     point: DVec3,
     others: Vec<(usize, f64)>,
@@ -120,17 +120,17 @@ struct Crowd {
 
 /// What the places of all edges meet.
 #[derive(Default)]
-struct Met {
-    pairs: Vec<Pair>,
+struct EdgeContacts {
+    pairs: Vec<EdgeNeighbours>,
     /// Whether some place of the edge has one neighbour.
     has_pair: Vec<bool>,
-    crowds: Vec<Crowd>,
+    crowds: Vec<TouchingEdges>,
     /// Surfaces with places that have no neighbour.
     with_ends: Vec<usize>,
 }
 
 /// Another edge that is near enough to a place.
-struct Touch {
+struct EdgeContact {
     rim: usize,
     /// The cosine between the ways.
     along: f64,
@@ -153,7 +153,7 @@ pub(super) fn oriented(
 ) -> Result<Vec<Shell>, GeomError> {
     let edges = edges(surfaces)?;
     let Some(whole) = edges.iter().map(|edge| edge.bounds).reduce(Bounds::union) else {
-        return hanging_together(surfaces.len(), &Met::default());
+        return hanging_together(surfaces.len(), &EdgeContacts::default());
     };
     let least = VANISHING_RELATIVE * whole.magnitude();
     let mut allowed = tolerance.distance_for(whole.diagonal()).max(least);
@@ -183,11 +183,11 @@ pub(super) fn oriented(
 /// must pass each other in pairs.
 fn within(
     n_surfaces: usize,
-    edges: &[Rim<'_>],
+    edges: &[ShellEdge<'_>],
     allowed: f64,
     may_end: bool,
 ) -> Result<Vec<Shell>, GeomError> {
-    let rims: Vec<&Rim<'_>> =
+    let rims: Vec<&ShellEdge<'_>> =
         edges.iter().filter(|edge| 2.0 * allowed < edge.bounds.diagonal()).collect();
     let met = meet(n_surfaces, &rims, allowed, may_end)?;
     let shells = hanging_together(n_surfaces, &met)?;
@@ -195,7 +195,7 @@ fn within(
     for &(surface, sign) in shells.iter().flat_map(|shell| &shell.surfaces) {
         signs[surface] = sign;
     }
-    for Crowd { rim, point, others } in met.crowds {
+    for TouchingEdges { rim, point, others } in met.crowds {
         if met.has_pair[rim] {
             continue;
         }
@@ -223,16 +223,16 @@ fn within(
 /// [`ShellError::Open`] and [`ShellError::Alone`]; as [`Surface::point_at`].
 fn meet(
     n_surfaces: usize,
-    rims: &[&Rim<'_>],
+    rims: &[&ShellEdge<'_>],
     allowed: f64,
     may_end: bool,
-) -> Result<Met, GeomError> {
-    let mut met = Met { has_pair: vec![false; rims.len()], ..Met::default() };
+) -> Result<EdgeContacts, GeomError> {
+    let mut met = EdgeContacts { has_pair: vec![false; rims.len()], ..EdgeContacts::default() };
     let mut gap: Option<(f64, usize, DVec3)> = None;
     for (idx, rim) in rims.iter().enumerate() {
         for &(point, way) in &rim.places {
             let (least, touching) = touching(rims, idx, point, way, allowed)?;
-            let inner: Vec<&Touch> = touching.iter().filter(|touch| !touch.is_end).collect();
+            let inner: Vec<&EdgeContact> = touching.iter().filter(|touch| !touch.is_end).collect();
             let partner = match (&touching[..], &inner[..]) {
                 ([], _) => {
                     if gap.is_none_or(|(most, ..)| most < least) {
@@ -245,16 +245,16 @@ fn meet(
                 (_, [one]) => Some(*one),
                 _ => None,
             };
-            if let Some(&Touch { rim: other, along, .. }) = partner {
+            if let Some(&EdgeContact { rim: other, along, .. }) = partner {
                 met.has_pair[idx] = true;
-                met.pairs.push(Pair {
+                met.pairs.push(EdgeNeighbours {
                     surfaces: [rim.surface, rims[other].surface],
                     must_turn: 0.0 < along,
                     edge: rim.edge,
                 });
             } else {
                 let others = touching.iter().map(|touch| (touch.rim, touch.along)).collect();
-                met.crowds.push(Crowd { rim: idx, point, others });
+                met.crowds.push(TouchingEdges { rim: idx, point, others });
             }
         }
     }
@@ -270,12 +270,12 @@ fn meet(
 
 /// The other edges that are near enough to a place of one, and how far the nearest is.
 fn touching(
-    rims: &[&Rim<'_>],
+    rims: &[&ShellEdge<'_>],
     idx: usize,
     point: DVec3,
     way: DVec3,
     allowed: f64,
-) -> Result<(f64, Vec<Touch>), GeomError> {
+) -> Result<(f64, Vec<EdgeContact>), GeomError> {
     let mut others: Vec<(f64, usize)> = (0..rims.len())
         .filter(|&other| other != idx)
         .map(|other| (rims[other].distance_at_least(point), other))
@@ -293,14 +293,14 @@ fn touching(
         if distance <= allowed {
             let along = unit(way).zip(unit(other_way)).map_or(0.0, |(a, b)| a.dot(b));
             let is_end = rims[rim].ends.iter().any(|end| end.distance(foot) <= allowed);
-            touching.push(Touch { rim, along, is_end });
+            touching.push(EdgeContact { rim, along, is_end });
         }
     }
     Ok((least, touching))
 }
 
 /// Walks from surface to surface over their common edges.
-fn hanging_together(n_surfaces: usize, met: &Met) -> Result<Vec<Shell>, GeomError> {
+fn hanging_together(n_surfaces: usize, met: &EdgeContacts) -> Result<Vec<Shell>, GeomError> {
     let mut has_end = vec![false; n_surfaces];
     met.with_ends.iter().for_each(|&surface| has_end[surface] = true);
     let mut neighbours: Vec<Vec<(usize, bool, Edge)>> = vec![Vec::new(); n_surfaces];
@@ -341,11 +341,11 @@ fn hanging_together(n_surfaces: usize, met: &Met) -> Result<Vec<Shell>, GeomErro
 }
 
 /// The edges that have a length.
-fn edges(surfaces: &[Surface]) -> Result<Vec<Rim<'_>>, GeomError> {
+fn edges(surfaces: &[Surface]) -> Result<Vec<ShellEdge<'_>>, GeomError> {
     let mut edges = Vec::new();
     for (surface_idx, surface) in surfaces.iter().enumerate() {
         for edge in Edge::ALL {
-            let border = Border::edge(surface, edge);
+            let border = SurfaceBorder::edge(surface, edge);
             let along = border.along();
             let mut places = Vec::with_capacity(PLACES);
             for i in 0..PLACES {
@@ -361,7 +361,7 @@ fn edges(surfaces: &[Surface]) -> Result<Vec<Rim<'_>>, GeomError> {
             let steps = places.windows(2).map(|pair| pair[0].0.distance(pair[1].0));
             let slack = steps.fold(0.0, f64::max);
             let nearest = border.nearest()?;
-            edges.push(Rim {
+            edges.push(ShellEdge {
                 surface: surface_idx,
                 edge,
                 border,
@@ -384,7 +384,7 @@ fn boundary_sign(edge: Edge) -> f64 {
     }
 }
 
-impl Rim<'_> {
+impl ShellEdge<'_> {
     /// Less than the distance of the point from the edge, which leaves the box of its places by no
     /// more than their steps.
     fn distance_at_least(&self, point: DVec3) -> f64 {

@@ -7,7 +7,7 @@ use crate::{GeomError, Grid, Interval, KnotVector, NurbsCurve, homogeneous};
 
 /// What a boolean sum takes along one of its directions.
 #[derive(Clone, Debug)]
-pub(crate) struct Strands {
+pub(crate) struct BooleanSumTerm {
     /// The curves that run along it; the first one's domain becomes the surface's.
     pub(crate) curves: Vec<NurbsCurve>,
     /// A function of its parameter for each curve of the other direction, which that curve is
@@ -29,8 +29,8 @@ impl NurbsSurface {
     /// [`GeomError::TooManyPoints`], [`GeomError::NotFinite`],
     /// [`GeomError::GridSize`] unless the numbers of curves, functions and values go together.
     pub(crate) fn boolean_sum(
-        u: Strands,
-        v: Strands,
+        u: BooleanSumTerm,
+        v: BooleanSumTerm,
         meetings: &Grid<DVec3>,
     ) -> Result<Self, GeomError> {
         let (rows, columns) = (v.curves.len(), u.curves.len());
@@ -59,14 +59,14 @@ impl NurbsSurface {
             point.extend(c[0][i].w * d[0][j].w)
         });
         homogeneous::check_finite(net.as_slice())?;
-        Ok(Self::trusted(knots_u, knots_v, net))
+        Ok(Self::new_unchecked(knots_u, knots_v, net))
     }
 }
 
 /// Homogeneous points of the curves and of the functions, over common knots and one denominator.
-type Common = (Vec<Vec<DVec4>>, Vec<Vec<DVec4>>, KnotVector);
+type CommonNets = (Vec<Vec<DVec4>>, Vec<Vec<DVec4>>, KnotVector);
 
-fn over_one_denominator(strands: Strands) -> Result<Common, GeomError> {
+fn over_one_denominator(strands: BooleanSumTerm) -> Result<CommonNets, GeomError> {
     let n_curves = strands.curves.len();
     let all = [strands.curves, strands.blends].concat();
     let common = crate::curve::on_one_denominator(&all)?;

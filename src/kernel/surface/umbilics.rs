@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 
 use glam::{DMat2, DVec2};
 
-use super::{Defects, Edge, Surface};
+use super::{Edge, Surface, SurfaceDefects};
 use crate::{
     GeomError, Interval, KnotVector, Tolerance,
     tolerance::{
@@ -38,7 +38,7 @@ const N_LOOKS: usize = 32;
 
 /// Parameters, with how unequally the surface bends there, along Su and across and in between.
 #[derive(Clone, Copy)]
-struct Bend {
+struct CurvatureDifference {
     at: DVec2,
     uneven: DVec2,
     /// What rounding leaves of that.
@@ -53,7 +53,7 @@ impl Surface {
     /// As [`Self::point_at`].
     pub fn umbilics(
         &self,
-        defects: &Defects,
+        defects: &SurfaceDefects,
         tolerance: Tolerance,
     ) -> Result<Vec<[f64; 2]>, GeomError> {
         let [us, vs] = self.umbilic_grid(&defects.collapsed, tolerance)?;
@@ -61,7 +61,7 @@ impl Surface {
             let bends = vs.iter().map(|&v| self.bend_at(DVec2::new(u, v), tolerance));
             bends.collect::<Vec<_>>()
         });
-        let bends: Vec<Vec<Option<Bend>>> = rows.collect();
+        let bends: Vec<Vec<Option<CurvatureDifference>>> = rows.collect();
         let last = |places: &[f64]| places[places.len() - 1];
         let ends = [DVec2::new(us[0], vs[0]), DVec2::new(last(&us), last(&vs))];
         let mut found: Vec<[f64; 2]> = Vec::new();
@@ -84,7 +84,8 @@ impl Surface {
                 Edge::U1 => [self.domain_u().end(), v],
                 Edge::V1 => [u, self.domain_v().end()],
             };
-            let pole = self.bend_at(DVec2::from_array(at), tolerance).filter(Bend::is_even);
+            let pole =
+                self.bend_at(DVec2::from_array(at), tolerance).filter(CurvatureDifference::is_even);
             found.extend(pole.map(|_| at));
         }
         Ok(found)
@@ -156,25 +157,25 @@ impl Surface {
     }
 
     /// `None` where the surface has no curvatures.
-    fn bend_at(&self, at: DVec2, tolerance: Tolerance) -> Option<Bend> {
+    fn bend_at(&self, at: DVec2, tolerance: Tolerance) -> Option<CurvatureDifference> {
         let inside = self.inside(at);
         let shape = self.shape_at(inside.x, inside.y).ok()?;
         let [a, b, c] = shape.tensor;
         let largest = a.abs().max(b.abs()).max(c.abs());
         let rounding = shape.flat_below(tolerance).max(tolerance.angle * largest);
-        Some(Bend { at, uneven: DVec2::new(0.5 * (a - c), b), rounding })
+        Some(CurvatureDifference { at, uneven: DVec2::new(0.5 * (a - c), b), rounding })
     }
 
     /// The isolated umbilic to which the way down leads from a rectangle between four corners,
     /// counterclockwise, if there is one between the ends of the grid.
     fn umbilic_about(
         &self,
-        corners: [Bend; 4],
+        corners: [CurvatureDifference; 4],
         ends: [DVec2; 2],
         tolerance: Tolerance,
     ) -> Option<DVec2> {
         let [a, _, c, _] = corners;
-        if corners.iter().all(Bend::is_even) {
+        if corners.iter().all(CurvatureDifference::is_even) {
             return None;
         }
         let width = c.at - a.at;
@@ -187,7 +188,7 @@ impl Surface {
         let look = |at: DVec2| self.bend_at(at, tolerance);
         let limits = [(a.at - BEYOND * width).max(ends[0]), (c.at + BEYOND * width).min(ends[1])];
         let (last, slopes) = descend(start, middle.at, limits, width * UMBILIC_DIFFERENCE, look)?;
-        let size = corners.iter().map(Bend::size).fold(0.0, f64::max);
+        let size = corners.iter().map(CurvatureDifference::size).fold(0.0, f64::max);
         // Where second derivatives jump there may be a least without an umbilic.
         let is_umbilic = last.is_even() || last.size() <= TOUCH_RELATIVE * size;
         let scaled = slopes * DMat2::from_diagonal(width);
@@ -203,7 +204,7 @@ impl Surface {
 /// Whether both entries may vanish together in a rectangle between four corners, counterclockwise, or
 /// half of its width beside it: whether zero lies in the parallelogram, twice as wide, that they span
 /// there were they linear, or as far from it as they are bent.
-fn may_vanish(corners: &[Bend; 4], middle: &Bend) -> bool {
+fn may_vanish(corners: &[CurvatureDifference; 4], middle: &CurvatureDifference) -> bool {
     let [a, b, c, d] = corners.map(|corner| corner.uneven);
     let center = 0.25 * (a + b + c + d);
     let [along_u, along_v] = [0.5 * ((b - a) + (c - d)), 0.5 * ((d - a) + (c - b))];
@@ -215,7 +216,7 @@ fn may_vanish(corners: &[Bend; 4], middle: &Bend) -> bool {
 }
 
 /// Whether the surface bends unequally all around a place, and about as much everywhere.
-fn is_alone(at: DVec2, radii: DVec2, look: impl Fn(DVec2) -> Option<Bend>) -> bool {
+fn is_alone(at: DVec2, radii: DVec2, look: impl Fn(DVec2) -> Option<CurvatureDifference>) -> bool {
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
     for i in 0..N_LOOKS {
         let (sine, cosine) = libm::sincos(TAU * i as f64 / N_LOOKS as f64);
@@ -233,13 +234,13 @@ fn is_alone(at: DVec2, radii: DVec2, look: impl Fn(DVec2) -> Option<Bend>) -> bo
 /// there. Slopes are differences towards `inward`, so that they do not look over the edge of a
 /// piece.
 fn descend(
-    start: Bend,
+    start: CurvatureDifference,
     inward: DVec2,
     limits: [DVec2; 2],
     difference: DVec2,
-    look: impl Fn(DVec2) -> Option<Bend>,
-) -> Option<(Bend, DMat2)> {
-    let slopes_at = |bend: &Bend| {
+    look: impl Fn(DVec2) -> Option<CurvatureDifference>,
+) -> Option<(CurvatureDifference, DMat2)> {
+    let slopes_at = |bend: &CurvatureDifference| {
         let slope = |axis: DVec2| {
             let toward = (inward - bend.at).dot(axis);
             let step = difference.dot(axis).copysign(toward);
@@ -279,7 +280,7 @@ fn descend(
     Some((last, slopes))
 }
 
-impl Bend {
+impl CurvatureDifference {
     fn size(&self) -> f64 {
         self.uneven.length()
     }

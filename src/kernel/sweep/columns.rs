@@ -3,16 +3,16 @@
 
 use glam::DVec4;
 
-use super::{Fit, Moving, SKIN_DEGREE};
+use super::{MovingSection, PlacementFit, SKIN_DEGREE};
 use crate::{Ends, GeomError, Grid, Interpolator, KnotVector, NurbsSurface, homogeneous};
 
 /// Steps of a span in which the derivatives at its ends are taken: differences of the fourth order
 /// are then right to rounding.
 const STENCIL: f64 = 256.0;
 
-impl Moving<'_> {
+impl MovingSection<'_> {
     /// The surface through placements at the nodes of these knots.
-    pub(super) fn fitted(&mut self, knots: &KnotVector) -> Result<Fit, GeomError> {
+    pub(super) fn fitted(&mut self, knots: &KnotVector) -> Result<PlacementFit, GeomError> {
         let at = knots.greville();
         let columns = self.columns(&at)?;
         self.through(&Interpolator::on_knots(&at, knots.clone())?, &columns, at)
@@ -29,12 +29,12 @@ impl Moving<'_> {
         fit: &Interpolator,
         columns: &[Vec<DVec4>],
         at: Vec<f64>,
-    ) -> Result<Fit, GeomError> {
+    ) -> Result<PlacementFit, GeomError> {
         let rows: Vec<Vec<DVec4>> = (0..self.section.control_points().len())
             .map(|i| fit.through(&columns.iter().map(|column| column[i]).collect::<Vec<_>>()))
             .collect::<Result<_, _>>()?;
         let (own, along) = (self.section.knots().clone(), fit.knots().clone());
-        Ok(Fit { surface: NurbsSurface::new(own, along, Grid::from_rows(rows)?)?, at })
+        Ok(PlacementFit { surface: NurbsSurface::new(own, along, Grid::from_rows(rows)?)?, at })
     }
 
     /// The cubic skin through `n` placements at even parameters, or of the highest degree that
@@ -42,7 +42,7 @@ impl Moving<'_> {
     /// periodic: its seam is as smooth as the rest.
     ///
     /// Piegl & Tiller, *The NURBS Book*, A10.2.
-    pub(super) fn skinned(&mut self, n: usize, tolerance: f64) -> Result<Fit, GeomError> {
+    pub(super) fn skinned(&mut self, n: usize, tolerance: f64) -> Result<PlacementFit, GeomError> {
         let at = self.path.domain().steps(n - 1);
         let mut columns = self.columns(&at)?;
         let apart =
@@ -58,7 +58,7 @@ impl Moving<'_> {
 
     /// The surface whose columns are the section about each control point of the path, which has
     /// these knots: no equations are solved, and nothing swings out.
-    pub(super) fn offset(&mut self, knots: &KnotVector) -> Result<Fit, GeomError> {
+    pub(super) fn offset(&mut self, knots: &KnotVector) -> Result<PlacementFit, GeomError> {
         let path = self.path.elevate_degree(knots.degree())?;
         let mut missing = knots.as_slice().to_vec();
         for t in path.knots().as_slice() {
@@ -76,13 +76,13 @@ impl Moving<'_> {
             .collect::<Result<_, _>>()?;
         let net = Grid::from_rows(columns)?.transposed();
         let surface = NurbsSurface::new(self.section.knots().clone(), path.knots().clone(), net)?;
-        Ok(Fit { surface, at })
+        Ok(PlacementFit { surface, at })
     }
 
     /// Gives the columns next to the ends, and next to knots where nothing else holds both sides
     /// together, the derivatives of the true surface: a path that goes on smoothly, over its seam
     /// too, sweeps a surface without a crease.
-    pub(super) fn joined(&mut self, fit: &mut Fit) -> Result<(), GeomError> {
+    pub(super) fn joined(&mut self, fit: &mut PlacementFit) -> Result<(), GeomError> {
         let knots = fit.surface.knots_v().clone();
         let p = knots.degree();
         if p < 3 {

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
-use super::frames::{Axes, Frames, Framing, over_corner};
+use super::frames::{Axes, FrameRule, Frames, over_corner};
 use crate::{
     GeomError, Grid, Interval, NurbsCurve, NurbsSurface, Side,
     frame::{across, unit},
@@ -13,7 +13,7 @@ use crate::{
 const SHEARED: f64 = 3.0;
 
 /// A part of a path with its frames.
-pub type Leg = (NurbsCurve, Frames);
+pub type PathLeg = (NurbsCurve, Frames);
 
 /// The path cut at its corners, each part with its frames, which are carried over the corners by
 /// the smallest turn and slide the section into the planes that halve them. With `is_closed` there
@@ -24,11 +24,11 @@ pub type Leg = (NurbsCurve, Frames);
 pub fn legs(
     path: &NurbsCurve,
     corners: &[f64],
-    rule: Framing,
+    rule: FrameRule,
     up: DVec3,
     is_closed: bool,
     reach: f64,
-) -> Result<Vec<Leg>, GeomError> {
+) -> Result<Vec<PathLeg>, GeomError> {
     let domain = path.domain();
     let cuts = [&[domain.start()], corners, &[domain.end()]].concat();
     let last = cuts.len() - 2;
@@ -54,7 +54,7 @@ pub fn legs(
             let before = if 0 < k { ends[0] } else { domain.end() };
             frames = frames.with_corner(0, normal(before, ends[0])?, SHEARED * reach);
         }
-        if k < last && rule == Framing::RotationMinimizing {
+        if k < last && rule == FrameRule::RotationMinimizing {
             up = over_corner(axes, path.tangent_at(ends[1], Side::Right)?).z;
         }
         legs.push((part, frames));

@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 
-use super::Moving;
+use super::MovingSection;
 use crate::{
     GeomError,
     tolerance::{KNOT_RELATIVE, VANISHING_RELATIVE},
@@ -22,7 +22,7 @@ const MAX_BISECTIONS: usize = 40;
 /// Stretches with folds, and places where the section shrinks to a line or a point.
 type Folds = (Vec<[f64; 2]>, Vec<f64>);
 
-impl Moving<'_> {
+impl MovingSection<'_> {
     /// Where the section reaches beyond the centre of curvature, and where between the ends it
     /// shrinks to nothing or turns inside out.
     ///

@@ -10,7 +10,7 @@ use crate::{
 
 /// A rule for the directions across a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Framing {
+pub enum FrameRule {
     /// z is as near to a given direction as it can be everywhere.
     Fixed,
     /// z is the path's binormal.
@@ -58,22 +58,22 @@ const MAX_DOUBLINGS: usize = 7;
 #[derive(Clone, Debug)]
 pub struct Frames {
     path: NurbsCurve,
-    rule: Framing,
+    rule: FrameRule,
     up: DVec3,
-    places: Vec<Place>,
+    places: Vec<FramePlace>,
     /// The angle that closes the frames of a closed path, spread over its length.
     closing: f64,
     /// Between which parameters the frame turns around.
     flips: Vec<[f64; 2]>,
     /// How the section is slid along the path towards a corner at the start and at the end.
-    mitres: [Option<Mitre>; 2],
+    mitres: [Option<PathCorner>; 2],
     /// Whether the path comes back to its start in the direction in which it left.
     is_closed: bool,
 }
 
 /// A corner at an end of the path.
 #[derive(Clone, Copy, Debug)]
-struct Mitre {
+struct PathCorner {
     point: DVec3,
     /// How far what lies beside the path by one, along y and along z, is from the plane that halves
     /// the corner, along the path.
@@ -85,7 +85,7 @@ struct Mitre {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Place {
+struct FramePlace {
     t: f64,
     point: DVec3,
     axes: Axes,
@@ -107,7 +107,7 @@ impl Frames {
     /// [`GeomError::VanishingTangent`].
     pub fn new(
         path: &NurbsCurve,
-        rule: Framing,
+        rule: FrameRule,
         up: DVec3,
         is_closed: bool,
     ) -> Result<Self, GeomError> {
@@ -123,7 +123,7 @@ impl Frames {
         };
         let mut n_steps = FIRST_STEPS;
         frames.walk(n_steps)?;
-        if rule == Framing::RotationMinimizing {
+        if rule == FrameRule::RotationMinimizing {
             for _ in 0..MAX_DOUBLINGS {
                 let before = frames.last();
                 n_steps *= 2;
@@ -133,7 +133,7 @@ impl Frames {
                 }
             }
         }
-        if is_closed && rule == Framing::RotationMinimizing {
+        if is_closed && rule == FrameRule::RotationMinimizing {
             let (first, last) = (frames.places[0].axes, frames.last());
             frames.closing = libm::atan2(last.y.dot(first.z), last.z.dot(first.z));
         }
@@ -171,7 +171,7 @@ impl Frames {
         let length = if is_straight { chord } else { reach.min(chord) };
         let along = axes.x.dot(normal);
         let slopes = [axes.y.dot(normal) / along, axes.z.dot(normal) / along];
-        self.mitres[end] = Some(Mitre { point, slopes, length, is_straight });
+        self.mitres[end] = Some(PathCorner { point, slopes, length, is_straight });
         self
     }
 
@@ -188,7 +188,7 @@ impl Frames {
 
     /// How far along the path, at a place of it, what lies at `offset` from it is slid to corners.
     pub(super) fn slide(&self, point: DVec3, axes: Axes, offset: DVec3) -> f64 {
-        let slide = |mitre: &Mitre| {
+        let slide = |mitre: &PathCorner| {
             let part = (point.distance(mitre.point) / mitre.length).min(1.0);
             let rest = 1.0 - part;
             let share = if mitre.is_straight { rest } else { rest * rest * (1.0 + 2.0 * part) };
@@ -201,9 +201,9 @@ impl Frames {
     /// Parameters where a bent path's section stands upright again, roughly.
     pub(super) fn breaks(&self) -> Vec<f64> {
         let bent = self.mitres.iter().flatten().filter(|mitre| !mitre.is_straight);
-        let crossing = |mitre: &Mitre| {
-            let is_near = |place: &Place| place.point.distance(mitre.point) <= mitre.length;
-            let change = |pair: &&[Place]| is_near(&pair[0]) != is_near(&pair[1]);
+        let crossing = |mitre: &PathCorner| {
+            let is_near = |place: &FramePlace| place.point.distance(mitre.point) <= mitre.length;
+            let change = |pair: &&[FramePlace]| is_near(&pair[0]) != is_near(&pair[1]);
             self.places.windows(2).find(change).map(|pair| pair[1].t)
         };
         bent.filter_map(crossing).collect()
@@ -235,14 +235,15 @@ impl Frames {
         for t in parameters {
             let (point, x) = (self.path.point_at(t), self.tangent(t)?);
             let place = match self.places.last().copied() {
-                None => Place { t, point, axes: self.first(t, x)?, length: 0.0 },
+                None => FramePlace { t, point, axes: self.first(t, x)?, length: 0.0 },
                 Some(before) => {
                     let length = before.length + point.distance(before.point);
                     let axes = self.next(before, t, point, x)?;
-                    if axes.z.dot(before.axes.z) < 0.0 && self.rule != Framing::RotationMinimizing {
+                    if axes.z.dot(before.axes.z) < 0.0 && self.rule != FrameRule::RotationMinimizing
+                    {
                         self.flips.push([before.t, t]);
                     }
-                    Place { t, point, axes, length }
+                    FramePlace { t, point, axes, length }
                 }
             };
             self.places.push(place);
@@ -254,7 +255,7 @@ impl Frames {
 
     fn first(&self, t: f64, x: DVec3) -> Result<Axes, GeomError> {
         match self.rule {
-            Framing::Frenet => {
+            FrameRule::Frenet => {
                 // At a straight start, the first binormal that there is.
                 let domain = self.path.domain();
                 let steps = domain.steps(256);
@@ -282,11 +283,11 @@ impl Frames {
         if norm(cross) <= VANISHING_RELATIVE.sqrt() * size { None } else { unit(cross) }
     }
 
-    fn next(&self, before: Place, t: f64, point: DVec3, x: DVec3) -> Result<Axes, GeomError> {
+    fn next(&self, before: FramePlace, t: f64, point: DVec3, x: DVec3) -> Result<Axes, GeomError> {
         let z = match self.rule {
-            Framing::Fixed => return self.upright(x),
-            Framing::Frenet => self.binormal(t).or_else(|| across(before.axes.z, x)),
-            Framing::RotationMinimizing => reflected_twice(before, point, x),
+            FrameRule::Fixed => return self.upright(x),
+            FrameRule::Frenet => self.binormal(t).or_else(|| across(before.axes.z, x)),
+            FrameRule::RotationMinimizing => reflected_twice(before, point, x),
         };
         let z = z.and_then(|z| across(z, x));
         Ok(Axes::new(x, z.ok_or(GeomError::VanishingTangent { parameter: t })?))
@@ -310,7 +311,7 @@ impl Frames {
 
 /// The z that two reflections carry on: the first takes the point before to the next one, the
 /// second its tangent to the next one's.
-fn reflected_twice(before: Place, point: DVec3, x: DVec3) -> Option<DVec3> {
+fn reflected_twice(before: FramePlace, point: DVec3, x: DVec3) -> Option<DVec3> {
     let step = point - before.point;
     let Some(axis) = unit(step) else { return across(before.axes.z, x) };
     let reflect = |v: DVec3, axis: DVec3| v - axis * (2.0 * v.dot(axis));

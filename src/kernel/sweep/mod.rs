@@ -9,8 +9,8 @@ mod corner;
 mod folds;
 mod frames;
 
-pub use corner::{Leg, legs, mitred, overreaches};
-pub use frames::{Axes, Frames, Framing};
+pub use corner::{PathLeg, legs, mitred, overreaches};
+pub use frames::{Axes, FrameRule, Frames};
 
 use glam::{DVec3, DVec4};
 
@@ -42,15 +42,15 @@ pub trait Motion {
     ///
     /// # Errors
     /// Where there is no such place.
-    fn held(&mut self, t: f64, point: DVec3, x: DVec3) -> Result<Option<Held>, GeomError>;
+    fn held(&mut self, t: f64, point: DVec3, x: DVec3) -> Result<Option<PlacedAxes>, GeomError>;
 }
 
 /// The section's axes, with their lengths, and its origin, from a point of the path.
-pub type Held = ([DVec3; 3], DVec3);
+pub type PlacedAxes = ([DVec3; 3], DVec3);
 
 /// How fine a sweep is.
 #[derive(Clone, Copy, Debug)]
-pub struct Fineness {
+pub struct SweepResolution {
     /// Placements of the section; else as many as the tolerance needs.
     pub n_sections: Option<usize>,
     /// How far the surface may be from the true one.
@@ -132,11 +132,11 @@ pub fn swept(
     frames: &Frames,
     motion: &mut dyn Motion,
     breaks: &[f64],
-    fineness: Fineness,
+    fineness: SweepResolution,
 ) -> Result<Sweep, GeomError> {
     let path = path.clamped();
     let keeps_weights = fineness.keeps_path;
-    let mut moving = Moving { section, path: &path, frames, motion, keeps_weights };
+    let mut moving = MovingSection { section, path: &path, frames, motion, keeps_weights };
     let breaks = [breaks, &frames.breaks()].concat();
     if let (Some(n), false) = (fineness.n_sections, fineness.keeps_path) {
         let fit = moving.skinned(n, fineness.tolerance)?;
@@ -175,7 +175,7 @@ pub fn swept(
 }
 
 /// A section on its way.
-struct Moving<'a> {
+struct MovingSection<'a> {
     section: &'a NurbsCurve,
     path: &'a NurbsCurve,
     frames: &'a Frames,
@@ -185,14 +185,14 @@ struct Moving<'a> {
 }
 
 /// A surface through placements.
-struct Fit {
+struct PlacementFit {
     surface: NurbsSurface,
     at: Vec<f64>,
 }
 
-impl Moving<'_> {
+impl MovingSection<'_> {
     /// The axes of the section, with its factors, at a parameter, and its origin from the path.
-    fn axes(&mut self, t: f64) -> Result<Held, GeomError> {
+    fn axes(&mut self, t: f64) -> Result<PlacedAxes, GeomError> {
         let mut axes = self.frames.at(t)?;
         let point = self.path.point_at(t);
         if let Some(held) = self.motion.held(t, point, axes.x)? {
@@ -234,7 +234,7 @@ impl Moving<'_> {
     }
 
     /// The knots to begin with.
-    fn basis(&self, breaks: &[f64], fineness: Fineness) -> Result<KnotVector, GeomError> {
+    fn basis(&self, breaks: &[f64], fineness: SweepResolution) -> Result<KnotVector, GeomError> {
         let own = self.path.knots();
         let domain = own.domain();
         let mut knots = if fineness.keeps_path {
@@ -270,7 +270,7 @@ impl Moving<'_> {
     }
 
     /// The surface with what is to be said about it.
-    fn told(&mut self, fit: Fit, deviation: (f64, f64)) -> Result<Sweep, GeomError> {
+    fn told(&mut self, fit: PlacementFit, deviation: (f64, f64)) -> Result<Sweep, GeomError> {
         let (folds, collapses) = self.folds()?;
         Ok(Sweep { surface: fit.surface, deviation, folds, collapses, placements: fit.at })
     }
@@ -280,7 +280,7 @@ impl Moving<'_> {
     /// of the lines, is no further. Where the frame turns around there is nothing to be near to.
     fn deviations(
         &mut self,
-        fit: &Fit,
+        fit: &PlacementFit,
         allowed: f64,
         n_places: usize,
     ) -> Result<((f64, f64), Vec<f64>), GeomError> {

@@ -4,11 +4,11 @@ use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Ends, Spacing, check_parameters},
+    kernel::{Ends, Parametrization, check_parameters},
     value::{At, Choice, FromValue, IntoValue, Mismatch, Type, Value, rounded},
 };
 
-impl Choice for Spacing {
+impl Choice for Parametrization {
     const WORDS: &'static [&'static str] = &["uniform", "chord", "centripetal", "foley"];
     const MEANINGS: &'static [Self] = &[Self::Uniform, Self::Chord, Self::Centripetal, Self::Foley];
 }
@@ -29,16 +29,16 @@ impl Choice for Ends {
 /// Where points are to lie on a curve: a rule, or the parameters themselves.
 #[derive(Clone, Debug)]
 pub(in crate::ops) enum Parameters {
-    By(Spacing),
+    By(Parametrization),
     Listed(Vec<f64>),
 }
 
 impl FromValue for Parameters {
-    const TYPE: Type = Type::OneOf(&[Spacing::TYPE, Type::List(&Type::Ratio, 0)]);
+    const TYPE: Type = Type::OneOf(&[Parametrization::TYPE, Type::List(&Type::Ratio, 0)]);
 
     fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
         match value {
-            Value::Text(_) => Spacing::from_value(value, span).map(Self::By),
+            Value::Text(_) => Parametrization::from_value(value, span).map(Self::By),
             Value::List(_) | Value::Range(_) => Vec::from_value(value, span).map(Self::Listed),
             _ => Err(Mismatch::kind(Self::TYPE, value)),
         }
@@ -58,7 +58,7 @@ impl IntoValue for Parameters {
 
 /// The default of curves that are fitted: by the distance of the points.
 pub(super) fn chord() -> Spanned<Parameters> {
-    Spanned::unplaced(Parameters::By(Spacing::Chord))
+    Spanned::unplaced(Parameters::By(Parametrization::Chord))
 }
 
 /// One parameter a point, different ones for neighbours.

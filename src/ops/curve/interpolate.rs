@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::fit::{Parameters, chord, distinct_parameters, two_tangents};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Ends, Interpolator, NurbsCurve, Receipt},
+    kernel::{ConstructionReport, Ends, Interpolator, NurbsCurve},
     value::{At, AtLeast, Ctx, op},
 };
 
@@ -83,8 +83,8 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
 /// The curve with a report of where on it the points lie.
 fn reporting(curve: NurbsCurve, parameters: Vec<f64>) -> NurbsCurve {
     let degree = curve.degree();
-    curve.with_receipt(
-        Receipt::of("interpolate").with("degree", degree).with("parameters", parameters),
+    curve.with_report(
+        ConstructionReport::of("interpolate").with("degree", degree).with("parameters", parameters),
     )
 }
 

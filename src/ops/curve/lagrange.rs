@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::fit::{Parameters, distinct_parameters, swing};
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{self, NurbsCurve, Spacing},
+    kernel::{self, NurbsCurve, Parametrization},
     value::{At, AtLeast, Ctx, op},
 };
 
@@ -19,7 +19,7 @@ op! {
         /// The points, two or more.
         points: Spanned<AtLeast<2, DVec3>>,
         /// Where on the curve they lie: evenly spaced, by another rule, or listed.
-        parameters: Spanned<Parameters> = Spanned::unplaced(Parameters::By(Spacing::Uniform)),
+        parameters: Spanned<Parameters> = Spanned::unplaced(Parameters::By(Parametrization::Uniform)),
     }
     example "lagrange((0, 0), (1, 1), (2, 4))(0.75)" => "(1.5, 2.25, 0)";
     example "lagrange((0, 0), (1, 1), (4, 16), parameters = [0, 1, 4])(3) ~= (3, 9)" => "true";

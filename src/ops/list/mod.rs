@@ -27,7 +27,7 @@ use glam::DVec3;
 use super::math::{common_dim, finite};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
-    value::{Callback, Ctx, Dim, FromValue, Number, Op, Real, Value, Vector},
+    value::{Callback, Ctx, Dimension, FromValue, Number, Op, Real, Value, Vector},
 };
 
 pub(super) static OPS: &[&Op] = &[
@@ -77,7 +77,7 @@ fn total(items: &[Value], span: Span) -> Result<Total> {
         let message = format!("numbers can be added, and points, but not {}", item.phrase());
         Box::new(Diagnostic::error(Code::WrongKind, span, message))
     };
-    let (mut value, mut dim) = (Real::Plain(0.0), Dim::NONE);
+    let (mut value, mut dim) = (Real::Plain(0.0), Dimension::NONE);
     let mut point = Vector::Plain(DVec3::ZERO);
     for (i, item) in items.iter().enumerate() {
         match (item.kind(), items[0].kind()) {

@@ -3,7 +3,7 @@
 use crate::{
     diag::Result,
     ops::math::{finite, outside},
-    value::{Ctx, Dim, Number, Real, op},
+    value::{Ctx, Dimension, Number, Real, op},
 };
 
 op! {
@@ -17,7 +17,7 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {
-    let one = Number { value: Real::Plain(1.0), dim: Dim::NONE };
+    let one = Number { value: Real::Plain(1.0), dim: Dimension::NONE };
     args.list.into_iter().try_fold(one, |product, factor| {
         let value = finite(product.value.times(&factor.value), ctx.span)?;
         match product.dim.times(factor.dim) {

@@ -2,19 +2,19 @@
 
 use crate::{
     diag::Result,
-    value::{Ctx, Looked, Number, op},
+    value::{Ctx, LocallyConstant, Number, op},
 };
 
 op! {
     /// The smallest whole number that is not below `x`.
     ceil in Math -> Number {
         /// A number of any dimension.
-        x: Looked,
+        x: LocallyConstant,
     }
     example "ceil(1.2)" => "2";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number> {
-    let Looked(x) = args.x;
+    let LocallyConstant(x) = args.x;
     Ok(Number { value: x.value.ceil(), ..x })
 }

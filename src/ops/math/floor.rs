@@ -2,19 +2,19 @@
 
 use crate::{
     diag::Result,
-    value::{Ctx, Looked, Number, op},
+    value::{Ctx, LocallyConstant, Number, op},
 };
 
 op! {
     /// The largest whole number that is not above `x`.
     floor in Math -> Number {
         /// A number of any dimension.
-        x: Looked,
+        x: LocallyConstant,
     }
     example "floor(-1.5)" => "-2";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number> {
-    let Looked(x) = args.x;
+    let LocallyConstant(x) = args.x;
     Ok(Number { value: x.value.floor(), ..x })
 }

@@ -29,7 +29,7 @@ mod tanh;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
-    value::{Dim, FromValue, Mismatch, Number, Op, Real, Type, Value, Vector},
+    value::{Dimension, FromValue, Mismatch, Number, Op, Real, Type, Value, Vector},
 };
 
 pub(super) static OPS: &[&Op] = &[
@@ -81,8 +81,8 @@ pub(super) fn empty<T>(span: Span, what: &str) -> Result<T> {
 }
 
 /// The dimension of numbers that are compared or added; a bare number fits any.
-pub(super) fn common_dim<T>(numbers: &[Number<T>], span: Span) -> Result<Dim> {
-    numbers.iter().try_fold(Dim::NONE, |dim, number| {
+pub(super) fn common_dim<T>(numbers: &[Number<T>], span: Span) -> Result<Dimension> {
+    numbers.iter().try_fold(Dimension::NONE, |dim, number| {
         dim.common(number.dim).ok_or_else(|| {
             let message = format!("{dim} and {} do not mix", number.dim);
             Box::new(Diagnostic::error(Code::UnitMismatch, span, message))
@@ -98,10 +98,10 @@ impl FromValue for Radians {
 
     fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
         match value {
-            Value::Number(number) if number.dim.is_none() || number.dim == Dim::ANGLE => {
+            Value::Number(number) if number.dim.is_none() || number.dim == Dimension::ANGLE => {
                 Ok(Self(Real::Plain(number.value)))
             }
-            Value::Jet(number) if number.dim.is_none() || number.dim == Dim::ANGLE => {
+            Value::Jet(number) if number.dim.is_none() || number.dim == Dimension::ANGLE => {
                 Ok(Self(number.value.clone()))
             }
             Value::Number(_) | Value::Jet(_) => {

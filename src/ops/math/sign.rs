@@ -2,20 +2,20 @@
 
 use crate::{
     diag::Result,
-    value::{Ctx, Looked, op},
+    value::{Ctx, LocallyConstant, op},
 };
 
 op! {
     /// Sign of a number: -1, 0 or 1.
     sign in Math -> f64 {
         /// A number of any dimension.
-        x: Looked,
+        x: LocallyConstant,
     }
     example "sign(-2.5)" => "-1";
     example "sign(0)" => "0";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    let Looked(x) = args.x;
+    let LocallyConstant(x) = args.x;
     Ok(if x.value == 0.0 { 0.0 } else { x.value.signum() })
 }

@@ -19,7 +19,7 @@ op! {
         /// A curve or surface, or a list of them.
         g: Spanned<Geometry>,
         /// Which vectors.
-        field: Spanned<Field>,
+        field: Spanned<VectorSource>,
         /// How many along a curve, and in each direction of a surface; two or more.
         samples: Spanned<usize> = Spanned::unplaced(20),
         /// Length of a unit vector.
@@ -37,7 +37,7 @@ op! {
 
 /// Vectors that a curve or surface has everywhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Field {
+enum VectorSource {
     Derivative,
     Second,
     Tangent,
@@ -48,7 +48,7 @@ enum Field {
     Twist,
 }
 
-impl Choice for Field {
+impl Choice for VectorSource {
     const WORDS: &'static [&'static str] = &[
         "derivative",
         "second",
@@ -93,7 +93,7 @@ fn gather(
             check_segments(args.samples, found.len() + 1, ctx)?;
             for t in sample_parameters(curve, args.samples, ctx)? {
                 match along_curve(curve, t, field) {
-                    None => return misfit(args, "a curve", &Field::WORDS[..5]),
+                    None => return misfit(args, "a curve", &VectorSource::WORDS[..5]),
                     Some(vector) => found.extend(existing(vector).at(span)?),
                 }
             }
@@ -128,43 +128,43 @@ fn gather(
 }
 
 /// A point with its vector.
-type Vector = std::result::Result<(DVec3, DVec3), GeomError>;
+type PlacedVector = std::result::Result<(DVec3, DVec3), GeomError>;
 
 /// The vector at a parameter; `None` where curves have no such field.
-fn along_curve(curve: &Curve, t: f64, field: Field) -> Option<Vector> {
+fn along_curve(curve: &Curve, t: f64, field: VectorSource) -> Option<PlacedVector> {
     let derivative = |order: usize| curve.derivatives_at(t, order).map(|d| (d[0], d[order]));
     let local = |of: fn(&LocalGeometry) -> std::result::Result<DVec3, GeomError>| {
         let local = curve.local_at(t, Side::Right)?;
         Ok((local.point(), of(&local)?))
     };
     Some(match field {
-        Field::Derivative => derivative(1),
-        Field::Second => derivative(2),
-        Field::Tangent => local(|local| Ok(local.tangent())),
-        Field::Normal => local(LocalGeometry::normal),
-        Field::Binormal => local(LocalGeometry::binormal),
-        Field::TangentU | Field::TangentV | Field::Twist => return None,
+        VectorSource::Derivative => derivative(1),
+        VectorSource::Second => derivative(2),
+        VectorSource::Tangent => local(|local| Ok(local.tangent())),
+        VectorSource::Normal => local(LocalGeometry::normal),
+        VectorSource::Binormal => local(LocalGeometry::binormal),
+        VectorSource::TangentU | VectorSource::TangentV | VectorSource::Twist => return None,
     })
 }
 
 /// The vector at a place; `None` where surfaces have no such field.
-fn over_surface(surface: &Surface, [u, v]: [f64; 2], field: Field) -> Option<Vector> {
+fn over_surface(surface: &Surface, [u, v]: [f64; 2], field: VectorSource) -> Option<PlacedVector> {
     let partial = |order: [usize; 2]| {
         let derivatives = surface.derivatives_at(u, v, order[0] + order[1])?;
         Ok((derivatives.get(0, 0), derivatives.get(order[0], order[1])))
     };
     let at_point = |vector| Ok((surface.point_at(u, v)?, vector));
     Some(match field {
-        Field::TangentU => surface.tangent_u_at(u, v).and_then(at_point),
-        Field::TangentV => surface.tangent_v_at(u, v).and_then(at_point),
-        Field::Twist => partial([1, 1]),
-        Field::Normal => surface.normal_at(u, v).and_then(at_point),
+        VectorSource::TangentU => surface.tangent_u_at(u, v).and_then(at_point),
+        VectorSource::TangentV => surface.tangent_v_at(u, v).and_then(at_point),
+        VectorSource::Twist => partial([1, 1]),
+        VectorSource::Normal => surface.normal_at(u, v).and_then(at_point),
         _ => return None,
     })
 }
 
 /// The vector, or nothing where the place is one that has none.
-fn existing(vector: Vector) -> std::result::Result<Option<(DVec3, DVec3)>, GeomError> {
+fn existing(vector: PlacedVector) -> std::result::Result<Option<(DVec3, DVec3)>, GeomError> {
     match vector {
         Err(
             GeomError::Straight { .. }
@@ -178,8 +178,8 @@ fn existing(vector: Vector) -> std::result::Result<Option<(DVec3, DVec3)>, GeomE
 }
 
 fn misfit(args: &Args, what: &str, words: &[&str]) -> Result<()> {
-    let idx = Field::MEANINGS.iter().position(|field| *field == args.field.value);
-    let word = idx.map_or("", |idx| Field::WORDS[idx]);
+    let idx = VectorSource::MEANINGS.iter().position(|field| *field == args.field.value);
+    let word = idx.map_or("", |idx| VectorSource::WORDS[idx]);
     let message = format!("{what} has no field \"{word}\"; it has {}", words.join(", "));
     Diagnostic::error(Code::BadChoice, args.field.span, message).fail()
 }

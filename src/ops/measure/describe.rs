@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::{
     diag::{Result, Span, Spanned},
-    kernel::{AnalyticCurve, AnalyticForm, Defects, Edge, GeomError, NurbsCurve, Tolerance},
+    kernel::{AnalyticCurve, AnalyticForm, Edge, GeomError, NurbsCurve, SurfaceDefects, Tolerance},
     value::{At, Ctx, FromValue, IntoValue, Mismatch, Record, Type, Value, field, field_names, op},
 };
 
@@ -109,7 +109,7 @@ fn described(value: &Value, tolerance: Tolerance, span: Span) -> Result<Value> {
             fields.extend(data);
             let defects = surface.defects(tolerance).at(span)?;
             let umbilics = surface.umbilics(&defects, tolerance).at(span)?;
-            let Defects { collapsed, corners, folds } = defects;
+            let SurfaceDefects { collapsed, corners, folds } = defects;
             let places = |places: Vec<[f64; 2]>| -> Vec<DVec3> {
                 places.into_iter().map(|[u, v]| DVec3::new(u, v, 0.0)).collect()
             };

@@ -1,8 +1,8 @@
 //! Questions about geometry.
 
 mod arrows;
-mod asked;
 mod bounds;
+mod continuity_limits;
 mod curve;
 mod describe;
 mod picture;
@@ -11,7 +11,7 @@ mod surface;
 
 use crate::value::Op;
 
-pub(super) use surface::Of;
+pub(super) use surface::MassOf;
 
 pub(super) static OPS: &[&Op] = &[
     &curve::at::OP,

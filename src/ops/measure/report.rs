@@ -2,7 +2,7 @@
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Curve, Receipt, Surface},
+    kernel::{ConstructionReport, Curve, Surface},
     value::{Ctx, Geometry, IntoValue, Value, op},
 };
 
@@ -26,14 +26,14 @@ op! {
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Value> {
-    let place = |mistake: Missing| mistake.told(args.g.span);
+    let place = |mistake: MissingReport| mistake.told(args.g.span);
     reported(&args.g.value.0).map_err(place)
 }
 
-/// A value without a receipt.
-struct Missing(Value);
+/// A value without a report.
+struct MissingReport(Value);
 
-impl Missing {
+impl MissingReport {
     fn told(self, span: Span) -> Box<Diagnostic> {
         let what = self.0.phrase();
         let message = match self.0 {
@@ -50,16 +50,16 @@ impl Missing {
     }
 }
 
-fn reported(value: &Value) -> std::result::Result<Value, Missing> {
-    let receipt: Option<&Receipt> = match value {
+fn reported(value: &Value) -> std::result::Result<Value, MissingReport> {
+    let report: Option<&ConstructionReport> = match value {
         Value::List(items) => {
             return Ok(Value::list(
                 items.iter().map(reported).collect::<std::result::Result<_, _>>()?,
             ));
         }
-        Value::Curve(Curve::Nurbs(curve)) => curve.receipt(),
-        Value::Surface(Surface::Nurbs(surface)) => surface.receipt(),
+        Value::Curve(Curve::Nurbs(curve)) => curve.report(),
+        Value::Surface(Surface::Nurbs(surface)) => surface.report(),
         _ => None,
     };
-    receipt.map(IntoValue::into_value).ok_or_else(|| Missing(value.clone()))
+    report.map(IntoValue::into_value).ok_or_else(|| MissingReport(value.clone()))
 }

@@ -14,7 +14,7 @@ use crate::{
 
 /// The patches of a file as a list of surfaces.
 pub(super) fn read(text: &str, ctx: &Ctx<'_>) -> Result<Value, String> {
-    let mut words = Words::new(text);
+    let mut words = WordReader::new(text);
     let n_patches = words.count("the number of patches", ctx.limits.control_points)?;
     let mut patches = Vec::new();
     for i in 0..n_patches {
@@ -47,12 +47,12 @@ pub(super) fn read(text: &str, ctx: &Ctx<'_>) -> Result<Value, String> {
 }
 
 /// The words of a text with their lines.
-struct Words<'t> {
+struct WordReader<'t> {
     words: Box<dyn Iterator<Item = (usize, &'t str)> + 't>,
     last_line: usize,
 }
 
-impl<'t> Words<'t> {
+impl<'t> WordReader<'t> {
     fn new(text: &'t str) -> Self {
         let words = lines(text).enumerate();
         let words =

@@ -7,7 +7,7 @@ use glam::DVec3;
 use crate::{
     diag::{Result, Spanned},
     kernel::Mesh,
-    ops::measure::Of,
+    ops::measure::MassOf,
     value::{At, Ctx, op},
 };
 
@@ -19,7 +19,7 @@ op! {
         /// The mesh.
         m: Spanned<Arc<Mesh>>,
         /// What is heavy: the inside or the skin.
-        of: Of = Of::Volume,
+        of: MassOf = MassOf::Volume,
     }
     example "centroid(tessellate(box((0, 0, 0), (1, 2, 3)))) ~= (0.5, 1, 1.5)" => "true";
     refuses "centroid(grid_mesh(plane_patch((0, 0), (1, 0), (0, 1)), 1, 1))" => "E0612: the mesh does not close: it has 4 edges with one triangle around 1 hole, from (0, 1, 0) on";
@@ -28,8 +28,8 @@ op! {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
     let Spanned { value: mesh, span } = args.m;
     match args.of {
-        Of::Area => mesh.area_centroid().at(span),
-        Of::Volume => {
+        MassOf::Area => mesh.area_centroid().at(span),
+        MassOf::Volume => {
             let hint = "`centroid(…, of = \"area\")` is that of the triangles themselves";
             let solid = mesh.check_solid(ctx.tolerance).at(span);
             solid.map_err(|open| Box::new((*open).hint(hint)))?;

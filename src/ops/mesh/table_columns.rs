@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{NamedColumn, Table},
-    value::{At, Ctx, Dim, Number, Record, Value, op},
+    value::{At, Ctx, Dimension, Number, Record, Value, op},
 };
 
 op! {
@@ -102,7 +102,7 @@ fn numbers_column(
     numbers: &[Number],
     unit: &str,
 ) -> std::result::Result<NamedColumn, String> {
-    let mut dim = Dim::NONE;
+    let mut dim = Dimension::NONE;
     for number in numbers {
         let odd = || format!("{dim} beside {}", number.dim);
         dim = dim.common(number.dim).ok_or_else(odd)?;

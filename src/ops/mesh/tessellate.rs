@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{self, Bounds, Mesh, MeshLimits, Surface, tolerance::DEFAULT_CHORD_RELATIVE},
+    kernel::{self, Bounds, Mesh, Surface, TessellationOptions, tolerance::DEFAULT_CHORD_RELATIVE},
     ops::positive,
     value::{Angle, At, Ctx, Geometry, Length, Number, Value, op},
 };
@@ -57,7 +57,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Mesh> {
         Some(given) => limit("the longest edge", given, "leave it out for edges of any length")?,
         None => f64::INFINITY,
     };
-    let limits = MeshLimits { tolerance, angle, max_edge, weld: ctx.tolerance.distance };
+    let limits = TessellationOptions { tolerance, angle, max_edge, weld: ctx.tolerance.distance };
     let (mut surfaces, mut parts) = (Vec::new(), Vec::new());
     gather(geometry, &args.g, &mut surfaces, &mut parts)?;
     let most = ctx.limits.mesh_vertices;

@@ -1,8 +1,8 @@
 //! `approximate` of a grid: the spline surface near points.
 
 use super::{
-    Both, cubic,
-    fit::{Data, SecondPass, chord},
+    PerDirection, cubic,
+    fit::{GridData, SecondPass, chord},
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
@@ -21,11 +21,11 @@ op! {
         /// The points: `points[i][j]`, i along u, j along v.
         points: Spanned<Rows>,
         /// The degree, or `{u: , v: }`.
-        degree: Spanned<Both<usize>> = cubic(),
+        degree: Spanned<PerDirection<usize>> = cubic(),
         /// How many control points, or `{u: , v: }`: from degree + 1 to the number of points.
-        control_points: Option<Spanned<Both<usize>>>,
+        control_points: Option<Spanned<PerDirection<usize>>>,
         /// Where the points lie, by a rule or listed; for both directions or `{u: , v: }`.
-        parameters: Spanned<Both<Parameters>> = chord(),
+        parameters: Spanned<PerDirection<Parameters>> = chord(),
         /// Whose distances give the parameters along v.
         second_pass: SecondPass = SecondPass::Data,
     }
@@ -66,7 +66,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     };
     let along_u = near(args.degree.value.u, counts.value.u, grid.n_rows());
     let along_v = near(args.degree.value.v, counts.value.v, grid.n_columns());
-    let data = Data {
+    let data = GridData {
         points: Spanned::new(grid, span),
         parameters: args.parameters,
         second_pass: args.second_pass,

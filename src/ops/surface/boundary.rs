@@ -10,12 +10,12 @@ use crate::{
 
 /// A curve under the name that messages call it by.
 #[derive(Clone, Debug)]
-pub(super) struct Edge {
+pub(super) struct NamedEdge {
     pub(super) name: String,
     pub(super) curve: NurbsCurve,
 }
 
-impl Edge {
+impl NamedEdge {
     /// Its lower or upper end.
     pub(super) fn end(&self, which: usize) -> DVec3 {
         if which == 0 { self.curve.start() } else { self.curve.end() }
@@ -29,20 +29,28 @@ impl Edge {
 
 /// The curves of a list, `label[0]` and so on; parametric ones are converted within the document's
 /// tolerance.
-pub(super) fn edges(label: &str, curves: &Spanned<Vec<Curve>>, ctx: &Ctx<'_>) -> Result<Vec<Edge>> {
+pub(super) fn edges(
+    label: &str,
+    curves: &Spanned<Vec<Curve>>,
+    ctx: &Ctx<'_>,
+) -> Result<Vec<NamedEdge>> {
     let edge = |(idx, curve): (usize, &Curve)| {
         let curve = match curve {
             Curve::Nurbs(curve) => NurbsCurve::clone(curve),
             Curve::Parametric(curve) => curve.to_nurbs(ctx.tolerance.distance).at(curves.span)?,
         };
-        Ok(Edge { name: format!("{label}[{idx}]"), curve })
+        Ok(NamedEdge { name: format!("{label}[{idx}]"), curve })
     };
     curves.value.iter().enumerate().map(edge).collect()
 }
 
 /// The two curves of a list.
-pub(super) fn pair(label: &str, curves: &Spanned<Vec<Curve>>, ctx: &Ctx<'_>) -> Result<[Edge; 2]> {
-    edges(label, curves, ctx)?.try_into().map_err(|found: Vec<Edge>| {
+pub(super) fn pair(
+    label: &str,
+    curves: &Spanned<Vec<Curve>>,
+    ctx: &Ctx<'_>,
+) -> Result<[NamedEdge; 2]> {
+    edges(label, curves, ctx)?.try_into().map_err(|found: Vec<NamedEdge>| {
         let message = format!("`{label}` takes two curves, found {}", found.len());
         let across = if label == "u" { "v" } else { "u" };
         let hint = format!("the first is where {across} starts, the second where it ends");
@@ -63,8 +71,8 @@ pub(super) fn place(p: DVec3) -> String {
 /// Two curves along u and two along v.
 #[derive(Clone, Debug)]
 pub(super) struct Boundary {
-    pub(super) u: [Edge; 2],
-    pub(super) v: [Edge; 2],
+    pub(super) u: [NamedEdge; 2],
+    pub(super) v: [NamedEdge; 2],
 }
 
 impl Boundary {

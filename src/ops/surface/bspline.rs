@@ -1,6 +1,6 @@
 //! `bspline` of a grid: the polynomial B-spline surface.
 
-use super::{Both, cubic, tensor};
+use super::{PerDirection, cubic, tensor};
 use crate::{
     diag::{Result, Spanned},
     kernel::NurbsSurface,
@@ -15,9 +15,9 @@ op! {
         /// The control points: `points[i][j]`, i along u, j along v.
         points: Spanned<Rows>,
         /// The degree, or `{u: , v: }`.
-        degree: Spanned<Both<usize>> = cubic(),
+        degree: Spanned<PerDirection<usize>> = cubic(),
         /// All knots, for both directions or `{u: , v: }`.
-        knots: Option<Spanned<Both<Vec<f64>>>>,
+        knots: Option<Spanned<PerDirection<Vec<f64>>>>,
     }
     example "bspline([for i in 0..3: [for j in 0..3: (i, j)]])(0.5, 0.5)" => "(1.5, 1.5, 0)";
     refuses "bspline([[(0, 0), (0, 1)], [(1, 0), (1, 1)]])" => "E0601: along u: 2 points are too few for degree 3, which needs 4 or more";

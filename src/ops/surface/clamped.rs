@@ -1,6 +1,6 @@
 //! `clamped` of a grid: the uniform clamped B-spline surface.
 
-use super::{Both, cubic, in_direction, with_area};
+use super::{PerDirection, cubic, in_direction, with_area};
 use crate::{
     diag::{Result, Spanned},
     kernel::{KnotVector, NurbsSurface},
@@ -16,7 +16,7 @@ op! {
         /// The control points: `points[i][j]`, i along u, j along v.
         points: Spanned<Rows>,
         /// The degree, or `{u: , v: }`.
-        degree: Spanned<Both<usize>> = cubic(),
+        degree: Spanned<PerDirection<usize>> = cubic(),
     }
     example "clamped([for i in 0..4: [for j in 0..3: (i, j)]]).domain_u" => "0..2";
     refuses "clamped([[(0, 0), (0, 1)], [(1, 0), (1, 1)]])" => "E0601: along u: 2 points are too few for degree 3, which needs 4 or more";

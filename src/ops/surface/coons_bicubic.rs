@@ -1,12 +1,12 @@
 //! `coons_bicubic`: the surface within four boundary curves with derivatives across them.
 
 use super::{
-    boundary::{Boundary, Edge, pair, place, verb},
-    turned::Turned,
+    boundary::{Boundary, NamedEdge, pair, place, verb},
+    turned::BoundaryAngle,
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{CrossFields, Curve, Fact, Interval, NurbsSurface, Receipt, Twists},
+    kernel::{ConstructionReport, CrossFields, Curve, Interval, NurbsSurface, ReportEntry, Twists},
     value::{Angle, At, Choice, Ctx, op, rounded},
 };
 
@@ -63,10 +63,10 @@ impl Choice for OnTwists {
 const CORNERS: [[usize; 2]; 4] = [[0, 0], [0, 1], [1, 0], [1, 1]];
 
 /// The boundary with the fields, all over its domains.
-struct Data {
+struct CoonsData {
     boundary: Boundary,
-    cross_u: [Edge; 2],
-    cross_v: [Edge; 2],
+    cross_u: [NamedEdge; 2],
+    cross_v: [NamedEdge; 2],
     over: [Interval; 2],
     tolerance: f64,
 }
@@ -76,10 +76,10 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let tolerance = ctx.tolerance.distance;
     boundary.check([args.u.span, args.v.span], tolerance)?;
     let over = [boundary.u[0].curve.domain(), boundary.v[0].curve.domain()];
-    let on = |edges: [Edge; 2], domain: Interval| {
-        edges.map(|edge| Edge { curve: edge.curve.clamped().reparametrized(domain), ..edge })
+    let on = |edges: [NamedEdge; 2], domain: Interval| {
+        edges.map(|edge| NamedEdge { curve: edge.curve.clamped().reparametrized(domain), ..edge })
     };
-    let data = Data {
+    let data = CoonsData {
         boundary: Boundary { u: on(boundary.u, over[0]), v: on(boundary.v, over[1]) },
         cross_u: on(pair("cross_u", &args.cross_u, ctx)?, over[0]),
         cross_v: on(pair("cross_v", &args.cross_v, ctx)?, over[1]),
@@ -119,14 +119,14 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     }
     let [u, v] = data.boundary.curves();
     let surface = NurbsSurface::coons_bicubic(u, v, &corrected).at(ctx.span)?;
-    let facts: Vec<Fact> = differing.iter().map(|twists| data.fact(twists)).collect();
-    let receipt = Receipt::of("coons_bicubic")
-        .with("averaged_twists", Fact::List(facts))
+    let facts: Vec<ReportEntry> = differing.iter().map(|twists| data.fact(twists)).collect();
+    let report = ConstructionReport::of("coons_bicubic")
+        .with("averaged_twists", ReportEntry::List(facts))
         .with("angle", turned.fact());
-    Ok(surface.with_receipt(receipt))
+    Ok(surface.with_report(report))
 }
 
-impl Data {
+impl CoonsData {
     /// Fails where a cross field does not begin with the derivative of the boundary there.
     fn check_slopes(&self, spans: [Span; 2]) -> Result<()> {
         for [i, j] in CORNERS {
@@ -159,10 +159,10 @@ impl Data {
     }
 
     /// The largest angle between the surface of these fields and what the given ones ask for.
-    fn turned(&self, made: &CrossFields) -> Turned {
+    fn turned(&self, made: &CrossFields) -> BoundaryAngle {
         let along_u = self.boundary.u.iter().zip(&self.cross_u).zip(&made.cross_u);
         let along_v = self.boundary.v.iter().zip(&self.cross_v).zip(&made.cross_v);
-        along_u.chain(along_v).fold(Turned::default(), |turned, ((edge, given), made)| {
+        along_u.chain(along_v).fold(BoundaryAngle::default(), |turned, ((edge, given), made)| {
             turned.or_along((&edge.name, &edge.curve), [&given.curve, made])
         })
     }
@@ -193,14 +193,14 @@ impl Data {
         )
     }
 
-    fn fact(&self, twists: &Twists) -> Fact {
+    fn fact(&self, twists: &Twists) -> ReportEntry {
         let [i, j] = twists.corner;
         let ends = |direction: usize, end: usize| {
             let domain: Interval = self.over[direction];
             [domain.start(), domain.end()][end]
         };
-        Fact::Record(
-            Receipt::default()
+        ReportEntry::Record(
+            ConstructionReport::default()
                 .with("u", ends(0, i))
                 .with("v", ends(1, j))
                 .with("cross_u", twists.of_cross_u)

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Both, in_direction};
+use super::{PerDirection, in_direction};
 use crate::{
     diag::{Result, Spanned},
     kernel::{Grid, KnotVector, NurbsSurface},
@@ -22,7 +22,7 @@ op! {
         /// direction, three or more where it closes.
         points: Spanned<Rows>,
         /// Whether the surface closes without a seam, in both directions or `{u: , v: }`.
-        closed: Both<bool> = Both { u: false, v: false },
+        closed: PerDirection<bool> = PerDirection { u: false, v: false },
     }
     example "coons_bspline([for i in 0..4: [for j in 0..3: (i, j)]]).domain_u" => "0..2";
     example "coons_bspline([for i in 0..3: [for j in 0..3: (i, j, i * j)]])(0.5, 0.5) ~= (1.5, 1.5, 2.25)" => "true";

@@ -3,12 +3,12 @@
 use glam::DVec3;
 
 use super::{
-    boundary::{Edge, edges, place, verb},
+    boundary::{NamedEdge, edges, place, verb},
     with_area,
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{Blend, Curve, NurbsCurve, NurbsSurface, Receipt},
+    kernel::{Blend, ConstructionReport, Curve, NurbsCurve, NurbsSurface},
     value::{At, Ctx, op, rounded, shortest},
 };
 
@@ -51,7 +51,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
             return Diagnostic::error(Code::BadCall, args.curves.span, message).fail();
         }
     };
-    let oriented: Vec<Edge> = ring
+    let oriented: Vec<NamedEdge> = ring
         .order
         .iter()
         .map(|&(idx, back)| if back { found[idx].reversed() } else { found[idx].clone() })
@@ -67,15 +67,16 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let order: Vec<usize> = ring.order.iter().map(|&(idx, _)| idx).collect();
     let reversed: Vec<usize> =
         ring.order.iter().filter(|&&(_, back)| back).map(|&(idx, _)| idx).collect();
-    let receipt = Receipt::of("edge_surface").with("order", order).with("reversed", reversed);
-    Ok(surface.with_receipt(match found.len() {
-        2 => receipt,
-        _ => receipt.with("gap", ring.gap),
+    let report =
+        ConstructionReport::of("edge_surface").with("order", order).with("reversed", reversed);
+    Ok(surface.with_report(match found.len() {
+        2 => report,
+        _ => report.with("gap", ring.gap),
     }))
 }
 
 /// The surface within edges that follow one another, each from the end of the one before.
-fn within(ring: &[Edge]) -> std::result::Result<NurbsSurface, crate::kernel::GeomError> {
+fn within(ring: &[NamedEdge]) -> std::result::Result<NurbsSurface, crate::kernel::GeomError> {
     let [low, up] = [&ring[0].curve, &ring[1].curve];
     let down = ring[ring.len() - 1].curve.reversed();
     let high = match ring.len() {
@@ -86,7 +87,7 @@ fn within(ring: &[Edge]) -> std::result::Result<NurbsSurface, crate::kernel::Geo
 }
 
 /// Two edges in the direction in which their ends are nearer to one another.
-fn facing(found: &[Edge]) -> Ring {
+fn facing(found: &[NamedEdge]) -> Ring {
     let between =
         |i: usize, back: bool| apart(found[0].end(i), found[1].end(if back { 1 - i } else { i }));
     let both = |back: bool| libm::hypot(between(0, back), between(1, back));
@@ -95,7 +96,7 @@ fn facing(found: &[Edge]) -> Ring {
 
 /// The order and directions in which the widest gap between an end and the next start is least;
 /// the first of them among equals.
-fn ring(found: &[Edge]) -> Ring {
+fn ring(found: &[NamedEdge]) -> Ring {
     let orders: &[&[usize]] = match found.len() {
         3 => &[&[1, 2], &[2, 1]],
         _ => &[&[1, 2, 3], &[3, 2, 1], &[2, 1, 3], &[2, 3, 1], &[1, 3, 2], &[3, 1, 2]],
@@ -128,7 +129,7 @@ fn apart(a: DVec3, b: DVec3) -> f64 {
 }
 
 /// From each edge to the next.
-fn gaps(found: &[Edge], order: &[(usize, bool)]) -> Vec<f64> {
+fn gaps(found: &[NamedEdge], order: &[(usize, bool)]) -> Vec<f64> {
     let end = |&(idx, back): &(usize, bool), which: usize| {
         found[idx].end(if back { 1 - which } else { which })
     };
@@ -137,10 +138,10 @@ fn gaps(found: &[Edge], order: &[(usize, bool)]) -> Vec<f64> {
 }
 
 /// Fails unless each edge starts where the one before ends.
-fn check(ring: &[Edge], span: crate::diag::Span, tolerance: f64) -> Result<()> {
+fn check(ring: &[NamedEdge], span: crate::diag::Span, tolerance: f64) -> Result<()> {
     let next = ring.iter().cycle().skip(1);
     let widest = ring.iter().zip(next).max_by(|a, b| {
-        let gap = |(edge, next): &(&Edge, &Edge)| apart(edge.end(1), next.end(0));
+        let gap = |(edge, next): &(&NamedEdge, &NamedEdge)| apart(edge.end(1), next.end(0));
         gap(a).total_cmp(&gap(b))
     });
     let Some((edge, next)) = widest else { return Ok(()) };

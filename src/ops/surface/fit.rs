@@ -2,10 +2,13 @@
 
 use glam::DVec3;
 
-use super::{Both, in_direction};
+use super::{PerDirection, in_direction};
 use crate::{
     diag::{Result, Span, Spanned},
-    kernel::{FirstPass, Grid, LineFit, NurbsSurface, Receipt, Spacing, check_parameters},
+    kernel::{
+        ConstructionReport, FirstPass, Grid, LineFit, NurbsSurface, Parametrization,
+        check_parameters,
+    },
     ops::curve::fit::Parameters,
     value::{At, Choice},
 };
@@ -25,21 +28,21 @@ impl Choice for SecondPass {
 }
 
 /// By the distance of the points, in both directions.
-pub(super) fn chord() -> Spanned<Both<Parameters>> {
-    let by_chord = Parameters::By(Spacing::Chord);
-    Spanned::unplaced(Both { u: by_chord.clone(), v: by_chord })
+pub(super) fn chord() -> Spanned<PerDirection<Parameters>> {
+    let by_chord = Parameters::By(Parametrization::Chord);
+    Spanned::unplaced(PerDirection { u: by_chord.clone(), v: by_chord })
 }
 
 /// A grid with where its points are to lie.
-pub(super) struct Data {
+pub(super) struct GridData {
     pub(super) points: Spanned<Grid<DVec3>>,
-    pub(super) parameters: Spanned<Both<Parameters>>,
+    pub(super) parameters: Spanned<PerDirection<Parameters>>,
     pub(super) second_pass: SecondPass,
     /// The operation, for its report.
     pub(super) operation: &'static str,
 }
 
-impl Data {
+impl GridData {
     /// The surface whose lines are fitted by what `fit` makes of a direction's parameters.
     pub(super) fn surface(
         self,
@@ -89,17 +92,19 @@ fn reporting(
         }
     }
     let mean = sum / (us.len() * vs.len()) as f64;
-    let place = Receipt::default().with("u", at[0]).with("v", at[1]);
-    let deviation = Receipt::default().with("max", worst).with("mean", mean).with("at", place);
+    let place = ConstructionReport::default().with("u", at[0]).with("v", at[1]);
+    let deviation =
+        ConstructionReport::default().with("max", worst).with("mean", mean).with("at", place);
     let net = surface.control_points();
-    let counts = Receipt::default().with("u", net.n_rows()).with("v", net.n_columns());
-    let degree = Receipt::default().with("u", surface.degree_u()).with("v", surface.degree_v());
-    let receipt = Receipt::of(operation)
+    let counts = ConstructionReport::default().with("u", net.n_rows()).with("v", net.n_columns());
+    let degree =
+        ConstructionReport::default().with("u", surface.degree_u()).with("v", surface.degree_v());
+    let report = ConstructionReport::of(operation)
         .with("degree", degree)
         .with("control_points", counts)
         .with("deviation", deviation)
-        .with("parameters", Receipt::default().with("u", us).with("v", vs));
-    surface.with_receipt(receipt)
+        .with("parameters", ConstructionReport::default().with("u", us).with("v", vs));
+    surface.with_report(report)
 }
 
 /// One parameter for each column.

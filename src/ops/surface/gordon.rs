@@ -1,15 +1,15 @@
 //! `gordon`: the surface through a network of curves.
 
 use super::{
-    network::Places,
+    network::NetworkPlaces,
     section::{apart, nurbs_within},
     sweep::tolerated,
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{
-        Changes, Curve, Fact, Gordon, Network, NurbsCurve, NurbsSurface, Receipt, check_parameters,
-        gordon as through,
+        ConstructionReport, Curve, CurveAdjustment, Gordon, Network, NurbsCurve, NurbsSurface,
+        ReportEntry, check_parameters, gordon as through,
     },
     value::{At, Choice, Ctx, Length, op},
 };
@@ -39,7 +39,7 @@ op! {
         /// The v of each u-curve.
         at_v: Option<Spanned<Vec<f64>>>,
         /// Cubic splines between the curves, or one polynomial through all.
-        blend: Blend = Blend::Spline,
+        blend: GordonBlend = GordonBlend::Spline,
         /// How far curves may be apart where they meet, and the surface from them; the document's.
         tolerance: Option<Spanned<Length>>,
     }
@@ -56,12 +56,12 @@ op! {
 
 /// What is between the curves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Blend {
+enum GordonBlend {
     Spline,
     Lagrange,
 }
 
-impl Choice for Blend {
+impl Choice for GordonBlend {
     const WORDS: &'static [&'static str] = &["spline", "lagrange"];
     const MEANINGS: &'static [Self] = &[Self::Spline, Self::Lagrange];
 }
@@ -93,14 +93,14 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let network = Network {
         curves: [&us, &vs],
         at: [&args.at_u, &args.at_v].map(|at| at.as_ref().map(|at| &at.value[..])),
-        is_lagrange: args.blend == Blend::Lagrange,
+        is_lagrange: args.blend == GordonBlend::Lagrange,
         tolerance,
     };
     let is_given = network.at.iter().any(Option::is_some);
     let made = through(network).map_err(|error| {
-        Places { ctx, spans, kept: [&kept[0], &kept[1]], tolerance, is_given }.told(error)
+        NetworkPlaces { ctx, spans, kept: [&kept[0], &kept[1]], tolerance, is_given }.told(error)
     })?;
-    Ok(receipted(made, [(&kept[0], args.u.value.len()), (&kept[1], args.v.value.len())]))
+    Ok(with_report(made, [(&kept[0], args.u.value.len()), (&kept[1], args.v.value.len())]))
 }
 
 /// Part of the tolerance by which a curve that comes again may miss where it was before.
@@ -165,7 +165,7 @@ fn curves(
 }
 
 /// The surface with its report.
-fn receipted(made: Gordon, kept: [(&[usize], usize); 2]) -> NurbsSurface {
+fn with_report(made: Gordon, kept: [(&[usize], usize); 2]) -> NurbsSurface {
     let Gordon { surface, at, mut changes, gap, seams } = made;
     for (changes, (kept, _)) in changes.iter_mut().zip(kept) {
         changes.iter_mut().for_each(|change| change.index = kept[change.index]);
@@ -181,10 +181,10 @@ fn receipted(made: Gordon, kept: [(&[usize], usize); 2]) -> NurbsSurface {
     });
     changes.iter_mut().for_each(|family| family.sort_by_key(|change| change.index));
     let net = surface.control_points();
-    let both = |u: usize, v: usize| Receipt::default().with("u", u).with("v", v);
-    let family = |changes: &[Changes]| {
-        let one = |change: &Changes| {
-            Receipt::default()
+    let both = |u: usize, v: usize| ConstructionReport::default().with("u", u).with("v", v);
+    let family = |changes: &[CurveAdjustment]| {
+        let one = |change: &CurveAdjustment| {
+            ConstructionReport::default()
                 .with("curve", change.index)
                 .with("deviation", change.deviation)
                 .with("at", change.worst_at)
@@ -198,14 +198,14 @@ fn receipted(made: Gordon, kept: [(&[usize], usize); 2]) -> NurbsSurface {
     };
     let deviations = changes.iter().flatten().map(|change| change.deviation);
     let [u, v] = &changes;
-    let [seam_u, seam_v] = seams.map(|angle| angle.map_or(Fact::None, Fact::Angle));
+    let [seam_u, seam_v] = seams.map(|angle| angle.map_or(ReportEntry::None, ReportEntry::Angle));
     let [repeated_u, repeated_v] = repeated;
     let (widest, [k, l]) = (gap.0, [kept[0].0[gap.1[0]], kept[1].0[gap.1[1]]]);
-    let receipt = Receipt::of("gordon")
+    let report = ConstructionReport::of("gordon")
         .with("at_u", at_u)
         .with("at_v", at_v)
         .with("deviation", deviations.fold(0.0, f64::max))
-        .with("gap", Receipt::default().with("max", widest).with("u", k).with("v", l))
+        .with("gap", ConstructionReport::default().with("max", widest).with("u", k).with("v", l))
         .with("u", family(u))
         .with("v", family(v))
         .with("repeated_u", repeated_u)
@@ -214,5 +214,5 @@ fn receipted(made: Gordon, kept: [(&[usize], usize); 2]) -> NurbsSurface {
         .with("seam_v", seam_v)
         .with("degree", both(surface.degree_u(), surface.degree_v()))
         .with("control_points", both(net.n_rows(), net.n_columns()));
-    surface.with_receipt(receipt)
+    surface.with_report(report)
 }

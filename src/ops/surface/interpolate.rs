@@ -1,8 +1,8 @@
 //! `interpolate` of a grid: the spline surface through points.
 
 use super::{
-    Both, cubic,
-    fit::{Data, SecondPass, chord},
+    PerDirection, cubic,
+    fit::{GridData, SecondPass, chord},
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
@@ -25,11 +25,11 @@ op! {
         /// The points: `points[i][j]`, i along u, j along v.
         points: Spanned<Rows>,
         /// The degree, or `{u: , v: }`.
-        degree: Spanned<Both<usize>> = cubic(),
+        degree: Spanned<PerDirection<usize>> = cubic(),
         /// Where the points lie, by a rule or listed; for both directions or `{u: , v: }`.
-        parameters: Spanned<Both<Parameters>> = chord(),
+        parameters: Spanned<PerDirection<Parameters>> = chord(),
         /// What a cubic does where it begins and ends, or `{u: , v: }`.
-        ends: Spanned<Both<Ends>> = Spanned::unplaced(Both { u: Ends::Bessel, v: Ends::Bessel }),
+        ends: Spanned<PerDirection<Ends>> = Spanned::unplaced(PerDirection { u: Ends::Bessel, v: Ends::Bessel }),
         /// Whose distances give the parameters along v.
         second_pass: SecondPass = SecondPass::Data,
     }
@@ -54,7 +54,7 @@ fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
             Interpolator::new(&parameters, degree, ends).at(span).map(LineFit::Through)
         }
     };
-    let data = Data {
+    let data = GridData {
         points: Spanned::new(grid, span),
         parameters: args.parameters,
         second_pass: args.second_pass,
@@ -70,8 +70,8 @@ fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
 fn check(
     degree: usize,
     ends: Ends,
-    degrees: &Spanned<Both<usize>>,
-    given: &Spanned<Both<Ends>>,
+    degrees: &Spanned<PerDirection<usize>>,
+    given: &Spanned<PerDirection<Ends>>,
 ) -> Result<()> {
     if degree == 0 {
         let message = "the degree must be 1 or more, found 0";

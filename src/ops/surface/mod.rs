@@ -79,12 +79,12 @@ pub(super) static OPS: &[&Op] = &[
 
 /// A value for both directions, or `{u: , v: }` where they differ.
 #[derive(Clone, Debug)]
-struct Both<T> {
+struct PerDirection<T> {
     u: T,
     v: T,
 }
 
-impl<T: FromValue + Clone> FromValue for Both<T> {
+impl<T: FromValue + Clone> FromValue for PerDirection<T> {
     const TYPE: Type = Type::OneOf(&[T::TYPE, Type::Record]);
 
     fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
@@ -105,7 +105,7 @@ impl<T: FromValue + Clone> FromValue for Both<T> {
     }
 }
 
-impl<T: IntoValue> IntoValue for Both<T> {
+impl<T: IntoValue> IntoValue for PerDirection<T> {
     const RETURNS: Type = T::RETURNS;
 
     fn into_value(self) -> Value {
@@ -114,8 +114,8 @@ impl<T: IntoValue> IntoValue for Both<T> {
 }
 
 /// Degree 3 in both directions.
-fn cubic() -> Spanned<Both<usize>> {
-    Spanned::unplaced(Both { u: 3, v: 3 })
+fn cubic() -> Spanned<PerDirection<usize>> {
+    Spanned::unplaced(PerDirection { u: 3, v: 3 })
 }
 
 /// The surface, after a warning where it is no more than a curve or a point.
@@ -133,8 +133,8 @@ fn tensor(
     ctx: &mut Ctx<'_>,
     points: Spanned<Rows>,
     weights: Option<Spanned<Vec<Vec<f64>>>>,
-    degree: Spanned<Both<usize>>,
-    knots: Option<Spanned<Both<Vec<f64>>>>,
+    degree: Spanned<PerDirection<usize>>,
+    knots: Option<Spanned<PerDirection<Vec<f64>>>>,
 ) -> Result<NurbsSurface> {
     let Rows(grid) = points.value;
     let span = points.span;

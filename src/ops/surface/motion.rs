@@ -7,7 +7,7 @@ use glam::DVec3;
 use crate::{
     diag::Span,
     kernel::{
-        Curve, FunctionFailure, GeomError, Held, Interval, Motion, NurbsCurve,
+        Curve, FunctionFailure, GeomError, Interval, Motion, NurbsCurve, PlacedAxes,
         tolerance::VANISHING_RELATIVE,
     },
     value::{Angle, Callback, Ctx, FromValue, Mismatch, Type, Value},
@@ -89,7 +89,7 @@ impl FromValue for Twist {
 }
 
 /// What a script says of a section on its way.
-pub(super) struct Given<'c, 'a> {
+pub(super) struct MotionArgs<'c, 'a> {
     pub(super) ctx: &'c mut Ctx<'a>,
     pub(super) scale: Option<Scale>,
     pub(super) twist: Option<Twist>,
@@ -100,7 +100,7 @@ pub(super) struct Given<'c, 'a> {
     pub(super) domain: Interval,
 }
 
-impl Given<'_, '_> {
+impl MotionArgs<'_, '_> {
     fn call<T: FromValue>(&mut self, function: &Callback, t: f64) -> Result<T, GeomError> {
         let span = self.ctx.span;
         let parameter = Value::number(t);
@@ -115,9 +115,9 @@ impl Given<'_, '_> {
 }
 
 /// What a function of sizes answers.
-struct Factors(DVec3);
+struct SizeFactors(DVec3);
 
-impl FromValue for Factors {
+impl FromValue for SizeFactors {
     const TYPE: Type = Scale::ONE;
 
     fn from_value(value: &Value, span: Span) -> Result<Self, Mismatch> {
@@ -125,7 +125,7 @@ impl FromValue for Factors {
     }
 }
 
-impl Motion for Given<'_, '_> {
+impl Motion for MotionArgs<'_, '_> {
     fn scale(&mut self, t: f64) -> Result<DVec3, GeomError> {
         match self.scale.clone() {
             None => Ok(DVec3::ONE),
@@ -135,7 +135,7 @@ impl Motion for Given<'_, '_> {
                 let before = (place as usize).min(list.len() - 2);
                 Ok(list[before].lerp(list[before + 1], place - before as f64))
             }
-            Some(Scale::Function(function)) => self.call::<Factors>(&function, t).map(|f| f.0),
+            Some(Scale::Function(function)) => self.call::<SizeFactors>(&function, t).map(|f| f.0),
         }
     }
 
@@ -160,7 +160,7 @@ impl Motion for Given<'_, '_> {
         }
     }
 
-    fn held(&mut self, t: f64, point: DVec3, x: DVec3) -> Result<Option<Held>, GeomError> {
+    fn held(&mut self, t: f64, point: DVec3, x: DVec3) -> Result<Option<PlacedAxes>, GeomError> {
         let [first, second] = &self.rails[..] else { return Ok(None) };
         let f = self.domain.fraction_of(t);
         let [p, q] = [first, second].map(|rail| rail.point_at(rail.domain().at(f)));

@@ -9,7 +9,7 @@ use crate::{
 };
 
 /// What a message about a network points at.
-pub(super) struct Places<'p, 'a> {
+pub(super) struct NetworkPlaces<'p, 'a> {
     pub(super) ctx: &'p Ctx<'a>,
     pub(super) spans: [Span; 2],
     /// Which of the given curves the network is made of.
@@ -19,7 +19,7 @@ pub(super) struct Places<'p, 'a> {
     pub(super) is_given: bool,
 }
 
-impl Places<'_, '_> {
+impl NetworkPlaces<'_, '_> {
     /// A place; coordinates below the tolerance are zero.
     fn place(&self, point: DVec3) -> String {
         let least = self.tolerance.max(EXACT_RELATIVE * point.abs().max_element());

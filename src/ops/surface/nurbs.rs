@@ -1,6 +1,6 @@
 //! `nurbs` of a grid: the rational B-spline surface.
 
-use super::{Both, cubic, tensor};
+use super::{PerDirection, cubic, tensor};
 use crate::{
     diag::{Result, Spanned},
     kernel::NurbsSurface,
@@ -18,9 +18,9 @@ op! {
         /// A weight for each point, in the same grid.
         weights: Option<Spanned<Vec<Vec<f64>>>>,
         /// The degree, or `{u: , v: }`.
-        degree: Spanned<Both<usize>> = cubic(),
+        degree: Spanned<PerDirection<usize>> = cubic(),
         /// All knots, for both directions or `{u: , v: }`.
-        knots: Option<Spanned<Both<Vec<f64>>>>,
+        knots: Option<Spanned<PerDirection<Vec<f64>>>>,
     }
     example "nurbs([[(0, 0), (0, 1)], [(1, 0), (1, 1, 4)]], degree = 1).rational" => "false";
     example "nurbs([[(0, 0), (0, 1)], [(1, 0), (1, 1, 4)]], weights = [[1, 1], [1, 2]], degree = 1)(1, 0.5)" => "(1, 0.6666666666666666, 2.6666666666666665)";

@@ -7,10 +7,10 @@ use glam::DVec3;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        Curve, GeomError, NurbsCurve, Rule, Sections, aligned, check_parameters, corners_of_ring,
-        with_seam_at_corner,
+        Bounds, CompatibleSections, Curve, GeomError, NurbsCurve, SectionParameters, aligned,
+        check_parameters, corners_of_ring, with_seam_at_corner,
     },
-    value::{At, Choice, Ctx, FromValue, IntoValue, Mismatch, Type, Value},
+    value::{At, Choice, Ctx, FromValue, IntoValue, Mismatch, Type, Value, shortest},
 };
 
 /// A curve, or a point where a surface begins or ends.
@@ -146,19 +146,19 @@ pub(super) fn warn_of_lost_corners(ctx: &mut Ctx<'_>, aligned: &Aligned, span: S
 
 /// One parameter a section, and one more for a closed skin.
 pub(super) fn standing(
-    sections: &Sections,
-    given: Spanned<Standing>,
+    sections: &CompatibleSections,
+    given: Spanned<SectionPlaces>,
     is_closed: bool,
     span: Span,
 ) -> Result<Vec<f64>> {
     let n_sections = sections.curves().len();
     match given.value {
-        Standing::Listed(listed) => {
+        SectionPlaces::Listed(listed) => {
             let needed = n_sections + usize::from(is_closed);
             check_parameters(&listed, needed).at(given.span)?;
             Ok(listed)
         }
-        Standing::By(rule) => match sections.parameters(rule, is_closed) {
+        SectionPlaces::By(rule) => match sections.parameters(rule, is_closed) {
             Err(GeomError::CoincidentPoints { first, second }) => {
                 let message =
                     format!("`sections[{first}]` and `sections[{second}]` are at one place");
@@ -173,29 +173,29 @@ pub(super) fn standing(
 
 /// Where sections stand along v.
 #[derive(Clone, Debug)]
-pub(super) enum Standing {
-    By(Rule),
+pub(super) enum SectionPlaces {
+    By(SectionParameters),
     Listed(Vec<f64>),
 }
 
-impl Choice for Rule {
+impl Choice for SectionParameters {
     const WORDS: &'static [&'static str] = &["average", "centripetal", "uniform"];
     const MEANINGS: &'static [Self] = &[Self::Average, Self::Centripetal, Self::Uniform];
 }
 
-impl FromValue for Standing {
-    const TYPE: Type = Type::OneOf(&[Rule::TYPE, Type::List(&Type::Ratio, 0)]);
+impl FromValue for SectionPlaces {
+    const TYPE: Type = Type::OneOf(&[SectionParameters::TYPE, Type::List(&Type::Ratio, 0)]);
 
     fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
         match value {
-            Value::Text(_) => Rule::from_value(value, span).map(Self::By),
+            Value::Text(_) => SectionParameters::from_value(value, span).map(Self::By),
             Value::List(_) | Value::Range(_) => Vec::from_value(value, span).map(Self::Listed),
             _ => Err(Mismatch::kind(Self::TYPE, value)),
         }
     }
 }
 
-impl IntoValue for Standing {
+impl IntoValue for SectionPlaces {
     const RETURNS: Type = Self::TYPE;
 
     fn into_value(self) -> Value {
@@ -208,12 +208,12 @@ impl IntoValue for Standing {
 
 /// A derivative along a section.
 #[derive(Clone, Debug)]
-pub(super) enum Slope {
+pub(super) enum SectionSlope {
     Vector(DVec3),
     Curve(Arc<NurbsCurve>),
 }
 
-impl FromValue for Slope {
+impl FromValue for SectionSlope {
     const TYPE: Type = Type::OneOf(&[Type::Point, Type::Curve]);
 
     fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
@@ -227,24 +227,63 @@ impl FromValue for Slope {
 
 /// What the surface may do between sections.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Shape {
+pub(super) enum SectionShape {
     Free,
     Monotone,
 }
 
-impl Choice for Shape {
+impl Choice for SectionShape {
     const WORDS: &'static [&'static str] = &["free", "monotone"];
     const MEANINGS: &'static [Self] = &[Self::Free, Self::Monotone];
 }
 
 /// Which points of two sections belong together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Pairing {
+pub(super) enum SectionPairing {
     Parameter,
     Length,
 }
 
-impl Choice for Pairing {
+impl Choice for SectionPairing {
     const WORDS: &'static [&'static str] = &["parameter", "length"];
     const MEANINGS: &'static [Self] = &[Self::Parameter, Self::Length];
+}
+
+/// Warns of neighbouring sections that cross.
+pub(super) fn warn_of_crossings(
+    ctx: &mut Ctx<'_>,
+    sections: &[NurbsCurve],
+    span: Span,
+    tolerance: f64,
+) {
+    for (k, pair) in sections.windows(2).enumerate() {
+        if pair.iter().any(NurbsCurve::is_point) {
+            continue;
+        }
+        let [a, b] = [0, 1].map(|i| Bounds::of(pair[i].points()));
+        let are_apart = a.zip(b).is_none_or(|(a, b)| {
+            (a.max + tolerance).cmplt(b.min).any() || (b.max + tolerance).cmplt(a.min).any()
+        });
+        if are_apart {
+            continue;
+        }
+        let Ok(meetings) = pair[0].intersections(&pair[1], tolerance) else { continue };
+        let is_inner = |curve: &NurbsCurve, t: f64| {
+            let domain = curve.domain();
+            domain.start() < t && t < domain.end()
+        };
+        // At common ends surfaces may well come together in a point.
+        let crossing =
+            meetings.iter().find(|m| is_inner(&pair[0], m.first) && is_inner(&pair[1], m.second));
+        let Some(meeting) = crossing else { continue };
+        let [x, y, z] = meeting.point.to_array().map(shortest);
+        let [(a, _), (b, of_b)] = [k, k + 1].map(|i| ctx.element(span, i, "sections"));
+        let message =
+            format!("{a} and {b} cross at ({x}, {y}, {z}), so that the surface crosses itself");
+        ctx.warn(
+            Diagnostic::warning(Code::SelfIntersecting, of_b, message)
+                .hint("sections lie beside one another; leave one of them out, or move it"),
+        );
+        return;
+    }
 }

@@ -3,15 +3,15 @@
 use glam::DVec4;
 
 use super::section::{
-    Aligned, Pairing, Section, Shape, Slope, Standing, align, drop_repeated, standing,
-    warn_of_lost_corners,
+    Aligned, Section, SectionPairing, SectionPlaces, SectionShape, SectionSlope, align,
+    drop_repeated, standing, warn_of_crossings, warn_of_lost_corners,
 };
 use super::sweep::tolerated;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        Along, Bounds, Curve, GeomError, NurbsCurve, NurbsSurface, Receipt, Rule, Sections, Skin,
-        at_constant_speed, check_parameters,
+        Along, CompatibleSections, ConstructionReport, Curve, GeomError, NurbsCurve, NurbsSurface,
+        SectionParameters, Skin, at_constant_speed, check_parameters,
     },
     value::{At, Ctx, Length, op, shortest},
 };
@@ -45,21 +45,21 @@ op! {
         at: Option<Spanned<Vec<f64>>>,
         /// Where in v the sections stand: by a rule, or listed. A closed skin takes one more, for
         /// its return to the first section.
-        parameters: Spanned<Standing> = Spanned::unplaced(Standing::By(Rule::Average)),
+        parameters: Spanned<SectionPlaces> = Spanned::unplaced(SectionPlaces::By(SectionParameters::Average)),
         /// Whether the surface goes on from the last section to the first, as smooth there as
         /// anywhere.
         closed: bool = false,
         /// Whether sections are turned around, and seams moved, to run beside their neighbours.
         align: bool = true,
         /// The derivative by v along the first section: a vector, or a curve of vectors.
-        start_tangent: Option<Spanned<Slope>>,
+        start_tangent: Option<Spanned<SectionSlope>>,
         /// The derivative by v along the last section.
-        end_tangent: Option<Spanned<Slope>>,
+        end_tangent: Option<Spanned<SectionSlope>>,
         /// Whether the surface may swing out between sections.
-        shape: Spanned<Shape> = Spanned::unplaced(Shape::Free),
+        shape: Spanned<SectionShape> = Spanned::unplaced(SectionShape::Free),
         /// Whether points of equal parameter or of equal fraction of the length belong together;
         /// by "length", sections of uneven speed become cubic splines within the tolerance.
-        pairing: Pairing = Pairing::Parameter,
+        pairing: SectionPairing = SectionPairing::Parameter,
         /// How far sections may move so that the surface has fewer knots along them.
         tolerance: Option<Spanned<Length>>,
     }
@@ -90,7 +90,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     warn_of_lost_corners(ctx, &aligned, span);
 
     let tolerance = tolerated(ctx, args.tolerance.as_ref())?;
-    if args.pairing == Pairing::Length {
+    if args.pairing == SectionPairing::Length {
         curves = at_constant_speed(&curves, tolerance).at(span)?;
     }
     let slopes = [args.start_tangent, args.end_tangent];
@@ -111,12 +111,12 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     } else {
         let parameters = standing(&sections, args.parameters, args.closed, span)?;
         let along = match (args.shape.value, args.closed) {
-            (Shape::Monotone, is_closed) => Along::monotone(&parameters, is_closed),
-            (Shape::Free, true) => Along::closed(&parameters, degree),
-            (Shape::Free, false) if slopes.iter().all(Option::is_none) => {
+            (SectionShape::Monotone, is_closed) => Along::monotone(&parameters, is_closed),
+            (SectionShape::Free, true) => Along::closed(&parameters, degree),
+            (SectionShape::Free, false) if slopes.iter().all(Option::is_none) => {
                 Along::free(&parameters, degree)
             }
-            (Shape::Free, false) => Along::with_slopes(&parameters, degree, slopes),
+            (SectionShape::Free, false) => Along::with_slopes(&parameters, degree, slopes),
         };
         (along.at(span)?, parameters)
     };
@@ -126,36 +126,39 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         false => positive(ctx, [&sections, &as_given], &along, (is_exact, tolerance), span)?,
     };
     warn_of_crossings(ctx, sections.curves(), span, tolerance);
-    Ok(receipted(skin, parameters, aligned, refitted))
+    Ok(with_report(skin, parameters, aligned, refitted))
 }
 
 /// The surface with its report.
-fn receipted(
+fn with_report(
     skin: Skin,
     parameters: Vec<f64>,
     aligned: Aligned,
     refitted: Vec<usize>,
 ) -> NurbsSurface {
     let Skin { surface, bad_weight } = skin;
-    let seam =
-        |&(section, at): &(usize, f64)| Receipt::default().with("section", section).with("at", at);
+    let seam = |&(section, at): &(usize, f64)| {
+        ConstructionReport::default().with("section", section).with("at", at)
+    };
     let net = surface.control_points();
-    let receipt = Receipt::of("skin")
+    let report = ConstructionReport::of("skin")
         .with("parameters", parameters)
         .with(
             "degree",
-            Receipt::default().with("u", surface.degree_u()).with("v", surface.degree_v()),
+            ConstructionReport::default()
+                .with("u", surface.degree_u())
+                .with("v", surface.degree_v()),
         )
         .with(
             "control_points",
-            Receipt::default().with("u", net.n_rows()).with("v", net.n_columns()),
+            ConstructionReport::default().with("u", net.n_rows()).with("v", net.n_columns()),
         )
         .with("reversed", aligned.reversed)
         .with("moved_seams", aligned.seams.iter().map(seam).collect::<Vec<_>>())
         .with("moved_corners", aligned.corners)
         .with("refitted", refitted)
         .with("least_weight", bad_weight.map(|(_, _, weight)| weight));
-    surface.with_receipt(receipt)
+    surface.with_report(report)
 }
 
 /// What an argument excludes, and how many sections it needs.
@@ -166,7 +169,7 @@ fn check(args: &Args) -> Result<()> {
     }
     let tangents = [("start_tangent", &args.start_tangent), ("end_tangent", &args.end_tangent)];
     let tangent = tangents.iter().find_map(|(name, slope)| slope.as_ref().map(|s| (*name, s.span)));
-    let is_monotone = args.shape.value == Shape::Monotone;
+    let is_monotone = args.shape.value == SectionShape::Monotone;
     let excluded = match (&args.spine, tangent) {
         (Some(_), Some((name, span))) => Some((
             span,
@@ -240,13 +243,13 @@ type Slopes = Option<Vec<DVec4>>;
 /// The sections on one basis, with derivatives along the first and the last.
 fn with_slopes(
     mut curves: Vec<NurbsCurve>,
-    slopes: [Option<Spanned<Slope>>; 2],
+    slopes: [Option<Spanned<SectionSlope>>; 2],
     span: Span,
-) -> Result<(Sections, [Slopes; 2])> {
+) -> Result<(CompatibleSections, [Slopes; 2])> {
     let n_sections = curves.len();
     let domain = curves[0].domain();
     for slope in slopes.iter().flatten() {
-        let Slope::Curve(vectors) = &slope.value else { continue };
+        let SectionSlope::Curve(vectors) = &slope.value else { continue };
         if vectors.is_rational() || curves.iter().any(NurbsCurve::is_rational) {
             let message = "a curve of tangents has no weights, and neither have its sections";
             return Diagnostic::error(Code::NotExact, slope.span, message)
@@ -255,7 +258,7 @@ fn with_slopes(
         }
         curves.push(vectors.reparametrized(domain));
     }
-    let all = Sections::new(&curves).at(span)?;
+    let all = CompatibleSections::new(&curves).at(span)?;
     let mut vectors = all.curves()[n_sections..].iter();
     let sections = all.first(n_sections);
     let ends = [&sections.curves()[0], &sections.curves()[n_sections - 1]];
@@ -263,10 +266,10 @@ fn with_slopes(
     for ((slope, end), place) in slopes.iter().zip(ends).zip(&mut derivatives) {
         *place = match slope.as_ref().map(|slope| &slope.value) {
             None => None,
-            Some(Slope::Vector(v)) => {
+            Some(SectionSlope::Vector(v)) => {
                 Some(end.control_points().iter().map(|p| (*v * p.w).extend(0.0)).collect())
             }
-            Some(Slope::Curve(_)) => vectors
+            Some(SectionSlope::Curve(_)) => vectors
                 .next()
                 .map(|curve| curve.points().into_iter().map(|v| v.extend(0.0)).collect()),
         };
@@ -312,7 +315,7 @@ fn spine_way(
 /// polynomial splines near the rational sections, whose indices are told.
 fn positive(
     ctx: &mut Ctx<'_>,
-    [sections, as_given]: [&Sections; 2],
+    [sections, as_given]: [&CompatibleSections; 2],
     along: &Along,
     (is_exact, tolerance): (bool, f64),
     span: Span,
@@ -343,43 +346,14 @@ fn positive(
     Ok((skin, refitted))
 }
 
-/// Warns of neighbouring sections that cross.
-fn warn_of_crossings(ctx: &mut Ctx<'_>, sections: &[NurbsCurve], span: Span, tolerance: f64) {
-    for (k, pair) in sections.windows(2).enumerate() {
-        if pair.iter().any(NurbsCurve::is_point) {
-            continue;
-        }
-        let [a, b] = [0, 1].map(|i| Bounds::of(pair[i].points()));
-        let are_apart = a.zip(b).is_none_or(|(a, b)| {
-            (a.max + tolerance).cmplt(b.min).any() || (b.max + tolerance).cmplt(a.min).any()
-        });
-        if are_apart {
-            continue;
-        }
-        let Ok(meetings) = pair[0].intersections(&pair[1], tolerance) else { continue };
-        let is_inner = |curve: &NurbsCurve, t: f64| {
-            let domain = curve.domain();
-            domain.start() < t && t < domain.end()
-        };
-        // At common ends surfaces may well come together in a point.
-        let crossing =
-            meetings.iter().find(|m| is_inner(&pair[0], m.first) && is_inner(&pair[1], m.second));
-        let Some(meeting) = crossing else { continue };
-        let [x, y, z] = meeting.point.to_array().map(shortest);
-        let [(a, _), (b, of_b)] = [k, k + 1].map(|i| ctx.element(span, i, "sections"));
-        let message =
-            format!("{a} and {b} cross at ({x}, {y}, {z}), so that the surface crosses itself");
-        ctx.warn(
-            Diagnostic::warning(Code::SelfIntersecting, of_b, message)
-                .hint("sections lie beside one another; leave one of them out, or move it"),
-        );
-        return;
-    }
-}
-
 /// The skin as it is, with a warning of a weight that is not positive; weights that vanish between
 /// the sections are an error.
-fn skinned(ctx: &mut Ctx<'_>, sections: &Sections, along: &Along, span: Span) -> Result<Skin> {
+fn skinned(
+    ctx: &mut Ctx<'_>,
+    sections: &CompatibleSections,
+    along: &Along,
+    span: Span,
+) -> Result<Skin> {
     let skin = sections.skinned(along).at(span).map_err(|found| {
         let is_weights = found.code == Code::BadWeights;
         if is_weights { Box::new(found.hint(POSITIVE)) } else { found }

@@ -5,16 +5,16 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::{
-    motion::{Given, Rails, Scale, Twist},
+    motion::{MotionArgs, Rails, Scale, Twist},
     ribbon::warn_of_ribbon,
     section::nurbs_within,
-    swept::{receipted, warn, warn_of_corners, warn_of_short_legs},
+    swept::{warn, warn_of_corners, warn_of_short_legs, with_report},
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        Columns, Curve, Fineness, Frames, Framing, GeomError, Leg, NurbsCurve, NurbsSurface,
-        Receipt, Side, Sweep, legs, mitred, overreaches, swept, translated,
+        Columns, ConstructionReport, Curve, FrameRule, Frames, GeomError, NurbsCurve, NurbsSurface,
+        PathLeg, Side, Sweep, SweepResolution, legs, mitred, overreaches, swept, translated,
     },
     value::{At, Choice, Ctx, Length, op, shortest},
 };
@@ -44,7 +44,7 @@ op! {
         /// The path, without cusps.
         path: Spanned<Curve>,
         /// How the section turns with the path.
-        frame: Spanned<Frame> = Spanned::unplaced(Frame::RotationMinimizing),
+        frame: Spanned<FrameOption> = Spanned::unplaced(FrameOption::RotationMinimizing),
         /// The size along the way: a factor, one for each axis as a point, a list of these at even
         /// parameters with straight lines between, or a function of v.
         scale: Option<Spanned<Scale>>,
@@ -57,7 +57,7 @@ op! {
         rail: Option<Spanned<Rails>>,
         /// What happens at corners of the path: an error, or both sides meet in the plane that
         /// halves the angle; straight legs stay prisms, bent ones are sheared near the corner.
-        corner: Corner = Corner::Error,
+        corner: CornerOption = CornerOption::Error,
         /// Whether the path itself is met exactly.
         keep_path: bool = true,
         /// How many placements of the section make the surface, instead of a tolerance; with
@@ -66,7 +66,7 @@ op! {
         /// What the surface is made of: it passes through "placements" of the section; or
         /// "offsets" of the path's control points by those of the section, which take more columns
         /// and never swing out.
-        method: Spanned<Method> = Spanned::unplaced(Method::Placements),
+        method: Spanned<SweepMethod> = Spanned::unplaced(SweepMethod::Placements),
         /// How far the surface may be from the true one; the document's tolerance.
         tolerance: Option<Spanned<Length>>,
     }
@@ -92,19 +92,19 @@ op! {
 
 /// What the surface is made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Method {
+enum SweepMethod {
     Placements,
     Offsets,
 }
 
-impl Choice for Method {
+impl Choice for SweepMethod {
     const WORDS: &'static [&'static str] = &["placements", "offsets"];
     const MEANINGS: &'static [Self] = &[Self::Placements, Self::Offsets];
 }
 
 /// How a section turns with its path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Frame {
+enum FrameOption {
     Translate,
     Fixed,
     Frenet,
@@ -112,7 +112,7 @@ enum Frame {
     RotationMinimizing,
 }
 
-impl Choice for Frame {
+impl Choice for FrameOption {
     const WORDS: &'static [&'static str] =
         &["translate", "fixed", "frenet", "projection", "rotation_minimizing"];
     const MEANINGS: &'static [Self] =
@@ -121,12 +121,12 @@ impl Choice for Frame {
 
 /// What happens at corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Corner {
+enum CornerOption {
     Error,
     Miter,
 }
 
-impl Choice for Corner {
+impl Choice for CornerOption {
     const WORDS: &'static [&'static str] = &["error", "miter"];
     const MEANINGS: &'static [Self] = &[Self::Error, Self::Miter];
 }
@@ -141,11 +141,11 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         return Diagnostic::error(Code::Degenerate, section_span, message).fail();
     }
     let corners = corners(ctx, &path, path_span, args.corner)?;
-    warn_of_ribbon(ctx, &section, (args.frame.value == Frame::Translate).then_some(&*path));
-    if args.frame.value == Frame::Translate {
+    warn_of_ribbon(ctx, &section, (args.frame.value == FrameOption::Translate).then_some(&*path));
+    if args.frame.value == FrameOption::Translate {
         unmoved(&args, "\"translate\"")?;
-        let receipt = Receipt::of("sweep").with("frame", "translate").with("exact", true);
-        return Ok(translated(&section, &path).at(path_span)?.with_receipt(receipt));
+        let report = ConstructionReport::of("sweep").with("frame", "translate").with("exact", true);
+        return Ok(translated(&section, &path).at(path_span)?.with_report(report));
     }
     let start = path.tangent_at(path.domain().start(), Side::Right).at(path_span)?;
     let up = args.up.unwrap_or_else(|| {
@@ -159,15 +159,15 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     if !corners.is_empty()
         && is_polygon
         && !is_moved
-        && framing(args.frame.value) == Framing::RotationMinimizing
+        && framing(args.frame.value) == FrameRule::RotationMinimizing
     {
-        let receipt = Receipt::of("sweep").with("corners", corners).with("exact", true);
+        let report = ConstructionReport::of("sweep").with("corners", corners).with("exact", true);
         let surface = mitred(&section, &path, up.value, is_ring).at(up.span)?;
         warn_of_short_legs(ctx, overreaches(&surface, &path));
-        return Ok(surface.with_receipt(receipt));
+        return Ok(surface.with_report(report));
     }
 
-    let has_corner_at_seam = is_ring && !is_smooth && args.corner == Corner::Miter;
+    let has_corner_at_seam = is_ring && !is_smooth && args.corner == CornerOption::Miter;
     let legs = if corners.is_empty() && !has_corner_at_seam {
         vec![(NurbsCurve::clone(&path), framed(&path, args.frame.value, up, is_smooth)?)]
     } else {
@@ -177,7 +177,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let fineness = fineness(ctx, &args, tolerance)?;
     let rails = rails(args.rail.as_ref(), &section, tolerance)?;
     let breaks = args.scale.as_ref().map_or(Vec::new(), |scale| scale.value.breaks(path.domain()));
-    let motion = Given {
+    let motion = MotionArgs {
         ctx: &mut *ctx,
         scale: args.scale.map(|given| given.value),
         twist: args.twist.map(|given| given.value),
@@ -190,16 +190,16 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         warn(ctx, sweep, frames);
     }
     warn_of_corners(ctx, &legs, reach(&section));
-    receipted(sweeps, &legs, corners, ctx)
+    with_report(sweeps, &legs, corners, ctx)
 }
 
 /// The sweep along each part of the path.
 fn each_swept(
     section: &NurbsCurve,
-    legs: &[Leg],
-    mut motion: Given<'_, '_>,
+    legs: &[PathLeg],
+    mut motion: MotionArgs<'_, '_>,
     breaks: &[f64],
-    fineness: Fineness,
+    fineness: SweepResolution,
 ) -> Result<Vec<Sweep>> {
     let span = motion.ctx.span;
     let mut sweeps = Vec::with_capacity(legs.len());
@@ -277,29 +277,34 @@ fn unmoved(args: &Args, what: &str) -> Result<()> {
     }
 }
 
-const fn framing(frame: Frame) -> Framing {
+const fn framing(frame: FrameOption) -> FrameRule {
     match frame {
-        Frame::Fixed => Framing::Fixed,
-        Frame::Frenet => Framing::Frenet,
+        FrameOption::Fixed => FrameRule::Fixed,
+        FrameOption::Frenet => FrameRule::Frenet,
         // The limit of ever more projections.
-        Frame::Projection | Frame::RotationMinimizing | Frame::Translate => {
-            Framing::RotationMinimizing
+        FrameOption::Projection | FrameOption::RotationMinimizing | FrameOption::Translate => {
+            FrameRule::RotationMinimizing
         }
     }
 }
 
-fn framed(path: &NurbsCurve, frame: Frame, up: Spanned<DVec3>, is_closed: bool) -> Result<Frames> {
+fn framed(
+    path: &NurbsCurve,
+    frame: FrameOption,
+    up: Spanned<DVec3>,
+    is_closed: bool,
+) -> Result<Frames> {
     let rule = framing(frame);
     Frames::new(path, rule, up.value, is_closed).at(up.span).map_err(|found| {
         let hint = "`frame = \"rotation_minimizing\"` needs no bend, and `up` only at the start";
-        let needs_more = matches!(rule, Framing::Frenet | Framing::Fixed);
+        let needs_more = matches!(rule, FrameRule::Frenet | FrameRule::Fixed);
         if needs_more { Box::new(found.hint(hint)) } else { found }
     })
 }
 
 /// How fine the sweep is to be, of which half is left for the curves.
-fn fineness(ctx: &Ctx<'_>, args: &Args, tolerance: f64) -> Result<Fineness> {
-    Ok(Fineness {
+fn fineness(ctx: &Ctx<'_>, args: &Args, tolerance: f64) -> Result<SweepResolution> {
+    Ok(SweepResolution {
         n_sections: counted(ctx, args.sections)?,
         tolerance: 0.5 * tolerance,
         keeps_path: args.keep_path,
@@ -308,11 +313,11 @@ fn fineness(ctx: &Ctx<'_>, args: &Args, tolerance: f64) -> Result<Fineness> {
 }
 
 /// What the columns are to be, which offsets of a path that is not met cannot be.
-fn columns(method: Spanned<Method>, keeps_path: bool) -> Result<Columns> {
+fn columns(method: Spanned<SweepMethod>, keeps_path: bool) -> Result<Columns> {
     match (method.value, keeps_path) {
-        (Method::Placements, _) => Ok(Columns::Through),
-        (Method::Offsets, true) => Ok(Columns::Offset),
-        (Method::Offsets, false) => {
+        (SweepMethod::Placements, _) => Ok(Columns::Through),
+        (SweepMethod::Offsets, true) => Ok(Columns::Offset),
+        (SweepMethod::Offsets, false) => {
             let message = "\"offsets\" of the path's control points meet the path, which `keep_path = false` gives up";
             Diagnostic::error(Code::BadCall, method.span, message)
                 .hint("leave out `keep_path`, or `method`")
@@ -343,7 +348,7 @@ fn counted(ctx: &Ctx<'_>, sections: Option<Spanned<usize>>) -> Result<Option<usi
 const MOST_PLACEMENTS: usize = 4096;
 
 /// The corners of the path, if they are to be mitred.
-fn corners(ctx: &Ctx<'_>, path: &NurbsCurve, span: Span, corner: Corner) -> Result<Vec<f64>> {
+fn corners(ctx: &Ctx<'_>, path: &NurbsCurve, span: Span, corner: CornerOption) -> Result<Vec<f64>> {
     if path.is_point() {
         let message = "the path is one point, so that it leads nowhere";
         return Diagnostic::error(Code::Degenerate, span, message).fail();
@@ -357,7 +362,7 @@ fn corners(ctx: &Ctx<'_>, path: &NurbsCurve, span: Span, corner: Corner) -> Resu
             .fail();
     }
     let corners = path.corners(ctx.tolerance);
-    if corner == Corner::Miter || corners.is_empty() {
+    if corner == CornerOption::Miter || corners.is_empty() {
         return Ok(corners);
     }
     let at: Vec<String> = corners.iter().copied().map(shortest).collect();

@@ -2,7 +2,9 @@
 
 use crate::{
     diag::{Code, Diagnostic, Result},
-    kernel::{Fact, Frames, Grid, Leg, NurbsSurface, Receipt, Sweep, join_patches},
+    kernel::{
+        ConstructionReport, Frames, Grid, NurbsSurface, PathLeg, ReportEntry, Sweep, join_patches,
+    },
     value::{At, Ctx, shortest},
 };
 
@@ -41,7 +43,7 @@ pub(super) fn warn(ctx: &mut Ctx<'_>, sweep: &Sweep, frames: &Frames) {
 }
 
 /// Tells of a leg too short for the mitres at its ends.
-pub(super) fn warn_of_corners(ctx: &mut Ctx<'_>, legs: &[Leg], reach: f64) {
+pub(super) fn warn_of_corners(ctx: &mut Ctx<'_>, legs: &[PathLeg], reach: f64) {
     let over = legs.iter().map(|(part, frames)| {
         let domain = part.domain();
         (frames.overreach(reach), [domain.start(), domain.end()])
@@ -67,9 +69,9 @@ pub(super) fn warn_of_short_legs(ctx: &mut Ctx<'_>, legs: Vec<(f64, [f64; 2])>) 
 }
 
 /// The surface of all parts with its report.
-pub(super) fn receipted(
+pub(super) fn with_report(
     sweeps: Vec<Sweep>,
-    legs: &[Leg],
+    legs: &[PathLeg],
     corners: Vec<f64>,
     ctx: &Ctx<'_>,
 ) -> Result<NurbsSurface> {
@@ -94,19 +96,19 @@ pub(super) fn receipted(
         }
     };
     let net = surface.control_points();
-    let both = |u: usize, v: usize| Receipt::default().with("u", u).with("v", v);
+    let both = |u: usize, v: usize| ConstructionReport::default().with("u", u).with("v", v);
     let frames = || legs.iter().map(|(_, frames)| frames);
     let flips: Vec<f64> = frames().flat_map(Frames::flips).map(|[a, b]| 0.5 * (a + b)).collect();
     let closing = frames().map(Frames::closing).sum::<f64>();
-    let receipt = Receipt::of("sweep")
+    let report = ConstructionReport::of("sweep")
         .with("placements", placements)
-        .with("deviation", Receipt::default().with("max", deviation).with("at", at))
-        .with("closing_angle", Fact::Angle(closing))
+        .with("deviation", ConstructionReport::default().with("max", deviation).with("at", at))
+        .with("closing_angle", ReportEntry::Angle(closing))
         .with("corners", corners)
         .with("flips", flips)
         .with("folds", folds)
         .with("collapses", collapses)
         .with("degree", both(surface.degree_u(), surface.degree_v()))
         .with("control_points", both(net.n_rows(), net.n_columns()));
-    Ok(surface.with_receipt(receipt))
+    Ok(surface.with_report(report))
 }

@@ -2,7 +2,7 @@
 
 use crate::{
     diag::{Result, Spanned},
-    kernel::{GeomError, KnotVector, NurbsSurface, ParametricSurface, Receipt, Surface},
+    kernel::{ConstructionReport, GeomError, KnotVector, NurbsSurface, ParametricSurface, Surface},
     value::{At, Ctx, Length, op},
 };
 
@@ -46,14 +46,14 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
             (spline, worst)
         }
     };
-    let both = |u: usize, v: usize| Receipt::default().with("u", u).with("v", v);
-    let place = Receipt::default().with("u", at[0]).with("v", at[1]);
+    let both = |u: usize, v: usize| ConstructionReport::default().with("u", u).with("v", v);
+    let place = ConstructionReport::default().with("u", at[0]).with("v", at[1]);
     let net = spline.control_points();
-    let receipt = Receipt::of("to_nurbs")
-        .with("deviation", Receipt::default().with("max", worst).with("at", place))
+    let report = ConstructionReport::of("to_nurbs")
+        .with("deviation", ConstructionReport::default().with("max", worst).with("at", place))
         .with("degree", both(spline.degree_u(), spline.degree_v()))
         .with("control_points", both(net.n_rows(), net.n_columns()));
-    Ok(spline.with_receipt(receipt))
+    Ok(spline.with_report(report))
 }
 
 /// How far the spline is from the function in the middle of each cell at most, and where.

@@ -2,7 +2,7 @@
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{Fact, NurbsCurve, Receipt},
+    kernel::{ConstructionReport, NurbsCurve, ReportEntry},
     value::{Angle, rounded},
 };
 
@@ -11,14 +11,14 @@ const N_PLACES: usize = 32;
 
 /// The largest angle between two surfaces along a boundary.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Turned {
+pub(super) struct BoundaryAngle {
     /// Radians.
     pub(super) angle: f64,
     boundary: String,
     at: f64,
 }
 
-impl Turned {
+impl BoundaryAngle {
     /// This, or the angle along a further boundary where that is larger: between the planes that
     /// its tangent spans with the derivative across it that was given, and with the one that the
     /// surface has.
@@ -55,15 +55,15 @@ impl Turned {
             .fail()
     }
 
-    pub(super) fn fact(&self) -> Fact {
+    pub(super) fn fact(&self) -> ReportEntry {
         let boundary = if self.boundary.is_empty() {
-            Fact::None
+            ReportEntry::None
         } else {
-            Fact::Text(self.boundary.as_str().into())
+            ReportEntry::Text(self.boundary.as_str().into())
         };
-        Fact::Record(
-            Receipt::default()
-                .with("max", Fact::Angle(self.angle))
+        ReportEntry::Record(
+            ConstructionReport::default()
+                .with("max", ReportEntry::Angle(self.angle))
                 .with("boundary", boundary)
                 .with("at", self.at),
         )

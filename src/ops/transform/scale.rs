@@ -15,7 +15,7 @@ op! {
         /// What is scaled.
         g: Geometry,
         /// The factor, or three factors as a point; none is zero.
-        s: Spanned<Factors>,
+        s: Spanned<AxisFactors>,
         /// The point that stays.
         about: DVec3 = DVec3::ZERO,
     }
@@ -26,9 +26,9 @@ op! {
 }
 
 /// A factor along each axis.
-struct Factors(DVec3);
+struct AxisFactors(DVec3);
 
-impl FromValue for Factors {
+impl FromValue for AxisFactors {
     const TYPE: Type = Type::OneOf(&[Type::Ratio, Type::Point]);
 
     fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {

@@ -10,7 +10,7 @@ use crate::syntax::token::Token;
 
 /// Where a statement stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Body {
+pub(super) enum StatementContext {
     /// At the top level.
     Script,
     /// In the braces of a `test`.
@@ -24,7 +24,7 @@ pub(super) fn script<'t, 's: 't>() -> impl Rule<'t, 's, Vec<Statement<'s>>> {
     custom(|input: &mut Input<'t, '_, 's>| {
         let mut statements = Vec::new();
         loop {
-            statements.extend(statements_of(input, Body::Script));
+            statements.extend(statements_of(input, StatementContext::Script));
             match peek(input) {
                 Token::End => return Ok(statements),
                 _ => input.skip(),
@@ -44,10 +44,10 @@ pub(super) fn definitions<'t, 's: 't>(input: &mut Input<'t, '_, 's>) -> Parsed<V
         }
         let is_definition = peek(input).begins_definition();
         if !is_definition {
-            let diagnostic = explain::misplaced(input.state(), at, Body::Block);
+            let diagnostic = explain::misplaced(input.state(), at, StatementContext::Block);
             complain(input, diagnostic);
         }
-        let statement = recovering(input, Body::Block);
+        let statement = recovering(input, StatementContext::Block);
         if is_definition {
             statements.push(statement);
         }
@@ -57,7 +57,7 @@ pub(super) fn definitions<'t, 's: 't>(input: &mut Input<'t, '_, 's>) -> Parsed<V
 /// Statements up to the end of the script, or to the brace that closes the body.
 pub(super) fn statements_of<'t, 's: 't>(
     input: &mut Input<'t, '_, 's>,
-    body: Body,
+    body: StatementContext,
 ) -> Vec<Statement<'s>> {
     let mut statements = Vec::new();
     loop {
@@ -70,7 +70,7 @@ pub(super) fn statements_of<'t, 's: 't>(
 }
 
 /// A statement; if it is broken, an error node up to the next one, and a finding.
-fn recovering<'t, 's: 't>(input: &mut Input<'t, '_, 's>, body: Body) -> Statement<'s> {
+fn recovering<'t, 's: 't>(input: &mut Input<'t, '_, 's>, body: StatementContext) -> Statement<'s> {
     let start = here(input);
     let checkpoint = input.save();
     let docs = documentation(input, start);
@@ -113,20 +113,20 @@ fn documentation(input: &mut Input<'_, '_, '_>, start: usize) -> Option<String> 
 
 /// Leaves a whole statement behind: what still follows it is reported and skipped. Whether
 /// anything did.
-fn finish(input: &mut Input<'_, '_, '_>, body: Body, start: usize) -> bool {
+fn finish(input: &mut Input<'_, '_, '_>, body: StatementContext, start: usize) -> bool {
     let at = here(input);
     let next = peek(input);
     let script = input.state();
     let begins_line = script.begins_line(at);
     let is_over = match body {
-        Body::Script => next == Token::End,
-        Body::Test => next == Token::CloseBrace,
+        StatementContext::Script => next == Token::End,
+        StatementContext::Test => next == Token::CloseBrace,
         // What follows is the value of the block, or is reported as such.
-        Body::Block => true,
+        StatementContext::Block => true,
     };
     let is_next = script.begins_statement(at)
         || (begins_line && (next.begins_statement() || next == Token::Name))
-        || (body == Body::Test && script.is_word(at, "expect"));
+        || (body == StatementContext::Test && script.is_word(at, "expect"));
     if is_over || is_next || next == Token::Semicolon {
         return false;
     }

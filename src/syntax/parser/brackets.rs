@@ -14,11 +14,11 @@ use crate::syntax::token::Token;
 ///
 /// Linear; each of at most `limits.diagnostics` unclosed blocks costs another pass over the rest.
 pub(super) fn check(lexed: &mut Lexed<'_>, limits: &Limits) -> Vec<Diagnostic> {
-    let mut pairing = Pairing {
+    let mut pairing = BracketPairing {
         lexed,
         open: Vec::new(),
         is_crossed: false,
-        line: Line::default(),
+        line: ReadLine::default(),
         spoilt: Vec::new(),
         found: Vec::new(),
         limits,
@@ -27,7 +27,7 @@ pub(super) fn check(lexed: &mut Lexed<'_>, limits: &Limits) -> Vec<Diagnostic> {
     while let Some(from) = start {
         start = pairing.run(from);
     }
-    let Pairing { spoilt, found, .. } = pairing;
+    let BracketPairing { spoilt, found, .. } = pairing;
     for (start, end) in spoilt {
         lexed.give_up(start, end);
     }
@@ -35,10 +35,10 @@ pub(super) fn check(lexed: &mut Lexed<'_>, limits: &Limits) -> Vec<Diagnostic> {
 }
 
 /// An open bracket.
-struct Open {
+struct OpenBracket {
     /// The index of its token.
     at: usize,
-    holds: Holds,
+    holds: BracketContent,
     /// Open brackets by [`index`], this one included: of the first three kinds those in the same
     /// string.
     counts: [usize; 4],
@@ -50,27 +50,27 @@ struct Open {
 
 /// What may stand in a bracket.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Holds {
+enum BracketContent {
     Expressions,
     Statements,
 }
 
-struct Pairing<'a, 's> {
+struct BracketPairing<'a, 's> {
     lexed: &'a mut Lexed<'s>,
-    open: Vec<Open>,
+    open: Vec<OpenBracket>,
     /// Whether two brackets of the current statement cross: then its other brackets are silent.
     is_crossed: bool,
-    line: Line,
+    line: ReadLine,
     /// The tokens to give up: from one to before another, none inside of the next.
     spoilt: Vec<(usize, usize)>,
     found: Vec<Diagnostic>,
     limits: &'a Limits,
 }
 
-impl Pairing<'_, '_> {
+impl BracketPairing<'_, '_> {
     /// Pairs the brackets from token `start` on; answers where to start again.
     fn run(&mut self, start: usize) -> Option<usize> {
-        self.line = Line::default();
+        self.line = ReadLine::default();
         for at in start..self.lexed.tokens.len() {
             let token = self.lexed.tokens[at];
             if token.opens() {
@@ -87,8 +87,8 @@ impl Pairing<'_, '_> {
     fn open(&mut self, at: usize) {
         let holds = self.holds(at);
         let indent = match holds {
-            Holds::Expressions => 0,
-            Holds::Statements => self.line.indent(self.lexed, at),
+            BracketContent::Expressions => 0,
+            BracketContent::Statements => self.line.indent(self.lexed, at),
         };
         let mut counts = self.open.last().map_or([0; 4], |open| open.counts);
         let opening = self.lexed.tokens[at];
@@ -96,17 +96,17 @@ impl Pairing<'_, '_> {
             counts[..3].fill(0);
         }
         counts[index(opening)] += 1;
-        self.open.push(Open { at, holds, counts, indent, wall: None });
+        self.open.push(OpenBracket { at, holds, counts, indent, wall: None });
     }
 
-    fn holds(&self, at: usize) -> Holds {
+    fn holds(&self, at: usize) -> BracketContent {
         if self.lexed.tokens[at] != Token::OpenBrace {
-            return Holds::Expressions;
+            return BracketContent::Expressions;
         }
         let (first, second) = (self.lexed.token(at + 1), self.lexed.token(at + 2));
         let is_label = first.is_word()
             && matches!(second, Token::Colon | Token::Comma | Token::Equals | Token::CloseBrace);
-        if is_label { Holds::Expressions } else { Holds::Statements }
+        if is_label { BracketContent::Expressions } else { BracketContent::Statements }
     }
 
     /// A statement keyword: nothing but blocks and tests reaches beyond it.
@@ -114,7 +114,7 @@ impl Pairing<'_, '_> {
         if !self.lexed.begins_statement(at) || !self.lexed.begins_line(at) {
             return;
         }
-        let n_left = self.open.iter().rposition(|open| open.holds == Holds::Statements);
+        let n_left = self.open.iter().rposition(|open| open.holds == BracketContent::Statements);
         self.give_up(
             n_left.map_or(0, |last| last + 1),
             at,
@@ -135,7 +135,7 @@ impl Pairing<'_, '_> {
             self.open.pop();
             return;
         }
-        let own = |open: &Open| counterpart(self.lexed.tokens[open.at]) == closing;
+        let own = |open: &OpenBracket| counterpart(self.lexed.tokens[open.at]) == closing;
         if is_weak(index(opening)) && is_weak(index(closing)) {
             self.crossed(at);
         } else if top.counts[index(closing)] == 0 {
@@ -256,13 +256,13 @@ fn counterpart(opening: Token) -> Token {
 
 /// The line that is being read.
 #[derive(Default)]
-struct Line {
+struct ReadLine {
     /// The bytes before are read.
     read: usize,
     indent: usize,
 }
 
-impl Line {
+impl ReadLine {
     /// The white space, in bytes, before the first thing on the line of token `at`.
     ///
     /// Asked in the order of the tokens, so that no long line is searched twice.

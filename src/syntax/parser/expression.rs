@@ -8,7 +8,7 @@ use super::input::{
     Input, Parsed, Rule, complain, expected, here, label, list, peek, peek_second, since, take,
 };
 use super::primary::primary;
-use super::problem::{Expected, Problem};
+use super::problem::{ExpectedTokens, Problem};
 use crate::diag::{Code, Diagnostic};
 use crate::syntax::ast::{Arg, BinaryOp, Expr, ExprKind, UnaryOp};
 use crate::syntax::token::Token;
@@ -195,7 +195,7 @@ fn close_index<'t, 's: 't>(input: &mut Input<'t, '_, 's>, left: &Expr<'s>) -> Pa
             .label("expected `,` after this");
         return Err(Problem::Told(Box::new(diagnostic)));
     }
-    Err(expected(input, Expected::token(Token::CloseBracket)))
+    Err(expected(input, ExpectedTokens::token(Token::CloseBracket)))
 }
 
 /// An argument of a call: `value`, `label = value` or `_`.

@@ -11,7 +11,7 @@ use chumsky::input::InputRef;
 use chumsky::prelude::{Parser, any, custom};
 
 use super::explain;
-use super::problem::{Expected, Problem};
+use super::problem::{ExpectedTokens, Problem};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::limits::Limits;
 use crate::syntax::ast::Name;
@@ -21,26 +21,29 @@ use crate::syntax::token::Token;
 /// The input of the grammar.
 pub(super) type Tokens<'t> = &'t [Token];
 /// Its error and its state.
-pub(super) type Extra<'t, 's> = Full<Problem, SimpleState<Script<'t, 's>>, ()>;
+pub(super) type ParserExtra<'t, 's> = Full<Problem, SimpleState<ParsedScript<'t, 's>>, ()>;
 /// The input while a rule reads it.
-pub(super) type Input<'t, 'p, 's> = InputRef<'t, 'p, Tokens<'t>, Extra<'t, 's>>;
+pub(super) type Input<'t, 'p, 's> = InputRef<'t, 'p, Tokens<'t>, ParserExtra<'t, 's>>;
 /// What a rule answers.
 pub(super) type Parsed<T> = Result<T, Problem>;
 
 /// A rule of the grammar.
-pub(super) trait Rule<'t, 's: 't, T>: Parser<'t, Tokens<'t>, T, Extra<'t, 's>> {}
-impl<'t, 's: 't, T, P: Parser<'t, Tokens<'t>, T, Extra<'t, 's>>> Rule<'t, 's, T> for P {}
+pub(super) trait Rule<'t, 's: 't, T>:
+    Parser<'t, Tokens<'t>, T, ParserExtra<'t, 's>>
+{
+}
+impl<'t, 's: 't, T, P: Parser<'t, Tokens<'t>, T, ParserExtra<'t, 's>>> Rule<'t, 's, T> for P {}
 
 /// The script while it is parsed.
 #[derive(Debug)]
-pub(super) struct Script<'t, 's> {
+pub(super) struct ParsedScript<'t, 's> {
     pub(super) lexed: &'t Lexed<'s>,
     pub(super) limits: Limits,
     /// Findings that did not stop the rule that made them.
     pub(super) diagnostics: Vec<Diagnostic>,
 }
 
-impl<'s> Deref for Script<'_, 's> {
+impl<'s> Deref for ParsedScript<'_, 's> {
     type Target = Lexed<'s>;
 
     fn deref(&self) -> &Self::Target {
@@ -48,7 +51,7 @@ impl<'s> Deref for Script<'_, 's> {
     }
 }
 
-impl Script<'_, '_> {
+impl ParsedScript<'_, '_> {
     /// Records a finding.
     pub(super) fn complain(&mut self, diagnostic: Diagnostic) {
         if self.diagnostics.len() < super::most_diagnostics(&self.limits) {
@@ -90,11 +93,11 @@ pub(super) fn take(input: &mut Input<'_, '_, '_>, token: Token) -> bool {
 
 /// Takes a `token`, which must come next.
 pub(super) fn require(input: &mut Input<'_, '_, '_>, token: Token) -> Parsed<()> {
-    if take(input, token) { Ok(()) } else { Err(expected(input, Expected::token(token))) }
+    if take(input, token) { Ok(()) } else { Err(expected(input, ExpectedTokens::token(token))) }
 }
 
 /// The failure of a rule that wants `expected` next.
-pub(super) fn expected(input: &Input<'_, '_, '_>, expected: Expected) -> Problem {
+pub(super) fn expected(input: &Input<'_, '_, '_>, expected: ExpectedTokens) -> Problem {
     Problem::Expected { at: here(input), expected }
 }
 
@@ -110,7 +113,7 @@ pub(super) fn mark<'t, 's: 't>(token: Token) -> impl Rule<'t, 's, ()> {
             input.skip();
             return Ok(());
         }
-        Err(expected(input, Expected::token(token)))
+        Err(expected(input, ExpectedTokens::token(token)))
     })
 }
 
@@ -156,7 +159,7 @@ pub(super) fn list<'t, 's: 't, T>(
         } else if next != close {
             let missing = next.begins_expression() || next == Token::Spread;
             if !missing || is_unit_after_number(input) {
-                return Err(expected(input, Expected::token(Token::Comma).or(close)));
+                return Err(expected(input, ExpectedTokens::token(Token::Comma).or(close)));
             }
             if !reported {
                 missing_comma(input);
@@ -184,20 +187,20 @@ fn missing_comma(input: &mut Input<'_, '_, '_>) {
 
 /// A name that is used, not defined.
 pub(super) fn word<'t, 's: 't>() -> impl Rule<'t, 's, Name<'s>> {
-    custom(|input: &mut Input<'t, '_, 's>| take_word(input, Expected::NAME, Token::Name))
+    custom(|input: &mut Input<'t, '_, 's>| take_word(input, ExpectedTokens::NAME, Token::Name))
 }
 
 /// A label: a name or a keyword.
 pub(super) fn label<'s>(input: &mut Input<'_, '_, 's>) -> Parsed<Name<'s>> {
     match peek(input) {
-        token if token.is_word() => take_word(input, Expected::NAME, token),
-        _ => Err(expected(input, Expected::NAME)),
+        token if token.is_word() => take_word(input, ExpectedTokens::NAME, token),
+        _ => Err(expected(input, ExpectedTokens::NAME)),
     }
 }
 
 fn take_word<'s>(
     input: &mut Input<'_, '_, 's>,
-    wanted: Expected,
+    wanted: ExpectedTokens,
     token: Token,
 ) -> Parsed<Name<'s>> {
     let at = here(input);
@@ -234,21 +237,21 @@ pub(super) fn take_new_name<'s>(input: &mut Input<'_, '_, 's>) -> Parsed<Name<'s
         // `for in xs`: the name is missing.
         let is_missing = token == Token::In && script.token(at + 1) != Token::In;
         if is_missing || !follows || script.begins_line(at) {
-            return Err(expected(input, Expected::NAME));
+            return Err(expected(input, ExpectedTokens::NAME));
         }
         let text = script.text(at);
         let message = format!("`{text}` is a keyword; choose another name");
         let diagnostic = Diagnostic::error(Code::Syntax, script.span(at), message);
         complain(input, diagnostic);
-        return take_word(input, Expected::NAME, token);
+        return take_word(input, ExpectedTokens::NAME, token);
     }
     if token == Token::Placeholder {
         let span = input.state().span(at);
         let message = "`_` names nothing; choose a name";
         complain(input, Diagnostic::error(Code::BadParameter, span, message));
-        return take_word(input, Expected::NAME, token);
+        return take_word(input, ExpectedTokens::NAME, token);
     }
-    take_word(input, Expected::NAME, Token::Name)
+    take_word(input, ExpectedTokens::NAME, Token::Name)
 }
 
 /// Everything up to token number `end`.

@@ -2,7 +2,7 @@
 
 use super::expression::take_expression;
 use super::input::{Input, Parsed, complain, expected, here, peek, since};
-use super::problem::Expected;
+use super::problem::ExpectedTokens;
 use crate::diag::{self, Code, Diagnostic, Span, nearest};
 use crate::syntax::ast::{Expr, ExprKind, Piece, Unit};
 use crate::syntax::token::Token;
@@ -121,7 +121,7 @@ pub(super) fn text<'t, 's: 't>(input: &mut Input<'t, '_, 's>) -> Parsed<Expr<'s>
             input.skip();
             ExprKind::Error
         }
-        _ => return Err(expected(input, Expected::TEXT)),
+        _ => return Err(expected(input, ExpectedTokens::TEXT)),
     };
     Ok(Expr { kind, span: since(input, start) })
 }
@@ -139,7 +139,7 @@ fn pieces<'t, 's: 't>(input: &mut Input<'t, '_, 's>) -> Parsed<Vec<Piece<'s>>> {
         }
         pieces.push(Piece::Expr(take_expression(input)?));
         if !matches!(peek(input), Token::TextMiddle | Token::TextTail) {
-            return Err(expected(input, Expected::token(Token::CloseBrace)));
+            return Err(expected(input, ExpectedTokens::token(Token::CloseBrace)));
         }
     }
 }

@@ -8,9 +8,9 @@
 mod body;
 mod brackets;
 mod depth;
-mod echo;
 mod explain;
 mod expression;
+mod followup_errors;
 mod gmsh;
 mod input;
 mod literal;
@@ -22,7 +22,7 @@ mod statement;
 use chumsky::extra::SimpleState;
 use chumsky::prelude::Parser;
 
-use self::input::Script;
+use self::input::ParsedScript;
 use super::ast::Tree;
 use super::lexer::lex;
 use crate::diag::{Code, Diagnostic, Span};
@@ -49,7 +49,7 @@ pub fn parse<'s>(source: &'s str, limits: &Limits) -> (Tree<'s>, Vec<Diagnostic>
     let mut diagnostics = brackets::check(&mut lexed, limits);
     diagnostics.extend(depth::check(&mut lexed, limits));
     diagnostics.append(&mut lexed.diagnostics);
-    let mut state = SimpleState(Script { lexed: &lexed, limits: *limits, diagnostics });
+    let mut state = SimpleState(ParsedScript { lexed: &lexed, limits: *limits, diagnostics });
     let grammar_input = &lexed.tokens[..lexed.tokens.len() - 1];
     let statements = body::script().parse_with_state(grammar_input, &mut state).into_output();
     let tree = Tree { statements: statements.unwrap_or_default() };
@@ -57,7 +57,7 @@ pub fn parse<'s>(source: &'s str, limits: &Limits) -> (Tree<'s>, Vec<Diagnostic>
     diagnostics.extend(order::check(&tree, most_diagnostics(limits)));
     diagnostics.sort_by_key(|diagnostic| diagnostic.primary.span);
     diagnostics.dedup();
-    echo::drop_echoes(&tree, &mut diagnostics);
+    followup_errors::drop_echoes(&tree, &mut diagnostics);
     if !diagnostics.is_empty()
         && let Some(gmsh) = gmsh::recognise(&lex(source, 0))
     {

@@ -8,7 +8,7 @@ use super::input::{
     take_new_name,
 };
 use super::literal::{number, text};
-use super::problem::Expected;
+use super::problem::ExpectedTokens;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::syntax::ast::{
     Block, Comprehension, Element, Expr, ExprKind, Field, Generator, Name, Pattern,
@@ -41,7 +41,7 @@ pub(super) fn primary<'t, 's: 't>(input: &mut Input<'t, '_, 's>) -> Parsed<Expr<
             let parameter = take_new_name(input)?;
             function(input, vec![parameter])?
         }
-        _ => return Err(expected(input, Expected::EXPRESSION)),
+        _ => return Err(expected(input, ExpectedTokens::EXPRESSION)),
     };
     Ok(Expr { kind, span: since(input, start) })
 }
@@ -224,7 +224,7 @@ fn braces<'t, 's: 't>(input: &mut Input<'t, '_, 's>) -> Parsed<ExprKind<'s>> {
     }
     let statements = definitions(input)?;
     if peek(input) == Token::CloseBrace {
-        return Err(expected(input, Expected::VALUE));
+        return Err(expected(input, ExpectedTokens::VALUE));
     }
     let value = take_expression(input)?;
     while take(input, Token::Semicolon) {}

@@ -19,7 +19,7 @@ pub(super) enum Problem {
         /// The index of the token that was found.
         at: usize,
         /// What could have stood there.
-        expected: Expected,
+        expected: ExpectedTokens,
     },
     /// A failure with words of its own.
     Told(Box<Diagnostic>),
@@ -27,12 +27,12 @@ pub(super) enum Problem {
 
 /// What could stand at a place: a bit for each kind of token, then those of the constants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub(super) struct Expected(u128);
+pub(super) struct ExpectedTokens(u128);
 
 /// The kinds of tokens leave the bits of the constants free.
 const _: () = assert!((Token::End as u32) < 123);
 
-impl Expected {
+impl ExpectedTokens {
     /// Any expression.
     pub(super) const EXPRESSION: Self = Self(1 << 127);
     /// A name.
@@ -103,7 +103,7 @@ impl<'t> LabelError<'t, Tokens<'t>, DefaultExpected<'t, Token>> for Problem {
             DefaultExpected::EndOfInput => Some(Token::End),
             _ => None,
         });
-        let expected = tokens.fold(Expected::default(), Expected::or);
+        let expected = tokens.fold(ExpectedTokens::default(), ExpectedTokens::or);
         Self::Expected { at: span.start, expected }
     }
 }

@@ -2,7 +2,7 @@
 
 use chumsky::prelude::{Parser, custom};
 
-use super::body::{Body, statements_of};
+use super::body::{StatementContext, statements_of};
 use super::explain;
 use super::expression::{argument, expression, take_expression};
 use super::input::{
@@ -11,7 +11,7 @@ use super::input::{
 };
 use super::literal::{check_document_unit, text};
 use super::primary::pattern;
-use super::problem::{Expected, Problem};
+use super::problem::{ExpectedTokens, Problem};
 use crate::diag::{Code, Diagnostic};
 use crate::syntax::ast::{
     Arg, Definition, Export, Expr, Function, Import, Kind, Name, Param, Parameter, Pattern,
@@ -22,11 +22,11 @@ use crate::syntax::token::Token;
 /// One statement: its keyword picks the rule.
 pub(super) fn statement<'t, 's: 't>(
     input: &mut Input<'t, '_, 's>,
-    body: Body,
+    body: StatementContext,
 ) -> Parsed<StatementKind<'s>> {
     let start = here(input);
     let keyword = peek(input);
-    if body == Body::Test && is_misplaced_in_test(keyword) {
+    if body == StatementContext::Test && is_misplaced_in_test(keyword) {
         let diagnostic = explain::misplaced(input.state(), start, body);
         complain(input, diagnostic);
     }
@@ -43,7 +43,7 @@ pub(super) fn statement<'t, 's: 't>(
         Token::Import => input.parse(import()),
         Token::Test => input.parse(test()),
         Token::Name if is_expectation(input) => {
-            if body != Body::Test {
+            if body != StatementContext::Test {
                 let diagnostic = explain::misplaced(input.state(), start, body);
                 complain(input, diagnostic);
             }
@@ -51,7 +51,7 @@ pub(super) fn statement<'t, 's: 't>(
         }
         token => match kind(token) {
             Some(kind) => definition(input, kind),
-            None => Err(expected(input, Expected::STATEMENT)),
+            None => Err(expected(input, ExpectedTokens::STATEMENT)),
         },
     }
 }
@@ -272,8 +272,9 @@ fn imported_name<'t, 's: 't>(input: &mut Input<'t, '_, 's>) -> Parsed<Name<'s>> 
 
 /// `test "name" { ... }`
 fn test<'t, 's: 't>() -> impl Rule<'t, 's, StatementKind<'s>> {
-    let body =
-        custom(|input: &mut Input<'t, '_, 's>| Ok::<_, Problem>(statements_of(input, Body::Test)));
+    let body = custom(|input: &mut Input<'t, '_, 's>| {
+        Ok::<_, Problem>(statements_of(input, StatementContext::Test))
+    });
     mark(Token::Test)
         .ignore_then(custom(text))
         .then_ignore(mark(Token::OpenBrace))

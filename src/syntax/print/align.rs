@@ -5,11 +5,12 @@
 //! become too narrow moves for all its lines.
 
 use super::atom::{Atom, Point};
-use super::layout::{Line, ends_items, is_after_blank, spaces};
+use super::layout::{LayoutLine, ends_items, is_after_blank, spaces};
 
 /// The text of the lines.
-pub(super) fn text(source: &str, atoms: &[Atom<'_>], lines: &[Line]) -> String {
-    let mut rows: Vec<Row> = lines.iter().map(|&line| Row::new(source, atoms, line)).collect();
+pub(super) fn text(source: &str, atoms: &[Atom<'_>], lines: &[LayoutLine]) -> String {
+    let mut rows: Vec<AlignedRow> =
+        lines.iter().map(|&line| AlignedRow::new(source, atoms, line)).collect();
     for point in Point::ALL {
         align(&mut rows, point);
     }
@@ -25,15 +26,15 @@ pub(super) fn text(source: &str, atoms: &[Atom<'_>], lines: &[Line]) -> String {
 }
 
 /// A line with the columns that it may have.
-struct Row {
-    line: Line,
+struct AlignedRow {
+    line: LayoutLine,
     is_after_blank: bool,
     is_statement: bool,
-    stops: Vec<Stop>,
+    stops: Vec<AlignmentStop>,
 }
 
 /// A place of a line that may be moved to a column.
-struct Stop {
+struct AlignmentStop {
     point: Point,
     at: usize,
     /// Columns between it and the one before, or the beginning of the line's text; without its space.
@@ -46,8 +47,8 @@ struct Stop {
     column: Option<usize>,
 }
 
-impl Row {
-    fn new(source: &str, atoms: &[Atom<'_>], line: Line) -> Self {
+impl AlignedRow {
+    fn new(source: &str, atoms: &[Atom<'_>], line: LayoutLine) -> Self {
         let mut stops = Vec::new();
         let mut left = 0;
         for at in line.start..line.end {
@@ -60,7 +61,7 @@ impl Row {
                 let before = &source[start..atoms[at].span.start as usize];
                 let column = (!before.contains('\n')).then(|| line.indent + before.chars().count());
                 let written = before.chars().rev().take_while(|c| c.is_whitespace()).count();
-                stops.push(Stop { point, at, left, space, written, column });
+                stops.push(AlignmentStop { point, at, left, space, written, column });
                 left = 0;
             } else {
                 left += space;
@@ -102,7 +103,7 @@ impl Row {
 }
 
 /// Puts the stops at `point` into their columns.
-fn align(rows: &mut [Row], point: Point) {
+fn align(rows: &mut [AlignedRow], point: Point) {
     let mut run: Vec<(usize, usize)> = Vec::new();
     for at in 0..rows.len() {
         let row = &rows[at];
@@ -124,7 +125,7 @@ fn align(rows: &mut [Row], point: Point) {
 }
 
 /// Puts stops of one column in the source into one column.
-fn settle(rows: &mut [Row], run: &[(usize, usize)]) {
+fn settle(rows: &mut [AlignedRow], run: &[(usize, usize)]) {
     let Some(&(first, stop)) = run.first() else { return };
     let Some(column) = rows[first].stops[stop].column else { return };
     let is_wide = run.iter().any(|&(at, stop)| rows[at].stops[stop].written > 1);

@@ -21,7 +21,7 @@ pub(super) struct Atom<'s> {
     /// Of a bracket: the other one.
     pub(super) partner: usize,
     /// Of an opening bracket: what it holds.
-    pub(super) holds: Holds,
+    pub(super) holds: GroupContent,
     /// Whether a statement begins with it, or the value of a block.
     pub(super) is_head: bool,
     /// A line that is too long may be broken before it.
@@ -43,7 +43,7 @@ pub(super) enum Start {
 
 /// What brackets hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Holds {
+pub(super) enum GroupContent {
     /// Something without a comma at its end.
     One,
     /// Items, with a comma at the end of each that ends a line.
@@ -223,7 +223,7 @@ impl Row<'_> {
             start,
             is_glued: false,
             partner: 0,
-            holds: Holds::One,
+            holds: GroupContent::One,
             is_head: false,
             rank: None,
             point: None,

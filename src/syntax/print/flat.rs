@@ -8,16 +8,16 @@ use crate::syntax::ast::{
 
 /// All statements.
 pub(super) fn script(tree: &Tree<'_>) -> String {
-    let mut out = Text(String::new());
+    let mut out = FlatText(String::new());
     for one in &tree.statements {
         out.documented(one);
     }
     out.0
 }
 
-struct Text(String);
+struct FlatText(String);
 
-impl Text {
+impl FlatText {
     fn put(&mut self, text: &str) {
         self.0.push_str(text);
     }

@@ -1,8 +1,8 @@
 //! Atoms into lines: where each begins and ends, how far it is indented, and what stands between
 //! its atoms.
 
-use super::atom::{Atom, Holds, Start, code_at};
-use super::wrap;
+use super::atom::{Atom, GroupContent, Start, code_at};
+use super::line_breaking;
 use crate::syntax::token::Token;
 
 /// Spaces of one indentation.
@@ -13,14 +13,14 @@ const MOST_INDENT: usize = 60;
 
 /// A line of the result: the atoms from one to before another.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Line {
+pub(super) struct LayoutLine {
     pub(super) start: usize,
     pub(super) end: usize,
     pub(super) indent: usize,
 }
 
 /// The lines of a script; breaks those that are too long.
-pub(super) fn lines(atoms: &mut [Atom<'_>]) -> Vec<Line> {
+pub(super) fn lines(atoms: &mut [Atom<'_>]) -> Vec<LayoutLine> {
     let mut lines = Vec::new();
     let mut nest = Nest::new(atoms);
     let mut start = 0;
@@ -29,13 +29,13 @@ pub(super) fn lines(atoms: &mut [Atom<'_>]) -> Vec<Line> {
         let further = nest.further(atoms, start, indent);
         let end = loop {
             let end = (start + 1..atoms.len()).find(|&at| atoms[at].begins_line());
-            let line = Line { start, end: end.unwrap_or(atoms.len()), indent };
-            if !wrap::wrap(atoms, line, further) {
+            let line = LayoutLine { start, end: end.unwrap_or(atoms.len()), indent };
+            if !line_breaking::wrap(atoms, line, further) {
                 break line.end;
             }
         };
         nest.advance(atoms, start..end, indent);
-        lines.push(Line { start, end, indent });
+        lines.push(LayoutLine { start, end, indent });
         start = end;
     }
     lines
@@ -44,7 +44,8 @@ pub(super) fn lines(atoms: &mut [Atom<'_>]) -> Vec<Line> {
 /// The spaces before atom `at`, which does not begin a line.
 pub(super) fn spaces(atoms: &[Atom<'_>], at: usize, is_last: bool) -> usize {
     let (before, atom) = (&atoms[at - 1], &atoms[at]);
-    let is_block = |open: &Atom<'_>| matches!(open.holds, Holds::Value | Holds::Statements);
+    let is_block =
+        |open: &Atom<'_>| matches!(open.holds, GroupContent::Value | GroupContent::Statements);
     if atom.is_comment() {
         return usize::from(is_last || !before.opens() || is_block(before));
     }
@@ -66,12 +67,12 @@ pub(super) fn ends_items(atoms: &[Atom<'_>], at: usize) -> bool {
         && atoms[close].closes()
         && (at + 1..=close).any(|at| atoms[at].begins_line())
         && atoms[close].partner != at
-        && atoms[atoms[close].partner].holds == Holds::Items
+        && atoms[atoms[close].partner].holds == GroupContent::Items
 }
 
 /// An open bracket, or the script.
-struct Open {
-    holds: Holds,
+struct OpenGroup {
+    holds: GroupContent,
     /// The indentation of its closing bracket.
     outer: usize,
     /// The indentation of what it holds.
@@ -82,7 +83,7 @@ struct Open {
 
 /// The open brackets.
 struct Nest {
-    open: Vec<Open>,
+    open: Vec<OpenGroup>,
     /// For each atom the next one that is no comment.
     next: Vec<usize>,
     /// The last atom that was no comment.
@@ -99,7 +100,7 @@ impl Nest {
                 next[at] = next[at + 1];
             }
         }
-        let script = Open { holds: Holds::Statements, outer: 0, inner: 0, item: None };
+        let script = OpenGroup { holds: GroupContent::Statements, outer: 0, inner: 0, item: None };
         Self { open: vec![script], next, last: None }
     }
 
@@ -108,7 +109,7 @@ impl Nest {
         let Some(open) = self.open.last() else { return true };
         let next = atoms.get(self.next[at]);
         let is_at_end = atoms[at].is_comment() && next.is_none_or(Atom::closes);
-        if open.holds == Holds::Statements {
+        if open.holds == GroupContent::Statements {
             return is_at_end || next.is_none_or(|next| next.is_head);
         }
         let follows = |last: usize| atoms[last].opens() || atoms[last].token == Token::Comma;
@@ -151,7 +152,7 @@ impl Nest {
             }
             if atom.opens() {
                 let (outer, inner) = (indent, indent + INDENT);
-                self.open.push(Open { holds: atom.holds, outer, inner, item: None });
+                self.open.push(OpenGroup { holds: atom.holds, outer, inner, item: None });
             } else if atom.closes() && self.open.len() > 1 {
                 self.open.pop();
             }
@@ -162,6 +163,6 @@ impl Nest {
 }
 
 /// Whether a blank line stands before a line.
-pub(super) fn is_after_blank(atoms: &[Atom<'_>], line: Line) -> bool {
+pub(super) fn is_after_blank(atoms: &[Atom<'_>], line: LayoutLine) -> bool {
     atoms[line.start].start == Start::Blank
 }

@@ -3,7 +3,7 @@
 //!
 //! The tree is walked with a stack of its own, since chains are as deep as long.
 
-use super::atom::{Atom, Holds, Point, Rank, Start, code_at, code_before};
+use super::atom::{Atom, GroupContent, Point, Rank, Start, code_at, code_before};
 use super::shape::{breaks_inside, is_tight_operand};
 use crate::diag::Span;
 use crate::syntax::ast::{
@@ -14,11 +14,12 @@ use crate::syntax::token::Token;
 
 /// Marks the atoms of the script that `tree` was read from.
 pub(super) fn mark(atoms: &mut [Atom<'_>], tree: &Tree<'_>) {
-    let mut marker = Marker { atoms, open: tree.statements.iter().map(Node::Statement).collect() };
+    let mut marker =
+        Marker { atoms, open: tree.statements.iter().map(MarkNode::Statement).collect() };
     while let Some(node) = marker.open.pop() {
         match node {
-            Node::Statement(statement) => marker.statement(statement),
-            Node::Expr(expr) => marker.expression(expr),
+            MarkNode::Statement(statement) => marker.statement(statement),
+            MarkNode::Expr(expr) => marker.expression(expr),
         }
     }
     close_what_is_opened(atoms);
@@ -29,7 +30,7 @@ fn close_what_is_opened(atoms: &mut [Atom<'_>]) {
     for at in 0..atoms.len() {
         let is_open = atoms[at].opens() && {
             let first = code_at(atoms, at + 1);
-            atoms[at].holds == Holds::Statements
+            atoms[at].holds == GroupContent::Statements
                 || (at + 1..=first).any(|inner| atoms[inner].begins_line())
         };
         let partner = atoms[at].partner;
@@ -39,14 +40,14 @@ fn close_what_is_opened(atoms: &mut [Atom<'_>]) {
     }
 }
 
-enum Node<'a, 's> {
+enum MarkNode<'a, 's> {
     Statement(&'a Statement<'s>),
     Expr(&'a Expr<'s>),
 }
 
 struct Marker<'a, 'b, 's, 't> {
     atoms: &'a mut [Atom<'b>],
-    open: Vec<Node<'t, 's>>,
+    open: Vec<MarkNode<'t, 's>>,
 }
 
 impl<'s, 't> Marker<'_, '_, 's, 't> {
@@ -79,11 +80,11 @@ impl<'s, 't> Marker<'_, '_, 's, 't> {
     }
 
     fn walk(&mut self, expr: &'t Expr<'s>) {
-        self.open.push(Node::Expr(expr));
+        self.open.push(MarkNode::Expr(expr));
     }
 
     fn walk_all(&mut self, exprs: impl IntoIterator<Item = &'t Expr<'s>>) {
-        self.open.extend(exprs.into_iter().map(Node::Expr));
+        self.open.extend(exprs.into_iter().map(MarkNode::Expr));
     }
 
     /// Makes a statement, or the value of a block, begin a line.
@@ -109,9 +110,9 @@ impl<'s, 't> Marker<'_, '_, 's, 't> {
         if !statements.is_empty() {
             let close = self.before(end);
             let open = self.atoms[close].partner;
-            self.atoms[open].holds = Holds::Statements;
+            self.atoms[open].holds = GroupContent::Statements;
         }
-        self.open.extend(statements.iter().map(Node::Statement));
+        self.open.extend(statements.iter().map(MarkNode::Statement));
     }
 
     fn statement(&mut self, statement: &'t Statement<'s>) {
@@ -186,7 +187,7 @@ impl<'s, 't> Marker<'_, '_, 's, 't> {
         let open = self.behind(function.name.span);
         self.atoms[open].is_glued = true;
         if !function.parameters.is_empty() {
-            self.atoms[open].holds = Holds::Items;
+            self.atoms[open].holds = GroupContent::Items;
         }
         self.walk_all(function.parameters.iter().filter_map(|one| one.default.as_ref()));
         self.walk(body);
@@ -197,7 +198,7 @@ impl<'s, 't> Marker<'_, '_, 's, 't> {
             && !names.is_empty()
         {
             let open = self.at(span.start);
-            self.atoms[open].holds = Holds::Items;
+            self.atoms[open].holds = GroupContent::Items;
         }
     }
 
@@ -215,7 +216,7 @@ impl<'s, 't> Marker<'_, '_, 's, 't> {
         let first = args.first()?;
         let start = first.name.map_or(first.value.span.start, |name| name.span.start);
         let open = self.before(start);
-        self.atoms[open].holds = Holds::Items;
+        self.atoms[open].holds = GroupContent::Items;
         self.walk_all(args.iter().map(|arg| &arg.value));
         Some(open)
     }
@@ -231,7 +232,7 @@ impl<'s, 't> Marker<'_, '_, 's, 't> {
     fn import(&mut self, import: &'t Import<'s>) {
         if let Some(first) = import.names.as_ref().and_then(|names| names.first()) {
             let open = self.before(first.span.start);
-            self.atoms[open].holds = Holds::Items;
+            self.atoms[open].holds = GroupContent::Items;
         }
         self.options(&import.with);
     }
@@ -281,7 +282,7 @@ impl<'s, 't> Marker<'_, '_, 's, 't> {
 
     fn holds_items(&mut self, expr: &Expr<'_>) {
         let open = self.first(expr);
-        self.atoms[open].holds = Holds::Items;
+        self.atoms[open].holds = GroupContent::Items;
     }
 
     /// An expression that continues another.
@@ -378,7 +379,7 @@ impl<'s, 't> Marker<'_, '_, 's, 't> {
 
     fn block(&mut self, expr: &Expr<'_>, block: &'t Block<'s>) {
         let open = self.first(expr);
-        self.atoms[open].holds = Holds::Value;
+        self.atoms[open].holds = GroupContent::Value;
         if !block.statements.is_empty() {
             self.body(&block.statements, expr.span.end);
             self.head(block.value.span.start);

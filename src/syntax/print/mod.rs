@@ -8,9 +8,9 @@ mod atom;
 mod flat;
 mod format;
 mod layout;
+mod line_breaking;
 mod mark;
 mod shape;
-mod wrap;
 
 pub use format::format;
 

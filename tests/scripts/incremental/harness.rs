@@ -13,7 +13,7 @@ use virote::{
     eval::{self, Memory, Outcome, Purpose, Setting, Settings, Work},
     limits::Limits,
     ops,
-    value::{Call, Ctx, Family, Files, Op, Param, Registry, Type, Value},
+    value::{Call, Ctx, Family, Files, Op, OpParameter, Registry, Type, Value},
 };
 
 /// Nobody stops these runs.
@@ -22,8 +22,8 @@ static NEVER: AtomicBool = AtomicBool::new(false);
 /// Calls of `counted`, by what they were given.
 static CALLS: Mutex<BTreeMap<String, usize>> = Mutex::new(BTreeMap::new());
 
-fn parameter(name: &'static str) -> Param {
-    Param {
+fn parameter(name: &'static str) -> OpParameter {
+    OpParameter {
         name,
         docs: "",
         ty: Type::Any,

@@ -2,18 +2,20 @@
 
 use std::{fs, path::Path};
 
-use super::{Content, FILES, HEADER, PRINTED, Page, WARNINGS, header::Header, kept, measures};
+use super::{
+    FILES, GoldenContent, GoldenFile, HEADER, PRINTED, WARNINGS, header::Header, kept, measures,
+};
 use crate::{
     cli::{
         files::reason,
-        write::{Refusal, Staged, Target, failure},
+        write::{OutputTarget, StagedFile, TargetRefusal, failure},
     },
     export::{ExportError, Summary},
 };
 
 /// Writes all files of the folder, behind their links, the header last; none is put into its place
 /// before all are written. Of a folder that could not be filled nothing stays.
-pub(super) fn write(pages: &[Page<'_>], folder: &Path, header: Header) -> Result<(), String> {
+pub(super) fn write(pages: &[GoldenFile<'_>], folder: &Path, header: Header) -> Result<(), String> {
     let mut staged = Vec::with_capacity(pages.len() + 1);
     for page in pages {
         staged.push(stage(folder, &page.path, &page.content.bytes())?);
@@ -34,9 +36,9 @@ pub(super) fn write(pages: &[Page<'_>], folder: &Path, header: Header) -> Result
     Ok(())
 }
 
-fn stage(folder: &Path, path: &str, bytes: &[u8]) -> Result<Staged, String> {
-    let target = Target::new(folder, path, &[]).map_err(|refusal| match refusal {
-        Refusal::Forbidden(message) | Refusal::System(message) => message,
+fn stage(folder: &Path, path: &str, bytes: &[u8]) -> Result<StagedFile, String> {
+    let target = OutputTarget::new(folder, path, &[]).map_err(|refusal| match refusal {
+        TargetRefusal::Forbidden(message) | TargetRefusal::System(message) => message,
     })?;
     let target = target.behind_links().map_err(|err| cannot(folder, path, &err.into()))?;
     let written = target.stage(u64::MAX, &|_| {}, |out| {
@@ -50,7 +52,7 @@ fn cannot(folder: &Path, path: &str, err: &ExportError) -> String {
     format!("cannot write `{}`: {}", folder.join(path).display(), failure(err))
 }
 
-impl Content<'_> {
+impl GoldenContent<'_> {
     /// As it is kept.
     fn bytes(&self) -> Vec<u8> {
         match self {

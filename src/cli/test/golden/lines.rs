@@ -7,9 +7,9 @@ const MOST_LINES: usize = 6;
 
 /// By how much numbers may differ, as a fraction of the larger one or of 1.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Tolerance(pub(super) f64);
+pub(super) struct RelativeTolerance(pub(super) f64);
 
-impl Tolerance {
+impl RelativeTolerance {
     /// Whether two numbers are one result.
     pub(super) fn joins(self, a: f64, b: f64) -> bool {
         (a - b).abs() <= self.0 * a.abs().max(b.abs()).max(1.0)
@@ -24,8 +24,8 @@ impl Tolerance {
         loop {
             match (a.next(), b.next()) {
                 (None, None) => return true,
-                (Some(Piece::Number(a)), Some(Piece::Number(b))) if self.joins(a, b) => {}
-                (Some(Piece::Text(a)), Some(Piece::Text(b))) if a == b => {}
+                (Some(LinePart::Number(a)), Some(LinePart::Number(b))) if self.joins(a, b) => {}
+                (Some(LinePart::Text(a)), Some(LinePart::Text(b))) if a == b => {}
                 _ => return false,
             }
         }
@@ -33,7 +33,11 @@ impl Tolerance {
 }
 
 /// Where two texts differ.
-pub(super) fn differences(expected: &str, found: &str, tolerance: Tolerance) -> Vec<Difference> {
+pub(super) fn differences(
+    expected: &str,
+    found: &str,
+    tolerance: RelativeTolerance,
+) -> Vec<Difference> {
     let (expected, found): (Vec<&str>, Vec<&str>) =
         (expected.lines().collect(), found.lines().collect());
     let joins = |(a, b): &(&&str, &&str)| tolerance.joins_texts(a, b);
@@ -79,13 +83,13 @@ fn shown(lines: &[&str]) -> Option<String> {
 
 /// A part of a line.
 #[derive(Debug, PartialEq)]
-enum Piece<'a> {
+enum LinePart<'a> {
     Number(f64),
     Text(&'a str),
 }
 
 /// A line as numbers and what stands between them. A digit within a word is part of the word.
-fn pieces(mut line: &str) -> impl Iterator<Item = Piece<'_>> {
+fn pieces(mut line: &str) -> impl Iterator<Item = LinePart<'_>> {
     // What stands before decides whether a sign or a digit begins a number.
     let mut is_in_word = false;
     std::iter::from_fn(move || {
@@ -96,7 +100,7 @@ fn pieces(mut line: &str) -> impl Iterator<Item = Piece<'_>> {
             let (text, rest) = line.split_at(length);
             (line, is_in_word) = (rest, true);
             // What is spelled as a number is one; those beyond an f64 are infinite and unequal.
-            return Some(text.parse().map_or(Piece::Text(text), Piece::Number));
+            return Some(text.parse().map_or(LinePart::Text(text), LinePart::Number));
         }
         let mut end = 0;
         for (i, character) in line.char_indices() {
@@ -108,7 +112,7 @@ fn pieces(mut line: &str) -> impl Iterator<Item = Piece<'_>> {
         }
         let (text, rest) = line.split_at(end);
         line = rest;
-        Some(Piece::Text(text))
+        Some(LinePart::Text(text))
     })
 }
 
@@ -143,12 +147,12 @@ fn number(text: &str) -> Option<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Tolerance, differences};
+    use super::{RelativeTolerance, differences};
 
     #[track_caller]
     fn check(a: &str, b: &str, tolerance: f64, expected: bool) {
-        assert_eq!(Tolerance(tolerance).joins_texts(a, b), expected, "{a:?} and {b:?}");
-        assert_eq!(Tolerance(tolerance).joins_texts(b, a), expected, "{b:?} and {a:?}");
+        assert_eq!(RelativeTolerance(tolerance).joins_texts(a, b), expected, "{a:?} and {b:?}");
+        assert_eq!(RelativeTolerance(tolerance).joins_texts(b, a), expected, "{b:?} and {a:?}");
     }
 
     #[test]
@@ -181,14 +185,15 @@ mod tests {
 
     #[test]
     fn differences_name_their_lines() {
-        let found = differences("a = 1\nb = 2\nc = 3\n", "a = 1\nb = 5\nc = 3\n", Tolerance(0.0));
+        let found =
+            differences("a = 1\nb = 2\nc = 3\n", "a = 1\nb = 5\nc = 3\n", RelativeTolerance(0.0));
         assert_eq!(found.len(), 1);
         assert_eq!(found[0].text(), ": line 2\n    expected  b = 2\n    found     b = 5");
-        let found = differences("a = 1\nc = 3\n", "a = 1\nb = 2\nc = 3\n", Tolerance(0.0));
+        let found = differences("a = 1\nc = 3\n", "a = 1\nb = 2\nc = 3\n", RelativeTolerance(0.0));
         assert_eq!(
             found[0].text(),
             ": from line 2: 3 lines in all, 2 were expected\n    found     b = 2"
         );
-        assert_eq!(differences("", "", Tolerance(0.0)), []);
+        assert_eq!(differences("", "", RelativeTolerance(0.0)), []);
     }
 }

@@ -7,9 +7,9 @@ use glam::DVec3;
 
 use super::{
     difference::Difference,
-    lines::{self, Tolerance},
+    lines::{self, RelativeTolerance},
 };
-use crate::export::Part;
+use crate::export::MeasuredPart;
 
 /// Places of a part that are kept.
 const N_PLACES: usize = 12;
@@ -18,7 +18,7 @@ const N_PLACES: usize = 12;
 const PLACE: &str = "  at ";
 
 /// The text that is kept of the parts of a file.
-pub(super) fn text(parts: &[Part<'_>]) -> String {
+pub(super) fn text(parts: &[MeasuredPart<'_>]) -> String {
     let mut text = measures(parts);
     for part in parts.iter() {
         let _ = writeln!(text, "places of {}", on_a_line(part.name()));
@@ -32,10 +32,10 @@ pub(super) fn text(parts: &[Part<'_>]) -> String {
 /// Where the parts differ from what is kept.
 pub(super) fn differences(
     expected: &str,
-    parts: &[Part<'_>],
-    tolerance: Tolerance,
+    parts: &[MeasuredPart<'_>],
+    tolerance: RelativeTolerance,
 ) -> Vec<Difference> {
-    let kept = match Kept::read(expected) {
+    let kept = match GoldenMeasures::read(expected) {
         Ok(kept) => kept,
         Err(message) => return vec![Difference::of_whole(message)],
     };
@@ -63,7 +63,7 @@ pub(super) fn differences(
 }
 
 /// The measures of all parts, line by line.
-fn measures(parts: &[Part<'_>]) -> String {
+fn measures(parts: &[MeasuredPart<'_>]) -> String {
     let mut text = String::new();
     for part in parts {
         let _ = writeln!(text, "{}", on_a_line(part.name()));
@@ -80,13 +80,13 @@ fn on_a_line(name: &str) -> String {
 }
 
 /// What a golden file holds.
-struct Kept {
+struct GoldenMeasures {
     measures: String,
     /// Of each part.
     places: Vec<Vec<DVec3>>,
 }
 
-impl Kept {
+impl GoldenMeasures {
     fn read(text: &str) -> Result<Self, String> {
         let mut kept = Self { measures: String::new(), places: Vec::new() };
         for (i, line) in text.lines().enumerate() {

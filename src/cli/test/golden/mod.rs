@@ -21,16 +21,16 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use self::{header::Header, lines::Tolerance};
+use self::{header::Header, lines::RelativeTolerance};
 use crate::{
     cli::{
-        Ending,
+        ExitStatus,
         files::{read_whole, reason},
         run,
         write::capped,
     },
     diag::{Diagnostic, Severity},
-    export::{self, Part},
+    export::{self, MeasuredPart},
     limits::Limits,
     session::{Event, File, Report, name_flag},
 };
@@ -50,7 +50,7 @@ const MEASURES: &str = "measures";
 
 /// What is asked of a golden folder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Wish {
+pub(super) enum GoldenMode {
     /// That nothing changed.
     Compare,
     /// That it holds what the script says and writes now, if there is one.
@@ -61,7 +61,7 @@ pub(super) enum Wish {
 
 /// How it came out.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Judged {
+pub(super) enum GoldenOutcome {
     /// So many files are as they were.
     Same(usize),
     /// Something is not.
@@ -84,21 +84,21 @@ pub(super) fn folder(script: &Path) -> PathBuf {
 pub(super) fn judge(
     report: &mut Report,
     folder: &Path,
-    wish: Wish,
+    wish: GoldenMode,
     limits: &Limits,
-) -> Option<(Judged, Ending)> {
+) -> Option<(GoldenOutcome, ExitStatus)> {
     let is_said = |event: &Event| !matches!(event, Event::Checked(_));
     let says_something = report.events.iter().any(is_said) || 0 < report.count(Severity::Warning);
     let is_there = folder.symlink_metadata().is_ok();
-    if !is_there && (wish != Wish::Make || !says_something) {
+    if !is_there && (wish != GoldenMode::Make || !says_something) {
         return None;
     }
     if 0 < report.count(Severity::Error) {
-        return Some((Judged::Skipped, Ending::Wrong));
+        return Some((GoldenOutcome::Skipped, ExitStatus::Wrong));
     }
-    let unusable = |message| Some((Judged::Unusable(message), Ending::Usage));
+    let unusable = |message| Some((GoldenOutcome::Unusable(message), ExitStatus::Usage));
     let header = match header(folder, is_there, wish, limits) {
-        Ok(header) if wish == Wish::Compare => header,
+        Ok(header) if wish == GoldenMode::Compare => header,
         Ok(header) => header.newest(),
         Err(message) => return unusable(message),
     };
@@ -106,7 +106,7 @@ pub(super) fn judge(
         Ok(pages) => pages,
         Err((found, ending)) => {
             report.diagnostics.push(*found);
-            return Some((Judged::Skipped, ending));
+            return Some((GoldenOutcome::Skipped, ending));
         }
     };
     let apart = match compare(&pages, folder, header, wish, limits) {
@@ -114,28 +114,35 @@ pub(super) fn judge(
         Err(message) => return unusable(message),
     };
     match wish {
-        Wish::Compare if apart.is_empty() => Some((Judged::Same(pages.len()), Ending::Well)),
-        Wish::Compare => Some((Judged::Apart(apart), Ending::Failed)),
-        Wish::Bless | Wish::Make => match keep::write(&pages, folder, header) {
-            Ok(()) => Some((Judged::Blessed(pages.len(), apart), Ending::Well)),
+        GoldenMode::Compare if apart.is_empty() => {
+            Some((GoldenOutcome::Same(pages.len()), ExitStatus::Well))
+        }
+        GoldenMode::Compare => Some((GoldenOutcome::Apart(apart), ExitStatus::Failed)),
+        GoldenMode::Bless | GoldenMode::Make => match keep::write(&pages, folder, header) {
+            Ok(()) => Some((GoldenOutcome::Blessed(pages.len(), apart), ExitStatus::Well)),
             Err(message) => unusable(message),
         },
     }
 }
 
 /// The header of a folder.
-fn header(folder: &Path, is_there: bool, wish: Wish, limits: &Limits) -> Result<Header, String> {
+fn header(
+    folder: &Path,
+    is_there: bool,
+    wish: GoldenMode,
+    limits: &Limits,
+) -> Result<Header, String> {
     let path = folder.join(HEADER);
     if is_there && !folder.is_dir() {
         return Err(format!("`{}` must be a folder", folder.display()));
     }
     if path.symlink_metadata().is_err() {
         return match wish {
-            Wish::Compare => Err(format!(
+            GoldenMode::Compare => Err(format!(
                 "`{}` has no `{HEADER}`; `virote test --bless` writes it",
                 folder.display()
             )),
-            Wish::Bless | Wish::Make => Ok(Header::default()),
+            GoldenMode::Bless | GoldenMode::Make => Ok(Header::default()),
         };
     }
     let told = |message: String| format!("`{}` {message}", path.display());
@@ -145,17 +152,17 @@ fn header(folder: &Path, is_there: bool, wish: Wish, limits: &Limits) -> Result<
 }
 
 /// A file of a golden folder, as it should be.
-struct Page<'a> {
+struct GoldenFile<'a> {
     /// Its path below the folder, with `/` between its parts.
     path: String,
-    content: Content<'a>,
+    content: GoldenContent<'a>,
 }
 
 /// What it holds, and so how it is compared.
-enum Content<'a> {
+enum GoldenContent<'a> {
     Lines(String),
     Table(Vec<u8>),
-    Measures(Vec<Part<'a>>),
+    Measures(Vec<MeasuredPart<'a>>),
     Bytes(Vec<u8>),
 }
 
@@ -164,7 +171,7 @@ fn pages<'a>(
     report: &'a Report,
     header: Header,
     limits: &Limits,
-) -> Result<Vec<Page<'a>>, (Box<Diagnostic>, Ending)> {
+) -> Result<Vec<GoldenFile<'a>>, (Box<Diagnostic>, ExitStatus)> {
     let mut printed = String::new();
     let mut pages = Vec::new();
     for event in &report.events {
@@ -185,9 +192,12 @@ fn pages<'a>(
     }
     let warnings = if header.has_warnings { warnings(report) } else { String::new() };
     let texts = [(PRINTED, printed), (WARNINGS, warnings)].into_iter();
-    let mut all: Vec<Page<'_>> = texts
+    let mut all: Vec<GoldenFile<'_>> = texts
         .filter(|(_, text)| !text.is_empty())
-        .map(|(path, text)| Page { path: path.to_owned(), content: Content::Lines(text) })
+        .map(|(path, text)| GoldenFile {
+            path: path.to_owned(),
+            content: GoldenContent::Lines(text),
+        })
         .collect();
     all.append(&mut pages);
     Ok(all)
@@ -204,35 +214,38 @@ fn page<'a>(
     file: &'a File,
     header: Header,
     limits: &Limits,
-) -> Result<Page<'a>, export::ExportError> {
+) -> Result<GoldenFile<'a>, export::ExportError> {
     let path = format!("{FILES}/{}", file.path);
     if !header.by_bytes && file.format.holds_meshes(&file.job.options) {
         let parts = export::parts(&file.job)?;
-        return Ok(Page { path: format!("{path}.{MEASURES}"), content: Content::Measures(parts) });
+        return Ok(GoldenFile {
+            path: format!("{path}.{MEASURES}"),
+            content: GoldenContent::Measures(parts),
+        });
     }
     // It is held in memory, as is what it is compared with.
     let most = file.job.limits.output_bytes.min(limits.input_bytes as u64);
     let mut bytes = Vec::new();
     capped(&mut bytes, most, &|_| {}, |out| (file.format.write)(&file.job, out))?;
     let content = if header.by_bytes {
-        Content::Bytes(bytes)
+        GoldenContent::Bytes(bytes)
     } else if file.format.takes_tables() {
-        Content::Table(bytes)
+        GoldenContent::Table(bytes)
     } else {
         match String::from_utf8(bytes) {
-            Ok(text) => Content::Lines(text),
-            Err(err) => Content::Bytes(err.into_bytes()),
+            Ok(text) => GoldenContent::Lines(text),
+            Err(err) => GoldenContent::Bytes(err.into_bytes()),
         }
     };
-    Ok(Page { path, content })
+    Ok(GoldenFile { path, content })
 }
 
 /// Where a folder differs from what it should hold.
 fn compare(
-    pages: &[Page<'_>],
+    pages: &[GoldenFile<'_>],
     folder: &Path,
     header: Header,
-    wish: Wish,
+    wish: GoldenMode,
     limits: &Limits,
 ) -> Result<Vec<Difference>, String> {
     let called = folder.file_name().unwrap_or_default().to_string_lossy();
@@ -244,7 +257,11 @@ fn compare(
                 .map_err(|message| format!("cannot read `{}`: {message}", path.display()))?;
             page.differences(&bytes, header, limits)
         } else {
-            vec![Difference::of_whole(if wish == Wish::Compare { "is missing" } else { "is new" })]
+            vec![Difference::of_whole(if wish == GoldenMode::Compare {
+                "is missing"
+            } else {
+                "is new"
+            })]
         };
         let file = format!("{called}/{}", page.path);
         apart.extend(found.into_iter().map(|found| found.in_file(&file)));
@@ -258,19 +275,21 @@ fn compare(
     Ok(apart)
 }
 
-impl Page<'_> {
+impl GoldenFile<'_> {
     fn differences(&self, bytes: &[u8], header: Header, limits: &Limits) -> Vec<Difference> {
-        let tolerance = Tolerance(header.tolerance);
+        let tolerance = RelativeTolerance(header.tolerance);
         let text = std::str::from_utf8(bytes);
         match (&self.content, text) {
-            (Content::Lines(found), Ok(expected)) => lines::differences(expected, found, tolerance),
-            (Content::Measures(parts), Ok(expected)) => {
+            (GoldenContent::Lines(found), Ok(expected)) => {
+                lines::differences(expected, found, tolerance)
+            }
+            (GoldenContent::Measures(parts), Ok(expected)) => {
                 measures::differences(expected, parts, tolerance)
             }
-            (Content::Table(found), _) => {
+            (GoldenContent::Table(found), _) => {
                 table::differences(bytes, found, limits.list_length, tolerance)
             }
-            (Content::Bytes(found), _) => of_bytes(bytes, found),
+            (GoldenContent::Bytes(found), _) => of_bytes(bytes, found),
             (_, Err(err)) => {
                 let at = err.valid_up_to() + 1;
                 vec![Difference::of_whole(format!("byte {at} is not UTF-8 text"))]

@@ -2,19 +2,19 @@
 
 use super::{
     difference::{Difference, MOST_TOLD},
-    lines::Tolerance,
+    lines::RelativeTolerance,
 };
 use crate::ops;
 
 /// The column of a table: its title, and its cells.
-type Column = (String, Vec<String>);
+type GoldenColumn = (String, Vec<String>);
 
 /// Where two tables differ; `most` rows are allowed.
 pub(super) fn differences(
     expected: &[u8],
     found: &[u8],
     most: usize,
-    tolerance: Tolerance,
+    tolerance: RelativeTolerance,
 ) -> Vec<Difference> {
     let expected = match columns(expected, most) {
         Ok(columns) => columns,
@@ -26,13 +26,13 @@ pub(super) fn differences(
             return vec![Difference::of_whole(format!("what is written is no table: {message}"))];
         }
     };
-    let titles = |columns: &[Column]| {
+    let titles = |columns: &[GoldenColumn]| {
         columns.iter().map(|(title, _)| title.as_str()).collect::<Vec<_>>().join(", ")
     };
     if titles(&expected) != titles(&found) {
         return vec![Difference::of_texts("the columns", &titles(&expected), &titles(&found))];
     }
-    let rows = |columns: &[Column]| columns.first().map_or(0, |(_, cells)| cells.len());
+    let rows = |columns: &[GoldenColumn]| columns.first().map_or(0, |(_, cells)| cells.len());
     let mut told = Vec::new();
     if rows(&expected) != rows(&found) {
         let count = |columns| rows(columns).to_string();
@@ -50,9 +50,9 @@ pub(super) fn differences(
 
 /// What is different in a column: how many cells, and the first of them.
 fn of_columns(
-    (title, expected): &Column,
-    (_, found): &Column,
-    tolerance: Tolerance,
+    (title, expected): &GoldenColumn,
+    (_, found): &GoldenColumn,
+    tolerance: RelativeTolerance,
 ) -> Option<Difference> {
     let mut apart =
         expected.iter().zip(found).enumerate().filter(|(_, (a, b))| !tolerance.joins_texts(a, b));
@@ -66,12 +66,12 @@ fn of_columns(
 }
 
 /// The columns of a table as text.
-fn columns(bytes: &[u8], most: usize) -> Result<Vec<Column>, String> {
+fn columns(bytes: &[u8], most: usize) -> Result<Vec<GoldenColumn>, String> {
     let text = std::str::from_utf8(bytes).map_err(|_| "it is not text in UTF-8".to_owned())?;
     let mut rows = ops::csv_rows(text, ',', most)?.into_iter();
     let (_, header) = rows.next().ok_or("it is empty")?;
     let n_columns = header.len();
-    let mut columns: Vec<Column> =
+    let mut columns: Vec<GoldenColumn> =
         header.into_iter().map(|(title, _)| (title, Vec::new())).collect();
     for (line, row) in rows {
         if row.len() != n_columns {

@@ -7,9 +7,9 @@
 //! size makes no difference.
 
 use super::{
-    Meeting, Search,
+    CurveIntersection, IntersectionSearch,
     newton::{foot, inside, place},
-    told::Told,
+    told::ReportedIntersection,
 };
 use crate::{
     GeomError, Interval,
@@ -42,14 +42,14 @@ const FEW_ROUNDINGS: f64 = 1e4;
 /// A stretch on which two curves are within the tolerance, by the parameters of both. Over the seam
 /// of a closed curve parameters go on beyond the domain.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Contact {
+pub(super) struct ContactInterval {
     pub(super) first: Interval,
     pub(super) second: Interval,
 }
 
-impl Search<'_> {
+impl IntersectionSearch<'_> {
     /// Notes a contact, as one with those that lie next to it on both curves.
-    pub(super) fn touches(&mut self, mut contact: Contact) {
+    pub(super) fn touches(&mut self, mut contact: ContactInterval) {
         // What is joined may reach others that neither reached alone.
         while let Some((idx, joined)) = self.joined(contact) {
             self.contacts.swap_remove(idx);
@@ -59,11 +59,11 @@ impl Search<'_> {
     }
 
     /// A known contact next to this one, and both as one.
-    fn joined(&self, contact: Contact) -> Option<(usize, Contact)> {
+    fn joined(&self, contact: ContactInterval) -> Option<(usize, ContactInterval)> {
         self.contacts.iter().enumerate().find_map(|(idx, known)| {
             let first = self.hull(self.first, known.first, contact.first)?;
             let second = self.hull(self.second, known.second, contact.second)?;
-            Some((idx, Contact { first, second }))
+            Some((idx, ContactInterval { first, second }))
         })
     }
 
@@ -95,7 +95,7 @@ impl Search<'_> {
     }
 
     /// How the distance runs along a stretch.
-    fn valley(&self, stretch: Contact) -> Valley {
+    fn valley(&self, stretch: ContactInterval) -> Valley {
         let apart = |t: f64| {
             let p = place(self.first, t);
             place(self.second, foot(self.second, stretch.second, p)).distance(p)
@@ -104,7 +104,7 @@ impl Search<'_> {
     }
 
     /// Whether the curves are one place only at a stretch.
-    fn is_touch(&self, stretch: Contact, valley: &Valley) -> bool {
+    fn is_touch(&self, stretch: ContactInterval, valley: &Valley) -> bool {
         let extent = self.extent(self.first, stretch.first);
         if extent <= ONE_CONTACT * self.tolerance {
             return true;
@@ -121,7 +121,7 @@ impl Search<'_> {
     }
 
     /// Whether a stretch of one piece of each curve ends where both pieces go on.
-    fn ends_within(&self, stretch: Contact) -> bool {
+    fn ends_within(&self, stretch: ContactInterval) -> bool {
         let sides = |curve: &NurbsCurve, interval: Interval| {
             let span = curve.knots().span_interval(curve.knots().span_at(interval.at(0.5)));
             let before = Interval::new(span.start(), interval.start());
@@ -139,7 +139,10 @@ impl Search<'_> {
     ///
     /// # Errors
     /// [`GeomError::RunTogether`], [`GeomError::RunsAlongItself`].
-    pub(super) fn told(&self, stretch: Contact) -> Result<Option<Told>, GeomError> {
+    pub(super) fn told(
+        &self,
+        stretch: ContactInterval,
+    ) -> Result<Option<ReportedIntersection>, GeomError> {
         let valley = self.valley(stretch);
         if !self.is_touch(stretch, &valley) {
             return Err(self.run_together(stretch));
@@ -153,20 +156,20 @@ impl Search<'_> {
         let (first, second) = (inside(self.first, valley.bottom), inside(self.second, second));
         let touch = self.meeting(first, round(second, dust));
         // A crossing is known to the last bit, a touch is not.
-        let apart = |meeting: &Meeting| {
+        let apart = |meeting: &CurveIntersection| {
             let ends = [self.first.point_at(meeting.first), self.second.point_at(meeting.second)];
             ends[0].distance(ends[1])
         };
-        let is_better = |crossing: &Meeting| {
+        let is_better = |crossing: &CurveIntersection| {
             valley.floor.contains(crossing.first) == touch.is_none()
                 || touch.is_some_and(|touch| apart(crossing) + self.rounding < apart(&touch))
         };
         let meeting = crossing.filter(is_better).or(touch);
-        Ok(meeting.map(|meeting| Told { meeting, stretch: Some(stretch) }))
+        Ok(meeting.map(|meeting| ReportedIntersection { meeting, stretch: Some(stretch) }))
     }
 
     /// Whether a curve comes to itself by turning back between both sides.
-    fn is_fold(&self, stretch: Contact) -> bool {
+    fn is_fold(&self, stretch: ContactInterval) -> bool {
         let gap = Interval::new(stretch.first.end(), stretch.second.start());
         self.is_same && gap.map_or(true, |gap| self.is_one_place(self.first, gap))
     }
@@ -178,7 +181,7 @@ impl Search<'_> {
     }
 
     /// That the curves run together about a stretch, and from where to where they do.
-    pub(super) fn run_together(&self, stretch: Contact) -> GeomError {
+    pub(super) fn run_together(&self, stretch: ContactInterval) -> GeomError {
         let domain = self.first.domain();
         let is_on = |t: f64| {
             let p = place(self.first, t);

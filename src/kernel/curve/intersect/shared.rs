@@ -3,8 +3,8 @@
 //! Such pieces share an arc that ends where one of them does. It is told before anything is halved,
 //! since halving would come to as many parts as the arc is tolerances long.
 
-use super::{Search, contact::Contact, newton::foot};
-use crate::{GeomError, Interval, curve::part::Part};
+use super::{IntersectionSearch, contact::ContactInterval, newton::foot};
+use crate::{GeomError, Interval, curve::part::CurvePart};
 
 /// Places of an arc that are looked at, besides its ends.
 const N_LOOKS: usize = 16;
@@ -12,10 +12,10 @@ const N_LOOKS: usize = 16;
 /// Roundings within which pieces are the same curve.
 const SAME_ROUNDINGS: f64 = 16.0;
 
-impl Search<'_> {
+impl IntersectionSearch<'_> {
     /// # Errors
     /// [`GeomError::RunTogether`] where two pieces share an arc that is longer than a touch.
-    pub(super) fn check_shared(&self, a: &Part, b: &Part) -> Result<(), GeomError> {
+    pub(super) fn check_shared(&self, a: &CurvePart, b: &CurvePart) -> Result<(), GeomError> {
         let on_first = |s: f64| foot(self.first, a.interval, self.second.point_at(s));
         let ends = [a.interval.start(), a.interval.end()].into_iter();
         let others = [b.interval.start(), b.interval.end()].map(on_first);
@@ -28,7 +28,7 @@ impl Search<'_> {
         {
             return Ok(());
         }
-        Err(self.run_together(Contact { first, second: b.interval }))
+        Err(self.run_together(ContactInterval { first, second: b.interval }))
     }
 
     /// Whether the first curve is at a point of the other, up to rounding.

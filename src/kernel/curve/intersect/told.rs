@@ -1,8 +1,8 @@
 //! Meetings in order, each once.
 
 use super::{
-    Meeting, Search,
-    contact::Contact,
+    CurveIntersection, IntersectionSearch,
+    contact::ContactInterval,
     newton::{foot, place},
 };
 use crate::{GeomError, Interval, curve::NurbsCurve, tolerance::KNOT_RELATIVE};
@@ -12,40 +12,40 @@ const ARC_CELLS: usize = 16;
 
 /// A meeting, and the stretch that came down to it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Told {
-    pub(super) meeting: Meeting,
-    pub(super) stretch: Option<Contact>,
+pub(super) struct ReportedIntersection {
+    pub(super) meeting: CurveIntersection,
+    pub(super) stretch: Option<ContactInterval>,
 }
 
-impl Told {
+impl ReportedIntersection {
     /// Of two pieces that cross clearly.
-    pub(super) fn crossing(meeting: Meeting) -> Self {
+    pub(super) fn crossing(meeting: CurveIntersection) -> Self {
         Self { meeting, stretch: None }
     }
 }
 
-impl Search<'_> {
+impl IntersectionSearch<'_> {
     /// The meetings in order.
     ///
     /// # Errors
     /// [`GeomError::RunTogether`], [`GeomError::RunsAlongItself`].
-    pub(super) fn finish(mut self) -> Result<Vec<Meeting>, GeomError> {
+    pub(super) fn finish(mut self) -> Result<Vec<CurveIntersection>, GeomError> {
         for stretch in std::mem::take(&mut self.contacts) {
             let told = self.told(stretch)?;
             self.meetings.extend(told);
         }
         let mut meetings = std::mem::take(&mut self.meetings);
         if !self.is_same {
-            for Told { meeting, .. } in &mut meetings {
+            for ReportedIntersection { meeting, .. } in &mut meetings {
                 meeting.first = self.at_seam(self.first, meeting.first);
                 meeting.second = self.at_seam(self.second, meeting.second);
             }
         }
-        let order = |a: &Meeting, b: &Meeting| {
+        let order = |a: &CurveIntersection, b: &CurveIntersection| {
             a.first.total_cmp(&b.first).then(a.second.total_cmp(&b.second))
         };
         meetings.sort_by(|a, b| order(&a.meeting, &b.meeting));
-        let mut kept: Vec<Told> = Vec::new();
+        let mut kept: Vec<ReportedIntersection> = Vec::new();
         for told in meetings {
             match kept.iter_mut().find(|known| self.are_one(known, &told)) {
                 Some(known) => {
@@ -56,7 +56,8 @@ impl Search<'_> {
                 None => kept.push(told),
             }
         }
-        let mut meetings: Vec<Meeting> = kept.into_iter().map(|told| told.meeting).collect();
+        let mut meetings: Vec<CurveIntersection> =
+            kept.into_iter().map(|told| told.meeting).collect();
         meetings.sort_by(order);
         Ok(meetings)
     }
@@ -72,9 +73,9 @@ impl Search<'_> {
 
     /// Whether two meetings are one: between them both curves stay at one place, or the one lies on
     /// the stretch of the other.
-    fn are_one(&self, a: &Told, b: &Told) -> bool {
-        let is_on = |told: &Told, other: &Told| {
-            other.stretch.is_some_and(|Contact { first, second }| {
+    fn are_one(&self, a: &ReportedIntersection, b: &ReportedIntersection) -> bool {
+        let is_on = |told: &ReportedIntersection, other: &ReportedIntersection| {
+            other.stretch.is_some_and(|ContactInterval { first, second }| {
                 self.contains(self.first, first, told.meeting.first)
                     && self.contains(self.second, second, told.meeting.second)
             })
@@ -90,7 +91,7 @@ impl Search<'_> {
 
     /// Whether between two meetings the first curve stays within the tolerance of the second, over the
     /// seams too.
-    fn stay_together(&self, a: &Meeting, b: &Meeting) -> bool {
+    fn stay_together(&self, a: &CurveIntersection, b: &CurveIntersection) -> bool {
         let arcs = |curve: &NurbsCurve, a: f64, b: f64| {
             let (low, high) = (a.min(b), a.max(b));
             let over_seam = curve
@@ -132,9 +133,9 @@ impl Search<'_> {
 
     /// Whether the curves are nearer at one meeting than at another, by more than rounding; a
     /// crossing is known better than a touch.
-    fn is_nearer(&self, told: &Told, known: &Told) -> bool {
-        let apart = |told: &Told| {
-            let Meeting { first, second, .. } = told.meeting;
+    fn is_nearer(&self, told: &ReportedIntersection, known: &ReportedIntersection) -> bool {
+        let apart = |told: &ReportedIntersection| {
+            let CurveIntersection { first, second, .. } = told.meeting;
             place(self.first, first).distance(place(self.second, second))
         };
         apart(told) + self.rounding < apart(known)

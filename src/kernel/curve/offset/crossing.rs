@@ -2,7 +2,7 @@
 
 use crate::{
     Bounds, GeomError, Interval,
-    curve::{Meeting, NurbsCurve, intersect::work},
+    curve::{CurveIntersection, NurbsCurve, intersect::work},
     tolerance::TURN_MARGIN,
 };
 
@@ -15,7 +15,7 @@ pub(super) fn crossings(
     curve: &NurbsCurve,
     turns: &[f64],
     tolerance: f64,
-) -> Result<Vec<Meeting>, GeomError> {
+) -> Result<Vec<CurveIntersection>, GeomError> {
     let domain = curve.domain();
     let mut ends = turns.to_vec();
     ends.retain(|&t| domain.start() < t && t < domain.end());
@@ -33,7 +33,7 @@ pub(super) fn crossings(
         stretches.extend(bounds.map(|bounds| (bounds, stretch)));
     }
 
-    let is_seam = |meeting: &Meeting| {
+    let is_seam = |meeting: &CurveIntersection| {
         let near = TURN_MARGIN * domain.length();
         meeting.first - domain.start() <= near
             && domain.end() - meeting.second <= near

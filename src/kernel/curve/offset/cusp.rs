@@ -7,7 +7,7 @@
 
 use glam::DVec3;
 
-use super::Aim;
+use super::CurveOffsetTarget;
 use crate::{
     Interval, Side,
     bernstein::{derivative, halves, largest, product},
@@ -28,7 +28,7 @@ const MOST_VARIATION: f64 = 4.0;
 const MAX_HALVINGS: usize = 40;
 
 /// Part of a piece: V flat about the normal, and w.
-struct Part {
+struct PieceRange {
     interval: Interval,
     velocity: Vec<DVec3>,
     weight: Vec<f64>,
@@ -36,14 +36,15 @@ struct Part {
 }
 
 /// Parameters where the offset stands still, in order; of a stretch of them its two ends.
-pub(super) fn cusps(curve: &NurbsCurve, aim: Aim) -> Vec<f64> {
+pub(super) fn cusps(curve: &NurbsCurve, aim: CurveOffsetTarget) -> Vec<f64> {
     let (mut crossing, mut turning) = (Signs::default(), Signs::default());
     let mut found = Vec::new();
     for piece in curve.pieces() {
         let flat = |slope: &DVec3| slope.reject_from_normalized(aim.normal);
         let velocity = piece.velocity.iter().map(flat).collect();
         let weight = piece.weight.clone();
-        let mut todo = vec![Part { interval: piece.interval, velocity, weight, n_halvings: 0 }];
+        let mut todo =
+            vec![PieceRange { interval: piece.interval, velocity, weight, n_halvings: 0 }];
         while work::goes_on(1)
             && let Some(part) = todo.pop()
         {
@@ -78,7 +79,7 @@ pub(super) fn cusps(curve: &NurbsCurve, aim: Aim) -> Vec<f64> {
     curve.without_repeats(found)
 }
 
-impl Part {
+impl PieceRange {
     /// In the order in which a stack gives them back.
     fn halves(self) -> [Self; 2] {
         let points: Vec<glam::DVec4> = self.velocity.iter().map(|v| v.extend(0.0)).collect();
@@ -95,7 +96,12 @@ impl Part {
     }
 
     /// Follows the polynomial and its slope; the ends of the part if it is zero all along.
-    fn follow(&self, aim: Aim, fastest: f64, signs: [&mut Signs; 2]) -> Option<[f64; 2]> {
+    fn follow(
+        &self,
+        aim: CurveOffsetTarget,
+        fastest: f64,
+        signs: [&mut Signs; 2],
+    ) -> Option<[f64; 2]> {
         let times = |a: f64, b: f64| a * b;
         let velocity: Vec<DVec3> = self.velocity.iter().map(|&v| v / fastest).collect();
         let heaviest = largest(&self.weight);
@@ -122,7 +128,7 @@ impl Part {
 
 /// `1 + d·κ`, κ positive for a turn to the left: how fast the offset goes beside the curve. Not a
 /// number where the curve stands still.
-pub(super) fn speed(curve: &NurbsCurve, aim: Aim, t: f64, side: Side) -> f64 {
+pub(super) fn speed(curve: &NurbsCurve, aim: CurveOffsetTarget, t: f64, side: Side) -> f64 {
     let derivatives = curve.derivatives_beside(t, side, 2);
     let [first, second] = [1, 2].map(|k| derivatives[k].reject_from_normalized(aim.normal));
     let length = first.length();

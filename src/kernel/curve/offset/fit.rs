@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{Aim, unweighted};
+use super::{CurveOffsetTarget, unweighted};
 use crate::{
     GeomError, Interval, KnotVector, NurbsCurve,
     bernstein::{binomials, derivative, product},
@@ -15,10 +15,13 @@ use crate::{
 const MAX_HALVINGS: usize = 38;
 
 /// Point, first and second derivative.
-type Contact = [DVec3; 3];
+type SecondOrderPoint = [DVec3; 3];
 
 /// Bézier pieces that follow the offset of a curve without corners, in order.
-pub(super) fn pieces(curve: &NurbsCurve, aim: Aim) -> Result<Vec<NurbsCurve>, GeomError> {
+pub(super) fn pieces(
+    curve: &NurbsCurve,
+    aim: CurveOffsetTarget,
+) -> Result<Vec<NurbsCurve>, GeomError> {
     let mut pieces = Vec::new();
     for span in curve.knots().spans() {
         let whole = bezier::piece(curve.knots(), curve.control_points(), span);
@@ -52,7 +55,11 @@ pub(super) fn pieces(curve: &NurbsCurve, aim: Aim) -> Result<Vec<NurbsCurve>, Ge
 }
 
 /// Control points of the quintic in contact with the offset at both ends of a Bézier piece.
-fn fitted(points: &[DVec4], interval: Interval, aim: Aim) -> Result<Vec<DVec3>, GeomError> {
+fn fitted(
+    points: &[DVec4],
+    interval: Interval,
+    aim: CurveOffsetTarget,
+) -> Result<Vec<DVec3>, GeomError> {
     let backwards: Vec<DVec4> = points.iter().rev().copied().collect();
     let [a, da, dda] = contact(points, aim.distance, aim, interval.start())?;
     // Backwards the right side is the left one.
@@ -72,9 +79,9 @@ fn fitted(points: &[DVec4], interval: Interval, aim: Aim) -> Result<Vec<DVec3>, 
 fn contact(
     points: &[DVec4],
     distance: f64,
-    aim: Aim,
+    aim: CurveOffsetTarget,
     parameter: f64,
-) -> Result<Contact, GeomError> {
+) -> Result<SecondOrderPoint, GeomError> {
     let degree = points.len() - 1;
     let start = homogeneous::place(points[0]);
     let far = |&point: &DVec4| homogeneous::place(point).distance(start);
@@ -124,7 +131,7 @@ fn taylor(points: &[DVec4], order: usize) -> Vec<DVec3> {
 ///
 /// With V from the curve to the fitted piece, the true offset is where V has no part along the
 /// tangent, none along the normal, and length d: three polynomials, which bound how far it is.
-fn deviation(points: &[DVec4], fitted: &[DVec3], aim: Aim) -> f64 {
+fn deviation(points: &[DVec4], fitted: &[DVec3], aim: CurveOffsetTarget) -> f64 {
     let weights: Vec<f64> = points.iter().map(|point| point.w).collect();
     let slopes = derivative(points);
     let along = product(&slopes, points, |slope, point| {

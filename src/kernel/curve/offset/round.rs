@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
-use super::Aim;
+use super::CurveOffsetTarget;
 use crate::{
     Curve, GeomError, Interval, KnotVector, NurbsCurve, Side,
     bernstein::product,
@@ -13,7 +13,10 @@ use crate::{
 
 /// The offset of a circular arc about the normal: the arc about the same centre; none for other
 /// curves.
-pub(super) fn offset(curve: &NurbsCurve, aim: Aim) -> Result<Option<NurbsCurve>, GeomError> {
+pub(super) fn offset(
+    curve: &NurbsCurve,
+    aim: CurveOffsetTarget,
+) -> Result<Option<NurbsCurve>, GeomError> {
     let start = curve.domain().start();
     let local = Curve::from(curve.clone()).local_at(start, Side::Right);
     let Ok((Ok(radius), Ok(inward))) =
@@ -57,7 +60,7 @@ fn is_arc(curve: &NurbsCurve, center: DVec3, radius: f64, normal: DVec3) -> bool
 }
 
 /// How the offset goes on from one smooth part to the next.
-pub(super) struct Corner {
+pub(super) struct OffsetCorner {
     /// The arc about the corner, unless the parts meet without one.
     pub(super) arc: Vec<NurbsCurve>,
     /// Whether the offset lies on the side that the corner turns to.
@@ -69,13 +72,13 @@ pub(super) struct Corner {
 pub(super) fn corner(
     before: &NurbsCurve,
     after: &NurbsCurve,
-    aim: Aim,
-) -> Result<Corner, GeomError> {
+    aim: CurveOffsetTarget,
+) -> Result<OffsetCorner, GeomError> {
     let (end, start) = (before.domain().end(), after.domain().start());
     let (out, into) = (before.tangent_at(end, Side::Left)?, after.tangent_at(start, Side::Right)?);
     let (from, to) = (aim.side(out, end)?, aim.side(into, start)?);
     if from.distance(to) <= aim.accuracy {
-        return Ok(Corner { arc: Vec::new(), is_inner: false });
+        return Ok(OffsetCorner { arc: Vec::new(), is_inner: false });
     }
     let turn = from.cross(to).dot(aim.normal) / (aim.distance * aim.distance);
     let turns_back = from.dot(to) < 0.0 && turn.abs() <= VANISHING_RELATIVE;
@@ -97,5 +100,5 @@ pub(super) fn corner(
         let arc = NurbsCurve::rational(KnotVector::bezier(2)?, &points, &[1.0, weight, 1.0])?;
         Ok(arc.reparametrized(domain((b - a).length())))
     };
-    Ok(Corner { arc: vec![arc((from, middle))?, arc((middle, to))?], is_inner })
+    Ok(OffsetCorner { arc: vec![arc((from, middle))?, arc((middle, to))?], is_inner })
 }

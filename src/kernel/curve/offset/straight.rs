@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Aim, Offset};
+use super::{CurveOffsetTarget, Offset};
 use crate::{GeomError, NurbsCurve, tolerance::VANISHING_RELATIVE};
 
 /// The least squared cosine of half a corner's turn that keeps the corner: a spike of four times
@@ -11,7 +11,10 @@ const LEAST_MITRE: f64 = 0.0625;
 
 /// The offset of a polygon in a plane normal to the normal: each leg moved to its side, and cut
 /// or prolonged to meet the next; none for other curves, and where a corner would grow to a spike.
-pub(super) fn offset(curve: &NurbsCurve, aim: Aim) -> Result<Option<Offset>, GeomError> {
+pub(super) fn offset(
+    curve: &NurbsCurve,
+    aim: CurveOffsetTarget,
+) -> Result<Option<Offset>, GeomError> {
     let knots = curve.knots().as_slice();
     let n_points = curve.control_points().len();
     let is_plain = knots.windows(2).skip(1).take(n_points - 1).all(|pair| pair[0] < pair[1]);

@@ -27,13 +27,13 @@ const MAX_LINES: usize = 17;
 
 /// What the offset needs to know besides the knots.
 #[derive(Clone, Copy)]
-pub(super) struct Aim<'a> {
+pub(super) struct SurfaceOffsetTarget<'a> {
     pub(super) surface: &'a Surface,
     pub(super) distance: f64,
     pub(super) tolerance: f64,
 }
 
-impl Aim<'_> {
+impl SurfaceOffsetTarget<'_> {
     /// The point of the true offset.
     pub(super) fn point(self, u: f64, v: f64) -> Result<DVec3, GeomError> {
         let point = self.surface.point_at(u, v)?;
@@ -51,14 +51,14 @@ impl Aim<'_> {
 
 /// The largest distance and where it is, and the sum of all that were measured.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Worst {
+pub(super) struct LargestDeviation {
     pub(super) distance: f64,
     pub(super) at: [f64; 2],
     sum: f64,
     n_places: usize,
 }
 
-impl Worst {
+impl LargestDeviation {
     fn at(u: f64, v: f64) -> Self {
         Self { distance: 0.0, at: [u, v], sum: 0.0, n_places: 0 }
     }
@@ -77,11 +77,11 @@ impl Worst {
 }
 
 /// The spans of a surface along both directions.
-pub(super) struct Layout {
+pub(super) struct SpanLayout {
     spans: [Vec<Interval>; 2],
 }
 
-impl Layout {
+impl SpanLayout {
     pub(super) fn of(surface: &NurbsSurface) -> Self {
         let spans = |along: Direction| {
             let knots = surface.knots(along);
@@ -95,10 +95,11 @@ impl Layout {
     pub(super) fn worst(
         &self,
         surface: &NurbsSurface,
-        aim: Aim<'_>,
+        aim: SurfaceOffsetTarget<'_>,
         enough: Option<f64>,
-    ) -> Result<Worst, GeomError> {
-        let mut worst = Worst::at(surface.domain_u().start(), surface.domain_v().start());
+    ) -> Result<LargestDeviation, GeomError> {
+        let mut worst =
+            LargestDeviation::at(surface.domain_u().start(), surface.domain_v().start());
         for &u in &self.spans[0] {
             for &v in &self.spans[1] {
                 worst.take(worst_of_patch(surface, aim, [u, v])?);
@@ -113,14 +114,14 @@ impl Layout {
 
 fn worst_of_patch(
     surface: &NurbsSurface,
-    aim: Aim<'_>,
+    aim: SurfaceOffsetTarget<'_>,
     [span_u, span_v]: [Interval; 2],
-) -> Result<Worst, GeomError> {
-    let mut worst = Worst::at(span_u.start(), span_v.start());
+) -> Result<LargestDeviation, GeomError> {
+    let mut worst = LargestDeviation::at(span_u.start(), span_v.start());
     for u in inner_places(span_u) {
         for v in inner_places(span_v) {
             let distance = surface.point_at(u, v).distance(aim.point(u, v)?);
-            worst.take(Worst { distance, at: [u, v], sum: distance, n_places: 1 });
+            worst.take(LargestDeviation { distance, at: [u, v], sum: distance, n_places: 1 });
         }
     }
     Ok(worst)
@@ -131,7 +132,9 @@ fn inner_places(span: Interval) -> impl Iterator<Item = f64> {
 }
 
 /// The spline near the offset, and how far it is.
-pub(super) fn fitted(aim: Aim<'_>) -> Result<(NurbsSurface, Worst), GeomError> {
+pub(super) fn fitted(
+    aim: SurfaceOffsetTarget<'_>,
+) -> Result<(NurbsSurface, LargestDeviation), GeomError> {
     let start = Direction::BOTH.map(|along| start_knots(aim.surface, along));
     let [u, v] = start;
     let lines = [lines_across(&v?), lines_across(&u?)];
@@ -139,8 +142,9 @@ pub(super) fn fitted(aim: Aim<'_>) -> Result<(NurbsSurface, Worst), GeomError> {
         [along_lines(aim, Direction::U, &lines[0])?, along_lines(aim, Direction::V, &lines[1])?];
     loop {
         let surface = through(aim, &knots_u, &knots_v)?;
-        let Layout { spans: [spans_u, spans_v] } = Layout::of(&surface);
-        let mut worst = Worst::at(surface.domain_u().start(), surface.domain_v().start());
+        let SpanLayout { spans: [spans_u, spans_v] } = SpanLayout::of(&surface);
+        let mut worst =
+            LargestDeviation::at(surface.domain_u().start(), surface.domain_v().start());
         let (mut to_halve_u, mut to_halve_v) =
             (vec![false; spans_u.len()], vec![false; spans_v.len()]);
         for (i, &u) in spans_u.iter().enumerate() {
@@ -164,13 +168,13 @@ pub(super) fn fitted(aim: Aim<'_>) -> Result<(NurbsSurface, Worst), GeomError> {
     }
 }
 
-fn far(aim: Aim<'_>, [u, v]: [f64; 2]) -> GeomError {
+fn far(aim: SurfaceOffsetTarget<'_>, [u, v]: [f64; 2]) -> GeomError {
     GeomError::NoSurfaceNear { most: MAX_PATCHES, tolerance: aim.tolerance, u, v }
 }
 
 /// The surface through the offset at the Greville parameters of the knots.
 fn through(
-    aim: Aim<'_>,
+    aim: SurfaceOffsetTarget<'_>,
     knots_u: &KnotVector,
     knots_v: &KnotVector,
 ) -> Result<NurbsSurface, GeomError> {
@@ -223,7 +227,11 @@ fn lines_across(knots: &KnotVector) -> Vec<f64> {
 }
 
 /// Knots along a direction on which single splines keep the tolerance on the lines.
-fn along_lines(aim: Aim<'_>, along: Direction, lines: &[f64]) -> Result<KnotVector, GeomError> {
+fn along_lines(
+    aim: SurfaceOffsetTarget<'_>,
+    along: Direction,
+    lines: &[f64],
+) -> Result<KnotVector, GeomError> {
     let mut knots = start_knots(aim.surface, along)?;
     loop {
         let fit = Interpolator::on_knots(&knots.greville(), knots.clone())?;
@@ -276,7 +284,7 @@ fn halved(
     knots: &KnotVector,
     spans: &[Interval],
     marked: &[bool],
-    aim: Aim<'_>,
+    aim: SurfaceOffsetTarget<'_>,
     place: [f64; 2],
 ) -> Result<KnotVector, GeomError> {
     let middles: Vec<f64> =

@@ -18,7 +18,7 @@ const MAX_STEPS: usize = 80;
 
 /// A place where the surface bends around a centre that the offset passes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turn {
+pub struct FocalPoint {
     /// The parameters.
     pub at: [f64; 2],
     /// The radius of curvature there, no longer than the distance.
@@ -28,7 +28,7 @@ pub struct Turn {
 /// The place where the bend towards the offset is tightest, if the distance is beyond its radius.
 ///
 /// Sampled on a grid, and narrowed down from the tightest sample.
-pub(super) fn tightest(surface: &Surface, distance: f64) -> Result<Option<Turn>, GeomError> {
+pub(super) fn tightest(surface: &Surface, distance: f64) -> Result<Option<FocalPoint>, GeomError> {
     let [us, vs] = Direction::BOTH.map(|along| places(surface, along));
     let mut best: Option<(f64, [f64; 2])> = None;
     for &u in &us {
@@ -61,7 +61,7 @@ pub(super) fn tightest(surface: &Surface, distance: f64) -> Result<Option<Turn>,
             None => steps = steps.map(|step| 0.5 * step),
         }
     }
-    Ok((1.0 <= most).then(|| Turn { at, radius: distance.abs() / most }))
+    Ok((1.0 <= most).then(|| FocalPoint { at, radius: distance.abs() / most }))
 }
 
 fn places(surface: &Surface, along: Direction) -> Vec<f64> {

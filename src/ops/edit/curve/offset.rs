@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{Curve, Meeting, NurbsCurve, Offset, Receipt},
+    kernel::{ConstructionReport, Curve, CurveIntersection, NurbsCurve, Offset},
     value::{At, Ctx, Length, op, shortest},
 };
 
@@ -45,17 +45,20 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
     for (message, hint) in doubts(&offset) {
         ctx.warn(Diagnostic::warning(Code::SelfIntersecting, ctx.span, message).hint(hint));
     }
-    let crossing = |meeting: &Meeting| {
-        let Meeting { first, second, point } = *meeting;
-        Receipt::default().with("t", first).with("s", second).with("point", point)
+    let crossing = |meeting: &CurveIntersection| {
+        let CurveIntersection { first, second, point } = *meeting;
+        ConstructionReport::default().with("t", first).with("s", second).with("point", point)
     };
-    let receipt = Receipt::of("offset")
+    let report = ConstructionReport::of("offset")
         .with("distance", distance.0)
         .with("deviation", offset.deviation)
         .with("cusps", offset.cusps)
         .with("folds", offset.folds)
-        .with("crossings", offset.crossings.iter().map(crossing).collect::<Vec<Receipt>>());
-    Ok(offset.curve.with_receipt(receipt))
+        .with(
+            "crossings",
+            offset.crossings.iter().map(crossing).collect::<Vec<ConstructionReport>>(),
+        );
+    Ok(offset.curve.with_report(report))
 }
 
 /// What may be unexpected about an offset, each with what to do.
@@ -83,7 +86,7 @@ fn doubts(offset: &Offset) -> Vec<(String, &'static str)> {
     }
     let cut = "the loop between the two parameters of the offset is kept; `trim` takes it off, and \
                `report` has all places";
-    if let Some(Meeting { first, second, .. }) = offset.crossings.first() {
+    if let Some(CurveIntersection { first, second, .. }) = offset.crossings.first() {
         let place = format!("t = {} and {}", shortest(*first), shortest(*second));
         let message = match offset.crossings.len() {
             1 => format!("the offset crosses itself at {place}"),

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{NurbsCurve, Receipt},
+    kernel::{ConstructionReport, NurbsCurve},
     ops::positive,
     value::{At, Ctx, Length, op},
 };
@@ -45,10 +45,10 @@ fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
         }
         _ => {
             let reduced = args.c.reduced(degree, tolerance).at(span)?;
-            let receipt = Receipt::of("reduce")
+            let report = ConstructionReport::of("reduce")
                 .with("degree", reduced.degree())
                 .with("deviation", args.c.deviation_from(&reduced));
-            Ok(reduced.with_receipt(receipt))
+            Ok(reduced.with_report(report))
         }
     }
 }

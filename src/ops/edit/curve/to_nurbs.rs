@@ -2,7 +2,7 @@
 
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Curve, GeomError, NurbsCurve, ParametricCurve, Receipt},
+    kernel::{ConstructionReport, Curve, GeomError, NurbsCurve, ParametricCurve},
     ops::positive,
     value::{At, Ctx, Length, op},
 };
@@ -41,11 +41,11 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
             (spline, worst)
         }
     };
-    let receipt = Receipt::of("to_nurbs")
-        .with("deviation", Receipt::default().with("max", worst.0).with("at", worst.1))
+    let report = ConstructionReport::of("to_nurbs")
+        .with("deviation", ConstructionReport::default().with("max", worst.0).with("at", worst.1))
         .with("degree", spline.degree())
         .with("control_points", spline.control_points().len());
-    Ok(spline.with_receipt(receipt))
+    Ok(spline.with_report(report))
 }
 
 /// Places of a span at which the deviation is measured.

@@ -2,7 +2,7 @@
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{NurbsSurface, Receipt, Surface},
+    kernel::{ConstructionReport, NurbsSurface, Surface},
     ops::positive,
     value::{At, Ctx, Length, op, rounded, shortest},
 };
@@ -49,14 +49,15 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         let hint = "a distance below the smallest radius on that side has no such place";
         ctx.warn(Diagnostic::warning(Code::SelfIntersecting, ctx.span, message).hint(hint));
     }
-    let deviation = Receipt::default()
+    let deviation = ConstructionReport::default()
         .with("max", offset.deviation)
         .with("mean", offset.mean)
         .with("at", offset.at.to_vec());
-    let mut receipt =
-        Receipt::of("offset").with("exact", offset.is_exact).with("deviation", deviation);
+    let mut report = ConstructionReport::of("offset")
+        .with("exact", offset.is_exact)
+        .with("deviation", deviation);
     if let Some(turn) = offset.turn {
-        receipt = receipt.with("turns_back_at", turn.at.to_vec()).with("radius", turn.radius);
+        report = report.with("turns_back_at", turn.at.to_vec()).with("radius", turn.radius);
     }
-    Ok(offset.surface.with_receipt(receipt))
+    Ok(offset.surface.with_report(report))
 }

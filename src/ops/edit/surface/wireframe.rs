@@ -16,9 +16,9 @@ op! {
         /// The surface.
         s: Surface,
         /// How many curves of constant u, or at which u.
-        u: Spanned<Places>,
+        u: Spanned<IsocurveChoice>,
         /// How many curves of constant v, or at which v.
-        v: Spanned<Places>,
+        v: Spanned<IsocurveChoice>,
     }
     example "len(wireframe(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), 3, 2))" => "5";
     example "wireframe(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), [0.25], 0)[0].points" => "[(0.5, 0, 0), (0.5, 1, 0)]";
@@ -29,12 +29,12 @@ op! {
 
 /// Parameters: evenly spread, or listed.
 #[derive(Clone)]
-enum Places {
+enum IsocurveChoice {
     Even(usize),
     Listed(Vec<f64>),
 }
 
-impl FromValue for Places {
+impl FromValue for IsocurveChoice {
     const TYPE: Type = Type::OneOf(&[Type::Count, Type::List(&Type::Ratio, 0)]);
 
     fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
@@ -51,7 +51,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Curve>> {
     for (across, places) in [(Direction::U, args.u), (Direction::V, args.v)] {
         let domain = args.s.domain(across);
         let parameters = match places.value {
-            Places::Even(n) => {
+            IsocurveChoice::Even(n) => {
                 check_length(n as f64, ctx)?;
                 match n {
                     0 => Vec::new(),
@@ -59,7 +59,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Curve>> {
                     n => domain.steps(n - 1),
                 }
             }
-            Places::Listed(parameters) => parameters,
+            IsocurveChoice::Listed(parameters) => parameters,
         };
         for t in parameters {
             let t = domain.clamp_inside(t).at(places.span)?;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     diag::{Result, Spanned},
     kernel::{Continuity, Curve, Side},
-    ops::measure::asked::Asked,
+    ops::measure::continuity_limits::Asked,
     value::{Angle, At, Ctx, IntoValue, Length, Maybe, Record, Value, op},
 };
 

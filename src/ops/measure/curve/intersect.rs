@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     diag::{Result, Span},
-    kernel::{Curve, Meeting, Surface},
+    kernel::{Curve, CurveIntersection, Surface},
     ops::measure::picture,
     value::{At, Ctx, FromValue, Mismatch, Record, Type, Value, op},
 };
@@ -24,7 +24,7 @@ op! {
         /// One curve.
         a: Curve,
         /// The other, or a surface.
-        b: Other,
+        b: CurvePartner,
     }
     example "intersect(line((0, 0), (4, 4)), line((0, 2), (4, 2)))" => "[{t: 0.5, s: 0.5, point: (2, 2, 0)}]";
     example "intersect(line((0, 0), (1, 0)), line((0, 1), (1, 1)))" => "[]";
@@ -39,12 +39,12 @@ op! {
 
 /// What a curve meets.
 #[derive(Clone)]
-enum Other {
+enum CurvePartner {
     Curve(Curve),
     Surface(Surface),
 }
 
-impl FromValue for Other {
+impl FromValue for CurvePartner {
     const TYPE: Type = Type::OneOf(&[Type::Curve, Type::Surface]);
 
     fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
@@ -58,15 +58,15 @@ impl FromValue for Other {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Record>> {
     let other = match &args.b {
-        Other::Curve(curve) => curve,
-        Other::Surface(surface) => return picture::pierced(ctx, &args.a, surface),
+        CurvePartner::Curve(curve) => curve,
+        CurvePartner::Surface(surface) => return picture::pierced(ctx, &args.a, surface),
     };
     let meetings = args.a.intersections(other, ctx.tolerance.distance).at(ctx.span)?;
     Ok(meetings.into_iter().map(record).collect())
 }
 
 /// A meeting as scripts see it.
-pub(super) fn record(meeting: Meeting) -> Record {
+pub(super) fn record(meeting: CurveIntersection) -> Record {
     Record::new([
         (Arc::from("t"), Value::number(meeting.first)),
         (Arc::from("s"), Value::number(meeting.second)),

@@ -7,7 +7,7 @@ use glam::DVec3;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        self, GeomError, MeshLimits, Surface,
+        self, GeomError, Surface, TessellationOptions,
         tolerance::{DEFAULT_CHORD_RELATIVE, SHADE_RELATIVE},
     },
     value::{At, Choice, Ctx, Length, Record, Value, op},
@@ -28,7 +28,7 @@ op! {
         /// The surface.
         s: Spanned<Surface>,
         /// Which curvature.
-        kind: Kind,
+        kind: CurvatureKind,
         /// How far the mesh may be from the surface; when left out a thousandth of its size.
         tolerance: Option<Spanned<Length>>,
         /// The curvatures at the ends of the scale.
@@ -43,7 +43,7 @@ op! {
 
 /// The curvatures that can be shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
+enum CurvatureKind {
     Gaussian,
     Mean,
     K1,
@@ -52,7 +52,7 @@ enum Kind {
     Difference,
 }
 
-impl Choice for Kind {
+impl Choice for CurvatureKind {
     const WORDS: &'static [&'static str] =
         &["gaussian", "mean", "k1", "k2", "absolute", "difference"];
     const MEANINGS: &'static [Self] =
@@ -67,7 +67,7 @@ const GREY: DVec3 = DVec3::splat(0.5);
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     let (surface, span) = (&args.s.value, args.s.span);
-    let limits = MeshLimits::within(tolerance(surface, span, args.tolerance)?);
+    let limits = TessellationOptions::within(tolerance(surface, span, args.tolerance)?);
     let mesh = kernel::tessellate_any(surface, &limits, ctx.limits.mesh_vertices).at(span)?;
     let mut values = Vec::with_capacity(mesh.n_vertices());
     let mut strongest = 0.0_f64;
@@ -77,19 +77,19 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
                 let [k1, k2] = shape.curvatures();
                 strongest = strongest.max(k1.abs()).max(k2.abs());
                 Some(match args.kind {
-                    Kind::Gaussian => shape.gaussian(),
-                    Kind::Mean => shape.mean(),
-                    Kind::K1 => k1,
-                    Kind::K2 => k2,
-                    Kind::Absolute => k1.abs().max(k2.abs()),
-                    Kind::Difference => k2 - k1,
+                    CurvatureKind::Gaussian => shape.gaussian(),
+                    CurvatureKind::Mean => shape.mean(),
+                    CurvatureKind::K1 => k1,
+                    CurvatureKind::K2 => k2,
+                    CurvatureKind::Absolute => k1.abs().max(k2.abs()),
+                    CurvatureKind::Difference => k2 - k1,
                 })
             }
             Err(GeomError::NoNormal { .. } | GeomError::NoCurvature { .. }) => None,
             Err(error) => return Err(error).at(span),
         });
     }
-    let unit = if args.kind == Kind::Gaussian { strongest * strongest } else { strongest };
+    let unit = if args.kind == CurvatureKind::Gaussian { strongest * strongest } else { strongest };
     let ends = match (args.range, ends_of(&values, SHADE_RELATIVE * unit)) {
         (Some(range), _) => [range.start(), range.end()],
         (None, Some(ends)) => ends,
@@ -107,11 +107,11 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
             (Arc::from("color"), Value::Point(color(value, ends))),
         ])))
     };
-    let word = Kind::MEANINGS.iter().position(|kind| *kind == args.kind);
+    let word = CurvatureKind::MEANINGS.iter().position(|kind| *kind == args.kind);
     let all = values.into_iter().map(|value| value.map_or(Value::None, Value::number));
     Ok(Record::new([
         (Arc::from("mesh"), Value::Mesh(Arc::new(mesh))),
-        (Arc::from("kind"), word.map_or(Value::None, |i| Value::text(Kind::WORDS[i]))),
+        (Arc::from("kind"), word.map_or(Value::None, |i| Value::text(CurvatureKind::WORDS[i]))),
         (Arc::from("min"), Value::number(ends[0])),
         (Arc::from("max"), Value::number(ends[1])),
         (Arc::from("scale"), Value::list((0..STOPS).map(stop).collect())),

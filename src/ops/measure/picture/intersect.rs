@@ -26,7 +26,7 @@ op! {
         /// A surface.
         a: Surface,
         /// Another surface, or a curve.
-        b: Other,
+        b: SurfacePartner,
     }
     example "[for c in intersect(sphere((0, 0), 5), plane_patch((-9, -9, 3), (18, 0), (0, 18))): length(c)] ~= [8 * pi] within 1e-5" => "true";
     example "len(intersect(cylinder((0, 0, -3), 1, 6), cylinder((-3, 0), 0.5, 6, axis = (1, 0, 0))))" => "2";
@@ -42,12 +42,12 @@ op! {
 
 /// What a surface meets.
 #[derive(Clone)]
-enum Other {
+enum SurfacePartner {
     Curve(Curve),
     Surface(Surface),
 }
 
-impl FromValue for Other {
+impl FromValue for SurfacePartner {
     const TYPE: Type = Type::OneOf(&[Type::Surface, Type::Curve]);
 
     fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
@@ -61,12 +61,12 @@ impl FromValue for Other {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Value>> {
     match &args.b {
-        Other::Surface(other) => {
+        SurfacePartner::Surface(other) => {
             let set = args.a.intersections(other, ctx.tolerance).at(ctx.span)?;
             let curves = lines(ctx, set, "the surfaces touch");
             Ok(curves.into_iter().map(IntoValue::into_value).collect())
         }
-        Other::Curve(curve) => {
+        SurfacePartner::Curve(curve) => {
             let records = pierced(ctx, curve, &args.a)?;
             Ok(records.into_iter().map(IntoValue::into_value).collect())
         }

@@ -50,7 +50,7 @@ fn place_of(ctx: &Ctx<'_>, point: DVec3) -> String {
 /// The places of a curve on a surface, as scripts see them.
 pub(super) fn pierced(ctx: &Ctx<'_>, curve: &Curve, surface: &Surface) -> Result<Vec<Record>> {
     let places = surface.piercings(curve, ctx.tolerance).at(ctx.span)?;
-    let record = |place: crate::kernel::Piercing| {
+    let record = |place: crate::kernel::CurveSurfaceIntersection| {
         Record::new([
             (Arc::from("t"), Value::number(place.t)),
             (Arc::from("u"), Value::number(place.uv[0])),

@@ -14,7 +14,7 @@ op! {
     /// in one list.
     section in Measure -> Vec<Value> {
         /// The curves, surfaces and meshes.
-        g: Vec<Cut>,
+        g: Vec<Sectioned>,
         /// The plane.
         plane: Arc<Frame>,
     }
@@ -25,13 +25,13 @@ op! {
 
 /// Whatever a plane cuts.
 #[derive(Clone)]
-enum Cut {
+enum Sectioned {
     Curve(Curve),
     Surface(Surface),
     Mesh(Arc<Mesh>),
 }
 
-impl FromValue for Cut {
+impl FromValue for Sectioned {
     const TYPE: Type = Type::OneOf(&[Type::Curve, Type::Surface, Type::Mesh]);
 
     fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
@@ -48,17 +48,17 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Value>> {
     let mut found = Vec::new();
     for part in &args.g {
         match part {
-            Cut::Curve(curve) => {
+            Sectioned::Curve(curve) => {
                 let parameters = curve.plane_parameters(*args.plane, ctx.tolerance).at(ctx.span)?;
                 for t in parameters {
                     found.push(curve.point_at(t).at(ctx.span)?.into_value());
                 }
             }
-            Cut::Surface(surface) => {
+            Sectioned::Surface(surface) => {
                 let curves = section_curves(ctx, surface, *args.plane)?;
                 found.extend(curves.into_iter().map(IntoValue::into_value));
             }
-            Cut::Mesh(mesh) => {
+            Sectioned::Mesh(mesh) => {
                 let curves = mesh.section(*args.plane).at(ctx.span)?;
                 found.extend(curves.into_iter().map(IntoValue::into_value));
             }

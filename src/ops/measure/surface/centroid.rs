@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Of, Surfaces, mass};
+use super::{MassOf, Surfaces, mass};
 use crate::{
     diag::{Result, Spanned},
     value::{Ctx, op},
@@ -17,7 +17,7 @@ op! {
         /// The surface, or a list of surfaces.
         s: Spanned<Surfaces>,
         /// What is heavy: the inside or the skin.
-        of: Of = Of::Volume,
+        of: MassOf = MassOf::Volume,
     }
     example "centroid(box((0, 0, 0), (1, 2, 3)))" => "(0.5, 1, 1.5)";
     example "centroid(bilinear((0, 0), (0, 2), (3, 0), (3, 2)), of = \"area\") ~= (1.5, 1)" => "true";

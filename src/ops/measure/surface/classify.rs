@@ -3,7 +3,7 @@
 use super::inside;
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Surface, SurfaceKind},
+    kernel::{Surface, SurfacePointKind},
     value::{At, Choice, Ctx, op},
 };
 
@@ -15,7 +15,7 @@ op! {
     /// vanishes, as at the apex of a cone or at a pole, whatever the shape is there.
     ///
     /// Linkeová, *Curves and Surfaces for Computer Graphics*, Definitions 1.26 and 1.29.
-    classify in Measure -> SurfaceKind {
+    classify in Measure -> SurfacePointKind {
         /// The surface.
         s: Surface,
         /// The first parameter, inside the surface's domain.
@@ -31,14 +31,14 @@ op! {
     refuses "classify(plane_patch((0, 0), (1, 0), (0, 1)), 2, 0)" => "E0606: parameter 2 is outside the domain 0..1";
 }
 
-impl Choice for SurfaceKind {
+impl Choice for SurfacePointKind {
     const WORDS: &'static [&'static str] =
         &["elliptic", "parabolic", "hyperbolic", "planar", "singular"];
     const MEANINGS: &'static [Self] =
         &[Self::Elliptic, Self::Parabolic, Self::Hyperbolic, Self::Planar, Self::Singular];
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<SurfaceKind> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<SurfacePointKind> {
     let (u, v) = inside(&args.s, args.u, args.v)?;
     args.s.kind_at(u, v, ctx.tolerance).at(ctx.span)
 }

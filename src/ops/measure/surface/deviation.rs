@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Datum, Deviation, Mesh, Nearest, Surface},
+    kernel::{Deviation, DeviationReference, Mesh, MeshDistance, Surface},
     value::{At, Ctx, FromValue, Mismatch, Record, Type, Value, op},
 };
 
@@ -21,9 +21,9 @@ op! {
     /// From a mesh the distance is that to its nearest triangle.
     deviation in Measure -> Record {
         /// The surface, the mesh, or the points.
-        a: Spanned<Measured>,
+        a: Spanned<MeasuredGeometry>,
         /// The surface or the mesh from which they are measured.
-        b: Spanned<Base>,
+        b: Spanned<DeviationBase>,
     }
     example "deviation(bilinear((0, 0, 1), (0, 1, 1), (1, 0, 1), (1, 1, 2)), bilinear((0, 0), (0, 1), (1, 0), (1, 1))).max" => "2";
     example "deviation(bilinear((0, 0, 1), (0, 1, 1), (1, 0, 1), (1, 1, 2)), tessellate(bilinear((0, 0), (0, 1), (1, 0), (1, 1)))).max" => "2";
@@ -31,13 +31,13 @@ op! {
 }
 
 /// What can be measured from a surface.
-enum Measured {
+enum MeasuredGeometry {
     Surface(Surface),
     Mesh(Arc<Mesh>),
     Points(Vec<DVec3>),
 }
 
-impl FromValue for Measured {
+impl FromValue for MeasuredGeometry {
     const TYPE: Type = Type::OneOf(&[Type::Surface, Type::Mesh, Type::List(&Type::Point, 1)]);
 
     fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
@@ -53,12 +53,12 @@ impl FromValue for Measured {
 }
 
 /// What can be measured from.
-enum Base {
+enum DeviationBase {
     Surface(Surface),
     Mesh(Arc<Mesh>),
 }
 
-impl FromValue for Base {
+impl FromValue for DeviationBase {
     const TYPE: Type = Type::OneOf(&[Type::Surface, Type::Mesh]);
 
     fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
@@ -77,16 +77,18 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
         Diagnostic::error(Code::TooFewPoints, span, message).fail()
     };
     let datum = match &args.b.value {
-        Base::Surface(surface) => Datum::of_surface(surface).at(args.b.span)?,
-        Base::Mesh(mesh) => match Nearest::new(mesh) {
-            Some(nearest) => Datum::Mesh(nearest),
+        DeviationBase::Surface(surface) => {
+            DeviationReference::of_surface(surface).at(args.b.span)?
+        }
+        DeviationBase::Mesh(mesh) => match MeshDistance::new(mesh) {
+            Some(nearest) => DeviationReference::Mesh(nearest),
             None => return nothing(args.b.span),
         },
     };
     let found = match &args.a.value {
-        Measured::Surface(a) => a.deviation_from(&datum).map(Some),
-        Measured::Mesh(mesh) => mesh.deviation_from(&datum),
-        Measured::Points(points) => datum.deviation_of(points),
+        MeasuredGeometry::Surface(a) => a.deviation_from(&datum).map(Some),
+        MeasuredGeometry::Mesh(mesh) => mesh.deviation_from(&datum),
+        MeasuredGeometry::Points(points) => datum.deviation_of(points),
     };
     let Some(Deviation { max, mean, at }) = found.at(ctx.span)? else {
         return nothing(args.a.span);

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Of, Surfaces, mass};
+use super::{MassOf, Surfaces, mass};
 use crate::{
     diag::{Result, Spanned},
     kernel::principal_axes,
@@ -20,7 +20,7 @@ op! {
         /// The surface, or a list of surfaces.
         s: Spanned<Surfaces>,
         /// What is heavy: the inside or the skin.
-        of: Of = Of::Volume,
+        of: MassOf = MassOf::Volume,
     }
     example "inertia(bilinear((0, 0), (0, 2), (3, 0), (3, 2)), of = \"area\").moments ~= [2, 4.5, 6.5] within 1e-12" => "true";
     refuses "inertia(plane_patch((0, 0), (1, 0), (0, 1)))" => "E0612: the surfaces do not close: edge \"u0\" is 0.4896 from the nearest other edge, at (0, 0.5104, 0)";

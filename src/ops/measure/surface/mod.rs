@@ -31,7 +31,7 @@ pub(super) mod volume;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        GeomError, Mass, ShellError, Surface, area_mass,
+        GeomError, MassProperties, ShellError, Surface, area_mass,
         tolerance::{ACCURACY_WORTH_HAVING, ACCURACY_WORTH_TELLING},
         volume_mass,
     },
@@ -56,21 +56,26 @@ impl FromValue for Surfaces {
 
 /// What of surfaces is heavy.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Of {
+pub(crate) enum MassOf {
     Volume,
     Area,
 }
 
-impl Choice for Of {
+impl Choice for MassOf {
     const WORDS: &'static [&'static str] = &["volume", "area"];
     const MEANINGS: &'static [Self] = &[Self::Volume, Self::Area];
 }
 
 /// What the surfaces hold, or they themselves.
-fn mass(surfaces: &Spanned<Surfaces>, of: Of, what: &str, ctx: &mut Ctx<'_>) -> Result<Mass> {
+fn mass(
+    surfaces: &Spanned<Surfaces>,
+    of: MassOf,
+    what: &str,
+    ctx: &mut Ctx<'_>,
+) -> Result<MassProperties> {
     let mass = match of {
-        Of::Volume => volume_mass(&surfaces.value.0, ctx.tolerance),
-        Of::Area => area_mass(&surfaces.value.0),
+        MassOf::Volume => volume_mass(&surfaces.value.0, ctx.tolerance),
+        MassOf::Area => area_mass(&surfaces.value.0),
     };
     let open =
         matches!(mass, Err(GeomError::Shell(ShellError::Open { .. } | ShellError::Alone { .. })));

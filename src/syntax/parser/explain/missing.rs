@@ -1,13 +1,16 @@
 //! What people write where the grammar wants something else.
 
 use super::statement::unit;
-use super::{Expected, Place};
+use super::{ExpectedTokens, FailurePlace};
 use crate::diag::{Code, Diagnostic};
 use crate::syntax::ast::Unit;
 use crate::syntax::token::Token;
 
 /// A complaint that knows what was meant, if there is one.
-pub(super) fn explain(place: &Place<'_, '_, '_>, expected: Expected) -> Option<Diagnostic> {
+pub(super) fn explain(
+    place: &FailurePlace<'_, '_, '_>,
+    expected: ExpectedTokens,
+) -> Option<Diagnostic> {
     let has = |token: Token| expected.has_token(token);
     if place.found() == Token::Name
         && place.before() == Token::Number
@@ -15,13 +18,13 @@ pub(super) fn explain(place: &Place<'_, '_, '_>, expected: Expected) -> Option<D
     {
         return Some(unit(place));
     }
-    if expected.has(Expected::EXPRESSION) {
+    if expected.has(ExpectedTokens::EXPRESSION) {
         expression(place)
-    } else if expected.has(Expected::NAME) {
+    } else if expected.has(ExpectedTokens::NAME) {
         name(place)
-    } else if expected.has(Expected::TEXT) {
+    } else if expected.has(ExpectedTokens::TEXT) {
         text(place)
-    } else if expected.has(Expected::VALUE) {
+    } else if expected.has(ExpectedTokens::VALUE) {
         Some(value(place))
     } else if has(Token::Equals) {
         equals(place)
@@ -40,7 +43,7 @@ pub(super) fn explain(place: &Place<'_, '_, '_>, expected: Expected) -> Option<D
     }
 }
 
-fn expression(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
+fn expression(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
     let plain = || place.expected("an expression");
     let found = place.found();
     Some(match found {
@@ -78,14 +81,14 @@ fn is_comparison_part(token: Token) -> bool {
 }
 
 /// A statement's keyword in the middle of a line.
-fn keyword(place: &Place<'_, '_, '_>) -> Diagnostic {
+fn keyword(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let text = place.text();
     place
         .expected("an expression")
         .label(format!("`{text}` is a keyword; it begins a statement and cannot name a value"))
 }
 
-fn name(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
+fn name(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
     Some(match place.found() {
         Token::Number if place.before() == Token::Dot => {
             place.expected("a name").hint(format!("an element of a list is `xs[{}]`", place.text()))
@@ -102,7 +105,7 @@ fn name(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
 }
 
 /// `unit = mm`
-fn takes_no_equals(place: &Place<'_, '_, '_>) -> Diagnostic {
+fn takes_no_equals(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let keyword = place.script.text(place.at - 1);
     place.wrong(format!("`{keyword}` takes no `=`")).label("drop this")
 }
@@ -116,7 +119,7 @@ fn is_setting(token: Token) -> bool {
 }
 
 /// A path or a title without quotes: all that is glued together is meant.
-fn text(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
+fn text(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
     if place.is_missing() || !place.found().is_word() && place.found() != Token::Number {
         return None;
     }
@@ -141,13 +144,13 @@ fn text(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
     )
 }
 
-fn value(place: &Place<'_, '_, '_>) -> Diagnostic {
+fn value(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     Diagnostic::error(Code::Syntax, place.script.gap(place.at), "the block has no value")
         .label("expected an expression after this")
         .hint("a block holds definitions, then its value; before a value in brackets or with a sign, `;` ends them: `{ let a = 1; -a }`")
 }
 
-fn equals(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
+fn equals(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
     let keyword = place.script.token(place.start);
     Some(match place.found() {
         Token::Equal => place.guess("`=`", "="),
@@ -168,7 +171,7 @@ fn equals(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
     })
 }
 
-fn choice(place: &Place<'_, '_, '_>, expected: Expected) -> Diagnostic {
+fn choice(place: &FailurePlace<'_, '_, '_>, expected: ExpectedTokens) -> Diagnostic {
     let want = expected.words();
     let word = want.trim_matches('`');
     if place.found() == Token::Equals && word == "then" {
@@ -184,7 +187,7 @@ fn choice(place: &Place<'_, '_, '_>, expected: Expected) -> Diagnostic {
     diagnostic.hint("a choice is written `if c then a else b`")
 }
 
-fn comprehension(place: &Place<'_, '_, '_>, expected: Expected) -> Option<Diagnostic> {
+fn comprehension(place: &FailurePlace<'_, '_, '_>, expected: ExpectedTokens) -> Option<Diagnostic> {
     Some(match place.found() {
         Token::Equals | Token::Colon if expected.has_token(Token::In) => place.guess("`in`", "in"),
         Token::Arrow | Token::Then | Token::Equals => place.guess("`:`", ":"),
@@ -201,7 +204,7 @@ fn comprehension(place: &Place<'_, '_, '_>, expected: Expected) -> Option<Diagno
     })
 }
 
-fn to(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
+fn to(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
     match place.found() {
         Token::Name if matches!(place.text(), "into" | "onto" | "in" | "too" | "tp" | "ot") => {
             Some(place.guess("`to`", "to"))
@@ -219,7 +222,7 @@ fn to(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
     }
 }
 
-fn parameters(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
+fn parameters(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
     let keyword = place.script.token(place.start);
     if keyword == Token::Fn && place.found() == Token::Equals {
         return Some(place.expected("`(`").hint("write `fn f(x) = ...` or `let f = x => ...`"));
@@ -228,7 +231,7 @@ fn parameters(place: &Place<'_, '_, '_>) -> Option<Diagnostic> {
 }
 
 /// More after the value of a block.
-fn end_of_block(place: &Place<'_, '_, '_>) -> Diagnostic {
+fn end_of_block(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let diagnostic = place.expected("`}`");
     match place.found() {
         token if token.begins_statement() => {
@@ -241,7 +244,7 @@ fn end_of_block(place: &Place<'_, '_, '_>) -> Diagnostic {
     }
 }
 
-fn list(place: &Place<'_, '_, '_>, expected: Expected) -> Option<Diagnostic> {
+fn list(place: &FailurePlace<'_, '_, '_>, expected: ExpectedTokens) -> Option<Diagnostic> {
     let plain = || place.expected(&expected.words());
     Some(match place.found() {
         Token::Semicolon => place.guess(&expected.words(), ","),

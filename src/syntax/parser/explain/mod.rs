@@ -13,15 +13,15 @@ pub(super) use remarks::{
 };
 pub(super) use statement::trailing;
 
-use super::input::Script;
-use super::problem::{Expected, Problem};
+use super::input::ParsedScript;
+use super::problem::{ExpectedTokens, Problem};
 use crate::diag::{Code, Diagnostic, nearest};
 use crate::syntax::token::Token;
 
 /// The diagnostic of `problem` in the statement that begins with token `start`; `None` when its
 /// cause is already reported.
 pub(super) fn problem(
-    script: &Script<'_, '_>,
+    script: &ParsedScript<'_, '_>,
     problem: Problem,
     start: usize,
 ) -> Option<Diagnostic> {
@@ -29,8 +29,8 @@ pub(super) fn problem(
         Problem::Told(diagnostic) => return Some(*diagnostic),
         Problem::Expected { at, expected } => (at, expected),
     };
-    let place = Place { script, start, at };
-    let is_statement = expected.has(Expected::STATEMENT);
+    let place = FailurePlace { script, start, at };
+    let is_statement = expected.has(ExpectedTokens::STATEMENT);
     if place.found() == Token::Bad || is_statement && place.next() == Token::Bad {
         return None;
     }
@@ -41,15 +41,15 @@ pub(super) fn problem(
 }
 
 /// Where a rule failed.
-struct Place<'a, 't, 's> {
-    script: &'a Script<'t, 's>,
+struct FailurePlace<'a, 't, 's> {
+    script: &'a ParsedScript<'t, 's>,
     /// The first token of the statement.
     start: usize,
     /// The token that was found.
     at: usize,
 }
 
-impl<'s> Place<'_, '_, 's> {
+impl<'s> FailurePlace<'_, '_, 's> {
     fn found(&self) -> Token {
         self.script.token(self.at)
     }

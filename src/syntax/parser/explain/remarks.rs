@@ -2,8 +2,8 @@
 
 use crate::diag::{Code, Diagnostic, Span};
 use crate::syntax::ast::Name;
-use crate::syntax::parser::body::Body;
-use crate::syntax::parser::input::{Input, Script, here};
+use crate::syntax::parser::body::StatementContext;
+use crate::syntax::parser::input::{Input, ParsedScript, here};
 use crate::syntax::token::Token;
 
 /// A comparison that is quoted in a hint has at most so many bytes.
@@ -33,7 +33,7 @@ pub(crate) fn chain(
 }
 
 /// `[a b]`: no comma before token `at`.
-pub(crate) fn missing_comma(script: &Script<'_, '_>, at: usize) -> Diagnostic {
+pub(crate) fn missing_comma(script: &ParsedScript<'_, '_>, at: usize) -> Diagnostic {
     let diagnostic = Diagnostic::error(Code::Syntax, script.gap(at), "a `,` is missing")
         .label("expected `,` after this")
         .also(script.span(at), "before this");
@@ -57,14 +57,18 @@ pub(super) fn line_hint(token: Token) -> Option<&'static str> {
 }
 
 /// `f(label: value)`
-pub(crate) fn colon_in_call(script: &Script<'_, '_>, label: usize) -> Diagnostic {
+pub(crate) fn colon_in_call(script: &ParsedScript<'_, '_>, label: usize) -> Diagnostic {
     let message = "an argument is written `name = value`";
     Diagnostic::error(Code::Syntax, script.span(label + 1), message)
         .label(format!("did you mean `{} = ...`?", script.text(label)))
 }
 
 /// `{label = value}`
-pub(crate) fn equals_in_record(script: &Script<'_, '_>, label: Name<'_>, at: usize) -> Diagnostic {
+pub(crate) fn equals_in_record(
+    script: &ParsedScript<'_, '_>,
+    label: Name<'_>,
+    at: usize,
+) -> Diagnostic {
     let message = "a field of a record is written `name: value`";
     Diagnostic::error(Code::Syntax, script.span(at), message)
         .label(format!("did you mean `{}: ...`?", label.text))
@@ -91,12 +95,18 @@ pub(crate) fn point_length(n: usize, span: Span) -> Diagnostic {
 }
 
 /// A statement that may not stand in `body`.
-pub(crate) fn misplaced(script: &Script<'_, '_>, at: usize, body: Body) -> Diagnostic {
+pub(crate) fn misplaced(
+    script: &ParsedScript<'_, '_>,
+    at: usize,
+    body: StatementContext,
+) -> Diagnostic {
     let keyword = script.text(at);
     let (place, hint) = match body {
-        Body::Block => ("in a block", "a block holds definitions, then its value"),
-        Body::Test => ("in a test", "move it to the top level"),
-        Body::Script => ("outside of a test", "write `test \"name\" { expect error ... }`"),
+        StatementContext::Block => ("in a block", "a block holds definitions, then its value"),
+        StatementContext::Test => ("in a test", "move it to the top level"),
+        StatementContext::Script => {
+            ("outside of a test", "write `test \"name\" { expect error ... }`")
+        }
     };
     let message = format!("`{keyword}` cannot stand {place}");
     Diagnostic::error(Code::Misplaced, script.span(at), message).hint(hint)

@@ -1,9 +1,9 @@
 //! What people write where a statement should begin, and what they write behind one.
 
-use super::Place;
+use super::FailurePlace;
 use crate::diag::{Code, Diagnostic};
 use crate::syntax::ast::Unit;
-use crate::syntax::parser::input::Script;
+use crate::syntax::parser::input::ParsedScript;
 use crate::syntax::token::Token;
 
 /// Words that begin statements in other languages, and what takes their place.
@@ -35,7 +35,7 @@ const HABITS: &[(&str, &str)] = &[
 ];
 
 /// No statement begins with the token that was found.
-pub(super) fn beginning(place: &Place<'_, '_, '_>) -> Diagnostic {
+pub(super) fn beginning(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let found = place.found();
     match found {
         Token::Name => name(place),
@@ -57,7 +57,7 @@ pub(super) fn beginning(place: &Place<'_, '_, '_>) -> Diagnostic {
     }
 }
 
-fn name(place: &Place<'_, '_, '_>) -> Diagnostic {
+fn name(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let text = place.text();
     let diagnostic = place.wrong(format!("`{text}` does not begin a statement"));
     let guess = |keyword: &str| format!("did you mean `{keyword}`?");
@@ -91,7 +91,7 @@ fn name(place: &Place<'_, '_, '_>) -> Diagnostic {
 }
 
 /// Whether `f(a, b)` is followed by `=`.
-fn defines_function(place: &Place<'_, '_, '_>) -> bool {
+fn defines_function(place: &FailurePlace<'_, '_, '_>) -> bool {
     /// Tokens of a list of parameters that are looked at.
     const MOST: usize = 64;
     let tokens = || (place.at + 1..).take(MOST).map(|at| (at, place.script.token(at)));
@@ -101,7 +101,7 @@ fn defines_function(place: &Place<'_, '_, '_>) -> bool {
     })
 }
 
-fn lone_expression(place: &Place<'_, '_, '_>) -> Diagnostic {
+fn lone_expression(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     place
         .wrong("an expression alone is no statement")
         .label("expected a keyword before this")
@@ -110,8 +110,12 @@ fn lone_expression(place: &Place<'_, '_, '_>) -> Diagnostic {
 
 /// Something stands behind a whole statement, which began with token `start`; `None` when it is
 /// already reported.
-pub(crate) fn trailing(script: &Script<'_, '_>, start: usize, at: usize) -> Option<Diagnostic> {
-    let place = Place { script, start, at };
+pub(crate) fn trailing(
+    script: &ParsedScript<'_, '_>,
+    start: usize,
+    at: usize,
+) -> Option<Diagnostic> {
+    let place = FailurePlace { script, start, at };
     let (keyword, before) = (script.token(start), place.before());
     Some(match place.found() {
         Token::Bad => return None,
@@ -154,7 +158,7 @@ pub(crate) fn trailing(script: &Script<'_, '_>, start: usize, at: usize) -> Opti
 }
 
 /// The word that may follow in such a statement and that the name found may be a slip for.
-fn slip_of_part<'w>(place: &Place<'_, '_, '_>) -> Option<&'w str> {
+fn slip_of_part<'w>(place: &FailurePlace<'_, '_, '_>) -> Option<&'w str> {
     match place.script.token(place.start) {
         Token::Param => place.slip(["in", "step"]),
         Token::Check => place.slip(["within", "and", "or"]),
@@ -168,7 +172,7 @@ fn is_unit(text: &str) -> bool {
 }
 
 /// `10 mm`
-pub(super) fn unit(place: &Place<'_, '_, '_>) -> Diagnostic {
+pub(super) fn unit(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let (number, unit) = (place.script.text(place.at - 1), place.text());
     let span = place.script.place(place.at - 1, place.at + 1);
     Diagnostic::error(Code::Syntax, span, "a unit is glued to its number")
@@ -176,7 +180,7 @@ pub(super) fn unit(place: &Place<'_, '_, '_>) -> Diagnostic {
 }
 
 /// `curve c bezier(...)`
-fn missing_equals(place: &Place<'_, '_, '_>) -> Diagnostic {
+fn missing_equals(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let name = place.script.text(place.at - 1);
     let message = format!("expected `=`, found {}", place.shown());
     Diagnostic::error(Code::Syntax, place.script.gap(place.at), message)
@@ -184,7 +188,7 @@ fn missing_equals(place: &Place<'_, '_, '_>) -> Diagnostic {
 }
 
 /// `2(x + 1)`, `(1, 2)(3, 4)`
-fn call_of_literal(place: &Place<'_, '_, '_>) -> Diagnostic {
+fn call_of_literal(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let message = "a value like this cannot be called";
     let diagnostic = Diagnostic::error(Code::Syntax, place.script.gap(place.at), message);
     match place.before() {
@@ -196,7 +200,7 @@ fn call_of_literal(place: &Place<'_, '_, '_>) -> Diagnostic {
 }
 
 /// `let a = 1, 2`
-fn several(place: &Place<'_, '_, '_>) -> Diagnostic {
+fn several(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let diagnostic = place.wrong("expected an operator or the next statement, found `,`");
     if place.script.token(place.start).begins_definition() {
         return diagnostic.hint("several values form a list `[a, b]` or a point `(a, b)`");

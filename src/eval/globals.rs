@@ -1,0 +1,99 @@
+//! Where the values of definitions stay while a file runs, and those of a test inside it.
+
+use std::sync::{Arc, OnceLock};
+
+use super::{
+    ir::Program,
+    memory::{CacheRun, ResultId},
+};
+use crate::value::Value;
+
+/// What runs: the values of a file's definitions, and where the file lies.
+#[derive(Debug, Default)]
+pub(crate) struct Globals {
+    /// Empty where not evaluated yet, `None` where that failed.
+    values: Vec<OnceLock<Option<Value>>>,
+    /// The identities of the values, where they are remembered.
+    marks: Vec<OnceLock<ResultId>>,
+    /// The number of the first of them; those before it belong to the file around a test.
+    first: usize,
+    around: Option<Arc<Globals>>,
+    /// The folder that the file's paths are relative to; empty for that of the script.
+    pub(crate) folder: String,
+}
+
+/// Keeps the definitions that functions in values use: while it lives, parametric curves and
+/// surfaces answer.
+#[derive(Clone, Debug, Default)]
+pub struct KeptGlobals {
+    _homes: Vec<Arc<Globals>>,
+}
+
+impl KeptGlobals {
+    /// Keeps these homes.
+    pub(super) fn new(homes: Vec<Arc<Globals>>) -> Self {
+        Self { _homes: homes }
+    }
+}
+
+impl Globals {
+    /// The home of a program, before anything is evaluated.
+    pub(super) fn new(program: &Program, folder: &str, recall: Option<&CacheRun<'_>>) -> Arc<Self> {
+        Arc::new(Self::of(program, folder, recall, None))
+    }
+
+    /// The home of a test's program inside this file.
+    pub(super) fn of_test(
+        self: &Arc<Self>,
+        program: &Program,
+        recall: Option<&CacheRun<'_>>,
+    ) -> Arc<Self> {
+        Arc::new(Self::of(program, &self.folder, recall, Some(Arc::clone(self))))
+    }
+
+    fn of(
+        program: &Program,
+        folder: &str,
+        recall: Option<&CacheRun<'_>>,
+        around: Option<Arc<Self>>,
+    ) -> Self {
+        let values = program.definitions.iter().map(|_| OnceLock::new()).collect();
+        let marked = if recall.is_some() { program.definitions.as_slice() } else { &[] };
+        let marks = marked.iter().map(|_| OnceLock::new()).collect();
+        Self { values, marks, first: program.first, around, folder: folder.to_owned() }
+    }
+
+    /// The value of a definition.
+    pub(crate) fn value(&self, idx: usize) -> Option<&Value> {
+        match idx.checked_sub(self.first) {
+            Some(own) => self.values.get(own)?.get().and_then(Option::as_ref),
+            None => self.around.as_ref()?.value(idx),
+        }
+    }
+
+    /// The identity of a definition's value.
+    pub(super) fn mark(&self, idx: usize) -> Option<&ResultId> {
+        match idx.checked_sub(self.first) {
+            Some(own) => self.marks.get(own)?.get(),
+            None => self.around.as_ref()?.mark(idx),
+        }
+    }
+
+    /// Keeps what a definition of its own came to; each belongs to one component, so that it is
+    /// kept once.
+    pub(crate) fn keep(&self, idx: usize, value: Option<Value>) {
+        if let Some(place) = idx.checked_sub(self.first).and_then(|own| self.values.get(own)) {
+            let _ = place.set(value);
+        }
+    }
+
+    /// The same with the value's identity.
+    pub(super) fn keep_marked(&self, idx: usize, found: Option<(Value, ResultId)>) {
+        let (value, mark) = found.unzip();
+        let place = idx.checked_sub(self.first).and_then(|own| self.marks.get(own));
+        if let (Some(place), Some(mark)) = (place, mark) {
+            let _ = place.set(mark);
+        }
+        self.keep(idx, value);
+    }
+}

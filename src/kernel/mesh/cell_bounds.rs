@@ -1,0 +1,354 @@
+//! What a mesh of a surface is asked for, and the cells that fulfil it.
+//!
+//! A triangle over a box of parameters of widths a and b is no further from the surface than
+//! `(a²·|Suu| + 2ab·|Suv| + b²·|Svv|) / 8` at equal parameters (Filip, Magedson & Markot 1986), which
+//! is one limit of the boxes; where only what lies along the normal counts, `near` has another. A
+//! cell keeps to one of the two. Other limits are the length of a box's diagonal and how far the
+//! normal turns over it.
+//!
+//! Of pieces that a cell touches together each second derivative counts where it is largest.
+
+use std::{f64::consts::PI, ops::Range};
+
+use glam::DVec3;
+
+use super::{
+    bend::{DerivativeBounds, PieceBounds},
+    form::ParameterBoxes,
+    near::near_rules,
+    rules::CellRules,
+};
+use crate::{GeomError, Grid, NurbsSurface, Tolerance, tolerance::BORDER_SHARE};
+
+/// Pieces along one direction by which the cells are counted, about; and of those that bound them
+/// then, one for each cell, about, how many at most.
+///
+/// Over a piece each second derivative is bounded on its own, where one may be large as another is
+/// small: pieces of several cells make more triangles of a wave than it needs.
+const FEW_PIECES: usize = 16;
+const MOST_PIECES: usize = 128;
+
+/// How much smaller cells become that break a rule of several pieces together.
+const NARROWING: f64 = 0.98;
+
+/// Search for how long cells are in proportion to their width: the first step, how many steps, and
+/// the part of the cells that must remain for a step to be one.
+const BALANCE_STEP: f64 = 2.0;
+const BALANCE_ROUNDS: usize = 5;
+const BALANCE_GAIN: f64 = 0.995;
+
+/// Places along a piece at which its normals are compared, as fractions of it.
+const PLACES: [f64; 3] = [0.01, 0.5, 0.99];
+
+/// What triangles are asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TessellationOptions {
+    /// No point of the mesh is further from the surface, none of the surface from the mesh.
+    pub tolerance: f64,
+    /// Normals at the corners of a triangle turn no further from one another; radians.
+    pub angle: f64,
+    /// No edge is longer.
+    pub max_edge: f64,
+    /// Corners and edges of surfaces that are no further apart are one, as far as the tolerance
+    /// leaves room for that.
+    pub weld: f64,
+}
+
+impl TessellationOptions {
+    /// A tolerance without other limits.
+    #[must_use]
+    pub const fn within(tolerance: f64) -> Self {
+        Self { tolerance, angle: PI, max_edge: f64::INFINITY, weld: Tolerance::DEFAULT.distance }
+    }
+
+    /// # Errors
+    /// [`GeomError::NotPositive`] for a limit that allows nothing.
+    pub(super) fn check(&self) -> Result<(), GeomError> {
+        let is_finite = self.tolerance.is_finite();
+        let limits = [
+            ("the tolerance", if is_finite { self.tolerance } else { f64::NAN }),
+            ("the angle", self.angle),
+            ("the longest edge", self.max_edge),
+        ];
+        match limits.into_iter().find(|&(_, got)| got <= 0.0 || got.is_nan()) {
+            Some((what, _)) if what == "the tolerance" => {
+                Err(GeomError::NotPositive { what, got: self.tolerance })
+            }
+            Some((what, got)) => Err(GeomError::NotPositive { what, got }),
+            None => Ok(()),
+        }
+    }
+
+    /// Whether the turn of the normal is limited at all.
+    pub(super) fn limits_angle(&self) -> bool {
+        self.angle < PI
+    }
+}
+
+/// The limits of the boxes over each piece of a surface.
+#[derive(Clone, Debug)]
+pub(super) struct CellBounds {
+    /// Where the pieces along u and along v begin and end.
+    pub(super) ends: [Vec<f64>; 2],
+    rules: Grid<CellRules>,
+    /// How many times longer a step along u is than one along v.
+    ratios: Grid<f64>,
+}
+
+impl CellBounds {
+    /// Those of a surface, with `breaks` of constant u and of constant v where derivatives jump.
+    pub(super) fn new(
+        surface: &NurbsSurface,
+        wanted: &TessellationOptions,
+        breaks: [&[f64]; 2],
+    ) -> Self {
+        let few = Self::of(DerivativeBounds::of(surface, [FEW_PIECES; 2]), surface, wanted, breaks);
+        let n_pieces =
+            few.widths().map(|(_, n_cells)| (n_cells as usize).clamp(FEW_PIECES, MOST_PIECES));
+        if n_pieces == [FEW_PIECES; 2] {
+            return few;
+        }
+        Self::of(DerivativeBounds::of(surface, n_pieces), surface, wanted, breaks)
+    }
+
+    fn of(
+        bends: DerivativeBounds,
+        surface: &NurbsSurface,
+        wanted: &TessellationOptions,
+        breaks: [&[f64]; 2],
+    ) -> Self {
+        let per_tolerance = 1.0 / (8.0 * wanted.tolerance);
+        let ratios = bends.pieces.map(ratio);
+        let lines = line_forms(&bends, breaks, per_tolerance / BORDER_SHARE);
+        let near = near_rules(&bends.pieces, &bends.ends, &ratios, breaks, wanted.tolerance);
+        let turns = wanted.limits_angle().then(|| turns(surface, &bends.ends));
+        let chord = 2.0 * libm::sin(0.5 * wanted.angle);
+        let may_fold = bends.plane.is_some_and(|normal| may_fold(&bends, normal));
+        let per_edge = 1.0 / (wanted.max_edge * wanted.max_edge);
+        let rules = Grid::from_fn(ratios.n_rows(), ratios.n_columns(), |i, j| {
+            let bend = bends.pieces.get(i, j);
+            let edge = diagonal(&bend).scaled(per_edge);
+            let angle = turns.as_ref().map_or(ParameterBoxes::NONE, |turns| turns.get(i, j));
+            let angle = angle.scaled(1.0 / (chord * chord));
+            let edge = if wanted.max_edge.is_finite() { edge } else { ParameterBoxes::NONE };
+            if bends.plane.is_some() {
+                let unfolded = if may_fold { unfolded(&bend) } else { ParameterBoxes::NONE };
+                let also = [edge, angle, unfolded, lines.get(i, j)];
+                return CellRules { whole: ParameterBoxes::NONE, near: None, also };
+            }
+            let mut near = near.get(i, j);
+            if let Some(near) = &mut near {
+                near.line = lines.get(i, j);
+            }
+            let also = [edge, angle, ParameterBoxes::NONE, ParameterBoxes::NONE];
+            CellRules { whole: form(bend.second).scaled(per_tolerance), near, also }
+        });
+        Self { ends: bends.ends, rules, ratios }
+    }
+
+    /// The same for an angle that is smaller by a factor.
+    pub(super) fn sharpened(&self, sharpness: f64) -> Self {
+        let mut sharp = self.clone();
+        sharp.rules = sharp.rules.map(|&rules| {
+            let [edge, angle, unfolded, line] = rules.also;
+            let angle = angle.scaled(sharpness * sharpness);
+            CellRules { also: [edge, angle, unfolded, line], ..rules }
+        });
+        sharp
+    }
+
+    /// Whether a box keeps to the limits of all pieces that it touches.
+    pub(super) fn allow(&self, box_of: [[f64; 2]; 2]) -> bool {
+        let [rows, columns] = [0, 1].map(|along| self.touched(along, box_of[along]));
+        let pieces = rows.flat_map(|i| self.rules.row(i)[columns.clone()].iter().copied());
+        let widths = box_of.map(|[low, high]| high - low);
+        CellRules::all_allow(pieces, widths)
+    }
+
+    /// The pieces that an interval along a direction touches.
+    pub(super) fn touched(&self, along: usize, [low, high]: [f64; 2]) -> Range<usize> {
+        let ends = &self.ends[along];
+        let first = ends.partition_point(|&t| t <= low).saturating_sub(1);
+        let behind = ends.partition_point(|&t| t < high).min(ends.len() - 1);
+        first.min(behind.saturating_sub(1))..behind.max(first + 1).min(ends.len() - 1)
+    }
+
+    /// Makes the widths a little smaller where cells between these lines break a rule, which those
+    /// can that touch several pieces; whether there are such.
+    pub(super) fn narrow(&self, lines: &[Vec<f64>; 2], widths: &mut [Vec<f64>; 2]) -> bool {
+        let [steps_u, steps_v] = [0, 1].map(|along| -> Vec<([f64; 2], Range<usize>)> {
+            let steps = lines[along].windows(2).map(|pair| [pair[0], pair[1]]);
+            steps.map(|step| (step, self.touched(along, step))).collect()
+        });
+        let mut is_faulty = [vec![false; widths[0].len()], vec![false; widths[1].len()]];
+        for (step_u, rows) in &steps_u {
+            for (step_v, columns) in &steps_v {
+                // Widths are those that cells of one piece may have.
+                if 2 < rows.len() + columns.len() && !self.allow([*step_u, *step_v]) {
+                    is_faulty[0][rows.clone()].fill(true);
+                    is_faulty[1][columns.clone()].fill(true);
+                }
+            }
+        }
+        for (widths, is_faulty) in widths.iter_mut().zip(&is_faulty) {
+            for (width, _) in widths.iter_mut().zip(is_faulty).filter(|(_, is_faulty)| **is_faulty)
+            {
+                *width *= NARROWING;
+            }
+        }
+        is_faulty[0].contains(&true)
+    }
+
+    /// Widths of cells for each piece along u and along v, so that every cell of one piece keeps to
+    /// every limit, and about how many cells that makes along each.
+    pub(super) fn widths(&self) -> [(Vec<f64>, f64); 2] {
+        let wholes = self.ends.each_ref().map(|ends| ends[ends.len() - 1] - ends[0]);
+        let mut widths = vec![wholes[1]; self.rules.n_columns()];
+        for i in 0..self.rules.n_rows() {
+            for (j, width) in widths.iter_mut().enumerate() {
+                let [_, b] = self.rules.get(i, j).largest(self.ratios.get(i, j));
+                *width = width.min(b);
+            }
+        }
+        let turned = self.rules.map(|rules| rules.swapped()).transposed();
+        let balanced = |factor: f64| {
+            let mut columns: Vec<f64> =
+                widths.iter().map(|width| (factor * width).min(wholes[1])).collect();
+            let rows = widest(&self.rules, &columns, wholes[0]);
+            for (width, wider) in columns.iter_mut().zip(widest(&turned, &rows, wholes[1])) {
+                *width = width.max(wider);
+            }
+            let counts = [count(&self.ends[0], &rows), count(&self.ends[1], &columns)];
+            [(rows, counts[0]), (columns, counts[1])]
+        };
+        let cost = |found: &[(Vec<f64>, f64); 2]| found[0].1 * found[1].1;
+        let mut best = (1.0, balanced(1.0));
+        let mut step = BALANCE_STEP;
+        for _ in 0..BALANCE_ROUNDS {
+            let (middle, mut is_best): (f64, bool) = (best.0, true);
+            for factor in [middle / step, middle * step] {
+                let found = balanced(factor);
+                if cost(&found) < BALANCE_GAIN * cost(&best.1) {
+                    (best, is_best) = ((factor, found), false);
+                }
+            }
+            if is_best {
+                step = step.sqrt();
+            }
+        }
+        best.1
+    }
+}
+
+/// The widest steps along u that go with steps along v.
+fn widest(rules: &Grid<CellRules>, columns: &[f64], whole: f64) -> Vec<f64> {
+    let of_row = |i: usize| {
+        let row = rules.row(i).iter().zip(columns);
+        row.map(|(rules, &b)| rules.widest(b)).fold(whole, f64::min)
+    };
+    (0..rules.n_rows()).map(of_row).collect()
+}
+
+fn count(ends: &[f64], widths: &[f64]) -> f64 {
+    ends.windows(2).zip(widths).map(|(ends, width)| (ends[1] - ends[0]) / width).sum()
+}
+
+/// The limits beside lines that keep to the tolerance on their own.
+fn line_forms(
+    bends: &DerivativeBounds,
+    lines: [&[f64]; 2],
+    per_tolerance: f64,
+) -> Grid<ParameterBoxes> {
+    let [beside_u, beside_v] = [0, 1].map(|along| -> Vec<bool> {
+        let is_line = |t: f64| lines[along].contains(&t);
+        bends.ends[along].windows(2).map(|ends| is_line(ends[0]) || is_line(ends[1])).collect()
+    });
+    Grid::from_fn(beside_u.len(), beside_v.len(), |i, j| {
+        let [uu, _, vv] = bends.pieces.get(i, j).second;
+        let of = |is_beside: bool, bend: f64| if is_beside { bend } else { 0.0 };
+        form([of(beside_v[j], uu), 0.0, of(beside_u[i], vv)]).scaled(per_tolerance)
+    })
+}
+
+pub(super) fn form([uu, uv, vv]: [f64; 3]) -> ParameterBoxes {
+    ParameterBoxes { uu, uv, vv }
+}
+
+fn ratio(bend: &PieceBounds) -> f64 {
+    let ratio = bend.middle[0].length() / bend.middle[1].length();
+    if ratio.is_normal() { ratio } else { 1.0 }
+}
+
+/// The square of the length of a box's diagonal.
+fn diagonal(bend: &PieceBounds) -> ParameterBoxes {
+    let [along_u, along_v, ..] = bend.middle;
+    let ([u, v], [spread_u, spread_v]) = (bend.first, bend.spread);
+    let product = along_u.dot(along_v).abs()
+        + spread_u * along_v.length()
+        + spread_v * along_u.length()
+        + spread_u * spread_v;
+    ParameterBoxes { uu: u * u, uv: product.min(u * v), vv: v * v }
+}
+
+/// Whether somewhere in a plane Su has a direction that Sv has somewhere.
+fn may_fold(bends: &DerivativeBounds, normal: DVec3) -> bool {
+    let Some(first) = bends.pieces.as_slice().first() else { return true };
+    let x = first.middle[0];
+    let y = normal.cross(x);
+    let mut directions = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+    for bend in &bends.pieces {
+        for (i, range) in directions.iter_mut().enumerate() {
+            let along = bend.middle[i];
+            let reach = bend.spread[i] / along.length();
+            if 1.0 <= reach || reach.is_nan() {
+                return true;
+            }
+            let (angle, spread) = (libm::atan2(along.dot(y), along.dot(x)), libm::asin(reach));
+            *range = [range[0].min(angle - spread), range[1].max(angle + spread)];
+        }
+    }
+    let [u, v] = directions;
+    v[0] - u[1] <= 0.0 || PI <= v[1] - u[0]
+}
+
+/// The boxes over which neither Su nor Sv turns by half of the angle between them.
+fn unfolded(bend: &PieceBounds) -> ParameterBoxes {
+    let [along_u, along_v, uu, uv, vv] = bend.middle;
+    let angle = libm::atan2(along_u.cross(along_v).length(), along_u.dot(along_v));
+    let room = 0.5 * angle.min(PI - angle);
+    let turn = |along: DVec3, bend: DVec3| along.cross(bend).length() / along.length_squared();
+    let per_u = turn(along_u, uu).max(turn(along_v, uv)) / room;
+    let per_v = turn(along_u, uv).max(turn(along_v, vv)) / room;
+    ParameterBoxes { uu: per_u * per_u, uv: per_u * per_v, vv: per_v * per_v }
+}
+
+/// The square of the distance between unit normals over a box, by their differences between
+/// places of each piece.
+fn turns(surface: &NurbsSurface, ends: &[Vec<f64>; 2]) -> Grid<ParameterBoxes> {
+    let [us, vs] = ends.each_ref().map(|ends| -> Vec<f64> {
+        let at = |pair: &[f64]| PLACES.map(|place| pair[0] + (pair[1] - pair[0]) * place);
+        ends.windows(2).flat_map(at).collect()
+    });
+    let normals = surface.samples_on_grid(&us, &vs, 1).normals;
+    let n = PLACES.len();
+    Grid::from_fn(ends[0].len() - 1, ends[1].len() - 1, |i, j| {
+        let mut most = ParameterBoxes::NONE;
+        for k in 0..n - 1 {
+            for l in 0..n - 1 {
+                let at = |dk: usize, dl: usize| normals.get(i * n + k + dk, j * n + l + dl);
+                let (du, dv) =
+                    (us[i * n + k + 1] - us[i * n + k], vs[j * n + l + 1] - vs[j * n + l]);
+                let turns_u = [0, 1].map(|dl| (at(1, dl) - at(0, dl)) / du);
+                let turns_v = [0, 1].map(|dk| (at(dk, 1) - at(dk, 0)) / dv);
+                for turn_u in turns_u {
+                    for turn_v in turns_v {
+                        most.uu = most.uu.max(turn_u.length_squared());
+                        most.vv = most.vv.max(turn_v.length_squared());
+                        most.uv = most.uv.max(turn_u.dot(turn_v).abs());
+                    }
+                }
+            }
+        }
+        most
+    })
+}

@@ -1,0 +1,150 @@
+//! A surface that becomes triangles: its limits, and the lines of its grid.
+
+use std::{borrow::Cow, sync::Arc};
+
+use glam::DVec3;
+
+use super::{
+    cell_bounds::{CellBounds, TessellationOptions},
+    grid::check_vertices,
+    steps::CellWidths,
+};
+use crate::{
+    Direction, GeomError, Interval, KnotVector, NurbsSurface, ParametricSurface, Surface,
+    surface::Crease,
+};
+
+/// Part of a tolerance that goes to the spline near a function, and as much again to its vertices,
+/// which come onto the function.
+pub(super) const SHARE: f64 = 0.1;
+
+/// A surface with what its mesh needs.
+#[derive(Debug)]
+pub(super) struct SurfacePatch<'a> {
+    /// The surface, or a spline near the function that it is.
+    pub(super) spline: Cow<'a, NurbsSurface>,
+    function: Option<&'a Arc<ParametricSurface>>,
+    /// Where the derivative jumps along u and along v.
+    pub(super) breaks: [Vec<Crease>; 2],
+    /// What of the tolerance is left to the triangles.
+    tolerance: f64,
+}
+
+/// The cells of a sheet.
+#[derive(Debug)]
+pub(super) struct Cells {
+    limits: CellBounds,
+    /// Parameters of the lines along u and along v, the ends of the domain among them.
+    pub(super) lines: [Vec<f64>; 2],
+}
+
+impl<'a> SurfacePatch<'a> {
+    /// # Errors
+    /// Those of [`ParametricSurface::to_nurbs`].
+    pub(super) fn new(surface: &'a Surface, tolerance: f64) -> Result<Self, GeomError> {
+        match surface {
+            Surface::Nurbs(spline) => Ok(Self::of_spline(spline, tolerance)),
+            Surface::Parametric(function) => {
+                let spline = function.to_nurbs(SHARE * tolerance)?;
+                let breaks = Direction::BOTH.map(|along| spline.breaks_of_derivative(along));
+                let tolerance = (1.0 - 2.0 * SHARE) * tolerance;
+                Ok(Self { spline: Cow::Owned(spline), function: Some(function), breaks, tolerance })
+            }
+        }
+    }
+
+    pub(super) fn of_spline(spline: &'a NurbsSurface, tolerance: f64) -> Self {
+        let breaks = Direction::BOTH.map(|along| spline.breaks_of_derivative(along));
+        Self { spline: Cow::Borrowed(spline), function: None, breaks, tolerance }
+    }
+
+    /// Whether its points are not those of the spline.
+    pub(super) fn is_function(&self) -> bool {
+        self.function.is_some()
+    }
+
+    /// The domains along u and along v.
+    pub(super) fn domains(&self) -> [Interval; 2] {
+        [self.spline.domain_u(), self.spline.domain_v()]
+    }
+
+    /// Gives a part of the tolerance away, to vertices that come onto another surface.
+    pub(super) fn reserve(&mut self, gap: f64) {
+        self.tolerance = (self.tolerance - gap).max(0.5 * self.tolerance);
+    }
+
+    /// What of the tolerance is left to the triangles.
+    pub(super) fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// A point of the surface itself.
+    ///
+    /// # Errors
+    /// Those of [`ParametricSurface::point_at`].
+    pub(super) fn point_at(&self, u: f64, v: f64) -> Result<DVec3, GeomError> {
+        match self.function {
+            Some(function) => function.point_at(u, v),
+            None => Ok(self.spline.point_at(u, v)),
+        }
+    }
+
+    /// The limits of its cells.
+    pub(super) fn limits(&self, wanted: &TessellationOptions) -> CellBounds {
+        let wanted = TessellationOptions { tolerance: self.tolerance, ..*wanted };
+        let breaks = self.breaks.each_ref().map(|breaks| breaks.iter().map(|b| b.at).collect());
+        CellBounds::new(&self.spline, &wanted, breaks.each_ref().map(Vec::as_slice))
+    }
+
+    /// The cells that keep to limits.
+    ///
+    /// # Errors
+    /// [`GeomError::TooManyVertices`].
+    pub(super) fn cells(&self, limits: CellBounds, most: usize) -> Result<Cells, GeomError> {
+        let mut widths = limits.widths().map(|(widths, _)| widths);
+        let domains = self.domains();
+        let sections = [0, 1].map(|along| {
+            let breaks = self.breaks[along].iter().map(|line| line.at);
+            let mut ends = vec![domains[along].start(), domains[along].end()];
+            ends.extend(breaks.chain(full_knots(self.spline.knots(Direction::BOTH[along]))));
+            ends.sort_by(f64::total_cmp);
+            ends.dedup();
+            ends
+        });
+        loop {
+            let lines = |along: usize| {
+                let widths = CellWidths { ends: &limits.ends[along], widths: &widths[along] };
+                widths.lines(&sections[along], most)
+            };
+            let lines = [lines(0)?, lines(1)?];
+            check_vertices(lines[0].len() - 1, lines[1].len() - 1, most)?;
+            if !limits.narrow(&lines, &mut widths) {
+                return Ok(Cells { limits, lines });
+            }
+        }
+    }
+}
+
+/// The inner knots at which pieces of their own begin, such as quarters of a circle: lines there
+/// make the cells of alike pieces alike. Of degree 1 every knot would be one.
+fn full_knots(knots: &KnotVector) -> Vec<f64> {
+    let (degree, domain) = (knots.degree(), knots.domain());
+    let is_full = |&(t, times): &(f64, usize)| {
+        1 < degree && degree <= times && domain.start() < t && t < domain.end()
+    };
+    knots.distinct().into_iter().filter(is_full).map(|(t, _)| t).collect()
+}
+
+impl Cells {
+    /// Whether a triangle may reach over these intervals of u and of v.
+    pub(super) fn allow(&self, box_of: [[f64; 2]; 2]) -> bool {
+        self.limits.allow(box_of)
+    }
+
+    /// The first or last step of the lines along a direction.
+    pub(super) fn rim(&self, along: usize, is_last: bool) -> [f64; 2] {
+        let lines = &self.lines[along];
+        let first = if is_last { lines.len() - 2 } else { 0 };
+        [lines[first], lines[first + 1]]
+    }
+}

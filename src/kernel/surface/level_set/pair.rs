@@ -1,0 +1,191 @@
+//! Parts of two surfaces in search of one another: boxes, slabs, and cones of normals.
+
+use glam::{DVec3, DVec4};
+
+use super::{shade, square};
+use crate::{
+    Bounds, Direction, Grid, Interval, NurbsSurface, Side, frame::unit, homogeneous, surface::Edge,
+    tolerance::PLACE_RELATIVE,
+};
+
+/// Two parts cross in at most one arc when their cones of normals together are narrower than this
+/// fraction of the sine of the angle between them.
+const CLEAR: f64 = 0.4;
+
+/// Cones of normals of parts in which places are looked for where normals are parallel are together
+/// no wider than this: Newton's method finds them.
+const FLAT_ENOUGH: f64 = 0.8;
+
+/// A part of a surface, between parameters.
+#[derive(Clone, Debug)]
+pub(in crate::surface) struct SurfacePart {
+    pub(in crate::surface) low: [f64; 2],
+    pub(in crate::surface) high: [f64; 2],
+    net: Grid<DVec4>,
+    normals: Grid<DVec3>,
+    places: Grid<DVec3>,
+    pub(super) bounds: Bounds,
+    /// All normals are within the angle of the axis.
+    axis: DVec3,
+    angle: f64,
+}
+
+impl SurfacePart {
+    /// The Bézier patches of a surface; those that are lines or points are left out.
+    pub(in crate::surface) fn all(surface: &NurbsSurface) -> Vec<Self> {
+        let spans = [surface.knots_u(), surface.knots_v()].map(|k| k.spans().collect::<Vec<_>>());
+        let pairs = spans[0].iter().flat_map(|&u| spans[1].iter().map(move |&v| (u, v)));
+        let part = |(u, v)| {
+            let patch = surface.patch(u, v);
+            let normals = shade::normals_of(&patch)?;
+            let domains = [patch.domain_u(), patch.domain_v()];
+            let net = patch.control_points().clone();
+            Some(Self::new(domains.map(Interval::start), domains.map(Interval::end), net, normals))
+        };
+        pairs.filter_map(part).collect()
+    }
+
+    fn new(low: [f64; 2], high: [f64; 2], net: Grid<DVec4>, normals: Grid<DVec3>) -> Self {
+        let places = net.map(|&point| homogeneous::place(point));
+        let nothing = Bounds { min: DVec3::ZERO, max: DVec3::ZERO };
+        let bounds = Bounds::of(places.iter().copied()).unwrap_or(nothing);
+        let units = || normals.iter().filter_map(|&normal| unit(normal));
+        let axis = unit(units().sum()).unwrap_or(DVec3::ZERO);
+        let angle = match axis == DVec3::ZERO {
+            true => std::f64::consts::PI,
+            false => units().map(|normal| normal.angle_between(axis)).fold(0.0, f64::max),
+        };
+        Self { low, high, net, normals, places, bounds, axis, angle }
+    }
+
+    pub(super) fn middle(&self) -> [f64; 2] {
+        [0, 1].map(|i| 0.5 * (self.low[i] + self.high[i]))
+    }
+
+    /// The halves across the direction in which it is longer.
+    pub(in crate::surface) fn halves(&self) -> [Self; 2] {
+        let along_u = longest(&self.places) >= longest(&self.places.transposed());
+        let direction = usize::from(!along_u);
+        let middle = self.middle()[direction];
+        let nets = cut(&self.net, along_u);
+        let [before, behind] = cut(&self.normals, along_u);
+        let mut ends = [(self.low, self.high); 2];
+        (ends[0].1[direction], ends[1].0[direction]) = (middle, middle);
+        let [first, second] = nets;
+        [
+            Self::new(ends[0].0, ends[0].1, first, before),
+            Self::new(ends[1].0, ends[1].1, second, behind),
+        ]
+    }
+
+    /// The steps along one of its sides.
+    pub(super) fn along(&self, edge: Edge) -> Vec<DVec3> {
+        let rows = self.rows_behind(edge);
+        rows.row(0).windows(2).map(|pair| pair[1] - pair[0]).collect()
+    }
+
+    /// The steps that lead from one of its sides to the opposite one.
+    pub(super) fn inward(&self, edge: Edge) -> Vec<DVec3> {
+        let rows = self.rows_behind(edge);
+        let steps = |i: usize| rows.row(i).iter().zip(rows.row(i - 1)).map(|(to, from)| to - from);
+        (1..rows.n_rows()).flat_map(steps).collect()
+    }
+
+    /// The net with the row along a side as its first.
+    fn rows_behind(&self, edge: Edge) -> Grid<DVec3> {
+        let (along, side) = edge.place();
+        let rows =
+            if along == Direction::U { self.places.clone() } else { self.places.transposed() };
+        let last = rows.n_rows() - 1;
+        match side {
+            Side::Left => rows,
+            Side::Right => Grid::from_fn(last + 1, rows.n_columns(), |i, j| rows.get(last - i, j)),
+        }
+    }
+
+    /// Where it lies along an axis.
+    fn reach(&self, axis: DVec3) -> [f64; 2] {
+        let heights = || self.places.iter().map(|place| place.dot(axis));
+        [heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max)]
+    }
+
+    /// How thick the slab across its axis is.
+    pub(super) fn thickness(&self) -> f64 {
+        let [least, most] = self.reach(self.axis);
+        if self.axis == DVec3::ZERO { self.bounds.diagonal() } else { most - least }
+    }
+
+    /// Whether it is further than a distance from points, told by boxes and by slabs.
+    pub(super) fn is_beside(&self, bounds: Bounds, points: &[DVec3], distance: f64) -> bool {
+        let are_near = self.bounds.min.cmple(bounds.max + distance).all()
+            && bounds.min.cmple(self.bounds.max + distance).all();
+        if !are_near {
+            return true;
+        }
+        let [least, most] = self.reach(self.axis);
+        let heights = || points.iter().map(|point| point.dot(self.axis));
+        heights().fold(f64::NEG_INFINITY, f64::max) < least - distance
+            || most + distance < heights().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether two parts are further than a distance from one another.
+    pub(super) fn is_apart(&self, other: &Self, distance: f64) -> bool {
+        self.is_beside(other.bounds, other.places.as_slice(), distance)
+            || other.is_beside(self.bounds, self.places.as_slice(), distance)
+    }
+
+    /// Whether two parts cross in at most one arc, and never against its direction.
+    pub(super) fn crosses_clearly(&self, other: &Self) -> bool {
+        self.angle + other.angle < CLEAR * self.axis.cross(other.axis).length()
+    }
+
+    /// Whether its normals are all on one side of a plane, so that it does not turn over.
+    pub(in crate::surface) fn is_regular(&self) -> bool {
+        self.angle < std::f64::consts::FRAC_PI_2
+    }
+
+    /// Whether normals of both may be parallel, and little else.
+    pub(super) fn may_touch(&self, other: &Self) -> bool {
+        let between = libm::asin(self.axis.cross(other.axis).length().min(1.0));
+        let spread = self.angle + other.angle;
+        spread <= FLAT_ENOUGH && between <= spread
+    }
+
+    /// Whether parameters are within it or beside it.
+    pub(super) fn is_about(&self, at: [f64; 2]) -> bool {
+        (0..2).all(|i| {
+            let slack = 0.5 * (self.high[i] - self.low[i]);
+            self.low[i] - slack <= at[i] && at[i] <= self.high[i] + slack
+        })
+    }
+
+    /// Whether directions within an angle of another stay clear of its tangent planes.
+    pub(super) fn is_crossed_by(&self, direction: DVec3, angle: f64) -> bool {
+        angle + self.angle < libm::asin(direction.dot(self.axis).abs().min(1.0)) - 0.05
+    }
+
+    pub(super) fn holds(&self, at: [f64; 2]) -> bool {
+        (0..2).all(|i| {
+            let slack = PLACE_RELATIVE * (self.high[i] - self.low[i]);
+            self.low[i] - slack <= at[i] && at[i] <= self.high[i] + slack
+        })
+    }
+}
+
+fn longest(places: &Grid<DVec3>) -> f64 {
+    let n = places.n_rows();
+    let steps = (1..n).flat_map(|i| {
+        (0..places.n_columns()).map(move |j| places.get(i, j).distance(places.get(i - 1, j)))
+    });
+    (n - 1) as f64 * steps.fold(0.0, f64::max)
+}
+
+fn cut<T>(field: &Grid<T>, along_u: bool) -> [Grid<T>; 2]
+where
+    T: Copy + std::ops::Add<Output = T> + std::ops::Mul<f64, Output = T>,
+{
+    match along_u {
+        true => square::cut_v(&field.transposed(), 0.5).map(|part| part.transposed()),
+        false => square::cut_v(field, 0.5),
+    }
+}

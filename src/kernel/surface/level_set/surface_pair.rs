@@ -1,0 +1,167 @@
+//! Two surfaces that are asked where they cross, and the places that they share.
+
+use glam::DVec3;
+
+use super::{
+    collapsed::{CollapsedEdge, collapsed},
+    linear::solved,
+    tangential_contact::poles,
+};
+use crate::{
+    Interval, NurbsSurface,
+    frame::{norm, unit},
+    tolerance::LAST_BIT,
+};
+
+/// Steps of Newton's method.
+const MAX_STEPS: usize = 25;
+
+/// Two surfaces that are asked where they cross.
+#[derive(Debug)]
+pub(super) struct SurfacePair<'s> {
+    pub(super) surfaces: [&'s NurbsSurface; 2],
+    pub(super) domains: [Interval; 4],
+    pub(super) tolerance: f64,
+    /// Within this distance surfaces whose normals are parallel touch.
+    pub(super) contact: f64,
+    pub(super) size: f64,
+    /// What rounding leaves of a distance.
+    pub(super) rounding: f64,
+    /// Poles and corners in which the surfaces touch.
+    pub(super) poles: Vec<DVec3>,
+    /// Collapsed edges of either surface on the other one: curves that arrive there end.
+    pub(super) collapsed: Vec<CollapsedEdge>,
+}
+
+/// A place on both surfaces: u and v on the first, u and v on the second.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PairParameters {
+    pub(super) at: [f64; 4],
+    pub(super) point: DVec3,
+    /// Along N × N of both, zero where they touch.
+    pub(super) tangent: DVec3,
+}
+
+/// What both surfaces tell at parameters: how far apart they are, how that changes, and the point.
+pub(super) struct PairState {
+    apart: DVec3,
+    pub(super) slopes: [DVec3; 4],
+    point: DVec3,
+}
+
+impl<'s> SurfacePair<'s> {
+    /// Of surfaces that touch within that share of the tolerance.
+    pub(super) fn new(
+        surfaces: [&'s NurbsSurface; 2],
+        [tolerance, share]: [f64; 2],
+        size: f64,
+    ) -> Self {
+        let [a, b] = surfaces;
+        let domains = [a.domain_u(), a.domain_v(), b.domain_u(), b.domain_v()];
+        let magnitude = a.bounds().magnitude().max(b.bounds().magnitude());
+        let contact = share * tolerance;
+        let poles = poles(surfaces, contact);
+        let rounding = 8.0 * LAST_BIT * magnitude;
+        let collapsed = collapsed(surfaces, contact);
+        Self { surfaces, domains, tolerance, contact, size, rounding, poles, collapsed }
+    }
+
+    /// Parts of surfaces that touch are no larger than this: the tolerance's height over a bend of
+    /// the size.
+    pub(super) fn touch_size(&self) -> f64 {
+        (self.tolerance * self.size).sqrt()
+    }
+
+    /// Beyond its domain a surface goes on straight.
+    pub(super) fn look(&self, at: [f64; 4]) -> PairState {
+        let one = |surface: &NurbsSurface, i: usize| {
+            let inside = [0, 1].map(|k| within(self.domains[i + k], at[i + k]));
+            let [point, by_u, by_v] = surface.tangents_at(inside[0], inside[1]);
+            let beyond = by_u * (at[i] - inside[0]) + by_v * (at[i + 1] - inside[1]);
+            (point + beyond, by_u, by_v)
+        };
+        let (p, pu, pv) = one(self.surfaces[0], 0);
+        let (q, qu, qv) = one(self.surfaces[1], 2);
+        PairState { apart: p - q, slopes: [pu, pv, -qu, -qv], point: p.midpoint(q) }
+    }
+
+    fn place(&self, at: [f64; 4]) -> PairParameters {
+        let PairState { slopes: [pu, pv, qu, qv], point, .. } = self.look(at);
+        let normals = [unit(pu.cross(pv)), unit(qu.cross(qv))];
+        let across = normals[0].zip(normals[1]).map_or(DVec3::ZERO, |(a, b)| a.cross(b));
+        let is_clear = LAST_BIT.sqrt() < across.length();
+        let tangent = unit(across).filter(|_| is_clear).unwrap_or(DVec3::ZERO);
+        PairParameters { at, point, tangent }
+    }
+
+    /// The common place nearest to parameters, these counted by widths.
+    pub(super) fn common(&self, mut at: [f64; 4], widths: [f64; 4]) -> Option<PairParameters> {
+        for _ in 0..MAX_STEPS {
+            let look = self.look(at);
+            if norm(look.apart) <= self.rounding {
+                break;
+            }
+            // The shortest step that removes the gap.
+            let columns: [DVec3; 4] = std::array::from_fn(|i| look.slopes[i] * widths[i]);
+            let matrix: [[f64; 3]; 3] = std::array::from_fn(|i| {
+                std::array::from_fn(|k| columns.iter().map(|c| c[i] * c[k]).sum())
+            });
+            let factors = DVec3::from_array(solved(matrix, (-look.apart).to_array())?);
+            let step = |i: usize| widths[i] * columns[i].dot(factors).clamp(-2.0, 2.0);
+            at = std::array::from_fn(|i| at[i] + step(i));
+        }
+        (norm(self.look(at).apart) <= 0.01 * self.tolerance).then(|| self.place(at))
+    }
+
+    /// The common place in a plane across a direction, or with one parameter given.
+    pub(super) fn common_where(
+        &self,
+        mut at: [f64; 4],
+        condition: PlaceCondition,
+    ) -> Option<PairParameters> {
+        for _ in 0..MAX_STEPS {
+            let look = self.look(at);
+            let (row, value) = match condition {
+                PlaceCondition::InPlane { origin, normal } => {
+                    let [pu, pv, ..] = look.slopes;
+                    // The plane cuts the first surface.
+                    let first = look.point + 0.5 * look.apart;
+                    let row = [pu.dot(normal), pv.dot(normal), 0.0, 0.0];
+                    (row, (first - origin).dot(normal))
+                }
+                PlaceCondition::At { parameter, value } => (
+                    std::array::from_fn(|i| f64::from(u8::from(i == parameter))),
+                    at[parameter] - value,
+                ),
+            };
+            let matrix: [[f64; 4]; 4] = std::array::from_fn(|i| match i {
+                3 => row,
+                _ => std::array::from_fn(|k| look.slopes[k][i]),
+            });
+            let [x, y, z] = (-look.apart).to_array();
+            let step = solved(matrix, [x, y, z, -value])?;
+            at = std::array::from_fn(|i| at[i] + step[i]);
+            let is_still = (0..4).all(|i| {
+                step[i].abs() <= 4.0 * LAST_BIT * (at[i].abs() + self.domains[i].length())
+            });
+            if is_still {
+                break;
+            }
+        }
+        let is_there =
+            at.iter().all(|x| x.is_finite()) && norm(self.look(at).apart) <= 0.01 * self.tolerance;
+        is_there.then(|| self.place(at))
+    }
+}
+
+/// What a place must fulfil besides being on both surfaces.
+#[derive(Clone, Copy)]
+pub(super) enum PlaceCondition {
+    InPlane { origin: DVec3, normal: DVec3 },
+    At { parameter: usize, value: f64 },
+}
+
+/// The parameter of a domain that is nearest to one.
+pub(super) fn within(domain: Interval, t: f64) -> f64 {
+    t.clamp(domain.start(), domain.end())
+}

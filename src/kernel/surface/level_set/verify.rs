@@ -1,0 +1,235 @@
+//! What was found is looked at before it is told: whether each curve lies on the surfaces, stands once,
+//! and ends only where a curve of these surfaces can end.
+//!
+//! A curve in which surfaces cross ends at a border of one of them or where it meets others; so every end
+//! elsewhere tells that a part is missing. Half-branches of an analytic set come in pairs at each of its
+//! points (Sullivan, *Combinatorial invariants of analytic spaces*, 1971), so that an odd number of ends
+//! tells the same wherever surfaces are round. Only at a tip a line may end by itself, along which what
+//! touches the tip's cone does so.
+
+use glam::DVec3;
+
+use super::PictureError;
+use crate::{
+    Bounds, Frame, GeomError, Interval, NurbsCurve, NurbsSurface, tolerance::NORMAL_AGREEMENT,
+};
+
+/// Where within each span a curve is looked at: not in its middle, where a cubic may be on by symmetry.
+const SHARES: [f64; 3] = [0.15, 0.4, 0.75];
+
+/// Places along a curve that are looked at, and how many of them elsewhere too make a stretch.
+const N_PLACES: usize = 9;
+const LEAST_SHARED: usize = 3;
+
+/// Ends this many tolerances apart are one: where many meet each has its own error.
+const ONE_END: f64 = 4.0;
+
+/// Curves of fewer tolerances have no stretches.
+const SHORTEST: f64 = 200.0;
+
+/// What curves are told of.
+pub(super) enum CurveOrigin<'m> {
+    /// Two surfaces.
+    Surfaces([&'m NurbsSurface; 2]),
+    /// A surface and a plane, with places where curves may end too: flat parts are told by their borders,
+    /// where others end.
+    Section { surface: &'m NurbsSurface, plane: Frame, touches: &'m [DVec3] },
+}
+
+impl CurveOrigin<'_> {
+    fn surfaces(&self) -> &[&NurbsSurface] {
+        match self {
+            Self::Surfaces(surfaces) => surfaces,
+            Self::Section { surface, .. } => std::slice::from_ref(surface),
+        }
+    }
+
+    /// How far a point is from the plane of a section.
+    fn height_over_plane(&self, point: DVec3) -> f64 {
+        match self {
+            Self::Surfaces(_) => 0.0,
+            Self::Section { plane, .. } => (point - plane.origin()).dot(plane.z()).abs(),
+        }
+    }
+
+    /// Whether that many ends in a place tell of no part that is missing.
+    fn allows(&self, n_ends: usize, end: DVec3, near: f64) -> bool {
+        match self {
+            Self::Surfaces(_) => n_ends.is_multiple_of(2),
+            Self::Section { touches, .. } => {
+                1 < n_ends || touches.iter().any(|touch| touch.distance(end) <= near)
+            }
+        }
+    }
+
+    /// Whether both only touch along the curve.
+    fn touches_along(&self, curve: &NurbsCurve) -> bool {
+        let point = curve.point_at(curve.domain().at(0.5));
+        let normal = |surface: &NurbsSurface| {
+            let [u, v] = surface.closest(point).parameters;
+            surface.normal_at(u, v).ok()
+        };
+        let normals = match self {
+            Self::Surfaces([a, b]) => normal(a).zip(normal(b)),
+            Self::Section { surface, plane, .. } => normal(surface).map(|a| (a, plane.z())),
+        };
+        normals.is_some_and(|(a, b)| a.cross(b).length() <= NORMAL_AGREEMENT)
+    }
+}
+
+/// Whether curves are on both that meet, each once, and complete.
+///
+/// # Errors
+/// [`PictureError::OffSurface`], [`PictureError::ToldTwice`], [`PictureError::EndsInside`] with the place.
+pub(super) fn verify(
+    curves: &[NurbsCurve],
+    meeting: &CurveOrigin<'_>,
+    tolerance: f64,
+) -> Result<(), GeomError> {
+    for curve in curves {
+        is_on(curve, meeting, tolerance)?;
+    }
+    for (i, curve) in curves.iter().enumerate() {
+        let others = curves.iter().enumerate().filter(|&(k, _)| k != i).map(|(_, other)| other);
+        stands_once(curve, others, tolerance)?;
+    }
+    ends_are_ends(curves, meeting, tolerance)
+}
+
+/// A surface with the parameters under the last of some points, where the next is looked for first.
+struct ClosestPointTracker<'s> {
+    surface: &'s NurbsSurface,
+    parameters: Option<[f64; 2]>,
+}
+
+impl ClosestPointTracker<'_> {
+    /// How far a point is from the surface, at most; beyond the tolerance, how far it is.
+    fn distance(&mut self, point: DVec3, tolerance: f64) -> f64 {
+        let beside = self.parameters.map(|start| self.surface.foot_from(start, point));
+        let foot = match beside {
+            Some(foot) if foot.distance <= tolerance => foot,
+            _ => self.surface.closest(point),
+        };
+        self.parameters = Some(foot.parameters);
+        foot.distance
+    }
+}
+
+/// Fails where the curve is further than the tolerance from what meets.
+fn is_on(curve: &NurbsCurve, meeting: &CurveOrigin<'_>, tolerance: f64) -> Result<(), GeomError> {
+    let mut surfaces: Vec<ClosestPointTracker<'_>> = meeting
+        .surfaces()
+        .iter()
+        .map(|&surface| ClosestPointTracker { surface, parameters: None })
+        .collect();
+    let knots = curve.knots().distinct();
+    for pair in knots.windows(2) {
+        for share in SHARES {
+            let point = curve.point_at(pair[0].0 + (pair[1].0 - pair[0].0) * share);
+            let from_surfaces = surfaces.iter_mut().map(|under| under.distance(point, tolerance));
+            // What is no number is off too.
+            let distance = from_surfaces.fold(meeting.height_over_plane(point), |far, near| {
+                if far.is_nan() || near <= far { far } else { near }
+            });
+            let is_near = distance <= tolerance;
+            if !is_near {
+                return Err(PictureError::OffSurface { point, distance }.into());
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Fails where a stretch of the curve is one of another, or one of its own further on.
+fn stands_once<'c>(
+    curve: &NurbsCurve,
+    others: impl Iterator<Item = &'c NurbsCurve>,
+    tolerance: f64,
+) -> Result<(), GeomError> {
+    let bounds = curve.bounds();
+    if bounds.diagonal() <= SHORTEST * tolerance {
+        return Ok(());
+    }
+    let ends = curve.domain().steps(N_PLACES + 1);
+    let places: Vec<DVec3> = ends[1..=N_PLACES].iter().map(|&t| curve.point_at(t)).collect();
+    let is_of = |other: &NurbsCurve, around: Bounds, point: DVec3| {
+        around.contains(point, tolerance) && other.closest(point, tolerance).distance <= tolerance
+    };
+    let told_twice = |mut shared: Vec<DVec3>| match shared.len() {
+        LEAST_SHARED.. => Err(PictureError::ToldTwice { point: shared.swap_remove(0) }.into()),
+        _ => Ok(()),
+    };
+    for other in others {
+        let around = other.bounds();
+        told_twice(places.iter().copied().filter(|&point| is_of(other, around, point)).collect())?;
+    }
+    let mut again = [false; N_PLACES];
+    for (i, pair) in ends.windows(2).enumerate() {
+        let piece = curve.trimmed(Interval::new(pair[0], pair[1])?)?;
+        let around = piece.bounds();
+        // The places with these numbers are its own ends.
+        for k in (0..N_PLACES).filter(|&k| k + 1 != i && k != i) {
+            again[k] = again[k] || is_of(&piece, around, places[k]);
+        }
+    }
+    told_twice((0..N_PLACES).filter(|&k| again[k]).map(|k| places[k]).collect())
+}
+
+/// Fails where a curve ends inside all surfaces, and what ends there too leaves one over.
+fn ends_are_ends(
+    curves: &[NurbsCurve],
+    meeting: &CurveOrigin<'_>,
+    tolerance: f64,
+) -> Result<(), GeomError> {
+    let near = ONE_END * tolerance;
+    let ends: Vec<(DVec3, &NurbsCurve)> =
+        curves.iter().flat_map(|curve| [(curve.start(), curve), (curve.end(), curve)]).collect();
+    let mut borders: Option<Vec<NurbsCurve>> = None;
+    for &(end, curve) in &ends {
+        let n_ends = ends.iter().filter(|(other, _)| other.distance(end) <= near).count();
+        if meeting.allows(n_ends, end, near) {
+            continue;
+        }
+        let borders = borders.get_or_insert_with(|| {
+            meeting.surfaces().iter().flat_map(|surface| borders_of(surface, tolerance)).collect()
+        });
+        let is_at_border = borders.iter().any(|border| {
+            border.bounds().contains(end, near) && border.closest(end, tolerance).distance <= near
+        });
+        let is_at_tip = || meeting.surfaces().iter().any(|surface| is_tip(surface, end, tolerance));
+        if !(is_at_border || is_at_tip() && meeting.touches_along(curve)) {
+            return Err(PictureError::EndsInside { point: end }.into());
+        }
+    }
+    Ok(())
+}
+
+/// Whether a point is an edge of the surface that has no one tangent plane.
+fn is_tip(surface: &NurbsSurface, point: DVec3, tolerance: f64) -> bool {
+    let near = ONE_END * tolerance;
+    let (u, v) = (surface.domain_u(), surface.domain_v());
+    let sides = [(u.start(), true), (u.end(), true), (v.start(), false), (v.end(), false)];
+    surface.edges().iter().zip(sides).any(|(edge, (end, is_of_u))| {
+        let is_here = edge.bounds().diagonal() <= tolerance && edge.start().distance(point) <= near;
+        let normals = edge.domain().steps(N_PLACES).into_iter().map(|t| {
+            let (u, v) = if is_of_u { (end, t) } else { (t, end) };
+            surface.normal_at(u, v).unwrap_or(DVec3::ZERO)
+        });
+        let normals: Vec<DVec3> = if is_here { normals.collect() } else { Vec::new() };
+        normals.iter().any(|normal| NORMAL_AGREEMENT < normal.distance(normals[0]))
+    })
+}
+
+/// The edges at which a surface ends: no seams, and none that is a point.
+fn borders_of(surface: &NurbsSurface, tolerance: f64) -> Vec<NurbsCurve> {
+    let [u0, u1, v0, v1] = surface.edges();
+    let mut borders = Vec::new();
+    if !surface.is_closed_u(tolerance) {
+        borders.extend([u0, u1]);
+    }
+    if !surface.is_closed_v(tolerance) {
+        borders.extend([v0, v1]);
+    }
+    borders.retain(|edge| tolerance < edge.bounds().diagonal());
+    borders
+}
