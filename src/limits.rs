@@ -2,6 +2,8 @@
 //!
 //! Algorithms receive the ceiling they obey; none is written where it is used.
 
+pub mod stack;
+
 pub use crate::kernel::work;
 
 /// The ceilings of one run.

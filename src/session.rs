@@ -5,6 +5,7 @@
 
 mod ceiling;
 mod extra;
+mod file;
 mod inspect;
 mod options;
 mod path;
@@ -13,22 +14,25 @@ mod plan;
 mod stop;
 mod test;
 
-use std::sync::{Arc, atomic::AtomicBool};
+use std::{ops::Deref, sync::Arc};
 
 pub use ceiling::name_flag;
 pub use extra::Extra;
+pub use file::File;
 pub use picture::PictureContent;
 pub use test::{TestReport, TestVerdict};
 
 use crate::{
     diag::{Code, Diagnostic, Severity, Sources, Span, fault},
     eval::{self, EffectOutput, Memory, Purpose, Setting, Work},
-    export::{Format, Job},
     kernel::Tolerance,
-    limits::{Ceiling, Limits},
+    limits::{
+        Ceiling, Limits, stack,
+        work::{MemoryGauge, StopToken},
+    },
     ops,
     syntax::ast::Unit,
-    value::{Files, Registry, stranger},
+    value::{Files, Registry, Value, stranger},
 };
 
 /// Interprets scripts.
@@ -39,23 +43,8 @@ pub struct Session {
     n_threads: usize,
     /// Of an incremental session.
     memory: Option<Memory>,
-    held: fn() -> usize,
-    stop: &'static AtomicBool,
-}
-
-/// A file that a script exports, ready to be written.
-#[derive(Debug)]
-pub struct File {
-    /// The path below the output folder, with `/` between its parts.
-    pub path: String,
-    /// Where the script gives the path.
-    pub span: Span,
-    /// The definitions that its subjects name.
-    pub names: Vec<String>,
-    /// How it is written.
-    pub format: &'static Format,
-    /// What is written.
-    pub job: Job,
+    gauge: MemoryGauge,
+    stop: StopToken,
 }
 
 /// One thing that a script says or does, in the order of the source.
@@ -88,11 +77,45 @@ pub struct Report {
     pub definitions: Vec<eval::Defined>,
     /// Settings that no parameter takes, each a sentence.
     pub unknown_settings: Vec<String>,
-    /// What parametric curves and surfaces need to answer: keep it as long as the values.
-    pub kept: eval::KeptGlobals,
+    /// What parametric curves and surfaces among the values need to answer.
+    pub(crate) kept: eval::KeptGlobals,
+}
+
+/// A value of a script, with what it needs to answer.
+#[derive(Clone, Debug)]
+pub struct HeldValue {
+    value: Value,
+    _kept: eval::KeptGlobals,
+}
+
+impl Deref for HeldValue {
+    type Target = Value;
+
+    fn deref(&self) -> &Value {
+        &self.value
+    }
 }
 
 impl Report {
+    /// The value of a definition, if there is one of this name and it could be evaluated. It answers
+    /// also when the report is gone.
+    ///
+    /// ```
+    /// use virote::{session::Session, value::{NoFiles, Value}};
+    ///
+    /// let report = Session::default().run("demo", b"curve c = parametric(t => (t, t^2), 0..1)", &NoFiles, &[]);
+    /// let value = report.value("c").expect("it is defined");
+    /// drop(report);
+    /// let Value::Curve(curve) = &*value else { panic!("it is a curve") };
+    /// assert_eq!(curve.point_at(0.5)?.y, 0.25);
+    /// # Ok::<(), virote::kernel::GeomError>(())
+    /// ```
+    #[must_use]
+    pub fn value(&self, name: &str) -> Option<HeldValue> {
+        let defined = self.definitions.iter().find(|defined| defined.name == name)?;
+        Some(HeldValue { value: defined.value.clone()?, _kept: self.kept.clone() })
+    }
+
     /// How many findings are of a severity.
     #[must_use]
     pub fn count(&self, severity: Severity) -> usize {
@@ -125,8 +148,14 @@ impl Session {
     /// A session with all built-ins and these ceilings.
     #[must_use]
     pub fn new(limits: Limits) -> Self {
-        let stop = &stop::NEVER;
-        Self { registry: ops::registry(), limits, n_threads: 1, memory: None, held: || 0, stop }
+        Self {
+            registry: ops::registry(),
+            limits,
+            n_threads: 1,
+            memory: None,
+            gauge: MemoryGauge::default(),
+            stop: StopToken::default(),
+        }
     }
 
     /// The same on up to `n_threads` threads; results and messages do not depend on their number.
@@ -146,15 +175,7 @@ impl Session {
     /// what the last one without errors used is kept.
     ///
     /// ```
-    /// use virote::{eval::Work, session::Session, value::Files};
-    ///
-    /// #[derive(Debug)]
-    /// struct NoFiles;
-    /// impl Files for NoFiles {
-    ///     fn read(&self, path: &str, _: usize) -> Result<Vec<u8>, String> {
-    ///         Err(format!("there is no `{path}`"))
-    ///     }
-    /// }
+    /// use virote::{eval::Work, session::Session, value::NoFiles};
     ///
     /// let session = Session::default().incremental();
     /// let run = |text: &str| session.run("demo", text.as_bytes(), &NoFiles, &[]);
@@ -191,15 +212,7 @@ impl Session {
     /// Interprets the script `bytes`, which messages call `name`.
     ///
     /// ```
-    /// use virote::{session::{Event, Session}, value::Files};
-    ///
-    /// #[derive(Debug)]
-    /// struct NoFiles;
-    /// impl Files for NoFiles {
-    ///     fn read(&self, path: &str, _: usize) -> Result<Vec<u8>, String> {
-    ///         Err(format!("there is no `{path}`"))
-    ///     }
-    /// }
+    /// use virote::{session::{Event, Session}, value::NoFiles};
     ///
     /// let report = Session::default().run("demo", b"print 2 * pi > 6", &NoFiles, &[]);
     /// assert!(report.diagnostics.is_empty());
@@ -210,6 +223,12 @@ impl Session {
         self.interpret(name, bytes, files, settings, Purpose::Run)
     }
 
+    /// Does the work with the stack that the ceilings need, or with ceilings that fit the stack that is
+    /// to be had.
+    fn on_stack<R: Send>(&self, mut work: impl FnMut(&Limits) -> R + Send) -> R {
+        stack::with(self.limits.stack_bytes, |bytes| work(&self.limits.on_stack(bytes)))
+    }
+
     fn interpret(
         &self,
         name: &str,
@@ -218,14 +237,16 @@ impl Session {
         settings: &[Setting],
         purpose: Purpose<'_>,
     ) -> Report {
-        let attempt = |n_threads| {
-            let attempt = || Ok(self.attempt(name, bytes, files, settings, (purpose, n_threads)));
+        let attempt_on = |n_threads, limits: &Limits| {
+            let how = (purpose, n_threads, limits);
+            let attempt = || Ok(self.attempt(name, bytes, files, settings, how));
             fault::caught(Span::default(), attempt).unwrap_or_else(|told| {
                 let mut sources = Sources::default();
                 sources.add(name, String::from_utf8_lossy(bytes).into());
                 self.findings(sources, vec![*told])
             })
         };
+        let attempt = |n_threads| self.on_stack(|limits| attempt_on(n_threads, limits));
         let report = attempt(self.n_threads);
         if self.n_threads == 1 || !report.is_out_of_memory() {
             return report;
@@ -241,7 +262,7 @@ impl Session {
         bytes: &[u8],
         files: &dyn Files,
         settings: &[Setting],
-        (purpose, n_threads): (Purpose<'_>, usize),
+        (purpose, n_threads, limits): (Purpose<'_>, usize, &Limits),
     ) -> Report {
         let mut sources = Sources::default();
         let text = match self.read(bytes) {
@@ -254,14 +275,14 @@ impl Session {
         let recall = self.memory.as_ref().map(Memory::begin);
         let settings = eval::Settings {
             registry: &self.registry,
-            limits: &self.limits,
+            limits,
             files,
             overrides: settings,
             n_threads,
             purpose,
             recall: recall.as_ref(),
-            held: self.held,
-            stop: self.stop,
+            gauge: &self.gauge,
+            stop: &self.stop,
         };
         let outcome = eval::evaluate(name, text, &mut sources, settings);
         if let Some(recall) = recall {
@@ -269,9 +290,12 @@ impl Session {
         }
         let mut diagnostics = outcome.diagnostics;
         let document = (outcome.unit, outcome.tolerance);
-        let events = self.events(outcome.outputs, document, &mut diagnostics);
-        let tested =
-            outcome.tests.into_iter().map(|test| self.tested(test, document, &mut diagnostics));
+        let document_kept = (document, &outcome.kept);
+        let events = self.events(outcome.outputs, document_kept, &mut diagnostics);
+        let tested = outcome
+            .tests
+            .into_iter()
+            .map(|test| self.tested(test, document_kept, &mut diagnostics));
         let tests = tested.collect();
         eval::in_order(&mut diagnostics);
         Report {
@@ -328,7 +352,7 @@ impl Session {
     fn events(
         &self,
         outputs: Vec<EffectOutput>,
-        document: (Unit, Tolerance),
+        (document, kept): ((Unit, Tolerance), &eval::KeptGlobals),
         diagnostics: &mut Vec<Diagnostic>,
     ) -> Vec<Event> {
         let mut events = Vec::new();
@@ -340,8 +364,9 @@ impl Session {
                 EffectOutput::Expected(expected) => events.push(Event::Expected(expected)),
                 EffectOutput::Exported(exported) => {
                     let span = exported.path.span;
-                    let planned =
-                        fault::caught(span, || Ok(self.plan(exported, document, diagnostics)));
+                    let planned = fault::caught(span, || {
+                        Ok(self.plan(exported, (document, kept), diagnostics))
+                    });
                     let planned = planned.unwrap_or_else(|told| {
                         diagnostics.push(*told);
                         None

@@ -6,7 +6,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use crate::value::Files;
+use crate::{export::io_reason, value::Files};
 
 /// The name of standard input on the command line.
 const STDIN: &str = "-";
@@ -44,7 +44,7 @@ impl Script {
         }
         let bytes = File::open(path)
             .and_then(|mut file| read_some(&mut file, most))
-            .map_err(|err| format!("cannot read `{name}`: {}", reason(&err)))?;
+            .map_err(|err| format!("cannot read `{name}`: {}", io_reason(&err)))?;
         let folder = match path.parent() {
             Some(parent) if !parent.as_os_str().is_empty() => parent.to_path_buf(),
             _ => PathBuf::from("."),
@@ -75,21 +75,13 @@ pub(super) fn read_whole(path: &Path, most: usize) -> Result<Vec<u8>, String> {
     if may_be_silent(path) {
         return Err("it is a pipe, not a file with an end".to_owned());
     }
-    let bytes =
-        File::open(path).and_then(|mut file| read_some(&mut file, most)).map_err(|e| reason(&e))?;
+    let bytes = File::open(path)
+        .and_then(|mut file| read_some(&mut file, most))
+        .map_err(|e| io_reason(&e))?;
     if bytes.len() > most {
         return Err(format!("it is larger than the ceiling of {most} bytes"));
     }
     Ok(bytes)
-}
-
-/// An error of the operating system in a few plain words.
-pub(super) fn reason(err: &io::Error) -> String {
-    match err.kind() {
-        io::ErrorKind::NotFound => "there is no such file".to_owned(),
-        io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
-        _ => err.to_string(),
-    }
 }
 
 /// Data files beside a script; remembers which were read.
@@ -123,7 +115,7 @@ impl Files for ScriptFiles {
         }
         let bytes = File::open(&full)
             .and_then(|mut file| read_some(&mut file, most))
-            .map_err(|err| format!("cannot read `{path}`: {}", reason(&err)))?;
+            .map_err(|err| format!("cannot read `{path}`: {}", io_reason(&err)))?;
         if let Ok(mut read) = self.read.lock() {
             read.push(full);
         }

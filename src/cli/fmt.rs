@@ -6,15 +6,13 @@ use std::{
 };
 
 use super::{
-    ExitStatus,
-    args::OutputArgs,
-    files::{Script, reason},
-    process,
-    reporter::Reporter,
-    say_exactly,
+    ExitStatus, args::OutputArgs, files::Script, process, reporter::Reporter, say_exactly,
     write::replace,
 };
-use crate::{limits::Limits, session::Session};
+use crate::{
+    export::io_reason,
+    {limits::Limits, session::Session},
+};
 
 /// `virote fmt [--check] FILE...`: the worst ending of all.
 pub(super) fn run(paths: &[PathBuf], is_check: bool, talk: &OutputArgs) -> ExitStatus {
@@ -56,7 +54,7 @@ fn one(session: &Session, path: &Path, is_check: bool, voice: &Reporter) -> Exit
                 ExitStatus::Well
             }
             Err(err) => {
-                voice.trouble(&format!("cannot write `{}`: {}", script.name, reason(&err)));
+                voice.trouble(&format!("cannot write `{}`: {}", script.name, io_reason(&err)));
                 ExitStatus::Usage
             }
         },

@@ -1,27 +1,27 @@
 //! Ctrl-C as a switch that whoever waits looks at.
 
-use std::sync::{
-    OnceLock,
-    atomic::{AtomicBool, Ordering},
-};
+use std::sync::{LazyLock, OnceLock};
+
+use crate::limits::work::StopToken;
 
 /// Set by Ctrl-C.
-pub(super) static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+pub(super) static INTERRUPTED: LazyLock<StopToken> = LazyLock::new(StopToken::default);
 
 /// The exit code of a program that Ctrl-C ends, by the custom of shells.
 const BY_INTERRUPT: i32 = 130;
 
 /// Lets Ctrl-C set the switch instead of ending the program.
 pub(super) fn listen() {
-    handle(|| INTERRUPTED.store(true, Ordering::Relaxed));
+    handle(|| INTERRUPTED.stop());
 }
 
 /// The same, but where the switch is set and not yet heard, Ctrl-C ends the program all the same.
 pub(super) fn listen_once() {
     handle(|| {
-        if INTERRUPTED.swap(true, Ordering::Relaxed) {
+        if INTERRUPTED.is_stopped() {
             std::process::exit(BY_INTERRUPT);
         }
+        INTERRUPTED.stop();
     });
 }
 

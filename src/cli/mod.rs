@@ -35,7 +35,9 @@ use clap::Parser as _;
 use self::args::{Cli, CliCommand};
 use crate::{
     diag::{Code, Severity, fault, shown},
-    docs, ops,
+    docs,
+    export::io_reason,
+    ops,
     session::Report,
 };
 
@@ -205,7 +207,7 @@ fn say_exactly(text: &str) {
 fn miss(err: &io::Error) {
     CLOSED.store(true, Ordering::Relaxed);
     if err.kind() != io::ErrorKind::BrokenPipe {
-        MISSED.get_or_init(|| files::reason(err));
+        MISSED.get_or_init(|| io_reason(err));
     }
 }
 

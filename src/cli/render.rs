@@ -9,7 +9,7 @@ use super::{
     progress::Progress,
     reporter::Reporter,
     settings,
-    write::{OutputTarget, TargetRefusal, failure},
+    write::{OutputTarget, TargetRefusal},
 };
 use crate::{
     diag::{Severity, nearest},
@@ -51,20 +51,15 @@ pub(super) fn run(path: &Path, out: &Path, drawn: &PictureArgs, common: &RunArgs
     inputs.extend(script.path);
     inputs.extend(common.params.clone());
 
-    let scene = PictureContent {
-        only: &drawn.only,
-        extras: &drawn.show,
-        view: drawn.view,
-        size: drawn.size,
-    };
     let has_errors = report.count(Severity::Error) > 0;
     let done = if !report.unknown_settings.is_empty() {
         Err((report.unknown_settings.join("\n"), ExitStatus::Usage))
     } else if has_errors {
         Ok(None)
     } else {
-        let job =
-            session.picture(&report, &scene, format).map_err(|text| (text, ExitStatus::Usage));
+        let job = session
+            .picture(&report, &content(drawn), format)
+            .map_err(|text| (text, ExitStatus::Usage));
         job.and_then(|job| draw(&job, format, out, &inputs, &progress)).map(Some)
     };
     drop(progress);
@@ -83,6 +78,11 @@ pub(super) fn run(path: &Path, out: &Path, drawn: &PictureArgs, common: &RunArgs
             ExitStatus::of(&report).max(ending)
         }
     }
+}
+
+fn content(drawn: &PictureArgs) -> PictureContent<'_> {
+    let PictureArgs { only, show, view, size, .. } = drawn;
+    PictureContent { only, extras: show, view: *view, size: *size }
 }
 
 /// Draws, and puts the picture into its place.
@@ -108,10 +108,10 @@ fn draw(
     let write = |out: &mut dyn std::io::Write| (format.write)(job, out);
     let staged = target.stage(job.limits.output_bytes, &told, write);
     let (staged, summary) = staged.map_err(|err| match &err {
-        ExportError::Io(_) => cannot(failure(&err)),
-        _ => (failure(&err), ExitStatus::Wrong),
+        ExportError::Io(_) => cannot(err.reason()),
+        _ => (err.reason(), ExitStatus::Wrong),
     })?;
-    staged.place().map_err(|err| cannot(failure(&ExportError::Io(err))))?;
+    staged.place().map_err(|err| cannot(ExportError::Io(err).reason()))?;
     Ok(summary)
 }
 

@@ -13,12 +13,12 @@ use super::{
     progress::Progress,
     reporter::Reporter,
     settings,
-    write::{OutputTarget, StagedFile, TargetRefusal, capped, failure},
+    write::{OutputTarget, StagedFile, TargetRefusal},
 };
 use crate::{
     diag::{Code, Diagnostic, Severity, fault, nearest},
     eval::Setting,
-    export::{ExportError, Summary},
+    export::{ExportError, Summary, capped},
     session::{Event, File, Report, Session, name_flag},
 };
 
@@ -85,7 +85,7 @@ impl<'a> RunOptions<'a> {
     /// The same with a memory, so that each run evaluates only what changed, and to be stopped by
     /// Ctrl-C.
     pub(super) fn watching(self) -> Self {
-        Self { session: self.session.incremental().stopped_by(&INTERRUPTED), ..self }
+        Self { session: self.session.incremental().stopped_by(INTERRUPTED.clone()), ..self }
     }
 
     /// Who tells.
@@ -352,19 +352,11 @@ fn turned(file: &File, summary: &Summary) -> Option<Diagnostic> {
 
 /// Why a file cannot be written, and how the run ends.
 pub(super) fn refusal(file: &File, err: &ExportError) -> (Diagnostic, ExitStatus) {
-    let (code, message, ending) = match err {
-        ExportError::Geometry { .. } | ExportError::Unfit { .. } => {
-            (Code::CannotExport, failure(err), ExitStatus::Wrong)
-        }
-        ExportError::TooLarge { .. } => {
-            (Code::TooLarge, format!("`{}` would be {err}", file.path), ExitStatus::Wrong)
-        }
-        ExportError::Io(_) => {
-            let message = format!("cannot write `{}`: {}", file.path, failure(err));
-            (Code::CannotWrite, message, ExitStatus::Usage)
-        }
+    let ending = match err {
+        ExportError::Io(_) => ExitStatus::Usage,
+        _ => ExitStatus::Wrong,
     };
-    (Diagnostic::error(code, file.span, message), ending)
+    (file.refusal(err), ending)
 }
 
 fn refuse(mut found: Diagnostic, report: &Report, voice: &Reporter) {

@@ -6,7 +6,6 @@
 use std::{
     fs,
     path::{Path, PathBuf},
-    sync::atomic::Ordering,
     thread,
     time::{Duration, Instant, SystemTime},
 };
@@ -63,7 +62,7 @@ pub(super) fn run(asked: &WatchOptions) -> ExitStatus {
     interrupt::listen_once();
     let mut watched = WatchedFiles::new(&asked.file);
     let mut n_runs = 0;
-    while !INTERRUPTED.load(Ordering::Relaxed) && !is_closed() {
+    while !INTERRUPTED.is_stopped() && !is_closed() {
         match watched.change() {
             FileChange::Nothing => {}
             FileChange::Gone => {
@@ -89,7 +88,7 @@ fn once(run: &RunOptions<'_>, path: &Path, watched: &mut WatchedFiles) {
     let Some(script) = run.read(path) else { return };
     let files = ScriptFiles::new(&script.folder);
     let (report, _) = run.carry_out(script, &files);
-    if INTERRUPTED.load(Ordering::Relaxed) {
+    if INTERRUPTED.is_stopped() {
         return;
     }
     let mut inputs = files.inputs();

@@ -13,8 +13,7 @@ use std::{
     time::Duration,
 };
 
-use super::files::reason;
-use crate::export::{ExportError, Summary};
+use crate::export::{ExportError, Summary, capped};
 
 /// A file of the output folder that may be written.
 #[derive(Debug)]
@@ -145,44 +144,6 @@ impl Drop for StagedFile {
     }
 }
 
-/// Writes no more than `most` bytes into `out`; tells `progress` how many there are.
-pub(super) fn capped(
-    out: &mut dyn Write,
-    most: u64,
-    progress: &dyn Fn(u64),
-    write: impl FnOnce(&mut dyn Write) -> Result<Summary, ExportError>,
-) -> Result<Summary, ExportError> {
-    let mut out = LimitedWriter { out, most, n_left: most, is_full: false, progress };
-    let written = write(&mut out);
-    if out.is_full { Err(ExportError::TooLarge { most }) } else { written }
-}
-
-/// Takes so many bytes and no more.
-struct LimitedWriter<'a> {
-    out: &'a mut dyn Write,
-    most: u64,
-    n_left: u64,
-    is_full: bool,
-    progress: &'a dyn Fn(u64),
-}
-
-impl Write for LimitedWriter<'_> {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        if self.n_left < bytes.len() as u64 {
-            self.is_full = true;
-            return Err(io::ErrorKind::FileTooLarge.into());
-        }
-        let n_taken = self.out.write(bytes)?;
-        self.n_left -= n_taken as u64;
-        (self.progress)(self.most - self.n_left);
-        Ok(n_taken)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.out.flush()
-    }
-}
-
 /// Puts what `write` writes in the place of the file `path`, behind its links, which is there whole or
 /// not at all.
 pub(super) fn replace<T, E: From<io::Error>>(
@@ -282,12 +243,4 @@ fn existing(folder: &Path) -> Option<PathBuf> {
 /// A file that stands where a folder is needed.
 fn obstacle(folder: &Path) -> Option<&Path> {
     folder.ancestors().find(|part| part.is_file())
-}
-
-/// What went wrong, for a message about the file.
-pub(super) fn failure(err: &ExportError) -> String {
-    match err {
-        ExportError::Io(err) => reason(err),
-        geometry => geometry.to_string(),
-    }
 }

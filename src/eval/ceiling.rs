@@ -1,8 +1,6 @@
 //! The ceilings that the machine keeps while it evaluates: steps, depth, memory, and how large a
 //! value may be.
 
-use std::sync::atomic::Ordering;
-
 use super::machine::Machine;
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
@@ -37,10 +35,10 @@ impl Machine<'_> {
 
     /// Fails when the run holds more memory than it may, or is no longer wanted.
     pub(super) fn check_memory(&mut self, span: Span) -> Result<()> {
-        if self.env.stop.load(Ordering::Relaxed) {
+        if self.env.stop.is_stopped() {
             return self.ended(End::Stopped, span);
         }
-        if (self.env.held)() <= self.env.limits.memory_bytes {
+        if self.env.gauge.held() <= self.env.limits.memory_bytes {
             return Ok(());
         }
         self.ended(End::Memory, span)
@@ -50,7 +48,7 @@ impl Machine<'_> {
     pub(super) fn watch(&self) -> Watch {
         let Limits { memory_bytes, steps, .. } = *self.env.limits;
         let steps = steps.saturating_sub(self.steps);
-        Watch { held: self.env.held, memory_bytes, stop: self.env.stop, steps }
+        Watch { gauge: self.env.gauge.clone(), memory_bytes, stop: self.env.stop.clone(), steps }
     }
 
     /// Fails because there is no more to be had.

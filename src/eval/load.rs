@@ -77,7 +77,7 @@ impl LoadedScript<'_> {
             registry: Some(settings.registry),
             library: Some(&self.library),
             sources: Some(&self.sources),
-            held: settings.held,
+            gauge: settings.gauge,
             stop: settings.stop,
         }
     }

@@ -6,7 +6,7 @@
 
 use std::{
     collections::BTreeSet,
-    sync::{Arc, Mutex, atomic::AtomicBool},
+    sync::{Arc, Mutex},
 };
 
 use super::{
@@ -22,7 +22,10 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Result, Sources, Span, fault},
     kernel::{CurveFunction, SurfaceFunction, Tolerance},
-    limits::Limits,
+    limits::{
+        Limits,
+        work::{MemoryGauge, StopToken},
+    },
     syntax::ast::Unit,
     value::{At, Caller, Files, Function, Registry, Value, Witness, field, field_names},
 };
@@ -43,9 +46,9 @@ pub(crate) struct Env<'a> {
     /// The texts of the script and of what it imports.
     pub(crate) sources: Option<&'a Sources>,
     /// How many bytes of memory are held.
-    pub(crate) held: fn() -> usize,
+    pub(crate) gauge: &'a MemoryGauge,
     /// Set by whoever no longer wants the answer.
-    pub(crate) stop: &'static AtomicBool,
+    pub(crate) stop: &'a StopToken,
 }
 
 /// The machine. One for each thread that evaluates.

@@ -6,7 +6,7 @@
 
 use std::{
     cell::Cell,
-    sync::{Arc, Weak, atomic::AtomicBool},
+    sync::{Arc, Weak},
 };
 
 use glam::DVec3;
@@ -19,7 +19,10 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     kernel::{CurveFunction, FunctionFailure, Grid, Jet, SurfaceFunction, Tolerance},
-    limits::Limits,
+    limits::{
+        Limits, stack,
+        work::{MemoryGauge, StopToken},
+    },
     syntax::ast::Unit,
     value::{Dimension, Files, Function, IntoValue, Real, Value, shortest},
 };
@@ -49,9 +52,9 @@ impl Meter {
 
 /// Files that a function cannot read: it is asked again and again, also when the script has ended.
 #[derive(Debug)]
-struct NoFiles;
+struct FilesOutOfReach;
 
-impl Files for NoFiles {
+impl Files for FilesOutOfReach {
     fn read(&self, path: &str, _: usize) -> std::result::Result<Vec<u8>, String> {
         Err(format!("`{path}` cannot be read inside a parametric curve or surface"))
     }
@@ -72,8 +75,8 @@ pub(super) struct GeometryFunction {
     limits: Limits,
     tolerance: Tolerance,
     unit: Unit,
-    held: fn() -> usize,
-    stop: &'static AtomicBool,
+    gauge: MemoryGauge,
+    stop: StopToken,
     /// Whoever keeps the result of the script keeps it alive.
     home: Weak<Globals>,
 }
@@ -93,8 +96,8 @@ impl GeometryFunction {
             limits: *env.limits,
             tolerance: env.tolerance,
             unit: env.unit,
-            held: env.held,
-            stop: env.stop,
+            gauge: env.gauge.clone(),
+            stop: env.stop.clone(),
             home,
         }))
     }
@@ -117,14 +120,16 @@ impl GeometryFunction {
 
     fn answer(&self, args: &[Value]) -> Result<Value> {
         let Some(home) = self.home.upgrade() else { return gone(self.span) };
+        // The kernel may ask on a thread that nobody gave a stack.
+        let limits = self.limits.on_stack(self.limits.stack_bytes.min(stack::own_bytes()));
         let env = Env {
-            limits: &self.limits,
+            limits: &limits,
             n_threads: 1,
-            files: &NoFiles,
+            files: &FilesOutOfReach,
             tolerance: self.tolerance,
             unit: self.unit,
-            held: self.held,
-            stop: self.stop,
+            gauge: &self.gauge,
+            stop: &self.stop,
             registry: None,
             library: None,
             sources: None,

@@ -1,7 +1,7 @@
 //! A whole file: evaluates its definitions in the order of the graph, then its effects in the
 //! order of the source.
 
-use std::sync::{Arc, atomic::AtomicBool};
+use std::sync::Arc;
 
 use super::{
     appearance::Appearances,
@@ -19,7 +19,10 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Severity, Sources, Spanned},
-    limits::Limits,
+    limits::{
+        Limits,
+        work::{MemoryGauge, StopToken},
+    },
     value::{Files, Registry, Value},
 };
 
@@ -52,9 +55,9 @@ pub struct Settings<'a> {
     /// What earlier runs gave, if they are to be remembered.
     pub recall: Option<&'a CacheRun<'a>>,
     /// How many bytes of memory are held.
-    pub held: fn() -> usize,
+    pub gauge: &'a MemoryGauge,
     /// Set by whoever no longer wants the answer.
-    pub stop: &'static AtomicBool,
+    pub stop: &'a StopToken,
 }
 
 /// Interprets the script `text`, which messages call `name`; it and the files that it imports are

@@ -12,6 +12,7 @@ use std::{
 };
 
 use super::ir::Program;
+use crate::limits::stack;
 
 /// Components for each worker below which another worker does not pay.
 const WORTH_A_THREAD: usize = 4;
@@ -45,6 +46,7 @@ pub(super) fn run<T: Send>(
         // Where no further thread can be had, the others do its work.
         let helpers: Vec<_> = (1..n_workers)
             .filter_map(|_| {
+                let serve = || stack::known(stack_bytes, serve);
                 thread::Builder::new().stack_size(stack_bytes).spawn_scoped(scope, serve).ok()
             })
             .collect();

@@ -8,6 +8,7 @@ mod exact;
 mod gltf;
 mod iges;
 mod json;
+mod limited;
 mod measure;
 mod name;
 mod obj;
@@ -31,10 +32,11 @@ use glam::DVec3;
 use thiserror::Error;
 
 use crate::{
-    kernel::{Curve, GeomError, Mesh, Surface, Table},
+    kernel::{Curve, GeomError, Mesh, Surface, Table, Tolerance},
     limits::Limits,
 };
 
+pub use limited::capped;
 pub use measure::{MeasuredPart, parts};
 pub use view::View;
 
@@ -96,6 +98,44 @@ pub struct Job {
     pub picture: Option<Picture>,
     /// The ceilings.
     pub limits: Limits,
+}
+
+impl Item {
+    /// An item without colour and layer.
+    #[must_use]
+    pub fn new(name: impl Into<String>, subject: Subject) -> Self {
+        let name = name.into();
+        Self { group: name.clone(), name, color: None, layer: None, subject }
+    }
+}
+
+impl Job {
+    /// These items in millimetres, with the usual tolerance, options and ceilings. For files that no
+    /// script asks for.
+    ///
+    /// ```
+    /// use virote::{export::{Format, Item, Job, Subject}, kernel::{Frame, NurbsCurve}};
+    ///
+    /// let circle = NurbsCurve::circle(Frame::XY, 10.0)?;
+    /// let job = Job::new(vec![Item::new("ring", Subject::Curve(circle.into()))]);
+    /// let mut bytes = Vec::new();
+    /// let format = Format::of_path("ring.svg").expect("a format that is known");
+    /// let summary = (format.write)(&job, &mut bytes)?;
+    /// assert_eq!(summary.to_string(), "1 path");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn new(items: Vec<Item>) -> Self {
+        Self {
+            items,
+            unit: "mm",
+            millimetres: 1.0,
+            precision: Tolerance::DEFAULT.distance,
+            options: Options::default(),
+            picture: None,
+            limits: Limits::DEFAULT,
+        }
+    }
 }
 
 /// Options of an export.
@@ -240,6 +280,27 @@ pub enum ExportError {
     /// The operating system refused.
     #[error(transparent)]
     Io(#[from] io::Error),
+}
+
+impl ExportError {
+    /// What went wrong, for a message about the file.
+    #[must_use]
+    pub fn reason(&self) -> String {
+        match self {
+            Self::Io(err) => io_reason(err),
+            other => other.to_string(),
+        }
+    }
+}
+
+/// Why a file cannot be read or written, in the words of whoever reads a message.
+#[must_use]
+pub fn io_reason(err: &io::Error) -> String {
+    match err.kind() {
+        io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
+        _ => err.to_string(),
+    }
 }
 
 /// A file format.

@@ -45,7 +45,7 @@ pub(super) fn each<P: Send>(parts: Vec<P>, serve_one: impl Fn(P) + Sync) {
     let watch = work::current();
     let helped = Mutex::new(Vec::new());
     let help = || {
-        let done = match watch {
+        let done = match watch.clone() {
             Some(watch) => work::under(watch, serve).1,
             None => {
                 serve();

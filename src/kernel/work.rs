@@ -7,22 +7,84 @@
 //! lies deep below whoever asks; no result depends on it.
 
 use std::{
-    cell::Cell,
-    sync::atomic::{AtomicBool, Ordering},
+    cell::{Cell, RefCell},
+    fmt::{self, Debug, Formatter},
+    sync::{
+        Arc,
+        atomic::{AtomicBool, Ordering},
+    },
 };
 
 /// Steps from one look at memory and the switch to the next.
 const BETWEEN_LOOKS: u64 = 32;
 
+/// A switch by which whoever no longer wants an answer ends the work on it, from any thread. Clones are
+/// one switch.
+///
+/// ```
+/// use virote_kernel::work::StopToken;
+///
+/// let stop = StopToken::default();
+/// let handed_out = stop.clone();
+/// handed_out.stop();
+/// assert!(stop.is_stopped());
+/// assert!(stop.reset() && !handed_out.is_stopped());
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct StopToken(Arc<AtomicBool>);
+
+impl StopToken {
+    /// Ends the work.
+    pub fn stop(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether the work is to end.
+    #[must_use]
+    pub fn is_stopped(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+
+    /// Lets work go on again; whether it was to end.
+    pub fn reset(&self) -> bool {
+        self.0.swap(false, Ordering::Relaxed)
+    }
+}
+
+/// Tells how many bytes of memory are held, for the ceiling on them. One that measures nothing tells 0,
+/// and the ceiling is not kept.
+#[derive(Clone, Default)]
+pub struct MemoryGauge(Option<Arc<dyn Fn() -> usize + Send + Sync>>);
+
+impl MemoryGauge {
+    /// Measures by this.
+    #[must_use]
+    pub fn new(held: impl Fn() -> usize + Send + Sync + 'static) -> Self {
+        Self(Some(Arc::new(held)))
+    }
+
+    /// Bytes that are held now.
+    #[must_use]
+    pub fn held(&self) -> usize {
+        self.0.as_ref().map_or(0, |held| held())
+    }
+}
+
+impl Debug for MemoryGauge {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("MemoryGauge").field(&self.held()).finish()
+    }
+}
+
 /// What work may take.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Watch {
     /// How many bytes of memory are held.
-    pub held: fn() -> usize,
+    pub gauge: MemoryGauge,
     /// How many may be.
     pub memory_bytes: usize,
     /// Set by whoever no longer wants the answer.
-    pub stop: &'static AtomicBool,
+    pub stop: StopToken,
     /// How many steps may be taken.
     pub steps: u64,
 }
@@ -47,36 +109,35 @@ pub struct Done {
     pub end: Option<End>,
 }
 
-/// What a thread is at.
+/// What a thread has done under its watch.
 #[derive(Clone, Copy, Debug, Default)]
 struct ThreadState {
-    watch: Option<Watch>,
     done: Done,
     next_look: u64,
 }
 
 thread_local! {
     static STATE: Cell<ThreadState> = const { Cell::new(ThreadState {
-        watch: None,
         done: Done { steps: 0, end: None },
         next_look: 0,
     }) };
+    static WATCH: RefCell<Option<Watch>> = const { RefCell::new(None) };
     static COUNTED: Cell<u64> = const { Cell::new(0) };
 }
 
 /// Puts back what the thread was at, also where a panic passes.
-struct RestoredState(ThreadState);
+struct RestoredState(ThreadState, Option<Watch>);
 
 impl Drop for RestoredState {
     fn drop(&mut self) {
         STATE.set(self.0);
+        WATCH.replace(self.1.take());
     }
 }
 
 /// Does work under a watch.
 pub fn under<R>(watch: Watch, work: impl FnOnce() -> R) -> (R, Done) {
-    let outer =
-        RestoredState(STATE.replace(ThreadState { watch: Some(watch), ..ThreadState::default() }));
+    let outer = RestoredState(STATE.replace(ThreadState::default()), WATCH.replace(Some(watch)));
     let result = work();
     let done = STATE.get().done;
     drop(outer);
@@ -91,7 +152,7 @@ pub fn goes_on(n_steps: u64) -> bool {
     state.done.steps += n_steps;
     if state.next_look <= state.done.steps && state.done.end.is_none() {
         state.next_look = state.done.steps + BETWEEN_LOOKS;
-        state.done.end = state.watch.and_then(|watch| watch.look(state.done.steps));
+        state.done.end = WATCH.with_borrow(|watch| watch.as_ref()?.look(state.done.steps));
     }
     STATE.set(state);
     state.done.end.is_none()
@@ -100,7 +161,10 @@ pub fn goes_on(n_steps: u64) -> bool {
 /// Bytes that may be held besides those that are.
 #[must_use]
 pub fn room() -> usize {
-    STATE.get().watch.map_or(usize::MAX, |watch| watch.memory_bytes.saturating_sub((watch.held)()))
+    WATCH.with_borrow(|watch| {
+        let left = |watch: &Watch| watch.memory_bytes.saturating_sub(watch.gauge.held());
+        watch.as_ref().map_or(usize::MAX, left)
+    })
 }
 
 /// Whether so many more bytes may be held. Whoever is told not leaves at once, with anything.
@@ -155,7 +219,7 @@ pub fn counted() -> u64 {
 /// What a further thread needs to work for this one.
 #[must_use]
 pub fn current() -> Option<Watch> {
-    STATE.get().watch
+    WATCH.with_borrow(Clone::clone)
 }
 
 /// Counts what a further thread has done for this one.
@@ -169,11 +233,11 @@ pub fn add(done: Done, n_counted: u64) {
 
 impl Watch {
     fn look(&self, n_steps: u64) -> Option<End> {
-        if self.stop.load(Ordering::Relaxed) {
+        if self.stop.is_stopped() {
             Some(End::Stopped)
         } else if self.steps < n_steps {
             Some(End::Steps)
-        } else if self.memory_bytes < (self.held)() {
+        } else if self.memory_bytes < self.gauge.held() {
             Some(End::Memory)
         } else {
             None
@@ -183,12 +247,15 @@ impl Watch {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::atomic::AtomicBool;
+    use super::{
+        End, MemoryGauge, StopToken, Watch, collect, counted, goes_on, has_room, room, under,
+    };
 
-    use super::{End, Watch, collect, counted, goes_on, has_room, room, under};
-
-    static NEVER: AtomicBool = AtomicBool::new(false);
-    static AT_ONCE: AtomicBool = AtomicBool::new(true);
+    /// A watch under which so many bytes are held.
+    fn watch(held: usize, memory_bytes: usize, steps: u64) -> Watch {
+        let (gauge, stop) = (MemoryGauge::new(move || held), StopToken::default());
+        Watch { gauge, memory_bytes, stop, steps }
+    }
 
     #[track_caller]
     fn check(watch: Watch, end: End) {
@@ -199,18 +266,18 @@ mod tests {
 
     #[test]
     fn each_watch_ends_work_that_has_no_end() {
-        let open = Watch { held: || 0, memory_bytes: 1, stop: &NEVER, steps: 1000 };
-        check(open, End::Steps);
-        check(Watch { held: || 2, ..open }, End::Memory);
-        check(Watch { stop: &AT_ONCE, ..open }, End::Stopped);
+        check(watch(0, 1, 1000), End::Steps);
+        check(watch(2, 1, 1000), End::Memory);
+        let stopped = watch(0, 1, 1000);
+        stopped.stop.stop();
+        check(stopped, End::Stopped);
     }
 
     #[test]
     fn a_list_asks_for_room_before_it_grows() {
-        let open = Watch { held: || 0, memory_bytes: 1 << 20, stop: &NEVER, steps: 1 << 30 };
-        let (list, done) = under(open, || collect(0_u64..));
+        let (list, done) = under(watch(0, 1 << 20, 1 << 30), || collect(0_u64..));
         assert_eq!((list, done.end), (None, Some(End::Memory)), "though nothing seems to be held");
-        let ((), done) = under(Watch { held: || 1 << 19, ..open }, || {
+        let ((), done) = under(watch(1 << 19, 1 << 20, 1 << 30), || {
             assert_eq!(room(), 1 << 19);
             assert!(has_room(1 << 19) && !has_room((1 << 19) + 1) && !has_room(0));
         });
@@ -219,11 +286,11 @@ mod tests {
 
     #[test]
     fn work_inside_work_is_counted_once() {
-        let watch = Watch { held: || 0, memory_bytes: 1, stop: &NEVER, steps: 1000 };
+        let open = || watch(0, 1, 1000);
         let before = counted();
-        let (inner, outer) = under(watch, || {
+        let (inner, outer) = under(open(), || {
             assert!(goes_on(5));
-            under(watch, || assert!(goes_on(7))).1
+            under(open(), || assert!(goes_on(7))).1
         });
         assert_eq!((inner.steps, outer.steps, counted() - before), (7, 5, 12));
     }

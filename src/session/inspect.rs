@@ -6,6 +6,7 @@ use super::{Report, Session};
 use crate::{
     diag::Sources,
     eval::{self, Graph, Schema},
+    limits::Limits,
     syntax,
     value::Files,
 };
@@ -17,7 +18,7 @@ impl Session {
     /// What is wrong with the text, if it cannot be parsed.
     pub fn format(&self, name: &str, bytes: &[u8]) -> Result<String, Box<Report>> {
         let (text, mut sources) = self.opened(name, bytes)?;
-        syntax::format(text, &self.limits).map_err(|found| {
+        self.on_stack(|limits| syntax::format(text, limits)).map_err(|found| {
             sources.add(name, Arc::from(text));
             Box::new(self.findings(sources, found))
         })
@@ -34,7 +35,9 @@ impl Session {
         files: &dyn Files,
     ) -> Result<Schema, Box<Report>> {
         let (text, mut sources) = self.opened(name, bytes)?;
-        let mut schema = eval::parameters(name, text, &mut sources, self.settings(files));
+        let mut schema = self.on_stack(|limits| {
+            eval::parameters(name, text, &mut sources, self.settings(files, limits))
+        });
         let found = std::mem::take(&mut schema.diagnostics);
         self.unless_wrong(schema, sources, found)
     }
@@ -45,7 +48,8 @@ impl Session {
     /// What is wrong with the text or its names.
     pub fn graph(&self, name: &str, bytes: &[u8], files: &dyn Files) -> Result<Graph, Box<Report>> {
         let (text, mut sources) = self.opened(name, bytes)?;
-        let mut graph = eval::graph(name, text, &mut sources, self.settings(files));
+        let mut graph = self
+            .on_stack(|limits| eval::graph(name, text, &mut sources, self.settings(files, limits)));
         let found = std::mem::take(&mut graph.diagnostics);
         self.unless_wrong(graph, sources, found)
     }
@@ -61,17 +65,17 @@ impl Session {
         }
     }
 
-    fn settings<'a>(&'a self, files: &'a dyn Files) -> eval::Settings<'a> {
+    fn settings<'a>(&'a self, files: &'a dyn Files, limits: &'a Limits) -> eval::Settings<'a> {
         eval::Settings {
             registry: &self.registry,
-            limits: &self.limits,
+            limits,
             files,
             overrides: &[],
             n_threads: 1,
             purpose: eval::Purpose::Run,
             recall: None,
-            held: self.held,
-            stop: self.stop,
+            gauge: &self.gauge,
+            stop: &self.stop,
         }
     }
 

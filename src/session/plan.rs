@@ -22,11 +22,11 @@ impl Session {
     pub(super) fn plan(
         &self,
         exported: Exported,
-        (unit, tolerance): (Unit, Tolerance),
+        ((unit, tolerance), kept): ((Unit, Tolerance), &eval::KeptGlobals),
         diagnostics: &mut Vec<Diagnostic>,
     ) -> Option<File> {
         let span = exported.path.span;
-        if self.limits.memory_bytes < (self.held)() {
+        if self.limits.memory_bytes < self.gauge.held() {
             diagnostics.push(eval::out_of_memory(&self.limits, span));
             return None;
         }
@@ -72,15 +72,15 @@ impl Session {
         }
         let millimetres = unit.millimetres().unwrap_or(1.0);
         let job = Job {
-            items,
             unit: unit.name(),
             millimetres,
             precision: tolerance.distance,
             options,
-            picture: None,
             limits: self.limits,
+            ..Job::new(items)
         };
-        Some(File { path: path.ok()?, span, names: exported.names, format, job })
+        let (path, names) = (path.ok()?, exported.names);
+        Some(File { path, span, names, format, job, _kept: kept.clone() })
     }
 }
 

@@ -54,15 +54,7 @@ impl Session {
     /// contain it, and no effects of the script itself.
     ///
     /// ```
-    /// use virote::{session::{Session, TestVerdict}, value::Files};
-    ///
-    /// #[derive(Debug)]
-    /// struct NoFiles;
-    /// impl Files for NoFiles {
-    ///     fn read(&self, path: &str, _: usize) -> Result<Vec<u8>, String> {
-    ///         Err(format!("there is no `{path}`"))
-    ///     }
-    /// }
+    /// use virote::{session::{Session, TestVerdict}, value::NoFiles};
     ///
     /// let script = b"let a = 2
     ///     test \"sums\" { check a + a == 4 }
@@ -88,7 +80,7 @@ impl Session {
     pub(super) fn tested(
         &self,
         tested: eval::TestOutcome,
-        document: (Unit, Tolerance),
+        document_kept: ((Unit, Tolerance), &eval::KeptGlobals),
         diagnostics: &mut Vec<Diagnostic>,
     ) -> TestReport {
         let eval::TestOutcome {
@@ -99,7 +91,7 @@ impl Session {
             is_poisoned,
             is_whole,
         } = tested;
-        let events = self.events(outputs, document, &mut found);
+        let events = self.events(outputs, document_kept, &mut found);
         let has = |severity: Severity| found.iter().any(|found| found.severity == severity);
         let verdict = if is_poisoned || has(Severity::Error) {
             TestVerdict::Wrong

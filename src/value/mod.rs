@@ -44,7 +44,7 @@ pub use compare::{Discrepancy, deviation, equal};
 pub use decode::{decode, script_text, stranger};
 pub use error_map::{At, code_of, hint_of};
 pub use field::{field, field_names, table_row};
-pub use files::Files;
+pub use files::{Files, MemoryFiles, NoFiles};
 pub use from_value::{
     Angle, AtLeast, Callback, Choice, FromValue, Length, Maybe, Mismatch, Numbers, Rows,
 };

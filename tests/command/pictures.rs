@@ -8,7 +8,7 @@ use virote::{
     export::{Format, PICTURES},
     ops,
     session::{Extra, PictureContent, Session},
-    value::{Files, Picture, Type},
+    value::{NoFiles, Picture, Type},
 };
 
 use crate::support::{Scratch, files_below, told, virote};
@@ -59,15 +59,6 @@ fn drawn(situation: &str, script: &str, args: &[&str]) -> Pixels {
     let all = [&["render", "a.geo", "-o", "a.png", "-q"], args].concat();
     assert_eq!(run(&scratch, &all), (String::new(), String::new(), 0));
     Pixels::read(&scratch, "a.png")
-}
-
-#[derive(Debug)]
-struct NoFiles;
-
-impl Files for NoFiles {
-    fn read(&self, path: &str, _: usize) -> Result<Vec<u8>, String> {
-        Err(format!("there is no `{path}`"))
-    }
 }
 
 /// The picture of the reference that shows a call, as bytes of a PNG.

@@ -4,17 +4,8 @@
 use proptest::{prelude::*, proptest, sample::select};
 use virote::{
     session::{Event, Report, Session},
-    value::Files,
+    value::NoFiles,
 };
-
-#[derive(Debug)]
-struct NoFiles;
-
-impl Files for NoFiles {
-    fn read(&self, path: &str, _: usize) -> Result<Vec<u8>, String> {
-        Err(format!("there is no `{path}`"))
-    }
-}
 
 const DEFINITIONS: &str = "let k = 7\nlet near = 3mm\nfn f(x) = x * 0.5 - k\nfn g(x, y) = if x < y then f(y) else x / (y - 3)\n";
 

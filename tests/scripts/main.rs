@@ -6,6 +6,7 @@ mod faults;
 mod golden;
 mod incremental;
 mod lanes;
+mod library;
 mod maps;
 mod mutations;
 mod readback;

@@ -3,7 +3,7 @@
 use proptest::{prop_assert, proptest};
 use virote::{
     session::{Event, Session},
-    value::Files,
+    value::NoFiles,
 };
 
 proptest! {
@@ -32,14 +32,5 @@ proptest! {
         prop_assert!(told.is_empty(), "{told:?}");
         let checks = report.events.iter().filter(|event| matches!(event, Event::Checked(_)));
         prop_assert!(checks.count() == 7);
-    }
-}
-
-#[derive(Debug)]
-struct NoFiles;
-
-impl Files for NoFiles {
-    fn read(&self, path: &str, _: usize) -> Result<Vec<u8>, String> {
-        Err(format!("there is no `{path}`"))
     }
 }

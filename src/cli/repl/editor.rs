@@ -14,6 +14,7 @@ use rustyline::{
 
 use super::complete::{Scope, candidates};
 use crate::{
+    export::io_reason,
     limits::Limits,
     syntax::{Highlight, is_complete, pieces},
     value::Registry,
@@ -113,7 +114,7 @@ impl Editor {
 
 /// Reads the history, and makes sure that it can be written.
 fn open(lines: &mut Lines<LineHelper, FileHistory>, path: &PathBuf) -> Result<(), String> {
-    let told = |err: std::io::Error| super::super::files::reason(&err);
+    let told = |err: std::io::Error| io_reason(&err);
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder).map_err(told)?;
     }

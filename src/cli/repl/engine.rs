@@ -2,11 +2,7 @@
 
 use std::{
     path::Path,
-    sync::{
-        Arc,
-        atomic::{AtomicBool, Ordering},
-        mpsc,
-    },
+    sync::{Arc, mpsc},
     thread,
     time::{Duration, Instant},
 };
@@ -15,6 +11,7 @@ use super::super::{args::RunArgs, files::ScriptFiles, interrupt::INTERRUPTED};
 use crate::{
     diag::Sources,
     eval::Setting,
+    limits::work::StopToken,
     session::{Report, Session},
 };
 
@@ -28,10 +25,10 @@ const GRACE: Duration = Duration::from_millis(1500);
 pub(super) struct Engine {
     session: Arc<Session>,
     /// The switch that stops the session's run.
-    stop: &'static AtomicBool,
+    stop: StopToken,
     files: Arc<ScriptFiles>,
     settings: Arc<[Setting]>,
-    renew: Box<dyn Fn(&'static AtomicBool) -> Session>,
+    renew: Box<dyn Fn(StopToken) -> Session>,
 }
 
 /// A run that came to its end.
@@ -44,11 +41,6 @@ pub(super) struct EngineRun {
     pub(super) time: Duration,
 }
 
-/// A switch of its own for a session, which lives as long as the program.
-fn switch() -> &'static AtomicBool {
-    Box::leak(Box::new(AtomicBool::new(false)))
-}
-
 impl Engine {
     pub(super) fn new(common: &RunArgs, folder: &Path, settings: Vec<Setting>) -> Self {
         let (ceilings, n_threads) = (common.ceilings(), common.n_threads());
@@ -58,9 +50,9 @@ impl Engine {
                 .incremental()
                 .stopped_by(stop)
         };
-        let stop = switch();
+        let stop = StopToken::default();
         Self {
-            session: Arc::new(renew(stop)),
+            session: Arc::new(renew(stop.clone())),
             stop,
             files: Arc::new(ScriptFiles::new(folder)),
             settings: settings.into(),
@@ -95,15 +87,14 @@ impl Engine {
         let (session, files) = (Arc::clone(&self.session), Arc::clone(&self.files));
         let settings = Arc::clone(&self.settings);
         let (sender, receiver) = mpsc::channel();
-        INTERRUPTED.store(false, Ordering::Relaxed);
+        INTERRUPTED.reset();
         let begin = Instant::now();
         let work = move || {
             let report = session.run("input", text.as_bytes(), &*files, &settings);
             // Nobody listens where the run was given up.
             let _ = sender.send(report);
         };
-        let stack = self.session.limits().stack_bytes;
-        thread::Builder::new().stack_size(stack).spawn(work).ok()?;
+        thread::Builder::new().spawn(work).ok()?;
         let mut report = self.wait(&receiver)?;
         let time = begin.elapsed();
         report.sources = told_apart(&report.sources, base.len(), names);
@@ -116,21 +107,21 @@ impl Engine {
         loop {
             match receiver.recv_timeout(PATIENCE) {
                 Ok(report) => {
-                    let was_stopped = self.stop.swap(false, Ordering::Relaxed);
+                    let was_stopped = self.stop.reset();
                     return (!was_stopped).then_some(report);
                 }
                 Err(mpsc::RecvTimeoutError::Disconnected) => return None,
                 Err(mpsc::RecvTimeoutError::Timeout) => {}
             }
-            if INTERRUPTED.load(Ordering::Relaxed) && deadline.is_none() {
-                self.stop.store(true, Ordering::Relaxed);
+            if INTERRUPTED.is_stopped() && deadline.is_none() {
+                self.stop.stop();
                 deadline = Some(Instant::now() + GRACE);
             }
             if deadline.is_some_and(|deadline| deadline < Instant::now()) {
                 // An operation that looks at no switch: it is left to itself, and the next run has
                 // a session that knows nothing of it.
-                self.stop = switch();
-                self.session = Arc::new((self.renew)(self.stop));
+                self.stop = StopToken::default();
+                self.session = Arc::new((self.renew)(self.stop.clone()));
                 return None;
             }
         }

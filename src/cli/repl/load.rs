@@ -6,16 +6,15 @@ use std::{
 };
 
 use super::{
-    super::{
-        files::{Script, reason},
-        reporter::pretty,
-        write::replace,
-    },
+    super::{files::Script, reporter::pretty, write::replace},
     Prompt, command,
     document::Document,
     show,
 };
-use crate::{session::Event, syntax::StatementRole, value::script_text};
+use crate::{
+    export::io_reason,
+    {session::Event, syntax::StatementRole, value::script_text},
+};
 
 impl Prompt {
     /// Puts the document of a file into the place of this one, if all of it holds. Checks are
@@ -84,7 +83,7 @@ impl Prompt {
                 self.file = Some(path);
             }
             Err(err) => {
-                self.refuse(&format!("cannot write `{}`: {}", path.display(), reason(&err)));
+                self.refuse(&format!("cannot write `{}`: {}", path.display(), io_reason(&err)));
             }
         }
     }

@@ -10,7 +10,7 @@ use std::{
     thread,
 };
 
-use crate::{limits::Limits, session::Report};
+use crate::{limits::stack, session::Report};
 
 /// Does `work` on each of `all`, on `n_jobs` threads; `tell` hears the results in order, each as
 /// soon as those before it are there.
@@ -32,7 +32,8 @@ pub(super) fn in_order<T: Sync, R: Send>(
                     && sender.send((i, work(one))).is_ok()
                 {}
             };
-            let stack_bytes = crate::cli::process::session(Limits::DEFAULT).limits().stack_bytes;
+            let stack_bytes = stack::own_bytes();
+            let serve = move || stack::known(stack_bytes, serve);
             let started = thread::Builder::new().stack_size(stack_bytes).spawn_scoped(scope, serve);
             n_started += usize::from(started.is_ok());
         }

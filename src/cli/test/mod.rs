@@ -26,12 +26,13 @@ use self::{
 use super::{
     ExitStatus,
     args::RunArgs,
-    files::{Script, ScriptFiles, reason},
+    files::{Script, ScriptFiles},
     reporter::Reporter,
     settings,
 };
 use crate::{
     eval::Setting,
+    export::io_reason,
     session::{Event, Report, Session},
 };
 
@@ -99,7 +100,7 @@ pub(super) fn run(asked: &TestOptions) -> ExitStatus {
     if let Some(path) = &asked.junit
         && let Err(err) = junit::write(path, teller.suites())
     {
-        voice.trouble(&format!("cannot write `{}`: {}", path.display(), reason(&err)));
+        voice.trouble(&format!("cannot write `{}`: {}", path.display(), io_reason(&err)));
         ending = ExitStatus::Usage;
     }
     ending
@@ -120,8 +121,9 @@ fn scripts(path: &Path) -> Result<Vec<ChosenScript>, String> {
     let mut folders = vec![path.to_path_buf()];
     let mut found = Vec::new();
     while let Some(folder) = folders.pop() {
-        let told =
-            |err| format!("cannot look into the folder `{}`: {}", folder.display(), reason(&err));
+        let told = |err| {
+            format!("cannot look into the folder `{}`: {}", folder.display(), io_reason(&err))
+        };
         for entry in fs::read_dir(&folder).map_err(told)? {
             let entry = entry.map_err(told)?;
             let is_visible = !entry.file_name().to_string_lossy().starts_with('.');

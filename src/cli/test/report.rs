@@ -88,7 +88,7 @@ impl<'a> TestReporter<'a> {
         match checks {
             [0, 0] => {}
             [n, 0] => {
-                self.voice.result(TestVerdict::Passed, &format!("{name}  {}", some(n, "check")))
+                self.voice.result(TestVerdict::Passed, &format!("{name}  {}", some(n, "check")));
             }
             [passed, failed] => {
                 let text = format!("{name}  {failed} of {}", some(passed + failed, "check"));

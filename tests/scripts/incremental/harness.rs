@@ -4,20 +4,20 @@ use std::{
     collections::{BTreeMap, BTreeSet},
     sync::{
         Mutex,
-        atomic::{AtomicBool, AtomicUsize, Ordering},
+        atomic::{AtomicUsize, Ordering},
     },
 };
 
 use virote::{
     diag::{Code, Diagnostic, Severity, Sources},
     eval::{self, Memory, Outcome, Purpose, Setting, Settings, Work},
-    limits::Limits,
+    limits::{
+        Limits,
+        work::{MemoryGauge, StopToken},
+    },
     ops,
     value::{Call, Ctx, Family, Files, Op, OpParameter, Registry, Type, Value},
 };
-
-/// Nobody stops these runs.
-static NEVER: AtomicBool = AtomicBool::new(false);
 
 /// Calls of `counted`, by what they were given.
 static CALLS: Mutex<BTreeMap<String, usize>> = Mutex::new(BTreeMap::new());
@@ -158,8 +158,8 @@ impl Desk {
             n_threads: self.n_threads,
             purpose: Purpose::Run,
             recall: Some(&recall),
-            held: || 0,
-            stop: &NEVER,
+            gauge: &MemoryGauge::default(),
+            stop: &StopToken::default(),
         };
         let mut sources = Sources::default();
         let outcome = eval::evaluate("document", &text, &mut sources, settings);

@@ -6,11 +6,8 @@ use super::{
     FILES, GoldenContent, GoldenFile, HEADER, PRINTED, WARNINGS, header::Header, kept, measures,
 };
 use crate::{
-    cli::{
-        files::reason,
-        write::{OutputTarget, StagedFile, TargetRefusal, failure},
-    },
-    export::{ExportError, Summary},
+    cli::write::{OutputTarget, StagedFile, TargetRefusal},
+    export::{ExportError, Summary, io_reason},
 };
 
 /// Writes all files of the folder, behind their links, the header last; none is put into its place
@@ -29,8 +26,9 @@ pub(super) fn write(pages: &[GoldenFile<'_>], folder: &Path, header: Header) -> 
             [PRINTED, WARNINGS].contains(&&*path) || path.starts_with(&format!("{FILES}/"));
         if is_ours && !pages.iter().any(|page| page.path == path) {
             let path = folder.join(path);
-            fs::remove_file(&path)
-                .map_err(|err| format!("cannot remove `{}`: {}", path.display(), reason(&err)))?;
+            fs::remove_file(&path).map_err(|err| {
+                format!("cannot remove `{}`: {}", path.display(), io_reason(&err))
+            })?;
         }
     }
     Ok(())
@@ -49,7 +47,7 @@ fn stage(folder: &Path, path: &str, bytes: &[u8]) -> Result<StagedFile, String> 
 }
 
 fn cannot(folder: &Path, path: &str, err: &ExportError) -> String {
-    format!("cannot write `{}`: {}", folder.join(path).display(), failure(err))
+    format!("cannot write `{}`: {}", folder.join(path).display(), err.reason())
 }
 
 impl GoldenContent<'_> {

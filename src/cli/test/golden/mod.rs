@@ -23,14 +23,9 @@ use std::{
 
 use self::{header::Header, lines::RelativeTolerance};
 use crate::{
-    cli::{
-        ExitStatus,
-        files::{read_whole, reason},
-        run,
-        write::capped,
-    },
+    cli::{ExitStatus, files::read_whole, run},
     diag::{Diagnostic, Severity},
-    export::{self, MeasuredPart},
+    export::{self, MeasuredPart, capped, io_reason},
     limits::Limits,
     session::{Event, File, Report, name_flag},
 };
@@ -321,7 +316,7 @@ fn kept(folder: &Path) -> Result<Vec<String>, String> {
         if !place.is_dir() {
             continue;
         }
-        let told = |err| format!("cannot look into `{}`: {}", place.display(), reason(&err));
+        let told = |err| format!("cannot look into `{}`: {}", place.display(), io_reason(&err));
         for entry in fs::read_dir(&place).map_err(told)? {
             let entry = entry.map_err(told)?;
             let name = entry.file_name().to_string_lossy().into_owned();

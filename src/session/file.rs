@@ -1,0 +1,82 @@
+//! A file that a script exports, and how it is written.
+
+use std::io::Write;
+
+use crate::{
+    diag::{Code, Diagnostic, Span},
+    eval::KeptGlobals,
+    export::{ExportError, Format, Job, Summary, capped},
+    limits::stack,
+};
+
+/// A file that a script exports, ready to be written.
+#[derive(Debug)]
+pub struct File {
+    /// The path below the output folder, with `/` between its parts.
+    pub path: String,
+    /// Where the script gives the path.
+    pub span: Span,
+    /// The definitions that its subjects name.
+    pub names: Vec<String>,
+    /// How it is written.
+    pub format: &'static Format,
+    /// What is written.
+    pub job: Job,
+    /// What functions of the script in it need to answer.
+    pub(super) _kept: KeptGlobals,
+}
+
+impl File {
+    /// Writes the file into `out`, no more bytes than its ceiling.
+    ///
+    /// ```
+    /// use virote::{session::{Event, Session}, value::NoFiles};
+    ///
+    /// let script = b"curve c = line((0, 0), (3, 4))\nexport c to \"line.svg\"";
+    /// let report = Session::default().run("demo", script, &NoFiles, &[]);
+    /// let Event::File(file) = &report.events[0] else { panic!("it exports") };
+    /// let mut bytes = Vec::new();
+    /// file.write(&mut bytes).expect("a vector takes everything");
+    /// assert!(bytes.starts_with(b"<?xml"));
+    /// ```
+    ///
+    /// # Errors
+    /// E0705 where the format has no place for an item, or the geometry no answer to what the format
+    /// needs; E0901 beyond the ceiling; E0706 where `out` refuses.
+    pub fn write(&self, out: &mut (dyn Write + Send)) -> Result<Summary, Box<Diagnostic>> {
+        self.write_with(out, &|_| {}).map_err(|err| Box::new(self.refusal(&err)))
+    }
+
+    /// The same, telling `progress` how many bytes there are.
+    ///
+    /// # Errors
+    /// Why it cannot be written; [`Self::refusal`] has the words.
+    pub fn write_with(
+        &self,
+        out: &mut (dyn Write + Send),
+        progress: &(dyn Fn(u64) + Sync),
+    ) -> Result<Summary, ExportError> {
+        let most = self.job.limits.output_bytes;
+        stack::with(self.job.limits.stack_bytes, |_| {
+            capped(&mut *out, most, progress, |out| (self.format.write)(&self.job, out))
+        })
+    }
+
+    /// Why the file cannot be written, at its place in the script.
+    #[must_use]
+    pub fn refusal(&self, err: &ExportError) -> Diagnostic {
+        let (code, message) = match err {
+            ExportError::Geometry { .. } | ExportError::Unfit { .. } => {
+                (Code::CannotExport, err.reason())
+            }
+            ExportError::TooLarge { .. } => {
+                (Code::TooLarge, format!("`{}` would be {err}", self.path))
+            }
+            ExportError::Io(_) => {
+                let message = format!("cannot write `{}`: {}", self.path, err.reason());
+                (Code::CannotWrite, message)
+            }
+        };
+        Diagnostic::error(code, self.span, message)
+    }
+}
