@@ -6,6 +6,8 @@
 //! the tree; [`session`] puts it all together, and the doors ([`cli`], [`render`]) talk to people.
 //! `ARCHITECTURE.md` has the map.
 
+#[cfg(feature = "cli")]
+#[doc(hidden)]
 pub mod cli;
 pub mod diag;
 pub mod docs;

@@ -85,9 +85,14 @@ impl Limits {
         import_nesting: 64,
         output_bytes: 4 << 30,
         picture_pixels: 1 << 25,
-        memory_bytes: 4 << 30,
+        memory_bytes: at_most(4 << 30),
         diagnostics: 20,
     };
+}
+
+/// So many bytes, or all that the platform can count.
+const fn at_most(bytes: u64) -> usize {
+    if usize::BITS < u64::BITS && bytes > u32::MAX as u64 { usize::MAX } else { bytes as usize }
 }
 
 impl Limits {
@@ -122,20 +127,17 @@ pub struct Ceiling {
     pub docs: &'static str,
     /// The highest value: beyond it the stack or the memory of places in a text would not do.
     pub most: u64,
-    /// How a message tells that it was crossed: the code, and a word of the message.
-    crossed: &'static [(&'static str, &'static str)],
     get: fn(&Limits) -> u64,
     set: fn(&mut Limits, u64),
 }
 
 /// A ceiling on the field of its name; `set` is given no more than `most`, which fits the field.
 macro_rules! ceiling {
-    ($field:ident: $ty:ty, $name:expr, most $most:expr, $crossed:expr, $docs:literal) => {
+    ($field:ident: $ty:ty, $name:expr, most $most:expr, $docs:literal) => {
         Ceiling {
             name: $name,
             docs: $docs,
             most: $most,
-            crossed: &$crossed,
             get: |limits| limits.$field as u64,
             set: |limits, value| limits.$field = value as $ty,
         }
@@ -155,50 +157,82 @@ impl Ceiling {
 
     /// The name of the ceiling on memory, the one whose crossing depends on what else runs.
     pub const MEMORY: &'static str = "memory";
+    /// See [`Self::ALL`].
+    pub const SOURCE_BYTES: &'static str = "source-bytes";
+    /// See [`Self::ALL`].
+    pub const INPUT_BYTES: &'static str = "input-bytes";
+    /// See [`Self::ALL`].
+    pub const OUTPUT_BYTES: &'static str = "output-bytes";
+    /// See [`Self::ALL`].
+    pub const IMPORT_NESTING: &'static str = "import-nesting";
+    /// See [`Self::ALL`].
+    pub const NESTING: &'static str = "nesting";
+    /// See [`Self::ALL`].
+    pub const CHAIN: &'static str = "chain";
+    /// See [`Self::ALL`].
+    pub const CALL_DEPTH: &'static str = "call-depth";
+    /// See [`Self::ALL`].
+    pub const EVALUATION_DEPTH: &'static str = "evaluation-depth";
+    /// See [`Self::ALL`].
+    pub const VALUE_DEPTH: &'static str = "value-depth";
+    /// See [`Self::ALL`].
+    pub const VALUE_SIZE: &'static str = "value-size";
+    /// See [`Self::ALL`].
+    pub const TEXT_BYTES: &'static str = "text-bytes";
+    /// See [`Self::ALL`].
+    pub const LIST_LENGTH: &'static str = "list-length";
+    /// See [`Self::ALL`].
+    pub const STEPS: &'static str = "steps";
+    /// See [`Self::ALL`].
+    pub const CONTROL_POINTS: &'static str = "control-points";
+    /// See [`Self::ALL`].
+    pub const DEGREE: &'static str = "degree";
+    /// See [`Self::ALL`].
+    pub const MESH_VERTICES: &'static str = "mesh-vertices";
 
     /// Every ceiling with a flag.
     pub const ALL: &'static [Self] = &[
         // Places in all texts together are four bytes.
-        ceiling!(source_bytes: usize, "source-bytes", most 1 << 30, [("E0008", "bytes")],
+        ceiling!(source_bytes: usize, Self::SOURCE_BYTES, most 1 << 30,
             "bytes of one script"),
-        ceiling!(input_bytes: usize, "input-bytes", most Self::OPEN, [("E0701", "ceiling")],
+        ceiling!(input_bytes: usize, Self::INPUT_BYTES, most Self::OPEN,
             "bytes of one file that a script reads"),
-        ceiling!(output_bytes: u64, "output-bytes", most Self::OPEN, [("E0901", "file of")],
+        ceiling!(output_bytes: u64, Self::OUTPUT_BYTES, most Self::OPEN,
             "bytes of one file that a script writes"),
-        ceiling!(memory_bytes: usize, Self::MEMORY, most Self::OPEN, [("E0901", "of memory")],
+        ceiling!(memory_bytes: usize, Self::MEMORY, most Self::OPEN,
             "bytes of memory that a run holds"),
         // Each level is loaded inside the one before.
-        ceiling!(import_nesting: usize, "import-nesting", most 256, [("E0901", "imports lie")],
+        ceiling!(import_nesting: usize, Self::IMPORT_NESTING, most 256,
             "files inside one another's imports"),
-        ceiling!(nesting: usize, "nesting", most MOST_NESTING, [("E0104", "nested")],
+        ceiling!(nesting: usize, Self::NESTING, most MOST_NESTING,
             "brackets inside one another"),
-        ceiling!(chain: usize, "chain", most MOST_NESTING, [("E0104", "operators")],
+        ceiling!(chain: usize, Self::CHAIN, most MOST_NESTING,
             "operators in one expression outside brackets"),
-        ceiling!(call_depth: usize, "call-depth", most MOST_CALL_DEPTH, [("E0403", "calls go")],
+        ceiling!(call_depth: usize, Self::CALL_DEPTH, most MOST_CALL_DEPTH,
             "calls of functions inside one another"),
         // The stack is made for the default.
-        ceiling!(evaluation_depth: usize, "evaluation-depth",
-            most Limits::DEFAULT.evaluation_depth as u64, [("E0403", "expressions lie")],
+        ceiling!(evaluation_depth: usize, Self::EVALUATION_DEPTH,
+            most Limits::DEFAULT.evaluation_depth as u64,
             "expressions under evaluation inside one another, calls included"),
-        ceiling!(value_depth: u32, "value-depth", most MOST_VALUE_DEPTH, [("E0901", "inside one another")],
+        ceiling!(value_depth: u32, Self::VALUE_DEPTH, most MOST_VALUE_DEPTH,
             "lists, records and functions inside one another"),
-        ceiling!(value_size: u64, "value-size", most Self::OPEN, [("E0901", "parts")],
+        ceiling!(value_size: u64, Self::VALUE_SIZE, most Self::OPEN,
             "values inside one value, shared ones counted each time"),
-        ceiling!(text_bytes: usize, "text-bytes", most 1 << 30, [("E0901", "text of")],
+        ceiling!(text_bytes: usize, Self::TEXT_BYTES, most 1 << 30,
             "bytes of one text"),
-        ceiling!(list_length: usize, "list-length", most Self::OPEN, [("E0901", "list of")],
+        ceiling!(list_length: usize, Self::LIST_LENGTH, most Self::OPEN,
             "elements of one list"),
-        ceiling!(steps: u64, "steps", most Self::OPEN, [("E0901", "steps")],
+        ceiling!(steps: u64, Self::STEPS, most Self::OPEN,
             "steps of evaluation of one definition"),
-        ceiling!(control_points: usize, "control-points", most Self::OPEN, [("E0901", "control points")],
+        ceiling!(control_points: usize, Self::CONTROL_POINTS, most Self::OPEN,
             "control points of one curve or surface"),
         // Beyond it binomial coefficients lose their digits.
-        ceiling!(degree: usize, "degree", most Limits::DEFAULT.degree as u64, [("E0901", "of degree")],
+        ceiling!(degree: usize, Self::DEGREE, most Limits::DEFAULT.degree as u64,
             "degree of a curve or surface"),
         // A triangle names its corners by four bytes.
-        ceiling!(mesh_vertices: usize, "mesh-vertices", most 1 << 32, [("E0901", "vertices")],
+        ceiling!(mesh_vertices: usize, Self::MESH_VERTICES, most 1 << 32,
             "vertices of one mesh"),
-        ceiling!(diagnostics: usize, "diagnostics", most 10_000, [],
+        ceiling!(diagnostics: usize, "diagnostics", most 10_000,
             "messages that are shown; the rest is counted"),
     ];
 
@@ -206,14 +240,6 @@ impl Ceiling {
     #[must_use]
     pub fn from_name(name: &str) -> Option<&'static Self> {
         Self::ALL.iter().find(|ceiling| ceiling.name == name)
-    }
-
-    /// The ceiling that a message tells to be crossed, by its code and its text.
-    #[must_use]
-    pub fn crossed(code: &str, message: &str) -> Option<&'static Self> {
-        Self::ALL.iter().find(|ceiling| {
-            ceiling.crossed.iter().any(|&(its, word)| its == code && message.contains(word))
-        })
     }
 
     /// Its value.

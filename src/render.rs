@@ -46,7 +46,7 @@ pub fn picture(diagnostic: &Diagnostic, sources: &Sources, with_color: bool) -> 
     for (place, text, color) in labels {
         report = report.with_label(Label::new(place).with_message(text).with_color(color));
     }
-    for hint in &diagnostic.hints {
+    for hint in hints(diagnostic) {
         report = report.with_help(hint);
     }
     let texts =
@@ -58,6 +58,13 @@ pub fn picture(diagnostic: &Diagnostic, sources: &Sources, with_color: bool) -> 
     let text = String::from_utf8_lossy(&out);
     let text = if with_color { text } else { without_escapes(&text).into() };
     text.lines().map(str::trim_end).collect::<Vec<_>>().join("\n") + "\n"
+}
+
+/// What to do: what the finding says itself, and which flag moves the ceiling that was crossed.
+#[must_use]
+pub fn hints(diagnostic: &Diagnostic) -> Vec<String> {
+    let flag = |name| format!("`--limit {name}=N` moves this ceiling");
+    diagnostic.hints.iter().cloned().chain(diagnostic.ceiling.map(flag)).collect()
 }
 
 /// The same with all texts as they may stand on a terminal.
@@ -101,7 +108,7 @@ fn without_picture(diagnostic: &Diagnostic, sources: &Sources) -> String {
             text.push_str(&format!("   {name}:{line}:{column}: {remark}\n"));
         }
     }
-    diagnostic.hints.iter().for_each(|hint| text.push_str(&format!("   Help: {hint}\n")));
+    hints(diagnostic).iter().for_each(|hint| text.push_str(&format!("   Help: {hint}\n")));
     text
 }
 
@@ -158,7 +165,7 @@ pub fn json(diagnostic: &Diagnostic, sources: &Sources) -> Json {
         "code": diagnostic.code.id(),
         "message": diagnostic.message,
         "labels": labels,
-        "hints": diagnostic.hints,
+        "hints": hints(diagnostic),
     })
 }
 

@@ -3,7 +3,6 @@
 //! The session touches no file, clock or terminal. The doors hand in the text and a [`Files`] to
 //! read data through, and write what the [`Report`] plans.
 
-mod ceiling;
 mod extra;
 mod file;
 mod inspect;
@@ -16,7 +15,6 @@ mod test;
 
 use std::{ops::Deref, sync::Arc};
 
-pub use ceiling::name_flag;
 pub use extra::Extra;
 pub use file::File;
 pub use picture::PictureContent;
@@ -125,10 +123,7 @@ impl Report {
     /// Whether memory ran out.
     #[must_use]
     pub fn is_out_of_memory(&self) -> bool {
-        self.diagnostics.iter().any(|found| {
-            Ceiling::crossed(found.code.id(), &found.message)
-                .is_some_and(|ceiling| ceiling.name == Ceiling::MEMORY)
-        })
+        self.diagnostics.iter().any(|found| found.ceiling == Some(Ceiling::MEMORY))
     }
 
     /// How many definitions came by their value in this way.
@@ -309,9 +304,8 @@ impl Session {
         }
     }
 
-    /// What was found in a script that does not run, with the flags of crossed ceilings.
-    fn findings(&self, sources: Sources, mut diagnostics: Vec<Diagnostic>) -> Report {
-        diagnostics.iter_mut().for_each(ceiling::name_flag);
+    /// What was found in a script that does not run.
+    fn findings(&self, sources: Sources, diagnostics: Vec<Diagnostic>) -> Report {
         Report {
             sources,
             diagnostics,
@@ -331,7 +325,10 @@ impl Session {
             let message = format!("the script is larger than the ceiling of {most} bytes");
             return Err((
                 String::new(),
-                Box::new(Diagnostic::error(Code::SourceTooLarge, Span::default(), message)),
+                Box::new(
+                    Diagnostic::error(Code::SourceTooLarge, Span::default(), message)
+                        .crossing(Ceiling::SOURCE_BYTES),
+                ),
             ));
         }
         std::str::from_utf8(bytes).map_err(|err| {

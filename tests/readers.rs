@@ -13,6 +13,7 @@ use std::{
 use cap::Cap;
 use virote::{
     limits::Limits,
+    render,
     session::{Event, Session},
     value::Files,
 };
@@ -53,7 +54,8 @@ fn told(script: &str, bytes: Vec<u8>, limits: Limits) -> Result<Vec<String>, Str
     let session = Session::new(limits).measured(held);
     let report = session.run("a.geo", script.as_bytes(), &One(bytes), &[]);
     if let Some(found) = report.diagnostics.first() {
-        return Err(format!("{}: {} ({})", found.code.id(), found.message, found.hints.join("; ")));
+        let hints = render::hints(found).join("; ");
+        return Err(format!("{}: {} ({hints})", found.code.id(), found.message));
     }
     let printed = report.events.iter().filter_map(|event| match event {
         Event::Printed(printed) => Some(printed.value.to_string()),

@@ -19,7 +19,7 @@ use crate::{
     diag::{Code, Diagnostic, Severity, fault, nearest},
     eval::Setting,
     export::{ExportError, Summary, capped},
-    session::{Event, File, Report, Session, name_flag},
+    session::{Event, File, Report, Session},
 };
 
 /// Whether and where a run writes its files.
@@ -359,7 +359,6 @@ pub(super) fn refusal(file: &File, err: &ExportError) -> (Diagnostic, ExitStatus
     (file.refusal(err), ending)
 }
 
-fn refuse(mut found: Diagnostic, report: &Report, voice: &Reporter) {
-    name_flag(&mut found);
+fn refuse(found: Diagnostic, report: &Report, voice: &Reporter) {
     voice.findings(&[found], &report.sources);
 }

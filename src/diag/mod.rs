@@ -124,6 +124,11 @@ pub struct Diagnostic {
     pub others: Vec<Label>,
     /// What to do; each a sentence.
     pub hints: Vec<String>,
+    /// The name of the ceiling that was crossed ([`Ceiling::name`](crate::limits::Ceiling::name)), if it
+    /// can be moved.
+    pub ceiling: Option<&'static str>,
+    /// Whether the text ends where something is missing: what is typed next may complete it.
+    pub is_at_end: bool,
 }
 
 /// The message alone, for whoever knows no places.
@@ -148,6 +153,8 @@ impl Diagnostic {
             primary: Label { span, text: String::new() },
             others: Vec::new(),
             hints: Vec::new(),
+            ceiling: None,
+            is_at_end: false,
         }
     }
 
@@ -176,6 +183,12 @@ impl Diagnostic {
     pub fn hint(mut self, text: impl Into<String>) -> Self {
         self.hints.push(text.into());
         self
+    }
+
+    /// The ceiling of this name was crossed.
+    #[must_use]
+    pub fn crossing(self, ceiling: &'static str) -> Self {
+        Self { ceiling: Some(ceiling), ..self }
     }
 
     /// All places moved `by` bytes to the right.

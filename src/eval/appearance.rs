@@ -26,7 +26,7 @@ impl FileRun<'_> {
         for option in &definition.with {
             let Some((label, value)) = self.option(option, definition.n_slots) else { continue };
             if let Err(found) = read(&label, &value, &mut look) {
-                self.diagnostics.push(found);
+                self.diagnostics.push(*found);
             }
         }
         look
@@ -69,10 +69,10 @@ fn read(
     label: &Spanned<String>,
     value: &Spanned<Value>,
     look: &mut Appearance,
-) -> Result<(), Diagnostic> {
+) -> Result<(), Box<Diagnostic>> {
     let wrong = |wanted: &str| {
         let message = format!("`{}` must be {wanted}, found {}", label.value, value.value.phrase());
-        Diagnostic::error(Code::WrongKind, value.span, message)
+        Box::new(Diagnostic::error(Code::WrongKind, value.span, message))
     };
     match (label.value.as_str(), &value.value) {
         ("hidden", Value::Bool(hidden)) => look.is_hidden = *hidden,
@@ -80,16 +80,16 @@ fn read(
         ("layer", Value::Text(layer)) => look.layer = Some(layer.clone()),
         ("layer", _) => return Err(wrong("a string")),
         ("color", Value::Text(text)) => {
-            look.color = Some(color_of(text).ok_or_else(|| no_color(text, value))?);
+            look.color = Some(color_of(text).ok_or_else(|| Box::new(no_color(text, value)))?);
         }
         ("color", _) => return Err(wrong("a string")),
         (name, _) => {
             let message = format!("a definition has no option `{name}`");
             let diagnostic = Diagnostic::error(Code::BadCall, label.span, message);
-            return Err(match nearest(name, OPTIONS) {
+            return Err(Box::new(match nearest(name, OPTIONS) {
                 Some(near) => diagnostic.label(format!("did you mean `{near}`?")),
                 None => diagnostic.hint("its options are `color`, `layer` and `hidden`"),
-            });
+            }));
         }
     }
     Ok(())

@@ -15,7 +15,10 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Label, Result, Span, Spanned},
     kernel::Jet,
-    limits::work::{self, End},
+    limits::{
+        Ceiling,
+        work::{self, End},
+    },
     value::{
         Call, Ctx, FormalParameter, FromValue, Function, Mistakes, Op, Real, Type, Value, assign,
         choose,
@@ -197,7 +200,7 @@ impl Machine<'_> {
         match (done.end, value) {
             (None, value) => finite(value?, name, span),
             // It says itself what there was no room for.
-            (Some(End::Memory), Err(found)) if found.code == Code::TooLarge => {
+            (Some(End::Memory), Err(found)) if found.ceiling == Some(Ceiling::MEMORY) => {
                 self.is_full = true;
                 Err(found)
             }
@@ -212,7 +215,7 @@ impl Machine<'_> {
             self.run_script(function, call)
         } else {
             let message = format!("calls go more than {} deep", self.env.limits.call_depth);
-            self.too_deep(message, span)
+            self.too_deep(message, Ceiling::CALL_DEPTH, span)
         };
         self.n_calls -= 1;
         result.map_err(|mut diagnostic| {

@@ -6,7 +6,7 @@ use crate::{
     diag::{Code, Diagnostic, Result, Span},
     kernel::{Curve, Surface},
     limits::{
-        Limits,
+        Ceiling, Limits,
         work::{self, End, Watch},
     },
     value::{Value, ValueExtent},
@@ -58,7 +58,8 @@ impl Machine<'_> {
         match end {
             End::Steps => {
                 let message = format!("this takes more than {} steps of evaluation", limits.steps);
-                Diagnostic::error(Code::TooLarge, span, message).label(label).fail()
+                let found = Diagnostic::error(Code::TooLarge, span, message).label(label);
+                found.crossing(Ceiling::STEPS).fail()
             }
             End::Stopped => {
                 self.is_full = true;
@@ -75,23 +76,32 @@ impl Machine<'_> {
     /// The value, unless it is deeper or larger than whoever walks through it can bear.
     pub(super) fn check_extent(&self, value: Value, span: Span) -> Result<Value> {
         let (ValueExtent { depth, size, .. }, limits) = (value.extent(), self.env.limits);
-        let message = if limits.value_depth < depth {
+        let (message, ceiling) = if limits.value_depth < depth {
             let most = limits.value_depth;
-            format!("lists, records and functions lie more than {most} deep inside one another")
+            let message = format!(
+                "lists, records and functions lie more than {most} deep inside one another"
+            );
+            (message, Ceiling::VALUE_DEPTH)
         } else if limits.value_size < size {
-            format!("a value of more than {} parts", limits.value_size)
-        } else if let Some(message) = too_fine(&value, limits) {
-            message
+            (format!("a value of more than {} parts", limits.value_size), Ceiling::VALUE_SIZE)
+        } else if let Some(excess) = too_fine(&value, limits) {
+            excess
         } else {
             return Ok(value);
         };
-        Diagnostic::error(Code::TooLarge, span, message).fail()
+        Diagnostic::error(Code::TooLarge, span, message).crossing(ceiling).fail()
     }
 
-    pub(super) fn too_deep<T>(&self, message: String, span: Span) -> Result<T> {
+    pub(super) fn too_deep<T>(
+        &self,
+        message: String,
+        ceiling: &'static str,
+        span: Span,
+    ) -> Result<T> {
         Diagnostic::error(Code::RecursionTooDeep, span, message)
             .label("one call too many")
             .hint("does every recursion reach its end?")
+            .crossing(ceiling)
             .fail()
     }
 }
@@ -99,11 +109,13 @@ impl Machine<'_> {
 /// The finding that the run holds more memory than it may.
 pub(crate) fn out_of_memory(limits: &Limits, span: Span) -> Diagnostic {
     let message = format!("the script needs more than {} bytes of memory", limits.memory_bytes);
-    Diagnostic::error(Code::TooLarge, span, message).label("under way here")
+    Diagnostic::error(Code::TooLarge, span, message)
+        .label("under way here")
+        .crossing(Ceiling::MEMORY)
 }
 
-/// What is too much about a curve or surface, if anything.
-fn too_fine(value: &Value, limits: &Limits) -> Option<String> {
+/// What is too much about a curve or surface, if anything, and the ceiling on it.
+fn too_fine(value: &Value, limits: &Limits) -> Option<(String, &'static str)> {
     let (degree, n_points) = match value {
         Value::Curve(Curve::Nurbs(curve)) => (curve.degree(), curve.control_points().len()),
         Value::Surface(Surface::Nurbs(surface)) => {
@@ -113,9 +125,12 @@ fn too_fine(value: &Value, limits: &Limits) -> Option<String> {
     };
     let kind = value.kind();
     if limits.degree < degree {
-        Some(format!("a {kind} of degree {degree}, more than {}", limits.degree))
+        let message = format!("a {kind} of degree {degree}, more than {}", limits.degree);
+        Some((message, Ceiling::DEGREE))
     } else if limits.control_points < n_points {
-        Some(format!("a {kind} of {n_points} control points, more than {}", limits.control_points))
+        let most = limits.control_points;
+        let message = format!("a {kind} of {n_points} control points, more than {most}");
+        Some((message, Ceiling::CONTROL_POINTS))
     } else {
         None
     }

@@ -11,6 +11,7 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
+    limits::Ceiling,
     value::{Dimension, IntoValue, List, Number, Real, Record, Value, Vector},
 };
 
@@ -68,7 +69,7 @@ impl Machine<'_> {
             return Ok(());
         }
         let message = format!("a list of more than {most} elements");
-        Diagnostic::error(Code::TooLarge, span, message).fail()
+        Diagnostic::error(Code::TooLarge, span, message).crossing(Ceiling::LIST_LENGTH).fail()
     }
 
     pub(super) fn list(&mut self, elements: &[Element], span: Span) -> Result<Value> {
@@ -130,7 +131,7 @@ impl Machine<'_> {
             return Ok(());
         }
         let message = format!("a text of more than {most} bytes");
-        Diagnostic::error(Code::TooLarge, span, message).fail()
+        Diagnostic::error(Code::TooLarge, span, message).crossing(Ceiling::TEXT_BYTES).fail()
     }
 
     pub(super) fn text(&mut self, pieces: &[Piece], span: Span) -> Result<Value> {

@@ -22,6 +22,7 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Severity, Sources, Span, Spanned, nearest},
+    limits::Ceiling,
     syntax::{
         self,
         ast::{Expr, ExprKind, StatementKind, Tree, Unit},
@@ -147,7 +148,8 @@ impl<'a> Library<'a> {
         let most = self.settings.limits.import_nesting;
         if most < n_nested {
             let message = format!("imports lie more than {most} deep inside one another");
-            self.tell(Diagnostic::error(Code::TooLarge, place, message));
+            let found = Diagnostic::error(Code::TooLarge, place, message);
+            self.tell(found.crossing(Ceiling::IMPORT_NESTING));
             return None;
         }
         let most = self.settings.limits.source_bytes;
@@ -155,7 +157,8 @@ impl<'a> Library<'a> {
             Ok(bytes) if most < bytes.len() => {
                 let message = format!("`{path}` is larger than the ceiling of {most} bytes");
                 let hint = "numbers that a script needs are read by `load`";
-                self.tell(Diagnostic::error(Code::SourceTooLarge, place, message).hint(hint));
+                let found = Diagnostic::error(Code::SourceTooLarge, place, message).hint(hint);
+                self.tell(found.crossing(Ceiling::SOURCE_BYTES));
                 return None;
             }
             Ok(bytes) => bytes,

@@ -23,7 +23,7 @@ use crate::{
     diag::{Code, Diagnostic, Result, Sources, Span, fault},
     kernel::{CurveFunction, SurfaceFunction, Tolerance},
     limits::{
-        Limits,
+        Ceiling, Limits,
         work::{MemoryGauge, StopToken},
     },
     syntax::ast::Unit,
@@ -153,7 +153,7 @@ impl<'a> Machine<'a> {
         } else {
             let most = self.env.limits.evaluation_depth;
             let what = format!("expressions lie more than {most} deep inside one another");
-            self.too_deep(what, expr.span)
+            self.too_deep(what, Ceiling::EVALUATION_DEPTH, expr.span)
         };
         self.depth -= 1;
         match result {

@@ -39,6 +39,7 @@ pub(crate) use ceiling::out_of_memory;
 pub use claim::{ClaimSide, Verdict};
 pub use dependencies::{DependencyNode, Graph, graph};
 pub use globals::KeptGlobals;
+#[cfg(feature = "cli")]
 pub(crate) use lower::foreign_names::advice as foreign_advice;
 pub use memory::{CacheRun, Memory, Work};
 pub(crate) use outcome::in_order;

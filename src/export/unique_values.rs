@@ -3,18 +3,18 @@
 use std::{borrow::Borrow, collections::HashMap, hash::Hash};
 
 /// Values by their keys. The order is that of the first coming, so that it does not depend on hashes.
-pub(super) struct Kept<K, V> {
+pub(super) struct UniqueValues<K, V> {
     places: HashMap<K, usize>,
     pairs: Vec<(K, V)>,
 }
 
-impl<K, V> Default for Kept<K, V> {
+impl<K, V> Default for UniqueValues<K, V> {
     fn default() -> Self {
         Self { places: HashMap::new(), pairs: Vec::new() }
     }
 }
 
-impl<K: Clone + Eq + Hash, V> Kept<K, V> {
+impl<K: Clone + Eq + Hash, V> UniqueValues<K, V> {
     /// The place of a key and its value, which `make` makes at the first time.
     pub(super) fn entry<Q: Eq + Hash + ToOwned<Owned = K> + ?Sized>(
         &mut self,
@@ -36,6 +36,14 @@ impl<K: Clone + Eq + Hash, V> Kept<K, V> {
         (place, &mut self.pairs[place].1)
     }
 
+    /// The value of a key that has come.
+    pub(super) fn get<Q: Eq + Hash + ?Sized>(&self, key: &Q) -> Option<&V>
+    where
+        K: Borrow<Q>,
+    {
+        self.places.get(key).map(|&place| &self.pairs[place].1)
+    }
+
     /// Keys and values in their order.
     pub(super) fn pairs(&self) -> &[(K, V)] {
         &self.pairs
@@ -44,11 +52,11 @@ impl<K: Clone + Eq + Hash, V> Kept<K, V> {
 
 #[cfg(test)]
 mod tests {
-    use super::Kept;
+    use super::UniqueValues;
 
     #[test]
     fn what_comes_again_is_where_it_was() {
-        let mut kept: Kept<String, Vec<usize>> = Kept::default();
+        let mut kept: UniqueValues<String, Vec<usize>> = UniqueValues::default();
         for (i, name) in ["b", "a", "b", "c", "a"].into_iter().enumerate() {
             kept.entry(name, Vec::new).1.push(i);
         }

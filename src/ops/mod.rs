@@ -20,6 +20,7 @@ use crate::{
     value::{Length, Registry, shortest},
 };
 
+#[cfg(feature = "cli")]
 pub(crate) use mesh::csv_rows;
 
 /// Everything that a script can use without defining it.

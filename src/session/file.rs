@@ -6,7 +6,7 @@ use crate::{
     diag::{Code, Diagnostic, Span},
     eval::KeptGlobals,
     export::{ExportError, Format, Job, Summary, capped},
-    limits::stack,
+    limits::{Ceiling, stack},
 };
 
 /// A file that a script exports, ready to be written.
@@ -65,18 +65,19 @@ impl File {
     /// Why the file cannot be written, at its place in the script.
     #[must_use]
     pub fn refusal(&self, err: &ExportError) -> Diagnostic {
-        let (code, message) = match err {
+        let found = |code, message| Diagnostic::error(code, self.span, message);
+        match err {
             ExportError::Geometry { .. } | ExportError::Unfit { .. } => {
-                (Code::CannotExport, err.reason())
+                found(Code::CannotExport, err.reason())
             }
             ExportError::TooLarge { .. } => {
-                (Code::TooLarge, format!("`{}` would be {err}", self.path))
+                found(Code::TooLarge, format!("`{}` would be {err}", self.path))
+                    .crossing(Ceiling::OUTPUT_BYTES)
             }
             ExportError::Io(_) => {
                 let message = format!("cannot write `{}`: {}", self.path, err.reason());
-                (Code::CannotWrite, message)
+                found(Code::CannotWrite, message)
             }
-        };
-        Diagnostic::error(code, self.span, message)
+        }
     }
 }

@@ -102,8 +102,7 @@ pub fn entry(source: &str) -> PromptEntry {
 #[must_use]
 pub fn is_complete(source: &str, limits: &Limits) -> bool {
     let is_open = |found: &Diagnostic| {
-        matches!(found.code, Code::UnclosedBracket | Code::UnclosedComment)
-            || found.message.contains(Token::End.text())
+        matches!(found.code, Code::UnclosedBracket | Code::UnclosedComment) || found.is_at_end
     };
     let found = match entry(source) {
         PromptEntry::Empty => parse(source, limits).1,

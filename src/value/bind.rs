@@ -6,7 +6,10 @@
 use std::{collections::HashMap, sync::Arc};
 
 use super::{FromValue, Op, OpParameter, Type, Value};
-use crate::diag::{Code, Diagnostic, Sources, Span, Spanned, nearest};
+use crate::{
+    diag::{Code, Diagnostic, Sources, Span, Spanned, nearest},
+    limits::Ceiling,
+};
 
 /// Evaluated arguments on their way into a function.
 #[derive(Clone, Debug)]
@@ -37,6 +40,8 @@ struct Mistake {
     span: Span,
     text: String,
     hint: Option<String>,
+    /// The ceiling that was crossed.
+    ceiling: Option<&'static str>,
 }
 
 /// What is wrong with a call, collected.
@@ -45,7 +50,7 @@ pub struct Mistakes(Vec<Mistake>);
 
 impl Mistakes {
     fn add(&mut self, code: Code, span: Span, text: String, hint: Option<String>) {
-        self.0.push(Mistake { code, span, text, hint });
+        self.0.push(Mistake { code, span, text, hint, ceiling: None });
     }
 
     /// Whether there are none.
@@ -66,6 +71,7 @@ impl Mistakes {
                 format!("{called} cannot be called so"),
             ));
         };
+        let ceiling = first.ceiling;
         let mut hints: Vec<String> = first.hint.into_iter().collect();
         let mut diagnostic = if n_mistakes == 1 {
             Diagnostic::error(first.code, first.span, format!("{called}: {}", first.text))
@@ -81,7 +87,7 @@ impl Mistakes {
             hints.push(format!("and {n_left} more mistakes"));
         }
         hints.push(format!("its signature is `{signature}`"));
-        diagnostic.hints = hints;
+        (diagnostic.hints, diagnostic.ceiling) = (hints, ceiling);
         Box::new(diagnostic)
     }
 }
@@ -247,7 +253,8 @@ impl Binder {
             && range.integers().is_some_and(|(_, count)| self.most < count)
         {
             let text = format!("a list of more than {} elements", self.most);
-            self.mistakes.add(Code::TooLarge, given.span, text, None);
+            let (code, span, ceiling) = (Code::TooLarge, given.span, Some(Ceiling::LIST_LENGTH));
+            self.mistakes.0.push(Mistake { code, span, text, hint: None, ceiling });
             return None;
         }
         match T::from_value(&given.value, given.span) {

@@ -3,6 +3,7 @@
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     kernel::{GeomError, JumpError, MeshError, PictureError, ShellError},
+    limits::Ceiling,
 };
 
 /// Pins an error of the kernel to the place in the script that caused it.
@@ -21,11 +22,20 @@ impl<T> At<T> for std::result::Result<T, GeomError> {
                 return Box::new(asked_from(reason.clone(), span));
             }
             let diagnostic = Diagnostic::error(code_of(&error), span, error.to_string());
+            let diagnostic = Diagnostic { ceiling: ceiling_of(&error), ..diagnostic };
             Box::new(match hint_of(&error) {
                 Some(hint) => diagnostic.hint(hint),
                 None => diagnostic,
             })
         })
+    }
+}
+
+/// The ceiling that an error of the kernel tells to be crossed.
+fn ceiling_of(error: &GeomError) -> Option<&'static str> {
+    match error {
+        GeomError::TooManyVertices { .. } => Some(Ceiling::MESH_VERTICES),
+        _ => None,
     }
 }
 

@@ -14,7 +14,7 @@ use self::base64::Base64;
 use super::{
     ExportError, Format, Item, Job, Subject, Summary,
     shape::{MeshShape, ShapedItem, byte_color, shapes},
-    unique_values::Kept,
+    unique_values::UniqueValues,
 };
 
 pub(super) static GLB: Format = Format {
@@ -209,10 +209,10 @@ impl<'a> GltfScene<'a> {
 struct GltfParts {
     nodes: Vec<Json>,
     /// The node of each layer, and its members.
-    layers: Kept<String, Vec<usize>>,
+    layers: UniqueValues<String, Vec<usize>>,
     roots: Vec<usize>,
     meshes: Vec<Json>,
-    looks: Kept<Material, ()>,
+    looks: UniqueValues<Material, ()>,
     accessors: Vec<Json>,
     views: Vec<Json>,
     n_bytes: usize,

@@ -12,7 +12,7 @@ use self::record::{Cards, Entity};
 use super::{
     ExportError, Format, Item, Job, Subject, Summary,
     exact::{Exact, exact},
-    unique_values::Kept,
+    unique_values::UniqueValues,
 };
 use crate::kernel::{Bounds, NurbsCurve, NurbsSurface};
 
@@ -55,8 +55,8 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
 /// Colours, layers and names that have an entity already.
 #[derive(Default)]
 struct IgesPresentation {
-    colors: Kept<[u8; 3], usize>,
-    layers: Kept<String, ()>,
+    colors: UniqueValues<[u8; 3], usize>,
+    layers: UniqueValues<String, ()>,
 }
 
 impl IgesPresentation {

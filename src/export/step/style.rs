@@ -1,7 +1,7 @@
 //! Colours and layers. ISO 10303-46.
 
 use super::{
-    super::{Item, unique_values::Kept},
+    super::{Item, unique_values::UniqueValues},
     entity::{Id, Records},
 };
 
@@ -10,9 +10,9 @@ use super::{
 pub(super) struct StepPresentation {
     styled: Vec<Id>,
     /// The styles of surfaces and of curves by colour.
-    surfaces: Kept<[u8; 3], Id>,
-    curves: Kept<[u8; 3], Id>,
-    layers: Kept<String, Vec<Id>>,
+    surfaces: UniqueValues<[u8; 3], Id>,
+    curves: UniqueValues<[u8; 3], Id>,
+    layers: UniqueValues<String, Vec<Id>>,
 }
 
 impl StepPresentation {

@@ -20,7 +20,7 @@ use self::{
 use super::{
     ExportError, Format, Item, Job, POINT, STROKE, Subject, Summary,
     text::TextBuffer,
-    unique_values::Kept,
+    unique_values::UniqueValues,
     wire::{Drawing, DrawingExtent, DrawnLine, LineWeight},
 };
 use crate::kernel::{
@@ -102,8 +102,8 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
 }
 
 /// The items by layer, layers in the order of their first item, those without one before all.
-fn layers(items: &[Item]) -> Kept<Option<&str>, Vec<usize>> {
-    let mut layers = Kept::default();
+fn layers(items: &[Item]) -> UniqueValues<Option<&str>, Vec<usize>> {
+    let mut layers = UniqueValues::default();
     layers.entry(&None, Vec::new);
     for (idx, item) in items.iter().enumerate() {
         layers.entry(&item.layer.as_deref(), Vec::new).1.push(idx);

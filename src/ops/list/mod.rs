@@ -27,6 +27,7 @@ use glam::DVec3;
 use super::math::{common_dim, finite};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
+    limits::Ceiling,
     value::{Callback, Ctx, Dimension, FromValue, Number, Op, Real, Value, Vector},
 };
 
@@ -62,7 +63,7 @@ pub(super) fn check_length(n: f64, ctx: &Ctx<'_>) -> Result<()> {
     }
     let many = if n < 1e15 { n.to_string() } else { "more than 1e15".to_owned() };
     let message = format!("a list of {many} elements; the ceiling is {most}");
-    Diagnostic::error(Code::TooLarge, ctx.span, message).fail()
+    Diagnostic::error(Code::TooLarge, ctx.span, message).crossing(Ceiling::LIST_LENGTH).fail()
 }
 
 /// A sum.

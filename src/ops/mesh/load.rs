@@ -8,7 +8,7 @@ use super::{bpt, csv, dat, obj};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned, nearest},
     limits::{
-        Limits,
+        Ceiling, Limits,
         work::{self, End},
     },
     value::{Ctx, Value, decode, from_json, op, read_json},
@@ -98,6 +98,7 @@ fn bytes(path: &str, span: Span, ctx: &Ctx<'_>) -> Result<Vec<u8>> {
         format!("`{path}` is larger than the ceiling of {most} bytes"),
     )
     .hint("load a part of it, or thin it out")
+    .crossing(Ceiling::INPUT_BYTES)
     .fail()
 }
 
@@ -108,6 +109,7 @@ fn no_room(path: &str, span: Span, limits: &Limits) -> Box<Diagnostic> {
         "to read `{path}` takes more than {most} bytes of memory, with what the script holds"
     );
     let diagnostic = Diagnostic::error(Code::TooLarge, span, message).label("under way here");
+    let diagnostic = diagnostic.crossing(Ceiling::MEMORY);
     Box::new(diagnostic.hint("load a part of it, or thin it out"))
 }
 

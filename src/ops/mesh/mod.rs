@@ -20,6 +20,7 @@ mod volume;
 
 use crate::value::Op;
 
+#[cfg(feature = "cli")]
 pub(crate) use csv::rows as csv_rows;
 
 pub(super) static OPS: &[&Op] = &[

@@ -5,7 +5,7 @@
 //! recurse over (a chain such as `1 + 1 + ...` is a tree as deep as it is long).
 
 use crate::diag::{Code, Diagnostic};
-use crate::limits::Limits;
+use crate::limits::{Ceiling, Limits};
 use crate::syntax::lexed::Lexed;
 use crate::syntax::token::Token;
 
@@ -37,8 +37,8 @@ pub(super) fn check(lexed: &mut Lexed<'_>, limits: &Limits) -> Vec<Diagnostic> {
             let before = at.checked_sub(1).map_or(Token::End, |before| lexed.tokens[before]);
             level.take(token, before);
         }
-        if let Some(message) = level.excess(limits) {
-            found.push(too_deep(lexed, at, message));
+        if let Some((message, ceiling)) = level.excess(limits) {
+            found.push(too_deep(lexed, at, message).crossing(ceiling));
             at = give_up(lexed, statement);
             (outer, level) = (Vec::new(), Level::default());
         } else {
@@ -99,13 +99,14 @@ impl Level {
         self.links += 1;
     }
 
-    /// What is wrong, if anything.
-    fn excess(&self, limits: &Limits) -> Option<String> {
+    /// What is wrong, if anything, and the ceiling that was crossed.
+    fn excess(&self, limits: &Limits) -> Option<(String, &'static str)> {
         if self.nesting() > limits.nesting {
-            return Some(format!("nested more than {} deep", limits.nesting));
+            return Some((format!("nested more than {} deep", limits.nesting), Ceiling::NESTING));
         }
         let is_long = self.links + self.tallest > limits.chain;
-        is_long.then(|| format!("more than {} operators in one expression", limits.chain))
+        let message = || format!("more than {} operators in one expression", limits.chain);
+        is_long.then(|| (message(), Ceiling::CHAIN))
     }
 }
 

@@ -26,7 +26,7 @@ use self::input::ParsedScript;
 use super::ast::Tree;
 use super::lexer::lex;
 use crate::diag::{Code, Diagnostic, Span};
-use crate::limits::Limits;
+use crate::limits::{Ceiling, Limits};
 
 /// The tree of `source`, and everything that is wrong with it, in the order of the places.
 ///
@@ -79,5 +79,6 @@ fn too_large(source: &str, limits: &Limits) -> Diagnostic {
     let message =
         format!("the script has {} bytes, more than {}", source.len(), limits.source_bytes);
     Diagnostic::error(Code::SourceTooLarge, Span::default(), message)
+        .crossing(Ceiling::SOURCE_BYTES)
         .hint("put the data into a file of its own and `load` it")
 }

@@ -27,7 +27,7 @@ use crate::{
     diag::{Diagnostic, Severity},
     export::{self, MeasuredPart, capped, io_reason},
     limits::Limits,
-    session::{Event, File, Report, name_flag},
+    session::{Event, File, Report},
 };
 
 pub(super) use self::difference::Difference;
@@ -176,8 +176,7 @@ fn pages<'a>(
             }
             Event::File(file) => {
                 let page = page(file, header, limits).map_err(|err| {
-                    let (mut found, ending) = run::refusal(file, &err);
-                    name_flag(&mut found);
+                    let (found, ending) = run::refusal(file, &err);
                     (Box::new(found), ending)
                 })?;
                 pages.push(page);

@@ -34,10 +34,13 @@ pub(super) fn problem(
     if place.found() == Token::Bad || is_statement && place.next() == Token::Bad {
         return None;
     }
-    if is_statement {
-        return Some(statement::beginning(&place));
-    }
-    Some(missing::explain(&place, expected).unwrap_or_else(|| place.expected(&expected.words())))
+    let found = match is_statement {
+        true => statement::beginning(&place),
+        false => {
+            missing::explain(&place, expected).unwrap_or_else(|| place.expected(&expected.words()))
+        }
+    };
+    Some(Diagnostic { is_at_end: place.found() == Token::End, ..found })
 }
 
 /// Where a rule failed.

@@ -3,16 +3,18 @@
 //! Autodesk, *AutoCAD 2000 DXF Reference* (AC1015), the oldest version with true colours by 420 and
 //! splines in a form that all readers know.
 
+mod layers;
+
 use std::io::Write;
 
 use glam::DVec3;
 
+use self::layers::{Layers, readable};
 use super::{
     ExportError, Format, Item, Job, Subject, Summary,
     exact::{Exact, exact},
     shape::{solids, tolerance},
     text::TextBuffer,
-    unique_values::Kept,
 };
 use crate::kernel::{Mesh, NurbsCurve};
 
@@ -43,9 +45,10 @@ const FOREGROUND: usize = 7;
 fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     let mut solids = solids(job, tolerance(job)?)?.into_iter();
     let mut summary = Summary::default();
-    let mut file = Dxf { text: TextBuffer::rounded(job.options.decimals), next: handle::FIRST };
+    let text = TextBuffer::rounded(job.options.decimals);
+    let mut file = Dxf { text, next: handle::FIRST, layers: Layers::of(&job.items) };
     file.head(job);
-    file.tables(job);
+    file.tables();
     file.blocks();
     file.section("ENTITIES");
     for item in &job.items {
@@ -83,6 +86,7 @@ struct Dxf {
     text: TextBuffer,
     /// The next free handle.
     next: usize,
+    layers: Layers,
 }
 
 impl Dxf {
@@ -163,7 +167,7 @@ impl Dxf {
         self.group(100, "AcDbSymbolTableRecord").group(100, class).group(2, name);
     }
 
-    fn tables(&mut self, job: &Job) {
+    fn tables(&mut self) {
         self.section("TABLES");
         self.table("VPORT", 0x8, 0);
         self.group(0, "ENDTAB");
@@ -174,15 +178,9 @@ impl Dxf {
         }
         self.group(0, "ENDTAB");
 
-        // Names that differ in their case alone are one.
-        let mut layers: Kept<String, (String, Option<[u8; 3]>)> = Kept::default();
-        layers.entry("0", || ("0".to_owned(), None));
-        for item in &job.items {
-            let name = layer(item);
-            layers.entry(name.to_ascii_lowercase().as_str(), || (name, item.color));
-        }
-        self.table("LAYER", 0x2, layers.pairs().len());
-        for (i, (_, (name, color))) in layers.pairs().iter().enumerate() {
+        let layers: Vec<_> = self.layers.all().cloned().collect();
+        self.table("LAYER", 0x2, layers.len());
+        for (i, (name, color)) in layers.iter().enumerate() {
             let own = if i == 0 { 0x10 } else { self.handle_of_next() };
             self.record("LAYER", own, 0x2, "AcDbLayerTableRecord", name);
             self.count(70, 0).count(62, FOREGROUND);
@@ -255,7 +253,8 @@ impl Dxf {
     fn entity(&mut self, kind: &str, item: &Item, classes: &[&str]) {
         let own = self.handle_of_next();
         self.group(0, kind).handle(5, own).handle(330, handle::MODEL).group(100, "AcDbEntity");
-        self.group(8, &layer(item)).color(item.color);
+        let layer = self.layers.name(item).to_owned();
+        self.group(8, &layer).color(item.color);
         for class in classes {
             self.group(100, class);
         }
@@ -324,28 +323,4 @@ impl Dxf {
         }
         self.entity("SEQEND", item, &[]);
     }
-}
-
-/// The layer of an item: its own, or the name of its definition. Some characters are not allowed.
-fn layer(item: &Item) -> String {
-    let name = item.layer.as_deref().unwrap_or(&item.group);
-    let allowed = |c: char| if "<>/\\\":;?*|=`,".contains(c) { '_' } else { c };
-    let name: String = name.chars().map(allowed).collect();
-    if name.trim().is_empty() { "0".to_owned() } else { readable(&name) }
-}
-
-/// Text in the code page of the file; other characters by their number, and so those that begin such a
-/// number or a control character, `^J`.
-fn readable(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        if (c.is_ascii_graphic() || c == ' ') && !matches!(c, '\\' | '^') {
-            out.push(c);
-        } else if !c.is_control() && (c as u32) <= 0xFFFF {
-            out.push_str(&format!("\\U+{:04X}", c as u32));
-        } else {
-            out.push('_');
-        }
-    }
-    out
 }
