@@ -167,7 +167,7 @@ module.exports = grammar({
       prec(
         PREC.postfix,
         seq(
-          field("function", choice($._callee, alias("table", $.identifier))),
+          field("function", choice($._callee, alias("mesh", $.identifier), alias("table", $.identifier))),
           $._call, "(", list($.argument), ")",
         ),
       ),

@@ -1,4 +1,4 @@
-//! PLY: vertices with normals and colours, triangles, and the edges of polylines.
+//! PLY: vertices with normals and colours, faces, and the edges of polylines.
 //!
 //! Turk, *The PLY Polygon File Format*, 1994.
 
@@ -12,11 +12,12 @@ use super::{
     shape::{MeshShape, ShapedItem, byte_color, shapes},
     text::TextBuffer,
 };
+use crate::kernel::Mesh;
 
 pub(super) static FORMAT: Format = Format {
     ending: "ply",
     aliases: &[],
-    title: "PLY: triangles with normals and colours, polylines as edges; binary, or text with `binary = false`",
+    title: "PLY: faces with normals and colours, polylines as edges; binary, or text with `binary = false`",
     options: &["tolerance", "angle", "binary", "decimals"],
     takes: Subject::is_geometry,
     takes_data: false,
@@ -50,15 +51,16 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     let mut text = TextBuffer::rounded(job.options.decimals);
     head(job, &shapes, layout, is_binary, &mut text);
     text.flush(out)?;
-    let mut body = PlyBody { is_binary, text, bytes: Vec::new() };
+    let is_long = most_corners(&shapes) > u8::MAX.into();
+    let mut body = PlyBody { is_binary, is_long, text, bytes: Vec::new() };
     for shaped in &shapes {
         body.vertices(shaped, layout, out)?;
     }
     let mut first = 0;
     for shaped in &shapes {
         if let MeshShape::Mesh(mesh) = &shaped.shape {
-            for triangle in mesh.triangles() {
-                body.face(triangle.map(|corner| corner + first));
+            for corners in mesh.faces() {
+                body.face(&corners, first);
                 body.flush_if_large(out)?;
             }
         }
@@ -87,7 +89,7 @@ fn head(
 ) {
     let n_vertices: usize = shapes.iter().map(ShapedItem::n_vertices).sum();
     let n_edges: usize = shapes.iter().map(ShapedItem::n_legs).sum();
-    let n_faces: usize = shapes.iter().map(ShapedItem::n_triangles).sum();
+    let n_faces: usize = shapes.iter().filter_map(ShapedItem::mesh).map(Mesh::n_faces).sum();
     let form = if is_binary { "binary_little_endian" } else { "ascii" };
     text.push("ply\nformat ").push(form).push(" 1.0\ncomment unit: ").push(job.unit);
     for shaped in shapes {
@@ -105,7 +107,8 @@ fn head(
         text.push("\nproperty uchar red\nproperty uchar green\nproperty uchar blue");
     }
     text.push("\nelement face ").count(n_faces);
-    text.push("\nproperty list uchar int vertex_indices");
+    let count = if most_corners(shapes) > u8::MAX.into() { "uint" } else { "uchar" };
+    text.push("\nproperty list ").push(count).push(" int vertex_indices");
     if n_edges != 0 {
         text.push("\nelement edge ").count(n_edges);
         text.push("\nproperty int vertex1\nproperty int vertex2");
@@ -113,9 +116,17 @@ fn head(
     text.push("\nend_header\n");
 }
 
+/// The corners of the face that has the most.
+fn most_corners(shapes: &[ShapedItem<'_>]) -> u32 {
+    let sizes = shapes.iter().filter_map(ShapedItem::mesh).flat_map(Mesh::face_sizes);
+    sizes.max().map_or(3, |size| size + 2)
+}
+
 /// What follows the header, as bytes or as lines.
 struct PlyBody {
     is_binary: bool,
+    /// Whether the corners of faces are counted in four bytes, else in one.
+    is_long: bool,
     text: TextBuffer,
     bytes: Vec<u8>,
 }
@@ -148,9 +159,12 @@ impl PlyBody {
         Ok(())
     }
 
-    fn face(&mut self, corners: [u32; 3]) {
-        self.byte(3);
-        corners.into_iter().for_each(|corner| self.int(corner));
+    fn face(&mut self, corners: &[u32], first: u32) {
+        match self.is_long {
+            true => self.int(corners.len() as u32),
+            false => self.byte(corners.len() as u8),
+        }
+        corners.iter().for_each(|corner| self.int(corner + first));
         self.end_line();
     }
 

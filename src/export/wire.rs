@@ -108,7 +108,7 @@ impl Drawing {
                     return Ok(drawing);
                 }
                 let place = |i: u32| view.transform_point3(mesh.vertices()[i as usize]);
-                let edges = edges(mesh).into_iter().map(|[a, b]| vec![place(a), place(b)]);
+                let edges = mesh.face_edges().into_iter().map(|[a, b]| vec![place(a), place(b)]);
                 drawing
                     .lines
                     .extend(edges.map(|edge| (LineWeight::Half, DrawnLine::Polygon(edge))));
@@ -206,20 +206,6 @@ impl Drawing {
             (a, b) => a.or(b),
         };
     }
-}
-
-/// The edges of a mesh, each once.
-fn edges(mesh: &Mesh) -> Vec<[u32; 2]> {
-    let sides = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]];
-    let mut edges: Vec<[u32; 2]> = mesh
-        .triangles()
-        .iter()
-        .flat_map(sides)
-        .map(|[a, b]| if a < b { [a, b] } else { [b, a] })
-        .collect();
-    edges.sort_unstable();
-    edges.dedup();
-    edges
 }
 
 /// Where the surface of a mesh turns away from the viewer: the zeros of the normal's component

@@ -7,8 +7,7 @@ use super::{FunctionFailure, Interval, JumpError, MeshError, PictureError, Shell
 
 /// A request that has no geometric answer.
 ///
-/// Carries numbers, never places in a script: whoever asked knows the place. The messages are for
-/// the person at the script; they tell what was expected and what was found.
+/// Carries numbers, never places in a script; the messages tell what was expected and what was found.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 #[expect(missing_docs, reason = "each message names its fields")]
@@ -223,6 +222,9 @@ pub enum GeomError {
     /// An area or volume, or its moments, that overflow.
     #[error("the {what} or its moments are beyond the largest number, 1.8e308")]
     TooLargeToMeasure { what: &'static str },
+    /// An area or volume that underflows.
+    #[error("the {what} is below the smallest number, 2.2e-308")]
+    TooSmallToMeasure { what: &'static str },
     /// Two points that must differ do not.
     #[error("points {first} and {second} are at one place")]
     CoincidentPoints { first: usize, second: usize },

@@ -34,6 +34,7 @@ mod positive;
 mod refine;
 mod removal;
 mod roots;
+mod scale;
 mod side_by_side;
 mod skin;
 mod surface;
@@ -54,8 +55,8 @@ pub use deviation_reference::{Deviation, DeviationReference};
 pub use error::GeomError;
 pub use failure::FunctionFailure;
 pub use fit::{
-    Approximator, Ends, FirstPass, Interpolator, LineFit, Parametrization, approximate,
-    approximate_within, check_parameters, lagrange,
+    Approximator, Ends, FirstPass, Interpolator, LineFit, Lines, Parametrization, approximate,
+    approximate_within, check_parameters, columns_within, lagrange, surface_within,
 };
 pub use frame::Frame;
 pub use gordon::{CurveAdjustment, Gordon, Network, NetworkError, gordon};
@@ -66,9 +67,10 @@ pub use joint_tolerance::JointTolerance;
 pub use jump::JumpError;
 pub use knots::{KnotClass, KnotVector, Side};
 pub use mesh::{
-    Group, Mesh, MeshCheck, MeshDistance, MeshError, TessellationOptions, Topology,
-    distance_to_polyline, facing_inward, grid_mesh, grid_mesh_any, planar_mesh, tessellate,
-    tessellate_all, tessellate_any, tessellate_curve, tessellate_curve_any, tessellate_finely,
+    FaceFault, Group, Mesh, MeshCheck, MeshDistance, MeshError, TessellationOptions, Topology,
+    distance_to_polyline, facing_inward, grid_mesh, grid_mesh_any, planar_mesh, polygon_mesh,
+    split_polygon, tessellate, tessellate_all, tessellate_any, tessellate_curve,
+    tessellate_curve_any, tessellate_finely,
 };
 pub use skin::{
     AlignedSection, Along, CompatibleSections, SectionParameters, Skin, aligned, at_constant_speed,
@@ -77,7 +79,7 @@ pub use skin::{
 pub use surface::{
     AnalyticForm, AnalyticSurface, Axis, AxisContact, Blend, CrossFields, CurveSurfaceIntersection,
     Direction, Edge, FocalPoint, GridSamples, LevelSet, MassProperties, NurbsSurface,
-    ParametricPlaces, ParametricSurface, PictureError, Principal, ShellError, Surface,
+    ParametricPlaces, ParametricSurface, PictureError, Principal, QuadricKind, ShellError, Surface,
     SurfaceClosestPoint, SurfaceContinuity, SurfaceDefects, SurfaceEvaluator, SurfaceFunction,
     SurfaceOffset, SurfacePointKind, SurfaceShape, Twists, area_mass, facing_unlike, join_patches,
     make_surfaces_compatible, principal_axes, volume_mass,

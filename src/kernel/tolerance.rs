@@ -101,6 +101,13 @@ pub const WEIGHT_RELATIVE: f64 = 1e-13;
 /// at a cusp or a pole.
 pub const VANISHING_RELATIVE: f64 = 1e-13;
 
+/// A side of a cell may lean from the lines of the parameters by this part of the cell, where two
+/// triangles are told to be one quadrilateral.
+///
+/// Larger joins triangles to slanted quadrilaterals; smaller leaves triangles along edges whose vertices
+/// are a little beside the lines inside.
+pub const LEAN_SHARE: f64 = 0.25;
+
 /// A parameter that misses a singular place of a curve by less than this fraction of the span is
 /// that place, where its kind is told.
 ///

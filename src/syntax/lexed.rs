@@ -72,7 +72,7 @@ impl<'s> Lexed<'s> {
                     | Token::CloseBrace
             )
             && (at == 0 || self.token(at - 1) != Token::Dot)
-            && !(self.token(at) == Token::Table && self.token(at + 1) == Token::OpenParen)
+            && !(self.token(at).names_built_in() && self.token(at + 1) == Token::OpenParen)
     }
 
     /// Where the broken statement that began with token `start` ends: before the next thing that

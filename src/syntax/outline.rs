@@ -356,6 +356,8 @@ mod tests {
     #[test]
     fn an_entry_is_an_expression_unless_it_begins_like_a_statement() {
         assert_eq!(entry("table({x: [1]})"), PromptEntry::Expression);
+        assert_eq!(entry("mesh([], [])"), PromptEntry::Expression);
+        assert_eq!(entry("mesh m = mesh([], [])"), PromptEntry::Statements);
         assert_eq!(entry("point p = (0, 0)"), PromptEntry::Statements);
         assert_eq!(entry("  // nothing"), PromptEntry::Empty);
     }

@@ -131,6 +131,11 @@ impl Token {
         self == Self::Name || self.is_keyword()
     }
 
+    /// Whether it is also the name of a built-in, before an opening bracket.
+    pub(super) fn names_built_in(self) -> bool {
+        matches!(self, Self::Mesh | Self::Table)
+    }
+
     /// Whether it begins a definition: what a block may hold.
     pub(super) fn begins_definition(self) -> bool {
         (Self::Let as u8..=Self::Tables as u8).contains(&(self as u8))

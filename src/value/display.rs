@@ -38,12 +38,14 @@ impl fmt::Display for Value {
             Self::Function(function) => f.write_str(&function.signature()),
             Self::Curve(curve) => write_curve(f, curve),
             Self::Surface(surface) => write_surface(f, surface),
-            Self::Mesh(mesh) => write!(
-                f,
-                "mesh of {} vertices and {} triangles",
-                mesh.vertices().len(),
-                mesh.triangles().len()
-            ),
+            Self::Mesh(mesh) => {
+                let faces = match mesh.face_sizes() {
+                    [] => "triangles",
+                    [_] => "face",
+                    _ => "faces",
+                };
+                write!(f, "mesh of {} vertices and {} {faces}", mesh.n_vertices(), mesh.n_faces())
+            }
             Self::Table(table) => {
                 let names: Vec<&str> =
                     table.columns().iter().map(|column| column.name.as_str()).collect();

@@ -2,7 +2,7 @@
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
-    kernel::{GeomError, JumpError, MeshError, PictureError, ShellError},
+    kernel::{FaceFault, GeomError, JumpError, MeshError, PictureError, ShellError},
     limits::Ceiling,
 };
 
@@ -75,6 +75,12 @@ pub fn code_of(error: &GeomError) -> Code {
         Error::Shell(_) | Error::Mesh(MeshError::Open { .. } | MeshError::Unoriented { .. }) => {
             Code::OpenShell
         }
+        Error::Mesh(MeshError::BadFace { fault: FaceFault::TooFew { .. }, .. }) => {
+            Code::TooFewPoints
+        }
+        Error::Mesh(MeshError::BadFace { fault: FaceFault::NoVertex { .. }, .. }) => {
+            Code::IndexOutside
+        }
         Error::TooFewCurves { .. } => Code::BadCall,
         Error::RationalFor { .. }
         | Error::DegreeTooHighFor { .. }
@@ -106,6 +112,7 @@ pub fn code_of(error: &GeomError) -> Code {
         | Error::NarrowInterval { .. } => Code::OutsideDomain,
         Error::NotFinite { .. }
         | Error::TooLargeToMeasure { .. }
+        | Error::TooSmallToMeasure { .. }
         | Error::BeyondNumbers { .. }
         | Error::BeyondNumbersAt { .. } => Code::Domain,
         Error::NotDifferentiable { .. } | Error::DerivativeBeyondNumbers => Code::NoDerivative,
@@ -157,6 +164,7 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         Error::TooLargeToMeasure { .. } => {
             "scale it down, or state a larger `unit`".to_owned()
         }
+        Error::TooSmallToMeasure { .. } => "scale it up, or state a smaller `unit`".to_owned(),
         Error::AlongNormal { .. } => "give another `normal`".to_owned(),
         Error::NotNurbs { what } => match *what {
             "curve" => "`to_nurbs(c, tolerance)` makes a NURBS of it".to_owned(),
@@ -208,7 +216,12 @@ fn hint_about_mesh(error: &MeshError) -> Option<String> {
         MeshError::Open { .. } => {
             "a volume needs a mesh that closes it, `area` needs none; `border(m)` shows the holes"
         }
-        MeshError::BadColor { .. } | MeshError::Unoriented { .. } => return None,
+        MeshError::BadFace { fault: FaceFault::Crosses, .. } => {
+            "list the corners in their order around the face, or give it in parts that do not cross"
+        }
+        MeshError::BadFace { .. } | MeshError::BadColor { .. } | MeshError::Unoriented { .. } => {
+            return None;
+        }
     };
     Some(hint.to_owned())
 }

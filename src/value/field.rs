@@ -19,7 +19,7 @@ const SURFACE: &[&str] = &[
     "domain_u", "domain_v", "degree_u", "degree_v", "knots_u", "knots_v", "weights", "points",
     "closed_u", "closed_v", "rational", "patches",
 ];
-const MESH: &[&str] = &["vertices", "triangles", "normals", "uvs", "colors", "groups"];
+const MESH: &[&str] = &["vertices", "triangles", "faces", "normals", "uvs", "colors", "groups"];
 const FRAME: &[&str] = &["origin", "x", "y", "z"];
 const CURVE_FRAME: &[&str] = &["origin", "x", "y", "z", "tangent", "normal", "binormal"];
 
@@ -156,6 +156,11 @@ fn mesh_field(mesh: &crate::kernel::Mesh, name: &str) -> Option<Value> {
         "triangles" => Value::list(
             mesh.triangles()
                 .iter()
+                .map(|corners| Value::list(corners.iter().map(|&i| count(i as usize)).collect()))
+                .collect(),
+        ),
+        "faces" => Value::list(
+            mesh.faces()
                 .map(|corners| Value::list(corners.iter().map(|&i| count(i as usize)).collect()))
                 .collect(),
         ),

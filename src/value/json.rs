@@ -86,6 +86,9 @@ fn mesh_json(mesh: &Mesh) -> Json {
     if !mesh.colors().is_empty() {
         json["colors"] = arrays(mesh.colors());
     }
+    if !mesh.face_sizes().is_empty() {
+        json["face_sizes"] = json!(mesh.face_sizes());
+    }
     if !mesh.groups().is_empty() {
         let group = |group: &Group| json!({ "name": group.name, "triangles": group.n_triangles });
         json["groups"] = mesh.groups().iter().map(group).collect();
@@ -217,8 +220,17 @@ impl<'j> Object<'j> {
         // Meshes without them, as most are, do not name them.
         let has = |name| self.member(name).is_ok();
         let colors = if has("colors") { places("colors")? } else { Vec::new() };
+        let count = |json: &Json| json.as_u64().and_then(|n| u32::try_from(n).ok());
+        let sizes = match has("face_sizes") {
+            true => Some(self.read("face_sizes", |json| each(json, count))?),
+            false => None,
+        };
         let groups = if has("groups") { self.read("groups", groups)? } else { Vec::new() };
         Mesh::new(places("vertices")?, places("normals")?, uvs, triangles)
+            .and_then(|mesh| match sizes {
+                Some(sizes) => mesh.with_faces(sizes),
+                None => Ok(mesh),
+            })
             .and_then(|mesh| mesh.with_colors(colors)?.with_groups(groups))
             .map_err(|err| err.to_string())
     }

@@ -12,3 +12,8 @@ check 0deg < reached.max and reached.max < 30deg
 let given = if reached.boundary == "u[0]" then cross((1, 0), bent[0](reached.at)) else (0, 0, 1)
 let n = if reached.boundary == "u[0]" then normal(filled, reached.at, 0) else normal(filled, 0, reached.at)
 check abs(dot(n, given))/norm(given) ~= cos(reached.max) within 1e-9
+// Each of the four curves has its angle, those whose fields are kept none.
+let angles = report(filled).angles
+print [for one in angles: one.boundary]
+check max([for one in angles: one.max]) == reached.max
+check angles[1].max ~= 0deg

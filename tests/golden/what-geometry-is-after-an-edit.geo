@@ -10,4 +10,4 @@ check describe(elevate(sphere((0, 0), 2), u = 3)).form == "sphere"
 check describe(torus((0, 0), 3, 1)).form == "torus"
 check describe(cylinder((0, 0), 2, 1)).form == "cylinder"
 check describe(flip(bilinear((0, 0), (0, 1), (1, 0), (1, 1)))).form == "plane"
-check describe(bilinear((0, 0), (0, 1), (1, 0), (1, 1, 1))).form == none
+check describe(bilinear((0, 0), (0, 1), (1, 0), (1, 1, 1))).form == "hyperbolic paraboloid"

@@ -35,6 +35,7 @@ mod parametric;
 mod places;
 mod planar;
 mod primitive;
+mod quadric;
 mod real_networks;
 mod seams;
 mod shape;

@@ -3,8 +3,10 @@
 use std::f64::consts::PI;
 
 use glam::{DAffine3, DVec3};
-use proptest::{prop_assert, proptest};
-use virote_kernel::{GeomError, Mesh, NurbsSurface, grid_mesh, tessellate, tessellate_curve};
+use proptest::{prop_assert, prop_assert_eq, proptest};
+use virote_kernel::{
+    GeomError, Mesh, NurbsSurface, grid_mesh, polygon_mesh, tessellate, tessellate_curve,
+};
 
 use crate::some::{curve, sphere, surface};
 
@@ -173,4 +175,38 @@ fn vertices_that_no_triangle_uses_are_left_out() {
     mesh.triangles().iter().flatten().for_each(|&corner| is_used[corner as usize] = true);
     assert!(is_used.into_iter().all(|is_used| is_used));
     assert_eq!((mesh.normals().len(), mesh.uvs().len()), (mesh.n_vertices(), mesh.n_vertices()));
+}
+
+/// The image of a star about the origin, corner k at radius `radii[k]`, and the area of the star.
+fn star(radii: &[f64], map: DAffine3) -> (Vec<DVec3>, f64) {
+    let step = 2.0 * PI / radii.len() as f64;
+    let flat = |(k, r): (usize, &f64)| {
+        let angle = step * k as f64;
+        DVec3::new(r * angle.cos(), r * angle.sin(), 0.0)
+    };
+    let places: Vec<DVec3> = radii.iter().enumerate().map(flat).collect();
+    let area: f64 =
+        (0..places.len()).map(|k| 0.5 * places[k].cross(places[(k + 1) % places.len()]).z).sum();
+    (places.into_iter().map(|place| map.transform_point3(place)).collect(), area)
+}
+
+proptest! {
+    #[test]
+    fn the_triangles_of_a_face_cover_it_once(
+        radii in proptest::collection::vec(0.2..3.0_f64, 3..24),
+        turn in 0.0..6.0_f64,
+        at in -50.0..50.0_f64,
+    ) {
+        let map = DAffine3::from_axis_angle(DVec3::new(1.0, 2.0, -0.5).normalize(), turn);
+        let map = DAffine3::from_translation(DVec3::new(at, -at, 2.0)) * map;
+        let (vertices, area) = star(&radii, map);
+        let face: Vec<usize> = (0..vertices.len()).collect();
+        let mesh = polygon_mesh(vertices, &[face], MOST).unwrap();
+        prop_assert!((mesh.area() - area).abs() <= 1e-11 * area, "{} is not {area}", mesh.area());
+        prop_assert_eq!(mesh.faces().collect::<Vec<_>>(), vec![(0..radii.len() as u32).collect::<Vec<_>>()]);
+        let turned = mesh.transformed(&DAffine3::from_scale(DVec3::new(-1.0, 1.0, 1.0)));
+        let mut back = turned.faces().next().unwrap();
+        back[1..].reverse();
+        prop_assert_eq!(back, (0..radii.len() as u32).collect::<Vec<_>>());
+    }
 }

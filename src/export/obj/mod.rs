@@ -149,15 +149,15 @@ fn write_mesh(
     let (has_uvs, has_normals) = (!mesh.uvs().is_empty(), !mesh.normals().is_empty());
     let mut groups = mesh.groups().iter();
     let mut n_left = 0;
-    for triangle in mesh.triangles() {
+    for corners in mesh.faces() {
         while n_left == 0 {
             let Some(group) = groups.next() else { break };
             text.push("g ").push(&word(&group.name)).push("\n");
             n_left = group.n_triangles;
         }
-        n_left = n_left.saturating_sub(1);
+        n_left = n_left.saturating_sub(corners.len() - 2);
         text.push("f");
-        for &corner in triangle {
+        for corner in corners {
             let corner = corner as usize + 1;
             text.push(" ").count(written.vertices + corner);
             match (has_uvs, has_normals) {

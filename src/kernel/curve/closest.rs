@@ -1,12 +1,13 @@
 //! The point of a curve that is nearest to a given one.
 
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
 use super::NurbsCurve;
 use crate::{
     Interval, Side,
     frame::norm,
     nearest::{ClosestPointTree, SearchTarget},
+    scale::needed_scale,
     tolerance::{LAST_BIT, PLACE_RELATIVE},
 };
 
@@ -31,6 +32,12 @@ impl NurbsCurve {
     /// less than `tolerance` count as equally near.
     #[must_use]
     pub fn closest(&self, p: DVec3, tolerance: f64) -> ClosestPoint {
+        if let Some(scale) = needed_scale(self.bounds().magnitude()) {
+            let plain = self.transformed(&DAffine3::from_scale(DVec3::splat(scale.recip())));
+            let foot = plain.closest(p / scale, tolerance / scale);
+            let point = self.point_at(foot.parameter);
+            return ClosestPoint { point, distance: scale * foot.distance, ..foot };
+        }
         let parts = self.connected_parts();
         if let [_] = parts[..] {
             return self.closest_of_part(p, tolerance);

@@ -6,7 +6,7 @@
 
 use std::borrow::Cow;
 
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
 use super::{
     NurbsCurve,
@@ -17,6 +17,7 @@ use crate::{
     bernstein::{derivative, product},
     frame::angle_between,
     roots::Signs,
+    scale::needed_scale,
     tolerance::{KNOT_RELATIVE, LAST_BIT, SIDE_STEP, SIGN_RELATIVE, TOUCH_RELATIVE},
     valley::{Valley, edge},
 };
@@ -28,6 +29,15 @@ const FLAT_ROUNDINGS: f64 = 8.0;
 const FLAT_LOOKS: usize = 8;
 
 impl NurbsCurve {
+    /// The curve and the tolerance divided by a scale, where squares of its coordinates are no numbers:
+    /// it has its places that stand out at the same parameters.
+    fn at_plain_scale(&self, tolerance: Tolerance) -> Option<(Self, Tolerance)> {
+        let scale = needed_scale(self.bounds().magnitude())?;
+        let small = DAffine3::from_scale(DVec3::splat(scale.recip()));
+        let tolerance = tolerance.with_distance(tolerance.distance / scale);
+        Some((self.transformed(&small), tolerance))
+    }
+
     /// Parameters where the curve goes over from one way of bending to the other, in order.
     ///
     /// Of a planar curve, where the signed curvature changes its sign; of a curve in space, where
@@ -35,6 +45,9 @@ impl NurbsCurve {
     /// of bending, the stretch's middle.
     #[must_use]
     pub fn inflections(&self, tolerance: Tolerance) -> Vec<f64> {
+        if let Some((plain, tolerance)) = self.at_plain_scale(tolerance) {
+            return plain.inflections(tolerance);
+        }
         let pieces = self.pieces();
         let found = match self.plane_normal(tolerance) {
             Some(normal) => self.sign_changes(&pieces, |piece| piece.bend_about(normal), tolerance),
@@ -48,6 +61,9 @@ impl NurbsCurve {
     /// order. A circle has none that stands out; at a cusp the curvature has no bound, which is none.
     #[must_use]
     pub fn vertices(&self, tolerance: Tolerance) -> Vec<f64> {
+        if let Some((plain, tolerance)) = self.at_plain_scale(tolerance) {
+            return plain.vertices(tolerance);
+        }
         let normal = self.plane_normal(tolerance);
         let slope = |piece: &BernsteinPiece| piece.curvature_slope(normal);
         let mut found = self.sign_changes(&self.pieces(), slope, tolerance);
@@ -77,6 +93,9 @@ impl NurbsCurve {
     /// Parameters where the curve turns back on itself, in order.
     #[must_use]
     pub fn cusps(&self, tolerance: Tolerance) -> Vec<f64> {
+        if let Some((plain, tolerance)) = self.at_plain_scale(tolerance) {
+            return plain.cusps(tolerance);
+        }
         let mut found = self.standstills();
         found.retain(|&t| self.turns_back(t));
         found.extend(self.joints(tolerance, |a, b| (a + b).length() <= tolerance.angle));

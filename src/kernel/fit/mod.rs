@@ -5,7 +5,7 @@
 //! those of a spline through points, `sloped` with derivatives at the ends, `periodic` and `cyclic`
 //! those of a closed one, `through` the splines, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
 //! `slide` with the parameters too, `spread` makes that basis, `search` looks for the smallest that keeps a tolerance, `kinks` where
-//! data have corners, and `approximate` puts these together; `surface` does it all for grids.
+//! data have corners, and `approximate` puts these together; `surface` does it all for grids, `within` to a tolerance.
 
 mod approximate;
 mod banded;
@@ -23,6 +23,7 @@ mod sloped;
 mod spread;
 mod surface;
 mod through;
+mod within;
 
 pub use approximate::{approximate, approximate_within};
 pub use interpolate::{Ends, Interpolator};
@@ -31,3 +32,4 @@ pub use least::Approximator;
 pub(crate) use least::FitCondition;
 pub use parameters::{Parametrization, check_parameters};
 pub use surface::{FirstPass, LineFit};
+pub use within::{Lines, columns_within, surface_within};

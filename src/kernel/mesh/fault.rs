@@ -15,6 +15,9 @@ pub enum MeshError {
         color.x, color.y, color.z
     )]
     BadColor { index: usize, color: DVec3 },
+    /// A face that is no polygon over the vertices: which, and which of its corners is wrong.
+    #[error("face {face} {fault}")]
+    BadFace { face: usize, corner: Option<usize>, fault: FaceFault },
     /// A mesh or polygon that should be nearer to its geometry than places can be told apart.
     #[error(
         "the tolerance {} cannot be kept: places of this geometry are rounded by up to {}",
@@ -35,6 +38,27 @@ pub enum MeshError {
         place(*at)
     )]
     Unoriented { at: DVec3 },
+}
+
+/// What is wrong with a face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[expect(missing_docs, reason = "each message names its fields")]
+pub enum FaceFault {
+    /// Fewer corners than a triangle has.
+    #[error("has {}; a face needs 3 or more", counted(*got, "corner", "corners"))]
+    TooFew { got: usize },
+    /// A corner at no vertex.
+    #[error("names vertex {vertex}; {} {vertices}, counted from 0", if *vertices == 1 { "there is" } else { "there are" })]
+    NoVertex { vertex: usize, vertices: usize },
+    /// Two corners at one vertex.
+    #[error("names vertex {vertex} twice")]
+    Repeats { vertex: usize },
+    /// Sides that meet between corners.
+    #[error("crosses or touches itself, seen along its normal")]
+    Crosses,
+    /// Triangles that are not one polygon together.
+    #[error("is of triangles that make no polygon")]
+    NoPolygon,
 }
 
 /// `1 hole`, `2 holes`.

@@ -6,19 +6,43 @@
 use glam::DVec3;
 
 use super::{Mesh, MeshError};
-use crate::{GeomError, Tolerance};
+use crate::{
+    Bounds, GeomError, Tolerance,
+    scale::{scale_of, scaled_back},
+};
 
 impl Mesh {
-    /// Sum of the areas of the triangles.
+    /// Sum of the areas of the triangles; zero and infinity stand for numbers too small and too large.
     #[must_use]
     pub fn area(&self) -> f64 {
-        self.corners().map(|[a, b, c]| 0.5 * (b - a).cross(c - a).length()).sum()
+        self.measured_area().unwrap_or(0.0)
     }
 
-    /// Enclosed volume, negative where the triangles face inward; only closed meshes enclose one.
+    /// Sum of the areas of the triangles.
+    ///
+    /// # Errors
+    /// [`GeomError::TooSmallToMeasure`].
+    pub fn measured_area(&self) -> Result<f64, GeomError> {
+        let scale = self.scale();
+        let corners = self.corners().map(|corners| corners.map(|corner| corner / scale));
+        let area = corners.map(|[a, b, c]| 0.5 * (b - a).cross(c - a).length()).sum();
+        scaled_back(area, scale, 2, "area")
+    }
+
+    /// Enclosed volume, negative where the triangles face inward; only closed meshes enclose one. Zero
+    /// and infinity stand for numbers too small and too large.
     #[must_use]
     pub fn volume(&self) -> f64 {
-        self.tetrahedra().map(|(volume, _)| volume).sum()
+        self.measured_volume().unwrap_or(0.0)
+    }
+
+    /// Enclosed volume, as [`Self::volume`].
+    ///
+    /// # Errors
+    /// [`GeomError::TooSmallToMeasure`].
+    pub fn measured_volume(&self) -> Result<f64, GeomError> {
+        let volume = self.tetrahedra().map(|(volume, _)| volume).sum::<f64>() / 6.0;
+        scaled_back(volume, self.scale(), 3, "volume")
     }
 
     /// Centre of gravity of the triangles as thin plates.
@@ -26,12 +50,12 @@ impl Mesh {
     /// # Errors
     /// [`GeomError::NothingThere`] where they have no area.
     pub fn area_centroid(&self) -> Result<DVec3, GeomError> {
-        let origin = self.origin();
-        let plate = |[a, b, c]: [DVec3; 3]| {
-            let (x, y, z) = (a - origin, b - origin, c - origin);
-            (0.5 * (b - a).cross(c - a).length(), (x + y + z) / 3.0)
+        let (origin, scale) = (self.origin(), self.scale());
+        let plate = |corners: [DVec3; 3]| {
+            let [x, y, z] = corners.map(|corner| (corner - origin) / scale);
+            (0.5 * (y - x).cross(z - x).length(), (x + y + z) / 3.0)
         };
-        Ok(origin + centre(self.corners().map(plate), "area")?)
+        Ok(origin + scale * centre(self.corners().map(plate), "area")?)
     }
 
     /// Centre of gravity of what a closed mesh encloses.
@@ -39,7 +63,7 @@ impl Mesh {
     /// # Errors
     /// [`GeomError::NothingThere`] where it encloses nothing.
     pub fn volume_centroid(&self) -> Result<DVec3, GeomError> {
-        Ok(self.origin() + centre(self.tetrahedra(), "volume")?)
+        Ok(self.origin() + self.scale() * centre(self.tetrahedra(), "volume")?)
     }
 
     /// Whether it encloses a volume: closed, its triangles facing alike.
@@ -64,16 +88,21 @@ impl Mesh {
         }
     }
 
+    /// By what the coordinates are divided to be measured.
+    fn scale(&self) -> f64 {
+        scale_of(self.bounds().map_or(1.0, Bounds::magnitude))
+    }
+
     fn origin(&self) -> DVec3 {
         self.vertices.first().copied().unwrap_or_default()
     }
 
-    /// Volume and centre, from the first vertex, of the tetrahedra between it and the triangles.
+    /// Six times the volume, and the centre, over the scale, from the first vertex, of the tetrahedra between it and the triangles.
     fn tetrahedra(&self) -> impl Iterator<Item = (f64, DVec3)> {
-        let origin = self.origin();
+        let (origin, scale) = (self.origin(), self.scale());
         self.corners().map(move |corners| {
-            let [a, b, c] = corners.map(|corner| corner - origin);
-            (a.dot(b.cross(c)) / 6.0, 0.25 * (a + b + c))
+            let [a, b, c] = corners.map(|corner| (corner - origin) / scale);
+            (a.dot(b.cross(c)), 0.25 * (a + b + c))
         })
     }
 }

@@ -1,7 +1,8 @@
-//! Triangle meshes.
+//! Meshes: triangles, and faces made of them.
 //!
 //! This file has the type; `grid` makes a mesh of a surface by counts, `tessellate` by a tolerance,
-//! `any` of functions too. For the latter `bend` bounds derivatives, by the hulls of `quotient`; `cell_bounds`
+//! `any` of functions too, `polygons` of faces; `faces` are the runs of triangles that stand for faces of
+//! more than three corners, and `quadrilaterals` pairs triangles to such. For the latter `bend` bounds derivatives, by the hulls of `quotient`; `cell_bounds`
 //! makes of them `rules` for each piece, `form`s of what a cell may be, and `near` those along its
 //! normal; `steps` lays the lines of a `surface_patch`, `seam` finds what the `edge`s of patches share, `division`
 //! divides that, and `stitch` makes the triangles. `weld` tells which vertices are one place, `topology` how the triangles
@@ -16,6 +17,7 @@ mod deviation;
 mod distance;
 mod division;
 mod edge;
+mod faces;
 mod fault;
 mod form;
 mod grid;
@@ -25,6 +27,8 @@ mod nearest;
 mod orient;
 mod outline;
 mod planar;
+mod polygons;
+mod quadrilaterals;
 mod quotient;
 mod rules;
 mod seam;
@@ -43,11 +47,12 @@ use super::{Bounds, GeomError, frame::unit, tolerance::UNIT_SLACK};
 pub use any::{grid_mesh_any, tessellate_any, tessellate_curve_any};
 pub use cell_bounds::TessellationOptions;
 pub use distance::distance_to_polyline;
-pub use fault::MeshError;
+pub use fault::{FaceFault, MeshError};
 pub use grid::grid_mesh;
 pub use nearest::MeshDistance;
 pub use orient::facing_inward;
 pub use planar::planar_mesh;
+pub use polygons::{polygon_mesh, split_polygon};
 pub(super) use tessellate::check_rounding;
 pub use tessellate::{tessellate, tessellate_all, tessellate_curve, tessellate_finely};
 pub use topology::{MeshCheck, Topology};
@@ -57,8 +62,11 @@ pub use topology::{MeshCheck, Topology};
 /// A vertex has one normal, one parameter pair and one colour: where a surface has a crease or a
 /// seam, two vertices or more stand at one place.
 ///
+/// A face is a run of triangles that make one polygon: of one triangle unless `face_sizes` tell.
+///
 /// Invariants: finite vertices; a unit normal, a parameter pair and a colour for each vertex, or
-/// none at all; triangles name vertices that exist; groups hold all triangles, or there are none.
+/// none at all; triangles name vertices that exist; faces and groups hold all triangles, or there are
+/// none; the triangles of a face go once around its corners.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Mesh {
     vertices: Vec<DVec3>,
@@ -66,6 +74,7 @@ pub struct Mesh {
     uvs: Vec<DVec2>,
     colors: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
+    face_sizes: Vec<u32>,
     groups: Vec<Group>,
 }
 
@@ -223,6 +232,7 @@ impl Mesh {
             uvs: self.uvs.clone(),
             colors: self.colors.clone(),
             triangles,
+            face_sizes: self.face_sizes.clone(),
             groups: self.groups.clone(),
         }
     }
@@ -251,6 +261,7 @@ impl Mesh {
                 .into_iter()
                 .map(|corners| corners.map(|corner| renamed[corner as usize]))
                 .collect(),
+            face_sizes: self.face_sizes,
             groups: self.groups,
         }
     }
@@ -270,6 +281,7 @@ impl Mesh {
         let have_uvs = meshes.iter().all(|mesh| mesh.uvs.len() == mesh.n_vertices());
         let have_colors = meshes.iter().any(|mesh| !mesh.colors.is_empty());
         let have_groups = meshes.iter().any(|mesh| !mesh.groups.is_empty());
+        let have_faces = meshes.iter().any(|mesh| !mesh.face_sizes.is_empty());
         let mut all = Self::default();
         for mesh in meshes {
             let first = all.n_vertices() as u32;
@@ -284,6 +296,9 @@ impl Mesh {
             if have_colors {
                 all.colors.extend_from_slice(&mesh.colors);
                 all.colors.resize(all.vertices.len(), DVec3::ONE);
+            }
+            if have_faces {
+                all.face_sizes.extend(mesh.runs().map(|run| run.len() as u32));
             }
             if have_groups {
                 all.groups.extend_from_slice(&mesh.groups);

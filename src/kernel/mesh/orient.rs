@@ -69,7 +69,8 @@ pub fn facing_inward(meshes: &[&Mesh]) -> Vec<Vec<bool>> {
 }
 
 impl Mesh {
-    /// The same with some of its triangles turned over, and the normals there with them.
+    /// The same with some of its triangles turned over, and the normals there with them. Where not all
+    /// triangles of a face turn, each is a face.
     #[must_use]
     pub fn with_turned(&self, turns: &[bool]) -> Self {
         let mut is_kept = vec![false; self.n_vertices()];
@@ -99,7 +100,24 @@ impl Mesh {
                 })
             });
         }
+        if !self.face_sizes.is_empty() {
+            turned.face_sizes = self.sizes_when_turned(turns);
+        }
         turned
+    }
+
+    fn sizes_when_turned(&self, turns: &[bool]) -> Vec<u32> {
+        let (mut sizes, mut first) = (Vec::with_capacity(self.face_sizes.len()), 0);
+        for &size in &self.face_sizes {
+            let run = &turns[first..first + size as usize];
+            first += run.len();
+            if run.windows(2).all(|pair| pair[0] == pair[1]) {
+                sizes.push(size);
+            } else {
+                sizes.resize(sizes.len() + run.len(), 1);
+            }
+        }
+        sizes
     }
 }
 

@@ -17,10 +17,10 @@ use crate::{
 };
 
 /// A border as a polygon, in the plane.
-struct BorderPolygon {
-    places: Vec<DVec2>,
+pub(super) struct BorderPolygon {
+    pub(super) places: Vec<DVec2>,
     /// The index of its first vertex.
-    first: usize,
+    pub(super) first: usize,
 }
 
 /// The mesh of the region within the first of the polygons and outside of the others, whose last
@@ -85,7 +85,7 @@ fn perimeter(points: &[DVec3]) -> f64 {
 }
 
 /// Twice the area of a triangle, positive where it runs counter-clockwise.
-fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+pub(super) fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - a)
 }
 
@@ -97,7 +97,12 @@ struct PolygonSide {
     ends: [DVec2; 2],
 }
 
-fn check_crossings(rings: &[BorderPolygon], polygons: &[Vec<DVec3>]) -> Result<(), GeomError> {
+/// # Errors
+/// [`Error::Crossing`].
+pub(super) fn check_crossings(
+    rings: &[BorderPolygon],
+    polygons: &[Vec<DVec3>],
+) -> Result<(), GeomError> {
     let mut sides: Vec<PolygonSide> = Vec::new();
     for (ring, BorderPolygon { places, .. }) in rings.iter().enumerate() {
         let end = |i: usize| places[(i + 1) % places.len()];
@@ -207,7 +212,7 @@ type Triangulation = ConstrainedDelaunayTriangulation<PlanarVertex>;
 
 /// The triangles of the region, no least angle of which could be larger with the same corners; else a
 /// vertex at which sides cross by rounding.
-fn triangles(rings: &[BorderPolygon]) -> Result<Vec<[u32; 3]>, usize> {
+pub(super) fn triangles(rings: &[BorderPolygon]) -> Result<Vec<[u32; 3]>, usize> {
     let places = || rings.iter().flat_map(|ring| ring.places.iter());
     let size = places().map(|place| place.abs().max_element()).fold(0.0, f64::max);
     // Numbers so small are no places to the triangulation.

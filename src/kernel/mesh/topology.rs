@@ -4,9 +4,12 @@
 //! between the same two places are an edge. Around a vertex, the corners of triangles that share an
 //! edge there are one fan, and in a manifold there is one fan at each vertex.
 
+use glam::{DAffine3, DVec3};
+
 use super::{Mesh, weld::welded};
 use crate::{
     Bounds, Tolerance,
+    scale::needed_scale,
     tolerance::{LAST_BIT, VANISHING_RELATIVE},
 };
 
@@ -65,6 +68,10 @@ impl Mesh {
     #[must_use]
     pub fn topology(&self, tolerance: Tolerance) -> Topology {
         let bounds = self.bounds();
+        if let Some(scale) = needed_scale(bounds.map_or(0.0, Bounds::magnitude)) {
+            let plain = self.transformed(&DAffine3::from_scale(DVec3::splat(scale.recip())));
+            return plain.topology(tolerance.with_distance(tolerance.distance / scale));
+        }
         let size = bounds.map_or(0.0, Bounds::diagonal);
         let magnitude = bounds.map_or(0.0, Bounds::magnitude);
         let distance = tolerance.distance_for(size).max(4.0 * LAST_BIT * magnitude);

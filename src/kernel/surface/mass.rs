@@ -4,14 +4,17 @@
 //! Gauss: with the flux f = p·(Su × Sv) that of 1 is ∮f/3, that of p is ∮p f/4, that of p pᵀ is
 //! ∮p pᵀ f/5. Mirtich, *Fast and accurate computation of polyhedral mass properties*, JGT 1 (1996).
 
-use glam::{DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec3};
 
 use super::{
     Surface,
     quadrature::{Integral, integral},
     shell::oriented,
 };
-use crate::{Bounds, GeomError, Tolerance};
+use crate::{
+    Bounds, GeomError, Tolerance,
+    scale::{needed_scale, scaled_back},
+};
 
 /// Even parts of each domain at whose ends points tell where a surface is.
 const PARTS: usize = 8;
@@ -33,11 +36,16 @@ impl Surface {
     /// Its area, and by which fraction that may be wrong.
     ///
     /// # Errors
-    /// As [`Self::point_at`].
+    /// As [`Self::point_at`]; [`GeomError::TooSmallToMeasure`].
     pub fn area(&self) -> Result<(f64, f64), GeomError> {
-        let Integral { values: [area], relative_error } =
-            integral(self, |_, normal| [normal.length()])?;
-        Ok((area, relative_error))
+        let Some(scale) = needed_scale(self.bounds()?.magnitude()) else {
+            let Integral { values: [area], relative_error } =
+                integral(self, |_, normal| [normal.length()])?;
+            return Ok((area, relative_error));
+        };
+        let plain = self.transformed(&DAffine3::from_scale(DVec3::splat(scale.recip())))?;
+        let (area, relative_error) = plain.area()?;
+        Ok((scaled_back(area, scale, 2, "area")?, relative_error))
     }
 }
 

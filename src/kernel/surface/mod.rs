@@ -65,7 +65,7 @@ mod umbilics;
 
 use glam::{DAffine3, DVec3, DVec4};
 
-pub use analytic::{AnalyticForm, AnalyticSurface};
+pub use analytic::{AnalyticForm, AnalyticSurface, QuadricKind};
 pub use any::Surface;
 pub use closest::{ParametricPlaces, SurfaceClosestPoint};
 pub use compatible::make_surfaces_compatible;

@@ -6,7 +6,10 @@ use glam::DVec3;
 
 use crate::{
     diag::{Result, Span, Spanned},
-    kernel::{AnalyticCurve, AnalyticForm, Edge, GeomError, NurbsCurve, SurfaceDefects, Tolerance},
+    kernel::{
+        AnalyticCurve, AnalyticForm, Edge, GeomError, NurbsCurve, NurbsSurface, SurfaceDefects,
+        Tolerance,
+    },
     value::{At, Ctx, FromValue, IntoValue, Mismatch, Record, Type, Value, field, field_names, op},
 };
 
@@ -17,8 +20,12 @@ op! {
     /// A curve also tells its `order`, degree + 1, the `count` of its control points, and the class of
     /// its knots as `knot_class` does; a table
     /// the `count` of its rows. `form` is what a curve or surface is whatever made it or was done to it
-    /// since, as far as its coefficients prove it: `"line"`, `"circle"`, `"arc"`; `"plane"`, `"cylinder"`,
-    /// `"cone"`, `"sphere"`, `"torus"`, of each a part that is covered once; otherwise `none`. A parametric curve or surface has no control points to tell.
+    /// since, as far as its coefficients prove it: `"line"`, `"circle"`, `"arc"`; of a surface the quadric
+    /// that it lies on, `"plane"`, `"sphere"`, `"cylinder"`, `"cone"`, `"ellipsoid"`, `"elliptic paraboloid"`,
+    /// `"hyperbolic paraboloid"`, `"hyperboloid of one sheet"`, `"hyperboloid of two sheets"`,
+    /// `"elliptic cylinder"`, `"hyperbolic cylinder"`, `"parabolic cylinder"`, `"elliptic cone"`, or a
+    /// `"torus"` of which it covers a part once; otherwise `none`. The equation is proven to hold at all
+    /// points, up to rounding; where several kinds are as near, the one with the fewest terms is told. A parametric curve or surface has no control points to tell.
     ///
     /// A surface tells both numbers for u and for v, and where it is not regular: the edges that are
     /// `collapsed` to a point, the other corners that are `singular` because Su × Sv vanishes there,
@@ -34,6 +41,8 @@ op! {
     example "describe(bilinear((0, 0), (0, 0), (1, 0), (1, 1))).collapsed" => "[\"u0\"]";
     example "describe(elevate(circle((0, 0), 2), 4)).form" => "\"circle\"";
     example "describe(revolve(line((1, 0), (2, 0, 3)))).form" => "\"cone\"";
+    example "describe(bilinear((0, 0, 0), (0, 1, 1), (1, 0, 1), (1, 1, 0))).form" => "\"hyperbolic paraboloid\"";
+    example "describe(scale(sphere((0, 0, 0), 1), (1, 2, 3))).form" => "\"ellipsoid\"";
     example "describe((1, 2))" => "{kind: \"point\", x: 1, y: 2, z: 0}";
 }
 
@@ -103,7 +112,7 @@ fn described(value: &Value, tolerance: Tolerance, span: Span) -> Result<Value> {
                 let orders = degrees.map(|degree| degree + 1).to_vec();
                 fields.push((Arc::from("order"), orders.into_value()));
                 fields.push((Arc::from("count"), counts.into_value()));
-                let form = nurbs.analytic(tolerance.distance).map(|found| word(found.form));
+                let form = form_of_surface(nurbs, tolerance);
                 fields.push((Arc::from("form"), form.map_or(Value::None, Value::text)));
             }
             fields.extend(data);
@@ -133,12 +142,13 @@ fn form_of_curve(curve: &NurbsCurve) -> Option<&'static str> {
     })
 }
 
-fn word(form: AnalyticForm) -> &'static str {
-    match form {
-        AnalyticForm::Plane => "plane",
-        AnalyticForm::Cylinder { .. } => "cylinder",
-        AnalyticForm::Cone { .. } => "cone",
-        AnalyticForm::Sphere { .. } => "sphere",
-        AnalyticForm::Torus { .. } => "torus",
+/// The torus or quadric that a surface is on, by name.
+fn form_of_surface(surface: &NurbsSurface, tolerance: Tolerance) -> Option<&'static str> {
+    match surface.quadric() {
+        Some(kind) => Some(kind.word()),
+        None => {
+            let found = surface.analytic(tolerance.distance)?;
+            matches!(found.form, AnalyticForm::Torus { .. }).then_some("torus")
+        }
     }
 }

@@ -17,7 +17,7 @@ use crate::{
 op! {
     /// Data from a file, whose path is relative to the script. The ending tells the format.
     ///
-    /// `.obj` gives a mesh, polygons in triangles. `.bpt` gives a list of Bézier surfaces: a
+    /// `.obj` gives a mesh, whose polygons are its `faces`. `.bpt` gives a list of Bézier surfaces: a
     /// count, then for each patch its two degrees and its points row by row. `.csv` gives a table:
     /// the first line names its columns, with their units as in `x [mm]`, `turn [deg]` or `area [mm^2]`, from which
     /// numbers are brought into the document's unit and radians; an empty cell is none. `.dat` gives the points of an aerofoil, in the form of Selig or of

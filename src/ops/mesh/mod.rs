@@ -10,6 +10,7 @@ mod dat;
 mod grid_mesh;
 mod lines;
 mod load;
+mod mesh;
 mod obj;
 mod obj_lines;
 mod planar_mesh;
@@ -24,6 +25,7 @@ use crate::value::Op;
 pub(crate) use csv::rows as csv_rows;
 
 pub(super) static OPS: &[&Op] = &[
+    &mesh::OP,
     &grid_mesh::OP,
     &tessellate::OP,
     &planar_mesh::OP,

@@ -4,12 +4,12 @@ use glam::{DVec2, DVec3};
 
 use super::obj_lines::{ObjLines, whole_lines};
 use crate::{
-    kernel::{GeomError, Mesh},
+    kernel::{GeomError, Mesh, split_polygon},
     limits::work,
     value::{Ctx, ENDED, IntoValue, Value},
 };
 
-/// All objects of a file as one mesh; polygons become triangles.
+/// All objects of a file as one mesh, polygons as faces.
 pub(super) fn read(text: &str, ctx: &Ctx<'_>) -> Result<Value, String> {
     let told = |error: String| match first_mistake(text) {
         Some((line, what)) => format!("line {line}: {what}"),
@@ -37,7 +37,7 @@ pub(super) fn read(text: &str, ctx: &Ctx<'_>) -> Result<Value, String> {
 /// The objects of a file as the library makes them; `told` finds the line of its mistakes.
 fn models(text: &str, told: &dyn Fn(String) -> String) -> Result<Vec<tobj::Model>, String> {
     let options = tobj::LoadOptions {
-        triangulate: true,
+        triangulate: false,
         ignore_points: true,
         ignore_lines: true,
         single_index: true,
@@ -61,9 +61,51 @@ fn mesh(mesh: tobj::Mesh) -> Option<Result<Mesh, GeomError>> {
     let normals = normals.into_iter().map(DVec3::normalize_or_zero).collect();
     let uvs = work::collect(mesh.texcoords.chunks_exact(2).map(|uv| DVec2::new(uv[0], uv[1])))?;
     let uvs = if uvs.len() == vertices.len() { uvs } else { Vec::new() };
-    let corners = mesh.indices.chunks_exact(3);
-    let triangles = work::collect(corners.map(|corners| [corners[0], corners[1], corners[2]]))?;
-    Some(Mesh::new(vertices, normals, uvs, triangles))
+    if mesh.face_arities.is_empty() {
+        let corners = mesh.indices.chunks_exact(3);
+        let triangles = work::collect(corners.map(|corners| [corners[0], corners[1], corners[2]]))?;
+        return Some(Mesh::new(vertices, normals, uvs, triangles));
+    }
+    let (triangles, sizes) = polygons(&vertices, &mesh)?;
+    let made = Mesh::new(vertices, normals, uvs, triangles);
+    Some(made.and_then(|mesh| mesh.with_faces(sizes)))
+}
+
+/// The triangles of polygons, and how many each has; one that cannot be split as it is becomes the
+/// triangles from its first corner. None when the work was ended.
+fn polygons(vertices: &[DVec3], mesh: &tobj::Mesh) -> Option<(Vec<[u32; 3]>, Vec<u32>)> {
+    let (mut triangles, mut sizes) = (Vec::new(), Vec::new());
+    let mut left = &mesh.indices[..];
+    for &n_corners in &mesh.face_arities {
+        let (corners, behind) = left.split_at_checked(n_corners as usize)?;
+        left = behind;
+        let is_of_vertices = corners.iter().all(|&i| (i as usize) < vertices.len());
+        if n_corners < 3 || !is_of_vertices {
+            continue;
+        }
+        if !work::goes_on(1 + u64::from(n_corners)) {
+            return None;
+        }
+        let is_plain = all_differ(corners);
+        match is_plain.then(|| split_polygon(vertices, corners)) {
+            Some(Ok(split)) => {
+                sizes.push(split.len() as u32);
+                triangles.extend(split);
+            }
+            _ => {
+                let sides = corners[1..].windows(2);
+                triangles.extend(sides.map(|side| [corners[0], side[0], side[1]]));
+                sizes.resize(sizes.len() + corners.len() - 2, 1);
+            }
+        }
+    }
+    Some((triangles, sizes))
+}
+
+fn all_differ(corners: &[u32]) -> bool {
+    let mut sorted = corners.to_vec();
+    sorted.sort_unstable();
+    sorted.windows(2).all(|pair| pair[0] != pair[1])
 }
 
 /// The first line that cannot be read, which the library does not tell, and what is wrong with it.

@@ -17,7 +17,9 @@ op! {
     /// derivatives tell how large a triangle may be. It has no cracks, at seams and poles neither;
     /// surfaces of a list share the vertices where their edges run together, along the whole or from
     /// a corner of one to a corner of another, whatever their degrees, knots and parameters are. Normals are those of each side where there is a crease.
-    /// Meshes in a list are taken along as they are.
+    /// Meshes in a list are taken along as they are. With `quads` the two triangles of a cell of the
+    /// parameters are one face, which files that can hold quadrilaterals keep (`.obj`, `.ply`); at poles
+    /// and along edges whose vertices are others than those of the lines inside there are triangles.
     /// Filip, Magedson & Markot, *Surface algorithms using bounds on derivatives*, CAGD 3 (1986).
     tessellate in Mesh -> Mesh {
         /// A surface, or a list of surfaces and meshes.
@@ -28,9 +30,12 @@ op! {
         angle: Spanned<Angle> = Spanned::unplaced(Angle(PI / 12.0)),
         /// The longest edge that triangles may have; any when left out.
         max_edge: Option<Spanned<Length>>,
+        /// Whether cells are faces of four corners where they can be.
+        quads: bool = false,
     }
     example "tessellate(bilinear((0, 0), (0, 1), (1, 0), (1, 1)))" => "mesh of 4 vertices and 2 triangles";
     example "tessellate(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), max_edge = 0.75)" => "mesh of 9 vertices and 8 triangles";
+    example "tessellate(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), max_edge = 0.75, quads = true)" => "mesh of 9 vertices and 4 faces";
     refuses "tessellate(plane_patch((0, 0), (1, 0), (0, 1)), tolerance = 0)" => "E0607: the tolerance must be positive, found 0";
     refuses "tessellate(line((0, 0), (1, 0)))" => "E0301: surfaces and meshes become triangles, found a curve";
     picture "tessellate(torus((0, 0, 0), 3, 1), tolerance = 0.05)";
@@ -68,7 +73,8 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Mesh> {
             Code::TooLarge => Box::new(mistake.hint(hint)),
             _ => mistake,
         })?
-        .into_iter();
+        .into_iter()
+        .map(|mesh| if args.quads { mesh.with_quadrilaterals() } else { mesh });
     let meshes: Vec<Mesh> =
         parts.into_iter().filter_map(|part| part.or_else(|| made.next())).collect();
     Mesh::merged(&meshes, most).at(ctx.span)

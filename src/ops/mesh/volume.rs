@@ -24,5 +24,5 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {
     args.m.value.check_solid(ctx.tolerance).at(args.m.span)?;
-    Ok(args.m.value.volume().abs())
+    Ok(args.m.value.measured_volume().at(args.m.span)?.abs())
 }

@@ -18,8 +18,8 @@ op! {
     /// both cross fields, the twists, are one. Where these differ, `"average"` takes their mean and
     /// moves the control points of the fields next to that corner, which a warning and `report`
     /// tell; `"error"` refuses. Where the surface fills a hole, that turns it against its
-    /// neighbours beside the corner: `report` tells the largest angle reached along the boundary, and
-    /// `angle` demands one. Its domains are those of `u[0]` and `v[0]`, by which derivatives
+    /// neighbours beside the corner: `report` tells the largest angle reached along the boundary as `angle`,
+    /// and that along each of the four curves as `angles`; the parameter `angle` demands one. Its domains are those of `u[0]` and `v[0]`, by which derivatives
     /// count. Piegl & Tiller, *The NURBS Book*, (10.37) to (10.43), A10.4.
     coons_bicubic in Surface -> NurbsSurface {
         /// The two curves along u: at v = 0 and at v = 1.
@@ -113,7 +113,8 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     }
     let corners: Vec<[usize; 2]> = differing.iter().map(|twists| twists.corner).collect();
     let corrected = fields.with_mean_twists(&corners).at(ctx.span)?;
-    let turned = data.turned(&corrected);
+    let all_turned = data.turned(&corrected);
+    let turned = BoundaryAngle::largest(&all_turned);
     if let Some(angle) = args.angle.filter(|angle| angle.value.0 < turned.angle) {
         return turned.refused(angle);
     }
@@ -122,7 +123,8 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let facts: Vec<ReportEntry> = differing.iter().map(|twists| data.fact(twists)).collect();
     let report = ConstructionReport::of("coons_bicubic")
         .with("averaged_twists", ReportEntry::List(facts))
-        .with("angle", turned.fact());
+        .with("angle", turned.fact())
+        .with("angles", BoundaryAngle::facts(&all_turned));
     Ok(surface.with_report(report))
 }
 
@@ -158,13 +160,15 @@ impl CoonsData {
         Ok(())
     }
 
-    /// The largest angle between the surface of these fields and what the given ones ask for.
-    fn turned(&self, made: &CrossFields) -> BoundaryAngle {
+    /// The largest angle between the surface of these fields and what the given ones ask for, along each
+    /// boundary.
+    fn turned(&self, made: &CrossFields) -> Vec<BoundaryAngle> {
         let along_u = self.boundary.u.iter().zip(&self.cross_u).zip(&made.cross_u);
         let along_v = self.boundary.v.iter().zip(&self.cross_v).zip(&made.cross_v);
-        along_u.chain(along_v).fold(BoundaryAngle::default(), |turned, ((edge, given), made)| {
-            turned.or_along((&edge.name, &edge.curve), [&given.curve, made])
-        })
+        let turned = |((edge, given), made): ((&NamedEdge, &NamedEdge), _)| {
+            BoundaryAngle::along((&edge.name, &edge.curve), [&given.curve, made])
+        };
+        along_u.chain(along_v).map(turned).collect()
     }
 
     /// How far the difference of two twists would move the surface.

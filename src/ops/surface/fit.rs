@@ -6,8 +6,8 @@ use super::{PerDirection, in_direction};
 use crate::{
     diag::{Result, Span, Spanned},
     kernel::{
-        ConstructionReport, FirstPass, Grid, LineFit, NurbsSurface, Parametrization,
-        check_parameters,
+        ConstructionReport, FirstPass, Grid, LineFit, Lines, NurbsSurface, Parametrization,
+        check_parameters, columns_within, surface_within,
     },
     ops::curve::fit::Parameters,
     value::{At, Choice},
@@ -70,6 +70,33 @@ impl GridData {
             .map_err(|found| in_direction(found, "v", "points in a row"))?;
         let surface = first.second(&along_v).at(span)?;
         Ok(reporting(surface, operation, &given, places))
+    }
+}
+
+impl GridData {
+    /// The surface within a tolerance of the points, of these degrees.
+    pub(super) fn surface_within(
+        self,
+        degrees: [usize; 2],
+        tolerance: Spanned<f64>,
+    ) -> Result<NurbsSurface> {
+        let Self { points: Spanned { value: grid, span }, parameters, second_pass, operation } =
+            self;
+        let place = parameters.span_or(span);
+        let found = means(parameters.value.u, &grid.transposed(), [place, span])
+            .map_err(|found| in_direction(found, "u", "rows"))?;
+        let u = Lines { parameters: found, degree: degrees[0] };
+        let columns = columns_within(&grid, &u, tolerance.value).at(tolerance.span)?;
+        let rows = match second_pass {
+            SecondPass::Data => grid.clone(),
+            SecondPass::Control => FirstPass::new(&grid, &columns).at(span)?.points(),
+        };
+        let found = means(parameters.value.v, &rows, [place, span])
+            .map_err(|found| in_direction(found, "v", "points in a row"))?;
+        let v = Lines { parameters: found, degree: degrees[1] };
+        let surface =
+            surface_within(&grid, [&u, &v], &columns, tolerance.value).at(tolerance.span)?;
+        Ok(reporting(surface, operation, &grid, [u.parameters, v.parameters]))
     }
 }
 

@@ -19,26 +19,46 @@ pub(super) struct BoundaryAngle {
 }
 
 impl BoundaryAngle {
-    /// This, or the angle along a further boundary where that is larger: between the planes that
-    /// its tangent spans with the derivative across it that was given, and with the one that the
-    /// surface has.
-    pub(super) fn or_along(
-        mut self,
+    /// The largest angle along a boundary: between the planes that its tangent spans with the derivative
+    /// across it that was given, and with the one that the surface has.
+    pub(super) fn along(
         (name, boundary): (&str, &NurbsCurve),
         [given, made]: [&NurbsCurve; 2],
     ) -> Self {
+        let at = made.domain().start();
+        let mut turned = Self { angle: 0.0, boundary: name.to_owned(), at };
         for span in made.knots().spans() {
             for t in made.knots().span_interval(span).steps(N_PLACES) {
                 let along = boundary.derivatives_at(t, 1)[1];
                 let normal = |field: &NurbsCurve| along.cross(field.point_at(t)).try_normalize();
                 let Some((a, b)) = normal(given).zip(normal(made)) else { continue };
                 let angle = libm::atan2(a.cross(b).length(), a.dot(b));
-                if self.angle < angle {
-                    self = Self { angle, boundary: name.to_owned(), at: t };
+                if turned.angle < angle {
+                    (turned.angle, turned.at) = (angle, t);
                 }
             }
         }
-        self
+        turned
+    }
+
+    /// The one with the largest angle, the first of several; none where no boundary is turned.
+    pub(super) fn largest(all: &[Self]) -> Self {
+        all.iter().fold(Self::default(), |most, turned| {
+            if most.angle < turned.angle { turned.clone() } else { most }
+        })
+    }
+
+    /// The angle of each boundary.
+    pub(super) fn facts(all: &[Self]) -> ReportEntry {
+        let fact = |turned: &Self| {
+            ReportEntry::Record(
+                ConstructionReport::default()
+                    .with("boundary", ReportEntry::Text(turned.boundary.as_str().into()))
+                    .with("max", ReportEntry::Angle(turned.angle))
+                    .with("at", turned.at),
+            )
+        };
+        ReportEntry::List(all.iter().map(fact).collect())
     }
 
     /// The error of an angle that is larger than allowed.

@@ -30,8 +30,8 @@ pub(super) fn primary<'t, 's: 't>(input: &mut Input<'t, '_, 's>) -> Parsed<Expr<
         Token::None => word(input, ExprKind::None),
         Token::If => choice(input)?,
         Token::Placeholder => placeholder(input)?,
-        Token::Table if peek_second(input) == Token::OpenParen => {
-            word(input, ExprKind::Name("table"))
+        token if token.names_built_in() && peek_second(input) == Token::OpenParen => {
+            ExprKind::Name(label(input)?.text)
         }
         Token::Bad => {
             while take(input, Token::Bad) {}

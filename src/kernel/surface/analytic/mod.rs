@@ -6,9 +6,17 @@
 //! Bézier patch the coefficients of a polynomial must vanish up to rounding, so that nothing
 //! between the points is missed. Proven, too, is that the surface covers its part of the plane,
 //! cylinder and so on once: no Bézier patch turns back, and its border does not meet itself.
+//!
+//! `quadric` tells on which kind of quadric a surface lies, whatever part of it it covers and however
+//! often, by an `equation` that `singular` values propose.
 
+mod equation;
 mod plane;
+mod quadric;
 mod revolved;
+mod singular;
+
+pub use quadric::QuadricKind;
 
 use glam::DVec4;
 
