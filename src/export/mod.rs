@@ -8,6 +8,7 @@ mod exact;
 mod gltf;
 mod iges;
 mod json;
+mod legend;
 mod limited;
 mod measure;
 mod name;
@@ -36,9 +37,11 @@ use crate::{
     limits::Limits,
 };
 
+pub use legend::Legend;
 pub use limited::capped;
 pub use measure::{MeasuredPart, parts};
 pub use view::View;
+pub(crate) use wire::N_LINES;
 
 /// Something that a file can hold.
 #[derive(Clone, Debug)]
@@ -165,44 +168,6 @@ pub struct Picture {
     pub legends: Vec<Legend>,
     /// How many stripes surfaces mirror toward the viewer, all around, an even number.
     pub stripes: Option<usize>,
-}
-
-/// What the colours of a mesh mean.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Legend {
-    /// What is shown.
-    pub title: String,
-    /// Values with their red, green and blue from 0 to 1, in ascending order.
-    pub stops: Vec<(f64, DVec3)>,
-}
-
-impl Legend {
-    /// The values of the stops.
-    fn values(&self) -> Vec<f64> {
-        self.stops.iter().map(|&(value, _)| value).collect()
-    }
-
-    /// The colour at a share of the way from the first stop to the last.
-    fn color_at(&self, share: f64) -> DVec3 {
-        let last = self.stops.len().saturating_sub(1);
-        let place = (share * last as f64).clamp(0.0, last as f64);
-        let idx = (place as usize).min(last.saturating_sub(1));
-        match &self.stops[idx..] {
-            [(_, from), (_, to), ..] => from.lerp(*to, place - idx as f64),
-            [(_, only)] => *only,
-            [] => DVec3::ZERO,
-        }
-    }
-
-    /// A value as a legend shows it: four digits.
-    fn label(value: f64) -> String {
-        /// Digits of a label.
-        const N_DIGITS: usize = 4;
-        let scientific = format!("{value:.*e}", N_DIGITS - 1);
-        let rounded: f64 = scientific.parse().unwrap_or(value);
-        let plain = format!("{rounded}");
-        if plain.len() <= N_DIGITS + 3 { plain } else { scientific }
-    }
 }
 
 /// Width of lines in drawings and pictures as a part of the diagonal.

@@ -14,7 +14,7 @@ use crate::kernel::{
 };
 
 /// Lines inside a surface in each direction.
-const N_LINES: usize = 7;
+pub(crate) const N_LINES: usize = 7;
 
 /// How thick a line is.
 #[derive(Clone, Copy, PartialEq, Eq)]

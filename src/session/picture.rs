@@ -157,7 +157,10 @@ fn legends_of(name: &str, value: &Value) -> Vec<Legend> {
                     Some(Value::Text(kind)) => format!("{name}: {kind}"),
                     _ => name.to_owned(),
                 };
-                stops.map(|stops| Legend { title, stops }).into_iter().collect()
+                let has =
+                    |name| matches!(record.get(name), Some(Value::Number(n)) if 0.0 < n.value);
+                let beyond = [has("below"), has("above")];
+                stops.map(|stops| Legend { title, stops, beyond }).into_iter().collect()
             }
             _ => Vec::new(),
         },

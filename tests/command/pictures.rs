@@ -270,6 +270,20 @@ fn vertices_give_their_colours_and_the_legend_explains_them() {
     let white = bar.iter().position(|color| color.iter().all(|level| 245 < *level));
     let share = 1.0 - white.expect("zero has a colour") as f64 / bar.len() as f64;
     assert!((share - (1.0 / 3.0) / (1.0 / 3.0 + 1.0 / 5.0)).abs() < 0.02, "{share}");
+    // Marks at the round values −0.3, −0.2, ... 0.2, and smooth letters beside them.
+    let is_dark = |color: [u8; 3]| color.iter().all(|level| *level < 60);
+    let marks: Vec<usize> = (0..300).filter(|&y| is_dark(pixels.at(500 - 110 + 17, y))).collect();
+    let expected = [0.2, 0.1, 0.0, -0.1, -0.2, -0.3].map(|value| {
+        let share = (value + 1.0 / 3.0) / (1.0 / 5.0 + 1.0 / 3.0);
+        first as f64 + (1.0 - share) * bar.len() as f64
+    });
+    assert_eq!(marks.len(), expected.len(), "{marks:?}");
+    for (mark, expected) in marks.iter().zip(expected) {
+        assert!((*mark as f64 + 0.5 - expected).abs() < 3.0, "{mark} and {expected}");
+    }
+    let letters = (0..300).flat_map(|y| (500 - 85..500).map(move |x| [x, y]));
+    let greys = letters.filter(|&[x, y]| (60..230).contains(&pixels.at(x, y)[0])).count();
+    assert!(100 < greys, "{greys}");
     // The torus is red outside and blue inside.
     let [middle, edge] = [(500 - 110) / 2, 150];
     assert_eq!(pixels.at(middle, edge), WHITE, "the hole");

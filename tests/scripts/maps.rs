@@ -9,11 +9,12 @@ use virote::{
 proptest! {
     #[test]
     fn a_map_of_curvature_has_the_closed_form_of_a_torus(
-        major in 2.0..5.0, minor in 0.2..1.5, kind in 0..4usize,
+        major in 2.0..5.0, minor in 0.2..1.5, kind in 0..5usize,
     ) {
         // By the distance ρ from the axis, with cos v = (ρ − R)/r.
         let (word, formula) = [
             ("gaussian", "k1*k2"), ("k1", "k1"), ("k2", "k2"), ("difference", "k2 - k1"),
+            ("min_radius", "1/max(abs(k1), abs(k2))"),
         ][kind];
         let script = format!(
             "let major = {major}\nlet minor = {minor}\n\

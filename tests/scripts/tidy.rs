@@ -45,7 +45,6 @@ const GUESTS: &[(&str, &[&str])] = &[
     ("cap", &["src/main.rs"]),
     ("indicatif", &["src/cli/progress.rs"]),
     ("png", &["src/export/raster/mod.rs"]),
-    ("font8x8", &["src/export/raster/legend.rs"]),
     ("tobj", &["src/ops/mesh/obj.rs"]),
     ("spade", &["src/kernel/mesh/planar.rs"]),
 ];

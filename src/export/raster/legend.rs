@@ -1,16 +1,22 @@
 //! What colours mean: a bar with values beside the picture.
 
-use font8x8::legacy::BASIC_LEGACY;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
-use super::super::{Legend, Picture};
+use super::{
+    super::{Legend, Picture},
+    font,
+};
 
-/// Pixels of a letter on each side, before it is enlarged.
+/// Height of capitals in pixels, before they are enlarged.
 const LETTER: usize = 8;
-/// Letters in a line.
+/// Width of a line of text, in heights of its capitals.
 const LINE: usize = 13;
-/// Width of a bar, in letters.
+/// Width of a line of a letter, in pixels before it is enlarged.
+const STROKE: f64 = 1.2;
+/// Width of a bar, in heights of capitals.
 const BAR: usize = 2;
+/// Length of the mark at a label, in pixels before they are enlarged.
+const TICK: usize = 3;
 /// Free space, in pixels before they are enlarged.
 const GAP: usize = 6;
 /// Letters are enlarged once for each so many pixels of the picture's smaller side.
@@ -67,33 +73,48 @@ impl PictureSheet<'_> {
                 self.set([x + column, top + row], color);
             }
         }
-        let values = legend.values();
-        let last = values.len().saturating_sub(1).max(1);
-        // Each second value, beside its place.
-        for (i, value) in values.into_iter().enumerate().filter(|(i, _)| i % 2 == 0) {
-            let at = top + n_rows * (last - i) / last;
-            let beside = x + BAR * letter + gap;
-            self.text(&Legend::label(value), [beside, at.saturating_sub(letter / 2)]);
+        for (share, label) in legend.labels() {
+            let at = top + ((n_rows as f64 * (1.0 - share)) as usize).min(n_rows.saturating_sub(1));
+            let right = x + BAR * letter;
+            for column in 0..self.times * TICK {
+                self.set([right + column, at], DVec3::ZERO);
+            }
+            self.text(&label, [right + gap, at.saturating_sub(letter / 2)]);
         }
     }
 
-    /// Writes a line of text; a letter that the alphabet does not have is a question mark.
+    /// Writes a line of text with its upper left corner in a place, as far as there is room.
     fn text(&mut self, text: &str, [x, y]: [usize; 2]) {
-        for (i, c) in text.chars().take(LINE).enumerate() {
-            let letter = BASIC_LEGACY.get(c as usize).or(BASIC_LEGACY.get(usize::from(b'?')));
-            for (row, bits) in letter.into_iter().flatten().enumerate() {
-                for column in (0..LETTER).filter(|column| bits >> column & 1 == 1) {
-                    self.dot([x + self.times * (i * LETTER + column), y + self.times * row]);
-                }
+        let unit = (self.times * LETTER) as f64 / font::CAPITAL;
+        let room = self.size[0].saturating_sub(x) as f64;
+        let corner = DVec2::new(x as f64, (y + self.times * LETTER) as f64);
+        for leg in font::legs(text, room / unit) {
+            self.stroke(leg.map(|place| corner + unit * DVec2::new(place.x, -place.y)));
+        }
+    }
+
+    /// Darkens the pixels along a leg of a stroke by how much of them it covers.
+    fn stroke(&mut self, [from, to]: [DVec2; 2]) {
+        let half = 0.5 * STROKE * self.times as f64;
+        let (low, high) = (from.min(to) - half - 1.0, from.max(to) + half + 1.0);
+        let leg = to - from;
+        for y in low.y.max(0.0) as usize..=high.y.max(0.0) as usize {
+            for x in low.x.max(0.0) as usize..=high.x.max(0.0) as usize {
+                let center = DVec2::new(x as f64 + 0.5, y as f64 + 0.5);
+                let share = ((center - from).dot(leg) / leg.length_squared()).clamp(0.0, 1.0);
+                let distance = center.distance(from + share * leg);
+                self.darken([x, y], (half + 0.5 - distance).clamp(0.0, 1.0));
             }
         }
     }
 
-    /// A dot of a letter.
-    fn dot(&mut self, [x, y]: [usize; 2]) {
-        for row in 0..self.times {
-            for column in 0..self.times {
-                self.set([x + column, y + row], DVec3::ZERO);
+    /// Makes a pixel at least so dark, if it is on the picture.
+    fn darken(&mut self, [x, y]: [usize; 2], darkness: f64) {
+        if x < self.size[0] && y < self.size[1] {
+            let place = 3 * (y * self.size[0] + x);
+            let level = (255.0 * (1.0 - darkness)).round() as u8;
+            for byte in &mut self.pixels[place..place + 3] {
+                *byte = (*byte).min(level);
             }
         }
     }

@@ -6,6 +6,7 @@
 //! *Portable Network Graphics*, second edition.
 
 mod band;
+mod font;
 mod legend;
 mod light;
 mod scene;

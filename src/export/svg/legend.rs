@@ -10,6 +10,8 @@ use super::{
 pub(super) const WIDTH: f64 = 90.0;
 /// Width of a bar, in strokes.
 const BAR: f64 = 15.0;
+/// Length of the mark at a label, in strokes.
+const TICK: f64 = 3.0;
 /// Height of letters, in strokes.
 const LETTER: f64 = 12.0;
 /// Pieces of a bar between two values.
@@ -32,8 +34,7 @@ fn bar(legend: &Legend, [left, top]: [f64; 2], height: f64, stroke: f64, text: &
     let line = 1.5 * LETTER * stroke;
     write(&legend.title, [left, top + line], text);
     let (top, height) = (top + 2.0 * line, height - 3.0 * line);
-    let values = legend.values();
-    let n_pieces = N_PIECES * values.len().saturating_sub(1);
+    let n_pieces = N_PIECES * legend.stops.len().saturating_sub(1);
     for i in 0..n_pieces {
         let color = hex(byte_color(legend.color_at(1.0 - (i as f64 + 0.5) / n_pieces as f64)));
         let piece = height / n_pieces as f64;
@@ -41,10 +42,13 @@ fn bar(legend: &Legend, [left, top]: [f64; 2], height: f64, stroke: f64, text: &
         text.push("\" width=\"").number(BAR * stroke).push("\" height=\"").number(piece);
         text.push("\" fill=\"").push(&color).push("\"/>\n");
     }
-    let last = values.len().saturating_sub(1).max(1) as f64;
-    for (i, value) in values.into_iter().enumerate().filter(|(i, _)| i % 2 == 0) {
-        let at = top + height * (1.0 - i as f64 / last) + 0.35 * LETTER * stroke;
-        write(&Legend::label(value), [left + (BAR + 4.0) * stroke, at], text);
+    for (share, label) in legend.labels() {
+        let (at, right) = (top + height * (1.0 - share), left + BAR * stroke);
+        text.push("<line x1=\"").number(right).push("\" y1=\"").number(at);
+        text.push("\" x2=\"").number(right + TICK * stroke).push("\" y2=\"").number(at);
+        text.push("\" stroke=\"#000000\" stroke-width=\"").number(0.5 * stroke).push("\"/>\n");
+        let place = [right + (TICK + 3.0) * stroke, at + 0.35 * LETTER * stroke];
+        write(&label, place, text);
     }
 }
 

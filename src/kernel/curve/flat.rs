@@ -33,6 +33,15 @@ impl Curve {
     pub fn is_planar(&self, tolerance: Tolerance) -> Result<bool, GeomError> {
         Ok(lie_in_a_plane(&self.spline()?.places(), tolerance))
     }
+
+    /// Unit normal of the one plane in which the curve lies, to within the tolerance; none of a
+    /// curve that is straight or lies in no plane.
+    ///
+    /// # Errors
+    /// As [`Self::is_planar`].
+    pub fn plane_normal(&self, tolerance: Tolerance) -> Result<Option<DVec3>, GeomError> {
+        Ok(self.spline()?.plane_normal(tolerance))
+    }
 }
 
 /// Whether points lie within the tolerance of one plane; points of a line do.

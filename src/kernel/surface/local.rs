@@ -265,6 +265,16 @@ impl SurfaceShape {
         [mean - radius, mean + radius]
     }
 
+    /// The least and the greatest radius of curvature of the sections along the principal
+    /// directions, without sign; infinite where the surface is flat within the tolerance's angle.
+    /// do Carmo, *Differential Geometry of Curves and Surfaces*, §3-2.
+    #[must_use]
+    pub fn radii(&self, tolerance: Tolerance) -> [f64; 2] {
+        let flat = self.flat_below(tolerance);
+        let [a, b] = self.curvatures().map(f64::abs);
+        [a.max(b), a.min(b)].map(|k| if k <= flat { f64::INFINITY } else { k.recip() })
+    }
+
     /// Half of the difference of the principal curvatures.
     fn spread(&self) -> f64 {
         let [a, b, c] = self.tensor;

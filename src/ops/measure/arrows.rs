@@ -1,4 +1,4 @@
-//! `arrows`: vectors along a curve or over a surface, as segments.
+//! `arrows`: vectors along a curve or over a surface, as segments with heads.
 
 use glam::DVec3;
 
@@ -6,15 +6,21 @@ use super::curve::{check_segments, sample_parameters};
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{Curve, GeomError, LocalGeometry, NurbsCurve, Side, Surface},
-    value::{At, Choice, Ctx, Geometry, Value, op},
+    value::{At, Choice, Ctx, Geometry, Value, op, shortest},
 };
 
 op! {
-    /// Segments that show vectors of a curve or surface, each from its point.
+    /// Arrows that show vectors of a curve or surface, each from its point.
     ///
     /// Along a curve `"derivative"`, `"second"` (derivative), `"tangent"`, `"normal"` and
     /// `"binormal"`; over a surface `"tangent_u"`, `"tangent_v"`, `"twist"` and `"normal"`. Tangents
-    /// and normals are unit vectors. Where there is no such vector there is no segment.
+    /// and normals are unit vectors. Where there is no such vector there is no arrow.
+    ///
+    /// An arrow is one polyline that starts at the point and ends at the tip: the segment, and around
+    /// its head, a triangle two thirds as wide as long. The head lies in the osculating plane of the
+    /// curve, that of a flat curve's arrow in the curve's plane, and in the tangent plane of the surface,
+    /// if the vector does. A vector of length zero has no head; with `head = 0` none has, and
+    /// arrows are segments.
     arrows in Measure -> Vec<NurbsCurve> {
         /// A curve or surface, or a list of them.
         g: Spanned<Geometry>,
@@ -24,11 +30,16 @@ op! {
         samples: Spanned<usize> = Spanned::unplaced(20),
         /// Length of a unit vector.
         scale: f64 = 1.0,
+        /// Length of the head as a part of the arrow's, from 0, which draws none, to 1.
+        head: Spanned<f64> = Spanned::unplaced(0.2),
     }
     example "arrows(circle((0, 0), 2), \"normal\", samples = 5)[0].end" => "(1, 0, 0)";
     example "len(arrows(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), \"normal\", samples = 3))" => "9";
+    example "arrows(line((0, 0), (3, 0)), \"derivative\", samples = 2)[0].points ~= [(0, 0), (3, 0), (2.4, 0.2), (2.4, -0.2), (3, 0)]" => "true";
+    example "arrows(line((0, 0), (3, 0)), \"derivative\", samples = 2, head = 0)[0].points" => "[(0, 0, 0), (3, 0, 0)]";
     refuses "arrows(circle((0, 0), 2), \"twist\")" => "E0402: a curve has no field \"twist\"; it has derivative, second, tangent, normal, binormal";
     refuses "arrows(circle((0, 0), 2), \"normal\", samples = 1)" => "E0601: a curve is sampled at 2 places or more, found 1";
+    refuses "arrows(circle((0, 0), 2), \"normal\", head = 2)" => "E0502: `head` is 2; a head is as long as 0 to 1 of its arrow";
     scene r#"
         curve c = bezier((0, 0), (1, 3), (3, -2), (4, 1))
         curves normals = arrows(c, "normal") with (color = "red")
@@ -72,30 +83,63 @@ impl Choice for VectorSource {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {
+    let head = args.head.value;
+    if !(0.0..=1.0).contains(&head) {
+        let message =
+            format!("`head` is {}; a head is as long as 0 to 1 of its arrow", shortest(head));
+        return Diagnostic::error(Code::Domain, args.head.span, message).fail();
+    }
     let mut vectors = Vec::new();
     gather(&args.g.value.0, &args, ctx, &mut vectors)?;
-    let arrow = |(foot, vector): (DVec3, DVec3)| {
-        NurbsCurve::line(foot, foot + args.scale * vector).at(args.g.span)
+    let arrow = |(foot, vector, plane): (DVec3, DVec3, DVec3)| {
+        let vector = args.scale * vector;
+        let barb = HEAD_SLIMNESS * head * across(vector, plane, ctx.tolerance.angle);
+        let (tip, neck) = (foot + vector, foot + (1.0 - head) * vector);
+        match barb == DVec3::ZERO {
+            true => NurbsCurve::line(foot, tip).at(args.g.span),
+            false => {
+                NurbsCurve::polyline(&[foot, tip, neck + barb, neck - barb, tip]).at(args.g.span)
+            }
+        }
     };
     vectors.into_iter().map(arrow).collect()
 }
 
-/// The vectors of all curves and surfaces in a value, with their points.
+/// Half of the width of a head over its length.
+const HEAD_SLIMNESS: f64 = 1.0 / 3.0;
+
+/// A vector as long as `vector` and across it, in the plane with normal `plane` if that can be, else
+/// level, else along y; zero for a vector of length zero.
+fn across(vector: DVec3, plane: DVec3, angle: f64) -> DVec3 {
+    let Some(way) = vector.try_normalize() else { return DVec3::ZERO };
+    let mut sides = [plane, DVec3::Z, DVec3::X].map(|normal| normal.cross(way)).into_iter();
+    let side = sides.find(|side| angle < side.length());
+    side.map_or(DVec3::ZERO, |side| vector.length() * side.normalize_or_zero())
+}
+
+/// The vectors of all curves and surfaces in a value, with their points and the normals of the planes
+/// of their heads, which are zero where there is no such plane.
 fn gather(
     value: &Value,
     args: &Args,
     ctx: &Ctx<'_>,
-    found: &mut Vec<(DVec3, DVec3)>,
+    found: &mut Vec<(DVec3, DVec3, DVec3)>,
 ) -> Result<()> {
     let (span, field) = (args.g.span, args.field.value);
     match value {
         Value::Curve(curve) => {
             check_segments(args.samples, found.len() + 1, ctx)?;
+            // Where it cannot be told the heads follow the curve.
+            let flat = curve.plane_normal(ctx.tolerance).ok().flatten();
             for t in sample_parameters(curve, args.samples, ctx)? {
-                match along_curve(curve, t, field) {
-                    None => return misfit(args, "a curve", &VectorSource::WORDS[..5]),
-                    Some(vector) => found.extend(existing(vector).at(span)?),
-                }
+                let Some(vector) = along_curve(curve, t, field) else {
+                    return misfit(args, "a curve", &VectorSource::WORDS[..5]);
+                };
+                let Some((foot, vector)) = existing(vector).at(span)? else { continue };
+                let plane = flat.or_else(|| {
+                    curve.local_at(t, Side::Right).and_then(|local| local.binormal()).ok()
+                });
+                found.push((foot, vector, plane.unwrap_or(DVec3::ZERO)));
             }
         }
         Value::Surface(surface) => {
@@ -104,13 +148,12 @@ fn gather(
             let [u_domain, v_domain] = [surface.domain_u(), surface.domain_v()];
             for u in u_domain.steps(last) {
                 for v in v_domain.steps(last) {
-                    match over_surface(surface, [u, v], field) {
-                        None => {
-                            let words = ["tangent_u", "tangent_v", "twist", "normal"];
-                            return misfit(args, "a surface", &words);
-                        }
-                        Some(vector) => found.extend(existing(vector).at(span)?),
-                    }
+                    let Some(vector) = over_surface(surface, [u, v], field) else {
+                        let words = ["tangent_u", "tangent_v", "twist", "normal"];
+                        return misfit(args, "a surface", &words);
+                    };
+                    let Some((foot, vector)) = existing(vector).at(span)? else { continue };
+                    found.push((foot, vector, surface.normal_at(u, v).unwrap_or(DVec3::ZERO)));
                 }
             }
         }

@@ -51,6 +51,7 @@ pub(super) static OPS: &[&Op] = &[
     &curve::continuity::OP,
     &surface::continuity::OP,
     &curve::curvature_comb::OP,
+    &surface::curvature_comb::OP,
     &curve::curvature_table::OP,
     &surface::curvature_table::OP,
     &curve::basis_table::OP,

@@ -23,7 +23,9 @@ op! {
     /// Surface that a section leaves behind along a path: u along the section, v along the path,
     /// with the path's parameter.
     ///
-    /// The section's x lies along the path, its y and z across it, its origin on it. "translate"
+    /// The section's x lies along the path, its y and z across it, its origin on it. Its z is up
+    /// and its y to the left of the way: z starts as near to `up` as can be, and goes on as `frame`
+    /// says. "translate"
     /// only moves it: exact. "fixed" keeps z as near to `up` as can be; "frenet" takes the path's
     /// binormal for z; "rotation_minimizing" never turns it about the path; "projection" carries z
     /// on by projecting it from place to place, as the places come ever closer: in that limit it
@@ -79,10 +81,11 @@ op! {
     refuses "sweep(circle((0, 0), 1, normal = (1, 0, 0)), circle((0, 0), 4), keep_path = false, method = \"offsets\")" => "E0401: \"offsets\" of the path's control points meet the path, which `keep_path = false` gives up";
     scene r#"
         // The section stands in the plane of y (green, to the left of the way) and z (blue, up);
-        // its x (red) lies along the path.
+        // its x (red) lies along the path. Blue marks along the way show where its z went.
         let flag = polyline((0, 0, 0), (0, 0, 2), (0, 1, 1.5), (0, 0, 1))
         curve path = bezier((0, 0, 0), (4, 0, 0), (6, 3, 0), (6, 8, 2)) with (color = "black")
         surface s = sweep(flag, path, tolerance = 1e-3) with (color = "lightgray")
+        curves up = [for v in linspace(0.25, 1, 4): line(s(0, v), s(1, v))] with (color = "blue")
         curve section = flag with (color = "orange")
         curve x = line((0, 0, 0), (2.5, 0, 0)) with (color = "red")
         curve y = line((0, 0, 0), (0, 2.5, 0)) with (color = "green")

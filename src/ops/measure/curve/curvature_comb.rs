@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::{check_segments, sample_parameters};
 use crate::{
-    diag::{Code, Diagnostic, Result, Spanned},
+    diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{Curve, GeomError, KnotVector, NurbsCurve, Side},
     value::{At, Choice, Ctx, IntoValue, Record, op},
 };
@@ -41,7 +41,7 @@ op! {
 
 /// On which side of the curve the teeth stand.
 #[derive(Clone, Copy, PartialEq)]
-enum CombSide {
+pub(in crate::ops::measure) enum CombSide {
     Outside,
     Inside,
 }
@@ -51,17 +51,42 @@ impl Choice for CombSide {
     const MEANINGS: &'static [Self] = &[Self::Outside, Self::Inside];
 }
 
+impl CombSide {
+    /// What the curvature vector is multiplied by.
+    pub(in crate::ops::measure) fn signed(self, scale: f64) -> f64 {
+        if self == Self::Outside { -scale } else { scale }
+    }
+}
+
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
-    let (curve, span) = (&args.c.value, args.c.span);
-    if let Ok(nurbs) = curve.nurbs() {
+    check_segments(args.samples, 1, ctx)?;
+    let comb = comb(ctx, &args.c, args.samples, args.side.signed(args.scale))?;
+    Ok(Record::new([
+        (Arc::from("teeth"), comb.teeth.into_value()),
+        (Arc::from("envelope"), comb.envelope.into_value()),
+    ]))
+}
+
+/// The comb of one curve.
+pub(in crate::ops::measure) struct Comb {
+    pub(in crate::ops::measure) teeth: Vec<NurbsCurve>,
+    pub(in crate::ops::measure) envelope: NurbsCurve,
+}
+
+/// The comb whose teeth are the curvature vector times `sign`.
+pub(in crate::ops::measure) fn comb(
+    ctx: &mut Ctx<'_>,
+    curve: &Spanned<Curve>,
+    samples: Spanned<usize>,
+    sign: f64,
+) -> Result<Comb> {
+    let (c, span) = (&curve.value, curve.span);
+    if let Ok(nurbs) = c.nurbs() {
         nurbs.check_connected().at(span)?;
     }
-    let samples = args.samples;
-    check_segments(samples, 1, ctx)?;
-    let sign = if args.side == CombSide::Outside { -args.scale } else { args.scale };
     let (mut teeth, mut tips, mut bare) = (Vec::new(), Vec::new(), Vec::new());
-    for t in sample_parameters(curve, samples, ctx)? {
-        let local = match curve.local_at(t, Side::Right) {
+    for t in sample_parameters(c, samples, ctx)? {
+        let local = match c.local_at(t, Side::Right) {
             Err(GeomError::VanishingTangent { .. }) => None,
             local => Some(local.at(span)?),
         };
@@ -81,22 +106,19 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
         );
         ctx.warn(Diagnostic::warning(Code::Unclean, ctx.span, message));
     }
-    Ok(Record::new([
-        (Arc::from("teeth"), teeth.into_value()),
-        (Arc::from("envelope"), envelope(&tips, args.c)?.into_value()),
-    ]))
+    Ok(Comb { teeth, envelope: envelope(&tips, span)? })
 }
 
 /// The polyline through the tips, each at the parameter of its tooth.
-fn envelope(tips: &[(f64, DVec3)], curve: Spanned<Curve>) -> Result<NurbsCurve> {
+fn envelope(tips: &[(f64, DVec3)], span: Span) -> Result<NurbsCurve> {
     let [(first, _), .., (last, _)] = *tips else {
         let message = "the curvature has no bound at any of the samples, so that there is no comb";
-        return Diagnostic::error(Code::Degenerate, curve.span, message)
+        return Diagnostic::error(Code::Degenerate, span, message)
             .hint("the curve stands still there: is it a single point?")
             .fail();
     };
     let inner = tips.iter().map(|&(t, _)| t);
     let knots = [first].into_iter().chain(inner).chain([last]).collect();
     let points: Vec<DVec3> = tips.iter().map(|&(_, tip)| tip).collect();
-    NurbsCurve::polynomial(KnotVector::new(1, knots).at(curve.span)?, &points).at(curve.span)
+    NurbsCurve::polynomial(KnotVector::new(1, knots).at(span)?, &points).at(span)
 }

@@ -6,6 +6,7 @@ pub(super) mod centroid;
 pub(super) mod classify;
 pub(super) mod closest;
 pub(super) mod continuity;
+pub(super) mod curvature_comb;
 pub(super) mod curvature_table;
 pub(super) mod derivative;
 pub(super) mod deviation;

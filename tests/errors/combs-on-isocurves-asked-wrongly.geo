@@ -1,0 +1,7 @@
+let pipe = cylinder((0, 0), 2, 5)
+let a = curvature_comb(pipe, v = [0.5, 2])
+let b = curvature_comb(pipe, u = [])
+let c = curvature_comb(sphere((0, 0), 5), v = [0])
+let d = curvature_comb(pipe, v = [0.5], samples = 1)
+let e = curvature_comb(plane((0, 0), (0, 0, 1)))
+let f = curvature_comb(pipe, v = [for i in 0..100000: 0.5])
