@@ -38,7 +38,11 @@ pub(super) fn limit(text: &str) -> Result<MovedCeiling, String> {
 
 /// The default ceilings, some of them moved; of two for one ceiling the last counts.
 pub(super) fn moved(moves: &[MovedCeiling]) -> Limits {
-    let mut limits = Limits::DEFAULT;
+    moved_from(Limits::DEFAULT, moves)
+}
+
+/// Ceilings with some of them moved.
+pub(super) fn moved_from(mut limits: Limits, moves: &[MovedCeiling]) -> Limits {
     for MovedCeiling { ceiling, value } in moves {
         // The value was judged when it was read.
         let _ = ceiling.move_to(*value, &mut limits);

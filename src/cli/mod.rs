@@ -39,6 +39,7 @@ use crate::{
     export::io_reason,
     ops,
     session::Report,
+    syntax::{KEYWORDS, ast::Unit},
 };
 
 /// How a run ended; the numbers are part of the contract.
@@ -126,16 +127,20 @@ fn doc(words: &[String], is_search: bool) -> ExitStatus {
     let query = words.join(" ");
     let found = match (query.as_str(), is_search) {
         ("", _) => Some(docs::overview(&registry)),
-        (query, false) => docs::entry(&registry, query)
-            .or_else(|| docs::chapter(&registry, query))
-            .or_else(|| docs::language::entry(query)),
+        (query, false) => docs::entry(&registry, query).or_else(|| docs::chapter(&registry, query)),
         (_, true) => None,
     };
-    let foreign = crate::eval::foreign_advice(&query).filter(|_| !is_search && found.is_none());
+    let language = || docs::language::entry(&query).filter(|_| !is_search);
+    // Units and keywords are words of this language, whatever they are elsewhere.
+    let is_own = KEYWORDS.contains(&query.as_str()) || Unit::from_name(&query).is_some();
+    let foreign =
+        crate::eval::foreign_advice(&query).filter(|_| !is_search && !is_own && found.is_none());
     if let Some(advice) = foreign {
-        say(&format!("nothing built in is called `{query}`: {advice}\n"));
+        let passage = language().map(|passage| format!("\n{passage}")).unwrap_or_default();
+        say(&format!("nothing built in is called `{query}`: {advice}\n{passage}"));
         return ExitStatus::Well;
     }
+    let found = found.or_else(language);
     if let Some(text) = found.or_else(|| docs::search(&registry, &query)) {
         say(&text);
         return ExitStatus::Well;

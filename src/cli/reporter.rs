@@ -30,6 +30,11 @@ pub(super) struct Reporter {
 }
 
 impl Reporter {
+    /// Colours what is told from now on, or not.
+    pub(super) fn paint(&mut self, with_color: bool) {
+        self.with_color = with_color;
+    }
+
     pub(super) fn new(talk: &OutputArgs, most_findings: usize) -> Self {
         Self {
             is_json: talk.message_format == MessageFormat::Json,

@@ -208,6 +208,8 @@ codes! {
         "Between rational sections the weights swing like the points. Where the weight of a control point is not positive, the surface may leave the hull of its points; it still passes through all sections. A lower degree, `shape = \"monotone\"`, or sections with more even weights avoid it."
     FrameFlip "W0011" "a frame turns around"
         "A Frenet frame follows the side to which the path bends. Where the path goes over from one way of bending to the other, the frame turns around at once, and with it the section. `frame = \"rotation_minimizing\"` does not."
+    DegreesMeant "W0012" "degrees may be meant"
+        "Trigonometric functions take a number without a unit as radians. One such as 45 or 90, written as it stands, is more likely one of degrees: write `sin(90deg)`, or `sin(90rad)` where radians are meant."
 }
 
 impl Code {

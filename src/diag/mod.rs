@@ -129,6 +129,9 @@ pub struct Diagnostic {
     pub ceiling: Option<&'static str>,
     /// Whether the text ends where something is missing: what is typed next may complete it.
     pub is_at_end: bool,
+    /// Elements of the list at the culprit that it is about, each by its indices, outermost first;
+    /// whoever has the text at hand points at them.
+    pub elements: Vec<Vec<usize>>,
 }
 
 /// The message alone, for whoever knows no places.
@@ -155,6 +158,7 @@ impl Diagnostic {
             hints: Vec::new(),
             ceiling: None,
             is_at_end: false,
+            elements: Vec::new(),
         }
     }
 

@@ -21,7 +21,7 @@ use crate::{
     },
     value::{
         Call, Ctx, FormalParameter, FromValue, Function, Mistakes, Op, Real, Type, Value, assign,
-        choose,
+        choose, pointed,
     },
 };
 
@@ -194,6 +194,7 @@ impl Machine<'_> {
         // did itself, under the watch.
         self.add_steps(used.steps - meter.steps + done.steps);
         let value = value.map_err(|found| {
+            let found = pointed(found, env.sources);
             let others = foreign.and_then(|first| env.others_for(op, &first.value));
             others.into_iter().fold(found, |found, others| Box::new(found.hint(others)))
         });
@@ -262,6 +263,7 @@ impl Machine<'_> {
                     name: &parameter.name,
                     optional: parameter.default.is_some(),
                     by_position: false,
+                    ty: None,
                 })
                 .collect();
             let slots = assign(&formals, call, &mut mistakes);

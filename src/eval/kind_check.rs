@@ -25,6 +25,7 @@ impl Machine<'_> {
     pub(super) fn promise(&mut self, expr: &Expr, kind: Kind, name: Span) -> Result<Value> {
         let value = self.eval(expr)?;
         if keeps(kind, &value) {
+            self.warn_of_point(expr, &value);
             return Ok(value);
         }
         let promised = match kind {
@@ -48,6 +49,25 @@ impl Machine<'_> {
                 None => "write `let` instead".to_owned(),
             })
             .fail()
+    }
+}
+
+impl Machine<'_> {
+    /// Warns of a promised curve that is one point. Inside of calls such curves have their uses.
+    fn warn_of_point(&mut self, expr: &Expr, value: &Value) {
+        let Value::Curve(curve) = value else { return };
+        let Ok(spline) = curve.nurbs() else { return };
+        let points = spline.points();
+        if points.iter().any(|&point| point != points[0]) {
+            return;
+        }
+        let point = Value::Point(spline.start());
+        let message = format!("this curve is one point, {point}");
+        self.warnings.push(
+            Diagnostic::warning(Code::DegenerateResult, expr.span, message).hint(
+                "give points that differ, or write `let` where a curve of no length is meant",
+            ),
+        );
     }
 }
 

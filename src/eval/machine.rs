@@ -329,12 +329,23 @@ impl<'a> Machine<'a> {
         }
         let names = field_names(value);
         let message = format!("{} has no field `{name}`", value.phrase());
+        let first = match value {
+            Value::List(items) => items.first(),
+            _ => None,
+        };
         let mut diagnostic = Diagnostic::error(Code::NoField, place, message)
             .also(subject, format!("this is {}", value.phrase()));
         if let Some(near) = crate::diag::nearest(name, names.iter().copied().take(MOST_NAMES)) {
             diagnostic = diagnostic.label(format!("did you mean `{near}`?"));
         }
-        if let Some(call) = self.env.instead_of_field(subject, value, name) {
+        if let Some(first) = first
+            && field_names(first).contains(&name)
+        {
+            let list = self.env.repeated(subject).unwrap_or_else(|| "xs".to_owned());
+            diagnostic = diagnostic.hint(format!(
+                "its elements have: `{list}[0].{name}`, or of all `[for x in {list}: x.{name}]`"
+            ));
+        } else if let Some(call) = self.env.instead_of_field(subject, value, name) {
             diagnostic = diagnostic.hint(call);
         }
         let told = names.iter().take(MOST_FIELDS_TOLD).map(|name| shown_field(name));

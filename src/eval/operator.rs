@@ -226,6 +226,10 @@ fn inapplicable(op: BinaryOp, a: &Value, b: &Value, places: OperandPlaces) -> Re
         (Value::List(_), _, Value::Number(_)) | (Value::Number(_), _, Value::List(_)) => {
             diagnostic.hint("for each element: `[for x in xs: ...]`")
         }
+        (Value::Point(_), Op::Add | Op::Subtract, Value::Number(_))
+        | (Value::Number(_), Op::Add | Op::Subtract, Value::Point(_)) => {
+            diagnostic.hint("points are added to points: `p + (1, 0, 0)`; numbers multiply them")
+        }
         (Value::Point(_), Op::Multiply, Value::Point(_)) => {
             diagnostic.hint("`dot(a, b)` and `cross(a, b)` multiply vectors")
         }

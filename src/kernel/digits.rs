@@ -30,3 +30,13 @@ pub(super) fn plain(x: f64) -> String {
     let is_plain = x == 0.0 || (0.000_01..1e16).contains(&x.abs());
     if is_plain { x.to_string() } else { format!("{x:e}") }
 }
+
+/// That `what` is `got` and not above zero; one that is not finite was derived from geometry that is
+/// too large.
+pub(super) fn not_positive(what: &str, got: f64) -> String {
+    if got.is_finite() {
+        format!("{what} is {}; it must be above zero", plain(got))
+    } else {
+        "the geometry reaches farther than can be measured".to_owned()
+    }
+}

@@ -324,7 +324,7 @@ pub enum GeomError {
     #[error("{first} is parallel to {second}")]
     ParallelAxes { first: &'static str, second: &'static str },
     /// A radius, tolerance or the like that is not positive.
-    #[error("{what} is {got}; it must be above zero", got = plain(*got))]
+    #[error("{}", not_positive(what, *got))]
     NotPositive { what: &'static str, got: f64 },
     /// A transformation that flattens space.
     #[error("the transformation flattens space: its determinant is zero")]
@@ -397,4 +397,4 @@ pub enum GeomError {
 }
 
 pub(crate) use super::digits::few_digits;
-use super::digits::{degrees, how_far, plain};
+use super::digits::{degrees, how_far, not_positive, plain};

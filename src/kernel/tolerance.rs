@@ -237,11 +237,9 @@ pub const UMBILIC_SHARE: f64 = 0.02;
 /// Larger hides how an almost round surface bends; smaller paints rounding.
 pub const SHADE_RELATIVE: f64 = 1e-10;
 
-/// The scale of a map of radii of curvature ends at this many sizes of the surface: an arc as long as
-/// the surface is then within an eightieth of its length straight.
+/// The scale of a map of radii of curvature ends at this many sizes of the surface.
 ///
-/// Larger spends the colours on what looks flat, where radii grow without bound; smaller has one
-/// colour for what visibly bends.
+/// Larger spends the colours on what looks flat; smaller has one colour for what visibly bends.
 pub const FLAT_SIZES: f64 = 10.0;
 
 /// Triangles that decide what a drawing hides may be this fraction of the whole's size away from

@@ -5,7 +5,7 @@
 
 use std::{collections::HashMap, sync::Arc};
 
-use super::{FromValue, Op, OpParameter, Type, Value};
+use super::{FromValue, Op, OpParameter, Type, Value, element::element_span};
 use crate::{
     diag::{Code, Diagnostic, Sources, Span, Spanned, nearest},
     limits::Ceiling,
@@ -31,6 +31,8 @@ pub struct FormalParameter<'a> {
     pub optional: bool,
     /// Whether it may stand by position although it may be left out.
     pub by_position: bool,
+    /// What it takes; of a function of the script nobody knows.
+    pub ty: Option<Type>,
 }
 
 /// One mistake in a call.
@@ -129,19 +131,10 @@ pub fn assign(
     // Arguments by name.
     let mut by_name: Vec<bool> = vec![false; formals.len()];
     let places = ParameterPlaces::of(formals, call.named.len());
-    let mut n_searched = 0;
+    let mut unknown = Vec::new();
     for (label, value) in call.named {
         match places.find(formals, &label.value) {
-            None => {
-                n_searched += 1;
-                let names = formals.iter().take(MOST_NAMES).map(|formal| formal.name);
-                let hint = (n_searched <= MOST_TOLD)
-                    .then(|| nearest(&label.value, names))
-                    .flatten()
-                    .map(|near| format!("did you mean `{near}`?"));
-                let text = format!("there is no parameter `{}`", label.value);
-                mistakes.add(Code::BadCall, label.span, text, hint);
-            }
+            None => unknown.push((label, value)),
             Some(idx) if slots[idx].is_some() => {
                 let text = format!("`{}` is given twice", label.value);
                 mistakes.add(Code::BadCall, label.span, text, None);
@@ -151,6 +144,21 @@ pub fn assign(
                 slots[idx] = Some(value);
             }
         }
+    }
+
+    // One whose name is misspelt or cut short is taken for what it stands for.
+    for (n_searched, (label, value)) in unknown.into_iter().enumerate() {
+        let meant = (n_searched < MOST_TOLD).then(|| meant_by(formals, &slots, &label.value));
+        let hint = match meant.flatten() {
+            Some(idx) => {
+                by_name[idx] = true;
+                slots[idx] = Some(value);
+                Some(format!("did you mean `{}`?", formals[idx].name))
+            }
+            None => half_of(formals, &label.value),
+        };
+        let text = format!("there is no parameter `{}`", label.value);
+        mistakes.add(Code::BadCall, label.span, text, hint);
     }
 
     // Arguments by position fill the parameters that are still open for them.
@@ -163,7 +171,7 @@ pub fn assign(
     for (place, value) in call.positional.into_iter().enumerate() {
         match open.get(place) {
             Some(&idx) => slots[idx] = Some(value),
-            None => leftover.push(value.span),
+            None => leftover.push(value),
         }
     }
     // Where a required parameter was given by name, one of the places was meant for it.
@@ -187,46 +195,77 @@ pub fn assign(
     slots
 }
 
+/// The open parameter that is meant by a name that none has: a near one, or the only one that
+/// begins so, among those that are required first.
+fn meant_by(
+    formals: &[FormalParameter<'_>],
+    slots: &[Option<Spanned<Value>>],
+    name: &str,
+) -> Option<usize> {
+    let open = || (0..formals.len()).take(MOST_NAMES).filter(|&idx| slots[idx].is_none());
+    if let Some(near) = nearest(name, open().map(|idx| formals[idx].name)) {
+        return open().find(|&idx| formals[idx].name == near);
+    }
+    let only = |is_optional: bool| {
+        let begins = |idx: &usize| {
+            formals[*idx].optional == is_optional && formals[*idx].name.starts_with(name)
+        };
+        let mut found = open().filter(begins);
+        found.next().filter(|_| found.next().is_none())
+    };
+    only(false).or_else(|| only(true))
+}
+
+/// What to write for a diameter, where a radius is asked for.
+fn half_of(formals: &[FormalParameter<'_>], name: &str) -> Option<String> {
+    let has_radius = formals.iter().any(|formal| formal.name == "radius");
+    let is_diameter = matches!(name, "d" | "diameter" | "dia");
+    (has_radius && is_diameter).then(|| "`radius` is half the diameter".to_owned())
+}
+
 /// Arguments by position for which no required parameter is left.
 fn complain_of_leftover(
     formals: &[FormalParameter<'_>],
     slots: &[Option<Spanned<Value>>],
-    leftover: &[Span],
+    leftover: &[Spanned<Value>],
     twice: Option<&str>,
     mistakes: &mut Mistakes,
 ) {
-    let mut optional =
-        (0..formals.len()).filter(|&idx| formals[idx].optional && slots[idx].is_none());
-    for &span in leftover {
-        let (text, hint) = match (twice, optional.next()) {
+    let mut optional: Vec<usize> =
+        (0..formals.len()).filter(|&idx| formals[idx].optional && slots[idx].is_none()).collect();
+    for argument in leftover {
+        let fits = |idx: &usize| formals[*idx].ty.is_none_or(|ty| ty.accepts(&argument.value));
+        let (text, hint) = match (twice, optional.iter().position(fits)) {
             (Some(name), _) => {
                 (format!("one argument too many, since `{name}` is given by name"), None)
             }
-            (None, Some(idx)) => (
+            (None, Some(place)) => (
                 "this argument is optional and needs its name".to_owned(),
-                Some(format!("write `{} = ...`", formals[idx].name)),
+                Some(format!("write `{} = ...`", formals[optional.remove(place)].name)),
             ),
             (None, None) => ("one argument too many".to_owned(), None),
         };
-        mistakes.add(Code::BadCall, span, text, hint);
+        mistakes.add(Code::BadCall, argument.span, text, hint);
     }
 }
 
 /// Reads the arguments of one call of one operation.
 #[derive(Debug)]
-pub struct Binder {
+pub struct Binder<'s> {
     op: &'static Op,
     span: Span,
     slots: Vec<Option<Spanned<Value>>>,
     mistakes: Mistakes,
     /// Elements that a range may stand for.
     most: usize,
+    /// The texts in which arguments stand.
+    sources: Option<&'s Sources>,
 }
 
-impl Binder {
+impl<'s> Binder<'s> {
     /// Hands out the arguments of `call`; a range that is read as a list may have `most` elements.
     #[must_use]
-    pub fn new(op: &'static Op, mut call: Call, most: usize, sources: Option<&Sources>) -> Self {
+    pub fn new(op: &'static Op, mut call: Call, most: usize, sources: Option<&'s Sources>) -> Self {
         gather_spread(op, &mut call);
         let mut mistakes = Mistakes::default();
         bracket(op, &mut call, sources, &mut mistakes);
@@ -238,11 +277,12 @@ impl Binder {
                 name: param.name,
                 optional: param.may_be_left_out(),
                 by_position: param.by_position,
+                ty: Some(param.ty),
             })
             .collect();
         let span = call.span;
         let slots = assign(&formals, call, &mut mistakes);
-        Self { op, span, slots, mistakes, most }
+        Self { op, span, slots, mistakes, most, sources }
     }
 
     /// Takes parameter `name`; `None` records what is wrong with it.
@@ -261,7 +301,9 @@ impl Binder {
             Ok(value) => Some(value),
             Err(mismatch) => {
                 let text = mismatch.sentence(&format!("`{name}`"), T::TYPE);
-                self.mistakes.add(mismatch.code, given.span, text, mismatch.hint);
+                let place = element_span(self.sources, given.span, &mismatch.path);
+                let hint = mismatch.hint.or_else(|| T::TYPE.remedy(&given.value));
+                self.mistakes.add(mismatch.code, place, text, hint);
                 None
             }
         }

@@ -21,8 +21,9 @@ impl<T> At<T> for std::result::Result<T, GeomError> {
             if let Some(reason) = inside(&error) {
                 return Box::new(asked_from(reason.clone(), span));
             }
-            let diagnostic = Diagnostic::error(code_of(&error), span, error.to_string());
-            let diagnostic = Diagnostic { ceiling: ceiling_of(&error), ..diagnostic };
+            let mut diagnostic = Diagnostic::error(code_of(&error), span, error.to_string());
+            diagnostic.elements = elements_of(&error);
+            diagnostic.ceiling = ceiling_of(&error);
             Box::new(match hint_of(&error) {
                 Some(hint) => diagnostic.hint(hint),
                 None => diagnostic,
@@ -54,6 +55,27 @@ fn asked_from(reason: Diagnostic, span: Span) -> Diagnostic {
     if is_told { reason } else { reason.also(span, "asked from here") }
 }
 
+/// The elements of a list of the script that an error of the kernel is about, by their indices.
+fn elements_of(error: &GeomError) -> Vec<Vec<usize>> {
+    use GeomError as Error;
+    match error {
+        Error::Gap { index, .. } => vec![vec![*index], vec![index + 1]],
+        Error::CoincidentPoints { first, second } => vec![vec![*first], vec![*second]],
+        Error::PatchGap { before, next, .. } | Error::UnlikeWeights { before, next } => {
+            vec![before.to_vec(), next.to_vec()]
+        }
+        Error::VanishingPatch { patch, .. } => vec![patch.to_vec()],
+        Error::BadWeight { index, .. }
+        | Error::BadEndWeight { index, .. }
+        | Error::UnsortedKnots { index, .. }
+        | Error::KnotMultiplicity { index, .. }
+        | Error::ParametersNotIncreasing { index, .. }
+        | Error::VanishingPiece { index, .. }
+        | Error::NotScalar { index } => vec![vec![*index]],
+        _ => Vec::new(),
+    }
+}
+
 /// The code under which an error of the kernel is reported.
 #[must_use]
 pub fn code_of(error: &GeomError) -> Code {
@@ -72,16 +94,8 @@ pub fn code_of(error: &GeomError) -> Code {
         | Error::NoSplineNearAt { .. } => Code::BeyondTolerance,
         Error::Jump(_) => Code::Degenerate,
         Error::Gap { .. } | Error::PatchGap { .. } => Code::Gap,
-        Error::Shell(_) | Error::Mesh(MeshError::Open { .. } | MeshError::Unoriented { .. }) => {
-            Code::OpenShell
-        }
-        Error::Mesh(MeshError::BadFace { fault: FaceFault::TooFew { .. }, .. }) => {
-            Code::TooFewPoints
-        }
-        Error::Mesh(MeshError::BadFace { fault: FaceFault::NoVertex { .. }, .. }) => {
-            Code::IndexOutside
-        }
-        Error::TooFewCurves { .. } => Code::BadCall,
+        Error::Shell(_) => Code::OpenShell,
+        Error::Mesh(fault) => code_of_mesh(fault),
         Error::RationalFor { .. }
         | Error::DegreeTooHighFor { .. }
         | Error::UnevenSegments { .. }
@@ -110,18 +124,28 @@ pub fn code_of(error: &GeomError) -> Code {
         | Error::LengthOutside { .. }
         | Error::EmptyInterval { .. }
         | Error::NarrowInterval { .. } => Code::OutsideDomain,
+        Error::NotPositive { got, .. } if !got.is_finite() => Code::Domain,
         Error::NotFinite { .. }
         | Error::TooLargeToMeasure { .. }
         | Error::TooSmallToMeasure { .. }
         | Error::BeyondNumbers { .. }
         | Error::BeyondNumbersAt { .. } => Code::Domain,
         Error::NotDifferentiable { .. } | Error::DerivativeBeyondNumbers => Code::NoDerivative,
-        Error::TangentCount { .. } => Code::BadCall,
+        Error::TooFewCurves { .. } | Error::TangentCount { .. } => Code::BadCall,
         Error::Function(_) => inside(error).map_or(Code::Domain, |reason| reason.code),
         Error::DuplicateColumn { .. } | Error::ColumnLength { .. } | Error::NotNurbs { .. } => {
             Code::WrongKind
         }
         Error::WrongCount { .. } | Error::ParametersNotIncreasing { .. } => Code::BadParameters,
+        _ => Code::Degenerate,
+    }
+}
+
+fn code_of_mesh(fault: &MeshError) -> Code {
+    match fault {
+        MeshError::Open { .. } | MeshError::Unoriented { .. } => Code::OpenShell,
+        MeshError::BadFace { fault: FaceFault::TooFew { .. }, .. } => Code::TooFewPoints,
+        MeshError::BadFace { fault: FaceFault::NoVertex { .. }, .. } => Code::IndexOutside,
         _ => Code::Degenerate,
     }
 }
@@ -165,6 +189,9 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
             "scale it down, or state a larger `unit`".to_owned()
         }
         Error::TooSmallToMeasure { .. } => "scale it up, or state a smaller `unit`".to_owned(),
+        Error::NotPositive { got, .. } if !got.is_finite() => {
+            "scale it down, or state a larger `unit`".to_owned()
+        }
         Error::AlongNormal { .. } => "give another `normal`".to_owned(),
         Error::NotNurbs { what } => match *what {
             "curve" => "`to_nurbs(c, tolerance)` makes a NURBS of it".to_owned(),
@@ -256,6 +283,13 @@ fn hint_about_input(error: &GeomError) -> Option<String> {
             "`to_bezier` gives its segments one by one".to_owned()
         }
         Error::TooRough { .. } => "`split` it there, and take the parts".to_owned(),
+        Error::ParameterOutside { .. } => {
+            "`reparametrize` gives it another domain; a place by length is `parameter_at_length`"
+                .to_owned()
+        }
+        Error::DomainTooWide { .. } => {
+            "knots are parameters, such as 0 to 1, and no coordinates".to_owned()
+        }
         Error::NotScalar { .. } => "give the values as points `(value, 0)`".to_owned(),
         _ => return hint_of_function(error),
     })

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::{CARRIES_DERIVATIVES, Dimension, List, Number, Range, Real, Record, Type, Value};
 use crate::{
     diag::{Code, Span, Spanned},
-    kernel::{Curve, Frame, Grid, Interval, Mesh, Surface, Table},
+    kernel::{Curve, Frame, GeomError, Grid, Interval, Mesh, Surface, Table},
 };
 
 /// Why a value cannot be read as a type.
@@ -332,9 +332,13 @@ impl FromValue for Rows {
 
     fn from_value(value: &Value, span: Span) -> Result<Self, Mismatch> {
         let rows: Vec<Vec<DVec3>> = Vec::from_value(value, span)?;
-        Grid::from_rows(rows)
-            .map(Self)
-            .map_err(|err| Mismatch::because(err.to_string(), Code::RaggedGrid))
+        Grid::from_rows(rows).map(Self).map_err(|err| {
+            let mismatch = Mismatch::because(err.to_string(), Code::RaggedGrid);
+            match err {
+                GeomError::RaggedGrid { row, .. } => mismatch.inside(row),
+                _ => mismatch,
+            }
+        })
     }
 }
 

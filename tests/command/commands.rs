@@ -575,6 +575,14 @@ fn built_ins_are_found_by_chapter_and_by_words() {
         text.lines().filter_map(|line| line.split_whitespace().next()).map(str::to_owned).collect()
     };
     assert_eq!(names(&out), names(&doc(&["TABLE", "Curvature"]).0), "order and case do not count");
+    // Of a word of another language the advice comes first, then what this one says of the word.
+    let (out, err, code) = doc(&["move"]);
+    assert_eq!((err.as_str(), code), ("", 0));
+    let advice = "nothing built in is called `move`: write `translate(g, vector)`\n\n";
+    assert!(out.starts_with(advice) && advice.len() < out.len(), "{out}");
+    for own in ["unit", "deg", "turn", "param"] {
+        assert!(!doc(&[own]).0.starts_with("nothing"), "{own}");
+    }
     // A name is explained, unless a search is asked for.
     let (entry, ..) = doc(&["length"]);
     assert!(entry.starts_with("length("), "{entry}");

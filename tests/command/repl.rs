@@ -85,6 +85,92 @@ a curve of degree 2 with 3 control points on 0..1
 }
 
 #[test]
+fn options_are_told_and_changed() {
+    let scratch = Scratch::new("repl-set");
+    let input = "\
+:set
+:set width 40
+:plot x => x in -1..1
+:set width 100
+:plot x => x in -1..1
+:set width 5
+:set widht 50
+:set list-length 10
+len(0..<20)
+[for i in 0..<20: i]
+:set list-length = 1_000
+len([for i in 0..<20: i])
+:set list-length none
+:set color on
+1 / 0
+:set color off
+";
+    let (out, err, code) = piped(&scratch, &[], input);
+    assert!(out.starts_with("  color off ") && out.contains("\n  width auto "), "{out}");
+    assert!(out.contains("\n  list-length ") && out.contains("\nwidth 40\n"), "{out}");
+    let widest = |from: &str, to: &str| {
+        let (_, rest) = out.split_once(from).expect("it is told");
+        let plot = rest.split_once(to).map_or(rest, |(plot, _)| plot);
+        plot.lines().map(|line| line.chars().count()).max()
+    };
+    assert_eq!(widest("\nwidth 40\n", "width 100"), Some(40), "{out}");
+    assert_eq!(widest("\nwidth 100\n", "list-length 10"), Some(100), "{out}");
+    assert!(
+        out.contains("\nlist-length 10\n") && out.ends_with("20\ncolor on\ncolor off\n"),
+        "{out}"
+    );
+    assert!(
+        err.contains("takes 20 to 240 columns") && err.contains("did you mean `width`?"),
+        "{err}"
+    );
+    assert!(err.contains("E0901") && err.contains("`list-length` is a whole number"), "{err}");
+    assert!(err.contains("\x1b["), "the error after `:set color on` is coloured: {err}");
+    assert_eq!(code, 2);
+}
+
+#[test]
+fn values_are_shown_from_the_side_that_is_named() {
+    let scratch = Scratch::new("repl-view");
+    let input = "\
+curve c = polyline((0, 0, 0), (4, 0, 2), (8, 3, 0))
+let front = 2
+:show c
+:show c front
+:show [c, c] isometric
+:show front
+:show 1 + front
+";
+    let (out, err, code) = piped(&scratch, &[], input);
+    assert_eq!((err.as_str(), code), ("", 0));
+    let axes: Vec<&str> = out.lines().filter(|line| line.starts_with("(x")).collect();
+    let isometric = "(x down to the right, y up to the right, z up)";
+    assert_eq!(axes, ["(x to the right, y up)", "(x to the right, z up)", isometric], "{out}");
+    assert!(out.ends_with("\n2\n3\n"), "{out}");
+}
+
+#[test]
+fn the_last_value_comes_back_with_the_document() {
+    let scratch = Scratch::new("repl-last");
+    let (out, err, code) = piped(&scratch, &[], "let a = 3\na\nlet b = a + 1\nb\n:undo\n_\n");
+    assert_eq!(code, 0, "{err}");
+    assert_eq!(out, "a = 3\n3\nb = 4\n4\n3\n");
+}
+
+#[test]
+fn functions_are_plotted_together_over_an_axis() {
+    let scratch = Scratch::new("repl-together");
+    let (out, err, code) = piped(&scratch, &[], ":plot x => x, x => -x in -1..1\n?sin\n");
+    assert_eq!((err.as_str(), code), ("", 0));
+    let (plot, help) = out.split_once("sin(").expect("help");
+    assert!(help.contains("Sine of an angle"), "{help}");
+    let lines: Vec<&str> = plot.lines().filter(|line| line.contains('┤')).collect();
+    let dots = |line: &str| line.chars().filter(|c| ('\u{2801}'..='\u{28ff}').contains(c)).count();
+    // Both lines reach the upper edge, one on each side; the axis runs between them all the way.
+    assert!(lines[0].contains(" 1 ┤") && 2 <= dots(lines[0]), "{plot}");
+    assert!(lines.iter().any(|line| 30 < dots(line)), "{plot}");
+}
+
+#[test]
 fn whatever_is_wrong_leaves_the_document_as_it_was() {
     let scratch = Scratch::new("repl-wrong");
     scratch.file("wrong.geo", "let keep = 1\nlet other = keep +");
@@ -343,7 +429,7 @@ mod terminal {
         prompt.says(":time length(c)", " ms)");
         prompt.says(":help bezier", "list of points");
         prompt.says(":help E0602", "E0602: ");
-        prompt.says(":help :sho", ":show EXPR\r");
+        prompt.says(":help :sho", ":show EXPR [VIEW]\r");
         prompt.says(":help :shw", "did you mean `:show`?");
         prompt.types("/// Half of it.\r");
         prompt.says("fn half(h) = h / 2", "half: function half(h)");

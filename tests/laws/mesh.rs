@@ -182,7 +182,7 @@ fn star(radii: &[f64], map: DAffine3) -> (Vec<DVec3>, f64) {
     let step = 2.0 * PI / radii.len() as f64;
     let flat = |(k, r): (usize, &f64)| {
         let angle = step * k as f64;
-        DVec3::new(r * angle.cos(), r * angle.sin(), 0.0)
+        DVec3::new(r * libm::cos(angle), r * libm::sin(angle), 0.0)
     };
     let places: Vec<DVec3> = radii.iter().enumerate().map(flat).collect();
     let area: f64 =

@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use super::{super::reporter::pretty, Prompt, graph, show};
+use super::{super::reporter::pretty, Prompt, graph, options, show};
 use crate::{
     diag::{Code, nearest},
     docs,
+    export::View,
     syntax::StatementRole,
     value::Value,
 };
@@ -58,7 +59,13 @@ pub(super) const COMMANDS: &[Command] = &[
     file_command("save!", "FILE", "the same in the place of another file", |prompt, rest| {
         prompt.save(rest, true);
     }),
-    command("show", "EXPR", "tells all of a value and draws it", show),
+    command(
+        "set",
+        "[NAME VALUE]",
+        "tells the options of the session, or changes one",
+        options::set,
+    ),
+    command("show", "EXPR [VIEW]", "tells all of a value and draws it, as seen from `front`", show),
     command("time", "EXPR", "evaluates and tells how long it took", time),
     command("type", "EXPR", "tells the kind of a value", kind),
     command("undo", "", "goes back to the document before", undo),
@@ -201,8 +208,24 @@ pub(super) fn asked(prompt: &mut Prompt, command: &str, text: &str) -> Option<Ve
 }
 
 fn show(prompt: &mut Prompt, text: &str) {
+    let (text, view) = seen_from(text);
     for value in asked(prompt, "show", text).unwrap_or_default() {
-        super::say(&show::whole(&value, prompt.columns));
+        super::say(&show::whole(&value, prompt.columns, view));
+    }
+}
+
+/// An expression, and the view whose name stands behind it.
+fn seen_from(text: &str) -> (&str, Option<View>) {
+    let Some((expr, name)) = text.rsplit_once(char::is_whitespace) else { return (text, None) };
+    let expr = expr.trim_end();
+    // Behind an operator it is a name of the document.
+    let last = expr.rsplit(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default();
+    let is_whole = expr.ends_with([')', ']', '}', '"'])
+        || !last.is_empty()
+            && !matches!(last, "and" | "or" | "not" | "if" | "then" | "else" | "in" | "within");
+    match View::from_name(name).filter(|_| is_whole) {
+        Some(view) => (expr, Some(view)),
+        None => (text, None),
     }
 }
 

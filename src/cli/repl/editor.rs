@@ -82,6 +82,13 @@ impl Editor {
         }
     }
 
+    /// Colours entries or not, and reads them under these ceilings.
+    pub(super) fn paint(&mut self, with_color: bool, limits: Limits) {
+        if let Some(assistant) = self.lines.helper_mut() {
+            (assistant.with_color, assistant.limits) = (with_color, limits);
+        }
+    }
+
     /// The columns of the terminal.
     pub(super) fn columns(&mut self) -> usize {
         self.lines.dimensions().map_or(80, |(columns, _)| usize::from(columns))

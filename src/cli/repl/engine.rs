@@ -11,7 +11,7 @@ use super::super::{args::RunArgs, files::ScriptFiles, interrupt::INTERRUPTED};
 use crate::{
     diag::Sources,
     eval::Setting,
-    limits::work::StopToken,
+    limits::{Limits, work::StopToken},
     session::{Report, Session},
 };
 
@@ -28,7 +28,8 @@ pub(super) struct Engine {
     stop: StopToken,
     files: Arc<ScriptFiles>,
     settings: Arc<[Setting]>,
-    renew: Box<dyn Fn(StopToken) -> Session>,
+    ceilings: Limits,
+    renew: Box<dyn Fn(Limits, StopToken) -> Session>,
 }
 
 /// A run that came to its end.
@@ -44,7 +45,7 @@ pub(super) struct EngineRun {
 impl Engine {
     pub(super) fn new(common: &RunArgs, folder: &Path, settings: Vec<Setting>) -> Self {
         let (ceilings, n_threads) = (common.ceilings(), common.n_threads());
-        let renew = move |stop| {
+        let renew = move |ceilings, stop| {
             super::super::process::session(ceilings)
                 .on_threads(n_threads)
                 .incremental()
@@ -52,12 +53,19 @@ impl Engine {
         };
         let stop = StopToken::default();
         Self {
-            session: Arc::new(renew(stop.clone())),
+            session: Arc::new(renew(ceilings, stop.clone())),
             stop,
             files: Arc::new(ScriptFiles::new(folder)),
             settings: settings.into(),
+            ceilings,
             renew: Box::new(renew),
         }
+    }
+
+    /// Evaluates under other ceilings from now on; what was evaluated before is forgotten.
+    pub(super) fn set_limits(&mut self, ceilings: Limits) {
+        self.ceilings = ceilings;
+        self.session = Arc::new((self.renew)(ceilings, self.stop.clone()));
     }
 
     pub(super) fn session(&self) -> &Session {
@@ -121,7 +129,7 @@ impl Engine {
                 // An operation that looks at no switch: it is left to itself, and the next run has
                 // a session that knows nothing of it.
                 self.stop = StopToken::default();
-                self.session = Arc::new((self.renew)(self.stop.clone()));
+                self.session = Arc::new((self.renew)(self.ceilings, self.stop.clone()));
                 return None;
             }
         }

@@ -227,7 +227,7 @@ fn drawn(value: &Value, columns: usize) -> Option<String> {
             (!numbers.is_empty()).then(|| in_a_row(&numbers, columns))
         }
         value => {
-            let (paths, axes) = plot::flat(&show::shapes(value));
+            let (paths, axes) = plot::flat(&show::shapes(value), None);
             let picture = plot::drawing(&paths, columns);
             (!picture.is_empty()).then(|| format!("{picture}({axes})\n"))
         }

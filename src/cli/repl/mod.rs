@@ -12,6 +12,7 @@ mod editor;
 mod engine;
 mod graph;
 mod load;
+mod options;
 mod pipe;
 mod plot;
 mod show;
@@ -74,6 +75,7 @@ pub(super) fn run(file: Option<&Path>, out: Option<&Path>, common: &RunArgs) -> 
         out: out.map(Path::to_path_buf),
         file: None,
         columns: 80,
+        width: None,
         is_terminal: io::stdin().is_terminal() && io::stdout().is_terminal(),
         with_color: common.talk.with_color(),
         worst: ExitStatus::Well,
@@ -105,6 +107,8 @@ struct Prompt {
     /// The file that the document was read from or written to.
     file: Option<PathBuf>,
     columns: usize,
+    /// Columns that are used in the place of those of the terminal.
+    width: Option<usize>,
     is_terminal: bool,
     with_color: bool,
     worst: ExitStatus,
@@ -130,7 +134,8 @@ impl Prompt {
             self.voice.remark(&format!("warning: {warning}"));
         }
         while !self.is_over {
-            self.columns = editor.columns();
+            self.columns = self.width.unwrap_or_else(|| editor.columns());
+            editor.paint(self.with_color, *self.limits());
             editor.know(self.scope());
             match editor.read() {
                 EditorEvent::Entry(text) => self.take(&text),

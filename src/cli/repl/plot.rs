@@ -5,6 +5,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use crate::{
+    export::View,
     kernel::{Mesh, Tolerance},
     value::shortest,
 };
@@ -164,9 +165,44 @@ pub(super) fn short(value: f64, n_digits: usize) -> String {
     shortest(rounded)
 }
 
-/// Shapes of space seen along the axis in which they reach least far, as paths, and the axes of the
-/// picture. Of a mesh of many triangles only the outlines are drawn.
-pub(super) fn flat(shapes: &[PlotSubject]) -> (Vec<Vec<DVec2>>, &'static str) {
+/// Shapes of space in a view, else seen along the axis in which they reach least far, as paths, and
+/// the axes of the picture. Of a mesh of many triangles only the outlines are drawn.
+pub(super) fn flat(shapes: &[PlotSubject], view: Option<View>) -> (Vec<Vec<DVec2>>, &'static str) {
+    let (view, axes) = match view {
+        Some(view) => (view, axes_of(view)),
+        None => least_deep(shapes),
+    };
+    let toward = view.toward();
+    let paths = shapes.iter().flat_map(|shape| match shape {
+        PlotSubject::Path(points) => vec![points.clone()],
+        PlotSubject::Mesh(mesh) if mesh.n_triangles() <= MOST_TRIANGLES => {
+            mesh.corners().map(|[a, b, c]| vec![a, b, c, a]).collect()
+        }
+        PlotSubject::Mesh(mesh) => {
+            let lines = mesh.outlines(toward, CREASE, Tolerance::default());
+            lines.into_iter().map(Vec::from).collect()
+        }
+    });
+    let see = |path: Vec<DVec3>| path.into_iter().map(|point| view.on_paper(point)).collect();
+    (paths.map(see).collect(), axes)
+}
+
+/// The axes of a view in words.
+fn axes_of(view: View) -> &'static str {
+    match view {
+        View::Top => "x to the right, y up",
+        View::Front => "x to the right, z up",
+        View::Right => "y to the right, z up",
+        View::Bottom => "x to the right, y down",
+        View::Back => "x to the left, z up",
+        View::Left => "y to the left, z up",
+        View::Isometric => "x down to the right, y up to the right, z up",
+        View::Oblique => "x to the right, z up, y into the depth",
+    }
+}
+
+/// The view along the axis in which shapes reach least far.
+fn least_deep(shapes: &[PlotSubject]) -> (View, &'static str) {
     let of = |shape: &PlotSubject| match shape {
         PlotSubject::Path(points) => points.clone(),
         PlotSubject::Mesh(mesh) => {
@@ -178,24 +214,14 @@ pub(super) fn flat(shapes: &[PlotSubject]) -> (Vec<Vec<DVec2>>, &'static str) {
     let low = points().fold(DVec3::INFINITY, DVec3::min);
     let high = points().fold(DVec3::NEG_INFINITY, DVec3::max);
     let span = high - low;
-    let (toward, see, axes): (_, fn(DVec3) -> DVec2, _) = if span.z <= span.x && span.z <= span.y {
-        (DVec3::Z, |p| DVec2::new(p.x, p.y), "x to the right, y up")
+    let view = if span.z <= span.x && span.z <= span.y {
+        View::Top
     } else if span.y <= span.x {
-        (DVec3::NEG_Y, |p| DVec2::new(p.x, p.z), "x to the right, z up")
+        View::Front
     } else {
-        (DVec3::X, |p| DVec2::new(p.y, p.z), "y to the right, z up")
+        View::Right
     };
-    let paths = shapes.iter().flat_map(|shape| match shape {
-        PlotSubject::Path(points) => vec![points.clone()],
-        PlotSubject::Mesh(mesh) if mesh.n_triangles() <= MOST_TRIANGLES => {
-            mesh.corners().map(|[a, b, c]| vec![a, b, c, a]).collect()
-        }
-        PlotSubject::Mesh(mesh) => {
-            let lines = mesh.outlines(toward, CREASE, Tolerance::default());
-            lines.into_iter().map(Vec::from).collect()
-        }
-    });
-    (paths.map(|path| path.into_iter().map(see).collect()).collect(), axes)
+    (view, axes_of(view))
 }
 
 #[cfg(test)]

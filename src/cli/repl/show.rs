@@ -9,6 +9,7 @@ use super::{
     plot::{self, PlotSubject},
 };
 use crate::{
+    export::View,
     kernel::{Column, Curve, Mesh, Surface, Table},
     value::{Dimension, Value, shortest},
 };
@@ -60,7 +61,7 @@ pub(super) fn sized(value: &Value) -> String {
 }
 
 /// All of a value, with a plot no wider than `columns` where there is something to draw.
-pub(super) fn whole(value: &Value, columns: usize) -> String {
+pub(super) fn whole(value: &Value, columns: usize, view: Option<View>) -> String {
     let mut text = match value {
         Value::Curve(curve) => of_curve(curve),
         Value::Surface(surface) => of_surface(surface),
@@ -75,7 +76,7 @@ pub(super) fn whole(value: &Value, columns: usize) -> String {
         PlotSubject::Mesh(mesh) => 0 < mesh.n_triangles(),
     };
     if shapes.iter().any(is_more_than_a_point) {
-        let (flat, axes) = plot::flat(&shapes);
+        let (flat, axes) = plot::flat(&shapes, view);
         text.push_str(&format!("{}({axes})\n", plot::drawing(&flat, columns)));
     }
     text

@@ -33,7 +33,7 @@ const FOREIGN: &[(&[&str], &str)] = &[
     (&["sweep1", "sweep2", "pipe"], "write `sweep(section, path)`"),
     (&["networksrf", "curvenetwork"], "write `gordon(u, v)`"),
     (&["edgesrf", "patch"], "write `coons(u, v)`"),
-    (&["planarsrf", "makeface", "region", "face"], "write `planar_mesh(curve)`"),
+    (&["planar", "planarsrf", "makeface", "region", "face"], "write `planar_mesh(curve)`"),
     (
         &["bsplinecurve", "nurbscurve"],
         "write `bspline(points)`, or `nurbs(points, ...)` with weights",
@@ -59,6 +59,26 @@ const FOREIGN: &[(&[&str], &str)] = &[
     (&["splitcurve", "shatter"], "write `split(curve, t)`"),
     (&["offsetcrv", "offset2d", "offsetsrf"], "write `offset(g, distance)`"),
     (&["concat", "append"], "write `flatten([a, b])`"),
+    (&["degrees", "todeg", "rad2deg"], "an angle divided by `1deg` is a number of degrees"),
+    (&["radians", "torad", "deg2rad"], "a number of degrees becomes an angle by `* 1deg`"),
+    (
+        &["deg", "rad", "mm", "cm", "inch"],
+        "a unit is glued to its number: `90deg`; a computed number takes it by `* 1deg`",
+    ),
+    (
+        &["fillet", "chamfer", "filletcurves"],
+        "arcs between curves are made by `arc` and put together by `join`",
+    ),
+    (&["pow", "power"], "a power is written `a^b`"),
+    (&["mod", "fmod"], "a remainder is written `a % b`"),
+    (&["int", "trunc"], "write `floor(x)` or `round(x)`"),
+    (&["float", "double"], "all numbers are of one kind; `num(text)` reads one from a text"),
+    (&["arange"], "write `range(a, b, step)`, or `[for i in 0..<n: ...]`"),
+    (&["enumerate"], "write `[for i in 0..<len(xs): (i, xs[i])]`"),
+    (&["crossproduct"], "write `cross(a, b)`"),
+    (&["dotproduct", "inner"], "write `dot(a, b)`"),
+    (&["normalize", "normalise", "unitize", "normalized"], "write `unit_vector(v)`"),
+    (&["vec3", "vec", "vector", "point3d", "vector3"], "a point or vector is written `(x, y, z)`"),
 ];
 
 const ISOCURVE: &str =

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::{
-    diag::{Code, Diagnostic, Result},
+    diag::{Code, Diagnostic, Result, Spanned},
     kernel::{GeomError, NurbsCurve},
     value::{At, Ctx, op, rounded, shortest},
 };
@@ -14,11 +14,11 @@ op! {
     /// In equal pieces of at most a quarter turn, like `arc`.
     arc_through in Curve -> NurbsCurve {
         /// Where it starts.
-        a: DVec3,
+        a: Spanned<DVec3>,
         /// A point on the way.
-        b: DVec3,
+        b: Spanned<DVec3>,
         /// Where it ends.
-        c: DVec3,
+        c: Spanned<DVec3>,
     }
     example "arc_through((1, 0), (0, 1), (-1, 0))(0.5)" => "(0, 1, 0)";
     example "arc_through((3, 4), (5, 0), (0, -5)).end" => "(0, -5, 0)";
@@ -28,20 +28,28 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
-    let arc = NurbsCurve::arc_through([args.a, args.b, args.c], ctx.tolerance.distance);
+    let points = [args.a, args.b, args.c];
+    let arc = NurbsCurve::arc_through(points.map(|point| point.value), ctx.tolerance.distance);
     if let Err(GeomError::CoincidentPoints { first, second }) = arc {
         let names = ["a", "b", "c"];
-        let points = [args.a, args.b, args.c];
-        let gap = points[first].distance(points[second]);
+        let gap = points[first].value.distance(points[second].value);
         let pair = format!("`{}` and `{}`", names[first], names[second]);
-        let message = if gap == 0.0 {
-            format!("{pair} are at one place")
+        let (message, hint) = if gap == 0.0 {
+            (format!("{pair} are at one place"), "three different points determine a circle")
         } else {
             let (gap, limit) = (rounded(gap), shortest(ctx.tolerance.distance));
-            format!("{pair} are {gap} apart, within the tolerance {limit}: they count as one place")
+            let message = format!(
+                "{pair} are {gap} apart, within the tolerance {limit}: they count as one place"
+            );
+            (
+                message,
+                "three different points determine a circle; a smaller `tolerance` at the top of the script tells these apart",
+            )
         };
-        return Diagnostic::error(Code::Degenerate, ctx.span, message)
-            .hint("three different points determine a circle")
+        return Diagnostic::error(Code::Degenerate, points[second].span, message)
+            .label(format!("`{}`", names[second]))
+            .also(points[first].span, format!("`{}`", names[first]))
+            .hint(hint)
             .fail();
     }
     arc.at(ctx.span)

@@ -118,7 +118,10 @@ pub(super) fn check_cubic(n_points: Spanned<usize>, is_closed: bool) -> Result<(
     }
     let message = format!("a cubic needs 4 points or more, found {}", n_points.value);
     Diagnostic::error(Code::TooFewPoints, n_points.span, message)
-        .hint("give more points; with `closed = true` 3 are enough")
+        .hint(match n_points.value {
+            3 => "give one more; with `closed = true` 3 are enough".to_owned(),
+            n => format!("give {} more", 4 - n),
+        })
         .fail()
 }
 
@@ -128,5 +131,7 @@ fn check_closed(n_points: Spanned<usize>) -> Result<()> {
         return Ok(());
     }
     let message = format!("a closed curve needs 3 points or more, found {}", n_points.value);
-    Diagnostic::error(Code::TooFewPoints, n_points.span, message).fail()
+    Diagnostic::error(Code::TooFewPoints, n_points.span, message)
+        .hint(format!("give {} more", 3 - n_points.value))
+        .fail()
 }

@@ -1,8 +1,8 @@
 //! `cos`: the cosine of an angle.
 
-use super::Radians;
+use super::{Radians, warn_of_degrees};
 use crate::{
-    diag::Result,
+    diag::{Result, Spanned},
     value::{At, Ctx, Real, op},
 };
 
@@ -10,11 +10,12 @@ op! {
     /// Cosine of an angle; a bare number counts as radians.
     cos in Math -> Real {
         /// An angle, or a number of radians.
-        angle: Radians,
+        angle: Spanned<Radians>,
     }
     example "cos(60deg) ~= 1/2" => "true";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
-    args.angle.0.cos().at(ctx.span)
+    warn_of_degrees(ctx, args.angle.span);
+    args.angle.value.0.cos().at(ctx.span)
 }

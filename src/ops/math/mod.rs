@@ -29,7 +29,7 @@ mod tanh;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
-    value::{Dimension, FromValue, Mismatch, Number, Op, Real, Type, Value, Vector},
+    value::{Ctx, Dimension, FromValue, Mismatch, Number, Op, Real, Type, Value, Vector},
 };
 
 pub(super) static OPS: &[&Op] = &[
@@ -110,6 +110,23 @@ impl FromValue for Radians {
             _ => Err(Mismatch::kind(Self::TYPE, value)),
         }
     }
+}
+
+/// Warns where an angle is written as a whole number without a unit that as radians hardly anybody
+/// writes, and as degrees everybody: 30, 45, 60 and so on, in steps of 15.
+fn warn_of_degrees(ctx: &mut Ctx<'_>, angle: Span) {
+    let source = ctx.sources.and_then(|sources| sources.at(angle));
+    let Some(text) = source.and_then(|source| source.text.get(source.local(angle))) else { return };
+    let number: Option<u32> = text.trim_start_matches('-').parse().ok();
+    if !number.is_some_and(|number| 30 <= number && number.is_multiple_of(15)) {
+        return;
+    }
+    let message = format!("`{text}` without a unit counts as radians");
+    ctx.warn(
+        Diagnostic::warning(Code::DegreesMeant, angle, message).hint(format!(
+            "write `{text}deg` for degrees; `{text}rad` says that radians are meant"
+        )),
+    );
 }
 
 /// A number or a point.

@@ -1,8 +1,8 @@
 //! `sin`: the sine of an angle.
 
-use super::Radians;
+use super::{Radians, warn_of_degrees};
 use crate::{
-    diag::Result,
+    diag::{Result, Spanned},
     value::{At, Ctx, Real, op},
 };
 
@@ -10,12 +10,13 @@ op! {
     /// Sine of an angle; a bare number counts as radians.
     sin in Math -> Real {
         /// An angle, or a number of radians.
-        angle: Radians,
+        angle: Spanned<Radians>,
     }
     example "sin(30deg) ~= 1/2" => "true";
     example "sin(0)" => "0";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
-    args.angle.0.sin().at(ctx.span)
+    warn_of_degrees(ctx, args.angle.span);
+    args.angle.value.0.sin().at(ctx.span)
 }

@@ -10,9 +10,9 @@ mod dat;
 mod grid_mesh;
 mod lines;
 mod load;
-mod mesh;
 mod obj;
 mod obj_lines;
+mod of_faces;
 mod planar_mesh;
 mod table_columns;
 mod table_rows;
@@ -25,7 +25,7 @@ use crate::value::Op;
 pub(crate) use csv::rows as csv_rows;
 
 pub(super) static OPS: &[&Op] = &[
-    &mesh::OP,
+    &of_faces::OP,
     &grid_mesh::OP,
     &tessellate::OP,
     &planar_mesh::OP,

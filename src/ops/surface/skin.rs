@@ -219,7 +219,9 @@ fn check_count(ctx: &Ctx<'_>, curves: &[NurbsCurve], is_closed: bool, span: Span
     if got < needed {
         let which = if is_closed { "a closed skin" } else { "a skin" };
         let message = format!("{which} needs {needed} sections or more, found {got}");
-        return Diagnostic::error(Code::BadCall, span, message).fail();
+        return Diagnostic::error(Code::BadCall, span, message)
+            .hint("a skin runs from section to section; of one curve `extrude`, `revolve` and `sweep` make surfaces")
+            .fail();
     }
     let ends = if is_closed { 0..got } else { 1..got - 1 };
     let is_point = |curve: &NurbsCurve| curve.is_point();

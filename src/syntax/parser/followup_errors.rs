@@ -4,8 +4,9 @@ use crate::diag::{Code, Diagnostic, Span};
 use crate::syntax::ast::{Statement, StatementKind, Tree};
 
 /// Drops the echoes among the findings of a script, which are in order.
-pub(super) fn drop_echoes(tree: &Tree<'_>, diagnostics: &mut Vec<Diagnostic>) {
+pub(super) fn drop_echoes(source: &str, tree: &Tree<'_>, diagnostics: &mut Vec<Diagnostic>) {
     drop_what_a_comment_swallowed(diagnostics);
+    drop_what_stands_beside_its_cause(source, diagnostics);
     drop_what_a_stray_bracket_explains(tree, diagnostics);
 }
 
@@ -15,6 +16,21 @@ fn drop_what_a_comment_swallowed(diagnostics: &mut Vec<Diagnostic>) {
     let Some(start) = unclosed.map(|found| found.primary.span.start) else { return };
     // Whatever is expected at the end of the text is expected before the comment.
     diagnostics.retain(|found| found.code != Code::Syntax || found.primary.span.end + 1 < start);
+}
+
+/// Drops the second of two findings about one word and what stands right before it, such as the `:=`
+/// of `x := 3`, where `x` begins no statement, and the unit of `1e400 mm`, whose number is none.
+fn drop_what_stands_beside_its_cause(source: &str, diagnostics: &mut Vec<Diagnostic>) {
+    diagnostics.dedup_by(|found, cause| {
+        let (span, before) = (found.primary.span, cause.primary.span);
+        let gap = source.get(before.end as usize..span.start as usize);
+        let touches = gap.is_none_or(|gap| gap.trim().is_empty());
+        let is_one = matches!(
+            (cause.code, found.code),
+            (Code::Syntax, Code::StrayText) | (Code::BadNumber | Code::UnknownUnit, Code::Syntax)
+        );
+        is_one && touches && !gap.is_some_and(|gap| gap.contains('\n'))
+    });
 }
 
 /// Drops what else does not fit in a statement with a bracket that closes nothing, or not what it

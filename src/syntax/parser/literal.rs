@@ -75,20 +75,37 @@ fn unknown_unit(digits: &str, suffix: &str, span: Span) -> Diagnostic {
     let diagnostic =
         Diagnostic::error(Code::UnknownUnit, span, format!("`{suffix}` is not a unit"))
             .label("unknown unit");
-    let by_habit = match suffix {
-        "µm" | "μm" => Some("um"),
-        "°" | "degrees" | "degree" | "d" => Some("deg"),
-        "radians" | "r" => Some("rad"),
-        "turns" | "rev" => Some("turn"),
-        "inch" | "inches" => Some("in"),
-        "foot" | "feet" => Some("ft"),
-        // Of equally near units the millimetre.
-        _ => nearest(suffix, ["mm"].into_iter().chain(Unit::ALL.iter().map(|&(name, _)| name))),
-    };
-    match by_habit {
+    // Of equally near units the millimetre.
+    let known = || ["mm"].into_iter().chain(Unit::ALL.iter().map(|&(name, _)| name));
+    let is_constant = matches!(suffix, "pi" | "tau" | "π");
+    match by_habit(suffix).or_else(|| (!is_constant).then(|| nearest(suffix, known())).flatten()) {
         Some(unit) => diagnostic.hint(format!("did you mean `{digits}{unit}`?")),
-        None => diagnostic.hint("lengths take `um mm cm m km in ft`, angles `deg rad turn`"),
+        None if is_constant => {
+            let constant = if suffix == "π" { "pi" } else { suffix };
+            diagnostic.hint(format!("a product is written `{digits} * {constant}`"))
+        }
+        None => diagnostic.hint(format!(
+            "lengths take `um mm cm m km in ft`, angles `deg rad turn`; a product is written `{digits} * {suffix}`"
+        )),
     }
+}
+
+/// The unit that people write out or write otherwise.
+fn by_habit(suffix: &str) -> Option<&'static str> {
+    Some(match suffix.to_lowercase().as_str() {
+        // The sign for micro and the Greek letter.
+        "µm" | "μm" | "micron" | "microns" => "um",
+        "millimeter" | "millimeters" | "millimetre" | "millimetres" => "mm",
+        "centimeter" | "centimeters" | "centimetre" | "centimetres" => "cm",
+        "meter" | "meters" | "metre" | "metres" => "m",
+        "kilometer" | "kilometers" | "kilometre" | "kilometres" => "km",
+        "inch" | "inches" => "in",
+        "foot" | "feet" => "ft",
+        "°" | "degrees" | "degree" | "d" => "deg",
+        "radian" | "radians" | "r" => "rad",
+        "turns" | "rev" => "turn",
+        _ => return None,
+    })
 }
 
 /// `unit` after the statement's keyword, which is a unit of length.
@@ -103,7 +120,10 @@ pub(super) fn check_document_unit(name: &str, span: Span) -> Option<Diagnostic> 
         ),
         None => {
             let diagnostic = error(format!("`{name}` is not a unit")).label("unknown unit");
-            Some(match nearest(name, lengths().map(|&(known, _)| known)) {
+            let habit = by_habit(name)
+                .filter(|habit| lengths().any(|(known, _)| known == habit))
+                .or_else(|| nearest(name, lengths().map(|&(known, _)| known)));
+            Some(match habit {
                 Some(known) => diagnostic.hint(format!("did you mean `{known}`?")),
                 None => diagnostic.hint("lengths take `um mm cm m km in ft`"),
             })

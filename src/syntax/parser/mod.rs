@@ -57,7 +57,7 @@ pub fn parse<'s>(source: &'s str, limits: &Limits) -> (Tree<'s>, Vec<Diagnostic>
     diagnostics.extend(order::check(&tree, most_diagnostics(limits)));
     diagnostics.sort_by_key(|diagnostic| diagnostic.primary.span);
     diagnostics.dedup();
-    followup_errors::drop_echoes(&tree, &mut diagnostics);
+    followup_errors::drop_echoes(source, &tree, &mut diagnostics);
     if !diagnostics.is_empty()
         && let Some(gmsh) = gmsh::recognise(&lex(source, 0))
     {

@@ -68,6 +68,9 @@ fn expression(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
             place.wrong("a comprehension stands in `[ ]`").hint("write `[for i in 0..3: ...]`")
         }
         Token::Star if place.before() == Token::Star => plain().hint("a power is written `a^b`"),
+        Token::Plus if place.before() == Token::Plus => plain().hint(
+            "there is no assignment: give the new value a name of its own, `let next = i + 1`",
+        ),
         Token::Equals if is_comparison_part(place.before()) => {
             plain().hint("comparisons are `== != < <= > >= ~=`")
         }
@@ -83,9 +86,15 @@ fn is_comparison_part(token: Token) -> bool {
 /// A statement's keyword in the middle of a line.
 fn keyword(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let text = place.text();
-    place
+    let diagnostic = place
         .expected("an expression")
-        .label(format!("`{text}` is a keyword; it begins a statement and cannot name a value"))
+        .label(format!("`{text}` is a keyword; it begins a statement and cannot name a value"));
+    match place.found() {
+        Token::Import => diagnostic.hint(
+            "data are read by `load(\"points.csv\")`; a script is read by a statement, `import \"part.geo\"`, and its definitions are `part.name`",
+        ),
+        _ => diagnostic,
+    }
 }
 
 fn name(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
@@ -103,6 +112,9 @@ fn name(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
         _ => return None,
     })
 }
+
+/// `1..10 step 2`
+const NO_STEP: &str = "a range goes by ones; `range(0, 10, 2)` lists numbers that are 2 apart";
 
 /// `unit = mm`
 fn takes_no_equals(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
@@ -139,9 +151,13 @@ fn text(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
     let span = script.place(place.at, end);
     let text = &script.source[span.range()];
     let message = format!("expected a string, found `{text}`");
-    Some(
-        Diagnostic::error(Code::Syntax, span, message).label(format!("did you mean `\"{text}\"`?")),
-    )
+    let diagnostic = Diagnostic::error(Code::Syntax, span, message);
+    if script.token(place.start) == Token::Import && !text.contains(['.', '/']) {
+        return Some(diagnostic.label("a name, and no file").hint(
+            "`import` reads another script, `import \"part.geo\"`; what is built in, such as `sqrt` and `pi`, needs no import",
+        ));
+    }
+    Some(diagnostic.label(format!("did you mean `\"{text}\"`?")))
 }
 
 fn value(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
@@ -166,6 +182,13 @@ fn equals(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
             .hint("only a `param` states its kind so; `point`, `curve`, `surface`, `mesh` and `table` take the place of `let`"),
         Token::In if keyword == Token::Param => {
             place.expected("`=`").hint("the default comes first: `param n = 3 in 1..5`")
+        }
+        _ if keyword == Token::Param => place.expected("`=`").hint(format!(
+            "a parameter has a default, which `--set` replaces: `param {} = 10mm`",
+            place.script.text(place.start + 1)
+        )),
+        _ if keyword == Token::Let => {
+            place.expected("`=`").hint("a definition has a value: `let a = 10mm`")
         }
         _ => return None,
     })
@@ -200,7 +223,10 @@ fn comprehension(place: &FailurePlace<'_, '_, '_>, expected: ExpectedTokens) -> 
         Token::Comma if expected.has_token(Token::In) => place
             .expected("`in`")
             .hint("to take an element apart write `[for [a, b] in pairs: ...]`"),
-        _ => return None,
+        Token::Name if place.text() == "step" => place.expected("`:`").hint(NO_STEP),
+        _ => place
+            .expected(&expected.words())
+            .hint("a comprehension is written `[for x in xs: x^2]`, with a condition `[for x in xs if x < 3: x^2]`"),
     })
 }
 
@@ -257,6 +283,9 @@ fn list(place: &FailurePlace<'_, '_, '_>, expected: ExpectedTokens) -> Option<Di
         }
         Token::Colon if place.script.token(place.start) == Token::Fn => {
             plain().hint("the parameters of a function state no kind")
+        }
+        Token::Colon if !expected.has_token(Token::Comma) => {
+            plain().hint("a part of a list is `xs[1..3]`, both ends included")
         }
         Token::Colon => {
             plain().hint("records stand in braces: `{a: 1}`; arguments are written `name = value`")

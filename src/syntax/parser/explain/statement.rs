@@ -147,14 +147,41 @@ pub(crate) fn trailing(
         Token::Then | Token::Else => place
             .wrong(format!("{} without an `if`", place.shown()))
             .hint("write `if c then a else b`"),
+        Token::If => place
+            .wrong("an `if` stands before what it chooses from")
+            .hint("write `if c then a else b`"),
         Token::Arrow => place
             .wrong("the parameters of a function are plain names")
             .hint("write `x => x^2`, `(u, v) => u*v` or `fn f(x) = x^2`"),
         _ if place.is_missing() && script.begins_line(at) => beginning(&place),
-        _ => place
-            .wrong(format!("expected an operator or the next statement, found {}", place.shown()))
-            .label("this continues nothing"),
+        _ => side_by_side(&place),
     })
+}
+
+/// `pi r`, `lambda x: x`, `f"text"`: an expression behind another.
+fn side_by_side(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
+    let diagnostic = place
+        .wrong(format!("expected an operator or the next statement, found {}", place.shown()))
+        .label("this continues nothing");
+    let (before, found) = (place.before(), place.found());
+    let last = place.script.text(place.at.saturating_sub(1));
+    let is_text = |token: Token| matches!(token, Token::Text | Token::TextHead);
+    let is_glued = place.script.gap(place.at).end == place.script.span(place.at).start;
+    match found {
+        Token::Name if matches!(last, "lambda" | "function" | "func") => {
+            diagnostic.hint(format!("a function without a name is written `{0} => {0}^2`", place.text()))
+        }
+        _ if is_text(found) && before == Token::Name && is_glued => {
+            diagnostic.hint("a string has no prefix; a value stands in it as `\"{x}\"`")
+        }
+        _ if is_text(found) || matches!(before, Token::Text | Token::TextTail) => {
+            diagnostic.hint("what is printed or exported is separated by commas: `print a, b`; texts join as `\"{a}{b}\"`")
+        }
+        Token::Name | Token::Number | Token::OpenBrace if before.ends_expression() => {
+            diagnostic.hint("a product is written `a * b`, a call `f(x)`, a list `[a, b]`")
+        }
+        _ => diagnostic,
+    }
 }
 
 /// The word that may follow in such a statement and that the name found may be a slip for.

@@ -1,0 +1,61 @@
+//! What to write where a value of another kind was given: the slips of people who come from other
+//! languages.
+
+use super::{Type, Value};
+
+impl Type {
+    /// What to write instead of `value`, where something of this type is wanted.
+    #[must_use]
+    pub fn remedy(self, value: &Value) -> Option<String> {
+        let hint = match (self, value) {
+            (Self::OneOf(types), _) => {
+                return types.iter().find_map(|of| of.remedy(value));
+            }
+            (Self::List(of, _) | Self::Grid(of), Value::List(items)) => {
+                // The first element that does not fit.
+                let stranger = items.values().find(|item| !of.accepts(item))?;
+                return of.remedy(&stranger);
+            }
+            (Self::Point, Value::Number(_)) => {
+                "a point or vector is written `(x, y)` or `(x, y, z)`"
+            }
+            (Self::Point, Value::List(items)) if is_coordinates(items.values()) => {
+                "a point stands in round brackets: `(x, y)`; square ones make a list"
+            }
+            (Self::Range, Value::Number(_)) => "a range is written `0..1`",
+            (Self::Range, Value::List(items)) if is_coordinates(items.values()) => {
+                "a range is written `0..1`"
+            }
+            (Self::Plane, Value::Text(_) | Value::Point(_) | Value::List(_)) => {
+                "a plane is `XY`, `YZ`, `ZX`, or made by `plane(origin, normal)`"
+            }
+            (Self::Curve, Value::List(items)) => match items.first() {
+                Some(Value::Point(_)) => {
+                    "`polyline(points)` and `interpolate(points)` make a curve of points"
+                }
+                Some(Value::Curve(_)) => "`join(curves)` makes one curve of several",
+                _ => return None,
+            },
+            (Self::Surface | Self::Mesh, Value::Curve(_)) => {
+                "a curve encloses no area by itself: `planar_mesh(c)` fills it, `extrude` and `revolve` make surfaces of it"
+            }
+            (
+                Self::Number
+                | Self::Ratio
+                | Self::Count
+                | Self::Integer
+                | Self::Length
+                | Self::Angle,
+                Value::Text(_),
+            ) => "a number stands without quotes",
+            _ => return None,
+        };
+        Some(hint.to_owned())
+    }
+}
+
+/// Whether so many numbers could be meant as a point.
+fn is_coordinates(items: impl Iterator<Item = Value>) -> bool {
+    let items: Vec<Value> = items.take(4).collect();
+    (2..=3).contains(&items.len()) && items.iter().all(|item| matches!(item, Value::Number(_)))
+}

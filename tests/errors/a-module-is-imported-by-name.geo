@@ -1,0 +1,2 @@
+import math
+let t = import "f.csv"

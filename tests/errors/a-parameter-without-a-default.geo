@@ -1,0 +1,3 @@
+param r
+curve c = circle((0, 0), r)
+let x

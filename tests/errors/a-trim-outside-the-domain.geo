@@ -1,0 +1,2 @@
+curve c = line((0, 0), (1, 0))
+print c(2)

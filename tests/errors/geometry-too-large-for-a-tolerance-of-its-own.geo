@@ -1,0 +1,1 @@
+mesh m = tessellate(sphere((0, 0), 1e200))
