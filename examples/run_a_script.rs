@@ -14,7 +14,7 @@ use virote::{
 
 const SCRIPT: &str = "
     import \"profile.geo\"
-    surface bowl = revolve(profile.side, axis = line((0, 0, 0), (0, 0, 1)))
+    surface bowl = revolve(profile.side)
     print area(bowl)
     check area(bowl) > 0
     export bowl to \"bowl.obj\" with (tolerance = 0.05)

@@ -119,12 +119,12 @@ impl Job {
     /// ```
     /// use virote::{export::{Format, Item, Job, Subject}, kernel::{Frame, NurbsCurve}};
     ///
-    /// let circle = NurbsCurve::circle(Frame::XY, 10.0)?;
+    /// let circle = NurbsCurve::arc(Frame::XY, 10.0, 0.0, std::f64::consts::TAU)?;
     /// let job = Job::new(vec![Item::new("ring", Subject::Curve(circle.into()))]);
     /// let mut bytes = Vec::new();
     /// let format = Format::of_path("ring.svg").expect("a format that is known");
     /// let summary = (format.write)(&job, &mut bytes)?;
-    /// assert_eq!(summary.to_string(), "1 path");
+    /// assert_eq!(summary.to_string(), "1 curve");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]

@@ -3,7 +3,7 @@
 //! Parsing, lowering and evaluation recurse as deep as the ceilings let a script nest. A thread of the
 //! system's own has room for a part of that only, so the work is done on a thread with the stack that
 //! the ceilings need. Where none can be had (no room, or a platform without threads), the ceilings come
-//! down to what there is ([`Limits::on_stack`]).
+//! down to what there is ([`Limits::on_stack`](super::Limits::on_stack)).
 
 use std::{cell::Cell, panic::resume_unwind, thread};
 

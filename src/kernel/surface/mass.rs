@@ -38,7 +38,9 @@ impl Surface {
     /// # Errors
     /// As [`Self::point_at`]; [`GeomError::TooSmallToMeasure`].
     pub fn area(&self) -> Result<(f64, f64), GeomError> {
-        let Some(scale) = needed_scale(self.bounds()?.magnitude()) else {
+        let Some(scale) =
+            needed_scale(probed(std::slice::from_ref(self))?.map_or(0.0, Bounds::magnitude))
+        else {
             let Integral { values: [area], relative_error } =
                 integral(self, |_, normal| [normal.length()])?;
             return Ok((area, relative_error));
@@ -130,12 +132,17 @@ fn moments(arm: DVec3, density: f64) -> [f64; 10] {
 
 /// The middle of the surfaces, about which integrals cancel least.
 fn middle(surfaces: &[Surface]) -> Result<DVec3, GeomError> {
+    Ok(probed(surfaces)?.map_or(DVec3::ZERO, Bounds::center))
+}
+
+/// The box of points at the ends of even parts.
+fn probed(surfaces: &[Surface]) -> Result<Option<Bounds>, GeomError> {
     let mut points = Vec::new();
     for surface in surfaces {
         let (us, vs) = (surface.domain_u().steps(PARTS), surface.domain_v().steps(PARTS));
         points.extend(surface.points_on_grid(&us, &vs)?.into_values());
     }
-    Ok(Bounds::of(points).map_or(DVec3::ZERO, Bounds::center))
+    Ok(Bounds::of(points))
 }
 
 /// Integrals of several surfaces together.

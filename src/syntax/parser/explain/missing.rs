@@ -184,7 +184,7 @@ fn equals(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
             place.expected("`=`").hint("the default comes first: `param n = 3 in 1..5`")
         }
         _ if keyword == Token::Param => place.expected("`=`").hint(format!(
-            "a parameter has a default, which `--set` replaces: `param {} = 10mm`",
+            "a parameter has a default, for whoever runs the script to replace: `param {} = 10mm`",
             place.script.text(place.start + 1)
         )),
         _ if keyword == Token::Let => {
