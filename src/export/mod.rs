@@ -13,6 +13,7 @@ mod limited;
 mod measure;
 mod name;
 mod obj;
+mod options;
 mod ply;
 mod raster;
 mod shape;
@@ -40,6 +41,7 @@ use crate::{
 pub use legend::Legend;
 pub use limited::capped;
 pub use measure::{MeasuredPart, parts};
+pub use options::{ExportOption, OptionValue, Options};
 pub use view::View;
 pub(crate) use wire::N_LINES;
 
@@ -139,24 +141,6 @@ impl Job {
             limits: Limits::DEFAULT,
         }
     }
-}
-
-/// Options of an export.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Options {
-    /// How far a mesh may lie from its surface, a polyline or path from its curve; without one a
-    /// small part of the whole's size.
-    pub tolerance: Option<f64>,
-    /// How far the normal may turn over a triangle, in radians; any angle without one.
-    pub angle: Option<f64>,
-    /// The form of a format that has a binary one and a text.
-    pub binary: Option<bool>,
-    /// Digits after the point, where numbers are text; without a count as many as they have.
-    pub decimals: Option<usize>,
-    /// From where a drawing looks.
-    pub view: View,
-    /// Whether curves and surfaces are written exactly by a format that also holds meshes.
-    pub free_form: bool,
 }
 
 /// A picture of a fixed size.
@@ -278,7 +262,7 @@ pub struct Format {
     /// What it is.
     pub title: &'static str,
     /// The options after `with` that it knows.
-    pub options: &'static [&'static str],
+    pub options: &'static [&'static ExportOption],
     /// Whether it has a place for a subject.
     pub takes: fn(&Subject) -> bool,
     /// Whether it holds any value as exact data rather than shapes.

@@ -9,6 +9,7 @@ use glam::DVec3;
 use super::{
     ExportError, Format, Job, Subject, Summary,
     name::one_line,
+    options::{ANGLE, BINARY, DECIMALS, TOLERANCE},
     shape::{MeshShape, ShapedItem, byte_color, shapes},
     text::TextBuffer,
 };
@@ -18,7 +19,7 @@ pub(super) static FORMAT: Format = Format {
     ending: "ply",
     aliases: &[],
     title: "PLY: faces with normals and colours, polylines as edges; binary, or text with `binary = false`",
-    options: &["tolerance", "angle", "binary", "decimals"],
+    options: &[&TOLERANCE, &ANGLE, &BINARY, &DECIMALS],
     takes: Subject::is_geometry,
     takes_data: false,
     is_of_meshes: true,

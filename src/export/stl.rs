@@ -7,6 +7,7 @@ use glam::DVec3;
 use super::{
     ExportError, Format, Job, Subject, Summary,
     name::one_line,
+    options::{ANGLE, BINARY, DECIMALS, TOLERANCE},
     shape::{MeshShape, ShapedItem, shapes},
     text::TextBuffer,
 };
@@ -16,7 +17,7 @@ pub(super) static FORMAT: Format = Format {
     ending: "stl",
     aliases: &[],
     title: "STL: triangles; binary, or text with `binary = false`",
-    options: &["tolerance", "angle", "binary", "decimals"],
+    options: &[&TOLERANCE, &ANGLE, &BINARY, &DECIMALS],
     takes: |subject| matches!(subject, Subject::Surface(_) | Subject::Mesh(_)),
     takes_data: false,
     is_of_meshes: true,

@@ -13,6 +13,7 @@ use self::layers::{Layers, readable};
 use super::{
     ExportError, Format, Item, Job, Subject, Summary,
     exact::{Exact, exact},
+    options::{ANGLE, DECIMALS, TOLERANCE},
     shape::{solids, tolerance},
     text::TextBuffer,
 };
@@ -22,7 +23,7 @@ pub(super) static FORMAT: Format = Format {
     ending: "dxf",
     aliases: &[],
     title: "DXF: exact splines, polylines and points, surfaces and meshes as 3D faces, a layer for each name",
-    options: &["tolerance", "angle", "decimals"],
+    options: &[&TOLERANCE, &ANGLE, &DECIMALS],
     takes: Subject::is_geometry,
     takes_data: false,
     is_of_meshes: false,

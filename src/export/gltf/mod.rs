@@ -13,6 +13,7 @@ use serde_json::{Map, Value as Json, json};
 use self::base64::Base64;
 use super::{
     ExportError, Format, Item, Job, Subject, Summary,
+    options::{ANGLE, TOLERANCE},
     shape::{MeshShape, ShapedItem, byte_color, shapes},
     unique_values::UniqueValues,
 };
@@ -21,7 +22,7 @@ pub(super) static GLB: Format = Format {
     ending: "glb",
     aliases: &[],
     title: "binary glTF: meshes with normals and colours, polylines and points, in metres, y upward",
-    options: &["tolerance", "angle"],
+    options: &[&TOLERANCE, &ANGLE],
     takes: Subject::is_geometry,
     takes_data: false,
     is_of_meshes: true,
@@ -33,7 +34,7 @@ pub(super) static GLTF: Format = Format {
     ending: "gltf",
     aliases: &[],
     title: "glTF: as `.glb`, in one file of text",
-    options: &["tolerance", "angle"],
+    options: &[&TOLERANCE, &ANGLE],
     takes: Subject::is_geometry,
     takes_data: false,
     is_of_meshes: true,

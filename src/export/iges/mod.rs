@@ -12,6 +12,7 @@ use self::record::{Cards, Entity};
 use super::{
     ExportError, Format, Item, Job, Subject, Summary,
     exact::{Exact, exact},
+    options::TOLERANCE,
     unique_values::UniqueValues,
 };
 use crate::kernel::{Bounds, NurbsCurve, NurbsSurface};
@@ -20,7 +21,7 @@ pub(super) static FORMAT: Format = Format {
     ending: "igs",
     aliases: &["iges"],
     title: "IGES 5.3: exact curves and surfaces in the document's unit",
-    options: &["tolerance"],
+    options: &[&TOLERANCE],
     takes: |subject| matches!(subject, Subject::Point(_) | Subject::Curve(_) | Subject::Surface(_)),
     takes_data: false,
     is_of_meshes: false,

@@ -9,6 +9,7 @@ use super::{
     ExportError, Format, Item, Job, Subject, Summary,
     exact::{Exact, exact},
     name::word,
+    options::{ANGLE, DECIMALS, FREE_FORM, TOLERANCE},
     shape::{MeshShape, ShapedItem, shape, shapes, tolerance},
     text::TextBuffer,
 };
@@ -18,7 +19,7 @@ pub(super) static FORMAT: Format = Format {
     ending: "obj",
     aliases: &[],
     title: "Wavefront OBJ: meshes with normals, polylines and points, a group for each name; exact curves and surfaces with `free_form = true`",
-    options: &["tolerance", "angle", "decimals", "free_form"],
+    options: &[&TOLERANCE, &ANGLE, &DECIMALS, &FREE_FORM],
     takes: Subject::is_geometry,
     takes_data: false,
     is_of_meshes: true,

@@ -18,6 +18,7 @@ use glam::{DAffine3, DVec3};
 use self::{band::RowBand, light::Light, scene::RasterScene};
 use super::{
     ExportError, Format, Job, Picture, Subject, Summary,
+    options::VIEW,
     wire::{Drawing, DrawingExtent},
 };
 
@@ -25,7 +26,7 @@ pub(super) static FORMAT: Format = Format {
     ending: "png",
     aliases: &[],
     title: "PNG: a shaded picture from one side",
-    options: &["view"],
+    options: &[&VIEW],
     takes: Subject::is_geometry,
     takes_data: false,
     is_of_meshes: false,

@@ -17,6 +17,7 @@ use self::entity::{Id, Records};
 use super::{
     ExportError, Format, Item, Job, Subject, Summary,
     exact::{Exact, exact},
+    options::TOLERANCE,
 };
 use crate::kernel::Frame;
 
@@ -24,7 +25,7 @@ pub(super) static FORMAT: Format = Format {
     ending: "step",
     aliases: &["stp"],
     title: "STEP (AP214): exact curves and surfaces in the document's unit",
-    options: &["tolerance"],
+    options: &[&TOLERANCE],
     takes: |subject| matches!(subject, Subject::Point(_) | Subject::Curve(_) | Subject::Surface(_)),
     takes_data: false,
     is_of_meshes: false,

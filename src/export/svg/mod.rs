@@ -19,6 +19,7 @@ use self::{
 };
 use super::{
     ExportError, Format, Item, Job, POINT, STROKE, Subject, Summary,
+    options::{DECIMALS, TOLERANCE, VIEW},
     text::TextBuffer,
     unique_values::UniqueValues,
     wire::{Drawing, DrawingExtent, DrawnLine, LineWeight},
@@ -32,7 +33,7 @@ pub(super) static FORMAT: Format = Format {
     ending: "svg",
     aliases: &[],
     title: "SVG: a drawing from one side, curves as exact paths, surfaces and meshes as wireframes without hidden lines",
-    options: &["tolerance", "decimals", "view"],
+    options: &[&TOLERANCE, &DECIMALS, &VIEW],
     takes: Subject::is_geometry,
     takes_data: false,
     is_of_meshes: false,
