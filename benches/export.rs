@@ -8,9 +8,8 @@ use std::{
 use divan::{Bencher, counter::BytesCount};
 use glam::DVec3;
 use virote::{
-    export::{Format, Item, Job, Options, Subject},
+    export::{Format, Item, Job, Subject},
     kernel::{Grid, Mesh, NurbsSurface, grid_mesh},
-    limits::Limits,
 };
 
 fn main() {
@@ -46,22 +45,7 @@ impl Write for Count {
 
 #[divan::bench(args = ["a.stl", "a.glb", "a.ply", "a.obj"], sample_count = 5, sample_size = 1)]
 fn two_million_triangles(bencher: Bencher<'_, '_>, path: &str) {
-    let item = Item {
-        name: "bump".to_owned(),
-        group: "bump".to_owned(),
-        color: None,
-        layer: None,
-        subject: Subject::Mesh(mesh()),
-    };
-    let job = Job {
-        items: vec![item],
-        unit: "mm",
-        millimetres: 1.0,
-        precision: 1e-6,
-        options: Options::default(),
-        picture: None,
-        limits: Limits::DEFAULT,
-    };
+    let job = Job { precision: 1e-6, ..Job::new(vec![Item::new("bump", Subject::Mesh(mesh()))]) };
     let format = Format::of_path(path).expect("a format");
     let write = |job: &Job| {
         let mut count = Count(0);

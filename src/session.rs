@@ -15,7 +15,7 @@ mod test;
 
 use std::{ops::Deref, sync::Arc};
 
-pub use extra::Extra;
+pub use extra::{ControlStyle, Extra, STRIPES};
 pub use file::File;
 pub use picture::PictureContent;
 pub use test::{TestReport, TestVerdict};

@@ -9,14 +9,10 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::{
     limits::{self, MovedCeiling},
-    process, render, settings, test, watch,
+    looks::PictureArgs,
+    process, settings, test, watch,
 };
-use crate::{
-    eval::Setting,
-    export::View,
-    limits::Limits,
-    session::{Extra, Session},
-};
+use crate::{eval::Setting, limits::Limits, session::Session};
 
 /// Exact freeform curves and surfaces from a declarative language.
 #[derive(Debug, Parser)]
@@ -125,7 +121,9 @@ Examples:
   virote render bottle.geo -o bottle.png
   virote render bottle.geo -o bottle.svg --view front --only profile
   virote render bottle.geo -o bottle.png --size 1600x1200 --set neck=15mm
-  virote render bottle.geo -o bottle.png --only profile --show comb --show control")]
+  virote render bottle.geo -o bottle.png --only profile --show comb --show control
+  virote render bottle.geo -o bottle.png --camera 300,-400,250 --perspective
+  virote render bottle.geo -o bottle.png --show stripes --stripes 40 --no-edges --no-isocurves")]
     Render {
         /// The script; `-` is standard input
         file: PathBuf,
@@ -133,7 +131,7 @@ Examples:
         #[arg(long, short, value_name = "PICTURE")]
         out: PathBuf,
         #[command(flatten)]
-        drawn: PictureArgs,
+        drawn: Box<PictureArgs>,
         #[command(flatten)]
         common: RunArgs,
     },
@@ -240,25 +238,6 @@ Examples:
         /// A verb of the command
         verb: Option<String>,
     },
-}
-
-/// What a picture shows, and how.
-#[derive(Debug, Args)]
-pub(super) struct PictureArgs {
-    /// From where: top, front, right, bottom, back, left, isometric or oblique [default: top of
-    /// what is flat, else isometric]
-    #[arg(long, value_name = "VIEW", value_parser = render::view)]
-    pub(super) view: Option<View>,
-    /// Width and height in pixels
-    #[arg(long, value_name = "WxH", default_value = "800x600", value_parser = render::size)]
-    pub(super) size: [usize; 2],
-    /// Shows beside it: control polygons and nets, combs of curvature, or mirrored stripes; may be
-    /// given several times
-    #[arg(long, value_name = "WHAT", value_parser = render::extra)]
-    pub(super) show: Vec<Extra>,
-    /// Draws only this definition; may be given several times
-    #[arg(long, value_name = "NAME")]
-    pub(super) only: Vec<String>,
 }
 
 /// What every verb that evaluates takes.

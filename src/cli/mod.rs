@@ -8,6 +8,7 @@ mod graph;
 mod inspect;
 mod interrupt;
 mod limits;
+mod looks;
 mod params;
 mod process;
 mod progress;

@@ -4,35 +4,31 @@ use std::path::{Path, PathBuf};
 
 use super::{
     ExitStatus,
-    args::{PictureArgs, RunArgs},
+    args::RunArgs,
     files::{Script, ScriptFiles},
+    looks::{self, PictureArgs},
     progress::Progress,
     reporter::Reporter,
     settings,
     write::{OutputTarget, TargetRefusal},
 };
 use crate::{
-    diag::{Severity, nearest},
-    export::{ExportError, Format, Job, PICTURES, Summary, View},
-    session::{Extra, PictureContent},
+    diag::Severity,
+    export::{ExportError, Format, Job, PICTURES, Summary},
+    session::PictureContent,
 };
 
 /// `virote render FILE -o PICTURE`
 pub(super) fn run(path: &Path, out: &Path, drawn: &PictureArgs, common: &RunArgs) -> ExitStatus {
     let session = common.session();
     let voice = Reporter::new(&common.talk, session.limits().diagnostics);
-    let Some(format) = Format::among(PICTURES, &out.to_string_lossy()) else {
-        voice.trouble(&unknown_ending(out));
-        return ExitStatus::Usage;
+    let (format, content) = match asked(out, drawn, session.limits().picture_pixels) {
+        Ok(asked) => asked,
+        Err(message) => {
+            voice.trouble(&message);
+            return ExitStatus::Usage;
+        }
     };
-    if session.limits().picture_pixels < drawn.size[0].saturating_mul(drawn.size[1]) {
-        let [width, height] = drawn.size;
-        voice.trouble(&format!(
-            "a picture of {width}x{height} pixels; the ceiling is {} pixels in all",
-            session.limits().picture_pixels
-        ));
-        return ExitStatus::Usage;
-    }
     let settings = match settings::given(common, session.limits().input_bytes, &voice) {
         Ok(settings) => settings,
         Err(ending) => return ending,
@@ -57,9 +53,8 @@ pub(super) fn run(path: &Path, out: &Path, drawn: &PictureArgs, common: &RunArgs
     } else if has_errors {
         Ok(None)
     } else {
-        let job = session
-            .picture(&report, &content(drawn), format)
-            .map_err(|text| (text, ExitStatus::Usage));
+        let job =
+            session.picture(&report, &content, format).map_err(|text| (text, ExitStatus::Usage));
         job.and_then(|job| draw(&job, format, out, &inputs, &progress)).map(Some)
     };
     drop(progress);
@@ -80,9 +75,21 @@ pub(super) fn run(path: &Path, out: &Path, drawn: &PictureArgs, common: &RunArgs
     }
 }
 
-fn content(drawn: &PictureArgs) -> PictureContent<'_> {
-    let PictureArgs { only, show, view, size, .. } = drawn;
-    PictureContent { only, extras: show, view: *view, size: *size }
+/// The format of the picture and what it is to show, or what is wrong with that.
+fn asked<'a>(
+    out: &Path,
+    drawn: &'a PictureArgs,
+    most_pixels: usize,
+) -> Result<(&'static Format, PictureContent<'a>), String> {
+    let format = Format::among(PICTURES, &out.to_string_lossy());
+    let format = format.ok_or_else(|| unknown_ending(out))?;
+    let [width, height] = drawn.size;
+    if most_pixels < width.saturating_mul(height) {
+        return Err(format!(
+            "a picture of {width}x{height} pixels; the ceiling is {most_pixels} pixels in all"
+        ));
+    }
+    Ok((format, looks::content(drawn)?))
 }
 
 /// Draws, and puts the picture into its place.
@@ -109,6 +116,7 @@ fn draw(
     let staged = target.stage(job.limits.output_bytes, &told, write);
     let (staged, summary) = staged.map_err(|err| match &err {
         ExportError::Io(_) => cannot(err.reason()),
+        ExportError::Viewpoint(_) => (err.reason(), ExitStatus::Usage),
         _ => (err.reason(), ExitStatus::Wrong),
     })?;
     staged.place().map_err(|err| cannot(ExportError::Io(err).reason()))?;
@@ -126,44 +134,4 @@ fn unknown_ending(out: &Path) -> String {
         }
         None => format!("a picture ends in {endings}, and `{}` in neither", out.display()),
     }
-}
-
-/// Reads the name of a view.
-pub(super) fn view(text: &str) -> Result<View, String> {
-    View::from_name(text).ok_or_else(|| {
-        let names = || View::ALL.iter().map(|&(name, _)| name);
-        match nearest(text, names()) {
-            Some(near) => format!("there is no view `{text}`; did you mean `{near}`?"),
-            None => {
-                let names: Vec<&str> = names().collect();
-                format!("there is no view `{text}`; views are {}", names.join(", "))
-            }
-        }
-    })
-}
-
-/// Reads the name of what is shown beside the geometry.
-pub(super) fn extra(text: &str) -> Result<Extra, String> {
-    Extra::ALL.iter().find(|(name, _)| *name == text).map(|&(_, extra)| extra).ok_or_else(|| {
-        let names = || Extra::ALL.iter().map(|&(name, _)| name);
-        match nearest(text, names()) {
-            Some(near) => format!("`{text}` cannot be shown; did you mean `{near}`?"),
-            None => {
-                let names: Vec<&str> = names().collect();
-                format!("`{text}` cannot be shown, but {}", names.join(", "))
-            }
-        }
-    })
-}
-
-/// Reads a width and a height in pixels.
-pub(super) fn size(text: &str) -> Result<[usize; 2], String> {
-    let wrong = || "write WIDTHxHEIGHT in pixels, for example 800x600".to_owned();
-    let (width, height) = text.split_once(['x', 'X', '×']).ok_or_else(wrong)?;
-    let side = |text: &str| text.trim().parse::<usize>().map_err(|_| wrong());
-    let size = [side(width)?, side(height)?];
-    if size.contains(&0) {
-        return Err("a picture has at least one pixel on each side".to_owned());
-    }
-    Ok(size)
 }

@@ -87,7 +87,10 @@ fn jumps(knots: &KnotVector) -> Vec<f64> {
 }
 
 /// The same curve, with knots in the middle of its spans until no weight is zero or negative.
-fn with_positive_weights(item: &Item, mut curve: NurbsCurve) -> Result<NurbsCurve, ExportError> {
+pub(super) fn with_positive_weights(
+    item: &Item,
+    mut curve: NurbsCurve,
+) -> Result<NurbsCurve, ExportError> {
     for _ in 0..MAX_ROUNDS {
         if are_positive(curve.control_points().iter()) {
             return Ok(curve);

@@ -8,6 +8,7 @@ mod exact;
 mod gltf;
 mod iges;
 mod json;
+mod labels;
 mod legend;
 mod limited;
 mod measure;
@@ -15,6 +16,7 @@ mod name;
 mod obj;
 mod options;
 mod ply;
+mod projection;
 mod raster;
 mod shape;
 mod step;
@@ -38,12 +40,15 @@ use crate::{
     limits::Limits,
 };
 
+pub use labels::Label;
 pub use legend::Legend;
 pub use limited::capped;
 pub use measure::{MeasuredPart, parts};
+pub(crate) use options::N_ISOCURVES;
 pub use options::{ExportOption, OptionValue, Options};
-pub use view::View;
-pub(crate) use wire::N_LINES;
+pub use projection::{Viewpoint, ViewpointError};
+pub(crate) use shape::whole;
+pub use view::{Oblique, View};
 
 /// Something that a file can hold.
 #[derive(Clone, Debug)]
@@ -82,6 +87,8 @@ pub struct Item {
     pub color: Option<[u8; 3]>,
     /// The layer that it is put on.
     pub layer: Option<String>,
+    /// How wide its lines and points are in drawings, as a multiple of the usual.
+    pub line_width: f64,
     /// What is written.
     pub subject: Subject,
 }
@@ -110,7 +117,7 @@ impl Item {
     #[must_use]
     pub fn new(name: impl Into<String>, subject: Subject) -> Self {
         let name = name.into();
-        Self { group: name.clone(), name, color: None, layer: None, subject }
+        Self { group: name.clone(), name, color: None, layer: None, line_width: 1.0, subject }
     }
 }
 
@@ -150,8 +157,29 @@ pub struct Picture {
     pub size: [usize; 2],
     /// What its colours mean.
     pub legends: Vec<Legend>,
-    /// How many stripes surfaces mirror toward the viewer, all around, an even number.
-    pub stripes: Option<usize>,
+    /// The stripes that surfaces mirror toward the viewer.
+    pub stripes: Option<Stripes>,
+    /// What stands beside places of the geometry.
+    pub labels: Vec<Label>,
+    /// Whether a scale tells how long a round length is.
+    pub has_scale: bool,
+}
+
+impl Picture {
+    /// A picture of the geometry alone.
+    #[must_use]
+    pub fn new(size: [usize; 2]) -> Self {
+        Self { size, legends: Vec::new(), stripes: None, labels: Vec::new(), has_scale: false }
+    }
+}
+
+/// Stripes that surfaces mirror toward the viewer, as [`crate::kernel::Surface::zebra`] has them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stripes {
+    /// How many there are all around, an even number.
+    pub n_stripes: usize,
+    /// The direction to the light; without one it is where the viewer is.
+    pub light: Option<DVec3>,
 }
 
 /// Width of lines in drawings and pictures as a part of the diagonal.
@@ -220,6 +248,9 @@ pub enum ExportError {
         /// What about it, as the rest of a sentence.
         problem: String,
     },
+    /// There is no view of the geometry as it was asked for.
+    #[error(transparent)]
+    Viewpoint(#[from] ViewpointError),
     /// More bytes than the ceiling.
     #[error("a file of more than {most} bytes")]
     TooLarge {

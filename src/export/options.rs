@@ -1,9 +1,11 @@
 //! The options of an export: each is declared once, with what it takes and what it sets.
 
-use super::View;
+use glam::DVec3;
+
+use super::{Oblique, View, Viewpoint};
 
 /// Options of an export.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// How far a mesh may lie from its surface, a polyline or path from its curve; without one a
     /// small part of the whole's size.
@@ -15,9 +17,33 @@ pub struct Options {
     /// Digits after the point, where numbers are text; without a count as many as they have.
     pub decimals: Option<usize>,
     /// From where a drawing looks.
-    pub view: View,
+    pub viewpoint: Viewpoint,
+    /// Whether borders and outlines of surfaces and edges of meshes are drawn.
+    pub has_edges: bool,
+    /// How many lines of equal parameter are drawn inside a surface in each direction.
+    pub n_isocurves: usize,
     /// Whether curves and surfaces are written exactly by a format that also holds meshes.
     pub free_form: bool,
+}
+
+impl Options {
+    /// The most lines inside a surface that a drawing has any use for.
+    pub const MOST_ISOCURVES: usize = 1000;
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            tolerance: None,
+            angle: None,
+            binary: None,
+            decimals: None,
+            viewpoint: Viewpoint::default(),
+            has_edges: true,
+            n_isocurves: N_ISOCURVES,
+            free_form: false,
+        }
+    }
 }
 
 /// A value for an option, as far as options tell values apart.
@@ -33,6 +59,8 @@ pub enum OptionValue<'a> {
     Bool(bool),
     /// A text.
     Text(&'a str),
+    /// A point or vector.
+    Point(DVec3),
     /// Whatever no option takes.
     Other,
 }
@@ -52,6 +80,9 @@ pub struct ExportOption {
 
 /// Digits after the point that an f64 can have any use for.
 const MOST_DECIMALS: f64 = 17.0;
+
+/// Lines inside a surface in each direction, where no number is asked for.
+pub(crate) const N_ISOCURVES: usize = 7;
 
 pub(super) static TOLERANCE: ExportOption = ExportOption {
     name: "tolerance",
@@ -121,13 +152,98 @@ pub(super) static VIEW: ExportOption = ExportOption {
     set: |options, value| {
         let OptionValue::Text(name) = value else { return false };
         let view = View::from_name(name);
-        options.view = view.unwrap_or(options.view);
+        options.viewpoint.view = view.or(options.viewpoint.view);
         view.is_some()
+    },
+};
+
+pub(super) static OBLIQUE_ANGLE: ExportOption = ExportOption {
+    name: "oblique_angle",
+    wants: "an angle, such as `30deg`",
+    words: Vec::new,
+    set: |options, value| {
+        let OptionValue::Angle(angle) = value else { return false };
+        options.viewpoint.oblique.angle = angle;
+        true
+    },
+};
+
+pub(super) static OBLIQUE_RATIO: ExportOption = ExportOption {
+    name: "oblique_ratio",
+    wants: "a number above 0 and at most 2",
+    words: Vec::new,
+    set: |options, value| match value {
+        OptionValue::Number(ratio) if 0.0 < ratio && ratio <= Oblique::MOST_RATIO => {
+            options.viewpoint.oblique.ratio = ratio;
+            true
+        }
+        _ => false,
+    },
+};
+
+pub(super) static CAMERA: ExportOption = ExportOption {
+    name: "camera",
+    wants: "a point, such as `(300, -400, 250)`",
+    words: Vec::new,
+    set: |options, value| {
+        let OptionValue::Point(place) = value else { return false };
+        options.viewpoint.camera = Some(place);
+        true
+    },
+};
+
+pub(super) static LOOK_AT: ExportOption = ExportOption {
+    name: "look_at",
+    wants: "a point, such as `(0, 0, 50)`",
+    words: Vec::new,
+    set: |options, value| {
+        let OptionValue::Point(place) = value else { return false };
+        options.viewpoint.look_at = Some(place);
+        true
+    },
+};
+
+pub(super) static PERSPECTIVE: ExportOption = ExportOption {
+    name: "perspective",
+    wants: "true or false",
+    words: Vec::new,
+    set: |options, value| {
+        let OptionValue::Bool(is_perspective) = value else { return false };
+        options.viewpoint.is_perspective = is_perspective;
+        true
+    },
+};
+
+pub(super) static EDGES: ExportOption = ExportOption {
+    name: "edges",
+    wants: "true or false",
+    words: Vec::new,
+    set: |options, value| {
+        let OptionValue::Bool(has_edges) = value else { return false };
+        options.has_edges = has_edges;
+        true
+    },
+};
+
+pub(super) static ISOCURVES: ExportOption = ExportOption {
+    name: "isocurves",
+    wants: "a whole number from 0 to 1000",
+    words: Vec::new,
+    set: |options, value| match value {
+        OptionValue::Number(n)
+            if (0.0..=Options::MOST_ISOCURVES as f64).contains(&n) && n.fract() <= 0.0 =>
+        {
+            options.n_isocurves = n as usize;
+            true
+        }
+        _ => false,
     },
 };
 
 #[cfg(test)]
 mod tests {
+    use glam::DVec3;
+
     use super::{
         super::{FORMATS, PICTURES},
         OptionValue, Options,
@@ -138,8 +254,11 @@ mod tests {
         let values = [
             OptionValue::Number(3.0),
             OptionValue::Length(3.0),
+            OptionValue::Number(0.25),
             OptionValue::Angle(0.5),
             OptionValue::Bool(true),
+            OptionValue::Bool(false),
+            OptionValue::Point(DVec3::ONE),
             OptionValue::Text("front"),
         ];
         for option in FORMATS.iter().chain(PICTURES).flat_map(|format| format.options) {

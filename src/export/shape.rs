@@ -131,8 +131,7 @@ pub(super) fn tolerance(job: &Job) -> Result<f64, ExportError> {
 
 /// The diagonal of all items together; 1 where that is nothing.
 pub(super) fn size(job: &Job) -> Result<f64, ExportError> {
-    let whole = job.items.iter().filter_map(bounds).reduce(Bounds::union);
-    let size = whole.map_or(0.0, Bounds::diagonal);
+    let size = whole(&job.items).map_or(0.0, Bounds::diagonal);
     if size.is_finite() {
         Ok(if size == 0.0 { 1.0 } else { size })
     } else {
@@ -141,8 +140,13 @@ pub(super) fn size(job: &Job) -> Result<f64, ExportError> {
     }
 }
 
+/// The box around all items that have one.
+pub(crate) fn whole(items: &[Item]) -> Option<Bounds> {
+    items.iter().filter_map(bounds).reduce(Bounds::union)
+}
+
 /// The box around an item; none around what has no place in space or no bounds.
-pub(super) fn bounds(item: &Item) -> Option<Bounds> {
+fn bounds(item: &Item) -> Option<Bounds> {
     match &item.subject {
         Subject::Point(point) => Some(Bounds { min: *point, max: *point }),
         Subject::Curve(curve) => curve.bounds().ok(),

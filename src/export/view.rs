@@ -4,9 +4,11 @@
 //! the polynomial curve of the pictures of its control points. Carlbom & Paciorek, *Planar
 //! Geometric Projections and Viewing Transformations*, ACM Computing Surveys 10 (1978).
 
+use std::f64::consts::FRAC_PI_4;
+
 use glam::{DMat3, DVec2, DVec3};
 
-use super::{Item, shape::bounds};
+use super::{Item, whole};
 use crate::kernel::Bounds;
 
 /// From where a drawing looks at the geometry. The z axis points up but in [`View::Top`] and
@@ -31,13 +33,53 @@ pub enum View {
     /// From the front, the right and above, along (−1, 1, −1): the axes stand at 120°, z upward,
     /// x down to the right, y up to the right, each shortened to √(2/3).
     Isometric,
-    /// As from the front, where depth goes up to the right at 45° and half as long: the cabinet
-    /// projection. What lies in a plane y = constant keeps its shape.
+    /// As from the front, with depth as [`Oblique`] draws it. What lies in a plane y = constant keeps
+    /// its shape.
     Oblique,
 }
 
-/// How long a unit of depth is on paper along each axis of an oblique view: half a unit at 45°.
-const OBLIQUE_DEPTH: f64 = 0.5 * std::f64::consts::FRAC_1_SQRT_2;
+/// How an oblique view draws depth; by default half as long and up to the right at 45°, the cabinet
+/// projection. At full length it is the cavalier one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Oblique {
+    /// The direction on paper in which depth goes, in radians from the right upward.
+    pub angle: f64,
+    /// The length of a unit of depth on paper.
+    pub ratio: f64,
+}
+
+impl Default for Oblique {
+    fn default() -> Self {
+        Self { angle: FRAC_PI_4, ratio: 0.5 }
+    }
+}
+
+impl Oblique {
+    /// The most that a unit of depth is long on paper.
+    pub const MOST_RATIO: f64 = 2.0;
+
+    /// A unit of depth on paper.
+    fn depth(self) -> DVec2 {
+        let (sine, cosine) = libm::sincos(self.angle);
+        self.ratio * DVec2::new(cosine, sine)
+    }
+
+    /// As [`View::matrix`].
+    pub(super) fn matrix(self) -> DMat3 {
+        let DVec2 { x, y } = self.depth();
+        rows(DVec3::new(1.0, x, 0.0), DVec3::new(0.0, y, 1.0), DVec3::NEG_Y)
+    }
+
+    /// As [`View::toward`].
+    pub(super) fn toward(self) -> DVec3 {
+        let DVec2 { x, y } = self.depth();
+        DVec3::new(x, -1.0, y).normalize()
+    }
+}
+
+fn rows(right: DVec3, up: DVec3, toward: DVec3) -> DMat3 {
+    DMat3::from_cols(right, up, toward).transpose()
+}
 
 impl View {
     /// Every view with its name, in the order of the reference.
@@ -68,17 +110,13 @@ impl View {
     /// The view that suits some items: from above where all are flat, else the isometric one.
     #[must_use]
     pub fn fitting(items: &[Item]) -> Self {
-        let whole = items.iter().filter_map(bounds).reduce(Bounds::union);
         let is_flat = |whole: Bounds| whole.min.z >= whole.max.z;
-        if whole.is_none_or(is_flat) { Self::Top } else { Self::Isometric }
+        if whole(items).is_none_or(is_flat) { Self::Top } else { Self::Isometric }
     }
 
     /// The map from space to (right, up, depth toward the viewer); it has an inverse.
     #[must_use]
     pub fn matrix(self) -> DMat3 {
-        let rows = |right: DVec3, up: DVec3, toward: DVec3| {
-            DMat3::from_cols(right, up, toward).transpose()
-        };
         match self {
             Self::Top => DMat3::IDENTITY,
             Self::Front => rows(DVec3::X, DVec3::Z, DVec3::NEG_Y),
@@ -91,11 +129,7 @@ impl View {
                 DVec3::new(-1.0, 1.0, 2.0) / 6.0_f64.sqrt(),
                 DVec3::new(1.0, -1.0, 1.0) / 3.0_f64.sqrt(),
             ),
-            Self::Oblique => rows(
-                DVec3::new(1.0, OBLIQUE_DEPTH, 0.0),
-                DVec3::new(0.0, OBLIQUE_DEPTH, 1.0),
-                DVec3::NEG_Y,
-            ),
+            Self::Oblique => Oblique::default().matrix(),
         }
     }
 
@@ -120,7 +154,7 @@ impl View {
     #[must_use]
     pub fn toward(self) -> DVec3 {
         match self {
-            Self::Oblique => DVec3::new(OBLIQUE_DEPTH, -1.0, OBLIQUE_DEPTH).normalize(),
+            Self::Oblique => Oblique::default().toward(),
             other => other.matrix().row(2),
         }
     }

@@ -2,19 +2,18 @@
 
 use std::{collections::BTreeMap, sync::Arc};
 
-use glam::{DAffine3, DVec2, DVec3};
+use glam::DVec3;
 
 use super::{
     ExportError, Item, Job, Subject,
-    shape::{MeshShape, bounds, byte_color, shape, size},
+    exact::with_positive_weights,
+    projection::Projection,
+    shape::{MeshShape, byte_color, shape, size, whole},
 };
 use crate::kernel::{
     Bounds, Curve, GeomError, Interval, Mesh, NurbsCurve, Surface, Tolerance,
     tolerance::{DRAWING_DIGIT, PATH_ROUNDING},
 };
-
-/// Lines inside a surface in each direction.
-pub(crate) const N_LINES: usize = 7;
 
 /// How thick a line is.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -25,7 +24,7 @@ pub(super) enum LineWeight {
     Half,
 }
 
-/// How large is what is drawn.
+/// How large is what is drawn, and how it is seen.
 pub(super) struct DrawingExtent {
     /// The diagonal, 1 where that is nothing.
     pub(super) size: f64,
@@ -33,22 +32,18 @@ pub(super) struct DrawingExtent {
     pub(super) on_paper: f64,
     /// The finest tolerance that rounding lets a polygon or path keep.
     pub(super) finest: f64,
+    /// From space to paper.
+    pub(super) projection: Projection,
 }
 
 impl DrawingExtent {
     /// Of all items of a job, if that has an end.
     pub(super) fn of(job: &Job) -> Result<Self, ExportError> {
-        let whole = job.items.iter().filter_map(bounds).reduce(Bounds::union);
-        let whole = whole.unwrap_or(Bounds { min: DVec3::ZERO, max: DVec3::ZERO });
+        let whole = whole(&job.items).unwrap_or(Bounds { min: DVec3::ZERO, max: DVec3::ZERO });
         let size = size(job)?;
-        // Of a box under a linear map: the lengths of its edges, each by its part of an axis.
-        let matrix = job.options.view.matrix();
-        let sides = [matrix.row(0), matrix.row(1)].map(|axis| axis.abs().dot(whole.size()));
-        Ok(Self {
-            size,
-            on_paper: DVec2::from(sides).length(),
-            finest: PATH_ROUNDING * whole.magnitude(),
-        })
+        let projection = Projection::new(&job.options.viewpoint, whole)?;
+        let on_paper = projection.bounds(whole).size().truncate().length();
+        Ok(Self { size, on_paper, finest: PATH_ROUNDING * whole.magnitude(), projection })
     }
 }
 
@@ -75,7 +70,7 @@ impl Drawing {
     /// What is drawn of an item; triangles are within `near` of their surface.
     pub(super) fn of(
         item: &Item,
-        view: &DAffine3,
+        view: &Projection,
         near: f64,
         job: &Job,
     ) -> Result<Self, ExportError> {
@@ -83,16 +78,18 @@ impl Drawing {
         let mut drawing = Self::default();
         match &item.subject {
             Subject::Point(point) => {
-                drawing.points.push(view.transform_point3(*point));
+                drawing.points.push(view.project(*point));
                 drawing.bounds = Bounds::of(drawing.points.iter().copied());
             }
             Subject::Curve(curve) => {
-                drawing.curve(LineWeight::Full, curve, view).map_err(blame)?;
+                let curve = curve.spline().map_err(blame)?;
+                drawing.curve(LineWeight::Full, &curve, view, item)?;
             }
             Subject::Surface(surface) => {
-                drawing.lines_of(surface, view).map_err(blame)?;
+                drawing.lines_of(surface, view, (item, job))?;
                 if let Some(MeshShape::Mesh(mesh)) = shape(item, near, job)? {
-                    let outline = outline(&mesh, view);
+                    let outline =
+                        if job.options.has_edges { outline(&mesh, view) } else { Vec::new() };
                     drawing.lines.extend(
                         outline
                             .into_iter()
@@ -107,8 +104,9 @@ impl Drawing {
                     drawing.hide_behind(Arc::clone(mesh), view);
                     return Ok(drawing);
                 }
-                let place = |i: u32| view.transform_point3(mesh.vertices()[i as usize]);
-                let edges = mesh.face_edges().into_iter().map(|[a, b]| vec![place(a), place(b)]);
+                let place = |i: u32| view.project(mesh.vertices()[i as usize]);
+                let edges = if job.options.has_edges { mesh.face_edges() } else { Vec::new() };
+                let edges = edges.into_iter().map(|[a, b]| vec![place(a), place(b)]);
                 drawing
                     .lines
                     .extend(edges.map(|edge| (LineWeight::Half, DrawnLine::Polygon(edge))));
@@ -120,18 +118,28 @@ impl Drawing {
     }
 
     /// The triangles that hide.
-    pub(super) fn triangles(&self, view: &DAffine3) -> impl Iterator<Item = [DVec3; 3]> {
-        let image = |corners: [DVec3; 3]| corners.map(|corner| view.transform_point3(corner));
+    pub(super) fn triangles(&self, view: &Projection) -> impl Iterator<Item = [DVec3; 3]> {
+        let image = |corners: [DVec3; 3]| corners.map(|corner| view.project(corner));
         self.mesh.iter().flat_map(|mesh| mesh.corners()).map(image)
     }
 
     fn curve(
         &mut self,
         weight: LineWeight,
-        curve: &Curve,
-        view: &DAffine3,
-    ) -> Result<(), GeomError> {
-        let curve = curve.spline()?.transformed(view);
+        curve: &NurbsCurve,
+        view: &Projection,
+        item: &Item,
+    ) -> Result<(), ExportError> {
+        let curve = match view.curve(curve) {
+            Ok(image) => image,
+            // Points of weight zero have no image in perspective.
+            Err(_) => {
+                let curve = with_positive_weights(item, curve.clone())?;
+                let blame =
+                    |source: GeomError| ExportError::Geometry { name: item.name.clone(), source };
+                view.curve(&curve).map_err(blame)?
+            }
+        };
         let bounds = curve.bounds();
         self.bounds = Some(self.bounds.map_or(bounds, |whole| whole.union(bounds)));
         self.lines.push((weight, DrawnLine::Curve(curve)));
@@ -140,28 +148,18 @@ impl Drawing {
 
     /// The edges of a surface, and lines inside at even steps of the parameters; none that is a
     /// point.
-    fn lines_of(&mut self, surface: &Surface, view: &DAffine3) -> Result<(), GeomError> {
-        let size = surface.bounds()?.diagonal();
-        let steps = |domain: Interval| domain.steps(N_LINES + 1);
-        let (us, vs) = (steps(surface.domain_u()), steps(surface.domain_v()));
-        // The seam of a closed surface is no edge, and one line.
-        let same = DRAWING_DIGIT * size;
-        let weight = |i: usize, is_closed: bool| {
-            let is_edge = !is_closed && (i == 0 || i == N_LINES + 1);
-            if is_edge { LineWeight::Full } else { LineWeight::Half }
-        };
-        let (closed_u, closed_v) = (surface.is_closed_u(same)?, surface.is_closed_v(same)?);
-        let mut lines = Vec::new();
-        for (i, &u) in us.iter().enumerate().skip(usize::from(closed_u)) {
-            lines.push((weight(i, closed_u), surface.isocurve_u(u)?));
-        }
-        for (i, &v) in vs.iter().enumerate().skip(usize::from(closed_v)) {
-            lines.push((weight(i, closed_v), surface.isocurve_v(v)?));
-        }
-        for (weight, line) in lines {
+    fn lines_of(
+        &mut self,
+        surface: &Surface,
+        view: &Projection,
+        (item, job): (&Item, &Job),
+    ) -> Result<(), ExportError> {
+        let blame = |source: GeomError| ExportError::Geometry { name: item.name.clone(), source };
+        let size = surface.bounds().map_err(blame)?.diagonal();
+        for (weight, line) in isocurves(surface, size, job).map_err(blame)? {
             // A line that is a point is a pole, and not drawn.
-            if same < line.bounds()?.diagonal() {
-                self.curve(weight, &line, view)?;
+            if DRAWING_DIGIT * size < line.bounds().map_err(blame)?.diagonal() {
+                self.curve(weight, line.spline().map_err(blame)?.as_ref(), view, item)?;
             }
         }
         Ok(())
@@ -171,34 +169,35 @@ impl Drawing {
     pub(super) fn add_stripes(
         &mut self,
         item: &Item,
-        view: &DAffine3,
+        view: &Projection,
         near: f64,
         job: &Job,
     ) -> Result<(), ExportError> {
         let stripes = job.picture.as_ref().and_then(|picture| picture.stripes);
-        let (Subject::Surface(surface), Some(n_stripes)) = (&item.subject, stripes) else {
+        let (Subject::Surface(surface), Some(stripes)) = (&item.subject, stripes) else {
             return Ok(());
         };
         let tolerance = Tolerance::DEFAULT.with_distance(near);
-        let sets = surface.zebra(job.options.view.toward(), n_stripes, tolerance);
+        let light = stripes.light.unwrap_or_else(|| view.ahead());
+        let sets = surface.zebra(light, stripes.n_stripes, tolerance);
         let blame = |source: GeomError| ExportError::Geometry { name: item.name.clone(), source };
-        let curves = sets.map_err(blame)?.into_iter().flat_map(|set| set.curves);
-        let lines =
-            curves.map(|curve| (LineWeight::Full, DrawnLine::Curve(curve.transformed(view))));
-        self.lines.extend(lines);
+        for curve in sets.map_err(blame)?.into_iter().flat_map(|set| set.curves) {
+            let image = view.curve(&curve).map_err(blame)?;
+            self.lines.push((LineWeight::Full, DrawnLine::Curve(image)));
+        }
         Ok(())
     }
 
     /// Fills the triangles of a mesh whose vertices have colours, each with their mean.
-    fn paint(&mut self, mesh: &Mesh, view: &DAffine3) {
+    fn paint(&mut self, mesh: &Mesh, view: &Projection) {
         for (triangle, corners) in mesh.triangles().iter().zip(mesh.corners()) {
             let sum: DVec3 = triangle.iter().map(|&corner| mesh.colors()[corner as usize]).sum();
-            let image = corners.map(|corner| view.transform_point3(corner));
+            let image = corners.map(|corner| view.project(corner));
             self.fills.push((image, byte_color(sum / 3.0)));
         }
     }
 
-    fn hide_behind(&mut self, mesh: Arc<Mesh>, view: &DAffine3) {
+    fn hide_behind(&mut self, mesh: Arc<Mesh>, view: &Projection) {
         self.mesh = Some(mesh);
         let whole = Bounds::of(self.triangles(view).flatten());
         self.bounds = match (self.bounds, whole) {
@@ -208,12 +207,50 @@ impl Drawing {
     }
 }
 
+/// The lines of a surface at even steps of the parameters: its edges, and as many inside as are asked
+/// for. The seam of a closed surface is no edge, and one line.
+fn isocurves(
+    surface: &Surface,
+    size: f64,
+    job: &Job,
+) -> Result<Vec<(LineWeight, Curve)>, GeomError> {
+    let n_inside = job.options.n_isocurves;
+    let steps = |domain: Interval| domain.steps(n_inside + 1);
+    let (us, vs) = (steps(surface.domain_u()), steps(surface.domain_v()));
+    let same = DRAWING_DIGIT * size;
+    let (closed_u, closed_v) = (surface.is_closed_u(same)?, surface.is_closed_v(same)?);
+    let mut lines = Vec::new();
+    let weight = |i: usize, is_closed: bool| {
+        let is_end = i == 0 || i == n_inside + 1;
+        match (is_end, is_closed) {
+            (true, false) => job.options.has_edges.then_some(LineWeight::Full),
+            (true, true) => (i != 0 && n_inside != 0).then_some(LineWeight::Half),
+            (false, _) => Some(LineWeight::Half),
+        }
+    };
+    for (i, &u) in us.iter().enumerate() {
+        if let Some(weight) = weight(i, closed_u) {
+            lines.push((weight, surface.isocurve_u(u)?));
+        }
+    }
+    for (i, &v) in vs.iter().enumerate() {
+        if let Some(weight) = weight(i, closed_v) {
+            lines.push((weight, surface.isocurve_v(v)?));
+        }
+    }
+    Ok(lines)
+}
+
 /// Where the surface of a mesh turns away from the viewer: the zeros of the normal's component
 /// toward them, linear over each triangle, as polygons.
-fn outline(mesh: &Mesh, view: &DAffine3) -> Vec<Vec<DVec3>> {
-    // The picture of the normal's plane is a line where the view's inverse takes z into it.
-    let toward = view.matrix3.inverse().z_axis;
-    let slopes: Vec<f64> = mesh.normals().iter().map(|normal| normal.dot(toward)).collect();
+fn outline(mesh: &Mesh, view: &Projection) -> Vec<Vec<DVec3>> {
+    // What turns away within rounding does so there: a seam along the outline has it on one side.
+    let slope = |(normal, &place): (&DVec3, &DVec3)| {
+        let toward = view.toward(place);
+        let slope = normal.dot(toward);
+        if slope.abs() <= DRAWING_DIGIT * toward.length() { 0.0 } else { slope }
+    };
+    let slopes: Vec<f64> = mesh.normals().iter().zip(mesh.vertices()).map(slope).collect();
     if slopes.is_empty() {
         return Vec::new();
     }
@@ -230,7 +267,7 @@ fn outline(mesh: &Mesh, view: &DAffine3) -> Vec<Vec<DVec3>> {
     let place = |[a, b]: [u32; 2]| {
         let (a, b) = (a as usize, b as usize);
         let fraction = slopes[a] / (slopes[a] - slopes[b]);
-        view.transform_point3(mesh.vertices()[a].lerp(mesh.vertices()[b], fraction))
+        view.project(mesh.vertices()[a].lerp(mesh.vertices()[b], fraction))
     };
     chains(links).into_iter().map(|chain| chain.into_iter().map(place).collect()).collect()
 }

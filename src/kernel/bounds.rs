@@ -45,6 +45,13 @@ impl Bounds {
         0.5 * self.min + 0.5 * self.max
     }
 
+    /// Its eight corners.
+    #[must_use]
+    pub fn corners(self) -> [DVec3; 8] {
+        let ends = [self.min, self.max];
+        std::array::from_fn(|i| DVec3::new(ends[i & 1].x, ends[i >> 1 & 1].y, ends[i >> 2].z))
+    }
+
     /// Length of the diagonal.
     #[must_use]
     pub fn diagonal(self) -> f64 {

@@ -1,10 +1,10 @@
-//! What a picture shows beside the geometry: control polygons and nets, combs of curvature.
+//! What a picture shows beside the geometry: control polygons and nets, combs of curvature, axes.
 
-use glam::DVec3;
+use glam::{DVec3, Vec3Swizzles};
 
 use crate::{
-    export::{Item, Subject},
-    kernel::{Bounds, Curve, GeomError, NurbsCurve, Side, Surface},
+    export::{Item, Label, Subject},
+    kernel::{Bounds, Curve, GeomError, Interval, NurbsCurve, Side, Surface},
 };
 
 /// What can be shown beside the geometry.
@@ -16,16 +16,43 @@ pub enum Extra {
     Comb,
     /// The stripes that surfaces mirror toward the viewer.
     Stripes,
+    /// The directions of x, y and z.
+    Axes,
+    /// The names of definitions.
+    Labels,
+    /// How long a round length is.
+    Scale,
 }
 
 impl Extra {
     /// Every one with its name.
-    pub const ALL: &'static [(&'static str, Self)] =
-        &[("control", Self::Control), ("comb", Self::Comb), ("stripes", Self::Stripes)];
+    pub const ALL: &'static [(&'static str, Self)] = &[
+        ("control", Self::Control),
+        ("comb", Self::Comb),
+        ("stripes", Self::Stripes),
+        ("axes", Self::Axes),
+        ("labels", Self::Labels),
+        ("scale", Self::Scale),
+    ];
 }
 
-/// Stripes all around.
-pub(super) const STRIPES: usize = 24;
+/// How control polygons and nets are drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ControlStyle {
+    /// Red, green and blue.
+    pub color: [u8; 3],
+    /// How wide lines and points are, as a multiple of the usual.
+    pub size: f64,
+}
+
+impl Default for ControlStyle {
+    fn default() -> Self {
+        Self { color: GREY, size: 1.0 }
+    }
+}
+
+/// Stripes all around, where no number is asked for.
+pub const STRIPES: usize = 24;
 
 /// Teeth of a comb.
 const N_TEETH: usize = 80;
@@ -37,7 +64,7 @@ const LONGEST: f64 = 0.12;
 const GREY: [u8; 3] = [0x80, 0x80, 0x80];
 
 /// The control polygons and nets of NURBS; functions have none.
-pub(super) fn control(items: &[Item]) -> Vec<Item> {
+pub(super) fn control(items: &[Item], style: ControlStyle) -> Vec<Item> {
     let mut added = Vec::new();
     for item in items {
         let (lines, points) = match &item.subject {
@@ -54,7 +81,8 @@ pub(super) fn control(items: &[Item]) -> Vec<Item> {
         };
         let of = |subject: Subject| Item {
             name: format!("control points of {}", item.name),
-            color: Some(GREY),
+            color: Some(style.color),
+            line_width: style.size,
             subject,
             ..item.clone()
         };
@@ -112,4 +140,65 @@ fn bends(curve: &Curve) -> Result<Vec<(DVec3, DVec3)>, GeomError> {
         }
     }
     Ok(bends)
+}
+
+/// Length of an axis, as a part of the whole's size.
+const AXIS: f64 = 0.25;
+/// The axes stand at the origin where that is no farther from the geometry than this part of its size,
+/// else at its lowest corner.
+const FAR: f64 = 0.5;
+/// Length and half width of an axis's head, as parts of the axis.
+const HEAD: [f64; 2] = [0.12, 0.04];
+/// The axes with their names and colours.
+const AXES: [(&str, DVec3, [u8; 3]); 3] = [
+    ("x", DVec3::X, [0xd6, 0x27, 0x28]),
+    ("y", DVec3::Y, [0x2c, 0xa0, 0x2c]),
+    ("z", DVec3::Z, [0x1f, 0x5f, 0xd4]),
+];
+
+/// Arrows along the axes, and their names at the tips; of what lies in a plane across z only those of
+/// x and y.
+pub(super) fn axes(bounds: Bounds) -> (Vec<Item>, Vec<Label>) {
+    let size = if 0.0 < bounds.diagonal() { bounds.diagonal() } else { 1.0 };
+    let is_near = bounds.contains(DVec3::ZERO, FAR * size);
+    let origin = if is_near { DVec3::ZERO } else { bounds.min };
+    let is_flat = bounds.max.z <= bounds.min.z;
+    let (mut items, mut labels) = (Vec::new(), Vec::new());
+    for (name, along, color) in AXES.into_iter().filter(|axis| !(is_flat && axis.0 == "z")) {
+        let tip = origin + AXIS * size * along;
+        let [length, half] = HEAD.map(|part| part * AXIS * size);
+        let aside = [along.yzx(), along.zxy()].into_iter().filter(|side| !is_flat || side.z == 0.0);
+        let barbs = aside.map(|side| {
+            let foot = tip - length * along;
+            vec![foot + half * side, tip, foot - half * side]
+        });
+        for line in std::iter::once(vec![origin, tip]).chain(barbs) {
+            let Ok(curve) = NurbsCurve::polyline(&line) else { continue };
+            let subject = Subject::Curve(curve.into());
+            let item = Item::new(format!("axis {name}"), subject);
+            items.push(Item { color: Some(color), ..item });
+        }
+        labels.push(Label { places: vec![tip], text: name.to_owned() });
+    }
+    (items, labels)
+}
+
+/// Places on a surface in each direction beside which its name may stand.
+const N_PLACES: usize = 8;
+
+/// A definition's name beside the middle of what is drawn of it, on the side that is seen.
+pub(super) fn label(name: &str, items: &[Item]) -> Option<Label> {
+    let places = match &items.get(items.len() / 2)?.subject {
+        Subject::Point(point) => vec![*point],
+        Subject::Curve(curve) => vec![curve.point_at(curve.domain().at(0.5)).ok()?],
+        Subject::Surface(surface) => {
+            let inner = |domain: Interval| domain.steps(N_PLACES)[1..N_PLACES].to_vec();
+            let (us, vs) = (inner(surface.domain_u()), inner(surface.domain_v()));
+            let at = |u: f64, v: f64| surface.point_at(u, v).ok();
+            us.iter().flat_map(|&u| vs.iter().filter_map(move |&v| at(u, v))).collect()
+        }
+        Subject::Mesh(mesh) => mesh.vertices().to_vec(),
+        Subject::Table(_) | Subject::Data(_) => return None,
+    };
+    Some(Label { places, text: name.to_owned() })
 }

@@ -67,9 +67,9 @@ impl File {
     pub fn refusal(&self, err: &ExportError) -> Diagnostic {
         let found = |code, message| Diagnostic::error(code, self.span, message);
         match err {
-            ExportError::Geometry { .. } | ExportError::Unfit { .. } => {
-                found(Code::CannotExport, err.reason())
-            }
+            ExportError::Geometry { .. }
+            | ExportError::Unfit { .. }
+            | ExportError::Viewpoint(_) => found(Code::CannotExport, err.reason()),
             ExportError::TooLarge { .. } => {
                 found(Code::TooLarge, format!("`{}` would be {err}", self.path))
                     .crossing(Ceiling::OUTPUT_BYTES)

@@ -32,6 +32,7 @@ fn option_value(value: &Value) -> OptionValue<'_> {
     match value {
         Value::Bool(value) => OptionValue::Bool(*value),
         Value::Text(text) => OptionValue::Text(text),
+        Value::Point(point) => OptionValue::Point(*point),
         Value::Number(number) if number.dim.is_none() => OptionValue::Number(number.value),
         Value::Number(number) if number.dim == Dimension::LENGTH => {
             OptionValue::Length(number.value)

@@ -1,14 +1,16 @@
 //! From the definitions of a script to a picture of them.
 
+use std::collections::HashSet;
+
 use super::{
-    Report, Session,
-    extra::{self, Extra},
+    Event, Report, Session,
+    extra::{self, ControlStyle, Extra},
     plan::GatheredItems,
 };
 use crate::{
     diag::{Spanned, nearest},
     eval::{self, Defined},
-    export::{Format, Job, Legend, Options, Picture, View},
+    export::{Format, Item, Job, Label, Legend, Options, Picture, Stripes, View, whole},
     syntax::ast::Kind,
     value::Value,
 };
@@ -16,14 +18,39 @@ use crate::{
 /// What a picture is to show, and how.
 #[derive(Clone, Debug)]
 pub struct PictureContent<'a> {
-    /// The definitions that are drawn; with no name all that are geometry and not hidden.
+    /// The definitions that are drawn; with no name those that the script exports, or all where it
+    /// exports no geometry.
     pub only: &'a [String],
+    /// Whether all definitions are drawn that are geometry and not hidden, also those that the
+    /// script does not export.
+    pub with_helpers: bool,
     /// What is shown beside it.
     pub extras: &'a [Extra],
-    /// From where; without a view from above what is flat, and all else as an isometric drawing.
-    pub view: Option<View>,
+    /// How control polygons and nets are drawn.
+    pub control: ControlStyle,
+    /// How many stripes there are, and their light.
+    pub stripes: Stripes,
+    /// From where, and with which lines; without a view or a camera from above what is flat, and all
+    /// else as an isometric drawing.
+    pub options: Options,
     /// Width and height in pixels.
     pub size: [usize; 2],
+}
+
+impl<'a> PictureContent<'a> {
+    /// What the script exports, or else defines, alone.
+    #[must_use]
+    pub fn new(size: [usize; 2]) -> Self {
+        Self {
+            only: &[],
+            with_helpers: false,
+            extras: &[],
+            control: ControlStyle::default(),
+            stripes: Stripes { n_stripes: extra::STRIPES, light: None },
+            options: Options::default(),
+            size,
+        }
+    }
 }
 
 /// Colours of definitions without one of their own, one after the other.
@@ -55,40 +82,70 @@ impl Session {
         scene: &PictureContent<'_>,
         format: &'static Format,
     ) -> Result<Job, String> {
-        let chosen = chosen(&report.definitions, scene.only)?;
+        let chosen = chosen(report, scene)?;
+        let shows = |extra: Extra| scene.extras.contains(&extra);
         let mut gathering = GatheredItems::new(format);
-        let mut legends = Vec::new();
+        let (mut legends, mut labels) = (Vec::new(), Vec::new());
         for (idx, (defined, value)) in chosen.into_iter().enumerate() {
             let mut look = defined.look.clone();
             look.color = look.color.or(Some(PALETTE[idx % PALETTE.len()]));
             let value = Spanned::new(value.clone(), defined.span);
             let subject = eval::ExportSubject { name: defined.name.clone(), value, look };
+            let first = gathering.items.len();
             if let Err(misfit) = gathering.add_all_of(&subject) {
                 return Err(undrawable(&defined.name, &misfit.found));
             }
+            if shows(Extra::Labels) {
+                labels.extend(extra::label(&defined.name, &gathering.items[first..]));
+            }
             legends.extend(legends_of(&defined.name, &subject.value.value));
         }
-        let shows = |extra: Extra| scene.extras.contains(&extra);
         let mut items = gathering.items;
-        let mut added = if shows(Extra::Control) { extra::control(&items) } else { Vec::new() };
-        if shows(Extra::Comb) {
-            let combs = extra::combs(&items).map_err(|(name, err)| format!("{name}: {err}"))?;
-            added.extend(combs);
-        }
-        items.extend(added);
-        let stripes = shows(Extra::Stripes).then_some(extra::STRIPES);
+        let mut options = scene.options;
+        options.viewpoint.view = options.viewpoint.view.or_else(|| Some(View::fitting(&items)));
+        add_extras(&mut items, scene, &mut labels)?;
         let (unit, tolerance) = report.document;
-        let view = scene.view.unwrap_or_else(|| View::fitting(&items));
         Ok(Job {
-            items,
             unit: unit.name(),
             millimetres: unit.millimetres().unwrap_or(1.0),
             precision: tolerance.distance,
-            options: Options { view, ..Options::default() },
-            picture: Some(Picture { size: scene.size, legends, stripes }),
+            options,
+            picture: Some(Picture {
+                legends,
+                labels,
+                stripes: shows(Extra::Stripes).then_some(scene.stripes),
+                has_scale: shows(Extra::Scale),
+                ..Picture::new(scene.size)
+            }),
             limits: self.limits,
+            ..Job::new(items)
         })
     }
+}
+
+/// Adds what is drawn beside the geometry.
+fn add_extras(
+    items: &mut Vec<Item>,
+    scene: &PictureContent<'_>,
+    labels: &mut Vec<Label>,
+) -> Result<(), String> {
+    let shows = |extra: Extra| scene.extras.contains(&extra);
+    let mut added = Vec::new();
+    if shows(Extra::Control) {
+        added.extend(extra::control(items, scene.control));
+    }
+    if shows(Extra::Comb) {
+        added.extend(extra::combs(items).map_err(|(name, err)| format!("{name}: {err}"))?);
+    }
+    if shows(Extra::Axes)
+        && let Some(bounds) = whole(items)
+    {
+        let (axes, names) = extra::axes(bounds);
+        added.extend(axes);
+        labels.extend(names);
+    }
+    items.extend(added);
+    Ok(())
 }
 
 fn undrawable(name: &str, found: &str) -> String {
@@ -97,9 +154,10 @@ fn undrawable(name: &str, found: &str) -> String {
 
 /// The definitions that are drawn, with their values.
 fn chosen<'a>(
-    definitions: &'a [Defined],
-    only: &[String],
+    report: &'a Report,
+    scene: &PictureContent<'_>,
 ) -> Result<Vec<(&'a Defined, &'a Value)>, String> {
+    let (definitions, only) = (&report.definitions, scene.only);
     let valued = |defined: &'a Defined| Some((defined, defined.value.as_ref()?));
     if only.is_empty() {
         let is_shown = |(defined, value): &(&Defined, &Value)| {
@@ -107,9 +165,14 @@ fn chosen<'a>(
             let promises = defined.kind.is_some_and(Kind::is_geometry);
             !defined.look.is_hidden && (promises || is_free) && is_drawn(value, !is_free)
         };
-        let shown: Vec<_> = definitions.iter().filter_map(valued).filter(is_shown).collect();
+        let mut shown: Vec<_> = definitions.iter().filter_map(valued).filter(is_shown).collect();
         if shown.is_empty() {
             return Err("the script defines no geometry that could be drawn".to_owned());
+        }
+        let exported = if scene.with_helpers { HashSet::new() } else { exported(report) };
+        let is_exported = |defined: &Defined| exported.contains(defined.name.as_str());
+        if shown.iter().any(|(defined, _)| is_exported(defined)) {
+            shown.retain(|(defined, _)| is_exported(defined));
         }
         return Ok(shown);
     }
@@ -128,6 +191,17 @@ fn chosen<'a>(
         }
     };
     only.iter().map(find).collect()
+}
+
+/// The names that exports of geometry name.
+fn exported(report: &Report) -> HashSet<&str> {
+    let files = report.events.iter().filter_map(|event| match event {
+        Event::File(file) => Some(file),
+        _ => None,
+    });
+    let of_geometry =
+        files.filter(|file| file.job.items.iter().any(|item| item.subject.is_geometry()));
+    of_geometry.flat_map(|file| file.names.iter().map(String::as_str)).collect()
 }
 
 /// Whether there is something to draw of a value; single points only where they are asked for.

@@ -230,7 +230,8 @@ impl GatheredItems {
         let layer = whole.look.layer.as_deref().map(kept);
         let name = self.unused(&own);
         self.names.insert(name.clone(), 2);
-        self.items.push(Item { name, group, color: whole.look.color, layer, subject });
+        let color = whole.look.color;
+        self.items.push(Item { group, color, layer, ..Item::new(name, subject) });
     }
 
     /// The name, numbered where another item has it already.

@@ -5,6 +5,7 @@ mod commands;
 #[cfg(unix)]
 mod doors;
 mod golden_folders;
+mod looks;
 mod pictures;
 mod repl;
 mod safety;

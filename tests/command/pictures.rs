@@ -14,9 +14,9 @@ use virote::{
 use crate::support::{Scratch, files_below, told, virote};
 
 /// A picture as rows of red, green and blue.
-struct Pixels {
-    width: usize,
-    height: usize,
+pub(crate) struct Pixels {
+    pub(crate) width: usize,
+    pub(crate) height: usize,
     bytes: Vec<u8>,
 }
 
@@ -30,13 +30,13 @@ impl Pixels {
         Self { width: info.width as usize, height: info.height as usize, bytes }
     }
 
-    fn at(&self, x: usize, y: usize) -> [u8; 3] {
+    pub(crate) fn at(&self, x: usize, y: usize) -> [u8; 3] {
         let place = 3 * (y * self.width + x);
         [self.bytes[place], self.bytes[place + 1], self.bytes[place + 2]]
     }
 
     /// The places whose pixels are so.
-    fn places(&self, is_so: impl Fn([u8; 3]) -> bool) -> Vec<[usize; 2]> {
+    pub(crate) fn places(&self, is_so: impl Fn([u8; 3]) -> bool) -> Vec<[usize; 2]> {
         let all = (0..self.height).flat_map(|y| (0..self.width).map(move |x| [x, y]));
         all.filter(|&[x, y]| is_so(self.at(x, y))).collect()
     }
@@ -47,13 +47,13 @@ const RED: [u8; 3] = [255, 0, 0];
 const BLUE: [u8; 3] = [0, 0, 255];
 
 /// Runs the command in the folder; standard output, standard error, exit code.
-fn run(scratch: &Scratch, args: &[&str]) -> (String, String, i32) {
+pub(crate) fn run(scratch: &Scratch, args: &[&str]) -> (String, String, i32) {
     told(&virote(&scratch.0).args(args).output().expect("the command runs"))
 }
 
 /// The picture of a script, drawn with these arguments.
 #[track_caller]
-fn drawn(situation: &str, script: &str, args: &[&str]) -> Pixels {
+pub(crate) fn drawn(situation: &str, script: &str, args: &[&str]) -> Pixels {
     let scratch = Scratch::new(situation);
     scratch.file("a.geo", script);
     let all = [&["render", "a.geo", "-o", "a.png", "-q"], args].concat();
@@ -71,7 +71,7 @@ fn illustration(picture: &Illustration) -> Vec<u8> {
         |text: &str| text.starts_with(picture.op.name) && matches!(picture.op.returns, Type::Curve);
     let is_curve = matches!(picture.picture, Picture::Value(text) if is_one(text));
     let extras: &[Extra] = if is_curve { &[Extra::Control] } else { &[] };
-    let scene = PictureContent { only: &[], extras, view: None, size: [320, 240] };
+    let scene = PictureContent { extras, ..PictureContent::new([320, 240]) };
     let format = Format::among(PICTURES, &picture.file).expect("a format");
     let job = session.picture(&report, &scene, format).expect("geometry");
     let mut bytes = Vec::new();

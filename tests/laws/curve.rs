@@ -1,8 +1,10 @@
 //! Laws of curves.
 
-use glam::DVec3;
+use glam::{DMat4, DVec3, DVec4};
 use proptest::{collection::vec, prop_assert, prop_assume, proptest};
-use virote_kernel::{CircleForm, Curve, Interval, KnotVector, NurbsCurve, Side, make_compatible};
+use virote_kernel::{
+    CircleForm, Curve, Frame, GeomError, Interval, KnotVector, NurbsCurve, Side, make_compatible,
+};
 
 use crate::some::{affine_map, are_near, curve, fraction, knots, parameter, point};
 
@@ -290,4 +292,29 @@ fn one_point_is_a_curve_of_degree_zero() {
     assert_eq!(curve.bounds().size(), DVec3::ZERO);
     assert!(curve.tangent_at(0.3, Side::Right).is_err());
     assert_eq!(curve.elevate_degree(2).unwrap().points(), vec![DVec3::ONE; 3]);
+}
+
+#[test]
+fn the_projective_image_of_a_curve_has_the_images_of_its_points() {
+    let circle = NurbsCurve::arc(Frame::XY, 2.0, 0.5, 4.0).expect("an arc");
+    let cubic = NurbsCurve::bezier(&[
+        DVec3::new(0.0, 0.0, 1.0),
+        DVec3::new(1.0, 3.0, -1.0),
+        DVec3::new(4.0, -1.0, 0.5),
+        DVec3::new(2.0, 2.0, 2.0),
+    ])
+    .expect("a curve");
+    // Away from the plane that goes to infinity, where 12 + x − 2 y + z is nothing.
+    let map = DMat4::from_cols_array(&[
+        1.0, 0.2, 0.0, 1.0, -0.3, 2.0, 0.1, -2.0, 0.0, 0.5, 1.5, 1.0, 3.0, -1.0, 0.7, 12.0,
+    ]);
+    for curve in [circle, cubic] {
+        let image = curve.projected(&map).expect("an image");
+        for t in curve.domain().steps(50) {
+            let expected = map.project_point3(curve.point_at(t));
+            assert!(image.point_at(t).distance(expected) < 1e-14, "{t}");
+        }
+        let beyond = DMat4::from_cols(DVec4::X, DVec4::Y, DVec4::Z, -DVec4::W);
+        assert!(matches!(curve.projected(&beyond), Err(GeomError::BadWeight { index: 0, .. })));
+    }
 }

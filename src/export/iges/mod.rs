@@ -48,7 +48,7 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
         }
         summary.count(&item.subject);
     }
-    let bounds = job.items.iter().filter_map(super::shape::bounds).reduce(Bounds::union);
+    let bounds = super::whole(&job.items);
     cards.write(&global(job, bounds.map_or(0.0, Bounds::magnitude)), out)?;
     Ok(summary)
 }

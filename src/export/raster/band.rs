@@ -17,6 +17,10 @@ const NONE: u32 = u32::MAX;
 /// polygons and triangles from what they stand for, and some.
 const SLACK: f64 = 3.0;
 
+/// A line at the rim of a surface is looked at this many samples to its sides: where the surface turns
+/// away, its depth changes within a sample by more than any slack.
+const BESIDE: f64 = 2.0;
+
 /// Of two surfaces that are no farther apart than this many samples, the first is seen.
 const APART: f64 = 1.5;
 
@@ -244,12 +248,22 @@ impl RowBand {
                 let is_inside =
                     sample.distance_squared(middle.truncate()) <= stroke.radius * stroke.radius;
                 let place = line * self.width + column;
-                if is_inside && self.lines[place].0 < middle.z && self.is_seen(middle, stroke.body)
-                {
+                let is_nearer = is_inside && self.lines[place].0 < middle.z;
+                if is_nearer && self.shows(stroke, middle) {
                     self.lines[place] = (middle.z, name);
                 }
             }
         }
+    }
+
+    /// Whether a stroke is seen where its middle has this place.
+    fn shows(&self, stroke: &Stroke, middle: DVec3) -> bool {
+        if self.is_seen(middle, stroke.body) {
+            return true;
+        }
+        let aside = (stroke.ends[1] - stroke.ends[0]).truncate().perp().normalize_or_zero();
+        let beside = BESIDE * aside.extend(0.0);
+        stroke.is_rim && [middle + beside, middle - beside].iter().any(|&at| self.is_seen(at, None))
     }
 
     /// Whether no surface is before a place of a line, and none in the same place but its own.
@@ -271,7 +285,7 @@ impl RowBand {
     }
 
     /// Adds the pixels of the band.
-    pub(super) fn resolve(&self, scene: &RasterScene, light: &Light, pixels: &mut Vec<u8>) {
+    pub(super) fn resolve(&self, scene: &RasterScene, light: &Light<'_>, pixels: &mut Vec<u8>) {
         for first_line in (self.inner[0]..self.inner[1]).step_by(SIDE) {
             let blank = |columns: Range<usize>| columns.len().div_ceil(SIDE) * PAPER_PIXEL.len();
             pixels.resize(pixels.len() + blank(0..self.columns.start), PAPER_PIXEL[0]);
@@ -285,7 +299,7 @@ impl RowBand {
 
     /// The mean of the samples of a pixel. What a triangle shows is found once a pixel, in the
     /// middle of its samples.
-    fn pixel(&self, scene: &RasterScene, light: &Light, [line, column]: [usize; 2]) -> DVec3 {
+    fn pixel(&self, scene: &RasterScene, light: &Light<'_>, [line, column]: [usize; 2]) -> DVec3 {
         let mut sum = DVec3::ZERO;
         // Triangles with how many samples they have, and the sum of their places.
         let mut shown: Vec<(u32, f64, DVec2)> = Vec::new();
@@ -321,7 +335,7 @@ impl RowBand {
 }
 
 /// The colour of a triangle in a place.
-fn shaded(face: &VisibleTriangle, body: &PlacedMesh, place: DVec2, light: &Light) -> DVec3 {
+fn shaded(face: &VisibleTriangle, body: &PlacedMesh, place: DVec2, light: &Light<'_>) -> DVec3 {
     let corners = body.mesh.triangles()[face.idx as usize].map(|corner| corner as usize);
     let parts = face.parts(place);
     let mean = |values: &[DVec3]| -> DVec3 {
@@ -331,7 +345,8 @@ fn shaded(face: &VisibleTriangle, body: &PlacedMesh, place: DVec2, light: &Light
     let plane = (b - a).cross(c - a).normalize_or_zero();
     let normals = body.mesh.normals();
     let normal = if normals.is_empty() { plane } else { mean(normals).normalize_or(plane) };
+    let at = mean(body.mesh.vertices());
     let colors = body.mesh.colors();
     let color = if colors.is_empty() { body.color } else { mean(colors) };
-    light.shade(color, normal, plane, !colors.is_empty())
+    light.shade(color, at, normal, !colors.is_empty())
 }

@@ -14,6 +14,12 @@ const LETTERS: &str = include_str!("letters.txt");
 /// Height of capitals.
 pub(super) const CAPITAL: f64 = 21.0;
 
+/// The width of a line of text.
+pub(super) fn width(text: &str) -> f64 {
+    let of = |c: char| letter(c).or_else(|| letter('?')).map_or(0.0, |(width, _)| width);
+    text.chars().map(of).sum()
+}
+
 /// The strokes of a line of text, leg by leg, as far as they are not wider than `most`.
 ///
 /// A letter that the alphabet does not have is a question mark.

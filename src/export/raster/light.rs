@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
-use super::super::View;
+use super::super::{Stripes, projection::Projection};
 
 /// Light from everywhere, as a part of the light on what faces the viewer.
 const AMBIENT: f64 = 0.42;
@@ -20,32 +20,56 @@ const LAMP: DVec3 = DVec3::new(-0.4, 0.5, 0.77);
 const ALONG_Z: f64 = 0.999_999;
 /// Light and dark of stripes.
 const STRIPES: [f64; 2] = [0.95, 0.1];
+/// Where a surface turns away from the viewer, within this cosine, its two sides are mixed: by the
+/// triangles alone the side changes from one to the next there.
+const RIM: f64 = 0.1;
 /// How much white a unit of brightness above that of the own colour adds.
 const SHEEN: f64 = 1.6;
 
 /// The light of a view.
-pub(super) struct Light {
-    toward: DVec3,
+pub(super) struct Light<'a> {
+    projection: &'a Projection,
     lamp: DVec3,
-    /// Across the way to the viewer and the axis of the stripes.
-    aside: DVec3,
-    /// How many stripes there are all around.
-    stripes: Option<usize>,
+    stripes: Option<StripeLight>,
     /// Cosine between the lamp and the viewer.
     facing: f64,
 }
 
-impl Light {
-    pub(super) fn new(view: View, stripes: Option<usize>) -> Self {
-        let toward = view.toward();
-        let up = view.matrix().row(1);
+/// A light that is mirrored as stripes.
+struct StripeLight {
+    /// The direction to it.
+    toward: DVec3,
+    /// Across that and the axis of the stripes.
+    aside: DVec3,
+    /// How many stripes there are all around.
+    n_stripes: usize,
+}
+
+impl StripeLight {
+    fn new(stripes: Stripes, ahead: DVec3) -> Self {
+        let toward = stripes.light.unwrap_or(ahead).normalize_or(ahead);
+        // The axis is z made normal to the way, or x where that comes along z.
+        let axis = if toward.z.abs() < ALONG_Z { DVec3::Z } else { DVec3::X };
+        Self { toward, aside: axis.cross(toward).normalize(), n_stripes: stripes.n_stripes }
+    }
+
+    /// The stripe that a normal mirrors; the light is in the middle of the first.
+    fn stripe(&self, normal: DVec3) -> usize {
+        let (ahead, aside) = (normal.dot(self.toward), normal.dot(self.aside));
+        let angle = libm::atan2(2.0 * ahead * aside, 2.0 * ahead * ahead - 1.0);
+        let share = angle / TAU + 1.0;
+        (share * self.n_stripes as f64 + 0.5) as usize
+    }
+}
+
+impl<'a> Light<'a> {
+    pub(super) fn new(projection: &'a Projection, stripes: Option<Stripes>) -> Self {
+        let (toward, up) = (projection.ahead(), projection.up());
         let right = up.cross(toward).normalize();
         let up = toward.cross(right);
         let lamp = (LAMP.x * right + LAMP.y * up + LAMP.z * toward).normalize();
-        // The axis is z made normal to the way, or x where that comes along z.
-        let axis = if toward.z.abs() < ALONG_Z { DVec3::Z } else { DVec3::X };
-        let aside = axis.cross(toward).normalize();
-        Self { toward, lamp, aside, stripes, facing: lamp.dot(toward) }
+        let stripes = stripes.map(|stripes| StripeLight::new(stripes, toward));
+        Self { projection, lamp, stripes, facing: lamp.dot(toward) }
     }
 
     /// Whether places of one triangle may differ much.
@@ -53,25 +77,22 @@ impl Light {
         self.stripes.is_some()
     }
 
-    /// The stripe that a normal mirrors; the viewer is in the middle of the first.
-    fn stripe(&self, normal: DVec3, n_stripes: usize) -> usize {
-        let (ahead, aside) = (normal.dot(self.toward), normal.dot(self.aside));
-        let angle = libm::atan2(2.0 * ahead * aside, 2.0 * ahead * ahead - 1.0);
-        let share = angle / TAU + 1.0;
-        (share * n_stripes as f64 + 0.5) as usize
-    }
-
-    /// The colour of a place of a surface. `face` is the normal of its triangle, which tells the
-    /// side that is seen; `is_map` whether its colours have a meaning.
-    pub(super) fn shade(&self, color: DVec3, normal: DVec3, face: DVec3, is_map: bool) -> DVec3 {
-        // A normal that disagrees with its triangle is on the triangle's side.
-        let normal = if normal.dot(face) < 0.0 { -normal } else { normal };
-        let normal = if face.dot(self.toward) < 0.0 { -normal } else { normal };
-        if let Some(n_stripes) = self.stripes {
-            return DVec3::splat(STRIPES[self.stripe(normal, n_stripes) % 2]);
+    /// The colour of a place of a surface with its unit normal; `is_map` tells whether its colours
+    /// have a meaning.
+    ///
+    /// The side that is seen is that of the normal, not that of the triangle: where a surface turns
+    /// away, triangles of either side are seen by rounding. Some light falls on each side there, so
+    /// that nothing jumps.
+    pub(super) fn shade(&self, color: DVec3, place: DVec3, normal: DVec3, is_map: bool) -> DVec3 {
+        if let Some(stripes) = &self.stripes {
+            return DVec3::splat(STRIPES[stripes.stripe(normal) % 2]);
         }
         let ambient = if is_map { AMBIENT_OF_MAP } else { AMBIENT };
-        let lit = normal.dot(self.lamp).max(0.0) / self.facing;
+        let toward = self.projection.toward(place).normalize();
+        let front = (0.5 + 0.5 * normal.dot(toward) / RIM).clamp(0.0, 1.0);
+        let on_front = normal.dot(self.lamp);
+        let lit = front * on_front.max(0.0) + (1.0 - front) * (-on_front).max(0.0);
+        let lit = lit / self.facing;
         let brightness = ambient + (1.0 - ambient) * lit;
         if brightness <= 1.0 || is_map {
             color * brightness.min(1.0)

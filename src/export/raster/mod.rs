@@ -1,7 +1,7 @@
 //! PNG: a shaded picture of the geometry from one side, without any graphics processor.
 //!
 //! `scene` places triangles and lines on the picture, `band` finds by a depth buffer what of them
-//! is seen, sixteen samples a pixel, `light` colours it, `legend` explains the colours. Catmull, *A
+//! is seen, sixteen samples a pixel, `light` colours it, `legend` explains the colours, `marks` names places and lengths, both on a `sheet` to write on. Catmull, *A
 //! subdivision algorithm for computer display of curved surfaces*, thesis, Utah 1974, §2.5; W3C,
 //! *Portable Network Graphics*, second edition.
 
@@ -9,16 +9,18 @@ mod band;
 mod font;
 mod legend;
 mod light;
+mod marks;
 mod scene;
+mod sheet;
 
 use std::io::{self, Write};
 
-use glam::{DAffine3, DVec3};
+use glam::DVec3;
 
 use self::{band::RowBand, light::Light, scene::RasterScene};
 use super::{
     ExportError, Format, Job, Picture, Subject, Summary,
-    options::VIEW,
+    options::{CAMERA, EDGES, ISOCURVES, LOOK_AT, OBLIQUE_ANGLE, OBLIQUE_RATIO, PERSPECTIVE, VIEW},
     wire::{Drawing, DrawingExtent},
 };
 
@@ -26,7 +28,16 @@ pub(super) static FORMAT: Format = Format {
     ending: "png",
     aliases: &[],
     title: "PNG: a shaded picture from one side",
-    options: &[&VIEW],
+    options: &[
+        &VIEW,
+        &OBLIQUE_ANGLE,
+        &OBLIQUE_RATIO,
+        &CAMERA,
+        &LOOK_AT,
+        &PERSPECTIVE,
+        &EDGES,
+        &ISOCURVES,
+    ],
     takes: Subject::is_geometry,
     takes_data: false,
     is_of_meshes: false,
@@ -41,23 +52,22 @@ const SIDE: usize = 4;
 const SIZE: [usize; 2] = [800, 600];
 
 fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
-    let picture = Picture { size: SIZE, legends: Vec::new(), stripes: None };
+    let picture = Picture::new(SIZE);
     let picture = job.picture.as_ref().unwrap_or(&picture);
-    let view = DAffine3::from_mat3(job.options.view.matrix());
     let n_across = SIDE * picture.size[0].max(picture.size[1]);
     // What lies nearer to a surface than half a sample cannot be told from it.
     let extent = DrawingExtent::of(job)?;
     let visible = if 0.0 < extent.on_paper { extent.on_paper } else { extent.size };
-    let near = (0.5 * visible / n_across as f64).max(extent.finest);
+    let near = extent.projection.in_space(0.5 * visible / n_across as f64).max(extent.finest);
 
     let mut summary = Summary::default();
     let mut drawings = Vec::with_capacity(job.items.len());
     for item in &job.items {
         summary.count(&item.subject);
-        drawings.push(Drawing::of(item, &view, near, job)?);
+        drawings.push(Drawing::of(item, &extent.projection, near, job)?);
     }
-    let scene = RasterScene::new(job, &drawings, picture, near)?;
-    let light = Light::new(job.options.view, picture.stripes);
+    let scene = RasterScene::new(job, (&drawings, &extent.projection), picture, near)?;
+    let light = Light::new(&extent.projection, picture.stripes);
     let mut pixels = Vec::with_capacity(3 * picture.size[0] * picture.size[1]);
     let mut band = RowBand::new(scene.width);
     for idx in 0..scene.n_bands() {
@@ -65,6 +75,8 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
         band.resolve(&scene, &light, &mut pixels);
     }
     legend::draw(picture, &mut pixels);
+    marks::draw_labels(picture, &scene, &mut pixels);
+    marks::draw_scale(job, picture, &scene, &mut pixels);
     encode(picture.size, &pixels, out)?;
     Ok(summary)
 }

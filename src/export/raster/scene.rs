@@ -3,14 +3,15 @@
 
 use std::{borrow::Cow, sync::Arc};
 
-use glam::{DAffine3, DVec2, DVec3};
+use glam::{DVec2, DVec3};
 
 use super::{
     super::{
-        ExportError, Item, Job, POINT, Picture, STROKE, Subject,
+        ExportError, Item, Job, Label, POINT, Picture, STROKE, Subject,
+        projection::Projection,
         wire::{Drawing, DrawnLine, LineWeight},
     },
-    SIDE, legend, levels,
+    SIDE, legend, levels, marks,
 };
 use crate::kernel::{Bounds, GeomError, Mesh, NurbsCurve, tessellate_curve};
 
@@ -43,6 +44,8 @@ pub(super) struct Stroke {
     /// The body on which alone it is drawn: lines inside a surface, edges of triangles. What is
     /// covered by another surface in the same place does not show through by its lines.
     pub(super) body: Option<u32>,
+    /// Whether its surface lies on one of its sides only, as at borders and outlines.
+    pub(super) is_rim: bool,
 }
 
 /// Everything on the picture, sorted into bands of rows.
@@ -59,41 +62,62 @@ pub(super) struct RasterScene {
     pub(super) strokes_in: Vec<Vec<u32>>,
     /// Rows of samples.
     height: usize,
+    projection: Projection,
+    camera: Camera,
 }
 
 impl RasterScene {
     pub(super) fn new(
         job: &Job,
-        drawings: &[Drawing],
+        (drawings, projection): (&[Drawing], &Projection),
         picture: &Picture,
         near: f64,
     ) -> Result<Self, ExportError> {
-        let view = DAffine3::from_mat3(job.options.view.matrix());
         let bounds = drawings.iter().filter_map(|drawing| drawing.bounds).reduce(Bounds::union);
         let bounds = bounds.unwrap_or(Bounds { min: DVec3::ZERO, max: DVec3::ZERO });
         let camera = Camera::new(bounds, picture);
         let [width, height] = picture.size.map(|pixels| SIDE * pixels);
         let stroke = STROKE * DVec2::new(width as f64, height as f64).length();
+        let widest = job.items.iter().map(|item| item.line_width).fold(1.0, f64::max);
         let mut scene = Self {
             width,
             bodies: Vec::new(),
             strokes: Vec::new(),
-            apron: (POINT * stroke).ceil() as usize + 1,
+            apron: (POINT * widest * stroke).ceil() as usize + 1,
             triangles_in: Vec::new(),
             strokes_in: Vec::new(),
             height,
+            projection: projection.clone(),
+            camera: camera.clone(),
         };
         for (item, drawing) in job.items.iter().zip(drawings) {
             let color = levels(item.color.unwrap_or_default());
             if let Some(mesh) = &drawing.mesh {
-                let place = |&vertex: &DVec3| camera.place(view.transform_point3(vertex));
+                let place = |&vertex: &DVec3| camera.place(projection.project(vertex));
                 let places = mesh.vertices().iter().map(place).collect();
                 scene.bodies.push(PlacedMesh { mesh: Arc::clone(mesh), places, color });
             }
-            scene.add_lines(item, drawing, &camera, (stroke, color), (near, job))?;
+            scene.add_lines(
+                item,
+                drawing,
+                &camera,
+                (item.line_width * stroke, color),
+                (near, job),
+            )?;
         }
         scene.sort_in();
         Ok(scene)
+    }
+
+    /// Where a label belongs, in pixels from the upper left corner.
+    pub(super) fn pixel_of(&self, label: &Label) -> DVec2 {
+        let place = label.place_seen(&self.projection);
+        (self.camera.place(place).truncate() + 0.5) / SIDE as f64
+    }
+
+    /// How many pixels a unit of length is wide, at what a camera looks at.
+    pub(super) fn pixels_per_unit(&self) -> f64 {
+        self.camera.scale / SIDE as f64
     }
 
     pub(super) fn n_bands(&self) -> usize {
@@ -136,6 +160,7 @@ impl RasterScene {
                 radius,
                 color,
                 body: body.filter(|_| !is_full),
+                is_rim: is_full && body.is_some(),
             }));
         }
         if matches!(item.subject, Subject::Mesh(_)) {
@@ -151,6 +176,7 @@ impl RasterScene {
             radius: POINT * stroke,
             color,
             body: None,
+            is_rim: false,
         }));
         Ok(())
     }
@@ -187,6 +213,7 @@ impl RasterScene {
 }
 
 /// From the view's coordinates to those of the picture.
+#[derive(Clone)]
 struct Camera {
     middle: DVec3,
     /// Samples of a unit of length.
@@ -200,6 +227,7 @@ impl Camera {
     fn new(bounds: Bounds, picture: &Picture) -> Self {
         let [width, height] = picture.size.map(|pixels| (SIDE * pixels) as f64);
         let width = width - (SIDE * legend::width(picture)) as f64;
+        let height = height - (SIDE * marks::height(picture)) as f64;
         let room = DVec2::new(width, height) - 2.0 * MARGIN * width.min(height);
         let scale = (room / bounds.size().truncate()).min_element();
         // What cannot be told from a point is drawn as one.

@@ -13,7 +13,7 @@ const BAR: f64 = 15.0;
 /// Length of the mark at a label, in strokes.
 const TICK: f64 = 3.0;
 /// Height of letters, in strokes.
-const LETTER: f64 = 12.0;
+pub(super) const LETTER: f64 = 12.0;
 /// Pieces of a bar between two values.
 const N_PIECES: usize = 8;
 

@@ -1,16 +1,17 @@
 //! SVG: a drawing of the geometry from one side, without hidden lines.
 //!
 //! `path` makes paths of curves, exactly where a cubic can be, [`super::wire`] finds the lines of
-//! surfaces and meshes, `hidden` what of a line is seen, `legend` explains colours. W3C, *Scalable Vector Graphics 1.1*, second edition.
+//! surfaces and meshes, `hidden` what of a line is seen, `legend` explains colours, `marks` names places and lengths. W3C, *Scalable Vector Graphics 1.1*, second edition.
 
 mod hidden;
 mod legend;
+mod marks;
 mod path;
 mod xml;
 
 use std::io::Write;
 
-use glam::{DAffine3, DVec3};
+use glam::DVec3;
 
 use self::{
     hidden::HidingScene,
@@ -19,7 +20,10 @@ use self::{
 };
 use super::{
     ExportError, Format, Item, Job, POINT, STROKE, Subject, Summary,
-    options::{DECIMALS, TOLERANCE, VIEW},
+    options::{
+        CAMERA, DECIMALS, EDGES, ISOCURVES, LOOK_AT, OBLIQUE_ANGLE, OBLIQUE_RATIO, PERSPECTIVE,
+        TOLERANCE, VIEW,
+    },
     text::TextBuffer,
     unique_values::UniqueValues,
     wire::{Drawing, DrawingExtent, DrawnLine, LineWeight},
@@ -33,7 +37,18 @@ pub(super) static FORMAT: Format = Format {
     ending: "svg",
     aliases: &[],
     title: "SVG: a drawing from one side, curves as exact paths, surfaces and meshes as wireframes without hidden lines",
-    options: &[&TOLERANCE, &DECIMALS, &VIEW],
+    options: &[
+        &TOLERANCE,
+        &DECIMALS,
+        &VIEW,
+        &OBLIQUE_ANGLE,
+        &OBLIQUE_RATIO,
+        &CAMERA,
+        &LOOK_AT,
+        &PERSPECTIVE,
+        &EDGES,
+        &ISOCURVES,
+    ],
     takes: Subject::is_geometry,
     takes_data: false,
     is_of_meshes: false,
@@ -49,23 +64,24 @@ const MARGIN: f64 = 10.0;
 const PAPER: std::ops::RangeInclusive<f64> = 10.0..=2000.0;
 
 fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
-    let view = DAffine3::from_mat3(job.options.view.matrix());
     let extent = DrawingExtent::of(job)?;
     let within =
         |share: f64| job.options.tolerance.unwrap_or(share * extent.size).max(extent.finest);
-    let (tolerance, near) = (within(PATH_RELATIVE), within(HIDDEN_RELATIVE));
+    let (tolerance, on_paper) = (within(PATH_RELATIVE), within(HIDDEN_RELATIVE));
+    let view = &extent.projection;
+    let near = view.in_space(on_paper);
 
     // Everything as lines and triangles in the view's coordinates.
     let mut drawings = Vec::with_capacity(job.items.len());
     let mut summary = Summary::default();
     for item in &job.items {
         summary.count(&item.subject);
-        let mut drawing = Drawing::of(item, &view, near, job)?;
-        drawing.add_stripes(item, &view, near, job)?;
+        let mut drawing = Drawing::of(item, view, near, job)?;
+        drawing.add_stripes(item, view, near, job)?;
         drawings.push(drawing);
     }
     let scene =
-        HidingScene::new(drawings.iter().flat_map(|drawing| drawing.triangles(&view)), near);
+        HidingScene::new(drawings.iter().flat_map(|drawing| drawing.triangles(view)), on_paper);
     let bounds = drawings.iter().filter_map(|drawing| drawing.bounds).reduce(Bounds::union);
     let bounds = bounds.unwrap_or(Bounds { min: DVec3::ZERO, max: DVec3::ZERO });
 
@@ -88,6 +104,9 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
             if let Some(color) = item.color {
                 text.push(" stroke=\"").push(&hex(color)).push("\"");
             }
+            if 0.0 < (item.line_width - 1.0).abs() {
+                text.push(" stroke-width=\"").number(item.line_width * sheet.stroke).push("\"");
+            }
             text.push(">\n<title>").push(&escaped(&item.name)).push("</title>\n");
             sheet.draw(item, &drawings[idx], &scene, tolerance, &mut text);
             text.push("</g>\n");
@@ -97,6 +116,8 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     }
     text.push("</g>\n");
     legend::draw(legends, &sheet, &mut text);
+    marks::draw_labels(job, view, &sheet, &mut text);
+    marks::draw_scale(job, &sheet, &mut text);
     text.push("</svg>\n");
     text.flush(out)?;
     Ok(summary)
@@ -130,6 +151,9 @@ impl SvgSheet {
         let mut extent = (bounds.size().truncate() + 2.0 * margin).to_array();
         if job.picture.as_ref().is_some_and(|picture| !picture.legends.is_empty()) {
             extent[0] += legend::WIDTH * stroke;
+        }
+        if job.picture.as_ref().is_some_and(|picture| picture.has_scale) {
+            extent[1] += marks::HEIGHT * stroke;
         }
         let digits = -libm::log10(DRAWING_DIGIT * size).floor();
         let decimals = job.options.decimals.unwrap_or(digits.clamp(0.0, 17.0) as usize);
@@ -204,14 +228,18 @@ impl SvgSheet {
             if !pen.text.is_empty() {
                 text.push("<path");
                 if weight == LineWeight::Half {
-                    text.push(" stroke-width=\"").number(0.5 * self.stroke).push("\"");
+                    text.push(" stroke-width=\"")
+                        .number(0.5 * item.line_width * self.stroke)
+                        .push("\"");
                 }
                 text.push(" d=\"").append(&pen.text).push("\"/>\n");
             }
         }
         for &point in drawing.points.iter().filter(|&&point| scene.is_seen(point)) {
             text.push("<circle cx=\"").number(point.x).push("\" cy=\"").number(-point.y);
-            text.push("\" r=\"").number(POINT * self.stroke).push("\" stroke=\"none\" fill=\"");
+            text.push("\" r=\"")
+                .number(POINT * item.line_width * self.stroke)
+                .push("\" stroke=\"none\" fill=\"");
             text.push(&hex(item.color.unwrap_or_default())).push("\"/>\n");
         }
     }

@@ -56,7 +56,7 @@ mod series;
 mod standard;
 mod units;
 
-use glam::{DAffine3, DVec3, DVec4};
+use glam::{DAffine3, DMat4, DVec3, DVec4};
 
 use super::{
     ConstructionReport, GeomError, Interval, KnotVector, Tolerance, frame::norm, homogeneous,
@@ -280,5 +280,23 @@ impl NurbsCurve {
         let move_point = |&point: &DVec4| homogeneous::transformed(point, map);
         let control_points = self.control_points.iter().map(move_point).collect();
         Self { control_points, report: ConstructionReport::NONE, ..self.clone() }
+    }
+
+    /// The image under a projective map, such as a central projection: exact, because rational
+    /// curves are images of polynomial ones under such maps. The weights of the image are the
+    /// control points' distances from the plane that the map takes to infinity.
+    ///
+    /// Piegl & Tiller, *The NURBS Book*, §4.2, P4.7; Lee, *The rational Bézier representation for
+    /// conics*, Geometric Modeling (1987).
+    ///
+    /// # Errors
+    /// [`GeomError::BadWeight`] where a control point lies on or beyond that plane, or has a weight
+    /// of zero; [`GeomError::NotFinite`].
+    pub fn projected(&self, map: &DMat4) -> Result<Self, GeomError> {
+        let points: Vec<DVec4> = self.control_points.iter().map(|&point| *map * point).collect();
+        if let Some(index) = points.iter().position(|point| point.w <= 0.0) {
+            return Err(GeomError::BadWeight { index, weight: points[index].w });
+        }
+        Self::new(self.knots.clone(), points)
     }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    export::N_LINES,
+    export::N_ISOCURVES,
     kernel::{Curve, Interval, Surface},
     ops::measure::curve::{
         check_segments,
@@ -102,7 +102,7 @@ fn asked(
 /// The isocurves that pictures draw: a seam once, and no poles.
 fn drawn(ctx: &Ctx<'_>, s: &Spanned<Surface>) -> Result<Vec<Spanned<Curve>>> {
     let (surface, span) = (&s.value, s.span);
-    let steps = |domain: Interval| domain.steps(N_LINES + 1);
+    let steps = |domain: Interval| domain.steps(N_ISOCURVES + 1);
     let same = ctx.tolerance.distance_for(surface.bounds().at(span)?.diagonal());
     let closed_u = surface.is_closed_u(same).at(span)?;
     let closed_v = surface.is_closed_v(same).at(span)?;
