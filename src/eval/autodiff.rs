@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Curve, GeomError, Interval, Side, Surface, jet},
+    kernel::{Curve, GeomError, Interval, LocalError, Side, Surface, jet},
     value::{At, CARRIES_DERIVATIVES, FromValue, IntoValue, Number, Real, Value, Vector},
 };
 
@@ -55,7 +55,10 @@ fn numbers(op: BinaryOp, a: &Real, b: &Real, plain: f64, places: OperandPlaces) 
         Op::Divide => a.over(b).at(places.whole)?,
         Op::Remainder => {
             if plain == 0.0 {
-                let error = GeomError::NotDifferentiable { what: "the remainder", at: a.value() };
+                let error = GeomError::Local(LocalError::NotDifferentiable {
+                    what: "the remainder",
+                    at: a.value(),
+                });
                 return Err(error).at(places.whole);
             }
             // Between its jumps the remainder is a difference.
@@ -65,7 +68,7 @@ fn numbers(op: BinaryOp, a: &Real, b: &Real, plain: f64, places: OperandPlaces) 
         _ => power(a, b).at(places.whole)?,
     };
     if !found.is_finite() {
-        return Err(GeomError::DerivativeBeyondNumbers).at(places.whole);
+        return Err(LocalError::DerivativeBeyondNumbers.into()).at(places.whole);
     }
     Ok(match found {
         Real::Jet(jet) => Real::Jet(jet.with_value(plain)),

@@ -29,7 +29,7 @@ struct KnotCluster {
 /// clamped. Piegl & Tiller, *The NURBS Book*, §10.3.
 ///
 /// # Errors
-/// [`GeomError::KnotMultiplicity`] where knots fall together for lack of digits on that domain.
+/// `KnotError::KnotMultiplicity` where knots fall together for lack of digits on that domain.
 pub(crate) fn on_common_knots(splines: Vec<ControlLines>) -> Result<Vec<ControlLines>, GeomError> {
     let Some(first) = splines.first() else { return Ok(splines) };
     if splines.iter().all(|spline| spline.knots == first.knots) {

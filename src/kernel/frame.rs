@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::{GeomError, tolerance::VANISHING_RELATIVE};
+use super::{GeomError, InputError, tolerance::VANISHING_RELATIVE};
 
 /// An origin with three unit vectors at right angles, right-handed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,34 +33,41 @@ impl Frame {
     /// allows; without one, as near to (1, 0, 0), or to (0, 1, 0) where that is the normal's line.
     ///
     /// # Errors
-    /// [`GeomError::ZeroAxis`] for a direction of length zero, [`GeomError::ParallelAxes`] for an x
-    /// along the normal; [`GeomError::NotFinite`] for an origin.
+    /// [`InputError::ZeroAxis`] for a direction of length zero, [`InputError::ParallelAxes`] for an x
+    /// along the normal; [`InputError::NotFinite`] for an origin.
     pub fn from_normal(origin: DVec3, normal: DVec3, x: Option<DVec3>) -> Result<Self, GeomError> {
         if !origin.is_finite() {
-            return Err(GeomError::NotFinite { what: "origin", index: 0 });
+            return Err(InputError::NotFinite { what: "origin", index: 0 }.into());
         }
-        let z = unit(normal).ok_or(GeomError::ZeroAxis { what: "the normal" })?;
+        let z =
+            unit(normal).ok_or(GeomError::Input(InputError::ZeroAxis { what: "the normal" }))?;
         let x = match x {
             Some(x) => {
-                let x = unit(x).ok_or(GeomError::ZeroAxis { what: "the x axis" })?;
+                let x =
+                    unit(x).ok_or(GeomError::Input(InputError::ZeroAxis { what: "the x axis" }))?;
                 across(x, z)
             }
             None => across(DVec3::X, z).or_else(|| across(DVec3::Y, z)),
         };
-        let x = x.ok_or(GeomError::ParallelAxes { first: "the x axis", second: "the normal" })?;
+        let x = x.ok_or(GeomError::Input(InputError::ParallelAxes {
+            first: "the x axis",
+            second: "the normal",
+        }))?;
         Ok(Self { origin, ..Self::plane([x, z.cross(x), z]) })
     }
 
     /// The frame at `origin` with x along `x` and y in the half plane of `y`.
     ///
     /// # Errors
-    /// [`GeomError::ZeroAxis`] where one is zero, [`GeomError::ParallelAxes`] where they are
-    /// parallel; [`GeomError::NotFinite`].
+    /// [`InputError::ZeroAxis`] where one is zero, [`InputError::ParallelAxes`] where they are
+    /// parallel; [`InputError::NotFinite`].
     pub fn from_axes(origin: DVec3, x: DVec3, y: DVec3) -> Result<Self, GeomError> {
-        let ux = unit(x).ok_or(GeomError::ZeroAxis { what: "the x axis" })?;
-        let uy = unit(y).ok_or(GeomError::ZeroAxis { what: "the y axis" })?;
-        let uy = across(uy, ux)
-            .ok_or(GeomError::ParallelAxes { first: "the y axis", second: "the x axis" })?;
+        let ux = unit(x).ok_or(GeomError::Input(InputError::ZeroAxis { what: "the x axis" }))?;
+        let uy = unit(y).ok_or(GeomError::Input(InputError::ZeroAxis { what: "the y axis" }))?;
+        let uy = across(uy, ux).ok_or(GeomError::Input(InputError::ParallelAxes {
+            first: "the y axis",
+            second: "the x axis",
+        }))?;
         Self::from_normal(origin, ux.cross(uy), Some(ux))
     }
 
@@ -68,7 +75,7 @@ impl Frame {
     /// binormal.
     ///
     /// # Errors
-    /// [`GeomError::ZeroAxis`] where one is zero or both are parallel; [`GeomError::NotFinite`].
+    /// [`InputError::ZeroAxis`] where one is zero or both are parallel; [`InputError::NotFinite`].
     pub fn of_curve(origin: DVec3, tangent: DVec3, bending: DVec3) -> Result<Self, GeomError> {
         Ok(Self { is_of_curve: true, ..Self::from_axes(origin, tangent, bending)? })
     }
@@ -88,7 +95,7 @@ impl Frame {
     /// The image under an affine map, made orthonormal again; x keeps its direction.
     ///
     /// # Errors
-    /// [`GeomError::ZeroAxis`] where the map flattens the plane; [`GeomError::NotFinite`].
+    /// [`InputError::ZeroAxis`] where the map flattens the plane; [`InputError::NotFinite`].
     pub fn transformed(self, map: &DAffine3) -> Result<Self, GeomError> {
         let axis = |axis: DVec3| map.transform_vector3(axis);
         let origin = map.transform_point3(self.origin);

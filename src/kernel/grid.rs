@@ -1,6 +1,6 @@
 //! A rectangular array: the control net of a surface, points over a grid of parameters.
 
-use super::GeomError;
+use super::{CountError, GeomError};
 
 /// `n_rows` × `n_columns` values in row-major order; row `i` runs along u, column `j` along v.
 ///
@@ -16,28 +16,33 @@ impl<T> Grid<T> {
     /// The values laid out row after row.
     ///
     /// # Errors
-    /// [`GeomError::GridSize`] unless there are `n_rows * n_columns` of them.
+    /// [`CountError::GridSize`] unless there are `n_rows * n_columns` of them.
     pub fn new(n_rows: usize, n_columns: usize, values: Vec<T>) -> Result<Self, GeomError> {
         let needed = n_rows.saturating_mul(n_columns);
         if values.len() == needed {
             Ok(Self { n_rows, n_columns, values })
         } else {
             let got = values.len();
-            Err(GeomError::GridSize { rows: n_rows, columns: n_columns, needed, got })
+            Err(GeomError::Count(CountError::GridSize {
+                rows: n_rows,
+                columns: n_columns,
+                needed,
+                got,
+            }))
         }
     }
 
     /// The rows under one another.
     ///
     /// # Errors
-    /// [`GeomError::RaggedGrid`] for the first row that is not as long as row 0.
+    /// [`CountError::RaggedGrid`] for the first row that is not as long as row 0.
     pub fn from_rows(rows: Vec<Vec<T>>) -> Result<Self, GeomError> {
         let n_rows = rows.len();
         let n_columns = rows.first().map_or(0, Vec::len);
         if let Some((row, got)) =
             rows.iter().map(Vec::len).enumerate().find(|&(_, length)| length != n_columns)
         {
-            return Err(GeomError::RaggedGrid { row, got, expected: n_columns });
+            return Err(CountError::RaggedGrid { row, got, expected: n_columns }.into());
         }
         Ok(Self { n_rows, n_columns, values: rows.into_iter().flatten().collect() })
     }

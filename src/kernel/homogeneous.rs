@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DVec3, DVec4};
 
-use super::{GeomError, Grid, tolerance::WEIGHT_RELATIVE};
+use super::{GeomError, Grid, InputError, WeightError, tolerance::WEIGHT_RELATIVE};
 
 /// The point in space.
 pub(crate) fn project(point: DVec4) -> DVec3 {
@@ -18,7 +18,7 @@ pub(crate) fn place(point: DVec4) -> DVec3 {
 /// Homogeneous points of weight one.
 ///
 /// # Errors
-/// [`GeomError::NotFinite`].
+/// [`InputError::NotFinite`].
 pub(crate) fn unweighted(points: &[DVec3]) -> Result<Vec<DVec4>, GeomError> {
     let points: Vec<DVec4> = points.iter().map(|point| point.extend(1.0)).collect();
     check_finite(&points)?;
@@ -28,16 +28,18 @@ pub(crate) fn unweighted(points: &[DVec3]) -> Result<Vec<DVec4>, GeomError> {
 /// Homogeneous points; a weight of zero takes its point away.
 ///
 /// # Errors
-/// [`GeomError::WeightCount`], [`GeomError::NotFinite`], [`GeomError::BadWeight`] below zero.
+/// [`WeightError::WeightCount`], [`InputError::NotFinite`], [`WeightError::BadWeight`] below zero.
 pub(crate) fn weighted(points: &[DVec3], weights: &[f64]) -> Result<Vec<DVec4>, GeomError> {
     if points.len() != weights.len() {
-        return Err(GeomError::WeightCount { points: points.len(), weights: weights.len() });
+        return Err(
+            WeightError::WeightCount { points: points.len(), weights: weights.len() }.into()
+        );
     }
     if let Some(index) = weights.iter().position(|weight| !weight.is_finite()) {
-        return Err(GeomError::NotFinite { what: "weight", index });
+        return Err(InputError::NotFinite { what: "weight", index }.into());
     }
     if let Some(index) = weights.iter().position(|&weight| weight < 0.0) {
-        return Err(GeomError::BadWeight { index, weight: weights[index] });
+        return Err(WeightError::BadWeight { index, weight: weights[index] }.into());
     }
     let points: Vec<DVec4> = points.iter().zip(weights).map(|(&p, &w)| (p * w).extend(w)).collect();
     check_finite(&points)?;
@@ -45,10 +47,12 @@ pub(crate) fn weighted(points: &[DVec3], weights: &[f64]) -> Result<Vec<DVec4>, 
 }
 
 /// # Errors
-/// [`GeomError::NotFinite`].
+/// [`InputError::NotFinite`].
 pub(crate) fn check_finite(points: &[DVec4]) -> Result<(), GeomError> {
     match points.iter().position(|point| !point.is_finite()) {
-        Some(index) => Err(GeomError::NotFinite { what: "control point", index }),
+        Some(index) => {
+            Err(GeomError::Input(InputError::NotFinite { what: "control point", index }))
+        }
         None => Ok(()),
     }
 }

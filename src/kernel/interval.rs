@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::{
-    GeomError,
+    DomainError, GeomError,
     digits::plain,
     tolerance::{KNOT_RELATIVE, LAST_BIT},
 };
@@ -25,12 +25,12 @@ impl Interval {
     /// The interval from `start` to `end`.
     ///
     /// # Errors
-    /// [`GeomError::EmptyInterval`] unless `start < end` and their distance is a number.
+    /// [`DomainError::EmptyInterval`] unless `start < end` and their distance is a number.
     pub fn new(start: f64, end: f64) -> Result<Self, GeomError> {
         if start < end && (end - start).is_finite() {
             Ok(Self { start, end })
         } else {
-            Err(GeomError::EmptyInterval { start, end })
+            Err(GeomError::Domain(DomainError::EmptyInterval { start, end }))
         }
     }
 
@@ -73,13 +73,13 @@ impl Interval {
     /// `t`, where a parameter outside by rounding counts as the end.
     ///
     /// # Errors
-    /// [`GeomError::ParameterOutside`] further out than [`KNOT_RELATIVE`] of the length.
+    /// [`DomainError::ParameterOutside`] further out than [`KNOT_RELATIVE`] of the length.
     pub fn clamp_inside(self, t: f64) -> Result<f64, GeomError> {
         let slack = KNOT_RELATIVE * self.length();
         if self.start - slack <= t && t <= self.end + slack {
             Ok(t.clamp(self.start, self.end))
         } else {
-            Err(GeomError::ParameterOutside { parameter: t, domain: self })
+            Err(GeomError::Domain(DomainError::ParameterOutside { parameter: t, domain: self }))
         }
     }
 

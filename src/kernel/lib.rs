@@ -52,7 +52,10 @@ pub use curve::{
     Offset, ParametricCurve, join, make_compatible,
 };
 pub use deviation_reference::{Deviation, DeviationReference};
-pub use error::GeomError;
+pub use error::{
+    ConstructionError, CountError, DegreeError, DomainError, FitError, FormError, GeomError,
+    InputError, IntersectionError, JointError, KnotError, LocalError, MeasureError, WeightError,
+};
 pub use failure::FunctionFailure;
 pub use fit::{
     Approximator, Ends, FirstPass, Interpolator, LineFit, Lines, Parametrization, approximate,

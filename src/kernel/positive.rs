@@ -5,7 +5,7 @@
 
 use glam::DVec4;
 
-use super::{GeomError, Grid, Interval, KnotVector, bezier};
+use super::{GeomError, Grid, Interval, KnotVector, WeightError, bezier};
 
 /// Pieces looked at before a denominator that comes too near to zero to tell counts as
 /// vanishing: far more than any that stays clear of zero needs.
@@ -19,7 +19,7 @@ struct BezierNet {
 }
 
 /// # Errors
-/// [`GeomError::VanishingWeights`] unless `Σ wᵢNᵢ` is positive on the whole domain.
+/// [`WeightError::VanishingWeights`] unless `Σ wᵢNᵢ` is positive on the whole domain.
 pub(crate) fn check_curve(knots: &KnotVector, points: &[DVec4]) -> Result<(), GeomError> {
     if points.iter().all(|point| 0.0 < point.w) {
         return Ok(());
@@ -31,13 +31,15 @@ pub(crate) fn check_curve(knots: &KnotVector, points: &[DVec4]) -> Result<(), Ge
             u: Interval::UNIT,
             v: knots.span_interval(span),
         };
-        check_piece(piece).map_err(|[_, parameter]| GeomError::VanishingWeights { parameter })?;
+        check_piece(piece).map_err(|[_, parameter]| {
+            GeomError::Weights(WeightError::VanishingWeights { parameter })
+        })?;
     }
     Ok(())
 }
 
 /// # Errors
-/// [`GeomError::VanishingWeightsAt`] unless `Σ wᵢⱼNᵢNⱼ` is positive on the whole domain.
+/// [`WeightError::VanishingWeightsAt`] unless `Σ wᵢⱼNᵢNⱼ` is positive on the whole domain.
 pub(crate) fn check_surface(
     knots: [&KnotVector; 2],
     points: &Grid<DVec4>,
@@ -52,7 +54,8 @@ pub(crate) fn check_surface(
                 u: knots[0].span_interval(span_u),
                 v: knots[1].span_interval(span_v),
             };
-            check_piece(piece).map_err(|[u, v]| GeomError::VanishingWeightsAt { u, v })?;
+            check_piece(piece)
+                .map_err(|[u, v]| GeomError::Weights(WeightError::VanishingWeightsAt { u, v }))?;
         }
     }
     Ok(())

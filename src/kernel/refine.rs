@@ -5,7 +5,7 @@
 
 use glam::DVec4;
 
-use super::{GeomError, KnotVector, bezier, tolerance::KNOT_RELATIVE};
+use super::{DegreeError, GeomError, KnotError, KnotVector, bezier, tolerance::KNOT_RELATIVE};
 
 /// Lines of control points over one knot vector.
 #[derive(Clone, Debug)]
@@ -22,7 +22,7 @@ impl ControlLines {
     /// a knot. Piegl & Tiller, *The NURBS Book*, A5.4.
     ///
     /// # Errors
-    /// [`GeomError::ParameterOutside`] the domain; [`GeomError::KnotMultiplicity`] above p + 1.
+    /// `DomainError::ParameterOutside` the domain; [`KnotError::KnotMultiplicity`] above p + 1.
     pub(crate) fn with_knots(self, new: &[f64]) -> Result<Self, GeomError> {
         let new = self.one_of_each_cluster(new)?;
         let degree = self.knots.degree();
@@ -76,7 +76,7 @@ impl ControlLines {
             let (knot, times) = (run[0], self.knots.times(run[0]) + run.len());
             if most < times {
                 let index = self.knots.as_slice().partition_point(|&other| other < knot);
-                return Err(GeomError::KnotMultiplicity { index, knot, times, most });
+                return Err(KnotError::KnotMultiplicity { index, knot, times, most }.into());
             }
         }
         Ok(new)
@@ -115,11 +115,11 @@ impl ControlLines {
     /// The same splines at a higher degree, clamped unless it is the one they have.
     ///
     /// # Errors
-    /// [`GeomError::DegreeTooLow`] below the degree there is, [`GeomError::DegreeTooHigh`].
+    /// [`DegreeError::DegreeTooLow`] below the degree there is, [`DegreeError::DegreeTooHigh`].
     pub(crate) fn elevated(self, degree: usize) -> Result<Self, GeomError> {
         let from = self.knots.degree();
         if degree < from {
-            return Err(GeomError::DegreeTooLow { from, to: degree });
+            return Err(DegreeError::DegreeTooLow { from, to: degree }.into());
         }
         if degree == from {
             return Ok(self);

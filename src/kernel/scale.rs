@@ -3,7 +3,7 @@
 //! What is measured is divided by a power of two near its size, which changes no digit, and what was found
 //! multiplied by that power again.
 
-use super::GeomError;
+use super::{GeomError, MeasureError};
 
 /// The eighth power of a size up to this one is a number, and so is that of its inverse: nothing that is
 /// measured takes more.
@@ -26,7 +26,7 @@ pub(crate) fn scale_of(size: f64) -> f64 {
 /// A measure of a dimension, found of what was divided by a scale.
 ///
 /// # Errors
-/// [`GeomError::TooSmallToMeasure`] of what is not zero, but less than the smallest number.
+/// [`MeasureError::TooSmallToMeasure`] of what is not zero, but less than the smallest number.
 pub(crate) fn scaled_back(
     found: f64,
     scale: f64,
@@ -35,7 +35,7 @@ pub(crate) fn scaled_back(
 ) -> Result<f64, GeomError> {
     let measure = (0..dimension).fold(found, |measure, _| measure * scale);
     if measure.abs() < f64::MIN_POSITIVE && 0.0 < found.abs() {
-        return Err(GeomError::TooSmallToMeasure { what });
+        return Err(MeasureError::TooSmallToMeasure { what }.into());
     }
     Ok(measure)
 }

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::GeomError;
+use super::{CountError, GeomError};
 
 /// The cells of one column.
 #[derive(Clone, Debug)]
@@ -83,7 +83,7 @@ impl Table {
     /// The table of the columns in their order; without columns it has no rows.
     ///
     /// # Errors
-    /// [`GeomError::ColumnLength`], [`GeomError::DuplicateColumn`].
+    /// [`CountError::ColumnLength`], [`CountError::DuplicateColumn`].
     pub fn new(columns: Vec<NamedColumn>) -> Result<Self, GeomError> {
         let expected = columns.first().map_or(0, |column| column.column.len());
         let mut names: HashSet<&str> = HashSet::with_capacity(columns.len());
@@ -91,10 +91,10 @@ impl Table {
             let got = column.column.len();
             let name = || column.name.clone();
             if got != expected {
-                return Err(GeomError::ColumnLength { name: name(), got, expected });
+                return Err(CountError::ColumnLength { name: name(), got, expected }.into());
             }
             if !names.insert(column.name.as_str()) {
-                return Err(GeomError::DuplicateColumn { name: name() });
+                return Err(CountError::DuplicateColumn { name: name() }.into());
             }
         }
         Ok(Self { columns })

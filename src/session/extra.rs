@@ -4,7 +4,7 @@ use glam::{DVec3, Vec3Swizzles};
 
 use crate::{
     export::{Item, Label, Subject},
-    kernel::{Bounds, Curve, GeomError, Interval, NurbsCurve, Side, Surface},
+    kernel::{Bounds, Curve, GeomError, Interval, LocalError, NurbsCurve, Side, Surface},
 };
 
 /// What can be shown beside the geometry.
@@ -132,7 +132,7 @@ fn bends(curve: &Curve) -> Result<Vec<(DVec3, DVec3)>, GeomError> {
     let mut bends = Vec::new();
     for t in curve.domain().steps(N_TEETH) {
         match curve.local_at(t, Side::Right) {
-            Err(GeomError::VanishingTangent { .. }) => {}
+            Err(GeomError::Local(LocalError::VanishingTangent { .. })) => {}
             local => {
                 let local = local?;
                 bends.extend(local.curvature_vector().map(|bending| (local.point(), bending)));

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::{CARRIES_DERIVATIVES, Dimension, List, Number, Range, Real, Record, Type, Value};
 use crate::{
     diag::{Code, Span, Spanned},
-    kernel::{Curve, Frame, GeomError, Grid, Interval, Mesh, Surface, Table},
+    kernel::{CountError, Curve, Frame, GeomError, Grid, Interval, Mesh, Surface, Table},
 };
 
 /// Why a value cannot be read as a type.
@@ -335,7 +335,7 @@ impl FromValue for Rows {
         Grid::from_rows(rows).map(Self).map_err(|err| {
             let mismatch = Mismatch::because(err.to_string(), Code::RaggedGrid);
             match err {
-                GeomError::RaggedGrid { row, .. } => mismatch.inside(row),
+                GeomError::Count(CountError::RaggedGrid { row, .. }) => mismatch.inside(row),
                 _ => mismatch,
             }
         })

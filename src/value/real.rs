@@ -1,6 +1,6 @@
 //! Numbers in functions that may be differentiated: as they are, or as jets.
 
-use crate::kernel::{GeomError, Jet, Side};
+use crate::kernel::{GeomError, Jet, LocalError, Side};
 
 /// A number, or one that carries its derivatives.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,7 +23,7 @@ macro_rules! functions {
         $(#[$docs])*
         ///
         /// # Errors
-        /// [`GeomError::NotDifferentiable`], [`GeomError::DerivativeBeyondNumbers`] for jets.
+        /// [`LocalError::NotDifferentiable`], [`LocalError::DerivativeBeyondNumbers`] for jets.
         pub fn $name(&self) -> Result<Self, GeomError> {
             Ok(match self {
                 Self::Plain(x) => Self::Plain($plain(*x)),
@@ -207,7 +207,7 @@ impl Real {
     /// The larger of two numbers; of equal ones the first.
     ///
     /// # Errors
-    /// [`GeomError::NotDifferentiable`] where they are equal and their derivatives are not.
+    /// [`LocalError::NotDifferentiable`] where they are equal and their derivatives are not.
     pub fn max(self, other: Self) -> Result<Self, GeomError> {
         let is_other = self.value() < other.value();
         self.either(other, is_other, "the maximum")
@@ -216,7 +216,7 @@ impl Real {
     /// The smaller of two numbers; of equal ones the first.
     ///
     /// # Errors
-    /// [`GeomError::NotDifferentiable`] where they are equal and their derivatives are not.
+    /// [`LocalError::NotDifferentiable`] where they are equal and their derivatives are not.
     pub fn min(self, other: Self) -> Result<Self, GeomError> {
         let is_other = other.value() < self.value();
         self.either(other, is_other, "the minimum")
@@ -231,7 +231,7 @@ impl Real {
             && let MatchedReals::Jets(a, b) = self.with(&other)
             && !a.has_slopes_of(&b)
         {
-            return Err(GeomError::NotDifferentiable { what, at: a.value() });
+            return Err(LocalError::NotDifferentiable { what, at: a.value() }.into());
         }
         Ok(self)
     }

@@ -5,8 +5,9 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use glam::{DAffine3, DVec3};
 use virote_kernel::{
-    CircleForm, Curve, Ends, Frame, GeomError, Interpolator, KnotVector, NurbsCurve,
-    Parametrization, Side, Tolerance, approximate, approximate_within, lagrange, make_compatible,
+    CircleForm, ConstructionError, Curve, Ends, FitError, Frame, GeomError, InputError,
+    Interpolator, KnotVector, NurbsCurve, Parametrization, Side, Tolerance, approximate,
+    approximate_within, lagrange, make_compatible,
 };
 
 use crate::{curve::are_same, some::parameter};
@@ -72,7 +73,10 @@ mod fits {
             [Parametrization::Chord, Parametrization::Centripetal, Parametrization::Foley]
         {
             let found = spacing.parameters(&points);
-            assert_eq!(found, Err(GeomError::CoincidentPoints { first: 1, second: 2 }));
+            assert_eq!(
+                found,
+                Err(GeomError::Input(InputError::CoincidentPoints { first: 1, second: 2 }))
+            );
         }
         let parameters = Parametrization::Uniform.parameters(&points).unwrap();
         for ends in ENDS {
@@ -593,7 +597,7 @@ mod degrees {
         // the refusal tells no less than the true distance of the best one, |Δ³|/32 of the ends kept.
         let cubic = bezier(&[[0.0, 0.0], [1.0, 3.0], [2.0, -3.0], [3.0, 0.0]]);
         match cubic.reduced(Some(2), 1e-6) {
-            Err(GeomError::NotReducible { degree: 2, error, tolerance }) => {
+            Err(GeomError::Fit(FitError::NotReducible { degree: 2, error, tolerance })) => {
                 assert!(0.5 < error && error < 3.0, "{error}");
                 assert!(tolerance <= 1e-6);
             }
@@ -642,7 +646,13 @@ mod degrees {
     #[test]
     fn circles_that_are_offset_by_their_radius_vanish_and_say_so() {
         let offset = circle(2.0).offset(-2.0, DVec3::Z, Tolerance::DEFAULT);
-        assert!(matches!(offset, Err(GeomError::VanishingOffset { .. })), "{offset:?}");
+        assert!(
+            matches!(
+                offset,
+                Err(GeomError::Construction(ConstructionError::VanishingOffset { .. }))
+            ),
+            "{offset:?}"
+        );
         let smaller = circle(2.0).offset(-0.5, DVec3::Z, Tolerance::DEFAULT).unwrap();
         for point in smaller.curve.sample(100) {
             near(point.length(), 1.5, 1e-14);

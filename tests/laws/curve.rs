@@ -3,7 +3,8 @@
 use glam::{DMat4, DVec3, DVec4};
 use proptest::{collection::vec, prop_assert, prop_assume, proptest};
 use virote_kernel::{
-    CircleForm, Curve, Frame, GeomError, Interval, KnotVector, NurbsCurve, Side, make_compatible,
+    CircleForm, Curve, Frame, GeomError, Interval, KnotVector, NurbsCurve, Side, WeightError,
+    make_compatible,
 };
 
 use crate::some::{affine_map, are_near, curve, fraction, knots, parameter, point};
@@ -315,6 +316,9 @@ fn the_projective_image_of_a_curve_has_the_images_of_its_points() {
             assert!(image.point_at(t).distance(expected) < 1e-14, "{t}");
         }
         let beyond = DMat4::from_cols(DVec4::X, DVec4::Y, DVec4::Z, -DVec4::W);
-        assert!(matches!(curve.projected(&beyond), Err(GeomError::BadWeight { index: 0, .. })));
+        assert!(matches!(
+            curve.projected(&beyond),
+            Err(GeomError::Weights(WeightError::BadWeight { index: 0, .. }))
+        ));
     }
 }

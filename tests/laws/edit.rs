@@ -3,7 +3,8 @@
 use glam::{DAffine3, DVec3};
 use proptest::{collection::vec, prelude::Strategy, prop_assert, prop_assume, proptest};
 use virote_kernel::{
-    CircleForm, Curve, GeomError, Interval, KnotVector, NurbsCurve, Side, Tolerance, join,
+    CircleForm, Curve, FitError, GeomError, Interval, JointError, KnotError, KnotVector,
+    NurbsCurve, Side, Tolerance, join,
 };
 
 use crate::{
@@ -70,7 +71,7 @@ proptest! {
         prop_assume!(2 < breaks.len());
         let knot = breaks[1 + which % (breaks.len() - 2)];
         match curve.without_knot(knot, 1, 1e-12) {
-            Err(GeomError::KnotNeeded { error, .. }) => {
+            Err(GeomError::Fit(FitError::KnotNeeded { error, .. })) => {
                 prop_assume!(error.is_finite());
                 let moved = curve.without_knot(knot, 1, error).unwrap();
                 let distance = sampled_distance(&curve, &moved);
@@ -114,7 +115,7 @@ proptest! {
         prop_assume!(1 < curve.degree());
         let degree = curve.degree() - 1;
         match curve.reduced(Some(degree), 1e-12) {
-            Err(GeomError::NotReducible { error, .. }) => {
+            Err(GeomError::Fit(FitError::NotReducible { error, .. })) => {
                 // The least squares of a rational curve may have weights that are none.
                 prop_assume!(error.is_finite());
                 let moved = curve.reduced(Some(degree), error).unwrap();
@@ -226,7 +227,10 @@ fn knots_within_rounding_of_one_another_are_inserted_as_one() {
     // A fourth copy is a break, a fifth impossible.
     let knots = [0.3, 0.3, 0.3, 0.1 + 0.2, 0.3];
     let refused = line.insert_knots(&knots).unwrap_err();
-    assert!(matches!(refused, GeomError::KnotMultiplicity { times: 5, most: 4, .. }));
+    assert!(matches!(
+        refused,
+        GeomError::Knots(KnotError::KnotMultiplicity { times: 5, most: 4, .. })
+    ));
 }
 
 #[test]
@@ -243,7 +247,9 @@ fn knots_that_are_near_but_apart_stay_two() {
 fn a_true_cubic_is_no_parabola() {
     // The third difference is 6; the best parabola with the same ends is 6·√3/36·… away, at most.
     let cubic = NurbsCurve::bezier(&[DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::ONE]).unwrap();
-    let Err(GeomError::NotReducible { degree, error, .. }) = cubic.reduced(None, 1e-6) else {
+    let Err(GeomError::Fit(FitError::NotReducible { degree, error, .. })) =
+        cubic.reduced(None, 1e-6)
+    else {
         panic!("a cubic with a third derivative is of degree 3");
     };
     assert_eq!(degree, 2);
@@ -256,7 +262,15 @@ fn a_gap_names_the_pieces() {
     let line = |a: f64, b: f64| NurbsCurve::line(DVec3::X * a, DVec3::X * b).unwrap();
     let lines = [line(0.0, 1.0), line(1.0, 2.0), line(3.0, 2.0)];
     let gap = join(&lines, 1e-6).unwrap_err();
-    assert_eq!(gap, GeomError::Gap { index: 1, gap: 1.0, tolerance: 1e-6, reversed: Some(2) });
+    assert_eq!(
+        gap,
+        GeomError::Joint(JointError::Gap {
+            index: 1,
+            gap: 1.0,
+            tolerance: 1e-6,
+            reversed: Some(2)
+        })
+    );
     assert_eq!(
         gap.to_string(),
         "`curves[2]` starts 1 from where `curves[1]` ends, more than the tolerance 1e-6"
@@ -407,7 +421,7 @@ fn pieces_join_on_domains_of_any_size_until_one_vanishes() {
     assert_eq!(joined.knots().as_slice(), [0.0, 0.0, 1.0, 1_000_001.0, 1_000_001.0]);
     assert!(joined.point_at(0.5).distance(DVec3::X * 0.5) < 1e-15);
     let vanishing = join(&[piece(0.0, 1e-9), piece(1.0, 1e6)], 1e-6).unwrap_err();
-    assert!(matches!(vanishing, GeomError::VanishingPiece { index: 0, .. }));
+    assert!(matches!(vanishing, GeomError::Knots(KnotError::VanishingPiece { index: 0, .. })));
 }
 
 #[test]

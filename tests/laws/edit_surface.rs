@@ -7,8 +7,8 @@ use proptest::{
     prop_assert, prop_assert_eq, prop_oneof, proptest,
 };
 use virote_kernel::{
-    Direction, GeomError, Grid, Interval, KnotVector, NurbsSurface, Side, join_patches,
-    make_surfaces_compatible,
+    DegreeError, Direction, DomainError, GeomError, Grid, Interval, JointError, KnotVector,
+    NurbsSurface, Side, join_patches, make_surfaces_compatible,
 };
 
 use crate::some::{affine_map, are_near, fraction, point, sphere, surface};
@@ -202,17 +202,17 @@ fn an_elevated_and_refined_sphere_stays_round() {
 fn cuts_outside_or_at_the_ends_are_refused() {
     let ball = sphere(DVec3::ZERO, 1.0);
     let at_end = |result: Result<[NurbsSurface; 2], GeomError>| {
-        assert!(matches!(result, Err(GeomError::ParameterAtEnd { .. })));
+        assert!(matches!(result, Err(GeomError::Domain(DomainError::ParameterAtEnd { .. }))));
     };
     at_end(ball.split(Direction::U, 0.0));
     at_end(ball.split(Direction::V, 1.0));
     let outside = ball.split(Direction::V, 1.5);
-    assert!(matches!(outside, Err(GeomError::ParameterOutside { .. })));
+    assert!(matches!(outside, Err(GeomError::Domain(DomainError::ParameterOutside { .. }))));
     let narrow = Interval::new(0.5, 0.5 + 1e-14).unwrap();
     let narrow = ball.trimmed(Direction::U, narrow);
-    assert!(matches!(narrow, Err(GeomError::NarrowInterval { .. })));
+    assert!(matches!(narrow, Err(GeomError::Domain(DomainError::NarrowInterval { .. }))));
     let lower = ball.elevate_degree(Direction::U, 1);
-    assert_eq!(lower, Err(GeomError::DegreeTooLow { from: 2, to: 1 }));
+    assert_eq!(lower, Err(GeomError::Degree(DegreeError::DegreeTooLow { from: 2, to: 1 })));
 }
 
 fn free_points(n: usize, m: usize) -> impl Strategy<Value = Grid<DVec3>> {
@@ -325,7 +325,13 @@ fn patches_apart_name_the_gap() {
     let raised = north.transformed(&glam::DAffine3::from_translation(DVec3::Z * 0.25));
     let grid = Grid::new(1, 2, vec![south, raised]).unwrap();
     match join_patches(&grid, 1e-6) {
-        Err(GeomError::PatchGap { along: "v", before: [0, 0], next: [0, 1], gap, .. }) => {
+        Err(GeomError::Joint(JointError::PatchGap {
+            along: "v",
+            before: [0, 0],
+            next: [0, 1],
+            gap,
+            ..
+        })) => {
             assert!((gap - 0.25).abs() < 1e-12);
         }
         other => panic!("{other:?}"),
@@ -340,7 +346,10 @@ fn sides_run_through_at_different_speeds_are_no_one_surface() {
     let patch =
         |x: f64, w: f64| NurbsSurface::rational(knots(), knots(), &points(x), &weights(w)).unwrap();
     let unlike = Grid::new(2, 1, vec![patch(0.0, 1.0), patch(1.0, 2.0)]).unwrap();
-    assert!(matches!(join_patches(&unlike, 1e-6), Err(GeomError::UnlikeWeights { .. })));
+    assert!(matches!(
+        join_patches(&unlike, 1e-6),
+        Err(GeomError::Joint(JointError::UnlikeWeights { .. }))
+    ));
     let alike = Grid::new(2, 1, vec![patch(0.0, 2.0), patch(1.0, 2.0)]).unwrap();
     assert!(join_patches(&alike, 1e-6).is_ok());
 }

@@ -6,8 +6,8 @@ use proptest::{
     strategy::{Just, Strategy},
 };
 use virote_kernel::{
-    Ends, GeomError, Interpolator, KnotVector, NurbsCurve, Parametrization, Side, approximate,
-    approximate_within, lagrange,
+    Ends, GeomError, InputError, Interpolator, KnotVector, NurbsCurve, Parametrization, Side,
+    approximate, approximate_within, lagrange,
 };
 
 use crate::some::{affine_map, are_near, point};
@@ -308,7 +308,11 @@ fn points_at_one_place_are_told_by_their_indices() {
     let points = along_x(&[0.0, 1.0, 1.0, 2.0]);
     for spacing in [Parametrization::Chord, Parametrization::Centripetal, Parametrization::Foley] {
         let found = spacing.parameters(&points);
-        assert_eq!(found, Err(GeomError::CoincidentPoints { first: 1, second: 2 }), "{spacing:?}");
+        assert_eq!(
+            found,
+            Err(GeomError::Input(InputError::CoincidentPoints { first: 1, second: 2 })),
+            "{spacing:?}"
+        );
     }
     assert!(Parametrization::Uniform.parameters(&points).is_ok());
 }

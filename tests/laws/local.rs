@@ -4,7 +4,7 @@ use glam::{DAffine3, DQuat, DVec3};
 use proptest::{prop_assert, prop_assume, proptest};
 use virote_kernel::{
     CircleForm, Curve, CurvePointKind, EvaluationPlace, GeomError, Interval, KnotVector,
-    LocalGeometry, NurbsCurve, Side, Tolerance,
+    LocalError, LocalGeometry, NurbsCurve, Side, Tolerance,
 };
 
 use crate::some::{curve, fraction, parameter, point};
@@ -127,12 +127,15 @@ fn where_the_parameter_stands_still_the_shape_decides() {
     let cusp = [DVec3::ZERO, DVec3::ZERO, DVec3::X * 2.0, DVec3::Y * 6.0, DVec3::ZERO];
     let local = told_by(&cusp, Side::Left).unwrap();
     near_point(local.tangent(), -DVec3::X);
-    assert!(matches!(local.curvature(), Err(GeomError::UnboundedCurvature { .. })));
+    assert!(matches!(
+        local.curvature(),
+        Err(GeomError::Local(LocalError::UnboundedCurvature { .. }))
+    ));
     // (s, s³) is straight at 0, and its curvature grows from there.
     let inflection = [DVec3::ZERO, DVec3::X, DVec3::ZERO, DVec3::Y * 6.0];
     let local = told_by(&inflection, Side::Right).unwrap();
     assert_eq!(local.curvature(), Ok(0.0));
-    assert!(matches!(local.normal(), Err(GeomError::Straight { .. })));
+    assert!(matches!(local.normal(), Err(GeomError::Local(LocalError::Straight { .. }))));
     near_point(local.curvature_slope().unwrap(), DVec3::Y * 6.0);
 }
 
@@ -284,6 +287,9 @@ fn lines_and_planes_are_the_same_at_every_scale() {
 fn a_bend_in_the_plane_of_sight_has_no_side() {
     let arch = bezier(&[[0.0, 0.0, 0.0], [1.0, 0.0, 2.0], [2.0, 0.0, 0.0]], 1.0);
     let local = local(&arch, 0.5);
-    assert!(matches!(local.signed_curvature(DVec3::Z, 1e-9), Err(GeomError::NoSide { .. })));
+    assert!(matches!(
+        local.signed_curvature(DVec3::Z, 1e-9),
+        Err(GeomError::Local(LocalError::NoSide { .. }))
+    ));
     near(local.signed_curvature(DVec3::Y, 1e-9).unwrap(), 2.0);
 }

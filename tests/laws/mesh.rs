@@ -5,7 +5,8 @@ use std::f64::consts::PI;
 use glam::{DAffine3, DVec3};
 use proptest::{prop_assert, prop_assert_eq, proptest};
 use virote_kernel::{
-    GeomError, Mesh, NurbsSurface, grid_mesh, polygon_mesh, tessellate, tessellate_curve,
+    CountError, GeomError, Mesh, NurbsSurface, grid_mesh, polygon_mesh, tessellate,
+    tessellate_curve,
 };
 
 use crate::some::{curve, sphere, surface};
@@ -133,10 +134,10 @@ fn a_plane_needs_no_more_than_its_corners() {
 #[test]
 fn a_tolerance_beyond_the_ceiling_is_refused() {
     let got = tessellate(&sphere(DVec3::ZERO, 1.0), 1e-12, 10_000);
-    assert!(matches!(got, Err(GeomError::TooManyVertices { most: 10_000, .. })));
+    assert!(matches!(got, Err(GeomError::Count(CountError::TooManyVertices { most: 10_000, .. }))));
     assert!(matches!(
         grid_mesh(&sphere(DVec3::ZERO, 1.0), usize::MAX, 3, 10_000, 1),
-        Err(GeomError::TooManyVertices { .. })
+        Err(GeomError::Count(CountError::TooManyVertices { .. }))
     ));
 }
 

@@ -1,7 +1,10 @@
 //! How the triangles of meshes hang together: bodies and bands whose answers are known.
 
 use glam::{DAffine3, DVec3};
-use virote_kernel::{GeomError, Group, Mesh, MeshCheck, MeshError, Tolerance, facing_inward};
+use virote_kernel::{
+    CountError, GeomError, Group, MeasureError, Mesh, MeshCheck, MeshError, Tolerance,
+    facing_inward,
+};
 
 const TETRAHEDRON: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
 
@@ -141,7 +144,10 @@ fn triangles_without_area_count_apart() {
 fn nothing_hangs_together_in_an_empty_mesh() {
     let found = check(&Mesh::default());
     assert_eq!((found.euler, found.components, found.counts), (0, 0, [0, 0, 0]));
-    assert!(matches!(Mesh::default().area_centroid(), Err(GeomError::NothingThere { .. })));
+    assert!(matches!(
+        Mesh::default().area_centroid(),
+        Err(GeomError::Measure(MeasureError::NothingThere { .. }))
+    ));
 }
 
 #[test]
@@ -154,12 +160,15 @@ fn colours_and_groups_stay_with_their_triangles() {
     assert_eq!(both.groups(), [group(""), group("red")]);
 
     let few = tetrahedron().with_colors(vec![DVec3::X; 3]);
-    assert!(matches!(few, Err(GeomError::AttributeCount { vertices: 4, got: 3, .. })));
+    assert!(matches!(
+        few,
+        Err(GeomError::Count(CountError::AttributeCount { vertices: 4, got: 3, .. }))
+    ));
     let bright = tetrahedron().with_colors(vec![DVec3::X, DVec3::X * 2.0, DVec3::X, DVec3::X]);
     assert!(matches!(bright, Err(GeomError::Mesh(MeshError::BadColor { index: 1, .. }))));
     assert!(matches!(
         tetrahedron().with_groups(vec![group("a"); 2]),
-        Err(GeomError::WrongCount { .. })
+        Err(GeomError::Count(CountError::WrongCount { .. }))
     ));
 }
 

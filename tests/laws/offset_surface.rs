@@ -3,7 +3,8 @@
 use glam::DVec3;
 use proptest::{collection::vec, prelude::Strategy, prop_assert, proptest};
 use virote_kernel::{
-    CircleForm, Direction, GeomError, Grid, Interval, KnotVector, NurbsCurve, NurbsSurface, Surface,
+    CircleForm, ConstructionError, Direction, GeomError, Grid, Interval, KnotVector, LocalError,
+    NurbsCurve, NurbsSurface, Surface,
 };
 
 use crate::some::sphere;
@@ -102,7 +103,7 @@ fn creases_and_places_without_a_normal_are_refused() {
     );
     match Surface::from(roof.unwrap()).offset(1.0, 1e-6) {
         // The normals of the two halves are at right angles.
-        Err(GeomError::Crease { along: "u", parameter, gap }) => {
+        Err(GeomError::Construction(ConstructionError::Crease { along: "u", parameter, gap })) => {
             assert!((parameter - 0.5).abs() < 1e-15);
             assert!((gap - std::f64::consts::SQRT_2).abs() < 1e-12);
         }
@@ -113,7 +114,7 @@ fn creases_and_places_without_a_normal_are_refused() {
     let cusp = Grid::from_fn(4, 2, |i, j| DVec3::new(row[i].0, row[i].1, j as f64));
     let cusp = Surface::from(NurbsSurface::bezier(&cusp).unwrap());
     match cusp.offset(0.1, 1e-6) {
-        Err(GeomError::NoNormal { u, .. }) => assert!((u - 0.5).abs() < 1e-12),
+        Err(GeomError::Local(LocalError::NoNormal { u, .. })) => assert!((u - 0.5).abs() < 1e-12),
         other => panic!("{other:?}"),
     }
 }

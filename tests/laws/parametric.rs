@@ -7,7 +7,7 @@ use std::{
 
 use glam::{DAffine3, DVec3};
 use virote_kernel::{
-    Curve, CurveFunction, FunctionFailure, GeomError, Grid, Interval, ParametricCurve,
+    Curve, CurveFunction, FunctionFailure, GeomError, Grid, Interval, LocalError, ParametricCurve,
     ParametricSurface, Side, Surface, SurfaceFunction,
 };
 
@@ -96,7 +96,8 @@ fn a_cusp_has_a_tangent_on_either_side() {
     let cusp = Curve::from(ParametricCurve::new(domain, Arc::new(Cusp)).unwrap());
     near(cusp.tangent_at(0.0, Side::Right).unwrap(), DVec3::X);
     near(cusp.tangent_at(0.0, Side::Left).unwrap(), -DVec3::X);
-    let unbounded = GeomError::UnboundedCurvature { what: "curvature", parameter: 0.0 };
+    let unbounded =
+        GeomError::Local(LocalError::UnboundedCurvature { what: "curvature", parameter: 0.0 });
     assert_eq!(cusp.local_at(0.0, Side::Right).unwrap().curvature(), Err(unbounded));
 }
 
@@ -149,5 +150,8 @@ fn a_failing_function_is_found_when_a_curve_is_made_of_it() {
 fn what_overflows_is_no_point() {
     let map = DAffine3::from_scale(DVec3::splat(1e308));
     let huge = helix(1.0).unwrap().transformed(&map);
-    assert_eq!(huge.point_at(0.0), Err(GeomError::BeyondNumbers { order: 0, parameter: 0.0 }));
+    assert_eq!(
+        huge.point_at(0.0),
+        Err(GeomError::Local(LocalError::BeyondNumbers { order: 0, parameter: 0.0 }))
+    );
 }

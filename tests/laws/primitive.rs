@@ -4,7 +4,9 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 use proptest::{prelude::Strategy, prop_assert, prop_assume, proptest};
-use virote_kernel::{Axis, AxisContact, CircleForm, Frame, GeomError, NurbsCurve, NurbsSurface};
+use virote_kernel::{
+    Axis, AxisContact, CircleForm, ConstructionError, Frame, GeomError, NurbsCurve, NurbsSurface,
+};
 
 use crate::some::{affine_map, are_near, curve, fraction, point};
 
@@ -150,7 +152,10 @@ fn a_crossing_of_the_axis_is_told_and_a_pole_is_none() {
     let found = contacts(&[at(1.0, 0.0), at(0.0, 0.0), at(0.0, 3.0), at(1.0, 3.0)]).unwrap();
     let [AxisContact::Stretch { start, end }] = found[..] else { panic!("{found:?}") };
     assert!((start - 1.0).abs() < 1e-5 && (end - 2.0).abs() < 1e-5);
-    assert_eq!(contacts(&[at(0.0, 0.0), at(0.0, 3.0)]), Err(GeomError::OnAxis));
+    assert_eq!(
+        contacts(&[at(0.0, 0.0), at(0.0, 3.0)]),
+        Err(GeomError::Construction(ConstructionError::OnAxis))
+    );
     // Askew, at a distance: a hyperboloid.
     assert_eq!(contacts(&[DVec3::new(-1.0, 1.0, 0.0), DVec3::new(1.0, 1.0, 1.0)]), Ok(vec![]));
 }

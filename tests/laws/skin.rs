@@ -3,7 +3,7 @@
 use glam::DVec3;
 use proptest::{collection::vec, prelude::Strategy, prop_assert, proptest};
 use virote_kernel::{
-    Along, CompatibleSections, GeomError, NurbsCurve, NurbsSurface, SectionParameters,
+    Along, CompatibleSections, GeomError, NurbsCurve, NurbsSurface, SectionParameters, WeightError,
 };
 
 use crate::some::{affine_map, curve};
@@ -30,7 +30,7 @@ fn miss(surface: &NurbsSurface, v: f64, section: &NurbsCurve) -> f64 {
 /// The skin, unless the weights between the sections leave no point.
 fn skin(sections: &CompatibleSections, along: &Along) -> Option<NurbsSurface> {
     match sections.skinned(along) {
-        Err(GeomError::VanishingWeightsAt { .. }) => None,
+        Err(GeomError::Weights(WeightError::VanishingWeightsAt { .. })) => None,
         made => Some(made.unwrap().surface),
     }
 }

@@ -6,9 +6,9 @@ use std::f64::consts::PI;
 use glam::DVec3;
 use proptest::{prop_assert, proptest};
 use virote_kernel::{
-    Axis, Direction, Frame, GeomError, Grid, KnotVector, Mesh, NurbsCurve, NurbsSurface, Surface,
-    TessellationOptions, Tolerance, distance_to_polyline, tessellate, tessellate_all,
-    tessellate_finely,
+    Axis, Direction, Frame, GeomError, Grid, InputError, KnotVector, Mesh, NurbsCurve,
+    NurbsSurface, Surface, TessellationOptions, Tolerance, distance_to_polyline, tessellate,
+    tessellate_all, tessellate_finely,
 };
 
 use crate::some::{point, sphere};
@@ -182,7 +182,10 @@ fn limits_that_allow_nothing_are_refused() {
         TessellationOptions { max_edge: f64::NAN, ..limits },
     ] {
         let refused = tessellate_finely(&ball, &limits, MOST);
-        assert!(matches!(refused, Err(GeomError::NotPositive { .. })), "{limits:?}");
+        assert!(
+            matches!(refused, Err(GeomError::Input(InputError::NotPositive { .. }))),
+            "{limits:?}"
+        );
     }
 }
 

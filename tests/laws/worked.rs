@@ -2,7 +2,7 @@
 //! J. Duhovnik, *Advanced CAD Modeling*; and the messages that a person reads.
 
 use glam::DVec3;
-use virote_kernel::{GeomError, Grid, Interval, KnotVector, NurbsCurve};
+use virote_kernel::{GeomError, Grid, Interval, KnotError, KnotVector, NurbsCurve, WeightError};
 
 fn plane(points: &[[f64; 2]]) -> Vec<DVec3> {
     points.iter().map(|&[x, y]| DVec3::new(x, y, 0.0)).collect()
@@ -201,7 +201,7 @@ fn weights_that_vanish_together_are_refused() {
     let points = plane(&[[0.0, 0.0], [1.0, 1.0], [2.0, 0.0]]);
     assert_eq!(
         NurbsCurve::rational(knots, &points, &[1.0, 0.0, 1.0]),
-        Err(GeomError::VanishingWeights { parameter: 1.0 })
+        Err(GeomError::Weights(WeightError::VanishingWeights { parameter: 1.0 }))
     );
 }
 
@@ -211,5 +211,13 @@ fn knots_too_close_to_tell_apart_are_one() {
     let knots = KnotVector::new(1, vec![0.0, 0.0, 0.5, almost, 1.0, 1.0]).unwrap();
     assert_eq!(knots.multiplicity(0.5), 2);
     let broken = KnotVector::new(1, vec![0.0, 0.0, 0.5, almost, almost, 1.0, 1.0]);
-    assert_eq!(broken, Err(GeomError::KnotMultiplicity { index: 2, knot: 0.5, times: 3, most: 2 }));
+    assert_eq!(
+        broken,
+        Err(GeomError::Knots(KnotError::KnotMultiplicity {
+            index: 2,
+            knot: 0.5,
+            times: 3,
+            most: 2
+        }))
+    );
 }

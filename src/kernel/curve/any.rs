@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use super::{NurbsCurve, ParametricCurve};
-use crate::{GeomError, Interval, Side};
+use crate::{FormError, GeomError, Interval, Side};
 
 /// A curve. Cheap to clone.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,11 +20,11 @@ impl Curve {
     /// The NURBS that it is.
     ///
     /// # Errors
-    /// [`GeomError::NotNurbs`] for a parametric curve.
+    /// [`FormError::NotNurbs`] for a parametric curve.
     pub fn nurbs(&self) -> Result<&Arc<NurbsCurve>, GeomError> {
         match self {
             Self::Nurbs(curve) => Ok(curve),
-            Self::Parametric(_) => Err(GeomError::NotNurbs { what: "curve" }),
+            Self::Parametric(_) => Err(GeomError::Form(FormError::NotNurbs { what: "curve" })),
         }
     }
 
@@ -116,7 +116,7 @@ impl Curve {
     /// its limit from one side.
     ///
     /// # Errors
-    /// [`GeomError::VanishingTangent`], and as [`Self::point_at`].
+    /// `LocalError::VanishingTangent`, and as [`Self::point_at`].
     pub fn tangent_at(&self, t: f64, side: Side) -> Result<DVec3, GeomError> {
         match self {
             Self::Nurbs(curve) => curve.tangent_at(t, side),

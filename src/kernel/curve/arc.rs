@@ -6,7 +6,7 @@ use glam::{DVec3, DVec4};
 
 use super::NurbsCurve;
 use crate::{
-    Frame, GeomError, Interval, KnotVector,
+    CountError, Frame, GeomError, InputError, Interval, KnotVector,
     frame::norm,
     tolerance::{KNOT_RELATIVE, LAST_BIT},
 };
@@ -18,11 +18,11 @@ impl NurbsCurve {
     /// Piegl & Tiller, *The NURBS Book*, A7.1.
     ///
     /// # Errors
-    /// [`GeomError::NotPositive`] for a radius or a sweep, [`GeomError::NotFinite`].
+    /// [`InputError::NotPositive`] for a radius or a sweep, [`InputError::NotFinite`].
     pub fn arc(frame: Frame, radius: f64, from: f64, sweep: f64) -> Result<Self, GeomError> {
         for (what, got) in [("the radius", radius), ("the angle of the arc", sweep)] {
             if !(got.is_finite() && 0.0 < got) {
-                return Err(GeomError::NotPositive { what, got });
+                return Err(InputError::NotPositive { what, got }.into());
             }
         }
         // A quarter with its rounding is one piece.
@@ -45,12 +45,12 @@ impl NurbsCurve {
     /// The arc of a circle from `a` by way of `b` to `c` on 0..1.
     ///
     /// # Errors
-    /// [`GeomError::CoincidentPoints`] closer than `distance`; [`GeomError::Collinear`] where `b`
-    /// is closer than that to the line through the others; [`GeomError::NotFinite`].
+    /// [`InputError::CoincidentPoints`] closer than `distance`; [`InputError::Collinear`] where `b`
+    /// is closer than that to the line through the others; [`InputError::NotFinite`].
     pub fn arc_through([a, b, c]: [DVec3; 3], distance: f64) -> Result<Self, GeomError> {
         for (first, second, gap) in [(0, 1, b - a), (1, 2, c - b), (0, 2, c - a)] {
             if norm(gap) <= distance {
-                return Err(GeomError::CoincidentPoints { first, second });
+                return Err(InputError::CoincidentPoints { first, second }.into());
             }
         }
         // In units of the chord, so that squares of lengths are in range.
@@ -58,7 +58,7 @@ impl NurbsCurve {
         let (to_b, to_c) = ((b - a) / chord, (c - a) / chord);
         let normal = to_b.cross(to_c);
         if normal.length() * chord <= distance {
-            return Err(GeomError::Collinear);
+            return Err(InputError::Collinear.into());
         }
         let to_center = (normal.cross(to_b) * to_c.length_squared()
             + to_c.cross(normal) * to_b.length_squared())
@@ -83,8 +83,8 @@ impl NurbsCurve {
     /// bounds the distance of equal parameters.
     ///
     /// # Errors
-    /// [`GeomError::NotPositive`] for the radius, the turns or the distance;
-    /// [`GeomError::TooManyPoints`]; [`GeomError::NotFinite`].
+    /// [`InputError::NotPositive`] for the radius, the turns or the distance;
+    /// [`CountError::TooManyPoints`]; [`InputError::NotFinite`].
     pub fn helix(
         frame: Frame,
         radius: f64,
@@ -96,7 +96,7 @@ impl NurbsCurve {
             [("the radius", radius), ("the number of turns", turns), ("the tolerance", distance)];
         for (what, got) in positive {
             if !(got.is_finite() && 0.0 < got) {
-                return Err(GeomError::NotPositive { what, got });
+                return Err(InputError::NotPositive { what, got }.into());
             }
         }
         // Half of the distance is left to rounding.
@@ -106,7 +106,7 @@ impl NurbsCurve {
         let most = crate::ceiling::CONTROL_POINTS;
         if (most / 6) as f64 <= n_pieces {
             // As a number of points it is as good as infinite.
-            return Err(GeomError::TooManyPoints { got: (6.0 * n_pieces) as usize, most });
+            return Err(CountError::TooManyPoints { got: (6.0 * n_pieces) as usize, most }.into());
         }
         let n_pieces = n_pieces as usize;
         let angle = turns * TAU / n_pieces as f64;

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::{NurbsCurve, measure::quadrature};
 use crate::{
-    GeomError, Interval,
+    DomainError, GeomError, Interval,
     tolerance::{LAST_BIT, LENGTH_RELATIVE},
 };
 
@@ -82,13 +82,16 @@ impl NurbsCurve {
     /// The parameter at which the curve is `length` long from its start.
     ///
     /// # Errors
-    /// [`GeomError::LengthOutside`] below zero or beyond the whole length.
+    /// [`DomainError::LengthOutside`] below zero or beyond the whole length.
     pub fn parameter_at_length(&self, length: f64) -> Result<f64, GeomError> {
         if let Some(factor) = self.unit_factor(&[]) {
             let found = self.in_units(factor).parameter_at_length(length * factor);
             return found.map_err(|error| match error {
-                GeomError::LengthOutside { total, .. } => {
-                    GeomError::LengthOutside { got: length, total: total / factor }
+                GeomError::Domain(DomainError::LengthOutside { total, .. }) => {
+                    GeomError::Domain(DomainError::LengthOutside {
+                        got: length,
+                        total: total / factor,
+                    })
                 }
                 other => other,
             });
@@ -97,7 +100,7 @@ impl NurbsCurve {
         let total: f64 = pieces.iter().map(|&(_, length)| length).sum();
         let slack = LENGTH_RELATIVE.sqrt() * total;
         if !(-slack..=total + slack).contains(&length) {
-            return Err(GeomError::LengthOutside { got: length, total });
+            return Err(DomainError::LengthOutside { got: length, total }.into());
         }
         Ok(self.at_length(&pieces, length.clamp(0.0, total)))
     }

@@ -4,7 +4,7 @@ use glam::{DVec3, DVec4};
 
 use super::NurbsCurve;
 use crate::{
-    GeomError, KnotVector, Side, bezier,
+    FormError, GeomError, KnotVector, Side, bezier,
     tolerance::{EXACT_RELATIVE, KNOT_RELATIVE},
 };
 
@@ -13,7 +13,7 @@ impl NurbsCurve {
     /// each inner break is to have; where the pieces do not allow that, as many as they need.
     ///
     /// # Errors
-    /// [`GeomError::DegreeTooHigh`], [`GeomError::NotFinite`], [`GeomError::VanishingWeights`].
+    /// `DegreeError::DegreeTooHigh`, `InputError::NotFinite`, `WeightError::VanishingWeights`.
     pub(super) fn of_pieces(
         breaks: &[f64],
         pieces: Vec<Vec<DVec4>>,
@@ -116,28 +116,28 @@ impl NurbsCurve {
     /// Linkeová, *Curves and Surfaces for Computer Graphics*, (2.51) and (2.53).
     ///
     /// # Errors
-    /// [`GeomError::RationalFor`], [`GeomError::DegreeTooHighFor`], [`GeomError::UnevenSegments`],
-    /// [`GeomError::TooRough`]: why that is not possible.
+    /// [`FormError::RationalFor`], [`FormError::DegreeTooHighFor`], [`FormError::UnevenSegments`],
+    /// [`FormError::TooRough`]: why that is not possible.
     pub fn to_coons(&self) -> Result<Self, GeomError> {
         let what = "a Coons B-spline";
         let (curve, n_segments) = self.cubic_chain(what, 2)?;
         let domain = curve.domain();
         let knot = |i: usize| domain.at((i as f64 - 3.0) / n_segments as f64);
         let knots = KnotVector::new(3, (0..n_segments + 7).map(knot).collect())?;
-        curve.on_basis(knots).ok_or(GeomError::TooRough {
+        curve.on_basis(knots).ok_or(GeomError::Form(FormError::TooRough {
             what,
             parameter: domain.start(),
             order: 1,
             needed: 2,
-        })
+        }))
     }
 
     /// Points and derivatives at the joints of a cubic, one unit of parameter a segment: what
     /// [`Self::hermite`] makes the same curve of, up to a linear change of parameter.
     ///
     /// # Errors
-    /// [`GeomError::RationalFor`], [`GeomError::DegreeTooHighFor`], [`GeomError::UnevenSegments`],
-    /// [`GeomError::TooRough`]: why that is not possible.
+    /// [`FormError::RationalFor`], [`FormError::DegreeTooHighFor`], [`FormError::UnevenSegments`],
+    /// [`FormError::TooRough`]: why that is not possible.
     pub fn to_hermite(&self) -> Result<[Vec<DVec3>; 2], GeomError> {
         let (curve, n_segments) = self.cubic_chain("a Hermite chain", 1)?;
         let width = curve.domain().length() / n_segments as f64;
@@ -153,12 +153,12 @@ impl NurbsCurve {
     /// joints, and the number of its segments.
     fn cubic_chain(&self, what: &'static str, needed: usize) -> Result<(Self, usize), GeomError> {
         if self.is_rational {
-            return Err(GeomError::RationalFor { what });
+            return Err(FormError::RationalFor { what }.into());
         }
         let curve = self.without_needless_knots();
         let degree = curve.degree();
         if 3 < degree {
-            return Err(GeomError::DegreeTooHighFor { what, degree, most: 3 });
+            return Err(FormError::DegreeTooHighFor { what, degree, most: 3 }.into());
         }
         let curve = curve.elevate_degree(3)?;
         let domain = curve.domain();
@@ -166,14 +166,14 @@ impl NurbsCurve {
             if domain.start() < t && t < domain.end() && 3 < times + needed {
                 // A break of the curve has no order.
                 let order = 3 - times.min(3);
-                return Err(GeomError::TooRough { what, parameter: t, order, needed });
+                return Err(FormError::TooRough { what, parameter: t, order, needed }.into());
             }
         }
         let widths: Vec<f64> =
             curve.knots.spans().map(|span| curve.knots.span_interval(span).length()).collect();
         let same = KNOT_RELATIVE * domain.length();
         if let Some(&other) = widths.iter().find(|&&width| same < (width - widths[0]).abs()) {
-            return Err(GeomError::UnevenSegments { what, width: widths[0], other });
+            return Err(FormError::UnevenSegments { what, width: widths[0], other }.into());
         }
         Ok((curve, widths.len()))
     }

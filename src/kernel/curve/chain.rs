@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::NurbsCurve;
-use crate::{GeomError, Interval, KnotVector, homogeneous};
+use crate::{CountError, FormError, GeomError, InputError, Interval, KnotVector, homogeneous};
 
 impl NurbsCurve {
     /// The cubic through the points with these derivatives, one unit of parameter a segment, C1.
@@ -12,15 +12,15 @@ impl NurbsCurve {
     /// B − b/3, B. Linkeová, *Curves and Surfaces for Computer Graphics*, (2.13) and (2.25).
     ///
     /// # Errors
-    /// [`GeomError::TooFewPoints`] below two, [`GeomError::TangentCount`],
-    /// [`GeomError::NotFinite`].
+    /// [`CountError::TooFewPoints`] below two, [`CountError::TangentCount`],
+    /// [`InputError::NotFinite`].
     pub fn hermite(points: &[DVec3], tangents: &[DVec3]) -> Result<Self, GeomError> {
         let n = points.len();
         if n < 2 {
-            return Err(GeomError::TooFewPoints { got: n, needed: 2 });
+            return Err(CountError::TooFewPoints { got: n, needed: 2 }.into());
         }
         if tangents.len() != n {
-            return Err(GeomError::TangentCount { points: n, tangents: tangents.len() });
+            return Err(CountError::TangentCount { points: n, tangents: tangents.len() }.into());
         }
         let mut polygon = vec![points[0]];
         let mut knots = vec![0.0; 4];
@@ -44,8 +44,8 @@ impl NurbsCurve {
     /// one begins with the segment of points 0 … p and has as many segments as points.
     ///
     /// # Errors
-    /// [`GeomError::BadDegree`] below p + 1 points, for a closed one [`GeomError::TooFewPoints`]
-    /// below three; [`GeomError::DegreeTooHigh`], [`GeomError::NotFinite`].
+    /// `DegreeError::BadDegree` below p + 1 points, for a closed one [`CountError::TooFewPoints`]
+    /// below three; `DegreeError::DegreeTooHigh`, [`InputError::NotFinite`].
     pub fn uniform(degree: usize, points: &[DVec3], is_closed: bool) -> Result<Self, GeomError> {
         let points = if is_closed { wrapped(points, degree)? } else { points.to_vec() };
         Self::polynomial(KnotVector::uniform(degree, points.len())?, &points)
@@ -58,8 +58,8 @@ impl NurbsCurve {
     /// Barsky, *The Beta-spline*, University of Utah 1981.
     ///
     /// # Errors
-    /// [`GeomError::TooFewPoints`] below four, closed below three; [`GeomError::NotPositive`] for
-    /// the bias; [`GeomError::TensionTooLow`]; [`GeomError::NotFinite`].
+    /// [`CountError::TooFewPoints`] below four, closed below three; [`InputError::NotPositive`] for
+    /// the bias; [`InputError::TensionTooLow`]; [`InputError::NotFinite`].
     pub fn beta_spline(
         points: &[DVec3],
         bias: f64,
@@ -67,21 +67,21 @@ impl NurbsCurve {
         is_closed: bool,
     ) -> Result<Self, GeomError> {
         if !(bias.is_finite() && 0.0 < bias) {
-            return Err(GeomError::NotPositive { what: "the bias", got: bias });
+            return Err(InputError::NotPositive { what: "the bias", got: bias }.into());
         }
         let (squared, cubed) = (bias * bias, bias * bias * bias);
         let bend = 4.0 * squared + 4.0 * bias + tension;
         let sum = 2.0 * cubed + bend + 2.0;
         if !sum.is_finite() {
-            return Err(GeomError::NotFinite { what: "control point", index: 0 });
+            return Err(InputError::NotFinite { what: "control point", index: 0 }.into());
         }
         if sum <= 0.0 {
-            return Err(GeomError::TensionTooLow { tension, above: tension - sum });
+            return Err(InputError::TensionTooLow { tension, above: tension - sum }.into());
         }
         let points = if is_closed { wrapped(points, 3)? } else { points.to_vec() };
         let got = points.len();
         if got < 4 {
-            return Err(GeomError::TooFewPoints { got, needed: 4 });
+            return Err(CountError::TooFewPoints { got, needed: 4 }.into());
         }
         let joint = |i: usize| {
             (points[i] * (2.0 * cubed) + points[i + 1] * bend + points[i + 2] * 2.0) / sum
@@ -109,11 +109,11 @@ impl NurbsCurve {
     /// elementary symmetric function over C(n, i). Ramshaw, *Blossoms are polar forms*, §5.
     ///
     /// # Errors
-    /// [`GeomError::TooFewPoints`] without coefficients, [`GeomError::DegreeTooHigh`],
-    /// [`GeomError::NotFinite`].
+    /// [`CountError::TooFewPoints`] without coefficients, `DegreeError::DegreeTooHigh`,
+    /// [`InputError::NotFinite`].
     pub fn power_form(coefficients: &[DVec3], domain: Interval) -> Result<Self, GeomError> {
         let Some(degree) = coefficients.len().checked_sub(1) else {
-            return Err(GeomError::TooFewPoints { got: 0, needed: 1 });
+            return Err(CountError::TooFewPoints { got: 0, needed: 1 }.into());
         };
         let knots = KnotVector::bezier(degree)?.on(domain);
         let binomials = binomials(degree);
@@ -137,14 +137,14 @@ impl NurbsCurve {
     /// Coefficients cᵢ of Σ cᵢ tⁱ, lowest first: the inverse of [`Self::power_form`].
     ///
     /// # Errors
-    /// [`GeomError::RationalFor`] with weights, [`GeomError::TooManySegments`] above one.
+    /// [`FormError::RationalFor`] with weights, [`FormError::TooManySegments`] above one.
     pub fn power_coefficients(&self) -> Result<Vec<DVec3>, GeomError> {
         let what = "a polynomial in t";
         if self.is_rational {
-            return Err(GeomError::RationalFor { what });
+            return Err(FormError::RationalFor { what }.into());
         }
         if self.n_segments() != 1 {
-            return Err(GeomError::TooManySegments { what, got: self.n_segments() });
+            return Err(FormError::TooManySegments { what, got: self.n_segments() }.into());
         }
         let coefficients = powers(self.clamped().points(), self.domain());
         let finite: Vec<DVec4> = coefficients.iter().map(|c| c.extend(1.0)).collect();
@@ -182,7 +182,7 @@ pub(crate) fn powers(points: Vec<DVec3>, domain: Interval) -> Vec<DVec3> {
 fn wrapped(points: &[DVec3], degree: usize) -> Result<Vec<DVec3>, GeomError> {
     let got = points.len();
     if got < 3 {
-        return Err(GeomError::TooFewPoints { got, needed: 3 });
+        return Err(CountError::TooFewPoints { got, needed: 3 }.into());
     }
     Ok(points.iter().cycle().take(got + degree).copied().collect())
 }

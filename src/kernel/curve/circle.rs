@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::NurbsCurve;
-use crate::{Frame, GeomError, KnotVector};
+use crate::{Frame, GeomError, InputError, KnotVector};
 
 /// Which of the exact representations of a circle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -56,7 +56,7 @@ impl NurbsCurve {
     /// ```
     ///
     /// # Errors
-    /// [`GeomError::NotPositive`] for a radius, [`GeomError::ZeroAxis`], [`GeomError::NotFinite`].
+    /// [`InputError::NotPositive`] for a radius, [`InputError::ZeroAxis`], [`InputError::NotFinite`].
     pub fn circle(
         center: DVec3,
         radius: f64,
@@ -72,10 +72,10 @@ impl NurbsCurve {
     /// the end of the first counter-clockwise: the affine image of a circle.
     ///
     /// # Errors
-    /// [`GeomError::NotPositive`] for a radius, [`GeomError::NotFinite`].
+    /// [`InputError::NotPositive`] for a radius, [`InputError::NotFinite`].
     pub fn ellipse(frame: Frame, radii: [f64; 2], form: CircleForm) -> Result<Self, GeomError> {
         if let Some(&got) = radii.iter().find(|radius| !(radius.is_finite() && 0.0 < **radius)) {
-            return Err(GeomError::NotPositive { what: "the radius", got });
+            return Err(InputError::NotPositive { what: "the radius", got }.into());
         }
         let (degree, knots, polygon) = unit_circle(form);
         let knots = KnotVector::for_points(degree, polygon.len(), knots)?;

@@ -11,7 +11,7 @@ use crate::{GeomError, compatible::on_common_knots};
 /// others are clamped. Piegl & Tiller, *The NURBS Book*, §10.3.
 ///
 /// # Errors
-/// [`GeomError::KnotMultiplicity`] where knots fall together for lack of digits on that domain.
+/// `KnotError::KnotMultiplicity` where knots fall together for lack of digits on that domain.
 ///
 /// [`KNOT_CLUSTER_RELATIVE`]: crate::tolerance::KNOT_CLUSTER_RELATIVE
 pub fn make_compatible(curves: &[NurbsCurve]) -> Result<Vec<NurbsCurve>, GeomError> {

@@ -4,7 +4,7 @@ use glam::{DVec3, DVec4};
 
 use super::NurbsCurve;
 use crate::{
-    GeomError, bezier, homogeneous,
+    FormError, GeomError, bezier, homogeneous,
     tolerance::{EXACT_RELATIVE, VANISHING_RELATIVE},
 };
 
@@ -25,25 +25,28 @@ impl NurbsCurve {
     /// Piegl & Tiller, *The NURBS Book*, (7.22).
     ///
     /// # Errors
-    /// [`GeomError::DegreeTooHighFor`] above 2, [`GeomError::DegreeTooLow`] below;
-    /// [`GeomError::NoConic`] where a piece is straight, [`GeomError::MixedConics`].
+    /// [`FormError::DegreeTooHighFor`] above 2, `DegreeError::DegreeTooLow` below;
+    /// [`FormError::NoConic`] where a piece is straight, [`FormError::MixedConics`].
     pub fn conic_kind(&self) -> Result<ConicKind, GeomError> {
         let degree = self.degree();
         if 2 < degree {
-            return Err(GeomError::DegreeTooHighFor { what: "a conic", degree, most: 2 });
+            return Err(FormError::DegreeTooHighFor { what: "a conic", degree, most: 2 }.into());
         }
         if degree < 2 {
-            return Err(GeomError::NoConic { parameter: self.domain().start() });
+            return Err(FormError::NoConic { parameter: self.domain().start() }.into());
         }
         let mut kinds = Vec::new();
         for span in self.knots.spans() {
             let piece = bezier::piece(&self.knots, &self.control_points, span);
             let parameter = self.knots.span_interval(span).start();
-            kinds.push((parameter, kind_of(&piece).ok_or(GeomError::NoConic { parameter })?));
+            kinds.push((
+                parameter,
+                kind_of(&piece).ok_or(GeomError::Form(FormError::NoConic { parameter }))?,
+            ));
         }
         let (_, first) = kinds[0];
         match kinds.into_iter().find(|&(_, kind)| kind != first) {
-            Some((parameter, _)) => Err(GeomError::MixedConics { parameter }),
+            Some((parameter, _)) => Err(GeomError::Form(FormError::MixedConics { parameter })),
             None => Ok(first),
         }
     }

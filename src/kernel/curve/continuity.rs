@@ -52,7 +52,7 @@ impl Curve {
     /// continuity of parametric curves*.
     ///
     /// # Errors
-    /// [`GeomError::VanishingTangent`] where one of the curves stays at one point, and as
+    /// `LocalError::VanishingTangent` where one of the curves stays at one point, and as
     /// [`Self::point_at`].
     pub fn continuity_with(
         &self,
@@ -70,7 +70,7 @@ impl Curve {
     /// Of a function the places where its derivatives jump are joints.
     ///
     /// # Errors
-    /// [`GeomError::VanishingTangent`] where a piece stays at one point, and as
+    /// `LocalError::VanishingTangent` where a piece stays at one point, and as
     /// [`Self::spline`].
     pub fn continuity(
         &self,

@@ -15,7 +15,7 @@ use crate::{GeomError, homogeneous, tolerance::WEIGHT_RELATIVE};
 /// Without weights that differ this is [`make_compatible`].
 ///
 /// # Errors
-/// Those of [`make_compatible`]; [`GeomError::DegreeTooHigh`], [`GeomError::NotFinite`].
+/// Those of [`make_compatible`]; `DegreeError::DegreeTooHigh`, `InputError::NotFinite`.
 pub(crate) fn on_one_denominator(curves: &[NurbsCurve]) -> Result<Vec<NurbsCurve>, GeomError> {
     let Some(first) = curves.first() else { return Ok(Vec::new()) };
     let domain = first.domain();

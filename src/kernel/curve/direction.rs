@@ -4,7 +4,7 @@ use glam::{DVec3, DVec4};
 
 use super::{Curve, EvaluationPlace, LocalGeometry, NurbsCurve, ParametricCurve, series};
 use crate::{
-    GeomError, Interval, Side, Tolerance,
+    GeomError, Interval, LocalError, Side, Tolerance,
     frame::{angle_between, norm, unit},
     homogeneous,
     tolerance::{PLACE_RELATIVE, VANISHING_RELATIVE},
@@ -52,7 +52,7 @@ impl Curve {
     /// the only piece there is.
     ///
     /// # Errors
-    /// [`GeomError::VanishingTangent`] where the curve stays at one point, and as
+    /// [`LocalError::VanishingTangent`] where the curve stays at one point, and as
     /// [`Self::point_at`].
     pub fn local_at(&self, t: f64, side: Side) -> Result<LocalGeometry, GeomError> {
         self.local_around(self.neighbourhood(t, side)?)
@@ -116,7 +116,7 @@ impl Curve {
         let around = EvaluationPlace { slack: PLACE_RELATIVE, ..self.neighbourhood(t, side)? };
         let order = MAX_ORDER.min(2 * self.direction_order() + 2);
         let terms = around.terms(&self.derivatives_around(&around, order)?);
-        let standing = GeomError::VanishingTangent { parameter: t };
+        let standing = GeomError::Local(LocalError::VanishingTangent { parameter: t });
         let first = around.first(&terms, 1, 0).ok_or(standing.clone())?;
         let leading = unit(terms[first]).ok_or(standing)?;
         let sign = |power: usize| {
@@ -171,7 +171,7 @@ impl NurbsCurve {
     /// side: the direction of the next derivative that does not vanish.
     ///
     /// # Errors
-    /// [`GeomError::VanishingTangent`] where the curve stays at one point.
+    /// [`LocalError::VanishingTangent`] where the curve stays at one point.
     pub fn tangent_at(&self, t: f64, side: Side) -> Result<DVec3, GeomError> {
         let around = self.neighbourhood(t, side);
         let span = self.knots.span_beside(around.parameter, around.side);
@@ -234,7 +234,7 @@ impl ParametricCurve {
     /// Unit tangent at `t`; where the derivative vanishes the limit from one side.
     ///
     /// # Errors
-    /// [`GeomError::VanishingTangent`] where it has no limit that four derivatives show, and as
+    /// [`LocalError::VanishingTangent`] where it has no limit that four derivatives show, and as
     /// [`Self::derivatives_at`].
     pub fn tangent_at(&self, t: f64, side: Side) -> Result<DVec3, GeomError> {
         let around = self.neighbourhood(t, side)?;
@@ -244,7 +244,7 @@ impl ParametricCurve {
                 return LocalGeometry::new(&derivatives, around).map(|local| local.tangent());
             }
         }
-        Err(GeomError::VanishingTangent { parameter: t })
+        Err(GeomError::Local(LocalError::VanishingTangent { parameter: t }))
     }
 
     /// The place with the reach over which the first derivatives keep to the size of the curve.

@@ -2,14 +2,15 @@
 
 use super::NurbsCurve;
 use crate::{
-    ConstructionReport, GeomError, Interval, bezier, refine::ControlLines, tolerance::KNOT_RELATIVE,
+    ConstructionReport, DomainError, GeomError, Interval, bezier, refine::ControlLines,
+    tolerance::KNOT_RELATIVE,
 };
 
 impl NurbsCurve {
     /// The same curve with more knots; a knot that is to be there twice is given twice.
     ///
     /// # Errors
-    /// [`GeomError::ParameterOutside`] the domain; [`GeomError::KnotMultiplicity`] above p + 1.
+    /// [`DomainError::ParameterOutside`] the domain; `KnotError::KnotMultiplicity` above p + 1.
     pub fn insert_knots(&self, knots: &[f64]) -> Result<Self, GeomError> {
         self.lines().with_knots(knots).map(Self::from_lines)
     }
@@ -17,7 +18,7 @@ impl NurbsCurve {
     /// The same curve at another degree, not below its own.
     ///
     /// # Errors
-    /// [`GeomError::DegreeTooLow`], [`GeomError::DegreeTooHigh`].
+    /// `DegreeError::DegreeTooLow`, `DegreeError::DegreeTooHigh`.
     pub fn elevate_degree(&self, degree: usize) -> Result<Self, GeomError> {
         self.lines().elevated(degree).map(Self::from_lines)
     }
@@ -38,12 +39,12 @@ impl NurbsCurve {
     /// Both parts at `t`, each on its part of the domain, clamped where they were cut.
     ///
     /// # Errors
-    /// [`GeomError::ParameterOutside`] the domain; [`GeomError::ParameterAtEnd`] of it.
+    /// [`DomainError::ParameterOutside`] the domain; [`DomainError::ParameterAtEnd`] of it.
     pub fn split(&self, t: f64) -> Result<[Self; 2], GeomError> {
         let domain = self.domain();
         let t = self.knots.snapped(domain.clamp_inside(t)?);
         if t <= domain.start() || domain.end() <= t {
-            return Err(GeomError::ParameterAtEnd { parameter: t, domain });
+            return Err(DomainError::ParameterAtEnd { parameter: t, domain }.into());
         }
         let (left, right) = self.lines().cut_at(t);
         Ok([left, right].map(Self::from_lines))
@@ -52,14 +53,14 @@ impl NurbsCurve {
     /// The part over an interval, with the parameters that it had, clamped at both ends.
     ///
     /// # Errors
-    /// [`GeomError::ParameterOutside`] the domain; [`GeomError::NarrowInterval`] shorter than
+    /// [`DomainError::ParameterOutside`] the domain; [`DomainError::NarrowInterval`] shorter than
     /// a span can be.
     pub fn trimmed(&self, interval: Interval) -> Result<Self, GeomError> {
         let domain = self.domain();
         let inside = |t: f64| domain.clamp_inside(t).map(|t| self.knots.snapped(t));
         let (start, end) = (inside(interval.start())?, inside(interval.end())?);
         if end - start <= KNOT_RELATIVE * domain.length() {
-            return Err(GeomError::NarrowInterval { start, end });
+            return Err(DomainError::NarrowInterval { start, end }.into());
         }
         let (_, rest) = self.lines().cut_at(start);
         Ok(Self::from_lines(rest.cut_at(end).0))

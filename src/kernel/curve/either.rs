@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Curve, Offset, ParametricCurve};
-use crate::{GeomError, Interval, Tolerance, frame::norm};
+use crate::{ConstructionError, GeomError, InputError, Interval, Tolerance, frame::norm};
 
 /// Doublings of a domain that is prolonged until it is long enough.
 const MAX_DOUBLINGS: usize = 40;
@@ -47,7 +47,7 @@ impl Curve {
     /// The part over an interval, with the parameters that it had.
     ///
     /// # Errors
-    /// [`GeomError::ParameterOutside`] the domain, [`GeomError::NarrowInterval`], and as
+    /// `DomainError::ParameterOutside` the domain, `DomainError::NarrowInterval`, and as
     /// [`Self::point_at`].
     pub fn trimmed(&self, interval: Interval) -> Result<Self, GeomError> {
         match self {
@@ -59,7 +59,7 @@ impl Curve {
     /// Both parts at `t`, each on its part of the domain.
     ///
     /// # Errors
-    /// [`GeomError::ParameterOutside`] the domain, [`GeomError::ParameterAtEnd`] of it, and as
+    /// `DomainError::ParameterOutside` the domain, `DomainError::ParameterAtEnd` of it, and as
     /// [`Self::point_at`].
     pub fn split(&self, t: f64) -> Result<[Self; 2], GeomError> {
         match self {
@@ -108,7 +108,7 @@ impl ParametricCurve {
     /// it is longer by `length`.
     fn extended(&self, length: f64, sign: f64) -> Result<Self, GeomError> {
         if !(length.is_finite() && 0.0 < length) {
-            return Err(GeomError::NotPositive { what: "the length", got: length });
+            return Err(InputError::NotPositive { what: "the length", got: length }.into());
         }
         let domain = self.domain();
         let end = if 0.0 < sign { domain.end() } else { domain.start() };
@@ -134,6 +134,9 @@ impl ParametricCurve {
             (low, reached) = (far, reached + more);
             step *= 2.0;
         }
-        Err(GeomError::EndOfContinuation { wanted: length, reached })
+        Err(GeomError::Construction(ConstructionError::EndOfContinuation {
+            wanted: length,
+            reached,
+        }))
     }
 }

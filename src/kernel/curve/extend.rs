@@ -7,7 +7,7 @@ use super::{
     measure::{MAX_PIECES, integral},
 };
 use crate::{
-    ConstructionReport, GeomError, Interval, bezier,
+    ConstructionError, ConstructionReport, GeomError, InputError, Interval, WeightError, bezier,
     frame::norm,
     homogeneous,
     tolerance::{LAST_BIT, LENGTH_RELATIVE, PLACE_RELATIVE, VANISHING_RELATIVE},
@@ -37,11 +37,11 @@ impl NurbsCurve {
     /// parameter where the length is reached, which is found to 1e-13 of it.
     ///
     /// # Errors
-    /// [`GeomError::NotPositive`] for a length; [`GeomError::EndOfContinuation`] where no parameter
-    /// has it; [`GeomError::ContinuationLost`] where rounding leaves no digits.
+    /// [`InputError::NotPositive`] for a length; [`ConstructionError::EndOfContinuation`] where no parameter
+    /// has it; [`ConstructionError::ContinuationLost`] where rounding leaves no digits.
     pub fn extended(&self, length: f64) -> Result<Self, GeomError> {
         if !(length.is_finite() && 0.0 < length) {
-            return Err(GeomError::NotPositive { what: "the length", got: length });
+            return Err(InputError::NotPositive { what: "the length", got: length }.into());
         }
         let clamped = self.clamped();
         let end = match clamped.parameter_beyond(length) {
@@ -57,7 +57,9 @@ impl NurbsCurve {
         // Far away the points of a high degree are large, and their differences rounding.
         let off = norm(longer.end() - clamped.beyond().point(end));
         if off.is_nan() || PLACE_RELATIVE * (length + clamped.magnitude()) < off {
-            return Err(GeomError::ContinuationLost { degree: clamped.degree(), length });
+            return Err(
+                ConstructionError::ContinuationLost { degree: clamped.degree(), length }.into()
+            );
         }
         Ok(longer)
     }
@@ -140,7 +142,7 @@ impl NurbsCurve {
             let middles: Vec<f64> = curve.knots.spans().filter(of_span).map(middle).collect();
             curve = curve.insert_knots(&middles)?;
         }
-        Err(GeomError::VanishingWeights { parameter: span.end() })
+        Err(GeomError::Weights(WeightError::VanishingWeights { parameter: span.end() }))
     }
 
     /// The parameter behind the domain where the last piece, going on, has the given length.
@@ -151,7 +153,9 @@ impl NurbsCurve {
         let piece = bezier::piece(&self.knots, &self.control_points, span);
         let far = |&point: &DVec4| homogeneous::place(point).distance(self.end());
         if piece.iter().map(far).fold(0.0, f64::max) <= VANISHING_RELATIVE * self.magnitude() {
-            return Err(GeomError::EndOfContinuation { wanted: length, reached: 0.0 });
+            return Err(
+                ConstructionError::EndOfContinuation { wanted: length, reached: 0.0 }.into()
+            );
         }
 
         // A bracket without a pole.
@@ -190,7 +194,10 @@ impl NurbsCurve {
         }
         match high {
             Some(high) => Ok(beyond.reached(length, [low, high], known, first)),
-            None => Err(GeomError::EndOfContinuation { wanted: length, reached: known }),
+            None => Err(GeomError::Construction(ConstructionError::EndOfContinuation {
+                wanted: length,
+                reached: known,
+            })),
         }
     }
 

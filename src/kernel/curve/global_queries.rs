@@ -23,7 +23,7 @@ impl Curve {
     /// derivatives are knots; beside those it may be 1e-6 of the size away.
     ///
     /// # Errors
-    /// [`GeomError::NoSplineNear`], [`GeomError::Jump`] and as [`Self::point_at`] for a function.
+    /// `FitError::NoSplineNear`, [`GeomError::Jump`] and as [`Self::point_at`] for a function.
     /// So do all questions below.
     pub fn spline(&self) -> Result<Arc<NurbsCurve>, GeomError> {
         match self {
@@ -43,7 +43,7 @@ impl Curve {
     /// The parameter at which the curve is `length` long from its start.
     ///
     /// # Errors
-    /// [`GeomError::LengthOutside`], and as [`Self::spline`].
+    /// `DomainError::LengthOutside`, and as [`Self::spline`].
     pub fn parameter_at_length(&self, length: f64) -> Result<f64, GeomError> {
         self.spline()?.parameter_at_length(length)
     }
@@ -187,7 +187,7 @@ impl Curve {
     /// Every place where the curve comes within `tolerance` of another, by the parameter of this.
     ///
     /// # Errors
-    /// [`GeomError::RunTogether`], and as [`Self::spline`].
+    /// `IntersectionError::RunTogether`, and as [`Self::spline`].
     pub fn intersections(
         &self,
         other: &Self,
@@ -201,7 +201,7 @@ impl Curve {
     /// first.
     ///
     /// # Errors
-    /// [`GeomError::RunTogether`], and as [`Self::spline`].
+    /// `IntersectionError::RunTogether`, and as [`Self::spline`].
     pub fn self_intersections(&self, tolerance: f64) -> Result<Vec<CurveIntersection>, GeomError> {
         let near = self.spline()?.self_intersections(tolerance)?;
         self.polished_meetings(self, near)

@@ -107,8 +107,8 @@ pub(super) fn point_of(piece: &[DVec3], fraction: f64) -> DVec3 {
 /// that differ there meet halfway.
 ///
 /// # Errors
-/// [`GeomError::TooFewKnots`] for no stretch, [`GeomError::KnotMultiplicity`] where nodes count as
-/// one parameter, [`GeomError::NotFinite`].
+/// `KnotError::TooFewKnots` for no stretch, `KnotError::KnotMultiplicity` where nodes count as
+/// one parameter, `InputError::NotFinite`.
 pub(super) fn spline(stretches: &[Vec<HermiteNode>]) -> Result<NurbsCurve, GeomError> {
     let order = stretches.iter().flatten().map(HermiteNode::order).next().unwrap_or(0);
     let degree = 2 * order + 1;

@@ -14,7 +14,7 @@ use super::{
     hermite::{self, HermiteNode},
 };
 use crate::{
-    Bounds, GeomError, Interval, JumpError,
+    Bounds, FitError, GeomError, Interval, JumpError,
     frame::norm,
     tolerance::{
         KNOT_RELATIVE, LAST_BIT, SINGULAR_RELATIVE, STAND_IN_RELATIVE, SUSPICIOUS_RELATIVE,
@@ -68,7 +68,7 @@ impl ParametricCurve {
     /// de Boor, *A Practical Guide to Splines*, ch. I.
     ///
     /// # Errors
-    /// [`GeomError::NoSplineNear`] where 4096 pieces do not suffice, [`GeomError::Jump`], and as
+    /// [`FitError::NoSplineNear`] where 4096 pieces do not suffice, [`GeomError::Jump`], and as
     /// [`Self::derivatives_at`].
     pub fn to_nurbs(&self, tolerance: f64) -> Result<NurbsCurve, GeomError> {
         self.spline(2, 1, [tolerance; 2])
@@ -93,7 +93,7 @@ impl ParametricCurve {
         let mut allowed = STAND_IN_RELATIVE * size + rounding;
         loop {
             match self.spline(ORDER, FIRST_PARTS, [allowed, most]) {
-                Err(GeomError::NoSplineNear { .. }) if COARSER * allowed < most => {
+                Err(GeomError::Fit(FitError::NoSplineNear { .. })) if COARSER * allowed < most => {
                     allowed *= COARSER;
                 }
                 found => return found.map(|spline| self.keep_stand_in(spline)),
@@ -352,7 +352,7 @@ impl HermiteFit<'_> {
     }
 
     fn not_near(&self, parameter: f64) -> GeomError {
-        GeomError::NoSplineNear { tolerance: self.allowed[1], parameter }
+        GeomError::Fit(FitError::NoSplineNear { tolerance: self.allowed[1], parameter })
     }
 }
 

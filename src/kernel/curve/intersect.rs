@@ -76,8 +76,8 @@ impl NurbsCurve {
     /// Every place where the curve comes within `tolerance` of another, by the parameter of this.
     ///
     /// # Errors
-    /// [`GeomError::RunTogether`] where they share a stretch and not single points,
-    /// [`GeomError::Tangled`] where the meetings are too many.
+    /// `IntersectionError::RunTogether` where they share a stretch and not single points,
+    /// `IntersectionError::Tangled` where the meetings are too many.
     pub fn intersections(
         &self,
         other: &Self,
@@ -114,7 +114,7 @@ impl NurbsCurve {
     /// first. The seam of a closed curve is none.
     ///
     /// # Errors
-    /// [`GeomError::RunsAlongItself`], [`GeomError::Tangled`] where the
+    /// `IntersectionError::RunsAlongItself`, `IntersectionError::Tangled` where the
     /// meetings are too many.
     pub fn self_intersections(&self, tolerance: f64) -> Result<Vec<CurveIntersection>, GeomError> {
         let over_jumps = self.meetings_over_jumps(None, tolerance);

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::NurbsCurve;
 use crate::{
-    GeomError,
+    CountError, GeomError, JointError, KnotError,
     joint::{Joined, vanishing_span},
     refine::ControlLines,
     tolerance::EXACT_RELATIVE,
@@ -19,15 +19,15 @@ use crate::{
 /// Ends that differ within the tolerance meet halfway.
 ///
 /// # Errors
-/// [`GeomError::TooFewCurves`] below two; [`GeomError::Gap`] wider than the tolerance;
-/// [`GeomError::VanishingPiece`] for a domain too short beside the others;
-/// [`GeomError::NotFinite`] where the weights leave the numbers.
+/// [`CountError::TooFewCurves`] below two; [`JointError::Gap`] wider than the tolerance;
+/// [`KnotError::VanishingPiece`] for a domain too short beside the others;
+/// `InputError::NotFinite` where the weights leave the numbers.
 pub fn join(curves: &[NurbsCurve], tolerance: f64) -> Result<NurbsCurve, GeomError> {
     let [first, others @ ..] = curves else {
-        return Err(GeomError::TooFewCurves { got: 0, needed: 2 });
+        return Err(CountError::TooFewCurves { got: 0, needed: 2 }.into());
     };
     if others.is_empty() {
-        return Err(GeomError::TooFewCurves { got: 1, needed: 2 });
+        return Err(CountError::TooFewCurves { got: 1, needed: 2 }.into());
     }
     check_gaps(curves, tolerance)?;
     check_domains(curves)?;
@@ -46,7 +46,7 @@ pub fn join(curves: &[NurbsCurve], tolerance: f64) -> Result<NurbsCurve, GeomErr
 }
 
 /// # Errors
-/// [`GeomError::Gap`].
+/// [`JointError::Gap`].
 fn check_gaps(curves: &[NurbsCurve], tolerance: f64) -> Result<(), GeomError> {
     for (index, pair) in curves.windows(2).enumerate() {
         let (end, start) = (pair[0].end(), pair[1].start());
@@ -59,19 +59,19 @@ fn check_gaps(curves: &[NurbsCurve], tolerance: f64) -> Result<(), GeomError> {
             } else {
                 fits(pair[0].start(), start).then_some(index)
             };
-            return Err(GeomError::Gap { index, gap, tolerance, reversed });
+            return Err(JointError::Gap { index, gap, tolerance, reversed }.into());
         }
     }
     Ok(())
 }
 
 /// # Errors
-/// [`GeomError::VanishingPiece`].
+/// [`KnotError::VanishingPiece`].
 fn check_domains(curves: &[NurbsCurve]) -> Result<(), GeomError> {
     let total: f64 = curves.iter().map(|curve| curve.domain().length()).sum();
     for (index, curve) in curves.iter().enumerate() {
         if let Some(length) = vanishing_span(&curve.knots, total) {
-            return Err(GeomError::VanishingPiece { index, length, total });
+            return Err(KnotError::VanishingPiece { index, length, total }.into());
         }
     }
     Ok(())

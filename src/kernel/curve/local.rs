@@ -8,7 +8,7 @@
 use glam::DVec3;
 
 use super::{CircleForm, NurbsCurve, series};
-use crate::{Frame, GeomError, Side, frame::norm};
+use crate::{Frame, GeomError, LocalError, Side, frame::norm};
 
 /// Where a curve is looked at, and which lengths are rounding there.
 #[derive(Clone, Copy, Debug)]
@@ -66,11 +66,11 @@ impl LocalGeometry {
     /// are, and with fewer there is a tangent only.
     ///
     /// # Errors
-    /// [`GeomError::VanishingTangent`] where all but order 0 vanish.
+    /// [`LocalError::VanishingTangent`] where all but order 0 vanish.
     pub fn new(derivatives: &[DVec3], around: EvaluationPlace) -> Result<Self, GeomError> {
         let parameter = around.parameter;
         let terms = around.terms(derivatives);
-        let standing = GeomError::VanishingTangent { parameter };
+        let standing = GeomError::Local(LocalError::VanishingTangent { parameter });
         let first = around.first(&terms, 1, 0).ok_or(standing.clone())?;
         let extent = norm(terms[first]);
 
@@ -142,7 +142,7 @@ impl LocalGeometry {
     /// Curvature, not negative; 0 where the curve is straight.
     ///
     /// # Errors
-    /// [`GeomError::UnboundedCurvature`] at cusps and other places where the curve stands still.
+    /// [`LocalError::UnboundedCurvature`] at cusps and other places where the curve stands still.
     pub fn curvature(&self) -> Result<f64, GeomError> {
         self.bending.map(norm).ok_or_else(|| self.unbounded("curvature"))
     }
@@ -150,7 +150,7 @@ impl LocalGeometry {
     /// Principal unit normal, towards the centre of curvature.
     ///
     /// # Errors
-    /// [`GeomError::Straight`], [`GeomError::UnboundedCurvature`].
+    /// [`LocalError::Straight`], [`LocalError::UnboundedCurvature`].
     pub fn normal(&self) -> Result<DVec3, GeomError> {
         Ok(self.bent("principal normal")? / self.curvature()?)
     }
@@ -158,7 +158,7 @@ impl LocalGeometry {
     /// Unit binormal, tangent × normal.
     ///
     /// # Errors
-    /// [`GeomError::Straight`], [`GeomError::UnboundedCurvature`].
+    /// [`LocalError::Straight`], [`LocalError::UnboundedCurvature`].
     pub fn binormal(&self) -> Result<DVec3, GeomError> {
         Ok(self.frame_for("binormal")?.z())
     }
@@ -166,7 +166,7 @@ impl LocalGeometry {
     /// The moving trihedron of Frenet: tangent, principal normal, binormal.
     ///
     /// # Errors
-    /// [`GeomError::Straight`], [`GeomError::UnboundedCurvature`].
+    /// [`LocalError::Straight`], [`LocalError::UnboundedCurvature`].
     pub fn frame(&self) -> Result<Frame, GeomError> {
         self.frame_for("frame")
     }
@@ -174,7 +174,7 @@ impl LocalGeometry {
     /// The frame, for a question that an error names.
     ///
     /// # Errors
-    /// [`GeomError::Straight`], [`GeomError::UnboundedCurvature`].
+    /// [`LocalError::Straight`], [`LocalError::UnboundedCurvature`].
     pub fn frame_for(&self, what: &'static str) -> Result<Frame, GeomError> {
         Frame::of_curve(self.point, self.tangent, self.bent(what)?)
     }
@@ -183,7 +183,7 @@ impl LocalGeometry {
     /// screw.
     ///
     /// # Errors
-    /// [`GeomError::Straight`], [`GeomError::UnboundedCurvature`].
+    /// [`LocalError::Straight`], [`LocalError::UnboundedCurvature`].
     pub fn torsion(&self) -> Result<f64, GeomError> {
         let (binormal, curvature) = (self.frame_for("torsion")?.z(), norm(self.bent("torsion")?));
         let slope = self.bending_slope.ok_or_else(|| self.unbounded("torsion"))?;
@@ -193,7 +193,7 @@ impl LocalGeometry {
     /// Radius of the osculating circle.
     ///
     /// # Errors
-    /// [`GeomError::Straight`], [`GeomError::UnboundedCurvature`].
+    /// [`LocalError::Straight`], [`LocalError::UnboundedCurvature`].
     pub fn radius_of_curvature(&self) -> Result<f64, GeomError> {
         Ok(1.0 / norm(self.bent("radius of curvature")?))
     }
@@ -201,7 +201,7 @@ impl LocalGeometry {
     /// Centre of the osculating circle.
     ///
     /// # Errors
-    /// [`GeomError::Straight`], [`GeomError::UnboundedCurvature`].
+    /// [`LocalError::Straight`], [`LocalError::UnboundedCurvature`].
     pub fn center_of_curvature(&self) -> Result<DVec3, GeomError> {
         let bending = self.bent("centre of curvature")?;
         let curvature = norm(bending);
@@ -212,7 +212,7 @@ impl LocalGeometry {
     /// direction of the tangent.
     ///
     /// # Errors
-    /// [`GeomError::Straight`], [`GeomError::UnboundedCurvature`].
+    /// [`LocalError::Straight`], [`LocalError::UnboundedCurvature`].
     pub fn osculating_circle(&self) -> Result<NurbsCurve, GeomError> {
         let (frame, radius) = (self.frame_for("osculating circle")?, self.radius_of_curvature()?);
         let center = self.center_of_curvature()?;
@@ -222,7 +222,7 @@ impl LocalGeometry {
     /// The plane normal to the tangent; x is the principal normal, where there is one.
     ///
     /// # Errors
-    /// [`GeomError::NotFinite`].
+    /// `InputError::NotFinite`.
     pub fn normal_plane(&self) -> Result<Frame, GeomError> {
         Frame::from_normal(self.point, self.tangent, self.normal().ok())
     }
@@ -230,7 +230,7 @@ impl LocalGeometry {
     /// The plane of tangent and principal normal; x is the tangent.
     ///
     /// # Errors
-    /// [`GeomError::Straight`], [`GeomError::UnboundedCurvature`].
+    /// [`LocalError::Straight`], [`LocalError::UnboundedCurvature`].
     pub fn osculating_plane(&self) -> Result<Frame, GeomError> {
         let frame = self.frame_for("osculating plane")?;
         Frame::from_axes(self.point, frame.x(), frame.y())
@@ -239,7 +239,7 @@ impl LocalGeometry {
     /// The plane of binormal and tangent; x is the binormal.
     ///
     /// # Errors
-    /// [`GeomError::Straight`], [`GeomError::UnboundedCurvature`].
+    /// [`LocalError::Straight`], [`LocalError::UnboundedCurvature`].
     pub fn rectifying_plane(&self) -> Result<Frame, GeomError> {
         let frame = self.frame_for("rectifying plane")?;
         Frame::from_axes(self.point, frame.z(), frame.x())
@@ -249,7 +249,7 @@ impl LocalGeometry {
     /// from its tip.
     ///
     /// # Errors
-    /// [`GeomError::UnboundedCurvature`]; [`GeomError::NoSide`] where the curve bends in a plane that holds
+    /// [`LocalError::UnboundedCurvature`]; [`LocalError::NoSide`] where the curve bends in a plane that holds
     /// the normal, to within an angle.
     pub fn signed_curvature(&self, normal: DVec3, angle: f64) -> Result<f64, GeomError> {
         let bending = self.bending.ok_or_else(|| self.unbounded("curvature"))?;
@@ -259,7 +259,7 @@ impl LocalGeometry {
             return Ok(0.0);
         }
         if turn.abs() <= angle * curvature {
-            return Err(GeomError::NoSide { parameter: self.parameter, normal });
+            return Err(LocalError::NoSide { parameter: self.parameter, normal }.into());
         }
         Ok(curvature.copysign(turn))
     }
@@ -268,12 +268,12 @@ impl LocalGeometry {
     fn bent(&self, what: &'static str) -> Result<DVec3, GeomError> {
         let bending = self.bending.ok_or_else(|| self.unbounded(what))?;
         if bending.abs().max_element() <= 0.0 {
-            return Err(GeomError::Straight { what, parameter: self.parameter });
+            return Err(LocalError::Straight { what, parameter: self.parameter }.into());
         }
         Ok(bending)
     }
 
     fn unbounded(&self, what: &'static str) -> GeomError {
-        GeomError::UnboundedCurvature { what, parameter: self.parameter }
+        GeomError::Local(LocalError::UnboundedCurvature { what, parameter: self.parameter })
     }
 }

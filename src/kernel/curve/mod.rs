@@ -59,8 +59,8 @@ mod units;
 use glam::{DAffine3, DMat4, DVec3, DVec4};
 
 use super::{
-    ConstructionReport, GeomError, Interval, KnotVector, Tolerance, frame::norm, homogeneous,
-    lazy::Lazy, nearest::ClosestPointTree, positive,
+    ConstructionReport, CountError, GeomError, Interval, KnotVector, Tolerance, WeightError,
+    frame::norm, homogeneous, lazy::Lazy, nearest::ClosestPointTree, positive,
 };
 
 pub use analytic::AnalyticCurve;
@@ -104,7 +104,7 @@ impl NurbsCurve {
     /// The curve of homogeneous control points.
     ///
     /// # Errors
-    /// [`GeomError::KnotCount`], [`GeomError::NotFinite`], [`GeomError::VanishingWeights`].
+    /// `KnotError::KnotCount`, `InputError::NotFinite`, [`WeightError::VanishingWeights`].
     pub fn new(knots: KnotVector, control_points: Vec<DVec4>) -> Result<Self, GeomError> {
         knots.check_points(control_points.len())?;
         homogeneous::check_finite(&control_points)?;
@@ -115,7 +115,7 @@ impl NurbsCurve {
     /// The curve with all weights one.
     ///
     /// # Errors
-    /// [`GeomError::KnotCount`], [`GeomError::NotFinite`].
+    /// `KnotError::KnotCount`, `InputError::NotFinite`.
     pub fn polynomial(knots: KnotVector, points: &[DVec3]) -> Result<Self, GeomError> {
         knots.check_points(points.len())?;
         Ok(Self::new_unchecked(knots, homogeneous::unweighted(points)?))
@@ -124,9 +124,9 @@ impl NurbsCurve {
     /// The curve with a weight for each point; a weight of zero takes its point away.
     ///
     /// # Errors
-    /// [`GeomError::KnotCount`], [`GeomError::WeightCount`], [`GeomError::NotFinite`],
-    /// [`GeomError::BadWeight`] below zero, [`GeomError::BadEndWeight`] for a zero at an end,
-    /// [`GeomError::VanishingWeights`] where zeros leave a parameter without a point.
+    /// `KnotError::KnotCount`, [`WeightError::WeightCount`], `InputError::NotFinite`,
+    /// [`WeightError::BadWeight`] below zero, [`WeightError::BadEndWeight`] for a zero at an end,
+    /// [`WeightError::VanishingWeights`] where zeros leave a parameter without a point.
     pub fn rational(
         knots: KnotVector,
         points: &[DVec3],
@@ -136,7 +136,7 @@ impl NurbsCurve {
         let control_points = homogeneous::weighted(points, weights)?;
         for index in [0, weights.len() - 1] {
             if weights[index] <= 0.0 {
-                return Err(GeomError::BadEndWeight { index, weight: weights[index] });
+                return Err(WeightError::BadEndWeight { index, weight: weights[index] }.into());
             }
         }
         Self::new(knots, control_points)
@@ -155,11 +155,11 @@ impl NurbsCurve {
     /// ```
     ///
     /// # Errors
-    /// [`GeomError::TooFewPoints`] without points, [`GeomError::DegreeTooHigh`],
-    /// [`GeomError::NotFinite`].
+    /// [`CountError::TooFewPoints`] without points, `DegreeError::DegreeTooHigh`,
+    /// `InputError::NotFinite`.
     pub fn bezier(points: &[DVec3]) -> Result<Self, GeomError> {
         match points.len() {
-            0 => Err(GeomError::TooFewPoints { got: 0, needed: 1 }),
+            0 => Err(GeomError::Count(CountError::TooFewPoints { got: 0, needed: 1 })),
             n => Self::polynomial(KnotVector::bezier(n - 1)?, points),
         }
     }
@@ -167,7 +167,7 @@ impl NurbsCurve {
     /// The segment from `a` to `b` on 0..1.
     ///
     /// # Errors
-    /// [`GeomError::NotFinite`].
+    /// `InputError::NotFinite`.
     pub fn line(a: DVec3, b: DVec3) -> Result<Self, GeomError> {
         Self::bezier(&[a, b])
     }
@@ -175,11 +175,11 @@ impl NurbsCurve {
     /// The polygon through the points, one unit of parameter a leg.
     ///
     /// # Errors
-    /// [`GeomError::TooFewPoints`] below two, [`GeomError::NotFinite`].
+    /// [`CountError::TooFewPoints`] below two, `InputError::NotFinite`.
     pub fn polyline(points: &[DVec3]) -> Result<Self, GeomError> {
         let got = points.len();
         if got < 2 {
-            return Err(GeomError::TooFewPoints { got, needed: 2 });
+            return Err(CountError::TooFewPoints { got, needed: 2 }.into());
         }
         Self::polynomial(KnotVector::uniform_clamped(1, got, (got - 1) as f64)?, points)
     }
@@ -290,12 +290,12 @@ impl NurbsCurve {
     /// conics*, Geometric Modeling (1987).
     ///
     /// # Errors
-    /// [`GeomError::BadWeight`] where a control point lies on or beyond that plane, or has a weight
-    /// of zero; [`GeomError::NotFinite`].
+    /// [`WeightError::BadWeight`] where a control point lies on or beyond that plane, or has a weight
+    /// of zero; `InputError::NotFinite`.
     pub fn projected(&self, map: &DMat4) -> Result<Self, GeomError> {
         let points: Vec<DVec4> = self.control_points.iter().map(|&point| *map * point).collect();
         if let Some(index) = points.iter().position(|point| point.w <= 0.0) {
-            return Err(GeomError::BadWeight { index, weight: points[index].w });
+            return Err(WeightError::BadWeight { index, weight: points[index].w }.into());
         }
         Self::new(self.knots.clone(), points)
     }

@@ -10,7 +10,7 @@ use glam::{DVec3, DVec4};
 
 use super::{CurveIntersection, NurbsCurve, join};
 use crate::{
-    GeomError, Interval, Side,
+    ConstructionError, GeomError, InputError, IntersectionError, Interval, LocalError, Side,
     frame::{angle_between, norm, unit},
     tolerance::{LAST_BIT, Tolerance},
 };
@@ -63,10 +63,12 @@ impl Offset {
     fn crossed(self, turns: &[f64], aim: CurveOffsetTarget) -> Self {
         match crossing::crossings(&self.curve, turns, aim.rounding) {
             Ok(crossings) => Self { crossings, ..self },
-            Err(GeomError::RunsAlongItself { start, end }) => {
+            Err(GeomError::Intersection(IntersectionError::RunsAlongItself { start, end })) => {
                 Self { overlap: Interval::new(start, end).ok(), ..self }
             }
-            Err(GeomError::Tangled) => Self { is_tangled: true, ..self },
+            Err(GeomError::Intersection(IntersectionError::Tangled)) => {
+                Self { is_tangled: true, ..self }
+            }
             Err(_) => self,
         }
     }
@@ -112,7 +114,8 @@ struct CurveOffsetTarget {
 impl CurveOffsetTarget {
     /// Where the offset of a point lies, for the direction of the curve there.
     fn side(self, tangent: DVec3, parameter: f64) -> Result<DVec3, GeomError> {
-        let side = unit(tangent.cross(self.normal)).ok_or(GeomError::AlongNormal { parameter })?;
+        let side = unit(tangent.cross(self.normal))
+            .ok_or(GeomError::Construction(ConstructionError::AlongNormal { parameter }))?;
         Ok(side * self.distance)
     }
 }
@@ -127,22 +130,25 @@ impl NurbsCurve {
     /// put in, with parameters of its own.
     ///
     /// # Errors
-    /// [`GeomError::ZeroAxis`] for the normal; [`GeomError::Jump`]; [`GeomError::AlongNormal`] where the curve runs
-    /// along it; [`GeomError::VanishingTangent`] of a point; [`GeomError::OffsetTooFar`]; [`GeomError::NoOffset`] where it turns too fast to be followed; [`GeomError::VanishingOffset`] of a circle of that radius.
+    /// [`InputError::ZeroAxis`] for the normal; [`GeomError::Jump`]; [`ConstructionError::AlongNormal`] where the curve runs
+    /// along it; [`LocalError::VanishingTangent`] of a point; [`ConstructionError::OffsetTooFar`]; [`ConstructionError::NoOffset`] where it turns too fast to be followed; [`ConstructionError::VanishingOffset`] of a circle of that radius.
     pub fn offset(
         &self,
         distance: f64,
         normal: DVec3,
         tolerance: Tolerance,
     ) -> Result<Offset, GeomError> {
-        let normal = unit(normal).ok_or(GeomError::ZeroAxis { what: "the normal" })?;
+        let normal =
+            unit(normal).ok_or(GeomError::Input(InputError::ZeroAxis { what: "the normal" }))?;
         self.check_connected()?;
         if let Some(factor) = self.unit_factor(&[]) {
             let tolerance = tolerance.with_distance(tolerance.distance * factor);
             let found = self.in_units(factor).offset(distance * factor, normal, tolerance);
             return found.map(|found| found.in_units(factor)).map_err(|error| match error {
-                GeomError::VanishingOffset { radius } => {
-                    GeomError::VanishingOffset { radius: radius / factor }
+                GeomError::Construction(ConstructionError::VanishingOffset { radius }) => {
+                    GeomError::Construction(ConstructionError::VanishingOffset {
+                        radius: radius / factor,
+                    })
                 }
                 other => other,
             });
@@ -157,10 +163,10 @@ impl NurbsCurve {
         let start = self.start();
         let size = self.points().into_iter().map(|point| norm(point - start)).fold(0.0, f64::max);
         if size <= 0.0 {
-            return Err(GeomError::VanishingTangent { parameter: self.domain().start() });
+            return Err(LocalError::VanishingTangent { parameter: self.domain().start() }.into());
         }
         if size <= LAST_BIT * distance.abs() {
-            return Err(GeomError::OffsetTooFar { distance });
+            return Err(ConstructionError::OffsetTooFar { distance }.into());
         }
         if let Some(offset) = straight::offset(self, aim)? {
             return Ok(offset.crossed(&[], aim));

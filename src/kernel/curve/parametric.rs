@@ -8,7 +8,9 @@ use std::{
 use glam::{DAffine3, DVec3};
 
 use super::NurbsCurve;
-use crate::{FunctionFailure, GeomError, Interval, tolerance::KNOT_RELATIVE};
+use crate::{
+    DomainError, FunctionFailure, GeomError, Interval, LocalError, tolerance::KNOT_RELATIVE,
+};
 
 /// Even parts of a domain at whose ends a function is tried when a curve is made of it.
 const PROBES: usize = 8;
@@ -70,7 +72,7 @@ impl ParametricCurve {
     /// between them.
     ///
     /// # Errors
-    /// [`GeomError::Function`] where the function fails, [`GeomError::BeyondNumbers`].
+    /// [`GeomError::Function`] where the function fails, [`LocalError::BeyondNumbers`].
     pub fn new(domain: Interval, function: Arc<dyn CurveFunction>) -> Result<Self, GeomError> {
         Self {
             domain,
@@ -132,7 +134,7 @@ impl ParametricCurve {
     /// Point and derivatives at `t` by order, `order + 1` of them.
     ///
     /// # Errors
-    /// [`GeomError::Function`] where the function fails, [`GeomError::BeyondNumbers`] where a
+    /// [`GeomError::Function`] where the function fails, [`LocalError::BeyondNumbers`] where a
     /// coordinate overflows.
     pub fn derivatives_at(&self, t: f64, order: usize) -> Result<Vec<DVec3>, GeomError> {
         let mut derivatives = self.function.derivatives_at(self.pace.at(t), order)?;
@@ -145,7 +147,7 @@ impl ParametricCurve {
             factor *= slope;
         }
         match derivatives.iter().position(|derivative| !derivative.is_finite()) {
-            Some(order) => Err(GeomError::BeyondNumbers { order, parameter: t }),
+            Some(order) => Err(GeomError::Local(LocalError::BeyondNumbers { order, parameter: t })),
             None => Ok(derivatives),
         }
     }
@@ -190,13 +192,13 @@ impl ParametricCurve {
     /// The part over an interval, with the parameters that it had.
     ///
     /// # Errors
-    /// [`GeomError::ParameterOutside`] the domain, [`GeomError::NarrowInterval`], and as
+    /// [`DomainError::ParameterOutside`] the domain, [`DomainError::NarrowInterval`], and as
     /// [`Self::derivatives_at`].
     pub fn trimmed(&self, interval: Interval) -> Result<Self, GeomError> {
         let inside = |t: f64| self.domain.clamp_inside(t);
         let (start, end) = (inside(interval.start())?, inside(interval.end())?);
         if end - start <= KNOT_RELATIVE * self.domain.length() {
-            return Err(GeomError::NarrowInterval { start, end });
+            return Err(DomainError::NarrowInterval { start, end }.into());
         }
         self.on(Interval::new(start, end)?)
     }
@@ -204,13 +206,13 @@ impl ParametricCurve {
     /// Both parts at `t`, each on its part of the domain.
     ///
     /// # Errors
-    /// [`GeomError::ParameterOutside`] the domain, [`GeomError::ParameterAtEnd`] of it, and as
+    /// [`DomainError::ParameterOutside`] the domain, [`DomainError::ParameterAtEnd`] of it, and as
     /// [`Self::derivatives_at`].
     pub fn split(&self, t: f64) -> Result<[Self; 2], GeomError> {
         let (domain, t) = (self.domain, self.domain.clamp_inside(t)?);
         let near = KNOT_RELATIVE * domain.length();
         if t - domain.start() <= near || domain.end() - t <= near {
-            return Err(GeomError::ParameterAtEnd { parameter: t, domain });
+            return Err(DomainError::ParameterAtEnd { parameter: t, domain }.into());
         }
         let parts = [Interval::new(domain.start(), t)?, Interval::new(t, domain.end())?];
         Ok([self.on(parts[0])?, self.on(parts[1])?])

@@ -9,7 +9,7 @@ impl NurbsCurve {
     /// The polyline through the control points, without those of weight zero.
     ///
     /// # Errors
-    /// [`GeomError::TooFewPoints`] for a curve of one point.
+    /// `CountError::TooFewPoints` for a curve of one point.
     pub fn control_polygon(&self) -> Result<Self, GeomError> {
         let are_there = self.control_points.iter().filter(|point| point.w != 0.0);
         let points: Vec<DVec3> = are_there.map(|&point| homogeneous::place(point)).collect();

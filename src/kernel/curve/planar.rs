@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::NurbsCurve;
 use crate::{
-    Frame, GeomError,
+    ConstructionError, FormError, Frame, GeomError, InputError,
     frame::{across, norm, unit},
     homogeneous,
     tolerance::VANISHING_RELATIVE,
@@ -16,8 +16,8 @@ impl NurbsCurve {
     /// normal to `forward`.
     ///
     /// # Errors
-    /// [`GeomError::NotPlanar`] where a control point is further from the plane than `distance`,
-    /// [`GeomError::ZeroAxis`] where all are at one place, [`GeomError::NoTurn`] on a line along
+    /// [`FormError::NotPlanar`] where a control point is further from the plane than `distance`,
+    /// [`InputError::ZeroAxis`] where all are at one place, [`ConstructionError::NoTurn`] on a line along
     /// `forward`.
     pub fn plane_across(&self, forward: DVec3, distance: f64) -> Result<Frame, GeomError> {
         let are_there = self.control_points().iter().filter(|point| point.w != 0.0);
@@ -27,17 +27,17 @@ impl NurbsCurve {
             points.iter().copied().max_by(|a, b| from(*a).total_cmp(&from(*b))).unwrap_or(first)
         };
         let along = unit(farthest(&|p| norm(p - first)) - first)
-            .ok_or(GeomError::ZeroAxis { what: "a section of one point" })?;
+            .ok_or(GeomError::Input(InputError::ZeroAxis { what: "a section of one point" }))?;
         let off_line = |p: DVec3| (p - first) - along * (p - first).dot(along);
         let aside = off_line(farthest(&|p| norm(off_line(p))));
         let normal = if norm(aside) <= distance {
-            across(forward, along).ok_or(GeomError::NoTurn)?
+            across(forward, along).ok_or(GeomError::Construction(ConstructionError::NoTurn))?
         } else {
             facing(unit(along.cross(aside)).unwrap_or(forward), forward)
         };
         let by = points.iter().map(|p| (*p - first).dot(normal).abs()).fold(0.0, f64::max);
         if distance < by {
-            return Err(GeomError::NotPlanar { by });
+            return Err(FormError::NotPlanar { by }.into());
         }
         Frame::from_normal(normal * first.dot(normal), normal, None)
     }

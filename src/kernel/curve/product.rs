@@ -3,7 +3,10 @@
 use glam::{DVec3, DVec4};
 
 use super::{NurbsCurve, chain::binomials};
-use crate::{GeomError, KnotVector, bezier, homogeneous, positive, tolerance::KNOT_RELATIVE};
+use crate::{
+    DomainError, FormError, GeomError, InputError, KnotVector, WeightError, bezier, homogeneous,
+    positive, tolerance::KNOT_RELATIVE,
+};
 
 impl NurbsCurve {
     /// The curve of derivative vectors, on the same domain.
@@ -12,7 +15,7 @@ impl NurbsCurve {
     /// rational curve of degree 2p. Piegl & Tiller, *The NURBS Book*, (3.8) and (4.8).
     ///
     /// # Errors
-    /// [`GeomError::DegreeTooHigh`], [`GeomError::NotFinite`].
+    /// `DegreeError::DegreeTooHigh`, [`InputError::NotFinite`].
     pub fn hodograph(&self) -> Result<Self, GeomError> {
         if self.is_rational { self.rational_hodograph() } else { self.polynomial_hodograph() }
     }
@@ -66,27 +69,30 @@ impl NurbsCurve {
     /// Piegl & Tiller, *The NURBS Book*, (10.15).
     ///
     /// # Errors
-    /// [`GeomError::RationalFor`], [`GeomError::NotScalar`], [`GeomError::OtherDomain`],
-    /// [`GeomError::NotPositive`] for the factor; [`GeomError::DegreeTooHigh`],
-    /// [`GeomError::NotFinite`].
+    /// [`FormError::RationalFor`], [`FormError::NotScalar`], [`DomainError::OtherDomain`],
+    /// [`InputError::NotPositive`] for the factor; `DegreeError::DegreeTooHigh`,
+    /// [`InputError::NotFinite`].
     pub fn reweighted(&self, factor: &Self) -> Result<Self, GeomError> {
         if factor.is_rational {
-            return Err(GeomError::RationalFor { what: "a scalar spline" });
+            return Err(FormError::RationalFor { what: "a scalar spline" }.into());
         }
         let values = factor.points();
         if let Some(index) = values.iter().position(|value| value.with_x(0.0) != DVec3::ZERO) {
-            return Err(GeomError::NotScalar { index });
+            return Err(FormError::NotScalar { index }.into());
         }
         let (domain, other) = (self.domain(), factor.domain());
         let same = KNOT_RELATIVE * domain.length();
         let gap = (domain.start() - other.start()).abs().max((domain.end() - other.end()).abs());
         if same < gap {
-            return Err(GeomError::OtherDomain { domain, other });
+            return Err(DomainError::OtherDomain { domain, other }.into());
         }
         let as_weights: Vec<DVec4> = values.iter().map(|v| DVec3::ZERO.extend(v.x)).collect();
         positive::check_curve(&factor.knots, &as_weights).map_err(|error| match error {
-            GeomError::VanishingWeights { parameter } => {
-                GeomError::NotPositive { what: "the factor", got: factor.point_at(parameter).x }
+            GeomError::Weights(WeightError::VanishingWeights { parameter }) => {
+                GeomError::Input(InputError::NotPositive {
+                    what: "the factor",
+                    got: factor.point_at(parameter).x,
+                })
             }
             other => other,
         })?;

@@ -3,7 +3,10 @@
 use glam::DVec4;
 
 use super::NurbsCurve;
-use crate::{GeomError, KnotVector, refine::ControlLines, removal::removal};
+use crate::{
+    DegreeError, FitError, GeomError, KnotError, KnotVector, WeightError, refine::ControlLines,
+    removal::removal,
+};
 
 impl NurbsCurve {
     /// The curve at another degree below its own, or at the lowest that the tolerance allows.
@@ -13,12 +16,12 @@ impl NurbsCurve {
     /// no point of the whole curve is further than the tolerance from where it was.
     ///
     /// # Errors
-    /// [`GeomError::LowestDegree`]; [`GeomError::NotReducible`] with the deviation where the
+    /// [`DegreeError::LowestDegree`]; [`FitError::NotReducible`] with the deviation where the
     /// tolerance allows no step, or not that degree.
     pub fn reduced(&self, degree: Option<usize>, tolerance: f64) -> Result<Self, GeomError> {
         let to = degree.unwrap_or(1).max(1);
         if self.degree() <= to {
-            return Err(GeomError::LowestDegree { degree: self.degree() });
+            return Err(DegreeError::LowestDegree { degree: self.degree() }.into());
         }
         let mut reduced = self.clamped();
         while to < reduced.degree() {
@@ -29,7 +32,7 @@ impl NurbsCurve {
                 Some(next) if error <= tolerance => reduced = next,
                 _ if degree.is_some() || reduced.degree() == self.degree() => {
                     let degree = reduced.degree() - 1;
-                    return Err(GeomError::NotReducible { degree, error, tolerance });
+                    return Err(FitError::NotReducible { degree, error, tolerance }.into());
                 }
                 _ => break,
             }
@@ -40,8 +43,8 @@ impl NurbsCurve {
     /// The same curve without a knot, as many times as asked for.
     ///
     /// # Errors
-    /// [`GeomError::NoKnot`] where none stands inside the domain, or not so often;
-    /// [`GeomError::KnotNeeded`] with the deviation where it is more than the tolerance.
+    /// [`KnotError::NoKnot`] where none stands inside the domain, or not so often;
+    /// [`FitError::KnotNeeded`] with the deviation where it is more than the tolerance.
     pub fn without_knot(&self, t: f64, times: usize, tolerance: f64) -> Result<Self, GeomError> {
         let domain = self.domain();
         let knot = self.knots.snapped(domain.clamp_inside(t)?);
@@ -52,7 +55,7 @@ impl NurbsCurve {
             let inner =
                 self.knots.breaks().into_iter().filter(|&t| domain.start() < t && t < domain.end());
             let nearest = inner.min_by(|a, b| distance(a).total_cmp(&distance(b)));
-            return Err(GeomError::NoKnot { parameter: t, stands, nearest });
+            return Err(KnotError::NoKnot { parameter: t, stands, nearest }.into());
         }
         let mut knots = self.knots.as_slice().to_vec();
         let mut points = self.control_points.clone();
@@ -71,13 +74,15 @@ impl NurbsCurve {
             // Weights that are not positive are no curve at any distance.
             Err(_) => f64::INFINITY,
         };
-        Err(GeomError::KnotNeeded { knot, error, tolerance })
+        Err(GeomError::Fit(FitError::KnotNeeded { knot, error, tolerance }))
     }
 
     /// The curve, if all its weights are positive.
     fn with_positive(knots: KnotVector, points: Vec<DVec4>) -> Result<Self, GeomError> {
         match points.iter().position(|point| point.w <= 0.0) {
-            Some(index) => Err(GeomError::BadWeight { index, weight: points[index].w }),
+            Some(index) => {
+                Err(GeomError::Weights(WeightError::BadWeight { index, weight: points[index].w }))
+            }
             None => Self::new(knots, points),
         }
     }

@@ -15,7 +15,7 @@ impl NurbsCurve {
     /// root of the last weight over the first. The curve is clamped first.
     ///
     /// # Errors
-    /// [`GeomError::NotFinite`], and as [`KnotVector::new`] where the weights differ so much that
+    /// `InputError::NotFinite`, and as [`KnotVector::new`] where the weights differ so much that
     /// knots fall together.
     pub fn standard_form(&self) -> Result<Self, GeomError> {
         let curve = self.clamped();

@@ -8,7 +8,7 @@ use super::{
     least::Approximator,
     search::{FitSearch, FittedCurve, MANY},
 };
-use crate::{ConstructionReport, GeomError, KnotVector, NurbsCurve};
+use crate::{ConstructionReport, DegreeError, GeomError, KnotVector, NurbsCurve};
 
 /// The curve of `n_control` control points that comes nearest to the points at the parameters,
 /// through the first and the last. Its report tells the deviation.
@@ -17,8 +17,8 @@ use crate::{ConstructionReport, GeomError, KnotVector, NurbsCurve};
 /// §9.4.1, (9.68) and (9.69).
 ///
 /// # Errors
-/// [`GeomError::BadDegree`], [`GeomError::DegreeTooHigh`]; [`GeomError::WrongCount`];
-/// [`GeomError::Undetermined`] where many points share few parameters.
+/// [`DegreeError::BadDegree`], [`DegreeError::DegreeTooHigh`]; `CountError::WrongCount`;
+/// `FitError::Undetermined` where many points share few parameters.
 pub fn approximate(
     points: &[DVec3],
     parameters: &[f64],
@@ -42,8 +42,8 @@ pub fn approximate(
 /// (1987).
 ///
 /// # Errors
-/// [`GeomError::BadDegree`], [`GeomError::DegreeTooHigh`]; [`GeomError::WrongCount`];
-/// [`GeomError::ToleranceNotKept`] below the rounding of the coordinates.
+/// [`DegreeError::BadDegree`], [`DegreeError::DegreeTooHigh`]; `CountError::WrongCount`;
+/// `FitError::ToleranceNotKept` below the rounding of the coordinates.
 pub fn approximate_within(
     points: &[DVec3],
     parameters: &[f64],
@@ -53,7 +53,7 @@ pub fn approximate_within(
 ) -> Result<NurbsCurve, GeomError> {
     if points.len() <= degree {
         let needed = degree + 1;
-        return Err(GeomError::BadDegree { degree, points: points.len(), needed });
+        return Err(DegreeError::BadDegree { degree, points: points.len(), needed }.into());
     }
     let kinks = kinks(points, parameters);
     let left = crate::ceiling::FIT_STEPS / if kinks.is_empty() { 1 } else { 2 };

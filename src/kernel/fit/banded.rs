@@ -3,7 +3,7 @@
 use glam::DVec4;
 
 use super::equation::Equation;
-use crate::GeomError;
+use crate::{FitError, GeomError};
 
 /// As many equations as unknowns, factored once for any number of right-hand sides.
 ///
@@ -23,7 +23,7 @@ pub(crate) struct BandedSystem {
 
 impl BandedSystem {
     /// # Errors
-    /// [`GeomError::NoFit`] where the equations contradict or repeat one another.
+    /// [`FitError::NoFit`] where the equations contradict or repeat one another.
     pub(crate) fn new(equations: &[Equation]) -> Result<Self, GeomError> {
         let n = equations.len();
         let below = |(i, equation): (usize, &Equation)| i.saturating_sub(equation.first);
@@ -65,7 +65,7 @@ impl BandedSystem {
         if size(pivot) > 0.0 {
             self.exchanged.push(pivot);
         } else {
-            return Err(GeomError::NoFit);
+            return Err(FitError::NoFit.into());
         }
         if pivot != k {
             for column in k..=last_column {

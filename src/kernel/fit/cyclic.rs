@@ -26,7 +26,7 @@ impl CyclicSystem {
     /// count modulo their number.
     ///
     /// # Errors
-    /// [`GeomError::NoFit`] where the equations contradict or repeat one another.
+    /// `FitError::NoFit` where the equations contradict or repeat one another.
     pub(super) fn new(equations: &[Equation], reach: usize) -> Result<Self, GeomError> {
         let n = equations.len();
         let n_first = n - reach;

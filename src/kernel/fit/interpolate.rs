@@ -1,7 +1,7 @@
 //! The equations of splines through points: which knots, which conditions.
 
 use super::{banded::BandedSystem, check_parameters, cyclic::CyclicSystem, equation::Equation};
-use crate::{GeomError, KnotVector};
+use crate::{CountError, FitError, GeomError, KnotVector};
 
 /// What a cubic with its knots at the points does where it begins and ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,12 +64,12 @@ impl Interpolator {
     /// (9.8). Farin's last Bessel condition counts from the end.
     ///
     /// # Errors
-    /// [`GeomError::TooFewPoints`] below two; those of [`check_parameters`];
-    /// [`GeomError::DegreeTooHigh`]; [`GeomError::CountTooSmall`] for degree 0.
+    /// [`CountError::TooFewPoints`] below two; those of [`check_parameters`];
+    /// `DegreeError::DegreeTooHigh`; [`CountError::CountTooSmall`] for degree 0.
     pub fn new(parameters: &[f64], degree: usize, ends: Ends) -> Result<Self, GeomError> {
         let got = parameters.len();
         if got < 2 {
-            return Err(GeomError::TooFewPoints { got, needed: 2 });
+            return Err(CountError::TooFewPoints { got, needed: 2 }.into());
         }
         check_degree(degree)?;
         check_parameters(parameters, got)?;
@@ -86,12 +86,12 @@ impl Interpolator {
     /// Piegl & Tiller, *The NURBS Book*, (9.22) and (9.23).
     ///
     /// # Errors
-    /// [`GeomError::TooFewPoints`] below two; those of [`check_parameters`];
-    /// [`GeomError::NoFit`] of another degree.
+    /// [`CountError::TooFewPoints`] below two; those of [`check_parameters`];
+    /// [`FitError::NoFit`] of another degree.
     pub fn with_derivatives(parameters: &[f64], degree: usize) -> Result<Self, GeomError> {
         let got = parameters.len();
         if got < 2 {
-            return Err(GeomError::TooFewPoints { got, needed: 2 });
+            return Err(CountError::TooFewPoints { got, needed: 2 }.into());
         }
         check_parameters(parameters, got)?;
         let spans = parameters.windows(2);
@@ -109,7 +109,7 @@ impl Interpolator {
                 };
                 spans.enumerate().flat_map(part).collect()
             }
-            _ => return Err(GeomError::NoFit),
+            _ => return Err(FitError::NoFit.into()),
         };
         let knots = clamped(parameters, degree, &inner)?;
         let both = |&t: &f64| [Equation::point(&knots, t), Equation::derivative(&knots, t, 1)];
@@ -143,7 +143,7 @@ impl Interpolator {
     /// basis function, such as those of Greville.
     ///
     /// # Errors
-    /// [`GeomError::NoFit`] where the values do not determine a spline.
+    /// [`FitError::NoFit`] where the values do not determine a spline.
     pub(crate) fn on_knots(parameters: &[f64], knots: KnotVector) -> Result<Self, GeomError> {
         let rows: Vec<Equation> = parameters.iter().map(|&t| Equation::point(&knots, t)).collect();
         let equations = FactoredEquations::Values(BandedSystem::new(&rows)?);
@@ -204,12 +204,12 @@ pub(super) fn clamped(
 }
 
 /// # Errors
-/// [`GeomError::CountTooSmall`] for degree 0.
+/// [`CountError::CountTooSmall`] for degree 0.
 pub(super) fn check_degree(degree: usize) -> Result<(), GeomError> {
     let (what, needed) = ("the degree", 1);
     if needed <= degree {
         Ok(())
     } else {
-        Err(GeomError::CountTooSmall { what, got: degree, needed })
+        Err(GeomError::Count(CountError::CountTooSmall { what, got: degree, needed }))
     }
 }

@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{banded::BandedSystem, check_parameters, equation::Equation};
-use crate::{GeomError, KnotVector, NurbsCurve};
+use crate::{CountError, GeomError, KnotVector, NurbsCurve};
 
 /// The polynomial curve through the points at the parameters, as a Bézier curve over them; its
 /// degree is one less than the number of points.
@@ -11,12 +11,12 @@ use crate::{GeomError, KnotVector, NurbsCurve};
 /// O(n³). Farin, *Curves and Surfaces for CAGD*, §6.2 and §6.3.
 ///
 /// # Errors
-/// [`GeomError::TooFewPoints`] below two; [`GeomError::DegreeTooHigh`]; those of
-/// [`check_parameters`]; [`GeomError::NotFinite`].
+/// [`CountError::TooFewPoints`] below two; `DegreeError::DegreeTooHigh`; those of
+/// [`check_parameters`]; `InputError::NotFinite`.
 pub fn lagrange(points: &[DVec3], parameters: &[f64]) -> Result<NurbsCurve, GeomError> {
     let got = points.len();
     if got < 2 {
-        return Err(GeomError::TooFewPoints { got, needed: 2 });
+        return Err(CountError::TooFewPoints { got, needed: 2 }.into());
     }
     check_parameters(parameters, got)?;
     let [start, end] = [parameters[0], parameters[got - 1]].map(|t| vec![t; got]);

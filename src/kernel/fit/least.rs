@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::equation::Equation;
-use crate::{GeomError, KnotVector, NurbsCurve, tolerance::RANK_RELATIVE};
+use crate::{CountError, FitError, GeomError, KnotVector, NurbsCurve, tolerance::RANK_RELATIVE};
 
 /// What a fit is to have at a parameter: a value, or a derivative of an order.
 #[derive(Clone, Copy, Debug)]
@@ -33,7 +33,7 @@ impl Approximator {
     /// For values at the parameters, over the given knots. O(n·p²) for n parameters.
     ///
     /// # Errors
-    /// [`GeomError::Undetermined`] where parts of the spline have too few parameters.
+    /// [`FitError::Undetermined`] where parts of the spline have too few parameters.
     pub fn new(parameters: &[f64], knots: KnotVector) -> Result<Self, GeomError> {
         let width = knots.degree() + 1;
         let mut firsts = Vec::with_capacity(parameters.len());
@@ -86,7 +86,7 @@ impl Approximator {
         let rows = firsts.iter().copied().zip(shares.chunks_exact(width));
         let control_points = knots.n_points();
         let factor = TriangularFactor::new(rows.map(|row| inside(row, n_inner)), n_inner, width)
-            .ok_or(GeomError::Undetermined { control_points })?;
+            .ok_or(GeomError::Fit(FitError::Undetermined { control_points }))?;
         Ok(Self { knots, firsts, shares, factor })
     }
 
@@ -113,11 +113,11 @@ impl Approximator {
     /// Björck, *Numerical Methods for Least Squares Problems*, §2.9.
     ///
     /// # Errors
-    /// [`GeomError::WrongCount`] unless there is one value a parameter.
+    /// [`CountError::WrongCount`] unless there is one value a parameter.
     pub fn near(&self, values: &[DVec4]) -> Result<Vec<DVec4>, GeomError> {
         let (needed, got) = (self.firsts.len(), values.len());
         if got != needed {
-            return Err(GeomError::WrongCount { what: "points", needed, got });
+            return Err(CountError::WrongCount { what: "points", needed, got }.into());
         }
         Ok(self.between([values[0], values[got - 1]], values))
     }

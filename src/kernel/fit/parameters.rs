@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 
-use crate::{GeomError, frame::norm, tolerance::PARAMETER_RELATIVE};
+use crate::{
+    CountError, FitError, GeomError, InputError, frame::norm, tolerance::PARAMETER_RELATIVE,
+};
 
 /// A rule for the distance of neighbouring parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,13 +24,15 @@ impl Parametrization {
     /// One parameter a point, from 0 to 1.
     ///
     /// # Errors
-    /// [`GeomError::TooFewPoints`] below two; [`GeomError::CoincidentPoints`] for neighbours at
-    /// one place, unless the spacing does not ask for their distance; [`GeomError::NotFinite`].
+    /// [`CountError::TooFewPoints`] below two; [`InputError::CoincidentPoints`] for neighbours at
+    /// one place, unless the spacing does not ask for their distance; [`InputError::NotFinite`].
     pub fn parameters(self, points: &[DVec3]) -> Result<Vec<f64>, GeomError> {
         let parameters = self.loose_parameters(points)?;
         let same = |pair: &[f64]| pair[1] - pair[0] <= PARAMETER_RELATIVE;
         match parameters.windows(2).position(same) {
-            Some(first) => Err(GeomError::CoincidentPoints { first, second: first + 1 }),
+            Some(first) => {
+                Err(GeomError::Input(InputError::CoincidentPoints { first, second: first + 1 }))
+            }
             None => Ok(parameters),
         }
     }
@@ -36,15 +40,15 @@ impl Parametrization {
     /// One parameter a point, from 0 to 1, where neighbours at one place may share theirs.
     ///
     /// # Errors
-    /// [`GeomError::TooFewPoints`] below two; [`GeomError::CoincidentPoints`] where all points
-    /// are at one place; [`GeomError::NotFinite`].
+    /// [`CountError::TooFewPoints`] below two; [`InputError::CoincidentPoints`] where all points
+    /// are at one place; [`InputError::NotFinite`].
     pub fn loose_parameters(self, points: &[DVec3]) -> Result<Vec<f64>, GeomError> {
         let got = points.len();
         if got < 2 {
-            return Err(GeomError::TooFewPoints { got, needed: 2 });
+            return Err(CountError::TooFewPoints { got, needed: 2 }.into());
         }
         if let Some(index) = points.iter().position(|point| !point.is_finite()) {
-            return Err(GeomError::NotFinite { what: "point", index });
+            return Err(InputError::NotFinite { what: "point", index }.into());
         }
         let mut sum = 0.0;
         let running = |step: f64| {
@@ -54,10 +58,10 @@ impl Parametrization {
         let places: Vec<f64> = self.steps(points).into_iter().map(running).collect();
         let total = places[got - 2];
         if total <= 0.0 {
-            return Err(GeomError::CoincidentPoints { first: 0, second: 1 });
+            return Err(InputError::CoincidentPoints { first: 0, second: 1 }.into());
         }
         if !total.is_finite() {
-            return Err(GeomError::NotFinite { what: "distance to point", index: got - 1 });
+            return Err(InputError::NotFinite { what: "distance to point", index: got - 1 }.into());
         }
         let mut parameters = vec![0.0];
         parameters.extend(places.into_iter().map(|place| place / total));
@@ -99,22 +103,26 @@ fn foley_step(chords: &[f64], bends: &[f64], i: usize) -> f64 {
 }
 
 /// # Errors
-/// [`GeomError::WrongCount`] unless there are `needed`; [`GeomError::NotFinite`];
-/// [`GeomError::ParametersNotIncreasing`].
+/// [`CountError::WrongCount`] unless there are `needed`; [`InputError::NotFinite`];
+/// [`FitError::ParametersNotIncreasing`].
 pub fn check_parameters(parameters: &[f64], needed: usize) -> Result<(), GeomError> {
     let got = parameters.len();
     if got != needed {
-        return Err(GeomError::WrongCount { what: "parameters", needed, got });
+        return Err(CountError::WrongCount { what: "parameters", needed, got }.into());
     }
     if let Some(index) = parameters.iter().position(|parameter| !parameter.is_finite()) {
-        return Err(GeomError::NotFinite { what: "parameter", index });
+        return Err(InputError::NotFinite { what: "parameter", index }.into());
     }
     let length = parameters.last().zip(parameters.first()).map_or(0.0, |(end, start)| end - start);
     let same = PARAMETER_RELATIVE * length.abs();
     match parameters.windows(2).position(|pair| pair[1] - pair[0] <= same) {
         Some(i) => {
             let (previous, parameter) = (parameters[i], parameters[i + 1]);
-            Err(GeomError::ParametersNotIncreasing { index: i + 1, previous, parameter })
+            Err(GeomError::Fit(FitError::ParametersNotIncreasing {
+                index: i + 1,
+                previous,
+                parameter,
+            }))
         }
         None => Ok(()),
     }

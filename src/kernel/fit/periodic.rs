@@ -8,7 +8,7 @@ use super::{
     equation::Equation,
     interpolate::{FactoredEquations, Interpolator, check_degree},
 };
-use crate::{GeomError, Interval, KnotVector, NurbsCurve};
+use crate::{CountError, GeomError, Interval, KnotVector, NurbsCurve};
 
 impl Interpolator {
     /// For values at all but the last of the parameters, where it comes back to the first value:
@@ -18,12 +18,12 @@ impl Interpolator {
     /// values lower the degree to their number.
     ///
     /// # Errors
-    /// [`GeomError::TooFewPoints`] below three values; those of [`check_parameters`];
-    /// [`GeomError::CountTooSmall`] for degree 0, [`GeomError::DegreeTooHigh`].
+    /// [`CountError::TooFewPoints`] below three values; those of [`check_parameters`];
+    /// [`CountError::CountTooSmall`] for degree 0, `DegreeError::DegreeTooHigh`.
     pub fn periodic(parameters: &[f64], degree: usize) -> Result<Self, GeomError> {
         let got = parameters.len().saturating_sub(1);
         if got < 3 {
-            return Err(GeomError::TooFewPoints { got, needed: 3 });
+            return Err(CountError::TooFewPoints { got, needed: 3 }.into());
         }
         check_degree(degree)?;
         check_parameters(parameters, got + 1)?;

@@ -4,7 +4,7 @@ use glam::{DVec3, DVec4};
 
 use super::{Ends, Interpolator, least::Approximator, slide::slid, spread};
 use crate::{
-    GeomError, KnotVector, NurbsCurve,
+    FitError, GeomError, KnotVector, NurbsCurve,
     removal::removal,
     tolerance::{PARAMETER_RELATIVE, SLIDE_RELATIVE},
 };
@@ -79,7 +79,7 @@ impl FitSearch<'_> {
     /// The curve with the fewest control points that is found.
     ///
     /// # Errors
-    /// [`GeomError::ToleranceNotKept`] below the rounding of the coordinates.
+    /// [`FitError::ToleranceNotKept`] below the rounding of the coordinates.
     pub(super) fn run(&mut self, parameters: &[f64]) -> Result<FittedCurve, GeomError> {
         let domain = [parameters[0], parameters[parameters.len() - 1]];
         let ends = domain.map(|t| vec![t; self.degree + 1]);
@@ -229,7 +229,10 @@ impl FitSearch<'_> {
         if self.keeps(&trial) {
             return Ok(trial);
         }
-        Err(GeomError::ToleranceNotKept { tolerance: self.tolerance, found: trial.worst })
+        Err(GeomError::Fit(FitError::ToleranceNotKept {
+            tolerance: self.tolerance,
+            found: trial.worst,
+        }))
     }
 
     /// Fewer control points, with the knots where the curve needs them.

@@ -8,7 +8,7 @@ use super::{
     equation::Equation,
     interpolate::{FactoredEquations, Interpolator, check_degree, clamped},
 };
-use crate::GeomError;
+use crate::{CountError, FitError, GeomError};
 
 impl Interpolator {
     /// For values at the parameters and first derivatives at one end or both; where these do not
@@ -26,7 +26,7 @@ impl Interpolator {
     ) -> Result<Self, GeomError> {
         let got = parameters.len();
         if got < 2 {
-            return Err(GeomError::TooFewPoints { got, needed: 2 });
+            return Err(CountError::TooFewPoints { got, needed: 2 }.into());
         }
         check_degree(degree)?;
         check_parameters(parameters, got)?;
@@ -54,7 +54,7 @@ impl Interpolator {
     /// it was made for.
     ///
     /// # Errors
-    /// [`GeomError::WrongCount`] unless there is one value a parameter; [`GeomError::NoFit`]
+    /// [`CountError::WrongCount`] unless there is one value a parameter; [`FitError::NoFit`]
     /// unless made by [`Self::with_end_slopes`] for these.
     pub fn with_slopes_at_ends(
         &self,
@@ -63,13 +63,13 @@ impl Interpolator {
     ) -> Result<Vec<DVec4>, GeomError> {
         let (got, needed) = (values.len(), self.n_values);
         if got != needed {
-            return Err(GeomError::WrongCount { what: "points", needed, got });
+            return Err(CountError::WrongCount { what: "points", needed, got }.into());
         }
         let FactoredEquations::WithEndSlopes(band, has_slope) = &self.equations else {
-            return Err(GeomError::NoFit);
+            return Err(FitError::NoFit.into());
         };
         if slopes.map(|slope| slope.is_some()) != *has_slope {
-            return Err(GeomError::NoFit);
+            return Err(FitError::NoFit.into());
         }
         let length = self.knots.domain().length();
         let mut unknowns = vec![values[0]];

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::{GeomError, KnotVector, NurbsCurve, tolerance::PARAMETER_RELATIVE};
+use crate::{DegreeError, GeomError, KnotVector, NurbsCurve, tolerance::PARAMETER_RELATIVE};
 
 /// The least density of knots, as a share of the mean: no part of a curve is left without.
 const LEAST_DENSITY: f64 = 0.05;
@@ -14,7 +14,7 @@ impl KnotVector {
     /// Piegl & Tiller, *The NURBS Book*, (9.68) and (9.69).
     ///
     /// # Errors
-    /// [`GeomError::BadDegree`] with no more points than the degree, [`GeomError::DegreeTooHigh`].
+    /// [`DegreeError::BadDegree`] with no more points than the degree, [`DegreeError::DegreeTooHigh`].
     pub fn spreading(
         degree: usize,
         n_points: usize,
@@ -22,7 +22,7 @@ impl KnotVector {
     ) -> Result<Self, GeomError> {
         let needed = degree + 1;
         if n_points < needed {
-            return Err(GeomError::BadDegree { degree, points: n_points, needed });
+            return Err(DegreeError::BadDegree { degree, points: n_points, needed }.into());
         }
         let share = parameters.len() as f64 / (n_points - degree) as f64;
         let knot = |j: usize| {

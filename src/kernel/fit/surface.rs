@@ -5,7 +5,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{Approximator, Interpolator, Parametrization};
-use crate::{GeomError, Grid, NurbsSurface, tolerance::PARAMETER_RELATIVE};
+use crate::{CountError, GeomError, Grid, InputError, NurbsSurface, tolerance::PARAMETER_RELATIVE};
 
 /// How the lines of a grid in one direction become splines.
 #[derive(Clone, Debug)]
@@ -44,7 +44,7 @@ impl<'a> FirstPass<'a> {
     /// The columns fitted along u.
     ///
     /// # Errors
-    /// [`GeomError::WrongCount`] unless the grid has a row for each parameter.
+    /// [`CountError::WrongCount`] unless the grid has a row for each parameter.
     pub fn new(points: &Grid<DVec3>, u: &'a LineFit) -> Result<Self, GeomError> {
         let lifted = points.map(|point| point.extend(1.0));
         let columns = each_row(&lifted.transposed(), u)?;
@@ -60,7 +60,7 @@ impl<'a> FirstPass<'a> {
     /// The surface, with the rows fitted along v.
     ///
     /// # Errors
-    /// [`GeomError::WrongCount`] unless the grid has a column for each parameter.
+    /// [`CountError::WrongCount`] unless the grid has a column for each parameter.
     pub fn second(&self, v: &LineFit) -> Result<NurbsSurface, GeomError> {
         let net = each_row(&self.points, v)?.map(|point| point.truncate());
         NurbsSurface::polynomial(self.u.knots().clone(), v.knots().clone(), &net)
@@ -80,13 +80,13 @@ impl Parametrization {
     /// Piegl & Tiller, *The NURBS Book*, A9.3.
     ///
     /// # Errors
-    /// [`GeomError::CoincidentPoints`] for neighbouring columns that are at one place in each row;
-    /// [`GeomError::TooFewPoints`], [`GeomError::NotFinite`].
+    /// [`InputError::CoincidentPoints`] for neighbouring columns that are at one place in each row;
+    /// [`CountError::TooFewPoints`], [`InputError::NotFinite`].
     pub fn mean_parameters(self, grid: &Grid<DVec3>) -> Result<Vec<f64>, GeomError> {
         let counts = [grid.n_rows(), grid.n_columns()];
         for (got, needed) in counts.into_iter().zip([1, 2]) {
             if got < needed {
-                return Err(GeomError::TooFewPoints { got, needed: 2 });
+                return Err(CountError::TooFewPoints { got, needed: 2 }.into());
             }
         }
         let mut sums = vec![0.0; grid.n_columns()];
@@ -97,19 +97,21 @@ impl Parametrization {
                     sums.iter_mut().zip(parameters).for_each(|(sum, t)| *sum += t);
                     n_rows += 1;
                 }
-                Err(GeomError::CoincidentPoints { .. }) => {}
+                Err(GeomError::Input(InputError::CoincidentPoints { .. })) => {}
                 Err(other) => return Err(other),
             }
         }
         if n_rows == 0 {
-            return Err(GeomError::CoincidentPoints { first: 0, second: 1 });
+            return Err(InputError::CoincidentPoints { first: 0, second: 1 }.into());
         }
         let mut parameters: Vec<f64> =
             sums.into_iter().map(|sum| sum / f64::from(n_rows)).collect();
         let last = parameters.len() - 1;
         parameters[last] = 1.0;
         match parameters.windows(2).position(|pair| pair[1] - pair[0] <= PARAMETER_RELATIVE) {
-            Some(first) => Err(GeomError::CoincidentPoints { first, second: first + 1 }),
+            Some(first) => {
+                Err(GeomError::Input(InputError::CoincidentPoints { first, second: first + 1 }))
+            }
             None => Ok(parameters),
         }
     }

@@ -6,13 +6,13 @@ use super::{
     interpolate::{EndRow, FactoredEquations, Interpolator},
     periodic::cut_to,
 };
-use crate::{GeomError, NurbsCurve};
+use crate::{CountError, FitError, GeomError, NurbsCurve};
 
 impl Interpolator {
     /// The control points of the spline through the values.
     ///
     /// # Errors
-    /// [`GeomError::WrongCount`] unless there is one a parameter; [`GeomError::NoFit`] where the
+    /// [`CountError::WrongCount`] unless there is one a parameter; [`FitError::NoFit`] where the
     /// ends want tangents or the equations derivatives.
     pub fn through(&self, values: &[DVec4]) -> Result<Vec<DVec4>, GeomError> {
         self.check_count("points", values.len())?;
@@ -24,7 +24,7 @@ impl Interpolator {
             }
             FactoredEquations::WithEnds(_, [EndRow::Along(_), _])
             | FactoredEquations::WithDerivatives(_)
-            | FactoredEquations::WithEndSlopes(..) => Err(GeomError::NoFit),
+            | FactoredEquations::WithEndSlopes(..) => Err(GeomError::Fit(FitError::NoFit)),
             FactoredEquations::WithEnds(..) => self.with_tangents(values, [DVec4::ZERO; 2]),
             FactoredEquations::Ring(cyclic, ring) => {
                 let mut unknowns = values.to_vec();
@@ -48,7 +48,7 @@ impl Interpolator {
     /// The control points of the spline through the values, with derivatives at both ends.
     ///
     /// # Errors
-    /// [`GeomError::WrongCount`] unless there is one value a parameter; [`GeomError::NoFit`]
+    /// [`CountError::WrongCount`] unless there is one value a parameter; [`FitError::NoFit`]
     /// unless the ends are [`Ends::Clamped`](super::Ends::Clamped).
     pub fn with_tangents(
         &self,
@@ -57,7 +57,7 @@ impl Interpolator {
     ) -> Result<Vec<DVec4>, GeomError> {
         self.check_count("points", values.len())?;
         let FactoredEquations::WithEnds(band, rows) = &self.equations else {
-            return Err(GeomError::NoFit);
+            return Err(FitError::NoFit.into());
         };
         let last = values.len() - 1;
         let from_end = |k: usize| values[last - k.min(last)];
@@ -74,7 +74,7 @@ impl Interpolator {
     /// The control points of the spline through the values with a derivative at each.
     ///
     /// # Errors
-    /// [`GeomError::WrongCount`] unless there is one of each a parameter; [`GeomError::NoFit`]
+    /// [`CountError::WrongCount`] unless there is one of each a parameter; [`FitError::NoFit`]
     /// unless made by [`Self::with_derivatives`].
     pub fn with_slopes(
         &self,
@@ -84,7 +84,7 @@ impl Interpolator {
         self.check_count("points", values.len())?;
         self.check_count("derivatives", derivatives.len())?;
         let FactoredEquations::WithDerivatives(band) = &self.equations else {
-            return Err(GeomError::NoFit);
+            return Err(FitError::NoFit.into());
         };
         let both = |(&value, &derivative): (&DVec4, &DVec4)| [value, derivative];
         let mut unknowns: Vec<DVec4> = values.iter().zip(derivatives).flat_map(both).collect();
@@ -135,7 +135,11 @@ impl Interpolator {
 
     fn check_count(&self, what: &'static str, got: usize) -> Result<(), GeomError> {
         let needed = self.n_values;
-        if got == needed { Ok(()) } else { Err(GeomError::WrongCount { what, needed, got }) }
+        if got == needed {
+            Ok(())
+        } else {
+            Err(GeomError::Count(CountError::WrongCount { what, needed, got }))
+        }
     }
 }
 

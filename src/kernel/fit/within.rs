@@ -9,7 +9,7 @@
 use glam::DVec3;
 
 use super::{Approximator, Ends, FirstPass, Interpolator, LineFit, spread};
-use crate::{GeomError, Grid, KnotVector, NurbsSurface};
+use crate::{FitError, GeomError, Grid, KnotVector, NurbsSurface};
 
 /// The columns may use this part of the tolerance; the rest is left to the rows.
 const SHARE_OF_COLUMNS: f64 = 0.5;
@@ -72,7 +72,7 @@ impl Lines {
 /// A fit of the columns of a grid, the lines along u, that leaves enough of the tolerance to the rows.
 ///
 /// # Errors
-/// [`GeomError::BadDegree`], [`GeomError::DegreeTooHigh`], [`GeomError::WrongCount`].
+/// `DegreeError::BadDegree`, `DegreeError::DegreeTooHigh`, `CountError::WrongCount`.
 pub fn columns_within(
     points: &Grid<DVec3>,
     u: &Lines,
@@ -96,7 +96,7 @@ pub fn columns_within(
 /// than those of `columns`.
 ///
 /// # Errors
-/// [`GeomError::ToleranceNotKept`] below the rounding of the coordinates, and as [`columns_within`].
+/// [`FitError::ToleranceNotKept`] below the rounding of the coordinates, and as [`columns_within`].
 pub fn surface_within(
     points: &Grid<DVec3>,
     [u, v]: [&Lines; 2],
@@ -109,7 +109,7 @@ pub fn surface_within(
     let surface = first.second(&rows)?;
     let (_, found) = data.misses(&surface);
     if tolerance < found || found.is_nan() {
-        return Err(GeomError::ToleranceNotKept { tolerance, found });
+        return Err(FitError::ToleranceNotKept { tolerance, found }.into());
     }
     data.thinned(surface)
 }

@@ -56,7 +56,7 @@ pub(super) fn common(family: &CurveFamily, given: Option<&[f64]>, tolerance: f64
 /// the degree and with the knots that the surface has anyway.
 ///
 /// # Errors
-/// [`GeomError::ToleranceNotKept`].
+/// `FitError::ToleranceNotKept`.
 pub(super) fn adapt(
     family: &mut CurveFamily,
     at: &[f64],

@@ -7,7 +7,7 @@ use super::{
     network::{NetworkCrossing, NetworkError},
 };
 use crate::{
-    GeomError, Interval, NurbsCurve,
+    GeomError, IntersectionError, Interval, NurbsCurve,
     tolerance::{KNOT_RELATIVE, PLACE_RELATIVE},
 };
 
@@ -122,7 +122,9 @@ impl CurveFamily {
                     .into_iter()
                     .find(|m| !is_end(a, m.first) && !is_end(b, m.second))
                     .map(|m| m.point),
-                Err(GeomError::RunTogether { start, .. }) => Some(a.point_at(start)),
+                Err(GeomError::Intersection(IntersectionError::RunTogether { start, .. })) => {
+                    Some(a.point_at(start))
+                }
                 Err(error) => return Err(error.into()),
             };
             if let Some(point) = point {

@@ -3,7 +3,7 @@
 use glam::DVec4;
 
 use crate::{
-    Ends, GeomError, Interpolator, Interval, KnotVector, NurbsCurve,
+    Ends, FitError, GeomError, Interpolator, Interval, KnotVector, NurbsCurve,
     bernstein::{derivative, product, value},
     bezier,
     tolerance::KNOT_RELATIVE,
@@ -80,7 +80,7 @@ impl NetworkParameterMap {
             return Ok(Self::of_spline(fit.knots(), &points.collect::<Vec<_>>()));
         }
         if is_ring {
-            return Err(GeomError::NoFit);
+            return Err(FitError::NoFit.into());
         }
         let ends = if n < 3 { Ends::Averaged } else { Ends::Bessel };
         let fit = Interpolator::new(from, 3, ends)?;

@@ -21,7 +21,7 @@ use glam::{DVec3, DVec4};
 use network::{NetworkCrossing, apart, check_alike, chosen, meets};
 
 use super::{
-    Ends, GeomError, Grid, Interpolator, KnotVector, NurbsCurve, NurbsSurface,
+    Ends, FitError, GeomError, Grid, Interpolator, KnotVector, NurbsCurve, NurbsSurface,
     frame::angle_between, surface::BooleanSumTerm,
 };
 
@@ -126,7 +126,7 @@ pub fn gordon(network: Network<'_>) -> Result<Gordon, NetworkError> {
         }
         share *= LEAST_SHARE;
     }
-    Err(GeomError::ToleranceNotKept { tolerance, found }.into())
+    Err(GeomError::Fit(FitError::ToleranceNotKept { tolerance, found }).into())
 }
 
 /// The meetings of all pairs, and the widest gap.

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::{GeomError, NurbsCurve, tolerance::PLACE_RELATIVE};
+use crate::{GeomError, IntersectionError, NurbsCurve, tolerance::PLACE_RELATIVE};
 
 /// Why curves are no network; indices are those in which the curves were given.
 #[derive(Clone, Debug, PartialEq)]
@@ -145,10 +145,12 @@ pub(super) fn meets(
                 add(&mut found, NetworkCrossing { t: meeting.first, s: meeting.second });
             }
         }
-        Err(GeomError::RunTogether { start, end }) => {
+        Err(GeomError::Intersection(IntersectionError::RunTogether { start, end })) => {
             let mut ends = [start, end].map(|t| c.point_at(t));
             // Where it was found may be longer on one than on the other.
-            if let Err(GeomError::RunTogether { start, end }) = d.intersections(c, tolerance) {
+            if let Err(GeomError::Intersection(IntersectionError::RunTogether { start, end })) =
+                d.intersections(c, tolerance)
+            {
                 let others = [start, end].map(|s| d.point_at(s));
                 if others[0].distance(others[1]) < ends[0].distance(ends[1]) {
                     ends = others;

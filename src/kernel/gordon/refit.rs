@@ -3,7 +3,7 @@
 use glam::DVec4;
 
 use crate::{
-    Approximator, GeomError, Interval, KnotVector, NurbsCurve, Side, fit::FitCondition,
+    Approximator, FitError, GeomError, Interval, KnotVector, NurbsCurve, Side, fit::FitCondition,
     tolerance::KNOT_CLUSTER_RELATIVE,
 };
 
@@ -53,7 +53,7 @@ pub(crate) struct RefitRequest {
 /// met. Spans that miss are divided; then fewer knots are tried, spread by need.
 ///
 /// # Errors
-/// [`GeomError::ToleranceNotKept`] where 4096 control points do not suffice.
+/// [`FitError::ToleranceNotKept`] where 4096 control points do not suffice.
 pub(crate) fn refitted(
     curves: &[NurbsCurve],
     wanted: &RefitRequest,
@@ -74,7 +74,7 @@ pub(crate) fn refitted(
         allowed *= FINER;
         best = search.grown(best, allowed, tolerance)?;
     }
-    Err(GeomError::ToleranceNotKept { tolerance, found })
+    Err(GeomError::Fit(FitError::ToleranceNotKept { tolerance, found }))
 }
 
 struct KnotSearch<'a> {
@@ -257,7 +257,7 @@ impl<'a> KnotSearch<'a> {
             free.sort_by(f64::total_cmp);
             trial = self.trial(free)?;
         }
-        Err(GeomError::ToleranceNotKept { tolerance, found: trial.worst() })
+        Err(GeomError::Fit(FitError::ToleranceNotKept { tolerance, found: trial.worst() }))
     }
 
     /// Knots that divide what misses, by how far it does.

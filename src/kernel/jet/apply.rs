@@ -1,15 +1,15 @@
 //! Elementary functions of jets.
 //!
-//! All fail with [`GeomError::NotDifferentiable`] at a place where the function has a value but
-//! not the derivatives, or has no value; and with [`GeomError::DerivativeBeyondNumbers`].
+//! All fail with [`LocalError::NotDifferentiable`] at a place where the function has a value but
+//! not the derivatives, or has no value; and with [`LocalError::DerivativeBeyondNumbers`].
 
 use super::{Jet, series};
-use crate::GeomError;
+use crate::{GeomError, LocalError};
 
 type Found = Result<Jet, GeomError>;
 
 fn no_derivative(what: &'static str, at: f64) -> Found {
-    Err(GeomError::NotDifferentiable { what, at })
+    Err(GeomError::Local(LocalError::NotDifferentiable { what, at }))
 }
 
 impl Jet {

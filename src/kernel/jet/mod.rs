@@ -10,7 +10,7 @@ mod series;
 
 use glam::DVec3;
 
-use super::{GeomError, Grid};
+use super::{GeomError, Grid, LocalError};
 
 /// A truncated Taylor series in one or two variables. Invariant: as many coefficients as its shape
 /// needs.
@@ -126,7 +126,11 @@ impl Jet {
 
     /// The jet, unless arithmetic has left the numbers.
     fn checked(self) -> Result<Self, GeomError> {
-        if self.is_finite() { Ok(self) } else { Err(GeomError::DerivativeBeyondNumbers) }
+        if self.is_finite() {
+            Ok(self)
+        } else {
+            Err(GeomError::Local(LocalError::DerivativeBeyondNumbers))
+        }
     }
 
     /// The derivative of order i by the first and j by the second variable.
@@ -184,12 +188,12 @@ impl Jet {
     /// The quotient.
     ///
     /// # Errors
-    /// [`GeomError::NotDifferentiable`] where the divisor is zero,
-    /// [`GeomError::DerivativeBeyondNumbers`].
+    /// [`LocalError::NotDifferentiable`] where the divisor is zero,
+    /// [`LocalError::DerivativeBeyondNumbers`].
     pub fn over(&self, other: &Self) -> Result<Self, GeomError> {
         let (shape, divisor) = (self.shape, other.value());
         if divisor == 0.0 {
-            return Err(GeomError::NotDifferentiable { what: "a quotient", at: divisor });
+            return Err(LocalError::NotDifferentiable { what: "a quotient", at: divisor }.into());
         }
         let mut quotient = Self::constant(0.0, shape);
         for (i, j) in shape.powers() {
@@ -208,7 +212,7 @@ impl Jet {
     /// The series Σ sₖ·hᵏ of the part h that varies, by Horner's scheme.
     ///
     /// # Errors
-    /// [`GeomError::DerivativeBeyondNumbers`].
+    /// [`LocalError::DerivativeBeyondNumbers`].
     pub fn compose(&self, series: &[f64]) -> Result<Self, GeomError> {
         let varying = self.clone().with_value(0.0);
         let mut sum = self.same(0.0);
@@ -225,7 +229,7 @@ impl Jet {
 /// Faà di Bruno's formula, as the composition of series.
 ///
 /// # Errors
-/// [`GeomError::DerivativeBeyondNumbers`].
+/// [`LocalError::DerivativeBeyondNumbers`].
 pub fn along(derivatives: &[DVec3], t: &Jet) -> Result<[Jet; 3], GeomError> {
     let coordinate = |axis: usize| {
         let mut factorial = 1.0;
@@ -242,7 +246,7 @@ pub fn along(derivatives: &[DVec3], t: &Jet) -> Result<[Jet; 3], GeomError> {
 /// column l of the grid holds the one of order k in u and l in v.
 ///
 /// # Errors
-/// [`GeomError::DerivativeBeyondNumbers`].
+/// [`LocalError::DerivativeBeyondNumbers`].
 pub fn across(derivatives: &Grid<DVec3>, u: &Jet, v: &Jet) -> Result<[Jet; 3], GeomError> {
     let coordinate = |axis: usize| {
         let varying = u.clone().with_value(0.0);

@@ -84,7 +84,7 @@ impl KnotVector {
     /// Knots for the same splines at one degree more: every knot once more, the domain kept.
     ///
     /// # Errors
-    /// [`GeomError::DegreeTooHigh`].
+    /// `DegreeError::DegreeTooHigh`.
     pub(crate) fn elevated(&self) -> Result<Self, GeomError> {
         let degree = self.degree + 1;
         super::check_degree(degree)?;

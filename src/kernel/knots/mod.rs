@@ -19,7 +19,9 @@ pub(crate) use lookup::{BATCH, LocalParameter, SpanLookup};
 
 use std::ops::RangeInclusive;
 
-use super::{GeomError, Grid, Interval, tolerance::KNOT_RELATIVE};
+use super::{
+    DegreeError, GeomError, Grid, InputError, Interval, KnotError, tolerance::KNOT_RELATIVE,
+};
 
 /// From which side a place is approached, where the two sides can differ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,30 +61,31 @@ impl KnotVector {
     /// become equal to it.
     ///
     /// # Errors
-    /// [`GeomError::DegreeTooHigh`], [`GeomError::TooFewKnots`], [`GeomError::NotFinite`],
-    /// [`GeomError::UnsortedKnots`], [`GeomError::DomainTooWide`], [`GeomError::EmptyDomain`],
-    /// [`GeomError::KnotMultiplicity`].
+    /// [`DegreeError::DegreeTooHigh`], [`KnotError::TooFewKnots`], [`InputError::NotFinite`],
+    /// [`KnotError::UnsortedKnots`], [`KnotError::DomainTooWide`], [`KnotError::EmptyDomain`],
+    /// [`KnotError::KnotMultiplicity`].
     pub fn new(degree: usize, mut knots: Vec<f64>) -> Result<Self, GeomError> {
         check_degree(degree)?;
         let (got, needed) = (knots.len(), 2 * (degree + 1));
         if got < needed {
-            return Err(GeomError::TooFewKnots { degree, needed, got });
+            return Err(KnotError::TooFewKnots { degree, needed, got }.into());
         }
         if let Some(index) = knots.iter().position(|knot| !knot.is_finite()) {
-            return Err(GeomError::NotFinite { what: "knot", index });
+            return Err(InputError::NotFinite { what: "knot", index }.into());
         }
         if let Some(i) = knots.windows(2).position(|pair| pair[1] < pair[0]) {
             let (previous, knot) = (knots[i], knots[i + 1]);
-            return Err(GeomError::UnsortedKnots { index: i + 1, previous, knot });
+            return Err(KnotError::UnsortedKnots { index: i + 1, previous, knot }.into());
         }
 
         let (start, end) = (knots[degree], knots[got - degree - 1]);
         if !(end - start).is_finite() {
-            return Err(GeomError::DomainTooWide { start, end });
+            return Err(KnotError::DomainTooWide { start, end }.into());
         }
         // The cause before its consequence: a knot repeated too often can leave no domain.
         check_multiplicities(degree, &knots)?;
-        let domain = Interval::new(start, end).map_err(|_| GeomError::EmptyDomain { at: start })?;
+        let domain = Interval::new(start, end)
+            .map_err(|_| GeomError::Knots(KnotError::EmptyDomain { at: start }))?;
         let same = KNOT_RELATIVE * domain.length();
         for i in 1..got {
             if knots[i] - knots[i - 1] <= same {
@@ -96,13 +99,13 @@ impl KnotVector {
     /// The given knots for a number of control points.
     ///
     /// # Errors
-    /// [`GeomError::BadDegree`] with fewer than p + 1 points, [`GeomError::KnotCount`], and those
+    /// [`DegreeError::BadDegree`] with fewer than p + 1 points, [`KnotError::KnotCount`], and those
     /// of [`Self::new`].
     pub fn for_points(degree: usize, n_points: usize, knots: Vec<f64>) -> Result<Self, GeomError> {
         check_points(degree, n_points)?;
         let (got, needed) = (knots.len(), n_points + degree + 1);
         if got != needed {
-            return Err(GeomError::KnotCount { points: n_points, degree, needed, got });
+            return Err(KnotError::KnotCount { points: n_points, degree, needed, got }.into());
         }
         Self::new(degree, knots)
     }
@@ -110,7 +113,7 @@ impl KnotVector {
     /// The knots `0 … 0 1 … 1` of a Bézier curve.
     ///
     /// # Errors
-    /// [`GeomError::DegreeTooHigh`].
+    /// [`DegreeError::DegreeTooHigh`].
     pub fn bezier(degree: usize) -> Result<Self, GeomError> {
         Self::uniform_clamped(degree, degree + 1, 1.0)
     }
@@ -118,10 +121,11 @@ impl KnotVector {
     /// Evenly spaced knots on `0..end`, the ends p + 1 times.
     ///
     /// # Errors
-    /// [`GeomError::DegreeTooHigh`], [`GeomError::BadDegree`], [`GeomError::EmptyDomain`].
+    /// [`DegreeError::DegreeTooHigh`], [`DegreeError::BadDegree`], [`KnotError::EmptyDomain`].
     pub fn uniform_clamped(degree: usize, n_points: usize, end: f64) -> Result<Self, GeomError> {
         check_points(degree, n_points)?;
-        let domain = Interval::new(0.0, end).map_err(|_| GeomError::EmptyDomain { at: 0.0 })?;
+        let domain = Interval::new(0.0, end)
+            .map_err(|_| GeomError::Knots(KnotError::EmptyDomain { at: 0.0 }))?;
         let n_spans = n_points - degree;
         let mut knots = vec![0.0; degree];
         knots.extend(domain.steps(n_spans));
@@ -132,7 +136,7 @@ impl KnotVector {
     /// The whole numbers from −p, not clamped: domain `0..(n_points - p)`, one unit a span.
     ///
     /// # Errors
-    /// [`GeomError::DegreeTooHigh`], [`GeomError::BadDegree`].
+    /// [`DegreeError::DegreeTooHigh`], [`DegreeError::BadDegree`].
     pub fn uniform(degree: usize, n_points: usize) -> Result<Self, GeomError> {
         check_points(degree, n_points)?;
         let knots = (0..=n_points + degree).map(|i| i as f64 - degree as f64).collect();
@@ -164,13 +168,18 @@ impl KnotVector {
     }
 
     /// # Errors
-    /// [`GeomError::KnotCount`] unless the knots are for that many control points.
+    /// [`KnotError::KnotCount`] unless the knots are for that many control points.
     pub(crate) fn check_points(&self, points: usize) -> Result<(), GeomError> {
         if points == self.n_points() {
             return Ok(());
         }
         let (degree, got) = (self.degree, self.knots.len());
-        Err(GeomError::KnotCount { points, degree, needed: points + degree + 1, got })
+        Err(GeomError::Knots(KnotError::KnotCount {
+            points,
+            degree,
+            needed: points + degree + 1,
+            got,
+        }))
     }
 
     /// Where the basis sums to one: `[u_p, u_{n+1}]`.
@@ -358,7 +367,11 @@ impl KnotVector {
 
 fn check_degree(degree: usize) -> Result<(), GeomError> {
     let most = crate::ceiling::DEGREE;
-    if degree <= most { Ok(()) } else { Err(GeomError::DegreeTooHigh { degree, most }) }
+    if degree <= most {
+        Ok(())
+    } else {
+        Err(GeomError::Degree(DegreeError::DegreeTooHigh { degree, most }))
+    }
 }
 
 fn check_points(degree: usize, n_points: usize) -> Result<(), GeomError> {
@@ -366,7 +379,7 @@ fn check_points(degree: usize, n_points: usize) -> Result<(), GeomError> {
     if degree < n_points {
         Ok(())
     } else {
-        Err(GeomError::BadDegree { degree, points: n_points, needed: degree + 1 })
+        Err(DegreeError::BadDegree { degree, points: n_points, needed: degree + 1 }.into())
     }
 }
 
@@ -375,7 +388,7 @@ fn check_multiplicities(degree: usize, knots: &[f64]) -> Result<(), GeomError> {
     for run in knots.chunk_by(|a, b| a.total_cmp(b).is_eq()) {
         if degree + 1 < run.len() {
             let (knot, times, most) = (run[0], run.len(), degree + 1);
-            return Err(GeomError::KnotMultiplicity { index, knot, times, most });
+            return Err(KnotError::KnotMultiplicity { index, knot, times, most }.into());
         }
         index += run.len();
     }

@@ -18,7 +18,7 @@ use super::{
     near::near_rules,
     rules::CellRules,
 };
-use crate::{GeomError, Grid, NurbsSurface, Tolerance, tolerance::BORDER_SHARE};
+use crate::{GeomError, Grid, InputError, NurbsSurface, Tolerance, tolerance::BORDER_SHARE};
 
 /// Pieces along one direction by which the cells are counted, about; and of those that bound them
 /// then, one for each cell, about, how many at most.
@@ -62,7 +62,7 @@ impl TessellationOptions {
     }
 
     /// # Errors
-    /// [`GeomError::NotPositive`] for a limit that allows nothing.
+    /// [`InputError::NotPositive`] for a limit that allows nothing.
     pub(super) fn check(&self) -> Result<(), GeomError> {
         let is_finite = self.tolerance.is_finite();
         let limits = [
@@ -72,9 +72,9 @@ impl TessellationOptions {
         ];
         match limits.into_iter().find(|&(_, got)| got <= 0.0 || got.is_nan()) {
             Some((what, _)) if what == "the tolerance" => {
-                Err(GeomError::NotPositive { what, got: self.tolerance })
+                Err(GeomError::Input(InputError::NotPositive { what, got: self.tolerance }))
             }
-            Some((what, got)) => Err(GeomError::NotPositive { what, got }),
+            Some((what, got)) => Err(GeomError::Input(InputError::NotPositive { what, got })),
             None => Ok(()),
         }
     }

@@ -12,7 +12,7 @@ use super::{
     tessellate::chord_deviation,
 };
 use crate::{
-    GeomError, Interval, bezier,
+    CountError, GeomError, Interval, bezier,
     tolerance::{BORDER_SHARE, PLACE_RELATIVE},
 };
 
@@ -80,7 +80,7 @@ impl<'a, 's> SeamDivision<'a, 's> {
     /// Where there are vertices.
     ///
     /// # Errors
-    /// [`GeomError::TooManyVertices`].
+    /// [`CountError::TooManyVertices`].
     pub(super) fn stops(&self, most: usize) -> Result<Vec<SeamPlace>, GeomError> {
         let mut stops = vec![self.stop(0.0)];
         for section in self.forced().windows(2) {
@@ -92,7 +92,7 @@ impl<'a, 's> SeamDivision<'a, 's> {
                 None => stops.extend(halved),
             }
             if most < stops.len() {
-                return Err(GeomError::TooManyVertices { got: stops.len(), most });
+                return Err(CountError::TooManyVertices { got: stops.len(), most }.into());
             }
         }
         Ok(stops)
@@ -118,7 +118,7 @@ impl<'a, 's> SeamDivision<'a, 's> {
             }
             let got = stops.len() + todo.len();
             if most < got {
-                return Err(GeomError::TooManyVertices { got, most });
+                return Err(CountError::TooManyVertices { got, most }.into());
             }
         }
         Ok(stops)

@@ -5,19 +5,19 @@
 //! triangles alone, and whoever writes faces finds their corners here.
 
 use super::{Mesh, MeshError, fault::FaceFault};
-use crate::GeomError;
+use crate::{CountError, GeomError};
 
 impl Mesh {
     /// The same with its triangles in faces, in their order: how many triangles each has.
     ///
     /// # Errors
-    /// [`GeomError::WrongCount`] unless the faces hold as many triangles as there are;
+    /// [`CountError::WrongCount`] unless the faces hold as many triangles as there are;
     /// [`MeshError::BadFace`] where the triangles of a face make no polygon.
     pub fn with_faces(self, sizes: Vec<u32>) -> Result<Self, GeomError> {
         let got = sizes.iter().fold(0_usize, |sum, &size| sum.saturating_add(size as usize));
         let needed = self.n_triangles();
         if got != needed {
-            return Err(GeomError::WrongCount { what: "triangles in faces", needed, got });
+            return Err(CountError::WrongCount { what: "triangles in faces", needed, got }.into());
         }
         let mesh = self.of_runs(sizes);
         let odd = mesh.runs().position(|run| outline(run).is_none());

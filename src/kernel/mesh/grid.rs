@@ -5,7 +5,8 @@ use glam::{DVec2, DVec3};
 
 use super::Mesh;
 use crate::{
-    Bounds, GeomError, Grid, GridSamples, NurbsSurface, side_by_side, tolerance::VANISHING_RELATIVE,
+    Bounds, CountError, GeomError, Grid, GridSamples, NurbsSurface, side_by_side,
+    tolerance::VANISHING_RELATIVE,
 };
 
 /// The mesh of `n_u` × `n_v` cells, evenly spaced in the parameters, two triangles a cell, made by up
@@ -16,7 +17,7 @@ use crate::{
 /// triangles without area are left out, and vertices that then belong to none.
 ///
 /// # Errors
-/// [`GeomError::CountTooSmall`] without cells, [`GeomError::TooManyVertices`].
+/// [`CountError::CountTooSmall`] without cells, [`CountError::TooManyVertices`].
 pub fn grid_mesh(
     surface: &NurbsSurface,
     n_u: usize,
@@ -30,23 +31,27 @@ pub fn grid_mesh(
 }
 
 /// # Errors
-/// [`GeomError::CountTooSmall`] without cells, [`GeomError::TooManyVertices`].
+/// [`CountError::CountTooSmall`] without cells, [`CountError::TooManyVertices`].
 pub(super) fn check_counts(n_u: usize, n_v: usize, most: usize) -> Result<(), GeomError> {
     for (what, got) in [("the number of cells along u", n_u), ("the number of cells along v", n_v)]
     {
         if got == 0 {
-            return Err(GeomError::CountTooSmall { what, got, needed: 1 });
+            return Err(CountError::CountTooSmall { what, got, needed: 1 }.into());
         }
     }
     check_vertices(n_u, n_v, most)
 }
 
 /// # Errors
-/// [`GeomError::TooManyVertices`] for more than the ceiling, or than a triangle can name.
+/// [`CountError::TooManyVertices`] for more than the ceiling, or than a triangle can name.
 pub(super) fn check_vertices(n_u: usize, n_v: usize, most: usize) -> Result<(), GeomError> {
     let most = most.min(u32::MAX as usize);
     let got = n_u.saturating_add(1).saturating_mul(n_v.saturating_add(1));
-    if got <= most { Ok(()) } else { Err(GeomError::TooManyVertices { got, most }) }
+    if got <= most {
+        Ok(())
+    } else {
+        Err(GeomError::Count(CountError::TooManyVertices { got, most }))
+    }
 }
 
 /// The mesh of the points at all pairs of the parameters.

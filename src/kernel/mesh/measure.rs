@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::{Mesh, MeshError};
 use crate::{
-    Bounds, GeomError, Tolerance,
+    Bounds, GeomError, MeasureError, Tolerance,
     scale::{scale_of, scaled_back},
 };
 
@@ -21,7 +21,7 @@ impl Mesh {
     /// Sum of the areas of the triangles.
     ///
     /// # Errors
-    /// [`GeomError::TooSmallToMeasure`].
+    /// [`MeasureError::TooSmallToMeasure`].
     pub fn measured_area(&self) -> Result<f64, GeomError> {
         let scale = self.scale();
         let corners = self.corners().map(|corners| corners.map(|corner| corner / scale));
@@ -39,7 +39,7 @@ impl Mesh {
     /// Enclosed volume, as [`Self::volume`].
     ///
     /// # Errors
-    /// [`GeomError::TooSmallToMeasure`].
+    /// [`MeasureError::TooSmallToMeasure`].
     pub fn measured_volume(&self) -> Result<f64, GeomError> {
         let volume = self.tetrahedra().map(|(volume, _)| volume).sum::<f64>() / 6.0;
         scaled_back(volume, self.scale(), 3, "volume")
@@ -48,7 +48,7 @@ impl Mesh {
     /// Centre of gravity of the triangles as thin plates.
     ///
     /// # Errors
-    /// [`GeomError::NothingThere`] where they have no area.
+    /// [`MeasureError::NothingThere`] where they have no area.
     pub fn area_centroid(&self) -> Result<DVec3, GeomError> {
         let (origin, scale) = (self.origin(), self.scale());
         let plate = |corners: [DVec3; 3]| {
@@ -61,7 +61,7 @@ impl Mesh {
     /// Centre of gravity of what a closed mesh encloses.
     ///
     /// # Errors
-    /// [`GeomError::NothingThere`] where it encloses nothing.
+    /// [`MeasureError::NothingThere`] where it encloses nothing.
     pub fn volume_centroid(&self) -> Result<DVec3, GeomError> {
         Ok(self.origin() + self.scale() * centre(self.tetrahedra(), "volume")?)
     }
@@ -117,5 +117,9 @@ fn centre(
     };
     let (weight, moment) = parts.fold((0.0, DVec3::ZERO), add);
     let place = moment / weight;
-    if place.is_finite() { Ok(place) } else { Err(GeomError::NothingThere { what }) }
+    if place.is_finite() {
+        Ok(place)
+    } else {
+        Err(GeomError::Measure(MeasureError::NothingThere { what }))
+    }
 }

@@ -42,7 +42,7 @@ mod weld;
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
-use super::{Bounds, GeomError, frame::unit, tolerance::UNIT_SLACK};
+use super::{Bounds, CountError, GeomError, InputError, frame::unit, tolerance::UNIT_SLACK};
 
 pub use any::{grid_mesh_any, tessellate_any, tessellate_curve_any};
 pub use cell_bounds::TessellationOptions;
@@ -91,8 +91,8 @@ impl Mesh {
     /// The mesh of these parts; `normals` and `uvs` may be empty.
     ///
     /// # Errors
-    /// [`GeomError::NotFinite`], [`GeomError::AttributeCount`], [`GeomError::NotUnit`],
-    /// [`GeomError::NoSuchVertex`].
+    /// [`InputError::NotFinite`], [`CountError::AttributeCount`], [`InputError::NotUnit`],
+    /// [`CountError::NoSuchVertex`].
     pub fn new(
         vertices: Vec<DVec3>,
         normals: Vec<DVec3>,
@@ -102,7 +102,7 @@ impl Mesh {
         check_attribute("normals", vertices.len(), normals.len())?;
         check_attribute("parameter pairs", vertices.len(), uvs.len())?;
         let finite = |what: &'static str, found: Option<usize>| match found {
-            Some(index) => Err(GeomError::NotFinite { what, index }),
+            Some(index) => Err(GeomError::Input(InputError::NotFinite { what, index })),
             None => Ok(()),
         };
         finite("vertex", vertices.iter().position(|vertex| !vertex.is_finite()))?;
@@ -110,7 +110,7 @@ impl Mesh {
         for (index, normal) in normals.iter().enumerate() {
             let length = normal.length();
             if !length.is_finite() || UNIT_SLACK < (length - 1.0).abs() {
-                return Err(GeomError::NotUnit { index, length });
+                return Err(InputError::NotUnit { index, length }.into());
             }
         }
         check_triangles(&triangles, vertices.len())?;
@@ -121,7 +121,7 @@ impl Mesh {
     /// (sRGB); without colours for none.
     ///
     /// # Errors
-    /// [`GeomError::AttributeCount`], [`MeshError::BadColor`].
+    /// [`CountError::AttributeCount`], [`MeshError::BadColor`].
     pub fn with_colors(self, colors: Vec<DVec3>) -> Result<Self, GeomError> {
         check_attribute("colours", self.n_vertices(), colors.len())?;
         let is_color = |color: &DVec3| (0..3).all(|i| 0.0 <= color[i] && color[i] <= 1.0);
@@ -134,12 +134,12 @@ impl Mesh {
     /// The same with its triangles in groups, in their order; in none for none.
     ///
     /// # Errors
-    /// [`GeomError::WrongCount`] unless the groups hold as many triangles as there are.
+    /// [`CountError::WrongCount`] unless the groups hold as many triangles as there are.
     pub fn with_groups(self, groups: Vec<Group>) -> Result<Self, GeomError> {
         let got = groups.iter().fold(0_usize, |sum, group| sum.saturating_add(group.n_triangles));
         let needed = self.n_triangles();
         if !groups.is_empty() && got != needed {
-            return Err(GeomError::WrongCount { what: "triangles in groups", needed, got });
+            return Err(CountError::WrongCount { what: "triangles in groups", needed, got }.into());
         }
         Ok(Self { groups, ..self })
     }
@@ -270,12 +270,12 @@ impl Mesh {
     /// every one of them has them; if some have colours, the others are white.
     ///
     /// # Errors
-    /// [`GeomError::TooManyVertices`] above the ceiling, or beyond what a triangle can name.
+    /// [`CountError::TooManyVertices`] above the ceiling, or beyond what a triangle can name.
     pub fn merged(meshes: &[Self], max_vertices: usize) -> Result<Self, GeomError> {
         let got = meshes.iter().map(Self::n_vertices).sum();
         let most = max_vertices.min(u32::MAX as usize);
         if most < got {
-            return Err(GeomError::TooManyVertices { got, most });
+            return Err(CountError::TooManyVertices { got, most }.into());
         }
         let have_normals = meshes.iter().all(|mesh| mesh.normals.len() == mesh.n_vertices());
         let have_uvs = meshes.iter().all(|mesh| mesh.uvs.len() == mesh.n_vertices());
@@ -322,14 +322,14 @@ fn check_attribute(what: &'static str, vertices: usize, got: usize) -> Result<()
     if got == 0 || got == vertices {
         Ok(())
     } else {
-        Err(GeomError::AttributeCount { what, vertices, got })
+        Err(GeomError::Count(CountError::AttributeCount { what, vertices, got }))
     }
 }
 
 fn check_triangles(triangles: &[[u32; 3]], vertices: usize) -> Result<(), GeomError> {
     for (triangle, corners) in triangles.iter().enumerate() {
         if let Some(&vertex) = corners.iter().find(|&&vertex| vertices <= vertex as usize) {
-            return Err(GeomError::NoSuchVertex { triangle, vertex, vertices });
+            return Err(CountError::NoSuchVertex { triangle, vertex, vertices }.into());
         }
     }
     Ok(())

@@ -11,13 +11,13 @@ use super::{
     fault::FaceFault,
     planar::{BorderPolygon, check_crossings, triangles, turn},
 };
-use crate::{Bounds, Frame, GeomError, frame::unit, tolerance::VANISHING_RELATIVE};
+use crate::{Bounds, CountError, Frame, GeomError, frame::unit, tolerance::VANISHING_RELATIVE};
 
 /// The mesh of these vertices whose faces are polygons over them, given by the indices of their corners,
 /// counter-clockwise seen from outside.
 ///
 /// # Errors
-/// [`GeomError::NotFinite`], [`GeomError::TooManyVertices`], [`MeshError::BadFace`], `GeomError::Ended`.
+/// `InputError::NotFinite`, [`CountError::TooManyVertices`], [`MeshError::BadFace`], `GeomError::Ended`.
 pub fn polygon_mesh(
     vertices: Vec<DVec3>,
     faces: &[Vec<usize>],
@@ -25,7 +25,7 @@ pub fn polygon_mesh(
 ) -> Result<Mesh, GeomError> {
     let (got, most) = (vertices.len(), max_vertices.min(u32::MAX as usize));
     if most < got {
-        return Err(GeomError::TooManyVertices { got, most });
+        return Err(CountError::TooManyVertices { got, most }.into());
     }
     let (mut all, mut sizes) = (Vec::new(), Vec::with_capacity(faces.len()));
     for (face, corners) in faces.iter().enumerate() {

@@ -227,7 +227,7 @@ impl SharedEdges {
     /// The vertices on the four edges of each sheet, those of a point only at its ends.
     ///
     /// # Errors
-    /// Those of [`SurfacePatch::point_at`]; [`GeomError::TooManyVertices`].
+    /// Those of [`SurfacePatch::point_at`]; `CountError::TooManyVertices`.
     pub(super) fn vertices(
         &self,
         sheets: &[SurfacePatch<'_>],

@@ -1,6 +1,6 @@
 //! Lines of a grid along one direction of a surface.
 
-use crate::GeomError;
+use crate::{CountError, GeomError};
 
 /// Halvings of the search for the widths that use up the last step as well.
 const HALVINGS: usize = 30;
@@ -18,12 +18,12 @@ impl CellWidths<'_> {
     /// allowed in all parts that they touch, and as few as that takes.
     ///
     /// # Errors
-    /// [`GeomError::TooManyVertices`] for more than `most` of them.
+    /// [`CountError::TooManyVertices`] for more than `most` of them.
     pub(super) fn lines(&self, breaks: &[f64], most: usize) -> Result<Vec<f64>, GeomError> {
         let parts = self.ends.windows(2).zip(self.widths);
         let about: f64 = parts.map(|(ends, width)| (ends[1] - ends[0]) / width).sum();
         if (most as f64) < about || about.is_nan() {
-            return Err(GeomError::TooManyVertices { got: about as usize, most });
+            return Err(CountError::TooManyVertices { got: about as usize, most }.into());
         }
         let mut lines = vec![breaks[0]];
         for pair in breaks.windows(2) {

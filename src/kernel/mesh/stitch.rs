@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3};
 
 use super::{Mesh, seam::Vertices, surface_patch::Cells, surface_patch::SurfacePatch};
 use crate::{
-    Bounds, GeomError, Interval, Side,
+    Bounds, CountError, GeomError, Interval, Side,
     tolerance::{PLACE_RELATIVE, VANISHING_RELATIVE},
 };
 
@@ -40,7 +40,7 @@ struct Stitcher<'a, 's> {
 /// The mesh of a sheet whose edges have these vertices.
 ///
 /// # Errors
-/// Those of [`SurfacePatch::point_at`]; [`GeomError::TooManyVertices`].
+/// Those of [`SurfacePatch::point_at`]; [`CountError::TooManyVertices`].
 pub(super) fn stitched(
     sheet: &SurfacePatch<'_>,
     cells: &Cells,
@@ -62,7 +62,7 @@ pub(super) fn stitched(
     }
     let got = lines[0].len().saturating_mul(lines[1].len());
     if most.min(u32::MAX as usize) < got {
-        return Err(GeomError::TooManyVertices { got, most });
+        return Err(CountError::TooManyVertices { got, most }.into());
     }
     let corners = edges.iter().flatten().map(|&(_, point)| point);
     let magnitude = Bounds::of(corners).map_or(0.0, Bounds::magnitude);

@@ -99,7 +99,7 @@ impl<'a> SurfacePatch<'a> {
     /// The cells that keep to limits.
     ///
     /// # Errors
-    /// [`GeomError::TooManyVertices`].
+    /// `CountError::TooManyVertices`.
     pub(super) fn cells(&self, limits: CellBounds, most: usize) -> Result<Cells, GeomError> {
         let mut widths = limits.widths().map(|(widths, _)| widths);
         let domains = self.domains();

@@ -11,7 +11,7 @@ use super::{
     stitch::stitched, surface_patch::SurfacePatch,
 };
 use crate::{
-    GeomError, NurbsCurve, NurbsSurface, Surface, bezier, homogeneous::project,
+    CountError, GeomError, NurbsCurve, NurbsSurface, Surface, bezier, homogeneous::project,
     tolerance::PATH_ROUNDING, work,
 };
 
@@ -32,7 +32,7 @@ const LEAST_GAIN: f64 = 0.97;
 /// A mesh of the surface, whose triangles are nowhere further than `tolerance` from it.
 ///
 /// # Errors
-/// [`GeomError::NotPositive`] for the tolerance; [`GeomError::TooManyVertices`] where it would
+/// `InputError::NotPositive` for the tolerance; [`CountError::TooManyVertices`] where it would
 /// need more than the ceiling.
 pub fn tessellate(
     surface: &NurbsSurface,
@@ -45,7 +45,7 @@ pub fn tessellate(
 /// A mesh of the surface as fine as is asked for.
 ///
 /// # Errors
-/// [`GeomError::NotPositive`] for a limit that allows nothing; [`GeomError::TooManyVertices`] where
+/// `InputError::NotPositive` for a limit that allows nothing; [`CountError::TooManyVertices`] where
 /// it would need more than the ceiling.
 pub fn tessellate_finely(
     surface: &NurbsSurface,
@@ -164,9 +164,9 @@ fn widest_turn(mesh: &Mesh, tolerance: f64) -> f64 {
 /// A piece is halved until the control points of its quarters are that near to its chord.
 ///
 /// # Errors
-/// [`GeomError::NotPositive`] for the tolerance; [`MeshError::BelowRounding`];
+/// `InputError::NotPositive` for the tolerance; [`MeshError::BelowRounding`];
 /// [`GeomError::Jump`];
-/// [`GeomError::TooManyVertices`] where it would need more than the ceiling.
+/// [`CountError::TooManyVertices`] where it would need more than the ceiling.
 pub fn tessellate_curve(
     curve: &NurbsCurve,
     tolerance: f64,
@@ -192,7 +192,7 @@ pub fn tessellate_curve(
             }
             let got = points.len() + todo.len();
             if max_points < got {
-                return Err(GeomError::TooManyVertices { got, most: max_points });
+                return Err(CountError::TooManyVertices { got, most: max_points }.into());
             }
         }
     }

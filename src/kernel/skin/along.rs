@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
-use crate::{Ends, GeomError, Interpolator, KnotVector, NurbsCurve};
+use crate::{CountError, Ends, GeomError, InputError, Interpolator, KnotVector, NurbsCurve};
 
 /// How the lines of control points run from section to section.
 #[derive(Clone, Debug)]
@@ -69,7 +69,7 @@ impl Along {
     /// Of a closed skin the last parameter is where the first section comes again.
     ///
     /// # Errors
-    /// Those of [`Interpolator::with_derivatives`]; [`GeomError::CoincidentPoints`] for two
+    /// Those of [`Interpolator::with_derivatives`]; [`InputError::CoincidentPoints`] for two
     /// neighbouring places of the spine that are one.
     pub fn spine(
         parameters: &[f64],
@@ -84,7 +84,7 @@ impl Along {
         });
         let (places, tangents): (Vec<DVec3>, Vec<DVec3>) = both.unzip();
         if let Some(first) = places.windows(2).position(|pair| pair[0] == pair[1]) {
-            return Err(GeomError::CoincidentPoints { first, second: first + 1 });
+            return Err(InputError::CoincidentPoints { first, second: first + 1 }.into());
         }
         let (knots, n) = (fit.knots().clone(), parameters.len());
         let n_sections = n - usize::from(is_closed);
@@ -117,11 +117,11 @@ impl Along {
     /// The control points along v of a line, the `index`-th, through its points in all sections.
     ///
     /// # Errors
-    /// [`GeomError::WrongCount`] unless there is one a section.
+    /// [`CountError::WrongCount`] unless there is one a section.
     pub(super) fn through(&self, index: usize, line: &[DVec4]) -> Result<Vec<DVec4>, GeomError> {
         let (got, needed) = (line.len(), self.n_sections);
         if got != needed {
-            return Err(GeomError::WrongCount { what: "sections", needed, got });
+            return Err(CountError::WrongCount { what: "sections", needed, got }.into());
         }
         match &self.way {
             Lofting::Through(fit) => fit.through(line),

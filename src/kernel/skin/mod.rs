@@ -38,9 +38,9 @@ impl CompatibleSections {
     /// Piegl & Tiller, *The NURBS Book*, §10.3, in homogeneous space.
     ///
     /// # Errors
-    /// [`GeomError::WrongCount`] unless `along` is for as many sections;
-    /// [`GeomError::VanishingWeightsAt`] where the weights between the sections leave no point;
-    /// [`GeomError::NotFinite`].
+    /// `CountError::WrongCount` unless `along` is for as many sections;
+    /// `WeightError::VanishingWeightsAt` where the weights between the sections leave no point;
+    /// `InputError::NotFinite`.
     pub fn skinned(&self, along: &Along) -> Result<Skin, GeomError> {
         let lines: Result<Vec<Vec<DVec4>>, GeomError> =
             self.lines().iter().enumerate().map(|(i, line)| along.through(i, line)).collect();

@@ -3,7 +3,7 @@
 use glam::DVec4;
 
 use crate::{
-    GeomError, KnotVector, NurbsCurve,
+    CountError, GeomError, InputError, KnotVector, NurbsCurve,
     gordon::{RefitRequest, refitted},
     make_compatible,
     tolerance::{PARAMETER_RELATIVE, VANISHING_RELATIVE},
@@ -32,11 +32,11 @@ impl CompatibleSections {
     /// neighbour. Piegl & Tiller, *The NURBS Book*, §10.3.
     ///
     /// # Errors
-    /// [`GeomError::TooFewCurves`] below two; those of [`make_compatible`].
+    /// [`CountError::TooFewCurves`] below two; those of [`make_compatible`].
     pub fn new(curves: &[NurbsCurve]) -> Result<Self, GeomError> {
         let got = curves.len();
         if got < 2 {
-            return Err(GeomError::TooFewCurves { got, needed: 2 });
+            return Err(CountError::TooFewCurves { got, needed: 2 }.into());
         }
         let domain = curves.iter().find(|curve| !curve.is_point()).map(NurbsCurve::domain);
         let on_domain = |curve: &NurbsCurve| match domain {
@@ -62,7 +62,7 @@ impl CompatibleSections {
     /// The sections with polynomial splines, of degree 3 or more, in place of rational ones.
     ///
     /// # Errors
-    /// [`GeomError::ToleranceNotKept`].
+    /// `FitError::ToleranceNotKept`.
     pub fn polynomial(&self, tolerance: f64) -> Result<Self, GeomError> {
         let knots = self.knots();
         let degree = knots.degree().max(3);
@@ -128,7 +128,7 @@ impl CompatibleSections {
     /// homogeneous points, (10.14). With `is_closed` the first section counts once more at the end.
     ///
     /// # Errors
-    /// [`GeomError::CoincidentPoints`] with the indices of two sections that are one.
+    /// [`InputError::CoincidentPoints`] with the indices of two sections that are one.
     pub fn parameters(
         &self,
         rule: SectionParameters,
@@ -155,7 +155,7 @@ impl CompatibleSections {
             let mean = sum / counts.len().max(1) as f64;
             if !PARAMETER_RELATIVE.lt(&mean) {
                 let second = (k + 1) % self.0.len();
-                return Err(GeomError::CoincidentPoints { first: k, second });
+                return Err(InputError::CoincidentPoints { first: k, second }.into());
             }
             parameters.push(parameters[k] + mean);
         }

@@ -19,7 +19,7 @@ const DEGREE: usize = 3;
 /// order of their width.
 ///
 /// # Errors
-/// [`GeomError::ToleranceNotKept`].
+/// `FitError::ToleranceNotKept`.
 pub fn at_constant_speed(
     curves: &[NurbsCurve],
     tolerance: f64,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use super::{GridSamples, NurbsSurface, ParametricSurface};
-use crate::{Bounds, Curve, GeomError, Grid, Interval};
+use crate::{Bounds, Curve, FormError, GeomError, Grid, Interval};
 
 /// A surface. Cheap to clone.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,11 +20,11 @@ impl Surface {
     /// The NURBS that it is.
     ///
     /// # Errors
-    /// [`GeomError::NotNurbs`] for a parametric surface.
+    /// [`FormError::NotNurbs`] for a parametric surface.
     pub fn nurbs(&self) -> Result<&Arc<NurbsSurface>, GeomError> {
         match self {
             Self::Nurbs(surface) => Ok(surface),
-            Self::Parametric(_) => Err(GeomError::NotNurbs { what: "surface" }),
+            Self::Parametric(_) => Err(GeomError::Form(FormError::NotNurbs { what: "surface" })),
         }
     }
 
@@ -109,7 +109,7 @@ impl Surface {
     /// The unit vector along Su × Sv, or its limit where the product vanishes.
     ///
     /// # Errors
-    /// [`GeomError::NoNormal`], and as [`Self::point_at`].
+    /// `LocalError::NoNormal`, and as [`Self::point_at`].
     pub fn normal_at(&self, u: f64, v: f64) -> Result<DVec3, GeomError> {
         match self {
             Self::Nurbs(surface) => surface.normal_at(u, v),

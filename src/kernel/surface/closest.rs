@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use super::{NurbsSurface, ParametricSurface, Surface};
 use crate::{
-    GeomError, Interval,
+    GeomError, InputError, Interval,
     frame::norm,
     nearest::{ClosestPointTree, PatchPart, Residual, SearchTarget, descend},
     tolerance::LAST_BIT,
@@ -159,7 +159,10 @@ impl ParametricPlaces<'_> {
                 best = Some(foot);
             }
         }
-        best.ok_or(GeomError::NotFinite { what: "distance to the point", index: 0 })
+        best.ok_or(GeomError::Input(InputError::NotFinite {
+            what: "distance to the point",
+            index: 0,
+        }))
     }
 }
 

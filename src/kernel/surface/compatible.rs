@@ -11,7 +11,7 @@ use crate::{GeomError, compatible::on_common_knots};
 /// agree already they stay as they are; else they are clamped there.
 ///
 /// # Errors
-/// [`GeomError::KnotMultiplicity`] where knots fall together for lack of digits on that domain.
+/// `KnotError::KnotMultiplicity` where knots fall together for lack of digits on that domain.
 ///
 /// [`KNOT_CLUSTER_RELATIVE`]: crate::tolerance::KNOT_CLUSTER_RELATIVE
 pub fn make_surfaces_compatible(surfaces: &[NurbsSurface]) -> Result<Vec<NurbsSurface>, GeomError> {

@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{Direction, NurbsSurface};
-use crate::{GeomError, Grid, KnotVector, Side, bezier, refine::ControlLines};
+use crate::{CountError, GeomError, Grid, KnotVector, Side, bezier, refine::ControlLines};
 
 impl NurbsSurface {
     /// The surface on 0..1 across a side, of Bézier form there, whose derivatives across it are
@@ -19,9 +19,9 @@ impl NurbsSurface {
     /// Linkeová, *Curves and Surfaces for Computer Graphics*, (3.51).
     ///
     /// # Errors
-    /// [`GeomError::WrongCount`] unless there are as many free points along the side as the side
-    /// has, and one or more across; [`GeomError::DegreeTooHigh`], [`GeomError::NotFinite`],
-    /// [`GeomError::VanishingWeightsAt`].
+    /// [`CountError::WrongCount`] unless there are as many free points along the side as the side
+    /// has, and one or more across; `DegreeError::DegreeTooHigh`, `InputError::NotFinite`,
+    /// `WeightError::VanishingWeightsAt`.
     pub fn continued(
         &self,
         across: Direction,
@@ -46,7 +46,7 @@ impl NurbsSurface {
         let needed = lines.len();
         if free.n_rows() != needed || free.n_columns() == 0 {
             let what = "rows of points along the side";
-            return Err(GeomError::WrongCount { what, needed, got: free.n_rows() });
+            return Err(CountError::WrongCount { what, needed, got: free.n_rows() }.into());
         }
         let degree = order + free.n_columns();
         let new_knots = KnotVector::bezier(degree)?;

@@ -57,8 +57,8 @@ impl NurbsSurface {
     /// Piegl & Tiller, *The NURBS Book*, (10.34) to (10.36).
     ///
     /// # Errors
-    /// [`GeomError::DegreeTooHigh`], where different denominators multiply; those of
-    /// [`crate::make_compatible`]; [`GeomError::NotFinite`].
+    /// `DegreeError::DegreeTooHigh`, where different denominators multiply; those of
+    /// [`crate::make_compatible`]; `InputError::NotFinite`.
     pub fn coons(
         u: [&NurbsCurve; 2],
         v: [&NurbsCurve; 2],
@@ -148,7 +148,7 @@ impl CrossFields {
     /// Piegl & Tiller, *The NURBS Book*, end of §10.6.
     ///
     /// # Errors
-    /// [`GeomError::DegreeTooHigh`] never, with a degree of three.
+    /// `DegreeError::DegreeTooHigh` never, with a degree of three.
     pub fn with_mean_twists(mut self, corners: &[[usize; 2]]) -> Result<Self, GeomError> {
         for &[i, j] in corners {
             let mean = self.twists([i, j]).mean();

@@ -3,7 +3,8 @@
 
 use super::{Direction, NurbsSurface};
 use crate::{
-    ConstructionReport, GeomError, Grid, Interval, KnotVector, bezier, tolerance::KNOT_RELATIVE,
+    ConstructionReport, DomainError, GeomError, Grid, Interval, KnotVector, bezier,
+    tolerance::KNOT_RELATIVE,
 };
 
 impl NurbsSurface {
@@ -11,7 +12,7 @@ impl NurbsSurface {
     /// given twice.
     ///
     /// # Errors
-    /// [`GeomError::ParameterOutside`] the domain; [`GeomError::KnotMultiplicity`] above p + 1.
+    /// [`DomainError::ParameterOutside`] the domain; `KnotError::KnotMultiplicity` above p + 1.
     pub fn insert_knots(&self, along: Direction, knots: &[f64]) -> Result<Self, GeomError> {
         self.lines(along).with_knots(knots).map(|lines| self.with_lines(along, lines))
     }
@@ -19,7 +20,7 @@ impl NurbsSurface {
     /// The same surface at another degree along a direction, not below its own.
     ///
     /// # Errors
-    /// [`GeomError::DegreeTooLow`], [`GeomError::DegreeTooHigh`].
+    /// `DegreeError::DegreeTooLow`, `DegreeError::DegreeTooHigh`.
     pub fn elevate_degree(&self, along: Direction, degree: usize) -> Result<Self, GeomError> {
         self.lines(along).elevated(degree).map(|lines| self.with_lines(along, lines))
     }
@@ -48,12 +49,12 @@ impl NurbsSurface {
     /// Both parts at a parameter, each on its part of the domain, clamped where they were cut.
     ///
     /// # Errors
-    /// [`GeomError::ParameterOutside`] the domain; [`GeomError::ParameterAtEnd`] of it.
+    /// [`DomainError::ParameterOutside`] the domain; [`DomainError::ParameterAtEnd`] of it.
     pub fn split(&self, along: Direction, t: f64) -> Result<[Self; 2], GeomError> {
         let domain = self.domain(along);
         let t = self.knots(along).snapped(domain.clamp_inside(t)?);
         if t <= domain.start() || domain.end() <= t {
-            return Err(GeomError::ParameterAtEnd { parameter: t, domain });
+            return Err(DomainError::ParameterAtEnd { parameter: t, domain }.into());
         }
         let (before, behind) = self.lines(along).cut_at(t);
         Ok([before, behind].map(|lines| self.with_lines(along, lines)))
@@ -63,14 +64,14 @@ impl NurbsSurface {
     /// both ends of the interval.
     ///
     /// # Errors
-    /// [`GeomError::ParameterOutside`] the domain; [`GeomError::NarrowInterval`] shorter than
+    /// [`DomainError::ParameterOutside`] the domain; [`DomainError::NarrowInterval`] shorter than
     /// a span can be.
     pub fn trimmed(&self, along: Direction, interval: Interval) -> Result<Self, GeomError> {
         let (knots, domain) = (self.knots(along), self.domain(along));
         let inside = |t: f64| domain.clamp_inside(t).map(|t| knots.snapped(t));
         let (start, end) = (inside(interval.start())?, inside(interval.end())?);
         if end - start <= KNOT_RELATIVE * domain.length() {
-            return Err(GeomError::NarrowInterval { start, end });
+            return Err(DomainError::NarrowInterval { start, end }.into());
         }
         let (_, rest) = self.lines(along).cut_at(start);
         Ok(self.with_lines(along, rest.cut_at(end).0))

@@ -8,7 +8,7 @@
 use glam::DVec3;
 
 use super::{NurbsSurface, Surface, SurfaceShape};
-use crate::{GeomError, Interval, KnotVector, Tolerance, curve, homogeneous};
+use crate::{GeomError, Interval, KnotVector, LocalError, Tolerance, curve, homogeneous};
 
 /// Places of a patch in each direction, at most: more than eight times the degree up to 8.
 const MOST_PLACES: usize = 65;
@@ -39,7 +39,7 @@ impl Surface {
     /// tolerance's angle over its size or over the radius of its other curvature.
     ///
     /// # Errors
-    /// [`GeomError::NoNormal`] where it has no tangent plane anywhere, and as [`Self::point_at`].
+    /// [`LocalError::NoNormal`] where it has no tangent plane anywhere, and as [`Self::point_at`].
     pub fn is_developable(&self, tolerance: Tolerance) -> Result<bool, GeomError> {
         self.is_everywhere(tolerance, |[k1, k2]| k1.abs().min(k2.abs()))
     }
@@ -68,7 +68,9 @@ impl Surface {
         for &u in &us {
             for &v in &vs {
                 let shape = match self.shape_at(u, v) {
-                    Err(GeomError::NoNormal { .. } | GeomError::NoCurvature { .. }) => continue,
+                    Err(GeomError::Local(
+                        LocalError::NoNormal { .. } | LocalError::NoCurvature { .. },
+                    )) => continue,
                     shape => shape?,
                 };
                 if !vanishes(&shape) {
@@ -78,7 +80,9 @@ impl Surface {
             }
         }
         match (us.first(), vs.first()) {
-            (Some(&u), Some(&v)) if !has_shape => Err(GeomError::NoNormal { u, v }),
+            (Some(&u), Some(&v)) if !has_shape => {
+                Err(GeomError::Local(LocalError::NoNormal { u, v }))
+            }
             _ => Ok(true),
         }
     }

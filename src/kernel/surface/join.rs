@@ -4,7 +4,7 @@ use glam::DVec4;
 
 use super::{Direction, NurbsSurface};
 use crate::{
-    GeomError, Grid,
+    GeomError, Grid, JointError, KnotError,
     compatible::on_common_knots,
     homogeneous,
     joint::{Joined, vanishing_span},
@@ -21,9 +21,9 @@ use crate::{
 /// halfway.
 ///
 /// # Errors
-/// [`GeomError::PatchGap`] wider than the tolerance; [`GeomError::UnlikeWeights`] where two sides
-/// are one curve run through at different speeds; [`GeomError::VanishingPatch`];
-/// [`GeomError::NotFinite`] or [`GeomError::VanishingWeightsAt`] where the weights leave the numbers.
+/// [`JointError::PatchGap`] wider than the tolerance; [`JointError::UnlikeWeights`] where two sides
+/// are one curve run through at different speeds; [`KnotError::VanishingPatch`];
+/// `InputError::NotFinite` or `WeightError::VanishingWeightsAt` where the weights leave the numbers.
 pub fn join_patches(
     patches: &Grid<NurbsSurface>,
     tolerance: f64,
@@ -65,7 +65,7 @@ fn joined(
         if tolerance < gap.width {
             let [before, next] = places;
             let (gap, along) = (gap.width, along.name());
-            return Err(GeomError::PatchGap { along, before, next, gap, tolerance });
+            return Err(JointError::PatchGap { along, before, next, gap, tolerance }.into());
         }
         let accuracy = EXACT_RELATIVE * magnitude(&next) + gap.width;
         chain.append(&next, gap.scale, accuracy);
@@ -84,7 +84,7 @@ struct SideMatch {
 }
 
 /// # Errors
-/// [`GeomError::UnlikeWeights`].
+/// [`JointError::UnlikeWeights`].
 fn meeting(
     ends: &[DVec4],
     next: &ControlLines,
@@ -99,7 +99,7 @@ fn meeting(
         width = width.max(homogeneous::place(end).distance(homogeneous::place(start)));
         if EXACT_RELATIVE * largest < (end.w - start.w * scale).abs() {
             let [before, next] = places;
-            return Err(GeomError::UnlikeWeights { before, next });
+            return Err(JointError::UnlikeWeights { before, next }.into());
         }
     }
     Ok(SideMatch { scale, width })
@@ -112,7 +112,7 @@ fn magnitude(lines: &ControlLines) -> f64 {
 }
 
 /// # Errors
-/// [`GeomError::VanishingPatch`].
+/// [`KnotError::VanishingPatch`].
 fn check_domains(patches: &Grid<NurbsSurface>) -> Result<(), GeomError> {
     let (n_rows, n_columns) = (patches.n_rows(), patches.n_columns());
     let patch = |i: usize, j: usize| &patches.row(i)[j];
@@ -123,7 +123,7 @@ fn check_domains(patches: &Grid<NurbsSurface>) -> Result<(), GeomError> {
         for j in 0..n_columns {
             for (along, total) in [(Direction::U, total_u), (Direction::V, total_v)] {
                 if let Some(length) = vanishing_span(patch(i, j).knots(along), total) {
-                    return Err(GeomError::VanishingPatch { patch: [i, j], length, total });
+                    return Err(KnotError::VanishingPatch { patch: [i, j], length, total }.into());
                 }
             }
         }

@@ -11,7 +11,7 @@ use glam::{DVec3, DVec4};
 
 use super::{Edge, Surface, border::SurfaceBorder, two_sided::TwoSidedSample};
 use crate::{
-    GeomError, JointTolerance,
+    GeomError, JointTolerance, LocalError,
     frame::{angle_between, unit},
     joint_tolerance::Agreement,
     tolerance::EXACT_RELATIVE,
@@ -89,7 +89,7 @@ impl Surface {
     /// different parameters meet, but no better than C0.
     ///
     /// # Errors
-    /// [`GeomError::NoNormal`] where a surface has no tangent plane along the whole edge, and as
+    /// [`LocalError::NoNormal`] where a surface has no tangent plane along the whole edge, and as
     /// [`Self::point_at`].
     pub fn continuity_with(
         &self,
@@ -180,7 +180,7 @@ fn joint(
     let mut joint = found.joint(distance);
     if found.n_planes == 0 && 0 <= joint.g {
         let (u, v) = a.place(a.along().start());
-        return Err(GeomError::NoNormal { u, v });
+        return Err(LocalError::NoNormal { u, v }.into());
     }
     if !has_equal_parameters {
         joint.c = if joint.g < 0 { -1 } else { 0 };

@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use super::Surface;
 use crate::{
-    Frame, GeomError, Grid, Side, Tolerance,
+    Frame, GeomError, Grid, InputError, LocalError, Side, Tolerance,
     frame::{norm, unit},
     tolerance::VANISHING_RELATIVE,
 };
@@ -61,14 +61,14 @@ impl Surface {
     /// The shape at `(u, v)`: at a knot that of the piece after it.
     ///
     /// # Errors
-    /// [`GeomError::NoNormal`]; [`GeomError::NoCurvature`] where Su × Sv vanishes and the
+    /// [`LocalError::NoNormal`]; [`LocalError::NoCurvature`] where Su × Sv vanishes and the
     /// curvatures have no limit that all directions agree on; as [`Self::point_at`].
     pub fn shape_at(&self, u: f64, v: f64) -> Result<SurfaceShape, GeomError> {
         let derivatives = self.derivatives_at(u, v, 2)?;
         match self.regular_normal(&derivatives, u, v) {
             Some(normal) => {
                 let shape = SurfaceShape::new(&derivatives, normal, self.widths_at(u, v));
-                shape.ok_or(GeomError::NoCurvature { u, v })
+                shape.ok_or(GeomError::Local(LocalError::NoCurvature { u, v }))
             }
             None => self.pole_shape(u, v),
         }
@@ -86,7 +86,7 @@ impl Surface {
     /// Coefficients L, M and N of the second fundamental form, about the normal or its limit.
     ///
     /// # Errors
-    /// [`GeomError::NoNormal`], and as [`Self::point_at`].
+    /// [`LocalError::NoNormal`], and as [`Self::point_at`].
     pub fn second_form_at(&self, u: f64, v: f64) -> Result<[f64; 3], GeomError> {
         let normal = self.normal_at(u, v)?;
         let derivatives = self.derivatives_at(u, v, 2)?;
@@ -115,7 +115,7 @@ impl Surface {
     /// The tangent plane: x along Su where that does not vanish, z the normal.
     ///
     /// # Errors
-    /// [`GeomError::NoNormal`], and as [`Self::point_at`].
+    /// [`LocalError::NoNormal`], and as [`Self::point_at`].
     pub fn tangent_plane_at(&self, u: f64, v: f64) -> Result<Frame, GeomError> {
         let normal = self.normal_at(u, v)?;
         Frame::from_normal(self.point_at(u, v)?, normal, self.tangent_u_at(u, v).ok())
@@ -124,12 +124,12 @@ impl Surface {
     /// Unit vector along Su; where that vanishes its limit.
     ///
     /// # Errors
-    /// [`GeomError::NoTangentAlong`], and as [`Self::point_at`].
+    /// [`LocalError::NoTangentAlong`], and as [`Self::point_at`].
     pub fn tangent_u_at(&self, u: f64, v: f64) -> Result<DVec3, GeomError> {
         match self.isocurve_v(v)?.tangent_at(u, Side::Right) {
-            Err(GeomError::VanishingTangent { .. }) => self
+            Err(GeomError::Local(LocalError::VanishingTangent { .. })) => self
                 .collapsed_tangent([u, v], true)?
-                .ok_or(GeomError::NoTangentAlong { what: "u", u, v }),
+                .ok_or(GeomError::Local(LocalError::NoTangentAlong { what: "u", u, v })),
             tangent => tangent,
         }
     }
@@ -137,12 +137,12 @@ impl Surface {
     /// Unit vector along Sv; where that vanishes its limit.
     ///
     /// # Errors
-    /// [`GeomError::NoTangentAlong`], and as [`Self::point_at`].
+    /// [`LocalError::NoTangentAlong`], and as [`Self::point_at`].
     pub fn tangent_v_at(&self, u: f64, v: f64) -> Result<DVec3, GeomError> {
         match self.isocurve_u(u)?.tangent_at(v, Side::Right) {
-            Err(GeomError::VanishingTangent { .. }) => self
+            Err(GeomError::Local(LocalError::VanishingTangent { .. })) => self
                 .collapsed_tangent([u, v], false)?
-                .ok_or(GeomError::NoTangentAlong { what: "v", u, v }),
+                .ok_or(GeomError::Local(LocalError::NoTangentAlong { what: "v", u, v })),
             tangent => tangent,
         }
     }
@@ -309,18 +309,19 @@ impl SurfaceShape {
     /// Normal curvature in the direction of the tangent plane that is nearest to `direction`.
     ///
     /// # Errors
-    /// [`GeomError::AcrossSurface`] for a direction along the normal, to within the tolerance's
+    /// [`LocalError::AcrossSurface`] for a direction along the normal, to within the tolerance's
     /// angle.
     pub fn normal_curvature(
         &self,
         direction: DVec3,
         tolerance: Tolerance,
     ) -> Result<f64, GeomError> {
-        let direction = unit(direction).ok_or(GeomError::ZeroAxis { what: "the vector" })?;
+        let direction =
+            unit(direction).ok_or(GeomError::Input(InputError::ZeroAxis { what: "the vector" }))?;
         let [x, y] = self.axes.map(|axis| direction.dot(axis));
         let squared = x * x + y * y;
         if squared.sqrt() <= tolerance.angle {
-            return Err(GeomError::AcrossSurface);
+            return Err(LocalError::AcrossSurface.into());
         }
         let [a, b, c] = self.tensor;
         Ok((a * x * x + 2.0 * b * x * y + c * y * y) / squared)

@@ -12,7 +12,7 @@ use super::{
     shell::oriented,
 };
 use crate::{
-    Bounds, GeomError, Tolerance,
+    Bounds, GeomError, MeasureError, Tolerance,
     scale::{needed_scale, scaled_back},
 };
 
@@ -36,7 +36,7 @@ impl Surface {
     /// Its area, and by which fraction that may be wrong.
     ///
     /// # Errors
-    /// As [`Self::point_at`]; [`GeomError::TooSmallToMeasure`].
+    /// As [`Self::point_at`]; [`MeasureError::TooSmallToMeasure`].
     pub fn area(&self) -> Result<(f64, f64), GeomError> {
         let Some(scale) =
             needed_scale(probed(std::slice::from_ref(self))?.map_or(0.0, Bounds::magnitude))
@@ -54,7 +54,7 @@ impl Surface {
 /// The skins that surfaces are, of density one.
 ///
 /// # Errors
-/// [`GeomError::NothingThere`] for an area of zero, [`GeomError::TooLargeToMeasure`], and as [`Surface::point_at`].
+/// [`MeasureError::NothingThere`] for an area of zero, [`MeasureError::TooLargeToMeasure`], and as [`Surface::point_at`].
 pub fn area_mass(surfaces: &[Surface]) -> Result<MassProperties, GeomError> {
     let about = middle(surfaces)?;
     let mut sum = MassIntegral::default();
@@ -73,7 +73,7 @@ pub fn area_mass(surfaces: &[Surface]) -> Result<MassProperties, GeomError> {
 /// taken to point outward.
 ///
 /// # Errors
-/// [`GeomError::Shell`] where the surfaces enclose nothing; [`GeomError::NothingThere`] for a volume of zero, [`GeomError::TooLargeToMeasure`], and as [`Surface::point_at`].
+/// [`GeomError::Shell`] where the surfaces enclose nothing; [`MeasureError::NothingThere`] for a volume of zero, [`MeasureError::TooLargeToMeasure`], and as [`Surface::point_at`].
 pub fn volume_mass(
     surfaces: &[Surface],
     tolerance: Tolerance,
@@ -115,7 +115,7 @@ pub fn facing_unlike(surfaces: &[Surface], tolerance: Tolerance) -> Result<Vec<b
             flux += sign * part.values[0];
         }
         if !flux.is_finite() {
-            return Err(GeomError::TooLargeToMeasure { what: "volume" });
+            return Err(MeasureError::TooLargeToMeasure { what: "volume" }.into());
         }
         for (idx, sign) in shell.surfaces {
             turns[idx] = (sign < 0.0) != (flux < 0.0);
@@ -161,9 +161,9 @@ impl MassIntegral {
     /// Why they say nothing: they overflow, or there is nothing.
     fn without(&self, what: &'static str) -> GeomError {
         if self.values.iter().all(|value| value.is_finite()) {
-            GeomError::NothingThere { what }
+            GeomError::Measure(MeasureError::NothingThere { what })
         } else {
-            GeomError::TooLargeToMeasure { what }
+            GeomError::Measure(MeasureError::TooLargeToMeasure { what })
         }
     }
 

@@ -90,8 +90,8 @@ pub(crate) use sum::BooleanSumTerm;
 use evaluator::Expanded;
 
 use super::{
-    ConstructionReport, GeomError, Grid, Interval, KnotVector, homogeneous, lazy::Lazy,
-    nearest::ClosestPointTree, positive,
+    ConstructionReport, CountError, GeomError, Grid, Interval, KnotVector, WeightError,
+    homogeneous, lazy::Lazy, nearest::ClosestPointTree, positive,
 };
 
 /// A rational B-spline surface; row i of its net runs along u, column j along v.
@@ -117,7 +117,7 @@ impl NurbsSurface {
     /// The surface of homogeneous control points.
     ///
     /// # Errors
-    /// [`GeomError::KnotCount`], [`GeomError::NotFinite`], [`GeomError::VanishingWeightsAt`].
+    /// `KnotError::KnotCount`, `InputError::NotFinite`, [`WeightError::VanishingWeightsAt`].
     pub fn new(
         knots_u: KnotVector,
         knots_v: KnotVector,
@@ -133,7 +133,7 @@ impl NurbsSurface {
     /// The surface with all weights one.
     ///
     /// # Errors
-    /// [`GeomError::KnotCount`], [`GeomError::NotFinite`].
+    /// `KnotError::KnotCount`, `InputError::NotFinite`.
     pub fn polynomial(
         knots_u: KnotVector,
         knots_v: KnotVector,
@@ -147,9 +147,9 @@ impl NurbsSurface {
     /// The surface with a weight for each point; a weight of zero takes its point away.
     ///
     /// # Errors
-    /// [`GeomError::KnotCount`], [`GeomError::WeightCount`], [`GeomError::NotFinite`],
-    /// [`GeomError::BadWeight`] below zero (indices count row after row),
-    /// [`GeomError::VanishingWeightsAt`] where zeros leave a place without a point.
+    /// `KnotError::KnotCount`, [`WeightError::WeightCount`], `InputError::NotFinite`,
+    /// [`WeightError::BadWeight`] below zero (indices count row after row),
+    /// [`WeightError::VanishingWeightsAt`] where zeros leave a place without a point.
     pub fn rational(
         knots_u: KnotVector,
         knots_v: KnotVector,
@@ -159,7 +159,7 @@ impl NurbsSurface {
         let (n_rows, n_columns) = (points.n_rows(), points.n_columns());
         if (n_rows, n_columns) != (weights.n_rows(), weights.n_columns()) {
             let (points, weights) = (points.as_slice().len(), weights.as_slice().len());
-            return Err(GeomError::WeightCount { points, weights });
+            return Err(WeightError::WeightCount { points, weights }.into());
         }
         let control_points = homogeneous::weighted(points.as_slice(), weights.as_slice())?;
         Self::new(knots_u, knots_v, Grid::new(n_rows, n_columns, control_points)?)
@@ -168,11 +168,11 @@ impl NurbsSurface {
     /// The Bézier surface of a net, on 0..1 × 0..1.
     ///
     /// # Errors
-    /// [`GeomError::TooFewPoints`] for an empty net, [`GeomError::DegreeTooHigh`],
-    /// [`GeomError::NotFinite`].
+    /// [`CountError::TooFewPoints`] for an empty net, `DegreeError::DegreeTooHigh`,
+    /// `InputError::NotFinite`.
     pub fn bezier(points: &Grid<DVec3>) -> Result<Self, GeomError> {
         if points.as_slice().is_empty() {
-            return Err(GeomError::TooFewPoints { got: 0, needed: 1 });
+            return Err(CountError::TooFewPoints { got: 0, needed: 1 }.into());
         }
         let knots_u = KnotVector::bezier(points.n_rows() - 1)?;
         let knots_v = KnotVector::bezier(points.n_columns() - 1)?;
@@ -182,7 +182,7 @@ impl NurbsSurface {
     /// The bilinear surface between four corners; the first index of a name counts along u.
     ///
     /// # Errors
-    /// [`GeomError::NotFinite`].
+    /// `InputError::NotFinite`.
     pub fn bilinear(p00: DVec3, p01: DVec3, p10: DVec3, p11: DVec3) -> Result<Self, GeomError> {
         Self::bezier(&Grid::new(2, 2, vec![p00, p01, p10, p11])?)
     }

@@ -8,7 +8,7 @@ use glam::{DVec3, DVec4};
 
 use super::NurbsSurface;
 use crate::{
-    Bounds, GeomError, Grid, Interval,
+    Bounds, GeomError, Grid, Interval, LocalError,
     frame::unit,
     homogeneous,
     tolerance::{NORMAL_AGREEMENT, NORMAL_STEP, VANISHING_RELATIVE},
@@ -24,18 +24,18 @@ impl NurbsSurface {
     /// the direction of Suv × Sv, or of Su × Suv.
     ///
     /// # Errors
-    /// [`GeomError::NoNormal`] where the limit depends on the side that it is taken from.
+    /// [`LocalError::NoNormal`] where the limit depends on the side that it is taken from.
     pub fn normal_at(&self, u: f64, v: f64) -> Result<DVec3, GeomError> {
         let [_, tangent_u, tangent_v] = self.tangents_at(u, v);
         let normal = tangent_u.cross(tangent_v);
         let [width_u, width_v] = self.span_widths(u, v);
         if self.fold_area < normal.length() * width_u * width_v {
-            return unit(normal).ok_or(GeomError::NoNormal { u, v });
+            return unit(normal).ok_or(GeomError::Local(LocalError::NoNormal { u, v }));
         }
         let derivatives = |order| Ok(self.derivatives_at(u, v, order));
         let places = [(self.domain_u(), u), (self.domain_v(), v)];
         limit_normal(derivatives, [width_u, width_v], places, self.fold_area)?
-            .ok_or(GeomError::NoNormal { u, v })
+            .ok_or(GeomError::Local(LocalError::NoNormal { u, v }))
     }
 
     /// A unit vector for shading: the normal, or the nearest there is.
@@ -54,7 +54,7 @@ impl NurbsSurface {
     fn plain_normal(&self, u: f64, v: f64) -> Result<DVec3, GeomError> {
         let [_, tangent_u, tangent_v] = self.tangents_at(u, v);
         let normal = tangent_u.cross(tangent_v);
-        unit(normal).ok_or(GeomError::NoNormal { u, v })
+        unit(normal).ok_or(GeomError::Local(LocalError::NoNormal { u, v }))
     }
 
     /// The widths of the spans that hold a place.

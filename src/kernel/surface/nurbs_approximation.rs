@@ -17,7 +17,7 @@ use super::{
     },
 };
 use crate::{
-    Bounds, GeomError, Grid, JumpError,
+    Bounds, FitError, GeomError, Grid, JumpError,
     frame::norm,
     tolerance::{BOX_RELATIVE, KNOT_RELATIVE, LAST_BIT, UNBOUNDED_RELATIVE},
 };
@@ -58,7 +58,7 @@ impl ParametricSurface {
     /// Half of the tolerance is kept at 36 places of each cell.
     ///
     /// # Errors
-    /// [`GeomError::NoSplineNearAt`] where 16384 cells do not suffice; and where the function has
+    /// [`FitError::NoSplineNearAt`] where 16384 cells do not suffice; and where the function has
     /// no derivatives, as [`Self::derivatives_at`].
     pub fn to_nurbs(&self, tolerance: f64) -> Result<NurbsSurface, GeomError> {
         let mut maker = KnotLineFit {
@@ -95,7 +95,7 @@ impl ParametricSurface {
         }
         let spline = match self.to_nurbs(tolerance) {
             // A square root at an edge.
-            Err(GeomError::NoSplineNearAt { .. }) => self.to_nurbs(COARSER * tolerance)?,
+            Err(GeomError::Fit(_)) => self.to_nurbs(COARSER * tolerance)?,
             spline => spline?,
         };
         Ok(probes.into_iter().fold(spline.bounds(), Bounds::with))
@@ -390,7 +390,7 @@ impl KnotLineFit<'_> {
     }
 
     fn not_near(&self, u: f64, v: f64) -> GeomError {
-        GeomError::NoSplineNearAt { tolerance: self.tolerance, u, v }
+        GeomError::Fit(FitError::NoSplineNearAt { tolerance: self.tolerance, u, v })
     }
 }
 

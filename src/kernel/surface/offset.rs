@@ -7,7 +7,7 @@ use glam::{DVec3, DVec4};
 
 use super::{Direction, NurbsSurface, Surface};
 use crate::{
-    Bounds, GeomError, Grid, Interpolator, KnotVector,
+    Bounds, ConstructionError, GeomError, Grid, Interpolator, KnotVector,
     tolerance::{EXACT_RELATIVE, LAST_BIT},
 };
 
@@ -44,8 +44,8 @@ impl Surface {
     /// Piegl & Tiller, *Computing offsets of NURBS curves and surfaces*, CAD 31 (1999).
     ///
     /// # Errors
-    /// [`GeomError::NoNormal`] at a place without one, [`GeomError::Crease`] along a parameter
-    /// line where the normal leaps, [`GeomError::NoSurfaceNear`] where the pieces do not suffice;
+    /// `LocalError::NoNormal` at a place without one, [`ConstructionError::Crease`] along a parameter
+    /// line where the normal leaps, `FitError::NoSurfaceNear` where the pieces do not suffice;
     /// and as [`Self::point_at`].
     pub fn offset(&self, distance: f64, tolerance: f64) -> Result<SurfaceOffset, GeomError> {
         if let Self::Nurbs(surface) = self
@@ -148,7 +148,7 @@ fn tensor(fits: [&Interpolator; 2], values: &Grid<DVec4>) -> Result<Grid<DVec4>,
 const N_CREASE_SAMPLES: usize = 16;
 
 /// # Errors
-/// [`GeomError::Crease`] at a knot where the two sides' normals, or points, move the offset further
+/// [`ConstructionError::Crease`] at a knot where the two sides' normals, or points, move the offset further
 /// apart than the tolerance.
 fn check_creases(surface: &NurbsSurface, aim: SurfaceOffsetTarget<'_>) -> Result<(), GeomError> {
     for along in Direction::BOTH {
@@ -169,7 +169,7 @@ fn check_creases(surface: &NurbsSurface, aim: SurfaceOffsetTarget<'_>) -> Result
                 let gap = a.distance(b);
                 if aim.tolerance < gap {
                     let name = along.name();
-                    return Err(GeomError::Crease { along: name, parameter: t, gap });
+                    return Err(ConstructionError::Crease { along: name, parameter: t, gap }.into());
                 }
             }
         }

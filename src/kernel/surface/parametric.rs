@@ -9,7 +9,7 @@ use super::{
     normal::{limit_normal, shading_place},
 };
 use crate::{
-    Bounds, CurveFunction, FunctionFailure, GeomError, Grid, Interval, ParametricCurve,
+    Bounds, CurveFunction, FunctionFailure, GeomError, Grid, Interval, LocalError, ParametricCurve,
     frame::unit, tolerance::VANISHING_RELATIVE,
 };
 
@@ -46,7 +46,7 @@ impl ParametricSurface {
     /// places between them.
     ///
     /// # Errors
-    /// [`GeomError::Function`] where the function fails, [`GeomError::BeyondNumbers`].
+    /// [`GeomError::Function`] where the function fails, [`LocalError::BeyondNumbers`].
     pub fn new(
         domain_u: Interval,
         domain_v: Interval,
@@ -121,7 +121,7 @@ impl ParametricSurface {
     /// k + l is up to `order`; the rest of the grid is zero.
     ///
     /// # Errors
-    /// [`GeomError::Function`] where the function fails, [`GeomError::BeyondNumbersAt`] where a
+    /// [`GeomError::Function`] where the function fails, [`LocalError::BeyondNumbersAt`] where a
     /// coordinate overflows.
     pub fn derivatives_at(&self, u: f64, v: f64, order: usize) -> Result<Grid<DVec3>, GeomError> {
         let derivatives = self.function.derivatives_at(u, v, order)?;
@@ -132,14 +132,14 @@ impl ParametricSurface {
         if moved.iter().all(|derivative| derivative.is_finite()) {
             Ok(moved)
         } else {
-            Err(GeomError::BeyondNumbersAt { u, v })
+            Err(GeomError::Local(LocalError::BeyondNumbersAt { u, v }))
         }
     }
 
     /// The unit vector along Su × Sv, or its limit where the product vanishes.
     ///
     /// # Errors
-    /// [`GeomError::NoNormal`], and as [`Self::derivatives_at`].
+    /// [`LocalError::NoNormal`], and as [`Self::derivatives_at`].
     pub fn normal_at(&self, u: f64, v: f64) -> Result<DVec3, GeomError> {
         let derivatives = self.derivatives_at(u, v, 1)?;
         let normal = derivatives.get(1, 0).cross(derivatives.get(0, 1));
@@ -155,7 +155,7 @@ impl ParametricSurface {
                 self.fold_area,
             )?
         };
-        found.ok_or(GeomError::NoNormal { u, v })
+        found.ok_or(GeomError::Local(LocalError::NoNormal { u, v }))
     }
 
     /// The area of Su × Sv over the whole domain that is rounding and no area.

@@ -28,7 +28,7 @@ impl NurbsSurface {
     /// the distance, are left out.
     ///
     /// # Errors
-    /// Those of [`join`]; [`GeomError::TooFewCurves`] where one edge or none is left.
+    /// Those of [`join`]; `CountError::TooFewCurves` where one edge or none is left.
     pub fn border(&self, distance: f64) -> Result<NurbsCurve, GeomError> {
         let [u0, u1, v0, v1] = self.edges();
         let is_wide = |edge: &NurbsCurve| {

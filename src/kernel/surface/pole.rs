@@ -10,7 +10,7 @@ use glam::DVec3;
 
 use super::{Surface, SurfaceShape};
 use crate::{
-    GeomError, Grid,
+    GeomError, Grid, LocalError,
     frame::{norm, unit},
     tolerance::{NORMAL_AGREEMENT, VANISHING_RELATIVE},
 };
@@ -25,7 +25,7 @@ impl Surface {
     /// The shape at a place where Su × Sv vanishes.
     ///
     /// # Errors
-    /// [`GeomError::NoNormal`], [`GeomError::NoCurvature`], and as [`Self::point_at`].
+    /// [`LocalError::NoNormal`], [`LocalError::NoCurvature`], and as [`Self::point_at`].
     pub(super) fn pole_shape(&self, u: f64, v: f64) -> Result<SurfaceShape, GeomError> {
         let normal = self.normal_at(u, v)?;
         let (domain_u, domain_v) = (self.domain_u(), self.domain_v());
@@ -51,7 +51,7 @@ impl Surface {
                 return Ok(shape);
             }
         }
-        Err(GeomError::NoCurvature { u, v })
+        Err(GeomError::Local(LocalError::NoCurvature { u, v }))
     }
 }
 

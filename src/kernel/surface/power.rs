@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{Direction, NurbsSurface};
-use crate::{GeomError, Grid, curve::powers, homogeneous};
+use crate::{FormError, GeomError, Grid, curve::powers, homogeneous};
 
 impl NurbsSurface {
     /// Coefficients cᵢⱼ of Σ cᵢⱼ uⁱ vʲ, lowest powers first, rows along u.
@@ -12,18 +12,18 @@ impl NurbsSurface {
     /// NURBS Book*, §1.5.
     ///
     /// # Errors
-    /// [`GeomError::OtherForm`] with weights, and of more than one patch.
+    /// [`FormError::OtherForm`] with weights, and of more than one patch.
     pub fn power_coefficients(&self) -> Result<Grid<DVec3>, GeomError> {
         if self.is_rational() {
             let wanted = "a polynomial in u and v has no weights";
             let found = "those of the surface differ".to_owned();
-            return Err(GeomError::OtherForm { wanted, found });
+            return Err(FormError::OtherForm { wanted, found }.into());
         }
         let [n_u, n_v] = self.n_patches();
         if n_u * n_v != 1 {
             let wanted = "a polynomial in u and v has one patch";
             let found = format!("the surface has {n_u} along u and {n_v} along v");
-            return Err(GeomError::OtherForm { wanted, found });
+            return Err(FormError::OtherForm { wanted, found }.into());
         }
         let patch = self.clamped(Direction::U).clamped(Direction::V);
         let net = patch.control_points();

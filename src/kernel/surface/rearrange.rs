@@ -5,7 +5,9 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::{Direction, ParametricSurface, Surface, SurfaceFunction};
-use crate::{Curve, FunctionFailure, GeomError, Grid, Interval, tolerance::KNOT_RELATIVE};
+use crate::{
+    Curve, DomainError, FunctionFailure, GeomError, Grid, Interval, tolerance::KNOT_RELATIVE,
+};
 
 impl Surface {
     /// The parameters along a direction that have points.
@@ -20,7 +22,7 @@ impl Surface {
     /// The part over an interval of one parameter, with the parameters that it had.
     ///
     /// # Errors
-    /// [`GeomError::ParameterOutside`] the domain; [`GeomError::NarrowInterval`] shorter than a
+    /// [`DomainError::ParameterOutside`] the domain; [`DomainError::NarrowInterval`] shorter than a
     /// span can be; and as [`Self::point_at`].
     pub fn trimmed(&self, along: Direction, interval: Interval) -> Result<Self, GeomError> {
         match self {
@@ -32,7 +34,7 @@ impl Surface {
     /// Both parts at a parameter, each on its part of the domain.
     ///
     /// # Errors
-    /// [`GeomError::ParameterOutside`] the domain; [`GeomError::ParameterAtEnd`] of it; and as
+    /// [`DomainError::ParameterOutside`] the domain; [`DomainError::ParameterAtEnd`] of it; and as
     /// [`Self::point_at`].
     pub fn split(&self, along: Direction, t: f64) -> Result<[Self; 2], GeomError> {
         match self {
@@ -113,7 +115,7 @@ impl ParametricSurface {
         let (start, end) =
             (domain.clamp_inside(interval.start())?, domain.clamp_inside(interval.end())?);
         if end - start <= KNOT_RELATIVE * domain.length() {
-            return Err(GeomError::NarrowInterval { start, end });
+            return Err(DomainError::NarrowInterval { start, end }.into());
         }
         self.over(along, Interval::new(start, end)?)
     }
@@ -123,7 +125,7 @@ impl ParametricSurface {
         let t = domain.clamp_inside(t)?;
         let slack = KNOT_RELATIVE * domain.length();
         if t - domain.start() <= slack || domain.end() - t <= slack {
-            return Err(GeomError::ParameterAtEnd { parameter: t, domain });
+            return Err(DomainError::ParameterAtEnd { parameter: t, domain }.into());
         }
         let (before, behind) = (Interval::new(domain.start(), t)?, Interval::new(t, domain.end())?);
         Ok([self.over(along, before)?, self.over(along, behind)?])

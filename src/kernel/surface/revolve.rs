@@ -4,7 +4,8 @@ use glam::{DVec3, DVec4};
 
 use super::NurbsSurface;
 use crate::{
-    Bounds, Frame, GeomError, Grid, NurbsCurve,
+    Bounds, ConstructionError, CountError, Frame, GeomError, Grid, InputError, IntersectionError,
+    NurbsCurve,
     frame::{norm, unit},
     homogeneous,
     tolerance::{KNOT_RELATIVE, SIDE_STEP, VANISHING_RELATIVE},
@@ -41,12 +42,13 @@ impl Axis {
     /// The line through a point along a direction.
     ///
     /// # Errors
-    /// [`GeomError::ZeroAxis`], [`GeomError::NotFinite`].
+    /// [`InputError::ZeroAxis`], [`InputError::NotFinite`].
     pub fn new(foot: DVec3, direction: DVec3) -> Result<Self, GeomError> {
         if !foot.is_finite() {
-            return Err(GeomError::NotFinite { what: "origin", index: 0 });
+            return Err(InputError::NotFinite { what: "origin", index: 0 }.into());
         }
-        let direction = unit(direction).ok_or(GeomError::ZeroAxis { what: "the axis" })?;
+        let direction =
+            unit(direction).ok_or(GeomError::Input(InputError::ZeroAxis { what: "the axis" }))?;
         Ok(Self { foot, direction })
     }
 
@@ -65,7 +67,7 @@ impl Axis {
     /// Where a curve comes within `distance` of the axis between its ends.
     ///
     /// # Errors
-    /// [`GeomError::OnAxis`] for a curve that lies on the axis.
+    /// [`ConstructionError::OnAxis`] for a curve that lies on the axis.
     pub fn contacts(
         self,
         curve: &NurbsCurve,
@@ -78,7 +80,7 @@ impl Axis {
             .map(|&point| homogeneous::place(point))
             .collect();
         if points.iter().all(|&point| norm(self.out(point)) <= distance) {
-            return Err(GeomError::OnAxis);
+            return Err(ConstructionError::OnAxis.into());
         }
         let outs = points.iter().map(|&point| self.out(point));
         let farthest = outs.clone().max_by(|a, b| norm(*a).total_cmp(&norm(*b)));
@@ -112,8 +114,8 @@ impl Axis {
                 };
                 Ok(inside.filter(|&t| !is_at_end(t)).map(contact).collect())
             }
-            Err(GeomError::Tangled) => Ok(Vec::new()),
-            Err(GeomError::RunTogether { start, end }) => {
+            Err(GeomError::Intersection(IntersectionError::Tangled)) => Ok(Vec::new()),
+            Err(GeomError::Intersection(IntersectionError::RunTogether { start, end })) => {
                 Ok(vec![AxisContact::Stretch { start, end }])
             }
             Err(other) => Err(other),
@@ -137,13 +139,13 @@ impl NurbsSurface {
     /// Piegl & Tiller, *The NURBS Book*, A8.1, without its trigonometry for each control point.
     ///
     /// # Errors
-    /// [`GeomError::BadTurn`] for an angle of zero or beyond a full turn, [`GeomError::OnAxis`],
-    /// [`GeomError::TooManyPoints`], [`GeomError::NotFinite`].
+    /// [`InputError::BadTurn`] for an angle of zero or beyond a full turn, [`ConstructionError::OnAxis`],
+    /// [`CountError::TooManyPoints`], [`InputError::NotFinite`].
     pub fn revolved(profile: &NurbsCurve, axis: Axis, angle: f64) -> Result<Self, GeomError> {
         let turn = std::f64::consts::TAU;
         let sweep = angle.abs();
         if !(sweep.is_finite() && 0.0 < sweep && sweep <= turn * (1.0 + KNOT_RELATIVE)) {
-            return Err(GeomError::BadTurn { turns: angle / turn });
+            return Err(InputError::BadTurn { turns: angle / turn }.into());
         }
         let arc = NurbsCurve::arc(Frame::XY, 1.0, 0.0, sweep.min(turn))?;
         let points = profile.control_points();
@@ -163,7 +165,7 @@ impl NurbsSurface {
         };
         let parts: Vec<([DVec3; 3], f64)> = points.iter().map(&mut split).collect();
         if !is_off_axis {
-            return Err(GeomError::OnAxis);
+            return Err(ConstructionError::OnAxis.into());
         }
         let net = Grid::from_fn(arc.control_points().len(), points.len(), |i, j| {
             let around = arc.control_points()[i];
@@ -180,7 +182,7 @@ impl NurbsSurface {
     /// Piegl & Tiller, *The NURBS Book*, (10.1) to (10.6).
     ///
     /// # Errors
-    /// [`GeomError::TooManyPoints`], [`GeomError::NotFinite`].
+    /// [`CountError::TooManyPoints`], [`InputError::NotFinite`].
     pub fn swung(
         profile: &NurbsCurve,
         trajectory: &NurbsCurve,
@@ -201,7 +203,7 @@ impl NurbsSurface {
     /// Piegl & Tiller, *The NURBS Book*, §8.3.
     ///
     /// # Errors
-    /// [`GeomError::NotFinite`], [`GeomError::TooManyPoints`].
+    /// [`InputError::NotFinite`], [`CountError::TooManyPoints`].
     pub fn extruded(curve: &NurbsCurve, vector: DVec3) -> Result<Self, GeomError> {
         let moved = curve.transformed(&glam::DAffine3::from_translation(vector));
         check_size(2, curve.control_points().len())?;
@@ -211,8 +213,12 @@ impl NurbsSurface {
 }
 
 /// # Errors
-/// [`GeomError::TooManyPoints`].
+/// [`CountError::TooManyPoints`].
 pub(crate) fn check_size(n_rows: usize, n_columns: usize) -> Result<(), GeomError> {
     let (got, most) = (n_rows.saturating_mul(n_columns), crate::ceiling::CONTROL_POINTS);
-    if got <= most { Ok(()) } else { Err(GeomError::TooManyPoints { got, most }) }
+    if got <= most {
+        Ok(())
+    } else {
+        Err(GeomError::Count(CountError::TooManyPoints { got, most }))
+    }
 }

@@ -8,13 +8,13 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use glam::DVec3;
 
 use super::{Axis, NurbsSurface};
-use crate::{Frame, GeomError, NurbsCurve};
+use crate::{Frame, GeomError, InputError, NurbsCurve};
 
 impl NurbsSurface {
     /// The sphere about the origin of a frame, v from the lower pole to the upper one.
     ///
     /// # Errors
-    /// [`GeomError::NotPositive`] for the radius, [`GeomError::NotFinite`].
+    /// [`InputError::NotPositive`] for the radius, [`InputError::NotFinite`].
     pub fn sphere(frame: Frame, radius: f64) -> Result<Self, GeomError> {
         around(frame, &NurbsCurve::arc(MERIDIAN, radius, -FRAC_PI_2, PI)?)
     }
@@ -24,17 +24,17 @@ impl NurbsSurface {
     /// ring or disc.
     ///
     /// # Errors
-    /// [`GeomError::NotPositive`] for a negative radius, or two that are zero;
-    /// [`GeomError::NotFinite`].
+    /// [`InputError::NotPositive`] for a negative radius, or two that are zero;
+    /// [`InputError::NotFinite`].
     pub fn cone(frame: Frame, radii: [f64; 2], height: f64) -> Result<Self, GeomError> {
         let [low, high] = radii;
         for got in [low.min(high), low.max(high)] {
             if !(got.is_finite() && 0.0 <= got) {
-                return Err(GeomError::NotPositive { what: "the radius", got });
+                return Err(InputError::NotPositive { what: "the radius", got }.into());
             }
         }
         if low.max(high) <= 0.0 {
-            return Err(GeomError::NotPositive { what: "the radius", got: 0.0 });
+            return Err(InputError::NotPositive { what: "the radius", got: 0.0 }.into());
         }
         let top = DVec3::new(high, 0.0, height);
         around(frame, &NurbsCurve::line(DVec3::new(low, 0.0, 0.0), top)?)
@@ -43,10 +43,10 @@ impl NurbsSurface {
     /// The torus about the origin of a frame, v around the tube from the outer equator upward.
     ///
     /// # Errors
-    /// [`GeomError::NotPositive`] for a radius, [`GeomError::NotFinite`].
+    /// [`InputError::NotPositive`] for a radius, [`InputError::NotFinite`].
     pub fn torus(frame: Frame, major: f64, minor: f64) -> Result<Self, GeomError> {
         if !(major.is_finite() && 0.0 < major) {
-            return Err(GeomError::NotPositive { what: "the major radius", got: major });
+            return Err(InputError::NotPositive { what: "the major radius", got: major }.into());
         }
         let tube = MERIDIAN.at(DVec3::new(major, 0.0, 0.0));
         around(frame, &NurbsCurve::arc(tube, minor, 0.0, TAU)?)

@@ -16,7 +16,7 @@ impl NurbsSurface {
     /// points: Farin, *Curves and Surfaces for CAGD*, §15.1.
     ///
     /// # Errors
-    /// [`GeomError::DegreeTooHigh`], where different denominators multiply; those of
+    /// `DegreeError::DegreeTooHigh`, where different denominators multiply; those of
     /// [`crate::make_compatible`].
     pub fn ruled(c0: &NurbsCurve, c1: &NurbsCurve) -> Result<Self, GeomError> {
         let curves = on_one_denominator(&[c0.clone(), c1.clone()])?;

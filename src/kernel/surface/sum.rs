@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{NurbsSurface, revolve::check_size};
-use crate::{GeomError, Grid, Interval, KnotVector, NurbsCurve, homogeneous};
+use crate::{CountError, GeomError, Grid, Interval, KnotVector, NurbsCurve, homogeneous};
 
 /// What a boolean sum takes along one of its directions.
 #[derive(Clone, Debug)]
@@ -25,9 +25,9 @@ impl NurbsSurface {
     /// Piegl & Tiller, *The NURBS Book*, (10.28) to (10.36).
     ///
     /// # Errors
-    /// [`GeomError::DegreeTooHigh`], where many different denominators multiply;
-    /// [`GeomError::TooManyPoints`], [`GeomError::NotFinite`],
-    /// [`GeomError::GridSize`] unless the numbers of curves, functions and values go together.
+    /// `DegreeError::DegreeTooHigh`, where many different denominators multiply;
+    /// [`CountError::TooManyPoints`], `InputError::NotFinite`,
+    /// [`CountError::GridSize`] unless the numbers of curves, functions and values go together.
     pub(crate) fn boolean_sum(
         u: BooleanSumTerm,
         v: BooleanSumTerm,
@@ -37,7 +37,7 @@ impl NurbsSurface {
         let counts = [u.blends.len(), v.blends.len()];
         if counts != [rows, columns] || [meetings.n_rows(), meetings.n_columns()] != counts {
             let got = meetings.as_slice().len();
-            return Err(GeomError::GridSize { rows, columns, needed: rows * columns, got });
+            return Err(CountError::GridSize { rows, columns, needed: rows * columns, got }.into());
         }
         let (c, f, knots_u) = over_one_denominator(u)?;
         let (d, g, knots_v) = over_one_denominator(v)?;
@@ -72,7 +72,7 @@ fn over_one_denominator(strands: BooleanSumTerm) -> Result<CommonNets, GeomError
     let common = crate::curve::on_one_denominator(&all)?;
     let knots = match common.first() {
         Some(curve) => curve.knots().clone(),
-        None => return Err(GeomError::TooFewCurves { got: 0, needed: 1 }),
+        None => return Err(CountError::TooFewCurves { got: 0, needed: 1 }.into()),
     };
     let mut points: Vec<Vec<DVec4>> =
         common.iter().map(|curve| curve.control_points().to_vec()).collect();
@@ -83,7 +83,7 @@ fn over_one_denominator(strands: BooleanSumTerm) -> Result<CommonNets, GeomError
 /// The polynomial with these Bernstein coefficients on a domain, as a blending function.
 ///
 /// # Errors
-/// [`GeomError::NotFinite`], [`GeomError::TooFewPoints`].
+/// `InputError::NotFinite`, [`CountError::TooFewPoints`].
 pub(crate) fn blend(coefficients: &[f64], domain: Interval) -> Result<NurbsCurve, GeomError> {
     let values: Vec<DVec3> = coefficients.iter().map(|&x| DVec3::new(x, 0.0, 0.0)).collect();
     NurbsCurve::bezier(&values).map(|blend| blend.reparametrized(domain))

@@ -4,7 +4,7 @@ use glam::{DVec3, DVec4};
 
 use super::frames::{Axes, FrameRule, Frames, over_corner};
 use crate::{
-    GeomError, Grid, Interval, NurbsCurve, NurbsSurface, Side,
+    GeomError, Grid, InputError, Interval, LocalError, NurbsCurve, NurbsSurface, Side,
     frame::{across, unit},
     tolerance::VANISHING_RELATIVE,
 };
@@ -20,7 +20,7 @@ pub type PathLeg = (NurbsCurve, Frames);
 /// is a corner at the seam too. `reach` is how far the section reaches from the path.
 ///
 /// # Errors
-/// [`GeomError::VanishingTangent`] where the path turns straight back; those of [`Frames::new`].
+/// [`LocalError::VanishingTangent`] where the path turns straight back; those of [`Frames::new`].
 pub fn legs(
     path: &NurbsCurve,
     corners: &[f64],
@@ -36,7 +36,7 @@ pub fn legs(
         let both = [path.tangent_at(before, Side::Left)?, path.tangent_at(behind, Side::Right)?];
         let sum = both[0] + both[1];
         if sum.length() <= VANISHING_RELATIVE.sqrt() {
-            return Err(GeomError::VanishingTangent { parameter: before });
+            return Err(GeomError::from(LocalError::VanishingTangent { parameter: before }));
         }
         Ok(sum)
     };
@@ -87,8 +87,8 @@ pub fn overreaches(surface: &NurbsSurface, path: &NurbsCurve) -> Vec<(f64, [f64;
 /// seam too.
 ///
 /// # Errors
-/// [`GeomError::VanishingTangent`] for a leg of no length or one that turns straight back;
-/// [`GeomError::ParallelAxes`] for an `up` along the first leg.
+/// [`LocalError::VanishingTangent`] for a leg of no length or one that turns straight back;
+/// [`InputError::ParallelAxes`] for an `up` along the first leg.
 pub fn mitred(
     section: &NurbsCurve,
     path: &NurbsCurve,
@@ -99,12 +99,15 @@ pub fn mitred(
     let corners = path.points();
     let n_legs = corners.len() - 1;
     let leg = |k: usize| {
-        unit(corners[k + 1] - corners[k]).ok_or(GeomError::VanishingTangent { parameter: k as f64 })
+        unit(corners[k + 1] - corners[k])
+            .ok_or(GeomError::Local(LocalError::VanishingTangent { parameter: k as f64 }))
     };
     let legs: Vec<DVec3> = (0..n_legs).map(leg).collect::<Result<_, _>>()?;
     let x = legs[0];
-    let z = across(up, x)
-        .ok_or(GeomError::ParallelAxes { first: "the path", second: "the direction up" })?;
+    let z = across(up, x).ok_or(GeomError::Input(InputError::ParallelAxes {
+        first: "the path",
+        second: "the direction up",
+    }))?;
     let mut axes = Axes { x, y: z.cross(x), z };
     let mut columns: Vec<Vec<DVec4>> = Vec::with_capacity(n_legs + 1);
     for (k, &corner) in corners.iter().enumerate() {
@@ -113,7 +116,7 @@ pub fn mitred(
         let is_end = !is_closed && (k == 0 || k == n_legs);
         let normal = if is_end { axes.x } else { legs[before] + legs[behind] };
         if normal.length() <= VANISHING_RELATIVE.sqrt() {
-            return Err(GeomError::VanishingTangent { parameter: k as f64 });
+            return Err(LocalError::VanishingTangent { parameter: k as f64 }.into());
         }
         // Along the leg into the plane of the corner.
         let place = |p: &DVec4| {

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::MovingSection;
 use crate::{
-    GeomError,
+    ConstructionError, GeomError,
     tolerance::{KNOT_RELATIVE, VANISHING_RELATIVE},
 };
 
@@ -27,7 +27,7 @@ impl MovingSection<'_> {
     /// shrinks to nothing or turns inside out.
     ///
     /// # Errors
-    /// [`GeomError::VanishingSection`] where nothing is left of it anywhere.
+    /// [`ConstructionError::VanishingSection`] where nothing is left of it anywhere.
     pub(super) fn folds(&mut self) -> Result<Folds, GeomError> {
         let section = self.section.sample(N_POINTS);
         let knots = self.path.knots();
@@ -53,7 +53,7 @@ impl MovingSection<'_> {
             sizes.push(self.factor(t, is_flat)?);
         }
         if largest <= size {
-            return Err(GeomError::VanishingSection);
+            return Err(ConstructionError::VanishingSection.into());
         }
         let mut folds: Vec<[f64; 2]> = Vec::new();
         for (i, &t) in places.iter().enumerate() {

@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec3};
 
 use crate::{
-    GeomError, NurbsCurve, Side,
+    GeomError, InputError, LocalError, NurbsCurve, Side,
     frame::{across, norm, unit},
     tolerance::{TURN_ACCURACY, VANISHING_RELATIVE},
 };
@@ -102,9 +102,9 @@ impl Frames {
     /// frame misses itself by is spread over the length.
     ///
     /// # Errors
-    /// [`GeomError::ParallelAxes`] where the path runs along `up` and the rule needs it,
-    /// [`GeomError::Straight`] for a Frenet frame where nothing bends,
-    /// [`GeomError::VanishingTangent`].
+    /// [`InputError::ParallelAxes`] where the path runs along `up` and the rule needs it,
+    /// [`LocalError::Straight`] for a Frenet frame where nothing bends,
+    /// [`LocalError::VanishingTangent`].
     pub fn new(
         path: &NurbsCurve,
         rule: FrameRule,
@@ -261,9 +261,14 @@ impl Frames {
                 let steps = domain.steps(256);
                 let found = steps.into_iter().find_map(|t| self.binormal(t));
                 let z = self.binormal(t).or(found);
-                let z = z.ok_or(GeomError::Straight { what: "frenet frame", parameter: t })?;
-                let z = across(z, x)
-                    .ok_or(GeomError::Straight { what: "frenet frame", parameter: t })?;
+                let z = z.ok_or(GeomError::Local(LocalError::Straight {
+                    what: "frenet frame",
+                    parameter: t,
+                }))?;
+                let z = across(z, x).ok_or(GeomError::Local(LocalError::Straight {
+                    what: "frenet frame",
+                    parameter: t,
+                }))?;
                 Ok(Axes::new(x, z))
             }
             _ => self.upright(x),
@@ -271,8 +276,10 @@ impl Frames {
     }
 
     fn upright(&self, x: DVec3) -> Result<Axes, GeomError> {
-        let z = across(self.up, x)
-            .ok_or(GeomError::ParallelAxes { first: "the path", second: "the direction up" })?;
+        let z = across(self.up, x).ok_or(GeomError::Input(InputError::ParallelAxes {
+            first: "the path",
+            second: "the direction up",
+        }))?;
         Ok(Axes::new(x, z))
     }
 
@@ -290,7 +297,7 @@ impl Frames {
             FrameRule::RotationMinimizing => reflected_twice(before, point, x),
         };
         let z = z.and_then(|z| across(z, x));
-        Ok(Axes::new(x, z.ok_or(GeomError::VanishingTangent { parameter: t })?))
+        Ok(Axes::new(x, z.ok_or(GeomError::Local(LocalError::VanishingTangent { parameter: t }))?))
     }
 
     /// The frame at a parameter.

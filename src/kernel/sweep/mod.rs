@@ -15,7 +15,8 @@ pub use frames::{Axes, FrameRule, Frames};
 use glam::{DVec3, DVec4};
 
 use super::{
-    GeomError, Grid, KnotVector, NurbsCurve, NurbsSurface, homogeneous, tolerance::KNOT_RELATIVE,
+    FitError, GeomError, Grid, KnotVector, NurbsCurve, NurbsSurface, homogeneous,
+    tolerance::KNOT_RELATIVE,
 };
 
 /// What happens to a section on its way, by the path's parameter.
@@ -106,7 +107,7 @@ const SAFETY: f64 = 0.5;
 /// Piegl & Tiller, *The NURBS Book*, (10.17) to (10.19).
 ///
 /// # Errors
-/// [`GeomError::NotFinite`].
+/// `InputError::NotFinite`.
 pub fn translated(section: &NurbsCurve, path: &NurbsCurve) -> Result<NurbsSurface, GeomError> {
     let (own, along) = (section.control_points(), path.control_points());
     let net = Grid::from_fn(own.len(), along.len(), |i, j| {
@@ -124,7 +125,7 @@ pub fn translated(section: &NurbsCurve, path: &NurbsCurve) -> Result<NurbsSurfac
 /// tolerance needs them.
 ///
 /// # Errors
-/// [`GeomError::ToleranceNotKept`] where 4096 columns do not suffice; where frames or the motion
+/// [`FitError::ToleranceNotKept`] where 4096 columns do not suffice; where frames or the motion
 /// fail.
 pub fn swept(
     section: &NurbsCurve,
@@ -168,7 +169,7 @@ pub fn swept(
         is_plain = false;
         if MAX_COLUMNS < next.n_points() {
             let tolerance = fineness.tolerance;
-            return Err(GeomError::ToleranceNotKept { tolerance, found: worst.0 });
+            return Err(FitError::ToleranceNotKept { tolerance, found: worst.0 }.into());
         }
         knots = next;
     }

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{GeomError, NurbsCurve},
+    kernel::{GeomError, InputError, NurbsCurve},
     value::{At, Ctx, op, rounded, shortest},
 };
 
@@ -30,7 +30,7 @@ op! {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
     let points = [args.a, args.b, args.c];
     let arc = NurbsCurve::arc_through(points.map(|point| point.value), ctx.tolerance.distance);
-    if let Err(GeomError::CoincidentPoints { first, second }) = arc {
+    if let Err(GeomError::Input(InputError::CoincidentPoints { first, second })) = arc {
         let names = ["a", "b", "c"];
         let gap = points[first].value.distance(points[second].value);
         let pair = format!("`{}` and `{}`", names[first], names[second]);

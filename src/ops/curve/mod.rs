@@ -27,7 +27,7 @@ mod polynomial;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{GeomError, KnotVector},
+    kernel::{GeomError, KnotError, KnotVector},
     value::{At, Op},
 };
 
@@ -72,7 +72,7 @@ pub(super) fn knots_for(
     let (found, needed) = (knots.value.len(), n_points.value + degree.value + 1);
     if found != needed {
         let (points, degree) = (n_points.value, degree.value);
-        let error = GeomError::KnotCount { points, degree, needed, got: found };
+        let error = GeomError::Knots(KnotError::KnotCount { points, degree, needed, got: found });
         return Err(error).at(knots.span);
     }
     KnotVector::new(degree.value, knots.value).at(knots.span)

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::curve::{check_segments, sample_parameters};
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{Curve, GeomError, LocalGeometry, NurbsCurve, Side, Surface},
+    kernel::{Curve, GeomError, LocalError, LocalGeometry, NurbsCurve, Side, Surface},
     value::{At, Choice, Ctx, Geometry, Value, op, shortest},
 };
 
@@ -210,11 +210,12 @@ fn over_surface(surface: &Surface, [u, v]: [f64; 2], field: VectorSource) -> Opt
 fn existing(vector: PlacedVector) -> std::result::Result<Option<(DVec3, DVec3)>, GeomError> {
     match vector {
         Err(
-            GeomError::Straight { .. }
-            | GeomError::UnboundedCurvature { .. }
-            | GeomError::VanishingTangent { .. }
-            | GeomError::NoTangentAlong { .. }
-            | GeomError::NoNormal { .. },
+            GeomError::Local(LocalError::Straight { .. } | LocalError::UnboundedCurvature { .. })
+            | GeomError::Local(
+                LocalError::VanishingTangent { .. }
+                | LocalError::NoTangentAlong { .. }
+                | LocalError::NoNormal { .. },
+            ),
         ) => Ok(None),
         vector => vector.map(Some),
     }

@@ -7,8 +7,8 @@ use glam::DVec3;
 use crate::{
     diag::{Result, Span, Spanned},
     kernel::{
-        AnalyticCurve, AnalyticForm, Edge, GeomError, NurbsCurve, NurbsSurface, SurfaceDefects,
-        Tolerance,
+        AnalyticCurve, AnalyticForm, Edge, FormError, GeomError, NurbsCurve, NurbsSurface,
+        SurfaceDefects, Tolerance,
     },
     value::{At, Ctx, FromValue, IntoValue, Mismatch, Record, Type, Value, field, field_names, op},
 };
@@ -81,7 +81,7 @@ fn described(value: &Value, tolerance: Tolerance, span: Span) -> Result<Value> {
     let mut data = Vec::with_capacity(names.len());
     for name in names {
         match field(value, name, tolerance) {
-            Err(GeomError::NotNurbs { .. }) => {}
+            Err(GeomError::Form(FormError::NotNurbs { .. })) => {}
             datum => data.extend(datum.at(span)?.map(|datum| (Arc::from(name), datum))),
         }
     }

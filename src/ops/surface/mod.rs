@@ -42,7 +42,7 @@ use glam::DVec3;
 use super::{curve::knots_for, positive};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Frame, GeomError, Grid, NurbsSurface},
+    kernel::{CountError, Frame, GeomError, Grid, NurbsSurface},
     value::{At, Ctx, FromValue, IntoValue, Length, Mismatch, Op, Rows, Type, Value, code_of},
 };
 
@@ -196,7 +196,7 @@ fn in_direction(mut found: Box<Diagnostic>, direction: &str, counted: &str) -> B
 /// Weights as a grid like that of the points.
 fn weight_grid<P>(rows: Vec<Vec<f64>>, points: &Grid<P>, span: Span) -> Result<Grid<f64>> {
     let weights = Grid::from_rows(rows).map_err(|error| match error {
-        GeomError::RaggedGrid { row, got, expected } => {
+        GeomError::Count(CountError::RaggedGrid { row, got, expected }) => {
             let weights = if got == 1 { "weight" } else { "weights" };
             let message = format!(
                 "row {row} has {got} {weights}, row 0 has {expected}; every row needs the same number"

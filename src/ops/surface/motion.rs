@@ -7,7 +7,7 @@ use glam::DVec3;
 use crate::{
     diag::Span,
     kernel::{
-        Curve, FunctionFailure, GeomError, Interval, Motion, NurbsCurve, PlacedAxes,
+        Curve, FunctionFailure, GeomError, InputError, Interval, Motion, NurbsCurve, PlacedAxes,
         tolerance::VANISHING_RELATIVE,
     },
     value::{Angle, Callback, Ctx, FromValue, Mismatch, Type, Value},
@@ -153,10 +153,10 @@ impl Motion for MotionArgs<'_, '_> {
         let across = to_rail - x * to_rail.dot(x);
         match across.try_normalize() {
             Some(z) => Ok(Some(z)),
-            None => Err(GeomError::ParallelAxes {
+            None => Err(GeomError::Input(InputError::ParallelAxes {
                 first: "the path",
                 second: "the direction to the rail",
-            }),
+            })),
         }
     }
 
@@ -182,10 +182,11 @@ impl Motion for MotionArgs<'_, '_> {
             // Where the rails meet, the section is a point.
             _ if span.length() <= VANISHING_RELATIVE * chord.length() => [DVec3::ZERO; 3],
             _ => {
-                return Err(GeomError::ParallelAxes {
+                return Err(InputError::ParallelAxes {
                     first: "the path",
                     second: "the direction from rail to rail",
-                });
+                }
+                .into());
             }
         };
         let [ax, ay, az] = axes;

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Span},
-    kernel::{GeomError, NetworkError, tolerance::EXACT_RELATIVE},
+    kernel::{FitError, GeomError, NetworkError, tolerance::EXACT_RELATIVE},
     value::{At, Ctx, shortest},
 };
 
@@ -69,9 +69,9 @@ impl NetworkPlaces<'_, '_> {
             NetworkError::Order { is_u, curve, others, at, crossing } => {
                 self.out_of_order((is_u, curve), others, at, crossing)
             }
-            NetworkError::Geometry(GeomError::ToleranceNotKept { found, .. }) => {
-                self.not_kept(found)
-            }
+            NetworkError::Geometry(GeomError::Fit(FitError::ToleranceNotKept {
+                found, ..
+            })) => self.not_kept(found),
             NetworkError::Geometry(error) => match Err::<(), _>(error).at(self.ctx.span) {
                 Err(found) => return found,
                 Ok(()) => Diagnostic::error(Code::Degenerate, self.ctx.span, "no surface"),

@@ -7,8 +7,8 @@ use glam::DVec3;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        Bounds, CompatibleSections, Curve, GeomError, NurbsCurve, SectionParameters, aligned,
-        check_parameters, corners_of_ring, with_seam_at_corner,
+        Bounds, CompatibleSections, Curve, GeomError, InputError, NurbsCurve, SectionParameters,
+        aligned, check_parameters, corners_of_ring, with_seam_at_corner,
     },
     value::{At, Choice, Ctx, FromValue, IntoValue, Mismatch, Type, Value, shortest},
 };
@@ -159,7 +159,7 @@ pub(super) fn standing(
             Ok(listed)
         }
         SectionPlaces::By(rule) => match sections.parameters(rule, is_closed) {
-            Err(GeomError::CoincidentPoints { first, second }) => {
+            Err(GeomError::Input(InputError::CoincidentPoints { first, second })) => {
                 let message =
                     format!("`sections[{first}]` and `sections[{second}]` are at one place");
                 Diagnostic::error(Code::Degenerate, span, message)

@@ -11,7 +11,7 @@ use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
         Along, CompatibleSections, ConstructionReport, Curve, GeomError, NurbsCurve, NurbsSurface,
-        SectionParameters, Skin, at_constant_speed, check_parameters,
+        SectionParameters, Skin, WeightError, at_constant_speed, check_parameters,
     },
     value::{At, Ctx, Length, op, shortest},
 };
@@ -329,7 +329,9 @@ fn positive(
         Ok(Skin { bad_weight: Some((row, column, weight)), .. }) => {
             format!("the weight of control point [{row}][{column}] would be {}", shortest(*weight))
         }
-        Err(GeomError::VanishingWeightsAt { .. }) => "weights would vanish".to_owned(),
+        Err(GeomError::Weights(WeightError::VanishingWeightsAt { .. })) => {
+            "weights would vanish".to_owned()
+        }
         Err(_) => return Ok((made.at(span)?, Vec::new())),
     };
     let refitted: Vec<usize> =

@@ -13,8 +13,9 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        Columns, ConstructionReport, Curve, FrameRule, Frames, GeomError, NurbsCurve, NurbsSurface,
-        PathLeg, Side, Sweep, SweepResolution, legs, mitred, overreaches, swept, translated,
+        Columns, ConstructionReport, Curve, FitError, FrameRule, Frames, GeomError, InputError,
+        NurbsCurve, NurbsSurface, PathLeg, Side, Sweep, SweepResolution, legs, mitred, overreaches,
+        swept, translated,
     },
     value::{At, Choice, Ctx, Length, op, shortest},
 };
@@ -211,7 +212,7 @@ fn each_swept(
         let is_inside = |t: &f64| domain.start() < *t && *t < domain.end();
         let breaks: Vec<f64> = breaks.iter().copied().filter(is_inside).collect();
         sweeps.push(match swept(section, part, frames, &mut motion, &breaks, fineness) {
-            Err(GeomError::ToleranceNotKept { found, .. }) => {
+            Err(GeomError::Fit(FitError::ToleranceNotKept { found, .. })) => {
                 let message = format!(
                     "4096 placements of the section do not keep the tolerance {}: the surface is still {} off",
                     shortest(2.0 * fineness.tolerance),
@@ -256,7 +257,10 @@ fn rails(
 pub(super) fn tolerated(ctx: &Ctx<'_>, given: Option<&Spanned<Length>>) -> Result<f64> {
     match given {
         Some(given) if given.value.0 <= 0.0 => {
-            let error = GeomError::NotPositive { what: "the tolerance", got: given.value.0 };
+            let error = GeomError::Input(InputError::NotPositive {
+                what: "the tolerance",
+                got: given.value.0,
+            });
             Err(error).at(given.span)
         }
         Some(given) => Ok(given.value.0),

@@ -51,7 +51,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
 /// What it means for the surface that one of its curves comes to the z axis.
 ///
 /// # Errors
-/// [`crate::kernel::GeomError::OnAxis`] for a profile that lies on it.
+/// `ConstructionError::OnAxis` for a profile that lies on it.
 fn at_the_axis(
     profile: &NurbsCurve,
     trajectory: &NurbsCurve,

@@ -2,7 +2,10 @@
 
 use crate::{
     diag::{Result, Spanned},
-    kernel::{ConstructionReport, GeomError, KnotVector, NurbsSurface, ParametricSurface, Surface},
+    kernel::{
+        ConstructionReport, GeomError, InputError, KnotVector, NurbsSurface, ParametricSurface,
+        Surface,
+    },
     value::{At, Ctx, Length, op},
 };
 
@@ -32,7 +35,7 @@ op! {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let tolerance = args.tolerance.value.0;
     if tolerance <= 0.0 {
-        return Err(GeomError::NotPositive { what: "the tolerance", got: tolerance })
+        return Err(InputError::NotPositive { what: "the tolerance", got: tolerance }.into())
             .at(args.tolerance.span);
     }
     let (spline, (worst, at)) = match &args.s {

@@ -5,7 +5,7 @@ use glam::{DAffine3, DMat3, DVec3};
 use super::apply;
 use crate::{
     diag::{Result, Span, Spanned},
-    kernel::{GeomError, tolerance::VANISHING_RELATIVE},
+    kernel::{InputError, tolerance::VANISHING_RELATIVE},
     value::{At, Ctx, FromValue, Geometry, Length, Mismatch, Type, Value, op},
 };
 
@@ -68,7 +68,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Geometry> {
     let volume = sizes.iter().product::<f64>();
     // A volume that is no number is told where the coordinates are.
     if map.matrix3.determinant().abs() <= VANISHING_RELATIVE * volume {
-        return Err(GeomError::SingularTransform).at(args.matrix.span);
+        return Err(InputError::SingularTransform.into()).at(args.matrix.span);
     }
     apply(&args.g, &map, ctx.span)
 }

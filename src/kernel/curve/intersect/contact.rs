@@ -12,7 +12,7 @@ use super::{
     told::ReportedIntersection,
 };
 use crate::{
-    GeomError, Interval,
+    GeomError, IntersectionError, Interval,
     curve::NurbsCurve,
     tolerance::LAST_BIT,
     valley::{Valley, round},
@@ -138,7 +138,7 @@ impl IntersectionSearch<'_> {
     /// tolerance.
     ///
     /// # Errors
-    /// [`GeomError::RunTogether`], [`GeomError::RunsAlongItself`].
+    /// [`IntersectionError::RunTogether`], [`IntersectionError::RunsAlongItself`].
     pub(super) fn told(
         &self,
         stretch: ContactInterval,
@@ -177,7 +177,7 @@ impl IntersectionSearch<'_> {
     /// That there is too much to be told; of a stretch that goes on and on, that it does.
     pub(super) fn tangled(&self) -> GeomError {
         let together = self.contacts.iter().find_map(|&stretch| self.told(stretch).err());
-        together.unwrap_or(GeomError::Tangled)
+        together.unwrap_or(GeomError::Intersection(IntersectionError::Tangled))
     }
 
     /// That the curves run together about a stretch, and from where to where they do.
@@ -201,7 +201,7 @@ impl IntersectionSearch<'_> {
         let (start, end) = (stretch.first.start(), stretch.first.end());
         if self.is_same {
             let [start, end] = [start, end].map(|t| inside(self.first, t));
-            return GeomError::RunsAlongItself { start, end };
+            return GeomError::Intersection(IntersectionError::RunsAlongItself { start, end });
         }
         // The ends of the stretch need not be on both curves, something within it is.
         let steps = stretch.first.steps(REACH_SAMPLES);
@@ -213,6 +213,6 @@ impl IntersectionSearch<'_> {
             true => [before, behind].map(|t| inside(self.first, t)),
             false => [before.max(domain.start()), behind.min(domain.end())],
         };
-        GeomError::RunTogether { start, end }
+        GeomError::Intersection(IntersectionError::RunTogether { start, end })
     }
 }

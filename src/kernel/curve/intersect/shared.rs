@@ -14,7 +14,7 @@ const SAME_ROUNDINGS: f64 = 16.0;
 
 impl IntersectionSearch<'_> {
     /// # Errors
-    /// [`GeomError::RunTogether`] where two pieces share an arc that is longer than a touch.
+    /// `IntersectionError::RunTogether` where two pieces share an arc that is longer than a touch.
     pub(super) fn check_shared(&self, a: &CurvePart, b: &CurvePart) -> Result<(), GeomError> {
         let on_first = |s: f64| foot(self.first, a.interval, self.second.point_at(s));
         let ends = [a.interval.start(), a.interval.end()].into_iter();

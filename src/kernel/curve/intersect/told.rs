@@ -28,7 +28,7 @@ impl IntersectionSearch<'_> {
     /// The meetings in order.
     ///
     /// # Errors
-    /// [`GeomError::RunTogether`], [`GeomError::RunsAlongItself`].
+    /// `IntersectionError::RunTogether`, `IntersectionError::RunsAlongItself`.
     pub(super) fn finish(mut self) -> Result<Vec<CurveIntersection>, GeomError> {
         for stretch in std::mem::take(&mut self.contacts) {
             let told = self.told(stretch)?;

@@ -1,7 +1,7 @@
 //! Where an offset crosses itself.
 
 use crate::{
-    Bounds, GeomError, Interval,
+    Bounds, GeomError, IntersectionError, Interval,
     curve::{CurveIntersection, NurbsCurve, intersect::work},
     tolerance::TURN_MARGIN,
 };
@@ -10,7 +10,7 @@ use crate::{
 /// curve is no crossing.
 ///
 /// # Errors
-/// [`GeomError::RunsAlongItself`], [`GeomError::Tangled`].
+/// [`IntersectionError::RunsAlongItself`], [`IntersectionError::Tangled`].
 pub(super) fn crossings(
     curve: &NurbsCurve,
     turns: &[f64],
@@ -44,7 +44,9 @@ pub(super) fn crossings(
     for (i, (bounds, stretch)) in stretches.iter().enumerate() {
         found.extend(stretch.own_meetings(tolerance, &mut left)?);
         let later = &stretches[i + 1..];
-        left = left.checked_sub(later.len()).ok_or(GeomError::Tangled)?;
+        left = left
+            .checked_sub(later.len())
+            .ok_or(GeomError::Intersection(IntersectionError::Tangled))?;
         for (others, other) in later {
             let is_near = bounds.min.cmple(others.max + tolerance).all()
                 && others.min.cmple(bounds.max + tolerance).all();

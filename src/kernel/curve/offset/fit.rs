@@ -4,7 +4,7 @@ use glam::{DVec3, DVec4};
 
 use super::{CurveOffsetTarget, unweighted};
 use crate::{
-    GeomError, Interval, KnotVector, NurbsCurve,
+    ConstructionError, CountError, GeomError, Interval, KnotVector, NurbsCurve,
     bernstein::{binomials, derivative, product},
     bezier, homogeneous,
     tolerance::VANISHING_RELATIVE,
@@ -33,7 +33,7 @@ pub(super) fn pieces(
                 let knots = KnotVector::bezier(5)?.on(interval);
                 pieces.push(NurbsCurve::new(knots, unweighted(&fitted))?);
             } else if n_halvings == MAX_HALVINGS {
-                return Err(GeomError::NoOffset { parameter: interval.at(0.5) });
+                return Err(ConstructionError::NoOffset { parameter: interval.at(0.5) }.into());
             } else {
                 let (left, right) = bezier::cut_at(&points, 0.5);
                 let halves = interval.halves();
@@ -42,14 +42,16 @@ pub(super) fn pieces(
             }
             let most = crate::ceiling::CONTROL_POINTS;
             if most < 6 * (pieces.len() + todo.len()) {
-                return Err(GeomError::TooManyPoints { got: 6 * pieces.len(), most });
+                return Err(CountError::TooManyPoints { got: 6 * pieces.len(), most }.into());
             }
         }
     }
     // Both are near the true offset; if it leaps there, a cusp was not found.
     let leaps = |pair: &&[NurbsCurve]| 4.0 * aim.accuracy < pair[0].end().distance(pair[1].start());
     match pieces.windows(2).find(leaps) {
-        Some(pair) => Err(GeomError::NoOffset { parameter: pair[0].domain().end() }),
+        Some(pair) => Err(GeomError::Construction(ConstructionError::NoOffset {
+            parameter: pair[0].domain().end(),
+        })),
         None => Ok(pieces),
     }
 }
@@ -95,7 +97,7 @@ fn contact(
         n_vanishing = series.iter().skip(1).take_while(vanishes).count();
     }
     if 2 * degree <= n_vanishing {
-        return Err(GeomError::NoOffset { parameter });
+        return Err(ConstructionError::NoOffset { parameter }.into());
     }
     // The direction, up to a factor: C' without its zeros, made normal to the normal.
     let across = |k: usize| {
@@ -105,7 +107,7 @@ fn contact(
     let [a0, a1, a2] = [0, 1, 2].map(across);
     let l0 = a0.length();
     if l0 <= VANISHING_RELATIVE * series[n_vanishing + 1].length() {
-        return Err(GeomError::AlongNormal { parameter });
+        return Err(ConstructionError::AlongNormal { parameter }.into());
     }
     // The series of a/|a|.
     let u0 = a0 / l0;

@@ -4,7 +4,7 @@ use glam::{DVec3, DVec4};
 
 use super::CurveOffsetTarget;
 use crate::{
-    Curve, GeomError, Interval, KnotVector, NurbsCurve, Side,
+    ConstructionError, Curve, GeomError, Interval, KnotVector, NurbsCurve, Side,
     bernstein::product,
     bezier,
     frame::unit,
@@ -31,7 +31,7 @@ pub(super) fn offset(
     let side = aim.side(curve.tangent_at(start, Side::Right)?, start)?;
     let factor = (radius - side.dot(inward)) / radius;
     if factor.abs() <= ROUND_RELATIVE {
-        return Err(GeomError::VanishingOffset { radius });
+        return Err(ConstructionError::VanishingOffset { radius }.into());
     }
     let moved = |&point: &DVec4| {
         let w = point.w;

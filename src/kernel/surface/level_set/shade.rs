@@ -14,7 +14,7 @@ use glam::DVec3;
 
 use super::{LevelSet, PositivityCondition, ScalarField, ZeroSetParts, cell, square};
 use crate::{
-    GeomError, Grid, NurbsSurface, Surface, Tolerance,
+    GeomError, Grid, InputError, NurbsSurface, Surface, Tolerance,
     frame::{across, norm, unit},
     tolerance::{LIGHT_SHARE, SIGN_RELATIVE, VANISHING_RELATIVE},
 };
@@ -40,7 +40,7 @@ impl Surface {
     /// A patch that has the angle all over is told by its border.
     ///
     /// # Errors
-    /// [`GeomError::ZeroAxis`] without a light, [`super::PictureError::Unresolved`]; for functions as
+    /// [`InputError::ZeroAxis`] without a light, [`super::PictureError::Unresolved`]; for functions as
     /// [`super::super::ParametricSurface::to_nurbs`].
     pub fn isophotes(
         &self,
@@ -48,7 +48,8 @@ impl Surface {
         angles: &[f64],
         tolerance: Tolerance,
     ) -> Result<Vec<LevelSet>, GeomError> {
-        let light = unit(to_light).ok_or(GeomError::ZeroAxis { what: "the light" })?;
+        let light =
+            unit(to_light).ok_or(GeomError::Input(InputError::ZeroAxis { what: "the light" }))?;
         let (patches, distance) = shaded(self, tolerance)?;
         let mut collected: Vec<ZeroSetParts> =
             angles.iter().map(|_| ZeroSetParts::new(distance)).collect();
@@ -82,7 +83,7 @@ impl Surface {
     /// or x where the light comes along z. The light itself is in the middle of one.
     ///
     /// # Errors
-    /// [`GeomError::ZeroAxis`] without a light, [`super::PictureError::Unresolved`]; for functions as
+    /// [`InputError::ZeroAxis`] without a light, [`super::PictureError::Unresolved`]; for functions as
     /// [`super::super::ParametricSurface::to_nurbs`].
     pub fn zebra(
         &self,
@@ -90,7 +91,8 @@ impl Surface {
         n_bands: usize,
         tolerance: Tolerance,
     ) -> Result<Vec<LevelSet>, GeomError> {
-        let light = unit(to_light).ok_or(GeomError::ZeroAxis { what: "the light" })?;
+        let light =
+            unit(to_light).ok_or(GeomError::Input(InputError::ZeroAxis { what: "the light" }))?;
         let along = across(DVec3::Z, light).or_else(|| across(DVec3::X, light));
         let aside = along.unwrap_or(DVec3::X).cross(light);
         let (patches, distance) = shaded(self, tolerance)?;
@@ -119,7 +121,7 @@ impl Surface {
     /// surface where the eye sees it mirrored, within the tolerance's distance and complete.
     ///
     /// # Errors
-    /// [`GeomError::ZeroAxis`] of a light without a direction, [`super::PictureError::Unresolved`]; for
+    /// [`InputError::ZeroAxis`] of a light without a direction, [`super::PictureError::Unresolved`]; for
     /// functions as [`super::super::ParametricSurface::to_nurbs`].
     pub fn reflection_lines(
         &self,
@@ -137,7 +139,8 @@ impl Surface {
             let back = square::product(&shaded.squared, &to_eye, |a, e: DVec3| a * e);
             let rays = square::joined(&along, &back, |a, b| a - b);
             for (&[point, direction], collected) in lights.iter().zip(&mut collected) {
-                let direction = unit(direction).ok_or(GeomError::ZeroAxis { what: "the light" })?;
+                let direction = unit(direction)
+                    .ok_or(GeomError::Input(InputError::ZeroAxis { what: "the light" }))?;
                 let turned = shaded.ways_to(point).map(|way| way.cross(direction));
                 // The ray and the light are in one plane, and meet ahead of the surface.
                 let values = square::product(&rays, &turned, DVec3::dot);

@@ -4,7 +4,7 @@ use glam::{DVec3, DVec4};
 
 use super::tensor;
 use crate::{
-    Direction, GeomError, Grid, Interpolator, Interval, KnotVector, NurbsSurface, Surface,
+    Direction, FitError, GeomError, Grid, Interpolator, Interval, KnotVector, NurbsSurface, Surface,
 };
 
 /// Degree of the spline.
@@ -169,7 +169,7 @@ pub(super) fn fitted(
 }
 
 fn far(aim: SurfaceOffsetTarget<'_>, [u, v]: [f64; 2]) -> GeomError {
-    GeomError::NoSurfaceNear { most: MAX_PATCHES, tolerance: aim.tolerance, u, v }
+    GeomError::Fit(FitError::NoSurfaceNear { most: MAX_PATCHES, tolerance: aim.tolerance, u, v })
 }
 
 /// The surface through the offset at the Greville parameters of the knots.

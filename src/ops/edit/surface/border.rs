@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     diag::{Code, Diagnostic, Result},
-    kernel::{GeomError, NurbsCurve, NurbsSurface},
+    kernel::{CountError, GeomError, NurbsCurve, NurbsSurface},
     value::{At, Ctx, op},
 };
 
@@ -30,7 +30,7 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
     match args.s.border(ctx.tolerance.distance) {
-        Err(GeomError::TooFewCurves { .. }) => {
+        Err(GeomError::Count(CountError::TooFewCurves { .. })) => {
             let message = "each side of the surface is one point, which leaves no border";
             Diagnostic::error(Code::Degenerate, ctx.span, message).fail()
         }

@@ -27,7 +27,7 @@ pub(super) mod wireframe;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{Direction, Edge, GeomError, NurbsSurface},
+    kernel::{CountError, Direction, Edge, GeomError, NurbsSurface},
     value::{At, Choice, Ctx},
 };
 
@@ -89,7 +89,11 @@ fn one_of<T>(
 /// Fails where a surface would have more control points than are allowed.
 fn check_size(n_u: usize, n_v: usize, ctx: &Ctx<'_>) -> Result<()> {
     let (got, most) = (n_u.saturating_mul(n_v), ctx.limits.control_points);
-    if got <= most { Ok(()) } else { Err(GeomError::TooManyPoints { got, most }).at(ctx.span) }
+    if got <= most {
+        Ok(())
+    } else {
+        Err(GeomError::Count(CountError::TooManyPoints { got, most })).at(ctx.span)
+    }
 }
 
 /// Fails where more knots along a direction would make too many control points.

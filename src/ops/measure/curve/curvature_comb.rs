@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::{check_segments, sample_parameters};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Curve, GeomError, KnotVector, NurbsCurve, Side},
+    kernel::{Curve, GeomError, KnotVector, LocalError, NurbsCurve, Side},
     value::{At, Choice, Ctx, IntoValue, Record, op},
 };
 
@@ -87,7 +87,7 @@ pub(in crate::ops::measure) fn comb(
     let (mut teeth, mut tips, mut bare) = (Vec::new(), Vec::new(), Vec::new());
     for t in sample_parameters(c, samples, ctx)? {
         let local = match c.local_at(t, Side::Right) {
-            Err(GeomError::VanishingTangent { .. }) => None,
+            Err(GeomError::Local(LocalError::VanishingTangent { .. })) => None,
             local => Some(local.at(span)?),
         };
         match local.and_then(|local| Some((local.point(), local.curvature_vector()?))) {

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::sample_parameters;
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Curve, GeomError, LocalGeometry, NamedColumn, Side, Table},
+    kernel::{Curve, GeomError, LocalError, LocalGeometry, NamedColumn, Side, Table},
     value::{At, Ctx, op},
 };
 
@@ -49,7 +49,7 @@ fn row(curve: &Curve, t: f64) -> std::result::Result<[f64; 10], GeomError> {
     let none = f64::NAN;
     let point = curve.point_at(t)?;
     let local = match curve.local_at(t, Side::Right) {
-        Err(GeomError::VanishingTangent { .. }) => None,
+        Err(GeomError::Local(LocalError::VanishingTangent { .. })) => None,
         local => Some(local?),
     };
     let tangent = local.map_or(DVec3::NAN, |local| local.tangent());

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Curve, GeomError},
+    kernel::{CountError, Curve, GeomError},
     ops::list::check_length,
     value::{At, Ctx, op},
 };
@@ -31,7 +31,11 @@ op! {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {
     let n = args.n.value;
     if n == 0 {
-        let err = GeomError::CountTooSmall { what: "the number of parts", got: 0, needed: 1 };
+        let err = GeomError::Count(CountError::CountTooSmall {
+            what: "the number of parts",
+            got: 0,
+            needed: 1,
+        });
         return Err(err).at(args.n.span);
     }
     check_length(n as f64 + 1.0, ctx)?;

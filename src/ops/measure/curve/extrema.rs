@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Curve, GeomError},
+    kernel::{Curve, GeomError, InputError},
     value::{At, Ctx, op},
 };
 
@@ -32,7 +32,7 @@ op! {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<f64>> {
     let direction = args.direction.value.try_normalize();
     let direction = direction
-        .ok_or(GeomError::ZeroAxis { what: "a vector of length zero" })
+        .ok_or(GeomError::Input(InputError::ZeroAxis { what: "a vector of length zero" }))
         .at(args.direction.span)?;
     args.c.extrema(direction, ctx.tolerance).at(ctx.span)
 }

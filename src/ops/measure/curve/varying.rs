@@ -10,7 +10,7 @@ use glam::DVec3;
 
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Curve, GeomError, Jet, Side, jet, tolerance::LAST_BIT},
+    kernel::{Curve, GeomError, Jet, LocalError, Side, jet, tolerance::LAST_BIT},
     value::{At, Real, Vector},
 };
 
@@ -86,7 +86,9 @@ pub(super) fn curvature(d: &[Vector], value: f64) -> Found<Real> {
     let rounding = LAST_BIT.sqrt() * (d[1].over(&d[1].dot(&d[1]))?).magnitude();
     match value {
         0.0 if bending.magnitude() <= rounding => Ok(Real::Plain(0.0)),
-        0.0 => Err(GeomError::NotDifferentiable { what: "the curvature", at: 0.0 }),
+        0.0 => {
+            Err(GeomError::Local(LocalError::NotDifferentiable { what: "the curvature", at: 0.0 }))
+        }
         _ => bending.norm(),
     }
 }
@@ -127,7 +129,10 @@ pub(super) fn signed_curvature(d: &[Vector], axis: DVec3, value: f64) -> Found<R
         return along.over(&speed.times(&speed).times(&speed));
     }
     match value {
-        0.0 => Err(GeomError::NotDifferentiable { what: "the signed curvature", at: 0.0 }),
+        0.0 => Err(GeomError::Local(LocalError::NotDifferentiable {
+            what: "the signed curvature",
+            at: 0.0,
+        })),
         _ => Ok(bending(d)?.norm()?.scaled(value.signum())),
     }
 }
@@ -192,7 +197,11 @@ pub(super) fn closest(curve: &Curve, p: &Vector, t: f64) -> Found<Real> {
     }
     let bend = at_place[1].dot(at_place[1]) + way.dot(at_place[2]);
     if bend <= LAST_BIT.sqrt() * speed * speed {
-        return Err(GeomError::NotDifferentiable { what: "the nearest place of the curve", at: t });
+        return Err(LocalError::NotDifferentiable {
+            what: "the nearest place of the curve",
+            at: t,
+        }
+        .into());
     }
     let mut found = like.same(t);
     for _ in 0..like.order() {

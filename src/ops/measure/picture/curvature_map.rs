@@ -7,7 +7,7 @@ use glam::DVec3;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{
-        self, GeomError, Surface, SurfaceShape, TessellationOptions, Tolerance,
+        self, GeomError, LocalError, Surface, SurfaceShape, TessellationOptions, Tolerance,
         tolerance::{DEFAULT_CHORD_RELATIVE, FLAT_SIZES, SHADE_RELATIVE},
     },
     value::{At, Choice, Ctx, Length, Record, Value, op},
@@ -131,7 +131,9 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
                 strongest = strongest.max(k1.abs()).max(k2.abs());
                 Some(args.kind.of(&shape, ctx.tolerance))
             }
-            Err(GeomError::NoNormal { .. } | GeomError::NoCurvature { .. }) => None,
+            Err(GeomError::Local(LocalError::NoNormal { .. } | LocalError::NoCurvature { .. })) => {
+                None
+            }
             Err(error) => return Err(error).at(span),
         });
     }

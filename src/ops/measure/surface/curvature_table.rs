@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::grid_parameters;
 use crate::{
     diag::{Result, Spanned},
-    kernel::{GeomError, NamedColumn, Surface, Table},
+    kernel::{GeomError, LocalError, NamedColumn, Surface, Table},
     value::{At, Ctx, op},
 };
 
@@ -54,12 +54,12 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Table> {
 fn row(surface: &Surface, u: f64, v: f64) -> std::result::Result<[f64; 12], GeomError> {
     let point = surface.point_at(u, v)?;
     let shape = match surface.shape_at(u, v) {
-        Err(GeomError::NoNormal { .. } | GeomError::NoCurvature { .. }) => None,
+        Err(GeomError::Local(LocalError::NoNormal { .. } | LocalError::NoCurvature { .. })) => None,
         shape => Some(shape?),
     };
     let normal = match (&shape, surface.normal_at(u, v)) {
         (Some(shape), _) => shape.normal(),
-        (None, Err(GeomError::NoNormal { .. })) => DVec3::NAN,
+        (None, Err(GeomError::Local(LocalError::NoNormal { .. }))) => DVec3::NAN,
         (None, normal) => normal?,
     };
     let [k1, k2, gaussian, mean] = shape.map_or([f64::NAN; 4], |shape| {

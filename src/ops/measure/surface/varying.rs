@@ -9,7 +9,7 @@ use glam::{DMat2, DVec2, DVec3};
 
 use crate::{
     diag::{Result, Span, Spanned},
-    kernel::{GeomError, Grid, Interval, Jet, Surface, jet, tolerance::LAST_BIT},
+    kernel::{GeomError, Grid, Interval, Jet, LocalError, Surface, jet, tolerance::LAST_BIT},
     value::{At, Real, Vector},
 };
 
@@ -169,7 +169,9 @@ impl Forms {
         let size = mean.value() * mean.value() + spread.value().abs();
         if spread.value() <= LAST_BIT.sqrt() * size {
             let at = mean.value();
-            return Err(GeomError::NotDifferentiable { what: "the principal curvatures", at });
+            return Err(
+                LocalError::NotDifferentiable { what: "the principal curvatures", at }.into()
+            );
         }
         let spread = spread.sqrt()?;
         Ok([mean.minus(&spread), mean.plus(&spread)])
@@ -237,7 +239,7 @@ pub(super) fn closest(surface: &Surface, p: &Vector, place: [f64; 2]) -> Found<[
     let is_minimum = LAST_BIT.sqrt() * scale < matrix.determinant() && 0.0 < matrix.x_axis.x;
     if !is_minimum {
         let what = "the nearest place of the surface";
-        return Err(GeomError::NotDifferentiable { what, at: place[0] });
+        return Err(LocalError::NotDifferentiable { what, at: place[0] }.into());
     }
     let inverse = matrix.inverse();
     let mut found = place.map(|t| like.same(t));

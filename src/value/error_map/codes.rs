@@ -1,0 +1,191 @@
+//! The code of each error of the kernel.
+
+use super::inside;
+use crate::{
+    diag::Code,
+    kernel::{
+        CountError, DegreeError, DomainError, FaceFault, FitError, FormError, GeomError,
+        InputError, IntersectionError, JointError, KnotError, LocalError, MeasureError, MeshError,
+        WeightError,
+    },
+};
+
+/// The code under which an error of the kernel is reported.
+#[must_use]
+pub fn code_of(error: &GeomError) -> Code {
+    match error {
+        GeomError::Knots(error) => of_knots(error),
+        GeomError::Weights(error) => of_weights(error),
+        GeomError::Degree(error) => of_degree(error),
+        GeomError::Count(error) => of_count(error),
+        GeomError::Input(error) => of_input(error),
+        GeomError::Domain(error) => of_domain(error),
+        GeomError::Fit(error) => of_fit(error),
+        GeomError::Local(error) => of_local(error),
+        GeomError::Form(error) => of_form(error),
+        GeomError::Joint(error) => of_joint(error),
+        GeomError::Measure(error) => of_measure(error),
+        GeomError::Intersection(
+            IntersectionError::RunTogether { .. }
+            | IntersectionError::RunsAlongItself { .. }
+            | IntersectionError::Tangled,
+        )
+        | GeomError::Construction(_)
+        | GeomError::Picture(_)
+        | GeomError::Jump(_)
+        | GeomError::Ended => Code::Degenerate,
+        GeomError::Shell(_) => Code::OpenShell,
+        GeomError::Mesh(fault) => of_mesh(fault),
+        GeomError::Function(_) => inside(error).map_or(Code::Domain, |reason| reason.code),
+    }
+}
+
+const fn of_knots(error: &KnotError) -> Code {
+    match error {
+        KnotError::KnotCount { .. }
+        | KnotError::TooFewKnots { .. }
+        | KnotError::UnsortedKnots { .. }
+        | KnotError::KnotMultiplicity { .. }
+        | KnotError::NoKnot { .. }
+        | KnotError::VanishingPiece { .. }
+        | KnotError::VanishingPatch { .. }
+        | KnotError::EmptyDomain { .. }
+        | KnotError::DomainTooWide { .. } => Code::BadKnots,
+    }
+}
+
+const fn of_weights(error: &WeightError) -> Code {
+    match error {
+        WeightError::WeightCount { .. }
+        | WeightError::BadWeight { .. }
+        | WeightError::BadEndWeight { .. }
+        | WeightError::VanishingWeights { .. }
+        | WeightError::VanishingWeightsAt { .. } => Code::BadWeights,
+    }
+}
+
+const fn of_degree(error: &DegreeError) -> Code {
+    match error {
+        DegreeError::BadDegree { .. } => Code::TooFewPoints,
+        DegreeError::DegreeTooHigh { .. } | DegreeError::OrderTooHigh { .. } => Code::TooLarge,
+        DegreeError::DegreeTooLow { .. } | DegreeError::LowestDegree { .. } => Code::BadDegree,
+    }
+}
+
+const fn of_count(error: &CountError) -> Code {
+    match error {
+        CountError::TooFewPoints { .. } => Code::TooFewPoints,
+        CountError::TooManyPoints { .. } | CountError::TooManyVertices { .. } => Code::TooLarge,
+        CountError::TooFewCurves { .. } | CountError::TangentCount { .. } => Code::BadCall,
+        CountError::WrongCount { .. } => Code::BadParameters,
+        CountError::RaggedGrid { .. } | CountError::GridSize { .. } => Code::RaggedGrid,
+        CountError::DuplicateColumn { .. } | CountError::ColumnLength { .. } => Code::WrongKind,
+        CountError::CountTooSmall { .. }
+        | CountError::AttributeCount { .. }
+        | CountError::NoSuchVertex { .. } => Code::Degenerate,
+    }
+}
+
+const fn of_input(error: &InputError) -> Code {
+    match error {
+        InputError::NotPositive { got, .. } if !got.is_finite() => Code::Domain,
+        InputError::NotFinite { .. } => Code::Domain,
+        InputError::NotPositive { .. }
+        | InputError::NotUnit { .. }
+        | InputError::ZeroAxis { .. }
+        | InputError::ParallelAxes { .. }
+        | InputError::SingularTransform
+        | InputError::CoincidentPoints { .. }
+        | InputError::Collinear
+        | InputError::BadTurn { .. }
+        | InputError::TensionTooLow { .. } => Code::Degenerate,
+    }
+}
+
+const fn of_domain(error: &DomainError) -> Code {
+    match error {
+        DomainError::EmptyInterval { .. }
+        | DomainError::NarrowInterval { .. }
+        | DomainError::ParameterOutside { .. }
+        | DomainError::ParameterAtEnd { .. }
+        | DomainError::OtherDomain { .. }
+        | DomainError::LengthOutside { .. } => Code::OutsideDomain,
+    }
+}
+
+const fn of_fit(error: &FitError) -> Code {
+    match error {
+        FitError::KnotNeeded { .. }
+        | FitError::NotReducible { .. }
+        | FitError::NoSurfaceNear { .. }
+        | FitError::NoSplineNear { .. }
+        | FitError::NoSplineNearAt { .. } => Code::BeyondTolerance,
+        FitError::ParametersNotIncreasing { .. } => Code::BadParameters,
+        FitError::NoFit | FitError::Undetermined { .. } | FitError::ToleranceNotKept { .. } => {
+            Code::Degenerate
+        }
+    }
+}
+
+const fn of_local(error: &LocalError) -> Code {
+    match error {
+        LocalError::BeyondNumbers { .. } | LocalError::BeyondNumbersAt { .. } => Code::Domain,
+        LocalError::NotDifferentiable { .. } | LocalError::DerivativeBeyondNumbers => {
+            Code::NoDerivative
+        }
+        LocalError::VanishingTangent { .. }
+        | LocalError::UnboundedCurvature { .. }
+        | LocalError::Straight { .. }
+        | LocalError::NoSide { .. }
+        | LocalError::NoNormal { .. }
+        | LocalError::NoCurvature { .. }
+        | LocalError::NoTangentAlong { .. }
+        | LocalError::AcrossSurface => Code::Degenerate,
+    }
+}
+
+const fn of_form(error: &FormError) -> Code {
+    match error {
+        FormError::RationalFor { .. }
+        | FormError::DegreeTooHighFor { .. }
+        | FormError::UnevenSegments { .. }
+        | FormError::TooRough { .. }
+        | FormError::TooManySegments { .. }
+        | FormError::OtherForm { .. } => Code::NotExact,
+        FormError::NotNurbs { .. } => Code::WrongKind,
+        FormError::NotScalar { .. }
+        | FormError::NoConic { .. }
+        | FormError::MixedConics { .. }
+        | FormError::NotPlanar { .. } => Code::Degenerate,
+    }
+}
+
+const fn of_joint(error: &JointError) -> Code {
+    match error {
+        JointError::Gap { .. } | JointError::PatchGap { .. } => Code::Gap,
+        JointError::UnlikeWeights { .. } => Code::NotExact,
+    }
+}
+
+const fn of_measure(error: &MeasureError) -> Code {
+    match error {
+        MeasureError::TooLargeToMeasure { .. } | MeasureError::TooSmallToMeasure { .. } => {
+            Code::Domain
+        }
+        MeasureError::NothingThere { .. } => Code::Degenerate,
+    }
+}
+
+const fn of_mesh(fault: &MeshError) -> Code {
+    match fault {
+        MeshError::Open { .. } | MeshError::Unoriented { .. } => Code::OpenShell,
+        MeshError::BadFace { fault, .. } => match fault {
+            FaceFault::TooFew { .. } => Code::TooFewPoints,
+            FaceFault::NoVertex { .. } => Code::IndexOutside,
+            FaceFault::Repeats { .. } | FaceFault::Crosses | FaceFault::NoPolygon => {
+                Code::Degenerate
+            }
+        },
+        MeshError::BadColor { .. } | MeshError::BelowRounding { .. } => Code::Degenerate,
+    }
+}
