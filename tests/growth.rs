@@ -210,6 +210,45 @@ const SHAPES: &[Shape] = &[
         "",
         "",
     ),
+    (
+        "a face with corners on a parabola",
+        "let a = mesh([...[for i in 1..@: (i / @, (i / @)^2)], (0.5, 0.9), (0, 0.5)], \
+         [[for i in 0..@ + 1: i]])\n",
+        "",
+        "",
+        "",
+    ),
+    (
+        "a face that is a star",
+        "let a = mesh([for i in 1..2 * @: (cos(i * 180deg / @), (1.3 - 0.3 * (i % 2)) * sin(i * 180deg / @))], \
+         [[for i in 0..2 * @ - 1: i]])\n",
+        "",
+        "",
+        "",
+    ),
+    (
+        "a face whose sides lie above one another",
+        "let a = mesh([(0, 0), ...[for i in 1..@: (1 + (i % 2) / 1000, i / @)]], [[for i in 0..@: i]])\n",
+        "",
+        "",
+        "",
+    ),
+    (
+        "a comb as a face",
+        "let a = mesh([...flatten([for i in 1..@: [(2 * i, 0), (2 * i, 9), (2 * i + 1, 9), (2 * i + 1, 0)]]), \
+         (2 * @ + 1, -1), (2, -1)], [[for i in 0..4 * @ + 1: i]])\n",
+        "",
+        "",
+        "",
+    ),
+    (
+        "a region with many holes",
+        "let a = planar_mesh([polyline([(0, 0), (@ + 1, 0), (@ + 1, 2), (0, 2)], closed = true), \
+         ...[for i in 1..@: polyline([(i, 1), (i + 0.5, 1), (i, 1.5)], closed = true)]])\n",
+        "",
+        "",
+        "",
+    ),
     ("`helix`", "let a = helix((0, 0), 1, 1, @)\n", "", "", ""),
 ];
 

@@ -46,7 +46,7 @@ const GUESTS: &[(&str, &[&str])] = &[
     ("indicatif", &["src/cli/progress.rs"]),
     ("png", &["src/export/raster/mod.rs"]),
     ("tobj", &["src/ops/mesh/obj.rs"]),
-    ("spade", &["src/kernel/mesh/planar.rs"]),
+    ("spade", &["src/kernel/mesh/triangulation.rs"]),
 ];
 
 /// What nothing but the doors may do.

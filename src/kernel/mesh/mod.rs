@@ -1,7 +1,7 @@
 //! Meshes: triangles, and faces made of them.
 //!
 //! This file has the type; `grid` makes a mesh of a surface by counts, `tessellate` by a tolerance,
-//! `any` of functions too, `polygons` of faces; `faces` are the runs of triangles that stand for faces of
+//! `any` of functions too, `polygons` of faces, `planar` of regions, both by a `triangulation`; `faces` are the runs of triangles that stand for faces of
 //! more than three corners, and `quadrilaterals` pairs triangles to such. For the latter `bend` bounds derivatives, by the hulls of `quotient`; `cell_bounds`
 //! makes of them `rules` for each piece, `form`s of what a cell may be, and `near` those along its
 //! normal; `steps` lays the lines of a `surface_patch`, `seam` finds what the `edge`s of patches share, `division`
@@ -38,6 +38,7 @@ mod stitch;
 mod surface_patch;
 mod tessellate;
 mod topology;
+mod triangulation;
 mod weld;
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};

@@ -1,16 +1,11 @@
-//! Meshes of plane regions within closed curves.
-//!
-//! A constrained Delaunay triangulation of the borders: among all triangulations with these corners
-//! that have the borders as sides its least angles are largest. Its predicates are exact.
-//! Chew, *Constrained Delaunay triangulations*, Algorithmica 4 (1989); Shewchuk, *Adaptive precision
-//! floating-point arithmetic and fast robust geometric predicates*, DCG 18 (1997).
+//! Meshes of plane regions within closed curves: `triangulation` finds the triangles.
 
 use glam::{DVec2, DVec3};
-use spade::{
-    ConstrainedDelaunayTriangulation, HasPosition, MIN_ALLOWED_VALUE, Point2, Triangulation as _,
-};
 
-use super::Mesh;
+use super::{
+    Mesh,
+    triangulation::{RegionTriangles, triangles},
+};
 use crate::{
     Frame, GeomError, PictureError as Error,
     frame::{norm, unit},
@@ -53,13 +48,11 @@ pub fn planar_mesh(polygons: &[Vec<DVec3>], distance: f64) -> Result<Mesh, GeomE
         let first = rings.last().map_or(0, |ring| ring.first + ring.places.len());
         rings.push(BorderPolygon { places: points.iter().map(place).collect(), first });
     }
-    check_crossings(&rings, &polygons)?;
-    check_nesting(&rings)?;
+    GeomError::go_on(rings.iter().map(|ring| ring.places.len()).sum())?;
+    let RegionTriangles { triangles, n_around } =
+        triangles(&rings).map_err(|side| crossing(&rings, &polygons, side))?;
+    check_nesting(&rings, &n_around)?;
     let vertices: Vec<DVec3> = polygons.into_iter().flatten().collect();
-    let triangles = triangles(&rings).map_err(|vertex| {
-        let index = rings.iter().rposition(|ring| ring.first <= vertex).unwrap_or(0);
-        Error::Crossing { index, other: index, of, point: vertices[vertex] }
-    })?;
     let normals = vec![frame.z(); vertices.len()];
     Mesh::new(vertices, normals, Vec::new(), triangles)
 }
@@ -97,50 +90,40 @@ struct PolygonSide {
     ends: [DVec2; 2],
 }
 
-/// # Errors
-/// [`Error::Crossing`].
-pub(super) fn check_crossings(
-    rings: &[BorderPolygon],
-    polygons: &[Vec<DVec3>],
-) -> Result<(), GeomError> {
-    let mut sides: Vec<PolygonSide> = Vec::new();
-    for (ring, BorderPolygon { places, .. }) in rings.iter().enumerate() {
-        let end = |i: usize| places[(i + 1) % places.len()];
-        sides.extend((0..places.len()).map(|index| PolygonSide {
-            ring,
-            index,
-            ends: [places[index], end(index)],
-        }));
-    }
-    let left = |side: &PolygonSide| side.ends[0].x.min(side.ends[1].x);
-    let right = |side: &PolygonSide| side.ends[0].x.max(side.ends[1].x);
-    sides.sort_by(|a, b| left(a).total_cmp(&left(b)));
-    let mut open: Vec<PolygonSide> = Vec::new();
-    for side in sides {
-        open.retain(|other| left(&side) <= right(other));
-        for other in &open {
-            let n = rings[side.ring].places.len();
-            let is_next =
-                |a: &PolygonSide, b: &PolygonSide| a.ring == b.ring && (a.index + 1) % n == b.index;
-            let meets = if is_next(&side, other) {
-                turns_back(&side, other)
-            } else if is_next(other, &side) {
-                turns_back(other, &side)
-            } else {
-                cross(&side, other)
-            };
-            if meets {
-                let (index, other_index) = (side.ring.min(other.ring), side.ring.max(other.ring));
-                let points = &polygons[side.ring];
-                let end = points[(side.index + 1) % points.len()];
-                let point = points[side.index].lerp(end, share(&side, other));
-                let of = rings.len();
-                return Err(Error::Crossing { index, other: other_index, of, point }.into());
-            }
+/// Where the side from a vertex, which meets another one, does so.
+fn crossing(rings: &[BorderPolygon], polygons: &[Vec<DVec3>], vertex: usize) -> Error {
+    let side = |ring: usize, index: usize| {
+        let places = &rings[ring].places;
+        PolygonSide { ring, index, ends: [places[index], places[(index + 1) % places.len()]] }
+    };
+    let ring = rings.iter().rposition(|ring| ring.first <= vertex).unwrap_or(0);
+    let own = side(ring, vertex - rings[ring].first);
+    let n = rings[ring].places.len();
+    let is_next =
+        |a: &PolygonSide, b: &PolygonSide| a.ring == b.ring && (a.index + 1) % n == b.index;
+    let meets = |other: &PolygonSide| {
+        if is_next(&own, other) {
+            turns_back(&own, other)
+        } else if is_next(other, &own) {
+            turns_back(other, &own)
+        } else {
+            (other.ring, other.index) != (own.ring, own.index) && cross(&own, other)
         }
-        open.push(side);
+    };
+    let sides = |ring: usize| (0..rings[ring].places.len()).map(move |index| side(ring, index));
+    let other = (0..rings.len()).flat_map(sides).find(meets);
+    let points = &polygons[ring];
+    let end = points[(own.index + 1) % points.len()];
+    let (from, of) = (points[own.index], rings.len());
+    match other {
+        Some(other) => Error::Crossing {
+            index: ring.min(other.ring),
+            other: ring.max(other.ring),
+            of,
+            point: from.lerp(end, share(&own, &other)),
+        },
+        None => Error::Crossing { index: ring, other: ring, of, point: from },
     }
-    Ok(())
 }
 
 /// Whether a side runs back along the one before it.
@@ -179,82 +162,14 @@ fn is_within(place: DVec2, ring: &BorderPolygon) -> bool {
     (0..n).filter(|&i| crosses(i)).count() % 2 == 1
 }
 
-fn check_nesting(rings: &[BorderPolygon]) -> Result<(), GeomError> {
-    for (index, hole) in rings.iter().enumerate().skip(1) {
-        if !is_within(hole.places[0], &rings[0]) {
-            return Err(Error::Outside { index }.into());
-        }
-        let others = rings.iter().enumerate().skip(1);
-        let around =
-            others.filter(|(i, _)| *i != index).find(|(_, other)| is_within(hole.places[0], other));
-        if let Some((other, _)) = around {
-            return Err(Error::HoleInHole { index, other }.into());
-        }
+/// # Errors
+/// [`Error::Outside`], [`Error::HoleInHole`].
+fn check_nesting(rings: &[BorderPolygon], n_around: &[usize]) -> Result<(), GeomError> {
+    let Some(index) = (1..rings.len()).find(|&index| n_around[index] != 1) else { return Ok(()) };
+    let place = rings[index].places[0];
+    let is_around = |&other: &usize| other != index && is_within(place, &rings[other]);
+    match (1..rings.len()).find(is_around) {
+        Some(other) if 1 < n_around[index] => Err(Error::HoleInHole { index, other }.into()),
+        _ => Err(Error::Outside { index }.into()),
     }
-    Ok(())
-}
-
-/// A vertex of the triangulation: where it is, and which of the mesh it is.
-struct PlanarVertex {
-    place: Point2<f64>,
-    index: u32,
-}
-
-impl HasPosition for PlanarVertex {
-    type Scalar = f64;
-
-    fn position(&self) -> Point2<f64> {
-        self.place
-    }
-}
-
-type Triangulation = ConstrainedDelaunayTriangulation<PlanarVertex>;
-
-/// The triangles of the region, no least angle of which could be larger with the same corners; else a
-/// vertex at which sides cross by rounding.
-pub(super) fn triangles(rings: &[BorderPolygon]) -> Result<Vec<[u32; 3]>, usize> {
-    let places = || rings.iter().flat_map(|ring| ring.places.iter());
-    let size = places().map(|place| place.abs().max_element()).fold(0.0, f64::max);
-    // Numbers so small are no places to the triangulation.
-    let number = |x: f64| if x.abs() < MIN_ALLOWED_VALUE { 0.0 } else { x };
-    let corner = |(index, place): (usize, &DVec2)| {
-        let DVec2 { x, y } = *place / size;
-        PlanarVertex { place: Point2::new(number(x), number(y)), index: index as u32 }
-    };
-    let side =
-        |ring: &BorderPolygon, i: usize| [i, (i + 1) % ring.places.len()].map(|i| ring.first + i);
-    let sides = rings.iter().flat_map(|ring| (0..ring.places.len()).map(move |i| side(ring, i)));
-    let mut crossed: Option<usize> = None;
-    let loaded = Triangulation::try_bulk_load_cdt(
-        places().enumerate().map(corner).collect(),
-        sides.collect(),
-        |conflict| crossed = crossed.or(Some(conflict[0])),
-    );
-    match (loaded, crossed) {
-        (Ok(net), None) => Ok(inner_triangles(&net)),
-        (Ok(net), Some(at)) => {
-            let vertex = net.vertices().nth(at);
-            Err(vertex.map_or(0, |vertex| vertex.data().index as usize))
-        }
-        (Err(_), _) => Err(0),
-    }
-}
-
-/// The triangles that are inside: those behind an odd number of sides.
-fn inner_triangles(net: &Triangulation) -> Vec<[u32; 3]> {
-    let mut is_inside: Vec<Option<bool>> = vec![None; net.num_all_faces()];
-    let mut todo: Vec<_> = net.convex_hull().map(|edge| (edge.rev(), false)).collect();
-    while let Some((edge, is_before_inside)) = todo.pop() {
-        let known = &mut is_inside[edge.face().fix().index()];
-        if edge.is_outer_edge() || known.is_some() {
-            continue;
-        }
-        let is_here = is_before_inside != edge.is_constraint_edge();
-        *known = Some(is_here);
-        todo.extend([edge.prev(), edge.next()].map(|other| (other.rev(), is_here)));
-    }
-    net.inner_faces()
-        .filter(|face| is_inside[face.fix().index()] == Some(true))
-        .map(|face| face.vertices().map(|vertex| vertex.data().index))
-        .collect()
 }

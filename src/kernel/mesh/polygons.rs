@@ -9,7 +9,8 @@ use glam::{DVec2, DVec3};
 use super::{
     Mesh, MeshError,
     fault::FaceFault,
-    planar::{BorderPolygon, check_crossings, triangles, turn},
+    planar::{BorderPolygon, turn},
+    triangulation::triangles,
 };
 use crate::{Bounds, CountError, Frame, GeomError, frame::unit, tolerance::VANISHING_RELATIVE};
 
@@ -87,7 +88,7 @@ fn split(places: &[DVec3]) -> Result<Vec<[usize; 3]>, FaceFault> {
     match n {
         4 => quadrilateral(&seen),
         _ if is_convex(&seen) => Ok(fan(n)),
-        _ => delaunay(&places, &seen),
+        _ => delaunay(&seen),
     }
 }
 
@@ -149,15 +150,12 @@ fn quadrilateral(seen: &[DVec2]) -> Result<Vec<[usize; 3]>, FaceFault> {
 
 /// A triangulation of the corners at places of their own; one at the place of the one before it has
 /// triangles without area.
-fn delaunay(places: &[DVec3], seen: &[DVec2]) -> Result<Vec<[usize; 3]>, FaceFault> {
+fn delaunay(seen: &[DVec2]) -> Result<Vec<[usize; 3]>, FaceFault> {
     let n = seen.len();
     let is_kept = |&k: &usize| k == 0 || seen[k] != seen[k - 1] && seen[k] != seen[0];
     let kept: Vec<usize> = (0..n).filter(is_kept).collect();
     let ring = BorderPolygon { places: kept.iter().map(|&k| seen[k]).collect(), first: 0 };
-    let polygon: Vec<DVec3> = kept.iter().map(|&k| places[k]).collect();
-    let rings = [ring];
-    check_crossings(&rings, &[polygon]).map_err(|_| FaceFault::Crosses)?;
-    let found = triangles(&rings).map_err(|_| FaceFault::Crosses)?;
+    let found = triangles(&[ring]).map_err(|_| FaceFault::Crosses)?.triangles;
     if found.len() + 2 != kept.len() {
         return Err(FaceFault::Crosses);
     }
