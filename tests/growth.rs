@@ -5,10 +5,15 @@
 //! of the evaluator and of searches (`limits::work`), which sees what is looked through again and
 //! again. Neither depends on the machine.
 
-use std::{alloc::System, fmt::Write as _};
+use std::{
+    alloc::System,
+    fmt::Write as _,
+    sync::{Mutex, PoisonError},
+};
 
 use cap::Cap;
 use virote::{
+    export::FORMATS,
     limits::{Limits, work},
     session::{Event, Session},
     value::Files,
@@ -16,6 +21,9 @@ use virote::{
 
 #[global_allocator]
 static MEMORY: Cap<System> = Cap::new(System, usize::MAX);
+
+/// Tests of this file take turns, because the memory is counted for all of them.
+static TURN: Mutex<()> = Mutex::new(());
 
 /// Bytes that count as one step.
 const BYTES_A_STEP: u64 = 64;
@@ -211,6 +219,49 @@ const SHAPES: &[Shape] = &[
         "",
     ),
     (
+        "`intersect` of a polyline with a line that it touches in each second corner",
+        "let a = intersect(polyline([for i in 0..@: (i, i % 2)]), line((-1, 1), (@ + 1, 1)))\n",
+        "",
+        "",
+        "",
+    ),
+    (
+        "`intersect` of a wave with a line",
+        "let a = intersect(interpolate([for i in 0..@: (i, i % 2)]), line((-1, 0.5), (@ + 1, 0.5)))\n",
+        "",
+        "",
+        "",
+    ),
+    (
+        "the length of a wave",
+        "print length(interpolate([for i in 0..@: (i, i % 2)]))\n",
+        "",
+        "",
+        "",
+    ),
+    (
+        "`divide` of a polyline",
+        "let a = divide(polyline([for i in 0..@: (i, i % 2)]), 10)\n",
+        "",
+        "",
+        "",
+    ),
+    ("`divide` into many parts", "let a = divide(circle((0, 0), 1), @)\n", "", "", ""),
+    // Files that are read.
+    ("imports of many files", "", "import \"leaf#.geo\" as p#", "\n", ""),
+    ("definitions of an imported file", "import \"wide@.geo\" as p\nprint p.a0\n", "", "", ""),
+    ("imports with many parameters", "", "import \"door.geo\" as p# with (w = #)", "\n", ""),
+    ("numbers of JSON", "print len(load(\"numbers@.json\"))\n", "", "", ""),
+    ("members of JSON", "let a = load(\"members@.json\")\n", "", "", ""),
+    ("objects of JSON", "let a = load(\"objects@.json\")\n", "", "", ""),
+    ("rows of CSV", "let a = load(\"rows@.csv\")\n", "", "", ""),
+    ("columns of CSV", "let a = load(\"columns@.csv\")\n", "", "", ""),
+    ("faces of OBJ", "let a = load(\"faces@.obj\")\n", "", "", ""),
+    ("one face of OBJ", "let a = load(\"face@.obj\")\n", "", "", ""),
+    ("files that are loaded", "", "let a# = load(\"one#.json\")", "\n", ""),
+    // What grows by copying.
+    ("a sum by `fold`", "let a = fold(1..@, 0, (a, x) => a + x)\n", "", "", ""),
+    (
         "a face with corners on a parabola",
         "let a = mesh([...[for i in 1..@: (i / @, (i / @)^2)], (0.5, 0.9), (0, 0.5)], \
          [[for i in 0..@ + 1: i]])\n",
@@ -252,13 +303,59 @@ const SHAPES: &[Shape] = &[
     ("`helix`", "let a = helix((0, 0), 1, 1, @)\n", "", "", ""),
 ];
 
-#[derive(Debug)]
-struct NoFiles;
+/// Things that are written in each format: once many of them, then one of many parts.
+const EXPORTED: &[(&str, &str)] = &[
+    ("many points", "[for i in 1..@: (i, i % 7)]"),
+    ("many lines", "[for i in 1..@: line((i, 0), (i, 1))]"),
+    ("a long polyline", "polyline([for i in 0..@: (i, i % 2)])"),
+    ("a long spline", "interpolate([for i in 0..@: (i, i % 2)])"),
+    ("many patches", "[for i in 1..@: plane_patch((i, 0), (0.5, 0), (0, 1))]"),
+    ("a mesh", "grid_mesh(plane_patch((0, 0), (9, 0), (0, 1)), @, 1)"),
+    ("many meshes", "[for i in 1..@: mesh([(i, 0), (i + 0.5, 0), (i, 1)], [[0, 1, 2]])]"),
+    ("a table", "table({a: [for i in 1..@: i]})"),
+];
 
-impl Files for NoFiles {
+/// Files whose names tell what they hold, and how much of it.
+#[derive(Debug)]
+struct MadeFiles;
+
+impl Files for MadeFiles {
     fn read(&self, path: &str, _: usize) -> Result<Vec<u8>, String> {
-        Err(format!("there is no `{path}`"))
+        let missing = || format!("there is no `{path}`");
+        let (name, ending) = path.rsplit_once('.').ok_or_else(missing)?;
+        let kind = name.trim_end_matches(|c: char| c.is_ascii_digit());
+        let n: usize = name[kind.len()..].parse().unwrap_or(0);
+        let each = |part: &str, between: &str| {
+            (0..n).map(|i| part.replace('#', &i.to_string())).collect::<Vec<_>>().join(between)
+        };
+        let text = match (kind, ending) {
+            ("leaf", _) => "let a = 1".to_owned(),
+            ("wide", _) => each("let a# = #", "\n"),
+            ("door", _) => "param w = 1\nlet a = w + 1".to_owned(),
+            ("one", _) => "[1]".to_owned(),
+            ("numbers", _) => format!("[{}]", each("#", ",")),
+            ("members", _) => format!("{{{}}}", each("\"k#\": #", ",")),
+            ("objects", _) => format!("[{}]", each("{\"k\": #}", ",")),
+            ("rows", _) => format!("a,b\n{}\n", each("#,1", "\n")),
+            ("columns", _) => format!("{}\n{}\n", each("c#", ","), each("#", ",")),
+            ("faces", _) => format!("{}\n{}", each("v # 0 0\nv # 1 0", "\n"), strip(n)),
+            ("face", _) => format!("{}\nf {}\n", ring(n), each("#", " ").replacen("0 ", "", 1)),
+            _ => return Err(missing()),
+        };
+        Ok(text.into_bytes())
     }
+}
+
+/// Faces between two rows of vertices.
+fn strip(n: usize) -> String {
+    (1..n).map(|i| 2 * i).map(|i| format!("f {} {} {} {}\n", i - 1, i + 1, i + 2, i)).collect()
+}
+
+/// Vertices on a circle.
+fn ring(n: usize) -> String {
+    let angle = |i: usize| std::f64::consts::TAU * i as f64 / n as f64;
+    let vertex = |i: usize| format!("v {} {} 0\n", libm::cos(angle(i)), libm::sin(angle(i)));
+    (0..n).map(vertex).collect()
 }
 
 /// The script of a shape.
@@ -275,7 +372,7 @@ fn script((_, before, repeated, between, behind): Shape, n: usize) -> String {
 fn counted(text: &str) -> u64 {
     let (bytes, steps) = (MEMORY.total_allocated(), work::counted());
     let session = Session::new(Limits::DEFAULT);
-    let report = session.run("a.geo", text.as_bytes(), &NoFiles, &[]);
+    let report = session.run("a.geo", text.as_bytes(), &MadeFiles, &[]);
     let mut said = String::new();
     for diagnostic in report.diagnostics.iter().take(Limits::DEFAULT.diagnostics) {
         said += &virote::render::picture(diagnostic, &report.sources, false);
@@ -283,11 +380,13 @@ fn counted(text: &str) -> u64 {
     for event in &report.events {
         if let Event::File(file) = event {
             let mut written = Vec::new();
-            let outcome = (file.format.write)(&file.job, &mut written);
+            let outcome = file.write(&mut written);
             let _ = write!(said, "{}", outcome.is_ok());
         }
     }
     let _ = session.format("a.geo", text.as_bytes());
+    let _ = session.graph("a.geo", text.as_bytes(), &MadeFiles);
+    let _ = session.parameters("a.geo", text.as_bytes(), &MadeFiles);
     (MEMORY.total_allocated() - bytes) as u64 / BYTES_A_STEP + work::counted() - steps
 }
 
@@ -300,14 +399,21 @@ const FEW: usize = 16;
 
 /// What was counted, where it grows faster than the script.
 fn complaint(shape: Shape) -> Option<String> {
-    let [a, b, c] = [1, 2, 4].map(|times| counted(&script(shape, FIRST * times)));
+    grown(shape.0, |n| counted(&script(shape, n)))
+}
+
+/// What was counted for so many repetitions and twice and four times as many, where it grows faster
+/// than these.
+fn grown(name: &str, counted: impl Fn(usize) -> u64) -> Option<String> {
+    let [a, b, c] = [1, 2, 4].map(|times| counted(FIRST * times));
     let (before, after) = (b.saturating_sub(a), c.saturating_sub(b));
     let is_fast = (FEW * FIRST) as u64 <= after && MOST * before as f64 <= after as f64;
-    is_fast.then(|| format!("{}: {a}, {b}, {c}", shape.0))
+    is_fast.then(|| format!("{name}: {a}, {b}, {c}"))
 }
 
 #[test]
 fn what_is_doubled_takes_twice_the_work() {
+    let _turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
     // Whatever is made once is made before.
     counted("print 1");
     let square = ("a square", "let a = [for i in 1..@: len([for j in 1..@: j + i])]", "", "", "");
@@ -318,4 +424,38 @@ fn what_is_doubled_takes_twice_the_work() {
         "these grow faster than they are long:\n{}",
         complaints.join("\n")
     );
+}
+
+#[test]
+fn twice_as_much_takes_twice_the_work_to_write() {
+    let _turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
+    counted("print 1");
+    let mut complaints = Vec::new();
+    for format in FORMATS {
+        for (name, expression) in EXPORTED {
+            let name = format!("{name} to `.{}`", format.ending);
+            let before = format!("let a = {expression}\nexport a to \"o.{}\"\n", format.ending);
+            let of = |n: usize| counted(&before.replace('@', &n.to_string()));
+            complaints.extend(grown(&name, of));
+        }
+    }
+    assert!(
+        complaints.is_empty(),
+        "these grow faster than what they hold:\n{}",
+        complaints.join("\n")
+    );
+}
+
+#[test]
+fn one_more_entry_of_a_prompt_takes_work_in_proportion_to_the_document() {
+    let _turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
+    let session = Session::new(Limits::DEFAULT).incremental();
+    let complaint = grown("a document that an incremental session knows", |n| {
+        let text: String = (0..n).map(|i| format!("let a{i} = {i}\n")).collect();
+        let _ = session.run("a.geo", text.as_bytes(), &MadeFiles, &[]);
+        let (bytes, steps) = (MEMORY.total_allocated(), work::counted());
+        let _ = session.run("a.geo", format!("{text}let b = 1").as_bytes(), &MadeFiles, &[]);
+        (MEMORY.total_allocated() - bytes) as u64 / BYTES_A_STEP + work::counted() - steps
+    });
+    assert_eq!(complaint, None);
 }

@@ -310,16 +310,15 @@ fn stage(
     let told = |n_bytes| progress.written(&file.path, n_bytes);
     let write = |out: &mut dyn Write| (file.format.write)(&file.job, out);
     // Without writing it can be told whether it could be: whether there is a place, and a format for it.
-    let staged = || {
-        Ok(match mode {
-            OutputMode::Write(_) => target.stage(most, &told, write).map(Some),
-            _ => target
-                .probe()
-                .map_err(ExportError::from)
-                .and_then(|()| capped(&mut io::sink(), most, &told, write))
-                .map(|_| None),
-        })
+    let stage = || match mode {
+        OutputMode::Write(_) => target.stage(most, &told, write).map(Some),
+        _ => target
+            .probe()
+            .map_err(ExportError::from)
+            .and_then(|()| capped(&mut io::sink(), most, &told, write))
+            .map(|_| None),
     };
+    let staged = || Ok(file.watched(stage));
     match fault::caught(file.span, staged) {
         Ok(Ok(Some((staged, summary)))) => FileOutcome::Staged(staged, summary),
         Ok(Ok(None)) => FileOutcome::Told,

@@ -1,8 +1,12 @@
-//! Files that keep to a ceiling of bytes.
+//! Files that keep to a ceiling of bytes, and to that of the work on them.
 
 use std::io::{self, Write};
 
 use super::{ExportError, Summary};
+use crate::limits::work;
+
+/// Bytes that count as one step.
+const BYTES_A_STEP: u64 = 4096;
 
 /// Writes no more than `most` bytes into `out`; tells `progress` how many there are.
 pub fn capped(
@@ -32,7 +36,13 @@ impl Write for LimitedWriter<'_> {
             return Err(io::ErrorKind::FileTooLarge.into());
         }
         let n_taken = self.out.write(bytes)?;
-        self.n_left -= n_taken as u64;
+        let n_steps = |n_left: u64| (self.most - n_left) / BYTES_A_STEP;
+        let n_before = n_steps(self.n_left);
+        let n_left = self.n_left - n_taken as u64;
+        if !work::goes_on(n_steps(n_left) - n_before) {
+            return Err(io::ErrorKind::TimedOut.into());
+        }
+        self.n_left = n_left;
         (self.progress)(self.most - self.n_left);
         Ok(n_taken)
     }

@@ -37,7 +37,7 @@ use thiserror::Error;
 
 use crate::{
     kernel::{Curve, GeomError, Mesh, Surface, Table, Tolerance},
-    limits::Limits,
+    limits::{Limits, work},
 };
 
 pub use labels::Label;
@@ -257,6 +257,9 @@ pub enum ExportError {
         /// The ceiling.
         most: u64,
     },
+    /// Writing it takes more than it may, or nobody wants the file any more.
+    #[error("the writing was ended")]
+    Ended(work::End),
     /// The operating system refused.
     #[error(transparent)]
     Io(#[from] io::Error),

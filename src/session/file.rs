@@ -4,9 +4,12 @@ use std::io::Write;
 
 use crate::{
     diag::{Code, Diagnostic, Span},
-    eval::KeptGlobals,
+    eval::{KeptGlobals, out_of_memory},
     export::{ExportError, Format, Job, Summary, capped},
-    limits::{Ceiling, stack},
+    limits::{
+        Ceiling, stack,
+        work::{self, End, Watch},
+    },
 };
 
 /// A file that a script exports, ready to be written.
@@ -22,6 +25,8 @@ pub struct File {
     pub format: &'static Format,
     /// What is written.
     pub job: Job,
+    /// What writing it may take.
+    pub(super) watch: Watch,
     /// What functions of the script in it need to answer.
     pub(super) _kept: KeptGlobals,
 }
@@ -42,7 +47,7 @@ impl File {
     ///
     /// # Errors
     /// E0705 where the format has no place for an item, or the geometry no answer to what the format
-    /// needs; E0901 beyond the ceiling; E0706 where `out` refuses.
+    /// needs; E0901 beyond a ceiling; E0706 where `out` refuses.
     pub fn write(&self, out: &mut (dyn Write + Send)) -> Result<Summary, Box<Diagnostic>> {
         self.write_with(out, &|_| {}).map_err(|err| Box::new(self.refusal(&err)))
     }
@@ -57,9 +62,20 @@ impl File {
         progress: &(dyn Fn(u64) + Sync),
     ) -> Result<Summary, ExportError> {
         let most = self.job.limits.output_bytes;
-        stack::with(self.job.limits.stack_bytes, |_| {
-            capped(&mut *out, most, progress, |out| (self.format.write)(&self.job, out))
+        self.watched(|| {
+            stack::with(self.job.limits.stack_bytes, |_| {
+                capped(&mut *out, most, progress, |out| (self.format.write)(&self.job, out))
+            })
         })
+    }
+
+    /// Does the work of writing within the ceilings of the run, as long as somebody wants the file.
+    pub(crate) fn watched<R>(
+        &self,
+        write: impl FnOnce() -> Result<R, ExportError>,
+    ) -> Result<R, ExportError> {
+        let (written, done) = work::under(self.watch.clone(), write);
+        done.end.map_or(written, |end| Err(ExportError::Ended(end)))
     }
 
     /// Why the file cannot be written, at its place in the script.
@@ -73,6 +89,15 @@ impl File {
             ExportError::TooLarge { .. } => {
                 found(Code::TooLarge, format!("`{}` would be {err}", self.path))
                     .crossing(Ceiling::OUTPUT_BYTES)
+            }
+            ExportError::Ended(End::Memory) => out_of_memory(&self.job.limits, self.span),
+            ExportError::Ended(End::Steps) => {
+                let most = self.watch.steps;
+                let message = format!("writing `{}` takes more than {most} steps", self.path);
+                found(Code::TooLarge, message).crossing(Ceiling::STEPS)
+            }
+            ExportError::Ended(End::Stopped) => {
+                found(Code::Stopped, format!("the writing of `{}` was stopped", self.path))
             }
             ExportError::Io(_) => {
                 let message = format!("cannot write `{}`: {}", self.path, err.reason());

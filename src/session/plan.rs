@@ -12,7 +12,7 @@ use crate::{
     eval::{self, Exported},
     export::{FORMATS, Format, Item, Job, Subject},
     kernel::{Curve, Surface, Tolerance},
-    limits::work,
+    limits::work::{self, Watch},
     syntax::ast::Unit,
     value::{Function, Value, to_json},
 };
@@ -80,7 +80,13 @@ impl Session {
             ..Job::new(items)
         };
         let (path, names) = (path.ok()?, exported.names);
-        Some(File { path, span, names, format, job, _kept: kept.clone() })
+        let watch = Watch {
+            gauge: self.gauge.clone(),
+            memory_bytes: self.limits.memory_bytes,
+            stop: self.stop.clone(),
+            steps: self.limits.steps,
+        };
+        Some(File { path, span, names, format, job, watch, _kept: kept.clone() })
     }
 }
 

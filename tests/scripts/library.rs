@@ -8,7 +8,7 @@ use std::io::{self, Write};
 use virote::{
     diag::{Code, Severity},
     kernel::Curve,
-    limits::{Limits, work::StopToken},
+    limits::{Ceiling, Limits, work::StopToken},
     session::{Event, Report, Session},
     value::{MemoryFiles, NoFiles, Value},
 };
@@ -130,4 +130,23 @@ fn a_run_is_stopped_from_another_thread() {
     let report = session.run("a.geo", b"print sum([for i in 0..<9999999: i])", &NoFiles, &[]);
     stopper.join().expect("it ends");
     assert_eq!(report.diagnostics.first().map(|found| found.code), Some(Code::Stopped));
+}
+
+#[test]
+fn the_writing_of_a_file_keeps_to_the_ceilings_and_can_be_stopped() {
+    let script = b"surface s = sphere((0, 0), 1)\nexport s to \"s.svg\"";
+    let written = |limits: Limits, is_stopped: bool| {
+        let stop = StopToken::default();
+        let session = Session::new(limits).stopped_by(stop.clone());
+        let report = session.run("a.geo", script, &NoFiles, &[]);
+        let Some(Event::File(file)) = report.events.first() else { return None };
+        if is_stopped {
+            stop.stop();
+        }
+        file.write(&mut Vec::new()).err().map(|found| (found.code, found.ceiling))
+    };
+    assert_eq!(written(Limits::DEFAULT, false), None);
+    assert_eq!(written(Limits::DEFAULT, true), Some((Code::Stopped, None)));
+    let few = Limits { steps: 500, ..Limits::DEFAULT };
+    assert_eq!(written(few, false), Some((Code::TooLarge, Some(Ceiling::STEPS))));
 }

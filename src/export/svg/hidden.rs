@@ -8,7 +8,10 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::kernel::{Interval, NurbsCurve, tolerance::DRAWING_DIGIT};
+use crate::{
+    kernel::{Interval, NurbsCurve, tolerance::DRAWING_DIGIT},
+    limits::work,
+};
 
 /// Margin in tolerances of the triangles: theirs, that of the polygon of a curve, and some.
 const MARGIN: f64 = 2.5;
@@ -32,7 +35,8 @@ struct HidingTriangle {
 pub(super) struct HidingScene {
     triangles: Vec<HidingTriangle>,
     corner: DVec2,
-    cell: f64,
+    /// Width and height of a cell.
+    cell: DVec2,
     n_cells: [usize; 2],
     /// Where the members of each cell begin, and where the last end.
     firsts: Vec<usize>,
@@ -44,15 +48,14 @@ pub(super) struct HidingScene {
 impl HidingScene {
     /// Triangles in the view's coordinates, within `near` of their surfaces.
     pub(super) fn new(corners: impl Iterator<Item = [DVec3; 3]>, near: f64) -> Self {
-        let triangles: Vec<HidingTriangle> = corners.filter_map(HidingTriangle::new).collect();
+        let watched = corners.take_while(|_| work::goes_on(1));
+        let triangles: Vec<HidingTriangle> = watched.filter_map(HidingTriangle::new).collect();
         let all = || triangles.iter().flat_map(|triangle| triangle.corners);
         let low = all().fold(DVec3::INFINITY, DVec3::min).truncate();
         let high = all().fold(DVec3::NEG_INFINITY, DVec3::max).truncate();
         let size = (high - low).max(DVec2::ZERO);
-        let wanted = triangles.len().clamp(1, MOST_CELLS) as f64;
-        let cell = (size.x * size.y / wanted).sqrt().max(size.max_element() / wanted);
-        let cell = if 0.0 < cell && cell.is_finite() { cell } else { 1.0 };
-        let n_cells = [size.x, size.y].map(|length| (length / cell) as usize + 1);
+        let cell = cell_size(&triangles, size);
+        let n_cells = (size / cell).to_array().map(|n| n as usize + 1);
         let corner = if triangles.is_empty() { DVec2::ZERO } else { low };
         let (firsts, members) = (vec![0; n_cells[0] * n_cells[1] + 1], Vec::new());
         let margin = MARGIN * near;
@@ -65,7 +68,14 @@ impl HidingScene {
     fn sort_in(&mut self) {
         let mut counts = vec![0_usize; self.firsts.len()];
         for triangle in &self.triangles {
-            self.each_cell(&triangle.corners, |cell| counts[cell + 1] += 1);
+            let mut n_cells = 0;
+            self.each_cell(&triangle.corners, |cell| {
+                counts[cell + 1] += 1;
+                n_cells += 1;
+            });
+            if !work::goes_on(n_cells) {
+                return;
+            }
         }
         for i in 1..counts.len() {
             counts[i] += counts[i - 1];
@@ -170,12 +180,16 @@ impl HidingScene {
         if self.triangles.is_empty() {
             return hidden;
         }
-        let length = (b - a).truncate().length();
-        let n_steps = (length / (STEP * self.cell)).ceil().clamp(1.0, MOST_CELLS as f64) as usize;
+        let n_cells = ((b - a).truncate() / self.cell).length();
+        let n_steps = (n_cells / STEP).ceil().clamp(1.0, MOST_CELLS as f64) as usize;
         for step in 0..n_steps {
             let ends = [step, step + 1].map(|i| a.lerp(b, i as f64 / n_steps as f64));
             self.each_cell(&ends, |cell| {
-                for &idx in &self.members[self.firsts[cell]..self.firsts[cell + 1]] {
+                let members = &self.members[self.firsts[cell]..self.firsts[cell + 1]];
+                if !work::goes_on(1 + members.len() as u64) {
+                    return;
+                }
+                for &idx in members {
                     hidden.extend(self.triangles[idx as usize].hides(a, b, self.margin));
                 }
             });
@@ -190,6 +204,31 @@ impl HidingScene {
         }
         merged
     }
+}
+
+/// Width and height of the cells: those of a triangle of the middle size, so that few are in a cell
+/// and few cells in a triangle, also where all are long and thin; no more cells than triangles.
+fn cell_size(triangles: &[HidingTriangle], size: DVec2) -> DVec2 {
+    let wanted = triangles.len().clamp(1, MOST_CELLS) as f64;
+    let middle = |axis: usize| {
+        let extent = |triangle: &HidingTriangle| {
+            let places = triangle.corners.map(|corner| corner[axis]);
+            places.into_iter().fold(f64::NEG_INFINITY, f64::max)
+                - places.into_iter().fold(f64::INFINITY, f64::min)
+        };
+        let mut extents: Vec<f64> = triangles.iter().map(extent).collect();
+        let half = extents.len() / 2;
+        if extents.is_empty() {
+            0.0
+        } else {
+            *extents.select_nth_unstable_by(half, f64::total_cmp).1
+        }
+    };
+    let least = DVec2::new(middle(0), middle(1)).max(size / wanted);
+    let n_cells = (size / least).max(DVec2::ONE);
+    let cell = least * (n_cells.x * n_cells.y / wanted).sqrt().max(1.0);
+    let usable = |cell: f64| if 0.0 < cell && cell.is_finite() { cell } else { 1.0 };
+    DVec2::new(usable(cell.x), usable(cell.y))
 }
 
 impl HidingTriangle {
@@ -241,7 +280,9 @@ fn polygon(curve: &NurbsCurve, near: f64) -> (Vec<f64>, Vec<DVec3>) {
     let is_straight = curve.degree() <= 1 && !curve.is_rational();
     for span in curve.knots().spans() {
         let mut todo = vec![(curve.knots().span_interval(span), 0)];
-        while let Some((part, n_halvings)) = todo.pop() {
+        while work::goes_on(1)
+            && let Some((part, n_halvings)) = todo.pop()
+        {
             let [a, b] = [part.start(), part.end()].map(|t| curve.point_at(t));
             let bend = |s: f64| curve.point_at(part.at(s)).distance(a.lerp(b, s));
             let is_bent = || n_halvings < 2 || near < bend(0.5).max(bend(0.25)).max(bend(0.75));

@@ -78,7 +78,8 @@ impl NurbsCurve {
         };
         let [first, last] = [interval.start(), interval.end()].map(|t| self.knots.span_at(t));
         let knots = self.knots.as_slice();
-        (first..=last).filter(|&span| knots[span] < knots[span + 1]).map(leg).sum()
+        let is_leg = |&span: &usize| work::goes_on(1) && knots[span] < knots[span + 1];
+        (first..=last).filter(is_leg).map(leg).sum()
     }
 
     /// The curve about the middle of its box, if that is far away: differences of coordinates there
@@ -137,7 +138,8 @@ impl NurbsCurve {
     /// [`Self::smooth_pieces`] with their control points.
     fn narrow_parts(&self, interval: Interval, short: f64) -> Vec<CurvePart> {
         let spans = self.knots.spans().map(|span| CurvePart::of_span(self, span));
-        let within: Vec<CurvePart> = spans.filter_map(|part| part.within(interval)).collect();
+        let watched = spans.take_while(|_| work::goes_on(1));
+        let within: Vec<CurvePart> = watched.filter_map(|part| part.within(interval)).collect();
         let most = within.len().saturating_mul(MAX_CUTS);
         let mut parts = Vec::new();
         let mut n_cuts = 0;
@@ -191,7 +193,9 @@ fn refined_part(points: Vec<DVec4>, estimate: f64, accuracy: f64, most: usize) -
     let mut length = 0.0;
     let mut todo = vec![(points, estimate, 0)];
     let mut n_pieces = 0;
-    while let Some((points, estimate, n_halvings)) = todo.pop() {
+    while work::goes_on(1)
+        && let Some((points, estimate, n_halvings)) = todo.pop()
+    {
         let (left, right) = cut_at(&points, 0.5);
         let lengths = [&left, &right].map(|half| length_by_rule(half));
         let sum = lengths[0] + lengths[1];

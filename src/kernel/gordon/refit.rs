@@ -65,8 +65,12 @@ pub(crate) fn refitted(
     let mut found = best.worst();
     for _ in 0..MAX_BOUNDS {
         let fits = best.curves()?;
+        let bound = |(curve, fit): (&NurbsCurve, &NurbsCurve)| {
+            GeomError::go_on(fit.n_segments())?;
+            Ok(curve.deviation_from(fit))
+        };
         let bounds: Vec<f64> =
-            curves.iter().zip(&fits).map(|(curve, fit)| curve.deviation_from(fit)).collect();
+            curves.iter().zip(&fits).map(bound).collect::<Result<_, GeomError>>()?;
         found = bounds.iter().copied().fold(0.0, f64::max);
         if found <= tolerance {
             return Ok((fits, bounds));
@@ -181,6 +185,7 @@ impl<'a> KnotSearch<'a> {
         let mut misses = vec![0.0_f64; breaks.len() - 1];
         let mut points = Vec::with_capacity(self.curves.len());
         for curve in self.curves {
+            GeomError::go_on(parameters.len())?;
             let mut wanted = Vec::with_capacity(parameters.len());
             curve.evaluator().each_point(&parameters, |point| wanted.push(point.extend(1.0)));
             for (value, condition) in wanted.iter_mut().zip(&conditions) {

@@ -58,15 +58,18 @@ impl Surface {
     ) -> Result<Vec<[f64; 2]>, GeomError> {
         let [us, vs] = self.umbilic_grid(&defects.collapsed, tolerance)?;
         let rows = us.iter().map(|&u| {
+            GeomError::go_on(vs.len())?;
             let bends = vs.iter().map(|&v| self.bend_at(DVec2::new(u, v), tolerance));
-            bends.collect::<Vec<_>>()
+            Ok(bends.collect::<Vec<_>>())
         });
-        let bends: Vec<Vec<Option<CurvatureDifference>>> = rows.collect();
+        let bends: Vec<Vec<Option<CurvatureDifference>>> =
+            rows.collect::<Result<_, GeomError>>()?;
         let last = |places: &[f64]| places[places.len() - 1];
         let ends = [DVec2::new(us[0], vs[0]), DVec2::new(last(&us), last(&vs))];
         let mut found: Vec<[f64; 2]> = Vec::new();
         for (below, above) in bends.iter().zip(bends.iter().skip(1)) {
             for (low, high) in below.windows(2).zip(above.windows(2)) {
+                GeomError::go_on(1)?;
                 let [Some(a), Some(b), Some(c), Some(d)] = [low[0], high[0], high[1], low[1]]
                 else {
                     continue;
@@ -100,6 +103,7 @@ impl Surface {
     ) -> Result<(), GeomError> {
         let point = self.point_at(at[0], at[1])?;
         for other in &*found {
+            GeomError::go_on(1)?;
             if self.point_at(other[0], other[1])?.distance(point) <= tolerance.distance {
                 return Ok(());
             }

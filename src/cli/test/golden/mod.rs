@@ -211,7 +211,7 @@ fn page<'a>(
 ) -> Result<GoldenFile<'a>, export::ExportError> {
     let path = format!("{FILES}/{}", file.path);
     if !header.by_bytes && file.format.holds_meshes(&file.job.options) {
-        let parts = export::parts(&file.job)?;
+        let parts = file.watched(|| export::parts(&file.job))?;
         return Ok(GoldenFile {
             path: format!("{path}.{MEASURES}"),
             content: GoldenContent::Measures(parts),
@@ -220,7 +220,7 @@ fn page<'a>(
     // It is held in memory, as is what it is compared with.
     let most = file.job.limits.output_bytes.min(limits.input_bytes as u64);
     let mut bytes = Vec::new();
-    capped(&mut bytes, most, &|_| {}, |out| (file.format.write)(&file.job, out))?;
+    file.watched(|| capped(&mut bytes, most, &|_| {}, |out| (file.format.write)(&file.job, out)))?;
     let content = if header.by_bytes {
         GoldenContent::Bytes(bytes)
     } else if file.format.takes_tables() {

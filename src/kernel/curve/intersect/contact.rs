@@ -16,6 +16,7 @@ use crate::{
     curve::NurbsCurve,
     tolerance::LAST_BIT,
     valley::{Valley, round},
+    work,
 };
 
 /// Places of a stretch, besides its ends, that tell how far it goes.
@@ -60,7 +61,11 @@ impl IntersectionSearch<'_> {
 
     /// A known contact next to this one, and both as one.
     fn joined(&self, contact: ContactInterval) -> Option<(usize, ContactInterval)> {
-        self.contacts.iter().enumerate().find_map(|(idx, known)| {
+        // What was noted last is what lies next to it most often.
+        self.contacts.iter().enumerate().rev().find_map(|(idx, known)| {
+            if !work::goes_on(1) {
+                return None;
+            }
             let first = self.hull(self.first, known.first, contact.first)?;
             let second = self.hull(self.second, known.second, contact.second)?;
             Some((idx, ContactInterval { first, second }))

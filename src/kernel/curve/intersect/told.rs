@@ -1,14 +1,20 @@
 //! Meetings in order, each once.
 
+use std::collections::BTreeMap;
+
 use super::{
     CurveIntersection, IntersectionSearch,
     contact::ContactInterval,
     newton::{foot, place},
 };
-use crate::{GeomError, Interval, curve::NurbsCurve, tolerance::KNOT_RELATIVE};
+use crate::{GeomError, Interval, curve::NurbsCurve, tolerance::KNOT_RELATIVE, work};
 
 /// Cells of an arc at whose ends two curves are compared.
 const ARC_CELLS: usize = 16;
+
+/// Tolerances beyond the end of a stretch where a meeting may still be the same one: two curves that
+/// cross clearly are as far apart as the tolerance after some ten of them, on either side.
+const CELL_MARGIN: f64 = 64.0;
 
 /// A meeting, and the stretch that came down to it.
 #[derive(Clone, Copy, Debug)]
@@ -45,21 +51,44 @@ impl IntersectionSearch<'_> {
             a.first.total_cmp(&b.first).then(a.second.total_cmp(&b.second))
         };
         meetings.sort_by(|a, b| order(&a.meeting, &b.meeting));
-        let mut kept: Vec<ReportedIntersection> = Vec::new();
-        for told in meetings {
-            match kept.iter_mut().find(|known| self.are_one(known, &told)) {
-                Some(known) => {
-                    if self.is_nearer(&told, known) {
-                        *known = told;
-                    }
-                }
-                None => kept.push(told),
-            }
-        }
+        let kept = self.each_once(meetings);
         let mut meetings: Vec<CurveIntersection> =
             kept.into_iter().map(|told| told.meeting).collect();
         meetings.sort_by(order);
         Ok(meetings)
+    }
+
+    /// Of meetings that are one, the one where the curves are nearest. A meeting is compared with
+    /// those in the cells around its own alone: what is one lies on one stretch, or beside it.
+    fn each_once(&self, meetings: Vec<ReportedIntersection>) -> Vec<ReportedIntersection> {
+        let reach = |told: &ReportedIntersection| {
+            told.stretch.map_or(0.0, |stretch| self.extent(self.first, stretch.first))
+        };
+        let width = 2.0 * meetings.iter().map(reach).fold(CELL_MARGIN * self.tolerance, f64::max);
+        let cell = |told: &ReportedIntersection| {
+            (told.meeting.point / width).to_array().map(|x| x.floor() as i64)
+        };
+        let mut kept: Vec<ReportedIntersection> = Vec::new();
+        let mut by_cell: BTreeMap<[i64; 3], Vec<usize>> = BTreeMap::new();
+        for told in meetings {
+            let own = cell(&told);
+            let near = around(own).filter_map(|cell| by_cell.get(&cell)).flatten().copied();
+            let is_known = |&idx: &usize| work::goes_on(1) && self.are_one(&kept[idx], &told);
+            match near.filter(is_known).min() {
+                Some(known) if self.is_nearer(&told, &kept[known]) => {
+                    if own != cell(&kept[known]) {
+                        by_cell.entry(own).or_default().push(known);
+                    }
+                    kept[known] = told;
+                }
+                Some(_) => {}
+                None => {
+                    by_cell.entry(own).or_default().push(kept.len());
+                    kept.push(told);
+                }
+            }
+        }
+        kept
     }
 
     /// A parameter; at the seam of a closed curve that of its start.
@@ -140,4 +169,12 @@ impl IntersectionSearch<'_> {
         };
         apart(told) + self.rounding < apart(known)
     }
+}
+
+/// A cell and those that have a corner in common with it.
+fn around(cell: [i64; 3]) -> impl Iterator<Item = [i64; 3]> {
+    (0..27).map(move |k| {
+        let steps = [k % 3, k / 3 % 3, k / 9].map(|step| step - 1);
+        [0, 1, 2].map(|axis| cell[axis].saturating_add(steps[axis]))
+    })
 }
