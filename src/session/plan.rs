@@ -12,7 +12,10 @@ use crate::{
     eval::{self, Exported},
     export::{FORMATS, Format, Item, Job, Subject},
     kernel::{Curve, Surface, Tolerance},
-    limits::work::{self, Watch},
+    limits::{
+        Limits,
+        work::{self, Watch},
+    },
     syntax::ast::Unit,
     value::{Function, Value, to_json},
 };
@@ -80,13 +83,14 @@ impl Session {
             ..Job::new(items)
         };
         let (path, names) = (path.ok()?, exported.names);
-        let watch = Watch {
-            gauge: self.gauge.clone(),
-            memory_bytes: self.limits.memory_bytes,
-            stop: self.stop.clone(),
-            steps: self.limits.steps,
-        };
+        let watch = self.watch();
         Some(File { path, span, names, format, job, watch, _kept: kept.clone() })
+    }
+
+    /// What the writing of a file may take.
+    fn watch(&self) -> Watch {
+        let Limits { memory_bytes, steps, .. } = self.limits;
+        Watch { gauge: self.gauge.clone(), memory_bytes, stop: self.stop.clone(), steps }
     }
 }
 
