@@ -166,6 +166,10 @@ impl Machine<'_> {
             let place = first.map_or(call.span, |first| first.span);
             let mut diagnostic =
                 Diagnostic::error(Code::WrongKind, place, format!("`{name}` {what}"));
+            let remedy = |op: &&'static Op| op.params.first()?.ty.remedy(&first?.value);
+            if let Some(remedy) = ops.iter().find_map(remedy) {
+                diagnostic = diagnostic.hint(remedy);
+            }
             for op in ops {
                 diagnostic = diagnostic.hint(format!("`{}`", op.signature()));
             }

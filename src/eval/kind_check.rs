@@ -17,7 +17,19 @@ impl Machine<'_> {
             Value::List(items) if items.len() == n => Ok(value),
             other => {
                 let message = format!("the pattern takes a list of {n}, found {}", other.phrase());
-                Diagnostic::error(Code::WrongKind, list.span, message).fail()
+                let found = Diagnostic::error(Code::WrongKind, list.span, message);
+                match other {
+                    Value::List(items) if 0 < n && n < items.len() => found
+                        .hint(format!(
+                            "name each element, or take as many as there are names: `list[0..{}]`",
+                            n - 1
+                        ))
+                        .fail(),
+                    Value::List(items) if items.len() < n => {
+                        found.hint("there are more names than elements").fail()
+                    }
+                    _ => found.fail(),
+                }
             }
         }
     }

@@ -6,7 +6,7 @@ use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{self, Bounds, Mesh, Surface, TessellationOptions, tolerance::DEFAULT_CHORD_RELATIVE},
     ops::positive,
-    value::{Angle, At, Ctx, Geometry, Length, Number, Value, op},
+    value::{Angle, At, Ctx, Geometry, Length, Number, Type, Value, op},
 };
 
 op! {
@@ -100,7 +100,11 @@ fn gather(
         }
         other => {
             let message = format!("surfaces and meshes become triangles, found {}", other.phrase());
-            return Diagnostic::error(Code::WrongKind, whole.span, message).fail();
+            let found = Diagnostic::error(Code::WrongKind, whole.span, message);
+            return match Type::Surface.remedy(other) {
+                Some(remedy) => found.hint(remedy).fail(),
+                None => found.fail(),
+            };
         }
     }
     Ok(())

@@ -77,6 +77,14 @@ fn of_degree(error: &DegreeError) -> Option<String> {
 fn of_count(error: &CountError) -> Option<String> {
     Some(match error {
         CountError::TangentCount { .. } => "give one tangent for each point".to_owned(),
+        CountError::ColumnLength { name, got, expected } => {
+            let change = if got < expected { "add to" } else { "take from" };
+            let values = got.abs_diff(*expected);
+            format!(
+                "a table has a value of each column in each row: {change} {name:?} {values} {}",
+                if values == 1 { "value" } else { "values" }
+            )
+        }
         _ => return None,
     })
 }
