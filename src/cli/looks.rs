@@ -96,12 +96,8 @@ pub(super) fn content(drawn: &PictureArgs) -> Result<PictureContent<'_>, String>
     if drawn.light == Some(DVec3::ZERO) {
         return Err("`--light` is a direction, and (0, 0, 0) gives none".to_owned());
     }
-    let is_oblique = drawn.view == Some(View::Oblique);
-    if !is_oblique && (drawn.oblique_angle.is_some() || drawn.oblique_ratio.is_some()) {
-        return Err("`--oblique-angle` and `--oblique-ratio` go with `--view oblique`".to_owned());
-    }
     let usual = Options::default();
-    let (oblique, control) = (Oblique::default(), ControlStyle::default());
+    let control = ControlStyle::default();
     Ok(PictureContent {
         only: &drawn.only,
         with_helpers: drawn.all,
@@ -114,10 +110,8 @@ pub(super) fn content(drawn: &PictureArgs) -> Result<PictureContent<'_>, String>
         options: Options {
             viewpoint: Viewpoint {
                 view: drawn.view,
-                oblique: Oblique {
-                    angle: drawn.oblique_angle.unwrap_or(oblique.angle),
-                    ratio: drawn.oblique_ratio.unwrap_or(oblique.ratio),
-                },
+                oblique_angle: drawn.oblique_angle,
+                oblique_ratio: drawn.oblique_ratio,
                 camera: drawn.camera,
                 look_at: drawn.look_at,
                 is_perspective: drawn.perspective,

@@ -3,7 +3,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::projection::Projection;
+use super::{legend::digits, projection::Projection};
 
 /// A text beside a place.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,8 +24,6 @@ impl Label {
 
 /// Free space between labels, and between a label and its place, in heights of its letters.
 const GAP: f64 = 0.5;
-/// Characters of a number in full.
-const MOST_DIGITS: usize = 7;
 /// A label is moved down past at most so many others.
 const MOST_MOVES: usize = 100;
 
@@ -61,9 +59,7 @@ pub(super) fn round_length(most: f64) -> f64 {
 
 /// What stands beside a scale.
 pub(super) fn scale_text(length: f64, unit: &str) -> String {
-    let (plain, scientific) = (format!("{length}"), format!("{length:e}"));
-    let digits = if plain.len() <= MOST_DIGITS { plain } else { scientific };
-    format!("{digits} {unit}")
+    format!("{} {unit}", digits(length))
 }
 
 #[cfg(test)]

@@ -128,13 +128,13 @@ fn multiples(leading: f64, exponent: i32, [least, largest]: [f64; 2]) -> Vec<f64
 const LABEL: usize = 7;
 
 /// A value with all of its digits, of which a round one has few.
-fn digits(value: f64) -> String {
+pub(super) fn digits(value: f64) -> String {
     let (plain, scientific) = (format!("{value}"), format!("{value:e}"));
     if plain.len() <= LABEL || plain.len() <= scientific.len() { plain } else { scientific }
 }
 
 /// A value to four digits.
-fn four_digits(value: f64) -> String {
+pub(super) fn four_digits(value: f64) -> String {
     digits(format!("{value:.3e}").parse().unwrap_or(value))
 }
 

@@ -78,8 +78,41 @@ pub struct ExportOption {
     pub set: fn(&mut Options, OptionValue<'_>) -> bool,
 }
 
+/// Puts what an option takes into its place; whether the value was such.
+fn put<T>(place: &mut T, taken: Option<T>) -> bool {
+    let is_taken = taken.is_some();
+    if let Some(taken) = taken {
+        *place = taken;
+    }
+    is_taken
+}
+
+impl OptionValue<'_> {
+    const fn truth(self) -> Option<bool> {
+        if let Self::Bool(truth) = self { Some(truth) } else { None }
+    }
+
+    const fn point(self) -> Option<DVec3> {
+        if let Self::Point(point) = self { Some(point) } else { None }
+    }
+
+    const fn angle(self) -> Option<f64> {
+        if let Self::Angle(angle) = self { Some(angle) } else { None }
+    }
+
+    /// A whole number no larger than this.
+    fn count(self, most: usize) -> Option<usize> {
+        match self {
+            Self::Number(n) if (0.0..=most as f64).contains(&n) && n.fract() <= 0.0 => {
+                Some(n as usize)
+            }
+            _ => None,
+        }
+    }
+}
+
 /// Digits after the point that an f64 can have any use for.
-const MOST_DECIMALS: f64 = 17.0;
+const MOST_DECIMALS: usize = 17;
 
 /// Lines inside a surface in each direction, where no number is asked for.
 pub(crate) const N_ISOCURVES: usize = 7;
@@ -101,12 +134,8 @@ pub(super) static ANGLE: ExportOption = ExportOption {
     name: "angle",
     wants: "a positive angle, such as `15deg`",
     words: Vec::new,
-    set: |options, value| match value {
-        OptionValue::Angle(angle) if 0.0 < angle => {
-            options.angle = Some(angle);
-            true
-        }
-        _ => false,
+    set: |options, value| {
+        put(&mut options.angle, value.angle().filter(|angle| 0.0 < *angle).map(Some))
     },
 };
 
@@ -114,35 +143,21 @@ pub(super) static BINARY: ExportOption = ExportOption {
     name: "binary",
     wants: "true or false",
     words: Vec::new,
-    set: |options, value| {
-        let OptionValue::Bool(is_binary) = value else { return false };
-        options.binary = Some(is_binary);
-        true
-    },
+    set: |options, value| put(&mut options.binary, value.truth().map(Some)),
 };
 
 pub(super) static FREE_FORM: ExportOption = ExportOption {
     name: "free_form",
     wants: "true or false",
     words: Vec::new,
-    set: |options, value| {
-        let OptionValue::Bool(is_free_form) = value else { return false };
-        options.free_form = is_free_form;
-        true
-    },
+    set: |options, value| put(&mut options.free_form, value.truth()),
 };
 
 pub(super) static DECIMALS: ExportOption = ExportOption {
     name: "decimals",
     wants: "a whole number from 0 to 17",
     words: Vec::new,
-    set: |options, value| match value {
-        OptionValue::Number(n) if (0.0..=MOST_DECIMALS).contains(&n) && n.fract() <= 0.0 => {
-            options.decimals = Some(n as usize);
-            true
-        }
-        _ => false,
-    },
+    set: |options, value| put(&mut options.decimals, value.count(MOST_DECIMALS).map(Some)),
 };
 
 pub(super) static VIEW: ExportOption = ExportOption {
@@ -161,11 +176,7 @@ pub(super) static OBLIQUE_ANGLE: ExportOption = ExportOption {
     name: "oblique_angle",
     wants: "an angle, such as `30deg`",
     words: Vec::new,
-    set: |options, value| {
-        let OptionValue::Angle(angle) = value else { return false };
-        options.viewpoint.oblique.angle = angle;
-        true
-    },
+    set: |options, value| put(&mut options.viewpoint.oblique_angle, value.angle().map(Some)),
 };
 
 pub(super) static OBLIQUE_RATIO: ExportOption = ExportOption {
@@ -174,7 +185,7 @@ pub(super) static OBLIQUE_RATIO: ExportOption = ExportOption {
     words: Vec::new,
     set: |options, value| match value {
         OptionValue::Number(ratio) if 0.0 < ratio && ratio <= Oblique::MOST_RATIO => {
-            options.viewpoint.oblique.ratio = ratio;
+            options.viewpoint.oblique_ratio = Some(ratio);
             true
         }
         _ => false,
@@ -185,59 +196,35 @@ pub(super) static CAMERA: ExportOption = ExportOption {
     name: "camera",
     wants: "a point, such as `(300, -400, 250)`",
     words: Vec::new,
-    set: |options, value| {
-        let OptionValue::Point(place) = value else { return false };
-        options.viewpoint.camera = Some(place);
-        true
-    },
+    set: |options, value| put(&mut options.viewpoint.camera, value.point().map(Some)),
 };
 
 pub(super) static LOOK_AT: ExportOption = ExportOption {
     name: "look_at",
     wants: "a point, such as `(0, 0, 50)`",
     words: Vec::new,
-    set: |options, value| {
-        let OptionValue::Point(place) = value else { return false };
-        options.viewpoint.look_at = Some(place);
-        true
-    },
+    set: |options, value| put(&mut options.viewpoint.look_at, value.point().map(Some)),
 };
 
 pub(super) static PERSPECTIVE: ExportOption = ExportOption {
     name: "perspective",
     wants: "true or false",
     words: Vec::new,
-    set: |options, value| {
-        let OptionValue::Bool(is_perspective) = value else { return false };
-        options.viewpoint.is_perspective = is_perspective;
-        true
-    },
+    set: |options, value| put(&mut options.viewpoint.is_perspective, value.truth()),
 };
 
 pub(super) static EDGES: ExportOption = ExportOption {
     name: "edges",
     wants: "true or false",
     words: Vec::new,
-    set: |options, value| {
-        let OptionValue::Bool(has_edges) = value else { return false };
-        options.has_edges = has_edges;
-        true
-    },
+    set: |options, value| put(&mut options.has_edges, value.truth()),
 };
 
 pub(super) static ISOCURVES: ExportOption = ExportOption {
     name: "isocurves",
     wants: "a whole number from 0 to 1000",
     words: Vec::new,
-    set: |options, value| match value {
-        OptionValue::Number(n)
-            if (0.0..=Options::MOST_ISOCURVES as f64).contains(&n) && n.fract() <= 0.0 =>
-        {
-            options.n_isocurves = n as usize;
-            true
-        }
-        _ => false,
-    },
+    set: |options, value| put(&mut options.n_isocurves, value.count(Options::MOST_ISOCURVES)),
 };
 
 #[cfg(test)]

@@ -8,7 +8,10 @@
 use glam::{DAffine3, DMat3, DMat4, DVec3, DVec4};
 use thiserror::Error;
 
-use super::view::{Oblique, View};
+use super::{
+    legend::four_digits,
+    view::{Oblique, View},
+};
 use crate::kernel::{Bounds, GeomError, NurbsCurve};
 
 /// A camera that looks along z within this cosine has y for its up.
@@ -28,8 +31,10 @@ const ROOM: f64 = 2.0;
 pub struct Viewpoint {
     /// The side from which it looks, where there is no camera; without one from above.
     pub view: Option<View>,
-    /// How an oblique view draws depth.
-    pub oblique: Oblique,
+    /// The angle at which an oblique view draws depth, as in [`Oblique`].
+    pub oblique_angle: Option<f64>,
+    /// How long an oblique view draws a unit of depth, as in [`Oblique`].
+    pub oblique_ratio: Option<f64>,
     /// Where the viewer stands.
     pub camera: Option<DVec3>,
     /// What the viewer looks at; without it the middle of what is drawn.
@@ -51,11 +56,17 @@ pub enum ViewpointError {
         "a place to look at needs a camera or perspective: a named view sees all places from one direction"
     )]
     NothingLooks,
+    /// A camera where there is a view already.
+    #[error("a camera and a named view are two places to look from; leave one of them out")]
+    TwoPlaces,
+    /// An angle or ratio of depth in a view that has none.
+    #[error("an angle and a ratio of depth go with the view `oblique` alone")]
+    NotOblique,
     /// An oblique view in perspective.
     #[error("an oblique view is parallel; choose another view or a camera for perspective")]
     ObliquePerspective,
     /// Something of what is drawn is behind the camera, or close before it.
-    #[error("the camera stands among what is drawn or too near to it; ({}, {}, {}) in the same direction is far enough", far.x, far.y, far.z)]
+    #[error("the camera stands among what is drawn or too near to it; ({}, {}, {}) in the same direction is far enough", four_digits(far.x), four_digits(far.y), four_digits(far.z))]
     TooNear {
         /// A place that is far enough.
         far: DVec3,
@@ -89,19 +100,28 @@ impl Projection {
     /// # Errors
     /// [`ViewpointError`].
     pub(super) fn new(viewpoint: &Viewpoint, bounds: Bounds) -> Result<Self, ViewpointError> {
+        let usual = Oblique::default();
+        let oblique = Oblique {
+            angle: viewpoint.oblique_angle.unwrap_or(usual.angle),
+            ratio: viewpoint.oblique_ratio.unwrap_or(usual.ratio),
+        };
+        if viewpoint.camera.is_some() && viewpoint.view.is_some() {
+            return Err(ViewpointError::TwoPlaces);
+        }
+        let has_depth = viewpoint.oblique_angle.or(viewpoint.oblique_ratio).is_some();
+        if has_depth && viewpoint.view != Some(View::Oblique) {
+            return Err(ViewpointError::NotOblique);
+        }
         let target = viewpoint.look_at.unwrap_or_else(|| bounds.center());
         let parallel = match (viewpoint.camera, viewpoint.view.unwrap_or_default()) {
             (Some(camera), _) => {
-                let toward = (camera - target).try_normalize();
-                Self::from_afar(camera_axes(toward.ok_or(ViewpointError::NoDirection)?), None)
+                let toward = direction(target, camera).ok_or(ViewpointError::NoDirection)?;
+                Self::from_afar(camera_axes(toward), None)
             }
             (None, View::Oblique) if viewpoint.is_perspective => {
                 return Err(ViewpointError::ObliquePerspective);
             }
-            (None, View::Oblique) => {
-                let oblique = viewpoint.oblique;
-                Self::from_afar(oblique.matrix(), Some(oblique.toward()))
-            }
+            (None, View::Oblique) => Self::from_afar(oblique.matrix(), Some(oblique.toward())),
             (None, view) => Self::from_afar(view.matrix(), None),
         };
         if viewpoint.is_perspective {
@@ -136,6 +156,10 @@ impl Projection {
         let matrix = self.map.matrix3;
         let map = DAffine3::from_mat3_translation(matrix, -(matrix * target));
         let distance = place.distance(target);
+        if !distance.is_finite() {
+            // So far away that all rays are parallel.
+            return Ok(self);
+        }
         let nearest = bounds.corners().map(|corner| map.transform_point3(corner).z);
         let nearest = nearest.into_iter().fold(f64::NEG_INFINITY, f64::max);
         let magnification = distance / (distance - nearest);
@@ -192,6 +216,12 @@ impl Projection {
     pub(super) fn up(&self) -> DVec3 {
         self.map.matrix3.row(1)
     }
+}
+
+/// The unit direction from one place to another, however near or far they are.
+fn direction(from: DVec3, to: DVec3) -> Option<DVec3> {
+    let half = 0.5 * to - 0.5 * from;
+    (half / half.abs().max_element()).try_normalize()
 }
 
 /// The rows of a camera in this direction from what it looks at: z is up, or y where it looks along
@@ -268,6 +298,19 @@ mod tests {
     }
 
     #[test]
+    fn a_camera_at_any_distance_has_its_direction() {
+        let named = seen(Viewpoint { view: Some(View::Right), ..Viewpoint::default() });
+        for x in [1e-300, 1e-200, 1e200, f64::MAX] {
+            for is_perspective in [false, 1.0 < x] {
+                let camera = Some(DVec3::new(x, 0.0, 0.0));
+                let own = seen(Viewpoint { camera, is_perspective, ..Viewpoint::default() });
+                let p = DVec3::new(0.3, -0.7, 0.9);
+                assert_eq!(own.project(p), named.project(p), "{x}");
+            }
+        }
+    }
+
+    #[test]
     fn what_gives_no_view_is_refused() {
         let refused = |viewpoint| Projection::new(&viewpoint, CUBE).err();
         let base = Viewpoint::default();
@@ -275,6 +318,10 @@ mod tests {
         assert_eq!(refused(Viewpoint { camera, ..base }), Some(ViewpointError::NoDirection));
         let oblique = Viewpoint { view: Some(View::Oblique), is_perspective: true, ..base };
         assert_eq!(refused(oblique), Some(ViewpointError::ObliquePerspective));
+        let both = Viewpoint { camera: Some(DVec3::X), view: Some(View::Top), ..base };
+        assert_eq!(refused(both), Some(ViewpointError::TwoPlaces));
+        let depth = Viewpoint { view: Some(View::Top), oblique_ratio: Some(1.0), ..base };
+        assert_eq!(refused(depth), Some(ViewpointError::NotOblique));
         let look_at = Some(DVec3::ONE);
         assert_eq!(refused(Viewpoint { look_at, ..base }), Some(ViewpointError::NothingLooks));
     }

@@ -102,7 +102,10 @@ impl Session {
         }
         let mut items = gathering.items;
         let mut options = scene.options;
-        options.viewpoint.view = options.viewpoint.view.or_else(|| Some(View::fitting(&items)));
+        let viewpoint = &mut options.viewpoint;
+        if viewpoint.camera.is_none() && viewpoint.view.is_none() {
+            viewpoint.view = Some(View::fitting(&items));
+        }
         add_extras(&mut items, scene, &mut labels)?;
         let (unit, tolerance) = report.document;
         Ok(Job {

@@ -348,5 +348,5 @@ fn shaded(face: &VisibleTriangle, body: &PlacedMesh, place: DVec2, light: &Light
     let at = mean(body.mesh.vertices());
     let colors = body.mesh.colors();
     let color = if colors.is_empty() { body.color } else { mean(colors) };
-    light.shade(color, at, normal, !colors.is_empty())
+    light.shade(color, at, [normal, plane], !colors.is_empty())
 }

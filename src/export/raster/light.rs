@@ -20,9 +20,6 @@ const LAMP: DVec3 = DVec3::new(-0.4, 0.5, 0.77);
 const ALONG_Z: f64 = 0.999_999;
 /// Light and dark of stripes.
 const STRIPES: [f64; 2] = [0.95, 0.1];
-/// Where a surface turns away from the viewer, within this cosine, its two sides are mixed: by the
-/// triangles alone the side changes from one to the next there.
-const RIM: f64 = 0.1;
 /// How much white a unit of brightness above that of the own colour adds.
 const SHEEN: f64 = 1.6;
 
@@ -77,22 +74,23 @@ impl<'a> Light<'a> {
         self.stripes.is_some()
     }
 
-    /// The colour of a place of a surface with its unit normal; `is_map` tells whether its colours
-    /// have a meaning.
-    ///
-    /// The side that is seen is that of the normal, not that of the triangle: where a surface turns
-    /// away, triangles of either side are seen by rounding. Some light falls on each side there, so
-    /// that nothing jumps.
-    pub(super) fn shade(&self, color: DVec3, place: DVec3, normal: DVec3, is_map: bool) -> DVec3 {
+    /// The colour of a place of a surface with its unit normal. `face` is the normal of its triangle,
+    /// which tells the side that is seen; `is_map` whether its colours have a meaning.
+    pub(super) fn shade(
+        &self,
+        color: DVec3,
+        place: DVec3,
+        [normal, face]: [DVec3; 2],
+        is_map: bool,
+    ) -> DVec3 {
         if let Some(stripes) = &self.stripes {
             return DVec3::splat(STRIPES[stripes.stripe(normal) % 2]);
         }
+        // A normal that disagrees with its triangle is on the triangle's side.
+        let normal = if normal.dot(face) < 0.0 { -normal } else { normal };
+        let normal = if face.dot(self.projection.toward(place)) < 0.0 { -normal } else { normal };
         let ambient = if is_map { AMBIENT_OF_MAP } else { AMBIENT };
-        let toward = self.projection.toward(place).normalize();
-        let front = (0.5 + 0.5 * normal.dot(toward) / RIM).clamp(0.0, 1.0);
-        let on_front = normal.dot(self.lamp);
-        let lit = front * on_front.max(0.0) + (1.0 - front) * (-on_front).max(0.0);
-        let lit = lit / self.facing;
+        let lit = normal.dot(self.lamp).max(0.0) / self.facing;
         let brightness = ambient + (1.0 - ambient) * lit;
         if brightness <= 1.0 || is_map {
             color * brightness.min(1.0)

@@ -20,7 +20,6 @@ use glam::DVec3;
 use self::{band::RowBand, light::Light, scene::RasterScene};
 use super::{
     ExportError, Format, Job, Picture, Subject, Summary,
-    options::{CAMERA, EDGES, ISOCURVES, LOOK_AT, OBLIQUE_ANGLE, OBLIQUE_RATIO, PERSPECTIVE, VIEW},
     wire::{Drawing, DrawingExtent},
 };
 
@@ -28,16 +27,8 @@ pub(super) static FORMAT: Format = Format {
     ending: "png",
     aliases: &[],
     title: "PNG: a shaded picture from one side",
-    options: &[
-        &VIEW,
-        &OBLIQUE_ANGLE,
-        &OBLIQUE_RATIO,
-        &CAMERA,
-        &LOOK_AT,
-        &PERSPECTIVE,
-        &EDGES,
-        &ISOCURVES,
-    ],
+    // No script exports a picture; the command sets what it needs.
+    options: &[],
     takes: Subject::is_geometry,
     takes_data: false,
     is_of_meshes: false,
