@@ -233,6 +233,14 @@ const SHAPES: &[Shape] = &[
         "",
     ),
     (
+        "`intersect` of arcs that each touch a line",
+        "let a = intersect(bspline([(0, 1), ...flatten([for i in 1..@: [(2 * i - 1, -1), (2 * i, 1)]])], degree = 2, \
+         knots = [0, ...flatten([for i in 0..@: [i, i]]), @]), line((-1, 0), (2 * @ + 1, 0)))\n",
+        "",
+        "",
+        "",
+    ),
+    (
         "the length of a wave",
         "print length(interpolate([for i in 0..@: (i, i % 2)]))\n",
         "",

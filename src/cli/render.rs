@@ -15,6 +15,7 @@ use super::{
 use crate::{
     diag::Severity,
     export::{ExportError, Format, Job, PICTURES, Summary},
+    limits::work::{self, Watch},
     session::PictureContent,
 };
 
@@ -55,7 +56,8 @@ pub(super) fn run(path: &Path, out: &Path, drawn: &PictureArgs, common: &RunArgs
     } else {
         let job =
             session.picture(&report, &content, format).map_err(|text| (text, ExitStatus::Usage));
-        job.and_then(|job| draw(&job, format, out, &inputs, &progress)).map(Some)
+        let watch = session.watch();
+        job.and_then(|job| draw(&job, watch, format, out, &inputs, &progress)).map(Some)
     };
     drop(progress);
     voice.findings(&report.diagnostics, &report.sources);
@@ -95,6 +97,7 @@ fn asked<'a>(
 /// Draws, and puts the picture into its place.
 fn draw(
     job: &Job,
+    watch: Watch,
     format: &Format,
     out: &Path,
     inputs: &[PathBuf],
@@ -113,7 +116,9 @@ fn draw(
     progress.say(&format!("drawing {shown}"));
     let told = |n_bytes| progress.written(&shown, n_bytes);
     let write = |out: &mut dyn std::io::Write| (format.write)(job, out);
-    let staged = target.stage(job.limits.output_bytes, &told, write);
+    let stage = || target.stage(job.limits.output_bytes, &told, write);
+    let (staged, done) = work::under(watch, stage);
+    let staged = done.end.map_or(staged, |end| Err(ExportError::Ended(end)));
     let (staged, summary) = staged.map_err(|err| match &err {
         ExportError::Io(_) => cannot(err.reason()),
         ExportError::Viewpoint(_) => (err.reason(), ExitStatus::Usage),

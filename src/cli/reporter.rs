@@ -27,6 +27,7 @@ pub(super) struct Reporter {
     is_quiet: bool,
     with_color: bool,
     most_findings: usize,
+    at_prompt: bool,
 }
 
 impl Reporter {
@@ -41,7 +42,13 @@ impl Reporter {
             is_quiet: talk.quiet,
             with_color: talk.with_color(),
             most_findings,
+            at_prompt: false,
         }
+    }
+
+    /// Tells how to move a ceiling in the words of the prompt.
+    pub(super) fn at_prompt(self) -> Self {
+        Self { at_prompt: true, ..self }
     }
 
     /// Whether people want to see that something happens.
@@ -62,7 +69,13 @@ impl Reporter {
         let is_heard = |found: &&Diagnostic| !self.is_quiet || found.severity != Severity::Warning;
         let heard: Vec<&Diagnostic> = diagnostics.iter().filter(is_heard).collect();
         for found in heard.iter().take(self.most_findings) {
-            say_painted(render::picture(found, sources, self.with_color).trim_end());
+            let mut found = Diagnostic::clone(found);
+            if self.at_prompt
+                && let Some(ceiling) = found.ceiling.take()
+            {
+                found.hints.push(format!("`:set {ceiling} N` moves this ceiling"));
+            }
+            say_painted(render::picture(&found, sources, self.with_color).trim_end());
         }
         if heard.len() > self.most_findings {
             say_error(&format!("... and {} more", heard.len() - self.most_findings));

@@ -203,7 +203,16 @@ impl Machine<'_> {
             others.into_iter().fold(found, |found, others| Box::new(found.hint(others)))
         });
         match (done.end, value) {
-            (None, value) => finite(value?, name, span),
+            (None, value) => {
+                let value = finite(value?, name, span)?;
+                let n_parts = match &value {
+                    Value::List(items) => items.len() as u64,
+                    Value::Text(_) => value.extent().size,
+                    _ => 1,
+                };
+                self.passes(n_parts, span)?;
+                Ok(value)
+            }
             // It says itself what there was no room for.
             (Some(End::Memory), Err(found)) if found.ceiling == Some(Ceiling::MEMORY) => {
                 self.is_full = true;

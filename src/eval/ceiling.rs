@@ -33,6 +33,14 @@ impl Machine<'_> {
         self.ended(End::Steps, span)
     }
 
+    /// Counts the copying or the comparing of parts of a value.
+    pub(super) fn passes(&mut self, n_parts: u64, span: Span) -> Result<()> {
+        match n_parts / work::PARTS_A_STEP {
+            0 => Ok(()),
+            n => self.steps(n, span),
+        }
+    }
+
     /// Fails when the run holds more memory than it may, or is no longer wanted.
     pub(super) fn check_memory(&mut self, span: Span) -> Result<()> {
         if self.env.stop.is_stopped() {

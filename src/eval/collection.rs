@@ -82,6 +82,7 @@ impl Machine<'_> {
                     let n_items = self.iterate(&value, expr.span)?.len();
                     self.check_length(items.len() + n_items, span)?;
                     self.check_memory(span)?;
+                    self.passes(n_items as u64, span)?;
                     items.extend(self.iterate(&value, expr.span)?);
                 }
             }
@@ -146,7 +147,9 @@ impl Machine<'_> {
             }
             self.check_text(out.len(), span)?;
         }
-        Ok(Value::text(&out))
+        let text = Value::text(&out);
+        self.passes(text.extent().size, span)?;
+        Ok(text)
     }
 
     pub(super) fn comprehension(

@@ -273,6 +273,7 @@ impl<'a> Machine<'a> {
                 }
                 let places =
                     operator::OperandPlaces { whole: span, left: left.span, right: right.span };
+                self.passes(a.extent().size.min(b.extent().size), span)?;
                 operator::binary(op, &a, &b, places, self.env.tolerance)
             }
         }

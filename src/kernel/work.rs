@@ -18,6 +18,9 @@ use std::{
 /// Steps from one look at memory and the switch to the next.
 const BETWEEN_LOOKS: u64 = 32;
 
+/// Parts of a value that are copied or compared in the time of a step.
+pub const PARTS_A_STEP: u64 = 16;
+
 /// A switch by which whoever no longer wants an answer ends the work on it, from any thread. Clones are
 /// one switch.
 ///
@@ -156,6 +159,15 @@ pub fn goes_on(n_steps: u64) -> bool {
     }
     STATE.set(state);
     state.done.end.is_none()
+}
+
+/// Counts the copying or the comparing of so many parts; whether to go on, as [`goes_on`] does.
+#[must_use]
+pub fn passes(n_parts: usize) -> bool {
+    match n_parts as u64 / PARTS_A_STEP {
+        0 => true,
+        n_steps => goes_on(n_steps),
+    }
 }
 
 /// Bytes that may be held besides those that are.

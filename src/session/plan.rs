@@ -88,7 +88,7 @@ impl Session {
     }
 
     /// What the writing of a file may take.
-    fn watch(&self) -> Watch {
+    pub(crate) fn watch(&self) -> Watch {
         let Limits { memory_bytes, steps, .. } = self.limits;
         Watch { gauge: self.gauge.clone(), memory_bytes, stop: self.stop.clone(), steps }
     }

@@ -8,6 +8,7 @@ use super::{CARRIES_DERIVATIVES, Dimension, List, Number, Range, Real, Record, T
 use crate::{
     diag::{Code, Span, Spanned},
     kernel::{CountError, Curve, Frame, GeomError, Grid, Interval, Mesh, Surface, Table},
+    limits::work,
 };
 
 /// Why a value cannot be read as a type.
@@ -283,7 +284,11 @@ impl<T: FromValue> FromValue for Vec<T> {
     const SPREADS: bool = matches!(T::TYPE, Type::Point);
 
     fn from_value(value: &Value, span: Span) -> Result<Self, Mismatch> {
-        List::of(value, Self::TYPE)?
+        let items = List::of(value, Self::TYPE)?;
+        if !work::passes(items.len()) {
+            return Ok(Self::new());
+        }
+        items
             .values()
             .enumerate()
             .map(|(idx, item)| T::from_value(&item, span).map_err(|mismatch| mismatch.inside(idx)))

@@ -124,6 +124,7 @@ len([for i in 0..<20: i])
         "{err}"
     );
     assert!(err.contains("E0901") && err.contains("`list-length` is a whole number"), "{err}");
+    assert!(err.contains("`:set list-length N` moves this ceiling"), "{err}");
     assert!(err.contains("\x1b["), "the error after `:set color on` is coloured: {err}");
     assert_eq!(code, 2);
 }

@@ -150,3 +150,22 @@ fn the_writing_of_a_file_keeps_to_the_ceilings_and_can_be_stopped() {
     let few = Limits { steps: 500, ..Limits::DEFAULT };
     assert_eq!(written(few, false), Some((Code::TooLarge, Some(Ceiling::STEPS))));
 }
+
+#[test]
+fn copying_comparing_and_adding_up_counts_as_work() {
+    // Each takes a few thousand steps of evaluation, and a million parts or more that are passed.
+    let scripts = [
+        "print len(fold(1..2_000, [], (items, x) => [...items, x]))",
+        "print len(fold(1..2_000, \"\", (text, x) => \"{text}0123456789abcdef0123456789abcdef\"))",
+        "let xs = [for i in 1..2_000: i]\nprint len([for i in 1..1_000: reverse(xs)])",
+        "let xs = [for i in 1..2_000: i]\nprint sum([for i in 1..1_000: sum(xs)])",
+        "let xs = [for i in 1..2_000: i]\nprint len([for i in 1..1_000: xs == xs])",
+        "let xs = [for i in 1..2_000: (i, i % 2)]\nprint len([for i in 1..400: polyline(xs)])",
+    ];
+    let few = Limits { steps: 40_000, ..Limits::DEFAULT };
+    for script in scripts {
+        let report = Session::new(few).run("a.geo", script.as_bytes(), &NoFiles, &[]);
+        let found = report.diagnostics.first().map(|found| found.ceiling);
+        assert_eq!(found, Some(Some(Ceiling::STEPS)), "{script}");
+    }
+}

@@ -55,7 +55,7 @@ const LAST: &str = "_last";
 
 /// `virote repl [FILE]`
 pub(super) fn run(file: Option<&Path>, out: Option<&Path>, common: &RunArgs) -> ExitStatus {
-    let voice = Reporter::new(&common.talk, common.ceilings().diagnostics);
+    let voice = Reporter::new(&common.talk, common.ceilings().diagnostics).at_prompt();
     let settings = match settings::given(common, common.ceilings().input_bytes, &voice) {
         Ok(settings) => settings,
         Err(ending) => return ending,

@@ -7,6 +7,7 @@
 //! cones as in Sederberg & Meyers (1988).
 
 mod contact;
+mod joined;
 mod newton;
 mod shared;
 mod told;
@@ -230,12 +231,12 @@ impl<'c> IntersectionSearch<'c> {
         if self.is_tiny(a) && self.is_tiny(b) {
             let place = homogeneous::project(a.points[0]);
             if nearest_on(self.second, b.interval, place) <= self.tolerance {
-                self.touches(ContactInterval { first: a.interval, second: b.interval });
+                self.contacts.push(ContactInterval { first: a.interval, second: b.interval });
             }
             return true;
         }
         if self.lies_along(a, b) {
-            self.touches(ContactInterval { first: a.interval, second: b.interval });
+            self.contacts.push(ContactInterval { first: a.interval, second: b.interval });
             return true;
         }
         false

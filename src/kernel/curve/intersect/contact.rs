@@ -16,7 +16,6 @@ use crate::{
     curve::NurbsCurve,
     tolerance::LAST_BIT,
     valley::{Valley, round},
-    work,
 };
 
 /// Places of a stretch, besides its ends, that tell how far it goes.
@@ -49,43 +48,6 @@ pub(super) struct ContactInterval {
 }
 
 impl IntersectionSearch<'_> {
-    /// Notes a contact, as one with those that lie next to it on both curves.
-    pub(super) fn touches(&mut self, mut contact: ContactInterval) {
-        // What is joined may reach others that neither reached alone.
-        while let Some((idx, joined)) = self.joined(contact) {
-            self.contacts.swap_remove(idx);
-            contact = joined;
-        }
-        self.contacts.push(contact);
-    }
-
-    /// A known contact next to this one, and both as one.
-    fn joined(&self, contact: ContactInterval) -> Option<(usize, ContactInterval)> {
-        // What was noted last is what lies next to it most often.
-        self.contacts.iter().enumerate().rev().find_map(|(idx, known)| {
-            if !work::goes_on(1) {
-                return None;
-            }
-            let first = self.hull(self.first, known.first, contact.first)?;
-            let second = self.hull(self.second, known.second, contact.second)?;
-            Some((idx, ContactInterval { first, second }))
-        })
-    }
-
-    /// Two intervals as one, if nothing is between them that can be told, over the seam too.
-    fn hull(&self, curve: &NurbsCurve, a: Interval, b: Interval) -> Option<Interval> {
-        let period = curve.domain().length();
-        let turns: &[f64] =
-            if curve.is_closed(self.tolerance) { &[0.0, -1.0, 1.0] } else { &[0.0] };
-        turns.iter().find_map(|turn| {
-            let (start, end) = (b.start() + turn * period, b.end() + turn * period);
-            let gap = Interval::new(a.end().min(end), a.start().max(start));
-            let touch = gap.map_or(true, |gap| self.is_one_place(curve, gap));
-            let hull = Interval::new(a.start().min(start), a.end().max(end)).ok()?;
-            (touch && hull.length() <= period).then_some(hull)
-        })
-    }
-
     /// Whether a curve is at one place all along an interval.
     pub(super) fn is_one_place(&self, curve: &NurbsCurve, interval: Interval) -> bool {
         self.extent(curve, interval) <= ONE_CONTACT * self.tolerance
@@ -181,7 +143,8 @@ impl IntersectionSearch<'_> {
 
     /// That there is too much to be told; of a stretch that goes on and on, that it does.
     pub(super) fn tangled(&self) -> GeomError {
-        let together = self.contacts.iter().find_map(|&stretch| self.told(stretch).err());
+        let contacts = self.joined_contacts();
+        let together = contacts.into_iter().find_map(|stretch| self.told(stretch).err());
         together.unwrap_or(GeomError::Intersection(IntersectionError::Tangled))
     }
 

@@ -36,7 +36,7 @@ impl IntersectionSearch<'_> {
     /// # Errors
     /// `IntersectionError::RunTogether`, `IntersectionError::RunsAlongItself`.
     pub(super) fn finish(mut self) -> Result<Vec<CurveIntersection>, GeomError> {
-        for stretch in std::mem::take(&mut self.contacts) {
+        for stretch in self.joined_contacts() {
             let told = self.told(stretch)?;
             self.meetings.extend(told);
         }

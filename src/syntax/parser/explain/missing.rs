@@ -114,7 +114,8 @@ fn name(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
 }
 
 /// `1..10 step 2`
-const NO_STEP: &str = "a range goes by ones; `range(0, 10, 2)` lists numbers that are 2 apart";
+pub(super) const NO_STEP: &str =
+    "a range goes by ones; `range(0, 10, 2)` lists numbers that are 2 apart";
 
 /// `unit = mm`
 fn takes_no_equals(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {

@@ -1,5 +1,6 @@
 //! Findings that do not stop the grammar: it knows what is meant and goes on.
 
+use super::missing::NO_STEP;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::syntax::ast::Name;
 use crate::syntax::parser::body::StatementContext;
@@ -37,7 +38,11 @@ pub(crate) fn missing_comma(script: &ParsedScript<'_, '_>, at: usize) -> Diagnos
     let diagnostic = Diagnostic::error(Code::Syntax, script.gap(at), "a `,` is missing")
         .label("expected `,` after this")
         .also(script.span(at), "before this");
-    match line_hint(script.token(at)) {
+    let hint = match script.token(at) {
+        Token::Name if script.text(at) == "step" => Some(NO_STEP),
+        token => line_hint(token),
+    };
+    match hint {
         Some(hint) => diagnostic.hint(hint),
         None => diagnostic,
     }
