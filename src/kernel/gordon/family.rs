@@ -7,7 +7,7 @@ use super::{
     network::{NetworkCrossing, NetworkError},
 };
 use crate::{
-    GeomError, IntersectionError, Interval, NurbsCurve,
+    Direction, GeomError, IntersectionError, Interval, NurbsCurve,
     tolerance::{KNOT_RELATIVE, PLACE_RELATIVE},
 };
 
@@ -73,16 +73,17 @@ pub(super) fn in_order(
     };
     let order_v = order(vs.len(), is_given[0], &|l| found[0][l].t);
     let order_u = order(us.len(), is_given[1], &|k| found[k][0].s);
-    let family = |is_u: bool| {
-        let (curves, own, others) =
-            if is_u { (us, &order_u, &order_v) } else { (vs, &order_v, &order_u) };
-        let is_kept = is_given[usize::from(!is_u)];
+    let family = |along: Direction| {
+        let orders = [&order_u, &order_v];
+        let (curves, own, others) = ([us, vs][along], orders[along], orders[along.other()]);
+        let is_kept = is_given[along];
         let is_ring = curves.iter().all(|curve| curve.is_closed(tolerance));
         let mut members: Vec<NetworkCurve> = Vec::new();
         for &index in own {
-            let at = others
-                .iter()
-                .map(|&other| if is_u { found[index][other].t } else { found[other][index].s });
+            let at = others.iter().map(|&other| match along {
+                Direction::U => found[index][other].t,
+                Direction::V => found[other][index].s,
+            });
             let (curve, at) = (curves[index].clone(), at.collect());
             let mut member = NetworkCurve::new(curve, at, index);
             let towards = members.first().map(NetworkCurve::direction);
@@ -91,8 +92,8 @@ pub(super) fn in_order(
             } else if !is_kept {
                 member.turn();
             }
-            let others_curves = if is_u { vs } else { us };
-            member.check_order(is_u, others, others_curves, tolerance)?;
+            let others_curves = [us, vs][along.other()];
+            member.check_order(along, others, others_curves, tolerance)?;
             if !is_ring {
                 member.trim()?;
             }
@@ -101,7 +102,7 @@ pub(super) fn in_order(
         // Of two families the first curve gives the direction, whatever the order is now.
         Ok::<CurveFamily, NetworkError>(CurveFamily { members, is_ring })
     };
-    Ok([family(true)?, family(false)?])
+    Ok([family(Direction::U)?, family(Direction::V)?])
 }
 
 impl CurveFamily {
@@ -109,7 +110,7 @@ impl CurveFamily {
     ///
     /// # Errors
     /// [`NetworkError::Crossing`].
-    pub(super) fn check_apart(&self, is_u: bool, tolerance: f64) -> Result<(), NetworkError> {
+    pub(super) fn check_apart(&self, along: Direction, tolerance: f64) -> Result<(), NetworkError> {
         for pair in self.members.windows(2) {
             let (a, b) = (&pair[0].curve, &pair[1].curve);
             let curves = [0, 1].map(|i| pair[i].changes.index);
@@ -128,7 +129,7 @@ impl CurveFamily {
                 Err(error) => return Err(error.into()),
             };
             if let Some(point) = point {
-                return Err(NetworkError::Crossing { is_u, curves, point });
+                return Err(NetworkError::Crossing { along, curves, point });
             }
         }
         Ok(())
@@ -214,7 +215,7 @@ impl NetworkCurve {
 
     fn check_order(
         &self,
-        is_u: bool,
+        along: Direction,
         others: &[usize],
         curves: &[NurbsCurve],
         tolerance: f64,
@@ -227,7 +228,7 @@ impl NetworkCurve {
         let crossings = curves[others[0]].intersections(&curves[others[1]], tolerance);
         let crossing = crossings.ok().and_then(|found| found.first().map(|meeting| meeting.point));
         let at = [self.at[i], self.at[i + 1]];
-        Err(NetworkError::Order { is_u, curve: self.changes.index, others, at, crossing })
+        Err(NetworkError::Order { along, curve: self.changes.index, others, at, crossing })
     }
 
     /// Cuts off what stands out beyond the first and the last meeting.

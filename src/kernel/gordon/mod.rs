@@ -21,7 +21,7 @@ use glam::{DVec3, DVec4};
 use network::{NetworkCrossing, apart, check_alike, chosen, meets};
 
 use super::{
-    Ends, FitError, GeomError, Grid, Interpolator, KnotVector, NurbsCurve, NurbsSurface,
+    Direction, Ends, FitError, GeomError, Grid, Interpolator, KnotVector, NurbsCurve, NurbsSurface,
     frame::angle_between, surface::BooleanSumTerm,
 };
 
@@ -81,13 +81,13 @@ pub fn gordon(network: Network<'_>) -> Result<Gordon, NetworkError> {
     let tolerance = network.tolerance;
     let us: Vec<NurbsCurve> = us.iter().map(NurbsCurve::clamped).collect();
     let vs: Vec<NurbsCurve> = vs.iter().map(NurbsCurve::clamped).collect();
-    check_alike(&us, true, tolerance)?;
-    check_alike(&vs, false, tolerance)?;
+    check_alike(&us, Direction::U, tolerance)?;
+    check_alike(&vs, Direction::V, tolerance)?;
     let (found, gap) = meetings(&network, &us, &vs)?;
     let is_given = network.at.map(|at| at.is_some());
     let families = family::in_order(&us, &vs, &found, is_given, tolerance)?;
-    for (f, family) in families.iter().enumerate() {
-        family.check_apart(f == 0, tolerance)?;
+    for along in Direction::BOTH {
+        families[along].check_apart(along, tolerance)?;
     }
 
     // Where the curves of one family meet the other, by the parameter of the surface.
@@ -116,7 +116,8 @@ pub fn gordon(network: Network<'_>) -> Result<Gordon, NetworkError> {
         let members = || families.iter().flat_map(|family| &family.members);
         found = members().map(NetworkCurve::deviation).fold(0.0, f64::max);
         if found <= tolerance {
-            let seams = [0, 1].map(|f| families[f].is_ring.then(|| seam_angle(&surface, f == 0)));
+            let seams = Direction::BOTH
+                .map(|along| families[along].is_ring.then(|| seam_angle(&surface, along)));
             let changes = families
                 .map(|family| family.members.into_iter().map(NetworkCurve::changes).collect());
             return Ok(Gordon { surface, at, changes, gap, seams });
@@ -287,13 +288,12 @@ fn added(
 }
 
 /// The largest angle between the tangents on both sides of a seam.
-fn seam_angle(surface: &NurbsSurface, is_u: bool) -> f64 {
-    let (across, along) = (surface.domain_u(), surface.domain_v());
-    let (across, along) = if is_u { (across, along) } else { (along, across) };
-    let tangent = |t: f64, s: f64| match is_u {
-        true => surface.derivatives_at(t, s, 1).get(1, 0),
-        false => surface.derivatives_at(s, t, 1).get(0, 1),
+fn seam_angle(surface: &NurbsSurface, closed: Direction) -> f64 {
+    let domain = surface.domain(closed);
+    let tangent = |t: f64, s: f64| match closed {
+        Direction::U => surface.derivatives_at(t, s, 1).get(1, 0),
+        Direction::V => surface.derivatives_at(s, t, 1).get(0, 1),
     };
-    let angle = |s: f64| angle_between(tangent(across.start(), s), tangent(across.end(), s));
-    along.steps(N_PLACES - 1).into_iter().map(angle).fold(0.0, f64::max)
+    let angle = |s: f64| angle_between(tangent(domain.start(), s), tangent(domain.end(), s));
+    surface.domain(closed.other()).steps(N_PLACES - 1).into_iter().map(angle).fold(0.0, f64::max)
 }

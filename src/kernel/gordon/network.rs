@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::{GeomError, IntersectionError, NurbsCurve, tolerance::PLACE_RELATIVE};
+use crate::{Direction, GeomError, IntersectionError, NurbsCurve, tolerance::PLACE_RELATIVE};
 
 /// Why curves are no network; indices are those in which the curves were given.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,8 +38,8 @@ pub enum NetworkError {
     },
     /// A closed curve and an open one in one family.
     Mixed {
-        /// Whether they are u-curves.
-        is_u: bool,
+        /// The direction of both.
+        along: Direction,
         /// Index of the closed one.
         closed: usize,
         /// Index of the open one.
@@ -49,8 +49,8 @@ pub enum NetworkError {
     },
     /// Two curves of one family that cross.
     Crossing {
-        /// Whether they are u-curves.
-        is_u: bool,
+        /// The direction of both.
+        along: Direction,
         /// Their indices.
         curves: [usize; 2],
         /// Where.
@@ -58,8 +58,8 @@ pub enum NetworkError {
     },
     /// A curve that meets the others in another order than the first curve of its family does.
     Order {
-        /// Whether it is a u-curve.
-        is_u: bool,
+        /// Its direction.
+        along: Direction,
         /// Its index.
         curve: usize,
         /// Two of the others, which it meets the other way around, or at one place.
@@ -189,13 +189,13 @@ pub(super) fn apart(
 /// Fails where a family has both closed and open curves.
 pub(super) fn check_alike(
     curves: &[NurbsCurve],
-    is_u: bool,
+    along: Direction,
     tolerance: f64,
 ) -> Result<(), NetworkError> {
     let find = |wanted: bool| curves.iter().position(|c| c.is_closed(tolerance) == wanted);
     let (Some(closed), Some(open)) = (find(true), find(false)) else { return Ok(()) };
     let gap = curves[open].start().distance(curves[open].end());
-    Err(NetworkError::Mixed { is_u, closed, open, gap })
+    Err(NetworkError::Mixed { along, closed, open, gap })
 }
 
 /// Where two curves are nearest, found from many places.

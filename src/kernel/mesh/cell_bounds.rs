@@ -18,7 +18,9 @@ use super::{
     near::near_rules,
     rules::CellRules,
 };
-use crate::{GeomError, Grid, InputError, NurbsSurface, Tolerance, tolerance::BORDER_SHARE};
+use crate::{
+    Direction, GeomError, Grid, InputError, NurbsSurface, Tolerance, tolerance::BORDER_SHARE,
+};
 
 /// Pieces along one direction by which the cells are counted, about; and of those that bound them
 /// then, one for each cell, about, how many at most.
@@ -159,14 +161,14 @@ impl CellBounds {
 
     /// Whether a box keeps to the limits of all pieces that it touches.
     pub(super) fn allow(&self, box_of: [[f64; 2]; 2]) -> bool {
-        let [rows, columns] = [0, 1].map(|along| self.touched(along, box_of[along]));
+        let [rows, columns] = Direction::BOTH.map(|along| self.touched(along, box_of[along]));
         let pieces = rows.flat_map(|i| self.rules.row(i)[columns.clone()].iter().copied());
         let widths = box_of.map(|[low, high]| high - low);
         CellRules::all_allow(pieces, widths)
     }
 
     /// The pieces that an interval along a direction touches.
-    pub(super) fn touched(&self, along: usize, [low, high]: [f64; 2]) -> Range<usize> {
+    pub(super) fn touched(&self, along: Direction, [low, high]: [f64; 2]) -> Range<usize> {
         let ends = &self.ends[along];
         let first = ends.partition_point(|&t| t <= low).saturating_sub(1);
         let behind = ends.partition_point(|&t| t < high).min(ends.len() - 1);
@@ -176,7 +178,7 @@ impl CellBounds {
     /// Makes the widths a little smaller where cells between these lines break a rule, which those
     /// can that touch several pieces; whether there are such.
     pub(super) fn narrow(&self, lines: &[Vec<f64>; 2], widths: &mut [Vec<f64>; 2]) -> bool {
-        let [steps_u, steps_v] = [0, 1].map(|along| -> Vec<([f64; 2], Range<usize>)> {
+        let [steps_u, steps_v] = Direction::BOTH.map(|along| -> Vec<([f64; 2], Range<usize>)> {
             let steps = lines[along].windows(2).map(|pair| [pair[0], pair[1]]);
             steps.map(|step| (step, self.touched(along, step))).collect()
         });
@@ -259,7 +261,7 @@ fn line_forms(
     lines: [&[f64]; 2],
     per_tolerance: f64,
 ) -> Grid<ParameterBoxes> {
-    let [beside_u, beside_v] = [0, 1].map(|along| -> Vec<bool> {
+    let [beside_u, beside_v] = Direction::BOTH.map(|along| -> Vec<bool> {
         let is_line = |t: f64| lines[along].contains(&t);
         bends.ends[along].windows(2).map(|ends| is_line(ends[0]) || is_line(ends[1])).collect()
     });

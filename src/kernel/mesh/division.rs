@@ -12,7 +12,7 @@ use super::{
     tessellate::chord_deviation,
 };
 use crate::{
-    CountError, GeomError, Interval, bezier,
+    CountError, Direction, GeomError, Interval, bezier,
     tolerance::{BORDER_SHARE, PLACE_RELATIVE},
 };
 
@@ -182,8 +182,8 @@ impl<'a, 's> SeamDivision<'a, 's> {
             let (ends, cells) = ([a.min(b), a.max(b)], &self.cells[edge.sheet]);
             let is_last = edge.number % 2 == 1;
             cells.allow(match edge.number {
-                0 | 1 => [cells.rim(0, is_last), ends],
-                _ => [ends, cells.rim(1, is_last)],
+                0 | 1 => [cells.rim(Direction::U, is_last), ends],
+                _ => [ends, cells.rim(Direction::V, is_last)],
             })
         })
     }

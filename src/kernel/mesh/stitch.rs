@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3};
 
 use super::{Mesh, seam::Vertices, surface_patch::Cells, surface_patch::SurfacePatch};
 use crate::{
-    Bounds, CountError, GeomError, Interval, Side,
+    Bounds, CountError, Direction, GeomError, Interval, Side,
     tolerance::{PLACE_RELATIVE, VANISHING_RELATIVE},
 };
 
@@ -47,14 +47,14 @@ pub(super) fn stitched(
     edges: &[Vertices; 4],
     most: usize,
 ) -> Result<Mesh, GeomError> {
-    let mut lines = [0, 1].map(|along| inner_lines(sheet, &cells.lines[along], along));
+    let mut lines = Direction::BOTH.map(|along| inner_lines(sheet, &cells.lines[along], along));
     // Where no line runs inside, two edges face one another.
-    let [is_open_u, is_open_v] = [0, 1].map(|along| {
-        let ends = if along == 0 { [2, 3] } else { [0, 1] };
+    let [is_open_u, is_open_v] = Direction::BOTH.map(|along| {
+        let ends = [[2, 3], [0, 1]][along];
         lines[along].is_empty() && ends.iter().all(|&edge| edges[edge].len() == 2)
     });
     if !is_open_u && !is_open_v {
-        for (along, domain) in sheet.domains().into_iter().enumerate() {
+        for (along, domain) in Direction::BOTH.into_iter().zip(sheet.domains()) {
             if lines[along].is_empty() {
                 lines[along].push(GridLine { at: domain.at(0.5), side: Side::Right });
             }
@@ -69,7 +69,7 @@ pub(super) fn stitched(
     let rounding = VANISHING_RELATIVE * magnitude;
     let mut stitcher = Stitcher { sheet, mesh: Mesh::default(), lines, rounding };
     if is_open_u || is_open_v {
-        stitcher.bridge(usize::from(!is_open_u), edges);
+        stitcher.bridge(if is_open_u { Direction::U } else { Direction::V }, edges);
     } else {
         stitcher.grid()?;
         stitcher.strips(edges);
@@ -77,8 +77,13 @@ pub(super) fn stitched(
     Ok(stitcher.mesh.without_strays())
 }
 
+/// Along which direction an edge runs: the first two run along v, at the start and the end of u.
+fn edge_direction(number: usize) -> Direction {
+    if number < 2 { Direction::V } else { Direction::U }
+}
+
 /// The lines between the first and the last; where there is a crease, two.
-fn inner_lines(sheet: &SurfacePatch<'_>, lines: &[f64], along: usize) -> Vec<GridLine> {
+fn inner_lines(sheet: &SurfacePatch<'_>, lines: &[f64], along: Direction) -> Vec<GridLine> {
     let mut creases = sheet.breaks[along].iter().filter(|line| line.is_crease).peekable();
     let mut all = Vec::with_capacity(lines.len());
     for &at in &lines[1..lines.len() - 1] {
@@ -155,15 +160,16 @@ impl Stitcher<'_, '_> {
     /// The strips along the four edges. Two that meet share the side from the corner to the
     /// nearest vertex of the grid.
     fn strips(&mut self, edges: &[Vertices; 4]) {
-        let (n, m) = (self.lines[0].len(), self.lines[1].len());
+        let counts = [self.lines[0].len(), self.lines[1].len()];
         let mut corners = [[None; 2]; 2];
         for (number, vertices) in edges.iter().enumerate() {
-            let (along, is_last) = (usize::from(number < 2), number % 2);
-            let inner: Vec<StripVertex> = (0..if along == 0 { n } else { m })
-                .map(|i| {
-                    let across = if is_last == 1 { [n, m][1 - along] - 1 } else { 0 };
-                    let vertex = if along == 0 { i * m + across } else { across * m + i };
-                    let GridLine { at, side } = self.lines[along][i];
+            let along = edge_direction(number);
+            let fixed = if number % 2 == 1 { counts[along.other()] - 1 } else { 0 };
+            let inner: Vec<StripVertex> = (0..counts[along])
+                .map(|k| {
+                    let [i, j] = along.pair(k, fixed);
+                    let vertex = i * counts[1] + j;
+                    let GridLine { at, side } = self.lines[along][k];
                     StripVertex { at, side, vertex: vertex as u32 }
                 })
                 .collect();
@@ -173,12 +179,12 @@ impl Stitcher<'_, '_> {
     }
 
     /// One strip between two edges that face one another, across u or across v.
-    fn bridge(&mut self, across: usize, edges: &[Vertices; 4]) {
+    fn bridge(&mut self, across: Direction, edges: &[Vertices; 4]) {
         let mut corners = [[None; 2]; 2];
-        let first = if across == 0 { 0 } else { 2 };
+        let first = [0, 2][across];
         let sides =
             [first, first + 1].map(|number| self.outer(number, &edges[number], &mut corners));
-        self.strip(&sides[0], &sides[1], across == 0);
+        self.strip(&sides[0], &sides[1], across == Direction::U);
     }
 
     /// The vertices of an edge, those of its corners shared with the edges beside it.
@@ -188,8 +194,9 @@ impl Stitcher<'_, '_> {
         vertices: &Vertices,
         corners: &mut [[Option<u32>; 2]; 2],
     ) -> Vec<StripVertex> {
-        let (along, is_last) = (usize::from(number < 2), number % 2);
-        let across = self.sheet.domains()[1 - along];
+        let along = edge_direction(number);
+        let is_last = number % 2;
+        let across = self.sheet.domains()[along.other()];
         let fixed = if is_last == 1 { across.end() } else { across.start() };
         let domain = self.sheet.domains()[along];
         let vertices = self.spread(vertices, along, domain);
@@ -198,9 +205,9 @@ impl Stitcher<'_, '_> {
         for (k, &(at, point)) in vertices.iter().enumerate() {
             let end = [(k == 0).then_some(0), (k + 1 == vertices.len()).then_some(1)];
             let corner = end.into_iter().flatten().next();
-            let corner = corner.map(|end| if along == 0 { [end, is_last] } else { [is_last, end] });
+            let corner = corner.map(|end| along.pair(end, is_last));
             if let Some([i, j]) = corner {
-                let place = if along == 0 { [at, fixed] } else { [fixed, at] };
+                let place = along.pair(at, fixed);
                 let vertex = corners[i][j].unwrap_or_else(|| {
                     let normal = self.sheet.spline.shade_at(place[0], place[1]);
                     self.add(place, point, normal)
@@ -211,7 +218,7 @@ impl Stitcher<'_, '_> {
             }
             let crease = creases.iter().find(|crease| crease.0 == k).map(|crease| crease.1);
             let at = crease.unwrap_or(at);
-            let place = if along == 0 { [at, fixed] } else { [fixed, at] };
+            let place = along.pair(at, fixed);
             let sides =
                 if crease.is_some() { &[Side::Left, Side::Right][..] } else { &[Side::Right] };
             for &side in sides {
@@ -231,7 +238,7 @@ impl Stitcher<'_, '_> {
     }
 
     /// The vertices inside an edge at which a crease ends, by index, with the knot there.
-    fn creases_among(&self, vertices: &Vertices, along: usize) -> Vec<(usize, f64)> {
+    fn creases_among(&self, vertices: &Vertices, along: Direction) -> Vec<(usize, f64)> {
         let creases = self.sheet.breaks[along].iter().filter(|line| line.is_crease);
         let nearest = |at: f64| {
             let behind = vertices.partition_point(|vertex| vertex.0 < at);
@@ -244,7 +251,7 @@ impl Stitcher<'_, '_> {
 
     /// The vertices of an edge that is one point at every line that comes there: each has a normal
     /// of its own.
-    fn spread(&self, vertices: &Vertices, along: usize, domain: Interval) -> Vertices {
+    fn spread(&self, vertices: &Vertices, along: Direction, domain: Interval) -> Vertices {
         match vertices[..] {
             [(start, a), (end, b)] if a.distance(b) <= self.rounding => {
                 let mut lines: Vec<f64> = self.lines[along].iter().map(|line| line.at).collect();

@@ -142,7 +142,7 @@ impl Cells {
     }
 
     /// The first or last step of the lines along a direction.
-    pub(super) fn rim(&self, along: usize, is_last: bool) -> [f64; 2] {
+    pub(super) fn rim(&self, along: Direction, is_last: bool) -> [f64; 2] {
         let lines = &self.lines[along];
         let first = if is_last { lines.len() - 2 } else { 0 };
         [lines[first], lines[first + 1]]

@@ -6,7 +6,7 @@
 
 use glam::DVec4;
 
-use crate::{bernstein::binomials, tolerance::LAST_BIT};
+use crate::{Direction, bernstein::binomials, tolerance::LAST_BIT};
 
 /// Roundings in a coefficient, for each coefficient along a side.
 const ROUNDINGS: f64 = 4.0;
@@ -95,7 +95,7 @@ impl DistanceBounds {
     }
 
     /// Both halves wait, last the one that comes nearer; tells whether that is the first one.
-    pub(super) fn halve(&mut self, direction: usize) -> bool {
+    pub(super) fn halve(&mut self, along: Direction) -> bool {
         let size = self.squares.len();
         let from = self.waiting.len();
         self.waiting.resize(from + 4 * size, 0.0);
@@ -104,10 +104,9 @@ impl DistanceBounds {
             let (left, right) =
                 (&mut left[layer * size..][..size], &mut right[layer * size..][..size]);
             right.copy_from_slice(values);
-            if direction == 0 {
-                halve_columns(self.n, left, right);
-            } else {
-                halve_rows(self.n[1], left, right);
+            match along {
+                Direction::U => halve_columns(self.n, left, right),
+                Direction::V => halve_rows(self.n[1], left, right),
             }
         }
         let least = |half: &[f64]| half[..size].iter().copied().fold(f64::INFINITY, f64::min);
@@ -182,7 +181,7 @@ impl DistanceBounds {
 
     /// Along which direction the polynomial bends more, of those that were not halved too often;
     /// none if both were.
-    pub(super) fn direction_to_halve(&self, n_halvings: [u8; 2], most: u8) -> Option<usize> {
+    pub(super) fn direction_to_halve(&self, n_halvings: [u8; 2], most: u8) -> Option<Direction> {
         let [n_u, n_v] = self.n;
         let at = |i: usize, j: usize| self.gap[i * n_v + j];
         let bends = |a: f64, b: f64, c: f64| ((c - b) - (b - a)).abs();
@@ -200,9 +199,10 @@ impl DistanceBounds {
         let can = [0, 1].map(|direction| self.n[direction] > 1 && n_halvings[direction] < most);
         match can {
             [false, false] => None,
-            [true, false] => Some(0),
-            [false, true] => Some(1),
-            [true, true] => Some(usize::from(along[0] < along[1])),
+            [true, false] => Some(Direction::U),
+            [false, true] => Some(Direction::V),
+            [true, true] if along[0] < along[1] => Some(Direction::V),
+            [true, true] => Some(Direction::U),
         }
     }
 

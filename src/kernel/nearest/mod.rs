@@ -20,7 +20,7 @@ use super::{
     knots::convert_to_bezier,
     tolerance::{LAST_BIT, NEAREST_RELATIVE},
 };
-use crate::work;
+use crate::{Direction, work};
 use gap::DistanceBounds;
 use patch::BezierPatch;
 pub(crate) use patch::{PatchPart, Residual, descend};
@@ -273,7 +273,7 @@ impl ClosestPointSearch<'_> {
     }
 
     /// Finds the minimum on a part that can have but one, and tells how to halve another.
-    fn direction_to_halve(&mut self, cell: PatchPart, spans: [usize; 2]) -> Option<usize> {
+    fn direction_to_halve(&mut self, cell: PatchPart, spans: [usize; 2]) -> Option<Direction> {
         let limit = self.limit();
         let is_done = limit < 0.0 || MOST_PARTS < self.n_parts;
         if is_done || self.gap.is_never_below(limit * limit) {

@@ -5,7 +5,7 @@ use std::convert::Infallible;
 use glam::{DVec2, DVec3, DVec4};
 
 use super::DirectionSpans;
-use crate::{Bounds, Interval, homogeneous, tolerance::LAST_BIT};
+use crate::{Bounds, Direction, Interval, homogeneous, tolerance::LAST_BIT};
 
 /// Steps towards a minimum; some five are enough where the squared distance is curved.
 const MAX_STEPS: usize = 40;
@@ -77,11 +77,11 @@ impl PatchPart {
         [along(0), along(1)]
     }
 
-    pub(super) fn halves(mut self, direction: usize) -> [Self; 2] {
-        self.n_halvings[direction] += 1;
-        let middle = 0.5 * (self.low[direction] + self.high[direction]);
+    pub(super) fn halves(mut self, along: Direction) -> [Self; 2] {
+        self.n_halvings[along] += 1;
+        let middle = 0.5 * (self.low[along] + self.high[along]);
         let (mut left, mut right) = (self, self);
-        (left.high[direction], right.low[direction]) = (middle, middle);
+        (left.high[along], right.low[along]) = (middle, middle);
         [left, right]
     }
 

@@ -1,6 +1,8 @@
 //! The two directions of a surface, and what is done along either: a net is a bundle of splines,
 //! its columns along u, its rows along v.
 
+use std::ops::{Index, IndexMut};
+
 use glam::DVec4;
 
 use super::NurbsSurface;
@@ -34,6 +36,38 @@ impl Direction {
         match self {
             Self::U => Self::V,
             Self::V => Self::U,
+        }
+    }
+
+    /// What belongs to u and to v, of what belongs to this direction and to the other one.
+    #[must_use]
+    pub fn pair<T>(self, own: T, other: T) -> [T; 2] {
+        match self {
+            Self::U => [own, other],
+            Self::V => [other, own],
+        }
+    }
+}
+
+/// What there is for u and for v.
+impl<T> Index<Direction> for [T; 2] {
+    type Output = T;
+
+    fn index(&self, along: Direction) -> &T {
+        let [u, v] = self;
+        match along {
+            Direction::U => u,
+            Direction::V => v,
+        }
+    }
+}
+
+impl<T> IndexMut<Direction> for [T; 2] {
+    fn index_mut(&mut self, along: Direction) -> &mut T {
+        let [u, v] = self;
+        match along {
+            Direction::U => u,
+            Direction::V => v,
         }
     }
 }

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Span},
-    kernel::{FitError, GeomError, NetworkError, tolerance::EXACT_RELATIVE},
+    kernel::{Direction, FitError, GeomError, NetworkError, tolerance::EXACT_RELATIVE},
     value::{At, Ctx, shortest},
 };
 
@@ -28,9 +28,8 @@ impl NetworkPlaces<'_, '_> {
     }
 
     /// The name of a curve and where it is given.
-    fn curve(&self, is_u: bool, index: usize) -> (String, Span) {
-        let (family, name) = if is_u { (0, "u") } else { (1, "v") };
-        self.ctx.element(self.spans[family], self.kept[family][index], name)
+    fn curve(&self, along: Direction, index: usize) -> (String, Span) {
+        self.ctx.element(self.spans[along], self.kept[along][index], along.name())
     }
 
     pub(super) fn told(&self, error: NetworkError) -> Box<Diagnostic> {
@@ -50,24 +49,24 @@ impl NetworkPlaces<'_, '_> {
                     .also(of_d, "and this")
                     .hint("curves of `u` cross those of `v` at single places")
             }
-            NetworkError::Mixed { is_u, closed, open, gap } => {
-                let ((a, of_a), (b, of_b)) = (self.curve(is_u, closed), self.curve(is_u, open));
+            NetworkError::Mixed { along, closed, open, gap } => {
+                let ((a, of_a), (b, of_b)) = (self.curve(along, closed), self.curve(along, open));
                 let message =
                     format!("{a} is closed and {b} is open: its ends are {} apart", shortest(gap));
                 Diagnostic::error(Code::Degenerate, of_b, message)
                     .also(of_a, "this closes")
                     .hint("close it, or `split` the closed ones where the open ones begin")
             }
-            NetworkError::Crossing { is_u, curves, point } => {
-                let [(a, of_a), (b, of_b)] = curves.map(|index| self.curve(is_u, index));
+            NetworkError::Crossing { along, curves, point } => {
+                let [(a, of_a), (b, of_b)] = curves.map(|index| self.curve(along, index));
                 let message = format!("{a} and {b} cross at {}", self.place(point));
-                let name = if is_u { "u" } else { "v" };
+                let name = along.name();
                 Diagnostic::error(Code::Degenerate, of_b, message)
                     .also(of_a, "and this")
                     .hint(format!("curves of `{name}` lie beside one another, and cross only those of the other direction"))
             }
-            NetworkError::Order { is_u, curve, others, at, crossing } => {
-                self.out_of_order((is_u, curve), others, at, crossing)
+            NetworkError::Order { along, curve, others, at, crossing } => {
+                self.out_of_order((along, curve), others, at, crossing)
             }
             NetworkError::Geometry(GeomError::Fit(FitError::ToleranceNotKept {
                 found, ..
@@ -80,7 +79,7 @@ impl NetworkPlaces<'_, '_> {
     }
 
     fn pair(&self, [k, l]: [usize; 2]) -> [(String, Span); 2] {
-        [self.curve(true, k), self.curve(false, l)]
+        [self.curve(Direction::U, k), self.curve(Direction::V, l)]
     }
 
     fn apart(
@@ -146,14 +145,14 @@ impl NetworkPlaces<'_, '_> {
 
     fn out_of_order(
         &self,
-        (is_u, curve): (bool, usize),
+        (along, curve): (Direction, usize),
         [a, b]: [usize; 2],
         at: [f64; 2],
         crossing: Option<DVec3>,
     ) -> Diagnostic {
-        let (own, span) = self.curve(is_u, curve);
-        let [(a, of_a), (b, of_b)] = [a, b].map(|index| self.curve(!is_u, index));
-        let first = self.curve(is_u, 0).0;
+        let (own, span) = self.curve(along, curve);
+        let [(a, of_a), (b, of_b)] = [a, b].map(|index| self.curve(along.other(), index));
+        let first = self.curve(along, 0).0;
         let [from, to] = at.map(shortest);
         let message = if at[0] < at[1] || at[1] < at[0] {
             format!(
@@ -162,7 +161,7 @@ impl NetworkPlaces<'_, '_> {
         } else {
             format!("{own} meets {a} and {b} at one place, parameter {from}")
         };
-        let other = if is_u { "v" } else { "u" };
+        let other = along.other().name();
         let told = Diagnostic::error(Code::Degenerate, span, message);
         let told = match crossing {
             Some(point) => {

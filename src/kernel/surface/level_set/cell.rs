@@ -9,7 +9,7 @@
 use std::ops::Mul;
 
 use super::{Branch, square};
-use crate::{Grid, Interval, bernstein, roots::Signs, work};
+use crate::{Direction, Grid, Interval, bernstein, roots::Signs, work};
 
 /// Where cells are cut: no half, so that lines of round parameters are not sides of cells.
 const CUT: f64 = 0.4871;
@@ -69,12 +69,12 @@ pub(super) struct SearchResolution {
 }
 
 impl PatchCell {
-    fn parts(&self, direction: usize) -> [Self; 2] {
-        let cut = |field: &Grid<f64>| match direction {
-            0 => square::cut_v(&field.transposed(), CUT).map(|field| field.transposed()),
-            _ => square::cut_v(field, CUT),
+    fn parts(&self, along: Direction) -> [Self; 2] {
+        let cut = |field: &Grid<f64>| match along {
+            Direction::U => square::cut_v(&field.transposed(), CUT).map(|field| field.transposed()),
+            Direction::V => square::cut_v(field, CUT),
         };
-        let middle = self.low[direction] * (1.0 - CUT) + self.high[direction] * CUT;
+        let middle = self.low[along] * (1.0 - CUT) + self.high[along] * CUT;
         let mut parts = cut(&self.field).map(|field| {
             let conditions = Vec::with_capacity(self.conditions.len());
             Self { low: self.low, high: self.high, field, conditions }
@@ -84,7 +84,7 @@ impl PatchCell {
                 part.conditions.push(PositivityCondition { values, rounding: *rounding });
             }
         }
-        (parts[0].high[direction], parts[1].low[direction]) = (middle, middle);
+        (parts[0].high[along], parts[1].low[along]) = (middle, middle);
         parts
     }
 
@@ -102,19 +102,21 @@ impl PatchCell {
     /// The direction in which it is longer: in space, or, where a search is long, by how much the field
     /// changes. About places where many lines end these can be much closer to one another than they
     /// are long.
-    fn longer(&self, extents: [f64; 2], by_change: bool) -> usize {
+    fn longer(&self, extents: [f64; 2], by_change: bool) -> Direction {
+        let longer = |[u, v]: [f64; 2]| if u < v { Direction::V } else { Direction::U };
         if !by_change {
-            return usize::from(extents[0] < extents[1]);
+            return longer(extents);
         }
         let change = |field: &Grid<f64>| {
             let [least, most] = square::range(&square::slope_u(field));
             most.max(-least)
         };
-        usize::from(change(&self.field) < change(&self.field.transposed()))
+        longer([change(&self.field), change(&self.field.transposed())])
     }
 
-    fn width(&self, direction: usize) -> f64 {
-        self.high[direction] - self.low[direction]
+    /// Its widths along u and v.
+    fn widths(&self) -> [f64; 2] {
+        [0, 1].map(|i| self.high[i] - self.low[i])
     }
 }
 
@@ -154,12 +156,13 @@ pub(super) fn search(
             found.branches.extend(branches);
             continue;
         }
-        let extents = [0, 1].map(|i| fineness.extents[i] * cell.width(i));
+        let widths = cell.widths();
+        let extents = [0, 1].map(|i| fineness.extents[i] * widths[i]);
         let is_small = extents[0].max(extents[1]) <= fineness.tolerance;
         let is_rounding = most.max(-least) <= fineness.rounding;
         if is_small || is_rounding && !is_open {
             if !is_open {
-                found.rest.push([middle, [0, 1].map(|i| cell.width(i))]);
+                found.rest.push([middle, widths]);
             }
             continue;
         }
@@ -216,7 +219,7 @@ fn contacts(cell: &PatchCell, rounding: f64) -> Option<Vec<Branch>> {
     let touches = |branch: &Branch| {
         (0..=N_PROBES).all(|i| {
             let place = branch.place(i as f64 / N_PROBES as f64);
-            let local = [0, 1].map(|k| (place[k] - cell.low[k]) / cell.width(k));
+            let local = [0, 1].map(|k| (place[k] - cell.low[k]) / cell.widths()[k]);
             square::value(&cell.field, local).abs() <= rounding
         })
     };
