@@ -30,6 +30,7 @@ mod knots;
 mod lazy;
 mod mesh;
 mod nearest;
+mod numeric;
 mod positive;
 mod refine;
 mod removal;

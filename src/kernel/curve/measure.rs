@@ -10,6 +10,7 @@ use crate::{
     bezier::{blend, cut_at},
     frame::norm,
     hull::TensorSpline,
+    numeric::gauss_legendre::{self, SIXTEEN_NODES},
     tolerance::{LAST_BIT, LENGTH_RELATIVE},
     work,
 };
@@ -34,20 +35,6 @@ const FAR: f64 = 4.0;
 /// Cuts for a span, on average, where the tangent turns; a cusp takes some fifty, and more only what
 /// turns at random.
 const MAX_CUTS: usize = 200;
-
-/// Positive nodes on −1..1 and weights of the Gauss-Legendre rule with 16 nodes.
-///
-/// Abramowitz & Stegun, *Handbook of Mathematical Functions*, Table 25.4.
-const GAUSS_16: [[f64; 2]; 8] = [
-    [0.09501250983763744, 0.1894506104550685],
-    [0.2816035507792589, 0.18260341504492358],
-    [0.45801677765722737, 0.16915651939500254],
-    [0.6178762444026438, 0.14959598881657674],
-    [0.755404408355003, 0.12462897125553388],
-    [0.8656312023878318, 0.09515851168249279],
-    [0.9445750230732326, 0.062253523938647894],
-    [0.9894009349916499, 0.027152459411754096],
-];
 
 impl NurbsCurve {
     /// Arc length over the part of the interval that lies in the domain.
@@ -170,7 +157,7 @@ impl NurbsCurve {
 fn length_by_rule(points: &[DVec4]) -> f64 {
     let degree = (points.len() - 1) as f64;
     let mut row = Vec::with_capacity(points.len());
-    let mut speed = |t: f64| {
+    let speed = |t: f64| {
         row.clear();
         row.extend_from_slice(points);
         for n_left in (2..points.len()).rev() {
@@ -182,9 +169,7 @@ fn length_by_rule(points: &[DVec4]) -> f64 {
         let (at, slope) = (blend(a, b, t), (b - a) * degree);
         norm(slope.truncate() - at.truncate() * (slope.w / at.w)) / at.w
     };
-    let pair =
-        |&[node, weight]: &[f64; 2]| weight * (speed(0.5 - 0.5 * node) + speed(0.5 + 0.5 * node));
-    0.5 * GAUSS_16.iter().map(pair).sum::<f64>()
+    gauss_legendre::integral(&SIXTEEN_NODES, Interval::UNIT, speed)
 }
 
 /// The length of a Bézier curve from an estimate: it is halved, up to `most` times, until both
@@ -255,9 +240,5 @@ fn refined(
 
 /// The integral of a speed by one rule.
 pub(super) fn quadrature(speed: &impl Fn(f64) -> f64, piece: Interval) -> f64 {
-    let (middle, half) = (piece.at(0.5), 0.5 * piece.length());
-    let pair = |&[node, weight]: &[f64; 2]| {
-        weight * (speed(middle - half * node) + speed(middle + half * node))
-    };
-    half * GAUSS_16.iter().map(pair).sum::<f64>()
+    gauss_legendre::integral(&SIXTEEN_NODES, piece, speed)
 }

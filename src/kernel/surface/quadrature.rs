@@ -17,18 +17,9 @@ use glam::DVec3;
 use super::{Surface, even::evened};
 use crate::{
     GeomError, Interval,
+    numeric::gauss_legendre::{EIGHT_NODES, nodes},
     tolerance::{LAST_BIT, QUADRATURE_RELATIVE},
 };
-
-/// Positive nodes on −1..1 and weights of the Gauss-Legendre rule with 8 nodes.
-///
-/// Abramowitz & Stegun, *Handbook of Mathematical Functions*, Table 25.4.
-const GAUSS_8: [[f64; 2]; 4] = [
-    [0.183_434_642_495_649_8, 0.362_683_783_378_362],
-    [0.525_532_409_916_329, 0.313_706_645_877_887_3],
-    [0.796_666_477_413_626_7, 0.222_381_034_453_374_5],
-    [0.960_289_856_497_536_3, 0.101_228_536_290_376_3],
-];
 
 /// Even parts of each domain of a function, which has no knots, that are looked at first.
 const FUNCTION_PARTS: usize = 4;
@@ -226,16 +217,10 @@ fn quadrature<const N: usize>(
         let [point, along_u, along_v] = surface.tangents_at(u, v)?;
         Ok(density(point, along_u.cross(along_v)))
     };
-    let nodes = |interval: Interval| {
-        let (middle, half) = (interval.at(0.5), 0.5 * interval.length());
-        GAUSS_8.into_iter().flat_map(move |[node, weight]| {
-            [(middle - half * node, 0.5 * weight), (middle + half * node, 0.5 * weight)]
-        })
-    };
     let middle = at(cell.u.at(0.5), cell.v.at(0.5))?;
     let (mut means, mut absolute) = ([0.0; N], [0.0; N]);
-    for (u, weight_u) in nodes(cell.u) {
-        for (v, weight_v) in nodes(cell.v) {
+    for (u, weight_u) in nodes(&EIGHT_NODES, cell.u) {
+        for (v, weight_v) in nodes(&EIGHT_NODES, cell.v) {
             let weight = weight_u * weight_v;
             for (i, value) in at(u, v)?.into_iter().enumerate() {
                 means[i] += weight * (value - middle[i]);

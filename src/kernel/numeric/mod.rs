@@ -1,0 +1,7 @@
+//! Numerical methods, each at one place with its laws: roots, linear equations, eigenvalues, quadrature.
+//!
+//! They know numbers only; what the numbers mean, whoever calls them knows. Each has a bound on its
+//! work that the caller gives or `f64` does, and says what it answers when it gets there.
+
+pub(crate) mod bisection;
+pub(crate) mod gauss_legendre;
