@@ -7,3 +7,6 @@ pub const CONTROL_POINTS: usize = 10_000_000;
 /// Points that a fit to a tolerance may look at, each time counted, to save control points: below a
 /// second. Beyond it the tolerance is kept all the same.
 pub const FIT_STEPS: usize = 4_000_000;
+
+/// Halvings of the bracket of a border or root: all bits of an `f64` on 0..1.
+pub(crate) const BISECTIONS: usize = 60;

@@ -5,16 +5,13 @@
 //! (1981). Nothing is sampled, so that no pair of roots is lost between samples.
 
 use super::{Interval, bernstein};
-use crate::work;
+use crate::{ceiling::BISECTIONS, numeric::bisection, work};
 
 /// Halvings of an interval in which several roots cannot be told apart.
 const MAX_HALVINGS: usize = 40;
 
 /// Parts of one piece; only rounding has more changes of sign than that.
 const MAX_PARTS: usize = 2000;
-
-/// Bisections of the bracket of a root: all bits of an `f64` on 0..1.
-const MAX_BISECTIONS: usize = 60;
 
 /// Follows the sign of a piecewise polynomial along its pieces, in order, and notes where it
 /// changes.
@@ -53,7 +50,7 @@ impl Signs {
             }
             self.arrive(interval.at(part.start()), start);
             if start != end {
-                let root = interval.at(part.at(bisected(&coefficients, start)));
+                let root = interval.at(part.at(crossing(&coefficients, start)));
                 self.changes.push((interval.without_dust(root), end));
                 self.current = end;
             }
@@ -90,17 +87,9 @@ fn signs(coefficients: &[f64], rounding: f64) -> Vec<i8> {
 }
 
 /// The one root of a polynomial on 0..1 that begins with sign `start`.
-fn bisected(coefficients: &[f64], start: i8) -> f64 {
-    let (mut low, mut high) = (0.0, 1.0);
-    for _ in 0..MAX_BISECTIONS {
-        let middle = 0.5 * (low + high);
-        let value = bernstein::value(coefficients, middle) * f64::from(start);
-        if value > 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
+fn crossing(coefficients: &[f64], start: i8) -> f64 {
+    let is_before = |t: f64| 0.0 < bernstein::value(coefficients, t) * f64::from(start);
+    let [low, high] = bisection::bisected([0.0, 1.0], BISECTIONS, is_before);
     0.5 * (low + high)
 }
 

@@ -4,7 +4,7 @@
 //! no place is nearer than another up to rounding. What tells the touch from a shared stretch is
 //! that the distance rises behind the floor, and over a way as long as the floor.
 
-use super::{Interval, tolerance::LAST_BIT};
+use super::{Interval, ceiling::BISECTIONS, numeric::bisection::bisected, tolerance::LAST_BIT};
 
 /// Cells of a stretch at whose ends the distance is asked for.
 const N_CELLS: usize = 64;
@@ -12,8 +12,8 @@ const N_CELLS: usize = 64;
 /// Golden sections towards the least distance beside the nearest of those places.
 const MAX_SECTIONS: usize = 60;
 
-/// Doublings of a step from the bottom to the edge of the floor, and bisections there.
-const MAX_STEPS: usize = 60;
+/// Doublings of a step from the bottom to the edge of the floor.
+const MAX_DOUBLINGS: usize = 60;
 
 /// Roundings of a distance by which the floor may be above the least.
 const FLOOR_ROUNDINGS: f64 = 16.0;
@@ -104,7 +104,7 @@ pub(crate) fn golden_section(
 pub(crate) fn edge(holds: &impl Fn(f64) -> bool, inside: f64, end: f64) -> f64 {
     let (mut on, mut step) = (inside, (end - inside) * LAST_BIT);
     let mut off = end;
-    for _ in 0..MAX_STEPS {
+    for _ in 0..MAX_DOUBLINGS {
         let next = if (end - inside).abs() <= step.abs() { end } else { inside + step };
         if !holds(next) {
             off = next;
@@ -116,11 +116,7 @@ pub(crate) fn edge(holds: &impl Fn(f64) -> bool, inside: f64, end: f64) -> f64 {
         }
         step *= 2.0;
     }
-    for _ in 0..MAX_STEPS {
-        let middle = 0.5 * (on + off);
-        if holds(middle) { on = middle } else { off = middle }
-    }
-    on
+    bisected([on, off], BISECTIONS, holds)[0]
 }
 
 /// The number with the fewest digits within `slack` of another.

@@ -6,6 +6,8 @@ use crate::{
     Ends, FitError, GeomError, Interpolator, Interval, KnotVector, NurbsCurve,
     bernstein::{derivative, product, value},
     bezier,
+    ceiling::BISECTIONS,
+    numeric::bisection::bisected,
     tolerance::KNOT_RELATIVE,
 };
 
@@ -111,15 +113,8 @@ impl NetworkParameterMap {
 
     /// The parameter that goes to `target`, by bisection.
     fn inverse(&self, target: f64) -> f64 {
-        let (mut low, mut high) = (self.breaks[0], self.breaks[self.breaks.len() - 1]);
-        for _ in 0..100 {
-            let middle = 0.5 * (low + high);
-            if self.at(middle) < target {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
+        let ends = [self.breaks[0], self.breaks[self.breaks.len() - 1]];
+        let [low, high] = bisected(ends, BISECTIONS, |t| self.at(t) < target);
         0.5 * (low + high)
     }
 

@@ -1,6 +1,6 @@
 //! Lines of a grid along one direction of a surface.
 
-use crate::{CountError, GeomError};
+use crate::{CountError, GeomError, numeric::bisection::bisected};
 
 /// Halvings of the search for the widths that use up the last step as well.
 const HALVINGS: usize = 30;
@@ -36,15 +36,10 @@ impl CellWidths<'_> {
     /// take, with steps that much narrower that the last is about as wide.
     fn section(&self, section: [f64; 2], lines: &mut Vec<f64>) {
         let n = self.count(section, 1.0);
-        let (mut narrow, mut wide) = (0.5, 1.0);
-        if 2 * n < self.count(section, 0.5) || n < 2 {
-            narrow = 0.0;
-        }
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (narrow + wide);
-            if n < self.count(section, middle) { narrow = middle } else { wide = middle }
-        }
-        self.walk(section, wide, |t| lines.push(t));
+        let narrow = if 2 * n < self.count(section, 0.5) || n < 2 { 0.0 } else { 0.5 };
+        let is_enough = |factor: f64| self.count(section, factor) <= n;
+        let [widest, _] = bisected([1.0, narrow], HALVINGS, is_enough);
+        self.walk(section, widest, |t| lines.push(t));
     }
 
     fn count(&self, section: [f64; 2], factor: f64) -> usize {

@@ -4,4 +4,5 @@
 //! work that the caller gives or `f64` does, and says what it answers when it gets there.
 
 pub(crate) mod bisection;
+pub(crate) mod bisection;
 pub(crate) mod gauss_legendre;

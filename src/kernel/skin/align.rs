@@ -4,7 +4,10 @@ use glam::DVec3;
 
 use super::corner::cornered;
 use crate::{
-    GeomError, NurbsCurve, join,
+    GeomError, NurbsCurve,
+    ceiling::BISECTIONS,
+    join,
+    numeric::bisection::bisected,
     tolerance::{PLACE_RELATIVE, TURN_RELATIVE},
 };
 
@@ -15,9 +18,6 @@ pub(super) const N_PLACES: usize = 64;
 /// A seam stays where it is when it is this near to its best place, as a fraction of the turn:
 /// whoever placed it may have meant that.
 const NEAR_SEAM: usize = 16;
-
-/// Bisections for the place of a seam.
-const MAX_BISECTIONS: usize = 60;
 
 /// A section made to run beside another one.
 #[derive(Clone, Debug)]
@@ -123,19 +123,11 @@ fn nearest_place(curve: &NurbsCurve, shift: usize, beside: &NurbsCurve) -> f64 {
         (derivatives[0] - target).dot(derivatives[1])
     };
     let at = |step: f64| domain.at((step / N_PLACES as f64).clamp(0.0, 1.0));
-    let (mut low, mut high) = (at(shift as f64 - 2.0), at(shift as f64 + 2.0));
-    if slope(low) < 0.0 && 0.0 < slope(high) {
-        for _ in 0..MAX_BISECTIONS {
-            let middle = 0.5 * (low + high);
-            if slope(middle) < 0.0 {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-    } else {
-        (low, high) = (at(shift as f64), at(shift as f64));
-    }
+    let around = [at(shift as f64 - 2.0), at(shift as f64 + 2.0)];
+    let [low, high] = match slope(around[0]) < 0.0 && 0.0 < slope(around[1]) {
+        true => bisected(around, BISECTIONS, |t| slope(t) < 0.0),
+        false => [at(shift as f64); 2],
+    };
     let t = 0.5 * (low + high);
     let near = |knot: &f64| (knot - t).abs() <= PLACE_RELATIVE * domain.length();
     curve.knots().breaks().into_iter().find(near).unwrap_or(t)

@@ -5,7 +5,9 @@ use glam::{DVec3, DVec4};
 use super::{Edge, NurbsSurface, Surface, border::SurfaceBorder, level_set::SurfacePart};
 use crate::{
     Bounds, GeomError, Grid, Interval, KnotVector, Tolerance,
+    ceiling::BISECTIONS,
     frame::{norm, unit},
+    numeric::bisection::try_bisected,
     tolerance::{SIDE_STEP, VANISHING_RELATIVE},
     work,
 };
@@ -18,9 +20,6 @@ const MOST: usize = 32;
 
 /// Folds that are told; more are more of the same.
 const MAX_FOLDS: usize = 8;
-
-/// Bisections of the way between two places with opposite normals: all bits of a fraction.
-const BISECTIONS: usize = 53;
 
 /// Parts of a patch are halved this often before their corners tell a fold, and at most.
 const LEAST_HALVINGS: usize = 10;
@@ -196,17 +195,11 @@ impl Surface {
         to: &NormalPlace,
     ) -> Result<Option<[f64; 2]>, GeomError> {
         let between = |f: f64| [0, 1].map(|i| from.at[i] * (1.0 - f) + to.at[i] * f);
-        let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (low + high);
-            let normal = self.unit_product(between(middle))?;
-            let is_like_first = normal.zip(from.normal).is_some_and(|(a, b)| 0.0 < a.dot(b));
-            if is_like_first {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
+        let is_like_first = |f: f64| {
+            let normal = self.unit_product(between(f))?;
+            Ok::<bool, GeomError>(normal.zip(from.normal).is_some_and(|(a, b)| 0.0 < a.dot(b)))
+        };
+        let [low, high] = try_bisected([0.0, 1.0], BISECTIONS, is_like_first)?;
         let [before, behind] = [low - SIDE_STEP, high + SIDE_STEP].map(between);
         let opposite = self.unit_product(before)?.zip(self.unit_product(behind)?);
         let is_fold = opposite.is_some_and(|(a, b)| a.dot(b) < 0.0);

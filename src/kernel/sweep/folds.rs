@@ -6,6 +6,7 @@ use glam::DVec3;
 use super::MovingSection;
 use crate::{
     ConstructionError, GeomError,
+    numeric::bisection::try_bisected,
     tolerance::{KNOT_RELATIVE, VANISHING_RELATIVE},
 };
 
@@ -105,15 +106,8 @@ impl MovingSection<'_> {
 
     /// Where the reach passes 1, between a place without and one with a fold.
     fn boundary(&mut self, section: &[DVec3], free: f64, folded: f64) -> Result<f64, GeomError> {
-        let (mut free, mut folded) = (free, folded);
-        for _ in 0..MAX_BISECTIONS {
-            let middle = 0.5 * (free + folded);
-            if 1.0 < self.reach(section, middle)? {
-                folded = middle;
-            } else {
-                free = middle;
-            }
-        }
+        let is_folded = |t: f64| self.reach(section, t).map(|reach| 1.0 < reach);
+        let [folded, _] = try_bisected([folded, free], MAX_BISECTIONS, is_folded)?;
         Ok(folded)
     }
 }

@@ -13,7 +13,9 @@ use super::{
 };
 use crate::{
     GeomError, IntersectionError, Interval,
+    ceiling::BISECTIONS,
     curve::NurbsCurve,
+    numeric::bisection::bisected,
     tolerance::LAST_BIT,
     valley::{Valley, round},
 };
@@ -23,9 +25,6 @@ const EXTENT_SAMPLES: usize = 8;
 
 /// Places that tell how far beyond a stretch two curves run together.
 const REACH_SAMPLES: usize = 32;
-
-/// Bisections towards the end of a stretch.
-const MAX_BISECTIONS: usize = 60;
 
 /// Contacts this many tolerances apart are one: what is between them was too short to be told.
 const ONE_CONTACT: f64 = 4.0;
@@ -159,12 +158,7 @@ impl IntersectionSearch<'_> {
         let reach = |from: f64, end: f64| {
             let at = |i: usize| from + (end - from) * i as f64 / REACH_SAMPLES as f64;
             let Some(off) = (1..=REACH_SAMPLES).find(|&i| !is_on(at(i))) else { return end };
-            let (mut on, mut off) = (at(off - 1), at(off));
-            for _ in 0..MAX_BISECTIONS {
-                let middle = 0.5 * (on + off);
-                if is_on(middle) { on = middle } else { off = middle }
-            }
-            on
+            bisected([at(off - 1), at(off)], BISECTIONS, is_on)[0]
         };
         let (start, end) = (stretch.first.start(), stretch.first.end());
         if self.is_same {

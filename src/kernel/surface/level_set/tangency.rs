@@ -9,6 +9,7 @@ use super::{
     surface_pair::SurfacePair,
     tangential_contact::{ParallelPair, ParameterRegion},
 };
+use crate::{ceiling::BISECTIONS, numeric::bisection::bisected};
 
 /// Places of one line.
 const MAX_PLACES: usize = 5000;
@@ -18,9 +19,6 @@ const GROWTH: f64 = 1.6;
 
 /// The longest step, by the reach of what is known about a place.
 const STEP_REACH: f64 = 0.5;
-
-/// Bisections of the step over the end of a domain.
-const BISECTIONS: usize = 50;
 
 /// A place of the line.
 #[derive(Clone, Copy)]
@@ -104,15 +102,8 @@ impl SurfacePair<'_> {
         let far = at(step)?;
         let is_end = !self.is_inside(far.at);
         let length = if is_end {
-            let (mut low, mut high) = (0.0, step);
-            for _ in 0..BISECTIONS {
-                let middle = 0.5 * (low + high);
-                match at(middle).is_some_and(|seen| self.is_inside(seen.at)) {
-                    true => low = middle,
-                    false => high = middle,
-                }
-            }
-            low
+            let is_on = |step: f64| at(step).is_some_and(|seen| self.is_inside(seen.at));
+            bisected([0.0, step], BISECTIONS, is_on)[0]
         } else {
             step
         };
