@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::{NurbsCurve, measure::quadrature};
 use crate::{
     DomainError, GeomError, Interval,
+    numeric::newton::{Step, within_bracket, within_limits},
     tolerance::{LAST_BIT, LENGTH_RELATIVE},
 };
 
@@ -58,16 +59,23 @@ impl NurbsCurve {
         };
         let whole = lengths.parts.get(behind).map_or(lengths.total, |&(_, length)| length) - before;
         let speed = self.speed_on(part);
-        let mut t = part.at(((length - before) / whole).clamp(0.0, 1.0));
-        for _ in 0..QUICK_STEPS {
-            let excess = before + self.length_by_one_rule(part, t) - length;
-            let next = (t - excess / speed(t)).clamp(part.start(), part.end());
-            if next.is_nan() || excess.abs() <= LENGTH_RELATIVE * lengths.total {
-                break;
-            }
-            t = next;
-        }
-        t
+        let start = part.at(((length - before) / whole).clamp(0.0, 1.0));
+        let limits = [part.start(), part.end()];
+        let found = within_limits(
+            [limits],
+            [start],
+            QUICK_STEPS,
+            |_, _| false,
+            |[t]| {
+                let excess = before + self.length_by_one_rule(part, t) - length;
+                let step = -excess / speed(t);
+                match step.is_nan() || excess.abs() <= LENGTH_RELATIVE * lengths.total {
+                    true => Step::Stay,
+                    false => Step::By([step]),
+                }
+            },
+        );
+        found.place()[0]
     }
 
     /// The fraction of the length at a parameter.
@@ -153,28 +161,15 @@ impl NurbsCurve {
         if piece_length <= length {
             return piece.end();
         }
-        let (mut low, mut high) = (piece.start(), piece.end());
         let rounding = LAST_BIT * self.magnitude();
-        let mut t = piece.at(length / piece_length);
-        for _ in 0..MAX_STEPS {
-            let Ok(part) = Interval::new(piece.start(), t) else { return low };
+        let bracket = [piece.start(), piece.end()];
+        let start = piece.at(length / piece_length);
+        let is_still = |t: f64, next: f64| t.total_cmp(&next).is_eq();
+        within_bracket(bracket, start, MAX_STEPS, is_still, |t| {
+            let part = Interval::new(piece.start(), t).ok()?;
             let excess = self.length_within(part, rounding) - length;
-            if excess.abs() <= LENGTH_RELATIVE * piece_length {
-                return t;
-            }
-            if excess < 0.0 {
-                low = t;
-            } else {
-                high = t;
-            }
-            let speed = self.derivatives_at(t, 1)[1].length();
-            let newton = t - excess / speed;
-            let middle = 0.5 * (low + high);
-            t = if low < newton && newton < high { newton } else { middle };
-            if high <= low || t <= low && middle <= low {
-                return t;
-            }
-        }
-        t
+            let is_there = excess.abs() <= LENGTH_RELATIVE * piece_length;
+            (!is_there).then(|| [excess, self.derivatives_at(t, 1)[1].length()])
+        })
     }
 }

@@ -10,6 +10,7 @@ use crate::{
     ConstructionError, ConstructionReport, GeomError, InputError, Interval, WeightError, bezier,
     frame::norm,
     homogeneous,
+    numeric::newton::within_bracket,
     tolerance::{LAST_BIT, LENGTH_RELATIVE, PLACE_RELATIVE, VANISHING_RELATIVE},
 };
 
@@ -261,26 +262,18 @@ impl EndExtrapolation {
     /// The parameter of a length inside of a bracket, at whose start it is `known`: Newton's method
     /// from `first`, with halves where it leaves the bracket.
     fn reached(&self, length: f64, bracket: [f64; 2], mut known: f64, first: f64) -> f64 {
-        let [mut low, mut high] = bracket;
-        let mut t = if low < first && first <= high { first } else { high };
-        for _ in 0..MAX_STEPS {
+        let [mut low, high] = bracket;
+        let start = if low < first && first <= high { first } else { high };
+        let is_still = |t: f64, next: f64| (next - t).abs() <= LAST_BIT * t.abs();
+        within_bracket(bracket, start, MAX_STEPS, is_still, |t| {
             let more = Interval::new(low, t).map_or(0.0, |part| self.length(part));
             let missing = length - known - more;
-            if missing.abs() <= LENGTH_RELATIVE * length {
-                break;
-            }
+            // The next place beyond is measured from here.
             if 0.0 < missing {
                 (low, known) = (t, known + more);
-            } else {
-                high = t;
             }
-            let next = t + missing / self.speed(t);
-            let next = if low < next && next < high { next } else { 0.5 * (low + high) };
-            if (next - t).abs() <= LAST_BIT * t.abs() {
-                break;
-            }
-            t = next;
-        }
-        t
+            let is_there = missing.abs() <= LENGTH_RELATIVE * length;
+            (!is_there).then(|| [-missing, self.speed(t)])
+        })
     }
 }

@@ -11,6 +11,7 @@ use super::{NurbsCurve, ParametricCurve, hermite::blossom_weights, series};
 use crate::{
     Bounds, GeomError, Interval, Tolerance,
     frame::norm,
+    numeric::newton::within_bracket,
     roots::Signs,
     tolerance::{FOLLOWED_RELATIVE, LAST_BIT, SIDE_STEP, SIGN_RELATIVE, TOUCH_RELATIVE},
     work,
@@ -245,34 +246,21 @@ impl ParametricCurve {
     pub(super) fn polished<F: Fn(&[DVec3]) -> MeasuredSeries>(
         &self,
         t: f64,
-        [mut low, mut high]: [f64; 2],
+        bracket: [f64; 2],
         question: &DerivativeQuestion<F>,
     ) -> Result<f64, GeomError> {
-        let (first, mut t) = (self.asked(low, question, 0)?.terms[0], t);
-        let resolution = LAST_BIT * low.abs().max(high.abs());
-        for _ in 0..MAX_STEPS {
+        let first = self.asked(bracket[0], question, 0)?.terms[0];
+        let resolution = LAST_BIT * bracket[0].abs().max(bracket[1].abs());
+        let is_still = |t: f64, next: f64| (next - t).abs() <= resolution;
+        Ok(within_bracket(bracket, t, MAX_STEPS, is_still, |t| {
             // Where there is no slope the middle is as good.
             let number = self.asked(t, question, 1).or_else(|_| self.asked(t, question, 0));
             // Without derivatives it is the place where they jump.
-            let Ok(number) = number else { return Ok(t) };
-            let (value, slope) =
-                (number.terms[0], number.terms.get(1).copied().unwrap_or_default());
-            if value == 0.0 {
-                return Ok(t);
-            }
-            if 0.0 < value * first {
-                low = t;
-            } else {
-                high = t;
-            }
-            let newton = t - value / slope;
-            let next = if low < newton && newton < high { newton } else { 0.5 * (low + high) };
-            if (next - t).abs() <= resolution {
-                return Ok(next);
-            }
-            t = next;
-        }
-        Ok(t)
+            let terms = number.ok()?.terms;
+            let (value, slope) = (terms[0], terms.get(1).copied().unwrap_or_default());
+            let sign = if 0.0 < value * first { -value.signum() } else { value.signum() };
+            (value != 0.0).then_some([sign * value, sign * slope])
+        }))
     }
 
     /// Places where the speed has a minimum of nothing, near those of the spline.

@@ -7,10 +7,14 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{ClosestPoint, Curve, CurveIntersection, NurbsCurve, ParametricCurve, function};
+use super::{
+    ClosestPoint, Curve, CurveIntersection, NurbsCurve, ParametricCurve, function,
+    intersect::newton::nearest_step,
+};
 use crate::{
     Bounds, Frame, GeomError, Interval, Tolerance,
     frame::norm,
+    numeric::newton::{Step, improved, try_within_limits},
     tolerance::{LAST_BIT, SIDE_STEP, TOUCH_RELATIVE},
 };
 
@@ -224,35 +228,26 @@ impl Curve {
         other: &Self,
         near: CurveIntersection,
     ) -> Result<CurveIntersection, GeomError> {
-        let (mut t, mut s) = (near.first, near.second);
         let [own, others] = [self.domain(), other.domain()];
         let apart = |t: f64, s: f64| -> Result<f64, GeomError> {
             Ok(norm(self.point_at(t)? - other.point_at(s)?))
         };
-        let mut distance = apart(t, s)?;
-        for _ in 0..MAX_STEPS {
+        let start = (near.first, near.second, apart(near.first, near.second)?);
+        let (t, s, _) = improved(start, MAX_STEPS, |&(t, s, distance)| {
             let (Ok(a), Ok(b)) = (self.derivatives_at(t, 1), other.derivatives_at(s, 1)) else {
-                break;
+                return Ok(None);
             };
-            let away = a[0] - b[0];
-            let (aa, ab, bb) = (a[1].dot(a[1]), a[1].dot(b[1]), b[1].dot(b[1]));
-            let (x, y) = (-away.dot(a[1]), away.dot(b[1]));
-            let determinant = aa * bb - ab * ab;
-            let next = (
-                (t + (x * bb + y * ab) / determinant).clamp(own.start(), own.end()),
-                (s + (y * aa + x * ab) / determinant).clamp(others.start(), others.end()),
-            );
-            let is_beside = (next.0 - t).abs() <= SIDE_STEP * own.length()
-                && (next.1 - s).abs() <= SIDE_STEP * others.length();
+            let Some([dt, ds]) = nearest_step(a[0] - b[0], a[1], b[1]) else { return Ok(None) };
+            let next = (t + dt).clamp(own.start(), own.end());
+            let next_of_other = (s + ds).clamp(others.start(), others.end());
+            let is_beside = (next - t).abs() <= SIDE_STEP * own.length()
+                && (next_of_other - s).abs() <= SIDE_STEP * others.length();
             if !is_beside {
-                break;
+                return Ok(None);
             }
-            let nearer = apart(next.0, next.1)?;
-            if distance <= nearer {
-                break;
-            }
-            (t, s, distance) = (next.0, next.1, nearer);
-        }
+            let nearer = apart(next, next_of_other)?;
+            Ok::<_, GeomError>((nearer < distance).then_some((next, next_of_other, nearer)))
+        })?;
         let point = self.point_at(t)?.midpoint(other.point_at(s)?);
         Ok(CurveIntersection { first: t, second: s, point })
     }
@@ -276,29 +271,25 @@ impl ParametricCurve {
 
     /// The parameter of the foot of `p` beside one that is nearly it.
     fn nearer(&self, t: f64, p: DVec3) -> Result<f64, GeomError> {
-        let (domain, mut t) = (self.domain(), t);
+        let domain = self.domain();
         let mut distance = norm(self.point_at(t)? - p);
-        for _ in 0..MAX_STEPS {
-            let Ok(d) = self.derivatives_at(t, 2) else { break };
+        let is_still = |[t]: [f64; 1], [next]: [f64; 1]| (next - t).abs() <= LAST_BIT * t.abs();
+        let limits = [domain.start(), domain.end()];
+        let found = try_within_limits([limits], [t], MAX_STEPS, is_still, |[t]| {
+            let Ok(d) = self.derivatives_at(t, 2) else { return Ok(Step::Stuck) };
             let away = d[0] - p;
-            let step = away.dot(d[1]) / (d[1].length_squared() + away.dot(d[2]));
-            let next = (t - step).clamp(domain.start(), domain.end());
+            let step = -away.dot(d[1]) / (d[1].length_squared() + away.dot(d[2]));
+            let next = (t + step).clamp(domain.start(), domain.end());
             let is_beside = (next - t).abs() <= SIDE_STEP * domain.length();
             if !is_beside {
-                break;
+                return Ok(Step::Stuck);
             }
             let nearer = norm(self.point_at(next)? - p);
             // Where the distance is flat the slope still knows where the foot is.
             let is_worse = distance + LAST_BIT * (distance + norm(p)) < nearer;
-            if is_worse {
-                break;
-            }
-            let is_still = (next - t).abs() <= LAST_BIT * t.abs();
-            (t, distance) = (next, nearer);
-            if is_still {
-                break;
-            }
-        }
-        Ok(t)
+            distance = if is_worse { distance } else { nearer };
+            Ok::<_, GeomError>(if is_worse { Step::Stuck } else { Step::By([step]) })
+        })?;
+        Ok(found.place()[0])
     }
 }

@@ -8,7 +8,7 @@
 
 mod contact;
 mod joined;
-mod newton;
+pub(super) mod newton;
 mod shared;
 mod told;
 
@@ -25,6 +25,7 @@ use super::{
 };
 use crate::{
     Bounds, GeomError, Interval, homogeneous,
+    numeric::newton::{Step, within_limits},
     tolerance::{KNOT_RELATIVE, LAST_BIT},
     work,
 };
@@ -266,20 +267,18 @@ impl<'c> IntersectionSearch<'c> {
 
     /// The one place where two pieces that cross clearly come nearest, if they meet there.
     fn crossing(&self, first: Interval, second: Interval) -> Option<CurveIntersection> {
-        let (mut t, mut s) = (first.at(0.5), second.at(0.5));
-        for _ in 0..MAX_STEPS {
+        let limits = [beside(self.first, first), beside(self.second, second)];
+        let is_still = |last: [f64; 2], next: [f64; 2]| {
+            (0..2).all(|i| (next[i] - last[i]).abs() <= LAST_BIT * next[i].abs())
+        };
+        let middles = [first.at(0.5), second.at(0.5)];
+        let found = within_limits(limits, middles, MAX_STEPS, is_still, |[t, s]| {
             let (p, q) = (self.first.derivatives_at(t, 1), self.second.derivatives_at(s, 1));
-            let (dt, ds) = nearest_step(p[0] - q[0], p[1], q[1])?;
-            let (last_t, last_s) = (t, s);
-            t = beside(self.first, first, t + dt);
-            s = beside(self.second, second, s + ds);
-            if (t - last_t).abs() <= LAST_BIT * t.abs() && (s - last_s).abs() <= LAST_BIT * s.abs()
-            {
-                break;
-            }
-        }
-        t = self.first.domain().without_dust(t);
-        s = self.second.domain().without_dust(s);
+            Step::perhaps(nearest_step(p[0] - q[0], p[1], q[1]))
+        });
+        let [t, s] = found.unless_stuck()?;
+        let t = self.first.domain().without_dust(t);
+        let s = self.second.domain().without_dust(s);
         let is_inside = |interval: Interval, t: f64| {
             let slack = KNOT_RELATIVE.sqrt() * interval.length();
             interval.start() - slack <= t && t <= interval.end() + slack

@@ -4,8 +4,13 @@ use glam::{DVec3, DVec4};
 
 use super::surface_patch::SurfacePatch;
 use crate::{
-    Bounds, GeomError, Interval, NurbsCurve, bezier, curve::ArcLengths, homogeneous::project,
-    surface::Crease, tolerance::LAST_BIT, work,
+    Bounds, GeomError, Interval, NurbsCurve, bezier,
+    curve::ArcLengths,
+    homogeneous::project,
+    numeric::newton::{to_foot, try_within_limits},
+    surface::Crease,
+    tolerance::LAST_BIT,
+    work,
 };
 
 /// Halvings of a piece of an edge, past the last bit of a parameter.
@@ -190,23 +195,17 @@ impl PatchEdge {
         &self,
         sheet: &SurfacePatch<'_>,
         place: DVec3,
-        [mut t, weld]: [f64; 2],
+        [start, weld]: [f64; 2],
         span: Interval,
     ) -> Result<Option<f64>, GeomError> {
-        for _ in 0..MAX_STEPS {
+        let limits = [span.start(), span.end()];
+        let is_still =
+            |[t]: [f64; 1], [next]: [f64; 1]| (next - t).abs() <= LAST_BIT * span.length();
+        let found = try_within_limits([limits], [start], MAX_STEPS, is_still, |[t]| {
             let offset = place - self.point(sheet, t)?;
-            let velocity = self.curve.derivatives_at(t, 1)[1];
-            let step = offset.dot(velocity) / velocity.length_squared();
-            if !step.is_finite() {
-                break;
-            }
-            let next = (t + step).clamp(span.start(), span.end());
-            let is_there = (next - t).abs() <= LAST_BIT * span.length();
-            t = next;
-            if is_there {
-                break;
-            }
-        }
+            Ok::<_, GeomError>(to_foot(offset, self.curve.derivatives_at(t, 1)[1]))
+        })?;
+        let [t] = found.place();
         Ok((self.point(sheet, t)?.distance(place) <= weld).then_some(t))
     }
 }

@@ -1,11 +1,18 @@
 //! A Bézier patch seen from a place, and the nearest point on a part of it.
 
-use std::convert::Infallible;
+use std::{convert::Infallible, ops::ControlFlow};
 
 use glam::{DVec2, DVec3, DVec4};
 
 use super::DirectionSpans;
-use crate::{Bounds, Direction, Interval, homogeneous, tolerance::LAST_BIT};
+use crate::{
+    Bounds, Direction, Interval, homogeneous,
+    numeric::{
+        linear::TwoEquations,
+        newton::{improved, shortened},
+    },
+    tolerance::LAST_BIT,
+};
 
 /// Steps towards a minimum; some five are enough where the squared distance is curved.
 const MAX_STEPS: usize = 40;
@@ -209,14 +216,7 @@ pub(crate) fn descend<E>(
     start: [f64; 2],
     mut way_at: impl FnMut([f64; 2]) -> Result<Residual, E>,
 ) -> Result<Residual, E> {
-    let mut way = way_at(start)?;
-    for _ in 0..MAX_STEPS {
-        match lower(cell, &way, &mut way_at)? {
-            Some(next) => way = next,
-            None => break,
-        }
-    }
-    Ok(way)
+    improved(way_at(start)?, MAX_STEPS, |way| lower(cell, way, &mut way_at))
 }
 
 /// A step that leads down, or none.
@@ -229,20 +229,18 @@ fn lower<E>(
         let free = |i: usize| if cell.bars(way, i) { 0.0 } else { way.slope[i].abs() };
         free(0).max(free(1))
     };
-    let mut step = way.step([0, 1].map(|i| cell.bars(way, i)));
-    for _ in 0..MAX_HALVINGS {
+    let whole = way.step([0, 1].map(|i| cell.bars(way, i)));
+    shortened(whole, MAX_HALVINGS, |step| {
         let place = cell.clamp([way.place[0] + step[0], way.place[1] + step[1]]);
         if DVec2::from_array(place) == DVec2::from_array(way.place) {
-            return Ok(None);
+            return Ok(ControlFlow::Break(None));
         }
         let next = way_at(place)?;
         let is_level = next.squared <= way.squared * (1.0 + 4.0 * LAST_BIT);
-        if next.squared < way.squared || (is_level && steepness(&next) < 0.5 * steepness(way)) {
-            return Ok(Some(next));
-        }
-        step = step.map(|x| 0.5 * x);
-    }
-    Ok(None)
+        let is_lower =
+            next.squared < way.squared || (is_level && steepness(&next) < 0.5 * steepness(way));
+        Ok(if is_lower { ControlFlow::Break(Some(next)) } else { ControlFlow::Continue(()) })
+    })
 }
 
 impl Residual {
@@ -263,10 +261,9 @@ impl Residual {
             [true, false] => [0.0, single(b, self.bend[2], self.metric[2])],
             [false, false] => {
                 let solve = |[uu, uv, vv]: [f64; 3]| {
-                    let determinant = uu * vv - uv * uv;
-                    let is_convex = 0.0 < uu && 0.0 < vv && LAST_BIT * uu * vv < determinant;
-                    is_convex
-                        .then(|| [(uv * b - vv * a) / determinant, (uv * a - uu * b) / determinant])
+                    let form = TwoEquations::symmetric(uu, uv, vv);
+                    let is_convex = 0.0 < uu && 0.0 < vv && LAST_BIT * uu * vv < form.determinant();
+                    is_convex.then(|| form.solved([-a, -b]))
                 };
                 solve(self.bend).or_else(|| solve(self.metric)).unwrap_or([
                     single(a, self.bend[0], self.metric[0]),

@@ -4,5 +4,6 @@
 //! work that the caller gives or `f64` does, and says what it answers when it gets there.
 
 pub(crate) mod bisection;
-pub(crate) mod bisection;
 pub(crate) mod gauss_legendre;
+pub(crate) mod linear;
+pub(crate) mod newton;

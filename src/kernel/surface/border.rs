@@ -6,7 +6,10 @@ use super::{
     Edge, Surface,
     two_sided::{ORDER, TwoSidedSample},
 };
-use crate::{Curve, GeomError, Interval, KnotVector, Side, frame::norm, tolerance::KNOT_RELATIVE};
+use crate::{
+    Curve, GeomError, Interval, KnotVector, Side, frame::norm, numeric::newton::improved,
+    tolerance::KNOT_RELATIVE,
+};
 
 /// Places of one piece of an edge, at least; of a function, in all.
 const FEWEST: usize = 33;
@@ -241,17 +244,14 @@ impl LineDistance {
         let distance = |seed: &&(f64, DVec3)| seed.1.distance(point);
         let best = self.seeds.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
         let domain = curve.domain();
-        let mut t = best.map_or(domain.start(), |&(t, _)| t);
-        for _ in 0..STEPS {
+        let seed = best.map_or(domain.start(), |&(t, _)| t);
+        improved(seed, STEPS, |&t| {
             let d = curve.derivatives_at(t, 2)?;
             let away = d[0] - point;
             let (slope, change) = (away.dot(d[1]), d[1].length_squared() + away.dot(d[2]));
             let next = (t - slope / change).clamp(domain.start(), domain.end());
-            if !next.is_finite() || curve.point_at(next)?.distance(point) >= norm(away) {
-                break;
-            }
-            t = next;
-        }
-        Ok(t)
+            let is_nearer = next.is_finite() && curve.point_at(next)?.distance(point) < norm(away);
+            Ok(is_nearer.then_some(next))
+        })
     }
 }

@@ -7,6 +7,7 @@ use crate::{
     Grid, Interval, Side,
     frame::{norm, unit},
     homogeneous,
+    numeric::linear::TwoEquations,
     tolerance::VANISHING_RELATIVE,
 };
 
@@ -129,12 +130,8 @@ impl TwoSidedSample {
         let normal = x.cross(y);
         let (across, along) = (d(1, 0), d(0, 1));
         let map = [[across.dot(x), along.dot(x)], [across.dot(y), along.dot(y)]];
-        let determinant = map[0][0] * map[1][1] - map[0][1] * map[1][0];
         // Steps in the parameters that make unit steps along x and along y.
-        let steps = [
-            [map[1][1] / determinant, -map[1][0] / determinant],
-            [-map[0][1] / determinant, map[0][0] / determinant],
-        ];
+        let steps = [[1.0, 0.0], [0.0, 1.0]].map(|unit| TwoEquations { matrix: map }.solved(unit));
         let twice = |i: usize, j: usize| {
             let (a, b) = (steps[i], steps[j]);
             d(2, 0) * (a[0] * b[0])

@@ -5,13 +5,14 @@
 //! and beside which they may. do Carmo, *Differential Geometry of Curves and Surfaces*, §3-2; Porteous,
 //! *Geometric Differentiation*, §11.
 
-use std::f64::consts::TAU;
+use std::{convert::Infallible, f64::consts::TAU, ops::ControlFlow};
 
 use glam::{DMat2, DVec2};
 
 use super::{Edge, Surface, SurfaceDefects};
 use crate::{
     GeomError, Interval, KnotVector, Tolerance,
+    numeric::newton::shortened,
     tolerance::{
         LAST_BIT, TOUCH_RELATIVE, UMBILIC_CIRCLE, UMBILIC_CLEAR, UMBILIC_DIFFERENCE, UMBILIC_SHARE,
     },
@@ -260,19 +261,18 @@ fn descend(
         let squared = slopes.transpose() * slopes;
         let little = LAST_BIT * (squared.x_axis.x + squared.y_axis.y);
         let damped = squared + DMat2::from_diagonal(DVec2::splat(little));
-        let mut step = -(damped.inverse() * (slopes.transpose() * last.uneven));
+        let step = -(damped.inverse() * (slopes.transpose() * last.uneven));
         if !step.is_finite() {
             break;
         }
-        let mut next = None;
-        for _ in 0..MAX_HALVINGS {
-            let at = (last.at + step).clamp(limits[0], limits[1]);
-            next = look(at).filter(|bend| bend.size() < last.size());
-            if next.is_some() || at == last.at {
-                break;
-            }
-            step *= 0.5;
-        }
+        let Ok(next) = shortened(step.to_array(), MAX_HALVINGS, |step| {
+            let at = (last.at + DVec2::from_array(step)).clamp(limits[0], limits[1]);
+            let better = look(at).filter(|bend| bend.size() < last.size());
+            Ok::<_, Infallible>(match better.is_some() || at == last.at {
+                true => ControlFlow::Break(better),
+                false => ControlFlow::Continue(()),
+            })
+        });
         let Some(better) = next else { break };
         n_slow = if SLOW * last.size() < better.size() { n_slow + 1 } else { 0 };
         last = better;

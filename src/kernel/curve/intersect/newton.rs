@@ -4,19 +4,30 @@ use glam::DVec3;
 
 use super::MAX_STEPS;
 use crate::{
-    Interval, curve::NurbsCurve, frame::norm, tolerance::LAST_BIT, valley::golden_section,
+    Interval,
+    curve::NurbsCurve,
+    frame::norm,
+    numeric::{
+        linear::TwoEquations,
+        newton::{to_foot, within_limits},
+    },
+    tolerance::LAST_BIT,
+    valley::golden_section,
 };
 
 /// Cells of a stretch that are looked at for the nearest point.
 const FOOT_CELLS: usize = 16;
 
 /// Steps of both parameters to the nearest approach of two tangents.
-pub(super) fn nearest_step(apart: DVec3, first: DVec3, second: DVec3) -> Option<(f64, f64)> {
+pub(in crate::curve) fn nearest_step(
+    apart: DVec3,
+    first: DVec3,
+    second: DVec3,
+) -> Option<[f64; 2]> {
     let (aa, ab, bb) = (first.dot(first), first.dot(second), second.dot(second));
-    let determinant = aa * bb - ab * ab;
-    let (x, y) = (-apart.dot(first), apart.dot(second));
-    let steps = ((x * bb + y * ab) / determinant, (y * aa + x * ab) / determinant);
-    (steps.0.is_finite() && steps.1.is_finite()).then_some(steps)
+    let [x, y] = [-apart.dot(first), apart.dot(second)];
+    let steps = TwoEquations::symmetric(aa, -ab, bb).solved([x, y]);
+    steps.iter().all(|step| step.is_finite()).then_some(steps)
 }
 
 /// The distance of a point from a short part of a curve.
@@ -36,27 +47,20 @@ pub(super) fn nearest_parameter(
     p: DVec3,
     start: f64,
 ) -> f64 {
-    let mut t = start;
-    for _ in 0..MAX_STEPS {
+    let limits = [interval.start(), interval.end()];
+    let is_still = |[t]: [f64; 1], [next]: [f64; 1]| (next - t).abs() <= LAST_BIT * t.abs();
+    let found = within_limits([limits], [start], MAX_STEPS, is_still, |[t]| {
         let derivatives = curve.derivatives_at(t, 1);
-        let step = (p - derivatives[0]).dot(derivatives[1]) / derivatives[1].length_squared();
-        if !step.is_finite() {
-            return t;
-        }
-        let next = (t + step).clamp(interval.start(), interval.end());
-        if (next - t).abs() <= LAST_BIT * t.abs() {
-            return next;
-        }
-        t = next;
-    }
-    t
+        to_foot(p - derivatives[0], derivatives[1])
+    });
+    found.place()[0]
 }
 
-/// A parameter within one width of an interval, and of the domain.
-pub(super) fn beside(curve: &NurbsCurve, interval: Interval, t: f64) -> f64 {
+/// The limits of parameters within one width of an interval, and of the domain.
+pub(super) fn beside(curve: &NurbsCurve, interval: Interval) -> [f64; 2] {
     let (width, domain) = (interval.length(), curve.domain());
     let low = (interval.start() - width).max(domain.start());
-    t.clamp(low, (interval.end() + width).min(domain.end()))
+    [low, (interval.end() + width).min(domain.end())]
 }
 
 /// A parameter of the domain for one that goes on over the seam.
@@ -91,18 +95,12 @@ pub(super) fn foot(curve: &NurbsCurve, stretch: Interval, p: DVec3) -> f64 {
 
 /// Newton's method on the tangents within a bracket; none where it does not come to rest.
 fn newton_foot(curve: &NurbsCurve, bracket: [f64; 2], p: DVec3, start: f64) -> Option<f64> {
-    let mut t = start;
-    for _ in 0..MAX_STEPS {
+    let is_still = |[t]: [f64; 1], [next]: [f64; 1]| {
+        (next - t).abs() <= LAST_BIT * t.abs().max(bracket[1] - bracket[0])
+    };
+    let found = within_limits([bracket], [start], MAX_STEPS, is_still, |[t]| {
         let derivatives = curve.derivatives_at(inside(curve, t), 1);
-        let step = (p - derivatives[0]).dot(derivatives[1]) / derivatives[1].length_squared();
-        if !step.is_finite() {
-            return None;
-        }
-        let next = (t + step).clamp(bracket[0], bracket[1]);
-        if (next - t).abs() <= LAST_BIT * t.abs().max(bracket[1] - bracket[0]) {
-            return Some(next);
-        }
-        t = next;
-    }
-    None
+        to_foot(p - derivatives[0], derivatives[1])
+    });
+    found.settled().map(|[t]| t)
 }

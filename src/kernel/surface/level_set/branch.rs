@@ -5,6 +5,7 @@ use std::rc::Rc;
 use super::{cell::PatchCell, square};
 use crate::{
     Grid, Interval, bernstein,
+    numeric::newton::within_bracket,
     roots::Signs,
     tolerance::{KNOT_RELATIVE, LAST_BIT},
 };
@@ -134,21 +135,9 @@ fn root(coefficients: &[f64], slopes: &[f64]) -> f64 {
     if sign * coefficients[last] <= 0.0 {
         return 1.0;
     }
-    let (mut low, mut high) = (0.0, 1.0);
-    let mut t = coefficients[0] / (coefficients[0] - coefficients[last]);
-    for _ in 0..MAX_STEPS {
-        let value = sign * bernstein::value(coefficients, t);
-        if value < 0.0 {
-            low = t;
-        } else {
-            high = t;
-        }
-        let newton = t - value / (sign * bernstein::value(slopes, t));
-        let next = if low < newton && newton < high { newton } else { 0.5 * (low + high) };
-        if (next - t).abs() <= LAST_BIT {
-            return next;
-        }
-        t = next;
-    }
-    t
+    let start = coefficients[0] / (coefficients[0] - coefficients[last]);
+    let is_still = |t: f64, next: f64| (next - t).abs() <= LAST_BIT;
+    within_bracket([0.0, 1.0], start, MAX_STEPS, is_still, |t| {
+        Some([coefficients, slopes].map(|values| sign * bernstein::value(values, t)))
+    })
 }

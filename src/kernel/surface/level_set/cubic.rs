@@ -3,7 +3,13 @@
 use glam::DVec3;
 
 use super::sample::{BranchSample, length_between};
-use crate::{GeomError, KnotVector, NurbsCurve, frame::unit, tolerance::CORNER_RELATIVE, work};
+use crate::{
+    GeomError, KnotVector, NurbsCurve,
+    frame::unit,
+    numeric::newton::{to_foot, within_limits},
+    tolerance::CORNER_RELATIVE,
+    work,
+};
 
 /// Where between two samples a spline is compared with the cubic between them.
 const SHARES: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
@@ -47,16 +53,17 @@ impl CubicSegment {
 
     /// How far a point is from it, by the foot near a parameter.
     pub(super) fn misses_near(&self, point: DVec3, start: f64) -> f64 {
-        let mut t = start;
-        for _ in 0..FOOT_STEPS {
-            let [place, slope] = self.at(t);
-            let step = (point - place).dot(slope) / slope.length_squared();
-            if !step.is_finite() {
-                break;
-            }
-            t = (t + step).clamp(0.0, 1.0);
-        }
-        self.at(t)[0].distance(point)
+        let found = within_limits(
+            [[0.0, 1.0]],
+            [start],
+            FOOT_STEPS,
+            |_, _| false,
+            |[t]| {
+                let [place, slope] = self.at(t);
+                to_foot(point - place, slope)
+            },
+        );
+        self.at(found.place()[0])[0].distance(point)
     }
 }
 

@@ -6,11 +6,15 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{PictureError, linear::solved, pair::SurfacePart, surface_pair::within};
+use super::{PictureError, pair::SurfacePart};
 use crate::{
     Bounds, Curve, GeomError, Interval, NurbsCurve, NurbsSurface, Surface, Tolerance, bezier,
     frame::{norm, unit},
     homogeneous,
+    numeric::{
+        linear::solved,
+        newton::{Step, within_limits},
+    },
     tolerance::{LAST_BIT, PLACE_RELATIVE},
     valley::Valley,
     work,
@@ -159,23 +163,21 @@ impl PiercingSearch<'_> {
     /// The one place of a piece and a part that cross clearly, if it is in both.
     fn crossing(&self, piece: &CurvePiece, part: &SurfacePart) -> Option<CurveSurfaceIntersection> {
         let [u, v] = part.middle();
-        let mut at = [0.5 * (piece.ends[0] + piece.ends[1]), u, v];
+        let start = [0.5 * (piece.ends[0] + piece.ends[1]), u, v];
         let domains = [self.curve.domain(), self.surface.domain_u(), self.surface.domain_v()];
-        for _ in 0..MAX_STEPS {
+        let limits = domains.map(|domain| [domain.start(), domain.end()]);
+        let is_still = |last: [f64; 3], next: [f64; 3]| {
+            (0..3).all(|i| (next[i] - last[i]).abs() <= LAST_BIT * domains[i].length())
+        };
+        let found = within_limits(limits, start, MAX_STEPS, is_still, |at| {
             let derivatives = self.curve.derivatives_at(at[0], 1);
             let [point, by_u, by_v] = self.surface.tangents_at(at[1], at[2]);
             let apart = derivatives[0] - point;
             let columns = [derivatives[1], -by_u, -by_v];
             let matrix = std::array::from_fn(|i| std::array::from_fn(|k| columns[k][i]));
-            let step = solved::<3>(matrix, (-apart).to_array())?;
-            let last = at;
-            at = std::array::from_fn(|i| within(domains[i], at[i] + step[i]));
-            let is_still = |i: usize| (at[i] - last[i]).abs() <= LAST_BIT * domains[i].length();
-            if (0..3).all(is_still) {
-                break;
-            }
-        }
-        let [t, u, v] = at;
+            Step::perhaps(solved(matrix, (-apart).to_array()))
+        });
+        let [t, u, v] = found.unless_stuck()?;
         let slack = PLACE_RELATIVE * (piece.ends[1] - piece.ends[0]);
         let is_inside = piece.ends[0] - slack <= t && t <= piece.ends[1] + slack;
         (is_inside && part.holds([u, v])).then(|| self.piercing(t, [u, v]))?

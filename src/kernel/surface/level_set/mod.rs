@@ -22,7 +22,6 @@ mod collapsed;
 mod cubic;
 mod curve_surface_intersection;
 mod error;
-mod linear;
 mod pair;
 mod plane;
 mod sample;

@@ -4,12 +4,15 @@ use glam::DVec3;
 
 use super::{
     collapsed::{CollapsedEdge, collapsed},
-    linear::solved,
     tangential_contact::poles,
 };
 use crate::{
     Interval, NurbsSurface,
     frame::{norm, unit},
+    numeric::{
+        linear::solved,
+        newton::{FREE, Step, within_limits},
+    },
     tolerance::LAST_BIT,
 };
 
@@ -85,6 +88,13 @@ impl<'s> SurfacePair<'s> {
         PairState { apart: p - q, slopes: [pu, pv, -qu, -qv], point: p.midpoint(q) }
     }
 
+    /// The point of one of the surfaces at the parameters of its domain nearest to some.
+    pub(super) fn point_within(&self, surface: usize, [u, v]: [f64; 2]) -> DVec3 {
+        let [u, v] =
+            [within(self.domains[2 * surface], u), within(self.domains[2 * surface + 1], v)];
+        self.surfaces[surface].point_at(u, v)
+    }
+
     fn place(&self, at: [f64; 4]) -> PairParameters {
         let PairState { slopes: [pu, pv, qu, qv], point, .. } = self.look(at);
         let normals = [unit(pu.cross(pv)), unit(qu.cross(qv))];
@@ -95,59 +105,72 @@ impl<'s> SurfacePair<'s> {
     }
 
     /// The common place nearest to parameters, these counted by widths.
-    pub(super) fn common(&self, mut at: [f64; 4], widths: [f64; 4]) -> Option<PairParameters> {
-        for _ in 0..MAX_STEPS {
-            let look = self.look(at);
-            if norm(look.apart) <= self.rounding {
-                break;
-            }
-            // The shortest step that removes the gap.
-            let columns: [DVec3; 4] = std::array::from_fn(|i| look.slopes[i] * widths[i]);
-            let matrix: [[f64; 3]; 3] = std::array::from_fn(|i| {
-                std::array::from_fn(|k| columns.iter().map(|c| c[i] * c[k]).sum())
-            });
-            let factors = DVec3::from_array(solved(matrix, (-look.apart).to_array())?);
-            let step = |i: usize| widths[i] * columns[i].dot(factors).clamp(-2.0, 2.0);
-            at = std::array::from_fn(|i| at[i] + step(i));
-        }
+    pub(super) fn common(&self, start: [f64; 4], widths: [f64; 4]) -> Option<PairParameters> {
+        let found = within_limits(
+            [FREE; 4],
+            start,
+            MAX_STEPS,
+            |_, _| false,
+            |at| {
+                let look = self.look(at);
+                if norm(look.apart) <= self.rounding {
+                    return Step::Stay;
+                }
+                // The shortest step that removes the gap.
+                let columns: [DVec3; 4] = std::array::from_fn(|i| look.slopes[i] * widths[i]);
+                let matrix: [[f64; 3]; 3] = std::array::from_fn(|i| {
+                    std::array::from_fn(|k| columns.iter().map(|c| c[i] * c[k]).sum())
+                });
+                let factors = solved(matrix, (-look.apart).to_array()).map(DVec3::from_array);
+                Step::perhaps(factors.map(|factors| {
+                    std::array::from_fn(|i| widths[i] * columns[i].dot(factors).clamp(-2.0, 2.0))
+                }))
+            },
+        );
+        let at = found.unless_stuck()?;
         (norm(self.look(at).apart) <= 0.01 * self.tolerance).then(|| self.place(at))
     }
 
     /// The common place in a plane across a direction, or with one parameter given.
     pub(super) fn common_where(
         &self,
-        mut at: [f64; 4],
+        start: [f64; 4],
         condition: PlaceCondition,
     ) -> Option<PairParameters> {
-        for _ in 0..MAX_STEPS {
-            let look = self.look(at);
-            let (row, value) = match condition {
-                PlaceCondition::InPlane { origin, normal } => {
-                    let [pu, pv, ..] = look.slopes;
-                    // The plane cuts the first surface.
-                    let first = look.point + 0.5 * look.apart;
-                    let row = [pu.dot(normal), pv.dot(normal), 0.0, 0.0];
-                    (row, (first - origin).dot(normal))
-                }
-                PlaceCondition::At { parameter, value } => (
-                    std::array::from_fn(|i| f64::from(u8::from(i == parameter))),
-                    at[parameter] - value,
-                ),
-            };
-            let matrix: [[f64; 4]; 4] = std::array::from_fn(|i| match i {
-                3 => row,
-                _ => std::array::from_fn(|k| look.slopes[k][i]),
-            });
-            let [x, y, z] = (-look.apart).to_array();
-            let step = solved(matrix, [x, y, z, -value])?;
-            at = std::array::from_fn(|i| at[i] + step[i]);
-            let is_still = (0..4).all(|i| {
-                step[i].abs() <= 4.0 * LAST_BIT * (at[i].abs() + self.domains[i].length())
-            });
-            if is_still {
-                break;
-            }
-        }
+        let found = within_limits(
+            [FREE; 4],
+            start,
+            MAX_STEPS,
+            |_, _| false,
+            |at| {
+                let look = self.look(at);
+                let (row, value) = match condition {
+                    PlaceCondition::InPlane { origin, normal } => {
+                        let [pu, pv, ..] = look.slopes;
+                        // The plane cuts the first surface.
+                        let first = look.point + 0.5 * look.apart;
+                        let row = [pu.dot(normal), pv.dot(normal), 0.0, 0.0];
+                        (row, (first - origin).dot(normal))
+                    }
+                    PlaceCondition::At { parameter, value } => (
+                        std::array::from_fn(|i| f64::from(u8::from(i == parameter))),
+                        at[parameter] - value,
+                    ),
+                };
+                let matrix: [[f64; 4]; 4] = std::array::from_fn(|i| match i {
+                    3 => row,
+                    _ => std::array::from_fn(|k| look.slopes[k][i]),
+                });
+                let [x, y, z] = (-look.apart).to_array();
+                let Some(step) = solved(matrix, [x, y, z, -value]) else { return Step::Stuck };
+                let is_still = (0..4).all(|i| {
+                    let size = (at[i] + step[i]).abs() + self.domains[i].length();
+                    step[i].abs() <= 4.0 * LAST_BIT * size
+                });
+                if is_still { Step::Last(step) } else { Step::By(step) }
+            },
+        );
+        let at = found.unless_stuck()?;
         let is_there =
             at.iter().all(|x| x.is_finite()) && norm(self.look(at).apart) <= 0.01 * self.tolerance;
         is_there.then(|| self.place(at))

@@ -15,6 +15,7 @@ use super::surface_pair::{PairParameters, SurfacePair, within};
 use crate::{
     NurbsSurface,
     frame::unit,
+    numeric::newton::{FREE, Found, Step, within_limits},
     tolerance::{BEND_RELATIVE, CONTACT_SHARE, LAST_BIT, PLACE_RELATIVE, SIGN_RELATIVE},
 };
 
@@ -212,9 +213,14 @@ impl ParallelPair {
 
     /// The parameters a step further, each surface by its own.
     fn moved(&self, first: DVec2, second: DVec2) -> [f64; 4] {
+        let steps = self.steps(first, second);
+        std::array::from_fn(|i| self.at[i] + steps[i])
+    }
+
+    /// The parameters' steps there.
+    fn steps(&self, first: DVec2, second: DVec2) -> [f64; 4] {
         let [a, b] = [self.maps[0] * first, self.maps[1] * second];
-        let [u, v, s, t] = self.at;
-        [u + a.x, v + a.y, s + b.x, t + b.y]
+        [a.x, a.y, b.x, b.y]
     }
 
     /// The direction in which e bends least.
@@ -244,20 +250,24 @@ impl SurfacePair<'_> {
     /// parameters; where that is so along a line, at its nearest place.
     pub(super) fn touch_near(&self, start: [f64; 4]) -> Option<ParallelPair> {
         let near = CONTACT_SHARE * self.touch_size() * CONTACT_SHARE;
-        let mut at = start;
-        for _ in 0..MAX_STEPS {
-            let seen = ParallelPair::new(self, at)?;
-            let step = seen.step(self.size);
-            if !step.is_finite() || self.size < step.length() {
-                return None;
-            }
-            at = seen.moved(step, step - seen.apart);
-            // The last step squares what is small.
-            if step.length() + seen.apart.length() <= near {
-                return ParallelPair::new(self, at);
-            }
-        }
-        None
+        let found = within_limits(
+            [FREE; 4],
+            start,
+            MAX_STEPS,
+            |_, _| false,
+            |at| {
+                let Some(seen) = ParallelPair::new(self, at) else { return Step::Stuck };
+                let step = seen.step(self.size);
+                if !step.is_finite() || self.size < step.length() {
+                    return Step::Stuck;
+                }
+                let steps = seen.steps(step, step - seen.apart);
+                // The last step squares what is small.
+                let is_near = step.length() + seen.apart.length() <= near;
+                if is_near { Step::Last(steps) } else { Step::By(steps) }
+            },
+        );
+        ParallelPair::new(self, found.settled()?)
     }
 
     /// Whether the surfaces meet there, up to what counts as such.
@@ -345,28 +355,35 @@ impl SurfacePair<'_> {
     /// The place about a step from a contact, and e there; infinite where no foot is found.
     fn difference_at(&self, seen: &ParallelPair, step: DVec2) -> Option<(DVec2, f64)> {
         let [x, y, z] = seen.axes;
-        let [u, v, mut s, mut t] = seen.moved(step, step);
+        let [u, v, s, t] = seen.moved(step, step);
         if !self.is_inside([u, v, seen.at[2], seen.at[3]]) {
             return None;
         }
-        let top = self.surfaces[0].point_at(within(self.domains[0], u), within(self.domains[1], v));
+        let top = self.point_within(0, [u, v]);
         let flat = |way: DVec3| DVec2::new(way.dot(x), way.dot(y));
         let place = flat(top - seen.point);
-        for _ in 0..FOOT_STEPS {
-            if !self.is_inside([u, v, s, t]) {
-                return None;
-            }
-            let foot =
-                self.surfaces[1].point_at(within(self.domains[2], s), within(self.domains[3], t));
-            let way = top - foot;
-            let off = flat(way);
-            if off.length() <= PLACE_RELATIVE * step.length() {
-                return Some((place, way.dot(z)));
-            }
-            let turn = seen.maps[1] * off;
-            (s, t) = (s + turn.x, t + turn.y);
+        let way = |foot: [f64; 2]| top - self.point_within(1, foot);
+        let found = within_limits(
+            [FREE; 2],
+            [s, t],
+            FOOT_STEPS,
+            |_, _| false,
+            |[s, t]| {
+                if !self.is_inside([u, v, s, t]) {
+                    return Step::Stuck;
+                }
+                let off = flat(way([s, t]));
+                match off.length() <= PLACE_RELATIVE * step.length() {
+                    true => Step::Stay,
+                    false => Step::By((seen.maps[1] * off).to_array()),
+                }
+            },
+        );
+        match found {
+            Found::Settled(foot) => Some((place, way(foot).dot(z))),
+            Found::Unsettled(_) => Some((place, f64::INFINITY)),
+            Found::Stuck(_) => None,
         }
-        Some((place, f64::INFINITY))
     }
 }
 
