@@ -76,6 +76,7 @@ pub use mesh::{
     split_polygon, tessellate, tessellate_all, tessellate_any, tessellate_curve,
     tessellate_curve_any, tessellate_finely,
 };
+pub use numeric::symmetric_eigen::principal_axes;
 pub use skin::{
     AlignedSection, Along, CompatibleSections, SectionParameters, Skin, aligned, at_constant_speed,
     corners_of_ring, with_seam_at_corner,
@@ -86,7 +87,7 @@ pub use surface::{
     ParametricPlaces, ParametricSurface, PictureError, Principal, QuadricKind, ShellError, Surface,
     SurfaceClosestPoint, SurfaceContinuity, SurfaceDefects, SurfaceEvaluator, SurfaceFunction,
     SurfaceOffset, SurfacePointKind, SurfaceShape, Twists, area_mass, facing_unlike, join_patches,
-    make_surfaces_compatible, principal_axes, volume_mass,
+    make_surfaces_compatible, volume_mass,
 };
 pub use sweep::{
     Axes, Columns, FrameRule, Frames, Motion, PathLeg, PlacedAxes, Sweep, SweepResolution, legs,

@@ -7,3 +7,5 @@ pub(crate) mod bisection;
 pub(crate) mod gauss_legendre;
 pub(crate) mod linear;
 pub(crate) mod newton;
+pub(crate) mod singular_values;
+pub(crate) mod symmetric_eigen;

@@ -194,37 +194,3 @@ impl MassIntegral {
         (0.0 < amount && mass.centroid.is_finite()).then_some(mass)
     }
 }
-
-/// The eigenvalues of a symmetric matrix in ascending order, with unit eigenvectors that are
-/// right-handed: Jacobi's rotations.
-///
-/// Golub & Van Loan, *Matrix Computations*, §8.5.
-#[must_use]
-pub fn principal_axes(matrix: DMat3) -> [(f64, DVec3); 3] {
-    /// Sweeps; five are enough for all bits.
-    const SWEEPS: usize = 12;
-    let (mut a, mut axes) = (matrix, DMat3::IDENTITY);
-    for _ in 0..SWEEPS {
-        for (p, q) in [(0, 1), (0, 2), (1, 2)] {
-            let off = a.col(q)[p];
-            if off.abs() <= 0.0 {
-                continue;
-            }
-            let ratio = 0.5 * (a.col(q)[q] - a.col(p)[p]) / off;
-            let tangent = 1.0_f64.copysign(ratio) / (ratio.abs() + libm::hypot(ratio, 1.0));
-            let cosine = 1.0 / libm::hypot(tangent, 1.0);
-            let sine = tangent * cosine;
-            let mut turn = DMat3::IDENTITY;
-            turn.col_mut(p)[p] = cosine;
-            turn.col_mut(q)[q] = cosine;
-            turn.col_mut(q)[p] = sine;
-            turn.col_mut(p)[q] = -sine;
-            a = turn.transpose() * a * turn;
-            axes *= turn;
-        }
-    }
-    let mut pairs = [0, 1, 2].map(|i| (a.col(i)[i], axes.col(i)));
-    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
-    pairs[2].1 = pairs[0].1.cross(pairs[1].1);
-    pairs
-}

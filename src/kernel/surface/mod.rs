@@ -80,7 +80,7 @@ pub use join::join_patches;
 pub use joint::SurfaceContinuity;
 pub use level_set::{CurveSurfaceIntersection, LevelSet, PictureError};
 pub use local::{Principal, SurfacePointKind, SurfaceShape};
-pub use mass::{MassProperties, area_mass, facing_unlike, principal_axes, volume_mass};
+pub use mass::{MassProperties, area_mass, facing_unlike, volume_mass};
 pub use offset::{FocalPoint, SurfaceOffset};
 pub use parametric::{ParametricSurface, SurfaceFunction};
 pub use revolve::{Axis, AxisContact};

@@ -6,7 +6,8 @@
 
 use glam::{DMat3, DVec3};
 
-use super::{super::mass::principal_axes, QuadricKind};
+use super::QuadricKind;
+use crate::numeric::symmetric_eigen::principal_axes;
 
 /// The left side of a quadratic equation.
 #[derive(Clone, Copy, Debug)]

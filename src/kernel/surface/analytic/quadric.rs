@@ -11,10 +11,10 @@ use super::{
     super::square::product,
     MAX_WORK,
     equation::{Equation, OTHERS, ROUND},
-    singular::singular_values,
 };
 use crate::{
     Grid, NurbsSurface, bezier,
+    numeric::singular_values::singular_values,
     tolerance::{ANALYTIC_RELATIVE, RANK_RELATIVE},
 };
 

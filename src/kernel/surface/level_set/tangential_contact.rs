@@ -16,6 +16,7 @@ use crate::{
     NurbsSurface,
     frame::unit,
     numeric::newton::{FREE, Found, Step, within_limits},
+    numeric::symmetric_eigen::eigen_of_two,
     tolerance::{BEND_RELATIVE, CONTACT_SHARE, LAST_BIT, PLACE_RELATIVE, SIGN_RELATIVE},
 };
 
@@ -196,7 +197,7 @@ impl ParallelPair {
     /// where surfaces of that size bend alike.
     fn step(&self, size: f64) -> DVec2 {
         let right = self.slope - self.bend * self.apart;
-        let [(weak, along), (strong, across)] = eigen(self.difference);
+        let [(weak, along), (strong, across)] = eigen_of_two(self.difference);
         let bend = self.bend.x_axis.abs().max_element().max(self.bend.y_axis.abs().max_element());
         let rounding = SIGN_RELATIVE * (bend + 1.0 / size);
         let part = |value: f64, axis: DVec2| match value.abs() <= rounding {
@@ -225,12 +226,12 @@ impl ParallelPair {
 
     /// The direction in which e bends least.
     pub(super) fn along(&self) -> DVec3 {
-        self.in_space(eigen(self.difference)[0].1)
+        self.in_space(eigen_of_two(self.difference)[0].1)
     }
 
     /// How much it bends across that.
     pub(super) fn strongest(&self) -> f64 {
-        eigen(self.difference)[1].0.abs()
+        eigen_of_two(self.difference)[1].0.abs()
     }
 
     /// The parameters that lead a way through space further.
@@ -277,7 +278,7 @@ impl SurfacePair<'_> {
 
     /// What a contact is; `None` where that cannot be told from second derivatives.
     pub(super) fn contact(&self, seen: &ParallelPair) -> Option<TangentialContact> {
-        let [(weak, along), (strong, across)] = eigen(seen.difference);
+        let [(weak, along), (strong, across)] = eigen_of_two(seen.difference);
         if self.share_area(seen) {
             return Some(TangentialContact::Area);
         }
@@ -324,7 +325,7 @@ impl SurfacePair<'_> {
     fn share_area(&self, seen: &ParallelPair) -> bool {
         let radius = AREA_REACH * self.size;
         let near = 2.0 * self.contact;
-        let [_, (strong, _)] = eigen(seen.difference);
+        let [_, (strong, _)] = eigen_of_two(seen.difference);
         if near < strong.abs() * radius * radius {
             return false;
         }
@@ -394,14 +395,4 @@ fn circle(radius: f64) -> impl Iterator<Item = DVec2> {
             libm::sincos(std::f64::consts::TAU * f64::from(i) / f64::from(N_LOOKS));
         DVec2::new(cosine, sine) * radius
     })
-}
-
-/// The eigenvalues of a symmetric matrix with unit eigenvectors, the smaller one by size first.
-fn eigen(matrix: DMat2) -> [(f64, DVec2); 2] {
-    let (a, b, c) = (matrix.x_axis.x, matrix.y_axis.x, matrix.y_axis.y);
-    let angle = 0.5 * libm::atan2(2.0 * b, a - c);
-    let (sine, cosine) = libm::sincos(angle);
-    let axes = [DVec2::new(cosine, sine), DVec2::new(-sine, cosine)];
-    let [first, second] = axes.map(|axis| (axis.dot(matrix * axis), axis));
-    if first.0.abs() <= second.0.abs() { [first, second] } else { [second, first] }
 }

@@ -2,13 +2,14 @@
 //!
 //! Golub & Van Loan, *Matrix Computations*, §8.6.3.
 
+use super::symmetric_eigen::rotation;
 use crate::tolerance::LAST_BIT;
 
 /// Sweeps; ten are enough for all bits.
 const SWEEPS: usize = 30;
 
 /// The singular values of a matrix of these columns, the largest first, each with its right vector.
-pub(super) fn singular_values<const N: usize>(mut columns: [Vec<f64>; N]) -> [(f64, [f64; N]); N] {
+pub(crate) fn singular_values<const N: usize>(mut columns: [Vec<f64>; N]) -> [(f64, [f64; N]); N] {
     let mut right: [[f64; N]; N] = [[0.0; N]; N];
     (0..N).for_each(|i| right[i][i] = 1.0);
     for _ in 0..SWEEPS {
@@ -21,10 +22,7 @@ pub(super) fn singular_values<const N: usize>(mut columns: [Vec<f64>; N]) -> [(f
                     continue;
                 }
                 is_done = false;
-                let ratio = 0.5 * (b - a) / c;
-                let tangent = 1.0_f64.copysign(ratio) / (ratio.abs() + libm::hypot(ratio, 1.0));
-                let cosine = 1.0 / libm::hypot(tangent, 1.0);
-                let turn = [cosine, tangent * cosine];
+                let turn = rotation([a, c, b]);
                 let (before, behind) = columns.split_at_mut(q);
                 rotate(&mut before[p], &mut behind[0], turn);
                 let (before, behind) = right.split_at_mut(q);
@@ -47,5 +45,25 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 fn rotate(a: &mut [f64], b: &mut [f64], [cosine, sine]: [f64; 2]) {
     for (x, y) in a.iter_mut().zip(b) {
         (*x, *y) = (cosine * *x - sine * *y, sine * *x + cosine * *y);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::singular_values;
+
+    #[test]
+    fn small_singular_values_keep_their_digits() {
+        // Their product is the determinant, 1.
+        let [(large, _), (small, _)] = singular_values::<2>([vec![1e8, 0.0], vec![5e-9, 1e-8]]);
+        assert!((large * small - 1.0).abs() < 1e-15, "{large} {small}");
+        assert!((small / 1e-8 - 1.0).abs() < 1e-15, "{small}");
+    }
+
+    #[test]
+    fn a_matrix_without_full_rank_tells_what_it_takes_to_nothing() {
+        let [(first, _), (second, right)] = singular_values::<2>([vec![3.0, 0.0], vec![4.0, 0.0]]);
+        assert!((first - 5.0).abs() < 1e-15 && second < 1e-15, "{first} {second}");
+        assert!((3.0 * right[0] + 4.0 * right[1]).abs() < 1e-14);
     }
 }

@@ -1,0 +1,109 @@
+//! Eigenvalues and eigenvectors of small symmetric matrices.
+
+use glam::{DMat2, DMat3, DVec2, DVec3};
+
+/// Sweeps over all entries off the diagonal; five are enough for all bits.
+const SWEEPS: usize = 12;
+
+/// The eigenvalues of a symmetric matrix in ascending order, with unit eigenvectors that are
+/// right-handed: Jacobi's rotations.
+///
+/// Golub & Van Loan, *Matrix Computations*, §8.5.
+#[must_use]
+pub fn principal_axes(matrix: DMat3) -> [(f64, DVec3); 3] {
+    let (mut a, mut axes) = (matrix, DMat3::IDENTITY);
+    for _ in 0..SWEEPS {
+        for (p, q) in [(0, 1), (0, 2), (1, 2)] {
+            let off = a.col(q)[p];
+            if off.abs() <= 0.0 {
+                continue;
+            }
+            let [cosine, sine] = rotation([a.col(p)[p], off, a.col(q)[q]]);
+            let mut turn = DMat3::IDENTITY;
+            turn.col_mut(p)[p] = cosine;
+            turn.col_mut(q)[q] = cosine;
+            turn.col_mut(q)[p] = sine;
+            turn.col_mut(p)[q] = -sine;
+            a = turn.transpose() * a * turn;
+            axes *= turn;
+        }
+    }
+    let mut pairs = [0, 1, 2].map(|i| (a.col(i)[i], axes.col(i)));
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    pairs[2].1 = pairs[0].1.cross(pairs[1].1);
+    pairs
+}
+
+/// The eigenvalues of a symmetric matrix with unit eigenvectors, the smaller one by size first: the
+/// rotation that makes it diagonal, by its angle.
+///
+/// Golub & Van Loan, *Matrix Computations*, §8.5.2.
+pub(crate) fn eigen_of_two(matrix: DMat2) -> [(f64, DVec2); 2] {
+    let (a, b, c) = (matrix.x_axis.x, matrix.y_axis.x, matrix.y_axis.y);
+    let angle = 0.5 * libm::atan2(2.0 * b, a - c);
+    let (sine, cosine) = libm::sincos(angle);
+    let axes = [DVec2::new(cosine, sine), DVec2::new(-sine, cosine)];
+    let [first, second] = axes.map(|axis| (axis.dot(matrix * axis), axis));
+    if first.0.abs() <= second.0.abs() { [first, second] } else { [second, first] }
+}
+
+/// Cosine and sine of Jacobi's rotation, by less than an eighth of a turn, that makes a matrix
+/// diagonal of which the first row is `a`, `b` and the second `b`, `c`; `b` is not zero.
+///
+/// Golub & Van Loan, *Matrix Computations*, Algorithm 8.5.1.
+pub(super) fn rotation([a, b, c]: [f64; 3]) -> [f64; 2] {
+    let ratio = 0.5 * (c - a) / b;
+    let tangent = 1.0_f64.copysign(ratio) / (ratio.abs() + libm::hypot(ratio, 1.0));
+    let cosine = 1.0 / libm::hypot(tangent, 1.0);
+    [cosine, tangent * cosine]
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{DMat2, DMat3, DVec2, DVec3};
+
+    use super::{eigen_of_two, principal_axes, rotation};
+
+    #[test]
+    fn eigenvectors_keep_their_direction_and_are_right_handed() {
+        let [x, y, z] =
+            [DVec3::new(2.0, -1.0, 0.5), DVec3::new(-1.0, 3.0, 4.0), DVec3::new(0.5, 4.0, -6.0)];
+        let matrix = DMat3::from_cols(x, y, z);
+        let found = principal_axes(matrix);
+        for (value, axis) in found {
+            assert!((matrix * axis - axis * value).length() < 1e-14 * 8.0, "{value} {axis}");
+        }
+        assert!(found[0].0 <= found[1].0 && found[1].0 <= found[2].0);
+        let axes = found.map(|(_, axis)| axis);
+        let turned = DMat3::from_cols(axes[0], axes[1], axes[2]);
+        assert!((turned.determinant() - 1.0).abs() < 1e-15);
+        let trace: f64 = found.iter().map(|(value, _)| value).sum();
+        assert!((trace + 1.0).abs() < 1e-14, "{trace}");
+    }
+
+    #[test]
+    fn a_diagonal_matrix_has_its_own_axes() {
+        let found = principal_axes(DMat3::from_diagonal(DVec3::new(3.0, 1.0, 2.0)));
+        assert_eq!(found.map(|(value, _)| value), [1.0, 2.0, 3.0]);
+        assert_eq!(found.map(|(_, axis)| axis.abs()), [DVec3::Y, DVec3::Z, DVec3::X]);
+    }
+
+    #[test]
+    fn of_two_the_smaller_by_size_comes_first() {
+        // Of 1, 2, 2, −2 they are 2 along (2, 1) and −3 along (1, −2).
+        let matrix = DMat2::from_cols(DVec2::new(1.0, 2.0), DVec2::new(2.0, -2.0));
+        let [(small, along), (large, across)] = eigen_of_two(matrix);
+        assert!((small - 2.0).abs() < 1e-15 && (large + 3.0).abs() < 1e-15, "{small} {large}");
+        assert!(along.perp_dot(DVec2::new(2.0, 1.0)).abs() < 1e-15, "{along}");
+        assert!(along.dot(across).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_rotation_makes_diagonal() {
+        let [a, b, c] = [1.0, 0.25, -7.0];
+        let [cosine, sine] = rotation([a, b, c]);
+        assert!((cosine * cosine + sine * sine - 1.0).abs() < 1e-15);
+        let off = (cosine * cosine - sine * sine) * b + cosine * sine * (a - c);
+        assert!(off.abs() < 1e-15, "{off}");
+    }
+}
