@@ -34,7 +34,6 @@ mod numeric;
 mod positive;
 mod refine;
 mod removal;
-mod roots;
 mod scale;
 mod side_by_side;
 mod skin;

@@ -16,7 +16,7 @@ use crate::{
     Frame, Interval, Side, Tolerance,
     bernstein::{derivative, product},
     frame::angle_between,
-    roots::Signs,
+    numeric::polynomial_roots::Signs,
     scale::needed_scale,
     tolerance::{KNOT_RELATIVE, LAST_BIT, SIDE_STEP, SIGN_RELATIVE, TOUCH_RELATIVE},
     valley::{Valley, edge},

@@ -12,7 +12,7 @@ use crate::{
     Bounds, GeomError, Interval, Tolerance,
     frame::norm,
     numeric::newton::within_bracket,
-    roots::Signs,
+    numeric::polynomial_roots::Signs,
     tolerance::{FOLLOWED_RELATIVE, LAST_BIT, SIDE_STEP, SIGN_RELATIVE, TOUCH_RELATIVE},
     work,
 };

@@ -1,7 +1,10 @@
 //! The equations of splines through points: which knots, which conditions.
 
-use super::{banded::BandedSystem, check_parameters, cyclic::CyclicSystem, equation::Equation};
-use crate::{CountError, FitError, GeomError, KnotVector};
+use super::{check_parameters, equation::Equation};
+use crate::{
+    CountError, FitError, GeomError, KnotVector,
+    numeric::{banded::BandedSystem, cyclic::CyclicSystem},
+};
 
 /// What a cubic with its knots at the points does where it begins and ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -117,7 +120,8 @@ impl Interpolator {
         // The last value belongs to the last unknown, as the first to the first.
         let last = rows.len() - 1;
         rows.swap(last - 1, last);
-        let equations = FactoredEquations::WithDerivatives(BandedSystem::new(&rows)?);
+        let equations =
+            FactoredEquations::WithDerivatives(BandedSystem::new(&rows).ok_or(FitError::NoFit)?);
         Ok(Self { knots, n_values: got, equations })
     }
 
@@ -146,7 +150,7 @@ impl Interpolator {
     /// [`FitError::NoFit`] where the values do not determine a spline.
     pub(crate) fn on_knots(parameters: &[f64], knots: KnotVector) -> Result<Self, GeomError> {
         let rows: Vec<Equation> = parameters.iter().map(|&t| Equation::point(&knots, t)).collect();
-        let equations = FactoredEquations::Values(BandedSystem::new(&rows)?);
+        let equations = FactoredEquations::Values(BandedSystem::new(&rows).ok_or(FitError::NoFit)?);
         Ok(Self { knots, n_values: parameters.len(), equations })
     }
 
@@ -170,8 +174,10 @@ impl Interpolator {
         let mut rows = vec![Equation::control_point(0), start];
         rows.extend(parameters[1..n - 1].iter().map(|&t| Equation::point(&knots, t)));
         rows.extend([end, Equation::control_point(n + 1)]);
-        let equations =
-            FactoredEquations::WithEnds(BandedSystem::new(&rows)?, [start_row, end_row]);
+        let equations = FactoredEquations::WithEnds(
+            BandedSystem::new(&rows).ok_or(FitError::NoFit)?,
+            [start_row, end_row],
+        );
         Ok(Self { knots, n_values: n, equations })
     }
 }

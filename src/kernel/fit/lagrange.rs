@@ -2,8 +2,10 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{banded::BandedSystem, check_parameters, equation::Equation};
-use crate::{CountError, GeomError, KnotVector, NurbsCurve};
+use super::{check_parameters, equation::Equation};
+use crate::{
+    CountError, FitError, GeomError, KnotVector, NurbsCurve, numeric::banded::BandedSystem,
+};
 
 /// The polynomial curve through the points at the parameters, as a Bézier curve over them; its
 /// degree is one less than the number of points.
@@ -23,7 +25,7 @@ pub fn lagrange(points: &[DVec3], parameters: &[f64]) -> Result<NurbsCurve, Geom
     let knots = KnotVector::new(got - 1, [start, end].concat())?;
     let rows: Vec<Equation> = parameters.iter().map(|&t| Equation::point(&knots, t)).collect();
     let mut unknowns: Vec<DVec4> = points.iter().map(|point| point.extend(1.0)).collect();
-    BandedSystem::new(&rows)?.solve(&mut unknowns);
+    BandedSystem::new(&rows).ok_or(FitError::NoFit)?.solve(&mut unknowns);
     let control_points: Vec<DVec3> = unknowns.into_iter().map(DVec4::truncate).collect();
     NurbsCurve::polynomial(knots, &control_points)
 }

@@ -3,7 +3,10 @@
 use glam::{DVec3, DVec4};
 
 use super::equation::Equation;
-use crate::{CountError, FitError, GeomError, KnotVector, NurbsCurve, tolerance::RANK_RELATIVE};
+use crate::{
+    CountError, FitError, GeomError, KnotVector, NurbsCurve,
+    numeric::triangular_factor::TriangularFactor,
+};
 
 /// What a fit is to have at a parameter: a value, or a derivative of an order.
 #[derive(Clone, Copy, Debug)]
@@ -173,76 +176,4 @@ fn inside((first, shares): (usize, &[f64]), n_inner: usize) -> (usize, &[f64]) {
     let n_before = 1_usize.saturating_sub(first);
     let end = (n_inner + 1).saturating_sub(first).min(shares.len());
     ((first + n_before) - 1, shares.get(n_before..end).unwrap_or_default())
-}
-
-/// The triangular factor of a band of equations, more than there are unknowns.
-///
-/// Givens rotations, an equation after the other. Golub & Van Loan, *Matrix Computations*, §5.2.
-#[derive(Clone, Debug)]
-struct TriangularFactor {
-    width: usize,
-    /// Rows from the diagonal on.
-    rows: Vec<f64>,
-}
-
-impl TriangularFactor {
-    /// `None` where the equations leave an unknown open.
-    fn new<'a>(
-        equations: impl Iterator<Item = (usize, &'a [f64])>,
-        n: usize,
-        width: usize,
-    ) -> Option<Self> {
-        let mut rows = vec![0.0; n * width];
-        let mut row = vec![0.0; width];
-        for (first, shares) in equations {
-            row.fill(0.0);
-            row[..shares.len()].copy_from_slice(shares);
-            for i in first..n {
-                if row.iter().all(|value| value.abs() <= 0.0) {
-                    break;
-                }
-                rotate(&mut rows[i * width..][..width], &mut row);
-                row.rotate_left(1);
-            }
-        }
-        let diagonal = || rows.iter().step_by(width);
-        let largest = diagonal().fold(0.0_f64, |most, value| most.max(value.abs()));
-        let is_open = |value: &f64| value.abs() <= RANK_RELATIVE * largest;
-        if diagonal().any(is_open) { None } else { Some(Self { width, rows }) }
-    }
-
-    /// Solves RᵀR x = values in place.
-    fn solve_normal(&self, values: &mut [DVec4]) {
-        let n = values.len();
-        for i in 0..n {
-            let row = &self.rows[i * self.width..][..self.width];
-            values[i] /= row[0];
-            let value = values[i];
-            for (later, &coefficient) in values[i + 1..].iter_mut().zip(&row[1..]) {
-                *later -= coefficient * value;
-            }
-        }
-        for i in (0..n).rev() {
-            let row = &self.rows[i * self.width..][..self.width];
-            let known = row[1..].iter().zip(&values[i + 1..]);
-            let sum =
-                known.fold(values[i], |sum, (&coefficient, &value)| sum - coefficient * value);
-            values[i] = sum / row[0];
-        }
-    }
-}
-
-/// Turns two rows so that the second begins with zero.
-fn rotate(upper: &mut [f64], lower: &mut [f64]) {
-    // Shares of control points are at most one, and what is too small to be squared is rounding.
-    let length = (upper[0] * upper[0] + lower[0] * lower[0]).sqrt();
-    if length <= 0.0 {
-        return;
-    }
-    let (cosine, sine) = (upper[0] / length, lower[0] / length);
-    for (a, b) in upper.iter_mut().zip(lower.iter_mut()) {
-        (*a, *b) = (cosine * *a + sine * *b, cosine * *b - sine * *a);
-    }
-    // What rounding leaves there would be rotated on.
-    lower[0] = 0.0;
 }

@@ -1,15 +1,13 @@
 //! Curves and surfaces through points, and near them.
 //!
-//! `parameters` says where on the curve each point is to lie; `equation` and `banded` hold and
-//! solve the equations that follow, in time linear in the number of points; `interpolate` makes
-//! those of a spline through points, `sloped` with derivatives at the ends, `periodic` and `cyclic`
+//! `parameters` says where on the curve each point is to lie; `equation` holds
+//! the equations that follow, which are solved in time linear in the number of points; `interpolate` makes
+//! those of a spline through points, `sloped` with derivatives at the ends, `periodic`
 //! those of a closed one, `through` the splines, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
 //! `slide` with the parameters too, `spread` makes that basis, `search` looks for the smallest that keeps a tolerance, `kinks` where
 //! data have corners, and `approximate` puts these together; `surface` does it all for grids, `within` to a tolerance.
 
 mod approximate;
-mod banded;
-mod cyclic;
 mod equation;
 mod interpolate;
 mod kinks;

@@ -4,11 +4,13 @@ use glam::DVec4;
 
 use super::{
     check_parameters,
-    cyclic::CyclicSystem,
     equation::Equation,
     interpolate::{FactoredEquations, Interpolator, check_degree},
 };
-use crate::{CountError, GeomError, Interval, KnotVector, NurbsCurve};
+use crate::{
+    CountError, FitError, GeomError, Interval, KnotVector, NurbsCurve,
+    numeric::cyclic::CyclicSystem,
+};
 
 impl Interpolator {
     /// For values at all but the last of the parameters, where it comes back to the first value:
@@ -51,7 +53,7 @@ impl Interpolator {
             Equation { first: got + equation.first - reach, ..equation }
         };
         let rows: Vec<Equation> = parameters[..got].iter().map(centred).collect();
-        let cyclic = CyclicSystem::new(&rows, reach)?;
+        let cyclic = CyclicSystem::new(&rows, reach).ok_or(FitError::NoFit)?;
         if !is_even {
             return Ok(Self {
                 knots: ring,

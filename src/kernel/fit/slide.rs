@@ -9,7 +9,7 @@
 
 use glam::{DMat3, DVec3};
 
-use crate::NurbsCurve;
+use crate::{NurbsCurve, numeric::symmetric_band::SymmetricBand};
 
 /// The control points of the spline over the knots of a polynomial curve, from its first to its
 /// last control point, which comes nearest to the points across the directions that the curve has
@@ -61,54 +61,4 @@ pub(super) fn slid(
         *point += DVec3::from_slice(step);
     }
     points.iter().all(|point| point.is_finite()).then_some(points)
-}
-
-/// Symmetric equations whose coefficients stand near the diagonal.
-struct SymmetricBand {
-    width: usize,
-    /// Rows from the diagonal on.
-    rows: Vec<f64>,
-}
-
-impl SymmetricBand {
-    fn new(n: usize, width: usize) -> Self {
-        Self { width, rows: vec![0.0; n * width] }
-    }
-
-    /// Adds a symmetric block at a row and a column, no column before the row.
-    fn add(&mut self, row: usize, column: usize, block: DMat3) {
-        for i in 0..3 {
-            for j in if row == column { i } else { 0 }..3 {
-                self.rows[(row + i) * self.width + column + j - row - i] += block.col(j)[i];
-            }
-        }
-    }
-
-    /// Replaces the right-hand side by the unknowns: elimination without exchanges, Golub & Van
-    /// Loan, *Matrix Computations*, §4.3. `None` unless the equations are positive definite.
-    fn solve(mut self, values: &mut [f64]) -> Option<()> {
-        let (n, width) = (values.len(), self.width);
-        for k in 0..n {
-            let reach = width.min(n - k);
-            let (done, rest) = self.rows.split_at_mut((k + 1) * width);
-            let row = &done[k * width..][..reach];
-            if row[0].is_nan() || row[0] <= 0.0 {
-                return None;
-            }
-            for i in 1..reach {
-                let factor = row[i] / row[0];
-                values[k + i] -= factor * values[k];
-                let later = &mut rest[(i - 1) * width..][..reach - i];
-                for (to, from) in later.iter_mut().zip(&row[i..]) {
-                    *to -= factor * from;
-                }
-            }
-        }
-        for k in (0..n).rev() {
-            let row = &self.rows[k * width..][..width.min(n - k)];
-            let known: f64 = row[1..].iter().zip(&values[k + 1..]).map(|(a, b)| a * b).sum();
-            values[k] = (values[k] - known) / row[0];
-        }
-        Some(())
-    }
 }

@@ -3,12 +3,11 @@
 use glam::DVec4;
 
 use super::{
-    banded::BandedSystem,
     check_parameters,
     equation::Equation,
     interpolate::{FactoredEquations, Interpolator, check_degree, clamped},
 };
-use crate::{CountError, FitError, GeomError};
+use crate::{CountError, FitError, GeomError, numeric::banded::BandedSystem};
 
 impl Interpolator {
     /// For values at the parameters and first derivatives at one end or both; where these do not
@@ -46,7 +45,10 @@ impl Interpolator {
         rows.extend(parameters[1..got - 1].iter().map(|&t| Equation::point(&knots, t)));
         rows.extend(has_slope[1].then(|| slope(parameters[got - 1])));
         rows.push(Equation::point(&knots, parameters[got - 1]));
-        let equations = FactoredEquations::WithEndSlopes(BandedSystem::new(&rows)?, has_slope);
+        let equations = FactoredEquations::WithEndSlopes(
+            BandedSystem::new(&rows).ok_or(FitError::NoFit)?,
+            has_slope,
+        );
         Ok(Self { knots, n_values: got, equations })
     }
 

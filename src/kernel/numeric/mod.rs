@@ -3,9 +3,14 @@
 //! They know numbers only; what the numbers mean, whoever calls them knows. Each has a bound on its
 //! work that the caller gives or `f64` does, and says what it answers when it gets there.
 
+pub(crate) mod banded;
 pub(crate) mod bisection;
+pub(crate) mod cyclic;
 pub(crate) mod gauss_legendre;
 pub(crate) mod linear;
 pub(crate) mod newton;
+pub(crate) mod polynomial_roots;
 pub(crate) mod singular_values;
+pub(crate) mod symmetric_band;
 pub(crate) mod symmetric_eigen;
+pub(crate) mod triangular_factor;

@@ -16,7 +16,7 @@ use crate::{
         NurbsCurve,
         bend::{add, longest},
     },
-    roots::Signs,
+    numeric::polynomial_roots::Signs,
     tolerance::{CUSP_SLACK, SIGN_RELATIVE},
     work,
 };

@@ -5,13 +5,9 @@ use std::rc::Rc;
 use super::{cell::PatchCell, square};
 use crate::{
     Grid, Interval, bernstein,
-    numeric::newton::within_bracket,
-    roots::Signs,
-    tolerance::{KNOT_RELATIVE, LAST_BIT},
+    numeric::polynomial_roots::{Signs, monotone_root},
+    tolerance::KNOT_RELATIVE,
 };
-
-/// Steps to a root that is bracketed: bisections of all bits of an `f64`.
-const MAX_STEPS: usize = 60;
 
 /// Over an interval of one parameter a graph of the other, on a cell of a patch.
 #[derive(Clone, Debug)]
@@ -103,7 +99,7 @@ impl Branch {
                 let PolynomialWithSlope { field, by_u } = &**sloped;
                 let line = square::along_v(field, u);
                 let v_slopes = bernstein::derivative(&line);
-                let v = root(&line, &v_slopes);
+                let v = monotone_root(&line, &v_slopes);
                 let (by_u, by_v) = (square::value(by_u, [u, v]), bernstein::value(&v_slopes, v));
                 let forward = if self.ends[0] < self.ends[1] { 1.0 } else { -1.0 };
                 let sign = forward * if by_v < 0.0 { -1.0 } else { 1.0 };
@@ -122,22 +118,4 @@ impl Branch {
 
 fn swapped([a, b]: [f64; 2], is_swapped: bool) -> [f64; 2] {
     if is_swapped { [b, a] } else { [a, b] }
-}
-
-/// The root on 0..1 of a polynomial that grows or falls; of one without a root the end that is
-/// nearer to one. Newton's method within a bracket that is halved where it leads out.
-fn root(coefficients: &[f64], slopes: &[f64]) -> f64 {
-    let last = coefficients.len() - 1;
-    let sign = if coefficients[0] <= coefficients[last] { 1.0 } else { -1.0 };
-    if 0.0 <= sign * coefficients[0] {
-        return 0.0;
-    }
-    if sign * coefficients[last] <= 0.0 {
-        return 1.0;
-    }
-    let start = coefficients[0] / (coefficients[0] - coefficients[last]);
-    let is_still = |t: f64, next: f64| (next - t).abs() <= LAST_BIT;
-    within_bracket([0.0, 1.0], start, MAX_STEPS, is_still, |t| {
-        Some([coefficients, slopes].map(|values| sign * bernstein::value(values, t)))
-    })
 }

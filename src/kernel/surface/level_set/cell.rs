@@ -9,7 +9,7 @@
 use std::ops::Mul;
 
 use super::{Branch, square};
-use crate::{Direction, Grid, Interval, bernstein, roots::Signs, work};
+use crate::{Direction, Grid, Interval, bernstein, numeric::polynomial_roots::Signs, work};
 
 /// Where cells are cut: no half, so that lines of round parameters are not sides of cells.
 const CUT: f64 = 0.4871;

@@ -2,8 +2,39 @@
 
 use glam::DVec4;
 
-use super::equation::Equation;
-use crate::{FitError, GeomError};
+/// The coefficients of an equation: Σ `values[j]`·x[`first` + j] is given.
+#[derive(Clone, Debug)]
+pub(crate) struct Equation {
+    pub(crate) first: usize,
+    pub(crate) values: Vec<f64>,
+}
+
+impl Equation {
+    /// The equation divided by its largest coefficient: for right-hand sides of zero.
+    pub(crate) fn scaled(mut self) -> Self {
+        let largest = self.values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        if largest > 0.0 {
+            self.values.iter_mut().for_each(|value| *value /= largest);
+        }
+        self
+    }
+
+    /// The unknowns that it is about.
+    pub(crate) fn columns(&self) -> std::ops::Range<usize> {
+        self.first..self.first + self.values.len()
+    }
+
+    /// The equation without zeros at either end, which would only widen the band.
+    pub(crate) fn without_zeros(mut self) -> Self {
+        let is_zero = |value: &f64| value.abs() <= 0.0;
+        let n_leading = self.values.iter().take_while(|value| is_zero(value)).count();
+        self.values.drain(..n_leading);
+        self.first += n_leading;
+        let n_trailing = self.values.iter().rev().take_while(|value| is_zero(value)).count();
+        self.values.truncate(self.values.len() - n_trailing);
+        self
+    }
+}
 
 /// As many equations as unknowns, factored once for any number of right-hand sides.
 ///
@@ -22,9 +53,8 @@ pub(crate) struct BandedSystem {
 }
 
 impl BandedSystem {
-    /// # Errors
-    /// [`FitError::NoFit`] where the equations contradict or repeat one another.
-    pub(crate) fn new(equations: &[Equation]) -> Result<Self, GeomError> {
+    /// None where the equations contradict or repeat one another.
+    pub(crate) fn new(equations: &[Equation]) -> Option<Self> {
         let n = equations.len();
         let below = |(i, equation): (usize, &Equation)| i.saturating_sub(equation.first);
         let above =
@@ -42,7 +72,7 @@ impl BandedSystem {
         for k in 0..n {
             system.eliminate(k)?;
         }
-        Ok(system)
+        Some(system)
     }
 
     /// How many unknowns there are.
@@ -55,7 +85,7 @@ impl BandedSystem {
     }
 
     /// Clears column `k` below the diagonal.
-    fn eliminate(&mut self, k: usize) -> Result<(), GeomError> {
+    fn eliminate(&mut self, k: usize) -> Option<()> {
         let n = self.rows.len() / self.width;
         let last_row = (k + self.lower).min(n - 1);
         let last_column = (k + self.width - 1 - self.lower).min(n - 1);
@@ -65,7 +95,7 @@ impl BandedSystem {
         if size(pivot) > 0.0 {
             self.exchanged.push(pivot);
         } else {
-            return Err(FitError::NoFit.into());
+            return None;
         }
         if pivot != k {
             for column in k..=last_column {
@@ -82,7 +112,7 @@ impl BandedSystem {
                 self.rows[to] -= factor * self.rows[from];
             }
         }
-        Ok(())
+        Some(())
     }
 
     /// Replaces the right-hand sides by the unknowns.
@@ -129,6 +159,6 @@ mod tests {
             Equation { first: 0, values: vec![1.0, 1.0] },
             Equation { first: 0, values: vec![2.0, 2.0] },
         ];
-        assert!(BandedSystem::new(&twice).is_err());
+        assert!(BandedSystem::new(&twice).is_none());
     }
 }

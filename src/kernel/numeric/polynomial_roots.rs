@@ -4,8 +4,8 @@
 //! a single root; whatever has more is halved. Lane & Riesenfeld, *Bounds on a polynomial*, BIT 21
 //! (1981). Nothing is sampled, so that no pair of roots is lost between samples.
 
-use super::{Interval, bernstein};
-use crate::{ceiling::BISECTIONS, numeric::bisection, work};
+use super::{bisection, newton::within_bracket};
+use crate::{Interval, bernstein, ceiling::BISECTIONS, tolerance::LAST_BIT, work};
 
 /// Halvings of an interval in which several roots cannot be told apart.
 const MAX_HALVINGS: usize = 40;
@@ -93,9 +93,27 @@ fn crossing(coefficients: &[f64], start: i8) -> f64 {
     0.5 * (low + high)
 }
 
+/// The root on 0..1 of a polynomial that grows or falls; of one without a root the end that is
+/// nearer to one. Newton's method within a bracket that is halved where it leads out.
+pub(crate) fn monotone_root(coefficients: &[f64], slopes: &[f64]) -> f64 {
+    let last = coefficients.len() - 1;
+    let sign = if coefficients[0] <= coefficients[last] { 1.0 } else { -1.0 };
+    if 0.0 <= sign * coefficients[0] {
+        return 0.0;
+    }
+    if sign * coefficients[last] <= 0.0 {
+        return 1.0;
+    }
+    let start = coefficients[0] / (coefficients[0] - coefficients[last]);
+    let is_still = |t: f64, next: f64| (next - t).abs() <= LAST_BIT;
+    within_bracket([0.0, 1.0], start, BISECTIONS, is_still, |t| {
+        Some([coefficients, slopes].map(|values| sign * bernstein::value(values, t)))
+    })
+}
+
 #[cfg(test)]
 mod tests {
-    use super::Signs;
+    use super::{Signs, monotone_root};
     use crate::Interval;
 
     fn changes(pieces: &[&[f64]]) -> Vec<(f64, i8)> {
@@ -128,5 +146,17 @@ mod tests {
     #[test]
     fn a_change_over_a_stretch_of_zeros_is_in_its_middle() {
         assert_eq!(changes(&[&[-1.0, 0.0], &[0.0, 0.0], &[0.0, 1.0]]), [(1.5, 1)]);
+    }
+
+    #[test]
+    fn the_root_of_what_grows_or_falls_is_found_to_the_last_bit() {
+        // t² − 1/2 and its slope 2t, and both turned over.
+        let wanted = std::f64::consts::FRAC_1_SQRT_2;
+        let grows = monotone_root(&[-0.5, -0.5, 0.5], &[0.0, 2.0]);
+        let falls = monotone_root(&[0.5, 0.5, -0.5], &[0.0, -2.0]);
+        assert!((grows - wanted).abs() <= f64::EPSILON && (falls - grows).abs() <= 0.0);
+        // Without a root the nearer end.
+        assert_eq!(monotone_root(&[1.0, 2.0], &[1.0]), 0.0);
+        assert_eq!(monotone_root(&[-2.0, -1.0], &[1.0]), 1.0);
     }
 }

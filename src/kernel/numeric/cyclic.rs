@@ -2,15 +2,14 @@
 
 use glam::DVec4;
 
-use super::{banded::BandedSystem, equation::Equation};
-use crate::GeomError;
+use super::banded::{BandedSystem, Equation};
 
 /// As many equations as unknowns, where the unknown after the last is the first.
 ///
 /// The last few unknowns are taken out, so that the rest is a band; they follow from what is left
 /// of their own equations (block elimination). Golub & Van Loan, *Matrix Computations*, §3.2.
 #[derive(Clone, Debug)]
-pub(super) struct CyclicSystem {
+pub(crate) struct CyclicSystem {
     /// The equations of the first unknowns among themselves.
     band: BandedSystem,
     /// How the first unknowns answer to each of the last ones: `[unknown][last / 4]`, four a vector.
@@ -23,11 +22,8 @@ pub(super) struct CyclicSystem {
 
 impl CyclicSystem {
     /// The equations, the i-th of which is about unknowns up to `reach` from the i-th; columns
-    /// count modulo their number.
-    ///
-    /// # Errors
-    /// `FitError::NoFit` where the equations contradict or repeat one another.
-    pub(super) fn new(equations: &[Equation], reach: usize) -> Result<Self, GeomError> {
+    /// count modulo their number. None where they contradict or repeat one another.
+    pub(crate) fn new(equations: &[Equation], reach: usize) -> Option<Self> {
         let n = equations.len();
         let n_first = n - reach;
         let mut inside: Vec<Equation> = Vec::with_capacity(n_first);
@@ -74,11 +70,11 @@ impl CyclicSystem {
                 }
             }
         }
-        Ok(Self { band, answers, last, rest: BandedSystem::new(&rest)? })
+        Some(Self { band, answers, last, rest: BandedSystem::new(&rest)? })
     }
 
     /// Replaces the right-hand sides by the unknowns.
-    pub(super) fn solve(&self, values: &mut [DVec4]) {
+    pub(crate) fn solve(&self, values: &mut [DVec4]) {
         let (first, last) = values.split_at_mut(self.band.len());
         self.band.solve(first);
         for (value, own) in last.iter_mut().zip(&self.last) {
@@ -92,5 +88,47 @@ impl CyclicSystem {
                 *value -= self.answers[j / 4][i][j % 4] * unknown;
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec4;
+
+    use super::{BandedSystem, CyclicSystem, Equation};
+
+    /// The equations a·x[i − 1] + b·x[i] + c·x[i + 1], around.
+    fn ring(n: usize) -> Vec<Equation> {
+        let row = |i: usize| Equation { first: n + i - 1, values: vec![1.0, 4.0 + i as f64, 2.0] };
+        (0..n).map(row).collect()
+    }
+
+    #[test]
+    fn unknowns_fulfil_their_equations_over_the_seam() {
+        for n in 3..12 {
+            let wanted: Vec<f64> = (0..n).map(|i| (i * i) as f64 - 7.0).collect();
+            let equations = ring(n);
+            let right = |equation: &Equation| -> f64 {
+                equation.columns().zip(&equation.values).map(|(i, a)| a * wanted[i % n]).sum()
+            };
+            let mut values: Vec<DVec4> =
+                equations.iter().map(|equation| DVec4::splat(right(equation))).collect();
+            let system = CyclicSystem::new(&equations, 1).expect("independent equations");
+            system.solve(&mut values);
+            for (found, wanted) in values.iter().zip(&wanted) {
+                assert!((found.x - wanted).abs() < 1e-12, "{found} for {wanted} of {n}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_ring_without_coupling_over_the_seam_is_a_band() {
+        let rows = |first: usize| -> Vec<Equation> {
+            (0..5).map(|i| Equation { first: first + i, values: vec![3.0] }).collect()
+        };
+        let (mut around, mut along) = (vec![DVec4::splat(6.0); 5], vec![DVec4::splat(6.0); 5]);
+        CyclicSystem::new(&rows(5), 1).expect("a diagonal").solve(&mut around);
+        BandedSystem::new(&rows(0)).expect("a diagonal").solve(&mut along);
+        assert_eq!(around, along);
     }
 }
