@@ -4,7 +4,12 @@
 //! no place is nearer than another up to rounding. What tells the touch from a shared stretch is
 //! that the distance rises behind the floor, and over a way as long as the floor.
 
-use super::{Interval, ceiling::BISECTIONS, numeric::bisection::bisected, tolerance::LAST_BIT};
+use super::{
+    Interval,
+    ceiling::BISECTIONS,
+    numeric::bisection::bisected,
+    tolerance::{FEW_DIGITS_SHARE, LAST_BIT},
+};
 
 /// Cells of a stretch at whose ends the distance is asked for.
 const N_CELLS: usize = 64;
@@ -17,10 +22,6 @@ const MAX_DOUBLINGS: usize = 60;
 
 /// Roundings of a distance by which the floor may be above the least.
 const FLOOR_ROUNDINGS: f64 = 16.0;
-
-/// Where the bottom is so near to a number of few digits, as a fraction of the floor, that number
-/// is the bottom.
-const ROUND_SHARE: f64 = 0.02;
 
 /// Digits that a number written in full has at most.
 const MOST_DIGITS: usize = 16;
@@ -62,7 +63,7 @@ impl Valley {
             () => true,
         });
 
-        let middle = round(0.5 * (low + high), ROUND_SHARE * (high - low)).clamp(low, high);
+        let middle = round(0.5 * (low + high), FEW_DIGITS_SHARE * (high - low)).clamp(low, high);
         let bottom = if distance(middle) <= least.1 + rounding { middle } else { least.0 };
         let sides =
             [(low <= stretch.start(), heights[0]), (stretch.end() <= high, heights[N_CELLS])];

@@ -60,6 +60,19 @@ const PANICS: &[&str] = &[".unwrap()", ".expect(", "panic!(", "todo!(", "unimple
 /// of what another built-in answers) or a habit of other languages that the parser knows.
 const WORDS_TOO: &[&str] = &["table", "length", "assert", "scale"];
 
+/// Where a small number may be written, and why.
+const SMALL_NUMBERS: &[(&str, &str)] = &[
+    ("src/kernel/tolerance/", "their home"),
+    ("src/kernel/numeric/gauss_legendre.rs", "nodes and weights of mathematics"),
+    ("src/kernel/digits.rs", "from where on numbers are written with a power of ten"),
+    ("src/syntax/ast.rs", "what a unit is worth in another"),
+    ("src/export/gltf/mod.rs", "the curve of sRGB"),
+    ("src/export/legend.rs", "the layout of a picture"),
+    ("src/export/raster/scene.rs", "the layout of a picture"),
+    ("src/export/mod.rs", "the width of a stroke"),
+    ("src/session/extra.rs", "the shape of an arrow"),
+];
+
 /// Lines of one file.
 const MOST_LINES: usize = 400;
 
@@ -243,15 +256,141 @@ fn libraries_stay_in_their_own_files() {
 #[test]
 fn small_numbers_live_in_one_file() {
     each_line(|source, line| {
-        let digits = |text: &str| text.ends_with(|c: char| c.is_ascii_digit() || c == '.');
-        let mut places = line.match_indices("e-");
-        let is_small = line.contains("EPSILON")
-            || places.any(|(i, _)| {
-                digits(&line[..i]) && line[i + 2..].starts_with(|c: char| c.is_ascii_digit())
-            });
-        (is_small && source.path != "src/kernel/tolerance.rs")
-            .then(|| "a small number belongs to tolerance.rs".to_owned())
+        let may = |(path, _): &(&str, &str)| source.path.starts_with(path);
+        let small = small_number(line)?;
+        (!SMALL_NUMBERS.iter().any(may))
+            .then(|| format!("`{small}`, a small number, belongs to kernel/tolerance"))
     });
+}
+
+/// The first small number in a line of code, in whichever notation: a decimal, a quotient, a negative
+/// power, or the last bit.
+fn small_number(code: &str) -> Option<String> {
+    const LARGEST: f64 = 0.1;
+    const POWERS: &[&str] = &["powi(", "powf(", "pow(", "exp2(", "exp10(", "ldexp("];
+    if code.contains("EPSILON") {
+        return Some("EPSILON".to_owned());
+    }
+    let arguments = |at: usize| code[at..].split(')').next().unwrap_or_default();
+    let is_negative = |argument: &str| {
+        argument.trim().strip_prefix('-').is_some_and(|rest| rest.starts_with(char::is_numeric))
+    };
+    for power in POWERS {
+        for (at, _) in code.match_indices(power) {
+            let arguments = arguments(at + power.len());
+            if arguments.split(',').next_back().is_some_and(is_negative) {
+                return Some(format!("{power}{arguments})"));
+            }
+        }
+    }
+    let numbers = numbers(code);
+    let is_small = |value: f64| 0.0 < value && value < LARGEST;
+    let alone = numbers.iter().find(|number| number.is_float && is_small(number.value));
+    let quotient = numbers.windows(2).find(|pair| {
+        let is_divided = code[pair[0].place.end..pair[1].place.start].trim() == "/";
+        is_divided && pair.iter().all(|n| n.is_float) && is_small(pair[0].value / pair[1].value)
+    });
+    let text = |start: usize, end: usize| code[start..end].to_owned();
+    alone
+        .map(|number| text(number.place.start, number.place.end))
+        .or_else(|| quotient.map(|pair| text(pair[0].place.start, pair[1].place.end)))
+}
+
+/// A number as it is written.
+struct Written {
+    place: std::ops::Range<usize>,
+    value: f64,
+    is_float: bool,
+}
+
+/// All decimal numbers in a line of code.
+fn numbers(code: &str) -> Vec<Written> {
+    let bytes = code.as_bytes();
+    let digits = |mut i: usize| {
+        while bytes.get(i).is_some_and(|b| b.is_ascii_digit() || *b == b'_') {
+            i += 1;
+        }
+        i
+    };
+    let (mut found, mut i) = (Vec::new(), 0);
+    while i < bytes.len() {
+        let is_inside =
+            i > 0 && (bytes[i - 1].is_ascii_alphanumeric() || b"_.".contains(&bytes[i - 1]));
+        // The end of a range is a number, a field of a tuple is none.
+        let is_end_of_range = i > 1 && &bytes[i - 2..i] == b"..";
+        if !bytes[i].is_ascii_digit() || is_inside && !is_end_of_range {
+            i += 1;
+            continue;
+        }
+        let (start, mut is_float) = (i, false);
+        i = digits(i);
+        let follows = |i: usize, wanted: fn(&u8) -> bool| bytes.get(i).is_some_and(wanted);
+        if follows(i, |b| *b == b'.')
+            && !follows(i + 1, |b| b.is_ascii_alphabetic() || b"._".contains(b))
+        {
+            (i, is_float) = (digits(i + 1), true);
+        }
+        if follows(i, |b| b"eE".contains(b)) {
+            let sign = i + 1 + usize::from(follows(i + 1, |b| b"+-".contains(b)));
+            if follows(sign, u8::is_ascii_digit) {
+                (i, is_float) = (digits(sign), true);
+            }
+        }
+        let text = code[start..i].replace('_', "");
+        if code[i..].starts_with("f64") {
+            (i, is_float) = (i + "f64".len(), true);
+        }
+        found.extend(text.parse().ok().map(|value| Written { place: start..i, value, is_float }));
+    }
+    found
+}
+
+#[test]
+fn small_numbers_are_seen_in_every_notation() {
+    let small = [
+        "x <= 0.01",
+        "1e-3",
+        "1.0e-3",
+        "1E-3_f64",
+        "2.5_e-4",
+        "0.000_1",
+        "1_f64 / 1000.0",
+        "1.0 / 16.0",
+        "f64::powi(10, -3)",
+        "10_f64.powi(-3)",
+        "libm::pow(10.0, -3.0)",
+        "libm::exp10(-3.0)",
+        "(0.001..1.0)",
+        "0.5..0.05",
+        "f64::EPSILON",
+        "-0.02",
+        "libm::ldexp(1.0, -20)",
+    ];
+    for line in small {
+        assert!(small_number(line).is_some(), "{line}");
+    }
+    let plain = [
+        "0.5",
+        "0.1",
+        "0.0",
+        "1.0 / 3.0",
+        "pair.0.01",
+        "x1e",
+        "0x1e-3",
+        "100.0",
+        "1e3",
+        "1.0e+3",
+        "0..10",
+        "a.0 - 1",
+        "x.powi(3)",
+        "libm::pow(x, 2.0)",
+        "3 / 64",
+        "1.0 - 25.0",
+        "i - 0",
+    ];
+    for line in plain {
+        assert_eq!(small_number(line), None, "{line}");
+    }
 }
 
 #[test]

@@ -7,7 +7,7 @@ use crate::{
     GeomError, Interval, LocalError, Side, Tolerance,
     frame::{angle_between, norm, unit},
     homogeneous,
-    tolerance::{PLACE_RELATIVE, VANISHING_RELATIVE},
+    tolerance::{PLACE_RELATIVE, SHORTEST_REACH, VANISHING_RELATIVE},
 };
 
 /// Derivatives of higher order than this are not looked at: the factorial of 170 is the last
@@ -23,9 +23,6 @@ const FUNCTION_ORDER: usize = 4;
 
 /// How rounding grows with each derivative of a function, whose derivatives are exact.
 const FUNCTION_GROWTH: f64 = 4.0;
-
-/// The shortest reach, as a fraction of the domain, of a function that winds many times.
-const SHORTEST_REACH: f64 = 1.0 / 1024.0;
 
 /// What kind of place a parameter of a curve is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

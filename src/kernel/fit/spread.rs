@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use crate::{DegreeError, GeomError, KnotVector, NurbsCurve, tolerance::PARAMETER_RELATIVE};
-
-/// The least density of knots, as a share of the mean: no part of a curve is left without.
-const LEAST_DENSITY: f64 = 0.05;
+use crate::{
+    DegreeError, GeomError, KnotVector, NurbsCurve,
+    tolerance::{LEAST_KNOT_DENSITY, PARAMETER_RELATIVE},
+};
 
 impl KnotVector {
     /// Knots for `n_points` control points that leave about as many of the parameters in each
@@ -172,6 +172,6 @@ fn needs(curve: &NurbsCurve, breaks: &[f64]) -> Vec<f64> {
     };
     let needs: Vec<f64> = (0..highest.len()).map(around).collect();
     let mean = needs.iter().sum::<f64>() / needs.len() as f64;
-    let least = if mean > 0.0 { LEAST_DENSITY * mean } else { 1.0 };
+    let least = if mean > 0.0 { LEAST_KNOT_DENSITY * mean } else { 1.0 };
     needs.into_iter().map(|need| need.max(least)).collect()
 }

@@ -8,11 +8,8 @@ use super::{
 };
 use crate::{
     Direction, GeomError, IntersectionError, Interval, NurbsCurve,
-    tolerance::{KNOT_RELATIVE, PLACE_RELATIVE},
+    tolerance::{KNOT_RELATIVE, PLACE_RELATIVE, UNCHANGED_SHARE},
 };
-
-/// Part of the tolerance by which a curve may miss its meetings without a change of parameter.
-const NEAR: f64 = 1.0 / 16.0;
 
 /// What was done to one curve of a network.
 #[derive(Clone, Debug)]
@@ -166,7 +163,7 @@ impl NetworkCurve {
         let misses = |(&t, &own_t): (&f64, &f64)| {
             let straight = own.at(domain.fraction_of(t));
             let (a, b) = (self.curve.point_at(straight), self.curve.point_at(own_t));
-            NEAR * tolerance < a.distance(b)
+            UNCHANGED_SHARE * tolerance < a.distance(b)
         };
         !at.iter().zip(&self.at).any(misses)
     }

@@ -2,7 +2,10 @@
 
 use glam::DVec3;
 
-use crate::{Direction, GeomError, IntersectionError, NurbsCurve, tolerance::PLACE_RELATIVE};
+Direction, use crate::{
+    GeomError, IntersectionError, NurbsCurve,
+    tolerance::{ONE_MEETING_SHARE, PLACE_RELATIVE},
+};
 
 /// Why curves are no network; indices are those in which the curves were given.
 #[derive(Clone, Debug, PartialEq)]
@@ -110,7 +113,7 @@ pub(super) fn meets(
         let same = PLACE_RELATIVE * curve.domain().length();
         (a - b).abs() <= same
             || curve.point_at(a).distance(curve.point_at(b)) <= 4.0 * tolerance
-                && (a - b).abs() <= 0.01 * curve.domain().length()
+                && (a - b).abs() <= ONE_MEETING_SHARE * curve.domain().length()
     };
     let add = |found: &mut Vec<NetworkCrossing>, meet: NetworkCrossing| {
         let is_told =

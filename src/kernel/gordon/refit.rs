@@ -3,8 +3,9 @@
 use glam::DVec4;
 
 use crate::{
-    Approximator, FitError, GeomError, Interval, KnotVector, NurbsCurve, Side, fit::FitCondition,
-    tolerance::KNOT_CLUSTER_RELATIVE,
+    Approximator, FitError, GeomError, Interval, KnotVector, NurbsCurve, Side,
+    fit::FitCondition,
+    tolerance::{KNOT_CLUSTER_RELATIVE, LEAST_KNOT_DENSITY},
 };
 
 /// Control points along a fit.
@@ -29,9 +30,6 @@ const SAFETY: f64 = 0.85;
 
 /// The search for fewer knots ends at this share of their number.
 const SHARE: usize = 32;
-
-/// The least density of knots, as a share of the mean.
-const LEAST_DENSITY: f64 = 0.05;
 
 /// What splines in place of curves are to be like.
 #[derive(Clone, Debug)]
@@ -367,7 +365,7 @@ impl<'a> KnotSearch<'a> {
         };
         let needs: Vec<f64> = (0..n).map(around).collect();
         let mean = needs.iter().sum::<f64>() / n as f64;
-        let least = if 0.0 < mean { LEAST_DENSITY * mean } else { 1.0 };
+        let least = if 0.0 < mean { LEAST_KNOT_DENSITY * mean } else { 1.0 };
         Ok(needs.into_iter().map(|need| need.max(least)).collect())
     }
 }

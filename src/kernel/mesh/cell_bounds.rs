@@ -19,7 +19,8 @@ use super::{
     rules::CellRules,
 };
 use crate::{
-    Direction, GeomError, Grid, InputError, NurbsSurface, Tolerance, tolerance::BORDER_SHARE,
+    Direction, GeomError, Grid, InputError, NurbsSurface, Tolerance,
+    tolerance::{BORDER_SHARE, END_LOOK},
 };
 
 /// Pieces along one direction by which the cells are counted, about; and of those that bound them
@@ -40,7 +41,7 @@ const BALANCE_ROUNDS: usize = 5;
 const BALANCE_GAIN: f64 = 0.995;
 
 /// Places along a piece at which its normals are compared, as fractions of it.
-const PLACES: [f64; 3] = [0.01, 0.5, 0.99];
+const PLACES: [f64; 3] = [END_LOOK, 0.5, 1.0 - END_LOOK];
 
 /// What triangles are asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,11 +1,7 @@
 //! Sections on fewer knots.
 
 use super::CompatibleSections;
-use crate::{NurbsCurve, work};
-
-/// The first pass may use this part of the tolerance, each next one four times as much: what
-/// costs least goes first.
-const FIRST_PART: f64 = 1.0 / 256.0;
+use crate::{NurbsCurve, tolerance::FIRST_REMOVAL_SHARE, work};
 
 impl CompatibleSections {
     /// The sections without the inner knots that none of them needs to stay within the tolerance
@@ -15,7 +11,7 @@ impl CompatibleSections {
     #[must_use]
     pub fn thinned(&self, tolerance: f64) -> Self {
         let mut curves = self.curves().to_vec();
-        let mut part = FIRST_PART;
+        let mut part = FIRST_REMOVAL_SHARE;
         loop {
             let domain = curves[0].domain();
             let mut is_changed = false;

@@ -8,7 +8,7 @@ use crate::{
     ceiling::BISECTIONS,
     frame::{norm, unit},
     numeric::bisection::try_bisected,
-    tolerance::{SIDE_STEP, VANISHING_RELATIVE},
+    tolerance::{INSIDE_SHARE, SIDE_STEP, VANISHING_RELATIVE},
     work,
 };
 
@@ -24,9 +24,6 @@ const MAX_FOLDS: usize = 8;
 /// Parts of a patch are halved this often before their corners tell a fold, and at most.
 const LEAST_HALVINGS: usize = 10;
 const MAX_HALVINGS: usize = 40;
-
-/// How far inside of a part its corners are looked at.
-const INSIDE: f64 = 1.0 / 1024.0;
 
 /// Parts that are looked at: where Su × Sv vanishes without a fold there are many.
 const MAX_PARTS: usize = 4000;
@@ -176,7 +173,7 @@ impl Surface {
         // Inside: at a knot the next patch would answer.
         let inside =
             |share: f64| [0, 1].map(|i| part.low[i] + (part.high[i] - part.low[i]) * share);
-        let ([u0, v0], [u1, v1]) = (inside(INSIDE), inside(1.0 - INSIDE));
+        let ([u0, v0], [u1, v1]) = (inside(INSIDE_SHARE), inside(1.0 - INSIDE_SHARE));
         let mut known: Vec<NormalPlace> = Vec::new();
         for at in [[u0, v0], [u1, v0], [u1, v1], [u0, v1]] {
             let here = NormalPlace { at, normal: self.unit_product(at)? };

@@ -19,7 +19,9 @@ use super::{
 use crate::{
     Bounds, FitError, GeomError, Grid, JumpError,
     frame::norm,
-    tolerance::{BOX_RELATIVE, KNOT_RELATIVE, LAST_BIT, UNBOUNDED_RELATIVE},
+    tolerance::{
+        BOX_RELATIVE, KNOT_RELATIVE, LAST_BIT, SUSPICIOUS_CELL_RELATIVE, UNBOUNDED_RELATIVE,
+    },
 };
 
 /// Places of a cell in each direction at which its distance from the function is measured.
@@ -36,9 +38,6 @@ const COARSER: f64 = 1e3;
 
 /// Cells that a surface may take.
 const MAX_CELLS: usize = 16_384;
-
-/// Fraction of the domain of cells that are looked at for a crease.
-const SUSPICIOUS: f64 = 0.02;
 
 /// Halvings that make a smooth cell near.
 const SMOOTH_HALVINGS: usize = 4;
@@ -277,7 +276,7 @@ impl KnotLineFit<'_> {
             _ => (cell.v, cell.places_v),
         };
         let width = ends[1] - ends[0];
-        if SUSPICIOUS * lines.domain.length() < width {
+        if SUSPICIOUS_CELL_RELATIVE * lines.domain.length() < width {
             return Ok(false);
         }
         if width <= 2.0 * KNOT_RELATIVE * lines.domain.length()

@@ -15,7 +15,7 @@ use crate::{
     Bounds, GeomError, Tolerance,
     digits::few_digits,
     frame::unit,
-    tolerance::{DETAIL_RELATIVE, VANISHING_RELATIVE},
+    tolerance::{DETAIL_RELATIVE, FINER_FACTOR, VANISHING_RELATIVE},
 };
 
 /// Why surfaces enclose nothing. Edges are called as in scripts, surfaces by their index.
@@ -75,9 +75,6 @@ fn place(point: DVec3) -> String {
 
 /// Places of each edge where its neighbour is looked for.
 const PLACES: usize = 48;
-
-/// Each finer tolerance that is tried is this fraction of the one before.
-const FINER: f64 = 0.01;
 
 /// Surfaces that hang together, with the sign that makes them face alike.
 #[derive(Clone, Debug)]
@@ -164,7 +161,7 @@ pub(super) fn oriented(
         }
         Err(GeomError::Shell(ShellError::Crowded { .. } | ShellError::OneSided { .. })) => {
             while least < allowed {
-                allowed = (allowed * FINER).max(least);
+                allowed = (allowed * FINER_FACTOR).max(least);
                 if let Ok(shells) = within(surfaces.len(), &edges, allowed, false) {
                     return Ok(shells);
                 }

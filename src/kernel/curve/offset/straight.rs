@@ -3,11 +3,10 @@
 use glam::DVec3;
 
 use super::{CurveOffsetTarget, Offset};
-use crate::{GeomError, NurbsCurve, tolerance::VANISHING_RELATIVE};
-
-/// The least squared cosine of half a corner's turn that keeps the corner: a spike of four times
-/// the distance. Beyond it the corner is rounded.
-const LEAST_MITRE: f64 = 0.0625;
+use crate::{
+    GeomError, NurbsCurve,
+    tolerance::{LEAST_MITRE, VANISHING_RELATIVE},
+};
 
 /// The offset of a polygon in a plane normal to the normal: each leg moved to its side, and cut
 /// or prolonged to meet the next; none for other curves, and where a corner would grow to a spike.

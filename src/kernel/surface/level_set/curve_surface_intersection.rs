@@ -15,16 +15,13 @@ use crate::{
         linear::solved,
         newton::{Step, within_limits},
     },
-    tolerance::{LAST_BIT, PLACE_RELATIVE},
+    tolerance::{FLAT_SHARE, LAST_BIT, PLACE_RELATIVE},
     valley::Valley,
     work,
 };
 
 /// Pairs that are looked at before the curve counts as running along the surface.
 const MAX_PAIRS: usize = 200_000;
-
-/// Part of the tolerance within which pieces are flat, and near enough to touch.
-const FLAT: f64 = 0.02;
 
 /// A touch this many times longer than its parts is looked at for how the distance runs along it.
 const LONGEST_TOUCH: f64 = 24.0;
@@ -105,7 +102,7 @@ struct PiercingSearch<'a> {
 
 impl PiercingSearch<'_> {
     fn run(&self) -> Result<Vec<CurveSurfaceIntersection>, GeomError> {
-        let near = FLAT * self.tolerance;
+        let near = FLAT_SHARE * self.tolerance;
         let parts = SurfacePart::all(self.surface);
         let mut todo = Vec::new();
         for span in self.curve.knots().spans() {
@@ -234,7 +231,7 @@ impl PiercingSearch<'_> {
         let start = self.curve.point_at(valley.floor.start());
         let floor = start.distance(self.curve.point_at(valley.floor.end()));
         valley.is_single
-            && valley.rises_to(APART_SHARE * FLAT * self.tolerance)
+            && valley.rises_to(APART_SHARE * FLAT_SHARE * self.tolerance)
             && floor <= FLOOR_SHARE * size
     }
 

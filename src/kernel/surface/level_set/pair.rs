@@ -4,8 +4,11 @@ use glam::{DVec3, DVec4};
 
 use super::{shade, square};
 use crate::{
-    Bounds, Direction, Grid, Interval, NurbsSurface, Side, frame::unit, homogeneous, surface::Edge,
-    tolerance::PLACE_RELATIVE,
+    Bounds, Direction, Grid, Interval, NurbsSurface, Side,
+    frame::unit,
+    homogeneous,
+    surface::Edge,
+    tolerance::{CONE_CLEARANCE, PLACE_RELATIVE},
 };
 
 /// Two parts cross in at most one arc when their cones of normals together are narrower than this
@@ -161,7 +164,7 @@ impl SurfacePart {
 
     /// Whether directions within an angle of another stay clear of its tangent planes.
     pub(super) fn is_crossed_by(&self, direction: DVec3, angle: f64) -> bool {
-        angle + self.angle < libm::asin(direction.dot(self.axis).abs().min(1.0)) - 0.05
+        angle + self.angle < libm::asin(direction.dot(self.axis).abs().min(1.0)) - CONE_CLEARANCE
     }
 
     pub(super) fn holds(&self, at: [f64; 2]) -> bool {

@@ -12,14 +12,11 @@ use glam::DVec3;
 
 use super::pair::SurfacePart;
 use crate::{
-    Direction, GeomError, Interval, NurbsCurve, NurbsSurface, Side, frame::unit, surface::Edge,
+    Direction, GeomError, Interval, NurbsCurve, NurbsSurface, Side,
+    frame::unit,
+    surface::Edge,
+    tolerance::{BESIDE_EDGE, CONE_CLEARANCE},
 };
-
-/// How far the cones must be apart, for rounding.
-const CLEARANCE: f64 = 0.05;
-
-/// Where it is looked beside an edge whether surfaces share an area, as fractions of the domain.
-const BESIDE: [f64; 2] = [0.02, 0.04];
 
 /// A stretch that an edge of one surface and an edge of the other have in common.
 #[derive(Clone, Debug)]
@@ -58,7 +55,7 @@ impl EdgeOverlap {
         let domain = self.curve.domain();
         [0.25, 0.5, 0.75].into_iter().find_map(|share| {
             let foot = a.closest(self.curve.point_at(domain.at(share))).parameters;
-            let inside = BESIDE.map(|share| match along {
+            let inside = BESIDE_EDGE.map(|share| match along {
                 Direction::U => a.point_at(beside(share), foot[1]),
                 Direction::V => a.point_at(foot[0], beside(share)),
             });
@@ -89,7 +86,7 @@ impl EdgeOverlap {
         let away = a.inward(self.edges[0]).into_iter().map(|step| -step);
         let across: Vec<DVec3> = away.chain(b.inward(self.edges[1])).collect();
         let (Some(tangent), Some(out)) = (mean(&along), mean(&across)) else { return false };
-        let spread = spread(&along, tangent) + spread(&across, out) + CLEARANCE;
+        let spread = spread(&along, tangent) + spread(&across, out) + CONE_CLEARANCE;
         let between = tangent.angle_between(out);
         spread < between && spread < PI - between
     }

@@ -16,7 +16,10 @@ use super::{
     tangential_contact::{ParameterRegion, TangentialContact},
     trace::CurveEnds,
 };
-use crate::{Bounds, GeomError, NurbsSurface, tolerance::CONTACT_SHARE};
+use crate::{
+    Bounds, GeomError, NurbsSurface,
+    tolerance::{CONTACT_SHARE, FLAT_SHARE},
+};
 
 /// Pairs of parts that are looked at before the surfaces count as running together.
 pub(super) const MAX_PAIRS: usize = 200_000;
@@ -26,9 +29,6 @@ const MAX_LOOKS: usize = 4000;
 
 /// Contacts that make up touches in points; more make up areas or lines.
 const MOST_CONTACTS: usize = 1000;
-
-/// Part of the tolerance within which parts are flat, and near enough to touch.
-const FLAT: f64 = 0.02;
 
 /// Parts of the tolerance within which surfaces touch whose normals are parallel, if with less it
 /// cannot be told where they cross.
@@ -84,7 +84,7 @@ impl SharedParts {
         crossing: &SurfacePair<'_>,
         seams: &[EdgeOverlap],
     ) -> Result<(), GeomError> {
-        let near = FLAT * crossing.tolerance;
+        let near = FLAT_SHARE * crossing.tolerance;
         let [firsts, seconds] = crossing.surfaces.map(SurfacePart::all);
         let mut todo: Vec<[SurfacePart; 2]> = Vec::new();
         for a in &firsts {

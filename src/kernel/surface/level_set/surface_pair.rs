@@ -13,7 +13,7 @@ use crate::{
         linear::solved,
         newton::{FREE, Step, within_limits},
     },
-    tolerance::LAST_BIT,
+    tolerance::{LAST_BIT, MEETING_SHARE},
 };
 
 /// Steps of Newton's method.
@@ -128,7 +128,7 @@ impl<'s> SurfacePair<'s> {
             },
         );
         let at = found.unless_stuck()?;
-        (norm(self.look(at).apart) <= 0.01 * self.tolerance).then(|| self.place(at))
+        (norm(self.look(at).apart) <= MEETING_SHARE * self.tolerance).then(|| self.place(at))
     }
 
     /// The common place in a plane across a direction, or with one parameter given.
@@ -171,8 +171,8 @@ impl<'s> SurfacePair<'s> {
             },
         );
         let at = found.unless_stuck()?;
-        let is_there =
-            at.iter().all(|x| x.is_finite()) && norm(self.look(at).apart) <= 0.01 * self.tolerance;
+        let is_there = at.iter().all(|x| x.is_finite())
+            && norm(self.look(at).apart) <= MEETING_SHARE * self.tolerance;
         is_there.then(|| self.place(at))
     }
 }

@@ -17,7 +17,10 @@ use crate::{
     frame::unit,
     numeric::newton::{FREE, Found, Step, within_limits},
     numeric::symmetric_eigen::eigen_of_two,
-    tolerance::{BEND_RELATIVE, CONTACT_SHARE, LAST_BIT, PLACE_RELATIVE, SIGN_RELATIVE},
+    tolerance::{
+        AREA_REACH, BEND_RELATIVE, CONTACT_SHARE, LAST_BIT, LEAST_STEP_SHARE, PLACE_RELATIVE,
+        SIGN_RELATIVE,
+    },
 };
 
 /// Steps of Newton's method.
@@ -32,17 +35,13 @@ const MODEL_SLACK: f64 = 0.2;
 /// Places on a circle where e is looked at.
 const N_LOOKS: u32 = 16;
 
-/// Halvings of a step that leads beyond a surface, and the least part of it that tells anything.
+/// Halvings of a step that leads beyond a surface.
 const MAX_SHORTENINGS: usize = 4;
-const LEAST_SHARE: f64 = 0.01;
 
 /// The least and the largest reach of what is known about a contact, the first by the size of
 /// parts that touch, the other by that of the surfaces.
 const LEAST_REACH: f64 = 4.0;
 const MOST_REACH: f64 = 0.25;
-
-/// Surfaces that are one over this fraction of their size share an area.
-const AREA_REACH: f64 = 0.02;
 
 /// Directions next to one another, of those looked at, that are an area and no line.
 const AREA_LOOKS: usize = 3;
@@ -349,7 +348,7 @@ impl SurfacePair<'_> {
         let shares =
             std::iter::successors(Some(share), |share| Some(0.5 * share)).take(MAX_SHORTENINGS);
         shares
-            .take_while(|share| LEAST_SHARE <= *share)
+            .take_while(|share| LEAST_STEP_SHARE <= *share)
             .find_map(|share| self.difference_at(seen, step * share))
     }
 

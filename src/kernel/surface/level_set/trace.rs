@@ -10,7 +10,11 @@ use super::{
     surface_pair::{PairParameters, PlaceCondition, SurfacePair, within},
     tangential_contact::{BranchCrossing, BranchDirection},
 };
-use crate::{frame::unit, tolerance::KNOT_RELATIVE, work};
+use crate::{
+    frame::unit,
+    tolerance::{FIRST_STEP_SHARE, KNOT_RELATIVE, LONGEST_STEP_SHARE, SHORTEST_STEP_SHARE},
+    work,
+};
 
 /// Samples of one curve.
 const MAX_SAMPLES: usize = 200_000;
@@ -52,7 +56,7 @@ impl SurfacePair<'_> {
     ) -> (Vec<PairParameters>, bool) {
         let mut places: Vec<PairParameters> = Vec::new();
         let mut last = start;
-        let mut step = 0.02 * self.size;
+        let mut step = FIRST_STEP_SHARE * self.size;
         while places.len() < MAX_SAMPLES && last.tangent != DVec3::ZERO && work::goes_on(1) {
             if let Some(junction) = ends.junction_ahead(last, sign) {
                 if let Some(place) = self.arrival(last, sign, junction) {
@@ -70,7 +74,7 @@ impl SurfacePair<'_> {
             }
             let Some((next, is_end)) = self.advance(last, sign * step) else {
                 step *= 0.5;
-                if step < 0.1 * self.tolerance {
+                if step < SHORTEST_STEP_SHARE * self.tolerance {
                     break;
                 }
                 continue;
@@ -96,7 +100,7 @@ impl SurfacePair<'_> {
                 break;
             }
             last = next;
-            step = (GROWTH * step).min(0.05 * self.size);
+            step = (GROWTH * step).min(LONGEST_STEP_SHARE * self.size);
         }
         (places, false)
     }

@@ -1,0 +1,55 @@
+//! What curves are and where they bend: joints, cusps, circles, frames along them.
+
+/// Derivatives on both sides of a knot are one where they differ by less than this fraction of the
+/// largest along it.
+///
+/// Larger smooths a slight crease; smaller finds one where rounding is, at every full knot.
+pub const SMOOTH_RELATIVE: f64 = 1e-9;
+
+/// The distance of an offset times the curvature counts as one within this: a cusp.
+///
+/// Larger reports cusps where the offset is merely tight; smaller misses those where the curvature
+/// peaks at just that value.
+pub const CUSP_SLACK: f64 = 1e-9;
+
+/// Beside a place where an offset turns back, its two sides run together for a while: this share of
+/// the stretch between two such places is not asked where the offset crosses itself.
+///
+/// Larger misses crossings close to cusps; smaller takes the cusp for a crossing, and long.
+pub const TURN_MARGIN: f64 = 1e-3;
+
+/// An arc whose points keep their distance from the centre to this fraction is circular.
+///
+/// Larger takes a flat ellipse for a circle; smaller takes none for one after a rotation.
+pub const ROUND_RELATIVE: f64 = 1e-13;
+
+/// A spline is a line, circle, plane, cylinder, cone, sphere or torus when it is nowhere further from
+/// it than this fraction of its largest coordinate.
+///
+/// Larger writes what somebody moved on purpose as what it is not; smaller takes none for one after
+/// it was turned, elevated and given knots.
+pub const ANALYTIC_RELATIVE: f64 = 1e-13;
+
+/// Two ways to pair the points of two curves count as equally near when the sums over their
+/// products differ by less than this fraction.
+///
+/// Larger leaves a section that runs against its neighbour; smaller turns sections around whose
+/// two directions are one to rounding.
+pub const TURN_RELATIVE: f64 = 1e-6;
+
+/// Steps along a path are halved until the frame at its end turns by less than this, radians.
+///
+/// Larger leaves a twist that a long section shows; smaller asks for more steps than rounding
+/// allows.
+pub const TURN_ACCURACY: f64 = 1e-10;
+
+/// The least squared cosine of half a corner's turn that keeps the corner of an offset: a spike of
+/// four times the distance. Beyond it the corner is rounded.
+///
+/// Larger rounds off corners of an eighth of a turn; smaller makes spikes that no paper holds.
+pub(crate) const LEAST_MITRE: f64 = 1.0 / 16.0;
+
+/// The shortest reach, as a fraction of the domain, of a function that winds many times.
+///
+/// Larger looks over several windings at once; smaller differences rounding.
+pub(crate) const SHORTEST_REACH: f64 = 1.0 / 1024.0;

@@ -1,0 +1,86 @@
+//! Where curves and surfaces meet, touch, and run together.
+
+/// Ends of pieces of a line on a surface that are nearer than this fraction of the tolerance are one
+/// place.
+///
+/// Larger joins lines that only pass one another; smaller leaves gaps where a patch ends, whose two
+/// sides rounding tells apart.
+pub const ONE_PLACE_SHARE: f64 = 1e-2;
+
+/// Unit tangents of a line on a surface that differ by less than this make no corner.
+///
+/// Larger rounds off a slight kink; smaller keeps a triple knot at each end of a patch.
+pub const CORNER_RELATIVE: f64 = 1e-4;
+
+/// Part of the tolerance within which surfaces whose normals are parallel touch, and cross only
+/// where they part beside that.
+///
+/// Larger joins curves that pass one another; smaller follows rounding, and needs splines in the
+/// place of functions that are nearer still.
+pub const CONTACT_SHARE: f64 = 1e-2;
+
+/// Where two surfaces touch they part along two directions; along one in which they do so by less
+/// than this fraction of the other they may touch further on.
+///
+/// Larger follows a line of contact where there is a crossing at a flat angle, and finds that there
+/// is none; smaller takes a line of contact that rounding bends for a crossing.
+pub const BEND_RELATIVE: f64 = 1e-3;
+
+/// Part of the tolerance within which a spline stands in for a function where light is followed:
+/// lines of light move with the normals, which are less near than the points.
+///
+/// Larger shifts the lines visibly; smaller asks for more patches than anybody sees.
+pub const LIGHT_SHARE: f64 = 1e-3;
+
+/// Part of the tolerance within which a place that Newton's method found is on both surfaces.
+///
+/// Larger uses up what the spline through such places may miss them by; smaller refuses places of
+/// large surfaces, of which rounding leaves no more.
+pub(crate) const MEETING_SHARE: f64 = 0.01;
+
+/// Part of the tolerance within which parts are flat, and near enough to touch.
+///
+/// Larger takes parts that pass one another for a touch; smaller halves them down to rounding.
+pub(crate) const FLAT_SHARE: f64 = 0.02;
+
+/// How far cones of directions must be apart to be told to be so, radians: bounds of products have
+/// their rounding.
+///
+/// Larger halves parts that are clear of one another; smaller trusts cones that touch.
+pub(crate) const CONE_CLEARANCE: f64 = 0.05;
+
+/// Where it is looked beside an edge whether surfaces share an area, as fractions of the domain.
+///
+/// Larger misses narrow areas; smaller calls surfaces one that part at a flat angle.
+pub(crate) const BESIDE_EDGE: [f64; 2] = [0.02, 0.04];
+
+/// The first step along a curve in which surfaces cross, by their size.
+///
+/// Larger is shortened before it is taken; smaller samples what is nearly straight.
+pub(crate) const FIRST_STEP_SHARE: f64 = 0.02;
+
+/// The longest step along such a curve, by the size of the surfaces.
+///
+/// Larger steps over a curve beside this one; smaller samples what is nearly straight.
+pub(crate) const LONGEST_STEP_SHARE: f64 = 0.05;
+
+/// The shortest step along such a curve, by the tolerance; where that is too long it ends.
+///
+/// Larger gives up where a curve bends sharply; smaller walks on within what counts as one place.
+pub(crate) const SHORTEST_STEP_SHARE: f64 = 0.1;
+
+/// The least part of a step beyond a surface that tells anything of what is before its end.
+///
+/// Larger learns nothing near an edge; smaller compares roundings.
+pub(crate) const LEAST_STEP_SHARE: f64 = 0.01;
+
+/// Surfaces that are one over this fraction of their size share an area.
+///
+/// Larger misses small areas; smaller takes a touch of high order for one.
+pub(crate) const AREA_REACH: f64 = 0.02;
+
+/// Meetings of two curves that are one place in space are one where their parameters, too, are nearer
+/// than this fraction of the domain.
+///
+/// Larger makes one of the two meetings at a loop; smaller tells a flat meeting twice.
+pub(crate) const ONE_MEETING_SHARE: f64 = 0.01;

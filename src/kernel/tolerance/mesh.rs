@@ -1,0 +1,43 @@
+//! Triangles in the place of surfaces.
+
+/// Without a tolerance of its own a mesh may be this fraction of its size away from the surface.
+///
+/// Larger shows facets on a screen; smaller makes files that nobody asked for.
+pub const DEFAULT_CHORD_RELATIVE: f64 = 1e-3;
+
+/// A side of a cell may lean from the lines of the parameters by this part of the cell, where two
+/// triangles are told to be one quadrilateral.
+///
+/// Larger joins triangles to slanted quadrilaterals; smaller leaves triangles along edges whose vertices
+/// are a little beside the lines inside.
+pub const LEAN_SHARE: f64 = 0.25;
+
+/// A normal of a mesh counts as a unit vector when its length is this near to one.
+///
+/// Larger lets unscaled normals pass; smaller refuses those that a file holds with six digits.
+pub const UNIT_SLACK: f64 = 1e-4;
+
+/// Part of a mesh's tolerance within which corners and edges of surfaces are one, at most.
+///
+/// Larger makes finer triangles for the rest of the tolerance; smaller leaves gaps between
+/// surfaces that rounding has moved apart.
+pub const WELD_SHARE: f64 = 0.05;
+
+/// Where a surface, around a cell of its mesh, has no more slope over the plane of the cell's normal,
+/// only what bends along that normal decides the cell's size.
+///
+/// Larger lets heights count that slopes make, which bounds overrate; smaller divides what is
+/// coarsely meshed for what happens across the normal.
+pub const FLAT_SLOPE: f64 = 0.25;
+
+/// Part of the tolerance that the lines where a surface ends, or has a crease, may be away from
+/// their polygons.
+///
+/// Together with [`FLAT_SLOPE`] it must not exceed the whole, 1 / (1 + slope): there what is between
+/// the line and the polygon is seen along the slope.
+pub const BORDER_SHARE: f64 = 0.8;
+
+/// How far from its ends, as a fraction of it, the normals of a piece of an edge are compared.
+///
+/// Larger misses what turns near an end; smaller looks where poles and corners have no normal.
+pub(crate) const END_LOOK: f64 = 0.01;

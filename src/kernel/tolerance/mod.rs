@@ -1,0 +1,105 @@
+//! Every tolerance of the kernel, by themes: the only place where a small number may be written.
+//!
+//! Algorithms that answer to the user's idea of "the same place" take a [`Tolerance`] from their
+//! caller and never pick one. The named constants below are different in kind: they say where the
+//! digits of an `f64` end, so they are fixed, and all are ratios without a unit.
+
+mod curve;
+mod drawing;
+mod fit;
+mod function;
+mod intersection;
+mod measure;
+mod mesh;
+mod parameters;
+mod rounding;
+mod surface;
+
+pub use curve::{
+    ANALYTIC_RELATIVE, CUSP_SLACK, ROUND_RELATIVE, SMOOTH_RELATIVE, TURN_ACCURACY, TURN_MARGIN,
+    TURN_RELATIVE,
+};
+pub(crate) use curve::{LEAST_MITRE, SHORTEST_REACH};
+pub use drawing::{DRAWING_DIGIT, HIDDEN_RELATIVE, PATH_RELATIVE, PATH_ROUNDING};
+pub(crate) use fit::{FIRST_REMOVAL_SHARE, LEAST_KNOT_DENSITY, UNCHANGED_SHARE};
+pub use fit::{RANK_RELATIVE, SLIDE_RELATIVE};
+pub(crate) use function::SUSPICIOUS_CELL_RELATIVE;
+pub use function::{
+    BOX_RELATIVE, FOLLOWED_RELATIVE, SINGULAR_RELATIVE, STAND_IN_RELATIVE, SUSPICIOUS_RELATIVE,
+    UNBOUNDED_RELATIVE,
+};
+pub(crate) use intersection::{
+    AREA_REACH, BESIDE_EDGE, CONE_CLEARANCE, FIRST_STEP_SHARE, FLAT_SHARE, LEAST_STEP_SHARE,
+    LONGEST_STEP_SHARE, MEETING_SHARE, ONE_MEETING_SHARE, SHORTEST_STEP_SHARE,
+};
+pub use intersection::{
+    BEND_RELATIVE, CONTACT_SHARE, CORNER_RELATIVE, LIGHT_SHARE, ONE_PLACE_SHARE,
+};
+pub use measure::{
+    ACCURACY_WORTH_HAVING, ACCURACY_WORTH_TELLING, LENGTH_RELATIVE, NEAREST_RELATIVE,
+    QUADRATURE_RELATIVE,
+};
+pub(crate) use measure::{FEW_DIGITS_SHARE, FINER_FACTOR};
+pub(crate) use mesh::END_LOOK;
+pub use mesh::{
+    BORDER_SHARE, DEFAULT_CHORD_RELATIVE, FLAT_SLOPE, LEAN_SHARE, UNIT_SLACK, WELD_SHARE,
+};
+pub use parameters::{
+    KNOT_CLUSTER_RELATIVE, KNOT_RELATIVE, PARAMETER_RELATIVE, PLACE_RELATIVE, SIDE_STEP,
+};
+pub use rounding::{
+    BOUNDS_RELATIVE, EXACT_RELATIVE, LAST_BIT, SIGN_RELATIVE, STEP_RELATIVE, TOUCH_RELATIVE,
+    VANISHING_RELATIVE, WEIGHT_RELATIVE,
+};
+pub(crate) use surface::INSIDE_SHARE;
+pub use surface::{
+    FLAT_SIZES, NORMAL_AGREEMENT, NORMAL_STEP, SHADE_RELATIVE, UMBILIC_CIRCLE, UMBILIC_CLEAR,
+    UMBILIC_DIFFERENCE, UMBILIC_SHARE,
+};
+
+/// The precision that a computation is asked to reach.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerance {
+    /// Points closer than this coincide; model units. Larger merges details of the model; smaller
+    /// finds gaps in joints that only rounding has opened.
+    pub distance: f64,
+    /// Directions closer than this are parallel; radians. Larger calls a slow bend straight;
+    /// smaller calls two computed copies of one direction different.
+    pub angle: f64,
+}
+
+impl Tolerance {
+    /// Suits models measured in millimetres, up to some metres.
+    pub const DEFAULT: Self = Self { distance: 1e-6, angle: 1e-9 };
+
+    /// The distance for geometry of a size: never more than [`DETAIL_RELATIVE`] of it.
+    #[must_use]
+    pub fn distance_for(self, size: f64) -> f64 {
+        self.distance.min(DETAIL_RELATIVE * size)
+    }
+
+    /// The same angle with another distance.
+    #[must_use]
+    pub const fn with_distance(self, distance: f64) -> Self {
+        Self { distance, ..self }
+    }
+}
+
+impl Default for Tolerance {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
+
+/// The document's tolerance counts up to this fraction of the size of what is looked at.
+///
+/// Larger calls a curve of a few micrometres a closed one, and straight; smaller overrules a
+/// tolerance that somebody chose for rough work.
+pub const DETAIL_RELATIVE: f64 = 1e-3;
+
+/// Numbers of two runs of a script that differ by less than this, as a fraction of the larger one or
+/// of 1, are one result; whoever keeps results may say otherwise.
+///
+/// Larger lets a change of the geometry pass unseen; smaller tells of roundings that come out
+/// otherwise where an algorithm takes its steps in another order.
+pub const SAME_RESULT: f64 = 1e-9;
