@@ -8,11 +8,10 @@ use std::{cmp::Ordering, collections::BinaryHeap};
 
 use glam::{DVec3, DVec4};
 
-use super::{Bounds, Grid, KnotVector, bezier, homogeneous::project, tolerance::BOUNDS_RELATIVE};
-
-/// Pieces looked at for one direction. Only a spline that reaches furthest along a whole curve
-/// askew to its parameters comes here, and then the box is loose by 1e-8 of its size.
-const MAX_PIECES: usize = 20_000;
+use super::{
+    Bounds, Grid, KnotVector, bezier, ceiling::HULL_PIECES, homogeneous::project,
+    tolerance::BOUNDS_RELATIVE,
+};
 
 /// A tensor-product spline; a curve is one with a single row.
 #[derive(Clone, Copy)]
@@ -57,7 +56,7 @@ impl TensorSpline<'_> {
     fn reach(self, direction: AxisDirection) -> f64 {
         let mut reached = f64::NEG_INFINITY;
         let mut parts: BinaryHeap<SplinePart> = self.spans(direction).into();
-        for _ in 0..MAX_PIECES {
+        for _ in 0..HULL_PIECES {
             let Some(part) = parts.pop() else { return reached };
             if part.promise <= reached + BOUNDS_RELATIVE * reached.abs() {
                 return reached;

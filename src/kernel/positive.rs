@@ -5,11 +5,7 @@
 
 use glam::DVec4;
 
-use super::{GeomError, Grid, Interval, KnotVector, WeightError, bezier};
-
-/// Pieces looked at before a denominator that comes too near to zero to tell counts as
-/// vanishing: far more than any that stays clear of zero needs.
-const MAX_PIECES: usize = 4096;
+use super::{GeomError, Grid, Interval, KnotVector, WeightError, bezier, ceiling::PIECES};
 
 /// A Bézier net over a rectangle of parameters.
 struct BezierNet {
@@ -65,7 +61,7 @@ pub(crate) fn check_surface(
 /// The parameters of a place where the denominator is not positive.
 fn check_piece(piece: BezierNet) -> Result<(), [f64; 2]> {
     let mut todo = vec![piece];
-    for _ in 0..MAX_PIECES {
+    for _ in 0..PIECES {
         let Some(piece) = todo.pop() else { return Ok(()) };
         let (last_row, last_column) = (piece.net.n_rows() - 1, piece.net.n_columns() - 1);
         for (i, u) in [(0, piece.u.start()), (last_row, piece.u.end())] {

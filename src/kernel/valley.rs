@@ -6,19 +6,13 @@
 
 use super::{
     Interval,
-    ceiling::BISECTIONS,
+    ceiling::{BISECTIONS, FLOOR_DOUBLINGS, GOLDEN_SECTIONS},
     numeric::bisection::bisected,
     tolerance::{FEW_DIGITS_SHARE, LAST_BIT},
 };
 
 /// Cells of a stretch at whose ends the distance is asked for.
 const N_CELLS: usize = 64;
-
-/// Golden sections towards the least distance beside the nearest of those places.
-const MAX_SECTIONS: usize = 60;
-
-/// Doublings of a step from the bottom to the edge of the floor.
-const MAX_DOUBLINGS: usize = 60;
 
 /// Roundings of a distance by which the floor may be above the least.
 const FLOOR_ROUNDINGS: f64 = 16.0;
@@ -87,7 +81,7 @@ pub(crate) fn golden_section(
     let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
     let mut inner = [high - golden * (high - low), low + golden * (high - low)];
     let mut values = inner.map(&value);
-    for _ in 0..MAX_SECTIONS {
+    for _ in 0..GOLDEN_SECTIONS {
         if values[0] <= values[1] {
             high = inner[1];
             inner = [high - golden * (high - low), inner[0]];
@@ -105,7 +99,7 @@ pub(crate) fn golden_section(
 pub(crate) fn edge(holds: &impl Fn(f64) -> bool, inside: f64, end: f64) -> f64 {
     let (mut on, mut step) = (inside, (end - inside) * LAST_BIT);
     let mut off = end;
-    for _ in 0..MAX_DOUBLINGS {
+    for _ in 0..FLOOR_DOUBLINGS {
         let next = if (end - inside).abs() <= step.abs() { end } else { inside + step };
         if !holds(next) {
             off = next;

@@ -5,15 +5,10 @@ use glam::DVec3;
 use super::{NurbsCurve, measure::quadrature};
 use crate::{
     DomainError, GeomError, Interval,
+    ceiling::{LENGTH_STEPS, QUICK_LENGTH_STEPS},
     numeric::newton::{Step, within_bracket, within_limits},
     tolerance::{LAST_BIT, LENGTH_RELATIVE},
 };
-
-/// Steps of Newton's method, each halving the bracket where it fails to do better.
-const MAX_STEPS: usize = 100;
-
-/// Steps of Newton's method where the speed hardly changes.
-const QUICK_STEPS: usize = 12;
 
 /// The length of a curve from its start at many places, to be asked often.
 #[derive(Debug)]
@@ -64,7 +59,7 @@ impl NurbsCurve {
         let found = within_limits(
             [limits],
             [start],
-            QUICK_STEPS,
+            QUICK_LENGTH_STEPS,
             |_, _| false,
             |[t]| {
                 let excess = before + self.length_by_one_rule(part, t) - length;
@@ -165,7 +160,7 @@ impl NurbsCurve {
         let bracket = [piece.start(), piece.end()];
         let start = piece.at(length / piece_length);
         let is_still = |t: f64, next: f64| t.total_cmp(&next).is_eq();
-        within_bracket(bracket, start, MAX_STEPS, is_still, |t| {
+        within_bracket(bracket, start, LENGTH_STEPS, is_still, |t| {
             let part = Interval::new(piece.start(), t).ok()?;
             let excess = self.length_within(part, rounding) - length;
             let is_there = excess.abs() <= LENGTH_RELATIVE * piece_length;

@@ -3,10 +3,10 @@
 use glam::DVec3;
 
 use super::{Curve, Offset, ParametricCurve};
-use crate::{ConstructionError, GeomError, InputError, Interval, Tolerance, frame::norm};
-
-/// Doublings of a domain that is prolonged until it is long enough.
-const MAX_DOUBLINGS: usize = 40;
+use crate::{
+    ConstructionError, GeomError, InputError, Interval, Tolerance, ceiling::DOMAIN_DOUBLINGS,
+    frame::norm,
+};
 
 impl Curve {
     /// The curve beside it at a distance; of a function near its stand-in.
@@ -117,7 +117,7 @@ impl ParametricCurve {
         let mut step = if first < domain.length() { first } else { domain.length() };
         // Up to `low` it is `reached` longer, so that each step follows the function only from there.
         let (mut low, mut reached) = (end, 0.0);
-        for _ in 0..MAX_DOUBLINGS {
+        for _ in 0..DOMAIN_DOUBLINGS {
             let far = end + sign * step;
             let beyond = Interval::new(low.min(far), low.max(far))?;
             let rest = self.on(beyond)?.nurbs_approximation()?;

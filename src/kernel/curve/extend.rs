@@ -2,31 +2,15 @@
 
 use glam::{DAffine3, DMat3, DVec3, DVec4};
 
-use super::{
-    AnalyticCurve, NurbsCurve, join,
-    measure::{MAX_PIECES, integral},
-};
+use super::{AnalyticCurve, NurbsCurve, join, measure::integral};
 use crate::{
     ConstructionError, ConstructionReport, GeomError, InputError, Interval, WeightError, bezier,
+    ceiling::{LENGTH_PIECES, PIECES, PROLONGATION_DOUBLINGS, PROLONGATION_STEPS, WEIGHT_HALVINGS},
     frame::norm,
     homogeneous,
     numeric::newton::within_bracket,
     tolerance::{LAST_BIT, LENGTH_RELATIVE, PLACE_RELATIVE, VANISHING_RELATIVE},
 };
-
-/// Doublings of the last span's width before a length counts as out of reach: its knots are still
-/// told apart from those of the curve. A single piece has none.
-const MAX_DOUBLINGS: [i32; 2] = [30, 1000];
-
-/// Steps to the parameter of a length; Newton's method takes five or so.
-const MAX_STEPS: usize = 1000;
-
-/// Halvings of the last span that make its weights positive; more only where the denominator all
-/// but vanishes.
-const MAX_HALVINGS: usize = 8;
-
-/// Arcs that a curve may be prolonged by.
-const MAX_ARCS: f64 = 4096.0;
 
 impl NurbsCurve {
     /// The curve with its last polynomial piece going on until it is longer by `length`, on a
@@ -74,7 +58,7 @@ impl NurbsCurve {
             return Ok(None);
         };
         let n_whole = (length / (radius * turn)).floor();
-        if MAX_ARCS < n_whole {
+        if (PIECES as f64) < n_whole {
             return Ok(None);
         }
         let n_whole = n_whole as usize;
@@ -134,7 +118,7 @@ impl NurbsCurve {
     fn with_positive_weights(self) -> Result<Self, GeomError> {
         let span = self.knots.span_interval(self.knots.span_at(self.domain().end()));
         let mut curve = self;
-        for _ in 0..MAX_HALVINGS {
+        for _ in 0..WEIGHT_HALVINGS {
             if curve.control_points.iter().all(|point| 0.0 < point.w) {
                 return Ok(curve);
             }
@@ -170,7 +154,7 @@ impl NurbsCurve {
         if first <= start {
             return Ok(start);
         }
-        for _ in 0..MAX_STEPS {
+        for _ in 0..PROLONGATION_STEPS {
             let t = if pole.is_finite() { 0.5 * (low + pole) } else { start + step };
             // Beyond all numbers there is no parameter.
             let Ok(added) = Interval::new(low, t) else { break };
@@ -189,7 +173,9 @@ impl NurbsCurve {
                 (low, known) = (t, known + more);
                 step *= 2.0;
             }
-            if libm::ldexp(width, MAX_DOUBLINGS[usize::from(self.n_segments() == 1)]) < step {
+            if libm::ldexp(width, PROLONGATION_DOUBLINGS[usize::from(self.n_segments() == 1)])
+                < step
+            {
                 break;
             }
         }
@@ -256,7 +242,7 @@ impl EndExtrapolation {
 
     fn length(&self, interval: Interval) -> f64 {
         let degree = self.coefficients.len();
-        integral(&|t| self.speed(t), interval, self.rounding, MAX_PIECES / (degree * degree))
+        integral(&|t| self.speed(t), interval, self.rounding, LENGTH_PIECES / (degree * degree))
     }
 
     /// The parameter of a length inside of a bracket, at whose start it is `known`: Newton's method
@@ -265,7 +251,7 @@ impl EndExtrapolation {
         let [mut low, high] = bracket;
         let start = if low < first && first <= high { first } else { high };
         let is_still = |t: f64, next: f64| (next - t).abs() <= LAST_BIT * t.abs();
-        within_bracket(bracket, start, MAX_STEPS, is_still, |t| {
+        within_bracket(bracket, start, PROLONGATION_STEPS, is_still, |t| {
             let more = Interval::new(low, t).map_or(0.0, |part| self.length(part));
             let missing = length - known - more;
             // The next place beyond is measured from here.

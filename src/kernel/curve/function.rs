@@ -10,6 +10,7 @@ use glam::DVec3;
 use super::{NurbsCurve, ParametricCurve, hermite::blossom_weights, series};
 use crate::{
     Bounds, GeomError, Interval, Tolerance,
+    ceiling::BISECTIONS,
     frame::norm,
     numeric::newton::within_bracket,
     numeric::polynomial_roots::Signs,
@@ -25,9 +26,6 @@ const MAX_HALVINGS: usize = 8;
 
 /// Places of a piece at which a polynomial is compared.
 const PLACES: [f64; 3] = [0.2, 0.5, 0.8];
-
-/// Steps of Newton's method, or halvings where it fails.
-const MAX_STEPS: usize = 60;
 
 /// A number at a parameter as a Taylor series, with the size of what it is the sum of.
 #[derive(Clone)]
@@ -252,7 +250,7 @@ impl ParametricCurve {
         let first = self.asked(bracket[0], question, 0)?.terms[0];
         let resolution = LAST_BIT * bracket[0].abs().max(bracket[1].abs());
         let is_still = |t: f64, next: f64| (next - t).abs() <= resolution;
-        Ok(within_bracket(bracket, t, MAX_STEPS, is_still, |t| {
+        Ok(within_bracket(bracket, t, BISECTIONS, is_still, |t| {
             // Where there is no slope the middle is as good.
             let number = self.asked(t, question, 1).or_else(|_| self.asked(t, question, 0));
             // Without derivatives it is the place where they jump.

@@ -13,13 +13,11 @@ use super::{
 };
 use crate::{
     Bounds, Frame, GeomError, Interval, Tolerance,
+    ceiling::POLISHING_STEPS,
     frame::norm,
     numeric::newton::{Step, improved, try_within_limits},
     tolerance::{LAST_BIT, SIDE_STEP, TOUCH_RELATIVE},
 };
-
-/// Steps of Newton's method on two functions.
-const MAX_STEPS: usize = 20;
 
 impl Curve {
     /// The NURBS that it is, or the spline that stands in for a function: of degree 11, with its
@@ -233,7 +231,7 @@ impl Curve {
             Ok(norm(self.point_at(t)? - other.point_at(s)?))
         };
         let start = (near.first, near.second, apart(near.first, near.second)?);
-        let (t, s, _) = improved(start, MAX_STEPS, |&(t, s, distance)| {
+        let (t, s, _) = improved(start, POLISHING_STEPS, |&(t, s, distance)| {
             let (Ok(a), Ok(b)) = (self.derivatives_at(t, 1), other.derivatives_at(s, 1)) else {
                 return Ok(None);
             };
@@ -275,7 +273,7 @@ impl ParametricCurve {
         let mut distance = norm(self.point_at(t)? - p);
         let is_still = |[t]: [f64; 1], [next]: [f64; 1]| (next - t).abs() <= LAST_BIT * t.abs();
         let limits = [domain.start(), domain.end()];
-        let found = try_within_limits([limits], [t], MAX_STEPS, is_still, |[t]| {
+        let found = try_within_limits([limits], [t], POLISHING_STEPS, is_still, |[t]| {
             let Ok(d) = self.derivatives_at(t, 2) else { return Ok(Step::Stuck) };
             let away = d[0] - p;
             let step = -away.dot(d[1]) / (d[1].length_squared() + away.dot(d[2]));

@@ -15,6 +15,7 @@ use super::{
 };
 use crate::{
     Bounds, FitError, GeomError, Interval, JumpError,
+    ceiling::PIECES,
     frame::norm,
     tolerance::{
         KNOT_RELATIVE, LAST_BIT, SINGULAR_RELATIVE, STAND_IN_RELATIVE, SUSPICIOUS_RELATIVE,
@@ -33,9 +34,6 @@ const N_PLACES: usize = 16;
 
 /// Part of the tolerance that a piece may use up at those places, so that it holds between them.
 const SAFETY: f64 = 0.5;
-
-/// Pieces that a function may take.
-pub(super) const MAX_PIECES: usize = 4096;
 
 /// Fractions of a domain at which a function is not singular but by chance.
 const PROBES: [f64; 3] = [0.414_213_562, 0.732_050_808, 0.123_105_626];
@@ -68,7 +66,7 @@ impl ParametricCurve {
     /// de Boor, *A Practical Guide to Splines*, ch. I.
     ///
     /// # Errors
-    /// [`FitError::NoSplineNear`] where 4096 pieces do not suffice, [`GeomError::Jump`], and as
+    /// [`FitError::NoSplineNear`] where [`PIECES`] do not suffice, [`GeomError::Jump`], and as
     /// [`Self::derivatives_at`].
     pub fn to_nurbs(&self, tolerance: f64) -> Result<NurbsCurve, GeomError> {
         self.spline(2, 1, [tolerance; 2])
@@ -234,7 +232,7 @@ impl HermiteFit<'_> {
                 todo.push((a, middle));
             }
             self.n_pieces += 1;
-            if MAX_PIECES < self.n_pieces {
+            if PIECES < self.n_pieces {
                 let parameter = nodes[nodes.len() - 1].parameter;
                 return Err(self.not_near(parameter).into());
             }

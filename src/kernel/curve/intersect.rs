@@ -24,23 +24,19 @@ use super::{
     part::{CurvePart, parts},
 };
 use crate::{
-    Bounds, GeomError, Interval, homogeneous,
+    Bounds, GeomError, Interval,
+    ceiling::{CURVE_PAIR_WORK, NEWTON_STEPS},
+    homogeneous,
     numeric::newton::{Step, within_limits},
     tolerance::{KNOT_RELATIVE, LAST_BIT},
     work,
 };
-
-/// Control points of pairs of pieces that are looked at before the meetings are too many.
-const MAX_WORK: usize = 1_600_000;
 
 /// Pairs of pieces that may besides come of each span.
 const PAIRS_A_SPAN: usize = 16;
 
 /// Last bits of a coordinate within which two places cannot be told apart.
 const MOST_ROUNDINGS: f64 = 16.0;
-
-/// Steps of Newton's method; from a pair that crosses clearly it needs some five.
-const MAX_STEPS: usize = 30;
 
 /// A touch is as long as the root of the tolerance times the size; what is longer by this factor
 /// is looked at for how the distance runs along it.
@@ -162,7 +158,7 @@ impl NurbsCurve {
 /// How much work the meetings of two curves are worth: control points of pairs of pieces.
 pub(super) fn work(curves: [&NurbsCurve; 2]) -> usize {
     let own = |curve: &NurbsCurve| (curve.degree() + 1) * curve.n_segments();
-    MAX_WORK + PAIRS_A_SPAN * curves.into_iter().map(own).sum::<usize>()
+    CURVE_PAIR_WORK + PAIRS_A_SPAN * curves.into_iter().map(own).sum::<usize>()
 }
 
 /// Meetings that were found in other units.
@@ -272,7 +268,7 @@ impl<'c> IntersectionSearch<'c> {
             (0..2).all(|i| (next[i] - last[i]).abs() <= LAST_BIT * next[i].abs())
         };
         let middles = [first.at(0.5), second.at(0.5)];
-        let found = within_limits(limits, middles, MAX_STEPS, is_still, |[t, s]| {
+        let found = within_limits(limits, middles, NEWTON_STEPS, is_still, |[t, s]| {
             let (p, q) = (self.first.derivatives_at(t, 1), self.second.derivatives_at(s, 1));
             Step::perhaps(nearest_step(p[0] - q[0], p[1], q[1]))
         });

@@ -8,6 +8,7 @@ use super::{NurbsCurve, part::CurvePart};
 use crate::{
     Bounds, Grid, Interval, KnotVector,
     bezier::{blend, cut_at},
+    ceiling::{LENGTH_PIECES, TURN_CUTS},
     frame::norm,
     hull::TensorSpline,
     numeric::gauss_legendre::{self, SIXTEEN_NODES},
@@ -19,10 +20,6 @@ use crate::{
 /// with each.
 const MAX_HALVINGS: usize = 40;
 
-/// Pieces of one span of a low degree; only noise needs more than some hundred, and has no better
-/// answer.
-pub(super) const MAX_PIECES: usize = 10_000;
-
 /// Pieces of one span of any degree.
 const LEAST_PIECES: usize = 100;
 
@@ -31,10 +28,6 @@ const LOW: usize = 16;
 
 /// A curve so many times its size away is measured about its middle.
 const FAR: f64 = 4.0;
-
-/// Cuts for a span, on average, where the tangent turns; a cusp takes some fifty, and more only what
-/// turns at random.
-const MAX_CUTS: usize = 200;
 
 impl NurbsCurve {
     /// Arc length over the part of the interval that lies in the domain.
@@ -91,7 +84,7 @@ impl NurbsCurve {
         let total = estimates.iter().sum::<f64>();
         let share = total / estimates.len().max(1) as f64;
         let order = self.degree() + 1;
-        let most = (MAX_PIECES * LOW / (order * order)).clamp(LEAST_PIECES, MAX_PIECES);
+        let most = (LENGTH_PIECES * LOW / (order * order)).clamp(LEAST_PIECES, LENGTH_PIECES);
         let refined = |(part, estimate): (CurvePart, f64)| {
             let accuracy = LENGTH_RELATIVE * estimate.max(share) + rounding;
             refined_part(part.points, estimate, accuracy, most)
@@ -127,7 +120,7 @@ impl NurbsCurve {
         let spans = self.knots.spans().map(|span| CurvePart::of_span(self, span));
         let watched = spans.take_while(|_| work::goes_on(1));
         let within: Vec<CurvePart> = watched.filter_map(|part| part.within(interval)).collect();
-        let most = within.len().saturating_mul(MAX_CUTS);
+        let most = within.len().saturating_mul(TURN_CUTS);
         let mut parts = Vec::new();
         let mut n_cuts = 0;
         let mut todo: Vec<(CurvePart, usize)> =

@@ -2,7 +2,10 @@
 
 use thiserror::Error;
 
-use super::super::digits::{few_digits, how_far, plain};
+use super::super::{
+    ceiling::{PIECES, STAND_IN_CELLS},
+    digits::{few_digits, how_far, plain},
+};
 
 /// Nothing that goes through data or stays within a tolerance.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -41,10 +44,10 @@ pub enum FitError {
     )]
     ToleranceNotKept { tolerance: f64, found: f64 },
     /// A function that no spline of a reasonable size comes near.
-    #[error("no spline of 4096 pieces is within {} of the function at {parameter}", few_digits(*tolerance), parameter = plain(*parameter))]
+    #[error("no spline of {} pieces is within {} of the function at {parameter}", PIECES, few_digits(*tolerance), parameter = plain(*parameter))]
     NoSplineNear { tolerance: f64, parameter: f64 },
     /// A function of two parameters that no spline of a reasonable size comes near.
-    #[error("no spline of 16384 patches is within {} of the function at ({u}, {v})", few_digits(*tolerance), u = plain(*u), v = plain(*v))]
+    #[error("no spline of {} patches is within {} of the function at ({u}, {v})", STAND_IN_CELLS, few_digits(*tolerance), u = plain(*u), v = plain(*v))]
     NoSplineNearAt { tolerance: f64, u: f64, v: f64 },
 }
 

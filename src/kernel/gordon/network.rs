@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 
-Direction, use crate::{
-    GeomError, IntersectionError, NurbsCurve,
+use crate::{
+    Direction, GeomError, IntersectionError, NurbsCurve,
+    ceiling::DISTANT_PAIRS,
     tolerance::{ONE_MEETING_SHARE, PLACE_RELATIVE},
 };
 
@@ -170,9 +171,6 @@ pub(super) fn meets(
     Ok(found)
 }
 
-/// Pairs that do not meet of which the distance is looked for.
-const MAX_PAIRS: usize = 100;
-
 /// Tells of those of these pairs that are furthest apart.
 pub(super) fn apart(
     pairs: &[[usize; 2]],
@@ -180,7 +178,7 @@ pub(super) fn apart(
     vs: &[NurbsCurve],
     tolerance: f64,
 ) -> Option<NetworkError> {
-    let each = pairs.iter().take(MAX_PAIRS).map(|&pair| {
+    let each = pairs.iter().take(DISTANT_PAIRS).map(|&pair| {
         let (at, point, gap) = nearest(&us[pair[0]], &vs[pair[1]], tolerance);
         (pair, at, point, gap)
     });

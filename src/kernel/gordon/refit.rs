@@ -4,12 +4,10 @@ use glam::DVec4;
 
 use crate::{
     Approximator, FitError, GeomError, Interval, KnotVector, NurbsCurve, Side,
+    ceiling::PIECES,
     fit::FitCondition,
     tolerance::{KNOT_CLUSTER_RELATIVE, LEAST_KNOT_DENSITY},
 };
-
-/// Control points along a fit.
-const MAX_POINTS: usize = 4096;
 
 /// Places of a span at which the distance is measured, beyond the degree.
 const MORE_PLACES: usize = 4;
@@ -51,7 +49,7 @@ pub(crate) struct RefitRequest {
 /// met. Spans that miss are divided; then fewer knots are tried, spread by need.
 ///
 /// # Errors
-/// [`FitError::ToleranceNotKept`] where 4096 control points do not suffice.
+/// [`FitError::ToleranceNotKept`] where [`PIECES`] control points do not suffice.
 pub(crate) fn refitted(
     curves: &[NurbsCurve],
     wanted: &RefitRequest,
@@ -253,7 +251,7 @@ impl<'a> KnotSearch<'a> {
             if more.is_empty() {
                 return Ok(trial);
             }
-            if MAX_POINTS < trial.knots.n_points() + more.len() {
+            if PIECES < trial.knots.n_points() + more.len() {
                 break;
             }
             let mut free = [&trial.free[..], &more].concat();

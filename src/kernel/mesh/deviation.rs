@@ -3,13 +3,10 @@
 use glam::DVec3;
 
 use super::Mesh;
-use crate::{Deviation, DeviationReference, GeomError};
+use crate::{Deviation, DeviationReference, GeomError, ceiling::TRIANGLE_CLIMB_STEPS};
 
 /// Triangles in which the farthest place is searched: those with the farthest middles.
 const SEARCHED: usize = 16;
-
-/// Halvings of the step around the farthest place of a triangle.
-const HALVINGS: usize = 20;
 
 impl Mesh {
     /// How far it is from a surface or from another mesh: its vertices, the middles of its edges and of its triangles,
@@ -90,7 +87,7 @@ fn farthest_of(
         }
     }
     let mut step = 0.25;
-    for _ in 0..HALVINGS {
+    for _ in 0..TRIANGLE_CLIMB_STEPS {
         let mut is_best = true;
         for [dx, dy] in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [1.0, -1.0], [-1.0, 1.0]]
         {

@@ -13,11 +13,9 @@ use super::{
 };
 use crate::{
     CountError, Direction, GeomError, Interval, bezier,
+    ceiling::PARAMETER_HALVINGS,
     tolerance::{BORDER_SHARE, PLACE_RELATIVE},
 };
-
-/// Halvings of a stretch, past the last bit of a parameter.
-const MAX_HALVINGS: usize = 52;
 
 /// A seam while it is divided.
 pub(super) struct SeamDivision<'a, 's> {
@@ -109,7 +107,7 @@ impl<'a, 's> SeamDivision<'a, 's> {
         let (mut low, mut todo) = (start, vec![(end, 0)]);
         while let Some((high, n_halvings)) = todo.pop() {
             GeomError::go_on(1)?;
-            if MAX_HALVINGS <= n_halvings || self.fits(&low, &high) {
+            if PARAMETER_HALVINGS <= n_halvings || self.fits(&low, &high) {
                 stops.push(high.clone());
                 low = high;
             } else {

@@ -5,6 +5,7 @@ use glam::{DVec3, DVec4};
 use super::surface_patch::SurfacePatch;
 use crate::{
     Bounds, GeomError, Interval, NurbsCurve, bezier,
+    ceiling::{EDGE_FOOT_STEPS, PARAMETER_HALVINGS},
     curve::ArcLengths,
     homogeneous::project,
     numeric::newton::{to_foot, try_within_limits},
@@ -12,12 +13,6 @@ use crate::{
     tolerance::LAST_BIT,
     work,
 };
-
-/// Halvings of a piece of an edge, past the last bit of a parameter.
-const MAX_HALVINGS: usize = 52;
-
-/// Steps of Newton's method from a place that is near already.
-const MAX_STEPS: usize = 6;
 
 /// An edge of a sheet: u0, u1, v0 or v1 by its number.
 #[derive(Debug)]
@@ -178,7 +173,7 @@ impl PatchEdge {
                     continue;
                 }
                 let is_place = hull.is_some_and(|hull| hull.diagonal() <= reach);
-                if is_place || MAX_HALVINGS <= part.n_halvings {
+                if is_place || PARAMETER_HALVINGS <= part.n_halvings {
                     let middle = part.interval.at(0.5);
                     feet.extend(part.corners.iter().map(|&corner| (middle, interval, corner)));
                 } else {
@@ -201,7 +196,7 @@ impl PatchEdge {
         let limits = [span.start(), span.end()];
         let is_still =
             |[t]: [f64; 1], [next]: [f64; 1]| (next - t).abs() <= LAST_BIT * span.length();
-        let found = try_within_limits([limits], [start], MAX_STEPS, is_still, |[t]| {
+        let found = try_within_limits([limits], [start], EDGE_FOOT_STEPS, is_still, |[t]| {
             let offset = place - self.point(sheet, t)?;
             Ok::<_, GeomError>(to_foot(offset, self.curve.derivatives_at(t, 1)[1]))
         })?;

@@ -1,9 +1,6 @@
 //! Lines of a grid along one direction of a surface.
 
-use crate::{CountError, GeomError, numeric::bisection::bisected};
-
-/// Halvings of the search for the widths that use up the last step as well.
-const HALVINGS: usize = 30;
+use crate::{CountError, GeomError, ceiling::WIDTH_BISECTIONS, numeric::bisection::bisected};
 
 /// Widths that cells may have over parts of an interval.
 #[derive(Debug)]
@@ -38,7 +35,7 @@ impl CellWidths<'_> {
         let n = self.count(section, 1.0);
         let narrow = if 2 * n < self.count(section, 0.5) || n < 2 { 0.0 } else { 0.5 };
         let is_enough = |factor: f64| self.count(section, factor) <= n;
-        let [widest, _] = bisected([1.0, narrow], HALVINGS, is_enough);
+        let [widest, _] = bisected([1.0, narrow], WIDTH_BISECTIONS, is_enough);
         self.walk(section, widest, |t| lines.push(t));
     }
 

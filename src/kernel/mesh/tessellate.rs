@@ -11,12 +11,9 @@ use super::{
     stitch::stitched, surface_patch::SurfacePatch,
 };
 use crate::{
-    CountError, GeomError, NurbsCurve, NurbsSurface, Surface, bezier, homogeneous::project,
-    tolerance::PATH_ROUNDING, work,
+    CountError, GeomError, NurbsCurve, NurbsSurface, Surface, bezier, ceiling::PARAMETER_HALVINGS,
+    homogeneous::project, tolerance::PATH_ROUNDING, work,
 };
-
-/// Halvings of a piece of a curve, past the last bit of its parameter.
-const MAX_HALVINGS: usize = 52;
 
 /// Meshes that are tried for an angle: where normals turn faster between the places where they are
 /// compared than there, the cells become smaller.
@@ -183,7 +180,7 @@ pub fn tessellate_curve(
             && let Some((piece, interval, n_halvings)) = todo.pop()
         {
             let deviation = chord_deviation(&piece, [piece[0], piece[piece.len() - 1]]);
-            if n_halvings < MAX_HALVINGS && tolerance < deviation {
+            if n_halvings < PARAMETER_HALVINGS && tolerance < deviation {
                 let (left, right) = bezier::cut_at(&piece, 0.5);
                 let [before, behind] = interval.halves();
                 todo.extend([(right, behind, n_halvings + 1), (left, before, n_halvings + 1)]);

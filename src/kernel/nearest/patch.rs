@@ -6,19 +6,15 @@ use glam::{DVec2, DVec3, DVec4};
 
 use super::DirectionSpans;
 use crate::{
-    Bounds, Direction, Interval, homogeneous,
+    Bounds, Direction, Interval,
+    ceiling::{NEAREST_STEPS, STEP_HALVINGS},
+    homogeneous,
     numeric::{
         linear::TwoEquations,
         newton::{improved, shortened},
     },
     tolerance::LAST_BIT,
 };
-
-/// Steps towards a minimum; some five are enough where the squared distance is curved.
-const MAX_STEPS: usize = 40;
-
-/// Halvings of a step that leads away.
-const MAX_HALVINGS: usize = 12;
 
 /// A part of a patch, in fractions of its spans.
 #[derive(Clone, Copy, Debug)]
@@ -216,7 +212,7 @@ pub(crate) fn descend<E>(
     start: [f64; 2],
     mut way_at: impl FnMut([f64; 2]) -> Result<Residual, E>,
 ) -> Result<Residual, E> {
-    improved(way_at(start)?, MAX_STEPS, |way| lower(cell, way, &mut way_at))
+    improved(way_at(start)?, NEAREST_STEPS, |way| lower(cell, way, &mut way_at))
 }
 
 /// A step that leads down, or none.
@@ -230,7 +226,7 @@ fn lower<E>(
         free(0).max(free(1))
     };
     let whole = way.step([0, 1].map(|i| cell.bars(way, i)));
-    shortened(whole, MAX_HALVINGS, |step| {
+    shortened(whole, STEP_HALVINGS, |step| {
         let place = cell.clamp([way.place[0] + step[0], way.place[1] + step[1]]);
         if DVec2::from_array(place) == DVec2::from_array(way.place) {
             return Ok(ControlFlow::Break(None));

@@ -5,13 +5,15 @@
 //! (1981). Nothing is sampled, so that no pair of roots is lost between samples.
 
 use super::{bisection, newton::within_bracket};
-use crate::{Interval, bernstein, ceiling::BISECTIONS, tolerance::LAST_BIT, work};
+use crate::{
+    Interval, bernstein,
+    ceiling::{BISECTIONS, SIGN_PARTS},
+    tolerance::LAST_BIT,
+    work,
+};
 
 /// Halvings of an interval in which several roots cannot be told apart.
 const MAX_HALVINGS: usize = 40;
-
-/// Parts of one piece; only rounding has more changes of sign than that.
-const MAX_PARTS: usize = 2000;
 
 /// Follows the sign of a piecewise polynomial along its pieces, in order, and notes where it
 /// changes.
@@ -41,7 +43,7 @@ impl Signs {
                 self.zero_from.get_or_insert(interval.at(part.start()));
                 continue;
             };
-            if n_changes > 1 && n_halvings < MAX_HALVINGS && n_parts < MAX_PARTS {
+            if n_changes > 1 && n_halvings < MAX_HALVINGS && n_parts < SIGN_PARTS {
                 let [left, right] = bernstein::halves(&coefficients);
                 let [before, behind] = part.halves();
                 todo.push((behind, right, n_halvings + 1));

@@ -7,8 +7,8 @@ use super::{
     two_sided::{ORDER, TwoSidedSample},
 };
 use crate::{
-    Curve, GeomError, Interval, KnotVector, Side, frame::norm, numeric::newton::improved,
-    tolerance::KNOT_RELATIVE,
+    Curve, GeomError, Interval, KnotVector, Side, ceiling::POLISHING_STEPS, frame::norm,
+    numeric::newton::improved, tolerance::KNOT_RELATIVE,
 };
 
 /// Places of one piece of an edge, at least; of a function, in all.
@@ -19,8 +19,6 @@ const MOST: usize = 129;
 
 /// Seeds along the edge of a function for its place nearest to a point, and steps from the best.
 const SEEDS: usize = 256;
-const STEPS: usize = 20;
-
 /// A parameter line of a surface, and the side of it on which the surface is looked at.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SurfaceBorder<'a> {
@@ -245,7 +243,7 @@ impl LineDistance {
         let best = self.seeds.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
         let domain = curve.domain();
         let seed = best.map_or(domain.start(), |&(t, _)| t);
-        improved(seed, STEPS, |&t| {
+        improved(seed, POLISHING_STEPS, |&t| {
             let d = curve.derivatives_at(t, 2)?;
             let away = d[0] - point;
             let (slope, change) = (away.dot(d[1]), d[1].length_squared() + away.dot(d[2]));

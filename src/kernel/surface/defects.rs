@@ -5,7 +5,7 @@ use glam::{DVec3, DVec4};
 use super::{Edge, NurbsSurface, Surface, border::SurfaceBorder, level_set::SurfacePart};
 use crate::{
     Bounds, GeomError, Grid, Interval, KnotVector, Tolerance,
-    ceiling::BISECTIONS,
+    ceiling::{BISECTIONS, FOLD_PARTS},
     frame::{norm, unit},
     numeric::bisection::try_bisected,
     tolerance::{INSIDE_SHARE, SIDE_STEP, VANISHING_RELATIVE},
@@ -24,9 +24,6 @@ const MAX_FOLDS: usize = 8;
 /// Parts of a patch are halved this often before their corners tell a fold, and at most.
 const LEAST_HALVINGS: usize = 10;
 const MAX_HALVINGS: usize = 40;
-
-/// Parts that are looked at: where Su × Sv vanishes without a fold there are many.
-const MAX_PARTS: usize = 4000;
 
 /// Where a surface is not regular.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -149,7 +146,7 @@ impl Surface {
             && let Some((part, n_halvings)) = todo.pop()
         {
             n_parts += 1;
-            if MAX_PARTS < n_parts || folds.len() == MAX_FOLDS {
+            if FOLD_PARTS < n_parts || folds.len() == MAX_FOLDS {
                 break;
             }
             if part.is_regular() {

@@ -1,7 +1,9 @@
 //! How far a surface is from another surface, or from a mesh.
 
 use super::Surface;
-use crate::{Deviation, DeviationReference, GeomError, Interval, KnotVector};
+use crate::{
+    Deviation, DeviationReference, GeomError, Interval, KnotVector, ceiling::SURFACE_CLIMB_STEPS,
+};
 
 /// Even parts of a domain, all its pieces together, at whose ends the distance is measured.
 const PARTS: usize = 24;
@@ -13,9 +15,6 @@ const PARTS_BY_FUNCTION: usize = 12;
 /// places are hills of the size of triangles.
 const PARTS_OF_TRIANGLE: f64 = 3.0;
 const MOST_PARTS: usize = 1000;
-
-/// Halvings of the step around the farthest place.
-const HALVINGS: usize = 26;
 
 impl Surface {
     /// How far this surface is from another one or from a mesh: its places on a grid, and from the
@@ -49,7 +48,7 @@ impl Surface {
         let domains = [self.domain_u(), self.domain_v()];
         let counts = [us.len(), vs.len()];
         let mut steps = [0, 1].map(|i| domains[i].length() / counts[i] as f64);
-        for _ in 0..HALVINGS {
+        for _ in 0..SURFACE_CLIMB_STEPS {
             let mut is_best = true;
             for (along, sign) in [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0)] {
                 let mut beside = place;

@@ -9,14 +9,11 @@
 use glam::DVec4;
 
 use super::{Direction, NurbsSurface};
-use crate::{Grid, KnotVector, bezier};
+use crate::{Grid, KnotVector, bezier, ceiling::PIECES};
 
 /// Weights of a patch that differ by no larger factor are alike: derivatives along it differ by no
 /// more than the square of that.
 const ALIKE: f64 = 32.0;
-
-/// Patches beyond which none is cut any more.
-const MAX_PATCHES: usize = 4096;
 
 /// The patches that a surface consists of, on domains of their own and with weights that are
 /// alike; `None` where the weights of the surface are alike as they are.
@@ -35,7 +32,7 @@ pub(super) fn evened(surface: &NurbsSurface) -> Option<Vec<NurbsSurface>> {
             (0..net.n_rows()).map(|i| ratio(net.row(i).iter())).fold(1.0, f64::max)
         };
         let (along_u, along_v) = (lines(&net.transposed()), lines(&net));
-        let is_full = MAX_PATCHES <= open.len() + even.len();
+        let is_full = PIECES <= open.len() + even.len();
         if along_u.max(along_v) <= ALIKE || is_full {
             even.push(NurbsSurface::new_unchecked(knots_u.clone(), knots_v.clone(), net));
             continue;

@@ -18,6 +18,7 @@ use super::{
 };
 use crate::{
     Bounds, FitError, GeomError, Grid, JumpError,
+    ceiling::STAND_IN_CELLS,
     frame::norm,
     tolerance::{
         BOX_RELATIVE, KNOT_RELATIVE, LAST_BIT, SUSPICIOUS_CELL_RELATIVE, UNBOUNDED_RELATIVE,
@@ -35,9 +36,6 @@ const EDGE_SHARE: f64 = 0.1;
 
 /// By how much a box becomes coarser where the function has edges without derivatives.
 const COARSER: f64 = 1e3;
-
-/// Cells that a surface may take.
-const MAX_CELLS: usize = 16_384;
 
 /// Halvings that make a smooth cell near.
 const SMOOTH_HALVINGS: usize = 4;
@@ -57,7 +55,7 @@ impl ParametricSurface {
     /// Half of the tolerance is kept at 36 places of each cell.
     ///
     /// # Errors
-    /// [`FitError::NoSplineNearAt`] where 16384 cells do not suffice; and where the function has
+    /// [`FitError::NoSplineNearAt`] where [`STAND_IN_CELLS`] do not suffice; and where the function has
     /// no derivatives, as [`Self::derivatives_at`].
     pub fn to_nurbs(&self, tolerance: f64) -> Result<NurbsSurface, GeomError> {
         let mut maker = KnotLineFit {
@@ -142,7 +140,7 @@ impl KnotLineFit<'_> {
                     halved[direction].insert(idx);
                 }
                 let n_cells = (n_u + halved[0].len()) * (n_v + halved[1].len());
-                if MAX_CELLS < n_cells {
+                if STAND_IN_CELLS < n_cells {
                     return Err(self.not_near(cell.u[0], cell.v[0]));
                 }
             }

@@ -17,6 +17,7 @@ use glam::DVec3;
 use super::{Surface, even::evened};
 use crate::{
     GeomError, Interval,
+    ceiling::SURFACE_CUTS,
     numeric::gauss_legendre::{EIGHT_NODES, nodes},
     tolerance::{LAST_BIT, QUADRATURE_RELATIVE},
 };
@@ -24,13 +25,9 @@ use crate::{
 /// Even parts of each domain of a function, which has no knots, that are looked at first.
 const FUNCTION_PARTS: usize = 4;
 
-/// Cuts beyond which an integral has the accuracy that it has: only a surface with folds or edges
-/// inside of a piece comes here.
-const MAX_CUTS: usize = 2000;
-
 /// How an integral whose cuts run out changes within the last quarter of them is how far it may be
 /// off at least: cells that are wider than what happens in them agree with their halves by chance.
-const LATE_CUTS: usize = MAX_CUTS / 4;
+const LATE_CUTS: usize = SURFACE_CUTS / 4;
 
 /// An integral of several quantities.
 #[derive(Clone, Copy, Debug)]
@@ -142,7 +139,7 @@ pub(super) fn integral<const N: usize>(
     for cell in parts.iter().enumerate().flat_map(|(part, surface)| cells(part, surface)) {
         all.push(known(cell, rule(cell)?)?);
     }
-    let (mut n_cuts, mut late) = (MAX_CUTS, None);
+    let (mut n_cuts, mut late) = (SURFACE_CUTS, None);
     loop {
         GeomError::go_on(all.len())?;
         let of_all = |f: &dyn Fn(&IntegratedCell<N>, usize) -> f64| -> [f64; N] {

@@ -12,6 +12,7 @@ use glam::{DMat2, DVec2};
 use super::{Edge, Surface, SurfaceDefects};
 use crate::{
     GeomError, Interval, KnotVector, Tolerance,
+    ceiling::{UMBILIC_STEP_HALVINGS, UMBILIC_STEPS},
     numeric::newton::shortened,
     tolerance::{
         LAST_BIT, TOUCH_RELATIVE, UMBILIC_CIRCLE, UMBILIC_CLEAR, UMBILIC_DIFFERENCE, UMBILIC_SHARE,
@@ -22,10 +23,6 @@ use crate::{
 const PLACES: usize = 64;
 const FEWEST: usize = 4;
 const MOST: usize = 32;
-
-/// Steps of Newton's method, and halvings of one of them.
-const MAX_STEPS: usize = 40;
-const MAX_HALVINGS: usize = 8;
 
 /// A step is slow where it leaves more than this share; so many slow ones lead nowhere.
 const SLOW: f64 = 0.9;
@@ -256,7 +253,7 @@ fn descend(
     let mut last = start;
     let mut slopes = slopes_at(&last)?;
     let mut n_slow = 0;
-    for _ in 0..MAX_STEPS {
+    for _ in 0..UMBILIC_STEPS {
         // Along a direction in which nothing changes there is no step.
         let squared = slopes.transpose() * slopes;
         let little = LAST_BIT * (squared.x_axis.x + squared.y_axis.y);
@@ -265,7 +262,7 @@ fn descend(
         if !step.is_finite() {
             break;
         }
-        let Ok(next) = shortened(step.to_array(), MAX_HALVINGS, |step| {
+        let Ok(next) = shortened(step.to_array(), UMBILIC_STEP_HALVINGS, |step| {
             let at = (last.at + DVec2::from_array(step)).clamp(limits[0], limits[1]);
             let better = look(at).filter(|bend| bend.size() < last.size());
             Ok::<_, Infallible>(match better.is_some() || at == last.at {

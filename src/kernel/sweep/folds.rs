@@ -6,6 +6,7 @@ use glam::DVec3;
 use super::MovingSection;
 use crate::{
     ConstructionError, GeomError,
+    ceiling::FOLD_BISECTIONS,
     numeric::bisection::try_bisected,
     tolerance::{KNOT_RELATIVE, VANISHING_RELATIVE},
 };
@@ -16,9 +17,6 @@ const N_STEPS: usize = 8;
 
 /// Points of the section that are looked at.
 const N_POINTS: usize = 65;
-
-/// Bisections for the ends of a stretch.
-const MAX_BISECTIONS: usize = 40;
 
 /// Stretches with folds, and places where the section shrinks to a line or a point.
 type Folds = (Vec<[f64; 2]>, Vec<f64>);
@@ -107,7 +105,7 @@ impl MovingSection<'_> {
     /// Where the reach passes 1, between a place without and one with a fold.
     fn boundary(&mut self, section: &[DVec3], free: f64, folded: f64) -> Result<f64, GeomError> {
         let is_folded = |t: f64| self.reach(section, t).map(|reach| 1.0 < reach);
-        let [folded, _] = try_bisected([folded, free], MAX_BISECTIONS, is_folded)?;
+        let [folded, _] = try_bisected([folded, free], FOLD_BISECTIONS, is_folded)?;
         Ok(folded)
     }
 }

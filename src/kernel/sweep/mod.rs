@@ -15,7 +15,7 @@ pub use frames::{Axes, FrameRule, Frames};
 use glam::{DVec3, DVec4};
 
 use super::{
-    FitError, GeomError, Grid, KnotVector, NurbsCurve, NurbsSurface, homogeneous,
+    FitError, GeomError, Grid, KnotVector, NurbsCurve, NurbsSurface, ceiling::PIECES, homogeneous,
     tolerance::KNOT_RELATIVE,
 };
 
@@ -88,9 +88,6 @@ pub struct Sweep {
     pub placements: Vec<f64>,
 }
 
-/// Columns that a sweep may have.
-const MAX_COLUMNS: usize = 4096;
-
 /// Places of a span at which the distance from the true surface is measured: while knots are
 /// added, and to verify that no more are needed.
 const N_PLACES: usize = 7;
@@ -125,7 +122,7 @@ pub fn translated(section: &NurbsCurve, path: &NurbsCurve) -> Result<NurbsSurfac
 /// tolerance needs them.
 ///
 /// # Errors
-/// [`FitError::ToleranceNotKept`] where 4096 columns do not suffice; where frames or the motion
+/// [`FitError::ToleranceNotKept`] where [`PIECES`] columns do not suffice; where frames or the motion
 /// fail.
 pub fn swept(
     section: &NurbsCurve,
@@ -167,7 +164,7 @@ pub fn swept(
         let is_freed = is_plain && fineness.columns == Columns::Through;
         let next = if is_freed { freer(&knots)? } else { knots.with(&missed) };
         is_plain = false;
-        if MAX_COLUMNS < next.n_points() {
+        if PIECES < next.n_points() {
             let tolerance = fineness.tolerance;
             return Err(FitError::ToleranceNotKept { tolerance, found: worst.0 }.into());
         }

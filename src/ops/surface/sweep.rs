@@ -14,8 +14,8 @@ use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
         Columns, ConstructionReport, Curve, FitError, FrameRule, Frames, GeomError, InputError,
-        NurbsCurve, NurbsSurface, PathLeg, Side, Sweep, SweepResolution, legs, mitred, overreaches,
-        swept, translated,
+        NurbsCurve, NurbsSurface, PathLeg, Side, Sweep, SweepResolution, ceiling::PIECES, legs,
+        mitred, overreaches, swept, translated,
     },
     value::{At, Choice, Ctx, Length, op, shortest},
 };
@@ -214,7 +214,7 @@ fn each_swept(
         sweeps.push(match swept(section, part, frames, &mut motion, &breaks, fineness) {
             Err(GeomError::Fit(FitError::ToleranceNotKept { found, .. })) => {
                 let message = format!(
-                    "4096 placements of the section do not keep the tolerance {}: the surface is still {} off",
+                    "{PIECES} placements of the section do not keep the tolerance {}: the surface is still {} off",
                     shortest(2.0 * fineness.tolerance),
                     shortest(found)
                 );
@@ -340,19 +340,14 @@ fn counted(ctx: &Ctx<'_>, sections: Option<Spanned<usize>>) -> Result<Option<usi
             let message = format!("a sweep needs 2 placements or more, found {}", given.value);
             Diagnostic::error(Code::BadCall, given.span, message).fail()
         }
-        Some(given) if MOST_PLACEMENTS.min(ctx.limits.list_length) < given.value => {
-            let message = format!(
-                "{} placements are more than the {MOST_PLACEMENTS} that a sweep takes",
-                given.value
-            );
+        Some(given) if PIECES.min(ctx.limits.list_length) < given.value => {
+            let message =
+                format!("{} placements are more than the {PIECES} that a sweep takes", given.value);
             Diagnostic::error(Code::TooLarge, given.span, message).fail()
         }
         given => Ok(given.map(|given| given.value)),
     }
 }
-
-/// Placements that a script may ask for.
-const MOST_PLACEMENTS: usize = 4096;
 
 /// The corners of the path, if they are to be mitred.
 fn corners(ctx: &Ctx<'_>, path: &NurbsCurve, span: Span, corner: CornerOption) -> Result<Vec<f64>> {

@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::MAX_STEPS;
 use crate::{
     Interval,
+    ceiling::NEWTON_STEPS,
     curve::NurbsCurve,
     frame::norm,
     numeric::{
@@ -49,7 +49,7 @@ pub(super) fn nearest_parameter(
 ) -> f64 {
     let limits = [interval.start(), interval.end()];
     let is_still = |[t]: [f64; 1], [next]: [f64; 1]| (next - t).abs() <= LAST_BIT * t.abs();
-    let found = within_limits([limits], [start], MAX_STEPS, is_still, |[t]| {
+    let found = within_limits([limits], [start], NEWTON_STEPS, is_still, |[t]| {
         let derivatives = curve.derivatives_at(t, 1);
         to_foot(p - derivatives[0], derivatives[1])
     });
@@ -98,7 +98,7 @@ fn newton_foot(curve: &NurbsCurve, bracket: [f64; 2], p: DVec3, start: f64) -> O
     let is_still = |[t]: [f64; 1], [next]: [f64; 1]| {
         (next - t).abs() <= LAST_BIT * t.abs().max(bracket[1] - bracket[0])
     };
-    let found = within_limits([bracket], [start], MAX_STEPS, is_still, |[t]| {
+    let found = within_limits([bracket], [start], NEWTON_STEPS, is_still, |[t]| {
         let derivatives = curve.derivatives_at(inside(curve, t), 1);
         to_foot(p - derivatives[0], derivatives[1])
     });

@@ -22,15 +22,12 @@ use glam::DVec4;
 use super::{NurbsSurface, square::range};
 use crate::{
     Frame, Grid, bezier,
+    ceiling::QUADRIC_WORK,
     tolerance::{ANALYTIC_RELATIVE, SIGN_RELATIVE},
 };
 
 /// Halvings, along u and v in turns, after which a patch has not told the sign of something.
 const MAX_HALVINGS: usize = 4;
-
-/// Products of two coefficients in the square of a surface's polynomials above which it is not
-/// looked at: a moment's work.
-const MAX_WORK: usize = 100_000_000;
 
 /// A surface with an equation, in the coordinates of a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,7 +85,7 @@ impl NurbsSurface {
     pub fn analytic(&self, distance: f64) -> Option<AnalyticSurface> {
         let has_points = 0 < self.degree_u() && 0 < self.degree_v();
         let ([n, m], order) = (self.n_patches(), (self.degree_u() + 1) * (self.degree_v() + 1));
-        if MAX_WORK < n.saturating_mul(m).saturating_mul(order * order) {
+        if QUADRIC_WORK < n.saturating_mul(m).saturating_mul(order * order) {
             return None;
         }
         if !has_points || self.control_points.iter().any(|point| point.w <= 0.0) {

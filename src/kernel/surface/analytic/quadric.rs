@@ -9,11 +9,11 @@ use glam::{DAffine3, DMat3, DVec3, DVec4};
 
 use super::{
     super::square::product,
-    MAX_WORK,
     equation::{Equation, OTHERS, ROUND},
 };
 use crate::{
     Grid, NurbsSurface, bezier,
+    ceiling::QUADRIC_WORK,
     numeric::singular_values::singular_values,
     tolerance::{ANALYTIC_RELATIVE, RANK_RELATIVE},
 };
@@ -69,7 +69,7 @@ impl NurbsSurface {
     #[must_use]
     pub fn quadric(&self) -> Option<QuadricKind> {
         let ([n, m], order) = (self.n_patches(), (self.degree_u() + 1) * (self.degree_v() + 1));
-        let is_large = MAX_WORK < n.saturating_mul(m).saturating_mul(order * order);
+        let is_large = QUADRIC_WORK < n.saturating_mul(m).saturating_mul(order * order);
         if is_large || self.control_points.iter().any(|point| point.w <= 0.0) {
             return None;
         }

@@ -9,16 +9,15 @@
 use std::ops::Mul;
 
 use super::{Branch, square};
-use crate::{Direction, Grid, Interval, bernstein, numeric::polynomial_roots::Signs, work};
+use crate::{
+    Direction, Grid, Interval, bernstein,
+    ceiling::{CELLS, MANY_CELLS},
+    numeric::polynomial_roots::Signs,
+    work,
+};
 
 /// Where cells are cut: no half, so that lines of round parameters are not sides of cells.
 const CUT: f64 = 0.4871;
-
-/// Cells that are looked at on all patches before the field counts as unresolvable.
-pub(super) const MAX_CELLS: usize = 400_000;
-
-/// Cells after which a search is long.
-const MANY_CELLS: usize = 4000;
 
 /// Places of a candidate for a line of contact where the field is looked at.
 const N_PROBES: usize = 7;
@@ -166,7 +165,7 @@ pub(super) fn search(
             }
             continue;
         }
-        let is_long = *n_left + MANY_CELLS < MAX_CELLS;
+        let is_long = *n_left + MANY_CELLS < CELLS;
         let by_change = is_long && is_open && fineness.tolerance < extents[0].min(extents[1]);
         todo.extend(cell.parts(cell.longer(extents, by_change)));
     }

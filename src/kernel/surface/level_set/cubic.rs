@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::sample::{BranchSample, length_between};
 use crate::{
     GeomError, KnotVector, NurbsCurve,
+    ceiling::CUBIC_FOOT_STEPS,
     frame::unit,
     numeric::newton::{to_foot, within_limits},
     tolerance::CORNER_RELATIVE,
@@ -13,9 +14,6 @@ use crate::{
 
 /// Where between two samples a spline is compared with the cubic between them.
 const SHARES: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
-
-/// Steps to the foot of a point on a cubic.
-const FOOT_STEPS: usize = 4;
 
 /// A cubic over its length, by its Bézier points.
 #[derive(Clone, Copy, Debug)]
@@ -56,7 +54,7 @@ impl CubicSegment {
         let found = within_limits(
             [[0.0, 1.0]],
             [start],
-            FOOT_STEPS,
+            CUBIC_FOOT_STEPS,
             |_, _| false,
             |[t]| {
                 let [place, slope] = self.at(t);

@@ -9,6 +9,7 @@ use glam::{DVec3, DVec4};
 use super::{PictureError, pair::SurfacePart};
 use crate::{
     Bounds, Curve, GeomError, Interval, NurbsCurve, NurbsSurface, Surface, Tolerance, bezier,
+    ceiling::{CROSSING_STEPS, SURFACE_PAIRS},
     frame::{norm, unit},
     homogeneous,
     numeric::{
@@ -20,9 +21,6 @@ use crate::{
     work,
 };
 
-/// Pairs that are looked at before the curve counts as running along the surface.
-const MAX_PAIRS: usize = 200_000;
-
 /// A touch this many times longer than its parts is looked at for how the distance runs along it.
 const LONGEST_TOUCH: f64 = 24.0;
 
@@ -31,9 +29,6 @@ const FLOOR_SHARE: f64 = 0.5;
 
 /// A touch leaves its neighbourhood where it is this share of what counts as near away.
 const APART_SHARE: f64 = 0.5;
-
-/// Steps of Newton's method.
-const MAX_STEPS: usize = 25;
 
 /// A place that a curve and a surface have in common.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -120,7 +115,7 @@ impl PiercingSearch<'_> {
             && let Some((piece, part)) = todo.pop()
         {
             n_pairs += 1;
-            if MAX_PAIRS < n_pairs {
+            if SURFACE_PAIRS < n_pairs {
                 let [start, end] = piece.ends;
                 return Err(PictureError::RunsAlong { start, end }.into());
             }
@@ -166,7 +161,7 @@ impl PiercingSearch<'_> {
         let is_still = |last: [f64; 3], next: [f64; 3]| {
             (0..3).all(|i| (next[i] - last[i]).abs() <= LAST_BIT * domains[i].length())
         };
-        let found = within_limits(limits, start, MAX_STEPS, is_still, |at| {
+        let found = within_limits(limits, start, CROSSING_STEPS, is_still, |at| {
             let derivatives = self.curve.derivatives_at(at[0], 1);
             let [point, by_u, by_v] = self.surface.tangents_at(at[1], at[2]);
             let apart = derivatives[0] - point;

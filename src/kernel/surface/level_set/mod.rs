@@ -43,13 +43,14 @@ pub use error::PictureError;
 pub(super) use pair::SurfacePart;
 
 use branch::Branch;
-use cell::{MAX_CELLS, PositivityCondition, SearchResolution};
+use cell::{PositivityCondition, SearchResolution};
 use chain::VanishingPlace;
 use sample::BranchSamples;
 
 use super::{NurbsSurface, Surface, square};
 use crate::{
     Bounds, GeomError, Grid, NurbsCurve, Tolerance,
+    ceiling::CELLS,
     mesh::check_rounding,
     tolerance::{LAST_BIT, TOUCH_RELATIVE},
 };
@@ -107,7 +108,7 @@ impl ZeroSetParts {
     fn new(tolerance: f64) -> Self {
         Self {
             tolerance,
-            n_cells_left: MAX_CELLS,
+            n_cells_left: CELLS,
             runs: Vec::new(),
             sides: Vec::new(),
             spots: Vec::new(),

@@ -3,13 +3,10 @@
 use glam::DVec3;
 
 use super::{Branch, PictureError, chain::VanishingPlace, cubic::CubicSegment};
-use crate::{GeomError, NurbsSurface, frame::unit, work};
+use crate::{GeomError, NurbsSurface, ceiling::BRANCH_SAMPLES, frame::unit, work};
 
 /// Halvings of the stretch between two samples.
 const MAX_HALVINGS: usize = 24;
-
-/// Samples of one branch: what no tolerance above rounding takes.
-const MAX_SAMPLES: usize = 1 << 18;
 
 /// Samples are so dense that the tangent turns from one to the next by less than about half of
 /// a right angle: the square of the chord between the unit tangents.
@@ -64,7 +61,7 @@ impl BranchSamples {
     /// the branch in the middle.
     ///
     /// # Errors
-    /// [`PictureError::Unresolved`] where [`MAX_SAMPLES`] do not do.
+    /// [`PictureError::Unresolved`] where [`BRANCH_SAMPLES`] do not do.
     pub(super) fn of(
         branch: &Branch,
         patch: &NurbsSurface,
@@ -98,7 +95,7 @@ impl BranchSamples {
             if !work::goes_on(1) {
                 return Err(GeomError::Ended);
             }
-            if MAX_SAMPLES < samples.len() {
+            if BRANCH_SAMPLES < samples.len() {
                 let [u, v] = branch.place(0.5 * (ends[0] + ends[1]));
                 let (u, v) = (patch.domain_u().at(u), patch.domain_v().at(v));
                 return Err(PictureError::Unresolved { u, v }.into());

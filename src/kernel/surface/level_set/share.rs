@@ -18,14 +18,9 @@ use super::{
 };
 use crate::{
     Bounds, GeomError, NurbsSurface,
+    ceiling::{CONTACT_LOOKS, SURFACE_PAIRS},
     tolerance::{CONTACT_SHARE, FLAT_SHARE},
 };
-
-/// Pairs of parts that are looked at before the surfaces count as running together.
-pub(super) const MAX_PAIRS: usize = 200_000;
-
-/// Pairs in which a contact is looked for before it seems that second derivatives do not tell any.
-const MAX_LOOKS: usize = 4000;
 
 /// Contacts that make up touches in points; more make up areas or lines.
 const MOST_CONTACTS: usize = 1000;
@@ -96,7 +91,7 @@ impl SharedParts {
         while let Some([a, b]) = todo.pop() {
             GeomError::go_on(1)?;
             n_pairs += 1;
-            if MAX_PAIRS < n_pairs {
+            if SURFACE_PAIRS < n_pairs {
                 return Err(PictureError::TooTangled { point: a.bounds.center() }.into());
             }
             let beside = || seams.iter().filter(|seam| seam.is_beside(&a, &b));
@@ -139,7 +134,7 @@ impl SharedParts {
         seams: &[EdgeOverlap],
     ) -> Result<bool, GeomError> {
         let at = middle(a, b);
-        if self.n_looks == MAX_LOOKS || self.reaches.iter().any(|reach| reach.holds(at, at)) {
+        if self.n_looks == CONTACT_LOOKS || self.reaches.iter().any(|reach| reach.holds(at, at)) {
             return Ok(false);
         }
         self.n_looks += 1;

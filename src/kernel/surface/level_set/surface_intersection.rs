@@ -17,7 +17,7 @@ use super::{
     pair::SurfacePart,
     sample::{BranchSample, BranchSamples},
     seam::EdgeOverlap,
-    share::{MAX_PAIRS, SharedParts, found, halved},
+    share::{SharedParts, found, halved},
     sphere,
     surface_pair::{PairParameters, SurfacePair},
     trace::CurveEnds,
@@ -25,6 +25,7 @@ use super::{
 };
 use crate::{
     GeomError, NurbsCurve, Surface, Tolerance,
+    ceiling::SURFACE_PAIRS,
     mesh::check_rounding,
     tolerance::{CONTACT_SHARE, ONE_PLACE_SHARE},
     work,
@@ -149,7 +150,7 @@ fn arcs(
     {
         let [a, b] = &pair;
         n_pairs += 1;
-        if MAX_PAIRS < n_pairs {
+        if SURFACE_PAIRS < n_pairs {
             return Err(PictureError::TooTangled { point: a.bounds.center() }.into());
         }
         let size = a.bounds.diagonal().max(b.bounds.diagonal());

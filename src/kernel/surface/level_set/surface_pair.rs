@@ -8,6 +8,7 @@ use super::{
 };
 use crate::{
     Interval, NurbsSurface,
+    ceiling::CROSSING_STEPS,
     frame::{norm, unit},
     numeric::{
         linear::solved,
@@ -15,9 +16,6 @@ use crate::{
     },
     tolerance::{LAST_BIT, MEETING_SHARE},
 };
-
-/// Steps of Newton's method.
-const MAX_STEPS: usize = 25;
 
 /// Two surfaces that are asked where they cross.
 #[derive(Debug)]
@@ -109,7 +107,7 @@ impl<'s> SurfacePair<'s> {
         let found = within_limits(
             [FREE; 4],
             start,
-            MAX_STEPS,
+            CROSSING_STEPS,
             |_, _| false,
             |at| {
                 let look = self.look(at);
@@ -140,7 +138,7 @@ impl<'s> SurfacePair<'s> {
         let found = within_limits(
             [FREE; 4],
             start,
-            MAX_STEPS,
+            CROSSING_STEPS,
             |_, _| false,
             |at| {
                 let look = self.look(at);

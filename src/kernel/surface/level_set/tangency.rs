@@ -9,10 +9,10 @@ use super::{
     surface_pair::SurfacePair,
     tangential_contact::{ParallelPair, ParameterRegion},
 };
-use crate::{ceiling::BISECTIONS, numeric::bisection::bisected};
-
-/// Places of one line.
-const MAX_PLACES: usize = 5000;
+use crate::{
+    ceiling::{BISECTIONS, CONTACT_PLACES},
+    numeric::bisection::bisected,
+};
 
 /// How much longer the next step is than one that was good.
 const GROWTH: f64 = 1.6;
@@ -64,7 +64,7 @@ impl SurfacePair<'_> {
         let mut stops = Vec::new();
         let mut last = start;
         let mut step = start.reach.radius;
-        while stops.len() < MAX_PLACES && self.tolerance < step {
+        while stops.len() < CONTACT_PLACES && self.tolerance < step {
             step = step.min(STEP_REACH * last.reach.radius);
             let Some((next, is_end)) = self.next(last, step) else {
                 step *= 0.5;

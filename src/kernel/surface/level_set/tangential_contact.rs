@@ -14,6 +14,7 @@ use glam::{DMat2, DVec2, DVec3};
 use super::surface_pair::{PairParameters, SurfacePair, within};
 use crate::{
     NurbsSurface,
+    ceiling::{NEWTON_STEPS, STEP_SHORTENINGS, SURFACE_FOOT_STEPS},
     frame::unit,
     numeric::newton::{FREE, Found, Step, within_limits},
     numeric::symmetric_eigen::eigen_of_two,
@@ -23,20 +24,11 @@ use crate::{
     },
 };
 
-/// Steps of Newton's method.
-const MAX_STEPS: usize = 30;
-
-/// Steps to the point of a surface under a point of the other one.
-const FOOT_STEPS: usize = 8;
-
 /// How far e may be from what D tells, as a fraction of the least that D tells at that distance.
 const MODEL_SLACK: f64 = 0.2;
 
 /// Places on a circle where e is looked at.
 const N_LOOKS: u32 = 16;
-
-/// Halvings of a step that leads beyond a surface.
-const MAX_SHORTENINGS: usize = 4;
 
 /// The least and the largest reach of what is known about a contact, the first by the size of
 /// parts that touch, the other by that of the surfaces.
@@ -253,7 +245,7 @@ impl SurfacePair<'_> {
         let found = within_limits(
             [FREE; 4],
             start,
-            MAX_STEPS,
+            NEWTON_STEPS,
             |_, _| false,
             |at| {
                 let Some(seen) = ParallelPair::new(self, at) else { return Step::Stuck };
@@ -346,7 +338,7 @@ impl SurfacePair<'_> {
         });
         // The foot may be beyond an end that the step itself is not.
         let shares =
-            std::iter::successors(Some(share), |share| Some(0.5 * share)).take(MAX_SHORTENINGS);
+            std::iter::successors(Some(share), |share| Some(0.5 * share)).take(STEP_SHORTENINGS);
         shares
             .take_while(|share| LEAST_STEP_SHARE <= *share)
             .find_map(|share| self.difference_at(seen, step * share))
@@ -366,7 +358,7 @@ impl SurfacePair<'_> {
         let found = within_limits(
             [FREE; 2],
             [s, t],
-            FOOT_STEPS,
+            SURFACE_FOOT_STEPS,
             |_, _| false,
             |[s, t]| {
                 if !self.is_inside([u, v, s, t]) {

@@ -11,13 +11,11 @@ use super::{
     tangential_contact::{BranchCrossing, BranchDirection},
 };
 use crate::{
+    ceiling::TRACE_SAMPLES,
     frame::unit,
     tolerance::{FIRST_STEP_SHARE, KNOT_RELATIVE, LONGEST_STEP_SHARE, SHORTEST_STEP_SHARE},
     work,
 };
-
-/// Samples of one curve.
-const MAX_SAMPLES: usize = 200_000;
 
 /// How much longer the next step is than one that was good.
 pub(super) const GROWTH: f64 = 1.6;
@@ -57,7 +55,7 @@ impl SurfacePair<'_> {
         let mut places: Vec<PairParameters> = Vec::new();
         let mut last = start;
         let mut step = FIRST_STEP_SHARE * self.size;
-        while places.len() < MAX_SAMPLES && last.tangent != DVec3::ZERO && work::goes_on(1) {
+        while places.len() < TRACE_SAMPLES && last.tangent != DVec3::ZERO && work::goes_on(1) {
             if let Some(junction) = ends.junction_ahead(last, sign) {
                 if let Some(place) = self.arrival(last, sign, junction) {
                     places.push(place);

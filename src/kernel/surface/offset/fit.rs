@@ -4,7 +4,8 @@ use glam::{DVec3, DVec4};
 
 use super::tensor;
 use crate::{
-    Direction, FitError, GeomError, Grid, Interpolator, Interval, KnotVector, NurbsSurface, Surface,
+    Direction, FitError, GeomError, Grid, Interpolator, Interval, KnotVector, NurbsSurface,
+    Surface, ceiling::OFFSET_PATCHES,
 };
 
 /// Degree of the spline.
@@ -18,9 +19,6 @@ const SAFETY: f64 = 0.5;
 
 /// Spans that a function begins with, which has no knots.
 const FUNCTION_SPANS: usize = 4;
-
-/// Patches that an offset may take.
-const MAX_PATCHES: usize = 1 << 15;
 
 /// Lines across on which knots are looked for at first.
 const MAX_LINES: usize = 17;
@@ -162,14 +160,14 @@ pub(super) fn fitted(
         }
         knots_u = halved(&knots_u, &spans_u, &to_halve_u, aim, worst.at)?;
         knots_v = halved(&knots_v, &spans_v, &to_halve_v, aim, worst.at)?;
-        if MAX_PATCHES < knots_u.spans().count() * knots_v.spans().count() {
+        if OFFSET_PATCHES < knots_u.spans().count() * knots_v.spans().count() {
             return Err(far(aim, worst.at));
         }
     }
 }
 
 fn far(aim: SurfaceOffsetTarget<'_>, [u, v]: [f64; 2]) -> GeomError {
-    GeomError::Fit(FitError::NoSurfaceNear { most: MAX_PATCHES, tolerance: aim.tolerance, u, v })
+    GeomError::Fit(FitError::NoSurfaceNear { most: OFFSET_PATCHES, tolerance: aim.tolerance, u, v })
 }
 
 /// The surface through the offset at the Greville parameters of the knots.
@@ -297,7 +295,7 @@ fn halved(
         // Where the middle is no new knot any more, the span has no width left.
         Ok(new)
             if new.spans().count() == n_before + middles.len()
-                && new.spans().count() <= MAX_PATCHES =>
+                && new.spans().count() <= OFFSET_PATCHES =>
         {
             Ok(new)
         }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::{Direction, GeomError, Surface};
+use crate::{Direction, GeomError, Surface, ceiling::BEND_CLIMB_STEPS};
 
 /// Places of a span, along each direction, at which the bend is measured.
 const N_PLACES: usize = 4;
@@ -12,9 +12,6 @@ const FUNCTION_SPANS: usize = 8;
 
 /// Places along a direction beyond which a span has but one.
 const MAX_PLACES: usize = 128;
-
-/// Steps by which the tightest place is narrowed down.
-const MAX_STEPS: usize = 80;
 
 /// A place where the surface bends around a centre that the offset passes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,7 +41,7 @@ pub(super) fn tightest(surface: &Surface, distance: f64) -> Result<Option<FocalP
     // Walk uphill with shrinking steps.
     let (domain_u, domain_v) = (surface.domain_u(), surface.domain_v());
     let mut steps = [domain_u.length() / us.len() as f64, domain_v.length() / vs.len() as f64];
-    for _ in 0..MAX_STEPS {
+    for _ in 0..BEND_CLIMB_STEPS {
         let mut next = None;
         for (du, dv) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
             let u = (at[0] + du * steps[0]).clamp(domain_u.start(), domain_u.end());

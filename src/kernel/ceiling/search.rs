@@ -1,0 +1,68 @@
+//! How much a search or an approximation looks at, or makes, at most.
+//!
+//! What ends there says so. Fewer refuse what is possible; more keep people waiting for a refusal.
+
+/// Pieces, patches, columns or control points along one direction that one approximation or search
+/// may take: a second's work, and far more than what is smooth needs.
+pub const PIECES: usize = 4096;
+
+/// Pieces of one span of a low degree whose length is measured; only noise needs more than some
+/// hundred, and has no better answer.
+pub(crate) const LENGTH_PIECES: usize = 10_000;
+
+/// Cuts for a span, on average, where the tangent turns; a cusp takes some fifty, and more only
+/// what turns at random.
+pub(crate) const TURN_CUTS: usize = 200;
+
+/// Cuts beyond which an integral over a surface has the accuracy that it has: only one with folds
+/// or edges inside of a piece comes here.
+pub(crate) const SURFACE_CUTS: usize = 2000;
+
+/// Pieces looked at for one direction of a box. Only a spline that reaches furthest along a whole
+/// curve askew to its parameters comes here, and then the box is loose by 1e-8 of its size.
+pub(crate) const HULL_PIECES: usize = 20_000;
+
+/// Control points of pairs of pieces of curves that are looked at before the meetings are too many.
+pub(crate) const CURVE_PAIR_WORK: usize = 1_600_000;
+
+/// Pairs of parts that are looked at before two surfaces, or a curve and a surface, count as
+/// running together.
+pub(crate) const SURFACE_PAIRS: usize = 200_000;
+
+/// Pairs in which a contact is looked for before it seems that second derivatives do not tell any.
+pub(crate) const CONTACT_LOOKS: usize = 4000;
+
+/// Cells that are looked at on all patches before the zeros of a field count as unresolvable.
+pub(crate) const CELLS: usize = 400_000;
+
+/// Cells after which such a search is long.
+pub(crate) const MANY_CELLS: usize = 4000;
+
+/// Samples of one curve in which surfaces cross.
+pub(crate) const TRACE_SAMPLES: usize = 200_000;
+
+/// Samples of one branch of a zero set: what no tolerance above rounding takes.
+pub(crate) const BRANCH_SAMPLES: usize = 1 << 18;
+
+/// Places of one line along which surfaces touch.
+pub(crate) const CONTACT_PLACES: usize = 5000;
+
+/// Cells that the stand-in of a function of two parameters may take.
+pub const STAND_IN_CELLS: usize = 16_384;
+
+/// Patches that an offset may take.
+pub(crate) const OFFSET_PATCHES: usize = 1 << 15;
+
+/// Parts that are looked at for a fold: where Su × Sv vanishes without one there are many.
+pub(crate) const FOLD_PARTS: usize = 4000;
+
+/// Parts of one piece in which signs of a polynomial are looked for; only rounding has more changes
+/// of sign than that.
+pub(crate) const SIGN_PARTS: usize = 2000;
+
+/// Products of two coefficients in the square of a surface's polynomials above which it is not
+/// looked at: a moment's work.
+pub(crate) const QUADRIC_WORK: usize = 100_000_000;
+
+/// Pairs of curves of a network that do not meet of which the distance is looked for.
+pub(crate) const DISTANT_PAIRS: usize = 100;
