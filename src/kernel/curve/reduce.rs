@@ -4,7 +4,9 @@ use glam::DVec4;
 
 use super::NurbsCurve;
 use crate::{
-    DegreeError, FitError, GeomError, KnotError, KnotVector, WeightError, refine::ControlLines,
+    DegreeError, FitError, GeomError, KnotError, KnotVector, WeightError,
+    numeric::triangular_factor::{TriangularFactor, without_ends},
+    refine::ControlLines,
     removal::removal,
 };
 
@@ -87,7 +89,8 @@ impl NurbsCurve {
         }
     }
 
-    /// The nearest clamped spline of one degree less; none if its weights are not positive.
+    /// The nearest clamped spline of one degree less; none if its weights are not positive
+    /// numbers.
     fn reduced_once(&self) -> Result<Option<Self>, GeomError> {
         let knots = self.knots.lowered();
         let target = knots.elevated()?;
@@ -97,7 +100,7 @@ impl NurbsCurve {
             target.distinct().into_iter().filter(|&(t, _)| domain.start() < t && t < domain.end());
         let refined = self.insert_knots(&inner.flat_map(missing).collect::<Vec<f64>>())?;
         let points = Elevation::new(&knots)?.nearest(&refined.control_points);
-        Ok(Self::with_positive(knots, points).ok())
+        Ok(points.and_then(|points| Self::with_positive(knots, points).ok()))
     }
 }
 
@@ -133,93 +136,33 @@ impl Elevation {
     }
 
     /// The old points, the first and the last kept, that elevate to points nearest to the given
-    /// ones in the sense of least squares.
-    fn nearest(&self, points: &[DVec4]) -> Vec<DVec4> {
+    /// ones in the sense of least squares; none if rounding leaves one open.
+    ///
+    /// Seminormal equations with one step of refinement: Björck, *Numerical Methods for Least
+    /// Squares Problems*, §2.9.
+    fn nearest(&self, points: &[DVec4]) -> Option<Vec<DVec4>> {
         let n = self.n_columns;
+        let n_inner = n.saturating_sub(2);
+        let width = self.rows.iter().map(Vec::len).max().unwrap_or(1);
+        let rows = || self.firsts.iter().copied().zip(self.rows.iter().map(Vec::as_slice));
+        let inner_rows = rows().map(|row| without_ends(row, n_inner));
+        let factor = TriangularFactor::new(inner_rows, n_inner, width)?;
         let mut solution = vec![DVec4::ZERO; n];
         (solution[0], solution[n - 1]) = (points[0], points[points.len() - 1]);
-        let normal = self.normal_equations();
-        // Twice, because the normal equations square the condition.
         for _ in 0..2 {
             let mut gradient = vec![DVec4::ZERO; n];
-            for ((&first, row), &point) in self.firsts.iter().zip(&self.rows).zip(points) {
+            for ((first, row), &point) in rows().zip(points) {
                 let image: DVec4 = row.iter().zip(&solution[first..]).map(|(&e, &q)| q * e).sum();
                 for (&share, sum) in row.iter().zip(&mut gradient[first..]) {
                     *sum += (point - image) * share;
                 }
             }
-            normal.solve(&mut gradient);
-            for (value, step) in solution.iter_mut().zip(&gradient) {
+            let inner = &mut gradient[1..n - 1];
+            factor.solve_normal(inner);
+            for (value, step) in solution[1..].iter_mut().zip(inner) {
                 *value += *step;
             }
         }
-        solution
-    }
-
-    /// The product of the transposed matrix with itself; the first and the last unknown are fixed.
-    fn normal_equations(&self) -> Cholesky {
-        let width = self.rows.iter().map(Vec::len).max().unwrap_or(1);
-        let n = self.n_columns;
-        let mut bands = vec![vec![0.0; width]; n];
-        for (&first, row) in self.firsts.iter().zip(&self.rows) {
-            for (i, &a) in row.iter().enumerate() {
-                for (j, &b) in row[..=i].iter().enumerate() {
-                    bands[first + i][i - j] += a * b;
-                }
-            }
-        }
-        for fixed in [0, n - 1] {
-            bands[fixed] = vec![0.0; width];
-            for below in 1..width {
-                if fixed + below < n {
-                    bands[fixed + below][below] = 0.0;
-                }
-            }
-            bands[fixed][0] = 1.0;
-        }
-        Cholesky::new(bands, [0, n - 1])
-    }
-}
-
-/// A symmetric positive definite band matrix as the product of a triangle and its transpose.
-/// Golub & Van Loan, *Matrix Computations*, §4.3.5.
-struct Cholesky {
-    /// Entry `[i][k]` stands k places left of the diagonal.
-    bands: Vec<Vec<f64>>,
-    /// Unknowns that stay as they are.
-    fixed: [usize; 2],
-}
-
-impl Cholesky {
-    fn new(mut bands: Vec<Vec<f64>>, fixed: [usize; 2]) -> Self {
-        for i in 0..bands.len() {
-            let width = bands[i].len().min(i + 1);
-            for k in (0..width).rev() {
-                let j = i - k;
-                let common = (k + 1..width)
-                    .map(|l| bands[i][l] * bands[j].get(l - k).copied().unwrap_or(0.0));
-                let rest = bands[i][k] - common.sum::<f64>();
-                bands[i][k] = if k == 0 { rest.sqrt() } else { rest / bands[j][0] };
-            }
-        }
-        Self { bands, fixed }
-    }
-
-    fn solve(&self, values: &mut [DVec4]) {
-        for fixed in self.fixed {
-            values[fixed] = DVec4::ZERO;
-        }
-        for i in 0..values.len() {
-            let row = &self.bands[i];
-            let sum: DVec4 = (1..row.len().min(i + 1)).map(|k| values[i - k] * row[k]).sum();
-            values[i] = (values[i] - sum) / row[0];
-        }
-        for i in (0..values.len()).rev() {
-            values[i] /= self.bands[i][0];
-            let value = values[i];
-            for k in 1..self.bands[i].len().min(i + 1) {
-                values[i - k] -= value * self.bands[i][k];
-            }
-        }
+        Some(solution)
     }
 }

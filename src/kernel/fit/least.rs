@@ -5,7 +5,7 @@ use glam::{DVec3, DVec4};
 use super::equation::Equation;
 use crate::{
     CountError, FitError, GeomError, KnotVector, NurbsCurve,
-    numeric::triangular_factor::TriangularFactor,
+    numeric::triangular_factor::{TriangularFactor, without_ends},
 };
 
 /// What a fit is to have at a parameter: a value, or a derivative of an order.
@@ -88,8 +88,9 @@ impl Approximator {
         let n_inner = knots.n_points().saturating_sub(2);
         let rows = firsts.iter().copied().zip(shares.chunks_exact(width));
         let control_points = knots.n_points();
-        let factor = TriangularFactor::new(rows.map(|row| inside(row, n_inner)), n_inner, width)
-            .ok_or(GeomError::Fit(FitError::Undetermined { control_points }))?;
+        let factor =
+            TriangularFactor::new(rows.map(|row| without_ends(row, n_inner)), n_inner, width)
+                .ok_or(GeomError::Fit(FitError::Undetermined { control_points }))?;
         Ok(Self { knots, firsts, shares, factor })
     }
 
@@ -168,12 +169,4 @@ impl Approximator {
 /// Control points in shares.
 fn value(points: &[DVec4], shares: &[f64]) -> DVec4 {
     points.iter().zip(shares).fold(DVec4::ZERO, |sum, (&point, &share)| sum + share * point)
-}
-
-/// The part of an equation that is about the control points between the first and the last, which
-/// are counted from the second.
-fn inside((first, shares): (usize, &[f64]), n_inner: usize) -> (usize, &[f64]) {
-    let n_before = 1_usize.saturating_sub(first);
-    let end = (n_inner + 1).saturating_sub(first).min(shares.len());
-    ((first + n_before) - 1, shares.get(n_before..end).unwrap_or_default())
 }

@@ -61,6 +61,14 @@ impl TriangularFactor {
     }
 }
 
+/// The part of an equation that is about the unknowns between the first and the last, which are given:
+/// `n_inner` of them, counted from the second.
+pub(crate) fn without_ends((first, shares): (usize, &[f64]), n_inner: usize) -> (usize, &[f64]) {
+    let n_before = 1_usize.saturating_sub(first);
+    let end = (n_inner + 1).saturating_sub(first).min(shares.len());
+    ((first + n_before) - 1, shares.get(n_before..end).unwrap_or_default())
+}
+
 /// Turns two rows so that the second begins with zero.
 fn rotate(upper: &mut [f64], lower: &mut [f64]) {
     // Shares of control points are at most one, and what is too small to be squared is rounding.
@@ -80,7 +88,7 @@ fn rotate(upper: &mut [f64], lower: &mut [f64]) {
 mod tests {
     use glam::DVec4;
 
-    use super::TriangularFactor;
+    use super::{TriangularFactor, without_ends};
 
     #[test]
     fn the_normal_equations_are_solved() {
@@ -94,6 +102,14 @@ mod tests {
         for (found, wanted) in values.iter().zip([1.0, -2.0, 3.0]) {
             assert!((found.x - wanted).abs() < 1e-14, "{found} for {wanted}");
         }
+    }
+
+    #[test]
+    fn given_ends_are_left_out_of_an_equation() {
+        let shares = [1.0, 2.0, 3.0];
+        assert_eq!(without_ends((0, &shares), 4), (0, &shares[1..]));
+        assert_eq!(without_ends((1, &shares), 4), (0, &shares[..]));
+        assert_eq!(without_ends((3, &shares), 4), (2, &shares[..2]));
     }
 
     #[test]
