@@ -3,7 +3,10 @@
 use glam::DVec3;
 
 use super::Mesh;
-use crate::{Deviation, DeviationReference, GeomError, ceiling::TRIANGLE_CLIMB_STEPS};
+use crate::{
+    Deviation, DeviationReference, GeomError, ceiling::TRIANGLE_CLIMB_STEPS,
+    numeric::pattern_search::climbed,
+};
 
 /// Triangles in which the farthest place is searched: those with the farthest middles.
 const SEARCHED: usize = 16;
@@ -86,23 +89,13 @@ fn farthest_of(
             (most, place) = (here, seed);
         }
     }
-    let mut step = 0.25;
-    for _ in 0..TRIANGLE_CLIMB_STEPS {
-        let mut is_best = true;
-        for [dx, dy] in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [1.0, -1.0], [-1.0, 1.0]]
-        {
-            let beside: [f64; 2] = [place[0] + dx * step, place[1] + dy * step];
-            if beside[0] < 0.0 || beside[1] < 0.0 || 1.0 < beside[0] + beside[1] {
-                continue;
-            }
-            let there = distance(at(beside))?;
-            if most < there {
-                (most, place, is_best) = (there, beside, false);
-            }
-        }
-        if is_best {
-            step *= 0.5;
-        }
-    }
+    let ways = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [1.0, -1.0], [-1.0, 1.0]];
+    (place, most) = climbed((place, most), [0.25; 2], &ways, TRIANGLE_CLIMB_STEPS, |beside| {
+        let is_outside = beside[0] < 0.0 || beside[1] < 0.0 || 1.0 < beside[0] + beside[1];
+        Ok::<_, GeomError>(match is_outside {
+            true => None,
+            false => Some((beside, distance(at(beside))?)),
+        })
+    })?;
     Ok((most, at(place)))
 }

@@ -37,6 +37,7 @@ pub(crate) fn try_bisected<E>(
 }
 
 #[cfg(test)]
+#[expect(clippy::float_cmp, reason = "exactness is the claim")]
 mod tests {
     use super::{bisected, try_bisected};
 

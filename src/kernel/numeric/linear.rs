@@ -60,6 +60,7 @@ impl TwoEquations {
 }
 
 #[cfg(test)]
+#[expect(clippy::float_cmp, reason = "exactness is the claim")]
 mod tests {
     use super::{TwoEquations, solved};
 

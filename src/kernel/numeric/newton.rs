@@ -206,6 +206,7 @@ pub(crate) fn improved<T, E>(
 }
 
 #[cfg(test)]
+#[expect(clippy::float_cmp, reason = "exactness is the claim")]
 mod tests {
     use std::{convert::Infallible, ops::ControlFlow};
 

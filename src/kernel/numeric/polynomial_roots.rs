@@ -114,6 +114,7 @@ pub(crate) fn monotone_root(coefficients: &[f64], slopes: &[f64]) -> f64 {
 }
 
 #[cfg(test)]
+#[expect(clippy::float_cmp, reason = "exactness is the claim")]
 mod tests {
     use super::{Signs, monotone_root};
     use crate::Interval;

@@ -73,7 +73,7 @@ mod tests {
             diagonal * wanted[0] + beside * wanted[1],
             beside.transpose() * wanted[0] + diagonal * wanted[1],
         ];
-        let mut values: Vec<f64> = right.iter().flat_map(|part| part.to_array()).collect();
+        let mut values: Vec<f64> = right.iter().flat_map(DVec3::to_array).collect();
         band.solve(&mut values).expect("positive definite");
         for (part, wanted) in values.chunks_exact(3).zip(wanted) {
             assert!((DVec3::from_slice(part) - wanted).length() < 1e-14, "{values:?}");

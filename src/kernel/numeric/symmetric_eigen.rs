@@ -59,6 +59,7 @@ pub(super) fn rotation([a, b, c]: [f64; 3]) -> [f64; 2] {
 }
 
 #[cfg(test)]
+#[expect(clippy::float_cmp, reason = "exactness is the claim")]
 mod tests {
     use glam::{DMat2, DMat3, DVec2, DVec3};
 

@@ -17,8 +17,9 @@ const FEWEST: usize = 33;
 /// Places of one piece of an edge, at most.
 const MOST: usize = 129;
 
-/// Seeds along the edge of a function for its place nearest to a point, and steps from the best.
+/// Seeds along the edge of a function for its place nearest to a point.
 const SEEDS: usize = 256;
+
 /// A parameter line of a surface, and the side of it on which the surface is looked at.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SurfaceBorder<'a> {

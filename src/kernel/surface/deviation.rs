@@ -2,7 +2,8 @@
 
 use super::Surface;
 use crate::{
-    Deviation, DeviationReference, GeomError, Interval, KnotVector, ceiling::SURFACE_CLIMB_STEPS,
+    Deviation, DeviationReference, GeomError, KnotVector, ceiling::SURFACE_CLIMB_STEPS,
+    numeric::pattern_search::climbed,
 };
 
 /// Even parts of a domain, all its pieces together, at whose ends the distance is measured.
@@ -47,23 +48,13 @@ impl Surface {
         let mean = sum / (us.len() * vs.len()) as f64;
         let domains = [self.domain_u(), self.domain_v()];
         let counts = [us.len(), vs.len()];
-        let mut steps = [0, 1].map(|i| domains[i].length() / counts[i] as f64);
-        for _ in 0..SURFACE_CLIMB_STEPS {
-            let mut is_best = true;
-            for (along, sign) in [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0)] {
-                let mut beside = place;
-                let domain: Interval = domains[along];
-                beside[along] =
-                    (beside[along] + sign * steps[along]).clamp(domain.start(), domain.end());
-                let there = distance(beside)?;
-                if max < there {
-                    (max, place, is_best) = (there, beside, false);
-                }
-            }
-            if is_best {
-                steps = steps.map(|step| 0.5 * step);
-            }
-        }
+        let steps = [0, 1].map(|i| domains[i].length() / counts[i] as f64);
+        let ways = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];
+        (place, max) = climbed((place, max), steps, &ways, SURFACE_CLIMB_STEPS, |beside| {
+            let inside = |i: usize| beside[i].clamp(domains[i].start(), domains[i].end());
+            let there = [inside(0), inside(1)];
+            Ok::<_, GeomError>(Some((there, distance(there)?)))
+        })?;
         Ok(Deviation { max, mean, at: self.point_at(place[0], place[1])? })
     }
 

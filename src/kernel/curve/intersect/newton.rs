@@ -8,11 +8,11 @@ use crate::{
     curve::NurbsCurve,
     frame::norm,
     numeric::{
+        golden_section::golden_section,
         linear::TwoEquations,
         newton::{to_foot, within_limits},
     },
     tolerance::LAST_BIT,
-    valley::golden_section,
 };
 
 /// Cells of a stretch that are looked at for the nearest point.
