@@ -3,6 +3,17 @@
 use glam::DVec3;
 
 /// The box between two corners; `min <= max` in every coordinate.
+///
+/// The box of a diagonal whose sides are 3 and 4 is 5 across:
+///
+/// ```
+/// use virote_kernel::{Bounds, glam::DVec3};
+///
+/// let found = Bounds::of([DVec3::ZERO, DVec3::new(3.0, 4.0, 0.0)]).ok_or("no points")?;
+/// assert_eq!(found.diagonal(), 5.0);
+/// assert_eq!(found.center(), DVec3::new(1.5, 2.0, 0.0));
+/// # Ok::<(), &str>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
     /// Smallest coordinates.

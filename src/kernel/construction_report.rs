@@ -23,6 +23,15 @@ pub struct ConstructionReport {
 }
 
 /// A fact of a [`ConstructionReport`].
+///
+/// ```
+/// use virote_kernel::{ConstructionReport, ReportEntry};
+///
+/// let report = ConstructionReport::of("offset").with("cusps", vec![0.25, 0.75]);
+/// let fact = |name: &str| report.facts().find(|&(own, _)| own == name).map(|(_, fact)| fact);
+/// assert!(matches!(fact("cusps"), Some(ReportEntry::List(both)) if both.len() == 2));
+/// assert!(matches!(fact("operation"), Some(ReportEntry::Text(word)) if &**word == "offset"));
+/// ```
 #[derive(Clone, Debug)]
 pub enum ReportEntry {
     /// Not known, or not there.

@@ -5,6 +5,18 @@ use glam::DVec3;
 use super::{GeomError, NurbsSurface, Surface, mesh::MeshDistance, surface::ParametricPlaces};
 
 /// Distances of places from a surface or from a mesh.
+///
+/// ```
+/// use virote_kernel::{DeviationReference, NurbsSurface, Surface, glam::DVec3};
+///
+/// let [o, x, y] = [DVec3::ZERO, DVec3::X, DVec3::Y];
+/// let square = Surface::from(NurbsSurface::bilinear(o, y, x, x + y)?);
+/// let above = [DVec3::new(0.5, 0.5, 1.0), DVec3::new(0.5, 0.5, 3.0)];
+/// let found = DeviationReference::of_surface(&square)?.deviation_of(&above)?;
+/// let told = found.map(|found| (found.max, found.mean, found.at));
+/// assert_eq!(told, Some((3.0, 2.0, above[1])));
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviation {
     /// The largest.
@@ -16,6 +28,17 @@ pub struct Deviation {
 }
 
 /// A surface or a mesh, prepared to be asked for its distance from places.
+///
+/// Distances from a sphere are those from its centre less its radius:
+///
+/// ```
+/// use virote_kernel::{DeviationReference, Frame, NurbsSurface, Surface, glam::DVec3};
+///
+/// let sphere = Surface::from(NurbsSurface::sphere(Frame::XY, 2.0)?);
+/// let distance = DeviationReference::of_surface(&sphere)?.distance(DVec3::new(3.0, 0.0, 4.0))?;
+/// assert!((distance - 3.0).abs() < 1e-12);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Debug)]
 pub enum DeviationReference<'a> {
     /// All of a NURBS surface.

@@ -6,6 +6,13 @@ use super::GeomError;
 
 /// Why a function has no value, in the words of whoever made the function; the kernel looks not
 /// inside.
+///
+/// ```
+/// use virote_kernel::FunctionFailure;
+///
+/// let failure = FunctionFailure::new(std::fmt::Error);
+/// assert_eq!(failure.reason::<std::fmt::Error>(), Some(&std::fmt::Error));
+/// ```
 #[derive(Clone, Debug)]
 pub struct FunctionFailure(Arc<dyn StdError + Send + Sync>);
 

@@ -5,6 +5,15 @@ use glam::{DAffine3, DMat3, DVec3};
 use super::{GeomError, InputError, tolerance::VANISHING_RELATIVE};
 
 /// An origin with three unit vectors at right angles, right-handed.
+///
+/// ```
+/// use virote_kernel::{Frame, glam::DVec3};
+///
+/// let wall = Frame::from_normal(DVec3::new(0.0, 5.0, 0.0), DVec3::Y, Some(DVec3::X))?;
+/// assert_eq!(wall.y(), DVec3::NEG_Z);
+/// assert_eq!(wall.point(DVec3::new(2.0, 3.0, 0.0)), DVec3::new(2.0, 5.0, -3.0));
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     origin: DVec3,

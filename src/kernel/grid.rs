@@ -5,6 +5,15 @@ use super::{CountError, GeomError};
 /// `n_rows` × `n_columns` values in row-major order; row `i` runs along u, column `j` along v.
 ///
 /// Invariant: every row has `n_columns` values.
+///
+/// ```
+/// use virote_kernel::Grid;
+///
+/// let table = Grid::from_fn(2, 3, |i, j| 10 * i + j);
+/// assert_eq!(table.get(1, 2), 12);
+/// assert_eq!(table.row(1), [10, 11, 12]);
+/// assert_eq!(table.transposed().row(2), [2, 12]);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Grid<T> {
     n_rows: usize,

@@ -12,6 +12,15 @@ use super::{
 const MOST_DUST: f64 = 4.0;
 
 /// The interval from `start` to `end`. Invariant: both finite, `start < end`, finite length.
+///
+/// ```
+/// use virote_kernel::Interval;
+///
+/// let domain = Interval::new(2.0, 6.0)?;
+/// assert_eq!((domain.at(0.25), domain.fraction_of(5.0)), (3.0, 0.75));
+/// assert_eq!(domain.steps(4), [2.0, 3.0, 4.0, 5.0, 6.0]);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
     start: f64,

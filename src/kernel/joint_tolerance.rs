@@ -5,6 +5,20 @@ use super::Tolerance;
 /// What counts as equal at a joint: what somebody asked for, and by the document's tolerance
 /// whatever was left open. What was asked for counts as it is, whatever the size of the pieces, but
 /// nothing is told apart below its rounding.
+///
+/// Lines that meet at a right angle are one direction to whoever allows two radians:
+///
+/// ```
+/// use virote_kernel::{Curve, JointTolerance, NurbsCurve, Tolerance, glam::DVec3};
+///
+/// let [first, second] = [(DVec3::ZERO, DVec3::X), (DVec3::X, DVec3::X + DVec3::Y)];
+/// let [first, second] = [NurbsCurve::line(first.0, first.1)?, NurbsCurve::line(second.0, second.1)?];
+/// let [first, second] = [Curve::from(first), Curve::from(second)];
+/// let rough = JointTolerance { angle: Some(2.0), ..Tolerance::DEFAULT.into() };
+/// assert_eq!(first.continuity_with(&second, Tolerance::DEFAULT)?.g, 0);
+/// assert!(1 <= first.continuity_with(&second, rough)?.g);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointTolerance {
     /// The document's.

@@ -3,6 +3,18 @@
 use super::digits::{few_digits, plain};
 
 /// A jump, and how far both sides are apart.
+///
+/// A knot as often as degree + 1 times may take a curve apart:
+///
+/// ```
+/// use virote_kernel::{GeomError, JumpError, KnotVector, NurbsCurve, glam::DVec3};
+///
+/// let knots = KnotVector::new(1, vec![0.0, 0.0, 1.0, 1.0, 2.0, 2.0])?;
+/// let broken = NurbsCurve::polynomial(knots, &[0.0, 1.0, 4.0, 5.0].map(|x| DVec3::X * x))?;
+/// let found = broken.check_connected();
+/// assert_eq!(found, Err(GeomError::Jump(JumpError::Curve { parameter: 1.0, gap: 3.0 })));
+/// # Ok::<(), GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum JumpError {

@@ -44,6 +44,9 @@ pub mod tolerance;
 mod valley;
 pub mod work;
 
+/// The library of points and vectors that all signatures here speak in.
+pub use glam;
+
 pub use bounds::Bounds;
 pub use construction_report::{ConstructionReport, ReportEntry};
 pub use curve::{

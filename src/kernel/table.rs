@@ -5,6 +5,14 @@ use std::collections::HashSet;
 use super::{CountError, GeomError};
 
 /// The cells of one column.
+///
+/// ```
+/// use virote_kernel::Column;
+///
+/// // Cells that are not finite are empty, and empty cells are equal.
+/// assert_eq!(Column::Numbers(vec![1.0, f64::NAN]), Column::Numbers(vec![1.0, f64::INFINITY]));
+/// assert_eq!(Column::Texts(vec!["a".to_owned()]).len(), 1);
+/// ```
 #[derive(Clone, Debug)]
 pub enum Column {
     /// Numbers; a cell that is not finite is empty.
@@ -43,6 +51,13 @@ impl Column {
 }
 
 /// A column: its name, its unit where it has one, its cells.
+///
+/// ```
+/// use virote_kernel::NamedColumn;
+///
+/// let lengths = NamedColumn::numbers("length", vec![1.5, 2.5]).with_unit("mm");
+/// assert_eq!((lengths.column.len(), lengths.unit.as_deref()), (2, Some("mm")));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedColumn {
     /// Name, unique within its table.
@@ -74,6 +89,18 @@ impl NamedColumn {
 }
 
 /// Named columns. Invariants: all of one length, no name twice.
+///
+/// ```
+/// use virote_kernel::{Column, NamedColumn, Table};
+///
+/// let table = Table::new(vec![
+///     NamedColumn::texts("part", vec!["hull".to_owned(), "keel".to_owned()]),
+///     NamedColumn::numbers("mass", vec![12.0, 3.0]),
+/// ])?;
+/// assert_eq!(table.n_rows(), 2);
+/// assert_eq!(table.column("mass"), Some(&Column::Numbers(vec![12.0, 3.0])));
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Table {
     columns: Vec<NamedColumn>,

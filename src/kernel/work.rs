@@ -56,6 +56,13 @@ impl StopToken {
 
 /// Tells how many bytes of memory are held, for the ceiling on them. One that measures nothing tells 0,
 /// and the ceiling is not kept.
+///
+/// ```
+/// use virote_kernel::work::MemoryGauge;
+///
+/// assert_eq!(MemoryGauge::new(|| 1 << 20).held(), 1 << 20);
+/// assert_eq!(MemoryGauge::default().held(), 0);
+/// ```
 #[derive(Clone, Default)]
 pub struct MemoryGauge(Option<Arc<dyn Fn() -> usize + Send + Sync>>);
 
@@ -80,6 +87,21 @@ impl Debug for MemoryGauge {
 }
 
 /// What work may take.
+///
+/// A search may take a hundred steps, and any amount of memory:
+///
+/// ```
+/// use virote_kernel::work::{self, End, MemoryGauge, StopToken, Watch};
+///
+/// let watch = Watch {
+///     gauge: MemoryGauge::default(),
+///     memory_bytes: usize::MAX,
+///     stop: StopToken::default(),
+///     steps: 100,
+/// };
+/// let (_, done) = work::under(watch, || while work::goes_on(1) {});
+/// assert_eq!(done.end, Some(End::Steps));
+/// ```
 #[derive(Clone, Debug)]
 pub struct Watch {
     /// How many bytes of memory are held.
@@ -93,6 +115,24 @@ pub struct Watch {
 }
 
 /// Why work was ended.
+///
+/// Whoever asks for something long tells why there is no answer:
+///
+/// ```
+/// use virote_kernel::work;
+///
+/// let stop = work::StopToken::default();
+/// stop.stop();
+/// let watch = work::Watch {
+///     gauge: work::MemoryGauge::default(),
+///     memory_bytes: usize::MAX,
+///     stop,
+///     steps: u64::MAX,
+/// };
+/// let (went_on, done) = work::under(watch, || (0..100).all(|_| work::goes_on(1)));
+/// assert!(!went_on);
+/// assert_eq!(done.end, Some(work::End::Stopped));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// Nobody wants the answer.
@@ -104,6 +144,13 @@ pub enum End {
 }
 
 /// What was done under a watch.
+///
+/// ```
+/// use virote_kernel::work::Done;
+///
+/// let nothing = Done::default();
+/// assert_eq!((nothing.steps, nothing.end), (0, None));
+/// ```
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Done {
     /// Steps, without those under watches inside.

@@ -5,6 +5,7 @@ mod errors;
 mod faults;
 mod golden;
 mod incremental;
+mod kernel_docs;
 mod lanes;
 mod library;
 mod maps;

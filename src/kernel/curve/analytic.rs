@@ -25,6 +25,19 @@ const MAX_HALVINGS: usize = 6;
 const ROUNDINGS: f64 = 4.0;
 
 /// A curve with an equation, run through once from one end to the other.
+///
+/// A rational curve of degree 2 may be a circle, and is told as one:
+///
+/// ```
+/// use virote_kernel::{AnalyticCurve, Frame, NurbsCurve};
+///
+/// let quarter = NurbsCurve::arc(Frame::XY, 2.0, 0.0, std::f64::consts::FRAC_PI_2)?;
+/// let Some(AnalyticCurve::Circle { radius, turn, .. }) = quarter.analytic() else {
+///     unreachable!("it is a circle");
+/// };
+/// assert!((radius - 2.0).abs() < 1e-14 && (turn - std::f64::consts::FRAC_PI_2).abs() < 1e-14);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AnalyticCurve {
     /// A straight line.

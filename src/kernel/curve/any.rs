@@ -8,6 +8,15 @@ use super::{NurbsCurve, ParametricCurve};
 use crate::{FormError, GeomError, Interval, Side};
 
 /// A curve. Cheap to clone.
+///
+/// ```
+/// use virote_kernel::{Curve, NurbsCurve, glam::DVec3};
+///
+/// let line = Curve::from(NurbsCurve::line(DVec3::ZERO, DVec3::new(3.0, 4.0, 0.0))?);
+/// assert_eq!(line.point_at(0.5)?, DVec3::new(1.5, 2.0, 0.0));
+/// assert!((line.length(line.domain())? - 5.0).abs() < 1e-14);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum Curve {
     /// An exact NURBS.

@@ -6,6 +6,21 @@ use super::NurbsCurve;
 use crate::{Frame, GeomError, InputError, KnotVector};
 
 /// Which of the exact representations of a circle.
+///
+/// Piegl & Tiller, *A menagerie of rational B-spline circles*: as many control points each, one circle
+/// all.
+///
+/// ```
+/// use virote_kernel::{CircleForm, NurbsCurve, glam::DVec3};
+///
+/// let n_points = [9, 7, 7, 6];
+/// for (form, n) in CircleForm::ALL.into_iter().zip(n_points) {
+///     let circle = NurbsCurve::circle(DVec3::ZERO, 1.0, DVec3::X, DVec3::Z, form)?;
+///     assert_eq!(circle.control_points().len(), n);
+///     assert!(circle.sample(50).iter().all(|point| (point.length() - 1.0).abs() < 1e-14));
+/// }
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum CircleForm {
     /// Four quarter turns of degree 2 on a square of 9 points; continuous homogeneous derivative

@@ -12,6 +12,15 @@ use crate::{
 };
 
 /// The nearest point of a curve.
+///
+/// ```
+/// use virote_kernel::{NurbsCurve, glam::DVec3};
+///
+/// let line = NurbsCurve::line(DVec3::ZERO, DVec3::new(4.0, 0.0, 0.0))?;
+/// let foot = line.closest(DVec3::new(1.0, 3.0, 0.0), 1e-6);
+/// assert!((foot.distance - 3.0).abs() < 1e-15 && (foot.parameter - 0.25).abs() < 1e-15);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClosestPoint {
     /// Where it is; the least parameter among equals.

@@ -9,6 +9,19 @@ use crate::{
 };
 
 /// The conic sections that are curved.
+///
+/// The weight in the middle decides: Piegl & Tiller, *The NURBS Book*, §7.3.
+///
+/// ```
+/// use virote_kernel::{ConicKind, KnotVector, NurbsCurve, glam::DVec3};
+///
+/// let points = [DVec3::ZERO, DVec3::new(1.0, 2.0, 0.0), DVec3::new(2.0, 0.0, 0.0)];
+/// let kind = |w| NurbsCurve::rational(KnotVector::bezier(2)?, &points, &[1.0, w, 1.0])?.conic_kind();
+/// assert_eq!(kind(0.5)?, ConicKind::Ellipse);
+/// assert_eq!(kind(1.0)?, ConicKind::Parabola);
+/// assert_eq!(kind(2.0)?, ConicKind::Hyperbola);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConicKind {
     /// An ellipse; circles are ellipses.

@@ -16,6 +16,19 @@ const MAX_ORDER: usize = 3;
 /// How two pieces of curve meet; of several joints the worst of each.
 ///
 /// Orders are the largest up to 3 that hold, −1 where the pieces are apart.
+///
+/// A unit circle goes on where a line arrives, but the curvature leaps from 0 to 1:
+///
+/// ```
+/// use virote_kernel::{Curve, Frame, NurbsCurve, Tolerance, glam::DVec3};
+///
+/// let line = Curve::from(NurbsCurve::line(DVec3::new(1.0, -1.0, 0.0), DVec3::X)?);
+/// let arc = Curve::from(NurbsCurve::arc(Frame::XY, 1.0, 0.0, 2.0)?);
+/// let joint = line.continuity_with(&arc, Tolerance::DEFAULT)?;
+/// assert_eq!(joint.g, 1);
+/// assert!(joint.curvature_gap.is_some_and(|gap| (gap - 1.0).abs() < 1e-12));
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Continuity {
     /// Equal derivatives by the parameter.

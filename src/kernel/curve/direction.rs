@@ -25,6 +25,19 @@ const FUNCTION_ORDER: usize = 4;
 const FUNCTION_GROWTH: f64 = 4.0;
 
 /// What kind of place a parameter of a curve is.
+///
+/// The derivative of this cubic vanishes halfway, where it turns back:
+///
+/// ```
+/// use virote_kernel::{Curve, CurvePointKind, NurbsCurve, Tolerance, glam::DVec3};
+///
+/// let corners = [(0.0, 0.0), (1.0, 1.0), (0.0, 1.0), (1.0, 0.0)];
+/// let curve = NurbsCurve::bezier(&corners.map(|(x, y)| DVec3::new(x, y, 0.0)))?;
+/// let kind = |t| Curve::from(curve.clone()).place_kind_at(t, Tolerance::DEFAULT);
+/// assert_eq!(kind(0.5)?, CurvePointKind::Cusp);
+/// assert_eq!(kind(0.25)?, CurvePointKind::Regular);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CurvePointKind {
     /// The tangent goes on, and the curve bends to the same side before and after it.

@@ -43,6 +43,17 @@ const MOST_ROUNDINGS: f64 = 16.0;
 const LONGEST_TOUCH: f64 = 16.0;
 
 /// A place where two curves meet.
+///
+/// ```
+/// use virote_kernel::{NurbsCurve, glam::DVec3};
+///
+/// let rising = NurbsCurve::line(DVec3::ZERO, DVec3::new(2.0, 2.0, 0.0))?;
+/// let falling = NurbsCurve::line(DVec3::new(0.0, 2.0, 0.0), DVec3::new(2.0, 0.0, 0.0))?;
+/// let [meeting] = rising.intersections(&falling, 1e-6)?[..] else { unreachable!("they meet once") };
+/// assert!(meeting.point.distance(DVec3::new(1.0, 1.0, 0.0)) < 1e-12);
+/// assert!((meeting.first - 0.5).abs() < 1e-12 && (meeting.second - 0.5).abs() < 1e-12);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurveIntersection {
     /// The parameter on the first curve.

@@ -11,6 +11,24 @@ use super::{CircleForm, NurbsCurve, series};
 use crate::{Frame, GeomError, LocalError, Side, frame::norm};
 
 /// Where a curve is looked at, and which lengths are rounding there.
+///
+/// The derivatives of (t, t²) at 0 tell the curvature 2, wherever they come from:
+///
+/// ```
+/// use virote_kernel::{EvaluationPlace, LocalGeometry, Side, glam::DVec3};
+///
+/// let derivatives = [DVec3::ZERO, DVec3::X, DVec3::new(0.0, 2.0, 0.0), DVec3::ZERO];
+/// let place = EvaluationPlace {
+///     parameter: 0.0,
+///     side: Side::Right,
+///     reach: 1.0,
+///     rounding: 1e-15,
+///     growth: 4.0,
+///     slack: 0.0,
+/// };
+/// assert_eq!(LocalGeometry::new(&derivatives, place)?.curvature()?, 2.0);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct EvaluationPlace {
     /// The parameter.
@@ -49,6 +67,19 @@ impl EvaluationPlace {
 }
 
 /// Tangent, bending and its change at one parameter, from one side.
+///
+/// The parabola y = x² bends by 2 at its vertex:
+///
+/// ```
+/// use virote_kernel::{Curve, NurbsCurve, Side, glam::DVec3};
+///
+/// let corners = [(-1.0, 1.0), (0.0, -1.0), (1.0, 1.0)];
+/// let parabola = NurbsCurve::bezier(&corners.map(|(x, y)| DVec3::new(x, y, 0.0)))?;
+/// let vertex = Curve::from(parabola).local_at(0.5, Side::Right)?;
+/// assert!((vertex.curvature()? - 2.0).abs() < 1e-14);
+/// assert!(vertex.center_of_curvature()?.distance(DVec3::new(0.0, 0.5, 0.0)) < 1e-14);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct LocalGeometry {
     parameter: f64,

@@ -88,6 +88,17 @@ pub use parametric::{CurveFunction, ParametricCurve};
 ///
 /// Invariants: as many control points as the knots need, all finite; the denominator `Σ wᵢNᵢ` is
 /// positive on the whole domain.
+///
+/// A quarter of the unit circle, whose half parameter is the point (3/5, 4/5): *The NURBS Book*, Ex7.1.
+///
+/// ```
+/// use virote_kernel::{KnotVector, NurbsCurve, glam::DVec3};
+///
+/// let points = [DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y];
+/// let quarter = NurbsCurve::rational(KnotVector::bezier(2)?, &points, &[1.0, 1.0, 2.0])?;
+/// assert!(quarter.point_at(0.5).distance(DVec3::new(0.6, 0.8, 0.0)) < 1e-15);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct NurbsCurve {
     knots: KnotVector,

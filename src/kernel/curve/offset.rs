@@ -19,6 +19,18 @@ use crate::{
 const MOST_ROUNDINGS: f64 = 64.0;
 
 /// An offset curve, and where it is not what one may expect.
+///
+/// Beside a circle run circles, exactly; the radius 2 by 3 inward has passed the centre:
+///
+/// ```
+/// use virote_kernel::{CircleForm, Frame, NurbsCurve, Tolerance, glam::DVec3};
+///
+/// let circle = NurbsCurve::ellipse(Frame::XY, [2.0, 2.0], CircleForm::NinePoint)?;
+/// let outer = circle.offset(0.5, DVec3::Z, Tolerance::DEFAULT)?;
+/// assert!(outer.curve.sample(9).iter().all(|point| (point.length() - 2.5).abs() < 1e-12));
+/// assert!(circle.offset(-3.0, DVec3::Z, Tolerance::DEFAULT)?.is_reversed);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Offset {
     /// The curve.

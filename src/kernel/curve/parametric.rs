@@ -16,6 +16,30 @@ use crate::{
 const PROBES: usize = 8;
 
 /// A map of parameters to points.
+///
+/// The unit circle by its angle, whose derivatives are quarter turns of it:
+///
+/// ```
+/// use std::{f64::consts::{FRAC_PI_2, TAU}, sync::Arc};
+/// use virote_kernel::{
+///     Curve, CurveFunction, FunctionFailure, Interval, ParametricCurve, Side, glam::DVec3,
+/// };
+///
+/// #[derive(Debug)]
+/// struct Circle;
+///
+/// impl CurveFunction for Circle {
+///     fn derivatives_at(&self, t: f64, order: usize) -> Result<Vec<DVec3>, FunctionFailure> {
+///         let turned = |k: usize| t + k as f64 * FRAC_PI_2;
+///         Ok((0..=order).map(|k| DVec3::new(turned(k).cos(), turned(k).sin(), 0.0)).collect())
+///     }
+/// }
+///
+/// let circle = Curve::from(ParametricCurve::new(Interval::new(0.0, TAU)?, Arc::new(Circle))?);
+/// assert!((circle.length(circle.domain())? - TAU).abs() < 1e-9);
+/// assert!((circle.local_at(1.0, Side::Right)?.curvature()? - 1.0).abs() < 1e-12);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 pub trait CurveFunction: fmt::Debug + Send + Sync {
     /// Point and derivatives at `t` by order, `order + 1` of them; exact up to rounding.
     ///
@@ -27,6 +51,32 @@ pub trait CurveFunction: fmt::Debug + Send + Sync {
 /// A curve of a function. Cheap to clone.
 ///
 /// Invariant: the function has a point at both ends of the domain.
+///
+/// A parabola as a function of jets, which carry the derivatives along:
+///
+/// ```
+/// use std::sync::Arc;
+/// use virote_kernel::{
+///     CurveFunction, FunctionFailure, Interval, Jet, ParametricCurve, glam::DVec3,
+/// };
+///
+/// #[derive(Debug)]
+/// struct Parabola;
+///
+/// impl CurveFunction for Parabola {
+///     fn derivatives_at(&self, t: f64, order: usize) -> Result<Vec<DVec3>, FunctionFailure> {
+///         let x = Jet::variable(t, order);
+///         let y = x.times(&x);
+///         Ok((0..=order).map(|k| DVec3::new(x.derivative(k, 0), y.derivative(k, 0), 0.0)).collect())
+///     }
+/// }
+///
+/// let parabola = ParametricCurve::new(Interval::new(-1.0, 1.0)?, Arc::new(Parabola))?;
+/// assert_eq!(parabola.derivatives_at(0.5, 2)?[1], DVec3::new(1.0, 1.0, 0.0));
+/// let spline = parabola.to_nurbs(1e-9)?;
+/// assert!(spline.point_at(0.5).distance(DVec3::new(0.5, 0.25, 0.0)) < 1e-9);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct ParametricCurve {
     domain: Interval,

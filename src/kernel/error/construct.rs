@@ -8,6 +8,15 @@ use super::super::{
 };
 
 /// Nothing that goes through data or stays within a tolerance.
+///
+/// ```
+/// use virote_kernel::{Approximator, FitError, GeomError, KnotVector};
+///
+/// // Two values and four control points: the two in between could lie anywhere.
+/// let found = Approximator::new(&[0.0, 1.0], KnotVector::bezier(3)?);
+/// assert!(matches!(found, Err(GeomError::Fit(FitError::Undetermined { .. }))));
+/// # Ok::<(), GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum FitError {
@@ -52,6 +61,14 @@ pub enum FitError {
 }
 
 /// What another form cannot hold exactly.
+///
+/// ```
+/// use virote_kernel::{FormError, GeomError, NurbsCurve, glam::DVec3};
+///
+/// let line = NurbsCurve::line(DVec3::ZERO, DVec3::X)?;
+/// assert!(matches!(line.conic_kind(), Err(GeomError::Form(FormError::NoConic { .. }))));
+/// # Ok::<(), GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum FormError {
@@ -93,6 +110,16 @@ pub enum FormError {
 }
 
 /// Curves and patches that do not meet as they should.
+///
+/// ```
+/// use virote_kernel::{GeomError, JointError, NurbsCurve, glam::DVec3, join};
+///
+/// let first = NurbsCurve::line(DVec3::ZERO, DVec3::X)?;
+/// let second = NurbsCurve::line(DVec3::new(1.5, 0.0, 0.0), DVec3::new(2.0, 0.0, 0.0))?;
+/// let found = join(&[first, second], 1e-6);
+/// assert!(matches!(found, Err(GeomError::Joint(JointError::Gap { gap, .. })) if gap == 0.5));
+/// # Ok::<(), GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum JointError {
@@ -119,6 +146,18 @@ pub enum JointError {
 }
 
 /// A construction that comes to nothing there.
+///
+/// ```
+/// use virote_kernel::{CircleForm, ConstructionError, Frame, GeomError, NurbsCurve, Tolerance, glam::DVec3};
+///
+/// // Inward by its radius nothing is left of a circle but its centre.
+/// let circle = NurbsCurve::ellipse(Frame::XY, [2.0, 2.0], CircleForm::NinePoint)?;
+/// let Err(GeomError::Construction(found)) = circle.offset(-2.0, DVec3::Z, Tolerance::DEFAULT) else {
+///     unreachable!("it is refused");
+/// };
+/// assert!(matches!(found, ConstructionError::VanishingOffset { .. }));
+/// # Ok::<(), GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum ConstructionError {

@@ -8,6 +8,13 @@ use super::super::{
 };
 
 /// Knots that no spline can have, or that are not where they are looked for.
+///
+/// ```
+/// use virote_kernel::{GeomError, KnotError, KnotVector};
+///
+/// let found = KnotVector::new(1, vec![0.0, 0.0, 1.0, 0.5]);
+/// assert!(matches!(found, Err(GeomError::Knots(KnotError::UnsortedKnots { index: 3, .. }))));
+/// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum KnotError {
@@ -46,6 +53,15 @@ pub enum KnotError {
 }
 
 /// Weights that leave places without a point.
+///
+/// ```
+/// use virote_kernel::{GeomError, KnotVector, NurbsCurve, WeightError, glam::DVec3};
+///
+/// let found = NurbsCurve::rational(KnotVector::bezier(1)?, &[DVec3::ZERO, DVec3::X], &[1.0]);
+/// let expected = WeightError::WeightCount { points: 2, weights: 1 };
+/// assert_eq!(found, Err(GeomError::Weights(expected)));
+/// # Ok::<(), GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum WeightError {
@@ -67,6 +83,13 @@ pub enum WeightError {
 }
 
 /// A degree that is not possible there.
+///
+/// ```
+/// use virote_kernel::{DegreeError, GeomError, NurbsCurve, ceiling, glam::DVec3};
+///
+/// let found = NurbsCurve::bezier(&vec![DVec3::ZERO; ceiling::DEGREE + 2]);
+/// assert!(matches!(found, Err(GeomError::Degree(DegreeError::DegreeTooHigh { degree: 101, .. }))));
+/// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum DegreeError {
@@ -88,6 +111,14 @@ pub enum DegreeError {
 }
 
 /// Not as many of something as are needed, or too many.
+///
+/// ```
+/// use virote_kernel::{CountError, GeomError, Grid};
+///
+/// let found = Grid::from_rows(vec![vec![1.0, 2.0], vec![3.0]]);
+/// let expected = CountError::RaggedGrid { row: 1, got: 1, expected: 2 };
+/// assert_eq!(found, Err(GeomError::Count(expected)));
+/// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum CountError {
@@ -139,6 +170,13 @@ pub enum CountError {
 }
 
 /// A number or direction that makes no geometry.
+///
+/// ```
+/// use virote_kernel::{Frame, GeomError, InputError, glam::DVec3};
+///
+/// let found = Frame::from_normal(DVec3::ZERO, DVec3::ZERO, None);
+/// assert!(matches!(found, Err(GeomError::Input(InputError::ZeroAxis { what: "the normal" }))));
+/// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum InputError {
@@ -182,6 +220,13 @@ pub enum InputError {
 }
 
 /// A parameter or length where there is nothing.
+///
+/// ```
+/// use virote_kernel::{DomainError, GeomError, Interval};
+///
+/// let found = Interval::new(1.0, 0.0);
+/// assert_eq!(found, Err(GeomError::Domain(DomainError::EmptyInterval { start: 1.0, end: 0.0 })));
+/// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum DomainError {

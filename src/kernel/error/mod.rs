@@ -19,6 +19,15 @@ pub use question::{IntersectionError, LocalError, MeasureError};
 ///
 /// Carries numbers, and the indices of what is wrong among the arguments, which messages name as the
 /// constructors do (`curves[1]`, `patches[0][2]`); never places in a script.
+///
+/// A family tells what kind of thing is wrong, its variant what, in numbers; the text is for people:
+///
+/// ```
+/// use virote_kernel::{CountError, GeomError, NurbsCurve};
+///
+/// let found = NurbsCurve::bezier(&[]);
+/// assert_eq!(found, Err(GeomError::Count(CountError::TooFewPoints { got: 0, needed: 1 })));
+/// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum GeomError {
     /// Work that whoever started it has ended, and tells why.

@@ -6,6 +6,15 @@ use thiserror::Error;
 use super::super::digits::{few_digits, plain};
 
 /// A shape at a place that has none.
+///
+/// ```
+/// use virote_kernel::{Curve, GeomError, LocalError, NurbsCurve, Side, glam::DVec3};
+///
+/// let line = Curve::from(NurbsCurve::line(DVec3::ZERO, DVec3::X)?);
+/// let normal = line.local_at(0.5, Side::Right)?.normal();
+/// assert!(matches!(normal, Err(GeomError::Local(LocalError::Straight { .. }))));
+/// # Ok::<(), GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum LocalError {
@@ -55,6 +64,19 @@ pub enum LocalError {
 }
 
 /// Meetings that are no single points.
+///
+/// ```
+/// use virote_kernel::{GeomError, IntersectionError, NurbsCurve, glam::DVec3};
+///
+/// // They share the stretch from 1 to 2.
+/// let line = |from, to| NurbsCurve::line(DVec3::X * from, DVec3::X * to);
+/// let found = line(0.0, 2.0)?.intersections(&line(1.0, 3.0)?, 1e-6);
+/// let Err(GeomError::Intersection(IntersectionError::RunTogether { start, end })) = found else {
+///     unreachable!("they run together");
+/// };
+/// assert!((start - 0.5).abs() < 1e-5 && (end - 1.0).abs() < 1e-5);
+/// # Ok::<(), GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum IntersectionError {
@@ -73,6 +95,12 @@ pub enum IntersectionError {
 }
 
 /// What has no size that could be told.
+///
+/// ```
+/// use virote_kernel::{GeomError, MeasureError, area_mass};
+///
+/// assert!(matches!(area_mass(&[]), Err(GeomError::Measure(MeasureError::NothingThere { .. }))));
+/// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum MeasureError {

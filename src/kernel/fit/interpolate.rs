@@ -7,6 +7,20 @@ use crate::{
 };
 
 /// What a cubic with its knots at the points does where it begins and ends.
+///
+/// A natural spline does not bend where it begins; one without a knot at the second point takes the
+/// cubic that all points lie on:
+///
+/// ```
+/// use virote_kernel::{Ends, Interpolator, glam::DVec3};
+///
+/// let parameters = [0.0, 1.0, 2.0, 3.0, 4.0];
+/// let points = parameters.map(|t: f64| DVec3::new(t, t * t * t, 0.0));
+/// let spline = |ends| Interpolator::new(&parameters, 3, ends)?.curve(&points);
+/// assert!(spline(Ends::Natural)?.derivatives_at(0.0, 2)[2].length() < 1e-12);
+/// assert!((spline(Ends::NotAKnot)?.point_at(2.5).y - 15.625).abs() < 1e-12);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ends {
     /// The tangent of the parabola through the first three points, and the last three.
@@ -25,6 +39,21 @@ pub enum Ends {
 
 /// A basis, with the factored equations of a spline over it that takes given values at given
 /// parameters: curves and the rows and columns of surfaces share it.
+///
+/// The cubic of *The NURBS Book*, Ex9.1, whose one inner knot is 28/51:
+///
+/// ```
+/// use virote_kernel::{Ends, Interpolator, Parametrization, glam::DVec3};
+///
+/// let points = [(0.0, 0.0), (3.0, 4.0), (-1.0, 4.0), (-4.0, 0.0), (-4.0, -3.0)];
+/// let points = points.map(|(x, y)| DVec3::new(x, y, 0.0));
+/// let parameters = Parametrization::Chord.parameters(&points)?;
+/// let fit = Interpolator::new(&parameters, 3, Ends::Averaged)?;
+/// assert!((fit.knots().as_slice()[4] - 28.0 / 51.0).abs() < 1e-15);
+/// let curve = fit.curve(&points)?;
+/// assert!(curve.point_at(parameters[2]).distance(points[2]) < 1e-14);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Interpolator {
     pub(super) knots: KnotVector,

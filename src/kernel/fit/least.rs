@@ -22,6 +22,18 @@ pub(crate) struct FitCondition {
 /// A basis, with the factored equations of a spline over it that begins at the first value, ends
 /// at the last, and comes nearest to those between: the sum of the squared distances at the
 /// parameters is least. Curves and the rows and columns of surfaces share it.
+///
+/// Points of a parabola have the parabola nearest, whose control point is where its end tangents meet:
+///
+/// ```
+/// use virote_kernel::{Approximator, KnotVector, glam::DVec3};
+///
+/// let parameters = [0.0, 0.2, 0.5, 0.9, 1.0];
+/// let points = parameters.map(|t| DVec3::new(t, t * t, 0.0));
+/// let fit = Approximator::new(&parameters, KnotVector::bezier(2)?)?.curve(&points)?;
+/// assert!(fit.points()[1].distance(DVec3::new(0.5, 0.0, 0.0)) < 1e-14);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Approximator {
     knots: KnotVector,

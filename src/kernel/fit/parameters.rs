@@ -7,6 +7,19 @@ use crate::{
 };
 
 /// A rule for the distance of neighbouring parameters.
+///
+/// *The NURBS Book*, Ex9.1: chords of 5, 4, 5 and 3 are 17 together.
+///
+/// ```
+/// use virote_kernel::{Parametrization, glam::DVec3};
+///
+/// let points = [(0.0, 0.0), (3.0, 4.0), (-1.0, 4.0), (-4.0, 0.0), (-4.0, -3.0)];
+/// let found = Parametrization::Chord.parameters(&points.map(|(x, y)| DVec3::new(x, y, 0.0)))?;
+/// for (parameter, sum) in found.iter().zip([0.0, 5.0, 9.0, 14.0, 17.0]) {
+///     assert!((parameter - sum / 17.0).abs() < 1e-15);
+/// }
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Parametrization {
     /// All the same.

@@ -8,6 +8,17 @@ use super::{Approximator, Interpolator, Parametrization};
 use crate::{CountError, GeomError, Grid, InputError, NurbsSurface, tolerance::PARAMETER_RELATIVE};
 
 /// How the lines of a grid in one direction become splines.
+///
+/// ```
+/// use virote_kernel::{Ends, FirstPass, Grid, Interpolator, LineFit, glam::DVec3};
+///
+/// // Four points of z = xy: the surface through them is that saddle.
+/// let corners = Grid::from_fn(2, 2, |i, j| DVec3::new(i as f64, j as f64, (i * j) as f64));
+/// let through = LineFit::Through(Interpolator::new(&[0.0, 1.0], 1, Ends::Averaged)?);
+/// let saddle = FirstPass::new(&corners, &through)?.second(&through)?;
+/// assert_eq!(saddle.point_at(0.5, 0.5), DVec3::new(0.5, 0.5, 0.25));
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub enum LineFit {
     /// Through all values.
@@ -33,6 +44,20 @@ impl LineFit {
 }
 
 /// A grid of points whose columns, the lines along u, have become control points.
+///
+/// Piegl & Tiller, *The NURBS Book*, §9.2.5: curves through the columns of points, then curves through
+/// their control points.
+///
+/// ```
+/// use virote_kernel::{Ends, FirstPass, Grid, Interpolator, LineFit, glam::DVec3};
+///
+/// let heights = Grid::from_fn(4, 3, |i, j| DVec3::new(i as f64, j as f64, (i * i) as f64));
+/// let fit = |at: &[f64]| Interpolator::new(at, 2, Ends::Averaged).map(LineFit::Through);
+/// let (u, v) = (fit(&[0.0, 1.0, 2.0, 3.0])?, fit(&[0.0, 1.0, 2.0])?);
+/// let surface = FirstPass::new(&heights, &u)?.second(&v)?;
+/// assert!(surface.point_at(2.0, 1.0).distance(DVec3::new(2.0, 1.0, 4.0)) < 1e-13);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct FirstPass<'a> {
     u: &'a LineFit,

@@ -21,6 +21,19 @@ const MAX_ROUNDS: usize = 64;
 const FEW: usize = 64;
 
 /// Data of one direction: the parameters of its points, and the degree.
+///
+/// Points of a plane need one patch within any tolerance:
+///
+/// ```
+/// use virote_kernel::{Grid, Lines, columns_within, glam::DVec3, surface_within};
+///
+/// let points = Grid::from_fn(5, 5, |i, j| DVec3::new(i as f64, j as f64, (i + j) as f64));
+/// let lines = Lines { parameters: vec![0.0, 1.0, 2.0, 3.0, 4.0], degree: 1 };
+/// let columns = columns_within(&points, &lines, 1e-6)?;
+/// let plane = surface_within(&points, [&lines, &lines], &columns, 1e-6)?;
+/// assert_eq!(plane.n_patches(), [1, 1]);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Lines {
     /// A parameter for each point of a line.

@@ -12,6 +12,20 @@ use crate::{
 };
 
 /// What was done to one curve of a network.
+///
+/// A curve that runs against the first of its direction is turned around:
+///
+/// ```
+/// use virote_kernel::{Network, NurbsCurve, glam::DVec3, gordon};
+///
+/// let line = |a, b| NurbsCurve::line(a, b);
+/// let [o, x, y] = [DVec3::ZERO, DVec3::X, DVec3::Y];
+/// let curves = [&[line(o, x)?, line(x + y, y)?][..], &[line(o, y)?, line(x, x + y)?][..]];
+/// let network = Network { curves, at: [None, None], is_lagrange: false, tolerance: 1e-6 };
+/// let made = gordon(network).map_err(|error| format!("{error:?}"))?;
+/// assert_eq!(made.changes[0].iter().map(|own| own.is_reversed).collect::<Vec<_>>(), [false, true]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct CurveAdjustment {
     /// Its index among those given.

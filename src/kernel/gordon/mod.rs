@@ -26,6 +26,20 @@ use super::{
 };
 
 /// What a network is made of, and how.
+///
+/// Four sides of a square, one corner of which is lifted, have between them z = uv:
+///
+/// ```
+/// use virote_kernel::{Network, NurbsCurve, glam::DVec3, gordon};
+///
+/// let line = |a, b| NurbsCurve::line(a, b);
+/// let [o, x, y, top] = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::ONE];
+/// let curves = [&[line(o, x)?, line(y, top)?][..], &[line(o, y)?, line(x, top)?][..]];
+/// let network = Network { curves, at: [None, None], is_lagrange: false, tolerance: 1e-6 };
+/// let surface = gordon(network).map_err(|error| format!("{error:?}"))?.surface;
+/// assert!(surface.point_at(0.5, 0.5).distance(DVec3::new(0.5, 0.5, 0.25)) < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Network<'a> {
     /// Curves along u and along v.
@@ -39,6 +53,21 @@ pub struct Network<'a> {
 }
 
 /// A surface through a network, and what was done for it.
+///
+/// What was found: here the places of the curves across, at even distances.
+///
+/// ```
+/// use virote_kernel::{Network, NurbsCurve, glam::DVec3, gordon};
+///
+/// let along = |y: f64| NurbsCurve::line(DVec3::Y * y, DVec3::new(4.0, y, 0.0));
+/// let across = |x: f64| NurbsCurve::line(DVec3::X * x, DVec3::new(x, 1.0, 0.0));
+/// let curves = [&[along(0.0)?, along(1.0)?][..], &[across(0.0)?, across(1.0)?, across(4.0)?][..]];
+/// let network = Network { curves, at: [None, None], is_lagrange: false, tolerance: 1e-6 };
+/// let made = gordon(network).map_err(|error| format!("{error:?}"))?;
+/// assert!((made.at[0][1] - 0.25).abs() < 1e-12);
+/// assert!(made.gap.0 < 1e-12 && made.seams == [None, None]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Gordon {
     /// The surface.

@@ -9,6 +9,22 @@ use crate::{
 };
 
 /// Why curves are no network; indices are those in which the curves were given.
+///
+/// Two curves along x, one of two across them a unit above:
+///
+/// ```
+/// use virote_kernel::{Network, NetworkError, NurbsCurve, glam::DVec3, gordon};
+///
+/// let line = |a, b| NurbsCurve::line(a, b);
+/// let [o, x, y, z] = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+/// let curves = [&[line(o, x)?, line(y, x + y)?][..], &[line(o, y)?, line(x + z, x + y + z)?][..]];
+/// let network = Network { curves, at: [None, None], is_lagrange: false, tolerance: 1e-6 };
+/// let Err(NetworkError::Apart { gap, n_pairs, .. }) = gordon(network) else {
+///     unreachable!("they do not meet");
+/// };
+/// assert!((gap - 1.0).abs() < 1e-12 && n_pairs == 2);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum NetworkError {
     /// Two curves that do not come within the tolerance of one another, those furthest apart.

@@ -14,6 +14,17 @@ use super::{GeomError, Grid, LocalError};
 
 /// A truncated Taylor series in one or two variables. Invariant: as many coefficients as its shape
 /// needs.
+///
+/// The derivatives of t·sin t at 0 are 0, 0, 2:
+///
+/// ```
+/// use virote_kernel::Jet;
+///
+/// let t = Jet::variable(0.0, 2);
+/// let product = t.times(&t.sin()?);
+/// assert_eq!([0, 1, 2].map(|order| product.derivative(order, 0)), [0.0, 0.0, 2.0]);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Jet {
     shape: JetShape,

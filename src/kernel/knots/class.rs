@@ -4,6 +4,15 @@ use super::KnotVector;
 use crate::tolerance::KNOT_RELATIVE;
 
 /// The kinds of knots that the field has names for; a vector can be of several.
+///
+/// ```
+/// use virote_kernel::KnotVector;
+///
+/// assert!(KnotVector::bezier(3)?.class().is_bezier);
+/// let even = KnotVector::uniform(2, 5)?.class();
+/// assert!(even.is_uniform && !even.is_clamped);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct KnotClass {
     /// Both ends of the domain stand degree + 1 times, so that the curve begins and ends at its

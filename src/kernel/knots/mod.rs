@@ -24,6 +24,18 @@ use super::{
 };
 
 /// From which side a place is approached, where the two sides can differ.
+///
+/// The tangent of a polygon jumps at a corner:
+///
+/// ```
+/// use virote_kernel::{NurbsCurve, Side, glam::DVec3};
+///
+/// let corner = NurbsCurve::polyline(&[DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y])?;
+/// let t = corner.domain().at(0.5);
+/// assert_eq!(corner.tangent_at(t, Side::Left)?, DVec3::X);
+/// assert_eq!(corner.tangent_at(t, Side::Right)?, DVec3::Y);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     /// From smaller parameters.

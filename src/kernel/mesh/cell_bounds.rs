@@ -44,6 +44,20 @@ const BALANCE_GAIN: f64 = 0.995;
 const PLACES: [f64; 3] = [END_LOOK, 0.5, 1.0 - END_LOOK];
 
 /// What triangles are asked for.
+///
+/// However flat the surface is, no edge is longer than what is asked for:
+///
+/// ```
+/// use virote_kernel::{NurbsSurface, TessellationOptions, glam::DVec3, tessellate_finely};
+///
+/// let [o, x, y] = [DVec3::ZERO, DVec3::X, DVec3::Y];
+/// let square = NurbsSurface::bilinear(o, y, x, x + y)?;
+/// let limits = TessellationOptions { max_edge: 0.25, ..TessellationOptions::within(0.01) };
+/// let mesh = tessellate_finely(&square, &limits, 100_000)?;
+/// let longest = |[a, b, c]: [DVec3; 3]| a.distance(b).max(b.distance(c)).max(c.distance(a));
+/// assert!(mesh.corners().all(|triangle| longest(triangle) <= 0.25 + 1e-12));
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TessellationOptions {
     /// No point of the mesh is further from the surface, none of the surface from the mesh.

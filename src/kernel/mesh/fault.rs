@@ -6,6 +6,16 @@ use thiserror::Error;
 use crate::error::few_digits;
 
 /// What is wrong with a mesh.
+///
+/// ```
+/// use virote_kernel::{GeomError, Mesh, MeshError, Tolerance, glam::DVec3};
+///
+/// // One triangle encloses nothing.
+/// let flat = Mesh::new(vec![DVec3::ZERO, DVec3::X, DVec3::Y], vec![], vec![], vec![[0, 1, 2]])?;
+/// let found = flat.check_solid(Tolerance::DEFAULT);
+/// assert!(matches!(found, Err(GeomError::Mesh(MeshError::Open { edges: 3, loops: 1, .. }))));
+/// # Ok::<(), GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum MeshError {
@@ -41,6 +51,15 @@ pub enum MeshError {
 }
 
 /// What is wrong with a face.
+///
+/// ```
+/// use virote_kernel::{FaceFault, GeomError, MeshError, glam::DVec3, polygon_mesh};
+///
+/// let found = polygon_mesh(vec![DVec3::ZERO, DVec3::X], &[vec![0, 1]], 2);
+/// let fault = FaceFault::TooFew { got: 2 };
+/// let expected = MeshError::BadFace { face: 0, corner: None, fault };
+/// assert_eq!(found, Err(GeomError::Mesh(expected)));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum FaceFault {

@@ -68,6 +68,19 @@ pub use topology::{MeshCheck, Topology};
 /// Invariants: finite vertices; a unit normal, a parameter pair and a colour for each vertex, or
 /// none at all; triangles name vertices that exist; faces and groups hold all triangles, or there are
 /// none; the triangles of a face go once around its corners.
+///
+/// The tetrahedron of the unit vectors has the volume 1/6:
+///
+/// ```
+/// use virote_kernel::{glam::DVec3, polygon_mesh};
+///
+/// let vertices = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+/// let faces = [vec![0, 2, 1], vec![0, 1, 3], vec![0, 3, 2], vec![1, 2, 3]];
+/// let mesh = polygon_mesh(vertices, &faces, 4)?;
+/// assert!((mesh.volume() - 1.0 / 6.0).abs() < 1e-15);
+/// assert!((mesh.area() - (1.5 + 0.75_f64.sqrt())).abs() < 1e-15);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Mesh {
     vertices: Vec<DVec3>,
@@ -80,6 +93,15 @@ pub struct Mesh {
 }
 
 /// Triangles that belong together, one behind the other.
+///
+/// ```
+/// use virote_kernel::{Group, Mesh, glam::DVec3};
+///
+/// let flat = Mesh::new(vec![DVec3::ZERO, DVec3::X, DVec3::Y], vec![], vec![], vec![[0, 1, 2]])?;
+/// let named = flat.in_group("floor");
+/// assert_eq!(named.groups(), [Group { name: "floor".to_owned(), n_triangles: 1 }]);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Group {
     /// What they are called.

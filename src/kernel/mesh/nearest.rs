@@ -12,6 +12,16 @@ const FEW: usize = 4;
 ///
 /// A balanced tree of boxes, halved along their longest side at the median of the middles of the
 /// triangles: a node's children are numbers 2i + 1 and 2i + 2.
+///
+/// ```
+/// use virote_kernel::{Mesh, MeshDistance, glam::DVec3};
+///
+/// let flat = Mesh::new(vec![DVec3::ZERO, DVec3::X, DVec3::Y], vec![], vec![], vec![[0, 1, 2]])?;
+/// let Some(tree) = MeshDistance::new(&flat) else { unreachable!("it has a triangle") };
+/// assert_eq!(tree.distance(DVec3::new(0.25, 0.25, 2.0)), 2.0);
+/// assert_eq!(tree.distance(DVec3::new(4.0, -4.0, 0.0)), 5.0);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Debug)]
 pub struct MeshDistance<'a> {
     mesh: &'a Mesh,

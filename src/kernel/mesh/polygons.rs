@@ -43,9 +43,14 @@ pub fn polygon_mesh(
 /// Triangles that are the polygon with three corners or more at these vertices, none twice.
 ///
 /// # Errors
-/// [`FaceFault::Crosses`].
+/// [`FaceFault::NoVertex`], [`FaceFault::Crosses`].
 pub fn split_polygon(vertices: &[DVec3], corners: &[u32]) -> Result<Vec<[u32; 3]>, FaceFault> {
-    let places: Vec<DVec3> = corners.iter().map(|&i| vertices[i as usize]).collect();
+    let place = |&corner: &u32| {
+        let vertex = corner as usize;
+        let missing = FaceFault::NoVertex { vertex, vertices: vertices.len() };
+        vertices.get(vertex).copied().ok_or(missing)
+    };
+    let places: Vec<DVec3> = corners.iter().map(place).collect::<Result<_, _>>()?;
     let mut triangles = split(&places)?;
     // The first corner of the first triangle is where the corners of a face are told from.
     if let Some(first) = triangles.iter().position(|triangle| triangle.contains(&0)) {

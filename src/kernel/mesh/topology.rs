@@ -14,6 +14,19 @@ use crate::{
 };
 
 /// Triangles over places, with their edges.
+///
+/// A square of two triangles has one boundary, of four edges:
+///
+/// ```
+/// use virote_kernel::{Tolerance, glam::DVec3, polygon_mesh};
+///
+/// let [o, x, y] = [DVec3::ZERO, DVec3::X, DVec3::Y];
+/// let square = polygon_mesh(vec![o, x, x + y, y], &[vec![0, 1, 2, 3]], 4)?;
+/// let topology = square.topology(Tolerance::DEFAULT);
+/// assert_eq!(topology.boundary().len(), 4);
+/// assert_eq!(topology.boundary_lines().len(), 1);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Topology {
     /// Of each triangle that has three places its corners, welded.
@@ -43,6 +56,19 @@ struct TriangleSide {
 }
 
 /// What [`Mesh::check`] finds.
+///
+/// Euler's formula: V − E + F is 2 of what has no hole, here 4 − 6 + 4.
+///
+/// ```
+/// use virote_kernel::{Tolerance, glam::DVec3, polygon_mesh};
+///
+/// let vertices = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+/// let faces = [vec![0, 2, 1], vec![0, 1, 3], vec![0, 3, 2], vec![1, 2, 3]];
+/// let found = polygon_mesh(vertices, &faces, 4)?.check(Tolerance::DEFAULT);
+/// assert!(found.is_closed && found.is_manifold && found.is_oriented);
+/// assert_eq!((found.euler, found.boundaries, found.components), (2, 0, 1));
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MeshCheck {
     /// Every edge has two triangles or more.

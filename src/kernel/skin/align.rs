@@ -20,6 +20,17 @@ pub(super) const N_PLACES: usize = 64;
 const NEAR_SEAM: usize = 16;
 
 /// A section made to run beside another one.
+///
+/// ```
+/// use virote_kernel::{NurbsCurve, aligned, glam::DVec3};
+///
+/// let first = NurbsCurve::line(DVec3::ZERO, DVec3::X)?;
+/// let against = NurbsCurve::line(DVec3::X + DVec3::Y, DVec3::Y)?;
+/// let found = aligned(&against, &first, false, 1e-6)?;
+/// assert!(found.is_reversed);
+/// assert_eq!(found.curve.start(), DVec3::Y);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct AlignedSection {
     /// The section as it runs now.

@@ -5,6 +5,20 @@ use glam::{DVec3, DVec4};
 use crate::{CountError, Ends, GeomError, InputError, Interpolator, KnotVector, NurbsCurve};
 
 /// How the lines of control points run from section to section.
+///
+/// A line through each pair of points of two sections makes a ruled surface, a cubic through those of
+/// four a smooth one:
+///
+/// ```
+/// use virote_kernel::{Along, CompatibleSections, NurbsCurve, glam::DVec3};
+///
+/// let rung = |y: f64| NurbsCurve::line(DVec3::Y * y, DVec3::Y * y + DVec3::X + DVec3::Z * y * y);
+/// let sections = CompatibleSections::new(&[rung(0.0)?, rung(1.0)?, rung(2.0)?])?;
+/// let parabolas = Along::free(&[0.0, 0.5, 1.0], 2)?;
+/// let surface = sections.skinned(&parabolas)?.surface;
+/// assert!(surface.point_at(1.0, 0.25).distance(DVec3::new(1.0, 0.5, 0.25)) < 1e-14);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Along {
     knots: KnotVector,

@@ -24,6 +24,20 @@ use glam::DVec4;
 use super::{GeomError, Grid, NurbsSurface};
 
 /// A surface through sections, and what is to be said about it.
+///
+/// Between two circles of one radius is a cylinder:
+///
+/// ```
+/// use virote_kernel::{Along, CircleForm, CompatibleSections, Frame, NurbsCurve, glam::DVec3};
+///
+/// let circle = |z| NurbsCurve::ellipse(Frame::XY.at(DVec3::Z * z), [2.0, 2.0], CircleForm::NinePoint);
+/// let sections = CompatibleSections::new(&[circle(0.0)?, circle(3.0)?])?;
+/// let skin = sections.skinned(&Along::free(&[0.0, 1.0], 1)?)?;
+/// let point = skin.surface.point_at(0.3, 0.5);
+/// assert!((point.truncate().length() - 2.0).abs() < 1e-14 && (point.z - 1.5).abs() < 1e-14);
+/// assert!(skin.bad_weight.is_none());
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Skin {
     /// u along the sections, v from one to the next.

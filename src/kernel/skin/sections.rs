@@ -10,6 +10,20 @@ use crate::{
 };
 
 /// A rule for the parameters of sections.
+///
+/// Sections at 0, 1 and 4 stand by their distances at 1/4, by the roots of these at 1/(1 + √3):
+///
+/// ```
+/// use virote_kernel::{CompatibleSections, NurbsCurve, SectionParameters, glam::DVec3};
+///
+/// let rung = |y: f64| NurbsCurve::line(DVec3::Y * y, DVec3::Y * y + DVec3::X);
+/// let sections = CompatibleSections::new(&[rung(0.0)?, rung(1.0)?, rung(4.0)?])?;
+/// let middle = |rule| sections.parameters(rule, false).map(|all| all[1]);
+/// assert!((middle(SectionParameters::Average)? - 0.25).abs() < 1e-15);
+/// assert!((middle(SectionParameters::Centripetal)? - 1.0 / (1.0 + 3.0_f64.sqrt())).abs() < 1e-15);
+/// assert_eq!(middle(SectionParameters::Uniform)?, 0.5);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SectionParameters {
     /// The mean, over the lines of control points, of what the distances in each line make.
@@ -21,6 +35,19 @@ pub enum SectionParameters {
 }
 
 /// Curves of one degree on one knot vector, whose weights are 1 in the mean of the ends.
+///
+/// A line and a parabola come to degree 2 and stay the curves they are:
+///
+/// ```
+/// use virote_kernel::{CompatibleSections, NurbsCurve, glam::DVec3};
+///
+/// let line = NurbsCurve::line(DVec3::ZERO, DVec3::X)?;
+/// let bend = NurbsCurve::bezier(&[DVec3::Z, DVec3::new(0.5, 0.0, 3.0), DVec3::X + DVec3::Z])?;
+/// let sections = CompatibleSections::new(&[line, bend])?;
+/// assert!(sections.curves().iter().all(|curve| curve.degree() == 2));
+/// assert_eq!(sections.curves()[0].point_at(0.5), DVec3::new(0.5, 0.0, 0.0));
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct CompatibleSections(Vec<NurbsCurve>);
 

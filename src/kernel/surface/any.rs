@@ -8,6 +8,17 @@ use super::{GridSamples, NurbsSurface, ParametricSurface};
 use crate::{Bounds, Curve, FormError, GeomError, Grid, Interval};
 
 /// A surface. Cheap to clone.
+///
+/// A torus has the area 4π²·R·r:
+///
+/// ```
+/// use virote_kernel::{Frame, NurbsSurface, Surface};
+///
+/// let torus = Surface::from(NurbsSurface::torus(Frame::XY, 3.0, 1.0)?);
+/// let (area, _) = torus.area()?;
+/// assert!((area / (12.0 * std::f64::consts::PI.powi(2)) - 1.0).abs() < 1e-12);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum Surface {
     /// An exact NURBS.

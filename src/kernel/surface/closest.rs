@@ -19,6 +19,16 @@ use crate::{
 const GRID: usize = 48;
 
 /// The nearest point of a surface.
+///
+/// ```
+/// use virote_kernel::{Frame, NurbsSurface, glam::DVec3};
+///
+/// let sphere = NurbsSurface::sphere(Frame::XY, 1.0)?;
+/// let foot = sphere.closest(DVec3::new(0.0, 3.0, 4.0));
+/// assert!((foot.distance - 4.0).abs() < 1e-12);
+/// assert!(foot.point.distance(DVec3::new(0.0, 0.6, 0.8)) < 1e-9);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceClosestPoint {
     /// Where it is: along u and along v. At a seam and at a pole the start of the domain; what is
@@ -96,6 +106,37 @@ impl NurbsSurface {
 }
 
 /// A function with its points at the places of a grid, to be asked for many nearest ones.
+///
+/// ```
+/// use std::sync::Arc;
+/// use virote_kernel::{
+///     FunctionFailure, Grid, Interval, ParametricSurface, SurfaceFunction, glam::DVec3,
+/// };
+/// # #[derive(Debug)]
+/// # struct Plane;
+/// #
+/// # impl SurfaceFunction for Plane {
+/// #     fn derivatives_at(
+/// #         &self,
+/// #         u: f64,
+/// #         v: f64,
+/// #         order: usize,
+/// #     ) -> Result<Grid<DVec3>, FunctionFailure> {
+/// #         Ok(Grid::from_fn(order + 1, order + 1, |i, j| match (i, j) {
+/// #             (0, 0) => DVec3::new(u, v, 0.0),
+/// #             (1, 0) => DVec3::X,
+/// #             (0, 1) => DVec3::Y,
+/// #             _ => DVec3::ZERO,
+/// #         }))
+/// #     }
+/// # }
+///
+/// let domain = Interval::new(0.0, 2.0)?;
+/// let plane = ParametricSurface::new(domain, domain, Arc::new(Plane))?;
+/// let foot = plane.places()?.closest(DVec3::new(0.5, 1.5, 3.0))?;
+/// assert!((foot.distance - 3.0).abs() < 1e-12);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Debug)]
 pub struct ParametricPlaces<'a> {
     surface: &'a ParametricSurface,

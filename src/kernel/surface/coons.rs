@@ -9,6 +9,22 @@ use super::{
 use crate::{GeomError, Grid, Interval, NurbsCurve};
 
 /// How a Coons surface goes from one boundary to the one opposite.
+///
+/// Between a level and a lifted side, halfway up both; a quarter of the way 1/4 by lines, and 3·(1/4)²
+/// − 2·(1/4)³ by cubics:
+///
+/// ```
+/// use virote_kernel::{Blend, NurbsCurve, NurbsSurface, glam::DVec3};
+///
+/// let [o, x, y] = [DVec3::ZERO, DVec3::X, DVec3::Y];
+/// let low = NurbsCurve::bezier(&[o, x * 0.5, x])?;
+/// let high = NurbsCurve::bezier(&[y, DVec3::new(0.5, 1.0, 2.0), x + y])?;
+/// let [left, right] = [NurbsCurve::line(o, y)?, NurbsCurve::line(x, x + y)?];
+/// let height = |across| NurbsSurface::coons([&low, &high], [&left, &right], across).map(|s| s.point_at(0.5, 0.25).z);
+/// assert!((height(Blend::Linear)? - 0.25).abs() < 1e-14);
+/// assert!((height(Blend::Cubic)? - 5.0 / 32.0).abs() < 1e-14);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Blend {
     /// Along straight lines.
@@ -20,6 +36,23 @@ pub enum Blend {
 
 /// The derivatives that a bicubically blended surface takes across its boundaries; of pairs the
 /// first is at the lower end.
+///
+/// Around a square, with a slope that grows to 1 in the middle of the sides along u:
+///
+/// ```
+/// use virote_kernel::{CrossFields, NurbsCurve, NurbsSurface, glam::DVec3};
+///
+/// let [o, x, y, z] = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+/// let u = [NurbsCurve::line(o, x)?, NurbsCurve::line(y, x + y)?];
+/// let v = [NurbsCurve::line(o, y)?, NurbsCurve::line(x, x + y)?];
+/// let bump = NurbsCurve::bezier(&[y, y, y + z * 8.0 / 3.0, y, y])?;
+/// let level = NurbsCurve::line(x, x)?;
+/// let fields = CrossFields { cross_u: [bump.clone(), bump], cross_v: [level.clone(), level] };
+/// let surface = NurbsSurface::coons_bicubic([&u[0], &u[1]], [&v[0], &v[1]], &fields)?;
+/// let slope = surface.derivatives_at(0.5, 0.0, 1).get(0, 1);
+/// assert!(slope.distance(DVec3::new(0.0, 1.0, 1.0)) < 1e-14);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct CrossFields {
     /// Sv along the u-curves, as curves of vectors.
@@ -29,6 +62,13 @@ pub struct CrossFields {
 }
 
 /// The two twists at a corner, which should be one.
+///
+/// ```
+/// use virote_kernel::{Twists, glam::DVec3};
+///
+/// let unlike = Twists { corner: [0, 0], of_cross_u: DVec3::X, of_cross_v: DVec3::Y };
+/// assert_eq!(unlike.mean(), DVec3::new(0.5, 0.5, 0.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Twists {
     /// Which corner: 0 or 1 for the lower or upper end of u and of v.

@@ -26,6 +26,18 @@ const LEAST_HALVINGS: usize = 10;
 const MAX_HALVINGS: usize = 40;
 
 /// Where a surface is not regular.
+///
+/// The poles of a sphere are edges:
+///
+/// ```
+/// use virote_kernel::{Edge, Frame, NurbsSurface, Surface, Tolerance};
+///
+/// let sphere = Surface::from(NurbsSurface::sphere(Frame::XY, 1.0)?);
+/// let found = sphere.defects(Tolerance::DEFAULT)?;
+/// assert_eq!(found.collapsed, [Edge::V0, Edge::V1]);
+/// assert!(found.folds.is_empty());
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SurfaceDefects {
     /// Edges that are one point.

@@ -9,6 +9,16 @@ use super::NurbsSurface;
 use crate::{Grid, Interval, KnotVector, refine::ControlLines};
 
 /// A direction of a surface.
+///
+/// ```
+/// use virote_kernel::{Direction, NurbsSurface, glam::DVec3};
+///
+/// let patch = NurbsSurface::bilinear(DVec3::ZERO, DVec3::Y, DVec3::X, DVec3::ONE)?;
+/// let [left, right] = patch.split(Direction::U, 0.5)?;
+/// assert_eq!(left.domain(Direction::U).end(), right.domain(Direction::U).start());
+/// assert_eq!(left.domain(Direction::V), patch.domain_v());
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// Along u: i counts.

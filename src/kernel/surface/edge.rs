@@ -4,6 +4,13 @@ use super::Direction;
 use crate::Side;
 
 /// An edge of a surface.
+///
+/// ```
+/// use virote_kernel::{Direction, Edge, Side};
+///
+/// assert_eq!(Edge::U1.place(), (Direction::U, Side::Right));
+/// assert_eq!(Edge::ALL.map(Edge::word), ["u0", "u1", "v0", "v1"]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Edge {
     /// The first u.

@@ -14,6 +14,19 @@ use crate::{
 };
 
 /// Points and unit normals at all pairs of parameters; row i for the i-th u.
+///
+/// The normals of a unit sphere are its points:
+///
+/// ```
+/// use virote_kernel::{Frame, NurbsSurface};
+///
+/// let sphere = NurbsSurface::sphere(Frame::XY, 1.0)?;
+/// let found = sphere.samples_on_grid(&[0.1, 0.2, 0.3], &[0.4, 0.6], 1);
+/// for (point, normal) in found.points.iter().zip(found.normals.iter()) {
+///     assert!(point.distance(*normal) < 1e-14);
+/// }
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct GridSamples {
     /// Points on the surface.

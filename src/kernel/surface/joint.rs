@@ -23,6 +23,20 @@ const MAX_ORDER: usize = 3;
 /// How two surfaces meet along an edge; of several lines the worst of each.
 ///
 /// Orders are the largest up to 3 that hold, −1 where the edges are apart.
+///
+/// Two squares at a right angle have an edge, and no more, in common:
+///
+/// ```
+/// use virote_kernel::{Edge, NurbsSurface, Surface, Tolerance, glam::DVec3};
+///
+/// let [o, x, y, z] = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+/// let floor = Surface::from(NurbsSurface::bilinear(o, y, x, x + y)?);
+/// let wall = Surface::from(NurbsSurface::bilinear(x, x + y, x + z, x + y + z)?);
+/// let joint = floor.continuity_with(Edge::U1, &wall, Edge::U0, Tolerance::DEFAULT)?;
+/// assert_eq!(joint.g, 0);
+/// assert!((joint.angle - std::f64::consts::FRAC_PI_2).abs() < 1e-12);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceContinuity {
     /// Equal derivatives across the edge, at places of equal fractions along it.

@@ -15,6 +15,15 @@ use crate::{
 };
 
 /// What kind of place of a surface a pair of parameters is.
+///
+/// ```
+/// use virote_kernel::{NurbsSurface, Surface, SurfacePointKind, Tolerance, glam::DVec3};
+///
+/// let saddle = NurbsSurface::bilinear(DVec3::ZERO, DVec3::Y, DVec3::X, DVec3::ONE)?;
+/// let kind = Surface::from(saddle).kind_at(0.5, 0.5, Tolerance::DEFAULT)?;
+/// assert_eq!(kind, SurfacePointKind::Hyperbolic);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SurfacePointKind {
     /// Bent to one side in all directions.
@@ -30,6 +39,21 @@ pub enum SurfacePointKind {
 }
 
 /// The principal curvatures and their directions.
+///
+/// A cylinder of radius 2 bends by 1/2 around its axis, and not along it:
+///
+/// ```
+/// use virote_kernel::{Frame, NurbsSurface, Surface, Tolerance, glam::DVec3};
+///
+/// let cylinder = Surface::from(NurbsSurface::cone(Frame::XY, [2.0, 2.0], 5.0)?);
+/// let found = cylinder.shape_at(0.1, 0.5)?.principal(Tolerance::DEFAULT);
+/// let mut bends = [found.k1.abs(), found.k2.abs()];
+/// bends.sort_by(f64::total_cmp);
+/// assert!(bends[0] < 1e-14 && (bends[1] - 0.5).abs() < 1e-14);
+/// let straight = if found.k1.abs() < found.k2.abs() { found.d1 } else { found.d2 };
+/// assert!((straight.dot(DVec3::Z).abs() - 1.0).abs() < 1e-14);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Principal {
     /// The smallest normal curvature.
@@ -43,6 +67,17 @@ pub struct Principal {
 }
 
 /// Second fundamental form in an orthonormal basis of the tangent plane, of a surface at a place.
+///
+/// On a sphere of radius 2 both principal curvatures are 1/2, so that their product is 1/4:
+///
+/// ```
+/// use virote_kernel::{Frame, NurbsSurface, Surface};
+///
+/// let shape = Surface::from(NurbsSurface::sphere(Frame::XY, 2.0)?).shape_at(0.1, 0.4)?;
+/// assert!((shape.gaussian() - 0.25).abs() < 1e-14);
+/// assert!((shape.mean().abs() - 0.5).abs() < 1e-14);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct SurfaceShape {
     pub(super) point: DVec3,

@@ -20,6 +20,19 @@ use crate::{
 const PARTS: usize = 8;
 
 /// How much there is of something of density one, and how it is spread.
+///
+/// A ball has the volume 4/3·πr³, and about each axis the inertia 2/5·mr²:
+///
+/// ```
+/// use virote_kernel::{Frame, NurbsSurface, Surface, Tolerance, volume_mass};
+///
+/// let ball = Surface::from(NurbsSurface::sphere(Frame::XY, 1.0)?);
+/// let found = volume_mass(&[ball], Tolerance::DEFAULT)?;
+/// let volume = 4.0 / 3.0 * std::f64::consts::PI;
+/// assert!((found.amount - volume).abs() < 1e-10 && found.centroid.length() < 1e-10);
+/// assert!((found.inertia.x_axis.x - 0.4 * volume).abs() < 1e-10);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct MassProperties {
     /// Area or volume.

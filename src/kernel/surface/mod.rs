@@ -98,6 +98,17 @@ use super::{
 ///
 /// Invariants: as many rows and columns as the knots need, all entries finite; the denominator
 /// `Σ wᵢⱼNᵢNⱼ` is positive on the whole domain.
+///
+/// The saddle z = xy through four corners:
+///
+/// ```
+/// use virote_kernel::{NurbsSurface, glam::DVec3};
+///
+/// let saddle = NurbsSurface::bilinear(DVec3::ZERO, DVec3::Y, DVec3::X, DVec3::ONE)?;
+/// assert_eq!(saddle.point_at(0.5, 0.5), DVec3::new(0.5, 0.5, 0.25));
+/// assert_eq!(saddle.derivatives_at(0.5, 0.5, 2).get(1, 1), DVec3::Z);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct NurbsSurface {
     knots_u: KnotVector,

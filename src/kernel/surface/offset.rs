@@ -18,6 +18,18 @@ pub use turn::FocalPoint;
 const MOST_ROUNDINGS: f64 = 64.0;
 
 /// An offset surface, and what is to be known about it.
+///
+/// Beside a sphere run spheres, on the same control points:
+///
+/// ```
+/// use virote_kernel::{Frame, NurbsSurface, Surface};
+///
+/// let sphere = Surface::from(NurbsSurface::sphere(Frame::XY, 1.0)?);
+/// let found = sphere.offset(0.5, 1e-6)?;
+/// assert!(found.is_exact);
+/// assert!((found.surface.point_at(0.3, 0.7).length() - 1.5).abs() < 1e-14);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurfaceOffset {
     /// The surface.

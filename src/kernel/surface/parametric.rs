@@ -20,6 +20,39 @@ const PROBES: usize = 4;
 const EDGE_SAMPLES: usize = 64;
 
 /// A map of two parameters to points.
+///
+/// The paraboloid z = u² + v², whose Gaussian curvature at the bottom is 2·2:
+///
+/// ```
+/// use std::sync::Arc;
+/// use virote_kernel::{
+///     FunctionFailure, Grid, Interval, Jet, ParametricSurface, Surface, SurfaceFunction, glam::DVec3,
+/// };
+///
+/// #[derive(Debug)]
+/// struct Bowl;
+///
+/// impl SurfaceFunction for Bowl {
+///     fn derivatives_at(
+///         &self,
+///         u: f64,
+///         v: f64,
+///         order: usize,
+///     ) -> Result<Grid<DVec3>, FunctionFailure> {
+///         let [u, v] = Jet::variables(u, v, order);
+///         let height = u.times(&u).plus(&v.times(&v));
+///         Ok(Grid::from_fn(order + 1, order + 1, |i, j| match i + j <= order {
+///             true => DVec3::from([&u, &v, &height].map(|jet| jet.derivative(i, j))),
+///             false => DVec3::ZERO,
+///         }))
+///     }
+/// }
+///
+/// let domain = Interval::new(-1.0, 1.0)?;
+/// let bowl = Surface::from(ParametricSurface::new(domain, domain, Arc::new(Bowl))?);
+/// assert!((bowl.shape_at(0.0, 0.0)?.gaussian() - 4.0).abs() < 1e-12);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 pub trait SurfaceFunction: fmt::Debug + Send + Sync {
     /// Derivatives at `(u, v)`: row k, column l holds the one of order k in u and l in v, where
     /// k + l is up to `order`; the rest of the grid is zero. Exact up to rounding.
@@ -30,6 +63,38 @@ pub trait SurfaceFunction: fmt::Debug + Send + Sync {
 }
 
 /// A surface of a function. Cheap to clone.
+///
+/// ```
+/// use std::sync::Arc;
+/// use virote_kernel::{
+///     FunctionFailure, Grid, Interval, ParametricSurface, SurfaceFunction, glam::DVec3,
+/// };
+///
+/// #[derive(Debug)]
+/// struct Plane;
+///
+/// impl SurfaceFunction for Plane {
+///     fn derivatives_at(
+///         &self,
+///         u: f64,
+///         v: f64,
+///         order: usize,
+///     ) -> Result<Grid<DVec3>, FunctionFailure> {
+///         Ok(Grid::from_fn(order + 1, order + 1, |i, j| match (i, j) {
+///             (0, 0) => DVec3::new(u, v, 0.0),
+///             (1, 0) => DVec3::X,
+///             (0, 1) => DVec3::Y,
+///             _ => DVec3::ZERO,
+///         }))
+///     }
+/// }
+///
+/// let domain = Interval::new(0.0, 2.0)?;
+/// let plane = ParametricSurface::new(domain, domain, Arc::new(Plane))?;
+/// assert_eq!(plane.normal_at(0.5, 1.5)?, DVec3::Z);
+/// assert_eq!(plane.point_at(0.5, 1.5)?, DVec3::new(0.5, 1.5, 0.0));
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct ParametricSurface {
     domain_u: Interval,

@@ -12,6 +12,19 @@ use crate::{
 };
 
 /// A line with a direction: what something turns around.
+///
+/// A side of length 2 at a distance of 3 sweeps 2π·3·2: Pappus' first theorem.
+///
+/// ```
+/// use std::f64::consts::TAU;
+/// use virote_kernel::{Axis, NurbsCurve, NurbsSurface, Surface, glam::DVec3};
+///
+/// let side = NurbsCurve::line(DVec3::X * 3.0, DVec3::new(3.0, 0.0, 2.0))?;
+/// let axis = Axis::new(DVec3::ZERO, DVec3::Z)?;
+/// let (area, _) = Surface::from(NurbsSurface::revolved(&side, axis, TAU)?).area()?;
+/// assert!((area - TAU * 6.0).abs() < 1e-10);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
     foot: DVec3,
@@ -19,6 +32,18 @@ pub struct Axis {
 }
 
 /// Where a curve meets an axis.
+///
+/// ```
+/// use virote_kernel::{Axis, AxisContact, NurbsCurve, glam::DVec3};
+///
+/// let profile = NurbsCurve::line(DVec3::new(-1.0, 0.0, 1.0), DVec3::new(1.0, 0.0, 1.0))?;
+/// let [contact] = Axis::new(DVec3::ZERO, DVec3::Z)?.contacts(&profile, 1e-6)?[..] else {
+///     unreachable!("it crosses the axis once");
+/// };
+/// let AxisContact::Place { parameter, is_crossing } = contact else { unreachable!("in a point") };
+/// assert!((parameter - 0.5).abs() < 1e-9 && is_crossing);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AxisContact {
     /// Between its ends it comes to the axis at this parameter; whether it goes on on the other

@@ -9,6 +9,19 @@ use crate::{
 };
 
 /// A rule for the directions across a path.
+///
+/// The binormal of a circle counter-clockwise in the xy plane is z; what does not turn about the path
+/// keeps the direction that it is given:
+///
+/// ```
+/// use virote_kernel::{Frame, FrameRule, Frames, NurbsCurve, glam::DVec3};
+///
+/// let path = NurbsCurve::arc(Frame::XY, 2.0, 0.0, 1.0)?;
+/// let z = |rule, up| Frames::new(&path, rule, up, false)?.at(0.5).map(|axes| axes.z);
+/// assert!(z(FrameRule::Frenet, DVec3::X)?.distance(DVec3::Z) < 1e-12);
+/// assert!(z(FrameRule::RotationMinimizing, DVec3::NEG_Z)?.distance(DVec3::NEG_Z) < 1e-12);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FrameRule {
     /// z is as near to a given direction as it can be everywhere.
@@ -20,6 +33,15 @@ pub enum FrameRule {
 }
 
 /// x, y and z at a place of the path.
+///
+/// ```
+/// use virote_kernel::{FrameRule, Frames, NurbsCurve, glam::DVec3};
+///
+/// let path = NurbsCurve::line(DVec3::ZERO, DVec3::X * 5.0)?;
+/// let axes = Frames::new(&path, FrameRule::Fixed, DVec3::Z, false)?.at(0.5)?;
+/// assert_eq!([axes.x, axes.y, axes.z], [DVec3::X, DVec3::Y, DVec3::Z]);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axes {
     /// Along the path.
@@ -55,6 +77,17 @@ const FIRST_STEPS: usize = 16;
 const MAX_DOUBLINGS: usize = 7;
 
 /// Frames at many places of a path, from which those between follow.
+///
+/// ```
+/// use virote_kernel::{Frame, FrameRule, Frames, NurbsCurve, glam::DVec3};
+///
+/// // A plane ring comes back with the axes that it began with: nothing is left to close.
+/// let ring = NurbsCurve::arc(Frame::XY, 2.0, 0.0, std::f64::consts::TAU)?;
+/// let frames = Frames::new(&ring, FrameRule::RotationMinimizing, DVec3::Z, true)?;
+/// assert!(frames.closing().abs() < 1e-9 && frames.flips().is_empty());
+/// assert!(frames.last().x.distance(DVec3::Y) < 1e-12);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Frames {
     path: NurbsCurve,

@@ -20,36 +20,88 @@ use super::{
 };
 
 /// What happens to a section on its way, by the path's parameter.
+///
+/// A side that shrinks to its half on its way makes the fourth side of a trapezoid half as long as the
+/// first:
+///
+/// ```
+/// use virote_kernel::{
+///     Columns, FrameRule, Frames, GeomError, Motion, NurbsCurve, SweepResolution, glam::DVec3, swept,
+/// };
+///
+/// struct Taper;
+///
+/// impl Motion for Taper {
+///     fn scale(&mut self, t: f64) -> Result<DVec3, GeomError> {
+///         Ok(DVec3::splat(1.0 - 0.5 * t))
+///     }
+/// }
+///
+/// let path = NurbsCurve::line(DVec3::ZERO, DVec3::X * 3.0)?;
+/// let side = NurbsCurve::line(DVec3::ZERO, DVec3::Z)?;
+/// let frames = Frames::new(&path, FrameRule::Fixed, DVec3::Z, false)?;
+/// let made = swept(&side, &path, &frames, &mut Taper, &[], SweepResolution::within(1e-6))?;
+/// assert!(made.surface.point_at(1.0, 1.0).distance(DVec3::new(3.0, 0.0, 0.5)) < 1e-12);
+/// # Ok::<(), GeomError>(())
+/// ```
 pub trait Motion {
-    /// Factors along the section's axes.
+    /// Factors along the section's axes; 1 unless told otherwise.
     ///
     /// # Errors
     /// Where a function of a script fails.
-    fn scale(&mut self, t: f64) -> Result<DVec3, GeomError>;
+    fn scale(&mut self, t: f64) -> Result<DVec3, GeomError> {
+        let _ = t;
+        Ok(DVec3::ONE)
+    }
 
-    /// The turn about the path, radians.
+    /// The turn about the path, radians; none unless told otherwise.
     ///
     /// # Errors
     /// Where a function of a script fails.
-    fn twist(&mut self, t: f64) -> Result<f64, GeomError>;
+    fn twist(&mut self, t: f64) -> Result<f64, GeomError> {
+        let _ = t;
+        Ok(0.0)
+    }
 
     /// Where z should point to instead of where the frame has it.
     ///
     /// # Errors
     /// Where there is no such direction.
-    fn upwards(&mut self, t: f64, point: DVec3, x: DVec3) -> Result<Option<DVec3>, GeomError>;
+    fn upwards(&mut self, t: f64, point: DVec3, x: DVec3) -> Result<Option<DVec3>, GeomError> {
+        let _ = (t, point, x);
+        Ok(None)
+    }
 
     /// Where rails hold the section instead: what its axes become, and its origin from the path.
     ///
     /// # Errors
     /// Where there is no such place.
-    fn held(&mut self, t: f64, point: DVec3, x: DVec3) -> Result<Option<PlacedAxes>, GeomError>;
+    fn held(&mut self, t: f64, point: DVec3, x: DVec3) -> Result<Option<PlacedAxes>, GeomError> {
+        let _ = (t, point, x);
+        Ok(None)
+    }
 }
+
+/// Nothing happens on the way but what the frames do.
+impl Motion for () {}
 
 /// The section's axes, with their lengths, and its origin, from a point of the path.
 pub type PlacedAxes = ([DVec3; 3], DVec3);
 
 /// How fine a sweep is.
+///
+/// ```
+/// use virote_kernel::{FrameRule, Frames, NurbsCurve, SweepResolution, glam::DVec3, swept};
+///
+/// let path = NurbsCurve::line(DVec3::ZERO, DVec3::X * 3.0)?;
+/// let side = NurbsCurve::line(DVec3::ZERO, DVec3::Z)?;
+/// let frames = Frames::new(&path, FrameRule::Fixed, DVec3::Z, false)?;
+/// let five =
+///     SweepResolution { n_sections: Some(5), keeps_path: false, ..SweepResolution::within(1e-6) };
+/// let made = swept(&side, &path, &frames, &mut (), &[], five)?;
+/// assert_eq!(made.placements, [0.0, 0.25, 0.5, 0.75, 1.0]);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct SweepResolution {
     /// Placements of the section; else as many as the tolerance needs.
@@ -62,7 +114,34 @@ pub struct SweepResolution {
     pub columns: Columns,
 }
 
+impl SweepResolution {
+    /// As many placements as the tolerance needs, and the path met.
+    #[must_use]
+    pub const fn within(tolerance: f64) -> Self {
+        Self { n_sections: None, tolerance, keeps_path: true, columns: Columns::Through }
+    }
+}
+
 /// What the columns of control points of a sweep are made of.
+///
+/// A circle along a circle is a torus, to within the tolerance, from either:
+///
+/// ```
+/// use virote_kernel::{
+///     CircleForm, Columns, Frame, FrameRule, Frames, NurbsCurve, SweepResolution, glam::DVec3, swept,
+/// };
+///
+/// let ring = NurbsCurve::ellipse(Frame::XY, [4.0, 4.0], CircleForm::NinePoint)?;
+/// let section = NurbsCurve::ellipse(Frame::YZ, [1.0, 1.0], CircleForm::NinePoint)?;
+/// let frames = Frames::new(&ring, FrameRule::RotationMinimizing, DVec3::Z, true)?;
+/// for columns in [Columns::Through, Columns::Offset] {
+///     let fineness = SweepResolution { columns, ..SweepResolution::within(1e-4) };
+///     let torus = swept(&section, &ring, &frames, &mut (), &[], fineness)?.surface;
+///     let p = torus.point_at(0.2, 0.3);
+///     assert!(((p.truncate().length() - 4.0).hypot(p.z) - 1.0).abs() < 1e-4);
+/// }
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Columns {
     /// They are such that the surface passes through placements of the section.
@@ -74,6 +153,24 @@ pub enum Columns {
 }
 
 /// A swept surface, and what is to be said about it.
+///
+/// A section that reaches beyond the centre of its path's curvature folds the surface all the way:
+///
+/// ```
+/// use virote_kernel::{
+///     Frame, FrameRule, Frames, NurbsCurve, SweepResolution, glam::DVec3, swept,
+/// };
+///
+/// let path = NurbsCurve::arc(Frame::XY, 1.0, 0.0, 2.0)?;
+/// let frames = Frames::new(&path, FrameRule::RotationMinimizing, DVec3::Z, false)?;
+/// let bar = |half: f64| NurbsCurve::line(DVec3::Y * -half, DVec3::Y * half);
+/// let sweep =
+///     |half| swept(&bar(half)?, &path, &frames, &mut (), &[], SweepResolution::within(1e-6));
+/// assert!(sweep(0.5)?.folds.is_empty());
+/// let [fold] = sweep(2.0)?.folds[..] else { unreachable!("one fold from end to end") };
+/// assert_eq!(fold, [path.domain().start(), path.domain().end()]);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Sweep {
     /// u along the section, v along the path with the path's parameter.

@@ -58,6 +58,15 @@ pub use surface::{
 };
 
 /// The precision that a computation is asked to reach.
+///
+/// ```
+/// use virote_kernel::Tolerance;
+///
+/// let rough = Tolerance::DEFAULT.with_distance(0.5);
+/// assert_eq!(rough.distance_for(1000.0), 0.5);
+/// // Never more than a thousandth of what is looked at.
+/// assert_eq!(rough.distance_for(1.0), 0.001);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     /// Points closer than this coincide; model units. Larger merges details of the model; smaller

@@ -30,6 +30,16 @@ use crate::{
 const MAX_HALVINGS: usize = 4;
 
 /// A surface with an equation, in the coordinates of a frame.
+///
+/// ```
+/// use virote_kernel::{AnalyticForm, Frame, NurbsSurface};
+///
+/// let ring = NurbsSurface::torus(Frame::XY, 3.0, 1.0)?;
+/// let form = ring.analytic(1e-9).map(|found| found.form);
+/// let Some(AnalyticForm::Torus { major, minor }) = form else { unreachable!("it is a torus") };
+/// assert!((major - 3.0).abs() < 1e-12 && (minor - 1.0).abs() < 1e-12);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AnalyticForm {
     /// z = 0.
@@ -61,6 +71,17 @@ pub enum AnalyticForm {
 }
 
 /// What a surface is a part of that its border bounds.
+///
+/// ```
+/// use virote_kernel::{AnalyticForm, Frame, NurbsSurface, glam::DVec3};
+///
+/// let place = Frame::XY.at(DVec3::new(1.0, 2.0, 3.0));
+/// let sphere = NurbsSurface::sphere(place, 2.0)?;
+/// let Some(found) = sphere.analytic(1e-9) else { unreachable!("it is a sphere") };
+/// assert!(matches!(found.form, AnalyticForm::Sphere { radius } if (radius - 2.0).abs() < 1e-12));
+/// assert!(found.frame.origin().distance(place.origin()) < 1e-12 && found.is_outward);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnalyticSurface {
     /// Its kind and sizes.

@@ -19,6 +19,16 @@ use crate::{
 };
 
 /// A surface with a quadratic equation.
+///
+/// z = xy is a hyperbolic paraboloid:
+///
+/// ```
+/// use virote_kernel::{NurbsSurface, QuadricKind, glam::DVec3};
+///
+/// let saddle = NurbsSurface::bilinear(DVec3::ZERO, DVec3::Y, DVec3::X, DVec3::ONE)?;
+/// assert_eq!(saddle.quadric(), Some(QuadricKind::HyperbolicParaboloid));
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(missing_docs, reason = "each is its name")]
 pub enum QuadricKind {

@@ -31,6 +31,21 @@ const FLOOR_SHARE: f64 = 0.5;
 const APART_SHARE: f64 = 0.5;
 
 /// A place that a curve and a surface have in common.
+///
+/// A line through the centre of a unit sphere pierces it at −1 and 1:
+///
+/// ```
+/// use virote_kernel::{Curve, Frame, NurbsCurve, NurbsSurface, Surface, Tolerance, glam::DVec3};
+///
+/// let sphere = Surface::from(NurbsSurface::sphere(Frame::XY, 1.0)?);
+/// let line = Curve::from(NurbsCurve::line(DVec3::X * -2.0, DVec3::X * 2.0)?);
+/// let [first, second] = &sphere.piercings(&line, Tolerance::DEFAULT)?[..] else {
+///     unreachable!("in two points");
+/// };
+/// assert!(first.point.distance(DVec3::NEG_X) < 1e-9 && (first.t - 0.25).abs() < 1e-9);
+/// assert!(second.point.distance(DVec3::X) < 1e-9 && (second.t - 0.75).abs() < 1e-9);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurveSurfaceIntersection {
     /// The parameter on the curve.

@@ -6,6 +6,16 @@ use thiserror::Error;
 use crate::error::few_digits;
 
 /// Why there is no picture.
+///
+/// ```
+/// use virote_kernel::{GeomError, NurbsSurface, PictureError, Surface, Tolerance, glam::DVec3};
+///
+/// let square = NurbsSurface::bilinear(DVec3::ZERO, DVec3::Y, DVec3::X, DVec3::X + DVec3::Y)?;
+/// let [one, same] = [Surface::from(square.clone()), Surface::from(square)];
+/// let found = one.intersections(&same, Tolerance::DEFAULT);
+/// assert!(matches!(found, Err(GeomError::Picture(PictureError::SurfacesRunTogether { .. }))));
+/// # Ok::<(), GeomError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum PictureError {

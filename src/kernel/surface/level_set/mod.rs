@@ -56,6 +56,19 @@ use crate::{
 };
 
 /// The zero set of a field on a surface.
+///
+/// The plane z = 3/5 cuts the unit sphere in a circle of radius 4/5:
+///
+/// ```
+/// use virote_kernel::{Frame, NurbsSurface, Surface, Tolerance, glam::DVec3};
+///
+/// let sphere = Surface::from(NurbsSurface::sphere(Frame::XY, 1.0)?);
+/// let found = sphere.section(Frame::XY.at(DVec3::Z * 0.6), Tolerance::DEFAULT)?;
+/// let around: f64 = found.curves.iter().map(|curve| curve.length(curve.domain())).sum();
+/// assert!((around - 1.6 * std::f64::consts::PI).abs() < 1e-5);
+/// assert!(found.touches.is_empty() && found.uncertain.is_empty());
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct LevelSet {
     /// Its lines. Where the field changes its sign the higher side is to the left of the line,

@@ -14,6 +14,18 @@ const FUNCTION_SPANS: usize = 8;
 const MAX_PLACES: usize = 128;
 
 /// A place where the surface bends around a centre that the offset passes.
+///
+/// Inward beyond its radius a cylinder has turned inside out:
+///
+/// ```
+/// use virote_kernel::{Frame, NurbsSurface, Surface};
+///
+/// let cylinder = Surface::from(NurbsSurface::cone(Frame::XY, [2.0, 2.0], 1.0)?);
+/// assert!(cylinder.offset(-1.0, 1e-6)?.turn.is_none());
+/// let turn = cylinder.offset(-3.0, 1e-6)?.turn;
+/// assert!(turn.is_some_and(|turn| (turn.radius - 2.0).abs() < 1e-9));
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FocalPoint {
     /// The parameters.
