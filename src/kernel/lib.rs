@@ -1,7 +1,88 @@
 //! Geometry: exact NURBS, and functions with exact derivatives. Knows nothing of scripts, spans or files; equal input gives equal bits.
 //!
-//! Reading order: [`tolerance`], then [`KnotVector`], [`NurbsCurve`], [`NurbsSurface`], [`Mesh`].
 #![doc = include_str!("README.md")]
+//! # Index
+//!
+//! By what one looks for. Reading order of the sources: [`tolerance`], then [`KnotVector`], [`NurbsCurve`], [`NurbsSurface`], [`Mesh`].
+//!
+//! ## Representation
+//!
+//! - Numbers and places: [`glam`] for points, vectors and maps; [`Interval`], [`Frame`], [`Bounds`], [`Grid`], [`Table`].
+//! - Bases: [`KnotVector`], its [`class`](KnotVector::class), its [functions](KnotVector::basis_at) and their
+//!   [derivatives](KnotVector::basis_derivatives_at).
+//! - Exact: [`NurbsCurve`], [`NurbsSurface`]. Of a function: [`ParametricCurve`] of a [`CurveFunction`], [`ParametricSurface`] of a
+//!   [`SurfaceFunction`], whose derivatives a [`Jet`] finds. Either: [`Curve`], [`Surface`].
+//! - What is wrong: [`GeomError`] in its families. What counts as equal: [`Tolerance`], [`JointTolerance`].
+//! - What a construction did: [`ConstructionReport`]. How long it may take: [`work`]. How large things may be: [`ceiling`].
+//!
+//! ## Evaluate
+//!
+//! - Points: [`NurbsCurve::point_at`], [`NurbsSurface::point_at`]; many at once: [`CurveEvaluator`], [`SurfaceEvaluator`],
+//!   [`NurbsCurve::sample`], [`NurbsSurface::points_on_grid`], [`GridSamples`].
+//! - Derivatives: [`NurbsCurve::derivatives_at`], from one [`Side`] with [`NurbsCurve::derivatives_beside`];
+//!   [`NurbsSurface::derivatives_at`], [`NurbsCurve::hodograph`].
+//! - Tangent, curvature, torsion, moving frame: [`Curve::local_at`] gives [`LocalGeometry`]; [`Curve::place_kind_at`].
+//! - Normal, Gaussian and mean curvature, [`Principal`] directions: [`Surface::shape_at`] gives [`SurfaceShape`]; [`Surface::kind_at`],
+//!   [`Surface::first_form_at`], [`Surface::second_form_at`].
+//! - The scheme behind it: [`NurbsCurve::de_casteljau`], [`NurbsSurface::de_casteljau`], [`NurbsCurve::basis_at`].
+//!
+//! ## Edit
+//!
+//! - Knots and degree: [`NurbsCurve::insert_knots`], [`NurbsCurve::without_knot`], [`NurbsCurve::elevate_degree`], [`NurbsCurve::reduced`];
+//!   [`NurbsSurface::insert_knots`], [`NurbsSurface::elevate_degree`].
+//! - Pieces: [`NurbsCurve::split`], [`NurbsCurve::trimmed`], [`NurbsCurve::decompose`], [`join`]; [`NurbsSurface::split`],
+//!   [`NurbsSurface::trimmed`], [`NurbsSurface::decompose`], [`join_patches`]; [`NurbsCurve::extended`].
+//! - Direction and parameter: [`NurbsCurve::reversed`], [`NurbsCurve::reparametrized`], [`NurbsSurface::swapped`].
+//! - One basis: [`make_compatible`], [`make_surfaces_compatible`]. Other bases: [`NurbsCurve::power_form`], [`NurbsCurve::to_coons`],
+//!   [`NurbsCurve::to_hermite`], [`NurbsCurve::standard_form`].
+//! - Maps of space: [`NurbsCurve::transformed`], [`NurbsCurve::projected`], [`NurbsSurface::transformed`].
+//!
+//! ## Measure
+//!
+//! - Length and its inverse: [`NurbsCurve::length`], [`NurbsCurve::parameter_at_length`], [`NurbsCurve::division`].
+//! - Nearest points: [`NurbsCurve::closest`], [`NurbsSurface::closest`], [`MeshDistance`]; largest distances: [`DeviationReference`].
+//! - Area, volume, centroid, inertia: [`Surface::area`], [`area_mass`], [`volume_mass`], [`principal_axes`].
+//! - Places of note: [`NurbsCurve::inflections`], [`NurbsCurve::vertices`], [`NurbsCurve::extrema`], [`NurbsCurve::corners`],
+//!   [`NurbsCurve::cusps`]; [`Surface::umbilics`], [`Surface::defects`].
+//! - Joints: [`Curve::continuity_with`], [`Surface::continuity_with`], [`Curve::continuity`].
+//! - What it is: [`NurbsCurve::analytic`], [`NurbsCurve::conic_kind`], [`NurbsSurface::analytic`], [`NurbsSurface::quadric`],
+//!   [`Curve::is_planar`], [`Surface::is_developable`].
+//!
+//! ## Intersect
+//!
+//! - Curves: [`NurbsCurve::intersections`], [`NurbsCurve::self_intersections`], with a plane [`NurbsCurve::plane_parameters`].
+//! - Curve and surface: [`Surface::piercings`]. Surface and plane: [`Surface::section`]. Surfaces: [`Surface::intersections`].
+//! - Lines of light: [`Surface::isophotes`], [`Surface::zebra`], [`Surface::reflection_lines`].
+//! - Meshes: [`Mesh::section`], [`Mesh::outlines`].
+//!
+//! ## Construct
+//!
+//! - Curves of points: [`NurbsCurve::bezier`], [`NurbsCurve::line`], [`NurbsCurve::polyline`], [`NurbsCurve::hermite`], [`NurbsCurve::uniform`],
+//!   [`NurbsCurve::beta_spline`]. Round ones: [`NurbsCurve::arc`], [`NurbsCurve::arc_through`], [`NurbsCurve::circle`],
+//!   [`NurbsCurve::ellipse`], [`NurbsCurve::helix`].
+//! - Surfaces of points: [`NurbsSurface::bezier`], [`NurbsSurface::bilinear`]. Round ones: [`NurbsSurface::sphere`], [`NurbsSurface::cone`],
+//!   [`NurbsSurface::torus`], [`NurbsSurface::revolved`] about an [`Axis`].
+//! - Surfaces of curves: [`NurbsSurface::extruded`], [`NurbsSurface::ruled`], [`NurbsSurface::swung`], [`NurbsSurface::coons`],
+//!   [`NurbsSurface::coons_bicubic`].
+//! - Skins: [`CompatibleSections`] with a way [`Along`] them give a [`Skin`]; [`aligned`], [`at_constant_speed`] bring sections
+//!   to run beside one another.
+//! - Sweeps: [`swept`] with [`Frames`] and a [`Motion`] gives a [`Sweep`]; [`translated`], [`mitred`].
+//! - Networks: [`gordon`] of a [`Network`] gives a [`Gordon`].
+//! - Beside others: [`NurbsCurve::offset`], [`Surface::offset`].
+//!
+//! ## Approximate
+//!
+//! - Through points: [`Interpolator`] at parameters by [`Parametrization`], with [`Ends`]; [`lagrange`].
+//! - Near points: [`Approximator`], [`approximate`], [`approximate_within`] a tolerance.
+//! - Grids of points: [`FirstPass`] with a [`LineFit`], [`columns_within`], [`surface_within`].
+//! - Of functions: [`ParametricCurve::to_nurbs`], [`ParametricSurface::to_nurbs`], [`Curve::nurbs_within`].
+//!
+//! ## Mesh
+//!
+//! - Triangles within a tolerance: [`tessellate`], [`tessellate_finely`], [`tessellate_all`], of either kind [`tessellate_any`]; on a grid
+//!   [`grid_mesh`]; polylines [`tessellate_curve`].
+//! - Of polygons: [`polygon_mesh`], [`planar_mesh`], [`Mesh::new`].
+//! - Whether it closes: [`Mesh::check`] gives [`MeshCheck`], [`Topology`]; [`Mesh::area`], [`Mesh::volume`].
 
 mod bernstein;
 mod bezier;

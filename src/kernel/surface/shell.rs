@@ -20,11 +20,10 @@ use crate::{
 
 /// Why surfaces enclose nothing. Edges are called as in scripts, surfaces by their index.
 ///
-/// A cylinder without its lids encloses nothing:
-///
 /// ```
 /// use virote_kernel::{Frame, GeomError, NurbsSurface, ShellError, Surface, Tolerance, volume_mass};
 ///
+/// // A cylinder without its lids encloses nothing.
 /// let pipe = Surface::from(NurbsSurface::cone(Frame::XY, [1.0, 1.0], 2.0)?);
 /// let found = volume_mass(&[pipe], Tolerance::DEFAULT);
 /// assert!(matches!(found, Err(GeomError::Shell(ShellError::Open { .. }))));
