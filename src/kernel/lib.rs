@@ -66,7 +66,8 @@
 //!   [`NurbsSurface::coons_bicubic`].
 //! - Skins: [`CompatibleSections`] with a way [`Along`] them give a [`Skin`]; [`aligned`], [`at_constant_speed`] bring sections
 //!   to run beside one another.
-//! - Sweeps: [`swept`] with [`Frames`] and a [`Motion`] gives a [`Sweep`]; [`translated`], [`mitred`].
+//! - Sweeps: [`SweepBuilder`], and what it is made of: [`swept`] with [`Frames`] and a [`Motion`] gives a [`Sweep`];
+//!   [`translated`], [`mitred`].
 //! - Networks: [`gordon`] of a [`Network`] gives a [`Gordon`].
 //! - Beside others: [`NurbsCurve::offset`], [`Surface::offset`].
 //!
@@ -173,8 +174,9 @@ pub use surface::{
     make_surfaces_compatible, volume_mass,
 };
 pub use sweep::{
-    Axes, Columns, FrameRule, Frames, Motion, PathLeg, PlacedAxes, Sweep, SweepResolution, legs,
-    mitred, overreaches, swept, translated,
+    Axes, Columns, FrameRule, Frames, Motion, PathLeg, PlacedAxes, Sweep, SweepBuilder, SweepError,
+    SweepInput, SweepResolution, SweptLeg, SweptSurface, legs, mitred, overreaches, swept,
+    translated,
 };
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;

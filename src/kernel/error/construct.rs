@@ -196,6 +196,21 @@ pub enum ConstructionError {
     /// A section that is scaled away.
     #[error("the section is scaled to a point all along the path")]
     VanishingSection,
+    /// A section of a sweep that is a point.
+    #[error("the section is one point")]
+    PointSection,
+    /// A path of a sweep that is a point.
+    #[error("the path is one point, so that it leads nowhere")]
+    PointPath,
+    /// A path of a sweep that turns back.
+    #[error("the path has a cusp at parameter {}, where it has no direction", plain(*parameter))]
+    PathCusp { parameter: f64 },
+    /// A path of a sweep with corners that nothing is said about.
+    #[error("the path has {}", corners_at(parameters))]
+    PathCorners { parameters: Vec<f64> },
+    /// A closed section whose ends two rails should hold.
+    #[error("the section ends where it begins, so that two rails cannot hold its ends")]
+    ClosedBetweenRails,
     /// A straight section along the spine.
     #[error(
         "a straight section that lies along the spine can be turned across it in any direction"
@@ -204,4 +219,13 @@ pub enum ConstructionError {
     /// Something to turn that lies on the axis.
     #[error("the curve lies on the axis, so that turning it makes no surface")]
     OnAxis,
+}
+
+/// How many corners there are, and where.
+fn corners_at(parameters: &[f64]) -> String {
+    let at: Vec<String> = parameters.iter().copied().map(plain).collect();
+    match &at[..] {
+        [only] => format!("a corner at parameter {only}"),
+        many => format!("{} corners, at the parameters {}", many.len(), many.join(", ")),
+    }
 }

@@ -1,14 +1,17 @@
 //! Surfaces that a section leaves behind as it moves along a path.
 //!
-//! `frames` carry directions along the path, `columns` make splines of where control points go, `corner` takes it around corners, `folds` tells where
+//! `builder` decides how it is made; `rails` hold the section; `frames` carry directions along the path, `columns` make splines of where control points go, `corner` takes it around corners, `folds` tells where
 //! the surface crosses itself. This file places the section and measures how
 //! near the surface is.
 
+mod builder;
 mod columns;
 mod corner;
 mod folds;
 mod frames;
+mod rails;
 
+pub use builder::{SweepBuilder, SweepError, SweepInput, SweptLeg, SweptSurface};
 pub use corner::{PathLeg, legs, mitred, overreaches};
 pub use frames::{Axes, FrameRule, Frames};
 

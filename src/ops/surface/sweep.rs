@@ -1,23 +1,19 @@
 //! `sweep`: the surface that a section leaves behind along a path.
 
-use std::sync::Arc;
-
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 use super::{
     motion::{MotionArgs, Rails, Scale, Twist},
     ribbon::warn_of_ribbon,
-    section::nurbs_within,
-    swept::{warn, warn_of_corners, warn_of_short_legs, with_report},
+    swept::warn,
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        Columns, ConstructionReport, Curve, FitError, FrameRule, Frames, GeomError, InputError,
-        NurbsCurve, NurbsSurface, PathLeg, Side, Sweep, SweepResolution, ceiling::PIECES, legs,
-        mitred, overreaches, swept, translated,
+        Columns, Curve, FitError, FrameRule, GeomError, InputError, NurbsSurface, SweepBuilder,
+        SweepError, SweepInput, ceiling::PIECES,
     },
-    value::{At, Choice, Ctx, Length, op, shortest},
+    value::{At, Choice, Ctx, Length, blamed_on, op, shortest},
 };
 
 op! {
@@ -137,120 +133,103 @@ impl Choice for CornerOption {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let tolerance = tolerated(ctx, args.tolerance.as_ref())?;
-    let (section_span, path_span) = (args.section.span, args.path.span);
-    let section = nurbs_within(&args.section.value, 0.5 * tolerance).at(section_span)?;
-    let path = nurbs_within(&args.path.value, 0.5 * tolerance).at(path_span)?;
-    if section.is_point() {
-        let message = "the section is one point";
-        return Diagnostic::error(Code::Degenerate, section_span, message).fail();
-    }
-    let corners = corners(ctx, &path, path_span, args.corner)?;
-    warn_of_ribbon(ctx, &section, (args.frame.value == FrameOption::Translate).then_some(&*path));
-    if args.frame.value == FrameOption::Translate {
-        unmoved(&args, "\"translate\"")?;
-        let report = ConstructionReport::of("sweep").with("frame", "translate").with("exact", true);
-        return Ok(translated(&section, &path).at(path_span)?.with_report(report));
-    }
-    let start = path.tangent_at(path.domain().start(), Side::Right).at(path_span)?;
-    let up = args.up.unwrap_or_else(|| {
-        let is_along = start.cross(DVec3::Z).length() <= ctx.tolerance.angle;
-        Spanned::new(if is_along { DVec3::X } else { DVec3::Z }, path_span)
-    });
-    let is_ring = path.is_closed(ctx.tolerance.distance);
-    let is_smooth = is_ring && is_smooth_at_seam(&path, path_span)?;
-    let is_moved = args.scale.is_some() || args.twist.is_some() || args.rail.is_some();
-    let is_polygon = path.degree() == 1 && !path.is_rational();
-    if !corners.is_empty()
-        && is_polygon
-        && !is_moved
-        && framing(args.frame.value) == FrameRule::RotationMinimizing
-    {
-        let report = ConstructionReport::of("sweep").with("corners", corners).with("exact", true);
-        let surface = mitred(&section, &path, up.value, is_ring).at(up.span)?;
-        warn_of_short_legs(ctx, overreaches(&surface, &path));
-        return Ok(surface.with_report(report));
-    }
-
-    let has_corner_at_seam = is_ring && !is_smooth && args.corner == CornerOption::Miter;
-    let legs = if corners.is_empty() && !has_corner_at_seam {
-        vec![(NurbsCurve::clone(&path), framed(&path, args.frame.value, up, is_smooth)?)]
-    } else {
-        let (rule, reach) = (framing(args.frame.value), reach(&section));
-        legs(&path, &corners, rule, up.value, has_corner_at_seam, reach).at(up.span)?
+    let spans = SweepSpans {
+        section: args.section.span,
+        path: args.path.span,
+        up: args.up.as_ref().map_or(args.path.span, |up| up.span),
+        rails: args.rail.as_ref().map_or(args.path.span, |rail| rail.span),
+        whole: ctx.span,
     };
-    let fineness = fineness(ctx, &args, tolerance)?;
-    let rails = rails(args.rail.as_ref(), &section, tolerance)?;
-    let breaks = args.scale.as_ref().map_or(Vec::new(), |scale| scale.value.breaks(path.domain()));
-    let motion = MotionArgs {
-        ctx: &mut *ctx,
+    let rule = framing(args.frame.value);
+    if rule.is_none() {
+        unmoved(&args, "\"translate\"")?;
+    }
+    let domain = args.path.value.domain();
+    let kinks = args.scale.as_ref().map_or(Vec::new(), |scale| scale.value.breaks(domain));
+    let is_moved = args.scale.is_some() || args.twist.is_some();
+    let columns = columns(args.method, args.keep_path)?;
+    let n_sections = counted(ctx, args.sections)?;
+    let mut motion = MotionArgs {
         scale: args.scale.map(|given| given.value),
         twist: args.twist.map(|given| given.value),
-        rails,
-        ends: [section.start(), section.end()],
-        domain: path.domain(),
+        ctx: &mut *ctx,
+        domain,
     };
-    let sweeps = each_swept(&section, &legs, motion, &breaks, fineness)?;
-    for (sweep, (_, frames)) in sweeps.iter().zip(&legs) {
-        warn(ctx, sweep, frames);
+    let document = motion.ctx.tolerance;
+    let mut builder = SweepBuilder::new(args.section.value, args.path.value, document)
+        .within(tolerance)
+        .columns(columns);
+    builder = match rule {
+        Some(rule) => builder.frames(rule),
+        None => builder.translated(),
+    };
+    if let Some(up) = args.up {
+        builder = builder.up(up.value);
     }
-    warn_of_corners(ctx, &legs, reach(&section));
-    with_report(sweeps, &legs, corners, ctx)
-}
-
-/// The sweep along each part of the path.
-fn each_swept(
-    section: &NurbsCurve,
-    legs: &[PathLeg],
-    mut motion: MotionArgs<'_, '_>,
-    breaks: &[f64],
-    fineness: SweepResolution,
-) -> Result<Vec<Sweep>> {
-    let span = motion.ctx.span;
-    let mut sweeps = Vec::with_capacity(legs.len());
-    for (part, frames) in legs {
-        let domain = part.domain();
-        let is_inside = |t: &f64| domain.start() < *t && *t < domain.end();
-        let breaks: Vec<f64> = breaks.iter().copied().filter(is_inside).collect();
-        sweeps.push(match swept(section, part, frames, &mut motion, &breaks, fineness) {
-            Err(GeomError::Fit(FitError::ToleranceNotKept { found, .. })) => {
-                let message = format!(
-                    "{PIECES} placements of the section do not keep the tolerance {}: the surface is still {} off",
-                    shortest(2.0 * fineness.tolerance),
-                    shortest(found)
-                );
-                return Diagnostic::error(Code::BeyondTolerance, span, message)
-                    .hint("allow a larger `tolerance`, or say with `sections` how many are enough")
-                    .fail();
-            }
-            made => made.at(span)?,
-        });
+    if args.corner == CornerOption::Miter {
+        builder = builder.with_mitres();
     }
-    Ok(sweeps)
+    if !args.keep_path {
+        builder = builder.beside_path();
+    }
+    if let Some(n_sections) = n_sections {
+        builder = builder.sections(n_sections);
+    }
+    builder = match args.rail.map(|rail| rail.value) {
+        None => builder,
+        Some(Rails::One(rail)) => builder.along_rail(rail),
+        Some(Rails::Two(rails)) => builder.between_rails(rails),
+    };
+    if is_moved {
+        builder = builder.moved(&mut motion, kinks);
+    }
+    let made = builder.sweep().map_err(|error| refused(error, &spans, rule, tolerance))?;
+    warn_of_ribbon(ctx, &made.section, rule.is_none().then_some(&*made.path));
+    warn(ctx, &made);
+    Ok(made.surface)
 }
 
-/// Points of the section that are looked at.
-const N_POINTS: usize = 257;
-
-/// How far the section reaches from the path.
-fn reach(section: &NurbsCurve) -> f64 {
-    section.sample(N_POINTS).iter().map(|p| DVec2::new(p.y, p.z).length()).fold(0.0, f64::max)
+/// Where the arguments stand that a sweep is made of.
+struct SweepSpans {
+    section: Span,
+    path: Span,
+    up: Span,
+    rails: Span,
+    whole: Span,
 }
 
-/// The rails as NURBS; a section between two has two ends.
-fn rails(
-    given: Option<&Spanned<Rails>>,
-    section: &NurbsCurve,
+/// The error at the argument that is to blame.
+fn refused(
+    SweepError { blamed, error }: SweepError,
+    spans: &SweepSpans,
+    rule: Option<FrameRule>,
     tolerance: f64,
-) -> Result<Vec<Arc<NurbsCurve>>> {
-    let Some(given) = given else { return Ok(Vec::new()) };
-    if matches!(given.value, Rails::Two(_)) && section.is_closed(tolerance) {
-        let message = "the section ends where it begins, so that two rails cannot hold its ends";
-        return Diagnostic::error(Code::Degenerate, given.span, message)
-            .hint("`split` the section, or give one rail, to which z points")
-            .fail();
+) -> Box<Diagnostic> {
+    if let GeomError::Fit(FitError::ToleranceNotKept { found, .. }) = error
+        && blamed == SweepInput::Whole
+    {
+        let message = format!(
+            "{PIECES} placements of the section do not keep the tolerance {}: the surface is still {} off",
+            shortest(tolerance),
+            shortest(found)
+        );
+        let hint = "allow a larger `tolerance`, or say with `sections` how many are enough";
+        return Box::new(Diagnostic::error(Code::BeyondTolerance, spans.whole, message).hint(hint));
     }
-    let nurbs = |rail: &Curve| nurbs_within(rail, tolerance).at(given.span);
-    given.value.curves().iter().map(nurbs).collect()
+    let span = match blamed {
+        SweepInput::Section => spans.section,
+        SweepInput::Path => spans.path,
+        SweepInput::Up => spans.up,
+        SweepInput::Rails => spans.rails,
+        SweepInput::Whole => spans.whole,
+    };
+    let found = blamed_on(error, span);
+    let needs_more = matches!(rule, Some(FrameRule::Frenet | FrameRule::Fixed));
+    if blamed == SweepInput::Up && needs_more {
+        let hint = "`frame = \"rotation_minimizing\"` needs no bend, and `up` only at the start";
+        return Box::new(found.hint(hint));
+    }
+    found
 }
 
 /// The tolerance that is given, or the document's.
@@ -284,39 +263,16 @@ fn unmoved(args: &Args, what: &str) -> Result<()> {
     }
 }
 
-const fn framing(frame: FrameOption) -> FrameRule {
+const fn framing(frame: FrameOption) -> Option<FrameRule> {
     match frame {
-        FrameOption::Fixed => FrameRule::Fixed,
-        FrameOption::Frenet => FrameRule::Frenet,
+        FrameOption::Translate => None,
+        FrameOption::Fixed => Some(FrameRule::Fixed),
+        FrameOption::Frenet => Some(FrameRule::Frenet),
         // The limit of ever more projections.
-        FrameOption::Projection | FrameOption::RotationMinimizing | FrameOption::Translate => {
-            FrameRule::RotationMinimizing
+        FrameOption::Projection | FrameOption::RotationMinimizing => {
+            Some(FrameRule::RotationMinimizing)
         }
     }
-}
-
-fn framed(
-    path: &NurbsCurve,
-    frame: FrameOption,
-    up: Spanned<DVec3>,
-    is_closed: bool,
-) -> Result<Frames> {
-    let rule = framing(frame);
-    Frames::new(path, rule, up.value, is_closed).at(up.span).map_err(|found| {
-        let hint = "`frame = \"rotation_minimizing\"` needs no bend, and `up` only at the start";
-        let needs_more = matches!(rule, FrameRule::Frenet | FrameRule::Fixed);
-        if needs_more { Box::new(found.hint(hint)) } else { found }
-    })
-}
-
-/// How fine the sweep is to be, of which half is left for the curves.
-fn fineness(ctx: &Ctx<'_>, args: &Args, tolerance: f64) -> Result<SweepResolution> {
-    Ok(SweepResolution {
-        n_sections: counted(ctx, args.sections)?,
-        tolerance: 0.5 * tolerance,
-        keeps_path: args.keep_path,
-        columns: columns(args.method, args.keep_path)?,
-    })
 }
 
 /// What the columns are to be, which offsets of a path that is not met cannot be.
@@ -349,41 +305,5 @@ fn counted(ctx: &Ctx<'_>, sections: Option<Spanned<usize>>) -> Result<Option<usi
     }
 }
 
-/// The corners of the path, if they are to be mitred.
-fn corners(ctx: &Ctx<'_>, path: &NurbsCurve, span: Span, corner: CornerOption) -> Result<Vec<f64>> {
-    if path.is_point() {
-        let message = "the path is one point, so that it leads nowhere";
-        return Diagnostic::error(Code::Degenerate, span, message).fail();
-    }
-    path.check_connected().at(span)?;
-    if let Some(&t) = path.cusps(ctx.tolerance).first() {
-        let message =
-            format!("the path has a cusp at parameter {}, where it has no direction", shortest(t));
-        return Diagnostic::error(Code::Degenerate, span, message)
-            .hint("`split` it there, and sweep along both parts")
-            .fail();
-    }
-    let corners = path.corners(ctx.tolerance);
-    if corner == CornerOption::Miter || corners.is_empty() {
-        return Ok(corners);
-    }
-    let at: Vec<String> = corners.iter().copied().map(shortest).collect();
-    let message = match &at[..] {
-        [only] => format!("the path has a corner at parameter {only}"),
-        many => {
-            format!("the path has {} corners, at the parameters {}", many.len(), many.join(", "))
-        }
-    };
-    Diagnostic::error(Code::Degenerate, span, message)
-        .hint("`corner = \"miter\"` lets both sides meet in the plane that halves the angle; or round the path, or `split` it there")
-        .fail()
-}
-
-/// Whether a closed path arrives in the direction in which it left.
-fn is_smooth_at_seam(path: &NurbsCurve, span: Span) -> Result<bool> {
-    const SMOOTH: f64 = crate::kernel::tolerance::TURN_RELATIVE;
-    let domain = path.domain();
-    let start = path.tangent_at(domain.start(), Side::Right).at(span)?;
-    let end = path.tangent_at(domain.end(), Side::Left).at(span)?;
-    Ok(start.distance(end) <= SMOOTH)
-}
+/// Placements that a script may ask for.
+const MOST_PLACEMENTS: usize = 4096;

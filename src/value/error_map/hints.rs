@@ -204,6 +204,15 @@ fn of_construction(error: &ConstructionError) -> Option<String> {
         | ConstructionError::ContinuationLost { .. } => {
             "`join` a `line` or an `arc` to its end to go further".to_owned()
         }
+        ConstructionError::PathCusp { .. } => {
+            "`split` it there, and sweep along both parts".to_owned()
+        }
+        ConstructionError::PathCorners { .. } => {
+            "`corner = \"miter\"` lets both sides meet in the plane that halves the angle; or round the path, or `split` it there".to_owned()
+        }
+        ConstructionError::ClosedBetweenRails => {
+            "`split` the section, or give one rail, to which z points".to_owned()
+        }
         _ => return None,
     })
 }

@@ -26,19 +26,23 @@ pub trait At<T> {
 
 impl<T> At<T> for std::result::Result<T, GeomError> {
     fn at(self, span: Span) -> Result<T> {
-        self.map_err(|error| {
-            if let Some(reason) = inside(&error) {
-                return Box::new(asked_from(reason.clone(), span));
-            }
-            let mut diagnostic = Diagnostic::error(code_of(&error), span, error.to_string());
-            diagnostic.elements = elements_of(&error);
-            diagnostic.ceiling = ceiling_of(&error);
-            Box::new(match hint_of(&error) {
-                Some(hint) => diagnostic.hint(hint),
-                None => diagnostic,
-            })
-        })
+        self.map_err(|error| blamed_on(error, span))
     }
+}
+
+/// The error as a diagnostic, at the place that is to blame.
+#[must_use]
+pub fn blamed_on(error: GeomError, span: Span) -> Box<Diagnostic> {
+    if let Some(reason) = inside(&error) {
+        return Box::new(asked_from(reason.clone(), span));
+    }
+    let mut diagnostic = Diagnostic::error(code_of(&error), span, error.to_string());
+    diagnostic.elements = elements_of(&error);
+    diagnostic.ceiling = ceiling_of(&error);
+    Box::new(match hint_of(&error) {
+        Some(hint) => diagnostic.hint(hint),
+        None => diagnostic,
+    })
 }
 
 /// The ceiling that an error of the kernel tells to be crossed.
