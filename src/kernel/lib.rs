@@ -68,7 +68,7 @@
 //!   to run beside one another.
 //! - Sweeps: [`SweepBuilder`], and what it is made of: [`swept`] with [`Frames`] and a [`Motion`] gives a [`Sweep`];
 //!   [`translated`], [`mitred`].
-//! - Networks: [`gordon`] of a [`Network`] gives a [`Gordon`].
+//! - Networks: [`NetworkBuilder`], and what it is made of: [`gordon`] of a [`Network`] gives a [`Gordon`].
 //! - Beside others: [`NurbsCurve::offset`], [`Surface::offset`].
 //!
 //! ## Approximate
@@ -147,7 +147,10 @@ pub use fit::{
     approximate_within, check_parameters, columns_within, lagrange, surface_within,
 };
 pub use frame::Frame;
-pub use gordon::{CurveAdjustment, Gordon, Network, NetworkError, gordon};
+pub use gordon::{
+    CurveAdjustment, Gordon, Network, NetworkBuilder, NetworkError, NetworkInput, PreparedNetwork,
+    gordon,
+};
 pub use grid::Grid;
 pub use interval::Interval;
 pub use jet::Jet;

@@ -1,17 +1,19 @@
 //! Surfaces through networks of curves.
 //!
-//! `network` finds where the curves meet, `family` brings the curves of one direction into order,
+//! `builder` looks through what is given; `network` finds where the curves meet, `family` brings the curves of one direction into order,
 //! `adapt` to common parameters: `map` changes them so that all meet the others at the same ones,
 //! `refit` makes splines of what comes out of that. This file adds up the surface.
 
 mod adapt;
+mod builder;
 mod family;
 mod map;
 mod network;
 mod refit;
 
+pub use builder::{NetworkBuilder, PreparedNetwork};
 pub use family::CurveAdjustment;
-pub use network::NetworkError;
+pub use network::{NetworkError, NetworkInput};
 
 pub(crate) use map::NetworkParameterMap;
 pub(crate) use refit::{RefitRequest, refitted};

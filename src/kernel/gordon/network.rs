@@ -5,6 +5,7 @@ use glam::DVec3;
 use crate::{
     Direction, GeomError, IntersectionError, NurbsCurve,
     ceiling::DISTANT_PAIRS,
+    digits::few_digits,
     tolerance::{ONE_MEETING_SHARE, PLACE_RELATIVE},
 };
 
@@ -25,9 +26,10 @@ use crate::{
 /// assert!((gap - 1.0).abs() < 1e-12 && n_pairs == 2);
 /// # Ok::<(), virote_kernel::GeomError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum NetworkError {
     /// Two curves that do not come within the tolerance of one another, those furthest apart.
+    #[error("`u[{}]` and `v[{}]` do not meet: they are {} apart", pair[0], pair[1], few_digits(*gap))]
     Apart {
         /// Index of the u-curve and of the v-curve.
         pair: [usize; 2],
@@ -43,6 +45,7 @@ pub enum NetworkError {
         are_all: bool,
     },
     /// Two curves that meet at several places, none of which fits the others better.
+    #[error("`u[{}]` and `v[{}]` meet at {} places, and no other curve tells which is meant", pair[0], pair[1], at.len())]
     Ambiguous {
         /// Index of the u-curve and of the v-curve.
         pair: [usize; 2],
@@ -50,6 +53,7 @@ pub enum NetworkError {
         at: Vec<([f64; 2], DVec3)>,
     },
     /// Two curves that share a stretch.
+    #[error("`u[{}]` and `v[{}]` run along one another instead of crossing", pair[0], pair[1])]
     Together {
         /// Index of the u-curve and of the v-curve.
         pair: [usize; 2],
@@ -57,6 +61,7 @@ pub enum NetworkError {
         ends: [DVec3; 2],
     },
     /// A closed curve and an open one in one family.
+    #[error("`{0}[{closed}]` is closed and `{0}[{open}]` is open", along.name())]
     Mixed {
         /// The direction of both.
         along: Direction,
@@ -68,6 +73,7 @@ pub enum NetworkError {
         gap: f64,
     },
     /// Two curves of one family that cross.
+    #[error("`{0}[{1}]` and `{0}[{2}]` cross", along.name(), curves[0], curves[1])]
     Crossing {
         /// The direction of both.
         along: Direction,
@@ -77,6 +83,7 @@ pub enum NetworkError {
         point: DVec3,
     },
     /// A curve that meets the others in another order than the first curve of its family does.
+    #[error("`{}[{curve}]` meets the others in another order than the first curve does", along.name())]
     Order {
         /// Its direction.
         along: Direction,
@@ -89,13 +96,74 @@ pub enum NetworkError {
         /// Where these two cross, if they do.
         crossing: Option<DVec3>,
     },
+    /// A curve that is a point.
+    #[error("`{}[{curve}]` is one point", along.name())]
+    Point {
+        /// Its direction.
+        along: Direction,
+        /// Its index.
+        curve: usize,
+    },
+    /// Something that was given and cannot be used.
+    #[error("{error}")]
+    Input {
+        /// What.
+        of: NetworkInput,
+        /// Why not.
+        error: GeomError,
+    },
     /// Anything else.
-    Geometry(GeomError),
+    #[error(transparent)]
+    Geometry(#[from] GeomError),
 }
 
-impl From<GeomError> for NetworkError {
-    fn from(error: GeomError) -> Self {
-        Self::Geometry(error)
+/// What an error of a network is about.
+///
+/// ```
+/// use virote_kernel::{NetworkBuilder, NetworkError, NetworkInput, NurbsCurve, glam::DVec3};
+///
+/// let [o, x, y] = [DVec3::ZERO, DVec3::X, DVec3::Y];
+/// let u = vec![NurbsCurve::line(o, x)?];
+/// let v = vec![NurbsCurve::line(o, y)?, NurbsCurve::line(x, x + y)?];
+/// let found = NetworkBuilder::new(u, v, 1e-6).build();
+/// assert!(matches!(found, Err(NetworkError::Input { of: NetworkInput::U, .. })));
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NetworkInput {
+    /// The curves along u.
+    U,
+    /// The curves along v.
+    V,
+    /// The u of each v-curve.
+    AtU,
+    /// The v of each u-curve.
+    AtV,
+}
+
+impl NetworkError {
+    /// The same of curves that are some of others, by their indices among those.
+    pub(super) fn renumbered(self, kept: [&[usize]; 2]) -> Self {
+        let both = |[k, l]: [usize; 2]| [kept[0][k], kept[1][l]];
+        let own = |along: Direction| kept[along];
+        match self {
+            Self::Apart { pair, gap, at, point, n_pairs, are_all } => {
+                Self::Apart { pair: both(pair), gap, at, point, n_pairs, are_all }
+            }
+            Self::Ambiguous { pair, at } => Self::Ambiguous { pair: both(pair), at },
+            Self::Together { pair, ends } => Self::Together { pair: both(pair), ends },
+            Self::Mixed { along, closed, open, gap } => {
+                Self::Mixed { along, closed: own(along)[closed], open: own(along)[open], gap }
+            }
+            Self::Crossing { along, curves, point } => {
+                Self::Crossing { along, curves: curves.map(|index| own(along)[index]), point }
+            }
+            Self::Order { along, curve, others, at, crossing } => {
+                let others = others.map(|index| own(along.other())[index]);
+                Self::Order { along, curve: own(along)[curve], others, at, crossing }
+            }
+            as_it_is @ (Self::Point { .. } | Self::Input { .. } | Self::Geometry(_)) => as_it_is,
+        }
     }
 }
 

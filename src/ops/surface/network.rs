@@ -4,19 +4,20 @@ use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Span},
-    kernel::{Direction, FitError, GeomError, NetworkError, tolerance::EXACT_RELATIVE},
-    value::{At, Ctx, shortest},
+    kernel::{
+        CountError, Direction, FitError, GeomError, NetworkError, NetworkInput,
+        tolerance::EXACT_RELATIVE,
+    },
+    value::{Ctx, blamed_on, shortest},
 };
 
 /// What a message about a network points at.
 pub(super) struct NetworkPlaces<'p, 'a> {
     pub(super) ctx: &'p Ctx<'a>,
     pub(super) spans: [Span; 2],
-    /// Which of the given curves the network is made of.
-    pub(super) kept: [&'p [usize]; 2],
+    /// Where the parameters are, if they are given, at which the curves meet.
+    pub(super) at: [Option<Span>; 2],
     pub(super) tolerance: f64,
-    /// Whether parameters are given where the curves meet.
-    pub(super) is_given: bool,
 }
 
 impl NetworkPlaces<'_, '_> {
@@ -29,7 +30,7 @@ impl NetworkPlaces<'_, '_> {
 
     /// The name of a curve and where it is given.
     fn curve(&self, along: Direction, index: usize) -> (String, Span) {
-        self.ctx.element(self.spans[along], self.kept[along][index], along.name())
+        self.ctx.element(self.spans[along], index, along.name())
     }
 
     pub(super) fn told(&self, error: NetworkError) -> Box<Diagnostic> {
@@ -71,10 +72,40 @@ impl NetworkPlaces<'_, '_> {
             NetworkError::Geometry(GeomError::Fit(FitError::ToleranceNotKept {
                 found, ..
             })) => self.not_kept(found),
-            NetworkError::Geometry(error) => match Err::<(), _>(error).at(self.ctx.span) {
-                Err(found) => return found,
-                Ok(()) => Diagnostic::error(Code::Degenerate, self.ctx.span, "no surface"),
-            },
+            NetworkError::Point { along, curve } => {
+                let (own, span) = self.curve(along, curve);
+                Diagnostic::error(Code::Degenerate, span, format!("{own} is one point")).hint(
+                    "a surface that ends in a point is a `skin` whose first or last section is one",
+                )
+            }
+            NetworkError::Input { of, error } => return self.of_input(of, error),
+            NetworkError::Geometry(error) => return blamed_on(error, self.ctx.span),
+        })
+    }
+
+    fn of_input(&self, of: NetworkInput, error: GeomError) -> Box<Diagnostic> {
+        let (span, name, across) = match of {
+            NetworkInput::U => (self.spans[0], "u", "v"),
+            NetworkInput::V => (self.spans[1], "v", "u"),
+            NetworkInput::AtU => (self.at[0].unwrap_or_default(), "at_u", "v"),
+            NetworkInput::AtV => (self.at[1].unwrap_or_default(), "at_v", "u"),
+        };
+        Box::new(match error {
+            GeomError::Count(CountError::TooFewCurves { got, needed }) => {
+                let message =
+                    format!("a network needs {needed} curves `{name}` or more, found {got}");
+                Diagnostic::error(Code::BadCall, span, message)
+                    .hint("sections without curves across them make a `skin`")
+            }
+            GeomError::Count(CountError::WrongCount { needed, got, .. }) => {
+                let message = format!(
+                    "`{name}` are {got} parameters, but there are {needed} curves `{across}`"
+                );
+                Diagnostic::error(Code::BadParameters, span, message).hint(format!(
+                    "give one for each curve of `{across}`, or leave `{name}` out to have them found"
+                ))
+            }
+            other => return blamed_on(other, span),
         })
     }
 
@@ -101,7 +132,7 @@ impl NetworkPlaces<'_, '_> {
             self.place(point),
             shortest(self.tolerance)
         );
-        let hint = if self.is_given {
+        let hint = if self.at.iter().any(Option::is_some) {
             "without `at_u` and `at_v` the places where the curves meet are found".to_owned()
         } else if are_all && 1 < n_pairs {
             "no curve of `u` meets one of `v`: both seem to run along one direction; `u` are the curves one way, `v` those across them".to_owned()

@@ -66,7 +66,7 @@ pub(super) fn drop_repeated(curves: &mut Vec<NurbsCurve>, tolerance: f64) {
 }
 
 /// A bound of how far two curves are apart at equal fractions of their domains.
-pub(super) fn apart(a: &NurbsCurve, b: &NurbsCurve) -> f64 {
+fn apart(a: &NurbsCurve, b: &NurbsCurve) -> f64 {
     a.deviation_from(&b.reparametrized(a.domain()))
 }
 

@@ -304,6 +304,3 @@ fn counted(ctx: &Ctx<'_>, sections: Option<Spanned<usize>>) -> Result<Option<usi
         given => Ok(given.map(|given| given.value)),
     }
 }
-
-/// Placements that a script may ask for.
-const MOST_PLACEMENTS: usize = 4096;
