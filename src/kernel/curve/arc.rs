@@ -17,6 +17,17 @@ impl NurbsCurve {
     ///
     /// Piegl & Tiller, *The NURBS Book*, A7.1.
     ///
+    /// A third of a circle is exact, and as long as it should be:
+    ///
+    /// ```
+    /// use std::f64::consts::TAU;
+    /// use virote_kernel::{Frame, NurbsCurve};
+    ///
+    /// let arc = NurbsCurve::arc(Frame::XY, 2.0, 0.0, TAU / 3.0)?;
+    /// assert!((arc.length(arc.domain()) - 2.0 * TAU / 3.0).abs() < 1e-12);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`InputError::NotPositive`] for a radius or a sweep, [`InputError::NotFinite`].
     pub fn arc(frame: Frame, radius: f64, from: f64, sweep: f64) -> Result<Self, GeomError> {
@@ -43,6 +54,14 @@ impl NurbsCurve {
     }
 
     /// The arc of a circle from `a` by way of `b` to `c` on 0..1.
+    ///
+    /// ```
+    /// use virote_kernel::{NurbsCurve, glam::DVec3};
+    ///
+    /// let half = NurbsCurve::arc_through([DVec3::X, DVec3::Y, DVec3::NEG_X], 1e-6)?;
+    /// assert!((half.length(half.domain()) - std::f64::consts::PI).abs() < 1e-12);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
     ///
     /// # Errors
     /// [`InputError::CoincidentPoints`] closer than `distance`; [`InputError::Collinear`] where `b`
@@ -81,6 +100,17 @@ impl NurbsCurve {
     /// derivatives with it at their ends. The remainder of that interpolation is at most
     /// radius·angle⁶/(6!·2⁶) in a piece; the parameter is proportional to the angle, so that this
     /// bounds the distance of equal parameters.
+    ///
+    /// A turn of a helix is as long as the hypotenuse over its unrolled cylinder:
+    ///
+    /// ```
+    /// use std::f64::consts::TAU;
+    /// use virote_kernel::{Frame, NurbsCurve};
+    ///
+    /// let helix = NurbsCurve::helix(Frame::XY, 1.0, 3.0, 1.0, 1e-6)?;
+    /// assert!((helix.length(helix.domain()) - TAU.hypot(3.0)).abs() < 1e-5);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
     ///
     /// # Errors
     /// [`InputError::NotPositive`] for the radius, the turns or the distance;

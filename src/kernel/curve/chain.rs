@@ -11,6 +11,17 @@ impl NurbsCurve {
     /// Each segment from A to B with derivatives a and b has the Bézier points A, A + a/3,
     /// B − b/3, B. Linkeová, *Curves and Surfaces for Computer Graphics*, (2.13) and (2.25).
     ///
+    /// The derivatives are met, whatever they are:
+    ///
+    /// ```
+    /// use virote_kernel::{NurbsCurve, Side, glam::DVec3};
+    ///
+    /// let curve = NurbsCurve::hermite(&[DVec3::ZERO, DVec3::X], &[DVec3::Y, DVec3::NEG_Y])?;
+    /// assert_eq!(curve.derivatives_at(0.0, 1)[1], DVec3::Y);
+    /// assert!(curve.point_at(0.5).distance(DVec3::new(0.5, 0.25, 0.0)) < 1e-15);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`CountError::TooFewPoints`] below two, [`CountError::TangentCount`],
     /// [`InputError::NotFinite`].
@@ -42,6 +53,17 @@ impl NurbsCurve {
 
     /// The uniform B-spline of degree p, not clamped, one unit of parameter a segment; a closed
     /// one begins with the segment of points 0 … p and has as many segments as points.
+    ///
+    /// A segment of the uniform cubic begins at (P₀ + 4·P₁ + P₂)/6:
+    ///
+    /// ```
+    /// use virote_kernel::{NurbsCurve, glam::DVec3};
+    ///
+    /// let points = [(0.0, 0.0), (6.0, 6.0), (12.0, 0.0), (18.0, 6.0)];
+    /// let curve = NurbsCurve::uniform(3, &points.map(|(x, y)| DVec3::new(x, y, 0.0)), false)?;
+    /// assert!(curve.start().distance(DVec3::new(6.0, 4.0, 0.0)) < 1e-14);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
     ///
     /// # Errors
     /// `DegreeError::BadDegree` below p + 1 points, for a closed one [`CountError::TooFewPoints`]
@@ -107,6 +129,16 @@ impl NurbsCurve {
     ///
     /// The control points are its blossom at the ends of the domain, where that of tⁱ is the i-th
     /// elementary symmetric function over C(n, i). Ramshaw, *Blossoms are polar forms*, §5.
+    ///
+    /// x = t, y = t²: the control point of the parabola over 0..2 is (1, 0).
+    ///
+    /// ```
+    /// use virote_kernel::{Interval, NurbsCurve, glam::DVec3};
+    ///
+    /// let parabola = NurbsCurve::power_form(&[DVec3::ZERO, DVec3::X, DVec3::Y], Interval::new(0.0, 2.0)?)?;
+    /// assert_eq!(parabola.points()[1], DVec3::X);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
     ///
     /// # Errors
     /// [`CountError::TooFewPoints`] without coefficients, `DegreeError::DegreeTooHigh`,

@@ -86,6 +86,17 @@ impl NurbsCurve {
     /// The full ellipse about the origin of a frame on 0..1, with its radii along x and y, from
     /// the end of the first counter-clockwise: the affine image of a circle.
     ///
+    /// An ellipse of semi-axes a and b: (x/a)² + (y/b)² = 1 at every point.
+    ///
+    /// ```
+    /// use virote_kernel::{CircleForm, Frame, NurbsCurve};
+    ///
+    /// let ellipse = NurbsCurve::ellipse(Frame::XY, [3.0, 2.0], CircleForm::NinePoint)?;
+    /// let miss = |x: f64, y: f64| ((x / 3.0).powi(2) + (y / 2.0).powi(2) - 1.0).abs();
+    /// assert!(ellipse.sample(20).iter().all(|p| miss(p.x, p.y) < 1e-14));
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`InputError::NotPositive`] for a radius, [`InputError::NotFinite`].
     pub fn ellipse(frame: Frame, radii: [f64; 2], form: CircleForm) -> Result<Self, GeomError> {

@@ -18,6 +18,16 @@ use crate::{
 /// loses those that can go without a displacement beyond rounding, or beyond the gap that it had.
 /// Ends that differ within the tolerance meet halfway.
 ///
+/// ```
+/// use virote_kernel::{NurbsCurve, glam::DVec3, join};
+///
+/// let [first, second] = [(0.0, 1.0), (1.0, 3.0)].map(|(a, b)| (DVec3::X * a, DVec3::X * b));
+/// let parts = [NurbsCurve::line(first.0, first.1)?, NurbsCurve::line(second.0, second.1)?];
+/// let whole = join(&parts, 1e-6)?;
+/// assert!((whole.length(whole.domain()) - 3.0).abs() < 1e-14);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+///
 /// # Errors
 /// [`CountError::TooFewCurves`] below two; [`JointError::Gap`] wider than the tolerance;
 /// [`KnotError::VanishingPiece`] for a domain too short beside the others;

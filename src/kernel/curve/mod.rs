@@ -125,6 +125,19 @@ impl NurbsCurve {
 
     /// The curve with all weights one.
     ///
+    /// The quadratic B-spline of five points: the middle of a segment's legs at its knots.
+    ///
+    /// ```
+    /// use virote_kernel::{KnotVector, NurbsCurve, glam::DVec3};
+    ///
+    /// let knots = KnotVector::new(2, vec![0.0, 0.0, 0.0, 1.0, 2.0, 2.0, 2.0])?;
+    /// let points = [(0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0)];
+    /// let points = points.map(|(x, y)| DVec3::new(x, y, 0.0));
+    /// let curve = NurbsCurve::polynomial(knots, &points)?;
+    /// assert_eq!(curve.point_at(1.0), points[1].midpoint(points[2]));
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
+    ///
     /// # Errors
     /// `KnotError::KnotCount`, `InputError::NotFinite`.
     pub fn polynomial(knots: KnotVector, points: &[DVec3]) -> Result<Self, GeomError> {
@@ -177,6 +190,14 @@ impl NurbsCurve {
 
     /// The segment from `a` to `b` on 0..1.
     ///
+    /// ```
+    /// use virote_kernel::{NurbsCurve, glam::DVec3};
+    ///
+    /// let line = NurbsCurve::line(DVec3::ZERO, DVec3::new(2.0, 4.0, 6.0))?;
+    /// assert_eq!(line.point_at(0.5), DVec3::new(1.0, 2.0, 3.0));
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
+    ///
     /// # Errors
     /// `InputError::NotFinite`.
     pub fn line(a: DVec3, b: DVec3) -> Result<Self, GeomError> {
@@ -184,6 +205,15 @@ impl NurbsCurve {
     }
 
     /// The polygon through the points, one unit of parameter a leg.
+    ///
+    /// ```
+    /// use virote_kernel::{NurbsCurve, glam::DVec3};
+    ///
+    /// let corner = NurbsCurve::polyline(&[DVec3::ZERO, DVec3::X * 3.0, DVec3::new(3.0, 4.0, 0.0)])?;
+    /// assert!((corner.length(corner.domain()) - 7.0).abs() < 1e-14);
+    /// assert_eq!(corner.degree(), 1);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
     ///
     /// # Errors
     /// [`CountError::TooFewPoints`] below two, `InputError::NotFinite`.

@@ -41,6 +41,18 @@ pub fn approximate(
 /// (spreading); Lyche & Mørken, *Knot removal for parametric B-spline curves and surfaces*, CAGD 4
 /// (1987).
 ///
+/// Many points of a parabola need three control points:
+///
+/// ```
+/// use virote_kernel::{approximate_within, glam::DVec3};
+///
+/// let at: Vec<f64> = (0..=40).map(|i| f64::from(i) / 40.0).collect();
+/// let points: Vec<DVec3> = at.iter().map(|&t| DVec3::new(t, t * t, 0.0)).collect();
+/// let curve = approximate_within(&points, &at, 2, 1e-6, true)?;
+/// assert_eq!(curve.control_points().len(), 3);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+///
 /// # Errors
 /// [`DegreeError::BadDegree`], [`DegreeError::DegreeTooHigh`]; `CountError::WrongCount`;
 /// `FitError::ToleranceNotKept` below the rounding of the coordinates.

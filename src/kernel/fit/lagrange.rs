@@ -12,6 +12,17 @@ use crate::{
 ///
 /// O(n³). Farin, *Curves and Surfaces for CAGD*, §6.2 and §6.3.
 ///
+/// Through four points of y = t³ it is that cubic:
+///
+/// ```
+/// use virote_kernel::{glam::DVec3, lagrange};
+///
+/// let at = [0.0, 1.0, 2.0, 3.0];
+/// let curve = lagrange(&at.map(|t: f64| DVec3::new(t, t * t * t, 0.0)), &at)?;
+/// assert!((curve.point_at(1.5).y - 3.375).abs() < 1e-12);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+///
 /// # Errors
 /// [`CountError::TooFewPoints`] below two; `DegreeError::DegreeTooHigh`; those of
 /// [`check_parameters`]; `InputError::NotFinite`.

@@ -28,6 +28,18 @@ const LEAST_GAIN: f64 = 0.97;
 
 /// A mesh of the surface, whose triangles are nowhere further than `tolerance` from it.
 ///
+/// A plane needs two triangles; a sphere as many as keep them within the tolerance:
+///
+/// ```
+/// use virote_kernel::{Frame, NurbsSurface, glam::DVec3, tessellate};
+///
+/// let square = NurbsSurface::bilinear(DVec3::ZERO, DVec3::Y, DVec3::X, DVec3::X + DVec3::Y)?;
+/// assert_eq!(tessellate(&square, 1e-3, 1000)?.n_triangles(), 2);
+/// let ball = tessellate(&NurbsSurface::sphere(Frame::XY, 1.0)?, 1e-2, 100_000)?;
+/// assert!(ball.corners().all(|[a, b, c]| 0.99 <= ((a + b + c) / 3.0).length()));
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+///
 /// # Errors
 /// `InputError::NotPositive` for the tolerance; [`CountError::TooManyVertices`] where it would
 /// need more than the ceiling.

@@ -96,6 +96,19 @@ impl NurbsSurface {
     /// Coons, *Surfaces for computer-aided design of space forms*, MIT 1967;
     /// Piegl & Tiller, *The NURBS Book*, (10.34) to (10.36).
     ///
+    /// Between the sides of a square it is the square:
+    ///
+    /// ```
+    /// use virote_kernel::{Blend, NurbsCurve, NurbsSurface, glam::DVec3};
+    ///
+    /// let line = |a, b| NurbsCurve::line(a, b);
+    /// let [o, x, y] = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    /// let (u, v) = ([line(o, x)?, line(y, x + y)?], [line(o, y)?, line(x, x + y)?]);
+    /// let square = NurbsSurface::coons([&u[0], &u[1]], [&v[0], &v[1]], Blend::Linear)?;
+    /// assert!(square.point_at(0.25, 0.75).distance(DVec3::new(0.25, 0.75, 0.0)) < 1e-15);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
+    ///
     /// # Errors
     /// `DegreeError::DegreeTooHigh`, where different denominators multiply; those of
     /// [`crate::make_compatible`]; `InputError::NotFinite`.

@@ -66,6 +66,18 @@ impl Surface {
 
 /// The skins that surfaces are, of density one.
 ///
+/// The half of a sphere has its centroid halfway up: Archimedes.
+///
+/// ```
+/// use virote_kernel::{Axis, Frame, NurbsCurve, NurbsSurface, area_mass, glam::DVec3};
+///
+/// let quarter = NurbsCurve::arc(Frame::ZX, 1.0, 0.0, std::f64::consts::FRAC_PI_2)?;
+/// let axis = Axis::new(DVec3::ZERO, DVec3::Z)?;
+/// let dome = NurbsSurface::revolved(&quarter, axis, std::f64::consts::TAU)?;
+/// assert!((area_mass(&[dome.into()])?.centroid.z - 0.5).abs() < 1e-10);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+///
 /// # Errors
 /// [`MeasureError::NothingThere`] for an area of zero, [`MeasureError::TooLargeToMeasure`], and as [`Surface::point_at`].
 pub fn area_mass(surfaces: &[Surface]) -> Result<MassProperties, GeomError> {
@@ -84,6 +96,21 @@ pub fn area_mass(surfaces: &[Surface]) -> Result<MassProperties, GeomError> {
 /// A shell that is oriented alike throughout counts positive where it points outward and negative
 /// where it points inward, so that it is a hole in another; the whole is not negative. Any other is
 /// taken to point outward.
+///
+/// A box of six sides:
+///
+/// ```
+/// use virote_kernel::{NurbsSurface, Tolerance, glam::DVec3, volume_mass};
+///
+/// let [x, y, z] = [DVec3::X, DVec3::Y * 2.0, DVec3::Z * 3.0];
+/// let side = |o: DVec3, a: DVec3, b: DVec3| NurbsSurface::bilinear(o, o + b, o + a, o + a + b);
+/// let o = DVec3::ZERO;
+/// let sides = [side(o, y, x)?, side(z, x, y)?, side(o, x, z)?, side(y, z, x)?, side(o, z, y)?, side(x, y, z)?];
+/// let found = volume_mass(&sides.map(Into::into), Tolerance::DEFAULT)?;
+/// assert!((found.amount - 6.0).abs() < 1e-12);
+/// assert!(found.centroid.distance(DVec3::new(0.5, 1.0, 1.5)) < 1e-12);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 ///
 /// # Errors
 /// [`GeomError::Shell`] where the surfaces enclose nothing; [`MeasureError::NothingThere`] for a volume of zero, [`MeasureError::TooLargeToMeasure`], and as [`Surface::point_at`].

@@ -178,6 +178,16 @@ impl NurbsSurface {
 
     /// The Bézier surface of a net, on 0..1 × 0..1.
     ///
+    /// One corner of a bilinear patch lifted by 4 lifts its middle by 1:
+    ///
+    /// ```
+    /// use virote_kernel::{Grid, NurbsSurface, glam::DVec3};
+    ///
+    /// let corners = Grid::from_fn(2, 2, |i, j| DVec3::new(i as f64, j as f64, 4.0 * (i * j) as f64));
+    /// assert_eq!(NurbsSurface::bezier(&corners)?.point_at(0.5, 0.5).z, 1.0);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`CountError::TooFewPoints`] for an empty net, `DegreeError::DegreeTooHigh`,
     /// `InputError::NotFinite`.
@@ -191,6 +201,14 @@ impl NurbsSurface {
     }
 
     /// The bilinear surface between four corners; the first index of a name counts along u.
+    ///
+    /// ```
+    /// use virote_kernel::{NurbsSurface, Surface, glam::DVec3};
+    ///
+    /// let sheet = NurbsSurface::bilinear(DVec3::ZERO, DVec3::Y * 2.0, DVec3::X * 3.0, DVec3::new(3.0, 2.0, 0.0))?;
+    /// assert!((Surface::from(sheet).area()?.0 - 6.0).abs() < 1e-13);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
     ///
     /// # Errors
     /// `InputError::NotFinite`.

@@ -163,6 +163,18 @@ impl NurbsSurface {
     /// Control points nearer to the axis than rounding are on it, so that a pole is a point.
     /// Piegl & Tiller, *The NURBS Book*, A8.1, without its trigonometry for each control point.
     ///
+    /// A segment beside the axis becomes a cylinder, exactly:
+    ///
+    /// ```
+    /// use virote_kernel::{Axis, NurbsCurve, NurbsSurface, glam::DVec3};
+    ///
+    /// let side = NurbsCurve::line(DVec3::X, DVec3::X + DVec3::Z)?;
+    /// let axis = Axis::new(DVec3::ZERO, DVec3::Z)?;
+    /// let pipe = NurbsSurface::revolved(&side, axis, std::f64::consts::TAU)?;
+    /// assert!((pipe.point_at(0.3, 0.5).truncate().length() - 1.0).abs() < 1e-14);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`InputError::BadTurn`] for an angle of zero or beyond a full turn, [`ConstructionError::OnAxis`],
     /// [`CountError::TooManyPoints`], [`InputError::NotFinite`].
@@ -226,6 +238,15 @@ impl NurbsSurface {
     /// The curve moved along a vector: u along the curve, v on 0..1 along the vector.
     ///
     /// Piegl & Tiller, *The NURBS Book*, §8.3.
+    ///
+    /// ```
+    /// use virote_kernel::{NurbsCurve, NurbsSurface, glam::DVec3};
+    ///
+    /// let bend = NurbsCurve::bezier(&[DVec3::ZERO, DVec3::new(1.0, 2.0, 0.0), DVec3::X * 2.0])?;
+    /// let wall = NurbsSurface::extruded(&bend, DVec3::Z * 4.0)?;
+    /// assert_eq!(wall.point_at(0.5, 0.25), DVec3::new(1.0, 1.0, 1.0));
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
     ///
     /// # Errors
     /// [`InputError::NotFinite`], [`CountError::TooManyPoints`].

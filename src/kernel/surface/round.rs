@@ -13,6 +13,14 @@ use crate::{Frame, GeomError, InputError, NurbsCurve};
 impl NurbsSurface {
     /// The sphere about the origin of a frame, v from the lower pole to the upper one.
     ///
+    /// ```
+    /// use virote_kernel::{Frame, NurbsSurface, Surface};
+    ///
+    /// let sphere = Surface::from(NurbsSurface::sphere(Frame::XY, 2.0)?);
+    /// assert!((sphere.area()?.0 / (16.0 * std::f64::consts::PI) - 1.0).abs() < 1e-12);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`InputError::NotPositive`] for the radius, [`InputError::NotFinite`].
     pub fn sphere(frame: Frame, radius: f64) -> Result<Self, GeomError> {
@@ -22,6 +30,16 @@ impl NurbsSurface {
     /// The cone between circles of two radii, the first about the origin of a frame and the second
     /// at a height above; a radius may be zero. Equal ones make a cylinder, a height of zero a
     /// ring or disc.
+    ///
+    /// The side of a cone of radius 3 and height 4 has the area π·3·5:
+    ///
+    /// ```
+    /// use virote_kernel::{Frame, NurbsSurface, Surface};
+    ///
+    /// let cone = Surface::from(NurbsSurface::cone(Frame::XY, [3.0, 0.0], 4.0)?);
+    /// assert!((cone.area()?.0 / (15.0 * std::f64::consts::PI) - 1.0).abs() < 1e-12);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
     ///
     /// # Errors
     /// [`InputError::NotPositive`] for a negative radius, or two that are zero;
@@ -41,6 +59,16 @@ impl NurbsSurface {
     }
 
     /// The torus about the origin of a frame, v around the tube from the outer equator upward.
+    ///
+    /// (√(x² + y²) − R)² + z² = r² at every point:
+    ///
+    /// ```
+    /// use virote_kernel::{Frame, NurbsSurface};
+    ///
+    /// let p = NurbsSurface::torus(Frame::XY, 3.0, 1.0)?.point_at(0.2, 0.7);
+    /// assert!(((p.truncate().length() - 3.0).hypot(p.z) - 1.0).abs() < 1e-14);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
     ///
     /// # Errors
     /// [`InputError::NotPositive`] for a radius, [`InputError::NotFinite`].

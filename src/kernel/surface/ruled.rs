@@ -15,6 +15,18 @@ impl NurbsSurface {
     /// Piegl & Tiller have it (*The NURBS Book*, §8.4), v would depend on the weights. The definition by
     /// points: Farin, *Curves and Surfaces for CAGD*, §15.1.
     ///
+    /// Straight lines between two skew ones make z = xy:
+    ///
+    /// ```
+    /// use virote_kernel::{NurbsCurve, NurbsSurface, glam::DVec3};
+    ///
+    /// let level = NurbsCurve::line(DVec3::ZERO, DVec3::X)?;
+    /// let rising = NurbsCurve::line(DVec3::Y, DVec3::ONE)?;
+    /// let saddle = NurbsSurface::ruled(&level, &rising)?;
+    /// assert_eq!(saddle.point_at(0.5, 0.5), DVec3::new(0.5, 0.5, 0.25));
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
+    ///
     /// # Errors
     /// `DegreeError::DegreeTooHigh`, where different denominators multiply; those of
     /// [`crate::make_compatible`].

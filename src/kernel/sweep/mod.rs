@@ -203,6 +203,17 @@ const SAFETY: f64 = 0.5;
 ///
 /// Piegl & Tiller, *The NURBS Book*, (10.17) to (10.19).
 ///
+/// A parabola along another is the paraboloid z = x² + y²:
+///
+/// ```
+/// use virote_kernel::{NurbsCurve, glam::DVec3, translated};
+///
+/// let along = |axis: DVec3| NurbsCurve::bezier(&[DVec3::Z - axis, -DVec3::Z, DVec3::Z + axis]);
+/// let bowl = translated(&along(DVec3::X)?, &along(DVec3::Y)?)?;
+/// assert_eq!(bowl.point_at(0.75, 1.0), DVec3::new(0.5, 1.0, 1.25));
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+///
 /// # Errors
 /// `InputError::NotFinite`.
 pub fn translated(section: &NurbsCurve, path: &NurbsCurve) -> Result<NurbsSurface, GeomError> {
