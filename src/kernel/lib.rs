@@ -64,7 +64,7 @@
 //!   [`NurbsSurface::torus`], [`NurbsSurface::revolved`] about an [`Axis`].
 //! - Surfaces of curves: [`NurbsSurface::extruded`], [`NurbsSurface::ruled`], [`NurbsSurface::swung`], [`NurbsSurface::coons`],
 //!   [`NurbsSurface::coons_bicubic`].
-//! - Skins: [`CompatibleSections`] with a way [`Along`] them give a [`Skin`]; [`aligned`], [`at_constant_speed`] bring sections
+//! - Skins: [`SkinBuilder`], and what it is made of: [`CompatibleSections`] with a way [`Along`] them give a [`Skin`]; [`aligned`], [`at_constant_speed`] bring sections
 //!   to run beside one another.
 //! - Sweeps: [`SweepBuilder`], and what it is made of: [`swept`] with [`Frames`] and a [`Motion`] gives a [`Sweep`];
 //!   [`translated`], [`mitred`].
@@ -165,8 +165,9 @@ pub use mesh::{
 };
 pub use numeric::symmetric_eigen::principal_axes;
 pub use skin::{
-    AlignedSection, Along, CompatibleSections, SectionParameters, Skin, aligned, at_constant_speed,
-    corners_of_ring, with_seam_at_corner,
+    AlignedSection, Along, CompatibleSections, SectionParameters, SectionSlope, Skin, SkinBuilder,
+    SkinError, SkinInput, SkinnedSurface, aligned, at_constant_speed, corners_of_ring,
+    with_seam_at_corner,
 };
 pub use surface::{
     AnalyticForm, AnalyticSurface, Axis, AxisContact, Blend, CrossFields, CurveSurfaceIntersection,

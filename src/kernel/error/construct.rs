@@ -211,6 +211,17 @@ pub enum ConstructionError {
     /// A closed section whose ends two rails should hold.
     #[error("the section ends where it begins, so that two rails cannot hold its ends")]
     ClosedBetweenRails,
+    /// A section between others that is a point.
+    #[error("`sections[{index}]` is a point; only the first and the last may be one")]
+    PointBetween { index: usize },
+    /// Sections that are points, all of them.
+    #[error("both sections are points; one of them must be a curve")]
+    OnlyPoints,
+    /// A closed section among open ones.
+    #[error(
+        "`sections[{closed}]` is closed, `sections[{open}]` is open, so that it is not clear where the closed one begins"
+    )]
+    MixedSections { closed: usize, open: usize },
     /// A straight section along the spine.
     #[error(
         "a straight section that lies along the spine can be turned across it in any direction"

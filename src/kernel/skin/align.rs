@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::corner::cornered;
+use super::corner::{cornered, corners_of_ring, with_seam_at_corner};
 use crate::{
-    GeomError, NurbsCurve,
+    ConstructionError, GeomError, NurbsCurve,
     ceiling::BISECTIONS,
     join,
     numeric::bisection::bisected,
@@ -108,6 +108,59 @@ pub fn aligned(
         if is_reversed { curve.domain().start() + (curve.domain().end() - seam) } else { seam };
     let curve = curve.with_seam_at(seam, distance)?;
     Ok(AlignedSection::of(curve, is_reversed, Some(seam_before)))
+}
+
+/// What was done to sections so that they run beside one another.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Alignment {
+    /// Sections that were reversed.
+    pub(super) reversed: Vec<usize>,
+    /// Sections whose seam was moved, and the parameter where it is now.
+    pub(super) seams: Vec<(usize, f64)>,
+    /// Sections whose corners were brought to the parameters of their neighbour's.
+    pub(super) corners: Vec<usize>,
+    /// Neighbours whose corners cannot be paired, with how many these are.
+    pub(super) unpaired: Vec<[(usize, usize); 2]>,
+}
+
+/// Turns sections around, and moves seams, to run beside their neighbour: from the first section on
+/// that has its seam at a corner, or else a corner anywhere, in both directions.
+pub(super) fn align(curves: &mut [NurbsCurve], tolerance: f64) -> Result<Alignment, GeomError> {
+    let is_closed = |curve: &NurbsCurve| curve.is_closed(tolerance);
+    let real: Vec<usize> = (0..curves.len()).filter(|&i| !curves[i].is_point()).collect();
+    let Some(&start) = real.first() else { return Ok(Alignment::default()) };
+    let first_closed = is_closed(&curves[start]);
+    if let Some(&other) = real.iter().find(|&&i| is_closed(&curves[i]) != first_closed) {
+        let (closed, open) = if first_closed { (start, other) } else { (other, start) };
+        return Err(ConstructionError::MixedSections { closed, open }.into());
+    }
+    let mut done = Alignment::default();
+    let mut anchor = 0;
+    if first_closed {
+        let corners: Vec<Vec<f64>> = real.iter().map(|&i| corners_of_ring(&curves[i])).collect();
+        let at_seam = |own: &Vec<f64>| own.first().is_some_and(|&first| first <= 0.0);
+        let has_any = |own: &Vec<f64>| !own.is_empty();
+        anchor = corners.iter().position(at_seam).or(corners.iter().position(has_any)).unwrap_or(0);
+        let own = real[anchor];
+        if let Some((moved, t)) = with_seam_at_corner(&curves[own], tolerance)? {
+            done.seams.push((own, t));
+            curves[own] = moved;
+        }
+    }
+    let onwards = real[anchor..].windows(2).map(|pair| (pair[0], pair[1]));
+    let backwards = real[..=anchor].windows(2).rev().map(|pair| (pair[1], pair[0]));
+    for (before, own) in onwards.chain(backwards) {
+        let now = aligned(&curves[own], &curves[before], first_closed, tolerance)?;
+        done.reversed.extend(now.is_reversed.then_some(own));
+        done.seams.extend(now.seam.map(|t| (own, t)));
+        done.corners.extend(now.has_moved_corners.then_some(own));
+        done.unpaired.extend(now.unpaired.map(|[n, others]| [(own, n), (before, others)]));
+        curves[own] = now.curve;
+    }
+    done.reversed.sort_unstable();
+    done.seams.sort_by_key(|&(section, _)| section);
+    done.corners.sort_unstable();
+    Ok(done)
 }
 
 /// Points at even parameters about their centre; the last one of a closed curve is the first.

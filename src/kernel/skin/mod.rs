@@ -1,6 +1,6 @@
 //! Surfaces through section curves, lines along v through the control points of all of them.
 //!
-//! `sections` brings curves to one basis with weights that can be compared, and tells where in v
+//! `builder` decides how it is made; `sections` brings curves to one basis with weights that can be compared, and tells where in v
 //! they stand; `align` turns them around and moves their seams until they run beside one another,
 //! `corner` the seams of those with corners;
 //! `spread` lets them run at constant speed; `along` are the ways to go from section to section;
@@ -8,6 +8,7 @@
 
 mod align;
 mod along;
+mod builder;
 mod corner;
 mod sections;
 mod spread;
@@ -15,6 +16,7 @@ mod thin;
 
 pub use align::{AlignedSection, aligned};
 pub use along::Along;
+pub use builder::{SectionSlope, SkinBuilder, SkinError, SkinInput, SkinnedSurface};
 pub use corner::{corners_of_ring, with_seam_at_corner};
 pub use sections::{CompatibleSections, SectionParameters};
 pub use spread::at_constant_speed;

@@ -1,19 +1,17 @@
 //! `skin`: the surface through sections.
 
-use glam::DVec4;
-
 use super::section::{
-    Aligned, Section, SectionPairing, SectionPlaces, SectionShape, SectionSlope, align,
-    drop_repeated, standing, warn_of_crossings, warn_of_lost_corners,
+    Section, SectionPairing, SectionPlaces, SectionShape, SectionTangent, warn_of_crossings,
+    warn_of_lost_corners,
 };
 use super::sweep::tolerated;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        Along, CompatibleSections, ConstructionReport, Curve, GeomError, NurbsCurve, NurbsSurface,
-        SectionParameters, Skin, WeightError, at_constant_speed, check_parameters,
+        ConstructionError, CountError, Curve, FormError, GeomError, InputError, NurbsSurface,
+        SectionParameters, SkinBuilder, SkinError, SkinInput, SkinnedSurface,
     },
-    value::{At, Ctx, Length, op, shortest},
+    value::{At, Ctx, Length, blamed_on, op, shortest},
 };
 
 op! {
@@ -52,9 +50,9 @@ op! {
         /// Whether sections are turned around, and seams moved, to run beside their neighbours.
         align: bool = true,
         /// The derivative by v along the first section: a vector, or a curve of vectors.
-        start_tangent: Option<Spanned<SectionSlope>>,
+        start_tangent: Option<Spanned<SectionTangent>>,
         /// The derivative by v along the last section.
-        end_tangent: Option<Spanned<SectionSlope>>,
+        end_tangent: Option<Spanned<SectionTangent>>,
         /// Whether the surface may swing out between sections.
         shape: Spanned<SectionShape> = Spanned::unplaced(SectionShape::Free),
         /// Whether points of equal parameter or of equal fraction of the length belong together;
@@ -78,87 +76,154 @@ op! {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     check(&args)?;
     let span = args.sections.span;
-    let mut curves = Section::curves(args.sections.value, span, ctx.tolerance.distance)?;
-    if args.closed {
-        drop_repeated(&mut curves, ctx.tolerance.distance);
-    }
-    check_count(ctx, &curves, args.closed, span)?;
-    let aligned = match args.align {
-        true => align(&mut curves, span, ctx.tolerance.distance)?,
-        false => Aligned::default(),
-    };
-    warn_of_lost_corners(ctx, &aligned, span);
-
     let tolerance = tolerated(ctx, args.tolerance.as_ref())?;
+    let spans = SkinSpans {
+        sections: span,
+        parameters: args.parameters.span,
+        spine: args.spine.as_ref().map_or(span, |spine| spine.span),
+        at: args.at.as_ref().map_or(span, |at| at.span),
+        slopes: [&args.start_tangent, &args.end_tangent]
+            .map(|slope| slope.as_ref().map_or(span, |slope| slope.span)),
+        has_slopes: args.start_tangent.is_some() || args.end_tangent.is_some(),
+        is_closed: args.closed,
+    };
+    let sections = args.sections.value.into_iter().map(Section::curve);
+    let sections: std::result::Result<Vec<Curve>, GeomError> = sections.collect();
+    let mut builder = SkinBuilder::new(sections.at(span)?, ctx.tolerance).degree(args.degree.value);
+    if args.closed {
+        builder = builder.closed();
+    }
+    if !args.align {
+        builder = builder.unaligned();
+    }
+    builder = match args.parameters.value {
+        SectionPlaces::By(rule) => builder.parameters(rule),
+        SectionPlaces::Listed(parameters) => builder.parameters_at(parameters),
+    };
+    if let Some(slope) = args.start_tangent {
+        builder = builder.start_slope(slope.value.slope());
+    }
+    if let Some(slope) = args.end_tangent {
+        builder = builder.end_slope(slope.value.slope());
+    }
+    if args.shape.value == SectionShape::Monotone {
+        builder = builder.monotone();
+    }
+    if let (Some(spine), Some(at)) = (args.spine, args.at) {
+        builder = builder.along_spine(spine.value, at.value);
+    }
     if args.pairing == SectionPairing::Length {
-        curves = at_constant_speed(&curves, tolerance).at(span)?;
+        builder = builder.by_length();
     }
-    let slopes = [args.start_tangent, args.end_tangent];
-    let (mut sections, slopes) = with_slopes(curves, slopes, span)?;
-    let as_given = sections.clone();
-    // Tangents at the ends hold on to the knots that they share with the sections.
-    if args.tolerance.is_some() && slopes.iter().all(Option::is_none) {
-        sections = sections.thinned(tolerance);
+    if args.tolerance.is_some() {
+        builder = builder.within(tolerance);
     }
-
-    let degree = args.degree.value;
-    let is_exact = args.tolerance.is_none();
-    let has_slopes = slopes.iter().any(Option::is_some);
-    let (along, parameters) = if let Some(spine) = args.spine {
-        let degree = Spanned::new(degree, args.degree.span);
-        let along = spine_way(ctx, sections.curves().len(), spine, args.at, degree, args.closed)?;
-        (along.0, along.1)
-    } else {
-        let parameters = standing(&sections, args.parameters, args.closed, span)?;
-        let along = match (args.shape.value, args.closed) {
-            (SectionShape::Monotone, is_closed) => Along::monotone(&parameters, is_closed),
-            (SectionShape::Free, true) => Along::closed(&parameters, degree),
-            (SectionShape::Free, false) if slopes.iter().all(Option::is_none) => {
-                Along::free(&parameters, degree)
-            }
-            (SectionShape::Free, false) => Along::with_slopes(&parameters, degree, slopes),
-        };
-        (along.at(span)?, parameters)
-    };
-    let (skin, refitted) = match has_slopes {
-        // They belong to the control points that there are.
-        true => (skinned(ctx, &sections, &along, span)?, Vec::new()),
-        false => positive(ctx, [&sections, &as_given], &along, (is_exact, tolerance), span)?,
-    };
-    warn_of_crossings(ctx, sections.curves(), span, tolerance);
-    Ok(with_report(skin, parameters, aligned, refitted))
+    let made = builder.skin().map_err(|found| refused(ctx, found, &spans))?;
+    warn_of_lost_corners(ctx, &made.unpaired, span);
+    warn_of_weights(ctx, &made, tolerance);
+    warn_of_crossings(ctx, &made.sections, span, tolerance);
+    Ok(made.surface)
 }
 
-/// The surface with its report.
-fn with_report(
-    skin: Skin,
-    parameters: Vec<f64>,
-    aligned: Aligned,
-    refitted: Vec<usize>,
-) -> NurbsSurface {
-    let Skin { surface, bad_weight } = skin;
-    let seam = |&(section, at): &(usize, f64)| {
-        ConstructionReport::default().with("section", section).with("at", at)
+/// Warns of weights that did not stay positive, and of what became of them.
+fn warn_of_weights(ctx: &mut Ctx<'_>, made: &SkinnedSurface, tolerance: f64) {
+    let (message, hint) = match (made.is_refitted, made.bad_weight) {
+        (false, None) => return,
+        (false, Some((row, column, weight))) => (
+            format!(
+                "between the sections the weight of control point [{row}][{column}] became {}",
+                shortest(weight)
+            ),
+            POSITIVE,
+        ),
+        (true, weight) => {
+            let weight = match weight {
+                Some((row, column, weight)) => format!(
+                    "the weight of control point [{row}][{column}] would be {}",
+                    shortest(weight)
+                ),
+                None => "weights would vanish".to_owned(),
+            };
+            let message = format!(
+                "between the sections {weight}, so that the rational sections became splines within {}",
+                shortest(tolerance)
+            );
+            let hint =
+                "`shape = \"monotone\"`, a lower `degree`, or sections of one form keep them exact";
+            (message, hint)
+        }
     };
-    let net = surface.control_points();
-    let report = ConstructionReport::of("skin")
-        .with("parameters", parameters)
-        .with(
-            "degree",
-            ConstructionReport::default()
-                .with("u", surface.degree_u())
-                .with("v", surface.degree_v()),
-        )
-        .with(
-            "control_points",
-            ConstructionReport::default().with("u", net.n_rows()).with("v", net.n_columns()),
-        )
-        .with("reversed", aligned.reversed)
-        .with("moved_seams", aligned.seams.iter().map(seam).collect::<Vec<_>>())
-        .with("moved_corners", aligned.corners)
-        .with("refitted", refitted)
-        .with("least_weight", bad_weight.map(|(_, _, weight)| weight));
-    surface.with_report(report)
+    ctx.warn(Diagnostic::warning(Code::NotPositiveWeight, ctx.span, message).hint(hint));
+}
+
+/// Where the arguments stand that a skin is made of.
+struct SkinSpans {
+    sections: Span,
+    parameters: Span,
+    spine: Span,
+    at: Span,
+    slopes: [Span; 2],
+    has_slopes: bool,
+    is_closed: bool,
+}
+
+/// The error at the argument that is to blame, in the words of the script.
+fn refused(
+    ctx: &Ctx<'_>,
+    SkinError { blamed, error }: SkinError,
+    spans: &SkinSpans,
+) -> Box<Diagnostic> {
+    let span = match blamed {
+        SkinInput::Sections => spans.sections,
+        SkinInput::Parameters => spans.parameters,
+        SkinInput::Spine => spans.spine,
+        SkinInput::At => spans.at,
+        SkinInput::StartSlope => spans.slopes[0],
+        SkinInput::EndSlope => spans.slopes[1],
+    };
+    Box::new(match (blamed, error) {
+        (SkinInput::Sections, GeomError::Count(CountError::TooFewCurves { got, needed })) => {
+            let which = if spans.is_closed { "a closed skin" } else { "a skin" };
+            let message = format!("{which} needs {needed} sections or more, found {got}");
+            Diagnostic::error(Code::BadCall, span, message)
+                .hint("a skin runs from section to section; of one curve `extrude`, `revolve` and `sweep` make surfaces")
+        }
+        (_, GeomError::Construction(ConstructionError::PointBetween { index })) => {
+            let (own, span) = ctx.element(span, index, "sections");
+            let message = format!("{own} is a point; only the first and the last may be one");
+            Diagnostic::error(Code::Degenerate, span, message)
+                .hint("make two skins that meet in the point")
+        }
+        (SkinInput::Sections, GeomError::Input(InputError::CoincidentPoints { first, second })) => {
+            let message = format!("`sections[{first}]` and `sections[{second}]` are at one place");
+            Diagnostic::error(Code::Degenerate, span, message)
+                .hint("leave one of them out, or say with `parameters` where in v they stand")
+        }
+        (SkinInput::At, GeomError::Count(CountError::WrongCount { needed, got, .. })) => {
+            let which = if spans.is_closed {
+                format!(
+                    "a closed skin of {} sections needs {needed} parameters of the spine, the last for its return to the first section",
+                    needed - 1
+                )
+            } else {
+                format!("{needed} sections need {needed} parameters of the spine")
+            };
+            Diagnostic::error(Code::BadParameters, span, format!("{which}, found {got}"))
+        }
+        (
+            SkinInput::StartSlope | SkinInput::EndSlope,
+            GeomError::Form(FormError::RationalFor { .. }),
+        ) => {
+            let message = "a curve of tangents has no weights, and neither have its sections";
+            Diagnostic::error(Code::NotExact, span, message)
+                .hint("give one vector, or make the sections polynomial with `approximate`")
+        }
+        (_, error) => {
+            let found = blamed_on(error, span);
+            let is_weights = spans.has_slopes && found.code == Code::BadWeights;
+            return if is_weights { Box::new(found.hint(POSITIVE)) } else { found };
+        }
+    })
 }
 
 /// What an argument excludes, and how many sections it needs.
@@ -209,167 +274,12 @@ fn check(args: &Args) -> Result<()> {
                 .hint("leave out `parameters`")
                 .fail()
         }
+        (Some(_), Some(_)) if !(2..=3).contains(&args.degree.value) => {
+            let message = format!("with a spine the degree is 2 or 3, found {}", args.degree.value);
+            Diagnostic::error(Code::BadDegree, args.degree.span, message).fail()
+        }
         _ => Ok(()),
     }
-}
-
-/// Fails unless there are enough sections, and points only at the ends.
-fn check_count(ctx: &Ctx<'_>, curves: &[NurbsCurve], is_closed: bool, span: Span) -> Result<()> {
-    let (got, needed) = (curves.len(), if is_closed { 3 } else { 2 });
-    if got < needed {
-        let which = if is_closed { "a closed skin" } else { "a skin" };
-        let message = format!("{which} needs {needed} sections or more, found {got}");
-        return Diagnostic::error(Code::BadCall, span, message)
-            .hint("a skin runs from section to section; of one curve `extrude`, `revolve` and `sweep` make surfaces")
-            .fail();
-    }
-    let ends = if is_closed { 0..got } else { 1..got - 1 };
-    let is_point = |curve: &NurbsCurve| curve.is_point();
-    if let Some(index) = ends.clone().find(|&i| is_point(&curves[i])) {
-        let (own, span) = ctx.element(span, index, "sections");
-        let message = format!("{own} is a point; only the first and the last may be one");
-        return Diagnostic::error(Code::Degenerate, span, message)
-            .hint("make two skins that meet in the point")
-            .fail();
-    }
-    if curves.iter().all(is_point) {
-        let message = "both sections are points; one of them must be a curve";
-        return Diagnostic::error(Code::Degenerate, span, message).fail();
-    }
-    Ok(())
-}
-
-/// The homogeneous derivatives by v along a section, one a control point.
-type Slopes = Option<Vec<DVec4>>;
-
-/// The sections on one basis, with derivatives along the first and the last.
-fn with_slopes(
-    mut curves: Vec<NurbsCurve>,
-    slopes: [Option<Spanned<SectionSlope>>; 2],
-    span: Span,
-) -> Result<(CompatibleSections, [Slopes; 2])> {
-    let n_sections = curves.len();
-    let domain = curves[0].domain();
-    for slope in slopes.iter().flatten() {
-        let SectionSlope::Curve(vectors) = &slope.value else { continue };
-        if vectors.is_rational() || curves.iter().any(NurbsCurve::is_rational) {
-            let message = "a curve of tangents has no weights, and neither have its sections";
-            return Diagnostic::error(Code::NotExact, slope.span, message)
-                .hint("give one vector, or make the sections polynomial with `approximate`")
-                .fail();
-        }
-        curves.push(vectors.reparametrized(domain));
-    }
-    let all = CompatibleSections::new(&curves).at(span)?;
-    let mut vectors = all.curves()[n_sections..].iter();
-    let sections = all.first(n_sections);
-    let ends = [&sections.curves()[0], &sections.curves()[n_sections - 1]];
-    let mut derivatives = [None, None];
-    for ((slope, end), place) in slopes.iter().zip(ends).zip(&mut derivatives) {
-        *place = match slope.as_ref().map(|slope| &slope.value) {
-            None => None,
-            Some(SectionSlope::Vector(v)) => {
-                Some(end.control_points().iter().map(|p| (*v * p.w).extend(0.0)).collect())
-            }
-            Some(SectionSlope::Curve(_)) => vectors
-                .next()
-                .map(|curve| curve.points().into_iter().map(|v| v.extend(0.0)).collect()),
-        };
-    }
-    Ok((sections, derivatives))
-}
-
-/// The way along a spine, and its parameters.
-fn spine_way(
-    ctx: &Ctx<'_>,
-    n_sections: usize,
-    spine: Spanned<Curve>,
-    at: Option<Spanned<Vec<f64>>>,
-    degree: Spanned<usize>,
-    is_closed: bool,
-) -> Result<(Along, Vec<f64>)> {
-    if !(2..=3).contains(&degree.value) {
-        let message = format!("with a spine the degree is 2 or 3, found {}", degree.value);
-        return Diagnostic::error(Code::BadDegree, degree.span, message).fail();
-    }
-    let at = at.unwrap_or(Spanned::new(Vec::new(), spine.span));
-    let (got, needed) = (at.value.len(), n_sections + usize::from(is_closed));
-    if got != needed {
-        let which = if is_closed {
-            format!(
-                "a closed skin of {n_sections} sections needs {needed} parameters of the spine, the last for its return to the first section"
-            )
-        } else {
-            format!("{needed} sections need {needed} parameters of the spine")
-        };
-        let message = format!("{which}, found {got}");
-        return Diagnostic::error(Code::BadParameters, at.span, message).fail();
-    }
-    check_parameters(&at.value, needed).at(at.span)?;
-    let curve = super::section::nurbs_within(&spine.value, ctx.tolerance.distance).at(spine.span)?;
-    let inside = |&t: &f64| curve.domain().clamp_inside(t);
-    let places: std::result::Result<Vec<f64>, _> = at.value.iter().map(inside).collect();
-    let along = Along::spine(&places.at(at.span)?, degree.value, &curve, is_closed).at(at.span)?;
-    Ok((along, at.value))
-}
-
-/// The skin; where weights would vanish, or be negative and a tolerance is given, through
-/// polynomial splines near the rational sections, whose indices are told.
-fn positive(
-    ctx: &mut Ctx<'_>,
-    [sections, as_given]: [&CompatibleSections; 2],
-    along: &Along,
-    (is_exact, tolerance): (bool, f64),
-    span: Span,
-) -> Result<(Skin, Vec<usize>)> {
-    let made = sections.skinned(along);
-    let weight = match &made {
-        Ok(Skin { bad_weight: None, .. }) => return Ok((made.at(span)?, Vec::new())),
-        Ok(_) if is_exact => return Ok((skinned(ctx, sections, along, span)?, Vec::new())),
-        Ok(Skin { bad_weight: Some((row, column, weight)), .. }) => {
-            format!("the weight of control point [{row}][{column}] would be {}", shortest(*weight))
-        }
-        Err(GeomError::Weights(WeightError::VanishingWeightsAt { .. })) => {
-            "weights would vanish".to_owned()
-        }
-        Err(_) => return Ok((made.at(span)?, Vec::new())),
-    };
-    let refitted: Vec<usize> =
-        (0..sections.curves().len()).filter(|&i| sections.curves()[i].is_rational()).collect();
-    let polynomial = as_given.polynomial(tolerance).at(span)?;
-    let skin = polynomial.skinned(along).at(span)?;
-    let message = format!(
-        "between the sections {weight}, so that the rational sections became splines within {}",
-        shortest(tolerance)
-    );
-    ctx.warn(
-        Diagnostic::warning(Code::NotPositiveWeight, ctx.span, message).hint(
-            "`shape = \"monotone\"`, a lower `degree`, or sections of one form keep them exact",
-        ),
-    );
-    Ok((skin, refitted))
-}
-
-/// The skin as it is, with a warning of a weight that is not positive; weights that vanish between
-/// the sections are an error.
-fn skinned(
-    ctx: &mut Ctx<'_>,
-    sections: &CompatibleSections,
-    along: &Along,
-    span: Span,
-) -> Result<Skin> {
-    let skin = sections.skinned(along).at(span).map_err(|found| {
-        let is_weights = found.code == Code::BadWeights;
-        if is_weights { Box::new(found.hint(POSITIVE)) } else { found }
-    })?;
-    if let Some((row, column, weight)) = skin.bad_weight {
-        let message = format!(
-            "between the sections the weight of control point [{row}][{column}] became {}",
-            shortest(weight)
-        );
-        ctx.warn(Diagnostic::warning(Code::NotPositiveWeight, ctx.span, message).hint(POSITIVE));
-    }
-    Ok(skin)
 }
 
 /// What to do against weights that swing below zero.

@@ -210,6 +210,10 @@ fn of_construction(error: &ConstructionError) -> Option<String> {
         ConstructionError::PathCorners { .. } => {
             "`corner = \"miter\"` lets both sides meet in the plane that halves the angle; or round the path, or `split` it there".to_owned()
         }
+        ConstructionError::MixedSections { .. } => {
+            "cut the closed one where the open one begins, or take it as it is with `align = false`"
+                .to_owned()
+        }
         ConstructionError::ClosedBetweenRails => {
             "`split` the section, or give one rail, to which z points".to_owned()
         }
