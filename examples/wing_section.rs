@@ -7,10 +7,9 @@
 
 use std::error::Error;
 
-use glam::DVec3;
 use virote_kernel::{
-    Along, CompatibleSections, Ends, Interpolator, NurbsCurve, Parametrization, SectionParameters,
-    Surface, tessellate,
+    Ends, Interpolator, NurbsCurve, Parametrization, SkinBuilder, Surface, Tolerance, glam::DVec3,
+    tessellate,
 };
 
 /// The upper side of a symmetric section with four digits, 12 % thick.
@@ -30,9 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (root, tip) = (section(2.0, 0.0)?, section(1.0, 6.0)?);
     println!("the root's upper side is {:.6} long", root.length(root.domain()));
 
-    let sections = CompatibleSections::new(&[root, tip])?;
-    let parameters = sections.parameters(SectionParameters::Average, false)?;
-    let wing = sections.skinned(&Along::free(&parameters, 1)?)?.surface;
+    let wing = SkinBuilder::new(vec![root, tip], Tolerance::DEFAULT).build()?;
     println!("area {:.6}", Surface::from(wing.clone()).area()?.0);
 
     let mesh = tessellate(&wing, 1e-3, 1_000_000)?;

@@ -64,8 +64,8 @@
 //!   [`NurbsSurface::torus`], [`NurbsSurface::revolved`] about an [`Axis`].
 //! - Surfaces of curves: [`NurbsSurface::extruded`], [`NurbsSurface::ruled`], [`NurbsSurface::swung`], [`NurbsSurface::coons`],
 //!   [`NurbsSurface::coons_bicubic`].
-//! - Skins: [`SkinBuilder`], and what it is made of: [`CompatibleSections`] with a way [`Along`] them give a [`Skin`]; [`aligned`], [`at_constant_speed`] bring sections
-//!   to run beside one another.
+//! - Skins: [`SkinBuilder`], and what it is made of: [`CompatibleSections`] with a way [`Along`] them give a [`Skin`]; [`aligned`] and
+//!   [`at_constant_speed`] bring sections to run beside one another.
 //! - Sweeps: [`SweepBuilder`], and what it is made of: [`swept`] with [`Frames`] and a [`Motion`] gives a [`Sweep`];
 //!   [`translated`], [`mitred`].
 //! - Networks: [`NetworkBuilder`], and what it is made of: [`gordon`] of a [`Network`] gives a [`Gordon`].

@@ -1,6 +1,8 @@
 //! Skins from sections as one has them to one surface with its report: which way they run, where they stand, how the
 //! surface goes from one to the next, and what happens to weights that do not stay positive.
 
+use std::sync::Arc;
+
 use glam::{DVec3, DVec4};
 
 use super::{
@@ -80,7 +82,7 @@ pub enum SectionSlope {
     /// The same everywhere.
     Vector(DVec3),
     /// A curve of vectors, by fractions of its domain.
-    Curve(NurbsCurve),
+    Curve(Arc<NurbsCurve>),
 }
 
 /// What an error of a skin is about.

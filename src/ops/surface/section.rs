@@ -106,7 +106,7 @@ impl SectionTangent {
     pub(super) fn slope(self) -> SectionSlope {
         match self {
             Self::Vector(vector) => SectionSlope::Vector(vector),
-            Self::Curve(curve) => SectionSlope::Curve(Arc::unwrap_or_clone(curve)),
+            Self::Curve(curve) => SectionSlope::Curve(curve),
         }
     }
 }

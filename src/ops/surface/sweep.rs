@@ -133,14 +133,15 @@ impl Choice for CornerOption {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let tolerance = tolerated(ctx, args.tolerance.as_ref())?;
-    let spans = SweepSpans {
-        section: args.section.span,
+    let rule = framing(args.frame.value);
+    let given = SweepGiven {
+        section: args.section.clone(),
         path: args.path.span,
         up: args.up.as_ref().map_or(args.path.span, |up| up.span),
         rails: args.rail.as_ref().map_or(args.path.span, |rail| rail.span),
-        whole: ctx.span,
+        rule,
+        tolerance,
     };
-    let rule = framing(args.frame.value);
     if rule.is_none() {
         unmoved(&args, "\"translate\"")?;
     }
@@ -183,28 +184,37 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     if is_moved {
         builder = builder.moved(&mut motion, kinks);
     }
-    let made = builder.sweep().map_err(|error| refused(error, &spans, rule, tolerance))?;
+    let made = match builder.sweep() {
+        Ok(made) => made,
+        Err(found) => return Err(refused(ctx, found, &given)),
+    };
     warn_of_ribbon(ctx, &made.section, rule.is_none().then_some(&*made.path));
     warn(ctx, &made);
     Ok(made.surface)
 }
 
-/// Where the arguments stand that a sweep is made of.
-struct SweepSpans {
-    section: Span,
+/// What errors of a sweep are told of: arguments, and where they stand.
+struct SweepGiven {
+    section: Spanned<Curve>,
     path: Span,
     up: Span,
     rails: Span,
-    whole: Span,
+    rule: Option<FrameRule>,
+    tolerance: f64,
 }
 
 /// The error at the argument that is to blame.
 fn refused(
+    ctx: &mut Ctx<'_>,
     SweepError { blamed, error }: SweepError,
-    spans: &SweepSpans,
-    rule: Option<FrameRule>,
-    tolerance: f64,
+    given: &SweepGiven,
 ) -> Box<Diagnostic> {
+    let tolerance = given.tolerance;
+    // What lies along the path is worth telling, whatever goes wrong on the way.
+    let is_swept = !matches!(blamed, SweepInput::Section | SweepInput::Path);
+    if let (true, Ok(section)) = (is_swept, given.section.value.nurbs_within(0.5 * tolerance)) {
+        warn_of_ribbon(ctx, &section, None);
+    }
     if let GeomError::Fit(FitError::ToleranceNotKept { found, .. }) = error
         && blamed == SweepInput::Whole
     {
@@ -214,17 +224,17 @@ fn refused(
             shortest(found)
         );
         let hint = "allow a larger `tolerance`, or say with `sections` how many are enough";
-        return Box::new(Diagnostic::error(Code::BeyondTolerance, spans.whole, message).hint(hint));
+        return Box::new(Diagnostic::error(Code::BeyondTolerance, ctx.span, message).hint(hint));
     }
     let span = match blamed {
-        SweepInput::Section => spans.section,
-        SweepInput::Path => spans.path,
-        SweepInput::Up => spans.up,
-        SweepInput::Rails => spans.rails,
-        SweepInput::Whole => spans.whole,
+        SweepInput::Section => given.section.span,
+        SweepInput::Path => given.path,
+        SweepInput::Up => given.up,
+        SweepInput::Rails => given.rails,
+        SweepInput::Whole => ctx.span,
     };
     let found = blamed_on(error, span);
-    let needs_more = matches!(rule, Some(FrameRule::Frenet | FrameRule::Fixed));
+    let needs_more = matches!(given.rule, Some(FrameRule::Frenet | FrameRule::Fixed));
     if blamed == SweepInput::Up && needs_more {
         let hint = "`frame = \"rotation_minimizing\"` needs no bend, and `up` only at the start";
         return Box::new(found.hint(hint));
