@@ -1,6 +1,6 @@
 //! Laws of curves through points and near them.
 
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DVec3, DVec4};
 use proptest::{
     collection, prop_assert, prop_assume, proptest,
     strategy::{Just, Strategy},
@@ -140,6 +140,34 @@ proptest! {
         for (i, curve) in curves.iter().enumerate() {
             prop_assert!(are_near(curve.point_at(t), cubic(t)[0], 1e-11), "{i}");
             prop_assert!(are_near(curve.derivatives_at(t, 1)[1], cubic(t)[1], 1e-9), "{i}");
+        }
+    }
+
+    /// Of any degree that the values and slopes determine.
+    #[test]
+    fn splines_with_slopes_at_their_ends_reproduce_cubics((_, parameters) in data(), f in 0.0..1.0_f64, degree in 3..6_usize) {
+        let scaled: Vec<f64> = parameters.iter().map(|t| t / 50.0).collect();
+        let lifted = |[value, slope]: [DVec3; 2]| [value.extend(1.0), slope.extend(0.0)];
+        let (values, slopes): (Vec<DVec4>, Vec<DVec4>) =
+            scaled.iter().map(|&t| lifted(cubic(t))).map(|[value, slope]| (value, slope)).unzip();
+        let n = scaled.len();
+        let t = scaled[0] + f * (scaled[n - 1] - scaled[0]);
+        for has_slope in [[true, true], [true, false], [false, true], [false, false]] {
+            let fit = Interpolator::with_end_slopes(&scaled, degree, has_slope).unwrap();
+            let n_slopes = has_slope.iter().filter(|&&has| has).count();
+            prop_assert!(fit.knots().degree() == degree.min(n + n_slopes - 1));
+            let ends = [slopes[0], slopes[n - 1]];
+            let given = [0, 1].map(|end| has_slope[end].then_some(ends[end]));
+            let points = fit.with_slopes_at_ends(&values, given).unwrap();
+            let points: Vec<DVec3> = points.into_iter().map(DVec4::truncate).collect();
+            prop_assert!(points.len() == n + n_slopes);
+            let curve = NurbsCurve::polynomial(fit.knots().clone(), &points).unwrap();
+            prop_assert!(are_near(curve.point_at(t), cubic(t)[0], 1e-9), "{has_slope:?}");
+            prop_assert!(are_near(curve.derivatives_at(t, 1)[1], cubic(t)[1], 1e-7), "{has_slope:?}");
+            // Other slopes, or one value more, do not belong to it.
+            let others = [0, 1].map(|end| (!has_slope[end]).then_some(ends[end]));
+            prop_assert!(fit.with_slopes_at_ends(&values, others).is_err());
+            prop_assert!(fit.with_slopes_at_ends(&values[1..], given).is_err());
         }
     }
 
@@ -283,6 +311,28 @@ fn spacing_that_varies_a_million_times_is_passed() {
                 assert!(curve.point_at(t).distance(p) < 1e-9, "{spacing:?} {ends:?}");
             }
         }
+    }
+}
+
+/// Farin's Bessel tangent at either end is that of the parabola through the three points there.
+#[test]
+fn bessel_ends_leave_along_the_parabolas_of_three_points() {
+    let parameters = [0.0, 1.0, 4.0, 6.0, 9.0];
+    let along = |t: f64| DVec3::new(t, t * t, 2.0 * t - t * t);
+    // Only the point amid is off the parabola, so that the ends see no more than two of its points
+    // and this one.
+    for (off, start) in [(2, 0), (2, 4), (1, 0), (3, 4)] {
+        let mut points = parameters.map(along);
+        points[off] += DVec3::new(0.0, 3.0, -1.0);
+        let [a, b, c] = if start == 0 { [0, 1, 2] } else { [4, 3, 2] };
+        let between =
+            |i: usize, j: usize| (points[j] - points[i]) / (parameters[j] - parameters[i]);
+        // Newton's divided differences.
+        let bent = (between(b, c) - between(a, b)) / (parameters[c] - parameters[a]);
+        let expected = between(a, b) + bent * (parameters[a] - parameters[b]);
+        let fit = Interpolator::new(&parameters, 3, Ends::Bessel).unwrap();
+        let found = fit.curve(&points).unwrap().derivatives_at(parameters[start], 1)[1];
+        assert!(found.distance(expected) < 1e-12, "{found} at {start}, not {expected}");
     }
 }
 
