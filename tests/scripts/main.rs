@@ -3,6 +3,7 @@
 mod docs;
 mod errors;
 mod faults;
+mod formats;
 mod golden;
 mod incremental;
 mod kernel_docs;
@@ -10,6 +11,7 @@ mod lanes;
 mod library;
 mod maps;
 mod mutations;
+mod quantities;
 mod readback;
 mod registry;
 #[path = "../support/mod.rs"]

@@ -174,6 +174,23 @@ fn a_setting_evaluates_the_users_of_its_parameter() {
     }
 }
 
+/// A number of another dimension is another number.
+#[test]
+fn another_dimension_evaluates_the_users() {
+    let desk = Desk::new(1);
+    desk.run("let a = @(5mm)  let b = @(a * 1)");
+    for number in ["5", "5rad", "5mm", "5mm * 1mm", "5 / 1mm"] {
+        let text = format!("let a = @({number})  let b = @(a * 1)");
+        let run = desk.run(&text);
+        assert_eq!(
+            (run.n_calls, run.value("b")),
+            (2, desk.fresh().run(&text).value("b")),
+            "{text}"
+        );
+        assert_eq!(desk.run(&text).n_calls, 0, "{text}");
+    }
+}
+
 #[test]
 fn another_unit_tolerance_or_ceiling_evaluates_all() {
     let mut desk = Desk::new(1);
