@@ -5,7 +5,8 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use glam::{DAffine3, DVec3};
 use proptest::{collection::vec, prop_assert, prop_assume, proptest};
 use virote_kernel::{
-    CircleForm, ConicKind, Curve, Frame, GeomError, Interval, KnotVector, NurbsCurve, Side,
+    CircleForm, ConicKind, Curve, Frame, GeomError, InputError, Interval, KnotVector, NurbsCurve,
+    Side,
 };
 
 use crate::some::{affine_map, are_near, curve, fraction, parameter, point};
@@ -373,4 +374,18 @@ fn every_form_of_the_circle_is_exact_to_the_last_bits() {
         let kind = if circle.degree() == 2 { Some(ConicKind::Ellipse) } else { None };
         assert_eq!(circle.conic_kind().ok(), kind);
     }
+}
+
+#[test]
+fn an_arc_is_refused_where_two_of_its_points_are_one() {
+    let [a, b, c] =
+        [DVec3::new(3.0, 1.0, 2.0), DVec3::new(5.0, 5.0, 1.0), DVec3::new(8.0, 1.0, 0.0)];
+    for (points, expected) in [([a, a, c], [0, 1]), ([a, b, b], [1, 2]), ([a, b, a], [0, 2])] {
+        let [first, second] = expected;
+        let error = GeomError::Input(InputError::CoincidentPoints { first, second });
+        assert_eq!(NurbsCurve::arc_through(points, 1e-6).map(|_| ()), Err(error));
+    }
+    // Points on both sides of the origin are apart.
+    let arc = NurbsCurve::arc_through([a, b, -a], 1e-6).unwrap();
+    assert!(arc.start().distance(a) < 1e-12 && arc.end().distance(-a) < 1e-12);
 }

@@ -3,8 +3,8 @@
 use glam::DVec3;
 use proptest::{collection::vec, prelude::Strategy, prop_assert, proptest};
 use virote_kernel::{
-    CircleForm, Ends, Gordon, Grid, Interpolator, KnotVector, Network, NurbsCurve, NurbsSurface,
-    gordon,
+    CircleForm, Ends, Gordon, Grid, Interpolator, Interval, KnotVector, Network, NurbsCurve,
+    NurbsSurface, gordon,
 };
 
 use crate::some::point;
@@ -171,7 +171,8 @@ fn the_angle_at_a_seam_is_that_of_the_rings() {
     let rings = [drop_at(0.0), drop_at(2.0)];
     let guides = [0.0, 0.5].map(|t| {
         let points = rings.each_ref().map(|ring| ring.point_at(t));
-        NurbsCurve::polynomial(KnotVector::bezier(1).unwrap(), &points).unwrap()
+        let guide = NurbsCurve::polynomial(KnotVector::bezier(1).unwrap(), &points).unwrap();
+        guide.reparametrized(Interval::new(0.0, 0.5).unwrap())
     });
     let right = std::f64::consts::FRAC_PI_2;
     // From the corner along (1, 1) and back to it along (1, -1).

@@ -4,10 +4,10 @@ use glam::{DAffine3, DQuat, DVec3};
 use proptest::{collection::vec, prelude::Strategy, prop_assert, proptest};
 use virote_kernel::{
     CircleForm, Columns, Ends, FrameRule, Frames, GeomError, Interpolator, Motion, NurbsCurve,
-    Parametrization, PlacedAxes, Sweep, SweepResolution, swept,
+    Parametrization, PlacedAxes, Sweep, SweepResolution, swept, translated,
 };
 
-use crate::some::point;
+use crate::some::{are_near, curve, fraction, point};
 
 /// A section that is only carried along.
 struct Still;
@@ -56,6 +56,18 @@ fn pipe(path: &NurbsCurve, up: DVec3) -> Sweep {
         columns: Columns::Through,
     };
     swept(&ring(), path, &frames, &mut Still, &[], fineness).unwrap()
+}
+
+proptest! {
+    #[test]
+    fn a_translated_section_is_the_sum_of_section_and_path(
+        section in curve(), path in curve(), f in fraction(), g in fraction(),
+    ) {
+        let surface = translated(&section, &path).unwrap();
+        let (u, v) = (section.domain().at(f), path.domain().at(g));
+        let sum = section.point_at(u) + path.point_at(v);
+        prop_assert!(are_near(surface.point_at(u, v), sum, 1e-11));
+    }
 }
 
 proptest! {

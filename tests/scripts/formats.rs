@@ -36,7 +36,7 @@ fn corners_in_obj_name_their_own_place_texture_and_normal() {
         mesh plain = mesh([(0, 0, 7), (1, 0, 7), (0, 1, 7)], [[0, 1, 2]])\n\
         surface low = bilinear((0, 0, 0), (0, 2, 0), (4, 0, 0), (4, 2, 0))\n\
         point p = (5, 5, 5)\n\
-        surface high = bilinear((0, 0, 1), (0, 4, 1), (2, 0, 1), (2, 4, 1))\n\
+        surface high = reparametrize(bilinear((0, 0, 1), (0, 4, 1), (2, 0, 1), (2, 4, 1)), u = 0..3)\n\
         mesh last = mesh([(0, 0, 8), (1, 0, 8), (0, 1, 8)], [[0, 1, 2]])\n\
         export c, plain, low, p, high, last to \"all.obj\"\n";
     let (bytes, _) = exported(script);
@@ -58,8 +58,8 @@ fn corners_in_obj_name_their_own_place_texture_and_normal() {
         let normal = corner.get(2).copied().flatten().map(|idx| &normals[idx - 1]);
         match place[2] as i32 {
             z @ (0 | 1) => {
-                let size = [[4.0, 2.0], [2.0, 4.0]][z as usize];
-                let expected = vec![place[0] / size[0], place[1] / size[1]];
+                let ([u, v], size) = [([1.0, 1.0], [4.0, 2.0]), ([3.0, 1.0], [2.0, 4.0])][z as usize];
+                let expected = vec![u * place[0] / size[0], v * place[1] / size[1]];
                 assert_eq!(texture, Some(&expected), "{place:?}");
                 assert_eq!(normal, Some(&vec![0.0, 0.0, 1.0]), "{place:?}");
             }
@@ -81,7 +81,7 @@ fn light(level: f64) -> f64 {
 
 #[test]
 fn vertices_in_glb_have_their_own_colours_as_light() {
-    let script = "mesh painted = curvature_map(torus((0, 0), 3, 1), \"gaussian\").mesh\n\
+    let script = "mesh painted = curvature_map(torus((0, 0), 3, 1), \"gaussian\").mesh with (color = \"red\")\n\
         export painted to \"painted.glb\"\n";
     let (bytes, meshes) = exported(script);
     let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().expect("four")) as usize;

@@ -82,10 +82,15 @@ fn names_mean_one_thing() {
         assert!(registry.get(constant.name).is_none(), "{} is an operation too", constant.name);
     }
     // An alias must not lead to other operations than the name.
+    let behind = |name: &str| -> Vec<*const Op> {
+        let found = registry.get(name).map(|(_, ops)| ops.iter());
+        found.into_iter().flatten().map(|op| std::ptr::from_ref(*op)).collect()
+    };
     ask(|op| {
-        let aliases = op.aliases.iter().filter(|alias| **alias == op.name);
-        aliases.copied().next().map(|alias| format!("is its own alias `{alias}`"))
+        let is_wrong = |alias: &&&str| **alias == op.name || behind(alias) != behind(op.name);
+        op.aliases.iter().find(is_wrong).map(|alias| format!("has the alias `{alias}`"))
     });
+    ask(|op| (!behind(op.name).contains(&std::ptr::from_ref(op))).then(|| "is lost".to_owned()));
 }
 
 #[test]
