@@ -12,7 +12,7 @@ fn exported(script: &str) -> (Vec<u8>, Vec<std::sync::Arc<Mesh>>) {
     assert!(report.diagnostics.is_empty(), "{:?}", report.diagnostics);
     let mut bytes = Vec::new();
     for event in &report.events {
-        let Event::File(file) = event else { panic!("{event:?}") };
+        let Event::File(file) = event else { unreachable!("{event:?}") };
         (file.format.write)(&file.job, &mut bytes).expect("it can be written");
     }
     let meshes = report.definitions.iter().filter_map(|defined| match &defined.value {
@@ -58,7 +58,8 @@ fn corners_in_obj_name_their_own_place_texture_and_normal() {
         let normal = corner.get(2).copied().flatten().map(|idx| &normals[idx - 1]);
         match place[2] as i32 {
             z @ (0 | 1) => {
-                let ([u, v], size) = [([1.0, 1.0], [4.0, 2.0]), ([3.0, 1.0], [2.0, 4.0])][z as usize];
+                let ([u, v], size) =
+                    [([1.0, 1.0], [4.0, 2.0]), ([3.0, 1.0], [2.0, 4.0])][z as usize];
                 let expected = vec![u * place[0] / size[0], v * place[1] / size[1]];
                 assert_eq!(texture, Some(&expected), "{place:?}");
                 assert_eq!(normal, Some(&vec![0.0, 0.0, 1.0]), "{place:?}");

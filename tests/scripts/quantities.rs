@@ -29,7 +29,7 @@ fn value(expr: &str) -> Value {
 fn truth(expr: &str) -> bool {
     match value(expr) {
         Value::Bool(truth) => truth,
-        other => panic!("{expr} is {other:?}"),
+        other => unreachable!("{expr} is {other:?}"),
     }
 }
 
@@ -37,7 +37,7 @@ fn truth(expr: &str) -> bool {
 fn number(expr: &str) -> Number {
     match value(expr) {
         Value::Number(number) => number,
-        other => panic!("{expr} is {other:?}"),
+        other => unreachable!("{expr} is {other:?}"),
     }
 }
 
@@ -222,7 +222,7 @@ fn points_are_scaled_by_anything_but_an_angle() {
         ("(2, 4, 6) - (1, 1, 1)", point(1.0, 3.0, 5.0)),
         ("-(2, 4, 6)", point(-2.0, -4.0, -6.0)),
     ] {
-        let Value::Point(found) = value(expr) else { panic!("{expr} is no point") };
+        let Value::Point(found) = value(expr) else { unreachable!("{expr} is no point") };
         assert_eq!(found, expected, "{expr}");
     }
     refused(&[
