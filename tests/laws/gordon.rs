@@ -135,7 +135,7 @@ fn rings_are_turned_to_the_way_of_the_first() {
     for n_guides in [2, 3, 5] {
         let foot = |k: usize| {
             let angle = std::f64::consts::TAU * k as f64 / n_guides as f64;
-            DVec3::new(angle.cos(), angle.sin(), 0.0)
+            DVec3::new(libm::cos(angle), libm::sin(angle), 0.0)
         };
         let guides: Vec<NurbsCurve> =
             (0..n_guides).map(|k| guide(foot(k), 0.5 * foot(k))).collect();
@@ -190,7 +190,8 @@ fn the_angle_at_a_seam_is_that_of_the_rings() {
 
 /// Wavy curves over a sheet of which those across stand a gap higher, so that all are refitted.
 fn wavy(gap: f64) -> [Vec<NurbsCurve>; 2] {
-    let wave = |x: f64, y: f64, z: f64| DVec3::new(x, y, z + (2.0 * x).sin() + (1.5 * y).cos());
+    let wave =
+        |x: f64, y: f64, z: f64| DVec3::new(x, y, z + libm::sin(2.0 * x) + libm::cos(1.5 * y));
     let line = |at: &dyn Fn(f64) -> DVec3, pace: f64| {
         let parameters: Vec<f64> = (0..=60).map(|i| f64::from(i) / 60.0).collect();
         let places: Vec<DVec3> =

@@ -1,5 +1,7 @@
 //! What files say of meshes, read back number by number.
 
+#![expect(clippy::float_cmp, reason = "what is written reads back to the same bits")]
+
 use virote::{
     kernel::Mesh,
     session::{Event, Session},
@@ -76,7 +78,8 @@ fn corners_in_obj_name_their_own_place_texture_and_normal() {
 /// The level of light of a colour's level, both from 0 to 255: IEC 61966-2-1.
 fn light(level: f64) -> f64 {
     let level = (level * 255.0).round() / 255.0;
-    let light = if level <= 0.04045 { level / 12.92 } else { ((level + 0.055) / 1.055).powf(2.4) };
+    let light =
+        if level <= 0.04045 { level / 12.92 } else { libm::pow((level + 0.055) / 1.055, 2.4) };
     (light * 255.0).round()
 }
 
