@@ -142,11 +142,10 @@ impl From<SkinError> for GeomError {
 
 /// A skin with all that one may want to know of it.
 ///
-/// A section that runs the other way is turned around, and the report tells:
-///
 /// ```
 /// use virote_kernel::{NurbsCurve, SkinBuilder, Tolerance, glam::DVec3};
 ///
+/// // A section that runs the other way is turned around, and the report tells.
 /// let [o, x, y] = [DVec3::ZERO, DVec3::X, DVec3::Y];
 /// let sections = vec![NurbsCurve::line(o, x)?, NurbsCurve::line(x + y, y)?];
 /// let made = SkinBuilder::new(sections, Tolerance::DEFAULT).skin()?;
