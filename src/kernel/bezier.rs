@@ -5,7 +5,7 @@
 
 use glam::DVec4;
 
-use super::{Grid, KnotVector};
+use super::{Direction, Grid, KnotVector};
 
 /// Control points of the Bézier curve that a spline is over one span.
 ///
@@ -95,10 +95,10 @@ fn local_piece(knots: &KnotVector, local: &[DVec4], span: usize) -> Vec<DVec4> {
     (0..=p).map(blossom).collect()
 }
 
-/// Both halves of a Bézier net along u, or along v.
-pub(crate) fn halves(net: &Grid<DVec4>, along_u: bool) -> [Grid<DVec4>; 2] {
-    if along_u {
-        return halves(&net.transposed(), false).map(|half| half.transposed());
+/// Both halves of a Bézier net along a direction.
+pub(crate) fn halves(net: &Grid<DVec4>, along: Direction) -> [Grid<DVec4>; 2] {
+    if along == Direction::U {
+        return halves(&net.transposed(), Direction::V).map(|half| half.transposed());
     }
     let (n_rows, n_columns) = (net.n_rows(), net.n_columns());
     let rows: Vec<(Vec<DVec4>, Vec<DVec4>)> =

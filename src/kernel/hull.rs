@@ -9,7 +9,7 @@ use std::{cmp::Ordering, collections::BinaryHeap};
 use glam::{DVec3, DVec4};
 
 use super::{
-    Bounds, Grid, KnotVector, bezier, ceiling::HULL_PIECES, homogeneous::project,
+    Bounds, Direction, Grid, KnotVector, bezier, ceiling::HULL_PIECES, homogeneous::project,
     tolerance::BOUNDS_RELATIVE,
 };
 
@@ -63,7 +63,7 @@ impl TensorSpline<'_> {
             }
             let nets = match part.shape {
                 HullShape::Spans(u, v) => vec![bezier::patch(self.knots, self.points, u, v)],
-                HullShape::Net(net) => bezier::halves(&net, direction.is_along_u(&net)).into(),
+                HullShape::Net(net) => bezier::halves(&net, direction.halved(&net)).into(),
             };
             for net in nets {
                 reached = reached.max(direction.corner_reach(&net));
@@ -109,8 +109,8 @@ impl AxisDirection {
             .fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Whether halving along u brings the control points nearer to one another than along v.
-    fn is_along_u(self, net: &Grid<DVec4>) -> bool {
+    /// The direction along which halving brings the control points nearer to one another.
+    fn halved(self, net: &Grid<DVec4>) -> Direction {
         let about = project(net.get(0, 0))[self.axis];
         let height = |point: DVec4| point[self.axis] - about * point.w;
         let bend = |line: &[DVec4]| {
@@ -119,7 +119,8 @@ impl AxisDirection {
         let along_v: f64 = (0..net.n_rows()).map(|i| bend(net.row(i))).sum();
         let along_u: f64 = (0..net.n_columns()).map(|j| bend(&net.column(j))).sum();
         let is_line = net.n_columns() == 1;
-        net.n_rows() > 1 && (is_line || along_v < along_u)
+        let is_shorter = net.n_rows() > 1 && (is_line || along_v < along_u);
+        if is_shorter { Direction::U } else { Direction::V }
     }
 }
 

@@ -5,7 +5,9 @@
 
 use glam::DVec4;
 
-use super::{GeomError, Grid, Interval, KnotVector, WeightError, bezier, ceiling::PIECES};
+use super::{
+    Direction, GeomError, Grid, Interval, KnotVector, WeightError, bezier, ceiling::PIECES,
+};
 
 /// A Bézier net over a rectangle of parameters.
 struct BezierNet {
@@ -83,10 +85,10 @@ fn quarters(piece: &BezierNet) -> Vec<BezierNet> {
     let rows: Vec<(Grid<DVec4>, Interval)> = if piece.net.n_rows() == 1 {
         vec![(piece.net.clone(), piece.u)]
     } else {
-        bezier::halves(&piece.net, true).into_iter().zip(piece.u.halves()).collect()
+        bezier::halves(&piece.net, Direction::U).into_iter().zip(piece.u.halves()).collect()
     };
     let both = |(net, u): (Grid<DVec4>, Interval)| {
-        let nets = bezier::halves(&net, false).into_iter();
+        let nets = bezier::halves(&net, Direction::V).into_iter();
         nets.zip(piece.v.halves()).map(move |(net, v)| BezierNet { net, u, v })
     };
     rows.into_iter().flat_map(both).collect()

@@ -133,8 +133,8 @@ fn bend(
         false if n_quarterings < MAX_QUARTERINGS => {
             let (halves_u, halves_v) = (domains[0].halves(), domains[1].halves());
             let mut all = PieceBounds::default();
-            for (half, domain_u) in bezier::halves(net, true).iter().zip(halves_u) {
-                for (quarter, domain_v) in bezier::halves(half, false).iter().zip(halves_v) {
+            for (half, domain_u) in bezier::halves(net, Direction::U).iter().zip(halves_u) {
+                for (quarter, domain_v) in bezier::halves(half, Direction::V).iter().zip(halves_v) {
                     let domains = [domain_u, domain_v];
                     all = all.union(bend(surface, quarter, domains, n_quarterings + 1));
                 }

@@ -17,7 +17,7 @@ use super::{
     },
 };
 use crate::{
-    Bounds, FitError, GeomError, Grid, JumpError,
+    Bounds, Direction, FitError, GeomError, Grid, JumpError,
     ceiling::STAND_IN_CELLS,
     frame::norm,
     tolerance::{
@@ -130,7 +130,9 @@ impl KnotLineFit<'_> {
                 if !across_u && !across_v {
                     self.settled.insert(key);
                 }
-                for (direction, needs, idx) in [(0, across_u, i), (1, across_v, j)] {
+                for (direction, needs, idx) in
+                    [(Direction::U, across_u, i), (Direction::V, across_v, j)]
+                {
                     if !needs {
                         continue;
                     }
@@ -203,15 +205,15 @@ impl KnotLineFit<'_> {
             return Ok(node.clone());
         }
         let mut node = node_at(self.surface, u, v)?;
-        self.calm(0, u, &mut node);
-        self.calm(1, v, &mut node);
+        self.calm(Direction::U, u, &mut node);
+        self.calm(Direction::V, v, &mut node);
         self.nodes.insert(key, node.clone());
         Ok(node)
     }
 
     /// Takes derivatives without a bound away from a node beside an end of the domain where there
     /// are none.
-    fn calm(&self, direction: usize, t: f64, node: &mut MixedDerivatives) {
+    fn calm(&self, direction: Direction, t: f64, node: &mut MixedDerivatives) {
         let lines = &self.lines[direction];
         let step = lines.step(t);
         let ends = [lines.domain.start(), lines.domain.end()];
@@ -219,12 +221,15 @@ impl KnotLineFit<'_> {
         if !ends.into_iter().any(is_beside) {
             return;
         }
-        let order = |k: usize| if direction == 0 { node.get(k, 0) } else { node.get(0, k) };
+        let order = |k: usize| match direction {
+            Direction::U => node.get(k, 0),
+            Direction::V => node.get(0, k),
+        };
         if norm(order(2)) * step <= UNBOUNDED_RELATIVE * norm(order(1)) {
             return;
         }
         *node = Grid::from_fn(ORDER + 1, ORDER + 1, |k, l| {
-            let across = if direction == 0 { k } else { l };
+            let across = [k, l][direction];
             if across == 0 { node.get(k, l) } else { DVec3::ZERO }
         });
     }
@@ -267,11 +272,11 @@ impl KnotLineFit<'_> {
     }
 
     /// Makes the line across a narrow cell a crease at which derivatives jump.
-    fn finds_crease(&mut self, direction: usize, cell: LineCell) -> Result<bool, GeomError> {
+    fn finds_crease(&mut self, direction: Direction, cell: LineCell) -> Result<bool, GeomError> {
         let lines = &self.lines[direction];
         let (ends, places) = match direction {
-            0 => (cell.u, cell.places_u),
-            _ => (cell.v, cell.places_v),
+            Direction::U => (cell.u, cell.places_u),
+            Direction::V => (cell.v, cell.places_v),
         };
         let width = ends[1] - ends[0];
         if SUSPICIOUS_CELL_RELATIVE * lines.domain.length() < width {
@@ -289,8 +294,8 @@ impl KnotLineFit<'_> {
                 break;
             }
             let part = |from: f64, to: f64| match direction {
-                0 => LineCell { u: [from, to], places_u: [from, to], ..cell },
-                _ => LineCell { v: [from, to], places_v: [from, to], ..cell },
+                Direction::U => LineCell { u: [from, to], places_u: [from, to], ..cell },
+                Direction::V => LineCell { v: [from, to], places_v: [from, to], ..cell },
             };
             if self.is_rough(part(low, middle), direction) {
                 high = middle;
@@ -325,22 +330,22 @@ impl KnotLineFit<'_> {
 
     /// The largest difference of derivatives in a direction, as lengths over a width; without
     /// derivatives it has no bound.
-    fn jump(&self, cell: LineCell, direction: usize, places: [f64; 2], width: f64) -> f64 {
+    fn jump(&self, cell: LineCell, direction: Direction, places: [f64; 2], width: f64) -> f64 {
         let at = |t: f64| match direction {
-            0 => node_at(self.surface, t, cell.places_v[0]),
-            _ => node_at(self.surface, cell.places_u[0], t),
+            Direction::U => node_at(self.surface, t, cell.places_v[0]),
+            Direction::V => node_at(self.surface, cell.places_u[0], t),
         };
         let [Ok(a), Ok(b)] = places.map(at) else { return f64::INFINITY };
         let order = |node: &MixedDerivatives, k: usize| match direction {
-            0 => node.get(k, 0),
-            _ => node.get(0, k),
+            Direction::U => node.get(k, 0),
+            Direction::V => node.get(0, k),
         };
         let difference = |k: usize| norm(order(&a, k) - order(&b, k));
         (difference(1) * width).max(difference(2) * 0.5 * width * width)
     }
 
     /// Whether a cell needs lines in a direction; where it cannot be told it does.
-    fn is_rough(&self, cell: LineCell, direction: usize) -> bool {
+    fn is_rough(&self, cell: LineCell, direction: Direction) -> bool {
         let corner = |u: f64, v: f64| node_at(self.surface, u, v);
         let corners = || -> Result<[MixedDerivatives; 4], GeomError> {
             let ([a, b], [c, d]) = (cell.places_u, cell.places_v);
@@ -366,18 +371,18 @@ impl KnotLineFit<'_> {
     /// # Errors
     /// [`JumpError::FunctionAt`] where the two sides of a crease are apart.
     fn check_jumps(&self) -> Result<(), GeomError> {
-        for (direction, lines) in self.lines.iter().enumerate() {
+        for (direction, lines) in Direction::BOTH.into_iter().zip(&self.lines) {
             let is_inner = |t: &&f64| lines.domain.start() < **t && **t < lines.domain.end();
             for &crease in lines.creases.iter().filter(is_inner) {
-                for &other in &self.lines[1 - direction].parameters {
+                for &other in &self.lines[direction.other()].parameters {
                     let at = |t: f64| match direction {
-                        0 => self.surface.point_at(t, other),
-                        _ => self.surface.point_at(other, t),
+                        Direction::U => self.surface.point_at(t, other),
+                        Direction::V => self.surface.point_at(other, t),
                     };
                     let step = lines.step(crease);
                     let gap = norm(at(crease - step)? - at(crease + step)?);
                     if self.tolerance < gap {
-                        let (u, v) = if direction == 0 { (crease, other) } else { (other, crease) };
+                        let [u, v] = direction.pair(crease, other);
                         return Err(JumpError::FunctionAt { u, v, gap }.into());
                     }
                 }

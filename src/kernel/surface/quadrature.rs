@@ -16,7 +16,7 @@ use glam::DVec3;
 
 use super::{Surface, even::evened};
 use crate::{
-    GeomError, Interval,
+    Direction, GeomError, Interval,
     ceiling::SURFACE_CUTS,
     numeric::gauss_legendre::{EIGHT_NODES, nodes},
     tolerance::{LAST_BIT, QUADRATURE_RELATIVE},
@@ -86,7 +86,7 @@ impl<const N: usize> IntegratedCell<N> {
     }
 
     /// With what is known from the cell of which it is a half along a direction.
-    fn after(mut self, whole: &Self, direction: usize) -> Self {
+    fn after(mut self, whole: &Self, direction: Direction) -> Self {
         self.factors = whole.factors;
         for i in 0..N {
             let (change, before) = (self.changes[direction][i], whole.changes[direction][i]);
@@ -108,12 +108,13 @@ impl<const N: usize> IntegratedCell<N> {
     }
 
     /// The parameter by which it changes more: u or v.
-    fn direction(&self, allowed: [f64; N]) -> usize {
-        let along = |along: usize| {
+    fn direction(&self, allowed: [f64; N]) -> Direction {
+        let along = |along: Direction| {
             let change = |i: usize| self.factors[along][i] * self.changes[along][i];
             (0..N).map(|i| change(i) / allowed[i]).fold(0.0, f64::max)
         };
-        usize::from(along(0) < along(1))
+        let [u, v] = Direction::BOTH.map(along);
+        if u < v { Direction::V } else { Direction::U }
     }
 }
 
@@ -129,11 +130,11 @@ pub(super) fn integral<const N: usize>(
     let rule = |cell: QuadratureCell| quadrature(&parts[cell.part], cell, &density);
     let known =
         |cell: QuadratureCell, whole: CellEstimate<N>| -> Result<IntegratedCell<N>, GeomError> {
-            let pair = |direction: usize| -> Result<[CellEstimate<N>; 2], GeomError> {
+            let pair = |direction: Direction| -> Result<[CellEstimate<N>; 2], GeomError> {
                 let [a, b] = cell.halves(direction);
                 Ok([rule(a)?, rule(b)?])
             };
-            Ok(IntegratedCell::new(cell, whole, [pair(0)?, pair(1)?]))
+            Ok(IntegratedCell::new(cell, whole, [pair(Direction::U)?, pair(Direction::V)?]))
         };
     let mut all: Vec<IntegratedCell<N>> = Vec::new();
     for cell in parts.iter().enumerate().flat_map(|(part, surface)| cells(part, surface)) {
@@ -235,11 +236,11 @@ fn quadrature<const N: usize>(
 
 impl QuadratureCell {
     /// The halves across u or across v.
-    fn halves(self, direction: usize) -> [Self; 2] {
+    fn halves(self, direction: Direction) -> [Self; 2] {
         let Self { part, u, v } = self;
         match direction {
-            0 => u.halves().map(|u| Self { part, u, v }),
-            _ => v.halves().map(|v| Self { part, u, v }),
+            Direction::U => u.halves().map(|u| Self { part, u, v }),
+            Direction::V => v.halves().map(|v| Self { part, u, v }),
         }
     }
 }

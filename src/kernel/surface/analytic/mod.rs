@@ -21,7 +21,7 @@ use glam::DVec4;
 
 use super::{NurbsSurface, square::range};
 use crate::{
-    Frame, Grid, bezier,
+    Direction, Frame, Grid, bezier,
     ceiling::QUADRIC_WORK,
     tolerance::{ANALYTIC_RELATIVE, SIGN_RELATIVE},
 };
@@ -159,7 +159,8 @@ fn sign_on(
     if n_left == 0 {
         return None;
     }
-    let [first, second] = bezier::halves(net, n_left.is_multiple_of(2));
+    let along = if n_left.is_multiple_of(2) { Direction::U } else { Direction::V };
+    let [first, second] = bezier::halves(net, along);
     let first = sign_on(&first, field, n_left - 1)?;
     sign_on(&second, field, n_left - 1).filter(|second| 0.0 < first * second)
 }

@@ -68,10 +68,10 @@ impl SurfacePart {
     /// The halves across the direction in which it is longer.
     pub(in crate::surface) fn halves(&self) -> [Self; 2] {
         let along_u = longest(&self.places) >= longest(&self.places.transposed());
-        let direction = usize::from(!along_u);
+        let direction = if along_u { Direction::U } else { Direction::V };
         let middle = self.middle()[direction];
-        let nets = cut(&self.net, along_u);
-        let [before, behind] = cut(&self.normals, along_u);
+        let nets = cut(&self.net, direction);
+        let [before, behind] = cut(&self.normals, direction);
         let mut ends = [(self.low, self.high); 2];
         (ends[0].1[direction], ends[1].0[direction]) = (middle, middle);
         let [first, second] = nets;
@@ -183,12 +183,12 @@ fn longest(places: &Grid<DVec3>) -> f64 {
     (n - 1) as f64 * steps.fold(0.0, f64::max)
 }
 
-fn cut<T>(field: &Grid<T>, along_u: bool) -> [Grid<T>; 2]
+fn cut<T>(field: &Grid<T>, along: Direction) -> [Grid<T>; 2]
 where
     T: Copy + std::ops::Add<Output = T> + std::ops::Mul<f64, Output = T>,
 {
-    match along_u {
-        true => square::cut_v(&field.transposed(), 0.5).map(|part| part.transposed()),
-        false => square::cut_v(field, 0.5),
+    match along {
+        Direction::U => square::cut_v(&field.transposed(), 0.5).map(|part| part.transposed()),
+        Direction::V => square::cut_v(field, 0.5),
     }
 }
