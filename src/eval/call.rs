@@ -49,6 +49,15 @@ fn finite(value: Value, name: &str, span: Span) -> Result<Value> {
     Diagnostic::error(Code::Domain, span, message).fail()
 }
 
+/// Parts of a value that whoever made it has passed.
+fn made_parts(value: &Value) -> u64 {
+    match value {
+        Value::List(items) => items.len() as u64,
+        Value::Text(_) => value.extent().size,
+        _ => 1,
+    }
+}
+
 impl Machine<'_> {
     /// Evaluates a call as written.
     pub(super) fn call_expr(&mut self, call: &CallExpr, span: Span) -> Result<Value> {
@@ -205,12 +214,7 @@ impl Machine<'_> {
         match (done.end, value) {
             (None, value) => {
                 let value = finite(value?, name, span)?;
-                let n_parts = match &value {
-                    Value::List(items) => items.len() as u64,
-                    Value::Text(_) => value.extent().size,
-                    _ => 1,
-                };
-                self.passes(n_parts, span)?;
+                self.passes(made_parts(&value), span)?;
                 Ok(value)
             }
             // It says itself what there was no room for.
