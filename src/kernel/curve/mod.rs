@@ -1,60 +1,17 @@
 //! Curves: rational B-splines, and functions.
 //!
-//! `any` is a curve of either kind, `parametric` that of a function, `hermite_approximation` a spline near it, made by `hermite`, `function` answers for it, `global_queries` for both, `either` edits both. Of B-splines this file has the
-//! type, its constructors and what can be read off it; `eval` computes points and derivatives,
-//! `evaluator` the same at many parameters, `circle`, `arc` and `conic` have the exact conics,
-//! `chain` curves of segments, `edit` changes the representation or cuts, `basis_change` finds the
-//! same curve on fewer or other knots, `product` has derivatives and products as curves, `parts`
-//! what a form is made of, `reduce` takes knots and degrees away, `standard` weights of one at the ends, `join` and `extend` go on beyond
-//! an end, `offset` runs beside, `deviation` tells how far two are apart, `jumps` where one is apart from itself, `compatible` brings
-//! several to one basis, `denominator` over one denominator, `measure` has length and bounds. `features` has the places that stand out,
-//! `closest` the nearest one, `intersect` the meetings of two curves, from `bend`, the polynomials
-//! that a piece is made of, and `part`, in the `units` that this needs; `arc_length` finds places by length. Of both, `local` tells
-//! the shape at a place from its derivatives, `direction` the kind of the place, `continuity`
-//! compares the two sides of a joint, `flat` and `planar` look for lines and planes, and `analytic`
-//! for exact lines and circles.
+//! This file has the type of rational B-splines, its constructors and what can be read off it. In
+//! the rooms stands what a curve is (`representation`), its points (`evaluation`), the same in
+//! another form (`editing`), what can be asked of it (`measurement`), where curves meet
+//! (`intersection`), what makes it (`construction`), and splines near functions (`approximation`).
 
-mod analytic;
-mod any;
-mod arc;
-mod arc_length;
-mod basis_change;
-mod bend;
-mod chain;
-mod circle;
-mod closest;
-mod compatible;
-mod conic;
-mod continuity;
-mod denominator;
-mod deviation;
-mod direction;
-mod edit;
-mod either;
-mod eval;
-mod evaluator;
-mod extend;
-mod features;
-mod flat;
-mod function;
-mod global_queries;
-mod hermite;
-mod hermite_approximation;
-mod intersect;
-mod join;
-mod jumps;
-mod local;
-mod measure;
-mod offset;
-mod parametric;
-mod part;
-mod parts;
-mod planar;
-mod product;
-mod reduce;
-mod series;
-mod standard;
-mod units;
+mod approximation;
+mod construction;
+mod editing;
+mod evaluation;
+mod intersection;
+mod measurement;
+mod representation;
 
 use glam::{DAffine3, DMat4, DVec3, DVec4};
 
@@ -63,26 +20,26 @@ use super::{
     frame::norm, homogeneous, lazy::Lazy, nearest::ClosestPointTree, positive,
 };
 
-pub use analytic::AnalyticCurve;
-pub(crate) use analytic::{rounded, rounded_place};
-pub use any::Curve;
-pub(crate) use arc_length::ArcLengths;
-pub(crate) use chain::powers;
-pub use circle::CircleForm;
-pub use closest::ClosestPoint;
-pub use compatible::make_compatible;
-pub use conic::ConicKind;
-pub use continuity::Continuity;
-pub(crate) use denominator::on_one_denominator;
-pub use direction::CurvePointKind;
-pub use evaluator::CurveEvaluator;
-pub(crate) use flat::{lie_in_a_plane, plane_of};
-pub(crate) use hermite::blossom_weights;
-pub use intersect::CurveIntersection;
-pub use join::join;
-pub use local::{EvaluationPlace, LocalGeometry};
-pub use offset::Offset;
-pub use parametric::{CurveFunction, ParametricCurve};
+pub(crate) use construction::chain::powers;
+pub use construction::circle::CircleForm;
+pub use construction::conic::ConicKind;
+pub(crate) use construction::hermite::blossom_weights;
+pub use construction::offset::Offset;
+pub use editing::compatible::make_compatible;
+pub(crate) use editing::denominator::on_one_denominator;
+pub use editing::join::join;
+pub use evaluation::evaluator::CurveEvaluator;
+pub use intersection::intersect::CurveIntersection;
+pub use measurement::analytic::AnalyticCurve;
+pub(crate) use measurement::analytic::{rounded, rounded_place};
+pub(crate) use measurement::arc_length::ArcLengths;
+pub use measurement::closest::ClosestPoint;
+pub use measurement::continuity::Continuity;
+pub use measurement::direction::CurvePointKind;
+pub(crate) use measurement::flat::{lie_in_a_plane, plane_of};
+pub use measurement::local::{EvaluationPlace, LocalGeometry};
+pub use representation::any::Curve;
+pub use representation::parametric::{CurveFunction, ParametricCurve};
 
 /// A rational B-spline curve in space, with homogeneous points `(w·x, w·y, w·z, w)`.
 ///

@@ -1,93 +1,44 @@
 //! Surfaces: rational B-splines, and functions.
 //!
-//! `any` is a surface of either kind, `parametric` that of a function, `nurbs_approximation` a spline near it,
-//! made between `lines`. Of B-splines this file has
-//! the type, its constructors and what can be read off it; `eval` computes points
-//! and derivatives, `evaluator` the same at many places, `grid_eval` on grids, `normal` unit normals
-//! where they exist, `closest` the nearest point, `iso` the curves on it and its box. `ruled` makes
-//! surfaces between curves, `revolve` those that turn about an axis, `round` the primitives, `coons`
-//! those within four boundaries, by `sum`, the exact sum of surfaces that curves span. `direction`
-//! is u or v, along which `edit` changes the representation or cuts, and `compatible` brings several
-//! to one basis. `rearrange` does of this what functions allow, `parts` has what a form is made of, `power` the coefficients of powers,
-//! `continuation` patches that go on from a side, `join` makes one surface of many, `offset` runs
-//! beside, `analytic` finds planes and surfaces of revolution that have an equation, `level_set` has the lines along which a field on a surface vanishes,
-//! `crease` those across which its derivative jumps, `square` the polynomials that this takes.
-//!
-//! Of both kinds `local` tells how they bend at a place, `pole` where an edge is collapsed,
-//! `everywhere` what holds at all places, `deviation` how far one is from another, `defects` where
-//! one is not regular; `joint` how two go on in one another along a `border`; `mass` area and
-//! volume, with `quadrature` for the integrals, `even` for patches whose weights differ much and
-//! `shell` for what closes.
+//! This file has the type of rational B-splines, its constructors and what can be read off it. In
+//! the rooms stands what a surface is (`representation`), its points (`evaluation`), the same in
+//! another form (`editing`), what can be asked of it (`measurement`), the lines along which
+//! something vanishes on it (`intersection`), what makes it (`construction`), and splines near
+//! functions (`approximation`).
 
-mod analytic;
-mod any;
-mod border;
-mod closest;
-mod compatible;
-mod continuation;
-mod coons;
-mod crease;
-mod defects;
-mod deviation;
-mod direction;
-mod edge;
-mod edit;
-mod eval;
-mod evaluator;
-mod even;
-mod everywhere;
-mod grid_eval;
-mod iso;
-mod join;
-mod joint;
-mod jumps;
-mod level_set;
-mod lines;
-mod local;
-mod mass;
-mod normal;
-mod nurbs_approximation;
-mod offset;
-mod parametric;
-mod parts;
-mod pole;
-mod power;
-mod quadrature;
-mod rearrange;
-mod revolve;
-mod round;
-mod ruled;
-mod shell;
-mod square;
-mod sum;
-mod two_sided;
-mod umbilics;
+mod approximation;
+mod construction;
+mod editing;
+mod evaluation;
+mod intersection;
+mod measurement;
+mod representation;
 
 use glam::{DAffine3, DVec3, DVec4};
 
-pub use analytic::{AnalyticForm, AnalyticSurface, QuadricKind};
-pub use any::Surface;
-pub use closest::{ParametricPlaces, SurfaceClosestPoint};
-pub use compatible::make_surfaces_compatible;
-pub use coons::{Blend, CrossFields, Twists};
-pub(crate) use crease::Crease;
-pub use defects::SurfaceDefects;
-pub use direction::Direction;
-pub use edge::Edge;
-pub use evaluator::SurfaceEvaluator;
-pub use grid_eval::GridSamples;
-pub use join::join_patches;
-pub use joint::SurfaceContinuity;
-pub use level_set::{CurveSurfaceIntersection, LevelSet, PictureError};
-pub use local::{Principal, SurfacePointKind, SurfaceShape};
-pub use mass::{MassProperties, area_mass, facing_unlike, volume_mass};
-pub use offset::{FocalPoint, SurfaceOffset};
-pub use parametric::{ParametricSurface, SurfaceFunction};
-pub use revolve::{Axis, AxisContact};
-pub use shell::ShellError;
-pub(crate) use sum::BooleanSumTerm;
+pub use construction::coons::{Blend, CrossFields, Twists};
+pub use construction::offset::{FocalPoint, SurfaceOffset};
+pub use construction::revolve::{Axis, AxisContact};
+pub(crate) use construction::sum::BooleanSumTerm;
+pub use editing::compatible::make_surfaces_compatible;
+pub use editing::join::join_patches;
+pub use evaluation::evaluator::SurfaceEvaluator;
+pub use evaluation::grid_eval::GridSamples;
+pub use intersection::analytic::{AnalyticForm, AnalyticSurface, QuadricKind};
+pub use intersection::level_set::{CurveSurfaceIntersection, LevelSet, PictureError};
+pub use measurement::closest::{ParametricPlaces, SurfaceClosestPoint};
+pub use measurement::defects::SurfaceDefects;
+pub use measurement::joint::SurfaceContinuity;
+pub use measurement::local::{Principal, SurfacePointKind, SurfaceShape};
+pub use measurement::mass::{MassProperties, area_mass, facing_unlike, volume_mass};
+pub use measurement::shell::ShellError;
+pub use representation::any::Surface;
+pub(crate) use representation::crease::Crease;
+pub use representation::direction::Direction;
+pub use representation::edge::Edge;
+pub use representation::parametric::{ParametricSurface, SurfaceFunction};
 
-use evaluator::Expanded;
+use evaluation::evaluator::Expanded;
 
 use super::{
     ConstructionReport, CountError, GeomError, Grid, Interval, KnotVector, WeightError,
@@ -223,7 +174,7 @@ impl NurbsSurface {
         control_points: Grid<DVec4>,
     ) -> Self {
         let is_rational = homogeneous::have_different_weights(control_points.as_slice());
-        let fold_area = normal::fold_area(&control_points);
+        let fold_area = evaluation::normal::fold_area(&control_points);
         Self {
             knots_u,
             knots_v,

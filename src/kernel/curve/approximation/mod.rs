@@ -1,0 +1,3 @@
+//! Splines near functions.
+
+pub(super) mod hermite_approximation;

@@ -1,0 +1,88 @@
+//! Several curves run through one after another, as one.
+
+use glam::DVec3;
+
+use crate::{
+    CountError, GeomError, JointError, KnotError,
+    curve::NurbsCurve,
+    joint::{Joined, vanishing_span},
+    refine::ControlLines,
+    tolerance::EXACT_RELATIVE,
+};
+
+/// The curves one after another as one curve on the domain of the first and those of the others
+/// behind it, each as long as it was.
+///
+/// All are elevated to the highest degree among them, and the weights of each are scaled so that
+/// they begin where those before end. A joint keeps only the knots that its continuity needs: it
+/// loses those that can go without a displacement beyond rounding, or beyond the gap that it had.
+/// Ends that differ within the tolerance meet halfway.
+///
+/// ```
+/// use virote_kernel::{NurbsCurve, glam::DVec3, join};
+///
+/// let [first, second] = [(0.0, 1.0), (1.0, 3.0)].map(|(a, b)| (DVec3::X * a, DVec3::X * b));
+/// let parts = [NurbsCurve::line(first.0, first.1)?, NurbsCurve::line(second.0, second.1)?];
+/// let whole = join(&parts, 1e-6)?;
+/// assert!((whole.length(whole.domain()) - 3.0).abs() < 1e-14);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+///
+/// # Errors
+/// [`CountError::TooFewCurves`] below two; [`JointError::Gap`] wider than the tolerance;
+/// [`KnotError::VanishingPiece`] for a domain too short beside the others;
+/// `InputError::NotFinite` where the weights leave the numbers.
+pub fn join(curves: &[NurbsCurve], tolerance: f64) -> Result<NurbsCurve, GeomError> {
+    let [first, others @ ..] = curves else {
+        return Err(CountError::TooFewCurves { got: 0, needed: 2 }.into());
+    };
+    if others.is_empty() {
+        return Err(CountError::TooFewCurves { got: 1, needed: 2 }.into());
+    }
+    check_gaps(curves, tolerance)?;
+    check_domains(curves)?;
+
+    let degree = curves.iter().map(NurbsCurve::degree).max().unwrap_or(0).max(1);
+    let raised = |curve: &NurbsCurve| curve.clamped().elevate_degree(degree);
+    let mut joined = Joined::new(raised(first)?.lines());
+    for (before, next) in curves.iter().zip(others) {
+        let gap = before.end().distance(next.start());
+        let next = raised(next)?;
+        let scale = joined.ends()[0].w / next.control_points[0].w;
+        joined.append(&next.lines(), scale, EXACT_RELATIVE * next.magnitude() + gap);
+    }
+    let ControlLines { knots, lines } = joined.finish()?;
+    NurbsCurve::new(knots, lines.concat())
+}
+
+/// # Errors
+/// [`JointError::Gap`].
+fn check_gaps(curves: &[NurbsCurve], tolerance: f64) -> Result<(), GeomError> {
+    for (index, pair) in curves.windows(2).enumerate() {
+        let (end, start) = (pair[0].end(), pair[1].start());
+        let gap = end.distance(start);
+        let is_met = gap <= tolerance;
+        if !is_met {
+            let fits = |a: DVec3, b: DVec3| a.distance(b) <= tolerance;
+            let reversed = if fits(end, pair[1].end()) {
+                Some(index + 1)
+            } else {
+                fits(pair[0].start(), start).then_some(index)
+            };
+            return Err(JointError::Gap { index, gap, tolerance, reversed }.into());
+        }
+    }
+    Ok(())
+}
+
+/// # Errors
+/// [`KnotError::VanishingPiece`].
+fn check_domains(curves: &[NurbsCurve]) -> Result<(), GeomError> {
+    let total: f64 = curves.iter().map(|curve| curve.domain().length()).sum();
+    for (index, curve) in curves.iter().enumerate() {
+        if let Some(length) = vanishing_span(&curve.knots, total) {
+            return Err(KnotError::VanishingPiece { index, length, total }.into());
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,40 @@
+//! Pieces of two curves that are one and the same curve.
+//!
+//! Such pieces share an arc that ends where one of them does. It is told before anything is halved,
+//! since halving would come to as many parts as the arc is tolerances long.
+
+use super::{IntersectionSearch, contact::ContactInterval, newton::foot};
+use crate::{GeomError, Interval, curve::representation::part::CurvePart};
+
+/// Places of an arc that are looked at, besides its ends.
+const N_LOOKS: usize = 16;
+
+/// Roundings within which pieces are the same curve.
+const SAME_ROUNDINGS: f64 = 16.0;
+
+impl IntersectionSearch<'_> {
+    /// # Errors
+    /// `IntersectionError::RunTogether` where two pieces share an arc that is longer than a touch.
+    pub(super) fn check_shared(&self, a: &CurvePart, b: &CurvePart) -> Result<(), GeomError> {
+        let on_first = |s: f64| foot(self.first, a.interval, self.second.point_at(s));
+        let ends = [a.interval.start(), a.interval.end()].into_iter();
+        let others = [b.interval.start(), b.interval.end()].map(on_first);
+        let both = ends.chain(others).filter(|&t| self.is_same_at(t, b.interval));
+        let [low, high] = both
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], t| [low.min(t), high.max(t)]);
+        let Ok(first) = Interval::new(low, high) else { return Ok(()) };
+        if self.extent(self.first, first) <= self.longest_touch
+            || !first.steps(N_LOOKS).into_iter().all(|t| self.is_same_at(t, b.interval))
+        {
+            return Ok(());
+        }
+        Err(self.run_together(ContactInterval { first, second: b.interval }))
+    }
+
+    /// Whether the first curve is at a point of the other, up to rounding.
+    fn is_same_at(&self, t: f64, second: Interval) -> bool {
+        let p = self.first.point_at(t);
+        let nearest = self.second.point_at(foot(self.second, second, p));
+        nearest.distance(p) <= SAME_ROUNDINGS * self.rounding
+    }
+}

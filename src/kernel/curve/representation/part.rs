@@ -1,0 +1,159 @@
+//! Bézier pieces of curves in search of one another: boxes, and cones of tangents.
+
+use glam::{DVec3, DVec4};
+
+use crate::{
+    Bounds, Interval,
+    bernstein::{derivative, product},
+    bezier,
+    curve::{NurbsCurve, intersection::bend::longest},
+    homogeneous,
+    tolerance::KNOT_RELATIVE,
+};
+
+/// Two pieces cross clearly when their cones of tangents are this far apart, in radians.
+const CLEAR_ANGLE: f64 = 0.1;
+
+/// A Bézier piece of a curve.
+#[derive(Clone)]
+pub(in crate::curve) struct CurvePart {
+    pub(in crate::curve) interval: Interval,
+    pub(in crate::curve) points: Vec<DVec4>,
+    pub(in crate::curve) bounds: Bounds,
+    pub(in crate::curve) cone: DirectionCone,
+}
+
+/// Directions within an angle of an axis; `None` stands for all of them.
+#[derive(Clone, Copy)]
+pub(in crate::curve) struct DirectionCone {
+    axis: DVec3,
+    angle: Option<f64>,
+}
+
+/// The pieces of a curve between its knots.
+pub(in crate::curve) fn parts(curve: &NurbsCurve) -> Vec<CurvePart> {
+    curve.knots().spans().map(|span| CurvePart::of_span(curve, span)).collect()
+}
+
+impl CurvePart {
+    pub(in crate::curve) fn of_span(curve: &NurbsCurve, span: usize) -> Self {
+        let points = bezier::piece(curve.knots(), curve.control_points(), span);
+        Self::new(curve.knots().span_interval(span), points)
+    }
+
+    fn new(interval: Interval, points: Vec<DVec4>) -> Self {
+        let places = points.iter().map(|&point| homogeneous::place(point));
+        let bounds = Bounds::of(places).unwrap_or(Bounds { min: DVec3::ZERO, max: DVec3::ZERO });
+        let cone = DirectionCone::of_velocity(&points);
+        Self { interval, points, bounds, cone }
+    }
+
+    /// What of it lies in an interval.
+    pub(in crate::curve) fn within(self, interval: Interval) -> Option<Self> {
+        let own = self.interval;
+        let (start, end) = (own.start().max(interval.start()), own.end().min(interval.end()));
+        let cut = Interval::new(start, end).ok()?;
+        if cut == own {
+            return Some(self);
+        }
+        let (before, _) = bezier::cut_at(&self.points, own.fraction_of(end));
+        let from = own.length() * own.fraction_of(start) / (end - own.start());
+        let (_, inside) = bezier::cut_at(&before, from);
+        Some(Self::new(cut, inside))
+    }
+
+    pub(in crate::curve) fn halves(&self) -> [Self; 2] {
+        let (left, right) = bezier::cut_at(&self.points, 0.5);
+        let [before, behind] = self.interval.halves();
+        [Self::new(before, left), Self::new(behind, right)]
+    }
+
+    /// Whether the boxes are within the tolerance of one another, and the control points across
+    /// the chord, where two that run side by side are told apart.
+    pub(in crate::curve) fn may_meet(&self, other: &Self, tolerance: f64) -> bool {
+        self.bounds.min.cmple(other.bounds.max + tolerance).all()
+            && other.bounds.min.cmple(self.bounds.max + tolerance).all()
+            && !self.lies_beside(other, tolerance)
+    }
+
+    /// Whether a plane along the chord parts the control points by more than the tolerance.
+    fn lies_beside(&self, other: &Self, tolerance: f64) -> bool {
+        let ends = |part: &Self| [0, part.points.len() - 1].map(|i| part.points[i]);
+        let [own, others] = [ends(self), ends(other)].map(|ends| ends.map(homogeneous::place));
+        let chord = own[1] - own[0];
+        let between = 0.5 * (others[0] + others[1] - own[0] - own[1]);
+        let across = between - chord * (between.dot(chord) / chord.length_squared());
+        let Some(across) = across.try_normalize() else { return false };
+        let along = |part: &Self| -> Vec<f64> {
+            part.points.iter().map(|&point| homogeneous::place(point).dot(across)).collect()
+        };
+        let highest = along(self).into_iter().fold(f64::NEG_INFINITY, f64::max);
+        let lowest = along(other).into_iter().fold(f64::INFINITY, f64::min);
+        tolerance < lowest - highest
+    }
+
+    /// How far the control points are from the chord at most.
+    pub(in crate::curve) fn deviation_from_chord(&self) -> f64 {
+        let ends = [self.points[0], self.points[self.points.len() - 1]].map(homogeneous::project);
+        let chord = ends[1] - ends[0];
+        let off = |&point: &DVec4| {
+            let from_start = homogeneous::place(point) - ends[0];
+            let along = from_start.dot(chord) / chord.length_squared();
+            let along = if along.is_finite() { along.clamp(0.0, 1.0) } else { 0.0 };
+            from_start.distance(chord * along)
+        };
+        self.points.iter().map(off).fold(0.0, f64::max)
+    }
+}
+
+impl DirectionCone {
+    const EVERYTHING: Self = Self { axis: DVec3::ZERO, angle: None };
+
+    /// A cone that holds every tangent of a piece.
+    fn of_velocity(points: &[DVec4]) -> Self {
+        let numerator: Vec<DVec3> = points.iter().map(|point| point.truncate()).collect();
+        let weight: Vec<f64> = points.iter().map(|point| point.w).collect();
+        let velocity: Vec<DVec3> = if weight.iter().all(|w| w.total_cmp(&weight[0]).is_eq()) {
+            derivative(&numerator)
+        } else {
+            let times = |vector: DVec3, factor: f64| vector * factor;
+            let grown = product(&derivative(&numerator), &weight, times);
+            let shrunk = product(&numerator, &derivative(&weight), times);
+            grown.iter().zip(&shrunk).map(|(&a, &b)| a - b).collect()
+        };
+        let rounding = longest(&velocity) * KNOT_RELATIVE;
+        let clear = || velocity.iter().filter(|slope| rounding < slope.length());
+        let Some(axis) = clear().map(|slope| slope.normalize()).sum::<DVec3>().try_normalize()
+        else {
+            return Self::EVERYTHING;
+        };
+        let angle = clear().map(|slope| slope.angle_between(axis)).fold(0.0, f64::max);
+        Self { axis, angle: Some(angle) }
+    }
+
+    pub(in crate::curve) fn is_within_half_turn(self) -> bool {
+        self.angle.is_some_and(|angle| angle < std::f64::consts::FRAC_PI_2)
+    }
+
+    /// Whether it is at most a quarter turn wide, so that the speed in it stays away from zero.
+    pub(in crate::curve) fn is_narrow(self) -> bool {
+        self.angle.is_some_and(|angle| angle <= std::f64::consts::FRAC_PI_4)
+    }
+
+    /// A cone around both.
+    pub(in crate::curve) fn with(self, other: Self) -> Self {
+        let (Some(own), Some(others)) = (self.angle, other.angle) else { return Self::EVERYTHING };
+        let Some(axis) = (self.axis + other.axis).try_normalize() else { return Self::EVERYTHING };
+        let angle =
+            (own + axis.angle_between(self.axis)).max(others + axis.angle_between(other.axis));
+        Self { axis, angle: Some(angle) }
+    }
+
+    /// Whether no direction of one is near one of the other or its opposite.
+    pub(in crate::curve) fn crosses_clearly(self, other: Self) -> bool {
+        let (Some(own), Some(others)) = (self.angle, other.angle) else { return false };
+        let between = self.axis.angle_between(other.axis);
+        let between = between.min(std::f64::consts::PI - between);
+        own + others + CLEAR_ANGLE < between
+    }
+}

@@ -1,0 +1,4 @@
+//! Splines near functions.
+
+pub(super) mod lines;
+pub(super) mod nurbs_approximation;

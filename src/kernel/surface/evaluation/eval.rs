@@ -1,0 +1,115 @@
+//! Points and derivatives of surfaces.
+
+use glam::{DVec3, DVec4};
+
+use crate::{Grid, homogeneous, knots::acting, surface::NurbsSurface};
+
+impl NurbsSurface {
+    /// Point at `(u, v)`; outside the domain the outer pieces go on.
+    ///
+    /// O(p² + q² + pq), without allocation up to degree 7. Piegl & Tiller, *The NURBS Book*, A4.3.
+    #[must_use]
+    pub fn point_at(&self, u: f64, v: f64) -> DVec3 {
+        homogeneous::project(self.homogeneous_at(u, v))
+    }
+
+    /// Homogeneous point `(w·x, w·y, w·z, w)` at `(u, v)`.
+    #[must_use]
+    pub fn homogeneous_at(&self, u: f64, v: f64) -> DVec4 {
+        self.knots_u.with_basis(u, |span_u, basis_u| {
+            self.knots_v.with_basis(v, |span_v, basis_v| {
+                let mut sum = DVec4::ZERO;
+                let first = span_u + 1 - basis_u.len();
+                for (i, &n_u) in basis_u.iter().enumerate() {
+                    let row = acting(self.control_points.row(first + i), span_v, basis_v);
+                    let along_v = row
+                        .iter()
+                        .zip(basis_v)
+                        .fold(DVec4::ZERO, |sum, (&point, &n_v)| sum + point * n_v);
+                    sum += along_v * n_u;
+                }
+                sum
+            })
+        })
+    }
+
+    /// Derivatives at `(u, v)`: row k, column l holds the one of order k in u and l in v, for
+    /// both up to `order`.
+    ///
+    /// At a knot those of the piece to its right, at the end of a domain those from the left.
+    /// Piegl & Tiller, *The NURBS Book*, A3.6 and A4.4.
+    #[must_use]
+    pub fn derivatives_at(&self, u: f64, v: f64, order: usize) -> Grid<DVec3> {
+        let derivatives = self.homogeneous_derivatives(u, v, order);
+        if self.is_rational {
+            return homogeneous::quotient_grid(&derivatives);
+        }
+        let weight = derivatives.get(0, 0).w;
+        derivatives.map(|derivative| derivative.truncate() / weight)
+    }
+
+    /// Point, Su and Sv at `(u, v)`, without allocation up to degree 7.
+    #[must_use]
+    pub fn tangents_at(&self, u: f64, v: f64) -> [DVec3; 3] {
+        let (span_u, span_v) = (self.knots_u.span_at(u), self.knots_v.span_at(v));
+        let [value, along_u, along_v] =
+            self.knots_u.with_slopes(span_u, u, |values_u, slopes_u| {
+                self.knots_v.with_slopes(span_v, v, |values_v, slopes_v| {
+                    let mut sums = [DVec4::ZERO; 3];
+                    let first = span_u + 1 - values_u.len();
+                    for (i, (&n_u, &dn_u)) in values_u.iter().zip(slopes_u).enumerate() {
+                        let row = acting(self.control_points.row(first + i), span_v, values_v);
+                        let (mut value, mut slope) = (DVec4::ZERO, DVec4::ZERO);
+                        for ((&point, &n_v), &dn_v) in row.iter().zip(values_v).zip(slopes_v) {
+                            value += point * n_v;
+                            slope += point * dn_v;
+                        }
+                        sums[0] += value * n_u;
+                        sums[1] += value * dn_u;
+                        sums[2] += slope * n_u;
+                    }
+                    sums
+                })
+            });
+        let point = homogeneous::project(value);
+        let tangent = |slope: DVec4| (slope.truncate() - point * slope.w) / value.w;
+        [point, tangent(along_u), tangent(along_v)]
+    }
+
+    /// S, Su, Sv, Suu, Suv, Svv; beyond the domain those of the last piece.
+    pub(in crate::surface) fn second_order_at(&self, u: f64, v: f64) -> [DVec3; 6] {
+        let spans = [self.knots_u.span_at(u), self.knots_v.span_at(v)];
+        let d = self.homogeneous_derivatives_on(spans, [u, v], 2);
+        let all = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)];
+        homogeneous::second_order(all.map(|(k, l)| d.get(k, l)))
+    }
+
+    fn homogeneous_derivatives(&self, u: f64, v: f64, order: usize) -> Grid<DVec4> {
+        let spans = [self.knots_u.span_at(u), self.knots_v.span_at(v)];
+        self.homogeneous_derivatives_on(spans, [u, v], order)
+    }
+
+    /// Homogeneous derivatives of the piece over a pair of spans.
+    pub(in crate::surface) fn homogeneous_derivatives_on(
+        &self,
+        [span_u, span_v]: [usize; 2],
+        [u, v]: [f64; 2],
+        order: usize,
+    ) -> Grid<DVec4> {
+        let basis_u = self.knots_u.basis_derivatives_on(span_u, u, order.min(self.degree_u()));
+        let basis_v = self.knots_v.basis_derivatives_on(span_v, v, order.min(self.degree_v()));
+        let contract = |k: usize, l: usize| {
+            let mut sum = DVec4::ZERO;
+            for (i, &n_u) in self.knots_u.support(span_u).zip(basis_u.row(k)) {
+                let row = &self.control_points.row(i)[self.knots_v.support(span_v)];
+                for (&point, &n_v) in row.iter().zip(basis_v.row(l)) {
+                    sum += point * (n_u * n_v);
+                }
+            }
+            sum
+        };
+        Grid::from_fn(order + 1, order + 1, |k, l| {
+            if k < basis_u.n_rows() && l < basis_v.n_rows() { contract(k, l) } else { DVec4::ZERO }
+        })
+    }
+}

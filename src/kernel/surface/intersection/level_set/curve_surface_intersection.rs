@@ -1,0 +1,312 @@
+//! Where a curve passes through a surface or touches it.
+//!
+//! As in `surface_intersection`, with pieces of the curve and their cones of tangents: a piece and a part of the
+//! surface whose cones are clear of one another have one point in common at most, which Newton's
+//! method finds.
+
+use glam::{DVec3, DVec4};
+
+use super::{PictureError, pair::SurfacePart};
+use crate::{
+    Bounds, Curve, GeomError, Interval, NurbsCurve, NurbsSurface, Surface, Tolerance, bezier,
+    ceiling::{CROSSING_STEPS, SURFACE_PAIRS},
+    frame::{norm, unit},
+    homogeneous,
+    numeric::{
+        linear::solved,
+        newton::{Step, within_limits},
+    },
+    tolerance::{FLAT_SHARE, LAST_BIT, PLACE_RELATIVE},
+    valley::Valley,
+    work,
+};
+
+/// A touch this many times longer than its parts is looked at for how the distance runs along it.
+const LONGEST_TOUCH: f64 = 24.0;
+
+/// A longer share of a stretch, on which the distance is the least, runs along the surface.
+const FLOOR_SHARE: f64 = 0.5;
+
+/// A touch leaves its neighbourhood where it is this share of what counts as near away.
+const APART_SHARE: f64 = 0.5;
+
+/// A place that a curve and a surface have in common.
+///
+/// A line through the centre of a unit sphere pierces it at −1 and 1:
+///
+/// ```
+/// use virote_kernel::{Curve, Frame, NurbsCurve, NurbsSurface, Surface, Tolerance, glam::DVec3};
+///
+/// let sphere = Surface::from(NurbsSurface::sphere(Frame::XY, 1.0)?);
+/// let line = Curve::from(NurbsCurve::line(DVec3::X * -2.0, DVec3::X * 2.0)?);
+/// let [first, second] = &sphere.piercings(&line, Tolerance::DEFAULT)?[..] else {
+///     unreachable!("in two points");
+/// };
+/// assert!(first.point.distance(DVec3::NEG_X) < 1e-9 && (first.t - 0.25).abs() < 1e-9);
+/// assert!(second.point.distance(DVec3::X) < 1e-9 && (second.t - 0.75).abs() < 1e-9);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CurveSurfaceIntersection {
+    /// The parameter on the curve.
+    pub t: f64,
+    /// The parameters on the surface; at a seam and at a pole the start of the domain.
+    pub uv: [f64; 2],
+    /// The point, in the middle between both.
+    pub point: DVec3,
+}
+
+/// A piece of the curve.
+#[derive(Clone)]
+struct CurvePiece {
+    ends: [f64; 2],
+    points: Vec<DVec4>,
+    places: Vec<DVec3>,
+    bounds: Bounds,
+    /// All tangents are within the angle of the axis.
+    axis: DVec3,
+    angle: f64,
+}
+
+/// A piece that lies along the surface.
+#[derive(Clone, Copy)]
+struct LyingPiece {
+    ends: [f64; 2],
+    bounds: Bounds,
+    widest: f64,
+}
+
+impl Surface {
+    /// Every place that a curve has in common with the surface, within the tolerance's distance, by
+    /// the parameter on the curve.
+    ///
+    /// # Errors
+    /// [`PictureError::RunsAlong`] where they share a stretch; for functions as
+    /// [`crate::ParametricSurface::to_nurbs`].
+    pub fn piercings(
+        &self,
+        curve: &Curve,
+        tolerance: Tolerance,
+    ) -> Result<Vec<CurveSurfaceIntersection>, GeomError> {
+        let spline = self.splined(super::plane::SPLINE_SHARE * tolerance.distance)?;
+        let curve = curve.spline()?;
+        let size = curve.bounds().diagonal().max(spline.bounds().diagonal());
+        let tolerance = tolerance.distance_for(size);
+        let touch_size = (tolerance * size).sqrt();
+        let rounding = LAST_BIT * curve.bounds().magnitude().max(spline.bounds().magnitude());
+        let search =
+            PiercingSearch { curve: &curve, surface: &spline, tolerance, touch_size, rounding };
+        search.run()
+    }
+}
+
+struct PiercingSearch<'a> {
+    curve: &'a NurbsCurve,
+    surface: &'a NurbsSurface,
+    tolerance: f64,
+    /// Pieces that touch are no larger than this.
+    touch_size: f64,
+    /// What a distance may be wrong by.
+    rounding: f64,
+}
+
+impl PiercingSearch<'_> {
+    fn run(&self) -> Result<Vec<CurveSurfaceIntersection>, GeomError> {
+        let near = FLAT_SHARE * self.tolerance;
+        let parts = SurfacePart::all(self.surface);
+        let mut todo = Vec::new();
+        for span in self.curve.knots().spans() {
+            let ends = self.curve.knots().span_interval(span);
+            let points = bezier::piece(self.curve.knots(), self.curve.control_points(), span);
+            let piece = CurvePiece::new([ends.start(), ends.end()], points);
+            let beside =
+                parts.iter().filter(|part| !part.is_beside(piece.bounds, &piece.places, near));
+            todo.extend(beside.map(|part| (piece.clone(), part.clone())));
+        }
+        let mut found = Vec::new();
+        let mut contacts: Vec<LyingPiece> = Vec::new();
+        let mut n_pairs = 0;
+        while work::goes_on(1)
+            && let Some((piece, part)) = todo.pop()
+        {
+            n_pairs += 1;
+            if SURFACE_PAIRS < n_pairs {
+                let [start, end] = piece.ends;
+                return Err(PictureError::RunsAlong { start, end }.into());
+            }
+            if part.is_crossed_by(piece.axis, piece.angle)
+                && let Some(place) = self.crossing(&piece, &part)
+            {
+                found.push(place);
+                continue;
+            }
+            let sizes = [piece.bounds.diagonal(), part.bounds.diagonal()];
+            let is_flat = piece.deviation().max(part.thickness()) <= near;
+            let is_small = sizes[0].max(sizes[1]) <= self.touch_size;
+            if is_flat && is_small && !part.is_crossed_by(piece.axis, piece.angle) {
+                let (ends, widest) = (piece.ends, sizes[0].max(sizes[1]));
+                contacts.push(LyingPiece { ends, bounds: piece.bounds, widest });
+                continue;
+            }
+            if sizes[0].max(sizes[1]) <= near {
+                continue;
+            }
+            if sizes[1] <= sizes[0] {
+                todo.extend(piece.halves().map(|half| (half, part.clone())));
+            } else {
+                todo.extend(part.halves().map(|half| (piece.clone(), half)));
+            }
+            let last = todo.len() - 2;
+            let tail = todo.split_off(last);
+            let is_near = |(piece, part): &(CurvePiece, SurfacePart)| {
+                !part.is_beside(piece.bounds, &piece.places, near)
+            };
+            todo.extend(tail.into_iter().filter(is_near));
+        }
+        found.extend(self.touches(contacts)?);
+        Ok(self.in_order(found))
+    }
+
+    /// The one place of a piece and a part that cross clearly, if it is in both.
+    fn crossing(&self, piece: &CurvePiece, part: &SurfacePart) -> Option<CurveSurfaceIntersection> {
+        let [u, v] = part.middle();
+        let start = [0.5 * (piece.ends[0] + piece.ends[1]), u, v];
+        let domains = [self.curve.domain(), self.surface.domain_u(), self.surface.domain_v()];
+        let limits = domains.map(|domain| [domain.start(), domain.end()]);
+        let is_still = |last: [f64; 3], next: [f64; 3]| {
+            (0..3).all(|i| (next[i] - last[i]).abs() <= LAST_BIT * domains[i].length())
+        };
+        let found = within_limits(limits, start, CROSSING_STEPS, is_still, |at| {
+            let derivatives = self.curve.derivatives_at(at[0], 1);
+            let [point, by_u, by_v] = self.surface.tangents_at(at[1], at[2]);
+            let apart = derivatives[0] - point;
+            let columns = [derivatives[1], -by_u, -by_v];
+            let matrix = std::array::from_fn(|i| std::array::from_fn(|k| columns[k][i]));
+            Step::perhaps(solved(matrix, (-apart).to_array()))
+        });
+        let [t, u, v] = found.unless_stuck()?;
+        let slack = PLACE_RELATIVE * (piece.ends[1] - piece.ends[0]);
+        let is_inside = piece.ends[0] - slack <= t && t <= piece.ends[1] + slack;
+        (is_inside && part.holds([u, v])).then(|| self.piercing(t, [u, v]))?
+    }
+
+    fn piercing(&self, t: f64, uv: [f64; 2]) -> Option<CurveSurfaceIntersection> {
+        let (p, q) = (self.curve.point_at(t), self.surface.point_at(uv[0], uv[1]));
+        (p.distance(q) <= self.tolerance).then(|| CurveSurfaceIntersection {
+            t,
+            uv,
+            point: p.midpoint(q),
+        })
+    }
+
+    /// The nearest approach within each stretch of contacts.
+    fn touches(
+        &self,
+        mut contacts: Vec<LyingPiece>,
+    ) -> Result<Vec<CurveSurfaceIntersection>, GeomError> {
+        contacts.sort_by(|a, b| a.ends[0].total_cmp(&b.ends[0]));
+        let mut stretches: Vec<LyingPiece> = Vec::new();
+        for contact in contacts {
+            match stretches.last_mut() {
+                Some(last) if contact.ends[0] <= last.ends[1] => {
+                    last.ends[1] = last.ends[1].max(contact.ends[1]);
+                    last.bounds = last.bounds.union(contact.bounds);
+                    last.widest = last.widest.max(contact.widest);
+                }
+                _ => stretches.push(contact),
+            }
+        }
+        let mut found = Vec::new();
+        for LyingPiece { ends: [start, end], bounds, widest } in stretches {
+            let Ok(stretch) = Interval::new(start, end) else { continue };
+            let valley = Valley::of(|t| self.apart(t), stretch, self.rounding);
+            let is_long = LONGEST_TOUCH * widest < bounds.diagonal();
+            if is_long && !self.is_touch(&valley, bounds.diagonal()) {
+                return Err(PictureError::RunsAlong { start, end }.into());
+            }
+            let foot = self.surface.closest(self.curve.point_at(valley.bottom));
+            found.extend(self.piercing(valley.bottom, foot.parameters));
+        }
+        Ok(found)
+    }
+
+    /// How far the curve is from the surface.
+    fn apart(&self, t: f64) -> f64 {
+        self.surface.closest(self.curve.point_at(t)).distance
+    }
+
+    /// Whether a stretch of that size has its floor in one place and rises on both sides of it: a
+    /// touch of higher order.
+    fn is_touch(&self, valley: &Valley, size: f64) -> bool {
+        let start = self.curve.point_at(valley.floor.start());
+        let floor = start.distance(self.curve.point_at(valley.floor.end()));
+        valley.is_single
+            && valley.rises_to(APART_SHARE * FLAT_SHARE * self.tolerance)
+            && floor <= FLOOR_SHARE * size
+    }
+
+    /// In the order of the curve, each place once.
+    fn in_order(&self, mut found: Vec<CurveSurfaceIntersection>) -> Vec<CurveSurfaceIntersection> {
+        let domain = self.curve.domain();
+        let near = LAST_BIT.sqrt() * domain.length();
+        if self.curve.is_closed(self.tolerance) {
+            let at_end = |place: &&mut CurveSurfaceIntersection| domain.end() - place.t <= near;
+            found.iter_mut().filter(at_end).for_each(|place| place.t = domain.start());
+        }
+        let order = |a: &CurveSurfaceIntersection, b: &CurveSurfaceIntersection| {
+            let [a, b] = [a, b].map(|place| (place.t, place.uv[0], place.uv[1]));
+            a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.total_cmp(&b.2))
+        };
+        found.sort_by(order);
+        let mut kept: Vec<CurveSurfaceIntersection> = Vec::new();
+        for place in found {
+            let known = kept.iter_mut().rev().find(|other| {
+                (place.t - other.t).abs() <= near.max(LAST_BIT.sqrt())
+                    && norm(place.point - other.point) <= self.tolerance
+            });
+            match known {
+                Some(other) => {
+                    let is_before = (place.uv[0], place.uv[1]) < (other.uv[0], other.uv[1]);
+                    if is_before {
+                        other.uv = place.uv;
+                    }
+                }
+                None => kept.push(place),
+            }
+        }
+        kept
+    }
+}
+
+impl CurvePiece {
+    fn new(ends: [f64; 2], points: Vec<DVec4>) -> Self {
+        let places: Vec<DVec3> = points.iter().map(|&point| homogeneous::place(point)).collect();
+        let nothing = Bounds { min: DVec3::ZERO, max: DVec3::ZERO };
+        let bounds = Bounds::of(places.iter().copied()).unwrap_or(nothing);
+        // Tangents of a rational curve are between the legs of its polygon.
+        let legs = || places.windows(2).filter_map(|pair| unit(pair[1] - pair[0]));
+        let axis = unit(legs().sum()).unwrap_or(DVec3::ZERO);
+        let angle = match axis == DVec3::ZERO {
+            true => std::f64::consts::PI,
+            false => legs().map(|leg| leg.angle_between(axis)).fold(0.0, f64::max),
+        };
+        Self { ends, points, places, bounds, axis, angle }
+    }
+
+    fn halves(&self) -> [Self; 2] {
+        let (before, behind) = bezier::cut_at(&self.points, 0.5);
+        let middle = 0.5 * (self.ends[0] + self.ends[1]);
+        [Self::new([self.ends[0], middle], before), Self::new([middle, self.ends[1]], behind)]
+    }
+
+    /// How far the control points are from the chord.
+    fn deviation(&self) -> f64 {
+        let (start, end) = (self.places[0], self.places[self.places.len() - 1]);
+        let chord = unit(end - start).unwrap_or(DVec3::ZERO);
+        let off = |&place: &DVec3| {
+            let way = place - start;
+            norm(way - chord * way.dot(chord))
+        };
+        self.places.iter().map(off).fold(0.0, f64::max)
+    }
+}

@@ -1,0 +1,94 @@
+//! Plane sections of surfaces, exact fields: the height above the plane times the denominator.
+
+use super::{
+    LevelSet, ScalarField, ZeroSetParts, square,
+    verify::{self, CurveOrigin},
+};
+use crate::{Frame, GeomError, Grid, NurbsSurface, Surface, Tolerance, tolerance::LAST_BIT};
+
+/// Rounding of a height, in last bits of what it is computed of.
+const ROUNDING: f64 = 16.0 * LAST_BIT;
+
+/// Part of the tolerance that a spline in the place of a function uses up.
+pub(super) const SPLINE_SHARE: f64 = 0.25;
+
+impl Surface {
+    /// The lines in which a plane cuts the surface or touches it, within the tolerance's distance
+    /// and complete; a function is cut as a spline that near.
+    ///
+    /// A patch that lies in the plane is told by its border, a line along which the plane touches
+    /// the surface as a line, a point in which it touches as a point. Lines are cubic splines in the
+    /// plane, parametrized about by their length.
+    ///
+    /// # Errors
+    /// [`super::PictureError::Unresolved`] where the surface runs so near along the plane that rounding
+    /// decides where it cuts; for functions as [`crate::ParametricSurface::to_nurbs`].
+    pub fn section(&self, plane: Frame, tolerance: Tolerance) -> Result<LevelSet, GeomError> {
+        match self {
+            Self::Nurbs(surface) => surface.section(plane, tolerance),
+            Self::Parametric(_) => {
+                let distance = tolerance.distance;
+                let spline = self.splined(SPLINE_SHARE * distance)?;
+                let rest = tolerance.with_distance((1.0 - SPLINE_SHARE) * distance);
+                spline.section(plane, rest)
+            }
+        }
+    }
+}
+
+impl NurbsSurface {
+    /// As [`Surface::section`].
+    ///
+    /// # Errors
+    /// [`super::PictureError::Unresolved`] where the surface runs so near along the plane that rounding
+    /// decides where it cuts.
+    pub fn section(&self, plane: Frame, tolerance: Tolerance) -> Result<LevelSet, GeomError> {
+        let tolerance = self.line_tolerance(tolerance)?;
+        let (origin, normal) = (plane.origin(), plane.z());
+        let height = |point: &glam::DVec4| (point.truncate() - origin * point.w).dot(normal);
+        let heights = self.control_points.map(height);
+        let magnitude = |points: &Grid<glam::DVec4>| {
+            let sizes = points.iter().map(|p| p.truncate().length() + origin.length() * p.w.abs());
+            sizes.fold(0.0, f64::max)
+        };
+        let rounding = ROUNDING * magnitude(&self.control_points);
+        let spans = [&self.knots_u, &self.knots_v].map(|knots| knots.spans().collect::<Vec<_>>());
+        let mut collected = ZeroSetParts::new(tolerance);
+        for &span_u in &spans[0] {
+            for &span_v in &spans[1] {
+                let (rows, columns) = (self.knots_u.support(span_u), self.knots_v.support(span_v));
+                let [least, most] = range_of(&heights, rows, columns);
+                if rounding < least || most < -rounding {
+                    continue;
+                }
+                let patch = self.patch(span_u, span_v);
+                let values = patch.control_points.map(height);
+                let least_weight =
+                    patch.control_points.iter().map(|p| p.w).fold(f64::INFINITY, f64::min);
+                let is_zero = square::largest(&values) <= tolerance * least_weight;
+                let rounding = ROUNDING * magnitude(&patch.control_points);
+                let conditions = Vec::new();
+                let patch = &patch;
+                let field =
+                    ScalarField { patch, values, rounding, is_zero, conditions, basis: None };
+                collected.add(field)?;
+            }
+        }
+        let found = collected.finish()?;
+        let meeting = CurveOrigin::Section { surface: self, plane, touches: &found.touches };
+        verify::verify(&found.curves, &meeting, tolerance)?;
+        Ok(found)
+    }
+}
+
+/// The least and the largest of some rows and columns.
+fn range_of(
+    values: &Grid<f64>,
+    rows: std::ops::RangeInclusive<usize>,
+    columns: std::ops::RangeInclusive<usize>,
+) -> [f64; 2] {
+    let inner = rows.flat_map(|i| values.row(i)[columns.clone()].iter().copied());
+    inner.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], value| {
+        [least.min(value), most.max(value)]
+    })
+}

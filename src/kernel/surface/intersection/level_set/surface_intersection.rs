@@ -1,0 +1,216 @@
+//! Where two surfaces cross, and where a curve passes through a surface.
+//!
+//! `share` halves pairs of parts until their cones of normals tell that they cross in at most one
+//! arc; so no loop is lost between samples. From a place on such an arc `trace` follows the curve as
+//! far as it goes; arcs that lie on a curve that is known are told by it. Where normals are parallel,
+//! `tangential_contact` tells what the surfaces share about that place.
+//!
+//! Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988); Barnhill &
+//! Kersey, *A marching method for parametric surface/surface intersection*, CAGD 7 (1990).
+
+use glam::DVec3;
+
+use super::{
+    FITTING, LevelSet, PictureError,
+    chain::{self, VanishingPlace},
+    cubic,
+    pair::SurfacePart,
+    sample::{BranchSample, BranchSamples},
+    seam::EdgeOverlap,
+    share::{SharedParts, found, halved},
+    sphere,
+    surface_pair::{PairParameters, SurfacePair},
+    trace::CurveEnds,
+    verify::{self, CurveOrigin},
+};
+use crate::{
+    GeomError, NurbsCurve, Surface, Tolerance,
+    ceiling::SURFACE_PAIRS,
+    mesh::check_rounding,
+    tolerance::{CONTACT_SHARE, ONE_PLACE_SHARE},
+    work,
+};
+
+/// Part of the tolerance within which splines stand in for functions: less than what counts as a
+/// contact.
+const SPLINE_SHARE: f64 = 0.4 * CONTACT_SHARE;
+
+/// How far, in tolerances, a curve of two surfaces that are nearly parallel may be told beside it.
+const FAR_ASIDE: f64 = 64.0;
+
+impl Surface {
+    /// The curves in which the surface crosses another or touches it, within the tolerance's distance
+    /// and complete; they run along N × N of the two. Functions are crossed as splines that near.
+    ///
+    /// An edge that both have in common is that edge. Where the surfaces only touch in a point, that is
+    /// told among the touches.
+    ///
+    /// # Errors
+    /// [`PictureError::SurfacesRunTogether`] where they share more than curves; for functions as
+    /// [`crate::ParametricSurface::to_nurbs`].
+    pub fn intersections(&self, other: &Self, tolerance: Tolerance) -> Result<LevelSet, GeomError> {
+        let [a, b] = [self, other].map(|s| s.splined(SPLINE_SHARE * tolerance.distance));
+        let (a, b) = (a?, b?);
+        let size = a.bounds().diagonal().min(b.bounds().diagonal());
+        let tolerance = tolerance.distance_for(size);
+        check_rounding(tolerance, a.bounds().magnitude().max(b.bounds().magnitude()))?;
+        let [a, b] = sphere::with_poles_aside([a, b], CONTACT_SHARE * tolerance);
+        let seams = EdgeOverlap::all([&a, &b], tolerance)?;
+        if let Some(point) = seams.iter().find_map(|seam| seam.overlap([&a, &b], tolerance)) {
+            return Err(PictureError::SurfacesRunTogether { point }.into());
+        }
+        let (crossing, found) = found([&a, &b], &seams, tolerance, size)?;
+        let SharedParts { clear, mut ends, touches, lines, .. } = found;
+        let mut runs = lines;
+        let mut uncertain: Vec<DVec3> =
+            runs.iter().map(|run| run.samples[run.samples.len() / 2].point).collect();
+        branches(&crossing, &ends, &mut runs);
+        arcs(&crossing, clear, &ends, &mut runs)?;
+        // Where the surfaces are that near all over, a loop is no more than a touch.
+        let poles =
+            |radius: f64| crossing.poles.iter().map(move |&point| VanishingPlace { point, radius });
+        let around_poles = poles((crossing.contact * crossing.size).sqrt());
+        let near: Vec<VanishingPlace> = ends.spots.iter().copied().chain(around_poles).collect();
+        runs.retain(|run| !near.iter().any(|spot| run.is_within(spot)));
+        let met = |spot: &VanishingPlace| is_met(spot, &runs, crossing.tolerance);
+        uncertain.extend(ends.spots.iter().filter(|spot| met(spot)).map(|spot| spot.point));
+        // A spot in the middle of a curve is no touch in a point.
+        ends.spots.retain(|spot| n_ends(spot, &runs) != 0 || !met(spot));
+        ends.spots.extend(touches);
+        let is_passed = |spot: &VanishingPlace| {
+            runs.iter().any(|run| run.passes(spot.point, crossing.tolerance))
+        };
+        ends.spots.extend(
+            poles(crossing.tolerance).filter(|spot| n_ends(spot, &runs) != 0 || !is_passed(spot)),
+        );
+        let chained = chain::chained(runs, &ends.spots, crossing.tolerance);
+        let spline = |line: Vec<BranchSample>| cubic::spline(&line, FITTING * crossing.tolerance);
+        let seams_once = EdgeOverlap::different(&seams, crossing.tolerance).into_iter();
+        let lines = chained.lines.into_iter().filter(|line| 1 < line.len()).map(spline);
+        let curves: Result<Vec<NurbsCurve>, GeomError> =
+            seams_once.map(|seam| Ok(seam.directed([&a, &b]))).chain(lines).collect();
+        let curves = curves?;
+        let is_on_seam =
+            |point: &DVec3| seams.iter().any(|seam| seam.holds(*point, crossing.tolerance));
+        let touches = chained.isolated.into_iter().filter(|point| !is_on_seam(point)).collect();
+        uncertain.retain(|point| !is_on_seam(point));
+        verify::verify(&curves, &CurveOrigin::Surfaces([&a, &b]), tolerance)?;
+        Ok(LevelSet { curves, touches, uncertain })
+    }
+}
+
+/// How many curves end in a spot.
+fn n_ends(spot: &VanishingPlace, runs: &[BranchSamples]) -> usize {
+    let ends = runs.iter().flat_map(|run| [run.start(), run.end()]);
+    ends.filter(|end| end.distance(spot.point) <= spot.radius).count()
+}
+
+/// Whether curves meet in a spot, and do not only go on in one another.
+fn is_met(spot: &VanishingPlace, runs: &[BranchSamples], tolerance: f64) -> bool {
+    match n_ends(spot, runs) {
+        0 => runs.iter().any(|run| run.passes(spot.point, tolerance)),
+        n => n != 2,
+    }
+}
+
+/// The curves out of all junctions.
+fn branches(crossing: &SurfacePair<'_>, ends: &CurveEnds, runs: &mut Vec<BranchSamples>) {
+    let near = ONE_PLACE_SHARE * crossing.tolerance;
+    for way in ends.junctions.iter().flat_map(|junction| junction.ways) {
+        let begins = |run: &BranchSamples| {
+            let sample = if 0.0 < way.sign { run.samples.first() } else { run.samples.last() };
+            sample.is_some_and(|sample| {
+                sample.point.distance(way.place.point) <= near
+                    && sample.before.distance(way.place.tangent) <= CONTACT_SHARE
+            })
+        };
+        if runs.iter().any(begins) {
+            continue;
+        }
+        let run = crossing.run_out(way, ends);
+        if crossing.tolerance < run.length() && !run.is_on(runs, crossing.tolerance) {
+            runs.push(run);
+        }
+    }
+}
+
+/// Adds the curves through all pairs that are not known.
+fn arcs(
+    crossing: &SurfacePair<'_>,
+    pairs: Vec<[SurfacePart; 2]>,
+    ends: &CurveEnds,
+    runs: &mut Vec<BranchSamples>,
+) -> Result<(), GeomError> {
+    // Where normals are nearly parallel parts of a tolerance are a long way.
+    let near = crossing.rounding;
+    let mut todo = pairs;
+    let mut n_pairs = 0;
+    while work::goes_on(1)
+        && let Some(pair) = todo.pop()
+    {
+        let [a, b] = &pair;
+        n_pairs += 1;
+        if SURFACE_PAIRS < n_pairs {
+            return Err(PictureError::TooTangled { point: a.bounds.center() }.into());
+        }
+        let size = a.bounds.diagonal().max(b.bounds.diagonal());
+        let Some(place) = common(crossing, &pair) else {
+            if crossing.tolerance < size {
+                todo.extend(halved(pair, near));
+            }
+            continue;
+        };
+        if crossing.is_collapsed(place.point) {
+            // From there no curve can be followed.
+            if crossing.tolerance < size {
+                todo.extend(halved(pair, near));
+            }
+            continue;
+        }
+        let mut run = runs.iter().find(|run| run.passes(place.point, crossing.tolerance));
+        if run.is_none() {
+            let new = crossing.run(place, ends);
+            match runs.iter().position(|known| repeats(&new, known, crossing.tolerance)) {
+                Some(idx) => run = runs.get(idx),
+                None => {
+                    runs.push(new);
+                    run = runs.last();
+                }
+            }
+        }
+        // Behind the end of a run another may begin.
+        let ends_here = run.is_some_and(|run| {
+            let is_here = |point| a.bounds.contains(point, near) && b.bounds.contains(point, near);
+            run.start() != run.end() && (is_here(run.start()) || is_here(run.end()))
+        });
+        if ends_here && crossing.tolerance < size {
+            todo.extend(halved(pair, near));
+        }
+    }
+    Ok(())
+}
+
+/// A place that a pair has in common, inside both.
+fn common(crossing: &SurfacePair<'_>, [a, b]: &[SurfacePart; 2]) -> Option<PairParameters> {
+    let ([u, v], [s, t]) = (a.middle(), b.middle());
+    let widths =
+        [a.high[0] - a.low[0], a.high[1] - a.low[1], b.high[0] - b.low[0], b.high[1] - b.low[1]];
+    let place = crossing.common([u, v, s, t], widths)?;
+    let [u, v, s, t] = place.at;
+    (a.holds([u, v]) && b.holds([s, t])).then_some(place)
+}
+
+/// Whether a run is another one again, between the same ends: where surfaces cross at a small angle,
+/// places that are on both may be far from the curve. A neighbour of it would run the other way.
+fn repeats(run: &BranchSamples, known: &BranchSamples, tolerance: f64) -> bool {
+    let near = FAR_ASIDE * tolerance;
+    let middle = run.samples[run.samples.len() / 2];
+    let beside = known.samples.iter().min_by(|a, b| {
+        let away = |sample: &BranchSample| sample.point.distance(middle.point);
+        away(a).total_cmp(&away(b))
+    });
+    run.start().distance(known.start()) <= near
+        && run.end().distance(known.end()) <= near
+        && run.samples.iter().all(|sample| known.passes(sample.point, 0.25 * near))
+        && beside.is_some_and(|sample| 0.0 < sample.behind.dot(middle.behind))
+}

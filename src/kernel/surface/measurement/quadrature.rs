@@ -1,0 +1,246 @@
+//! Integrals over a surface, piece by piece, to nearly all digits.
+//!
+//! The tensor rule of Gauss and Legendre with 8 × 8 nodes is exact where the integrand is a
+//! polynomial of degree 15 in each parameter, as it is for volumes of bicubic patches. Each cell
+//! is compared with its halves along u and along v, and the cell that changes most is halved next,
+//! along the parameter by which it changes more: towards a pole or an edge where the integrand is
+//! not smooth the cells shrink in proportion.
+//!
+//! How far an integral may be off is told by its changes. Where these fade from one halving to the
+//! next by a factor ρ, what is still to come is ρ/(1 − ρ) of the last one: little of a smooth
+//! integrand, of which ρ is tiny, and many times as much where it grows beyond bounds.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::{
+    Direction, GeomError, Interval,
+    ceiling::SURFACE_CUTS,
+    numeric::gauss_legendre::{EIGHT_NODES, nodes},
+    surface::{Surface, representation::even::evened},
+    tolerance::{LAST_BIT, QUADRATURE_RELATIVE},
+};
+
+/// Even parts of each domain of a function, which has no knots, that are looked at first.
+const FUNCTION_PARTS: usize = 4;
+
+/// How an integral whose cuts run out changes within the last quarter of them is how far it may be
+/// off at least: cells that are wider than what happens in them agree with their halves by chance.
+const LATE_CUTS: usize = SURFACE_CUTS / 4;
+
+/// An integral of several quantities.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::surface) struct Integral<const N: usize> {
+    pub(in crate::surface) values: [f64; N],
+    /// What is known of the error, as a fraction of the integral of the absolute values; the
+    /// largest of all quantities.
+    pub(in crate::surface) relative_error: f64,
+}
+
+/// A rectangle of parameters of a part of the surface.
+#[derive(Clone, Copy, Debug)]
+struct QuadratureCell {
+    part: usize,
+    u: Interval,
+    v: Interval,
+}
+
+/// A quantity over a cell, and its absolute value.
+#[derive(Clone, Copy, Debug)]
+struct CellEstimate<const N: usize> {
+    values: [f64; N],
+    absolute: [f64; N],
+}
+
+/// A cell with its integral by the whole, and by the halves along u and along v.
+struct IntegratedCell<const N: usize> {
+    cell: QuadratureCell,
+    halves: [[CellEstimate<N>; 2]; 2],
+    values: [f64; N],
+    absolute: [f64; N],
+    /// How much the halves differ from the whole, along u and along v.
+    changes: [[f64; N]; 2],
+    /// By how much more than the changes it may be off.
+    factors: [[f64; N]; 2],
+}
+
+/// Changes that hardly fade are not taken to go on for longer than this many times the last.
+const MOST_TO_COME: f64 = 64.0;
+
+impl<const N: usize> IntegratedCell<N> {
+    fn new(
+        cell: QuadratureCell,
+        whole: CellEstimate<N>,
+        halves: [[CellEstimate<N>; 2]; 2],
+    ) -> Self {
+        let sum = |[a, b]: &[CellEstimate<N>; 2], i: usize| a.values[i] + b.values[i];
+        let changes =
+            halves.each_ref().map(|pair| std::array::from_fn(|i| sum(pair, i) - whole.values[i]));
+        // What either pair of halves corrects.
+        let values = std::array::from_fn(|i| whole.values[i] + changes[0][i] + changes[1][i]);
+        let [[a, b], _] = &halves;
+        let absolute = std::array::from_fn(|i| a.absolute[i] + b.absolute[i]);
+        let changes = changes.map(|change: [f64; N]| change.map(f64::abs));
+        Self { cell, halves, values, absolute, changes, factors: [[1.0; N]; 2] }
+    }
+
+    /// With what is known from the cell of which it is a half along a direction.
+    fn after(mut self, whole: &Self, direction: Direction) -> Self {
+        self.factors = whole.factors;
+        for i in 0..N {
+            let (change, before) = (self.changes[direction][i], whole.changes[direction][i]);
+            let is_rounding = change <= 64.0 * LAST_BIT * self.absolute[i];
+            let to_come = if is_rounding { 1.0 } else { change / (before - change).max(0.0) };
+            self.factors[direction][i] = to_come.clamp(1.0, MOST_TO_COME);
+        }
+        self
+    }
+
+    /// How far quantity `i` may be off.
+    fn change(&self, i: usize) -> f64 {
+        [0, 1].map(|along| self.factors[along][i] * self.changes[along][i]).into_iter().sum()
+    }
+
+    /// The largest change as a fraction of what is allowed.
+    fn urgency(&self, allowed: [f64; N]) -> f64 {
+        (0..N).map(|i| self.change(i) / allowed[i]).fold(0.0, f64::max)
+    }
+
+    /// The parameter by which it changes more: u or v.
+    fn direction(&self, allowed: [f64; N]) -> Direction {
+        let along = |along: Direction| {
+            let change = |i: usize| self.factors[along][i] * self.changes[along][i];
+            (0..N).map(|i| change(i) / allowed[i]).fold(0.0, f64::max)
+        };
+        let [u, v] = Direction::BOTH.map(along);
+        if u < v { Direction::V } else { Direction::U }
+    }
+}
+
+/// The integral over du·dv of quantities that depend on a point and on Su × Sv.
+///
+/// # Errors
+/// As [`Surface::point_at`].
+pub(in crate::surface) fn integral<const N: usize>(
+    surface: &Surface,
+    density: impl Fn(DVec3, DVec3) -> [f64; N],
+) -> Result<Integral<N>, GeomError> {
+    let parts = parts(surface);
+    let rule = |cell: QuadratureCell| quadrature(&parts[cell.part], cell, &density);
+    let known =
+        |cell: QuadratureCell, whole: CellEstimate<N>| -> Result<IntegratedCell<N>, GeomError> {
+            let pair = |direction: Direction| -> Result<[CellEstimate<N>; 2], GeomError> {
+                let [a, b] = cell.halves(direction);
+                Ok([rule(a)?, rule(b)?])
+            };
+            Ok(IntegratedCell::new(cell, whole, [pair(Direction::U)?, pair(Direction::V)?]))
+        };
+    let mut all: Vec<IntegratedCell<N>> = Vec::new();
+    for cell in parts.iter().enumerate().flat_map(|(part, surface)| cells(part, surface)) {
+        all.push(known(cell, rule(cell)?)?);
+    }
+    let (mut n_cuts, mut late) = (SURFACE_CUTS, None);
+    loop {
+        GeomError::go_on(all.len())?;
+        let of_all = |f: &dyn Fn(&IntegratedCell<N>, usize) -> f64| -> [f64; N] {
+            std::array::from_fn(|i| all.iter().map(|known| f(known, i)).sum())
+        };
+        let sizes = of_all(&|known, i| known.absolute[i]);
+        let changes = of_all(&IntegratedCell::change);
+        let allowed = sizes.map(|size| QUADRATURE_RELATIVE * size + f64::MIN_POSITIVE);
+        let is_done = (0..N).all(|i| changes[i] <= allowed[i]);
+        let urgency = |i: &usize| all[*i].urgency(allowed);
+        let worst = (0..all.len()).max_by(|i, k| urgency(i).total_cmp(&urgency(k)));
+        let Some(worst) = worst.filter(|_| !is_done && 0 < n_cuts) else {
+            let values = of_all(&|known, i| known.values[i]);
+            let since = late.filter(|_| !is_done).unwrap_or(values);
+            let error = |i: usize| {
+                let error = changes[i].max((values[i] - since[i]).abs());
+                error / sizes[i].max(f64::MIN_POSITIVE)
+            };
+            return Ok(Integral {
+                values,
+                relative_error: (0..N).map(error).fold(LAST_BIT, f64::max),
+            });
+        };
+        if n_cuts == LATE_CUTS {
+            late = Some(of_all(&|known, i| known.values[i]));
+        }
+        n_cuts -= 1;
+        let worst = all.swap_remove(worst);
+        let direction = worst.direction(allowed);
+        let halves = worst.cell.halves(direction).into_iter().zip(worst.halves[direction]);
+        for (half, whole) in halves {
+            all.push(known(half, whole)?.after(&worst, direction));
+        }
+    }
+}
+
+/// The surface, or patches of it whose weights are alike.
+fn parts(surface: &Surface) -> Vec<Surface> {
+    let evened = match surface {
+        Surface::Nurbs(surface) => evened(surface),
+        Surface::Parametric(_) => None,
+    };
+    match evened {
+        Some(parts) => parts.into_iter().map(|part| Surface::Nurbs(Arc::new(part))).collect(),
+        None => vec![surface.clone()],
+    }
+}
+
+/// What the surface is made of, or for a function even parts.
+fn cells(part: usize, surface: &Surface) -> Vec<QuadratureCell> {
+    let [us, vs]: [Vec<Interval>; 2] = match surface {
+        Surface::Nurbs(surface) => [surface.knots_u(), surface.knots_v()]
+            .map(|knots| knots.spans().map(|span| knots.span_interval(span)).collect()),
+        Surface::Parametric(surface) => [surface.domain_u(), surface.domain_v()].map(|domain| {
+            let ends = domain.steps(FUNCTION_PARTS);
+            ends.windows(2).filter_map(|ends| Interval::new(ends[0], ends[1]).ok()).collect()
+        }),
+    };
+    us.iter().flat_map(|&u| vs.iter().map(move |&v| QuadratureCell { part, u, v })).collect()
+}
+
+/// The rule on one cell, of the quantities and of their absolute values.
+///
+/// What is added up is the difference from the middle of the cell, so that what does not change
+/// has its exact integral.
+fn quadrature<const N: usize>(
+    surface: &Surface,
+    cell: QuadratureCell,
+    density: &impl Fn(DVec3, DVec3) -> [f64; N],
+) -> Result<CellEstimate<N>, GeomError> {
+    let at = |u: f64, v: f64| -> Result<[f64; N], GeomError> {
+        let [point, along_u, along_v] = surface.tangents_at(u, v)?;
+        Ok(density(point, along_u.cross(along_v)))
+    };
+    let middle = at(cell.u.at(0.5), cell.v.at(0.5))?;
+    let (mut means, mut absolute) = ([0.0; N], [0.0; N]);
+    for (u, weight_u) in nodes(&EIGHT_NODES, cell.u) {
+        for (v, weight_v) in nodes(&EIGHT_NODES, cell.v) {
+            let weight = weight_u * weight_v;
+            for (i, value) in at(u, v)?.into_iter().enumerate() {
+                means[i] += weight * (value - middle[i]);
+                absolute[i] += weight * value.abs();
+            }
+        }
+    }
+    means.iter_mut().zip(middle).for_each(|(mean, value)| *mean += value);
+    let size = cell.u.length() * cell.v.length();
+    Ok(CellEstimate {
+        values: means.map(|mean| mean * size),
+        absolute: absolute.map(|mean| mean * size),
+    })
+}
+
+impl QuadratureCell {
+    /// The halves across u or across v.
+    fn halves(self, direction: Direction) -> [Self; 2] {
+        let Self { part, u, v } = self;
+        match direction {
+            Direction::U => u.halves().map(|u| Self { part, u, v }),
+            Direction::V => v.halves().map(|v| Self { part, u, v }),
+        }
+    }
+}
