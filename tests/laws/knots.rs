@@ -174,3 +174,19 @@ fn unclamped_knots_are_mirrored_beyond_the_ends() {
     let either = Curve::from(curve.clone()).reversed().unwrap();
     assert!(either.point_at(6.5).unwrap().distance(curve.point_at(0.5)) < 1e-14);
 }
+
+#[test]
+fn knots_that_come_again_after_a_period_are_periodic() {
+    // Steps of 1, 1/2 and 3/2, so that no knot comes again by chance.
+    let mut knots = vec![-2.0, -1.5, 0.0, 1.0, 1.5, 3.0, 4.0, 4.5];
+    let class = KnotVector::new(2, knots.clone()).unwrap().class();
+    assert!(class.is_periodic && !class.is_uniform && !class.is_clamped);
+    assert_eq!(class.word(), "periodic");
+    for (idx, moved) in [(0, -2.25), (7, 5.0)] {
+        let before = std::mem::replace(&mut knots[idx], moved);
+        let class = KnotVector::new(2, knots.clone()).unwrap().class();
+        assert!(!class.is_periodic, "knot {idx} at {moved} instead of {before}");
+        assert_eq!(class.word(), "unclamped");
+        knots[idx] = before;
+    }
+}

@@ -11,6 +11,7 @@ mod lanes;
 mod library;
 mod maps;
 mod mutations;
+mod named_paths;
 mod quantities;
 mod readback;
 mod registry;

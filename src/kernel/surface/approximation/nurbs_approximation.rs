@@ -216,9 +216,8 @@ impl KnotLineFit<'_> {
     fn calm(&self, direction: Direction, t: f64, node: &mut MixedDerivatives) {
         let lines = &self.lines[direction];
         let step = lines.step(t);
-        let ends = [lines.domain.start(), lines.domain.end()];
         let is_beside = |end: f64| lines.is_crease(end) && (t - end).abs() <= 2.0 * step;
-        if !ends.into_iter().any(is_beside) {
+        if ![lines.domain.start(), lines.domain.end()].into_iter().any(is_beside) {
             return;
         }
         let order = |k: usize| match direction {
@@ -229,8 +228,7 @@ impl KnotLineFit<'_> {
             return;
         }
         *node = Grid::from_fn(ORDER + 1, ORDER + 1, |k, l| {
-            let across = [k, l][direction];
-            if across == 0 { node.get(k, l) } else { DVec3::ZERO }
+            if [k, l][direction] == 0 { node.get(k, l) } else { DVec3::ZERO }
         });
     }
 
