@@ -15,7 +15,10 @@ use super::{
 use crate::{
     diag::Severity,
     export::{ExportError, Format, Job, PICTURES, Summary},
-    limits::work::{self, Watch},
+    limits::{
+        Ceiling,
+        work::{self, End, Watch},
+    },
     session::PictureContent,
 };
 
@@ -122,10 +125,23 @@ fn draw(
     let (staged, summary) = staged.map_err(|err| match &err {
         ExportError::Io(_) => cannot(err.reason()),
         ExportError::Viewpoint(_) => (err.reason(), ExitStatus::Usage),
+        ExportError::Ended(end) => (ended(*end, &shown, job), ExitStatus::Wrong),
         _ => (err.reason(), ExitStatus::Wrong),
     })?;
     staged.place().map_err(|err| cannot(ExportError::Io(err).reason()))?;
     Ok(summary)
+}
+
+/// Why the drawing was ended, and what to do.
+fn ended(end: End, shown: &str, job: &Job) -> String {
+    let (most, unit, ceiling) = match end {
+        End::Stopped => return format!("the drawing of `{shown}` was stopped"),
+        End::Steps => (job.limits.steps, "steps", Ceiling::STEPS),
+        End::Memory => (job.limits.memory_bytes as u64, "bytes of memory", Ceiling::MEMORY),
+    };
+    format!(
+        "drawing `{shown}` takes more than {most} {unit}; `--limit {ceiling}=N` moves this ceiling"
+    )
 }
 
 fn unknown_ending(out: &Path) -> String {
