@@ -234,7 +234,10 @@ pub(super) fn act(
                     refuse(found, report, voice);
                     ending = ending.max(worst);
                 }
-                Some(FileOutcome::Told) if !is_refused => voice.written(&file.path, None),
+                Some(FileOutcome::Told(summary)) if !is_refused => {
+                    findings.extend(turned(file, &summary));
+                    voice.written(&file.path, None);
+                }
                 Some(FileOutcome::Staged(staged, summary)) if !is_refused => match staged.place() {
                     Ok(()) => {
                         findings.extend(turned(file, &summary));
@@ -270,7 +273,7 @@ enum FileOutcome {
     /// Written under a temporary name.
     Staged(StagedFile, Summary),
     /// Not written, but it would be.
-    Told,
+    Told(Summary),
     /// Not asked for.
     Unasked,
     /// Cannot be: why, and how the run ends.
@@ -311,17 +314,18 @@ fn stage(
     let write = |out: &mut dyn Write| (file.format.write)(&file.job, out);
     // Without writing it can be told whether it could be: whether there is a place, and a format for it.
     let stage = || match mode {
-        OutputMode::Write(_) => target.stage(most, &told, write).map(Some),
+        OutputMode::Write(_) => target
+            .stage(most, &told, write)
+            .map(|(staged, summary)| FileOutcome::Staged(staged, summary)),
         _ => target
             .probe()
             .map_err(ExportError::from)
             .and_then(|()| capped(&mut io::sink(), most, &told, write))
-            .map(|_| None),
+            .map(FileOutcome::Told),
     };
     let staged = || Ok(file.watched(stage));
     match fault::caught(file.span, staged) {
-        Ok(Ok(Some((staged, summary)))) => FileOutcome::Staged(staged, summary),
-        Ok(Ok(None)) => FileOutcome::Told,
+        Ok(Ok(outcome)) => outcome,
         Ok(Err(err)) => {
             let (found, ending) = refusal(file, &err);
             FileOutcome::Refused(found, ending)

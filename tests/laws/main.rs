@@ -41,6 +41,7 @@ mod quadric;
 mod real_networks;
 mod seams;
 mod shape;
+mod sizes;
 mod skin;
 mod some;
 mod surface;

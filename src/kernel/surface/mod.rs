@@ -14,6 +14,8 @@ mod intersection;
 mod measurement;
 mod representation;
 
+use std::sync::Arc;
+
 use glam::{DAffine3, DVec3, DVec4};
 
 pub use construction::coons::{Blend, CrossFields, Twists};
@@ -41,8 +43,8 @@ pub use representation::parametric::{ParametricSurface, SurfaceFunction};
 use evaluation::evaluator::Expanded;
 
 use super::{
-    ConstructionReport, CountError, GeomError, Grid, Interval, KnotVector, WeightError,
-    homogeneous, lazy::Lazy, nearest::ClosestPointTree, positive,
+    Bounds, ConstructionReport, CountError, GeomError, Grid, Interval, KnotVector, WeightError,
+    homogeneous, lazy::Lazy, nearest::ClosestPointTree, positive, scale::needed_scale,
 };
 
 /// A rational B-spline surface; row i of its net runs along u, column j along v.
@@ -68,6 +70,9 @@ pub struct NurbsSurface {
     is_rational: bool,
     /// The area of Su × Sv over a span each that is rounding and no area.
     fold_area: f64,
+    /// The surface divided by a power of two near its size, with that power, where squares of its
+    /// coordinates are no numbers.
+    scaled: Option<(Arc<NurbsSurface>, f64)>,
     report: ConstructionReport,
     /// The surface in powers, prepared for many parameters.
     expanded: Lazy<Expanded>,
@@ -174,13 +179,21 @@ impl NurbsSurface {
         control_points: Grid<DVec4>,
     ) -> Self {
         let is_rational = homogeneous::have_different_weights(control_points.as_slice());
-        let fold_area = evaluation::normal::fold_area(&control_points);
+        let places = control_points.iter().map(|&point| homogeneous::place(point));
+        let bounds = Bounds::of(places);
+        let scale = bounds.and_then(|bounds| needed_scale(bounds.magnitude()));
+        let scaled = scale.map(|scale| {
+            let divide = DAffine3::from_scale(DVec3::splat(scale.recip()));
+            let net = control_points.map(|&point| homogeneous::transformed(point, &divide));
+            (Arc::new(Self::new_unchecked(knots_u.clone(), knots_v.clone(), net)), scale)
+        });
         Self {
             knots_u,
             knots_v,
             control_points,
             is_rational,
-            fold_area,
+            fold_area: bounds.map_or(0.0, evaluation::normal::fold_area),
+            scaled,
             report: ConstructionReport::NONE,
             expanded: Lazy::default(),
             nearest: Lazy::default(),

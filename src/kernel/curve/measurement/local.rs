@@ -11,6 +11,7 @@ use crate::{
     Frame, GeomError, LocalError, Side,
     curve::{CircleForm, NurbsCurve, evaluation::series},
     frame::norm,
+    scale::scale_of,
 };
 
 /// Where a curve is looked at, and which lengths are rounding there.
@@ -95,7 +96,10 @@ pub struct LocalGeometry {
     tangent: DVec3,
     extent: f64,
     bending: Option<DVec3>,
+    /// The derivative of `bending` by arc length, times `scale`.
     bending_slope: Option<DVec3>,
+    /// A power of two near the extent, where its square is no number.
+    scale: f64,
 }
 
 impl LocalGeometry {
@@ -133,6 +137,7 @@ impl LocalGeometry {
         let slope = bending.as_ref().and_then(|bending| by_length(bending, 2 * first + 1));
         let leading = |terms: Option<Vec<DVec3>>| terms.and_then(|terms| terms.first().copied());
         let (bending, slope) = (leading(bending), leading(slope));
+        let scale = scale_of(extent);
         let is_straight = |k: DVec3| norm(k) * extent <= around.rounding_of(2 * first);
         Some(Self {
             parameter,
@@ -142,7 +147,10 @@ impl LocalGeometry {
             bending: bending
                 .map(|k| if is_straight(k) { DVec3::ZERO } else { k / extent })
                 .filter(|k| k.is_finite()),
-            bending_slope: slope.map(|k| sign * k / extent / extent).filter(|k| k.is_finite()),
+            bending_slope: slope
+                .map(|k| sign * k / (extent / scale) / extent)
+                .filter(|k| k.is_finite()),
+            scale,
         })
         .filter(|found| found.tangent.is_finite())
         .ok_or(standing)
@@ -175,7 +183,7 @@ impl LocalGeometry {
     /// Derivative of the curvature vector by arc length; `None` where it has no bound.
     #[must_use]
     pub fn curvature_slope(&self) -> Option<DVec3> {
-        self.bending_slope
+        self.bending_slope.map(|slope| slope / self.scale).filter(|slope| slope.is_finite())
     }
 
     /// Curvature, not negative; 0 where the curve is straight.
@@ -226,7 +234,7 @@ impl LocalGeometry {
     pub fn torsion(&self) -> Result<f64, GeomError> {
         let (binormal, curvature) = (self.frame_for("torsion")?.z(), norm(self.bent("torsion")?));
         let slope = self.bending_slope.ok_or_else(|| self.unbounded("torsion"))?;
-        Ok(binormal.dot(slope) / curvature)
+        Ok(binormal.dot(slope) / (curvature * self.scale))
     }
 
     /// Radius of the osculating circle.

@@ -4,12 +4,11 @@
 //! direction has a limit. The product is expanded in a Taylor series, and the terms of the lowest
 //! order that do not vanish give the limit, if they all point one way inside the domain.
 
-use glam::{DVec3, DVec4};
+use glam::DVec3;
 
 use crate::{
     Bounds, GeomError, Grid, Interval, LocalError,
     frame::unit,
-    homogeneous,
     surface::NurbsSurface,
     tolerance::{NORMAL_AGREEMENT, NORMAL_STEP, VANISHING_RELATIVE},
 };
@@ -26,6 +25,9 @@ impl NurbsSurface {
     /// # Errors
     /// [`LocalError::NoNormal`] where the limit depends on the side that it is taken from.
     pub fn normal_at(&self, u: f64, v: f64) -> Result<DVec3, GeomError> {
+        if let Some((scaled, _)) = &self.scaled {
+            return scaled.normal_at(u, v);
+        }
         let [_, tangent_u, tangent_v] = self.tangents_at(u, v);
         let normal = tangent_u.cross(tangent_v);
         let [width_u, width_v] = self.span_widths(u, v);
@@ -95,10 +97,8 @@ pub(in crate::surface) fn limit_normal(
 }
 
 /// The area, of Su × Sv over one span each, that is rounding and no area.
-pub(in crate::surface) fn fold_area(control_points: &Grid<DVec4>) -> f64 {
-    let places = control_points.iter().map(|&point| homogeneous::place(point));
-    let scale = |bounds: Bounds| bounds.magnitude() * bounds.diagonal();
-    Bounds::of(places).map_or(0.0, scale) * VANISHING_RELATIVE
+pub(in crate::surface) fn fold_area(bounds: Bounds) -> f64 {
+    bounds.magnitude() * bounds.diagonal() * VANISHING_RELATIVE
 }
 
 /// The direction of all terms `n·duⁱ·dvʲ`, i + j = `order`, for steps into the domain.

@@ -61,6 +61,13 @@ impl NurbsSurface {
     /// say how a patch is left out; here that is decided without their conditions on the net.
     #[must_use]
     pub fn closest(&self, p: DVec3) -> SurfaceClosestPoint {
+        if let Some((scaled, scale)) = &self.scaled
+            && (p / *scale).is_finite()
+        {
+            let foot = scaled.closest(p / *scale);
+            let point = self.point_at(foot.parameters[0], foot.parameters[1]);
+            return SurfaceClosestPoint { point, distance: *scale * foot.distance, ..foot };
+        }
         if let Some(foot) = self.closest_beside_jump(p) {
             return foot;
         }
@@ -151,6 +158,13 @@ impl ParametricSurface {
     /// # Errors
     /// As [`Self::derivatives_at`].
     pub fn closest(&self, p: DVec3) -> Result<SurfaceClosestPoint, GeomError> {
+        if let Some((scaled, scale)) = self.scaled()
+            && (p / scale).is_finite()
+        {
+            let foot = scaled.closest(p / scale)?;
+            let point = self.point_at(foot.parameters[0], foot.parameters[1])?;
+            return Ok(SurfaceClosestPoint { point, distance: scale * foot.distance, ..foot });
+        }
         self.places()?.closest(p)
     }
 

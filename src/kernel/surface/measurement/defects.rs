@@ -62,6 +62,9 @@ impl NurbsSurface {
     /// place: otherwise the surface is a curve or a point.
     #[must_use]
     pub fn has_area(&self) -> bool {
+        if let Some((scaled, _)) = &self.scaled {
+            return scaled.has_area();
+        }
         let size = self.bounds().magnitude();
         let size = if 0.0 < size { size } else { 1.0 };
         let points = self.points().map(|point| *point / size);
@@ -70,7 +73,9 @@ impl NurbsSurface {
         let farthest = points.iter().max_by(|a, b| away(a).total_cmp(&away(b)));
         let Some(axis) = farthest.and_then(|point| unit(*point - first)) else { return false };
         let is_beside = |point: &DVec3| VANISHING_RELATIVE < axis.cross(*point - first).length();
-        let largest = self.control_points.iter().map(|point| point.abs().max_element());
+        let plain = |point: &DVec4| (point.truncate() / size).extend(point.w);
+        let net = self.control_points.map(plain);
+        let largest = net.iter().map(|point| point.abs().max_element());
         let rounding = VANISHING_RELATIVE * largest.fold(0.0, f64::max);
         let is_still = |net: &Grid<DVec4>| {
             (0..net.n_rows()).all(|i| {
@@ -78,8 +83,7 @@ impl NurbsSurface {
                 row.iter().all(|point| (*point - row[0]).abs().max_element() <= rounding)
             })
         };
-        let net = &self.control_points;
-        points.iter().any(is_beside) && !is_still(net) && !is_still(&net.transposed())
+        points.iter().any(is_beside) && !is_still(&net) && !is_still(&net.transposed())
     }
 }
 
@@ -90,6 +94,9 @@ impl Surface {
     /// # Errors
     /// As [`Self::point_at`].
     pub fn defects(&self, tolerance: Tolerance) -> Result<SurfaceDefects, GeomError> {
+        if let Some((scaled, scale)) = self.scaled() {
+            return scaled.defects(tolerance.with_distance(tolerance.distance / scale));
+        }
         let mut defects = SurfaceDefects::default();
         for edge in Edge::ALL {
             if self.is_collapsed(edge, tolerance)? {

@@ -5,10 +5,12 @@
 //! A curvature is positive where its centre lies on the side of Su × Sv. do Carmo, *Differential
 //! Geometry of Curves and Surfaces*, §3-2 and §3-3; `pole` has it where Su × Sv vanishes.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use crate::{
-    Frame, GeomError, Grid, InputError, LocalError, Side, Tolerance,
+    Frame, GeomError, Grid, InputError, LocalError, MeasureError, Side, Tolerance,
     frame::{norm, unit},
     surface::Surface,
     tolerance::VANISHING_RELATIVE,
@@ -99,6 +101,9 @@ impl Surface {
     /// [`LocalError::NoNormal`]; [`LocalError::NoCurvature`] where Su × Sv vanishes and the
     /// curvatures have no limit that all directions agree on; as [`Self::point_at`].
     pub fn shape_at(&self, u: f64, v: f64) -> Result<SurfaceShape, GeomError> {
+        if let Some((scaled, scale)) = self.scaled() {
+            return Ok(scaled.shape_at(u, v)?.times(scale));
+        }
         let derivatives = self.derivatives_at(u, v, 2)?;
         match self.regular_normal(&derivatives, u, v) {
             Some(normal) => {
@@ -109,12 +114,34 @@ impl Surface {
         }
     }
 
+    /// Gaussian curvature at `(u, v)`.
+    ///
+    /// # Errors
+    /// [`MeasureError::TooSmallToMeasure`] where the product of curvatures that do not vanish is
+    /// less than the smallest number, and as [`Self::shape_at`].
+    pub fn gaussian_at(&self, u: f64, v: f64) -> Result<f64, GeomError> {
+        let shape = self.shape_at(u, v)?;
+        let gaussian = shape.gaussian();
+        let [k1, k2] = shape.curvatures().map(f64::abs);
+        let is_lost = shape.rounding < k1.min(k2) && gaussian.abs() < f64::MIN_POSITIVE;
+        if is_lost {
+            return Err(MeasureError::TooSmallToMeasure { what: "Gaussian curvature" }.into());
+        }
+        Ok(gaussian)
+    }
+
     /// Coefficients E, F and G of the first fundamental form.
     ///
     /// # Errors
-    /// As [`Self::point_at`].
+    /// [`MeasureError::TooSmallToMeasure`] where a square is less than the smallest number, and as
+    /// [`Self::point_at`].
     pub fn first_form_at(&self, u: f64, v: f64) -> Result<[f64; 3], GeomError> {
         let [_, along_u, along_v] = self.tangents_at(u, v)?;
+        let is_lost =
+            |along: DVec3| 0.0 < norm(along) && along.length_squared() < f64::MIN_POSITIVE;
+        if is_lost(along_u) || is_lost(along_v) {
+            return Err(MeasureError::TooSmallToMeasure { what: "first fundamental form" }.into());
+        }
         Ok([along_u.dot(along_u), along_u.dot(along_v), along_v.dot(along_v)])
     }
 
@@ -139,6 +166,9 @@ impl Surface {
         v: f64,
         tolerance: Tolerance,
     ) -> Result<SurfacePointKind, GeomError> {
+        if let Some((scaled, _)) = self.scaled() {
+            return scaled.kind_at(u, v, tolerance);
+        }
         let derivatives = self.derivatives_at(u, v, 2)?;
         let Some(normal) = self.regular_normal(&derivatives, u, v) else {
             return Ok(SurfacePointKind::Singular);
@@ -220,6 +250,21 @@ impl Surface {
         unit(normal).filter(|_| is_regular)
     }
 
+    /// The surface divided by a power of two near its size, with that power, where squares of its
+    /// coordinates are no numbers.
+    pub(in crate::surface) fn scaled(&self) -> Option<(Self, f64)> {
+        match self {
+            Self::Nurbs(surface) => {
+                let (scaled, scale) = surface.scaled.as_ref()?;
+                Some((Self::Nurbs(Arc::clone(scaled)), *scale))
+            }
+            Self::Parametric(surface) => {
+                let (scaled, scale) = surface.scaled()?;
+                Some((Self::Parametric(Arc::clone(scaled)), scale))
+            }
+        }
+    }
+
     /// The steps in u and v that the size of the surface corresponds to at a place.
     pub(in crate::surface) fn widths_at(&self, u: f64, v: f64) -> [f64; 2] {
         match self {
@@ -270,6 +315,17 @@ impl SurfaceShape {
         let rounding = VANISHING_RELATIVE * coordinates / shortest / shortest;
         let shape = Self { point, normal, axes: [x, y], tensor, extent, rounding };
         tensor.iter().all(|entry| entry.is_finite()).then_some(shape)
+    }
+
+    /// The shape of the surface that is larger by a factor.
+    fn times(self, factor: f64) -> Self {
+        Self {
+            point: self.point * factor,
+            tensor: self.tensor.map(|entry| entry / factor),
+            extent: self.extent * factor,
+            rounding: self.rounding / factor,
+            ..self
+        }
     }
 
     /// The point.

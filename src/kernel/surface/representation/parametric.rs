@@ -7,11 +7,11 @@ use glam::{DAffine3, DVec3};
 use crate::{
     Bounds, CurveFunction, FunctionFailure, GeomError, Grid, Interval, LocalError, ParametricCurve,
     frame::unit,
+    scale::needed_scale,
     surface::{
         Direction,
-        evaluation::normal::{limit_normal, shading_place},
+        evaluation::normal::{fold_area, limit_normal, shading_place},
     },
-    tolerance::VANISHING_RELATIVE,
 };
 
 /// Even parts of each domain at whose ends a function is tried when a surface is made of it.
@@ -105,6 +105,9 @@ pub struct ParametricSurface {
     map: DAffine3,
     /// The area of Su × Sv over the whole domain that is rounding and no area.
     fold_area: f64,
+    /// The surface divided by a power of two near its size, with that power, where squares of its
+    /// coordinates are no numbers.
+    scaled: Option<(Arc<Self>, f64)>,
 }
 
 impl ParametricSurface {
@@ -119,11 +122,11 @@ impl ParametricSurface {
         function: Arc<dyn SurfaceFunction>,
     ) -> Result<Self, GeomError> {
         let map = DAffine3::IDENTITY;
-        let surface = Self { domain_u, domain_v, function, map, fold_area: 0.0 };
+        let surface = Self { domain_u, domain_v, function, map, fold_area: 0.0, scaled: None };
         surface.measured()
     }
 
-    /// The same with the size of its folds known.
+    /// The same with its size known, and what follows from that.
     fn measured(mut self) -> Result<Self, GeomError> {
         let mut points = Vec::with_capacity((PROBES + 1) * (PROBES + 1));
         for u in self.domain_u.steps(PROBES) {
@@ -131,8 +134,13 @@ impl ParametricSurface {
                 points.push(self.point_at(u, v)?);
             }
         }
-        let scale = |bounds: Bounds| bounds.magnitude() * bounds.diagonal();
-        self.fold_area = Bounds::of(points).map_or(0.0, scale) * VANISHING_RELATIVE;
+        let bounds = Bounds::of(points);
+        self.fold_area = bounds.map_or(0.0, fold_area);
+        self.scaled = None;
+        if let Some(scale) = bounds.and_then(|bounds| needed_scale(bounds.magnitude())) {
+            let divide = DAffine3::from_scale(DVec3::splat(scale.recip()));
+            self.scaled = Some((Arc::new(self.transformed(&divide)?), scale));
+        }
         Ok(self)
     }
 
@@ -211,6 +219,9 @@ impl ParametricSurface {
     /// # Errors
     /// [`LocalError::NoNormal`], and as [`Self::derivatives_at`].
     pub fn normal_at(&self, u: f64, v: f64) -> Result<DVec3, GeomError> {
+        if let Some((scaled, _)) = &self.scaled {
+            return scaled.normal_at(u, v);
+        }
         let derivatives = self.derivatives_at(u, v, 1)?;
         let normal = derivatives.get(1, 0).cross(derivatives.get(0, 1));
         let widths = [self.domain_u.length(), self.domain_v.length()];
@@ -231,6 +242,11 @@ impl ParametricSurface {
     /// The area of Su × Sv over the whole domain that is rounding and no area.
     pub(in crate::surface) fn fold_area(&self) -> f64 {
         self.fold_area
+    }
+
+    /// As [`Surface::scaled`](crate::Surface).
+    pub(in crate::surface) fn scaled(&self) -> Option<(&Arc<Self>, f64)> {
+        self.scaled.as_ref().map(|(scaled, scale)| (scaled, *scale))
     }
 
     /// A unit vector for shading: the normal, or the nearest there is.

@@ -28,7 +28,7 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
-    let plain = |u, v| Ok(args.s.shape_at(u, v)?.gaussian());
+    let plain = |u, v| args.s.gaussian_at(u, v);
     varying::number(
         &args.s,
         [&args.u, &args.v],

@@ -6,7 +6,7 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{PictureError, pair::SurfacePart};
+use super::{CommonScale, PictureError, pair::SurfacePart};
 use crate::{
     Bounds, Curve, GeomError, Interval, NurbsCurve, NurbsSurface, Surface, Tolerance, bezier,
     ceiling::{CROSSING_STEPS, SURFACE_PAIRS},
@@ -90,10 +90,16 @@ impl Surface {
     ) -> Result<Vec<CurveSurfaceIntersection>, GeomError> {
         let spline = self.splined(super::plane::SPLINE_SHARE * tolerance.distance)?;
         let curve = curve.spline()?;
+        let magnitude = curve.bounds().magnitude().max(spline.bounds().magnitude());
+        if let Some(scale) = CommonScale::needed(magnitude) {
+            let surface = scale.surface(&Self::Nurbs(spline))?;
+            let curve = scale.curve(&Curve::Nurbs(curve));
+            return scale.piercings(surface.piercings(&curve, scale.tolerance(tolerance)));
+        }
         let size = curve.bounds().diagonal().max(spline.bounds().diagonal());
         let tolerance = tolerance.distance_for(size);
         let touch_size = (tolerance * size).sqrt();
-        let rounding = LAST_BIT * curve.bounds().magnitude().max(spline.bounds().magnitude());
+        let rounding = LAST_BIT * magnitude;
         let search =
             PiercingSearch { curve: &curve, surface: &spline, tolerance, touch_size, rounding };
         search.run()

@@ -10,7 +10,7 @@
 //! of what they mirror. `surface_intersection` has the curves in which two surfaces cross,
 //! by parts of both (`pair`, `share`) and by following what is found (`trace`), also where they touch (`tangential_contact`)
 //! along lines (`tangency`) or are neighbours (`seam`), `curve_surface_intersection` the places that a curve shares with a surface.
-//! `verify` looks at every curve before it is told.
+//! `verify` looks at every curve before it is told. `scaled` has all of that for the largest and the smallest.
 //!
 //! Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988); Patrikalakis &
 //! Maekawa, *Shape Interrogation for Computer Aided Design and Manufacturing*, §4.
@@ -25,6 +25,7 @@ mod error;
 mod pair;
 mod plane;
 mod sample;
+mod scaled;
 mod seam;
 mod shade;
 mod share;
@@ -46,6 +47,7 @@ use branch::Branch;
 use cell::{PositivityCondition, SearchResolution};
 use chain::VanishingPlace;
 use sample::BranchSamples;
+use scaled::CommonScale;
 
 use crate::{
     Bounds, GeomError, Grid, NurbsCurve, Tolerance,

@@ -1,7 +1,7 @@
 //! Plane sections of surfaces, exact fields: the height above the plane times the denominator.
 
 use super::{
-    LevelSet, ScalarField, ZeroSetParts, square,
+    CommonScale, LevelSet, ScalarField, ZeroSetParts, square,
     verify::{self, CurveOrigin},
 };
 use crate::{Frame, GeomError, Grid, NurbsSurface, Surface, Tolerance, tolerance::LAST_BIT};
@@ -24,6 +24,9 @@ impl Surface {
     /// [`super::PictureError::Unresolved`] where the surface runs so near along the plane that rounding
     /// decides where it cuts; for functions as [`crate::ParametricSurface::to_nurbs`].
     pub fn section(&self, plane: Frame, tolerance: Tolerance) -> Result<LevelSet, GeomError> {
+        if let Some((scaled, scale)) = CommonScale::of(self) {
+            return scale.lines(scaled.section(scale.plane(plane), scale.tolerance(tolerance)));
+        }
         match self {
             Self::Nurbs(surface) => surface.section(plane, tolerance),
             Self::Parametric(_) => {

@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
-use super::{LevelSet, PositivityCondition, ScalarField, ZeroSetParts, cell, square};
+use super::{CommonScale, LevelSet, PositivityCondition, ScalarField, ZeroSetParts, cell, square};
 use crate::{
     GeomError, Grid, InputError, NurbsSurface, Surface, Tolerance,
     frame::{across, norm, unit},
@@ -48,6 +48,10 @@ impl Surface {
         angles: &[f64],
         tolerance: Tolerance,
     ) -> Result<Vec<LevelSet>, GeomError> {
+        if let Some((scaled, scale)) = CommonScale::of(self) {
+            let found = scaled.isophotes(to_light, angles, scale.tolerance(tolerance));
+            return scale.all_lines(found);
+        }
         let light =
             unit(to_light).ok_or(GeomError::Input(InputError::ZeroAxis { what: "the light" }))?;
         let (patches, distance) = shaded(self, tolerance)?;
@@ -91,6 +95,9 @@ impl Surface {
         n_bands: usize,
         tolerance: Tolerance,
     ) -> Result<Vec<LevelSet>, GeomError> {
+        if let Some((scaled, scale)) = CommonScale::of(self) {
+            return scale.all_lines(scaled.zebra(to_light, n_bands, scale.tolerance(tolerance)));
+        }
         let light =
             unit(to_light).ok_or(GeomError::Input(InputError::ZeroAxis { what: "the light" }))?;
         let along = across(DVec3::Z, light).or_else(|| across(DVec3::X, light));
@@ -129,6 +136,11 @@ impl Surface {
         lights: &[[DVec3; 2]],
         tolerance: Tolerance,
     ) -> Result<Vec<LevelSet>, GeomError> {
+        if let Some((scaled, scale)) = CommonScale::of(self) {
+            let lights: Vec<_> = lights.iter().map(|&[at, way]| [scale.place(at), way]).collect();
+            let tolerance = scale.tolerance(tolerance);
+            return scale.all_lines(scaled.reflection_lines(scale.place(eye), &lights, tolerance));
+        }
         let (patches, distance) = shaded(self, tolerance)?;
         let mut collected: Vec<ZeroSetParts> =
             lights.iter().map(|_| ZeroSetParts::new(distance)).collect();

@@ -11,7 +11,7 @@
 use glam::DVec3;
 
 use super::{
-    FITTING, LevelSet, PictureError,
+    CommonScale, FITTING, LevelSet, PictureError,
     chain::{self, VanishingPlace},
     cubic,
     pair::SurfacePart,
@@ -51,9 +51,14 @@ impl Surface {
     pub fn intersections(&self, other: &Self, tolerance: Tolerance) -> Result<LevelSet, GeomError> {
         let [a, b] = [self, other].map(|s| s.splined(SPLINE_SHARE * tolerance.distance));
         let (a, b) = (a?, b?);
+        let magnitude = a.bounds().magnitude().max(b.bounds().magnitude());
+        if let Some(scale) = CommonScale::needed(magnitude) {
+            let [a, b] = [scale.surface(&Self::Nurbs(a))?, scale.surface(&Self::Nurbs(b))?];
+            return scale.lines(a.intersections(&b, scale.tolerance(tolerance)));
+        }
         let size = a.bounds().diagonal().min(b.bounds().diagonal());
         let tolerance = tolerance.distance_for(size);
-        check_rounding(tolerance, a.bounds().magnitude().max(b.bounds().magnitude()))?;
+        check_rounding(tolerance, magnitude)?;
         let [a, b] = sphere::with_poles_aside([a, b], CONTACT_SHARE * tolerance);
         let seams = EdgeOverlap::all([&a, &b], tolerance)?;
         if let Some(point) = seams.iter().find_map(|seam| seam.overlap([&a, &b], tolerance)) {
