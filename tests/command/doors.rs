@@ -100,6 +100,24 @@ fn a_dry_run_says_what_the_run_would_where_nothing_can_be_written() {
 }
 
 #[test]
+fn a_dry_run_warns_of_what_is_turned_as_the_run_does() {
+    let scratch = Scratch::new("dry-turned");
+    scratch.file(
+        "a.geo",
+        "mesh m = tessellate(sphere((0, 0), 1), tolerance = 0.1)\n\
+         surface ball = flip(sphere((0, 0), 1))\n\
+         export ball to \"ball.stl\" with (tolerance = 0.1)\n",
+    );
+    let [dry, real] = ["--dry-run", "--out o"].map(|how| {
+        let (_, err, code) = shell(&scratch, &format!("\"$virote\" run a.geo {how}"));
+        assert_eq!(code, 0, "{err}");
+        err
+    });
+    assert!(dry.contains("turned `ball` in the file"), "{dry}");
+    assert_eq!(dry, real);
+}
+
+#[test]
 fn what_is_rewritten_is_written_through_its_links() {
     let scratch = Scratch::new("links");
     scratch.file("real/a.geo", "print   1\n");

@@ -4,7 +4,7 @@ use std::fs;
 
 use crate::{
     pictures::{drawn, run},
-    support::Scratch,
+    support::{Scratch, files_below},
 };
 
 fn is_red([r, g, b]: [u8; 3]) -> bool {
@@ -218,4 +218,15 @@ fn a_drawing_that_is_asked_for_two_views_is_refused_at_its_export() {
         );
         assert!(!scratch.0.join("a.svg").exists(), "{options}");
     }
+}
+
+#[test]
+fn a_drawing_that_crosses_a_ceiling_names_it_and_writes_nothing() {
+    let scratch = Scratch::new("drawing-ceiling");
+    scratch.file("a.geo", "surface s = sphere((0, 0), 1)\n");
+    let args = ["render", "a.geo", "-o", "a.svg", "--limit", "steps=200"];
+    let (_, told, code) = run(&scratch, &args);
+    assert!(told.contains("more than 200 steps; `--limit steps=N` moves"), "{told}");
+    assert_eq!(code, 2);
+    assert_eq!(files_below(&scratch.0), ["a.geo"]);
 }

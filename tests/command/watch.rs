@@ -157,6 +157,23 @@ fn ctrl_c_stops_an_evaluation() {
 }
 
 #[test]
+fn ctrl_c_stops_the_writing_of_a_file_and_leaves_nothing_of_it() {
+    let scratch = Scratch::new("watch-stop-writing");
+    scratch.file("a.geo", "export sphere((0, 0), 1) to \"a.obj\" with (tolerance = 1e-8)\n");
+    let watch = Watch::new(&scratch, &["a.geo", "--limit", "mesh-vertices=100_000_000"]);
+    let is_under_way = || files_below(&scratch.0).iter().any(|name| name.ends_with(".tmp"));
+    for _ in 0..6000 {
+        if is_under_way() {
+            break;
+        }
+        thread::sleep(Duration::from_millis(10));
+    }
+    assert!(is_under_way());
+    assert_eq!(watch.interrupted(), Some(0));
+    assert_eq!(files_below(&scratch.0), ["a.geo"]);
+}
+
+#[test]
 fn what_cannot_be_watched_is_told() {
     let scratch = Scratch::new("watch-wrong");
     for (file, message) in [
