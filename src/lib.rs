@@ -10,6 +10,8 @@
 #[doc(hidden)]
 pub mod cli;
 pub mod diag;
+#[cfg(feature = "cli")]
+mod disk;
 pub mod docs;
 pub mod eval;
 pub mod export;
@@ -19,5 +21,7 @@ pub mod render;
 pub mod session;
 pub mod syntax;
 pub mod value;
+#[cfg(feature = "cli")]
+mod view;
 
 pub use virote_kernel as kernel;

@@ -10,7 +10,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use super::{
     limits::{self, MovedCeiling},
     looks::PictureArgs,
-    process, settings, test, watch,
+    process, settings, test, view, watch,
 };
 use crate::{eval::Setting, limits::Limits, session::Session};
 
@@ -29,6 +29,7 @@ Examples:
   virote run bottle.geo --out build --dry-run  tell what would be written to build/
   virote check *.geo                           everything but the files
   virote test                                  the tests and checks of all scripts below
+  virote view bottle.geo                       see it in the browser while it is written
   virote watch bottle.geo                      evaluate it whenever it is saved
   virote repl bottle.geo                       questions about it
   virote render bottle.geo -o bottle.png       a picture of it
@@ -196,6 +197,17 @@ Examples:
   virote watch bottle.geo --out build
   virote watch bottle.geo --check          writes no file")]
     Watch(watch::WatchOptions),
+    /// Shows a script in the browser, and keeps the picture current while it is written
+    ///
+    /// Serves a page on this machine alone, prints its address and opens the browser. The page turns the
+    /// model, has a control for each parameter, and answers questions about any point. No file is
+    /// written unless the page is asked to. Ctrl-C ends.
+    #[command(after_help = "\
+Examples:
+  virote view bottle.geo
+  virote view bottle.geo --set neck=15mm --port 8123 --no-open
+  virote view bottle.geo --export bottle.html   one file that shows the model anywhere")]
+    View(view::ViewOptions),
     /// Explains a built-in, lists a chapter or all of them, or searches
     #[command(after_help = "\
 Examples:

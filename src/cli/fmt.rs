@@ -1,15 +1,10 @@
 //! `virote fmt`: scripts in canonical form.
 
-use std::{
-    fs, io,
-    path::{Path, PathBuf},
-};
+use std::path::{Path, PathBuf};
 
-use super::{
-    ExitStatus, args::OutputArgs, files::Script, process, reporter::Reporter, say_exactly,
-    write::replace,
-};
+use super::{ExitStatus, args::OutputArgs, process, reporter::Reporter, say_exactly};
 use crate::{
+    disk::{Script, overwrite},
     export::io_reason,
     {limits::Limits, session::Session},
 };
@@ -60,15 +55,4 @@ fn one(session: &Session, path: &Path, is_check: bool, voice: &Reporter) -> Exit
         },
         Some(_) => ExitStatus::Well,
     }
-}
-
-/// Rewrites a file, behind its links and with its permissions.
-fn overwrite(path: &Path, text: &str) -> io::Result<()> {
-    let real = path.canonicalize()?;
-    let permissions = fs::metadata(&real)?.permissions();
-    // The new file takes the place of the old one, which asks only for the folder's permission.
-    if permissions.readonly() {
-        return Err(io::Error::other("the file may only be read"));
-    }
-    replace(&real, Some(permissions), |out| out.write_all(text.as_bytes()))
 }

@@ -2,14 +2,9 @@
 
 use std::path::Path;
 
-use super::{
-    ExitStatus,
-    args::OutputArgs,
-    files::{Script, ScriptFiles},
-    process,
-    reporter::Reporter,
-};
+use super::{ExitStatus, args::OutputArgs, process, reporter::Reporter};
 use crate::{
+    disk::{Script, ScriptFiles},
     limits::Limits,
     session::{Report, Session},
 };

@@ -2,7 +2,6 @@
 //! files, the environment or the terminal.
 
 mod args;
-mod files;
 mod fmt;
 mod graph;
 mod inspect;
@@ -19,8 +18,8 @@ mod run;
 mod settings;
 mod shell;
 mod test;
+mod view;
 mod watch;
-mod write;
 
 use std::{
     io::{self, Write},
@@ -116,6 +115,7 @@ fn dispatch(verb: CliCommand) -> ExitStatus {
         }
         CliCommand::Fmt { files, check, talk } => fmt::run(&files, check, &talk),
         CliCommand::Watch(asked) => watch::run(&asked),
+        CliCommand::View(asked) => view::run(&asked),
         CliCommand::Doc { words, search } => doc(&words, search),
         CliCommand::Explain { code } => explain(code.as_deref()),
         CliCommand::Completions { shell } => shell::completions(shell),

@@ -4,14 +4,9 @@ use std::path::Path;
 
 use serde_json::{Value as Json, json};
 
-use super::{
-    ExitStatus,
-    args::OutputArgs,
-    files::{Script, ScriptFiles},
-    inspect::look,
-    say, say_exactly,
-};
+use super::{ExitStatus, args::OutputArgs, inspect::look, say, say_exactly};
 use crate::{
+    disk::{Script, ScriptFiles},
     eval::{Schema, SchemaParameter},
     session::Session,
     value::{Dimension, Number, Value, to_json},

@@ -5,15 +5,14 @@ use std::path::{Path, PathBuf};
 use super::{
     ExitStatus,
     args::RunArgs,
-    files::{Script, ScriptFiles},
     looks::{self, PictureArgs},
     progress::Progress,
     reporter::Reporter,
     settings,
-    write::{OutputTarget, TargetRefusal},
 };
 use crate::{
     diag::Severity,
+    disk::{OutputTarget, Script, ScriptFiles, TargetRefusal},
     export::{ExportError, Format, Job, PICTURES, Summary},
     limits::{
         Ceiling,

@@ -6,17 +6,12 @@ use std::{
 };
 
 use super::{
-    ExitStatus,
-    args::RunArgs,
-    files::{Script, ScriptFiles},
-    interrupt::INTERRUPTED,
-    progress::Progress,
-    reporter::Reporter,
+    ExitStatus, args::RunArgs, interrupt::INTERRUPTED, progress::Progress, reporter::Reporter,
     settings,
-    write::{OutputTarget, StagedFile, TargetRefusal},
 };
 use crate::{
     diag::{Code, Diagnostic, Severity, fault, nearest},
+    disk::{OutputTarget, Script, ScriptFiles, StagedFile, TargetRefusal},
     eval::Setting,
     export::{ExportError, Summary, capped},
     session::{Event, File, Report, Session},

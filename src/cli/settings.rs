@@ -4,8 +4,8 @@ use std::path::Path;
 
 use serde_json::{Deserializer, Value as Json};
 
-use super::{ExitStatus, args::RunArgs, files::Script, reporter::Reporter};
-use crate::{eval::Setting, value::decode};
+use super::{ExitStatus, args::RunArgs, reporter::Reporter};
+use crate::{disk::Script, eval::Setting, value::decode};
 
 /// The settings that the options give, those of `--params` first; what is wrong is told.
 ///

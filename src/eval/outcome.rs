@@ -21,6 +21,9 @@ pub struct Defined {
     pub value: Option<Value>,
     /// How it came by its value.
     pub work: Work,
+    /// In an incremental session the identity of its value: where it is the same in two runs, so is the
+    /// value.
+    pub identity: Option<u64>,
     /// How it is presented.
     pub look: Appearance,
 }
@@ -30,6 +33,8 @@ pub struct Defined {
 pub struct Printed {
     /// The expression as it was written.
     pub source: String,
+    /// Where it stands.
+    pub span: Span,
     /// Its value.
     pub value: Value,
 }

@@ -160,12 +160,15 @@ impl FileRun<'_> {
             };
             let look = self.look(definition);
             let value = self.value(idx).cloned();
-            let work = match (&value, self.machine.home.mark(idx)) {
+            let mark = self.machine.home.mark(idx);
+            let identity = mark.map(|mark| mark.result);
+            let work = match (&value, mark) {
                 (None, _) => Work::Failed,
                 (Some(_), None) => Work::Evaluated,
                 (Some(_), Some(mark)) => mark.work,
             };
-            defined.push(Defined { name, kind, span: definition.name_span, value, work, look });
+            let span = definition.name_span;
+            defined.push(Defined { name, kind, span, value, work, identity, look });
         }
         defined
     }
@@ -257,6 +260,7 @@ impl FileRun<'_> {
             if let Some(value) = self.keep(result) {
                 outputs.push(EffectOutput::Printed(Printed {
                     source: self.document.excerpt(expr.span),
+                    span: expr.span,
                     value,
                 }));
             }

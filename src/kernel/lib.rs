@@ -161,7 +161,7 @@ pub use mesh::{
     FaceFault, Group, Mesh, MeshCheck, MeshDistance, MeshError, TessellationOptions, Topology,
     distance_to_polyline, facing_inward, grid_mesh, grid_mesh_any, planar_mesh, polygon_mesh,
     split_polygon, tessellate, tessellate_all, tessellate_any, tessellate_curve,
-    tessellate_curve_any, tessellate_finely,
+    tessellate_curve_any, tessellate_finely, tessellation_parameters,
 };
 pub use numeric::symmetric_eigen::principal_axes;
 pub use skin::{

@@ -163,12 +163,8 @@ fn chosen<'a>(
     let (definitions, only) = (&report.definitions, scene.only);
     let valued = |defined: &'a Defined| Some((defined, defined.value.as_ref()?));
     if only.is_empty() {
-        let is_shown = |(defined, value): &(&Defined, &Value)| {
-            let is_free = defined.kind == Some(Kind::Let);
-            let promises = defined.kind.is_some_and(Kind::is_geometry);
-            !defined.look.is_hidden && (promises || is_free) && is_drawn(value, !is_free)
-        };
-        let mut shown: Vec<_> = definitions.iter().filter_map(valued).filter(is_shown).collect();
+        let mut shown: Vec<_> =
+            drawable(report).filter(|(defined, _)| !defined.look.is_hidden).collect();
         if shown.is_empty() {
             return Err("the script defines no geometry that could be drawn".to_owned());
         }
@@ -196,8 +192,19 @@ fn chosen<'a>(
     only.iter().map(find).collect()
 }
 
+/// The definitions that a picture may show without being asked for them, hidden ones included, with
+/// their values.
+pub(crate) fn drawable(report: &Report) -> impl Iterator<Item = (&Defined, &Value)> {
+    let valued = report.definitions.iter().filter_map(|its| Some((its, its.value.as_ref()?)));
+    valued.filter(|(defined, value)| {
+        let is_free = defined.kind == Some(Kind::Let);
+        let promises = defined.kind.is_some_and(Kind::is_geometry);
+        (promises || is_free) && is_drawn(value, !is_free)
+    })
+}
+
 /// The names that exports of geometry name.
-fn exported(report: &Report) -> HashSet<&str> {
+pub(crate) fn exported(report: &Report) -> HashSet<&str> {
     let files = report.events.iter().filter_map(|event| match event {
         Event::File(file) => Some(file),
         _ => None,

@@ -4,6 +4,18 @@ use super::Session;
 use crate::limits::work::{MemoryGauge, StopToken};
 
 impl Session {
+    /// Whether its switch is set.
+    #[cfg(feature = "cli")]
+    pub(crate) fn is_stopped(&self) -> bool {
+        self.stop.is_stopped()
+    }
+
+    /// How many threads it may use.
+    #[cfg(feature = "cli")]
+    pub(crate) fn n_threads(&self) -> usize {
+        self.n_threads
+    }
+
     /// The same with a measure of the memory that is held, in bytes, for the ceiling on it;
     /// without one that ceiling is not kept.
     #[must_use]

@@ -7,9 +7,10 @@ use std::{
     time::{Duration, Instant},
 };
 
-use super::super::{args::RunArgs, files::ScriptFiles, interrupt::INTERRUPTED};
+use super::super::{args::RunArgs, interrupt::INTERRUPTED};
 use crate::{
     diag::Sources,
+    disk::ScriptFiles,
     eval::Setting,
     limits::{Limits, work::StopToken},
     session::{Report, Session},

@@ -5,13 +5,9 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::{
-    super::{files::Script, reporter::pretty, write::replace},
-    Prompt, command,
-    document::Document,
-    show,
-};
+use super::{super::reporter::pretty, Prompt, command, document::Document, show};
 use crate::{
+    disk::{Script, replace},
     export::io_reason,
     {session::Event, syntax::StatementRole, value::script_text},
 };

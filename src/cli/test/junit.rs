@@ -7,8 +7,8 @@ use std::{fmt::Write as _, io, path::Path};
 
 use super::{TestAttempt, TestedScript, golden::GoldenOutcome, report::some};
 use crate::{
-    cli::write::replace,
     diag::Severity,
+    disk::replace,
     render,
     session::{Event, Report, TestVerdict},
 };

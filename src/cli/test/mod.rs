@@ -23,14 +23,9 @@ use self::{
     jobs::JobGate,
     report::TestReporter,
 };
-use super::{
-    ExitStatus,
-    args::RunArgs,
-    files::{Script, ScriptFiles},
-    reporter::Reporter,
-    settings,
-};
+use super::{ExitStatus, args::RunArgs, reporter::Reporter, settings};
 use crate::{
+    disk::{Script, ScriptFiles},
     eval::Setting,
     export::io_reason,
     session::{Event, Report, Session},

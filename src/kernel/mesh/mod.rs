@@ -55,7 +55,9 @@ pub use orient::facing_inward;
 pub use planar::planar_mesh;
 pub use polygons::{polygon_mesh, split_polygon};
 pub(super) use tessellate::check_rounding;
-pub use tessellate::{tessellate, tessellate_all, tessellate_curve, tessellate_finely};
+pub use tessellate::{
+    tessellate, tessellate_all, tessellate_curve, tessellate_finely, tessellation_parameters,
+};
 pub use topology::{MeshCheck, Topology};
 
 /// Triangles over shared vertices, counter-clockwise seen from the side of the normals.

@@ -181,10 +181,24 @@ pub fn tessellate_curve(
     tolerance: f64,
     max_points: usize,
 ) -> Result<Vec<DVec3>, GeomError> {
+    let parameters = tessellation_parameters(curve, tolerance, max_points)?;
+    let inner = parameters.iter().skip(1).map(|&t| curve.point_at(t));
+    Ok(std::iter::once(curve.start()).chain(inner).collect())
+}
+
+/// The parameters of the points of [`tessellate_curve`].
+///
+/// # Errors
+/// As that.
+pub fn tessellation_parameters(
+    curve: &NurbsCurve,
+    tolerance: f64,
+    max_points: usize,
+) -> Result<Vec<f64>, GeomError> {
     TessellationOptions::within(tolerance).check()?;
     curve.check_connected()?;
     check_rounding(tolerance, far([curve.start(), curve.end()]))?;
-    let mut points = vec![curve.start()];
+    let mut parameters = vec![curve.domain().start()];
     for span in curve.knots().spans() {
         let piece = bezier::piece(curve.knots(), curve.control_points(), span);
         let mut todo = vec![(piece, curve.knots().span_interval(span), 0)];
@@ -197,15 +211,15 @@ pub fn tessellate_curve(
                 let [before, behind] = interval.halves();
                 todo.extend([(right, behind, n_halvings + 1), (left, before, n_halvings + 1)]);
             } else {
-                points.push(curve.point_at(interval.end()));
+                parameters.push(interval.end());
             }
-            let got = points.len() + todo.len();
+            let got = parameters.len() + todo.len();
             if max_points < got {
                 return Err(CountError::TooManyVertices { got, most: max_points }.into());
             }
         }
     }
-    Ok(points)
+    Ok(parameters)
 }
 
 /// A bound of the distance of a Bézier curve from a chord, by the hulls of its quarters.

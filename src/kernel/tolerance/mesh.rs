@@ -5,6 +5,12 @@
 /// Larger shows facets on a screen; smaller makes files that nobody asked for.
 pub const DEFAULT_CHORD_RELATIVE: f64 = 1e-3;
 
+/// On a screen the normals at the corners of a triangle turn no further from one another: 5 degrees.
+///
+/// Larger lets stripes and highlights between the corners waver, where normals are taken for linear;
+/// smaller makes triangles that take longer to send than to see.
+pub const VIEW_ANGLE: f64 = 0.087;
+
 /// A side of a cell may lean from the lines of the parameters by this part of the cell, where two
 /// triangles are told to be one quadrilateral.
 ///

@@ -6,7 +6,7 @@ use super::{
     FILES, GoldenContent, GoldenFile, HEADER, PRINTED, WARNINGS, header::Header, kept, measures,
 };
 use crate::{
-    cli::write::{OutputTarget, StagedFile, TargetRefusal},
+    disk::{OutputTarget, StagedFile, TargetRefusal},
     export::{ExportError, Summary, io_reason},
 };
 

@@ -23,8 +23,9 @@ use std::{
 
 use self::{header::Header, lines::RelativeTolerance};
 use crate::{
-    cli::{ExitStatus, files::read_whole, run},
+    cli::{ExitStatus, run},
     diag::{Diagnostic, Severity},
+    disk::read_whole,
     export::{self, MeasuredPart, capped, io_reason},
     limits::Limits,
     session::{Event, File, Report},

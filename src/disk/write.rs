@@ -17,14 +17,14 @@ use crate::export::{ExportError, Summary, capped};
 
 /// A file of the output folder that may be written.
 #[derive(Debug)]
-pub(super) struct OutputTarget {
+pub(crate) struct OutputTarget {
     folder: PathBuf,
     path: PathBuf,
 }
 
 /// Why a target is refused before anything is written.
 #[derive(Debug)]
-pub(super) enum TargetRefusal {
+pub(crate) enum TargetRefusal {
     /// The script may not write there.
     Forbidden(String),
     /// The operating system does not let us.
@@ -36,7 +36,7 @@ impl OutputTarget {
     ///
     /// Makes no folder and no file; folders that exist are looked through, so that a symbolic
     /// link cannot lead out of the output folder.
-    pub(super) fn new(out: &Path, path: &str, inputs: &[PathBuf]) -> Result<Self, TargetRefusal> {
+    pub(crate) fn new(out: &Path, path: &str, inputs: &[PathBuf]) -> Result<Self, TargetRefusal> {
         let full = out.join(path);
         let folder = full.parent().unwrap_or(out).to_path_buf();
         if full.is_dir() {
@@ -69,13 +69,13 @@ impl OutputTarget {
     ///
     /// # Errors
     /// Links that lead round in a circle.
-    pub(super) fn behind_links(self) -> io::Result<Self> {
+    pub(crate) fn behind_links(self) -> io::Result<Self> {
         Ok(Self { path: behind_links(&self.path)?, ..self })
     }
 
     /// Whether it could be written: makes a temporary file in its folder, or in the innermost one on the
     /// way that exists, and takes it away.
-    pub(super) fn probe(&self) -> io::Result<()> {
+    pub(crate) fn probe(&self) -> io::Result<()> {
         let name = self.path.file_name().unwrap_or_default();
         let folder = existing(&self.folder).unwrap_or_default();
         let (_, temporary) = temporary(&folder.join(name))?;
@@ -84,7 +84,7 @@ impl OutputTarget {
 
     /// Writes the file, of no more than `most` bytes, through `write`, under a temporary name;
     /// tells `progress` how far it is.
-    pub(super) fn stage(
+    pub(crate) fn stage(
         &self,
         most: u64,
         progress: &dyn Fn(u64),
@@ -98,7 +98,7 @@ impl OutputTarget {
 
 /// A whole file under a temporary name, which goes with it unless it is put into its place.
 #[derive(Debug)]
-pub(super) struct StagedFile {
+pub(crate) struct StagedFile {
     temporary: PathBuf,
     path: PathBuf,
 }
@@ -123,7 +123,7 @@ impl StagedFile {
     }
 
     /// Puts it into its place.
-    pub(super) fn place(self) -> io::Result<()> {
+    pub(crate) fn place(self) -> io::Result<()> {
         fs::rename(&self.temporary, &self.path)?;
         // The name itself is on the disk when its folder is; not every system lets one ask.
         if let Some(folder) = self.path.parent()
@@ -144,9 +144,20 @@ impl Drop for StagedFile {
     }
 }
 
+/// Rewrites a file, behind its links and with its permissions.
+pub(crate) fn overwrite(path: &Path, text: &str) -> io::Result<()> {
+    let real = path.canonicalize()?;
+    let permissions = fs::metadata(&real)?.permissions();
+    // The new file takes the place of the old one, which asks only for the folder's permission.
+    if permissions.readonly() {
+        return Err(io::Error::other("the file may only be read"));
+    }
+    replace(&real, Some(permissions), |out| out.write_all(text.as_bytes()))
+}
+
 /// Puts what `write` writes in the place of the file `path`, behind its links, which is there whole or
 /// not at all.
-pub(super) fn replace<T, E: From<io::Error>>(
+pub(crate) fn replace<T, E: From<io::Error>>(
     path: &Path,
     permissions: Option<fs::Permissions>,
     write: impl FnOnce(&mut dyn Write) -> Result<T, E>,

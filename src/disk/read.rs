@@ -13,20 +13,20 @@ const STDIN: &str = "-";
 
 /// A script on its way in.
 #[derive(Debug)]
-pub(super) struct Script {
+pub(crate) struct Script {
     /// What messages call it.
-    pub(super) name: String,
+    pub(crate) name: String,
     /// Its bytes.
-    pub(super) bytes: Vec<u8>,
+    pub(crate) bytes: Vec<u8>,
     /// The folder that its paths are relative to.
-    pub(super) folder: PathBuf,
+    pub(crate) folder: PathBuf,
     /// The file, unless it came through standard input.
-    pub(super) path: Option<PathBuf>,
+    pub(crate) path: Option<PathBuf>,
 }
 
 impl Script {
     /// Reads a script; one byte more than `most` is enough to know that it is too large.
-    pub(super) fn read(path: &Path, most: usize) -> Result<Self, String> {
+    pub(crate) fn read(path: &Path, most: usize) -> Result<Self, String> {
         if path.as_os_str() == STDIN {
             let bytes = read_some(&mut io::stdin().lock(), most)
                 .map_err(|err| format!("standard input: {err}"))?;
@@ -71,7 +71,7 @@ fn read_some(from: &mut dyn Read, most: usize) -> io::Result<Vec<u8>> {
 ///
 /// # Errors
 /// What keeps it from being read, in a few words.
-pub(super) fn read_whole(path: &Path, most: usize) -> Result<Vec<u8>, String> {
+pub(crate) fn read_whole(path: &Path, most: usize) -> Result<Vec<u8>, String> {
     if may_be_silent(path) {
         return Err("it is a pipe, not a file with an end".to_owned());
     }
@@ -86,19 +86,19 @@ pub(super) fn read_whole(path: &Path, most: usize) -> Result<Vec<u8>, String> {
 
 /// Data files beside a script; remembers which were read.
 #[derive(Debug)]
-pub(super) struct ScriptFiles {
+pub(crate) struct ScriptFiles {
     folder: PathBuf,
     read: std::sync::Mutex<Vec<PathBuf>>,
 }
 
 impl ScriptFiles {
     /// Files relative to `folder`.
-    pub(super) fn new(folder: &Path) -> Self {
+    pub(crate) fn new(folder: &Path) -> Self {
         Self { folder: folder.to_path_buf(), read: std::sync::Mutex::default() }
     }
 
     /// The files that were read.
-    pub(super) fn inputs(&self) -> Vec<PathBuf> {
+    pub(crate) fn inputs(&self) -> Vec<PathBuf> {
         self.read.lock().map(|read| read.clone()).unwrap_or_default()
     }
 }

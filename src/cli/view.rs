@@ -1,0 +1,120 @@
+//! `virote view`: shows a script in the browser.
+
+use std::{
+    io,
+    net::Ipv4Addr,
+    path::PathBuf,
+    process::{Command, Stdio},
+    thread,
+    time::Duration,
+};
+
+use clap::Args;
+
+use super::{
+    ExitStatus,
+    args::RunArgs,
+    interrupt::{self, INTERRUPTED},
+    reporter::Reporter,
+    say, settings,
+};
+use crate::{
+    disk::Script,
+    export::io_reason,
+    limits::work::StopToken,
+    view::{ViewedScript, Viewer},
+};
+
+/// How often it is asked whether Ctrl-C was pressed.
+const TICK: Duration = Duration::from_millis(50);
+
+/// What `virote view` is asked for.
+#[derive(Debug, Args)]
+pub(super) struct ViewOptions {
+    /// The script
+    file: PathBuf,
+    /// The port of the page; 0 takes a free one
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    port: u16,
+    /// Opens no browser
+    #[arg(long)]
+    no_open: bool,
+    /// The folder for exported files [default: the script's own]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    #[command(flatten)]
+    common: RunArgs,
+}
+
+/// `virote view FILE`: until Ctrl-C.
+pub(super) fn run(asked: &ViewOptions) -> ExitStatus {
+    let limits = asked.common.ceilings();
+    let voice = Reporter::new(&asked.common.talk, limits.diagnostics);
+    let settings = match settings::given(&asked.common, limits.input_bytes, &voice) {
+        Ok(settings) => settings,
+        Err(ending) => return ending,
+    };
+    if asked.file.as_os_str() == "-" {
+        voice.trouble("standard input cannot be watched");
+        return ExitStatus::Usage;
+    }
+    // A name that was mistyped is not waited for.
+    let folder = match Script::read(&asked.file, limits.source_bytes) {
+        Ok(script) => script.folder,
+        Err(message) => {
+            voice.trouble(&message);
+            return ExitStatus::Usage;
+        }
+    };
+    let session = |stop: StopToken| asked.common.session().stopped_by(stop);
+    let script = ViewedScript {
+        path: asked.file.clone(),
+        out: asked.out.clone().unwrap_or(folder),
+        settings,
+        session: &session,
+    };
+    interrupt::listen_once();
+    let viewer = match Viewer::start(&script, asked.port) {
+        Ok(viewer) => viewer,
+        Err(err) => {
+            voice.trouble(&unserved(asked.port, &err));
+            return ExitStatus::Usage;
+        }
+    };
+    say(&format!("{}\n", viewer.address()));
+    if !asked.no_open {
+        open(viewer.address());
+    }
+    while !INTERRUPTED.is_stopped() {
+        thread::sleep(TICK);
+    }
+    ExitStatus::Well
+}
+
+/// Why a port is not served, and what to do.
+fn unserved(port: u16, err: &io::Error) -> String {
+    if err.kind() != io::ErrorKind::AddrInUse {
+        return format!("cannot serve at port {port}: {}", io_reason(err));
+    }
+    let free = std::net::TcpListener::bind((Ipv4Addr::LOCALHOST, 0));
+    let free = free.and_then(|listener| listener.local_addr()).map_or(0, |address| address.port());
+    format!("port {port} is in use; `--port {free}` is free, and `--port 0` takes any that is")
+}
+
+/// Opens the browser, where there is one.
+fn open(address: &str) {
+    let (program, before): (&str, &[&str]) = if cfg!(windows) {
+        ("cmd", &["/C", "start", ""])
+    } else if cfg!(target_os = "macos") {
+        ("open", &[])
+    } else {
+        ("xdg-open", &[])
+    };
+    let mut command = Command::new(program);
+    command.args(before).arg(address);
+    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    if let Ok(mut child) = command.spawn() {
+        // Whoever does not wait for it leaves a dead process behind.
+        let _ = thread::Builder::new().spawn(move || child.wait());
+    }
+}

@@ -1,0 +1,82 @@
+//! Files that are looked at again and again: which of them is another one now.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+    time::SystemTime,
+};
+
+/// Looks that a file may be gone before that is told: editors put a new file in the place of the old.
+const MOST_GONE: usize = 2;
+
+/// What tells a file from the one that stood in its place before: when it was written, and its
+/// length; nothing where there is none.
+type FileStamp = Option<(SystemTime, u64)>;
+
+fn mark(path: &Path) -> FileStamp {
+    let data = fs::metadata(path).ok().filter(fs::Metadata::is_file)?;
+    Some((data.modified().ok()?, data.len()))
+}
+
+/// The script and the files that it reads.
+pub(crate) struct WatchedFiles {
+    /// As they were when the script was carried out last.
+    seen: Vec<(PathBuf, FileStamp)>,
+    /// As they were at the last look: who still writes is waited for.
+    last: Vec<FileStamp>,
+    n_gone: usize,
+    is_first: bool,
+}
+
+/// What became of the files.
+pub(crate) enum FileChange {
+    Nothing,
+    /// The script is gone.
+    Gone,
+    /// This file is another one.
+    Saved(String),
+}
+
+impl WatchedFiles {
+    pub(crate) fn new(script: &Path) -> Self {
+        let seen = vec![(script.to_path_buf(), None)];
+        Self { seen, last: vec![None], n_gone: 0, is_first: true }
+    }
+
+    /// Looks at the script and these files from now on.
+    pub(crate) fn follow(&mut self, inputs: &[PathBuf]) {
+        // Of a file that was followed the mark is older than the run, which may have been slow.
+        let known = std::mem::take(&mut self.seen);
+        let followed = inputs.iter().map(|path| {
+            let known = known.iter().find(|(known, _)| known == path);
+            known.cloned().unwrap_or_else(|| (path.clone(), mark(path)))
+        });
+        self.seen = known.first().cloned().into_iter().chain(followed).collect();
+        self.last = self.seen.iter().map(|(_, mark)| *mark).collect();
+    }
+
+    /// What happened since the script was carried out last.
+    pub(crate) fn change(&mut self) -> FileChange {
+        let now: Vec<FileStamp> = self.seen.iter().map(|(path, _)| mark(path)).collect();
+        let is_still = now == self.last || self.is_first;
+        self.last.clone_from(&now);
+        if now[0].is_none() {
+            self.n_gone += 1;
+            if self.n_gone != MOST_GONE {
+                return FileChange::Nothing;
+            }
+            // When it comes back it is carried out, even if it is the same.
+            self.seen[0].1 = None;
+            return FileChange::Gone;
+        }
+        self.n_gone = 0;
+        let mut apart = self.seen.iter().zip(&now).filter(|((_, seen), now)| seen != *now);
+        let Some(((path, _), _)) = apart.next().filter(|_| is_still) else {
+            return FileChange::Nothing;
+        };
+        let what = path.strip_prefix(".").unwrap_or(path).display().to_string();
+        self.is_first = false;
+        self.seen.iter_mut().zip(now).for_each(|((_, seen), now)| *seen = now);
+        FileChange::Saved(what)
+    }
+}

@@ -1,0 +1,136 @@
+//! An answer, with the headers that keep the page to itself.
+
+use std::{
+    io::{self, Read, Write},
+    net::{Shutdown, TcpStream},
+    sync::Arc,
+    time::{Duration, Instant},
+};
+
+use serde_json::Value as Json;
+
+use super::Refusal;
+
+/// How long a client may take to read a part of the answer.
+const PATIENCE: Duration = Duration::from_secs(10);
+
+/// How long the rest of a request that was refused is read, so that the answer arrives.
+const AFTERWARDS: Duration = Duration::from_secs(1);
+
+/// What the page may load, and from where.
+const POLICY: &str = "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; \
+     worker-src 'self' blob:; connect-src 'self'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'";
+
+/// The body of an answer.
+#[derive(Debug)]
+enum Body {
+    Owned(Vec<u8>),
+    Shared(Arc<Vec<u8>>),
+}
+
+/// An answer.
+#[derive(Debug)]
+pub(in crate::view) struct Response {
+    status: u16,
+    kind: &'static str,
+    /// Whether the same address always has the same bytes.
+    is_lasting: bool,
+    is_zipped: bool,
+    body: Body,
+}
+
+impl Response {
+    /// Bytes of a kind.
+    pub(in crate::view) fn new(kind: &'static str, bytes: Vec<u8>) -> Self {
+        Self { status: 200, kind, is_lasting: false, is_zipped: false, body: Body::Owned(bytes) }
+    }
+
+    /// The same, compressed by gzip.
+    pub(in crate::view) fn zipped(self) -> Self {
+        Self { is_zipped: true, ..self }
+    }
+
+    /// Bytes that this address will always have.
+    pub(in crate::view) fn lasting(bytes: Arc<Vec<u8>>) -> Self {
+        let body = Body::Shared(bytes);
+        Self { is_lasting: true, body, ..Self::new("application/octet-stream", Vec::new()) }
+    }
+
+    /// A value.
+    pub(in crate::view) fn json(value: &Json) -> Self {
+        Self::new("application/json", value.to_string().into_bytes())
+    }
+
+    /// Why there is no answer, for the page.
+    pub(in crate::view) fn trouble(status: u16, why: &str) -> Self {
+        Self { status, ..Self::json(&serde_json::json!({ "error": why })) }
+    }
+
+    /// Sends it, and closes.
+    pub(in crate::view) fn send(&self, stream: &mut TcpStream) -> io::Result<()> {
+        let body = match &self.body {
+            Body::Owned(bytes) => bytes.as_slice(),
+            Body::Shared(bytes) => bytes.as_slice(),
+        };
+        let mut head = head(self.status, self.kind);
+        head.push_str(&format!("Content-Length: {}\r\nConnection: close\r\n", body.len()));
+        head.push_str(match self.is_lasting {
+            true => "Cache-Control: private, max-age=31536000, immutable\r\n",
+            false => "Cache-Control: no-store\r\n",
+        });
+        if self.is_zipped {
+            head.push_str("Content-Encoding: gzip\r\n");
+        }
+        head.push_str("\r\n");
+        stream.set_write_timeout(Some(PATIENCE))?;
+        stream.write_all(head.as_bytes())?;
+        stream.write_all(body)?;
+        stream.flush()
+    }
+
+    /// Sends a refusal of a request that may not have been read to its end.
+    pub(in crate::view) fn refuse(Refusal(status, why): Refusal, stream: &mut TcpStream) {
+        if Self::trouble(status, why).send(stream).is_ok() {
+            let _ = stream.shutdown(Shutdown::Write);
+            read_rest(stream);
+        }
+    }
+}
+
+/// Reads what still comes, for a while: a connection that is closed before loses the answer.
+fn read_rest(stream: &mut TcpStream) {
+    let deadline = Instant::now() + AFTERWARDS;
+    let mut part = [0; 8 << 10];
+    let _ = stream.set_read_timeout(Some(AFTERWARDS));
+    while Instant::now() < deadline && stream.read(&mut part).is_ok_and(|n| 0 < n) {}
+}
+
+/// Begins a stream of events.
+pub(in crate::view) fn begin_stream(stream: &mut TcpStream) -> io::Result<()> {
+    let mut head = head(200, "text/event-stream");
+    head.push_str("Cache-Control: no-store\r\nConnection: close\r\n\r\n");
+    stream.set_write_timeout(Some(PATIENCE))?;
+    stream.write_all(head.as_bytes())?;
+    stream.flush()
+}
+
+fn head(status: u16, kind: &str) -> String {
+    let reason = match status {
+        200 => "OK",
+        403 => "Forbidden",
+        404 => "Not Found",
+        405 => "Method Not Allowed",
+        408 => "Request Timeout",
+        411 => "Length Required",
+        413 => "Content Too Large",
+        415 => "Unsupported Media Type",
+        431 => "Request Header Fields Too Large",
+        503 => "Service Unavailable",
+        _ => "Bad Request",
+    };
+    format!(
+        "HTTP/1.1 {status} {reason}\r\nContent-Type: {kind}\r\nContent-Security-Policy: {POLICY}\r\n\
+         X-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\n\
+         Cross-Origin-Resource-Policy: same-origin\r\n"
+    )
+}

@@ -1,0 +1,122 @@
+//! `virote view`: a server on this machine that shows a script in the browser while it is written.
+//!
+//! `hub` is where all meet: the page asks through `server` (`http`, `guard`, `routes`), `watch` looks
+//! at the files, and `worker`, the one thread that evaluates, takes the newest run that is wanted. What
+//! it comes to is a `state` (JSON) and a `scene`, whose items have keys: the page fetches only those
+//! that it does not know.
+
+mod guard;
+mod http;
+mod hub;
+mod page;
+mod parameters;
+mod routes;
+mod scene;
+mod server;
+mod state;
+mod threads;
+mod watch;
+mod worker;
+
+use std::{
+    io,
+    net::{Ipv4Addr, TcpListener},
+    path::PathBuf,
+    sync::{Arc, Mutex},
+    thread,
+};
+
+use self::{
+    guard::Guard,
+    hub::{Hub, Shown},
+    routes::Doors,
+    scene::{ItemMemory, Scene},
+    worker::Worker,
+};
+use crate::{
+    eval::Setting,
+    limits::{stack, work::StopToken},
+    session::Session,
+};
+
+/// What is to be shown.
+pub(crate) struct ViewedScript<'a> {
+    pub(crate) path: PathBuf,
+    /// The folder for exported files.
+    pub(crate) out: PathBuf,
+    pub(crate) settings: Vec<Setting>,
+    /// Makes a session that a switch stops.
+    pub(crate) session: &'a dyn Fn(StopToken) -> Session,
+}
+
+/// A script that is shown.
+pub(crate) struct Viewer {
+    address: String,
+    hub: Arc<Hub>,
+}
+
+impl ViewedScript<'_> {
+    fn worker(&self) -> Worker {
+        let stop = StopToken::default();
+        let first = Shown {
+            version: 0,
+            state: state::empty(&self.path).to_string().into_bytes(),
+            scene: Arc::new(Scene::default()),
+            report: None,
+            parameters: Vec::new(),
+            inputs: Vec::new(),
+        };
+        let hub = Arc::new(Hub::new(self.settings.clone(), first, stop.clone()));
+        Worker {
+            hub,
+            session: (self.session)(stop).incremental(),
+            script: self.path.clone(),
+            memory: ItemMemory::new(),
+            schema: None,
+            good: None,
+            followed: Arc::default(),
+        }
+    }
+}
+
+impl Viewer {
+    /// Serves a script at a port of this machine; at 0 the system chooses.
+    ///
+    /// # Errors
+    /// Where the port is not to be had.
+    pub(crate) fn start(script: &ViewedScript<'_>, port: u16) -> io::Result<Self> {
+        let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port))?;
+        let guard = Arc::new(Guard::new(listener.local_addr()?.port()));
+        let worker = script.worker();
+        let hub = Arc::clone(&worker.hub);
+        let followed = Arc::clone(&worker.followed);
+        // A file that is saved after this look is seen as another one.
+        let watched = watch::begin(&script.path);
+        let bytes = worker.session.limits().stack_bytes;
+        let evaluate = move || stack::known(bytes, || worker.work());
+        thread::Builder::new().stack_size(bytes).spawn(evaluate)?;
+        let doors = Arc::new(Doors {
+            hub: Arc::clone(&hub),
+            session: (script.session)(StopToken::default()),
+            script: script.path.clone(),
+            out: script.out.clone(),
+            writing: Mutex::default(),
+        });
+        let told = Arc::clone(&hub);
+        thread::Builder::new().spawn(move || watch::watch(&told, watched, &followed))?;
+        let address = guard.address();
+        thread::Builder::new().spawn(move || server::serve(&listener, &guard, &doors))?;
+        Ok(Self { address, hub })
+    }
+
+    /// The address of the page.
+    pub(crate) fn address(&self) -> &str {
+        &self.address
+    }
+}
+
+impl Drop for Viewer {
+    fn drop(&mut self) {
+        self.hub.close();
+    }
+}

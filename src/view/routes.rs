@@ -1,0 +1,120 @@
+//! What each address answers.
+
+use std::{
+    path::PathBuf,
+    sync::{Arc, PoisonError},
+};
+
+use serde_json::{Value as Json, json};
+
+use super::{
+    http::{Request, Response},
+    hub::Hub,
+    page,
+};
+use crate::{eval::Setting, session::Session};
+
+/// What answers need.
+#[derive(Debug)]
+pub(super) struct Doors {
+    pub(super) hub: Arc<Hub>,
+    /// For questions; without a memory, and nobody stops it.
+    pub(super) session: Session,
+    pub(super) script: PathBuf,
+    /// The folder for exported files.
+    pub(super) out: PathBuf,
+    /// One writes at a time.
+    pub(super) writing: std::sync::Mutex<()>,
+}
+
+/// An answer for the page, or a sentence why there is none.
+pub(super) type Answer = Result<Json, String>;
+
+/// The answer to a request that may be asked.
+pub(super) fn answer(request: &Request, doors: &Doors) -> Response {
+    let answer = match (request.method.as_str(), request.path.as_str()) {
+        ("GET", "/api/state") => {
+            return Response::new("application/json", doors.hub.shown().state.clone());
+        }
+        ("GET", path) => {
+            return match path.strip_prefix("/api/item/") {
+                Some(key) => item(key, doors),
+                None => page::file(path).unwrap_or_else(not_found),
+            };
+        }
+        ("POST", path) => {
+            let Ok(body) = serde_json::from_slice::<Json>(&request.body) else {
+                return Response::trouble(400, "the body is no JSON");
+            };
+            post(path, &body, doors)
+        }
+        _ => None,
+    };
+    match answer {
+        Some(Ok(value)) => Response::json(&value),
+        Some(Err(why)) => Response::trouble(400, &why),
+        None => not_found(),
+    }
+}
+
+fn not_found() -> Response {
+    Response::trouble(404, "there is nothing at this address")
+}
+
+fn item(key: &str, doors: &Doors) -> Response {
+    let found = doors.hub.with_item(key, |item, _| Arc::clone(&item.encoded));
+    found.map_or_else(not_found, |encoded| Response::lasting(Arc::clone(&encoded.bytes)))
+}
+
+/// What is done at an address; `None` where there is none.
+fn post(path: &str, body: &Json, doors: &Doors) -> Option<Answer> {
+    Some(match path {
+        "/api/set" => set(body, doors),
+        "/api/stop" => {
+            doors.hub.stop();
+            Ok(json!({ "stopped": true }))
+        }
+        _ => return None,
+    })
+}
+
+fn set(body: &Json, doors: &Doors) -> Answer {
+    if body["reset"] == json!(true) {
+        doors.hub.set(Vec::clear);
+        return Ok(json!({ "accepted": true }));
+    }
+    let values = values_of(body, doors)?;
+    doors.hub.set(|settings| {
+        settings.retain(|setting| values.iter().all(|(name, _)| *name != setting.name));
+        let new = values.into_iter().filter_map(|(name, text)| Some((name, text?)));
+        settings.extend(new.map(|(name, text)| Setting { name, text, file: None }));
+    });
+    Ok(json!({ "accepted": true }))
+}
+
+/// The member `values` of a body: names of parameters with texts, or null.
+pub(super) fn values_of(
+    body: &Json,
+    doors: &Doors,
+) -> Result<Vec<(String, Option<String>)>, String> {
+    let Some(members) = body["values"].as_object() else {
+        return Err("`values` must be an object".to_owned());
+    };
+    let shown = doors.hub.shown();
+    let value = |(name, value): (&String, &Json)| {
+        if !shown.parameters.contains(name) {
+            return Err(format!("the script has no parameter `{name}`"));
+        }
+        match value {
+            Json::Null => Ok((name.clone(), None)),
+            Json::String(text) => Ok((name.clone(), Some(text.clone()))),
+            _ => Err(format!("the value of `{name}` must be a text or null")),
+        }
+    };
+    members.iter().map(value).collect()
+}
+
+/// Waits until nobody else writes.
+pub(super) fn alone(doors: &Doors) -> std::sync::MutexGuard<'_, ()> {
+    doors.writing.lock().unwrap_or_else(PoisonError::into_inner)
+}

@@ -1,0 +1,267 @@
+//! A shape as the page draws it: its triangles, lines and points, with what analyses need at each.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+use serde_json::{Map, Value as Json, json};
+
+use super::{bytes::ItemWriter, parts::Shape};
+use crate::{
+    export::N_ISOCURVES,
+    kernel::{
+        Bounds, Curve, Direction, GeomError, Interval, Mesh, NurbsCurve, Side, Surface, Tolerance,
+        tessellation_parameters, tolerance::DRAWING_DIGIT,
+    },
+};
+
+/// How fine what is drawn is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Fineness {
+    /// How far triangles and polylines may be from what they stand for.
+    pub(crate) chord: f64,
+    /// How far normals at the corners of a triangle may turn from one another, in radians.
+    pub(crate) angle: f64,
+    /// Points that are no further apart are one.
+    pub(crate) weld: f64,
+    /// Vertices of one item.
+    pub(crate) most: usize,
+}
+
+/// An item as it is sent.
+#[derive(Debug)]
+pub(crate) struct EncodedItem {
+    pub(crate) bytes: Arc<Vec<u8>>,
+    /// What there is to tell about it: sizes and degrees.
+    pub(crate) facts: Map<String, Json>,
+    pub(crate) bounds: Option<Bounds>,
+}
+
+/// Points of a curve that its comb needs at least.
+const N_COMB: usize = 96;
+
+/// The item of a shape, whose surfaces have this mesh.
+///
+/// # Errors
+/// Where it has no points that could be drawn.
+pub(super) fn encoded(
+    shape: &Shape,
+    mesh: Option<Mesh>,
+    fineness: &Fineness,
+) -> Result<EncodedItem, GeomError> {
+    let bounds = shape.bounds();
+    let center = bounds.map_or(DVec3::ZERO, Bounds::center);
+    let mut item = EncodingItem {
+        writer: ItemWriter::new(shape.kind(), center),
+        facts: Map::new(),
+        size: bounds.map_or(0.0, Bounds::diagonal),
+        fineness: *fineness,
+    };
+    match shape {
+        Shape::Points(points) => {
+            item.add_points(points);
+        }
+        Shape::Curve(curve) => item.add_curve(curve)?,
+        Shape::Curves(curves) => item.add_curves(curves)?,
+        Shape::Mesh(mesh) => {
+            item.add_mesh(mesh);
+            item.add_mesh_edges(mesh);
+        }
+        Shape::Surface(surface) => {
+            let mesh = Arc::new(mesh.unwrap_or_default());
+            item.add_mesh(&mesh);
+            item.add_curvatures(surface, &mesh);
+            item.add_surface_lines(std::slice::from_ref(surface))?;
+            item.add_net(surface);
+        }
+        Shape::Surfaces(surfaces) => {
+            let mesh = Arc::new(mesh.unwrap_or_default());
+            item.add_mesh(&mesh);
+            item.add_surface_lines(surfaces)?;
+            item.facts.insert("surfaces".to_owned(), json!(surfaces.len()));
+        }
+    }
+    Ok(EncodedItem { bytes: Arc::new(item.writer.finish()), facts: item.facts, bounds })
+}
+
+struct EncodingItem {
+    writer: ItemWriter,
+    facts: Map<String, Json>,
+    size: f64,
+    fineness: Fineness,
+}
+
+impl EncodingItem {
+    fn tell(&mut self, name: &str, value: Json) {
+        self.facts.insert(name.to_owned(), value);
+    }
+
+    fn add_points(&mut self, points: &[DVec3]) {
+        let positions = self.writer.places(points);
+        self.writer.set("positions", positions);
+        self.tell("points", json!(points.len()));
+    }
+
+    /// The triangles with what is known at their corners.
+    fn add_mesh(&mut self, mesh: &Mesh) {
+        let positions = self.writer.places(mesh.vertices());
+        self.writer.set("positions", positions);
+        if !mesh.normals().is_empty() {
+            let normals = self.writer.vectors(mesh.normals());
+            self.writer.set("normals", normals);
+        }
+        if !mesh.uvs().is_empty() {
+            let pairs: Vec<f64> = mesh.uvs().iter().flat_map(|uv| [uv.x, uv.y]).collect();
+            let parameters = self.writer.numbers(2, &pairs);
+            self.writer.set("parameters", parameters);
+        }
+        if !mesh.colors().is_empty() {
+            let colors = self.writer.colors(mesh.colors());
+            self.writer.set("colors", colors);
+        }
+        let triangles = self.writer.triangles(mesh.triangles());
+        self.writer.set("triangles", triangles);
+        self.tell("triangles", json!(mesh.n_triangles()));
+        self.tell("points", json!(mesh.n_vertices()));
+    }
+
+    /// The edges of faces, but of meshes whose colours they would cover.
+    fn add_mesh_edges(&mut self, mesh: &Mesh) {
+        if mesh.colors().is_empty() {
+            let ends = mesh.face_edges().into_iter().flatten();
+            let ends: Vec<DVec3> = ends.map(|end| mesh.vertices()[end as usize]).collect();
+            let segments = self.writer.places(&ends);
+            self.writer.set("segments", segments);
+        }
+    }
+
+    /// The exact principal curvatures at the corners of the triangles.
+    fn add_curvatures(&mut self, surface: &Surface, mesh: &Mesh) {
+        let at = |u: f64, v: f64| surface.shape_at(u, v).map(|shape| shape.curvatures());
+        let pairs = mesh.uvs().iter().flat_map(|uv| at(uv.x, uv.y).unwrap_or([f64::NAN; 2]));
+        let pairs: Vec<f64> = pairs.collect();
+        let curvatures = self.writer.numbers(2, &pairs);
+        self.writer.set("curvatures", curvatures);
+    }
+
+    /// The edges of surfaces where they end, and lines of equal parameter inside.
+    fn add_surface_lines(&mut self, surfaces: &[Surface]) -> Result<(), GeomError> {
+        let (mut edges, mut isocurves) = (Vec::new(), Vec::new());
+        for surface in surfaces {
+            let same = DRAWING_DIGIT * self.size;
+            for along in Direction::BOTH {
+                let (domain, is_closed) = match along {
+                    Direction::U => (surface.domain_u(), surface.is_closed_u(same)?),
+                    Direction::V => (surface.domain_v(), surface.is_closed_v(same)?),
+                };
+                let steps = domain.steps(N_ISOCURVES + 1);
+                for (i, &at) in steps.iter().enumerate() {
+                    let is_end = i == 0 || i + 1 == steps.len();
+                    let line = match along {
+                        Direction::U => surface.isocurve_u(at)?,
+                        Direction::V => surface.isocurve_v(at)?,
+                    };
+                    // A line that is a point is a pole, and not drawn; nor is a seam drawn twice.
+                    let is_point = line.bounds()?.diagonal() <= same;
+                    if is_point || (is_end && is_closed && i != 0) {
+                        continue;
+                    }
+                    let points = self.polyline(&line)?.1;
+                    let run = self.writer.places(&points);
+                    if is_end && !is_closed { edges.push(run) } else { isocurves.push(run) }
+                }
+            }
+        }
+        self.writer.set("edges", edges.into());
+        self.writer.set("isocurves", isocurves.into());
+        Ok(())
+    }
+
+    /// The control net and the knots, where there are such.
+    fn add_net(&mut self, surface: &Surface) {
+        let Surface::Nurbs(surface) = surface else {
+            self.tell("form", json!("parametric"));
+            return;
+        };
+        let net = surface.points();
+        let size = [net.n_rows(), net.n_columns()];
+        let points = self.writer.places(net.as_slice());
+        self.writer.set("control", json!({ "points": points, "size": size }));
+        let [u, v] =
+            [surface.knots_u(), surface.knots_v()].map(crate::kernel::KnotVector::as_slice);
+        self.writer.set("knots", json!({ "u": u, "v": v }));
+        let degrees = [surface.degree_u(), surface.degree_v()];
+        self.tell("degree", json!(format!("{} x {}", degrees[0], degrees[1])));
+        self.tell("controlPoints", json!(format!("{} x {}", size[0], size[1])));
+        self.tell("rational", json!(surface.is_rational()));
+    }
+
+    fn add_curve(&mut self, curve: &Curve) -> Result<(), GeomError> {
+        let (parameters, points) = self.finely(curve)?;
+        let run = self.writer.places(&points);
+        self.writer.set("edges", json!([run]));
+        let numbers = self.writer.numbers(1, &parameters);
+        self.writer.set("parameters", numbers);
+        let bends: Vec<DVec3> = parameters.iter().map(|&t| bending(curve, t)).collect();
+        let comb = self.writer.vectors(&bends);
+        self.writer.set("comb", comb);
+        self.tell("points", json!(points.len()));
+        match curve {
+            Curve::Nurbs(curve) => self.add_polygon(curve),
+            Curve::Parametric(_) => self.tell("form", json!("parametric")),
+        }
+        Ok(())
+    }
+
+    fn add_polygon(&mut self, curve: &NurbsCurve) {
+        let polygon = curve.points();
+        let points = self.writer.places(&polygon);
+        self.writer.set("control", json!({ "points": points, "size": [polygon.len()] }));
+        self.writer.set("knots", json!({ "t": curve.knots().as_slice() }));
+        self.tell("degree", json!(curve.degree()));
+        self.tell("controlPoints", json!(polygon.len()));
+        self.tell("rational", json!(curve.is_rational()));
+    }
+
+    fn add_curves(&mut self, curves: &[Curve]) -> Result<(), GeomError> {
+        let mut ends = Vec::new();
+        for curve in curves {
+            let points = self.polyline(curve)?.1;
+            ends.extend(points.windows(2).flatten());
+        }
+        let segments = self.writer.places(&ends);
+        self.writer.set("segments", segments);
+        self.tell("curves", json!(curves.len()));
+        Ok(())
+    }
+
+    /// Points of a curve with their parameters.
+    fn polyline(&self, curve: &Curve) -> Result<(Vec<f64>, Vec<DVec3>), GeomError> {
+        let spline = curve.spline()?;
+        let Fineness { chord, most, .. } = self.fineness;
+        let parameters = tessellation_parameters(&spline, chord, most)?;
+        let points = parameters.iter().map(|&t| spline.point_at(t)).collect();
+        Ok((parameters, points))
+    }
+
+    /// The same, where the curve bends as many as its comb needs.
+    fn finely(&self, curve: &Curve) -> Result<(Vec<f64>, Vec<DVec3>), GeomError> {
+        let (parameters, points) = self.polyline(curve)?;
+        let n_parts = N_COMB.div_ceil(parameters.len().max(2) - 1);
+        if n_parts < 2 || curve.is_straight(Tolerance::DEFAULT.with_distance(self.fineness.weld))? {
+            return Ok((parameters, points));
+        }
+        let mut finer = vec![parameters[0]];
+        for pair in parameters.windows(2) {
+            finer.extend(Interval::new(pair[0], pair[1])?.steps(n_parts).into_iter().skip(1));
+        }
+        let spline = curve.spline()?;
+        let points = finer.iter().map(|&t| spline.point_at(t)).collect();
+        Ok((finer, points))
+    }
+}
+
+/// The curvature vector of a curve; nothing where it has none.
+fn bending(curve: &Curve, t: f64) -> DVec3 {
+    let local = curve.local_at(t, Side::Right).ok();
+    local.and_then(|local| local.curvature_vector()).unwrap_or(DVec3::ZERO)
+}

@@ -1,0 +1,241 @@
+//! The scene: what of a script's definitions is seen, each item with a key and its bytes.
+
+mod bytes;
+mod encode;
+mod memory;
+mod parts;
+
+use std::{collections::BTreeSet, sync::Arc};
+
+use serde_json::json;
+
+pub(crate) use self::{
+    encode::{EncodedItem, Fineness},
+    memory::ItemMemory,
+    parts::{Piece, Shape},
+};
+use super::threads::side_by_side;
+use crate::{
+    diag::{Diagnostic, Span, fault},
+    eval::Defined,
+    kernel::{
+        Bounds, Mesh, TessellationOptions, tessellate_all, tessellate_any,
+        tolerance::{DEFAULT_CHORD_RELATIVE, VIEW_ANGLE},
+    },
+    limits::work,
+    session::{Report, Session, drawable, exported},
+    value::Value,
+};
+
+/// Items of one scene; what comes behind them is not drawn, but told.
+const MOST_ITEMS: usize = 20_000;
+
+/// An item with what it was made from.
+#[derive(Debug)]
+pub(crate) struct SceneItem {
+    pub(crate) key: Arc<str>,
+    /// The definition among those of the report.
+    pub(crate) definition: usize,
+    pub(crate) piece: Piece,
+    pub(crate) is_exported: bool,
+    pub(crate) is_shown: bool,
+    pub(crate) encoded: Arc<EncodedItem>,
+}
+
+/// The items of a script that has no errors.
+#[derive(Debug, Default)]
+pub(crate) struct Scene {
+    pub(crate) items: Vec<SceneItem>,
+    /// What could not be drawn, each a sentence with the place of its definition.
+    pub(crate) troubles: Vec<(Span, String)>,
+    pub(crate) bounds: Option<Bounds>,
+}
+
+/// The items of one definition, remembered by its identity.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct DefinitionItems {
+    items: Vec<(Piece, Arc<EncodedItem>)>,
+    troubles: Vec<String>,
+}
+
+/// A definition on its way into the scene.
+struct SceneDefinition<'a> {
+    number: usize,
+    defined: &'a Defined,
+    value: &'a Value,
+    /// Its identity; one that no other has where the session gives none.
+    identity: u64,
+}
+
+impl Scene {
+    /// The item of a key.
+    pub(crate) fn item(&self, key: &str) -> Option<&SceneItem> {
+        self.items.iter().find(|item| *item.key == *key)
+    }
+
+    /// The scene of a report; `None` where nobody wants it any more.
+    pub(crate) fn of(report: &Report, session: &Session, memory: &mut ItemMemory) -> Option<Self> {
+        let definitions = definitions(report);
+        let mut scene = Self { bounds: memory.whole(&definitions), ..Self::default() };
+        let fineness = fineness(report, session, scene.bounds);
+        let missing: Vec<&SceneDefinition<'_>> = definitions
+            .iter()
+            .filter(|definition| !memory.knows(definition.identity, &fineness))
+            .collect();
+        let made = side_by_side(&missing, session, |definition| {
+            let pieces = parts::pieces(definition.value);
+            (pieces.clone(), meshes(&pieces, session, &fineness))
+        })?;
+        let parts = made.into_iter().zip(&missing).flat_map(|((pieces, meshes), definition)| {
+            let parts = pieces.into_iter().zip(meshes);
+            parts.map(|(piece, mesh)| (definition.identity, piece, mesh)).collect::<Vec<_>>()
+        });
+        let parts: Vec<(u64, Piece, Result<Option<Mesh>, String>)> = parts.collect();
+        let encoded = side_by_side(&parts, session, |(_, piece, mesh)| {
+            let mesh = mesh.clone()?;
+            told(session, || encode::encoded(&piece.shape, mesh, &fineness))
+        })?;
+        for definition in &missing {
+            memory.keep(definition.identity, &fineness, DefinitionItems::default());
+        }
+        for ((identity, piece, _), item) in parts.into_iter().zip(encoded) {
+            memory.add(identity, &fineness, piece, item);
+        }
+        scene.fill(report, &definitions, memory, &fineness);
+        Some(scene)
+    }
+
+    /// Takes the items of all definitions from the memory.
+    fn fill(
+        &mut self,
+        report: &Report,
+        definitions: &[SceneDefinition<'_>],
+        memory: &mut ItemMemory,
+        fineness: &Fineness,
+    ) {
+        let exports = exported(report);
+        let is_exported =
+            |definition: &SceneDefinition<'_>| exports.contains(definition.defined.name.as_str());
+        // As a picture of the script shows what it exports, if it exports geometry.
+        let shown = |definition: &SceneDefinition<'_>| !definition.defined.look.is_hidden;
+        let has_exports = definitions.iter().any(|its| shown(its) && is_exported(its));
+        for definition in definitions {
+            let Some((base, kept)) = memory.take(definition.identity, fineness) else { continue };
+            let name = &definition.defined.name;
+            let span = definition.defined.span;
+            let troubles = kept.troubles.iter().map(|text| format!("`{name}{text}"));
+            self.troubles.extend(troubles.map(|text| (span, text)));
+            let is_exported = is_exported(definition);
+            for (i, (piece, encoded)) in kept.items.iter().enumerate() {
+                if MOST_ITEMS <= self.items.len() {
+                    let text = format!(
+                        "the scene has more than {MOST_ITEMS} items; the rest is not drawn"
+                    );
+                    self.troubles.push((span, text));
+                    return;
+                }
+                self.items.push(SceneItem {
+                    key: format!("{base}-{i:x}").into(),
+                    definition: definition.number,
+                    piece: piece.clone(),
+                    is_exported,
+                    is_shown: shown(definition) && (is_exported || !has_exports),
+                    encoded: Arc::clone(encoded),
+                });
+            }
+        }
+    }
+}
+
+/// The definitions that are seen, those that are hidden included.
+fn definitions(report: &Report) -> Vec<SceneDefinition<'_>> {
+    // `drawable` goes through the definitions in their order.
+    let mut numbers = (0..report.definitions.len()).peekable();
+    let mut found = Vec::new();
+    for (defined, value) in drawable(report) {
+        let is_it = |&number: &usize| std::ptr::eq(&raw const report.definitions[number], defined);
+        let Some(number) = numbers.by_ref().find(is_it) else { break };
+        let identity = defined.identity.unwrap_or(u64::MAX - number as u64);
+        found.push(SceneDefinition { number, defined, value, identity });
+    }
+    found
+}
+
+/// How fine a scene of this size is drawn. The size is a power of two, so that what grows a little
+/// leaves all else as it is.
+fn fineness(report: &Report, session: &Session, bounds: Option<Bounds>) -> Fineness {
+    let size = bounds.map_or(0.0, Bounds::diagonal);
+    let size = if 0.0 < size && size.is_finite() { size } else { 1.0 };
+    let step = libm::exp2(libm::floor(libm::log2(size)));
+    Fineness {
+        chord: DEFAULT_CHORD_RELATIVE * step,
+        angle: VIEW_ANGLE,
+        weld: report.document.1.distance,
+        most: session.limits().mesh_vertices,
+    }
+}
+
+/// The meshes of the surfaces among the pieces, which share the vertices on common edges; where they
+/// have none together, each alone.
+fn meshes(
+    pieces: &[Piece],
+    session: &Session,
+    fineness: &Fineness,
+) -> Vec<Result<Option<Mesh>, String>> {
+    let options = TessellationOptions {
+        angle: fineness.angle,
+        weld: fineness.weld,
+        ..TessellationOptions::within(fineness.chord)
+    };
+    let surfaces: Vec<_> =
+        pieces.iter().flat_map(|piece| piece.shape.surfaces()).cloned().collect();
+    let together = told(session, || tessellate_all(&surfaces, &options, fineness.most));
+    if let Ok(meshes) = together {
+        let mut meshes = meshes.into_iter();
+        let of_piece = |piece: &Piece| {
+            let n_meshes = piece.shape.surfaces().len();
+            let own: Vec<Mesh> = meshes.by_ref().take(n_meshes).collect();
+            let merged =
+                || Mesh::merged(&own, fineness.most).map(Some).map_err(|err| err.to_string());
+            if n_meshes == 0 { Ok(None) } else { merged() }
+        };
+        return pieces.iter().map(of_piece).collect();
+    }
+    let alone = |piece: &Piece| {
+        let surfaces = piece.shape.surfaces();
+        if surfaces.is_empty() {
+            return Ok(None);
+        }
+        let mesh = |surface| told(session, || tessellate_any(surface, &options, fineness.most));
+        let meshes: Result<Vec<Mesh>, String> = surfaces.iter().map(mesh).collect();
+        Mesh::merged(&meshes?, fineness.most).map(Some).map_err(|err| err.to_string())
+    };
+    pieces.iter().map(alone).collect()
+}
+
+/// What geometry answers within the ceilings of the session; else why not, in words.
+pub(crate) fn told<T, E: std::fmt::Display>(
+    session: &Session,
+    work: impl FnOnce() -> Result<T, E>,
+) -> Result<T, String> {
+    let guarded = || fault::caught(Span::default(), || Ok(work()));
+    let (answer, done) = work::under(session.watch(), guarded);
+    if let Some(end) = done.end {
+        return Err(match end {
+            work::End::Stopped => "it was stopped".to_owned(),
+            work::End::Steps => "it takes more steps than the ceiling `steps` allows".to_owned(),
+            work::End::Memory => "it takes more memory than the ceiling `memory` allows".to_owned(),
+        });
+    }
+    answer.map_err(|fault: Box<Diagnostic>| fault.message)?.map_err(|err| err.to_string())
+}
+
+/// Names that the keys of a scene have in common with no other.
+pub(crate) fn keys(scene: &Scene) -> BTreeSet<Arc<str>> {
+    scene.items.iter().map(|item| Arc::clone(&item.key)).collect()
+}
+
+/// What is told of an item in the state.
+pub(crate) fn bounds_json(bounds: Option<Bounds>) -> serde_json::Value {
+    bounds.map_or(serde_json::Value::Null, |its| json!([its.min.to_array(), its.max.to_array()]))
+}

@@ -1,0 +1,124 @@
+//! The server: a thread for each connection, of which there are only so many.
+
+use std::{
+    io::Write,
+    net::{TcpListener, TcpStream},
+    sync::{
+        Arc,
+        atomic::{AtomicUsize, Ordering},
+    },
+    thread,
+    time::Duration,
+};
+
+use super::{
+    guard::Guard,
+    http::{Refusal, Request, Response, begin_stream},
+    hub::News,
+    routes::{self, Doors},
+};
+
+/// Connections at a time.
+const MOST_CONNECTIONS: usize = 64;
+
+/// How often a stream without news says that it is there.
+const HEARTBEAT: Duration = Duration::from_secs(15);
+
+/// Stack of a thread that answers; whoever needs more takes a thread of its own for it.
+const STACK: usize = 1 << 20;
+
+/// Serves until the process ends.
+pub(super) fn serve(listener: &TcpListener, guard: &Arc<Guard>, doors: &Arc<Doors>) {
+    let n_open = Arc::new(AtomicUsize::new(0));
+    for stream in listener.incoming() {
+        let Ok(mut stream) = stream else {
+            // The process has too many files open; some will be closed.
+            thread::sleep(Duration::from_millis(20));
+            continue;
+        };
+        let open = OpenConnection::new(&n_open);
+        let (guard, doors) = (Arc::clone(guard), Arc::clone(doors));
+        if MOST_CONNECTIONS < open.n_open {
+            let _ = Response::trouble(503, "too many connections").send(&mut stream);
+            continue;
+        }
+        let answer = move || {
+            let _open = open;
+            answer(&mut stream, &guard, &doors);
+        };
+        let _ = thread::Builder::new().stack_size(STACK).spawn(answer);
+    }
+}
+
+/// A connection that is counted while it is open.
+struct OpenConnection {
+    counter: Arc<AtomicUsize>,
+    /// How many there are with it.
+    n_open: usize,
+}
+
+impl OpenConnection {
+    fn new(counter: &Arc<AtomicUsize>) -> Self {
+        let n_open = 1 + counter.fetch_add(1, Ordering::Relaxed);
+        Self { counter: Arc::clone(counter), n_open }
+    }
+}
+
+impl Drop for OpenConnection {
+    fn drop(&mut self) {
+        self.counter.fetch_sub(1, Ordering::Relaxed);
+    }
+}
+
+fn answer(stream: &mut TcpStream, guard: &Guard, doors: &Doors) {
+    let _ = stream.set_nodelay(true);
+    let request = match Request::read(stream) {
+        Ok(Some(request)) => request,
+        Ok(None) => return,
+        Err(refusal) => return Response::refuse(refusal, stream),
+    };
+    if let Err(refusal) = guard.check(&request) {
+        return Response::refuse(refusal, stream);
+    }
+    if request.path == "/api/events" {
+        if request.method != "GET" {
+            return Response::refuse(Refusal(405, "only GET"), stream);
+        }
+        // It ends when nobody reads it any more.
+        let _ = tell_events(stream, doors);
+        return;
+    }
+    let _ = routes::answer(&request, doors).send(stream);
+}
+
+/// Tells what happens, until the other side has gone.
+fn tell_events(stream: &mut TcpStream, doors: &Doors) -> std::io::Result<()> {
+    begin_stream(stream)?;
+    let hub = &doors.hub;
+    let _listener = hub.listen();
+    let mut known: Option<News> = None;
+    loop {
+        let news = hub.news(known, HEARTBEAT);
+        if news.is_over {
+            return Ok(());
+        }
+        let mut text = String::new();
+        let mut event = |name: &str, version: u64| {
+            text.push_str(&format!("event: {name}\ndata: {{\"version\":{version}}}\n\n"));
+        };
+        if known.is_none_or(|known| known.version != news.version) {
+            event("state", news.version);
+        }
+        if let Some(version) = news.busy
+            && known.is_none_or(|known| known.busy != news.busy)
+        {
+            event("busy", version);
+        }
+        if text.is_empty() {
+            text.push_str(": still here\n\n");
+        }
+        stream.write_all(text.as_bytes())?;
+        stream.flush()?;
+        known = Some(news);
+    }
+}
