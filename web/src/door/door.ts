@@ -1,0 +1,130 @@
+// The door between the page and whatever evaluates: a few calls, and the data that pass through them.
+
+export type Vector = [number, number, number];
+export type Box = [Vector, Vector];
+export type Kind = "surface" | "curve" | "mesh" | "points" | "polyline";
+
+/** One thing of the model that can be drawn. The same key always stands for the same bytes. */
+export interface Item {
+  key: string;
+  definition: string;
+  path: string;
+  kind: Kind;
+  /** Bytes of red, green and blue. */
+  color: Vector | null;
+  opacity: number | null;
+  layer: string | null;
+  isHidden: boolean;
+  isShown?: boolean;
+  isExported: boolean;
+  facts: Record<string, string | number | boolean>;
+  bounds: Box | null;
+  span: { line: number; column: number } | null;
+}
+
+export interface Parameter {
+  name: string;
+  label: string | null;
+  docs: string | null;
+  kind: "number" | "length" | "angle" | "bool" | "choice" | "text" | "other";
+  value: string;
+  default: string;
+  number: number | null;
+  least: number | null;
+  most: number | null;
+  step: number | null;
+  unit: string | null;
+  choices: string[] | null;
+  isSet: boolean;
+}
+
+export interface Check {
+  text: string;
+  verdict: "pass" | "fail" | "error";
+  left: string | null;
+  right: string | null;
+  distance: string | null;
+  limit: string | null;
+  line: number | null;
+}
+
+export interface Diagnostic {
+  severity: "error" | "warning" | "failure";
+  code: string | null;
+  message: string;
+  text: string;
+  file?: string | null;
+  line: number | null;
+  column: number | null;
+}
+
+/** All that is known of one evaluation but the buffers of its items. */
+export interface State {
+  version: number;
+  script: string;
+  unit: string;
+  millimetres: number;
+  tolerance: number;
+  isCurrent: boolean;
+  bounds: Box | null;
+  items: Item[];
+  parameters: Parameter[];
+  checks: Check[];
+  prints: { text: string; value: string; line: number | null }[];
+  exports: { path: string; line: number | null }[];
+  exportFolder?: string;
+  diagnostics: Diagnostic[];
+  milliseconds: { evaluate: number; mesh: number };
+  definitions: { evaluated: number; reused: number };
+}
+
+/** A place on an item: (u, v) of a surface or t of a curve. */
+export type Question = { item: string; u: number; v: number } | { item: string; t: number };
+
+export interface Fact {
+  label: string;
+  value: number | Vector;
+  text: string;
+}
+
+export interface Answer {
+  definition: string;
+  expression: string | null;
+  point: Vector;
+  normal: Vector | null;
+  facts: Fact[];
+}
+
+export type Measurable = "length" | "area" | "volume";
+export type Values = Record<string, string | null>;
+export type ExportRequest = { what: "script" } | { items: string[]; file: string };
+
+export type DoorEvent =
+  | { kind: "busy"; version: number }
+  | { kind: "state"; version: number }
+  | { kind: "connection"; isOpen: boolean };
+
+/** A refusal whose message is meant for the person at the page. */
+export class DoorError extends Error {
+  constructor(
+    message: string,
+    readonly status = 0,
+  ) {
+    super(message);
+  }
+}
+
+export interface Door {
+  /** Whether anything behind the door can evaluate; an exported page only shows. */
+  readonly canEvaluate: boolean;
+  state(): Promise<State>;
+  item(key: string): Promise<ArrayBuffer>;
+  ask(question: Question): Promise<Answer>;
+  measure(kind: Measurable, items: string[]): Promise<{ value: number; text: string }>;
+  set(change: { values: Values } | { reset: true }): Promise<void>;
+  stop(): Promise<void>;
+  write(values: Values): Promise<string[]>;
+  export(request: ExportRequest): Promise<string[]>;
+  /** Calls back at each event until the page ends. */
+  listen(listener: (event: DoorEvent) => void): void;
+}

@@ -1,0 +1,60 @@
+// The door of an exported page: everything lies in the page itself, and nothing is evaluated.
+
+import { type Answer, type Door, DoorError, type DoorEvent, type State } from "./door";
+
+interface Embedded {
+  state: State;
+  items: Record<string, string>;
+}
+
+export class EmbeddedDoor implements Door {
+  readonly canEvaluate = false;
+
+  constructor(private readonly data: Embedded) {}
+
+  /** The door of the data in this page, if it holds any. */
+  static find(): EmbeddedDoor | null {
+    const text = document.getElementById("virote-data")?.textContent;
+    return text ? new EmbeddedDoor(JSON.parse(text) as Embedded) : null;
+  }
+
+  state(): Promise<State> {
+    return Promise.resolve(this.data.state);
+  }
+
+  item(key: string): Promise<ArrayBuffer> {
+    const text = this.data.items[key];
+    if (text === undefined) return Promise.reject(new DoorError(`the page holds no item ${key}`, 404));
+    const letters = atob(text);
+    const bytes = new Uint8Array(letters.length);
+    for (let i = 0; i < letters.length; i++) bytes[i] = letters.charCodeAt(i);
+    return Promise.resolve(bytes.buffer);
+  }
+
+  listen(listener: (event: DoorEvent) => void): void {
+    queueMicrotask(() => listener({ kind: "state", version: this.data.state.version }));
+  }
+
+  ask(): Promise<Answer> {
+    return cannot();
+  }
+  measure(): Promise<never> {
+    return cannot();
+  }
+  set(): Promise<void> {
+    return cannot();
+  }
+  stop(): Promise<void> {
+    return cannot();
+  }
+  write(): Promise<never> {
+    return cannot();
+  }
+  export(): Promise<never> {
+    return cannot();
+  }
+}
+
+function cannot(): Promise<never> {
+  return Promise.reject(new DoorError("this page shows a model; it cannot evaluate"));
+}

@@ -1,0 +1,106 @@
+// The door of `virote view`: requests to the server that sent the page, and its stream of events.
+
+import {
+  type Answer,
+  type Door,
+  DoorError,
+  type DoorEvent,
+  type ExportRequest,
+  type Measurable,
+  type Question,
+  type State,
+  type Values,
+} from "./door";
+
+/** Waits between attempts to open a stream that the browser gave up, in milliseconds. */
+const PAUSES = [250, 500, 1000, 2000, 4000];
+
+export class HttpDoor implements Door {
+  readonly canEvaluate = true;
+
+  constructor(private readonly token: string) {}
+
+  async state(): Promise<State> {
+    return (await (await this.get("state")).json()) as State;
+  }
+
+  async item(key: string): Promise<ArrayBuffer> {
+    return (await this.get(`item/${encodeURIComponent(key)}`)).arrayBuffer();
+  }
+
+  ask(question: Question): Promise<Answer> {
+    return this.post("ask", question);
+  }
+
+  measure(kind: Measurable, items: string[]): Promise<{ value: number; text: string }> {
+    return this.post("measure", { kind, items });
+  }
+
+  async set(change: { values: Values } | { reset: true }): Promise<void> {
+    await this.post("set", change);
+  }
+
+  async stop(): Promise<void> {
+    await this.post("stop", {});
+  }
+
+  async write(values: Values): Promise<string[]> {
+    return (await this.post<{ written: string[] }>("write", { values })).written;
+  }
+
+  async export(request: ExportRequest): Promise<string[]> {
+    return (await this.post<{ files: string[] }>("export", request)).files;
+  }
+
+  /** Opens the stream, and opens it again for as long as the page lives. */
+  listen(listener: (event: DoorEvent) => void): void {
+    let n_failures = 0;
+    const open = (): void => {
+      const stream = new EventSource(`api/events?token=${encodeURIComponent(this.token)}`);
+      const tell = (kind: "busy" | "state") => (message: MessageEvent<string>) => {
+        const { version } = JSON.parse(message.data) as { version: number };
+        listener({ kind, version });
+      };
+      stream.addEventListener("busy", tell("busy"));
+      stream.addEventListener("state", tell("state"));
+      stream.onopen = () => {
+        n_failures = 0;
+        listener({ kind: "connection", isOpen: true });
+      };
+      stream.onerror = () => {
+        listener({ kind: "connection", isOpen: false });
+        stream.close();
+        setTimeout(open, PAUSES[Math.min(n_failures++, PAUSES.length - 1)]);
+      };
+      addEventListener("pagehide", () => stream.close(), { once: true });
+    };
+    open();
+  }
+
+  private async get(path: string): Promise<Response> {
+    return refuse(await fetch(`api/${path}`, { headers: { "X-Virote-Token": this.token } }));
+  }
+
+  private async post<T>(path: string, body: unknown): Promise<T> {
+    const response = await fetch(`api/${path}`, {
+      method: "POST",
+      headers: { "X-Virote-Token": this.token, "Content-Type": "application/json" },
+      body: JSON.stringify(body),
+    });
+    return (await (await refuse(response)).json()) as T;
+  }
+}
+
+/** The response itself, or the message that the server gave instead. */
+async function refuse(response: Response): Promise<Response> {
+  if (response.ok) return response;
+  const text = await response.text();
+  let message = text || response.statusText;
+  try {
+    const { error } = JSON.parse(text) as { error?: unknown };
+    if (typeof error === "string") message = error;
+  } catch {
+    // The text stands as it is.
+  }
+  throw new DoorError(message, response.status);
+}

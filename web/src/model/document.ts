@@ -1,0 +1,171 @@
+// What the page knows of the model: the newest state, its buffers, what is selected and what is hidden.
+
+import { type Answer, type Door, DoorError, type Item, type State, type Vector } from "../door/door";
+import { Signal } from "../signal";
+import type { Buffers } from "./bytes";
+import { Keeper } from "./keeper";
+
+/** A state with the buffers of all its items: what can be drawn. */
+export interface Scene {
+  state: State;
+  buffers: Map<string, Buffers>;
+}
+
+/** A place that was clicked, first as the mesh has it, then as the door answers. */
+export interface Hit {
+  path: string;
+  item: Item;
+  point: Vector;
+  normal: Vector | null;
+  parameters: { u: number; v: number } | { t: number } | null;
+  answer: Answer | null;
+  trouble: string | null;
+}
+
+export interface Ghost {
+  scene: Scene;
+  hidden: Set<string>;
+}
+
+export class Document {
+  readonly state = new Signal<State | null>(null);
+  readonly scene = new Signal<Scene | null>(null);
+  readonly isBusy = new Signal(false);
+  readonly isOnline = new Signal(true);
+  /** Paths of the selected items. */
+  readonly selection = new Signal<ReadonlySet<string>>(new Set());
+  /** Paths whose visibility the person chose. */
+  readonly choices = new Signal<ReadonlyMap<string, boolean>>(new Map());
+  readonly hit = new Signal<Hit | null>(null);
+  /** The hits of a measurement, one or two. */
+  readonly marks = new Signal<Hit[]>([]);
+  readonly isMeasuring = new Signal(false);
+  readonly ghost = new Signal<Ghost | null>(null);
+  readonly message = new Signal<{ text: string; isTrouble: boolean } | null>(null);
+  readonly keeper: Keeper;
+  private newest = -1;
+  private isLoading = false;
+  private awaiting: (() => void)[] = [];
+
+  constructor(
+    readonly door: Door,
+    forgotten: (key: string) => void,
+  ) {
+    this.keeper = new Keeper(door, forgotten);
+  }
+
+  /** Begins to follow the door. */
+  start(): void {
+    this.door.listen((event) => {
+      if (event.kind === "connection") {
+        this.isOnline.set(event.isOpen);
+      } else if (event.kind === "busy") {
+        this.isBusy.set(true);
+      } else {
+        this.isBusy.set(false);
+        this.newest = event.version;
+        void this.refresh();
+      }
+    });
+  }
+
+  /** Resolves once a state has come that is newer than now. */
+  nextState(): Promise<void> {
+    return new Promise((done) => this.awaiting.push(done));
+  }
+
+  isVisible(item: Item): boolean {
+    return this.choices.value.get(item.path) ?? (!item.isHidden && item.isShown !== false);
+  }
+
+  /** The selected items of the newest scene, in the order of the script. */
+  selected(): Item[] {
+    const { value } = this.selection;
+    return this.items().filter((item) => value.has(item.path));
+  }
+
+  items(): Item[] {
+    return this.scene.value?.state.items ?? [];
+  }
+
+  show(paths: Iterable<string>, isVisible: boolean): void {
+    const choices = new Map(this.choices.value);
+    for (const path of paths) choices.set(path, isVisible);
+    this.choices.set(choices);
+  }
+
+  /** Shows these paths and nothing else. */
+  isolate(paths: ReadonlySet<string>): void {
+    this.choices.set(new Map(this.items().map((item) => [item.path, paths.has(item.path)])));
+  }
+
+  select(paths: Iterable<string>, isAdded = false): void {
+    const chosen = new Set(isAdded ? this.selection.value : []);
+    for (const path of paths) {
+      if (isAdded && chosen.has(path)) chosen.delete(path);
+      else chosen.add(path);
+    }
+    this.selection.set(chosen);
+  }
+
+  /** Keeps the present picture to compare the next ones with, or lets it go. */
+  toggleGhost(): void {
+    const scene = this.scene.value;
+    if (this.ghost.value || !scene) this.ghost.set(null);
+    else {
+      const hidden = scene.state.items.filter((item) => !this.isVisible(item));
+      this.ghost.set({ scene, hidden: new Set(hidden.map((item) => item.path)) });
+    }
+    this.pin();
+  }
+
+  /** Tells the person something for a moment. */
+  tell(text: string, isTrouble = false): void {
+    this.message.set({ text, isTrouble });
+  }
+
+  /** Carries out a call of the door and tells the person when it is refused. */
+  async attempt<T>(call: Promise<T>): Promise<T | null> {
+    try {
+      return await call;
+    } catch (trouble) {
+      this.tell(trouble instanceof Error ? trouble.message : String(trouble), true);
+      return null;
+    }
+  }
+
+  /** Fetches the newest state and what it needs; states that came meanwhile are skipped but for the last. */
+  private async refresh(): Promise<void> {
+    if (this.isLoading) return;
+    this.isLoading = true;
+    let n_lost = 0;
+    let loaded = -1;
+    try {
+      while (loaded < this.newest || loaded < 0) {
+        const wanted = this.newest;
+        const state = await this.door.state();
+        try {
+          const buffers = await this.keeper.gather(state.items.map((item) => item.key));
+          this.state.set(state);
+          this.scene.set({ state, buffers });
+          this.pin();
+        } catch (trouble) {
+          // The server forgot an item of a state that is no longer the newest: ask again.
+          if (!(trouble instanceof DoorError && trouble.status === 404) || ++n_lost > 5) throw trouble;
+          continue;
+        }
+        loaded = Math.max(wanted, state.version, 0);
+        for (const done of this.awaiting.splice(0)) done();
+      }
+    } catch (trouble) {
+      if (!(trouble instanceof TypeError)) this.tell(String(trouble instanceof Error ? trouble.message : trouble), true);
+    } finally {
+      this.isLoading = false;
+    }
+  }
+
+  private pin(): void {
+    const scenes = [this.scene.value, this.ghost.value?.scene];
+    this.keeper.pin(scenes.flatMap((scene) => scene?.state.items.map((item) => item.key) ?? []));
+  }
+}

@@ -1,0 +1,66 @@
+// Buffers of items by key: fetched once, kept while they are shown, and a while longer.
+
+import type { Door } from "../door/door";
+import { type Buffers, decode } from "./bytes";
+
+/** Bytes that may lie here unused, for who drags a parameter to and fro. */
+const SPARE_BYTES = 64 * 1024 * 1024;
+/** Requests under way at once; browsers allow six to one host, and one is the stream of events. */
+const N_AT_ONCE = 5;
+
+export class Keeper {
+  private readonly kept = new Map<string, Buffers>();
+  private pinned = new Set<string>();
+  n_fetched = 0;
+
+  constructor(
+    private readonly door: Door,
+    private readonly forgotten: (key: string) => void,
+  ) {}
+
+  /** The buffers of all these keys; those that are not here are fetched. */
+  async gather(keys: string[]): Promise<Map<string, Buffers>> {
+    const missing = [...new Set(keys)].filter((key) => !this.kept.has(key));
+    let n_next = 0;
+    const fetchInTurn = async (): Promise<void> => {
+      while (n_next < missing.length) {
+        const key = missing[n_next++];
+        const buffers = decode(await this.door.item(key));
+        this.n_fetched++;
+        this.kept.set(key, buffers);
+      }
+    };
+    await Promise.all(Array.from({ length: N_AT_ONCE }, fetchInTurn));
+    const found = new Map<string, Buffers>();
+    for (const key of keys) {
+      const buffers = this.kept.get(key);
+      if (buffers) found.set(key, buffers);
+    }
+    return found;
+  }
+
+  /** Says which keys must stay; of the others the longest unused go first. */
+  pin(keys: Iterable<string>): void {
+    this.pinned = new Set(keys);
+    for (const key of this.pinned) {
+      const buffers = this.kept.get(key);
+      if (buffers) {
+        this.kept.delete(key);
+        this.kept.set(key, buffers);
+      }
+    }
+    let n_spare = 0;
+    for (const [key, buffers] of this.kept) if (!this.pinned.has(key)) n_spare += buffers.n_bytes;
+    for (const [key, buffers] of this.kept) {
+      if (n_spare <= SPARE_BYTES) break;
+      if (this.pinned.has(key)) continue;
+      n_spare -= buffers.n_bytes;
+      this.kept.delete(key);
+      this.forgotten(key);
+    }
+  }
+
+  get n_kept(): number {
+    return this.kept.size;
+  }
+}

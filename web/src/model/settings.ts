@@ -1,0 +1,120 @@
+// How the person wants to look: everything that changes the picture and nothing of the model.
+
+import type { Vector } from "../door/door";
+import { Signal } from "../signal";
+
+export type Shade =
+  | "plain"
+  | "zebra"
+  | "isophotes"
+  | "gauss"
+  | "mean"
+  | "k1"
+  | "k2"
+  | "draft"
+  | "sides";
+export type Theme = "auto" | "light" | "dark";
+export type Direction = "x" | "y" | "z" | "view";
+
+export interface Settings {
+  theme: Theme;
+  isOrthographic: boolean;
+  grid: boolean;
+  edges: boolean;
+  isocurves: boolean;
+  wireframe: boolean;
+  control: boolean;
+  knots: boolean;
+  normals: boolean;
+  combs: boolean;
+  combScale: number;
+  /** Teeth are drawn at every n-th vertex. */
+  combStride: number;
+  shade: Shade;
+  stripes: number;
+  stripesAcross: boolean;
+  light: Direction;
+  draftAxis: "x" | "y" | "z";
+  draftDegrees: number;
+  section: boolean;
+  sectionAxis: "x" | "y" | "z" | "free";
+  sectionFlip: boolean;
+  sectionNormal: Vector;
+  /** Where the plane stands, from 0 to 1 across the model. */
+  sectionPlace: number;
+  leftPanel: boolean;
+  rightPanel: boolean;
+}
+
+const DEFAULTS: Settings = {
+  theme: "auto",
+  isOrthographic: false,
+  grid: true,
+  edges: true,
+  isocurves: true,
+  wireframe: false,
+  control: false,
+  knots: false,
+  normals: false,
+  combs: false,
+  combScale: 1,
+  combStride: 1,
+  shade: "plain",
+  stripes: 12,
+  stripesAcross: false,
+  light: "view",
+  draftAxis: "z",
+  draftDegrees: 3,
+  section: false,
+  sectionAxis: "x",
+  sectionFlip: false,
+  sectionNormal: [1, 0, 0],
+  sectionPlace: 0.5,
+  leftPanel: true,
+  rightPanel: true,
+};
+
+/** What is kept from one visit to the next; analyses begin switched off. */
+const KEPT: (keyof Settings)[] = [
+  "theme",
+  "isOrthographic",
+  "grid",
+  "edges",
+  "isocurves",
+  "leftPanel",
+  "rightPanel",
+];
+const STORE = "virote-view";
+
+export class SettingsSignal extends Signal<Settings> {
+  constructor() {
+    super({ ...DEFAULTS, ...kept() });
+    this.follow((settings) => {
+      try {
+        localStorage.setItem(STORE, JSON.stringify(Object.fromEntries(KEPT.map((name) => [name, settings[name]]))));
+      } catch {
+        // A page without storage begins anew each time.
+      }
+    });
+  }
+
+  /** Changes some of the settings. */
+  put(change: Partial<Settings>): void {
+    this.set({ ...this.value, ...change });
+  }
+
+  /** Turns one switch over. */
+  toggle(name: { [K in keyof Settings]: Settings[K] extends boolean ? K : never }[keyof Settings]): void {
+    this.put({ [name]: !this.value[name] });
+  }
+}
+
+function kept(): Partial<Settings> {
+  try {
+    const found = JSON.parse(localStorage.getItem(STORE) ?? "{}") as Partial<Settings>;
+    const entries = KEPT.filter((name) => typeof found[name] === typeof DEFAULTS[name]);
+    return Object.fromEntries(entries.map((name) => [name, found[name]])) as Partial<Settings>;
+  } catch {
+    return {};
+  }
+}

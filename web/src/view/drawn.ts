@@ -1,0 +1,222 @@
+// One item in the picture: its surface, its lines, and the overlays that are switched on.
+
+import { type BufferGeometry, Group, Mesh, Points, type ShaderMaterial } from "three";
+
+import type { Item } from "../door/door";
+import type { Settings } from "../model/settings";
+import { dotMaterial, lineMaterial, setOpacity, surfaceMaterial } from "./paint";
+import type { Shape } from "./shape";
+import { colorOf, type Palette, raw } from "./theme";
+
+/** The colour that stands until the theme gives one. */
+const colorless = (): Palette["ink"] => raw(0x808080);
+const SURFACE_LINE = 1.25;
+const CURVE_LINE = 2.25;
+
+/** Materials that all items share; their colours follow the theme. */
+export class Overlays {
+  readonly edge = lineMaterial(colorless(), SURFACE_LINE, 0.9);
+  readonly edgeSelected = lineMaterial(colorless(), 2.5, 1, 0.0002);
+  readonly isocurve = lineMaterial(colorless(), 1, 0.32);
+  readonly wires = lineMaterial(colorless(), 1, 0.55);
+  readonly net = lineMaterial(colorless(), 1.25, 0.85, 0.0004);
+  readonly netDots = dotMaterial(colorless(), 8, 0.0005);
+  readonly knots = lineMaterial(colorless(), 1.75, 1, 0.0003);
+  readonly knotDots = dotMaterial(colorless(), 9, 0.0005);
+  readonly normals = lineMaterial(colorless(), 1.25, 0.8);
+  readonly comb = lineMaterial(colorless(), 1, 0.8, 0.0002);
+  readonly ghostLine = lineMaterial(colorless(), 1.25, 0.55);
+
+  paint(palette: Palette): void {
+    const colors: [ShaderMaterial, Palette["ink"]][] = [
+      [this.edge, palette.edge],
+      [this.edgeSelected, palette.accent],
+      [this.isocurve, palette.isocurve],
+      [this.wires, palette.edge],
+      [this.net, palette.net],
+      [this.netDots, palette.net],
+      [this.knots, palette.knot],
+      [this.knotDots, palette.knot],
+      [this.normals, palette.normal],
+      [this.comb, palette.comb],
+      [this.ghostLine, palette.ghost],
+    ];
+    for (const [material, color] of colors) material.uniforms.color.value = color;
+  }
+}
+
+/** What decides how an item looks, besides its own data. */
+export interface Look {
+  settings: Settings;
+  palette: Palette;
+  isVisible: boolean;
+  isSelected: boolean;
+  /** Length of a tooth of the comb for a curvature of 1. */
+  combLength: number;
+  normalLength: number;
+}
+
+type Layer = "isocurves" | "wires" | "net" | "netDots" | "knots" | "knotDots" | "normals" | "comb";
+
+export class DrawnItem {
+  readonly group = new Group();
+  private readonly surface: ShaderMaterial | null;
+  private readonly body: Mesh | null = null;
+  private readonly edges: Mesh | null = null;
+  private readonly ownLine: ShaderMaterial | null;
+  private readonly layers = new Map<Layer, Mesh | Points>();
+  private combOf = "";
+  private normalsOf = 0;
+
+  constructor(
+    public item: Item,
+    readonly shape: Shape,
+    private readonly overlays: Overlays,
+  ) {
+    const { buffers } = shape;
+    this.group.position.set(...buffers.center);
+    const geometry = shape.surface;
+    this.surface = geometry
+      ? surfaceMaterial({
+          color: colorless(),
+          opacity: 1,
+          hasTint: buffers.colors !== null,
+          isFlat: buffers.normals === null,
+          hasCurvature: buffers.curvatures !== null,
+        })
+      : null;
+    if (geometry && this.surface) {
+      this.body = new Mesh(geometry, this.surface);
+      this.group.add(this.body);
+    }
+    this.ownLine = geometry ? null : this.makeOwn();
+    const lines = shape.part("edges");
+    if (lines) {
+      this.edges = new Mesh(lines, this.ownLine ?? overlays.edge);
+      this.edges.renderOrder = 2;
+      this.group.add(this.edges);
+    }
+    const points = shape.points();
+    if (points && this.ownLine) this.group.add(new Points(points, this.ownLine));
+  }
+
+  get hasSurface(): boolean {
+    return this.body !== null;
+  }
+
+  get isVisible(): boolean {
+    return this.group.visible;
+  }
+
+  /** Brings colours, switches and overlays up to date. */
+  apply(look: Look): void {
+    const { settings, palette } = look;
+    this.group.visible = look.isVisible;
+    if (!look.isVisible) return;
+    if (this.surface) {
+      this.surface.uniforms.color.value = colorOf(this.item, palette);
+      this.surface.uniforms.isSelected.value = look.isSelected ? 1 : 0;
+      setOpacity(this.surface, settings.shade === "plain" ? (this.item.opacity ?? 1) : 1);
+    }
+    if (this.ownLine) {
+      this.ownLine.uniforms.color.value = look.isSelected ? palette.accent : colorOf(this.item, palette);
+      if (this.ownLine.uniforms.width) this.ownLine.uniforms.width.value = look.isSelected ? 3.25 : CURVE_LINE;
+    } else if (this.edges) {
+      this.edges.visible = settings.edges || look.isSelected;
+      this.edges.material = look.isSelected ? this.overlays.edgeSelected : this.overlays.edge;
+    }
+    const { shape, overlays } = this;
+    this.layer("isocurves", settings.isocurves, () => line(shape.part("isocurves"), overlays.isocurve, 1));
+    this.layer("wires", settings.wireframe, () => line(shape.part("wires"), overlays.wires, 1));
+    this.layer("net", settings.control, () => line(shape.part("net"), overlays.net, 4));
+    this.layer("netDots", settings.control, () => dots(shape.controlPoints(), overlays.netDots, 5));
+    this.layer("knots", settings.knots, () => line(shape.part("knots"), overlays.knots, 3));
+    this.layer("knotDots", settings.knots, () => dots(shape.knotPoints(), overlays.knotDots, 5));
+    this.applyMeasured(look);
+  }
+
+  dispose(): void {
+    this.group.removeFromParent();
+    this.surface?.dispose();
+    this.ownLine?.dispose();
+    for (const layer of ["comb", "normals", "netDots", "knotDots"] as const) {
+      this.layers.get(layer)?.geometry.dispose();
+    }
+  }
+
+  /** Overlays whose geometry depends on a length that the person chooses. */
+  private applyMeasured(look: Look): void {
+    const { settings } = look;
+    const combOf = `${look.combLength} ${settings.combStride}`;
+    if (settings.combs && this.combOf !== combOf) this.drop("comb");
+    this.layer("comb", settings.combs, () => {
+      this.combOf = combOf;
+      return line(this.shape.comb(look.combLength, settings.combStride), this.overlays.comb, 3);
+    });
+    if (settings.normals && this.normalsOf !== look.normalLength) this.drop("normals");
+    this.layer("normals", settings.normals, () => {
+      this.normalsOf = look.normalLength;
+      return line(this.shape.normals(look.normalLength), this.overlays.normals, 3);
+    });
+  }
+
+  private layer(name: Layer, isOn: boolean, make: () => Mesh | Points | null): void {
+    let made = this.layers.get(name);
+    if (!made && isOn) {
+      made = make() ?? new Mesh();
+      this.layers.set(name, made);
+      if (made.geometry.attributes.position) this.group.add(made);
+    }
+    if (made) made.visible = isOn;
+  }
+
+  private drop(name: Layer): void {
+    const made = this.layers.get(name);
+    made?.removeFromParent();
+    made?.geometry.dispose();
+    this.layers.delete(name);
+  }
+
+  private makeOwn(): ShaderMaterial {
+    return this.shape.buffers.kind === "points"
+      ? dotMaterial(colorless(), 7)
+      : lineMaterial(colorless(), CURVE_LINE, 1, 0.00015);
+  }
+}
+
+/** A translucent likeness of an item, for comparison. */
+export function ghostOf(item: Item, shape: Shape, palette: Palette, overlays: Overlays): Group {
+  const group = new Group();
+  group.position.set(...shape.buffers.center);
+  if (shape.surface) {
+    const { buffers } = shape;
+    const material = surfaceMaterial({
+      color: palette.ghost,
+      opacity: 0.22,
+      hasTint: false,
+      isFlat: buffers.normals === null,
+      hasCurvature: false,
+    });
+    const body = new Mesh(shape.surface, material);
+    body.renderOrder = 6;
+    group.add(body);
+  }
+  const edges = line(shape.part("edges"), overlays.ghostLine, 7);
+  if (edges) group.add(edges);
+  group.name = item.path;
+  return group;
+}
+
+function line(geometry: BufferGeometry | null, material: ShaderMaterial, order: number): Mesh | null {
+  if (!geometry) return null;
+  const made = new Mesh(geometry, material);
+  made.renderOrder = order;
+  return made;
+}
+
+function dots(geometry: BufferGeometry | null, material: ShaderMaterial, order: number): Points | null {
+  if (!geometry) return null;
+  const made = new Points(geometry, material);
+  made.renderOrder = order;
+  return made;
+}

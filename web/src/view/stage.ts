@@ -1,0 +1,313 @@
+// The picture: draws the newest scene on demand, never oftener than something changes.
+
+import { Box3, Group, Scene as ThreeScene, Vector3, WebGLRenderer } from "three";
+
+import type { Item } from "../door/door";
+import type { Document, Hit } from "../model/document";
+import type { Settings, SettingsSignal } from "../model/settings";
+import { Signal } from "../signal";
+import { greatestCurvature } from "./combs";
+import { type CurvatureShade, curvatureRange, isCurvature } from "./curvature";
+import { DrawnItem, ghostOf, Overlays } from "./drawn";
+import { MODES } from "./glsl";
+import { Grid } from "./grid";
+import { cut, setCut, shared } from "./paint";
+import { pick } from "./pick";
+import { NAMED_VIEWS, type NamedView, type Pose, Rig } from "./rig";
+import { placeCut } from "./section";
+import { Shape } from "./shape";
+import { DARK, LIGHT, type Palette } from "./theme";
+
+/** How long the camera takes to a named view, in milliseconds. */
+const TURN = 260;
+/** Share of the model's size that the longest tooth of a comb has at scale 1. */
+const COMB_SHARE = 0.12;
+const NORMAL_SHARE = 0.03;
+
+export class Stage {
+  readonly rig = new Rig();
+  readonly grid = new Grid();
+  /** The range of the legend. */
+  readonly range = new Signal<{ least: number; most: number; isAutomatic: boolean }>({
+    least: -1,
+    most: 1,
+    isAutomatic: true,
+  });
+  /** Called after each frame, for what lies over the canvas. */
+  readonly afterFrame = new Set<() => void>();
+  palette: Palette = LIGHT;
+  n_frames = 0;
+  private readonly renderer: WebGLRenderer;
+  private readonly world = new ThreeScene();
+  private readonly models = new Group();
+  private readonly ghosts = new Group();
+  private readonly overlays = new Overlays();
+  private readonly shapes = new Map<string, Shape>();
+  private drawn = new Map<string, DrawnItem>();
+  private isAsked = false;
+  private hasFitted = false;
+  private turning = 0;
+
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    private readonly doc: Document,
+    private readonly settings: SettingsSignal,
+  ) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: "high-performance" });
+    this.renderer.localClippingEnabled = true;
+    this.renderer.setClearColor(0, 0);
+    this.world.add(this.grid.mesh, this.models, this.ghosts);
+    this.world.matrixWorldAutoUpdate = true;
+    new ResizeObserver(() => this.resize()).observe(canvas);
+    this.resize();
+    settings.watch(() => this.restyle());
+    doc.scene.follow(() => this.reconcile());
+    doc.selection.follow(() => this.restyle());
+    doc.choices.follow(() => this.restyle());
+    doc.ghost.follow(() => this.rebuildGhost());
+    doc.isBusy.follow(() => this.ask());
+    doc.hit.follow(() => this.ask());
+    doc.marks.follow(() => this.ask());
+    this.range.follow(() => this.ask());
+  }
+
+  /** Wants one more frame. */
+  ask(): void {
+    if (this.isAsked) return;
+    this.isAsked = true;
+    requestAnimationFrame(() => {
+      this.isAsked = false;
+      this.frame();
+    });
+  }
+
+  setPalette(isDark: boolean): void {
+    this.palette = isDark ? DARK : LIGHT;
+    const { palette } = this;
+    this.overlays.paint(palette);
+    this.grid.paint(palette.ink, palette.red, palette.green);
+    shared.accent.value = palette.accent;
+    shared.faded.value = palette.faded;
+    this.rebuildGhost();
+    this.restyle();
+  }
+
+  get items(): Iterable<DrawnItem> {
+    return this.drawn.values();
+  }
+
+  /** The box of all that is visible, or of the selection where there is one. */
+  box(isSelection = false): Box3 {
+    const { selection } = this.doc;
+    const box = new Box3();
+    for (const { item, isVisible } of this.drawn.values()) {
+      if (!isVisible || !item.bounds || (isSelection && !selection.value.has(item.path))) continue;
+      box.expandByPoint(new Vector3(...item.bounds[0])).expandByPoint(new Vector3(...item.bounds[1]));
+    }
+    return box;
+  }
+
+  fit(isSelection = false): void {
+    const box = this.box(isSelection);
+    if (!box.isEmpty()) this.turnTo(this.rig.fitted(box));
+  }
+
+  view(name: NamedView): void {
+    const box = this.box();
+    const [azimuth, elevation] = NAMED_VIEWS[name];
+    this.turnTo(box.isEmpty() ? { ...this.rig.pose, azimuth, elevation } : this.rig.fitted(box, [azimuth, elevation]));
+  }
+
+  /** Moves the camera there, smoothly where the person likes motion. */
+  turnTo(goal: Pose): void {
+    const from = this.rig.pose;
+    const run = ++this.turning;
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
+      this.rig.pose = goal;
+      return this.ask();
+    }
+    const swing = ((((goal.azimuth - from.azimuth + 180) % 360) + 360) % 360) - 180;
+    const start = performance.now();
+    const step = (): void => {
+      if (run !== this.turning) return;
+      const share = Math.min(1, (performance.now() - start) / TURN);
+      const s = 1 - (1 - share) ** 3;
+      const mix = (a: number, b: number): number => a + (b - a) * s;
+      this.rig.pose =
+        share === 1
+          ? goal
+          : {
+              target: [0, 1, 2].map((k) => mix(from.target[k], goal.target[k])) as Pose["target"],
+              azimuth: from.azimuth + swing * s,
+              elevation: mix(from.elevation, goal.elevation),
+              height: from.height * (goal.height / from.height) ** s,
+            };
+      this.frame();
+      if (share < 1) requestAnimationFrame(step);
+    };
+    requestAnimationFrame(step);
+  }
+
+  /** Ends a motion that is under way, because the person takes over. */
+  takeOver(): void {
+    this.turning++;
+  }
+
+  pick(x: number, y: number): Hit | null {
+    return pick(this.drawn.values(), this.rig, x, y, cut.planes);
+  }
+
+  /** Forgets what was made of buffers that are gone. */
+  forget(key: string): void {
+    this.shapes.get(key)?.dispose();
+    this.shapes.delete(key);
+  }
+
+  /** The picture as it stands, painted on `backdrop` by the caller. */
+  snapshot(): HTMLCanvasElement {
+    this.frame();
+    return this.canvas;
+  }
+
+  get n_triangles(): number {
+    return this.renderer.info.render.triangles;
+  }
+
+  private resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (width === 0 || height === 0) return;
+    const ratio = Math.min(devicePixelRatio, 2);
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
+    shared.screen.value.set(width, height);
+    this.rig.resize(width, height);
+    this.isAsked = false;
+    this.frame();
+  }
+
+  /** Makes the drawn items those of the newest scene; what has its key already stays as it is. */
+  private reconcile(): void {
+    const scene = this.doc.scene.value;
+    if (!scene) return;
+    const drawn = new Map<string, DrawnItem>();
+    for (const item of scene.state.items) {
+      const old = this.drawn.get(item.path);
+      const shape = this.shapeOf(item, scene.buffers);
+      if (!shape) continue;
+      if (old && old.shape === shape) {
+        old.item = item;
+        this.drawn.delete(item.path);
+        drawn.set(item.path, old);
+      } else {
+        const made = new DrawnItem(item, shape, this.overlays);
+        this.models.add(made.group);
+        drawn.set(item.path, made);
+      }
+    }
+    for (const gone of this.drawn.values()) gone.dispose();
+    this.drawn = drawn;
+    shared.fade.value = scene.state.isCurrent ? 0 : 1;
+    this.restyle();
+    if (!this.hasFitted && !this.box().isEmpty()) {
+      this.hasFitted = true;
+      this.rig.pose = this.rig.fitted(this.box());
+    }
+  }
+
+  private shapeOf(item: Item, buffers: ReadonlyMap<string, Shape["buffers"]>): Shape | null {
+    let shape = this.shapes.get(item.key);
+    if (!shape) {
+      const found = buffers.get(item.key);
+      if (!found) return null;
+      shape = new Shape(found);
+      this.shapes.set(item.key, shape);
+    }
+    return shape;
+  }
+
+  private rebuildGhost(): void {
+    for (const old of [...this.ghosts.children]) old.removeFromParent();
+    const ghost = this.doc.ghost.value;
+    for (const item of ghost?.scene.state.items ?? []) {
+      const shape = this.shapeOf(item, ghost!.scene.buffers);
+      if (shape && !ghost!.hidden.has(item.path)) this.ghosts.add(ghostOf(item, shape, this.palette, this.overlays));
+    }
+    this.ask();
+  }
+
+  /** Brings everything that settings, selection and visibility decide up to date. */
+  private restyle(): void {
+    const settings = this.settings.value;
+    this.rig.isOrthographic = settings.isOrthographic;
+    this.grid.mesh.visible = settings.grid;
+    shared.mode.value = MODES[settings.shade];
+    shared.stripes.value = settings.stripes;
+    shared.draft.value = settings.draftDegrees;
+    const bounds = this.doc.state.value?.bounds;
+    const size = bounds ? new Vector3(...bounds[0]).distanceTo(new Vector3(...bounds[1])) : 1;
+    const greatest = settings.combs ? this.greatestCurvature() : 0;
+    for (const one of this.drawn.values()) {
+      one.apply({
+        settings,
+        palette: this.palette,
+        isVisible: this.doc.isVisible(one.item),
+        isSelected: this.doc.selection.value.has(one.item.path),
+        combLength: greatest > 0 ? (settings.combScale * COMB_SHARE * size) / greatest : 0,
+        normalLength: NORMAL_SHARE * size,
+      });
+    }
+    this.followRange(settings);
+    this.ask();
+  }
+
+  private greatestCurvature(): number {
+    let most = 0;
+    for (const { shape } of this.drawn.values()) most = Math.max(most, greatestCurvature(shape.buffers));
+    return most;
+  }
+
+  /** The legend follows the model until the person drags it, and begins anew with another map. */
+  private followRange(settings: Settings): void {
+    const { shade } = settings;
+    if (!isCurvature(shade) || !this.range.value.isAutomatic) return;
+    const [least, most] = this.automaticRange(shade);
+    const { value } = this.range;
+    if (value.least !== least || value.most !== most) this.range.set({ least, most, isAutomatic: true });
+  }
+
+  automaticRange(shade: CurvatureShade): [number, number] {
+    const visible = [...this.drawn.values()].filter((one) => one.isVisible);
+    return curvatureRange(visible.map((one) => one.shape.buffers), shade);
+  }
+
+  private frame(): void {
+    const settings = this.settings.value;
+    const box = this.box();
+    const ghost = this.doc.ghost.value?.scene.state.bounds;
+    const enclosed = box.clone();
+    if (ghost) enclosed.expandByPoint(new Vector3(...ghost[0])).expandByPoint(new Vector3(...ghost[1]));
+    this.rig.enclose(enclosed);
+    this.rig.update();
+    if (settings.section !== cut.planes.length > 0) setCut(settings.section);
+    if (settings.section) placeCut(settings, box);
+    this.aim(settings);
+    if (settings.grid) this.grid.update(this.rig);
+    this.renderer.render(this.world, this.rig.camera);
+    this.n_frames++;
+    for (const call of this.afterFrame) call();
+  }
+
+  /** Directions of the analyses, as the camera sees them. */
+  private aim(settings: Settings): void {
+    shared.isOrthographic.value = settings.isOrthographic ? 1 : 0;
+    shared.range.value.set(this.range.value.least, this.range.value.most);
+    const seen = (name: string): Vector3 =>
+      new Vector3(Number(name === "x"), Number(name === "y"), Number(name === "z")).transformDirection(
+        this.rig.camera.matrixWorldInverse,
+      );
+    if (settings.shade === "draft") shared.axis.value.copy(seen(settings.draftAxis));
+    else shared.axis.value.set(settings.stripesAcross ? 1 : 0, settings.stripesAcross ? 0 : 1, 0);
+    if (settings.light === "view") shared.light.value.set(0, 0, 1);
+    else shared.light.value.copy(seen(settings.light));
+  }
+}
