@@ -44,7 +44,7 @@ uniform float fade;
 uniform vec3 faded;
 uniform vec3 accent;
 uniform int mode;
-uniform float isOrthographic;
+uniform float isParallel;
 uniform float stripes;
 uniform vec3 axis;
 uniform vec3 light;
@@ -90,7 +90,7 @@ vec3 lit(vec3 base, vec3 n, vec3 v, float gloss) {
 
 void main() {
   #include <clipping_planes_fragment>
-  vec3 v = isOrthographic > 0.5 ? vec3(0.0, 0.0, 1.0) : normalize(-vPlace);
+  vec3 v = isParallel > 0.5 ? vec3(0.0, 0.0, 1.0) : normalize(-vPlace);
   vec3 face = normalize(cross(dFdx(vPlace), dFdy(vPlace)));
   vec3 n = isFlat > 0.5 ? face : normalize(vNormal);
   bool isBack = isFlat > 0.5 ? !gl_FrontFacing : dot(n, face) < 0.0;

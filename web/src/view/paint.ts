@@ -7,7 +7,7 @@ import { DOT_FRAGMENT, DOT_VERTEX, LINE_FRAGMENT, LINE_VERTEX, SURFACE_FRAGMENT,
 /** Uniforms that every material reads; changing a value here changes the whole picture. */
 export const shared = {
   mode: { value: 0 },
-  isOrthographic: { value: 0 },
+  isParallel: { value: 0 },
   stripes: { value: 12 },
   axis: { value: new Vector3(0, 1, 0) },
   light: { value: new Vector3(0, 0, 1) },

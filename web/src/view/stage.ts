@@ -1,6 +1,6 @@
 // The picture: draws the newest scene on demand, never oftener than something changes.
 
-import { Box3, Group, Scene as ThreeScene, Vector3, WebGLRenderer } from "three";
+import { Box3, Group, type Material, Mesh, Scene as ThreeScene, Vector3, WebGLRenderer } from "three";
 
 import type { Item } from "../door/door";
 import type { Document, Hit } from "../model/document";
@@ -163,14 +163,26 @@ export class Stage {
     this.shapes.delete(key);
   }
 
-  /** The picture as it stands, painted on `backdrop` by the caller. */
+  /** The canvas with a picture that was drawn this moment. */
   snapshot(): HTMLCanvasElement {
     this.frame();
     return this.canvas;
   }
 
-  get n_triangles(): number {
-    return this.renderer.info.render.triangles;
+  /** Where a point of the model is on the canvas. */
+  pixelOf(point: [number, number, number]): Vector3 {
+    this.rig.update();
+    return this.rig.project(new Vector3(...point));
+  }
+
+  /** Red, green, blue and opacity of a pixel of the canvas, drawn anew. */
+  colorAt(x: number, y: number): number[] {
+    this.frame();
+    const gl = this.renderer.getContext();
+    const ratio = this.renderer.getPixelRatio();
+    const bytes = new Uint8Array(4);
+    gl.readPixels(Math.floor(x * ratio), Math.floor(this.canvas.height - y * ratio), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    return [...bytes];
   }
 
   private resize(): void {
@@ -226,7 +238,13 @@ export class Stage {
   }
 
   private rebuildGhost(): void {
-    for (const old of [...this.ghosts.children]) old.removeFromParent();
+    for (const old of [...this.ghosts.children]) {
+      old.removeFromParent();
+      old.traverse((part) => {
+        // Lines of ghosts share their material; that of a surface is its own.
+        if (part instanceof Mesh && part.material !== this.overlays.ghostLine) (part.material as Material).dispose();
+      });
+    }
     const ghost = this.doc.ghost.value;
     for (const item of ghost?.scene.state.items ?? []) {
       const shape = this.shapeOf(item, ghost!.scene.buffers);
@@ -299,7 +317,7 @@ export class Stage {
 
   /** Directions of the analyses, as the camera sees them. */
   private aim(settings: Settings): void {
-    shared.isOrthographic.value = settings.isOrthographic ? 1 : 0;
+    shared.isParallel.value = settings.isOrthographic ? 1 : 0;
     shared.range.value.set(this.range.value.least, this.range.value.most);
     const seen = (name: string): Vector3 =>
       new Vector3(Number(name === "x"), Number(name === "y"), Number(name === "z")).transformDirection(

@@ -78,3 +78,8 @@ export function colorOf(item: Item, palette: Palette): Color {
   if (item.kind === "surface" || item.kind === "mesh") return palette.surface;
   return item.kind === "points" ? palette.point : palette.curve;
 }
+
+/** The colour as the style sheets write it. */
+export function cssOf({ r, g, b }: Color): string {
+  return `rgb(${[r, g, b].map((part) => Math.round(part * 255)).join(" ")})`;
+}

@@ -1,0 +1,53 @@
+// Everything that a button or a key can do, once: tool bar, keyboard and help sheet read this list.
+
+import type { IconName } from "./panels/icons";
+
+export interface Command {
+  id: string;
+  title: string;
+  /** Keys as `KeyboardEvent.key` tells them; "Shift+h" with the modifier. */
+  keys: string[];
+  group: "Looking" | "Showing" | "Analysis" | "Model" | "Page";
+  icon?: IconName;
+  /** Whether the switch is on, for commands that are switches. */
+  isOn?: () => boolean;
+  /** Whether it can be done now. */
+  isPossible?: () => boolean;
+  run: () => void;
+}
+
+/** Calls the command of a key, unless the person is typing into a field. */
+export function listenToKeys(commands: Command[]): void {
+  const byKey = new Map(commands.flatMap((command) => command.keys.map((key) => [key, command] as const)));
+  addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
+    if (isTyping(event.target) && event.key !== "Escape") return;
+    const letter = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const isShifted = event.shiftKey && /^[a-z]$|^Arrow/.test(letter);
+    const command = byKey.get(isShifted ? `Shift+${letter}` : event.key.length === 1 ? letter : event.key);
+    if (!command || command.isPossible?.() === false) return;
+    event.preventDefault();
+    command.run();
+  });
+}
+
+function isTyping(target: EventTarget | null): boolean {
+  if (target instanceof HTMLInputElement) return !["checkbox", "range"].includes(target.type);
+  return target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement;
+}
+
+/** A key as a person reads it. */
+export function keyName(key: string): string {
+  const names: Record<string, string> = {
+    ArrowLeft: "←",
+    ArrowRight: "→",
+    ArrowUp: "↑",
+    ArrowDown: "↓",
+    Escape: "Esc",
+    " ": "Space",
+  };
+  return key
+    .split("+")
+    .map((part) => names[part] ?? (part.length === 1 ? part.toUpperCase() : part))
+    .join(" ");
+}

@@ -1,0 +1,140 @@
+// What the script claims, prints and exports, and what went wrong in it.
+
+import type { Check, State } from "../door/door";
+import type { Document } from "../model/document";
+import { button, copy, el, section, type Section } from "./dom";
+import { icon } from "./icons";
+
+const N_AT_MOST = 500;
+
+export class ClaimsPanel {
+  readonly claims: Section = section("claims", "Claims");
+  readonly prints: Section = section("prints", "Prints");
+  readonly output: Section = section("output", "Output");
+
+  constructor(private readonly doc: Document) {
+    doc.state.watch((state) => state && this.show(state));
+    doc.selection.follow(() => doc.state.value && this.showOutput(doc.state.value));
+  }
+
+  private show(state: State): void {
+    const { checks, prints } = state;
+    const n_passed = checks.filter((check) => check.verdict === "pass").length;
+    this.claims.root.hidden = checks.length === 0;
+    this.claims.note.textContent = n_passed === checks.length ? `${n_passed} hold` : `${checks.length - n_passed} of ${checks.length} fail`;
+    this.claims.note.classList.toggle("bad", n_passed < checks.length);
+    const inOrder = [...checks].sort((a, b) => Number(a.verdict === "pass") - Number(b.verdict === "pass"));
+    this.claims.body.replaceChildren(...limited(inOrder, claim));
+    this.prints.root.hidden = prints.length === 0;
+    this.prints.note.textContent = String(prints.length);
+    this.prints.body.replaceChildren(
+      ...limited(prints, ({ text, value, line }) =>
+        el("div", { class: "print", title: line === null ? "" : `line ${line}` }, el("code", {}, text), el("code", { class: "print-value" }, value)),
+      ),
+    );
+    this.showOutput(state);
+  }
+
+  private showOutput(state: State): void {
+    const { body, root, note } = this.output;
+    const { canEvaluate } = this.doc.door;
+    root.hidden = state.exports.length === 0 && !canEvaluate;
+    note.textContent = state.exports.length > 0 ? String(state.exports.length) : "";
+    const rows: Node[] = state.exports.map(({ path, line }) =>
+      el("div", { class: "print", title: line === null ? "" : `line ${line}` }, el("code", {}, path)),
+    );
+    if (canEvaluate) {
+      if (state.exports.length > 0) {
+        const where = state.exportFolder ? `Write what the script exports into ${state.exportFolder}` : "Write what the script exports";
+        rows.push(el("div", { class: "row actions" }, button("Write the exports", where, () => void this.export({ what: "script" }), { class: "plain" })));
+      }
+      rows.push(this.selectionForm());
+    }
+    if (body.contains(document.activeElement) && document.activeElement instanceof HTMLInputElement) return;
+    body.replaceChildren(...rows);
+  }
+
+  /** Writes the selected definitions to a file whose ending says the format. */
+  private selectionForm(): HTMLElement {
+    const names = [...new Set(this.doc.selected().map((item) => item.definition))];
+    const field = el("input", { type: "text", class: "value wide", spellcheck: "false", "aria-label": "File of the selection" });
+    field.value = names.length === 1 ? `${names[0]}.stl` : "selection.stl";
+    const form = el("form", { class: "row" }, field, el("button", { type: "submit", class: "plain" }, "Write selection"));
+    form.hidden = names.length === 0;
+    form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      void this.export({ items: names, file: field.value });
+    });
+    return form;
+  }
+
+  private async export(request: { what: "script" } | { items: string[]; file: string }): Promise<void> {
+    const files = await this.doc.attempt(this.doc.door.export(request));
+    if (files) this.doc.tell(`Written: ${files.join(", ")}`);
+  }
+}
+
+function claim({ text, verdict, left, right, distance, limit, line }: Check): HTMLElement {
+  const isPassed = verdict === "pass";
+  const detail = el("div", { class: "claim-detail" });
+  const known: [string, string | null][] = [["left", left], ["right", right], ["distance", distance], ["limit", limit]];
+  for (const [label, value] of known) {
+    if (value) detail.append(el("span", { class: "fact-label" }, label), el("code", {}, value));
+  }
+  const summary = el(
+    "summary",
+    { title: line === null ? text : `line ${line}: ${text}` },
+    icon(isPassed ? "check" : "cross"),
+    el("span", { class: "claim-text" }, text),
+    distance && limit && el("span", { class: "claim-margin" }, `${distance} ≤ ${limit}`.replace("≤", isPassed ? "≤" : ">")),
+  );
+  const root = el("details", { class: `claim ${verdict}` }, summary, detail);
+  root.open = !isPassed;
+  return root;
+}
+
+/** The diagnostics over the picture, with the text as the terminal shows it. */
+export function diagnosticsPanel(doc: Document): HTMLElement {
+  const list = el("div", { class: "diagnostics-list" });
+  const title = el("span", { class: "diagnostics-title" });
+  const fold = button(icon("chevron"), "Fold", () => root.classList.toggle("folded"), { class: "tool fold-down" });
+  const head = el("header", {}, title, fold);
+  const root = el("div", { class: "diagnostics", role: "alert" }, head, list);
+  doc.state.watch((state) => {
+    const all = state?.diagnostics ?? [];
+    const n_errors = all.filter((one) => one.severity === "error").length;
+    root.hidden = all.length === 0;
+    root.classList.toggle("has-errors", n_errors > 0);
+    title.textContent = titleOf(all.map((one) => one.severity), state?.isCurrent ?? true);
+    list.replaceChildren(
+      ...limited(all, ({ severity, code, message, text, line }) => {
+        const copier = button(icon("copy"), "Copy the message", () => void copy(text), { class: "tool" });
+        const name = el("b", {}, code ? `${severity} ${code}` : severity);
+        const place = line === null ? null : el("span", { class: "diagnostic-line" }, `line ${line}`);
+        return el(
+          "article",
+          { class: `diagnostic ${severity}` },
+          el("div", { class: "diagnostic-head" }, name, el("span", {}, message), place, copier),
+          text && text.trim() !== message && el("pre", {}, text),
+        );
+      }),
+    );
+  });
+  return root;
+}
+
+function titleOf(severities: string[], isCurrent: boolean): string {
+  const count = (severity: string, one: string): string => {
+    const n = severities.filter((each) => each === severity).length;
+    return n === 0 ? "" : `${n} ${one}${n === 1 ? "" : "s"}`;
+  };
+  const parts = [count("error", "error"), count("failure", "failed claim"), count("warning", "warning")].filter(Boolean);
+  return `${parts.join(", ")}${isCurrent ? "" : " · the model is that of the last good run"}`;
+}
+
+/** Elements of at most so many of a list, with a word about the rest. */
+function limited<T>(all: T[], make: (one: T) => HTMLElement): HTMLElement[] {
+  const made = all.slice(0, N_AT_MOST).map(make);
+  if (all.length > N_AT_MOST) made.push(el("p", { class: "hint" }, `and ${all.length - N_AT_MOST} more`));
+  return made;
+}

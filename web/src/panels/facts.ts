@@ -1,0 +1,158 @@
+// What is known of the place that was clicked, of two such places together, and of the selection.
+
+import type { Answer, Item, Measurable, Vector } from "../door/door";
+import type { Document, Hit } from "../model/document";
+import { button, copy, el, figure, section, type Section } from "./dom";
+import { icon } from "./icons";
+
+export class FactsPanel {
+  readonly section: Section = section("facts", "Selection");
+  private readonly place = el("div", { class: "facts place" });
+  private readonly pair = el("div", { class: "facts pair" });
+  private readonly chosen = el("div", { class: "facts chosen" });
+  private readonly hint = el("p", { class: "hint" }, "Click the model: the kernel answers for that very point.");
+
+  constructor(private readonly doc: Document) {
+    this.section.body.append(this.hint, this.place, this.pair, this.chosen);
+    doc.hit.watch(() => this.show());
+    doc.marks.follow(() => this.show());
+    doc.selection.follow(() => this.show());
+    doc.scene.follow(() => this.show());
+    doc.isMeasuring.follow(() => this.show());
+  }
+
+  private show(): void {
+    const hit = this.doc.hit.value;
+    const items = this.doc.selected();
+    this.place.replaceChildren(...(hit ? this.placeRows(hit) : []));
+    this.pair.replaceChildren(...this.pairRows());
+    this.chosen.replaceChildren(...(items.length > 0 ? this.itemRows(items) : []));
+    this.hint.hidden = hit !== null || items.length > 0 || this.doc.isMeasuring.value;
+    this.section.note.textContent =
+      items.length === 1 ? items[0].path : items.length > 1 ? `${items.length} items` : (hit?.path ?? "");
+  }
+
+  private placeRows(hit: Hit): Node[] {
+    const unit = this.doc.state.value?.unit ?? "";
+    const { answer } = hit;
+    const nodes: Node[] = [this.expression(hit)];
+    nodes.push(row("Point", triple(answer?.point ?? hit.point), unit));
+    const normal = answer?.normal ?? hit.normal;
+    if (normal) nodes.push(row("Normal", triple(normal)));
+    for (const fact of answer?.facts ?? []) {
+      const isVector = Array.isArray(fact.value);
+      nodes.push(row(fact.label, isVector ? triple(fact.value as Vector) : fact.text));
+    }
+    if (hit.trouble) nodes.push(el("p", { class: "hint trouble" }, hit.trouble));
+    else if (!answer) {
+      const text = this.doc.door.canEvaluate && hit.parameters ? "Asking the kernel …" : "From the mesh.";
+      nodes.push(el("p", { class: "hint" }, text));
+    }
+    return nodes;
+  }
+
+  /** The expression that gives this point in a script, to be copied. */
+  private expression(hit: Hit): HTMLElement {
+    const text = expressionOf(hit);
+    const copier = button(icon("copy"), "Copy the expression (Y)", () => {
+      void copy(text).then((isDone) => isDone && this.doc.tell(`Copied: ${text}`));
+    }, { class: "tool" });
+    return el("div", { class: "expression" }, el("code", {}, text), copier);
+  }
+
+  private pairRows(): Node[] {
+    const { isMeasuring, marks, state } = this.doc;
+    if (!isMeasuring.value && marks.value.length < 2) return [];
+    const unit = state.value?.unit ?? "";
+    if (marks.value.length < 2) {
+      return [el("p", { class: "hint" }, marks.value.length === 0 ? "Measure: click the first point." : "Click the second point.")];
+    }
+    const [a, b] = marks.value;
+    const { distance, delta, angle } = measurement(a, b);
+    const rows = [row("Distance", figure(distance, 7), unit), row("Δ x, y, z", triple(delta), unit)];
+    if (angle !== null) rows.push(row("Angle of normals", `${figure(angle, 6)}°`));
+    return [el("h4", {}, "Two points"), ...rows];
+  }
+
+  private itemRows(items: Item[]): Node[] {
+    const nodes: Node[] = [];
+    if (items.length === 1) {
+      const [item] = items;
+      const { facts } = item;
+      nodes.push(el("h4", {}, `${item.kind} ${item.path}`));
+      const known: [string, unknown][] = [
+        ["Degree", facts.degree],
+        ["Control points", facts.controlPoints],
+        ["Triangles", facts.triangles],
+        ["Points", facts.points],
+        ["Layer", item.layer],
+        ["Line", item.span?.line],
+      ];
+      for (const [label, value] of known) if (value || value === 0) nodes.push(row(label, String(value)));
+    } else nodes.push(el("h4", {}, `${items.length} items`));
+    if (this.doc.door.canEvaluate) nodes.push(this.measures(items));
+    return nodes;
+  }
+
+  private measures(items: Item[]): HTMLElement {
+    const isCurves = items.every((item) => item.kind === "curve" || item.kind === "polyline");
+    const kinds: Measurable[] = isCurves ? ["length"] : ["area", "volume"];
+    const results = el("div", {});
+    const ask = async (kind: Measurable): Promise<void> => {
+      const found = await this.doc.attempt(this.doc.door.measure(kind, items.map((item) => item.key)));
+      if (!found) return;
+      results.querySelector(`[data-measure=${kind}]`)?.remove();
+      const line = row(kind[0].toUpperCase() + kind.slice(1), found.text);
+      line.dataset.measure = kind;
+      results.append(line);
+    };
+    const buttons = kinds.map((kind) =>
+      button(kind[0].toUpperCase() + kind.slice(1), `Exact ${kind} of the selection`, () => void ask(kind), { class: "plain", "data-ask": kind }),
+    );
+    return el("div", {}, el("div", { class: "row actions" }, ...buttons), results);
+  }
+}
+
+/** What a script writes for this point. */
+export function expressionOf({ answer, item, parameters }: Hit): string {
+  if (answer?.expression) return answer.expression;
+  if (!parameters) return item.path;
+  const at = "u" in parameters ? [parameters.u, parameters.v] : [parameters.t];
+  return `${item.path}(${at.map((value) => Number(value.toPrecision(6))).join(", ")})`;
+}
+
+/** Distance and difference of two places, with the angle between their normals in degrees. */
+export function measurement(a: Hit, b: Hit): { distance: number; delta: Vector; angle: number | null } {
+  const [p, q] = [pointOf(a), pointOf(b)];
+  const delta: Vector = [q[0] - p[0], q[1] - p[1], q[2] - p[2]];
+  const [m, n] = [directionOf(a.answer, a), directionOf(b.answer, b)];
+  let angle: number | null = null;
+  if (m && n) {
+    const cosine = (m[0] * n[0] + m[1] * n[1] + m[2] * n[2]) / (Math.hypot(...m) * Math.hypot(...n));
+    angle = (Math.acos(Math.max(-1, Math.min(1, cosine))) * 180) / Math.PI;
+  }
+  return { distance: Math.hypot(...delta), delta, angle };
+}
+
+export function pointOf(hit: Hit): Vector {
+  return hit.answer?.point ?? hit.point;
+}
+
+/** The normal of a surface or the tangent of a curve there. */
+function directionOf(answer: Answer | null, hit: Hit): Vector | null {
+  const tangent = answer?.facts.find((fact) => fact.label.toLowerCase() === "tangent")?.value;
+  return answer?.normal ?? hit.normal ?? (Array.isArray(tangent) ? tangent : null);
+}
+
+function row(label: string, value: string, unit = ""): HTMLElement {
+  return el(
+    "div",
+    { class: "fact" },
+    el("span", { class: "fact-label" }, label),
+    el("span", { class: "fact-value" }, value, unit && el("small", {}, ` ${unit}`)),
+  );
+}
+
+function triple(vector: Vector): string {
+  return vector.map((value) => figure(Math.abs(value) < 1e-12 ? 0 : value, 6)).join("  ");
+}

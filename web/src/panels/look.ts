@@ -1,0 +1,126 @@
+// How the surface is shaded, what the combs measure and where the section stands.
+
+import type { Document } from "../model/document";
+import type { Settings, SettingsSignal, Shade } from "../model/settings";
+import type { Stage } from "../view/stage";
+import { sectionDistance } from "../view/section";
+import { button, el, figure, section, type Section, segmented, slider } from "./dom";
+
+const SHADES: readonly (readonly [Shade, string, string])[] = [
+  ["plain", "Plain", "The colours of the script"],
+  ["zebra", "Zebra", "Reflected stripes: breaks show breaks of tangents, kinks show breaks of curvature"],
+  ["isophotes", "Isophotes", "Lines of equal angle to the light"],
+  ["gauss", "Gauss", "Gaussian curvature, k1 · k2: zero where the surface unrolls"],
+  ["mean", "Mean", "Mean curvature, (k1 + k2) / 2"],
+  ["k1", "k1", "First principal curvature"],
+  ["k2", "k2", "Second principal curvature"],
+  ["draft", "Draft", "Angle to the direction of pull"],
+  ["sides", "Sides", "Fronts and backs by the direction of the normals"],
+];
+
+export class LookPanel {
+  readonly section: Section = section("look", "Analysis");
+  readonly cutSection: Section = section("section", "Section");
+
+  constructor(
+    private readonly doc: Document,
+    private readonly stage: Stage,
+    private readonly settings: SettingsSignal,
+  ) {
+    this.buildShades();
+    this.buildStripes();
+    this.buildDraft();
+    this.buildCombs();
+    this.buildCut();
+  }
+
+  private buildShades(): void {
+    const buttons = SHADES.map(([shade, label, title]) =>
+      button(label, title, () => this.settings.put({ shade }), { "data-shade": shade }),
+    );
+    const accuracy = el("p", { class: "hint accuracy" });
+    this.section.body.append(el("div", { class: "shades" }, ...buttons), accuracy);
+    this.settings.watch(({ shade }) => {
+      for (const one of buttons) one.setAttribute("aria-pressed", String(one.dataset.shade === shade));
+      accuracy.textContent = shade === "plain" ? "" : "From the mesh’s exact normals and curvatures at its vertices; a click asks the kernel.";
+      accuracy.hidden = shade === "plain";
+      this.section.note.textContent = shade === "plain" ? "" : (SHADES.find(([name]) => name === shade)?.[1] ?? "");
+    });
+  }
+
+  private buildStripes(): void {
+    const count = slider("Stripes", [2, 60, 1], String, (stripes) => this.settings.put({ stripes }));
+    const way = segmented("Run", [["no", "level"], ["yes", "upright"]], (value) =>
+      this.settings.put({ stripesAcross: value === "yes" }),
+    );
+    const light = segmented("Light from", [["view", "eye"], ["x", "x"], ["y", "y"], ["z", "z"]], (value) =>
+      this.settings.put({ light: value }),
+    );
+    this.section.body.append(count.root, way.root, light.root);
+    this.settings.watch(({ shade, stripes, stripesAcross, light: from }) => {
+      count.root.hidden = shade !== "zebra" && shade !== "isophotes";
+      way.root.hidden = shade !== "zebra";
+      light.root.hidden = shade !== "isophotes";
+      count.set(stripes);
+      way.set(stripesAcross ? "yes" : "no");
+      light.set(from);
+    });
+  }
+
+  private buildDraft(): void {
+    const pull = segmented("Pull", [["x", "x"], ["y", "y"], ["z", "z"]], (draftAxis) => this.settings.put({ draftAxis }));
+    const angle = slider("Draft", [0, 30, 0.5], (degrees) => `${degrees}°`, (draftDegrees) =>
+      this.settings.put({ draftDegrees }),
+    );
+    this.section.body.append(pull.root, angle.root);
+    this.settings.watch(({ shade, draftAxis, draftDegrees }) => {
+      pull.root.hidden = angle.root.hidden = shade !== "draft";
+      pull.set(draftAxis);
+      angle.set(draftDegrees);
+    });
+  }
+
+  private buildCombs(): void {
+    const scale = slider("Comb", [-1.5, 1.5, 0.05], (power) => `× ${figure(10 ** power, 2)}`, (power) =>
+      this.settings.put({ combScale: 10 ** power }),
+    );
+    const stride = slider("Spacing", [1, 16, 1], (n) => (n === 1 ? "every" : `${n}th`), (combStride) =>
+      this.settings.put({ combStride }),
+    );
+    this.section.body.append(scale.root, stride.root);
+    this.settings.watch(({ combs, combScale, combStride }) => {
+      scale.root.hidden = stride.root.hidden = !combs;
+      scale.set(Math.log10(combScale));
+      stride.set(combStride);
+    });
+  }
+
+  private buildCut(): void {
+    const { body, note, root } = this.cutSection;
+    const axis = segmented("Across", [["x", "x"], ["y", "y"], ["z", "z"], ["free", "view"]], (sectionAxis) => {
+      const [, , back] = this.stage.rig.axes();
+      this.settings.put({ sectionAxis, sectionNormal: back.toArray() });
+    });
+    const place = slider("Place", [0, 1, 0.001], (share) => this.placeText(share), (sectionPlace) =>
+      this.settings.put({ sectionPlace }),
+    );
+    place.root.dataset.setting = "section-place";
+    const flip = button("Other side", "Show what is cut away", () => this.settings.toggle("sectionFlip"), { class: "plain" });
+    body.append(axis.root, place.root, el("div", { class: "row actions" }, flip));
+    const show = (settings: Settings): void => {
+      root.hidden = !settings.section;
+      axis.set(settings.sectionAxis);
+      place.set(settings.sectionPlace);
+      note.textContent = settings.section ? this.placeText(settings.sectionPlace) : "";
+    };
+    this.settings.watch(show);
+    this.doc.scene.follow(() => show(this.settings.value));
+  }
+
+  private placeText(sectionPlace: number): string {
+    const box = this.stage.box();
+    if (box.isEmpty()) return "";
+    const distance = sectionDistance({ ...this.settings.value, sectionPlace }, box);
+    return `${figure(distance)} ${this.doc.state.value?.unit ?? ""}`;
+  }
+}

@@ -1,0 +1,207 @@
+// The model tree: definitions with what they are and how large, lists that unfold; only the rows in sight exist.
+
+import type { Item } from "../door/door";
+import type { Document } from "../model/document";
+import type { Stage } from "../view/stage";
+import { colorOf, cssOf } from "../view/theme";
+import { button, el, section, type Section } from "./dom";
+import { icon } from "./icons";
+
+const ROW_HEIGHT = 24;
+/** Rows beyond the visible ones, so that a quick scroll finds them there. */
+const N_SPARE = 8;
+
+interface Row {
+  label: string;
+  items: Item[];
+  /** The list that this row opens, or null for a single thing. */
+  list: string | null;
+  depth: number;
+}
+
+export class TreePanel {
+  readonly section: Section = section("model", "Model");
+  readonly find: HTMLInputElement = el("input", {
+    type: "search",
+    placeholder: "Find",
+    class: "find",
+    "aria-label": "Find a definition",
+  });
+  private readonly scroll = el("div", { class: "tree", role: "tree", tabindex: "0" });
+  private readonly space = el("div", { class: "tree-space" });
+  private readonly open = new Set<string>();
+  private rows: Row[] = [];
+  private lastClicked = -1;
+
+  constructor(
+    private readonly doc: Document,
+    private readonly stage: Stage,
+  ) {
+    this.scroll.append(this.space);
+    this.section.body.append(this.find, this.scroll);
+    this.find.addEventListener("input", () => this.rebuild());
+    this.scroll.addEventListener("scroll", () => this.draw());
+    this.scroll.addEventListener("keydown", (event) => this.key(event));
+    new ResizeObserver(() => this.draw()).observe(this.scroll);
+    doc.scene.watch(() => this.rebuild());
+    doc.choices.follow(() => this.draw());
+    doc.selection.follow(() => this.reveal());
+  }
+
+  /** Repaints, for another theme. */
+  draw(): void {
+    const first = Math.max(0, Math.floor(this.scroll.scrollTop / ROW_HEIGHT) - N_SPARE);
+    const last = Math.min(this.rows.length, first + Math.ceil(this.scroll.clientHeight / ROW_HEIGHT) + 2 * N_SPARE);
+    this.space.style.height = `${this.rows.length * ROW_HEIGHT}px`;
+    this.space.replaceChildren(...this.rows.slice(first, last).map((row, i) => this.drawRow(row, first + i)));
+  }
+
+  private rebuild(): void {
+    const items = this.doc.items();
+    const wanted = this.find.value.trim().toLowerCase();
+    const groups = new Map<string, Item[]>();
+    for (const item of items) {
+      if (wanted && !matches(item, wanted)) continue;
+      const group = groups.get(item.definition);
+      if (group) group.push(item);
+      else groups.set(item.definition, [item]);
+    }
+    this.rows = [];
+    for (const [definition, group] of groups) {
+      const isList = group.length > 1 || group[0].path !== definition;
+      this.rows.push({ label: definition, items: group, list: isList ? definition : null, depth: 0 });
+      if (!isList || !(this.open.has(definition) || wanted)) continue;
+      for (const item of group) {
+        const label = item.path.startsWith(definition) ? item.path.slice(definition.length) || item.path : item.path;
+        this.rows.push({ label, items: [item], list: null, depth: 1 });
+      }
+    }
+    const n_hidden = items.filter((item) => !this.doc.isVisible(item)).length;
+    this.section.note.textContent = items.length === 0 ? "" : n_hidden > 0 ? `${items.length}, ${n_hidden} hidden` : String(items.length);
+    this.scroll.classList.toggle("empty", items.length === 0);
+    this.draw();
+  }
+
+  private drawRow(row: Row, index: number): HTMLElement {
+    const { items } = row;
+    const [item] = items;
+    const isVisible = items.some((one) => this.doc.isVisible(one));
+    const isSelected = items.every((one) => this.doc.selection.value.has(one.path));
+    const swatch = el("span", { class: "swatch" });
+    swatch.style.background = cssOf(colorOf(item, this.stage.palette));
+    const fold = row.list
+      ? button(icon("chevron"), "Unfold the list", (event) => {
+          event.stopPropagation();
+          this.toggle(row.list!);
+        }, { class: `fold${this.open.has(row.list) ? " open" : ""}`, tabindex: "-1" })
+      : el("span", { class: "fold" });
+    const eye = button(icon(isVisible ? "eye" : "eyeOff"), isVisible ? "Hide" : "Show", (event) => {
+      event.stopPropagation();
+      this.doc.show(items.map((one) => one.path), !isVisible);
+    }, { class: "eye", tabindex: "-1" });
+    const line = el(
+      "div",
+      {
+        class: `tree-row depth-${row.depth}${isVisible ? "" : " invisible"}`,
+        role: "treeitem",
+        "aria-selected": String(isSelected),
+        title: describe(row),
+        "data-path": row.list ?? item.path,
+      },
+      fold,
+      el("span", { class: "kind" }, icon(item.kind)),
+      swatch,
+      el("span", { class: "name" }, row.label),
+      item.layer && el("span", { class: "layer" }, item.layer),
+      el("span", { class: "size" }, size(row)),
+      eye,
+    );
+    line.style.top = `${index * ROW_HEIGHT}px`;
+    line.addEventListener("click", (event) => this.click(row, index, event));
+    line.addEventListener("dblclick", () => this.stage.fit(true));
+    return line;
+  }
+
+  private click(row: Row, index: number, event: MouseEvent): void {
+    if (event.shiftKey && this.lastClicked >= 0) {
+      const [a, b] = [Math.min(index, this.lastClicked), Math.max(index, this.lastClicked)];
+      this.doc.select(this.rows.slice(a, b + 1).flatMap((one) => one.items.map((item) => item.path)));
+    } else {
+      this.doc.select(row.items.map((item) => item.path), event.ctrlKey || event.metaKey);
+      this.lastClicked = index;
+    }
+  }
+
+  private key(event: KeyboardEvent): void {
+    const step = event.key === "ArrowDown" ? 1 : event.key === "ArrowUp" ? -1 : 0;
+    const row = this.rows[this.lastClicked];
+    if (step !== 0) {
+      event.preventDefault();
+      this.lastClicked = Math.max(0, Math.min(this.rows.length - 1, this.lastClicked + step));
+      const next = this.rows[this.lastClicked];
+      if (next) this.doc.select(next.items.map((item) => item.path));
+    } else if (row?.list && (event.key === "ArrowRight" || event.key === "ArrowLeft")) {
+      event.preventDefault();
+      if (this.open.has(row.list) !== (event.key === "ArrowRight")) this.toggle(row.list);
+    }
+  }
+
+  private toggle(list: string): void {
+    if (!this.open.delete(list)) this.open.add(list);
+    this.rebuild();
+  }
+
+  /** Scrolls the first selected row into sight, unfolding its list. */
+  private reveal(): void {
+    const selected = this.doc.selected();
+    const [first] = selected;
+    if (first && selected.length === 1) {
+      if (first.path !== first.definition && !this.open.has(first.definition)) {
+        this.open.add(first.definition);
+        this.rebuild();
+      }
+      const index = this.rows.findIndex((row) => !row.list && row.items[0].path === first.path);
+      const top = index * ROW_HEIGHT;
+      const { scrollTop, clientHeight } = this.scroll;
+      if (index >= 0 && (top < scrollTop || top + ROW_HEIGHT > scrollTop + clientHeight)) {
+        this.scroll.scrollTop = top - clientHeight / 2;
+      }
+      if (index >= 0) this.lastClicked = index;
+    }
+    this.draw();
+  }
+}
+
+function matches(item: Item, wanted: string): boolean {
+  return [item.path, item.kind, item.layer ?? ""].some((text) => text.toLowerCase().includes(wanted));
+}
+
+/** The size of a row in a word: of a list its length, of a surface degree and net. */
+function size({ items, list }: Row): string {
+  if (list) return `${items.length}`;
+  const { degree, points, triangles } = items[0].facts;
+  if (degree) return String(degree).replace(" x ", "×");
+  if (triangles) return `${short(Number(triangles))} △`;
+  return points ? `${short(Number(points))} pt` : "";
+}
+
+function describe({ items, list, label }: Row): string {
+  const [item] = items;
+  if (list) return `${label}: a list of ${items.length}`;
+  const { facts } = item;
+  const parts = [
+    `${item.path}: ${item.kind}`,
+    facts.degree && `degree ${facts.degree}`,
+    facts.controlPoints && `${facts.controlPoints} control points`,
+    facts.triangles && `${facts.triangles} triangles`,
+    facts.points && `${facts.points} points`,
+    item.layer && `layer ${item.layer}`,
+    item.span && `line ${item.span.line}`,
+  ];
+  return parts.filter(Boolean).join(" · ");
+}
+
+function short(n: number): string {
+  if (n >= 1e6) return `${(n / 1e6).toFixed(1)}M`;
+  return n >= 1e4 ? `${Math.round(n / 1e3)}k` : String(n);
+}
