@@ -18,6 +18,7 @@ use std::{ops::Deref, sync::Arc};
 pub use extra::{ControlStyle, Extra, STRIPES};
 pub use file::File;
 pub use picture::PictureContent;
+#[cfg(feature = "cli")]
 pub(crate) use picture::{drawable, exported};
 pub use test::{TestReport, TestVerdict};
 

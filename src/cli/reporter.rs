@@ -169,6 +169,18 @@ impl Reporter {
         }
     }
 
+    /// A page that was written.
+    pub(super) fn page(&self, path: &str, n_bytes: usize) {
+        if self.is_json {
+            say_exactly(&format!(
+                "{}\n",
+                json!({ "type": "page", "path": path, "bytes": n_bytes })
+            ));
+        } else if !self.is_quiet {
+            say(&format!("wrote {path}: {n_bytes} bytes\n"));
+        }
+    }
+
     /// An error that a test expects, and what happened.
     pub(super) fn expected(&self, expected: &ExpectedMistake, sources: &Sources, test: &str) {
         if !self.is_json {

@@ -1,9 +1,9 @@
 //! `virote view`: shows a script in the browser.
 
 use std::{
-    io,
+    io::{self, Write},
     net::Ipv4Addr,
-    path::PathBuf,
+    path::{Path, PathBuf},
     process::{Command, Stdio},
     thread,
     time::Duration,
@@ -19,10 +19,10 @@ use super::{
     say, settings,
 };
 use crate::{
-    disk::Script,
+    disk::{OutputTarget, Script, TargetRefusal, replace},
     export::io_reason,
     limits::work::StopToken,
-    view::{ViewedScript, Viewer},
+    view::{SinglePage, ViewedScript, Viewer},
 };
 
 /// How often it is asked whether Ctrl-C was pressed.
@@ -39,6 +39,9 @@ pub(super) struct ViewOptions {
     /// Opens no browser
     #[arg(long)]
     no_open: bool,
+    /// Writes a page that shows the model anywhere, without evaluation, and serves nothing
+    #[arg(long, value_name = "PAGE.html", conflicts_with_all = ["port", "no_open", "out"])]
+    export: Option<PathBuf>,
     /// The folder for exported files [default: the script's own]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -73,6 +76,9 @@ pub(super) fn run(asked: &ViewOptions) -> ExitStatus {
         settings,
         session: &session,
     };
+    if let Some(page) = &asked.export {
+        return export(&script, page, &voice);
+    }
     interrupt::listen_once();
     let viewer = match Viewer::start(&script, asked.port) {
         Ok(viewer) => viewer,
@@ -89,6 +95,46 @@ pub(super) fn run(asked: &ViewOptions) -> ExitStatus {
         thread::sleep(TICK);
     }
     ExitStatus::Well
+}
+
+/// Writes the page as one file.
+fn export(script: &ViewedScript<'_>, path: &Path, voice: &Reporter) -> ExitStatus {
+    let page = SinglePage::of(script);
+    let Some(report) = &page.report else { return ExitStatus::Usage };
+    voice.findings(&report.diagnostics, &report.sources);
+    if !report.unknown_settings.is_empty() {
+        report.unknown_settings.iter().for_each(|text| voice.trouble(text));
+        return ExitStatus::Usage;
+    }
+    let Some(text) = page.text else {
+        voice.remark("no page was written, because the script has errors");
+        return ExitStatus::of(report).max(ExitStatus::Wrong);
+    };
+    let mut inputs = page.inputs;
+    inputs.push(script.path.clone());
+    match written(path, &text, &inputs) {
+        Ok(()) => {
+            let size = text.len();
+            voice.page(&path.display().to_string(), size);
+            ExitStatus::of(report)
+        }
+        Err(why) => {
+            voice.trouble(&format!("cannot write `{}`: {why}", path.display()));
+            ExitStatus::Usage
+        }
+    }
+}
+
+/// Puts the page into its place, unless that is the script's or one of its inputs'.
+fn written(path: &Path, text: &str, inputs: &[PathBuf]) -> Result<(), String> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let target = OutputTarget::new(folder.unwrap_or(Path::new(".")), &name, inputs);
+    target.map_err(|refusal| match refusal {
+        TargetRefusal::Forbidden(why) | TargetRefusal::System(why) => why,
+    })?;
+    let write = |out: &mut dyn Write| out.write_all(text.as_bytes());
+    replace(path, None, write).map_err(|err| io_reason(&err))
 }
 
 /// Why a port is not served, and what to do.

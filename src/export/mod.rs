@@ -2,6 +2,7 @@
 //!
 //! Formats write to any [`Write`]; that files appear whole or not at all is the door's business.
 
+mod base64;
 mod csv;
 mod dxf;
 mod exact;
@@ -40,6 +41,8 @@ use crate::{
     limits::{Limits, work},
 };
 
+#[cfg(feature = "cli")]
+pub(crate) use base64::base64;
 pub use labels::Label;
 pub use legend::Legend;
 pub use limited::capped;

@@ -3,12 +3,12 @@
 use std::{collections::HashMap, sync::Arc};
 
 use super::{
-    File, Session,
+    File, Report, Session,
     options::options,
     path::{reserved, safe_path},
 };
 use crate::{
-    diag::{Code, Diagnostic, Span, is_hidden, nearest},
+    diag::{Code, Diagnostic, Span, Spanned, is_hidden, nearest},
     eval::{self, Exported},
     export::{FORMATS, Format, Item, Job, Subject},
     kernel::{Curve, Surface, Tolerance},
@@ -85,6 +85,35 @@ impl Session {
         let (path, names) = (path.ok()?, exported.names);
         let watch = self.watch();
         Some(File { path, span, names, format, job, watch, _kept: kept.clone() })
+    }
+
+    /// The file that definitions of a report would be exported to.
+    ///
+    /// # Errors
+    /// What is wrong with that, as [`Self::plan`] tells it; a name of no definition.
+    #[cfg(feature = "cli")]
+    pub(crate) fn file_of(
+        &self,
+        report: &Report,
+        names: &[String],
+        path: &str,
+    ) -> Result<Box<File>, Vec<Diagnostic>> {
+        let subject = |name: &String| {
+            let defined = report.definitions.iter().find(|defined| defined.name == *name);
+            let found = defined.and_then(|defined| Some((defined, defined.value.clone()?)));
+            let (defined, value) = found.ok_or_else(|| {
+                let message = format!("the script defines no `{name}`");
+                vec![Diagnostic::error(Code::CannotExport, Span::default(), message)]
+            })?;
+            let value = Spanned::new(value, defined.span);
+            Ok(eval::ExportSubject { name: name.clone(), value, look: defined.look.clone() })
+        };
+        let subjects = names.iter().map(subject).collect::<Result<_, Vec<Diagnostic>>>()?;
+        let path = Spanned::unplaced(path.to_owned());
+        let exported = Exported { path, subjects, names: names.to_vec(), options: Vec::new() };
+        let mut found = Vec::new();
+        let file = self.plan(exported, (report.document, &report.kept), &mut found);
+        file.map(Box::new).ok_or(found)
     }
 
     /// What the writing of a file may take.

@@ -16,6 +16,7 @@ const PATIENCE: Duration = Duration::from_secs(1);
 #[derive(Debug)]
 pub(super) struct Shown {
     pub(super) version: u64,
+    pub(super) is_current: bool,
     /// The state as JSON.
     pub(super) state: Vec<u8>,
     pub(super) scene: Arc<Scene>,

@@ -5,9 +5,14 @@
 //! it comes to is a `state` (JSON) and a `scene`, whose items have keys: the page fetches only those
 //! that it does not know.
 
+mod answers;
+mod ask;
+mod defaults;
+mod export;
 mod guard;
 mod http;
 mod hub;
+mod measure;
 mod page;
 mod parameters;
 mod routes;
@@ -30,13 +35,13 @@ use self::{
     guard::Guard,
     hub::{Hub, Shown},
     routes::Doors,
-    scene::{ItemMemory, Scene},
+    scene::{ItemMemory, Scene, SceneItem},
     worker::Worker,
 };
 use crate::{
     eval::Setting,
     limits::{stack, work::StopToken},
-    session::Session,
+    session::{Report, Session},
 };
 
 /// What is to be shown.
@@ -60,6 +65,7 @@ impl ViewedScript<'_> {
         let stop = StopToken::default();
         let first = Shown {
             version: 0,
+            is_current: false,
             state: state::empty(&self.path).to_string().into_bytes(),
             scene: Arc::new(Scene::default()),
             report: None,
@@ -73,9 +79,37 @@ impl ViewedScript<'_> {
             script: self.path.clone(),
             memory: ItemMemory::new(),
             schema: None,
+            last: None,
             good: None,
             followed: Arc::default(),
         }
+    }
+}
+
+/// A page with a model in it, which asks nobody.
+pub(crate) struct SinglePage {
+    /// None where the script has errors, or cannot be drawn.
+    pub(crate) text: Option<String>,
+    /// What became of the script, if it was there.
+    pub(crate) report: Option<Arc<Report>>,
+    /// The files that it read.
+    pub(crate) inputs: Vec<PathBuf>,
+}
+
+impl SinglePage {
+    /// The page of a script as it is now.
+    pub(crate) fn of(script: &ViewedScript<'_>) -> Self {
+        let mut worker = script.worker();
+        let shown = worker.hub.next_job().and_then(|job| worker.run(&job));
+        let page = |shown: &Shown| {
+            let state = serde_json::from_slice(&shown.state).unwrap_or_default();
+            let items = shown.scene.items.iter();
+            let bytes = |item: &SceneItem| (item.key.to_string(), Arc::clone(&item.encoded.bytes));
+            page::single(&state, &items.map(bytes).collect::<Vec<_>>())
+        };
+        let text = shown.as_ref().filter(|shown| shown.is_current).map(page);
+        let inputs = shown.map(|shown| shown.inputs).unwrap_or_default();
+        Self { text, report: worker.last, inputs }
     }
 }
 

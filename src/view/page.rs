@@ -1,8 +1,11 @@
 //! The page itself: built beforehand and part of the binary.
 
-use std::{env, fs, path::Path};
+use std::{env, fs, path::Path, sync::Arc};
+
+use serde_json::{Value as Json, json};
 
 use super::http::Response;
+use crate::export::base64;
 
 /// A file of the page as it was built.
 struct BuiltFile {
@@ -62,4 +65,40 @@ pub(super) fn file(address: &str) -> Option<Response> {
     let (bytes, is_zipped) = file.content();
     let response = Response::new(file.kind, bytes);
     Some(if is_zipped { response.zipped() } else { response })
+}
+
+/// What the page's text holds once each, for a file of its own to have something else there.
+const STYLE: &str = r#"<link rel="stylesheet" href="app.css">"#;
+const DATA: &str = "<!-- virote-data -->";
+const CODE: &str = r#"<script src="app.js" defer></script>"#;
+
+/// The page with a state and the bytes of its items, as one file that asks nobody.
+pub(super) fn single(state: &Json, items: &[(String, Arc<Vec<u8>>)]) -> String {
+    let items: serde_json::Map<String, Json> =
+        items.iter().map(|(key, bytes)| (key.clone(), json!(base64(bytes)))).collect();
+    let data = json!({ "state": state, "items": items }).to_string();
+    // Nothing in it ends the element that it stands in.
+    let data = data.replace('<', "\\u003c");
+    let data = format!(r#"<script type="application/json" id="virote-data">{data}</script>"#);
+    let [page, code, style] = FILES.each_ref().map(BuiltFile::content);
+    let page = String::from_utf8_lossy(&page.0).into_owned();
+    let page = page.replacen(STYLE, &element("style", style), 1);
+    let page = page.replacen(CODE, &element("script", code), 1);
+    page.replacen(DATA, &data, 1)
+}
+
+/// An element with the text of a file; where that is compressed, what takes it apart in the browser.
+fn element(name: &str, (bytes, is_zipped): (Vec<u8>, bool)) -> String {
+    if !is_zipped {
+        return format!("<{name}>{}</{name}>", String::from_utf8_lossy(&bytes));
+    }
+    format!(
+        "<script>(async () => {{ \
+         const bytes = Uint8Array.from(atob(\"{}\"), (c) => c.charCodeAt(0)); \
+         const text = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(\"gzip\")); \
+         const element = document.createElement(\"{name}\"); \
+         element.textContent = await new Response(text).text(); \
+         document.head.append(element); }})();</script>",
+        base64(&bytes)
+    )
 }

@@ -8,9 +8,10 @@ use std::{
 use serde_json::{Value as Json, json};
 
 use super::{
+    ask, defaults, export,
     http::{Request, Response},
     hub::Hub,
-    page,
+    measure, page,
 };
 use crate::{eval::Setting, session::Session};
 
@@ -70,6 +71,10 @@ fn item(key: &str, doors: &Doors) -> Response {
 fn post(path: &str, body: &Json, doors: &Doors) -> Option<Answer> {
     Some(match path {
         "/api/set" => set(body, doors),
+        "/api/ask" => ask::ask(body, doors),
+        "/api/measure" => measure::measure(body, doors),
+        "/api/write" => defaults::write(body, doors),
+        "/api/export" => export::export(body, doors),
         "/api/stop" => {
             doors.hub.stop();
             Ok(json!({ "stopped": true }))

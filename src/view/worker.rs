@@ -1,7 +1,7 @@
 //! The one thread that evaluates: takes the newest run that is wanted, and shows what it came to.
 
 use std::{
-    path::{Path, PathBuf},
+    path::PathBuf,
     sync::{Arc, Mutex, PoisonError},
     time::Instant,
 };
@@ -27,6 +27,8 @@ pub(super) struct Worker {
     pub(super) memory: ItemMemory,
     /// Of the last run whose script could be read.
     pub(super) schema: Option<Schema>,
+    /// The last run.
+    pub(super) last: Option<Arc<Report>>,
     /// The last good run.
     pub(super) good: Option<(Arc<Report>, Arc<Scene>)>,
     /// Files that the watch is to look at.
@@ -65,6 +67,7 @@ impl Worker {
         let evaluate = begin.elapsed();
         let begin = Instant::now();
         let report = Arc::new(report);
+        self.last = Some(Arc::clone(&report));
         let has_errors = 0 < report.count(Severity::Error);
         let mut scene = None;
         if !has_errors {
@@ -121,6 +124,7 @@ impl Worker {
         };
         Shown {
             version: job.version,
+            is_current: told.is_current,
             state: json.to_string().into_bytes(),
             scene: good.map(|(_, scene)| Arc::clone(scene)).unwrap_or_default(),
             report: good.map(|(report, _)| Arc::clone(report)),
@@ -136,13 +140,5 @@ impl Worker {
         inputs.dedup();
         self.followed.lock().unwrap_or_else(PoisonError::into_inner).clone_from(&inputs);
         inputs
-    }
-}
-
-/// The folder of a script.
-pub(super) fn folder_of(script: &Path) -> &Path {
-    match script.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
     }
 }

@@ -13,4 +13,6 @@ mod safety;
 mod support;
 mod testing;
 #[cfg(unix)]
+mod view;
+#[cfg(unix)]
 mod watch;

@@ -3,16 +3,14 @@
 //! The geometry is turned so that z becomes the format's y, and brought to metres. Each item is a
 //! node under its name; a colour or a layer is a material. Khronos Group, *glTF 2.0 Specification*.
 
-mod base64;
-
 use std::io::Write;
 
 use glam::DVec3;
 use serde_json::{Map, Value as Json, json};
 
-use self::base64::Base64;
 use super::{
     ExportError, Format, Item, Job, Subject, Summary,
+    base64::Base64,
     options::{ANGLE, TOLERANCE},
     shape::{MeshShape, ShapedItem, byte_color, shapes},
     unique_values::UniqueValues,

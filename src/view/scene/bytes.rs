@@ -6,6 +6,23 @@ use serde_json::{Map, Value as Json, json};
 /// Where the numbers begin, and each run of them after the other, is a multiple of this.
 const ALIGNMENT: usize = 8;
 
+/// What not every item has.
+const OPTIONAL: &[&str] = &[
+    "positions",
+    "normals",
+    "parameters",
+    "curvatures",
+    "colors",
+    "triangles",
+    "segments",
+    "control",
+    "knots",
+    "comb",
+];
+
+/// Lists of polylines, which may be empty.
+const LINES: &[&str] = &["edges", "isocurves", "isocombs"];
+
 /// An item in the making.
 #[derive(Debug, Default)]
 pub(super) struct ItemWriter {
@@ -20,6 +37,13 @@ impl ItemWriter {
         let mut header = Map::new();
         header.insert("kind".to_owned(), json!(kind));
         header.insert("center".to_owned(), json!(center.to_array()));
+        // What an item does not have is told as well, so that the page need not guess.
+        for name in OPTIONAL {
+            header.insert((*name).to_owned(), Json::Null);
+        }
+        for name in LINES {
+            header.insert((*name).to_owned(), json!([]));
+        }
         Self { header, numbers: Vec::new(), center }
     }
 

@@ -39,6 +39,9 @@ pub(crate) struct EncodedItem {
 /// Points of a curve that its comb needs at least.
 const N_COMB: usize = 96;
 
+/// The same of a line of equal parameter.
+const N_ISOCOMB: usize = 32;
+
 /// The item of a shape, whose surfaces have this mesh.
 ///
 /// # Errors
@@ -145,7 +148,7 @@ impl EncodingItem {
 
     /// The edges of surfaces where they end, and lines of equal parameter inside.
     fn add_surface_lines(&mut self, surfaces: &[Surface]) -> Result<(), GeomError> {
-        let (mut edges, mut isocurves) = (Vec::new(), Vec::new());
+        let (mut edges, mut isocurves, mut isocombs) = (Vec::new(), Vec::new(), Vec::new());
         for surface in surfaces {
             let same = DRAWING_DIGIT * self.size;
             for along in Direction::BOTH {
@@ -165,14 +168,21 @@ impl EncodingItem {
                     if is_point || (is_end && is_closed && i != 0) {
                         continue;
                     }
-                    let points = self.polyline(&line)?.1;
-                    let run = self.writer.places(&points);
-                    if is_end && !is_closed { edges.push(run) } else { isocurves.push(run) }
+                    if is_end && !is_closed {
+                        let points = self.polyline(&line)?.1;
+                        edges.push(self.writer.places(&points));
+                        continue;
+                    }
+                    let (parameters, points) = self.finely(&line, N_ISOCOMB)?;
+                    isocurves.push(self.writer.places(&points));
+                    let bends: Vec<DVec3> = parameters.iter().map(|&t| bending(&line, t)).collect();
+                    isocombs.push(self.writer.vectors(&bends));
                 }
             }
         }
         self.writer.set("edges", edges.into());
         self.writer.set("isocurves", isocurves.into());
+        self.writer.set("isocombs", isocombs.into());
         Ok(())
     }
 
@@ -196,7 +206,7 @@ impl EncodingItem {
     }
 
     fn add_curve(&mut self, curve: &Curve) -> Result<(), GeomError> {
-        let (parameters, points) = self.finely(curve)?;
+        let (parameters, points) = self.finely(curve, N_COMB)?;
         let run = self.writer.places(&points);
         self.writer.set("edges", json!([run]));
         let numbers = self.writer.numbers(1, &parameters);
@@ -243,10 +253,10 @@ impl EncodingItem {
         Ok((parameters, points))
     }
 
-    /// The same, where the curve bends as many as its comb needs.
-    fn finely(&self, curve: &Curve) -> Result<(Vec<f64>, Vec<DVec3>), GeomError> {
+    /// The same, where the curve bends as many as its comb needs at least.
+    fn finely(&self, curve: &Curve, least: usize) -> Result<(Vec<f64>, Vec<DVec3>), GeomError> {
         let (parameters, points) = self.polyline(curve)?;
-        let n_parts = N_COMB.div_ceil(parameters.len().max(2) - 1);
+        let n_parts = least.div_ceil(parameters.len().max(2) - 1);
         if n_parts < 2 || curve.is_straight(Tolerance::DEFAULT.with_distance(self.fineness.weld))? {
             return Ok((parameters, points));
         }

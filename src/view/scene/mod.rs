@@ -5,7 +5,7 @@ mod encode;
 mod memory;
 mod parts;
 
-use std::{collections::BTreeSet, sync::Arc};
+use std::sync::Arc;
 
 use serde_json::json;
 
@@ -228,11 +228,6 @@ pub(crate) fn told<T, E: std::fmt::Display>(
         });
     }
     answer.map_err(|fault: Box<Diagnostic>| fault.message)?.map_err(|err| err.to_string())
-}
-
-/// Names that the keys of a scene have in common with no other.
-pub(crate) fn keys(scene: &Scene) -> BTreeSet<Arc<str>> {
-    scene.items.iter().map(|item| Arc::clone(&item.key)).collect()
 }
 
 /// What is told of an item in the state.

@@ -30,6 +30,16 @@ impl<'a> Base64<'a> {
     }
 }
 
+/// Bytes as text.
+#[cfg(feature = "cli")]
+pub(crate) fn base64(bytes: &[u8]) -> String {
+    let mut text = Vec::with_capacity(bytes.len().div_ceil(3) * 4);
+    let mut out = Base64::new(&mut text);
+    // A vector takes everything.
+    let _ = out.write_all(bytes).and_then(|()| out.finish());
+    String::from_utf8(text).unwrap_or_default()
+}
+
 impl Write for Base64<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         /// Bytes that make a write worth while.

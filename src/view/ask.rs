@@ -1,0 +1,110 @@
+//! Questions about one place, answered by the kernel: never by the mesh.
+
+use serde_json::{Value as Json, json};
+
+use super::{
+    answers::{Fact, Units, number_of},
+    routes::{Answer, Doors},
+    scene::{SceneItem, Shape, told},
+};
+use crate::{
+    kernel::{Curve, Side, Surface, Tolerance},
+    limits::stack,
+    session::Report,
+};
+
+/// `/api/ask`: what a surface is at `u`, `v`, a curve at `t`.
+pub(super) fn ask(body: &Json, doors: &Doors) -> Answer {
+    let key = body["item"].as_str().ok_or("`item` must be a key")?;
+    let at = |name: &str| number_of(body, name);
+    let answer = |item: &SceneItem, report: Option<&std::sync::Arc<Report>>| {
+        let report = report.ok_or("there is no model yet")?;
+        let place = AskedPlace {
+            path: format!("{}{}", report.definitions[item.definition].name, item.piece.path),
+            definition: &report.definitions[item.definition].name,
+            units: Units::of(report),
+            tolerance: report.document.1,
+        };
+        // Functions of the script need the stack of an evaluation.
+        stack::with(doors.session.limits().stack_bytes, |_| match &item.piece.shape {
+            Shape::Surface(surface) => {
+                let (u, v) = (at("u")?, at("v")?);
+                told(&doors.session, || place.surface(surface, u, v))
+            }
+            Shape::Curve(curve) => {
+                let t = at("t")?;
+                told(&doors.session, || place.curve(curve, t))
+            }
+            shape => Err(format!("a {} is asked for no place", shape.kind())),
+        })
+    };
+    doors.hub.with_item(key, answer).unwrap_or_else(|| Err("the item is not known any more".into()))
+}
+
+/// What is asked, and how it is told.
+struct AskedPlace<'a> {
+    path: String,
+    definition: &'a str,
+    units: Units,
+    tolerance: Tolerance,
+}
+
+impl AskedPlace<'_> {
+    fn surface(&self, surface: &Surface, u: f64, v: f64) -> Result<Json, crate::kernel::GeomError> {
+        let (u, v) = (surface.domain_u().clamp_inside(u)?, surface.domain_v().clamp_inside(v)?);
+        let point = surface.point_at(u, v)?;
+        let normal = surface.normal_at(u, v).ok();
+        let mut facts = Vec::new();
+        if let Ok(shape) = surface.shape_at(u, v) {
+            let principal = shape.principal(self.tolerance);
+            let units = &self.units;
+            facts = vec![
+                Fact::number("k1", "smallest principal curvature", principal.k1, units.curvature()),
+                Fact::number("k2", "largest principal curvature", principal.k2, units.curvature()),
+                Fact::number("gauss", "Gaussian curvature", shape.gaussian(), units.gaussian()),
+                Fact::number("mean", "mean curvature", shape.mean(), units.curvature()),
+                Fact::vector("d1", "direction of the smallest", principal.d1),
+                Fact::vector("d2", "direction of the largest", principal.d2),
+            ];
+        }
+        let parameters = [u, v];
+        Ok(self.answer(&parameters, json!({ "u": u, "v": v }), point, normal, &facts))
+    }
+
+    fn curve(&self, curve: &Curve, t: f64) -> Result<Json, crate::kernel::GeomError> {
+        let t = curve.domain().clamp_inside(t)?;
+        let local = curve.local_at(t, Side::Right)?;
+        let mut facts = vec![Fact::vector("tangent", "tangent", local.tangent())];
+        let mut add = |name, label, number: Option<f64>, unit| {
+            facts.extend(number.map(|number| Fact::number(name, label, number, unit)));
+        };
+        add("curvature", "curvature", local.curvature().ok(), self.units.curvature());
+        let radius = local.radius_of_curvature().ok().filter(|radius| radius.is_finite());
+        add("radius", "radius of curvature", radius, self.units.length());
+        add("torsion", "torsion", local.torsion().ok(), self.units.curvature());
+        Ok(self.answer(&[t], json!({ "t": t }), local.point(), local.normal().ok(), &facts))
+    }
+
+    fn answer(
+        &self,
+        parameters: &[f64],
+        named: Json,
+        point: glam::DVec3,
+        normal: Option<glam::DVec3>,
+        facts: &[Fact],
+    ) -> Json {
+        let written: Vec<String> =
+            parameters.iter().map(|&number| crate::value::shortest(number)).collect();
+        // What has no name of its own cannot be asked by a script.
+        let has_name = !self.path.contains('@');
+        json!({
+            "definition": self.definition,
+            "path": self.path,
+            "parameters": named,
+            "expression": has_name.then(|| format!("{}({})", self.path, written.join(", "))),
+            "point": point.to_array(),
+            "normal": normal.map(|normal| normal.to_array()),
+            "facts": facts.iter().map(Fact::json).collect::<Vec<_>>(),
+        })
+    }
+}

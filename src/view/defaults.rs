@@ -1,0 +1,142 @@
+//! Values of parameters written into the script: the text of their defaults, and nothing else.
+
+use std::ops::Range;
+
+use serde_json::{Value as Json, json};
+
+use super::routes::{Answer, Doors, alone, values_of};
+use crate::{
+    disk::{Script, ScriptFiles, overwrite},
+    eval::{Schema, SchemaParameter},
+    export::io_reason,
+    limits::Limits,
+    session::Session,
+    syntax::{self, ast::StatementKind},
+    value::{Dimension, Value},
+};
+
+/// `/api/write`
+pub(super) fn write(body: &Json, doors: &Doors) -> Answer {
+    let values = values_of(body, doors)?;
+    let given: Vec<(String, String)> =
+        values.into_iter().filter_map(|(name, text)| Some((name, text?))).collect();
+    let _alone = alone(doors);
+    let script = Script::read(&doors.script, doors.session.limits().source_bytes)?;
+    let files = ScriptFiles::new(&script.folder);
+    let text = String::from_utf8(script.bytes).map_err(|_| "the script is not UTF-8 text")?;
+    let new = rewritten(&text, &given, &doors.session, &files)?;
+    overwrite(&doors.script, &new)
+        .map_err(|err| format!("cannot write `{}`: {}", script.name, io_reason(&err)))?;
+    let names: Vec<String> = given.into_iter().map(|(name, _)| name).collect();
+    // What is the default now is set no more.
+    doors.hub.set(|settings| settings.retain(|setting| !names.contains(&setting.name)));
+    doors.hub.files_changed();
+    Ok(json!({ "written": names }))
+}
+
+/// The script with other defaults.
+///
+/// # Errors
+/// A sentence where a value is none for its parameter.
+fn rewritten(
+    text: &str,
+    given: &[(String, String)],
+    session: &Session,
+    files: &ScriptFiles,
+) -> Result<String, String> {
+    let schema = |text: &str| session.parameters("script", text.as_bytes(), files);
+    let old = schema(text).map_err(|_| "the script has errors; mend them first")?;
+    let mut new = text.to_owned();
+    for (name, value) in given {
+        let parameter = parameter(&old, name)?;
+        let value = as_written(value, parameter, old.unit.name());
+        let place = default_place(&new, name, session.limits())
+            .ok_or_else(|| format!("the script has no parameter `{name}`"))?;
+        let mut next = new.clone();
+        next.replace_range(place.clone(), &value);
+        // The value is one expression: what stood around it stands there still.
+        let expected = place.start..place.start + value.len();
+        if default_place(&next, name, session.limits()) != Some(expected) {
+            return Err(format!("`{value}` is not a value that a script could write"));
+        }
+        new = next;
+    }
+    let found = schema(&new).map_err(|report| {
+        let first = report.diagnostics.first();
+        first.map_or_else(|| "the value is refused".to_owned(), |found| found.message.clone())
+    })?;
+    for (name, value) in given {
+        let (before, after) = (parameter(&old, name)?, parameter(&found, name)?);
+        if before.kind != after.kind {
+            return Err(format!("`{value}` would make `{name}` a {}", after.kind));
+        }
+    }
+    Ok(new)
+}
+
+fn parameter<'s>(schema: &'s Schema, name: &str) -> Result<&'s SchemaParameter, String> {
+    let found = schema.parameters.iter().find(|parameter| parameter.name == name);
+    found.ok_or_else(|| format!("the script has no parameter `{name}`"))
+}
+
+/// A value as a script writes it: strings in quotes, lengths with a unit.
+fn as_written(value: &str, parameter: &SchemaParameter, unit: &str) -> String {
+    match &parameter.default {
+        Value::Text(_) => Value::text(value).to_string(),
+        Value::Number(number)
+            if number.dim == Dimension::LENGTH && value.trim().parse::<f64>().is_ok() =>
+        {
+            format!("{}{unit}", value.trim())
+        }
+        _ => value.trim().to_owned(),
+    }
+}
+
+/// Where the default of a parameter stands in a text without mistakes.
+fn default_place(text: &str, name: &str, limits: &Limits) -> Option<Range<usize>> {
+    let (tree, found) = syntax::parse(text, limits);
+    if !found.is_empty() {
+        return None;
+    }
+    tree.statements.iter().find_map(|statement| match &statement.kind {
+        StatementKind::Param(param) if param.name.text == name => Some(param.default.span.range()),
+        _ => None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ScriptFiles, Session, rewritten};
+
+    fn written(text: &str, given: &[(&str, &str)]) -> Result<String, String> {
+        let given: Vec<(String, String)> =
+            given.iter().map(|&(name, value)| (name.to_owned(), value.to_owned())).collect();
+        let files = ScriptFiles::new(std::path::Path::new("."));
+        rewritten(text, &given, &Session::default(), &files)
+    }
+
+    #[test]
+    fn only_the_default_changes() {
+        let text = "// größe 10mm\nparam  neck=10mm   in 5mm..20mm // here\nparam s = \"a\"\nprint neck, s\n";
+        let new = written(text, &[("neck", "12.5"), ("s", "say \"no\"")]);
+        let expected = text.replace("neck=10mm", "neck=12.5mm").replace("\"a\"", r#""say \"no\"""#);
+        assert_eq!(new, Ok(expected));
+    }
+
+    #[test]
+    fn what_is_no_value_of_the_parameter_changes_nothing() {
+        let text = "param neck = 10mm in 5mm..20mm\nparam n = 3\n";
+        for (name, value) in [
+            ("neck", "30mm"),
+            ("neck", "30deg"),
+            ("n", "2mm"),
+            ("n", "1\nexport all to \"x.stl\""),
+            ("n", "1 // and more"),
+            ("n", "1 in 0..9"),
+            ("n", ""),
+            ("other", "1"),
+        ] {
+            assert!(written(text, &[(name, value)]).is_err(), "{name} = {value}");
+        }
+    }
+}

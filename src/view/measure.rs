@@ -1,0 +1,108 @@
+//! How large something is: exact integrals of the kernel; of meshes sums over their triangles.
+
+use serde_json::{Value as Json, json};
+
+use super::{
+    answers::{Units, with_unit},
+    routes::{Answer, Doors},
+    scene::{Shape, told},
+};
+use crate::{
+    kernel::{Curve, Mesh, Surface, Tolerance, volume_mass},
+    limits::stack,
+    session::Report,
+};
+
+/// `/api/measure`: the length of curves, the area of surfaces and meshes, the volume that they enclose.
+pub(super) fn measure(body: &Json, doors: &Doors) -> Answer {
+    let keys = body["items"].as_array().filter(|keys| !keys.is_empty());
+    let keys = keys.ok_or("`items` must be a list of keys")?;
+    let (mut shapes, mut report) = (Vec::new(), None);
+    for key in keys {
+        let key = key.as_str().ok_or("`items` must be a list of keys")?;
+        let found =
+            doors.hub.with_item(key, |item, report| (item.piece.shape.clone(), report.cloned()));
+        let (shape, its) = found.ok_or("an item is not known any more")?;
+        shapes.push(shape);
+        report = report.or(its);
+    }
+    let report = report.ok_or("there is no model yet")?;
+    let sizes = Sizes { doors, tolerance: report.document.1 };
+    let kind = body["kind"].as_str().unwrap_or_default();
+    // Functions of the script need the stack of an evaluation.
+    let value = stack::with(doors.session.limits().stack_bytes, |_| match kind {
+        "length" => sizes.length(&shapes),
+        "area" => sizes.area(&shapes),
+        "volume" => sizes.volume(&shapes),
+        _ => Err("`kind` must be \"length\", \"area\" or \"volume\"".to_owned()),
+    })?;
+    Ok(json!({ "value": value, "text": with_unit(value, &unit(kind, &report)) }))
+}
+
+fn unit(kind: &str, report: &Report) -> String {
+    let units = Units::of(report);
+    match kind {
+        "area" => units.area(),
+        "volume" => units.volume(),
+        _ => units.length(),
+    }
+}
+
+struct Sizes<'a> {
+    doors: &'a Doors,
+    tolerance: Tolerance,
+}
+
+impl Sizes<'_> {
+    fn length(&self, shapes: &[Shape]) -> Result<f64, String> {
+        let length = |curve: &Curve| told(&self.doors.session, || curve.length(curve.domain()));
+        let lengths = shapes.iter().map(|shape| match shape {
+            Shape::Curve(curve) => length(curve),
+            Shape::Curves(curves) => curves.iter().map(length).sum(),
+            shape => Err(format!("a {} has no length", shape.kind())),
+        });
+        lengths.sum()
+    }
+
+    fn area(&self, shapes: &[Shape]) -> Result<f64, String> {
+        let session = &self.doors.session;
+        let area = |surface: &Surface| told(session, || surface.area()).map(|(area, _)| area);
+        let areas = shapes.iter().map(|shape| match shape {
+            Shape::Surface(surface) => area(surface),
+            Shape::Surfaces(surfaces) => surfaces.iter().map(area).sum(),
+            Shape::Mesh(mesh) => told(session, || mesh.measured_area()),
+            shape => Err(format!("a {} has no area", shape.kind())),
+        });
+        areas.sum()
+    }
+
+    /// The volume of all surfaces together, or of all meshes.
+    fn volume(&self, shapes: &[Shape]) -> Result<f64, String> {
+        let session = &self.doors.session;
+        if let Some(shape) = shapes
+            .iter()
+            .find(|shape| !matches!(shape, Shape::Mesh(_)) && shape.surfaces().is_empty())
+        {
+            return Err(format!("a {} encloses no volume", shape.kind()));
+        }
+        let surfaces: Vec<Surface> = shapes.iter().flat_map(Shape::surfaces).cloned().collect();
+        let meshes: Vec<&Mesh> = shapes
+            .iter()
+            .filter_map(|shape| if let Shape::Mesh(mesh) = shape { Some(&**mesh) } else { None })
+            .collect();
+        if !surfaces.is_empty() && !meshes.is_empty() {
+            return Err("surfaces and meshes enclose no volume together".to_owned());
+        }
+        if meshes.is_empty() {
+            return told(session, || volume_mass(&surfaces, self.tolerance))
+                .map(|mass| mass.amount);
+        }
+        let volume = |mesh: &&Mesh| {
+            told(session, || {
+                mesh.check_solid(self.tolerance)?;
+                mesh.measured_volume()
+            })
+        };
+        meshes.iter().map(volume).sum()
+    }
+}

@@ -1,0 +1,7 @@
+//! `virote view`: the page's server, asked as the page asks it.
+
+mod attacks;
+mod client;
+mod live;
+mod questions;
+mod scene;

@@ -1,0 +1,178 @@
+//! Questions and wishes of the page: exact answers, defaults written, files exported.
+
+use std::fs;
+
+use serde_json::{Value as Json, json};
+
+use super::client::{View, key};
+use crate::support::{Scratch, files_below, told as said, virote};
+
+const SCRIPT: &str = "// größe\nparam r = 2mm in 1mm..9mm // here\nparam word = \"a\"\n\
+                      surface ball = sphere((0, 0), r)\n\
+                      surface tube = extrude(circle((0, 0), 4), (0, 0, 3))\n\
+                      curve ring = circle((0, 0), 4)\n\
+                      export ball to \"ball.stl\"\n";
+
+#[track_caller]
+fn near(found: &Json, expected: f64) {
+    let found = found.as_f64().expect("a number");
+    assert!((found - expected).abs() < 1e-9, "{found} is not {expected}");
+}
+
+/// The value of a fact.
+#[track_caller]
+fn fact<'j>(answer: &'j Json, name: &str) -> &'j Json {
+    let facts = answer["facts"].as_array().unwrap_or_else(|| panic!("{answer:#}"));
+    &facts.iter().find(|fact| fact["name"] == json!(name)).expect("it is told")["value"]
+}
+
+#[test]
+fn places_are_asked_of_the_kernel() {
+    let view = View::of("ask", SCRIPT);
+    let state = view.current();
+    let ask = |path: &str, more: Json| {
+        let mut body = more;
+        body["item"] = json!(key(&state, path));
+        view.post("/api/ask", &body).json()
+    };
+    let ball = ask("ball", json!({ "u": 0.2, "v": 0.4 }));
+    assert_eq!(
+        [&ball["definition"], &ball["expression"]],
+        [&json!("ball"), &json!("ball(0.2, 0.4)")]
+    );
+    near(fact(&ball, "gauss"), 0.25);
+    near(&json!(fact(&ball, "mean").as_f64().expect("a number").abs()), 0.5);
+    let length =
+        |v: &Json| (0..3).map(|i| v[i].as_f64().expect("a number").powi(2)).sum::<f64>().sqrt();
+    near(&json!(length(&ball["point"])), 2.0);
+    near(&json!(length(&ball["normal"])), 1.0);
+    let tube = ask("tube", json!({ "u": 0.2, "v": 0.4 }));
+    near(fact(&tube, "gauss"), 0.0);
+    let bends = ["k1", "k2"].map(|name| fact(&tube, name).as_f64().expect("a number").abs());
+    near(&json!(bends[0].max(bends[1])), 0.25);
+    let ring = ask("ring", json!({ "t": 0.3 }));
+    near(fact(&ring, "curvature"), 0.25);
+    near(fact(&ring, "radius"), 4.0);
+    near(fact(&ring, "torsion"), 0.0);
+    assert_eq!(ring["expression"], json!("ring(0.3)"));
+    // The expression is one that the script understands, and its answer is the same.
+    view.save(&format!("{SCRIPT}print {}\n", ring["expression"].as_str().expect("a text")));
+    let point = &ring["point"];
+    let written = |i: usize| point[i].as_f64().expect("a number");
+    let expected = format!("({}, {}, {})", written(0), written(1), written(2));
+    let state = view.after(&state);
+    assert_eq!(state["prints"][0]["value"], json!(expected));
+}
+
+#[test]
+fn questions_without_an_answer_say_why() {
+    let view = View::of("ask-wrong", SCRIPT);
+    let state = view.current();
+    for body in [
+        json!({}),
+        json!({ "item": "none", "u": 0, "v": 0 }),
+        json!({ "item": key(&state, "ball") }),
+        json!({ "item": key(&state, "ball"), "u": 7.0, "v": 0.0 }),
+        json!({ "item": key(&state, "ring"), "t": "a" }),
+    ] {
+        let reply = view.post("/api/ask", &body);
+        assert!(reply.status == 400 && reply.json()["error"].is_string(), "{body}");
+    }
+}
+
+#[test]
+fn lengths_areas_and_volumes_are_exact() {
+    let view = View::of("measure", SCRIPT);
+    let state = view.current();
+    let measure = |kind: &str, path: &str| {
+        view.post("/api/measure", &json!({ "kind": kind, "items": [key(&state, path)] }))
+    };
+    let pi = std::f64::consts::PI;
+    let length = measure("length", "ring").json();
+    near(&length["value"], 8.0 * pi);
+    assert_eq!(length["text"], json!("25.1327 mm"));
+    near(&measure("area", "tube").json()["value"], 24.0 * pi);
+    let volume = measure("volume", "ball").json();
+    near(&volume["value"], 32.0 / 3.0 * pi);
+    assert!(volume["text"].as_str().expect("a text").ends_with("mm³"));
+    assert_eq!([measure("volume", "tube").status, measure("length", "ball").status], [400; 2]);
+    assert_eq!(measure("colour", "ball").status, 400);
+}
+
+#[test]
+fn a_default_is_written_and_nothing_else() {
+    let view = View::of("write", SCRIPT);
+    let state = view.current();
+    view.post("/api/set", &json!({ "values": { "r": "5" } }));
+    let state = view.after(&state);
+    let written = view.post("/api/write", &json!({ "values": { "r": "5", "word": "b \"c\"" } }));
+    assert_eq!(written.json()["written"].as_array().map(Vec::len), Some(2));
+    let expected = SCRIPT.replace("r = 2mm", "r = 5mm").replace("\"a\"", r#""b \"c\"""#);
+    assert_eq!(view.script(), expected);
+    let state = view.until("written", |new| {
+        new["version"].as_u64() > state["version"].as_u64()
+            && new["parameters"][0]["isSet"] == json!(false)
+    });
+    assert_eq!(state["parameters"][0]["value"], json!("5mm"));
+    for value in ["99mm", "1 + ", "2mm\nprint 1", ""] {
+        assert_eq!(
+            view.post("/api/write", &json!({ "values": { "r": value } })).status,
+            400,
+            "{value}"
+        );
+    }
+    assert_eq!(view.script(), expected, "what is refused changes nothing");
+    assert_eq!(files_below(&view.scratch.0), ["model.geo"], "no file is left beside it");
+}
+
+#[test]
+fn files_are_exported_as_by_run_or_as_chosen() {
+    let view = View::of("export", SCRIPT);
+    view.current();
+    let files = view.post("/api/export", &json!({ "what": "script" })).json();
+    assert_eq!(files, json!({ "files": ["ball.stl"] }));
+    let here = fs::read(view.scratch.0.join("ball.stl")).expect("it is written");
+    let out = Scratch::new("view-export-run");
+    let run = virote(&view.scratch.0).args(["run", "model.geo", "--out"]).arg(&out.0).output();
+    assert_eq!(said(&run.expect("it runs")).2, 0);
+    assert!(here == fs::read(out.0.join("ball.stl")).expect("it is written"), "the same bytes");
+    let chosen = json!({ "items": ["tube", "ring"], "file": "parts/some.glb" });
+    assert_eq!(view.post("/api/export", &chosen).json(), json!({ "files": ["parts/some.glb"] }));
+    for bad in [
+        json!({ "items": ["tube"], "file": "../out.stl" }),
+        json!({ "items": ["tube"], "file": "model.geo" }),
+        json!({ "items": ["tube"], "file": "x.doc" }),
+        json!({ "items": ["none"], "file": "x.stl" }),
+        json!({ "items": [], "file": "x.stl" }),
+        json!({}),
+    ] {
+        assert_eq!(view.post("/api/export", &bad).status, 400, "{bad}");
+    }
+    assert_eq!(files_below(&view.scratch.0), ["ball.stl", "model.geo", "parts/some.glb"]);
+}
+
+#[test]
+fn a_page_of_its_own_holds_the_model() {
+    let scratch = Scratch::new("view-page");
+    scratch.file("model.geo", format!("{SCRIPT}print \"</script><b>\"\n"));
+    let export = |file: &str| {
+        let output = virote(&scratch.0).args(["view", "model.geo", "--export", file]).output();
+        said(&output.expect("it runs"))
+    };
+    let (out, err, code) = export("page.html");
+    assert!(code == 0 && out.contains("wrote page.html"), "{err}");
+    let page = fs::read_to_string(scratch.0.join("page.html")).expect("it is written");
+    let start = page.find("id=\"virote-data\">").expect("its data") + "id=\"virote-data\">".len();
+    let data = page[start..].split("</script>").next().expect("its end");
+    let data: Json = serde_json::from_str(data).expect("JSON");
+    assert_eq!(data["state"]["prints"][0]["value"], json!("\"</script><b>\""));
+    let items = data["state"]["items"].as_array().expect("items");
+    assert!(
+        items.iter().all(|item| data["items"][item["key"].as_str().expect("a key")].is_string())
+    );
+    assert!(!page.contains("href=\"app.css\"") && !page.contains("src=\"app.js\""));
+    assert_eq!(export("model.geo").2, 3, "not over the script");
+    scratch.file("model.geo", "let a = b\n");
+    assert_eq!(export("other.html").2, 2);
+    assert_eq!(files_below(&scratch.0), ["model.geo", "page.html"]);
+}

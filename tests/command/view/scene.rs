@@ -1,0 +1,146 @@
+//! What the page is sent: the state, and items whose numbers come from closed forms.
+
+use serde_json::json;
+
+use super::client::{View, key, told};
+use crate::support::{Scratch, folder};
+
+fn length(v: [f64; 3]) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+#[test]
+fn the_state_of_an_example_tells_all_that_it_says() {
+    let scratch = Scratch::new("view-example");
+    std::fs::copy(folder("examples/bottle.geo"), scratch.0.join("model.geo")).expect("a copy");
+    let view = View::start(scratch, &["--set", "neck=15mm"]);
+    let state = view.current();
+    assert_eq!([&state["unit"], &state["script"]], [&json!("mm"), &json!("model.geo")]);
+    let of = |name: &str| state[name].as_array().expect("a list").len();
+    assert_eq!(
+        ["parameters", "checks", "prints", "exports", "diagnostics"].map(of),
+        [3, 13, 4, 2, 0]
+    );
+    let neck = &state["parameters"][2];
+    assert_eq!(neck["name"], json!("neck"));
+    assert_eq!([&neck["value"], &neck["default"]], [&json!("15mm"), &json!("13mm")]);
+    assert_eq!(
+        [&neck["least"], &neck["most"], &neck["step"]],
+        [&json!(8.0), &json!(20.0), &json!(0.5)]
+    );
+    assert_eq!([&neck["kind"], &neck["isSet"]], [&json!("length"), &json!(true)]);
+    assert!(state["checks"].as_array().expect("checks").iter().all(|its| its["verdict"] == "pass"));
+    assert_eq!(told(&state, "wall")["kind"], json!("surface"));
+    assert_eq!(told(&state, "wall")["facts"]["degree"], json!("2 x 3"));
+    assert_eq!(told(&state, "profile")["kind"], json!("curve"));
+    let page = view.get("/");
+    assert!(
+        page.status == 200 && page.head.contains("Content-Security-Policy: default-src 'self'")
+    );
+    assert!(view.get("/app.js").head.contains("Content-Encoding: gzip"));
+}
+
+#[test]
+fn points_normals_and_curvatures_of_a_sphere_are_those_of_the_sphere() {
+    let view = View::of("sphere", "surface ball = sphere((1000, 0, 5), 10)\n");
+    let state = view.current();
+    let item = view.item(&state, "ball");
+    let places = item.places(&item.header["positions"]);
+    let normals = item.numbers::<3>(&item.header["normals"]);
+    let bends = item.numbers::<2>(&item.header["curvatures"]);
+    let parameters = item.numbers::<2>(&item.header["parameters"]);
+    assert!(places.len() > 500 && normals.len() == places.len());
+    assert_eq!([bends.len(), parameters.len()], [places.len(); 2]);
+    let mut n_bent = 0;
+    for ((place, normal), bend) in places.iter().zip(&normals).zip(&bends) {
+        let arm = [place[0] - 1000.0, place[1], place[2] - 5.0];
+        assert!((length(arm) - 10.0).abs() < 2e-6, "vertices are points of the surface: {arm:?}");
+        let off = [0, 1, 2].map(|i| normal[i] - arm[i] / 10.0);
+        assert!(length(off) < 1e-6, "normals are those of the surface: {off:?}");
+        if bend.iter().all(|k| k.is_finite()) {
+            n_bent += 1;
+            assert!(bend.iter().all(|k| (k.abs() - 0.1).abs() < 1e-7), "{bend:?}");
+        }
+    }
+    assert!(places.len() - n_bent < 200, "only poles have none");
+    for corners in item.triangles() {
+        let [a, b, c] = corners.map(|i| places[i as usize]);
+        let middle = [0, 1, 2].map(|i| (a[i] + b[i] + c[i]) / 3.0);
+        let middle = [middle[0] - 1000.0, middle[1], middle[2] - 5.0];
+        assert!((length(middle) - 10.0).abs() < 0.04, "within the tolerance");
+        let [a, b, c] = corners.map(|i| normals[i as usize]);
+        for (p, q) in [(a, b), (b, c), (c, a)] {
+            let cosine: f64 = (0..3).map(|i| p[i] * q[i]).sum();
+            assert!(cosine.min(1.0).acos() < 0.09, "normals turn 5 degrees at most");
+        }
+    }
+}
+
+#[test]
+fn a_curve_comes_with_its_parameters_and_its_comb() {
+    let view =
+        View::of("curve", "curve ring = circle((0, 0), 4)\ncurve leg = line((0, 0), (3, 4))\n");
+    let state = view.current();
+    let ring = view.item(&state, "ring");
+    let places = ring.places(&ring.header["edges"][0]);
+    let comb = ring.numbers::<3>(&ring.header["comb"]);
+    let parameters = ring.numbers::<1>(&ring.header["parameters"]);
+    assert!(90 < places.len() && comb.len() == places.len() && parameters.len() == places.len());
+    for (place, bend) in places.iter().zip(&comb) {
+        assert!((length(*place) - 4.0).abs() < 1e-6);
+        let off = [0, 1, 2].map(|i| bend[i] + place[i] / 16.0);
+        assert!(length(off) < 1e-6, "towards the centre, 1/4 long: {bend:?}");
+    }
+    assert_eq!(ring.header["control"]["size"].as_array().expect("a size").len(), 1);
+    let leg = view.item(&state, "leg");
+    assert_eq!(leg.header["edges"][0]["count"], json!(2), "a line needs no more");
+}
+
+#[test]
+fn lists_unfold_and_a_closed_surface_has_no_edge_at_its_seam() {
+    let script = "surfaces pair = [sphere((0, 0), 1), plane_patch((0, 0), (1, 0), (0, 1))]\n\
+                  points dots = [(1, 2), (3, 4)]\n\
+                  curve aside = line((0, 0), (1, 0)) with (hidden = true, color = \"#102030\", layer = \"x\")\n";
+    let view = View::of("lists", script);
+    let state = view.current();
+    let edges = |path: &str| view.item(&state, path).header["edges"].as_array().map(Vec::len);
+    assert_eq!([edges("pair[0]"), edges("pair[1]")], [Some(0), Some(4)]);
+    let dots = view.item(&state, "dots");
+    assert_eq!(dots.places(&dots.header["positions"]), [[1.0, 2.0, 0.0], [3.0, 4.0, 0.0]]);
+    let aside = told(&state, "aside");
+    assert_eq!(aside["color"], json!([16, 32, 48]));
+    assert_eq!([&aside["isHidden"], &aside["layer"]], [&json!(true), &json!("x")]);
+}
+
+#[test]
+fn an_edit_changes_only_the_keys_of_what_it_touches() {
+    let script = "surface a = sphere((0, 0), 10)\nsurface b = sphere((30, 0), 5)\nlet n = 1\n";
+    let view = View::of("edit", script);
+    let first = view.current();
+    view.save(&format!(
+        "// A remark moves everything.\n{}",
+        script.replace("(30, 0), 5", "(30, 0), 6")
+    ));
+    let second = view.after(&first);
+    assert_eq!(key(&second, "a"), key(&first, "a"));
+    assert_ne!(key(&second, "b"), key(&first, "b"));
+    assert_eq!(second["definitions"]["evaluated"], json!(1));
+    // The page may still be fetching the state before; two later it is forgotten.
+    let old = format!("/api/item/{}", key(&first, "b"));
+    assert_eq!(view.get(&old).status, 200);
+    view.save(&script.replace("(30, 0), 5", "(30, 0), 7"));
+    view.after(&second);
+    assert_eq!(view.get(&old).status, 404);
+}
+
+#[test]
+fn what_cannot_be_drawn_is_told_and_the_rest_is_drawn() {
+    let script =
+        "let p = (1, 1)\nsurface spot = bilinear(p, p, p, p)\nsurface ball = sphere((0, 0), 1)\n";
+    let view = View::of("spot", script);
+    let state = view.until("run", |state| 0 < state["version"].as_u64().unwrap_or(0));
+    assert!(state["items"].as_array().expect("items").iter().any(|item| item["path"] == "ball"));
+    let empty = View::of("empty", "");
+    let state = empty.current();
+    assert_eq!([&state["items"], &state["bounds"]], [&json!([]), &json!(null)]);
+}
