@@ -90,10 +90,7 @@ fn once(run: &RunOptions<'_>, path: &Path, watched: &mut WatchedFiles) {
     if INTERRUPTED.is_stopped() {
         return;
     }
-    let mut inputs = files.inputs();
-    inputs.sort();
-    inputs.dedup();
-    watched.follow(&inputs);
+    watched.follow(&files.inputs_as_read());
     run.voice().evaluated(&names(&report), report.n_with(Work::Reused), begin.elapsed());
 }
 

@@ -6,6 +6,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
+use super::watched::{InputFile, stamp};
 use crate::{export::io_reason, value::Files};
 
 /// The name of standard input on the command line.
@@ -88,7 +89,7 @@ pub(crate) fn read_whole(path: &Path, most: usize) -> Result<Vec<u8>, String> {
 #[derive(Debug)]
 pub(crate) struct ScriptFiles {
     folder: PathBuf,
-    read: std::sync::Mutex<Vec<PathBuf>>,
+    read: std::sync::Mutex<Vec<InputFile>>,
 }
 
 impl ScriptFiles {
@@ -99,7 +100,15 @@ impl ScriptFiles {
 
     /// The files that were read.
     pub(crate) fn inputs(&self) -> Vec<PathBuf> {
-        self.read.lock().map(|read| read.clone()).unwrap_or_default()
+        self.inputs_as_read().into_iter().map(|(path, _)| path).collect()
+    }
+
+    /// The files that were read, each once and in order, as they were before that.
+    pub(crate) fn inputs_as_read(&self) -> Vec<InputFile> {
+        let mut read = self.read.lock().map(|read| read.clone()).unwrap_or_default();
+        read.sort();
+        read.dedup_by(|a, b| a.0 == b.0);
+        read
     }
 }
 
@@ -109,6 +118,8 @@ impl Files for ScriptFiles {
         if full.is_dir() {
             return Err(format!("`{path}` is a folder"));
         }
+        // What is written while it is read is another one already.
+        let stamp = stamp(&full);
         // A pipe or a device may never come to an end.
         if full.metadata().is_ok_and(|data| !data.is_file()) {
             return Err(format!("`{path}` is a pipe or a device, not a file with an end"));
@@ -117,7 +128,7 @@ impl Files for ScriptFiles {
             .and_then(|mut file| read_some(&mut file, most))
             .map_err(|err| format!("cannot read `{path}`: {}", io_reason(&err)))?;
         if let Ok(mut read) = self.read.lock() {
-            read.push(full);
+            read.push((full, stamp));
         }
         Ok(bytes)
     }

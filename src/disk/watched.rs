@@ -13,7 +13,10 @@ const MOST_GONE: usize = 2;
 /// length; nothing where there is none.
 type FileStamp = Option<(SystemTime, u64)>;
 
-fn mark(path: &Path) -> FileStamp {
+/// A file that a script reads, as it was at some time.
+pub(crate) type InputFile = (PathBuf, FileStamp);
+
+pub(super) fn stamp(path: &Path) -> FileStamp {
     let data = fs::metadata(path).ok().filter(fs::Metadata::is_file)?;
     Some((data.modified().ok()?, data.len()))
 }
@@ -21,7 +24,7 @@ fn mark(path: &Path) -> FileStamp {
 /// The script and the files that it reads.
 pub(crate) struct WatchedFiles {
     /// As they were when the script was carried out last.
-    seen: Vec<(PathBuf, FileStamp)>,
+    seen: Vec<InputFile>,
     /// As they were at the last look: who still writes is waited for.
     last: Vec<FileStamp>,
     n_gone: usize,
@@ -43,21 +46,22 @@ impl WatchedFiles {
         Self { seen, last: vec![None], n_gone: 0, is_first: true }
     }
 
-    /// Looks at the script and these files from now on.
-    pub(crate) fn follow(&mut self, inputs: &[PathBuf]) {
-        // Of a file that was followed the mark is older than the run, which may have been slow.
+    /// Looks at the script and these files from now on, which are others if they are not as they were
+    /// when they were read.
+    pub(crate) fn follow(&mut self, inputs: &[InputFile]) {
+        // Of a file that was followed the stamp is older than the run, which may have been slow.
         let known = std::mem::take(&mut self.seen);
-        let followed = inputs.iter().map(|path| {
-            let known = known.iter().find(|(known, _)| known == path);
-            known.cloned().unwrap_or_else(|| (path.clone(), mark(path)))
+        let followed = inputs.iter().map(|input| {
+            let known = known.iter().find(|(known, _)| *known == input.0);
+            known.unwrap_or(input).clone()
         });
         self.seen = known.first().cloned().into_iter().chain(followed).collect();
-        self.last = self.seen.iter().map(|(_, mark)| *mark).collect();
+        self.last = self.seen.iter().map(|(_, stamp)| *stamp).collect();
     }
 
     /// What happened since the script was carried out last.
     pub(crate) fn change(&mut self) -> FileChange {
-        let now: Vec<FileStamp> = self.seen.iter().map(|(path, _)| mark(path)).collect();
+        let now: Vec<FileStamp> = self.seen.iter().map(|(path, _)| stamp(path)).collect();
         let is_still = now == self.last || self.is_first;
         self.last.clone_from(&now);
         if now[0].is_none() {

@@ -13,7 +13,7 @@ use super::{
 };
 use crate::{
     diag::Severity,
-    disk::{Script, ScriptFiles},
+    disk::{InputFile, Script, ScriptFiles},
     eval::Schema,
     session::{Report, Session},
 };
@@ -32,7 +32,7 @@ pub(super) struct Worker {
     /// The last good run.
     pub(super) good: Option<(Arc<Report>, Arc<Scene>)>,
     /// Files that the watch is to look at.
-    pub(super) followed: Arc<Mutex<Vec<PathBuf>>>,
+    pub(super) followed: Arc<Mutex<Vec<InputFile>>>,
 }
 
 impl Worker {
@@ -135,10 +135,9 @@ impl Worker {
 
     /// The files that a run read, which are watched from now on.
     fn inputs(&self, files: &ScriptFiles) -> Vec<PathBuf> {
-        let mut inputs = files.inputs();
-        inputs.sort();
-        inputs.dedup();
-        self.followed.lock().unwrap_or_else(PoisonError::into_inner).clone_from(&inputs);
+        let read = files.inputs_as_read();
+        let inputs = read.iter().map(|(path, _)| path.clone()).collect();
+        *self.followed.lock().unwrap_or_else(PoisonError::into_inner) = read;
         inputs
     }
 }
