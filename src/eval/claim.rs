@@ -3,7 +3,10 @@
 use super::{
     ir::{BinaryOp, Expr, ExprKind, UnaryOp},
     machine::Machine,
-    operator,
+    operator::{
+        self,
+        table::{BinaryMeaning, binary_meaning},
+    },
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, fault},
@@ -227,17 +230,7 @@ fn told(witness: &Witness, holds: bool, claim: &Expr) -> String {
 }
 
 fn is_comparison(op: BinaryOp) -> bool {
-    use BinaryOp as Op;
-    matches!(
-        op,
-        Op::Equal
-            | Op::NotEqual
-            | Op::Less
-            | Op::LessEqual
-            | Op::Greater
-            | Op::GreaterEqual
-            | Op::Near
-    )
+    matches!(binary_meaning(op), BinaryMeaning::Comparison(_) | BinaryMeaning::Near)
 }
 
 /// Both sides where they differ most, by how much, and how much is allowed.

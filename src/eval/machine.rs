@@ -6,6 +6,7 @@
 
 use std::{
     collections::BTreeSet,
+    fmt,
     sync::{Arc, Mutex},
 };
 
@@ -16,7 +17,10 @@ use super::{
     ir::{BinaryOp, Block, CaptureSource, Expr, ExprKind, Group},
     library::Library,
     memory::{Fields, FileRead},
-    operator,
+    operator::{
+        self,
+        table::{BinaryMeaning, binary_meaning},
+    },
     parametric::{GeometryFunction, Meter},
 };
 use crate::{
@@ -245,7 +249,7 @@ impl<'a> Machine<'a> {
     }
 
     /// A value that must be true or false.
-    pub(super) fn truth(&mut self, expr: &Expr, subject: &str) -> Result<bool> {
+    pub(super) fn truth(&mut self, expr: &Expr, subject: impl fmt::Display) -> Result<bool> {
         match self.eval(expr)? {
             Value::Bool(truth) => Ok(truth),
             other => {
@@ -257,13 +261,14 @@ impl<'a> Machine<'a> {
 
     fn binary(&mut self, op: BinaryOp, sides: &[Expr; 2], span: Span) -> Result<Value> {
         let [left, right] = sides;
-        match op {
-            BinaryOp::And => Ok(Value::Bool(
-                self.truth(left, "a side of `and`")? && self.truth(right, "a side of `and`")?,
-            )),
-            BinaryOp::Or => Ok(Value::Bool(
-                self.truth(left, "a side of `or`")? || self.truth(right, "a side of `or`")?,
-            )),
+        match binary_meaning(op) {
+            BinaryMeaning::Logic { decided_by } => {
+                let truth = self.truth(left, format_args!("a side of `{}`", op.symbol()))?;
+                if truth == decided_by {
+                    return Ok(Value::Bool(truth));
+                }
+                self.truth(right, format_args!("a side of `{}`", op.symbol())).map(Value::Bool)
+            }
             _ => {
                 let (a, b) = (self.eval(left)?, self.eval(right)?);
                 if let (Value::Number(x), Value::Number(y)) = (&a, &b)

@@ -3,6 +3,7 @@
 //! Spans count from the start of the text. Where the parser had to recover, an `Error` node
 //! stands, and a diagnostic tells why; such a tree is never evaluated.
 
+pub use super::operator::{BinaryOp, UnaryOp};
 use crate::diag::Span;
 
 /// A whole script.
@@ -344,80 +345,6 @@ pub struct Block<'s> {
     pub statements: Vec<Statement<'s>>,
     /// The value.
     pub value: Expr<'s>,
-}
-
-/// A unary operator.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum UnaryOp {
-    /// `-`
-    Negate,
-    /// `not`
-    Not,
-}
-
-/// A binary operator.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BinaryOp {
-    /// `or`
-    Or,
-    /// `and`
-    And,
-    /// `==`
-    Equal,
-    /// `!=`
-    NotEqual,
-    /// `<`
-    Less,
-    /// `<=`
-    LessEqual,
-    /// `>`
-    Greater,
-    /// `>=`
-    GreaterEqual,
-    /// `~=`
-    Near,
-    /// `..`: both ends included
-    Range,
-    /// `..<`: without the end
-    RangeBelow,
-    /// `+`
-    Add,
-    /// `-`
-    Subtract,
-    /// `*`
-    Multiply,
-    /// `/`
-    Divide,
-    /// `%`
-    Remainder,
-    /// `^`
-    Power,
-}
-
-impl BinaryOp {
-    /// How scripts write it.
-    #[must_use]
-    pub fn symbol(self) -> &'static str {
-        match self {
-            Self::Or => "or",
-            Self::And => "and",
-            Self::Equal => "==",
-            Self::NotEqual => "!=",
-            Self::Less => "<",
-            Self::LessEqual => "<=",
-            Self::Greater => ">",
-            Self::GreaterEqual => ">=",
-            Self::Near => "~=",
-            Self::Range => "..",
-            Self::RangeBelow => "..<",
-            Self::Add => "+",
-            Self::Subtract => "-",
-            Self::Multiply => "*",
-            Self::Divide => "/",
-            Self::Remainder => "%",
-            Self::Power => "^",
-        }
-    }
 }
 
 /// A unit of length or angle.

@@ -3,6 +3,7 @@
 pub mod ast;
 mod lexed;
 mod lexer;
+mod operator;
 mod outline;
 mod parser;
 mod print;

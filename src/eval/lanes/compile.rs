@@ -1,11 +1,12 @@
 //! Compiles expressions of numbers to lanes; `None` wherever the machine is needed.
 
-use super::{LaneBody, LaneComparison, LaneNode, LaneOperation, TruthNode};
+use super::{LaneBody, LaneNode, TruthNode};
 use crate::{
     eval::{
         function::ScriptFunction,
-        ir::{BinaryOp, Block, CallExpr, Expr, ExprKind, UnaryOp},
+        ir::{BinaryOp, Block, CallExpr, Expr, ExprKind},
         machine::Machine,
+        operator::table::{BinaryMeaning, UnaryMeaning, binary_meaning, unary_meaning},
     },
     value::{Dimension, Function, Number, Value},
 };
@@ -106,13 +107,18 @@ impl<'m> Compiler<'m> {
                 Some(function) => function.home.upgrade()?.value(*idx)?.clone(),
                 None => self.machine.home.value(*idx)?.clone(),
             }),
-            ExprKind::Unary(UnaryOp::Negate, operand) => {
-                let (node, dim) = self.expr(operand, frame)?.number()?;
-                Some(Compiled::Number(LaneNode::Negate(Box::new(node)), dim))
-            }
-            ExprKind::Unary(UnaryOp::Not, operand) => {
-                let truth = self.expr(operand, frame)?.truth()?;
-                Some(Compiled::TruthNode(TruthNode::Not(Box::new(truth))))
+            ExprKind::Unary(op, operand) => {
+                let operand = self.expr(operand, frame)?;
+                Some(match unary_meaning(*op) {
+                    UnaryMeaning::Arithmetic(row) => {
+                        let (node, dim) = operand.number()?;
+                        Compiled::Number(LaneNode::Unary(row, Box::new(node)), dim)
+                    }
+                    UnaryMeaning::Logic(truth_of) => {
+                        let truth = Box::new(operand.truth()?);
+                        Compiled::TruthNode(TruthNode::Not(truth_of, truth))
+                    }
+                })
             }
             ExprKind::Binary(op, sides) => self.binary(*op, sides, frame),
             ExprKind::If(parts) => {
@@ -145,43 +151,28 @@ impl<'m> Compiler<'m> {
         sides: &[Expr; 2],
         frame: &mut LaneFrame<'_>,
     ) -> Option<Compiled> {
-        use BinaryOp as Op;
         let (left, right) = (self.expr(&sides[0], frame)?, self.expr(&sides[1], frame)?);
-        if matches!(op, Op::And | Op::Or) {
+        let meaning = binary_meaning(op);
+        if let BinaryMeaning::Logic { decided_by } = meaning {
             let sides = Box::new([left.truth()?, right.truth()?]);
-            let truth = if op == Op::And { TruthNode::And(sides) } else { TruthNode::Or(sides) };
-            return Some(Compiled::TruthNode(truth));
+            return Some(Compiled::TruthNode(TruthNode::Logic { decided_by, sides }));
         }
         let ((left, a), (right, b)) = (left.number()?, right.number()?);
-        let comparison = match op {
-            Op::Less => Some(LaneComparison::Less),
-            Op::LessEqual => Some(LaneComparison::LessEqual),
-            Op::Greater => Some(LaneComparison::Greater),
-            Op::GreaterEqual => Some(LaneComparison::GreaterEqual),
-            Op::Equal => Some(LaneComparison::Equal),
-            Op::NotEqual => Some(LaneComparison::NotEqual),
-            _ => None,
-        };
-        if let Some(comparison) = comparison {
-            a.common(b)?;
-            let sides = Box::new([left, right]);
-            return Some(Compiled::TruthNode(TruthNode::Compare(comparison, sides)));
+        match meaning {
+            BinaryMeaning::Comparison(row) => {
+                a.common(b)?;
+                Some(Compiled::TruthNode(TruthNode::Compare(row, Box::new([left, right]))))
+            }
+            BinaryMeaning::Arithmetic(row) => {
+                let known = match right {
+                    LaneNode::Constant(value) => Some(value),
+                    _ => None,
+                };
+                let dim = (row.dimension)(a, b, known).ok()?;
+                Some(Compiled::Number(LaneNode::Arithmetic(row, Box::new([left, right])), dim))
+            }
+            BinaryMeaning::Near | BinaryMeaning::Range { .. } | BinaryMeaning::Logic { .. } => None,
         }
-        let (operation, dim) = match op {
-            Op::Add => (LaneOperation::Add, a.common(b)?),
-            Op::Subtract => (LaneOperation::Subtract, a.common(b)?),
-            Op::Multiply => (LaneOperation::Multiply, a.times(b)?),
-            Op::Divide => (LaneOperation::Divide, a.over(b)?),
-            Op::Remainder => (LaneOperation::Remainder, a.common(b)?),
-            Op::Power => match right {
-                _ if !b.is_none() => return None,
-                LaneNode::Constant(exponent) => (LaneOperation::Power, a.power(exponent)?),
-                _ if a.is_none() => (LaneOperation::Power, a),
-                _ => return None,
-            },
-            _ => return None,
-        };
-        Some(Compiled::Number(LaneNode::Arithmetic(operation, Box::new([left, right])), dim))
     }
 
     fn block(&mut self, block: &Block, frame: &mut LaneFrame<'_>) -> Option<Compiled> {

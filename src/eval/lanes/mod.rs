@@ -19,6 +19,7 @@ use super::{
     collection::Items,
     ir::{Comprehension, Generator},
     machine::Machine,
+    operator::table::{Arithmetic, Comparison, UnaryArithmetic},
 };
 use crate::value::{Dimension, List, Number, Value};
 use compile::Compiler;
@@ -36,8 +37,8 @@ enum LaneNode {
     Constant(f64),
     /// A lane.
     Variable(usize),
-    Negate(Box<Self>),
-    Arithmetic(LaneOperation, Box<[Self; 2]>),
+    Unary(&'static UnaryArithmetic, Box<Self>),
+    Arithmetic(&'static Arithmetic, Box<[Self; 2]>),
     Choose(Box<TruthNode>, Box<[Self; 2]>),
     /// Lanes that are computed first, then the result; so many calls are counted as steps.
     Let(Vec<(usize, Self)>, Box<Self>, u64),
@@ -47,33 +48,14 @@ enum LaneNode {
 #[derive(Debug)]
 enum TruthNode {
     Constant(bool),
-    Compare(LaneComparison, Box<[LaneNode; 2]>),
-    Not(Box<Self>),
-    /// The second where the first is true.
-    And(Box<[Self; 2]>),
-    /// The second where the first is false.
-    Or(Box<[Self; 2]>),
+    Compare(&'static Comparison, Box<[LaneNode; 2]>),
+    Not(fn(bool) -> bool, Box<Self>),
+    /// The second where the first is not the truth that decides.
+    Logic {
+        decided_by: bool,
+        sides: Box<[Self; 2]>,
+    },
     Let(Vec<(usize, LaneNode)>, Box<Self>, u64),
-}
-
-#[derive(Clone, Copy, Debug)]
-enum LaneOperation {
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
-    Remainder,
-    Power,
-}
-
-#[derive(Clone, Copy, Debug)]
-enum LaneComparison {
-    Less,
-    LessEqual,
-    Greater,
-    GreaterEqual,
-    Equal,
-    NotEqual,
 }
 
 /// What a comprehension makes of each element.

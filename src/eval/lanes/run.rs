@@ -1,7 +1,6 @@
 //! Runs compiled comprehensions over a block of lanes.
 
-use super::{LaneComparison, LaneNode, LaneOperation, TruthNode};
-use crate::eval::operator::remainder;
+use super::{LaneNode, TruthNode};
 
 /// The lanes of a block.
 #[derive(Debug)]
@@ -44,22 +43,22 @@ impl Runner {
         match node {
             LaneNode::Constant(value) => out.fill(*value),
             LaneNode::Variable(variable) => out.copy_from_slice(&self.lanes[*variable]),
-            LaneNode::Negate(inner) => {
+            LaneNode::Unary(row, inner) => {
                 self.number(inner, out)?;
-                out.iter_mut().for_each(|value| *value = -*value);
+                (row.on_lane)(out);
             }
-            LaneNode::Arithmetic(operation, sides) => {
+            LaneNode::Arithmetic(row, sides) => {
                 let [left, right] = &**sides;
                 self.number(left, out)?;
                 match right {
-                    LaneNode::Constant(value) => with_constant(*operation, out, *value),
+                    LaneNode::Constant(value) => (row.on_constant)(out, *value),
                     LaneNode::Variable(variable) => {
-                        with_lane(*operation, out, &self.lanes[*variable]);
+                        (row.on_lane)(out, &self.lanes[*variable]);
                     }
                     _ => {
                         let mut other = vec![0.0; self.len];
                         self.number(right, &mut other)?;
-                        with_lane(*operation, out, &other);
+                        (row.on_lane)(out, &other);
                     }
                 }
                 return are_finite(out).then_some(());
@@ -111,16 +110,17 @@ impl Runner {
     pub(super) fn truth(&mut self, truth: &TruthNode) -> Option<Vec<bool>> {
         Some(match truth {
             TruthNode::Constant(value) => vec![*value; self.len],
-            TruthNode::Compare(comparison, sides) => {
+            TruthNode::Compare(row, sides) => {
                 let mut lanes = [vec![0.0; self.len], vec![0.0; self.len]];
                 for (side, lane) in sides.iter().zip(&mut lanes) {
                     self.number(side, lane)?;
                 }
-                compare(*comparison, &lanes[0], &lanes[1])
+                (row.lanes)(&lanes[0], &lanes[1])
             }
-            TruthNode::Not(inner) => self.truth(inner)?.into_iter().map(|is| !is).collect(),
-            TruthNode::And(sides) => self.both(sides, true)?,
-            TruthNode::Or(sides) => self.both(sides, false)?,
+            TruthNode::Not(truth_of, inner) => {
+                self.truth(inner)?.into_iter().map(truth_of).collect()
+            }
+            TruthNode::Logic { decided_by, sides } => self.both(sides, *decided_by)?,
             TruthNode::Let(definitions, value, n_calls) => {
                 self.define(definitions, *n_calls)?;
                 self.truth(value)?
@@ -128,13 +128,13 @@ impl Runner {
         })
     }
 
-    /// The first truth, and where it is `undecided` the second.
-    fn both(&mut self, sides: &[TruthNode; 2], undecided: bool) -> Option<Vec<bool>> {
+    /// The first truth, and where it is not the one that decides the second.
+    fn both(&mut self, sides: &[TruthNode; 2], decided_by: bool) -> Option<Vec<bool>> {
         let mut mask = self.truth(&sides[0])?;
-        let mut part = self.narrowed(&mask, undecided);
+        let mut part = self.narrowed(&mask, !decided_by);
         let mut rest = part.truth(&sides[1])?.into_iter();
         self.steps += part.steps;
-        for is in mask.iter_mut().filter(|is| **is == undecided) {
+        for is in mask.iter_mut().filter(|is| **is != decided_by) {
             *is = rest.next()?;
         }
         Some(mask)
@@ -146,41 +146,4 @@ fn are_finite(lane: &[f64]) -> bool {
     /// All bits of the exponent, which only those have.
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
     !lane.iter().fold(false, |bad, value| bad | (value.to_bits() & EXPONENT == EXPONENT))
-}
-
-fn with_constant(operation: LaneOperation, out: &mut [f64], b: f64) {
-    let out = out.iter_mut();
-    match operation {
-        LaneOperation::Add => out.for_each(|a| *a += b),
-        LaneOperation::Subtract => out.for_each(|a| *a -= b),
-        LaneOperation::Multiply => out.for_each(|a| *a *= b),
-        LaneOperation::Divide => out.for_each(|a| *a /= b),
-        LaneOperation::Remainder => out.for_each(|a| *a = remainder(*a, b)),
-        LaneOperation::Power => out.for_each(|a| *a = libm::pow(*a, b)),
-    }
-}
-
-fn with_lane(operation: LaneOperation, out: &mut [f64], b: &[f64]) {
-    let both = out.iter_mut().zip(b);
-    match operation {
-        LaneOperation::Add => both.for_each(|(a, b)| *a += b),
-        LaneOperation::Subtract => both.for_each(|(a, b)| *a -= b),
-        LaneOperation::Multiply => both.for_each(|(a, b)| *a *= b),
-        LaneOperation::Divide => both.for_each(|(a, b)| *a /= b),
-        LaneOperation::Remainder => both.for_each(|(a, b)| *a = remainder(*a, *b)),
-        LaneOperation::Power => both.for_each(|(a, b)| *a = libm::pow(*a, *b)),
-    }
-}
-
-#[expect(clippy::float_cmp, reason = "exact equality is what `==` means")]
-fn compare(comparison: LaneComparison, a: &[f64], b: &[f64]) -> Vec<bool> {
-    let both = a.iter().zip(b);
-    match comparison {
-        LaneComparison::Less => both.map(|(a, b)| a < b).collect(),
-        LaneComparison::LessEqual => both.map(|(a, b)| a <= b).collect(),
-        LaneComparison::Greater => both.map(|(a, b)| a > b).collect(),
-        LaneComparison::GreaterEqual => both.map(|(a, b)| a >= b).collect(),
-        LaneComparison::Equal => both.map(|(a, b)| a == b).collect(),
-        LaneComparison::NotEqual => both.map(|(a, b)| a != b).collect(),
-    }
 }

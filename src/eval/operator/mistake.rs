@@ -1,0 +1,105 @@
+//! What the operators say when two sides do not go together: both are named.
+
+use super::{OperandPlaces, table::Refusal};
+use crate::{
+    diag::{Code, Diagnostic, Result, Span},
+    eval::ir::BinaryOp,
+    value::{Number, Value},
+};
+
+/// Why two numbers have no result, in words; `verb` is what was tried, as in "cannot be added".
+pub(super) fn refused(
+    refusal: Refusal,
+    verb: &str,
+    [a, b]: [Number; 2],
+    places: OperandPlaces,
+) -> Box<Diagnostic> {
+    let error = |code: Code, message: String| Diagnostic::error(code, places.whole, message);
+    Box::new(match refusal {
+        Refusal::Mismatch => return mismatch(verb, &Value::Number(a), &Value::Number(b), places),
+        Refusal::PowerOfUnitTooHigh => {
+            error(Code::UnitMismatch, "the power of the unit is too high".to_owned())
+        }
+        Refusal::ExponentWithUnit => {
+            let message = format!("an exponent has no unit, found {}", b.dim);
+            Diagnostic::error(Code::UnitMismatch, places.right, message)
+        }
+        Refusal::NoSuchPowerOfUnit => {
+            error(Code::UnitMismatch, format!("{} cannot be raised to the power {b}", a.dim))
+                .hint("divide by `1mm` or `1rad` first to take the unit away")
+        }
+        Refusal::ZeroDivisor => error(Code::DivisionByZero, "division by zero".to_owned())
+            .also(places.right, "this is 0"),
+        Refusal::NegativePowerOfZero => {
+            error(Code::DivisionByZero, "zero has no negative power".to_owned())
+                .also(places.left, "this is 0")
+        }
+        Refusal::FractionalPowerOfNegative => {
+            error(Code::Domain, format!("a negative number ({a}) has no power of {b}"))
+        }
+    })
+}
+
+pub(super) fn overflow<T>(span: Span) -> Result<T> {
+    Diagnostic::error(Code::Domain, span, "the result is beyond the largest number, 1.8e308")
+        .label("too large")
+        .fail()
+}
+
+/// Two values whose units do not go together.
+pub(super) fn mismatch(verb: &str, a: &Value, b: &Value, places: OperandPlaces) -> Box<Diagnostic> {
+    let message = format!("{} and {} cannot be {verb}", noun(a), noun(b));
+    Box::new(
+        Diagnostic::error(Code::UnitMismatch, places.whole, message)
+            .also(places.left, format!("this is {}", noun(a)))
+            .also(places.right, format!("this is {}", noun(b)))
+            .hint(
+                "divide by a unit, such as `1mm` or `1deg`, to make a plain number of a quantity",
+            ),
+    )
+}
+
+/// A value by its dimension, else by its kind.
+fn noun(value: &Value) -> String {
+    match value {
+        Value::Number(number) => number.dim.to_string(),
+        other => other.phrase(),
+    }
+}
+
+/// Two values of kinds that an operator does not take.
+pub(super) fn inapplicable<T>(
+    op: BinaryOp,
+    a: &Value,
+    b: &Value,
+    places: OperandPlaces,
+) -> Result<T> {
+    use BinaryOp as Op;
+    let message = format!("`{}` cannot work on {} and {}", op.symbol(), a.phrase(), b.phrase());
+    let diagnostic = Diagnostic::error(Code::WrongKind, places.whole, message)
+        .also(places.left, format!("this is {}", a.phrase()))
+        .also(places.right, format!("this is {}", b.phrase()));
+    match (a, op, b) {
+        (Value::List(_), Op::Add, Value::List(_)) => {
+            diagnostic.hint("join lists by `[...a, ...b]`")
+        }
+        (Value::Text(_), Op::Add, _) | (_, Op::Add, Value::Text(_)) => {
+            diagnostic.hint("join texts by interpolation: \"{a}{b}\"")
+        }
+        (Value::List(_), _, Value::Number(_)) | (Value::Number(_), _, Value::List(_)) => {
+            diagnostic.hint("for each element: `[for x in xs: ...]`")
+        }
+        (Value::Point(_), Op::Add | Op::Subtract, Value::Number(_))
+        | (Value::Number(_), Op::Add | Op::Subtract, Value::Point(_)) => {
+            diagnostic.hint("points are added to points: `p + (1, 0, 0)`; numbers multiply them")
+        }
+        (Value::Point(_), Op::Multiply, Value::Point(_)) => {
+            diagnostic.hint("`dot(a, b)` and `cross(a, b)` multiply vectors")
+        }
+        (Value::Curve(_) | Value::Surface(_) | Value::Mesh(_), _, Value::Point(_)) => {
+            diagnostic.hint("move geometry by `translate(g, v)`")
+        }
+        _ => diagnostic,
+    }
+    .fail()
+}

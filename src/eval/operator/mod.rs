@@ -1,0 +1,267 @@
+//! What the operators do to values: a table that the machine, lanes and jets share, and errors that
+//! name both sides.
+//!
+//! The value of a result, its unit and every mistake are those of plain numbers; where a side
+//! carries derivatives, those of the result come on top.
+
+mod arithmetic;
+mod mistake;
+pub(super) mod table;
+
+#[cfg(test)]
+mod agreement;
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::ir::{BinaryOp, UnaryOp};
+use crate::{
+    diag::{Code, Diagnostic, Result, Span},
+    kernel::{GeomError, LocalError, Tolerance},
+    value::{
+        At, Discrepancy, FromValue, IntoValue, JetRange, Number, Range, Real, Value, Vector,
+        deviation, equal,
+    },
+};
+use mistake::{inapplicable, mismatch, overflow, refused};
+use table::{
+    Arithmetic, BinaryMeaning, Comparison, Sides, UnaryMeaning, binary_meaning, unary_meaning,
+};
+
+/// Where an operation and its two sides stand.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OperandPlaces {
+    pub(super) whole: Span,
+    pub(super) left: Span,
+    pub(super) right: Span,
+}
+
+/// Arithmetic and comparison of bare numbers, the common case; `None` where more care is needed.
+pub(super) fn plain(op: BinaryOp, a: Number, b: Number) -> Option<Value> {
+    if !a.dim.is_none() || !b.dim.is_none() {
+        return None;
+    }
+    match binary_meaning(op) {
+        BinaryMeaning::Arithmetic(row) => {
+            let value = (row.plain)(a.value, b.value);
+            value.is_finite().then(|| Value::number(value))
+        }
+        BinaryMeaning::Comparison(row) => Some(Value::Bool((row.numbers)(a.value, b.value))),
+        _ => None,
+    }
+}
+
+/// Any binary operator but `and` and `or`, which may leave their right side alone.
+pub(super) fn binary(
+    op: BinaryOp,
+    a: &Value,
+    b: &Value,
+    places: OperandPlaces,
+    tolerance: Tolerance,
+) -> Result<Value> {
+    match binary_meaning(op) {
+        BinaryMeaning::Arithmetic(row) => arithmetic(op, row, [a, b], places),
+        BinaryMeaning::Comparison(row) => compare(op, row, [a, b], places).map(Value::Bool),
+        BinaryMeaning::Near => near(a, b, tolerance.distance, places.whole).map(Value::Bool),
+        BinaryMeaning::Range { closed } => range(a, b, closed, places.whole),
+        BinaryMeaning::Logic { .. } => unreachable!("the machine evaluates these itself"),
+    }
+}
+
+fn arithmetic(
+    op: BinaryOp,
+    row: &Arithmetic,
+    [a, b]: [&Value; 2],
+    places: OperandPlaces,
+) -> Result<Value> {
+    let takes = |sides| row.sides.contains(&sides);
+    match (a, b) {
+        (Value::Number(x), Value::Number(y)) => numbers(row, [*x, *y], places).map(Value::Number),
+        (Value::Point(p), Value::Point(q)) if takes(Sides::Points) => points(row, *p, *q, places),
+        (Value::Point(p), Value::Number(n)) if takes(Sides::PointByNumber) => {
+            points(row, *p, factor(row, *n, places.right, places)?, places)
+        }
+        (Value::Number(n), Value::Point(p)) if takes(Sides::NumberByPoint) => {
+            points(row, *p, factor(row, *n, places.left, places)?, places)
+        }
+        _ if a.is_jet() || b.is_jet() => {
+            let plain = arithmetic(op, row, [&a.looked_at(), &b.looked_at()], places)?;
+            with_derivatives(row, [a, b], plain, places)
+        }
+        _ => inapplicable(op, a, b, places),
+    }
+}
+
+fn numbers(row: &Arithmetic, sides: [Number; 2], places: OperandPlaces) -> Result<Number> {
+    let number = row
+        .numbers(sides[0], sides[1])
+        .map_err(|refusal| refused(refusal, row.verb, sides, places))?;
+    if number.value.is_finite() { Ok(number) } else { overflow(places.whole) }
+}
+
+/// Coordinate by coordinate.
+fn points(row: &Arithmetic, p: DVec3, q: DVec3, places: OperandPlaces) -> Result<Value> {
+    let point = DVec3::new((row.plain)(p.x, q.x), (row.plain)(p.y, q.y), (row.plain)(p.z, q.z));
+    if point.is_finite() { Ok(Value::Point(point)) } else { overflow(places.whole) }
+}
+
+/// A number, at a place of its own, that goes with each coordinate of a point: lengths count in
+/// document units, and what holds an angle does not.
+fn factor(row: &Arithmetic, number: Number, span: Span, places: OperandPlaces) -> Result<DVec3> {
+    let [_, angle] = number.dim.powers();
+    if angle != 0 {
+        let message = format!("a point cannot be scaled by {}", number.dim);
+        return Diagnostic::error(Code::UnitMismatch, span, message).fail();
+    }
+    match (row.refusal)(1.0, number.value) {
+        Some(refusal) => Err(refused(refusal, row.verb, [Number::bare(1.0), number], places)),
+        None => Ok(DVec3::splat(number.value)),
+    }
+}
+
+/// The result of numbers and points, one of them with derivatives at least, about the plain result.
+fn with_derivatives(
+    row: &Arithmetic,
+    [a, b]: [&Value; 2],
+    plain: Value,
+    places: OperandPlaces,
+) -> Result<Value> {
+    let real =
+        |value: &Value| Number::<Real>::from_value(value, places.whole).ok().map(|n| n.value);
+    let vector = |value: &Value| Vector::from_value(value, places.whole).ok();
+    let one = |a: &Real, b: &Real, plain: f64| derivatives(row, a, b, plain).at(places.whole);
+    match plain {
+        Value::Number(plain) => match (real(a), real(b)) {
+            (Some(x), Some(y)) => {
+                let value = one(&x, &y, plain.value)?;
+                Ok(Number { value, dim: plain.dim }.into_value())
+            }
+            _ => Ok(Value::Number(plain)),
+        },
+        Value::Point(plain) => {
+            let [p, q] = match (vector(a), vector(b), real(a), real(b)) {
+                (Some(p), Some(q), ..) => [p.coordinates(), q.coordinates()],
+                (Some(p), None, _, Some(n)) | (None, Some(p), Some(n), _) => {
+                    [p.coordinates(), [n.clone(), n.clone(), n]]
+                }
+                _ => return Ok(Value::Point(plain)),
+            };
+            let coordinate = |axis: usize| one(&p[axis], &q[axis], plain[axis]);
+            Ok(Vector::new([coordinate(0)?, coordinate(1)?, coordinate(2)?]).into_value())
+        }
+        other => Ok(other),
+    }
+}
+
+/// Two numbers with derivatives, about the plain result.
+fn derivatives(
+    row: &Arithmetic,
+    a: &Real,
+    b: &Real,
+    plain: f64,
+) -> std::result::Result<Real, GeomError> {
+    let found = (row.derivatives)(a, b, plain)?;
+    if found.is_finite() {
+        Ok(found.with_value(plain))
+    } else {
+        Err(LocalError::DerivativeBeyondNumbers.into())
+    }
+}
+
+fn compare(
+    op: BinaryOp,
+    row: &Comparison,
+    [a, b]: [&Value; 2],
+    places: OperandPlaces,
+) -> Result<bool> {
+    if let Some(of_equals) = row.of_equals {
+        let is_equal = equal(a, b).ok_or_else(|| mismatch("compared", a, b, places))?;
+        return Ok(is_equal == of_equals);
+    }
+    match (a, b) {
+        (Value::Number(x), Value::Number(y)) => {
+            x.dim.common(y.dim).ok_or_else(|| mismatch("compared", a, b, places))?;
+            Ok((row.numbers)(x.value, y.value))
+        }
+        (Value::Text(x), Value::Text(y)) => Ok((row.texts)(x, y)),
+        _ if a.is_jet() || b.is_jet() => compare(op, row, [&a.looked_at(), &b.looked_at()], places),
+        _ => inapplicable(op, a, b, places),
+    }
+}
+
+/// Whether two values are nearer than a tolerance.
+pub(super) fn near(a: &Value, b: &Value, tolerance: f64, span: Span) -> Result<bool> {
+    match deviation(a, b) {
+        Discrepancy::Apart(distance, _) => Ok(distance <= tolerance),
+        Discrepancy::Different(_) => Ok(false),
+        Discrepancy::Incomparable(what) => Diagnostic::error(
+            Code::WrongKind,
+            span,
+            format!(
+                "`~=` compares numbers, points, and lists, records and tables of them; found {what}"
+            ),
+        )
+        .fail(),
+    }
+}
+
+/// `-x` and `not x`.
+pub(super) fn unary(op: UnaryOp, value: &Value, span: Span) -> Result<Value> {
+    let wrong_kind = |what: &str| {
+        let message = format!("`{}` takes {what}, found {}", op.symbol(), value.phrase());
+        Diagnostic::error(Code::WrongKind, span, message).fail()
+    };
+    match (unary_meaning(op), value) {
+        (UnaryMeaning::Arithmetic(row), Value::Number(Number { value, dim })) => {
+            Ok(Value::Number(Number { value: (row.plain)(*value), dim: *dim }))
+        }
+        (UnaryMeaning::Arithmetic(row), Value::Point(point)) => {
+            Ok(Value::Point(DVec3::from(point.to_array().map(row.plain))))
+        }
+        (UnaryMeaning::Arithmetic(row), Value::Jet(number)) => {
+            let value = (row.derivatives)(&number.value);
+            Ok(Number { value, dim: number.dim }.into_value())
+        }
+        (UnaryMeaning::Arithmetic(row), Value::JetPoint(jets)) => {
+            let coordinates = Vector::Jets(Box::new((**jets).clone())).coordinates();
+            Ok(Vector::new(coordinates.map(|coordinate| (row.derivatives)(&coordinate)))
+                .into_value())
+        }
+        (UnaryMeaning::Logic(truth_of), Value::Bool(truth)) => Ok(Value::Bool(truth_of(*truth))),
+        (UnaryMeaning::Arithmetic(_), _) => wrong_kind("a number or a point"),
+        (UnaryMeaning::Logic(_), _) => wrong_kind("true or false"),
+    }
+}
+
+/// The range between two numbers.
+fn range(a: &Value, b: &Value, closed: bool, span: Span) -> Result<Value> {
+    match (a, b) {
+        (Value::Number(start), Value::Number(end)) if start.dim.common(end.dim).is_some() => {
+            Ok(Value::Range(Range { start: *start, end: *end, closed }))
+        }
+        (Value::Number(start), Value::Number(end)) => {
+            let message = format!("a range from {} to {}", start.dim, end.dim);
+            Diagnostic::error(Code::UnitMismatch, span, message).fail()
+        }
+        _ if a.is_jet() || b.is_jet() => {
+            // Units and mistakes are those of the values.
+            let plain = range(&a.looked_at(), &b.looked_at(), closed, span)?;
+            let real = |value: &Value| Number::<Real>::from_value(value, span).ok();
+            match (real(a), real(b)) {
+                (Some(start), Some(end)) => {
+                    Ok(Value::JetRange(Arc::new(JetRange { start, end, closed })))
+                }
+                _ => Ok(plain),
+            }
+        }
+        _ => {
+            let message = format!(
+                "a range runs between two numbers, found {} and {}",
+                a.phrase(),
+                b.phrase()
+            );
+            Diagnostic::error(Code::WrongKind, span, message).fail()
+        }
+    }
+}
