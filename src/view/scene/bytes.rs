@@ -162,7 +162,9 @@ mod tests {
             let start = place["offset"].as_u64().unwrap() as usize + 4 * i;
             f32::from_le_bytes(bytes[start..start + 4].try_into().unwrap())
         };
-        assert_eq!([at(&header["numbers"], 0), at(&header["numbers"], 1)], [0.5, 0.25]);
-        assert_eq!([0, 1, 2].map(|i| at(&header["edges"][49], i)), [-1.0, -2.0, -3.0]);
+        let numbers = [at(&header["numbers"], 0), at(&header["numbers"], 1)];
+        assert_eq!(numbers.map(f32::to_bits), [0.5_f32, 0.25].map(f32::to_bits));
+        let edge = [0, 1, 2].map(|i| at(&header["edges"][49], i));
+        assert_eq!(edge.map(f32::to_bits), [-1.0_f32, -2.0, -3.0].map(f32::to_bits));
     }
 }

@@ -114,10 +114,4 @@ impl ItemMemory {
     pub(crate) fn discard(&mut self) {
         self.used[0].clear();
     }
-
-    /// How many definitions have items.
-    #[cfg(test)]
-    pub(crate) fn len(&self) -> usize {
-        self.items.len()
-    }
 }

@@ -93,7 +93,7 @@ impl CommonScale {
                 *distance *= self.0;
             }
             PictureError::Open { gap: length, .. } | PictureError::OffPlane { by: length, .. } => {
-                *length *= self.0
+                *length *= self.0;
             }
             PictureError::Unresolved { .. }
             | PictureError::RunsAlong { .. }
