@@ -181,7 +181,8 @@ impl Drop for View {
 pub(super) fn told<'j>(state: &'j Json, path: &str) -> &'j Json {
     let items = state["items"].as_array().expect("items");
     let found = items.iter().find(|item| item["path"] == json!(path));
-    found.unwrap_or_else(|| panic!("no {path} in {state:#}"))
+    assert!(found.is_some(), "no {path} in {state:#}");
+    found.expect("it is there")
 }
 
 /// The key of an item.
