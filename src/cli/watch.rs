@@ -90,7 +90,7 @@ fn once(run: &RunOptions<'_>, path: &Path, watched: &mut WatchedFiles) {
     if INTERRUPTED.is_stopped() {
         return;
     }
-    watched.follow(&files.inputs_as_read());
+    watched.follow(&files.stamps());
     run.voice().evaluated(&names(&report), report.n_with(Work::Reused), begin.elapsed());
 }
 

@@ -6,5 +6,5 @@ mod watched;
 mod write;
 
 pub(crate) use read::{Script, ScriptFiles, read_whole};
-pub(crate) use watched::{FileChange, InputFile, WatchedFiles};
+pub(crate) use watched::{FileChange, FileStamp, WatchedFiles};
 pub(crate) use write::{OutputTarget, StagedFile, TargetRefusal, overwrite, replace};

@@ -1,12 +1,14 @@
 //! Reading: scripts, standard input, and the data that scripts name.
 
 use std::{
+    collections::BTreeMap,
     fs::File,
     io::{self, Read},
     path::{Path, PathBuf},
+    sync::{Mutex, PoisonError},
 };
 
-use super::watched::{InputFile, stamp};
+use super::watched::{FileStamp, stamp};
 use crate::{export::io_reason, value::Files};
 
 /// The name of standard input on the command line.
@@ -89,37 +91,53 @@ pub(crate) fn read_whole(path: &Path, most: usize) -> Result<Vec<u8>, String> {
 #[derive(Debug)]
 pub(crate) struct ScriptFiles {
     folder: PathBuf,
-    read: std::sync::Mutex<Vec<InputFile>>,
+    asked: Mutex<BTreeMap<PathBuf, AskedFile>>,
+}
+
+/// A file that a script asked for.
+#[derive(Clone, Copy, Debug)]
+struct AskedFile {
+    /// As it was before it was read first.
+    stamp: FileStamp,
+    was_read: bool,
 }
 
 impl ScriptFiles {
     /// Files relative to `folder`.
     pub(crate) fn new(folder: &Path) -> Self {
-        Self { folder: folder.to_path_buf(), read: std::sync::Mutex::default() }
+        Self { folder: folder.to_path_buf(), asked: Mutex::default() }
     }
 
     /// The files that were read.
     pub(crate) fn inputs(&self) -> Vec<PathBuf> {
-        self.inputs_as_read().into_iter().map(|(path, _)| path).collect()
+        let asked = self.asked.lock().unwrap_or_else(PoisonError::into_inner);
+        let read = asked.iter().filter(|(_, file)| file.was_read);
+        read.map(|(path, _)| path.clone()).collect()
     }
 
-    /// The files that were read, each once and in order, as they were before that.
-    pub(crate) fn inputs_as_read(&self) -> Vec<InputFile> {
-        let mut read = self.read.lock().map(|read| read.clone()).unwrap_or_default();
-        read.sort();
-        read.dedup_by(|a, b| a.0 == b.0);
-        read
+    /// The files that were asked for, those that are not there among them, as they were then.
+    pub(crate) fn stamps(&self) -> Vec<(PathBuf, FileStamp)> {
+        let asked = self.asked.lock().unwrap_or_else(PoisonError::into_inner);
+        asked.iter().map(|(path, file)| (path.clone(), file.stamp)).collect()
+    }
+
+    /// Notes that a file is asked for.
+    fn note(&self, path: &Path, stamp: FileStamp, was_read: bool) {
+        let mut asked = self.asked.lock().unwrap_or_else(PoisonError::into_inner);
+        let file = asked.entry(path.to_path_buf()).or_insert(AskedFile { stamp, was_read });
+        file.was_read |= was_read;
     }
 }
 
 impl Files for ScriptFiles {
     fn read(&self, path: &str, most: usize) -> Result<Vec<u8>, String> {
         let full = self.folder.join(path);
+        // What is written from now on makes it another one.
+        let stamp = stamp(&full);
+        self.note(&full, stamp, false);
         if full.is_dir() {
             return Err(format!("`{path}` is a folder"));
         }
-        // What is written while it is read is another one already.
-        let stamp = stamp(&full);
         // A pipe or a device may never come to an end.
         if full.metadata().is_ok_and(|data| !data.is_file()) {
             return Err(format!("`{path}` is a pipe or a device, not a file with an end"));
@@ -127,9 +145,7 @@ impl Files for ScriptFiles {
         let bytes = File::open(&full)
             .and_then(|mut file| read_some(&mut file, most))
             .map_err(|err| format!("cannot read `{path}`: {}", io_reason(&err)))?;
-        if let Ok(mut read) = self.read.lock() {
-            read.push((full, stamp));
-        }
+        self.note(&full, stamp, true);
         Ok(bytes)
     }
 }

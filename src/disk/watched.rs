@@ -11,11 +11,9 @@ const MOST_GONE: usize = 2;
 
 /// What tells a file from the one that stood in its place before: when it was written, and its
 /// length; nothing where there is none.
-type FileStamp = Option<(SystemTime, u64)>;
+pub(crate) type FileStamp = Option<(SystemTime, u64)>;
 
-/// A file that a script reads, as it was at some time.
-pub(crate) type InputFile = (PathBuf, FileStamp);
-
+/// What a file is now.
 pub(super) fn stamp(path: &Path) -> FileStamp {
     let data = fs::metadata(path).ok().filter(fs::Metadata::is_file)?;
     Some((data.modified().ok()?, data.len()))
@@ -24,7 +22,7 @@ pub(super) fn stamp(path: &Path) -> FileStamp {
 /// The script and the files that it reads.
 pub(crate) struct WatchedFiles {
     /// As they were when the script was carried out last.
-    seen: Vec<InputFile>,
+    seen: Vec<(PathBuf, FileStamp)>,
     /// As they were at the last look: who still writes is waited for.
     last: Vec<FileStamp>,
     n_gone: usize,
@@ -46,9 +44,8 @@ impl WatchedFiles {
         Self { seen, last: vec![None], n_gone: 0, is_first: true }
     }
 
-    /// Looks at the script and these files from now on, which are others if they are not as they were
-    /// when they were read.
-    pub(crate) fn follow(&mut self, inputs: &[InputFile]) {
+    /// Looks at the script and these files from now on, which were so when they were read.
+    pub(crate) fn follow(&mut self, inputs: &[(PathBuf, FileStamp)]) {
         // Of a file that was followed the stamp is older than the run, which may have been slow.
         let known = std::mem::take(&mut self.seen);
         let followed = inputs.iter().map(|input| {
@@ -56,7 +53,7 @@ impl WatchedFiles {
             known.unwrap_or(input).clone()
         });
         self.seen = known.first().cloned().into_iter().chain(followed).collect();
-        self.last = self.seen.iter().map(|(_, stamp)| *stamp).collect();
+        self.last = self.seen.iter().map(|(_, mark)| *mark).collect();
     }
 
     /// What happened since the script was carried out last.

@@ -66,7 +66,7 @@ impl ViewedScript<'_> {
         let first = Shown {
             version: 0,
             is_current: false,
-            state: state::empty(&self.path).to_string().into_bytes(),
+            state: state::empty(&self.path, &self.out).to_string().into_bytes(),
             scene: Arc::new(Scene::default()),
             report: None,
             parameters: Vec::new(),
@@ -77,6 +77,7 @@ impl ViewedScript<'_> {
             hub,
             session: (self.session)(stop).incremental(),
             script: self.path.clone(),
+            out: self.out.clone(),
             memory: ItemMemory::new(),
             schema: None,
             last: None,

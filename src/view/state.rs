@@ -19,6 +19,8 @@ use crate::{
 pub(super) struct Setup<'a> {
     pub(super) version: u64,
     pub(super) script: &'a Path,
+    /// The folder for exported files.
+    pub(super) out: &'a Path,
     pub(super) settings: &'a [Setting],
     pub(super) schema: Option<&'a Schema>,
     /// The last good run, whose items are shown.
@@ -48,6 +50,7 @@ pub(super) fn json(setup: &Setup<'_>, told: &Told<'_>) -> Json {
     json!({
         "version": setup.version,
         "script": file,
+        "exportFolder": setup.out.display().to_string(),
         "unit": unit,
         "millimetres": millimetres,
         "tolerance": tolerance,
@@ -68,8 +71,8 @@ pub(super) fn json(setup: &Setup<'_>, told: &Told<'_>) -> Json {
 }
 
 /// The state before the first run.
-pub(super) fn empty(script: &Path) -> Json {
-    let setup = Setup { version: 0, script, settings: &[], schema: None, good: None };
+pub(super) fn empty(script: &Path, out: &Path) -> Json {
+    let setup = Setup { version: 0, script, out, settings: &[], schema: None, good: None };
     json(&setup, &Told { report: None, is_current: false, troubles: &[], milliseconds: [0.0; 2] })
 }
 

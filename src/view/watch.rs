@@ -1,14 +1,14 @@
 //! Looks at the script and the files that it reads.
 
 use std::{
-    path::Path,
+    path::{Path, PathBuf},
     sync::{Mutex, PoisonError},
     thread,
     time::Duration,
 };
 
 use super::hub::Hub;
-use crate::disk::{FileChange, InputFile, WatchedFiles};
+use crate::disk::{FileChange, FileStamp, WatchedFiles};
 
 /// How often files are looked at while somebody looks at the page, and while nobody does.
 const TICKS: [Duration; 2] = [Duration::from_millis(12), Duration::from_millis(100)];
@@ -21,8 +21,12 @@ pub(super) fn begin(script: &Path) -> WatchedFiles {
 }
 
 /// Tells the hub of every change, until all is over.
-pub(super) fn watch(hub: &Hub, mut watched: WatchedFiles, followed: &Mutex<Vec<InputFile>>) {
-    let mut known: Vec<InputFile> = Vec::new();
+pub(super) fn watch(
+    hub: &Hub,
+    mut watched: WatchedFiles,
+    followed: &Mutex<Vec<(PathBuf, FileStamp)>>,
+) {
+    let mut known = Vec::new();
     while !hub.is_over() {
         let now = followed.lock().unwrap_or_else(PoisonError::into_inner).clone();
         if now != known {

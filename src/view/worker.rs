@@ -13,7 +13,7 @@ use super::{
 };
 use crate::{
     diag::Severity,
-    disk::{InputFile, Script, ScriptFiles},
+    disk::{FileStamp, Script, ScriptFiles},
     eval::Schema,
     session::{Report, Session},
 };
@@ -24,6 +24,8 @@ pub(super) struct Worker {
     /// With a memory, and stopped by the hub.
     pub(super) session: Session,
     pub(super) script: PathBuf,
+    /// The folder for exported files.
+    pub(super) out: PathBuf,
     pub(super) memory: ItemMemory,
     /// Of the last run whose script could be read.
     pub(super) schema: Option<Schema>,
@@ -32,7 +34,7 @@ pub(super) struct Worker {
     /// The last good run.
     pub(super) good: Option<(Arc<Report>, Arc<Scene>)>,
     /// Files that the watch is to look at.
-    pub(super) followed: Arc<Mutex<Vec<InputFile>>>,
+    pub(super) followed: Arc<Mutex<Vec<(PathBuf, FileStamp)>>>,
 }
 
 impl Worker {
@@ -113,6 +115,7 @@ impl Worker {
             &state::Setup {
                 version: job.version,
                 script: &self.script,
+                out: &self.out,
                 settings: &job.settings,
                 schema: self.schema.as_ref(),
                 good: good.map(|(report, scene)| (&**report, &**scene)),
@@ -135,9 +138,7 @@ impl Worker {
 
     /// The files that a run read, which are watched from now on.
     fn inputs(&self, files: &ScriptFiles) -> Vec<PathBuf> {
-        let read = files.inputs_as_read();
-        let inputs = read.iter().map(|(path, _)| path.clone()).collect();
-        *self.followed.lock().unwrap_or_else(PoisonError::into_inner) = read;
-        inputs
+        *self.followed.lock().unwrap_or_else(PoisonError::into_inner) = files.stamps();
+        files.inputs()
     }
 }

@@ -16,8 +16,11 @@ const SCRIPT: &str = "param r = 10mm in 5mm..20mm step 0.5mm \"Radius\"\n\
                       surface ball = sphere((0, 0), r)\nprint r\n";
 
 /// A script that takes longer than anybody waits.
-const ENDLESS: &str =
-    "let n = fold(0..9_000_000, 0, (x, y) => fold(0..1000, x, (p, q) => p + q))\n";
+const ENDLESS: &str = "fn deep(m) = sum([for i in 0..<m: if i < 0 then 1 else i % 7])\n\
+                       let n = sum([for i in 0..<1000000: deep(1000000 + i)])\n";
+
+/// Lets it go on.
+const PATIENT: [&str; 2] = ["--limit", "steps=1_000_000_000_000"];
 
 #[test]
 fn an_error_leaves_the_last_model_and_goes_when_it_is_mended() {
@@ -112,7 +115,7 @@ fn many_settings_end_with_the_last_one() {
 fn an_endless_run_is_stopped_by_the_button_and_by_the_next_save() {
     let scratch = Scratch::new("view-endless");
     scratch.file("model.geo", SCRIPT);
-    let view = View::start(scratch, &["--limit", "steps=9_000_000_000"]);
+    let view = View::start(scratch, &PATIENT);
     let first = view.current();
     view.save(&format!("{SCRIPT}{ENDLESS}"));
     // It has begun when the stream says so.
@@ -236,7 +239,9 @@ fn what_is_no_script_is_told_as_by_other_commands() {
 
 #[test]
 fn ctrl_c_ends_it_also_while_it_evaluates() {
-    let mut view = View::of("interrupt", ENDLESS);
+    let scratch = Scratch::new("view-interrupt");
+    scratch.file("model.geo", ENDLESS);
+    let mut view = View::start(scratch, &PATIENT);
     let sent = Command::new("kill").args(["-INT", &view.child.id().to_string()]).status();
     assert!(sent.expect("a signal").success());
     assert_eq!(view.child.wait().expect("it ends").code(), Some(0));
