@@ -72,6 +72,7 @@ export class App {
     settings.watch(() => this.dress());
     listenToKeys(commands);
     this.followPointer();
+    doc.scene.follow(() => this.askAgain());
     doc.start();
   }
 
@@ -87,6 +88,23 @@ export class App {
     }
     if (doc.marks.value.includes(hit)) doc.marks.update((marks) => marks.map((mark) => (mark === hit ? found : mark)));
     if (doc.hit.value === hit) doc.hit.set(found);
+  }
+
+  /** Asks anew for the places that stand marked, where their items have changed. */
+  private askAgain(): void {
+    const { doc } = this;
+    const items = new Map(doc.items().map((item) => [item.path, item]));
+    const renew = (hit: Hit): Hit | null => {
+      const item = items.get(hit.path);
+      if (!item || item.key === hit.item.key) return item ? hit : null;
+      return { ...hit, item };
+    };
+    const old = [...doc.marks.value, ...(doc.hit.value ? [doc.hit.value] : [])];
+    const renewed = new Map(old.map((hit) => [hit, renew(hit)]));
+    if (old.every((hit) => renewed.get(hit) === hit)) return;
+    doc.marks.update((marks) => marks.map((mark) => renewed.get(mark) ?? null).filter((mark) => mark !== null));
+    doc.hit.update((hit) => (hit ? (renewed.get(hit) ?? null) : null));
+    for (const hit of new Set(renewed.values())) if (hit && !renewed.has(hit)) void this.question(hit);
   }
 
   private click(x: number, y: number, isAdding: boolean): void {

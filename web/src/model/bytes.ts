@@ -65,7 +65,7 @@ export function decode(bytes: ArrayBuffer): Buffers {
     center: header.center,
     positions: maybe(header.positions, 3),
     normals: maybe(header.normals, 3),
-    parameters: maybe(header.parameters, isSurface ? 2 : 1),
+    parameters: isSurface || header.kind === "curve" ? maybe(header.parameters, isSurface ? 2 : 1) : null,
     curvatures: maybe(header.curvatures, 2),
     triangles: header.triangles
       ? new Uint32Array(bytes, header.triangles.offset, header.triangles.count * 3)

@@ -86,11 +86,16 @@ function claim({ text, verdict, left, right, distance, limit, line }: Check): HT
     { title: line === null ? text : `line ${line}: ${text}` },
     icon(isPassed ? "check" : "cross"),
     el("span", { class: "claim-text" }, text),
-    distance && limit && el("span", { class: "claim-margin" }, `${distance} ≤ ${limit}`.replace("≤", isPassed ? "≤" : ">")),
+    distance && limit && el("span", { class: "claim-margin" }, `${short(distance)} ${isPassed ? "≤" : ">"} ${short(limit)}`),
   );
   const root = el("details", { class: `claim ${verdict}` }, summary, detail);
   root.open = !isPassed;
   return root;
+}
+
+/** A text with its long numbers in three digits. */
+function short(text: string): string {
+  return text.replace(/\d[\d.]{4,}(?:e[+-]?\d+)?/g, (number) => String(Number(Number(number).toPrecision(3))));
 }
 
 /** The diagnostics over the picture, with the text as the terminal shows it. */

@@ -34,7 +34,7 @@ void main() {
   float a = max(lines(vPlace, fine) * blend * 0.45, lines(vPlace, coarse));
   vec2 w = fwidth(vPlace);
   vec2 d = abs(vPlace - origin) / max(w, 1e-12);
-  vec2 axes = 1.0 - clamp(d - 0.4, 0.0, 1.0);
+  vec2 axes = 1.0 - clamp(d - 0.1, 0.0, 1.0);
   vec3 c = ink;
   a *= 0.16;
   if (axes.y > 0.0) { c = mix(c, red, axes.y); a = max(a, axes.y * 0.75); }
@@ -82,10 +82,8 @@ export class Grid {
   /** Places the grid under the target; its coordinates are taken from a line near by, so that they stay exact far out. */
   update(rig: Rig): void {
     const { target, height } = rig.pose;
-    const wanted = height / 8;
-    const decade = 10 ** Math.floor(Math.log10(wanted));
-    const coarse = decade * (wanted / decade < 1 ? 1 : wanted / decade < 10 ? 10 : 100);
-    this.step = coarse / 1;
+    const coarse = 10 ** Math.round(Math.log10(height / 5));
+    this.step = coarse;
     const snap = (x: number): number => Math.round(x / (coarse * 10)) * coarse * 10;
     const middle = new Vector3(snap(target[0]), snap(target[1]), 0);
     const away = Math.hypot(target[0] - middle.x, target[1] - middle.y);
@@ -94,7 +92,8 @@ export class Grid {
     uniforms.reach.value = 3 * height + away;
     uniforms.fine.value = coarse / 10;
     uniforms.coarse.value = coarse;
-    uniforms.blend.value = Math.min(1, Math.max(0, 1.25 - wanted / coarse));
+    // Fine lines appear as their distance grows from 6 to 16 pixels.
+    uniforms.blend.value = Math.min(1, Math.max(0, (coarse / 10 / rig.perPixel - 6) / 10));
     uniforms.origin.value.set(-middle.x, -middle.y);
   }
 }

@@ -5,6 +5,7 @@ import { MeshBVH } from "three-mesh-bvh";
 
 import type { Buffers } from "../model/bytes";
 import { combEnds, isocombEnds } from "./combs";
+import { creaseEnds } from "./creases";
 import { knotLines, knotPoints } from "./knots";
 import { endsOf, segmentGeometry, sphereOf } from "./segments";
 
@@ -105,6 +106,8 @@ export class Shape {
     switch (part) {
       case "edges": {
         const ends = endsOf(buffers.edges);
+        // Of a mesh come the sides of all its faces: they are its wires, and its creases are found here.
+        if (buffers.kind === "mesh" && buffers.triangles) return creaseEnds(buffers);
         return buffers.segments ? joined(ends, buffers.segments) : ends;
       }
       case "isocurves":
@@ -162,7 +165,8 @@ function netEnds(points: Float32Array, size: number[]): Float32Array {
 }
 
 /** The sides of all triangles, each once where both neighbours share its vertices. */
-function wireEnds({ positions, triangles }: Buffers): Float32Array {
+function wireEnds({ kind, segments, positions, triangles }: Buffers): Float32Array {
+  if (kind === "mesh" && segments) return segments;
   if (!positions || !triangles) return new Float32Array(0);
   const n_vertices = positions.length / 3;
   const seen = new Set<number>();
