@@ -40,6 +40,10 @@ export interface Parameter {
 
 export interface Check {
   text: string;
+  /** What the claim says in the script's own words. */
+  message?: string | null;
+  /** Both sides, or the margin, in a few words. */
+  figures?: string | null;
   verdict: "pass" | "fail" | "error";
   left: string | null;
   right: string | null;
@@ -64,7 +68,7 @@ export interface State {
   script: string;
   unit: string;
   millimetres: number;
-  tolerance: number;
+  tolerance: number | null;
   isCurrent: boolean;
   bounds: Box | null;
   items: Item[];
@@ -83,6 +87,8 @@ export type Question = { item: string; u: number; v: number } | { item: string; 
 
 export interface Fact {
   label: string;
+  /** k1, k2, gauss, mean, d1, d2; tangent, curvature, radius, torsion. */
+  name?: string;
   value: number | Vector;
   text: string;
 }

@@ -74,10 +74,17 @@ export class ClaimsPanel {
   }
 }
 
-function claim({ text, verdict, left, right, distance, limit, line }: Check): HTMLElement {
+function claim({ text, message, figures, verdict, left, right, distance, limit, line }: Check): HTMLElement {
   const isPassed = verdict === "pass";
   const detail = el("div", { class: "claim-detail" });
-  const known: [string, string | null][] = [["left", left], ["right", right], ["distance", distance], ["limit", limit]];
+  const known: [string, string | null | undefined][] = [
+    ["claim", message ? text : null],
+    ["left", left],
+    ["right", right],
+    ["distance", distance],
+    ["limit", limit],
+    ["in short", figures],
+  ];
   for (const [label, value] of known) {
     if (value) detail.append(el("span", { class: "fact-label" }, label), el("code", {}, value));
   }
@@ -85,7 +92,7 @@ function claim({ text, verdict, left, right, distance, limit, line }: Check): HT
     "summary",
     { title: line === null ? text : `line ${line}: ${text}` },
     icon(isPassed ? "check" : "cross"),
-    el("span", { class: "claim-text" }, text),
+    el("span", { class: "claim-text" }, message || text),
     distance && limit && el("span", { class: "claim-margin" }, `${short(distance)} ${isPassed ? "≤" : ">"} ${short(limit)}`),
   );
   const root = el("details", { class: `claim ${verdict}` }, summary, detail);

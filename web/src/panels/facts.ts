@@ -5,6 +5,20 @@ import type { Document, Hit } from "../model/document";
 import { button, copy, el, figure, section, type Section } from "./dom";
 import { icon } from "./icons";
 
+/** Names that fit the panel. */
+const SHORT: Record<string, string> = {
+  k1: "k1, least curvature",
+  k2: "k2, greatest curvature",
+  gauss: "Gaussian curvature",
+  mean: "Mean curvature",
+  d1: "Direction of k1",
+  d2: "Direction of k2",
+  tangent: "Tangent",
+  curvature: "Curvature",
+  radius: "Radius",
+  torsion: "Torsion",
+};
+
 export class FactsPanel {
   readonly section: Section = section("facts", "Selection");
   private readonly place = el("div", { class: "facts place" });
@@ -38,10 +52,11 @@ export class FactsPanel {
     const nodes: Node[] = [this.expression(hit)];
     nodes.push(row("Point", triple(answer?.point ?? hit.point), unit));
     const normal = answer?.normal ?? hit.normal;
-    if (normal) nodes.push(row("Normal", triple(normal)));
+    if (normal) nodes.push(row("Normal", triple(normal, 4)));
     for (const fact of answer?.facts ?? []) {
       const isVector = Array.isArray(fact.value);
-      nodes.push(row(fact.label, isVector ? triple(fact.value as Vector) : fact.text));
+      const label = SHORT[fact.name ?? ""] ?? fact.label;
+      nodes.push(row(label, isVector ? triple(fact.value as Vector, 4) : fact.text));
     }
     if (hit.trouble) nodes.push(el("p", { class: "hint trouble" }, hit.trouble));
     else if (!answer) {
@@ -57,7 +72,7 @@ export class FactsPanel {
     const copier = button(icon("copy"), "Copy the expression (Y)", () => {
       void copy(text).then((isDone) => isDone && this.doc.tell(`Copied: ${text}`));
     }, { class: "tool" });
-    return el("div", { class: "expression" }, el("code", {}, text), copier);
+    return el("div", { class: "expression" }, el("code", { title: text }, text), copier);
   }
 
   private pairRows(): Node[] {
@@ -153,6 +168,6 @@ function row(label: string, value: string, unit = ""): HTMLElement {
   );
 }
 
-function triple(vector: Vector): string {
-  return vector.map((value) => figure(Math.abs(value) < 1e-12 ? 0 : value, 6)).join("  ");
+function triple(vector: Vector, n_digits = 6): string {
+  return vector.map((value) => figure(Math.abs(value) < 1e-12 ? 0 : value, n_digits)).join("  ");
 }

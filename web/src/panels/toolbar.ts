@@ -77,7 +77,7 @@ function title(doc: Document): HTMLElement {
   doc.state.watch((state) => {
     name.textContent = state?.script ?? "";
     unit.textContent = state?.unit ?? "";
-    name.title = state ? `${state.script}: tolerance ${state.tolerance} ${state.unit}` : "";
+    name.title = state?.tolerance ? `${state.script}: tolerance ${state.tolerance} ${state.unit}` : (state?.script ?? "");
     if (state) document.title = `${state.script} · virote`;
   });
   return el("div", { class: "title" }, name, unit);

@@ -128,7 +128,7 @@ void main() {
   }
   if (isSelected > 0.5) {
     float edge = 1.0 - max(dot(n, v), 0.0);
-    c = mix(c, accent, mode == 0 ? 0.30 + 0.35 * edge : 0.10 + 0.45 * edge * edge);
+    c = mix(c, accent, mode == 0 ? 0.16 + 0.40 * edge : 0.10 + 0.45 * edge * edge);
   }
   float grey = dot(c, vec3(0.30, 0.59, 0.11));
   c = mix(c, mix(vec3(grey), faded, 0.45), fade);
