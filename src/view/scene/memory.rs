@@ -115,3 +115,28 @@ impl ItemMemory {
         self.used[0].clear();
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::ItemMemory;
+    use crate::{session::Session, value::NoFiles, view::scene::Scene};
+
+    #[test]
+    fn what_is_shown_no_more_is_forgotten() {
+        let session = Session::default().incremental();
+        let mut memory = ItemMemory::new();
+        let mut keys = Vec::new();
+        for i in 0..40 {
+            let text =
+                format!("surface s = sphere((0, 0), 8)\ncurve c = line((0, 0), (1, {i}/100))");
+            let report = session.run("s", text.as_bytes(), &NoFiles, &[]);
+            let scene = Scene::of(&report, &session, &mut memory).expect("nobody stops it");
+            keys.extend(scene.items.iter().map(|item| item.key.clone()));
+            memory.settle();
+            assert!(memory.items.len() <= 4 && scene.items.len() == 2);
+        }
+        keys.sort();
+        keys.dedup();
+        assert_eq!(keys.len(), 41, "the sphere is made once");
+    }
+}
