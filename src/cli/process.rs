@@ -12,12 +12,15 @@ use crate::{
 /// How many bytes of memory are held; told once, when the process begins.
 static HELD: OnceLock<fn() -> usize> = OnceLock::new();
 
+/// Bytes of address space that the stack leaves for what a small script holds.
+const ROOM: usize = 16 << 20;
+
 /// Does the work with a large stack. Where the system has no room for it, a smaller one has to do, and the
 /// ceilings that keep to the stack come down with it.
 pub(super) fn run(held: fn() -> usize, work: impl FnOnce() -> ExitStatus + Send) -> ExitCode {
     HELD.get_or_init(|| held);
     let mut work = Some(work);
-    let status = stack::with(Limits::DEFAULT.stack_bytes, |_| {
+    let status = stack::with_room(Limits::DEFAULT.stack_bytes, ROOM, |_| {
         let Some(work) = work.take() else { return ExitStatus::Usage };
         fault::caught(Span::default(), || Ok(work())).unwrap_or_else(|told| {
             say_error(&format!("virote: {}\n{}", told.message, fault::REMEDY));

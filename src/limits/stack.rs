@@ -5,7 +5,7 @@
 //! the ceilings need. Where none can be had (no room, or a platform without threads), the ceilings come
 //! down to what there is ([`Limits::on_stack`](super::Limits::on_stack)).
 
-use std::{cell::Cell, panic::resume_unwind, thread};
+use std::{cell::Cell, panic::resume_unwind, sync::Mutex, thread};
 
 use super::work::{self, Done};
 
@@ -53,11 +53,21 @@ pub fn known<R>(bytes: usize, work: impl FnOnce() -> R) -> R {
 /// let (bytes, deep) = stack::with(64 << 20, |bytes| (bytes, depth(100_000)));
 /// assert_eq!((bytes, deep), (64 << 20, 100_000));
 /// ```
-pub fn with<R: Send>(bytes: usize, mut work: impl FnMut(usize) -> R + Send) -> R {
+pub fn with<R: Send>(bytes: usize, work: impl FnMut(usize) -> R + Send) -> R {
+    with_room(bytes, 0, work)
+}
+
+/// The same, where a stack is taken only if it leaves so many bytes of address space for all else.
+pub fn with_room<R: Send>(bytes: usize, room: usize, mut work: impl FnMut(usize) -> R + Send) -> R {
     let watch = work::current();
     let mut tried = bytes;
     while bytes / SMALLEST_PART <= tried && own_bytes() < tried {
+        // Held until the thread is there, which waits for that.
+        let mut kept: Vec<u8> = Vec::new();
+        let has_room = room == 0 || kept.try_reserve_exact(room).is_ok();
+        let gate = Mutex::new(());
         let mut serve = || {
+            drop(gate.lock());
             let (result, done) = known(tried, || match watch.clone() {
                 Some(watch) => work::under(watch, || work(tried)),
                 None => (work(tried), Done::default()),
@@ -65,8 +75,12 @@ pub fn with<R: Send>(bytes: usize, mut work: impl FnMut(usize) -> R + Send) -> R
             (result, done, work::counted())
         };
         let finished = thread::scope(|scope| {
+            let waits = gate.lock();
             let worker = thread::Builder::new().stack_size(tried);
-            worker.spawn_scoped(scope, &mut serve).ok().map(thread::ScopedJoinHandle::join)
+            let worker = if has_room { worker.spawn_scoped(scope, &mut serve).ok() } else { None };
+            drop(kept);
+            drop(waits);
+            worker.map(thread::ScopedJoinHandle::join)
         });
         match finished {
             Some(Ok((result, done, n_counted))) => {

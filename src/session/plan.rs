@@ -3,12 +3,12 @@
 use std::{collections::HashMap, sync::Arc};
 
 use super::{
-    File, Report, Session,
+    File, Session,
     options::options,
     path::{reserved, safe_path},
 };
 use crate::{
-    diag::{Code, Diagnostic, Span, Spanned, is_hidden, nearest},
+    diag::{Code, Diagnostic, Span, is_hidden, nearest},
     eval::{self, Exported},
     export::{FORMATS, Format, Item, Job, Subject},
     kernel::{Curve, Surface, Tolerance},
@@ -94,7 +94,7 @@ impl Session {
     #[cfg(feature = "cli")]
     pub(crate) fn file_of(
         &self,
-        report: &Report,
+        report: &super::Report,
         names: &[String],
         path: &str,
     ) -> Result<Box<File>, Vec<Diagnostic>> {
@@ -105,11 +105,11 @@ impl Session {
                 let message = format!("the script defines no `{name}`");
                 vec![Diagnostic::error(Code::CannotExport, Span::default(), message)]
             })?;
-            let value = Spanned::new(value, defined.span);
+            let value = crate::diag::Spanned::new(value, defined.span);
             Ok(eval::ExportSubject { name: name.clone(), value, look: defined.look.clone() })
         };
         let subjects = names.iter().map(subject).collect::<Result<_, Vec<Diagnostic>>>()?;
-        let path = Spanned::unplaced(path.to_owned());
+        let path = crate::diag::Spanned::unplaced(path.to_owned());
         let exported = Exported { path, subjects, names: names.to_vec(), options: Vec::new() };
         let mut found = Vec::new();
         let file = self.plan(exported, (report.document, &report.kept), &mut found);
