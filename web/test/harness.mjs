@@ -86,12 +86,14 @@ export async function serve(text) {
 /** What `virote run` prints of an expression that is put behind the script. */
 export function evaluated(script, expression) {
   const run = spawnSync(command, ["run", "-"], { input: `${script}\nprint ${expression}\n`, encoding: "utf8" });
-  const found = / = (.*)$/m.exec(run.stdout);
+  const found = [...run.stdout.matchAll(/ = (.*)$/gm)].at(-1);
   if (!found) throw new Error(run.stdout + run.stderr);
   return found[1].replace(/[()]/g, "").split(",").map(Number);
 }
 
+/** Waits for a condition in the page, which is brought to the front because a hidden one draws nothing. */
 export async function until(page, condition, ...values) {
+  await page.bringToFront();
   await page.waitForFunction(condition, WAIT, ...values);
 }
 
