@@ -46,6 +46,7 @@ export function keyName(key: string): string {
     Escape: "Esc",
     " ": "Space",
   };
+  if (key === "+") return key;
   return key
     .split("+")
     .map((part) => names[part] ?? (part.length === 1 ? part.toUpperCase() : part))
