@@ -33,6 +33,8 @@ export class App {
   constructor(door: Door, host: HTMLElement) {
     this.doc = new Document(door, (key) => this.stage.forget(key));
     const { doc, settings } = this;
+    // The first state is under way while the picture is prepared.
+    doc.start();
     this.stage = new Stage(this.canvas, doc, settings);
     const { stage } = this;
     this.tree = new TreePanel(doc, stage);
@@ -73,7 +75,6 @@ export class App {
     listenToKeys(commands);
     this.followPointer();
     doc.scene.follow(() => this.askAgain());
-    doc.start();
   }
 
   /** Asks the door for the exact answer at a hit; the answer to an older question is dropped. */

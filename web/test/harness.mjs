@@ -47,7 +47,7 @@ export async function openPage(url) {
   await page.setViewport({ width: 1200, height: 700 });
   await page.emulateMediaFeatures([{ name: "prefers-reduced-motion", value: "reduce" }]);
   await page.goto(url);
-  await page.waitForFunction(() => window.virote?.stateVersion >= 0 && window.virote.isReady, WAIT);
+  await page.waitForFunction(() => window.virote?.isReady, WAIT);
   return page;
 }
 

@@ -43,7 +43,8 @@ export class Document {
   readonly ghost = new Signal<Ghost | null>(null);
   readonly message = new Signal<{ text: string; isTrouble: boolean } | null>(null);
   readonly keeper: Keeper;
-  private newest = -1;
+  private loaded = -1;
+  private isStale = true;
   private isLoading = false;
   private awaiting: (() => void)[] = [];
 
@@ -54,16 +55,20 @@ export class Document {
     this.keeper = new Keeper(door, forgotten);
   }
 
-  /** Begins to follow the door. */
+  /** Asks for the first state and begins to follow the door. */
   start(): void {
+    void this.refresh();
     this.door.listen((event) => {
       if (event.kind === "connection") {
+        // Behind a new connection may be a new server, which counts from the beginning.
+        if (event.isOpen && !this.isOnline.value) this.loaded = -1;
         this.isOnline.set(event.isOpen);
       } else if (event.kind === "busy") {
         this.isBusy.set(true);
       } else {
         this.isBusy.set(false);
-        this.newest = event.version;
+        if (event.version === this.loaded) return;
+        this.isStale = true;
         void this.refresh();
       }
     });
@@ -139,22 +144,22 @@ export class Document {
     if (this.isLoading) return;
     this.isLoading = true;
     let n_lost = 0;
-    let loaded = -1;
     try {
-      while (loaded < this.newest || loaded < 0) {
-        const wanted = this.newest;
+      while (this.isStale) {
+        this.isStale = false;
         const state = await this.door.state();
         try {
           const buffers = await this.keeper.gather(state.items.map((item) => item.key));
+          this.loaded = state.version;
           this.state.set(state);
           this.scene.set({ state, buffers });
           this.pin();
         } catch (trouble) {
           // The server forgot an item of a state that is no longer the newest: ask again.
           if (!(trouble instanceof DoorError && trouble.status === 404) || ++n_lost > 5) throw trouble;
+          this.isStale = true;
           continue;
         }
-        loaded = Math.max(wanted, state.version, 0);
         for (const done of this.awaiting.splice(0)) done();
       }
     } catch (trouble) {

@@ -38,7 +38,7 @@ export class ClaimsPanel {
   private showOutput(state: State): void {
     const { body, root, note } = this.output;
     const { canEvaluate } = this.doc.door;
-    root.hidden = state.exports.length === 0 && !canEvaluate;
+    root.hidden = state.exports.length === 0 && !(canEvaluate && this.doc.selection.value.size > 0);
     note.textContent = state.exports.length > 0 ? String(state.exports.length) : "";
     const rows: Node[] = state.exports.map(({ path, line }) =>
       el("div", { class: "print", title: line === null ? "" : `line ${line}` }, el("code", {}, path)),
@@ -111,12 +111,16 @@ export function diagnosticsPanel(doc: Document): HTMLElement {
   const title = el("span", { class: "diagnostics-title" });
   const fold = button(icon("chevron"), "Fold", () => root.classList.toggle("folded"), { class: "tool fold-down" });
   const head = el("header", {}, title, fold);
-  const root = el("div", { class: "diagnostics", role: "alert" }, head, list);
+  const root = el("div", { class: "diagnostics folded", role: "alert" }, head, list);
+  let hadErrors = false;
   doc.state.watch((state) => {
     const all = state?.diagnostics ?? [];
     const n_errors = all.filter((one) => one.severity === "error").length;
     root.hidden = all.length === 0;
-    root.classList.toggle("has-errors", n_errors > 0);
+    // Errors open the panel; failed claims and warnings stand elsewhere too, and leave the model in sight.
+    if (n_errors > 0 !== hadErrors) root.classList.toggle("folded", n_errors === 0);
+    hadErrors = n_errors > 0;
+    root.classList.toggle("has-errors", hadErrors);
     title.textContent = titleOf(all.map((one) => one.severity), state?.isCurrent ?? true);
     list.replaceChildren(
       ...limited(all, ({ severity, code, message, text, line }) => {

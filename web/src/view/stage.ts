@@ -299,6 +299,7 @@ export class Stage {
   }
 
   private frame(): void {
+    if (!this.doc.scene.value) return;
     const settings = this.settings.value;
     const box = this.box();
     const ghost = this.doc.ghost.value?.scene.state.bounds;
