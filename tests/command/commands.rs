@@ -469,7 +469,7 @@ fn a_small_address_space_is_enough() {
         "fn f(n) = if n == 0 then 0 else 1 + f(n - 1)\nprint f(depth)\nparam depth = 1000\n",
     );
     for (kilobytes, setting, expected) in
-        [("400000", "depth=1000", 0), ("400000", "depth=1e9", 2), ("160000", "depth=100", 0)]
+        [("400000", "depth=1000", 0), ("400000", "depth=1e9", 2), ("150000", "depth=100", 0)]
     {
         let command = format!(
             "ulimit -v {kilobytes}; '{}' run a.geo --threads 1 --set {setting}",

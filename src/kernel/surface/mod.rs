@@ -31,8 +31,8 @@ pub use intersection::level_set::{CurveSurfaceIntersection, LevelSet, PictureErr
 pub use measurement::closest::{ParametricPlaces, SurfaceClosestPoint};
 pub use measurement::defects::SurfaceDefects;
 pub use measurement::joint::SurfaceContinuity;
-pub use measurement::local::{Principal, SurfacePointKind, SurfaceShape};
 pub use measurement::mass::{MassProperties, area_mass, facing_unlike, volume_mass};
+pub use measurement::shape::{Principal, SurfacePointKind, SurfaceShape};
 pub use measurement::shell::ShellError;
 pub use representation::any::Surface;
 pub(crate) use representation::crease::Crease;

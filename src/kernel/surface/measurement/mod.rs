@@ -9,5 +9,6 @@ pub(super) mod joint;
 pub(super) mod local;
 pub(super) mod mass;
 pub(super) mod quadrature;
+pub(super) mod shape;
 pub(super) mod shell;
 pub(super) mod umbilics;

@@ -6,7 +6,7 @@
 use glam::{DAffine3, DVec3};
 
 use super::{CurveSurfaceIntersection, LevelSet, PictureError};
-use crate::{Curve, Frame, GeomError, Surface, Tolerance, scale::needed_scale};
+use crate::{Curve, Frame, GeomError, MeshError, Surface, Tolerance, scale::needed_scale};
 
 /// A power of two near the size of what is asked about.
 #[derive(Clone, Copy, Debug)]
@@ -81,7 +81,17 @@ impl CommonScale {
 
     /// A refusal with the places of what was not divided.
     fn error(self, err: GeomError) -> GeomError {
-        let GeomError::Picture(mut picture) = err else { return err };
+        match err {
+            GeomError::Picture(picture) => self.picture(picture).into(),
+            GeomError::Mesh(MeshError::BelowRounding { tolerance, rounding }) => {
+                let [tolerance, rounding] = [tolerance, rounding].map(|length| length * self.0);
+                MeshError::BelowRounding { tolerance, rounding }.into()
+            }
+            other => other,
+        }
+    }
+
+    fn picture(self, mut picture: PictureError) -> PictureError {
         match &mut picture {
             PictureError::SurfacesRunTogether { point }
             | PictureError::TooTangled { point }
@@ -101,7 +111,7 @@ impl CommonScale {
             | PictureError::Outside { .. }
             | PictureError::HoleInHole { .. } => {}
         }
-        picture.into()
+        picture
     }
 }
 
