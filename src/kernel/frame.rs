@@ -187,7 +187,14 @@ pub(crate) fn angle_between(a: DVec3, b: DVec3) -> f64 {
 }
 
 /// The unit vector along `v`, at any length that is not zero.
-pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
+///
+/// ```
+/// use virote_kernel::{glam::DVec3, unit};
+///
+/// assert_eq!(unit(DVec3::Y * 1e-300), Some(DVec3::Y));
+/// assert_eq!(unit(DVec3::ZERO), None);
+/// ```
+pub fn unit(v: DVec3) -> Option<DVec3> {
     let largest = v.abs().max_element();
     if !largest.is_finite() || largest <= 0.0 {
         return None;

@@ -33,6 +33,16 @@ pub struct JointTolerance {
 }
 
 impl JointTolerance {
+    /// The same for pieces that are divided by a scale.
+    pub(crate) fn divided_by(self, scale: f64) -> Self {
+        Self {
+            document: self.document.with_distance(self.document.distance / scale),
+            distance: self.distance.map(|distance| distance / scale),
+            curvature_gap: self.curvature_gap.map(|gap| gap * scale),
+            ..self
+        }
+    }
+
     /// The distance within which ends are one place, as where a closed curve is looked for.
     pub(crate) fn closed_within(&self) -> f64 {
         self.distance.unwrap_or(self.document.distance)

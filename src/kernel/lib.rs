@@ -146,7 +146,7 @@ pub use fit::{
     Approximator, Ends, FirstPass, Interpolator, LineFit, Lines, Parametrization, approximate,
     approximate_within, check_parameters, columns_within, lagrange, surface_within,
 };
-pub use frame::Frame;
+pub use frame::{Frame, unit};
 pub use gordon::{
     CurveAdjustment, Gordon, Network, NetworkBuilder, NetworkError, NetworkInput, PreparedNetwork,
     gordon,

@@ -5,6 +5,7 @@ use glam::{DAffine3, DMat3, DVec3};
 use super::{about, apply};
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
+    kernel::unit,
     value::{Angle, Ctx, Geometry, op},
 };
 
@@ -27,7 +28,7 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Geometry> {
-    let Some(axis) = args.axis.value.try_normalize() else {
+    let Some(axis) = unit(args.axis.value) else {
         return Diagnostic::error(
             Code::Degenerate,
             args.axis.span,

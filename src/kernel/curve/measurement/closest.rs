@@ -11,6 +11,9 @@ use crate::{
     tolerance::{LAST_BIT, PLACE_RELATIVE},
 };
 
+/// Tolerances within which a curve is all but a place.
+const SMALL: f64 = 4.0;
+
 /// The nearest point of a curve.
 ///
 /// ```
@@ -71,7 +74,12 @@ impl NurbsCurve {
     fn closest_of_part(&self, p: DVec3, tolerance: f64) -> ClosestPoint {
         let prepare = || ClosestPointTree::of_curve(&self.knots, &self.control_points);
         let nearest = self.nearest.get_or_make(prepare);
-        let near = nearest.places(&self.control_points, p, SearchTarget::AllWithin(tolerance));
+        let places = |target| nearest.places(&self.control_points, p, target);
+        let mut near = places(SearchTarget::AllWithin(tolerance));
+        if self.bounds().diagonal() <= SMALL * tolerance {
+            // All of it is within the tolerance, which leaves the search content with any place.
+            near.single.extend(places(SearchTarget::One).single);
+        }
         let to_foot = |[t, _]: [f64; 2]| {
             let t = self.domain().without_dust(t);
             (t, norm(self.point_at(t) - p))

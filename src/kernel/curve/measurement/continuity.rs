@@ -1,17 +1,21 @@
 //! How smoothly one piece of curve goes on in the next.
 
-use glam::{DVec3, DVec4};
+use glam::{DAffine3, DVec3, DVec4};
 
 use crate::{
     GeomError, JointTolerance, Side,
     curve::{Curve, EvaluationPlace, LocalGeometry, evaluation::series},
     frame::{angle_between, norm},
     joint_tolerance::Agreement,
+    scale::needed_scale,
     tolerance::{EXACT_RELATIVE, PLACE_RELATIVE},
 };
 
 /// The highest order that is compared.
 const MAX_ORDER: usize = 3;
+
+/// Where along its domain a function is asked for its size.
+const PROBES: [f64; 4] = [0.0, 0.3, 0.7, 1.0];
 
 /// How two pieces of curve meet; of several joints the worst of each.
 ///
@@ -73,6 +77,11 @@ impl Curve {
         tolerance: impl Into<JointTolerance>,
     ) -> Result<Continuity, GeomError> {
         let tolerance = tolerance.into();
+        if let Some(scale) = needed_scale(self.probed()?.max(next.probed()?)) {
+            let [this, next] = [self, next].map(|curve| curve.divided_by(scale));
+            let joint = this.continuity_with(&next, tolerance.divided_by(scale))?;
+            return Ok(joint.multiplied_by(scale));
+        }
         let end = self.ending(self.domain().end(), Side::Left)?;
         Ok(joint(&end, &next.ending(next.domain().start(), Side::Right)?, tolerance))
     }
@@ -90,6 +99,10 @@ impl Curve {
         tolerance: impl Into<JointTolerance>,
     ) -> Result<Continuity, GeomError> {
         let tolerance = tolerance.into();
+        if let Some(scale) = needed_scale(self.probed()?) {
+            let joint = self.divided_by(scale).continuity(tolerance.divided_by(scale))?;
+            return Ok(joint.multiplied_by(scale));
+        }
         let domain = self.domain();
         let mut worst = Continuity::PERFECT;
         let sides = [Side::Left, Side::Right];
@@ -117,6 +130,21 @@ impl Curve {
             worst = worst.or_worse(self.continuity_with(self, tolerance)?);
         }
         Ok(worst)
+    }
+
+    /// The largest coordinate of some places.
+    fn probed(&self) -> Result<f64, GeomError> {
+        if let Self::Nurbs(curve) = self {
+            return Ok(curve.magnitude());
+        }
+        let places = PROBES.iter().map(|&fraction| self.point_at(self.domain().at(fraction)));
+        places
+            .map(|place| place.map(|place| place.abs().max_element()))
+            .try_fold(0.0, |largest: f64, place| place.map(|place| largest.max(place)))
+    }
+
+    fn divided_by(&self, scale: f64) -> Self {
+        self.transformed(&DAffine3::from_scale(DVec3::splat(scale.recip())))
     }
 
     fn ending(&self, t: f64, side: Side) -> Result<JointSide, GeomError> {
@@ -156,6 +184,15 @@ impl Continuity {
         curvature_gap: Some(0.0),
         c_homogeneous: MAX_ORDER as i32,
     };
+
+    /// That of curves that are larger by a factor.
+    fn multiplied_by(self, factor: f64) -> Self {
+        Self {
+            gap: self.gap * factor,
+            curvature_gap: self.curvature_gap.map(|gap| gap / factor),
+            ..self
+        }
+    }
 
     /// The worse of each.
     fn or_worse(self, other: Self) -> Self {

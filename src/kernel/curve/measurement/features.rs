@@ -33,9 +33,11 @@ impl NurbsCurve {
     /// it has its places that stand out at the same parameters.
     fn at_plain_scale(&self, tolerance: Tolerance) -> Option<(Self, Tolerance)> {
         let scale = needed_scale(self.bounds().magnitude())?;
-        let small = DAffine3::from_scale(DVec3::splat(scale.recip()));
-        let tolerance = tolerance.with_distance(tolerance.distance / scale);
-        Some((self.transformed(&small), tolerance))
+        Some((self.divided_by(scale), divided(tolerance, scale)))
+    }
+
+    fn divided_by(&self, scale: f64) -> Self {
+        self.transformed(&DAffine3::from_scale(DVec3::splat(scale.recip())))
     }
 
     /// Parameters where the curve goes over from one way of bending to the other, in order.
@@ -80,12 +82,18 @@ impl NurbsCurve {
     /// neighbourhood, in order; ends of an open curve are none.
     #[must_use]
     pub fn extrema(&self, direction: DVec3, tolerance: Tolerance) -> Vec<f64> {
+        if let Some((plain, tolerance)) = self.at_plain_scale(tolerance) {
+            return plain.extrema(direction, tolerance);
+        }
         self.sign_changes(&self.pieces(), |piece| piece.along(direction), tolerance)
     }
 
     /// Parameters where the tangent jumps to another direction without turning back, in order.
     #[must_use]
     pub fn corners(&self, tolerance: Tolerance) -> Vec<f64> {
+        if let Some((plain, tolerance)) = self.at_plain_scale(tolerance) {
+            return plain.corners(tolerance);
+        }
         let turns_back = |a: DVec3, b: DVec3| (a + b).length() <= tolerance.angle;
         self.joints(tolerance, |a, b| tolerance.angle < angle_between(a, b) && !turns_back(a, b))
     }
@@ -110,9 +118,16 @@ impl NurbsCurve {
     }
 
     /// Parameters where the curve passes through a plane or touches it, in order. A piece that
-    /// lies in the plane is told by its ends.
+    /// lies in the plane is told by its ends. What is nearer than the rounding of places is in it.
     #[must_use]
     pub fn plane_parameters(&self, plane: Frame, tolerance: Tolerance) -> Vec<f64> {
+        let magnitude = self.magnitude().max(plane.origin().abs().max_element());
+        if let Some(scale) = needed_scale(magnitude) {
+            let plane = plane.at(plane.origin() / scale);
+            return self.divided_by(scale).plane_parameters(plane, divided(tolerance, scale));
+        }
+        let rounding = FLAT_ROUNDINGS * LAST_BIT * magnitude;
+        let tolerance = tolerance.with_distance(tolerance.distance.max(rounding));
         let parts = self.connected_parts();
         let of_part = |part: &Cow<'_, Self>| {
             let found = part.plane_parameters_of_part(plane, tolerance);
@@ -286,6 +301,11 @@ impl NurbsCurve {
         sorted.dedup_by(|later, earlier| *later - *earlier <= near);
         sorted
     }
+}
+
+/// A tolerance for what is divided by a scale.
+fn divided(tolerance: Tolerance, scale: f64) -> Tolerance {
+    tolerance.with_distance(tolerance.distance / scale)
 }
 
 /// The value of a vector polynomial at a local parameter.

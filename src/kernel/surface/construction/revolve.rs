@@ -188,7 +188,8 @@ impl NurbsSurface {
         let points = profile.control_points();
         check_size(arc.control_points().len(), points.len())?;
 
-        let size = points.iter().map(|point| point.abs().max_element()).fold(0.0, f64::max);
+        let reach = |point: &DVec4| point.truncate().abs().max_element();
+        let size = points.iter().map(reach).fold(0.0, f64::max);
         let size = size.max(norm(axis.foot));
         let mut is_off_axis = false;
         let mut split = |&point: &DVec4| {

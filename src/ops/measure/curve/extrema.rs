@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Curve, GeomError, InputError},
+    kernel::{Curve, GeomError, InputError, unit},
     value::{At, Ctx, op},
 };
 
@@ -30,8 +30,7 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<f64>> {
-    let direction = args.direction.value.try_normalize();
-    let direction = direction
+    let direction = unit(args.direction.value)
         .ok_or(GeomError::Input(InputError::ZeroAxis { what: "a vector of length zero" }))
         .at(args.direction.span)?;
     args.c.extrema(direction, ctx.tolerance).at(ctx.span)

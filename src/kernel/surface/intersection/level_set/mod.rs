@@ -21,6 +21,7 @@ mod chain;
 mod collapsed;
 mod cubic;
 mod curve_surface_intersection;
+mod elsewhere;
 mod error;
 mod pair;
 mod plane;

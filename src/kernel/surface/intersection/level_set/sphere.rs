@@ -51,7 +51,22 @@ fn turned(surface: &NurbsSurface, other: &NurbsSurface, contact: f64) -> Option<
         unit(frame.x() * f64::from(x) + frame.y() * f64::from(y) + frame.z() * f64::from(z))
     });
     let (_, axis) = axes.map(|axis| (away(axis), axis)).max_by(|a, b| a.0.total_cmp(&b.0))?;
-    let frame = Frame::from_normal(frame.origin(), axis, None).ok()?;
+    about(frame.origin(), axis, radius, is_outward)
+}
+
+/// A whole sphere with a pole in a direction of its own frame; none of other surfaces.
+pub(super) fn sphere_about(
+    surface: &NurbsSurface,
+    contact: f64,
+    pole: DVec3,
+) -> Option<NurbsSurface> {
+    let (frame, radius, is_outward) = whole_sphere(surface, contact)?;
+    let axis = frame.x() * pole.x + frame.y() * pole.y + frame.z() * pole.z;
+    about(frame.origin(), axis, radius, is_outward)
+}
+
+fn about(center: DVec3, axis: DVec3, radius: f64, is_outward: bool) -> Option<NurbsSurface> {
+    let frame = Frame::from_normal(center, axis, None).ok()?;
     let sphere = NurbsSurface::sphere(frame, radius).ok()?;
     Some(if is_outward { sphere } else { sphere.swapped() })
 }

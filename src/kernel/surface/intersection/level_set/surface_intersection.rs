@@ -8,12 +8,15 @@
 //! Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988); Barnhill &
 //! Kersey, *A marching method for parametric surface/surface intersection*, CAGD 7 (1990).
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use super::{
     CommonScale, FITTING, LevelSet, PictureError,
     chain::{self, VanishingPlace},
     cubic,
+    elsewhere::with_seams_elsewhere,
     pair::SurfacePart,
     sample::{BranchSample, BranchSamples},
     seam::EdgeOverlap,
@@ -24,7 +27,7 @@ use super::{
     verify::{self, CurveOrigin},
 };
 use crate::{
-    GeomError, NurbsCurve, Surface, Tolerance,
+    GeomError, NurbsCurve, NurbsSurface, Surface, Tolerance,
     ceiling::SURFACE_PAIRS,
     mesh::check_rounding,
     tolerance::{CONTACT_SHARE, ONE_PLACE_SHARE},
@@ -37,6 +40,9 @@ const SPLINE_SHARE: f64 = 0.4 * CONTACT_SHARE;
 
 /// How far, in tolerances, a curve of two surfaces that are nearly parallel may be told beside it.
 const FAR_ASIDE: f64 = 64.0;
+
+/// Tolerances below which a curve that is not closed may be a piece of a longer one.
+const CRUMB: f64 = 64.0;
 
 impl Surface {
     /// The curves in which the surface crosses another or touches it, within the tolerance's distance
@@ -59,49 +65,90 @@ impl Surface {
         let size = a.bounds().diagonal().min(b.bounds().diagonal());
         let tolerance = tolerance.distance_for(size);
         check_rounding(tolerance, magnitude)?;
-        let [a, b] = sphere::with_poles_aside([a, b], CONTACT_SHARE * tolerance);
-        let seams = EdgeOverlap::all([&a, &b], tolerance)?;
-        if let Some(point) = seams.iter().find_map(|seam| seam.overlap([&a, &b], tolerance)) {
-            return Err(PictureError::SurfacesRunTogether { point }.into());
+        let first = shared([Arc::clone(&a), Arc::clone(&b)], tolerance, size);
+        if is_certain(&first, tolerance) {
+            return first;
         }
-        let (crossing, found) = found([&a, &b], &seams, tolerance, size)?;
-        let SharedParts { clear, mut ends, touches, lines, .. } = found;
-        let mut runs = lines;
-        let mut uncertain: Vec<DVec3> =
-            runs.iter().map(|run| run.samples[run.samples.len() / 2].point).collect();
-        branches(&crossing, &ends, &mut runs);
-        arcs(&crossing, clear, &ends, &mut runs)?;
-        // Where the surfaces are that near all over, a loop is no more than a touch.
-        let poles =
-            |radius: f64| crossing.poles.iter().map(move |&point| VanishingPlace { point, radius });
-        let around_poles = poles((crossing.contact * crossing.size).sqrt());
-        let near: Vec<VanishingPlace> = ends.spots.iter().copied().chain(around_poles).collect();
-        runs.retain(|run| !near.iter().any(|spot| run.is_within(spot)));
-        let met = |spot: &VanishingPlace| is_met(spot, &runs, crossing.tolerance);
-        uncertain.extend(ends.spots.iter().filter(|spot| met(spot)).map(|spot| spot.point));
-        // A spot in the middle of a curve is no touch in a point.
-        ends.spots.retain(|spot| n_ends(spot, &runs) != 0 || !met(spot));
-        ends.spots.extend(touches);
-        let is_passed = |spot: &VanishingPlace| {
-            runs.iter().any(|run| run.passes(spot.point, crossing.tolerance))
-        };
-        ends.spots.extend(
-            poles(crossing.tolerance).filter(|spot| n_ends(spot, &runs) != 0 || !is_passed(spot)),
-        );
-        let chained = chain::chained(runs, &ends.spots, crossing.tolerance);
-        let spline = |line: Vec<BranchSample>| cubic::spline(&line, FITTING * crossing.tolerance);
-        let seams_once = EdgeOverlap::different(&seams, crossing.tolerance).into_iter();
-        let lines = chained.lines.into_iter().filter(|line| 1 < line.len()).map(spline);
-        let curves: Result<Vec<NurbsCurve>, GeomError> =
-            seams_once.map(|seam| Ok(seam.directed([&a, &b]))).chain(lines).collect();
-        let curves = curves?;
-        let is_on_seam =
-            |point: &DVec3| seams.iter().any(|seam| seam.holds(*point, crossing.tolerance));
-        let touches = chained.isolated.into_iter().filter(|point| !is_on_seam(point)).collect();
-        uncertain.retain(|point| !is_on_seam(point));
-        verify::verify(&curves, &CurveOrigin::Surfaces([&a, &b]), tolerance)?;
-        Ok(LevelSet { curves, touches, uncertain })
+        let mut best = first;
+        for surfaces in with_seams_elsewhere(&[a, b], CONTACT_SHARE * tolerance) {
+            let found = shared(surfaces?, tolerance, size);
+            if is_certain(&found, tolerance) {
+                return found;
+            }
+            best = best.or(found);
+        }
+        best
     }
+}
+
+/// Whether curves may be told: what cannot be may hang on where seams are, and so do crumbs of a curve
+/// beside one.
+fn is_certain(found: &Result<LevelSet, GeomError>, tolerance: f64) -> bool {
+    match found {
+        Ok(set) => {
+            let is_crumb = |curve: &NurbsCurve| {
+                let is_closed = curve.is_closed(tolerance);
+                !is_closed && curve.bounds().diagonal() <= CRUMB * tolerance
+            };
+            !set.curves.iter().any(is_crumb)
+        }
+        Err(GeomError::Picture(refused)) => !matches!(
+            refused,
+            PictureError::OffSurface { .. }
+                | PictureError::ToldTwice { .. }
+                | PictureError::EndsInside { .. }
+        ),
+        Err(_) => true,
+    }
+}
+
+/// What two surfaces share that are no functions.
+fn shared(
+    surfaces: [Arc<NurbsSurface>; 2],
+    tolerance: f64,
+    size: f64,
+) -> Result<LevelSet, GeomError> {
+    let [a, b] = sphere::with_poles_aside(surfaces, CONTACT_SHARE * tolerance);
+    let seams = EdgeOverlap::all([&a, &b], tolerance)?;
+    if let Some(point) = seams.iter().find_map(|seam| seam.overlap([&a, &b], tolerance)) {
+        return Err(PictureError::SurfacesRunTogether { point }.into());
+    }
+    let (crossing, found) = found([&a, &b], &seams, tolerance, size)?;
+    let SharedParts { clear, mut ends, touches, lines, .. } = found;
+    let mut runs = lines;
+    let mut uncertain: Vec<DVec3> =
+        runs.iter().map(|run| run.samples[run.samples.len() / 2].point).collect();
+    branches(&crossing, &ends, &mut runs);
+    arcs(&crossing, clear, &ends, &mut runs)?;
+    // Where the surfaces are that near all over, a loop is no more than a touch.
+    let poles =
+        |radius: f64| crossing.poles.iter().map(move |&point| VanishingPlace { point, radius });
+    let around_poles = poles((crossing.contact * crossing.size).sqrt());
+    let near: Vec<VanishingPlace> = ends.spots.iter().copied().chain(around_poles).collect();
+    runs.retain(|run| !near.iter().any(|spot| run.is_within(spot)));
+    let met = |spot: &VanishingPlace| is_met(spot, &runs, crossing.tolerance);
+    uncertain.extend(ends.spots.iter().filter(|spot| met(spot)).map(|spot| spot.point));
+    // A spot in the middle of a curve is no touch in a point.
+    ends.spots.retain(|spot| n_ends(spot, &runs) != 0 || !met(spot));
+    ends.spots.extend(touches);
+    let is_passed =
+        |spot: &VanishingPlace| runs.iter().any(|run| run.passes(spot.point, crossing.tolerance));
+    ends.spots.extend(
+        poles(crossing.tolerance).filter(|spot| n_ends(spot, &runs) != 0 || !is_passed(spot)),
+    );
+    let chained = chain::chained(runs, &ends.spots, crossing.tolerance);
+    let spline = |line: Vec<BranchSample>| cubic::spline(&line, FITTING * crossing.tolerance);
+    let seams_once = EdgeOverlap::different(&seams, crossing.tolerance).into_iter();
+    let lines = chained.lines.into_iter().filter(|line| 1 < line.len()).map(spline);
+    let curves: Result<Vec<NurbsCurve>, GeomError> =
+        seams_once.map(|seam| Ok(seam.directed([&a, &b]))).chain(lines).collect();
+    let curves = curves?;
+    let is_on_seam =
+        |point: &DVec3| seams.iter().any(|seam| seam.holds(*point, crossing.tolerance));
+    let touches = chained.isolated.into_iter().filter(|point| !is_on_seam(point)).collect();
+    uncertain.retain(|point| !is_on_seam(point));
+    verify::verify(&curves, &CurveOrigin::Surfaces([&a, &b]), tolerance)?;
+    Ok(LevelSet { curves, touches, uncertain })
 }
 
 /// How many curves end in a spot.
