@@ -176,3 +176,54 @@ fn a_ball_that_touches_a_tube_along_a_circle_tells_all_of_it() {
         assert!((total(&found) / (TAU * minor) - 1.0).abs() < 2e-6, "{n}: {}", total(&found));
     }
 }
+
+/// The two curves that a sphere about the origin, turned about an axis, shares with a cylinder, each once.
+#[track_caller]
+fn check_whole(turned: DAffine3, ball: f64, tube: &NurbsSurface, lengths: &[f64]) {
+    let ball = Surface::from(sphere(DVec3::ZERO, ball).transformed(&turned));
+    let found = ball.intersections(&Surface::from(tube.clone()), Tolerance::DEFAULT).unwrap();
+    assert_eq!(found.curves.len(), lengths.len(), "{found:?}");
+    for (curve, length) in found.curves.iter().zip(lengths) {
+        let far = curve.length(curve.domain()) / length - 1.0;
+        assert!(far.abs() < 2e-6, "{far:e} of {length}");
+    }
+}
+
+#[test]
+fn a_circle_that_touches_the_seam_of_a_sphere_is_whole_at_every_size() {
+    let axis = DVec3::new(1.0, 1.0, 0.0).normalize();
+    let turned = DAffine3::from_axis_angle(axis, std::f64::consts::FRAC_PI_4);
+    for n in 0..24 {
+        let radius = 1.0 + 0.37 * f64::from(n);
+        let tube = cylinder(DVec3::Z * (-4.0 * radius), radius, 8.0 * radius);
+        check_whole(turned, 2.0 * radius, &tube, &[TAU * radius; 2]);
+    }
+}
+
+#[test]
+fn a_curve_that_crosses_itself_on_a_seam_is_told_wherever_the_poles_are() {
+    for degrees in [15.0_f64, 45.0, 60.0, 75.0] {
+        let turned = DAffine3::from_axis_angle(DVec3::X, degrees.to_radians());
+        let tube = cylinder(DVec3::new(1.0, 0.0, -3.0), 1.0, 6.0);
+        let half = 4.0 * 2f64.sqrt() * elliptic(0.5);
+        check_whole(turned, 2.0, &tube, &[half; 2]);
+    }
+}
+
+#[test]
+fn a_plane_that_touches_a_thin_torus_twice_leaves_no_crumbs() {
+    for n in 0..12 {
+        let around = TAU / 12.0 * f64::from(n) + 0.1;
+        for (major, minor) in [(10.0, 1.0), (14.0, 1.4), (5.0, 4.0)] {
+            let (sine, cosine) = (minor / major, f64::sqrt(1.0 - minor * minor / major / major));
+            let (s, c) = libm::sincos(around);
+            let plane =
+                Frame::from_normal(DVec3::ZERO, DVec3::new(sine * c, sine * s, cosine), None);
+            let torus = Surface::from(torus(major, minor));
+            let found = torus.section(plane.unwrap(), Tolerance::DEFAULT).unwrap();
+            assert!((total(&found) / (2.0 * TAU * major) - 1.0).abs() < 2e-6, "{major}, {n}");
+            let shortest = found.curves.iter().map(|curve| curve.length(curve.domain()));
+            assert!(minor < shortest.fold(f64::INFINITY, f64::min), "{major}, {n}: {found:?}");
+        }
+    }
+}

@@ -337,3 +337,13 @@ fn all_of_a_circle_far_away_is_as_near_to_a_point_of_its_axis() {
         assert_eq!(foot.count, 1);
     }
 }
+
+#[test]
+fn the_nearest_place_of_a_curve_within_the_tolerance_is_its_own() {
+    for size in [1e-6, 0.5e-6, 1e-8, 1e-40, 1e-150] {
+        let circle = NurbsCurve::arc(Frame::XY, size, 0.0, std::f64::consts::TAU).unwrap();
+        let foot = circle.closest(DVec3::new(3.0, 4.0, 0.0) * size, 1e-6);
+        assert!((foot.distance / size - 4.0).abs() < 1e-14, "{size:e}: {foot:?}");
+        assert!(foot.point.distance(DVec3::new(0.6, 0.8, 0.0) * size) < 1e-14 * size, "{size:e}");
+    }
+}

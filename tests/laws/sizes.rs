@@ -153,3 +153,62 @@ fn a_curve_turns_alike_at_every_size() {
         assert!(agree(found * size, torsion(curve.clone())), "{size:e}: {found:e}");
     }
 }
+
+fn arch(size: f64) -> NurbsCurve {
+    let points = [[0.0, 0.0], [1.0, 2.0], [2.0, 0.0]];
+    NurbsCurve::bezier(&points.map(|[x, y]| DVec3::new(x, y, 0.0) * size)).unwrap()
+}
+
+#[test]
+fn what_stands_out_on_a_curve_is_found_at_every_size() {
+    for size in SIZES {
+        for tolerance in [tolerance(size), Tolerance::DEFAULT] {
+            let curve = Curve::from(arch(size));
+            assert_eq!(curve.extrema(DVec3::Y, tolerance).unwrap(), [0.5], "{size:e}");
+            let corner = [DVec3::ZERO, DVec3::X, DVec3::ONE].map(|point| point * size);
+            let corners = Curve::from(NurbsCurve::polyline(&corner).unwrap()).corners(tolerance);
+            assert_eq!(corners.unwrap(), [1.0], "{size:e}");
+        }
+        let plane = Frame::XY.at(DVec3::ZERO);
+        let upright = Frame::from_normal(DVec3::X * (0.5 * size), DVec3::X, None).unwrap();
+        let curve = Curve::from(arch(size));
+        let found = curve.plane_parameters(upright, tolerance(size)).unwrap();
+        assert!(found.len() == 1 && (found[0] - 0.25).abs() < 1e-12, "{size:e}: {found:?}");
+        assert_eq!(curve.plane_parameters(plane, tolerance(size)).unwrap(), [0.0, 1.0]);
+    }
+}
+
+#[test]
+fn a_corner_is_one_at_every_size() {
+    for size in SIZES {
+        let corner = [DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y].map(|point| point * size);
+        let legs = [[0, 1], [1, 2]].map(|[a, b]| NurbsCurve::line(corner[a], corner[b]).unwrap());
+        let [first, second] = legs.map(Curve::from);
+        let joint = first.continuity_with(&second, tolerance(size)).unwrap();
+        assert_eq!((joint.c, joint.g), (0, 0), "{size:e}");
+        assert!((joint.angle - std::f64::consts::FRAC_PI_2).abs() < 1e-12, "{size:e}");
+        let whole = Curve::from(NurbsCurve::polyline(&corner).unwrap());
+        assert_eq!(whole.continuity(tolerance(size)).unwrap().g, 0, "{size:e}");
+    }
+    // A line that goes on as a circle: the leap of the curvature is 1 over the radius.
+    for size in [1e-150, 1e150] {
+        let line = NurbsCurve::line(DVec3::new(size, -size, 0.0), DVec3::X * size).unwrap();
+        let arc = NurbsCurve::arc(Frame::XY, size, 0.0, 2.0).unwrap();
+        let joint = Curve::from(line).continuity_with(&Curve::from(arc), tolerance(size)).unwrap();
+        let gap = joint.curvature_gap.unwrap() * size;
+        assert!(joint.g == 1 && (gap - 1.0).abs() < 1e-12, "{size:e}: {joint:?}");
+    }
+}
+
+#[test]
+fn a_line_pierces_what_is_large_for_its_tolerance() {
+    for size in [1e9, 1e11, 1e13, 1e150] {
+        let ball = Surface::from(NurbsSurface::sphere(Frame::XY, size).unwrap());
+        let ends = [-2.0, 2.0].map(|x| DVec3::new(x, 0.0, 0.1) * size);
+        let line = Curve::from(NurbsCurve::line(ends[0], ends[1]).unwrap());
+        let found = ball.piercings(&line, Tolerance::DEFAULT).unwrap();
+        assert_eq!(found.len(), 2, "{size:e}: {found:?}");
+        let x = f64::sqrt(1.0 - 0.01) * size;
+        assert!((found[1].point.x / x - 1.0).abs() < 1e-14, "{size:e}: {found:?}");
+    }
+}

@@ -20,7 +20,7 @@ use super::{
     form::ParameterBoxes,
     rules::{BendingSide, NormalRules},
 };
-use crate::{Grid, tolerance::FLAT_SLOPE};
+use crate::{Direction, Grid, tolerance::FLAT_SLOPE};
 
 /// How many times as long as the tolerance the part across may be.
 const MAX_SLIDE: f64 = 4.0;
@@ -60,7 +60,7 @@ pub(super) fn near_rules(
     });
     let slide = MAX_SLIDE * tolerance;
     // The pieces beside, but for those behind a line where the surface is broken.
-    let around = |along: usize, i: usize| {
+    let around = |along: Direction, i: usize| {
         let (ends, breaks) = (&ends[along], breaks[along]);
         let first = if i == 0 || breaks.contains(&ends[i]) { i } else { i - 1 };
         let is_last = i + 2 == ends.len() || breaks.contains(&ends[i + 1]);
@@ -69,8 +69,8 @@ pub(super) fn near_rules(
     Grid::from_fn(pieces.n_rows(), pieces.n_columns(), |i, j| {
         let this = steady.get(i, j)?;
         let mut curvature = 0.0_f64;
-        for k in around(0, i) {
-            for l in around(1, j) {
+        for k in around(Direction::U, i) {
+            for l in around(Direction::V, j) {
                 let beside = steady.get(k, l)?;
                 if (k, l) != (i, j) && beside.extent < slide {
                     return None;

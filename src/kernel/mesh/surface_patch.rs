@@ -112,11 +112,11 @@ impl<'a> SurfacePatch<'a> {
             ends
         });
         loop {
-            let lines = |along: usize| {
+            let lines = |along: Direction| {
                 let widths = CellWidths { ends: &limits.ends[along], widths: &widths[along] };
                 widths.lines(&sections[along], most)
             };
-            let lines = [lines(0)?, lines(1)?];
+            let lines = [lines(Direction::U)?, lines(Direction::V)?];
             check_vertices(lines[0].len() - 1, lines[1].len() - 1, most)?;
             if !limits.narrow(&lines, &mut widths) {
                 return Ok(Cells { limits, lines });

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Approximator, KnotVector, LineFit, NurbsSurface},
+    kernel::{Approximator, Direction, KnotVector, LineFit, NurbsSurface},
     ops::{
         curve::{check_degree, fit::Parameters},
         positive,
@@ -65,13 +65,14 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     };
     match (args.control_points, args.tolerance) {
         (Some(wanted), None) => {
-            let near = |along: usize, count: usize| {
+            let near = |along: Direction, count: usize| {
                 let (degree, n_points, counts) = (degrees[along], counts[along], wanted.span);
                 move |parameters| {
                     near(degree, Spanned::new(count, counts), (n_points, span), parameters)
                 }
             };
-            let (along_u, along_v) = (near(0, wanted.value.u), near(1, wanted.value.v));
+            let (along_u, along_v) =
+                (near(Direction::U, wanted.value.u), near(Direction::V, wanted.value.v));
             data.surface([&along_u, &along_v])
         }
         (None, Some(tolerance)) => {

@@ -6,7 +6,10 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{ConstructionReport, CrossFields, Curve, Interval, NurbsSurface, ReportEntry, Twists},
+    kernel::{
+        ConstructionReport, CrossFields, Curve, Direction, Interval, NurbsSurface, ReportEntry,
+        Twists,
+    },
     value::{Angle, At, Choice, Ctx, op, rounded},
 };
 
@@ -178,17 +181,17 @@ impl CoonsData {
     }
 
     /// An end of a domain.
-    fn at(&self, direction: usize, end: usize) -> String {
-        let domain = self.over[direction];
-        rounded([domain.start(), domain.end()][end])
+    fn at(&self, along: Direction, end: usize) -> f64 {
+        let domain = self.over[along];
+        [domain.start(), domain.end()][end]
     }
 
     fn told(&self, twists: &Twists) -> String {
         let [i, j] = twists.corner;
         format!(
             "at the corner u = {}, v = {} the derivative of `{}` is {}, that of `{}` is {}: the twists differ by {}",
-            self.at(0, i),
-            self.at(1, j),
+            rounded(self.at(Direction::U, i)),
+            rounded(self.at(Direction::V, j)),
             self.cross_u[j].name,
             place(twists.of_cross_u),
             self.cross_v[i].name,
@@ -199,14 +202,10 @@ impl CoonsData {
 
     fn fact(&self, twists: &Twists) -> ReportEntry {
         let [i, j] = twists.corner;
-        let ends = |direction: usize, end: usize| {
-            let domain: Interval = self.over[direction];
-            [domain.start(), domain.end()][end]
-        };
         ReportEntry::Record(
             ConstructionReport::default()
-                .with("u", ends(0, i))
-                .with("v", ends(1, j))
+                .with("u", self.at(Direction::U, i))
+                .with("v", self.at(Direction::V, j))
                 .with("cross_u", twists.of_cross_u)
                 .with("cross_v", twists.of_cross_v)
                 .with("twist", twists.mean())

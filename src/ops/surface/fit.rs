@@ -6,8 +6,8 @@ use super::{PerDirection, in_direction};
 use crate::{
     diag::{Result, Span, Spanned},
     kernel::{
-        ConstructionReport, FirstPass, Grid, LineFit, Lines, NurbsSurface, Parametrization,
-        check_parameters, columns_within, surface_within,
+        ConstructionReport, Direction, FirstPass, Grid, LineFit, Lines, NurbsSurface,
+        Parametrization, check_parameters, columns_within, surface_within,
     },
     ops::curve::fit::Parameters,
     value::{At, Choice},
@@ -52,13 +52,13 @@ impl GridData {
             self;
         let given = grid.clone();
         let mut places = [Vec::new(), Vec::new()];
-        let mut noted = |direction: usize, found: Vec<f64>| {
-            places[direction].clone_from(&found);
-            fit[direction](found)
+        let mut noted = |along: Direction, found: Vec<f64>| {
+            places[along].clone_from(&found);
+            fit[along](found)
         };
         let place = parameters.span_or(span);
         let along_u = means(parameters.value.u, &grid.transposed(), [place, span])
-            .and_then(|found| noted(0, found))
+            .and_then(|found| noted(Direction::U, found))
             .map_err(|found| in_direction(found, "u", "rows"))?;
         let first = FirstPass::new(&grid, &along_u).at(span)?;
         let rows = match second_pass {
@@ -66,7 +66,7 @@ impl GridData {
             SecondPass::Control => first.points(),
         };
         let along_v = means(parameters.value.v, &rows, [place, span])
-            .and_then(|found| noted(1, found))
+            .and_then(|found| noted(Direction::V, found))
             .map_err(|found| in_direction(found, "v", "points in a row"))?;
         let surface = first.second(&along_v).at(span)?;
         Ok(reporting(surface, operation, &given, places))

@@ -9,7 +9,7 @@
 use glam::DVec3;
 
 use crate::{
-    GeomError, Grid, LocalError,
+    Direction, GeomError, Grid, LocalError,
     frame::{norm, unit},
     surface::{Surface, SurfaceShape},
     tolerance::{NORMAL_AGREEMENT, VANISHING_RELATIVE},
@@ -31,20 +31,21 @@ impl Surface {
         let (domain_u, domain_v) = (self.domain_u(), self.domain_v());
         let [width_u, width_v] = self.widths_at(u, v);
         let edges = [
-            (domain_v.inward(v), true, domain_u, [width_u, width_v]),
-            (domain_u.inward(u), false, domain_v, [width_v, width_u]),
+            (domain_v.inward(v), Direction::U, domain_u, [width_u, width_v]),
+            (domain_u.inward(u), Direction::V, domain_v, [width_v, width_u]),
         ];
-        for (across, is_along_u, along, widths) in edges {
+        for (across, along, domain, widths) in edges {
             let Some(across) = across else { continue };
             let fan_at = |t: f64| -> Result<PoleDerivatives, GeomError> {
-                let (u, v) = if is_along_u { (t, v) } else { (u, t) };
-                let derivatives = self.derivatives_at(u, v, 4)?;
-                Ok(PoleDerivatives(if is_along_u { derivatives } else { derivatives.transposed() }))
+                Ok(PoleDerivatives(match along {
+                    Direction::U => self.derivatives_at(t, v, 4)?,
+                    Direction::V => self.derivatives_at(u, t, 4)?.transposed(),
+                }))
             };
-            let here = fan_at(if is_along_u { u } else { v })?;
+            let here = fan_at([u, v][along])?;
             let Some(shape) = here.shape(normal, across, widths) else { continue };
             let mut is_one = true;
-            for t in along.steps(PARTS) {
+            for t in domain.steps(PARTS) {
                 is_one &= fan_at(t)?.agrees_with(&shape);
             }
             if is_one {

@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use crate::{
-    Grid, Interval, Side,
+    Direction, Grid, Interval, Side,
     frame::{norm, unit},
     homogeneous,
     numeric::linear::TwoEquations,
@@ -42,7 +42,7 @@ impl TwoSidedSample {
         surface: &NurbsSurface,
         [u, v]: [f64; 2],
         sides: [Side; 2],
-        is_of_u: bool,
+        across: Direction,
     ) -> Self {
         let (knots_u, knots_v) = (surface.knots_u(), surface.knots_v());
         let (u, v) = (knots_u.snapped(u), knots_v.snapped(v));
@@ -60,32 +60,38 @@ impl TwoSidedSample {
         }
         let degree = knots_u.degree().max(knots_v.degree()).max(1) as f64;
         let growth = degree * heaviest / homogeneous.get(0, 0).w;
-        let looked = Self::new(space, homogeneous, widths.map(Interval::length), is_of_u);
+        let looked = Self::new(space, homogeneous, widths.map(Interval::length), across);
         Self { rounding: VANISHING_RELATIVE * magnitude, growth, ..looked }
     }
 
     pub(in crate::surface) fn of_function(
         space: &Grid<DVec3>,
         widths: [f64; 2],
-        is_of_u: bool,
+        across: Direction,
     ) -> Self {
         let homogeneous = Grid::from_fn(space.n_rows(), space.n_columns(), |k, l| {
             space.get(k, l).extend(if k + l == 0 { 1.0 } else { 0.0 })
         });
-        let looked = Self::new(space.clone(), homogeneous, widths, is_of_u);
+        let looked = Self::new(space.clone(), homogeneous, widths, across);
         let magnitude = looked.point().abs().max_element() + looked.extent;
         Self { rounding: VANISHING_RELATIVE * magnitude, growth: FUNCTION_GROWTH, ..looked }
     }
 
-    fn new(space: Grid<DVec3>, homogeneous: Grid<DVec4>, widths: [f64; 2], is_of_u: bool) -> Self {
+    fn new(
+        space: Grid<DVec3>,
+        homogeneous: Grid<DVec4>,
+        widths: [f64; 2],
+        across: Direction,
+    ) -> Self {
         let extent = norm(space.get(1, 0)) * widths[0] + norm(space.get(0, 1)) * widths[1];
-        let (space, homogeneous, reach) = match is_of_u {
-            true => (space, homogeneous, widths[0]),
-            false => (space.transposed(), homogeneous.transposed(), widths[1]),
+        let (space, homogeneous) = match across {
+            Direction::U => (space, homogeneous),
+            Direction::V => (space.transposed(), homogeneous.transposed()),
         };
-        let (width, along) = (widths[usize::from(is_of_u)], norm(space.get(0, 1)));
-        let across = norm(space.get(1, 0).cross(space.get(0, 1))) / along;
-        let leg = (across * reach).min(along * width);
+        let (reach, width) = (widths[across], widths[across.other()]);
+        let along = norm(space.get(0, 1));
+        let height = norm(space.get(1, 0).cross(space.get(0, 1))) / along;
+        let leg = (height * reach).min(along * width);
         Self { space, homogeneous, is_end: false, reach, extent, leg, rounding: 0.0, growth: 1.0 }
     }
 

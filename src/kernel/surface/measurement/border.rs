@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::{
-    Curve, GeomError, Interval, KnotVector, Side,
+    Curve, Direction, GeomError, Interval, KnotVector, Side,
     ceiling::POLISHING_STEPS,
     frame::norm,
     numeric::newton::improved,
@@ -27,8 +27,8 @@ const SEEDS: usize = 256;
 #[derive(Clone, Copy, Debug)]
 pub(in crate::surface) struct SurfaceBorder<'a> {
     surface: &'a Surface,
-    /// Whether the line is one of constant u.
-    is_of_u: bool,
+    /// The direction that leaves the line: the parameter that is constant along it.
+    across: Direction,
     /// The parameter that is constant.
     at: f64,
     /// The surface is looked at where this parameter is smaller, left, or larger.
@@ -38,26 +38,27 @@ pub(in crate::surface) struct SurfaceBorder<'a> {
 impl<'a> SurfaceBorder<'a> {
     pub(in crate::surface) fn edge(surface: &'a Surface, edge: Edge) -> Self {
         let (u, v) = (surface.domain_u(), surface.domain_v());
-        let (is_of_u, at, side) = match edge {
-            Edge::U0 => (true, u.start(), Side::Right),
-            Edge::U1 => (true, u.end(), Side::Left),
-            Edge::V0 => (false, v.start(), Side::Right),
-            Edge::V1 => (false, v.end(), Side::Left),
+        let (across, at, side) = match edge {
+            Edge::U0 => (Direction::U, u.start(), Side::Right),
+            Edge::U1 => (Direction::U, u.end(), Side::Left),
+            Edge::V0 => (Direction::V, v.start(), Side::Right),
+            Edge::V1 => (Direction::V, v.end(), Side::Left),
         };
-        Self { surface, is_of_u, at, side }
+        Self { surface, across, at, side }
     }
 
     /// Both sides of each inner knot that may be less than C3 across.
     pub(in crate::surface) fn inner_knots(surface: &'a Surface) -> Vec<[Self; 2]> {
         let Surface::Nurbs(nurbs) = surface else { return Vec::new() };
         let mut lines = Vec::new();
-        for (is_of_u, knots) in [(true, nurbs.knots_u()), (false, nurbs.knots_v())] {
+        for across in Direction::BOTH {
+            let knots = nurbs.knots(across);
             let domain = knots.domain();
             let inner = knots.distinct().into_iter().filter(|&(t, times)| {
                 domain.start() < t && t < domain.end() && knots.degree() < times + ORDER
             });
             lines.extend(inner.map(|(at, _)| {
-                [Side::Left, Side::Right].map(|side| Self { surface, is_of_u, at, side })
+                [Side::Left, Side::Right].map(|side| Self { surface, across, at, side })
             }));
         }
         lines
@@ -65,12 +66,12 @@ impl<'a> SurfaceBorder<'a> {
 
     /// The parameters along the line.
     pub(in crate::surface) fn along(&self) -> Interval {
-        if self.is_of_u { self.surface.domain_v() } else { self.surface.domain_u() }
+        self.surface.domain(self.across.other())
     }
 
     /// The parameters of the surface at a place of the line.
     pub(in crate::surface) fn place(&self, t: f64) -> (f64, f64) {
-        if self.is_of_u { (self.at, t) } else { (t, self.at) }
+        self.across.pair(self.at, t).into()
     }
 
     fn point(&self, t: f64) -> Result<DVec3, GeomError> {
@@ -79,11 +80,7 @@ impl<'a> SurfaceBorder<'a> {
     }
 
     fn curve(&self) -> Result<Curve, GeomError> {
-        if self.is_of_u {
-            self.surface.isocurve_u(self.at)
-        } else {
-            self.surface.isocurve_v(self.at)
-        }
+        self.surface.isocurve(self.across.other(), self.at)
     }
 
     /// The length of a polyline along it.
@@ -119,7 +116,7 @@ impl<'a> SurfaceBorder<'a> {
     /// The knots along the line; a function has none.
     fn knots(&self) -> Option<&KnotVector> {
         let nurbs = self.surface.nurbs().ok()?;
-        Some(if self.is_of_u { nurbs.knots_v() } else { nurbs.knots_u() })
+        Some(nurbs.knots(self.across.other()))
     }
 
     /// Fractions of the line, so many on each piece that a difference of what is compared between
@@ -210,20 +207,20 @@ impl<'a> SurfaceBorder<'a> {
     pub(in crate::surface) fn step(&self, t: f64) -> Result<(DVec3, DVec3), GeomError> {
         let (u, v) = self.place(t);
         let [point, along_u, along_v] = self.surface.tangents_at(u, v)?;
-        Ok((point, if self.is_of_u { along_v } else { along_u }))
+        Ok((point, [along_u, along_v][self.across.other()]))
     }
 
     fn look(&self, t: f64, along: Side) -> Result<TwoSidedSample, GeomError> {
         let (u, v) = self.place(t);
-        let sides = if self.is_of_u { [self.side, along] } else { [along, self.side] };
+        let sides = self.across.pair(self.side, along);
         let mut looked = match self.surface {
             Surface::Nurbs(surface) => {
-                TwoSidedSample::of_nurbs(surface, [u, v], sides, self.is_of_u)
+                TwoSidedSample::of_nurbs(surface, [u, v], sides, self.across)
             }
             Surface::Parametric(surface) => {
                 let space = surface.derivatives_at(u, v, ORDER)?;
                 let widths = [surface.domain_u().length(), surface.domain_v().length()];
-                TwoSidedSample::of_function(&space, widths, self.is_of_u)
+                TwoSidedSample::of_function(&space, widths, self.across)
             }
         };
         looked.is_end = self.side == Side::Left;

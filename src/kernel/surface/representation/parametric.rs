@@ -290,7 +290,7 @@ impl ParametricSurface {
     /// # Errors
     /// As [`Self::derivatives_at`].
     pub fn isocurve_u(&self, u: f64) -> Result<ParametricCurve, GeomError> {
-        let isocurve = Isocurve { surface: self.clone(), at: u, is_along_u: false };
+        let isocurve = Isocurve { surface: self.clone(), at: u, along: Direction::V };
         ParametricCurve::new(self.domain_v, Arc::new(isocurve))
     }
 
@@ -299,7 +299,7 @@ impl ParametricSurface {
     /// # Errors
     /// As [`Self::derivatives_at`].
     pub fn isocurve_v(&self, v: f64) -> Result<ParametricCurve, GeomError> {
-        let isocurve = Isocurve { surface: self.clone(), at: v, is_along_u: true };
+        let isocurve = Isocurve { surface: self.clone(), at: v, along: Direction::U };
         ParametricCurve::new(self.domain_u, Arc::new(isocurve))
     }
 
@@ -327,14 +327,17 @@ impl PartialEq for ParametricSurface {
 struct Isocurve {
     surface: ParametricSurface,
     at: f64,
-    is_along_u: bool,
+    along: Direction,
 }
 
 impl CurveFunction for Isocurve {
     fn derivatives_at(&self, t: f64, order: usize) -> Result<Vec<DVec3>, FunctionFailure> {
-        let (u, v) = if self.is_along_u { (t, self.at) } else { (self.at, t) };
+        let [u, v] = self.along.pair(t, self.at);
         let derivatives = self.surface.derivatives_at(u, v, order).map_err(FunctionFailure::new)?;
-        let along = |k| if self.is_along_u { derivatives.get(k, 0) } else { derivatives.get(0, k) };
+        let along = |k| {
+            let [k, l] = self.along.pair(k, 0);
+            derivatives.get(k, l)
+        };
         Ok((0..=order).map(along).collect())
     }
 }

@@ -76,6 +76,9 @@ struct LyingPiece {
     widest: f64,
 }
 
+/// Roundings of places below which nothing is told apart, whatever the tolerance.
+const TOLD_ROUNDINGS: f64 = 64.0;
+
 impl Surface {
     /// Every place that a curve has in common with the surface, within the tolerance's distance, by
     /// the parameter on the curve.
@@ -97,9 +100,9 @@ impl Surface {
             return scale.piercings(surface.piercings(&curve, scale.tolerance(tolerance)));
         }
         let size = curve.bounds().diagonal().max(spline.bounds().diagonal());
-        let tolerance = tolerance.distance_for(size);
-        let touch_size = (tolerance * size).sqrt();
         let rounding = LAST_BIT * magnitude;
+        let tolerance = tolerance.distance_for(size).max(TOLD_ROUNDINGS * rounding);
+        let touch_size = (tolerance * size).sqrt();
         let search =
             PiercingSearch { curve: &curve, surface: &spline, tolerance, touch_size, rounding };
         search.run()

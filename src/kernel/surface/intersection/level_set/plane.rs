@@ -46,7 +46,29 @@ impl NurbsSurface {
     /// [`super::PictureError::Unresolved`] where the surface runs so near along the plane that rounding
     /// decides where it cuts.
     pub fn section(&self, plane: Frame, tolerance: Tolerance) -> Result<LevelSet, GeomError> {
-        let tolerance = self.line_tolerance(tolerance)?;
+        let distance = self.line_tolerance(tolerance)?;
+        let found = self.zeros_of_height(plane, distance);
+        if verify::is_certain(&found, distance) {
+            return found;
+        }
+        // Where lines cross at a small angle, rounding of the heights may leave crumbs of them.
+        let again = self
+            .plane_about(plane)
+            .and_then(|patch| Surface::from(patch).intersections(&self.clone().into(), tolerance));
+        if verify::is_certain(&again, distance) { again } else { found.or(again) }
+    }
+
+    /// A piece of the plane about all of the surface that could be in it.
+    fn plane_about(&self, plane: Frame) -> Result<Self, GeomError> {
+        let bounds = self.bounds();
+        let center = bounds.center() - plane.origin();
+        let [x, y] = [plane.x() * bounds.diagonal(), plane.y() * bounds.diagonal()];
+        let foot = plane.origin() + center - plane.z() * center.dot(plane.z());
+        Self::bilinear(foot - x - y, foot - x + y, foot + x - y, foot + x + y)
+    }
+
+    /// The lines along which the height above the plane vanishes.
+    fn zeros_of_height(&self, plane: Frame, tolerance: f64) -> Result<LevelSet, GeomError> {
         let (origin, normal) = (plane.origin(), plane.z());
         let height = |point: &glam::DVec4| (point.truncate() - origin * point.w).dot(normal);
         let heights = self.control_points.map(height);

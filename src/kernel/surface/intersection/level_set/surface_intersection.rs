@@ -41,9 +41,6 @@ const SPLINE_SHARE: f64 = 0.4 * CONTACT_SHARE;
 /// How far, in tolerances, a curve of two surfaces that are nearly parallel may be told beside it.
 const FAR_ASIDE: f64 = 64.0;
 
-/// Tolerances below which a curve that is not closed may be a piece of a longer one.
-const CRUMB: f64 = 64.0;
-
 impl Surface {
     /// The curves in which the surface crosses another or touches it, within the tolerance's distance
     /// and complete; they run along N × N of the two. Functions are crossed as splines that near.
@@ -66,39 +63,18 @@ impl Surface {
         let tolerance = tolerance.distance_for(size);
         check_rounding(tolerance, magnitude)?;
         let first = shared([Arc::clone(&a), Arc::clone(&b)], tolerance, size);
-        if is_certain(&first, tolerance) {
+        if verify::is_certain(&first, tolerance) {
             return first;
         }
         let mut best = first;
         for surfaces in with_seams_elsewhere(&[a, b], CONTACT_SHARE * tolerance) {
             let found = shared(surfaces?, tolerance, size);
-            if is_certain(&found, tolerance) {
+            if verify::is_certain(&found, tolerance) {
                 return found;
             }
             best = best.or(found);
         }
         best
-    }
-}
-
-/// Whether curves may be told: what cannot be may hang on where seams are, and so do crumbs of a curve
-/// beside one.
-fn is_certain(found: &Result<LevelSet, GeomError>, tolerance: f64) -> bool {
-    match found {
-        Ok(set) => {
-            let is_crumb = |curve: &NurbsCurve| {
-                let is_closed = curve.is_closed(tolerance);
-                !is_closed && curve.bounds().diagonal() <= CRUMB * tolerance
-            };
-            !set.curves.iter().any(is_crumb)
-        }
-        Err(GeomError::Picture(refused)) => !matches!(
-            refused,
-            PictureError::OffSurface { .. }
-                | PictureError::ToldTwice { .. }
-                | PictureError::EndsInside { .. }
-        ),
-        Err(_) => true,
     }
 }
 

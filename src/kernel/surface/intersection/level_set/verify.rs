@@ -9,9 +9,10 @@
 
 use glam::DVec3;
 
-use super::PictureError;
+use super::{LevelSet, PictureError};
 use crate::{
-    Bounds, Frame, GeomError, Interval, NurbsCurve, NurbsSurface, tolerance::NORMAL_AGREEMENT,
+    Bounds, Direction, Frame, GeomError, Interval, NurbsCurve, NurbsSurface,
+    tolerance::NORMAL_AGREEMENT,
 };
 
 /// Where within each span a curve is looked at: not in its middle, where a cubic may be on by symmetry.
@@ -26,6 +27,9 @@ const ONE_END: f64 = 4.0;
 
 /// Curves of fewer tolerances have no stretches.
 const SHORTEST: f64 = 200.0;
+
+/// Tolerances below which a curve that is not closed may be a piece of a longer one.
+const CRUMB: f64 = 64.0;
 
 /// What curves are told of.
 pub(super) enum CurveOrigin<'m> {
@@ -74,6 +78,27 @@ impl CurveOrigin<'_> {
             Self::Section { surface, plane, .. } => normal(surface).map(|a| (a, plane.z())),
         };
         normals.is_some_and(|(a, b)| a.cross(b).length() <= NORMAL_AGREEMENT)
+    }
+}
+
+/// Whether curves may be told: what cannot be may hang on where seams are, and so do crumbs of a curve
+/// beside one.
+pub(super) fn is_certain(found: &Result<LevelSet, GeomError>, tolerance: f64) -> bool {
+    match found {
+        Ok(set) => {
+            let is_crumb = |curve: &NurbsCurve| {
+                let is_closed = curve.is_closed(tolerance);
+                !is_closed && curve.bounds().diagonal() <= CRUMB * tolerance
+            };
+            !set.curves.iter().any(is_crumb)
+        }
+        Err(GeomError::Picture(refused)) => !matches!(
+            refused,
+            PictureError::OffSurface { .. }
+                | PictureError::ToldTwice { .. }
+                | PictureError::EndsInside { .. }
+        ),
+        Err(_) => true,
     }
 }
 
@@ -208,11 +233,16 @@ fn ends_are_ends(
 fn is_tip(surface: &NurbsSurface, point: DVec3, tolerance: f64) -> bool {
     let near = ONE_END * tolerance;
     let (u, v) = (surface.domain_u(), surface.domain_v());
-    let sides = [(u.start(), true), (u.end(), true), (v.start(), false), (v.end(), false)];
-    surface.edges().iter().zip(sides).any(|(edge, (end, is_of_u))| {
+    let sides = [
+        (u.start(), Direction::U),
+        (u.end(), Direction::U),
+        (v.start(), Direction::V),
+        (v.end(), Direction::V),
+    ];
+    surface.edges().iter().zip(sides).any(|(edge, (end, across))| {
         let is_here = edge.bounds().diagonal() <= tolerance && edge.start().distance(point) <= near;
         let normals = edge.domain().steps(N_PLACES).into_iter().map(|t| {
-            let (u, v) = if is_of_u { (end, t) } else { (t, end) };
+            let [u, v] = across.pair(end, t);
             surface.normal_at(u, v).unwrap_or(DVec3::ZERO)
         });
         let normals: Vec<DVec3> = if is_here { normals.collect() } else { Vec::new() };
