@@ -146,8 +146,8 @@ impl CoonsData {
                 }
                 let message = format!(
                     "at the corner u = {}, v = {} `{}` {} with {}, but the derivative of `{}` there is {}: they differ by {}",
-                    self.at(0, i),
-                    self.at(1, j),
+                    rounded(self.at(Direction::U, i)),
+                    rounded(self.at(Direction::V, j)),
                     field.name,
                     verb(at),
                     place(found),

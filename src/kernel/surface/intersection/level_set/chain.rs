@@ -5,6 +5,9 @@ use glam::DVec3;
 use super::sample::{BranchSample, BranchSamples};
 use crate::tolerance::ONE_PLACE_SHARE;
 
+/// Tolerances up to which a run between places where others meet is a part of these places.
+const SHORTEST_BETWEEN: f64 = 16.0;
+
 /// A place where the field vanishes with its slopes, up to a radius.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct VanishingPlace {
@@ -27,9 +30,11 @@ pub(super) fn chained(
     tolerance: f64,
 ) -> ChainedLines {
     let mut groups = EndGroups::new(&runs, spots, ONE_PLACE_SHARE * tolerance);
+    let contracted = groups.contract(&runs, SHORTEST_BETWEEN * tolerance);
     // What runs inside a spot says nothing.
     let is_inside = |i: usize, groups: &mut EndGroups| {
-        groups.are_joined(2 * i, 2 * i + 1) && runs[i].length() <= 4.0 * tolerance
+        groups.are_joined(2 * i, 2 * i + 1)
+            && (contracted.contains(&i) || runs[i].length() <= 4.0 * tolerance)
     };
     let is_lost: Vec<bool> = (0..runs.len()).map(|i| is_inside(i, &mut groups)).collect();
     let mut runs: Vec<BranchSamples> = runs;
@@ -217,6 +222,28 @@ impl EndGroups {
             i = self.parents[i];
         }
         i
+    }
+
+    /// Makes one place of the ends of each run of at most a length that lies between two places where
+    /// others meet, and tells which: rounding parts a place where lines cross at a small angle.
+    fn contract(&mut self, runs: &[BranchSamples], length: f64) -> Vec<usize> {
+        let mut contracted = Vec::new();
+        let mut n_ends = vec![0; self.parents.len()];
+        for end in 0..2 * runs.len() {
+            n_ends[self.root(end)] += 1;
+        }
+        for (i, run) in runs.iter().enumerate() {
+            if run.start().distance(run.end()) <= length && run.length() <= length {
+                let ends = [self.root(2 * i), self.root(2 * i + 1)];
+                if ends[0] != ends[1] && ends.iter().all(|&end| 3 <= n_ends[end]) {
+                    let [first, second] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+                    self.parents[second] = first;
+                    n_ends[first] += n_ends[second];
+                    contracted.push(i);
+                }
+            }
+        }
+        contracted
     }
 
     fn are_joined(&mut self, a: usize, b: usize) -> bool {
