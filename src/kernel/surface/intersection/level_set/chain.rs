@@ -224,8 +224,8 @@ impl EndGroups {
         i
     }
 
-    /// Makes one place of the ends of each run of at most a length that lies between two places where
-    /// others meet, and tells which: rounding parts a place where lines cross at a small angle.
+    /// Makes one place of the ends of each run of at most a length that lies between places where
+    /// others meet, or in one, and tells which: rounding parts a place where lines cross at a small angle.
     fn contract(&mut self, runs: &[BranchSamples], length: f64) -> Vec<usize> {
         let mut contracted = Vec::new();
         let mut n_ends = vec![0; self.parents.len()];
@@ -235,7 +235,9 @@ impl EndGroups {
         for (i, run) in runs.iter().enumerate() {
             if run.start().distance(run.end()) <= length && run.length() <= length {
                 let ends = [self.root(2 * i), self.root(2 * i + 1)];
-                if ends[0] != ends[1] && ends.iter().all(|&end| 3 <= n_ends[end]) {
+                if ends[0] == ends[1] && 4 <= n_ends[ends[0]] {
+                    contracted.push(i);
+                } else if ends[0] != ends[1] && ends.iter().all(|&end| 3 <= n_ends[end]) {
                     let [first, second] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
                     self.parents[second] = first;
                     n_ends[first] += n_ends[second];

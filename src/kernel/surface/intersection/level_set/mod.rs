@@ -219,7 +219,8 @@ impl ZeroSetParts {
             |line: Vec<sample::BranchSample>| cubic::spline(&line, FITTING * self.tolerance);
         let curves: Result<Vec<NurbsCurve>, GeomError> =
             chained.lines.into_iter().map(spline).collect();
-        Ok(LevelSet { curves: curves?, touches: chained.isolated, uncertain: Vec::new() })
+        let curves = verify::without_crumbs(curves?, self.tolerance);
+        Ok(LevelSet { curves, touches: chained.isolated, uncertain: Vec::new() })
     }
 }
 

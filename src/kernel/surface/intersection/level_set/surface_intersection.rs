@@ -118,7 +118,7 @@ fn shared(
     let lines = chained.lines.into_iter().filter(|line| 1 < line.len()).map(spline);
     let curves: Result<Vec<NurbsCurve>, GeomError> =
         seams_once.map(|seam| Ok(seam.directed([&a, &b]))).chain(lines).collect();
-    let curves = curves?;
+    let curves = verify::without_crumbs(curves?, tolerance);
     let is_on_seam =
         |point: &DVec3| seams.iter().any(|seam| seam.holds(*point, crossing.tolerance));
     let touches = chained.isolated.into_iter().filter(|point| !is_on_seam(point)).collect();

@@ -85,13 +85,7 @@ impl CurveOrigin<'_> {
 /// beside one.
 pub(super) fn is_certain(found: &Result<LevelSet, GeomError>, tolerance: f64) -> bool {
     match found {
-        Ok(set) => {
-            let is_crumb = |curve: &NurbsCurve| {
-                let is_closed = curve.is_closed(tolerance);
-                !is_closed && curve.bounds().diagonal() <= CRUMB * tolerance
-            };
-            !set.curves.iter().any(is_crumb)
-        }
+        Ok(set) => !set.curves.iter().any(|curve| is_crumb(curve, tolerance)),
         Err(GeomError::Picture(refused)) => !matches!(
             refused,
             PictureError::OffSurface { .. }
@@ -100,6 +94,36 @@ pub(super) fn is_certain(found: &Result<LevelSet, GeomError>, tolerance: f64) ->
         ),
         Err(_) => true,
     }
+}
+
+/// The curves without crumbs that lie on another one of them.
+pub(super) fn without_crumbs(curves: Vec<NurbsCurve>, tolerance: f64) -> Vec<NurbsCurve> {
+    let lies_on = |crumb: &NurbsCurve, other: &NurbsCurve| {
+        let around = other.bounds();
+        crumb.domain().steps(N_PLACES).into_iter().all(|t| {
+            let point = crumb.point_at(t);
+            let is_near = || other.closest(point, tolerance).distance <= tolerance;
+            around.contains(point, tolerance) && is_near()
+        })
+    };
+    let is_kept: Vec<bool> = curves
+        .iter()
+        .map(|curve| {
+            let longer = |other: &&NurbsCurve| !is_crumb(other, tolerance);
+            !is_crumb(curve, tolerance)
+                || !curves.iter().filter(longer).any(|other| lies_on(curve, other))
+        })
+        .collect();
+    curves
+        .into_iter()
+        .zip(is_kept)
+        .filter(|(_, is_kept)| *is_kept)
+        .map(|(curve, _)| curve)
+        .collect()
+}
+
+fn is_crumb(curve: &NurbsCurve, tolerance: f64) -> bool {
+    curve.start() != curve.end() && curve.bounds().diagonal() <= CRUMB * tolerance
 }
 
 /// Whether curves are on both that meet, each once, and complete.
