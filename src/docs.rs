@@ -4,7 +4,7 @@ pub mod language;
 
 use std::fmt::Write;
 
-use crate::value::{Family, Op, Picture, Registry, Type};
+use crate::value::{ExamplePicture, Family, Op, Registry, Type};
 
 /// Columns of text in a terminal.
 const WIDTH: usize = 90;
@@ -149,7 +149,7 @@ pub struct Illustration {
     /// Its file, in the folder `pictures` beside the reference.
     pub file: String,
     /// What it shows: what the operation declares, or the call in its first example.
-    pub picture: Picture,
+    pub picture: ExamplePicture,
 }
 
 impl Illustration {
@@ -157,16 +157,16 @@ impl Illustration {
     #[must_use]
     pub fn script(&self) -> String {
         match self.picture {
-            Picture::Value(expression) => format!("let shown = {expression}\n"),
-            Picture::Scene(script) => lines(script),
+            ExamplePicture::Value(expression) => format!("let shown = {expression}\n"),
+            ExamplePicture::Scene(script) => lines(script),
         }
     }
 
     /// What stands below it.
     fn caption(&self) -> String {
         match self.picture {
-            Picture::Value(expression) => format!("*`{expression}`*\n"),
-            Picture::Scene(script) => format!("```geo\n{}```\n", lines(script)),
+            ExamplePicture::Value(expression) => format!("*`{expression}`*\n"),
+            ExamplePicture::Scene(script) => format!("```geo\n{}```\n", lines(script)),
         }
     }
 }
@@ -184,7 +184,7 @@ pub fn illustrations(registry: &Registry) -> Vec<Illustration> {
     for op in registry.iter() {
         let first = || {
             let mut calls = op.examples.iter().filter_map(|one| call_in(one.code, op.name));
-            calls.next().filter(|_| makes_shapes(op.returns)).map(Picture::Value)
+            calls.next().filter(|_| makes_shapes(op.returns)).map(ExamplePicture::Value)
         };
         let Some(picture) = op.picture.or_else(first) else { continue };
         let file = match found.iter().filter(|other| other.op.name == op.name).count() {

@@ -7,14 +7,14 @@ use super::{legend::digits, projection::Projection};
 
 /// A text beside a place.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Label {
+pub struct DefinitionLabel {
     /// Places in space, of which the one nearest to the viewer is meant.
     pub places: Vec<DVec3>,
     /// What stands there.
     pub text: String,
 }
 
-impl Label {
+impl DefinitionLabel {
     /// The place beside which it stands, as it is drawn.
     pub(super) fn place_seen(&self, view: &Projection) -> DVec3 {
         let seen = self.places.iter().map(|&place| view.project(place));

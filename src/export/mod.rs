@@ -43,7 +43,7 @@ use crate::{
 
 #[cfg(feature = "cli")]
 pub(crate) use base64::base64;
-pub use labels::Label;
+pub use labels::DefinitionLabel;
 pub use legend::Legend;
 pub use limited::capped;
 pub use measure::{MeasuredPart, parts};
@@ -163,7 +163,7 @@ pub struct Picture {
     /// The stripes that surfaces mirror toward the viewer.
     pub stripes: Option<Stripes>,
     /// What stands beside places of the geometry.
-    pub labels: Vec<Label>,
+    pub labels: Vec<DefinitionLabel>,
     /// Whether a scale tells how long a round length is.
     pub has_scale: bool,
 }

@@ -158,7 +158,7 @@ pub use joint_tolerance::JointTolerance;
 pub use jump::JumpError;
 pub use knots::{KnotClass, KnotVector, Side};
 pub use mesh::{
-    FaceFault, Group, Mesh, MeshCheck, MeshDistance, MeshError, TessellationOptions, Topology,
+    FaceFault, Mesh, MeshCheck, MeshDistance, MeshError, MeshGroup, TessellationOptions, Topology,
     distance_to_polyline, facing_inward, grid_mesh, grid_mesh_any, planar_mesh, polygon_mesh,
     split_polygon, tessellate, tessellate_all, tessellate_any, tessellate_curve,
     tessellate_curve_any, tessellate_finely, tessellation_parameters,

@@ -3,7 +3,7 @@
 use glam::{DVec3, Vec3Swizzles};
 
 use crate::{
-    export::{Item, Label, Subject},
+    export::{DefinitionLabel, Item, Subject},
     kernel::{Bounds, Curve, GeomError, Interval, LocalError, NurbsCurve, Side, Surface},
 };
 
@@ -158,7 +158,7 @@ const AXES: [(&str, DVec3, [u8; 3]); 3] = [
 
 /// Arrows along the axes, and their names at the tips; of what lies in a plane across z only those of
 /// x and y.
-pub(super) fn axes(bounds: Bounds) -> (Vec<Item>, Vec<Label>) {
+pub(super) fn axes(bounds: Bounds) -> (Vec<Item>, Vec<DefinitionLabel>) {
     let size = if 0.0 < bounds.diagonal() { bounds.diagonal() } else { 1.0 };
     let is_near = bounds.contains(DVec3::ZERO, FAR * size);
     let origin = if is_near { DVec3::ZERO } else { bounds.min };
@@ -178,7 +178,7 @@ pub(super) fn axes(bounds: Bounds) -> (Vec<Item>, Vec<Label>) {
             let item = Item::new(format!("axis {name}"), subject);
             items.push(Item { color: Some(color), ..item });
         }
-        labels.push(Label { places: vec![tip], text: name.to_owned() });
+        labels.push(DefinitionLabel { places: vec![tip], text: name.to_owned() });
     }
     (items, labels)
 }
@@ -187,7 +187,7 @@ pub(super) fn axes(bounds: Bounds) -> (Vec<Item>, Vec<Label>) {
 const N_PLACES: usize = 8;
 
 /// A definition's name beside the middle of what is drawn of it, on the side that is seen.
-pub(super) fn label(name: &str, items: &[Item]) -> Option<Label> {
+pub(super) fn label(name: &str, items: &[Item]) -> Option<DefinitionLabel> {
     let places = match &items.get(items.len() / 2)?.subject {
         Subject::Point(point) => vec![*point],
         Subject::Curve(curve) => vec![curve.point_at(curve.domain().at(0.5)).ok()?],
@@ -200,5 +200,5 @@ pub(super) fn label(name: &str, items: &[Item]) -> Option<Label> {
         Subject::Mesh(mesh) => mesh.vertices().to_vec(),
         Subject::Table(_) | Subject::Data(_) => return None,
     };
-    Some(Label { places, text: name.to_owned() })
+    Some(DefinitionLabel { places, text: name.to_owned() })
 }

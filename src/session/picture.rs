@@ -10,7 +10,7 @@ use super::{
 use crate::{
     diag::{Spanned, nearest},
     eval::{self, Defined},
-    export::{Format, Item, Job, Label, Legend, Options, Picture, Stripes, View, whole},
+    export::{DefinitionLabel, Format, Item, Job, Legend, Options, Picture, Stripes, View, whole},
     syntax::ast::Kind,
     value::Value,
 };
@@ -130,7 +130,7 @@ impl Session {
 fn add_extras(
     items: &mut Vec<Item>,
     scene: &PictureContent<'_>,
-    labels: &mut Vec<Label>,
+    labels: &mut Vec<DefinitionLabel>,
 ) -> Result<(), String> {
     let shows = |extra: Extra| scene.extras.contains(&extra);
     let mut added = Vec::new();

@@ -12,8 +12,8 @@ use serde_json::{Map, Value as Json, json};
 use super::{Dimension, ENDED, Number, Range, Record, Value, in_document_unit};
 use crate::{
     kernel::{
-        Column, Curve, Frame, Grid, Group, KnotVector, Mesh, NamedColumn, NurbsCurve, NurbsSurface,
-        Surface, Table,
+        Column, Curve, Frame, Grid, KnotVector, Mesh, MeshGroup, NamedColumn, NurbsCurve,
+        NurbsSurface, Surface, Table,
     },
     limits::work,
 };
@@ -90,7 +90,8 @@ fn mesh_json(mesh: &Mesh) -> Json {
         json["face_sizes"] = json!(mesh.face_sizes());
     }
     if !mesh.groups().is_empty() {
-        let group = |group: &Group| json!({ "name": group.name, "triangles": group.n_triangles });
+        let group =
+            |group: &MeshGroup| json!({ "name": group.name, "triangles": group.n_triangles });
         json["groups"] = mesh.groups().iter().map(group).collect();
     }
     json
@@ -299,11 +300,11 @@ fn corners(json: &Json) -> Option<Vec<[u32; 3]>> {
     each(json, |item| <[u32; 3]>::try_from(each(item, corner)?).ok())
 }
 
-fn groups(json: &Json) -> Option<Vec<Group>> {
+fn groups(json: &Json) -> Option<Vec<MeshGroup>> {
     let group = |json: &Json| {
         let name = json.get("name")?.as_str()?.to_owned();
         let n_triangles = usize::try_from(json.get("triangles")?.as_u64()?).ok()?;
-        Some(Group { name, n_triangles })
+        Some(MeshGroup { name, n_triangles })
     };
     each(json, group)
 }

@@ -58,7 +58,9 @@ pub use list::{List, ValueExtent};
 pub use locally_constant::{CARRIES_DERIVATIVES, LocallyConstant, RealInterval};
 pub use number::{Dimension, Number, radians_of, rounded, shortest};
 pub(crate) use op::op;
-pub use op::{Caller, Ctx, Example, Family, Op, OpParameter, Picture, RefusalExample, Witness};
+pub use op::{
+    Caller, Ctx, Example, ExamplePicture, Family, Op, OpParameter, RefusalExample, Witness,
+};
 pub use range::{JetRange, Range};
 pub use read_json::{ENDED, read_json};
 pub use real::Real;

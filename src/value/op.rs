@@ -155,7 +155,7 @@ pub struct RefusalExample {
 
 /// What the picture of an operation in the reference shows.
 #[derive(Clone, Copy, Debug)]
-pub enum Picture {
+pub enum ExamplePicture {
     /// The value of an expression.
     Value(&'static str),
     /// The definitions of a script.
@@ -217,7 +217,7 @@ pub struct Op {
     /// Tested samples of misuse.
     pub refusals: &'static [RefusalExample],
     /// What its picture in the reference shows, where that is more than its first example.
-    pub picture: Option<Picture>,
+    pub picture: Option<ExamplePicture>,
     /// Its implementation.
     pub run: fn(&mut Ctx<'_>, Call) -> Result<Value>,
 }
@@ -300,7 +300,7 @@ macro_rules! op {
         $crate::value::IntoValue::into_value(default)
     }) };
     (@picture) => { None };
-    (@picture $kind:ident $picture:literal) => { Some($crate::value::Picture::$kind($picture)) };
+    (@picture $kind:ident $picture:literal) => { Some($crate::value::ExamplePicture::$kind($picture)) };
     (@value) => { None };
     (@value $default:expr) => { Some($default) };
 }

@@ -8,7 +8,7 @@ use virote::{
     export::{Format, PICTURES},
     ops,
     session::{Extra, PictureContent, Session},
-    value::{NoFiles, Picture, Type},
+    value::{ExamplePicture, NoFiles, Type},
 };
 
 use crate::support::{Scratch, files_below, told, virote};
@@ -69,7 +69,7 @@ fn illustration(picture: &Illustration) -> Vec<u8> {
     assert_eq!(report.count(Severity::Error), 0, "{script}{:#?}", report.diagnostics);
     let is_one =
         |text: &str| text.starts_with(picture.op.name) && matches!(picture.op.returns, Type::Curve);
-    let is_curve = matches!(picture.picture, Picture::Value(text) if is_one(text));
+    let is_curve = matches!(picture.picture, ExamplePicture::Value(text) if is_one(text));
     let extras: &[Extra] = if is_curve { &[Extra::Control] } else { &[] };
     let scene = PictureContent { extras, ..PictureContent::new([320, 240]) };
     let format = Format::among(PICTURES, &picture.file).expect("a format");

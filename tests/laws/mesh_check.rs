@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DVec3};
 use virote_kernel::{
-    CountError, GeomError, Group, MeasureError, Mesh, MeshCheck, MeshError, Tolerance,
+    CountError, GeomError, MeasureError, Mesh, MeshCheck, MeshError, MeshGroup, Tolerance,
     facing_inward,
 };
 
@@ -156,7 +156,7 @@ fn colours_and_groups_stay_with_their_triangles() {
     let colored = tetrahedron().with_colors(red).unwrap().in_group("red");
     let both = Mesh::merged(&[tetrahedron(), colored], 100).unwrap();
     assert_eq!((both.colors()[0], both.colors()[7]), (DVec3::ONE, DVec3::X));
-    let group = |name: &str| Group { name: name.to_owned(), n_triangles: 4 };
+    let group = |name: &str| MeshGroup { name: name.to_owned(), n_triangles: 4 };
     assert_eq!(both.groups(), [group(""), group("red")]);
 
     let few = tetrahedron().with_colors(vec![DVec3::X; 3]);

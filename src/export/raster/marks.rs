@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::{
-    super::{Job, Label, Picture, labels},
+    super::{DefinitionLabel, Job, Picture, labels},
     scene::RasterScene,
     sheet::{GAP, LETTER, PictureSheet, enlargement},
 };
@@ -21,7 +21,7 @@ pub(super) fn height(picture: &Picture) -> usize {
 /// Writes the labels, each beside its place.
 pub(super) fn draw_labels(picture: &Picture, scene: &RasterScene, pixels: &mut [u8]) {
     let mut sheet = PictureSheet::new(picture, pixels);
-    let place = |label: &Label| (scene.pixel_of(label), sheet.width_of(&label.text));
+    let place = |label: &DefinitionLabel| (scene.pixel_of(label), sheet.width_of(&label.text));
     let places: Vec<(DVec2, f64)> = picture.labels.iter().map(place).collect();
     let corners = labels::arranged(&places, sheet.letter());
     for (label, corner) in picture.labels.iter().zip(corners) {

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 
 use super::{
     super::{
-        ExportError, Item, Job, Label, POINT, Picture, STROKE, Subject,
+        DefinitionLabel, ExportError, Item, Job, POINT, Picture, STROKE, Subject,
         projection::Projection,
         wire::{Drawing, DrawnLine, LineWeight},
     },
@@ -110,7 +110,7 @@ impl RasterScene {
     }
 
     /// Where a label belongs, in pixels from the upper left corner.
-    pub(super) fn pixel_of(&self, label: &Label) -> DVec2 {
+    pub(super) fn pixel_of(&self, label: &DefinitionLabel) -> DVec2 {
         let place = label.place_seen(&self.projection);
         (self.camera.place(place).truncate() + 0.5) / SIDE as f64
     }

@@ -6,9 +6,9 @@
 use super::{Jet, series};
 use crate::{GeomError, LocalError};
 
-type Found = Result<Jet, GeomError>;
+type JetResult = Result<Jet, GeomError>;
 
-fn no_derivative(what: &'static str, at: f64) -> Found {
+fn no_derivative(what: &'static str, at: f64) -> JetResult {
     Err(GeomError::Local(LocalError::NotDifferentiable { what, at }))
 }
 
@@ -18,7 +18,7 @@ impl Jet {
     /// # Errors
     /// Below zero for an exponent that is not whole; at zero where a derivative up to the order
     /// is infinite.
-    pub fn power(&self, exponent: f64) -> Found {
+    pub fn power(&self, exponent: f64) -> JetResult {
         let (x, order) = (self.value(), self.order());
         let is_whole = exponent.fract() == 0.0;
         if x == 0.0 {
@@ -40,7 +40,7 @@ impl Jet {
     ///
     /// # Errors
     /// At zero and below.
-    pub fn power_of(&self, exponent: &Self) -> Found {
+    pub fn power_of(&self, exponent: &Self) -> JetResult {
         if self.value() <= 0.0 {
             return no_derivative("a power whose exponent varies", self.value());
         }
@@ -51,7 +51,7 @@ impl Jet {
     ///
     /// # Errors
     /// At zero and below.
-    pub fn sqrt(&self) -> Found {
+    pub fn sqrt(&self) -> JetResult {
         let x = self.value();
         if x <= 0.0 {
             return no_derivative("the square root", x);
@@ -63,7 +63,7 @@ impl Jet {
     ///
     /// # Errors
     /// At zero.
-    pub fn cbrt(&self) -> Found {
+    pub fn cbrt(&self) -> JetResult {
         let x = self.value();
         if x == 0.0 {
             return no_derivative("the cube root", x);
@@ -75,7 +75,7 @@ impl Jet {
     ///
     /// # Errors
     /// On overflow alone.
-    pub fn exp(&self) -> Found {
+    pub fn exp(&self) -> JetResult {
         self.compose(&series::cyclic([libm::exp(self.value()); 4], self.order()))
     }
 
@@ -83,7 +83,7 @@ impl Jet {
     ///
     /// # Errors
     /// At zero and below.
-    pub fn ln(&self) -> Found {
+    pub fn ln(&self) -> JetResult {
         if self.value() <= 0.0 {
             return no_derivative("the logarithm", self.value());
         }
@@ -94,7 +94,7 @@ impl Jet {
     ///
     /// # Errors
     /// At zero and below.
-    pub fn log10(&self) -> Found {
+    pub fn log10(&self) -> JetResult {
         Ok(self.ln()?.scaled(std::f64::consts::LOG10_E))
     }
 
@@ -102,7 +102,7 @@ impl Jet {
     ///
     /// # Errors
     /// On overflow alone.
-    pub fn sin(&self) -> Found {
+    pub fn sin(&self) -> JetResult {
         let (sine, cosine) = libm::sincos(self.value());
         self.compose(&series::cyclic([sine, cosine, -sine, -cosine], self.order()))
     }
@@ -111,7 +111,7 @@ impl Jet {
     ///
     /// # Errors
     /// On overflow alone.
-    pub fn cos(&self) -> Found {
+    pub fn cos(&self) -> JetResult {
         let (sine, cosine) = libm::sincos(self.value());
         self.compose(&series::cyclic([cosine, -sine, -cosine, sine], self.order()))
     }
@@ -120,7 +120,7 @@ impl Jet {
     ///
     /// # Errors
     /// On overflow alone.
-    pub fn tan(&self) -> Found {
+    pub fn tan(&self) -> JetResult {
         self.compose(&series::tangent(libm::tan(self.value()), 1.0, self.order()))
     }
 
@@ -128,7 +128,7 @@ impl Jet {
     ///
     /// # Errors
     /// At −1 and 1, and beyond.
-    pub fn asin(&self) -> Found {
+    pub fn asin(&self) -> JetResult {
         if 1.0 <= self.value().abs() {
             return no_derivative("the arc sine", self.value());
         }
@@ -139,7 +139,7 @@ impl Jet {
     ///
     /// # Errors
     /// At −1 and 1, and beyond.
-    pub fn acos(&self) -> Found {
+    pub fn acos(&self) -> JetResult {
         if 1.0 <= self.value().abs() {
             return no_derivative("the arc cosine", self.value());
         }
@@ -151,7 +151,7 @@ impl Jet {
     ///
     /// # Errors
     /// On overflow alone.
-    pub fn atan(&self) -> Found {
+    pub fn atan(&self) -> JetResult {
         self.compose(&series::atan(self.value(), self.order()))
     }
 
@@ -159,7 +159,7 @@ impl Jet {
     ///
     /// # Errors
     /// Where both are zero.
-    pub fn atan2(&self, x: &Self) -> Found {
+    pub fn atan2(&self, x: &Self) -> JetResult {
         let size = self.value().abs().max(x.value().abs());
         if size == 0.0 {
             return no_derivative("the angle of a direction", size);
@@ -176,7 +176,7 @@ impl Jet {
     ///
     /// # Errors
     /// On overflow alone.
-    pub fn sinh(&self) -> Found {
+    pub fn sinh(&self) -> JetResult {
         let (sine, cosine) = (libm::sinh(self.value()), libm::cosh(self.value()));
         self.compose(&series::cyclic([sine, cosine, sine, cosine], self.order()))
     }
@@ -185,7 +185,7 @@ impl Jet {
     ///
     /// # Errors
     /// On overflow alone.
-    pub fn cosh(&self) -> Found {
+    pub fn cosh(&self) -> JetResult {
         let (sine, cosine) = (libm::sinh(self.value()), libm::cosh(self.value()));
         self.compose(&series::cyclic([cosine, sine, cosine, sine], self.order()))
     }
@@ -194,7 +194,7 @@ impl Jet {
     ///
     /// # Errors
     /// On overflow alone.
-    pub fn tanh(&self) -> Found {
+    pub fn tanh(&self) -> JetResult {
         self.compose(&series::tangent(libm::tanh(self.value()), -1.0, self.order()))
     }
 
@@ -202,7 +202,7 @@ impl Jet {
     ///
     /// # Errors
     /// At zero.
-    pub fn abs(&self) -> Found {
+    pub fn abs(&self) -> JetResult {
         match self.value() {
             x if 0.0 < x => Ok(self.clone()),
             x if x < 0.0 => Ok(self.scaled(-1.0)),
@@ -214,7 +214,7 @@ impl Jet {
     ///
     /// # Errors
     /// Where it is zero.
-    pub fn norm<'j>(coordinates: impl Iterator<Item = &'j Self> + Clone) -> Found {
+    pub fn norm<'j>(coordinates: impl Iterator<Item = &'j Self> + Clone) -> JetResult {
         let size = coordinates.clone().map(|jet| jet.value().abs()).fold(0.0, f64::max);
         if size == 0.0 {
             return no_derivative("the length of a vector", size);

@@ -91,21 +91,21 @@ pub struct Mesh {
     colors: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
     face_sizes: Vec<u32>,
-    groups: Vec<Group>,
+    groups: Vec<MeshGroup>,
 }
 
 /// Triangles that belong together, one behind the other.
 ///
 /// ```
-/// use virote_kernel::{Group, Mesh, glam::DVec3};
+/// use virote_kernel::{MeshGroup, Mesh, glam::DVec3};
 ///
 /// let flat = Mesh::new(vec![DVec3::ZERO, DVec3::X, DVec3::Y], vec![], vec![], vec![[0, 1, 2]])?;
 /// let named = flat.in_group("floor");
-/// assert_eq!(named.groups(), [Group { name: "floor".to_owned(), n_triangles: 1 }]);
+/// assert_eq!(named.groups(), [MeshGroup { name: "floor".to_owned(), n_triangles: 1 }]);
 /// # Ok::<(), virote_kernel::GeomError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Group {
+pub struct MeshGroup {
     /// What they are called.
     pub name: String,
     /// How many they are.
@@ -160,7 +160,7 @@ impl Mesh {
     ///
     /// # Errors
     /// [`CountError::WrongCount`] unless the groups hold as many triangles as there are.
-    pub fn with_groups(self, groups: Vec<Group>) -> Result<Self, GeomError> {
+    pub fn with_groups(self, groups: Vec<MeshGroup>) -> Result<Self, GeomError> {
         let got = groups.iter().fold(0_usize, |sum, group| sum.saturating_add(group.n_triangles));
         let needed = self.n_triangles();
         if !groups.is_empty() && got != needed {
@@ -172,7 +172,7 @@ impl Mesh {
     /// The same with all of its triangles in one group.
     #[must_use]
     pub fn in_group(self, name: impl Into<String>) -> Self {
-        let groups = vec![Group { name: name.into(), n_triangles: self.n_triangles() }];
+        let groups = vec![MeshGroup { name: name.into(), n_triangles: self.n_triangles() }];
         Self { groups, ..self }
     }
 
@@ -202,7 +202,7 @@ impl Mesh {
 
     /// The groups of the triangles, in the order of these; none where nothing is grouped.
     #[must_use]
-    pub fn groups(&self) -> &[Group] {
+    pub fn groups(&self) -> &[MeshGroup] {
         &self.groups
     }
 
@@ -329,7 +329,7 @@ impl Mesh {
                 all.groups.extend_from_slice(&mesh.groups);
                 if mesh.groups.is_empty() {
                     let n_triangles = mesh.n_triangles();
-                    all.groups.push(Group { name: String::new(), n_triangles });
+                    all.groups.push(MeshGroup { name: String::new(), n_triangles });
                 }
             }
         }

@@ -6,10 +6,10 @@
 use crate::Interval;
 
 /// A rule on −1..1 by its positive nodes, each with its weight; the negative ones mirror them.
-pub(crate) type Rule<const HALF: usize> = [[f64; 2]; HALF];
+pub(crate) type GaussRule<const HALF: usize> = [[f64; 2]; HALF];
 
 /// The rule with 8 nodes.
-pub(crate) const EIGHT_NODES: Rule<4> = [
+pub(crate) const EIGHT_NODES: GaussRule<4> = [
     [0.183_434_642_495_649_8, 0.362_683_783_378_362],
     [0.525_532_409_916_329, 0.313_706_645_877_887_3],
     [0.796_666_477_413_626_7, 0.222_381_034_453_374_5],
@@ -17,7 +17,7 @@ pub(crate) const EIGHT_NODES: Rule<4> = [
 ];
 
 /// The rule with 16 nodes.
-pub(crate) const SIXTEEN_NODES: Rule<8> = [
+pub(crate) const SIXTEEN_NODES: GaussRule<8> = [
     [0.09501250983763744, 0.1894506104550685],
     [0.2816035507792589, 0.18260341504492358],
     [0.45801677765722737, 0.16915651939500254],
@@ -30,7 +30,7 @@ pub(crate) const SIXTEEN_NODES: Rule<8> = [
 
 /// The integral of a function over an interval by one rule.
 pub(crate) fn integral<const HALF: usize>(
-    rule: &Rule<HALF>,
+    rule: &GaussRule<HALF>,
     interval: Interval,
     mut value: impl FnMut(f64) -> f64,
 ) -> f64 {
@@ -43,7 +43,7 @@ pub(crate) fn integral<const HALF: usize>(
 
 /// The nodes of a rule in an interval, each with its share of the mean value there.
 pub(crate) fn nodes<const HALF: usize>(
-    rule: &Rule<HALF>,
+    rule: &GaussRule<HALF>,
     interval: Interval,
 ) -> impl Iterator<Item = (f64, f64)> {
     let (middle, half) = (interval.at(0.5), 0.5 * interval.length());
@@ -54,13 +54,13 @@ pub(crate) fn nodes<const HALF: usize>(
 
 #[cfg(test)]
 mod tests {
-    use super::{EIGHT_NODES, Rule, SIXTEEN_NODES, integral, nodes};
+    use super::{EIGHT_NODES, GaussRule, SIXTEEN_NODES, integral, nodes};
     use crate::Interval;
 
     /// ∫ tⁿ over −1..1 is 2 / (n + 1) for even n; the rule misses that by 2²ⁿ⁺¹ (n!)⁴ / (2n + 1) (2n)!²
     /// first where its nodes are n and the power 2n.
     #[track_caller]
-    fn check_is_exact_up_to<const HALF: usize>(rule: &Rule<HALF>, degree: u32) {
+    fn check_is_exact_up_to<const HALF: usize>(rule: &GaussRule<HALF>, degree: u32) {
         let interval = Interval::new(-1.0, 1.0).expect("an interval");
         let found = |n: u32| integral(rule, interval, |t| libm::pow(t, f64::from(n)));
         let error = |n: u32| (found(n) * f64::from(n + 1) / 2.0 - 1.0).abs();

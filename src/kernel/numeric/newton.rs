@@ -38,7 +38,7 @@ pub(crate) fn to_foot(away: DVec3, velocity: DVec3) -> Step<1> {
 
 /// Where an iteration ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Found<const N: usize> {
+pub(crate) enum NewtonResult<const N: usize> {
     /// At rest.
     Settled([f64; N]),
     /// Still on its way when its steps were used up.
@@ -47,7 +47,7 @@ pub(crate) enum Found<const N: usize> {
     Stuck([f64; N]),
 }
 
-impl<const N: usize> Found<N> {
+impl<const N: usize> NewtonResult<N> {
     /// The last place, however it was reached.
     pub(crate) fn place(self) -> [f64; N] {
         match self {
@@ -83,7 +83,7 @@ pub(crate) fn within_limits<const N: usize>(
     most_steps: usize,
     is_still: impl Fn([f64; N], [f64; N]) -> bool,
     mut step: impl FnMut([f64; N]) -> Step<N>,
-) -> Found<N> {
+) -> NewtonResult<N> {
     let Ok(found) =
         try_within_limits(limits, start, most_steps, is_still, |at| Ok::<_, Infallible>(step(at)));
     found
@@ -99,7 +99,7 @@ pub(crate) fn try_within_limits<const N: usize, E>(
     most_steps: usize,
     is_still: impl Fn([f64; N], [f64; N]) -> bool,
     mut step: impl FnMut([f64; N]) -> Result<Step<N>, E>,
-) -> Result<Found<N>, E> {
+) -> Result<NewtonResult<N>, E> {
     let mut at = start;
     let moved = |at: [f64; N], step: [f64; N]| {
         std::array::from_fn(|i| (at[i] + step[i]).clamp(limits[i][0], limits[i][1]))
@@ -107,16 +107,16 @@ pub(crate) fn try_within_limits<const N: usize, E>(
     for _ in 0..most_steps {
         let next: [f64; N] = match step(at)? {
             Step::By(step) => moved(at, step),
-            Step::Last(step) => return Ok(Found::Settled(moved(at, step))),
-            Step::Stay => return Ok(Found::Settled(at)),
-            Step::Stuck => return Ok(Found::Stuck(at)),
+            Step::Last(step) => return Ok(NewtonResult::Settled(moved(at, step))),
+            Step::Stay => return Ok(NewtonResult::Settled(at)),
+            Step::Stuck => return Ok(NewtonResult::Stuck(at)),
         };
         if is_still(at, next) {
-            return Ok(Found::Settled(next));
+            return Ok(NewtonResult::Settled(next));
         }
         at = next;
     }
-    Ok(Found::Unsettled(at))
+    Ok(NewtonResult::Unsettled(at))
 }
 
 /// The root of a function inside of a bracket that begins where it is negative and ends where it is
@@ -212,7 +212,9 @@ mod tests {
 
     use glam::DVec3;
 
-    use super::{FREE, Found, Step, improved, shortened, to_foot, within_bracket, within_limits};
+    use super::{
+        FREE, NewtonResult, Step, improved, shortened, to_foot, within_bracket, within_limits,
+    };
 
     type Never<T> = Result<T, Infallible>;
 
@@ -227,7 +229,7 @@ mod tests {
         for n in 1..5 {
             let found = within_limits([FREE], [1.5], n, |_, _| false, towards_root_of_two);
             let [t] = found.place();
-            assert_eq!(found, Found::Unsettled([t]));
+            assert_eq!(found, NewtonResult::Unsettled([t]));
             // e' = e² / 2t.
             let next = (t - 2.0_f64.sqrt()).abs();
             assert!(next <= 0.5 * error * error + 1e-15, "{next} after {error}");

@@ -169,11 +169,11 @@ pub struct SkinnedSurface {
 }
 
 /// Tells what an error is about.
-trait Blame<T> {
+trait BlameSkinInput<T> {
     fn blame(self, blamed: SkinInput) -> Result<T, SkinError>;
 }
 
-impl<T> Blame<T> for Result<T, GeomError> {
+impl<T> BlameSkinInput<T> for Result<T, GeomError> {
     fn blame(self, blamed: SkinInput) -> Result<T, SkinError> {
         self.map_err(|error| SkinError { blamed, error })
     }

@@ -157,11 +157,11 @@ pub struct SweptLeg {
 }
 
 /// Tells what an error is about.
-trait Blame<T> {
+trait BlameSweepInput<T> {
     fn blame(self, blamed: SweepInput) -> Result<T, SweepError>;
 }
 
-impl<T> Blame<T> for Result<T, GeomError> {
+impl<T> BlameSweepInput<T> for Result<T, GeomError> {
     fn blame(self, blamed: SweepInput) -> Result<T, SweepError> {
         self.map_err(|error| SweepError { blamed, error })
     }

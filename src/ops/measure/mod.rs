@@ -9,9 +9,12 @@ mod picture;
 mod report;
 mod surface;
 
-use crate::value::Op;
+use crate::{kernel::GeomError, value::Op};
 
 pub(super) use surface::MassOf;
+
+/// What the kernel answers to a question.
+type Measured<T> = std::result::Result<T, GeomError>;
 
 pub(super) static OPS: &[&Op] = &[
     &curve::at::OP,

@@ -11,6 +11,7 @@ use glam::DVec3;
 use crate::{
     diag::{Result, Spanned},
     kernel::{Curve, GeomError, Jet, LocalError, Side, jet, tolerance::LAST_BIT},
+    ops::measure::Measured,
     value::{At, Real, Vector},
 };
 
@@ -26,8 +27,8 @@ pub(super) fn number(
     curve: &Curve,
     t: &Spanned<Real>,
     side: Side,
-    plain: impl FnOnce(f64) -> Found<f64>,
-    (order, formula): (usize, impl FnOnce(&[Vector], f64) -> Found<Real>),
+    plain: impl FnOnce(f64) -> Measured<f64>,
+    (order, formula): (usize, impl FnOnce(&[Vector], f64) -> Measured<Real>),
 ) -> Result<Real> {
     let t = Spanned::new(inside(curve, t)?, t.span);
     let value = plain(t.value.value()).at(t.span)?;
@@ -45,8 +46,8 @@ pub(super) fn vector(
     curve: &Curve,
     t: &Spanned<Real>,
     side: Side,
-    plain: impl FnOnce(f64) -> Found<DVec3>,
-    (order, formula): (usize, impl FnOnce(&[Vector]) -> Found<Vector>),
+    plain: impl FnOnce(f64) -> Measured<DVec3>,
+    (order, formula): (usize, impl FnOnce(&[Vector]) -> Measured<Vector>),
 ) -> Result<Vector> {
     let t = Spanned::new(inside(curve, t)?, t.span);
     let value = plain(t.value.value()).at(t.span)?;
@@ -59,29 +60,32 @@ pub(super) fn vector(
     }
 }
 
-pub(super) type Found<T> = std::result::Result<T, GeomError>;
-
 /// C, C', … up to an order at a parameter that varies.
-pub(super) fn derivatives(curve: &Curve, t: &Jet, side: Side, order: usize) -> Found<Vec<Vector>> {
+pub(super) fn derivatives(
+    curve: &Curve,
+    t: &Jet,
+    side: Side,
+    order: usize,
+) -> Measured<Vec<Vector>> {
     let all = curve.derivatives_beside(t.value(), side, t.order() + order)?;
     let one = |k: usize| Ok(Vector::Jets(Box::new(jet::along(&all[k..=k + t.order()], t)?)));
     (0..=order).map(one).collect()
 }
 
 /// C'/|C'|.
-pub(super) fn tangent(d: &[Vector]) -> Found<Vector> {
+pub(super) fn tangent(d: &[Vector]) -> Measured<Vector> {
     d[1].over(&d[1].norm()?)
 }
 
 /// The derivative of the tangent by arc length, (C''(C'·C') − C'(C'·C''))/(C'·C')².
-pub(super) fn bending(d: &[Vector]) -> Found<Vector> {
+pub(super) fn bending(d: &[Vector]) -> Measured<Vector> {
     let squared = d[1].dot(&d[1]);
     let across = d[2].times(&squared).minus(&d[1].times(&d[1].dot(&d[2])));
     across.over(&squared.times(&squared))
 }
 
 /// |C' × C''|/|C'|³; where it is zero it has derivatives only where the curve is straight all around.
-pub(super) fn curvature(d: &[Vector], value: f64) -> Found<Real> {
+pub(super) fn curvature(d: &[Vector], value: f64) -> Measured<Real> {
     let bending = bending(d)?;
     let rounding = LAST_BIT.sqrt() * (d[1].over(&d[1].dot(&d[1]))?).magnitude();
     match value {
@@ -94,31 +98,31 @@ pub(super) fn curvature(d: &[Vector], value: f64) -> Found<Real> {
 }
 
 /// N, the bending at length 1.
-pub(super) fn normal(d: &[Vector]) -> Found<Vector> {
+pub(super) fn normal(d: &[Vector]) -> Measured<Vector> {
     let bending = bending(d)?;
     bending.over(&bending.norm()?)
 }
 
 /// C' × C'' at length 1.
-pub(super) fn binormal(d: &[Vector]) -> Found<Vector> {
+pub(super) fn binormal(d: &[Vector]) -> Measured<Vector> {
     let axis = d[1].cross(&d[2]);
     axis.over(&axis.norm()?)
 }
 
 /// C + N/κ.
-pub(super) fn center_of_curvature(d: &[Vector]) -> Found<Vector> {
+pub(super) fn center_of_curvature(d: &[Vector]) -> Measured<Vector> {
     let bending = bending(d)?;
     Ok(d[0].plus(&bending.over(&bending.dot(&bending))?))
 }
 
 /// [C' C'' C‴]/|C' × C''|².
-pub(super) fn torsion(d: &[Vector]) -> Found<Real> {
+pub(super) fn torsion(d: &[Vector]) -> Measured<Real> {
     let axis = d[1].cross(&d[2]);
     axis.dot(&d[3]).over(&axis.dot(&axis))
 }
 
 /// The curvature with the sign of the turn about an axis, (C' × C'')·A/|C'|³ of a curve in a plane across it.
-pub(super) fn signed_curvature(d: &[Vector], axis: DVec3, value: f64) -> Found<Real> {
+pub(super) fn signed_curvature(d: &[Vector], axis: DVec3, value: f64) -> Measured<Real> {
     let turn = d[1].cross(&d[2]);
     let axis = Vector::Plain(axis);
     let along = turn.dot(&axis);
@@ -139,7 +143,7 @@ pub(super) fn signed_curvature(d: &[Vector], axis: DVec3, value: f64) -> Found<R
 
 /// The arc length up to a parameter that varies, which is `value` at its value: the integral of the series
 /// of |C'|.
-fn length_up_to(curve: &Curve, t: &Jet, value: f64) -> Found<Jet> {
+fn length_up_to(curve: &Curve, t: &Jet, value: f64) -> Measured<Jet> {
     let side = if t.is_growing() { Side::Right } else { Side::Left };
     let speeds = speeds(curve, t.value(), side, t.order())?;
     let mut series = vec![value];
@@ -148,7 +152,7 @@ fn length_up_to(curve: &Curve, t: &Jet, value: f64) -> Found<Jet> {
 }
 
 /// The first coefficients of the series of |C'| about a parameter.
-fn speeds(curve: &Curve, t: f64, side: Side, n: usize) -> Found<Vec<f64>> {
+fn speeds(curve: &Curve, t: f64, side: Side, n: usize) -> Measured<Vec<f64>> {
     let Some(order) = n.checked_sub(1) else { return Ok(Vec::new()) };
     let velocity = &derivatives(curve, &Jet::variable(t, order), side, 1)?[1];
     let speed = velocity.norm()?;
@@ -161,7 +165,7 @@ fn speeds(curve: &Curve, t: f64, side: Side, n: usize) -> Found<Vec<f64>> {
 }
 
 /// The arc length between two parameters, which is `value` between their values.
-pub(super) fn length(curve: &Curve, [from, to]: [&Real; 2], value: f64) -> Found<Real> {
+pub(super) fn length(curve: &Curve, [from, to]: [&Real; 2], value: f64) -> Measured<Real> {
     let up_to = |t: &Real, value: f64| match t {
         Real::Plain(_) => Ok(Real::Plain(value)),
         Real::Jet(jet) => length_up_to(curve, jet, value).map(Real::Jet),
@@ -170,7 +174,7 @@ pub(super) fn length(curve: &Curve, [from, to]: [&Real; 2], value: f64) -> Found
 }
 
 /// The parameter at an arc length from the start that varies, which is `t` at its value.
-pub(super) fn parameter_at_length(curve: &Curve, length: &Jet, t: f64) -> Found<Jet> {
+pub(super) fn parameter_at_length(curve: &Curve, length: &Jet, t: f64) -> Measured<Jet> {
     let side = if length.is_growing() { Side::Right } else { Side::Left };
     let speed = speeds(curve, t, side, 1)?.first().copied().unwrap_or(0.0);
     let mut found = length.same(t);
@@ -183,7 +187,7 @@ pub(super) fn parameter_at_length(curve: &Curve, length: &Jet, t: f64) -> Found<
 
 /// The parameter of the point nearest to one that varies, which is `t` at its value: where
 /// (C − P)·C' vanishes, or an end of the curve that it stays at.
-pub(super) fn closest(curve: &Curve, p: &Vector, t: f64) -> Found<Real> {
+pub(super) fn closest(curve: &Curve, p: &Vector, t: f64) -> Measured<Real> {
     let Vector::Jets(jets) = p else { return Ok(Real::Plain(t)) };
     let like = &jets[0];
     let at_place = curve.derivatives_beside(t, Side::Right, 2)?;

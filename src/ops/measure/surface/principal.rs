@@ -6,6 +6,7 @@ use super::varying::{self, Varying};
 use crate::{
     diag::{Result, Spanned},
     kernel::{Principal, Surface},
+    ops::measure::Measured,
     value::{At, Ctx, IntoValue, Real, Record, Vector, op},
 };
 
@@ -51,7 +52,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
 fn with_derivatives(
     at: &Varying,
     Principal { k1, k2, d1, d2 }: Principal,
-) -> varying::Found<([Real; 2], [Vector; 2])> {
+) -> Measured<([Real; 2], [Vector; 2])> {
     let forms = at.forms()?;
     let [first, second] = forms.principal()?;
     let one = forms.principal_direction(at, &first, d1)?.with_value(d1);

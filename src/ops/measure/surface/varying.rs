@@ -9,11 +9,10 @@ use glam::{DMat2, DVec2, DVec3};
 
 use crate::{
     diag::{Result, Span, Spanned},
-    kernel::{GeomError, Grid, Interval, Jet, LocalError, Surface, jet, tolerance::LAST_BIT},
+    kernel::{Grid, Interval, Jet, LocalError, Surface, jet, tolerance::LAST_BIT},
+    ops::measure::Measured,
     value::{At, Real, Vector},
 };
-
-pub(super) type Found<T> = std::result::Result<T, GeomError>;
 
 /// Parameters of a surface, inside its domain.
 fn inside(surface: &Surface, parameters: [&Spanned<Real>; 2]) -> Result<[Real; 2]> {
@@ -55,8 +54,8 @@ pub(super) fn number(
     surface: &Surface,
     parameters: [&Spanned<Real>; 2],
     span: Span,
-    plain: impl FnOnce(f64, f64) -> Found<f64>,
-    (order, formula): (usize, impl FnOnce(&Varying) -> Found<Real>),
+    plain: impl FnOnce(f64, f64) -> Measured<f64>,
+    (order, formula): (usize, impl FnOnce(&Varying) -> Measured<Real>),
 ) -> Result<Real> {
     let ([u, v], varying) = place(surface, parameters, order, None, span)?;
     let value = plain(u, v).at(span)?;
@@ -71,8 +70,8 @@ pub(super) fn vector(
     surface: &Surface,
     parameters: [&Spanned<Real>; 2],
     span: Span,
-    plain: impl FnOnce(f64, f64) -> Found<DVec3>,
-    (order, formula): (usize, impl FnOnce(&Varying) -> Found<Vector>),
+    plain: impl FnOnce(f64, f64) -> Measured<DVec3>,
+    (order, formula): (usize, impl FnOnce(&Varying) -> Measured<Vector>),
 ) -> Result<Vector> {
     let ([u, v], varying) = place(surface, parameters, order, None, span)?;
     let value = plain(u, v).at(span)?;
@@ -97,13 +96,13 @@ pub(super) struct Forms {
 
 impl Varying {
     /// With derivatives up to a total order.
-    fn new(surface: &Surface, [u, v]: &[Jet; 2], order: usize) -> Found<Self> {
+    fn new(surface: &Surface, [u, v]: &[Jet; 2], order: usize) -> Measured<Self> {
         let derivatives = surface.derivatives_at(u.value(), v.value(), u.order() + order)?;
         Ok(Self { derivatives, u: u.clone(), v: v.clone() })
     }
 
     /// The derivative by u and by v so many times.
-    pub(super) fn derivative(&self, by_u: usize, by_v: usize) -> Found<Vector> {
+    pub(super) fn derivative(&self, by_u: usize, by_v: usize) -> Measured<Vector> {
         let n = self.u.order();
         let here = Grid::from_fn(n + 1, n + 1, |k, l| match k + l <= n {
             true => self.derivatives.get(k + by_u, l + by_v),
@@ -113,31 +112,32 @@ impl Varying {
     }
 
     /// A derivative at length 1.
-    pub(super) fn direction(&self, by_u: usize, by_v: usize) -> Found<Vector> {
+    pub(super) fn direction(&self, by_u: usize, by_v: usize) -> Measured<Vector> {
         let vector = self.derivative(by_u, by_v)?;
         vector.over(&vector.norm()?)
     }
 
     /// Su × Sv at length 1.
-    pub(super) fn normal(&self) -> Found<Vector> {
+    pub(super) fn normal(&self) -> Measured<Vector> {
         let across = self.derivative(1, 0)?.cross(&self.derivative(0, 1)?);
         across.over(&across.norm()?)
     }
 
     /// E, F and G.
-    pub(super) fn first_form(&self) -> Found<[Real; 3]> {
+    pub(super) fn first_form(&self) -> Measured<[Real; 3]> {
         let (u, v) = (self.derivative(1, 0)?, self.derivative(0, 1)?);
         Ok([u.dot(&u), u.dot(&v), v.dot(&v)])
     }
 
     /// L, M and N.
-    pub(super) fn second_form(&self) -> Found<[Real; 3]> {
+    pub(super) fn second_form(&self) -> Measured<[Real; 3]> {
         let normal = self.normal()?;
-        let second = |by_u, by_v| -> Found<Real> { Ok(self.derivative(by_u, by_v)?.dot(&normal)) };
+        let second =
+            |by_u, by_v| -> Measured<Real> { Ok(self.derivative(by_u, by_v)?.dot(&normal)) };
         Ok([second(2, 0)?, second(1, 1)?, second(0, 2)?])
     }
 
-    pub(super) fn forms(&self) -> Found<Forms> {
+    pub(super) fn forms(&self) -> Measured<Forms> {
         Ok(Forms { first: self.first_form()?, second: self.second_form()? })
     }
 }
@@ -150,20 +150,20 @@ impl Forms {
     }
 
     /// (LN − M²)/(EG − F²).
-    pub(super) fn gaussian(&self) -> Found<Real> {
+    pub(super) fn gaussian(&self) -> Measured<Real> {
         let [l, m, n] = &self.second;
         l.times(n).minus(&m.times(m)).over(&self.area())
     }
 
     /// (EN − 2FM + GL)/(2(EG − F²)).
-    pub(super) fn mean(&self) -> Found<Real> {
+    pub(super) fn mean(&self) -> Measured<Real> {
         let ([e, f, g], [l, m, n]) = (&self.first, &self.second);
         let sum = e.times(n).minus(&f.times(m).scaled(2.0)).plus(&g.times(l));
         sum.over(&self.area().scaled(2.0))
     }
 
     /// H ∓ √(H² − K), which has no derivatives at an umbilic.
-    pub(super) fn principal(&self) -> Found<[Real; 2]> {
+    pub(super) fn principal(&self) -> Measured<[Real; 2]> {
         let mean = self.mean()?;
         let spread = mean.times(&mean).minus(&self.gaussian()?);
         let size = mean.value() * mean.value() + spread.value().abs();
@@ -184,7 +184,7 @@ impl Forms {
         at: &Varying,
         curvature: &Real,
         towards: DVec3,
-    ) -> Found<Vector> {
+    ) -> Measured<Vector> {
         let (u, v) = (at.derivative(1, 0)?, at.derivative(0, 1)?);
         let [p, q, r] = [0, 1, 2].map(|i| self.second[i].minus(&curvature.times(&self.first[i])));
         // (II − kI)(a, b) = 0 by its rows, of which the larger tells more.
@@ -196,7 +196,7 @@ impl Forms {
     }
 
     /// II(d, d)/I(d, d) of the part of a direction in the tangent plane.
-    pub(super) fn normal_curvature(&self, at: &Varying, direction: &Vector) -> Found<Real> {
+    pub(super) fn normal_curvature(&self, at: &Varying, direction: &Vector) -> Measured<Real> {
         let (p, q) = (direction.dot(&at.derivative(1, 0)?), direction.dot(&at.derivative(0, 1)?));
         let [e, f, g] = &self.first;
         let (a, b) = (g.times(&p).minus(&f.times(&q)), e.times(&q).minus(&f.times(&p)));
@@ -210,7 +210,7 @@ impl Forms {
 
 /// The parameters of the point nearest to one that varies, which are given at its value: where S − P is at
 /// right angles to Su and Sv, or an edge of the surface that they stay at.
-pub(super) fn closest(surface: &Surface, p: &Vector, place: [f64; 2]) -> Found<[Real; 2]> {
+pub(super) fn closest(surface: &Surface, p: &Vector, place: [f64; 2]) -> Measured<[Real; 2]> {
     let Vector::Jets(jets) = p else { return Ok(place.map(Real::Plain)) };
     let like = &jets[0];
     let here = surface.derivatives_at(place[0], place[1], 2)?;
@@ -246,7 +246,7 @@ pub(super) fn closest(surface: &Surface, p: &Vector, place: [f64; 2]) -> Found<[
     for _ in 0..like.order() {
         let at = Varying::new(surface, &found, 1)?;
         let way = at.derivative(0, 0)?.minus(p);
-        let slope = |i: usize| -> Found<Jet> {
+        let slope = |i: usize| -> Measured<Jet> {
             if held[i] {
                 return Ok(like.same(0.0));
             }
@@ -263,7 +263,7 @@ pub(super) fn closest(surface: &Surface, p: &Vector, place: [f64; 2]) -> Found<[
 }
 
 /// The point of a surface at parameters that vary.
-pub(super) fn point(surface: &Surface, parameters: &[Real; 2], value: DVec3) -> Found<Vector> {
+pub(super) fn point(surface: &Surface, parameters: &[Real; 2], value: DVec3) -> Measured<Vector> {
     match jets(parameters, None) {
         None => Ok(Vector::Plain(value)),
         Some(parameters) => {

@@ -1,7 +1,7 @@
 //! Quadratic equations xᵀAx + 2b·x + k = 0, and what kinds of quadrics they can be.
 //!
 //! By the principal axes an equation is a sum of squares, a linear part along the axes without one, and a
-//! constant. A `Shape` says which of these there are; an equation that was found up to rounding is brought
+//! constant. A `QuadricTerms` says which of these there are; an equation that was found up to rounding is brought
 //! to one by leaving the others out. Korn & Korn, *Mathematical Handbook*, §3.5.
 
 use glam::{DMat3, DVec3};
@@ -11,7 +11,7 @@ use crate::numeric::symmetric_eigen::principal_axes;
 
 /// The left side of a quadratic equation.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Equation {
+pub(super) struct QuadricEquation {
     /// The symmetric A.
     pub(super) squares: DMat3,
     /// b.
@@ -22,7 +22,7 @@ pub(super) struct Equation {
 
 /// What an equation has.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Shape {
+pub(super) struct QuadricTerms {
     /// How many squares.
     n_squares: usize,
     /// How many of these, of the largest, have the same factor.
@@ -31,29 +31,29 @@ pub(super) struct Shape {
     has_constant: bool,
 }
 
-const fn shape(n_squares: usize, has_linear: bool, has_constant: bool) -> Shape {
-    Shape { n_squares, n_alike: 1, has_linear, has_constant }
+const fn terms(n_squares: usize, has_linear: bool, has_constant: bool) -> QuadricTerms {
+    QuadricTerms { n_squares, n_alike: 1, has_linear, has_constant }
 }
 
 /// What is round: a sphere, a cylinder, a cone.
-pub(super) const ROUND: [Shape; 3] = [
-    Shape { n_alike: 3, ..shape(3, false, true) },
-    Shape { n_alike: 2, ..shape(2, false, true) },
-    Shape { n_alike: 2, ..shape(3, false, false) },
+pub(super) const ROUND: [QuadricTerms; 3] = [
+    QuadricTerms { n_alike: 3, ..terms(3, false, true) },
+    QuadricTerms { n_alike: 2, ..terms(2, false, true) },
+    QuadricTerms { n_alike: 2, ..terms(3, false, false) },
 ];
 
 /// All others, what has less first.
-pub(super) const OTHERS: [Shape; 7] = [
-    shape(1, false, true),
-    shape(2, false, false),
-    shape(1, true, true),
-    shape(2, false, true),
-    shape(2, true, true),
-    shape(3, false, false),
-    shape(3, false, true),
+pub(super) const OTHERS: [QuadricTerms; 7] = [
+    terms(1, false, true),
+    terms(2, false, false),
+    terms(1, true, true),
+    terms(2, false, true),
+    terms(2, true, true),
+    terms(3, false, false),
+    terms(3, false, true),
 ];
 
-impl Equation {
+impl QuadricEquation {
     /// The equation in coordinates that are these times `factors`.
     pub(super) fn scaled(&self, factors: DVec3) -> Self {
         let diagonal = DMat3::from_diagonal(factors.recip());
@@ -70,12 +70,12 @@ impl Equation {
         (squares + 2.0 * self.linear.length_squared() + self.constant * self.constant).sqrt()
     }
 
-    /// The nearest equation with a shape, and which kind it is; none where that is no quadric, but
+    /// The nearest equation with such terms, and which kind it is; none where that is no quadric, but
     /// planes, a line or a point. None where the factors that are to be alike have two signs.
-    pub(super) fn with_shape(&self, shape: Shape) -> Option<(Self, Option<QuadricKind>)> {
+    pub(super) fn with_terms(&self, terms: QuadricTerms) -> Option<(Self, Option<QuadricKind>)> {
         let mut axes = principal_axes(self.squares);
         axes.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
-        if shape.n_alike == 2 && shape.n_squares == 3 {
+        if terms.n_alike == 2 && terms.n_squares == 3 {
             // The one that differs from the others comes last.
             let gap = |i: usize, j: usize| (axes[i].0 - axes[j].0).abs();
             let odd = if gap(1, 2) < gap(0, 1).min(gap(0, 2)) { 0 } else { 2 };
@@ -83,8 +83,8 @@ impl Equation {
             axes.swap(odd, 2);
         }
         let mean =
-            axes[..shape.n_alike].iter().map(|axis| axis.0).sum::<f64>() / shape.n_alike as f64;
-        if axes[..shape.n_alike].iter().any(|axis| axis.0 * mean <= 0.0) {
+            axes[..terms.n_alike].iter().map(|axis| axis.0).sum::<f64>() / terms.n_alike as f64;
+        if axes[..terms.n_alike].iter().any(|axis| axis.0 * mean <= 0.0) {
             return None;
         }
         let (mut squares, mut linear, mut constant) = (DMat3::ZERO, DVec3::ZERO, self.constant);
@@ -92,11 +92,11 @@ impl Equation {
         let mut factors = Vec::with_capacity(3);
         for (i, &(factor, axis)) in axes.iter().enumerate() {
             let along = self.linear.dot(axis);
-            if shape.n_squares <= i {
-                linear += if shape.has_linear { axis * along } else { DVec3::ZERO };
+            if terms.n_squares <= i {
+                linear += if terms.has_linear { axis * along } else { DVec3::ZERO };
                 continue;
             }
-            let new = if i < shape.n_alike { mean } else { factor };
+            let new = if i < terms.n_alike { mean } else { factor };
             let center = -along / factor;
             squares += new * DMat3::from_cols(axis * axis.x, axis * axis.y, axis * axis.z);
             linear -= axis * (new * center);
@@ -104,13 +104,13 @@ impl Equation {
             at_center += new * center * center;
             factors.push(new);
         }
-        let level = if shape.has_constant { constant } else { 0.0 };
+        let level = if terms.has_constant { constant } else { 0.0 };
         let equation = Self { squares, linear, constant: level + at_center };
-        Some((equation, shape.kind(&factors, level)))
+        Some((equation, terms.kind(&factors, level)))
     }
 }
 
-impl Shape {
+impl QuadricTerms {
     /// The kind with these factors of the squares, and this constant about the centre.
     fn kind(self, factors: &[f64], level: f64) -> Option<QuadricKind> {
         let n_positive = factors.iter().filter(|factor| 0.0 < **factor).count();

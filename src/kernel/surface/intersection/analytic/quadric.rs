@@ -7,7 +7,7 @@
 
 use glam::{DAffine3, DMat3, DVec3, DVec4};
 
-use super::equation::{Equation, OTHERS, ROUND};
+use super::equation::{OTHERS, QuadricEquation, ROUND};
 use crate::{
     Grid, NurbsSurface, bezier,
     ceiling::QUADRIC_WORK,
@@ -96,15 +96,16 @@ impl NurbsSurface {
         let equation = equation_of(&points, spread.allowed)?;
         let local = self.transformed(&spread.map);
         // What is left of an equation must be most of it.
-        let is_whole = |found: &Equation| equation.norm() < 2.0 * found.norm();
-        let proven = |found: &Equation| is_whole(found) && local.fulfils(found, spread.allowed);
+        let is_whole = |found: &QuadricEquation| equation.norm() < 2.0 * found.norm();
+        let proven =
+            |found: &QuadricEquation| is_whole(found) && local.fulfils(found, spread.allowed);
         // What is round is so in coordinates of one scale.
         let even = equation.scaled(spread.widths);
-        let round = ROUND.into_iter().filter_map(|shape| {
-            let (round, kind) = even.with_shape(shape)?;
+        let round = ROUND.into_iter().filter_map(|terms| {
+            let (round, kind) = even.with_terms(terms)?;
             kind.map(|_| (round.scaled(spread.widths.recip()), kind))
         });
-        let others = OTHERS.into_iter().filter_map(|shape| equation.with_shape(shape));
+        let others = OTHERS.into_iter().filter_map(|terms| equation.with_terms(terms));
         round.chain(others).find(|(found, _)| proven(found))?.1
     }
 
@@ -119,8 +120,8 @@ impl NurbsSurface {
     }
 
     /// Whether it is nowhere further than `allowed` from zero, put into an equation.
-    fn fulfils(&self, equation: &Equation, allowed: f64) -> bool {
-        let Equation { squares, linear, constant } = *equation;
+    fn fulfils(&self, equation: &QuadricEquation, allowed: f64) -> bool {
+        let QuadricEquation { squares, linear, constant } = *equation;
         let image = |point: &DVec4| {
             let place = point.truncate();
             let image = squares * place + linear * point.w;
@@ -183,7 +184,7 @@ impl Spread {
 }
 
 /// The one equation, of norm one, that the points fulfil best; none where there are several or none.
-fn equation_of(points: &[DVec3], allowed: f64) -> Option<Equation> {
+fn equation_of(points: &[DVec3], allowed: f64) -> Option<QuadricEquation> {
     let column = |term: fn(DVec3) -> f64| points.iter().map(|&point| term(point)).collect();
     let columns = [
         column(|p| p.x * p.x),
@@ -209,5 +210,5 @@ fn equation_of(points: &[DVec3], allowed: f64) -> Option<Equation> {
         DVec3::new(0.5 * xy, yy, 0.5 * yz),
         DVec3::new(0.5 * xz, 0.5 * yz, zz),
     );
-    Some(Equation { squares, linear: 0.5 * DVec3::new(x, y, z), constant })
+    Some(QuadricEquation { squares, linear: 0.5 * DVec3::new(x, y, z), constant })
 }

@@ -16,7 +16,7 @@ use crate::{
     NurbsSurface,
     ceiling::{NEWTON_STEPS, STEP_SHORTENINGS, SURFACE_FOOT_STEPS},
     frame::unit,
-    numeric::newton::{FREE, Found, Step, within_limits},
+    numeric::newton::{FREE, NewtonResult, Step, within_limits},
     numeric::symmetric_eigen::eigen_of_two,
     tolerance::{
         AREA_REACH, BEND_RELATIVE, CONTACT_SHARE, LAST_BIT, LEAST_STEP_SHARE, PLACE_RELATIVE,
@@ -372,9 +372,9 @@ impl SurfacePair<'_> {
             },
         );
         match found {
-            Found::Settled(foot) => Some((place, way(foot).dot(z))),
-            Found::Unsettled(_) => Some((place, f64::INFINITY)),
-            Found::Stuck(_) => None,
+            NewtonResult::Settled(foot) => Some((place, way(foot).dot(z))),
+            NewtonResult::Unsettled(_) => Some((place, f64::INFINITY)),
+            NewtonResult::Stuck(_) => None,
         }
     }
 }
