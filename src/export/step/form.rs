@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::{
     entity::{Id, Records},
-    shape::{direction, placement, point},
+    place::{direction, placement, point},
 };
 use crate::kernel::{AnalyticCurve, AnalyticForm, AnalyticSurface};
 

@@ -8,6 +8,7 @@
 
 mod entity;
 mod form;
+mod place;
 mod shape;
 mod style;
 
@@ -94,7 +95,7 @@ impl StepDocument {
                 .text(",'design')");
         });
         let context = context(job, file);
-        let placement = shape::placement(Frame::XY, file);
+        let placement = place::placement(Frame::XY, file);
         Self { product, definition, context, placement }
     }
 
@@ -122,7 +123,7 @@ impl StepDocument {
                         set.push(id);
                     }
                     Exact::Point(point) => {
-                        let id = shape::point(&item.name, point, file);
+                        let id = place::point(&item.name, point, file);
                         looks.layer(item, id);
                         set.push(id);
                     }

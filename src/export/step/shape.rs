@@ -8,31 +8,11 @@ use super::{
     super::{ExportError, Item, Job},
     entity::{Id, Records},
     form,
+    place::{direction, placement, point},
 };
 use crate::kernel::{
     AnalyticCurve, AnalyticForm, Frame, Grid, KnotVector, NurbsCurve, NurbsSurface, Tolerance,
 };
-
-/// The origin of a frame with its directions.
-pub(super) fn placement(frame: Frame, file: &mut Records) -> Id {
-    let origin = point("", frame.origin(), file);
-    let [z, x] = [frame.z(), frame.x()].map(|axis| direction(axis, file));
-    file.add(|r| {
-        r.text("AXIS2_PLACEMENT_3D('',").id(origin).text(",").id(z).text(",").id(x).text(")");
-    })
-}
-
-pub(super) fn direction(direction: DVec3, file: &mut Records) -> Id {
-    file.add(|r| {
-        r.text("DIRECTION('',").place(direction).text(")");
-    })
-}
-
-pub(super) fn point(name: &str, point: DVec3, file: &mut Records) -> Id {
-    file.add(|r| {
-        r.text("CARTESIAN_POINT(").string(name).text(",").place(point).text(")");
-    })
-}
 
 /// A curve: a line or an arc where it is one, else a B-spline.
 pub(super) fn curve(name: &str, curve: &NurbsCurve, file: &mut Records) -> Id {

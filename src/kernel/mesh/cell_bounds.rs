@@ -158,7 +158,7 @@ impl CellBounds {
                 near.line = lines.get(i, j);
             }
             let also = [edge, angle, ParameterBoxes::NONE, ParameterBoxes::NONE];
-            CellRules { whole: form(bend.second).scaled(per_tolerance), near, also }
+            CellRules { whole: ParameterBoxes::new(bend.second).scaled(per_tolerance), near, also }
         });
         Self { ends: bends.ends, rules, ratios }
     }
@@ -283,12 +283,8 @@ fn line_forms(
     Grid::from_fn(beside_u.len(), beside_v.len(), |i, j| {
         let [uu, _, vv] = bends.pieces.get(i, j).second;
         let of = |is_beside: bool, bend: f64| if is_beside { bend } else { 0.0 };
-        form([of(beside_v[j], uu), 0.0, of(beside_u[i], vv)]).scaled(per_tolerance)
+        ParameterBoxes::new([of(beside_v[j], uu), 0.0, of(beside_u[i], vv)]).scaled(per_tolerance)
     })
-}
-
-pub(super) fn form([uu, uv, vv]: [f64; 3]) -> ParameterBoxes {
-    ParameterBoxes { uu, uv, vv }
 }
 
 fn ratio(bend: &PieceBounds) -> f64 {

@@ -6,16 +6,62 @@
 use glam::DVec4;
 
 use super::{
+    chord::chord_deviation,
     edge::PatchEdge,
-    seam::{EdgeStretch, SharedEdge, SharedEdges},
+    seam::{EdgeStretch, SharedEdge, SharedEdges, Vertices},
     surface_patch::{Cells, SurfacePatch},
-    tessellate::chord_deviation,
 };
 use crate::{
     CountError, Direction, GeomError, Interval, bezier,
     ceiling::PARAMETER_HALVINGS,
     tolerance::{BORDER_SHARE, PLACE_RELATIVE},
 };
+
+impl SharedEdges {
+    /// The vertices on the four edges of each sheet, those of a point only at its ends.
+    ///
+    /// # Errors
+    /// Those of [`SurfacePatch::point_at`]; `CountError::TooManyVertices`.
+    pub(super) fn vertices(
+        &self,
+        sheets: &[SurfacePatch<'_>],
+        cells: &[Cells],
+        most: usize,
+    ) -> Result<Vec<[Vertices; 4]>, GeomError> {
+        let mut all: Vec<[Vertices; 4]> = sheets.iter().map(|_| Default::default()).collect();
+        for edge in self.edges.iter().filter(|edge| edge.is_point) {
+            let point = self.corners[edge.corners[0] as usize];
+            let ends = [edge.domain().start(), edge.domain().end()];
+            all[edge.sheet][edge.number] = ends.map(|t| (t, point)).to_vec();
+        }
+        let mut found: Vec<Vertices> = vec![Vertices::new(); self.stretches.len()];
+        for seam in &self.seams {
+            let stops = SeamDivision::new(self, seam, sheets, cells).stops(most)?;
+            let first = &self.stretches[seam.stretches[0].0];
+            let edge = &self.edges[first.edge];
+            let mut points = Vec::with_capacity(stops.len());
+            for stop in &stops {
+                points.push(edge.point(&sheets[edge.sheet], stop.parameters[0])?);
+            }
+            for (place, end) in [(0, 0), (points.len() - 1, 1)] {
+                points[place] = self.corners[first.ends[end].corner as usize];
+            }
+            for (i, &(stretch, turns)) in seam.stretches.iter().enumerate() {
+                let places = stops.iter().zip(&points);
+                let vertices = places.map(|(stop, &point)| (stop.parameters[i], point));
+                found[stretch] = if turns { vertices.rev().collect() } else { vertices.collect() };
+            }
+        }
+        for (stretch, vertices) in self.stretches.iter().zip(found) {
+            let edge = &self.edges[stretch.edge];
+            let whole = &mut all[edge.sheet][edge.number];
+            // The end of the stretch before is the start of this one.
+            whole.pop();
+            whole.extend(vertices);
+        }
+        Ok(all)
+    }
+}
 
 /// A seam while it is divided.
 pub(super) struct SeamDivision<'a, 's> {

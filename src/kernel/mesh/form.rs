@@ -17,6 +17,10 @@ impl ParameterBoxes {
     /// The limit that allows everything.
     pub(super) const NONE: Self = Self { uu: 0.0, uv: 0.0, vv: 0.0 };
 
+    pub(super) fn new([uu, uv, vv]: [f64; 3]) -> Self {
+        Self { uu, uv, vv }
+    }
+
     pub(super) fn scaled(self, factor: f64) -> Self {
         Self { uu: factor * self.uu, uv: factor * self.uv, vv: factor * self.vv }
     }

@@ -13,6 +13,7 @@
 mod any;
 mod bend;
 mod cell_bounds;
+mod chord;
 mod deviation;
 mod distance;
 mod division;

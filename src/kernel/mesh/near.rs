@@ -16,7 +16,6 @@ use std::f64::consts::PI;
 
 use super::{
     bend::PieceBounds,
-    cell_bounds::form,
     form::ParameterBoxes,
     rules::{BendingSide, NormalRules},
 };
@@ -93,7 +92,7 @@ fn near(
     let most = |i: usize| bend.lift[i][1].max(-bend.lift[i][0]);
     let per_tolerance = 1.0 / (8.0 * tolerance);
     let about: [f64; 3] = std::array::from_fn(|i| most(i) + this.swing * bend.across[i]);
-    let [a, b] = form(about).scaled(per_tolerance).largest(ratio);
+    let [a, b] = ParameterBoxes::new(about).scaled(per_tolerance).largest(ratio);
     let room = 2.0 * (FLAT_SLOPE / TILT - strayed);
     let wanted = TURN_MARGIN * (a * this.turns[0] + b * this.turns[1]);
     let turn = if wanted < room { wanted } else { room };
@@ -111,9 +110,9 @@ fn near(
     };
     let saddle = sense(0).filter(|along_u| sense(2).is_some_and(|along_v| along_v != *along_u));
     let [per_u, per_v] = this.turns;
-    let across = form(across).scaled(per_tolerance);
+    let across = ParameterBoxes::new(across).scaled(per_tolerance);
     Some(NormalRules {
-        lift: form(lift).scaled(per_tolerance),
+        lift: ParameterBoxes::new(lift).scaled(per_tolerance),
         saddle,
         slip: across.scaled(slope),
         turn: ParameterBoxes { uu: per_u * per_u, uv: per_u * per_v, vv: per_v * per_v },

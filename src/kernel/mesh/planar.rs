@@ -4,19 +4,12 @@ use glam::{DVec2, DVec3};
 
 use super::{
     Mesh,
-    triangulation::{RegionTriangles, triangles},
+    triangulation::{BorderPolygon, RegionTriangles, triangles},
 };
 use crate::{
     Frame, GeomError, PictureError as Error,
     frame::{norm, unit},
 };
-
-/// A border as a polygon, in the plane.
-pub(super) struct BorderPolygon {
-    pub(super) places: Vec<DVec2>,
-    /// The index of its first vertex.
-    pub(super) first: usize,
-}
 
 /// The mesh of the region within the first of the polygons and outside of the others, whose last
 /// points are followed by their first; the first runs counter-clockwise seen from the side of the

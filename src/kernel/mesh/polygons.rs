@@ -9,8 +9,8 @@ use glam::{DVec2, DVec3};
 use super::{
     Mesh, MeshError,
     fault::FaceFault,
-    planar::{BorderPolygon, turn},
-    triangulation::triangles,
+    planar::turn,
+    triangulation::{BorderPolygon, triangles},
 };
 use crate::{Bounds, CountError, Frame, GeomError, frame::unit, tolerance::VANISHING_RELATIVE};
 

@@ -9,9 +9,8 @@ use glam::DVec3;
 
 use super::{
     cell_bounds::TessellationOptions,
-    division::SeamDivision,
     edge::{EdgeCorner, PatchEdge},
-    surface_patch::{Cells, SHARE, SurfacePatch},
+    surface_patch::{SHARE, SurfacePatch},
     weld::welded,
 };
 use crate::{Bounds, GeomError, Interval, tolerance::WELD_SHARE};
@@ -23,7 +22,7 @@ const COMPARED: usize = 8;
 #[derive(Debug)]
 pub(super) struct EdgeStretch {
     pub(super) edge: usize,
-    ends: [EdgeCorner; 2],
+    pub(super) ends: [EdgeCorner; 2],
 }
 
 /// Stretches that are one curve; the first gives the points.
@@ -42,9 +41,9 @@ pub(super) struct SharedEdges {
     pub(super) edges: Vec<PatchEdge>,
     /// Those of an edge one behind the other; none of edges that are points.
     pub(super) stretches: Vec<EdgeStretch>,
-    seams: Vec<SharedEdge>,
+    pub(super) seams: Vec<SharedEdge>,
     /// Where the corners are that others are welded to.
-    corners: Vec<DVec3>,
+    pub(super) corners: Vec<DVec3>,
 }
 
 impl SharedEdges {
@@ -222,50 +221,6 @@ impl SharedEdges {
             most = most.max(place.distance(self.corners[end.corner as usize]));
         }
         Ok(most)
-    }
-
-    /// The vertices on the four edges of each sheet, those of a point only at its ends.
-    ///
-    /// # Errors
-    /// Those of [`SurfacePatch::point_at`]; `CountError::TooManyVertices`.
-    pub(super) fn vertices(
-        &self,
-        sheets: &[SurfacePatch<'_>],
-        cells: &[Cells],
-        most: usize,
-    ) -> Result<Vec<[Vertices; 4]>, GeomError> {
-        let mut all: Vec<[Vertices; 4]> = sheets.iter().map(|_| Default::default()).collect();
-        for edge in self.edges.iter().filter(|edge| edge.is_point) {
-            let point = self.corners[edge.corners[0] as usize];
-            let ends = [edge.domain().start(), edge.domain().end()];
-            all[edge.sheet][edge.number] = ends.map(|t| (t, point)).to_vec();
-        }
-        let mut found: Vec<Vertices> = vec![Vertices::new(); self.stretches.len()];
-        for seam in &self.seams {
-            let stops = SeamDivision::new(self, seam, sheets, cells).stops(most)?;
-            let first = &self.stretches[seam.stretches[0].0];
-            let edge = &self.edges[first.edge];
-            let mut points = Vec::with_capacity(stops.len());
-            for stop in &stops {
-                points.push(edge.point(&sheets[edge.sheet], stop.parameters[0])?);
-            }
-            for (place, end) in [(0, 0), (points.len() - 1, 1)] {
-                points[place] = self.corners[first.ends[end].corner as usize];
-            }
-            for (i, &(stretch, turns)) in seam.stretches.iter().enumerate() {
-                let places = stops.iter().zip(&points);
-                let vertices = places.map(|(stop, &point)| (stop.parameters[i], point));
-                found[stretch] = if turns { vertices.rev().collect() } else { vertices.collect() };
-            }
-        }
-        for (stretch, vertices) in self.stretches.iter().zip(found) {
-            let edge = &self.edges[stretch.edge];
-            let whole = &mut all[edge.sheet][edge.number];
-            // The end of the stretch before is the start of this one.
-            whole.pop();
-            whole.extend(vertices);
-        }
-        Ok(all)
     }
 }
 

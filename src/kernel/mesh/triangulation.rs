@@ -14,8 +14,14 @@ use spade::{
     handles::{DirectedEdgeHandle, FixedVertexHandle},
 };
 
-use super::planar::BorderPolygon;
 use crate::work;
+
+/// A border as a polygon, in the plane.
+pub(super) struct BorderPolygon {
+    pub(super) places: Vec<DVec2>,
+    /// The index of its first vertex.
+    pub(super) first: usize,
+}
 
 /// A region in triangles.
 pub(super) struct RegionTriangles {
