@@ -3,8 +3,8 @@
 //! The registry knows what takes a value as its first argument; a name that is near does the rest.
 
 use super::{
+    env::Env,
     ir::{Expr, ExprKind},
-    machine::Env,
 };
 use crate::{
     diag::{Code, Diagnostic, Span, nearest},

@@ -3,9 +3,9 @@
 use std::collections::HashMap;
 
 use super::{
+    file_run::FileRun,
     ir::{Definition, Expr, ExprKind},
     outcome::Defined,
-    run::FileRun,
 };
 use crate::{
     diag::{Code, Diagnostic, Spanned, nearest},

@@ -1,11 +1,12 @@
 //! Evaluation of what holds other values: points, lists, records, texts, comprehensions.
 
-use std::{ops::Range, sync::Arc};
+use std::sync::Arc;
 
 use glam::DVec3;
 
 use super::{
     ir::{Comprehension, Element, Expr, Piece},
+    items::Items,
     lanes::{BlockResult, Lanes},
     machine::Machine,
 };
@@ -307,53 +308,3 @@ impl GrowingList {
         }
     }
 }
-
-/// What a comprehension or a spread runs through.
-pub(super) enum Items<'v> {
-    /// Elements of a list.
-    List(std::slice::Iter<'v, Value>),
-    /// Elements of a list that holds them as numbers.
-    Numbers(std::slice::Iter<'v, f64>, Dimension),
-    /// The next whole number and how many are left.
-    Integers(i64, usize),
-}
-
-impl<'v> Items<'v> {
-    /// The elements of a list from and to these places, which lie inside.
-    pub(super) fn of(list: &'v List, range: Range<usize>) -> Self {
-        match list.numbers() {
-            Some((values, dim)) => Self::Numbers(values[range].iter(), dim),
-            None => Self::List(list[range].iter()),
-        }
-    }
-}
-
-impl Iterator for Items<'_> {
-    type Item = Value;
-
-    fn next(&mut self) -> Option<Value> {
-        match self {
-            Self::List(items) => items.next().cloned(),
-            Self::Numbers(items, dim) => {
-                items.next().map(|&value| Value::Number(Number { value, dim: *dim }))
-            }
-            Self::Integers(_, 0) => None,
-            Self::Integers(next, left) => {
-                let value = Value::number(*next as f64);
-                (*next, *left) = (*next + 1, *left - 1);
-                Some(value)
-            }
-        }
-    }
-
-    fn size_hint(&self) -> (usize, Option<usize>) {
-        let n = match self {
-            Self::List(items) => items.len(),
-            Self::Numbers(items, _) => items.len(),
-            Self::Integers(_, left) => *left,
-        };
-        (n, Some(n))
-    }
-}
-
-impl ExactSizeIterator for Items<'_> {}

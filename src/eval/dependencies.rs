@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::{
     ir::{Definition, DefinitionRole, Effect, EffectKind, Expr, ExprKind, Kind, Program},
     load::{LoadingScript, load},
-    run::Settings,
+    settings::Settings,
 };
 use crate::{
     diag::{Diagnostic, Sources},

@@ -11,13 +11,14 @@ use std::{
 };
 
 use super::{
+    env::{Env, GivenParameters, ImportedFiles},
     globals::Globals,
     ir::Program,
     lower::{self, Imported, Origin},
-    machine::{Env, Machine},
+    machine::Machine,
     memory::Fields,
     param::GivenValue,
-    run::Settings,
+    settings::Settings,
     worker::{Inputs, Worker},
 };
 use crate::{
@@ -69,6 +70,28 @@ pub(crate) struct LoadedText<'t> {
     pub(crate) base: u32,
     /// Its tree.
     pub(crate) tree: &'t Tree<'t>,
+}
+
+impl ImportedFiles for Library<'_> {
+    fn value(
+        &self,
+        file: usize,
+        parameters: GivenParameters,
+        env: Env<'_>,
+    ) -> Result<(Value, Fields)> {
+        self.check_parameters(file, &parameters)?;
+        let mut key = Vec::new();
+        for (name, value) in &parameters {
+            exact_key(&Value::Text(Arc::clone(&name.value)), &mut key);
+            exact_key(&value.value, &mut key);
+        }
+        let instance = {
+            let mut instances = self.instances.lock().unwrap_or_else(PoisonError::into_inner);
+            Arc::clone(instances.entry((file, key)).or_default())
+        };
+        // Imports make no circle, so that whoever waits here is not waited for.
+        instance.get_or_init(|| self.evaluate(file, &parameters, env)).outcome.clone()
+    }
 }
 
 impl<'a> Library<'a> {
@@ -237,27 +260,6 @@ impl<'a> Library<'a> {
     /// Everything that was found in imported files so far.
     pub(crate) fn take_findings(&self) -> Vec<Diagnostic> {
         std::mem::take(&mut *self.findings.lock().unwrap_or_else(PoisonError::into_inner))
-    }
-
-    /// The record of what a file defines, with these parameters, and the identities of its fields.
-    pub(super) fn value(
-        &self,
-        file: usize,
-        parameters: Vec<(Spanned<Arc<str>>, Spanned<Value>)>,
-        env: Env<'_>,
-    ) -> Result<(Value, Fields)> {
-        self.check_parameters(file, &parameters)?;
-        let mut key = Vec::new();
-        for (name, value) in &parameters {
-            exact_key(&Value::Text(Arc::clone(&name.value)), &mut key);
-            exact_key(&value.value, &mut key);
-        }
-        let instance = {
-            let mut instances = self.instances.lock().unwrap_or_else(PoisonError::into_inner);
-            Arc::clone(instances.entry((file, key)).or_default())
-        };
-        // Imports make no circle, so that whoever waits here is not waited for.
-        instance.get_or_init(|| self.evaluate(file, &parameters, env)).outcome.clone()
     }
 
     fn check_parameters(

@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use super::{
+    env::Env,
     ir::Program,
     library::{Library, LoadedText},
     lower,
-    machine::Env,
-    run::Settings,
+    settings::Settings,
 };
 use crate::{
     diag::{Diagnostic, Sources, Span},

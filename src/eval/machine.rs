@@ -11,49 +11,23 @@ use std::{
 };
 
 use super::{
+    env::Env,
     function::ScriptFunction,
     globals::Globals,
     index,
     ir::{BinaryOp, Block, CaptureSource, Expr, ExprKind, Group},
-    library::Library,
     memory::{Fields, FileRead},
+    meter::Meter,
     operator::{
         self,
         table::{BinaryMeaning, binary_meaning},
     },
-    parametric::{GeometryFunction, Meter},
 };
 use crate::{
-    diag::{Code, Diagnostic, Result, Sources, Span, fault},
-    kernel::{CurveFunction, SurfaceFunction, Tolerance},
-    limits::{
-        Ceiling, Limits,
-        work::{MemoryGauge, StopToken},
-    },
-    syntax::ast::Unit,
-    value::{At, Caller, Files, Function, Registry, Value, Witness, field, field_names},
+    diag::{Code, Diagnostic, Result, Span, fault},
+    limits::Ceiling,
+    value::{At, Function, Value, Witness, field, field_names},
 };
-
-/// What evaluation may consult.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Env<'a> {
-    pub(crate) limits: &'a Limits,
-    /// How many threads a call of a built-in may use.
-    pub(crate) n_threads: usize,
-    pub(crate) files: &'a dyn Files,
-    pub(crate) tolerance: Tolerance,
-    pub(crate) unit: Unit,
-    /// Every built-in, for advice.
-    pub(crate) registry: Option<&'a Registry>,
-    /// The files that the script imports.
-    pub(crate) library: Option<&'a Library<'a>>,
-    /// The texts of the script and of what it imports.
-    pub(crate) sources: Option<&'a Sources>,
-    /// How many bytes of memory are held.
-    pub(crate) gauge: &'a MemoryGauge,
-    /// Set by whoever no longer wants the answer.
-    pub(crate) stop: &'a StopToken,
-}
 
 /// The machine. One for each thread that evaluates.
 #[derive(Debug)]
@@ -372,27 +346,5 @@ fn shown_field(name: &str) -> String {
         format!("`.{name}`")
     } else {
         format!("`[{name:?}]`")
-    }
-}
-
-impl Caller for Machine<'_> {
-    fn call(&mut self, function: &Value, args: &[Value], span: Span) -> Result<Value> {
-        self.apply(function, args, span)
-    }
-
-    fn curve_function(&self, function: &Value, span: Span) -> Result<Arc<dyn CurveFunction>> {
-        Ok(GeometryFunction::new(self, function, span)?)
-    }
-
-    fn surface_function(&self, function: &Value, span: Span) -> Result<Arc<dyn SurfaceFunction>> {
-        Ok(GeometryFunction::new(self, function, span)?)
-    }
-
-    fn decided(&mut self, span: Span, witness: Witness) {
-        self.witness = Some((span, witness));
-    }
-
-    fn warn(&mut self, warning: Diagnostic) {
-        self.warnings.push(warning);
     }
 }

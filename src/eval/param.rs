@@ -3,9 +3,10 @@
 use std::{fmt, sync::Arc};
 
 use super::{
+    env::Env,
     ir::{Definition, Expr, ExprKind, ParamKind, ParamRules},
     lower,
-    machine::{Env, Machine},
+    machine::Machine,
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned, nearest},

@@ -4,17 +4,16 @@
 //! function on a machine of its own, on jets. What a function may ask for is counted together with
 //! whoever asks on the same thread, so that no nesting of curves in curves escapes the ceilings.
 
-use std::{
-    cell::Cell,
-    sync::{Arc, Weak},
-};
+use std::sync::{Arc, Weak};
 
 use glam::DVec3;
 
 use super::{
+    env::Env,
     function::ScriptFunction,
     globals::Globals,
-    machine::{Env, Machine},
+    machine::Machine,
+    meter::{Meter, USED},
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
@@ -26,29 +25,6 @@ use crate::{
     syntax::ast::Unit,
     value::{Dimension, Files, Function, IntoValue, Real, Value, shortest},
 };
-
-/// What evaluation has used up on its way to a place.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Meter {
-    pub(super) n_calls: usize,
-    pub(super) depth: usize,
-    pub(super) steps: u64,
-}
-
-thread_local! {
-    /// What the machine that waits for a built-in on this thread has used up.
-    static USED: Cell<Meter> = const { Cell::new(Meter { n_calls: 0, depth: 0, steps: 0 }) };
-}
-
-impl Meter {
-    /// Runs something that may ask functions of the script, which go on counting from here; what
-    /// has been used up then.
-    pub(super) fn lend<T>(self, run: impl FnOnce() -> T) -> (T, Self) {
-        let before = USED.replace(self);
-        let result = run();
-        (result, USED.replace(before))
-    }
-}
 
 /// Files that a function cannot read: it is asked again and again, also when the script has ended.
 #[derive(Debug)]

@@ -5,60 +5,24 @@ use std::sync::Arc;
 
 use super::{
     appearance::Appearances,
+    file_run::FileRun,
     globals::{Globals, KeptGlobals},
-    ir::{Arg, DefinitionRole, Effect, EffectKind, Expr, Kind, Program},
-    load::{LoadedScript, LoadingScript, load},
+    ir::{Arg, DefinitionRole, Effect, EffectKind, Expr, Kind},
+    load::{LoadedScript, load},
     machine::Machine,
-    memory::{CacheRun, Work},
+    memory::Work,
     outcome::{
         Checked, Defined, EffectOutput, ExportSubject, Exported, Outcome, Printed, in_order,
     },
-    param::{self, GivenValue, Setting},
+    param::{self, GivenValue},
     schedule,
+    settings::{Purpose, Settings},
     worker::{Inputs, Worker},
 };
 use crate::{
-    diag::{Code, Diagnostic, Result, Severity, Sources, Spanned},
-    limits::{
-        Limits,
-        work::{MemoryGauge, StopToken},
-    },
-    value::{Files, Registry, Value},
+    diag::{Code, Diagnostic, Severity, Sources, Spanned},
+    value::Value,
 };
-
-/// What a script is evaluated for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Purpose<'a> {
-    /// Its effects.
-    Run,
-    /// Its effects, and then its tests.
-    Test,
-    /// Those of its tests whose names contain this.
-    TestNamed(&'a str),
-}
-
-/// What evaluation is given besides the script.
-#[derive(Clone, Copy, Debug)]
-pub struct Settings<'a> {
-    /// The built-ins.
-    pub registry: &'a Registry,
-    /// The ceilings.
-    pub limits: &'a Limits,
-    /// Reads files that the script names.
-    pub files: &'a dyn Files,
-    /// Values for parameters.
-    pub overrides: &'a [Setting],
-    /// How many threads may evaluate.
-    pub n_threads: usize,
-    /// What of the script acts.
-    pub purpose: Purpose<'a>,
-    /// What earlier runs gave, if they are to be remembered.
-    pub recall: Option<&'a CacheRun<'a>>,
-    /// How many bytes of memory are held.
-    pub gauge: &'a MemoryGauge,
-    /// Set by whoever no longer wants the answer.
-    pub stop: &'a StopToken,
-}
 
 /// Interprets the script `text`, which messages call `name`; it and the files that it imports are
 /// added to `sources`.
@@ -96,25 +60,7 @@ pub fn evaluate(name: &str, text: &str, sources: &mut Sources, settings: Setting
     }
 }
 
-/// The evaluation of one file or test under way.
-pub(super) struct FileRun<'a> {
-    pub(super) machine: Machine<'a>,
-    pub(super) settings: Settings<'a>,
-    pub(super) program: &'a Program,
-    pub(super) diagnostics: Vec<Diagnostic>,
-    pub(super) document: LoadingScript<'a>,
-}
-
 impl FileRun<'_> {
-    pub(super) fn value(&self, idx: usize) -> Option<&Value> {
-        self.machine.home.value(idx)
-    }
-
-    /// Whether everything that is used has a value.
-    pub(super) fn is_ready(&self, dependencies: &[usize]) -> bool {
-        dependencies.iter().all(|&idx| self.value(idx).is_some())
-    }
-
     /// Evaluates every definition.
     fn definitions(&mut self) {
         let (env, settings, program) = (self.machine.env, self.settings, self.program);
@@ -133,11 +79,6 @@ impl FileRun<'_> {
             self.diagnostics.append(&mut worker.machine.warnings);
             self.machine.is_full |= worker.machine.is_full;
         }
-    }
-
-    /// The value, or a diagnostic more.
-    pub(super) fn keep<T>(&mut self, result: Result<T>) -> Option<T> {
-        result.map_err(|diagnostic| self.diagnostics.push(*diagnostic)).ok()
     }
 
     /// Every definition with its name and value.

@@ -9,7 +9,7 @@ use super::{
     machine::Machine,
     outcome::in_order,
     param::rules,
-    run::Settings,
+    settings::Settings,
     worker::{Inputs, Worker},
 };
 use crate::{

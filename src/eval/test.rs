@@ -4,10 +4,11 @@ use std::sync::Arc;
 
 use super::{
     claim::shown,
+    file_run::FileRun,
     ir::{EffectKind, Expr, Test},
     machine::Machine,
     outcome::{Defined, ExpectedMistake, TestOutcome},
-    run::{FileRun, Purpose},
+    settings::Purpose,
     worker::{Inputs, Worker},
 };
 use crate::diag::{Code, Diagnostic, Severity};

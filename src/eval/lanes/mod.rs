@@ -16,8 +16,8 @@ mod run;
 use std::ops::Range;
 
 use super::{
-    collection::Items,
     ir::{Comprehension, Generator},
+    items::Items,
     machine::Machine,
     operator::table::{Arithmetic, Comparison, UnaryArithmetic},
 };

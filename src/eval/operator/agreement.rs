@@ -8,10 +8,11 @@ use super::{OperandPlaces, binary, unary};
 use crate::{
     diag::{Code, Result, Span},
     eval::{
+        env::Env,
         globals::Globals,
         ir::{BinaryOp, Comprehension, Expr, ExprKind, Generator, UnaryOp},
         lanes::{BlockResult, Lanes},
-        machine::{Env, Machine},
+        machine::Machine,
         operator::table::{BinaryMeaning, binary_meaning},
     },
     kernel::{Jet, Tolerance},

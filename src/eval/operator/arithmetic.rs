@@ -1,6 +1,6 @@
 //! What the operators that compute do to numbers, dimensions and derivatives: an item for each.
 
-use super::table::{Refusal, Sides};
+use super::operand::{OperatorRefusal, Sides};
 use crate::{
     kernel::{GeomError, LocalError},
     value::{Dimension, Real},
@@ -11,8 +11,12 @@ pub(super) trait ArithmeticMeaning {
     const VERB: &'static str;
     const SIDES: &'static [Sides];
     fn plain(a: f64, b: f64) -> f64;
-    fn dimension(a: Dimension, b: Dimension, right: Option<f64>) -> Result<Dimension, Refusal>;
-    fn refusal(_: f64, _: f64) -> Option<Refusal> {
+    fn dimension(
+        a: Dimension,
+        b: Dimension,
+        right: Option<f64>,
+    ) -> Result<Dimension, OperatorRefusal>;
+    fn refusal(_: f64, _: f64) -> Option<OperatorRefusal> {
         None
     }
     fn derivatives(a: &Real, b: &Real, plain: f64) -> Result<Real, GeomError>;
@@ -30,8 +34,8 @@ impl ArithmeticMeaning for Add {
         a + b
     }
 
-    fn dimension(a: Dimension, b: Dimension, _: Option<f64>) -> Result<Dimension, Refusal> {
-        a.common(b).ok_or(Refusal::Mismatch)
+    fn dimension(a: Dimension, b: Dimension, _: Option<f64>) -> Result<Dimension, OperatorRefusal> {
+        a.common(b).ok_or(OperatorRefusal::Mismatch)
     }
 
     fn derivatives(a: &Real, b: &Real, _: f64) -> Result<Real, GeomError> {
@@ -51,8 +55,8 @@ impl ArithmeticMeaning for Subtract {
         a - b
     }
 
-    fn dimension(a: Dimension, b: Dimension, _: Option<f64>) -> Result<Dimension, Refusal> {
-        a.common(b).ok_or(Refusal::Mismatch)
+    fn dimension(a: Dimension, b: Dimension, _: Option<f64>) -> Result<Dimension, OperatorRefusal> {
+        a.common(b).ok_or(OperatorRefusal::Mismatch)
     }
 
     fn derivatives(a: &Real, b: &Real, _: f64) -> Result<Real, GeomError> {
@@ -72,8 +76,8 @@ impl ArithmeticMeaning for Multiply {
         a * b
     }
 
-    fn dimension(a: Dimension, b: Dimension, _: Option<f64>) -> Result<Dimension, Refusal> {
-        a.times(b).ok_or(Refusal::PowerOfUnitTooHigh)
+    fn dimension(a: Dimension, b: Dimension, _: Option<f64>) -> Result<Dimension, OperatorRefusal> {
+        a.times(b).ok_or(OperatorRefusal::PowerOfUnitTooHigh)
     }
 
     fn derivatives(a: &Real, b: &Real, _: f64) -> Result<Real, GeomError> {
@@ -93,12 +97,12 @@ impl ArithmeticMeaning for Divide {
         a / b
     }
 
-    fn dimension(a: Dimension, b: Dimension, _: Option<f64>) -> Result<Dimension, Refusal> {
-        a.over(b).ok_or(Refusal::PowerOfUnitTooHigh)
+    fn dimension(a: Dimension, b: Dimension, _: Option<f64>) -> Result<Dimension, OperatorRefusal> {
+        a.over(b).ok_or(OperatorRefusal::PowerOfUnitTooHigh)
     }
 
-    fn refusal(_: f64, b: f64) -> Option<Refusal> {
-        (b == 0.0).then_some(Refusal::ZeroDivisor)
+    fn refusal(_: f64, b: f64) -> Option<OperatorRefusal> {
+        (b == 0.0).then_some(OperatorRefusal::ZeroDivisor)
     }
 
     fn derivatives(a: &Real, b: &Real, _: f64) -> Result<Real, GeomError> {
@@ -119,12 +123,12 @@ impl ArithmeticMeaning for Remainder {
         if rest != 0.0 && (rest < 0.0) != (b < 0.0) { rest + b } else { rest }
     }
 
-    fn dimension(a: Dimension, b: Dimension, _: Option<f64>) -> Result<Dimension, Refusal> {
-        a.common(b).ok_or(Refusal::Mismatch)
+    fn dimension(a: Dimension, b: Dimension, _: Option<f64>) -> Result<Dimension, OperatorRefusal> {
+        a.common(b).ok_or(OperatorRefusal::Mismatch)
     }
 
-    fn refusal(_: f64, b: f64) -> Option<Refusal> {
-        (b == 0.0).then_some(Refusal::ZeroDivisor)
+    fn refusal(_: f64, b: f64) -> Option<OperatorRefusal> {
+        (b == 0.0).then_some(OperatorRefusal::ZeroDivisor)
     }
 
     fn derivatives(a: &Real, b: &Real, plain: f64) -> Result<Real, GeomError> {
@@ -150,20 +154,24 @@ impl ArithmeticMeaning for Power {
         libm::pow(a, b)
     }
 
-    fn dimension(a: Dimension, b: Dimension, right: Option<f64>) -> Result<Dimension, Refusal> {
+    fn dimension(
+        a: Dimension,
+        b: Dimension,
+        right: Option<f64>,
+    ) -> Result<Dimension, OperatorRefusal> {
         match right {
-            _ if !b.is_none() => Err(Refusal::ExponentWithUnit),
-            Some(exponent) => a.power(exponent).ok_or(Refusal::NoSuchPowerOfUnit),
+            _ if !b.is_none() => Err(OperatorRefusal::ExponentWithUnit),
+            Some(exponent) => a.power(exponent).ok_or(OperatorRefusal::NoSuchPowerOfUnit),
             None if a.is_none() => Ok(a),
-            None => Err(Refusal::NoSuchPowerOfUnit),
+            None => Err(OperatorRefusal::NoSuchPowerOfUnit),
         }
     }
 
-    fn refusal(a: f64, b: f64) -> Option<Refusal> {
+    fn refusal(a: f64, b: f64) -> Option<OperatorRefusal> {
         if a == 0.0 && b < 0.0 {
-            Some(Refusal::NegativePowerOfZero)
+            Some(OperatorRefusal::NegativePowerOfZero)
         } else {
-            (a < 0.0 && b.fract() != 0.0).then_some(Refusal::FractionalPowerOfNegative)
+            (a < 0.0 && b.fract() != 0.0).then_some(OperatorRefusal::FractionalPowerOfNegative)
         }
     }
 

@@ -1,6 +1,6 @@
 //! What the operators say when two sides do not go together: both are named.
 
-use super::{OperandPlaces, table::Refusal};
+use super::{OperandPlaces, operand::OperatorRefusal};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     eval::ir::BinaryOp,
@@ -9,32 +9,34 @@ use crate::{
 
 /// Why two numbers have no result, in words; `verb` is what was tried, as in "cannot be added".
 pub(super) fn refused(
-    refusal: Refusal,
+    refusal: OperatorRefusal,
     verb: &str,
     [a, b]: [Number; 2],
     places: OperandPlaces,
 ) -> Box<Diagnostic> {
     let error = |code: Code, message: String| Diagnostic::error(code, places.whole, message);
     Box::new(match refusal {
-        Refusal::Mismatch => return mismatch(verb, &Value::Number(a), &Value::Number(b), places),
-        Refusal::PowerOfUnitTooHigh => {
+        OperatorRefusal::Mismatch => {
+            return mismatch(verb, &Value::Number(a), &Value::Number(b), places);
+        }
+        OperatorRefusal::PowerOfUnitTooHigh => {
             error(Code::UnitMismatch, "the power of the unit is too high".to_owned())
         }
-        Refusal::ExponentWithUnit => {
+        OperatorRefusal::ExponentWithUnit => {
             let message = format!("an exponent has no unit, found {}", b.dim);
             Diagnostic::error(Code::UnitMismatch, places.right, message)
         }
-        Refusal::NoSuchPowerOfUnit => {
+        OperatorRefusal::NoSuchPowerOfUnit => {
             error(Code::UnitMismatch, format!("{} cannot be raised to the power {b}", a.dim))
                 .hint("divide by `1mm` or `1rad` first to take the unit away")
         }
-        Refusal::ZeroDivisor => error(Code::DivisionByZero, "division by zero".to_owned())
+        OperatorRefusal::ZeroDivisor => error(Code::DivisionByZero, "division by zero".to_owned())
             .also(places.right, "this is 0"),
-        Refusal::NegativePowerOfZero => {
+        OperatorRefusal::NegativePowerOfZero => {
             error(Code::DivisionByZero, "zero has no negative power".to_owned())
                 .also(places.left, "this is 0")
         }
-        Refusal::FractionalPowerOfNegative => {
+        OperatorRefusal::FractionalPowerOfNegative => {
             error(Code::Domain, format!("a negative number ({a}) has no power of {b}"))
         }
     })

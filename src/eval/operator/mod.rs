@@ -6,6 +6,7 @@
 
 mod arithmetic;
 mod mistake;
+mod operand;
 pub(super) mod table;
 
 #[cfg(test)]
@@ -25,9 +26,8 @@ use crate::{
     },
 };
 use mistake::{inapplicable, mismatch, overflow, refused};
-use table::{
-    Arithmetic, BinaryMeaning, Comparison, Sides, UnaryMeaning, binary_meaning, unary_meaning,
-};
+use operand::Sides;
+use table::{Arithmetic, BinaryMeaning, Comparison, UnaryMeaning, binary_meaning, unary_meaning};
 
 /// Where an operation and its two sides stand.
 #[derive(Clone, Copy, Debug)]

@@ -5,7 +5,10 @@
 //! The machine looks a row up for each value, lanes when they are compiled: the loop over a block is
 //! made of the row's own function, so that it costs no call for an element.
 
-use super::arithmetic::{Add, ArithmeticMeaning, Divide, Multiply, Power, Remainder, Subtract};
+use super::{
+    arithmetic::{Add, ArithmeticMeaning, Divide, Multiply, Power, Remainder, Subtract},
+    operand::{OperatorRefusal, Sides},
+};
 use crate::{
     eval::ir::{BinaryOp, UnaryOp},
     kernel::GeomError,
@@ -84,36 +87,6 @@ pub(in crate::eval) fn unary_meaning(op: UnaryOp) -> UnaryMeaning {
     }
 }
 
-/// Kinds that an arithmetic operator takes beside two numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::eval) enum Sides {
-    /// Two points, coordinate by coordinate.
-    Points,
-    /// A point, each coordinate with the number.
-    PointByNumber,
-    /// The same the other way round, for an operator whose sides may change places.
-    NumberByPoint,
-}
-
-/// Why two numbers have no result.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::eval) enum Refusal {
-    /// Their units do not go together.
-    Mismatch,
-    /// The power of a unit leaves the range.
-    PowerOfUnitTooHigh,
-    /// An exponent has a unit.
-    ExponentWithUnit,
-    /// The unit has no such power, or none that is known before the exponent is.
-    NoSuchPowerOfUnit,
-    /// The divisor is zero.
-    ZeroDivisor,
-    /// Zero to a negative power.
-    NegativePowerOfZero,
-    /// A negative number to a power that is not whole.
-    FractionalPowerOfNegative,
-}
-
 /// A row of the table: an operator that computes.
 #[derive(Debug)]
 pub(in crate::eval) struct Arithmetic {
@@ -130,9 +103,9 @@ pub(in crate::eval) struct Arithmetic {
     /// The dimension of the result, from those of both sides and the right side's value where it is
     /// known.
     pub(in crate::eval) dimension:
-        fn(Dimension, Dimension, Option<f64>) -> Result<Dimension, Refusal>,
+        fn(Dimension, Dimension, Option<f64>) -> Result<Dimension, OperatorRefusal>,
     /// What is wrong with two numbers, whatever their dimensions.
-    pub(in crate::eval) refusal: fn(f64, f64) -> Option<Refusal>,
+    pub(in crate::eval) refusal: fn(f64, f64) -> Option<OperatorRefusal>,
     /// The result with derivatives, about the plain result, which comes last.
     pub(in crate::eval) derivatives: fn(&Real, &Real, f64) -> Result<Real, GeomError>,
 }
@@ -178,7 +151,7 @@ impl Arithmetic {
     }
 
     /// The value and the dimension of two numbers' result.
-    pub(in crate::eval) fn numbers(&self, a: Number, b: Number) -> Result<Number, Refusal> {
+    pub(in crate::eval) fn numbers(&self, a: Number, b: Number) -> Result<Number, OperatorRefusal> {
         let dim = (self.dimension)(a.dim, b.dim, Some(b.value))?;
         match (self.refusal)(a.value, b.value) {
             Some(refusal) => Err(refusal),

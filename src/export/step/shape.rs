@@ -8,10 +8,10 @@ use super::{
     super::{ExportError, Item, Job},
     entity::{Id, Records},
     form,
-    place::{direction, placement, point},
+    place::point,
 };
 use crate::kernel::{
-    AnalyticCurve, AnalyticForm, Frame, Grid, KnotVector, NurbsCurve, NurbsSurface, Tolerance,
+    AnalyticCurve, AnalyticForm, Grid, KnotVector, NurbsCurve, NurbsSurface, Tolerance,
 };
 
 /// A curve: a line or an arc where it is one, else a B-spline.

@@ -1,0 +1,32 @@
+//! What built-ins may ask of the machine that calls them.
+
+use std::sync::Arc;
+
+use super::{machine::Machine, parametric::GeometryFunction};
+use crate::{
+    diag::{Diagnostic, Result, Span},
+    kernel::{CurveFunction, SurfaceFunction},
+    value::{Caller, Value, Witness},
+};
+
+impl Caller for Machine<'_> {
+    fn call(&mut self, function: &Value, args: &[Value], span: Span) -> Result<Value> {
+        self.apply(function, args, span)
+    }
+
+    fn curve_function(&self, function: &Value, span: Span) -> Result<Arc<dyn CurveFunction>> {
+        Ok(GeometryFunction::new(self, function, span)?)
+    }
+
+    fn surface_function(&self, function: &Value, span: Span) -> Result<Arc<dyn SurfaceFunction>> {
+        Ok(GeometryFunction::new(self, function, span)?)
+    }
+
+    fn decided(&mut self, span: Span, witness: Witness) {
+        self.witness = Some((span, witness));
+    }
+
+    fn warn(&mut self, warning: Diagnostic) {
+        self.warnings.push(warning);
+    }
+}

@@ -1,0 +1,53 @@
+//! What evaluation may consult.
+
+use std::{fmt, sync::Arc};
+
+use super::memory::Fields;
+use crate::{
+    diag::{Result, Sources, Spanned},
+    kernel::Tolerance,
+    limits::{
+        Limits,
+        work::{MemoryGauge, StopToken},
+    },
+    syntax::ast::Unit,
+    value::{Files, Registry, Value},
+};
+
+/// The parameters that an import gives, by name.
+pub(super) type GivenParameters = Vec<(Spanned<Arc<str>>, Spanned<Value>)>;
+
+/// The files that a script imports.
+pub(crate) trait ImportedFiles: fmt::Debug + Sync {
+    /// The record of what a file defines, with these parameters, and the identities of its fields.
+    ///
+    /// # Errors
+    /// What is wrong with the file, or with the parameters.
+    fn value(
+        &self,
+        file: usize,
+        parameters: GivenParameters,
+        env: Env<'_>,
+    ) -> Result<(Value, Fields)>;
+}
+
+/// What evaluation may consult.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Env<'a> {
+    pub(crate) limits: &'a Limits,
+    /// How many threads a call of a built-in may use.
+    pub(crate) n_threads: usize,
+    pub(crate) files: &'a dyn Files,
+    pub(crate) tolerance: Tolerance,
+    pub(crate) unit: Unit,
+    /// Every built-in, for advice.
+    pub(crate) registry: Option<&'a Registry>,
+    /// The files that the script imports.
+    pub(crate) library: Option<&'a dyn ImportedFiles>,
+    /// The texts of the script and of what it imports.
+    pub(crate) sources: Option<&'a Sources>,
+    /// How many bytes of memory are held.
+    pub(crate) gauge: &'a MemoryGauge,
+    /// Set by whoever no longer wants the answer.
+    pub(crate) stop: &'a StopToken,
+}

@@ -1,0 +1,31 @@
+//! Which operands an operator takes, and why it takes none of others.
+
+/// Kinds that an arithmetic operator takes beside two numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::eval) enum Sides {
+    /// Two points, coordinate by coordinate.
+    Points,
+    /// A point, each coordinate with the number.
+    PointByNumber,
+    /// The same the other way round, for an operator whose sides may change places.
+    NumberByPoint,
+}
+
+/// Why two numbers have no result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::eval) enum OperatorRefusal {
+    /// Their units do not go together.
+    Mismatch,
+    /// The power of a unit leaves the range.
+    PowerOfUnitTooHigh,
+    /// An exponent has a unit.
+    ExponentWithUnit,
+    /// The unit has no such power, or none that is known before the exponent is.
+    NoSuchPowerOfUnit,
+    /// The divisor is zero.
+    ZeroDivisor,
+    /// Zero to a negative power.
+    NegativePowerOfZero,
+    /// A negative number to a power that is not whole.
+    FractionalPowerOfNegative,
+}

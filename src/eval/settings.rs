@@ -1,0 +1,44 @@
+//! What evaluation is given besides the script.
+
+use super::{memory::CacheRun, param::Setting};
+use crate::{
+    limits::{
+        Limits,
+        work::{MemoryGauge, StopToken},
+    },
+    value::{Files, Registry},
+};
+
+/// What a script is evaluated for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose<'a> {
+    /// Its effects.
+    Run,
+    /// Its effects, and then its tests.
+    Test,
+    /// Those of its tests whose names contain this.
+    TestNamed(&'a str),
+}
+
+/// What evaluation is given besides the script.
+#[derive(Clone, Copy, Debug)]
+pub struct Settings<'a> {
+    /// The built-ins.
+    pub registry: &'a Registry,
+    /// The ceilings.
+    pub limits: &'a Limits,
+    /// Reads files that the script names.
+    pub files: &'a dyn Files,
+    /// Values for parameters.
+    pub overrides: &'a [Setting],
+    /// How many threads may evaluate.
+    pub n_threads: usize,
+    /// What of the script acts.
+    pub purpose: Purpose<'a>,
+    /// What earlier runs gave, if they are to be remembered.
+    pub recall: Option<&'a CacheRun<'a>>,
+    /// How many bytes of memory are held.
+    pub gauge: &'a MemoryGauge,
+    /// Set by whoever no longer wants the answer.
+    pub stop: &'a StopToken,
+}
