@@ -2,7 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{ExitStatus, args::OutputArgs, process, reporter::Reporter, say_exactly};
+use super::{
+    exit_status::ExitStatus, process, reporter::Reporter, run_args::OutputArgs,
+    standard_streams::say_exactly,
+};
 use crate::{
     disk::{Script, overwrite},
     export::io_reason,

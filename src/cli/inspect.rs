@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{ExitStatus, args::OutputArgs, process, reporter::Reporter};
+use super::{exit_status::ExitStatus, process, reporter::Reporter, run_args::OutputArgs};
 use crate::{
     disk::{Script, ScriptFiles},
     limits::Limits,

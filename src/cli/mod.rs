@@ -2,6 +2,7 @@
 //! files, the environment or the terminal.
 
 mod args;
+mod exit_status;
 mod fmt;
 mod graph;
 mod inspect;
@@ -15,8 +16,10 @@ mod render;
 mod repl;
 mod reporter;
 mod run;
+mod run_args;
 mod settings;
 mod shell;
+mod standard_streams;
 mod test;
 mod view;
 mod watch;
@@ -24,57 +27,20 @@ mod watch;
 use std::{
     io::{self, Write},
     process::ExitCode,
-    sync::{
-        OnceLock,
-        atomic::{AtomicBool, Ordering},
-    },
 };
 
 use clap::Parser as _;
 
-use self::args::{Cli, CliCommand};
+use self::{
+    args::{Cli, CliCommand},
+    exit_status::ExitStatus,
+    standard_streams::{miss, say, say_error, spoken},
+};
 use crate::{
-    diag::{Code, Severity, fault, shown},
-    docs,
-    export::io_reason,
-    ops,
-    session::Report,
+    diag::{Code, fault},
+    docs, ops,
     syntax::{KEYWORDS, ast::Unit},
 };
-
-/// How a run ended; the numbers are part of the contract.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum ExitStatus {
-    /// All is well.
-    Well = 0,
-    /// A check or test failed.
-    Failed = 1,
-    /// The script has an error.
-    Wrong = 2,
-    /// The command was used wrongly, something could not be read or written, or virote failed.
-    Usage = 3,
-}
-
-impl ExitStatus {
-    /// How a script ended by what was found in it.
-    fn of(report: &Report) -> Self {
-        if report.diagnostics.iter().any(|found| found.code == Code::Fault) {
-            Self::Usage
-        } else if report.count(Severity::Error) > 0 {
-            Self::Wrong
-        } else if report.count(Severity::Failure) > 0 {
-            Self::Failed
-        } else {
-            Self::Well
-        }
-    }
-}
-
-impl From<ExitStatus> for ExitCode {
-    fn from(ending: ExitStatus) -> Self {
-        Self::from(ending as u8)
-    }
-}
 
 /// Runs the command with the arguments of the process; `held` tells how many bytes of memory that
 /// holds.
@@ -185,60 +151,4 @@ fn explain(code: Option<&str>) -> ExitStatus {
             ExitStatus::Usage
         }
     }
-}
-
-/// Whether standard output takes no more.
-static CLOSED: AtomicBool = AtomicBool::new(false);
-
-/// Why it takes no more, unless its reader went away.
-static MISSED: OnceLock<String> = OnceLock::new();
-
-/// Writes text for people to standard output. A reader that went away is no error.
-fn say(text: &str) {
-    say_exactly(&shown(text));
-}
-
-/// Writes what programs read to standard output.
-fn say_exactly(text: &str) {
-    if is_closed() {
-        return;
-    }
-    let mut out = io::stdout().lock();
-    if let Err(err) = out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        miss(&err);
-    }
-}
-
-/// Keeps why standard output takes no more.
-fn miss(err: &io::Error) {
-    CLOSED.store(true, Ordering::Relaxed);
-    if err.kind() != io::ErrorKind::BrokenPipe {
-        MISSED.get_or_init(|| io_reason(err));
-    }
-}
-
-/// The ending, once all has been said: what could not be written is told.
-fn spoken(ending: ExitStatus) -> ExitStatus {
-    match MISSED.get() {
-        Some(reason) => {
-            say_error(&format!("virote: cannot write to standard output: {reason}"));
-            ending.max(ExitStatus::Usage)
-        }
-        None => ending,
-    }
-}
-
-/// Whether nobody reads standard output any more.
-fn is_closed() -> bool {
-    CLOSED.load(Ordering::Relaxed)
-}
-
-/// Writes a line of text to standard error.
-fn say_error(text: &str) {
-    say_painted(&shown(text));
-}
-
-/// Writes a line that may be coloured to standard error.
-fn say_painted(text: &str) {
-    let _ = writeln!(io::stderr().lock(), "{text}");
 }

@@ -4,7 +4,12 @@ use std::path::Path;
 
 use serde_json::{Value as Json, json};
 
-use super::{ExitStatus, args::OutputArgs, inspect::look, say, say_exactly};
+use super::{
+    exit_status::ExitStatus,
+    inspect::look,
+    run_args::OutputArgs,
+    standard_streams::{say, say_exactly},
+};
 use crate::{
     disk::{Script, ScriptFiles},
     eval::{Schema, SchemaParameter},

@@ -2,7 +2,7 @@
 
 use std::{process::ExitCode, sync::OnceLock};
 
-use super::{ExitStatus, say_error};
+use super::{exit_status::ExitStatus, standard_streams::say_error};
 use crate::{
     diag::{Span, fault},
     limits::{Limits, stack},

@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use super::{
-    ExitStatus,
-    args::RunArgs,
+    exit_status::ExitStatus,
     looks::{self, PictureArgs},
     progress::Progress,
     reporter::Reporter,
+    run_args::RunArgs,
     settings,
 };
 use crate::{

@@ -8,8 +8,8 @@ use std::time::Duration;
 use serde_json::json;
 
 use super::{
-    args::{MessageFormat, OutputArgs},
-    say, say_error, say_exactly, say_painted,
+    run_args::{MessageFormat, OutputArgs},
+    standard_streams::{say, say_error, say_exactly, say_painted},
 };
 use crate::{
     diag::{Diagnostic, Severity, Sources},
@@ -329,4 +329,9 @@ fn name_test(line: &mut serde_json::Value, test: Option<&str>) {
     if let Some(test) = test {
         line["test"] = json!(test);
     }
+}
+
+/// A count with its noun.
+pub(super) fn counted(n: usize, noun: &str) -> String {
+    if n == 1 { format!("1 {noun}") } else { format!("{n} {noun}s") }
 }

@@ -6,8 +6,8 @@ use std::{
 };
 
 use super::{
-    ExitStatus, args::RunArgs, interrupt::INTERRUPTED, progress::Progress, reporter::Reporter,
-    settings,
+    exit_status::ExitStatus, interrupt::INTERRUPTED, progress::Progress, reporter::Reporter,
+    run_args::RunArgs, settings,
 };
 use crate::{
     diag::{Code, Diagnostic, Severity, fault, nearest},

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::{Deserializer, Value as Json};
 
-use super::{ExitStatus, args::RunArgs, reporter::Reporter};
+use super::{exit_status::ExitStatus, reporter::Reporter, run_args::RunArgs};
 use crate::{disk::Script, eval::Setting, value::decode};
 
 /// The settings that the options give, those of `--params` first; what is wrong is told.
@@ -26,16 +26,6 @@ pub(super) fn given(
     // Of two settings the last one counts.
     settings.extend(common.settings.iter().cloned());
     Ok(settings)
-}
-
-/// Reads `NAME=VALUE`.
-pub(super) fn setting(text: &str) -> Result<Setting, String> {
-    match text.split_once('=') {
-        Some((name, value)) if !name.trim().is_empty() => {
-            Ok(Setting { name: name.trim().to_owned(), text: value.trim().to_owned(), file: None })
-        }
-        _ => Err("write NAME=VALUE, for example neck=15mm".to_owned()),
-    }
 }
 
 /// The settings of a file: a JSON object of numbers, strings and truth values.

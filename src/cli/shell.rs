@@ -3,7 +3,11 @@
 use clap::CommandFactory as _;
 use clap_complete::Shell;
 
-use super::{ExitStatus, args::Cli, say, say_error};
+use super::{
+    args::Cli,
+    exit_status::ExitStatus,
+    standard_streams::{say, say_error},
+};
 use crate::diag::nearest;
 
 /// The name of the command.

@@ -12,11 +12,12 @@ use std::{
 use clap::Args;
 
 use super::{
-    ExitStatus,
-    args::RunArgs,
+    exit_status::ExitStatus,
     interrupt::{self, INTERRUPTED},
     reporter::Reporter,
-    say, settings,
+    run_args::RunArgs,
+    settings,
+    standard_streams::say,
 };
 use crate::{
     disk::{OutputTarget, Script, TargetRefusal, replace},

@@ -12,11 +12,11 @@ use std::{
 use clap::Args;
 
 use super::{
-    ExitStatus,
-    args::RunArgs,
+    exit_status::ExitStatus,
     interrupt::{self, INTERRUPTED},
-    is_closed,
     run::{OutputMode, RunOptions},
+    run_args::RunArgs,
+    standard_streams::is_closed,
 };
 use crate::{
     disk::{FileChange, ScriptFiles, WatchedFiles},

@@ -2,7 +2,15 @@
 
 use std::path::Path;
 
-use super::{super::reporter::pretty, Prompt, graph, options, show};
+use super::{
+    super::{
+        reporter::{counted, pretty},
+        standard_streams::say,
+    },
+    graph, options,
+    prompt::Prompt,
+    show,
+};
 use crate::{
     diag::{Code, nearest},
     docs,
@@ -134,18 +142,18 @@ fn help(prompt: &mut Prompt, name: &str) {
             text.push_str(&format!("  {:<26} {}\n", head.trim_end(), command.docs));
         }
         text.push_str("\n`virote doc` lists the built-ins.\n");
-        return super::say(&text);
+        return say(&text);
     }
     if let Some(command) = name.strip_prefix(':') {
         return match known(command) {
-            Some(command) => super::say(&command.entry()),
+            Some(command) => say(&command.entry()),
             None => prompt.refuse(&unknown(command)),
         };
     }
     let own = prompt.values.iter().find(|(own, _)| own == name);
     if let Some((name, value)) = own {
         let docs = prompt.document.docs_of(name).map(|docs| format!("\n{docs}"));
-        super::say(&format!("{}\n{}", show::line(name, value), docs.unwrap_or_default()));
+        say(&format!("{}\n{}", show::line(name, value), docs.unwrap_or_default()));
     }
     let code = Code::from_id(name).map(|code| {
         format!("{}: {}\n\n{}\n", code.id(), code.title(), docs::wrap(code.explanation()))
@@ -153,7 +161,7 @@ fn help(prompt: &mut Prompt, name: &str) {
     let command = COMMANDS.iter().find(|command| command.name == name).map(Command::entry);
     let word = || docs::language::entry(name);
     match docs::entry(&prompt.registry, name).or(code).or(command).or_else(word) {
-        Some(text) => super::say(&text),
+        Some(text) => say(&text),
         None if prompt.values.iter().any(|(own, _)| own == name) => {}
         None => {
             let mut names: Vec<&str> = prompt.registry.names().collect();
@@ -175,7 +183,7 @@ fn list(prompt: &mut Prompt, _: &str) {
         .iter()
         .map(|(name, value)| format!("{}\n", show::line(name, value)))
         .collect();
-    super::say(&text);
+    say(&text);
     let others = [
         (StatementRole::Check, "check"),
         (StatementRole::Export, "export"),
@@ -185,32 +193,17 @@ fn list(prompt: &mut Prompt, _: &str) {
         .into_iter()
         .map(|(role, noun)| (prompt.document.count(role), noun))
         .filter(|&(n, _)| n > 0)
-        .map(|(n, noun)| some(n, noun))
+        .map(|(n, noun)| counted(n, noun))
         .collect();
     if !others.is_empty() {
-        super::say(&format!("({})\n", others.join(", ")));
+        say(&format!("({})\n", others.join(", ")));
     }
-}
-
-/// A count with its noun.
-pub(super) fn some(n: usize, noun: &str) -> String {
-    if n == 1 { format!("1 {noun}") } else { format!("{n} {noun}s") }
-}
-
-/// The values of an expression, which must be there.
-pub(super) fn asked(prompt: &mut Prompt, command: &str, text: &str) -> Option<Vec<Value>> {
-    if text.is_empty() {
-        prompt.refuse(&format!("of what? `:{command} EXPR`"));
-        return None;
-    }
-    let (printed, _) = prompt.ask(text)?;
-    Some(printed.into_iter().map(|printed| printed.value).collect())
 }
 
 fn show(prompt: &mut Prompt, text: &str) {
     let (text, view) = seen_from(text);
-    for value in asked(prompt, "show", text).unwrap_or_default() {
-        super::say(&show::whole(&value, prompt.columns, view));
+    for value in prompt.asked("show", text).unwrap_or_default() {
+        say(&show::whole(&value, prompt.columns, view));
     }
 }
 
@@ -230,7 +223,7 @@ fn seen_from(text: &str) -> (&str, Option<View>) {
 }
 
 fn kind(prompt: &mut Prompt, text: &str) {
-    for value in asked(prompt, "type", text).unwrap_or_default() {
+    for value in prompt.asked("type", text).unwrap_or_default() {
         let phrase = match &value {
             Value::Function(function) => {
                 format!("a function: {}", function.signatures().join("\nor: "))
@@ -245,7 +238,7 @@ fn kind(prompt: &mut Prompt, text: &str) {
             Value::Text(_) => "a string".to_owned(),
             _ => value.phrase(),
         };
-        super::say(&format!("{phrase}\n"));
+        say(&format!("{phrase}\n"));
     }
 }
 
@@ -255,7 +248,7 @@ fn time(prompt: &mut Prompt, text: &str) {
     }
     if let Some((printed, time)) = prompt.ask(text) {
         printed.iter().for_each(|printed| prompt.answer(&printed.value));
-        super::say(&format!("({})\n", pretty(time)));
+        say(&format!("({})\n", pretty(time)));
     }
 }
 
@@ -275,7 +268,7 @@ fn undo(prompt: &mut Prompt, _: &str) {
             // What was asked since may use what is gone.
             prompt.last = last;
             gone.retain(|name| prompt.values.iter().all(|(still, _)| still != name));
-            let n = some(prompt.values.len(), "definition");
+            let n = counted(prompt.values.len(), "definition");
             let without = if gone.is_empty() { "" } else { ", without " };
             prompt.voice.remark(&format!("(back to {n}{without}{})", gone.join(", ")));
         }

@@ -7,7 +7,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use super::super::{args::RunArgs, interrupt::INTERRUPTED};
+use super::super::{interrupt::INTERRUPTED, run_args::RunArgs};
 use crate::{
     diag::Sources,
     disk::ScriptFiles,

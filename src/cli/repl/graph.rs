@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::{Prompt, command::asked, plot, show};
+use super::{super::standard_streams::say, plot, prompt::Prompt, show};
 use crate::{
     diag::Severity,
     kernel::{Column, Table},
@@ -30,17 +30,17 @@ pub(super) fn plot(prompt: &mut Prompt, text: &str) {
             *expr = completed;
         }
     }
-    let Some(values) = asked(prompt, "plot", &exprs.join(", ")) else { return };
+    let Some(values) = prompt.asked("plot", &exprs.join(", ")) else { return };
     let is_function = |value: &Value| matches!(value, Value::Function(_));
     if values.len() == exprs.len() && values.iter().all(is_function) {
         if let Some(drawn) = functions(prompt, &exprs, range) {
-            super::say(&drawn);
+            say(&drawn);
         }
         return;
     }
     for value in values {
         match drawn(&value, prompt.columns) {
-            Some(text) => super::say(&text),
+            Some(text) => say(&text),
             None => prompt.refuse(&format!("{} cannot be plotted", value.phrase())),
         }
     }

@@ -5,7 +5,12 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::{super::reporter::pretty, Prompt, command, document::Document, show};
+use super::{
+    super::reporter::{counted, pretty},
+    document::Document,
+    prompt::Prompt,
+    show,
+};
 use crate::{
     disk::{Script, replace},
     export::io_reason,
@@ -44,11 +49,11 @@ impl Prompt {
         report.events.retain(|event| matches!(event, Event::Checked(_)));
         self.act(&mut report);
         let time = pretty(ran.time);
-        let n = command::some(self.values.len(), "definition");
+        let n = counted(self.values.len(), "definition");
         let n_exports = self.document.count(StatementRole::Export);
         let exports = match n_exports {
             0 => String::new(),
-            _ => format!(", {} for `:export`", command::some(n_exports, "file")),
+            _ => format!(", {} for `:export`", counted(n_exports, "file")),
         };
         self.voice
             .remark(&format!("loaded {}: {n}{exports} ({time})", show::cut(&script.name, 200)));

@@ -1,8 +1,11 @@
 //! `:set`: the options of the session, told and changed.
 
 use super::{
-    super::limits::{limit, moved_from},
-    Prompt,
+    super::{
+        limits::{limit, moved_from},
+        standard_streams::say,
+    },
+    prompt::Prompt,
 };
 use crate::limits::Ceiling;
 
@@ -12,7 +15,7 @@ const COLUMNS: std::ops::RangeInclusive<usize> = 20..=240;
 /// Tells all options, or changes the one that stands there: `NAME VALUE` or `NAME = VALUE`.
 pub(super) fn set(prompt: &mut Prompt, text: &str) {
     if text.is_empty() {
-        return super::say(&told(prompt));
+        return say(&told(prompt));
     }
     let (name, value) = match text.split_once(|c: char| c == '=' || c.is_whitespace()) {
         Some((name, value)) => (name, value.trim().trim_start_matches('=').trim()),
@@ -44,7 +47,7 @@ pub(super) fn set(prompt: &mut Prompt, text: &str) {
         },
     }
     prompt.columns = prompt.width.unwrap_or(prompt.columns);
-    super::say(&format!("{}\n", line(prompt, name)));
+    say(&format!("{}\n", line(prompt, name)));
 }
 
 /// That there is no such option.

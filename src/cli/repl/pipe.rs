@@ -3,8 +3,8 @@
 use std::io::{self, BufRead, Read};
 
 use super::{
-    super::{ExitStatus, is_closed},
-    Prompt,
+    super::{exit_status::ExitStatus, standard_streams::is_closed},
+    prompt::Prompt,
 };
 use crate::syntax::is_complete;
 

@@ -5,7 +5,11 @@
 
 use std::{fmt::Write as _, io, path::Path};
 
-use super::{TestAttempt, TestedScript, golden::GoldenOutcome, report::some};
+use super::{
+    super::reporter::counted,
+    golden::GoldenOutcome,
+    tested::{TestAttempt, TestedScript},
+};
 use crate::{
     diag::Severity,
     disk::replace,
@@ -68,7 +72,7 @@ fn cases(tested: &TestedScript) -> Vec<JunitCase> {
         cases.push(JunitCase::new("parameters", TestVerdict::Wrong, message));
     }
     if 0 < n_errors {
-        cases.push(JunitCase::new("script", TestVerdict::Wrong, some(n_errors, "error")));
+        cases.push(JunitCase::new("script", TestVerdict::Wrong, counted(n_errors, "error")));
     }
     cases.extend(of_claims("checks", &report.events, None));
     for test in &report.tests {
@@ -127,7 +131,7 @@ fn of_golden(golden: &GoldenOutcome) -> JunitCase {
         GoldenOutcome::Unusable(message) => case(TestVerdict::Wrong, message),
         GoldenOutcome::Apart(apart) => {
             let details: Vec<String> = apart.iter().map(super::golden::Difference::text).collect();
-            let message = some(apart.len(), "difference");
+            let message = counted(apart.len(), "difference");
             JunitCase { details: details.join("\n"), ..case(TestVerdict::Failed, &message) }
         }
     }

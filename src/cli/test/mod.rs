@@ -8,27 +8,29 @@ mod golden;
 mod jobs;
 mod junit;
 mod report;
+mod tested;
 
 use std::{
     fs,
     num::NonZeroUsize,
     path::{Path, PathBuf},
-    time::{Duration, Instant},
+    time::Instant,
 };
 
 use clap::Args;
 
 use self::{
-    golden::{GoldenMode, GoldenOutcome},
+    golden::GoldenMode,
     jobs::JobGate,
     report::TestReporter,
+    tested::{TestAttempt, TestedScript, UnreadScript},
 };
-use super::{ExitStatus, args::RunArgs, reporter::Reporter, settings};
+use super::{exit_status::ExitStatus, reporter::Reporter, run_args::RunArgs, settings};
 use crate::{
     disk::{Script, ScriptFiles},
     eval::Setting,
     export::io_reason,
-    session::{Event, Report, Session},
+    session::{Event, Session},
 };
 
 /// What `virote test` is asked for.
@@ -145,25 +147,6 @@ struct TestRun<'a> {
     filter: Option<&'a str>,
     bless: bool,
     door: JobGate,
-}
-
-/// What became of a script; or why it could not be read.
-type TestAttempt = Result<TestedScript, UnreadScript>;
-
-/// A script that could not be read.
-struct UnreadScript {
-    name: String,
-    message: String,
-}
-
-/// A script that was tested.
-struct TestedScript {
-    name: String,
-    /// Without the files, which are large.
-    report: Report,
-    golden: Option<GoldenOutcome>,
-    ending: ExitStatus,
-    time: Duration,
 }
 
 impl TestRun<'_> {

@@ -3,12 +3,15 @@
 use serde_json::json;
 
 use super::{
-    TestAttempt, TestedScript,
     golden::GoldenOutcome,
     junit::{self, JunitSuite},
+    tested::{TestAttempt, TestedScript},
 };
 use crate::{
-    cli::{ExitStatus, reporter::Reporter},
+    cli::{
+        exit_status::ExitStatus,
+        reporter::{Reporter, counted},
+    },
     diag::Severity,
     session::{Event, TestVerdict},
 };
@@ -67,7 +70,7 @@ impl<'a> TestReporter<'a> {
         self.tests(tested);
         let n_errors = report.count(Severity::Error);
         if n_errors > 0 {
-            let text = format!("{}  {}", tested.name, some(n_errors, "error"));
+            let text = format!("{}  {}", tested.name, counted(n_errors, "error"));
             self.voice.result(TestVerdict::Wrong, &text);
         }
         self.golden(tested);
@@ -88,10 +91,10 @@ impl<'a> TestReporter<'a> {
         match checks {
             [0, 0] => {}
             [n, 0] => {
-                self.voice.result(TestVerdict::Passed, &format!("{name}  {}", some(n, "check")));
+                self.voice.result(TestVerdict::Passed, &format!("{name}  {}", counted(n, "check")));
             }
             [passed, failed] => {
-                let text = format!("{name}  {failed} of {}", some(passed + failed, "check"));
+                let text = format!("{name}  {failed} of {}", counted(passed + failed, "check"));
                 self.voice.result(TestVerdict::Failed, &text);
             }
         }
@@ -125,21 +128,21 @@ impl<'a> TestReporter<'a> {
         match golden {
             GoldenOutcome::Same(n) => {
                 count[0] += 1;
-                let text = some(*n, "golden file");
+                let text = counted(*n, "golden file");
                 self.voice.golden(TestVerdict::Passed.word(), name, &text, &[], false);
             }
             GoldenOutcome::Apart(apart) => {
                 count[1] += 1;
-                let text = format!("golden folder: {}", some(apart.len(), "difference"));
+                let text = format!("golden folder: {}", counted(apart.len(), "difference"));
                 self.voice.golden(TestVerdict::Failed.word(), name, &text, &both(apart), true);
             }
             GoldenOutcome::Blessed(n, changes) => {
                 count[2] += 1;
                 let text = match changes.len() {
-                    0 => format!("{}, nothing changed", some(*n, "golden file")),
+                    0 => format!("{}, nothing changed", counted(*n, "golden file")),
                     n_changes => {
-                        let changes = some(n_changes, "change");
-                        format!("{}, {changes}", some(*n, "golden file"))
+                        let changes = counted(n_changes, "change");
+                        format!("{}, {changes}", counted(*n, "golden file"))
                     }
                 };
                 self.voice.golden("blessed", name, &text, &both(changes), !changes.is_empty());
@@ -192,15 +195,17 @@ impl TestCounts {
     /// As `2 files, 3 tests (2 passed, 1 failed), 4 checks (4 passed)`.
     fn text(&self) -> String {
         let wrong = [(self.wrong_files, "with errors")];
-        let mut parts = vec![some(self.files, "file") + &listed(&wrong)];
+        let mut parts = vec![counted(self.files, "file") + &listed(&wrong)];
         let tests = self.tests.iter().copied().zip(VERDICTS.map(TestVerdict::word));
-        parts.push(some(self.tests.iter().sum(), "test") + &listed(&tests.collect::<Vec<_>>()));
+        parts.push(counted(self.tests.iter().sum(), "test") + &listed(&tests.collect::<Vec<_>>()));
         let checks = self.checks.iter().copied().zip(VERDICTS.map(TestVerdict::word));
-        parts.push(some(self.checks.iter().sum(), "check") + &listed(&checks.collect::<Vec<_>>()));
+        parts.push(
+            counted(self.checks.iter().sum(), "check") + &listed(&checks.collect::<Vec<_>>()),
+        );
         let n_golden = self.golden.iter().sum();
         if 0 < n_golden {
             let golden = self.golden.iter().copied().zip(OF_GOLDEN);
-            parts.push(some(n_golden, "golden folder") + &listed(&golden.collect::<Vec<_>>()));
+            parts.push(counted(n_golden, "golden folder") + &listed(&golden.collect::<Vec<_>>()));
         }
         parts.join(", ")
     }
@@ -218,11 +223,6 @@ impl TestCounts {
                 .collect::<serde_json::Map<_, _>>(),
         })
     }
-}
-
-/// A count with its noun.
-pub(super) fn some(n: usize, noun: &str) -> String {
-    if n == 1 { format!("1 {noun}") } else { format!("{n} {noun}s") }
 }
 
 /// Counts in parentheses, without those of nothing.

@@ -23,7 +23,7 @@ use std::{
 
 use self::{header::Header, lines::RelativeTolerance};
 use crate::{
-    cli::{ExitStatus, run},
+    cli::{exit_status::ExitStatus, run},
     diag::{Diagnostic, Severity},
     disk::read_whole,
     export::{self, MeasuredPart, capped, io_reason},

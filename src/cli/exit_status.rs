@@ -1,0 +1,42 @@
+//! How a run ended.
+
+use std::process::ExitCode;
+
+use crate::{
+    diag::{Code, Severity},
+    session::Report,
+};
+
+/// How a run ended; the numbers are part of the contract.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum ExitStatus {
+    /// All is well.
+    Well = 0,
+    /// A check or test failed.
+    Failed = 1,
+    /// The script has an error.
+    Wrong = 2,
+    /// The command was used wrongly, something could not be read or written, or virote failed.
+    Usage = 3,
+}
+
+impl ExitStatus {
+    /// How a script ended by what was found in it.
+    pub(super) fn of(report: &Report) -> Self {
+        if report.diagnostics.iter().any(|found| found.code == Code::Fault) {
+            Self::Usage
+        } else if report.count(Severity::Error) > 0 {
+            Self::Wrong
+        } else if report.count(Severity::Failure) > 0 {
+            Self::Failed
+        } else {
+            Self::Well
+        }
+    }
+}
+
+impl From<ExitStatus> for ExitCode {
+    fn from(ending: ExitStatus) -> Self {
+        Self::from(ending as u8)
+    }
+}

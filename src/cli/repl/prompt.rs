@@ -1,0 +1,255 @@
+//! The document of the prompt, and the answers to what is asked about it.
+
+use std::{collections::BTreeSet, path::PathBuf, time::Duration};
+
+use super::{
+    super::{
+        exit_status::ExitStatus, progress::Progress, reporter::Reporter, run, standard_streams::say,
+    },
+    document::{Document, UndoHistory},
+    engine::{Engine, EngineRun},
+    show,
+};
+use crate::{
+    diag::{Diagnostic, Severity, Sources},
+    eval::{KeptGlobals, Printed, Work},
+    limits::Limits,
+    session::{Event, Report},
+    syntax::{StatementRole, free_placeholders},
+    value::{Registry, Value},
+};
+
+/// Characters of a value that a terminal is shown.
+const MOST_CHARS: usize = 4_000;
+
+/// Bytes of the expression that `_` may stand for.
+const MOST_LAST: usize = 64 << 10;
+
+/// The name of the last value in the text that is evaluated.
+const LAST: &str = "_last";
+
+/// A document and whoever is asked about it.
+pub(super) struct Prompt {
+    pub(super) engine: Engine,
+    pub(super) voice: Reporter,
+    pub(super) registry: Registry,
+    pub(super) document: Document,
+    pub(super) undo: UndoHistory,
+    /// What `_` stands for, as text.
+    pub(super) last: Option<String>,
+    /// The findings that the document as it is has been told of.
+    pub(super) told: BTreeSet<String>,
+    /// The definitions with their values.
+    pub(super) values: Vec<(String, Value)>,
+    /// What parametric curves among them need to answer.
+    pub(super) kept: KeptGlobals,
+    pub(super) folder: PathBuf,
+    pub(super) out: Option<PathBuf>,
+    /// The file that the document was read from or written to.
+    pub(super) file: Option<PathBuf>,
+    pub(super) columns: usize,
+    /// Columns that are used in the place of those of the terminal.
+    pub(super) width: Option<usize>,
+    pub(super) is_terminal: bool,
+    pub(super) with_color: bool,
+    pub(super) worst: ExitStatus,
+    pub(super) is_over: bool,
+}
+
+impl Prompt {
+    pub(super) fn limits(&self) -> &Limits {
+        self.engine.session().limits()
+    }
+
+    /// Tells a value.
+    pub(super) fn answer(&self, value: &Value) {
+        let text = value.to_string();
+        if self.is_terminal && text.len() > MOST_CHARS {
+            say(&format!("{}\n", show::cut(&text, MOST_CHARS)));
+            self.voice.remark(&format!("({} bytes in all; `:show` tells it in short)", text.len()));
+        } else {
+            say(&format!("{text}\n"));
+        }
+    }
+
+    /// The values of expressions on the document; the last one is `_` from now on. What is wrong
+    /// with them is told.
+    pub(super) fn ask(&mut self, question: &str) -> Option<(Vec<Printed>, Duration)> {
+        let (printed, time) = self.question(question)?;
+        self.remember(question, &printed);
+        Some((printed, time))
+    }
+
+    /// The same without an effect on `_`.
+    pub(super) fn question(&mut self, question: &str) -> Option<(Vec<Printed>, Duration)> {
+        let places = free_placeholders(question);
+        let mut base = self.document.definitions();
+        let mut text = question.to_owned();
+        if !places.is_empty() {
+            let Some(last) = &self.last else {
+                self.refuse("`_` is the last value, and there is none yet");
+                return None;
+            };
+            base.push_str(&format!("let {LAST} = {last}\n"));
+            places.into_iter().rev().for_each(|place| text.replace_range(place, LAST));
+        }
+        base.push_str("print");
+        let ran = self.evaluate(&base, ' ', &text, ["document", "input"])?;
+        let EngineRun { report, time, .. } = ran;
+        let printed: Vec<Printed> = report
+            .events
+            .into_iter()
+            .filter_map(|event| match event {
+                Event::Printed(printed) => Some(printed),
+                _ => None,
+            })
+            .collect();
+        self.kept = report.kept;
+        Some((printed, time))
+    }
+
+    /// Keeps what `_` stands for: a value that can be written as it is, any other as its question.
+    pub(super) fn remember(&mut self, question: &str, printed: &[Printed]) {
+        let Some(newest) = printed.last() else { return };
+        let text = if show::is_written(&newest.value) {
+            newest.value.to_string()
+        } else {
+            let before = self.last.clone().unwrap_or_default();
+            let mut source = match printed {
+                [_] => question.to_owned(),
+                _ => newest.source.replace(LAST, "_"),
+            };
+            for place in free_placeholders(&source).into_iter().rev() {
+                source.replace_range(place, &before);
+            }
+            format!("({}\n)", source.trim_end())
+        };
+        self.last = Some(text).filter(|text| text.len() <= MOST_LAST);
+    }
+
+    /// Evaluates a text behind the document. Nothing comes of it when there are errors, which are
+    /// told, or when it was stopped.
+    pub(super) fn evaluate(
+        &mut self,
+        base: &str,
+        gap: char,
+        text: &str,
+        names: [&str; 2],
+    ) -> Option<EngineRun> {
+        let Some(mut ran) = self.engine.run(base, gap, text, names) else {
+            self.voice.remark("stopped; the document is as it was");
+            return None;
+        };
+        if ran.report.count(Severity::Error) > 0 {
+            ran.report.diagnostics.retain(|found| found.severity == Severity::Error);
+            self.voice.findings(&ran.report.diagnostics, &ran.report.sources);
+            self.worst = self.worst.max(ExitStatus::Wrong);
+            return None;
+        }
+        let told = |found: &Diagnostic| format!("{} {}", found.code.id(), found.message);
+        let found = std::mem::take(&mut ran.report.diagnostics);
+        let (new, old): (Vec<_>, Vec<_>) =
+            found.into_iter().partition(|found| !self.told.contains(&told(found)));
+        // What was told of a question is told again of the next.
+        if gap == '\n' {
+            self.told = new.iter().chain(&old).map(told).collect();
+        }
+        let is_warning = |found: &Diagnostic| found.severity == Severity::Warning;
+        let (warnings, others): (Vec<_>, Vec<_>) = new.into_iter().partition(is_warning);
+        self.voice.findings(&warnings, &ran.report.sources);
+        ran.report.diagnostics = others;
+        Some(ran)
+    }
+
+    /// Takes statements into the document and does what they want; what is wrong is told.
+    pub(super) fn state(&mut self, text: &str) {
+        let draft = match self.document.draft(text, self.limits()) {
+            Ok(draft) => draft,
+            Err(found) => return self.tell_wrong("input", text, &found),
+        };
+        let told = self.told.clone();
+        let Some(ran) = self.evaluate(&draft.base, '\n', text, ["document", "input"]) else {
+            self.told = told;
+            return;
+        };
+        let EngineRun { mut report, start, time } = ran;
+        let is_new = |span: crate::diag::Span| span.start >= start;
+        let (mut news, mut again) = (Vec::new(), Vec::new());
+        for defined in &report.definitions {
+            match (&defined.value, defined.work) {
+                (Some(value), _) if is_new(defined.span) => {
+                    news.push(show::line(&defined.name, value));
+                }
+                (_, Work::Evaluated) => again.push(defined.name.as_str()),
+                _ => {}
+            }
+        }
+        news.iter().for_each(|line| say(&format!("{line}\n")));
+        if draft.replaces || !again.is_empty() {
+            self.voice.remark(&show::evaluated(&again, report.n_with(Work::Reused), time));
+        }
+        if !draft.lost.is_empty() {
+            let names = draft.lost.join("`, `");
+            self.voice.remark(&format!("`{names}` went with what was replaced"));
+        }
+        self.know(&mut report);
+        report.events.retain(|event| match event {
+            Event::Checked(checked) => is_new(checked.span),
+            _ => true,
+        });
+        if self.document.count(StatementRole::Test) < draft.next.count(StatementRole::Test) {
+            self.voice.remark("(`virote test` runs it once the document is saved)");
+        }
+        let is_changed = draft.next.text() != self.document.text();
+        if is_changed {
+            let before = std::mem::replace(&mut self.document, draft.next);
+            self.undo.push(before, self.last.clone());
+        }
+        self.act(&mut report);
+    }
+
+    /// Prints, judges, writes.
+    pub(super) fn act(&mut self, report: &mut Report) {
+        let out = self.out.clone().unwrap_or_else(|| self.folder.clone());
+        let mut inputs = self.engine.inputs();
+        inputs.extend(self.file.clone());
+        let targets = run::targets(report, &out, &inputs);
+        let progress = Progress::begin("writing", self.voice.is_lively());
+        let mode = run::OutputMode::Write(Some(&out));
+        let ending = run::act(report, &targets, mode, progress, &self.voice);
+        self.worst = self.worst.max(ending);
+    }
+
+    /// Keeps the values of a document that holds.
+    pub(super) fn know(&mut self, report: &mut Report) {
+        let definitions = std::mem::take(&mut report.definitions);
+        self.values = definitions
+            .into_iter()
+            .filter_map(|defined| Some((defined.name, defined.value?)))
+            .collect();
+        self.kept = std::mem::take(&mut report.kept);
+    }
+
+    pub(super) fn tell_wrong(&mut self, name: &str, text: &str, found: &[Diagnostic]) {
+        let mut sources = Sources::default();
+        sources.add(name, text.into());
+        self.voice.findings(found, &sources);
+        self.worst = self.worst.max(ExitStatus::Wrong);
+    }
+
+    /// Tells what cannot be done.
+    pub(super) fn refuse(&mut self, text: &str) {
+        self.voice.trouble(text);
+        self.worst = self.worst.max(ExitStatus::Wrong);
+    }
+
+    /// The values of an expression that a command wants, which must be there.
+    pub(super) fn asked(&mut self, command: &str, text: &str) -> Option<Vec<Value>> {
+        if text.is_empty() {
+            self.refuse(&format!("of what? `:{command} EXPR`"));
+            return None;
+        }
+        let (printed, _) = self.ask(text)?;
+        Some(printed.into_iter().map(|printed| printed.value).collect())
+    }
+}
