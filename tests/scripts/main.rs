@@ -1,5 +1,6 @@
 //! The language and its built-ins: what scripts say, refuse, draw and write, and the rules of the house.
 
+mod circles;
 mod docs;
 mod errors;
 mod faults;

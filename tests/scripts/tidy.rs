@@ -98,7 +98,7 @@ impl Source {
     }
 }
 
-fn visit(folder: &Path, found: &mut Vec<String>) {
+pub(crate) fn visit(folder: &Path, found: &mut Vec<String>) {
     let mut entries: Vec<_> = fs::read_dir(folder)
         .expect("a folder")
         .map(|entry| entry.expect("an entry").path())
@@ -131,7 +131,7 @@ fn code(text: &str) -> Vec<String> {
 }
 
 /// A line without comment and strings; `is_in_string` goes on to the next line.
-fn strip(line: &str, is_in_string: &mut bool) -> String {
+pub(crate) fn strip(line: &str, is_in_string: &mut bool) -> String {
     let mut out = String::new();
     let mut chars = line.chars().peekable();
     while let Some(c) = chars.next() {

@@ -1,6 +1,6 @@
 //! Compiles expressions of numbers to lanes; `None` wherever the machine is needed.
 
-use super::{LaneBody, LaneNode, TruthNode};
+use super::node::{LaneBody, LaneNode, TruthNode};
 use crate::{
     eval::{
         function::ScriptFunction,

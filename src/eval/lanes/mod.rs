@@ -11,6 +11,7 @@
 //! machine evaluates it element by element and finds the error at its place.
 
 mod compile;
+mod node;
 mod run;
 
 use std::ops::Range;
@@ -19,10 +20,10 @@ use super::{
     ir::{Comprehension, Generator},
     items::Items,
     machine::Machine,
-    operator::table::{Arithmetic, Comparison, UnaryArithmetic},
 };
 use crate::value::{Dimension, List, Number, Value};
 use compile::Compiler;
+use node::{LaneBody, TruthNode};
 use run::Runner;
 
 /// Elements in one pass: a few lanes fit into the nearest cache.
@@ -30,40 +31,6 @@ const BLOCK: usize = 1024;
 
 /// Elements below which compiling does not pay.
 const WORTH_COMPILING: usize = 32;
-
-/// A computation of numbers.
-#[derive(Debug)]
-enum LaneNode {
-    Constant(f64),
-    /// A lane.
-    Variable(usize),
-    Unary(&'static UnaryArithmetic, Box<Self>),
-    Arithmetic(&'static Arithmetic, Box<[Self; 2]>),
-    Choose(Box<TruthNode>, Box<[Self; 2]>),
-    /// Lanes that are computed first, then the result; so many calls are counted as steps.
-    Let(Vec<(usize, Self)>, Box<Self>, u64),
-}
-
-/// A computation of truths.
-#[derive(Debug)]
-enum TruthNode {
-    Constant(bool),
-    Compare(&'static Comparison, Box<[LaneNode; 2]>),
-    Not(fn(bool) -> bool, Box<Self>),
-    /// The second where the first is not the truth that decides.
-    Logic {
-        decided_by: bool,
-        sides: Box<[Self; 2]>,
-    },
-    Let(Vec<(usize, LaneNode)>, Box<Self>, u64),
-}
-
-/// What a comprehension makes of each element.
-#[derive(Debug)]
-enum LaneBody {
-    Number(LaneNode, Dimension),
-    Point(Box<[LaneNode; 3]>),
-}
 
 /// A comprehension over one source of numbers, ready to run.
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 //! Runs compiled comprehensions over a block of lanes.
 
-use super::{LaneNode, TruthNode};
+use super::node::{LaneNode, TruthNode};
 
 /// The lanes of a block.
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 //! What the operators say when two sides do not go together: both are named.
 
-use super::{OperandPlaces, operand::OperatorRefusal};
+use super::operand::{OperandPlaces, OperatorRefusal};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     eval::ir::BinaryOp,

@@ -26,16 +26,9 @@ use crate::{
     },
 };
 use mistake::{inapplicable, mismatch, overflow, refused};
+pub(super) use operand::OperandPlaces;
 use operand::Sides;
 use table::{Arithmetic, BinaryMeaning, Comparison, UnaryMeaning, binary_meaning, unary_meaning};
-
-/// Where an operation and its two sides stand.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct OperandPlaces {
-    pub(super) whole: Span,
-    pub(super) left: Span,
-    pub(super) right: Span,
-}
 
 /// Arithmetic and comparison of bare numbers, the common case; `None` where more care is needed.
 pub(super) fn plain(op: BinaryOp, a: Number, b: Number) -> Option<Value> {

@@ -1,4 +1,6 @@
-//! Which operands an operator takes, and why it takes none of others.
+//! Which operands an operator takes, where they stand, and why it takes none of others.
+
+use crate::diag::Span;
 
 /// Kinds that an arithmetic operator takes beside two numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,4 +30,12 @@ pub(in crate::eval) enum OperatorRefusal {
     NegativePowerOfZero,
     /// A negative number to a power that is not whole.
     FractionalPowerOfNegative,
+}
+
+/// Where an operation and its two sides stand.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::eval) struct OperandPlaces {
+    pub(in crate::eval) whole: Span,
+    pub(in crate::eval) left: Span,
+    pub(in crate::eval) right: Span,
 }
