@@ -51,10 +51,7 @@ fn used(text: &str) -> Vec<Module> {
     let mut found = Vec::new();
     for statement in code.join("\n").split(';') {
         let Some((before, tree)) = statement.rsplit_once("use ") else { continue };
-        let is_statement = before.trim_end().is_empty() || before.ends_with(['\n', ' ', ')']);
-        if is_statement
-            && ["crate::", "super::", "self::"].iter().any(|head| tree.starts_with(head))
-        {
+        if before.trim_end().is_empty() || before.ends_with(['\n', ' ', ')']) {
             expand(&[], tree, &mut found);
         }
     }
