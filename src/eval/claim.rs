@@ -1,5 +1,7 @@
 //! Claims: what a failed `check` reports: both sides, the limit, the margin.
 
+use glam::DVec3;
+
 use super::{
     ir::{BinaryOp, Expr, ExprKind, UnaryOp},
     machine::Machine,
@@ -28,6 +30,9 @@ pub struct Verdict {
     pub differ: Option<String>,
     /// What decided the test of a list.
     pub witness: Option<String>,
+    /// Of a claim that fails: the points that its sides are, or from whose fields they come, such as `at`
+    /// of a deviation, each once.
+    pub places: Vec<DVec3>,
 }
 
 /// A side of a comparison.
@@ -139,11 +144,13 @@ impl Machine<'_> {
             }
             ExprKind::Binary(op, sides) if is_comparison(*op) => self.comparison(*op, sides, claim),
             ExprKind::Within(parts) => {
-                let (a, b) = (self.eval(&parts[0])?, self.eval(&parts[1])?);
+                let mut places = ClaimPlaces::default();
+                let (a, b) =
+                    (self.side(&parts[0], &mut places)?, self.side(&parts[1], &mut places)?);
                 let tolerance = self.tolerance_of(&parts[2])?;
-                let places = [parts[0].span, parts[1].span];
-                let holds = operator::near(&a, &b, tolerance, places[0].to(places[1]))?;
-                Ok(near_verdict(holds, [&a, &b], places, tolerance))
+                let spans = [parts[0].span, parts[1].span];
+                let holds = operator::near(&a, &b, tolerance, spans[0].to(spans[1]))?;
+                Ok(near_verdict(holds, [&a, &b], spans, tolerance, places))
             }
             _ => {
                 self.witness = None;
@@ -158,8 +165,13 @@ impl Machine<'_> {
         match value {
             Value::Bool(holds) => {
                 let own = self.witness.take().filter(|(span, _)| is_decided_by(claim, *span));
+                let mut places = ClaimPlaces::default();
+                if let Some((_, Witness::Element(_, value))) = &own {
+                    places.note(value);
+                }
                 let witness = own.map(|(_, witness)| told(&witness, *holds, claim));
-                Ok(Verdict { holds: *holds, witness, ..Verdict::default() })
+                let places = places.of_failure(*holds);
+                Ok(Verdict { holds: *holds, witness, places, ..Verdict::default() })
             }
             other => {
                 let message =
@@ -172,7 +184,8 @@ impl Machine<'_> {
     }
 
     fn comparison(&mut self, op: BinaryOp, sides: &[Expr; 2], claim: &Expr) -> Result<Verdict> {
-        let (a, b) = (self.eval(&sides[0])?, self.eval(&sides[1])?);
+        let mut named = ClaimPlaces::default();
+        let (a, b) = (self.side(&sides[0], &mut named)?, self.side(&sides[1], &mut named)?);
         let places = operator::OperandPlaces {
             whole: claim.span,
             left: sides[0].span,
@@ -182,7 +195,7 @@ impl Machine<'_> {
             matches!(operator::binary(op, &a, &b, places, self.env.tolerance)?, Value::Bool(true));
         let spans = [sides[0].span, sides[1].span];
         if op == BinaryOp::Near {
-            return Ok(near_verdict(holds, [&a, &b], spans, self.env.tolerance.distance));
+            return Ok(near_verdict(holds, [&a, &b], spans, self.env.tolerance.distance, named));
         }
         let apart = match (&a, &b) {
             (Value::Number(x), Value::Number(y)) => Some((x.value - y.value).abs()),
@@ -193,7 +206,68 @@ impl Machine<'_> {
             path: String::new(),
             value: shown(value),
         });
-        Ok(Verdict { holds, sides: sides.to_vec(), apart, ..Verdict::default() })
+        named.note(&a);
+        named.note(&b);
+        let places = named.of_failure(holds);
+        Ok(Verdict { holds, sides: sides.to_vec(), apart, places, ..Verdict::default() })
+    }
+
+    /// A side of a comparison; the points that it takes a field from, or that stand beside that field,
+    /// are noted.
+    fn side(&mut self, expr: &Expr, places: &mut ClaimPlaces) -> Result<Value> {
+        let mut fields = Vec::new();
+        let mut subject = expr;
+        while let ExprKind::Field(inner, name, place) = &subject.kind {
+            fields.push((inner.span, name, *place, subject.span));
+            subject = inner;
+        }
+        let mut value = self.eval(subject)?;
+        for (span, name, place, whole) in fields.into_iter().rev() {
+            places.note(&value);
+            value = self.field_of(&value, span, name, place)?;
+            value = self.check_extent(value, whole)?;
+        }
+        Ok(value)
+    }
+}
+
+/// Points that a claim tells of.
+#[derive(Default)]
+struct ClaimPlaces {
+    points: Vec<DVec3>,
+}
+
+/// Points of one claim that are kept.
+const MOST_PLACES: usize = 16;
+
+impl ClaimPlaces {
+    fn add(&mut self, point: DVec3) {
+        let is_known = |known: &DVec3| {
+            known.to_array().map(f64::to_bits) == point.to_array().map(f64::to_bits)
+        };
+        if self.points.len() < MOST_PLACES && point.is_finite() && !self.points.iter().any(is_known)
+        {
+            self.points.push(point);
+        }
+    }
+
+    /// A point itself, or those of a record.
+    fn note(&mut self, value: &Value) {
+        match value {
+            Value::Point(point) => self.add(*point),
+            Value::Record(record) => {
+                for (_, member) in record.iter() {
+                    if let Value::Point(point) = member {
+                        self.add(*point);
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn of_failure(self, holds: bool) -> Vec<DVec3> {
+        if holds { Vec::new() } else { self.points }
     }
 }
 
@@ -234,11 +308,17 @@ fn is_comparison(op: BinaryOp) -> bool {
 }
 
 /// Both sides where they differ most, by how much, and how much is allowed.
-fn near_verdict(holds: bool, values: [&Value; 2], spans: [Span; 2], limit: f64) -> Verdict {
-    let side = |i: usize, path: &str| ClaimSide {
+fn near_verdict(
+    holds: bool,
+    values: [&Value; 2],
+    spans: [Span; 2],
+    limit: f64,
+    mut places: ClaimPlaces,
+) -> Verdict {
+    let mut side = |i: usize, path: &str| ClaimSide {
         span: spans[i],
         path: path.to_owned(),
-        value: shown(&follow(values[i], path)),
+        value: shown(&follow(values[i], path, &mut |value| places.note(value))),
     };
     match deviation(values[0], values[1]) {
         Discrepancy::Apart(apart, path) => Verdict {
@@ -246,20 +326,23 @@ fn near_verdict(holds: bool, values: [&Value; 2], spans: [Span; 2], limit: f64) 
             sides: vec![side(0, &path), side(1, &path)],
             apart: Some(apart),
             limit: Some(limit),
+            places: places.of_failure(holds),
             ..Verdict::default()
         },
         Discrepancy::Different(what) | Discrepancy::Incomparable(what) => Verdict {
             holds,
             sides: vec![side(0, ""), side(1, "")],
             differ: Some(what),
+            places: places.of_failure(holds),
             ..Verdict::default()
         },
     }
 }
 
-/// The part of a value at a path such as `[3].x`.
-fn follow(value: &Value, path: &str) -> Value {
+/// The part of a value at a path such as `[3].x`; `pass` sees each value on the way to it.
+fn follow(value: &Value, path: &str, pass: &mut dyn FnMut(&Value)) -> Value {
     let mut value = value.clone();
+    pass(&value);
     for step in
         path.split_inclusive(']').flat_map(|part| part.split('.')).filter(|step| !step.is_empty())
     {
@@ -272,7 +355,10 @@ fn follow(value: &Value, path: &str) -> Value {
                 .unwrap_or_default(),
         };
         match inner {
-            Some(inner) => value = inner,
+            Some(inner) => {
+                value = inner;
+                pass(&value);
+            }
             None => break,
         }
     }

@@ -303,7 +303,13 @@ impl<'a> Machine<'a> {
         self.field_of(&value, subject.span, name, place)
     }
 
-    fn field_of(&self, value: &Value, subject: Span, name: &str, place: Span) -> Result<Value> {
+    pub(super) fn field_of(
+        &self,
+        value: &Value,
+        subject: Span,
+        name: &str,
+        place: Span,
+    ) -> Result<Value> {
         if let Some(found) = field(value, name, self.env.tolerance).at(place)? {
             return Ok(found);
         }

@@ -1,12 +1,13 @@
 //! Where requests and the evaluating thread meet: what is wanted, what is running, what is shown.
 
 use std::{
+    collections::BTreeMap,
     path::PathBuf,
     sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError},
     time::{Duration, Instant},
 };
 
-use super::scene::{Scene, SceneItem};
+use super::scene::{EncodedItem, Scene, SceneItem};
 use crate::{eval::Setting, limits::work::StopToken, session::Report};
 
 /// How long a run may go on when a newer setting waits: what is dragged is to be seen on the way.
@@ -164,6 +165,16 @@ impl Hub {
         };
         let found = states.iter().find_map(|shown| Some((shown, shown.scene.item(key)?)));
         found.map(|(shown, item)| act(item, shown.report.as_ref()))
+    }
+
+    /// The items of this state and of the one before.
+    pub(super) fn items_by_key(&self) -> BTreeMap<Arc<str>, Arc<EncodedItem>> {
+        let states = {
+            let state = self.lock();
+            [Arc::clone(&state.before), Arc::clone(&state.shown)]
+        };
+        let items = states.iter().flat_map(|shown| &shown.scene.items);
+        items.map(|item| (Arc::clone(&item.key), Arc::clone(&item.encoded))).collect()
     }
 
     /// Changes the settings; a run with them is wanted.

@@ -8,6 +8,7 @@
 mod answers;
 mod ask;
 mod defaults;
+mod deviation;
 mod export;
 mod guard;
 mod http;

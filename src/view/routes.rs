@@ -8,7 +8,7 @@ use std::{
 use serde_json::{Value as Json, json};
 
 use super::{
-    ask, defaults, export,
+    ask, defaults, deviation, export,
     http::{Request, Response},
     hub::Hub,
     measure, page,
@@ -47,6 +47,9 @@ pub(super) fn answer(request: &Request, doors: &Doors) -> Response {
             let Ok(body) = serde_json::from_slice::<Json>(&request.body) else {
                 return Response::trouble(400, "the body is no JSON");
             };
+            if let Some(answer) = bytes(path, &body, doors) {
+                return answer.unwrap_or_else(|why| Response::trouble(400, &why));
+            }
             post(path, &body, doors)
         }
         _ => None,
@@ -65,6 +68,35 @@ fn not_found() -> Response {
 fn item(key: &str, doors: &Doors) -> Response {
     let found = doors.hub.with_item(key, |item, _| Arc::clone(&item.encoded));
     found.map_or_else(not_found, |encoded| Response::lasting(Arc::clone(&encoded.bytes)))
+}
+
+/// What an address answers with numbers instead of JSON; `None` of any other.
+fn bytes(path: &str, body: &Json, doors: &Doors) -> Option<Result<Response, String>> {
+    Some(match path {
+        "/api/items" => items(body, doors),
+        "/api/deviation" => deviation::deviation(body, doors).map(Response::numbers),
+        _ => return None,
+    })
+}
+
+/// Many items in one answer: how many, the length of each, and the bytes of each, which begin and end at
+/// multiples of 8. An item that is not known any more has the length 0.
+fn items(body: &Json, doors: &Doors) -> Result<Response, String> {
+    let known = doors.hub.items_by_key();
+    let found: Vec<Arc<Vec<u8>>> = keys_of(&body["items"])?
+        .iter()
+        .map(|key| known.get(*key).map_or_else(Arc::default, |item| Arc::clone(&item.bytes)))
+        .collect();
+    let mut head: Vec<u8> = (found.len() as u32).to_le_bytes().to_vec();
+    head.extend(found.iter().flat_map(|bytes| (bytes.len() as u32).to_le_bytes()));
+    Ok(Response::parts(std::iter::once(Arc::new(head)).chain(found).collect()))
+}
+
+/// A list of keys.
+pub(super) fn keys_of(list: &Json) -> Result<Vec<&str>, String> {
+    let keys = list.as_array().filter(|keys| !keys.is_empty());
+    let keys = keys.and_then(|keys| keys.iter().map(Json::as_str).collect());
+    keys.ok_or_else(|| "the items must be a list of keys".to_owned())
 }
 
 /// What is done at an address; `None` where there is none.

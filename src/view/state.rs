@@ -123,6 +123,7 @@ fn checks(report: &Report) -> Json {
             "distance": number(verdict.apart),
             "limit": number(verdict.limit),
             "figures": verdict.figures(),
+            "places": verdict.places.iter().map(glam::DVec3::to_array).collect::<Vec<_>>(),
             "line": line(checked.span, &report.sources),
         })
     };

@@ -2,6 +2,7 @@
 
 import { type Command, listenToKeys } from "./commands";
 import type { Door, State } from "./door/door";
+import { DeviationMap } from "./model/deviation";
 import { Document, type Hit } from "./model/document";
 import { SettingsSignal, type Shade } from "./model/settings";
 import { ClaimsPanel, diagnosticsPanel } from "./panels/claims";
@@ -18,7 +19,7 @@ import { follow } from "./view/pointer";
 import { NAMED_VIEWS, type NamedView } from "./view/rig";
 import { Stage } from "./view/stage";
 
-const ANALYSES: Shade[] = ["plain", "zebra", "isophotes", "gauss", "mean", "k1", "k2", "draft", "sides"];
+const ANALYSES: Shade[] = ["plain", "zebra", "isophotes", "gauss", "mean", "k1", "k2", "draft", "sides", "deviation"];
 
 export class App {
   readonly settings = new SettingsSignal();
@@ -35,11 +36,12 @@ export class App {
     const { doc, settings } = this;
     // The first state is under way while the picture is prepared.
     doc.start();
-    this.stage = new Stage(this.canvas, doc, settings);
+    const deviation = new DeviationMap(doc, settings);
+    this.stage = new Stage(this.canvas, doc, settings, deviation);
     const { stage } = this;
     this.tree = new TreePanel(doc, stage);
     const parameters = new ParameterPanel(doc);
-    const look = new LookPanel(doc, stage, settings);
+    const look = new LookPanel(doc, stage, settings, deviation);
     const facts = new FactsPanel(doc);
     const claims = new ClaimsPanel(doc);
     const commands = this.commands();
@@ -60,7 +62,7 @@ export class App {
       overlay(doc, stage, settings),
       triad(stage),
       scaleBar(doc, stage, settings),
-      legend(doc, stage, settings),
+      legend(doc, stage, settings, deviation),
       this.greeting(),
       this.toast(),
       diagnosticsPanel(doc),
@@ -241,7 +243,7 @@ export class App {
   private analysisCommands(): Command[] {
     const { settings } = this;
     const group = "Analysis";
-    const toggle = (id: "control" | "knots" | "normals" | "combs", title: string, key: string): Command => ({
+    const toggle = (id: "control" | "knots" | "normals" | "combs" | "shell", title: string, key: string): Command => ({
       id,
       title,
       keys: [key],
@@ -260,8 +262,9 @@ export class App {
       run: () => settings.put({ shade: settings.value.shade === id ? "plain" : id }),
     });
     const next = (step: number) => () => {
-      const at = ANALYSES.indexOf(settings.value.shade);
-      settings.put({ shade: ANALYSES[(at + step + ANALYSES.length) % ANALYSES.length] });
+      const all = ANALYSES.filter((one) => one !== "deviation" || this.doc.door.canEvaluate);
+      const at = all.indexOf(settings.value.shade);
+      settings.put({ shade: all[(at + step + all.length) % all.length] });
     };
     return [
       shade("zebra", "Zebra stripes", "z"),
@@ -275,6 +278,7 @@ export class App {
       toggle("control", "Control nets", "q"),
       toggle("knots", "Knots", "k"),
       toggle("normals", "Normals", "n"),
+      toggle("shell", "Open and shared edges", "v"),
     ];
   }
 
@@ -324,6 +328,7 @@ export class App {
     if (doc.isMeasuring.value) this.toggleMeasuring();
     doc.marks.set([]);
     doc.hit.set(null);
+    doc.claim.set(null);
     doc.select([]);
     if (document.activeElement instanceof HTMLInputElement) document.activeElement.blur();
   }

@@ -25,6 +25,9 @@ export interface ViroteWindow {
   readonly n_kept: number;
   /** Milliseconds from the start of the page to the first frame that shows a model. */
   readonly firstPicture: number | null;
+  /** When the newest state was told, arrived, had all its buffers, was in the scene, was handed to be drawn, and, where `isTimed`, had been drawn; on the clock of the machine. */
+  readonly times: { event: number; state: number; buffers: number; scene: number; frame: number; drawn: number };
+  isTimed: boolean;
   /** Moves the camera there at once. */
   look(pose: Partial<Pose>): void;
   /** The pixel of a point of the model, in the coordinates of the window. */
@@ -94,6 +97,15 @@ export function expose(app: App): void {
     },
     get firstPicture() {
       return firstPicture;
+    },
+    get times() {
+      return { ...doc.times, ...stage.times };
+    },
+    get isTimed() {
+      return stage.isTimed;
+    },
+    set isTimed(isTimed) {
+      stage.isTimed = isTimed;
     },
     look(pose) {
       stage.takeOver();

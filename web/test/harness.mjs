@@ -3,7 +3,7 @@
 import { spawn, spawnSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join, resolve } from "node:path";
+import { dirname, join, resolve } from "node:path";
 import puppeteer from "puppeteer-core";
 
 const root = resolve(import.meta.dirname, "../..");
@@ -51,13 +51,29 @@ export async function openPage(url) {
   return page;
 }
 
-/** Serves a script until `end` is called. */
-export async function serve(text) {
+/** Serves a script of this text, in a folder of its own, until `end` is called. */
+export async function serve(text, more = []) {
   const folder = mkdtempSync(join(tmpdir(), "virote-page-"));
   const script = join(folder, "model.geo");
   writeFileSync(script, text);
-  const child = spawn(command, ["view", script, "--no-open"], {
-    cwd: folder,
+  const served = await serveFile(script, more);
+  return {
+    ...served,
+    folder,
+    read: () => readFileSync(script, "utf8"),
+    save: (next) => writeFileSync(script, next),
+    end() {
+      served.end();
+      rmSync(folder, { recursive: true, force: true });
+    },
+  };
+}
+
+/** Serves the script of a path until `end` is called. */
+export async function serveFile(path, more = []) {
+  const script = resolve(path);
+  const child = spawn(command, ["view", script, "--no-open", ...more], {
+    cwd: dirname(script),
     env: { ...process.env, VIROTE_WEB: join(root, "web/dist") },
   });
   const url = await new Promise((done, fail) => {
@@ -72,13 +88,10 @@ export async function serve(text) {
   return {
     url,
     script,
-    folder,
-    read: () => readFileSync(script, "utf8"),
-    save: (next) => writeFileSync(script, next),
+    process: child,
     end() {
       child.removeAllListeners("exit");
       child.kill();
-      rmSync(folder, { recursive: true, force: true });
     },
   };
 }

@@ -26,6 +26,25 @@ const POLICY: &str = "default-src 'self'; img-src 'self' data: blob:; style-src 
 enum Body {
     Owned(Vec<u8>),
     Shared(Arc<Vec<u8>>),
+    /// One after the other, each filled up to a multiple of [`ALIGNMENT`].
+    Parts(Vec<Arc<Vec<u8>>>),
+}
+
+/// Parts of a body begin at a multiple of this.
+const ALIGNMENT: usize = 8;
+
+impl Body {
+    fn parts(&self) -> Vec<&[u8]> {
+        match self {
+            Self::Owned(bytes) => vec![bytes],
+            Self::Shared(bytes) => vec![bytes],
+            Self::Parts(parts) => {
+                let filled =
+                    |part: &'_ Arc<Vec<u8>>| part.len().next_multiple_of(ALIGNMENT) - part.len();
+                parts.iter().flat_map(|part| [&part[..], &[0; ALIGNMENT][..filled(part)]]).collect()
+            }
+        }
+    }
 }
 
 /// An answer.
@@ -56,6 +75,18 @@ impl Response {
         Self { is_lasting: true, body, ..Self::new("application/octet-stream", Vec::new()) }
     }
 
+    /// Parts one after the other, each filled up to a multiple of 8 bytes.
+    pub(in crate::view) fn parts(parts: Vec<Arc<Vec<u8>>>) -> Self {
+        let body = Body::Parts(parts);
+        Self { body, ..Self::new("application/octet-stream", Vec::new()) }
+    }
+
+    /// Numbers in single precision, little-endian.
+    pub(in crate::view) fn numbers(numbers: Vec<f64>) -> Self {
+        let bytes = numbers.into_iter().flat_map(|number| (number as f32).to_le_bytes());
+        Self::new("application/octet-stream", bytes.collect())
+    }
+
     /// A value.
     pub(in crate::view) fn json(value: &Json) -> Self {
         Self::new("application/json", value.to_string().into_bytes())
@@ -68,12 +99,10 @@ impl Response {
 
     /// Sends it, and closes.
     pub(in crate::view) fn send(&self, stream: &mut TcpStream) -> io::Result<()> {
-        let body = match &self.body {
-            Body::Owned(bytes) => bytes.as_slice(),
-            Body::Shared(bytes) => bytes.as_slice(),
-        };
+        let parts = self.body.parts();
+        let length: usize = parts.iter().map(|part| part.len()).sum();
         let mut head = head(self.status, self.kind);
-        head.push_str(&format!("Content-Length: {}\r\nConnection: close\r\n", body.len()));
+        head.push_str(&format!("Content-Length: {}\r\nConnection: close\r\n", length));
         head.push_str(match self.is_lasting {
             true => "Cache-Control: private, max-age=31536000, immutable\r\n",
             false => "Cache-Control: no-store\r\n",
@@ -84,7 +113,9 @@ impl Response {
         head.push_str("\r\n");
         stream.set_write_timeout(Some(PATIENCE))?;
         stream.write_all(head.as_bytes())?;
-        stream.write_all(body)?;
+        for part in parts {
+            stream.write_all(part)?;
+        }
         stream.flush()
     }
 

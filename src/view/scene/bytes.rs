@@ -111,6 +111,19 @@ impl ItemWriter {
     }
 }
 
+/// The numbers that a member of an item's header names, of which `size` belong together; none where it has
+/// no such member.
+pub(super) fn numbers_of(bytes: &[u8], name: &str, size: usize) -> Option<Vec<f64>> {
+    let n_header = u32::from_le_bytes(bytes.get(..4)?.try_into().ok()?) as usize;
+    let header: Json = serde_json::from_slice(bytes.get(4..4 + n_header)?).ok()?;
+    let place = &header[name];
+    let start = place["offset"].as_u64()? as usize;
+    let length = 4 * size * place["count"].as_u64()? as usize;
+    let numbers = bytes.get(start..start + length)?.chunks_exact(4);
+    let number = |four: &[u8]| four.try_into().map(f32::from_le_bytes).map(f64::from).ok();
+    numbers.map(number).collect()
+}
+
 fn single(number: f64) -> [u8; 4] {
     (number as f32).to_le_bytes()
 }

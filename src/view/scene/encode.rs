@@ -5,7 +5,10 @@ use std::sync::Arc;
 use glam::DVec3;
 use serde_json::{Map, Value as Json, json};
 
-use super::{bytes::ItemWriter, parts::Shape};
+use super::{
+    bytes::{ItemWriter, numbers_of},
+    parts::Shape,
+};
 use crate::{
     export::N_ISOCURVES,
     kernel::{
@@ -34,6 +37,14 @@ pub(crate) struct EncodedItem {
     /// What there is to tell about it: sizes and degrees.
     pub(crate) facts: Map<String, Json>,
     pub(crate) bounds: Option<Bounds>,
+}
+
+impl EncodedItem {
+    /// The parameters of each vertex of a surface.
+    pub(crate) fn parameters(&self) -> Option<Vec<[f64; 2]>> {
+        let numbers = numbers_of(&self.bytes, "parameters", 2)?;
+        Some(numbers.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect())
+    }
 }
 
 /// Points of a curve that its comb needs at least.

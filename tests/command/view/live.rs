@@ -53,6 +53,30 @@ fn a_check_that_fails_is_told_and_shown() {
 }
 
 #[test]
+fn a_claim_that_fails_tells_the_places_that_it_names() {
+    let view = View::of(
+        "places",
+        "point top = (1, 2, 3)\nlet flat = bilinear((0, 0), (0, 1), (1, 0), (1, 1))\n\
+         let hill = bilinear((0, 0), (0, 1), (1, 0), (1, 1, 2))\n\
+         check top.z < 3\n\
+         check top ~= (1, 2, 4)\n\
+         check deviation(hill, flat).max < 1\n\
+         check [top, (0, 0, 9)] ~= [top, (0, 0, 8)]\n\
+         check every([(0, 0), (5, 0, 1)], f = p => p.z == 0)\n\
+         check top.z == 3\n\
+         check norm(top) < 1\n",
+    );
+    let state = view.current();
+    let places = |i: usize| state["checks"][i]["places"].clone();
+    assert_eq!(places(0), json!([[1.0, 2.0, 3.0]]));
+    assert_eq!(places(1), json!([[1.0, 2.0, 3.0], [1.0, 2.0, 4.0]]));
+    assert_eq!(places(2), json!([[1.0, 1.0, 2.0]]));
+    assert_eq!(places(3), json!([[0.0, 0.0, 9.0], [0.0, 0.0, 8.0]]));
+    assert_eq!(places(4), json!([[5.0, 0.0, 1.0]]));
+    assert_eq!([places(5), places(6)], [json!([]), json!([])]);
+}
+
+#[test]
 fn parameters_are_set_refused_and_reset() {
     let view = View::of("set", SCRIPT);
     let first = view.current();

@@ -66,6 +66,73 @@ fn places_are_asked_of_the_kernel() {
     assert_eq!(state["prints"][0]["value"], json!(expected));
 }
 
+/// What an address answers with numbers.
+fn numbers(reply: &[u8]) -> Vec<f32> {
+    let number = |four: &[u8]| f32::from_le_bytes(four.try_into().expect("four bytes"));
+    reply.chunks_exact(4).map(number).collect()
+}
+
+#[test]
+fn a_deviation_is_measured_at_each_vertex_with_its_side() {
+    let view = View::of(
+        "deviation",
+        "surface ball = sphere((0, 0), 3)\nsurface core = sphere((0, 0), 2)\n\
+         surface shape = parametric((u, v) => (u, v, 5), 0..1, 0..1)\n\
+         surface floor = bilinear((0, 0, 1), (0, 1, 1), (1, 0, 1), (1, 1, 1))\n\
+         mesh low = tessellate(bilinear((0, 0), (0, 1), (1, 0), (1, 1)))\n\
+         curve c = circle((0, 0), 1)\n",
+    );
+    let state = view.current();
+    let ask = |item: &str, from: &[&str]| {
+        let from: Vec<String> = from.iter().map(|path| key(&state, path)).collect();
+        view.post("/api/deviation", &json!({ "item": key(&state, item), "from": from }))
+    };
+    let all = |item: &str, from: &[&str], expected: f32| {
+        let reply = ask(item, from);
+        assert_eq!(reply.status, 200);
+        let found = numbers(&reply.body);
+        let n_vertices = view.item(&state, item).header["positions"]["count"].as_u64();
+        assert_eq!(Some(found.len() as u64), n_vertices);
+        let is_near = |value: &f32| (value - expected).abs() < 1e-6;
+        assert!(found.iter().all(is_near), "{item} from {from:?}: {found:?}");
+    };
+    all("ball", &["core"], 1.0);
+    all("core", &["ball"], -1.0);
+    all("ball", &["ball"], 0.0);
+    all("shape", &["floor"], 4.0);
+    all("floor", &["shape"], -4.0);
+    all("floor", &["low"], 1.0);
+    all("low", &["floor", "shape"], -1.0);
+    for (item, from, why) in [("c", "ball", "curve"), ("ball", "c", "from a surface or a mesh")] {
+        let reply = ask(item, &[from]);
+        assert_eq!(reply.status, 400);
+        assert!(reply.json()["error"].as_str().expect("a reason").contains(why));
+    }
+    assert_eq!(ask("ball", &[]).status, 400);
+}
+
+#[test]
+fn many_items_come_in_one_answer() {
+    let view = View::of("items", SCRIPT);
+    let state = view.current();
+    let keys = [key(&state, "ball"), "unknown".to_owned(), key(&state, "ring")];
+    let reply = view.post("/api/items", &json!({ "items": keys }));
+    assert_eq!(reply.status, 200);
+    let word = |i: usize| {
+        let four = reply.body[4 * i..4 * i + 4].try_into().expect("four bytes");
+        u32::from_le_bytes(four) as usize
+    };
+    assert_eq!([word(0), word(2)], [3, 0]);
+    let mut at = (4 * 4_usize).next_multiple_of(8);
+    for (i, key) in keys.iter().enumerate().filter(|(i, _)| *i != 1) {
+        let alone = view.get(&format!("/api/item/{key}")).body;
+        assert_eq!(reply.body[at..at + word(1 + i)], alone);
+        at = (at + word(1 + i)).next_multiple_of(8);
+    }
+    assert_eq!(reply.body.len(), at);
+    assert_eq!(view.post("/api/items", &json!({ "items": [1] })).status, 400);
+}
+
 #[test]
 fn questions_without_an_answer_say_why() {
     let view = View::of("ask-wrong", SCRIPT);

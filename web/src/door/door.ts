@@ -50,6 +50,8 @@ export interface Check {
   distance: string | null;
   limit: string | null;
   line: number | null;
+  /** Points that a claim which fails tells of. */
+  places?: Vector[];
 }
 
 export interface Diagnostic {
@@ -124,9 +126,12 @@ export interface Door {
   /** Whether anything behind the door can evaluate; an exported page only shows. */
   readonly canEvaluate: boolean;
   state(): Promise<State>;
-  item(key: string): Promise<ArrayBuffer>;
+  /** The bytes of these items, in their order. */
+  items(keys: string[]): Promise<ArrayBuffer[]>;
   ask(question: Question): Promise<Answer>;
   measure(kind: Measurable, items: string[]): Promise<{ value: number; text: string }>;
+  /** How far each vertex of an item is from the nearest of others, negative behind their surfaces. */
+  deviation(item: string, from: string[]): Promise<Float32Array>;
   set(change: { values: Values } | { reset: true }): Promise<void>;
   stop(): Promise<void>;
   write(values: Values): Promise<string[]>;

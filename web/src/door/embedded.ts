@@ -22,13 +22,17 @@ export class EmbeddedDoor implements Door {
     return Promise.resolve(this.data.state);
   }
 
-  item(key: string): Promise<ArrayBuffer> {
+  async items(keys: string[]): Promise<ArrayBuffer[]> {
+    return keys.map((key) => this.item(key));
+  }
+
+  private item(key: string): ArrayBuffer {
     const text = this.data.items[key];
-    if (text === undefined) return Promise.reject(new DoorError(`the page holds no item ${key}`, 404));
+    if (text === undefined) throw new DoorError(`the page holds no item ${key}`, 404);
     const letters = atob(text);
     const bytes = new Uint8Array(letters.length);
     for (let i = 0; i < letters.length; i++) bytes[i] = letters.charCodeAt(i);
-    return Promise.resolve(bytes.buffer);
+    return bytes.buffer;
   }
 
   listen(listener: (event: DoorEvent) => void): void {
@@ -39,6 +43,9 @@ export class EmbeddedDoor implements Door {
     return cannot();
   }
   measure(): Promise<never> {
+    return cannot();
+  }
+  deviation(): Promise<never> {
     return cannot();
   }
   set(): Promise<void> {

@@ -24,8 +24,17 @@ export class HttpDoor implements Door {
     return (await (await this.get("state")).json()) as State;
   }
 
-  async item(key: string): Promise<ArrayBuffer> {
-    return (await this.get(`item/${encodeURIComponent(key)}`)).arrayBuffer();
+  async items(keys: string[]): Promise<ArrayBuffer[]> {
+    if (keys.length === 1) return [await (await this.get(`item/${encodeURIComponent(keys[0])}`)).arrayBuffer()];
+    const bytes = await (await this.send("items", { items: keys })).arrayBuffer();
+    const lengths = new Uint32Array(bytes, 4, keys.length);
+    let start = aligned(4 + 4 * keys.length);
+    return [...lengths].map((length, i) => {
+      if (length === 0) throw new DoorError(`the item ${keys[i]} is not known any more`, 404);
+      const item = bytes.slice(start, start + length);
+      start = aligned(start + length);
+      return item;
+    });
   }
 
   ask(question: Question): Promise<Answer> {
@@ -34,6 +43,10 @@ export class HttpDoor implements Door {
 
   measure(kind: Measurable, items: string[]): Promise<{ value: number; text: string }> {
     return this.post("measure", { kind, items });
+  }
+
+  async deviation(item: string, from: string[]): Promise<Float32Array> {
+    return new Float32Array(await (await this.send("deviation", { item, from })).arrayBuffer());
   }
 
   async set(change: { values: Values } | { reset: true }): Promise<void> {
@@ -82,13 +95,22 @@ export class HttpDoor implements Door {
   }
 
   private async post<T>(path: string, body: unknown): Promise<T> {
+    return (await (await this.send(path, body)).json()) as T;
+  }
+
+  private async send(path: string, body: unknown): Promise<Response> {
     const response = await fetch(`api/${path}`, {
       method: "POST",
       headers: { "X-Virote-Token": this.token, "Content-Type": "application/json" },
       body: JSON.stringify(body),
     });
-    return (await (await refuse(response)).json()) as T;
+    return refuse(response);
   }
+}
+
+/** Where the next item of one answer begins. */
+function aligned(place: number): number {
+  return Math.ceil(place / 8) * 8;
 }
 
 /** The response itself, or the message that the server gave instead. */

@@ -1,6 +1,6 @@
 // What the page knows of the model: the newest state, its buffers, what is selected and what is hidden.
 
-import { type Answer, type Door, DoorError, type Item, type State, type Vector } from "../door/door";
+import { type Answer, type Check, type Door, DoorError, type Item, type State, type Vector } from "../door/door";
 import { Signal } from "../signal";
 import type { Buffers } from "./bytes";
 import { Keeper } from "./keeper";
@@ -18,8 +18,20 @@ export interface Hit {
   point: Vector;
   normal: Vector | null;
   parameters: { u: number; v: number } | { t: number } | null;
+  /** The triangle, where the place is on one. */
+  triangle: number | null;
   answer: Answer | null;
   trouble: string | null;
+}
+
+/** Milliseconds on the clock of the machine. */
+export function now(): number {
+  return performance.timeOrigin + performance.now();
+}
+
+/** What tells a claim from the others of its script. */
+export function claimName({ text, line }: Check): string {
+  return `${line ?? ""} ${text}`;
 }
 
 export interface Ghost {
@@ -40,9 +52,13 @@ export class Document {
   /** The hits of a measurement, one or two. */
   readonly marks = new Signal<Hit[]>([]);
   readonly isMeasuring = new Signal(false);
+  /** The claim whose places are shown, by its name. */
+  readonly claim = new Signal<string | null>(null);
   readonly ghost = new Signal<Ghost | null>(null);
   readonly message = new Signal<{ text: string; isTrouble: boolean } | null>(null);
   readonly keeper: Keeper;
+  /** When the newest state was told, arrived, had all its buffers, and was in the scene. */
+  readonly times = { event: 0, state: 0, buffers: 0, scene: 0 };
   private loaded = -1;
   private isStale = true;
   private isLoading = false;
@@ -68,6 +84,7 @@ export class Document {
       } else {
         this.isBusy.set(false);
         if (event.version === this.loaded) return;
+        this.times.event = now();
         this.isStale = true;
         void this.refresh();
       }
@@ -91,6 +108,13 @@ export class Document {
 
   items(): Item[] {
     return this.scene.value?.state.items ?? [];
+  }
+
+  /** The points of the claim that was clicked, as the newest state has them. */
+  claimed(): Vector[] {
+    const { value } = this.claim;
+    const found = value === null ? undefined : this.state.value?.checks.find((check) => claimName(check) === value);
+    return found?.places ?? [];
   }
 
   show(paths: Iterable<string>, isVisible: boolean): void {
@@ -149,10 +173,13 @@ export class Document {
         this.isStale = false;
         const state = await this.door.state();
         try {
-          const buffers = await this.keeper.gather(state.items.map((item) => item.key));
+          this.times.state = now();
+          const buffers = await this.keeper.gather(state.items);
+          this.times.buffers = now();
           this.loaded = state.version;
           this.state.set(state);
           this.scene.set({ state, buffers });
+          this.times.scene = now();
           this.pin();
         } catch (trouble) {
           // The server forgot an item of a state that is no longer the newest: ask again.

@@ -1,12 +1,15 @@
 // Buffers of items by key: fetched once, kept while they are shown, and a while longer.
 
-import type { Door } from "../door/door";
+import type { Door, Item } from "../door/door";
 import { type Buffers, decode } from "./bytes";
 
 /** Bytes that may lie here unused, for who drags a parameter to and fro. */
 const SPARE_BYTES = 64 * 1024 * 1024;
 /** Requests under way at once; browsers allow six to one host, and one is the stream of events. */
-const N_AT_ONCE = 5;
+const N_AT_ONCE = 4;
+/** Small items that come in one answer, and how many triangles an item may have to be small. */
+const N_TOGETHER = 200;
+const N_TRIANGLES = 20_000;
 
 export class Keeper {
   private readonly kept = new Map<string, Buffers>();
@@ -19,20 +22,23 @@ export class Keeper {
   ) {}
 
   /** The buffers of all these keys; those that are not here are fetched. */
-  async gather(keys: string[]): Promise<Map<string, Buffers>> {
-    const missing = [...new Set(keys)].filter((key) => !this.kept.has(key));
+  async gather(items: Item[]): Promise<Map<string, Buffers>> {
+    const missing = new Map(items.filter(({ key }) => !this.kept.has(key)).map((item) => [item.key, item]));
+    const portions = portioned([...missing.values()]);
     let n_next = 0;
     const fetchInTurn = async (): Promise<void> => {
-      while (n_next < missing.length) {
-        const key = missing[n_next++];
-        const buffers = decode(await this.door.item(key));
-        this.n_fetched++;
-        this.kept.set(key, buffers);
+      while (n_next < portions.length) {
+        const portion = portions[n_next++];
+        const all = await this.door.items(portion);
+        all.forEach((bytes, i) => {
+          this.n_fetched++;
+          this.kept.set(portion[i], decode(bytes));
+        });
       }
     };
     await Promise.all(Array.from({ length: N_AT_ONCE }, fetchInTurn));
     const found = new Map<string, Buffers>();
-    for (const key of keys) {
+    for (const { key } of items) {
       const buffers = this.kept.get(key);
       if (buffers) found.set(key, buffers);
     }
@@ -63,4 +69,20 @@ export class Keeper {
   get n_kept(): number {
     return this.kept.size;
   }
+}
+
+/** Keys by the answers in which they come: large items alone, small ones together. */
+function portioned(items: Item[]): string[][] {
+  const portions: string[][] = [];
+  let small: string[] = [];
+  for (const { key, facts } of items) {
+    if (Number(facts.triangles ?? 0) > N_TRIANGLES) {
+      portions.push([key]);
+      continue;
+    }
+    small.push(key);
+    if (small.length === N_TOGETHER) portions.push(small.splice(0));
+  }
+  if (small.length > 0) portions.push(small);
+  return portions;
 }

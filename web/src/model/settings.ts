@@ -12,7 +12,8 @@ export type Shade =
   | "k1"
   | "k2"
   | "draft"
-  | "sides";
+  | "sides"
+  | "deviation";
 export type Theme = "auto" | "light" | "dark";
 export type Direction = "x" | "y" | "z" | "view";
 
@@ -27,6 +28,8 @@ export interface Settings {
   knots: boolean;
   normals: boolean;
   combs: boolean;
+  /** Open and shared edges. */
+  shell: boolean;
   combScale: number;
   /** Teeth are drawn at every n-th vertex. */
   combStride: number;
@@ -36,6 +39,9 @@ export interface Settings {
   light: Direction;
   draftAxis: "x" | "y" | "z";
   draftDegrees: number;
+  /** Names of the definitions of which, and from which, the deviation is shown; empty where nobody chose. */
+  deviationOf: string;
+  deviationFrom: string;
   section: boolean;
   sectionAxis: "x" | "y" | "z" | "free";
   sectionFlip: boolean;
@@ -57,6 +63,7 @@ const DEFAULTS: Settings = {
   knots: false,
   normals: false,
   combs: false,
+  shell: false,
   combScale: 1,
   combStride: 1,
   shade: "plain",
@@ -65,6 +72,8 @@ const DEFAULTS: Settings = {
   light: "view",
   draftAxis: "z",
   draftDegrees: 3,
+  deviationOf: "",
+  deviationFrom: "",
   section: false,
   sectionAxis: "x",
   sectionFlip: false,

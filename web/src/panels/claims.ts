@@ -1,7 +1,7 @@
 // What the script claims, prints and exports, and what went wrong in it.
 
 import type { Check, State } from "../door/door";
-import type { Document } from "../model/document";
+import { claimName, type Document } from "../model/document";
 import { button, copy, el, section, type Section } from "./dom";
 import { icon } from "./icons";
 
@@ -15,16 +15,12 @@ export class ClaimsPanel {
   constructor(private readonly doc: Document) {
     doc.state.watch((state) => state && this.show(state));
     doc.selection.follow(() => doc.state.value && this.showOutput(doc.state.value));
+    doc.claim.follow(() => doc.state.value && this.showClaims(doc.state.value));
   }
 
   private show(state: State): void {
-    const { checks, prints } = state;
-    const n_passed = checks.filter((check) => check.verdict === "pass").length;
-    this.claims.root.hidden = checks.length === 0;
-    this.claims.note.textContent = n_passed === checks.length ? `${n_passed} hold` : `${checks.length - n_passed} of ${checks.length} fail`;
-    this.claims.note.classList.toggle("bad", n_passed < checks.length);
-    const inOrder = [...checks].sort((a, b) => Number(a.verdict === "pass") - Number(b.verdict === "pass"));
-    this.claims.body.replaceChildren(...limited(inOrder, claim));
+    const { prints } = state;
+    this.showClaims(state);
     this.prints.root.hidden = prints.length === 0;
     this.prints.note.textContent = String(prints.length);
     this.prints.body.replaceChildren(
@@ -33,6 +29,39 @@ export class ClaimsPanel {
       ),
     );
     this.showOutput(state);
+  }
+
+  private showClaims({ checks }: State): void {
+    const n_passed = checks.filter((check) => check.verdict === "pass").length;
+    this.claims.root.hidden = checks.length === 0;
+    this.claims.note.textContent = n_passed === checks.length ? `${n_passed} hold` : `${checks.length - n_passed} of ${checks.length} fail`;
+    this.claims.note.classList.toggle("bad", n_passed < checks.length);
+    const inOrder = [...checks].sort((a, b) => Number(a.verdict === "pass") - Number(b.verdict === "pass"));
+    this.claims.body.replaceChildren(...limited(inOrder, (check) => this.claim(check)));
+  }
+
+  /** A claim that shows its places at a click, and what of the model it names. */
+  private claim(check: Check): HTMLElement {
+    const { doc } = this;
+    const root = claim(check);
+    const isShown = doc.claim.value === claimName(check);
+    root.classList.toggle("shown", isShown);
+    root.querySelector("summary")!.addEventListener("click", (event) => {
+      if (isShown) {
+        doc.claim.set(null);
+        return;
+      }
+      event.preventDefault();
+      doc.select(this.named(check));
+      doc.claim.set(claimName(check));
+    });
+    return root;
+  }
+
+  /** Paths of the items whose definitions stand in the text of a claim. */
+  private named({ text }: Check): string[] {
+    const words = new Set(text.match(/[\p{L}_][\p{L}\p{N}_]*/gu));
+    return this.doc.items().filter((item) => words.has(item.definition)).map((item) => item.path);
   }
 
   private showOutput(state: State): void {
@@ -74,7 +103,7 @@ export class ClaimsPanel {
   }
 }
 
-function claim({ text, message, figures, verdict, left, right, distance, limit, line }: Check): HTMLElement {
+function claim({ text, message, figures, verdict, left, right, distance, limit, line, places }: Check): HTMLElement {
   const isPassed = verdict === "pass";
   const detail = el("div", { class: "claim-detail" });
   const known: [string, string | null | undefined][] = [
@@ -84,6 +113,7 @@ function claim({ text, message, figures, verdict, left, right, distance, limit, 
     ["distance", distance],
     ["limit", limit],
     ["in short", figures],
+    ["places", places?.length ? `${places.length} shown by a click` : null],
   ];
   for (const [label, value] of known) {
     if (value) detail.append(el("span", { class: "fact-label" }, label), el("code", {}, value));

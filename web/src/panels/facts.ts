@@ -52,7 +52,8 @@ export class FactsPanel {
     const nodes: Node[] = [this.expression(hit)];
     nodes.push(row("Point", triple(answer?.point ?? hit.point), unit));
     const normal = answer?.normal ?? hit.normal;
-    if (normal) nodes.push(row("Normal", triple(normal, 4)));
+    if (normal) nodes.push(row(hit.item.kind === "mesh" ? "Normal of the triangle" : "Normal", triple(normal, 4)));
+    if (hit.item.kind === "mesh" && hit.triangle !== null) nodes.push(row("Triangle", String(hit.triangle)));
     for (const fact of answer?.facts ?? []) {
       const isVector = Array.isArray(fact.value);
       const label = SHORT[fact.name ?? ""] ?? fact.label;
@@ -60,10 +61,16 @@ export class FactsPanel {
     }
     if (hit.trouble) nodes.push(el("p", { class: "hint trouble" }, hit.trouble));
     else if (!answer) {
-      const text = this.doc.door.canEvaluate && hit.parameters ? "Asking the kernel …" : "From the mesh.";
-      nodes.push(el("p", { class: "hint" }, text));
+      nodes.push(el("p", { class: "hint" }, this.whence(hit)));
     }
     return nodes;
+  }
+
+  /** Where a place comes from that the kernel has not answered. */
+  private whence({ item, parameters }: Hit): string {
+    if (parameters) return this.doc.door.canEvaluate ? "Asking the kernel …" : "From the triangles of the picture.";
+    if (item.kind === "mesh") return "A mesh has triangles and no parameters: this is the point on its triangle.";
+    return item.kind === "points" ? "A point of the script." : "A place on the drawn line.";
   }
 
   /** The expression that gives this point in a script, to be copied. */
@@ -129,9 +136,10 @@ export class FactsPanel {
 }
 
 /** What a script writes for this point. */
-export function expressionOf({ answer, item, parameters }: Hit): string {
+export function expressionOf(hit: Hit): string {
+  const { answer, item, parameters } = hit;
   if (answer?.expression) return answer.expression;
-  if (!parameters) return item.path;
+  if (!parameters) return `(${pointOf(hit).map((value) => Number(value.toPrecision(9))).join(", ")})`;
   const at = "u" in parameters ? [parameters.u, parameters.v] : [parameters.t];
   return `${item.path}(${at.map((value) => Number(value.toPrecision(6))).join(", ")})`;
 }

@@ -2,11 +2,13 @@
 
 import type { Document } from "../model/document";
 import type { SettingsSignal } from "../model/settings";
-import { type CurvatureShade, isCurvature } from "../view/curvature";
+import type { DeviationMap } from "../model/deviation";
+import { isCurvature, isMap, type MapShade } from "../view/curvature";
 import type { Stage } from "../view/stage";
 import { button, el, figure } from "./dom";
 
-const NAMES: Record<CurvatureShade, string> = {
+const NAMES: Record<MapShade, string> = {
+  deviation: "Deviation",
   gauss: "Gaussian curvature",
   mean: "Mean curvature",
   k1: "Principal curvature k1",
@@ -18,7 +20,7 @@ const DRAFT_CLASSES = [
   ["negative", "undercut beyond"],
 ] as const;
 
-export function legend(doc: Document, stage: Stage, settings: SettingsSignal): HTMLElement {
+export function legend(doc: Document, stage: Stage, settings: SettingsSignal, deviation: DeviationMap): HTMLElement {
   const title = el("div", { class: "legend-title" });
   const most = end("most", "Greatest value: drag or type");
   const least = end("least", "Least value: drag or type");
@@ -34,16 +36,17 @@ export function legend(doc: Document, stage: Stage, settings: SettingsSignal): H
   const root = el("div", { class: "legend", hidden: true }, title, scale, classes, el("div", { class: "legend-tools" }, auto, both));
   const automatic = (): { least: number; most: number; isAutomatic: boolean } => {
     const { shade } = settings.value;
-    const [low, high] = isCurvature(shade) ? stage.automaticRange(shade) : [-1, 1];
+    const [low, high] = isMap(shade) ? stage.automaticRange(shade) : [-1, 1];
     return { least: low, most: high, isAutomatic: true };
   };
   const show = (): void => {
     const { shade, draftDegrees } = settings.value;
     const unit = doc.state.value?.unit ?? "";
-    root.hidden = !isCurvature(shade) && shade !== "draft" && shade !== "sides";
+    root.hidden = !isMap(shade) && shade !== "draft" && shade !== "sides";
     root.dataset.shade = shade;
-    if (isCurvature(shade)) {
-      title.textContent = `${NAMES[shade]} in 1/${unit}${shade === "gauss" ? "²" : ""}`;
+    if (isMap(shade)) {
+      const { of, from } = deviation.value;
+      title.textContent = isCurvature(shade) ? `${NAMES[shade]} in 1/${unit}${shade === "gauss" ? "²" : ""}` : `Deviation of ${of} from ${from} in ${unit}`;
       const { value } = stage.range;
       if (document.activeElement !== most) most.value = figure(value.most);
       if (document.activeElement !== least) least.value = figure(value.least);
@@ -57,10 +60,11 @@ export function legend(doc: Document, stage: Stage, settings: SettingsSignal): H
     }
   };
   settings.follow(({ shade }) => {
-    if (root.dataset.shade !== shade && isCurvature(shade)) stage.range.set(automatic());
+    if (root.dataset.shade !== shade && isMap(shade)) stage.range.set(automatic());
   });
   settings.watch(show);
   stage.range.follow(show);
+  deviation.follow(show);
   doc.state.follow(show);
   dragEnds(bar, stage);
   for (const [field, which] of [[most, "most"], [least, "least"]] as const) {

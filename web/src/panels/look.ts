@@ -1,6 +1,7 @@
 // How the surface is shaded, what the combs measure and where the section stands.
 
 import type { Document } from "../model/document";
+import type { DeviationMap } from "../model/deviation";
 import type { Settings, SettingsSignal, Shade } from "../model/settings";
 import type { Stage } from "../view/stage";
 import { sectionDistance } from "../view/section";
@@ -16,6 +17,7 @@ const SHADES: readonly (readonly [Shade, string, string])[] = [
   ["k2", "k2", "Second principal curvature"],
   ["draft", "Draft", "Angle to the direction of pull"],
   ["sides", "Sides", "Fronts and backs by the direction of the normals"],
+  ["deviation", "Deviation", "Distance of one definition from another"],
 ];
 
 export class LookPanel {
@@ -26,8 +28,11 @@ export class LookPanel {
     private readonly doc: Document,
     private readonly stage: Stage,
     private readonly settings: SettingsSignal,
+    private readonly deviation: DeviationMap,
   ) {
     this.buildShades();
+    this.buildDeviation();
+    this.buildShell();
     this.buildStripes();
     this.buildDraft();
     this.buildCombs();
@@ -35,16 +40,65 @@ export class LookPanel {
   }
 
   private buildShades(): void {
-    const buttons = SHADES.map(([shade, label, title]) =>
+    const shades = SHADES.filter(([shade]) => shade !== "deviation" || this.doc.door.canEvaluate);
+    const buttons = shades.map(([shade, label, title]) =>
       button(label, title, () => this.settings.put({ shade }), { "data-shade": shade }),
     );
     const accuracy = el("p", { class: "hint accuracy" });
     this.section.body.append(el("div", { class: "shades" }, ...buttons), accuracy);
     this.settings.watch(({ shade }) => {
       for (const one of buttons) one.setAttribute("aria-pressed", String(one.dataset.shade === shade));
-      accuracy.textContent = shade === "plain" ? "" : "From the mesh’s exact normals and curvatures at its vertices; a click asks the kernel.";
+      accuracy.textContent =
+        shade === "deviation"
+          ? "Measured by the kernel at each vertex to the nearest place; negative behind the other’s normals."
+          : "From the mesh’s exact normals and curvatures at its vertices; a click asks the kernel.";
       accuracy.hidden = shade === "plain";
       this.section.note.textContent = shade === "plain" ? "" : (SHADES.find(([name]) => name === shade)?.[1] ?? "");
+    });
+  }
+
+  /** Of which definition, from which other, and what it came to. */
+  private buildDeviation(): void {
+    const { deviation, settings } = this;
+    const of = el("select", { class: "value", "aria-label": "Measured definition", "data-deviation": "of" });
+    const from = el("select", { class: "value", "aria-label": "Definition to measure from", "data-deviation": "from" });
+    const told = el("p", { class: "hint deviation-told" });
+    const rows = [el("label", { class: "row" }, el("span", {}, "Of"), of), el("label", { class: "row" }, el("span", {}, "From"), from), told];
+    this.section.body.append(...rows);
+    of.addEventListener("change", () => settings.put({ deviationOf: of.value }));
+    from.addEventListener("change", () => settings.put({ deviationFrom: from.value }));
+    const show = (): void => {
+      const isOn = settings.value.shade === "deviation";
+      for (const one of rows) one.hidden = !isOn;
+      if (!isOn) return;
+      const chosen = deviation.pair();
+      [of, from].forEach((select, i) => {
+        select.replaceChildren(...deviation.definitions().map((name) => el("option", { value: name }, name)));
+        select.value = chosen[i];
+      });
+      const { isWaiting, trouble } = deviation.value;
+      const figures = deviation.figures();
+      const unit = this.doc.state.value?.unit ?? "";
+      const text = figures ? `From ${figure(figures.least)} to ${figure(figures.most)} ${unit}, on average ${figure(figures.mean)} ${unit} away.` : "";
+      told.textContent = trouble ?? (isWaiting ? "Measuring …" : text);
+      told.classList.toggle("trouble", trouble !== null);
+    };
+    settings.watch(show);
+    deviation.follow(show);
+    this.doc.scene.follow(show);
+  }
+
+  /** How long the edges are at which a shell is open, and at which its parts meet. */
+  private buildShell(): void {
+    const text = el("p", { class: "hint shell-told" });
+    this.section.body.append(text);
+    this.stage.shell.lengths.watch((lengths) => {
+      text.hidden = lengths === null;
+      if (!lengths) return;
+      const unit = this.doc.state.value?.unit ?? "";
+      const parts = [`Open edges (red) ${figure(lengths.open)} ${unit}`, `shared (green) ${figure(lengths.shared)} ${unit}`];
+      if (lengths.crowded > 0) parts.push(`of more than two faces (purple) ${figure(lengths.crowded)} ${unit}`);
+      text.textContent = `${parts.join(", ")}.`;
     });
   }
 

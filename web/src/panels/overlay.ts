@@ -37,6 +37,7 @@ export function overlay(doc: Document, stage: Stage, settings: SettingsSignal): 
     }
     const marks = doc.marks.value;
     for (const mark of marks) shapes.push(dot(stage, pointOf(mark), "measured"));
+    for (const point of doc.claimed()) shapes.push(...claimShapes(stage, point));
     const hit = doc.hit.value;
     if (hit && !marks.includes(hit)) shapes.push(...hitShapes(stage, hit));
     label.hidden = marks.length < 2;
@@ -74,6 +75,12 @@ function hitShapes(stage: Stage, hit: Hit): SVGElement[] {
   }
   shapes.push(dot(stage, point, "hit"));
   return shapes;
+}
+
+/** A place that a failed claim tells of: a ring around it, seen through everything. */
+function claimShapes(stage: Stage, point: Vector): SVGElement[] {
+  const { x, y } = stage.rig.project(new Vector3(...point));
+  return [svg("circle", { class: "claim-ring", cx: x, cy: y, r: 11 }), dot(stage, point, "claimed")];
 }
 
 function dot(stage: Stage, point: Vector, kind: string): SVGElement {

@@ -10,7 +10,7 @@ import { icon } from "./icons";
 const BAR = [
   ["fit", "projection", "grid"],
   ["edges", "isocurves", "wireframe"],
-  ["zebra", "combs", "control", "knots", "normals"],
+  ["zebra", "combs", "control", "knots", "normals", "shell"],
   ["section", "measure", "ghost"],
   ["photo", "theme", "help"],
 ];

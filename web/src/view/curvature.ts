@@ -1,15 +1,28 @@
-// The range of curvatures that a legend begins with: that of the visible surfaces without their outliers.
+// The range of a map that a legend begins with: that of the visible surfaces without their outliers.
 
 import type { Buffers } from "../model/bytes";
 import type { Shade } from "../model/settings";
 
 export type CurvatureShade = "gauss" | "mean" | "k1" | "k2";
+/** What is shown by colours between two numbers. */
+export type MapShade = CurvatureShade | "deviation";
 const N_SAMPLES = 20_000;
 /** Share of the samples that may lie outside on either side. */
 const TAIL = 0.02;
 
 export function isCurvature(shade: Shade): shade is CurvatureShade {
   return shade === "gauss" || shade === "mean" || shade === "k1" || shade === "k2";
+}
+
+export function isMap(shade: Shade): shade is MapShade {
+  return isCurvature(shade) || shade === "deviation";
+}
+
+/** The greatest distance on either side of zero. */
+export function deviationRange(all: Iterable<Float32Array>): [number, number] {
+  let reach = 0;
+  for (const values of all) for (const value of values) if (Math.abs(value) > reach && Number.isFinite(value)) reach = Math.abs(value);
+  return reach > 0 ? [-rounded(reach), rounded(reach)] : [-1, 1];
 }
 
 /** Least and greatest of what the legend shows, about zero where both signs occur. */

@@ -54,6 +54,8 @@ export interface Look {
   /** Length of a tooth of the comb for a curvature of 1. */
   combLength: number;
   normalLength: number;
+  /** Distances by the keys of items, while they are shown. */
+  deviations: ReadonlyMap<string, Float32Array> | null;
 }
 
 type Layer = "isocurves" | "wires" | "net" | "netDots" | "knots" | "knotDots" | "normals" | "comb";
@@ -116,14 +118,18 @@ export class DrawnItem {
     if (this.surface) {
       this.surface.uniforms.color.value = colorOf(this.item, palette);
       this.surface.uniforms.isSelected.value = look.isSelected ? 1 : 0;
+      const isMeasured = look.deviations !== null && this.shape.setDeviation(look.deviations.get(this.item.key));
+      this.surface.uniforms.hasDeviation.value = isMeasured ? 1 : 0;
       setOpacity(this.surface, settings.shade === "plain" ? (this.item.opacity ?? 1) : 1);
     }
     if (this.ownLine) {
       this.ownLine.uniforms.color.value = look.isSelected ? palette.accent : colorOf(this.item, palette);
       if (this.ownLine.uniforms.width) this.ownLine.uniforms.width.value = look.isSelected ? 3.25 : CURVE_LINE;
     } else if (this.edges) {
-      this.edges.visible = settings.edges || look.isSelected;
-      this.edges.material = look.isSelected ? this.overlays.edgeSelected : this.overlays.edge;
+      // The creases of a mesh may be very many: its tint says that it is selected.
+      const isBold = look.isSelected && this.item.kind !== "mesh";
+      this.edges.visible = settings.edges || isBold;
+      this.edges.material = isBold ? this.overlays.edgeSelected : this.overlays.edge;
     }
     const { shape, overlays } = this;
     this.layer("isocurves", settings.isocurves, () => line(shape.part("isocurves"), overlays.isocurve, 1));

@@ -11,13 +11,16 @@ export const MODES = {
   k2: 6,
   draft: 7,
   sides: 8,
+  deviation: 9,
 } as const;
 
 export const SURFACE_VERTEX = /* glsl */ `
 #include <clipping_planes_pars_vertex>
 attribute vec2 curvature;
 attribute vec3 tint;
+attribute float deviation;
 uniform float hasTint;
+varying float vDeviation;
 varying vec3 vNormal;
 varying vec3 vPlace;
 varying vec2 vCurvature;
@@ -25,6 +28,7 @@ varying vec3 vTint;
 void main() {
   vNormal = normalMatrix * normal;
   vCurvature = curvature;
+  vDeviation = deviation;
   vTint = mix(vec3(1.0), tint, hasTint);
   vec4 mvPosition = modelViewMatrix * vec4(position, 1.0);
   vPlace = mvPosition.xyz;
@@ -39,6 +43,7 @@ uniform float opacity;
 uniform float hasTint;
 uniform float isFlat;
 uniform float hasCurvature;
+uniform float hasDeviation;
 uniform float isSelected;
 uniform float fade;
 uniform vec3 faded;
@@ -53,6 +58,7 @@ uniform float draft;
 varying vec3 vNormal;
 varying vec3 vPlace;
 varying vec2 vCurvature;
+varying float vDeviation;
 varying vec3 vTint;
 
 vec3 linear(vec3 c) { return c * c * (0.305306 * c + 0.682171) + 0.012523 * c; }
@@ -106,11 +112,14 @@ void main() {
   } else if (mode == 2) {
     float s = stripe(acos(clamp(dot(outward, light), -1.0, 1.0)) * stripes / 1.57079633);
     c = lit(mix(base, vec3(0.14, 0.18, 0.24), s * 0.72), n, v, 0.4);
-  } else if (mode >= 3 && mode <= 6) {
-    float k = mode == 3 ? vCurvature.x * vCurvature.y
+  } else if (mode == 9 && hasDeviation < 0.5) {
+    c = lit(mix(base, vec3(0.62, 0.66, 0.70), 0.7), n, v, 0.4);
+  } else if (mode >= 3 && mode <= 6 || mode == 9) {
+    float k = mode == 9 ? vDeviation
+      : mode == 3 ? vCurvature.x * vCurvature.y
       : mode == 4 ? 0.5 * (vCurvature.x + vCurvature.y)
       : mode == 5 ? vCurvature.x : vCurvature.y;
-    bool isKnown = hasCurvature > 0.5 && k == k && abs(k) < 1e30;
+    bool isKnown = (mode == 9 || hasCurvature > 0.5) && k == k && abs(k) < 1e30;
     vec3 q = isKnown ? ramp((k - range.x) / (range.y - range.x)) : vec3(0.55);
     if (!isKnown && mod(gl_FragCoord.x + gl_FragCoord.y, 8.0) < 2.0) q = vec3(0.42);
     c = mix(q, lit(q, n, v, 0.25), 0.55);

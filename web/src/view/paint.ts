@@ -46,6 +46,7 @@ export function surfaceMaterial(look: SurfaceLook): ShaderMaterial {
       hasTint: { value: look.hasTint ? 1 : 0 },
       isFlat: { value: look.isFlat ? 1 : 0 },
       hasCurvature: { value: look.hasCurvature ? 1 : 0 },
+      hasDeviation: { value: 0 },
       isSelected: { value: 0 },
     },
     vertexShader: SURFACE_VERTEX,

@@ -16,6 +16,7 @@ interface Candidate {
   point: Vector3;
   normal: Vector3 | null;
   parameters: Hit["parameters"];
+  triangle: number | null;
 }
 
 /** The item under the pixel (x, y); `planes` cut away what lies behind them. */
@@ -42,6 +43,7 @@ export function pick(drawn: Iterable<DrawnItem>, rig: Rig, x: number, y: number,
     point: best.point.toArray() as Vector,
     normal: (best.normal?.toArray() as Vector | undefined) ?? null,
     parameters: best.parameters,
+    triangle: best.triangle,
     answer: null,
     trouble: null,
   };
@@ -65,8 +67,9 @@ function hitSurface(drawn: DrawnItem, ray: Ray, planes: Plane[]): Candidate | nu
       drawn,
       distance: hit.distance,
       point,
-      normal: weighted3(shape.buffers.normals, [a, b, c], weights) ?? hit.face.normal.clone(),
+      normal: (drawn.item.kind === "mesh" ? null : weighted3(shape.buffers.normals, [a, b, c], weights)) ?? faceNormal(hit.face.normal),
       parameters: weighted2(shape.buffers.parameters, [a, b, c], weights),
+      triangle: hit.faceIndex ?? null,
     };
   }
   return best;
@@ -87,14 +90,21 @@ function barycentric(positions: Float32Array, corners: number[], p: Vector3): Ve
 function weighted2(values: Float32Array | null, corners: number[], shares: Vector): { u: number; v: number } | null {
   if (!values) return null;
   const at = (axis: number): number => corners.reduce((sum, i, k) => sum + shares[k] * values[2 * i + axis], 0);
-  return { u: at(0), v: at(1) };
+  const [u, v] = [at(0), at(1)];
+  return Number.isFinite(u + v) ? { u, v } : null;
 }
 
 function weighted3(values: Float32Array | null, corners: number[], shares: Vector): Vector3 | null {
   if (!values) return null;
   const sum = new Vector3();
   corners.forEach((i, k) => sum.addScaledVector(new Vector3().fromArray(values, 3 * i), shares[k]));
-  return sum.normalize();
+  return faceNormal(sum);
+}
+
+/** A direction of length 1; null where there is none, as on a triangle without area. */
+function faceNormal(direction: Vector3): Vector3 | null {
+  const length = direction.length();
+  return length > 0 && Number.isFinite(length) ? direction.clone().divideScalar(length) : null;
 }
 
 /** The nearest place of an item's polylines within reach of the pixel. */
@@ -130,7 +140,8 @@ function hitLines(drawn: DrawnItem, ray: Ray, rig: Rig, x: number, y: number, pl
         distance: point.distanceTo(ray.origin),
         point,
         normal: null,
-        parameters: t ? { t: t[i] * (1 - share) + (t[i + 1] ?? t[i]) * share } : null,
+        parameters: t && Number.isFinite(t[i]) ? { t: t[i] * (1 - share) + (t[i + 1] ?? t[i]) * share } : null,
+        triangle: null,
       };
     }
   }

@@ -140,7 +140,8 @@ export class Rig {
       const near = Math.min(depth - radius, distance - 2.5 * this.pose.height);
       camera.projectionMatrix.copy(orthographic(top * aspect, top, near, far));
     } else {
-      const near = Math.max(depth - radius, Math.min(far, distance) * 0.02);
+      // Not nearer than the grid at the lower edge of the picture.
+      const near = Math.max(Math.min(depth - radius, 0.2 * distance), Math.min(far, distance) * 0.02);
       camera.projectionMatrix.copy(perspective(top / distance, aspect, near, far));
     }
     camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();

@@ -38,6 +38,14 @@ export class Shape {
     return made;
   }
 
+  /** Puts a distance at each vertex; whether they fit. */
+  setDeviation(values: Float32Array | undefined): boolean {
+    const { surface } = this;
+    if (!surface || !values || 3 * values.length !== this.buffers.positions?.length) return false;
+    if (surface.getAttribute("deviation")?.array !== values) surface.setAttribute("deviation", new BufferAttribute(values, 1));
+    return true;
+  }
+
   /** The control points. */
   controlPoints(): BufferGeometry | null {
     return this.buffers.control ? dots(this.buffers.control.points) : null;

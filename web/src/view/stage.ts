@@ -3,11 +3,12 @@
 import { Box3, Group, type Material, Mesh, Scene as ThreeScene, Vector3, WebGLRenderer } from "three";
 
 import type { Item } from "../door/door";
-import type { Document, Hit } from "../model/document";
+import { type Document, type Hit, now } from "../model/document";
 import type { Settings, SettingsSignal } from "../model/settings";
 import { Signal } from "../signal";
 import { greatestCurvature } from "./combs";
-import { type CurvatureShade, curvatureRange, isCurvature } from "./curvature";
+import type { DeviationMap } from "../model/deviation";
+import { curvatureRange, deviationRange, isMap, type MapShade } from "./curvature";
 import { DrawnItem, ghostOf, Overlays } from "./drawn";
 import { MODES } from "./glsl";
 import { Grid } from "./grid";
@@ -16,6 +17,7 @@ import { pick } from "./pick";
 import { NAMED_VIEWS, type NamedView, type Pose, Rig } from "./rig";
 import { placeCut } from "./section";
 import { Shape } from "./shape";
+import { ShellLines } from "./shellLines";
 import { DARK, LIGHT, type Palette } from "./theme";
 
 /** How long the camera takes to a named view, in milliseconds. */
@@ -27,6 +29,7 @@ const NORMAL_SHARE = 0.03;
 export class Stage {
   readonly rig = new Rig();
   readonly grid = new Grid();
+  readonly shell = new ShellLines();
   /** The range of the legend. */
   readonly range = new Signal<{ least: number; most: number; isAutomatic: boolean }>({
     least: -1,
@@ -37,6 +40,9 @@ export class Stage {
   readonly afterFrame = new Set<() => void>();
   palette: Palette = LIGHT;
   n_frames = 0;
+  /** When the last frame was handed over, and, where somebody wants to know, when it had been drawn. */
+  readonly times = { frame: 0, drawn: 0 };
+  isTimed = false;
   private readonly renderer: WebGLRenderer;
   private readonly world = new ThreeScene();
   private readonly models = new Group();
@@ -52,11 +58,12 @@ export class Stage {
     private readonly canvas: HTMLCanvasElement,
     private readonly doc: Document,
     private readonly settings: SettingsSignal,
+    private readonly deviation: DeviationMap,
   ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: "high-performance" });
     this.renderer.localClippingEnabled = true;
     this.renderer.setClearColor(0, 0);
-    this.world.add(this.grid.mesh, this.models, this.ghosts);
+    this.world.add(this.grid.mesh, this.models, this.ghosts, this.shell.group);
     this.world.matrixWorldAutoUpdate = true;
     new ResizeObserver(() => this.resize()).observe(canvas);
     this.resize();
@@ -65,6 +72,8 @@ export class Stage {
     doc.selection.follow(() => this.restyle());
     doc.choices.follow(() => this.restyle());
     doc.ghost.follow(() => this.rebuildGhost());
+    doc.claim.follow(() => this.ask());
+    deviation.follow(() => this.restyle());
     doc.isBusy.follow(() => this.ask());
     doc.hit.follow(() => this.ask());
     doc.marks.follow(() => this.ask());
@@ -178,10 +187,15 @@ export class Stage {
   /** Red, green, blue and opacity of a pixel of the canvas, drawn anew. */
   colorAt(x: number, y: number): number[] {
     this.frame();
-    const gl = this.renderer.getContext();
     const ratio = this.renderer.getPixelRatio();
+    return this.read(Math.floor(x * ratio), Math.floor(this.canvas.height - y * ratio));
+  }
+
+  /** A pixel of the frame that was drawn this moment; waits until it is there. */
+  private read(x: number, y: number): number[] {
+    const gl = this.renderer.getContext();
     const bytes = new Uint8Array(4);
-    gl.readPixels(Math.floor(x * ratio), Math.floor(this.canvas.height - y * ratio), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    gl.readPixels(x, y, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
     return [...bytes];
   }
 
@@ -272,8 +286,10 @@ export class Stage {
         isSelected: this.doc.selection.value.has(one.item.path),
         combLength: greatest > 0 ? (settings.combScale * COMB_SHARE * size) / greatest : 0,
         normalLength: NORMAL_SHARE * size,
+        deviations: settings.shade === "deviation" ? this.deviation.value.values : null,
       });
     }
+    this.shell.show(settings.shell, [...this.drawn.values()], this.box());
     this.followRange(settings);
     this.ask();
   }
@@ -287,13 +303,14 @@ export class Stage {
   /** The legend follows the model until the person drags it, and begins anew with another map. */
   private followRange(settings: Settings): void {
     const { shade } = settings;
-    if (!isCurvature(shade) || !this.range.value.isAutomatic) return;
+    if (!isMap(shade) || !this.range.value.isAutomatic) return;
     const [least, most] = this.automaticRange(shade);
     const { value } = this.range;
     if (value.least !== least || value.most !== most) this.range.set({ least, most, isAutomatic: true });
   }
 
-  automaticRange(shade: CurvatureShade): [number, number] {
+  automaticRange(shade: MapShade): [number, number] {
+    if (shade === "deviation") return deviationRange(this.deviation.value.values.values());
     const visible = [...this.drawn.values()].filter((one) => one.isVisible);
     return curvatureRange(visible.map((one) => one.shape.buffers), shade);
   }
@@ -313,6 +330,11 @@ export class Stage {
     if (settings.grid) this.grid.update(this.rig);
     this.renderer.render(this.world, this.rig.camera);
     this.n_frames++;
+    this.times.frame = now();
+    if (this.isTimed) {
+      this.read(0, 0);
+      this.times.drawn = now();
+    }
     for (const call of this.afterFrame) call();
   }
 
