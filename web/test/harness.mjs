@@ -15,6 +15,9 @@ export const command = [process.env.VIROTE, join(root, "target/debug/virote"), j
   .map((path) => resolve(path))
   .find(existsSync);
 
+/** The page comes from `dist`, whatever the command was built with. */
+export const environment = { ...process.env, VIROTE_WEB: join(root, "web/dist") };
+
 const chromium = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"]
   .filter(Boolean)
   .find(existsSync);
@@ -74,7 +77,7 @@ export async function serveFile(path, more = []) {
   const script = resolve(path);
   const child = spawn(command, ["view", script, "--no-open", ...more], {
     cwd: dirname(script),
-    env: { ...process.env, VIROTE_WEB: join(root, "web/dist") },
+    env: environment,
   });
   const url = await new Promise((done, fail) => {
     let said = "";

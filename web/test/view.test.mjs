@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, test } from "node:test";
 
-import { closeBrowser, colorAt, command, evaluated, lookFromFront, openBrowser, openPage, serve, skip, until } from "./harness.mjs";
+import { closeBrowser, colorAt, command, environment, evaluated, lookFromFront, openBrowser, openPage, serve, skip, until } from "./harness.mjs";
 
 const SCRIPT = `geo 1
 unit mm
@@ -247,7 +247,7 @@ run("two windows show one model", async () => {
 
 run("an exported page shows the model without a server", async () => {
   const file = join(served.folder, "page.html");
-  const made = spawnSync(command, ["view", "--export", file, served.script], { encoding: "utf8", env: process.env });
+  const made = spawnSync(command, ["view", "--export", file, served.script], { encoding: "utf8", env: environment });
   assert.equal(made.status, 0, made.stderr);
   const shown = await openPage(pathToFileURL(file).href);
   await lookFromFront(shown);

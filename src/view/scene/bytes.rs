@@ -55,7 +55,7 @@ impl ItemWriter {
     /// Puts bytes behind those that are there; where they are, with how many things they hold.
     fn put(&mut self, count: usize, bytes: impl IntoIterator<Item = [u8; 4]>) -> Json {
         let offset = self.numbers.len();
-        self.numbers.extend(bytes.into_iter().flatten());
+        bytes.into_iter().for_each(|four| self.numbers.extend_from_slice(&four));
         self.numbers.resize(self.numbers.len().next_multiple_of(ALIGNMENT), 0);
         json!({ "offset": offset, "count": count })
     }

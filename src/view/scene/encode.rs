@@ -138,9 +138,10 @@ impl EncodingItem {
         self.tell("points", json!(mesh.n_vertices()));
     }
 
-    /// The edges of faces, but of meshes whose colours they would cover.
+    /// The edges of faces that are no triangles, whose edges the page finds; but of meshes whose colours
+    /// they would cover.
     fn add_mesh_edges(&mut self, mesh: &Mesh) {
-        if mesh.colors().is_empty() {
+        if mesh.colors().is_empty() && mesh.n_faces() < mesh.n_triangles() {
             let ends = mesh.face_edges().into_iter().flatten();
             let ends: Vec<DVec3> = ends.map(|end| mesh.vertices()[end as usize]).collect();
             let segments = self.writer.places(&ends);

@@ -110,7 +110,8 @@ export type ExportRequest = { what: "script" } | { items: string[]; file: string
 export type DoorEvent =
   | { kind: "busy"; version: number }
   | { kind: "state"; version: number }
-  | { kind: "connection"; isOpen: boolean };
+  /** `isForeign`: something else than the server of this page answers at its address. */
+  | { kind: "connection"; isOpen: boolean; isForeign?: boolean };
 
 /** A refusal whose message is meant for the person at the page. */
 export class DoorError extends Error {

@@ -81,8 +81,13 @@ export class HttpDoor implements Door {
         listener({ kind: "connection", isOpen: true });
       };
       stream.onerror = () => {
-        listener({ kind: "connection", isOpen: false });
         stream.close();
+        listener({ kind: "connection", isOpen: false });
+        // A stream does not tell why it was refused.
+        this.state().catch((trouble: unknown) => {
+          const isForeign = trouble instanceof DoorError && trouble.status === 403;
+          if (isForeign) listener({ kind: "connection", isOpen: false, isForeign });
+        });
         setTimeout(open, PAUSES[Math.min(n_failures++, PAUSES.length - 1)]);
       };
       addEventListener("pagehide", () => stream.close(), { once: true });

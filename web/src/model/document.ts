@@ -44,6 +44,8 @@ export class Document {
   readonly scene = new Signal<Scene | null>(null);
   readonly isBusy = new Signal(false);
   readonly isOnline = new Signal(true);
+  /** Whether another server answers in the place of the one that sent this page. */
+  isForeign = false;
   /** Paths of the selected items. */
   readonly selection = new Signal<ReadonlySet<string>>(new Set());
   /** Paths whose visibility the person chose. */
@@ -60,6 +62,8 @@ export class Document {
   /** When the newest state was told, arrived, had all its buffers, and was in the scene. */
   readonly times = { event: 0, state: 0, buffers: 0, scene: 0 };
   private loaded = -1;
+  /** The version that the door told last. */
+  private told = -1;
   private isStale = true;
   private isLoading = false;
   private awaiting: (() => void)[] = [];
@@ -77,7 +81,8 @@ export class Document {
     this.door.listen((event) => {
       if (event.kind === "connection") {
         // Behind a new connection may be a new server, which counts from the beginning.
-        if (event.isOpen && !this.isOnline.value) this.loaded = -1;
+        if (event.isOpen && !this.isOnline.value) this.loaded = this.told = -1;
+        this.isForeign = event.isForeign ?? false;
         this.isOnline.set(event.isOpen);
       } else if (event.kind === "busy") {
         this.isBusy.set(true);
@@ -85,6 +90,7 @@ export class Document {
         this.isBusy.set(false);
         if (event.version === this.loaded) return;
         this.times.event = now();
+        this.told = event.version;
         this.isStale = true;
         void this.refresh();
       }
@@ -172,11 +178,14 @@ export class Document {
       while (this.isStale) {
         this.isStale = false;
         const state = await this.door.state();
+        // What was told meanwhile is this very state, or one that it has overtaken.
+        if (this.told <= state.version && this.told >= 0) this.isStale = false;
         try {
           this.times.state = now();
           const buffers = await this.keeper.gather(state.items);
           this.times.buffers = now();
           this.loaded = state.version;
+          if (this.told === state.version) this.isStale = false;
           this.state.set(state);
           this.scene.set({ state, buffers });
           this.times.scene = now();

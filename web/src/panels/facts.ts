@@ -139,9 +139,15 @@ export class FactsPanel {
 export function expressionOf(hit: Hit): string {
   const { answer, item, parameters } = hit;
   if (answer?.expression) return answer.expression;
-  if (!parameters) return `(${pointOf(hit).map((value) => Number(value.toPrecision(9))).join(", ")})`;
+  if (!parameters) return `(${rounded(pointOf(hit)).join(", ")})`;
   const at = "u" in parameters ? [parameters.u, parameters.v] : [parameters.t];
   return `${item.path}(${at.map((value) => Number(value.toPrecision(6))).join(", ")})`;
+}
+
+/** A place in as many digits as the single precision of the picture has. */
+function rounded(point: Vector): number[] {
+  const unit = 10 ** (Math.floor(Math.log10(Math.max(...point.map(Math.abs), 1e-300))) - 6);
+  return point.map((value) => Number((Math.round(value / unit) * unit).toPrecision(7)) + 0);
 }
 
 /** Distance and difference of two places, with the angle between their normals in degrees. */

@@ -98,7 +98,7 @@ function status(doc: Document): HTMLElement {
     stop.hidden = kind !== "busy" || !doc.door.canEvaluate;
     const { evaluate = 0, mesh = 0 } = state?.milliseconds ?? {};
     text.textContent = {
-      offline: "no connection",
+      offline: doc.isForeign ? "the command was started anew: open the address that it printed" : "no connection",
       busy: "evaluating",
       error: n_errors === 1 ? "1 error" : n_errors > 0 ? `${n_errors} errors` : "not current",
       good: doc.door.canEvaluate && state ? `${Math.round(evaluate + mesh)} ms` : "",

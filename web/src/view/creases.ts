@@ -9,45 +9,92 @@ const CREASE = Math.cos((25 * Math.PI) / 180);
 export function creaseEnds({ positions, triangles }: Buffers): Float32Array {
   if (!positions || !triangles) return new Float32Array(0);
   const welded = weld(positions);
-  const n_vertices = positions.length / 3;
-  const faces = new Map<number, number>();
   const normals = faceNormals(positions, triangles);
-  const ends: number[] = [];
-  const draw = (edge: number): void => {
-    for (const i of [Math.floor(edge / n_vertices), edge % n_vertices]) ends.push(...positions.subarray(3 * i, 3 * i + 3));
-  };
+  // A table of edges with open addressing: both ends, and the face that came first; -1 where there were two.
+  const table = new EdgeTable(triangles.length);
+  const found: number[] = [];
   for (let t = 0; t < triangles.length; t += 3) {
     for (let k = 0; k < 3; k++) {
       const a = welded[triangles[t + k]];
       const b = welded[triangles[t + ((k + 1) % 3)]];
       if (a === b) continue;
-      const edge = Math.min(a, b) * n_vertices + Math.max(a, b);
-      const other = faces.get(edge);
-      if (other === undefined) {
-        faces.set(edge, t);
+      const slot = table.slot(Math.min(a, b), Math.max(a, b));
+      const other = table.face[slot];
+      if (other === NEW) {
+        table.face[slot] = t;
         continue;
       }
       // An edge of more than two faces is drawn at the third.
-      if (other < 0 || dot(normals, other, t) < CREASE) draw(edge);
-      faces.set(edge, -1);
+      if (other < 0 || dot(normals, other, t) < CREASE) found.push(slot);
+      table.face[slot] = DONE;
     }
   }
-  for (const [edge, face] of faces) if (face >= 0) draw(edge);
-  return new Float32Array(ends);
+  for (let slot = 0; slot < table.face.length; slot++) if (table.face[slot] >= 0) found.push(slot);
+  const ends = new Float32Array(6 * found.length);
+  found.forEach((slot, i) => {
+    ends.set(positions.subarray(3 * table.a[slot], 3 * table.a[slot] + 3), 6 * i);
+    ends.set(positions.subarray(3 * table.b[slot], 3 * table.b[slot] + 3), 6 * i + 3);
+  });
+  return ends;
+}
+
+const NEW = -2;
+const DONE = -1;
+
+class EdgeTable {
+  readonly a: Int32Array;
+  readonly b: Int32Array;
+  readonly face: Int32Array;
+  private readonly mask: number;
+
+  constructor(n_sides: number) {
+    const size = powerAbove(1.4 * n_sides);
+    this.mask = size - 1;
+    this.a = new Int32Array(size).fill(-1);
+    this.b = new Int32Array(size);
+    this.face = new Int32Array(size).fill(NEW);
+  }
+
+  /** Where the edge between two vertices stands, or will. */
+  slot(a: number, b: number): number {
+    const { mask } = this;
+    let slot = mixed(a, b, 0) & mask;
+    while (this.a[slot] !== -1 && (this.a[slot] !== a || this.b[slot] !== b)) slot = (slot + 1) & mask;
+    this.a[slot] = a;
+    this.b[slot] = b;
+    return slot;
+  }
 }
 
 /** The first vertex at the place of each vertex. */
 function weld(positions: Float32Array): Uint32Array {
   const bits = new Uint32Array(positions.buffer, positions.byteOffset, positions.length);
-  const first = new Map<string, number>();
   const welded = new Uint32Array(positions.length / 3);
+  const mask = powerAbove(1.4 * welded.length) - 1;
+  const table = new Int32Array(mask + 1).fill(-1);
   for (let i = 0; i < welded.length; i++) {
-    const place = `${bits[3 * i]} ${bits[3 * i + 1]} ${bits[3 * i + 2]}`;
-    let found = first.get(place);
-    if (found === undefined) first.set(place, (found = i));
-    welded[i] = found;
+    const [x, y, z] = [bits[3 * i], bits[3 * i + 1], bits[3 * i + 2]];
+    let slot = mixed(x, y, z) & mask;
+    let first = table[slot];
+    while (first !== -1 && (bits[3 * first] !== x || bits[3 * first + 1] !== y || bits[3 * first + 2] !== z)) {
+      slot = (slot + 1) & mask;
+      first = table[slot];
+    }
+    if (first === -1) table[slot] = first = i;
+    welded[i] = first;
   }
   return welded;
+}
+
+function powerAbove(n: number): number {
+  return 2 ** Math.max(4, Math.ceil(Math.log2(n + 1)));
+}
+
+/** Three integers into one that tells nothing of their order. */
+function mixed(x: number, y: number, z: number): number {
+  let h = Math.imul(x, 0x9e3779b1) ^ Math.imul(y, 0x85ebca6b) ^ Math.imul(z, 0xc2b2ae35);
+  h = Math.imul(h ^ (h >>> 15), 0x2c1b3c6d);
+  return (h ^ (h >>> 13)) >>> 0;
 }
 
 /** Unit normals of the faces, at the index of their first corner; of a face without area zero. */

@@ -10,6 +10,8 @@ import { colorOf, type Palette, raw } from "./theme";
 
 /** The colour that stands until the theme gives one. */
 const colorless = (): Palette["ink"] => raw(0x808080);
+/** Triangles of a mesh whose creases are found before its first frame. */
+const N_AT_ONCE = 50_000;
 const SURFACE_LINE = 1.25;
 const CURVE_LINE = 2.25;
 
@@ -64,7 +66,9 @@ export class DrawnItem {
   readonly group = new Group();
   private readonly surface: ShaderMaterial | null;
   private readonly body: Mesh | null = null;
-  private readonly edges: Mesh | null = null;
+  private edges: Mesh | null = null;
+  /** Whether its edges are still to be found, because there are too many triangles for one frame. */
+  isUnfinished = false;
   private readonly ownLine: ShaderMaterial | null;
   private readonly layers = new Map<Layer, Mesh | Points>();
   private combOf = "";
@@ -92,14 +96,20 @@ export class DrawnItem {
       this.group.add(this.body);
     }
     this.ownLine = geometry ? null : this.makeOwn();
-    const lines = shape.part("edges");
-    if (lines) {
-      this.edges = new Mesh(lines, this.ownLine ?? overlays.edge);
-      this.edges.renderOrder = 2;
-      this.group.add(this.edges);
-    }
+    this.isUnfinished = buffers.kind === "mesh" && (buffers.triangles?.length ?? 0) > 3 * N_AT_ONCE;
+    if (!this.isUnfinished) this.finish();
     const points = shape.points();
     if (points && this.ownLine) this.group.add(new Points(points, this.ownLine));
+  }
+
+  /** Adds the edges. */
+  finish(): void {
+    this.isUnfinished = false;
+    const lines = this.shape.part("edges");
+    if (!lines) return;
+    this.edges = new Mesh(lines, this.ownLine ?? this.overlays.edge);
+    this.edges.renderOrder = 2;
+    this.group.add(this.edges);
   }
 
   get hasSurface(): boolean {

@@ -27,13 +27,13 @@ export class ShellLines {
     shared: lineMaterial(raw(0x2e8b57), 3, 1, 0.0005),
     crowded: lineMaterial(raw(0x8e24aa), 4, 1, 0.0007),
   };
-  private made = "";
+  private made: string | null = null;
 
   /** Draws the edges of what is visible, or nothing. */
   show(isOn: boolean, drawn: DrawnItem[], box: Box3): void {
     this.group.visible = isOn;
     const visible = drawn.filter((one) => one.isVisible && one.hasSurface);
-    const wanted = isOn ? visible.map((one) => one.item.key).join(" ") : "";
+    const wanted = isOn ? visible.map((one) => one.item.key).join(" ") : null;
     if (wanted === this.made) return;
     this.made = wanted;
     for (const old of [...this.group.children]) {

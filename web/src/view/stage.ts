@@ -62,6 +62,8 @@ export class Stage {
   ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: "high-performance" });
     this.renderer.localClippingEnabled = true;
+    // Asking whether a program was made waits until it is.
+    this.renderer.debug.checkShaderErrors = false;
     this.renderer.setClearColor(0, 0);
     this.world.add(this.grid.mesh, this.models, this.ghosts, this.shell.group);
     this.world.matrixWorldAutoUpdate = true;
@@ -234,10 +236,18 @@ export class Stage {
     this.drawn = drawn;
     shared.fade.value = scene.state.isCurrent ? 0 : 1;
     this.restyle();
+    const unfinished = [...drawn.values()].filter((one) => one.isUnfinished);
+    // They would hold up the picture of what is there.
+    if (unfinished.length > 0) requestAnimationFrame(() => setTimeout(() => this.finish(unfinished)));
     if (!this.hasFitted && !this.box().isEmpty()) {
       this.hasFitted = true;
       this.rig.pose = this.rig.fitted(this.box());
     }
+  }
+
+  private finish(unfinished: DrawnItem[]): void {
+    for (const one of unfinished) if (this.drawn.get(one.item.path) === one) one.finish();
+    this.restyle();
   }
 
   private shapeOf(item: Item, buffers: ReadonlyMap<string, Shape["buffers"]>): Shape | null {
