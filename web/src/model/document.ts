@@ -5,7 +5,7 @@ import { Signal } from "../signal";
 import type { Buffers } from "./bytes";
 import { Keeper } from "./keeper";
 
-/** A state with the buffers of all its items: what can be drawn. */
+/** A state with the buffers of its visible items: what can be drawn. */
 export interface Scene {
   state: State;
   buffers: Map<string, Buffers>;
@@ -73,6 +73,7 @@ export class Document {
     forgotten: (key: string) => void,
   ) {
     this.keeper = new Keeper(door, forgotten);
+    this.choices.follow(() => void this.complete());
   }
 
   /** Asks for the first state and begins to follow the door. */
@@ -182,7 +183,7 @@ export class Document {
         if (this.told <= state.version && this.told >= 0) this.isStale = false;
         try {
           this.times.state = now();
-          const buffers = await this.keeper.gather(state.items);
+          const buffers = await this.keeper.gather(state.items.filter((item) => this.isVisible(item)));
           this.times.buffers = now();
           this.loaded = state.version;
           if (this.told === state.version) this.isStale = false;
@@ -203,6 +204,17 @@ export class Document {
     } finally {
       this.isLoading = false;
     }
+  }
+
+  /** Fetches what has become visible; a state that comes meanwhile brings its own. */
+  private async complete(): Promise<void> {
+    const scene = this.scene.value;
+    const wanted = scene?.state.items.filter((item) => this.isVisible(item)) ?? [];
+    if (!scene || wanted.every(({ key }) => scene.buffers.has(key))) return;
+    const buffers = await this.attempt(this.keeper.gather(wanted));
+    if (!buffers || this.scene.value !== scene) return;
+    this.scene.set({ state: scene.state, buffers });
+    this.pin();
   }
 
   private pin(): void {
