@@ -1,5 +1,6 @@
-// Pictures of the window, as a person sees it: `node picture.mjs SCRIPT.geo PICTURE.png [COMMAND-ID …]`.
-// The commands are those of the tool bar (data-command) or of the analyses (data-shade), carried out in turn.
+// Pictures of the window, as a person sees it: `node picture.mjs SCRIPT.geo PICTURE.png [COMMAND …]`.
+// COMMANDs are buttons of the tool bar (data-command) or of the analyses (data-shade), pressed one after another, or
+// `key:` and a key. The picture of the README: `node picture.mjs ../examples/bottle.geo ../docs/view.png grid zebra`.
 
 import { closeBrowser, openBrowser, openPage, serveFile } from "./test/harness.mjs";
 
@@ -8,13 +9,13 @@ if (!picture) throw new Error("node picture.mjs SCRIPT.geo PICTURE.png [COMMAND 
 await openBrowser();
 const served = await serveFile(script);
 try {
-  const page = await openPage(served.url);
-  await page.emulateMediaFeatures([
-    { name: "prefers-reduced-motion", value: "reduce" },
-    { name: "prefers-color-scheme", value: "light" },
-  ]);
-  for (const command of commands) await page.click(`[data-command="${command}"], [data-shade="${command}"]`);
+  const page = await openPage(served.url, { width: 1080, height: 660 });
+  for (const command of commands) {
+    if (command.startsWith("key:")) await page.keyboard.press(command.slice(4));
+    else await page.click(`[data-command="${command}"], [data-shade="${command}"]`);
+  }
   await page.mouse.move(0, 0);
+  await page.waitForFunction(() => window.virote.isReady);
   await page.evaluate(() => new Promise((done) => setTimeout(done, 500)));
   await page.screenshot({ path: picture });
   if (page.faults.length > 0) throw new Error(page.faults.join("\n"));

@@ -39,16 +39,19 @@ export async function closeBrowser() {
   await browser?.close();
 }
 
-/** A page of 1000 by 700 pixels that has drawn its model; its errors are collected in `page.faults`. */
-export async function openPage(url) {
+/** A page that has drawn its model; its errors are collected in `page.faults`. */
+export async function openPage(url, size = { width: 1200, height: 700 }) {
   const page = await browser.newPage();
   page.faults = [];
   page.on("pageerror", (fault) => page.faults.push(fault.message));
   page.on("console", (message) => {
     if (message.type() === "error" && !message.text().includes("Failed to load resource")) page.faults.push(message.text());
   });
-  await page.setViewport({ width: 1200, height: 700 });
-  await page.emulateMediaFeatures([{ name: "prefers-reduced-motion", value: "reduce" }]);
+  await page.setViewport(size);
+  await page.emulateMediaFeatures([
+    { name: "prefers-reduced-motion", value: "reduce" },
+    { name: "prefers-color-scheme", value: "light" },
+  ]);
   await page.goto(url);
   await page.waitForFunction(() => window.virote?.isReady, WAIT);
   return page;

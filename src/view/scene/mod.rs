@@ -3,6 +3,7 @@
 mod bytes;
 mod encode;
 mod memory;
+mod meshes;
 mod parts;
 
 use std::sync::Arc;
@@ -19,7 +20,7 @@ use crate::{
     diag::{Diagnostic, Span, fault},
     eval::Defined,
     kernel::{
-        Bounds, Mesh, TessellationOptions, tessellate_all, tessellate_any,
+        Bounds, Mesh,
         tolerance::{DEFAULT_CHORD_RELATIVE, VIEW_ANGLE},
     },
     limits::work,
@@ -84,7 +85,7 @@ impl Scene {
             .collect();
         let made = side_by_side(&missing, session, |definition| {
             let pieces = parts::pieces(definition.value);
-            (pieces.clone(), meshes(&pieces, session, &fineness))
+            (pieces.clone(), meshes::meshes(&pieces, session, &fineness))
         })?;
         let parts = made.into_iter().zip(&missing).flat_map(|((pieces, meshes), definition)| {
             let parts = pieces.into_iter().zip(meshes);
@@ -173,44 +174,6 @@ fn fineness(report: &Report, session: &Session, bounds: Option<Bounds>) -> Finen
         weld: report.document.1.distance,
         most: session.limits().mesh_vertices,
     }
-}
-
-/// The meshes of the surfaces among the pieces, which share the vertices on common edges; where they
-/// have none together, each alone.
-fn meshes(
-    pieces: &[Piece],
-    session: &Session,
-    fineness: &Fineness,
-) -> Vec<Result<Option<Mesh>, String>> {
-    let options = TessellationOptions {
-        angle: fineness.angle,
-        weld: fineness.weld,
-        ..TessellationOptions::within(fineness.chord)
-    };
-    let surfaces: Vec<_> =
-        pieces.iter().flat_map(|piece| piece.shape.surfaces()).cloned().collect();
-    let together = told(session, || tessellate_all(&surfaces, &options, fineness.most));
-    if let Ok(meshes) = together {
-        let mut meshes = meshes.into_iter();
-        let of_piece = |piece: &Piece| {
-            let n_meshes = piece.shape.surfaces().len();
-            let own: Vec<Mesh> = meshes.by_ref().take(n_meshes).collect();
-            let merged =
-                || Mesh::merged(&own, fineness.most).map(Some).map_err(|err| err.to_string());
-            if n_meshes == 0 { Ok(None) } else { merged() }
-        };
-        return pieces.iter().map(of_piece).collect();
-    }
-    let alone = |piece: &Piece| {
-        let surfaces = piece.shape.surfaces();
-        if surfaces.is_empty() {
-            return Ok(None);
-        }
-        let mesh = |surface| told(session, || tessellate_any(surface, &options, fineness.most));
-        let meshes: Result<Vec<Mesh>, String> = surfaces.iter().map(mesh).collect();
-        Mesh::merged(&meshes?, fineness.most).map(Some).map_err(|err| err.to_string())
-    };
-    pieces.iter().map(alone).collect()
 }
 
 /// What geometry answers within the ceilings of the session; else why not, in words.

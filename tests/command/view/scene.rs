@@ -144,3 +144,16 @@ fn what_cannot_be_drawn_is_told_and_the_rest_is_drawn() {
     let state = empty.current();
     assert_eq!([&state["items"], &state["bounds"]], [&json!([]), &json!(null)]);
 }
+
+#[test]
+fn a_surface_with_very_many_bends_is_drawn_with_as_many_triangles_as_a_screen_can_bear() {
+    // Normals that turn 5 degrees at most would take 388,000 vertices.
+    let view = View::of(
+        "many-bends",
+        "surface s = revolve(bspline([for i in 0..300: (20 + i % 2, 0, i / 2)]))\n",
+    );
+    let state = view.current();
+    assert_eq!(state["diagnostics"], json!([]));
+    let n_points = told(&state, "s")["facts"]["points"].as_u64().expect("a number");
+    assert!((10_000..150_000).contains(&n_points), "{n_points}");
+}

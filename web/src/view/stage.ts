@@ -25,6 +25,8 @@ const TURN = 260;
 /** Share of the model's size that the longest tooth of a comb has at scale 1. */
 const COMB_SHARE = 0.12;
 const NORMAL_SHARE = 0.03;
+/** Share of its size that a model is thick at least, to be first seen from aside. */
+const FLAT = 1e-6;
 
 export class Stage {
   readonly rig = new Rig();
@@ -241,7 +243,8 @@ export class Stage {
     if (unfinished.length > 0) requestAnimationFrame(() => setTimeout(() => this.finish(unfinished)));
     if (!this.hasFitted && !this.box().isEmpty()) {
       this.hasFitted = true;
-      this.rig.pose = this.rig.fitted(this.box());
+      const box = this.box();
+      this.rig.pose = this.rig.fitted(box, flatView(box));
     }
   }
 
@@ -361,4 +364,13 @@ export class Stage {
     if (settings.light === "view") shared.light.value.set(0, 0, 1);
     else shared.light.value.copy(seen(settings.light));
   }
+}
+
+/** A drawing in one plane of the axes is first seen from the front. */
+function flatView(box: Box3): [number, number] | undefined {
+  const size = box.getSize(new Vector3());
+  const least = FLAT * Math.max(size.x, size.y, size.z);
+  if (size.z < least) return NAMED_VIEWS.top;
+  if (size.y < least) return NAMED_VIEWS.front;
+  return size.x < least ? NAMED_VIEWS.right : undefined;
 }
