@@ -60,7 +60,10 @@ export class DeviationMap extends Signal<Measured> {
         n++;
       }
     }
-    return n > 0 ? { least, most, mean: sum / n } : null;
+    // What rounding leaves of nothing is nothing.
+    const reach = Math.max(Math.abs(least), Math.abs(most));
+    const clean = (value: number): number => (Math.abs(value) < 1e-9 * reach ? 0 : value);
+    return n > 0 ? { least: clean(least), most: clean(most), mean: sum / n } : null;
   }
 
   private async renew(): Promise<void> {

@@ -158,5 +158,5 @@ export function figure(value: number, n_digits = 4): string {
   const text = Math.abs(value) >= 1e5 || (value !== 0 && Math.abs(value) < 1e-3)
     ? value.toExponential(n_digits - 2).replace("e+", "e")
     : String(Number(value.toPrecision(n_digits)));
-  return text.replace("-", "−");
+  return text.replaceAll("-", "−");
 }

@@ -69,7 +69,7 @@ export function legend(doc: Document, stage: Stage, settings: SettingsSignal, de
   dragEnds(bar, stage);
   for (const [field, which] of [[most, "most"], [least, "least"]] as const) {
     field.addEventListener("change", () => {
-      const value = Number(field.value.replace("−", "-"));
+      const value = Number(field.value.replaceAll("−", "-"));
       const range = { ...stage.range.value, [which]: value, isAutomatic: false };
       if (Number.isFinite(value) && range.least < range.most) stage.range.set(range);
       field.blur();

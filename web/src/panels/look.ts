@@ -96,6 +96,10 @@ export class LookPanel {
       text.hidden = lengths === null;
       if (!lengths) return;
       const unit = this.doc.state.value?.unit ?? "";
+      if (lengths.open + lengths.shared + lengths.crowded === 0) {
+        text.textContent = "Nothing is open: the edges of each item meet one another.";
+        return;
+      }
       const parts = [`Open edges (red) ${figure(lengths.open)} ${unit}`, `shared (green) ${figure(lengths.shared)} ${unit}`];
       if (lengths.crowded > 0) parts.push(`of more than two faces (purple) ${figure(lengths.crowded)} ${unit}`);
       text.textContent = `${parts.join(", ")}.`;

@@ -80,7 +80,8 @@ function hitShapes(stage: Stage, hit: Hit): SVGElement[] {
 /** A place that a failed claim tells of: a ring around it, seen through everything. */
 function claimShapes(stage: Stage, point: Vector): SVGElement[] {
   const { x, y } = stage.rig.project(new Vector3(...point));
-  return [svg("circle", { class: "claim-ring", cx: x, cy: y, r: 11 }), dot(stage, point, "claimed")];
+  const ring = (kind: string): SVGElement => svg("circle", { class: kind, cx: x, cy: y, r: 11 });
+  return [ring("claim-halo"), ring("claim-ring"), dot(stage, point, "claimed")];
 }
 
 function dot(stage: Stage, point: Vector, kind: string): SVGElement {

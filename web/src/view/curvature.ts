@@ -7,8 +7,8 @@ export type CurvatureShade = "gauss" | "mean" | "k1" | "k2";
 /** What is shown by colours between two numbers. */
 export type MapShade = CurvatureShade | "deviation";
 const N_SAMPLES = 20_000;
-/** Share of the samples that may lie outside on either side. */
-const TAIL = 0.02;
+/** Share of the area whose values may lie outside. */
+const TAIL = 0.03;
 
 export function isCurvature(shade: Shade): shade is CurvatureShade {
   return shade === "gauss" || shade === "mean" || shade === "k1" || shade === "k2";
@@ -25,24 +25,39 @@ export function deviationRange(all: Iterable<Float32Array>): [number, number] {
   return reach > 0 ? [-rounded(reach), rounded(reach)] : [-1, 1];
 }
 
-/** Least and greatest of what the legend shows, about zero where both signs occur. */
+/** Least and greatest of what the legend shows, about zero: all but a small part of the area lies between. */
 export function curvatureRange(all: Iterable<Buffers>, shade: CurvatureShade): [number, number] {
-  const samples: number[] = [];
-  const buffers = [...all].filter((one) => one.curvatures);
-  const n_values = buffers.reduce((n, one) => n + one.curvatures!.length / 2, 0);
-  const step = Math.max(1, Math.floor(n_values / N_SAMPLES));
-  for (const { curvatures } of buffers) {
-    for (let i = 0; i < curvatures!.length; i += 2 * step) {
-      const value = valueOf(shade, curvatures![i], curvatures![i + 1]);
-      if (Number.isFinite(value)) samples.push(value);
+  const samples: [number, number][] = [];
+  const buffers = [...all].filter((one) => one.curvatures && one.positions && one.triangles);
+  const n_triangles = buffers.reduce((n, one) => n + one.triangles!.length / 3, 0);
+  const step = Math.max(1, Math.floor(n_triangles / N_SAMPLES));
+  let whole = 0;
+  for (const { curvatures, positions, triangles } of buffers) {
+    for (let t = 0; t + 2 < triangles!.length; t += 3 * step) {
+      const corners = [triangles![t], triangles![t + 1], triangles![t + 2]];
+      const [a, b, c] = corners.map((i) => Math.abs(valueOf(shade, curvatures![2 * i], curvatures![2 * i + 1])));
+      const value = (a + b + c) / 3;
+      const area = areaOf(positions!, corners);
+      if (!Number.isFinite(value) || !(area > 0)) continue;
+      samples.push([value, area]);
+      whole += area;
     }
   }
-  if (samples.length === 0) return [-1, 1];
-  samples.sort((a, b) => a - b);
-  const at = (share: number): number => samples[Math.round(share * (samples.length - 1))];
-  const reach = Math.max(Math.abs(at(TAIL)), Math.abs(at(1 - TAIL)));
-  if (!(reach > 0)) return [-1, 1];
-  return [-rounded(reach), rounded(reach)];
+  samples.sort((a, b) => a[0] - b[0]);
+  let [reach, sum] = [0, 0];
+  for (const [value, area] of samples) {
+    if (reach > 0 && sum > (1 - TAIL) * whole) break;
+    reach = value;
+    sum += area;
+  }
+  return reach > 0 ? [-rounded(reach), rounded(reach)] : [-1, 1];
+}
+
+/** Twice the area of a triangle. */
+function areaOf(p: Float32Array, [i, j, k]: number[]): number {
+  const side = (from: number, to: number): number[] => [0, 1, 2].map((axis) => p[3 * to + axis] - p[3 * from + axis]);
+  const [[ux, uy, uz], [vx, vy, vz]] = [side(i, j), side(i, k)];
+  return Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
 }
 
 function valueOf(shade: CurvatureShade, k1: number, k2: number): number {
