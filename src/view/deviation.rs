@@ -1,8 +1,6 @@
 //! How far the vertices of one item are from others, for a map of the deviation: by the kernel's nearest
 //! places, never by the pictures of the others.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 use serde_json::Value as Json;
 
@@ -22,19 +20,18 @@ const PART: usize = 256;
 pub(super) fn deviation(body: &Json, doors: &Doors) -> Result<Vec<f64>, String> {
     let item = body["item"].as_str().ok_or("`item` must be a key")?;
     let shape = |key: &str| {
-        let found = doors
-            .hub
-            .with_item(key, |item, _| (item.piece.shape.clone(), Arc::clone(&item.encoded)));
+        let found =
+            doors.hub.with_item(key, |item, _| (item.piece.shape.clone(), item.source.clone()));
         found.ok_or("an item is not known any more")
     };
-    let (shape_of_item, encoded) = shape(item)?;
+    let (shape_of_item, source) = shape(item)?;
     let from = keys_of(&body["from"])?;
     let from = from.into_iter().map(shape).collect::<Result<Vec<_>, _>>()?;
     let datums = told(&doors.session, || datums(from.iter().map(|(shape, _)| shape)))?;
     if datums.is_empty() {
         return Err("a deviation is measured from a surface or a mesh".to_owned());
     }
-    let parts = places(&shape_of_item, &encoded)?;
+    let parts = places(&shape_of_item, &source.item(&doors.session))?;
     let measured = side_by_side(&parts, &doors.session, |part| {
         let distance = |place: &Place| {
             let point = place.point(&shape_of_item)?;

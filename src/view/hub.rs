@@ -7,7 +7,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use super::scene::{EncodedItem, Scene, SceneItem};
+use super::scene::{ItemSource, Scene, SceneItem};
 use crate::{eval::Setting, limits::work::StopToken, session::Report};
 
 /// How long a run may go on when a newer setting waits: what is dragged is to be seen on the way.
@@ -168,13 +168,13 @@ impl Hub {
     }
 
     /// The items of this state and of the one before.
-    pub(super) fn items_by_key(&self) -> BTreeMap<Arc<str>, Arc<EncodedItem>> {
+    pub(super) fn items_by_key(&self) -> BTreeMap<Arc<str>, ItemSource> {
         let states = {
             let state = self.lock();
             [Arc::clone(&state.before), Arc::clone(&state.shown)]
         };
         let items = states.iter().flat_map(|shown| &shown.scene.items);
-        items.map(|item| (Arc::clone(&item.key), Arc::clone(&item.encoded))).collect()
+        items.map(|item| (Arc::clone(&item.key), item.source.clone())).collect()
     }
 
     /// Changes the settings; a run with them is wanted.

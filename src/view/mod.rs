@@ -106,7 +106,10 @@ impl SinglePage {
         let page = |shown: &Shown| {
             let state = serde_json::from_slice(&shown.state).unwrap_or_default();
             let items = shown.scene.items.iter();
-            let bytes = |item: &SceneItem| (item.key.to_string(), Arc::clone(&item.encoded.bytes));
+            let bytes = |item: &SceneItem| {
+                let made = item.source.item(&worker.session);
+                (item.key.to_string(), Arc::clone(&made.bytes))
+            };
             page::single(&state, &items.map(bytes).collect::<Vec<_>>())
         };
         let text = shown.as_ref().filter(|shown| shown.is_current).map(page);

@@ -66,8 +66,8 @@ fn not_found() -> Response {
 }
 
 fn item(key: &str, doors: &Doors) -> Response {
-    let found = doors.hub.with_item(key, |item, _| Arc::clone(&item.encoded));
-    found.map_or_else(not_found, |encoded| Response::lasting(Arc::clone(&encoded.bytes)))
+    let found = doors.hub.with_item(key, |item, _| item.source.item(&doors.session));
+    found.map_or_else(not_found, |item| Response::lasting(Arc::clone(&item.bytes)))
 }
 
 /// What an address answers with numbers instead of JSON; `None` of any other.
@@ -85,7 +85,11 @@ fn items(body: &Json, doors: &Doors) -> Result<Response, String> {
     let known = doors.hub.items_by_key();
     let found: Vec<Arc<Vec<u8>>> = keys_of(&body["items"])?
         .iter()
-        .map(|key| known.get(*key).map_or_else(Arc::default, |item| Arc::clone(&item.bytes)))
+        .map(|key| known.get(*key))
+        .map(|source| {
+            let item = source.map(|source| source.item(&doors.session));
+            item.map_or_else(Arc::default, |item| Arc::clone(&item.bytes))
+        })
         .collect();
     let mut head: Vec<u8> = (found.len() as u32).to_le_bytes().to_vec();
     head.extend(found.iter().flat_map(|bytes| (bytes.len() as u32).to_le_bytes()));

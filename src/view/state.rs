@@ -101,8 +101,8 @@ fn items(report: &Report, scene: &Scene) -> Json {
             "isHidden": defined.look.is_hidden,
             "isExported": item.is_exported,
             "isShown": item.is_shown,
-            "facts": item.encoded.facts,
-            "bounds": bounds_json(item.encoded.bounds),
+            "facts": item.source.facts(),
+            "bounds": bounds_json(item.source.bounds()),
             "span": place(defined.span, &report.sources),
         })
     };

@@ -97,6 +97,40 @@ pub(super) fn encoded(
     Ok(EncodedItem { bytes: Arc::new(item.writer.finish()), facts: item.facts, bounds })
 }
 
+/// The item of a shape that cannot be drawn, with the reason.
+pub(super) fn empty(shape: &Shape, why: &str) -> EncodedItem {
+    let bounds = shape.bounds();
+    let mut writer = ItemWriter::new(shape.kind(), bounds.map_or(DVec3::ZERO, Bounds::center));
+    writer.set("trouble", json!(why));
+    EncodedItem { bytes: Arc::new(writer.finish()), facts: facts_of(shape), bounds }
+}
+
+/// What can be told of a shape without its triangles.
+pub(super) fn facts_of(shape: &Shape) -> Map<String, Json> {
+    let mut facts = Map::new();
+    let mut tell = |name: &str, value: Json| facts.insert(name.to_owned(), value);
+    match shape {
+        Shape::Surface(Surface::Nurbs(surface)) => {
+            let net = surface.points();
+            tell("degree", json!(format!("{} x {}", surface.degree_u(), surface.degree_v())));
+            tell("controlPoints", json!(format!("{} x {}", net.n_rows(), net.n_columns())));
+            tell("rational", json!(surface.is_rational()));
+        }
+        Shape::Surface(Surface::Parametric(_)) => {
+            tell("form", json!("parametric"));
+        }
+        Shape::Surfaces(surfaces) => {
+            tell("surfaces", json!(surfaces.len()));
+        }
+        Shape::Mesh(mesh) => {
+            tell("triangles", json!(mesh.n_triangles()));
+            tell("points", json!(mesh.n_vertices()));
+        }
+        _ => {}
+    }
+    facts
+}
+
 struct EncodingItem {
     writer: ItemWriter,
     facts: Map<String, Json>,

@@ -9,6 +9,7 @@ use std::{
 
 use super::{
     DefinitionItems, SceneDefinition,
+    deferred::ItemSource,
     encode::{EncodedItem, Fineness},
     parts::{self, Piece},
 };
@@ -64,9 +65,10 @@ impl ItemMemory {
         whole(false).or_else(|| whole(true))
     }
 
-    /// Whether the items of a definition are there.
-    pub(super) fn knows(&self, identity: u64, fineness: &Fineness) -> bool {
-        self.items.contains_key(&named(identity, fineness))
+    /// Whether the items of a definition are there, and made where they are shown.
+    pub(super) fn knows(&self, identity: u64, fineness: &Fineness, is_shown: bool) -> bool {
+        let found = self.items.get(&named(identity, fineness));
+        found.is_some_and(|its| !(is_shown && its.is_deferred()))
     }
 
     pub(super) fn keep(&mut self, identity: u64, fineness: &Fineness, items: DefinitionItems) {
@@ -78,12 +80,12 @@ impl ItemMemory {
         &mut self,
         identity: u64,
         fineness: &Fineness,
-        piece: Piece,
+        (number, piece): (usize, Piece),
         item: Result<EncodedItem, String>,
     ) {
         let Some(kept) = self.items.get_mut(&named(identity, fineness)) else { return };
         match item {
-            Ok(item) => kept.items.push((piece, Arc::new(item))),
+            Ok(item) => kept.items.push((number, piece, ItemSource::Made(Arc::new(item)))),
             Err(why) => kept.troubles.push(format!("{}` cannot be drawn: {why}", piece.path)),
         }
     }

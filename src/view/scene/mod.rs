@@ -1,6 +1,7 @@
 //! The scene: what of a script's definitions is seen, each item with a key and its bytes.
 
 mod bytes;
+mod deferred;
 mod encode;
 mod memory;
 mod meshes;
@@ -10,7 +11,9 @@ use std::sync::Arc;
 
 use serde_json::json;
 
+use self::deferred::DeferredItems;
 pub(crate) use self::{
+    deferred::ItemSource,
     encode::{EncodedItem, Fineness},
     memory::ItemMemory,
     parts::{Piece, Shape},
@@ -40,7 +43,7 @@ pub(crate) struct SceneItem {
     pub(crate) piece: Piece,
     pub(crate) is_exported: bool,
     pub(crate) is_shown: bool,
-    pub(crate) encoded: Arc<EncodedItem>,
+    pub(crate) source: ItemSource,
 }
 
 /// The items of a script that has no errors.
@@ -55,8 +58,24 @@ pub(crate) struct Scene {
 /// The items of one definition, remembered by its identity.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct DefinitionItems {
-    items: Vec<(Piece, Arc<EncodedItem>)>,
+    /// Each with the number of its piece among all of the definition.
+    items: Vec<(usize, Piece, ItemSource)>,
     troubles: Vec<String>,
+}
+
+impl DefinitionItems {
+    /// Pieces that are made when somebody asks for them.
+    fn deferred(pieces: Vec<Piece>, fineness: &Fineness) -> Self {
+        let all = Arc::new(DeferredItems::new(pieces, *fineness));
+        let source = |i: usize| ItemSource::Deferred(Arc::clone(&all), i);
+        let items = all.pieces.iter().enumerate();
+        let items = items.map(|(i, piece)| (i, piece.clone(), source(i))).collect();
+        Self { items, troubles: Vec::new() }
+    }
+
+    fn is_deferred(&self) -> bool {
+        self.items.iter().any(|(_, _, source)| matches!(source, ItemSource::Deferred(..)))
+    }
 }
 
 /// A definition on its way into the scene.
@@ -66,6 +85,8 @@ struct SceneDefinition<'a> {
     value: &'a Value,
     /// Its identity; one that no other has where the session gives none.
     identity: u64,
+    is_exported: bool,
+    is_shown: bool,
 }
 
 impl Scene {
@@ -81,18 +102,19 @@ impl Scene {
         let fineness = fineness(report, session, scene.bounds);
         let missing: Vec<&SceneDefinition<'_>> = definitions
             .iter()
-            .filter(|definition| !memory.knows(definition.identity, &fineness))
+            .filter(|its| !memory.knows(its.identity, &fineness, its.is_shown))
             .collect();
+        let missing = deferred(missing, memory, &fineness);
         let made = side_by_side(&missing, session, |definition| {
             let pieces = parts::pieces(definition.value);
             (pieces.clone(), meshes::meshes(&pieces, session, &fineness))
         })?;
         let parts = made.into_iter().zip(&missing).flat_map(|((pieces, meshes), definition)| {
-            let parts = pieces.into_iter().zip(meshes);
+            let parts = pieces.into_iter().enumerate().zip(meshes);
             parts.map(|(piece, mesh)| (definition.identity, piece, mesh)).collect::<Vec<_>>()
         });
-        let parts: Vec<(u64, Piece, Result<Option<Mesh>, String>)> = parts.collect();
-        let encoded = side_by_side(&parts, session, |(_, piece, mesh)| {
+        let parts: Vec<(u64, (usize, Piece), Result<Option<Mesh>, String>)> = parts.collect();
+        let encoded = side_by_side(&parts, session, |(_, (_, piece), mesh)| {
             let mesh = mesh.clone()?;
             told(session, || encode::encoded(&piece.shape, mesh, &fineness))
         })?;
@@ -102,32 +124,24 @@ impl Scene {
         for ((identity, piece, _), item) in parts.into_iter().zip(encoded) {
             memory.add(identity, &fineness, piece, item);
         }
-        scene.fill(report, &definitions, memory, &fineness);
+        scene.fill(&definitions, memory, &fineness);
         Some(scene)
     }
 
     /// Takes the items of all definitions from the memory.
     fn fill(
         &mut self,
-        report: &Report,
         definitions: &[SceneDefinition<'_>],
         memory: &mut ItemMemory,
         fineness: &Fineness,
     ) {
-        let exports = exported(report);
-        let is_exported =
-            |definition: &SceneDefinition<'_>| exports.contains(definition.defined.name.as_str());
-        // As a picture of the script shows what it exports, if it exports geometry.
-        let shown = |definition: &SceneDefinition<'_>| !definition.defined.look.is_hidden;
-        let has_exports = definitions.iter().any(|its| shown(its) && is_exported(its));
         for definition in definitions {
             let Some((base, kept)) = memory.take(definition.identity, fineness) else { continue };
             let name = &definition.defined.name;
             let span = definition.defined.span;
             let troubles = kept.troubles.iter().map(|text| format!("`{name}{text}"));
             self.troubles.extend(troubles.map(|text| (span, text)));
-            let is_exported = is_exported(definition);
-            for (i, (piece, encoded)) in kept.items.iter().enumerate() {
+            for (i, piece, source) in &kept.items {
                 if MOST_ITEMS <= self.items.len() {
                     let text = format!(
                         "the scene has more than {MOST_ITEMS} items; the rest is not drawn"
@@ -139,9 +153,9 @@ impl Scene {
                     key: format!("{base}-{i:x}").into(),
                     definition: definition.number,
                     piece: piece.clone(),
-                    is_exported,
-                    is_shown: shown(definition) && (is_exported || !has_exports),
-                    encoded: Arc::clone(encoded),
+                    is_exported: definition.is_exported,
+                    is_shown: definition.is_shown,
+                    source: source.clone(),
                 });
             }
         }
@@ -153,13 +167,40 @@ fn definitions(report: &Report) -> Vec<SceneDefinition<'_>> {
     // `drawable` goes through the definitions in their order.
     let mut numbers = (0..report.definitions.len()).peekable();
     let mut found = Vec::new();
+    let exports = exported(report);
     for (defined, value) in drawable(report) {
         let is_it = |&number: &usize| std::ptr::eq(&raw const report.definitions[number], defined);
         let Some(number) = numbers.by_ref().find(is_it) else { break };
         let identity = defined.identity.unwrap_or(u64::MAX - number as u64);
-        found.push(SceneDefinition { number, defined, value, identity });
+        let is_exported = exports.contains(defined.name.as_str());
+        let is_shown = !defined.look.is_hidden;
+        found.push(SceneDefinition { number, defined, value, identity, is_exported, is_shown });
+    }
+    // As a picture of the script shows what it exports, if it exports geometry.
+    if found.iter().any(|its| its.is_shown && its.is_exported) {
+        found.iter_mut().for_each(|its| its.is_shown &= its.is_exported);
     }
     found
+}
+
+/// Those whose items are made now; surfaces that are not shown wait in the memory.
+fn deferred<'a, 'd>(
+    missing: Vec<&'d SceneDefinition<'a>>,
+    memory: &mut ItemMemory,
+    fineness: &Fineness,
+) -> Vec<&'d SceneDefinition<'a>> {
+    let now = |definition: &&SceneDefinition<'_>| {
+        if definition.is_shown {
+            return true;
+        }
+        let pieces = parts::pieces(definition.value);
+        if pieces.iter().all(|piece| piece.shape.surfaces().is_empty()) {
+            return true;
+        }
+        memory.keep(definition.identity, fineness, DefinitionItems::deferred(pieces, fineness));
+        false
+    };
+    missing.into_iter().filter(now).collect()
 }
 
 /// How fine a scene of this size is drawn. The size is a power of two, so that what grows a little

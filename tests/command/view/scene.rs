@@ -157,3 +157,26 @@ fn a_surface_with_very_many_bends_is_drawn_with_as_many_triangles_as_a_screen_ca
     let n_points = told(&state, "s")["facts"]["points"].as_u64().expect("a number");
     assert!((10_000..150_000).contains(&n_points), "{n_points}");
 }
+
+#[test]
+fn what_the_script_does_not_show_is_meshed_when_somebody_asks() {
+    let script = "surface ball = sphere((0, 0), 2)\nmesh low = tessellate(ball)\n\
+                  surfaces two = [sphere((9, 0), 1), bilinear((0, 0), (0, 1), (1, 0), (1, 1))]\n\
+                  export low to \"low.stl\"\n";
+    let view = View::of("deferred", script);
+    let state = view.current();
+    assert_eq!([&told(&state, "ball")["isShown"], &told(&state, "low")["isShown"]], [false, true]);
+    let facts = &told(&state, "ball")["facts"];
+    assert_eq!([&facts["degree"], &facts["triangles"]], [&json!("2 x 2"), &json!(null)]);
+    let ball = view.item(&state, "ball");
+    assert!(100 < ball.triangles().len());
+    let radius = |place: [f64; 3]| place.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let places = ball.places(&ball.header["positions"]);
+    assert!(places.into_iter().all(|place| (radius(place) - 2.0).abs() < 1e-6));
+    assert_eq!(view.item(&state, "two[1]").triangles().len(), 2);
+    // The next script shows it: what was made for nobody is in sight.
+    view.save(&script.replace("export low to \"low.stl\"\n", ""));
+    let shown = view.after(&state);
+    assert_eq!(told(&shown, "ball")["isShown"], json!(true));
+    assert_eq!(view.item(&shown, "ball").triangles(), ball.triangles());
+}
