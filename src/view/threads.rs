@@ -39,5 +39,7 @@ pub(super) fn side_by_side<T: Sync, R: Send>(
     });
     let mut done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
     done.sort_by_key(|(place, _)| *place);
-    (done.len() == all.len()).then(|| done.into_iter().map(|(_, result)| result).collect())
+    // What was at work when it was stopped came to less than it should.
+    (done.len() == all.len() && !session.is_stopped())
+        .then(|| done.into_iter().map(|(_, result)| result).collect())
 }
