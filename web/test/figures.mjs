@@ -7,7 +7,7 @@ import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { gzipSync } from "node:zlib";
 
-import { closeBrowser, command, openBrowser, openPage, serveFile } from "./harness.mjs";
+import { closeBrowser, command, openBrowser, openPage, replace, serveFile } from "./harness.mjs";
 
 const examples = resolve(import.meta.dirname, "../../examples");
 const folder = mkdtempSync(join(tmpdir(), "virote-figures-"));
@@ -90,7 +90,7 @@ async function saves(path, changes) {
     await pause(700);
     const version = await page.evaluate(() => window.virote.stateVersion);
     const start = now();
-    writeFileSync(path, next);
+    replace(path, next);
     await page.waitForFunction((old) => window.virote.stateVersion > old && window.virote.times.drawn > window.virote.times.scene, { polling: 5 }, version);
     const times = await page.evaluate(() => window.virote.times);
     for (const name of ["event", "scene", "drawn"]) found[name].push(times[name] - start);

@@ -1,7 +1,7 @@
 // What the tests of the page share: the command, a folder for its script, and a browser.
 
 import { spawn, spawnSync } from "node:child_process";
-import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import puppeteer from "puppeteer-core";
@@ -67,12 +67,18 @@ export async function serve(text, more = []) {
     ...served,
     folder,
     read: () => readFileSync(script, "utf8"),
-    save: (next) => writeFileSync(script, next),
+    save: (next) => replace(script, next),
     end() {
       served.end();
       rmSync(folder, { recursive: true, force: true });
     },
   };
+}
+
+/** Puts a new text in the place of the old one at once, so that nobody reads half of it. */
+export function replace(path, text) {
+  writeFileSync(`${path}.new`, text);
+  renameSync(`${path}.new`, path);
 }
 
 /** Serves the script of a path until `end` is called. */
