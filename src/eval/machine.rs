@@ -26,7 +26,7 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Result, Span, fault},
     limits::Ceiling,
-    value::{At, Function, Value, Witness, field, field_names},
+    value::{Function, Value, Witness},
 };
 
 /// The machine. One for each thread that evaluates.
@@ -53,12 +53,6 @@ pub(crate) struct Machine<'a> {
     /// The results that the last import brought, where they have an identity.
     pub(super) imported: Fields,
 }
-
-/// Fields that a message lists.
-const MOST_FIELDS_TOLD: usize = 40;
-
-/// Fields with which a misspelt one is compared.
-const MOST_NAMES: usize = 200;
 
 /// Files that were read so far.
 pub(super) type FileReads = Arc<Mutex<BTreeSet<FileRead>>>;
@@ -301,56 +295,5 @@ impl<'a> Machine<'a> {
     fn field(&mut self, subject: &Expr, name: &str, place: Span) -> Result<Value> {
         let value = self.eval(subject)?;
         self.field_of(&value, subject.span, name, place)
-    }
-
-    pub(super) fn field_of(
-        &self,
-        value: &Value,
-        subject: Span,
-        name: &str,
-        place: Span,
-    ) -> Result<Value> {
-        if let Some(found) = field(value, name, self.env.tolerance).at(place)? {
-            return Ok(found);
-        }
-        let names = field_names(value);
-        let message = format!("{} has no field `{name}`", value.phrase());
-        let first = match value {
-            Value::List(items) => items.first(),
-            _ => None,
-        };
-        let mut diagnostic = Diagnostic::error(Code::NoField, place, message)
-            .also(subject, format!("this is {}", value.phrase()));
-        if let Some(near) = crate::diag::nearest(name, names.iter().copied().take(MOST_NAMES)) {
-            diagnostic = diagnostic.label(format!("did you mean `{near}`?"));
-        }
-        if let Some(first) = first
-            && field_names(first).contains(&name)
-        {
-            let list = self.env.repeated(subject).unwrap_or_else(|| "xs".to_owned());
-            diagnostic = diagnostic.hint(format!(
-                "its elements have: `{list}[0].{name}`, or of all `[for x in {list}: x.{name}]`"
-            ));
-        } else if let Some(call) = self.env.instead_of_field(subject, value, name) {
-            diagnostic = diagnostic.hint(call);
-        }
-        let told = names.iter().take(MOST_FIELDS_TOLD).map(|name| shown_field(name));
-        let list: Vec<String> = told.collect();
-        if !list.is_empty() {
-            let rest = if list.len() < names.len() { " ..." } else { "" };
-            diagnostic = diagnostic.hint(format!("its fields are {}{rest}", list.join(" ")));
-        }
-        diagnostic.fail()
-    }
-}
-
-/// How a script reaches a field: `.x`, or `["half breadth"]` where the name is no word.
-fn shown_field(name: &str) -> String {
-    let is_word = |c: char| c.is_alphanumeric() || c == '_';
-    let starts_well = name.starts_with(|c: char| is_word(c) && !c.is_numeric());
-    if starts_well && name.chars().all(is_word) {
-        format!("`.{name}`")
-    } else {
-        format!("`[{name:?}]`")
     }
 }

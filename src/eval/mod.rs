@@ -14,6 +14,7 @@ mod claim;
 mod collection;
 mod dependencies;
 mod env;
+mod field;
 mod file_run;
 mod function;
 mod globals;

@@ -1,0 +1,67 @@
+//! Fields of values, and what is told of one that is not there.
+
+use super::machine::Machine;
+use crate::{
+    diag::{Code, Diagnostic, Result, Span},
+    value::{At, Value, field, field_names},
+};
+
+/// Fields that a message lists.
+const MOST_FIELDS_TOLD: usize = 40;
+
+/// Fields with which a misspelt one is compared.
+const MOST_NAMES: usize = 200;
+
+impl Machine<'_> {
+    /// The field of a value; `subject` is what it stands behind, `place` its name.
+    pub(super) fn field_of(
+        &self,
+        value: &Value,
+        subject: Span,
+        name: &str,
+        place: Span,
+    ) -> Result<Value> {
+        if let Some(found) = field(value, name, self.env.tolerance).at(place)? {
+            return Ok(found);
+        }
+        let names = field_names(value);
+        let message = format!("{} has no field `{name}`", value.phrase());
+        let first = match value {
+            Value::List(items) => items.first(),
+            _ => None,
+        };
+        let mut diagnostic = Diagnostic::error(Code::NoField, place, message)
+            .also(subject, format!("this is {}", value.phrase()));
+        if let Some(near) = crate::diag::nearest(name, names.iter().copied().take(MOST_NAMES)) {
+            diagnostic = diagnostic.label(format!("did you mean `{near}`?"));
+        }
+        if let Some(first) = first
+            && field_names(first).contains(&name)
+        {
+            let list = self.env.repeated(subject).unwrap_or_else(|| "xs".to_owned());
+            diagnostic = diagnostic.hint(format!(
+                "its elements have: `{list}[0].{name}`, or of all `[for x in {list}: x.{name}]`"
+            ));
+        } else if let Some(call) = self.env.instead_of_field(subject, value, name) {
+            diagnostic = diagnostic.hint(call);
+        }
+        let told = names.iter().take(MOST_FIELDS_TOLD).map(|name| shown_field(name));
+        let list: Vec<String> = told.collect();
+        if !list.is_empty() {
+            let rest = if list.len() < names.len() { " ..." } else { "" };
+            diagnostic = diagnostic.hint(format!("its fields are {}{rest}", list.join(" ")));
+        }
+        diagnostic.fail()
+    }
+}
+
+/// How a script reaches a field: `.x`, or `["half breadth"]` where the name is no word.
+fn shown_field(name: &str) -> String {
+    let is_word = |c: char| c.is_alphanumeric() || c == '_';
+    let starts_well = name.starts_with(|c: char| is_word(c) && !c.is_numeric());
+    if starts_well && name.chars().all(is_word) {
+        format!("`.{name}`")
+    } else {
+        format!("`[{name:?}]`")
+    }
+}
