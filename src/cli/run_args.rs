@@ -2,6 +2,7 @@
 
 use std::{
     io::{self, IsTerminal},
+    num::NonZeroUsize,
     path::PathBuf,
 };
 
@@ -27,8 +28,8 @@ pub(super) struct RunArgs {
         long_help = limits::help())]
     limits: Vec<MovedCeiling>,
     /// How many threads evaluate [default: one for each processor]
-    #[arg(long, value_name = "N")]
-    threads: Option<std::num::NonZeroUsize>,
+    #[arg(long, value_name = "N", value_parser = threads)]
+    threads: Option<NonZeroUsize>,
     #[command(flatten)]
     pub(super) talk: OutputArgs,
 }
@@ -88,7 +89,7 @@ impl RunArgs {
     /// How many threads may evaluate.
     pub(super) fn n_threads(&self) -> usize {
         let n_threads = self.threads.or_else(|| std::thread::available_parallelism().ok());
-        n_threads.map_or(1, std::num::NonZeroUsize::get)
+        n_threads.map_or(1, NonZeroUsize::get)
     }
 }
 
@@ -107,8 +108,14 @@ impl OutputArgs {
 fn setting(text: &str) -> Result<Setting, String> {
     match text.split_once('=') {
         Some((name, value)) if !name.trim().is_empty() => {
-            Ok(Setting { name: name.trim().to_owned(), text: value.trim().to_owned(), file: None })
+            let (name, text) = (name.trim().to_owned(), value.trim().to_owned());
+            Ok(Setting { called: format!("`--set {name}={text}`"), name, text })
         }
         _ => Err("write NAME=VALUE, for example neck=15mm".to_owned()),
     }
+}
+
+/// Reads a number of threads.
+fn threads(text: &str) -> Result<NonZeroUsize, String> {
+    text.parse().map_err(|_| "write a whole number of threads, 1 or more".to_owned())
 }

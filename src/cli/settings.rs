@@ -101,7 +101,7 @@ fn settings(members: Vec<JsonMember>, file: &str) -> Result<Vec<Setting>, Settin
                 return Err((place, message));
             }
         };
-        settings.push(Setting { name, text, file: Some(file.to_owned()) });
+        settings.push(Setting { called: format!("`{name}` of `{file}`"), name, text });
     }
     Ok(settings)
 }

@@ -161,7 +161,7 @@ codes! {
     UnknownFormat "E0703" "a file ending without a format"
         "The format of a file is chosen by its ending. The message lists the endings that exist."
     PathEscapes "E0704" "a path outside the output folder"
-        "Scripts write below the output folder (`--out`, by default the script's own folder) and nowhere else: no absolute paths, no `..` that leaves it, and never over the script or a file that it reads."
+        "Scripts write below the output folder (by default the script's own folder) and nowhere else: no absolute paths, no `..` that leaves it, and never over the script or a file that it reads."
     CannotExport "E0705" "a value that the format cannot hold"
         "Meshes, curves and surfaces go into geometry formats, tables into `.csv` and `.json`. The message tells what was found."
     CannotWrite "E0706" "a file that cannot be written"
@@ -174,13 +174,13 @@ codes! {
 
     // E08xx: parameters of the file.
     UnknownParameter "E0801" "no such parameter"
-        "`--set NAME=VALUE` replaces the value of a `param` of the script; the message lists its parameters."
+        "A value from outside replaces that of a `param` of the script; the message lists its parameters."
     BadParameterValue "E0802" "a value that the parameter does not allow"
         "A `param` may state a kind, a range, a step and choices; both its default and what replaces it must keep them."
 
     // E09xx: ceilings.
     TooLarge "E0901" "more than the ceiling"
-        "Lists, meshes, degrees and steps have ceilings, so that a slip of the pen does not exhaust the machine. The message names the ceiling; `--limit` moves those that are not set by the mathematics."
+        "Lists, meshes, degrees and steps have ceilings, so that a slip of the pen does not exhaust the machine. The message names the ceiling; those that are not set by the mathematics can be moved."
     Stopped "E0902" "stopped before it was done"
         "Whoever asked did not want to wait any longer. At the prompt Ctrl-C does this; the document stays as it was."
 

@@ -147,7 +147,7 @@ impl Machine<'_> {
                 let mut places = ClaimPlaces::default();
                 let (a, b) =
                     (self.side(&parts[0], &mut places)?, self.side(&parts[1], &mut places)?);
-                let tolerance = self.tolerance_of(&parts[2])?;
+                let tolerance = self.tolerance_of(&parts[2], [&a, &b])?;
                 let spans = [parts[0].span, parts[1].span];
                 let holds = operator::near(&a, &b, tolerance, spans[0].to(spans[1]))?;
                 Ok(near_verdict(holds, [&a, &b], spans, tolerance, places))

@@ -255,14 +255,19 @@ impl<'a> Machine<'a> {
     fn within(&mut self, parts: &[Expr; 3]) -> Result<Value> {
         let [left, right, _] = parts;
         let (a, b) = (self.eval(left)?, self.eval(right)?);
-        let tolerance = self.tolerance_of(&parts[2])?;
+        let tolerance = self.tolerance_of(&parts[2], [&a, &b])?;
         operator::near(&a, &b, tolerance, left.span.to(right.span)).map(Value::Bool)
     }
 
-    /// The number after `within`.
-    pub(super) fn tolerance_of(&mut self, expr: &Expr) -> Result<f64> {
+    /// The number after `within`: a plain one, in the units of both sides, or one of their dimension.
+    pub(super) fn tolerance_of(&mut self, expr: &Expr, sides: [&Value; 2]) -> Result<f64> {
         match self.eval(expr)? {
-            Value::Number(number) if 0.0 <= number.value => Ok(number.value),
+            Value::Number(number) if 0.0 <= number.value => {
+                match sides.into_iter().find(|side| operator::is_of_other_unit(number, side)) {
+                    Some(side) => operator::limit_of_other_unit(number, side, expr.span),
+                    None => Ok(number.value),
+                }
+            }
             other => {
                 let message = format!(
                     "`within` takes a number that is not negative, found {}",

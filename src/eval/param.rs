@@ -16,24 +16,21 @@ use crate::{
     value::{Dimension, Number, Range, Registry, Value},
 };
 
-/// A value for a parameter from outside: `--set NAME=TEXT`.
+/// A value for a parameter from outside.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Setting {
     /// The parameter.
     pub name: String,
     /// Its value as text; strings without quotes.
     pub text: String,
-    /// The file that gives it, unless the command line does.
-    pub file: Option<String>,
+    /// How messages call it: what stands where it was given.
+    pub called: String,
 }
 
 /// As messages call it.
 impl fmt::Display for Setting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.file {
-            None => write!(f, "`--set {}={}`", self.name, self.text),
-            Some(file) => write!(f, "`{}` of `{file}`", self.name),
-        }
+        f.write_str(&self.called)
     }
 }
 
@@ -331,17 +328,32 @@ fn read(
     }
     let source = format!("let value = {}", setting.text);
     literal(env, &source, registry).ok_or_else(|| {
-        let message = match &setting.file {
-            None => format!("{setting} is not a value that a script could write"),
-            Some(_) => format!(
-                "{setting} is \"{}\", which is not a value that a script could write",
-                setting.text
-            ),
-        };
-        Box::new(Diagnostic::error(Code::BadParameterValue, span, message).hint(
-            "for example `--set neck=15mm`, `--set angle=30deg`, `--set n=7`, `--set closed=true`",
-        ))
+        let message = format!(
+            "{setting} is \"{}\", which is not a value that a script could write",
+            setting.text
+        );
+        Box::new(
+            Diagnostic::error(Code::BadParameterValue, span, message)
+                .hint(advice(kind, &setting.text)),
+        )
     })
+}
+
+/// What to write for a parameter of a kind in the place of a text that says nothing.
+fn advice(kind: ParamKind, text: &str) -> String {
+    let with_point = text.replacen(',', ".", 1);
+    let is_decimal = with_point.trim_end_matches(char::is_alphabetic).parse::<f64>().is_ok();
+    if text.contains(',') && is_decimal {
+        return format!("the decimal sign is a point: `{with_point}`");
+    }
+    match kind {
+        ParamKind::Bool => "it is `true` or `false`".to_owned(),
+        ParamKind::Integer => "it is a whole number, such as `7`".to_owned(),
+        ParamKind::Number => "it is a number, such as `7` or `0.5`".to_owned(),
+        ParamKind::Length => "it is a length, such as `15mm`".to_owned(),
+        ParamKind::Angle => "it is an angle, such as `30deg`".to_owned(),
+        ParamKind::Text => "it is a text, as it stands".to_owned(),
+    }
 }
 
 fn literal(env: Env<'_>, source: &str, registry: &Registry) -> Option<Value> {

@@ -45,7 +45,7 @@ impl Session {
         let path = path.map_err(|message| {
             diagnostics.push(
                 Diagnostic::error(Code::PathEscapes, span, message)
-                    .hint("paths are relative to the output folder, which `--out` names"),
+                    .hint("paths are relative to the output folder"),
             );
         });
         let Some(format) = Format::of_path(&exported.path.value) else {

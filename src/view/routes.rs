@@ -128,7 +128,11 @@ fn set(body: &Json, doors: &Doors) -> Answer {
     doors.hub.set(|settings| {
         settings.retain(|setting| values.iter().all(|(name, _)| *name != setting.name));
         let new = values.into_iter().filter_map(|(name, text)| Some((name, text?)));
-        settings.extend(new.map(|(name, text)| Setting { name, text, file: None }));
+        settings.extend(new.map(|(name, text)| Setting {
+            called: format!("`{name} = {text}`"),
+            name,
+            text,
+        }));
     });
     Ok(json!({ "accepted": true }))
 }

@@ -4,7 +4,7 @@ use super::operand::{OperandPlaces, OperatorRefusal};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     eval::ir::BinaryOp,
-    value::{Number, Value},
+    value::{Dimension, Number, Value},
 };
 
 /// Why two numbers have no result, in words; `verb` is what was tried, as in "cannot be added".
@@ -59,6 +59,34 @@ pub(super) fn mismatch(verb: &str, a: &Value, b: &Value, places: OperandPlaces) 
                 "divide by a unit, such as `1mm` or `1deg`, to make a plain number of a quantity",
             ),
     )
+}
+
+/// Whether a limit with a unit cannot be that of a distance between such values. Plain numbers are in
+/// the document's units, and coordinates are lengths.
+pub(in crate::eval) fn is_of_other_unit(limit: Number, side: &Value) -> bool {
+    let dimension = match side {
+        Value::Number(number) if !number.dim.is_none() => number.dim,
+        Value::Point(_) => Dimension::LENGTH,
+        _ => return false,
+    };
+    !limit.dim.is_none() && limit.dim != dimension
+}
+
+/// A limit whose unit is not that of what it limits.
+pub(in crate::eval) fn limit_of_other_unit<T>(
+    limit: Number,
+    side: &Value,
+    place: Span,
+) -> Result<T> {
+    let takes = match side {
+        Value::Point(_) => Dimension::LENGTH.to_string(),
+        other => noun(other),
+    };
+    let found = noun(&Value::Number(limit));
+    let message = format!("`within` takes {takes} here, found {found}");
+    Diagnostic::error(Code::UnitMismatch, place, message)
+        .hint("a plain number counts in the units of both sides")
+        .fail()
 }
 
 /// A value by its dimension, else by its kind.

@@ -26,6 +26,7 @@ use crate::{
     },
 };
 use mistake::{inapplicable, mismatch, overflow, refused};
+pub(super) use mistake::{is_of_other_unit, limit_of_other_unit};
 pub(super) use operand::OperandPlaces;
 use operand::Sides;
 use table::{Arithmetic, BinaryMeaning, Comparison, UnaryMeaning, binary_meaning, unary_meaning};

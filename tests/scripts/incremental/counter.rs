@@ -160,8 +160,9 @@ fn a_setting_evaluates_the_users_of_its_parameter() {
             text += &format!("let d{i} = @({} + {i})\n", if i % 2 == 0 { "p" } else { "q" });
         }
         desk.run(&text);
-        let setting =
-            |text: &str| vec![Setting { name: "p".to_owned(), text: text.to_owned(), file: None }];
+        let setting = |text: &str| {
+            vec![Setting { name: "p".to_owned(), text: text.to_owned(), called: String::new() }]
+        };
         desk.settings = setting("5");
         let run = desk.run(&text);
         let mut expected = names((0..100).step_by(2));

@@ -131,7 +131,8 @@ impl Document {
             }
             10 => {
                 let text = ["1", "5", "11", "no"][choice % 4].to_owned();
-                let setting = Setting { name: format!("d{}", place % 9), text, file: None };
+                let setting =
+                    Setting { name: format!("d{}", place % 9), text, called: String::new() };
                 self.settings = if choice < 8 { Vec::new() } else { vec![setting] };
             }
             11 => self.hold("data.json", DATA[choice % DATA.len()]),

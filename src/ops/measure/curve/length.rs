@@ -38,6 +38,10 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
     };
     let [from, to] = ends;
     let (from, to) = (inside(from)?, inside(to)?);
-    let value = args.c.length(Interval::new(from.value(), to.value()).at(span)?).at(ctx.span)?;
+    // As a part grows from where it begins, it has no length there.
+    let value = match from.value().total_cmp(&to.value()).is_eq() {
+        true => 0.0,
+        false => args.c.length(Interval::new(from.value(), to.value()).at(span)?).at(ctx.span)?,
+    };
     varying::length(&args.c, [&from, &to], value).at(span)
 }
