@@ -24,6 +24,7 @@ op! {
     }
     example "length(polyline((0, 0), (3, 4), (3, 5)))" => "6";
     example "length(polyline((0, 0), (3, 4), (3, 5)), range = 1..2)" => "1";
+    example "length(line((0, 0), (4, 0)), range = 0.5..0.5)" => "0";
     refuses "length(bezier((0, 0), (1, 2), (2, 0)), range = 0..2)" => "E0606: parameter 2 is outside the domain 0..1";
 }
 
