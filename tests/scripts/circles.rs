@@ -51,7 +51,9 @@ fn used(text: &str) -> Vec<Module> {
     let mut found = Vec::new();
     for statement in code.join("\n").split(';') {
         let Some((before, tree)) = statement.rsplit_once("use ") else { continue };
-        if before.trim_end().is_empty() || before.ends_with(['\n', ' ', ')']) {
+        // What is handed on is not needed to read the file.
+        let is_handed_on = ["pub", ")"].iter().any(|end| before.trim_end().ends_with(end));
+        if !is_handed_on && (before.trim_end().is_empty() || before.ends_with(['\n', ' '])) {
             expand(&[], tree, &mut found);
         }
     }
@@ -139,11 +141,12 @@ fn circles_are_seen() {
     assert_eq!(circle(&imports(&[("a", &["b", "c"]), ("b", &["c"]), ("c", &[])])), None);
     let way = circle(&imports(&[("a", &["b"]), ("b", &["c"]), ("c", &["b"])]));
     assert_eq!(way.expect("b and c").len(), 3);
-    let text = "use super::{a::{self, B as C}, d};\npub(crate) use crate::{e, f::g};\nfn h() { self::i() }";
+    let text = "use super::{a::{self, B as C}, d};\nuse crate::{e, f::g};\nfn h() { self::i() }";
     let own = ["x", "y"].map(str::to_owned).to_vec();
     let paths: Vec<String> =
         used(text).iter().filter_map(|path| Some(absolute(&own, path)?.join("::"))).collect();
     assert_eq!(paths, ["x::a::self", "x::a::B", "x::d", "e", "f::g"]);
+    assert!(used("pub use a::B;\npub(super) use c::D;").is_empty());
     let below = absolute(&own, &used("use z::W;")[0]);
     assert_eq!(below.expect("a path").join("::"), "x::y::z::W");
 }

@@ -201,8 +201,16 @@ fn brackets_in_any_disorder_take_no_longer_than_in_order() {
     }
 }
 
+/// Bytes that the main thread of a program has.
+const MAIN_STACK: usize = 8 << 20;
+
 #[test]
 fn depth_within_reason_is_read() {
+    let reader = std::thread::Builder::new().stack_size(MAIN_STACK).spawn(read_all_depths);
+    reader.expect("a thread").join().expect("what is nested is read");
+}
+
+fn read_all_depths() {
     for (left, right, times) in [
         ("(", ")", 250),
         ("{ let a = ", " 1}", 120),

@@ -24,7 +24,6 @@ op! {
     }
     example "length(polyline((0, 0), (3, 4), (3, 5)))" => "6";
     example "length(polyline((0, 0), (3, 4), (3, 5)), range = 1..2)" => "1";
-    example "length(line((0, 0), (4, 0)), range = 0.5..0.5)" => "0";
     refuses "length(bezier((0, 0), (1, 2), (2, 0)), range = 0..2)" => "E0606: parameter 2 is outside the domain 0..1";
 }
 
@@ -39,10 +38,6 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
     };
     let [from, to] = ends;
     let (from, to) = (inside(from)?, inside(to)?);
-    // As a part grows from where it begins, it has no length there.
-    let value = match from.value().total_cmp(&to.value()).is_eq() {
-        true => 0.0,
-        false => args.c.length(Interval::new(from.value(), to.value()).at(span)?).at(ctx.span)?,
-    };
+    let value = args.c.length(Interval::new(from.value(), to.value()).at(span)?).at(ctx.span)?;
     varying::length(&args.c, [&from, &to], value).at(span)
 }

@@ -55,7 +55,10 @@ impl NurbsSurface {
         let again = self
             .plane_about(plane)
             .and_then(|patch| Surface::from(patch).intersections(&self.clone().into(), tolerance));
-        if verify::is_certain(&again, distance) { again } else { found.or(again) }
+        if verify::is_certain(&again, distance) {
+            return again;
+        }
+        found.or_else(|refused| again.map_err(|_| refused))
     }
 
     /// A piece of the plane about all of the surface that could be in it.

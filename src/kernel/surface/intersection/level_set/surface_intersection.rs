@@ -72,7 +72,7 @@ impl Surface {
             if verify::is_certain(&found, tolerance) {
                 return found;
             }
-            best = best.or(found);
+            best = best.or_else(|refused| found.map_err(|_| refused));
         }
         best
     }

@@ -284,6 +284,21 @@ fn borders_of(surface: &NurbsSurface, tolerance: f64) -> Vec<NurbsCurve> {
     if !surface.is_closed_v(tolerance) {
         borders.extend([v0, v1]);
     }
+    // Where it jumps it ends on both sides.
+    for along in Direction::BOTH {
+        let (knots, domain) = (surface.knots(along), surface.domain(along));
+        let jumps = knots
+            .distinct()
+            .into_iter()
+            .filter(|&(t, times)| domain.start() < t && t < domain.end() && knots.degree() < times);
+        for [before, behind] in jumps.filter_map(|(t, _)| surface.split(along, t).ok()) {
+            let ([u0, _, v0, _], [_, u1, _, v1]) = (behind.edges(), before.edges());
+            borders.extend(match along {
+                Direction::U => [u0, u1],
+                Direction::V => [v0, v1],
+            });
+        }
+    }
     borders.retain(|edge| tolerance < edge.bounds().diagonal());
     borders
 }
