@@ -233,7 +233,17 @@ fn texts_and_blocks(
         kind,
         span: Span::default(),
     });
-    let block = (collection::vec(statement, 0..3), inner).prop_map(|(statements, value)| {
+    let block = (collection::vec(statement, 0..3), inner).prop_map(|(mut statements, value)| {
+        // In a block `mesh (0)` and `table (0)` are calls.
+        for statement in &mut statements {
+            if let StatementKind::Definition(definition) = &mut statement.kind
+                && matches!(definition.kind, Kind::Mesh | Kind::Table)
+                && matches!(definition.pattern, Pattern::Anonymous)
+            {
+                let name = Name { text: NAMES[0], span: Span::default() };
+                definition.pattern = Pattern::Name(name);
+            }
+        }
         // `{ a }` is a record.
         let is_record = statements.is_empty() && matches!(value.kind, ExprKind::Name(_));
         let value = if is_record { at(ExprKind::Group(Box::new(value))) } else { value };
