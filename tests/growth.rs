@@ -105,6 +105,13 @@ const SHAPES: &[Shape] = &[
     ("mistakes in a list", "let a = [", "q", ", ", "]"),
     ("a list spread again and again", "let b = [1]\nlet a = [", "...b", ", ", "]"),
     ("a record", "let r = {", "f#: #", ", ", "}"),
+    (
+        "fields of a large record that are not there",
+        "let r = {",
+        "f#: #",
+        ", ",
+        "}\nprint r.g, r.h",
+    ),
     ("a record with one label", "let r = {", "f: #", ", ", "}"),
     ("records that are equal", "let r = {", "f#: #", ", ", "}\ncheck r == r\ncheck r ~= {...r}"),
     ("a pattern of names", "let [", "a#", ", ", "] = [1, 2]"),
@@ -268,6 +275,13 @@ const SHAPES: &[Shape] = &[
     ("one face of OBJ", "let a = load(\"face@.obj\")\n", "", "", ""),
     ("files that are loaded", "", "let a# = load(\"one#.json\")", "\n", ""),
     // What grows by copying.
+    (
+        "a string grown by `fold`",
+        "let a = fold(1..@, \"\", (a, x) => \"{a}-\")\nprint len(a)",
+        "",
+        "",
+        "",
+    ),
     ("a sum by `fold`", "let a = fold(1..@, 0, (a, x) => a + x)\n", "", "", ""),
     (
         "a face with corners on a parabola",

@@ -40,3 +40,21 @@ impl From<ExitStatus> for ExitCode {
         Self::from(ending as u8)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        diag::{Diagnostic, Span},
+        session::Session,
+        value::NoFiles,
+    };
+
+    #[test]
+    fn a_fault_of_ours_counts_more_than_mistakes_of_the_script() {
+        let mut report = Session::default().run("a.geo", b"let a = b", &NoFiles, &[]);
+        assert_eq!(ExitStatus::of(&report), ExitStatus::Wrong);
+        report.diagnostics.push(Diagnostic::error(Code::Fault, Span::new(0, 0), "a fault"));
+        assert_eq!(ExitStatus::of(&report) as u8, 3);
+    }
+}

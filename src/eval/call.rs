@@ -21,7 +21,7 @@ use crate::{
     },
     value::{
         Call, Ctx, FormalParameter, FromValue, Function, Mistakes, Op, Real, Type, Value, assign,
-        choose, pointed,
+        choose, pointed, turned_around,
     },
 };
 
@@ -115,7 +115,10 @@ impl Machine<'_> {
                 let message = format!("{} cannot be called", other.phrase());
                 let diagnostic = Diagnostic::error(Code::NotCallable, place, message);
                 match other {
-                    Value::Point(_) | Value::List(_) | Value::Number(_) => {
+                    Value::Number(_) => diagnostic
+                        .label("is a `,` missing after this?")
+                        .hint("a product is written `a * b`"),
+                    Value::Point(_) | Value::List(_) => {
                         diagnostic.label("is a `,` missing after this?")
                     }
                     _ => diagnostic.hint("functions, curves and surfaces can be called"),
@@ -171,19 +174,8 @@ impl Machine<'_> {
                 .find(|(label, _)| Some(&*label.value) == first_name)
                 .map(|(_, value)| value)
         });
-        let op = choose(ops, first.map(|first| &first.value), &call).map_err(|what| {
-            let place = first.map_or(call.span, |first| first.span);
-            let mut diagnostic =
-                Diagnostic::error(Code::WrongKind, place, format!("`{name}` {what}"));
-            let remedy = |op: &&'static Op| op.params.first()?.ty.remedy(&first?.value);
-            if let Some(remedy) = ops.iter().find_map(remedy) {
-                diagnostic = diagnostic.hint(remedy);
-            }
-            for op in ops {
-                diagnostic = diagnostic.hint(format!("`{}`", op.signature()));
-            }
-            Box::new(diagnostic)
-        })?;
+        let op = choose(ops, first.map(|first| &first.value), &call)
+            .map_err(|what| Box::new(no_way_to_call(name, ops, first, &what, &call)))?;
         let (env, span) = (self.env, call.span);
         let meter = self.meter();
         let watch = self.watch();
@@ -367,4 +359,31 @@ impl Machine<'_> {
         }
         Ok(())
     }
+}
+
+/// What is wrong with a call that none of the operations of a name takes.
+fn no_way_to_call(
+    name: &str,
+    ops: &[&'static Op],
+    first: Option<&Spanned<Value>>,
+    what: &str,
+    call: &Call,
+) -> Diagnostic {
+    let turned = ops.iter().find_map(|op| Some((op, turned_around(op, call)?)));
+    if let Some((op, (span, hint))) = turned {
+        let message = format!("`{name}`: the arguments stand the other way around");
+        return Diagnostic::error(Code::BadCall, span, message)
+            .hint(hint)
+            .hint(format!("its signature is `{}`", op.signature()));
+    }
+    let place = first.map_or(call.span, |first| first.span);
+    let mut diagnostic = Diagnostic::error(Code::WrongKind, place, format!("`{name}` {what}"));
+    let remedy = |op: &&'static Op| op.params.first()?.ty.remedy(&first?.value);
+    if let Some(remedy) = ops.iter().find_map(remedy) {
+        diagnostic = diagnostic.hint(remedy);
+    }
+    for op in ops {
+        diagnostic = diagnostic.hint(format!("`{}`", op.signature()));
+    }
+    diagnostic
 }

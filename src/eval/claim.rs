@@ -28,6 +28,8 @@ pub struct Verdict {
     pub limit: Option<f64>,
     /// What keeps them from being compared by distance.
     pub differ: Option<String>,
+    /// Whether `==` fails where `~=` would hold.
+    pub differs_by_rounding: bool,
     /// What decided the test of a list.
     pub witness: Option<String>,
     /// Of a claim that fails: the points that its sides are, or from whose fields they come, such as `at`
@@ -142,6 +144,14 @@ impl Machine<'_> {
                 let first = self.verdict(&sides[0])?;
                 if first.holds { self.verdict(&sides[1]) } else { Ok(first) }
             }
+            ExprKind::Binary(BinaryOp::Or, sides) => {
+                let first = self.verdict(&sides[0])?;
+                if first.holds {
+                    return Ok(first);
+                }
+                let second = self.verdict(&sides[1])?;
+                Ok(if second.holds { second } else { neither(first, second) })
+            }
             ExprKind::Binary(op, sides) if is_comparison(*op) => self.comparison(*op, sides, claim),
             ExprKind::Within(parts) => {
                 let mut places = ClaimPlaces::default();
@@ -201,6 +211,10 @@ impl Machine<'_> {
             (Value::Number(x), Value::Number(y)) => Some((x.value - y.value).abs()),
             _ => None,
         };
+        if op == BinaryOp::Equal && !holds && is_collection(&a) && is_collection(&b) {
+            let verdict = near_verdict(holds, [&a, &b], spans, 0.0, named);
+            return Ok(Verdict { limit: None, ..verdict });
+        }
         let sides = [(&a, spans[0]), (&b, spans[1])].map(|(value, span)| ClaimSide {
             span,
             path: String::new(),
@@ -209,7 +223,11 @@ impl Machine<'_> {
         named.note(&a);
         named.note(&b);
         let places = named.of_failure(holds);
-        Ok(Verdict { holds, sides: sides.to_vec(), apart, places, ..Verdict::default() })
+        let differs_by_rounding = op == BinaryOp::Equal
+            && !holds
+            && apart.is_some_and(|apart| apart <= self.env.tolerance.distance);
+        let sides = sides.to_vec();
+        Ok(Verdict { holds, sides, apart, differs_by_rounding, places, ..Verdict::default() })
     }
 
     /// A side of a comparison; the points that it takes a field from, or that stand beside that field,
@@ -290,9 +308,12 @@ fn told(witness: &Witness, holds: bool, claim: &Expr) -> String {
         Witness::Element(idx, value) => {
             let verb = if passes { "passes" } else { "fails" };
             let value = match value {
-                Value::Number(_) | Value::Point(_) | Value::Text(_) | Value::Bool(_) => {
-                    shown(value)
-                }
+                Value::Number(_)
+                | Value::Point(_)
+                | Value::Text(_)
+                | Value::Bool(_)
+                | Value::List(_)
+                | Value::Record(_) => shown(value),
                 other => other.phrase(),
             };
             format!("element [{idx}] is {value}, which {verb}")
@@ -301,6 +322,17 @@ fn told(witness: &Witness, holds: bool, claim: &Expr) -> String {
         Witness::All(n) if passes => format!("all {n} elements pass"),
         Witness::All(n) => format!("none of the {n} elements passes"),
     }
+}
+
+/// Two claims of which one would do, and both fail.
+fn neither(first: Verdict, second: Verdict) -> Verdict {
+    let sides = [first.sides, second.sides].concat();
+    let places = [first.places, second.places].concat();
+    Verdict { sides, places, ..Verdict::default() }
+}
+
+fn is_collection(value: &Value) -> bool {
+    matches!(value, Value::List(_) | Value::Record(_))
 }
 
 fn is_comparison(op: BinaryOp) -> bool {
@@ -315,10 +347,11 @@ fn near_verdict(
     limit: f64,
     mut places: ClaimPlaces,
 ) -> Verdict {
-    let mut side = |i: usize, path: &str| ClaimSide {
-        span: spans[i],
-        path: path.to_owned(),
-        value: shown(&follow(values[i], path, &mut |value| places.note(value))),
+    let mut side = |i: usize, path: &str| {
+        let part = follow(values[i], path, &mut |value| places.note(value));
+        let path = if part.is_some() { path.to_owned() } else { String::new() };
+        let value = shown(part.as_ref().unwrap_or(values[i]));
+        ClaimSide { span: spans[i], path, value }
     };
     match deviation(values[0], values[1]) {
         Discrepancy::Apart(apart, path) => Verdict {
@@ -339,13 +372,13 @@ fn near_verdict(
     }
 }
 
-/// The part of a value at a path such as `[3].x`; `pass` sees each value on the way to it.
-fn follow(value: &Value, path: &str, pass: &mut dyn FnMut(&Value)) -> Value {
+/// The part of a value at a path such as `.xs[3].x`, if it is there; `pass` sees each value on the way
+/// to it.
+fn follow(value: &Value, path: &str, pass: &mut dyn FnMut(&Value)) -> Option<Value> {
     let mut value = value.clone();
     pass(&value);
-    for step in
-        path.split_inclusive(']').flat_map(|part| part.split('.')).filter(|step| !step.is_empty())
-    {
+    let steps = path.replace('[', ".[");
+    for step in steps.split('.').filter(|step| !step.is_empty()) {
         let inner = match step.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
             Some(idx) => match (&value, idx.parse::<usize>()) {
                 (Value::List(items), Ok(idx)) => items.get(idx),
@@ -354,13 +387,8 @@ fn follow(value: &Value, path: &str, pass: &mut dyn FnMut(&Value)) -> Value {
             None => crate::value::field(&value, step, crate::kernel::Tolerance::DEFAULT)
                 .unwrap_or_default(),
         };
-        match inner {
-            Some(inner) => {
-                value = inner;
-                pass(&value);
-            }
-            None => break,
-        }
+        value = inner?;
+        pass(&value);
     }
-    value
+    Some(value)
 }

@@ -42,6 +42,13 @@ impl Machine<'_> {
             diagnostic = diagnostic.hint(format!(
                 "its elements have: `{list}[0].{name}`, or of all `[for x in {list}: x.{name}]`"
             ));
+        } else if let (Value::List(items), "x" | "y" | "z") = (value, name)
+            && let 2..=3 = items.len()
+            && items.values().all(|item| matches!(item, Value::Number(_)))
+        {
+            let list = self.env.repeated(subject).unwrap_or_else(|| "xs".to_owned());
+            diagnostic = diagnostic
+                .hint(format!("a list has elements; a point of it is `({list}[0], {list}[1])`"));
         } else if let Some(call) = self.env.instead_of_field(subject, value, name) {
             diagnostic = diagnostic.hint(call);
         }

@@ -294,6 +294,9 @@ fn failure(checked: &Checked) -> Diagnostic {
     };
     let mut diagnostic = Diagnostic::error(Code::CheckFailed, checked.span, message);
     diagnostic.severity = Severity::Failure;
+    if checked.verdict.differs_by_rounding {
+        diagnostic = diagnostic.hint("numbers that were computed are compared with `~=`");
+    }
     checked.verdict.brief_sides().iter().fold(
         diagnostic.label(checked.verdict.figures()),
         |diagnostic, side| {

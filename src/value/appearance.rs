@@ -188,3 +188,14 @@ pub fn color_of(text: &str) -> Option<[u8; 3]> {
         _ => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_colors_of_css_have_a_name_once() {
+        assert_eq!(COLOR_NAMES.len(), 148);
+        assert!(COLOR_NAMES.windows(2).all(|pair| pair[0].0 < pair[1].0));
+    }
+}

@@ -375,16 +375,22 @@ fn bracket(op: &Op, call: &mut Call, sources: Option<&Sources>, mistakes: &mut M
 /// Characters of arguments that a hint repeats.
 const MOST_REPEATED: usize = 60;
 
-/// Where two arguments fit each in the place of the other alone: tells so, and turns them around.
-fn turn_around(op: &Op, call: &mut Call, mistakes: &mut Mistakes) {
-    let ([a, b], [first, second, ..]) = (&call.positional[..], op.params) else { return };
+/// Where the first two arguments fit each in the place of the other, and not so as they stand: where they
+/// are, and what to do.
+#[must_use]
+pub fn turned_around(op: &Op, call: &Call) -> Option<(Span, String)> {
+    let ([a, b, ..], [first, second, ..]) = (&call.positional[..], op.params) else { return None };
     let fits = |param: &OpParameter, arg: &Spanned<Value>| param.ty.accepts(&arg.value);
-    let is_turned = fits(first, b) && fits(second, a) && !fits(first, a) && !fits(second, b);
-    if !is_turned {
-        return;
+    let is_turned = fits(first, b) && fits(second, a) && !fits(second, b);
+    let hint = || format!("`{}` comes first, then `{}`", first.name, second.name);
+    is_turned.then(|| (a.span.to(b.span), hint()))
+}
+
+/// Where two arguments stand the other way around: tells so, and turns them.
+fn turn_around(op: &Op, call: &mut Call, mistakes: &mut Mistakes) {
+    if let Some((span, hint)) = turned_around(op, call) {
+        let text = "the arguments stand the other way around".to_owned();
+        mistakes.add(Code::BadCall, span, text, Some(hint));
+        call.positional.swap(0, 1);
     }
-    let text = "the arguments stand the other way around".to_owned();
-    let hint = format!("`{}` comes first, then `{}`", first.name, second.name);
-    mistakes.add(Code::BadCall, a.span.to(b.span), text, Some(hint));
-    call.positional.swap(0, 1);
 }

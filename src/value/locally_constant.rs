@@ -9,7 +9,8 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::{
-    Angle, Dimension, FromValue, IntoValue, Length, Mismatch, Number, Real, Type, Value, Vector,
+    Angle, Dimension, FromValue, IntoValue, Length, Mismatch, Number, Range, Real, Type, Value,
+    Vector,
 };
 use crate::{diag::Span, kernel::Interval};
 
@@ -64,7 +65,7 @@ from_jet! {
     Angle<Real>, Angle, Angle, |plain: Angle| plain.0;
 }
 
-/// A range of a parameter whose ends may carry derivatives; its start is below its end.
+/// A range of a parameter whose ends may carry derivatives; its start is not above its end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RealInterval(pub [Real; 2]);
 
@@ -72,10 +73,14 @@ impl FromValue for RealInterval {
     const TYPE: Type = Type::Range;
 
     fn from_value(value: &Value, span: Span) -> Result<Self, Mismatch> {
-        let plain = Interval::from_value(&value.looked_at(), span)?;
+        let plain = value.looked_at();
+        let Range { start, end, .. } = Range::from_value(&plain, span)?;
+        if start.value.total_cmp(&end.value).is_ne() {
+            Interval::from_value(&plain, span)?;
+        }
         Ok(Self(match value {
             Value::JetRange(range) => [range.start.value.clone(), range.end.value.clone()],
-            _ => [plain.start(), plain.end()].map(Real::Plain),
+            _ => [start, end].map(|end| Real::Plain(end.value)),
         }))
     }
 }

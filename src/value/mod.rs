@@ -40,7 +40,7 @@ use glam::DVec3;
 use crate::kernel::{Curve, Frame, Jet, Mesh, Surface, Table};
 
 pub use appearance::{Appearance, COLOR_NAMES, color_of};
-pub use bind::{Binder, Call, FormalParameter, Mistakes, assign};
+pub use bind::{Binder, Call, FormalParameter, Mistakes, assign, turned_around};
 pub use compare::{Discrepancy, deviation, equal};
 pub use decode::{decode, script_text, stranger};
 pub use element::pointed;

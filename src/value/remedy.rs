@@ -16,11 +16,14 @@ impl Type {
                 let stranger = items.values().find(|item| !of.accepts(item))?;
                 return of.remedy(&stranger);
             }
+            (Self::List(of, _), single) if !matches!(of, Self::Any) && of.accepts(single) => {
+                "a list of one element is written `[x]`"
+            }
             (Self::Point, Value::Number(_)) => {
                 "a point or vector is written `(x, y)` or `(x, y, z)`"
             }
             (Self::Point, Value::List(items)) if is_coordinates(items.values()) => {
-                "a point stands in round brackets: `(x, y)`; square ones make a list"
+                "a point stands in round brackets: `(x, y)`; of lists, as in data, `[for p in ps: (p[0], p[1])]` makes points"
             }
             (Self::Range, Value::Number(_)) => "a range is written `0..1`",
             (Self::Range, Value::List(items)) if is_coordinates(items.values()) => {
@@ -37,7 +40,7 @@ impl Type {
                 _ => return None,
             },
             (Self::Surface | Self::Mesh, Value::Curve(_)) => {
-                "a curve encloses no area by itself: `planar_mesh(c)` fills it, `extrude` and `revolve` make surfaces of it"
+                "`planar_mesh(c)` fills a closed curve, `extrude` and `revolve` make surfaces of one"
             }
             (
                 Self::Number

@@ -283,6 +283,11 @@ fn built_ins_are_explained() {
     assert_eq!((out.as_str(), code), ("", 3));
     assert!(err.contains("did you mean `bezier`?"), "{err}");
     assert_eq!(run(&scratch, &["doc", "pi"]).2, 0);
+    for word in ["let", "param", "check", "import", "golden", "mm", "ranges"] {
+        let (out, err, code) = run(&scratch, &["doc", word]);
+        assert_eq!((err.as_str(), code), ("", 0), "{word}");
+        assert!(out.contains(word.trim_end_matches('s')), "{word}: {out}");
+    }
 }
 
 #[test]

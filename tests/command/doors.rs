@@ -254,3 +254,39 @@ fn names_that_no_format_was_made_for_stay_names() {
         assert!(!read(ending).contains("\nSECTION"), "{ending}");
     }
 }
+
+#[test]
+fn a_dry_run_refuses_a_file_that_would_be_a_folder_too() {
+    let scratch = Scratch::new("dry-folder");
+    let exports = "export c to \"q.svg\"\nexport c to \"q.svg/a.svg\"\n";
+    scratch.file("a.geo", &format!("curve c = line((0, 0), (1, 0))\n{exports}"));
+    for args in [&["run", "a.geo"][..], &["run", "a.geo", "--dry-run"]] {
+        let (_, err, code) = told(&virote(&scratch.0).args(args).output().expect("it runs"));
+        assert!(err.contains("E0707") && code == 2, "{args:?}: {code}, {err}");
+    }
+    assert_eq!(files_below(&scratch.0), ["a.geo"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_device_is_no_script_to_import() {
+    let scratch = Scratch::new("device");
+    std::os::unix::fs::symlink("/dev/zero", scratch.0.join("zero.geo")).expect("a link");
+    scratch.file("a.geo", "import \"zero.geo\" as z\nprint z.a\n");
+    let (out, err, code) =
+        told(&virote(&scratch.0).args(["run", "a.geo"]).output().expect("it runs"));
+    assert_eq!((out.as_str(), code), ("", 2), "{err}");
+    assert!(err.contains("not a file with an end"), "{err}");
+}
+
+#[cfg(unix)]
+#[test]
+fn escape_sequences_of_file_names_reach_no_terminal() {
+    let scratch = Scratch::new("escapes-of-names");
+    scratch.file("a\u{1b}[31m.geo", "print x\n");
+    for verb in ["run", "check", "test", "fmt", "params"] {
+        let args = [verb, "a\u{1b}[31m.geo"];
+        let (out, err, _) = told(&virote(&scratch.0).args(args).output().expect("it runs"));
+        assert!(!out.contains('\u{1b}') && !err.contains('\u{1b}'), "{verb}: {out}{err}");
+    }
+}

@@ -10,8 +10,11 @@ use virote_kernel::{
 
 use crate::some::sphere;
 
-/// Orientations of each family; 60 of each were looked at once.
-const ORIENTATIONS: u64 = 12;
+/// Orientations of each family: 12, or as many as `VIROTE_ORIENTATIONS` says.
+fn orientations() -> u64 {
+    let asked = std::env::var("VIROTE_ORIENTATIONS").ok();
+    asked.map_or(12, |asked| asked.parse().expect("a number of orientations"))
+}
 
 /// Numbers between 0 and 1 without a pattern: the multiples of irrational numbers, less their integers.
 fn fractions(n: u64) -> [f64; 4] {
@@ -52,7 +55,7 @@ fn total(found: &LevelSet) -> f64 {
 /// What both share in each orientation, at full length.
 #[track_caller]
 fn check(name: &str, surfaces: [&NurbsSurface; 2], length: f64) {
-    for n in 0..ORIENTATIONS {
+    for n in 0..orientations() {
         let [a, b] = surfaces.map(|s| Surface::Nurbs(Arc::new(s.transformed(&turn(n)))));
         for [first, second] in [[&a, &b], [&b, &a]] {
             let found = first.intersections(second, Tolerance::DEFAULT);
@@ -125,7 +128,7 @@ fn cylinders_of_one_radius_cross_in_two_ellipses_in_every_orientation() {
 
 #[test]
 fn planes_that_touch_a_torus_twice_cut_circles_of_its_major_radius() {
-    for n in 0..2 * ORIENTATIONS {
+    for n in 0..2 * orientations() {
         let [a, b, c, _] = fractions(n);
         let minor = 0.3 + a;
         let major = minor * (1.1 + 2.0 * b);
@@ -145,7 +148,7 @@ fn planes_that_touch_a_torus_twice_cut_circles_of_its_major_radius() {
 
 #[test]
 fn a_plane_that_touches_a_cone_along_a_ruling_tells_it_up_to_the_tip() {
-    for n in 0..ORIENTATIONS {
+    for n in 0..orientations() {
         let [a, b, c, _] = fractions(n);
         let (radius, height, around) = (0.5 + a, 1.0 + b, TAU * c);
         let foot = DVec3::new(radius, 0.0, height);
@@ -161,10 +164,30 @@ fn a_plane_that_touches_a_cone_along_a_ruling_tells_it_up_to_the_tip() {
     }
 }
 
+/// On the ruling at φ of a cone of 45° about z the sphere about (1, 0, 1/2) through the tip is met at
+/// r = √2 (cos φ + 1/2), from the tip to the tip.
+#[test]
+fn a_loop_through_the_tip_of_a_cone_is_told_in_every_orientation() {
+    let side = NurbsCurve::line(DVec3::ZERO, DVec3::new(3.0, 0.0, 3.0)).unwrap();
+    let axis = Axis::new(DVec3::ZERO, DVec3::Z).unwrap();
+    let cone = NurbsSurface::revolved(&side, axis, TAU).unwrap();
+    let center = DVec3::new(1.0, 0.0, 0.5);
+    let speed = |around: f64| {
+        let (s, c) = libm::sincos(around);
+        (2.0 * s * s + (c + 0.5) * (c + 0.5)).sqrt()
+    };
+    // Simpson's rule.
+    let (n, end) = (2000, TAU / 3.0);
+    let step = 2.0 * end / f64::from(n);
+    let weight = |i: i32| if i == 0 || i == n { 1.0 } else { f64::from(2 + 2 * (i % 2)) };
+    let sum: f64 = (0..=n).map(|i| weight(i) * speed(f64::from(i) * step - end)).sum();
+    check("the tip", [&cone, &sphere(center, center.length())], sum * step / 3.0);
+}
+
 /// The circle passes through the poles of the sphere.
 #[test]
 fn a_ball_that_touches_a_tube_along_a_circle_tells_all_of_it() {
-    for n in 0..ORIENTATIONS {
+    for n in 0..orientations() {
         let [a, b, c, _] = fractions(n);
         let minor = 0.3 + a;
         let major = minor * (1.1 + 2.0 * b);

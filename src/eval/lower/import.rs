@@ -111,9 +111,22 @@ impl<'s> Lowerer<'_, 's> {
         }
         let message = format!("`{}` defines no `{}`", imported.path, name.text);
         let diagnostic = Diagnostic::error(Code::UnknownName, place, message);
-        self.report(match nearest(name.text, shown) {
+        self.report(match nearest(name.text, shown.clone()) {
             Some(near) => diagnostic.label(format!("did you mean `{near}`?")),
-            None => diagnostic,
+            None => match listed(shown) {
+                Some(names) => diagnostic.hint(format!("it defines {names}")),
+                None => diagnostic.hint("it defines nothing that other files see"),
+            },
         });
     }
+}
+
+/// Names in quotes, the first few of them; none where there are none.
+fn listed<'n>(names: impl Iterator<Item = &'n str>) -> Option<String> {
+    /// Names that a message lists.
+    const MOST_LISTED: usize = 12;
+    let mut names = names.map(|name| format!("`{name}`"));
+    let told: Vec<String> = names.by_ref().take(MOST_LISTED).collect();
+    let rest = if names.next().is_some() { ", ..." } else { "" };
+    (!told.is_empty()).then(|| format!("{}{rest}", told.join(", ")))
 }

@@ -4,7 +4,7 @@ use super::operand::{OperandPlaces, OperatorRefusal};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     eval::ir::BinaryOp,
-    value::{Dimension, Number, Value},
+    value::{Dimension, Function, Number, Value},
 };
 
 /// Why two numbers have no result, in words; `verb` is what was tried, as in "cannot be added".
@@ -113,6 +113,10 @@ pub(super) fn inapplicable<T>(
         (Value::List(_), Op::Add, Value::List(_)) => {
             diagnostic.hint("join lists by `[...a, ...b]`")
         }
+        (Value::Function(Function::Partial(_)), ..)
+        | (.., Value::Function(Function::Partial(_))) => diagnostic.hint(
+            "`_` makes a function of the one call that it stands in: write `x => max(x, 3) + 1`",
+        ),
         (Value::Text(_), Op::Add, _) | (_, Op::Add, Value::Text(_)) => {
             diagnostic.hint("join texts by interpolation: \"{a}{b}\"")
         }

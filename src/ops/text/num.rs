@@ -21,6 +21,11 @@ fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
     let number = args.text.value.trim().parse::<f64>().ok().filter(|number| number.is_finite());
     number.ok_or_else(|| {
         let message = format!("\"{}\" is not a number", args.text.value);
-        Box::new(Diagnostic::error(Code::WrongKind, args.text.span, message))
+        let diagnostic = Diagnostic::error(Code::WrongKind, args.text.span, message);
+        let with_point = args.text.value.trim().replacen(',', ".", 1);
+        Box::new(match with_point.parse::<f64>() {
+            Ok(_) => diagnostic.hint(format!("the decimal sign is a point: \"{with_point}\"")),
+            Err(_) => diagnostic,
+        })
     })
 }

@@ -94,7 +94,7 @@ fn of_input(error: &InputError) -> Option<String> {
         InputError::NotPositive { got, .. } if !got.is_finite() => {
             "scale it down, or state a larger `unit`".to_owned()
         }
-        InputError::Collinear => "a straight curve is made by `line` or `polyline`".to_owned(),
+        InputError::Collinear => "points within the `tolerance` of a line lie on it; a straight curve is made by `line` or `polyline`".to_owned(),
         _ => return None,
     })
 }

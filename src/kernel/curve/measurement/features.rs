@@ -43,12 +43,16 @@ impl NurbsCurve {
     /// Parameters where the curve goes over from one way of bending to the other, in order.
     ///
     /// Of a planar curve, where the signed curvature changes its sign; of a curve in space, where
-    /// its curvature vanishes. Corners are none. Where a straight stretch lies between both ways
+    /// its curvature vanishes. Corners are none, and a curve that is straight within the tolerance
+    /// has none. Where a straight stretch lies between both ways
     /// of bending, the stretch's middle.
     #[must_use]
     pub fn inflections(&self, tolerance: Tolerance) -> Vec<f64> {
         if let Some((plain, tolerance)) = self.at_plain_scale(tolerance) {
             return plain.inflections(tolerance);
+        }
+        if self.is_straight(tolerance) {
+            return Vec::new();
         }
         let pieces = self.pieces();
         let found = match self.plane_normal(tolerance) {

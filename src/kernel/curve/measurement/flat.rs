@@ -18,10 +18,7 @@ impl Curve {
     /// # Errors
     /// As [`Self::spline`].
     pub fn is_straight(&self, tolerance: Tolerance) -> Result<bool, GeomError> {
-        let points = self.spline()?.places();
-        let allowed = allowed(&points, tolerance);
-        let Some(line) = line(&points) else { return Ok(true) };
-        Ok(points.iter().all(|&point| norm(across(point - points[0], line)) <= allowed))
+        Ok(self.spline()?.is_straight(tolerance))
     }
 
     /// Whether it lies within the tolerance of one plane; a straight curve does.
@@ -51,6 +48,14 @@ pub(crate) fn lie_in_a_plane(points: &[DVec3], tolerance: Tolerance) -> bool {
 }
 
 impl NurbsCurve {
+    /// Whether it lies within the tolerance of one line.
+    pub(in crate::curve) fn is_straight(&self, tolerance: Tolerance) -> bool {
+        let points = self.places();
+        let allowed = allowed(&points, tolerance);
+        let Some(line) = line(&points) else { return true };
+        points.iter().all(|&point| norm(across(point - points[0], line)) <= allowed)
+    }
+
     /// Whether it lies within the tolerance of one line along the direction.
     #[must_use]
     pub fn is_along(&self, direction: DVec3, tolerance: Tolerance) -> bool {

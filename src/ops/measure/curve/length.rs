@@ -24,6 +24,7 @@ op! {
     }
     example "length(polyline((0, 0), (3, 4), (3, 5)))" => "6";
     example "length(polyline((0, 0), (3, 4), (3, 5)), range = 1..2)" => "1";
+    example "length(polyline((0, 0), (3, 4), (3, 5)), range = 1..1)" => "0";
     refuses "length(bezier((0, 0), (1, 2), (2, 0)), range = 0..2)" => "E0606: parameter 2 is outside the domain 0..1";
 }
 
@@ -38,6 +39,10 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
     };
     let [from, to] = ends;
     let (from, to) = (inside(from)?, inside(to)?);
-    let value = args.c.length(Interval::new(from.value(), to.value()).at(span)?).at(ctx.span)?;
+    // A range of one place has no length, though what it grows by may vary.
+    let value = match from.value() < to.value() {
+        true => args.c.length(Interval::new(from.value(), to.value()).at(span)?).at(ctx.span)?,
+        false => 0.0,
+    };
     varying::length(&args.c, [&from, &to], value).at(span)
 }

@@ -57,6 +57,12 @@ fn expression(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
             .wrong("`...` spreads a list inside of `[ ]` and nowhere else")
             .hint("where a list is wanted, pass the list itself"),
         Token::Equals if is_setting(place.before()) => takes_no_equals(place),
+        Token::Equals if place.at == place.start + 1 && place.before().begins_definition() => {
+            let keyword = place.script.text(place.start);
+            place
+                .expected("a name")
+                .hint(format!("a definition has a name: `{keyword} name = ...`"))
+        }
         Token::TextMiddle | Token::TextTail if is_text_start(place.before()) => {
             let span = place.script.span(place.at - 1).at_end();
             let span = crate::diag::Span::new(span.end - 1, place.script.span(place.at).start + 1);
@@ -170,6 +176,7 @@ fn value(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
 fn equals(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
     let keyword = place.script.token(place.start);
     Some(match place.found() {
+        Token::Minus if place.next().is_word() && place.is_glued() => hyphen(place),
         Token::Equal => place.guess("`=`", "="),
         Token::Arrow if keyword == Token::Fn => place.guess("`=`", "="),
         Token::OpenBrace if keyword == Token::Fn => {
@@ -193,6 +200,20 @@ fn equals(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
         }
         _ => return None,
     })
+}
+
+/// `let my-name = 3`
+fn hyphen(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
+    let script = place.script;
+    let is_part = |at: &usize| {
+        let token = script.token(*at);
+        token.is_word() || matches!(token, Token::Minus | Token::Number)
+    };
+    let end = (place.at..script.tokens.len()).find(|at| !is_part(at)).unwrap_or(place.at);
+    let span = script.place(place.at - 1, end);
+    let meant = script.source[span.range()].replace('-', "_");
+    Diagnostic::error(Code::Syntax, span, "a name holds letters, digits and `_`")
+        .label(format!("did you mean `{meant}`?"))
 }
 
 fn choice(place: &FailurePlace<'_, '_, '_>, expected: ExpectedTokens) -> Diagnostic {
@@ -260,7 +281,16 @@ fn parameters(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
 /// More after the value of a block.
 fn end_of_block(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let diagnostic = place.expected("`}`");
+    if place.script.text(place.at - 1) == "return" {
+        let span = place.script.span(place.at - 1);
+        return Diagnostic::error(Code::Syntax, span, "there is no `return`")
+            .label("drop this")
+            .hint("the value of a block stands last, after its definitions");
+    }
     match place.found() {
+        Token::Comma | Token::Colon if place.is_in_string() => diagnostic.hint(
+            "in a string `{x}` holds the value of an expression; a brace itself is written `\\{`",
+        ),
         token if token.begins_statement() => {
             diagnostic.hint("the value of a block stands last, after its definitions")
         }

@@ -66,6 +66,41 @@ impl<'s> FailurePlace<'_, '_, 's> {
         if self.at > self.start { self.script.token(self.at - 1) } else { Token::End }
     }
 
+    /// Whether nothing stands between what was found and the token before.
+    fn is_glued(&self) -> bool {
+        self.script.gap(self.at).end == self.script.span(self.at).start
+    }
+
+    /// Whether nothing stands between what was found and the token behind.
+    fn is_next_glued(&self) -> bool {
+        FailurePlace { at: self.at + 1, ..*self }.is_glued()
+    }
+
+    /// Whether what was found is the last of its line.
+    fn is_last(&self) -> bool {
+        self.next() == Token::End || self.script.begins_line(self.at + 1)
+    }
+
+    /// Whether the innermost bracket that is open here is a brace in a string.
+    fn is_in_string(&self) -> bool {
+        let mut depth = 0_usize;
+        for at in (self.start..self.at).rev() {
+            let token = self.script.token(at);
+            let is_head = matches!(token, Token::TextHead | Token::TextMiddle);
+            if depth == 0 && (is_head || token.opens()) {
+                return is_head;
+            }
+            match token {
+                Token::TextTail => depth += 1,
+                Token::TextHead => depth = depth.saturating_sub(1),
+                _ if token.closes() => depth += 1,
+                _ if token.opens() => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+        }
+        false
+    }
+
     fn text(&self) -> &'s str {
         self.script.text(self.at)
     }

@@ -126,6 +126,9 @@ pub(crate) fn trailing(
         {
             missing_equals(&place)
         }
+        Token::Name if keyword == Token::Check && place.is_last() => place
+            .wrong(format!("expected an operator or the next statement, found `{}`", place.text()))
+            .label(format!("did you mean the words of the report, `, \"{}\"`?", place.text())),
         Token::Name if slip_of_part(&place).is_some() => {
             let meant = slip_of_part(&place).unwrap_or_default();
             place.guess("the next statement", meant)
@@ -166,12 +169,11 @@ fn side_by_side(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let (before, found) = (place.before(), place.found());
     let last = place.script.text(place.at.saturating_sub(1));
     let is_text = |token: Token| matches!(token, Token::Text | Token::TextHead);
-    let is_glued = place.script.gap(place.at).end == place.script.span(place.at).start;
     match found {
         Token::Name if matches!(last, "lambda" | "function" | "func") => {
             diagnostic.hint(format!("a function without a name is written `{0} => {0}^2`", place.text()))
         }
-        _ if is_text(found) && before == Token::Name && is_glued => {
+        _ if is_text(found) && before == Token::Name && place.is_glued() => {
             diagnostic.hint("a string has no prefix; a value stands in it as `\"{x}\"`")
         }
         _ if is_text(found) || matches!(before, Token::Text | Token::TextTail) => {
@@ -229,6 +231,11 @@ fn call_of_literal(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
 /// `let a = 1, 2`
 fn several(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let diagnostic = place.wrong("expected an operator or the next statement, found `,`");
+    let is_decimal = place.before() == Token::Number && place.next() == Token::Number;
+    if is_decimal && place.is_glued() && place.is_next_glued() {
+        let [whole, fraction] = [place.at - 1, place.at + 1].map(|at| place.script.text(at));
+        return diagnostic.hint(format!("the decimal sign is a point: `{whole}.{fraction}`"));
+    }
     if place.script.token(place.start).begins_definition() {
         return diagnostic.hint("several values form a list `[a, b]` or a point `(a, b)`");
     }

@@ -1,0 +1,4 @@
+let a = 3
+print a(2)
+print num("3,5")
+print num("three")

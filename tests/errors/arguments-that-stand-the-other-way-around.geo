@@ -1,0 +1,7 @@
+surface s = sphere((0, 0), 1)
+print closest((1, 2), circle((0, 0), 1))
+print section(XY, s)
+print translate((1, 0), line((0, 0), (1, 0)))
+print circle(3, (0, 0))
+print rotate(90deg, s)
+print intersect(s, 3)
