@@ -44,7 +44,7 @@ pub use bind::{Binder, Call, FormalParameter, Mistakes, assign, turned_around};
 pub use compare::{Discrepancy, deviation, equal};
 pub use decode::{decode, script_text, stranger};
 pub use element::pointed;
-pub use error_map::{At, blamed_on, code_of, hint_of};
+pub use error_map::{At, blamed_on, code_of, hint_of, raised};
 pub use field::{field, field_names, table_row};
 pub use files::{Files, MemoryFiles, NoFiles};
 pub use from_value::{

@@ -259,7 +259,7 @@ fn names_that_no_format_was_made_for_stay_names() {
 fn a_dry_run_refuses_a_file_that_would_be_a_folder_too() {
     let scratch = Scratch::new("dry-folder");
     let exports = "export c to \"q.svg\"\nexport c to \"q.svg/a.svg\"\n";
-    scratch.file("a.geo", &format!("curve c = line((0, 0), (1, 0))\n{exports}"));
+    scratch.file("a.geo", format!("curve c = line((0, 0), (1, 0))\n{exports}"));
     for args in [&["run", "a.geo"][..], &["run", "a.geo", "--dry-run"]] {
         let (_, err, code) = told(&virote(&scratch.0).args(args).output().expect("it runs"));
         assert!(err.contains("E0707") && code == 2, "{args:?}: {code}, {err}");

@@ -49,7 +49,7 @@ pub enum FitError {
     /// A tolerance below what rounding leaves.
     #[error(
         "the tolerance {} cannot be kept: even a curve through all points misses one by {}",
-        plain(*tolerance), plain(*found)
+        plain(*tolerance), few_digits(*found)
     )]
     ToleranceNotKept { tolerance: f64, found: f64 },
     /// A function that no spline of a reasonable size comes near.

@@ -8,7 +8,7 @@ use crate::{
         CountError, Direction, FitError, GeomError, NetworkError, NetworkInput,
         tolerance::EXACT_RELATIVE,
     },
-    value::{Ctx, blamed_on, shortest},
+    value::{Ctx, blamed_on, raised, rounded, shortest},
 };
 
 /// What a message about a network points at.
@@ -53,7 +53,7 @@ impl NetworkPlaces<'_, '_> {
             NetworkError::Mixed { along, closed, open, gap } => {
                 let ((a, of_a), (b, of_b)) = (self.curve(along, closed), self.curve(along, open));
                 let message =
-                    format!("{a} is closed and {b} is open: its ends are {} apart", shortest(gap));
+                    format!("{a} is closed and {b} is open: its ends are {} apart", rounded(gap));
                 Diagnostic::error(Code::Degenerate, of_b, message)
                     .also(of_a, "this closes")
                     .hint("close it, or `split` the closed ones where the open ones begin")
@@ -121,14 +121,14 @@ impl NetworkPlaces<'_, '_> {
         (n_pairs, are_all): (usize, bool),
     ) -> Diagnostic {
         let [(c, of_c), (d, of_d)] = self.pair([k, l]);
-        let (t, s, gap) = (shortest(t), shortest(s), shortest(gap));
+        let (t, s, told) = (shortest(t), shortest(s), rounded(gap));
         let more = match n_pairs - 1 {
             0 => String::new(),
             1 => "; another pair does not meet either".to_owned(),
             n => format!("; {n} other pairs do not meet either"),
         };
         let message = format!(
-            "{c} and {d} do not meet: they are {gap} apart at {}, more than the tolerance {}{more}",
+            "{c} and {d} do not meet: they are {told} apart at {}, more than the tolerance {}{more}",
             self.place(point),
             shortest(self.tolerance)
         );
@@ -138,7 +138,8 @@ impl NetworkPlaces<'_, '_> {
             "no curve of `u` meets one of `v`: both seem to run along one direction; `u` are the curves one way, `v` those across them".to_owned()
         } else {
             format!(
-                "let them meet there (`extend` one that ends before), or allow the gap with a `tolerance` above {gap}"
+                "let them meet there (`extend` one that ends before), or allow the gap with a `tolerance` above {}",
+                raised(gap)
             )
         };
         Diagnostic::error(Code::Gap, of_c, message)
@@ -166,11 +167,11 @@ impl NetworkPlaces<'_, '_> {
         let message = format!(
             "the surface cannot be kept within {} of all curves: it misses one by {}",
             shortest(self.tolerance),
-            shortest(found)
+            rounded(found)
         );
         Diagnostic::error(Code::BeyondTolerance, self.ctx.span, message).hint(format!(
             "allow it with a `tolerance` above {}; gaps where curves meet, and meetings that lie at very different parameters of the curves of one direction, cost most of it",
-            shortest(found)
+            raised(found)
         ))
     }
 

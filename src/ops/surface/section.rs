@@ -7,7 +7,7 @@ use glam::DVec3;
 use crate::{
     diag::{Code, Diagnostic, Span},
     kernel::{Bounds, Curve, GeomError, NurbsCurve, SectionParameters, SectionSlope},
-    value::{Choice, Ctx, FromValue, IntoValue, Mismatch, Type, Value, shortest},
+    value::{Choice, Ctx, FromValue, IntoValue, Mismatch, Type, Value, rounded},
 };
 
 /// A curve, or a point where a surface begins or ends.
@@ -174,7 +174,7 @@ pub(super) fn warn_of_crossings(
         let crossing =
             meetings.iter().find(|m| is_inner(&pair[0], m.first) && is_inner(&pair[1], m.second));
         let Some(meeting) = crossing else { continue };
-        let [x, y, z] = meeting.point.to_array().map(shortest);
+        let [x, y, z] = meeting.point.to_array().map(rounded);
         let [(a, _), (b, of_b)] = [k, k + 1].map(|i| ctx.element(span, i, "sections"));
         let message =
             format!("{a} and {b} cross at ({x}, {y}, {z}), so that the surface crosses itself");

@@ -13,7 +13,7 @@ use crate::{
         Columns, Curve, FitError, FrameRule, GeomError, InputError, NurbsSurface, SweepBuilder,
         SweepError, SweepInput, ceiling::PIECES,
     },
-    value::{At, Choice, Ctx, Length, blamed_on, op, shortest},
+    value::{At, Choice, Ctx, Length, blamed_on, op, rounded, shortest},
 };
 
 op! {
@@ -221,7 +221,7 @@ fn refused(
         let message = format!(
             "{PIECES} placements of the section do not keep the tolerance {}: the surface is still {} off",
             shortest(tolerance),
-            shortest(found)
+            rounded(found)
         );
         let hint = "allow a larger `tolerance`, or say with `sections` how many are enough";
         return Box::new(Diagnostic::error(Code::BeyondTolerance, ctx.span, message).hint(hint));

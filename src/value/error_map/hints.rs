@@ -249,7 +249,8 @@ fn of_shell(error: &ShellError) -> Option<String> {
 }
 
 /// A number with two digits, no smaller.
-fn raised(x: f64) -> String {
+#[must_use]
+pub fn raised(x: f64) -> String {
     let rounded: f64 = format!("{x:.1e}").parse().unwrap_or(x);
     let step = libm::pow(10.0, libm::log10(x.abs()).floor() - 1.0);
     let up = if rounded < x { rounded + step } else { rounded };

@@ -13,7 +13,7 @@ use crate::{
 };
 
 pub use codes::code_of;
-pub use hints::hint_of;
+pub use hints::{hint_of, raised};
 
 /// Pins an error of the kernel to the place in the script that caused it.
 pub trait At<T> {
