@@ -5,7 +5,7 @@
 
 use std::{collections::HashMap, sync::Arc};
 
-use super::{FromValue, Op, OpParameter, Type, Value, element::element_span};
+use super::{FromValue, Op, Type, Value, element::element_span, misplaced};
 use crate::{
     diag::{Code, Diagnostic, Sources, Span, Spanned, nearest},
     limits::Ceiling,
@@ -51,7 +51,7 @@ struct Mistake {
 pub struct Mistakes(Vec<Mistake>);
 
 impl Mistakes {
-    fn add(&mut self, code: Code, span: Span, text: String, hint: Option<String>) {
+    pub(super) fn add(&mut self, code: Code, span: Span, text: String, hint: Option<String>) {
         self.0.push(Mistake { code, span, text, hint, ceiling: None });
     }
 
@@ -83,7 +83,7 @@ impl Mistakes {
         };
         for mistake in mistakes.by_ref().take(MOST_TOLD - 1) {
             diagnostic = diagnostic.also(mistake.span, mistake.text);
-            hints.extend(mistake.hint);
+            hints.extend(mistake.hint.filter(|hint| !hints.contains(hint)));
         }
         if let n_left @ 1.. = mistakes.len() {
             hints.push(format!("and {n_left} more mistakes"));
@@ -268,8 +268,7 @@ impl<'s> Binder<'s> {
     pub fn new(op: &'static Op, mut call: Call, most: usize, sources: Option<&'s Sources>) -> Self {
         gather_spread(op, &mut call);
         let mut mistakes = Mistakes::default();
-        bracket(op, &mut call, sources, &mut mistakes);
-        turn_around(op, &mut call, &mut mistakes);
+        misplaced::correct(op, &mut call, sources, &mut mistakes);
         let formals: Vec<FormalParameter<'_>> = op
             .params
             .iter()
@@ -340,57 +339,4 @@ fn gather_spread(op: &Op, call: &mut Call) {
     let span = run[0].span.to(run[n_run - 1].span);
     let list = Value::list(run.into_iter().map(|arg| arg.value).collect());
     call.positional.insert(0, Spanned::new(list, span));
-}
-
-/// Where the first parameter is a list, and elements of it stand there without brackets: tells so,
-/// and reads them as that list.
-fn bracket(op: &Op, call: &mut Call, sources: Option<&Sources>, mistakes: &mut Mistakes) {
-    let Some(param) = op.params.first() else { return };
-    let is_element = |arg: &Spanned<Value>| param.ty.is_list_of(&arg.value);
-    let Some(first) = call.positional.first() else { return };
-    if param.ty.accepts(&first.value) || !is_element(first) {
-        return;
-    }
-    // A list further on is the one that was meant.
-    if call.positional.iter().any(|arg| param.ty.accepts(&arg.value)) {
-        return;
-    }
-    let is_like = |arg: &Spanned<Value>| arg.value.kind() == first.value.kind() && is_element(arg);
-    let n_run = call.positional.iter().take_while(|arg| is_like(arg)).count();
-    let rest = call.positional.len() - n_run + call.named.len();
-    let run: Vec<Spanned<Value>> = call.positional.drain(..n_run).collect();
-    let span = run[0].span.to(run[n_run - 1].span);
-    let written = sources.and_then(|sources| {
-        let source = sources.at(span)?;
-        source.text.get(source.local(span)).filter(|text| text.chars().count() <= MOST_REPEATED)
-    });
-    let text = format!("`{}` is one list: its elements stand in brackets", param.name);
-    let rest = if rest == 0 { "" } else { ", ..." };
-    let hint = format!("write `{}([{}]{rest})`", op.name, written.unwrap_or("a, b, ..."));
-    mistakes.add(Code::BadCall, span, text, Some(hint));
-    let list = Value::list(run.into_iter().map(|arg| arg.value).collect());
-    call.positional.insert(0, Spanned::new(list, span));
-}
-
-/// Characters of arguments that a hint repeats.
-const MOST_REPEATED: usize = 60;
-
-/// Where the first two arguments fit each in the place of the other, and not so as they stand: where they
-/// are, and what to do.
-#[must_use]
-pub fn turned_around(op: &Op, call: &Call) -> Option<(Span, String)> {
-    let ([a, b, ..], [first, second, ..]) = (&call.positional[..], op.params) else { return None };
-    let fits = |param: &OpParameter, arg: &Spanned<Value>| param.ty.accepts(&arg.value);
-    let is_turned = fits(first, b) && fits(second, a) && !fits(second, b);
-    let hint = || format!("`{}` comes first, then `{}`", first.name, second.name);
-    is_turned.then(|| (a.span.to(b.span), hint()))
-}
-
-/// Where two arguments stand the other way around: tells so, and turns them.
-fn turn_around(op: &Op, call: &mut Call, mistakes: &mut Mistakes) {
-    if let Some((span, hint)) = turned_around(op, call) {
-        let text = "the arguments stand the other way around".to_owned();
-        mistakes.add(Code::BadCall, span, text, Some(hint));
-        call.positional.swap(0, 1);
-    }
 }

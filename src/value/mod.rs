@@ -20,6 +20,7 @@ mod json;
 mod key;
 mod list;
 mod locally_constant;
+mod misplaced;
 mod number;
 mod op;
 mod range;
@@ -40,7 +41,7 @@ use glam::DVec3;
 use crate::kernel::{Curve, Frame, Jet, Mesh, Surface, Table};
 
 pub use appearance::{Appearance, COLOR_NAMES, color_of};
-pub use bind::{Binder, Call, FormalParameter, Mistakes, assign, turned_around};
+pub use bind::{Binder, Call, FormalParameter, Mistakes, assign};
 pub use compare::{Discrepancy, deviation, equal};
 pub use decode::{decode, script_text, stranger};
 pub use element::pointed;
@@ -56,6 +57,7 @@ pub use json::{from_json, to_json};
 pub(crate) use key::exact_key;
 pub use list::{List, ValueExtent};
 pub use locally_constant::{CARRIES_DERIVATIVES, LocallyConstant, RealInterval};
+pub use misplaced::turned_around;
 pub use number::{Dimension, Number, radians_of, rounded, shortest};
 pub(crate) use op::op;
 pub use op::{
