@@ -60,11 +60,12 @@ pub fn picture(diagnostic: &Diagnostic, sources: &Sources, with_color: bool) -> 
     text.lines().map(str::trim_end).collect::<Vec<_>>().join("\n") + "\n"
 }
 
-/// What to do: what the finding says itself, and which flag moves the ceiling that was crossed.
+/// What to do: what the finding says itself, and which ceiling was crossed. A door that can move it says
+/// how, in a hint, and takes [`Diagnostic::ceiling`] away.
 #[must_use]
 pub fn hints(diagnostic: &Diagnostic) -> Vec<String> {
-    let flag = |name| format!("`--limit {name}=N` moves this ceiling");
-    diagnostic.hints.iter().cloned().chain(diagnostic.ceiling.map(flag)).collect()
+    let ceiling = |name| format!("the ceiling on `{name}` can be moved");
+    diagnostic.hints.iter().cloned().chain(diagnostic.ceiling.map(ceiling)).collect()
 }
 
 /// The same with all texts as they may stand on a terminal.

@@ -91,7 +91,10 @@ fn check_memory(ending: &str, text: impl FnOnce() -> String) {
     for part in ["E0901", &format!("`a.{ending}`"), &format!("{ceiling} bytes of memory")] {
         assert!(message.contains(part), "{message}");
     }
-    assert!(message.contains("--limit memory=N") && message.contains("load a part"), "{message}");
+    assert!(
+        message.contains("ceiling on `memory`") && message.contains("load a part"),
+        "{message}"
+    );
     let most = MOST_HELD.load(Ordering::Relaxed) as f64 / ceiling as f64;
     assert!(most <= MOST, "{ending}: {most} of the ceiling");
 }
@@ -148,18 +151,18 @@ fn each_door_names_the_ceiling_that_moves_it() {
     let loaded = told("let it = load(\"a.json\")", data.into_bytes(), limits);
     let message = loaded.expect_err("it is too large");
     assert!(
-        message.contains("ceiling of 200 bytes") && message.contains("--limit input-bytes=N"),
+        message.contains("ceiling of 200 bytes") && message.contains("ceiling on `input-bytes`"),
         "{message}"
     );
     let imported = told("import \"lib.geo\" as it", vec![b' '; 101], limits);
     let message = imported.expect_err("it is too large");
     assert!(
-        message.contains("ceiling of 100 bytes") && message.contains("--limit source-bytes=N"),
+        message.contains("ceiling of 100 bytes") && message.contains("ceiling on `source-bytes`"),
         "{message}"
     );
     let message = told(&" ".repeat(101), Vec::new(), limits).expect_err("it is too large");
     assert!(
-        message.contains("ceiling of 100 bytes") && message.contains("--limit source-bytes=N"),
+        message.contains("ceiling of 100 bytes") && message.contains("ceiling on `source-bytes`"),
         "{message}"
     );
 }

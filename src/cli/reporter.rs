@@ -56,12 +56,24 @@ impl Reporter {
         !self.is_json && !self.is_quiet
     }
 
+    /// A finding with what moves the ceiling that was crossed.
+    fn with_remedy(&self, found: &Diagnostic) -> Diagnostic {
+        let mut found = found.clone();
+        if let Some(ceiling) = found.ceiling.take() {
+            found.hints.push(match self.at_prompt {
+                true => format!("`:set {ceiling} N` moves this ceiling"),
+                false => format!("`--limit {ceiling}=N` moves this ceiling"),
+            });
+        }
+        found
+    }
+
     /// Findings: the first of them as pictures, the rest counted; in JSON all of them.
     pub(super) fn findings(&self, diagnostics: &[Diagnostic], sources: &Sources) {
         if self.is_json {
             let lines: String = diagnostics
                 .iter()
-                .map(|found| format!("{}\n", render::json(found, sources)))
+                .map(|found| format!("{}\n", render::json(&self.with_remedy(found), sources)))
                 .collect();
             say_exactly(&lines);
             return;
@@ -69,12 +81,7 @@ impl Reporter {
         let is_heard = |found: &&Diagnostic| !self.is_quiet || found.severity != Severity::Warning;
         let heard: Vec<&Diagnostic> = diagnostics.iter().filter(is_heard).collect();
         for found in heard.iter().take(self.most_findings) {
-            let mut found = Diagnostic::clone(found);
-            if self.at_prompt
-                && let Some(ceiling) = found.ceiling.take()
-            {
-                found.hints.push(format!("`:set {ceiling} N` moves this ceiling"));
-            }
+            let found = self.with_remedy(found);
             say_painted(render::picture(&found, sources, self.with_color).trim_end());
         }
         if heard.len() > self.most_findings {
