@@ -302,3 +302,23 @@ fn numbers_of_json_that_may_be_lengths_of_another_unit_are_told() {
     let file = b"{\"virote\": \"document\", \"unit\": \"in\", \"values\": {\"a\": true, \"b\": {\"virote\": \"angle\", \"radians\": 1}}}";
     check("json", file, "it.a", Ok("true"));
 }
+
+#[test]
+fn lengths_and_angles_of_a_table_come_in_the_units_of_its_header() {
+    // Under the default unit, mm.
+    let table = "a [m],b [deg]\n1,90\n";
+    check("csv", table.as_bytes(), "it.a[0]", Ok("1000"));
+    check("csv", table.as_bytes(), "[it.a[0] == 1m, it.b[0] == 90deg]", Ok("[true, true]"));
+    check("csv", table.as_bytes(), "sin(it.b[0])", Ok("1"));
+}
+
+#[test]
+fn an_angle_from_a_file_says_how_it_gets_its_unit() {
+    check("json", b"{\"turn\": 30}", "rotate((1, 0), it.turn)", Err("`* 1deg`"));
+    check(
+        "json",
+        b"{\"turn\": 30}",
+        "rotate((1, 0), it.turn * 1deg) ~= (cos(30deg), sin(30deg), 0)",
+        Ok("true"),
+    );
+}

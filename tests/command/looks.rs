@@ -169,6 +169,28 @@ fn labels_axes_and_nets_are_in_the_drawing() {
 }
 
 #[test]
+fn points_of_a_net_are_as_large_as_is_asked_for() {
+    let script = "curve arch = bezier((0, 0), (1, 2), (2, 0))";
+    let n_red = |size: &str| {
+        let args = ["--size", "200x200", "--view", "top", "--show", "control"];
+        let net = ["--control-color", "red", "--control-size", size];
+        let pixels = drawn("net-size", script, &[&args[..], &net].concat());
+        let all = (0..200).flat_map(|y| (0..200).map(move |x| (x, y)));
+        all.filter(|&(x, y)| is_red(pixels.at(x, y))).count()
+    };
+    assert!(3 * n_red("2") < n_red("8"), "{} {}", n_red("2"), n_red("8"));
+}
+
+#[test]
+fn a_picture_of_many_pixels_holds_the_whole_line() {
+    let script = "curve c = line((0, 0), (1, 1)) with (color = \"red\")";
+    let pixels = drawn("many-pixels", script, &["--size", "4000x4000", "--view", "top"]);
+    let is_drawn = |y: usize| (0..4000).any(|x| is_red(pixels.at(x, y)));
+    assert!((500..3500).all(is_drawn));
+    assert!(!is_drawn(10) && !is_drawn(3990));
+}
+
+#[test]
 fn looks_that_cannot_be_are_refused_in_a_sentence() {
     let cases: &[(&[&str], &str)] = &[
         (&["--camera", "1,2"], "write X,Y,Z in the document's unit, for example 300,-400,250"),

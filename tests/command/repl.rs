@@ -172,6 +172,21 @@ fn functions_are_plotted_together_over_an_axis() {
 }
 
 #[test]
+fn plots_of_functions_that_fail_somewhere_say_where() {
+    let scratch = Scratch::new("repl-plot-fails");
+    let (out, err, code) = piped(&scratch, &[], ":plot x => 1/x in -1..1\n");
+    assert_eq!(code, 0);
+    assert!(out.contains('┤') && !err.contains("Error"), "{out}{err}");
+    let told = format!("{out}{err}");
+    assert!(told.contains("no value at 1 of 201 places, the first at 0"), "{told}");
+    // Numbers of a comprehension are drawn, and what is no number is told by its kind.
+    let (out, err, _) = piped(&scratch, &[], ":plot [for x in 0..3: x^2]\n");
+    assert!(out.contains("9 ┤") && err.is_empty(), "{out}{err}");
+    let (_, err, _) = piped(&scratch, &[], ":plot [for x in 0..3: \"{x}\"]\n");
+    assert_eq!(err.trim(), "virote: a list of 4 strings cannot be plotted");
+}
+
+#[test]
 fn whatever_is_wrong_leaves_the_document_as_it_was() {
     let scratch = Scratch::new("repl-wrong");
     scratch.file("wrong.geo", "let keep = 1\nlet other = keep +");

@@ -34,3 +34,9 @@ let wedge = polyline((1, 0, 4), (0, 1, 4), (-1, -1, 4), (1, 0, 4))
 surface round = skin([circle((0, 0, 0), 1), box(2, 1, 1, [0.25, 0.5, 0.75])])
 check round(0, 0) ~= (sqrt(1/2), sqrt(1/2), 0) within 1e-9
 surface odd = skin([box(2, 1, 1, [0.25, 0.5, 0.75]), wedge])
+
+// Sections of one form have one set of knots, whatever their sizes and turns: their skin needs no more points than they.
+let alike = [for k in 0..3: foil(4*(k + 1), [2, 1.6, 1.1, 0.5][k], [20deg, 10deg, 4deg, 0deg][k], 0.2)]
+check len(alike[0].points) == 51
+check len(skin(alike).points) == 51 and len(skin(alike).points[0]) == 4
+check report(skin(alike)).moved_seams == []

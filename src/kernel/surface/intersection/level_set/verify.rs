@@ -302,3 +302,73 @@ fn borders_of(surface: &NurbsSurface, tolerance: f64) -> Vec<NurbsCurve> {
     borders.retain(|edge| tolerance < edge.bounds().diagonal());
     borders
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{CurveOrigin, PictureError, verify};
+    use crate::{GeomError, Interval, NurbsCurve, NurbsSurface, glam::DVec3};
+
+    const TOLERANCE: f64 = 1e-6;
+
+    /// What is said of some curves in which two squares that cross along the x axis would cross.
+    fn told(curves: &[NurbsCurve]) -> Result<(), GeomError> {
+        let square = |up: DVec3| {
+            let corner = |x: f64, side: f64| DVec3::X * x + up * side;
+            NurbsSurface::bilinear(
+                corner(0.0, -1.0),
+                corner(0.0, 1.0),
+                corner(1.0, -1.0),
+                corner(1.0, 1.0),
+            )
+            .expect("a square")
+        };
+        let surfaces = [square(DVec3::Y), square(DVec3::Z)];
+        verify(curves, &CurveOrigin::Surfaces(surfaces.each_ref()), TOLERANCE)
+    }
+
+    fn axis(from: f64, to: f64) -> NurbsCurve {
+        NurbsCurve::line(DVec3::X * from, DVec3::X * to).expect("a segment")
+    }
+
+    #[test]
+    fn the_line_in_which_squares_cross_may_be_told() {
+        assert_eq!(told(&[axis(0.0, 1.0)]), Ok(()));
+        assert_eq!(told(&[axis(0.0, 0.5), axis(0.5, 1.0)]), Ok(()));
+        assert_eq!(told(&[]), Ok(()));
+    }
+
+    #[test]
+    fn a_curve_that_leaves_a_surface_is_refused_with_its_place() {
+        let off = DVec3::new(0.0, 0.0, 0.01);
+        let bent =
+            NurbsCurve::bezier(&[DVec3::ZERO, DVec3::X * 0.5 + off, DVec3::X]).expect("a curve");
+        let found = told(&[axis(0.0, 1.0), bent]);
+        let Err(GeomError::Picture(PictureError::OffSurface { point, distance })) = found else {
+            unreachable!("{found:?}")
+        };
+        assert!((point.z - distance).abs() <= 1e-12 && 1e-3 < distance, "{point} {distance}");
+    }
+
+    #[test]
+    fn a_curve_that_stands_twice_is_refused() {
+        let is_told_twice = |curves: &[NurbsCurve]| {
+            matches!(told(curves), Err(GeomError::Picture(PictureError::ToldTwice { .. })))
+        };
+        assert!(is_told_twice(&[axis(0.0, 1.0), axis(0.0, 1.0)]));
+        assert!(is_told_twice(&[axis(0.0, 1.0), axis(0.3, 1.0)]));
+        // Once there and back again.
+        let back = NurbsCurve::polyline(&[DVec3::ZERO, DVec3::X, DVec3::X * 0.2]).expect("a line");
+        assert!(is_told_twice(&[back]));
+    }
+
+    #[test]
+    fn a_curve_of_which_a_part_is_missing_is_refused_where_it_ends() {
+        let whole = axis(0.0, 1.0);
+        let half = whole.trimmed(Interval::new(0.0, 0.5).expect("an interval")).expect("a part");
+        let found = told(&[half]);
+        let Err(GeomError::Picture(PictureError::EndsInside { point })) = found else {
+            unreachable!("{found:?}")
+        };
+        assert!(point.distance(DVec3::X * 0.5) <= 1e-12, "{point}");
+    }
+}
