@@ -96,6 +96,24 @@ fn has_long_line(diagnostic: &Diagnostic, sources: &Sources) -> bool {
     })
 }
 
+/// Letters of a word that are shown where the source is not; of longer ones the beginning and the end.
+const MOST_LETTERS_A_WORD: usize = 200;
+
+/// The text with the middle of endless words left out.
+fn with_short_words(text: &str) -> String {
+    let shortened = |word: &str| {
+        let n_letters = word.chars().count();
+        if n_letters <= MOST_LETTERS_A_WORD {
+            return word.to_owned();
+        }
+        let half = MOST_LETTERS_A_WORD / 2;
+        let first: String = word.chars().take(half).collect();
+        let last: String = word.chars().skip(n_letters - half).collect();
+        format!("{first}…{last}")
+    };
+    text.split_inclusive([' ', '\n']).map(shortened).collect()
+}
+
 /// A diagnostic in lines of text, where the source cannot be shown.
 fn without_picture(diagnostic: &Diagnostic, sources: &Sources) -> String {
     let mut text = format!("[{}] {}\n", diagnostic.code.id(), diagnostic.message);
@@ -110,7 +128,7 @@ fn without_picture(diagnostic: &Diagnostic, sources: &Sources) -> String {
         }
     }
     hints(diagnostic).iter().for_each(|hint| text.push_str(&format!("   Help: {hint}\n")));
-    text
+    with_short_words(&text)
 }
 
 /// The text without escape sequences: the renderer paints the name of a kind of our own even where

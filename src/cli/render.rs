@@ -11,14 +11,16 @@ use super::{
     settings,
 };
 use crate::{
-    diag::Severity,
+    diag::{Diagnostic, Severity},
     disk::{OutputTarget, Script, ScriptFiles, TargetRefusal},
     export::{ExportError, Format, Job, PICTURES, Summary},
+    kernel::GeomError,
     limits::{
         Ceiling,
         work::{self, End, Watch},
     },
-    session::PictureContent,
+    session::{PictureContent, Report},
+    value::At,
 };
 
 /// `virote render FILE -o PICTURE`
@@ -52,14 +54,15 @@ pub(super) fn run(path: &Path, out: &Path, drawn: &PictureArgs, common: &RunArgs
 
     let has_errors = report.count(Severity::Error) > 0;
     let done = if !report.unknown_settings.is_empty() {
-        Err((report.unknown_settings.join("\n"), ExitStatus::Usage))
+        Err(Refusal::Told(report.unknown_settings.join("\n"), ExitStatus::Usage))
     } else if has_errors {
         Ok(None)
     } else {
-        let job =
-            session.picture(&report, &content, format).map_err(|text| (text, ExitStatus::Usage));
+        let job = session.picture(&report, &content, format);
+        let job = job.map_err(|text| Refusal::Told(text, ExitStatus::Usage));
         let watch = session.watch();
-        job.and_then(|job| draw(&job, watch, format, out, &inputs, &progress)).map(Some)
+        let target = (format, out, &*inputs);
+        job.and_then(|job| draw(&job, &report, watch, target, &progress)).map(Some)
     };
     drop(progress);
     voice.findings(&report.diagnostics, &report.sources);
@@ -72,11 +75,28 @@ pub(super) fn run(path: &Path, out: &Path, drawn: &PictureArgs, common: &RunArgs
             voice.remark("nothing was drawn, because the script has errors");
             ExitStatus::of(&report)
         }
-        Err((message, ending)) => {
+        Err(Refusal::Found(found)) => {
+            voice.findings(&[*found], &report.sources);
+            ExitStatus::of(&report).max(ExitStatus::Wrong)
+        }
+        Err(Refusal::Told(message, ending)) => {
             message.lines().for_each(|line| voice.trouble(line));
             ExitStatus::of(&report).max(ending)
         }
     }
+}
+
+/// Why nothing was drawn: a sentence, or a finding at its place in the script.
+enum Refusal {
+    Told(String, ExitStatus),
+    Found(Box<Diagnostic>),
+}
+
+/// What cannot be drawn, at its definition or where its function says why.
+fn undrawable(report: &Report, job: &Job, name: &str, reason: &GeomError) -> Option<Refusal> {
+    let item = job.items.iter().find(|item| item.name == name)?;
+    let defined = report.definitions.iter().find(|defined| defined.name == item.group)?;
+    Err::<(), _>(reason.clone()).at(defined.span).err().map(Refusal::Found)
 }
 
 /// The format of the picture and what it is to show, or what is wrong with that.
@@ -99,14 +119,14 @@ fn asked<'a>(
 /// Draws, and puts the picture into its place.
 fn draw(
     job: &Job,
+    report: &Report,
     watch: Watch,
-    format: &Format,
-    out: &Path,
-    inputs: &[PathBuf],
+    (format, out, inputs): (&Format, &Path, &[PathBuf]),
     progress: &Progress,
-) -> Result<Summary, (String, ExitStatus)> {
+) -> Result<Summary, Refusal> {
     let shown = out.display().to_string();
-    let cannot = |why: String| (format!("cannot write `{shown}`: {why}"), ExitStatus::Usage);
+    let cannot =
+        |why: String| Refusal::Told(format!("cannot write `{shown}`: {why}"), ExitStatus::Usage);
     let folder = match out.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
@@ -121,11 +141,15 @@ fn draw(
     let stage = || target.stage(job.limits.output_bytes, &told, write);
     let (staged, done) = work::under(watch, stage);
     let staged = done.end.map_or(staged, |end| Err(ExportError::Ended(end)));
+    let wrong = |why: String| Refusal::Told(why, ExitStatus::Wrong);
     let (staged, summary) = staged.map_err(|err| match &err {
         ExportError::Io(_) => cannot(err.reason()),
-        ExportError::Viewpoint(_) => (err.reason(), ExitStatus::Usage),
-        ExportError::Ended(end) => (ended(*end, &shown, job), ExitStatus::Wrong),
-        _ => (err.reason(), ExitStatus::Wrong),
+        ExportError::Viewpoint(_) => Refusal::Told(err.reason(), ExitStatus::Usage),
+        ExportError::Ended(end) => wrong(ended(*end, &shown, job)),
+        ExportError::Geometry { name, source } => {
+            undrawable(report, job, name, source).unwrap_or_else(|| wrong(err.reason()))
+        }
+        _ => wrong(err.reason()),
     })?;
     staged.place().map_err(|err| cannot(ExportError::Io(err).reason()))?;
     Ok(summary)

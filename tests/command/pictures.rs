@@ -505,3 +505,16 @@ fn a_failed_check_is_told_and_the_picture_drawn() {
     assert_eq!((out.as_str(), code), ("wrote a.png: 1 curve\n", 1));
     assert!(err.contains("check failed"), "{err}");
 }
+
+#[test]
+fn what_cannot_be_drawn_is_told_at_its_place() {
+    let scratch = Scratch::new("undrawable");
+    let script = "surface s = parametric((u, v) => (u, v, abs(u - 1)), 0..2, 0..1)\n";
+    scratch.file("a.geo", script);
+    let (_, err, code) = run(&scratch, &["render", "a.geo", "-o", "a.png"]);
+    assert_eq!(code, 2, "{err}");
+    for part in ["[E0503]", "a.geo:1:41", "at u = 1", "asked from here"] {
+        assert!(err.contains(part), "{part}: {err}");
+    }
+    assert!(!scratch.0.join("a.png").exists());
+}

@@ -11,9 +11,9 @@ op! {
     ///
     /// It is the function itself and no approximation. Its derivatives are exact, not differences:
     /// they are carried through everything that the function computes, through `if`, blocks, calls
-    /// and lists too; where an operation has none, the question for them fails there. The function
-    /// is tried at some places when the curve is made. Griewank & Walther, *Evaluating
-    /// Derivatives*, ch. 13.
+    /// and lists too. The function is tried at some places when the curve is made, and refused where
+    /// it has no derivative at any of them, because an operation in it passes none: such a curve could
+    /// not be drawn, measured or exported. Griewank & Walther, *Evaluating Derivatives*, ch. 13.
     parametric in Curve -> Curve {
         /// The function, of one parameter without a unit.
         f: Callback,
@@ -34,7 +34,25 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Curve> {
     let curve = ParametricCurve::new(args.domain, function).at(ctx.span);
     let hint =
         "a curve has a function of one parameter; one of two, and a second range, make a surface";
-    curve.map(Curve::from).map_err(|found| if_misfit(found, hint))
+    let curve = curve.map_err(|found| if_misfit(found, hint))?;
+    has_derivatives(|share| curve.derivatives_at(args.domain.at(share), 1).at(ctx.span))?;
+    Ok(Curve::from(curve))
+}
+
+/// Shares of a domain at which derivatives are looked for: none that a round number would be.
+const SHARES: [f64; 2] = [0.382, 0.708];
+
+/// Fails where a function has derivatives at none of some places: an operation in it has none. At a
+/// single place there may be none for all that, as of `abs(t)` at 0.
+pub(in crate::ops) fn has_derivatives<T>(at: impl Fn(f64) -> Result<T>) -> Result<()> {
+    let mut refused = None;
+    for share in SHARES {
+        match at(share) {
+            Err(found) if found.code == Code::NoDerivative => refused = refused.or(Some(found)),
+            _ => return Ok(()),
+        }
+    }
+    refused.map_or(Ok(()), Err)
 }
 
 /// Adds a hint where a function does not take the parameters that it is given.

@@ -3,7 +3,7 @@
 use crate::{
     diag::Result,
     kernel::{Interval, ParametricSurface, Surface},
-    ops::curve::parametric::if_misfit,
+    ops::curve::parametric::{has_derivatives, if_misfit},
     value::{At, Callback, Ctx, op},
 };
 
@@ -30,5 +30,9 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Surface> {
     let function = ctx.caller.surface_function(&args.f.0, ctx.span)?;
     let surface = ParametricSurface::new(args.domain_u, args.domain_v, function);
     let hint = "a surface has a function of two parameters: `(u, v) => ...`";
-    surface.at(ctx.span).map(Surface::from).map_err(|found| if_misfit(found, hint))
+    let surface = surface.at(ctx.span).map_err(|found| if_misfit(found, hint))?;
+    has_derivatives(|share| {
+        surface.derivatives_at(args.domain_u.at(share), args.domain_v.at(share), 1).at(ctx.span)
+    })?;
+    Ok(Surface::from(surface))
 }
