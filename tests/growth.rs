@@ -85,6 +85,13 @@ const SHAPES: &[Shape] = &[
         "",
     ),
     ("definitions of a block", "let y = {\n", "let a# = #", "\n", "\n1 }"),
+    (
+        "definitions of a block in a block",
+        "let y = { let z = {\n",
+        "let a# = # + a0",
+        "\n",
+        "\n1 } z }",
+    ),
     ("functions of a block", "let y = {\n", "fn f#(x) = x", "\n", "\n1 }"),
     (
         "functions of a block that use one another",

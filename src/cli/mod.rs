@@ -3,6 +3,7 @@
 
 mod args;
 mod exit_status;
+mod explain;
 mod fmt;
 mod graph;
 mod inspect;
@@ -37,7 +38,7 @@ use self::{
     standard_streams::{miss, say, say_error, spoken},
 };
 use crate::{
-    diag::{Code, fault},
+    diag::fault,
     docs, ops,
     syntax::{KEYWORDS, ast::Unit},
 };
@@ -83,7 +84,7 @@ fn dispatch(verb: CliCommand) -> ExitStatus {
         CliCommand::Watch(asked) => watch::run(&asked),
         CliCommand::View(asked) => view::run(&asked),
         CliCommand::Doc { words, search } => doc(&words, search),
-        CliCommand::Explain { code } => explain(code.as_deref()),
+        CliCommand::Explain { code } => explain::run(code.as_deref()),
         CliCommand::Completions { shell } => shell::completions(shell),
         CliCommand::Man { verb } => shell::man(verb.as_deref()),
     }
@@ -123,32 +124,4 @@ fn doc(words: &[String], is_search: bool) -> ExitStatus {
         say_error(&format!("virote: nothing built in is about `{query}`"));
     }
     ExitStatus::Usage
-}
-
-fn explain(code: Option<&str>) -> ExitStatus {
-    let Some(text) = code else {
-        let list: String =
-            Code::ALL.iter().map(|code| format!("{}  {}\n", code.id(), code.title())).collect();
-        say(&list);
-        return ExitStatus::Well;
-    };
-    match Code::from_id(text) {
-        Some(code) => {
-            say(&format!(
-                "{}: {}\n\n{}\n",
-                code.id(),
-                code.title(),
-                docs::wrap(code.explanation())
-            ));
-            ExitStatus::Well
-        }
-        None => {
-            let near = crate::diag::nearest(text, Code::ALL.iter().map(|code| code.id()));
-            let near = near.map(|near| format!("; did you mean {near}?")).unwrap_or_default();
-            say_error(&format!(
-                "virote: there is no code `{text}`{near}; `virote explain` lists all"
-            ));
-            ExitStatus::Usage
-        }
-    }
 }

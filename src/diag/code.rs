@@ -80,8 +80,6 @@ codes! {
         "The name is neither defined in this file nor built in. Names may be used above their definition, but they must be defined somewhere in their scope. `virote doc` lists what is built in."
     Duplicate "E0202" "a name is defined twice"
         "Every name is defined once in its scope: there is no assignment, so a second definition would make one of the two meaningless. Choose another name."
-    Shadowing "E0203" "a name hides another of the file"
-        "A parameter, a comprehension's variable or a name in a block may not have the name of something that is visible there: readers would confuse the two. Built-in names may be hidden. Choose another name."
     Cycle "E0204" "definitions go round in a circle"
         "A definition may use any other, above or below, but not itself by way of others, since then none of them has a value. Functions may call themselves."
     UnknownOperation "E0205" "no such built-in"
@@ -225,6 +223,14 @@ impl Code {
         Self::ALL.iter().copied().find(|code| code.id().eq_ignore_ascii_case(id))
     }
 }
+
+/// Codes of mistakes that are none any more, each with a title and what it meant: a code is never given
+/// to another mistake.
+pub const RETIRED: &[(&str, &str, &str)] = &[(
+    "E0203",
+    "a name hides another of the file",
+    "This is no mistake any more: parameters, variables of comprehensions and names inside blocks and tests may hide names of around them. Within one scope a name is still defined once (E0202). Inside a block that defines a name, that name means the block's own, also above its definition: where the outer one is wanted too, one of them needs another name.",
+)];
 
 #[cfg(test)]
 mod tests {

@@ -8,7 +8,7 @@ mod nearest;
 mod shown;
 mod source;
 
-pub use code::Code;
+pub use code::{Code, RETIRED};
 pub use nearest::nearest;
 pub use shown::{is_hidden, shown};
 pub use source::{Source, Sources};

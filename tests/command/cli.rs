@@ -302,6 +302,10 @@ fn codes_are_explained() {
     for code in virote::diag::Code::ALL {
         assert!(out.contains(code.id()), "{} is not listed", code.id());
     }
+    // A code that no mistake has any more is told what holds instead.
+    let (out, err, code) = run(&scratch, &["explain", "e0203"]);
+    assert_eq!((err.as_str(), code), ("", 0));
+    assert!(out.starts_with("E0203: ") && out.contains("no mistake any more"), "{out}");
     let (out, err, code) = run(&scratch, &["explain", "E9999"]);
     assert_eq!((out.as_str(), code), ("", 3));
     assert!(err.contains("E9999"), "{err}");

@@ -125,7 +125,6 @@ test \"all of them come\" {
     expect error \"E0501\" f(0)
     expect error \"E0201\" nobody
     expect error \"E0201\" nobody + nobody_else
-    expect error \"E0203\" { let one = 2; one }
     expect error \"E0204\" { let a = b; let b = a; a }
     expect error \"E0202\" { let a = 1; let a = 2; a }
     expect error \"E0401\" f()

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::{
     super::{
+        explain,
         reporter::{counted, pretty},
         standard_streams::say,
     },
@@ -11,13 +12,7 @@ use super::{
     prompt::Prompt,
     show,
 };
-use crate::{
-    diag::{Code, nearest},
-    docs,
-    export::View,
-    syntax::StatementRole,
-    value::Value,
-};
+use crate::{diag::nearest, docs, export::View, syntax::StatementRole, value::Value};
 
 /// A command.
 pub(super) struct Command {
@@ -155,9 +150,7 @@ fn help(prompt: &mut Prompt, name: &str) {
         let docs = prompt.document.docs_of(name).map(|docs| format!("\n{docs}"));
         say(&format!("{}\n{}", show::line(name, value), docs.unwrap_or_default()));
     }
-    let code = Code::from_id(name).map(|code| {
-        format!("{}: {}\n\n{}\n", code.id(), code.title(), docs::wrap(code.explanation()))
-    });
+    let code = explain::entry(name);
     let command = COMMANDS.iter().find(|command| command.name == name).map(Command::entry);
     let word = || docs::language::entry(name);
     match docs::entry(&prompt.registry, name).or(code).or(command).or_else(word) {

@@ -5,6 +5,7 @@ use std::{collections::BTreeMap, sync::Arc};
 use super::{
     super::ir::{Block, Expr, ExprKind, Group},
     Lowerer, graph,
+    name_walk::NameWalk,
     scope::{Captures, Siblings},
 };
 use crate::{
@@ -69,7 +70,6 @@ impl<'s> Lowerer<'_, 's> {
                 let span = self.at(name.span);
                 if let Some(&(_, first)) = owners.get(name.text) {
                     self.report(duplicate(name.text, span, first));
-                    self.duplicates.insert(span);
                 } else {
                     owners.insert(name.text, (idx, span));
                 }
@@ -131,7 +131,18 @@ impl<'s> Lowerer<'_, 's> {
         for name in rest {
             diagnostic = diagnostic.also(self.at(name.span), "part of the circle");
         }
-        self.report(diagnostic.hint("only functions (`fn`) may use themselves"));
+        diagnostic = diagnostic.hint("only functions (`fn`) may use themselves");
+        for name in names {
+            if let Some(outer) = self.around(name.text) {
+                let text = format!("this `{}` is hidden in the block", name.text);
+                let hint = format!(
+                    "to use the `{0}` of around the block, give the one inside another name",
+                    name.text
+                );
+                diagnostic = diagnostic.also(outer, text).hint(hint);
+            }
+        }
+        self.report(diagnostic);
     }
 
     /// Functions that may use one another: one group with common captures.
@@ -183,100 +194,20 @@ pub(super) fn duplicate(name: &str, second: Span, first: Span) -> Diagnostic {
         .hint("every name is defined once; choose another name for one of them")
 }
 
-/// The items whose names occur in an item. Names never hide one another, so that every occurrence
-/// of the word counts.
-fn uses(item: &BlockItem<'_, '_>, owners: &BTreeMap<&str, (usize, Span)>) -> Vec<usize> {
+/// The items whose names an item uses: not those that it hides by names of its own.
+fn uses<'s>(item: &BlockItem<'_, 's>, owners: &BTreeMap<&'s str, (usize, Span)>) -> Vec<usize> {
     let mut found = Vec::new();
     let mut see = |name: &str| {
         if let Some(&(idx, _)) = owners.get(name) {
             found.push(idx);
         }
     };
+    let mut walk = NameWalk::new(&mut see);
     match item {
-        BlockItem::Function(function) => {
-            function
-                .parameters
-                .iter()
-                .filter_map(|parameter| parameter.default.as_ref())
-                .for_each(|default| walk(default, &mut see));
-            walk(&function.body, &mut see);
-        }
-        BlockItem::Value(definition) => walk(&definition.value, &mut see),
+        BlockItem::Function(function) => walk.function(function),
+        BlockItem::Value(definition) => walk.expr(&definition.value),
     }
     found.sort_unstable();
     found.dedup();
     found
-}
-
-/// Shows every name that is used in an expression to `see`.
-fn walk(expr: &ast::Expr<'_>, see: &mut dyn FnMut(&str)) {
-    use ast::ExprKind as Kind;
-    match &expr.kind {
-        Kind::Error
-        | Kind::Number(..)
-        | Kind::Text(_)
-        | Kind::Bool(_)
-        | Kind::None
-        | Kind::Placeholder => {}
-        Kind::Name(name) => see(name),
-        Kind::Group(inner)
-        | Kind::Unary(_, inner)
-        | Kind::Field(inner, _)
-        | Kind::Lambda(_, inner) => walk(inner, see),
-        Kind::Interpolation(pieces) => {
-            for piece in pieces {
-                if let ast::Piece::Expr(inner) = piece {
-                    walk(inner, see);
-                }
-            }
-        }
-        Kind::Point(exprs) => exprs.iter().for_each(|inner| walk(inner, see)),
-        Kind::List(elements) => {
-            for ast::Element::Item(inner) | ast::Element::Spread(inner) in elements {
-                walk(inner, see);
-            }
-        }
-        Kind::Record(fields) => {
-            for field in fields {
-                match &field.value {
-                    Some(value) => walk(value, see),
-                    None => see(field.name.text),
-                }
-            }
-        }
-        Kind::Comprehension(comprehension) => {
-            for generator in &comprehension.generators {
-                walk(&generator.source, see);
-                generator.condition.iter().for_each(|condition| walk(condition, see));
-            }
-            walk(&comprehension.body, see);
-        }
-        Kind::Block(block) => walk_block(block, see),
-        Kind::Binary(_, parts) | Kind::Pipe(parts) | Kind::Index(parts) => {
-            parts.iter().for_each(|part| walk(part, see));
-        }
-        Kind::Within(parts) | Kind::If(parts) => parts.iter().for_each(|part| walk(part, see)),
-        Kind::Call(callee, args) => {
-            walk(callee, see);
-            args.iter().for_each(|arg| walk(&arg.value, see));
-        }
-    }
-}
-
-fn walk_block(block: &ast::Block<'_>, see: &mut dyn FnMut(&str)) {
-    for statement in &block.statements {
-        match &statement.kind {
-            StatementKind::Function(function) => {
-                function
-                    .parameters
-                    .iter()
-                    .filter_map(|parameter| parameter.default.as_ref())
-                    .for_each(|default| walk(default, see));
-                walk(&function.body, see);
-            }
-            StatementKind::Definition(definition) => walk(&definition.value, see),
-            _ => {}
-        }
-    }
-    walk(&block.value, see);
 }

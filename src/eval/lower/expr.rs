@@ -134,7 +134,7 @@ impl<'s> Lowerer<'_, 's> {
             .iter()
             .map(|generator| {
                 let source = self.expr(&generator.source);
-                let (slot, parts) = self.element_pattern(&generator.pattern);
+                let (slot, parts) = self.element_pattern(&generator.pattern, mark);
                 let condition = generator.condition.as_ref().map(|condition| self.expr(condition));
                 Generator { slot, source, parts, condition }
             })
@@ -144,15 +144,21 @@ impl<'s> Lowerer<'_, 's> {
         ExprKind::Comprehension(Box::new(Comprehension { generators, body }))
     }
 
-    /// Slots for an element and for the variables that take it apart.
-    fn element_pattern(&mut self, pattern: &Pattern<'s>) -> (usize, Vec<(usize, Expr)>) {
+    /// Slots for an element and for the variables that take it apart, in a comprehension whose scope
+    /// began at `mark`.
+    fn element_pattern(
+        &mut self,
+        pattern: &Pattern<'s>,
+        mark: usize,
+    ) -> (usize, Vec<(usize, Expr)>) {
+        let bind = |this: &mut Self, name: &ast::Name<'s>| this.bind_once(name, mark, "variables");
         if let Pattern::Name(name) = pattern {
-            return (self.bind(name), Vec::new());
+            return (bind(self, name), Vec::new());
         }
         let slot = self.scopes.reserve();
         let whole = |span| Expr { kind: ExprKind::Local(slot), span };
         let parts = self.take_apart(pattern, whole);
-        let parts = parts.into_iter().map(|(name, expr)| (self.bind(&name), expr)).collect();
+        let parts = parts.into_iter().map(|(name, expr)| (bind(self, &name), expr)).collect();
         (slot, parts)
     }
 
@@ -238,7 +244,7 @@ impl<'s> Lowerer<'_, 's> {
         let parameters = names
             .iter()
             .map(|name| {
-                self.bind_parameter(name);
+                self.bind_once(name, 0, "parameters");
                 Parameter { name: Arc::from(name.text), default: None }
             })
             .collect();
@@ -246,22 +252,6 @@ impl<'s> Lowerer<'_, 's> {
         let (n_slots, captures) = self.scopes.leave();
         let lambda = Lambda { name: None, parameters, body, n_slots };
         ExprKind::Lambda(Arc::new(Group { lambdas: vec![lambda] }), 0, captures.sources())
-    }
-
-    /// Gives a parameter its slot.
-    fn bind_parameter(&mut self, name: &ast::Name<'s>) {
-        let Some(first) = self.scopes.own(name.text) else {
-            self.bind(name);
-            return;
-        };
-        let again = self.at(name.span);
-        let message = format!("two parameters are called `{}`", name.text);
-        self.report(
-            Diagnostic::error(Code::Duplicate, again, message)
-                .label("choose another name")
-                .also(first, "the first one"),
-        );
-        self.scopes.bind(name.text, again);
     }
 
     /// A named function in a scope of its own; `captures` are shared by its group.
@@ -278,7 +268,7 @@ impl<'s> Lowerer<'_, 's> {
             .iter()
             .map(|parameter| {
                 let default = parameter.default.as_ref().map(|default| self.expr(default));
-                self.bind_parameter(&parameter.name);
+                self.bind_once(&parameter.name, 0, "parameters");
                 Parameter { name: Arc::from(parameter.name.text), default }
             })
             .collect();

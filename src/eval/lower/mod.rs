@@ -6,6 +6,7 @@ mod expr;
 pub(in crate::eval) mod foreign_names;
 mod graph;
 mod import;
+mod name_walk;
 mod scope;
 mod statement;
 mod test;
@@ -82,7 +83,6 @@ pub(crate) fn lower<'s>(
         tested: None,
         first: 0,
         scopes: Scopes::default(),
-        duplicates: BTreeSet::new(),
         dependencies: BTreeSet::new(),
         n_unknown: 0,
         is_poisoned: false,
@@ -113,8 +113,6 @@ struct Lowerer<'a, 's> {
     /// The number of the first definition of the file or test under way.
     first: usize,
     scopes: Scopes<'s>,
-    /// Second definitions that were told as such.
-    duplicates: BTreeSet<Span>,
     /// What the definition under way uses.
     dependencies: BTreeSet<usize>,
     /// Names without a meaning so far.
@@ -275,27 +273,30 @@ impl<'s> Lowerer<'_, 's> {
         self.poison(span)
     }
 
-    /// Gives a name inside an expression a slot, unless it hides another name of the file.
-    fn bind(&mut self, name: &ast::Name<'s>) -> usize {
-        let span = self.at(name.span);
-        let hidden = self
-            .scopes
-            .find(name.text)
-            .map(|(_, span)| span)
-            .or_else(|| self.global(name.text).map(|(_, span)| span));
-        if let Some(first) = hidden.filter(|_| !self.duplicates.contains(&span)) {
-            self.report(shadowing(name.text, span, first));
-        }
-        self.scopes.bind(name.text, span)
+    /// Where a name of this place is defined, if it is one of the script.
+    fn around(&mut self, name: &str) -> Option<Span> {
+        let local = self.scopes.find(name).map(|(_, span)| span);
+        local.or_else(|| self.global(name).map(|(_, span)| span))
     }
-}
 
-/// A name inside the file that is one of the file already.
-fn shadowing(name: &str, second: Span, first: Span) -> Diagnostic {
-    let message = format!("`{name}` would hide another `{name}` of this file");
-    Diagnostic::error(Code::Shadowing, second, message)
-        .label("choose another name")
-        .also(first, "the other one is defined here")
+    /// Gives a name inside an expression a slot.
+    fn bind(&mut self, name: &ast::Name<'s>) -> usize {
+        self.scopes.bind(name.text, self.at(name.span))
+    }
+
+    /// Gives a name of a scope that began at `mark` a slot; a second one of the same name is reported,
+    /// as `what` that are called so.
+    fn bind_once(&mut self, name: &ast::Name<'s>, mark: usize, what: &str) -> usize {
+        if let Some(first) = self.scopes.own(name.text, mark) {
+            let message = format!("two {what} are called `{}`", name.text);
+            self.report(
+                Diagnostic::error(Code::Duplicate, self.at(name.span), message)
+                    .label("choose another name")
+                    .also(first, "the first one"),
+            );
+        }
+        self.bind(name)
+    }
 }
 
 /// Whether a text ends with a keyword that a defined name follows.

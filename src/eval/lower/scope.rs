@@ -2,7 +2,7 @@
 //!
 //! A function sees its parameters and variables, the functions that were defined together with
 //! it, and whatever the functions around it see; of the latter it takes copies when it is made
-//! (captures). Names never hide one another, so each lookup has one answer.
+//! (captures). The innermost of a name hides the others.
 
 use std::{collections::HashMap, sync::Arc};
 
@@ -30,7 +30,7 @@ struct Local<'s> {
     name: &'s str,
     slot: usize,
     span: Span,
-    /// Where the one of this name stands that it hides, which was told.
+    /// Where the one of this name stands that it hides.
     hidden: Option<usize>,
 }
 
@@ -105,10 +105,11 @@ impl<'s> Scopes<'s> {
         }
     }
 
-    /// Where the innermost function defines `name`, if it does.
-    pub(super) fn own(&self, name: &str) -> Option<Span> {
+    /// Where the innermost function defines `name` among its variables that came after `mark`.
+    pub(super) fn own(&self, name: &str, mark: usize) -> Option<Span> {
         let scope = self.functions.last()?;
-        scope.places.get(name).map(|&idx| scope.locals[idx].span)
+        let idx = scope.places.get(name).filter(|&&idx| mark <= idx)?;
+        Some(scope.locals[*idx].span)
     }
 
     /// What `name` means here, if it is no definition of the file, and where it was defined.

@@ -10,7 +10,6 @@ use super::{
     Lowerer,
     block::duplicate,
     scope::Captures,
-    shadowing,
 };
 use crate::{
     diag::{Code, Diagnostic, Span, nearest},
@@ -190,11 +189,11 @@ impl<'s> Lowerer<'_, 's> {
         for name in names {
             let span = self.at(name.span);
             match self.global(name.text) {
-                Some((idx, first)) if idx < self.first => {
-                    self.diagnostics.push(shadowing(name.text, span, first));
+                // A test may hide names of its file.
+                Some((idx, first)) if self.first <= idx => {
+                    self.diagnostics.push(duplicate(name.text, span, first));
                 }
-                Some((_, first)) => self.diagnostics.push(duplicate(name.text, span, first)),
-                None => {
+                _ => {
                     let scope = self.tested.as_mut().unwrap_or(&mut self.globals);
                     scope.insert(name.text, (*next, span));
                 }

@@ -1,6 +1,6 @@
 //! Lowering of tests: each is a program of its own that sees the definitions of the file.
 //!
-//! Names of a test belong to it alone; like any other name they hide none of the file.
+//! Names of a test belong to it alone, and may hide those of the file.
 
 use std::{collections::BTreeMap, sync::Arc};
 
@@ -9,7 +9,7 @@ use super::{
     Lowerer,
 };
 use crate::{
-    diag::{Code, Diagnostic, Severity, Span, nearest},
+    diag::{Code, Diagnostic, RETIRED, Severity, Span, nearest},
     syntax::ast::{self, Statement, StatementKind},
 };
 
@@ -108,6 +108,10 @@ fn unknown_code(id: &str, place: Span) -> Diagnostic {
     let (message, near) = match Code::from_id(id) {
         Some(warning) => (
             format!("`{}` is the code of a warning; no expression fails with it", warning.id()),
+            None,
+        ),
+        None if RETIRED.iter().any(|(retired, ..)| retired.eq_ignore_ascii_case(id)) => (
+            format!("no mistake has the code {id} any more; `virote explain {id}` tells why"),
             None,
         ),
         None => (format!("no error has the code \"{id}\""), nearest(id, codes())),
