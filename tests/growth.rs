@@ -282,14 +282,7 @@ const SHAPES: &[Shape] = &[
     ("one face of OBJ", "let a = load(\"face@.obj\")\n", "", "", ""),
     ("files that are loaded", "", "let a# = load(\"one#.json\")", "\n", ""),
     // What grows by copying.
-    (
-        "a string grown by `fold`",
-        "let a = fold(1..@, \"\", (a, x) => \"{a}-\")\nprint len(a)",
-        "",
-        "",
-        "",
-    ),
-    ("a sum by `fold`", "let a = fold(1..@, 0, (a, x) => a + x)\n", "", "", ""),
+    ("a sum by `fold`", "let all = fold(1..@, 0, (a, x) => a + x)\n", "", "", ""),
     (
         "a face with corners on a parabola",
         "let a = mesh([...[for i in 1..@: (i / @, (i / @)^2)], (0.5, 0.9), (0, 0.5)], \

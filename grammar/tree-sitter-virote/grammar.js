@@ -217,7 +217,8 @@ module.exports = grammar({
     string: ($) =>
       seq('"', repeat(choice($.string_content, $.escape, $.interpolation)), token.immediate('"')),
     escape: (_) => token.immediate(seq("\\", choice(/[nt"\\{}]/, /u\{[0-9a-fA-F]+\}/))),
-    interpolation: ($) => seq(token.immediate("{"), $._expression, "}"),
+    interpolation: ($) => seq(token.immediate("{"), $._expression, optional($.format), "}"),
+    format: (_) => token(seq(":", /[^{}"\n]+/)),
 
     identifier: (_) => /[\p{XID_Start}_]\p{XID_Continue}*/,
 

@@ -119,7 +119,7 @@ impl Reporter {
             name_test(&mut line, test);
             say_exactly(&format!("{line}\n"));
         } else {
-            say(&format!("{} = {}\n", printed.source, printed.value));
+            say(&format!("{printed}\n"));
         }
     }
 

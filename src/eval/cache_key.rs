@@ -222,7 +222,13 @@ impl<'a> CacheKey<'a> {
                     self.tag(0);
                     self.text(text);
                 }
-                Piece::Expr(expr) => self.all(1, std::slice::from_ref(expr)),
+                Piece::Expr(expr, format) => {
+                    self.all(1, std::slice::from_ref(expr));
+                    let Some(format) = format else { continue };
+                    self.tag(2);
+                    self.number(format.digits.map_or(0, |digits| digits + 1));
+                    self.text(format.unit.as_deref().unwrap_or_default());
+                }
             }
         }
     }

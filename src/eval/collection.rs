@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::{
-    ir::{Comprehension, Element, Expr, Piece},
+    ir::{Comprehension, Element, Expr, Piece, TextFormat},
     items::Items,
     lanes::{BlockResult, Lanes},
     machine::Machine,
@@ -13,7 +13,7 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     limits::Ceiling,
-    value::{Dimension, IntoValue, List, Number, Real, Record, Value, Vector},
+    value::{Dimension, IntoValue, List, Number, NumberFormat, Real, Record, Value, Vector},
 };
 
 /// Fails: this cannot be a coordinate.
@@ -136,14 +136,24 @@ impl Machine<'_> {
         Diagnostic::error(Code::TooLarge, span, message).crossing(Ceiling::TEXT_BYTES).fail()
     }
 
+    fn formatted(&self, value: &Value, format: &TextFormat, span: Span) -> Result<String> {
+        NumberFormat::new(format.digits, format.unit.as_deref(), self.env.unit.name())
+            .map_err(|refusal| refusal.at(format.span))?
+            .text(value)
+            .map_err(|refusal| refusal.at(span))
+    }
+
     pub(super) fn text(&mut self, pieces: &[Piece], span: Span) -> Result<Value> {
         let mut out = String::new();
         for piece in pieces {
             match piece {
                 Piece::Text(text) => out.push_str(text),
-                Piece::Expr(expr) => match self.eval(expr)? {
-                    Value::Text(text) => out.push_str(&text),
-                    other => out.push_str(&other.to_string()),
+                Piece::Expr(expr, format) => match (self.eval(expr)?, format) {
+                    (value, Some(format)) => {
+                        out.push_str(&self.formatted(&value, format, expr.span)?);
+                    }
+                    (Value::Text(text), None) => out.push_str(&text),
+                    (other, None) => out.push_str(&other.to_string()),
                 },
             }
             self.check_text(out.len(), span)?;

@@ -57,6 +57,13 @@ pub(crate) enum ExprKind {
     Promise(Box<Expr>, Kind, Span),
 }
 
+impl Expr {
+    /// Whether it is a text as it is written, with or without values in it.
+    pub(crate) fn is_text(&self) -> bool {
+        matches!(self.kind, ExprKind::Text(_) | ExprKind::Constant(Value::Text(_)))
+    }
+}
+
 /// An element of a list.
 #[derive(Debug)]
 pub(crate) enum Element {
@@ -68,7 +75,15 @@ pub(crate) enum Element {
 #[derive(Debug)]
 pub(crate) enum Piece {
     Text(Arc<str>),
-    Expr(Expr),
+    Expr(Expr, Option<TextFormat>),
+}
+
+/// How a number stands in a text.
+#[derive(Debug)]
+pub(crate) struct TextFormat {
+    pub(crate) digits: Option<usize>,
+    pub(crate) unit: Option<Arc<str>>,
+    pub(crate) span: Span,
 }
 
 /// A call as written.

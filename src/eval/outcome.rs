@@ -1,11 +1,13 @@
 //! What became of a file: its definitions, what its effects came to, what was found.
 
+use std::fmt;
+
 use super::{claim::Verdict, globals::KeptGlobals, memory::Work};
 use crate::{
-    diag::{Code, Diagnostic, Span, Spanned},
+    diag::{Code, Diagnostic, Span, Spanned, shown},
     kernel::Tolerance,
     syntax::ast::{Kind, Unit},
-    value::{Appearance, Value},
+    value::{Appearance, Value, table_text},
 };
 
 /// A definition with its value.
@@ -37,6 +39,30 @@ pub struct Printed {
     pub span: Span,
     /// Its value.
     pub value: Value,
+    /// Whether the expression is a text itself, which says what it says without its source.
+    pub is_text: bool,
+}
+
+/// What stands in the output, without the line break at the end: the text of a string that is written as
+/// one, the rows of a table, or `source = value`.
+impl fmt::Display for Printed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.value {
+            Value::Text(text) if self.is_text => f.write_str(&shown(text)),
+            Value::Table(table) => {
+                let rows = if table.n_rows() == 1 { "row" } else { "rows" };
+                let text = table_text(table);
+                write!(
+                    f,
+                    "{} = table of {} {rows}\n{}",
+                    self.source,
+                    table.n_rows(),
+                    text.trim_end()
+                )
+            }
+            value => write!(f, "{} = {value}", self.source),
+        }
+    }
 }
 
 /// A judged claim.

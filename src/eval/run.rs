@@ -203,6 +203,7 @@ impl FileRun<'_> {
                     source: self.document.excerpt(expr.span),
                     span: expr.span,
                     value,
+                    is_text: expr.is_text(),
                 }));
             }
         }

@@ -287,8 +287,19 @@ pub enum ExprKind<'s> {
 pub enum Piece<'s> {
     /// Text, escapes resolved.
     Text(String),
-    /// `{expr}`
-    Expr(Expr<'s>),
+    /// `{expr}`, or `{expr:.3mm}`.
+    Expr(Expr<'s>, Option<TextFormat<'s>>),
+}
+
+/// How a number stands in a text: `:.3`, `:mm` or `:.3mm`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TextFormat<'s> {
+    /// Digits behind the point.
+    pub digits: Option<usize>,
+    /// The unit that it is told in.
+    pub unit: Option<&'s str>,
+    /// Where it stands, its colon included.
+    pub span: Span,
 }
 
 /// An element of a list.

@@ -1,11 +1,13 @@
 //! Text to tokens: logos finds them, this file adds what needs memory: the parts of interpolated
 //! strings, nested comments, the beginnings of lines, and habits from other languages.
 
+mod foreign;
 mod scan;
 mod unseen;
 
 use logos::{Lexer, Logos};
 
+use foreign::FOREIGN;
 pub(super) use scan::block_comment;
 use scan::{PieceEnd, is_closed, piece};
 
@@ -38,6 +40,15 @@ struct Interpolation {
     head: usize,
     /// Braces open inside the current expression.
     braces: usize,
+    /// Other brackets open there.
+    brackets: usize,
+}
+
+impl Interpolation {
+    /// Whether a colon here begins a format.
+    fn is_outside_brackets(&self) -> bool {
+        self.braces == 0 && self.brackets == 0
+    }
 }
 
 struct Scanner<'s> {
@@ -51,32 +62,6 @@ struct Scanner<'s> {
     /// The finding about stray text that has grown since its message was made.
     grown: Option<usize>,
 }
-
-/// Spellings of other languages: what they mean here, and what to do.
-const FOREIGN: &[(&str, Token, &str)] = &[
-    ("&&", Token::And, "write `and`"),
-    ("&", Token::And, "write `and`"),
-    ("||", Token::Or, "write `or`"),
-    ("|", Token::Pipe, "write `or`, or `|>` to pass a value into a call"),
-    ("!", Token::Not, "write `not`"),
-    (":=", Token::Equals, "write `=`"),
-    ("->", Token::Arrow, "a function is written `x => x^2`"),
-    ("**", Token::Caret, "a power is written `a^b`"),
-    ("<>", Token::NotEqual, "write `!=`"),
-    ("===", Token::Equal, "write `==`"),
-    ("+=", Token::Bad, "there is no assignment: give the new value a name of its own"),
-    ("-=", Token::Bad, "there is no assignment: give the new value a name of its own"),
-    ("°", Token::Bad, "write `deg`, glued to the number: `45deg`"),
-    ("−", Token::Minus, "write the minus of the keyboard: `-`"),
-    ("×", Token::Star, "write `*`"),
-    ("·", Token::Star, "write `*`, or `dot(a, b)`"),
-    ("÷", Token::Slash, "write `/`"),
-    ("≤", Token::LessEqual, "write `<=`"),
-    ("≥", Token::GreaterEqual, "write `>=`"),
-    ("≠", Token::NotEqual, "write `!=`"),
-    ("≈", Token::Near, "write `~=`"),
-    ("…", Token::Range, "write `..` for a range, `...` to spread a list"),
-];
 
 impl<'s> Scanner<'s> {
     fn take(&mut self, token: Token) {
@@ -96,7 +81,22 @@ impl<'s> Scanner<'s> {
                 self.push(token);
             }
             Token::CloseBrace => self.close_brace(),
-            Token::OpenParen | Token::OpenBracket | Token::Minus => self.line_start(token),
+            Token::OpenParen | Token::OpenBracket => {
+                if let Some(inner) = self.open.last_mut() {
+                    inner.brackets += 1;
+                }
+                self.line_start(token);
+            }
+            Token::CloseParen | Token::CloseBracket => {
+                if let Some(inner) = self.open.last_mut() {
+                    inner.brackets = inner.brackets.saturating_sub(1);
+                }
+                self.push(token);
+            }
+            Token::Minus => self.line_start(token),
+            Token::Colon if self.open.last().is_some_and(Interpolation::is_outside_brackets) => {
+                self.format();
+            }
             Token::Dot | Token::Number => self.point_or_number(token),
             Token::Foreign => self.foreign(),
             Token::ForeignText => self.foreign_text(),
@@ -179,6 +179,13 @@ impl<'s> Scanner<'s> {
         }
     }
 
+    /// What stands behind a colon, up to the brace that ends the expression.
+    fn format(&mut self) {
+        let rest = self.lexer.remainder();
+        self.lexer.bump(rest.find(['}', '{', '"', '\n']).unwrap_or(rest.len()));
+        self.push(Token::TextFormat);
+    }
+
     /// The piece of a string that begins here: `last` when a quote ends it, `more` when a brace does.
     fn piece(&mut self, last: Token, more: Token) {
         let (len, end) = piece(self.lexer.remainder());
@@ -192,13 +199,21 @@ impl<'s> Scanner<'s> {
             }
             PieceEnd::Brace => {
                 if more == Token::TextHead {
-                    self.open.push(Interpolation { head: self.out.tokens.len(), braces: 0 });
+                    self.open.push(Interpolation {
+                        head: self.out.tokens.len(),
+                        braces: 0,
+                        brackets: 0,
+                    });
                 }
                 self.push(more);
             }
             PieceEnd::Line => {
                 self.push(last);
-                self.open.push(Interpolation { head: self.out.tokens.len() - 1, braces: 0 });
+                self.open.push(Interpolation {
+                    head: self.out.tokens.len() - 1,
+                    braces: 0,
+                    brackets: 0,
+                });
                 self.give_up_string(self.lexer.span().end);
             }
         }

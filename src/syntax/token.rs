@@ -70,6 +70,8 @@ tokens! {
         TextHead "a string"
         TextMiddle "the rest of the string"
         TextTail "the rest of the string"
+        // `:.3mm` before the brace that ends an interpolated expression; the lexer makes it of a colon.
+        TextFormat "a format"
         // Brackets and minus that begin a line never continue an expression.
         LineParen "("
         LineBracket "["
@@ -110,6 +112,7 @@ impl Token {
             | Self::TextHead
             | Self::TextMiddle
             | Self::TextTail
+            | Self::TextFormat
             | Self::Bad
             | Self::End => self.text().to_owned(),
             _ => format!("`{}`", self.text()),

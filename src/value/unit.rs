@@ -20,16 +20,17 @@ const LENGTHS: &[(&str, f64)] = &[
 const ANGLES: &[(&str, [f64; 2])] =
     &[("rad", [1.0, 1.0]), ("deg", [PI, 180.0]), ("°", [PI, 180.0]), ("turn", [TAU, 1.0])];
 
-/// What the unit of a column measures, and its size in the document's unit and radians as a
+/// What a unit that is written as text measures, and its size in the document's unit and radians as a
 /// fraction.
-struct ColumnUnit {
+#[derive(Clone, Copy, Debug)]
+pub(super) struct UnitText {
     dim: Dimension,
     size: [f64; 2],
 }
 
-impl ColumnUnit {
+impl UnitText {
     /// The unit that `text` says, in a document whose unit of length is `length`.
-    fn read(text: &str, length: &str) -> Option<Self> {
+    pub(super) fn read(text: &str, length: &str) -> Option<Self> {
         let document = size_of(length)?;
         let (mut powers, mut size) = ([0_i32; 2], [1.0; 2]);
         let mut is_below = false;
@@ -69,16 +70,35 @@ impl ColumnUnit {
         size.iter().all(|part| part.is_normal()).then_some(Self { dim, size })
     }
 
-    /// So many of this unit, in the document's unit and radians; whole ratios stay exact.
+    /// What it measures.
+    pub(super) fn dim(&self) -> Dimension {
+        self.dim
+    }
+
+    /// Whether it measures angles, alone or with lengths.
+    pub(super) fn has_angle(&self) -> bool {
+        self.dim.powers()[1] != 0
+    }
+
+    /// So many of this unit, in the document's unit and radians.
     fn convert(&self, value: f64) -> f64 {
-        let [above, below] = self.size;
-        if above % below == 0.0 {
-            value * (above / below)
-        } else if below % above == 0.0 {
-            value / (below / above)
-        } else {
-            value * above / below
-        }
+        scaled(value, self.size)
+    }
+
+    /// A number in the document's unit and radians, in this unit.
+    pub(super) fn told(&self, value: f64) -> f64 {
+        scaled(value, [self.size[1], self.size[0]])
+    }
+}
+
+/// The number times a fraction; whole ratios stay exact.
+fn scaled(value: f64, [above, below]: [f64; 2]) -> f64 {
+    if above % below == 0.0 {
+        value * (above / below)
+    } else if below % above == 0.0 {
+        value / (below / above)
+    } else {
+        value * above / below
     }
 }
 
@@ -112,7 +132,7 @@ fn name_and_power(text: &str) -> Option<(&str, i32)> {
 /// What the numbers of a column measure.
 pub(super) fn dim_of(column: &NamedColumn) -> Dimension {
     // Columns are kept in the document's unit, so that only the powers are left to read.
-    let unit = column.unit.as_deref().and_then(|unit| ColumnUnit::read(unit, "mm"));
+    let unit = column.unit.as_deref().and_then(|unit| UnitText::read(unit, "mm"));
     unit.map_or(Dimension::NONE, |unit| unit.dim)
 }
 
@@ -124,7 +144,7 @@ pub(super) fn dim_of(column: &NamedColumn) -> Dimension {
 pub fn in_document_unit(column: NamedColumn, length: &str) -> Result<NamedColumn, String> {
     let Some(text) = &column.unit else { return Ok(column) };
     let name = &column.name;
-    let unit = ColumnUnit::read(text, length).ok_or_else(|| {
+    let unit = UnitText::read(text, length).ok_or_else(|| {
         let lengths = LENGTHS.iter().map(|(name, _)| *name);
         let angles = ANGLES.iter().map(|(name, _)| *name).filter(|name| name.is_ascii());
         let known: Vec<&str> = lengths.chain(angles).collect();
@@ -146,14 +166,14 @@ pub fn in_document_unit(column: NamedColumn, length: &str) -> Result<NamedColumn
 
 #[cfg(test)]
 mod tests {
-    use super::{ColumnUnit, Dimension};
+    use super::{Dimension, UnitText};
 
     #[test]
     fn what_exports_write_is_read() {
         for [length, angle] in [[6, 0], [0, 6], [12, 0], [-6, 0], [3, 0], [-12, 6], [-3, -9]] {
             let dim = Dimension::of_powers([length, angle]);
             let text = dim.unit("cm").unwrap_or_default();
-            let unit = ColumnUnit::read(&text, "cm").expect("it is a unit");
+            let unit = UnitText::read(&text, "cm").expect("it is a unit");
             assert_eq!(unit.dim, dim, "{text}");
             assert_eq!(unit.convert(0.1).to_bits(), 0.1_f64.to_bits(), "{text}");
         }
@@ -162,7 +182,7 @@ mod tests {
     #[test]
     fn powers_convert_by_their_power() {
         let convert = |text: &str, value: f64| {
-            ColumnUnit::read(text, "mm").map(|unit| (unit.dim.powers(), unit.convert(value)))
+            UnitText::read(text, "mm").map(|unit| (unit.dim.powers(), unit.convert(value)))
         };
         assert_eq!(convert("cm^2", 2.0), Some(([12, 0], 200.0)));
         assert_eq!(convert("m³", 1.0), Some(([18, 0], 1e9)));

@@ -134,9 +134,10 @@ fn checks(report: &Report) -> Json {
 
 fn prints(report: &Report) -> Json {
     let print = |event: &Event| match event {
+        // A text that is written as one stands for itself.
         Event::Printed(printed) => Some(json!({
-            "text": printed.source,
-            "value": printed.value.to_string(),
+            "text": if printed.is_text { printed.to_string() } else { printed.source.clone() },
+            "value": if printed.is_text { String::new() } else { printed.value.to_string() },
             "line": line(printed.span, &report.sources),
         })),
         _ => None,

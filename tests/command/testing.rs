@@ -74,7 +74,7 @@ test \"last\" { check true }
     let expected = "\
 failed   a.geo  1 of 2 checks
 failed   a.geo:4  two claims fail
-\"shown\" = \"shown\"
+shown
 wrong    a.geo:9  a mistake
 passed   a.geo:10  last
 wrong    a.geo  1 error

@@ -19,6 +19,7 @@
 (string) @string
 (escape) @string.escape
 (interpolation ["{" "}"] @punctuation.special)
+(format) @string.special
 
 (line_comment) @comment
 (block_comment) @comment

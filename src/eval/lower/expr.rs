@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, sync::Arc};
 use super::{
     super::ir::{
         Arg, CallExpr, Comprehension, Element, Expr, ExprKind, Generator, Group, Lambda, Parameter,
-        Piece,
+        Piece, TextFormat,
     },
     Lowerer,
     scope::{Captures, Siblings},
@@ -73,7 +73,14 @@ impl<'s> Lowerer<'_, 's> {
             .iter()
             .map(|piece| match piece {
                 ast::Piece::Text(text) => Piece::Text(Arc::from(text.as_str())),
-                ast::Piece::Expr(expr) => Piece::Expr(self.expr(expr)),
+                ast::Piece::Expr(expr, format) => {
+                    let format = format.map(|format| TextFormat {
+                        digits: format.digits,
+                        unit: format.unit.map(Arc::from),
+                        span: self.at(format.span),
+                    });
+                    Piece::Expr(self.expr(expr), format)
+                }
             })
             .collect()
     }

@@ -1,17 +1,22 @@
 //! Lists.
 
 mod any;
+mod argmax;
+mod argmin;
+mod contains;
 mod cosspace;
 mod every;
 mod filter;
 mod first;
 mod flatten;
 mod fold;
+mod index_of;
 mod last;
 mod len;
 mod linspace;
 mod map;
 mod mean;
+mod order;
 mod product;
 mod range;
 mod reverse;
@@ -24,6 +29,8 @@ mod zip;
 
 use glam::DVec3;
 
+use order::extreme_index;
+
 use super::math::{common_dim, finite};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
@@ -33,12 +40,16 @@ use crate::{
 
 pub(super) static OPS: &[&Op] = &[
     &any::OP,
+    &argmax::OP,
+    &argmin::OP,
+    &contains::OP,
     &cosspace::OP,
     &every::OP,
     &filter::OP,
     &first::OP,
     &flatten::OP,
     &fold::OP,
+    &index_of::OP,
     &last::OP,
     &len::OP,
     &linspace::OP,

@@ -2,8 +2,9 @@
 
 use std::cmp::Ordering;
 
+use super::order::{ordering, sort_keys};
 use crate::{
-    diag::{Code, Diagnostic, Result, Spanned},
+    diag::{Result, Spanned},
     value::{Callback, Ctx, List, Value, op},
 };
 
@@ -22,36 +23,9 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Value>> {
+    let keys = sort_keys(ctx, &args.list, args.by.as_ref())?;
     let items = &args.list.value;
-    let keys: Vec<Value> = match &args.by {
-        Some(by) => {
-            let keys = items.iter().map(|item| ctx.call(by, std::slice::from_ref(item)));
-            keys.collect::<Result<_>>()?
-        }
-        None => items.to_vec(),
-    };
     let mut places: Vec<usize> = (0..items.len()).collect();
-    for pair in keys.windows(2) {
-        if ordering(&pair[0], &pair[1]).is_none() {
-            let message = format!("{} and {} have no order", pair[0].phrase(), pair[1].phrase());
-            return Diagnostic::error(Code::WrongKind, args.list.span, message)
-                .hint("numbers of one dimension can be sorted, and strings; else give `by = x => ...`")
-                .fail();
-        }
-    }
     places.sort_by(|&a, &b| ordering(&keys[a], &keys[b]).unwrap_or(Ordering::Equal));
     Ok(places.into_iter().map(|place| items[place].clone()).collect())
-}
-
-/// The order of two numbers or two strings.
-fn ordering(a: &Value, b: &Value) -> Option<Ordering> {
-    match (a, b) {
-        (Value::Jet(_), _) | (_, Value::Jet(_)) => ordering(&a.looked_at(), &b.looked_at()),
-        (Value::Number(a), Value::Number(b)) => {
-            a.dim.common(b.dim)?;
-            a.value.partial_cmp(&b.value)
-        }
-        (Value::Text(a), Value::Text(b)) => Some(a.cmp(b)),
-        _ => None,
-    }
 }

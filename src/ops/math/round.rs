@@ -1,21 +1,62 @@
-//! `round`: the nearest whole number.
+//! `round`: the nearest whole number, or the nearest of so many digits.
 
 use crate::{
-    diag::Result,
-    value::{Ctx, LocallyConstant, Number, op},
+    diag::{Code, Diagnostic, Result, Spanned},
+    value::{Ctx, Dimension, LocallyConstant, Maybe, Number, op},
 };
 
 op! {
-    /// The nearest whole number; halves go away from zero.
+    /// The nearest whole number, or the nearest number of so many digits behind the point; halves go
+    /// away from zero.
+    ///
+    /// A quantity is rounded in document units; `round(x / 1in) * 1in` rounds in others.
     round in Math -> Number {
         /// A number of any dimension.
         x: LocallyConstant,
+        /// Digits behind the point; where negative, tens, hundreds and so on.
+        digits: Maybe<Spanned<i64>>,
     }
     example "round(2.5)" => "3";
     example "round(-2.5)" => "-3";
+    example "round(pi, 3)" => "3.142";
+    example "round(1234, -2)" => "1200";
+    refuses "round(30.26deg, 1)" => "E0303: an angle has no digits of its own";
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number> {
     let LocallyConstant(x) = args.x;
-    Ok(Number { value: x.value.round(), ..x })
+    let Some(digits) = args.digits.0 else { return Ok(Number { value: x.value.round(), ..x }) };
+    if x.dim == Dimension::ANGLE {
+        return Diagnostic::error(
+            Code::UnitMismatch,
+            digits.span,
+            "an angle has no digits of its own",
+        )
+        .hint("in degrees: `round(x / 1deg, 1) * 1deg`")
+        .fail();
+    }
+    Ok(Number { value: rounded_to(x.value, digits.value), ..x })
+}
+
+/// Digits behind the point beyond which every number is itself, and before it beyond which it is 0.
+const MOST: i64 = 400;
+
+/// The number of so many digits behind the point that is nearest to the shortest text of `x`.
+fn rounded_to(x: f64, digits: i64) -> f64 {
+    let digits = digits.clamp(-MOST, MOST);
+    let text = format!("{:e}", x.abs());
+    let Some((mantissa, exponent)) = text.split_once('e') else { return x };
+    let Ok(exponent) = exponent.parse::<i64>() else { return x };
+    let figures: Vec<u8> = mantissa.bytes().filter(u8::is_ascii_digit).collect();
+    // The first figure counts 10^exponent; those from here on go away.
+    let n_kept = exponent + 1 + digits;
+    if n_kept < 0 {
+        return 0.0;
+    }
+    let n_kept = n_kept as usize;
+    let Some(&next) = figures.get(n_kept) else { return x };
+    let kept: String = figures[..n_kept].iter().map(|&figure| char::from(figure)).collect();
+    let whole = kept.parse::<u64>().unwrap_or(0) + u64::from(b'5' <= next);
+    let rounded = format!("{whole}e{}", -digits).parse::<f64>().unwrap_or(x.abs());
+    rounded.copysign(x) + 0.0
 }

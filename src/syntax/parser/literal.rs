@@ -4,7 +4,7 @@ use super::expression::take_expression;
 use super::input::{Input, Parsed, complain, expected, here, peek, since};
 use super::problem::ExpectedTokens;
 use crate::diag::{self, Code, Diagnostic, Span, nearest};
-use crate::syntax::ast::{Expr, ExprKind, Piece, Unit};
+use crate::syntax::ast::{Expr, ExprKind, Piece, TextFormat, Unit};
 use crate::syntax::token::Token;
 
 /// `12.5mm`
@@ -157,9 +157,42 @@ fn pieces<'t, 's: 't>(input: &mut Input<'t, '_, 's>) -> Parsed<Vec<Piece<'s>>> {
         if is_last {
             return Ok(pieces);
         }
-        pieces.push(Piece::Expr(take_expression(input)?));
+        let expr = take_expression(input)?;
+        let format = (peek(input) == Token::TextFormat).then(|| format(input)).flatten();
+        pieces.push(Piece::Expr(expr, format));
         if !matches!(peek(input), Token::TextMiddle | Token::TextTail) {
             return Err(expected(input, ExpectedTokens::token(Token::CloseBrace)));
+        }
+    }
+}
+
+/// A format: digits behind a point, a unit, or both.
+fn format<'s>(input: &mut Input<'_, '_, 's>) -> Option<TextFormat<'s>> {
+    let at = here(input);
+    let span = input.state().span(at);
+    input.skip();
+    let text = input.state().source[span.range()].trim_start_matches(':').trim();
+    let (digits, unit) = match text.strip_prefix('.') {
+        Some(rest) => {
+            let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
+            (Some(rest[..end].parse::<usize>()), rest[end..].trim())
+        }
+        None => (None, text),
+    };
+    let is_unit = unit.starts_with(|c: char| c.is_alphabetic() || matches!(c, '1' | '°'));
+    match digits.transpose() {
+        Ok(digits) if digits.is_some() && unit.is_empty() || is_unit => {
+            Some(TextFormat { digits, unit: (!unit.is_empty()).then_some(unit), span })
+        }
+        _ => {
+            let message = match text {
+                "" => "a format is missing behind the colon".to_owned(),
+                _ => format!("`{text}` is no format"),
+            };
+            complain(input, Diagnostic::error(Code::Syntax, span, message).label("not understood").hint(
+                "a format is `.3` for digits behind the point, a unit such as `mm`, or both, as in `{x:.1mm}`",
+            ));
+            None
         }
     }
 }

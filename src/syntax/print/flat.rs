@@ -233,12 +233,24 @@ impl FlatText {
                 for piece in pieces {
                     match piece {
                         Piece::Text(text) => self.put(&escaped(text)),
-                        Piece::Expr(expr) => {
+                        Piece::Expr(expr, format) => {
                             self.put("{");
                             // A string ends on its line.
                             let mut inner = Self(String::new());
                             inner.expression(expr);
                             self.put(&inner.0.replace('\n', "; "));
+                            if let Some(format) = format {
+                                let digits = format.digits.map(|digits| format!(".{digits}"));
+                                let unit = format.unit.unwrap_or_default();
+                                // Digits and `1/m` would run together.
+                                let gap = match digits {
+                                    Some(_) if unit.starts_with(|c: char| c.is_ascii_digit()) => {
+                                        " "
+                                    }
+                                    _ => "",
+                                };
+                                self.put(&format!(":{}{gap}{unit}", digits.unwrap_or_default()));
+                            }
                             self.put("}");
                         }
                     }

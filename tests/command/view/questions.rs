@@ -234,7 +234,7 @@ fn a_page_of_its_own_holds_the_model() {
     let start = page.find("id=\"virote-data\">").expect("its data") + "id=\"virote-data\">".len();
     let data = page[start..].split("</script>").next().expect("its end");
     let data: Json = serde_json::from_str(data).expect("JSON");
-    assert_eq!(data["state"]["prints"][0]["value"], json!("\"</script><b>\""));
+    assert_eq!(data["state"]["prints"][0]["text"], json!("</script><b>"));
     let items = data["state"]["items"].as_array().expect("items");
     assert!(
         items.iter().all(|item| data["items"][item["key"].as_str().expect("a key")].is_string())

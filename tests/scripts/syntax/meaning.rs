@@ -227,7 +227,10 @@ fn check_text(source: &str, text: &str) {
             .iter()
             .map(|piece| match piece {
                 Piece::Text(text) => text.clone(),
-                Piece::Expr(expr) => format!("<{}>", nested(expr)),
+                Piece::Expr(expr, None) => format!("<{}>", nested(expr)),
+                Piece::Expr(expr, Some(format)) => {
+                    format!("<{}:{:?}{:?}>", nested(expr), format.digits, format.unit)
+                }
             })
             .collect(),
         other => panic!("a text, not {other:?}"),

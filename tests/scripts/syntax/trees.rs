@@ -8,7 +8,7 @@ use virote::diag::Span;
 use virote::syntax::ast::{
     Arg, BinaryOp, Block, Comprehension, Definition, Element, Export, Expr, ExprKind, Field,
     Function, Generator, Import, Kind, Name, Param, Parameter, Pattern, Piece, Statement,
-    StatementKind, Tree, UnaryOp, Unit,
+    StatementKind, TextFormat, Tree, UnaryOp, Unit,
 };
 
 type S = &'static str;
@@ -216,14 +216,25 @@ fn arg(
     (option::of(label()), value).prop_map(|(name, value)| Arg { name, value }).boxed()
 }
 
+fn text_format() -> impl Strategy<Value = Option<TextFormat<'static>>> {
+    let unit = || prop_oneof![Just("mm^2"), Just("1/m")];
+    let format = |digits, unit| TextFormat { digits, unit, span: Span::default() };
+    prop_oneof![
+        Just(None),
+        (0_usize..20).prop_map(move |digits| Some(format(Some(digits), None))),
+        (option::of(0_usize..20), unit())
+            .prop_map(move |(digits, unit)| Some(format(digits, Some(unit)))),
+    ]
+}
+
 fn texts_and_blocks(
     inner: impl Strategy<Value = Expr<'static>> + Clone + 'static,
 ) -> impl Strategy<Value = ExprKind<'static>> {
-    let pieces = (".{0,3}", collection::vec((inner.clone(), ".{0,3}"), 1..3));
+    let pieces = (".{0,3}", collection::vec((inner.clone(), text_format(), ".{0,3}"), 1..3));
     let interpolation = pieces.prop_map(|(first, rest)| {
         let mut pieces = vec![Piece::Text(first)];
-        for (expr, text) in rest {
-            pieces.extend([Piece::Expr(expr), Piece::Text(text)]);
+        for (expr, format, text) in rest {
+            pieces.extend([Piece::Expr(expr, format), Piece::Text(text)]);
         }
         pieces.retain(|piece| !matches!(piece, Piece::Text(text) if text.is_empty()));
         ExprKind::Interpolation(pieces)

@@ -173,7 +173,7 @@ fn pages<'a>(
     for event in &report.events {
         match event {
             Event::Printed(line) => {
-                printed += &format!("{} = {}\n", line.source, line.value);
+                printed += &format!("{line}\n");
             }
             Event::File(file) => {
                 let page = page(file, header, limits).map_err(|err| {

@@ -1,0 +1,63 @@
+//! The order of elements: by themselves, or by what a function says of them.
+
+use std::cmp::Ordering;
+
+use super::super::math::empty;
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    value::{Callback, Ctx, List, Value},
+};
+
+/// What decides the order of the elements of a list; neighbours have one.
+pub(super) fn sort_keys(
+    ctx: &mut Ctx<'_>,
+    list: &Spanned<List>,
+    by: Option<&Callback>,
+) -> Result<Vec<Value>> {
+    let items = &list.value;
+    let keys: Vec<Value> = match by {
+        Some(by) => {
+            let keys = items.iter().map(|item| ctx.call(by, std::slice::from_ref(item)));
+            keys.collect::<Result<_>>()?
+        }
+        None => items.to_vec(),
+    };
+    for pair in keys.windows(2) {
+        if ordering(&pair[0], &pair[1]).is_none() {
+            let message = format!("{} and {} have no order", pair[0].phrase(), pair[1].phrase());
+            return Diagnostic::error(Code::WrongKind, list.span, message)
+                .hint("numbers of one dimension can be sorted, and strings; else give `by = x => ...`")
+                .fail();
+        }
+    }
+    Ok(keys)
+}
+
+/// The index of the first element that comes before, or behind, all others.
+pub(super) fn extreme_index(
+    ctx: &mut Ctx<'_>,
+    list: &Spanned<List>,
+    by: Option<&Callback>,
+    wanted: Ordering,
+    what: &str,
+) -> Result<usize> {
+    let keys = sort_keys(ctx, list, by)?;
+    let better = |a: usize, b: usize| ordering(&keys[b], &keys[a]) == Some(wanted);
+    match (0..keys.len()).reduce(|best, idx| if better(best, idx) { idx } else { best }) {
+        Some(idx) => Ok(idx),
+        None => empty(list.span, what),
+    }
+}
+
+/// The order of two numbers or two strings.
+pub(super) fn ordering(a: &Value, b: &Value) -> Option<Ordering> {
+    match (a, b) {
+        (Value::Jet(_), _) | (_, Value::Jet(_)) => ordering(&a.looked_at(), &b.looked_at()),
+        (Value::Number(a), Value::Number(b)) => {
+            a.dim.common(b.dim)?;
+            a.value.partial_cmp(&b.value)
+        }
+        (Value::Text(a), Value::Text(b)) => Some(a.cmp(b)),
+        _ => None,
+    }
+}
