@@ -124,6 +124,9 @@ codes! {
     NoDerivative "E0503" "no derivative"
         "The tangent or curvature of a `parametric` curve or surface needs the derivatives of its function, which are carried through every operation in it. Some operations have none at some places, such as `abs` and `sqrt` at 0, and others have none at all, such as the construction of a circle whose radius varies. Points can still be asked for."
 
+    NoAnswer "E0504" "a search without an answer"
+        "`solve`, `minimize`, `maximize` and `integrate` ask a function at many places. What they find is checked before it is given: a root is a change of sign without a jump, or a touch; an integral has a known error. Where there is no such answer, the message tells what was found instead, and where. Look at the function with `:plot` at the prompt, or in another range."
+
     // E06xx: geometry.
     TooFewPoints "E0601" "too few points"
         "A curve of degree p needs p + 1 control points or more, and so does each direction of a surface."

@@ -163,7 +163,13 @@ pub use mesh::{
     split_polygon, tessellate, tessellate_all, tessellate_any, tessellate_curve,
     tessellate_curve_any, tessellate_finely, tessellation_parameters,
 };
-pub use numeric::symmetric_eigen::principal_axes;
+pub use numeric::{
+    integral::{Integral, IntegralError, find_integral},
+    least::find_least,
+    root::{RootError, find_root, find_roots},
+    sample::Sample,
+    symmetric_eigen::principal_axes,
+};
 pub use skin::{
     AlignedSection, Along, CompatibleSections, SectionParameters, SectionSlope, Skin, SkinBuilder,
     SkinError, SkinInput, SkinnedSurface, aligned, at_constant_speed, corners_of_ring,

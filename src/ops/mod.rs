@@ -10,6 +10,7 @@ mod list;
 mod math;
 mod measure;
 mod mesh;
+mod search;
 mod surface;
 mod text;
 mod transform;
@@ -35,6 +36,7 @@ pub fn registry() -> Registry {
         measure::OPS,
         mesh::OPS,
         math::OPS,
+        search::OPS,
         vector::OPS,
         list::OPS,
         text::OPS,

@@ -152,7 +152,7 @@ mod tests {
     #[test]
     fn digits_stand_behind_the_point() {
         let of = |value: f64, digits| text(Some(digits), None, Value::number(value));
-        assert_eq!(of(2.71828, 3), "2.718");
+        assert_eq!(of(7.7654, 3), "7.765");
         assert_eq!(of(2.0, 2), "2.00");
         assert_eq!(of(-0.0004, 3), "0.000");
         assert_eq!(of(-0.0006, 3), "-0.001");

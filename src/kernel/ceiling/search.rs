@@ -66,3 +66,21 @@ pub(crate) const QUADRIC_WORK: usize = 100_000_000;
 
 /// Pairs of curves of a network that do not meet of which the distance is looked for.
 pub(crate) const DISTANT_PAIRS: usize = 100;
+
+/// Places at which a function of one number is asked for a change of its sign.
+pub(crate) const ROOT_LOOKS: usize = 128;
+
+/// Places at which it is asked for all of them.
+pub(crate) const ALL_ROOT_LOOKS: usize = 256;
+
+/// Steps towards a root in its bracket: bisection alone needs some sixty.
+pub(crate) const ROOT_STEPS: usize = 300;
+
+/// Parts of an interval at whose ends a function is asked for its least value.
+pub(crate) const LEAST_LOOKS: usize = 16;
+
+/// Steps towards a least value; from a valley that is clear it needs some twenty.
+pub(crate) const LEAST_STEPS: usize = 100;
+
+/// Pieces of an interval over which a function is integrated.
+pub(crate) const INTEGRAL_PIECES: usize = 2000;

@@ -11,6 +11,7 @@ mod function;
 mod intersection;
 mod measure;
 mod mesh;
+mod number;
 mod parameters;
 mod rounding;
 mod surface;
@@ -44,6 +45,10 @@ pub(crate) use mesh::END_LOOK;
 pub use mesh::{
     BORDER_SHARE, DEFAULT_CHORD_RELATIVE, FLAT_SLOPE, LEAN_SHARE, UNIT_SLACK, VIEW_ANGLE,
     WELD_SHARE,
+};
+pub use number::{
+    INTEGRAL_RELATIVE, INTEGRAL_WIDTH_RELATIVE, LEAST_PLACE_RELATIVE, ROOT_JUMP_RELATIVE,
+    ROOT_RELATIVE, ROOT_TOUCH_RELATIVE,
 };
 pub use parameters::{
     KNOT_CLUSTER_RELATIVE, KNOT_RELATIVE, PARAMETER_RELATIVE, PLACE_RELATIVE, SIDE_STEP,

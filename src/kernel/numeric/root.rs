@@ -1,0 +1,317 @@
+//! Roots of functions of one number.
+
+use super::{least::least_between, sample::Sample};
+use crate::{
+    ceiling::{ALL_ROOT_LOOKS, ROOT_LOOKS, ROOT_STEPS},
+    tolerance::{ROOT_JUMP_RELATIVE, ROOT_RELATIVE, ROOT_TOUCH_RELATIVE},
+};
+
+/// Why there is no root.
+///
+/// ```
+/// use virote_kernel::{RootError, find_root};
+///
+/// let found = find_root(|x| Ok::<_, ()>(x * x + 1.0), [-1.0, 2.0]);
+/// assert!(matches!(found, Err(RootError::NoRoot { nearest, .. }) if nearest.at.abs() < 1e-6));
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub enum RootError<E> {
+    /// The function failed.
+    Function(E),
+    /// No change of sign was found and no touch: the sample nearest to zero, and those at both ends.
+    NoRoot {
+        /// Where it is nearest to zero.
+        nearest: Sample,
+        /// At the ends of the interval.
+        ends: [Sample; 2],
+    },
+    /// The sign changes from one number to the next without a zero.
+    Jump {
+        /// Both numbers.
+        sides: [Sample; 2],
+    },
+}
+
+impl<E> From<E> for RootError<E> {
+    fn from(err: E) -> Self {
+        Self::Function(err)
+    }
+}
+
+/// A function that keeps what it was asked.
+struct Asked<F> {
+    function: F,
+    /// The greatest value so far, without its sign.
+    size: f64,
+}
+
+impl<F> Asked<F> {
+    fn at<E>(&mut self, at: f64) -> Result<Sample, E>
+    where
+        F: FnMut(f64) -> Result<f64, E>,
+    {
+        let value = (self.function)(at)?;
+        self.size = self.size.max(value.abs());
+        Ok(Sample { at, value })
+    }
+}
+
+/// One root of a function in an interval, `start` below `end`, as exactly as numbers tell it.
+///
+/// Where the signs at both ends are the same, the interval is divided until they are not somewhere, and
+/// else the function is looked at where it is nearest to zero, since it may only touch it. The root that is
+/// found is between two neighbouring numbers with a change of sign, over which the function does not jump.
+/// Chandrupatla, *A new hybrid quadratic/bisection algorithm for finding the zero of a nonlinear function
+/// without using derivatives*, Adv. Eng. Software 28 (1997).
+///
+/// ```
+/// use virote_kernel::{find_root, RootError};
+///
+/// let root = find_root(|x| Ok::<_, ()>(x * x - 2.0), [0.0, 2.0])?;
+/// assert!((root.at - 2.0_f64.sqrt()).abs() < 1e-15);
+/// let pole = find_root(|x| Ok::<_, ()>(1.0 / (x - 0.3)), [0.0, 2.0]);
+/// assert!(matches!(pole, Err(RootError::Jump { .. })));
+/// # Ok::<(), RootError<()>>(())
+/// ```
+///
+/// # Errors
+/// Those of the function; no root; a jump over zero.
+pub fn find_root<E>(
+    function: impl FnMut(f64) -> Result<f64, E>,
+    [start, end]: [f64; 2],
+) -> Result<Sample, RootError<E>> {
+    let mut asked = Asked { function, size: 0.0 };
+    let ends = [asked.at(start)?, asked.at(end)?];
+    let mut samples = ends.to_vec();
+    loop {
+        if let Some(root) = samples.iter().find(|sample| is_zero(sample.value)) {
+            return Ok(*root);
+        }
+        if let Some(pair) = samples.windows(2).find(|pair| is_change(pair[0], pair[1])) {
+            return between(&mut asked, [pair[0], pair[1]], end - start);
+        }
+        if ROOT_LOOKS < samples.len() {
+            break;
+        }
+        samples = halved(&mut asked, &samples)?;
+    }
+    touch(&mut asked, &samples)?.map_err(|nearest| RootError::NoRoot { nearest, ends })
+}
+
+/// Every root of a function in an interval that samples at equal distances tell apart, in order: roots
+/// that are nearer to one another may be missed in pairs.
+///
+/// # Errors
+/// Those of the function; a jump over zero.
+pub fn find_roots<E>(
+    function: impl FnMut(f64) -> Result<f64, E>,
+    [start, end]: [f64; 2],
+) -> Result<Vec<Sample>, RootError<E>> {
+    let mut asked = Asked { function, size: 0.0 };
+    let mut samples = vec![asked.at(start)?, asked.at(end)?];
+    while samples.len() <= ALL_ROOT_LOOKS {
+        samples = halved(&mut asked, &samples)?;
+    }
+    let mut roots = Vec::new();
+    for (i, pair) in samples.windows(2).enumerate() {
+        if is_zero(pair[0].value) {
+            roots.push(pair[0]);
+        } else if is_change(pair[0], pair[1]) {
+            roots.push(between(&mut asked, [pair[0], pair[1]], end - start)?);
+        } else if let [before, middle, after] = samples[i..(i + 3).min(samples.len())]
+            && is_valley(before, middle, after)
+            && let Ok(root) = touch_between(&mut asked, [before, middle, after])?
+        {
+            roots.push(root);
+        }
+    }
+    roots.extend(samples.last().filter(|sample| is_zero(sample.value)));
+    Ok(roots)
+}
+
+fn is_zero(value: f64) -> bool {
+    value == 0.0
+}
+
+fn is_change(a: Sample, b: Sample) -> bool {
+    a.value.is_sign_negative() != b.value.is_sign_negative()
+        && !is_zero(a.value)
+        && !is_zero(b.value)
+}
+
+/// Whether a function comes nearest to zero at the middle one of three places, without a root at them.
+fn is_valley(before: Sample, middle: Sample, after: Sample) -> bool {
+    let [a, b, c] = [before, middle, after].map(|sample| sample.value.abs());
+    !is_change(before, middle) && !is_change(middle, after) && 0.0 < b && b <= a && b <= c
+}
+
+/// The samples with one in the middle between any two neighbours.
+fn halved<E, F: FnMut(f64) -> Result<f64, E>>(
+    asked: &mut Asked<F>,
+    samples: &[Sample],
+) -> Result<Vec<Sample>, E> {
+    let mut all = Vec::with_capacity(2 * samples.len());
+    for pair in samples.windows(2) {
+        all.extend([pair[0], asked.at(0.5 * (pair[0].at + pair[1].at))?]);
+    }
+    all.extend(samples.last());
+    Ok(all)
+}
+
+/// The root between two places with values of different signs.
+fn between<E, F: FnMut(f64) -> Result<f64, E>>(
+    asked: &mut Asked<F>,
+    [mut b, mut a]: [Sample; 2],
+    interval: f64,
+) -> Result<Sample, RootError<E>> {
+    let mut share = 0.5;
+    for _ in 0..ROOT_STEPS {
+        let new = asked.at(a.at + share * (b.at - a.at))?;
+        let c = if is_change(new, a) { std::mem::replace(&mut b, a) } else { a };
+        a = new;
+        let best = if a.value.abs() < b.value.abs() { a } else { b };
+        let spacing = best.at.abs().next_up() - best.at.abs();
+        let rest = (2.0 * spacing).max(ROOT_RELATIVE * interval) / (b.at - a.at).abs();
+        if is_zero(best.value) {
+            return Ok(best);
+        }
+        if 0.5 <= rest {
+            break;
+        }
+        share = next_share([a, b, c]).clamp(rest, 1.0 - rest);
+    }
+    if ROOT_JUMP_RELATIVE * asked.size < (a.value - b.value).abs() {
+        let sides = if a.at < b.at { [a, b] } else { [b, a] };
+        return Err(RootError::Jump { sides });
+    }
+    Ok(if a.value.abs() < b.value.abs() { a } else { b })
+}
+
+/// Where between a and b the root is looked for next: by inverse quadratic interpolation where that is
+/// sure to converge, else in the middle.
+fn next_share([a, b, c]: [Sample; 3]) -> f64 {
+    let xi = (a.at - b.at) / (c.at - b.at);
+    let phi = (a.value - b.value) / (c.value - b.value);
+    if !(phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi) {
+        return 0.5;
+    }
+    let first = a.value / (b.value - a.value) * c.value / (b.value - c.value);
+    let second = (c.at - a.at) / (b.at - a.at) * a.value / (c.value - a.value) * b.value
+        / (c.value - b.value);
+    first + second
+}
+
+/// Where a function without a change of sign touches zero, else where it is nearest to that.
+fn touch<E, F: FnMut(f64) -> Result<f64, E>>(
+    asked: &mut Asked<F>,
+    samples: &[Sample],
+) -> Result<Result<Sample, Sample>, RootError<E>> {
+    let nearer = |a: &&Sample, b: &&Sample| a.value.abs().total_cmp(&b.value.abs());
+    let Some(&nearest) = samples.iter().min_by(nearer) else { unreachable!("there are ends") };
+    let valley = samples.windows(3).find(|trio| trio[1] == nearest);
+    match valley {
+        Some(&[before, middle, after]) => touch_between(asked, [before, middle, after]),
+        _ => Ok(Err(nearest)),
+    }
+}
+
+fn touch_between<E, F: FnMut(f64) -> Result<f64, E>>(
+    asked: &mut Asked<F>,
+    [before, middle, after]: [Sample; 3],
+) -> Result<Result<Sample, Sample>, RootError<E>> {
+    let sign = middle.value.signum();
+    let size = asked.size;
+    let mut crossed = None;
+    let least = least_between(
+        |at| {
+            let sample = asked.at(at)?;
+            if sample.value * sign < 0.0 {
+                crossed = Some(sample);
+            }
+            Ok::<f64, E>(sample.value * sign)
+        },
+        [before.at, middle.at, after.at],
+        middle.value * sign,
+    )?;
+    if let Some(beyond) = crossed {
+        return between(asked, [before, beyond], after.at - before.at).map(Ok);
+    }
+    let least = Sample { at: least.at, value: least.value * sign };
+    Ok(if least.value.abs() <= ROOT_TOUCH_RELATIVE * size { Ok(least) } else { Err(least) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{RootError, Sample, find_root, find_roots};
+
+    fn root(
+        function: impl Fn(f64) -> f64,
+        interval: [f64; 2],
+    ) -> (Result<Sample, RootError<()>>, usize) {
+        let mut n = 0;
+        let found = find_root(
+            |x| {
+                n += 1;
+                Ok(function(x))
+            },
+            interval,
+        );
+        (found, n)
+    }
+
+    #[test]
+    fn roots_are_found_to_the_last_digit_in_few_steps() {
+        let cases: [(fn(f64) -> f64, [f64; 2], f64); 6] = [
+            (|x| x * x - 2.0, [0.0, 2.0], std::f64::consts::SQRT_2),
+            (|x| libm::cos(x) - x, [0.0, 1.0], 0.739_085_133_215_160_6),
+            (|x| libm::exp(x) - 1e6, [0.0, 20.0], 13.815_510_557_964_274),
+            (|x| x * x * x - 1e-9, [-1.0, 1.0], 1e-3),
+            (|x| 1.0 - 5.0 * x, [-3.0, 8.0], 0.2),
+            (|x| x - 1e-200, [-1.0, 1.0], 0.0),
+        ];
+        for (function, interval, expected) in cases {
+            let (found, n) = root(function, interval);
+            let at = found.expect("a root").at;
+            assert!((at - expected).abs() <= 4.0 * f64::EPSILON * expected.abs().max(1e-3), "{at}");
+            assert!(n <= 30, "{n} for {expected}");
+        }
+    }
+
+    #[test]
+    fn roots_between_ends_of_one_sign_are_found() {
+        let (found, _) = root(|x| (x - 1.0) * (x - 1.3), [0.0, 2.0]);
+        let at = found.expect("a root").at;
+        assert!((at - 1.0).abs() < 1e-14 || (at - 1.3).abs() < 1e-14, "{at}");
+        let (touch, _) = root(|x| (x - 0.7) * (x - 0.7), [0.0, 2.0]);
+        assert!((touch.expect("a touch").at - 0.7).abs() < 1e-7);
+    }
+
+    #[test]
+    fn what_is_no_root_is_none() {
+        let (above, _) = root(|x| x * x + 0.1, [-1.0, 2.0]);
+        let Err(RootError::NoRoot { nearest, ends }) = above else { unreachable!("{above:?}") };
+        assert!(nearest.at.abs() < 1e-6 && (ends[1].value - 4.1).abs() < 1e-15);
+        let (step, _) = root(|x| if x < 0.3 { -1.0 } else { 1.0 }, [0.0, 1.0]);
+        let Err(RootError::Jump { sides }) = step else { unreachable!("{step:?}") };
+        assert!(sides[0].at < 0.3 && 0.3 <= sides[1].at && sides[1].at - sides[0].at < 1e-15);
+        let (pole, _) = root(|x| 1.0 / (x - 0.3), [0.0, 1.0]);
+        assert!(matches!(pole, Err(RootError::Jump { .. })));
+        let (steep, _) = root(|x| libm::cbrt(x - 0.3), [0.0, 1.0]);
+        assert!((steep.expect("a root").at - 0.3).abs() < 1e-15);
+    }
+
+    #[test]
+    fn all_roots_come_in_order() {
+        let found = find_roots(|x| Ok::<_, ()>(libm::sin(x)), [-1.0, 10.0]).expect("roots");
+        let expected = [0.0, 1.0, 2.0, 3.0].map(|k| k * std::f64::consts::PI);
+        assert_eq!(found.len(), 4);
+        for (found, expected) in found.iter().zip(expected) {
+            assert!((found.at - expected).abs() < 1e-14, "{}", found.at);
+        }
+        // Ends, and touches.
+        let found =
+            find_roots(|x| Ok::<_, ()>(x * (x - 0.31) * (x - 0.31) * (x - 1.0)), [0.0, 1.0]);
+        let places: Vec<f64> = found.expect("roots").iter().map(|root| root.at).collect();
+        assert!(places.len() == 3 && (places[1] - 0.31).abs() < 1e-6, "{places:?}");
+    }
+}

@@ -1,0 +1,128 @@
+//! Searches: roots, least and greatest values, and integrals of functions of the script.
+
+mod integrate;
+mod maximize;
+mod minimize;
+mod solve;
+
+use crate::{
+    diag::{Code, Diagnostic, Result, Span, Spanned},
+    kernel::{Interval, tolerance::PARAMETER_RELATIVE},
+    value::{
+        At, CARRIES_DERIVATIVES, Callback, Ctx, Dimension, IntoValue, Number, Op, Range, Value,
+        rounded,
+    },
+};
+
+pub(super) static OPS: &[&Op] = &[&integrate::OP, &maximize::OP, &minimize::OP, &solve::OP];
+
+/// An interval with the dimension of what runs through it.
+struct SearchRange {
+    ends: [f64; 2],
+    dim: Dimension,
+}
+
+impl SearchRange {
+    /// The interval of a range.
+    ///
+    /// # Errors
+    /// A range that is backwards or a single place, or whose ends do not go together.
+    fn new(range: Spanned<Range>) -> Result<Self> {
+        let Range { start, end, .. } = range.value;
+        let Some(dim) = start.dim.common(end.dim) else {
+            let message = format!("the range begins with {} and ends with {}", start.dim, end.dim);
+            return Diagnostic::error(Code::UnitMismatch, range.span, message).fail();
+        };
+        let interval = Interval::new(start.value, end.value);
+        interval.at(range.span)?;
+        Ok(Self { ends: [start.value, end.value], dim })
+    }
+
+    /// A place as a value.
+    fn place(&self, at: f64) -> Number {
+        Number { value: at, dim: self.dim }
+    }
+
+    /// A place as messages tell it, with six digits; zero where it is nearer to that than rounding.
+    fn told(&self, at: f64) -> String {
+        let is_zero = at.abs() < PARAMETER_RELATIVE * (self.ends[1] - self.ends[0]);
+        let at = if is_zero { 0.0 } else { at };
+        told(at, Some(self.dim))
+    }
+}
+
+/// What a function yields at a place of a range; `dim` becomes the dimension of its values.
+fn value_at(
+    ctx: &mut Ctx<'_>,
+    function: &Spanned<Callback>,
+    range: &SearchRange,
+    at: f64,
+) -> Result<Value> {
+    ctx.call(&function.value, &[range.place(at).into_value()]).map_err(|mut found| {
+        found.others.retain(|other| other.span != ctx.span);
+        if found.others.len() < MOST_LABELS {
+            found =
+                Box::new(found.also(ctx.span, format!("asked at {} from here", range.told(at))));
+        }
+        found
+    })
+}
+
+/// Labels of a mistake in a function, to which the search that asked is added.
+const MOST_LABELS: usize = 3;
+
+/// The number that a function yields, of the dimension that it yielded before.
+fn number_at(
+    ctx: &mut Ctx<'_>,
+    function: &Spanned<Callback>,
+    range: &SearchRange,
+    (at, dim): (f64, &mut Option<Dimension>),
+) -> Result<f64> {
+    let value = value_at(ctx, function, range, at)?;
+    let number = plain_number(&value, function.span)?;
+    let before = *dim.get_or_insert(number.dim);
+    match before.common(number.dim) {
+        Some(common) => *dim = Some(common),
+        None => {
+            let message = format!(
+                "the function yields {} at {} and {before} before",
+                number.dim,
+                range.told(at)
+            );
+            return Diagnostic::error(Code::UnitMismatch, function.span, message).fail();
+        }
+    }
+    Ok(number.value)
+}
+
+/// A number without derivatives.
+fn plain_number(value: &Value, span: Span) -> Result<Number> {
+    match value {
+        Value::Number(number) => Ok(*number),
+        Value::Jet(_) | Value::JetPoint(_) => no_derivatives(span),
+        other => {
+            let message =
+                format!("the function must yield a number, but it yields {}", other.phrase());
+            Diagnostic::error(Code::WrongKind, span, message)
+                .hint("for example `x => x^2 - 2`")
+                .fail()
+        }
+    }
+}
+
+/// Fails: a search is no smooth function of what its function took from around it, as far as it knows.
+fn no_derivatives<T>(span: Span) -> Result<T> {
+    let message = "no derivative passes through a search, and derivatives are wanted";
+    Diagnostic::error(Code::NoDerivative, span, message).hint(CARRIES_DERIVATIVES).fail()
+}
+
+/// A number as messages tell it, with six digits.
+fn told(value: f64, dim: Option<Dimension>) -> String {
+    let six = rounded(value);
+    match dim {
+        Some(dim) if dim == Dimension::ANGLE => {
+            Number::angle(six.parse().unwrap_or(value)).to_string()
+        }
+        _ => six,
+    }
+}
