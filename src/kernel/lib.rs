@@ -166,6 +166,7 @@ pub use mesh::{
 pub use numeric::{
     integral::{Integral, IntegralError, find_integral},
     least::find_least,
+    least_squares::{LeastSquares, find_least_squares},
     root::{RootError, find_root, find_roots},
     sample::Sample,
     symmetric_eigen::principal_axes,

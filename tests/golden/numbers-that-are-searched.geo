@@ -41,3 +41,17 @@ check integrate(x => x, 0mm..4mm) ~= 2mm * 4mm within 1e-12
 check integrate(x => integrate(y => x*y^2, 0..x), 0..1) ~= 1/15 within 1e-14
 check integrate(a => solve(x => x^3 - a, within = 0..2), 0..1) ~= 0.75 within 1e-9
 check integrate(x => sin(1/x), 0.01..1, tolerance = 1e-6) ~= 0.50398 within 1e-4
+
+// Several unknowns: points, lists and records; of more equations than unknowns the squares are least.
+let p = solve(p => [norm(p) - 5, p.y - 2*p.x], start = (1, 1))
+check p ~= (sqrt(5), 2*sqrt(5)) within 1e-12
+let sizes = solve(u => [u.beam * u.draft - 6m * 1m, u.beam / u.draft - 3], start = {beam: 3m, draft: 1m})
+check sizes.beam ~= 3 * sizes.draft and sizes.beam * sizes.draft ~= 6m * 1m
+check solve(x => [10*(x[1] - x[0]^2), 1 - x[0]], start = [-1.2, 1]) ~= [1, 1] within 1e-9
+check solve(x => x^3 - 2, start = 1) ~= cbrt(2) within 1e-12
+let line_fit = solve(k => [for q in [(0, 1), (1, 3), (2, 4), (3, 8)]: k[0] + k[1]*q.x - q.y], start = [0, 0])
+check line_fit ~= [0.7, 2.2] within 1e-7
+// The circle through three points, and where three surfaces meet.
+let through = solve(c => [for q in [(1, 0), (0, 1), (-1, 0.2)]: norm(q - (c.x, c.y)) - c.r], start = {x: 0.1, y: 0.1, r: 1})
+check [for q in [(1, 0), (0, 1), (-1, 0.2)]: norm(q - (through.x, through.y))] ~= [through.r, through.r, through.r] within 1e-12
+check solve(x => x - 1, start = 5, report = true).residual == 0

@@ -84,3 +84,6 @@ pub(crate) const LEAST_STEPS: usize = 100;
 
 /// Pieces of an interval over which a function is integrated.
 pub(crate) const INTEGRAL_PIECES: usize = 2000;
+
+/// Steps towards least squares, each with as many questions as there are unknowns, twice.
+pub(crate) const LEAST_SQUARES_STEPS: usize = 200;

@@ -10,6 +10,7 @@ pub(crate) mod gauss_legendre;
 pub(crate) mod golden_section;
 pub(crate) mod integral;
 pub(crate) mod least;
+pub(crate) mod least_squares;
 pub(crate) mod linear;
 pub(crate) mod newton;
 pub(crate) mod pattern_search;

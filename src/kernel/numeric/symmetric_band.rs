@@ -16,6 +16,11 @@ impl SymmetricBand {
         Self { width, rows: vec![0.0; n * width] }
     }
 
+    /// Sets a coefficient, its column not before its row.
+    pub(crate) fn set(&mut self, row: usize, column: usize, value: f64) {
+        self.rows[row * self.width + column - row] = value;
+    }
+
     /// Adds a symmetric block at a row and a column, no column before the row.
     pub(crate) fn add(&mut self, row: usize, column: usize, block: DMat3) {
         for i in 0..3 {

@@ -33,3 +33,24 @@ pub const INTEGRAL_WIDTH_RELATIVE: f64 = 1e-150;
 ///
 /// Larger shows in its digits; smaller asks for more digits than functions compute.
 pub const INTEGRAL_RELATIVE: f64 = 1e-13;
+
+/// Derivatives of functions that have none of their own are taken over this fraction of the unknown on
+/// both sides: the cube root of the last bit.
+///
+/// Larger leaves third derivatives in the difference; smaller leaves rounding.
+pub const DIFFERENCE_RELATIVE: f64 = 6e-6;
+
+/// A step that moves unknowns by this fraction of themselves moves them no more.
+///
+/// Larger ends a search early; smaller goes on in the last bit.
+pub const STEP_REST_RELATIVE: f64 = 2e-16;
+
+/// The share of its diagonal by which the first equations of a search for least squares are damped.
+///
+/// Larger begins with short steps down the steepest way; smaller leaps from starts that are far.
+pub const DAMPING_FIRST: f64 = 1e-3;
+
+/// Functions of which this fraction is left of what they were at the start are zero.
+///
+/// Larger takes a place near a root for one; smaller takes rounding for a distance.
+pub const SYSTEM_ROOT_RELATIVE: f64 = 1e-9;

@@ -4,6 +4,7 @@ mod integrate;
 mod maximize;
 mod minimize;
 mod solve;
+mod system;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},

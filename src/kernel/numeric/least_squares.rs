@@ -1,0 +1,221 @@
+//! Unknowns for which several functions are zero together, or least in their squares.
+
+use super::symmetric_band::SymmetricBand;
+use crate::{
+    ceiling::LEAST_SQUARES_STEPS,
+    tolerance::{DAMPING_FIRST, DIFFERENCE_RELATIVE, STEP_REST_RELATIVE},
+};
+
+/// Where an iteration towards the least squares ended.
+///
+/// ```
+/// use virote_kernel::{LeastSquares, find_least_squares};
+///
+/// let circles = |x: &[f64]| Ok::<_, ()>(vec![x[0] * x[0] + x[1] * x[1] - 25.0, x[0] - x[1] - 1.0]);
+/// let found: LeastSquares = find_least_squares(circles, &[1.0, 1.0])?;
+/// assert!((found.unknowns[0] - 4.0).abs() < 1e-12 && found.is_settled);
+/// # Ok::<(), ()>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct LeastSquares {
+    /// The unknowns.
+    pub unknowns: Vec<f64>,
+    /// The values of the functions there.
+    pub residuals: Vec<f64>,
+    /// The values of the functions at the start.
+    pub first_residuals: Vec<f64>,
+    /// Whether the last step moved the unknowns by rounding alone.
+    pub is_settled: bool,
+    /// How often the functions were asked.
+    pub n_evaluations: usize,
+}
+
+/// Unknowns near a start for which the squares of several functions add up to least: zero, where there are
+/// no more functions than unknowns and they have a common root near by.
+///
+/// Steps between Newton's and the steepest descent, by central differences. Moré, *The Levenberg-Marquardt
+/// algorithm: implementation and theory*, LNM 630 (1978); Nocedal & Wright, *Numerical Optimization*, §10.3.
+///
+/// ```
+/// use virote_kernel::find_least_squares;
+///
+/// // The line nearest to three points.
+/// let line = |x: &[f64]| Ok::<_, ()>(vec![x[0], x[0] + x[1] - 1.0, x[0] + 2.0 * x[1] - 1.0]);
+/// let found = find_least_squares(line, &[0.0, 0.0])?;
+/// assert!((found.unknowns[0] - 1.0 / 6.0).abs() < 1e-9 && (found.unknowns[1] - 0.5).abs() < 1e-9);
+/// # Ok::<(), ()>(())
+/// ```
+///
+/// # Errors
+/// Those of the functions.
+pub fn find_least_squares<E>(
+    mut functions: impl FnMut(&[f64]) -> Result<Vec<f64>, E>,
+    start: &[f64],
+) -> Result<LeastSquares, E> {
+    let mut n_evaluations = 1;
+    let mut unknowns = start.to_vec();
+    let mut residuals = functions(&unknowns)?;
+    let first_residuals = residuals.clone();
+    let mut damping = DAMPING_FIRST;
+    let mut is_settled = false;
+    for _ in 0..LEAST_SQUARES_STEPS {
+        let square = squares(&residuals);
+        if square <= 0.0 {
+            is_settled = true;
+            break;
+        }
+        let columns = derivatives(&mut functions, &unknowns)?;
+        n_evaluations += 2 * unknowns.len();
+        let equations = NormalEquations::new(&columns, &residuals);
+        // The damping grows until a step leads down, or is none any more.
+        let accepted = loop {
+            let step = equations.step(damping);
+            let moved: Vec<f64> = unknowns.iter().zip(&step).map(|(x, step)| x + step).collect();
+            if !is_moved(&unknowns, &step) {
+                break None;
+            }
+            let values = functions(&moved)?;
+            n_evaluations += 1;
+            if squares(&values) < square {
+                break Some((moved, values, step));
+            }
+            damping *= 8.0;
+        };
+        let Some((moved, values, step)) = accepted else {
+            is_settled = true;
+            break;
+        };
+        damping = (damping / 16.0).max(f64::MIN_POSITIVE);
+        is_settled = !is_moved(&moved, &step);
+        (unknowns, residuals) = (moved, values);
+        if is_settled {
+            break;
+        }
+    }
+    Ok(LeastSquares { unknowns, residuals, first_residuals, is_settled, n_evaluations })
+}
+
+/// The sum of squares; of what is no number more than any.
+fn squares(residuals: &[f64]) -> f64 {
+    let sum: f64 = residuals.iter().map(|value| value * value).sum();
+    if sum.is_nan() { f64::INFINITY } else { sum }
+}
+
+/// Whether a step moves the unknowns by more than rounding.
+fn is_moved(unknowns: &[f64], step: &[f64]) -> bool {
+    let size = unknowns.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    step.iter()
+        .zip(unknowns)
+        .any(|(step, x)| STEP_REST_RELATIVE * x.abs().max(STEP_REST_RELATIVE * size) < step.abs())
+}
+
+/// The derivatives of all functions by each unknown, by central differences.
+fn derivatives<E>(
+    functions: &mut impl FnMut(&[f64]) -> Result<Vec<f64>, E>,
+    unknowns: &[f64],
+) -> Result<Vec<Vec<f64>>, E> {
+    let size = unknowns.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let size = if 0.0 < size { size } else { 1.0 };
+    let mut place = unknowns.to_vec();
+    let mut columns = Vec::with_capacity(unknowns.len());
+    for (k, &x) in unknowns.iter().enumerate() {
+        let reach = DIFFERENCE_RELATIVE * if 0.0 < x.abs() { x.abs() } else { size };
+        let [low, high] = [x - reach, x + reach];
+        place[k] = low;
+        let before = functions(&place)?;
+        place[k] = high;
+        let behind = functions(&place)?;
+        place[k] = x;
+        let slope = |(behind, before): (&f64, &f64)| (behind - before) / (high - low);
+        columns.push(behind.iter().zip(&before).map(slope).collect());
+    }
+    Ok(columns)
+}
+
+/// The equations of the step to the least squares of functions that were linear.
+struct NormalEquations {
+    /// Products of the columns, by rows.
+    products: Vec<Vec<f64>>,
+    /// Products of the columns and the residuals, with the other sign.
+    right: Vec<f64>,
+}
+
+impl NormalEquations {
+    fn new(columns: &[Vec<f64>], residuals: &[f64]) -> Self {
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let products =
+            columns.iter().map(|a| columns.iter().map(|b| dot(a, b)).collect()).collect();
+        let right = columns.iter().map(|column| -dot(column, residuals)).collect();
+        Self { products, right }
+    }
+
+    /// The step with a damping, which is a share of each diagonal coefficient.
+    fn step(&self, damping: f64) -> Vec<f64> {
+        let n = self.right.len();
+        let most = (0..n).map(|k| self.products[k][k]).fold(0.0, f64::max);
+        let least = if 0.0 < most { most * STEP_REST_RELATIVE } else { 1.0 };
+        let mut equations = SymmetricBand::new(n, n);
+        for (row, products) in self.products.iter().enumerate() {
+            for (column, product) in products.iter().enumerate().skip(row) {
+                let more = if column == row {
+                    damping * product.max(least) + least * damping
+                } else {
+                    0.0
+                };
+                equations.set(row, column, product + more);
+            }
+        }
+        let mut step = self.right.clone();
+        match equations.solve(&mut step) {
+            Some(()) if step.iter().all(|part| part.is_finite()) => step,
+            _ => vec![0.0; n],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LeastSquares, find_least_squares};
+
+    fn found(functions: fn(&[f64]) -> Vec<f64>, start: &[f64]) -> LeastSquares {
+        find_least_squares(|x| Ok::<_, ()>(functions(x)), start).expect("no failure")
+    }
+
+    #[test]
+    fn roots_of_systems_are_found_to_the_last_digits() {
+        let circles =
+            found(|x| vec![x[0] * x[0] + x[1] * x[1] - 4.0, x[0] * x[1] - 1.0], &[2.0, 0.3]);
+        let [x, y] = [circles.unknowns[0], circles.unknowns[1]];
+        assert!((x * x + y * y - 4.0).abs() < 1e-14 && (x * y - 1.0).abs() < 1e-14, "{circles:?}");
+        // Rosenbrock's valley as two equations.
+        let valley = found(|x| vec![10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0]], &[-1.2, 1.0]);
+        assert!(valley.unknowns.iter().all(|x| (x - 1.0).abs() < 1e-12), "{valley:?}");
+        assert!(valley.n_evaluations < 400, "{}", valley.n_evaluations);
+        let one = found(|x| vec![libm::exp(x[0]) - 1e-3], &[1.0]);
+        assert!((one.unknowns[0] - libm::log(1e-3)).abs() < 1e-12, "{one:?}");
+    }
+
+    #[test]
+    fn more_functions_than_unknowns_are_least_in_their_squares() {
+        let mean = found(|x| [1.0, 2.0, 6.0].map(|y| x[0] - y).to_vec(), &[0.0]);
+        assert!((mean.unknowns[0] - 3.0).abs() < 1e-8 && mean.is_settled, "{mean:?}");
+    }
+
+    #[test]
+    fn fewer_functions_than_unknowns_leave_the_rest_where_it_was() {
+        let plane = found(|x| vec![x[0] + x[1] - 2.0], &[0.0, 0.0, 7.0]);
+        assert!((plane.unknowns[0] + plane.unknowns[1] - 2.0).abs() < 1e-12, "{plane:?}");
+        assert!((plane.unknowns[2] - 7.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_has_no_root_ends_where_it_is_least() {
+        let none = found(|x| vec![x[0] * x[0] + 1.0], &[3.0]);
+        assert!(
+            none.unknowns[0].abs() < 1e-3 && (none.residuals[0] - 1.0).abs() < 1e-6,
+            "{none:?}"
+        );
+        let flat = found(|_| vec![1.0], &[3.0]);
+        assert!((flat.unknowns[0] - 3.0).abs() < 1e-9);
+    }
+}

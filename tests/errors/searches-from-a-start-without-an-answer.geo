@@ -1,0 +1,6 @@
+print solve(x => x^2 + 1, start = 3)
+print solve(x => x, start = 1, within = 0..2)
+print solve(x => x, start = "here")
+print solve(x => x, start = [])
+print solve(x => if x < 3 then [x] else [x, 1], start = 2.9999999)
+print solve(p => [p.x - p.q], start = {x: 1})
