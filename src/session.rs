@@ -372,11 +372,18 @@ impl Session {
                     });
                     let Some(file) = planned else { continue };
                     match written.add(&file.path, file.span) {
-                        Some(((message, hint), first)) => diagnostics.push(
-                            Diagnostic::error(Code::DuplicateExport, file.span, message)
-                                .also(first, "exported here before")
-                                .hint(hint),
-                        ),
+                        Some(((message, hint), first)) => {
+                            diagnostics.push(
+                                Diagnostic::error(Code::DuplicateExport, file.span, message)
+                                    .also(first, "exported here before")
+                                    .hint(hint),
+                            );
+                            // Nobody knows which of the two is meant.
+                            events.retain(|event| match event {
+                                Event::File(file) => file.span != first,
+                                _ => true,
+                            });
+                        }
                         None => {
                             events.push(Event::File(Box::new(file)));
                         }

@@ -7,6 +7,7 @@ use super::{
     looks::{self, PictureArgs},
     progress::Progress,
     reporter::Reporter,
+    run::keeps_back,
     run_args::RunArgs,
     settings,
 };
@@ -53,35 +54,54 @@ pub(super) fn run(path: &Path, out: &Path, drawn: &PictureArgs, common: &RunArgs
     inputs.extend(common.params.clone());
 
     let has_errors = report.count(Severity::Error) > 0;
+    // What an error touches has no value to draw; a name that was asked for is told.
+    let is_kept_back = keeps_back(&report, common.strict);
     let done = if !report.unknown_settings.is_empty() {
         Err(Refusal::Told(report.unknown_settings.join("\n"), ExitStatus::Usage))
-    } else if has_errors {
+    } else if is_kept_back {
         Ok(None)
     } else {
         let job = session.picture(&report, &content, format);
-        let job = job.map_err(|text| Refusal::Told(text, ExitStatus::Usage));
+        let job = job.map_err(|text| match has_errors {
+            true => Refusal::Told(text, ExitStatus::Wrong),
+            false => Refusal::Told(text, ExitStatus::Usage),
+        });
         let watch = session.watch();
         let target = (format, out, &*inputs);
         job.and_then(|job| draw(&job, &report, watch, target, &progress)).map(Some)
     };
     drop(progress);
     voice.findings(&report.diagnostics, &report.sources);
+    told(done, out, &report, &voice)
+}
+
+/// Tells what came of the picture, and how the run ends.
+fn told(
+    done: Result<Option<Summary>, Refusal>,
+    out: &Path,
+    report: &Report,
+    voice: &Reporter,
+) -> ExitStatus {
+    let has_errors = report.count(Severity::Error) > 0;
     match done {
         Ok(Some(summary)) => {
             voice.written(&out.display().to_string(), Some(summary));
-            ExitStatus::of(&report)
+            if has_errors {
+                voice.remark("what an error touches was not drawn; with `--strict` nothing is");
+            }
+            ExitStatus::of(report)
         }
         Ok(None) => {
             voice.remark("nothing was drawn, because the script has errors");
-            ExitStatus::of(&report)
+            ExitStatus::of(report)
         }
         Err(Refusal::Found(found)) => {
             voice.findings(&[*found], &report.sources);
-            ExitStatus::of(&report).max(ExitStatus::Wrong)
+            ExitStatus::of(report).max(ExitStatus::Wrong)
         }
         Err(Refusal::Told(message, ending)) => {
             message.lines().for_each(|line| voice.trouble(line));
-            ExitStatus::of(&report).max(ending)
+            ExitStatus::of(report).max(ending)
         }
     }
 }

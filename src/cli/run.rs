@@ -62,6 +62,7 @@ pub(super) struct RunOptions<'a> {
     params: Option<&'a Path>,
     only: &'a [String],
     mode: OutputMode<'a>,
+    is_strict: bool,
 }
 
 impl<'a> RunOptions<'a> {
@@ -74,7 +75,15 @@ impl<'a> RunOptions<'a> {
         let session = common.session();
         let voice = Reporter::new(&common.talk, session.limits().diagnostics);
         let settings = settings::given(common, session.limits().input_bytes, &voice)?;
-        Ok(Self { session, voice, settings, params: common.params.as_deref(), only, mode })
+        Ok(Self {
+            session,
+            voice,
+            settings,
+            params: common.params.as_deref(),
+            only,
+            mode,
+            is_strict: common.strict,
+        })
     }
 
     /// The same with a memory, so that each run evaluates only what changed, and to be stopped by
@@ -120,7 +129,7 @@ impl<'a> RunOptions<'a> {
         inputs.extend(script.path);
         inputs.extend(self.params.map(Path::to_path_buf));
         let targets = targets(&mut report, &out, &inputs);
-        let ending = act(&report, &targets, self.mode, progress, voice);
+        let ending = act(&report, &targets, (self.mode, self.is_strict), progress, voice);
         (report, ending)
     }
 }
@@ -128,8 +137,7 @@ impl<'a> RunOptions<'a> {
 /// Keeps the files that name a definition of `only`, unless that is empty; names that choose
 /// nothing are told.
 fn choose(report: &mut Report, only: &[String]) -> Vec<String> {
-    // Of a script with errors not every definition is known, and nothing is written.
-    if only.is_empty() || report.count(Severity::Error) > 0 {
+    if only.is_empty() {
         return Vec::new();
     }
     let exported: Vec<&String> = report
@@ -141,7 +149,9 @@ fn choose(report: &mut Report, only: &[String]) -> Vec<String> {
         })
         .flatten()
         .collect();
-    let strangers = only.iter().filter(|name| !exported.contains(name));
+    // Of a script with errors not every export is known.
+    let is_whole = report.count(Severity::Error) == 0;
+    let strangers = only.iter().filter(|name| is_whole && !exported.contains(name));
     let misuse = strangers.map(|name| not_exported(name, report, &exported)).collect();
     report.events.retain(|event| match event {
         Event::File(file) => file.names.iter().any(|name| only.contains(name)),
@@ -176,38 +186,45 @@ pub(super) fn targets(
     report: &mut Report,
     out: &Path,
     inputs: &[PathBuf],
-) -> Vec<Result<OutputTarget, String>> {
+) -> Vec<Result<OutputTarget, TargetRefusal>> {
     let mut targets = Vec::new();
     for event in &report.events {
         let Event::File(file) = event else { continue };
         targets.push(match OutputTarget::new(out, &file.path, inputs) {
-            Ok(target) => Ok(target),
-            Err(TargetRefusal::System(message)) => Err(message),
             Err(TargetRefusal::Forbidden(message)) => {
                 report.diagnostics.push(
                     Diagnostic::error(Code::PathEscapes, file.span, message.clone())
                         .hint("choose another name, or another folder by `--out`"),
                 );
-                Err(message)
+                Err(TargetRefusal::Forbidden(message))
             }
+            other => other,
         });
     }
     report.diagnostics.sort_by_key(|found| found.primary.span);
     targets
 }
 
-/// Prints, and writes files unless the script has an error.
+/// Whether a run that was stopped, or that has errors and is to be strict, keeps back what it made.
+pub(super) fn keeps_back(report: &Report, is_strict: bool) -> bool {
+    let was_stopped = report.diagnostics.iter().any(|found| found.code == Code::Stopped);
+    was_stopped || is_strict && report.count(Severity::Error) > 0
+}
+
+/// Prints, and writes the files that no error of the script touches; none of a script with errors where
+/// that is to be strict.
 pub(super) fn act(
     report: &Report,
-    targets: &[Result<OutputTarget, String>],
-    mode: OutputMode<'_>,
+    targets: &[Result<OutputTarget, TargetRefusal>],
+    (mode, is_strict): (OutputMode<'_>, bool),
     progress: Progress,
     voice: &Reporter,
 ) -> ExitStatus {
     let has_errors = report.count(Severity::Error) > 0;
+    let is_kept_back = keeps_back(report, is_strict);
     let mut ending = ExitStatus::of(report);
     let (mut n_checks, mut n_failed) = (0, 0);
-    let mut outcomes = match has_errors {
+    let mut outcomes = match is_kept_back {
         true => Vec::new(),
         false => staged(report, targets, mode, &progress),
     }
@@ -253,8 +270,10 @@ pub(super) fn act(
     // Last, so that what is wrong is what stands above the prompt.
     findings.sort_by_key(|found| found.primary.span);
     voice.findings(&findings, &report.sources);
-    if has_errors && !targets.is_empty() {
+    if is_kept_back && !targets.is_empty() {
         voice.remark("nothing was written, because the script has errors");
+    } else if has_errors && !targets.is_empty() && matches!(mode, OutputMode::Write(_)) {
+        voice.remark("what an error touches was not written; with `--strict` nothing is");
     }
     if is_refused && 1 < targets.len() {
         voice.remark("nothing was written, because not all files could be");
@@ -277,7 +296,7 @@ enum FileOutcome {
 
 fn staged(
     report: &Report,
-    targets: &[Result<OutputTarget, String>],
+    targets: &[Result<OutputTarget, TargetRefusal>],
     mode: OutputMode<'_>,
     progress: &Progress,
 ) -> Vec<FileOutcome> {
@@ -290,13 +309,16 @@ fn staged(
 
 fn stage(
     file: &File,
-    target: &Result<OutputTarget, String>,
+    target: &Result<OutputTarget, TargetRefusal>,
     mode: OutputMode<'_>,
     progress: &Progress,
 ) -> FileOutcome {
     let target = match (mode, target) {
-        (OutputMode::Check, _) => return FileOutcome::Unasked,
-        (_, Err(message)) => {
+        // What is forbidden is a mistake of the script, and has been told.
+        (OutputMode::Check, _) | (_, Err(TargetRefusal::Forbidden(_))) => {
+            return FileOutcome::Unasked;
+        }
+        (_, Err(TargetRefusal::System(message))) => {
             let message = format!("cannot write `{}`: {message}", file.path);
             let found = Diagnostic::error(Code::CannotWrite, file.span, message);
             return FileOutcome::Refused(found, ExitStatus::Usage);

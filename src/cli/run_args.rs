@@ -30,6 +30,9 @@ pub(super) struct RunArgs {
     /// How many threads evaluate [default: one for each processor]
     #[arg(long, value_name = "N", value_parser = threads)]
     threads: Option<NonZeroUsize>,
+    /// Writes and draws nothing of a script with errors; else what no error touches is
+    #[arg(long)]
+    pub(super) strict: bool,
     #[command(flatten)]
     pub(super) talk: OutputArgs,
 }

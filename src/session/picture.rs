@@ -183,6 +183,9 @@ fn chosen<'a>(
                 Err(undrawable(name, &value.phrase()))
             }
             (Some(found), _) => Ok(found),
+            _ if names().any(|its| its == name) => {
+                Err(format!("`{name}` has an error, and cannot be drawn"))
+            }
             (None, Some(near)) => {
                 Err(format!("the script defines no `{name}`; did you mean `{near}`?"))
             }

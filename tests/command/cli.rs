@@ -338,11 +338,48 @@ fn without_a_terminal_there_is_no_colour() {
 }
 
 #[test]
-fn a_failing_script_leaves_an_existing_file_as_it_was() {
+fn what_no_error_touches_is_printed_drawn_and_written() {
+    let scratch = Scratch::new("untouched");
+    let script = "curve good = line((0, 0), (1, 0)) with (color = \"red\")\n\
+                  curve bad = circle((0, 0), -1)\ncurve worse = offset(bad, 1)\n\
+                  print good.end\nprint worse\nexport good to \"good.json\"\n\
+                  export bad to \"bad.json\"\nexport good, worse to \"both.json\"\n\
+                  export all to \"all.obj\"\n";
+    scratch.file("a.geo", script);
+    let (out, err, code) = run(&scratch, &["run", "a.geo"]);
+    assert_eq!(code, 2, "{err}");
+    assert_eq!(out, "good.end = (1, 0, 0)\nwrote good.json: 1 value\n");
+    assert_eq!(err.matches("Error").count(), 1, "one cause: {err}");
+    assert!(err.contains("what an error touches was not written"), "{err}");
+    assert_eq!(files_below(&scratch.0), ["a.geo", "good.json"]);
+    // One definition by name, and a picture.
+    let (out, _, code) = run(&scratch, &["run", "a.geo", "--only", "good", "--out", "only"]);
+    assert_eq!((out.contains("wrote good.json"), code), (true, 2), "{out}");
+    let (_, err, code) = run(&scratch, &["render", "a.geo", "-o", "a.svg"]);
+    assert!(code == 2 && err.contains("what an error touches was not drawn"), "{err}");
+    let picture = fs::read_to_string(scratch.0.join("a.svg")).expect("a picture");
+    assert!(picture.contains("#ff0000"), "{picture}");
+    let (_, err, code) = run(&scratch, &["render", "a.geo", "-o", "b.svg", "--only", "bad"]);
+    assert!(code == 2 && err.contains("`bad` has an error, and cannot be drawn"), "{err}");
+    // Of a text with mistakes nobody knows all, and of two exports to one path nobody knows which.
+    scratch.file("b.geo", "curve a = line((0, 0), (1, 0))\ncurve = 3\nexport all to \"b.obj\"\nexport a to \"b.json\"\nexport a to \"b.json\"");
+    let (out, err, code) = run(&scratch, &["run", "b.geo", "--out", "b"]);
+    assert_eq!((out.as_str(), code), ("", 2), "{err}");
+    assert!(!scratch.0.join("b").exists());
+}
+
+#[test]
+fn a_strict_run_of_a_failing_script_leaves_an_existing_file_as_it_was() {
     let scratch = Scratch::new("survive");
     scratch.file("c.json", "precious");
     scratch.file("a.geo", format!("{CURVE}export c to \"c.json\"\nprint 1 / 0"));
-    assert_eq!(run(&scratch, &["run", "a.geo"]).2, 2);
+    let (_, err, code) = run(&scratch, &["run", "a.geo", "--strict"]);
+    assert!(
+        code == 2 && err.contains("nothing was written, because the script has errors"),
+        "{err}"
+    );
+    let (_, err, code) = run(&scratch, &["render", "a.geo", "-o", "a.svg", "--strict"]);
+    assert!(code == 2 && err.contains("nothing was drawn, because the script has errors"), "{err}");
     assert_eq!(fs::read_to_string(scratch.0.join("c.json")).expect("a file"), "precious");
     assert_eq!(files_below(&scratch.0), ["a.geo", "c.json"], "nothing else is left over");
 }

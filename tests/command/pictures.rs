@@ -445,7 +445,7 @@ fn what_cannot_be_drawn_is_said_and_nothing_is_written() {
             3,
         ),
         (&["no.geo", "-o", "a.png"], "cannot read `no.geo`: there is no such file", 3),
-        (&["wrong.geo", "-o", "a.png"], "nothing was drawn, because the script has errors", 2),
+        (&["wrong.geo", "-o", "a.png"], "the script defines no geometry that could be drawn", 2),
         (&["a.geo", "-o", "none.geo/a.png"], "`none.geo` is a file, not a folder", 3),
     ];
     for (args, message, code) in cases {

@@ -216,7 +216,7 @@ impl Prompt {
         let targets = run::targets(report, &out, &inputs);
         let progress = Progress::begin("writing", self.voice.is_lively());
         let mode = run::OutputMode::Write(Some(&out));
-        let ending = run::act(report, &targets, mode, progress, &self.voice);
+        let ending = run::act(report, &targets, (mode, true), progress, &self.voice);
         self.worst = self.worst.max(ending);
     }
 

@@ -339,6 +339,8 @@ impl<'s> Lowerer<'_, 's> {
                 EffectKind::Print(exprs.iter().map(|expr| self.expr(expr)).collect())
             }
             StatementKind::Export(export) => {
+                // Of a text with mistakes nobody knows all.
+                self.is_poisoned |= export.subjects.is_none() && !self.origin.faults.is_empty();
                 let subjects = export
                     .subjects
                     .as_ref()
