@@ -113,6 +113,8 @@ pub struct Job {
     pub picture: Option<Picture>,
     /// The ceilings.
     pub limits: Limits,
+    /// How many threads may make it; its bytes do not depend on that.
+    pub n_threads: usize,
 }
 
 impl Item {
@@ -149,6 +151,7 @@ impl Job {
             options: Options::default(),
             picture: None,
             limits: Limits::DEFAULT,
+            n_threads: 1,
         }
     }
 }

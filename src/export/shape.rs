@@ -231,6 +231,7 @@ fn limits(job: &Job, tolerance: f64) -> TessellationOptions {
     TessellationOptions {
         angle: job.options.angle.unwrap_or(within.angle),
         weld: job.precision,
+        n_threads: job.n_threads,
         ..within
     }
 }

@@ -1,7 +1,11 @@
-//! Large tables that several threads fill. What they hold does not depend on how many.
+//! Large tables that several threads fill, and lists that they make. What they hold does not depend on
+//! how many.
 
 use std::{
-    sync::{Mutex, PoisonError},
+    sync::{
+        Mutex, PoisonError,
+        atomic::{AtomicUsize, Ordering},
+    },
     thread,
 };
 
@@ -66,9 +70,44 @@ pub(super) fn each<P: Send>(parts: Vec<P>, serve_one: impl Fn(P) + Sync) {
     }
 }
 
+/// What `make` gives for each of all, in their order, on up to `n_threads` threads.
+pub(super) fn map<T: Sync, R: Send>(
+    all: &[T],
+    n_threads: usize,
+    make: impl Fn(&T) -> R + Sync,
+) -> Vec<R> {
+    let n_threads = n_threads.min(all.len());
+    if n_threads <= 1 {
+        return all.iter().map(make).collect();
+    }
+    let next = AtomicUsize::new(0);
+    let made = Mutex::new(Vec::with_capacity(all.len()));
+    each(vec![(); n_threads], |()| {
+        let mut own = Vec::new();
+        loop {
+            let place = next.fetch_add(1, Ordering::Relaxed);
+            let Some(one) = all.get(place) else { break };
+            own.push((place, make(one)));
+        }
+        made.lock().unwrap_or_else(PoisonError::into_inner).extend(own);
+    });
+    let mut made = made.into_inner().unwrap_or_else(PoisonError::into_inner);
+    made.sort_unstable_by_key(|&(place, _)| place);
+    made.into_iter().map(|(_, made)| made).collect()
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{each, parts};
+    use super::{each, map, parts};
+
+    #[test]
+    fn a_list_is_made_in_its_order() {
+        for (n, n_threads) in [(0, 3), (1, 2), (1000, 1), (1000, 4)] {
+            let all: Vec<usize> = (0..n).collect();
+            let made = map(&all, n_threads, |&i| 3 * i);
+            assert!(made.into_iter().eq((0..n).map(|i| 3 * i)), "{n} by {n_threads}");
+        }
+    }
 
     #[test]
     fn every_row_is_filled_once() {

@@ -121,6 +121,7 @@ impl Session {
                 ..Picture::new(scene.size)
             }),
             limits: self.limits,
+            n_threads: self.n_threads,
             ..Job::new(items)
         })
     }

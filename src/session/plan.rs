@@ -80,6 +80,7 @@ impl Session {
             precision: tolerance.distance,
             options,
             limits: self.limits,
+            n_threads: self.n_threads,
             ..Job::new(items)
         };
         let (path, names) = (path.ok()?, exported.names);

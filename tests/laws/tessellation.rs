@@ -169,6 +169,33 @@ fn the_normal_turns_no_further_than_asked_for() {
 }
 
 #[test]
+fn meshes_are_the_same_for_any_number_of_threads() {
+    let near: Vec<Surface> = (0..5)
+        .map(|i| wave(4 + i))
+        .chain([NurbsSurface::torus(Frame::XY, 5.0, 2.0).unwrap(), sphere(DVec3::ZERO, 3.0)])
+        .map(Surface::from)
+        .collect();
+    for surfaces in [&near[..], &near[..1], &near[5..6]] {
+        for angle in [0.2, PI] {
+            let of = |n_threads| {
+                let limits =
+                    TessellationOptions { angle, n_threads, ..TessellationOptions::within(0.01) };
+                let meshes = tessellate_all(surfaces, &limits, MOST).unwrap();
+                let bits = |v: &DVec3| v.to_array().map(f64::to_bits);
+                let of_mesh = |mesh: &Mesh| {
+                    let points: Vec<_> = mesh.vertices().iter().map(bits).collect();
+                    let normals: Vec<_> = mesh.normals().iter().map(bits).collect();
+                    (points, normals, mesh.triangles().to_vec())
+                };
+                meshes.iter().map(of_mesh).collect::<Vec<_>>()
+            };
+            let alone = of(1);
+            assert!(alone == of(2) && alone == of(7));
+        }
+    }
+}
+
+#[test]
 fn limits_that_allow_nothing_are_refused() {
     let ball = sphere(DVec3::ZERO, 1.0);
     let limits = TessellationOptions::within(0.1);

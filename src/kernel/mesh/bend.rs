@@ -8,10 +8,10 @@
 
 use glam::{DVec3, DVec4};
 
-use super::quotient::second_hulls;
+use super::quotient::SecondHulls;
 use crate::{
     Direction, Grid, Interval, KnotVector, NurbsSurface, bezier, frame::unit, homogeneous::place,
-    tolerance::EXACT_RELATIVE,
+    side_by_side, tolerance::EXACT_RELATIVE,
 };
 
 /// Quarterings of a piece whose weights are not all positive: the denominator is, so that some
@@ -48,8 +48,8 @@ pub(super) struct PieceBounds {
 }
 
 impl DerivativeBounds {
-    /// Those of about as many pieces along u and along v as wanted.
-    pub(super) fn of(surface: &NurbsSurface, wanted: [usize; 2]) -> Self {
+    /// Those of about as many pieces along u and along v as wanted, found by up to `n_threads` threads.
+    pub(super) fn of(surface: &NurbsSurface, wanted: [usize; 2], n_threads: usize) -> Self {
         let mut refined = surface.clone();
         for along in Direction::BOTH {
             let mut lines = refined.lines(along).clamped();
@@ -62,16 +62,22 @@ impl DerivativeBounds {
         let spans = [refined.knots_u(), refined.knots_v()].map(|knots| {
             knots.spans().map(|span| (span, knots.span_interval(span))).collect::<Vec<_>>()
         });
-        let pieces = Grid::from_fn(spans[0].len(), spans[1].len(), |i, j| {
-            let ((span_u, domain_u), (span_v, domain_v)) = (spans[0][i], spans[1][j]);
-            let net = refined.control_points();
-            let columns = refined.knots_v().support(span_v);
-            let (first, n_columns) = (*columns.start(), columns.count());
-            let rows = refined.knots_u().support(span_u);
-            let points = rows.flat_map(|row| net.row(row)[first..][..n_columns].iter().copied());
-            let net = Grid::from_rows_of(n_columns, points.collect());
-            bend(surface, &net, [domain_u, domain_v], 0)
-        });
+        let row = |&(span_u, domain_u): &(usize, Interval)| -> Vec<PieceBounds> {
+            let mut hulls = SecondHulls::default();
+            let piece = |&(span_v, domain_v): &(usize, Interval)| {
+                let net = refined.control_points();
+                let columns = refined.knots_v().support(span_v);
+                let (first, n_columns) = (*columns.start(), columns.count());
+                let rows = refined.knots_u().support(span_u);
+                let points =
+                    rows.flat_map(|row| net.row(row)[first..][..n_columns].iter().copied());
+                let net = Grid::from_rows_of(n_columns, points.collect());
+                bend(surface, &net, [domain_u, domain_v], 0, &mut hulls)
+            };
+            spans[1].iter().map(piece).collect()
+        };
+        let rows = side_by_side::map(&spans[0], n_threads, row);
+        let pieces = Grid::from_rows_of(spans[1].len(), rows.into_iter().flatten().collect());
         let ends = spans.map(|spans| -> Vec<f64> {
             let starts = spans.iter().map(|(_, interval)| interval.start());
             starts.chain(spans.last().map(|(_, interval)| interval.end())).collect()
@@ -127,16 +133,17 @@ fn bend(
     net: &Grid<DVec4>,
     domains: [Interval; 2],
     n_quarterings: usize,
+    hulls: &mut SecondHulls,
 ) -> PieceBounds {
     match net.iter().all(|point| 0.0 < point.w) {
-        true => of_positive(surface, net, domains),
+        true => of_positive(surface, net, domains, hulls),
         false if n_quarterings < MAX_QUARTERINGS => {
             let (halves_u, halves_v) = (domains[0].halves(), domains[1].halves());
             let mut all = PieceBounds::default();
             for (half, domain_u) in bezier::halves(net, Direction::U).iter().zip(halves_u) {
                 for (quarter, domain_v) in bezier::halves(half, Direction::V).iter().zip(halves_v) {
                     let domains = [domain_u, domain_v];
-                    all = all.union(bend(surface, quarter, domains, n_quarterings + 1));
+                    all = all.union(bend(surface, quarter, domains, n_quarterings + 1, hulls));
                 }
             }
             all
@@ -174,7 +181,12 @@ impl PieceBounds {
 }
 
 /// The bounds over a piece with positive weights.
-fn of_positive(surface: &NurbsSurface, net: &Grid<DVec4>, domains: [Interval; 2]) -> PieceBounds {
+fn of_positive(
+    surface: &NurbsSurface,
+    net: &Grid<DVec4>,
+    domains: [Interval; 2],
+    hulls: &mut SecondHulls,
+) -> PieceBounds {
     let [u, v] = domains.map(|domain| domain.at(0.5));
     let [a, b] = domains.map(Interval::length);
     let at_middle = surface.derivatives_at(u, v, 2);
@@ -185,8 +197,8 @@ fn of_positive(surface: &NurbsSurface, net: &Grid<DVec4>, domains: [Interval; 2]
     let n = normal.unwrap_or(DVec3::ZERO);
     let (mut second, mut across) = ([0.0_f64; 3], [0.0_f64; 3]);
     let mut lift = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
-    for (i, hull) in second_hulls(net, center).into_iter().enumerate() {
-        for vector in hull {
+    for (i, hull) in hulls.of(net, center).iter().enumerate() {
+        for &vector in hull {
             let vector = vector / scales[i];
             let along = n.dot(vector);
             lift[i] = [lift[i][0].min(along), lift[i][1].max(along)];

@@ -69,13 +69,16 @@ pub struct TessellationOptions {
     /// Corners and edges of surfaces that are no further apart are one, as far as the tolerance
     /// leaves room for that.
     pub weld: f64,
+    /// Threads that may work on it; the mesh does not depend on how many.
+    pub n_threads: usize,
 }
 
 impl TessellationOptions {
     /// A tolerance without other limits.
     #[must_use]
     pub const fn within(tolerance: f64) -> Self {
-        Self { tolerance, angle: PI, max_edge: f64::INFINITY, weld: Tolerance::DEFAULT.distance }
+        let weld = Tolerance::DEFAULT.distance;
+        Self { tolerance, angle: PI, max_edge: f64::INFINITY, weld, n_threads: 1 }
     }
 
     /// # Errors
@@ -119,13 +122,14 @@ impl CellBounds {
         wanted: &TessellationOptions,
         breaks: [&[f64]; 2],
     ) -> Self {
-        let few = Self::of(DerivativeBounds::of(surface, [FEW_PIECES; 2]), surface, wanted, breaks);
+        let bounds = |n_pieces| DerivativeBounds::of(surface, n_pieces, wanted.n_threads);
+        let few = Self::of(bounds([FEW_PIECES; 2]), surface, wanted, breaks);
         let n_pieces =
             few.widths().map(|(_, n_cells)| (n_cells as usize).clamp(FEW_PIECES, MOST_PIECES));
         if n_pieces == [FEW_PIECES; 2] {
             return few;
         }
-        Self::of(DerivativeBounds::of(surface, n_pieces), surface, wanted, breaks)
+        Self::of(bounds(n_pieces), surface, wanted, breaks)
     }
 
     fn of(

@@ -3,7 +3,13 @@
 //! It is halved, or cut into equal parts where that takes fewer, until it is near enough to its chord
 //! and until the surfaces on it can follow with triangles.
 
-use glam::DVec4;
+use std::{
+    cell::RefCell,
+    collections::HashMap,
+    sync::{Mutex, PoisonError},
+};
+
+use glam::{DVec3, DVec4};
 
 use super::{
     chord::chord_deviation,
@@ -14,11 +20,25 @@ use super::{
 use crate::{
     CountError, Direction, GeomError, Interval, bezier,
     ceiling::PARAMETER_HALVINGS,
+    side_by_side,
     tolerance::{BORDER_SHARE, PLACE_RELATIVE},
 };
 
+/// The parameters on a seam's stretches at the fractions that were looked at, by the bits of these:
+/// each is found by Newton's method on an arc length, and asked again when the seam is divided anew.
+type KnownParameters = HashMap<u64, Vec<f64>>;
+
+/// Those of all seams.
+pub(super) type KnownPlaces = Vec<Mutex<KnownParameters>>;
+
 impl SharedEdges {
-    /// The vertices on the four edges of each sheet, those of a point only at its ends.
+    /// Room for the places of all seams.
+    pub(super) fn places(&self) -> KnownPlaces {
+        self.seams.iter().map(|_| Mutex::default()).collect()
+    }
+
+    /// The vertices on the four edges of each sheet, those of a point only at its ends; by up to
+    /// `n_threads` threads.
     ///
     /// # Errors
     /// Those of [`SurfacePatch::point_at`]; `CountError::TooManyVertices`.
@@ -26,7 +46,9 @@ impl SharedEdges {
         &self,
         sheets: &[SurfacePatch<'_>],
         cells: &[Cells],
+        known: &KnownPlaces,
         most: usize,
+        n_threads: usize,
     ) -> Result<Vec<[Vertices; 4]>, GeomError> {
         let mut all: Vec<[Vertices; 4]> = sheets.iter().map(|_| Default::default()).collect();
         for edge in self.edges.iter().filter(|edge| edge.is_point) {
@@ -35,17 +57,13 @@ impl SharedEdges {
             all[edge.sheet][edge.number] = ends.map(|t| (t, point)).to_vec();
         }
         let mut found: Vec<Vertices> = vec![Vertices::new(); self.stretches.len()];
-        for seam in &self.seams {
-            let stops = SeamDivision::new(self, seam, sheets, cells).stops(most)?;
-            let first = &self.stretches[seam.stretches[0].0];
-            let edge = &self.edges[first.edge];
-            let mut points = Vec::with_capacity(stops.len());
-            for stop in &stops {
-                points.push(edge.point(&sheets[edge.sheet], stop.parameters[0])?);
-            }
-            for (place, end) in [(0, 0), (points.len() - 1, 1)] {
-                points[place] = self.corners[first.ends[end].corner as usize];
-            }
+        let seams: Vec<(&SharedEdge, &Mutex<_>)> = self.seams.iter().zip(known).collect();
+        let divided = side_by_side::map(&seams, n_threads, |&(seam, known)| {
+            let mut known = known.lock().unwrap_or_else(PoisonError::into_inner);
+            self.divided(seam, SeamDivision::new(self, seam, sheets, cells, &mut known), most)
+        });
+        for (seam, divided) in self.seams.iter().zip(divided) {
+            let (stops, points) = divided?;
             for (i, &(stretch, turns)) in seam.stretches.iter().enumerate() {
                 let places = stops.iter().zip(&points);
                 let vertices = places.map(|(stop, &point)| (stop.parameters[i], point));
@@ -61,6 +79,25 @@ impl SharedEdges {
         }
         Ok(all)
     }
+
+    /// The places where a seam is divided, and their points.
+    fn divided(
+        &self,
+        seam: &SharedEdge,
+        division: SeamDivision<'_, '_>,
+        most: usize,
+    ) -> Result<(Vec<SeamPlace>, Vec<DVec3>), GeomError> {
+        let stops = division.stops(most)?;
+        let first = &self.stretches[seam.stretches[0].0];
+        let edge = &self.edges[first.edge];
+        let sheet = &division.sheets[edge.sheet];
+        let points = stops.iter().map(|stop| edge.point(sheet, stop.parameters[0]));
+        let mut points = points.collect::<Result<Vec<_>, GeomError>>()?;
+        for (place, end) in [(0, 0), (points.len() - 1, 1)] {
+            points[place] = self.corners[first.ends[end].corner as usize];
+        }
+        Ok((stops, points))
+    }
 }
 
 /// A seam while it is divided.
@@ -73,6 +110,7 @@ pub(super) struct SeamDivision<'a, 's> {
     tolerance: f64,
     /// The Bézier pieces of its first stretch.
     pieces: Vec<(Interval, Vec<DVec4>)>,
+    known: RefCell<&'a mut KnownParameters>,
 }
 
 /// A place on a seam.
@@ -89,6 +127,7 @@ impl<'a, 's> SeamDivision<'a, 's> {
         seam: &'a SharedEdge,
         sheets: &'a [SurfacePatch<'s>],
         cells: &'a [Cells],
+        known: &'a mut KnownParameters,
     ) -> Self {
         let edge = |stretch: usize| &seams.edges[seams.stretches[stretch].edge];
         let tolerances =
@@ -102,7 +141,7 @@ impl<'a, 's> SeamDivision<'a, 's> {
             .filter(|(interval, _)| first.touches(*interval))
             .map(|(interval, span)| (interval, bezier::piece(knots, curve.control_points(), span)))
             .collect();
-        Self { seams, seam, sheets, cells, tolerance, pieces }
+        Self { seams, seam, sheets, cells, tolerance, pieces, known: RefCell::new(known) }
     }
 
     /// What it consists of: stretches, their edges, and whether they run against the first.
@@ -118,7 +157,10 @@ impl<'a, 's> SeamDivision<'a, 's> {
         let parameter = |(stretch, edge, turns): (&EdgeStretch, &PatchEdge, bool)| {
             stretch.parameter(edge, fraction, turns)
         };
-        SeamPlace { fraction, parameters: self.stretches().map(parameter).collect() }
+        let mut known = self.known.borrow_mut();
+        let parameters = known.entry(fraction.to_bits());
+        let parameters = parameters.or_insert_with(|| self.stretches().map(parameter).collect());
+        SeamPlace { fraction, parameters: parameters.clone() }
     }
 
     /// Where there are vertices.

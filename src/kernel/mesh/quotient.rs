@@ -10,46 +10,101 @@ use std::ops::{Add, Mul, Sub};
 
 use glam::{DVec3, DVec4};
 
-use crate::{Grid, bernstein::binomials, homogeneous};
+use crate::{Direction, Grid, bernstein::binomials, homogeneous};
 
-/// Vectors in whose hulls Suu, Suv and Svv are over all of a patch with positive weights; by
-/// fractions of the patch.
-pub(super) fn second_hulls(net: &Grid<DVec4>, center: DVec3) -> [Vec<DVec3>; 3] {
-    let places = net.map(|point| point.truncate() - center * point.w);
-    let weight = net.get(0, 0).w;
-    if !homogeneous::have_different_weights(net.as_slice()) {
-        let (u, v) = (differences(&places), differences(&places.transposed()).transposed());
-        let [uu, uv] = [differences(&u), differences(&u.transposed()).transposed()];
-        let vv = differences(&v.transposed()).transposed();
-        return [uu, uv, vv].map(|net| net.iter().map(|&vector| vector / weight).collect());
-    }
-    let (a, w) = (Polynomial::new(&places), Polynomial::new(&net.map(|point| point.w)));
-    let (w_u, w_v) = (w.by_u(), w.by_v());
-    let cube = w.times(&w).times(&w);
-    let along_u = a.by_u().times(&w).minus(&a.times(&w_u), 1.0);
-    let along_v = a.by_v().times(&w).minus(&a.times(&w_v), 1.0);
-    let second = |first: &Polynomial<DVec3>, by: Polynomial<DVec3>, w_by: &Polynomial<f64>| {
-        by.times(&w).minus(&first.times(w_by), 2.0).over(&cube)
-    };
-    [
-        second(&along_u, along_u.by_u(), &w_u),
-        second(&along_u, along_u.by_v(), &w_v),
-        second(&along_v, along_v.by_v(), &w_v),
-    ]
+/// Vectors in whose hulls Suu, Suv and Svv are over all of a patch with positive weights, by
+/// fractions of the patch; and the room that finding them takes, for one patch after another.
+#[derive(Debug, Default)]
+pub(super) struct SecondHulls {
+    hulls: [Vec<DVec3>; 3],
+    /// The numerator of the patch, whose fourth coordinate is nothing: four at once are as fast as three.
+    places: Polynomial<DVec4>,
+    weight: Polynomial<f64>,
+    weight_by: [Polynomial<f64>; 2],
+    square: Polynomial<f64>,
+    /// One over each coefficient of the cube of the weight, and the cube's degrees.
+    cube: Polynomial<f64>,
+    /// The numerators of Su and Sv, over the square of the weight.
+    first: [Polynomial<DVec4>; 2],
+    derivative: Polynomial<DVec4>,
+    products: [Polynomial<DVec4>; 2],
+    raised: Polynomial<DVec4>,
 }
 
-/// The control vectors of the derivative along u.
-fn differences(net: &Grid<DVec3>) -> Grid<DVec3> {
-    let (n, m) = (net.n_rows(), net.n_columns());
-    if n == 1 {
-        return Grid::from_fn(1, m, |_, _| DVec3::ZERO);
+impl SecondHulls {
+    /// Those of a patch, seen from a place near it.
+    pub(super) fn of(&mut self, net: &Grid<DVec4>, center: DVec3) -> &[Vec<DVec3>; 3] {
+        self.hulls.iter_mut().for_each(Vec::clear);
+        if homogeneous::have_different_weights(net.as_slice()) {
+            self.find_rational(net, center);
+        } else {
+            self.find_polynomial(net, center);
+        }
+        &self.hulls
     }
-    Grid::from_fn(n - 1, m, |i, j| (net.get(i + 1, j) - net.get(i, j)) * (n - 1) as f64)
+
+    /// Second differences, all over one weight.
+    fn find_polynomial(&mut self, net: &Grid<DVec4>, center: DVec3) {
+        let (n, m) = (net.n_rows(), net.n_columns());
+        let weight = net.get(0, 0).w;
+        let place = |i: usize, j: usize| {
+            let point = net.get(i, j);
+            point.truncate() - center * point.w
+        };
+        let by_u = |i: usize, j: usize| (place(i + 1, j) - place(i, j)) * (n - 1) as f64;
+        let by_v = |i: usize, j: usize| (place(i, j + 1) - place(i, j)) * (m - 1) as f64;
+        let [uu, uv, vv] = &mut self.hulls;
+        for i in 0..n.saturating_sub(2) {
+            let bend = |j| (by_u(i + 1, j) - by_u(i, j)) * (n - 2) as f64 / weight;
+            uu.extend((0..m).map(bend));
+        }
+        for i in 0..n - 1 {
+            let twist = |j| (by_u(i, j + 1) - by_u(i, j)) * (m - 1) as f64 / weight;
+            uv.extend((0..m - 1).map(twist));
+        }
+        for i in 0..n {
+            let bend = |j| (by_v(i, j + 1) - by_v(i, j)) * (m - 2) as f64 / weight;
+            vv.extend((0..m.saturating_sub(2)).map(bend));
+        }
+        for hull in self.hulls.iter_mut().filter(|hull| hull.is_empty()) {
+            hull.push(DVec3::ZERO);
+        }
+    }
+
+    /// Quotients of the coefficients of numerators and of the cube of the weight.
+    fn find_rational(&mut self, net: &Grid<DVec4>, center: DVec3) {
+        self.places.set(net, |point| (point.truncate() - center * point.w).extend(0.0));
+        self.weight.set(net, |point| point.w);
+        for along in Direction::BOTH {
+            self.weight.derive(along, &mut self.weight_by[along]);
+            self.places.derive(along, &mut self.derivative);
+            let [product, other] = &mut self.products;
+            self.derivative.multiply(&self.weight, product);
+            self.places.multiply(&self.weight_by[along], other);
+            product.subtract(other, 1.0, &mut self.raised);
+            std::mem::swap(product, &mut self.first[along]);
+        }
+        self.weight.multiply(&self.weight, &mut self.square);
+        self.square.multiply(&self.weight, &mut self.cube);
+        self.cube.coefficients.iter_mut().for_each(|value| *value = 1.0 / *value);
+        let (u, v) = (Direction::U, Direction::V);
+        let seconds = [(u, u), (u, v), (v, v)];
+        for (hull, (first, by)) in self.hulls.iter_mut().zip(seconds) {
+            let [product, other] = &mut self.products;
+            self.first[first].derive(by, &mut self.derivative);
+            self.derivative.multiply(&self.weight, product);
+            self.first[first].multiply(&self.weight_by[by], other);
+            product.subtract(other, 2.0, &mut self.raised);
+            product.raise_to(self.cube.sizes, &mut self.raised);
+            let quotients = product.coefficients.iter().zip(&self.cube.coefficients);
+            hull.extend(quotients.map(|(value, &over)| (*value * over).truncate()));
+        }
+    }
 }
 
 /// A polynomial in u and v by its Bernstein coefficients, each times its binomials, so that
 /// products are sums of products.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 struct Polynomial<T> {
     /// One more than the degrees along u and along v.
     sizes: [usize; 2],
@@ -60,20 +115,26 @@ impl<T> Polynomial<T>
 where
     T: Copy + Default + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>,
 {
-    fn new(net: &Grid<T>) -> Self {
-        let sizes = [net.n_rows(), net.n_columns()];
-        let [rows, columns] = sizes.map(|size| binomials(size - 1));
-        let scaled =
-            Grid::from_fn(sizes[0], sizes[1], |i, j| net.get(i, j) * (rows[i] * columns[j]));
-        Self { sizes, coefficients: scaled.into_values() }
+    fn set(&mut self, net: &Grid<DVec4>, coefficient: impl Fn(DVec4) -> T) {
+        self.sizes = [net.n_rows(), net.n_columns()];
+        let [rows, columns] = self.sizes.map(|size| binomials(size - 1));
+        self.coefficients.clear();
+        for (i, row) in rows.iter().enumerate() {
+            let values = net.row(i).iter().zip(&columns);
+            self.coefficients
+                .extend(values.map(|(&point, column)| coefficient(point) * (row * column)));
+        }
     }
 
-    fn times(&self, other: &Polynomial<f64>) -> Self {
+    /// The product with another one.
+    fn multiply(&self, other: &Polynomial<f64>, product: &mut Self) {
         let sizes = [0, 1].map(|i| self.sizes[i] + other.sizes[i] - 1);
-        let mut coefficients = vec![T::default(); sizes[0] * sizes[1]];
+        product.sizes = sizes;
+        product.coefficients.clear();
+        product.coefficients.resize(sizes[0] * sizes[1], T::default());
         for (i, row) in self.coefficients.chunks(self.sizes[1]).enumerate() {
             for (k, other_row) in other.coefficients.chunks(other.sizes[1]).enumerate() {
-                let sums = &mut coefficients[(i + k) * sizes[1]..][..sizes[1]];
+                let sums = &mut product.coefficients[(i + k) * sizes[1]..][..sizes[1]];
                 for (j, &value) in row.iter().enumerate() {
                     for (sum, &other) in sums[j..].iter_mut().zip(other_row) {
                         *sum = *sum + value * other;
@@ -81,59 +142,61 @@ where
                 }
             }
         }
-        Self { sizes, coefficients }
     }
 
-    /// Less another one times a factor, both first brought to one degree.
-    fn minus(self, other: &Self, factor: f64) -> Self {
-        let other = other.clone().raised_to(self.sizes);
-        let mut this = self.raised_to(other.sizes);
-        for (value, other) in this.coefficients.iter_mut().zip(other.coefficients) {
+    /// Takes another one times a factor away, both first brought to one degree.
+    fn subtract(&mut self, other: &mut Self, factor: f64, room: &mut Self) {
+        other.raise_to(self.sizes, room);
+        self.raise_to(other.sizes, room);
+        for (value, &other) in self.coefficients.iter_mut().zip(&other.coefficients) {
             *value = *value - other * factor;
         }
-        this
     }
 
-    /// With sizes no smaller than these.
-    fn raised_to(self, sizes: [usize; 2]) -> Self {
+    /// Makes its sizes no smaller than these.
+    fn raise_to(&mut self, sizes: [usize; 2], room: &mut Self) {
         let missing = [0, 1].map(|i| sizes[i].saturating_sub(self.sizes[i]));
         if missing == [0, 0] {
-            return self;
+            return;
         }
-        self.times(&Polynomial::new(&Grid::from_fn(missing[0] + 1, missing[1] + 1, |_, _| 1.0)))
+        let [rows, columns] = missing.map(binomials);
+        let one = rows.iter().flat_map(|row| columns.iter().map(move |column| row * column));
+        let one = Polynomial { sizes: missing.map(|n| n + 1), coefficients: one.collect() };
+        self.multiply(&one, room);
+        std::mem::swap(self, room);
     }
 
-    /// The derivative along u.
-    fn by_u(&self) -> Self {
+    /// The derivative along one parameter.
+    fn derive(&self, along: Direction, derivative: &mut Self) {
         let [n, m] = self.sizes;
-        if n == 1 {
-            return Self { sizes: [1, m], coefficients: vec![T::default(); m] };
+        let values = &self.coefficients;
+        let out = &mut derivative.coefficients;
+        out.clear();
+        match along {
+            Direction::U if n == 1 => out.resize(m, T::default()),
+            Direction::V if m == 1 => out.resize(n, T::default()),
+            Direction::U => {
+                for i in 0..n - 1 {
+                    let pairs = values[i * m..][..m].iter().zip(&values[(i + 1) * m..][..m]);
+                    out.extend(
+                        pairs.map(|(&low, &high)| high * (i + 1) as f64 - low * (n - 1 - i) as f64),
+                    );
+                }
+            }
+            Direction::V => {
+                for row in values.chunks(m) {
+                    let pairs = row.windows(2).enumerate();
+                    out.extend(
+                        pairs.map(|(j, pair)| {
+                            pair[1] * (j + 1) as f64 - pair[0] * (m - 1 - j) as f64
+                        }),
+                    );
+                }
+            }
         }
-        let value = |i: usize, j: usize| {
-            let [low, high] = [i, i + 1].map(|i| self.coefficients[i * m + j]);
-            high * (i + 1) as f64 - low * (n - 1 - i) as f64
+        derivative.sizes = match along {
+            Direction::U => [(n - 1).max(1), m],
+            Direction::V => [n, (m - 1).max(1)],
         };
-        let coefficients = Grid::from_fn(n - 1, m, value).into_values();
-        Self { sizes: [n - 1, m], coefficients }
-    }
-
-    /// The derivative along v.
-    fn by_v(&self) -> Self {
-        let [n, m] = self.sizes;
-        if m == 1 {
-            return Self { sizes: [n, 1], coefficients: vec![T::default(); n] };
-        }
-        let value = |i: usize, j: usize| {
-            let [low, high] = [j, j + 1].map(|j| self.coefficients[i * m + j]);
-            high * (j + 1) as f64 - low * (m - 1 - j) as f64
-        };
-        let coefficients = Grid::from_fn(n, m - 1, value).into_values();
-        Self { sizes: [n, m - 1], coefficients }
-    }
-
-    /// The quotients of coefficients, those below being positive and of no smaller degree.
-    fn over(self, below: &Polynomial<f64>) -> Vec<T> {
-        let pairs = self.raised_to(below.sizes).coefficients.into_iter().zip(&below.coefficients);
-        pairs.map(|(value, below)| value * (1.0 / below)).collect()
     }
 }

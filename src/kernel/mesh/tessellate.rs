@@ -12,7 +12,7 @@ use super::{
 };
 use crate::{
     CountError, GeomError, NurbsCurve, NurbsSurface, Surface, bezier, ceiling::PARAMETER_HALVINGS,
-    tolerance::PATH_ROUNDING, work,
+    side_by_side, tolerance::PATH_ROUNDING, work,
 };
 
 /// Meshes that are tried for an angle: where normals turn faster between the places where they are
@@ -93,23 +93,30 @@ fn meshes_of(
         let ends = [sheet.point_at(u.start(), v.start())?, sheet.point_at(u.end(), v.end())?];
         check_rounding(limits.tolerance, far(ends))?;
     }
+    // Functions of a script need a stack that only their own thread has.
+    let is_function = sheets.iter().any(SurfacePatch::is_function);
+    let n_threads = if is_function { 1 } else { limits.n_threads };
     let seams = SharedEdges::of(&mut sheets, limits)?;
-    let all: Vec<CellBounds> = sheets.iter().map(|sheet| sheet.limits(limits)).collect();
+    // Where there are surfaces enough, each is the work of one thread.
+    let of_one = if sheets.len() < n_threads { n_threads } else { 1 };
+    let alone = TessellationOptions { n_threads: of_one, ..*limits };
+    let all: Vec<CellBounds> = side_by_side::map(&sheets, n_threads, |sheet| sheet.limits(&alone));
+    let places = seams.places();
     let mut sharpness = vec![1.0; sheets.len()];
     let mut excesses = vec![f64::INFINITY; sheets.len()];
     let mut round = 0;
     loop {
         GeomError::go_on(1)?;
-        let sharpened = all.iter().zip(&sharpness).map(|(limits, &by)| limits.sharpened(by));
-        let cells =
-            |(sheet, limits): (&SurfacePatch<'_>, CellBounds)| sheet.cells(limits, max_vertices);
-        let cells: Result<Vec<_>, GeomError> = sheets.iter().zip(sharpened).map(cells).collect();
-        let cells = cells?;
-        let edges = seams.vertices(&sheets, &cells, max_vertices)?;
-        let parts = sheets.iter().zip(&cells).zip(&edges);
-        let mesh = |((sheet, cells), edges)| stitched(sheet, cells, edges, max_vertices);
-        let meshes: Result<Vec<Mesh>, GeomError> = parts.map(mesh).collect();
-        let meshes = meshes?;
+        let numbers: Vec<usize> = (0..sheets.len()).collect();
+        let cells = side_by_side::map(&numbers, n_threads, |&i| {
+            sheets[i].cells(all[i].sharpened(sharpness[i]), max_vertices)
+        });
+        let cells = cells.into_iter().collect::<Result<Vec<_>, GeomError>>()?;
+        let edges = seams.vertices(&sheets, &cells, &places, max_vertices, n_threads)?;
+        let meshes = side_by_side::map(&numbers, n_threads, |&i| {
+            stitched(&sheets[i], &cells[i], &edges[i], max_vertices)
+        });
+        let meshes = meshes.into_iter().collect::<Result<Vec<Mesh>, GeomError>>()?;
         round += 1;
         if !limits.limits_angle() || MAX_ROUNDS <= round {
             return Ok(meshes);

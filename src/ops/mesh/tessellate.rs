@@ -62,7 +62,8 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Mesh> {
         Some(given) => limit("the longest edge", given, "leave it out for edges of any length")?,
         None => f64::INFINITY,
     };
-    let limits = TessellationOptions { tolerance, angle, max_edge, weld: ctx.tolerance.distance };
+    let (weld, n_threads) = (ctx.tolerance.distance, ctx.n_threads);
+    let limits = TessellationOptions { tolerance, angle, max_edge, weld, n_threads };
     let (mut surfaces, mut parts) = (Vec::new(), Vec::new());
     gather(geometry, &args.g, &mut surfaces, &mut parts)?;
     let most = ctx.limits.mesh_vertices;

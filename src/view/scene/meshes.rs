@@ -25,7 +25,9 @@ pub(super) fn meshes(
     let surfaces: Vec<_> =
         pieces.iter().flat_map(|piece| piece.shape.surfaces()).cloned().collect();
     let together = told(session, || {
-        bearable(fineness, |options, most| tessellate_all(&surfaces, options, most))
+        bearable(fineness, session.n_threads(), |options, most| {
+            tessellate_all(&surfaces, options, most)
+        })
     });
     if let Ok(meshes) = together {
         let mut meshes = meshes.into_iter();
@@ -45,7 +47,9 @@ pub(super) fn meshes(
         }
         let mesh = |surface: &Surface| {
             told(session, || {
-                bearable(fineness, |options, most| tessellate_any(surface, options, most))
+                bearable(fineness, session.n_threads(), |options, most| {
+                    tessellate_any(surface, options, most)
+                })
             })
         };
         let meshes: Result<Vec<Mesh>, String> = surfaces.iter().map(mesh).collect();
@@ -57,10 +61,14 @@ pub(super) fn meshes(
 /// What `tessellate` makes with the smallest angle for which that is not too much; else without one.
 fn bearable<T>(
     fineness: &Fineness,
+    n_threads: usize,
     tessellate: impl Fn(&TessellationOptions, usize) -> Result<T, GeomError>,
 ) -> Result<T, GeomError> {
-    let within =
-        TessellationOptions { weld: fineness.weld, ..TessellationOptions::within(fineness.chord) };
+    let within = TessellationOptions {
+        weld: fineness.weld,
+        n_threads,
+        ..TessellationOptions::within(fineness.chord)
+    };
     let mut angle = fineness.angle;
     for _ in 0..=DOUBLINGS {
         match tessellate(
