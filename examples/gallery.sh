@@ -44,6 +44,7 @@ size=400x300 draw teapot --only patches
 draw textbook-joints --show control
 draw textbook-surfaces --only filled --show control
 draw units
+draw gasket --only gasket --only path
 draw wheel-hub --only rim --only top --only blend --only shell --only lip --only mouth --only inner --only seal --only holes
 draw wigley-hull --only port --only starboard --only lines --only frames
 draw wing-and-nacelle --only wing --only nacelle

@@ -16,6 +16,9 @@ const KINDS = [
   "points", "curves", "surfaces", "meshes", "tables",
 ];
 
+// Kinds that are words at the start of a statement only.
+const WORD_KINDS = ["region", "regions"];
+
 const KEYWORDS = [
   "geo", "unit", "tolerance", "param", "let", "fn",
   ...KINDS,
@@ -71,7 +74,7 @@ module.exports = grammar({
       choice(
         seq("let", field("pattern", $._pattern), "=", field("value", $._expression), optional($.with)),
         seq(
-          field("kind", alias(choice(...KINDS), $.kind)),
+          field("kind", alias(choice(...KINDS, ...WORD_KINDS), $.kind)),
           optional(seq(field("pattern", $.identifier), "=")),
           field("value", $._expression),
           optional($.with),

@@ -28,6 +28,7 @@ const SHAPES: &[(&str, &str)] = &[
     ("point", "circle"),
     ("curve", "ellipse"),
     ("surface", "parallelogram"),
+    ("region", "house"),
     ("mesh", "trapezium"),
     ("table", "cylinder"),
     ("check", "diamond"),

@@ -154,6 +154,11 @@ codes! {
     OpenShell "E0612" "surfaces that enclose nothing"
         "A volume is enclosed by surfaces that close: every edge meets one other edge within the document's tolerance, of the same surface at a seam or of another one, or is collapsed to a point. Edges may run together where a body is thinner than the tolerance. The message tells the edge that does not, and where. Let edges with a small gap run through the same points, or raise the document's tolerance above the gap. Add what is missing, or ask for the `area`, which needs no inside."
 
+    WithinTolerance "E0615" "a part that lies within the tolerance"
+        "Within the document's tolerance things are one: a strip that is narrower is neither there nor gone, and borders that run so close to one another have no certain order. Let them coincide exactly (the same points, the same curve), or keep them apart by more; or state a smaller `tolerance` at the top of the script."
+    NoRoom "E0616" "no room for a fillet"
+        "A corner is rounded by an arc that touches both of its sides, so that the sides must be long enough for the radius, and not bend more. The message tells the corner, and up to which radius there is room."
+
     // E07xx: files.
     FileMissing "E0701" "a file that cannot be read"
         "The file does not exist beside the script or cannot be read. Paths are relative to the file that names them."

@@ -87,10 +87,15 @@ impl Machine<'_> {
 fn keeps(kind: Kind, value: &Value) -> bool {
     match kind {
         Kind::Let => true,
-        Kind::Point | Kind::Curve | Kind::Surface | Kind::Mesh | Kind::Table => {
+        Kind::Point | Kind::Curve | Kind::Surface | Kind::Region | Kind::Mesh | Kind::Table => {
             value.kind() == kind.word()
         }
-        Kind::Points | Kind::Curves | Kind::Surfaces | Kind::Meshes | Kind::Tables => match value {
+        Kind::Points
+        | Kind::Curves
+        | Kind::Surfaces
+        | Kind::Regions
+        | Kind::Meshes
+        | Kind::Tables => match value {
             Value::List(items) => items.iter().all(|item| Some(item.kind()) == element_of(kind)),
             _ => false,
         },
@@ -129,6 +134,7 @@ fn element_of(kind: Kind) -> Option<&'static str> {
         Kind::Points => "point",
         Kind::Curves => "curve",
         Kind::Surfaces => "surface",
+        Kind::Regions => "region",
         Kind::Meshes => "mesh",
         Kind::Tables => "table",
         _ => return None,

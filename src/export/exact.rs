@@ -38,6 +38,9 @@ pub(super) fn exact(item: &Item, job: &Job) -> Result<Vec<Exact>, ExportError> {
         Subject::Surface(Surface::Parametric(function)) => {
             surfaces(item, &function.to_nurbs(tolerance()?).map_err(blame)?)?
         }
+        Subject::Region(region) => {
+            region.borders().map_err(blame)?.into_iter().map(Exact::Curve).collect()
+        }
         Subject::Mesh(_) | Subject::Table(_) | Subject::Data(_) => Vec::new(),
     })
 }

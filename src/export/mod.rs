@@ -37,7 +37,7 @@ use glam::DVec3;
 use thiserror::Error;
 
 use crate::{
-    kernel::{Curve, GeomError, Mesh, Surface, Table, Tolerance},
+    kernel::{Curve, GeomError, Mesh, Region, Surface, Table, Tolerance},
     limits::{Limits, work},
 };
 
@@ -62,6 +62,8 @@ pub enum Subject {
     Curve(Curve),
     /// A surface.
     Surface(Surface),
+    /// A plane region.
+    Region(Arc<Region>),
     /// A mesh.
     Mesh(Arc<Mesh>),
     /// A table.
@@ -74,7 +76,10 @@ impl Subject {
     /// Whether it has a place in space.
     #[must_use]
     pub fn is_geometry(&self) -> bool {
-        matches!(self, Self::Point(_) | Self::Curve(_) | Self::Surface(_) | Self::Mesh(_))
+        matches!(
+            self,
+            Self::Point(_) | Self::Curve(_) | Self::Surface(_) | Self::Region(_) | Self::Mesh(_)
+        )
     }
 }
 

@@ -109,6 +109,7 @@ impl Summary {
             Subject::Point(_) => self.points += 1,
             Subject::Curve(_) => self.curves += 1,
             Subject::Surface(_) => self.surfaces += 1,
+            Subject::Region(region) => self.curves += 1 + region.n_holes(),
             Subject::Mesh(mesh) => {
                 self.vertices += mesh.n_vertices();
                 self.triangles += mesh.n_triangles();
@@ -151,6 +152,7 @@ fn bounds(item: &Item) -> Option<Bounds> {
         Subject::Point(point) => Some(Bounds { min: *point, max: *point }),
         Subject::Curve(curve) => curve.bounds().ok(),
         Subject::Surface(surface) => surface.bounds().ok(),
+        Subject::Region(region) => Some(region.bounds()),
         Subject::Mesh(mesh) => mesh.bounds(),
         Subject::Table(_) | Subject::Data(_) => None,
     }
@@ -162,7 +164,7 @@ pub(super) fn shapes(job: &Job) -> Result<Vec<ShapedItem<'_>>, ExportError> {
     let mut solids = solids(job, tolerance)?.into_iter();
     let mut shapes = Vec::with_capacity(job.items.len());
     for item in &job.items {
-        if matches!(item.subject, Subject::Surface(_) | Subject::Mesh(_)) {
+        if matches!(item.subject, Subject::Surface(_) | Subject::Region(_) | Subject::Mesh(_)) {
             shapes.extend(solids.next());
         } else if let Some(shape) = shape(item, tolerance, job)? {
             shapes.push(ShapedItem { item, shape, is_turned: false });
@@ -180,6 +182,10 @@ pub(super) fn solids(job: &Job, tolerance: f64) -> Result<Vec<ShapedItem<'_>>, E
         let mesh = match &item.subject {
             Subject::Surface(_) => meshes.next().map(Arc::new),
             Subject::Mesh(mesh) => Some(Arc::clone(mesh)),
+            Subject::Region(_) => match shape(item, tolerance, job)? {
+                Some(MeshShape::Mesh(mesh)) => Some(mesh),
+                _ => None,
+            },
             _ => None,
         };
         let shaped = |mesh| ShapedItem { item, shape: MeshShape::Mesh(mesh), is_turned: false };
@@ -251,6 +257,10 @@ pub(super) fn shape(
         }
         Subject::Surface(surface) => {
             let mesh = tessellate_any(surface, &limits(job, tolerance), most).map_err(blame)?;
+            MeshShape::Mesh(Arc::new(mesh))
+        }
+        Subject::Region(region) => {
+            let mesh = region.mesh(tolerance, job.precision, most).map_err(blame)?;
             MeshShape::Mesh(Arc::new(mesh))
         }
         Subject::Mesh(mesh) => MeshShape::Mesh(Arc::clone(mesh)),

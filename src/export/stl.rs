@@ -18,7 +18,7 @@ pub(super) static FORMAT: Format = Format {
     aliases: &[],
     title: "STL: triangles; binary, or text with `binary = false`",
     options: &[&TOLERANCE, &ANGLE, &BINARY, &DECIMALS],
-    takes: |subject| matches!(subject, Subject::Surface(_) | Subject::Mesh(_)),
+    takes: |subject| matches!(subject, Subject::Surface(_) | Subject::Region(_) | Subject::Mesh(_)),
     takes_data: false,
     is_of_meshes: true,
     wants: "surfaces and meshes",

@@ -98,6 +98,14 @@ impl Drawing {
                     drawing.hide_behind(mesh, view);
                 }
             }
+            Subject::Region(region) => {
+                for border in region.borders().map_err(blame)? {
+                    drawing.curve(LineWeight::Full, &border, view, item)?;
+                }
+                if let Some(MeshShape::Mesh(mesh)) = shape(item, near, job)? {
+                    drawing.hide_behind(mesh, view);
+                }
+            }
             Subject::Mesh(mesh) => {
                 if !mesh.colors().is_empty() {
                     drawing.paint(mesh, view);

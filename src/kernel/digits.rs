@@ -1,5 +1,7 @@
 //! Numbers as messages tell them.
 
+use glam::DVec3;
+
 /// A bound of a deviation for a message; without one the weights left no curve to measure.
 pub(super) fn how_far(error: f64) -> String {
     if error.is_finite() {
@@ -23,6 +25,11 @@ pub(crate) fn few_digits(x: f64) -> String {
     } else {
         format!("{rounded:e}")
     }
+}
+
+/// A measured point for a message.
+pub(crate) fn place(point: DVec3) -> String {
+    format!("({}, {}, {})", few_digits(point.x), few_digits(point.y), few_digits(point.z))
 }
 
 /// A number in full, with an exponent where scripts print one.

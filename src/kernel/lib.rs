@@ -71,6 +71,12 @@
 //! - Networks: [`NetworkBuilder`], and what it is made of: [`gordon`] of a [`Network`] gives a [`Gordon`].
 //! - Beside others: [`NurbsCurve::offset`], [`Surface::offset`].
 //!
+//! ## Regions of the plane
+//!
+//! - [`Region`] within curves, [`Region::even_odd`]; [`Region::union`], [`Region::intersection`], [`Region::difference`].
+//! - [`Region::offset`] with its [`CornerStyle`], [`Region::filleted`]; [`Region::mass`], [`Region::side_of`] with its [`RegionSide`].
+//! - What is refused: [`RegionError`].
+//!
 //! ## Approximate
 //!
 //! - Through points: [`Interpolator`] at parameters by [`Parametrization`], with [`Ends`]; [`lagrange`].
@@ -85,6 +91,7 @@
 //! - Of polygons: [`polygon_mesh`], [`planar_mesh`], [`Mesh::new`].
 //! - Whether it closes: [`Mesh::check`] gives [`MeshCheck`], [`Topology`]; [`Mesh::area`], [`Mesh::volume`].
 
+mod arrange;
 mod bernstein;
 mod bezier;
 mod bounds;
@@ -115,6 +122,7 @@ mod nearest;
 mod numeric;
 mod positive;
 mod refine;
+mod region;
 mod removal;
 mod scale;
 mod side_by_side;
@@ -171,6 +179,7 @@ pub use numeric::{
     sample::Sample,
     symmetric_eigen::principal_axes,
 };
+pub use region::{CornerStyle, Region, RegionError, RegionSide};
 pub use skin::{
     AlignedSection, Along, CompatibleSections, SectionParameters, SectionSlope, Skin, SkinBuilder,
     SkinError, SkinInput, SkinnedSurface, aligned, at_constant_speed, corners_of_ring,

@@ -10,6 +10,7 @@ mod list;
 mod math;
 mod measure;
 mod mesh;
+mod region;
 mod search;
 mod surface;
 mod text;
@@ -35,6 +36,7 @@ pub fn registry() -> Registry {
         transform::OPS,
         measure::OPS,
         mesh::OPS,
+        region::OPS,
         math::OPS,
         search::OPS,
         vector::OPS,

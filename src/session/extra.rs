@@ -197,6 +197,7 @@ pub(super) fn label(name: &str, items: &[Item]) -> Option<DefinitionLabel> {
             let at = |u: f64, v: f64| surface.point_at(u, v).ok();
             us.iter().flat_map(|&u| vs.iter().filter_map(move |&v| at(u, v))).collect()
         }
+        Subject::Region(region) => vec![region.mass().centroid],
         Subject::Mesh(mesh) => mesh.vertices().to_vec(),
         Subject::Table(_) | Subject::Data(_) => return None,
     };

@@ -11,7 +11,7 @@ use crate::{
     diag::{Code, Diagnostic, Span, is_hidden, nearest},
     eval::{self, Exported},
     export::{FORMATS, Format, Item, Job, Subject},
-    kernel::{Curve, Surface, Tolerance},
+    kernel::{Curve, NurbsCurve, Region, Surface, Tolerance},
     limits::{
         Limits,
         work::{self, Watch},
@@ -195,6 +195,7 @@ fn subject(value: &Value) -> Option<Subject> {
         Value::Point(point) => Subject::Point(*point),
         Value::Curve(curve) => Subject::Curve(curve.clone()),
         Value::Surface(surface) => Subject::Surface(surface.clone()),
+        Value::Region(region) => Subject::Region(Arc::clone(region)),
         Value::Mesh(mesh) => Subject::Mesh(Arc::clone(mesh)),
         Value::Table(table) => Subject::Table(Arc::clone(table)),
         _ => return None,
@@ -246,6 +247,14 @@ impl GatheredItems {
                     |(label, member)| self.add(&format!("{name}.{label}"), member, whole),
                 )
             }
+            Value::Region(region) if let Some(borders) = self.borders_of(region) => {
+                for (i, border) in borders.into_iter().enumerate() {
+                    let own =
+                        if i == 0 { ".outer".to_owned() } else { format!(".holes[{}]", i - 1) };
+                    self.push(&format!("{name}{own}"), whole, Subject::Curve(border.into()));
+                }
+                Ok(())
+            }
             _ => {
                 let subject = subject(value).ok_or_else(|| FormatMismatch::of(value))?;
                 if !(self.format.takes)(&subject) {
@@ -259,6 +268,14 @@ impl GatheredItems {
                 Ok(())
             }
         }
+    }
+
+    /// The borders of a region for a format that has lines and no areas.
+    fn borders_of(&self, region: &Arc<Region>) -> Option<Vec<NurbsCurve>> {
+        let takes = |subject: &Subject| (self.format.takes)(subject);
+        let borders = region.borders().ok()?;
+        let first = Subject::Curve(borders.first()?.clone().into());
+        (!takes(&Subject::Region(Arc::clone(region))) && takes(&first)).then_some(borders)
     }
 
     fn push(&mut self, name: &str, whole: &eval::ExportSubject, subject: Subject) {

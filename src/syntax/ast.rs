@@ -107,6 +107,8 @@ pub enum Kind {
     Curve,
     /// `surface`
     Surface,
+    /// `region`
+    Region,
     /// `mesh`
     Mesh,
     /// `table`
@@ -117,6 +119,8 @@ pub enum Kind {
     Curves,
     /// `surfaces`
     Surfaces,
+    /// `regions`
+    Regions,
     /// `meshes`
     Meshes,
     /// `tables`
@@ -130,11 +134,13 @@ impl Kind {
         ("point", Self::Point),
         ("curve", Self::Curve),
         ("surface", Self::Surface),
+        ("region", Self::Region),
         ("mesh", Self::Mesh),
         ("table", Self::Table),
         ("points", Self::Points),
         ("curves", Self::Curves),
         ("surfaces", Self::Surfaces),
+        ("regions", Self::Regions),
         ("meshes", Self::Meshes),
         ("tables", Self::Tables),
     ];

@@ -38,6 +38,16 @@ impl fmt::Display for Value {
             Self::Function(function) => f.write_str(&function.signature()),
             Self::Curve(curve) => write_curve(f, curve),
             Self::Surface(surface) => write_surface(f, surface),
+            Self::Region(region) => {
+                f.write_str("region")?;
+                match region.n_holes() {
+                    0 => {}
+                    1 => f.write_str(" with a hole")?,
+                    n => write!(f, " with {n} holes")?,
+                }
+                let n: usize = region.arcs().map(<[_]>::len).sum();
+                write!(f, ", {n} {}", if n == 1 { "arc" } else { "arcs" })
+            }
             Self::Mesh(mesh) => {
                 let faces = match mesh.face_sizes() {
                     [] => "triangles",

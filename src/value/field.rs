@@ -6,7 +6,8 @@ use glam::DVec3;
 
 use super::{Dimension, IntoValue, Number, Range, Real, Value, unit::dim_of};
 use crate::kernel::{
-    Column, Curve, GeomError, Grid, Interval, NurbsCurve, NurbsSurface, Surface, Table, Tolerance,
+    Column, Curve, GeomError, Grid, Interval, NurbsCurve, NurbsSurface, Region, Surface, Table,
+    Tolerance,
 };
 
 const POINT: &[&str] = &["x", "y", "z"];
@@ -20,6 +21,7 @@ const SURFACE: &[&str] = &[
     "closed_u", "closed_v", "rational", "patches",
 ];
 const MESH: &[&str] = &["vertices", "triangles", "faces", "normals", "uvs", "colors", "groups"];
+const REGION: &[&str] = &["outer", "holes", "plane"];
 const FRAME: &[&str] = &["origin", "x", "y", "z"];
 const CURVE_FRAME: &[&str] = &["origin", "x", "y", "z", "tangent", "normal", "binormal"];
 
@@ -32,6 +34,7 @@ pub fn field_names(value: &Value) -> Vec<&str> {
         Value::Record(record) => record.iter().map(|(label, _)| label).collect(),
         Value::Curve(_) => CURVE.to_vec(),
         Value::Surface(_) => SURFACE.to_vec(),
+        Value::Region(_) => REGION.to_vec(),
         Value::Mesh(_) => MESH.to_vec(),
         Value::Table(table) => table.columns().iter().map(|column| column.name.as_str()).collect(),
         Value::Frame(frame) if frame.is_of_curve() => CURVE_FRAME.to_vec(),
@@ -51,6 +54,7 @@ pub fn field(value: &Value, name: &str, tolerance: Tolerance) -> Result<Option<V
         Value::Surface(surface) if SURFACE.contains(&name) => {
             surface_field(surface, name, tolerance)
         }
+        Value::Region(region) => region_field(region, name),
         _ => Ok(plain_field(value, name)),
     }
 }
@@ -134,6 +138,18 @@ fn nurbs_surface_field(surface: &NurbsSurface, name: &str) -> Option<Value> {
         "patches" => Value::list(surface.n_patches().map(count).to_vec()),
         _ => return None,
     })
+}
+
+fn region_field(region: &Region, name: &str) -> Result<Option<Value>, GeomError> {
+    Ok(Some(match name {
+        "outer" => Value::Curve(region.outer()?.into()),
+        "holes" => {
+            let holes = region.holes()?.into_iter();
+            Value::list(holes.map(|hole| Value::Curve(hole.into())).collect())
+        }
+        "plane" => Value::Frame(Arc::new(region.frame())),
+        _ => return Ok(None),
+    }))
 }
 
 fn mesh_field(mesh: &crate::kernel::Mesh, name: &str) -> Option<Value> {

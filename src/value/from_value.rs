@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::{CARRIES_DERIVATIVES, Dimension, List, Number, Range, Real, Record, Type, Value};
 use crate::{
     diag::{Code, Span, Spanned},
-    kernel::{CountError, Curve, Frame, GeomError, Grid, Interval, Mesh, Surface, Table},
+    kernel::{CountError, Curve, Frame, GeomError, Grid, Interval, Mesh, Region, Surface, Table},
     limits::work,
 };
 
@@ -169,6 +169,7 @@ from_variant! {
     Arc<Record> = Record from Record(record) Arc::clone(record);
     Curve = Curve from Curve(curve) curve.clone();
     Surface = Surface from Surface(surface) surface.clone();
+    Arc<Region> = Region from Region(region) Arc::clone(region);
     Arc<Mesh> = Mesh from Mesh(mesh) Arc::clone(mesh);
     Arc<Table> = Table from Table(table) Arc::clone(table);
     Arc<Frame> = Plane from Frame(frame) Arc::clone(frame);

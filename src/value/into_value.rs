@@ -6,8 +6,8 @@ use super::{Angle, Choice, Dimension, Geometry, Length, Number, Range, Record, T
 use crate::{
     diag::Spanned,
     kernel::{
-        ConstructionReport, Curve, Frame, Interval, Mesh, NurbsCurve, NurbsSurface, ReportEntry,
-        Surface, Table,
+        ConstructionReport, Curve, Frame, Interval, Mesh, NurbsCurve, NurbsSurface, Region,
+        ReportEntry, Surface, Table,
     },
 };
 use std::sync::Arc;
@@ -75,6 +75,7 @@ into_variant! {
     Surface = Type::Surface, |surface| Value::Surface(surface);
     NurbsCurve = Type::Curve, |curve| Value::Curve(curve.into());
     NurbsSurface = Type::Surface, |surface| Value::Surface(surface.into());
+    Region = Type::Region, |region| Value::Region(Arc::new(region));
     Mesh = Type::Mesh, |mesh| Value::Mesh(Arc::new(mesh));
     Table = Type::Table, |table| Value::Table(Arc::new(table));
     Frame = Type::Plane, |frame| Value::Frame(Arc::new(frame));

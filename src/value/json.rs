@@ -13,7 +13,7 @@ use super::{Dimension, ENDED, Number, Range, Record, Value, in_document_unit};
 use crate::{
     kernel::{
         Column, Curve, Frame, Grid, KnotVector, Mesh, MeshGroup, NamedColumn, NurbsCurve,
-        NurbsSurface, Surface, Table,
+        NurbsSurface, Region, Surface, Table,
     },
     limits::work,
 };
@@ -44,12 +44,7 @@ pub fn to_json(value: &Value) -> Json {
         Value::Curve(Curve::Parametric(_)) | Value::Surface(Surface::Parametric(_)) => {
             json!({ "virote": format!("parametric {}", value.kind()) })
         }
-        Value::Curve(Curve::Nurbs(curve)) => json!({
-            "virote": "curve",
-            "degree": curve.degree(),
-            "knots": curve.knots().as_slice(),
-            "homogeneous": homogeneous(curve.control_points()),
-        }),
+        Value::Curve(Curve::Nurbs(curve)) => curve_json(curve),
         Value::Surface(Surface::Nurbs(surface)) => {
             let net = surface.control_points();
             let rows: Vec<Json> = (0..net.n_rows()).map(|i| homogeneous(net.row(i))).collect();
@@ -62,6 +57,13 @@ pub fn to_json(value: &Value) -> Json {
                 "homogeneous": rows,
             })
         }
+        Value::Region(region) => json!({
+            "virote": "region",
+            "origin": region.frame().origin().to_array(),
+            "x": region.frame().x().to_array(),
+            "z": region.frame().z().to_array(),
+            "borders": region.arcs().map(|arcs| arcs.iter().map(curve_json).collect()).collect::<Vec<Json>>(),
+        }),
         Value::Mesh(mesh) => mesh_json(mesh),
         Value::Table(table) => {
             json!({ "virote": "table", "columns": table.columns().iter().map(column).collect::<Vec<_>>() })
@@ -73,6 +75,15 @@ pub fn to_json(value: &Value) -> Json {
             "z": frame.z().to_array(),
         }),
     }
+}
+
+fn curve_json(curve: &NurbsCurve) -> Json {
+    json!({
+        "virote": "curve",
+        "degree": curve.degree(),
+        "knots": curve.knots().as_slice(),
+        "homogeneous": homogeneous(curve.control_points()),
+    })
 }
 
 fn mesh_json(mesh: &Mesh) -> Json {
@@ -212,6 +223,15 @@ impl<'j> Object<'j> {
         NurbsSurface::new(knots_u, knots_v, net).map_err(|err| err.to_string())
     }
 
+    fn region(&self) -> Result<Region, String> {
+        let arc = |json: &Json| match from_json(json, self.length) {
+            Ok(Value::Curve(Curve::Nurbs(curve))) => Some((*curve).clone()),
+            _ => None,
+        };
+        let borders = self.read("borders", |json| each(json, |arcs| each(arcs, arc)))?;
+        Region::of_arcs(self.plane()?, borders).map_err(|err| err.to_string())
+    }
+
     fn mesh(&self) -> Result<Mesh, String> {
         let places = |name| -> Result<Vec<DVec3>, String> {
             Ok(self.read(name, vectors)?.into_iter().map(DVec3::from).collect())
@@ -265,6 +285,7 @@ impl<'j> Object<'j> {
             }),
             "curve" => Value::Curve(self.curve()?.into()),
             "surface" => Value::Surface(self.surface()?.into()),
+            "region" => Value::Region(Arc::new(self.region()?)),
             "mesh" => Value::Mesh(Arc::new(self.mesh()?)),
             "table" => Value::Table(Arc::new(self.table()?)),
             "plane" => Value::Frame(Arc::new(self.plane()?)),

@@ -40,7 +40,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::kernel::{Curve, Frame, Jet, Mesh, Surface, Table};
+use crate::kernel::{Curve, Frame, Jet, Mesh, Region, Surface, Table};
 
 pub use appearance::{Appearance, COLOR_NAMES, color_of};
 pub use bind::{Binder, Call, FormalParameter, Mistakes, assign};
@@ -108,6 +108,8 @@ pub enum Value {
     Curve(Curve),
     /// A surface.
     Surface(Surface),
+    /// A plane region.
+    Region(Arc<Region>),
     /// A mesh.
     Mesh(Arc<Mesh>),
     /// A table.
@@ -186,6 +188,7 @@ impl Value {
             Self::Function(_) => "function",
             Self::Curve(_) => "curve",
             Self::Surface(_) => "surface",
+            Self::Region(_) => "region",
             Self::Mesh(_) => "mesh",
             Self::Table(_) => "table",
             Self::Frame(_) => "plane",

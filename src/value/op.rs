@@ -102,6 +102,8 @@ pub enum Family {
     Edit,
     /// Transformations of anything geometric.
     Transform,
+    /// Regions.
+    Region,
     /// Questions about geometry.
     Measure,
     /// Meshes and files.
@@ -125,6 +127,7 @@ impl Family {
         (Self::Surface, "Surfaces"),
         (Self::Edit, "Edits"),
         (Self::Transform, "Transformations"),
+        (Self::Region, "Regions"),
         (Self::Measure, "Questions about geometry"),
         (Self::Mesh, "Meshes and files"),
         (Self::Table, "Tables"),

@@ -43,6 +43,8 @@ pub enum Type {
     Curve,
     /// A surface.
     Surface,
+    /// A plane region.
+    Region,
     /// A mesh.
     Mesh,
     /// A table.
@@ -79,6 +81,7 @@ impl Type {
             | (Self::Function, Value::Function(_) | Value::Curve(_) | Value::Surface(_))
             | (Self::Curve, Value::Curve(_))
             | (Self::Surface, Value::Surface(_))
+            | (Self::Region, Value::Region(_))
             | (Self::Mesh, Value::Mesh(_))
             | (Self::Table, Value::Table(_))
             | (Self::Plane, Value::Frame(_))
@@ -87,6 +90,7 @@ impl Type {
                 Value::Point(_)
                 | Value::Curve(_)
                 | Value::Surface(_)
+                | Value::Region(_)
                 | Value::Mesh(_)
                 | Value::Frame(_),
             ) => true,
@@ -189,6 +193,7 @@ impl fmt::Display for Type {
             Self::Function => "function",
             Self::Curve => "curve",
             Self::Surface => "surface",
+            Self::Region => "region",
             Self::Mesh => "mesh",
             Self::Table => "table",
             Self::Plane => "plane",

@@ -39,6 +39,7 @@ mod poles;
 mod primitive;
 mod quadric;
 mod real_networks;
+mod region;
 mod seams;
 mod shape;
 mod sizes;

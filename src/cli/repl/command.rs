@@ -221,7 +221,11 @@ fn kind(prompt: &mut Prompt, text: &str) {
             Value::Function(function) => {
                 format!("a function: {}", function.signatures().join("\nor: "))
             }
-            Value::Curve(_) | Value::Surface(_) | Value::Mesh(_) | Value::Table(_) => {
+            Value::Curve(_)
+            | Value::Surface(_)
+            | Value::Region(_)
+            | Value::Mesh(_)
+            | Value::Table(_) => {
                 format!("a {value}")
             }
             Value::Record(_) => format!("a {}", show::sized(&value)),

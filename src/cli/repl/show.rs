@@ -192,6 +192,10 @@ pub(super) fn shapes(value: &Value) -> Vec<PlotSubject> {
     match value {
         Value::Curve(curve) => curve.sample(N_POINTS).into_iter().map(PlotSubject::Path).collect(),
         Value::Surface(surface) => isocurves(surface).into_iter().map(PlotSubject::Path).collect(),
+        Value::Region(region) => {
+            let borders = region.borders().unwrap_or_default().into_iter().map(Curve::from);
+            borders.flat_map(|curve| curve.sample(N_POINTS)).map(PlotSubject::Path).collect()
+        }
         Value::Mesh(mesh) => vec![PlotSubject::Mesh(mesh.clone())],
         Value::List(items) => {
             let points: Vec<DVec3> = items

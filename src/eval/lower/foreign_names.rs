@@ -16,7 +16,7 @@ const FOREIGN: &[(&[&str], &str)] = &[
     (&["isocurve", "isocurves", "isoline"], ISOCURVE),
     (&["umbilic", "umbilics"], "`describe(s).umbilics` lists the umbilics of a surface"),
     (&["merge"], "`join` makes one curve of curves, and one surface of patches"),
-    (&["union", "subtract", "difference", "intersection", "boolean", "cut"], NO_SOLIDS),
+    (&["subtract", "boolean", "cut"], NO_SOLIDS),
     (
         &["color", "colour", "material"],
         "a definition has a colour: `curve c = ... with (color = \"red\")`",
@@ -33,7 +33,7 @@ const FOREIGN: &[(&[&str], &str)] = &[
     (&["sweep1", "sweep2", "pipe"], "write `sweep(section, path)`"),
     (&["networksrf", "curvenetwork"], "write `gordon(u, v)`"),
     (&["edgesrf", "patch"], "write `coons(u, v)`"),
-    (&["planar", "planarsrf", "makeface", "region", "face"], "write `planar_mesh(curve)`"),
+    (&["planar", "planarsrf", "makeface", "face"], "write `planar_mesh(curve)`"),
     (
         &["bsplinecurve", "nurbscurve"],
         "write `bspline(points)`, or `nurbs(points, ...)` with weights",
@@ -66,8 +66,8 @@ const FOREIGN: &[(&[&str], &str)] = &[
         "a unit is glued to its number: `90deg`; a computed number takes it by `* 1deg`",
     ),
     (
-        &["fillet", "chamfer", "filletcurves"],
-        "arcs between curves are made by `arc` and put together by `join`",
+        &["chamfer", "filletcurves"],
+        "`fillet(r, radius)` rounds the corners of a region; arcs between curves are made by `arc` and put together by `join`",
     ),
     (&["pow", "power"], "a power is written `a^b`"),
     (&["mod", "fmod"], "a remainder is written `a % b`"),
@@ -83,8 +83,7 @@ const FOREIGN: &[(&[&str], &str)] = &[
 
 const ISOCURVE: &str =
     "an isocurve is the surface with one parameter left out: `s(0.5, _)` or `s(_, 0.5)`";
-const NO_SOLIDS: &str =
-    "surfaces are not combined as solids; `intersect(a, b)` tells where two of them cross";
+const NO_SOLIDS: &str = "plane regions are combined by `union`, `intersection` and `difference`; surfaces are not, `intersect(a, b)` tells where two of them cross";
 
 /// What to write instead of `name`, when it is the habit of another language or program.
 pub(crate) fn advice(name: &str) -> Option<&'static str> {

@@ -24,7 +24,7 @@ pub(super) static FORMAT: Format = Format {
     aliases: &[],
     title: "DXF: exact splines, polylines and points, surfaces and meshes as 3D faces, a layer for each name",
     options: &[&TOLERANCE, &ANGLE, &DECIMALS],
-    takes: Subject::is_geometry,
+    takes: |subject| subject.is_geometry() && !matches!(subject, Subject::Region(_)),
     takes_data: false,
     is_of_meshes: false,
     wants: "points, curves, surfaces and meshes",

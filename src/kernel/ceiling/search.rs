@@ -25,6 +25,9 @@ pub(crate) const HULL_PIECES: usize = 20_000;
 /// Control points of pairs of pieces of curves that are looked at before the meetings are too many.
 pub(crate) const CURVE_PAIR_WORK: usize = 1_600_000;
 
+/// Stretches that two arcs may share before their meetings are too many.
+pub(crate) const SHARED_STRETCHES: usize = 1000;
+
 /// Pairs of parts that are looked at before two surfaces, or a curve and a surface, count as
 /// running together.
 pub(crate) const SURFACE_PAIRS: usize = 200_000;

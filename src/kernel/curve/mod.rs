@@ -38,8 +38,10 @@ pub use measurement::continuity::Continuity;
 pub use measurement::direction::CurvePointKind;
 pub(crate) use measurement::flat::{lie_in_a_plane, plane_of};
 pub use measurement::local::{EvaluationPlace, LocalGeometry};
+pub(crate) use measurement::planar::facing;
 pub use representation::any::Curve;
 pub use representation::parametric::{CurveFunction, ParametricCurve};
+pub(crate) use representation::part;
 
 /// A rational B-spline curve in space, with homogeneous points `(w·x, w·y, w·z, w)`.
 ///

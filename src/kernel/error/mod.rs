@@ -9,7 +9,7 @@ mod question;
 
 use thiserror::Error;
 
-use super::{FunctionFailure, JumpError, MeshError, PictureError, ShellError};
+use super::{FunctionFailure, JumpError, MeshError, PictureError, RegionError, ShellError};
 
 pub use construct::{ConstructionError, FitError, FormError, JointError};
 pub use input::{CountError, DegreeError, DomainError, InputError, KnotError, WeightError};
@@ -75,6 +75,9 @@ pub enum GeomError {
     /// Lines on surfaces and regions that do not exist.
     #[error(transparent)]
     Picture(#[from] PictureError),
+    /// Regions that cannot be put together.
+    #[error(transparent)]
+    Region(#[from] RegionError),
     /// Surfaces that enclose nothing.
     #[error(transparent)]
     Shell(#[from] ShellError),
@@ -89,4 +92,4 @@ pub enum GeomError {
     Jump(#[from] JumpError),
 }
 
-pub(crate) use super::digits::few_digits;
+pub(crate) use super::digits::{few_digits, place};

@@ -38,6 +38,7 @@ fn bounds(value: &Value) -> std::result::Result<Option<Bounds>, GeomError> {
         Value::Point(point) => Some(Bounds { min: *point, max: *point }),
         Value::Curve(curve) => Some(curve.bounds()?),
         Value::Surface(surface) => Some(surface.bounds()?),
+        Value::Region(region) => Some(region.bounds()),
         Value::Mesh(mesh) => mesh.bounds(),
         Value::List(items) => {
             let mut whole = None;

@@ -48,6 +48,7 @@ fn transformed(geometry: &Value, map: &DAffine3, span: Span) -> Result<Value> {
             in_range(moved.is_finite(), span)?;
             Value::Surface(moved)
         }
+        Value::Region(region) => Value::Region(Arc::new(region.transformed(map).at(span)?)),
         Value::Mesh(mesh) => {
             let moved = mesh.transformed(map);
             in_range(moved.vertices().iter().all(|vertex| vertex.is_finite()), span)?;

@@ -49,6 +49,7 @@ pub(super) fn statement<'t, 's: 't>(
             }
             input.parse(expect_error())
         }
+        Token::Name if let Some(kind) = word_kind(input) => definition(input, kind),
         token => match kind(token) {
             Some(kind) => definition(input, kind),
             None => Err(expected(input, ExpectedTokens::STATEMENT)),
@@ -61,6 +62,14 @@ fn is_expectation(input: &mut Input<'_, '_, '_>) -> bool {
     let at = here(input);
     let script = input.state();
     script.is_word(at, "expect") && script.is_word(at + 1, "error")
+}
+
+/// The kind that a word promises where a statement begins; elsewhere it is a name like others.
+fn word_kind(input: &mut Input<'_, '_, '_>) -> Option<Kind> {
+    let at = here(input);
+    let script = input.state();
+    let words = [("region", Kind::Region), ("regions", Kind::Regions)];
+    words.into_iter().find(|(word, _)| script.is_word(at, word)).map(|(_, kind)| kind)
 }
 
 fn is_misplaced_in_test(keyword: Token) -> bool {

@@ -6,7 +6,7 @@ use crate::{
     kernel::{
         CountError, DegreeError, DomainError, FaceFault, FitError, FormError, GeomError,
         InputError, IntersectionError, JointError, KnotError, LocalError, MeasureError, MeshError,
-        WeightError,
+        RegionError, WeightError,
     },
 };
 
@@ -34,9 +34,18 @@ pub fn code_of(error: &GeomError) -> Code {
         | GeomError::Picture(_)
         | GeomError::Jump(_)
         | GeomError::Ended => Code::Degenerate,
+        GeomError::Region(error) => of_region(error),
         GeomError::Shell(_) => Code::OpenShell,
         GeomError::Mesh(fault) => of_mesh(fault),
         GeomError::Function(_) => inside(error).map_or(Code::Domain, |reason| reason.code),
+    }
+}
+
+const fn of_region(error: &RegionError) -> Code {
+    match error {
+        RegionError::OtherPlane { .. } | RegionError::NoCorner { .. } => Code::Degenerate,
+        RegionError::Unclear { .. } | RegionError::Thin { .. } => Code::WithinTolerance,
+        RegionError::NoRoom { .. } => Code::NoRoom,
     }
 }
 

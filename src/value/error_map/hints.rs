@@ -3,7 +3,7 @@
 use crate::kernel::{
     ConstructionError, CountError, DegreeError, DomainError, FaceFault, FitError, FormError,
     GeomError, InputError, IntersectionError, JointError, JumpError, KnotError, LocalError,
-    MeasureError, MeshError, PictureError, ShellError, WeightError,
+    MeasureError, MeshError, PictureError, RegionError, ShellError, WeightError,
 };
 
 /// What to do about an error of the kernel, where the message alone does not tell.
@@ -27,6 +27,7 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         GeomError::Mesh(error) => of_mesh(error),
         GeomError::Jump(jump) => Some(of_jump(jump)),
         GeomError::Picture(error) => Some(of_picture(error)),
+        GeomError::Region(error) => Some(of_region(error)),
         GeomError::Function(_) | GeomError::Ended => None,
     }
 }
@@ -291,6 +292,25 @@ fn of_jump(jump: &JumpError) -> String {
             "a surface is connected: make one of each side, up to the jump".to_owned()
         }
     }
+}
+
+/// What to do about regions that cannot be put together.
+fn of_region(error: &RegionError) -> String {
+    let hint = match error {
+        RegionError::OtherPlane { .. } => {
+            "regions are put together in one plane; `project` or `place` the curves into it"
+        }
+        RegionError::Unclear { .. } | RegionError::Thin { .. } => {
+            "let borders run along one another exactly or cross clearly, or state a smaller `tolerance`"
+        }
+        RegionError::NoRoom { .. } => {
+            "the arc must touch both sides of the corner, beside the arcs of its neighbours; take a smaller radius"
+        }
+        RegionError::NoCorner { .. } => {
+            "`corners(r.outer)` has the parameters of the corners, `r.outer(t)` the points"
+        }
+    };
+    hint.to_owned()
 }
 
 /// What to do about lines on surfaces and regions.

@@ -5,7 +5,11 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::{
-    kernel::{Bounds, Curve, GeomError, Mesh, Surface},
+    kernel::{
+        Bounds, Curve, GeomError, Mesh, Region, Surface, Tolerance,
+        tolerance::DEFAULT_CHORD_RELATIVE,
+    },
+    limits::Limits,
     value::Value,
 };
 
@@ -44,6 +48,10 @@ fn gather(value: &Value, path: &str, found: &mut Vec<Piece>) {
     let shape = match value {
         Value::Surface(surface) => Shape::Surface(surface.clone()),
         Value::Curve(curve) => Shape::Curve(curve.clone()),
+        Value::Region(region) => {
+            gather_region(region, path, found);
+            return;
+        }
         Value::Mesh(mesh) => Shape::Mesh(Arc::clone(mesh)),
         Value::Point(point) => Shape::Points(vec![*point]),
         Value::List(items) => {
@@ -67,6 +75,23 @@ fn gather(value: &Value, path: &str, found: &mut Vec<Piece>) {
     found.push(Piece { path: path.to_owned(), shape });
 }
 
+/// The area of a region, and its borders.
+fn gather_region(region: &Region, path: &str, found: &mut Vec<Piece>) {
+    let chord = DEFAULT_CHORD_RELATIVE * region.bounds().diagonal();
+    let Ok(mesh) = region.mesh(chord, Tolerance::DEFAULT.distance, Limits::DEFAULT.mesh_vertices)
+    else {
+        return;
+    };
+    found.push(Piece { path: path.to_owned(), shape: Shape::Mesh(Arc::new(mesh)) });
+    for (i, border) in region.borders().unwrap_or_default().into_iter().enumerate() {
+        let path = match i {
+            0 => format!("{path}.outer"),
+            _ => format!("{path}.holes[{}]", i - 1),
+        };
+        found.push(Piece { path, shape: Shape::Curve(border.into()) });
+    }
+}
+
 /// The points of a list of nothing else.
 fn points_of(value: &Value) -> Option<Vec<DVec3>> {
     let Value::List(items) = value else { return None };
@@ -77,7 +102,7 @@ fn points_of(value: &Value) -> Option<Vec<DVec3>> {
 /// Whether a member of a record is drawn with it: a point of a record is as often a direction.
 fn has_shape(value: &Value) -> bool {
     match value {
-        Value::Surface(_) | Value::Curve(_) | Value::Mesh(_) => true,
+        Value::Surface(_) | Value::Curve(_) | Value::Region(_) | Value::Mesh(_) => true,
         Value::List(items) => items.values().next().is_some_and(|first| has_shape(&first)),
         _ => false,
     }

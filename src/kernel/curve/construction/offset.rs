@@ -238,7 +238,7 @@ impl NurbsCurve {
     }
 
     /// The parts between corners and cusps.
-    fn smooth_parts(&self, angle: f64) -> Result<Vec<Self>, GeomError> {
+    pub(crate) fn smooth_parts(&self, angle: f64) -> Result<Vec<Self>, GeomError> {
         let domain = self.domain();
         let corners = self.knots.distinct().into_iter();
         let mut places: Vec<f64> =

@@ -44,7 +44,7 @@ impl NurbsCurve {
 }
 
 /// The normal of a plane on the side of `forward`; where that lies in the plane, the upper one.
-fn facing(normal: DVec3, forward: DVec3) -> DVec3 {
+pub(crate) fn facing(normal: DVec3, forward: DVec3) -> DVec3 {
     let is_clear = |coordinate: &f64| VANISHING_RELATIVE < coordinate.abs();
     let sides = [normal.dot(forward), normal.z, normal.y, normal.x];
     let side = sides.into_iter().find(is_clear).unwrap_or(1.0);

@@ -4,6 +4,6 @@ pub(super) mod any;
 pub(super) mod function;
 pub(super) mod jumps;
 pub(super) mod parametric;
-pub(super) mod part;
+pub(crate) mod part;
 pub(super) mod parts;
 pub(super) mod units;

@@ -16,27 +16,27 @@ const CLEAR_ANGLE: f64 = 0.1;
 
 /// A Bézier piece of a curve.
 #[derive(Clone)]
-pub(in crate::curve) struct CurvePart {
-    pub(in crate::curve) interval: Interval,
-    pub(in crate::curve) points: Vec<DVec4>,
-    pub(in crate::curve) bounds: Bounds,
-    pub(in crate::curve) cone: DirectionCone,
+pub(crate) struct CurvePart {
+    pub(crate) interval: Interval,
+    pub(crate) points: Vec<DVec4>,
+    pub(crate) bounds: Bounds,
+    pub(crate) cone: DirectionCone,
 }
 
 /// Directions within an angle of an axis; `None` stands for all of them.
 #[derive(Clone, Copy)]
-pub(in crate::curve) struct DirectionCone {
+pub(crate) struct DirectionCone {
     axis: DVec3,
     angle: Option<f64>,
 }
 
 /// The pieces of a curve between its knots.
-pub(in crate::curve) fn parts(curve: &NurbsCurve) -> Vec<CurvePart> {
+pub(crate) fn parts(curve: &NurbsCurve) -> Vec<CurvePart> {
     curve.knots().spans().map(|span| CurvePart::of_span(curve, span)).collect()
 }
 
 impl CurvePart {
-    pub(in crate::curve) fn of_span(curve: &NurbsCurve, span: usize) -> Self {
+    pub(crate) fn of_span(curve: &NurbsCurve, span: usize) -> Self {
         let points = bezier::piece(curve.knots(), curve.control_points(), span);
         Self::new(curve.knots().span_interval(span), points)
     }
@@ -49,7 +49,7 @@ impl CurvePart {
     }
 
     /// What of it lies in an interval.
-    pub(in crate::curve) fn within(self, interval: Interval) -> Option<Self> {
+    pub(crate) fn within(self, interval: Interval) -> Option<Self> {
         let own = self.interval;
         let (start, end) = (own.start().max(interval.start()), own.end().min(interval.end()));
         let cut = Interval::new(start, end).ok()?;
@@ -62,7 +62,7 @@ impl CurvePart {
         Some(Self::new(cut, inside))
     }
 
-    pub(in crate::curve) fn halves(&self) -> [Self; 2] {
+    pub(crate) fn halves(&self) -> [Self; 2] {
         let (left, right) = bezier::cut_at(&self.points, 0.5);
         let [before, behind] = self.interval.halves();
         [Self::new(before, left), Self::new(behind, right)]
@@ -70,7 +70,7 @@ impl CurvePart {
 
     /// Whether the boxes are within the tolerance of one another, and the control points across
     /// the chord, where two that run side by side are told apart.
-    pub(in crate::curve) fn may_meet(&self, other: &Self, tolerance: f64) -> bool {
+    pub(crate) fn may_meet(&self, other: &Self, tolerance: f64) -> bool {
         self.bounds.min.cmple(other.bounds.max + tolerance).all()
             && other.bounds.min.cmple(self.bounds.max + tolerance).all()
             && !self.lies_beside(other, tolerance)
@@ -93,7 +93,7 @@ impl CurvePart {
     }
 
     /// How far the control points are from the chord at most.
-    pub(in crate::curve) fn deviation_from_chord(&self) -> f64 {
+    pub(crate) fn deviation_from_chord(&self) -> f64 {
         let ends = [self.points[0], self.points[self.points.len() - 1]].map(homogeneous::project);
         let chord = ends[1] - ends[0];
         let off = |&point: &DVec4| {
@@ -131,17 +131,17 @@ impl DirectionCone {
         Self { axis, angle: Some(angle) }
     }
 
-    pub(in crate::curve) fn is_within_half_turn(self) -> bool {
+    pub(crate) fn is_within_half_turn(self) -> bool {
         self.angle.is_some_and(|angle| angle < std::f64::consts::FRAC_PI_2)
     }
 
     /// Whether it is at most a quarter turn wide, so that the speed in it stays away from zero.
-    pub(in crate::curve) fn is_narrow(self) -> bool {
+    pub(crate) fn is_narrow(self) -> bool {
         self.angle.is_some_and(|angle| angle <= std::f64::consts::FRAC_PI_4)
     }
 
     /// A cone around both.
-    pub(in crate::curve) fn with(self, other: Self) -> Self {
+    pub(crate) fn with(self, other: Self) -> Self {
         let (Some(own), Some(others)) = (self.angle, other.angle) else { return Self::EVERYTHING };
         let Some(axis) = (self.axis + other.axis).try_normalize() else { return Self::EVERYTHING };
         let angle =
@@ -150,7 +150,7 @@ impl DirectionCone {
     }
 
     /// Whether no direction of one is near one of the other or its opposite.
-    pub(in crate::curve) fn crosses_clearly(self, other: Self) -> bool {
+    pub(crate) fn crosses_clearly(self, other: Self) -> bool {
         let (Some(own), Some(others)) = (self.angle, other.angle) else { return false };
         let between = self.axis.angle_between(other.axis);
         let between = between.min(std::f64::consts::PI - between);

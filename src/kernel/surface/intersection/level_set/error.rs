@@ -3,7 +3,7 @@
 use glam::DVec3;
 use thiserror::Error;
 
-use crate::error::few_digits;
+use crate::error::{few_digits, place};
 
 /// Why there is no picture.
 ///
@@ -77,9 +77,4 @@ pub enum PictureError {
 /// What a curve is called: alone, or in a list.
 fn curve(index: usize, of: usize) -> String {
     if of < 2 { "the curve".to_owned() } else { format!("`curves[{index}]`") }
-}
-
-/// A measured point for a message.
-fn place(point: DVec3) -> String {
-    format!("({}, {}, {})", few_digits(point.x), few_digits(point.y), few_digits(point.z))
 }

@@ -1,0 +1,214 @@
+//! Arcs cut at their meetings, with places within the tolerance as one vertex.
+
+use std::collections::BTreeMap;
+
+use glam::DVec3;
+
+use super::{Apart, Arrangement, PlaneEdge, Ring, meet};
+use crate::{Bounds, GeomError, Interval, NurbsCurve, frame::norm};
+
+/// Tolerances within which what comes back to a vertex has not left it.
+const ONE_PLACE: f64 = 4.0;
+
+/// Tolerances within which edges with the same ends are one: each may be one away from the middle.
+const ALONG: f64 = 2.0;
+
+/// Parts of an edge whose ends tell how far it goes.
+const EXTENT_PARTS: usize = 8;
+
+/// A place on an arc at which it is cut.
+#[derive(Clone, Copy)]
+struct Cut {
+    arc: usize,
+    parameter: f64,
+    point: DVec3,
+}
+
+impl Arrangement {
+    /// That of all arcs of rings.
+    ///
+    /// # Errors
+    /// `IntersectionError::RunsAlongItself`, `IntersectionError::Tangled`.
+    pub(crate) fn of(rings: &[Ring], apart: Apart, tolerance: f64) -> Result<Self, GeomError> {
+        let arcs: Vec<NurbsCurve> = rings.iter().flat_map(|ring| &ring.arcs).cloned().collect();
+        let groups: Vec<usize> =
+            rings.iter().flat_map(|ring| ring.arcs.iter().map(|_| ring.group)).collect();
+        let ends = arcs.iter().enumerate().flat_map(|(arc, curve)| {
+            let domain = curve.domain();
+            let ends = [(domain.start(), curve.start()), (domain.end(), curve.end())];
+            ends.map(|(parameter, point)| Cut { arc, parameter, point })
+        });
+        let mut cuts: Vec<Cut> = ends.collect();
+        for (i, j) in near_pairs(&arcs, tolerance) {
+            if apart == Apart::Groups && groups[i] == groups[j] {
+                continue;
+            }
+            let found = match i == j {
+                true => meet::own_meetings(&arcs[i], tolerance)?,
+                false => meet::meetings(&arcs[i], &arcs[j], tolerance)?,
+            };
+            for [s, t] in found {
+                let (p, q) = (arcs[i].point_at(s), arcs[j].point_at(t));
+                let point = p.midpoint(q);
+                cuts.extend([(i, s), (j, t)].map(|(arc, parameter)| Cut { arc, parameter, point }));
+            }
+        }
+        let (vertices, vertex_of) = vertices(&cuts, tolerance);
+        let mut arrangement = Self { vertices, edges: Vec::new(), arcs, tolerance };
+        arrangement.cut(&cuts, &vertex_of, &groups)?;
+        arrangement.merge();
+        Ok(arrangement)
+    }
+
+    /// Makes edges of what is between cuts.
+    fn cut(
+        &mut self,
+        cuts: &[Cut],
+        vertex_of: &[usize],
+        groups: &[usize],
+    ) -> Result<(), GeomError> {
+        let mut of_arc: Vec<Vec<(f64, usize)>> = vec![Vec::new(); self.arcs.len()];
+        for (cut, &vertex) in cuts.iter().zip(vertex_of) {
+            of_arc[cut.arc].push((cut.parameter, vertex));
+        }
+        for (arc, places) in of_arc.iter_mut().enumerate() {
+            places.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let curve = &self.arcs[arc];
+            let Some(&(mut start, mut from)) = places.first() else { continue };
+            for &(end, to) in &places[1..] {
+                GeomError::go_on(1)?;
+                let Ok(interval) = Interval::new(start, end) else {
+                    from = to;
+                    continue;
+                };
+                let extent = if from == to { extent(curve, interval) } else { f64::INFINITY };
+                if extent <= ONE_PLACE * self.tolerance {
+                    continue;
+                }
+                let curve = match interval == curve.domain() {
+                    true => curve.clone(),
+                    false => curve.trimmed(interval)?,
+                };
+                let passes = vec![(groups[arc], 1)];
+                self.edges.push(PlaneEdge { arc, interval, curve, ends: [from, to], passes });
+                (start, from) = (end, to);
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes one edge of those that lie along one another, and drops what runs back along itself.
+    fn merge(&mut self) {
+        let mut by_ends: BTreeMap<[usize; 2], Vec<usize>> = BTreeMap::new();
+        let mut merged: Vec<PlaneEdge> = Vec::with_capacity(self.edges.len());
+        for edge in std::mem::take(&mut self.edges) {
+            let [a, b] = edge.ends;
+            let known = by_ends.entry([a.min(b), a.max(b)]).or_default();
+            let along = known.iter().find_map(|&other| {
+                sense_along(&edge, &merged[other], ALONG * self.tolerance)
+                    .map(|sense| (other, sense))
+            });
+            let Some((other, sense)) = along else {
+                known.push(merged.len());
+                merged.push(edge);
+                continue;
+            };
+            let passes = &mut merged[other].passes;
+            for (group, times) in edge.passes {
+                match passes.iter_mut().find(|pass| pass.0 == group) {
+                    Some(pass) => pass.1 += sense * times,
+                    None => passes.push((group, sense * times)),
+                }
+            }
+            passes.retain(|pass| pass.1 != 0);
+        }
+        merged.retain(|edge| !edge.passes.is_empty());
+        self.edges = merged;
+    }
+}
+
+/// Pairs of arcs, each with itself too, whose boxes are within the tolerance of one another.
+fn near_pairs(arcs: &[NurbsCurve], tolerance: f64) -> Vec<(usize, usize)> {
+    let boxes: Vec<Bounds> = arcs.iter().map(NurbsCurve::bounds).collect();
+    let mut order: Vec<usize> = (0..boxes.len()).collect();
+    order.sort_by(|&i, &j| boxes[i].min.x.total_cmp(&boxes[j].min.x));
+    let mut pairs = Vec::new();
+    for (place, &i) in order.iter().enumerate() {
+        let own = boxes[i];
+        let beside = order[place..].iter();
+        let beside = beside.take_while(|&&j| boxes[j].min.x <= own.max.x + tolerance);
+        let meets = |&&j: &&usize| {
+            boxes[j].min.y <= own.max.y + tolerance && own.min.y <= boxes[j].max.y + tolerance
+        };
+        pairs.extend(beside.filter(meets).map(|&j| (i.min(j), i.max(j))));
+    }
+    pairs.sort_unstable();
+    pairs
+}
+
+/// The vertices, and that of each cut: places within the tolerance of one another are one.
+fn vertices(cuts: &[Cut], tolerance: f64) -> (Vec<DVec3>, Vec<usize>) {
+    let mut parents: Vec<usize> = (0..cuts.len()).collect();
+    let mut order: Vec<usize> = (0..cuts.len()).collect();
+    order.sort_by(|&i, &j| cuts[i].point.x.total_cmp(&cuts[j].point.x).then(i.cmp(&j)));
+    for (place, &i) in order.iter().enumerate() {
+        let own = cuts[i].point;
+        for &j in order[place + 1..].iter().take_while(|&&j| cuts[j].point.x <= own.x + tolerance) {
+            if norm(cuts[j].point - own) <= tolerance {
+                unite(&mut parents, i, j);
+            }
+        }
+    }
+    // The first of those that are one gives the place: the given ends come before meetings.
+    let mut vertices = Vec::new();
+    let mut numbers = vec![0; cuts.len()];
+    for i in 0..cuts.len() {
+        let root = root_of(&mut parents, i);
+        if root == i {
+            numbers[i] = vertices.len();
+            vertices.push(cuts[i].point);
+        } else {
+            numbers[i] = numbers[root];
+        }
+    }
+    (vertices, numbers)
+}
+
+/// The first of those that are one with `i`.
+fn root_of(parents: &mut [usize], mut i: usize) -> usize {
+    while parents[i] != i {
+        parents[i] = parents[parents[i]];
+        i = parents[i];
+    }
+    i
+}
+
+fn unite(parents: &mut [usize], i: usize, j: usize) {
+    let (a, b) = (root_of(parents, i), root_of(parents, j));
+    parents[a.max(b)] = a.min(b);
+}
+
+/// How far a part of a curve goes from its start.
+fn extent(curve: &NurbsCurve, interval: Interval) -> f64 {
+    let start = curve.point_at(interval.start());
+    let away = |t: f64| norm(curve.point_at(t) - start);
+    interval.steps(EXTENT_PARTS).into_iter().map(away).fold(0.0, f64::max)
+}
+
+/// Whether an edge lies along another with the same ends: 1 if it runs with it, −1 if against it.
+fn sense_along(edge: &PlaneEdge, other: &PlaneEdge, tolerance: f64) -> Option<i32> {
+    let mut places = [0.0; 3];
+    for (place, fraction) in places.iter_mut().zip([0.5, 0.25, 0.75]) {
+        let point = edge.curve.point_at(edge.interval.at(fraction));
+        let nearest = other.curve.closest(point, tolerance);
+        if tolerance < nearest.distance {
+            return None;
+        }
+        *place = nearest.parameter;
+    }
+    let runs_along = match edge.ends[0] == edge.ends[1] {
+        true => places[1] < places[2],
+        false => edge.ends == other.ends,
+    };
+    Some(if runs_along { 1 } else { -1 })
+}

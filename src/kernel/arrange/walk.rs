@@ -1,0 +1,221 @@
+//! Loops of edges, each with the region to its left.
+
+use std::f64::consts::TAU;
+
+use glam::DVec3;
+
+use super::{
+    Arrangement, PlaneEdge, Side,
+    ray::{RaySearch, Windings},
+};
+use crate::{
+    GeomError, Interval, NurbsCurve, RegionError,
+    ceiling::BISECTIONS,
+    curve::join,
+    frame::norm,
+    numeric::bisection::bisected,
+    side_by_side,
+    tolerance::{EXACT_RELATIVE, PARAMETER_RELATIVE},
+};
+
+/// Edges for which a further thread pays.
+const WORTH_A_THREAD: usize = 500;
+
+/// Places of an edge that tell where it leaves a circle.
+const LEAVING_STEPS: usize = 32;
+
+/// The share of the way that the nearest edge goes at which edges about a vertex are put in order.
+const CIRCLE_SHARE: f64 = 0.5;
+
+/// A part of an edge's course: which, and whether along it.
+type Step = (usize, bool);
+
+impl Arrangement {
+    /// The loops around where `is_inside` holds of the windings; each by its arcs.
+    ///
+    /// # Errors
+    /// [`RegionError::Unclear`] where arcs come too near one another to be told apart.
+    pub(crate) fn loops(
+        &self,
+        is_inside: impl Fn(&Windings) -> bool + Sync,
+        n_threads: usize,
+    ) -> Result<Vec<Vec<NurbsCurve>>, GeomError> {
+        let search = RaySearch::new(self);
+        let numbers: Vec<usize> = (0..self.edges.len()).collect();
+        let n_threads = n_threads.min(numbers.len() / WORTH_A_THREAD + 1);
+        let sides = side_by_side::map(&numbers, n_threads, |&number| {
+            GeomError::go_on(1)?;
+            let around = search.around(number).ok_or_else(|| self.unclear(number))?;
+            let [left, right] = around.map(|windings| is_inside(&windings));
+            Ok::<_, GeomError>(match (left, right) {
+                (true, false) => Some(Side::Left),
+                (false, true) => Some(Side::Right),
+                _ => None,
+            })
+        });
+        let sides = sides.into_iter().collect::<Result<Vec<_>, _>>()?;
+        self.loops_of(&sides)
+    }
+
+    /// The loops of edges with what is inside on the side that each tells; by their arcs.
+    ///
+    /// # Errors
+    /// [`RegionError::Unclear`] where they do not close.
+    pub(crate) fn loops_of(
+        &self,
+        sides: &[Option<Side>],
+    ) -> Result<Vec<Vec<NurbsCurve>>, GeomError> {
+        let mut exits: Vec<Vec<Step>> = vec![Vec::new(); self.vertices.len()];
+        let mut balance = vec![0_i64; self.vertices.len()];
+        for (number, side) in sides.iter().enumerate() {
+            let Some(side) = side else { continue };
+            let step = (number, *side == Side::Left);
+            let [from, to] = self.ends_of(step);
+            exits[from].push(step);
+            balance[from] += 1;
+            balance[to] -= 1;
+        }
+        if let Some(vertex) = balance.iter().position(|&balance| balance != 0) {
+            return Err(RegionError::Unclear { point: self.vertices[vertex] }.into());
+        }
+        let mut loops = Vec::new();
+        let mut left_by = vec![None; exits.len()];
+        for vertex in 0..exits.len() {
+            while let Some(step) = exits[vertex].pop() {
+                loops.extend(self.walk(step, &mut exits, &mut left_by)?);
+            }
+        }
+        loops.iter().map(|steps| self.arcs_of(steps)).collect()
+    }
+
+    fn ends_of(&self, (edge, is_along): Step) -> [usize; 2] {
+        let [start, end] = self.edges[edge].ends;
+        if is_along { [start, end] } else { [end, start] }
+    }
+
+    fn unclear(&self, edge: usize) -> GeomError {
+        let edge = &self.edges[edge];
+        RegionError::Unclear { point: edge.curve.point_at(edge.curve.domain().at(0.5)) }.into()
+    }
+
+    /// The loops on the way from a step until all of it is closed; what comes back to a vertex before
+    /// is a loop of its own. `left_by` has the place on the way of the step from each vertex.
+    fn walk(
+        &self,
+        first: Step,
+        exits: &mut [Vec<Step>],
+        left_by: &mut [Option<usize>],
+    ) -> Result<Vec<Vec<Step>>, GeomError> {
+        let (mut way, mut loops) = (vec![first], Vec::new());
+        while let Some(&last) = way.last() {
+            GeomError::go_on(1)?;
+            let [from, at] = self.ends_of(last);
+            left_by[from] = Some(way.len() - 1);
+            if let Some(start) = left_by[at] {
+                let steps = way.split_off(start);
+                steps.iter().for_each(|&step| left_by[self.ends_of(step)[0]] = None);
+                loops.push(steps);
+                continue;
+            }
+            let place = match exits[at].len() {
+                0 => return Err(RegionError::Unclear { point: self.vertices[at] }.into()),
+                1 => 0,
+                _ => self.next_clockwise(at, last, &exits[at])?,
+            };
+            way.push(exits[at].remove(place));
+        }
+        Ok(loops)
+    }
+
+    /// Of the exits the first in the sense of a clock behind where a step comes in.
+    fn next_clockwise(&self, at: usize, last: Step, exits: &[Step]) -> Result<usize, GeomError> {
+        let center = self.vertices[at];
+        let reach = |&(edge, is_along): &Step| {
+            let curve = &self.edges[edge].curve;
+            let steps = curve.domain().steps(LEAVING_STEPS).into_iter();
+            let reach = steps.map(|t| norm(curve.point_at(t) - center)).fold(0.0, f64::max);
+            (reach, is_along)
+        };
+        let back = (last.0, !last.1);
+        let radius = exits.iter().chain([&back]).map(|step| reach(step).0);
+        let radius = CIRCLE_SHARE * radius.fold(f64::INFINITY, f64::min);
+        let angle = |&(edge, is_along): &Step| {
+            let leaves = leaving(&self.edges[edge], center, radius, is_along);
+            libm::atan2(leaves.y - center.y, leaves.x - center.x)
+        };
+        let from = angle(&back);
+        let turns = exits.iter().map(|exit| (from - angle(exit)).rem_euclid(TAU)).enumerate();
+        let mut turns: Vec<(usize, f64)> = turns.collect();
+        turns.sort_by(|a, b| a.1.total_cmp(&b.1));
+        let is_near = |a: f64, b: f64| (b - a).abs() <= EXACT_RELATIVE;
+        if is_near(turns[0].1, turns[1].1) || is_near(turns[0].1, 0.0) {
+            return Err(RegionError::Unclear { point: center }.into());
+        }
+        Ok(turns[0].0)
+    }
+
+    /// The arcs along a loop; those that follow one another on one given arc are one.
+    fn arcs_of(&self, steps: &[Step]) -> Result<Vec<NurbsCurve>, GeomError> {
+        let mut parts: Vec<(usize, Interval, bool)> = Vec::new();
+        for &(edge, is_along) in steps {
+            let PlaneEdge { arc, interval, .. } = self.edges[edge];
+            match parts.last_mut() {
+                Some(last) if let Some(whole) = self.follows(last, (arc, interval, is_along)) => {
+                    last.1 = whole;
+                }
+                _ => parts.push((arc, interval, is_along)),
+            }
+        }
+        if let [first, .., last] = parts[..]
+            && let Some(whole) = self.follows(&last, first)
+        {
+            parts[0].1 = whole;
+            parts.pop();
+        }
+        let arc = |&(arc, interval, is_along): &(usize, Interval, bool)| {
+            let whole = &self.arcs[arc];
+            let part = match interval == whole.domain() {
+                true => whole.clone(),
+                false => whole.trimmed(interval)?,
+            };
+            Ok(if is_along { part } else { part.reversed() })
+        };
+        parts.iter().map(arc).collect()
+    }
+
+    /// What two parts of one arc are together, where the second goes on as the first ends.
+    fn follows(
+        &self,
+        &(arc, before, is_along): &(usize, Interval, bool),
+        (next, behind, next_along): (usize, Interval, bool),
+    ) -> Option<Interval> {
+        if arc != next || is_along != next_along {
+            return None;
+        }
+        let (low, high) = if is_along { (before, behind) } else { (behind, before) };
+        let slack = PARAMETER_RELATIVE * self.arcs[arc].domain().length();
+        let meets = (high.start() - low.end()).abs() <= slack;
+        meets.then(|| Interval::new(low.start(), high.end()).ok())?
+    }
+}
+
+/// Where an edge from or to the centre of a circle first leaves it.
+fn leaving(edge: &PlaneEdge, center: DVec3, radius: f64, is_along: bool) -> DVec3 {
+    let domain = edge.curve.domain();
+    let at = |x: f64| edge.curve.point_at(domain.at(if is_along { x } else { 1.0 - x }));
+    let is_within = |x: f64| norm(at(x) - center) <= radius;
+    let step = |i: usize| i as f64 / LEAVING_STEPS as f64;
+    let first = (1..=LEAVING_STEPS).find(|&i| !is_within(step(i))).unwrap_or(LEAVING_STEPS);
+    at(bisected([step(first - 1), step(first)], BISECTIONS, is_within)[1])
+}
+
+/// One curve along arcs that follow one another.
+///
+/// # Errors
+/// Those of [`join`].
+pub(crate) fn joined(arcs: &[NurbsCurve]) -> Result<NurbsCurve, GeomError> {
+    match arcs {
+        [arc] => Ok(arc.clone()),
+        _ => join(arcs, f64::INFINITY),
+    }
+}

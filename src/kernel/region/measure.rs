@@ -1,0 +1,224 @@
+//! Areas and moments of what closed chains of arcs go around, by integrals along them.
+
+use glam::{DMat3, DVec3};
+
+use super::{PlaneLoop, Region};
+use crate::{
+    Bounds, ClosestPoint, Interval, MassProperties, NurbsCurve,
+    arrange::winding_about,
+    numeric::gauss_legendre::{SIXTEEN_NODES, nodes},
+    tolerance::{LAST_BIT, QUADRATURE_RELATIVE},
+};
+
+/// Halvings of a piece whose integrals do not settle.
+const HALVINGS: usize = 30;
+
+/// Area, first moments of x and y, second ones of xx, xy and yy.
+type Moments = [f64; 6];
+
+/// Where a point lies.
+///
+/// ```
+/// use virote_kernel::{CircleForm, Frame, NurbsCurve, Region, RegionSide, Tolerance, glam::DVec3};
+///
+/// let circle = NurbsCurve::ellipse(Frame::XY, [2.0, 2.0], CircleForm::NinePoint)?;
+/// let disc = Region::new(&circle, &[], Tolerance::DEFAULT)?;
+/// assert_eq!(disc.side_of(DVec3::X, 1e-6), RegionSide::Inside);
+/// assert_eq!(disc.side_of(DVec3::Y * 2.0, 1e-6), RegionSide::Border);
+/// assert_eq!(disc.side_of(DVec3::Z, 1e-6), RegionSide::Outside);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RegionSide {
+    /// In the inside.
+    Inside,
+    /// Beyond the border, or beside the plane.
+    Outside,
+    /// On the border, within the tolerance.
+    Border,
+}
+
+impl Region {
+    /// Its area: Green's theorem, exact to rounding for borders of low degree, else to 1e-13.
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        self.loops.iter().map(PlaneLoop::area).sum()
+    }
+
+    /// The length of all borders.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.loops.iter().map(PlaneLoop::length).sum()
+    }
+
+    /// Area, centroid and inertia of a skin of density one.
+    #[must_use]
+    pub fn mass(&self) -> MassProperties {
+        let about = self.loops[0].bounds().center();
+        let mut sum = Moments::default();
+        for border in &self.loops {
+            for (sum, moment) in sum.iter_mut().zip(border.moments(about)) {
+                *sum += moment;
+            }
+        }
+        let [area, x, y, xx, xy, yy] = sum;
+        let (x, y) = (x / area, y / area);
+        let (xx, xy, yy) = (xx - area * x * x, xy - area * x * y, yy - area * y * y);
+        let own = DMat3::from_cols(
+            DVec3::new(yy, -xy, 0.0),
+            DVec3::new(-xy, xx, 0.0),
+            DVec3::new(0.0, 0.0, xx + yy),
+        );
+        let turn = self.frame.to_space().matrix3;
+        MassProperties {
+            amount: area,
+            centroid: self.frame.point(about + DVec3::new(x, y, 0.0)),
+            inertia: turn * own * turn.transpose(),
+            relative_error: QUADRATURE_RELATIVE,
+        }
+    }
+
+    /// The smallest box with sides along the axes of space.
+    #[must_use]
+    pub fn bounds(&self) -> Bounds {
+        let arcs = self.loops[0].arcs.iter();
+        let boxes = arcs.map(|arc| arc.transformed(&self.frame.to_space()).bounds());
+        let whole = boxes.reduce(Bounds::union);
+        whole.unwrap_or_else(|| unreachable!("a loop has an arc"))
+    }
+
+    /// Where a point is, the border as wide as the tolerance on either side.
+    #[must_use]
+    pub fn side_of(&self, point: DVec3, tolerance: f64) -> RegionSide {
+        let local = self.frame.from_space().transform_point3(point);
+        if tolerance < local.z.abs() {
+            return RegionSide::Outside;
+        }
+        let local = local.with_z(0.0);
+        let near = |border: &PlaneLoop| border.distance_to(local, tolerance) <= tolerance;
+        if self.loops.iter().any(near) {
+            return RegionSide::Border;
+        }
+        match winding_about(self.loops.iter().map(|border| &border.arcs[..]), local) {
+            Some(0) => RegionSide::Outside,
+            Some(_) => RegionSide::Inside,
+            None => RegionSide::Border,
+        }
+    }
+
+    /// The nearest point of the region: of the inside where the point is above that, else of the border.
+    #[must_use]
+    pub fn closest(&self, point: DVec3, tolerance: f64) -> DVec3 {
+        let local = self.frame.from_space().transform_point3(point).with_z(0.0);
+        let foot = self.frame.point(local);
+        if self.side_of(foot, 0.0) == RegionSide::Inside {
+            return foot;
+        }
+        let nearest = self.loops.iter().flat_map(|border| &border.arcs);
+        let nearest = nearest.map(|arc| arc.closest(local, tolerance));
+        let nearest = nearest.min_by(|a, b| a.distance.total_cmp(&b.distance));
+        nearest.map_or(foot, |ClosestPoint { point, .. }| self.frame.point(point))
+    }
+}
+
+impl PlaneLoop {
+    /// The area to its left, negative where it runs clockwise.
+    pub(super) fn area(&self) -> f64 {
+        self.moments(self.bounds().center())[0]
+    }
+
+    pub(super) fn length(&self) -> f64 {
+        self.arcs.iter().map(|arc| arc.length(arc.domain())).sum()
+    }
+
+    pub(super) fn bounds(&self) -> Bounds {
+        let whole = self.arcs.iter().map(NurbsCurve::bounds).reduce(Bounds::union);
+        whole.unwrap_or_else(|| unreachable!("a loop has an arc"))
+    }
+
+    /// How far a point of the plane is from it.
+    pub(super) fn distance_to(&self, point: DVec3, tolerance: f64) -> f64 {
+        let distances = self.arcs.iter().map(|arc| arc.closest(point, tolerance).distance);
+        distances.fold(f64::INFINITY, f64::min)
+    }
+
+    /// The moments of what is to its left about a point.
+    fn moments(&self, about: DVec3) -> Moments {
+        let size = self.bounds().diagonal();
+        let mut sum = Moments::default();
+        let mut end = self.arcs[self.arcs.len() - 1].end() - about;
+        for arc in &self.arcs {
+            // Within the tolerance the end before is another place: a straight leg leads here.
+            let start = arc.start() - about;
+            add(&mut sum, leg(end, start));
+            end = arc.end() - about;
+            if arc.degree() == 1 {
+                let points = arc.points();
+                let legs = points.windows(2);
+                legs.for_each(|pair| add(&mut sum, leg(pair[0] - about, pair[1] - about)));
+                continue;
+            }
+            for span in arc.knots().spans() {
+                let interval = arc.knots().span_interval(span);
+                let rough = over(arc, about, interval);
+                add(&mut sum, settled(arc, about, size, interval, rough, HALVINGS));
+            }
+        }
+        sum
+    }
+}
+
+fn add(sum: &mut Moments, moments: Moments) {
+    sum.iter_mut().zip(moments).for_each(|(sum, moment)| *sum += moment);
+}
+
+/// What is integrated by y, for the moments in their order.
+fn integrands(DVec3 { x, y, .. }: DVec3) -> Moments {
+    [x, 0.5 * x * x, x * y, x * x * x / 3.0, 0.5 * x * x * y, x * y * y]
+}
+
+/// The integrals along a straight leg: Simpson's rule, exact up to cubics.
+fn leg(from: DVec3, to: DVec3) -> Moments {
+    let [a, b, c] = [from, from.midpoint(to), to].map(integrands);
+    std::array::from_fn(|i| (to.y - from.y) * (a[i] + 4.0 * b[i] + c[i]) / 6.0)
+}
+
+/// The integrals along a part of an arc by one rule.
+fn over(arc: &NurbsCurve, about: DVec3, interval: Interval) -> Moments {
+    let mut sum = Moments::default();
+    for (t, weight) in nodes(&SIXTEEN_NODES, interval) {
+        let derivatives = arc.derivatives_at(t, 1);
+        let factor = weight * interval.length() * derivatives[1].y;
+        add(&mut sum, integrands(derivatives[0] - about).map(|value| value * factor));
+    }
+    sum
+}
+
+/// The same, halved until both halves together agree with the whole.
+fn settled(
+    arc: &NurbsCurve,
+    about: DVec3,
+    size: f64,
+    interval: Interval,
+    rough: Moments,
+    n_halvings: usize,
+) -> Moments {
+    let halves = interval.halves();
+    let parts = halves.map(|half| over(arc, about, half));
+    let mut sum = Moments::default();
+    parts.iter().for_each(|&part| add(&mut sum, part));
+    let (area, volume) = (size * size, size * size * size);
+    let sizes = [area, volume, volume, size * volume, size * volume, size * volume];
+    let is_settled = (0..6).all(|i| {
+        let scale = sizes[i] * (LAST_BIT * 16.0);
+        (sum[i] - rough[i]).abs() <= scale || !sum[i].is_finite()
+    });
+    if is_settled || n_halvings == 0 {
+        return sum;
+    }
+    let mut sum = Moments::default();
+    for (half, part) in halves.into_iter().zip(parts) {
+        add(&mut sum, settled(arc, about, size, half, part, n_halvings - 1));
+    }
+    sum
+}

@@ -1,0 +1,359 @@
+//! Plane regions: an outer loop and holes, of exact curves.
+//!
+//! This file has the type, its constructors and what can be read off it; `measure` what can be asked of
+//! it, `boolean` unions, intersections, differences and even-odd filling, `offset` what lies within a
+//! distance, `fillet` rounded corners. All that cuts borders is an `arrange::Arrangement`.
+
+mod boolean;
+mod error;
+mod fillet;
+mod measure;
+mod offset;
+
+use glam::{DAffine3, DVec3};
+
+use crate::{
+    Bounds, Frame, GeomError, InputError, Mesh, NurbsCurve, PictureError, Tolerance,
+    arrange::{Apart, Arrangement, Ring, joined, winding_about},
+    curve::facing,
+    frame::unit,
+    planar_mesh, tessellate_curve,
+};
+
+pub use error::RegionError;
+pub use measure::RegionSide;
+pub use offset::CornerStyle;
+
+/// What lies within a closed plane curve and outside of others, which are holes.
+///
+/// The normal of the plane points up; of a vertical plane to where y, else x, grows. Seen from its tip
+/// the borders run with the region to their left: the outer one counter-clockwise.
+///
+/// ```
+/// use virote_kernel::{CircleForm, Frame, NurbsCurve, Region, Tolerance, glam::DVec3};
+///
+/// let disc = |x: f64, radius: f64| NurbsCurve::ellipse(Frame::XY.at(DVec3::X * x), [radius; 2], CircleForm::NinePoint);
+/// let ring = Region::new(&disc(0.0, 2.0)?, &[disc(0.0, 1.0)?], Tolerance::DEFAULT)?;
+/// assert!((ring.area() - 3.0 * std::f64::consts::PI).abs() < 1e-13);
+/// // A bite out of it leaves one part, and its border consists of arcs of both.
+/// let bite = Region::new(&disc(2.0, 0.5)?, &[], Tolerance::DEFAULT)?;
+/// let rest = Region::difference(&[ring, bite], Tolerance::DEFAULT, 1)?;
+/// assert_eq!(rest.len(), 1);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Region {
+    /// Its plane, z up.
+    frame: Frame,
+    /// The outer one first; in coordinates of the frame.
+    loops: Vec<PlaneLoop>,
+}
+
+/// A closed chain of arcs in the plane z = 0.
+#[derive(Clone, Debug, PartialEq)]
+struct PlaneLoop {
+    arcs: Vec<NurbsCurve>,
+}
+
+impl Region {
+    /// The region within a closed plane curve and outside of others, in whatever sense they run.
+    ///
+    /// # Errors
+    /// [`PictureError::Open`], [`PictureError::OffPlane`], [`PictureError::NoArea`],
+    /// [`PictureError::Crossing`] of curves that meet, [`PictureError::Outside`] and
+    /// [`PictureError::HoleInHole`], where curve 0 is the outer one; `GeomError::Jump`.
+    pub fn new(
+        outer: &NurbsCurve,
+        holes: &[NurbsCurve],
+        tolerance: Tolerance,
+    ) -> Result<Self, GeomError> {
+        let curves: Vec<&NurbsCurve> = std::iter::once(outer).chain(holes).collect();
+        let of = curves.len();
+        let distance = tolerance.distance_for(outer.bounds().diagonal());
+        let frame = plane_of(outer, 0, of, distance)?;
+        let mut loops = Vec::with_capacity(of);
+        for (index, curve) in curves.into_iter().enumerate() {
+            let border =
+                PlaneLoop::of(curve, frame, [index, of], tolerance.with_distance(distance))?;
+            let (area, length) = (border.area(), border.length());
+            if area.abs() <= distance * length {
+                // An eight goes around as much to the left as to the right.
+                let alone = Self { frame, loops: vec![border] };
+                return Err(match alone.check_borders(distance) {
+                    Err(GeomError::Picture(PictureError::Crossing { point, .. })) => {
+                        PictureError::Crossing { index, other: index, of, point }.into()
+                    }
+                    Err(other) => other,
+                    Ok(()) => PictureError::NoArea { index, of }.into(),
+                });
+            }
+            let is_right = (0.0 < area) == (index == 0);
+            loops.push(if is_right { border } else { border.reversed() });
+        }
+        let region = Self { frame, loops };
+        region.check_borders(distance)?;
+        region.check_nesting()?;
+        Ok(region)
+    }
+
+    /// The region with these arcs along its borders, in coordinates of a frame, the outer one first: what
+    /// [`Self::arcs`] gives.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`].
+    pub fn of_arcs(frame: Frame, borders: Vec<Vec<NurbsCurve>>) -> Result<Self, GeomError> {
+        let of = borders.len();
+        let loops: Vec<PlaneLoop> = borders.into_iter().map(|arcs| PlaneLoop { arcs }).collect();
+        if loops.is_empty() || loops.iter().any(|border| border.arcs.is_empty()) {
+            return Err(PictureError::NoArea { index: 0, of }.into());
+        }
+        let distance = Tolerance::DEFAULT.distance_for(loops[0].bounds().diagonal());
+        for (index, border) in loops.iter().enumerate() {
+            let ends = border.arcs.iter().zip(border.arcs.iter().cycle().skip(1));
+            let gap = ends.map(|(arc, next)| arc.end().distance(next.start())).fold(0.0, f64::max);
+            if distance < gap {
+                return Err(PictureError::Open { index, of, gap }.into());
+            }
+            let points = border.arcs.iter().flat_map(NurbsCurve::points);
+            let by = points.map(|point| point.z.abs()).fold(0.0, f64::max);
+            if distance < by {
+                return Err(PictureError::OffPlane { index, of, by }.into());
+            }
+            if (0.0 < border.area()) != (index == 0) {
+                return Err(PictureError::NoArea { index, of }.into());
+            }
+        }
+        let region = Self { frame, loops };
+        region.check_borders(distance)?;
+        region.check_nesting()?;
+        Ok(region)
+    }
+
+    /// The plane: its origin is nearest to that of space.
+    #[must_use]
+    pub fn frame(&self) -> Frame {
+        self.frame
+    }
+
+    /// The border around it, counter-clockwise.
+    ///
+    /// # Errors
+    /// Those of [`crate::join`].
+    pub fn outer(&self) -> Result<NurbsCurve, GeomError> {
+        self.border(&self.loops[0])
+    }
+
+    /// The borders of the holes, clockwise.
+    ///
+    /// # Errors
+    /// Those of [`crate::join`].
+    pub fn holes(&self) -> Result<Vec<NurbsCurve>, GeomError> {
+        self.loops[1..].iter().map(|border| self.border(border)).collect()
+    }
+
+    /// How many holes there are.
+    #[must_use]
+    pub fn n_holes(&self) -> usize {
+        self.loops.len() - 1
+    }
+
+    /// The arcs of each border in coordinates of the frame, the outer border first.
+    pub fn arcs(&self) -> impl Iterator<Item = &[NurbsCurve]> {
+        self.loops.iter().map(|border| &border.arcs[..])
+    }
+
+    /// The borders as curves in space, the outer one first.
+    ///
+    /// # Errors
+    /// Those of [`crate::join`].
+    pub fn borders(&self) -> Result<Vec<NurbsCurve>, GeomError> {
+        self.loops.iter().map(|border| self.border(border)).collect()
+    }
+
+    fn border(&self, border: &PlaneLoop) -> Result<NurbsCurve, GeomError> {
+        Ok(joined(&border.arcs)?.transformed(&self.frame.to_space()))
+    }
+
+    /// The region mapped.
+    ///
+    /// # Errors
+    /// [`InputError::ZeroAxis`] for a map that leaves no area.
+    pub fn transformed(&self, map: &DAffine3) -> Result<Self, GeomError> {
+        let to_space = *map * self.frame.to_space();
+        let normal = to_space.matrix3.x_axis.cross(to_space.matrix3.y_axis);
+        let frame = upward(to_space.translation, normal)?;
+        let local = frame.from_space() * to_space;
+        let mut loops: Vec<PlaneLoop> =
+            self.loops.iter().map(|border| border.mapped(&local)).collect();
+        if loops[0].area() < 0.0 {
+            loops = loops.iter().map(PlaneLoop::reversed).collect();
+        }
+        Ok(Self { frame, loops })
+    }
+
+    /// Its mesh, whose borders are within the tolerance of the curves.
+    ///
+    /// # Errors
+    /// Those of [`planar_mesh`] and [`tessellate_curve`].
+    pub fn mesh(&self, tolerance: f64, distance: f64, most: usize) -> Result<Mesh, GeomError> {
+        let polygon = |border: &PlaneLoop| {
+            let mut points = Vec::new();
+            for arc in &border.arcs {
+                let arc = arc.transformed(&self.frame.to_space());
+                points.extend(tessellate_curve(&arc, tolerance, most)?);
+                points.pop();
+            }
+            Ok(points)
+        };
+        let polygons: Result<Vec<_>, GeomError> = self.loops.iter().map(polygon).collect();
+        planar_mesh(&polygons?, distance)
+    }
+
+    /// # Errors
+    /// [`PictureError::Crossing`].
+    fn check_borders(&self, distance: f64) -> Result<(), GeomError> {
+        let rings = self.loops.iter().enumerate();
+        let rings: Vec<Ring> =
+            rings.map(|(group, border)| Ring { group, arcs: border.arcs.clone() }).collect();
+        let arrangement = Arrangement::of(&rings, Apart::Nothing, distance)?;
+        match arrangement.knot() {
+            None => Ok(()),
+            Some((vertex, groups)) => {
+                let (index, other) = (groups[0], groups[groups.len() - 1]);
+                let point = self.frame.point(vertex);
+                let of = self.loops.len();
+                Err(PictureError::Crossing { index, other, of, point }.into())
+            }
+        }
+    }
+
+    /// # Errors
+    /// [`PictureError::Outside`], [`PictureError::HoleInHole`].
+    fn check_nesting(&self) -> Result<(), GeomError> {
+        for (index, hole) in self.loops.iter().enumerate().skip(1) {
+            if !self.loops[0].holds(hole)? {
+                return Err(PictureError::Outside { index }.into());
+            }
+            for (other, border) in self.loops.iter().enumerate().skip(1) {
+                let may = index != other && border.bounds_hold(hole);
+                if may && border.holds(hole)? {
+                    return Err(PictureError::HoleInHole { index, other }.into());
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+impl PlaneLoop {
+    /// A closed curve in the plane of a frame; `index` is its number among `of`.
+    fn of(
+        curve: &NurbsCurve,
+        frame: Frame,
+        [index, of]: [usize; 2],
+        tolerance: Tolerance,
+    ) -> Result<Self, GeomError> {
+        curve.check_connected()?;
+        let gap = curve.start().distance(curve.end());
+        if tolerance.distance < gap {
+            return Err(PictureError::Open { index, of, gap }.into());
+        }
+        let local = curve.transformed(&frame.from_space());
+        let by = local.points().into_iter().map(|point| point.z.abs()).fold(0.0, f64::max);
+        if tolerance.distance < by {
+            return Err(PictureError::OffPlane { index, of, by }.into());
+        }
+        let arcs = smooth_arcs(&flattened(&local), tolerance.angle)?;
+        if arcs.is_empty() {
+            return Err(PictureError::NoArea { index, of }.into());
+        }
+        Ok(Self { arcs })
+    }
+
+    fn mapped(&self, map: &DAffine3) -> Self {
+        Self { arcs: self.arcs.iter().map(|arc| flattened(&arc.transformed(map))).collect() }
+    }
+
+    fn reversed(&self) -> Self {
+        Self { arcs: self.arcs.iter().rev().map(NurbsCurve::reversed).collect() }
+    }
+
+    /// Whether another loop, which does not cross it, is within it.
+    ///
+    /// # Errors
+    /// [`RegionError::Unclear`].
+    fn holds(&self, other: &Self) -> Result<bool, GeomError> {
+        let own = || std::iter::once(&self.arcs[..]);
+        let places = other.arcs.iter().flat_map(|arc| {
+            let domain = arc.domain();
+            [0.5, 0.25, 0.75].map(|fraction| arc.point_at(domain.at(fraction)))
+        });
+        let mut first = None;
+        for place in places {
+            first.get_or_insert(place);
+            if let Some(winding) = winding_about(own(), place) {
+                return Ok(winding != 0);
+            }
+        }
+        Err(RegionError::Unclear { point: first.unwrap_or(DVec3::ZERO) }.into())
+    }
+
+    /// Whether the box of another one is within that of this one.
+    fn bounds_hold(&self, other: &Self) -> bool {
+        let (own, others) = (self.bounds(), other.bounds());
+        own.min.cmple(others.min).all() && others.max.cmple(own.max).all()
+    }
+}
+
+/// A curve brought into the plane z = 0.
+fn flattened(curve: &NurbsCurve) -> NurbsCurve {
+    curve.transformed(&DAffine3::from_scale(DVec3::new(1.0, 1.0, 0.0)))
+}
+
+/// The parts of a curve between its corners.
+///
+/// # Errors
+/// `LocalError::VanishingTangent` where it stands still.
+fn smooth_arcs(curve: &NurbsCurve, angle: f64) -> Result<Vec<NurbsCurve>, GeomError> {
+    if 1 < curve.degree() {
+        return curve.smooth_parts(angle);
+    }
+    let mut points = curve.points();
+    points.dedup();
+    points.windows(2).map(|pair| NurbsCurve::line(pair[0], pair[1])).collect()
+}
+
+/// The plane of a curve that is a border.
+fn plane_of(
+    curve: &NurbsCurve,
+    index: usize,
+    of: usize,
+    distance: f64,
+) -> Result<Frame, GeomError> {
+    use crate::{ConstructionError, FormError};
+    curve.plane_across(DVec3::Z, distance).map_err(|error| match error {
+        GeomError::Form(FormError::NotPlanar { by }) => {
+            PictureError::OffPlane { index, of, by }.into()
+        }
+        GeomError::Input(InputError::ZeroAxis { .. })
+        | GeomError::Construction(ConstructionError::NoTurn) => {
+            PictureError::NoArea { index, of }.into()
+        }
+        other => other,
+    })
+}
+
+/// The plane through a point with this normal or its opposite, whichever points up.
+///
+/// # Errors
+/// [`InputError::ZeroAxis`].
+fn upward(point: DVec3, normal: DVec3) -> Result<Frame, GeomError> {
+    let normal = unit(normal).ok_or(InputError::ZeroAxis { what: "the normal of the plane" })?;
+    let normal = facing(normal, DVec3::Z);
+    Frame::from_normal(normal * point.dot(normal), normal, None)
+}
+
+/// The box around regions, in coordinates of the first one's frame.
+fn bounds_of(loops: &[PlaneLoop]) -> Option<Bounds> {
+    loops.iter().map(PlaneLoop::bounds).reduce(Bounds::union)
+}

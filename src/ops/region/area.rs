@@ -1,0 +1,21 @@
+//! `area` of a region.
+
+use super::Given;
+use crate::{
+    diag::Result,
+    value::{Ctx, op},
+};
+
+op! {
+    /// Area of a region: Green's theorem along its borders, to rounding.
+    area in Region -> f64 {
+        /// The region.
+        r: Given,
+    }
+    example "area(region(polyline([(0, 0), (3, 0), (0, 4)], closed = true)))" => "6";
+    example "area(region(ellipse((0, 0), 3, 2))) ~= 6*pi within 1e-12" => "true";
+}
+
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
+    Ok(args.r.area())
+}

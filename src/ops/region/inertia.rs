@@ -1,0 +1,32 @@
+//! `inertia` of a region.
+
+use std::sync::Arc;
+
+use super::Given;
+use crate::{
+    diag::Result,
+    kernel::principal_axes,
+    value::{Ctx, IntoValue, Record, op},
+};
+
+op! {
+    /// Inertia of a region about its centroid, of a skin with density one: `{tensor, moments, axes}` as
+    /// for surfaces. The moments in the plane are those by which a beam of this section resists
+    /// bending.
+    inertia in Region -> Record {
+        /// The region.
+        r: Given,
+    }
+    example "inertia(region(circle((0, 0), 2))).moments ~= [4*pi, 4*pi, 8*pi] within 1e-10" => "true";
+}
+
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Record> {
+    let tensor = args.r.mass().inertia;
+    let axes = principal_axes(tensor);
+    let rows: Vec<Vec<f64>> = (0..3).map(|i| tensor.row(i).to_array().to_vec()).collect();
+    Ok(Record::new([
+        (Arc::from("tensor"), rows.into_value()),
+        (Arc::from("moments"), axes.map(|(moment, _)| moment).to_vec().into_value()),
+        (Arc::from("axes"), axes.map(|(_, axis)| axis).to_vec().into_value()),
+    ]))
+}

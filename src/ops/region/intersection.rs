@@ -1,0 +1,29 @@
+//! `intersection` of regions.
+
+use super::Regions;
+use crate::{
+    diag::{Result, Spanned},
+    kernel::Region,
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// What is in all of several regions, as a list of its parts, the largest first; `[]` where there is
+    /// nothing.
+    ///
+    /// The borders of the result are parts of the given ones, exactly. Borders that run within the
+    /// document's tolerance of one another are one; those that come as near without being one are
+    /// refused with the place.
+    intersection in Region -> Vec<Region> {
+        /// The regions, in one plane; lists count as their members.
+        regions: Spanned<Regions>,
+    }
+    example "area(intersection(region(circle((0, 0), 1)), region(circle((1, 0), 1)))[0]) ~= 2*pi/3 - sqrt(3)/2" => "true";
+    example "intersection(region(circle((0, 0), 1)), region(circle((5, 0), 1)))" => "[]";
+    picture "intersection(region(circle((0, 0), 1)), region(circle((1, 0), 1)))";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Region>> {
+    let regions = &args.regions;
+    Region::intersection(&regions.value.0, ctx.tolerance, ctx.n_threads).at(regions.span)
+}
