@@ -5,13 +5,16 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 
 use super::{Apart, Arrangement, PlaneEdge, Ring, meet};
-use crate::{Bounds, GeomError, Interval, NurbsCurve, frame::norm};
+use crate::{Bounds, GeomError, Interval, NurbsCurve, frame::norm, side_by_side};
 
 /// Tolerances within which what comes back to a vertex has not left it.
 const ONE_PLACE: f64 = 4.0;
 
 /// Tolerances within which edges with the same ends are one: each may be one away from the middle.
 const ALONG: f64 = 2.0;
+
+/// Pairs of arcs for which a further thread pays.
+const WORTH_A_THREAD: usize = 100;
 
 /// Parts of an edge whose ends tell how far it goes.
 const EXTENT_PARTS: usize = 8;
@@ -25,11 +28,16 @@ struct Cut {
 }
 
 impl Arrangement {
-    /// That of all arcs of rings.
+    /// That of all arcs of rings, by up to `n_threads` threads.
     ///
     /// # Errors
     /// `IntersectionError::RunsAlongItself`, `IntersectionError::Tangled`.
-    pub(crate) fn of(rings: &[Ring], apart: Apart, tolerance: f64) -> Result<Self, GeomError> {
+    pub(crate) fn of(
+        rings: &[Ring],
+        apart: Apart,
+        tolerance: f64,
+        n_threads: usize,
+    ) -> Result<Self, GeomError> {
         let arcs: Vec<NurbsCurve> = rings.iter().flat_map(|ring| &ring.arcs).cloned().collect();
         let groups: Vec<usize> =
             rings.iter().flat_map(|ring| ring.arcs.iter().map(|_| ring.group)).collect();
@@ -39,15 +47,15 @@ impl Arrangement {
             ends.map(|(parameter, point)| Cut { arc, parameter, point })
         });
         let mut cuts: Vec<Cut> = ends.collect();
-        for (i, j) in near_pairs(&arcs, tolerance) {
-            if apart == Apart::Groups && groups[i] == groups[j] {
-                continue;
-            }
-            let found = match i == j {
-                true => meet::own_meetings(&arcs[i], tolerance)?,
-                false => meet::meetings(&arcs[i], &arcs[j], tolerance)?,
-            };
-            for [s, t] in found {
+        let mut pairs = near_pairs(&arcs, tolerance);
+        pairs.retain(|&(i, j)| apart == Apart::Nothing || groups[i] != groups[j]);
+        let n_threads = n_threads.min(pairs.len() / WORTH_A_THREAD + 1);
+        let found = side_by_side::map(&pairs, n_threads, |&(i, j)| match i == j {
+            true => meet::own_meetings(&arcs[i], tolerance),
+            false => meet::meetings(&arcs[i], &arcs[j], tolerance),
+        });
+        for ((i, j), found) in pairs.into_iter().zip(found) {
+            for [s, t] in found? {
                 let (p, q) = (arcs[i].point_at(s), arcs[j].point_at(t));
                 let point = p.midpoint(q);
                 cuts.extend([(i, s), (j, t)].map(|(arc, parameter)| Cut { arc, parameter, point }));

@@ -77,7 +77,7 @@ impl Region {
             let border = PlaneLoop::of(curve, frame, [index, of], tolerance)?;
             rings.push(Ring { group: 0, arcs: border.arcs });
         }
-        let arrangement = Arrangement::of(&rings, Apart::Nothing, distance)?;
+        let arrangement = Arrangement::of(&rings, Apart::Nothing, distance, n_threads)?;
         let is_inside = |windings: &Windings| windings.iter().any(|&(_, winding)| winding % 2 != 0);
         sorted(arrangement.loops(is_inside, n_threads)?, frame, distance)
     }
@@ -123,7 +123,8 @@ fn combined(
         rings.extend(loops.into_iter().map(|border| Ring { group, arcs: border.arcs }));
     }
     let distance = tolerance.distance_for(size);
-    let arrangement = Arrangement::of(&rings, Apart::Groups, distance).map_err(in_space(frame))?;
+    let arrangement =
+        Arrangement::of(&rings, Apart::Groups, distance, n_threads).map_err(in_space(frame))?;
     let loops = arrangement.loops(is_inside, n_threads).map_err(in_space(frame))?;
     sorted(loops, frame, distance)
 }

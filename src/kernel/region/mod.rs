@@ -215,7 +215,7 @@ impl Region {
         let rings = self.loops.iter().enumerate();
         let rings: Vec<Ring> =
             rings.map(|(group, border)| Ring { group, arcs: border.arcs.clone() }).collect();
-        let arrangement = Arrangement::of(&rings, Apart::Nothing, distance)?;
+        let arrangement = Arrangement::of(&rings, Apart::Nothing, distance, 1)?;
         match arrangement.knot() {
             None => Ok(()),
             Some((vertex, groups)) => {

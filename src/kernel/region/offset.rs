@@ -94,7 +94,7 @@ impl Region {
         let Front { arcs, corners } = front;
         let rings = [Ring { group: 0, arcs }];
         let arrangement =
-            Arrangement::of(&rings, Apart::Nothing, near).map_err(in_space(self.frame))?;
+            Arrangement::of(&rings, Apart::Nothing, near, 1).map_err(in_space(self.frame))?;
         let boxes: Vec<_> = self.loops.iter().flat_map(|border| &border.arcs).collect();
         let boxes: Vec<_> = boxes.into_iter().map(|arc| (arc, arc.bounds())).collect();
         let is_near = |point: DVec3, least: f64| {

@@ -3,6 +3,8 @@
 //! Such pieces share an arc that ends where one of them does. It is told before anything is halved,
 //! since halving would come to as many parts as the arc is tolerances long.
 
+use glam::DVec3;
+
 use super::{IntersectionSearch, contact::ContactInterval, newton::foot};
 use crate::{GeomError, Interval, curve::representation::part::CurvePart};
 
@@ -16,9 +18,16 @@ impl IntersectionSearch<'_> {
     /// # Errors
     /// `IntersectionError::RunTogether` where two pieces share an arc that is longer than a touch.
     pub(super) fn check_shared(&self, a: &CurvePart, b: &CurvePart) -> Result<(), GeomError> {
-        let on_first = |s: f64| foot(self.first, a.interval, self.second.point_at(s));
+        // An end that is outside of the other's box is not on it.
+        let may_be_on = |part: &CurvePart, point: DVec3| {
+            part.points.iter().any(|point| point.w <= 0.0)
+                || part.bounds.contains(point, SAME_ROUNDINGS * self.rounding)
+        };
         let ends = [a.interval.start(), a.interval.end()].into_iter();
-        let others = [b.interval.start(), b.interval.end()].map(on_first);
+        let ends = ends.filter(|&t| may_be_on(b, self.first.point_at(t)));
+        let others = [b.interval.start(), b.interval.end()].into_iter();
+        let others = others.map(|s| self.second.point_at(s)).filter(|&point| may_be_on(a, point));
+        let others = others.map(|point| foot(self.first, a.interval, point));
         let both = ends.chain(others).filter(|&t| self.is_same_at(t, b.interval));
         let [low, high] = both
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], t| [low.min(t), high.max(t)]);
