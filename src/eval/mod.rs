@@ -29,6 +29,7 @@ mod lower;
 mod machine;
 mod memory;
 mod meter;
+mod name_uses;
 mod operator;
 mod outcome;
 mod param;
@@ -49,6 +50,7 @@ pub use globals::KeptGlobals;
 #[cfg(feature = "cli")]
 pub(crate) use lower::foreign_names::advice as foreign_advice;
 pub use memory::{CacheRun, Memory, Work};
+pub use name_uses::{NameUses, name_uses};
 pub(crate) use outcome::in_order;
 pub use outcome::{
     Checked, Defined, EffectOutput, ExpectedMistake, ExportSubject, Exported, Outcome, Printed,

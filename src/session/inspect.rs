@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{Report, Session};
 use crate::{
     diag::Sources,
-    eval::{self, Graph, Schema},
+    eval::{self, Graph, NameUses, Schema},
     limits::Limits,
     syntax,
     value::Files,
@@ -52,6 +52,30 @@ impl Session {
             .on_stack(|limits| eval::graph(name, text, &mut sources, self.settings(files, limits)));
         let found = std::mem::take(&mut graph.diagnostics);
         self.unless_wrong(graph, sources, found)
+    }
+
+    /// What the names of the script `bytes` and of the files that it imports mean, as places in the texts
+    /// that come with it; nothing is evaluated.
+    ///
+    /// ```
+    /// use virote::{diag::Span, session::Session, value::NoFiles};
+    ///
+    /// let (names, _) = Session::default().name_uses("demo", b"let a = 1  print a", &NoFiles);
+    /// assert_eq!(names.uses, [(Span::new(17, 18), Span::new(4, 5))]);
+    /// ```
+    #[must_use]
+    pub fn name_uses(&self, name: &str, bytes: &[u8], files: &dyn Files) -> (NameUses, Sources) {
+        let (text, mut sources) = match self.opened(name, bytes) {
+            Ok(opened) => opened,
+            Err(report) => {
+                let diagnostics = report.diagnostics;
+                return (NameUses { diagnostics, ..NameUses::default() }, report.sources);
+            }
+        };
+        let names = self.on_stack(|limits| {
+            eval::name_uses(name, text, &mut sources, self.settings(files, limits))
+        });
+        (names, sources)
     }
 
     fn opened<'b>(&self, name: &str, bytes: &'b [u8]) -> Result<(&'b str, Sources), Box<Report>> {

@@ -12,6 +12,7 @@ mod lanes;
 mod library;
 mod maps;
 mod mutations;
+mod name_uses;
 mod named_paths;
 mod quantities;
 mod readback;
