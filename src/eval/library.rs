@@ -284,7 +284,7 @@ impl<'a> Library<'a> {
                 let message = format!("`{path}` has no parameter `{}`", name.value);
                 let diagnostic = Diagnostic::error(Code::UnknownParameter, name.span, message);
                 return match (nearest(&name.value, names.iter().copied()), names.as_slice()) {
-                    (Some(near), _) => diagnostic.label(format!("did you mean `{near}`?")),
+                    (Some(near), _) => diagnostic.meant(near),
                     (None, []) => diagnostic.hint("it has no parameters at all"),
                     (None, _) => {
                         diagnostic.hint(format!("its parameters are {}", names.join(", ")))

@@ -4,6 +4,7 @@ mod circles;
 mod docs;
 mod errors;
 mod faults;
+mod fixes;
 mod formats;
 mod golden;
 mod incremental;

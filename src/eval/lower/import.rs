@@ -146,7 +146,7 @@ impl<'s> Lowerer<'_, 's> {
         let message = format!("`{}` defines no `{}`", imported.path, name.text);
         let diagnostic = Diagnostic::error(Code::UnknownName, place, message);
         self.report(match nearest(name.text, shown.clone()) {
-            Some(near) => diagnostic.label(format!("did you mean `{near}`?")),
+            Some(near) => diagnostic.meant(near),
             None => match listed(shown) {
                 Some(names) => diagnostic.hint(format!("it defines {names}")),
                 None => diagnostic.hint("it defines nothing that other files see"),

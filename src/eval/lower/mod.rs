@@ -264,7 +264,7 @@ impl<'s> Lowerer<'_, 's> {
                     span,
                     format!("nothing is called `{name}`"),
                 )
-                .label(format!("did you mean `{near}`?"));
+                .meant(near);
                 if let Some(defined) = defined {
                     diagnostic = diagnostic.also(defined, format!("`{near}` is defined here"));
                 }

@@ -88,7 +88,7 @@ impl<'s> Lowerer<'_, 's> {
                 let diagnostic = Diagnostic::error(Code::UnknownUnit, self.at(name.span), message);
                 let list = format!("units of length are {}", names.join(", "));
                 self.report(match nearest(name.text, names.iter().copied()) {
-                    Some(near) => diagnostic.label(format!("did you mean `{near}`?")).hint(list),
+                    Some(near) => diagnostic.meant(near).hint(list),
                     None => diagnostic.hint(list),
                 });
             }
@@ -244,7 +244,7 @@ impl<'s> Lowerer<'_, 's> {
                 let diagnostic = Diagnostic::error(Code::WrongKind, self.at(name.span), message)
                     .hint(format!("kinds of parameters are {}", words.join(", ")));
                 self.report(match nearest(name.text, words.iter().copied()) {
-                    Some(near) => diagnostic.label(format!("did you mean `{near}`?")),
+                    Some(near) => diagnostic.meant(near),
                     None => diagnostic,
                 });
             }
