@@ -15,6 +15,7 @@ mod disk;
 pub mod docs;
 pub mod eval;
 pub mod export;
+pub mod ide;
 pub mod limits;
 pub mod ops;
 pub mod render;

@@ -14,7 +14,7 @@ use crate::{
 };
 
 /// The options that a definition has.
-const OPTIONS: [&str; 3] = ["color", "layer", "hidden"];
+pub(crate) const OPTIONS: [&str; 3] = ["color", "layer", "hidden"];
 
 impl FileRun<'_> {
     /// Reads the presentation after `with`; what does not fit becomes a finding.

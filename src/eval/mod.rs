@@ -43,10 +43,12 @@ mod settings;
 mod test;
 mod worker;
 
+pub(crate) use appearance::OPTIONS as LOOK_OPTIONS;
 pub(crate) use ceiling::out_of_memory;
 pub use claim::{ClaimSide, Verdict};
 pub use dependencies::{DependencyNode, Graph, graph};
 pub use globals::KeptGlobals;
+pub(crate) use ir::param_kinds;
 #[cfg(feature = "cli")]
 pub(crate) use lower::foreign_names::advice as foreign_advice;
 pub use memory::{CacheRun, Memory, Work};

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use super::{Report, Session};
 use crate::{
-    diag::Sources,
+    diag::{Diagnostic, Sources},
     eval::{self, Graph, NameUses, Schema},
     limits::Limits,
-    syntax,
+    syntax::{self, ast::Tree},
     value::Files,
 };
 
@@ -52,6 +52,18 @@ impl Session {
             .on_stack(|limits| eval::graph(name, text, &mut sources, self.settings(files, limits)));
         let found = std::mem::take(&mut graph.diagnostics);
         self.unless_wrong(graph, sources, found)
+    }
+
+    /// What `look` sees in the tree of a text, which is parsed with the stack that it needs.
+    pub(crate) fn tree<R: Send>(
+        &self,
+        text: &str,
+        look: impl Fn(&Tree<'_>, Vec<Diagnostic>) -> R + Sync,
+    ) -> R {
+        self.on_stack(|limits| {
+            let (tree, found) = syntax::parse(text, limits);
+            look(&tree, found)
+        })
     }
 
     /// What the names of the script `bytes` and of the files that it imports mean, as places in the texts
@@ -108,7 +120,7 @@ impl Session {
         &self,
         answer: T,
         sources: Sources,
-        found: Vec<crate::diag::Diagnostic>,
+        found: Vec<Diagnostic>,
     ) -> Result<T, Box<Report>> {
         let report = self.findings(sources, found);
         if report.count(crate::diag::Severity::Error) == 0 {

@@ -316,7 +316,7 @@ impl<'s> Binder<'s> {
                 let place = element_span(self.sources, given.span, &mismatch.path);
                 let hint = mismatch.hint.or_else(|| T::TYPE.remedy(&given.value));
                 self.mistakes.add(mismatch.code, place, text, hint);
-                self.mistakes.meant(mismatch.meant);
+                self.mistakes.meant(mismatch.meant.map(|word| format!("\"{word}\"")));
                 None
             }
         }

@@ -24,8 +24,8 @@ pub struct Mismatch {
     pub code: Code,
     /// What to do.
     pub hint: Option<String>,
-    /// What should stand there instead, as it is written.
-    pub meant: Option<String>,
+    /// The word that should stand there instead.
+    pub meant: Option<&'static str>,
 }
 
 impl Mismatch {
@@ -49,14 +49,7 @@ impl Mismatch {
     /// A reason in a sentence of its own, such as an error of the kernel.
     #[must_use]
     pub fn because(reason: impl Into<String>, code: Code) -> Self {
-        Self {
-            found: reason.into(),
-            wanted: String::new(),
-            path: Vec::new(),
-            code,
-            hint: None,
-            meant: None,
-        }
+        Self { code, ..Self::new("", reason) }
     }
 
     /// The same under another code.
@@ -140,7 +133,7 @@ impl<T: Choice> FromValue for T {
             || {
                 let mismatch = Mismatch::kind(Self::TYPE, value).code(Code::BadChoice);
                 match crate::diag::nearest(text, T::WORDS.iter().copied()) {
-                    Some(word) => Mismatch { meant: Some(format!("\"{word}\"")), ..mismatch }
+                    Some(word) => Mismatch { meant: Some(word), ..mismatch }
                         .hint(format!("did you mean \"{word}\"?")),
                     None => mismatch,
                 }

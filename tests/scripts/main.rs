@@ -7,6 +7,7 @@ mod faults;
 mod fixes;
 mod formats;
 mod golden;
+mod ide;
 mod incremental;
 mod kernel_docs;
 mod lanes;
