@@ -17,6 +17,9 @@ pub mod eval;
 pub mod export;
 pub mod ide;
 pub mod limits;
+#[cfg(feature = "cli")]
+#[doc(hidden)]
+pub mod lsp;
 pub mod ops;
 pub mod render;
 pub mod session;

@@ -66,9 +66,13 @@ fn between(old: &str, new: &str) -> Vec<TextEdit> {
         };
         let (a, b) =
             (1..=2 * WINDOW).find_map(meets).unwrap_or((old_lines.len() - i, new_lines.len() - j));
-        let range = start_of(&old_lines, i, old)..start_of(&old_lines, i + a, old);
-        let text = &new[start_of(&new_lines, j, new)..start_of(&new_lines, j + b, new)];
-        edits.push(TextEdit { range, text: text.to_owned() });
+        // As many lines as before: each is an edit of its own.
+        let parts = if a == b { (0..a).map(|k| (k, 1, 1)).collect() } else { vec![(0, a, b)] };
+        for (k, a, b) in parts.into_iter().filter(|&(k, a, b)| a != b || !same(i + k, j + k)) {
+            let range = start_of(&old_lines, i + k, old)..start_of(&old_lines, i + k + a, old);
+            let new_range = start_of(&new_lines, j + k, new)..start_of(&new_lines, j + k + b, new);
+            edits.push(TextEdit { range, text: new[new_range].to_owned() });
+        }
         (i, j) = (i + a, j + b);
     }
     edits

@@ -26,7 +26,8 @@ fn applied(text: &str, fix: &Fix) -> String {
 fn check(wrong: &str, right: &str) {
     let report = run(wrong, &MemoryFiles::default());
     let fix = report.diagnostics.iter().find_map(|found| found.fixes.first());
-    let fix = fix.unwrap_or_else(|| panic!("{wrong}: no fix: {:?}", report.diagnostics));
+    assert!(fix.is_some(), "{wrong}: no fix: {:?}", report.diagnostics);
+    let fix = fix.expect("there is one");
     assert_eq!(applied(wrong, fix), right);
     let after = run(right, &MemoryFiles::default());
     assert!(after.diagnostics.is_empty(), "{right}: {:?}", after.diagnostics);
@@ -72,10 +73,9 @@ fn what_was_found_is_gone_after_its_fix() {
     for entry in fs::read_dir(folder).expect("the mistakes") {
         let path = entry.expect("an entry").path();
         let Ok(bytes) = fs::read(&path) else { continue };
-        if path.extension().is_some_and(|ending| ending == "geo") {
-            if let Ok(text) = String::from_utf8(bytes.clone()) {
-                scripts.push((path.clone(), text));
-            }
+        let text = String::from_utf8(bytes.clone());
+        if let (true, Ok(text)) = (path.extension().is_some_and(|ending| ending == "geo"), text) {
+            scripts.push((path.clone(), text));
         }
         files.insert(path.file_name().and_then(|name| name.to_str()).expect("a name"), bytes);
     }

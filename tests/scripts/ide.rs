@@ -51,7 +51,8 @@ impl Scene {
         let found = self.completions();
         let labels: Vec<&str> = found.iter().map(|one| one.label.as_str()).collect();
         let one = found.iter().find(|one| one.label == label);
-        one.unwrap_or_else(|| panic!("no {label} among {labels:?}")).clone()
+        assert!(one.is_some(), "no {label} among {labels:?}");
+        one.expect("it is there").clone()
     }
 
     fn edited(&self, edits: &[TextEdit]) -> String {

@@ -12,6 +12,8 @@ mod incremental;
 mod kernel_docs;
 mod lanes;
 mod library;
+#[cfg(unix)]
+mod lsp;
 mod maps;
 mod mutations;
 mod name_uses;
