@@ -267,6 +267,42 @@ pub fn reference(registry: &Registry) -> String {
     out
 }
 
+/// All that the registry knows of `name`, as Markdown for a small window.
+#[must_use]
+pub fn markdown(registry: &Registry, name: &str) -> Option<String> {
+    if let Some(constant) = registry.constant(name) {
+        let value = (constant.value)();
+        return Some(format!("```geo\n{} = {value}\n```\n\n{}", constant.name, constant.docs));
+    }
+    let (_, ops) = registry.get(name)?;
+    let entry = |op: &&Op| {
+        let mut out = format!("```geo\n{}\n```\n\n{}", op.signature(), paragraph(op.docs));
+        out.push_str(if op.params.is_empty() { "" } else { "\n" });
+        for param in op.params {
+            out.push_str(&format!(
+                "\n- `{}`: {}",
+                param.name,
+                paragraph(param.docs).replace('\n', " ")
+            ));
+        }
+        if let Some(example) = op.examples.first() {
+            out.push_str(&format!(
+                "\n\n```geo\n{}\n// {}\n```",
+                example.code,
+                example.prints.replace('\n', "\n// ")
+            ));
+        }
+        out
+    };
+    Some(ops.iter().map(entry).collect::<Vec<_>>().join("\n\n---\n\n"))
+}
+
+/// Documentation as it was written, without the blanks that follow the comment signs.
+#[must_use]
+pub fn paragraph(docs: &str) -> String {
+    dedent(docs).trim().to_owned()
+}
+
 fn markdown_entry(op: &Op, picture: Option<&Illustration>) -> String {
     let mut out = format!("\n### `{}`\n\n```text\n{}\n```\n\n", op.name, op.signature());
     if !op.aliases.is_empty() {

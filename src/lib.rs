@@ -15,7 +15,11 @@ mod disk;
 pub mod docs;
 pub mod eval;
 pub mod export;
+pub mod ide;
 pub mod limits;
+#[cfg(feature = "cli")]
+#[doc(hidden)]
+pub mod lsp;
 pub mod ops;
 pub mod render;
 pub mod session;

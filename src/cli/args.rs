@@ -6,6 +6,7 @@ use clap::{Parser, Subcommand};
 
 use super::{
     looks::PictureArgs,
+    lsp,
     run_args::{OutputArgs, RunArgs},
     test, view, watch,
 };
@@ -28,6 +29,7 @@ Examples:
   virote view bottle.geo                       see it in the browser while it is written
   virote watch bottle.geo                      evaluate it whenever it is saved
   virote repl bottle.geo                       questions about it
+  virote lsp                                   help while writing, for editors
   virote render bottle.geo -o bottle.png       a picture of it
   virote params bottle.geo                     its parameters
   virote graph bottle.geo                      what depends on what, for Graphviz
@@ -193,6 +195,10 @@ Examples:
   virote watch bottle.geo --out build
   virote watch bottle.geo --check          writes no file")]
     Watch(watch::WatchOptions),
+    /// Serves an editor, which starts it by itself (language server protocol over standard input)
+    ///
+    /// docs/editors.md says how editors are told of it.
+    Lsp(lsp::LspOptions),
     /// Shows a script in the browser, and keeps the picture current while it is written
     ///
     /// Serves a page on this machine alone, prints its address and opens the browser. The page turns the

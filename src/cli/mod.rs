@@ -10,6 +10,7 @@ mod inspect;
 mod interrupt;
 mod limits;
 mod looks;
+mod lsp;
 mod params;
 mod process;
 mod progress;
@@ -82,6 +83,7 @@ fn dispatch(verb: CliCommand) -> ExitStatus {
         }
         CliCommand::Fmt { files, check, talk } => fmt::run(&files, check, &talk),
         CliCommand::Watch(asked) => watch::run(&asked),
+        CliCommand::Lsp(asked) => lsp::run(&asked),
         CliCommand::View(asked) => view::run(&asked),
         CliCommand::Doc { words, search } => doc(&words, search),
         CliCommand::Explain { code } => explain::run(code.as_deref()),

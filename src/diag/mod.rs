@@ -4,11 +4,13 @@
 
 mod code;
 pub mod fault;
+mod fix;
 mod nearest;
 mod shown;
 mod source;
 
 pub use code::{Code, RETIRED};
+pub use fix::Fix;
 pub use nearest::nearest;
 pub use shown::{is_hidden, shown};
 pub use source::{Source, Sources};
@@ -124,6 +126,8 @@ pub struct Diagnostic {
     pub others: Vec<Label>,
     /// What to do; each a sentence.
     pub hints: Vec<String>,
+    /// Hints that are edits, the likeliest first.
+    pub fixes: Vec<Fix>,
     /// The name of the ceiling that was crossed ([`Ceiling::name`](crate::limits::Ceiling::name)), if it
     /// can be moved.
     pub ceiling: Option<&'static str>,
@@ -156,6 +160,7 @@ impl Diagnostic {
             primary: Label { span, text: String::new() },
             others: Vec::new(),
             hints: Vec::new(),
+            fixes: Vec::new(),
             ceiling: None,
             is_at_end: false,
             elements: Vec::new(),
@@ -200,6 +205,9 @@ impl Diagnostic {
     pub fn shifted(mut self, by: u32) -> Self {
         for label in std::iter::once(&mut self.primary).chain(&mut self.others) {
             label.span = label.span.shifted(by);
+        }
+        for (span, _) in self.fixes.iter_mut().flat_map(|fix| &mut fix.edits) {
+            *span = span.shifted(by);
         }
         self
     }

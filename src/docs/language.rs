@@ -19,12 +19,24 @@ pub fn words() -> impl Iterator<Item = &'static str> {
     headings.filter(|word| FEWEST_LETTERS <= word.len()).chain([TITLE])
 }
 
-/// What the language says of a word; none where it says nothing.
+/// What the language says of a word, for a terminal; none where it says nothing.
 #[must_use]
 pub fn entry(word: &str) -> Option<String> {
     if word == TITLE {
         return Some(LANGUAGE.to_owned());
     }
+    let found = about(word)?;
+    Some(found.iter().map(|passage| shown(passage)).collect::<Vec<_>>().join("\n"))
+}
+
+/// The same as Markdown.
+#[must_use]
+pub fn markdown(word: &str) -> Option<String> {
+    Some(about(word)?.join("\n"))
+}
+
+/// The passages about a word.
+fn about(word: &str) -> Option<Vec<String>> {
     let word = word.to_lowercase();
     if word.split_whitespace().count() != 1 {
         return None;
@@ -43,8 +55,7 @@ pub fn entry(word: &str) -> Option<String> {
     } else if found.is_empty() && is_word {
         found = plain();
     }
-    (!found.is_empty())
-        .then(|| found.iter().map(|passage| shown(passage)).collect::<Vec<_>>().join("\n"))
+    (!found.is_empty()).then_some(found)
 }
 
 /// A heading with the paragraphs below it, down to the next heading.

@@ -8,13 +8,13 @@ use super::{
     outcome::Defined,
 };
 use crate::{
-    diag::{Code, Diagnostic, Spanned, nearest},
+    diag::{Code, Diagnostic, Fix, Spanned, nearest},
     limits::work,
     value::{Appearance, COLOR_NAMES, Value, color_of},
 };
 
 /// The options that a definition has.
-const OPTIONS: [&str; 3] = ["color", "layer", "hidden"];
+pub(crate) const OPTIONS: [&str; 3] = ["color", "layer", "hidden"];
 
 impl FileRun<'_> {
     /// Reads the presentation after `with`; what does not fit becomes a finding.
@@ -87,7 +87,7 @@ fn read(
             let message = format!("a definition has no option `{name}`");
             let diagnostic = Diagnostic::error(Code::BadCall, label.span, message);
             return Err(Box::new(match nearest(name, OPTIONS) {
-                Some(near) => diagnostic.label(format!("did you mean `{near}`?")),
+                Some(near) => diagnostic.meant(near),
                 None => diagnostic.hint("its options are `color`, `layer` and `hidden`"),
             }));
         }
@@ -100,7 +100,9 @@ fn no_color(text: &str, value: &Spanned<Value>) -> Diagnostic {
     let diagnostic = Diagnostic::error(Code::BadChoice, value.span, message)
         .hint("write `\"#6688aa\"`, or a name such as `\"steelblue\"`");
     match nearest(text, COLOR_NAMES.iter().map(|&(name, _)| name)) {
-        Some(near) => diagnostic.label(format!("did you mean `{near}`?")),
+        Some(near) => diagnostic
+            .label(format!("did you mean `{near}`?"))
+            .fix(Fix::replace(value.span, format!("\"{near}\""))),
         None => diagnostic,
     }
 }

@@ -33,7 +33,7 @@ impl Machine<'_> {
         let mut diagnostic = Diagnostic::error(Code::NoField, place, message)
             .also(subject, format!("this is {}", value.phrase()));
         if let Some(near) = crate::diag::nearest(name, names.iter().copied().take(MOST_NAMES)) {
-            diagnostic = diagnostic.label(format!("did you mean `{near}`?"));
+            diagnostic = diagnostic.meant(near);
         }
         if let Some(first) = first
             && field_names(first).contains(&name)

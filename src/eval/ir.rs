@@ -234,6 +234,11 @@ impl ParamKind {
     }
 }
 
+/// The words for kinds of parameters.
+pub(crate) fn param_kinds() -> impl Iterator<Item = &'static str> {
+    ParamKind::ALL.iter().map(|&(word, _)| word)
+}
+
 /// A statement that acts on values.
 #[derive(Debug)]
 pub(crate) struct Effect {

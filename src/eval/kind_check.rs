@@ -6,7 +6,7 @@ use super::{
     machine::Machine,
 };
 use crate::{
-    diag::{Code, Diagnostic, Result, Span},
+    diag::{Code, Diagnostic, Fix, Result, Span},
     value::Value,
 };
 
@@ -53,18 +53,28 @@ impl Machine<'_> {
                 .fail();
         }
         let message = format!("{promised} is promised, but this is {}", value.phrase());
-        Diagnostic::error(Code::BrokenPromise, expr.span, message)
+        let word = fitting(&value).unwrap_or("let");
+        let fix = self.keyword_before(kind.word(), name).map(|place| Fix::replace(place, word));
+        let found = Diagnostic::error(Code::BrokenPromise, expr.span, message)
             .label(format!("this is {}", value.phrase()))
             .also(name, format!("promised to be {promised} here"))
             .hint(match fitting(&value) {
                 Some(word) => format!("write `{word}` instead, or `let`"),
                 None => "write `let` instead".to_owned(),
-            })
-            .fail()
+            });
+        fix.into_iter().fold(found, Diagnostic::fix).fail()
     }
 }
 
 impl Machine<'_> {
+    /// The place of a keyword right before a defined name.
+    fn keyword_before(&self, word: &str, name: Span) -> Option<Span> {
+        let source = self.env.sources?.at(name)?;
+        let before = source.text[..source.local(name).start].trim_end();
+        let start = before.strip_suffix(word)?.len() as u32 + source.base;
+        Some(Span::new(start, start + word.len() as u32))
+    }
+
     /// Warns of a promised curve that is one point. Inside of calls such curves have their uses.
     fn warn_of_point(&mut self, expr: &Expr, value: &Value) {
         let Value::Curve(curve) = value else { return };

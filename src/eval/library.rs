@@ -17,6 +17,7 @@ use super::{
     lower::{self, Imported, Origin},
     machine::Machine,
     memory::Fields,
+    name_uses::NotedNames,
     param::GivenValue,
     settings::Settings,
     worker::{Inputs, Worker},
@@ -60,6 +61,8 @@ pub(crate) struct Library<'a> {
     /// By the file and the exact key of its parameters.
     instances: Mutex<BTreeMap<(usize, Vec<u8>), Arc<OnceLock<ImportInstance>>>>,
     findings: Mutex<Vec<Diagnostic>>,
+    /// What the names of the files mean.
+    noted: NotedNames,
 }
 
 /// A text on its way in.
@@ -104,6 +107,7 @@ impl<'a> Library<'a> {
             by_path: BTreeMap::new(),
             instances: Mutex::default(),
             findings: Mutex::default(),
+            noted: NotedNames::default(),
         }
     }
 
@@ -226,6 +230,7 @@ impl<'a> Library<'a> {
             );
             return None;
         }
+        self.noted.append(lowered.noted);
         let mut findings = found;
         findings.extend(lowered.diagnostics);
         let is_error = |found: &&Diagnostic| found.severity == Severity::Error;
@@ -241,7 +246,7 @@ impl<'a> Library<'a> {
         let names = definitions
             .iter()
             .filter(|definition| definition.is_named())
-            .map(|definition| Arc::clone(&definition.name))
+            .map(|definition| (Arc::clone(&definition.name), definition.name_span))
             .collect();
         Imported { file, path: self.files[file].path.clone(), names }
     }
@@ -255,6 +260,11 @@ impl<'a> Library<'a> {
         let instances = self.instances.lock().unwrap_or_else(PoisonError::into_inner);
         let evaluated = instances.values().filter_map(|instance| instance.get());
         evaluated.map(|instance| Arc::clone(&instance.home)).collect()
+    }
+
+    /// What the names of all files mean.
+    pub(super) fn take_noted(&mut self) -> NotedNames {
+        std::mem::take(&mut self.noted)
     }
 
     /// Everything that was found in imported files so far.
@@ -274,7 +284,7 @@ impl<'a> Library<'a> {
                 let message = format!("`{path}` has no parameter `{}`", name.value);
                 let diagnostic = Diagnostic::error(Code::UnknownParameter, name.span, message);
                 return match (nearest(&name.value, names.iter().copied()), names.as_slice()) {
-                    (Some(near), _) => diagnostic.label(format!("did you mean `{near}`?")),
+                    (Some(near), _) => diagnostic.meant(near),
                     (None, []) => diagnostic.hint("it has no parameters at all"),
                     (None, _) => {
                         diagnostic.hint(format!("its parameters are {}", names.join(", ")))

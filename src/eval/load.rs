@@ -7,6 +7,7 @@ use super::{
     ir::Program,
     library::{Library, LoadedText},
     lower,
+    name_uses::NotedNames,
     settings::Settings,
 };
 use crate::{
@@ -26,6 +27,8 @@ pub(super) struct LoadedScript<'a> {
     pub(super) program: Program,
     /// The texts of all of that.
     sources: Sources,
+    /// What its own names mean.
+    pub(super) noted: NotedNames,
     /// What is wrong so far.
     pub(super) diagnostics: Vec<Diagnostic>,
 }
@@ -53,7 +56,7 @@ pub(super) fn load<'a>(
     diagnostics.extend(lowered.diagnostics);
     let document = LoadingScript { text, base };
     let (program, sources) = (lowered.program, sources.clone());
-    LoadedScript { document, unit, library, program, sources, diagnostics }
+    LoadedScript { document, unit, library, program, sources, noted: lowered.noted, diagnostics }
 }
 
 /// The unit that a script states; millimetres where it states none.

@@ -29,6 +29,7 @@ mod lower;
 mod machine;
 mod memory;
 mod meter;
+mod name_uses;
 mod operator;
 mod outcome;
 mod param;
@@ -42,13 +43,16 @@ mod settings;
 mod test;
 mod worker;
 
+pub(crate) use appearance::OPTIONS as LOOK_OPTIONS;
 pub(crate) use ceiling::out_of_memory;
 pub use claim::{ClaimSide, Verdict};
 pub use dependencies::{DependencyNode, Graph, graph};
 pub use globals::KeptGlobals;
+pub(crate) use ir::param_kinds;
 #[cfg(feature = "cli")]
 pub(crate) use lower::foreign_names::advice as foreign_advice;
 pub use memory::{CacheRun, Memory, Work};
+pub use name_uses::{NameUses, name_uses};
 pub(crate) use outcome::in_order;
 pub use outcome::{
     Checked, Defined, EffectOutput, ExpectedMistake, ExportSubject, Exported, Outcome, Printed,

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use super::{Report, Session};
 use crate::{
-    diag::Sources,
-    eval::{self, Graph, Schema},
+    diag::{Diagnostic, Sources},
+    eval::{self, Graph, NameUses, Schema},
     limits::Limits,
-    syntax,
+    syntax::{self, ast::Tree},
     value::Files,
 };
 
@@ -54,6 +54,42 @@ impl Session {
         self.unless_wrong(graph, sources, found)
     }
 
+    /// What `look` sees in the tree of a text, which is parsed with the stack that it needs.
+    pub(crate) fn tree<R: Send>(
+        &self,
+        text: &str,
+        look: impl Fn(&Tree<'_>, Vec<Diagnostic>) -> R + Sync,
+    ) -> R {
+        self.on_stack(|limits| {
+            let (tree, found) = syntax::parse(text, limits);
+            look(&tree, found)
+        })
+    }
+
+    /// What the names of the script `bytes` and of the files that it imports mean, as places in the texts
+    /// that come with it; nothing is evaluated.
+    ///
+    /// ```
+    /// use virote::{diag::Span, session::Session, value::NoFiles};
+    ///
+    /// let (names, _) = Session::default().name_uses("demo", b"let a = 1  print a", &NoFiles);
+    /// assert_eq!(names.uses, [(Span::new(17, 18), Span::new(4, 5))]);
+    /// ```
+    #[must_use]
+    pub fn name_uses(&self, name: &str, bytes: &[u8], files: &dyn Files) -> (NameUses, Sources) {
+        let (text, mut sources) = match self.opened(name, bytes) {
+            Ok(opened) => opened,
+            Err(report) => {
+                let diagnostics = report.diagnostics;
+                return (NameUses { diagnostics, ..NameUses::default() }, report.sources);
+            }
+        };
+        let names = self.on_stack(|limits| {
+            eval::name_uses(name, text, &mut sources, self.settings(files, limits))
+        });
+        (names, sources)
+    }
+
     fn opened<'b>(&self, name: &str, bytes: &'b [u8]) -> Result<(&'b str, Sources), Box<Report>> {
         let mut sources = Sources::default();
         match self.read(bytes) {
@@ -84,7 +120,7 @@ impl Session {
         &self,
         answer: T,
         sources: Sources,
-        found: Vec<crate::diag::Diagnostic>,
+        found: Vec<Diagnostic>,
     ) -> Result<T, Box<Report>> {
         let report = self.findings(sources, found);
         if report.count(crate::diag::Severity::Error) == 0 {

@@ -47,7 +47,7 @@ fn unknown(label: &Spanned<String>, format: &Format) -> Diagnostic {
     let diagnostic = Diagnostic::error(Code::BadCall, label.span, message).label("unknown option");
     let known: Vec<&str> = format.options.iter().map(|option| option.name).collect();
     match (nearest(&label.value, known.iter().copied()), known.is_empty()) {
-        (Some(near), _) => diagnostic.label(format!("did you mean `{near}`?")),
+        (Some(near), _) => diagnostic.meant(near),
         (None, true) => diagnostic.hint("it takes no options"),
         (None, false) => diagnostic.hint(format!("its options are {}", known.join(", "))),
     }
@@ -67,7 +67,7 @@ fn wrong(option: &ExportOption, value: &Spanned<Value>) -> Diagnostic {
     let diagnostic = Diagnostic::error(Code::BadChoice, value.span, message)
         .hint(format!("{name}s are {}", list.join(", ")));
     match nearest(word, words) {
-        Some(near) => diagnostic.label(format!("did you mean `\"{near}\"`?")),
+        Some(near) => diagnostic.meant(&format!("\"{near}\"")),
         None => diagnostic,
     }
 }

@@ -256,7 +256,7 @@ impl<'s> Scanner<'s> {
         let meant = if token == Token::Dot { format!("{text}0") } else { format!("0{text}") };
         let message = format!("`{text}` lacks digits on one side of its point");
         let diagnostic = Diagnostic::error(Code::BadNumber, whole, message);
-        self.complain(diagnostic.label(format!("did you mean `{meant}`?")));
+        self.complain(diagnostic.meant(&meant));
         self.out.tokens.pop();
         self.out.tokens.push(Token::Number);
         self.out.spans.push(whole);
@@ -300,7 +300,7 @@ impl<'s> Scanner<'s> {
         let inner = text.trim_matches(['\'', '"', '“', '”', '„', '‟', '‘', '’']);
         let diagnostic =
             Diagnostic::error(Code::StrayText, span, "a string stands in straight double quotes");
-        self.complain(diagnostic.label(format!("did you mean `\"{inner}\"`?")));
+        self.complain(diagnostic.meant(&format!("\"{inner}\"")));
         self.push(Token::Bad);
     }
 

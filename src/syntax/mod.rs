@@ -1,6 +1,7 @@
 //! Text to tree and back. Pure, and never fails: any text gives a tree and diagnostics.
 
 pub mod ast;
+mod cursor;
 mod lexed;
 mod lexer;
 mod operator;
@@ -9,6 +10,7 @@ mod parser;
 mod print;
 mod token;
 
+pub use cursor::{OpenCall, is_name, open_call};
 pub use outline::{
     CompletionPlace, Highlight, OutlinedStatement, PromptEntry, StatementRole, entry,
     free_placeholders, is_complete, parts, pieces, place,

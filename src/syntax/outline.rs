@@ -250,7 +250,7 @@ fn is_in_call(lexed: &Lexed<'_>, at: usize) -> bool {
 }
 
 /// The innermost bracket that is open before token `at`.
-fn opening(lexed: &Lexed<'_>, at: usize) -> Option<usize> {
+pub(super) fn opening(lexed: &Lexed<'_>, at: usize) -> Option<usize> {
     let mut depth = 0_usize;
     for before in (0..at).rev() {
         let token = lexed.token(before);

@@ -7,7 +7,7 @@ use std::{collections::HashMap, sync::Arc};
 
 use super::{FromValue, Op, Type, Value, element::element_span, misplaced};
 use crate::{
-    diag::{Code, Diagnostic, Sources, Span, Spanned, nearest},
+    diag::{Code, Diagnostic, Fix, Sources, Span, Spanned, nearest},
     limits::Ceiling,
 };
 
@@ -42,6 +42,8 @@ struct Mistake {
     span: Span,
     text: String,
     hint: Option<String>,
+    /// An edit that mends it.
+    fix: Option<Fix>,
     /// The ceiling that was crossed.
     ceiling: Option<&'static str>,
 }
@@ -52,7 +54,14 @@ pub struct Mistakes(Vec<Mistake>);
 
 impl Mistakes {
     pub(super) fn add(&mut self, code: Code, span: Span, text: String, hint: Option<String>) {
-        self.0.push(Mistake { code, span, text, hint, ceiling: None });
+        self.0.push(Mistake { code, span, text, hint, fix: None, ceiling: None });
+    }
+
+    /// The mistake that was added last is a slip for `word`.
+    fn meant(&mut self, word: Option<String>) {
+        if let (Some(last), Some(word)) = (self.0.last_mut(), word) {
+            last.fix = Some(Fix::replace(last.span, word));
+        }
     }
 
     /// Whether there are none.
@@ -74,6 +83,7 @@ impl Mistakes {
             ));
         };
         let ceiling = first.ceiling;
+        let mut fixes: Vec<Fix> = first.fix.into_iter().collect();
         let mut hints: Vec<String> = first.hint.into_iter().collect();
         let mut diagnostic = if n_mistakes == 1 {
             Diagnostic::error(first.code, first.span, format!("{called}: {}", first.text))
@@ -83,13 +93,14 @@ impl Mistakes {
         };
         for mistake in mistakes.by_ref().take(MOST_TOLD - 1) {
             diagnostic = diagnostic.also(mistake.span, mistake.text);
+            fixes.extend(mistake.fix);
             hints.extend(mistake.hint.filter(|hint| !hints.contains(hint)));
         }
         if let n_left @ 1.. = mistakes.len() {
             hints.push(format!("and {n_left} more mistakes"));
         }
         hints.push(format!("its signature is `{signature}`"));
-        (diagnostic.hints, diagnostic.ceiling) = (hints, ceiling);
+        (diagnostic.hints, diagnostic.fixes, diagnostic.ceiling) = (hints, fixes, ceiling);
         Box::new(diagnostic)
     }
 }
@@ -149,7 +160,8 @@ pub fn assign(
     // One whose name is misspelt or cut short is taken for what it stands for.
     for (n_searched, (label, value)) in unknown.into_iter().enumerate() {
         let meant = (n_searched < MOST_TOLD).then(|| meant_by(formals, &slots, &label.value));
-        let hint = match meant.flatten() {
+        let meant = meant.flatten();
+        let hint = match meant {
             Some(idx) => {
                 by_name[idx] = true;
                 slots[idx] = Some(value);
@@ -159,6 +171,7 @@ pub fn assign(
         };
         let text = format!("there is no parameter `{}`", label.value);
         mistakes.add(Code::BadCall, label.span, text, hint);
+        mistakes.meant(meant.map(|idx| formals[idx].name.to_owned()));
     }
 
     // Arguments by position fill the parameters that are still open for them.
@@ -293,7 +306,7 @@ impl<'s> Binder<'s> {
         {
             let text = format!("a list of more than {} elements", self.most);
             let (code, span, ceiling) = (Code::TooLarge, given.span, Some(Ceiling::LIST_LENGTH));
-            self.mistakes.0.push(Mistake { code, span, text, hint: None, ceiling });
+            self.mistakes.0.push(Mistake { code, span, text, hint: None, fix: None, ceiling });
             return None;
         }
         match T::from_value(&given.value, given.span) {
@@ -303,6 +316,7 @@ impl<'s> Binder<'s> {
                 let place = element_span(self.sources, given.span, &mismatch.path);
                 let hint = mismatch.hint.or_else(|| T::TYPE.remedy(&given.value));
                 self.mistakes.add(mismatch.code, place, text, hint);
+                self.mistakes.meant(mismatch.meant.map(|word| format!("\"{word}\"")));
                 None
             }
         }

@@ -24,6 +24,8 @@ pub struct Mismatch {
     pub code: Code,
     /// What to do.
     pub hint: Option<String>,
+    /// The word that should stand there instead.
+    pub meant: Option<&'static str>,
 }
 
 impl Mismatch {
@@ -41,13 +43,13 @@ impl Mismatch {
     #[must_use]
     pub fn new(wanted: impl Into<String>, found: impl Into<String>) -> Self {
         let (wanted, found) = (wanted.into(), found.into());
-        Self { wanted, found, path: Vec::new(), code: Code::WrongKind, hint: None }
+        Self { wanted, found, path: Vec::new(), code: Code::WrongKind, hint: None, meant: None }
     }
 
     /// A reason in a sentence of its own, such as an error of the kernel.
     #[must_use]
     pub fn because(reason: impl Into<String>, code: Code) -> Self {
-        Self { found: reason.into(), wanted: String::new(), path: Vec::new(), code, hint: None }
+        Self { code, ..Self::new("", reason) }
     }
 
     /// The same under another code.
@@ -131,7 +133,8 @@ impl<T: Choice> FromValue for T {
             || {
                 let mismatch = Mismatch::kind(Self::TYPE, value).code(Code::BadChoice);
                 match crate::diag::nearest(text, T::WORDS.iter().copied()) {
-                    Some(word) => mismatch.hint(format!("did you mean \"{word}\"?")),
+                    Some(word) => Mismatch { meant: Some(word), ..mismatch }
+                        .hint(format!("did you mean \"{word}\"?")),
                     None => mismatch,
                 }
             },

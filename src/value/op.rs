@@ -191,7 +191,7 @@ impl OpParameter {
         self.optional || self.default.is_some()
     }
 
-    fn signature(&self) -> String {
+    pub(crate) fn signature(&self) -> String {
         match self.default {
             Some(default) => format!("{}: {} = {}", self.name, self.ty, default()),
             None if self.optional => format!("{}: {} = none", self.name, self.ty),

@@ -6,6 +6,7 @@ mod commands;
 mod doors;
 mod golden_folders;
 mod looks;
+mod lsp;
 mod pictures;
 mod repl;
 mod safety;

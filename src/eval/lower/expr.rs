@@ -43,11 +43,11 @@ impl<'s> Lowerer<'_, 's> {
             ast::ExprKind::If(parts) => ExprKind::If(self.each(parts)),
             ast::ExprKind::Call(callee, args) => self.call(callee, args, None),
             ast::ExprKind::Pipe(sides) => self.pipe(sides),
-            ast::ExprKind::Field(subject, name) => ExprKind::Field(
-                Box::new(self.expr(subject)),
-                Arc::from(name.text),
-                self.at(name.span),
-            ),
+            ast::ExprKind::Field(subject, name) => {
+                let value = Box::new(self.expr(subject));
+                self.note_field(subject, name);
+                ExprKind::Field(value, Arc::from(name.text), self.at(name.span))
+            }
             ast::ExprKind::Lambda(names, body) => self.lambda(names, body),
         };
         Expr { kind, span }
@@ -209,6 +209,7 @@ impl<'s> Lowerer<'_, 's> {
         args: &[ast::Arg<'s>],
         piped: Option<&ast::Expr<'s>>,
     ) -> ExprKind {
+        let callee_place = called_name(callee);
         let callee = self.expr(callee);
         let mut lowered: Vec<Arg> = Vec::with_capacity(args.len() + 1);
         if let Some(piped) = piped {
@@ -219,8 +220,17 @@ impl<'s> Lowerer<'_, 's> {
             });
         }
         lowered.extend(self.args(args));
+        self.note_labels(callee_place, args);
         let is_partial = lowered.iter().any(|arg| arg.value.is_none());
         ExprKind::Call(Box::new(CallExpr { callee, args: lowered, is_partial }))
+    }
+
+    /// Notes the labels of arguments of a call of the name at this place.
+    fn note_labels(&mut self, callee: Option<Span>, args: &[ast::Arg<'s>]) {
+        let Some(callee) = callee.map(|place| self.at(place)) else { return };
+        for label in args.iter().filter_map(|arg| arg.name.as_ref()) {
+            self.noted.labels.push((callee, Arc::from(label.text), self.at(label.span)));
+        }
     }
 
     /// Arguments in order; a placeholder has no value.
@@ -276,7 +286,10 @@ impl<'s> Lowerer<'_, 's> {
             .map(|parameter| {
                 let default = parameter.default.as_ref().map(|default| self.expr(default));
                 self.bind_once(&parameter.name, 0, "parameters");
-                Parameter { name: Arc::from(parameter.name.text), default }
+                let name: Arc<str> = Arc::from(parameter.name.text);
+                let places = (self.at(function.name.span), self.at(parameter.name.span));
+                self.noted.parameters.push((places.0, Arc::clone(&name), places.1));
+                Parameter { name, default }
             })
             .collect();
         let body = self.expr(&function.body);
@@ -292,6 +305,16 @@ impl<'s> Lowerer<'_, 's> {
             }
             _ => None,
         }
+    }
+}
+
+/// The place of the name that is called.
+fn called_name(callee: &ast::Expr<'_>) -> Option<Span> {
+    match &callee.kind {
+        ast::ExprKind::Name(_) => Some(callee.span),
+        ast::ExprKind::Field(_, name) => Some(name.span),
+        ast::ExprKind::Group(inner) => called_name(inner),
+        _ => None,
     }
 }
 

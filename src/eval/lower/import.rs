@@ -46,14 +46,16 @@ impl<'s> Lowerer<'_, 's> {
         Some(ast::Name { text: stem, span: Span::new(start, start + stem.len() as u32) })
     }
 
+    /// What an import stands for; it is missing where its file could not be had, which was told.
+    pub(super) fn imported(&self, import: &Import<'s>) -> Option<&'s Imported> {
+        let imports = self.origin.imports;
+        let at = imports.binary_search_by_key(&import.path.span.start, |(start, _)| *start).ok()?;
+        imports[at].1.as_ref()
+    }
+
     /// Lowers an import.
     pub(super) fn import(&mut self, import: &Import<'s>, definitions: &mut Vec<Definition>) {
-        let imports = self.origin.imports;
-        // It is missing where its file could not be had, which was told.
-        let imported = imports
-            .binary_search_by_key(&import.path.span.start, |(start, _)| *start)
-            .ok()
-            .and_then(|at| imports[at].1.as_ref());
+        let imported = self.imported(import);
         let span = self.at(import.path.span);
         if !matches!(import.path.kind, ast::ExprKind::Text(_)) {
             self.report(
@@ -66,6 +68,9 @@ impl<'s> Lowerer<'_, 's> {
             );
         }
         let with = self.args(&import.with);
+        if let Some(imported) = imported {
+            self.note_import(import, imported);
+        }
         let whole = match imported {
             Some(imported) => Expr { kind: ExprKind::Import(imported.file, with), span },
             None => self.poison(span),
@@ -94,10 +99,38 @@ impl<'s> Lowerer<'_, 's> {
         }
     }
 
+    /// Notes what the names of an import mean in its file.
+    fn note_import(&mut self, import: &Import<'s>, imported: &Imported) {
+        let defined = |name: &str| {
+            imported.names.iter().find(|(known, _)| **known == *name).map(|&(_, place)| place)
+        };
+        let labels = import.with.iter().filter_map(|arg| arg.name.as_ref());
+        for name in import.names.iter().flatten().chain(labels) {
+            if let Some(place) = defined(name.text) {
+                self.noted.uses.push((self.at(name.span), place));
+            }
+        }
+        self.noted.imports.push((self.at(import.path.span), imported.path.clone()));
+    }
+
+    /// Notes what `name` means behind the name of an import and a dot.
+    pub(super) fn note_field(&mut self, subject: &ast::Expr<'s>, name: &ast::Name<'s>) {
+        let ast::ExprKind::Name(import) = subject.kind else { return };
+        let Some(&imported) = self.imports.get(import) else { return };
+        let is_import = self.global(import).map(|(_, place)| place) == Some(imported.1)
+            && self.noted.uses.last() == Some(&(self.at(subject.span), imported.1));
+        let named = imported.0.names.iter().find(|(known, _)| **known == *name.text);
+        if let Some((_, place)) = named.filter(|_| is_import) {
+            self.noted.uses.push((self.at(name.span), *place));
+        }
+    }
+
     /// Whether a file shows a name that an import lists.
     fn check_listed(&mut self, name: &ast::Name<'s>, imported: &Imported) {
         let place = self.at(name.span);
-        if name.text.starts_with('_') && imported.names.iter().any(|known| **known == *name.text) {
+        if name.text.starts_with('_')
+            && imported.names.iter().any(|(known, _)| **known == *name.text)
+        {
             let message = format!("`{}` is private to `{}`", name.text, imported.path);
             self.report(
                 Diagnostic::error(Code::Private, place, message)
@@ -105,14 +138,15 @@ impl<'s> Lowerer<'_, 's> {
             );
             return;
         }
-        let shown = imported.names.iter().map(|name| &**name).filter(|name| !name.starts_with('_'));
+        let shown =
+            imported.names.iter().map(|(name, _)| &**name).filter(|name| !name.starts_with('_'));
         if shown.clone().any(|known| known == name.text) {
             return;
         }
         let message = format!("`{}` defines no `{}`", imported.path, name.text);
         let diagnostic = Diagnostic::error(Code::UnknownName, place, message);
         self.report(match nearest(name.text, shown.clone()) {
-            Some(near) => diagnostic.label(format!("did you mean `{near}`?")),
+            Some(near) => diagnostic.meant(near),
             None => match listed(shown) {
                 Some(names) => diagnostic.hint(format!("it defines {names}")),
                 None => diagnostic.hint("it defines nothing that other files see"),

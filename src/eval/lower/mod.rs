@@ -18,7 +18,10 @@ use std::{
 
 use scope::Scopes;
 
-use super::ir::{CaptureSource, Expr, ExprKind, Program};
+use super::{
+    ir::{CaptureSource, Expr, ExprKind, Program},
+    name_uses::NotedNames,
+};
 use crate::{
     diag::{Code, Diagnostic, Severity, Span, nearest},
     kernel::Tolerance,
@@ -30,6 +33,7 @@ use crate::{
 pub(crate) struct Lowered {
     pub(crate) program: Program,
     pub(crate) diagnostics: Vec<Diagnostic>,
+    pub(super) noted: NotedNames,
 }
 
 /// What is known of a text besides its tree.
@@ -54,8 +58,8 @@ pub(crate) struct Imported {
     pub(crate) file: usize,
     /// Its path.
     pub(crate) path: String,
-    /// The names that it defines, private ones included.
-    pub(crate) names: Vec<Arc<str>>,
+    /// The names that it defines with their places, private ones included.
+    pub(crate) names: Vec<(Arc<str>, Span)>,
 }
 
 /// The places of syntax errors among findings, in order.
@@ -86,12 +90,14 @@ pub(crate) fn lower<'s>(
         dependencies: BTreeSet::new(),
         n_unknown: 0,
         is_poisoned: false,
+        noted: NotedNames::default(),
+        imports: BTreeMap::new(),
         diagnostics: Vec::new(),
     };
     lowerer.header(&tree.statements);
     let mut program = lowerer.program(&tree.statements);
     program.tests = lowerer.tests(&tree.statements, program.definitions.len());
-    Lowered { program, diagnostics: lowerer.diagnostics }
+    Lowered { program, diagnostics: lowerer.diagnostics, noted: lowerer.noted }
 }
 
 /// Unknown names for which the nearest known one is looked for: more than anybody reads, and few
@@ -119,6 +125,10 @@ struct Lowerer<'a, 's> {
     n_unknown: usize,
     /// Whether a mistake was found in the definition under way.
     is_poisoned: bool,
+    /// What names mean, as places.
+    noted: NotedNames,
+    /// Names that stand for whole files, with their places.
+    imports: BTreeMap<&'s str, (&'s Imported, Span)>,
     diagnostics: Vec<Diagnostic>,
 }
 
@@ -202,7 +212,8 @@ impl<'s> Lowerer<'_, 's> {
     /// What a name means at this place.
     fn resolve(&mut self, name: &'s str, local_span: Span) -> Expr {
         let span = self.at(local_span);
-        if let Some((source, _)) = self.scopes.find(name) {
+        if let Some((source, defined)) = self.scopes.find(name) {
+            self.noted.uses.push((span, defined));
             let kind = match source {
                 CaptureSource::Local(slot) => ExprKind::Local(slot),
                 CaptureSource::Captured(idx) => ExprKind::Captured(idx),
@@ -210,7 +221,8 @@ impl<'s> Lowerer<'_, 's> {
             };
             return Expr { kind, span };
         }
-        if let Some((idx, _)) = self.global(name) {
+        if let Some((idx, defined)) = self.global(name) {
+            self.noted.uses.push((span, defined));
             self.dependencies.insert(idx);
             return Expr { kind: ExprKind::Global(idx), span };
         }
@@ -252,7 +264,7 @@ impl<'s> Lowerer<'_, 's> {
                     span,
                     format!("nothing is called `{name}`"),
                 )
-                .label(format!("did you mean `{near}`?"));
+                .meant(near);
                 if let Some(defined) = defined {
                     diagnostic = diagnostic.also(defined, format!("`{near}` is defined here"));
                 }

@@ -88,7 +88,7 @@ impl<'s> Lowerer<'_, 's> {
                 let diagnostic = Diagnostic::error(Code::UnknownUnit, self.at(name.span), message);
                 let list = format!("units of length are {}", names.join(", "));
                 self.report(match nearest(name.text, names.iter().copied()) {
-                    Some(near) => diagnostic.label(format!("did you mean `{near}`?")).hint(list),
+                    Some(near) => diagnostic.meant(near).hint(list),
                     None => diagnostic.hint(list),
                 });
             }
@@ -168,6 +168,11 @@ impl<'s> Lowerer<'_, 's> {
             StatementKind::Function(function) => vec![function.name],
             StatementKind::Import(import) => {
                 let names = self.import_names(import);
+                if let (None, [name], Some(imported)) =
+                    (&import.names, &names[..], self.imported(import))
+                {
+                    self.imports.insert(name.text, (imported, self.at(name.span)));
+                }
                 // The whole comes first, and stands also where no name could be found.
                 *next += usize::from(import.names.is_some() || names.is_empty());
                 names
@@ -239,7 +244,7 @@ impl<'s> Lowerer<'_, 's> {
                 let diagnostic = Diagnostic::error(Code::WrongKind, self.at(name.span), message)
                     .hint(format!("kinds of parameters are {}", words.join(", ")));
                 self.report(match nearest(name.text, words.iter().copied()) {
-                    Some(near) => diagnostic.label(format!("did you mean `{near}`?")),
+                    Some(near) => diagnostic.meant(near),
                     None => diagnostic,
                 });
             }

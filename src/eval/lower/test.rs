@@ -9,7 +9,7 @@ use super::{
     Lowerer,
 };
 use crate::{
-    diag::{Code, Diagnostic, RETIRED, Severity, Span, nearest},
+    diag::{Code, Diagnostic, Fix, RETIRED, Severity, Span, nearest},
     syntax::ast::{self, Statement, StatementKind},
 };
 
@@ -118,7 +118,9 @@ fn unknown_code(id: &str, place: Span) -> Diagnostic {
     };
     let diagnostic = Diagnostic::error(Code::UnknownCode, place, message);
     match near {
-        Some(near) => diagnostic.label(format!("did you mean \"{near}\"?")),
+        Some(near) => diagnostic
+            .label(format!("did you mean \"{near}\"?"))
+            .fix(Fix::replace(place, format!("\"{near}\""))),
         None => diagnostic.hint("`virote explain` lists the codes"),
     }
 }

@@ -5,7 +5,7 @@
 //! their brace; if that is missing, at the first statement that is not indented further than the
 //! line on which the brace was opened.
 
-use crate::diag::{Code, Diagnostic};
+use crate::diag::{Code, Diagnostic, Fix};
 use crate::limits::Limits;
 use crate::syntax::lexed::Lexed;
 use crate::syntax::token::Token;
@@ -150,7 +150,8 @@ impl BracketPairing<'_, '_> {
         if !self.is_crossed {
             let message = format!("{} closes nothing", self.lexed.tokens[at].shown());
             let diagnostic = Diagnostic::error(Code::StrayBracket, self.lexed.span(at), message);
-            self.tell(diagnostic.label("no bracket is open here"));
+            let fix = Fix::remove(self.lexed.span(at), self.lexed.text(at));
+            self.tell(diagnostic.label("no bracket is open here").fix(fix));
         }
         self.spoil(at, at + 1);
     }
@@ -163,7 +164,8 @@ impl BracketPairing<'_, '_> {
             let message = format!("{} does not close {}", closing.shown(), opening.shown());
             let diagnostic = Diagnostic::error(Code::StrayBracket, self.lexed.span(at), message)
                 .label(format!("expected {} before this", counterpart(opening).shown()))
-                .also(self.lexed.span(open.at), "opened here");
+                .also(self.lexed.span(open.at), "opened here")
+                .fix(Fix::replace(self.lexed.span(at), counterpart(opening).text()));
             self.tell(diagnostic);
         }
         self.is_crossed = true;
@@ -178,7 +180,7 @@ impl BracketPairing<'_, '_> {
         };
         let (start, innermost) = (outermost.at, innermost.at);
         if !self.is_crossed {
-            self.unclosed(innermost, end, why);
+            self.unclosed(first, innermost, end, why);
         }
         self.spoil(start, end);
         self.open.truncate(first);
@@ -192,11 +194,22 @@ impl BracketPairing<'_, '_> {
         self.spoilt.push((start, end));
     }
 
-    fn unclosed(&mut self, open: usize, end: usize, why: &str) {
+    /// Tells of the bracket at token `open`, the innermost before token `end`, of those from number
+    /// `first` on.
+    fn unclosed(&mut self, first: usize, open: usize, end: usize, why: &str) {
         let message = format!("{} is never closed", self.lexed.tokens[open].anywhere().shown());
         let place = self.lexed.span(open);
         let diagnostic =
             Diagnostic::error(Code::UnclosedBracket, place, message).label("opened here");
+        let unclosed = self.open[first..].iter().rev().filter(|open| open.at < end);
+        let closing: Vec<Token> =
+            unclosed.map(|open| counterpart(self.lexed.tokens[open.at])).collect();
+        let diagnostic = if closing.contains(&Token::TextTail) {
+            diagnostic
+        } else {
+            let text: String = closing.iter().map(|token| token.text()).collect();
+            diagnostic.fix(Fix::insert(self.lexed.gap(end), text))
+        };
         let is_end = self.lexed.token(end) == Token::End;
         let end = self.lexed.span(end);
         self.tell(if is_end { diagnostic } else { diagnostic.also(end, why) });
@@ -209,7 +222,7 @@ impl BracketPairing<'_, '_> {
         let end = outermost.wall.unwrap_or(self.lexed.tokens.len() - 1);
         let innermost = self.open.iter().rev().find(|open| open.at < end).map_or(start, |o| o.at);
         if !self.is_crossed {
-            self.unclosed(innermost, end, "this statement seems to stand outside of it");
+            self.unclosed(0, innermost, end, "this statement seems to stand outside of it");
         }
         self.spoil(start, end);
         self.open.clear();

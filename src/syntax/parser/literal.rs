@@ -3,7 +3,7 @@
 use super::expression::take_expression;
 use super::input::{Input, Parsed, complain, expected, here, peek, since};
 use super::problem::ExpectedTokens;
-use crate::diag::{self, Code, Diagnostic, Span, nearest};
+use crate::diag::{self, Code, Diagnostic, Fix, Span, nearest};
 use crate::syntax::ast::{Expr, ExprKind, Piece, TextFormat, Unit};
 use crate::syntax::token::Token;
 
@@ -79,14 +79,20 @@ fn unknown_unit(digits: &str, suffix: &str, span: Span) -> Diagnostic {
     let known = || ["mm"].into_iter().chain(Unit::ALL.iter().map(|&(name, _)| name));
     let is_constant = matches!(suffix, "pi" | "tau" | "π");
     match by_habit(suffix).or_else(|| (!is_constant).then(|| nearest(suffix, known())).flatten()) {
-        Some(unit) => diagnostic.hint(format!("did you mean `{digits}{unit}`?")),
+        Some(unit) => diagnostic
+            .hint(format!("did you mean `{digits}{unit}`?"))
+            .fix(Fix::replace(span, format!("{digits}{unit}"))),
         None if is_constant => {
             let constant = if suffix == "π" { "pi" } else { suffix };
-            diagnostic.hint(format!("a product is written `{digits} * {constant}`"))
+            diagnostic
+                .hint(format!("a product is written `{digits} * {constant}`"))
+                .fix(Fix::replace(span, format!("{digits} * {constant}")))
         }
-        None => diagnostic.hint(format!(
-            "lengths take `um mm cm m km in ft`, angles `deg rad turn`; a product is written `{digits} * {suffix}`"
-        )),
+        None => diagnostic
+            .hint(format!(
+                "lengths take `um mm cm m km in ft`, angles `deg rad turn`; a product is written `{digits} * {suffix}`"
+            ))
+            .fix(Fix::replace(span, format!("{digits} * {suffix}"))),
     }
 }
 
@@ -124,7 +130,9 @@ pub(super) fn check_document_unit(name: &str, span: Span) -> Option<Diagnostic> 
                 .filter(|habit| lengths().any(|(known, _)| known == habit))
                 .or_else(|| nearest(name, lengths().map(|&(known, _)| known)));
             Some(match habit {
-                Some(known) => diagnostic.hint(format!("did you mean `{known}`?")),
+                Some(known) => diagnostic
+                    .hint(format!("did you mean `{known}`?"))
+                    .fix(Fix::replace(span, known)),
                 None => diagnostic.hint("lengths take `um mm cm m km in ft`"),
             })
         }

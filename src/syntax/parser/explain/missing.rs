@@ -2,7 +2,7 @@
 
 use super::statement::unit;
 use super::{ExpectedTokens, FailurePlace};
-use crate::diag::{Code, Diagnostic};
+use crate::diag::{Code, Diagnostic, Fix};
 use crate::syntax::ast::Unit;
 use crate::syntax::token::Token;
 
@@ -126,7 +126,9 @@ pub(super) const NO_STEP: &str =
 /// `unit = mm`
 fn takes_no_equals(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let keyword = place.script.text(place.at - 1);
-    place.wrong(format!("`{keyword}` takes no `=`")).label("drop this")
+    let diagnostic = place.wrong(format!("`{keyword}` takes no `=`")).label("drop this");
+    let span = diagnostic.primary.span;
+    diagnostic.fix(Fix::remove(span, "="))
 }
 
 fn is_text_start(token: Token) -> bool {
@@ -164,7 +166,7 @@ fn text(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
             "`import` reads another script, `import \"part.geo\"`; what is built in, such as `sqrt` and `pi`, needs no import",
         ));
     }
-    Some(diagnostic.label(format!("did you mean `\"{text}\"`?")))
+    Some(diagnostic.meant(&format!("\"{text}\"")))
 }
 
 fn value(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
@@ -195,8 +197,12 @@ fn equals(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
             "a parameter has a default, for whoever runs the script to replace: `param {} = 10mm`",
             place.script.text(place.start + 1)
         )),
-        _ if keyword == Token::Let => {
-            place.expected("`=`").hint("a definition has a value: `let a = 10mm`")
+        found if keyword == Token::Let => {
+            let told = place.expected("`=`").hint("a definition has a value: `let a = 10mm`");
+            if !found.begins_expression() || place.is_missing() {
+                return Some(told);
+            }
+            told.fix(Fix::insert(place.script.gap(place.at), " ="))
         }
         _ => return None,
     })
@@ -212,15 +218,14 @@ fn hyphen(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let end = (place.at..script.tokens.len()).find(|at| !is_part(at)).unwrap_or(place.at);
     let span = script.place(place.at - 1, end);
     let meant = script.source[span.range()].replace('-', "_");
-    Diagnostic::error(Code::Syntax, span, "a name holds letters, digits and `_`")
-        .label(format!("did you mean `{meant}`?"))
+    Diagnostic::error(Code::Syntax, span, "a name holds letters, digits and `_`").meant(&meant)
 }
 
 fn choice(place: &FailurePlace<'_, '_, '_>, expected: ExpectedTokens) -> Diagnostic {
     let want = expected.words();
     let word = want.trim_matches('`');
     if place.found() == Token::Equals && word == "then" {
-        return place.wrong("`=` does not compare").label("did you mean `==`?");
+        return place.wrong("`=` does not compare").meant("==");
     }
     if place.slip([word]).is_some() {
         return place.guess(&want, word);
@@ -264,7 +269,8 @@ fn to(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {
                 place.script.gap(place.at),
                 "expected `to`, found a string",
             )
-            .label("expected `to` after this"),
+            .label("expected `to` after this")
+            .fix(Fix::insert(place.script.gap(place.at), " to")),
         ),
         _ => Some(place.expected("`to`").hint("write `export s to \"hull.obj\"`")),
     }
@@ -307,7 +313,7 @@ fn list(place: &FailurePlace<'_, '_, '_>, expected: ExpectedTokens) -> Option<Di
         Token::Semicolon => place.guess(&expected.words(), ","),
         Token::For => plain().hint("a comprehension is written `[for x in xs: x^2]`"),
         Token::Equals if place.before() == Token::Name => {
-            place.wrong("`=` does not compare").label("did you mean `==`?")
+            place.wrong("`=` does not compare").meant("==")
         }
         Token::Equals => {
             plain().hint("comparisons are `==`; an argument is written `name = value`")

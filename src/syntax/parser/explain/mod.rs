@@ -138,8 +138,7 @@ impl<'s> FailurePlace<'_, '_, 's> {
     /// The usual complaint with a guess at what is meant.
     fn guess(&self, want: &str, meant: &str) -> Diagnostic {
         let message = format!("expected {want}, found {}", self.shown());
-        Diagnostic::error(Code::Syntax, self.script.span(self.at), message)
-            .label(format!("did you mean `{meant}`?"))
+        Diagnostic::error(Code::Syntax, self.script.span(self.at), message).meant(meant)
     }
 
     /// A complaint about what was found.

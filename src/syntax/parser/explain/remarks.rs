@@ -1,7 +1,7 @@
 //! Findings that do not stop the grammar: it knows what is meant and goes on.
 
 use super::missing::NO_STEP;
-use crate::diag::{Code, Diagnostic, Span};
+use crate::diag::{Code, Diagnostic, Fix, Span};
 use crate::syntax::ast::Name;
 use crate::syntax::parser::body::StatementContext;
 use crate::syntax::parser::input::{Input, ParsedScript, here};
@@ -25,12 +25,15 @@ pub(crate) fn chain(
     }
     let text = |from: usize, to: usize| &script.source[script.place(from, to).range()];
     let whole = text(start, end);
+    let meant = format!("{} and {}", text(start, second), text(first + 1, end));
     let hint = if whole.len() <= QUOTED && !whole.contains('\n') {
-        format!("write `{} and {}`", text(start, second), text(first + 1, end))
+        format!("write `{meant}`")
     } else {
         "write `a < b and b < c`".to_owned()
     };
-    diagnostic.label("second comparison").hint(hint)
+    let fix =
+        Fix { title: "compare twice".to_owned(), edits: vec![(script.place(start, end), meant)] };
+    diagnostic.label("second comparison").hint(hint).fix(fix)
 }
 
 /// `[a b]`: no comma before token `at`.
@@ -44,7 +47,7 @@ pub(crate) fn missing_comma(script: &ParsedScript<'_, '_>, at: usize) -> Diagnos
     };
     match hint {
         Some(hint) => diagnostic.hint(hint),
-        None => diagnostic,
+        None => diagnostic.fix(Fix::insert(script.gap(at), ",")),
     }
 }
 
@@ -66,6 +69,7 @@ pub(crate) fn colon_in_call(script: &ParsedScript<'_, '_>, label: usize) -> Diag
     let message = "an argument is written `name = value`";
     Diagnostic::error(Code::Syntax, script.span(label + 1), message)
         .label(format!("did you mean `{} = ...`?", script.text(label)))
+        .fix(Fix::replace(script.span(label + 1), " ="))
 }
 
 /// `{label = value}`
@@ -77,6 +81,10 @@ pub(crate) fn equals_in_record(
     let message = "a field of a record is written `name: value`";
     Diagnostic::error(Code::Syntax, script.span(at), message)
         .label(format!("did you mean `{}: ...`?", label.text))
+        .fix(Fix {
+            title: "write `:`".to_owned(),
+            edits: vec![(Span::new(label.span.end, script.span(at).end), ":".to_owned())],
+        })
 }
 
 /// `{"label": value}`
@@ -87,6 +95,7 @@ pub(crate) fn quoted_label(input: &mut Input<'_, '_, '_>) -> Diagnostic {
     let message = "the label of a record stands without quotes";
     Diagnostic::error(Code::Syntax, script.span(at), message)
         .label(format!("did you mean `{text}:`?"))
+        .fix(Fix::replace(script.span(at), text))
 }
 
 /// A parenthesis with none or with more than three parts.

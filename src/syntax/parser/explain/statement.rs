@@ -1,7 +1,7 @@
 //! What people write where a statement should begin, and what they write behind one.
 
 use super::FailurePlace;
-use crate::diag::{Code, Diagnostic};
+use crate::diag::{Code, Diagnostic, Fix, Span};
 use crate::syntax::ast::Unit;
 use crate::syntax::parser::input::ParsedScript;
 use crate::syntax::token::Token;
@@ -61,11 +61,15 @@ fn name(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let text = place.text();
     let diagnostic = place.wrong(format!("`{text}` does not begin a statement"));
     let guess = |keyword: &str| format!("did you mean `{keyword}`?");
+    let before = place.script.span(place.at);
+    let before = Span::new(before.start, before.start);
     if matches!(place.next(), Token::Equals) {
-        return diagnostic.label(guess(&format!("let {text} = ...")));
+        return diagnostic
+            .label(guess(&format!("let {text} = ...")))
+            .fix(Fix::insert(before, "let "));
     }
     if let Some((_, keyword)) = HABITS.iter().find(|(habit, _)| *habit == text) {
-        return diagnostic.label(guess(keyword));
+        return diagnostic.meant(keyword);
     }
     match text {
         "while" => return diagnostic.hint("there are no loops; write `[for i in 0..3: ...]`"),
@@ -77,9 +81,11 @@ fn name(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let is_statement = follows.begins_expression() && follows != Token::OpenParen;
     let keywords = Token::STATEMENTS.iter().map(|keyword| keyword.text());
     match place.slip(keywords) {
-        Some(keyword) if is_statement => diagnostic.label(guess(keyword)),
+        Some(keyword) if is_statement => diagnostic.meant(keyword),
         _ if follows == Token::OpenParen && defines_function(place) => {
-            diagnostic.label(guess(&format!("fn {text}(...) = ...")))
+            diagnostic
+                .label(guess(&format!("fn {text}(...) = ...")))
+                .fix(Fix::insert(before, "fn "))
         }
         _ if matches!(follows, Token::OpenParen | Token::Dot | Token::OpenBracket) => {
             lone_expression(place)
@@ -119,7 +125,7 @@ pub(crate) fn trailing(
     let (keyword, before) = (script.token(start), place.before());
     Some(match place.found() {
         Token::Bad => return None,
-        Token::Equals => place.wrong("`=` does not compare").label("did you mean `==`?"),
+        Token::Equals => place.wrong("`=` does not compare").meant("=="),
         Token::Name if before == Token::Number && is_unit(place.text()) => unit(&place),
         Token::Name | Token::Text | Token::Number
             if keyword.begins_definition() && at == start + 2 =>
@@ -180,7 +186,9 @@ fn side_by_side(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
             diagnostic.hint("what is printed or exported is separated by commas: `print a, b`; texts join as `\"{a}{b}\"`")
         }
         Token::Name | Token::Number | Token::OpenBrace if before.ends_expression() => {
-            diagnostic.hint("a product is written `a * b`, a call `f(x)`, a list `[a, b]`")
+            diagnostic
+                .hint("a product is written `a * b`, a call `f(x)`, a list `[a, b]`")
+                .fix(Fix::insert(place.script.gap(place.at), " *"))
         }
         _ => diagnostic,
     }
@@ -205,7 +213,7 @@ pub(super) fn unit(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let (number, unit) = (place.script.text(place.at - 1), place.text());
     let span = place.script.place(place.at - 1, place.at + 1);
     Diagnostic::error(Code::Syntax, span, "a unit is glued to its number")
-        .label(format!("did you mean `{number}{unit}`?"))
+        .meant(&format!("{number}{unit}"))
 }
 
 /// `curve c bezier(...)`
@@ -214,6 +222,7 @@ fn missing_equals(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let message = format!("expected `=`, found {}", place.shown());
     Diagnostic::error(Code::Syntax, place.script.gap(place.at), message)
         .label(format!("did you mean `{} {name} = ...`?", place.script.text(place.start)))
+        .fix(Fix::insert(place.script.gap(place.at), " ="))
 }
 
 /// `2(x + 1)`, `(1, 2)(3, 4)`
@@ -221,9 +230,9 @@ fn call_of_literal(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let message = "a value like this cannot be called";
     let diagnostic = Diagnostic::error(Code::Syntax, place.script.gap(place.at), message);
     match place.before() {
-        Token::Number => {
-            diagnostic.label(format!("did you mean `{}*(...)`?", place.script.text(place.at - 1)))
-        }
+        Token::Number => diagnostic
+            .label(format!("did you mean `{}*(...)`?", place.script.text(place.at - 1)))
+            .fix(Fix::insert(place.script.gap(place.at), " * ")),
         _ => diagnostic.label("is an operator or a `,` missing after this?"),
     }
 }
@@ -234,7 +243,10 @@ fn several(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let is_decimal = place.before() == Token::Number && place.next() == Token::Number;
     if is_decimal && place.is_glued() && place.is_next_glued() {
         let [whole, fraction] = [place.at - 1, place.at + 1].map(|at| place.script.text(at));
-        return diagnostic.hint(format!("the decimal sign is a point: `{whole}.{fraction}`"));
+        let fix = Fix::replace(place.script.span(place.at), ".");
+        return diagnostic
+            .hint(format!("the decimal sign is a point: `{whole}.{fraction}`"))
+            .fix(fix);
     }
     if place.script.token(place.start).begins_definition() {
         return diagnostic.hint("several values form a list `[a, b]` or a point `(a, b)`");

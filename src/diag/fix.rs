@@ -1,0 +1,48 @@
+//! Hints as edits: what an editor can carry out at one press.
+
+use super::{Diagnostic, Span};
+
+/// An edit that would mend a finding, or a good part of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fix {
+    /// What it does, in the imperative: "write `bezier`".
+    pub title: String,
+    /// The places and what stands there afterwards, none inside of another.
+    pub edits: Vec<(Span, String)>,
+}
+
+impl Fix {
+    /// `text` in the place of `span`.
+    pub fn replace(span: Span, text: impl Into<String>) -> Self {
+        let text = text.into();
+        Self { title: format!("write `{}`", text.trim()), edits: vec![(span, text)] }
+    }
+
+    /// `text` at `span`, which is empty.
+    pub fn insert(span: Span, text: impl Into<String>) -> Self {
+        let text = text.into();
+        Self { title: format!("insert `{}`", text.trim()), edits: vec![(span, text)] }
+    }
+
+    /// Nothing in the place of `span`.
+    #[must_use]
+    pub fn remove(span: Span, what: &str) -> Self {
+        Self { title: format!("remove `{what}`"), edits: vec![(span, String::new())] }
+    }
+}
+
+impl Diagnostic {
+    /// The culprit is a slip for `word`.
+    #[must_use]
+    pub fn meant(self, word: &str) -> Self {
+        let fix = Fix::replace(self.primary.span, word);
+        self.label(format!("did you mean `{word}`?")).fix(fix)
+    }
+
+    /// An edit that mends it.
+    #[must_use]
+    pub fn fix(mut self, fix: Fix) -> Self {
+        self.fixes.push(fix);
+        self
+    }
+}

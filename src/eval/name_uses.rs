@@ -1,0 +1,106 @@
+//! Which name means which definition, as places: for whoever looks things up or renames them.
+
+use std::{collections::BTreeMap, sync::Arc};
+
+use super::{load::load, settings::Settings};
+use crate::diag::{Diagnostic, Sources, Span};
+
+/// What the names of a script and of the files that it imports mean. Nothing is evaluated.
+#[derive(Debug, Default)]
+pub struct NameUses {
+    /// Each use of a name with the place where the name is defined, in order. A name that an import
+    /// lists is a use of the other file's, and the definition of those in this one.
+    pub uses: Vec<(Span, Span)>,
+    /// Each import's path with the path of the file, relative to the script's folder.
+    pub imports: Vec<(Span, String)>,
+    /// What is wrong with the texts or their names.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+impl NameUses {
+    /// Where the name at a place is defined in the first place; the place itself where it defines the
+    /// name.
+    #[must_use]
+    pub fn origin(&self, place: Span) -> Span {
+        let mut at = place;
+        // An import that lists a name of an import that lists it: files make no circle.
+        while let Some(target) = self.target(at) {
+            if target == at {
+                break;
+            }
+            at = target;
+        }
+        at
+    }
+
+    /// The place that a use at exactly this place means.
+    #[must_use]
+    pub fn target(&self, place: Span) -> Option<Span> {
+        let idx = self.uses.binary_search_by_key(&place, |&(place, _)| place).ok()?;
+        Some(self.uses[idx].1)
+    }
+}
+
+/// What lowering notes of the names of a file.
+#[derive(Debug, Default)]
+pub(super) struct NotedNames {
+    /// Uses with the places of their definitions.
+    pub(super) uses: Vec<(Span, Span)>,
+    /// The parameters of functions: the place of the function's name, the parameter, its place.
+    pub(super) parameters: Vec<(Span, Arc<str>, Span)>,
+    /// Labels of arguments: the place of the called name, the label, its place.
+    pub(super) labels: Vec<(Span, Arc<str>, Span)>,
+    /// Paths of imports, and what they stand for.
+    pub(super) imports: Vec<(Span, String)>,
+}
+
+impl NotedNames {
+    /// Takes in those of another file.
+    pub(super) fn append(&mut self, mut other: Self) {
+        self.uses.append(&mut other.uses);
+        self.parameters.append(&mut other.parameters);
+        self.labels.append(&mut other.labels);
+        self.imports.append(&mut other.imports);
+    }
+
+    fn finish(mut self, diagnostics: Vec<Diagnostic>) -> NameUses {
+        self.uses.sort_unstable();
+        self.uses.dedup_by_key(|(place, _)| *place);
+        let mut found = NameUses { uses: self.uses, imports: self.imports, diagnostics };
+        let parameters: BTreeMap<(Span, &str), Span> = self
+            .parameters
+            .iter()
+            .rev()
+            .map(|(function, name, place)| ((*function, &**name), *place))
+            .collect();
+        let labels: Vec<(Span, Span)> = self
+            .labels
+            .iter()
+            .filter_map(|(callee, label, place)| {
+                let target = parameters.get(&(found.origin(*callee), &**label))?;
+                Some((*place, *target))
+            })
+            .collect();
+        found.uses.extend(labels);
+        found.uses.sort_unstable();
+        found
+    }
+}
+
+/// The uses of names in the script `text`, which messages call `name`, and in what it imports.
+#[must_use]
+pub fn name_uses(
+    name: &str,
+    text: &str,
+    sources: &mut Sources,
+    settings: Settings<'_>,
+) -> NameUses {
+    let loaded = load(name, text, sources, settings);
+    let mut noted = loaded.noted;
+    let mut diagnostics = loaded.diagnostics;
+    let mut library = loaded.library;
+    noted.append(library.take_noted());
+    diagnostics.extend(library.take_findings());
+    super::in_order(&mut diagnostics);
+    noted.finish(diagnostics)
+}

@@ -1,0 +1,341 @@
+//! What could stand at a place: names with their values, labels not yet given, words, fields, files, units.
+
+use std::{collections::BTreeSet, ops::Range};
+
+use super::{DefinedName, Document, NameRole, Outline, Values, hover};
+use crate::{
+    docs, eval,
+    session::Session,
+    syntax::{self, CompletionPlace, Highlight, KEYWORDS},
+    value::{Op, Registry, Value, field_names},
+};
+
+/// What a completion is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum CompletionKind {
+    /// A label of an argument that is not given yet.
+    Label,
+    /// A member of what stands before the dot.
+    Field,
+    /// A word that an option takes.
+    Choice,
+    /// A file or folder.
+    File,
+    /// A unit.
+    Unit,
+    /// A name that a function, a comprehension or a block defines around the place.
+    Local,
+    /// A definition of the file.
+    Definition,
+    /// A function of the script.
+    Function,
+    /// An imported file.
+    Import,
+    /// A built-in operation.
+    BuiltIn,
+    /// A built-in value.
+    Constant,
+    /// A word of the language.
+    Keyword,
+}
+
+/// Something that could stand at a place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Completion {
+    /// What it is called.
+    pub label: String,
+    /// What it is, in a few words.
+    pub detail: String,
+    /// What it does, as Markdown.
+    pub docs: String,
+    /// What it is.
+    pub kind: CompletionKind,
+    /// What is replaced.
+    pub range: Range<usize>,
+    /// What stands there afterwards.
+    pub insert: String,
+    /// The same with places to fill in, as `name(${1:a}, ${2:b})`, where there are some.
+    pub snippet: Option<String>,
+}
+
+/// A file or folder of a folder.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FolderEntry {
+    /// Its name.
+    pub name: String,
+    /// Whether it is a folder.
+    pub is_folder: bool,
+}
+
+impl Completion {
+    pub(super) fn new(
+        label: impl Into<String>,
+        kind: CompletionKind,
+        range: &Range<usize>,
+    ) -> Self {
+        let label = label.into();
+        Self {
+            insert: label.clone(),
+            label,
+            detail: String::new(),
+            docs: String::new(),
+            kind,
+            range: range.clone(),
+            snippet: None,
+        }
+    }
+
+    pub(super) fn detail(self, detail: impl Into<String>) -> Self {
+        Self { detail: detail.into(), ..self }
+    }
+
+    pub(super) fn docs(self, docs: impl Into<String>) -> Self {
+        Self { docs: docs.into(), ..self }
+    }
+}
+
+/// What completion looks at.
+pub(super) struct CompletionSpot<'a> {
+    pub(super) document: &'a Document,
+    pub(super) registry: &'a Registry,
+    pub(super) values: Option<&'a Values>,
+    pub(super) at: usize,
+}
+
+impl Document {
+    /// What could stand at a byte; `list` gives the entries of a folder, relative to that of the text.
+    #[must_use]
+    pub fn completions(
+        &self,
+        session: &Session,
+        values: Option<&Values>,
+        list: &dyn Fn(&str) -> Vec<FolderEntry>,
+        at: usize,
+    ) -> Vec<Completion> {
+        let at = self.text.floor_char_boundary(at.min(self.text.len()));
+        let place = CompletionSpot { document: self, registry: session.registry(), values, at };
+        let mut found = place.all(list);
+        found.sort_by(|a, b| (a.kind, &a.label).cmp(&(b.kind, &b.label)));
+        found.dedup_by(|b, a| a.label == b.label);
+        found
+    }
+}
+
+impl CompletionSpot<'_> {
+    pub(super) fn before(&self) -> &str {
+        self.document.text.get(..self.at).unwrap_or_default()
+    }
+
+    /// The word under way: what is already behind the place is replaced too.
+    pub(super) fn word_from(&self, start: usize) -> Range<usize> {
+        let is_part = |c: char| c.is_alphanumeric() || c == '_';
+        let rest = &self.document.text[self.at..];
+        let behind = rest.len() - rest.trim_start_matches(is_part).len();
+        start..self.at + behind
+    }
+
+    fn all(&self, list: &dyn Fn(&str) -> Vec<FolderEntry>) -> Vec<Completion> {
+        if let Some(units) = self.units() {
+            return units;
+        }
+        match syntax::place(self.before()) {
+            CompletionPlace::Comment => Vec::new(),
+            CompletionPlace::Field { start, of } => self.fields(of, &self.word_from(start)),
+            CompletionPlace::Text { start, call, label, .. } => {
+                self.in_text(start, call, label, list)
+            }
+            CompletionPlace::Name { start, .. } => self.names(&self.word_from(start)),
+        }
+    }
+
+    pub(super) fn line_before(&self) -> &str {
+        self.before().rsplit('\n').next().unwrap_or_default()
+    }
+
+    /// Whether the piece before the place is a number.
+    pub(super) fn is_in_number(&self) -> bool {
+        syntax::pieces(self.before())
+            .last()
+            .is_some_and(|(paint, range)| *paint == Highlight::Number && range.end == self.at)
+    }
+
+    /// Members of what stands before the dot.
+    fn fields(&self, of: &str, range: &Range<usize>) -> Vec<Completion> {
+        let Some(values) = self.values else { return self.names_of_import(of, range) };
+        let Some(value) = values.value(of) else { return self.names_of_import(of, range) };
+        let tolerance = values.report.document.1;
+        let told = |name: &str| {
+            let field = match value {
+                Value::Record(record) => record.get(name).cloned(),
+                Value::Point(_) => crate::value::field(value, name, tolerance).ok().flatten(),
+                _ => None,
+            };
+            let detail =
+                field.map(|field| values.brief(&field).unwrap_or_else(|| field.kind().to_owned()));
+            Completion::new(name, CompletionKind::Field, range).detail(detail.unwrap_or_default())
+        };
+        field_names(value).into_iter().map(told).collect()
+    }
+
+    /// What an imported file defines, also where nothing could be evaluated.
+    fn names_of_import(&self, of: &str, range: &Range<usize>) -> Vec<Completion> {
+        let alias = self
+            .document
+            .outline
+            .of_file()
+            .find(|name| name.role == NameRole::Import && name.name == of);
+        let Some(alias) = alias else { return Vec::new() };
+        let imports = self.document.imports();
+        let path = imports
+            .iter()
+            .find(|(place, _)| alias.whole.start <= place.start && place.end <= alias.whole.end);
+        let file = path.and_then(|(_, path)| {
+            self.document.sources.iter().skip(1).position(|source| source.name == *path)
+        });
+        let outline = file.and_then(|idx| self.document.imported.get(idx));
+        let names = outline
+            .into_iter()
+            .flat_map(Outline::of_file)
+            .filter(|name| !name.name.starts_with('_'));
+        names
+            .map(|name| Completion { kind: CompletionKind::Field, ..self.definition(name, range) })
+            .collect()
+    }
+
+    fn names(&self, range: &Range<usize>) -> Vec<Completion> {
+        let before = self.document.text[..range.start].trim_end();
+        if before.ends_with(':') && self.line_before().trim_start().starts_with("param") {
+            return eval::param_kinds()
+                .map(|word| Completion::new(word, CompletionKind::Keyword, range))
+                .collect();
+        }
+        let mut found = Vec::new();
+        if let Some(call) = syntax::open_call(&self.document.text, range.start) {
+            self.labels(&call, range, &mut found);
+            if call.name == "with" {
+                return found;
+            }
+        }
+        self.locals(range, &mut found);
+        found.extend(self.document.outline.of_file().map(|name| self.definition(name, range)));
+        for name in self.registry.names() {
+            found.push(self.built_in(name, range));
+        }
+        let begins_line = self.line_before().trim_start().len() <= self.at - range.start;
+        found.extend(KEYWORDS.iter().map(|word| {
+            let snippet = begins_line.then(|| statement_snippet(word)).flatten();
+            Completion {
+                snippet: snippet.map(str::to_owned),
+                ..Completion::new(*word, CompletionKind::Keyword, range)
+            }
+        }));
+        found
+    }
+
+    /// Names that are known here and not in all of the file.
+    fn locals(&self, range: &Range<usize>, found: &mut Vec<Completion>) {
+        let outline = &self.document.outline;
+        let known = outline.names.iter().filter(|name| {
+            !name.is_of_file && name.scope.start <= self.at && self.at <= name.scope.end
+        });
+        let mut seen: BTreeSet<&str> = BTreeSet::new();
+        for name in known {
+            seen.insert(&name.name);
+            found.push(Completion { kind: CompletionKind::Local, ..self.definition(name, range) });
+        }
+        // A statement under way does not parse yet: its words so far.
+        let start = outline
+            .acts
+            .iter()
+            .map(|act| act.whole.end)
+            .chain(outline.of_file().map(|name| name.whole.end));
+        let start = start.filter(|&end| end < range.start).max().unwrap_or(0);
+        let words = self.document.pieces.iter().filter(|(paint, place)| {
+            *paint == Highlight::Name && start <= place.start && place.end < range.start
+        });
+        for (_, place) in words {
+            let word = self.document.text.get(place.clone()).unwrap_or_default();
+            let is_known =
+                self.registry.get(word).is_some() || self.registry.constant(word).is_some();
+            if !is_known && seen.insert(word) {
+                found.push(Completion::new(word, CompletionKind::Local, range));
+            }
+        }
+    }
+
+    fn definition(&self, name: &DefinedName, range: &Range<usize>) -> Completion {
+        let value = self.values.and_then(|values| Some((values, values.value(&name.name)?)));
+        let value =
+            value.filter(|(_, value)| name.is_of_file && !matches!(value, Value::Function(_)));
+        let detail = match value {
+            Some((values, value)) => values.brief(value).unwrap_or_else(|| value.phrase()),
+            None => hover::signature(name),
+        };
+        let (kind, snippet) = match name.role {
+            NameRole::Function => {
+                let required = name.parameters.iter().filter(|(_, default)| default.is_none());
+                let required: Vec<&str> = required.map(|(name, _)| name.as_str()).collect();
+                (CompletionKind::Function, self.call_snippet(&name.name, &required))
+            }
+            NameRole::Import => (CompletionKind::Import, None),
+            _ => (CompletionKind::Definition, None),
+        };
+        let docs = name.docs.as_deref().map(docs::paragraph).unwrap_or_default();
+        Completion { snippet, ..Completion::new(&name.name, kind, range).detail(detail).docs(docs) }
+    }
+
+    fn built_in(&self, name: &str, range: &Range<usize>) -> Completion {
+        if let Some(constant) = self.registry.constant(name) {
+            return Completion::new(name, CompletionKind::Constant, range)
+                .detail((constant.value)().to_string())
+                .docs(constant.docs);
+        }
+        let ops: &[&Op] = self.registry.get(name).map(|(_, ops)| &ops[..]).unwrap_or_default();
+        let first = ops.first();
+        let required: Vec<&str> = first
+            .map(|op| {
+                op.params
+                    .iter()
+                    .filter(|param| !param.may_be_left_out())
+                    .map(|param| param.name)
+                    .collect()
+            })
+            .unwrap_or_default();
+        Completion {
+            snippet: self.call_snippet(name, &required),
+            ..Completion::new(name, CompletionKind::BuiltIn, range)
+        }
+        .detail(first.map(|op| op.signature()).unwrap_or_default())
+        .docs(docs::markdown(self.registry, name).unwrap_or_default())
+    }
+
+    /// A call with places for its arguments, unless brackets stand there already.
+    fn call_snippet(&self, name: &str, required: &[&str]) -> Option<String> {
+        let word_end = self.word_from(self.at).end;
+        if self.document.text[word_end..].starts_with('(') {
+            return None;
+        }
+        let is_piped = self
+            .before()
+            .trim_end_matches(|c: char| c.is_alphanumeric() || c == '_')
+            .trim_end()
+            .ends_with("|>");
+        let required = &required[usize::from(is_piped).min(required.len())..];
+        let places: Vec<String> =
+            required.iter().enumerate().map(|(i, name)| format!("${{{}:{name}}}", i + 1)).collect();
+        Some(format!("{name}({}$0)", places.join(", ")))
+    }
+}
+
+/// A statement with places to fill in.
+fn statement_snippet(keyword: &str) -> Option<&'static str> {
+    Some(match keyword {
+        "param" => "param ${1:name} = ${2:10mm} in ${3:1mm..100mm}",
+        "fn" => "fn ${1:name}(${2:x}) = $0",
+        "check" => "check $1 ~= $2 within ${3:1e-6}",
+        "export" => "export ${1:name} to \"${2:name.step}\"",
+        "import" => "import \"$1\"",
+        "test" => "test \"${1:what holds}\" {\n    check $0\n}",
+        _ => return None,
+    })
+}

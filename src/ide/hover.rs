@@ -1,0 +1,164 @@
+//! What a name is and is worth, as Markdown.
+
+use std::ops::Range;
+
+use super::{DefinedName, Document, NameRole, Values, names::Meaning};
+use crate::{
+    docs,
+    session::Session,
+    syntax::ast::Unit,
+    value::{Value, field_names, rounded},
+};
+
+/// Lines of the language's own text that a keyword shows.
+const MOST_LINES: usize = 30;
+
+impl Document {
+    /// What stands at a byte, as Markdown, and its place. `values` are of the last run, if there was one.
+    #[must_use]
+    pub fn hover(
+        &self,
+        session: &Session,
+        values: Option<&Values>,
+        at: usize,
+    ) -> Option<(String, Range<usize>)> {
+        let registry = session.registry();
+        let (meaning, place) = self.meaning(registry, at)?;
+        let text = match meaning {
+            Meaning::Name(name) => self.of_name(name, &place, values),
+            Meaning::BuiltIn(name) => docs::markdown(registry, name)?,
+            Meaning::Label { call, label } => {
+                let (_, ops) = registry.get(call)?;
+                let param =
+                    ops.iter().flat_map(|op| op.params).find(|param| param.name == label)?;
+                format!("{}\n\n{}", fenced(&param.signature()), docs::paragraph(param.docs))
+            }
+            Meaning::Field { of, field } => {
+                let value = of.and_then(|of| self.field(values?, of, field));
+                let values = values?;
+                fenced(&format!(".{field} = {}", values.told(&value?)))
+            }
+            Meaning::Keyword(word) => {
+                let entry = docs::language::markdown(word)?;
+                entry.lines().take(MOST_LINES).collect::<Vec<_>>().join("\n")
+            }
+            Meaning::Number(text) => conversions(text)?,
+        };
+        Some((text, place))
+    }
+
+    /// The value of a field of what a name of the script stands for.
+    fn field(&self, values: &Values, of: &str, field: &str) -> Option<Value> {
+        let value = values.value(of)?;
+        if !field_names(value).contains(&field) {
+            return None;
+        }
+        let tolerance = values.report.document.1;
+        crate::value::field(value, field, tolerance).ok().flatten()
+    }
+
+    /// The value of a definition, also of one that is reached through an import.
+    pub(super) fn value_of<'v>(
+        &self,
+        name: &DefinedName,
+        place: &Range<usize>,
+        values: &'v Values,
+    ) -> Option<&'v Value> {
+        if !name.is_of_file {
+            return None;
+        }
+        let is_own = self.outline.defined_at(&name.place).is_some_and(|own| own == name);
+        if is_own {
+            return values.value(&name.name);
+        }
+        // `part.name`, or a name that an import lists.
+        let idx = self.piece_at(place.start)?;
+        let before = idx.checked_sub(1).map_or("", |before| self.piece(before));
+        if before != "." {
+            return values.value(&name.name);
+        }
+        match values.value(self.piece(idx.checked_sub(2)?))? {
+            Value::Record(record) => record.get(&name.name),
+            _ => None,
+        }
+    }
+
+    fn of_name(&self, name: &DefinedName, place: &Range<usize>, values: Option<&Values>) -> String {
+        let mut out = fenced(&signature(name));
+        let value = values.and_then(|values| Some((values, self.value_of(name, place, values)?)));
+        if let Some((values, value)) =
+            value.filter(|(_, value)| !matches!(value, Value::Function(_)))
+        {
+            out.push_str(&format!("\n\n{}", values.told(value)));
+            if !values.are_of(self) {
+                out.push_str(" *(before the last edit)*");
+            }
+        }
+        if let Some(docs) = &name.docs {
+            out.push_str(&format!("\n\n{}", docs::paragraph(docs)));
+        }
+        out
+    }
+}
+
+/// A definition on one line: `curve keel`, `fn twice(x, by = 2)`.
+pub(super) fn signature(name: &DefinedName) -> String {
+    let text = &name.name;
+    match name.role {
+        NameRole::Param => format!("param {text}"),
+        NameRole::Import => format!("import {text}"),
+        NameRole::Parameter => format!("(parameter) {text}"),
+        NameRole::Variable => format!("(variable) {text}"),
+        NameRole::Definition(kind) => format!("{} {text}", kind.word()),
+        NameRole::Function => {
+            let parameters: Vec<String> = name.parameters.iter().map(parameter).collect();
+            format!("fn {text}({})", parameters.join(", "))
+        }
+    }
+}
+
+/// A parameter with its default.
+pub(super) fn parameter((name, default): &(String, Option<String>)) -> String {
+    match default {
+        Some(default) => format!("{name} = {default}"),
+        None => name.clone(),
+    }
+}
+
+/// Code of the language.
+pub(super) fn fenced(code: &str) -> String {
+    format!("```geo\n{code}\n```")
+}
+
+/// A number with a unit in the other units of its kind.
+fn conversions(text: &str) -> Option<String> {
+    let digits = text.trim_end_matches(|c: char| c.is_alphabetic());
+    let unit = Unit::from_name(&text[digits.len()..])?;
+    let value: f64 = digits.replace('_', "").parse().ok()?;
+    let told = |(name, size): (&str, f64)| format!("{} {name}", rounded(size));
+    let all: Vec<String> = match unit.millimetres() {
+        Some(size) => {
+            let lengths = Unit::ALL.iter().filter(|(_, other)| *other != unit);
+            lengths
+                .filter_map(|(name, other)| Some(told((name, value * size / other.millimetres()?))))
+                .collect()
+        }
+        None => {
+            let turns = match unit {
+                Unit::Deg => value / 360.0,
+                Unit::Turn => value,
+                _ => value / std::f64::consts::TAU,
+            };
+            let all = [
+                ("deg", 360.0, Unit::Deg),
+                ("rad", std::f64::consts::TAU, Unit::Rad),
+                ("turn", 1.0, Unit::Turn),
+            ];
+            all.into_iter()
+                .filter(|(.., other)| *other != unit)
+                .map(|(name, size, _)| told((name, turns * size)))
+                .collect()
+        }
+    };
+    Some(format!("{}\n\n= {}", fenced(text), all.join(" = ")))
+}

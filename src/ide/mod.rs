@@ -1,0 +1,131 @@
+//! What an editor asks of a script while it is written: what is wrong, what a name is and is worth, what
+//! could stand at a place, where a name is used.
+//!
+//! Knows no protocol and touches no file: places are bytes of a text, files come in through
+//! [`Files`], and the doors translate. A [`Document`] is a text with the meaning of its names;
+//! [`Values`] are what a run of it came to, which may take longer.
+
+mod colors;
+mod completion;
+mod completion_words;
+mod diagnostics;
+mod edits;
+mod format;
+mod hints;
+mod hover;
+mod names;
+mod outline;
+mod outline_walk;
+mod position;
+mod signature;
+mod structure;
+mod tokens;
+mod values;
+
+use std::{ops::Range, sync::Arc};
+
+pub use colors::{Color, colors, spellings};
+pub use completion::{Completion, CompletionKind, FolderEntry};
+pub use diagnostics::{Finding, Place, fixes};
+pub use edits::{TextEdit, applied};
+pub use format::{formatted, formatted_lines};
+pub use hints::{Hint, HintKind, Lens, LensKind, Shown};
+pub use names::{Occurrence, Rename};
+pub use outline::{Act, ActKind, CallSite, DefinedName, NameRole, Outline};
+pub use position::{ColumnUnit, LineColumn, LineIndex};
+pub use signature::{CalledSignature, SignatureParameter};
+pub use structure::{Fold, Symbol};
+pub use tokens::{SemanticToken, TokenKind};
+pub use values::Values;
+
+use crate::{
+    diag::{Sources, Span},
+    eval::NameUses,
+    session::Session,
+    syntax::{self, Highlight},
+    value::Files,
+};
+
+/// A text with its names.
+#[derive(Debug)]
+pub struct Document {
+    text: Arc<str>,
+    lines: LineIndex,
+    pieces: Vec<(Highlight, Range<usize>)>,
+    outline: Outline,
+    uses: NameUses,
+    /// The text, and those that it imports.
+    sources: Sources,
+    /// Outlines of the imported texts.
+    imported: Vec<Outline>,
+}
+
+impl Document {
+    /// Looks at a text, which messages call `name`, and at what it imports.
+    ///
+    /// ```
+    /// use virote::{ide::Document, session::Session, value::NoFiles};
+    ///
+    /// let session = Session::default();
+    /// let document = Document::new(&session, "demo.geo", "let a = 1\nprint a + a", &NoFiles);
+    /// assert_eq!(document.highlights(4), [4..5, 16..17, 20..21]);
+    /// ```
+    #[must_use]
+    pub fn new(session: &Session, name: &str, text: &str, files: &dyn Files) -> Self {
+        let (uses, sources) = session.name_uses(name, text.as_bytes(), files);
+        let imported =
+            sources.iter().skip(1).map(|source| Outline::of(session, &source.text)).collect();
+        Self {
+            text: Arc::from(text),
+            lines: LineIndex::new(text),
+            pieces: syntax::pieces(text),
+            outline: Outline::of(session, text),
+            uses,
+            sources,
+            imported,
+        }
+    }
+
+    /// The text.
+    #[must_use]
+    pub fn text(&self) -> &Arc<str> {
+        &self.text
+    }
+
+    /// Its lines.
+    #[must_use]
+    pub fn lines(&self) -> &LineIndex {
+        &self.lines
+    }
+
+    /// What it defines, calls and claims.
+    #[must_use]
+    pub fn outline(&self) -> &Outline {
+        &self.outline
+    }
+
+    /// Each import's path with the file that it names, relative to the folder of the text.
+    #[must_use]
+    pub fn imports(&self) -> Vec<(Range<usize>, &str)> {
+        let own = |span: &Span| (span.end as usize) <= self.text.len();
+        let own = self.uses.imports.iter().filter(|(span, _)| own(span));
+        own.map(|(span, path)| (span.range(), path.as_str())).collect()
+    }
+
+    /// The number of the piece at a byte, or right before it; of two a word.
+    fn piece_at(&self, at: usize) -> Option<usize> {
+        let behind = self.pieces.partition_point(|(_, range)| range.start <= at);
+        let is_word =
+            |idx: &usize| matches!(self.pieces[*idx].0, Highlight::Name | Highlight::Keyword);
+        let touches = |idx: &usize| at <= self.pieces[*idx].1.end;
+        let last = behind.checked_sub(1).filter(touches)?;
+        let before =
+            last.checked_sub(1).filter(|idx| touches(idx) && !is_word(&last) && is_word(idx));
+        Some(before.unwrap_or(last))
+    }
+
+    /// The text of the piece of this number.
+    fn piece(&self, idx: usize) -> &str {
+        self.pieces.get(idx).and_then(|(_, range)| self.text.get(range.clone())).unwrap_or_default()
+    }
+}

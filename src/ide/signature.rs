@@ -1,0 +1,88 @@
+//! Signatures of a call while its arguments are written.
+
+use super::{Document, NameRole, Outline, hover};
+use crate::{docs, syntax::open_call, value::Registry};
+
+/// A way to call what is being called.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CalledSignature {
+    /// All of it on one line.
+    pub label: String,
+    /// What it does, as Markdown.
+    pub docs: String,
+    /// Its parameters.
+    pub parameters: Vec<SignatureParameter>,
+    /// The parameter that is being written.
+    pub active: Option<usize>,
+}
+
+/// A parameter of a signature.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SignatureParameter {
+    /// Its part of the signature.
+    pub label: String,
+    /// What it is, as Markdown.
+    pub docs: String,
+}
+
+impl Document {
+    /// The ways to call what is being called at a byte, the likeliest first.
+    #[must_use]
+    pub fn signatures(&self, registry: &Registry, at: usize) -> Vec<CalledSignature> {
+        let Some(call) = open_call(&self.text, at) else { return Vec::new() };
+        let active = |names: &[&str], n_by_position: usize| match call.label {
+            Some(label) => names.iter().position(|name| *name == label),
+            None => (0..names.len())
+                .filter(|&idx| idx < n_by_position && !call.labels.contains(&names[idx]))
+                .nth(call.position),
+        };
+        let own = self.outline.of_file().chain(self.imported.iter().flat_map(Outline::of_file));
+        let mut own = own.filter(|name| name.name == call.name && name.role == NameRole::Function);
+        if let Some(function) = own.next() {
+            let names: Vec<&str> =
+                function.parameters.iter().map(|(name, _)| name.as_str()).collect();
+            return vec![CalledSignature {
+                label: hover::signature(function),
+                docs: function.docs.as_deref().map(docs::paragraph).unwrap_or_default(),
+                active: active(&names, names.len()),
+                parameters: function
+                    .parameters
+                    .iter()
+                    .map(|parameter| SignatureParameter {
+                        label: hover::parameter(parameter),
+                        docs: String::new(),
+                    })
+                    .collect(),
+            }];
+        }
+        let Some((_, ops)) = registry.get(call.name) else { return Vec::new() };
+        let mut found: Vec<CalledSignature> = ops
+            .iter()
+            .map(|op| {
+                let names: Vec<&str> = op.params.iter().map(|param| param.name).collect();
+                let spreads = op.params.first().is_some_and(|param| param.spreads);
+                let by_position = op
+                    .params
+                    .iter()
+                    .take_while(|param| !param.may_be_left_out() || param.by_position)
+                    .count();
+                CalledSignature {
+                    label: op.signature(),
+                    docs: docs::paragraph(op.docs),
+                    active: active(&names, by_position)
+                        .or_else(|| (spreads && call.label.is_none()).then_some(0)),
+                    parameters: op
+                        .params
+                        .iter()
+                        .map(|param| SignatureParameter {
+                            label: param.signature(),
+                            docs: docs::paragraph(param.docs),
+                        })
+                        .collect(),
+                }
+            })
+            .collect();
+        found.sort_by_key(|signature| signature.active.is_none());
+        found
+    }
+}

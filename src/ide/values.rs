@@ -1,0 +1,128 @@
+//! What a run came to, as an editor shows it: values with units, claims with margins.
+
+use std::{ops::Range, sync::Arc};
+
+use super::Document;
+use crate::{
+    diag::Span,
+    eval::Checked,
+    kernel::Curve,
+    session::{Event, Report},
+    value::{Dimension, Number, Value, rounded},
+};
+
+/// Characters of a value that stand on one line.
+const MOST_CHARS: usize = 80;
+/// Elements of a list that are shown.
+const MOST_ELEMENTS: usize = 8;
+/// Control points up to which a curve is measured while somebody waits.
+const MOST_MEASURED: usize = 1000;
+
+/// The last run of a script.
+#[derive(Debug)]
+pub struct Values {
+    /// What it came to.
+    pub report: Arc<Report>,
+}
+
+impl Values {
+    /// Whether they are of this very text.
+    #[must_use]
+    pub fn are_of(&self, document: &Document) -> bool {
+        self.report.sources.iter().next().is_some_and(|source| source.text == *document.text())
+    }
+
+    /// The value of a definition of the script.
+    #[must_use]
+    pub fn value(&self, name: &str) -> Option<&Value> {
+        let mut definitions = self.report.definitions.iter();
+        definitions.find(|defined| defined.name == name)?.value.as_ref()
+    }
+
+    /// The claim at a place of the script.
+    #[must_use]
+    pub fn checked(&self, place: &Range<usize>) -> Option<&Checked> {
+        let span = Span::new(place.start as u32, place.end as u32);
+        self.report.events.iter().find_map(|event| match event {
+            Event::Checked(checked) if checked.span == span => Some(checked),
+            _ => None,
+        })
+    }
+
+    /// A value in a few words, with its unit: `27.2 mm`, `curve of degree 3 with 7 control points on
+    /// 0..1, length 124.6 mm`.
+    #[must_use]
+    pub fn told(&self, value: &Value) -> String {
+        let unit = self.report.document.0.name();
+        match value {
+            Value::Curve(curve) => format!("{value}{}", measured(curve, unit)),
+            _ => brief(value, unit).unwrap_or_else(|| sized(value)),
+        }
+    }
+
+    /// A value that fits behind its definition; none where it has no short form.
+    #[must_use]
+    pub fn brief(&self, value: &Value) -> Option<String> {
+        brief(value, self.report.document.0.name())
+    }
+}
+
+/// The length of a curve that is quickly measured.
+fn measured(curve: &Curve, unit: &str) -> String {
+    let Curve::Nurbs(spline) = curve else { return String::new() };
+    if MOST_MEASURED < spline.control_points().len() {
+        return String::new();
+    }
+    match curve.length(curve.domain()) {
+        Ok(length) => format!(", length {} {unit}", rounded(length)),
+        Err(_) => String::new(),
+    }
+}
+
+/// A number with six digits and its unit.
+fn number(number: &Number, unit: &str) -> String {
+    if number.dim == Dimension::ANGLE {
+        return format!("{}deg", rounded(number.value.to_degrees()));
+    }
+    let unit = number.dim.unit(unit).map(|unit| format!(" {unit}")).unwrap_or_default();
+    format!("{}{unit}", rounded(number.value))
+}
+
+/// The value itself where it is small and can be written on a line.
+fn brief(value: &Value, unit: &str) -> Option<String> {
+    let text = match value {
+        Value::Number(one) => number(one, unit),
+        Value::Point(point) => {
+            let [x, y, z] = [point.x, point.y, point.z].map(rounded);
+            format!("({x}, {y}, {z})")
+        }
+        Value::None | Value::Bool(_) | Value::Range(_) => value.to_string(),
+        Value::Text(text) if text.len() <= MOST_CHARS => value.to_string(),
+        Value::List(items) if items.len() <= MOST_ELEMENTS => {
+            let items: Option<Vec<String>> = items.iter().map(|item| brief(item, unit)).collect();
+            format!("[{}]", items?.join(", "))
+        }
+        Value::Record(record) => {
+            let fields: Option<Vec<String>> = record
+                .iter()
+                .map(|(label, value)| Some(format!("{label}: {}", brief(value, unit)?)))
+                .collect();
+            format!("{{{}}}", fields?.join(", "))
+        }
+        _ => return None,
+    };
+    (text.chars().count() <= MOST_CHARS).then_some(text)
+}
+
+/// Kind and size.
+fn sized(value: &Value) -> String {
+    match value {
+        Value::Record(record) => {
+            let labels: Vec<&str> = record.iter().map(|(label, _)| label).collect();
+            format!("record of {}", labels.join(", "))
+        }
+        Value::List(_) => value.phrase().trim_start_matches("a ").to_owned(),
+        Value::Text(text) => format!("string of {} bytes", text.len()),
+        _ => value.to_string(),
+    }
+}

@@ -1,0 +1,143 @@
+//! Commands that lenses offer: a test is run, a definition is shown.
+
+use std::{
+    io::{BufRead, BufReader},
+    path::PathBuf,
+    process::{Child, Command, Stdio},
+    time::Duration,
+};
+
+use crossbeam_channel::RecvTimeoutError;
+use lsp_server::ErrorCode;
+use serde_json::{Value as Json, json};
+
+use super::server::{Answer, Refusal, Server};
+use crate::session::TestVerdict;
+
+/// A test that runs for so long is stopped.
+const PATIENCE: Duration = Duration::from_secs(10);
+
+/// Runs a test: address of the document, name of the test.
+pub(super) const TEST: &str = "virote.runTest";
+/// Shows the script in a browser: address of the document, name of a definition.
+pub(super) const VIEW: &str = "virote.openView";
+/// Every command.
+pub(super) const ALL: [&str; 2] = [TEST, VIEW];
+
+/// A viewer that was started; it ends with the server.
+#[derive(Debug)]
+pub(super) struct StartedViewer {
+    child: Child,
+    pub(super) path: PathBuf,
+    address: String,
+}
+
+impl Drop for StartedViewer {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+impl StartedViewer {
+    fn start(path: PathBuf) -> Result<Self, String> {
+        let program = std::env::current_exe().map_err(|err| err.to_string())?;
+        let mut command = Command::new(program);
+        command.arg("view").arg("--no-open").arg(&path);
+        command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::null());
+        let mut child =
+            command.spawn().map_err(|err| format!("the viewer does not start: {err}"))?;
+        let mut address = String::new();
+        if let Some(output) = child.stdout.take() {
+            let _ = BufReader::new(output).read_line(&mut address);
+        }
+        let started = Self { child, path, address: address.trim().to_owned() };
+        if started.address.is_empty() {
+            return Err(
+                "the viewer does not start; `virote view` in a terminal tells why".to_owned()
+            );
+        }
+        Ok(started)
+    }
+}
+
+impl Server<'_> {
+    pub(super) fn execute(&mut self, params: &Json) -> Answer {
+        let argument = |idx: usize| {
+            params.pointer(&format!("/arguments/{idx}")).and_then(Json::as_str).unwrap_or_default()
+        };
+        match params.get("command").and_then(Json::as_str).unwrap_or_default() {
+            TEST => self.test(argument(0), argument(1)),
+            VIEW => self.view(argument(0)),
+            other => {
+                Err(Refusal(ErrorCode::InvalidParams, format!("there is no command `{other}`")))
+            }
+        }
+    }
+
+    /// Runs the tests of a document whose names contain this, and says what they came to.
+    fn test(&mut self, uri: &str, name: &str) -> Answer {
+        let Some(open) = self.documents.get(uri) else { return Ok(Json::Null) };
+        let files = self.files(open);
+        // Somebody waits, and nothing else is answered meanwhile.
+        let (ended, is_ended) = crossbeam_channel::bounded::<()>(0);
+        let stop = self.stop.clone();
+        let watch = std::thread::spawn(move || {
+            if is_ended.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
+                stop.stop();
+            }
+        });
+        let report = self.session.test(open.name(), open.text.as_bytes(), &files, &[], Some(name));
+        drop(ended);
+        let _ = watch.join();
+        self.stop.reset();
+        let tests: Vec<Json> = report
+            .tests
+            .iter()
+            .map(|test| json!({ "name": test.name, "verdict": test.verdict.word() }))
+            .collect();
+        let has_passed = report.tests.iter().all(|test| test.verdict == TestVerdict::Passed);
+        let words: Vec<String> = report
+            .tests
+            .iter()
+            .map(|test| format!("{}: {}", test.name, test.verdict.word()))
+            .collect();
+        let text =
+            if words.is_empty() { format!("there is no test `{name}`") } else { words.join(", ") };
+        let kind = if has_passed && !words.is_empty() { 3 } else { 1 };
+        self.notify("window/showMessage", json!({ "type": kind, "message": text }));
+        Ok(json!({ "passed": has_passed, "tests": tests }))
+    }
+
+    /// Shows a document in a viewer, which is started unless it runs.
+    fn view(&mut self, uri: &str) -> Answer {
+        let path = self.documents.get(uri).and_then(|open| open.path.clone());
+        let Some(path) = path else {
+            return Err(Refusal(
+                ErrorCode::InvalidParams,
+                "only a file can be shown: save it first".to_owned(),
+            ));
+        };
+        let known = self
+            .viewers
+            .iter()
+            .find(|viewer| viewer.path == path)
+            .map(|viewer| viewer.address.clone());
+        let address = match known {
+            Some(address) => address,
+            None => {
+                let viewer = StartedViewer::start(path)
+                    .map_err(|why| Refusal(ErrorCode::RequestFailed, why))?;
+                let address = viewer.address.clone();
+                self.viewers.push(viewer);
+                address
+            }
+        };
+        if self.client.shows_documents {
+            self.ask("window/showDocument", json!({ "uri": address, "external": true }));
+        } else {
+            self.notify("window/showMessage", json!({ "type": 3, "message": address }));
+        }
+        Ok(json!({ "address": address }))
+    }
+}

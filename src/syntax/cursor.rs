@@ -1,0 +1,108 @@
+//! What stands around a place in a text, also of one that does not parse: the call that is open there.
+
+use super::{lexed::Lexed, lexer::lex, outline::opening, token::Token};
+
+/// A call whose brackets are open at a place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OpenCall<'s> {
+    /// What is called: a name, or the keyword before the brackets.
+    pub name: &'s str,
+    /// Its first byte.
+    pub start: usize,
+    /// The argument that the place belongs to, among those without a label; what is piped into the call
+    /// counts.
+    pub position: usize,
+    /// The label of that argument.
+    pub label: Option<&'s str>,
+    /// The labels given before.
+    pub labels: Vec<&'s str>,
+    /// The keyword of the statement around it.
+    pub statement: Option<&'s str>,
+}
+
+/// The innermost call that is open at byte `at` of a text.
+///
+/// ```
+/// use virote::syntax::open_call;
+///
+/// let text = "let s = pull(ring((0, 0), 2), by = (0, 0, ";
+/// assert!(open_call(text, text.len()).is_none(), "the innermost bracket is that of a point");
+/// let call = open_call(text, text.len() - 7).expect("it is that of `pull`");
+/// assert_eq!((call.name, call.position, call.label), ("pull", 1, Some("by")));
+/// ```
+#[must_use]
+pub fn open_call(source: &str, at: usize) -> Option<OpenCall<'_>> {
+    let lexed = lex(source.get(..at)?, 0);
+    let end = lexed.tokens.len() - 1;
+    let open = opening(&lexed, end)?;
+    let callee = open.checked_sub(1)?;
+    let is_bracket = matches!(lexed.token(open), Token::OpenParen | Token::LineParen);
+    if !is_bracket || !lexed.token(callee).is_word() {
+        return None;
+    }
+    let piped = callee.checked_sub(1).is_some_and(|before| lexed.token(before) == Token::Pipe);
+    let mut found = OpenCall {
+        name: lexed.text(callee),
+        start: lexed.span(callee).range().start,
+        position: usize::from(piped),
+        label: None,
+        labels: Vec::new(),
+        statement: statement(&lexed, callee),
+    };
+    let mut depth = 0_usize;
+    for token in open + 1..end {
+        match lexed.token(token) {
+            kind if kind.opens() => depth += 1,
+            kind if kind.closes() => depth = depth.saturating_sub(1),
+            Token::Comma if depth == 0 => match found.label.take() {
+                Some(label) => found.labels.push(label),
+                None => found.position += 1,
+            },
+            Token::Equals if depth == 0 && lexed.token(token - 1).is_word() => {
+                found.label = Some(lexed.text(token - 1));
+            }
+            _ => {}
+        }
+    }
+    Some(found)
+}
+
+/// The keyword of the statement in which token `at` stands.
+fn statement<'s>(lexed: &Lexed<'s>, at: usize) -> Option<&'s str> {
+    (0..=at).rev().find(|&at| lexed.begins_statement(at)).map(|at| lexed.text(at))
+}
+
+/// Whether a text is one name that a script can define.
+///
+/// ```
+/// use virote::syntax::is_name;
+///
+/// assert!(is_name("größe_2") && !is_name("let") && !is_name("a b") && !is_name("_"));
+/// ```
+#[must_use]
+pub fn is_name(text: &str) -> bool {
+    let lexed = lex(text, 0);
+    let is_whole = lexed.span(0).range() == (0..text.len());
+    lexed.tokens.len() == 2 && lexed.token(0) == Token::Name && is_whole
+}
+
+#[cfg(test)]
+mod tests {
+    use super::open_call;
+
+    #[test]
+    fn a_place_counts_the_arguments_before_it() {
+        let told = |text: &str| {
+            let call = open_call(text, text.len()).unwrap();
+            format!("{} {} {:?} {:?}", call.name, call.position, call.label, call.labels)
+        };
+        assert_eq!(told("f("), "f 0 None []");
+        assert_eq!(told("f(a, (1, 2), "), "f 2 None []");
+        assert_eq!(told("f(a, b = 2, c = "), "f 1 Some(\"c\") [\"b\"]");
+        assert_eq!(told("x |> f("), "f 1 None []");
+        assert_eq!(told("f(g(1, 2), h(1, "), "h 1 None []");
+        let text = "export a to \"a.obj\" with (tol";
+        assert_eq!(open_call(text, text.len()).unwrap().statement, Some("export"));
+        assert!(open_call("f(a)", 4).is_none() && open_call("[1, ", 4).is_none());
+    }
+}

@@ -1,0 +1,105 @@
+//! Hints that are edits: what was found is gone when the edit is made.
+
+use std::{fs, path::Path};
+
+use virote::{
+    diag::{Diagnostic, Fix},
+    session::{Report, Session},
+    value::MemoryFiles,
+};
+
+fn run(text: &str, files: &MemoryFiles) -> Report {
+    Session::default().run("main.geo", text.as_bytes(), files, &[])
+}
+
+fn applied(text: &str, fix: &Fix) -> String {
+    let mut edits = fix.edits.clone();
+    edits.sort_by_key(|(span, _)| std::cmp::Reverse(span.start));
+    let mut text = text.to_owned();
+    for (span, new) in edits {
+        text.replace_range(span.range(), &new);
+    }
+    text
+}
+
+#[track_caller]
+fn check(wrong: &str, right: &str) {
+    let report = run(wrong, &MemoryFiles::default());
+    let fix = report.diagnostics.iter().find_map(|found| found.fixes.first());
+    assert!(fix.is_some(), "{wrong}: no fix: {:?}", report.diagnostics);
+    let fix = fix.expect("there is one");
+    assert_eq!(applied(wrong, fix), right);
+    let after = run(right, &MemoryFiles::default());
+    assert!(after.diagnostics.is_empty(), "{right}: {:?}", after.diagnostics);
+}
+
+#[test]
+fn slips_are_mended() {
+    check("let width = 2  print widht", "let width = 2  print width");
+    check("print sqrt(2", "print sqrt(2)");
+    check("print sqrt(2))", "print sqrt(2)");
+    check("print [1, 2)", "print [1, 2]");
+    check("print [1 2]", "print [1, 2]");
+    check("let r = 2  print pi r", "let r = 2  print pi * r");
+    check("print 10 mm", "print 10mm");
+    check("print 10millimeters", "print 10mm");
+    check("a = 3", "let a = 3");
+    check("var a = 3", "let a = 3");
+    check("let a 3", "let a = 3");
+    check("point c = line((0, 0), (1, 0))", "curve c = line((0, 0), (1, 0))");
+    check(
+        "print circle((0, 0), 1, nromal = (0, 0, 1))",
+        "print circle((0, 0), 1, normal = (0, 0, 1))",
+    );
+    check(
+        "print interpolate([(0, 0), (1, 2), (3, 0)], ends = \"natral\")",
+        "print interpolate([(0, 0), (1, 2), (3, 0)], ends = \"natural\")",
+    );
+    check("print {a = 1}", "print {a: 1}");
+    check("print 1 < 2 < 3", "print 1 < 2 and 2 < 3");
+    check("let p = {width: 2}  print p.widht", "let p = {width: 2}  print p.width");
+    check(
+        "curve c = line((0, 0), (1, 0)) with (colour = \"red\")",
+        "curve c = line((0, 0), (1, 0)) with (color = \"red\")",
+    );
+}
+
+/// Of every mistake of the collection that has fixes: each of them makes it go away.
+#[test]
+fn what_was_found_is_gone_after_its_fix() {
+    let folder = Path::new("tests/errors");
+    let mut files = MemoryFiles::default();
+    let mut scripts = Vec::new();
+    for entry in fs::read_dir(folder).expect("the mistakes") {
+        let path = entry.expect("an entry").path();
+        let Ok(bytes) = fs::read(&path) else { continue };
+        let text = String::from_utf8(bytes.clone());
+        if let (true, Ok(text)) = (path.extension().is_some_and(|ending| ending == "geo"), text) {
+            scripts.push((path.clone(), text));
+        }
+        files.insert(path.file_name().and_then(|name| name.to_str()).expect("a name"), bytes);
+    }
+    let (mut n_fixes, mut left) = (0, Vec::new());
+    for (path, text) in &scripts {
+        let count = |report: &Report, found: &Diagnostic| {
+            let is_it =
+                |other: &&Diagnostic| (other.code, &other.message) == (found.code, &found.message);
+            report.diagnostics.iter().filter(is_it).count()
+        };
+        let before = run(text, &files);
+        for found in &before.diagnostics {
+            for fix in &found.fixes {
+                if fix.edits.iter().any(|(span, _)| text.len() < span.end as usize) {
+                    continue;
+                }
+                n_fixes += 1;
+                let after = run(&applied(text, fix), &files);
+                if count(&before, found) <= count(&after, found) {
+                    left.push(format!("{}: {} {:?}", path.display(), found.message, fix));
+                }
+            }
+        }
+    }
+    assert!(left.is_empty(), "{}", left.join("\n"));
+    assert!(40 < n_fixes, "only {n_fixes} fixes were tried");
+}

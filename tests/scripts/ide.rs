@@ -1,0 +1,279 @@
+//! What an editor is told, at marks in scripts. `‸` is the cursor.
+
+use std::sync::Arc;
+
+use virote::{
+    ide::{self, Completion, Document, FolderEntry, LensKind, Shown, TextEdit, Values},
+    session::Session,
+    value::MemoryFiles,
+};
+
+/// A script with a cursor, looked at and run.
+struct Scene {
+    session: Session,
+    files: MemoryFiles,
+    document: Document,
+    values: Values,
+    at: usize,
+}
+
+fn scene_with(marked: &str, files: MemoryFiles) -> Scene {
+    let at = marked.find('‸').unwrap_or(0);
+    let text = marked.replace('‸', "");
+    let session = Session::default();
+    let document = Document::new(&session, "main.geo", &text, &files);
+    let values = Values { report: Arc::new(session.run("main.geo", text.as_bytes(), &files, &[])) };
+    Scene { session, files, document, values, at }
+}
+
+fn scene(marked: &str) -> Scene {
+    scene_with(marked, MemoryFiles::default())
+}
+
+impl Scene {
+    fn hover(&self) -> String {
+        let found = self.document.hover(&self.session, Some(&self.values), self.at);
+        found.map(|(text, _)| text).unwrap_or_default()
+    }
+
+    fn completions(&self) -> Vec<Completion> {
+        let list = |folder: &str| match folder {
+            "" => vec![
+                FolderEntry { name: "part.geo".to_owned(), is_folder: false },
+                FolderEntry { name: "data".to_owned(), is_folder: true },
+            ],
+            _ => Vec::new(),
+        };
+        self.document.completions(&self.session, Some(&self.values), &list, self.at)
+    }
+
+    fn completion(&self, label: &str) -> Completion {
+        let found = self.completions();
+        let labels: Vec<&str> = found.iter().map(|one| one.label.as_str()).collect();
+        let one = found.iter().find(|one| one.label == label);
+        assert!(one.is_some(), "no {label} among {labels:?}");
+        one.expect("it is there").clone()
+    }
+
+    fn edited(&self, edits: &[TextEdit]) -> String {
+        ide::applied(self.document.text(), edits)
+    }
+}
+
+#[test]
+fn a_hover_tells_kind_unit_value_and_documentation() {
+    let told = scene("/// How wide.\nparam width = 27.2mm\nlet s = wi‸dth + 1mm").hover();
+    assert_eq!(told, "```geo\nparam width\n```\n\n27.2 mm\n\nHow wide.");
+    let told = scene("curve keel = line((0, 0), (30, 40))\nprint kee‸l").hover();
+    assert!(told.contains("curve keel") && told.ends_with("length 50 mm"), "{told}");
+    let told = scene("print bez‸ier((0, 0), (1, 2), (2, 0))").hover();
+    assert!(told.contains("```geo\nbezier(") && told.contains("- `"), "{told}");
+    let told = scene("print circle((0, 0), 1, nor‸mal = (0, 0, 1))").hover();
+    assert!(told.starts_with("```geo\nnormal"), "{told}");
+    assert!(scene("print 2‸5.4mm").hover().contains("= 1 in"));
+    assert!(scene("print 9‸0deg").hover().contains("0.25 turn"));
+    assert!(scene("che‸ck 1 < 2").hover().contains("check"));
+    assert!(scene("let p = (1, 2)\nprint p.x‸").hover().contains(".x = 1"));
+    assert_eq!(scene("// not‸hing").hover(), "");
+}
+
+#[test]
+fn a_hover_reaches_into_imported_files() {
+    let files = MemoryFiles::from([("part.geo", "/// Its size.\nlet size = 3mm\n")]);
+    let told = scene_with("import \"part.geo\" as part\nprint part.si‸ze", files).hover();
+    assert_eq!(told, "```geo\nlet size\n```\n\n3 mm\n\nIts size.");
+}
+
+#[test]
+fn completion_knows_the_place() {
+    let names = scene("/// Its width.\nlet width = 2mm\nlet b = wi‸");
+    let width = names.completion("width");
+    assert_eq!((width.detail.as_str(), width.docs.as_str()), ("2 mm", "Its width."));
+    let circle = scene("let b = cir‸").completion("circle");
+    assert_eq!(circle.snippet.as_deref(), Some("circle(${1:center}, ${2:radius}$0)"));
+    assert!(circle.docs.contains("- `radius`"));
+    let labels = scene("let b = circle((0, 0), 1, normal = (0, 0, 1), ‸)").completions();
+    assert!(
+        labels.iter().any(|one| one.insert == "from = ")
+            == labels.iter().any(|one| one.label == "from")
+    );
+    assert!(!labels.iter().any(|one| one.insert == "normal = "), "it is given already");
+    assert!(
+        scene("let c = interpolate([(0, 0), (1, 1)], ends = \"‸\")").completion("natural").insert
+            == "natural"
+    );
+    assert_eq!(scene("let p = {width: 2mm}\nprint p.‸").completion("width").detail, "2 mm");
+    assert_eq!(scene("print 10‸").completion("mm").insert, "mm");
+    assert_eq!(scene("unit ‸").completion("cm").detail, "10 mm");
+    assert_eq!(scene("import \"‸\"").completion("part.geo").detail, "file");
+    assert_eq!(scene("import \"da‸\"").completion("data/").detail, "folder");
+    assert_eq!(scene("fn f(inner) = inn‸").completion("inner").label, "inner");
+    assert_eq!(
+        scene("let xs = [for station in 0..3: stat‸").completion("station").label,
+        "station"
+    );
+    assert_eq!(scene("param a: ‸").completion("length").label, "length");
+    let colors = scene("curve c = line((0, 0), (1, 0)) with (color = \"st‸\")");
+    assert_eq!(colors.completion("steelblue").detail, "#4682b4");
+    assert_eq!(
+        scene("curve c = line((0, 0), (1, 0)) with (‸)").completion("layer").insert,
+        "layer = "
+    );
+    assert!(
+        scene("export all to \"a.stl\" with (‸)").completion("tolerance").insert == "tolerance = "
+    );
+    assert!(scene("// wi‸").completions().is_empty());
+}
+
+#[test]
+fn a_signature_knows_its_argument() {
+    let one = scene("let c = circle((0, 0), ‸");
+    let found = one.document.signatures(one.session.registry(), one.at);
+    assert_eq!(
+        found[0].active.map(|idx| found[0].parameters[idx].label.clone()).unwrap(),
+        "radius: length"
+    );
+    let one = scene("/// Doubles.\nfn twice(x, by = 2) = by * x\nlet c = twice(1, by = ‸)");
+    let found = one.document.signatures(one.session.registry(), one.at);
+    assert_eq!((found[0].label.as_str(), found[0].active), ("fn twice(x, by = 2)", Some(1)));
+    assert_eq!(found[0].docs, "Doubles.");
+}
+
+#[test]
+fn names_are_followed_and_renamed_across_files() {
+    let files = || MemoryFiles::from([("part.geo", "let size = 3mm\nlet twice = 2 * size\n")]);
+    let one = scene_with("import \"part.geo\" (size)\nlet r = {size}\nprint si‸ze", files());
+    let definition = one.document.definition(one.at).unwrap();
+    assert_eq!((definition.file.as_deref(), definition.range()), (Some("part.geo"), 4..8));
+    assert_eq!(one.document.references(one.at).len(), 5);
+    let edits = one.document.rename(&one.session, &one.files, one.at, "width").unwrap();
+    assert_eq!(
+        one.edited(&edits[&None]),
+        "import \"part.geo\" (width)\nlet r = {size: width}\nprint width"
+    );
+    let part = "let size = 3mm\nlet twice = 2 * size\n";
+    assert_eq!(
+        ide::applied(part, &edits[&Some("part.geo".to_owned())]),
+        part.replace("size", "width")
+    );
+
+    let one = scene_with("import \"part.geo\"\nprint par‸t.size", files());
+    let edits = one.document.rename(&one.session, &one.files, one.at, "piece").unwrap();
+    assert_eq!(one.edited(&edits[&None]), "import \"part.geo\" as piece\nprint piece.size");
+
+    for (text, new, why) in [
+        ("let a = 1\nlet b‸ = a", "a", "means something else"),
+        ("let a = 1\nlet b‸ = a", "let", "a word of the language"),
+        ("let a = 1\nlet b‸ = a", "2b", "is no name"),
+        ("let a‸ = 1\nlet f = b => a + b", "b", "means something else"),
+        ("print sq‸rt(2)", "root", "only names that scripts define"),
+    ] {
+        let one = scene(text);
+        let refused = one.document.rename(&one.session, &one.files, one.at, new).unwrap_err();
+        assert!(refused.contains(why), "{text}: {refused}");
+    }
+}
+
+#[test]
+fn hints_tell_values_margins_and_parameters() {
+    let text = "let a = 2mm\nlet b = a * 3\nlet c = line((0, 0), (3, 4))\ncheck length(c) < 6\nlet d = circle((0, 0), 2)";
+    let one = scene(text);
+    let all = 0..text.len();
+    let hints =
+        one.document.hints(one.session.registry(), Some(&one.values), &all, Shown::default());
+    let mut shown = text.to_owned();
+    for hint in hints.iter().rev() {
+        shown.insert_str(hint.at, &format!("«{}»", hint.text));
+    }
+    assert_eq!(
+        shown,
+        "let a = 2mm\nlet b = a * 3« = 6 mm»\nlet c«: curve» = line((0, 0), (3, 4))\ncheck length(c) < 6« holds with margin 1»\nlet d«: curve» = circle(«center: »(0, 0), «radius: »2)"
+    );
+    let lenses =
+        scene("curve c = line((0, 0), (1, 0))\ntest \"two\" { check 1 < 2 }").document.lenses(None);
+    let kinds: Vec<&LensKind> = lenses.iter().map(|lens| &lens.kind).collect();
+    assert_eq!(kinds, [&LensKind::View("c".to_owned()), &LensKind::Test("two".to_owned())]);
+}
+
+#[test]
+fn the_shape_of_a_text_is_told() {
+    let one = scene(
+        "// one\n// two\nfn f(x) = {\n    let y = x\n    y\n}\ntest \"t\" {\n    let z = 1\n    check z == 1\n}\nlet a = [1, ‸2]",
+    );
+    let symbols = one.document.symbols();
+    let told: Vec<(&str, usize)> =
+        symbols.iter().map(|symbol| (symbol.name.as_str(), symbol.children.len())).collect();
+    assert_eq!(told, [("f", 1), ("t", 1), ("a", 0)]);
+    assert_eq!(one.document.folds().len(), 3);
+    let texts: Vec<&str> = one
+        .document
+        .selections(one.at)
+        .into_iter()
+        .map(|range| &one.document.text()[range])
+        .collect();
+    assert_eq!(texts[..3], ["2", "[1, 2]", "let a = [1, 2]"]);
+    let edits = ide::formatted(&one.session, "let   a = 1\nlet b = 2\n");
+    assert_eq!((edits.len(), edits[0].range.clone()), (1, 0..12));
+    assert!(ide::formatted(&one.session, "let a = (").is_empty());
+}
+
+#[test]
+fn colours_are_found_and_spelt() {
+    let one = scene("curve c = line((0, 0), (1, 0)) with (color = \"red\")");
+    let text = one.document.text().clone();
+    let found = ide::colors(&one.document);
+    assert_eq!((&text[found[0].0.clone()], found[0].1), ("\"red\"", [255, 0, 0]));
+    assert_eq!(ide::spellings([255, 0, 0]), ["\"red\"", "\"#ff0000\""]);
+}
+
+#[test]
+fn words_have_kinds() {
+    let one =
+        scene("import \"x.geo\" as x\nparam w = 2\nfn f(a) = a + w\nprint f(1) + sqrt(pi), {k: w}");
+    let tokens = one.document.tokens(one.session.registry());
+    let told: Vec<String> = tokens
+        .iter()
+        .map(|token| {
+            let mark = if token.is_declaration {
+                "*"
+            } else if token.is_built_in {
+                "!"
+            } else {
+                ""
+            };
+            format!("{}:{:?}{mark}", &one.document.text()[token.range.clone()], token.kind)
+        })
+        .collect();
+    for expected in [
+        "x:Namespace*",
+        "w:Setting*",
+        "f:Function*",
+        "a:Parameter*",
+        "a:Parameter",
+        "f:Function",
+        "sqrt:Function!",
+        "pi:Variable!",
+        "k:Property",
+        "print:Keyword",
+    ] {
+        assert!(told.iter().any(|one| one == expected), "{expected}: {told:?}");
+    }
+}
+
+#[test]
+fn every_place_of_every_example_can_be_asked() {
+    let session = Session::default();
+    for name in ["bottle", "teapot"] {
+        let text = std::fs::read_to_string(format!("examples/{name}.geo")).expect("an example");
+        let files = MemoryFiles::default();
+        let document = Document::new(&session, "main.geo", &text, &files);
+        for (at, _) in text.char_indices().step_by(7) {
+            let _ = document.hover(&session, None, at);
+            let _ = document.signatures(session.registry(), at);
+            let _ = document.selections(at);
+            for found in document.references(at) {
+                assert_eq!(document.definition(found.start), document.definition(at));
+            }
+        }
+    }
+}
