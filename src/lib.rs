@@ -19,6 +19,8 @@ pub mod limits;
 pub mod ops;
 pub mod render;
 pub mod session;
+#[cfg(feature = "cli")]
+pub mod study;
 pub mod syntax;
 pub mod value;
 #[cfg(feature = "cli")]

@@ -5,6 +5,8 @@
 
 mod extra;
 mod file;
+#[cfg(feature = "cli")]
+mod gate;
 mod inspect;
 mod options;
 mod path;
@@ -17,6 +19,8 @@ use std::{ops::Deref, sync::Arc};
 
 pub use extra::{ControlStyle, Extra, STRIPES};
 pub use file::File;
+#[cfg(feature = "cli")]
+pub(crate) use gate::JobGate;
 pub use picture::PictureContent;
 #[cfg(feature = "cli")]
 pub(crate) use picture::{drawable, exported};

@@ -21,6 +21,7 @@ mod run_args;
 mod settings;
 mod shell;
 mod standard_streams;
+mod study;
 mod test;
 mod view;
 mod watch;
@@ -81,6 +82,7 @@ fn dispatch(verb: CliCommand) -> ExitStatus {
             render::run(&file, &out, &drawn, &common)
         }
         CliCommand::Fmt { files, check, talk } => fmt::run(&files, check, &talk),
+        CliCommand::Study(asked) => study::run(&asked),
         CliCommand::Watch(asked) => watch::run(&asked),
         CliCommand::View(asked) => view::run(&asked),
         CliCommand::Doc { words, search } => doc(&words, search),

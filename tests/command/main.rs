@@ -9,6 +9,8 @@ mod looks;
 mod pictures;
 mod repl;
 mod safety;
+#[cfg(unix)]
+mod study;
 #[path = "../support/mod.rs"]
 mod support;
 mod testing;
