@@ -11,7 +11,8 @@
 pub mod cli;
 pub mod diag;
 #[cfg(feature = "cli")]
-mod disk;
+#[doc(hidden)]
+pub mod disk;
 pub mod docs;
 pub mod eval;
 pub mod export;
@@ -24,6 +25,7 @@ pub mod study;
 pub mod syntax;
 pub mod value;
 #[cfg(feature = "cli")]
-mod view;
+#[doc(hidden)]
+pub mod view;
 
 pub use virote_kernel as kernel;

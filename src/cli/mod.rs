@@ -27,12 +27,14 @@ mod view;
 mod watch;
 
 use std::{
+    ffi::OsString,
     io::{self, Write},
     process::ExitCode,
 };
 
 use clap::Parser as _;
 
+pub use self::params::schema_json;
 use self::{
     args::{Cli, CliCommand},
     exit_status::ExitStatus,
@@ -48,22 +50,28 @@ use crate::{
 /// holds.
 #[must_use]
 pub fn main(held: fn() -> usize) -> ExitCode {
+    ExitCode::from(main_with(std::env::args_os(), held))
+}
+
+/// The same with other arguments, the name of the command first; the exit code.
+#[must_use]
+pub fn main_with(args: impl IntoIterator<Item = OsString>, held: fn() -> usize) -> u8 {
     fault::listen();
-    let cli = match Cli::try_parse() {
+    let cli = match Cli::try_parse_from(args) {
         Ok(cli) => cli,
         Err(err) if err.use_stderr() => {
             let _ = err.print();
-            return ExitStatus::Usage.into();
+            return ExitStatus::Usage as u8;
         }
         // Asking for help or the version is no mistake.
         Err(err) => {
             if let Err(err) = err.print().and_then(|()| io::stdout().flush()) {
                 miss(&err);
             }
-            return spoken(ExitStatus::Well).into();
+            return spoken(ExitStatus::Well) as u8;
         }
     };
-    process::run(held, || spoken(dispatch(cli.verb)))
+    process::run(held, || spoken(dispatch(cli.verb))) as u8
 }
 
 fn dispatch(verb: CliCommand) -> ExitStatus {

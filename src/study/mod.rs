@@ -24,5 +24,6 @@ pub use journal::{Journal, checksum};
 pub use plan::{Plan, Variant};
 pub use results::{ResultFormat, write_results};
 pub use row::{Row, RowMaker};
+pub use typed_columns::read_results;
 pub use vary::VariedParameter;
 pub use workers::{Evaluation, StudyPictures, in_order};

@@ -1,7 +1,9 @@
 //! Results as Parquet: a column each, typed by what is in it, in groups of rows that fit into memory.
 
 use std::{
+    fs::File,
     io::{self, Write},
+    path::Path,
     sync::{Arc, Mutex, PoisonError},
 };
 
@@ -11,8 +13,10 @@ use parquet::{
     errors::ParquetError,
     file::{
         properties::WriterProperties,
+        reader::{FileReader, SerializedFileReader},
         writer::{SerializedFileWriter, SerializedRowGroupWriter},
     },
+    record::Field,
     schema::types::Type,
 };
 use serde_json::Value as Json;
@@ -21,6 +25,7 @@ use super::{
     columns::{CellKind, Columns, text_of},
     row::Row,
 };
+use crate::export::io_reason;
 
 /// Rows that are held at a time.
 const ROWS_A_GROUP: usize = 10_000;
@@ -130,4 +135,31 @@ fn add<T: DataType>(
 
 fn reason(err: ParquetError) -> io::Error {
     io::Error::other(err)
+}
+
+/// The rows of a file that [`write`] wrote.
+///
+/// # Errors
+/// Why it cannot be read.
+pub fn read_results(path: &Path) -> Result<Vec<Row>, String> {
+    let cannot = |why: String| format!("cannot read `{}`: {why}", path.display());
+    let file = File::open(path).map_err(|err| cannot(io_reason(&err)))?;
+    let reader = SerializedFileReader::new(file).map_err(|err| cannot(err.to_string()))?;
+    let rows = reader.get_row_iter(None).map_err(|err| cannot(err.to_string()))?;
+    rows.map(|row| {
+        let row = row.map_err(|err| cannot(err.to_string()))?;
+        let cells = row.get_column_iter().map(|(title, field)| (title.clone(), cell_of(field)));
+        Ok(cells.collect())
+    })
+    .collect()
+}
+
+fn cell_of(field: &Field) -> Json {
+    match field {
+        Field::Bool(truth) => Json::from(*truth),
+        Field::Long(whole) => Json::from(*whole),
+        Field::Double(number) => Json::from(*number),
+        Field::Str(text) => Json::from(text.as_str()),
+        _ => Json::Null,
+    }
 }
