@@ -7,6 +7,7 @@ set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")"
 profile=${VIROTE_PROFILE:-release}
+studies=$(cd ../docs/studies && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
@@ -17,7 +18,7 @@ PATH=$folder/venv/bin:$PATH maturin build --quiet --profile "$profile" --out "$f
 wheel=("$folder"/wheels/*.whl)
 echo "${wheel[0]##*/}: $(stat -c %s "${wheel[0]}") bytes"
 "$python" -m pip install --quiet --disable-pip-version-check "${wheel[0]}" \
-    pytest mypy pandas pyarrow scipy distributed optuna SALib openmdao nbclient ipykernel matplotlib
+    pytest mypy pandas pyarrow scipy distributed optuna SALib openmdao nbclient ipykernel
 
 # Away from here, so that what is tested is the wheel.
 cp -r tests generate.py pyproject.toml "$folder/"
@@ -34,5 +35,6 @@ if pathlib.Path(sys.argv[1], "_operations.py").read_text() != text:
     sys.exit("virote/_operations.py is out of date; `python generate.py` writes it")
 PROGRAM
 "$folder/venv/bin/virote" --version
+export VIROTE_STUDIES=$studies
 "$python" -m pytest --quiet tests
 "$python" -m pytest --quiet --doctest-modules --pyargs virote --ignore-glob='*_operations.py'
