@@ -79,6 +79,8 @@ def test_what_is_asked_wrongly_is_told(script: Path, tmp_path: Path) -> None:
     plan = [{"n": 1}]
     with pytest.raises(ValueError, match="one worker or more"):
         virote.study(script, plan, workers=0)
+    with pytest.raises(ValueError, match="some time"):
+        virote.study(script, plan, batch_seconds=float("nan"))
     with pytest.raises(TypeError, match="method `submit`"):
         virote.study(script, plan, client=3)
     with pytest.raises(ValueError, match="a folder for the parts"):

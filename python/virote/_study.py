@@ -18,8 +18,6 @@ from ._session import ParameterValue, setting
 
 __all__ = ["StudyError", "StudyResults", "grid", "study"]
 
-#: How long a batch is to take: what a task costs a scheduler is small against it.
-BATCH_SECONDS = 1.0
 #: Variants of a batch before it is known how long one takes, and at most.
 FIRST_BATCH, MOST_BATCH = 8, 5000
 #: Batches for each worker that are handed in at a time.
@@ -156,6 +154,7 @@ def study(
     time_limit: float | None = None,
     limits: Mapping[str, int] | None = None,
     data: Iterable[str] = (),
+    batch_seconds: float = 1.0,
     progress: bool | None = None,
 ) -> StudyResults:
     """Evaluates a script for each row of a plan.
@@ -177,8 +176,11 @@ def study(
     :param time_limit: seconds after which a variant is stopped.
     :param limits: ceilings of a variant by name, such as ``{"memory": 1 << 30}``.
     :param data: files beside the script that workers need; those that are read are found out as well.
+    :param batch_seconds: how long a batch is to take; what a task costs a scheduler is small against it.
     :param progress: whether a bar is drawn; by default where standard error is a terminal.
     """
+    if not batch_seconds > 0:
+        raise ValueError(f"a batch takes some time, found {batch_seconds} s")
     path = Path(script)
     text = path.read_bytes()
     variants, plan_sum = _variants(path, text, plan)
@@ -195,7 +197,8 @@ def study(
     )
     parts = _Parts(out, task, plan_sum) if out is not None else None
     pool = _Pool(workers) if client is None else _pool_of(client)
-    run = _Run(task, path.parent, variants, pool, parts, _Bar(len(variants), progress, pool.link))
+    bar = _Bar(len(variants), progress, pool.link)
+    run = _Run(task, path.parent, variants, pool, parts, bar, batch_seconds)
     try:
         rows = run.rows()
     finally:
@@ -497,8 +500,10 @@ class _Run:
         pool: _Pool,
         parts: _Parts | None,
         bar: _Bar,
+        batch_seconds: float,
     ) -> None:
         self.task, self.folder, self.pool, self.parts, self.bar = task, folder, pool, parts, bar
+        self.batch_seconds = batch_seconds
         self.done: dict[int, str] = parts.kept() if parts else {}
         bar.keep(len(self.done))
         self.numbers = [number for number, _, _ in variants]
@@ -561,7 +566,7 @@ class _Run:
             self.again.append(batch)
             return
         self._keep(batch, rows)
-        wanted = int(len(batch) * BATCH_SECONDS / max(seconds, 1e-6))
+        wanted = int(len(batch) * self.batch_seconds / max(seconds, 1e-6))
         self.size = max(1, min(wanted, 4 * self.size, MOST_BATCH, self._share()))
 
     def _share(self) -> int:
