@@ -137,7 +137,7 @@ fn reason(err: ParquetError) -> io::Error {
     io::Error::other(err)
 }
 
-/// The rows of a file that [`write`] wrote.
+/// The rows of a Parquet file of results.
 ///
 /// # Errors
 /// Why it cannot be read.
