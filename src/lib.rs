@@ -11,7 +11,8 @@
 pub mod cli;
 pub mod diag;
 #[cfg(feature = "cli")]
-mod disk;
+#[doc(hidden)]
+pub mod disk;
 pub mod docs;
 pub mod eval;
 pub mod export;
@@ -23,9 +24,12 @@ pub mod lsp;
 pub mod ops;
 pub mod render;
 pub mod session;
+#[cfg(feature = "cli")]
+pub mod study;
 pub mod syntax;
 pub mod value;
 #[cfg(feature = "cli")]
-mod view;
+#[doc(hidden)]
+pub mod view;
 
 pub use virote_kernel as kernel;

@@ -3,8 +3,11 @@
 //! The session touches no file, clock or terminal. The doors hand in the text and a [`Files`] to
 //! read data through, and write what the [`Report`] plans.
 
+mod call;
 mod extra;
 mod file;
+#[cfg(feature = "cli")]
+mod gate;
 mod inspect;
 mod options;
 mod path;
@@ -15,8 +18,11 @@ mod test;
 
 use std::{ops::Deref, sync::Arc};
 
+pub use call::Arguments;
 pub use extra::{ControlStyle, Extra, STRIPES};
 pub use file::File;
+#[cfg(feature = "cli")]
+pub(crate) use gate::JobGate;
 pub use picture::PictureContent;
 #[cfg(feature = "cli")]
 pub(crate) use picture::{drawable, exported};
@@ -85,7 +91,7 @@ pub struct Report {
 #[derive(Clone, Debug)]
 pub struct HeldValue {
     value: Value,
-    _kept: eval::KeptGlobals,
+    kept: eval::KeptGlobals,
 }
 
 impl Deref for HeldValue {
@@ -113,7 +119,7 @@ impl Report {
     #[must_use]
     pub fn value(&self, name: &str) -> Option<HeldValue> {
         let defined = self.definitions.iter().find(|defined| defined.name == name)?;
-        Some(HeldValue { value: defined.value.clone()?, _kept: self.kept.clone() })
+        Some(HeldValue { value: defined.value.clone()?, kept: self.kept.clone() })
     }
 
     /// How many findings are of a severity.

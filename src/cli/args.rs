@@ -8,7 +8,7 @@ use super::{
     looks::PictureArgs,
     lsp,
     run_args::{OutputArgs, RunArgs},
-    test, view, watch,
+    study, test, view, watch,
 };
 
 /// Exact freeform curves and surfaces from a declarative language.
@@ -31,6 +31,7 @@ Examples:
   virote repl bottle.geo                       questions about it
   virote lsp                                   help while writing, for editors
   virote render bottle.geo -o bottle.png       a picture of it
+  virote study bottle.geo plan.csv -o r.csv    a row of results for each row of values
   virote params bottle.geo                     its parameters
   virote graph bottle.geo                      what depends on what, for Graphviz
   virote fmt bottle.geo                        rewrite it in canonical form
@@ -134,6 +135,19 @@ Examples:
         #[command(flatten)]
         common: RunArgs,
     },
+    /// Evaluates a script with many values of its parameters, and writes a row of results for each
+    ///
+    /// A row has the parameters, every number, text and truth value that the script gives a name, each
+    /// check with its margin, the first error, and the time. A variant that fails is a row like all
+    /// others. On all processors, in the order of the plan; a study that was ended goes on where it was
+    /// when the same command is given again. Files that the script exports are not written.
+    #[command(after_help = "\
+Examples:
+  virote study bottle.geo plan.csv -o results.parquet
+  virote study bottle.geo --vary neck=10mm..20mm:11 --vary body=30mm,35mm -o results.csv
+  virote study bottle.geo plan.csv -o results.csv --want glass --time-limit 10s
+  virote study bottle.geo plan.csv -o results.csv --render pictures --size 400x300")]
+    Study(study::StudyOptions),
     /// Tells the parameters of a script: kind, default, what is allowed, label, documentation
     ///
     /// Only the parameters are evaluated, and what they use. In JSON, numbers are in the

@@ -1,7 +1,5 @@
 //! How a run ended.
 
-use std::process::ExitCode;
-
 use crate::{
     diag::{Code, Severity},
     session::Report,
@@ -9,7 +7,7 @@ use crate::{
 
 /// How a run ended; the numbers are part of the contract.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum ExitStatus {
+pub(super) enum ExitStatus {
     /// All is well.
     Well = 0,
     /// A check or test failed.
@@ -32,12 +30,6 @@ impl ExitStatus {
         } else {
             Self::Well
         }
-    }
-}
-
-impl From<ExitStatus> for ExitCode {
-    fn from(ending: ExitStatus) -> Self {
-        Self::from(ending as u8)
     }
 }
 

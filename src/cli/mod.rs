@@ -22,17 +22,20 @@ mod run_args;
 mod settings;
 mod shell;
 mod standard_streams;
+mod study;
 mod test;
 mod view;
 mod watch;
 
 use std::{
+    ffi::OsString,
     io::{self, Write},
     process::ExitCode,
 };
 
 use clap::Parser as _;
 
+pub use self::params::schema_json;
 use self::{
     args::{Cli, CliCommand},
     exit_status::ExitStatus,
@@ -48,22 +51,28 @@ use crate::{
 /// holds.
 #[must_use]
 pub fn main(held: fn() -> usize) -> ExitCode {
+    ExitCode::from(main_with(std::env::args_os(), held))
+}
+
+/// The same with other arguments, the name of the command first; the exit code.
+#[must_use]
+pub fn main_with(args: impl IntoIterator<Item = OsString>, held: fn() -> usize) -> u8 {
     fault::listen();
-    let cli = match Cli::try_parse() {
+    let cli = match Cli::try_parse_from(args) {
         Ok(cli) => cli,
         Err(err) if err.use_stderr() => {
             let _ = err.print();
-            return ExitStatus::Usage.into();
+            return ExitStatus::Usage as u8;
         }
         // Asking for help or the version is no mistake.
         Err(err) => {
             if let Err(err) = err.print().and_then(|()| io::stdout().flush()) {
                 miss(&err);
             }
-            return spoken(ExitStatus::Well).into();
+            return spoken(ExitStatus::Well) as u8;
         }
     };
-    process::run(held, || spoken(dispatch(cli.verb)))
+    process::run(held, || spoken(dispatch(cli.verb))) as u8
 }
 
 fn dispatch(verb: CliCommand) -> ExitStatus {
@@ -82,6 +91,7 @@ fn dispatch(verb: CliCommand) -> ExitStatus {
             render::run(&file, &out, &drawn, &common)
         }
         CliCommand::Fmt { files, check, talk } => fmt::run(&files, check, &talk),
+        CliCommand::Study(asked) => study::run(&asked),
         CliCommand::Watch(asked) => watch::run(&asked),
         CliCommand::Lsp(asked) => lsp::run(&asked),
         CliCommand::View(asked) => view::run(&asked),

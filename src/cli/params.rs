@@ -97,7 +97,9 @@ fn written(value: &Value, parameter: &SchemaParameter, unit: &str) -> String {
     }
 }
 
-fn schema_json(file: &str, schema: &Schema) -> Json {
+/// The parameters of a script as JSON.
+#[must_use]
+pub fn schema_json(file: &str, schema: &Schema) -> Json {
     let unit = schema.unit.name();
     let parameters: Vec<Json> =
         schema.parameters.iter().map(|parameter| parameter_json(parameter, unit)).collect();

@@ -1,6 +1,6 @@
 //! What the process has to give: a stack for whatever recurses, and memory that is counted.
 
-use std::{process::ExitCode, sync::OnceLock};
+use std::sync::OnceLock;
 
 use super::{exit_status::ExitStatus, standard_streams::say_error};
 use crate::{
@@ -17,17 +17,16 @@ const ROOM: usize = 16 << 20;
 
 /// Does the work with a large stack. Where the system has no room for it, a smaller one has to do, and the
 /// ceilings that keep to the stack come down with it.
-pub(super) fn run(held: fn() -> usize, work: impl FnOnce() -> ExitStatus + Send) -> ExitCode {
+pub(super) fn run(held: fn() -> usize, work: impl FnOnce() -> ExitStatus + Send) -> ExitStatus {
     HELD.get_or_init(|| held);
     let mut work = Some(work);
-    let status = stack::with_room(Limits::DEFAULT.stack_bytes, ROOM, |_| {
+    stack::with_room(Limits::DEFAULT.stack_bytes, ROOM, |_| {
         let Some(work) = work.take() else { return ExitStatus::Usage };
         fault::caught(Span::default(), || Ok(work())).unwrap_or_else(|told| {
             say_error(&format!("virote: {}\n{}", told.message, fault::REMEDY));
             ExitStatus::Usage
         })
-    });
-    status.into()
+    })
 }
 
 /// A session with these ceilings, as far as the process carries them.

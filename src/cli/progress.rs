@@ -70,3 +70,35 @@ impl Drop for Progress {
         self.bar.finish_and_clear();
     }
 }
+
+/// How far a study is: a bar with the rate and the time that is left, where standard error is a terminal.
+#[derive(Debug)]
+pub(super) struct StudyProgress(ProgressBar);
+
+impl StudyProgress {
+    /// Begins with `n_done` of `n_all` rows.
+    pub(super) fn begin(n_all: u64, n_done: u64, is_told: bool) -> Self {
+        let target = match is_told && io::stderr().is_terminal() {
+            true => ProgressDrawTarget::stderr(),
+            false => ProgressDrawTarget::hidden(),
+        };
+        let bar = ProgressBar::with_draw_target(Some(n_all), target).with_position(n_done);
+        let template = "{wide_bar} {human_pos} of {human_len} variants, {per_sec}, {eta} left";
+        if let Ok(style) = ProgressStyle::with_template(template) {
+            bar.set_style(style);
+        }
+        bar.reset_eta();
+        Self(bar)
+    }
+
+    /// Tells that a row is done.
+    pub(super) fn done(&self) {
+        self.0.inc(1);
+    }
+}
+
+impl Drop for StudyProgress {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
+}

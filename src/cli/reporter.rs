@@ -3,7 +3,7 @@
 //! Lines: what the script prints and writes goes to standard output, findings to standard error.
 //! JSON: everything is an object on a line of standard output, findings included.
 
-use std::time::Duration;
+use std::{collections::BTreeMap, time::Duration};
 
 use serde_json::json;
 
@@ -301,6 +301,33 @@ impl Reporter {
         } else if !self.is_quiet {
             let verb = if is_written { "formatted" } else { "would format" };
             say(&format!("{verb} {path}\n"));
+        }
+    }
+
+    /// What came of a study: how many rows, how many with failed checks, and how many with each error.
+    pub(super) fn study(
+        &self,
+        path: &str,
+        n_rows: u64,
+        (n_failed, errors): (u64, &BTreeMap<String, u64>),
+    ) {
+        if self.is_json {
+            let line = json!({
+                "type": "study", "path": path, "rows": n_rows, "failed": n_failed, "errors": errors,
+            });
+            say_exactly(&format!("{line}\n"));
+        } else if !self.is_quiet {
+            let n_wrong: u64 = errors.values().sum();
+            let codes: Vec<String> =
+                errors.iter().map(|(code, n)| format!("{n} of {code}")).collect();
+            let mut text = format!("wrote {path}: {n_rows} rows");
+            if 0 < n_failed {
+                text.push_str(&format!(", {n_failed} with failed checks"));
+            }
+            if 0 < n_wrong {
+                text.push_str(&format!(", {n_wrong} with errors ({})", codes.join(", ")));
+            }
+            say(&format!("{text}\n"));
         }
     }
 

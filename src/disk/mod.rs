@@ -5,6 +5,8 @@ mod read;
 mod watched;
 mod write;
 
-pub(crate) use read::{Script, ScriptFiles, read_whole};
+pub(crate) use read::read_whole;
+pub use read::{Script, ScriptFiles};
 pub(crate) use watched::{FileChange, FileStamp, WatchedFiles};
-pub(crate) use write::{OutputTarget, StagedFile, TargetRefusal, overwrite, replace};
+pub use write::{OutputTarget, TargetRefusal, replace};
+pub(crate) use write::{StagedFile, overwrite};

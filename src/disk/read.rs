@@ -16,20 +16,20 @@ const STDIN: &str = "-";
 
 /// A script on its way in.
 #[derive(Debug)]
-pub(crate) struct Script {
+pub struct Script {
     /// What messages call it.
-    pub(crate) name: String,
+    pub name: String,
     /// Its bytes.
-    pub(crate) bytes: Vec<u8>,
+    pub bytes: Vec<u8>,
     /// The folder that its paths are relative to.
-    pub(crate) folder: PathBuf,
+    pub folder: PathBuf,
     /// The file, unless it came through standard input.
-    pub(crate) path: Option<PathBuf>,
+    pub path: Option<PathBuf>,
 }
 
 impl Script {
     /// Reads a script; one byte more than `most` is enough to know that it is too large.
-    pub(crate) fn read(path: &Path, most: usize) -> Result<Self, String> {
+    pub fn read(path: &Path, most: usize) -> Result<Self, String> {
         if path.as_os_str() == STDIN {
             let bytes = read_some(&mut io::stdin().lock(), most)
                 .map_err(|err| format!("standard input: {err}"))?;
@@ -89,7 +89,7 @@ pub(crate) fn read_whole(path: &Path, most: usize) -> Result<Vec<u8>, String> {
 
 /// Data files beside a script; remembers which were read.
 #[derive(Debug)]
-pub(crate) struct ScriptFiles {
+pub struct ScriptFiles {
     folder: PathBuf,
     asked: Mutex<BTreeMap<PathBuf, AskedFile>>,
 }
@@ -104,12 +104,12 @@ struct AskedFile {
 
 impl ScriptFiles {
     /// Files relative to `folder`.
-    pub(crate) fn new(folder: &Path) -> Self {
+    pub fn new(folder: &Path) -> Self {
         Self { folder: folder.to_path_buf(), asked: Mutex::default() }
     }
 
     /// The files that were read.
-    pub(crate) fn inputs(&self) -> Vec<PathBuf> {
+    pub fn inputs(&self) -> Vec<PathBuf> {
         let asked = self.asked.lock().unwrap_or_else(PoisonError::into_inner);
         let read = asked.iter().filter(|(_, file)| file.was_read);
         read.map(|(path, _)| path.clone()).collect()

@@ -17,14 +17,14 @@ use crate::export::{ExportError, Summary, capped};
 
 /// A file of the output folder that may be written.
 #[derive(Debug)]
-pub(crate) struct OutputTarget {
+pub struct OutputTarget {
     folder: PathBuf,
     path: PathBuf,
 }
 
 /// Why a target is refused before anything is written.
 #[derive(Debug)]
-pub(crate) enum TargetRefusal {
+pub enum TargetRefusal {
     /// The script may not write there.
     Forbidden(String),
     /// The operating system does not let us.
@@ -36,7 +36,7 @@ impl OutputTarget {
     ///
     /// Makes no folder and no file; folders that exist are looked through, so that a symbolic
     /// link cannot lead out of the output folder.
-    pub(crate) fn new(out: &Path, path: &str, inputs: &[PathBuf]) -> Result<Self, TargetRefusal> {
+    pub fn new(out: &Path, path: &str, inputs: &[PathBuf]) -> Result<Self, TargetRefusal> {
         let full = out.join(path);
         let folder = full.parent().unwrap_or(out).to_path_buf();
         if full.is_dir() {
@@ -157,7 +157,7 @@ pub(crate) fn overwrite(path: &Path, text: &str) -> io::Result<()> {
 
 /// Puts what `write` writes in the place of the file `path`, behind its links, which is there whole or
 /// not at all.
-pub(crate) fn replace<T, E: From<io::Error>>(
+pub fn replace<T, E: From<io::Error>>(
     path: &Path,
     permissions: Option<fs::Permissions>,
     write: impl FnOnce(&mut dyn Write) -> Result<T, E>,

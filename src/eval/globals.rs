@@ -26,13 +26,22 @@ pub(crate) struct Globals {
 /// surfaces answer.
 #[derive(Clone, Debug, Default)]
 pub struct KeptGlobals {
-    _homes: Vec<Arc<Globals>>,
+    homes: Vec<Arc<Globals>>,
 }
 
 impl KeptGlobals {
     /// Keeps these homes.
     pub(super) fn new(homes: Vec<Arc<Globals>>) -> Self {
-        Self { _homes: homes }
+        Self { homes }
+    }
+
+    /// Keeps what another one keeps as well.
+    pub(crate) fn keep(&mut self, other: &Self) {
+        for home in &other.homes {
+            if !self.homes.iter().any(|known| Arc::ptr_eq(known, home)) {
+                self.homes.push(Arc::clone(home));
+            }
+        }
     }
 }
 

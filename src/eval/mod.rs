@@ -19,6 +19,7 @@ mod file_run;
 mod function;
 mod globals;
 mod index;
+mod invoke;
 mod ir;
 mod items;
 mod kind_check;
@@ -48,6 +49,7 @@ pub(crate) use ceiling::out_of_memory;
 pub use claim::{ClaimSide, Verdict};
 pub use dependencies::{DependencyNode, Graph, graph};
 pub use globals::KeptGlobals;
+pub(crate) use invoke::invoke;
 pub(crate) use ir::param_kinds;
 #[cfg(feature = "cli")]
 pub(crate) use lower::foreign_names::advice as foreign_advice;

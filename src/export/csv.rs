@@ -51,7 +51,7 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
 }
 
 /// The cell of a text, in quotation marks also where it would be taken for nothing or for a number.
-fn text_cell(text: &str) -> String {
+pub(crate) fn text_cell(text: &str) -> String {
     if text.is_empty() || text.parse::<f64>().is_ok() { format!("\"{text}\"") } else { cell(text) }
 }
 

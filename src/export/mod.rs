@@ -43,6 +43,8 @@ use crate::{
 
 #[cfg(feature = "cli")]
 pub(crate) use base64::base64;
+#[cfg(feature = "cli")]
+pub(crate) use csv::text_cell as csv_cell;
 pub use labels::DefinitionLabel;
 pub use legend::Legend;
 pub use limited::capped;
@@ -50,6 +52,8 @@ pub use measure::{MeasuredPart, parts};
 pub(crate) use options::N_ISOCURVES;
 pub use options::{ExportOption, OptionValue, Options};
 pub use projection::{Viewpoint, ViewpointError};
+#[cfg(feature = "cli")]
+pub(crate) use raster::{Thumbnail, write_sheet};
 pub(crate) use shape::whole;
 pub use view::{Oblique, View};
 

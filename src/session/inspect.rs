@@ -101,7 +101,11 @@ impl Session {
         }
     }
 
-    fn settings<'a>(&'a self, files: &'a dyn Files, limits: &'a Limits) -> eval::Settings<'a> {
+    pub(super) fn settings<'a>(
+        &'a self,
+        files: &'a dyn Files,
+        limits: &'a Limits,
+    ) -> eval::Settings<'a> {
         eval::Settings {
             registry: &self.registry,
             limits,

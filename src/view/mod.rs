@@ -88,6 +88,18 @@ impl ViewedScript<'_> {
     }
 }
 
+/// The page of a script with these settings, which shows its model anywhere; none where it has errors or
+/// nothing to show. `session` makes a session that a switch stops.
+#[must_use]
+pub fn single_page(
+    path: PathBuf,
+    settings: Vec<Setting>,
+    session: &dyn Fn(StopToken) -> Session,
+) -> Option<String> {
+    let out = path.parent().map(std::path::Path::to_path_buf).unwrap_or_default();
+    SinglePage::of(&ViewedScript { path, out, settings, session }).text
+}
+
 /// A page with a model in it, which asks nobody.
 pub(crate) struct SinglePage {
     /// None where the script has errors, or cannot be drawn.

@@ -10,6 +10,8 @@ mod lsp;
 mod pictures;
 mod repl;
 mod safety;
+#[cfg(unix)]
+mod study;
 #[path = "../support/mod.rs"]
 mod support;
 mod testing;

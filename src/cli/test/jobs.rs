@@ -3,14 +3,13 @@
 use std::{
     collections::BTreeMap,
     sync::{
-        PoisonError, RwLock,
         atomic::{AtomicUsize, Ordering},
         mpsc,
     },
     thread,
 };
 
-use crate::{limits::stack, session::Report};
+use crate::limits::stack;
 
 /// Does `work` on each of `all`, on `n_jobs` threads; `tell` hears the results in order, each as
 /// soon as those before it are there.
@@ -50,26 +49,6 @@ pub(super) fn in_order<T: Sync, R: Send>(
             }
         }
     });
-}
-
-/// Lets scripts run side by side, and alone where memory ran out: where it ends then depends on
-/// the script and on nothing beside it.
-#[derive(Debug, Default)]
-pub(super) struct JobGate(RwLock<()>);
-
-impl JobGate {
-    /// What the script came to.
-    pub(super) fn run(&self, work: impl Fn() -> Report) -> Report {
-        {
-            let _beside = self.0.read().unwrap_or_else(PoisonError::into_inner);
-            let report = work();
-            if !report.is_out_of_memory() {
-                return report;
-            }
-        }
-        let _alone = self.0.write().unwrap_or_else(PoisonError::into_inner);
-        work()
-    }
 }
 
 #[cfg(test)]

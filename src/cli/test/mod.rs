@@ -21,7 +21,6 @@ use clap::Args;
 
 use self::{
     golden::GoldenMode,
-    jobs::JobGate,
     report::TestReporter,
     tested::{TestAttempt, TestedScript, UnreadScript},
 };
@@ -30,7 +29,7 @@ use crate::{
     disk::{Script, ScriptFiles},
     eval::Setting,
     export::io_reason,
-    session::{Event, Session},
+    session::{Event, JobGate, Session},
 };
 
 /// What `virote test` is asked for.

@@ -6,6 +6,8 @@
 //! *Portable Network Graphics*, second edition.
 
 mod band;
+#[cfg(feature = "cli")]
+mod contact;
 mod font;
 mod legend;
 mod light;
@@ -17,6 +19,8 @@ use std::io::{self, Write};
 
 use glam::DVec3;
 
+#[cfg(feature = "cli")]
+pub(crate) use self::contact::{Thumbnail, write_sheet};
 use self::{band::RowBand, light::Light, scene::RasterScene};
 use super::{
     ExportError, Format, Job, Picture, Subject, Summary,

@@ -1,0 +1,295 @@
+//! Values on their way between Python and the language.
+//!
+//! On the way in the type of the parameter decides: a pair of numbers is a point where a point is wanted,
+//! and a range where that is. What fits no type goes in as it is, so that the language says what it wants.
+
+use std::sync::Arc;
+
+use numpy::{
+    AllowTypeChange, PyArray1, PyArrayLikeDyn, PyArrayMethods, PyUntypedArray,
+    PyUntypedArrayMethods,
+};
+use pyo3::{
+    exceptions::{PyTypeError, PyValueError},
+    prelude::*,
+    sync::PyOnceLock,
+    types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString, PyTuple},
+};
+use virote::{
+    kernel::glam::DVec3,
+    session::HeldValue,
+    value::{Dimension, List, Number, Range, Record, Type, Value, radians_of},
+};
+
+use crate::geometry::Held;
+
+/// A point as an array.
+pub(crate) fn point(py: Python<'_>, point: DVec3) -> Bound<'_, PyArray1<f64>> {
+    PyArray1::from_slice(py, &point.to_array())
+}
+
+/// A value of the language as Python has it.
+pub(crate) fn to_python<'py>(py: Python<'py>, held: &HeldValue) -> PyResult<Bound<'py, PyAny>> {
+    Ok(match &**held {
+        Value::None => py.None().into_bound(py),
+        Value::Bool(truth) => PyBool::new(py, *truth).to_owned().into_any(),
+        Value::Number(number) => PyFloat::new(py, number.value).into_any(),
+        Value::Text(text) => PyString::new(py, text).into_any(),
+        Value::Point(at) => point(py, *at).into_any(),
+        Value::Range(range) => PyTuple::new(py, [range.start.value, range.end.value])?.into_any(),
+        Value::List(items) => list(py, held, items)?,
+        Value::Record(record) => {
+            let members = PyDict::new(py);
+            for (name, member) in record.iter() {
+                members.set_item(name, to_python(py, &held.with(member.clone()))?)?;
+            }
+            members.into_any()
+        }
+        Value::Jet(_) | Value::JetPoint(_) | Value::JetRange(_) => {
+            to_python(py, &held.with(held.looked_at()))?
+        }
+        Value::Function(_)
+        | Value::Curve(_)
+        | Value::Surface(_)
+        | Value::Mesh(_)
+        | Value::Table(_)
+        | Value::Frame(_) => {
+            static WRAP: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+            let wrap = WRAP.get_or_try_init(py, || -> PyResult<Py<PyAny>> {
+                Ok(py.import("virote._geometry")?.getattr("_wrap")?.unbind())
+            })?;
+            let inner = Held { value: held.clone() };
+            wrap.bind(py).call1((held.kind(), inner))?
+        }
+    })
+}
+
+/// Numbers and points as arrays, all else as a list.
+fn list<'py>(py: Python<'py>, held: &HeldValue, items: &List) -> PyResult<Bound<'py, PyAny>> {
+    let numbers: Option<Vec<f64>> = items
+        .values()
+        .map(|item| match item {
+            Value::Number(number) => Some(number.value),
+            _ => None,
+        })
+        .collect();
+    if let Some(numbers) = numbers.filter(|numbers| !numbers.is_empty()) {
+        return Ok(PyArray1::from_vec(py, numbers).into_any());
+    }
+    let points: Option<Vec<[f64; 3]>> = items
+        .values()
+        .map(|item| match item {
+            Value::Point(at) => Some(at.to_array()),
+            _ => None,
+        })
+        .collect();
+    if let Some(points) = points.filter(|points| !points.is_empty()) {
+        let flat = PyArray1::from_vec(py, points.concat());
+        return Ok(flat.reshape([points.len(), 3])?.into_any());
+    }
+    let all = PyList::empty(py);
+    for item in items.values() {
+        all.append(to_python(py, &held.with(item))?)?;
+    }
+    Ok(all.into_any())
+}
+
+/// A value of Python for a parameter of a type. What it needs to answer is kept in `kept`.
+pub(crate) fn from_python(
+    given: &Bound<'_, PyAny>,
+    ty: Type,
+    kept: &mut HeldValue,
+) -> PyResult<Value> {
+    if given.is_none() {
+        return Ok(Value::None);
+    }
+    if let Some(value) = held(given, kept) {
+        return Ok(value);
+    }
+    if given.is_instance_of::<PyBool>() || is_numpy_bool(given) {
+        return Ok(Value::Bool(given.is_truthy()?));
+    }
+    if let Ok(text) = given.cast::<PyString>() {
+        if ty == Type::Function {
+            // The text of a function is one.
+            let made = given.py().import("virote._session")?.getattr("function")?.call1((text,))?;
+            return from_python(&made, Type::Any, kept);
+        }
+        return Ok(text_value(text.to_str()?, ty));
+    }
+    if let Some(number) = number(given)? {
+        return Ok(number);
+    }
+    if let Ok(members) = given.cast::<PyDict>() {
+        let fields = members.iter().map(|(name, member)| {
+            let name: String = name.extract()?;
+            Ok((Arc::from(name.as_str()), from_python(&member, Type::Any, kept)?))
+        });
+        return Ok(Value::Record(Arc::new(Record::new(fields.collect::<PyResult<Vec<_>>>()?))));
+    }
+    sequence(given, ty, kept)
+}
+
+/// What the classes of the package hold.
+fn held(given: &Bound<'_, PyAny>, kept: &mut HeldValue) -> Option<Value> {
+    let inner = given.getattr_opt("_held").ok()??;
+    let inner = inner.cast::<Held>().ok()?;
+    kept.keep(&inner.get().value);
+    Some((*inner.get().value).clone())
+}
+
+fn is_numpy_bool(given: &Bound<'_, PyAny>) -> bool {
+    given.get_type().name().is_ok_and(|name| name == "bool" || name == "bool_")
+}
+
+/// A text, or the quantity that it says where a number is wanted.
+fn text_value(text: &str, ty: Type) -> Value {
+    let wants_text = |ty: &Type| matches!(ty, Type::Text | Type::Choice(_));
+    let is_text = match ty {
+        Type::OneOf(types) => types.iter().any(wants_text),
+        other => wants_text(&other),
+    };
+    match quantity(text) {
+        Some(number) if !is_text => Value::Number(number),
+        _ => Value::text(text),
+    }
+}
+
+/// `12mm`, `30deg`, `0.5turn`: a length in millimetres, an angle in radians.
+pub(crate) fn quantity(text: &str) -> Option<Number> {
+    let text = text.trim();
+    let digits = text.trim_end_matches(char::is_alphabetic).len();
+    let value: f64 = text[..digits].trim().parse().ok().filter(|value: &f64| value.is_finite())?;
+    let unit = virote::syntax::ast::Unit::from_name(&text[digits..])?;
+    Some(match (unit.millimetres(), unit.name()) {
+        (Some(size), _) => Number { value: value * size, dim: Dimension::LENGTH },
+        (None, "deg") => Number::angle(radians_of(value)),
+        (None, "turn") => Number::angle(value * std::f64::consts::TAU),
+        (None, _) => Number::angle(value),
+    })
+}
+
+/// A number, if it is one.
+fn number(given: &Bound<'_, PyAny>) -> PyResult<Option<Value>> {
+    let is_number = given.is_instance_of::<PyFloat>() || given.is_instance_of::<PyInt>();
+    let is_scalar = || {
+        let array = given.cast::<PyUntypedArray>();
+        let has_float = given.hasattr("__float__").unwrap_or(false);
+        has_float
+            && array.map_or(!given.hasattr("__len__").unwrap_or(true), |array| array.ndim() == 0)
+    };
+    if !is_number && !is_scalar() {
+        return Ok(None);
+    }
+    finite(given.extract::<f64>()?).map(|value| Some(Value::number(value)))
+}
+
+fn finite(value: f64) -> PyResult<f64> {
+    if value.is_finite() {
+        return Ok(value);
+    }
+    Err(PyValueError::new_err(format!("{value} is no number of the language; numbers are finite")))
+}
+
+/// Sequences and arrays.
+fn sequence(given: &Bound<'_, PyAny>, ty: Type, kept: &mut HeldValue) -> PyResult<Value> {
+    match ty {
+        Type::Point => vector(given).or_else(|_| any_sequence(given, kept)),
+        Type::Range => {
+            let ends: Vec<Bound<'_, PyAny>> = given.extract().unwrap_or_default();
+            match &ends[..] {
+                [start, end] => {
+                    let start = from_python(start, Type::Number, kept)?;
+                    let end = from_python(end, Type::Number, kept)?;
+                    match (start, end) {
+                        (Value::Number(start), Value::Number(end)) => {
+                            Ok(Value::Range(Range { start, end, closed: true }))
+                        }
+                        _ => any_sequence(given, kept),
+                    }
+                }
+                _ => any_sequence(given, kept),
+            }
+        }
+        Type::List(of, _) => items(given, *of, kept),
+        Type::Grid(of) => {
+            let rows = iterate(given)?;
+            let rows = rows.into_iter().map(|row| items(&row, *of, kept));
+            Ok(Value::list(rows.collect::<PyResult<_>>()?))
+        }
+        Type::Geometry => vector(given).or_else(|_| items(given, Type::Geometry, kept)),
+        Type::OneOf(types) => {
+            for one in types {
+                if let Ok(value) = from_python(given, *one, kept)
+                    && one.accepts(&value)
+                {
+                    return Ok(value);
+                }
+            }
+            any_sequence(given, kept)
+        }
+        _ => any_sequence(given, kept),
+    }
+}
+
+/// A list of elements of a type.
+fn items(given: &Bound<'_, PyAny>, of: Type, kept: &mut HeldValue) -> PyResult<Value> {
+    let is_number = matches!(of, Type::Number | Type::Ratio | Type::Count | Type::Integer);
+    if is_number && given.cast::<PyUntypedArray>().is_ok() {
+        return numbers(given);
+    }
+    let all = iterate(given)?.into_iter().map(|item| from_python(&item, of, kept));
+    Ok(Value::list(all.collect::<PyResult<_>>()?))
+}
+
+fn iterate<'py>(given: &Bound<'py, PyAny>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    let refused = |_| {
+        let name = given.get_type().name().map(|name| name.to_string()).unwrap_or_default();
+        PyTypeError::new_err(format!("a value of the type {name} has no meaning in the language"))
+    };
+    given.try_iter().map_err(refused)?.collect()
+}
+
+/// All numbers of something like an array, whatever its strides and its type.
+fn numbers(given: &Bound<'_, PyAny>) -> PyResult<Value> {
+    let array: PyArrayLikeDyn<'_, f64, AllowTypeChange> = given.extract()?;
+    let all: PyResult<Vec<f64>> = array.as_array().iter().map(|&value| finite(value)).collect();
+    Ok(Value::List(List::of_numbers(all?, Dimension::NONE)))
+}
+
+/// Two or three numbers as a point.
+fn vector(given: &Bound<'_, PyAny>) -> PyResult<Value> {
+    let wrong = || PyTypeError::new_err("a point is two or three numbers");
+    let parts = iterate(given)?;
+    let mut point = [0.0; 3];
+    if parts.len() < 2 || point.len() < parts.len() {
+        return Err(wrong());
+    }
+    for (slot, part) in point.iter_mut().zip(&parts) {
+        *slot = match (number(part)?, part.cast::<PyString>()) {
+            (Some(Value::Number(number)), _) => number.value,
+            (None, Ok(text)) => quantity(text.to_str()?).ok_or_else(wrong)?.value,
+            _ => return Err(wrong()),
+        };
+    }
+    Ok(Value::Point(DVec3::from(point)))
+}
+
+/// What nobody said anything about: a tuple of numbers is a point, rows of two or three numbers are
+/// points, and all else is a list.
+fn any_sequence(given: &Bound<'_, PyAny>, kept: &mut HeldValue) -> PyResult<Value> {
+    if let Ok(array) = given.cast::<PyUntypedArray>() {
+        let shape = array.shape().to_vec();
+        return match shape[..] {
+            [_] => numbers(given),
+            [_, 2 | 3] => items(given, Type::Point, kept),
+            _ => items(given, Type::Any, kept),
+        };
+    }
+    if given.is_instance_of::<PyTuple>()
+        && let Ok(point) = vector(given)
+    {
+        return Ok(point);
+    }
+    items(given, Type::Any, kept)
+}

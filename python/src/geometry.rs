@@ -1,0 +1,300 @@
+//! Values that stay in the library, and curves and surfaces over arrays of parameters.
+
+use numpy::{
+    IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1,
+    ndarray::{Array1, Array2},
+};
+use pyo3::{
+    exceptions::{PyTypeError, PyValueError},
+    prelude::*,
+    types::PyDict,
+};
+use virote::{
+    kernel::{
+        Column, Curve, GeomError, Interval, Mesh, Surface,
+        glam::{DVec3, DVec4},
+    },
+    session::HeldValue,
+    value::Value,
+};
+
+use crate::{convert, errors::geom_error};
+
+/// A value that stays in the library.
+#[pyclass(frozen, module = "virote._virote")]
+pub(crate) struct Held {
+    pub(crate) value: HeldValue,
+}
+
+/// Parameters as they come from Python: a flat array.
+type Parameters<'py> = PyReadonlyArray1<'py, f64>;
+
+/// Points as an array of three columns.
+fn points_array<'py>(py: Python<'py>, points: &[DVec3]) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    let flat: Vec<f64> = points.iter().flat_map(|point| point.to_array()).collect();
+    array2(py, points.len(), 3, flat)
+}
+
+fn array2(
+    py: Python<'_>,
+    n_rows: usize,
+    n_columns: usize,
+    flat: Vec<f64>,
+) -> PyResult<Bound<'_, PyArray2<f64>>> {
+    let array = Array2::from_shape_vec((n_rows, n_columns), flat);
+    Ok(array.map_err(|err| PyValueError::new_err(err.to_string()))?.into_pyarray(py))
+}
+
+/// Parameters that lie inside the domain, those within rounding of an end at the end.
+fn inside(domain: Interval, name: &str, given: &Parameters<'_>) -> PyResult<Vec<f64>> {
+    let all = given.as_array();
+    let parameters = all.iter().enumerate().map(|(i, &t)| {
+        domain.clamp_inside(t).map_err(|_| {
+            let (start, end) = (domain.start(), domain.end());
+            let place = if all.len() == 1 { String::new() } else { format!(" at index {i}") };
+            PyValueError::new_err(format!(
+                "{name} = {t}{place} is outside the domain {start}..{end}"
+            ))
+        })
+    });
+    parameters.collect()
+}
+
+impl Held {
+    fn curve(&self) -> PyResult<&Curve> {
+        match &*self.value {
+            Value::Curve(curve) => Ok(curve),
+            other => Err(PyTypeError::new_err(format!("{} is no curve", other.phrase()))),
+        }
+    }
+
+    fn surface(&self) -> PyResult<&Surface> {
+        match &*self.value {
+            Value::Surface(surface) => Ok(surface),
+            other => Err(PyTypeError::new_err(format!("{} is no surface", other.phrase()))),
+        }
+    }
+
+    fn mesh(&self) -> PyResult<&Mesh> {
+        match &*self.value {
+            Value::Mesh(mesh) => Ok(mesh),
+            other => Err(PyTypeError::new_err(format!("{} is no mesh", other.phrase()))),
+        }
+    }
+
+    /// Parameters of a surface, pair by pair.
+    fn pairs(&self, u: &Parameters<'_>, v: &Parameters<'_>) -> PyResult<Vec<[f64; 2]>> {
+        let surface = self.surface()?;
+        let us = inside(surface.domain_u(), "u", u)?;
+        let vs = inside(surface.domain_v(), "v", v)?;
+        Ok(us.into_iter().zip(vs).map(|(u, v)| [u, v]).collect())
+    }
+}
+
+/// A function of each of some places, while other threads of Python run.
+fn over<P: Sync, R: Send>(
+    py: Python<'_>,
+    places: &[P],
+    f: impl Fn(&P) -> Result<R, GeomError> + Send,
+) -> PyResult<Vec<R>> {
+    let found: Result<Vec<R>, GeomError> = py.detach(|| places.iter().map(f).collect());
+    found.map_err(|err| geom_error(py, err))
+}
+
+#[pymethods]
+impl Held {
+    /// The kind of value, in the words of the language.
+    fn kind(&self) -> &'static str {
+        self.value.kind()
+    }
+
+    /// The value as `print` would show it.
+    fn text(&self) -> String {
+        self.value.to_string()
+    }
+
+    /// Points of a curve.
+    fn curve_points<'py>(
+        &self,
+        py: Python<'py>,
+        t: Parameters<'py>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let curve = self.curve()?;
+        let parameters = inside(curve.domain(), "t", &t)?;
+        let points = match curve {
+            Curve::Nurbs(curve) => py.detach(|| curve.evaluator().points_at(&parameters)),
+            Curve::Parametric(curve) => over(py, &parameters, |&t| curve.point_at(t))?,
+        };
+        points_array(py, &points)
+    }
+
+    /// Point and derivatives of a curve: a row for each parameter, three columns for each order.
+    fn curve_derivatives<'py>(
+        &self,
+        py: Python<'py>,
+        t: Parameters<'py>,
+        order: usize,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let curve = self.curve()?;
+        let parameters = inside(curve.domain(), "t", &t)?;
+        let all = over(py, &parameters, |&t| curve.derivatives_at(t, order))?;
+        let flat = all.iter().flatten().flat_map(|vector| vector.to_array()).collect();
+        array2(py, parameters.len(), 3 * (order + 1), flat)
+    }
+
+    /// Points of a surface.
+    fn surface_points<'py>(
+        &self,
+        py: Python<'py>,
+        u: Parameters<'py>,
+        v: Parameters<'py>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let pairs = self.pairs(&u, &v)?;
+        let points = match self.surface()? {
+            Surface::Nurbs(surface) => py.detach(|| {
+                let mut points = Vec::with_capacity(pairs.len());
+                surface.evaluator().each_point(&pairs, |point| points.push(point));
+                points
+            }),
+            surface => over(py, &pairs, |&[u, v]| surface.point_at(u, v))?,
+        };
+        points_array(py, &points)
+    }
+
+    /// Derivatives of a surface up to an order: a row for each place; for each pair of orders, those
+    /// in u slowest, three columns.
+    fn surface_derivatives<'py>(
+        &self,
+        py: Python<'py>,
+        u: Parameters<'py>,
+        v: Parameters<'py>,
+        order: usize,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let (pairs, surface) = (self.pairs(&u, &v)?, self.surface()?);
+        let all = over(py, &pairs, |&[u, v]| {
+            let grid = surface.derivatives_at(u, v, order)?;
+            let orders = (0..=order).flat_map(|i| (0..=order).map(move |j| (i, j)));
+            let vector = |(i, j)| if i + j <= order { grid.get(i, j) } else { DVec3::NAN };
+            Ok(orders.map(vector).collect::<Vec<DVec3>>())
+        })?;
+        let flat = all.iter().flatten().flat_map(|vector| vector.to_array()).collect();
+        array2(py, pairs.len(), 3 * (order + 1) * (order + 1), flat)
+    }
+
+    /// Unit normals of a surface.
+    fn surface_normals<'py>(
+        &self,
+        py: Python<'py>,
+        u: Parameters<'py>,
+        v: Parameters<'py>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let (pairs, surface) = (self.pairs(&u, &v)?, self.surface()?);
+        points_array(py, &over(py, &pairs, |&[u, v]| surface.normal_at(u, v))?)
+    }
+
+    /// Curvatures of a surface: columns k1, k2, Gaussian and mean.
+    fn surface_curvatures<'py>(
+        &self,
+        py: Python<'py>,
+        u: Parameters<'py>,
+        v: Parameters<'py>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let (pairs, surface) = (self.pairs(&u, &v)?, self.surface()?);
+        let shapes = over(py, &pairs, |&[u, v]| surface.shape_at(u, v))?;
+        let flat = shapes.iter().flat_map(|shape| {
+            let [k1, k2] = shape.curvatures();
+            [k1, k2, shape.gaussian(), shape.mean()]
+        });
+        array2(py, shapes.len(), 4, flat.collect())
+    }
+
+    /// What a curve, surface, mesh or table is made of, by name.
+    fn parts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let parts = PyDict::new(py);
+        match &*self.value {
+            Value::Curve(curve) => curve_parts(py, curve, &parts)?,
+            Value::Surface(surface) => surface_parts(py, surface, &parts)?,
+            Value::Mesh(_) => mesh_parts(py, self.mesh()?, &parts)?,
+            Value::Table(table) => {
+                let (columns, units) = (PyDict::new(py), PyDict::new(py));
+                for column in table.columns() {
+                    match &column.column {
+                        Column::Numbers(numbers) => {
+                            columns.set_item(&column.name, PyArray1::from_slice(py, numbers))?;
+                        }
+                        Column::Texts(texts) => columns.set_item(&column.name, texts)?,
+                    }
+                    if let Some(unit) = &column.unit {
+                        units.set_item(&column.name, unit)?;
+                    }
+                }
+                parts.set_item("columns", columns)?;
+                parts.set_item("units", units)?;
+            }
+            Value::Frame(frame) => {
+                let vectors = [
+                    ("origin", frame.origin()),
+                    ("x", frame.x()),
+                    ("y", frame.y()),
+                    ("z", frame.z()),
+                ];
+                for (name, vector) in vectors {
+                    parts.set_item(name, convert::point(py, vector))?;
+                }
+            }
+            _ => {}
+        }
+        Ok(parts)
+    }
+}
+
+/// The points and weights of homogeneous control points; those of weight zero stay as they are.
+fn control_points<'py>(
+    py: Python<'py>,
+    homogeneous: &[DVec4],
+    parts: &Bound<'py, PyDict>,
+) -> PyResult<()> {
+    let point = |h: &DVec4| if h.w > 0.0 { h.truncate() / h.w } else { h.truncate() };
+    let points: Vec<DVec3> = homogeneous.iter().map(point).collect();
+    parts.set_item("control_points", points_array(py, &points)?)?;
+    let weights: Array1<f64> = homogeneous.iter().map(|h| h.w).collect();
+    parts.set_item("weights", weights.into_pyarray(py))
+}
+
+fn curve_parts<'py>(py: Python<'py>, curve: &Curve, parts: &Bound<'py, PyDict>) -> PyResult<()> {
+    let domain = curve.domain();
+    parts.set_item("domain", (domain.start(), domain.end()))?;
+    let Curve::Nurbs(curve) = curve else { return Ok(()) };
+    parts.set_item("degree", curve.degree())?;
+    parts.set_item("knots", PyArray1::from_slice(py, curve.knots().as_slice()))?;
+    parts.set_item("rational", curve.is_rational())?;
+    control_points(py, curve.control_points(), parts)
+}
+
+fn surface_parts<'py>(
+    py: Python<'py>,
+    surface: &Surface,
+    parts: &Bound<'py, PyDict>,
+) -> PyResult<()> {
+    let (u, v) = (surface.domain_u(), surface.domain_v());
+    parts.set_item("domain", ((u.start(), u.end()), (v.start(), v.end())))?;
+    let Surface::Nurbs(surface) = surface else { return Ok(()) };
+    parts.set_item("degree", (surface.degree_u(), surface.degree_v()))?;
+    let knots = [surface.knots_u(), surface.knots_v()];
+    let [u, v] = knots.map(|knots| PyArray1::from_slice(py, knots.as_slice()));
+    parts.set_item("knots", (u, v))?;
+    parts.set_item("rational", surface.is_rational())?;
+    let net = surface.control_points();
+    parts.set_item("shape", (net.n_rows(), net.n_columns()))?;
+    control_points(py, net.as_slice(), parts)
+}
+
+fn mesh_parts<'py>(py: Python<'py>, mesh: &Mesh, parts: &Bound<'py, PyDict>) -> PyResult<()> {
+    parts.set_item("points", points_array(py, mesh.vertices())?)?;
+    parts.set_item("normals", points_array(py, mesh.normals())?)?;
+    let uvs: Vec<f64> = mesh.uvs().iter().flat_map(|uv| uv.to_array()).collect();
+    parts.set_item("uv", array2(py, mesh.uvs().len(), 2, uvs)?)?;
+    let corners: Vec<u32> = mesh.triangles().iter().flatten().copied().collect();
+    let triangles = PyArray1::from_vec(py, corners).reshape([mesh.n_triangles(), 3])?;
+    parts.set_item("triangles", triangles)
+}

@@ -1,0 +1,179 @@
+"""Curves, surfaces and operations over arrays, against closed forms."""
+
+from __future__ import annotations
+
+import inspect
+import pickle
+
+import numpy as np
+import pytest
+import virote
+
+CORNERS = [[(0, 0), (0, 1)], [(1, 0), (1, 1, 1)]]
+
+
+def test_a_curve_evaluates_over_arrays() -> None:
+    c = virote.bezier([(0, 0), (1, 2), (2, 0)])
+    t = np.linspace(0, 1, 101)
+    points = c(t)
+    assert points.shape == (101, 3)
+    assert np.allclose(points, np.stack([2 * t, 4 * t * (1 - t), 0 * t], axis=1), atol=1e-14)
+    assert c(0.5).shape == (3,) and (c @ 0.5 == c(0.5)).all()
+    assert c(t.reshape(101, 1)).shape == (101, 1, 3)
+    assert (c(t[::-2]) == points[::-2]).all(), "an array with strides"
+    assert (c([0, 1]) == c(np.array([0, 1], dtype=np.int32))).all()
+    assert c([]).shape == (0, 3)
+
+
+def test_derivatives_are_exact() -> None:
+    c = virote.bezier([(0, 0), (1, 2), (2, 0)])
+    t = np.array([0.0, 0.25, 1.0])
+    found = c.derivatives(t, order=3)
+    assert found.shape == (3, 4, 3)
+    assert np.allclose(found[:, 1, 1], 4 - 8 * t) and np.allclose(found[:, 2, 1], -8)
+    assert (found[:, 3] == 0).all()
+    with pytest.raises(ValueError, match="order"):
+        c.derivatives(0.5, order=-1)
+
+
+def test_a_curve_tells_what_it_is_made_of() -> None:
+    c = virote.nurbs([(0, 0), (1, 1), (2, 0)], weights=[1, 2, 1], degree=2)
+    assert c.degree == 2 and c.rational and c.domain == (0, 1)
+    assert c.knots.tolist() == [0, 0, 0, 1, 1, 1]
+    assert c.control_points.tolist() == [[0, 0, 0], [1, 1, 0], [2, 0, 0]]
+    assert c.weights.tolist() == [1, 2, 1]
+    with pytest.raises(ValueError, match="rational"):
+        c.to_scipy()
+
+
+def test_scipy_has_the_same_curve_and_surface() -> None:
+    pytest.importorskip("scipy")
+    t = np.linspace(0, 1, 50)
+    c = virote.interpolate([(0, 0), (1, 2), (3, 1), (4, 4), (6, 0)])
+    assert np.allclose(c(t), c.to_scipy()(t), atol=1e-12)
+    grid = [[(i, j, i * j % 3) for j in range(5)] for i in range(6)]
+    s = virote.bspline(grid, degree=3)
+    u, v = np.meshgrid(t, t, indexing="ij")
+    assert np.allclose(s(u, v), s.to_scipy()(np.stack([u, v], axis=-1)), atol=1e-12)
+
+
+def test_a_surface_evaluates_over_arrays() -> None:
+    s = virote.bezier(CORNERS)
+    u, v = np.meshgrid(np.linspace(0, 1, 5), np.linspace(0, 1, 4), indexing="ij")
+    assert np.allclose(s(u, v), np.stack([u, v, u * v], axis=-1), atol=1e-15)
+    assert s(0.5, np.linspace(0, 1, 7)).shape == (7, 3), "what broadcasts, does"
+    found = s.derivatives(u, v, order=2)
+    assert found.shape == (5, 4, 3, 3, 3)
+    assert np.allclose(found[..., 1, 1, :], [0, 0, 1]) and np.isnan(found[..., 2, 2, :]).all()
+    assert s.degree == (1, 1) and s.control_points.shape == (2, 2, 3)
+    assert s.domain == ((0, 1), (0, 1)) and s.weights.tolist() == [[1, 1], [1, 1]]
+
+
+def test_a_sphere_has_the_curvature_of_its_radius() -> None:
+    s = virote.sphere((0, 0), 2)
+    u, v = np.linspace(0, 1, 9), np.linspace(0.1, 0.9, 9)
+    found = s.curvatures(u, v)
+    for name in ("k1", "k2", "mean"):
+        assert np.allclose(found[name], -0.5)
+    assert np.allclose(found["gaussian"], 0.25)
+    assert np.allclose(s.normal(u, v), s(u, v) / 2)
+    mesh = s.tessellate(tolerance=0.01)
+    assert np.abs(np.linalg.norm(mesh.points, axis=1) - 2).max() < 1e-12
+    assert virote.area(s) == pytest.approx(16 * np.pi)
+
+
+def test_functions_of_the_language_make_curves() -> None:
+    c = virote.parametric("t => (cos(t), sin(t), t)", (0, 6))
+    t = np.linspace(0, 6, 13)
+    assert np.allclose(c(t), np.stack([np.cos(t), np.sin(t), t], axis=1), atol=1e-15)
+    assert np.allclose(c.derivatives(t)[:, 1, 0], -np.sin(t))
+    with pytest.raises(AttributeError, match="to_nurbs"):
+        c.degree
+    # It answers when the script is gone, and so does what is made of it.
+    assert virote.reversed(c)(0).tolist() == c(6).tolist()
+    square = virote.function("x => x^2")
+    assert square(3) == 9
+    with pytest.raises(virote.GeoError):
+        virote.function("t => (")
+
+
+def test_networks_and_skins() -> None:
+    u = [virote.line((0, y, y), (2, y, y)) for y in (0, 1, 2)]
+    v = [virote.line((x, 0, 0), (x, 2, 2)) for x in (0, 1, 2)]
+    s = virote.gordon(u=u, v=v)
+    assert np.allclose(s(0.5, 0.5), [1, 1, 1])
+    rings = [virote.circle((0, 0, z), 1 + z) for z in (0, 1, 2)]
+    assert virote.skin(rings).degree[0] == 2
+    assert virote.loft is not None, "other names are there as well"
+
+
+def test_units_are_texts_and_points_are_what_looks_like_one() -> None:
+    line = virote.line(np.array([0.0, 0.0]), (1, 0, 0))
+    turned = virote.rotate(line, "90deg")
+    assert np.allclose(turned(1), [0, 1, 0])
+    assert np.allclose(virote.translate(line, ("1cm", 0))(0), [10, 0, 0])
+    assert virote.distance([0, 0], [3, 4]) == 5
+    points = np.arange(12.0).reshape(4, 3)[:, ::-1]
+    assert np.allclose(virote.polyline(points).control_points, points), "not contiguous"
+    closest = virote.closest(line, (0.25, 1))
+    assert closest["t"] == 0.25 and closest["point"].tolist() == [0.25, 0, 0]
+    assert virote.max([3, 1, 2]) == 3, "operations called as functions of Python are"
+
+
+@pytest.mark.parametrize(
+    ("call", "raised", "told"),
+    [
+        (lambda: virote.circle((0, 0), -1), virote.GeoError, "radius must be positive"),
+        (lambda: virote.rotate(virote.line((0, 0), (1, 0)), 90), virote.GeoError, "write `90deg`"),
+        (lambda: virote.bezier("abc"), virote.GeoError, "E0"),
+        (lambda: virote.bezier([(0, 0), (float("nan"), 1)]), ValueError, "nan"),
+        (lambda: virote.bezier(np.zeros((2, 2, 2, 2))), virote.GeoError, "E0"),
+        (lambda: virote.bezier([[(0, 0), (1, 1)], [(0, 1)]]), virote.GeoError, "E06"),
+        (lambda: virote.line((0, 0), object()), TypeError, "no meaning"),
+        (lambda: virote.line((0, 0), lambda t: t), TypeError, "no meaning"),
+        (lambda: virote.line((0, 0)), TypeError, "missing"),
+        (lambda: virote.line((0, 0), (1, 0), nothing=1), TypeError, "nothing"),
+        (lambda: virote.nothing, AttributeError, "nothing"),
+        (lambda: virote.line((0, 0), (1, 0))(2.0), ValueError, "outside the domain 0..1"),
+        (lambda: virote.line((0, 0), (1, 0))([0, np.nan]), ValueError, "NaN"),
+        (lambda: virote.line((0, 0), (1, 0))("a"), TypeError, "numbers"),
+        (lambda: virote.line((0, 0), (1, 0))([0, 3.0]), ValueError, "at index 1"),
+        (lambda: virote.bezier(CORNERS)([0, 1], [0, 0.5, 1]), ValueError, "broadcast"),
+        (lambda: pickle.dumps(virote.line((0, 0), (1, 0))), TypeError, "pickled"),
+    ],
+)
+def test_mistakes_are_told(call, raised: type, told: str) -> None:
+    with pytest.raises(raised) as caught:
+        call()
+    assert told.lower() in str(caught.value).lower()
+
+
+def test_operations_have_documentation_and_a_signature() -> None:
+    import json
+
+    from virote import _operations, _virote
+
+    for op in json.loads(_virote.operations()):
+        name = op["name"]
+        function = getattr(virote, name)
+        if name in _operations.SHADOWS:
+            assert name not in virote.__all__
+        else:
+            assert name in virote.__all__
+        assert op["docs"].split("\n")[0].strip() in function.__doc__
+        assert op["signature"].split("(")[0] in function.__doc__
+        inspect.signature(function)
+    parameters = inspect.signature(virote.circle).parameters
+    assert list(parameters) == ["center", "radius", "normal", "form"]
+
+
+def test_warnings_are_warnings() -> None:
+    with pytest.warns(virote.GeoWarning, match="W"):
+        virote.Session().run_text("")
+        virote.closest(virote.circle((0, 0), 1), (0, 0))
+
+
+def test_a_million_parameters_are_one_call() -> None:
+    c = virote.interpolate([(0, 0), (1, 2), (3, 1), (4, 4), (6, 0)])
+    points = c(np.linspace(0, 1, 1_000_000))
+    assert points.shape == (1_000_000, 3) and points.flags.c_contiguous

@@ -1,0 +1,137 @@
+"""The recipes of docs/studies.md: each finds what is known otherwise."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+import virote
+from virote import optimize
+
+STUDIES = Path(os.environ.get("VIROTE_STUDIES", Path(__file__).parents[2] / "docs/studies"))
+BOTTLE, HULL = STUDIES / "bottle.geo", STUDIES / "hull.geo"
+
+
+def test_problems_and_plans_are_those_of_the_script(tmp_path: Path) -> None:
+    problem = optimize.salib_problem(HULL, ["length", "beam"])
+    assert problem == {"num_vars": 2, "names": ["length", "beam"], "bounds": [[60, 140], [6, 18]]}
+    assert optimize.salib_problem(BOTTLE)["names"] == ["body", "height", "shoulder"]
+    script = tmp_path / "a.geo"
+    script.write_text(
+        'param a = 30deg in 0deg..90deg\nparam n: integer = 3 in 1..9\nparam r = 2mm in 1mm..3mm step 0.5mm\n'
+        'param s = "x" in ["x", "y"]\nparam free = 1\n'
+    )
+    plan = optimize.plan_of(script, ["a", "n", "r"], np.array([[45, 3.4, 1.7], [90, 9.0, 3.0]]))
+    assert plan == [{"a": "45.0deg", "n": 3, "r": "1.5mm"}, {"a": "90.0deg", "n": 9, "r": "3.0mm"}]
+    assert virote.study(script, plan, workers=1, progress=False).errors == {}
+    with pytest.raises(ValueError, match="no range"):
+        optimize.salib_problem(script, ["free"])
+    with pytest.raises(KeyError, match="no parameter 'nothing'"):
+        optimize.salib_problem(script, ["nothing"])
+    with pytest.raises(ValueError, match="2 numbers for 1"):
+        optimize.plan_of(script, ["a"], [[1, 2]])
+
+
+def test_sobol_indices_of_the_displacement() -> None:
+    pytest.importorskip("SALib")
+    from SALib.analyze import sobol as analyze
+    from SALib.sample import sobol as sample
+
+    names = ["length", "beam", "draught"]
+    problem = optimize.salib_problem(HULL, names)
+    samples = sample.sample(problem, 32, calc_second_order=False, seed=1)
+    plan = optimize.plan_of(HULL, names, samples)
+    rows = virote.study(HULL, plan, want=["displacement"], workers=2, progress=False)
+    found = analyze.analyze(
+        problem, np.array(rows.column("displacement")), calc_second_order=False, seed=1
+    )
+    # Of a product of independent factors: S = c² / (Π(1 + c²) - 1), c the relative deviation of one.
+    bounds = np.array(problem["bounds"])
+    c2 = ((bounds[:, 1] - bounds[:, 0]) / np.sqrt(12) / bounds.mean(axis=1)) ** 2
+    variance = np.prod(1 + c2) - 1
+    assert np.allclose(found["S1"], c2 / variance, atol=0.1)
+    others = np.array([np.prod(np.delete(1 + c2, i)) for i in range(3)])
+    assert np.allclose(found["ST"], c2 * others / variance, atol=0.1)
+
+
+def lightest() -> tuple[float, float]:
+    """Body and height of the lightest bottle of 0.75 l, by OpenMDAO and SciPy."""
+    om = pytest.importorskip("openmdao.api")
+    problem = om.Problem(reports=False)
+    component = optimize.Component(
+        script=BOTTLE, inputs=["body", "height"], outputs=["litres", "grams"]
+    )
+    problem.model.add_subsystem("bottle", component, promotes=["*"])
+    problem.model.add_design_var("body", lower=25, upper=70, ref=50)
+    problem.model.add_design_var("height", lower=100, upper=350, ref=350)
+    problem.model.add_constraint("litres", equals=0.75)
+    problem.model.add_objective("grams", ref=400)
+    problem.driver = om.ScipyOptimizeDriver(optimizer="SLSQP", tol=1e-9, disp=False)
+    problem.setup()
+    problem.run_driver()
+    assert problem.get_val("litres")[0] == pytest.approx(0.75, abs=1e-6)
+    return float(problem.get_val("body")[0]), float(problem.get_val("grams")[0])
+
+
+def test_openmdao_and_optuna_find_the_lightest_bottle() -> None:
+    body, grams = lightest()
+    # No bottle of that volume beside it is lighter.
+    session = virote.Session()
+    for other in (0.97 * body, 1.03 * body):
+        low, high = 100.0, 350.0
+        for _ in range(40):
+            height = 0.5 * (low + high)
+            results = session.run(BOTTLE, {"body": other, "height": height})
+            low, high = (height, high) if results["litres"] < 0.75 else (low, height)
+        assert results["grams"] > grams
+    optuna = pytest.importorskip("optuna")
+    optuna.logging.set_verbosity(optuna.logging.WARNING)
+
+    def objective(trial: "optuna.Trial") -> float:
+        values = optimize.suggest(trial, BOTTLE, ["body", "height"])
+        results = session.run(BOTTLE, values)
+        # Two kilograms for each litre that is missing or too much.
+        return results["grams"] + 2000 * abs(results["litres"] - 0.75)
+
+    study = optuna.create_study(sampler=optuna.samplers.TPESampler(seed=3))
+    study.optimize(objective, n_trials=120)
+    assert grams < study.best_value < 1.06 * grams
+    distributions = optimize.optuna_distributions(BOTTLE)
+    assert distributions["body"].high == 70 and set(distributions) == {"body", "height", "shoulder"}
+
+
+def test_a_component_refuses_what_the_script_refuses() -> None:
+    om = pytest.importorskip("openmdao.api")
+    problem = om.Problem(reports=False)
+    component = optimize.Component(script=BOTTLE, inputs=["body"], outputs=["litres"])
+    problem.model.add_subsystem("bottle", component, promotes=["*"])
+    problem.setup()
+    problem.set_val("body", 7.0, units="cm")
+    problem.run_model()
+    derivative = problem.compute_totals(of=["litres"], wrt=["body"])["litres", "body"][0, 0]
+    # At the end of its range the difference is that from inside.
+    session = virote.Session()
+    inside = session.run(BOTTLE, {"body": "69.99mm"})["litres"]
+    assert derivative == pytest.approx((problem.get_val("litres")[0] - inside) / 0.01, rel=1e-3)
+    problem.set_val("body", 99)
+    with pytest.raises(om.AnalysisError, match="E0802"):
+        problem.run_model()
+
+
+def test_the_notebook_runs_and_shows_the_bottle() -> None:
+    nbformat = pytest.importorskip("nbformat")
+    nbclient = pytest.importorskip("nbclient")
+    notebook = nbformat.read(STUDIES / "bottle.ipynb", as_version=4)
+    nbclient.NotebookClient(
+        notebook, timeout=120, resources={"metadata": {"path": str(STUDIES)}}
+    ).execute()
+    bundles = [
+        output["data"]
+        for cell in notebook.cells
+        for output in cell.get("outputs", [])
+        if "data" in output
+    ]
+    assert any("virote-data" in bundle.get("text/html", "") for bundle in bundles)
+    assert any("image/png" in bundle for bundle in bundles)

@@ -1,0 +1,226 @@
+"""Scripts evaluated: values, checks, files, errors, threads, signals, forks."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import virote
+
+
+def test_values_come_as_python_has_them(wing: Path) -> None:
+    results = virote.Session().run(wing, {"span": "12m", "n": 7})
+    assert results["area"] == 12_000 * 1000
+    assert results["label"] == "wing 7"
+    assert results["swept"] is True
+    assert results["tip"].tolist() == [6000, 0, 0]
+    assert isinstance(results["edge"], virote.Curve)
+    assert isinstance(results["skin_of_it"], virote.Surface)
+    assert results.params == {"span": "12m", "n": "7"}
+    assert "edge" in results and "nothing" not in results
+    assert list(results)[:3] == ["span", "n", "swept"]
+    assert len(results.prints) == 1 and results.prints[0].source == "area"
+    with pytest.raises(KeyError, match="did you mean 'edge'"):
+        results["egde"]
+
+
+def test_a_failed_check_is_data(wing: Path) -> None:
+    results = virote.run(wing, {"span": "25m"})
+    (check,) = results.checks
+    assert not check.holds and check.margin == -5000 and check.message == "not too wide"
+    assert results.failed == [check]
+    with pytest.raises(virote.CheckFailed, match="not too wide: misses by 5000"):
+        results.raise_for_checks()
+    virote.run(wing).raise_for_checks()
+
+
+def test_an_error_is_an_exception_with_all_that_the_terminal_shows(wing: Path) -> None:
+    with pytest.raises(virote.GeoError) as caught:
+        virote.run(wing, {"span": "2km"})
+    error = caught.value
+    assert error.code == "E0802"
+    assert "outside 1000mm..30000mm" in error.message
+    assert error.places[0].line == 2 and error.places[0].file == "wing.geo"
+    assert "wing.geo:2" in error.render()
+    assert error.results is not None and error.results["n"] == 3
+    with pytest.raises(virote.GeoError, match="E0201") as caught:
+        virote.Session().run_text("let a = sine(1)")
+    assert caught.value.diagnostics[0].severity == "error"
+
+
+@pytest.mark.parametrize(
+    ("params", "raised", "told"),
+    [
+        ({"spna": 1}, KeyError, "did you mean `span`"),
+        ({"n": float("nan")}, ValueError, "numbers are finite"),
+        ({"n": [1]}, TypeError, "found list"),
+        ({"n": np.array([1.0, 2.0])}, TypeError, "is one number"),
+        ({"n": None}, TypeError, "found NoneType"),
+        ({"n": {}}, TypeError, "found dict"),
+    ],
+)
+def test_parameters_that_are_none(wing: Path, params: dict, raised: type, told: str) -> None:
+    with pytest.raises(raised, match=told):
+        virote.run(wing, params)
+
+
+def test_numbers_of_numpy_are_numbers(wing: Path) -> None:
+    given = {"n": np.int64(4), "swept": np.bool_(False), "span": np.float64(5000.0)}
+    results = virote.run(wing, given)
+    assert (results["n"], results["swept"], results["span"]) == (4, False, 5000)
+
+
+def test_files_are_written_below_the_folder(wing: Path, tmp_path: Path) -> None:
+    written = virote.run(wing).write(tmp_path / "out")
+    assert written == [tmp_path / "out/edge.svg", tmp_path / "out/sub/offsets.csv"]
+    assert (tmp_path / "out/sub/offsets.csv").read_text().startswith("t,x [mm],who\n0,1,a\n")
+    wing.write_text('export 1 to "wing.geo"')
+    with pytest.raises(virote.GeoError, match="E07"):
+        virote.run(wing).write(tmp_path)
+
+
+def test_tables_and_meshes_are_arrays(wing: Path) -> None:
+    results = virote.run(wing)
+    table = results.tables["offsets"]
+    assert table.columns == ["t", "x", "who"] and table.units == {"x": "mm"} and len(table) == 3
+    assert table["x"].tolist() == [1, 2, 3] and table["who"] == ["a", "b", "c"]
+    with pytest.raises(KeyError, match="no column 'y'"):
+        table["y"]
+    mesh = results.meshes["faces"]
+    assert mesh.points.shape[1] == 3 and mesh.triangles.shape[1] == 3
+    assert mesh.triangles.dtype == np.uint32 and mesh.triangles.max() < len(mesh.points)
+    assert np.allclose(np.linalg.norm(mesh.normals, axis=1), 1)
+    assert mesh.uv.shape == (len(mesh.points), 2)
+
+
+def test_tables_speak_arrow(wing: Path) -> None:
+    pd = pytest.importorskip("pandas")
+    pa = pytest.importorskip("pyarrow")
+    table = virote.run(wing)["offsets"]
+    frame = table.to_pandas()
+    assert list(frame.columns) == ["t", "x", "who"] and frame.attrs["units"] == {"x": "mm"}
+    assert isinstance(frame, pd.DataFrame)
+    arrow = pa.table(table)
+    assert arrow.column("who").to_pylist() == ["a", "b", "c"]
+    assert arrow.schema.field("x").metadata == {b"unit": b"mm"}
+
+
+def test_a_notebook_shows_the_picture_and_the_page(wing: Path) -> None:
+    bundle = virote.run(wing)._repr_mimebundle_()
+    assert bundle["text/html"].startswith("<iframe srcdoc=") and "virote-data" in bundle["text/html"]
+    import base64
+
+    assert base64.b64decode(bundle["image/png"]).startswith(b"\x89PNG")
+    assert "area" in virote.Session().run_text("let area = 2")._repr_mimebundle_()["text/html"]
+
+
+def test_pictures_are_as_asked(wing: Path) -> None:
+    results = virote.run(wing)
+    picture = results.picture(size=(80, 60), view="front", only=["edge"])
+    assert picture[16:24] == (80).to_bytes(4, "big") + (60).to_bytes(4, "big")
+    with pytest.raises(ValueError, match="no view `inside`"):
+        results.picture(view="inside")
+    with pytest.raises(ValueError, match="defines no `egde`"):
+        results.picture(only=["egde"])
+    with pytest.raises(ValueError, match="pixels"):
+        results.picture(size=(0, 10))
+
+
+def test_a_session_remembers_what_did_not_change() -> None:
+    session = virote.Session()
+    slow = "param n = 1  let slow = sum([for i in 0..<400000: i % 7])  let quick = n"
+    begin = time.perf_counter()
+    session.run_text(slow)
+    first = time.perf_counter() - begin
+    begin = time.perf_counter()
+    for n in range(20):
+        assert session.run_text(slow, {"n": n})["quick"] == n
+    assert time.perf_counter() - begin < 20 * first
+
+
+def test_ceilings_are_kept() -> None:
+    session = virote.Session(limits={"steps": 1000})
+    with pytest.raises(virote.GeoError, match="E0901"):
+        session.run_text("let a = sum([for i in 0..<100000: i])")
+    with pytest.raises(ValueError, match="no ceiling is called `stpes`"):
+        virote.Session(limits={"stpes": 1})
+    with pytest.raises(ValueError, match="one thread or more"):
+        virote.Session(threads=0)
+
+
+ENDLESS = "let a = sum([for i in 0..<9000000, j in 0..<9: i * j])"
+
+
+def test_other_threads_run_meanwhile_and_share_a_session() -> None:
+    session, found = virote.Session(), []
+
+    def work(n: int) -> None:
+        found.append(session.run_text("param n = 1  let a = n^2", {"n": n})["a"])
+
+    threads = [threading.Thread(target=work, args=(n,)) for n in range(8)]
+    counted = 0
+    slow = threading.Thread(
+        target=lambda: virote.Session().run_text("let a = sum([for i in 0..<300000: i % 7])")
+    )
+    slow.start()
+    while slow.is_alive():
+        counted += 1
+    for thread in threads:
+        thread.start()
+    for thread in [*threads, slow]:
+        thread.join()
+    assert sorted(found) == [n**2 for n in range(8)]
+    assert counted > 100, "the lock of the interpreter was not released"
+
+
+def test_ctrl_c_ends_a_run() -> None:
+    program = f"import virote\nprint('ready', flush=True)\nvirote.Session().run_text({ENDLESS!r})"
+    with subprocess.Popen(
+        [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as child:
+        assert child.stdout is not None and child.stdout.readline() == b"ready\n"
+        time.sleep(0.5)
+        child.send_signal(signal.SIGINT)
+        _, err = child.communicate(timeout=60)
+    assert b"KeyboardInterrupt" in err
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="the system does not fork")
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_a_forked_process_has_sessions_that_answer() -> None:
+    session = virote.Session()
+    holder = threading.Thread(
+        target=lambda: session.run_text("let a = sum([for i in 0..<600000: i % 7])")
+    )
+    holder.start()
+    time.sleep(0.05)
+    child = os.fork()
+    if child == 0:
+        signal.alarm(60)
+        os._exit(int(session.run_text("let a = 42")["a"]))
+    _, status = os.waitpid(child, 0)
+    holder.join()
+    assert os.waitstatus_to_exitcode(status) == 42
+
+
+def test_the_command_comes_along() -> None:
+    def command(*args: str) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(
+            [sys.executable, "-m", "virote._command", *args], capture_output=True, text=True
+        )
+
+    assert command("--version").stdout.startswith("virote ")
+    assert command("explain", "E0602").returncode == 0
+    assert command("run", "nowhere.geo").returncode == 3
+
+
+def test_import_is_quick() -> None:
+    program = "import sys, virote; sys.exit('numpy' in sys.modules or 'pandas' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", program]).returncode == 0

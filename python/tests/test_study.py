@@ -1,0 +1,253 @@
+"""Studies in Python: rows, resuming, lost workers, a Dask cluster."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+import virote
+
+SCRIPT = """
+param width = 10mm in 1mm..30mm
+param n = 1
+let area = width^2
+let double = 2 * n
+check width < 20mm
+"""
+
+
+@pytest.fixture
+def script(tmp_path: Path) -> Path:
+    path = tmp_path / "a.geo"
+    path.write_text(SCRIPT)
+    return path
+
+
+def test_every_plan_gives_the_same_rows(script: Path, tmp_path: Path) -> None:
+    rows = virote.grid(width="10mm..30mm:3", n=[1, 2])
+    assert rows[1] == {"width": "10mm", "n": 2}
+    columns = {"width [cm]": [1, 1, 2, 2, 3, 3], "n": [1, 2] * 3}
+    plan = tmp_path / "plan.csv"
+    plan.write_text("width,n\n10,1\n10,2\n20mm,1\n20mm,2\n3cm,1\n3cm,2\n")
+    found = []
+    for one in (rows, columns, plan):
+        results = virote.study(script, one, workers=1, progress=False)
+        found.append([{k: v for k, v in row.items() if k != "milliseconds"} for row in results])
+    assert found[0] == found[1] == found[2]
+    assert found[0][3]["area [mm^2]"] == 400 and found[0][3]["check 6: width < 20mm"] is False
+    assert [row["id"] for row in found[0]] == [1, 2, 3, 4, 5, 6]
+
+
+def test_dataframes_are_plans_and_results(script: Path) -> None:
+    pd = pytest.importorskip("pandas")
+    plan = pd.DataFrame({"id": ["a", "b"], "width [mm]": [5.0, 50.0], "n": [1, 2]})
+    results = virote.study(script, plan, workers=1, want=["double"], progress=False)
+    frame = results.to_pandas()
+    assert list(frame["id"]) == ["a", "b"] and "area [mm^2]" not in frame
+    assert results.errors == {"E0802": 1} and frame["double"][0] == 2
+    assert repr(results) == "<virote.StudyResults: 2 rows, with errors: 1 of E0802>"
+
+
+@pytest.mark.parametrize(
+    ("plan", "raised", "told"),
+    [
+        ([], ValueError, "no rows"),
+        ([{"widht": 1}], ValueError, "did you mean `width`"),
+        ([{"n": 1}, {"width": 2}], ValueError, "row 1 of the plan"),
+        ([1], TypeError, "dictionary"),
+        ({"n": [1, 2], "width": [1]}, ValueError, "not of one length"),
+        ({"n": "1..2:3"}, TypeError, "list of values"),
+        ({"n": [float("nan")]}, ValueError, "finite"),
+        ({"width [deg]": [1]}, ValueError, "in deg"),
+        ("nowhere.csv", ValueError, "cannot read"),
+    ],
+)
+def test_plans_with_mistakes_are_told(script: Path, plan, raised: type, told: str) -> None:
+    with pytest.raises(raised, match=told):
+        virote.study(script, plan, workers=1, progress=False)
+
+
+def test_what_is_asked_wrongly_is_told(script: Path, tmp_path: Path) -> None:
+    plan = [{"n": 1}]
+    with pytest.raises(ValueError, match="one worker or more"):
+        virote.study(script, plan, workers=0)
+    with pytest.raises(ValueError, match="some time"):
+        virote.study(script, plan, batch_seconds=float("nan"))
+    with pytest.raises(TypeError, match="method `submit`"):
+        virote.study(script, plan, client=3)
+    with pytest.raises(ValueError, match="a folder for the parts"):
+        virote.study(script, plan, out=tmp_path / "r.csv", workers=1)
+    (tmp_path / "full").mkdir()
+    (tmp_path / "full/mine").write_text("")
+    with pytest.raises(virote.StudyError, match="holds no study"):
+        virote.study(script, plan, out=tmp_path / "full", workers=1)
+    with pytest.raises(FileNotFoundError):
+        virote.study(tmp_path / "nowhere.geo", plan)
+    script.write_text("param n = ")
+    with pytest.raises(ValueError, match="a.geo"):
+        virote.study(script, plan)
+
+
+def test_data_goes_along(tmp_path: Path) -> None:
+    (tmp_path / "part.geo").write_text("let size = 3")
+    (tmp_path / "d.csv").write_text("x\n5\n")
+    script = tmp_path / "a.geo"
+    script.write_text('import "part.geo" as part\nparam n = 1\nlet a = n * part.size + load("d.csv").x[0]\n')
+    out = tmp_path / "out"
+    plan = [{"n": n} for n in range(3)]
+    results = virote.study(script, plan, out=out, workers=1, progress=False)
+    assert results.column("a") == [5, 8, 11]
+    (tmp_path / "d.csv").write_text("x\n6\n")
+    next(out.glob("part-*")).unlink()
+    with pytest.raises(virote.StudyError, match="d.csv is not what it was"):
+        virote.study(script, plan, out=out, workers=1, progress=False)
+
+
+def test_parts_are_kept_and_files_written(script: Path, tmp_path: Path) -> None:
+    plan = virote.grid(n=range(100))
+    out = tmp_path / "out"
+    first = virote.study(script, plan, out=out, client=ThreadPoolExecutor(2), progress=False)
+    parts = sorted(out.glob("part-*.parquet"))
+    assert len(parts) > 1 and len(first) == 100
+    stamps = [part.stat().st_mtime_ns for part in parts[1:]]
+    parts[0].unlink()
+    again = virote.study(script, plan, out=out, client=ThreadPoolExecutor(2), progress=False)
+    assert [part.stat().st_mtime_ns for part in parts[1:]] == stamps, "they were not made again"
+    assert again.column("double") == first.column("double") == [2.0 * n for n in range(100)]
+    with pytest.raises(virote.StudyError, match="another plan"):
+        virote.study(script, plan[:50], out=out, workers=1)
+    script.write_text(SCRIPT + "\n")
+    with pytest.raises(virote.StudyError, match="another script"):
+        virote.study(script, plan, out=out, workers=1)
+    for name in ("r.csv", "r.jsonl", "r.parquet"):
+        again.write(tmp_path / name)
+        assert (tmp_path / name).stat().st_size > 1000
+    assert again[:2].column("id") == [1, 2]
+    with pytest.raises(KeyError, match="no column is called"):
+        again.column("nothing")
+
+
+def test_pandas_reads_the_parts(script: Path, tmp_path: Path) -> None:
+    pd = pytest.importorskip("pandas")
+    pytest.importorskip("pyarrow")
+    virote.study(script, virote.grid(n=range(20)), out=tmp_path / "out", workers=1, progress=False)
+    frames = [pd.read_parquet(part) for part in sorted((tmp_path / "out").glob("*.parquet"))]
+    frame = pd.concat(frames)
+    assert list(frame["double"]) == [2.0 * n for n in range(20)]
+    assert frame["id"].dtype == "int64" and frame["check 6: width < 20mm"].dtype == "bool"
+
+
+def test_the_bar_tells_rate_and_time(script: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    virote.study(script, virote.grid(n=range(20)), workers=1, progress=True)
+    told = capsys.readouterr().err
+    assert "20 of 20 variants" in told and "/s" in told and "left" in told
+
+
+def test_a_variant_without_end_is_a_row(script: Path) -> None:
+    script.write_text("param n = 1  let a = if n == 2 then sum([for i in 0..<9000000: i % 7]) else n")
+    results = virote.study(script, virote.grid(n=[1, 2, 3]), workers=1, time_limit=0.2, progress=False)
+    assert results.column("a") == [1, None, 3] and results.errors == {"E0902": 1}
+
+
+KILLER = """
+import os
+from virote import _study, _virote
+
+whole = _virote.study_batch
+
+def study_batch(name, text, files, variants, *rest):
+    # As the system does when memory is gone.
+    if any(("n", "13") in values for _, _, values in variants):
+        os.kill(os.getpid(), 9)
+    return whole(name, text, files, variants, *rest)
+
+_virote.study_batch = study_batch
+"""
+
+
+def test_a_variant_that_kills_its_worker_is_found(
+    script: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "sitecustomize.py").write_text(KILLER)
+    monkeypatch.setenv("PYTHONPATH", f"{tmp_path}{os.pathsep}{os.environ.get('PYTHONPATH', '')}")
+    results = virote.study(script, virote.grid(n=range(30)), workers=2, progress=False)
+    assert results.errors == {"worker-lost": 1}
+    assert results[13]["message"] == "the worker that evaluated it was killed 2 times (n=13)"
+    others = [value for value in results.column("double") if value is not None]
+    assert others == [2.0 * n for n in range(30) if n != 13]
+
+
+SLOW = "param n = 1\nlet double = 2 * n\nlet slow = sum([for i in 0..<20000: (i * n) % 7])\n"
+
+
+def test_a_study_that_is_killed_goes_on(script: Path, tmp_path: Path) -> None:
+    script.write_text(SLOW)
+    out = tmp_path / "out"
+    program = f"""
+import virote
+if __name__ == "__main__":
+    virote.study({str(script)!r}, virote.grid(n=range(400)), out={str(out)!r}, workers=1)
+"""
+    main = tmp_path / "main.py"
+    main.write_text(program)
+    for n_parts in (2, 4):
+        with subprocess.Popen([sys.executable, main], start_new_session=True) as child:
+            while len(list(out.glob("part-*.parquet"))) < n_parts:
+                time.sleep(0.01)
+            os.killpg(child.pid, signal.SIGKILL)
+    results = virote.study(script, virote.grid(n=range(400)), out=out, workers=1, progress=False)
+    assert results.column("double") == [2.0 * n for n in range(400)]
+
+
+def test_a_dask_cluster_loses_a_worker_and_no_row(script: Path, tmp_path: Path) -> None:
+    distributed = pytest.importorskip("distributed")
+    script.write_text(SLOW)
+    with (
+        distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+        ) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        pids = list(client.run(os.getpid).values())
+        assert len(pids) == 2
+        out = tmp_path / "out"
+
+        def kill() -> None:
+            while len(list(out.glob("part-*.parquet"))) < 2:
+                time.sleep(0.01)
+            os.kill(pids[0], signal.SIGKILL)
+
+        killer = threading.Thread(target=kill)
+        killer.start()
+        results = virote.study(script, virote.grid(n=range(600)), out=out, client=client, progress=False)
+        killer.join()
+        assert results.column("id") == list(range(1, 601)), "each row once"
+        assert results.column("double") == [2.0 * n for n in range(600)]
+
+
+def test_a_scheduler_that_goes_away_is_told(script: Path) -> None:
+    distributed = pytest.importorskip("distributed")
+    script.write_text(SLOW)
+    cluster = distributed.LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None)
+    client = distributed.Client(cluster, timeout="5s")
+    threading.Timer(1.0, cluster.close).start()
+    with pytest.raises(virote.StudyError):
+        virote.study(script, virote.grid(n=range(100_000)), client=client, progress=False)
+    client.close()
+
+
+def test_manifests_tell_what_the_parts_are_of(script: Path, tmp_path: Path) -> None:
+    virote.study(script, [{"n": 1}], out=tmp_path / "out", workers=1, progress=False)
+    manifest = json.loads((tmp_path / "out/study.json").read_text())
+    assert manifest["want"] == [] and len(manifest["script"]) == 64
+    (tmp_path / "out/study.json").write_text("{")
+    with pytest.raises(virote.StudyError, match="not what a study left"):
+        virote.study(script, [{"n": 1}], out=tmp_path / "out", workers=1)

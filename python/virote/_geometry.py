@@ -1,0 +1,388 @@
+"""Curves, surfaces, meshes, tables, planes and functions as Python has them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any, Union
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+    from ._virote import Held
+
+    FloatArray = NDArray[np.float64]
+
+__all__ = ["Curve", "Frame", "Function", "Mesh", "Surface", "Table", "Value"]
+
+#: A number in the document's unit, or a text with a unit: ``15``, ``"15mm"``, ``"30deg"``.
+Quantity = Union[float, str]
+
+
+class Value:
+    """A value of the language that stays in the library."""
+
+    __slots__ = ("_held", "_parts")
+
+    def __init__(self, held: Held) -> None:
+        self._held = held
+        self._parts: dict[str, Any] | None = None
+
+    def _part(self, name: str) -> Any:
+        if self._parts is None:
+            self._parts = self._held.parts()
+        try:
+            return self._parts[name]
+        except KeyError:
+            text = f"a {type(self).__name__.lower()} of functions has no {name}; `virote.to_nurbs` gives it some"
+            raise AttributeError(text) from None
+
+    def __repr__(self) -> str:
+        return f"<virote.{type(self).__name__} {_short(self._held.text())}>"
+
+    def __str__(self) -> str:
+        return self._held.text()
+
+    def __reduce__(self) -> Any:
+        name = type(self).__name__
+        raise TypeError(f"a virote.{name} cannot be pickled; send the script and its parameters")
+
+
+def _short(text: str) -> str:
+    line = text.replace("\n", " ")
+    return line if len(line) <= 100 else line[:99] + "…"
+
+
+def _parameters(*given: ArrayLike) -> tuple[list[FloatArray], tuple[int, ...]]:
+    """Parameters as flat arrays of one length, and their common shape."""
+    import numpy as np
+
+    arrays = [np.asarray(one) for one in given]
+    for one in arrays:
+        if one.dtype.kind not in "fiu":
+            raise TypeError(f"parameters are numbers, found an array of {one.dtype}")
+    together = np.broadcast_arrays(*arrays)
+    shape = together[0].shape
+    flat = [np.ascontiguousarray(one, dtype=np.float64).reshape(-1) for one in together]
+    for one in flat:
+        if not np.isfinite(one).all():
+            raise ValueError("parameters are finite numbers, found NaN or infinity")
+    return flat, shape
+
+
+class Curve(Value):
+    """A curve: a NURBS, or a function with exact derivatives.
+
+    Call it with a parameter or with an array of parameters; ``curve @ t`` is the same.
+
+    >>> import virote
+    >>> c = virote.bezier([(0, 0), (1, 2), (2, 0)])
+    >>> c(0.5).tolist()
+    [1.0, 1.0, 0.0]
+    >>> c([0, 0.5, 1]).shape
+    (3, 3)
+    """
+
+    __slots__ = ()
+
+    def __call__(self, t: ArrayLike) -> FloatArray:
+        """Points at parameters: an array of the shape of ``t`` with three columns more."""
+        (flat,), shape = _parameters(t)
+        return self._held.curve_points(flat).reshape((*shape, 3))
+
+    __matmul__ = __call__
+
+    def derivatives(self, t: ArrayLike, order: int = 1) -> FloatArray:
+        """Point and derivatives up to ``order``: of the shape of ``t``, then ``(order + 1, 3)``.
+
+        At a knot those of the piece behind it. Exact, not differences.
+        """
+        if order < 0:
+            raise ValueError(f"an order is 0 or more, found {order}")
+        (flat,), shape = _parameters(t)
+        return self._held.curve_derivatives(flat, order).reshape((*shape, order + 1, 3))
+
+    @property
+    def domain(self) -> tuple[float, float]:
+        """Where its parameter begins and ends."""
+        return self._part("domain")  # type: ignore[no-any-return]
+
+    @property
+    def degree(self) -> int:
+        """Its degree."""
+        return self._part("degree")  # type: ignore[no-any-return]
+
+    @property
+    def knots(self) -> FloatArray:
+        """Its knot vector: as many as control points, and the degree plus one more."""
+        return self._part("knots")  # type: ignore[no-any-return]
+
+    @property
+    def control_points(self) -> FloatArray:
+        """Its control points, a row each."""
+        return self._part("control_points")  # type: ignore[no-any-return]
+
+    @property
+    def weights(self) -> FloatArray:
+        """The weight of each control point."""
+        return self._part("weights")  # type: ignore[no-any-return]
+
+    @property
+    def rational(self) -> bool:
+        """Whether the weights differ."""
+        return self._part("rational")  # type: ignore[no-any-return]
+
+    def to_scipy(self) -> Any:
+        """The same curve as a ``scipy.interpolate.BSpline``; a rational one has none."""
+        from scipy.interpolate import BSpline
+
+        if self.rational:
+            raise ValueError("SciPy has no rational curves; this one has weights")
+        return BSpline(self.knots, self.control_points, self.degree)
+
+
+class Surface(Value):
+    """A surface: a NURBS, or a function with exact derivatives.
+
+    Call it with two parameters or with two arrays of one shape; what broadcasts, does.
+    """
+
+    __slots__ = ()
+
+    def __call__(self, u: ArrayLike, v: ArrayLike) -> FloatArray:
+        """Points: an array of the common shape of ``u`` and ``v`` with three columns more."""
+        (us, vs), shape = _parameters(u, v)
+        return self._held.surface_points(us, vs).reshape((*shape, 3))
+
+    def derivatives(self, u: ArrayLike, v: ArrayLike, order: int = 1) -> FloatArray:
+        """Derivatives up to ``order`` in all: ``[..., i, j, :]`` is that of order i in u and j in v.
+
+        Where i + j is more than ``order`` it is NaN.
+        """
+        if order < 0:
+            raise ValueError(f"an order is 0 or more, found {order}")
+        (us, vs), shape = _parameters(u, v)
+        found = self._held.surface_derivatives(us, vs, order)
+        return found.reshape((*shape, order + 1, order + 1, 3))
+
+    def normal(self, u: ArrayLike, v: ArrayLike) -> FloatArray:
+        """Unit vectors along Su × Sv."""
+        (us, vs), shape = _parameters(u, v)
+        return self._held.surface_normals(us, vs).reshape((*shape, 3))
+
+    def curvatures(self, u: ArrayLike, v: ArrayLike) -> dict[str, FloatArray]:
+        """Principal curvatures ``k1`` ≤ ``k2``, and ``gaussian`` and ``mean``, by name.
+
+        Positive where the centre lies on the side of Su × Sv.
+        """
+        (us, vs), shape = _parameters(u, v)
+        found = self._held.surface_curvatures(us, vs)
+        names = ["k1", "k2", "gaussian", "mean"]
+        return {name: found[:, i].reshape(shape) for i, name in enumerate(names)}
+
+    def tessellate(
+        self,
+        tolerance: Quantity | None = None,
+        angle: Quantity | None = None,
+        max_edge: Quantity | None = None,
+    ) -> Mesh:
+        """A mesh no point of which is further away than the tolerance."""
+        from . import _operations
+
+        given = {"tolerance": tolerance, "angle": angle, "max_edge": max_edge}
+        options: Any = {name: value for name, value in given.items() if value is not None}
+        mesh = _operations.tessellate(self, **options)
+        if not isinstance(mesh, Mesh):
+            raise TypeError("the mesher gave no mesh")
+        return mesh
+
+    @property
+    def domain(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Where u begins and ends, and v."""
+        return self._part("domain")  # type: ignore[no-any-return]
+
+    @property
+    def degree(self) -> tuple[int, int]:
+        """Its degrees in u and in v."""
+        return self._part("degree")  # type: ignore[no-any-return]
+
+    @property
+    def knots(self) -> tuple[FloatArray, FloatArray]:
+        """Its knot vectors in u and in v."""
+        return self._part("knots")  # type: ignore[no-any-return]
+
+    @property
+    def control_points(self) -> FloatArray:
+        """Its control net: ``[i, j]`` is the point i along u and j along v."""
+        points: FloatArray = self._part("control_points")
+        return points.reshape((*self._part("shape"), 3))
+
+    @property
+    def weights(self) -> FloatArray:
+        """The weight of each control point."""
+        weights: FloatArray = self._part("weights")
+        return weights.reshape(self._part("shape"))
+
+    @property
+    def rational(self) -> bool:
+        """Whether the weights differ."""
+        return self._part("rational")  # type: ignore[no-any-return]
+
+    def to_scipy(self) -> Any:
+        """The same surface as a ``scipy.interpolate.NdBSpline``; a rational one has none."""
+        from scipy.interpolate import NdBSpline
+
+        if self.rational:
+            raise ValueError("SciPy has no rational surfaces; this one has weights")
+        return NdBSpline(self.knots, self.control_points, self.degree)
+
+
+class Mesh(Value):
+    """A mesh of triangles, as arrays."""
+
+    __slots__ = ()
+
+    @property
+    def points(self) -> FloatArray:
+        """Its vertices, a row each."""
+        return self._part("points")  # type: ignore[no-any-return]
+
+    @property
+    def triangles(self) -> NDArray[np.uint32]:
+        """Three indices of vertices for each triangle."""
+        return self._part("triangles")  # type: ignore[no-any-return]
+
+    @property
+    def normals(self) -> FloatArray:
+        """A unit normal for each vertex; empty where there are none."""
+        return self._part("normals")  # type: ignore[no-any-return]
+
+    @property
+    def uv(self) -> FloatArray:
+        """The surface's parameters of each vertex; empty where there are none."""
+        return self._part("uv")  # type: ignore[no-any-return]
+
+    @property
+    def cells(self) -> list[tuple[str, NDArray[np.uint32]]]:
+        """The triangles as meshio takes them: ``meshio.Mesh(mesh.points, mesh.cells)``."""
+        return [("triangle", self.triangles)]
+
+
+class Table(Value):
+    """A table of named columns.
+
+    Libraries that speak Arrow (pandas 3, polars, pyarrow, DuckDB) take it as it is.
+    """
+
+    __slots__ = ()
+
+    @property
+    def columns(self) -> list[str]:
+        """The names of the columns."""
+        return list(self.to_dict())
+
+    @property
+    def units(self) -> dict[str, str]:
+        """The units of the columns that have one."""
+        return dict(self._part("units"))
+
+    def __getitem__(self, name: str) -> Any:
+        """A column: an array of numbers, or a list of texts."""
+        try:
+            return self._part("columns")[name]
+        except KeyError:
+            raise KeyError(f"the table has no column {name!r}; it has {self.columns}") from None
+
+    def __len__(self) -> int:
+        columns = self.to_dict()
+        return len(next(iter(columns.values()))) if columns else 0
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.columns)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Columns by name."""
+        return dict(self._part("columns"))
+
+    def to_pandas(self) -> Any:
+        """The table as a ``pandas.DataFrame``; units are in ``frame.attrs["units"]``."""
+        import pandas as pd
+
+        frame = pd.DataFrame(self.to_dict())
+        frame.attrs["units"] = self.units
+        return frame
+
+    def to_arrow(self) -> Any:
+        """The table as a ``pyarrow.Table``, units in the metadata of its fields."""
+        import pyarrow as pa
+
+        arrays, fields = [], []
+        for name, column in self.to_dict().items():
+            array = pa.array(column)
+            unit = self.units.get(name)
+            metadata = {"unit": unit} if unit else None
+            arrays.append(array)
+            fields.append(pa.field(name, array.type, metadata=metadata))
+        return pa.table(arrays, schema=pa.schema(fields))
+
+    def __arrow_c_stream__(self, requested_schema: object = None) -> object:
+        """The table by the interface of Arrow; needs pyarrow."""
+        return self.to_arrow().__arrow_c_stream__(requested_schema)
+
+
+class Frame(Value):
+    """A plane or a frame: a place and three directions."""
+
+    __slots__ = ()
+
+    @property
+    def origin(self) -> FloatArray:
+        """Its place."""
+        return self._part("origin")  # type: ignore[no-any-return]
+
+    @property
+    def x(self) -> FloatArray:
+        """Its first direction."""
+        return self._part("x")  # type: ignore[no-any-return]
+
+    @property
+    def y(self) -> FloatArray:
+        """Its second direction."""
+        return self._part("y")  # type: ignore[no-any-return]
+
+    @property
+    def z(self) -> FloatArray:
+        """Its third direction, the normal of a plane."""
+        return self._part("z")  # type: ignore[no-any-return]
+
+
+class Function(Value):
+    """A function of the language, or a built-in. Call it with values."""
+
+    __slots__ = ()
+
+    def __call__(self, *args: Any, **named: Any) -> Any:
+        from ._session import default_session
+
+        return default_session()._call(self._held, args, named)
+
+
+#: What can be a point: two or three numbers.
+PointLike = Union[Sequence[Quantity], "FloatArray"]
+#: What can be points: an array of two or three columns, or a sequence of points.
+PointsLike = Union[Sequence[PointLike], "FloatArray"]
+#: What can be a function: one of the language, or its text, ``"t => (t, t^2)"``.
+FunctionLike = Union[Function, str]
+
+_CLASSES: dict[str, Callable[[Any], Value]] = {
+    "curve": Curve,
+    "surface": Surface,
+    "mesh": Mesh,
+    "table": Table,
+    "plane": Frame,
+    "function": Function,
+}
+
+
+def _wrap(kind: str, held: Held) -> Value:
+    return _CLASSES.get(kind, Value)(held)

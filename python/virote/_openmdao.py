@@ -1,0 +1,77 @@
+"""A script as a component of OpenMDAO."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import openmdao.api as om
+
+from ._findings import GeoError
+from ._session import Session
+from .optimize import _in_unit, _parameters
+
+#: Units of the language that OpenMDAO calls otherwise.
+_UNITS = {"in": "inch", "um": "um", "turn": "rev"}
+
+
+class Component(om.ExplicitComponent):  # type: ignore[misc]
+    """A script whose parameters are inputs, and whose named numbers are outputs.
+
+    ``Component(script="bottle.geo", inputs=["body", "height"], outputs=["litres", "grams"])``
+
+    Derivatives are differences, which the script answers quickly: a session remembers what a step does
+    not touch. A variant that the script refuses raises ``AnalysisError``, upon which optimisers
+    shorten their step.
+    """
+
+    def initialize(self) -> None:
+        """Declares what a component is made of."""
+        self.options.declare("script", desc="the script")
+        self.options.declare("inputs", default=None, desc="parameters; by default all with a range")
+        self.options.declare("outputs", types=list, desc="definitions that are numbers")
+        self.options.declare("params", default={}, types=dict, desc="values of other parameters")
+        self.options.declare("step", default=1e-6, desc="of differences, relative to the range")
+
+    def setup(self) -> None:
+        """Declares inputs with their defaults and units, and outputs."""
+        chosen = _parameters(self.options["script"], self.options["inputs"])
+        self._varied = {one["name"]: one for one in chosen if one["range"]}
+        for name, one in self._varied.items():
+            unit = one["unit"] and _UNITS.get(one["unit"], one["unit"])
+            self.add_input(name, val=float(one["default"]), units=unit, desc=one["label"] or "")
+        for name in self.options["outputs"]:
+            self.add_output(name)
+        self._scripts = Session()
+
+    def setup_partials(self) -> None:
+        """All outputs depend on all inputs."""
+        self.declare_partials("*", "*")
+
+    def compute(self, inputs: Any, outputs: Any) -> None:
+        """Runs the script."""
+        for name, value in self._answers(self._place(inputs)).items():
+            outputs[name] = value
+
+    def compute_partials(self, inputs: Any, partials: Any) -> None:
+        """Central differences; at an end of a range those from inside."""
+        at = self._place(inputs)
+        for name, one in self._varied.items():
+            low, high = one["range"]["start"], one["range"]["end"]
+            step = self.options["step"] * (high - low)
+            before, behind = max(at[name] - step, low), min(at[name] + step, high)
+            left = self._answers({**at, name: before})
+            right = self._answers({**at, name: behind})
+            for output in self.options["outputs"]:
+                partials[output, name] = (right[output] - left[output]) / (behind - before)
+
+    def _place(self, inputs: Any) -> dict[str, float]:
+        return {name: float(inputs[name][0]) for name in self._varied}
+
+    def _answers(self, at: dict[str, float]) -> dict[str, float]:
+        given = dict(self.options["params"])
+        given.update({name: _in_unit(self._varied[name], value) for name, value in at.items()})
+        try:
+            results = self._scripts.run(self.options["script"], given)
+        except GeoError as err:
+            raise om.AnalysisError(str(err)) from err
+        return {name: float(results[name]) for name in self.options["outputs"]}

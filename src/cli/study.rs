@@ -1,0 +1,362 @@
+//! `virote study`: a script with many values of its parameters, a row of results for each.
+
+use std::{
+    cell::Cell,
+    collections::BTreeMap,
+    fs,
+    io::Write,
+    path::{Path, PathBuf},
+    time::Duration,
+};
+
+use clap::Args;
+use serde_json::{Map, Value as Json, json};
+
+use super::{
+    exit_status::ExitStatus,
+    interrupt::{self, INTERRUPTED},
+    looks::{self, PictureArgs},
+    process,
+    progress::StudyProgress,
+    reporter::Reporter,
+    run_args::RunArgs,
+    settings,
+};
+use crate::{
+    disk::{OutputTarget, Script, ScriptFiles, TargetRefusal, replace},
+    eval::{Schema, Setting},
+    export::io_reason,
+    limits::work::StopToken,
+    session::Session,
+    study::{
+        Columns, Evaluation, Journal, KeptFiles, Plan, ResultFormat, Row, RowMaker, StudyPictures,
+        VariedParameter, checksum, contact_sheets, in_order, write_results,
+    },
+};
+
+/// What `virote study` is asked for.
+#[derive(Debug, Args)]
+pub(super) struct StudyOptions {
+    /// The script
+    file: PathBuf,
+    /// The values, a row for each variant: CSV or Parquet, whose columns are called like parameters,
+    /// with units in square brackets: `neck [mm]`; a column `id` names the variants
+    #[arg(value_name = "PLAN", required_unless_present = "vary", conflicts_with = "vary")]
+    plan: Option<PathBuf>,
+    /// The results; the ending chooses the format: `.csv`, `.jsonl` or `.parquet`
+    #[arg(long, short, value_name = "RESULTS")]
+    out: PathBuf,
+    /// Varies a parameter: `neck=10mm..20mm:11` are eleven values, `neck=10mm,15mm` two; of several
+    /// parameters all combinations
+    #[arg(long, value_name = "NAME=VALUES", value_parser = VariedParameter::read)]
+    vary: Vec<VariedParameter>,
+    /// Keeps only this definition as a result; may be given several times [default: every number,
+    /// text and truth value that has a name]
+    #[arg(long, value_name = "NAME")]
+    want: Vec<String>,
+    /// Stops a variant that takes longer, such as 10s or 500ms, and goes on with the next
+    #[arg(long, value_name = "TIME", value_parser = duration)]
+    time_limit: Option<Duration>,
+    /// Begins anew where results, or rows of a study that was ended, are there already
+    #[arg(long)]
+    fresh: bool,
+    /// Draws each variant into this folder, and sheets with all of them, `contact-1.png`
+    #[arg(long, value_name = "FOLDER")]
+    render: Option<PathBuf>,
+    #[command(flatten)]
+    drawn: Box<PictureArgs>,
+    #[command(flatten)]
+    common: RunArgs,
+}
+
+/// What the file of a study that is not done is called behind the name of its results.
+const UNFINISHED: &str = "unfinished";
+
+/// `virote study SCRIPT PLAN -o RESULTS`
+pub(super) fn run(asked: &StudyOptions) -> ExitStatus {
+    let voice = Reporter::new(&asked.common.talk, asked.common.ceilings().diagnostics);
+    match study(asked, &voice) {
+        Ok(ending) | Err(Refusal::Told(ending)) => ending,
+        Err(Refusal::Misuse(message)) => {
+            message.lines().for_each(|line| voice.trouble(line));
+            ExitStatus::Usage
+        }
+    }
+}
+
+/// Why there is no study.
+enum Refusal {
+    /// What has been told.
+    Told(ExitStatus),
+    /// A sentence.
+    Misuse(String),
+}
+
+impl From<String> for Refusal {
+    fn from(message: String) -> Self {
+        Self::Misuse(message)
+    }
+}
+
+fn study(asked: &StudyOptions, voice: &Reporter) -> Result<ExitStatus, Refusal> {
+    // Look at all that is asked before anything is evaluated.
+    let format = ResultFormat::of(&asked.out)?;
+    let session = asked.common.session();
+    let settings = settings::given(&asked.common, session.limits().input_bytes, voice)
+        .map_err(Refusal::Told)?;
+    let script = Script::read(&asked.file, session.limits().source_bytes)?;
+    check_target(asked, &script)?;
+    let content = looks::content(&asked.drawn)?;
+    let disk = ScriptFiles::new(&script.folder);
+    let schema = schema(&session, &script, &disk, voice)?;
+    check_settings(&settings, &schema)?;
+    let mut plan = match &asked.plan {
+        Some(path) => Plan::file(path)?,
+        None => Plan::grid(&asked.vary)?,
+    };
+    let (n_variants, plan_sum) = plan.check(&schema)?;
+    let maker = RowMaker::new(schema, asked.want.clone());
+    check_wants(&maker, &session, (&script, &disk), voice)?;
+
+    // Go on where an earlier run ended.
+    let header = header(asked, &script, &settings, &plan_sum);
+    let mut journal = Journal::open(&unfinished(&asked.out), &header, asked.fresh)?;
+    if 0 < journal.n_rows {
+        voice.remark(&format!("{} of {n_variants} rows are there already", journal.n_rows));
+    }
+    let files = KeptFiles::new(&disk, std::mem::take(&mut journal.files));
+    if let Some(folder) = &asked.render {
+        fs::create_dir_all(folder)
+            .map_err(|err| format!("cannot make `{}`: {}", folder.display(), io_reason(&err)))?;
+    }
+    interrupt::listen_once();
+    let new_session = |stop: StopToken| process::session(asked.common.ceilings()).stopped_by(stop);
+    let evaluation = Evaluation {
+        name: &script.name,
+        bytes: &script.bytes,
+        files: &files,
+        settings: &settings,
+        session: &new_session,
+        maker: &maker,
+        n_workers: asked.common.n_threads(),
+        time_limit: asked.time_limit,
+        pictures: asked.render.as_deref().map(|folder| StudyPictures {
+            folder,
+            content: content.clone(),
+            n_digits: n_variants.to_string().len(),
+        }),
+        stop: &INTERRUPTED,
+    };
+    let evaluated = evaluate(&evaluation, (&plan, n_variants), &files, &mut journal, voice);
+    let ended = match evaluated {
+        Err(message) => Some(message),
+        Ok(()) => (journal.n_rows < n_variants).then(|| "the study was stopped".to_owned()),
+    };
+    if let Some(message) = ended {
+        let (n_rows, name) = (journal.n_rows, unfinished(&asked.out));
+        return Err(Refusal::Misuse(format!(
+            "{message}\n{n_rows} of {n_variants} rows are kept in `{}`; the same command goes on behind them",
+            name.display()
+        )));
+    }
+    finish(asked, format, journal, (&script, n_variants), voice)
+}
+
+/// The parameters of the script; what is wrong with it whatever they are has been told.
+fn schema(
+    session: &Session,
+    script: &Script,
+    files: &ScriptFiles,
+    voice: &Reporter,
+) -> Result<Schema, Refusal> {
+    session.parameters(&script.name, &script.bytes, files).map_err(|report| {
+        voice.findings(&report.diagnostics, &report.sources);
+        Refusal::Told(ExitStatus::Wrong)
+    })
+}
+
+/// Refuses wanted results that the script does not define.
+fn check_wants(
+    maker: &RowMaker,
+    session: &Session,
+    (script, files): (&Script, &ScriptFiles),
+    voice: &Reporter,
+) -> Result<(), Refusal> {
+    let graph = session.graph(&script.name, &script.bytes, files).map_err(|report| {
+        voice.findings(&report.diagnostics, &report.sources);
+        Refusal::Told(ExitStatus::Wrong)
+    })?;
+    let defined: Vec<&str> = graph.nodes.iter().map(|node| node.name.as_str()).collect();
+    Ok(maker.check_wants(&defined)?)
+}
+
+/// Refuses settings that no parameter takes, as the first variant would.
+fn check_settings(settings: &[Setting], schema: &Schema) -> Result<(), String> {
+    let is_known = |name: &str| schema.parameters.iter().any(|one| one.name == name);
+    match settings.iter().find(|setting| !is_known(&setting.name)) {
+        Some(setting) => Err(format!("the script has no parameter `{}`", setting.name)),
+        None => Ok(()),
+    }
+}
+
+/// Refuses results in the place of the script or the plan, and of results that are there.
+fn check_target(asked: &StudyOptions, script: &Script) -> Result<(), String> {
+    let out = &asked.out;
+    let folder = out.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let name = out.file_name().unwrap_or_default().to_string_lossy();
+    let inputs: Vec<PathBuf> = script.path.iter().chain(&asked.plan).cloned().collect();
+    let target = OutputTarget::new(folder.unwrap_or(Path::new(".")), &name, &inputs);
+    target.map_err(|refusal| match refusal {
+        TargetRefusal::Forbidden(why) if inputs.iter().any(|input| input == out) => {
+            why.replace("the script or one of its inputs", "the script or the plan")
+        }
+        TargetRefusal::Forbidden(why) | TargetRefusal::System(why) => why,
+    })?;
+    if out.exists() && !asked.fresh {
+        return Err(format!(
+            "`{}` is there already; `--fresh` replaces it, and another name keeps it",
+            out.display()
+        ));
+    }
+    Ok(())
+}
+
+/// The journal of a study with these results.
+fn unfinished(out: &Path) -> PathBuf {
+    let name = out.file_name().unwrap_or_default().to_string_lossy();
+    out.with_file_name(format!("{name}.{UNFINISHED}"))
+}
+
+/// What must be the same for rows of two runs to belong together.
+fn header(
+    asked: &StudyOptions,
+    script: &Script,
+    settings: &[Setting],
+    plan_sum: &str,
+) -> Map<String, Json> {
+    let settings: Vec<String> =
+        settings.iter().map(|setting| format!("{}={}", setting.name, setting.text)).collect();
+    let limits = format!("{:?}", asked.common.ceilings());
+    let members = [
+        ("virote study", json!(env!("CARGO_PKG_VERSION"))),
+        ("script", json!(checksum(&script.bytes))),
+        ("plan", json!(plan_sum)),
+        ("`--set`", json!(settings)),
+        ("`--want`", json!(asked.want)),
+        ("`--limit`", json!(checksum(limits.as_bytes()))),
+        ("`--time-limit`", json!(asked.time_limit.map(|limit| limit.as_secs_f64()))),
+        ("`--render`", json!(asked.render)),
+    ];
+    members.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
+}
+
+/// Evaluates what the journal has no rows of, and adds them.
+fn evaluate(
+    evaluation: &Evaluation<'_>,
+    (plan, n_variants): (&Plan, u64),
+    files: &KeptFiles<'_>,
+    journal: &mut Journal,
+    voice: &Reporter,
+) -> Result<(), String> {
+    let n_kept = journal.n_rows;
+    let variants = plan.variants().skip(n_kept.try_into().unwrap_or(usize::MAX));
+    let progress = StudyProgress::begin(n_variants, n_kept, voice.is_lively());
+    in_order(evaluation, variants, |row| {
+        if let Some(path) = files.changed() {
+            return Err(format!(
+                "`{path}` is not what it was for the rows that are there; `--fresh` begins anew"
+            ));
+        }
+        for (path, sum) in files.take_news() {
+            journal.note(&path, &sum)?;
+        }
+        journal.add(&row)?;
+        progress.done();
+        Ok(())
+    })
+}
+
+/// Writes the results, and tells what came of the study.
+fn finish(
+    asked: &StudyOptions,
+    format: ResultFormat,
+    journal: Journal,
+    (script, n_variants): (&Script, u64),
+    voice: &Reporter,
+) -> Result<ExitStatus, Refusal> {
+    let mut columns = Columns::default();
+    let mut tally = Tally::default();
+    for row in journal.rows()? {
+        let row = row?;
+        columns.add(&row);
+        tally.add(&row);
+    }
+    let rows = Cell::new(Some(journal.rows()?));
+    let write = |out: &mut dyn Write| {
+        let Some(rows) = rows.take() else { return Ok(()) };
+        write_results(format, &columns, rows, out)
+    };
+    replace(&asked.out, None, write).map_err(|err| {
+        let name = asked.out.display();
+        format!(
+            "cannot write `{name}`: {}\nall rows are kept in `{}`; the same command writes them",
+            io_reason(&err),
+            unfinished(&asked.out).display()
+        )
+    })?;
+    let sheets = match &asked.render {
+        Some(folder) => contact_sheets(folder, journal.rows()?)?,
+        None => Vec::new(),
+    };
+    journal.remove();
+    let is_other = |path: &PathBuf| fs::read(path).is_ok_and(|bytes| bytes != script.bytes);
+    if script.path.as_ref().is_some_and(is_other) {
+        voice.remark(&format!(
+            "{} was changed while the study ran; all rows are of the text as it was at its start",
+            script.name
+        ));
+    }
+    voice.study(&asked.out.display().to_string(), n_variants, (tally.n_failed, &tally.errors));
+    for sheet in sheets {
+        let folder = asked.render.clone().unwrap_or_default();
+        voice.remark(&format!("drew {}", folder.join(sheet).display()));
+    }
+    Ok(ExitStatus::Well)
+}
+
+/// How rows came out.
+#[derive(Default)]
+struct Tally {
+    /// Without an error, but with a check that fails.
+    n_failed: u64,
+    /// By their codes.
+    errors: BTreeMap<String, u64>,
+}
+
+impl Tally {
+    fn add(&mut self, row: &Row) {
+        if let Some(Json::String(code)) = row.get("code") {
+            *self.errors.entry(code.clone()).or_default() += 1;
+        } else {
+            let fails = |(title, cell): (&String, &Json)| {
+                title.starts_with("check ") && *cell == json!(false)
+            };
+            self.n_failed += u64::from(row.iter().any(fails));
+        }
+    }
+}
+
+/// Reads `10s`, `500ms` or `2min`.
+fn duration(text: &str) -> Result<Duration, String> {
+    let wrong = || "write a time such as 10s, 500ms or 2min".to_owned();
+    let digits = text.trim_end_matches(char::is_alphabetic);
+    let number: f64 = digits.trim().parse().map_err(|_| wrong())?;
+    let seconds = match &text[digits.len()..] {
+        "ms" => number / 1000.0,
+        "s" => number,
+        "min" => 60.0 * number,
+        _ => return Err(wrong()),
+    };
+    let time = Duration::try_from_secs_f64(seconds).map_err(|_| wrong())?;
+    if time.is_zero() { Err("a variant needs some time".to_owned()) } else { Ok(time) }
+}

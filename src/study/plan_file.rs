@@ -1,0 +1,199 @@
+//! Plans in files: CSV as spreadsheets write it, or Parquet. Read row by row, so that a long one takes
+//! no memory.
+
+use std::{
+    fs::File,
+    io::{BufRead, BufReader, Seek},
+    path::{Path, PathBuf},
+};
+
+use parquet::{
+    file::reader::{FileReader, SerializedFileReader},
+    record::Field,
+};
+
+use crate::{export::io_reason, value::shortest};
+
+/// A file with a row for each variant.
+#[derive(Debug)]
+pub(super) struct PlanFile {
+    path: PathBuf,
+    layout: PlanLayout,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum PlanLayout {
+    /// Separated by this.
+    Csv(u8),
+    Parquet,
+}
+
+/// The cells of a variant.
+#[derive(Debug)]
+pub(super) struct PlanRow {
+    /// How a message about it begins; empty where it has no place.
+    pub(super) place: String,
+    pub(super) cells: Vec<String>,
+}
+
+/// How a Parquet file begins.
+const PARQUET: &[u8] = b"PAR1";
+
+impl PlanFile {
+    /// The file, and the titles of its columns.
+    ///
+    /// # Errors
+    /// A sentence that names the file.
+    pub(super) fn open(path: &Path) -> Result<(Self, Vec<String>), String> {
+        let name = path.display();
+        let cannot = |why: String| format!("cannot read `{name}`: {why}");
+        let data = path.metadata().map_err(|err| cannot(io_reason(&err)))?;
+        if !data.is_file() {
+            return Err(format!(
+                "`{name}` is no file: a plan is read twice, so it cannot be a pipe"
+            ));
+        }
+        let file = File::open(path).map_err(|err| cannot(io_reason(&err)))?;
+        let mut start = BufReader::new(file);
+        let begin = start.fill_buf().map_err(|err| cannot(io_reason(&err)))?;
+        if begin.starts_with(PARQUET) {
+            let reader = parquet_reader(path)?;
+            let fields = reader.metadata().file_metadata().schema().get_fields();
+            let titles = fields.iter().map(|field| field.name().to_owned()).collect();
+            return Ok((Self { path: path.to_owned(), layout: PlanLayout::Parquet }, titles));
+        }
+        let header_end = begin.iter().position(|byte| b"\r\n".contains(byte));
+        let header = &begin[..header_end.unwrap_or(begin.len())];
+        if header.trim_ascii().is_empty() {
+            return Err(format!("the plan `{name}` is empty: its first line names the parameters"));
+        }
+        let separator = *b",;\t".iter().find(|byte| header.contains(byte)).unwrap_or(&b',');
+        let file = Self { path: path.to_owned(), layout: PlanLayout::Csv(separator) };
+        start.rewind().map_err(|err| cannot(io_reason(&err)))?;
+        let mut reader = csv_reader(start, separator);
+        let header = reader.headers().map_err(|err| file.csv_fault(&err))?;
+        let titles = header.iter().map(str::to_owned).collect();
+        Ok((file, titles))
+    }
+
+    /// The rows in their order.
+    pub(super) fn rows(&self) -> Box<dyn Iterator<Item = Result<PlanRow, String>> + Send + '_> {
+        match self.layout {
+            PlanLayout::Csv(separator) => match File::open(&self.path) {
+                Ok(file) => self.csv_rows(file, separator),
+                Err(err) => {
+                    let name = self.path.display();
+                    let message = format!("cannot read `{name}`: {}", io_reason(&err));
+                    Box::new(std::iter::once(Err(message)))
+                }
+            },
+            PlanLayout::Parquet => match parquet_reader(&self.path) {
+                Ok(reader) => self.parquet_rows(reader),
+                Err(message) => Box::new(std::iter::once(Err(message))),
+            },
+        }
+    }
+
+    fn csv_rows(
+        &self,
+        file: File,
+        separator: u8,
+    ) -> Box<dyn Iterator<Item = Result<PlanRow, String>> + Send + '_> {
+        let records = csv_reader(BufReader::new(file), separator).into_byte_records();
+        Box::new(records.map(|record| {
+            let record = record.map_err(|err| self.csv_fault(&err))?;
+            let line = record.position().map_or(0, csv::Position::line);
+            let place = format!("{}:{line}: ", self.path.display());
+            let cells = record.iter().map(|cell| str::from_utf8(cell).map(str::to_owned));
+            match cells.collect() {
+                Ok(cells) => Ok(PlanRow { place, cells }),
+                Err(_) => Err(format!("{place}the row is not UTF-8 text; save the plan as UTF-8")),
+            }
+        }))
+    }
+
+    fn parquet_rows(
+        &self,
+        reader: SerializedFileReader<File>,
+    ) -> Box<dyn Iterator<Item = Result<PlanRow, String>> + Send + '_> {
+        let name = self.path.display();
+        let groups = 0..reader.num_row_groups();
+        let rows = groups.flat_map(move |group| -> Vec<Result<PlanRow, String>> {
+            // Groups are what a writer held in memory.
+            let rows =
+                reader.get_row_group(group).and_then(|group| group.get_row_iter(None)?.collect());
+            let rows: Vec<parquet::record::Row> = match rows {
+                Ok(rows) => rows,
+                Err(err) => return vec![Err(format!("cannot read `{name}`: {err}"))],
+            };
+            rows.iter().enumerate().map(|(i, row)| self.parquet_row(group, i, row)).collect()
+        });
+        Box::new(rows)
+    }
+
+    fn parquet_row(
+        &self,
+        group: usize,
+        i: usize,
+        row: &parquet::record::Row,
+    ) -> Result<PlanRow, String> {
+        let place = format!("{}, row {} of group {group}: ", self.path.display(), i + 1);
+        let cells = row.get_column_iter().map(|(title, field)| {
+            text_of(field).ok_or_else(|| {
+                format!("{place}column `{title}` holds neither numbers nor texts nor truth values")
+            })
+        });
+        let cells = cells.collect::<Result<_, _>>()?;
+        Ok(PlanRow { place, cells })
+    }
+
+    /// What the reader of CSV complains of, in the words of its user.
+    fn csv_fault(&self, err: &csv::Error) -> String {
+        let name = self.path.display();
+        match err.kind() {
+            csv::ErrorKind::UnequalLengths { pos, expected_len, len } => {
+                let line = pos.as_ref().map_or(0, csv::Position::line);
+                let cells = if *len == 1 { "cell" } else { "cells" };
+                format!("{name}:{line}: the row has {len} {cells}, the header has {expected_len}")
+            }
+            csv::ErrorKind::Utf8 { .. } => {
+                format!("{name}:1: the header is not UTF-8 text; save the plan as UTF-8")
+            }
+            csv::ErrorKind::Io(err) => format!("cannot read `{name}`: {}", io_reason(err)),
+            _ => format!("cannot read `{name}`: {err}"),
+        }
+    }
+}
+
+fn csv_reader<R: std::io::Read>(file: R, separator: u8) -> csv::Reader<R> {
+    csv::ReaderBuilder::new().delimiter(separator).trim(csv::Trim::All).from_reader(file)
+}
+
+fn parquet_reader(path: &Path) -> Result<SerializedFileReader<File>, String> {
+    let name = path.display();
+    let file =
+        File::open(path).map_err(|err| format!("cannot read `{name}`: {}", io_reason(&err)))?;
+    SerializedFileReader::new(file).map_err(|err| format!("cannot read `{name}`: {err}"))
+}
+
+/// A cell as CSV would have it; empty for null.
+fn text_of(field: &Field) -> Option<String> {
+    Some(match field {
+        Field::Null => String::new(),
+        Field::Bool(truth) => truth.to_string(),
+        Field::Byte(n) => n.to_string(),
+        Field::Short(n) => n.to_string(),
+        Field::Int(n) => n.to_string(),
+        Field::Long(n) => n.to_string(),
+        Field::UByte(n) => n.to_string(),
+        Field::UShort(n) => n.to_string(),
+        Field::UInt(n) => n.to_string(),
+        Field::ULong(n) => n.to_string(),
+        Field::Float(x) if x.is_nan() => String::new(),
+        Field::Double(x) if x.is_nan() => String::new(),
+        Field::Float(x) => x.to_string(),
+        Field::Double(x) => shortest(*x),
+        Field::Str(text) => text.clone(),
+        _ => return None,
+    })
+}

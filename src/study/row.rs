@@ -1,0 +1,254 @@
+//! What became of a variant as a row: parameters, results, checks, what went wrong, how long it took.
+
+use serde_json::{Map, Value as Json, json};
+
+use super::{plan::Variant, vary::number_and_unit};
+use crate::{
+    diag::{Diagnostic, Severity, nearest},
+    eval::{Checked, Schema, SchemaParameter},
+    kernel::{Column, NamedColumn},
+    session::{Event, Report},
+    syntax::ast::Unit,
+    value::{Dimension, Number, Value, in_document_unit},
+};
+
+/// Cells by the titles of their columns, in the order of the columns.
+pub type Row = Map<String, Json>;
+
+/// Titles of columns that every study has.
+pub(super) const ID: &str = "id";
+/// The code of the first error.
+pub(super) const CODE: &str = "code";
+/// Its message.
+pub(super) const MESSAGE: &str = "message";
+/// The time of evaluation.
+pub(super) const MILLISECONDS: &str = "milliseconds";
+
+/// Makes rows of reports.
+#[derive(Debug)]
+pub struct RowMaker {
+    parameters: Vec<SchemaParameter>,
+    unit: Unit,
+    /// Definitions that are results; none for all that have a number, a text or a truth value.
+    wants: Vec<String>,
+}
+
+/// Characters of a claim in the title of its column.
+const MOST_CLAIM: usize = 80;
+
+impl RowMaker {
+    /// For the script of a schema.
+    #[must_use]
+    pub fn new(schema: Schema, wants: Vec<String>) -> Self {
+        Self { parameters: schema.parameters, unit: schema.unit, wants }
+    }
+
+    /// Finds names that the script does not define among `defined`.
+    ///
+    /// # Errors
+    /// The first, and the name that was meant.
+    pub fn check_wants(&self, defined: &[&str]) -> Result<(), String> {
+        let Some(name) = self.wants.iter().find(|name| !defined.contains(&name.as_str())) else {
+            return Ok(());
+        };
+        Err(match nearest(name, defined.iter().copied()) {
+            Some(near) => format!("the script defines no `{name}`; did you mean `{near}`?"),
+            None => format!("the script defines no `{name}`"),
+        })
+    }
+
+    /// The row of a variant; `why_stopped` tells why it was, where it was stopped.
+    ///
+    /// # Errors
+    /// A wanted definition that is nothing that a cell holds.
+    pub fn row(
+        &self,
+        variant: &Variant,
+        report: &Report,
+        milliseconds: f64,
+        stopped: Option<&str>,
+    ) -> Result<Row, String> {
+        let mut row = Row::new();
+        row.insert(ID.to_owned(), variant.id.clone());
+        for parameter in &self.parameters {
+            let (title, value) = self.parameter(parameter, variant, report);
+            row.insert(title, value);
+        }
+        self.add_results(report, &mut row)?;
+        let checks = report.events.iter().filter_map(|event| match event {
+            Event::Checked(checked) => Some(checked),
+            _ => None,
+        });
+        for checked in checks {
+            add_check(checked, report, &mut row);
+        }
+        let error = report.diagnostics.iter().find(|found| found.severity == Severity::Error);
+        row.insert(CODE.to_owned(), error.map_or(Json::Null, |error| json!(error.code.id())));
+        let message = error.map(|error| match stopped {
+            Some(why) => why.to_owned(),
+            None => told(error, report),
+        });
+        row.insert(MESSAGE.to_owned(), json!(message));
+        row.insert(MILLISECONDS.to_owned(), json!((1e3 * milliseconds).round() / 1e3));
+        Ok(row)
+    }
+
+    /// The title and the value of a parameter.
+    fn parameter(
+        &self,
+        parameter: &SchemaParameter,
+        variant: &Variant,
+        report: &Report,
+    ) -> (String, Json) {
+        let name = &parameter.name;
+        let defined = report.definitions.iter().find(|defined| defined.name == *name);
+        let given = variant.settings.iter().rfind(|setting| setting.name == *name);
+        let value = defined.and_then(|defined| defined.value.as_ref());
+        let default = Value::None;
+        // A value that was refused is told as it was given.
+        let value = value.unwrap_or(match given {
+            None => &parameter.default,
+            Some(_) => &default,
+        });
+        let (unit, cell) = self.cell(value).unwrap_or_default();
+        let cell = match (value, given) {
+            (Value::None, Some(given)) => self.refused(&given.text, parameter),
+            _ => cell,
+        };
+        let unit = match parameter.kind {
+            "length" => Some(self.unit.name().to_owned()),
+            "angle" => Some(DEGREES.to_owned()),
+            _ => unit,
+        };
+        // Whatever happens to be whole, a column is of the kind of its parameter.
+        let whole = cell.as_f64().map(Number::bare).and_then(Number::as_integer);
+        let cell = whole.filter(|_| parameter.kind == "integer").map_or(cell, Json::from);
+        (titled(name, unit.as_deref()), cell)
+    }
+
+    /// A value that the parameter refused, in the unit of its column.
+    fn refused(&self, text: &str, parameter: &SchemaParameter) -> Json {
+        let (number, unit) = number_and_unit(text);
+        let wanted = match parameter.kind {
+            "length" => Some(self.unit.name()),
+            "angle" => Some(DEGREES),
+            _ => None,
+        };
+        let number = match (number, unit, wanted) {
+            (Some(number), "", _) => Some(number),
+            (Some(number), unit, Some(wanted)) if unit == wanted => Some(number),
+            (Some(number), unit, Some(_)) => self.converted(number, unit, parameter.kind),
+            _ => None,
+        };
+        match parameter.kind {
+            "string" | "bool" => json!(text),
+            _ => json!(number),
+        }
+    }
+
+    /// A number of a unit in the document's unit or in degrees.
+    fn converted(&self, number: f64, unit: &str, kind: &str) -> Option<f64> {
+        let column = NamedColumn::numbers("", vec![number]).with_unit(unit);
+        let column = in_document_unit(column, self.unit.name()).ok()?;
+        let Column::Numbers(numbers) = &column.column else { return None };
+        let number = *numbers.first()?;
+        Some(if kind == "angle" { in_degrees(Number::angle(number)) } else { number })
+    }
+
+    /// The named numbers, texts and truth values.
+    fn add_results(&self, report: &Report, row: &mut Row) -> Result<(), String> {
+        let is_parameter =
+            |name: &str| self.parameters.iter().any(|parameter| parameter.name == name);
+        for defined in &report.definitions {
+            let name = &defined.name;
+            let is_asked = self.wants.contains(name);
+            if is_parameter(name) || !self.wants.is_empty() && !is_asked {
+                continue;
+            }
+            let Some(value) = &defined.value else { continue };
+            match self.cell(value) {
+                Some((unit, cell)) => {
+                    row.insert(titled(name, unit.as_deref()), cell);
+                }
+                None if is_asked && !matches!(value, Value::None) => {
+                    let found = value.phrase();
+                    return Err(format!(
+                        "`{name}` is {found}, and a result is a number, a text or a truth value; give a name to a number of it, such as `let n = len({name})`"
+                    ));
+                }
+                None => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// The unit and the cell of a value, if it is one that a cell holds.
+    fn cell(&self, value: &Value) -> Option<(Option<String>, Json)> {
+        Some(match value {
+            Value::Bool(truth) => (None, json!(truth)),
+            Value::Text(text) => (None, json!(**text)),
+            Value::Number(number) if number.dim == Dimension::ANGLE => {
+                (Some(DEGREES.to_owned()), json!(in_degrees(*number)))
+            }
+            Value::Number(number) => (number.dim.unit(self.unit.name()), json!(number.value)),
+            _ => return None,
+        })
+    }
+}
+
+/// The unit of angles in results, as everywhere that they are printed.
+const DEGREES: &str = "deg";
+
+/// An angle in the fewest digits of degrees that read back to it.
+fn in_degrees(angle: Number) -> f64 {
+    let text = angle.to_string();
+    let degrees = text.strip_suffix(DEGREES).and_then(|text| text.parse().ok());
+    degrees.unwrap_or_else(|| angle.value.to_degrees())
+}
+
+/// `neck [mm]`.
+fn titled(name: &str, unit: Option<&str>) -> String {
+    match unit {
+        Some(unit) => format!("{name} [{unit}]"),
+        None => name.to_owned(),
+    }
+}
+
+/// Whether a check holds, and its margin, which is negative where it does not.
+fn add_check(checked: &Checked, report: &Report, row: &mut Row) {
+    let line = report
+        .sources
+        .at(checked.span)
+        .map_or(0, |source| source.line_column(checked.span.start).0);
+    let claim: Vec<&str> = checked.source.split_whitespace().collect();
+    let claim = claim.join(" ");
+    let claim = match claim.char_indices().nth(MOST_CLAIM) {
+        Some((end, _)) => format!("{}…", &claim[..end]),
+        None => claim,
+    };
+    let verdict = &checked.verdict;
+    let margin = match (verdict.apart, verdict.limit) {
+        (Some(apart), Some(limit)) => Some(limit - apart),
+        (Some(apart), None) if verdict.holds => Some(apart),
+        (Some(apart), None) => Some(-apart),
+        (None, _) => None,
+    };
+    let mut title = format!("{line}: {claim}");
+    while row.contains_key(&format!("check {title}")) {
+        title.push('\'');
+    }
+    row.insert(format!("check {title}"), json!(verdict.holds));
+    row.insert(format!("margin {title}"), json!(margin));
+}
+
+/// The message of an error with its line.
+fn told(error: &Diagnostic, report: &Report) -> String {
+    let source = report.sources.at(error.primary.span);
+    match source {
+        Some(source) => {
+            let (line, _) = source.line_column(error.primary.span.start);
+            format!("{} ({}:{line})", error.message, source.name)
+        }
+        None => error.message.clone(),
+    }
+}
