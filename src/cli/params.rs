@@ -143,7 +143,7 @@ fn is_length(parameter: &SchemaParameter) -> bool {
 }
 
 fn is_angle(parameter: &SchemaParameter) -> bool {
-    matches!(&parameter.default, Value::Number(number) if number.dim == Dimension::ANGLE)
+    matches!(&parameter.default, Value::Number(number) if number.dim.is_angle())
 }
 
 fn value_json(value: &Value) -> Json {

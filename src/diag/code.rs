@@ -94,7 +94,7 @@ codes! {
     BrokenPromise "E0302" "a definition is not of its promised kind"
         "`curve c = ...` promises a curve. Use the word that fits the value, or `let`, which promises nothing."
     UnitMismatch "E0303" "units that do not fit"
-        "Numbers may carry powers of length and angle, from literals such as `10mm` and `30deg`. Sums and comparisons need the same on both sides; a number without a unit counts as document units of length. Divide by `1mm` or `1deg` to take a unit away."
+        "Numbers may carry powers of length and angle, from literals such as `10mm`, `5mm^2` and `30deg`, and from questions: `length(c)` is a length, `volume(s)` a volume, `curvature(c, t)` one over a length. Sums and comparisons need the same on both sides; a number without a unit counts as document units of length. Divide by `1mm` or `1deg` to take a unit away: `(t, curvature(c, t) / 1mm^-1)` is a point. To an angle only angles are added, where a number without a unit was once taken for radians: write `3rad` for `3`, or `angle / 1rad` for its plain number. `5mm^2` is five square millimetres, where it was once the square of 5mm: write `(5mm)^2` for that."
     MissingAngleUnit "E0304" "an angle needs its unit"
         "Where an angle is wanted, a bare number could mean degrees as well as radians. Write `90deg`, `1.57rad` or `0.25turn`."
     NotCallable "E0305" "this cannot be called"

@@ -1,5 +1,7 @@
 //! Claims: what a failed `check` reports: both sides, the limit, the margin.
 
+mod digits;
+
 use glam::DVec3;
 
 use super::{
@@ -12,8 +14,10 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, fault},
+    syntax::ast::Unit,
     value::{Discrepancy, Value, Witness, deviation, shortest},
 };
+use digits::{MORE_DIGITS, SIDE_DIGITS, brief, number, told_apart};
 
 /// How a claim came out.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -76,44 +80,15 @@ impl Verdict {
     }
 }
 
-/// Digits of a measured number that a report shows.
-const FEW_DIGITS: usize = 4;
-/// Digits of a compared number that a report shows at least.
-const SIDE_DIGITS: usize = 6;
-/// Digits behind the first in which two compared numbers differ.
-const MORE_DIGITS: usize = 2;
-
-/// A number with so many digits.
-fn with_digits(value: f64, digits: usize) -> f64 {
-    format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value)
-}
-
-/// Two measured numbers in few digits, in as many as tell them apart.
-fn brief(values: [f64; 2]) -> [String; 2] {
-    told_apart(values, FEW_DIGITS, 0)
-}
-
-/// Two numbers in the fewest digits from `least` on that tell them apart, and `more`; equal ones in full.
-fn told_apart([a, b]: [f64; 2], least: usize, more: usize) -> [String; 2] {
-    /// Digits that tell any two numbers apart.
-    const ALL: usize = 17;
-    let differ = (1..ALL)
-        .find(|&n| with_digits(a, n).to_bits() != with_digits(b, n).to_bits())
-        .unwrap_or(ALL);
-    let digits = least.max(differ + more);
-    [a, b].map(
-        |value| if ALL <= digits { shortest(value) } else { shortest(with_digits(value, digits)) },
-    )
-}
-
 impl Verdict {
     /// The sides as the report of a failure shows them: two numbers in no more digits than tell them apart.
     pub(super) fn brief_sides(&self) -> Vec<ClaimSide> {
         let mut sides = self.sides.clone();
         if let [a, b] = &mut sides[..]
-            && let (Ok(x), Ok(y)) = (a.value.parse::<f64>(), b.value.parse::<f64>())
+            && let (Some((x, x_unit)), Some((y, y_unit))) = (number(&a.value), number(&b.value))
         {
-            [a.value, b.value] = told_apart([x, y], SIDE_DIGITS, MORE_DIGITS);
+            let [x, y] = told_apart([x, y], SIDE_DIGITS, MORE_DIGITS);
+            [a.value, b.value] = [x + x_unit, y + y_unit];
         }
         sides
     }
@@ -123,8 +98,8 @@ impl Verdict {
 const MOST_SHOWN: usize = 120;
 
 /// A value as one line of a report.
-pub(super) fn shown(value: &Value) -> String {
-    let text = value.to_string();
+pub(super) fn shown(value: &Value, unit: Unit) -> String {
+    let text = value.in_unit(unit.name()).to_string();
     match text.char_indices().nth(MOST_SHOWN) {
         Some((end, _)) => format!("{}…", &text[..end]),
         None => text,
@@ -160,7 +135,7 @@ impl Machine<'_> {
                 let tolerance = self.tolerance_of(&parts[2], [&a, &b])?;
                 let spans = [parts[0].span, parts[1].span];
                 let holds = operator::near(&a, &b, tolerance, spans[0].to(spans[1]))?;
-                Ok(near_verdict(holds, [&a, &b], spans, tolerance, places))
+                Ok(near_verdict(holds, [&a, &b], spans, tolerance, self.env.unit, places))
             }
             _ => {
                 self.witness = None;
@@ -179,7 +154,7 @@ impl Machine<'_> {
                 if let Some((_, Witness::Element(_, value))) = &own {
                     places.note(value);
                 }
-                let witness = own.map(|(_, witness)| told(&witness, *holds, claim));
+                let witness = own.map(|(_, witness)| told(&witness, *holds, claim, self.env.unit));
                 let places = places.of_failure(*holds);
                 Ok(Verdict { holds: *holds, witness, places, ..Verdict::default() })
             }
@@ -205,20 +180,27 @@ impl Machine<'_> {
             matches!(operator::binary(op, &a, &b, places, self.env.tolerance)?, Value::Bool(true));
         let spans = [sides[0].span, sides[1].span];
         if op == BinaryOp::Near {
-            return Ok(near_verdict(holds, [&a, &b], spans, self.env.tolerance.distance, named));
+            return Ok(near_verdict(
+                holds,
+                [&a, &b],
+                spans,
+                self.env.tolerance.distance,
+                self.env.unit,
+                named,
+            ));
         }
         let apart = match (&a, &b) {
             (Value::Number(x), Value::Number(y)) => Some((x.value - y.value).abs()),
             _ => None,
         };
         if op == BinaryOp::Equal && !holds && is_collection(&a) && is_collection(&b) {
-            let verdict = near_verdict(holds, [&a, &b], spans, 0.0, named);
+            let verdict = near_verdict(holds, [&a, &b], spans, 0.0, self.env.unit, named);
             return Ok(Verdict { limit: None, ..verdict });
         }
         let sides = [(&a, spans[0]), (&b, spans[1])].map(|(value, span)| ClaimSide {
             span,
             path: String::new(),
-            value: shown(value),
+            value: shown(value, self.env.unit),
         });
         named.note(&a);
         named.note(&b);
@@ -298,7 +280,7 @@ fn is_decided_by(claim: &Expr, call: Span) -> bool {
 }
 
 /// What decided the test of a list, in a sentence.
-fn told(witness: &Witness, holds: bool, claim: &Expr) -> String {
+fn told(witness: &Witness, holds: bool, claim: &Expr, unit: Unit) -> String {
     let mut passes = holds;
     let mut inner = claim;
     while let ExprKind::Unary(UnaryOp::Not, next) = &inner.kind {
@@ -313,7 +295,7 @@ fn told(witness: &Witness, holds: bool, claim: &Expr) -> String {
                 | Value::Text(_)
                 | Value::Bool(_)
                 | Value::List(_)
-                | Value::Record(_) => shown(value),
+                | Value::Record(_) => shown(value, unit),
                 other => other.phrase(),
             };
             format!("element [{idx}] is {value}, which {verb}")
@@ -345,12 +327,13 @@ fn near_verdict(
     values: [&Value; 2],
     spans: [Span; 2],
     limit: f64,
+    unit: Unit,
     mut places: ClaimPlaces,
 ) -> Verdict {
     let mut side = |i: usize, path: &str| {
         let part = follow(values[i], path, &mut |value| places.note(value));
         let path = if part.is_some() { path.to_owned() } else { String::new() };
-        let value = shown(part.as_ref().unwrap_or(values[i]));
+        let value = shown(part.as_ref().unwrap_or(values[i]), unit);
         ClaimSide { span: spans[i], path, value }
     };
     match deviation(values[0], values[1]) {

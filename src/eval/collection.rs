@@ -13,25 +13,25 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     limits::Ceiling,
+    syntax::ast::Unit,
     value::{Dimension, IntoValue, List, Number, NumberFormat, Real, Record, Value, Vector},
 };
 
 /// Fails: this cannot be a coordinate.
-fn not_a_coordinate(value: &Value, span: Span) -> Result<Value> {
-    let (code, message) = match value.looked_at() {
+fn not_a_coordinate(value: &Value, unit: Unit, span: Span) -> Result<Value> {
+    match value.looked_at() {
         Value::Number(number) => {
-            (Code::UnitMismatch, format!("a coordinate must be a length, found {}", number.dim))
+            let message = format!("a coordinate must be a length, found {}", number.dim);
+            let suffix = number.dim.suffix(unit.name()).unwrap_or_else(|| "rad".to_owned());
+            Diagnostic::error(Code::UnitMismatch, span, message).hint(format!(
+                "divide by `1{suffix}`: a number without a unit counts in the document's unit"
+            ))
         }
         other => {
-            (Code::WrongKind, format!("a coordinate must be a number, found {}", other.phrase()))
+            let message = format!("a coordinate must be a number, found {}", other.phrase());
+            Diagnostic::error(Code::WrongKind, span, message)
+                .hint("points and groups take round brackets, lists take square ones")
         }
-    };
-    let diagnostic = Diagnostic::error(code, span, message);
-    match code {
-        Code::WrongKind => {
-            diagnostic.hint("points and groups take round brackets, lists take square ones")
-        }
-        _ => diagnostic,
     }
     .fail()
 }
@@ -42,16 +42,12 @@ impl Machine<'_> {
         let mut jets: [Option<Real>; 3] = [None, None, None];
         for (i, expr) in coordinates.iter().enumerate() {
             point[i] = match self.eval(expr)? {
-                Value::Number(number)
-                    if number.dim.is_none() || number.dim == Dimension::LENGTH =>
-                {
-                    number.value
-                }
-                Value::Jet(number) if number.dim.is_none() || number.dim == Dimension::LENGTH => {
+                Value::Number(number) if number.dim.is_as_length() => number.value,
+                Value::Jet(number) if number.dim.is_as_length() => {
                     jets[i] = Some(number.value.clone());
                     number.value.value()
                 }
-                other => return not_a_coordinate(&other, expr.span),
+                other => return not_a_coordinate(&other, self.env.unit, expr.span),
             };
         }
         if jets.iter().all(Option::is_none) {
@@ -153,7 +149,9 @@ impl Machine<'_> {
                         out.push_str(&self.formatted(&value, format, expr.span)?);
                     }
                     (Value::Text(text), None) => out.push_str(&text),
-                    (other, None) => out.push_str(&other.to_string()),
+                    (other, None) => {
+                        out.push_str(&other.in_unit(self.env.unit.name()).to_string());
+                    }
                 },
             }
             self.check_text(out.len(), span)?;

@@ -39,6 +39,8 @@ pub struct Printed {
     pub span: Span,
     /// Its value.
     pub value: Value,
+    /// The document's unit of length, which its numbers are told in.
+    pub unit: Unit,
     /// Whether the expression is a text itself, which says what it says without its source.
     pub is_text: bool,
 }
@@ -60,8 +62,16 @@ impl fmt::Display for Printed {
                     text.trim_end()
                 )
             }
-            value => write!(f, "{} = {value}", self.source),
+            _ => write!(f, "{} = {}", self.source, self.value_text()),
         }
+    }
+}
+
+impl Printed {
+    /// The value alone, its numbers with their units.
+    #[must_use]
+    pub fn value_text(&self) -> String {
+        self.value.in_unit(self.unit.name()).to_string()
     }
 }
 

@@ -131,7 +131,7 @@ fn inferred(value: &Value) -> Option<ParamKind> {
         Value::Bool(_) => ParamKind::Bool,
         Value::Text(_) => ParamKind::Text,
         Value::Number(number) if number.dim == Dimension::LENGTH => ParamKind::Length,
-        Value::Number(number) if number.dim == Dimension::ANGLE => ParamKind::Angle,
+        Value::Number(number) if number.dim.is_angle() => ParamKind::Angle,
         Value::Number(_) => ParamKind::Number,
         _ => return None,
     })
@@ -186,18 +186,14 @@ impl ParameterRules {
                 value.clone()
             }
             (ParamKind::Number, Value::Number(number))
-                if number.dim != Dimension::ANGLE && number.dim != Dimension::LENGTH =>
+                if !number.dim.is_angle() && number.dim != Dimension::LENGTH =>
             {
                 value.clone()
             }
-            (ParamKind::Length, Value::Number(number))
-                if number.dim.is_none() || number.dim == Dimension::LENGTH =>
-            {
+            (ParamKind::Length, Value::Number(number)) if number.dim.is_as_length() => {
                 Value::Number(Number { dim: Dimension::LENGTH, ..*number })
             }
-            (ParamKind::Angle, Value::Number(number)) if number.dim == Dimension::ANGLE => {
-                value.clone()
-            }
+            (ParamKind::Angle, Value::Number(number)) if number.dim.is_angle() => value.clone(),
             _ => return None,
         })
     }

@@ -203,6 +203,7 @@ impl FileRun<'_> {
                     source: self.document.excerpt(expr.span),
                     span: expr.span,
                     value,
+                    unit: self.machine.env.unit,
                     is_text: expr.is_text(),
                 }));
             }

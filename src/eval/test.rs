@@ -73,7 +73,9 @@ impl FileRun<'_> {
         let n_warnings = self.machine.warnings.len();
         let found = match found {
             Some(found) => Err(Box::new(found.clone())),
-            None => self.machine.run(subject, n_slots).map(|value| shown(&value)),
+            None => {
+                self.machine.run(subject, n_slots).map(|value| shown(&value, self.machine.env.unit))
+            }
         };
         // Whatever else was said of what must fail is of no interest.
         self.machine.warnings.truncate(n_warnings);

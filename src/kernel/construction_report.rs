@@ -38,8 +38,10 @@ pub enum ReportEntry {
     None,
     /// Whether something was so.
     Truth(bool),
-    /// A number without a unit: a count, a parameter, a distance in model units.
+    /// A number without a unit: a count, a parameter.
     Number(f64),
+    /// A distance in model units.
+    Length(f64),
     /// An angle in radians.
     Angle(f64),
     /// A place or a direction.

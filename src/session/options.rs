@@ -33,11 +33,11 @@ fn option_value(value: &Value) -> OptionValue<'_> {
         Value::Bool(value) => OptionValue::Bool(*value),
         Value::Text(text) => OptionValue::Text(text),
         Value::Point(point) => OptionValue::Point(*point),
-        Value::Number(number) if number.dim.is_none() => OptionValue::Number(number.value),
+        Value::Number(number) if number.dim.is_bare() => OptionValue::Number(number.value),
         Value::Number(number) if number.dim == Dimension::LENGTH => {
             OptionValue::Length(number.value)
         }
-        Value::Number(number) if number.dim == Dimension::ANGLE => OptionValue::Angle(number.value),
+        Value::Number(number) if number.dim.is_angle() => OptionValue::Angle(number.value),
         _ => OptionValue::Other,
     }
 }

@@ -10,35 +10,60 @@ use crate::{
     kernel::{Curve, Frame, Interval, Surface},
 };
 
+/// Numbers in document units, without their unit.
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::None => f.write_str("none"),
-            Self::Bool(truth) => write!(f, "{truth}"),
-            Self::Number(number) => write!(f, "{number}"),
-            Self::Text(text) => f.write_str(&quoted(text)),
-            Self::Jet(number) => write!(f, "{}", number.looked_at()),
-            Self::JetPoint(_) | Self::JetRange(_) => self.looked_at().fmt(f),
-            Self::Point(point) => f.write_str(&point_text(*point)),
-            Self::List(items) => {
+        ToldValue { value: self, unit: None }.fmt(f)
+    }
+}
+
+impl Value {
+    /// The text of the value with the units of its numbers, in a document whose unit of length is `unit`:
+    /// what `print` shows.
+    #[must_use]
+    pub fn in_unit(&self, unit: &'static str) -> impl fmt::Display + '_ {
+        ToldValue { value: self, unit: Some(unit) }
+    }
+}
+
+/// A value and the unit of length that its numbers are told in; without one they are told without units.
+struct ToldValue<'v> {
+    value: &'v Value,
+    unit: Option<&'static str>,
+}
+
+impl fmt::Display for ToldValue<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let unit = self.unit;
+        let inner = |value| ToldValue { value, unit };
+        match self.value {
+            Value::None => f.write_str("none"),
+            Value::Bool(truth) => write!(f, "{truth}"),
+            Value::Number(number) => f.write_str(&number.text(unit)),
+            Value::Text(text) => f.write_str(&quoted(text)),
+            Value::Jet(number) => f.write_str(&number.looked_at().text(unit)),
+            Value::JetPoint(_) | Value::JetRange(_) => inner(&self.value.looked_at()).fmt(f),
+            Value::Point(point) => f.write_str(&point_text(*point)),
+            Value::List(items) => {
                 f.write_str("[")?;
                 for (i, item) in items.iter().enumerate() {
-                    write!(f, "{}{item}", if i == 0 { "" } else { ", " })?;
+                    write!(f, "{}{}", if i == 0 { "" } else { ", " }, inner(&item))?;
                 }
                 f.write_str("]")
             }
-            Self::Range(range) => write!(f, "{range}"),
-            Self::Record(record) => {
+            Value::Range(range) => f.write_str(&range.text(unit)),
+            Value::Record(record) => {
                 f.write_str("{")?;
                 for (i, (label, value)) in record.iter().enumerate() {
-                    write!(f, "{}{}: {value}", if i == 0 { "" } else { ", " }, shown(label))?;
+                    let comma = if i == 0 { "" } else { ", " };
+                    write!(f, "{comma}{}: {}", shown(label), inner(value))?;
                 }
                 f.write_str("}")
             }
-            Self::Function(function) => f.write_str(&function.signature()),
-            Self::Curve(curve) => write_curve(f, curve),
-            Self::Surface(surface) => write_surface(f, surface),
-            Self::Region(region) => {
+            Value::Function(function) => f.write_str(&function.signature()),
+            Value::Curve(curve) => write_curve(f, curve),
+            Value::Surface(surface) => write_surface(f, surface),
+            Value::Region(region) => {
                 f.write_str("region")?;
                 match region.n_holes() {
                     0 => {}
@@ -48,7 +73,7 @@ impl fmt::Display for Value {
                 let n: usize = region.arcs().map(<[_]>::len).sum();
                 write!(f, ", {n} {}", if n == 1 { "arc" } else { "arcs" })
             }
-            Self::Mesh(mesh) => {
+            Value::Mesh(mesh) => {
                 let faces = match mesh.face_sizes() {
                     [] => "triangles",
                     [_] => "face",
@@ -56,14 +81,14 @@ impl fmt::Display for Value {
                 };
                 write!(f, "mesh of {} vertices and {} {faces}", mesh.n_vertices(), mesh.n_faces())
             }
-            Self::Table(table) => {
+            Value::Table(table) => {
                 let names: Vec<&str> =
                     table.columns().iter().map(|column| column.name.as_str()).collect();
                 let rows = if table.n_rows() == 1 { "row" } else { "rows" };
                 let names = names.join(", ");
                 write!(f, "table of {} {rows}: {}", table.n_rows(), shown(&names))
             }
-            Self::Frame(frame) => f.write_str(&frame_text(**frame)),
+            Value::Frame(frame) => f.write_str(&frame_text(**frame)),
         }
     }
 }

@@ -61,12 +61,12 @@ pub fn field(value: &Value, name: &str, tolerance: Tolerance) -> Result<Option<V
 
 fn plain_field(value: &Value, name: &str) -> Option<Value> {
     Some(match (value, name) {
-        (Value::Point(point), "x") => Value::number(point.x),
-        (Value::Point(point), "y") => Value::number(point.y),
-        (Value::Point(point), "z") => Value::number(point.z),
+        (Value::Point(point), "x") => Value::Number(Number::open(point.x)),
+        (Value::Point(point), "y") => Value::Number(Number::open(point.y)),
+        (Value::Point(point), "z") => Value::Number(Number::open(point.z)),
         (Value::JetPoint(jets), "x" | "y" | "z") => {
             let axis = POINT.iter().position(|axis| *axis == name)?;
-            Real::Jet(jets[axis].clone()).into_value()
+            Number { value: Real::Jet(jets[axis].clone()), dim: Dimension::OPEN }.into_value()
         }
         (Value::Range(range), "start") => Value::Number(range.start),
         (Value::Range(range), "end") => Value::Number(range.end),

@@ -15,6 +15,8 @@ pub struct NumberFormat {
     digits: Option<usize>,
     /// The unit that they are told in, with its name.
     unit: Option<(String, UnitText)>,
+    /// The document's unit of length, for numbers whose unit is not chosen.
+    length: &'static str,
 }
 
 /// Why a value is not written so: a sentence, and what to do.
@@ -44,7 +46,7 @@ impl NumberFormat {
     pub fn new(
         digits: Option<usize>,
         unit: Option<&str>,
-        length: &str,
+        length: &'static str,
     ) -> Result<Self, FormatRefusal> {
         if let Some(digits) = digits.filter(|&digits| MOST_DIGITS < digits) {
             return Err(FormatRefusal {
@@ -63,7 +65,7 @@ impl NumberFormat {
             })
         };
         let unit = unit.map(|text| Ok((text.to_owned(), read(text)?))).transpose()?;
-        Ok(Self { digits, unit })
+        Ok(Self { digits, unit, length })
     }
 
     /// A value with its numbers in this format; texts stay as they are.
@@ -100,22 +102,26 @@ impl NumberFormat {
     }
 
     fn point(&self, point: DVec3) -> Result<String, FormatRefusal> {
-        let [x, y, z] = point.to_array().map(|part| self.number(Number::bare(part)));
+        let [x, y, z] = point.to_array().map(|part| self.number(Number::open(part)));
         Ok(format!("({}, {}, {})", x?, y?, z?))
     }
 
     fn number(&self, number: Number) -> Result<String, FormatRefusal> {
         let Some((name, unit)) = &self.unit else {
-            return Ok(if number.dim == super::Dimension::ANGLE {
-                match self.digits {
-                    None => number.to_string(),
-                    Some(_) => format!("{}deg", self.digits(number.value / radians_of(1.0))),
+            return Ok(match self.digits {
+                None => number.text(Some(self.length)),
+                Some(_) if number.dim.is_angle() => {
+                    format!("{}deg", self.digits(number.value / radians_of(1.0)))
                 }
-            } else {
-                self.digits(number.value)
+                Some(_) => {
+                    let suffix = number.dim.suffix(self.length).unwrap_or_default();
+                    format!("{}{suffix}", self.digits(number.value))
+                }
             });
         };
-        let fits = number.dim == unit.dim() || number.dim.is_none() && !unit.has_angle();
+        let fits = number.dim == unit.dim()
+            || number.dim.is_angle() && unit.dim().is_angle()
+            || number.dim.is_bare() && !unit.has_angle();
         if fits {
             // `8.1 1/m`: a unit that begins with a digit stands apart.
             let gap = if name.starts_with(|c: char| c.is_ascii_digit()) { " " } else { "" };

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{CARRIES_DERIVATIVES, Dimension, List, Number, Range, Real, Record, Type, Value};
+use super::{CARRIES_DERIVATIVES, List, Number, Range, Real, Record, Type, Value};
 use crate::{
     diag::{Code, Span, Spanned},
     kernel::{CountError, Curve, Frame, GeomError, Grid, Interval, Mesh, Region, Surface, Table},
@@ -183,12 +183,12 @@ impl FromValue for f64 {
 
     fn from_value(value: &Value, _: Span) -> Result<Self, Mismatch> {
         match value {
-            Value::Number(number) if number.dim.is_none() => Ok(number.value),
+            Value::Number(number) if number.dim.is_bare() => Ok(number.value),
             Value::Number(number) => {
-                let unit = if number.dim == Dimension::ANGLE { "1rad" } else { "1mm" };
+                let unit = number.dim.suffix("mm").unwrap_or_else(|| "rad".to_owned());
                 Err(Mismatch::kind(Self::TYPE, value)
                     .code(Code::UnitMismatch)
-                    .hint(format!("divide by `{unit}` to take the unit away")))
+                    .hint(format!("divide by `1{unit}` to take the unit away")))
             }
             _ => Err(Mismatch::kind(Self::TYPE, value)),
         }
@@ -200,7 +200,7 @@ impl FromValue for i64 {
 
     fn from_value(value: &Value, _: Span) -> Result<Self, Mismatch> {
         let Value::Number(number) = value else { return Err(Mismatch::kind(Self::TYPE, value)) };
-        let is_whole = number.dim.is_none() && number.value.fract() == 0.0;
+        let is_whole = number.dim.is_bare() && number.value.fract() == 0.0;
         number.as_integer().ok_or_else(|| match is_whole {
             true => Mismatch::new("a whole number of less than sixteen digits", value.phrase()),
             false => Mismatch::kind(Self::TYPE, value),
@@ -227,9 +227,7 @@ impl FromValue for Length {
 
     fn from_value(value: &Value, _: Span) -> Result<Self, Mismatch> {
         match value {
-            Value::Number(number) if number.dim.is_none() || number.dim == Dimension::LENGTH => {
-                Ok(Self(number.value))
-            }
+            Value::Number(number) if number.dim.is_as_length() => Ok(Self(number.value)),
             Value::Number(_) => Err(Mismatch::kind(Self::TYPE, value).code(Code::UnitMismatch)),
             _ => Err(Mismatch::kind(Self::TYPE, value)),
         }
@@ -245,8 +243,8 @@ impl FromValue for Angle {
 
     fn from_value(value: &Value, _: Span) -> Result<Self, Mismatch> {
         match value {
-            Value::Number(number) if number.dim == Dimension::ANGLE => Ok(Self(number.value)),
-            Value::Number(number) if number.dim.is_none() => Err(Mismatch::kind(Self::TYPE, value)
+            Value::Number(number) if number.dim.is_angle() => Ok(Self(number.value)),
+            Value::Number(number) if number.dim.is_bare() => Err(Mismatch::kind(Self::TYPE, value)
                 .code(Code::MissingAngleUnit)
                 .hint(format!(
                     "write `{number}deg` or `{number}rad`; what was computed or read from a file becomes an angle by `* 1deg`"

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Angle, Choice, Dimension, Geometry, Length, Number, Range, Record, Type, Value};
+use super::{Angle, Choice, Geometry, Length, Number, Range, Record, Type, Value};
 use crate::{
     diag::Spanned,
     kernel::{
@@ -50,8 +50,6 @@ into_variant! {
     usize = Type::Count, |count| Value::number(count as f64);
     i64 = Type::Integer, |count| Value::number(count as f64);
     Number = Type::Number, |number| Value::Number(number);
-    Length = Type::Length, |length| Value::Number(Number { value: length.0, dim: Dimension::LENGTH });
-    Angle = Type::Angle, |angle| Value::Number(Number::angle(angle.0));
     &str = Type::Text, |text| Value::text(text);
     String = Type::Text, |text| Value::text(&text);
     DVec3 = Type::Point, |point| Value::Point(point);
@@ -65,6 +63,7 @@ into_variant! {
         ReportEntry::None => Value::None,
         ReportEntry::Truth(truth) => Value::Bool(*truth),
         ReportEntry::Number(number) => Value::number(*number),
+        ReportEntry::Length(length) => Length(*length).into_value(),
         ReportEntry::Angle(angle) => Angle(*angle).into_value(),
         ReportEntry::Point(point) => Value::Point(*point),
         ReportEntry::Text(text) => Value::Text(text.clone()),

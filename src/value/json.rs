@@ -9,7 +9,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3, DVec4};
 use serde_json::{Map, Value as Json, json};
 
-use super::{Dimension, ENDED, Number, Range, Record, Value, in_document_unit};
+use super::{ENDED, Number, Range, Record, Value, in_document_unit};
 use crate::{
     kernel::{
         Column, Curve, Frame, Grid, KnotVector, Mesh, MeshGroup, NamedColumn, NurbsCurve,
@@ -109,7 +109,7 @@ fn mesh_json(mesh: &Mesh) -> Json {
 }
 
 fn number_json(number: Number) -> Json {
-    if number.dim == Dimension::ANGLE {
+    if number.dim.is_angle() {
         json!({ "virote": "angle", "radians": number.value })
     } else {
         json!(number.value)
@@ -144,7 +144,8 @@ pub fn from_json(json: &Json, length: &str) -> Result<Value, String> {
         Json::Bool(truth) => Value::Bool(*truth),
         Json::Number(number) => {
             let value = number.as_f64().filter(|value| value.is_finite());
-            Value::number(value.ok_or_else(|| format!("the number {number} is out of range"))?)
+            let value = value.ok_or_else(|| format!("the number {number} is out of range"))?;
+            Value::Number(Number::open(value))
         }
         Json::String(text) => Value::text(text),
         Json::Array(items) => {

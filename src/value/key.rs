@@ -14,7 +14,9 @@ pub(crate) fn exact_key(value: &Value, key: &mut Vec<u8>) {
         Value::Number(Number { value, dim }) => {
             key.push(2);
             key.extend(value.to_bits().to_le_bytes());
-            key.extend(dim.powers().map(i8::cast_unsigned));
+            key.push(u8::from(dim.length_power().is_none()));
+            let powers = [dim.length_power().unwrap_or(0), dim.angle_power()];
+            key.extend(powers.map(i8::cast_unsigned));
         }
         Value::Text(text) => tagged_text(3, text, key),
         Value::Function(Function::Builtin(name, _)) => tagged_text(4, name, key),
@@ -40,10 +42,11 @@ mod tests {
 
     #[test]
     fn numbers_of_other_dimensions_have_other_keys() {
-        let keys: Vec<_> = [Dimension::NONE, Dimension::LENGTH, Dimension::ANGLE]
+        let keys: Vec<_> = [Dimension::NONE, Dimension::LENGTH, Dimension::ANGLE, Dimension::OPEN]
             .map(|dim| key(&Value::Number(Number { value: 5.0, dim })))
             .into();
-        assert!(keys[0] != keys[1] && keys[1] != keys[2] && keys[0] != keys[2]);
+        let distinct: std::collections::HashSet<_> = keys.iter().collect();
+        assert_eq!(distinct.len(), keys.len());
         assert_eq!(key(&Value::number(5.0)), keys[0]);
         assert_ne!(key(&Value::number(0.0)), key(&Value::number(-0.0)));
         assert_ne!(key(&Value::text("5")), keys[0]);

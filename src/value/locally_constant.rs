@@ -115,14 +115,6 @@ impl IntoValue for Real {
     }
 }
 
-impl IntoValue for Angle<Real> {
-    const RETURNS: Type = Type::Angle;
-
-    fn into_value(self) -> Value {
-        Number { value: self.0, dim: Dimension::ANGLE }.into_value()
-    }
-}
-
 impl IntoValue for Vector {
     const RETURNS: Type = Type::Point;
 

@@ -21,6 +21,7 @@ mod json;
 mod key;
 mod list;
 mod locally_constant;
+mod measured;
 mod misplaced;
 mod number;
 mod op;
@@ -60,8 +61,9 @@ pub use json::{from_json, to_json};
 pub(crate) use key::exact_key;
 pub use list::{List, ValueExtent};
 pub use locally_constant::{CARRIES_DERIVATIVES, LocallyConstant, RealInterval};
+pub use measured::{Area, Curvature, LengthPower, Open, Volume};
 pub use misplaced::turned_around;
-pub use number::{Dimension, Number, radians_of, rounded, shortest};
+pub use number::{BARE_AND_ANGLE, Dimension, Number, radians_of, rounded, shortest};
 pub(crate) use op::op;
 pub use op::{
     Caller, Ctx, Example, ExamplePicture, Family, Op, OpParameter, RefusalExample, Witness,
@@ -74,7 +76,7 @@ pub use registry::{Constant, Registry, choose};
 pub use shape::Geometry;
 pub use table_text::table_text;
 pub use ty::Type;
-pub use unit::in_document_unit;
+pub use unit::{in_document_unit, in_unit_of};
 pub use vector::Vector;
 
 /// What an expression evaluates to. Cheap to clone.
@@ -201,7 +203,7 @@ impl Value {
         match self {
             Self::None => "none".to_owned(),
             Self::Bool(truth) => format!("the truth value {truth}"),
-            Self::Number(number) if number.dim.is_none() => format!("the number {number}"),
+            Self::Number(number) if number.dim.is_bare() => format!("the number {number}"),
             Self::Number(number) => format!("{} ({number})", number.dim),
             Self::Text(text) if text.chars().count() <= 24 => format!("the string \"{text}\""),
             Self::Text(_) => "a string".to_owned(),

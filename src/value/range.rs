@@ -55,6 +55,14 @@ impl From<Interval> for Range {
 
 impl fmt::Display for Range {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}{}{}", self.start, if self.closed { ".." } else { "..<" }, self.end)
+        f.write_str(&self.text(None))
+    }
+}
+
+impl Range {
+    /// The text of the range, its ends with their units where the document's unit of length is given.
+    pub(super) fn text(&self, unit: Option<&str>) -> String {
+        let dots = if self.closed { ".." } else { "..<" };
+        format!("{}{dots}{}", self.start.text(unit), self.end.text(unit))
     }
 }

@@ -23,6 +23,8 @@ pub enum Type {
     Length,
     /// An angle; never a bare number.
     Angle,
+    /// A number of a known dimension, by its name; only as an answer.
+    Quantity(&'static str),
     /// A string.
     Text,
     /// One of a few words.
@@ -71,7 +73,8 @@ impl Type {
                 | Self::Count
                 | Self::Integer
                 | Self::Length
-                | Self::Angle,
+                | Self::Angle
+                | Self::Quantity(_),
                 Value::Number(_) | Value::Jet(_),
             )
             | (Self::Text | Self::Choice(_), Value::Text(_))
@@ -185,6 +188,7 @@ impl fmt::Display for Type {
             Self::Number | Self::Ratio => "number",
             Self::Count | Self::Integer => "integer",
             Self::Length => "length",
+            Self::Quantity(name) => name,
             Self::Angle => "angle",
             Self::Text => "string",
             Self::Point => "point",

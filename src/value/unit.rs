@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::{Dimension, number::WHOLE};
+use super::{Dimension, Number, number::WHOLE};
 use crate::kernel::{Column, NamedColumn};
 
 /// Units of length by name, each with its size in micrometres.
@@ -77,7 +77,7 @@ impl UnitText {
 
     /// Whether it measures angles, alone or with lengths.
     pub(super) fn has_angle(&self) -> bool {
-        self.dim.powers()[1] != 0
+        self.dim.angle_power() != 0
     }
 
     /// So many of this unit, in the document's unit and radians.
@@ -89,6 +89,14 @@ impl UnitText {
     pub(super) fn told(&self, value: f64) -> f64 {
         scaled(value, [self.size[1], self.size[0]])
     }
+}
+
+/// So many of a unit as files write it, such as `mm^2`, in a document whose unit of length is `length`;
+/// rounded once.
+#[must_use]
+pub fn in_unit_of(value: f64, unit: &str, length: &str) -> Option<Number> {
+    let unit = UnitText::read(unit, length)?;
+    Some(Number { value: unit.convert(value), dim: unit.dim })
 }
 
 /// The number times a fraction; whole ratios stay exact.
@@ -129,11 +137,11 @@ fn name_and_power(text: &str) -> Option<(&str, i32)> {
     Some((name.trim(), power)).filter(|_| power.abs() <= i32::from(i8::MAX))
 }
 
-/// What the numbers of a column measure.
+/// What the numbers of a column measure; of one without a unit nobody has said it.
 pub(super) fn dim_of(column: &NamedColumn) -> Dimension {
     // Columns are kept in the document's unit, so that only the powers are left to read.
     let unit = column.unit.as_deref().and_then(|unit| UnitText::read(unit, "mm"));
-    unit.map_or(Dimension::NONE, |unit| unit.dim)
+    unit.map_or(Dimension::OPEN, |unit| unit.dim)
 }
 
 /// A column as a file gives it, in a document whose unit of length is `length`.
@@ -182,15 +190,20 @@ mod tests {
     #[test]
     fn powers_convert_by_their_power() {
         let convert = |text: &str, value: f64| {
-            UnitText::read(text, "mm").map(|unit| (unit.dim.powers(), unit.convert(value)))
+            UnitText::read(text, "mm").map(|unit| {
+                (
+                    (unit.dim.length_power().unwrap_or(0), unit.dim.angle_power()),
+                    unit.convert(value),
+                )
+            })
         };
-        assert_eq!(convert("cm^2", 2.0), Some(([12, 0], 200.0)));
-        assert_eq!(convert("m³", 1.0), Some(([18, 0], 1e9)));
-        assert_eq!(convert("1/m", 5.0), Some(([-6, 0], 0.005)));
+        assert_eq!(convert("cm^2", 2.0), Some(((12, 0), 200.0)));
+        assert_eq!(convert("m³", 1.0), Some(((18, 0), 1e9)));
+        assert_eq!(convert("1/m", 5.0), Some(((-6, 0), 0.005)));
         let (powers, turn) = convert("deg/mm", 180.0).expect("it is a unit");
-        assert_eq!(powers, [-6, 6]);
+        assert_eq!(powers, (-6, 6));
         assert!((turn - std::f64::consts::PI).abs() <= 2.0 * f64::EPSILON);
-        assert_eq!(convert("1", 7.0), Some(([0, 0], 7.0)));
+        assert_eq!(convert("1", 7.0), Some(((0, 0), 7.0)));
         for text in ["kg", "mm^", "mm^x", "mm mm", "^2", "mm^(1/0)", "mm^(1/4", "mm^99", "/"] {
             assert_eq!(convert(text, 1.0), None, "{text}");
         }

@@ -137,7 +137,7 @@ fn prints(report: &Report) -> Json {
         // A text that is written as one stands for itself.
         Event::Printed(printed) => Some(json!({
             "text": if printed.is_text { printed.to_string() } else { printed.source.clone() },
-            "value": if printed.is_text { String::new() } else { printed.value.to_string() },
+            "value": if printed.is_text { String::new() } else { printed.value_text() },
             "line": line(printed.span, &report.sources),
         })),
         _ => None,

@@ -32,7 +32,7 @@ check not bspline([(0, 0), (1, 1), (2, 0), (5, 4), (3, 5), (0, 0)], degree = 2, 
 
 // So are surfaces.
 surface s = extrude(j, (0, 0, 1))
-check area(s) ~= length(j) within 1e-9
+check area(s) ~= length(j) * 1mm within 1e-9
 check closest(s, (2.1, 0.1, 0.5)).point ~= (2, 0, 0.5)
 
 // Where both sides meet there is no jump, but a corner.

@@ -4,8 +4,8 @@ surface ball = parametric((u, v) => (5 + r*cos(u)*cos(v), r*sin(u)*cos(v), r*sin
 check area(ball) ~= 4*pi*r^2 within 1e-11
 check volume(ball) ~= 4/3*pi*r^3 within 1e-11
 check centroid(ball) ~= (5, 0, 0) within 1e-12
-check inertia(ball).moments ~= [for i in 1..3: 2/5*volume(ball)*r^2] within 1e-10
-check inertia(ball, of = "area").moments ~= [for i in 1..3: 2/3*area(ball)*r^2] within 1e-9
+check inertia(ball).moments ~= [for i in 1..3: 2/5*volume(ball)*(r*1mm)^2] within 1e-10
+check inertia(ball, of = "area").moments ~= [for i in 1..3: 2/3*area(ball)*(r*1mm)^2] within 1e-9
 
 surface ring = parametric((u, v) => ((3 + cos(v))*cos(u), (3 + cos(v))*sin(u), sin(v)), 0..tau, 0..tau)
 check area(ring) ~= 4*pi^2*3 within 1e-10
@@ -31,7 +31,7 @@ check centroid(coat, of = "area") ~= (0, 0, 1) within 1e-12
 // An ellipsoid.
 surface egg = parametric((u, v) => (1*cos(u)*cos(v), 2*sin(u)*cos(v), 3*sin(v)), 0..tau, -pi/2..pi/2)
 check volume(egg) ~= 4/3*pi*1*2*3 within 1e-11
-check inertia(egg).moments ~= [for q in [1 + 4, 1 + 9, 4 + 9]: volume(egg)/5*q] within 1e-10
+check inertia(egg).moments ~= [for q in [1 + 4, 1 + 9, 4 + 9]: volume(egg)/5*q*1mm^2] within 1e-10
 check abs(inertia(egg).axes[0].z) ~= 1 and abs(inertia(egg).axes[2].x) ~= 1
 
 // A brick of six patches, each as it comes.

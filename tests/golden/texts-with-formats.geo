@@ -2,7 +2,7 @@
 unit cm
 let width = 12.345cm
 let tilt = 33.3333deg
-check "{width:.1}" == "12.3" and "{width:mm}" == "123.45mm" and "{width:.1in}" == "4.9in"
+check "{width:.1}" == "12.3cm" and "{width}" == "12.345cm" and "{width / 1cm:.1}" == "12.3" and "{width:mm}" == "123.45mm" and "{width:.1in}" == "4.9in"
 check "{width * 2cm:.0mm^2}" == "2469mm^2" and "{1/width:.3 1/m}" == "8.100 1/m"
 check "{tilt:.1}" == "33.3deg" and "{tilt:.2rad}" == "0.58rad" and "{tilt}" == "33.3333deg"
 check "{(1, 2/3):.2}" == "(1.00, 0.67, 0.00)" and "{[1, 2.5]:.1}" == "[1.0, 2.5]"

@@ -148,7 +148,7 @@ fn help(prompt: &mut Prompt, name: &str) {
     let own = prompt.values.iter().find(|(own, _)| own == name);
     if let Some((name, value)) = own {
         let docs = prompt.document.docs_of(name).map(|docs| format!("\n{docs}"));
-        say(&format!("{}\n{}", show::line(name, value), docs.unwrap_or_default()));
+        say(&format!("{}\n{}", show::line(name, value, prompt.unit), docs.unwrap_or_default()));
     }
     let code = explain::entry(name);
     let command = COMMANDS.iter().find(|command| command.name == name).map(Command::entry);
@@ -174,7 +174,7 @@ fn list(prompt: &mut Prompt, _: &str) {
     let text: String = prompt
         .values
         .iter()
-        .map(|(name, value)| format!("{}\n", show::line(name, value)))
+        .map(|(name, value)| format!("{}\n", show::line(name, value, prompt.unit)))
         .collect();
     say(&text);
     let others = [
@@ -196,7 +196,7 @@ fn list(prompt: &mut Prompt, _: &str) {
 fn show(prompt: &mut Prompt, text: &str) {
     let (text, view) = seen_from(text);
     for value in prompt.asked("show", text).unwrap_or_default() {
-        say(&show::whole(&value, prompt.columns, view));
+        say(&show::whole(&value, prompt.unit, prompt.columns, view));
     }
 }
 
@@ -229,7 +229,7 @@ fn kind(prompt: &mut Prompt, text: &str) {
                 format!("a {value}")
             }
             Value::Record(_) => format!("a {}", show::sized(&value)),
-            Value::Number(number) if number.dim.is_none() => "a number".to_owned(),
+            Value::Number(number) if number.dim.is_bare() => "a number".to_owned(),
             Value::Number(number) => number.dim.to_string(),
             Value::Bool(_) => "a truth value".to_owned(),
             Value::Text(_) => "a string".to_owned(),

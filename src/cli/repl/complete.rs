@@ -3,7 +3,7 @@
 use std::{fs, path::PathBuf};
 
 use crate::{
-    syntax::{CompletionPlace, KEYWORDS, place},
+    syntax::{CompletionPlace, KEYWORDS, ast::Unit, place},
     value::{Op, OpParameter, Registry, Type, Value, field_names},
 };
 
@@ -29,9 +29,9 @@ pub(super) struct KnownDefinition {
 }
 
 impl KnownDefinition {
-    pub(super) fn of(name: &str, value: &Value) -> Self {
+    pub(super) fn of(name: &str, value: &Value, unit: Unit) -> Self {
         let fields = field_names(value).into_iter().map(str::to_owned).collect();
-        let what = show::cut(&show::line(name, value)[name.len()..], 60);
+        let what = show::cut(&show::line(name, value, unit)[name.len()..], 60);
         let what = what.trim_start_matches([' ', '=', ':']).to_owned();
         Self { name: name.to_owned(), what, fields }
     }
@@ -193,7 +193,11 @@ mod tests {
 
     #[track_caller]
     fn check(line: &str, start: usize, expected: &[&str]) {
-        let names = vec![KnownDefinition::of("benchmark", &Value::Point(glam::DVec3::ZERO))];
+        let names = vec![KnownDefinition::of(
+            "benchmark",
+            &Value::Point(glam::DVec3::ZERO),
+            crate::syntax::ast::Unit::Mm,
+        )];
         let scope = Scope { names, ..Scope::default() };
         let (at, found) = candidates(line, &scope, &ops::registry());
         let texts: Vec<&str> = found.iter().map(|candidate| candidate.text.as_str()).collect();

@@ -38,7 +38,7 @@ use super::{
 use crate::{
     eval::KeptGlobals,
     ops,
-    syntax::{PromptEntry, entry, parts},
+    syntax::{PromptEntry, ast::Unit, entry, parts},
 };
 
 /// `virote repl [FILE]`
@@ -68,6 +68,7 @@ pub(super) fn run(file: Option<&Path>, out: Option<&Path>, common: &RunArgs) -> 
         with_color: common.talk.with_color(),
         worst: ExitStatus::Well,
         is_over: false,
+        unit: Unit::Mm,
     };
     if let Some(file) = file {
         prompt.load(file);
@@ -108,8 +109,11 @@ impl Prompt {
 
     /// What can be completed.
     fn scope(&self) -> Scope {
-        let names =
-            self.values.iter().map(|(name, value)| KnownDefinition::of(name, value)).collect();
+        let names = self
+            .values
+            .iter()
+            .map(|(name, value)| KnownDefinition::of(name, value, self.unit))
+            .collect();
         Scope { names, folder: self.folder.clone() }
     }
 

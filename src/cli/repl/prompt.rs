@@ -15,7 +15,7 @@ use crate::{
     eval::{KeptGlobals, Printed, Work},
     limits::Limits,
     session::{Event, Report},
-    syntax::{StatementRole, free_placeholders},
+    syntax::{StatementRole, ast::Unit, free_placeholders},
     value::{Registry, Value},
 };
 
@@ -43,6 +43,8 @@ pub(super) struct Prompt {
     pub(super) values: Vec<(String, Value)>,
     /// What parametric curves among them need to answer.
     pub(super) kept: KeptGlobals,
+    /// The unit of length of what was evaluated last.
+    pub(super) unit: Unit,
     pub(super) folder: PathBuf,
     pub(super) out: Option<PathBuf>,
     /// The file that the document was read from or written to.
@@ -63,7 +65,7 @@ impl Prompt {
 
     /// Tells a value.
     pub(super) fn answer(&self, value: &Value) {
-        let text = value.to_string();
+        let text = value.in_unit(self.unit.name()).to_string();
         if self.is_terminal && text.len() > MOST_CHARS {
             say(&format!("{}\n", show::cut(&text, MOST_CHARS)));
             self.voice.remark(&format!("({} bytes in all; `:show` tells it in short)", text.len()));
@@ -112,7 +114,7 @@ impl Prompt {
     pub(super) fn remember(&mut self, question: &str, printed: &[Printed]) {
         let Some(newest) = printed.last() else { return };
         let text = if show::is_written(&newest.value) {
-            newest.value.to_string()
+            newest.value_text()
         } else {
             let before = self.last.clone().unwrap_or_default();
             let mut source = match printed {
@@ -158,6 +160,7 @@ impl Prompt {
         let (warnings, others): (Vec<_>, Vec<_>) = new.into_iter().partition(is_warning);
         self.voice.findings(&warnings, &ran.report.sources);
         ran.report.diagnostics = others;
+        self.unit = ran.report.document.0;
         Some(ran)
     }
 
@@ -178,7 +181,7 @@ impl Prompt {
         for defined in &report.definitions {
             match (&defined.value, defined.work) {
                 (Some(value), _) if is_new(defined.span) => {
-                    news.push(show::line(&defined.name, value));
+                    news.push(show::line(&defined.name, value, self.unit));
                 }
                 (_, Work::Evaluated) => again.push(defined.name.as_str()),
                 _ => {}

@@ -11,6 +11,7 @@ use super::{
 use crate::{
     export::View,
     kernel::{Column, Curve, Mesh, Surface, Table},
+    syntax::ast::Unit,
     value::{Dimension, Value, shortest},
 };
 
@@ -26,8 +27,8 @@ const N_POINTS: usize = 300;
 const N_ISOCURVES: usize = 7;
 
 /// A definition on one line: its name with its value, or with its kind and size.
-pub(super) fn line(name: &str, value: &Value) -> String {
-    match (brief(value), value) {
+pub(super) fn line(name: &str, value: &Value, unit: Unit) -> String {
+    match (brief(value, unit), value) {
         (Some(text), _) => format!("{name} = {text}"),
         (None, Value::Function(_)) => format!("{name}: function {}", sized(value)),
         (None, _) => format!("{name}: {}", sized(value)),
@@ -35,15 +36,17 @@ pub(super) fn line(name: &str, value: &Value) -> String {
 }
 
 /// The value itself where it is small and can be written.
-fn brief(value: &Value) -> Option<String> {
+fn brief(value: &Value, unit: Unit) -> Option<String> {
     let is_written = match value {
         Value::None | Value::Bool(_) | Value::Number(_) | Value::Point(_) | Value::Range(_) => true,
         Value::Text(text) => text.len() <= MOST_CHARS,
-        Value::List(items) => items.len() <= 12 && items.iter().all(|item| brief(item).is_some()),
-        Value::Record(record) => record.iter().all(|(_, value)| brief(value).is_some()),
+        Value::List(items) => {
+            items.len() <= 12 && items.iter().all(|item| brief(&item, unit).is_some())
+        }
+        Value::Record(record) => record.iter().all(|(_, value)| brief(value, unit).is_some()),
         _ => false,
     };
-    let text = is_written.then(|| value.to_string())?;
+    let text = is_written.then(|| value.in_unit(unit.name()).to_string())?;
     (text.chars().count() <= MOST_CHARS).then_some(text)
 }
 
@@ -61,14 +64,14 @@ pub(super) fn sized(value: &Value) -> String {
 }
 
 /// All of a value, with a plot no wider than `columns` where there is something to draw.
-pub(super) fn whole(value: &Value, columns: usize, view: Option<View>) -> String {
+pub(super) fn whole(value: &Value, unit: Unit, columns: usize, view: Option<View>) -> String {
     let mut text = match value {
         Value::Curve(curve) => of_curve(curve),
         Value::Surface(surface) => of_surface(surface),
         Value::Mesh(mesh) => of_mesh(mesh),
         Value::Table(table) => return of_table(table, columns),
         Value::Function(function) => function.signatures().join("\n") + "\n",
-        _ => format!("{}\n", brief(value).unwrap_or_else(|| sized(value))),
+        _ => format!("{}\n", brief(value, unit).unwrap_or_else(|| sized(value))),
     };
     let shapes = shapes(value);
     let is_more_than_a_point = |shape: &PlotSubject| match shape {

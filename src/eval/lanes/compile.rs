@@ -69,7 +69,7 @@ impl<'m> Compiler<'m> {
         if let ExprKind::Point(coordinates) = &expr.kind {
             let mut coordinate = |expr: &Expr| {
                 let (node, dim) = self.expr(expr, &mut frame)?.number()?;
-                (dim.is_none() || dim == Dimension::LENGTH).then_some(node)
+                (dim.is_as_length()).then_some(node)
             };
             let [x, y, z] = &**coordinates;
             return Some(LaneBody::Point(Box::new([

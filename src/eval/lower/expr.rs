@@ -4,8 +4,8 @@ use std::{collections::BTreeMap, sync::Arc};
 
 use super::{
     super::ir::{
-        Arg, CallExpr, Comprehension, Element, Expr, ExprKind, Generator, Group, Lambda, Parameter,
-        Piece, TextFormat,
+        Arg, BinaryOp, CallExpr, Comprehension, Element, Expr, ExprKind, Generator, Group, Lambda,
+        Parameter, Piece, TextFormat, UnaryOp,
     },
     Lowerer,
     scope::{Captures, Siblings},
@@ -13,8 +13,19 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Span, Spanned},
     syntax::ast::{self, Pattern, Unit},
-    value::{Dimension, Number, Value, radians_of},
+    value::{Dimension, Number, Value, in_unit_of, radians_of},
 };
+
+/// A whole number as it is written, with its sign.
+fn whole(expr: &ast::Expr<'_>) -> Option<i32> {
+    match &expr.kind {
+        ast::ExprKind::Unary(UnaryOp::Negate, inner) => whole(inner).map(|number| -number),
+        ast::ExprKind::Number(value, None) if value.fract() == 0.0 && *value < 100.0 => {
+            Some(*value as i32)
+        }
+        _ => None,
+    }
+}
 
 impl<'s> Lowerer<'_, 's> {
     /// Lowers an expression.
@@ -37,6 +48,7 @@ impl<'s> Lowerer<'_, 's> {
             ast::ExprKind::Comprehension(comprehension) => self.comprehension(comprehension),
             ast::ExprKind::Block(block) => self.block(block),
             ast::ExprKind::Unary(op, operand) => ExprKind::Unary(*op, Box::new(self.expr(operand))),
+            ast::ExprKind::Binary(BinaryOp::Power, sides) => self.power(sides, span),
             ast::ExprKind::Binary(op, sides) => ExprKind::Binary(*op, self.each(sides)),
             ast::ExprKind::Within(parts) => ExprKind::Within(self.each(parts)),
             ast::ExprKind::Index(parts) => ExprKind::Index(self.each(parts)),
@@ -55,6 +67,25 @@ impl<'s> Lowerer<'_, 's> {
 
     fn each<const N: usize>(&mut self, exprs: &[ast::Expr<'s>; N]) -> Box<[Expr; N]> {
         Box::new(std::array::from_fn(|i| self.expr(&exprs[i])))
+    }
+
+    /// A power. An exponent behind a unit is that of the unit: `5mm^2` is five square millimetres.
+    fn power(&mut self, sides: &[ast::Expr<'s>; 2], span: Span) -> ExprKind {
+        let [base, exponent] = sides;
+        let ast::ExprKind::Number(value, Some(unit)) = base.kind else {
+            return ExprKind::Binary(BinaryOp::Power, self.each(sides));
+        };
+        if let Some(number) = whole(exponent).and_then(|power| {
+            in_unit_of(value, &format!("{}^{power}", unit.name()), self.unit.name())
+        }) {
+            return ExprKind::Constant(Value::Number(number));
+        }
+        let at = self.at(base.span);
+        let constant = |number| Expr { kind: ExprKind::Constant(Value::Number(number)), span: at };
+        let unit = constant(self.number(1.0, Some(unit)));
+        let raised = ExprKind::Binary(BinaryOp::Power, Box::new([unit, self.expr(exponent)]));
+        let sides = [constant(Number::bare(value)), Expr { kind: raised, span }];
+        ExprKind::Binary(BinaryOp::Multiply, Box::new(sides))
     }
 
     /// A literal in document units or radians.

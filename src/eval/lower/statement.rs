@@ -97,7 +97,7 @@ impl<'s> Lowerer<'_, 's> {
 
     fn set_tolerance(&mut self, value: &ast::Expr<'s>) {
         let number = self.literal(value).map(|number| number.value);
-        let fits = |dim: Dimension| dim.is_none() || dim == Dimension::LENGTH;
+        let fits = |dim: Dimension| dim.is_as_length();
         match number.filter(|number| 0.0 < number.value && fits(number.dim)) {
             Some(number) => self.tolerance = Tolerance::DEFAULT.with_distance(number.value),
             None => {

@@ -32,10 +32,11 @@ const SPAN: Span = Span::new(0, 1);
 const PLACES: OperandPlaces = OperandPlaces { whole: SPAN, left: SPAN, right: SPAN };
 
 fn numbers() -> Vec<Value> {
-    let dims = [[0, 0], [6, 0], [0, 6], [12, 0], [0, 12], [6, -6]].map(Dimension::of_powers);
+    let known = [[0, 0], [6, 0], [0, 6], [12, 0], [0, 12], [6, -6]].map(Dimension::of_powers);
+    let open = [Dimension::OPEN, Dimension::OPEN.times(Dimension::ANGLE).unwrap_or_default()];
     let values = [0.0, 1.0, -2.0, 2.5, 3.0, 0.5, 1e300];
     let number = |dim| values.map(|value| Value::Number(Number { value, dim }));
-    dims.into_iter().flat_map(number).collect()
+    known.into_iter().chain(open).flat_map(number).collect()
 }
 
 /// Values of every kind that an operator could be tried on.
@@ -250,7 +251,7 @@ fn a_point_is_scaled_by_nothing_that_holds_an_angle() {
     let point = Value::Point(DVec3::X);
     for number in numbers() {
         let Value::Number(Number { value, dim }) = &number else { continue };
-        let holds_angle = dim.powers()[1] != 0;
+        let holds_angle = dim.angle_power() != 0;
         let of = |op, a, b| told(binary(op, a, b, PLACES, Tolerance::default()));
         let scaled =
             [of(BinaryOp::Multiply, &point, &number), of(BinaryOp::Multiply, &number, &point)];

@@ -35,7 +35,7 @@ impl ArithmeticMeaning for Add {
     }
 
     fn dimension(a: Dimension, b: Dimension, _: Option<f64>) -> Result<Dimension, OperatorRefusal> {
-        a.common(b).ok_or(OperatorRefusal::Mismatch)
+        a.sum(b).ok_or(OperatorRefusal::Mismatch)
     }
 
     fn derivatives(a: &Real, b: &Real, _: f64) -> Result<Real, GeomError> {
@@ -56,7 +56,7 @@ impl ArithmeticMeaning for Subtract {
     }
 
     fn dimension(a: Dimension, b: Dimension, _: Option<f64>) -> Result<Dimension, OperatorRefusal> {
-        a.common(b).ok_or(OperatorRefusal::Mismatch)
+        a.sum(b).ok_or(OperatorRefusal::Mismatch)
     }
 
     fn derivatives(a: &Real, b: &Real, _: f64) -> Result<Real, GeomError> {
@@ -124,7 +124,7 @@ impl ArithmeticMeaning for Remainder {
     }
 
     fn dimension(a: Dimension, b: Dimension, _: Option<f64>) -> Result<Dimension, OperatorRefusal> {
-        a.common(b).ok_or(OperatorRefusal::Mismatch)
+        a.sum(b).ok_or(OperatorRefusal::Mismatch)
     }
 
     fn refusal(_: f64, b: f64) -> Option<OperatorRefusal> {
@@ -160,9 +160,9 @@ impl ArithmeticMeaning for Power {
         right: Option<f64>,
     ) -> Result<Dimension, OperatorRefusal> {
         match right {
-            _ if !b.is_none() => Err(OperatorRefusal::ExponentWithUnit),
+            _ if !b.is_bare() => Err(OperatorRefusal::ExponentWithUnit),
             Some(exponent) => a.power(exponent).ok_or(OperatorRefusal::NoSuchPowerOfUnit),
-            None if a.is_none() => Ok(a),
+            None if a.is_bare() => Ok(a),
             None => Err(OperatorRefusal::NoSuchPowerOfUnit),
         }
     }

@@ -4,7 +4,7 @@ use super::operand::{OperandPlaces, OperatorRefusal};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     eval::ir::BinaryOp,
-    value::{Dimension, Function, Number, Value},
+    value::{BARE_AND_ANGLE, Dimension, Function, Number, Value},
 };
 
 /// Why two numbers have no result, in words; `verb` is what was tried, as in "cannot be added".
@@ -48,6 +48,10 @@ pub(super) fn overflow<T>(span: Span) -> Result<T> {
         .fail()
 }
 
+/// What to do where units do not go together.
+pub(super) const OF_OTHER_UNIT: &str =
+    "divide by a unit, such as `1mm` or `1deg`, to make a plain number of a quantity";
+
 /// Two values whose units do not go together.
 pub(super) fn mismatch(verb: &str, a: &Value, b: &Value, places: OperandPlaces) -> Box<Diagnostic> {
     let message = format!("{} and {} cannot be {verb}", noun(a), noun(b));
@@ -55,9 +59,12 @@ pub(super) fn mismatch(verb: &str, a: &Value, b: &Value, places: OperandPlaces) 
         Diagnostic::error(Code::UnitMismatch, places.whole, message)
             .also(places.left, format!("this is {}", noun(a)))
             .also(places.right, format!("this is {}", noun(b)))
-            .hint(
-                "divide by a unit, such as `1mm` or `1deg`, to make a plain number of a quantity",
-            ),
+            .hint(match (a, b) {
+                (Value::Number(a), Value::Number(b)) if a.dim.common(b.dim).is_some() => {
+                    BARE_AND_ANGLE
+                }
+                _ => OF_OTHER_UNIT,
+            }),
     )
 }
 
@@ -65,11 +72,11 @@ pub(super) fn mismatch(verb: &str, a: &Value, b: &Value, places: OperandPlaces) 
 /// the document's units, and coordinates are lengths.
 pub(in crate::eval) fn is_of_other_unit(limit: Number, side: &Value) -> bool {
     let dimension = match side {
-        Value::Number(number) if !number.dim.is_none() => number.dim,
+        Value::Number(number) if !number.dim.is_bare() => number.dim,
         Value::Point(_) => Dimension::LENGTH,
         _ => return false,
     };
-    !limit.dim.is_none() && limit.dim != dimension
+    !limit.dim.is_bare() && limit.dim != dimension
 }
 
 /// A limit whose unit is not that of what it limits.

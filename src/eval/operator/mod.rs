@@ -25,7 +25,7 @@ use crate::{
         deviation, equal,
     },
 };
-use mistake::{inapplicable, mismatch, overflow, refused};
+use mistake::{OF_OTHER_UNIT, inapplicable, mismatch, overflow, refused};
 pub(super) use mistake::{is_of_other_unit, limit_of_other_unit};
 pub(super) use operand::OperandPlaces;
 use operand::Sides;
@@ -33,13 +33,17 @@ use table::{Arithmetic, BinaryMeaning, Comparison, UnaryMeaning, binary_meaning,
 
 /// Arithmetic and comparison of bare numbers, the common case; `None` where more care is needed.
 pub(super) fn plain(op: BinaryOp, a: Number, b: Number) -> Option<Value> {
-    if !a.dim.is_none() || !b.dim.is_none() {
+    if !a.dim.is_bare() || !b.dim.is_bare() {
         return None;
     }
     match binary_meaning(op) {
         BinaryMeaning::Arithmetic(row) => {
             let value = (row.plain)(a.value, b.value);
-            value.is_finite().then(|| Value::number(value))
+            let dim = match a.dim == b.dim {
+                true => a.dim,
+                false => (row.dimension)(a.dim, b.dim, Some(b.value)).ok()?,
+            };
+            value.is_finite().then_some(Value::Number(Number { value, dim }))
         }
         BinaryMeaning::Comparison(row) => Some(Value::Bool((row.numbers)(a.value, b.value))),
         _ => None,
@@ -103,8 +107,7 @@ fn points(row: &Arithmetic, p: DVec3, q: DVec3, places: OperandPlaces) -> Result
 /// A number, at a place of its own, that goes with each coordinate of a point: lengths count in
 /// document units, and what holds an angle does not.
 fn factor(row: &Arithmetic, number: Number, span: Span, places: OperandPlaces) -> Result<DVec3> {
-    let [_, angle] = number.dim.powers();
-    if angle != 0 {
+    if number.dim.angle_power() != 0 {
         let message = format!("a point cannot be scaled by {}", number.dim);
         return Diagnostic::error(Code::UnitMismatch, span, message).fail();
     }
@@ -186,6 +189,12 @@ fn compare(
 
 /// Whether two values are nearer than a tolerance.
 pub(super) fn near(a: &Value, b: &Value, tolerance: f64, span: Span) -> Result<bool> {
+    if let (Value::Number(x), Value::Number(y)) = (a, b)
+        && x.dim.common(y.dim).is_none()
+    {
+        let message = format!("{} and {} cannot be compared", x.dim, y.dim);
+        return Diagnostic::error(Code::UnitMismatch, span, message).hint(OF_OTHER_UNIT).fail();
+    }
     match deviation(a, b) {
         Discrepancy::Apart(distance, _) => Ok(distance <= tolerance),
         Discrepancy::Different(_) => Ok(false),

@@ -8,7 +8,7 @@ use super::{
     least::Approximator,
     search::{FitSearch, FittedCurve, MANY},
 };
-use crate::{ConstructionReport, DegreeError, GeomError, KnotVector, NurbsCurve};
+use crate::{ConstructionReport, DegreeError, GeomError, KnotVector, NurbsCurve, ReportEntry};
 
 /// The curve of `n_control` control points that comes nearest to the points at the parameters,
 /// through the first and the last. Its report tells the deviation.
@@ -152,8 +152,10 @@ fn reporting(
             },
         );
     let mean = misses.iter().map(|miss| miss.0).sum::<f64>() / misses.len() as f64;
-    let deviation =
-        ConstructionReport::default().with("max", worst.0).with("mean", mean).with("at", worst.1);
+    let deviation = ConstructionReport::default()
+        .with("max", ReportEntry::Length(worst.0))
+        .with("mean", ReportEntry::Length(mean))
+        .with("at", worst.1);
     let report = ConstructionReport::of("approximate")
         .with("control_points", curve.control_points().len())
         .with("deviation", deviation)

@@ -231,7 +231,7 @@ fn with_report(made: Gordon, kept: [(&[usize], usize); 2]) -> NurbsSurface {
         let one = |change: &CurveAdjustment| {
             ConstructionReport::default()
                 .with("curve", change.index)
-                .with("deviation", change.deviation)
+                .with("deviation", ReportEntry::Length(change.deviation))
                 .with("at", change.worst_at)
                 .with("reversed", change.is_reversed)
                 .with("trimmed", change.is_trimmed)
@@ -249,8 +249,14 @@ fn with_report(made: Gordon, kept: [(&[usize], usize); 2]) -> NurbsSurface {
     let report = ConstructionReport::of("gordon")
         .with("at_u", at_u)
         .with("at_v", at_v)
-        .with("deviation", deviations.fold(0.0, f64::max))
-        .with("gap", ConstructionReport::default().with("max", widest).with("u", k).with("v", l))
+        .with("deviation", ReportEntry::Length(deviations.fold(0.0, f64::max)))
+        .with(
+            "gap",
+            ConstructionReport::default()
+                .with("max", ReportEntry::Length(widest))
+                .with("u", k)
+                .with("v", l),
+        )
         .with("u", family(u))
         .with("v", family(v))
         .with("repeated_u", repeated_u)

@@ -432,7 +432,12 @@ fn joined(
     let closing = frames().map(Frames::closing).sum::<f64>();
     let report = ConstructionReport::of("sweep")
         .with("placements", placements)
-        .with("deviation", ConstructionReport::default().with("max", deviation).with("at", at))
+        .with(
+            "deviation",
+            ConstructionReport::default()
+                .with("max", ReportEntry::Length(deviation))
+                .with("at", at),
+        )
         .with("closing_angle", ReportEntry::Angle(closing))
         .with("corners", corners)
         .with("flips", flips)

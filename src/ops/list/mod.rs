@@ -31,11 +31,11 @@ use glam::DVec3;
 
 use order::extreme_index;
 
-use super::math::{common_dim, finite};
+use super::math::{common_dim, finite, sum_dim};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     limits::{Ceiling, work},
-    value::{Callback, Ctx, Dimension, FromValue, Number, Op, Real, Value, Vector},
+    value::{Callback, Ctx, FromValue, Number, Op, Real, Value, Vector},
 };
 
 pub(super) static OPS: &[&Op] = &[
@@ -89,14 +89,15 @@ fn total(items: &[Value], span: Span) -> Result<Total> {
         let message = format!("numbers can be added, and points, but not {}", item.phrase());
         Box::new(Diagnostic::error(Code::WrongKind, span, message))
     };
-    let (mut value, mut dim) = (Real::Plain(0.0), Dimension::NONE);
+    let (mut value, mut dim) = (Real::Plain(0.0), None);
     let mut point = Vector::Plain(DVec3::ZERO);
     let items = if work::passes(items.len()) { items } else { &[] };
     for (i, item) in items.iter().enumerate() {
         match (item.kind(), items[0].kind()) {
             ("number", "number") => {
                 let number = Number::<Real>::from_value(item, span).map_err(|_| mismatch(item))?;
-                dim = common_dim(&[Number { value: 0.0, dim }, number.looked_at()], span)?;
+                let before = Number { value: 0.0, dim: dim.unwrap_or(number.dim) };
+                dim = Some(sum_dim(&[before, number.looked_at()], span)?);
                 value = value.plus(&number.value);
             }
             ("point", "point") => {
@@ -116,7 +117,7 @@ fn total(items: &[Value], span: Span) -> Result<Total> {
     }
     Ok(match items.first().map(Value::kind) {
         Some("point") => Total::Point(point),
-        _ => Total::Number(Number { value: finite(value, span)?, dim }),
+        _ => Total::Number(Number { value: finite(value, span)?, dim: dim.unwrap_or_default() }),
     })
 }
 

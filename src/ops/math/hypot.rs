@@ -1,6 +1,6 @@
 //! `hypot`: the hypotenuse.
 
-use super::{common_dim, finite};
+use super::{finite, sum_dim};
 use crate::{
     diag::Result,
     value::{At, Ctx, Number, Real, op},
@@ -19,7 +19,7 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {
     let legs = [args.x, args.y];
-    let dim = common_dim(&legs, ctx.span)?;
+    let dim = sum_dim(&legs, ctx.span)?;
     let length = legs[0].value.hypot(&legs[1].value).at(ctx.span)?;
     Ok(Number { value: finite(length, ctx.span)?, dim })
 }

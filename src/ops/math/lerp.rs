@@ -1,6 +1,6 @@
 //! `lerp`: linear interpolation.
 
-use super::{Quantity, common_dim, finite, outside};
+use super::{Quantity, finite, outside, sum_dim};
 use crate::{
     diag::Result,
     value::{Ctx, IntoValue, Number, Real, Value, op},
@@ -26,7 +26,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
     let rest = Real::Plain(1.0).minus(&t);
     match (a, b) {
         (Quantity::Number(a), Quantity::Number(b)) => {
-            let dim = common_dim(&[a.looked_at(), b.looked_at()], ctx.span)?;
+            let dim = sum_dim(&[a.looked_at(), b.looked_at()], ctx.span)?;
             let value = finite(a.value.times(&rest).plus(&b.value.times(&t)), ctx.span)?;
             Ok(Number { value, dim }.into_value())
         }

@@ -29,7 +29,9 @@ mod tanh;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
-    value::{Ctx, Dimension, FromValue, Mismatch, Number, Op, Real, Type, Value, Vector},
+    value::{
+        BARE_AND_ANGLE, Ctx, Dimension, FromValue, Mismatch, Number, Op, Real, Type, Value, Vector,
+    },
 };
 
 pub(super) static OPS: &[&Op] = &[
@@ -80,12 +82,29 @@ pub(super) fn empty<T>(span: Span, what: &str) -> Result<T> {
     outside(span, format!("an empty list has no `{what}`"))
 }
 
-/// The dimension of numbers that are compared or added; a bare number fits any.
+/// The dimension of numbers that are compared; a bare number fits any.
 pub(super) fn common_dim<T>(numbers: &[Number<T>], span: Span) -> Result<Dimension> {
-    numbers.iter().try_fold(Dimension::NONE, |dim, number| {
-        dim.common(number.dim).ok_or_else(|| {
-            let message = format!("{dim} and {} do not mix", number.dim);
-            Box::new(Diagnostic::error(Code::UnitMismatch, span, message))
+    dim_of_all(numbers, Dimension::common, span)
+}
+
+/// The dimension of numbers that are added; a bare number fits all but angles.
+pub(super) fn sum_dim<T>(numbers: &[Number<T>], span: Span) -> Result<Dimension> {
+    dim_of_all(numbers, Dimension::sum, span)
+}
+
+fn dim_of_all<T>(
+    numbers: &[Number<T>],
+    of_two: fn(Dimension, Dimension) -> Option<Dimension>,
+    span: Span,
+) -> Result<Dimension> {
+    let mut dims = numbers.iter().map(|number| number.dim);
+    let first = dims.next().unwrap_or_default();
+    dims.try_fold(first, |dim, next| {
+        of_two(dim, next).ok_or_else(|| {
+            let message = format!("{dim} and {next} do not mix");
+            let diagnostic = Diagnostic::error(Code::UnitMismatch, span, message);
+            let is_bare = dim.is_bare() || next.is_bare();
+            Box::new(if is_bare { diagnostic.hint(BARE_AND_ANGLE) } else { diagnostic })
         })
     })
 }
@@ -98,10 +117,10 @@ impl FromValue for Radians {
 
     fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
         match value {
-            Value::Number(number) if number.dim.is_none() || number.dim == Dimension::ANGLE => {
+            Value::Number(number) if number.dim.is_bare() || number.dim.is_angle() => {
                 Ok(Self(Real::Plain(number.value)))
             }
-            Value::Jet(number) if number.dim.is_none() || number.dim == Dimension::ANGLE => {
+            Value::Jet(number) if number.dim.is_bare() || number.dim.is_angle() => {
                 Ok(Self(number.value.clone()))
             }
             Value::Number(_) | Value::Jet(_) => {

@@ -2,7 +2,7 @@
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    value::{Ctx, Dimension, LocallyConstant, Maybe, Number, op},
+    value::{Ctx, LocallyConstant, Maybe, Number, op},
 };
 
 op! {
@@ -26,7 +26,7 @@ op! {
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number> {
     let LocallyConstant(x) = args.x;
     let Some(digits) = args.digits.0 else { return Ok(Number { value: x.value.round(), ..x }) };
-    if x.dim == Dimension::ANGLE {
+    if x.dim.is_angle() {
         return Diagnostic::error(
             Code::UnitMismatch,
             digits.span,

@@ -9,12 +9,25 @@ mod picture;
 mod report;
 mod surface;
 
-use crate::{kernel::GeomError, value::Op};
+use crate::{
+    kernel::{GeomError, NamedColumn},
+    value::{Dimension, Op},
+};
 
 pub(super) use surface::MassOf;
 
 /// What the kernel answers to a question.
 type Measured<T> = std::result::Result<T, GeomError>;
+
+/// A column of a table of measurements, with its unit where the power of length is known that it holds.
+fn measured_column(name: &str, power: Option<i8>, cells: Vec<f64>, length: &str) -> NamedColumn {
+    let column = NamedColumn::numbers(name, cells);
+    let dim = power.and_then(|power| Dimension::LENGTH.power(f64::from(power)));
+    match dim.and_then(|dim| dim.unit(length)) {
+        Some(unit) => column.with_unit(unit),
+        None => column,
+    }
+}
 
 pub(super) static OPS: &[&Op] = &[
     &curve::at::OP,

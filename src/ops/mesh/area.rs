@@ -5,18 +5,18 @@ use std::sync::Arc;
 use crate::{
     diag::{Result, Spanned},
     kernel::Mesh,
-    value::{At, Ctx, op},
+    value::{Area, At, Ctx, LengthPower, op},
 };
 
 op! {
     /// Area of a mesh: the sum over its triangles.
-    area in Mesh -> f64 {
+    area in Mesh -> Area {
         /// The mesh.
         m: Spanned<Arc<Mesh>>,
     }
     example "area(grid_mesh(bilinear((0, 0), (0, 2), (3, 0), (3, 2)), 1, 1))" => "6";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    args.m.value.measured_area().at(args.m.span)
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Area> {
+    args.m.value.measured_area().at(args.m.span).map(LengthPower)
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     diag::{Result, Spanned},
     kernel::Mesh,
-    value::{At, Ctx, op},
+    value::{At, Ctx, LengthPower, Volume, op},
 };
 
 op! {
@@ -14,7 +14,7 @@ op! {
     /// Exact for the mesh, which is inside of a convex surface that it was made of. The mesh must
     /// close, with vertices within the document's tolerance at one place, and its triangles must
     /// face alike. A part that is turned inward inside of another is a hole in it.
-    volume in Mesh -> f64 {
+    volume in Mesh -> Volume {
         /// The mesh.
         m: Spanned<Arc<Mesh>>,
     }
@@ -22,7 +22,7 @@ op! {
     refuses "volume(grid_mesh(plane_patch((0, 0), (1, 0), (0, 1)), 1, 1))" => "E0612: the mesh does not close: it has 4 edges with one triangle around 1 hole, from (0, 1, 0) on";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Volume> {
     args.m.value.check_solid(ctx.tolerance).at(args.m.span)?;
-    Ok(args.m.value.measured_volume().at(args.m.span)?.abs())
+    Ok(LengthPower(args.m.value.measured_volume().at(args.m.span)?.abs()))
 }

@@ -3,12 +3,12 @@
 use super::Given;
 use crate::{
     diag::Result,
-    value::{Ctx, op},
+    value::{Area, Ctx, LengthPower, op},
 };
 
 op! {
     /// Area of a region: Green's theorem along its borders, to rounding.
-    area in Region -> f64 {
+    area in Region -> Area {
         /// The region.
         r: Given,
     }
@@ -16,6 +16,6 @@ op! {
     example "area(region(ellipse((0, 0), 3, 2))) ~= 6*pi within 1e-12" => "true";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
-    Ok(args.r.area())
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Area> {
+    Ok(LengthPower(args.r.area()))
 }

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::Given;
 use crate::{
     diag::Result,
-    value::{Ctx, IntoValue, Record, Value, op},
+    value::{Ctx, IntoValue, Length, Record, Value, op},
 };
 
 op! {
@@ -27,6 +27,6 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     let point = args.r.closest(args.p, ctx.tolerance.distance);
     Ok(Record::new([
         (Arc::from("point"), Value::Point(point)),
-        (Arc::from("distance"), point.distance(args.p).into_value()),
+        (Arc::from("distance"), Length(point.distance(args.p)).into_value()),
     ]))
 }

@@ -6,7 +6,7 @@ use super::Given;
 use crate::{
     diag::Result,
     kernel::principal_axes,
-    value::{Ctx, IntoValue, Record, op},
+    value::{Ctx, IntoValue, LengthPower, Record, op},
 };
 
 op! {
@@ -23,10 +23,11 @@ op! {
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Record> {
     let tensor = args.r.mass().inertia;
     let axes = principal_axes(tensor);
-    let rows: Vec<Vec<f64>> = (0..3).map(|i| tensor.row(i).to_array().to_vec()).collect();
+    let told = |numbers: [f64; 3]| numbers.map(LengthPower::<4>).to_vec();
+    let rows: Vec<Vec<LengthPower<4>>> = (0..3).map(|i| told(tensor.row(i).to_array())).collect();
     Ok(Record::new([
         (Arc::from("tensor"), rows.into_value()),
-        (Arc::from("moments"), axes.map(|(moment, _)| moment).to_vec().into_value()),
+        (Arc::from("moments"), told(axes.map(|(moment, _)| moment)).into_value()),
         (Arc::from("axes"), axes.map(|(_, axis)| axis).to_vec().into_value()),
     ]))
 }

@@ -121,9 +121,7 @@ fn no_derivatives<T>(span: Span) -> Result<T> {
 fn told(value: f64, dim: Option<Dimension>) -> String {
     let six = rounded(value);
     match dim {
-        Some(dim) if dim == Dimension::ANGLE => {
-            Number::angle(six.parse().unwrap_or(value)).to_string()
-        }
+        Some(dim) if dim.is_angle() => Number::angle(six.parse().unwrap_or(value)).to_string(),
         _ => six,
     }
 }

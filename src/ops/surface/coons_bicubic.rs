@@ -209,7 +209,10 @@ impl CoonsData {
                 .with("cross_u", twists.of_cross_u)
                 .with("cross_v", twists.of_cross_v)
                 .with("twist", twists.mean())
-                .with("difference", twists.of_cross_u.distance(twists.of_cross_v)),
+                .with(
+                    "difference",
+                    ReportEntry::Length(twists.of_cross_u.distance(twists.of_cross_v)),
+                ),
         )
     }
 }

@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{Blend, ConstructionReport, Curve, NurbsCurve, NurbsSurface},
+    kernel::{Blend, ConstructionReport, Curve, NurbsCurve, NurbsSurface, ReportEntry},
     value::{At, Ctx, op, rounded, shortest},
 };
 
@@ -71,7 +71,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         ConstructionReport::of("edge_surface").with("order", order).with("reversed", reversed);
     Ok(surface.with_report(match found.len() {
         2 => report,
-        _ => report.with("gap", ring.gap),
+        _ => report.with("gap", ReportEntry::Length(ring.gap)),
     }))
 }
 

@@ -7,7 +7,7 @@ use crate::{
     diag::{Result, Span, Spanned},
     kernel::{
         ConstructionReport, Direction, FirstPass, Grid, LineFit, Lines, NurbsSurface,
-        Parametrization, check_parameters, columns_within, surface_within,
+        Parametrization, ReportEntry, check_parameters, columns_within, surface_within,
     },
     ops::curve::fit::Parameters,
     value::{At, Choice},
@@ -120,8 +120,10 @@ fn reporting(
     }
     let mean = sum / (us.len() * vs.len()) as f64;
     let place = ConstructionReport::default().with("u", at[0]).with("v", at[1]);
-    let deviation =
-        ConstructionReport::default().with("max", worst).with("mean", mean).with("at", place);
+    let deviation = ConstructionReport::default()
+        .with("max", ReportEntry::Length(worst))
+        .with("mean", ReportEntry::Length(mean))
+        .with("at", place);
     let net = surface.control_points();
     let counts = ConstructionReport::default().with("u", net.n_rows()).with("v", net.n_columns());
     let degree =

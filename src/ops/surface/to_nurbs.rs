@@ -4,7 +4,7 @@ use crate::{
     diag::{Result, Spanned},
     kernel::{
         ConstructionReport, GeomError, InputError, KnotVector, NurbsSurface, ParametricSurface,
-        Surface,
+        ReportEntry, Surface,
     },
     value::{At, Ctx, Length, op},
 };
@@ -53,7 +53,10 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let place = ConstructionReport::default().with("u", at[0]).with("v", at[1]);
     let net = spline.control_points();
     let report = ConstructionReport::of("to_nurbs")
-        .with("deviation", ConstructionReport::default().with("max", worst).with("at", place))
+        .with(
+            "deviation",
+            ConstructionReport::default().with("max", ReportEntry::Length(worst)).with("at", place),
+        )
         .with("degree", both(spline.degree_u(), spline.degree_v()))
         .with("control_points", both(net.n_rows(), net.n_columns()));
     Ok(spline.with_report(report))

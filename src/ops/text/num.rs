@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    value::{Ctx, op},
+    value::{Ctx, Number, op},
 };
 
 op! {
-    /// Number that a text spells, without a unit.
-    num in Text -> f64 {
+    /// Number that a text spells. Nobody has said what it measures, as of a coordinate.
+    num in Text -> Number {
         /// The text, such as "12.5" or "1e-3".
         text: Spanned<Arc<str>>,
     }
@@ -17,9 +17,9 @@ op! {
     refuses "num(\"12mm\")" => "E0301: \"12mm\" is not a number";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number> {
     let number = args.text.value.trim().parse::<f64>().ok().filter(|number| number.is_finite());
-    number.ok_or_else(|| {
+    number.map(Number::open).ok_or_else(|| {
         let message = format!("\"{}\" is not a number", args.text.value);
         let diagnostic = Diagnostic::error(Code::WrongKind, args.text.span, message);
         let with_point = args.text.value.trim().replacen(',', ".", 1);

@@ -12,11 +12,12 @@ op! {
         value: Value,
     }
     example "str(12.5)" => "\"12.5\"";
+    example "str(12.5mm)" => "\"12.5mm\"";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<String> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<String> {
     Ok(match &args.value {
         Value::Text(text) => text.to_string(),
-        other => other.to_string(),
+        other => other.in_unit(ctx.unit).to_string(),
     })
 }

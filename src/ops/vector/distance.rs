@@ -2,12 +2,12 @@
 
 use crate::{
     diag::Result,
-    value::{At, Ctx, Real, Vector, op},
+    value::{At, Ctx, Length, Real, Vector, op},
 };
 
 op! {
     /// Distance of two points.
-    distance in Vector -> Real {
+    distance in Vector -> Length<Real> {
         /// One point.
         a: Vector,
         /// The other point.
@@ -16,6 +16,6 @@ op! {
     example "distance((1, 1), (4, 5))" => "5";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
-    args.b.minus(&args.a).norm().at(ctx.span)
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Length<Real>> {
+    args.b.minus(&args.a).norm().at(ctx.span).map(Length)
 }

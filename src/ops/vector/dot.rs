@@ -2,12 +2,12 @@
 
 use crate::{
     diag::Result,
-    value::{Ctx, Real, Vector, op},
+    value::{Ctx, Open, Real, Vector, op},
 };
 
 op! {
     /// Scalar product of two vectors.
-    dot in Vector -> Real {
+    dot in Vector -> Open<Real> {
         /// One vector.
         a: Vector,
         /// The other vector.
@@ -16,6 +16,6 @@ op! {
     example "dot((1, 2, 3), (4, 5, 6))" => "32";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {
-    Ok(args.a.dot(&args.b))
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Open<Real>> {
+    Ok(Open(args.a.dot(&args.b)))
 }

@@ -2,18 +2,18 @@
 
 use crate::{
     diag::Result,
-    value::{At, Ctx, Real, Vector, op},
+    value::{At, Ctx, Open, Real, Vector, op},
 };
 
 op! {
     /// Length of a vector.
-    norm in Vector -> Real {
+    norm in Vector -> Open<Real> {
         /// A vector.
         v: Vector,
     }
     example "norm((3, 4))" => "5";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
-    args.v.norm().at(ctx.span)
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Open<Real>> {
+    args.v.norm().at(ctx.span).map(Open)
 }

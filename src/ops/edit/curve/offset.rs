@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{ConstructionReport, Curve, CurveIntersection, NurbsCurve, Offset},
+    kernel::{ConstructionReport, Curve, CurveIntersection, NurbsCurve, Offset, ReportEntry},
     value::{At, Ctx, Length, op, shortest},
 };
 
@@ -50,8 +50,8 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
         ConstructionReport::default().with("t", first).with("s", second).with("point", point)
     };
     let report = ConstructionReport::of("offset")
-        .with("distance", distance.0)
-        .with("deviation", offset.deviation)
+        .with("distance", ReportEntry::Length(distance.0))
+        .with("deviation", ReportEntry::Length(offset.deviation))
         .with("cusps", offset.cusps)
         .with("folds", offset.folds)
         .with(

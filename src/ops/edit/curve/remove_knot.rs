@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::at_least_once;
 use crate::{
     diag::{Result, Spanned},
-    kernel::{ConstructionReport, NurbsCurve},
+    kernel::{ConstructionReport, NurbsCurve, ReportEntry},
     ops::positive,
     value::{At, Ctx, Length, op},
 };
@@ -36,5 +36,7 @@ fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
     at_least_once("removed", args.times)?;
     let without = args.c.without_knot(args.t.value, args.times.value, tolerance).at(args.t.span)?;
     let deviation = args.c.deviation_from(&without);
-    Ok(without.with_report(ConstructionReport::of("remove_knot").with("deviation", deviation)))
+    Ok(without.with_report(
+        ConstructionReport::of("remove_knot").with("deviation", ReportEntry::Length(deviation)),
+    ))
 }

@@ -2,7 +2,7 @@
 
 use crate::{
     diag::{Result, Spanned},
-    kernel::{ConstructionReport, Curve, GeomError, NurbsCurve, ParametricCurve},
+    kernel::{ConstructionReport, Curve, GeomError, NurbsCurve, ParametricCurve, ReportEntry},
     ops::positive,
     value::{At, Ctx, Length, op},
 };
@@ -42,7 +42,12 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
         }
     };
     let report = ConstructionReport::of("to_nurbs")
-        .with("deviation", ConstructionReport::default().with("max", worst.0).with("at", worst.1))
+        .with(
+            "deviation",
+            ConstructionReport::default()
+                .with("max", ReportEntry::Length(worst.0))
+                .with("at", worst.1),
+        )
         .with("degree", spline.degree())
         .with("control_points", spline.control_points().len());
     Ok(spline.with_report(report))

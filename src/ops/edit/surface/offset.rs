@@ -2,7 +2,7 @@
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{ConstructionReport, NurbsSurface, Surface},
+    kernel::{ConstructionReport, NurbsSurface, ReportEntry, Surface},
     ops::positive,
     value::{At, Ctx, Length, op, rounded, shortest},
 };
@@ -50,14 +50,16 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         ctx.warn(Diagnostic::warning(Code::SelfIntersecting, ctx.span, message).hint(hint));
     }
     let deviation = ConstructionReport::default()
-        .with("max", offset.deviation)
-        .with("mean", offset.mean)
+        .with("max", ReportEntry::Length(offset.deviation))
+        .with("mean", ReportEntry::Length(offset.mean))
         .with("at", offset.at.to_vec());
     let mut report = ConstructionReport::of("offset")
         .with("exact", offset.is_exact)
         .with("deviation", deviation);
     if let Some(turn) = offset.turn {
-        report = report.with("turns_back_at", turn.at.to_vec()).with("radius", turn.radius);
+        report = report
+            .with("turns_back_at", turn.at.to_vec())
+            .with("radius", ReportEntry::Length(turn.radius));
     }
     Ok(offset.surface.with_report(report))
 }

@@ -6,7 +6,7 @@ use super::varying;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{Curve, Side},
-    value::{At, Ctx, IntoValue, Real, Record, Value, Vector, op, shortest},
+    value::{At, Ctx, IntoValue, Length, Real, Record, Value, Vector, op, shortest},
 };
 
 op! {
@@ -60,7 +60,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     Ok(Record::new([
         (Arc::from("t"), t.into_value()),
         (Arc::from("point"), point.into_value()),
-        (Arc::from("distance"), distance.into_value()),
+        (Arc::from("distance"), Length(distance).into_value()),
         (Arc::from("count"), Value::number(foot.count as f64)),
     ]))
 }

@@ -6,7 +6,7 @@ use crate::{
     diag::{Result, Spanned},
     kernel::{Continuity, Curve, Side},
     ops::measure::continuity_limits::Asked,
-    value::{Angle, At, Ctx, IntoValue, Length, Maybe, Record, Value, op},
+    value::{Angle, At, Ctx, IntoValue, Length, LengthPower, Maybe, Record, Value, op},
 };
 
 op! {
@@ -70,9 +70,12 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     Ok(Record::new([
         (Arc::from("c"), i64::from(c).into_value()),
         (Arc::from("g"), i64::from(g).into_value()),
-        (Arc::from("gap"), Value::number(gap)),
+        (Arc::from("gap"), Length(gap).into_value()),
         (Arc::from("angle"), Angle(angle).into_value()),
-        (Arc::from("curvature_gap"), curvature_gap.map_or(Value::None, Value::number)),
+        (
+            Arc::from("curvature_gap"),
+            curvature_gap.map_or(Value::None, |gap| LengthPower::<-1>(gap).into_value()),
+        ),
         (Arc::from("c_homogeneous"), i64::from(c_homogeneous).into_value()),
     ]))
 }

@@ -4,7 +4,7 @@ use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::{Curve, Side},
-    value::{Ctx, Real, op},
+    value::{Ctx, Curvature, LengthPower, Real, op},
 };
 
 op! {
@@ -13,7 +13,7 @@ op! {
     /// |C' × C''| / |C'|³, and 0 where the curve is straight. Where the first derivative vanishes it is
     /// the limit, if there is one: at a cusp there is none. do Carmo, *Differential Geometry of Curves
     /// and Surfaces*, §1-5.
-    curvature in Measure -> Real {
+    curvature in Measure -> Curvature<Real> {
         /// The curve.
         c: Curve,
         /// The parameter, inside the curve's domain.
@@ -27,7 +27,7 @@ op! {
     refuses "curvature(bezier((0, 0), (1, 2), (2, 0)), 2)" => "E0606: parameter 2 is outside the domain 0..1";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Curvature<Real>> {
     let plain = |t| args.c.local_at(t, args.side)?.curvature();
-    varying::number(&args.c, &args.t, args.side, plain, (2, varying::curvature))
+    varying::number(&args.c, &args.t, args.side, plain, (2, varying::curvature)).map(LengthPower)
 }

@@ -5,13 +5,24 @@ use glam::DVec3;
 use super::sample_parameters;
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Curve, GeomError, LocalError, LocalGeometry, NamedColumn, Side, Table},
+    kernel::{Curve, GeomError, LocalError, LocalGeometry, Side, Table},
+    ops::measure::measured_column,
     value::{At, Ctx, op},
 };
 
-/// The columns in their order.
-const COLUMNS: [&str; 10] =
-    ["t", "x", "y", "z", "tx", "ty", "tz", "curvature", "radius", "torsion"];
+/// The columns in their order, each with the power of length that it holds, where that is known.
+const COLUMNS: [(&str, Option<i8>); 10] = [
+    ("t", None),
+    ("x", None),
+    ("y", None),
+    ("z", None),
+    ("tx", None),
+    ("ty", None),
+    ("tz", None),
+    ("curvature", Some(-1)),
+    ("radius", Some(1)),
+    ("torsion", Some(-1)),
+];
 
 op! {
     /// Table of points, unit tangents, curvature, radius of curvature and torsion along a curve.
@@ -40,8 +51,8 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Table> {
         }
     }
     let columns = COLUMNS.into_iter().zip(columns);
-    Table::new(columns.map(|(name, cells)| NamedColumn::numbers(name, cells)).collect())
-        .at(ctx.span)
+    let column = |((name, power), cells)| measured_column(name, power, cells, ctx.unit);
+    Table::new(columns.map(column).collect()).at(ctx.span)
 }
 
 /// The cells at a parameter; NaN stands for an empty one.

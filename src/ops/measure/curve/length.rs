@@ -4,7 +4,7 @@ use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::{Curve, Interval},
-    value::{At, Ctx, Real, RealInterval, op},
+    value::{At, Ctx, Length, Real, RealInterval, op},
 };
 
 op! {
@@ -16,7 +16,7 @@ op! {
     /// Of a parametric curve it is that of a spline of degree 11 with the function's exact
     /// derivatives at its knots, which agrees with it to 1e-13 of its size where it is compared: at
     /// 16 places of each piece. Beside a place without derivatives that is 1e-6.
-    length in Measure -> Real {
+    length in Measure -> Length<Real> {
         /// The curve.
         c: Curve,
         /// The range, inside the curve's domain; all of it when left out.
@@ -28,10 +28,10 @@ op! {
     refuses "length(bezier((0, 0), (1, 2), (2, 0)), range = 0..2)" => "E0606: parameter 2 is outside the domain 0..1";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Length<Real>> {
     let domain = args.c.domain();
     let Some(Spanned { value: RealInterval(ends), span }) = args.range else {
-        return Ok(Real::Plain(args.c.length(domain).at(ctx.span)?));
+        return Ok(Length(Real::Plain(args.c.length(domain).at(ctx.span)?)));
     };
     let inside = |end: Real| -> Result<Real> {
         let clamped = domain.clamp_inside(end.value()).at(span)?;
@@ -44,5 +44,5 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
         true => args.c.length(Interval::new(from.value(), to.value()).at(span)?).at(ctx.span)?,
         false => 0.0,
     };
-    varying::length(&args.c, [&from, &to], value).at(span)
+    varying::length(&args.c, [&from, &to], value).map(Length).at(span)
 }

@@ -4,7 +4,7 @@ use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::{Curve, Side},
-    value::{Ctx, Real, op},
+    value::{Ctx, Length, Real, op},
 };
 
 op! {
@@ -12,7 +12,7 @@ op! {
     ///
     /// Where the curve is straight there is none.
     /// do Carmo, *Differential Geometry of Curves and Surfaces*, §1-5.
-    radius_of_curvature in Measure -> Real {
+    radius_of_curvature in Measure -> Length<Real> {
         /// The curve.
         c: Curve,
         /// The parameter, inside the curve's domain.
@@ -24,7 +24,7 @@ op! {
     refuses "radius_of_curvature(line((0, 0), (1, 2)), 0.5)" => "E0607: the curve is straight at parameter 0.5: there is no radius of curvature";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Length<Real>> {
     let plain = |t| args.c.local_at(t, args.side)?.radius_of_curvature();
     varying::number(
         &args.c,
@@ -33,4 +33,5 @@ fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {
         plain,
         (2, |d, _| Real::Plain(1.0).over(&varying::bending(d)?.norm()?)),
     )
+    .map(Length)
 }

@@ -4,7 +4,7 @@ use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::{Curve, Side},
-    value::{Ctx, Real, op},
+    value::{Ctx, Curvature, LengthPower, Real, op},
 };
 
 op! {
@@ -12,7 +12,7 @@ op! {
     ///
     /// [C' C'' C‴] / |C' × C''|², positive for a right-handed screw and 0 for a plane curve. Where the
     /// curve is straight there is none. do Carmo, *Differential Geometry of Curves and Surfaces*, §1-5.
-    torsion in Measure -> Real {
+    torsion in Measure -> Curvature<Real> {
         /// The curve.
         c: Curve,
         /// The parameter, inside the curve's domain.
@@ -25,7 +25,8 @@ op! {
     refuses "torsion(line((0, 0), (1, 2)), 0.5)" => "E0607: the curve is straight at parameter 0.5: there is no torsion";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {
+fn run(_: &mut Ctx<'_>, args: Args) -> Result<Curvature<Real>> {
     let plain = |t| args.c.local_at(t, args.side)?.torsion();
     varying::number(&args.c, &args.t, args.side, plain, (3, |d, _| varying::torsion(d)))
+        .map(LengthPower)
 }

@@ -3,14 +3,14 @@
 use super::{Surfaces, tell_accuracy};
 use crate::{
     diag::{Result, Spanned},
-    value::{At, Ctx, op},
+    value::{Area, At, Ctx, LengthPower, op},
 };
 
 op! {
     /// Area of a surface, or of several together.
     ///
     /// The integral of |Su × Sv|, to some 12 digits where the surface is smooth.
-    area in Measure -> f64 {
+    area in Measure -> Area {
         /// The surface, or a list of surfaces.
         s: Spanned<Surfaces>,
     }
@@ -18,7 +18,7 @@ op! {
     example "area(bilinear((0, 0), (0, 2), (3, 0), (3, 2))) ~= 6" => "true";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Area> {
     let (mut sum, mut relative_error) = (0.0, 0.0_f64);
     for surface in &args.s.value.0 {
         let (area, error) = surface.area().at(args.s.span)?;
@@ -26,5 +26,5 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {
         relative_error = relative_error.max(error);
     }
     tell_accuracy("area", relative_error, ctx)?;
-    Ok(sum)
+    Ok(LengthPower(sum))
 }

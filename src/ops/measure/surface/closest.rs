@@ -6,7 +6,7 @@ use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::Surface,
-    value::{At, Ctx, IntoValue, Real, Record, Vector, op},
+    value::{At, Ctx, IntoValue, Length, Real, Record, Vector, op},
 };
 
 op! {
@@ -46,6 +46,6 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
         (Arc::from("u"), u.into_value()),
         (Arc::from("v"), v.into_value()),
         (Arc::from("point"), point.into_value()),
-        (Arc::from("distance"), distance.into_value()),
+        (Arc::from("distance"), Length(distance).into_value()),
     ]))
 }

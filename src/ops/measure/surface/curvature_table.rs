@@ -5,13 +5,26 @@ use glam::DVec3;
 use super::grid_parameters;
 use crate::{
     diag::{Result, Spanned},
-    kernel::{GeomError, LocalError, NamedColumn, Surface, Table},
+    kernel::{GeomError, LocalError, Surface, Table},
+    ops::measure::measured_column,
     value::{At, Ctx, op},
 };
 
-/// The columns in their order.
-const COLUMNS: [&str; 12] =
-    ["u", "v", "x", "y", "z", "nx", "ny", "nz", "k1", "k2", "gaussian", "mean"];
+/// The columns in their order, each with the power of length that it holds, where that is known.
+const COLUMNS: [(&str, Option<i8>); 12] = [
+    ("u", None),
+    ("v", None),
+    ("x", None),
+    ("y", None),
+    ("z", None),
+    ("nx", None),
+    ("ny", None),
+    ("nz", None),
+    ("k1", Some(-1)),
+    ("k2", Some(-1)),
+    ("gaussian", Some(-2)),
+    ("mean", Some(-1)),
+];
 
 op! {
     /// Table of points, unit normals, principal, Gaussian and mean curvatures over a surface.
@@ -46,8 +59,8 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Table> {
         }
     }
     let columns = COLUMNS.into_iter().zip(columns);
-    Table::new(columns.map(|(name, cells)| NamedColumn::numbers(name, cells)).collect())
-        .at(ctx.span)
+    let column = |((name, power), cells)| measured_column(name, power, cells, ctx.unit);
+    Table::new(columns.map(column).collect()).at(ctx.span)
 }
 
 /// The cells at a place; NaN stands for an empty one.

@@ -7,7 +7,7 @@ use glam::DVec3;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{Deviation, DeviationReference, Mesh, MeshDistance, Surface},
-    value::{At, Ctx, FromValue, Mismatch, Record, Type, Value, op},
+    value::{At, Ctx, FromValue, IntoValue, Length, Mismatch, Record, Type, Value, op},
 };
 
 op! {
@@ -94,8 +94,8 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
         return nothing(args.a.span);
     };
     Ok(Record::new([
-        (Arc::from("max"), Value::number(max)),
-        (Arc::from("mean"), Value::number(mean)),
+        (Arc::from("max"), Length(max).into_value()),
+        (Arc::from("mean"), Length(mean).into_value()),
         (Arc::from("at"), Value::Point(at)),
     ]))
 }

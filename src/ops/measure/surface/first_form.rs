@@ -6,7 +6,7 @@ use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::Surface,
-    value::{At, Ctx, IntoValue, Real, Record, op},
+    value::{At, Ctx, IntoValue, LengthPower, Real, Record, op},
 };
 
 op! {
@@ -33,7 +33,9 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
         None => plain.map(Real::Plain),
         Some(varying) => varying.first_form().at(ctx.span)?,
     };
-    let entry =
-        |((label, number), plain)| (Arc::from(label), Real::with_value(number, plain).into_value());
+    let entry = |((label, number), plain)| {
+        let coefficient = LengthPower::<2, _>(Real::with_value(number, plain));
+        (Arc::from(label), coefficient.into_value())
+    };
     Ok(Record::new(["E", "F", "G"].into_iter().zip(form).zip(plain).map(entry)))
 }

@@ -4,7 +4,7 @@ use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::Surface,
-    value::{Ctx, Real, op},
+    value::{Ctx, LengthPower, Real, op},
 };
 
 op! {
@@ -14,7 +14,7 @@ op! {
     /// where it can be unrolled. At the pole of a closed shape, where the parametrization is singular, it is the limit if the shape has one.
     ///
     /// do Carmo, *Differential Geometry of Curves and Surfaces*, §3-3.
-    gaussian in Measure -> Real {
+    gaussian in Measure -> LengthPower<-2, Real> {
         /// The surface.
         s: Surface,
         /// The first parameter, inside the surface's domain.
@@ -27,7 +27,7 @@ op! {
     refuses "gaussian(cone((0, 0), 3, 0, 4), 0, 1)" => "E0607: there is no curvature at (0, 1): Su × Sv vanishes there, and the curvatures around have no common limit";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<LengthPower<-2, Real>> {
     let plain = |u, v| args.s.gaussian_at(u, v);
     varying::number(
         &args.s,
@@ -36,4 +36,5 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
         plain,
         (2, |at: &varying::Varying| at.forms()?.gaussian()),
     )
+    .map(LengthPower)
 }

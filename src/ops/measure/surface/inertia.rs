@@ -6,7 +6,7 @@ use super::{MassOf, Surfaces, mass};
 use crate::{
     diag::{Result, Spanned},
     kernel::principal_axes,
-    value::{Ctx, IntoValue, Record, op},
+    value::{Ctx, IntoValue, LengthPower, Record, Value, op},
 };
 
 op! {
@@ -29,10 +29,17 @@ op! {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     let tensor = mass(&args.s, args.of, "inertia", ctx)?.inertia;
     let axes = principal_axes(tensor);
-    let rows: Vec<Vec<f64>> = (0..3).map(|i| tensor.row(i).to_array().to_vec()).collect();
+    let told = |numbers: [f64; 3]| -> Value {
+        let number = |moment| match args.of {
+            MassOf::Volume => LengthPower::<5>(moment).into_value(),
+            MassOf::Area => LengthPower::<4>(moment).into_value(),
+        };
+        Value::list(numbers.map(number).to_vec())
+    };
+    let rows: Vec<Value> = (0..3).map(|i| told(tensor.row(i).to_array())).collect();
     Ok(Record::new([
         (Arc::from("tensor"), rows.into_value()),
-        (Arc::from("moments"), axes.map(|(moment, _)| moment).to_vec().into_value()),
+        (Arc::from("moments"), told(axes.map(|(moment, _)| moment))),
         (Arc::from("axes"), axes.map(|(_, axis)| axis).to_vec().into_value()),
     ]))
 }

@@ -4,7 +4,7 @@ use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::Surface,
-    value::{Ctx, Real, op},
+    value::{Ctx, Curvature, LengthPower, Real, op},
 };
 
 op! {
@@ -13,7 +13,7 @@ op! {
     /// (EN − 2FM + GL)/(2(EG − F²)). A curvature is positive where its centre lies on the side of Su × Sv.
     /// At the pole of a closed shape it is the limit, if the shape has one. do Carmo, *Differential
     /// Geometry of Curves and Surfaces*, §3-3.
-    mean in Measure -> Real {
+    mean in Measure -> Curvature<Real> {
         /// The surface.
         s: Surface,
         /// The first parameter, inside the surface's domain.
@@ -26,7 +26,7 @@ op! {
     refuses "mean(cone((0, 0), 3, 0, 4), 0, 1)" => "E0607: there is no curvature at (0, 1): Su × Sv vanishes there, and the curvatures around have no common limit";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Curvature<Real>> {
     let plain = |u, v| Ok(args.s.shape_at(u, v)?.mean());
     varying::number(
         &args.s,
@@ -35,4 +35,5 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
         plain,
         (2, |at: &varying::Varying| at.forms()?.mean()),
     )
+    .map(LengthPower)
 }

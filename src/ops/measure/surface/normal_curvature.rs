@@ -4,7 +4,7 @@ use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::Surface,
-    value::{At, Ctx, Real, Vector, op},
+    value::{At, Ctx, Curvature, LengthPower, Real, Vector, op},
 };
 
 op! {
@@ -14,7 +14,7 @@ op! {
     /// Of a direction in space that is not tangent to the surface its part in the tangent plane counts.
     /// A curvature is positive where its centre lies on the side of Su × Sv. do Carmo, *Differential Geometry of
     /// Curves and Surfaces*, §3-2.
-    normal_curvature in Measure -> Real {
+    normal_curvature in Measure -> Curvature<Real> {
         /// The surface.
         s: Surface,
         /// The first parameter, inside the surface's domain.
@@ -29,7 +29,7 @@ op! {
     refuses "normal_curvature(plane_patch((0, 0), (1, 0), (0, 1)), 0, 0, (0, 0, 1))" => "E0607: the direction runs along the normal of the surface, so that it has no part in the tangent plane";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Curvature<Real>> {
     let Spanned { value: direction, span } = &args.direction;
     let beside = match direction {
         Vector::Jets(jets) => Some(&jets[0]),
@@ -38,7 +38,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {
     let ([u, v], varying) = varying::place(&args.s, [&args.u, &args.v], 2, beside, ctx.span)?;
     let shape = args.s.shape_at(u, v).at(ctx.span)?;
     let value = shape.normal_curvature(direction.value(), ctx.tolerance).at(*span)?;
-    let Some(at) = varying else { return Ok(Real::Plain(value)) };
+    let Some(at) = varying else { return Ok(LengthPower(Real::Plain(value))) };
     let found = at.forms().and_then(|forms| forms.normal_curvature(&at, direction));
-    Ok(found.at(ctx.span)?.with_value(value))
+    Ok(LengthPower(found.at(ctx.span)?.with_value(value)))
 }

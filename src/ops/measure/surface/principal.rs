@@ -7,7 +7,7 @@ use crate::{
     diag::{Result, Spanned},
     kernel::{Principal, Surface},
     ops::measure::Measured,
-    value::{At, Ctx, IntoValue, Real, Record, Vector, op},
+    value::{At, Ctx, IntoValue, LengthPower, Real, Record, Vector, op},
 };
 
 op! {
@@ -42,8 +42,8 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     }
     let ([k1, k2], [d1, d2]) = found;
     Ok(Record::new([
-        (Arc::from("k1"), k1.into_value()),
-        (Arc::from("k2"), k2.into_value()),
+        (Arc::from("k1"), LengthPower::<-1, _>(k1).into_value()),
+        (Arc::from("k2"), LengthPower::<-1, _>(k2).into_value()),
         (Arc::from("d1"), d1.into_value()),
         (Arc::from("d2"), d2.into_value()),
     ]))

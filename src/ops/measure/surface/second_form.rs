@@ -6,7 +6,7 @@ use super::varying;
 use crate::{
     diag::{Result, Spanned},
     kernel::Surface,
-    value::{At, Ctx, IntoValue, Real, Record, op},
+    value::{At, Ctx, IntoValue, Length, Real, Record, op},
 };
 
 op! {
@@ -33,7 +33,8 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
         None => plain.map(Real::Plain),
         Some(varying) => varying.second_form().at(ctx.span)?,
     };
-    let entry =
-        |((label, number), plain)| (Arc::from(label), Real::with_value(number, plain).into_value());
+    let entry = |((label, number), plain)| {
+        (Arc::from(label), Length(Real::with_value(number, plain)).into_value())
+    };
     Ok(Record::new(["L", "M", "N"].into_iter().zip(form).zip(plain).map(entry)))
 }

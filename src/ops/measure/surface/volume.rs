@@ -4,7 +4,7 @@ use super::{Surfaces, tell_accuracy};
 use crate::{
     diag::{Result, Spanned},
     kernel::volume_mass,
-    value::{At, Ctx, op},
+    value::{At, Ctx, LengthPower, Volume, op},
 };
 
 op! {
@@ -16,7 +16,7 @@ op! {
     ///
     /// The flux of the position through the surfaces by the theorem of Gauss, to some 12 digits.
     /// Mirtich, *Fast and accurate computation of polyhedral mass properties*, JGT 1 (1996).
-    volume in Measure -> f64 {
+    volume in Measure -> Volume {
         /// The surface, or a list of surfaces.
         s: Spanned<Surfaces>,
     }
@@ -25,8 +25,8 @@ op! {
     refuses "volume(plane_patch((0, 0), (1, 0), (0, 1)))" => "E0612: the surfaces do not close: edge \"u0\" is 0.4896 from the nearest other edge, at (0, 0.5104, 0)";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<f64> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Volume> {
     let mass = volume_mass(&args.s.value.0, ctx.tolerance).at(args.s.span)?;
     tell_accuracy("volume", mass.relative_error, ctx)?;
-    Ok(mass.amount)
+    Ok(LengthPower(mass.amount))
 }
