@@ -120,7 +120,7 @@ fn settings_take_units_strings_and_bools() {
     let (out, err, code) = run(&scratch, &args);
     assert_eq!(
         (out.as_str(), err.as_str(), code),
-        ("neck = 15\ntilt = 90deg\nn = 7\nfinish = \"a b\"\nclosed = true\n", "", 0)
+        ("neck = 15mm\ntilt = 90deg\nn = 7\nfinish = \"a b\"\nclosed = true\n", "", 0)
     );
     // The last one counts.
     let (out, ..) = run(&scratch, &["run", "a.geo", "-D", "n=7", "-D", "n=8"]);

@@ -286,10 +286,10 @@ fn a_file_gives_parameters() {
         "{ \"neck\": \"1.5cm\",\n  \"n\": -2.5e-1, \"finish\": \"a \\\"b\\\"\", \"open\": true }\n";
     scratch.file("p.json", json);
     let (out, err, code) = run(&scratch, &["run", "a.geo", "--params", "p.json"]);
-    let expected = "neck = 15\nn = -0.25\nfinish = \"a \\\"b\\\"\"\nopen = true\n";
+    let expected = "neck = 15mm\nn = -0.25\nfinish = \"a \\\"b\\\"\"\nopen = true\n";
     assert_eq!((out.as_str(), err.as_str(), code), (expected, "", 0));
     let args = ["run", "a.geo", "--set", "neck=9mm", "--params", "p.json"];
-    assert!(run(&scratch, &args).0.starts_with("neck = 9\n"), "`--set` wins");
+    assert!(run(&scratch, &args).0.starts_with("neck = 9mm\n"), "`--set` wins");
     assert_eq!(run(&scratch, &["check", "a.geo", "--params", "p.json"]).2, 0);
 }
 

@@ -289,7 +289,7 @@ test \"never run here\" { check false }
     let (out, err, code) = piped(&scratch, &["a.geo"], input);
     assert!(code == 2 && err.contains("`a.geo` is there already"), "{out}{err}");
     for text in
-        ["1 check passed\n", "true\n", "wrote size.json", "wrote c.obj", "wrote d.obj", "\n2\n"]
+        ["1 check passed\n", "true\n", "wrote size.json", "wrote c.obj", "wrote d.obj", "\n2cm\n"]
     {
         assert!(out.contains(text), "`{text}` is missing in {out}{err}");
     }
