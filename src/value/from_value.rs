@@ -132,11 +132,9 @@ impl<T: Choice> FromValue for T {
         T::WORDS.iter().position(|word| *word == &**text).map(|idx| T::MEANINGS[idx]).ok_or_else(
             || {
                 let mismatch = Mismatch::kind(Self::TYPE, value).code(Code::BadChoice);
-                match crate::diag::nearest(text, T::WORDS.iter().copied()) {
-                    Some(word) => Mismatch { meant: Some(word), ..mismatch }
-                        .hint(format!("did you mean \"{word}\"?")),
-                    None => mismatch,
-                }
+                let meant = crate::diag::nearest(text, T::WORDS.iter().copied());
+                let hint = meant.map(|word| format!("did you mean \"{word}\"?"));
+                Mismatch { meant, hint, ..mismatch }
             },
         )
     }

@@ -122,6 +122,11 @@ impl Client {
         }
     }
 
+    /// Forgets what was told so far.
+    pub(super) fn forget(&mut self) {
+        self.told.clear();
+    }
+
     pub(super) fn open(&self, uri: &str, text: &str) {
         let document = json!({ "uri": uri, "languageId": "virote", "version": 1, "text": text });
         self.tell("textDocument/didOpen", json!({ "textDocument": document }));
@@ -140,8 +145,23 @@ impl Client {
         );
     }
 
-    /// The findings of a version of a document, as soon as they are told for good: none where it has none.
+    /// The findings of a version of a document, its values known: those that were told last.
     pub(super) fn findings(&mut self, uri: &str, version: i32) -> Vec<Json> {
+        // It is answered when they are.
+        let all = range_of([0, 0, 0, 0]);
+        let document = json!({ "uri": uri });
+        self.ask("textDocument/inlayHint", json!({ "textDocument": document, "range": all }));
+        let is_it = |params: &Json| params["uri"] == uri && params["version"] == version;
+        let last = self
+            .told
+            .iter()
+            .rfind(|(told, params)| told == "textDocument/publishDiagnostics" && is_it(params));
+        let (_, params) = last.expect("they are told before");
+        params["diagnostics"].as_array().expect("a list").clone()
+    }
+
+    /// The findings of a version of a document that are told first, maybe of its text alone.
+    pub(super) fn first_findings(&mut self, uri: &str, version: i32) -> Vec<Json> {
         loop {
             let told = self.hear("textDocument/publishDiagnostics");
             if told["uri"] == uri && told["version"] == version {

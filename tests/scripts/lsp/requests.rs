@@ -33,6 +33,7 @@ fn findings_come_with_codes_hints_and_related_places() {
     assert_eq!((&found[1]["severity"], &found[1]["range"]), (&json!(2), &range_of([3, 6, 3, 15])));
     client.edit(URI, 2, Some([2, 16, 2, 21]), "width");
     assert_eq!(client.findings(URI, 2).len(), 1);
+    client.forget();
     client.tell("textDocument/didClose", json!({ "textDocument": { "uri": URI } }));
     assert_eq!(client.hear("textDocument/publishDiagnostics")["diagnostics"], json!([]));
 }
