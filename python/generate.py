@@ -31,6 +31,7 @@ from ._geometry import (
     PointLike,
     PointsLike,
     Quantity,
+    Region,
     Surface,
     Table,
 )
@@ -42,6 +43,7 @@ RETURNS = {
     "curve": "Curve",
     "surface": "Surface",
     "mesh": "Mesh",
+    "region": "Region",
     "table": "Table",
     "number": "float",
     "length": "float",

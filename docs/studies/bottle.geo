@@ -25,12 +25,11 @@ surface inside = revolve(outline)
 surface foot = disc(plane((0, 0, 0), (0, 0, -1)), body)
 surface mouth = disc(plane((0, 0, height), (0, 0, 1)), neck)
 
-// Volumes and areas are in cubic and square millimetres.
 let capacity = volume([inside, foot, mouth])
-let litres = capacity / 1e6
-let glass = (area(inside) + area(foot)) * (wall / 1mm)
+let litres = capacity / (100mm)^3
+let glass = (area(inside) + area(foot)) * wall
 // Glass weighs 2.5 g a cubic centimetre.
-let grams = 2.5 * glass / 1000
+let grams = 2.5 * glass / (10mm)^3
 
 let bend = max(curvature_table(outline).curvature)
 check bend < 1 / 8mm "no bend is tighter than 8 mm"

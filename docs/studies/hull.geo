@@ -22,13 +22,13 @@ surface deck = ruled(edge(side, "v0"), edge(other, "v0"))
 
 let displacement = volume([side, other, deck])
 let wetted = 2 * area(side)
-check displacement ~= 4 / 9 * (length / 1m) * (beam / 1m) * (draught / 1m) within 1e-6 "Wigley's displacement"
+check displacement ~= 4 / 9 * length * beam * draught within 1e-6 * (1m)^3 "Wigley's displacement"
 
 // From here on plain numbers in metres, seconds and newtons: sea water at 15 degrees.
 let density = 1026
 let viscosity = 1.19e-6
 let gravity = 9.81
-let [l, b, t, s] = [length / 1m, beam / 1m, draught / 1m, wetted]
+let [l, b, t, s] = [length / 1m, beam / 1m, draught / 1m, wetted / (1m)^2]
 let froude = speed / sqrt(gravity * l)
 let reynolds = speed * l / viscosity
 let friction_coefficient = 0.075 / (log10(reynolds) - 2)^2
@@ -48,6 +48,6 @@ let wave_coefficient = waves / dynamic
 
 let resistance = friction + waves
 // What it takes to move a tonne: newtons a tonne.
-let burden = resistance / (density / 1000 * displacement)
+let burden = resistance / (density / 1000 * displacement / (1m)^3)
 check froude < 0.42 "the formula is for hulls that do not plane"
 print froude, friction_coefficient, wave_coefficient, resistance

@@ -51,6 +51,7 @@ pub(crate) fn to_python<'py>(py: Python<'py>, held: &HeldValue) -> PyResult<Boun
         Value::Function(_)
         | Value::Curve(_)
         | Value::Surface(_)
+        | Value::Region(_)
         | Value::Mesh(_)
         | Value::Table(_)
         | Value::Frame(_) => {

@@ -231,6 +231,13 @@ impl Held {
                 parts.set_item("columns", columns)?;
                 parts.set_item("units", units)?;
             }
+            Value::Region(region) => {
+                let borders = py.detach(|| region.borders()).map_err(|err| geom_error(py, err))?;
+                let borders = borders.into_iter().map(|border| {
+                    convert::to_python(py, &self.value.with(Value::Curve(border.into())))
+                });
+                parts.set_item("borders", borders.collect::<PyResult<Vec<_>>>()?)?;
+            }
             Value::Frame(frame) => {
                 let vectors = [
                     ("origin", frame.origin()),

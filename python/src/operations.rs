@@ -61,6 +61,7 @@ fn hint(ty: Type) -> &'static str {
         Type::Mesh => "Mesh",
         Type::Table => "Table",
         Type::Plane => "Frame",
+        Type::Region => "Region",
         Type::List(Type::Curve, _) => "Sequence[Curve]",
         Type::List(Type::Surface, _) => "Sequence[Surface]",
         Type::Any | Type::Geometry | Type::List(..) | Type::Grid(_) | Type::OneOf(_) => "Any",

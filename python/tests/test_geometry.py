@@ -167,6 +167,14 @@ def test_operations_have_documentation_and_a_signature() -> None:
     assert list(parameters) == ["center", "radius", "normal", "form"]
 
 
+def test_a_region_has_a_border_and_holes() -> None:
+    ring = virote.region(virote.circle((0, 0), 2), holes=[virote.circle((0, 0), 1)])
+    assert isinstance(ring, virote.Region)
+    assert np.allclose(np.linalg.norm(ring.outer([0.1, 0.4]), axis=1), 2)
+    assert len(ring.holes) == 1
+    assert virote.area(ring) == pytest.approx(3 * np.pi)
+
+
 def test_warnings_are_warnings() -> None:
     with pytest.warns(virote.GeoWarning, match="W"):
         virote.Session().run_text("")

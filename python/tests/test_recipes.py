@@ -45,7 +45,7 @@ def test_sobol_indices_of_the_displacement() -> None:
     plan = optimize.plan_of(HULL, names, samples)
     rows = virote.study(HULL, plan, want=["displacement"], workers=2, progress=False)
     found = analyze.analyze(
-        problem, np.array(rows.column("displacement")), calc_second_order=False, seed=1
+        problem, np.array(rows.column("displacement [m^3]")), calc_second_order=False, seed=1
     )
     # Of a product of independent factors: S = c² / (Π(1 + c²) - 1), c the relative deviation of one.
     bounds = np.array(problem["bounds"])

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     FloatArray = NDArray[np.float64]
 
-__all__ = ["Curve", "Frame", "Function", "Mesh", "Surface", "Table", "Value"]
+__all__ = ["Curve", "Frame", "Function", "Mesh", "Region", "Surface", "Table", "Value"]
 
 #: A number in the document's unit, or a text with a unit: ``15``, ``"15mm"``, ``"30deg"``.
 Quantity = Union[float, str]
@@ -237,6 +237,22 @@ class Surface(Value):
         return NdBSpline(self.knots, self.control_points, self.degree)
 
 
+class Region(Value):
+    """A region of a plane: what lies inside its outer border and outside its holes."""
+
+    __slots__ = ()
+
+    @property
+    def outer(self) -> Curve:
+        """The border around it, counter-clockwise."""
+        return self._part("borders")[0]  # type: ignore[no-any-return]
+
+    @property
+    def holes(self) -> list[Curve]:
+        """The borders of its holes, clockwise."""
+        return list(self._part("borders")[1:])
+
+
 class Mesh(Value):
     """A mesh of triangles, as arrays."""
 
@@ -377,6 +393,7 @@ FunctionLike = Union[Function, str]
 _CLASSES: dict[str, Callable[[Any], Value]] = {
     "curve": Curve,
     "surface": Surface,
+    "region": Region,
     "mesh": Mesh,
     "table": Table,
     "plane": Frame,

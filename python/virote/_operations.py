@@ -16,6 +16,7 @@ from ._geometry import (
     PointLike,
     PointsLike,
     Quantity,
+    Region,
     Surface,
     Table,
 )
@@ -88,6 +89,7 @@ __all__ = [
     "derivative",
     "describe",
     "deviation",
+    "difference",
     "disc",
     "distance",
     "divide",
@@ -104,6 +106,7 @@ __all__ = [
     "extrema",
     "extrude",
     "ferguson",
+    "fillet",
     "first",
     "first_form",
     "flatten",
@@ -128,6 +131,7 @@ __all__ = [
     "integrate",
     "interpolate",
     "intersect",
+    "intersection",
     "is_closed",
     "is_developable",
     "is_minimal",
@@ -185,6 +189,8 @@ __all__ = [
     "reduce",
     "refine",
     "reflection_lines",
+    "region",
+    "regions",
     "remove_knot",
     "reparametrize",
     "replace",
@@ -239,6 +245,7 @@ __all__ = [
     "transpose",
     "trim",
     "twist",
+    "union",
     "unique",
     "unit_vector",
     "upper",
@@ -389,7 +396,7 @@ def arc_through(a: PointLike, b: PointLike, c: PointLike) -> Curve:
     return _called("arc_through", (), {"a": a, "b": b, "c": c})  # type: ignore[no-any-return]
 
 
-def area(*args: Any, s: Any = None, m: Any = None) -> float:
+def area(*args: Any, s: Any = None, m: Any = None, r: Any = None) -> float:
     """Area of a surface, or of several together.
 
     The integral of |Su × Sv|, to some 12 digits where the surface is smooth.
@@ -402,8 +409,13 @@ def area(*args: Any, s: Any = None, m: Any = None) -> float:
     :param m: The mesh.
 
     In scripts: ``area(m: mesh) -> number``
+
+    Area of a region: Green's theorem along its borders, to rounding.
+    :param r: The region.
+
+    In scripts: ``area(r: region) -> number``
     """
-    return _called("area", args, {"s": s, "m": m})  # type: ignore[no-any-return]
+    return _called("area", args, {"s": s, "m": m, "r": r})  # type: ignore[no-any-return]
 
 
 def argmax(list: Any, *, by: FunctionLike | None = None) -> float:
@@ -744,7 +756,7 @@ def center_of_curvature(c: Curve, t: float, *, side: str | None = None) -> Any:
     return _called("center_of_curvature", (), {"c": c, "t": t, "side": side})
 
 
-def centroid(*args: Any, s: Any = None, of: Any = None, m: Any = None, points: Any = None) -> Any:
+def centroid(*args: Any, s: Any = None, of: Any = None, m: Any = None, r: Any = None, points: Any = None) -> Any:
     """Centre of gravity of what closed surfaces enclose, or of the surfaces themselves.
 
     Of the volume the surfaces must close, as for `volume`; of the area they need not.
@@ -763,12 +775,17 @@ def centroid(*args: Any, s: Any = None, of: Any = None, m: Any = None, points: A
 
     In scripts: ``centroid(m: mesh, of: "volume" | "area" = "volume") -> point``
 
+    Centre of gravity of a region.
+    :param r: The region.
+
+    In scripts: ``centroid(r: region) -> point``
+
     Mean of some points, all of the same weight.
     :param points: The points, as a list or as the arguments themselves.
 
     In scripts: ``centroid(points: list of points) -> point``
     """
-    return _called("centroid", args, {"s": s, "of": of, "m": m, "points": points})
+    return _called("centroid", args, {"s": s, "of": of, "m": m, "r": r, "points": points})
 
 
 def check_mesh(m: Mesh) -> dict[str, Any]:
@@ -871,7 +888,7 @@ def classify(*args: Any, c: Any = None, t: Any = None, s: Any = None, u: Any = N
     return _called("classify", args, {"c": c, "t": t, "s": s, "u": u, "v": v})
 
 
-def closest(*args: Any, c: Any = None, p: Any = None, s: Any = None) -> dict[str, Any]:
+def closest(*args: Any, c: Any = None, p: Any = None, s: Any = None, r: Any = None) -> dict[str, Any]:
     """Nearest point of a curve to a point, as `{t, point, distance, count}`.
 
     The nearest of the whole curve, ends included, by branch and bound. `count` tells how many places
@@ -896,8 +913,15 @@ def closest(*args: Any, c: Any = None, p: Any = None, s: Any = None) -> dict[str
     :param p: The point.
 
     In scripts: ``closest(s: surface, p: point) -> record``
+
+    Nearest point of a region to a point, as `{point, distance}`: of the inside where the point is above
+    that, else of the border.
+    :param r: The region.
+    :param p: The point.
+
+    In scripts: ``closest(r: region, p: point) -> record``
     """
-    return _called("closest", args, {"c": c, "p": p, "s": s})  # type: ignore[no-any-return]
+    return _called("closest", args, {"c": c, "p": p, "s": s, "r": r})  # type: ignore[no-any-return]
 
 
 def compatible(*args: Any, curves: Any = None, surfaces: Any = None) -> Any:
@@ -972,9 +996,16 @@ def conic_kind(c: Curve) -> Any:
     return _called("conic_kind", (), {"c": c})
 
 
-def contains(*args: Any, list: Any = None, element: Any = None, text: Any = None, part: Any = None) -> bool:
-    """Whether a value is among the elements of a list, equal as `==` says.
+def contains(*args: Any, r: Any = None, p: Any = None, list: Any = None, element: Any = None, text: Any = None, part: Any = None) -> Any:
+    """Where a point is: `"inside"`, `"outside"`, or on the `"border"` of a region, which is as wide as the
+    document's tolerance on either side. A point beside the plane is outside.
 
+    :param r: The region.
+    :param p: The point.
+
+    In scripts: ``contains(r: region, p: point) -> "inside" | "outside" | "border"``
+
+    Whether a value is among the elements of a list, equal as `==` says.
     :param list: The list; a range of whole numbers counts as one.
     :param element: The value.
 
@@ -986,7 +1017,7 @@ def contains(*args: Any, list: Any = None, element: Any = None, text: Any = None
 
     In scripts: ``contains(text: string, part: string) -> bool``
     """
-    return _called("contains", args, {"list": list, "element": element, "text": text, "part": part})  # type: ignore[no-any-return]
+    return _called("contains", args, {"r": r, "p": p, "list": list, "element": element, "text": text, "part": part})
 
 
 def continue_bezier(*args: Any, c: Any = None, order: Any = None, points: Any = None, s: Any = None, side: Any = None, net: Any = None) -> Any:
@@ -1557,6 +1588,21 @@ def deviation(a: Any, b: Any) -> dict[str, Any]:
     return _called("deviation", (), {"a": a, "b": b})  # type: ignore[no-any-return]
 
 
+def difference(*args: Any, regions: Any = None) -> Any:
+    """What is in the first of several regions and in none of the others, as a list of its parts, the
+    largest first; `[]` where there is nothing.
+
+    The borders of the result are parts of the given ones, exactly. Borders that run within the
+    document's tolerance of one another are one; those that come as near without being one are
+    refused with the place.
+
+    :param regions: The regions, in one plane; lists count as their members.
+
+    In scripts: ``difference(regions: list of regions or lists of regions) -> list of regions``
+    """
+    return _called("difference", args, {"regions": regions})
+
+
 def disc(plane: Frame, radius: Quantity) -> Surface:
     """Flat round part of a plane about its origin, as an exact rational surface on 0..1 in both
     directions.
@@ -1785,6 +1831,21 @@ def ferguson(*args: Any, points: Any = None, tangents: Any = None) -> Curve:
     In scripts: ``hermite(points: list of points, tangents: list of points) -> curve``
     """
     return _called("ferguson", args, {"points": points, "tangents": tangents})  # type: ignore[no-any-return]
+
+
+def fillet(r: Region, radius: Quantity, *, at: PointsLike | None = None) -> Region:
+    """Region with its corners rounded by arcs that touch both sides: all corners, or those at points.
+
+    Outer corners lose what is beyond the arc, inner ones gain it. Beside lines, arcs and any other
+    curves the arc touches both to the last bits.
+
+    :param r: The region.
+    :param radius: The radius of the arcs.
+    :param at: Where the corners are; all when left out.
+
+    In scripts: ``fillet(r: region, radius: length, at: list of points = none) -> region``
+    """
+    return _called("fillet", (), {"r": r, "radius": radius, "at": at})  # type: ignore[no-any-return]
 
 
 def filter_(list: Any, f: FunctionLike) -> Any:
@@ -2082,7 +2143,7 @@ def index_of(*args: Any, list: Any = None, element: Any = None, text: Any = None
     return _called("index_of", args, {"list": list, "element": element, "text": text, "part": part})
 
 
-def inertia(s: Any, *, of: str | None = None) -> dict[str, Any]:
+def inertia(*args: Any, s: Any = None, of: Any = None, r: Any = None) -> dict[str, Any]:
     """Inertia about the centroid of what closed surfaces enclose, or of the surfaces themselves.
 
     `tensor` is the matrix of three rows about axes through the centroid, with density one;
@@ -2094,8 +2155,15 @@ def inertia(s: Any, *, of: str | None = None) -> dict[str, Any]:
     :param of: What is heavy: the inside or the skin. Default: ``"volume"``.
 
     In scripts: ``inertia(s: surface | list of surfaces, of: "volume" | "area" = "volume") -> record``
+
+    Inertia of a region about its centroid, of a skin with density one: `{tensor, moments, axes}` as
+    for surfaces. The moments in the plane are those by which a beam of this section resists
+    bending.
+    :param r: The region.
+
+    In scripts: ``inertia(r: region) -> record``
     """
-    return _called("inertia", (), {"s": s, "of": of})  # type: ignore[no-any-return]
+    return _called("inertia", args, {"s": s, "of": of, "r": r})  # type: ignore[no-any-return]
 
 
 def inflections(c: Curve) -> Any:
@@ -2237,6 +2305,21 @@ def intersect(*args: Any, a: Any = None, b: Any = None) -> Any:
     In scripts: ``intersect(a: surface, b: surface | curve) -> list of values``
     """
     return _called("intersect", args, {"a": a, "b": b})
+
+
+def intersection(*args: Any, regions: Any = None) -> Any:
+    """What is in all of several regions, as a list of its parts, the largest first; `[]` where there is
+    nothing.
+
+    The borders of the result are parts of the given ones, exactly. Borders that run within the
+    document's tolerance of one another are one; those that come as near without being one are
+    refused with the place.
+
+    :param regions: The regions, in one plane; lists count as their members.
+
+    In scripts: ``intersection(regions: list of regions or lists of regions) -> list of regions``
+    """
+    return _called("intersection", args, {"regions": regions})
 
 
 def is_closed(c: Curve) -> bool:
@@ -2431,7 +2514,7 @@ def len_(of: Any) -> float:
     return _called("len", (), {"of": of})  # type: ignore[no-any-return]
 
 
-def length(c: Curve, *, range: tuple[Quantity, Quantity] | None = None) -> float:
+def length(*args: Any, c: Any = None, range: Any = None, r: Any = None) -> float:
     """Arc length of a curve, or of its part over a range of the parameter.
 
     Gaussian quadrature of |C'| over each polynomial piece, halved until its error is
@@ -2445,8 +2528,13 @@ def length(c: Curve, *, range: tuple[Quantity, Quantity] | None = None) -> float
     :param range: The range, inside the curve's domain; all of it when left out.
 
     In scripts: ``length(c: curve, range: range = none) -> number``
+
+    Length of all borders of a region together.
+    :param r: The region.
+
+    In scripts: ``length(r: region) -> number``
     """
-    return _called("length", (), {"c": c, "range": range})  # type: ignore[no-any-return]
+    return _called("length", args, {"c": c, "range": range, "r": r})  # type: ignore[no-any-return]
 
 
 def lerp(a: Any, b: Any, t: float) -> Any:
@@ -2823,7 +2911,7 @@ def nurbs(*args: Any, points: Any = None, weights: Any = None, degree: Any = Non
     return _called("nurbs", args, {"points": points, "weights": weights, "degree": degree, "knots": knots})
 
 
-def offset(*args: Any, c: Any = None, distance: Any = None, normal: Any = None, s: Any = None, tolerance: Any = None) -> Any:
+def offset(*args: Any, c: Any = None, distance: Any = None, normal: Any = None, s: Any = None, tolerance: Any = None, r: Any = None, corner: Any = None) -> Any:
     """Curve at a distance beside another one, to the right of it seen against the normal: a curve
     that runs counter-clockwise about the normal grows for a positive distance.
 
@@ -2861,8 +2949,22 @@ def offset(*args: Any, c: Any = None, distance: Any = None, normal: Any = None, 
     :param tolerance: How far the result may be from the true offset.
 
     In scripts: ``offset(s: surface, distance: length, tolerance: length) -> surface``
+
+    Region grown by a distance, shrunk by a negative one, as a list of its parts, the largest first, as
+    it may fall apart; `[]` where nothing is left.
+
+    The result is what lies within the distance (or further than it from the outside), so that holes
+    close, narrow bridges go, and nothing crosses itself. At corners that are torn open `"round"` puts an
+    arc, `"miter"` lets both sides go on until they meet, no further than ten times the distance,
+    and `"bevel"` cuts straight across. Lines and arcs stay such; other borders keep the document's
+    tolerance.
+    :param r: The region.
+    :param distance: The distance; a negative one shrinks.
+    :param corner: What becomes of corners. Default: ``"round"``.
+
+    In scripts: ``offset(r: region, distance: length, corner: "round" | "miter" | "bevel" = "round") -> list of regions``
     """
-    return _called("offset", args, {"c": c, "distance": distance, "normal": normal, "s": s, "tolerance": tolerance})
+    return _called("offset", args, {"c": c, "distance": distance, "normal": normal, "s": s, "tolerance": tolerance, "r": r, "corner": corner})
 
 
 def orient(surfaces: Sequence[Surface]) -> Any:
@@ -2979,7 +3081,7 @@ def place(g: Any, frame: Frame) -> Any:
     return _called("place", (), {"g": g, "frame": frame})
 
 
-def planar_mesh(curve: Any, *, tolerance: Quantity | None = None) -> Mesh:
+def planar_mesh(*args: Any, curve: Any = None, tolerance: Any = None, r: Any = None) -> Mesh:
     """Mesh of the plane region within a closed curve, or within the first of a list and outside of
     the others, which are holes.
 
@@ -2992,8 +3094,16 @@ def planar_mesh(curve: Any, *, tolerance: Quantity | None = None) -> Mesh:
     :param tolerance: The tolerance; when left out a thousandth of the size of the region.
 
     In scripts: ``planar_mesh(curve: curve | list of curves, tolerance: length = none) -> mesh``
+
+    Mesh of a region, whose borders are nowhere further from the curves than the tolerance.
+
+    All vertices are on the borders; the triangles are as far from slivers as that allows.
+    :param r: The region.
+    :param tolerance: The tolerance; when left out a thousandth of the size of the region.
+
+    In scripts: ``planar_mesh(r: region, tolerance: length = none) -> mesh``
     """
-    return _called("planar_mesh", (), {"curve": curve, "tolerance": tolerance})  # type: ignore[no-any-return]
+    return _called("planar_mesh", args, {"curve": curve, "tolerance": tolerance, "r": r})  # type: ignore[no-any-return]
 
 
 def plane(origin: PointLike, normal: PointLike, *, x: PointLike | None = None) -> Frame:
@@ -3237,6 +3347,36 @@ def reflection_lines(s: Surface, eye: PointLike, lights: Sequence[Curve]) -> Any
     In scripts: ``reflection_lines(s: surface, eye: point, lights: list of curves) -> list of curves``
     """
     return _called("reflection_lines", (), {"s": s, "eye": eye, "lights": lights})
+
+
+def region(outer: Any, *, holes: Any = None) -> Region:
+    """What lies within a closed plane curve and outside of others, which are holes.
+
+    A list of curves is joined first, as `join` does. The curves may run in either sense; seen from
+    where the plane's normal points, which is up, borders run with the region to their left:
+    `r.outer` counter-clockwise, `r.holes` clockwise. `r.plane` is the plane. Curves that cross or
+    touch make no border; `regions` fills them by the even-odd rule, and `difference` cuts one
+    region out of another. A parametric curve becomes a spline within 1e-13 of its size.
+
+    :param outer: The closed curve, or curves that are joined to one.
+    :param holes: Closed curves within it.
+
+    In scripts: ``region(outer: curve | list of curves, holes: list of curves or lists of curves = none) -> region``
+    """
+    return _called("region", (), {"outer": outer, "holes": holes})  # type: ignore[no-any-return]
+
+
+def regions(curves: Sequence[Curve]) -> Any:
+    """What an odd number of closed curves goes around, in one plane: outlines with their holes, sorted
+    by what lies in what; the largest part first.
+
+    Curves may cross themselves and one another, and run in either sense.
+
+    :param curves: The closed curves.
+
+    In scripts: ``regions(curves: list of curves) -> list of regions``
+    """
+    return _called("regions", (), {"curves": curves})
 
 
 def remove_knot(c: Curve, t: float, tolerance: Quantity, *, times: float | None = None) -> Curve:
@@ -4199,6 +4339,20 @@ def twist(s: Surface, u: float, v: float) -> Any:
     In scripts: ``twist(s: surface, u: number, v: number) -> point``
     """
     return _called("twist", (), {"s": s, "u": u, "v": v})
+
+
+def union(*args: Any, regions: Any = None) -> Any:
+    """What is in any of several regions, as a list of its parts, the largest first.
+
+    The borders of the result are parts of the given ones, exactly. Borders that run within the
+    document's tolerance of one another are one; those that come as near without being one are
+    refused with the place.
+
+    :param regions: The regions, in one plane; lists count as their members.
+
+    In scripts: ``union(regions: list of regions or lists of regions) -> list of regions``
+    """
+    return _called("union", args, {"regions": regions})
 
 
 def unique(list: Any) -> Any:

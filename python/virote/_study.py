@@ -567,7 +567,9 @@ class _Run:
             return
         self._keep(batch, rows)
         wanted = int(len(batch) * self.batch_seconds / max(seconds, 1e-6))
-        self.size = max(1, min(wanted, 4 * self.size, MOST_BATCH, self._share()))
+        # At the end batches are smaller, but not so small that they are not worth handing in.
+        wanted = max(min(wanted, self._share()), wanted // 10)
+        self.size = max(1, min(wanted, 4 * self.size, MOST_BATCH))
 
     def _share(self) -> int:
         """No batch is so large that other workers have nothing to do at the end."""
