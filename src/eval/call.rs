@@ -7,7 +7,7 @@ use super::{
     autodiff::{point_on_curve, point_on_surface},
     function::ScriptFunction,
     globals::Globals,
-    ir::{Arg, CallExpr},
+    ir::{Arg, CallExpr, Expr},
     machine::Machine,
     parametric::gone,
     relative_files::RelativeFiles,
@@ -289,17 +289,22 @@ impl Machine<'_> {
             }
             slots.into_iter().map(|slot| slot.map(|arg| arg.value)).collect()
         };
-        self.enter(function, slots)
+        self.enter(function, slots, Self::eval)
     }
 
-    /// Runs a function in a frame of its own.
-    fn enter(&mut self, function: &ScriptFunction, args: Vec<Option<Value>>) -> Result<Value> {
+    /// Runs what is to be done with the body of a function in a frame of its own.
+    pub(super) fn enter<T>(
+        &mut self,
+        function: &ScriptFunction,
+        args: Vec<Option<Value>>,
+        run: impl FnOnce(&mut Self, &Expr) -> Result<T>,
+    ) -> Result<T> {
         let lambda = function.lambda();
         let outer_home = self.go_home(function)?;
         let outer_base = std::mem::replace(&mut self.base, self.stack.len());
         let outer = self.running.replace(function.clone());
         self.stack.resize(self.base + lambda.n_slots, Value::None);
-        let result = self.fill_frame(function, args).and_then(|()| self.eval(&lambda.body));
+        let result = self.fill_frame(function, args).and_then(|()| run(self, &lambda.body));
         self.stack.truncate(self.base);
         self.base = outer_base;
         self.running = outer;

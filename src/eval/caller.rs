@@ -2,16 +2,37 @@
 
 use std::sync::Arc;
 
-use super::{machine::Machine, parametric::GeometryFunction};
+use super::{
+    lanes::bounded,
+    machine::Machine,
+    parametric::{GeometryFunction, holds_jets},
+};
 use crate::{
     diag::{Diagnostic, Result, Span},
     kernel::{CurveFunction, SurfaceFunction},
-    value::{Caller, Value, Witness},
+    value::{Bounded, Caller, Comparison, Value, Witness},
 };
 
 impl Caller for Machine<'_> {
     fn call(&mut self, function: &Value, args: &[Value], span: Span) -> Result<Value> {
         self.apply(function, args, span)
+    }
+
+    fn comparisons(
+        &mut self,
+        function: &Value,
+        args: &[Value],
+        span: Span,
+    ) -> Result<Vec<Comparison>> {
+        Machine::comparisons(self, function, args, span)
+    }
+
+    fn bounded(&self, function: &Value) -> Option<Box<dyn Bounded>> {
+        bounded(self, function)
+    }
+
+    fn is_varying(&self, function: &Value) -> bool {
+        holds_jets(function)
     }
 
     fn curve_function(&self, function: &Value, span: Span) -> Result<Arc<dyn CurveFunction>> {

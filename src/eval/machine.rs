@@ -279,12 +279,18 @@ impl<'a> Machine<'a> {
     }
 
     fn block(&mut self, block: &Block) -> Result<Value> {
+        self.define(block)?;
+        self.eval(&block.value)
+    }
+
+    /// Evaluates the definitions of a block.
+    pub(super) fn define(&mut self, block: &Block) -> Result<()> {
         for (slot, expr) in &block.definitions {
             let value = self.eval(expr)?;
             let place = self.base + slot;
             self.stack[place] = value;
         }
-        self.eval(&block.value)
+        Ok(())
     }
 
     fn index(&mut self, parts: &[Expr; 2]) -> Result<Value> {

@@ -12,6 +12,7 @@ mod caller;
 mod ceiling;
 mod claim;
 mod collection;
+mod comparisons;
 mod dependencies;
 mod env;
 mod field;

@@ -156,7 +156,7 @@ fn script_function(value: &Value) -> Option<&ScriptFunction> {
 }
 
 /// Whether a value, or what a function took from around it, carries derivatives.
-fn holds_jets(value: &Value) -> bool {
+pub(super) fn holds_jets(value: &Value) -> bool {
     match value {
         Value::Jet(_) | Value::JetPoint(_) => true,
         Value::List(items) => items.iter().any(holds_jets),

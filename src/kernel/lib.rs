@@ -172,10 +172,14 @@ pub use mesh::{
     tessellate_curve_any, tessellate_finely, tessellation_parameters,
 };
 pub use numeric::{
+    answers::{Answers, Wanted},
+    constrained_least::{ConstrainedLeast, LeastEnd, LeastProblem},
+    enclosure::Enclosure,
     integral::{Integral, IntegralError, find_integral},
     least::find_least,
     least_squares::{LeastSquares, find_least_squares},
     root::{RootError, find_root, find_roots},
+    root_proof::RootProof,
     sample::Sample,
     symmetric_eigen::principal_axes,
 };

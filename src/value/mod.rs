@@ -66,7 +66,8 @@ pub use misplaced::turned_around;
 pub use number::{BARE_AND_ANGLE, Dimension, Number, radians_of, rounded, shortest};
 pub(crate) use op::op;
 pub use op::{
-    Caller, Ctx, Example, ExamplePicture, Family, Op, OpParameter, RefusalExample, Witness,
+    Bounded, Caller, Comparison, Ctx, EnclosedFunction, Example, ExamplePicture, Family, Op,
+    OpParameter, RefusalExample, Relation, Witness,
 };
 pub use range::{JetRange, Range};
 pub use read_json::{ENDED, read_json};

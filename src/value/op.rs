@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{Call, Callback, Files, Type, Value};
 use crate::{
     diag::{Diagnostic, Result, Sources, Span},
-    kernel::{CurveFunction, SurfaceFunction, Tolerance},
+    kernel::{CurveFunction, Enclosure, SurfaceFunction, Tolerance},
     limits::Limits,
 };
 
@@ -64,6 +64,36 @@ pub enum Witness {
     All(usize),
 }
 
+/// Bounds of a function of one number from those of the number; none where it has no value or no derivative,
+/// or may have none.
+pub type EnclosedFunction = fn(&Enclosure) -> Option<Enclosure>;
+
+/// A function of one number whose bounds over an interval can be computed.
+pub trait Bounded: std::fmt::Debug {
+    /// Bounds of its values and slopes, as for [`EnclosedFunction`].
+    fn over(&self, interval: [f64; 2]) -> Option<Enclosure>;
+}
+
+/// How the sides of a comparison have to stand to one another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    /// Their difference is to be zero.
+    Equal,
+    /// Their difference is not to be negative.
+    NotNegative,
+}
+
+/// A comparison that a function of the script makes.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// What makes it hold.
+    pub relation: Relation,
+    /// The difference of both sides.
+    pub difference: Value,
+    /// Where it stands.
+    pub span: Span,
+}
+
 /// What the evaluator does for operations.
 pub trait Caller {
     /// Calls `function` with positional arguments; `span` is blamed when it cannot be called.
@@ -71,6 +101,24 @@ pub trait Caller {
     /// # Errors
     /// Whatever goes wrong inside it.
     fn call(&mut self, function: &Value, args: &[Value], span: Span) -> Result<Value>;
+
+    /// What a function of the script compares when it is called with these arguments.
+    ///
+    /// # Errors
+    /// A function whose value is no comparison, and whatever goes wrong inside it.
+    fn comparisons(
+        &mut self,
+        function: &Value,
+        args: &[Value],
+        span: Span,
+    ) -> Result<Vec<Comparison>>;
+
+    /// A function of the script of which bounds over intervals can be computed; none where it does what tells
+    /// no bounds.
+    fn bounded(&self, function: &Value) -> Option<Box<dyn Bounded>>;
+
+    /// Whether a function took something that carries derivatives from around it.
+    fn is_varying(&self, function: &Value) -> bool;
 
     /// A function of the script as that of a curve; `span` is the call that makes the curve.
     ///
@@ -219,6 +267,8 @@ pub struct Op {
     pub examples: &'static [Example],
     /// Tested samples of misuse.
     pub refusals: &'static [RefusalExample],
+    /// Bounds of its values, of a function of one number that tells them.
+    pub enclosed: Option<EnclosedFunction>,
     /// What its picture in the reference shows, where that is more than its first example.
     pub picture: Option<ExamplePicture>,
     /// Its implementation.
@@ -259,6 +309,7 @@ macro_rules! op {
         }
         $( example $code:literal => $prints:literal; )+
         $( refuses $misuse:literal => $says:literal; )*
+        $( encloses $enclosed:path; )?
         $( picture $picture:literal; )?
         $( scene $scene:literal; )?
     ) => {
@@ -281,6 +332,7 @@ macro_rules! op {
             returns: <$returns as $crate::value::IntoValue>::RETURNS,
             examples: &[ $( $crate::value::Example { code: $code, prints: $prints } ),+ ],
             refusals: &[ $( $crate::value::RefusalExample { code: $misuse, says: $says } ),* ],
+            enclosed: $crate::value::op!(@enclosed $($enclosed)?),
             picture: $crate::value::op!(@picture $(Value $picture)? $(Scene $scene)?),
             run: |ctx, call| {
                 let mut binder = $crate::value::Binder::new(
@@ -302,6 +354,8 @@ macro_rules! op {
         let default: $ty = $default;
         $crate::value::IntoValue::into_value(default)
     }) };
+    (@enclosed) => { None };
+    (@enclosed $enclosed:path) => { Some($enclosed) };
     (@picture) => { None };
     (@picture $kind:ident $picture:literal) => { Some($crate::value::ExamplePicture::$kind($picture)) };
     (@value) => { None };

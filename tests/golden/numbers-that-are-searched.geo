@@ -55,3 +55,50 @@ check line_fit ~= [0.7, 2.2] within 1e-7
 let through = solve(c => [for q in [(1, 0), (0, 1), (-1, 0.2)]: norm(q - (c.x, c.y)) - c.r], start = {x: 0.1, y: 0.1, r: 1})
 check [for q in [(1, 0), (0, 1), (-1, 0.2)]: norm(q - (through.x, through.y))] ~= [through.r, through.r, through.r] within 1e-12
 check solve(x => x - 1, start = 5, report = true).residual == 0
+
+// The best of several unknowns: a valley, bounds, equations and inequalities; Hock & Schittkowski, no. 71.
+check minimize(x => 100*(x[1] - x[0]^2)^2 + (1 - x[0])^2, start = [-1.2, 1]) ~= [1, 1] within 1e-8
+let tin = minimize(u => 2*pi*u.r^2 + 2*pi*u.r*u.h, start = {r: 5cm, h: 5cm}, subject = u => pi*u.r^2*u.h == 1e6, report = true)
+check tin.at.h ~= 2*tin.at.r within 1e-4 and tin.derivatives == "exact"
+let hs = minimize(x => x[0]*x[3]*(x[0] + x[1] + x[2]) + x[2], start = [1, 5, 5, 1], within = 1..5,
+  subject = x => sum([for a in x: a^2]) == 40 and x[0]*x[1]*x[2]*x[3] >= 25)
+check hs ~= [1, 4.74299963, 3.82114998, 1.37940829] within 1e-6
+check minimize(p => norm(p - (3, 4)), start = (0.1, 0), within = [0..1, 0..1]) ~= (1, 1) within 1e-8
+check minimize(u => (u.a - 2)^2 + (u.b + 1)^2, within = {a: 0..1, b: 0..1}) ~= {a: 1, b: 0} within 1e-8
+check maximize(u => u.a * u.b, start = {a: 1, b: 1}, within = {b: 0..1}, subject = [u => u.a <= 7, u => u.b >= 0]) ~= {a: 7, b: 1} within 1e-8
+// Conditions behind definitions, in lists and branches; a start on a saddle; places without a value.
+check minimize(p => p.x + p.y, start = (2, 1), subject = p => { let r = norm(p)
+  [r <= 1, if r > 0 then p.x >= -5 else p.y >= -5] }) ~= (-sqrt(0.5), -sqrt(0.5)) within 1e-6
+check abs(minimize(u => u.x^4 - u.x^2 + u.y^2, start = {x: 0, y: 0}).x) ~= sqrt(0.5) within 1e-6
+check minimize(u => u.x - ln(u.x), start = {x: 8}).x ~= 1 within 1e-6
+// Through geometry the gradients are differences.
+fn side(u) = area(revolve(polyline((u.r, 0, 0), (u.r, 0, u.h)), axis = (0, 0, 1)))
+let cheapest = minimize(u => side(u) + 2*pi*u.r^2, start = {r: 5, h: 6}, subject = u => pi*u.r^2*u.h ~= 1000, report = true)
+check cheapest.at.h ~= 2*cheapest.at.r within 1e-4 and cheapest.derivatives == "differences"
+
+// Gradients: of fifty unknowns, through a curve, and by numbers with units.
+let fifty = gradient(x => sum([for i in 0..<50: (i + 1) * x[i]^2]), [for i in 0..<50: i])
+check fifty ~= [for i in 0..<50: 2 * (i + 1) * i]
+check gradient(t => c(t).y, 0.25) ~= derivative(c, 0.25).y
+check gradient(u => u.w * sin(u.a), {w: 2mm, a: 30deg}).w ~= 0.5
+
+// Roots that are proven: near one another, all over a range, and none.
+let waves = solve(x => sin(x), within = 1..100, all = true, report = true)
+check len(waves) == 31 and every([for root in waves: root.proven])
+check solve(x => (x - 0.3)*(x - 0.300001), within = 0..1, all = true) ~= [0.3, 0.300001] within 1e-12
+check solve(x => (x - 0.7)^2, within = 0..2, report = true).proven == false
+check solve(x => exp(x) + sqrt(x), within = 0.1..9, all = true) == []
+// Derivatives of roots and of integrals; curves of them.
+check gradient(a => solve(x => x^2 - a, within = 0..5), 4) ~= 0.25 within 1e-12
+check gradient(a => integrate(x => a^2 * x, 0..2), 3) ~= 12 within 1e-12
+curve rooted = parametric(t => (t, solve(x => x^3 + x - t, within = -1..2)), 0..1)
+check derivative(rooted, 0.5).y ~= 1/(3*rooted(0.5).y^2 + 1) within 1e-9
+check derivative(rooted, 0.5, order = 2).y ~= -6*rooted(0.5).y/(3*rooted(0.5).y^2 + 1)^3 within 1e-9
+curve added = parametric(t => (t, integrate(x => sin(t*x), 0..1)), 0.5..2)
+check derivative(added, 1).y ~= integrate(x => x*cos(x), 0..1) within 1e-10
+// Integrals over boxes, curves and surfaces.
+check integrate((x, y) => x * y^2, [0..1, 0..3]) ~= 4.5 within 1e-12
+check integrate((x, y, z) => x + y + z, [0mm..1mm, 0mm..1mm, 0mm..2mm]) ~= 4 within 1e-12
+check integrate(p => p.y^2, circle((0, 0), 2)) ~= 8*pi within 1e-10
+check integrate(p => p, line((0, 0), (2, 4))) ~= (1, 2) * sqrt(20) within 1e-10
+check integrate(p => p.z^2, [sphere((0, 0), 1), sphere((0, 0), 2)]) ~= 68*pi/3 within 1e-8

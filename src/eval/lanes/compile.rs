@@ -8,7 +8,7 @@ use crate::{
         machine::Machine,
         operator::table::{BinaryMeaning, UnaryMeaning, binary_meaning, unary_meaning},
     },
-    value::{Dimension, Function, Number, Value},
+    value::{Dimension, Function, Number, Op, Value},
 };
 
 /// Expressions inside one another, calls included; also what keeps recursion from being compiled.
@@ -46,13 +46,34 @@ pub(super) struct Compiler<'m> {
     n_variables: usize,
     n_nested: usize,
     n_calls: usize,
+    /// Whether bounds are wanted alone: then built-ins that tell bounds are taken, and dimensions, which
+    /// change no bounds, are not looked at.
+    is_for_bounds: bool,
 }
 
 impl<'m> Compiler<'m> {
+    /// The body of a function of one number, whose parameter is lane 0, for its bounds.
+    pub(super) fn bounds_of(
+        machine: &'m Machine<'_>,
+        function: &ScriptFunction,
+    ) -> Option<(LaneNode, usize)> {
+        let lambda = function.lambda();
+        if lambda.parameters.len() != 1 {
+            return None;
+        }
+        let (slots, n_variables) = (Vec::new(), 1);
+        let mut compiler =
+            Self { machine, slots, n_variables, n_nested: 0, n_calls: 0, is_for_bounds: true };
+        let slots = vec![(0, LaneInput::Lane(0, Dimension::NONE))];
+        let mut frame = LaneFrame { function: Some(function), slots };
+        let (node, _) = compiler.expr(&lambda.body, &mut frame)?.number()?;
+        Some((node, compiler.n_variables))
+    }
+
     /// A compiler in the running frame, whose slot `variable` is lane 0.
     pub(super) fn new(machine: &'m Machine<'_>, variable: usize, dim: Dimension) -> Self {
         let slots = vec![(variable, LaneInput::Lane(0, dim))];
-        Self { machine, slots, n_variables: 1, n_nested: 0, n_calls: 0 }
+        Self { machine, slots, n_variables: 1, n_nested: 0, n_calls: 0, is_for_bounds: false }
     }
 
     pub(super) fn n_variables(&self) -> usize {
@@ -127,7 +148,7 @@ impl<'m> Compiler<'m> {
                 let (yes, dim) = self.expr(yes, frame)?.number()?;
                 let (no, other) = self.expr(no, frame)?.number()?;
                 let choice = LaneNode::Choose(Box::new(condition), Box::new([yes, no]));
-                (dim == other).then_some(Compiled::Number(choice, dim))
+                (dim == other || self.is_for_bounds).then_some(Compiled::Number(choice, dim))
             }
             ExprKind::Block(block) => self.block(block, frame),
             ExprKind::Call(call) => self.call(call, frame),
@@ -160,7 +181,9 @@ impl<'m> Compiler<'m> {
         let ((left, a), (right, b)) = (left.number()?, right.number()?);
         match meaning {
             BinaryMeaning::Comparison(row) => {
-                a.common(b)?;
+                if !self.is_for_bounds {
+                    a.common(b)?;
+                }
                 Some(Compiled::TruthNode(TruthNode::Compare(row, Box::new([left, right]))))
             }
             BinaryMeaning::Arithmetic(row) => {
@@ -168,7 +191,10 @@ impl<'m> Compiler<'m> {
                     LaneNode::Constant(value) => Some(value),
                     _ => None,
                 };
-                let dim = (row.dimension)(a, b, known).ok()?;
+                let dim = match self.is_for_bounds {
+                    true => Dimension::NONE,
+                    false => (row.dimension)(a, b, known).ok()?,
+                };
                 Some(Compiled::Number(LaneNode::Arithmetic(row, Box::new([left, right])), dim))
             }
             BinaryMeaning::Near | BinaryMeaning::Range { .. } | BinaryMeaning::Logic { .. } => None,
@@ -203,12 +229,31 @@ impl<'m> Compiler<'m> {
         }
     }
 
+    /// A built-in function of one number that tells its bounds, where those are wanted.
+    fn builtin(
+        &mut self,
+        ops: &[&'static Op],
+        call: &CallExpr,
+        frame: &mut LaneFrame<'_>,
+    ) -> Option<Compiled> {
+        let ([op], [arg], true) = (ops, call.args.as_slice(), self.is_for_bounds) else {
+            return None;
+        };
+        let enclosed = op.enclosed?;
+        let (node, dim) = self.expr(arg.value.as_ref()?, frame)?.number()?;
+        Some(Compiled::Number(LaneNode::Enclosed(enclosed, Box::new(node)), dim))
+    }
+
     /// The body of a function of the script in the place of its call.
     fn call(&mut self, call: &CallExpr, frame: &mut LaneFrame<'_>) -> Option<Compiled> {
-        let Compiled::LaneInput(LaneInput::Value(Value::Function(Function::Closure(closure)))) =
-            self.expr(&call.callee, frame)?
-        else {
-            return None;
+        let closure = match self.expr(&call.callee, frame)? {
+            Compiled::LaneInput(LaneInput::Value(Value::Function(Function::Closure(closure)))) => {
+                closure
+            }
+            Compiled::LaneInput(LaneInput::Value(Value::Function(Function::Builtin(_, ops)))) => {
+                return self.builtin(&ops, call, frame);
+            }
+            _ => return None,
         };
         let function = closure.as_any().downcast_ref::<ScriptFunction>()?;
         let lambda = function.lambda();

@@ -10,6 +10,7 @@
 //! block (a division by zero, a number beyond the largest) they give the block back, and the
 //! machine evaluates it element by element and finds the error at its place.
 
+mod bounds;
 mod compile;
 mod node;
 mod run;
@@ -22,6 +23,7 @@ use super::{
     machine::Machine,
 };
 use crate::value::{Dimension, List, Number, Value};
+pub(super) use bounds::bounded;
 use compile::Compiler;
 use node::{LaneBody, TruthNode};
 use run::Runner;

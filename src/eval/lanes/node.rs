@@ -2,7 +2,7 @@
 
 use crate::{
     eval::operator::table::{Arithmetic, Comparison, UnaryArithmetic},
-    value::Dimension,
+    value::{Dimension, EnclosedFunction},
 };
 
 /// A computation of numbers.
@@ -13,6 +13,8 @@ pub(super) enum LaneNode {
     Variable(usize),
     Unary(&'static UnaryArithmetic, Box<Self>),
     Arithmetic(&'static Arithmetic, Box<[Self; 2]>),
+    /// A built-in function of one number, of which only bounds are known here.
+    Enclosed(EnclosedFunction, Box<Self>),
     Choose(Box<TruthNode>, Box<[Self; 2]>),
     /// Lanes that are computed first, then the result; so many calls are counted as steps.
     Let(Vec<(usize, Self)>, Box<Self>, u64),

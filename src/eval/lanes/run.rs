@@ -63,6 +63,7 @@ impl Runner {
                 }
                 return are_finite(out).then_some(());
             }
+            LaneNode::Enclosed(..) => return None,
             LaneNode::Choose(condition, sides) => self.choose(condition, sides, out)?,
             LaneNode::Let(definitions, value, n_calls) => {
                 self.define(definitions, *n_calls)?;

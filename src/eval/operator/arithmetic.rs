@@ -2,7 +2,7 @@
 
 use super::operand::{OperatorRefusal, Sides};
 use crate::{
-    kernel::{GeomError, LocalError},
+    kernel::{Enclosure, GeomError, LocalError},
     value::{Dimension, Real},
 };
 
@@ -20,6 +20,7 @@ pub(super) trait ArithmeticMeaning {
         None
     }
     fn derivatives(a: &Real, b: &Real, plain: f64) -> Result<Real, GeomError>;
+    fn enclosure(a: &Enclosure, b: &Enclosure) -> Option<Enclosure>;
 }
 
 /// The sum.
@@ -40,6 +41,10 @@ impl ArithmeticMeaning for Add {
 
     fn derivatives(a: &Real, b: &Real, _: f64) -> Result<Real, GeomError> {
         Ok(a.plus(b))
+    }
+
+    fn enclosure(a: &Enclosure, b: &Enclosure) -> Option<Enclosure> {
+        Some(a.plus(b))
     }
 }
 
@@ -62,6 +67,10 @@ impl ArithmeticMeaning for Subtract {
     fn derivatives(a: &Real, b: &Real, _: f64) -> Result<Real, GeomError> {
         Ok(a.minus(b))
     }
+
+    fn enclosure(a: &Enclosure, b: &Enclosure) -> Option<Enclosure> {
+        Some(a.plus(&b.negated()))
+    }
 }
 
 /// The product.
@@ -82,6 +91,10 @@ impl ArithmeticMeaning for Multiply {
 
     fn derivatives(a: &Real, b: &Real, _: f64) -> Result<Real, GeomError> {
         Ok(a.times(b))
+    }
+
+    fn enclosure(a: &Enclosure, b: &Enclosure) -> Option<Enclosure> {
+        Some(a.times(b))
     }
 }
 
@@ -106,6 +119,10 @@ impl ArithmeticMeaning for Divide {
     }
 
     fn derivatives(a: &Real, b: &Real, _: f64) -> Result<Real, GeomError> {
+        a.over(b)
+    }
+
+    fn enclosure(a: &Enclosure, b: &Enclosure) -> Option<Enclosure> {
         a.over(b)
     }
 }
@@ -139,6 +156,10 @@ impl ArithmeticMeaning for Remainder {
         // Between its jumps the remainder is a difference.
         let n_times = ((a.value() - plain) / b.value()).round();
         Ok(a.minus(&b.scaled(n_times)))
+    }
+
+    fn enclosure(_: &Enclosure, _: &Enclosure) -> Option<Enclosure> {
+        None
     }
 }
 
@@ -181,5 +202,9 @@ impl ArithmeticMeaning for Power {
             (_, Real::Jet(exponent)) => a.like(exponent).power_of(exponent).map(Real::Jet),
             (Real::Plain(_), Real::Plain(_)) => Ok(Real::Plain(plain)),
         }
+    }
+
+    fn enclosure(a: &Enclosure, b: &Enclosure) -> Option<Enclosure> {
+        a.power_of(b)
     }
 }

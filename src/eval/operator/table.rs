@@ -1,4 +1,5 @@
-//! What each operator means, in one table: for the machine, for lanes and for jets.
+//! What each operator means, in one table: for the machine, for lanes, for jets and for
+//! enclosures.
 //!
 //! A row says what an operator does to two plain numbers, to their dimensions and to their
 //! derivatives; which kinds it takes, and so how it pairs up coordinates, is a list of [`Sides`].
@@ -11,7 +12,7 @@ use super::{
 };
 use crate::{
     eval::ir::{BinaryOp, UnaryOp},
-    kernel::GeomError,
+    kernel::{Enclosure, GeomError},
     value::{Dimension, Number, Real},
 };
 
@@ -80,6 +81,7 @@ pub(in crate::eval) fn unary_meaning(op: UnaryOp) -> UnaryMeaning {
         plain: |a| -a,
         on_lane: |lane| lane.iter_mut().for_each(|a| *a = -*a),
         derivatives: |a| a.scaled(-1.0),
+        enclosure: Enclosure::negated,
     };
     match op {
         UnaryOp::Negate => UnaryMeaning::Arithmetic(&NEGATE),
@@ -108,6 +110,8 @@ pub(in crate::eval) struct Arithmetic {
     pub(in crate::eval) refusal: fn(f64, f64) -> Option<OperatorRefusal>,
     /// The result with derivatives, about the plain result, which comes last.
     pub(in crate::eval) derivatives: fn(&Real, &Real, f64) -> Result<Real, GeomError>,
+    /// Bounds of the result, from those of both sides; none where there are none, or nobody tells them.
+    pub(in crate::eval) enclosure: fn(&Enclosure, &Enclosure) -> Option<Enclosure>,
 }
 
 /// A row of the table: an operator that computes from one side. The dimension stays.
@@ -119,6 +123,8 @@ pub(in crate::eval) struct UnaryArithmetic {
     pub(in crate::eval) on_lane: fn(&mut [f64]),
     /// The result with derivatives.
     pub(in crate::eval) derivatives: fn(&Real) -> Real,
+    /// Bounds of the result.
+    pub(in crate::eval) enclosure: fn(&Enclosure) -> Enclosure,
 }
 
 /// A row of the table: an operator that compares.
@@ -147,6 +153,7 @@ impl Arithmetic {
             dimension: M::dimension,
             refusal: M::refusal,
             derivatives: M::derivatives,
+            enclosure: M::enclosure,
         }
     }
 

@@ -90,3 +90,18 @@ pub(crate) const INTEGRAL_PIECES: usize = 2000;
 
 /// Steps towards least squares, each with as many questions as there are unknowns, twice.
 pub(crate) const LEAST_SQUARES_STEPS: usize = 200;
+
+/// Steps towards a least value under conditions, each with one question for gradients.
+pub(crate) const CONSTRAINED_STEPS: usize = 300;
+
+/// Times that one of these steps is shortened.
+pub(crate) const CONSTRAINED_HALVINGS: usize = 40;
+
+/// Times that such a search goes on from a better place beside its end, such as beside a saddle.
+pub(crate) const CONSTRAINED_RESTARTS: usize = 4;
+
+/// Places within bounds from the best of which such a search begins.
+pub(crate) const CONSTRAINED_LOOKS: usize = 32;
+
+/// Parts of an interval of which bounds tell whether they hold a root: a fraction of a second's work.
+pub(crate) const PROOF_PIECES: usize = 20_000;

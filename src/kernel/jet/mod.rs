@@ -3,7 +3,8 @@
 //! Whatever is computed with jets has the derivatives of the result to the order of the jets, exact
 //! up to rounding, because every rule is one for series and none a difference. Griewank & Walther,
 //! *Evaluating Derivatives*, ch. 13. A function of one variable is applied by its own series, which
-//! `series` has, so that one rule serves jets of one and of two variables.
+//! `series` has, so that one rule serves jets of one, of two
+//! and of several variables.
 
 mod apply;
 mod series;
@@ -12,8 +13,8 @@ use glam::DVec3;
 
 use super::{GeomError, Grid, LocalError};
 
-/// A truncated Taylor series in one or two variables. Invariant: as many coefficients as its shape
-/// needs.
+/// A truncated Taylor series in one or two variables, or of first order in several. Invariant: as many
+/// coefficients as its shape needs.
 ///
 /// The derivatives of t·sin t at 0 are 0, 0, 2:
 ///
@@ -28,32 +29,48 @@ use super::{GeomError, Grid, LocalError};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Jet {
     shape: JetShape,
-    /// By total degree, within a degree by the power of the second variable.
+    /// By total degree, within a degree by the power of the second variable; of several variables the value
+    /// and then the slope by each.
     coefficients: Vec<f64>,
 }
 
 /// Of how many variables, and to which order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct JetShape {
-    order: usize,
-    has_second: bool,
+enum JetShape {
+    One { order: usize },
+    Two { order: usize },
+    Several { n_variables: usize },
 }
 
 impl JetShape {
-    fn n_coefficients(self) -> usize {
-        if self.has_second { (self.order + 1) * (self.order + 2) / 2 } else { self.order + 1 }
+    fn order(self) -> usize {
+        match self {
+            Self::One { order } | Self::Two { order } => order,
+            Self::Several { .. } => 1,
+        }
     }
 
-    /// Where the coefficient of the powers i and j stands.
+    fn n_coefficients(self) -> usize {
+        match self {
+            Self::One { order } => order + 1,
+            Self::Two { order } => (order + 1) * (order + 2) / 2,
+            Self::Several { n_variables } => n_variables + 1,
+        }
+    }
+
+    /// Where the coefficient of the powers i and j of at most two variables stands.
     fn place(self, i: usize, j: usize) -> usize {
         let degree = i + j;
-        if self.has_second { degree * (degree + 1) / 2 + j } else { degree }
+        match self {
+            Self::Two { .. } => degree * (degree + 1) / 2 + j,
+            Self::One { .. } | Self::Several { .. } => degree,
+        }
     }
 
-    /// The powers of all coefficients, in their order.
+    /// The powers of all coefficients in at most two variables, in their order.
     fn powers(self) -> impl Iterator<Item = (usize, usize)> {
-        (0..=self.order).flat_map(move |degree| {
-            let last = if self.has_second { degree } else { 0 };
+        (0..=self.order()).flat_map(move |degree| {
+            let last = if matches!(self, Self::Two { .. }) { degree } else { 0 };
             (0..=last).map(move |j| (degree - j, j))
         })
     }
@@ -63,14 +80,38 @@ impl Jet {
     /// The variable itself at a place, to an order.
     #[must_use]
     pub fn variable(value: f64, order: usize) -> Self {
-        Self::constant(value, JetShape { order, has_second: false }).with_slope(1)
+        Self::constant(value, JetShape::One { order }).with_slope(1)
     }
 
     /// Both variables at a place, to a total order.
     #[must_use]
     pub fn variables(u: f64, v: f64, order: usize) -> [Self; 2] {
-        let shape = JetShape { order, has_second: true };
+        let shape = JetShape::Two { order };
         [Self::constant(u, shape).with_slope(1), Self::constant(v, shape).with_slope(2)]
+    }
+
+    /// One of several variables at a place, to the first order.
+    ///
+    /// ```
+    /// use virote_kernel::Jet;
+    ///
+    /// let [x, y] = [Jet::one_of(0, 2, 3.0), Jet::one_of(1, 2, 5.0)];
+    /// assert_eq!(x.times(&y).times(&x).slopes(), [30.0, 9.0]);
+    /// ```
+    #[must_use]
+    pub fn one_of(idx: usize, n_variables: usize, value: f64) -> Self {
+        Self::constant(value, JetShape::Several { n_variables }).with_slope(idx + 1)
+    }
+
+    /// The derivatives of first order: by the variable, by both, or by each of several.
+    #[must_use]
+    pub fn slopes(&self) -> &[f64] {
+        let last = match self.shape {
+            JetShape::One { order } => order.min(1),
+            JetShape::Two { order } => 2 * order.min(1),
+            JetShape::Several { n_variables } => n_variables,
+        };
+        &self.coefficients[1..=last]
     }
 
     fn constant(value: f64, shape: JetShape) -> Self {
@@ -99,6 +140,20 @@ impl Jet {
         self
     }
 
+    /// The coefficients of the series, the value first.
+    #[must_use]
+    pub fn coefficients(&self) -> &[f64] {
+        &self.coefficients
+    }
+
+    /// A series of this shape with other coefficients; those that are not given are zero.
+    #[must_use]
+    pub fn with_coefficients(&self, coefficients: &[f64]) -> Self {
+        let mut all = coefficients.to_vec();
+        all.resize(self.shape.n_coefficients(), 0.0);
+        Self { shape: self.shape, coefficients: all }
+    }
+
     /// The number itself.
     #[must_use]
     pub fn value(&self) -> f64 {
@@ -108,13 +163,17 @@ impl Jet {
     /// The order to which derivatives are known.
     #[must_use]
     pub fn order(&self) -> usize {
-        self.shape.order
+        self.shape.order()
     }
 
-    /// Whether it grows with its first variable, or stays.
+    /// Whether it grows with its first variable, or stays; of several with the first that it depends on.
     #[must_use]
     pub fn is_growing(&self) -> bool {
-        0.0 <= self.coefficients.get(1).copied().unwrap_or(0.0)
+        let slope = match self.shape {
+            JetShape::Several { .. } => self.slopes().iter().find(|slope| **slope != 0.0),
+            _ => self.coefficients.get(1),
+        };
+        slope.is_none_or(|slope| 0.0 <= *slope)
     }
 
     /// Whether the derivatives are those of another jet; the values may differ.
@@ -148,7 +207,8 @@ impl Jet {
     #[must_use]
     pub fn derivative(&self, i: usize, j: usize) -> f64 {
         let factorial = |n: usize| (1..=n).fold(1.0, |product, k| product * k as f64);
-        let is_known = i + j <= self.shape.order && (j == 0 || self.shape.has_second);
+        let has_second = matches!(self.shape, JetShape::Two { .. });
+        let is_known = i + j <= self.shape.order() && (j == 0 || has_second);
         if !is_known {
             return 0.0;
         }
@@ -183,6 +243,10 @@ impl Jet {
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
         let shape = self.shape;
+        if let JetShape::Several { .. } = shape {
+            let (a, b) = (self.value(), other.value());
+            return self.zip(other, |slope, other| slope * b + a * other).with_value(a * b);
+        }
         let coefficient = |(i, j): (usize, usize)| {
             let mut sum = 0.0;
             for p in 0..=i {
@@ -206,6 +270,11 @@ impl Jet {
         if divisor == 0.0 {
             return Err(LocalError::NotDifferentiable { what: "a quotient", at: divisor }.into());
         }
+        if let JetShape::Several { .. } = shape {
+            let value = self.value() / divisor;
+            let slopes = self.zip(other, |slope, other| (slope - value * other) / divisor);
+            return slopes.with_value(value).checked();
+        }
         let mut quotient = Self::constant(0.0, shape);
         for (i, j) in shape.powers() {
             let mut rest = self.coefficients[shape.place(i, j)];
@@ -225,6 +294,9 @@ impl Jet {
     /// # Errors
     /// [`LocalError::DerivativeBeyondNumbers`].
     pub fn compose(&self, series: &[f64]) -> Result<Self, GeomError> {
+        if let (JetShape::Several { .. }, [value, slope, ..]) = (self.shape, series) {
+            return self.scaled(*slope).with_value(*value).checked();
+        }
         let varying = self.clone().with_value(0.0);
         let mut sum = self.same(0.0);
         for &term in series.iter().rev() {

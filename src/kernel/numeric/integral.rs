@@ -10,14 +10,14 @@ use crate::{ceiling::INTEGRAL_PIECES, tolerance::INTEGRAL_WIDTH_RELATIVE};
 /// ```
 /// use virote_kernel::{Integral, IntegralError, find_integral};
 ///
-/// let found: Integral = find_integral(|x| Ok::<_, ()>([x, x * x, 0.0]), [0.0, 3.0], 1e-13, 0.0)?;
+/// let found: Integral = find_integral(|x| Ok::<_, ()>(vec![x, x * x]), [0.0, 3.0], 1e-13, 0.0)?;
 /// assert!((found.value[1] - 9.0).abs() < 1e-12 && found.error < 1e-12);
 /// # Ok::<(), IntegralError<()>>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Integral {
     /// The integral of each component.
-    pub value: [f64; 3],
+    pub value: Vec<f64>,
     /// The differences between two rules, added up.
     pub error: f64,
 }
@@ -27,7 +27,7 @@ pub struct Integral {
 /// ```
 /// use virote_kernel::{IntegralError, find_integral};
 ///
-/// let found = find_integral(|x| Ok::<_, ()>([1.0 / x, 0.0, 0.0]), [0.0, 1.0], 1e-13, 0.0);
+/// let found = find_integral(|x| Ok::<_, ()>(vec![1.0 / x]), [0.0, 1.0], 1e-13, 0.0);
 /// assert!(matches!(found, Err(IntegralError::Unsettled { at, .. }) if at < 1e-9));
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -49,7 +49,7 @@ const LEAST_SPACINGS: u32 = 256;
 /// A piece of the interval with what the rules say of it; the one with the largest error comes first.
 struct Piece {
     interval: [f64; 2],
-    value: [f64; 3],
+    value: Vec<f64>,
     size: f64,
     error: f64,
 }
@@ -75,7 +75,7 @@ impl Ord for Piece {
     }
 }
 
-/// The integral of a function of up to three components over an interval, `start` below `end`, with an
+/// The integral of a function of some components, as many everywhere, over an interval, `start` below `end`, with an
 /// error of at most `relative` times the integral of the function's size, or of `absolute`.
 ///
 /// The piece of which rules with eight and with sixteen nodes say most different things is halved, until
@@ -85,7 +85,7 @@ impl Ord for Piece {
 /// ```
 /// use virote_kernel::{IntegralError, find_integral};
 ///
-/// let found = find_integral(|x: f64| Ok::<_, ()>([x.sqrt(), 0.0, 0.0]), [0.0, 1.0], 1e-12, 0.0)?;
+/// let found = find_integral(|x: f64| Ok::<_, ()>(vec![x.sqrt()]), [0.0, 1.0], 1e-12, 0.0)?;
 /// assert!((found.value[0] - 2.0 / 3.0).abs() < 1e-12);
 /// # Ok::<(), IntegralError<()>>(())
 /// ```
@@ -93,7 +93,7 @@ impl Ord for Piece {
 /// # Errors
 /// Those of the function; an error that stays larger.
 pub fn find_integral<E>(
-    mut function: impl FnMut(f64) -> Result<[f64; 3], E>,
+    mut function: impl FnMut(f64) -> Result<Vec<f64>, E>,
     [start, end]: [f64; 2],
     relative: f64,
     absolute: f64,
@@ -124,43 +124,46 @@ pub fn find_integral<E>(
 /// The sum over all pieces, from the left to the right.
 fn total(mut pieces: Vec<Piece>, error: f64) -> Integral {
     pieces.sort_by(|a, b| a.interval[0].total_cmp(&b.interval[0]));
-    let mut value = [0.0; 3];
+    let mut value = Vec::new();
     for piece in &pieces {
-        for (sum, part) in value.iter_mut().zip(piece.value) {
-            *sum += part;
-        }
+        add(&mut value, 1.0, &piece.value);
     }
     Integral { value, error }
 }
 
 fn piece<E>(
-    function: &mut impl FnMut(f64) -> Result<[f64; 3], E>,
+    function: &mut impl FnMut(f64) -> Result<Vec<f64>, E>,
     interval: [f64; 2],
 ) -> Result<Piece, E> {
     let (rough, _) = by_rule(function, &EIGHT_NODES, interval)?;
     let (value, size) = by_rule(function, &SIXTEEN_NODES, interval)?;
-    let error = (0..3).map(|k| (value[k] - rough[k]).abs()).fold(0.0, f64::max);
+    let apart = value.iter().zip(&rough).map(|(value, rough)| (value - rough).abs());
+    let error = apart.fold(0.0, f64::max);
     Ok(Piece { interval, value, size, error })
 }
 
 /// The integral by one rule, and that of the largest component's size.
 fn by_rule<const HALF: usize, E>(
-    function: &mut impl FnMut(f64) -> Result<[f64; 3], E>,
+    function: &mut impl FnMut(f64) -> Result<Vec<f64>, E>,
     rule: &GaussRule<HALF>,
     [start, end]: [f64; 2],
-) -> Result<([f64; 3], f64), E> {
+) -> Result<(Vec<f64>, f64), E> {
     let (middle, half) = (0.5 * (start + end), 0.5 * (end - start));
-    let (mut sum, mut size) = ([0.0; 3], 0.0);
+    let (mut sum, mut size) = (Vec::new(), 0.0);
     for &[node, weight] in rule {
         for at in [middle - half * node, middle + half * node] {
             let value = function(at)?;
-            for (sum, part) in sum.iter_mut().zip(value) {
-                *sum += weight * half * part;
-            }
+            add(&mut sum, weight * half, &value);
             size += weight * half * value.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
         }
     }
     Ok((sum, size))
+}
+
+/// Adds components with a factor.
+fn add(sum: &mut Vec<f64>, factor: f64, value: &[f64]) {
+    sum.resize(value.len(), 0.0);
+    sum.iter_mut().zip(value).for_each(|(sum, part)| *sum += factor * part);
 }
 
 #[cfg(test)]
@@ -168,8 +171,7 @@ mod tests {
     use super::{IntegralError, find_integral};
 
     fn integral(function: fn(f64) -> f64, interval: [f64; 2]) -> Result<f64, IntegralError<()>> {
-        find_integral(|x| Ok([function(x), 0.0, 0.0]), interval, 1e-13, 0.0)
-            .map(|found| found.value[0])
+        find_integral(|x| Ok(vec![function(x)]), interval, 1e-13, 0.0).map(|found| found.value[0])
     }
 
     #[test]
@@ -203,7 +205,7 @@ mod tests {
     #[test]
     fn a_function_that_fails_ends_it() {
         let found =
-            find_integral(|x| if x < 0.9 { Ok([x; 3]) } else { Err(x) }, [0.0, 1.0], 1e-9, 0.0);
+            find_integral(|x| if x < 0.9 { Ok(vec![x; 3]) } else { Err(x) }, [0.0, 1.0], 1e-9, 0.0);
         assert!(matches!(found, Err(IntegralError::Function(x)) if 0.9 <= x));
     }
 }

@@ -1,9 +1,12 @@
 //! Unknowns for which several functions are zero together, or least in their squares.
 
-use super::symmetric_band::SymmetricBand;
+use super::{
+    answers::{Answers, Asked, Wanted},
+    symmetric_band::SymmetricBand,
+};
 use crate::{
     ceiling::LEAST_SQUARES_STEPS,
-    tolerance::{DAMPING_FIRST, DIFFERENCE_RELATIVE, STEP_REST_RELATIVE},
+    tolerance::{DAMPING_FIRST, STEP_REST_RELATIVE},
 };
 
 /// Where an iteration towards the least squares ended.
@@ -11,7 +14,9 @@ use crate::{
 /// ```
 /// use virote_kernel::{LeastSquares, find_least_squares};
 ///
-/// let circles = |x: &[f64]| Ok::<_, ()>(vec![x[0] * x[0] + x[1] * x[1] - 25.0, x[0] - x[1] - 1.0]);
+/// let circles = |x: &[f64], _| {
+///     Ok::<_, ()>(vec![x[0] * x[0] + x[1] * x[1] - 25.0, x[0] - x[1] - 1.0].into())
+/// };
 /// let found: LeastSquares = find_least_squares(circles, &[1.0, 1.0])?;
 /// assert!((found.unknowns[0] - 4.0).abs() < 1e-12 && found.is_settled);
 /// # Ok::<(), ()>(())
@@ -33,14 +38,16 @@ pub struct LeastSquares {
 /// Unknowns near a start for which the squares of several functions add up to least: zero, where there are
 /// no more functions than unknowns and they have a common root near by.
 ///
-/// Steps between Newton's and the steepest descent, by central differences. Moré, *The Levenberg-Marquardt
+/// Steps between Newton's and the steepest descent, by the functions' gradients, or by central differences
+/// where they have none. Moré, *The Levenberg-Marquardt
 /// algorithm: implementation and theory*, LNM 630 (1978); Nocedal & Wright, *Numerical Optimization*, §10.3.
 ///
 /// ```
 /// use virote_kernel::find_least_squares;
 ///
 /// // The line nearest to three points.
-/// let line = |x: &[f64]| Ok::<_, ()>(vec![x[0], x[0] + x[1] - 1.0, x[0] + 2.0 * x[1] - 1.0]);
+/// let line =
+///     |x: &[f64], _| Ok::<_, ()>(vec![x[0], x[0] + x[1] - 1.0, x[0] + 2.0 * x[1] - 1.0].into());
 /// let found = find_least_squares(line, &[0.0, 0.0])?;
 /// assert!((found.unknowns[0] - 1.0 / 6.0).abs() < 1e-9 && (found.unknowns[1] - 0.5).abs() < 1e-9);
 /// # Ok::<(), ()>(())
@@ -49,12 +56,12 @@ pub struct LeastSquares {
 /// # Errors
 /// Those of the functions.
 pub fn find_least_squares<E>(
-    mut functions: impl FnMut(&[f64]) -> Result<Vec<f64>, E>,
+    functions: impl FnMut(&[f64], Wanted) -> Result<Answers, E>,
     start: &[f64],
 ) -> Result<LeastSquares, E> {
-    let mut n_evaluations = 1;
+    let mut asked = Asked::new(functions);
     let mut unknowns = start.to_vec();
-    let mut residuals = functions(&unknowns)?;
+    let mut residuals = asked.values(&unknowns)?;
     let first_residuals = residuals.clone();
     let mut damping = DAMPING_FIRST;
     let mut is_settled = false;
@@ -64,9 +71,8 @@ pub fn find_least_squares<E>(
             is_settled = true;
             break;
         }
-        let columns = derivatives(&mut functions, &unknowns)?;
-        n_evaluations += 2 * unknowns.len();
-        let equations = NormalEquations::new(&columns, &residuals);
+        let gradients = asked.gradients(&unknowns, &[])?;
+        let equations = NormalEquations::new(&gradients, &residuals);
         // The damping grows until a step leads down, or is none any more.
         let accepted = loop {
             let step = equations.step(damping);
@@ -74,8 +80,7 @@ pub fn find_least_squares<E>(
             if !is_moved(&unknowns, &step) {
                 break None;
             }
-            let values = functions(&moved)?;
-            n_evaluations += 1;
+            let values = asked.values(&moved)?;
             if squares(&values) < square {
                 break Some((moved, values, step));
             }
@@ -92,6 +97,7 @@ pub fn find_least_squares<E>(
             break;
         }
     }
+    let n_evaluations = asked.n_evaluations;
     Ok(LeastSquares { unknowns, residuals, first_residuals, is_settled, n_evaluations })
 }
 
@@ -109,29 +115,6 @@ fn is_moved(unknowns: &[f64], step: &[f64]) -> bool {
         .any(|(step, x)| STEP_REST_RELATIVE * x.abs().max(STEP_REST_RELATIVE * size) < step.abs())
 }
 
-/// The derivatives of all functions by each unknown, by central differences.
-fn derivatives<E>(
-    functions: &mut impl FnMut(&[f64]) -> Result<Vec<f64>, E>,
-    unknowns: &[f64],
-) -> Result<Vec<Vec<f64>>, E> {
-    let size = unknowns.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-    let size = if 0.0 < size { size } else { 1.0 };
-    let mut place = unknowns.to_vec();
-    let mut columns = Vec::with_capacity(unknowns.len());
-    for (k, &x) in unknowns.iter().enumerate() {
-        let reach = DIFFERENCE_RELATIVE * if 0.0 < x.abs() { x.abs() } else { size };
-        let [low, high] = [x - reach, x + reach];
-        place[k] = low;
-        let before = functions(&place)?;
-        place[k] = high;
-        let behind = functions(&place)?;
-        place[k] = x;
-        let slope = |(behind, before): (&f64, &f64)| (behind - before) / (high - low);
-        columns.push(behind.iter().zip(&before).map(slope).collect());
-    }
-    Ok(columns)
-}
-
 /// The equations of the step to the least squares of functions that were linear.
 struct NormalEquations {
     /// Products of the columns, by rows.
@@ -141,11 +124,15 @@ struct NormalEquations {
 }
 
 impl NormalEquations {
-    fn new(columns: &[Vec<f64>], residuals: &[f64]) -> Self {
-        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let products =
-            columns.iter().map(|a| columns.iter().map(|b| dot(a, b)).collect()).collect();
-        let right = columns.iter().map(|column| -dot(column, residuals)).collect();
+    fn new(gradients: &[Vec<f64>], residuals: &[f64]) -> Self {
+        let n = gradients.first().map_or(0, Vec::len);
+        let (mut products, mut right) = (vec![vec![0.0; n]; n], vec![0.0; n]);
+        for (gradient, residual) in gradients.iter().zip(residuals) {
+            for (k, slope) in gradient.iter().enumerate() {
+                right[k] -= slope * residual;
+                products[k].iter_mut().zip(gradient).for_each(|(sum, other)| *sum += slope * other);
+            }
+        }
         Self { products, right }
     }
 
@@ -178,7 +165,7 @@ mod tests {
     use super::{LeastSquares, find_least_squares};
 
     fn found(functions: fn(&[f64]) -> Vec<f64>, start: &[f64]) -> LeastSquares {
-        find_least_squares(|x| Ok::<_, ()>(functions(x)), start).expect("no failure")
+        find_least_squares(|x, _| Ok::<_, ()>(functions(x).into()), start).expect("no failure")
     }
 
     #[test]

@@ -3,19 +3,26 @@
 //! They know numbers only; what the numbers mean, whoever calls them knows. Each has a bound on its
 //! work that the caller gives or `f64` does, and says what it answers when it gets there.
 
+pub(crate) mod answers;
 pub(crate) mod banded;
 pub(crate) mod bisection;
+pub(crate) mod constrained_least;
 pub(crate) mod cyclic;
+pub(crate) mod enclosure;
 pub(crate) mod gauss_legendre;
 pub(crate) mod golden_section;
 pub(crate) mod integral;
 pub(crate) mod least;
+mod least_model;
+mod least_search;
 pub(crate) mod least_squares;
 pub(crate) mod linear;
 pub(crate) mod newton;
 pub(crate) mod pattern_search;
 pub(crate) mod polynomial_roots;
+mod quadratic_program;
 pub(crate) mod root;
+pub(crate) mod root_proof;
 pub(crate) mod sample;
 pub(crate) mod singular_values;
 pub(crate) mod symmetric_band;

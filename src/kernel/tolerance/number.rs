@@ -54,3 +54,53 @@ pub const DAMPING_FIRST: f64 = 1e-3;
 ///
 /// Larger takes a place near a root for one; smaller takes rounding for a distance.
 pub const SYSTEM_ROOT_RELATIVE: f64 = 1e-9;
+
+/// Linear conditions are independent where this fraction of one is left beside the others.
+///
+/// Larger drops conditions that count; smaller divides by rounding.
+pub const DEPENDENT_RELATIVE: f64 = 1e-13;
+
+/// The share of the fall that its slope promises which a step must keep.
+///
+/// Larger shortens good steps; smaller takes steps that hardly lead down.
+pub const ARMIJO: f64 = 1e-4;
+
+/// A step of this fraction of the unknowns' sizes ends a search for a least value.
+///
+/// Larger loses digits; smaller goes on among values that rounding makes equal.
+pub const LEAST_STEP_RELATIVE: f64 = 1e-11;
+
+/// How far from the end of such a search better places are looked for, as a fraction of the unknowns' sizes.
+///
+/// Larger misses narrow valleys beside it; smaller finds rounding.
+pub const LEAST_PROBE_RELATIVE: f64 = 1e-3;
+
+/// A place is better where its value is lower by this fraction of the function's steepness at the start.
+///
+/// Larger stays on saddles; smaller leaves a least value for rounding.
+pub const LEAST_GAIN_RELATIVE: f64 = 1e-9;
+
+/// A search that has come so many times the unknowns' sizes away falls without bound.
+///
+/// Larger wanders further; smaller refuses what is far from its start.
+pub const LEAST_FAR: f64 = 1e8;
+
+/// A condition that is broken by this fraction of its steepness at the start holds.
+///
+/// Larger lets answers break conditions; smaller refuses those that rounding breaks.
+pub const CONDITION_RELATIVE: f64 = 1e-8;
+
+/// How much a relaxed condition costs a step, beside the model's curvature.
+///
+/// Larger loses digits of steps; smaller gives conditions up that could hold.
+pub(crate) const RELAXATION_WEIGHT: f64 = 1e4;
+
+/// A part of this fraction of an interval that may hold a root, or none, or several, is not divided further.
+///
+/// Larger leaves roots that are near one another unproven; smaller divides around what only touches zero.
+pub const PROOF_WIDTH_RELATIVE: f64 = 1e-10;
+
+/// Where in a turn an angle is, is known to this part of the turn, up to a million of them.
+///
+/// Larger makes bounds of sines wider than need be; smaller misses peaks by rounding.
+pub(crate) const TURN_ROOM: f64 = 1e-9;

@@ -13,6 +13,7 @@ op! {
     }
     example "abs(-3)" => "3";
     example "abs(-30deg)" => "30deg";
+    encloses crate::kernel::Enclosure::abs;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {

@@ -12,6 +12,7 @@ op! {
         x: Real,
     }
     example "atan(1)" => "45deg";
+    encloses crate::kernel::Enclosure::atan;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Angle<Real>> {

@@ -13,6 +13,7 @@ op! {
         x: Spanned<Number<Real>>,
     }
     example "cbrt(-27)" => "-3";
+    encloses crate::kernel::Enclosure::cbrt;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {

@@ -13,6 +13,7 @@ op! {
         angle: Spanned<Radians>,
     }
     example "cos(60deg) ~= 1/2" => "true";
+    encloses crate::kernel::Enclosure::cos;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {

@@ -14,6 +14,7 @@ op! {
     }
     example "cosh(ln(2)) ~= 5/4" => "true";
     refuses "cosh(1000)" => "E0502: the result is beyond the largest number, 1.8e308";
+    encloses crate::kernel::Enclosure::cosh;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {

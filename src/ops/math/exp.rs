@@ -14,6 +14,7 @@ op! {
     }
     example "exp(1) ~= e" => "true";
     refuses "exp(1000)" => "E0502: the result is beyond the largest number, 1.8e308";
+    encloses crate::kernel::Enclosure::exp;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {

@@ -14,6 +14,7 @@ op! {
     }
     example "ln(e)" => "1";
     refuses "ln(0)" => "E0502: 0 has no logarithm; only positive numbers have one";
+    encloses crate::kernel::Enclosure::ln;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {

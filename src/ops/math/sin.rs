@@ -14,6 +14,7 @@ op! {
     }
     example "sin(30deg) ~= 1/2" => "true";
     example "sin(0)" => "0";
+    encloses crate::kernel::Enclosure::sin;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {

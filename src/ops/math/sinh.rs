@@ -14,6 +14,7 @@ op! {
     }
     example "sinh(ln(2)) ~= 3/4" => "true";
     refuses "sinh(1000)" => "E0502: the result is beyond the largest number, 1.8e308";
+    encloses crate::kernel::Enclosure::sinh;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {

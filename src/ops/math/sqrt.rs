@@ -15,6 +15,7 @@ op! {
     example "sqrt(2)" => "1.4142135623730951";
     example "sqrt(9mm * 4mm)" => "6";
     refuses "sqrt(-1)" => "E0502: a negative number (-1) has no square root";
+    encloses crate::kernel::Enclosure::sqrt;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {

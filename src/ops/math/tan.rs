@@ -13,6 +13,7 @@ op! {
         angle: Spanned<Radians>,
     }
     example "tan(45deg) ~= 1" => "true";
+    encloses crate::kernel::Enclosure::tan;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {

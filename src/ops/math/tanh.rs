@@ -13,6 +13,7 @@ op! {
         x: Spanned<Real>,
     }
     example "tanh(ln(2)) ~= 3/5" => "true";
+    encloses crate::kernel::Enclosure::tanh;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {

@@ -1,33 +1,52 @@
 //! `minimize`: where a function is least.
 
-use super::{SearchRange, number_at};
+use super::best::{BestSearch, Better};
 use crate::{
     diag::{Result, Spanned},
-    kernel::find_least,
-    value::{Callback, Ctx, Number, Range, op},
+    value::{Callback, Ctx, Value, op},
 };
 
 op! {
-    /// Number within a range at which a function is least, which may be an end of the range.
+    /// Unknowns at which a function is least: a number within a range, or several unknowns within bounds,
+    /// from a start, and under conditions.
     ///
-    /// Seventeen places at equal distances tell near which the least value is; from there on the search
-    /// goes by parabolas and golden sections. The place has half of the digits that numbers have, the value
-    /// there all of them. Brent, *Algorithms for Minimization without Derivatives*, ch. 5.
-    minimize in Math -> Number {
-        /// A function of one number that yields a number; both may have a dimension.
+    /// Of one number in a range, which may be an end of it: seventeen places at equal distances tell near
+    /// which the least value is; from there on the search goes by parabolas and golden sections. The place
+    /// has half of the digits that numbers have, the value there all of them. Brent, *Algorithms for
+    /// Minimization without Derivatives*, ch. 5.
+    ///
+    /// Several unknowns are a point, or a list or record of numbers and points. The search begins at `start`,
+    /// or at the best of 32 places that are spread over the bounds, and ends at the nearest valley's floor,
+    /// which need not be the least of all. Its steps are those of sequential quadratic programming; gradients
+    /// are exact where derivatives pass through all that the function does (see `gradient`), else central
+    /// differences. What would be lower a little beside the answer is looked at before it is given. Nocedal &
+    /// Wright, *Numerical Optimization*, ch. 18.
+    minimize in Math -> Value {
+        /// A function of the unknowns that yields a number; all may have a dimension.
         f: Spanned<Callback>,
-        /// The range.
-        within: Spanned<Range>,
+        /// The range of one number, or a list or record of ranges for several; one range serves all of them.
+        /// Unknowns of a record that it does not name are free, and so is what is left out of a point.
+        within: Option<Spanned<Value>>,
+        /// Where the search begins; inside the bounds where there are any.
+        start: Option<Spanned<Value>>,
+        /// Conditions: a function of the unknowns that compares, `u => u.a + u.b <= 5 and u.a == 2*u.b`, or a
+        /// list of such. They hold to eight digits of the unknowns; `<` is taken for `<=`.
+        subject: Option<Spanned<Value>>,
+        /// Whether a record tells how it was found: `at`, the `value` there, `evaluations`, and whether
+        /// `derivatives` were `"exact"`, `"differences"` or `"none"`.
+        report: bool = false,
     }
     example "abs(minimize(x => (x - 1)^2 + 3, within = 0..4) - 1) < 1e-6" => "true";
     example "minimize(t => -sin(t), within = 0deg..180deg) ~= 90deg within 1e-6" => "true";
+    example "minimize(p => norm(p - (3, 4)), start = (0, 0), subject = p => norm(p) <= 1) ~= (0.6, 0.8) within 1e-6" => "true";
+    example "minimize(u => u.a + u.b, within = {a: 0..9, b: 1..9}, subject = u => u.a * u.b >= 9).a ~= 3 within 1e-6" => "true";
+    example "minimize(x => (x[0] - x[1])^2 + x[0]^2, start = [3, 1], report = true).derivatives" => "\"exact\"";
+    refuses "minimize(p => p.x, start = (0, 0))" => "E0504: the function falls without bound";
+    refuses "minimize(p => p.x, start = (5, 0), subject = p => p.x <= 1 and p.x >= 2)" => "E0504: the conditions do not hold together near the start";
     refuses "minimize(x => x, within = 2..1)" => "E0606: an interval needs its start below its end, got 2..1";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number> {
-    let range = SearchRange::new(args.within)?;
-    let mut dim = None;
-    let mut ask = |at| number_at(ctx, &args.f, &range, (at, &mut dim));
-    let found = find_least(&mut ask, range.ends)?;
-    Ok(range.place(found.at))
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
+    let Args { f, within, start, subject, report } = args;
+    BestSearch { f, within, start, subject, is_report: report }.run(ctx, Better::Lower)
 }

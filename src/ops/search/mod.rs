@@ -1,10 +1,13 @@
 //! Searches: roots, least and greatest values, and integrals of functions of the script.
 
+mod best;
+mod gradient;
 mod integrate;
 mod maximize;
 mod minimize;
 mod solve;
 mod system;
+mod unknowns;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
@@ -15,7 +18,8 @@ use crate::{
     },
 };
 
-pub(super) static OPS: &[&Op] = &[&integrate::OP, &maximize::OP, &minimize::OP, &solve::OP];
+pub(super) static OPS: &[&Op] =
+    &[&gradient::OP, &integrate::OP, &maximize::OP, &minimize::OP, &solve::OP];
 
 /// An interval with the dimension of what runs through it.
 struct SearchRange {
@@ -72,7 +76,7 @@ fn value_at(
 /// Labels of a mistake in a function, to which the search that asked is added.
 const MOST_LABELS: usize = 3;
 
-/// The number that a function yields, of the dimension that it yielded before.
+/// The number that a function yields, without derivatives, of the dimension that it yielded before.
 fn number_at(
     ctx: &mut Ctx<'_>,
     function: &Spanned<Callback>,
@@ -80,7 +84,7 @@ fn number_at(
     (at, dim): (f64, &mut Option<Dimension>),
 ) -> Result<f64> {
     let value = value_at(ctx, function, range, at)?;
-    let number = plain_number(&value, function.span)?;
+    let number = unknowns::number(&value, function.span)?.looked_at();
     let before = *dim.get_or_insert(number.dim);
     match before.common(number.dim) {
         Some(common) => *dim = Some(common),

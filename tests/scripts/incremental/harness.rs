@@ -46,6 +46,7 @@ fn operation(name: &'static str, run: fn(&mut Ctx<'_>, Call) -> virote::diag::Re
         returns,
         examples: &[],
         refusals: &[],
+        enclosed: None,
         picture: None,
         run,
     }

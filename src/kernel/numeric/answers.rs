@@ -1,0 +1,101 @@
+//! What several functions of several unknowns answer, with derivatives or without.
+
+use crate::tolerance::DIFFERENCE_RELATIVE;
+
+/// What functions are asked for at a place.
+///
+/// ```
+/// use virote_kernel::{Answers, Wanted, find_least_squares};
+///
+/// let functions = |x: &[f64], wanted| {
+///     let gradients = (wanted == Wanted::Gradients).then(|| vec![vec![2.0 * x[0]]]);
+///     Ok::<_, ()>(Answers { values: vec![x[0] * x[0] - 2.0], gradients })
+/// };
+/// let found = find_least_squares(functions, &[1.0])?;
+/// assert!((found.unknowns[0] - 2_f64.sqrt()).abs() < 1e-15);
+/// # Ok::<(), ()>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wanted {
+    /// Values alone.
+    Values,
+    /// Values and, where the functions have them, derivatives.
+    Gradients,
+}
+
+/// What several functions answer at one place. See [`Wanted`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answers {
+    /// The values.
+    pub values: Vec<f64>,
+    /// The derivatives of each function by all unknowns; none where they were not wanted, or where the
+    /// functions have none.
+    pub gradients: Option<Vec<Vec<f64>>>,
+}
+
+impl From<Vec<f64>> for Answers {
+    fn from(values: Vec<f64>) -> Self {
+        Self { values, gradients: None }
+    }
+}
+
+/// Functions that are asked, and how often they were.
+pub(super) struct Asked<F> {
+    functions: F,
+    /// Questions for values and for gradients together.
+    pub(super) n_evaluations: usize,
+    /// Whether derivatives were taken by differences.
+    pub(super) has_differences: bool,
+}
+
+impl<F> Asked<F> {
+    pub(super) fn new(functions: F) -> Self {
+        Self { functions, n_evaluations: 0, has_differences: false }
+    }
+
+    /// The values at a place.
+    pub(super) fn values<E>(&mut self, place: &[f64]) -> Result<Vec<f64>, E>
+    where
+        F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
+    {
+        self.n_evaluations += 1;
+        (self.functions)(place, Wanted::Values).map(|answers| answers.values)
+    }
+
+    /// The gradient of each function at a place: the functions' own, or by differences over a part of each
+    /// unknown's size on both sides, or on one where the other is outside of its bounds.
+    pub(super) fn gradients<E>(
+        &mut self,
+        place: &[f64],
+        bounds: &[[f64; 2]],
+    ) -> Result<Vec<Vec<f64>>, E>
+    where
+        F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
+    {
+        self.n_evaluations += 1;
+        let own = (self.functions)(place, Wanted::Gradients)?;
+        if let Some(gradients) = own.gradients {
+            return Ok(gradients);
+        }
+        self.has_differences = true;
+        let size = place.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let size = if 0.0 < size { size } else { 1.0 };
+        let mut beside = place.to_vec();
+        let mut gradients = vec![vec![0.0; place.len()]; own.values.len()];
+        for (k, &x) in place.iter().enumerate() {
+            let reach = DIFFERENCE_RELATIVE * x.abs().max(DIFFERENCE_RELATIVE.cbrt() * size);
+            let [least, most] = bounds.get(k).copied().unwrap_or([-f64::INFINITY, f64::INFINITY]);
+            let [low, high] = [(x - reach).max(least), (x + reach).min(most)];
+            beside[k] = low;
+            let before = self.values(&beside)?;
+            beside[k] = high;
+            let behind = self.values(&beside)?;
+            beside[k] = x;
+            for (gradient, (behind, before)) in gradients.iter_mut().zip(behind.iter().zip(&before))
+            {
+                gradient[k] = if low < high { (behind - before) / (high - low) } else { 0.0 };
+            }
+        }
+        Ok(gradients)
+    }
+}

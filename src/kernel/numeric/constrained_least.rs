@@ -1,0 +1,235 @@
+//! The least value of a function of several unknowns, within bounds and under conditions.
+//!
+//! Sequential quadratic programming: each step goes to where the function's quadratic model is least under
+//! the conditions' linear ones, as far as a penalty on broken conditions falls with it. The model learns its
+//! curvature from the gradients on the way. Nocedal & Wright, *Numerical Optimization*, ch. 18: algorithm
+//! 18.3, with the damped updates of procedure 18.2 and the corrections of §18.3 where a step is refused.
+
+use super::{
+    answers::{Answers, Asked, Wanted},
+    least_search::LeastSearch,
+};
+use crate::ceiling::{CONSTRAINED_LOOKS, CONSTRAINED_RESTARTS};
+
+/// Where a search for the least value of several unknowns begins, and where it may go.
+///
+/// ```
+/// use virote_kernel::{Answers, LeastEnd, LeastProblem};
+///
+/// // The point of the line x + y = 2 nearest to the origin, not beyond x = 0.5.
+/// let functions = |x: &[f64], _| Ok::<_, ()>(Answers::from(vec![x[0] * x[0] + x[1] * x[1], x[0] + x[1] - 2.0]));
+/// let problem = LeastProblem { start: &[0.0, 0.0], bounds: &[[-1.0, 0.5], [-9.0, 9.0]], n_equations: 1 };
+/// let found = problem.find(functions)?;
+/// assert_eq!(found.end, LeastEnd::Settled);
+/// assert!((found.unknowns[0] - 0.5).abs() < 1e-9 && (found.unknowns[1] - 1.5).abs() < 1e-9);
+/// # Ok::<(), ()>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct LeastProblem<'a> {
+    /// The unknowns where the search begins.
+    pub start: &'a [f64],
+    /// Between which numbers each of them stays; infinite where nothing bounds it.
+    pub bounds: &'a [[f64; 2]],
+    /// How many of the functions behind the first one are to be zero; those behind them are not to be
+    /// negative.
+    pub n_equations: usize,
+}
+
+/// Why a search for a least value ended. See [`LeastProblem`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LeastEnd {
+    /// No place near by is better.
+    Settled,
+    /// The function falls as far as the search went.
+    Unbounded,
+    /// The conditions do not hold together near by.
+    Contradictory,
+    /// The function is the same all around the start.
+    Flat,
+    /// Places beside its end are better again and again.
+    Unsettled,
+}
+
+/// What a search for a least value found. See [`LeastProblem`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct ConstrainedLeast {
+    /// The best place.
+    pub unknowns: Vec<f64>,
+    /// What the functions are there.
+    pub values: Vec<f64>,
+    /// How it ended.
+    pub end: LeastEnd,
+    /// How often the functions were asked, for values or for gradients.
+    pub n_evaluations: usize,
+    /// Whether gradients were taken by differences.
+    pub has_differences: bool,
+}
+
+impl LeastProblem<'_> {
+    /// The best place near the start. The functions answer with the value that is to be least, then with
+    /// those that are to be zero, then with those that are not to be negative; where one has no finite value
+    /// the search goes no further.
+    ///
+    /// # Errors
+    /// Those of the functions.
+    pub fn find<E>(
+        &self,
+        functions: impl FnMut(&[f64], Wanted) -> Result<Answers, E>,
+    ) -> Result<ConstrainedLeast, E> {
+        let mut asked = Asked::new(functions);
+        let mut search = LeastSearch::new(*self, &mut asked)?;
+        let mut end = search.descend()?;
+        let mut n_restarts = 0;
+        while end == LeastEnd::Settled && search.leaves_for_better()? {
+            end = match n_restarts {
+                CONSTRAINED_RESTARTS => LeastEnd::Unsettled,
+                _ => search.descend()?,
+            };
+            n_restarts += 1;
+        }
+        let (unknowns, values) = (search.place, search.values);
+        Ok(ConstrainedLeast {
+            unknowns,
+            values,
+            end,
+            n_evaluations: asked.n_evaluations,
+            has_differences: asked.has_differences,
+        })
+    }
+
+    /// The best of some places that are spread over the bounds, all of which are finite: the one with the
+    /// least values under zero and off zero of the conditions, and of such the one of the least value.
+    ///
+    /// The places are those of Roberts's sequence, *The unreasonable effectiveness of quasirandom sequences*
+    /// (2018), from the middle on.
+    ///
+    /// # Errors
+    /// Those of the functions.
+    pub fn spread<E>(
+        &self,
+        mut functions: impl FnMut(&[f64], Wanted) -> Result<Answers, E>,
+    ) -> Result<Vec<f64>, E> {
+        let n = self.bounds.len();
+        // The root of xⁿ⁺¹ = x + 1 above 1.
+        let mut base: f64 = 2.0;
+        for _ in 0..64 {
+            base = libm::pow(1.0 + base, 1.0 / (n as f64 + 1.0));
+        }
+        let mut best: Option<(f64, f64, Vec<f64>)> = None;
+        for look in 0..CONSTRAINED_LOOKS {
+            let share = |k: usize| {
+                let turned = 0.5 + look as f64 * libm::pow(base, -(k as f64 + 1.0));
+                turned - turned.floor()
+            };
+            let place: Vec<f64> = self
+                .bounds
+                .iter()
+                .enumerate()
+                .map(|(k, [low, high])| low + share(k) * (high - low))
+                .collect();
+            let values = functions(&place, Wanted::Values)?.values;
+            if !values.iter().all(|value| value.is_finite()) {
+                continue;
+            }
+            let broken: f64 = self.broken(&values).sum();
+            let is_better = best.as_ref().is_none_or(|(least_broken, least, _)| {
+                (broken, values[0]) < (*least_broken, *least)
+            });
+            if is_better {
+                best = Some((broken, values[0], place));
+            }
+        }
+        let middle = || self.bounds.iter().map(|[low, high]| low + 0.5 * (high - low)).collect();
+        Ok(best.map_or_else(middle, |(_, _, place)| place))
+    }
+
+    /// By how much each condition is broken.
+    pub(super) fn broken(&self, values: &[f64]) -> impl Iterator<Item = f64> {
+        let n_equations = self.n_equations;
+        values[1..].iter().enumerate().map(move |(idx, value)| {
+            if idx < n_equations { value.abs() } else { (-value).max(0.0) }
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Answers, ConstrainedLeast, LeastEnd, LeastProblem};
+
+    const FREE: [f64; 2] = [-f64::INFINITY, f64::INFINITY];
+
+    fn found(
+        functions: fn(&[f64]) -> Vec<f64>,
+        start: &[f64],
+        bounds: &[[f64; 2]],
+        n_equations: usize,
+    ) -> ConstrainedLeast {
+        LeastProblem { start, bounds, n_equations }
+            .find(|x, _| Ok::<_, ()>(Answers::from(functions(x))))
+            .expect("no failure")
+    }
+
+    #[track_caller]
+    fn check(found: &ConstrainedLeast, wanted: &[f64]) {
+        assert_eq!(found.end, LeastEnd::Settled, "{found:?}");
+        let is_near = found.unknowns.iter().zip(wanted).all(|(x, y)| (x - y).abs() < 1e-6);
+        assert!(is_near, "{found:?}");
+        assert!(found.n_evaluations < 1000, "{found:?}");
+    }
+
+    #[test]
+    fn valleys_and_saddles_are_left_for_the_least_value() {
+        let valley = |x: &[f64]| vec![100.0 * (x[1] - x[0] * x[0]).powi(2) + (1.0 - x[0]).powi(2)];
+        check(&found(valley, &[-1.2, 1.0], &[FREE; 2], 0), &[1.0, 1.0]);
+        let saddle = |x: &[f64]| vec![x[0].powi(4) - x[0] * x[0] + x[1] * x[1]];
+        let beside = found(saddle, &[0.0, 0.5], &[FREE; 2], 0);
+        check(&beside, &[beside.unknowns[0].signum() * 0.5_f64.sqrt(), 0.0]);
+    }
+
+    #[test]
+    fn bounds_and_conditions_hold() {
+        // Hock & Schittkowski, Test Examples for Nonlinear Programming Codes, problems 71, 43 and 6.
+        let unit = [1.0, 5.0];
+        let hs71 = |x: &[f64]| {
+            let squares: f64 = x.iter().map(|x| x * x).sum();
+            let product: f64 = x.iter().product();
+            vec![x[0] * x[3] * (x[0] + x[1] + x[2]) + x[2], squares - 40.0, product - 25.0]
+        };
+        let solved = found(hs71, &[1.0, 5.0, 5.0, 1.0], &[unit; 4], 1);
+        check(&solved, &[1.0, 4.742_999_64, 3.821_149_98, 1.379_408_29]);
+        let rosen_suzuki = |x: &[f64]| {
+            let [a, b, c, d] = [x[0], x[1], x[2], x[3]];
+            let value =
+                a * a + b * b + 2.0 * c * c + d * d - 5.0 * a - 5.0 * b - 21.0 * c + 7.0 * d;
+            vec![
+                value,
+                8.0 - a * a - b * b - c * c - d * d - a + b - c + d,
+                10.0 - a * a - 2.0 * b * b - c * c - 2.0 * d * d + a + d,
+                5.0 - 2.0 * a * a - b * b - c * c - 2.0 * a + b + d,
+            ]
+        };
+        check(&found(rosen_suzuki, &[0.0; 4], &[FREE; 4], 0), &[0.0, 1.0, 2.0, -1.0]);
+        let curved = |x: &[f64]| vec![(1.0 - x[0]).powi(2), 10.0 * (x[1] - x[0] * x[0])];
+        check(&found(curved, &[-1.2, 1.0], &[FREE; 2], 1), &[1.0, 1.0]);
+    }
+
+    #[test]
+    fn what_has_no_least_value_is_told() {
+        let ends = [
+            found(|x| vec![x[0] - x[1]], &[1.0, 2.0], &[FREE; 2], 0).end,
+            found(|_| vec![3.0], &[1.0, 2.0], &[FREE; 2], 0).end,
+            found(|x| vec![x[0], x[0] - 3.0, 1.0 - x[0]], &[2.0], &[FREE], 0).end,
+            found(|x| vec![x[0], x[0] * x[0] + 1.0], &[2.0], &[FREE], 1).end,
+        ];
+        let [unbounded, flat, contradictory, curved] = ends;
+        assert_eq!(unbounded, LeastEnd::Unbounded);
+        assert_eq!(flat, LeastEnd::Flat);
+        assert_eq!([contradictory, curved], [LeastEnd::Contradictory; 2]);
+    }
+
+    #[test]
+    fn places_without_a_value_are_kept_out_of() {
+        let logarithm = |x: &[f64]| vec![x[0] - libm::log(x[0])];
+        check(&found(logarithm, &[8.0], &[FREE], 0), &[1.0]);
+    }
+}

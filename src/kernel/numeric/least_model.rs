@@ -1,0 +1,170 @@
+//! The quadratic model by which a search for a least value takes its steps.
+//!
+//! Nocedal & Wright, *Numerical Optimization*, §18.1 and procedure 18.2.
+
+use super::quadratic_program::{LinearCondition, QuadraticLeast, dot, least_quadratic};
+use crate::tolerance::RELAXATION_WEIGHT;
+
+/// What is known at a place: the function that is to be least, first, then the conditions.
+pub(super) struct Terms<'a> {
+    pub(super) gradients: &'a [Vec<f64>],
+    pub(super) values: &'a [f64],
+    /// How far each unknown may go down and up.
+    pub(super) limits: &'a [[f64; 2]],
+    pub(super) n_equations: usize,
+}
+
+/// A step of the model.
+pub(super) struct ModelStep {
+    pub(super) way: Vec<f64>,
+    /// Of the conditions.
+    pub(super) multipliers: Vec<f64>,
+    /// The share of each broken condition that the step mends.
+    pub(super) kept: f64,
+    /// Whether the linear conditions contradict one another, and were relaxed.
+    pub(super) is_relaxed: bool,
+}
+
+impl Terms<'_> {
+    /// How the function changes along a way.
+    pub(super) fn slope(&self, way: &[f64]) -> f64 {
+        dot(&self.gradients[0], way)
+    }
+
+    /// The linear conditions, those on the conditions' values first, with `values` at the place.
+    fn conditions(&self, values: &[f64]) -> Vec<LinearCondition> {
+        let n = self.limits.len();
+        let given = self.gradients[1..].iter().zip(&values[1..]).enumerate().map(
+            |(idx, (gradient, &constant))| LinearCondition {
+                normal: gradient.clone(),
+                constant,
+                is_equation: idx < self.n_equations,
+            },
+        );
+        let sides = self.limits.iter().enumerate().flat_map(|(k, [low, high])| {
+            [(1.0, -low), (-1.0, *high)].into_iter().filter(|(_, room)| room.is_finite()).map(
+                move |(side, room)| {
+                    let mut normal = vec![0.0; n];
+                    normal[k] = side;
+                    LinearCondition { normal, constant: room, is_equation: false }
+                },
+            )
+        });
+        given.chain(sides).collect()
+    }
+}
+
+/// The curvature of a function under conditions, as far as it is known.
+pub(super) struct Model {
+    matrix: Vec<Vec<f64>>,
+    is_fresh: bool,
+}
+
+impl Model {
+    /// The same curvature along every way.
+    pub(super) fn new(n: usize) -> Self {
+        let row = |i| (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect();
+        Self { matrix: (0..n).map(row).collect(), is_fresh: true }
+    }
+
+    /// Whether it has learned nothing yet.
+    pub(super) fn is_fresh(&self) -> bool {
+        self.is_fresh
+    }
+
+    /// The step to where the model is least. Where the linear conditions contradict one another, they are
+    /// relaxed together by as little as serves. `None` where the model is of no use any more.
+    pub(super) fn step(&self, terms: &Terms<'_>) -> Option<ModelStep> {
+        let n_conditions = terms.values.len() - 1;
+        let conditions = terms.conditions(terms.values);
+        if let Some(QuadraticLeast { place: way, mut multipliers }) =
+            least_quadratic(&self.matrix, &terms.gradients[0], &conditions)
+        {
+            multipliers.truncate(n_conditions);
+            return Some(ModelStep { way, multipliers, kept: 1.0, is_relaxed: false });
+        }
+        let n = self.matrix.len();
+        let most = (0..n).map(|k| self.matrix[k][k]).fold(1.0, f64::max);
+        let mut matrix: Vec<Vec<f64>> = self.matrix.clone();
+        matrix.iter_mut().for_each(|row| row.push(0.0));
+        let mut last = vec![0.0; n];
+        last.push(RELAXATION_WEIGHT * most);
+        matrix.push(last);
+        let mut gradient = terms.gradients[0].clone();
+        gradient.push(0.0);
+        let relaxed: Vec<LinearCondition> = conditions
+            .into_iter()
+            .enumerate()
+            .map(|(idx, mut condition)| {
+                let is_broken = condition.is_equation || condition.constant < 0.0;
+                let slack = if idx < n_conditions && is_broken { -condition.constant } else { 0.0 };
+                condition.normal.push(slack);
+                condition
+            })
+            .collect();
+        let QuadraticLeast { mut place, mut multipliers } =
+            least_quadratic(&matrix, &gradient, &relaxed)?;
+        let slack = place.pop()?.clamp(0.0, 1.0);
+        multipliers.truncate(n_conditions);
+        Some(ModelStep { way: place, multipliers, kept: 1.0 - slack, is_relaxed: true })
+    }
+
+    /// The step that goes to the same least, with the conditions as they are behind a first step.
+    pub(super) fn corrected(
+        &self,
+        terms: &Terms<'_>,
+        way: &[f64],
+        behind: &[f64],
+    ) -> Option<Vec<f64>> {
+        let constant = |(gradient, value): (&Vec<f64>, &f64)| value - dot(gradient, way);
+        let values: Vec<f64> = terms.gradients.iter().zip(behind).map(constant).collect();
+        least_quadratic(&self.matrix, &terms.gradients[0], &terms.conditions(&values))
+            .map(|found| found.place)
+    }
+
+    /// Learns from the gradients before and behind a way: BFGS, damped so that the model stays convex.
+    pub(super) fn learn(
+        &mut self,
+        way: &[f64],
+        [before, behind]: [&[Vec<f64>]; 2],
+        multipliers: &[f64],
+    ) {
+        let change = |k: usize| {
+            let conditions: f64 = (1..before.len())
+                .map(|idx| multipliers[idx - 1] * (behind[idx][k] - before[idx][k]))
+                .sum();
+            behind[0][k] - before[0][k] - conditions
+        };
+        let change: Vec<f64> = (0..way.len()).map(change).collect();
+        if self.is_fresh {
+            // The size of the curvature, before the first is learned.
+            let scale = dot(&change, &change) / dot(&change, way);
+            if scale.is_finite() && 0.0 < scale {
+                self.matrix.iter_mut().flatten().for_each(|part| *part *= scale);
+            }
+        }
+        let image: Vec<f64> = self.matrix.iter().map(|row| dot(row, way)).collect();
+        let (bend, known) = (dot(&change, way), dot(&image, way));
+        if known.is_nan() || known <= 0.0 {
+            return;
+        }
+        let share = if bend < 0.2 * known { 0.8 * known / (known - bend) } else { 1.0 };
+        let damped: Vec<f64> = change
+            .iter()
+            .zip(&image)
+            .map(|(change, image)| share * change + (1.0 - share) * image)
+            .collect();
+        let damped_bend = dot(&damped, way);
+        for (i, row) in self.matrix.iter_mut().enumerate() {
+            for (j, part) in row.iter_mut().enumerate() {
+                *part += damped[i] * damped[j] / damped_bend - image[i] * image[j] / known;
+            }
+        }
+        self.is_fresh = false;
+    }
+}
+
+/// The largest part by size.
+pub(super) fn magnitude(parts: &[f64]) -> f64 {
+    parts.iter().fold(0.0, |most: f64, part| most.max(part.abs()))
+}

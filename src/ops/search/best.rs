@@ -1,0 +1,281 @@
+//! `minimize` and `maximize`: where a function is best, within bounds and under conditions.
+
+use super::{
+    MOST_LABELS, SearchRange, no_derivatives, number_at, told,
+    unknowns::{Unknowns, asked, from_here, number, numbers, single},
+};
+use crate::{
+    diag::{Code, Diagnostic, Result, Span, Spanned},
+    kernel::{
+        Answers, ConstrainedLeast, LeastEnd, LeastProblem, Wanted, find_least,
+        tolerance::CONDITION_RELATIVE,
+    },
+    value::{
+        Callback, Ctx, Dimension, FromValue, IntoValue, Number, Real, Record, Relation, Value,
+    },
+};
+
+/// Which values are better.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Better {
+    Lower,
+    Higher,
+}
+
+/// What a search for the best place is given.
+pub(super) struct BestSearch {
+    pub(super) f: Spanned<Callback>,
+    pub(super) within: Option<Spanned<Value>>,
+    pub(super) start: Option<Spanned<Value>>,
+    pub(super) subject: Option<Spanned<Value>>,
+    pub(super) is_report: bool,
+}
+
+impl BestSearch {
+    /// The best place.
+    pub(super) fn run(&self, ctx: &mut Ctx<'_>, better: Better) -> Result<Value> {
+        let conditions = self.conditions()?;
+        for function in conditions.iter().chain([&self.f]) {
+            if ctx.caller.is_varying(&function.value.0) {
+                return no_derivatives(function.span);
+            }
+        }
+        let range = self.within.as_ref().and_then(single);
+        match (range, &self.start, &self.subject) {
+            (Some(range), None, None) => self.of_one(ctx, &SearchRange::new(range)?, better),
+            (None, None, _) if self.within.is_none() => {
+                let message = "a range or a start is needed to search from";
+                Diagnostic::error(Code::BadCall, ctx.span, message)
+                    .hint("`within = 0..10` for one number, `start = (1, 2)` or `within = {a: 0..1, b: 2..3}` for several")
+                    .fail()
+            }
+            _ => self.of_several(ctx, better, &conditions),
+        }
+    }
+
+    fn of_one(&self, ctx: &mut Ctx<'_>, range: &SearchRange, better: Better) -> Result<Value> {
+        let (mut dim, mut n_asked) = (None, 0_usize);
+        let sign = better.sign();
+        let found = find_least(
+            |at| {
+                n_asked += 1;
+                number_at(ctx, &self.f, range, (at, &mut dim)).map(|value| sign * value)
+            },
+            range.ends,
+        )?;
+        let value = Number { value: sign * found.value, dim: dim.unwrap_or_default() };
+        Ok(self.told(range.place(found.at).into_value(), value, (n_asked, "none")))
+    }
+
+    /// The answer, or the record that tells how it was found.
+    fn told(&self, at: Value, value: Number, (n_asked, gradients): (usize, &str)) -> Value {
+        if !self.is_report {
+            return at;
+        }
+        let fields = [
+            ("at", at),
+            ("value", value.into_value()),
+            ("evaluations", Value::number(n_asked as f64)),
+            ("derivatives", Value::text(gradients)),
+        ];
+        Record::new(fields.map(|(label, value)| (label.into(), value))).into_value()
+    }
+
+    /// The functions whose comparisons are to hold.
+    fn conditions(&self) -> Result<Vec<Spanned<Callback>>> {
+        let Some(subject) = &self.subject else { return Ok(Vec::new()) };
+        let one = |value: &Value| match Callback::from_value(value, subject.span) {
+            Ok(function) => Ok(Spanned::new(function, subject.span)),
+            Err(_) => {
+                let message =
+                    format!("conditions are given by functions, found {}", value.phrase());
+                Diagnostic::error(Code::WrongKind, subject.span, message)
+                    .hint("for example `subject = u => u.x + u.y <= 5 and u.x >= u.y`")
+                    .fail()
+            }
+        };
+        match &subject.value {
+            Value::List(items) => items.iter().map(one).collect(),
+            value => Ok(vec![one(value)?]),
+        }
+    }
+
+    fn of_several(
+        &self,
+        ctx: &mut Ctx<'_>,
+        better: Better,
+        conditions: &[Spanned<Callback>],
+    ) -> Result<Value> {
+        let unknowns = match (&self.start, &self.within) {
+            (Some(start), _) => Unknowns::new(start)?,
+            (None, Some(within)) => Unknowns::between(within)?,
+            (None, None) => unreachable!("a search has a range or a start"),
+        };
+        let bounds = unknowns.bounds(self.within.as_ref())?;
+        let mut asking = Asking { ctx, f: &self.f, conditions, better, dim: None, known: None };
+        // The first question tells what there is, and its mistakes are the script's.
+        asking.ask(&unknowns.with(&unknowns.values))?;
+        let n_equations = asking.known.as_ref().map_or(0, |(_, n_equations)| *n_equations);
+        let mut problem = LeastProblem { start: &unknowns.values, bounds: &bounds, n_equations };
+        let place;
+        if self.start.is_none() {
+            place = problem.spread(|values, wanted| asking.answers(&unknowns, values, wanted))?;
+            problem.start = &place;
+        }
+        let found = problem.find(|values, wanted| asking.answers(&unknowns, values, wanted))?;
+        if found.end != LeastEnd::Settled {
+            return asking.refusal(&unknowns, &found).fail();
+        }
+        let value =
+            Number { value: better.sign() * found.values[0], dim: asking.dim.unwrap_or_default() };
+        let gradients = if found.has_differences { "differences" } else { "exact" };
+        Ok(self.told(unknowns.with(&found.unknowns), value, (found.n_evaluations, gradients)))
+    }
+}
+
+impl Better {
+    fn sign(self) -> f64 {
+        match self {
+            Self::Lower => 1.0,
+            Self::Higher => -1.0,
+        }
+    }
+}
+
+/// Whether a mistake says that there is no value at a place, rather than that the function is wrong.
+fn is_without_value(found: &Diagnostic) -> bool {
+    let is_of_place = matches!(
+        found.code,
+        Code::DivisionByZero
+            | Code::Domain
+            | Code::NoAnswer
+            | Code::OutsideDomain
+            | Code::Degenerate
+            | Code::Gap
+            | Code::OpenShell
+    );
+    is_of_place && found.ceiling.is_none()
+}
+
+/// A function under conditions that is asked.
+struct Asking<'a, 'c> {
+    ctx: &'a mut Ctx<'c>,
+    f: &'a Spanned<Callback>,
+    conditions: &'a [Spanned<Callback>],
+    better: Better,
+    /// The dimension of the function's values.
+    dim: Option<Dimension>,
+    /// Where the conditions stand, equations first, each as often as it has numbers, and how many of them
+    /// are equations.
+    known: Option<(Vec<Span>, usize)>,
+}
+
+impl Asking<'_, '_> {
+    /// The answers at a place; where something has no value, numbers that are not finite.
+    fn answers(&mut self, unknowns: &Unknowns, values: &[f64], wanted: Wanted) -> Result<Answers> {
+        let n = self.known.as_ref().map_or(0, |(spans, _)| spans.len());
+        match unknowns.answers(values, wanted, |place| self.ask(place)) {
+            Err(found) if is_without_value(&found) => Ok(vec![f64::INFINITY; n + 1].into()),
+            other => other,
+        }
+    }
+
+    /// The value that is to be least, then the equations, then what is not to be negative.
+    fn ask(&mut self, place: &Value) -> Result<Vec<Real>> {
+        let value = asked(self.ctx, &self.f.value, place)?;
+        let Number { value, dim } = number(&value, self.f.span)?;
+        let before = *self.dim.get_or_insert(dim);
+        let Some(common) = before.common(dim) else {
+            let message = format!("the function yields {dim} at {place} and {before} before");
+            return Diagnostic::error(Code::UnitMismatch, self.f.span, message).fail();
+        };
+        self.dim = Some(common);
+        let (mut equations, mut others) = (Vec::new(), Vec::new());
+        for condition in self.conditions {
+            let callback = &condition.value.0;
+            let args = std::slice::from_ref(place);
+            let compared = self
+                .ctx
+                .caller
+                .comparisons(callback, args, condition.span)
+                .map_err(|found| from_here(self.ctx, found, place))?;
+            for comparison in compared {
+                let mut parts = Vec::new();
+                let spanned = |number: Number<Real>| (number.value, comparison.span);
+                match comparison.relation {
+                    Relation::Equal => {
+                        numbers(&comparison.difference, comparison.span, &mut parts)?;
+                        equations.extend(parts.into_iter().map(spanned));
+                    }
+                    Relation::NotNegative => {
+                        parts.push(number(&comparison.difference, comparison.span)?);
+                        others.extend(parts.into_iter().map(spanned));
+                    }
+                }
+            }
+        }
+        let n_equations = equations.len();
+        let (reals, spans): (Vec<Real>, Vec<Span>) = equations.into_iter().chain(others).unzip();
+        let (known, n_before) = self.known.get_or_insert((spans, n_equations));
+        if (known.len(), *n_before) != (reals.len(), n_equations) {
+            let message = format!(
+                "there are {} conditions at {place}, and {} before",
+                reals.len(),
+                known.len()
+            );
+            let span = self.conditions.first().map_or(self.f.span, |condition| condition.span);
+            return Diagnostic::error(Code::WrongKind, span, message).fail();
+        }
+        let value = value.scaled(self.better.sign());
+        Ok(std::iter::once(value).chain(reals).collect())
+    }
+
+    /// The conditions that do not hold, and by how much.
+    fn broken(&self, values: &[f64]) -> impl Iterator<Item = (Span, f64)> {
+        let (spans, n_equations) = self.known.clone().unwrap_or_default();
+        let broken: Vec<(Span, f64)> = spans
+            .into_iter()
+            .zip(values)
+            .enumerate()
+            .map(|(idx, (span, value))| {
+                (span, if idx < n_equations { value.abs() } else { -value })
+            })
+            .filter(|(_, off)| CONDITION_RELATIVE < *off)
+            .take(MOST_LABELS)
+            .collect();
+        broken.into_iter()
+    }
+
+    /// Why there is no best place.
+    fn refusal(&self, unknowns: &Unknowns, found: &ConstrainedLeast) -> Diagnostic {
+        let [falls, least] = match self.better {
+            Better::Lower => ["falls", "least"],
+            Better::Higher => ["grows", "greatest"],
+        };
+        let place = unknowns.told(&found.unknowns);
+        let best = told(self.better.sign() * found.values[0], self.dim);
+        let refused = |message| {
+            Diagnostic::error(Code::NoAnswer, self.f.span, message)
+                .label(format!("the best place found is {place}, where it is {best}"))
+        };
+        match found.end {
+            LeastEnd::Unbounded => refused(format!("the function {falls} without bound"))
+                .hint("give bounds by `within`, or conditions by `subject`"),
+            LeastEnd::Flat => refused("the function is the same all around the start".to_owned())
+                .hint("it may not depend on the unknowns; else start elsewhere"),
+            LeastEnd::Contradictory => {
+                let refused =
+                    refused("the conditions do not hold together near the start".to_owned());
+                let refused =
+                    self.broken(&found.values[1..]).fold(refused, |refused, (span, off)| {
+                        refused.also(span, format!("this is off by {} there", told(off, None)))
+                    });
+                refused.hint("take conditions away, or start where they hold")
+            }
+            LeastEnd::Settled | LeastEnd::Unsettled => {
+                refused(format!("no {least} value was settled on"))
+                    .hint("start nearer to it, or give bounds by `within`")
+            }
+        }
+    }
+}

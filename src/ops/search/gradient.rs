@@ -1,0 +1,49 @@
+//! `gradient`: the derivatives of a number by all that it depends on.
+
+use super::{
+    no_derivatives,
+    unknowns::{Unknowns, asked, number, with_gradients},
+};
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    value::{Callback, Ctx, Value, op},
+};
+
+op! {
+    /// Derivatives of a function's value by each of its unknowns at a place, exact but for rounding: of the
+    /// shape of the place.
+    ///
+    /// The function is run once, on numbers that carry a derivative by each unknown along, through operators,
+    /// the functions of numbers and points, and the questions about places of curves and surfaces. The first
+    /// operation through which no derivative passes is named in the error. Conditions of `if` and other
+    /// comparisons decide by the value alone; what does not depend on an unknown has the derivative 0 by it.
+    /// Griewank & Walther, *Evaluating Derivatives*, §3.1.
+    gradient in Math -> Value {
+        /// A function of the unknowns that yields a number.
+        f: Spanned<Callback>,
+        /// The place: a number, a point, or a list or record of such.
+        at: Spanned<Value>,
+    }
+    example "gradient(u => u.a^2 * u.b, {a: 3, b: 5})" => "{a: 30, b: 9}";
+    example "gradient(p => p.x * p.y, (3, 4))" => "(4, 3, 0)";
+    example "gradient(x => sum([for k in 1..3: x[0]^k]) * x[1], [2, 5])" => "[85, 14]";
+    example "gradient(p => norm(closest(circle((0, 0), 2), p).point - p), (3, 4)) ~= (0.6, 0.8)" => "true";
+    example "gradient(r => pi * r^2, 2mm)" => "12.566370614359172";
+    refuses "gradient(x => abs(x), 0)" => "E0503: the magnitude has no derivative at 0";
+    refuses "gradient(p => p, (3, 4))" => "E0301: the function must yield a number, but it yields a point";
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
+    if ctx.caller.is_varying(&args.f.value.0) {
+        return no_derivatives(args.f.span);
+    }
+    let unknowns = Unknowns::new(&args.at)?;
+    let value = asked(ctx, &args.f.value, &unknowns.varying(&unknowns.values))?;
+    let found = number(&value, args.f.span)?;
+    let slopes = with_gradients(&[found.value], unknowns.values.len());
+    let slopes = slopes.gradients.unwrap_or_default().concat();
+    unknowns.over(&slopes, found.dim).ok_or_else(|| {
+        let message = "the dimension of a derivative has powers that are too high";
+        Box::new(Diagnostic::error(Code::UnitMismatch, args.f.span, message))
+    })
+}

@@ -1,0 +1,335 @@
+//! Several unknowns: as the script holds them, as numbers, and as numbers that carry derivatives.
+
+use std::sync::Arc;
+
+use super::{SearchRange, told};
+use crate::{
+    diag::{Code, Diagnostic, Result, Span, Spanned},
+    kernel::{Answers, Jet, Wanted, glam::DVec3},
+    value::{Callback, Ctx, Dimension, IntoValue, Number, Range, Real, Record, Value, Vector},
+};
+
+/// Unknowns as the script holds them: a number, a point, or a list or record of such.
+pub(super) struct Unknowns {
+    shape: Value,
+    pub(super) values: Vec<f64>,
+}
+
+impl Unknowns {
+    /// The unknowns of a start.
+    ///
+    /// # Errors
+    /// A value that is none of these.
+    pub(super) fn new(start: &Spanned<Value>) -> Result<Self> {
+        let mut values = Vec::new();
+        if !take_apart(&start.value, &mut values) || values.is_empty() {
+            if start.value.is_jet() {
+                return super::no_derivatives(start.span);
+            }
+            let message = format!("a search starts from numbers, found {}", start.value.phrase());
+            return Diagnostic::error(Code::WrongKind, start.span, message)
+                .hint("the start is a number, a point, or a list or record of such: `start = {beam: 3m, draft: 1m}`")
+                .fail();
+        }
+        Ok(Self { shape: start.value.clone(), values })
+    }
+
+    /// The unknowns in the middle of their bounds.
+    ///
+    /// # Errors
+    /// Bounds that are no ranges, or backwards.
+    pub(super) fn between(within: &Spanned<Value>) -> Result<Self> {
+        Self::new(&Spanned::new(middle(&within.value, within.span)?, within.span))
+    }
+
+    /// Between which numbers each unknown stays.
+    ///
+    /// # Errors
+    /// Bounds that do not fit the unknowns.
+    pub(super) fn bounds(&self, within: Option<&Spanned<Value>>) -> Result<Vec<[f64; 2]>> {
+        let mut bounds = Vec::with_capacity(self.values.len());
+        match within {
+            Some(within) => bound(&self.shape, &within.value, within.span, &mut bounds)?,
+            None => bounds.resize(self.values.len(), FREE),
+        }
+        Ok(bounds)
+    }
+
+    /// The value of the start's shape with these numbers.
+    pub(super) fn with(&self, values: &[f64]) -> Value {
+        self.each(values, |_, value| Real::Plain(value))
+    }
+
+    /// The same with numbers that carry derivatives by each of them.
+    pub(super) fn varying(&self, values: &[f64]) -> Value {
+        let n = values.len();
+        self.each(values, |idx, value| Real::Jet(Jet::one_of(idx, n, value)))
+    }
+
+    /// These derivatives, of something of a dimension, by the unknowns: each of the dimension of the quotient.
+    /// None where its powers are too high.
+    pub(super) fn over(&self, slopes: &[f64], dim: Dimension) -> Option<Value> {
+        quotient(&self.with(slopes), dim)
+    }
+
+    fn each(&self, values: &[f64], real: impl Fn(usize, f64) -> Real) -> Value {
+        let mut reals = values.iter().enumerate().map(|(idx, &value)| real(idx, value));
+        put_together(&self.shape, &mut reals)
+    }
+
+    /// What functions answer at a place: with derivatives, where they are wanted and pass through all that
+    /// the functions do.
+    ///
+    /// # Errors
+    /// Those of the functions.
+    pub(super) fn answers(
+        &self,
+        values: &[f64],
+        wanted: Wanted,
+        mut ask: impl FnMut(&Value) -> Result<Vec<Real>>,
+    ) -> Result<Answers> {
+        if wanted == Wanted::Gradients {
+            match ask(&self.varying(values)) {
+                Ok(reals) => return Ok(with_gradients(&reals, values.len())),
+                Err(found) if found.code == Code::NoDerivative => {}
+                Err(found) => return Err(found),
+            }
+        }
+        let reals = ask(&self.with(values))?;
+        Ok(reals.iter().map(Real::value).collect::<Vec<f64>>().into())
+    }
+
+    /// A place as messages tell it.
+    pub(super) fn told(&self, values: &[f64]) -> Value {
+        let six = |_, value: f64| {
+            Real::Plain(told(value, Some(Dimension::NONE)).parse().unwrap_or(value))
+        };
+        self.each(values, six)
+    }
+}
+
+/// The values of numbers and their derivatives by so many unknowns.
+pub(super) fn with_gradients(reals: &[Real], n_unknowns: usize) -> Answers {
+    let gradient = |real: &Real| match real {
+        Real::Plain(_) => vec![0.0; n_unknowns],
+        Real::Jet(jet) => jet.slopes().to_vec(),
+    };
+    Answers {
+        values: reals.iter().map(Real::value).collect(),
+        gradients: Some(reals.iter().map(gradient).collect()),
+    }
+}
+
+/// Bounds of what nothing bounds.
+const FREE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
+/// What a function yields at a place.
+///
+/// # Errors
+/// Those of the function, with the search that asked.
+pub(super) fn asked(ctx: &mut Ctx<'_>, function: &Callback, place: &Value) -> Result<Value> {
+    ctx.call(function, std::slice::from_ref(place)).map_err(|found| from_here(ctx, found, place))
+}
+
+/// A mistake at a place, with the search that asked.
+pub(super) fn from_here(
+    ctx: &Ctx<'_>,
+    mut found: Box<Diagnostic>,
+    place: &Value,
+) -> Box<Diagnostic> {
+    found.others.retain(|other| other.span != ctx.span);
+    Box::new(found.also(ctx.span, format!("asked at {} from here", without_derivatives(place))))
+}
+
+/// A place without the derivatives that its numbers carry.
+fn without_derivatives(place: &Value) -> Value {
+    match place {
+        Value::List(items) => Value::List(items.iter().map(without_derivatives).collect()),
+        Value::Record(record) => {
+            let field =
+                |(label, value): (&str, &Value)| (Arc::from(label), without_derivatives(value));
+            Value::Record(Arc::new(Record::new(record.iter().map(field).collect::<Vec<_>>())))
+        }
+        other => other.looked_at(),
+    }
+}
+
+/// The numbers that a function yields: of a point, a list or a record all of them.
+///
+/// # Errors
+/// What holds no numbers.
+pub(super) fn numbers(value: &Value, span: Span, all: &mut Vec<Number<Real>>) -> Result<()> {
+    let bare = |value: Real| Number { value, dim: Dimension::OPEN };
+    match value {
+        Value::Point(point) => all.extend(point.to_array().map(|part| bare(Real::Plain(part)))),
+        Value::JetPoint(jets) => all.extend(jets.iter().map(|jet| bare(Real::Jet(jet.clone())))),
+        Value::List(items) => items.iter().try_for_each(|item| numbers(item, span, all))?,
+        Value::Record(record) => {
+            record.iter().try_for_each(|(_, value)| numbers(value, span, all))?;
+        }
+        other => all.push(number(other, span)?),
+    }
+    Ok(())
+}
+
+/// A number with or without derivatives.
+///
+/// # Errors
+/// Any other value.
+pub(super) fn number(value: &Value, span: Span) -> Result<Number<Real>> {
+    match value {
+        Value::Jet(number) => Ok((**number).clone()),
+        other => {
+            let Number { value, dim } = super::plain_number(&other.looked_at(), span)?;
+            Ok(Number { value: Real::Plain(value), dim })
+        }
+    }
+}
+
+fn take_apart(value: &Value, values: &mut Vec<f64>) -> bool {
+    match value {
+        Value::Number(number) => values.push(number.value),
+        Value::Point(point) => values.extend(point.to_array()),
+        Value::List(items) => return items.iter().all(|item| take_apart(item, values)),
+        Value::Record(record) => return record.iter().all(|(_, value)| take_apart(value, values)),
+        _ => return false,
+    }
+    true
+}
+
+fn put_together(shape: &Value, values: &mut dyn Iterator<Item = Real>) -> Value {
+    match shape {
+        Value::Number(number) => {
+            let value = values.next().unwrap_or(Real::Plain(number.value));
+            Number { value, dim: number.dim }.into_value()
+        }
+        Value::Point(point) => {
+            let parts = point.to_array().map(|part| values.next().unwrap_or(Real::Plain(part)));
+            Vector::new(parts).into_value()
+        }
+        Value::List(items) => {
+            Value::List(items.iter().map(|item| put_together(item, values)).collect())
+        }
+        Value::Record(record) => {
+            let field =
+                |(label, value): (&str, &Value)| (Arc::from(label), put_together(value, values));
+            Value::Record(Arc::new(Record::new(record.iter().map(field).collect::<Vec<_>>())))
+        }
+        other => other.clone(),
+    }
+}
+
+/// Numbers with the dimension of a quotient by their own one.
+fn quotient(value: &Value, dim: Dimension) -> Option<Value> {
+    Some(match value {
+        Value::Number(number) => {
+            Number { value: number.value, dim: dim.over(number.dim)? }.into_value()
+        }
+        Value::List(items) => {
+            let items: Option<Vec<Value>> = items.iter().map(|item| quotient(item, dim)).collect();
+            Value::list(items?)
+        }
+        Value::Record(record) => {
+            let field =
+                |(label, value): (&str, &Value)| Some((Arc::from(label), quotient(value, dim)?));
+            let fields: Option<Vec<_>> = record.iter().map(field).collect();
+            Value::Record(Arc::new(Record::new(fields?)))
+        }
+        other => other.clone(),
+    })
+}
+
+/// The number in the middle of each range.
+fn middle(within: &Value, span: Span) -> Result<Value> {
+    Ok(match within {
+        Value::Range(range) => {
+            let range = SearchRange::new(Spanned::new(*range, span))?;
+            range.place(range.ends[0] + 0.5 * (range.ends[1] - range.ends[0])).into_value()
+        }
+        Value::List(items) => {
+            let items: Vec<Value> =
+                items.iter().map(|item| middle(item, span)).collect::<Result<_>>()?;
+            Value::list(items)
+        }
+        Value::Record(record) => {
+            let field = |(label, value): (&str, &Value)| -> Result<(Arc<str>, Value)> {
+                Ok((Arc::from(label), middle(value, span)?))
+            };
+            let fields = record.iter().map(field).collect::<Result<Vec<_>>>()?;
+            Value::Record(Arc::new(Record::new(fields)))
+        }
+        other => return no_bounds(&format!("found {}", other.phrase()), span),
+    })
+}
+
+/// The bounds of the unknowns of a shape.
+fn bound(shape: &Value, within: &Value, span: Span, bounds: &mut Vec<[f64; 2]>) -> Result<()> {
+    match (shape, within) {
+        (Value::Number(number), Value::Range(range)) => {
+            let range = SearchRange::new(Spanned::new(*range, span))?;
+            if number.dim.common(range.dim).is_none() {
+                let message =
+                    format!("the bounds are {}, the unknown is {}", range.dim, number.dim);
+                return Diagnostic::error(Code::UnitMismatch, span, message).fail();
+            }
+            bounds.push(range.ends);
+        }
+        (Value::Point(point), Value::Range(_)) => {
+            for part in point.to_array() {
+                bound(&Value::number(part), within, span, bounds)?;
+            }
+        }
+        (Value::Point(DVec3 { x, y, z }), Value::List(ranges)) if ranges.len() <= 3 => {
+            for (idx, part) in [*x, *y, *z].into_iter().enumerate() {
+                match ranges.get(idx) {
+                    Some(range) => bound(&Value::number(part), &range, span, bounds)?,
+                    None => bounds.push(FREE),
+                }
+            }
+        }
+        (Value::List(items), Value::Range(_)) => {
+            items.iter().try_for_each(|item| bound(item, within, span, bounds))?;
+        }
+        (Value::Record(record), Value::Range(_)) => {
+            record.iter().try_for_each(|(_, value)| bound(value, within, span, bounds))?;
+        }
+        (Value::List(items), Value::List(ranges)) if items.len() == ranges.len() => {
+            let mut pairs = items.iter().zip(ranges.iter());
+            pairs.try_for_each(|(item, range)| bound(item, range, span, bounds))?;
+        }
+        (Value::Record(record), Value::Record(ranges)) => {
+            if let Some((label, _)) = ranges.iter().find(|(label, _)| record.get(label).is_none()) {
+                return no_bounds(&format!("there is no unknown `{label}`"), span);
+            }
+            for (label, value) in record.iter() {
+                match ranges.get(label) {
+                    Some(range) => bound(value, range, span, bounds)?,
+                    None => {
+                        let mut values = Vec::new();
+                        take_apart(value, &mut values);
+                        bounds.resize(bounds.len() + values.len(), FREE);
+                    }
+                }
+            }
+        }
+        (shape, within) => {
+            return no_bounds(&format!("found {} for {}", within.phrase(), shape.phrase()), span);
+        }
+    }
+    Ok(())
+}
+
+fn no_bounds<T>(found: &str, span: Span) -> Result<T> {
+    let message = format!("`within` takes a range for each unknown, {found}");
+    Diagnostic::error(Code::WrongKind, span, message)
+        .hint("one range for all of them, or a list or record of ranges like the start: `within = {beam: 2m..4m, draft: 0.5m..2m}`")
+        .fail()
+}
+
+/// The ends of a single range.
+pub(super) fn single(within: &Spanned<Value>) -> Option<Spanned<Range>> {
+    match &within.value {
+        Value::Range(range) => Some(Spanned::new(*range, within.span)),
+        _ => None,
+    }
+}
