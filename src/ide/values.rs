@@ -8,7 +8,7 @@ use crate::{
     eval::Checked,
     kernel::Curve,
     session::{Event, Report},
-    value::{Dimension, Number, Value, rounded},
+    value::{Number, Value, rounded},
 };
 
 /// Characters of a value that stand on one line.
@@ -81,7 +81,7 @@ fn measured(curve: &Curve, unit: &str) -> String {
 
 /// A number with six digits and its unit.
 fn number(number: &Number, unit: &str) -> String {
-    if number.dim == Dimension::ANGLE {
+    if number.dim.is_angle() {
         return format!("{}deg", rounded(number.value.to_degrees()));
     }
     let unit = number.dim.unit(unit).map(|unit| format!(" {unit}")).unwrap_or_default();

@@ -9,7 +9,7 @@ use crate::{
     kernel::{Column, NamedColumn},
     session::{Event, Report},
     syntax::ast::Unit,
-    value::{Dimension, Number, Value, in_document_unit},
+    value::{Number, Value, in_document_unit},
 };
 
 /// Cells by the titles of their columns, in the order of the columns.
@@ -187,7 +187,7 @@ impl RowMaker {
         Some(match value {
             Value::Bool(truth) => (None, json!(truth)),
             Value::Text(text) => (None, json!(**text)),
-            Value::Number(number) if number.dim == Dimension::ANGLE => {
+            Value::Number(number) if number.dim.is_angle() => {
                 (Some(DEGREES.to_owned()), json!(in_degrees(*number)))
             }
             Value::Number(number) => (number.dim.unit(self.unit.name()), json!(number.value)),
