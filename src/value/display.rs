@@ -47,7 +47,7 @@ impl fmt::Display for ToldValue<'_> {
             Value::List(items) => {
                 f.write_str("[")?;
                 for (i, item) in items.iter().enumerate() {
-                    write!(f, "{}{}", if i == 0 { "" } else { ", " }, inner(&item))?;
+                    write!(f, "{}{}", if i == 0 { "" } else { ", " }, inner(item))?;
                 }
                 f.write_str("]")
             }

@@ -41,7 +41,7 @@ fn brief(value: &Value, unit: Unit) -> Option<String> {
         Value::None | Value::Bool(_) | Value::Number(_) | Value::Point(_) | Value::Range(_) => true,
         Value::Text(text) => text.len() <= MOST_CHARS,
         Value::List(items) => {
-            items.len() <= 12 && items.iter().all(|item| brief(&item, unit).is_some())
+            items.len() <= 12 && items.iter().all(|item| brief(item, unit).is_some())
         }
         Value::Record(record) => record.iter().all(|(_, value)| brief(value, unit).is_some()),
         _ => false,
