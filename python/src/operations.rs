@@ -48,7 +48,7 @@ fn operation(op: &'static Op) -> Json {
 fn hint(ty: Type) -> &'static str {
     match ty {
         Type::Bool => "bool",
-        Type::Number | Type::Length | Type::Angle => "Quantity",
+        Type::Number | Type::Length | Type::Angle | Type::Quantity(_) => "Quantity",
         Type::Ratio | Type::Count | Type::Integer => "float",
         Type::Text | Type::Choice(_) => "str",
         Type::Point => "PointLike",
