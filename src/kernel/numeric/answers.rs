@@ -23,7 +23,14 @@ pub enum Wanted {
     Gradients,
 }
 
-/// What several functions answer at one place. See [`Wanted`].
+/// What several functions answer at one place.
+///
+/// ```
+/// use virote_kernel::Answers;
+///
+/// let answers = Answers::from(vec![1.0, 2.0]);
+/// assert!(answers.gradients.is_none());
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answers {
     /// The values.
@@ -83,7 +90,7 @@ impl<F> Asked<F> {
         let mut beside = place.to_vec();
         let mut gradients = vec![vec![0.0; place.len()]; own.values.len()];
         for (k, &x) in place.iter().enumerate() {
-            let reach = DIFFERENCE_RELATIVE * x.abs().max(DIFFERENCE_RELATIVE.cbrt() * size);
+            let reach = DIFFERENCE_RELATIVE * x.abs().max(libm::cbrt(DIFFERENCE_RELATIVE) * size);
             let [least, most] = bounds.get(k).copied().unwrap_or([-f64::INFINITY, f64::INFINITY]);
             let [low, high] = [(x - reach).max(least), (x + reach).min(most)];
             beside[k] = low;

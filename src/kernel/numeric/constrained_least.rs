@@ -35,7 +35,17 @@ pub struct LeastProblem<'a> {
     pub n_equations: usize,
 }
 
-/// Why a search for a least value ended. See [`LeastProblem`].
+/// Why a search for a least value ended.
+///
+/// ```
+/// use virote_kernel::{Answers, LeastEnd, LeastProblem};
+///
+/// let free = [f64::NEG_INFINITY, f64::INFINITY];
+/// let problem = LeastProblem { start: &[1.0], bounds: &[free], n_equations: 0 };
+/// let found = problem.find(|x, _| Ok::<_, ()>(Answers::from(vec![x[0]])))?;
+/// assert_eq!(found.end, LeastEnd::Unbounded);
+/// # Ok::<(), ()>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LeastEnd {
     /// No place near by is better.
@@ -50,7 +60,17 @@ pub enum LeastEnd {
     Unsettled,
 }
 
-/// What a search for a least value found. See [`LeastProblem`].
+/// What a search for a least value found.
+///
+/// ```
+/// use virote_kernel::{Answers, ConstrainedLeast, LeastProblem};
+///
+/// let problem = LeastProblem { start: &[1.0], bounds: &[[0.0, 4.0]], n_equations: 0 };
+/// let found: ConstrainedLeast =
+///     problem.find(|x, _| Ok::<_, ()>(Answers::from(vec![(x[0] - 3.0) * (x[0] - 3.0)])))?;
+/// assert!((found.unknowns[0] - 3.0).abs() < 1e-6 && found.has_differences);
+/// # Ok::<(), ()>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConstrainedLeast {
     /// The best place.
@@ -179,9 +199,11 @@ mod tests {
 
     #[test]
     fn valleys_and_saddles_are_left_for_the_least_value() {
-        let valley = |x: &[f64]| vec![100.0 * (x[1] - x[0] * x[0]).powi(2) + (1.0 - x[0]).powi(2)];
+        let valley = |x: &[f64]| {
+            vec![100.0 * libm::pow(x[1] - x[0] * x[0], 2.0) + libm::pow(1.0 - x[0], 2.0)]
+        };
         check(&found(valley, &[-1.2, 1.0], &[FREE; 2], 0), &[1.0, 1.0]);
-        let saddle = |x: &[f64]| vec![x[0].powi(4) - x[0] * x[0] + x[1] * x[1]];
+        let saddle = |x: &[f64]| vec![libm::pow(x[0], 4.0) - x[0] * x[0] + x[1] * x[1]];
         let beside = found(saddle, &[0.0, 0.5], &[FREE; 2], 0);
         check(&beside, &[beside.unknowns[0].signum() * 0.5_f64.sqrt(), 0.0]);
     }
@@ -209,7 +231,7 @@ mod tests {
             ]
         };
         check(&found(rosen_suzuki, &[0.0; 4], &[FREE; 4], 0), &[0.0, 1.0, 2.0, -1.0]);
-        let curved = |x: &[f64]| vec![(1.0 - x[0]).powi(2), 10.0 * (x[1] - x[0] * x[0])];
+        let curved = |x: &[f64]| vec![libm::pow(1.0 - x[0], 2.0), 10.0 * (x[1] - x[0] * x[0])];
         check(&found(curved, &[-1.2, 1.0], &[FREE; 2], 1), &[1.0, 1.0]);
     }
 
