@@ -230,7 +230,7 @@ mod tests {
     #[test]
     fn equations_hold_and_conditions_that_say_the_same_do_no_harm() {
         let line = condition(&[1.0, 1.0], -2.0, true);
-        check(&[line.clone()], Some(([0.25, 1.75], &[-1.5])));
+        check(std::slice::from_ref(&line), Some(([0.25, 1.75], &[-1.5])));
         check(
             &[line.clone(), condition(&[2.0, 2.0], -4.0, true)],
             Some(([0.25, 1.75], &[-1.5, 0.0])),
