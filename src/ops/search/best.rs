@@ -198,7 +198,7 @@ impl Asking<'_, '_> {
                 .ctx
                 .caller
                 .comparisons(callback, args, condition.span)
-                .map_err(|found| from_here(self.ctx, found, place))?;
+                .map_err(|found| from_here(self.ctx, *found, place))?;
             for comparison in compared {
                 let mut parts = Vec::new();
                 let spanned = |number: Number<Real>| (number.value, comparison.span);

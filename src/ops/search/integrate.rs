@@ -156,7 +156,7 @@ impl Integrand<'_, '_> {
                 let place = Value::list(args.to_vec());
                 let value = self.ctx.call(&self.f.value, args);
                 (
-                    value.map_err(|found| super::unknowns::from_here(self.ctx, found, &place))?,
+                    value.map_err(|found| super::unknowns::from_here(self.ctx, *found, &place))?,
                     place.to_string(),
                 )
             }

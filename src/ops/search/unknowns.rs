@@ -128,15 +128,11 @@ const FREE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 /// # Errors
 /// Those of the function, with the search that asked.
 pub(super) fn asked(ctx: &mut Ctx<'_>, function: &Callback, place: &Value) -> Result<Value> {
-    ctx.call(function, std::slice::from_ref(place)).map_err(|found| from_here(ctx, found, place))
+    ctx.call(function, std::slice::from_ref(place)).map_err(|found| from_here(ctx, *found, place))
 }
 
 /// A mistake at a place, with the search that asked.
-pub(super) fn from_here(
-    ctx: &Ctx<'_>,
-    mut found: Box<Diagnostic>,
-    place: &Value,
-) -> Box<Diagnostic> {
+pub(super) fn from_here(ctx: &Ctx<'_>, mut found: Diagnostic, place: &Value) -> Box<Diagnostic> {
     found.others.retain(|other| other.span != ctx.span);
     Box::new(found.also(ctx.span, format!("asked at {} from here", without_derivatives(place))))
 }
