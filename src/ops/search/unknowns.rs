@@ -132,11 +132,7 @@ pub(super) fn asked(ctx: &mut Ctx<'_>, function: &Callback, place: &Value) -> Re
 }
 
 /// A mistake at a place, with the search that asked.
-pub(super) fn from_here(
-    ctx: &Ctx<'_>,
-    mut found: Diagnostic,
-    place: &Value,
-) -> Box<Diagnostic> {
+pub(super) fn from_here(ctx: &Ctx<'_>, mut found: Diagnostic, place: &Value) -> Box<Diagnostic> {
     found.others.retain(|other| other.span != ctx.span);
     Box::new(found.also(ctx.span, format!("asked at {} from here", without_derivatives(place))))
 }
