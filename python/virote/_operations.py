@@ -117,6 +117,7 @@ __all__ = [
     "frame_of",
     "gaussian",
     "gordon",
+    "gradient",
     "greville",
     "grid_mesh",
     "helix",
@@ -396,26 +397,26 @@ def arc_through(a: PointLike, b: PointLike, c: PointLike) -> Curve:
     return _called("arc_through", (), {"a": a, "b": b, "c": c})  # type: ignore[no-any-return]
 
 
-def area(*args: Any, s: Any = None, m: Any = None, r: Any = None) -> float:
+def area(*args: Any, s: Any = None, m: Any = None, r: Any = None) -> Any:
     """Area of a surface, or of several together.
 
     The integral of |Su × Sv|, to some 12 digits where the surface is smooth.
 
     :param s: The surface, or a list of surfaces.
 
-    In scripts: ``area(s: surface | list of surfaces) -> number``
+    In scripts: ``area(s: surface | list of surfaces) -> area``
 
     Area of a mesh: the sum over its triangles.
     :param m: The mesh.
 
-    In scripts: ``area(m: mesh) -> number``
+    In scripts: ``area(m: mesh) -> area``
 
     Area of a region: Green's theorem along its borders, to rounding.
     :param r: The region.
 
-    In scripts: ``area(r: region) -> number``
+    In scripts: ``area(r: region) -> area``
     """
-    return _called("area", args, {"s": s, "m": m, "r": r})  # type: ignore[no-any-return]
+    return _called("area", args, {"s": s, "m": m, "r": r})
 
 
 def argmax(list: Any, *, by: FunctionLike | None = None) -> float:
@@ -1330,7 +1331,7 @@ def cubic_spline(*args: Any, points: Any = None, tangents: Any = None) -> Curve:
     return _called("cubic_spline", args, {"points": points, "tangents": tangents})  # type: ignore[no-any-return]
 
 
-def curvature(c: Curve, t: float, *, side: str | None = None) -> float:
+def curvature(c: Curve, t: float, *, side: str | None = None) -> Any:
     """Curvature of a curve: the reciprocal of the radius of the osculating circle, never negative.
 
     |C' × C''| / |C'|³, and 0 where the curve is straight. Where the first derivative vanishes it is
@@ -1341,9 +1342,9 @@ def curvature(c: Curve, t: float, *, side: str | None = None) -> float:
     :param t: The parameter, inside the curve's domain.
     :param side: The piece that is asked at a knot: after it or before it. Default: ``"right"``.
 
-    In scripts: ``curvature(c: curve, t: number, side: "right" | "left" = "right") -> number``
+    In scripts: ``curvature(c: curve, t: number, side: "right" | "left" = "right") -> curvature``
     """
-    return _called("curvature", (), {"c": c, "t": t, "side": side})  # type: ignore[no-any-return]
+    return _called("curvature", (), {"c": c, "t": t, "side": side})
 
 
 def curvature_comb(*args: Any, c: Any = None, samples: Any = None, scale: Any = None, side: Any = None, s: Any = None, u: Any = None, v: Any = None) -> dict[str, Any]:
@@ -1624,7 +1625,7 @@ def distance(a: PointLike, b: PointLike) -> float:
     :param a: One point.
     :param b: The other point.
 
-    In scripts: ``distance(a: point, b: point) -> number``
+    In scripts: ``distance(a: point, b: point) -> length``
     """
     return _called("distance", (), {"a": a, "b": b})  # type: ignore[no-any-return]
 
@@ -2020,6 +2021,24 @@ def gordon(u: Sequence[Curve], v: Sequence[Curve], *, at_u: Any = None, at_v: An
     return _called("gordon", (), {"u": u, "v": v, "at_u": at_u, "at_v": at_v, "blend": blend, "tolerance": tolerance})  # type: ignore[no-any-return]
 
 
+def gradient(f: FunctionLike, at: Any) -> Any:
+    """Derivatives of a function's value by each of its unknowns at a place, exact but for rounding: of the
+    shape of the place.
+
+    The function is run once, on numbers that carry a derivative by each unknown along, through operators,
+    the functions of numbers and points, and the questions about places of curves and surfaces. The first
+    operation through which no derivative passes is named in the error. Conditions of `if` and other
+    comparisons decide by the value alone; what does not depend on an unknown has the derivative 0 by it.
+    Griewank & Walther, *Evaluating Derivatives*, §3.1.
+
+    :param f: A function of the unknowns that yields a number.
+    :param at: The place: a number, a point, or a list or record of such.
+
+    In scripts: ``gradient(f: function, at: any) -> any``
+    """
+    return _called("gradient", (), {"f": f, "at": at})
+
+
 def greville(c: Curve) -> Any:
     """Greville parameters of a curve, one a control point: means of as many consecutive knots as
     the degree says.
@@ -2209,21 +2228,22 @@ def insert_knot(*args: Any, c: Any = None, t: Any = None, times: Any = None, s: 
     return _called("insert_knot", args, {"c": c, "t": t, "times": times, "s": s, "u": u, "v": v})
 
 
-def integrate(f: FunctionLike, range: tuple[Quantity, Quantity], *, tolerance: Quantity | None = None) -> Any:
-    """Integral of a function over a range: of numbers a number, of points a point.
+def integrate(f: FunctionLike, over: Any, *, tolerance: Quantity | None = None) -> Any:
+    """Integral of a function over a range; or over a box of two or three ranges, the length of a curve, the area
+    of a surface, or several of these together. Of numbers it is a number, of points a point.
 
-    It is known to thirteen digits of the integral of the function's size, or within `tolerance`. The
-    ends of the range are never asked for, so that a function may grow without bound there; an integral
-    that has no finite value, or does not settle, is refused with the place. Piessens et al., *QUADPACK*,
-    §2.2.1.
+    It is known to thirteen digits of the integral of the function's size, or within `tolerance`; over boxes
+    and surfaces to twelve. Ends of ranges are never asked for, so that a function may grow without bound
+    there; an integral that has no finite value, or does not settle, is refused with the place. Derivatives
+    pass through: that of an integral is the integral of the derivative. Piessens et al., *QUADPACK*, §2.2.1.
 
-    :param f: A function of one number that yields a number or a point.
-    :param range: The range.
+    :param f: A function that yields a number or a point: of a number over a range, of as many as there are ranges over a box, of a point over a curve or a surface.
+    :param over: The range; or a list of two or three, a curve, a surface, a list of curves or of surfaces.
     :param tolerance: How far the integral may be off, in units of its own; thirteen digits unless given.
 
-    In scripts: ``integrate(f: function, range: range, tolerance: number = none) -> any``
+    In scripts: ``integrate(f: function, over: any, tolerance: number = none) -> any``
     """
-    return _called("integrate", (), {"f": f, "range": range, "tolerance": tolerance})
+    return _called("integrate", (), {"f": f, "over": over, "tolerance": tolerance})
 
 
 def interpolate(*args: Any, points: Any = None, degree: Any = None, parameters: Any = None, ends: Any = None, tangents: Any = None, derivatives: Any = None, closed: Any = None, second_pass: Any = None) -> Any:
@@ -2527,12 +2547,12 @@ def length(*args: Any, c: Any = None, range: Any = None, r: Any = None) -> float
     :param c: The curve.
     :param range: The range, inside the curve's domain; all of it when left out.
 
-    In scripts: ``length(c: curve, range: range = none) -> number``
+    In scripts: ``length(c: curve, range: range = none) -> length``
 
     Length of all borders of a region together.
     :param r: The region.
 
-    In scripts: ``length(r: region) -> number``
+    In scripts: ``length(r: region) -> length``
     """
     return _called("length", args, {"c": c, "range": range, "r": r})  # type: ignore[no-any-return]
 
@@ -2680,19 +2700,31 @@ def max_(*args: Any, numbers: Any = None) -> float:
     return _called("max", args, {"numbers": numbers})  # type: ignore[no-any-return]
 
 
-def maximize(f: FunctionLike, within: tuple[Quantity, Quantity]) -> float:
-    """Number within a range at which a function is greatest, which may be an end of the range.
+def maximize(f: FunctionLike, *, within: Any = None, start: Any = None, subject: Any = None, report: bool | None = None) -> Any:
+    """Unknowns at which a function is greatest: a number within a range, or several unknowns within bounds,
+    from a start, and under conditions.
 
-    Seventeen places at equal distances tell near which the greatest value is; from there on the search
-    goes by parabolas and golden sections. The place has half of the digits that numbers have, the value
-    there all of them. Brent, *Algorithms for Minimization without Derivatives*, ch. 5.
+    Of one number in a range, which may be an end of it: seventeen places at equal distances tell near
+    which the greatest value is; from there on the search goes by parabolas and golden sections. The place
+    has half of the digits that numbers have, the value there all of them. Brent, *Algorithms for
+    Minimization without Derivatives*, ch. 5.
 
-    :param f: A function of one number that yields a number; both may have a dimension.
-    :param within: The range.
+    Several unknowns are a point, or a list or record of numbers and points. The search begins at `start`,
+    or at the best of 32 places that are spread over the bounds, and ends at the nearest valley's floor,
+    which need not be the greatest of all. Its steps are those of sequential quadratic programming; gradients
+    are exact where derivatives pass through all that the function does (see `gradient`), else central
+    differences. What would be higher a little beside the answer is looked at before it is given. Nocedal &
+    Wright, *Numerical Optimization*, ch. 18.
 
-    In scripts: ``maximize(f: function, within: range) -> number``
+    :param f: A function of the unknowns that yields a number; all may have a dimension.
+    :param within: The range of one number, or a list or record of ranges for several; one range serves all of them. Unknowns of a record that it does not name are free, and so is what is left out of a point.
+    :param start: Where the search begins; inside the bounds where there are any.
+    :param subject: Conditions: a function of the unknowns that compares, `u => u.a + u.b <= 5 and u.a == 2*u.b`, or a list of such. They hold to eight digits of the unknowns; `<` is taken for `<=`.
+    :param report: Whether a record tells how it was found: `at`, the `value` there, `evaluations`, and whether `derivatives` were `"exact"`, `"differences"` or `"none"`. Default: ``false``.
+
+    In scripts: ``maximize(f: function, within: any = none, start: any = none, subject: any = none, report: bool = false) -> any``
     """
-    return _called("maximize", (), {"f": f, "within": within})  # type: ignore[no-any-return]
+    return _called("maximize", (), {"f": f, "within": within, "start": start, "subject": subject, "report": report})
 
 
 def mean(*args: Any, s: Any = None, u: Any = None, v: Any = None, list: Any = None) -> Any:
@@ -2706,7 +2738,7 @@ def mean(*args: Any, s: Any = None, u: Any = None, v: Any = None, list: Any = No
     :param u: The first parameter, inside the surface's domain.
     :param v: The second parameter.
 
-    In scripts: ``mean(s: surface, u: number, v: number) -> number``
+    In scripts: ``mean(s: surface, u: number, v: number) -> curvature``
 
     Arithmetic mean of numbers, or of points.
     :param list: The list; one element or more.
@@ -2755,19 +2787,31 @@ def min_(*args: Any, numbers: Any = None) -> float:
     return _called("min", args, {"numbers": numbers})  # type: ignore[no-any-return]
 
 
-def minimize(f: FunctionLike, within: tuple[Quantity, Quantity]) -> float:
-    """Number within a range at which a function is least, which may be an end of the range.
+def minimize(f: FunctionLike, *, within: Any = None, start: Any = None, subject: Any = None, report: bool | None = None) -> Any:
+    """Unknowns at which a function is least: a number within a range, or several unknowns within bounds,
+    from a start, and under conditions.
 
-    Seventeen places at equal distances tell near which the least value is; from there on the search
-    goes by parabolas and golden sections. The place has half of the digits that numbers have, the value
-    there all of them. Brent, *Algorithms for Minimization without Derivatives*, ch. 5.
+    Of one number in a range, which may be an end of it: seventeen places at equal distances tell near
+    which the least value is; from there on the search goes by parabolas and golden sections. The place
+    has half of the digits that numbers have, the value there all of them. Brent, *Algorithms for
+    Minimization without Derivatives*, ch. 5.
 
-    :param f: A function of one number that yields a number; both may have a dimension.
-    :param within: The range.
+    Several unknowns are a point, or a list or record of numbers and points. The search begins at `start`,
+    or at the best of 32 places that are spread over the bounds, and ends at the nearest valley's floor,
+    which need not be the least of all. Its steps are those of sequential quadratic programming; gradients
+    are exact where derivatives pass through all that the function does (see `gradient`), else central
+    differences. What would be lower a little beside the answer is looked at before it is given. Nocedal &
+    Wright, *Numerical Optimization*, ch. 18.
 
-    In scripts: ``minimize(f: function, within: range) -> number``
+    :param f: A function of the unknowns that yields a number; all may have a dimension.
+    :param within: The range of one number, or a list or record of ranges for several; one range serves all of them. Unknowns of a record that it does not name are free, and so is what is left out of a point.
+    :param start: Where the search begins; inside the bounds where there are any.
+    :param subject: Conditions: a function of the unknowns that compares, `u => u.a + u.b <= 5 and u.a == 2*u.b`, or a list of such. They hold to eight digits of the unknowns; `<` is taken for `<=`.
+    :param report: Whether a record tells how it was found: `at`, the `value` there, `evaluations`, and whether `derivatives` were `"exact"`, `"differences"` or `"none"`. Default: ``false``.
+
+    In scripts: ``minimize(f: function, within: any = none, start: any = none, subject: any = none, report: bool = false) -> any``
     """
-    return _called("minimize", (), {"f": f, "within": within})  # type: ignore[no-any-return]
+    return _called("minimize", (), {"f": f, "within": within, "start": start, "subject": subject, "report": report})
 
 
 def mirror(g: Any, plane: Frame) -> Any:
@@ -2815,7 +2859,7 @@ def normal(*args: Any, c: Any = None, t: Any = None, side: Any = None, s: Any = 
     return _called("normal", args, {"c": c, "t": t, "side": side, "s": s, "u": u, "v": v})
 
 
-def normal_curvature(s: Surface, u: float, v: float, direction: PointLike) -> float:
+def normal_curvature(s: Surface, u: float, v: float, direction: PointLike) -> Any:
     """Normal curvature of a surface in a direction: the curvature of its section by the plane of the
     normal and that direction.
 
@@ -2828,9 +2872,9 @@ def normal_curvature(s: Surface, u: float, v: float, direction: PointLike) -> fl
     :param v: The second parameter.
     :param direction: A direction of the tangent plane, of any length.
 
-    In scripts: ``normal_curvature(s: surface, u: number, v: number, direction: point) -> number``
+    In scripts: ``normal_curvature(s: surface, u: number, v: number, direction: point) -> curvature``
     """
-    return _called("normal_curvature", (), {"s": s, "u": u, "v": v, "direction": direction})  # type: ignore[no-any-return]
+    return _called("normal_curvature", (), {"s": s, "u": u, "v": v, "direction": direction})
 
 
 def normal_line(*args: Any, c: Any = None, t: Any = None, length: Any = None, side: Any = None, s: Any = None, u: Any = None, v: Any = None) -> Curve:
@@ -2874,7 +2918,7 @@ def normal_plane(c: Curve, t: float, *, side: str | None = None) -> Frame:
 
 
 def num(text: str) -> float:
-    """Number that a text spells, without a unit.
+    """Number that a text spells. Nobody has said what it measures, as of a coordinate.
 
     :param text: The text, such as "12.5" or "1e-3".
 
@@ -3242,7 +3286,7 @@ def radius_of_curvature(c: Curve, t: float, *, side: str | None = None) -> float
     :param t: The parameter, inside the curve's domain.
     :param side: The piece that is asked at a knot: after it or before it. Default: ``"right"``.
 
-    In scripts: ``radius_of_curvature(c: curve, t: number, side: "right" | "left" = "right") -> number``
+    In scripts: ``radius_of_curvature(c: curve, t: number, side: "right" | "left" = "right") -> length``
     """
     return _called("radius_of_curvature", (), {"c": c, "t": t, "side": side})  # type: ignore[no-any-return]
 
@@ -3698,7 +3742,7 @@ def sign(x: Quantity) -> float:
     return _called("sign", (), {"x": x})  # type: ignore[no-any-return]
 
 
-def signed_curvature(c: Curve, t: float, *, normal: PointLike | None = None, side: str | None = None) -> float:
+def signed_curvature(c: Curve, t: float, *, normal: PointLike | None = None, side: str | None = None) -> Any:
     """Curvature of a curve with a sign: positive where it turns counter-clockwise, seen from the tip
     of the normal.
 
@@ -3711,9 +3755,9 @@ def signed_curvature(c: Curve, t: float, *, normal: PointLike | None = None, sid
     :param normal: The direction that the curve is seen from. Default: ``(0, 0, 1)``.
     :param side: The piece that is asked at a knot: after it or before it. Default: ``"right"``.
 
-    In scripts: ``signed_curvature(c: curve, t: number, normal: point = (0, 0, 1), side: "right" | "left" = "right") -> number``
+    In scripts: ``signed_curvature(c: curve, t: number, normal: point = (0, 0, 1), side: "right" | "left" = "right") -> curvature``
     """
-    return _called("signed_curvature", (), {"c": c, "t": t, "normal": normal, "side": side})  # type: ignore[no-any-return]
+    return _called("signed_curvature", (), {"c": c, "t": t, "normal": normal, "side": side})
 
 
 def sin(angle: Any) -> float:
@@ -3779,9 +3823,15 @@ def solve(f: FunctionLike, *, within: tuple[Quantity, Quantity] | None = None, s
     Where the function has different signs at both ends, the root between them is found in some ten
     steps, as exactly as numbers tell it. Where it has the same sign, the range is divided until it has
     not, and at last the place where it is nearest to zero is looked at, since it may only touch zero
-    there. A jump over zero, such as a pole, is no root. With `all = true` the answer is a list: every
-    root that 256 places at equal distances tell apart. Chandrupatla, *A new hybrid
-    quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997).
+    there. A jump over zero, such as a pole, is no root. With `all = true` the answer is a list. Of a
+    function of arithmetic, `if` and the functions of one number the range is divided until bounds of its
+    values and slopes prove where its roots are and that there are no others; of any other function, or
+    where roots coincide or lie at the border, the list holds every root that 256 places at equal distances
+    tell apart. Chandrupatla, *A new hybrid quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997);
+    Moore, Kearfott & Cloud, *Introduction to Interval Analysis*, §8.1.
+
+    Derivatives pass through a root within a range, by the theorem of implicit functions, where the function
+    crosses zero.
 
     From a `start` instead of a range, the unknowns may be a number, a point, or a list or record of such,
     and the function yields as many numbers or more, each of which is to be zero: of more than there are
@@ -3792,7 +3842,7 @@ def solve(f: FunctionLike, *, within: tuple[Quantity, Quantity] | None = None, s
     :param within: The range in which the root is.
     :param start: Where the search begins, instead of a range.
     :param all: Whether all roots are wanted, as a list; without it one is. Default: ``false``.
-    :param report: Whether a record tells how it was found: `root`, the `residual` there, `evaluations`. Default: ``false``.
+    :param report: Whether a record tells how it was found: `root`, the `residual` there, `evaluations`, and whether it is `proven`: that a root is there, and with `all` that there is no other. Default: ``false``.
 
     In scripts: ``solve(f: function, within: range = none, start: any = none, all: bool = false, report: bool = false) -> any``
     """
@@ -4235,7 +4285,7 @@ def to_nurbs(*args: Any, s: Any = None, tolerance: Any = None, c: Any = None) ->
     return _called("to_nurbs", args, {"s": s, "tolerance": tolerance, "c": c})
 
 
-def torsion(c: Curve, t: float, *, side: str | None = None) -> float:
+def torsion(c: Curve, t: float, *, side: str | None = None) -> Any:
     """Torsion of a curve: how fast its osculating plane turns about the tangent, by arc length.
 
     [C' C'' C‴] / |C' × C''|², positive for a right-handed screw and 0 for a plane curve. Where the
@@ -4245,9 +4295,9 @@ def torsion(c: Curve, t: float, *, side: str | None = None) -> float:
     :param t: The parameter, inside the curve's domain.
     :param side: The piece that is asked at a knot: after it or before it. Default: ``"right"``.
 
-    In scripts: ``torsion(c: curve, t: number, side: "right" | "left" = "right") -> number``
+    In scripts: ``torsion(c: curve, t: number, side: "right" | "left" = "right") -> curvature``
     """
-    return _called("torsion", (), {"c": c, "t": t, "side": side})  # type: ignore[no-any-return]
+    return _called("torsion", (), {"c": c, "t": t, "side": side})
 
 
 def torus(center: PointLike, major: Quantity, minor: Quantity, *, axis: PointLike | None = None) -> Surface:
@@ -4401,7 +4451,7 @@ def vertices(c: Curve) -> Any:
     return _called("vertices", (), {"c": c})
 
 
-def volume(*args: Any, s: Any = None, m: Any = None) -> float:
+def volume(*args: Any, s: Any = None, m: Any = None) -> Any:
     """Volume that closed surfaces enclose.
 
     The surfaces must close: every edge meets another one within the document's tolerance, or is
@@ -4413,7 +4463,7 @@ def volume(*args: Any, s: Any = None, m: Any = None) -> float:
 
     :param s: The surface, or a list of surfaces.
 
-    In scripts: ``volume(s: surface | list of surfaces) -> number``
+    In scripts: ``volume(s: surface | list of surfaces) -> volume``
 
     Volume that a closed mesh encloses, on whichever side its triangles face.
 
@@ -4422,9 +4472,9 @@ def volume(*args: Any, s: Any = None, m: Any = None) -> float:
     face alike. A part that is turned inward inside of another is a hole in it.
     :param m: The mesh.
 
-    In scripts: ``volume(m: mesh) -> number``
+    In scripts: ``volume(m: mesh) -> volume``
     """
-    return _called("volume", args, {"s": s, "m": m})  # type: ignore[no-any-return]
+    return _called("volume", args, {"s": s, "m": m})
 
 
 def wireframe(s: Surface, u: Any, v: Any) -> Any:
