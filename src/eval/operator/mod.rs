@@ -189,7 +189,7 @@ fn compare(
 
 /// Whether two values are nearer than a tolerance.
 pub(super) fn near(a: &Value, b: &Value, tolerance: f64, span: Span) -> Result<bool> {
-    if let (Value::Number(x), Value::Number(y)) = (a, b)
+    if let (Value::Number(x), Value::Number(y)) = (a.looked_at(), b.looked_at())
         && x.dim.common(y.dim).is_none()
     {
         let message = format!("{} and {} cannot be compared", x.dim, y.dim);
