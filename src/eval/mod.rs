@@ -31,6 +31,7 @@ mod lower;
 mod machine;
 mod memory;
 mod meter;
+mod name_search;
 mod name_uses;
 mod operator;
 mod outcome;
@@ -55,7 +56,8 @@ pub(crate) use ir::param_kinds;
 #[cfg(feature = "cli")]
 pub(crate) use lower::foreign_names::advice as foreign_advice;
 pub use memory::{CacheRun, Memory, Work};
-pub use name_uses::{NameUses, name_uses};
+pub use name_search::name_uses;
+pub use name_uses::NameUses;
 pub(crate) use outcome::in_order;
 pub use outcome::{
     Checked, Defined, EffectOutput, ExpectedMistake, ExportSubject, Exported, Outcome, Printed,

@@ -2,8 +2,7 @@
 
 use std::{collections::BTreeMap, sync::Arc};
 
-use super::{load::load, settings::Settings};
-use crate::diag::{Diagnostic, Sources, Span};
+use crate::diag::{Diagnostic, Span};
 
 /// What the names of a script and of the files that it imports mean. Nothing is evaluated.
 #[derive(Debug, Default)]
@@ -63,7 +62,7 @@ impl NotedNames {
         self.imports.append(&mut other.imports);
     }
 
-    fn finish(mut self, diagnostics: Vec<Diagnostic>) -> NameUses {
+    pub(super) fn finish(mut self, diagnostics: Vec<Diagnostic>) -> NameUses {
         self.uses.sort_unstable();
         self.uses.dedup_by_key(|(place, _)| *place);
         let mut found = NameUses { uses: self.uses, imports: self.imports, diagnostics };
@@ -85,22 +84,4 @@ impl NotedNames {
         found.uses.sort_unstable();
         found
     }
-}
-
-/// The uses of names in the script `text`, which messages call `name`, and in what it imports.
-#[must_use]
-pub fn name_uses(
-    name: &str,
-    text: &str,
-    sources: &mut Sources,
-    settings: Settings<'_>,
-) -> NameUses {
-    let loaded = load(name, text, sources, settings);
-    let mut noted = loaded.noted;
-    let mut diagnostics = loaded.diagnostics;
-    let mut library = loaded.library;
-    noted.append(library.take_noted());
-    diagnostics.extend(library.take_findings());
-    super::in_order(&mut diagnostics);
-    noted.finish(diagnostics)
 }

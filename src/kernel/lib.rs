@@ -173,10 +173,11 @@ pub use mesh::{
 };
 pub use numeric::{
     answers::{Answers, Wanted},
-    constrained_least::{ConstrainedLeast, LeastEnd, LeastProblem},
+    constrained_least::ConstrainedLeast,
     enclosure::Enclosure,
     integral::{Integral, IntegralError, find_integral},
     least::find_least,
+    least_problem::{LeastEnd, LeastProblem},
     least_squares::{LeastSquares, find_least_squares},
     root::{RootError, find_root, find_roots},
     root_proof::RootProof,

@@ -5,8 +5,8 @@
 
 use super::{
     answers::{Answers, Asked, Wanted},
-    constrained_least::{LeastEnd, LeastProblem},
     least_model::{Model, Terms, magnitude},
+    least_problem::{LeastEnd, LeastProblem},
 };
 use crate::{
     ceiling::{CONSTRAINED_HALVINGS, CONSTRAINED_STEPS},

@@ -14,6 +14,7 @@ pub(crate) mod golden_section;
 pub(crate) mod integral;
 pub(crate) mod least;
 mod least_model;
+pub(crate) mod least_problem;
 mod least_search;
 pub(crate) mod least_squares;
 pub(crate) mod linear;
