@@ -1,7 +1,7 @@
 //! The language server: what `ide` answers, in the protocol that editors speak.
 //!
 //! The server's thread holds the open documents and answers at once from a text and its names; another
-//! one ([`worker`]) evaluates, and is stopped by the next edit. Findings belong to a version of the text
+//! one (`worker`) evaluates, and is stopped by the next edit. Findings belong to a version of the text
 //! and are told only while that is the newest.
 
 mod answers;
