@@ -3,7 +3,7 @@
 # is free of mistakes: examples, golden programs, and the scripts of the parser's own tests.
 #
 # Wants the command `tree-sitter`, else installs it below target/ with cargo, and `node`, which
-# reads grammar.js. What is generated stays below target/.
+# reads grammar.js. What is generated stays below target/; not optimized, the command is there in less than half the time.
 
 set -euo pipefail
 
@@ -26,7 +26,7 @@ fi
 if ! command -v tree-sitter >/dev/null; then
     echo "installing tree-sitter-cli $VERSION"
     mkdir -p "$tools"
-    cargo install --quiet --locked --no-default-features --version "$VERSION" --root "$tools" tree-sitter-cli ||
+    cargo install --quiet --debug --locked --no-default-features --version "$VERSION" --root "$tools" tree-sitter-cli ||
         skip "cargo could not install tree-sitter-cli $VERSION"
 fi
 
