@@ -24,7 +24,7 @@ echo "${wheel[0]##*/}: $(stat -c %s "${wheel[0]}") bytes"
 cp -r tests generate.py pyproject.toml "$folder/"
 cd "$folder"
 installed=$("$python" -c 'import os, virote; print(os.path.dirname(virote.__file__))')
-"$python" -m mypy --strict --ignore-missing-imports "$installed"
+"$python" -m mypy --strict --ignore-missing-imports -p virote
 "$python" -m mypy.stubtest virote._virote
 "$python" - "$installed" <<'PROGRAM'
 import json, pathlib, runpy, sys
