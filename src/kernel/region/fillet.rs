@@ -172,7 +172,7 @@ fn corner_circle(
         Err(error) => Err(error),
     };
     let [Some(first), Some(second)] = [offset(arcs[0])?, offset(arcs[1])?] else { return Ok(None) };
-    let meetings = first.intersections(&second, SEARCH_SHARE * tolerance.distance)?;
+    let meetings = first.intersections(&second, tolerance.distance)?;
     let circle = |point: DVec3| {
         let places = arcs.map(|arc| arc.closest(point, tolerance.distance).parameter);
         let places = polished(arcs, side, places)?;
@@ -185,9 +185,6 @@ fn corner_circle(
     let circles = meetings.iter().filter_map(|meeting| circle(meeting.point));
     Ok(circles.max_by(|a, b| a.places[0].total_cmp(&b.places[0])))
 }
-
-/// The share of the tolerance within which offsets meet, so that what is found can be polished.
-const SEARCH_SHARE: f64 = 1.0;
 
 /// The point at a distance to the left of a place on an arc, and how it moves with the parameter.
 fn beside(arc: &NurbsCurve, t: f64, side: f64) -> Option<(DVec3, DVec3)> {

@@ -113,5 +113,5 @@ fn nurbs(curves: &[Curve], span: Span) -> Result<Vec<NurbsCurve>> {
     curves.iter().map(spline).collect::<std::result::Result<_, _>>().at(span)
 }
 
-/// The region among the regions of a list that stands for it; used by questions of one region.
+/// The region that is asked about or changed.
 type Given = Arc<Region>;
