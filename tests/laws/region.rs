@@ -377,4 +377,32 @@ proptest! {
         let alone = Region::union(&discs, TOLERANCE, 1).unwrap();
         prop_assert_eq!(alone, Region::union(&discs, TOLERANCE, 4).unwrap());
     }
+
+    /// Sides that lie along one another, corners on sides and in corners: the areas by counting squares.
+    #[test]
+    fn rectangles_on_a_grid_have_as_many_squares_as_are_counted(
+        all in vec((0..6_i32, 0..6_i32, 1..4_i32, 1..4_i32), 2..8),
+    ) {
+        let within = |&(x, y, w, h): &(i32, i32, i32, i32), i, j| {
+            x <= i && i < x + w && y <= j && j < y + h
+        };
+        let count = |is_counted: &dyn Fn(i32, i32) -> bool| {
+            let squares = (0..9).flat_map(|i| (0..9).map(move |j| (i, j)));
+            squares.filter(|&(i, j)| is_counted(i, j)).count() as f64
+        };
+        let rectangle = |&(x, y, w, h): &(i32, i32, i32, i32)| {
+            let [a, b, c, d] = [x, y, x + w, y + h].map(f64::from);
+            region(&polygon(&[(a, b), (c, b), (c, d), (a, d)]))
+        };
+        let regions: Vec<Region> = all.iter().map(rectangle).collect();
+        let near = |found: f64, counted: f64| (found - counted).abs() <= 1e-9;
+        let any = count(&|i, j| all.iter().any(|one| within(one, i, j)));
+        let every = count(&|i, j| all.iter().all(|one| within(one, i, j)));
+        let first = count(&|i, j| {
+            within(&all[0], i, j) && !all[1..].iter().any(|one| within(one, i, j))
+        });
+        prop_assert!(near(area(&union(&regions)), any));
+        prop_assert!(near(area(&intersection(&regions)), every));
+        prop_assert!(near(area(&difference(&regions)), first));
+    }
 }
