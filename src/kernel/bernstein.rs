@@ -87,6 +87,24 @@ pub(crate) fn halves(coefficients: &[f64]) -> [Vec<f64>; 2] {
     [left, right]
 }
 
+/// The coefficients over a part of the interval or beyond it: blossoms of the part's ends.
+///
+/// Ramshaw, *Blossoms are polar forms*, CAGD 6 (1989).
+pub(crate) fn part(coefficients: &[DVec4], [from, to]: [f64; 2]) -> Vec<DVec4> {
+    let degree = coefficients.len() - 1;
+    let blossom = |n_at_end: usize| {
+        let mut corners = coefficients.to_vec();
+        for level in 0..degree {
+            let t = if level < n_at_end { to } else { from };
+            for i in 0..degree - level {
+                corners[i] = bezier::blend(corners[i], corners[i + 1], t);
+            }
+        }
+        corners[0]
+    };
+    (0..=degree).map(blossom).collect()
+}
+
 /// The largest coefficient by absolute value.
 pub(crate) fn largest(coefficients: &[f64]) -> f64 {
     coefficients.iter().fold(0.0, |most, value| most.max(value.abs()))

@@ -131,6 +131,7 @@ mod surface;
 mod sweep;
 mod table;
 pub mod tolerance;
+mod trim;
 mod valley;
 pub mod work;
 
@@ -205,3 +206,4 @@ pub use sweep::{
 };
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;
+pub use trim::{CurveEnd, SurfaceCurve, SurfaceCurveKind};

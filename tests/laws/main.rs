@@ -8,6 +8,7 @@ mod analytic;
 mod basis;
 mod bodies;
 mod breakers;
+mod certificate;
 mod construct;
 mod constructors;
 mod coons;

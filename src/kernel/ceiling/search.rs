@@ -105,3 +105,6 @@ pub(crate) const CONSTRAINED_LOOKS: usize = 32;
 
 /// Parts of an interval of which bounds tell whether they hold a root: a fraction of a second's work.
 pub(crate) const PROOF_PIECES: usize = 20_000;
+
+/// Pieces of one curve with its parameters on two surfaces.
+pub(crate) const EDGE_PIECES: usize = 100_000;

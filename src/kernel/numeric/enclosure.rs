@@ -26,7 +26,7 @@ pub struct Enclosure {
 const LINE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 /// Bounds with room for the rounding of one operation; of what is no number, of all.
-fn outward([low, high]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn outward([low, high]: [f64; 2]) -> [f64; 2] {
     if low.is_nan() || high.is_nan() { LINE } else { [low.next_down(), high.next_up()] }
 }
 
@@ -35,7 +35,7 @@ fn outward_twice(bounds: [f64; 2]) -> [f64; 2] {
     outward(outward(bounds))
 }
 
-fn sum(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+pub(crate) fn sum(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     outward([a[0] + b[0], a[1] + b[1]])
 }
 
@@ -43,7 +43,7 @@ fn negated([low, high]: [f64; 2]) -> [f64; 2] {
     [-high, -low]
 }
 
-fn product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+pub(crate) fn product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     if a == [0.0, 0.0] || b == [0.0, 0.0] {
         return [0.0, 0.0];
     }
@@ -59,7 +59,7 @@ fn hull<const N: usize>(values: [f64; N]) -> [f64; 2] {
     [least, values.iter().copied().fold(f64::NEG_INFINITY, f64::max)]
 }
 
-fn quotient(a: [f64; 2], b: [f64; 2]) -> Option<[f64; 2]> {
+pub(crate) fn quotient(a: [f64; 2], b: [f64; 2]) -> Option<[f64; 2]> {
     if holds(b, 0.0) {
         return None;
     }

@@ -84,3 +84,20 @@ pub(crate) const AREA_REACH: f64 = 0.02;
 ///
 /// Larger makes one of the two meetings at a loop; smaller tells a flat meeting twice.
 pub(crate) const ONE_MEETING_SHARE: f64 = 0.01;
+
+/// How much further than on a patch its polynomials may reach beyond it, as a fraction of its least weight,
+/// for a piece of a curve to be compared with that patch alone.
+///
+/// Larger trusts polynomials where they no longer count; smaller halves pieces that run along a knot.
+pub(crate) const OVERSHOOT_RELATIVE: f64 = 0.1;
+
+/// Part of the tolerance within which the curve of an edge and its parameters are fitted: what is proven
+/// of them needs some room of its own.
+///
+/// Larger leaves less of the tolerance to the proof; smaller takes more pieces.
+pub(crate) const EDGE_SHARE: f64 = 0.125;
+
+/// Part of the tolerance within which the end of a curve is on the border of a surface.
+///
+/// Larger moves ends that stop short of a border; smaller leaves a crumb between both.
+pub(crate) const BORDER_END_SHARE: f64 = 0.1;

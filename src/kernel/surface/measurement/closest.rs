@@ -100,7 +100,7 @@ impl NurbsSurface {
     }
 
     /// The point that a search from parameters goes down to: near that place, perhaps not the nearest of all.
-    pub(in crate::surface) fn foot_from(&self, start: [f64; 2], p: DVec3) -> SurfaceClosestPoint {
+    pub(crate) fn foot_from(&self, start: [f64; 2], p: DVec3) -> SurfaceClosestPoint {
         let cell = PatchPart::between(self.domain_u(), self.domain_v());
         let Ok(found) = descend(&cell, start, |[u, v]| {
             let mut derivatives = self.second_order_at(u, v);
