@@ -52,6 +52,7 @@
 //!
 //! - Curves: [`NurbsCurve::intersections`], [`NurbsCurve::self_intersections`], with a plane [`NurbsCurve::plane_parameters`].
 //! - Curve and surface: [`Surface::piercings`]. Surface and plane: [`Surface::section`]. Surfaces: [`Surface::intersections`].
+//! - With the parameters on both surfaces, and proven: [`SurfaceCurve`], its [`SurfaceCurveKind`] and [`CurveEnd`].
 //! - Lines of light: [`Surface::isophotes`], [`Surface::zebra`], [`Surface::reflection_lines`].
 //! - Meshes: [`Mesh::section`], [`Mesh::outlines`].
 //!

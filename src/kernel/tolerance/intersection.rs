@@ -101,3 +101,19 @@ pub(crate) const EDGE_SHARE: f64 = 0.125;
 ///
 /// Larger moves ends that stop short of a border; smaller leaves a crumb between both.
 pub(crate) const BORDER_END_SHARE: f64 = 0.1;
+
+/// The shortest piece of a curve that is lifted to the parameters of surfaces, as a fraction of its domain.
+///
+/// Larger gives up beside a junction; smaller halves where parameters no longer tell places apart.
+pub(crate) const SHORTEST_EDGE_PIECE: f64 = 1e-9;
+
+/// The sine of the angle between normals below which surfaces have no place across a curve, but each its
+/// nearest one.
+///
+/// Larger takes nearest places where surfaces cross; smaller asks Newton's method for what rounding decides.
+pub(crate) const LEAST_CROSSING_SINE: f64 = 1e-7;
+
+/// How far beside a pole parameters tell what they come to in it, as a fraction of the curve's domain.
+///
+/// Larger misses how they turn; smaller divides by what rounding leaves.
+pub(crate) const BESIDE_POLE: f64 = 1e-5;

@@ -124,12 +124,9 @@ fn inverse(carriers: &[Carrier<'_>; 2], piece: &CurvePiece, chord: DVec3) -> Opt
         3 => along,
         _ => std::array::from_fn(|k| columns[k][i]),
     });
-    let mut inverse = [[0.0; 4]; 4];
-    for k in 0..4 {
-        let column = solved(matrix, std::array::from_fn(|i| f64::from(u8::from(i == k))))?;
-        (0..4).for_each(|i| inverse[i][k] = column[i]);
-    }
-    Some(inverse)
+    let column = |k: usize| solved(matrix, std::array::from_fn(|i| f64::from(u8::from(i == k))));
+    let columns = [column(0)?, column(1)?, column(2)?, column(3)?];
+    Some(std::array::from_fn(|i| columns.map(|column| column[i])))
 }
 
 /// Bounds of |I − Y J|.

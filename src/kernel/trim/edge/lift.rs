@@ -15,12 +15,9 @@ use super::{
 use crate::{
     Interval, NurbsCurve, Side, bezier,
     ceiling::EDGE_PIECES,
-    tolerance::{BORDER_END_SHARE, KNOT_RELATIVE},
+    tolerance::{BORDER_END_SHARE, KNOT_RELATIVE, SHORTEST_EDGE_PIECE},
     work,
 };
-
-/// The shortest piece, as a fraction of the curve's domain: the parameters of one no longer tell places apart.
-const SHORTEST_PIECE: f64 = 1e-9;
 
 /// A piece of a curve in space and of both its curves of parameters, by Bézier points.
 #[derive(Clone, Debug)]
@@ -71,14 +68,10 @@ impl Lift<'_, '_> {
             if !work::goes_on(1) || EDGE_PIECES < self.pieces.len() {
                 return None;
             }
-            let is_shortest = target - t <= SHORTEST_PIECE * domain.length();
+            let is_shortest = target - t <= SHORTEST_EDGE_PIECE * domain.length();
             let halved = 0.5 * (t + target);
             let guess = last.ahead(target - t);
-            let place = match domain.end() <= target {
-                true => self.finder.at_end(target, Side::Left, Some(guess)),
-                false => self.finder.place(target, Side::Left, Some(guess)),
-            };
-            let Some(mut next) = place else {
+            let Some(mut next) = self.place_at(target, guess) else {
                 if is_shortest {
                     return None;
                 }
@@ -116,23 +109,42 @@ impl Lift<'_, '_> {
             if target <= end {
                 todo.pop();
             }
-            last = match knot {
-                Some((k, value, _)) if self.is_domain_end(k, value) => {
-                    let rest = self.curve.end().distance(next.point);
-                    let is_end = todo.last().is_none_or(|&last| domain.end() <= last)
-                        && rest <= BORDER_END_SHARE * self.finder.tolerance;
-                    if is_end {
-                        self.end_here(domain.end());
-                        return Some(());
-                    }
-                    self.finder.across(&next, k, t)?
-                }
-                Some(_) => next,
-                None if todo.is_empty() => return Some(()),
-                None => self.finder.behind(t, next)?,
-            };
+            match self.next_start(knot, next, t, todo.last().copied())? {
+                Some(next) => last = next,
+                None => return Some(()),
+            }
         }
         Some(())
+    }
+
+    /// The place at the end of a piece.
+    fn place_at(&self, t: f64, guess: [f64; 4]) -> Option<CommonPlace> {
+        match self.curve.domain().end() <= t {
+            true => self.finder.at_end(t, Side::Left, Some(guess)),
+            false => self.finder.place(t, Side::Left, Some(guess)),
+        }
+    }
+
+    /// Where the next piece starts behind one that ends in a place; none behind the end of the curve.
+    fn next_start(
+        &mut self,
+        knot: Option<(usize, f64, f64)>,
+        place: CommonPlace,
+        t: f64,
+        target: Option<f64>,
+    ) -> Option<Option<CommonPlace>> {
+        let Some(target) = target else { return Some(None) };
+        let Some((k, value, _)) = knot else { return self.finder.behind(t, place).map(Some) };
+        if !self.is_domain_end(k, value) {
+            return Some(Some(place));
+        }
+        let end = self.curve.domain().end();
+        let rest = self.curve.end().distance(place.point);
+        if end <= target && rest <= BORDER_END_SHARE * self.finder.tolerance {
+            self.end_here(end);
+            return Some(None);
+        }
+        self.finder.across(&place, k, t).map(Some)
     }
 
     /// Lets the last piece go to the end of the curve.

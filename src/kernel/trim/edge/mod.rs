@@ -11,8 +11,6 @@ mod piece;
 mod place;
 mod spline;
 
-use glam::DVec3;
-
 use crate::{ConstructionReport, GeomError, Interval, NurbsCurve, ReportEntry};
 
 /// What two surfaces do along a curve that they share.

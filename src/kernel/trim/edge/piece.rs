@@ -246,9 +246,9 @@ impl CurvePiece {
                 if !next.has_positive_weights() {
                     return None;
                 }
-                for i in 0..2 {
+                for (i, fastest) in fastest.iter_mut().enumerate() {
                     let scale = patch.domains[i].length() / next.domains[i].length();
-                    fastest[i] = fastest[i].max(next.fastest[i] * scale);
+                    *fastest = f64::max(*fastest, next.fastest[i] * scale);
                 }
             }
         }

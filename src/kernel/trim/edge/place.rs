@@ -10,17 +10,14 @@ use crate::{
         linear::{TwoEquations, solved},
         newton::{FREE, Step, within_limits},
     },
-    tolerance::{BORDER_END_SHARE, CORNER_RELATIVE, LAST_BIT, MEETING_SHARE, VANISHING_RELATIVE},
+    tolerance::{
+        BESIDE_POLE, BORDER_END_SHARE, CORNER_RELATIVE, LAST_BIT, LEAST_CROSSING_SINE,
+        MEETING_SHARE, SHORTEST_EDGE_PIECE, VANISHING_RELATIVE,
+    },
 };
 
 /// How far, in tolerances, a common place may be from the curve: further away it is another one.
 const FAR: f64 = 16.0;
-
-/// Below this sine of the angle between normals, places are the nearest ones of each surface.
-const LEAST_SINE: f64 = 1e-7;
-
-/// How far beside a pole the parameters are looked at, as a fraction of the curve's domain.
-const BESIDE: f64 = 1e-5;
 
 /// Finds places of two surfaces beside a curve in which they meet.
 #[derive(Debug)]
@@ -60,7 +57,7 @@ impl<'s> PlaceFinder<'s> {
     ) -> Self {
         let knots = [0, 1, 2, 3].map(|k: usize| {
             let surface = surfaces[k / 2];
-            let knots = if k % 2 == 0 { surface.knots_u() } else { surface.knots_v() };
+            let knots = if k.is_multiple_of(2) { surface.knots_u() } else { surface.knots_v() };
             let domain = knots.domain();
             let inside = |t: &f64| domain.contains(*t);
             knots.distinct().into_iter().map(|(t, _)| t).filter(inside).collect::<Vec<_>>()
@@ -87,7 +84,7 @@ impl<'s> PlaceFinder<'s> {
             }
         }
         breaks.sort_by(f64::total_cmp);
-        let slack = 1e-9 * domain.length();
+        let slack = SHORTEST_EDGE_PIECE * domain.length();
         let mut kept: Vec<f64> = Vec::new();
         for t in breaks {
             if kept.last().is_none_or(|&last| slack < t - last) {
@@ -215,7 +212,7 @@ impl<'s> PlaceFinder<'s> {
         let looks = [0, 1].map(|i| self.look(i, [at[2 * i], at[2 * i + 1]]));
         let [a, b] = looks.map(|[_, u, v]| self.unit_normal([u, v]));
         let tangent = a?.cross(b?);
-        if tangent.length() <= LEAST_SINE {
+        if tangent.length() <= LEAST_CROSSING_SINE {
             return None;
         }
         let along = tangent.dot(velocity);
@@ -287,7 +284,7 @@ impl<'s> PlaceFinder<'s> {
         }
         place.is_limit = true;
         let domain = self.curve.domain();
-        let step = BESIDE * domain.length() * if side == Side::Left { -1.0 } else { 1.0 };
+        let step = BESIDE_POLE * domain.length() * if side == Side::Left { -1.0 } else { 1.0 };
         if !domain.contains(t + 2.0 * step) {
             return None;
         }
