@@ -149,7 +149,7 @@ impl Type {
             Self::List(of, 0) => format!("a list of {}", of.plural()),
             Self::List(of, least) => format!("a list of {least} or more {}", of.plural()),
             Self::Grid(of) => format!("a grid of {} (a list of rows)", of.plural()),
-            Self::OneOf(types) => join(types.iter().map(|of| of.phrase()), "or"),
+            Self::OneOf(types) => join(named(types).map(|of| of.phrase()), "or"),
             _ => format!("a {self}"),
         }
     }
@@ -165,11 +165,16 @@ impl Type {
             Self::Mesh => "meshes".to_owned(),
             Self::Choice(words) => quoted(words),
             Self::List(of, _) => format!("lists of {}", of.plural()),
-            Self::OneOf(types) => join(types.iter().map(|of| of.plural()), "or"),
+            Self::OneOf(types) => join(named(types).map(|of| of.plural()), "or"),
             Self::Geometry | Self::Grid(_) => self.to_string(),
             _ => format!("{self}s"),
         }
     }
+}
+
+/// Those that messages name: nobody has to be told of `none`.
+fn named(types: &[Type]) -> impl Iterator<Item = &Type> {
+    types.iter().filter(|of| **of != Type::None)
 }
 
 /// `"a", "b" or "c"`.

@@ -19,9 +19,9 @@ op! {
         /// The closed meshes; lists count as their members.
         meshes: Spanned<Solids>,
     }
-    example "volume(intersection(tessellate(box((0, 0, 0), (2, 2, 2))), tessellate(box((1, 1, 1), (3, 3, 3)))))" => "1";
-    example "intersection(tessellate(box((0, 0, 0), (2, 2, 2))), tessellate(box((5, 0, 0), (6, 1, 1))))" => "none";
-    picture "intersection(tessellate(sphere((0, 0, 0), 1), tolerance = 1e-3), tessellate(box((0, -1, -1), (1, 0.5, 1))))";
+    example "volume(intersection(tessellate(box((0, 0, 0), (2, 2, 2))), tessellate(box((1, 1, 1), (2, 2, 2)))))" => "1";
+    example "intersection(tessellate(box((0, 0, 0), (2, 2, 2))), tessellate(box((5, 0, 0), (1, 1, 1))))" => "none";
+    picture "intersection(tessellate(sphere((0, 0, 0), 1), tolerance = 1e-3), tessellate(box((0, -1, -1), (1, 1.5, 2))))";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Solid> {
