@@ -9,6 +9,8 @@ use super::Value;
 pub enum Type {
     /// Any value.
     Any,
+    /// `none`.
+    None,
     /// `true` or `false`.
     Bool,
     /// A number of whatever dimension.
@@ -66,6 +68,7 @@ impl Type {
     pub fn accepts(self, value: &Value) -> bool {
         match (self, value) {
             (Self::Any, _)
+            | (Self::None, Value::None)
             | (Self::Bool, Value::Bool(_))
             | (
                 Self::Number
@@ -132,6 +135,7 @@ impl Type {
     pub fn phrase(self) -> String {
         match self {
             Self::Any => "a value".to_owned(),
+            Self::None => "none".to_owned(),
             Self::Bool => "true or false".to_owned(),
             Self::Angle => "an angle".to_owned(),
             Self::Ratio => "a number without a unit".to_owned(),
@@ -145,7 +149,7 @@ impl Type {
             Self::List(of, 0) => format!("a list of {}", of.plural()),
             Self::List(of, least) => format!("a list of {least} or more {}", of.plural()),
             Self::Grid(of) => format!("a grid of {} (a list of rows)", of.plural()),
-            Self::OneOf(types) => join(types.iter().map(|of| of.phrase()), "or"),
+            Self::OneOf(types) => join(named(types).map(|of| of.phrase()), "or"),
             _ => format!("a {self}"),
         }
     }
@@ -153,6 +157,7 @@ impl Type {
     fn plural(self) -> String {
         match self {
             Self::Any => "values".to_owned(),
+            Self::None => "none".to_owned(),
             Self::Bool => "truth values".to_owned(),
             Self::Ratio => "numbers without units".to_owned(),
             Self::Count | Self::Integer => "whole numbers".to_owned(),
@@ -160,11 +165,16 @@ impl Type {
             Self::Mesh => "meshes".to_owned(),
             Self::Choice(words) => quoted(words),
             Self::List(of, _) => format!("lists of {}", of.plural()),
-            Self::OneOf(types) => join(types.iter().map(|of| of.plural()), "or"),
+            Self::OneOf(types) => join(named(types).map(|of| of.plural()), "or"),
             Self::Geometry | Self::Grid(_) => self.to_string(),
             _ => format!("{self}s"),
         }
     }
+}
+
+/// Those that messages name: nobody has to be told of `none`.
+fn named(types: &[Type]) -> impl Iterator<Item = &Type> {
+    types.iter().filter(|of| **of != Type::None)
 }
 
 /// `"a", "b" or "c"`.
@@ -184,6 +194,7 @@ impl fmt::Display for Type {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Any => "any",
+            Self::None => "none",
             Self::Bool => "bool",
             Self::Number | Self::Ratio => "number",
             Self::Count | Self::Integer => "integer",

@@ -28,6 +28,7 @@ mod level;
 mod local;
 mod measure;
 mod mesh;
+mod mesh_boolean;
 mod mesh_check;
 mod nearest;
 #[path = "../support/networks.rs"]

@@ -34,6 +34,21 @@ pub enum MeshError {
         few_digits(*tolerance), few_digits(*rounding)
     )]
     BelowRounding { tolerance: f64, rounding: f64 },
+    /// A mesh whose triangles cross one another, or lie on one another.
+    #[error("the mesh crosses itself at {}", place(*at))]
+    CrossesItself { at: DVec3 },
+    /// A mesh with a part that lies inside of another one and faces as that does.
+    #[error(
+        "the part of the mesh at {} lies in another one that faces as it does, so that there the mesh encloses places twice",
+        place(*at)
+    )]
+    Doubled { at: DVec3 },
+    /// A mesh that faces inward.
+    #[error("the triangles of the mesh face inward at {}", place(*at))]
+    Inverted { at: DVec3 },
+    /// One of several meshes.
+    #[error("mesh [{index}]: {fault}")]
+    OfSeveral { index: usize, fault: Box<MeshError> },
     /// A mesh with an edge of one triangle.
     #[error(
         "the mesh does not close: it has {} around {}, from {} on",
@@ -42,6 +57,24 @@ pub enum MeshError {
         place(*at)
     )]
     Open { edges: usize, loops: usize, at: DVec3 },
+    /// A mesh that is more than one surface around a place.
+    #[error(
+        "the mesh touches itself at {}; a body has one inside around each point",
+        place(*at)
+    )]
+    Pinched { at: DVec3 },
+    /// A mesh to be made that is so.
+    #[error(
+        "the result would touch itself at {}: a body has one inside around each point",
+        place(*at)
+    )]
+    TouchesItself { at: DVec3 },
+    /// A combination of meshes that fails a check of its own.
+    #[error(
+        "what the meshes have together could not be proven: the volumes of the parts differ from the whole by {}, {} is allowed",
+        few_digits(*excess), few_digits(*allowed)
+    )]
+    Unproven { excess: f64, allowed: f64 },
     /// A mesh whose triangles do not face alike.
     #[error(
         "the triangles of the mesh do not face alike at the edge from {}, so that it has no inside",

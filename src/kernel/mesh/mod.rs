@@ -8,10 +8,12 @@
 //! divides that, and `stitch` makes the triangles. `weld` tells which vertices are one place, `topology` how the triangles
 //! hang together, `orient` which of them face inward, `measure` area, volume and their centres, `deviation` how far one is from a
 //! surface, `distance` how far a place is from one, `nearest` the same for many places, `fault` why a
-//! mesh encloses nothing, `section` where a plane cuts it.
+//! mesh encloses nothing, `section` where a plane cuts it; `boolean` combines closed ones, whose parts
+//! `nesting` looks through.
 
 mod any;
 mod bend;
+mod boolean;
 mod cell_bounds;
 mod chord;
 mod deviation;
@@ -25,6 +27,7 @@ mod grid;
 mod measure;
 mod near;
 mod nearest;
+mod nesting;
 mod orient;
 mod outline;
 mod planar;

@@ -98,10 +98,8 @@ impl Mesh {
             let plain = self.transformed(&DAffine3::from_scale(DVec3::splat(scale.recip())));
             return plain.topology(tolerance.with_distance(tolerance.distance / scale));
         }
-        let size = bounds.map_or(0.0, Bounds::diagonal);
         let magnitude = bounds.map_or(0.0, Bounds::magnitude);
-        let distance = tolerance.distance_for(size).max(4.0 * LAST_BIT * magnitude);
-        let first = welded(&self.vertices, distance);
+        let first = welded(&self.vertices, weld_distance(bounds, tolerance));
         let rounding = VANISHING_RELATIVE * magnitude;
         let has_area = |corners: &[u32; 3]| {
             let [a, b, c] = corners.map(|i| self.vertices[i as usize]);
@@ -118,6 +116,13 @@ impl Mesh {
     pub fn check(&self, tolerance: Tolerance) -> MeshCheck {
         self.topology(tolerance).check()
     }
+}
+
+/// Up to which distance vertices in a box are one.
+pub(super) fn weld_distance(bounds: Option<Bounds>, tolerance: Tolerance) -> f64 {
+    let size = bounds.map_or(0.0, Bounds::diagonal);
+    let magnitude = bounds.map_or(0.0, Bounds::magnitude);
+    tolerance.distance_for(size).max(4.0 * LAST_BIT * magnitude)
 }
 
 impl Topology {
@@ -208,6 +213,24 @@ impl Topology {
         })
     }
 
+    /// A vertex around which the triangles are not one fan, or from which an edge of more than two goes.
+    #[must_use]
+    pub fn pinched_vertex(&self) -> Option<u32> {
+        if let Some(sides) = self.each_edge().find(|sides| 2 < sides.len()) {
+            return Some(sides[0].edge[0]);
+        }
+        let mut fan_at = std::collections::HashMap::new();
+        let corners = self.triangles.iter().flatten().zip(&self.fans);
+        corners.into_iter().find_map(|(&vertex, &fan)| {
+            (*fan_at.entry(vertex).or_insert(fan) != fan).then_some(vertex)
+        })
+    }
+
+    /// The triangles that have three places, welded.
+    pub(super) fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
     /// The boundary as lines of vertices, where triangles face alike with the mesh to their left. A
     /// line ends in the vertex that it began with, unless it runs from where more than two triangles
     /// have a side to another such place. Two that touch in a vertex are two.
@@ -276,16 +299,22 @@ impl Topology {
         (0..self.fans.len()).filter(is_root).count() == self.n_vertices
     }
 
-    fn n_components(&self) -> usize {
+    /// For each vertex the one that stands for the part that it belongs to.
+    pub(super) fn parts(&self) -> Vec<u32> {
         let n = self.triangles.iter().flatten().max().map_or(0, |&most| most + 1);
         let mut parts: Vec<u32> = (0..n).collect();
         for &[a, b, c] in &self.triangles {
             unite(&mut parts, [a, b]);
             unite(&mut parts, [b, c]);
         }
-        let mut is_root = vec![false; n as usize];
+        (0..n).map(|vertex| root(&mut parts, vertex)).collect()
+    }
+
+    fn n_components(&self) -> usize {
+        let parts = self.parts();
+        let mut is_root = vec![false; parts.len()];
         for &corner in self.triangles.iter().flatten() {
-            is_root[root(&mut parts, corner) as usize] = true;
+            is_root[parts[corner as usize] as usize] = true;
         }
         is_root.into_iter().filter(|is_root| *is_root).count()
     }

@@ -47,3 +47,9 @@ pub const BORDER_SHARE: f64 = 0.8;
 ///
 /// Larger misses what turns near an end; smaller looks where poles and corners have no normal.
 pub(crate) const END_LOOK: f64 = 0.01;
+
+/// Vertices that a boolean of meshes makes are misplaced by up to this fraction of the size of the
+/// coordinates, and its edges shorter than that are gone.
+///
+/// Larger lets a lost sliver pass the check of volumes; smaller refuses what is only rounded.
+pub const BOOLEAN_RELATIVE: f64 = 1e-11;

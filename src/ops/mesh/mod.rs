@@ -7,7 +7,9 @@ mod centroid;
 mod check_mesh;
 mod csv;
 mod dat;
+mod difference;
 mod grid_mesh;
+mod intersection;
 mod lines;
 mod load;
 mod obj;
@@ -17,9 +19,16 @@ mod planar_mesh;
 mod table_columns;
 mod table_rows;
 mod tessellate;
+mod union;
 mod volume;
 
-use crate::value::Op;
+use std::sync::Arc;
+
+use crate::{
+    diag::Span,
+    kernel::Mesh,
+    value::{FromValue, IntoValue, List, Mismatch, Op, Type, Value},
+};
 
 #[cfg(feature = "cli")]
 pub(crate) use csv::rows as csv_rows;
@@ -29,6 +38,9 @@ pub(super) static OPS: &[&Op] = &[
     &grid_mesh::OP,
     &tessellate::OP,
     &planar_mesh::OP,
+    &union::OP,
+    &intersection::OP,
+    &difference::OP,
     &check_mesh::OP,
     &area::OP,
     &volume::OP,
@@ -38,3 +50,78 @@ pub(super) static OPS: &[&Op] = &[
     &table_rows::OP,
     &load::OP,
 ];
+
+/// A closed mesh, or what is left where there is nothing.
+struct Solid(Option<Arc<Mesh>>);
+
+const SOLID: Type = Type::OneOf(&[Type::Mesh, Type::None]);
+
+impl FromValue for Solid {
+    const TYPE: Type = SOLID;
+
+    fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
+        match value {
+            Value::Mesh(mesh) => Ok(Self(Some(mesh.clone()))),
+            Value::None => Ok(Self(None)),
+            _ => Err(Mismatch::kind(Type::Mesh, value)),
+        }
+    }
+}
+
+impl IntoValue for Solid {
+    const RETURNS: Type = SOLID;
+
+    fn into_value(self) -> Value {
+        self.0.map_or(Value::None, Value::Mesh)
+    }
+}
+
+impl From<Option<Mesh>> for Solid {
+    fn from(mesh: Option<Mesh>) -> Self {
+        Self(mesh.map(Arc::new))
+    }
+}
+
+/// Closed meshes, given as a list or as the arguments themselves; lists among them count as their
+/// members.
+struct Solids(Vec<Solid>);
+
+impl FromValue for Solids {
+    const TYPE: Type =
+        Type::List(&Type::OneOf(&[Type::Mesh, Type::None, Type::List(&SOLID, 0)]), 1);
+    const SPREADS: bool = true;
+
+    fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
+        let mut found = Vec::new();
+        let Value::List(items) = value else { return Err(Mismatch::kind(Self::TYPE, value)) };
+        match gather(items, &mut found) {
+            _ if items.is_empty() => Err(Mismatch::kind(Self::TYPE, value)),
+            None => Ok(Self(found)),
+            Some(other) => Err(Mismatch::kind(Self::TYPE, value).hint(match other {
+                "surface" => "`tessellate(s, tolerance = d)` makes a mesh of a surface, or of a list of surfaces that close",
+                _ => "meshes are combined with meshes",
+            })),
+        }
+    }
+}
+
+/// Adds the meshes of a list; the kind of what else is in it.
+fn gather(items: &List, found: &mut Vec<Solid>) -> Option<&'static str> {
+    items.iter().find_map(|item| match item {
+        Value::List(items) => gather(&items, found),
+        item => match Solid::from_value(&item, Span::default()) {
+            Ok(mesh) => {
+                found.push(mesh);
+                None
+            }
+            Err(_) => Some(item.kind()),
+        },
+    })
+}
+
+impl Solids {
+    /// Those that there are.
+    fn there(&self) -> Vec<&Mesh> {
+        self.0.iter().filter_map(|mesh| mesh.0.as_deref()).collect()
+    }
+}

@@ -187,7 +187,12 @@ const fn of_measure(error: &MeasureError) -> Code {
 
 const fn of_mesh(fault: &MeshError) -> Code {
     match fault {
-        MeshError::Open { .. } | MeshError::Unoriented { .. } => Code::OpenShell,
+        MeshError::Open { .. } | MeshError::Unoriented { .. } | MeshError::Inverted { .. } => {
+            Code::OpenShell
+        }
+        MeshError::OfSeveral { fault, .. } => of_mesh(fault),
+        MeshError::Pinched { .. } | MeshError::TouchesItself { .. } => Code::NotManifold,
+        MeshError::Unproven { .. } => Code::Unproven,
         MeshError::BadFace { fault, .. } => match fault {
             FaceFault::TooFew { .. } => Code::TooFewPoints,
             FaceFault::NoVertex { .. } => Code::IndexOutside,
@@ -195,6 +200,9 @@ const fn of_mesh(fault: &MeshError) -> Code {
                 Code::Degenerate
             }
         },
-        MeshError::BadColor { .. } | MeshError::BelowRounding { .. } => Code::Degenerate,
+        MeshError::BadColor { .. }
+        | MeshError::BelowRounding { .. }
+        | MeshError::CrossesItself { .. }
+        | MeshError::Doubled { .. } => Code::Degenerate,
     }
 }

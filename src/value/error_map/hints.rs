@@ -269,6 +269,23 @@ fn of_mesh(error: &MeshError) -> Option<String> {
         MeshError::BadFace { fault: FaceFault::Crosses, .. } => {
             "list the corners in their order around the face, or give it in parts that do not cross"
         }
+        MeshError::OfSeveral { fault, .. } => return of_mesh(fault),
+        MeshError::Inverted { .. } => {
+            "list the corners of each face counter-clockwise, seen from outside"
+        }
+        MeshError::Doubled { .. } => {
+            "give the parts as meshes of their own: `union` makes them one; a hole faces the other way"
+        }
+        MeshError::CrossesItself { .. } => {
+            "make it of parts that do not cross, whose `union` is one body"
+        }
+        MeshError::Pinched { .. } => "give the parts as meshes of their own",
+        MeshError::TouchesItself { .. } => {
+            "move one of the meshes by more than the document's tolerance, so that they overlap or keep apart"
+        }
+        MeshError::Unproven { .. } => {
+            "please report it; moving one of the meshes a little may help"
+        }
         MeshError::BadFace { .. } | MeshError::BadColor { .. } | MeshError::Unoriented { .. } => {
             return None;
         }

@@ -1,0 +1,327 @@
+//! Union, intersection and difference of closed meshes.
+//!
+//! The work is that of a guest, the library of Manifold: new vertices are where edges pierce triangles,
+//! and what coincides is decided alike everywhere, so that the result closes. Meshes whose triangles
+//! cross by their rounding go the guest's other way, in exact rational numbers. Around it stand checks:
+//! what comes in must enclose each place once or not at all, and what goes out must close, with the
+//! volume that the other operation leaves, V(a ∪ b) + V(a ∩ b) = V(a) + V(b) and
+//! V(a ∖ b) + V(a ∩ b) = V(a). Smith, *Towards robust inexact geometric computation* (2009).
+
+use std::collections::{BTreeMap, HashSet};
+
+use glam::{DAffine3, DVec3};
+use manifold_rust::{
+    cancel::CancelToken,
+    linalg::Vec3,
+    manifold::Manifold,
+    progress::ProgressReporter,
+    types::{BooleanEngine, Error, MeshGLP, OpType, WindingRule},
+};
+
+use super::{
+    Mesh, fault::MeshError, nesting::check_nesting, topology::weld_distance, weld::welded,
+};
+use crate::{
+    Bounds, CountError, GeomError, Tolerance, scale::needed_scale, tolerance::BOOLEAN_RELATIVE,
+    work,
+};
+
+/// What several meshes make together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Combination {
+    Union,
+    Intersection,
+    Difference,
+}
+
+/// A closed mesh as the guest has it.
+#[derive(Clone)]
+struct Body {
+    manifold: Manifold,
+    volume: f64,
+    area: f64,
+}
+
+/// How far vertices may move beyond rounding, and what a volume may differ by for each unit of area.
+#[derive(Clone, Copy)]
+struct Slack {
+    merged: f64,
+    allowed: f64,
+}
+
+impl Mesh {
+    /// What lies in any of several closed meshes; none of none.
+    ///
+    /// Triangles alone, without normals, parameters, colours, faces and groups. Vertices of all meshes
+    /// within the tolerance are one; new ones are rounded. Where the result would close only within
+    /// the tolerance, vertices that it made move by up to that. O(n log n) time and the triangles
+    /// that cross.
+    ///
+    /// # Errors
+    /// [`MeshError::OfSeveral`] with [`MeshError::Open`], [`MeshError::Unoriented`],
+    /// [`MeshError::Pinched`], [`MeshError::Inverted`], [`MeshError::Doubled`] or
+    /// [`MeshError::CrossesItself`]; [`MeshError::TouchesItself`], [`MeshError::Unproven`].
+    pub fn union(meshes: &[&Self], tolerance: Tolerance) -> Result<Option<Self>, GeomError> {
+        combined(meshes, Combination::Union, tolerance)
+    }
+
+    /// What lies in all of several closed meshes, as [`Mesh::union`]; none where there is nothing.
+    ///
+    /// # Errors
+    /// As [`Mesh::union`].
+    pub fn intersection(meshes: &[&Self], tolerance: Tolerance) -> Result<Option<Self>, GeomError> {
+        combined(meshes, Combination::Intersection, tolerance)
+    }
+
+    /// What lies in the first of several closed meshes and in none of the others, as
+    /// [`Mesh::union`]; none where there is nothing.
+    ///
+    /// # Errors
+    /// As [`Mesh::union`].
+    pub fn difference(meshes: &[&Self], tolerance: Tolerance) -> Result<Option<Self>, GeomError> {
+        combined(meshes, Combination::Difference, tolerance)
+    }
+}
+
+fn combined(
+    meshes: &[&Mesh],
+    combination: Combination,
+    tolerance: Tolerance,
+) -> Result<Option<Mesh>, GeomError> {
+    let bounds = meshes.iter().filter_map(|mesh| mesh.bounds()).reduce(Bounds::union);
+    let Some(bounds) = bounds else { return Ok(None) };
+    if let Some(scale) = needed_scale(bounds.magnitude()) {
+        let smaller = DAffine3::from_scale(DVec3::splat(scale.recip()));
+        let plain: Vec<Mesh> = meshes.iter().map(|mesh| mesh.transformed(&smaller)).collect();
+        let plain: Vec<&Mesh> = plain.iter().collect();
+        let within = tolerance.with_distance(tolerance.distance / scale);
+        let found = combined(&plain, combination, within).map_err(|error| larger(error, scale))?;
+        return Ok(found.map(|mesh| mesh.transformed(&DAffine3::from_scale(DVec3::splat(scale)))));
+    }
+
+    // Make vertices within the tolerance one, of all meshes.
+    let distance = weld_distance(Some(bounds), tolerance);
+    let places: Vec<DVec3> = meshes.iter().flat_map(|mesh| mesh.vertices.iter().copied()).collect();
+    let mut first = welded(&places, distance).into_iter().map(|first| places[first as usize]);
+    let rounding = BOOLEAN_RELATIVE * bounds.magnitude();
+    let mut bodies = Vec::with_capacity(meshes.len());
+    for (index, mesh) in meshes.iter().enumerate() {
+        let vertices = first.by_ref().take(mesh.n_vertices()).collect();
+        let mesh = Mesh { vertices, triangles: mesh.triangles.clone(), ..Mesh::default() };
+        let body = Body::checked(&mesh, tolerance, distance).map_err(|error| match error {
+            GeomError::Mesh(fault) if 1 < meshes.len() => {
+                MeshError::OfSeveral { index, fault: Box::new(fault) }.into()
+            }
+            error => error,
+        })?;
+        bodies.push(body);
+    }
+
+    // Combine them exactly; where that leaves slivers, once more with what is short in one place.
+    let exact = Slack { merged: 0.0, allowed: rounding };
+    let merging = Slack { merged: distance, allowed: distance.max(rounding) };
+    match of_bodies(&bodies, combination, exact).and_then(|body| body.mesh(tolerance)) {
+        Err(GeomError::Mesh(_)) => of_bodies(&bodies, combination, merging)?.mesh(tolerance),
+        found => found,
+    }
+}
+
+/// What was refused of meshes that were divided by a scale, about the meshes themselves.
+fn larger(error: GeomError, scale: f64) -> GeomError {
+    fn of_fault(fault: MeshError, scale: f64) -> MeshError {
+        match fault {
+            MeshError::Open { edges, loops, at } => {
+                MeshError::Open { edges, loops, at: at * scale }
+            }
+            MeshError::Unoriented { at } => MeshError::Unoriented { at: at * scale },
+            MeshError::Pinched { at } => MeshError::Pinched { at: at * scale },
+            MeshError::Inverted { at } => MeshError::Inverted { at: at * scale },
+            MeshError::Doubled { at } => MeshError::Doubled { at: at * scale },
+            MeshError::CrossesItself { at } => MeshError::CrossesItself { at: at * scale },
+            MeshError::TouchesItself { at } => MeshError::TouchesItself { at: at * scale },
+            MeshError::OfSeveral { index, fault } => {
+                MeshError::OfSeveral { index, fault: Box::new(of_fault(*fault, scale)) }
+            }
+            fault => fault,
+        }
+    }
+    match error {
+        GeomError::Mesh(fault) => of_fault(fault, scale).into(),
+        error => error,
+    }
+}
+
+/// What the bodies make together, two at a time: a union or intersection as a balanced tree, so that
+/// few triangles are carried along.
+fn of_bodies(bodies: &[Body], combination: Combination, slack: Slack) -> Result<Body, GeomError> {
+    let bodies: Vec<Body> = bodies.iter().map(|body| body.merging(slack.merged)).collect();
+    let [whole, others @ ..] = &bodies[..] else { unreachable!("a box around them was found") };
+    match combination {
+        Combination::Difference if others.is_empty() => Ok(whole.clone()),
+        Combination::Difference => {
+            let others = tree(others.to_vec(), Combination::Union, slack)?;
+            whole.with(&others, combination, slack)
+        }
+        _ => tree(bodies, combination, slack),
+    }
+}
+
+fn tree(mut bodies: Vec<Body>, combination: Combination, slack: Slack) -> Result<Body, GeomError> {
+    while 1 < bodies.len() {
+        let pairs = bodies.chunks(2).map(|pair| match pair {
+            [a, b] => a.with(b, combination, slack),
+            _ => Ok(pair[0].clone()),
+        });
+        bodies = pairs.collect::<Result<_, _>>()?;
+    }
+    Ok(bodies.swap_remove(0))
+}
+
+impl Body {
+    fn new(manifold: Manifold) -> Result<Self, GeomError> {
+        match manifold.status() {
+            Error::NoError => {
+                let (volume, area) = (manifold.volume(), manifold.surface_area());
+                Ok(Self { manifold, volume, area })
+            }
+            Error::Cancelled => Err(GeomError::Ended),
+            Error::ResultTooLarge => {
+                let most = i32::MAX as usize;
+                Err(CountError::TooManyVertices { got: most + 1, most }.into())
+            }
+            // What hangs together as it should is taken in.
+            _ => Err(MeshError::Unproven { excess: f64::INFINITY, allowed: 0.0 }.into()),
+        }
+    }
+
+    /// The body of a mesh that encloses each place once or not at all.
+    fn checked(mesh: &Mesh, tolerance: Tolerance, distance: f64) -> Result<Self, GeomError> {
+        let topology = mesh.check_solid(tolerance).map(|()| mesh.topology(tolerance))?;
+        if let Some(vertex) = topology.pinched_vertex() {
+            return Err(MeshError::Pinched { at: mesh.vertices[vertex as usize] }.into());
+        }
+        let mut names: BTreeMap<u32, u32> = BTreeMap::new();
+        for &corner in topology.triangles().iter().flatten() {
+            let next = names.len() as u32;
+            names.entry(corner).or_insert(next);
+        }
+        let mut vertices = vec![DVec3::ZERO; names.len()];
+        names.iter().for_each(|(&corner, &name)| {
+            vertices[name as usize] = mesh.vertices[corner as usize];
+        });
+        let triangles = topology.triangles().iter().map(|corners| corners.map(|i| names[&i]));
+        GeomError::go_on(topology.triangles().len())?;
+        let body = Self::new(Manifold::from_mesh_glp(&MeshGLP::<f64, u32> {
+            num_prop: 3,
+            vert_properties: vertices.iter().flat_map(|place| place.to_array()).collect(),
+            tri_verts: triangles.flatten().collect(),
+            ..MeshGLP::default()
+        }))?;
+        body.check_crossings(&vertices, distance)?;
+
+        let parts = topology.parts();
+        let mut by_part: BTreeMap<u32, Vec<[DVec3; 3]>> = BTreeMap::new();
+        for corners in topology.triangles() {
+            let part = by_part.entry(parts[corners[0] as usize]).or_default();
+            part.push(corners.map(|corner| mesh.vertices[corner as usize]));
+        }
+        check_nesting(&by_part.into_values().collect::<Vec<_>>())?;
+        Ok(body)
+    }
+
+    /// Refuses a mesh that crosses or covers itself by more than the distance: where triangles meet
+    /// at all, the places that it goes around must have the volume that its triangles tell.
+    fn check_crossings(&self, vertices: &[DVec3], distance: f64) -> Result<(), GeomError> {
+        if !self.manifold.has_self_intersections() {
+            return Ok(());
+        }
+        for rule in [WindingRule::Positive, WindingRule::Nonzero] {
+            GeomError::go_on(self.manifold.num_tri())?;
+            let rebuilt = Self::new(self.manifold.rebuild_solid(rule))?;
+            if self.area * distance < (rebuilt.volume - self.volume).abs() {
+                let bits = |place: DVec3| place.to_array().map(|x| (x + 0.0).to_bits());
+                let known: HashSet<[u64; 3]> = vertices.iter().map(|&place| bits(place)).collect();
+                let new = rebuilt.vertices().find(|&place| !known.contains(&bits(place)));
+                return Err(MeshError::CrossesItself { at: new.unwrap_or(vertices[0]) }.into());
+            }
+        }
+        Ok(())
+    }
+
+    /// The same, so that edges that it gets may be merged up to a length.
+    fn merging(&self, length: f64) -> Self {
+        if length == 0.0 {
+            return self.clone();
+        }
+        let mut manifold = self.manifold.clone().into_impl();
+        manifold.tolerance = length.max(manifold.epsilon);
+        Self { manifold: Manifold::from_impl(manifold), ..self.clone() }
+    }
+
+    /// What it makes with another one. The other operation is carried out beside it, for the proof.
+    fn with(
+        &self,
+        other: &Self,
+        combination: Combination,
+        slack: Slack,
+    ) -> Result<Self, GeomError> {
+        let common = self.by_guest(other, OpType::Intersect)?;
+        let (rest, whole) = match combination {
+            Combination::Difference => (self.by_guest(other, OpType::Subtract)?, self.volume),
+            _ => (self.by_guest(other, OpType::Add)?, self.volume + other.volume),
+        };
+        let excess = (rest.volume + common.volume - whole).abs();
+        let allowed = (self.area + other.area) * slack.allowed;
+        if allowed < excess {
+            return Err(MeshError::Unproven { excess, allowed }.into());
+        }
+        Ok(if combination == Combination::Intersection { common } else { rest })
+    }
+
+    fn by_guest(&self, other: &Self, operation: OpType) -> Result<Self, GeomError> {
+        GeomError::go_on(self.manifold.num_tri() + other.manifold.num_tri())?;
+        let token = CancelToken::new();
+        let ends = token.clone();
+        let reporter = ProgressReporter::new(move |_, _| {
+            if !work::goes_on(1) {
+                ends.cancel();
+            }
+        });
+        Self::new(self.manifold.boolean_with_engine_and_progress(
+            &other.manifold,
+            operation,
+            BooleanEngine::Auto,
+            Some(&token),
+            Some(&reporter),
+        ))
+    }
+
+    fn vertices(&self) -> impl Iterator<Item = DVec3> {
+        let places = &self.manifold.as_impl().vert_pos;
+        places.iter().map(|&Vec3 { x, y, z }| DVec3::new(x, y, z))
+    }
+
+    /// Its mesh; none where it holds nothing.
+    fn mesh(&self, tolerance: Tolerance) -> Result<Option<Mesh>, GeomError> {
+        let out: MeshGLP<f64, u32> = self.manifold.get_mesh_glp(-1);
+        let width = out.num_prop as usize;
+        let vertices = out.vert_properties.chunks_exact(width.max(3));
+        let mesh = Mesh {
+            vertices: vertices.map(|place| DVec3::new(place[0], place[1], place[2])).collect(),
+            triangles: out.tri_verts.as_chunks().0.to_vec(),
+            ..Mesh::default()
+        };
+        let topology = mesh.topology(tolerance);
+        if topology.triangles().is_empty() {
+            return Ok(None);
+        }
+        let ends = topology.boundary().first().map(|side| side[0]);
+        let turned = || topology.turned_edge().map(|edge| edge[0]);
+        match ends.or_else(turned).or_else(|| topology.pinched_vertex()) {
+            Some(vertex) => {
+                Err(MeshError::TouchesItself { at: mesh.vertices[vertex as usize] }.into())
+            }
+            None => Ok(Some(mesh)),
+        }
+    }
+}
