@@ -77,6 +77,11 @@
 //! - [`Region::offset`] with its [`CornerStyle`], [`Region::filleted`]; [`Region::mass`], [`Region::side_of`] with its [`RegionSide`].
 //! - What is refused: [`RegionError`].
 //!
+//! ## Parts of surfaces
+//!
+//! - [`Face`]: [`Face::whole`], [`Face::within`] loops, its [parts](FacePart); [`Face::mass`], [`Face::side_of_parameters`].
+//! - What is refused: [`FaceError`].
+//!
 //! ## Approximate
 //!
 //! - Through points: [`Interpolator`] at parameters by [`Parametrization`], with [`Ends`]; [`lagrange`].
@@ -131,6 +136,7 @@ mod surface;
 mod sweep;
 mod table;
 pub mod tolerance;
+mod trim;
 mod valley;
 pub mod work;
 
@@ -205,3 +211,4 @@ pub use sweep::{
 };
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;
+pub use trim::{Face, FaceError, FacePart};

@@ -17,6 +17,7 @@ mod curve;
 mod edit;
 mod edit_surface;
 mod evaluator;
+mod face;
 mod fit;
 mod gordon;
 mod hostile;

@@ -1,0 +1,17 @@
+//! Parts of surfaces.
+//!
+//! A [`Face`] is a surface with the parts of its parameters that belong to it. These are regions of a
+//! `plane` of parameters that is stretched so that its lengths are no shorter than those on the surface:
+//! what is within the tolerance there is within it in space, and all that cuts faces is the arrangement
+//! of plane arcs that regions are made by. `face` has the type, `loops` faces within loops, `measure`
+//! integrals over faces.
+
+mod division;
+mod error;
+mod face;
+mod loops;
+mod measure;
+mod plane;
+
+pub use error::FaceError;
+pub use face::{Face, FacePart};
