@@ -3,8 +3,8 @@
 use std::{f64::consts::PI, sync::Arc};
 
 use virote_kernel::{
-    CircleForm, Face, FaceError, Frame, GeomError, NurbsCurve, NurbsSurface, RegionSide, Tolerance,
-    glam::DVec3,
+    CircleForm, Face, FaceError, Frame, GeomError, NurbsCurve, NurbsSurface, RegionSide,
+    TessellationOptions, Tolerance, glam::DVec3,
 };
 
 const TOLERANCE: Tolerance = Tolerance::DEFAULT;
@@ -59,4 +59,59 @@ fn a_rectangle_of_parameters_of_a_sphere_has_the_area_of_archimedes() {
         let turn = angle(0.83) - angle(0.13);
         check_area(&face, 2.0 * turn * (heights[1] - heights[0]));
     }
+}
+
+#[test]
+fn a_mesh_of_a_face_keeps_to_its_tolerance_and_has_its_area() {
+    let torus = Arc::new(NurbsSurface::torus(Frame::XY, 3.0, 1.0).unwrap());
+    let [u, v] = [torus.domain_u(), torus.domain_v()];
+    let window = circle([u.at(0.4), v.at(0.6)], 0.17 * u.length().min(v.length()));
+    for loops in [vec![window.clone()], vec![window.reversed()]] {
+        let face = Face::within(Arc::clone(&torus), &loops, TOLERANCE).unwrap();
+        let area = face.mass().unwrap().amount;
+        for tolerance in [1e-2, 1e-3, 1e-4] {
+            let options = TessellationOptions::within(tolerance);
+            let mesh = face.mesh(&options, 1_000_000).unwrap();
+            let check = mesh.check(TOLERANCE);
+            assert!(check.is_manifold && check.is_oriented && check.boundaries == 1, "{check:?}");
+            assert_eq!(check.degenerate, 0);
+            assert!((mesh.area() / area - 1.0).abs() < 3.0 * tolerance, "{} {area}", mesh.area());
+            for [a, b, c] in mesh.corners() {
+                let middle = (a + b + c) / 3.0;
+                assert!(torus.closest(middle).distance <= tolerance);
+            }
+        }
+    }
+}
+
+#[test]
+fn what_bounds_no_part_is_refused() {
+    let refused = |loops: &[NurbsCurve]| match Face::within(square(4.0), loops, TOLERANCE) {
+        Err(GeomError::Face(error)) => error,
+        other => panic!("{other:?}"),
+    };
+    let line = NurbsCurve::line(DVec3::new(0.2, 0.2, 0.0), DVec3::new(0.8, 0.2, 0.0)).unwrap();
+    assert!(matches!(refused(&[line]), FaceError::Open { index: 0, .. }));
+    let beyond = circle([0.9, 0.5], 0.25);
+    assert!(matches!(refused(&[beyond]), FaceError::OffDomain { index: 0, .. }));
+    let [one, other] = [[0.25, 0.5], [0.75, 0.5]].map(|center| circle(center, 0.125));
+    assert!(matches!(refused(&[one.clone(), other]), FaceError::Apart { n_parts: 2, .. }));
+    // Both are outer ones: between them one has it to its left, the other to its right.
+    let inner = circle([0.25, 0.5], 0.0625);
+    assert!(matches!(refused(&[one.clone(), inner]), FaceError::BothSides { .. }));
+    assert!(matches!(refused(&[one.clone(), one.reversed()]), FaceError::BothSides { .. }));
+}
+
+#[test]
+fn places_are_inside_on_the_border_or_outside_also_at_seams() {
+    let sphere = Arc::new(NurbsSurface::sphere(Frame::XY, 2.0).unwrap());
+    let [u, v] = [sphere.domain_u(), sphere.domain_v()];
+    let window = circle([u.at(0.5), v.at(0.5)], 0.2 * u.length().min(v.length()));
+    let face = Face::within(Arc::clone(&sphere), &[window.reversed()], TOLERANCE).unwrap();
+    let side = |u: f64, v: f64| face.side_of_parameters([u, v], 1e-6);
+    assert_eq!(side(u.at(0.5), v.at(0.5)), RegionSide::Outside);
+    assert_eq!(side(window.start().x, window.start().y), RegionSide::Border);
+    assert_eq!(side(u.start(), v.at(0.5)), RegionSide::Inside);
+    assert_eq!(side(u.end(), v.at(0.3)), RegionSide::Inside);
+    assert_eq!(side(u.end() + 1.0, v.at(0.3)), RegionSide::Outside);
 }

@@ -4,13 +4,14 @@
 //! `plane` of parameters that is stretched so that its lengths are no shorter than those on the surface:
 //! what is within the tolerance there is within it in space, and all that cuts faces is the arrangement
 //! of plane arcs that regions are made by. `face` has the type, `loops` faces within loops, `measure`
-//! integrals over faces.
+//! integrals over faces, `mesh` their triangles.
 
 mod division;
 mod error;
 mod face;
 mod loops;
 mod measure;
+mod mesh;
 mod plane;
 
 pub use error::FaceError;
