@@ -78,6 +78,11 @@
 //! - [`Region::offset`] with its [`CornerStyle`], [`Region::filleted`]; [`Region::mass`], [`Region::side_of`] with its [`RegionSide`].
 //! - What is refused: [`RegionError`].
 //!
+//! ## Parts of surfaces
+//!
+//! - [`Face`]: [`Face::whole`], [`Face::within`] loops, its [parts](FacePart); [`Face::mass`], [`Face::side_of_parameters`].
+//! - What is refused: [`FaceError`].
+//!
 //! ## Approximate
 //!
 //! - Through points: [`Interpolator`] at parameters by [`Parametrization`], with [`Ends`]; [`lagrange`].
@@ -207,4 +212,4 @@ pub use sweep::{
 };
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;
-pub use trim::{CurveEnd, SurfaceCurve, SurfaceCurveKind};
+pub use trim::{CurveEnd, Face, FaceError, FacePart, SurfaceCurve, SurfaceCurveKind};

@@ -18,6 +18,7 @@ mod curve;
 mod edit;
 mod edit_surface;
 mod evaluator;
+mod face;
 mod fit;
 mod gordon;
 mod hostile;

@@ -3,10 +3,12 @@
 //!
 //! `meet` finds where arcs meet, completely; `cut` makes places within the tolerance one vertex and what
 //! lies along itself one edge; `ray` counts how often rings go around what is on either side of an edge;
-//! `walk` puts edges together to loops that run with the region to their left. An edge ends at vertices
+//! `walk` puts edges together to loops that run with the region to their left, `cell` to the loops around all
+//! that edges divide the plane into. An edge ends at vertices
 //! alone, so that what is true at one place on it is true along all of it. What was missed shows: loops
 //! would not close.
 
+mod cell;
 mod cut;
 mod meet;
 mod ray;
@@ -16,8 +18,10 @@ use glam::DVec3;
 
 use crate::{Interval, NurbsCurve};
 
+pub(crate) use cell::CellLoop;
+pub(crate) use ray::RaySearch;
 pub(crate) use ray::{Side, Windings, winding_about};
-pub(crate) use walk::joined;
+pub(crate) use walk::{Step, joined};
 
 /// A closed chain of arcs. Its loops count for the group that it belongs to.
 #[derive(Clone, Debug)]

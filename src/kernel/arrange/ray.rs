@@ -64,7 +64,7 @@ struct Strips {
 }
 
 /// The pieces of all edges, and where each group's are.
-pub(super) struct RaySearch<'a> {
+pub(crate) struct RaySearch<'a> {
     edges: &'a [PlaneEdge],
     pieces: Vec<EdgePiece>,
     strips: [Strips; 2],
@@ -72,7 +72,7 @@ pub(super) struct RaySearch<'a> {
 }
 
 impl<'a> RaySearch<'a> {
-    pub(super) fn new(arrangement: &'a Arrangement) -> Self {
+    pub(crate) fn new(arrangement: &'a Arrangement) -> Self {
         let edges = &arrangement.edges;
         let mut pieces = Vec::new();
         for (number, edge) in edges.iter().enumerate() {
@@ -100,7 +100,7 @@ impl<'a> RaySearch<'a> {
     }
 
     /// The windings on the left and on the right of an edge; none where they cannot be told.
-    pub(super) fn around(&self, number: usize) -> Option<[Windings; 2]> {
+    pub(crate) fn around(&self, number: usize) -> Option<[Windings; 2]> {
         STARTS.iter().find_map(|&fraction| self.around_at(number, fraction))
     }
 

@@ -28,7 +28,7 @@ const LEAVING_STEPS: usize = 32;
 const CIRCLE_SHARE: f64 = 0.5;
 
 /// A part of an edge's course: which, and whether along it.
-type Step = (usize, bool);
+pub(crate) type Step = (usize, bool);
 
 impl Arrangement {
     /// The loops around where `is_inside` holds of the windings; each by its arcs.
@@ -88,7 +88,7 @@ impl Arrangement {
         loops.iter().map(|steps| self.arcs_of(steps)).collect()
     }
 
-    fn ends_of(&self, (edge, is_along): Step) -> [usize; 2] {
+    pub(super) fn ends_of(&self, (edge, is_along): Step) -> [usize; 2] {
         let [start, end] = self.edges[edge].ends;
         if is_along { [start, end] } else { [end, start] }
     }
@@ -100,7 +100,7 @@ impl Arrangement {
 
     /// The loops on the way from a step until all of it is closed; what comes back to a vertex before
     /// is a loop of its own. `left_by` has the place on the way of the step from each vertex.
-    fn walk(
+    pub(super) fn walk(
         &self,
         first: Step,
         exits: &mut [Vec<Step>],
@@ -127,7 +127,7 @@ impl Arrangement {
         Ok(loops)
     }
 
-    /// Of the exits the first in the sense of a clock behind where a step comes in.
+    /// Of the exits the first in the sense of a clock behind where a step comes in, other than back.
     fn next_clockwise(&self, at: usize, last: Step, exits: &[Step]) -> Result<usize, GeomError> {
         let center = self.vertices[at];
         let reach = |&(edge, is_along): &Step| {
@@ -144,18 +144,22 @@ impl Arrangement {
             libm::atan2(leaves.y - center.y, leaves.x - center.x)
         };
         let from = angle(&back);
-        let turns = exits.iter().map(|exit| (from - angle(exit)).rem_euclid(TAU)).enumerate();
+        let onward = exits.iter().enumerate().filter(|(_, exit)| **exit != back);
+        let turns = onward.map(|(i, exit)| (i, (from - angle(exit)).rem_euclid(TAU)));
         let mut turns: Vec<(usize, f64)> = turns.collect();
         turns.sort_by(|a, b| a.1.total_cmp(&b.1));
         let is_near = |a: f64, b: f64| (b - a).abs() <= EXACT_RELATIVE;
-        if is_near(turns[0].1, turns[1].1) || is_near(turns[0].1, 0.0) {
-            return Err(RegionError::Unclear { point: center }.into());
+        match turns[..] {
+            [(only, _)] => Ok(only),
+            [(first, turn), (_, next), ..] if !is_near(turn, next) && !is_near(turn, 0.0) => {
+                Ok(first)
+            }
+            _ => Err(RegionError::Unclear { point: center }.into()),
         }
-        Ok(turns[0].0)
     }
 
     /// The arcs along a loop; those that follow one another on one given arc are one.
-    fn arcs_of(&self, steps: &[Step]) -> Result<Vec<NurbsCurve>, GeomError> {
+    pub(super) fn arcs_of(&self, steps: &[Step]) -> Result<Vec<NurbsCurve>, GeomError> {
         let mut parts: Vec<(usize, Interval, bool)> = Vec::new();
         for &(edge, is_along) in steps {
             let PlaneEdge { arc, interval, .. } = self.edges[edge];

@@ -9,7 +9,9 @@ mod question;
 
 use thiserror::Error;
 
-use super::{FunctionFailure, JumpError, MeshError, PictureError, RegionError, ShellError};
+use super::{
+    FaceError, FunctionFailure, JumpError, MeshError, PictureError, RegionError, ShellError,
+};
 
 pub use construct::{ConstructionError, FitError, FormError, JointError};
 pub use input::{CountError, DegreeError, DomainError, InputError, KnotError, WeightError};
@@ -78,6 +80,9 @@ pub enum GeomError {
     /// Regions that cannot be put together.
     #[error(transparent)]
     Region(#[from] RegionError),
+    /// Parts of surfaces that are none.
+    #[error(transparent)]
+    Face(#[from] FaceError),
     /// Surfaces that enclose nothing.
     #[error(transparent)]
     Shell(#[from] ShellError),

@@ -18,6 +18,9 @@ use super::super::digits::{few_digits, plain};
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum LocalError {
+    /// Parameters of a surface that are not of the face.
+    #[error("the face does not reach to u = {u}, v = {v}", u = plain(*u), v = plain(*v))]
+    OffFace { u: f64, v: f64 },
     /// Every derivative vanishes, so that there is no direction.
     #[error("there is no tangent at parameter {parameter}: every derivative vanishes", parameter = plain(*parameter))]
     VanishingTangent { parameter: f64 },

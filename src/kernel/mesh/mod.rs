@@ -5,7 +5,7 @@
 //! more than three corners, and `quadrilaterals` pairs triangles to such. For the latter `bend` bounds derivatives, by the hulls of `quotient`; `cell_bounds`
 //! makes of them `rules` for each piece, `form`s of what a cell may be, and `near` those along its
 //! normal; `steps` lays the lines of a `surface_patch`, `seam` finds what the `edge`s of patches share, `division`
-//! divides that, and `stitch` makes the triangles. `weld` tells which vertices are one place, `topology` how the triangles
+//! divides that, and `stitch` makes the triangles; `trimmed` those of parts of a surface. `weld` tells which vertices are one place, `topology` how the triangles
 //! hang together, `orient` which of them face inward, `measure` area, volume and their centres, `deviation` how far one is from a
 //! surface, `distance` how far a place is from one, `nearest` the same for many places, `fault` why a
 //! mesh encloses nothing, `section` where a plane cuts it; `boolean` combines closed ones, whose parts
@@ -43,6 +43,7 @@ mod surface_patch;
 mod tessellate;
 mod topology;
 mod triangulation;
+mod trimmed;
 mod weld;
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};
@@ -63,6 +64,7 @@ pub use tessellate::{
     tessellate, tessellate_all, tessellate_curve, tessellate_finely, tessellation_parameters,
 };
 pub use topology::{MeshCheck, Topology};
+pub(crate) use trimmed::tessellate_parts;
 
 /// Triangles over shared vertices, counter-clockwise seen from the side of the normals.
 ///
@@ -264,6 +266,13 @@ impl Mesh {
             face_sizes: self.face_sizes.clone(),
             groups: self.groups.clone(),
         }
+    }
+
+    /// The same with its front where its back was.
+    pub(crate) fn turned(mut self) -> Self {
+        self.triangles.iter_mut().for_each(|corners| corners.swap(1, 2));
+        self.normals.iter_mut().for_each(|normal| *normal = -*normal);
+        self
     }
 
     /// The same triangles without the vertices that belong to none, the others in their order.

@@ -17,14 +17,14 @@ use crate::{
 
 /// Meshes that are tried for an angle: where normals turn faster between the places where they are
 /// compared than there, the cells become smaller.
-const MAX_ROUNDS: usize = 5;
+pub(super) const MAX_ROUNDS: usize = 5;
 
 /// How much smaller one round may make the cells, and how much more than the measured excess.
-const MAX_GROWTH: f64 = 1.5;
-const ANGLE_MARGIN: f64 = 1.02;
+pub(super) const MAX_GROWTH: f64 = 1.5;
+pub(super) const ANGLE_MARGIN: f64 = 1.02;
 
 /// A round that leaves more than this part of the excess is the last one.
-const LEAST_GAIN: f64 = 0.97;
+pub(super) const LEAST_GAIN: f64 = 0.97;
 
 /// A mesh of the surface, whose triangles are nowhere further than `tolerance` from it.
 ///
@@ -158,7 +158,7 @@ pub(crate) fn check_rounding(tolerance: f64, far: f64) -> Result<(), GeomError> 
 
 /// The largest angle between normals at the corners of a triangle, of those with a side longer than
 /// the tolerance: where a surface has no normal, no size would do.
-fn widest_turn(mesh: &Mesh, tolerance: f64) -> f64 {
+pub(super) fn widest_turn(mesh: &Mesh, tolerance: f64) -> f64 {
     let mut most = 0.0_f64;
     for &corners in &mesh.triangles {
         let [a, b, c] = corners.map(|corner| mesh.normals[corner as usize]);

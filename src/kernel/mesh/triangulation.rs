@@ -58,41 +58,7 @@ type Triangulation =
 /// Voronoi diagrams*, Algorithmica 7 (1992); Shewchuk & Brown, *Fast segment insertion and incremental
 /// construction of constrained Delaunay triangulations*, Computational Geometry 48 (2015).
 pub(super) fn triangles(rings: &[BorderPolygon]) -> Result<RegionTriangles, usize> {
-    let places: Vec<DVec2> = rings.iter().flat_map(|ring| ring.places.iter().copied()).collect();
-    let size = places.iter().map(|place| place.abs().max_element()).fold(0.0, f64::max);
-    // A power of two, so that nothing is rounded.
-    let (_, exponent) = libm::frexp(size);
-    // Numbers so small are no places to the triangulation.
-    let number = |x: f64| match libm::ldexp(x, -exponent) {
-        x if x.abs() < MIN_ALLOWED_VALUE => 0.0,
-        x => x,
-    };
-    let mut net = Triangulation::new();
-    let mut handles = vec![None; places.len()];
-    for (n_before, index) in mixed(places.len()).into_iter().enumerate() {
-        let place = Point2::new(number(places[index].x), number(places[index].y));
-        let vertex = PlanarVertex { place, index: index as u32 };
-        handles[index] = Some(net.insert(vertex).map_err(|_| index)?);
-        if net.num_vertices() == n_before {
-            return Err(index);
-        }
-    }
-    let ends = |ring: &BorderPolygon| {
-        let (n, first) = (ring.places.len(), ring.first);
-        (0..n).map(move |i| first + (i + 1) % n)
-    };
-    let ends: Vec<usize> = rings.iter().flat_map(ends).collect();
-    for from in mixed(ends.len()) {
-        let [Some(a), Some(b)] = [handles[from], handles[ends[from]]] else { return Err(from) };
-        if net.exists_constraint(a, b) || !net.can_add_constraint(a, b) {
-            return Err(from);
-        }
-        net.add_constraint(a, b);
-        // It would be in pieces where a vertex lies on it.
-        if !net.exists_constraint(a, b) {
-            return Err(from);
-        }
-    }
+    let ConstrainedNet { net, handles, ends, .. } = ConstrainedNet::of(rings)?;
     let depths = depths(&net);
     let n_around = |ring: &BorderPolygon| {
         let [a, b] = [handles[ring.first], handles[ends[ring.first]]];
@@ -100,6 +66,107 @@ pub(super) fn triangles(rings: &[BorderPolygon]) -> Result<RegionTriangles, usiz
     };
     let n_around = rings.iter().map(n_around).collect();
     Ok(RegionTriangles { triangles: inner_triangles(&net, &depths), n_around })
+}
+
+/// The triangles of a region with vertices inside: given ones, and such as lie in the middle of triangles
+/// that are not fine, until all are or `most` vertices or `n_rounds` rounds are reached. The places of the
+/// vertices inside come behind those of the borders.
+///
+/// # Errors
+/// The first vertex of a side that crosses or touches another one.
+pub(super) fn triangles_with(
+    rings: &[BorderPolygon],
+    mut inside: Vec<DVec2>,
+    is_fine: impl Fn([DVec2; 3]) -> bool,
+    [n_rounds, most]: [usize; 2],
+) -> Result<(Vec<[u32; 3]>, Vec<DVec2>), usize> {
+    let mut all = ConstrainedNet::of(rings)?;
+    let border: Vec<DVec2> = rings.iter().flat_map(|ring| ring.places.iter().copied()).collect();
+    let n_border = border.len();
+    let mut n_known = 0;
+    for round in 0.. {
+        for i in mixed(inside.len() - n_known) {
+            let index = n_known + i;
+            all.insert(inside[index], n_border + index);
+        }
+        n_known = inside.len();
+        let depths = depths(&all.net);
+        let triangles = inner_triangles(&all.net, &depths);
+        if n_rounds <= round || most < n_border + n_known {
+            return Ok((triangles, inside));
+        }
+        let place = |i: u32| match (i as usize).checked_sub(n_border) {
+            Some(i) => inside[i],
+            None => border[i as usize],
+        };
+        let coarse: Vec<DVec2> = triangles
+            .iter()
+            .map(|corners| corners.map(place))
+            .filter(|corners| work::goes_on(1) && !is_fine(*corners))
+            .map(|[a, b, c]| (a + b + c) / 3.0)
+            .collect();
+        if coarse.is_empty() {
+            return Ok((triangles, inside));
+        }
+        inside.extend(coarse);
+    }
+    unreachable!("rounds end")
+}
+
+/// A triangulation with the sides of polygons in it.
+struct ConstrainedNet {
+    net: Triangulation,
+    /// For each vertex of the polygons its own; for each where its side ends.
+    handles: Vec<Option<FixedVertexHandle>>,
+    ends: Vec<usize>,
+    /// The power of two by which places are multiplied, so that nothing is rounded.
+    exponent: i32,
+}
+
+impl ConstrainedNet {
+    fn of(rings: &[BorderPolygon]) -> Result<Self, usize> {
+        let places: Vec<DVec2> =
+            rings.iter().flat_map(|ring| ring.places.iter().copied()).collect();
+        let size = places.iter().map(|place| place.abs().max_element()).fold(0.0, f64::max);
+        let (_, exponent) = libm::frexp(size);
+        let ends = |ring: &BorderPolygon| {
+            let (n, first) = (ring.places.len(), ring.first);
+            (0..n).map(move |i| first + (i + 1) % n)
+        };
+        let ends: Vec<usize> = rings.iter().flat_map(ends).collect();
+        let handles = vec![None; places.len()];
+        let mut all = Self { net: Triangulation::new(), handles, ends, exponent: -exponent };
+        for index in mixed(places.len()) {
+            all.handles[index] = Some(all.insert(places[index], index).ok_or(index)?);
+        }
+        for from in mixed(all.ends.len()) {
+            let (Some(a), Some(b)) = (all.handles[from], all.handles[all.ends[from]]) else {
+                return Err(from);
+            };
+            if all.net.exists_constraint(a, b) || !all.net.can_add_constraint(a, b) {
+                return Err(from);
+            }
+            all.net.add_constraint(a, b);
+            // It would be in pieces where a vertex lies on it.
+            if !all.net.exists_constraint(a, b) {
+                return Err(from);
+            }
+        }
+        Ok(all)
+    }
+
+    /// A new vertex; none where there is one already.
+    fn insert(&mut self, place: DVec2, index: usize) -> Option<FixedVertexHandle> {
+        // Numbers so small are no places to the triangulation.
+        let number = |x: f64| match libm::ldexp(x, self.exponent) {
+            x if x.abs() < MIN_ALLOWED_VALUE => 0.0,
+            x => x,
+        };
+        let place = Point2::new(number(place.x), number(place.y));
+        let n_before = self.net.num_vertices();
+        let vertex = self.net.insert(PlanarVertex { place, index: index as u32 }).ok()?;
+        (n_before < self.net.num_vertices()).then_some(vertex)
+    }
 }
 
 /// The numbers below `n` in an order that looks random, the same on every run: a shuffle (Fisher &

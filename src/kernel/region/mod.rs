@@ -5,6 +5,7 @@
 //! distance, `fillet` rounded corners. All that cuts borders is an `arrange::Arrangement`.
 
 mod boolean;
+mod cells;
 mod error;
 mod fillet;
 mod measure;
@@ -20,6 +21,7 @@ use crate::{
     planar_mesh, tessellate_curve,
 };
 
+pub(crate) use cells::{PlaneCell, cells};
 pub use error::RegionError;
 pub use measure::RegionSide;
 pub use offset::CornerStyle;
@@ -127,6 +129,11 @@ impl Region {
         region.check_borders(distance)?;
         region.check_nesting()?;
         Ok(region)
+    }
+
+    /// The region with arcs along its borders that are known to be some.
+    pub(crate) fn of_known_arcs(frame: Frame, borders: Vec<Vec<NurbsCurve>>) -> Self {
+        Self { frame, loops: borders.into_iter().map(|arcs| PlaneLoop { arcs }).collect() }
     }
 
     /// The plane: its origin is nearest to that of space.
@@ -314,7 +321,7 @@ fn flattened(curve: &NurbsCurve) -> NurbsCurve {
 ///
 /// # Errors
 /// `LocalError::VanishingTangent` where it stands still.
-fn smooth_arcs(curve: &NurbsCurve, angle: f64) -> Result<Vec<NurbsCurve>, GeomError> {
+pub(crate) fn smooth_arcs(curve: &NurbsCurve, angle: f64) -> Result<Vec<NurbsCurve>, GeomError> {
     if 1 < curve.degree() {
         return curve.smooth_parts(angle);
     }

@@ -43,6 +43,10 @@ pub const FLAT_SLOPE: f64 = 0.25;
 /// the line and the polygon is seen along the slope.
 pub const BORDER_SHARE: f64 = 0.8;
 
+/// Part of the tolerance that the border of a part of a surface may be away from its polygon, along the
+/// surface; the rest is for triangles.
+pub(crate) const LEG_SHARE: f64 = 0.25;
+
 /// How far from its ends, as a fraction of it, the normals of a piece of an edge are compared.
 ///
 /// Larger misses what turns near an end; smaller looks where poles and corners have no normal.

@@ -167,7 +167,7 @@ pub fn facing_unlike(surfaces: &[Surface], tolerance: Tolerance) -> Result<Vec<b
 }
 
 /// A density times 1, x, y, z, and the products of these.
-fn moments(arm: DVec3, density: f64) -> [f64; 10] {
+pub(crate) fn moments(arm: DVec3, density: f64) -> [f64; 10] {
     let DVec3 { x, y, z } = arm;
     [1.0, x, y, z, x * x, y * y, z * z, x * y, y * z, z * x].map(|factor| factor * density)
 }
@@ -189,19 +189,19 @@ fn probed(surfaces: &[Surface]) -> Result<Option<Bounds>, GeomError> {
 
 /// Integrals of several surfaces together.
 #[derive(Clone, Copy, Debug, Default)]
-struct MassIntegral {
+pub(crate) struct MassIntegral {
     values: [f64; 10],
     relative_error: f64,
 }
 
 impl MassIntegral {
-    fn add(&mut self, part: Integral<10>, sign: f64) {
+    pub(crate) fn add(&mut self, part: Integral<10>, sign: f64) {
         self.values.iter_mut().zip(part.values).for_each(|(sum, value)| *sum += sign * value);
         self.relative_error = self.relative_error.max(part.relative_error);
     }
 
     /// Why they say nothing: they overflow, or there is nothing.
-    fn without(&self, what: &'static str) -> GeomError {
+    pub(crate) fn without(&self, what: &'static str) -> GeomError {
         if self.values.iter().all(|value| value.is_finite()) {
             GeomError::Measure(MeasureError::NothingThere { what })
         } else {
@@ -210,7 +210,7 @@ impl MassIntegral {
     }
 
     /// What they say, each order of moments divided by its own number; `None` of nothing.
-    fn mass(
+    pub(crate) fn mass(
         &self,
         about: DVec3,
         [of_one, of_point, of_product]: [f64; 3],

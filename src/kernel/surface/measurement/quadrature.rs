@@ -31,11 +31,11 @@ const LATE_CUTS: usize = SURFACE_CUTS / 4;
 
 /// An integral of several quantities.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::surface) struct Integral<const N: usize> {
-    pub(in crate::surface) values: [f64; N],
+pub(crate) struct Integral<const N: usize> {
+    pub(crate) values: [f64; N],
     /// What is known of the error, as a fraction of the integral of the absolute values; the
     /// largest of all quantities.
-    pub(in crate::surface) relative_error: f64,
+    pub(crate) relative_error: f64,
 }
 
 /// A rectangle of parameters of a part of the surface.
@@ -118,6 +118,37 @@ impl<const N: usize> IntegratedCell<N> {
     }
 }
 
+/// Parameters over which is integrated: a map from a rectangle, with what its area is multiplied by.
+pub(crate) trait QuadratureMap {
+    /// The point, Su × Sv and the factor of the area there.
+    ///
+    /// # Errors
+    /// As [`Surface::point_at`].
+    fn at(&self, place: [f64; 2]) -> Result<(DVec3, DVec3, f64), GeomError>;
+
+    /// Rectangles in which all is smooth.
+    fn cells(&self) -> [Vec<Interval>; 2];
+}
+
+impl QuadratureMap for Surface {
+    fn at(&self, [u, v]: [f64; 2]) -> Result<(DVec3, DVec3, f64), GeomError> {
+        let [point, along_u, along_v] = self.tangents_at(u, v)?;
+        Ok((point, along_u.cross(along_v), 1.0))
+    }
+
+    /// What the surface is made of, or for a function even parts.
+    fn cells(&self) -> [Vec<Interval>; 2] {
+        match self {
+            Self::Nurbs(surface) => [surface.knots_u(), surface.knots_v()]
+                .map(|knots| knots.spans().map(|span| knots.span_interval(span)).collect()),
+            Self::Parametric(surface) => [surface.domain_u(), surface.domain_v()].map(|domain| {
+                let ends = domain.steps(FUNCTION_PARTS);
+                ends.windows(2).filter_map(|ends| Interval::new(ends[0], ends[1]).ok()).collect()
+            }),
+        }
+    }
+}
+
 /// The integral over du·dv of quantities that depend on a point and on Su × Sv.
 ///
 /// # Errors
@@ -126,7 +157,17 @@ pub(in crate::surface) fn integral<const N: usize>(
     surface: &Surface,
     density: impl Fn(DVec3, DVec3) -> [f64; N],
 ) -> Result<Integral<N>, GeomError> {
-    let parts = parts(surface);
+    integral_over(&parts(surface), density)
+}
+
+/// The integral over all of some maps.
+///
+/// # Errors
+/// As [`QuadratureMap::at`].
+pub(crate) fn integral_over<const N: usize, M: QuadratureMap>(
+    parts: &[M],
+    density: impl Fn(DVec3, DVec3) -> [f64; N],
+) -> Result<Integral<N>, GeomError> {
     let rule = |cell: QuadratureCell| quadrature(&parts[cell.part], cell, &density);
     let known =
         |cell: QuadratureCell, whole: CellEstimate<N>| -> Result<IntegratedCell<N>, GeomError> {
@@ -137,7 +178,7 @@ pub(in crate::surface) fn integral<const N: usize>(
             Ok(IntegratedCell::new(cell, whole, [pair(Direction::U)?, pair(Direction::V)?]))
         };
     let mut all: Vec<IntegratedCell<N>> = Vec::new();
-    for cell in parts.iter().enumerate().flat_map(|(part, surface)| cells(part, surface)) {
+    for cell in parts.iter().enumerate().flat_map(|(part, map)| cells(part, map)) {
         all.push(known(cell, rule(cell)?)?);
     }
     let (mut n_cuts, mut late) = (SURFACE_CUTS, None);
@@ -189,16 +230,8 @@ fn parts(surface: &Surface) -> Vec<Surface> {
     }
 }
 
-/// What the surface is made of, or for a function even parts.
-fn cells(part: usize, surface: &Surface) -> Vec<QuadratureCell> {
-    let [us, vs]: [Vec<Interval>; 2] = match surface {
-        Surface::Nurbs(surface) => [surface.knots_u(), surface.knots_v()]
-            .map(|knots| knots.spans().map(|span| knots.span_interval(span)).collect()),
-        Surface::Parametric(surface) => [surface.domain_u(), surface.domain_v()].map(|domain| {
-            let ends = domain.steps(FUNCTION_PARTS);
-            ends.windows(2).filter_map(|ends| Interval::new(ends[0], ends[1]).ok()).collect()
-        }),
-    };
+fn cells(part: usize, map: &impl QuadratureMap) -> Vec<QuadratureCell> {
+    let [us, vs] = map.cells();
     us.iter().flat_map(|&u| vs.iter().map(move |&v| QuadratureCell { part, u, v })).collect()
 }
 
@@ -207,13 +240,13 @@ fn cells(part: usize, surface: &Surface) -> Vec<QuadratureCell> {
 /// What is added up is the difference from the middle of the cell, so that what does not change
 /// has its exact integral.
 fn quadrature<const N: usize>(
-    surface: &Surface,
+    map: &impl QuadratureMap,
     cell: QuadratureCell,
     density: &impl Fn(DVec3, DVec3) -> [f64; N],
 ) -> Result<CellEstimate<N>, GeomError> {
     let at = |u: f64, v: f64| -> Result<[f64; N], GeomError> {
-        let [point, along_u, along_v] = surface.tangents_at(u, v)?;
-        Ok(density(point, along_u.cross(along_v)))
+        let (point, normal, factor) = map.at([u, v])?;
+        Ok(density(point, normal).map(|value| value * factor))
     };
     let middle = at(cell.u.at(0.5), cell.v.at(0.5))?;
     let (mut means, mut absolute) = ([0.0; N], [0.0; N]);

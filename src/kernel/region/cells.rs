@@ -1,0 +1,55 @@
+//! The parts into which arcs divide a plane, as regions.
+
+use super::{PlaneLoop, Region, RegionError};
+use crate::{
+    Frame, GeomError,
+    arrange::{Arrangement, CellLoop, Step},
+};
+
+/// A part of the plane that no edge of an arrangement runs through.
+pub(crate) struct PlaneCell {
+    pub(crate) region: Region,
+    /// The edges around it, and whether it is to the left of them.
+    pub(crate) steps: Vec<Step>,
+}
+
+/// The bounded parts into which the edges divide the plane z = 0, in the order in which they are found;
+/// no edge may be loose.
+///
+/// # Errors
+/// [`RegionError::Unclear`], [`RegionError::Thin`].
+pub(crate) fn cells(arrangement: &Arrangement, distance: f64) -> Result<Vec<PlaneCell>, GeomError> {
+    let (mut parts, mut holes) = (Vec::new(), Vec::new());
+    for CellLoop { steps, arcs, component } in arrangement.cell_loops()? {
+        GeomError::go_on(1)?;
+        let border = PlaneLoop { arcs };
+        let (area, length) = (border.area(), border.length());
+        if 2.0 * area.abs() <= distance * length {
+            let (width, point) = (2.0 * area.abs() / length, border.arcs[0].start());
+            return Err(RegionError::Thin { point, width, tolerance: distance }.into());
+        }
+        if 0.0 < area {
+            let region = Region { frame: Frame::XY, loops: vec![border] };
+            parts.push((area, component, PlaneCell { region, steps }));
+        } else {
+            holes.push((component, border, steps));
+        }
+    }
+    for (component, hole, steps) in holes {
+        let mut around: Option<usize> = None;
+        for (i, (area, own, part)) in parts.iter().enumerate() {
+            let is_smaller = around.is_none_or(|best| *area < parts[best].0);
+            let outer = &part.region.loops[0];
+            if *own != component && is_smaller && outer.bounds_hold(&hole) && outer.holds(&hole)? {
+                around = Some(i);
+            }
+        }
+        // What goes around everything of its own has nothing around it.
+        if let Some(around) = around {
+            let part = &mut parts[around].2;
+            part.region.loops.push(hole);
+            part.steps.extend(steps);
+        }
+    }
+    Ok(parts.into_iter().map(|(_, _, part)| part).collect())
+}

@@ -1,0 +1,184 @@
+//! A face divided by arcs in its plane of parameters.
+
+use glam::DVec3;
+
+use super::{Face, plane::ParameterPlane};
+use crate::{
+    GeomError, NurbsCurve, Region,
+    arrange::{Apart, Arrangement, RaySearch, Ring},
+    region::{PlaneCell, cells},
+};
+
+/// The group of the face's own border; arcs have those behind it.
+const BORDER: usize = 0;
+
+/// The parts into which arcs divide a face.
+pub(super) struct Division {
+    arrangement: Arrangement,
+    /// The cells within the face.
+    cells: Vec<PlaneCell>,
+    /// For each cell a number that it has in common with those that it hangs together with over seams.
+    parts: Vec<usize>,
+    /// Arcs that end inside of the face and divide nothing, each with such an end.
+    pub(super) loose: Vec<(usize, DVec3)>,
+}
+
+/// The cells on both sides of an edge, of those within the face.
+#[derive(Clone, Copy, Default)]
+struct EdgeCells {
+    left: Option<usize>,
+    right: Option<usize>,
+}
+
+impl Division {
+    /// # Errors
+    /// Those of an arrangement; [`crate::RegionError::Unclear`], [`crate::RegionError::Thin`].
+    pub(super) fn of(
+        face: &Face,
+        arcs: &[NurbsCurve],
+        tolerance: f64,
+        n_threads: usize,
+    ) -> Result<Self, GeomError> {
+        let borders = face.parts.iter().flat_map(Region::arcs);
+        let mut rings: Vec<Ring> =
+            borders.map(|arcs| Ring { group: BORDER, arcs: arcs.to_vec() }).collect();
+        let n_border: usize = rings.iter().map(|ring| ring.arcs.len()).sum();
+        let cutters = arcs.iter().enumerate();
+        rings.extend(cutters.map(|(i, arc)| Ring { group: i + 1, arcs: vec![arc.clone()] }));
+        let mut arrangement = Arrangement::of(&rings, Apart::Nothing, tolerance, n_threads)?;
+        let loose = arrangement.drop_loose_edges();
+        let loose = loose
+            .into_iter()
+            .filter_map(|(arc, end)| arc.checked_sub(n_border).map(|arc| (arc, end)));
+        let loose: Vec<(usize, DVec3)> = loose.collect();
+        let search = RaySearch::new(&arrangement);
+        let mut inside = Vec::new();
+        for cell in cells(&arrangement, tolerance)? {
+            let around = cell.steps.iter().find_map(|&(edge, is_left)| {
+                let [left, right] = search.around(edge)?;
+                Some(if is_left { left } else { right })
+            });
+            let Some(around) = around else {
+                let point = cell.region.frame().point(DVec3::ZERO);
+                return Err(crate::RegionError::Unclear { point }.into());
+            };
+            if around.iter().any(|&(group, winding)| group == BORDER && winding != 0) {
+                inside.push(cell);
+            }
+        }
+        drop(search);
+        let parts = (0..inside.len()).collect();
+        let mut division = Self { arrangement, cells: inside, parts, loose };
+        division.join_over_seams(&face.plane, tolerance);
+        Ok(division)
+    }
+
+    /// For each edge the cells beside it.
+    fn beside(&self) -> Vec<EdgeCells> {
+        let mut beside = vec![EdgeCells::default(); self.arrangement.edges.len()];
+        for (number, cell) in self.cells.iter().enumerate() {
+            for &(edge, is_left) in &cell.steps {
+                let side = if is_left { &mut beside[edge].left } else { &mut beside[edge].right };
+                *side = Some(number);
+            }
+        }
+        beside
+    }
+
+    /// Makes cells one part that are beside one another over a seam along which nothing cuts.
+    fn join_over_seams(&mut self, plane: &ParameterPlane, tolerance: f64) {
+        let (beside, bounds) = (self.beside(), plane.bounds());
+        for across in (0..2).filter(|&i| plane.is_closed[i]) {
+            let along = 1 - across;
+            // The stretches of both ends: from, to, the cell inside, whether something cuts along it.
+            let stretches = [bounds.min[across], bounds.max[across]].map(|end| {
+                let mut found: Vec<(f64, f64, usize, bool)> = Vec::new();
+                for (edge, cells) in self.arrangement.edges.iter().zip(&beside) {
+                    let domain = edge.curve.domain();
+                    let places = [0.0, 0.5, 1.0].map(|at| edge.curve.point_at(domain.at(at)));
+                    let is_there =
+                        places.iter().all(|place| (place[across] - end).abs() <= tolerance);
+                    let Some(cell) = cells.left.or(cells.right).filter(|_| is_there) else {
+                        continue;
+                    };
+                    let [from, to] = [places[0][along], places[2][along]];
+                    let is_cut = edge.passes.iter().any(|&(group, _)| group != BORDER);
+                    found.push((from.min(to), from.max(to), cell, is_cut));
+                }
+                found
+            });
+            let [low, high] = stretches;
+            for &(from, to, cell, is_cut) in &low {
+                for &(start, end, other, is_other_cut) in &high {
+                    let shared = to.min(end) - from.max(start);
+                    if 4.0 * tolerance < shared && !is_cut && !is_other_cut {
+                        self.unite(cell, other);
+                    }
+                }
+            }
+        }
+    }
+
+    fn root(&self, mut cell: usize) -> usize {
+        while self.parts[cell] != cell {
+            cell = self.parts[cell];
+        }
+        cell
+    }
+
+    fn unite(&mut self, one: usize, other: usize) {
+        let (a, b) = (self.root(one), self.root(other));
+        self.parts[a.max(b)] = a.min(b);
+    }
+
+    /// The parts: for each the cells that it is made of, in their order.
+    fn groups(&self) -> Vec<Vec<usize>> {
+        let mut groups: Vec<Vec<usize>> = vec![Vec::new(); self.cells.len()];
+        for cell in 0..self.cells.len() {
+            groups[self.root(cell)].push(cell);
+        }
+        groups.retain(|cells| !cells.is_empty());
+        groups
+    }
+
+    fn regions(&self, cells: &[usize]) -> Vec<Region> {
+        cells.iter().map(|&cell| self.cells[cell].region.clone()).collect()
+    }
+
+    /// All parts.
+    pub(super) fn all(&self) -> Vec<Vec<Region>> {
+        self.groups().iter().map(|cells| self.regions(cells)).collect()
+    }
+
+    /// The parts to the left of arcs, those of `n_arcs`; the place of an arc with such a part, or none
+    /// of either, on both sides.
+    pub(super) fn left_of_arcs(&self) -> Result<Vec<Vec<Region>>, DVec3> {
+        let beside = self.beside();
+        let mut sides: Vec<Option<bool>> = vec![None; self.cells.len()];
+        for (edge, cells) in self.arrangement.edges.iter().zip(&beside) {
+            let times: i32 = edge
+                .passes
+                .iter()
+                .filter(|&&(group, _)| group != BORDER)
+                .map(|&(_, times)| times.signum())
+                .sum();
+            if edge.passes.iter().all(|&(group, _)| group == BORDER) {
+                continue;
+            }
+            let place = || edge.curve.point_at(edge.curve.domain().at(0.5));
+            if times == 0 {
+                return Err(place());
+            }
+            for (cell, is_left) in [(cells.left, 0 < times), (cells.right, times < 0)] {
+                let Some(cell) = cell else { continue };
+                let known = &mut sides[self.root(cell)];
+                if known.is_some_and(|known| known != is_left) {
+                    return Err(place());
+                }
+                *known = Some(is_left);
+            }
+        }
+        let kept = self.groups().into_iter().filter(|cells| sides[cells[0]] != Some(false));
+        Ok(kept.map(|cells| self.regions(&cells)).collect())
+    }
+}

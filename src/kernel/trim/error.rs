@@ -1,0 +1,64 @@
+//! Why there is no such face.
+
+use glam::DVec3;
+use thiserror::Error;
+
+use crate::{
+    Interval,
+    digits::plain,
+    error::{few_digits, place},
+};
+
+/// What keeps loops and cutters from bounding a part of a surface.
+///
+/// ```
+/// use std::sync::Arc;
+/// use virote_kernel::{Face, FaceError, Frame, GeomError, NurbsCurve, NurbsSurface, Tolerance, glam::DVec3};
+///
+/// let sphere = Arc::new(NurbsSurface::sphere(Frame::XY, 1.0)?);
+/// let line = NurbsCurve::line(DVec3::new(0.1, 0.5, 0.0), DVec3::new(0.2, 0.5, 0.0))?;
+/// let found = Face::within(sphere, &[line], Tolerance::DEFAULT);
+/// assert!(matches!(found, Err(GeomError::Face(FaceError::Open { index: 0, .. }))));
+/// # Ok::<(), GeomError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Error)]
+#[expect(missing_docs, reason = "each message names its fields")]
+pub enum FaceError {
+    /// A loop that does not close.
+    #[error("loop [{index}] does not close: its ends are {} apart", few_digits(*gap))]
+    Open { index: usize, gap: f64 },
+    /// A curve of parameters that leaves the domain.
+    #[error(
+        "loop [{index}] reaches from u = {} to {}, v = {} to {}, beyond the surface, which has u = {} to {}, v = {} to {}",
+        plain(u[0]), plain(u[1]), plain(v[0]), plain(v[1]),
+        plain(domains[0].start()), plain(domains[0].end()), plain(domains[1].start()), plain(domains[1].end())
+    )]
+    OffDomain { index: usize, u: [f64; 2], v: [f64; 2], domains: [Interval; 2] },
+    /// A curve away from the surface that it should lie on.
+    #[error("{what} is {} from the surface at {}", few_digits(*distance), place(*point))]
+    OffSurface { what: &'static str, index: usize, point: DVec3, distance: f64 },
+    /// Loops of which one has to its left what another has to its right.
+    #[error("at {} the loops contradict one another: each has the face to its left", place(*point))]
+    BothSides { point: DVec3 },
+    /// A curve that divides nothing.
+    #[error("a curve ends inside of the face at {}, so that it divides nothing", place(*point))]
+    EndsInside { point: DVec3 },
+    /// Several parts where one is wanted.
+    #[error("there are {n_parts} separate parts, one at {} and one at {}", place(points[0]), place(points[1]))]
+    Apart { n_parts: usize, points: Vec<DVec3> },
+    /// Nothing to the left of all loops.
+    #[error("the loops leave nothing of the surface")]
+    Nothing,
+    /// A cutter that does not reach the face.
+    #[error("cutter [{index}] does not meet the face")]
+    Misses { index: usize },
+    /// A cutter that lies along the face in an area.
+    #[error("cutter [{index}] runs along the surface near {}", place(*point))]
+    RunsAlong { index: usize, point: DVec3 },
+    /// A place that tells no part.
+    #[error("{} is {} from the face: it tells no part of it", place(*point), few_digits(*distance))]
+    NoPartAt { point: DVec3, distance: f64 },
+    /// A place on a cut.
+    #[error("{} lies on a cut: it tells no part of the face", place(*point))]
+    OnCut { point: DVec3 },
+}

@@ -1,0 +1,201 @@
+//! Integrals over faces: area, and how it is spread.
+//!
+//! A face's parameters are cut along the knots of its surface. What is left of the border in each
+//! rectangle between knots is a strip from the rectangle's start of u to an arc of the border; what is
+//! left of that are whole rectangles, or parts of them between two v. All are integrated by the
+//! adaptive rule that integrates surfaces. Green's theorem, with what it adds up sorted by rectangles:
+//! Gonzalez-Ochoa, McCammon & Peters, *Computing moments of objects enclosed by piecewise polynomial
+//! surfaces*, ACM TOG 17 (1998).
+
+use std::collections::BTreeMap;
+
+use glam::DVec3;
+
+use super::Face;
+use crate::{
+    Frame, GeomError, Interval, MassProperties, NurbsCurve, NurbsSurface, Region, Tolerance,
+    surface::{Integral, MassIntegral, QuadratureMap, integral_over, moments},
+    tolerance::{KNOT_RELATIVE, PARAMETER_RELATIVE},
+};
+
+/// A part of a face's parameters.
+enum ParameterPiece<'a> {
+    /// Between two u and two v, so many times.
+    Rectangle { surface: &'a NurbsSurface, u: Interval, v: Interval, times: f64 },
+    /// From a u to a part of an arc.
+    Strip { surface: &'a NurbsSurface, arc: &'a NurbsCurve, interval: Interval, from: f64 },
+}
+
+impl QuadratureMap for ParameterPiece<'_> {
+    fn at(&self, place: [f64; 2]) -> Result<(DVec3, DVec3, f64), GeomError> {
+        let (surface, [u, v], factor) = match *self {
+            Self::Rectangle { surface, times, .. } => (surface, place, times),
+            Self::Strip { surface, arc, from, .. } => {
+                let derivatives = arc.derivatives_at(place[1], 1);
+                let (end, dv) = (derivatives[0], derivatives[1].y);
+                let width = end.x - from;
+                (surface, [from + width * place[0], end.y], width * dv)
+            }
+        };
+        let [domain_u, domain_v] = [surface.domain_u(), surface.domain_v()];
+        let u = u.clamp(domain_u.start(), domain_u.end());
+        let v = v.clamp(domain_v.start(), domain_v.end());
+        let [point, along_u, along_v] = surface.tangents_at(u, v);
+        Ok((point, along_u.cross(along_v), factor))
+    }
+
+    fn cells(&self) -> [Vec<Interval>; 2] {
+        match *self {
+            Self::Rectangle { u, v, .. } => [vec![u], vec![v]],
+            Self::Strip { interval, .. } => [vec![Interval::UNIT], vec![interval]],
+        }
+    }
+}
+
+/// Part of an arc of the border within one rectangle between knots.
+struct BorderPiece {
+    arc: usize,
+    interval: Interval,
+    row: usize,
+    column: usize,
+    /// v where it begins and where it ends.
+    ends: [f64; 2],
+}
+
+impl Face {
+    /// Its area, centroid and inertia, as of a skin of density one.
+    ///
+    /// # Errors
+    /// `MeasureError::NothingThere`, `MeasureError::TooLargeToMeasure`; `GeomError::Ended`.
+    pub fn mass(&self) -> Result<MassProperties, GeomError> {
+        let about = self.plane.surface.bounds().center();
+        let mut sum = MassIntegral::default();
+        let found = self.integral(|point, normal| moments(point - about, normal.length()))?;
+        sum.add(found, 1.0);
+        sum.mass(about, [1.0; 3]).ok_or_else(|| sum.without("area"))
+    }
+
+    /// The integral over du·dv of quantities that depend on a point and on Su × Sv.
+    ///
+    /// # Errors
+    /// Those of a search that was ended.
+    pub(crate) fn integral<const N: usize>(
+        &self,
+        density: impl Fn(DVec3, DVec3) -> [f64; N],
+    ) -> Result<Integral<N>, GeomError> {
+        let surface = &*self.plane.surface;
+        let arcs: Vec<NurbsCurve> = self.closed_arcs()?;
+        let lines = [surface.knots_u().breaks(), surface.knots_v().breaks()];
+        let mut border = Vec::new();
+        for (number, arc) in arcs.iter().enumerate() {
+            border.extend(pieces(number, arc, &lines)?);
+        }
+        let mut parts: Vec<ParameterPiece<'_>> = Vec::new();
+        for piece in &border {
+            let (arc, from) = (&arcs[piece.arc], lines[0][piece.column]);
+            parts.push(ParameterPiece::Strip { surface, arc, interval: piece.interval, from });
+        }
+        for (u, v, times) in rectangles(&border, &lines) {
+            parts.push(ParameterPiece::Rectangle { surface, u, v, times });
+        }
+        integral_over(&parts, density)
+    }
+
+    /// The arcs of all loops, as curves of parameters; where one begins a little beside the end of the
+    /// one before it, with a leg between.
+    fn closed_arcs(&self) -> Result<Vec<NurbsCurve>, GeomError> {
+        let mut arcs = Vec::new();
+        for border in self.parts.iter().flat_map(Region::arcs) {
+            let own: Vec<NurbsCurve> =
+                border.iter().map(|arc| self.plane.to_parameters(arc)).collect();
+            for (i, arc) in own.iter().enumerate() {
+                let (end, start) = (arc.end(), own[(i + 1) % own.len()].start());
+                arcs.push(arc.clone());
+                if end != start {
+                    arcs.push(NurbsCurve::line(end, start)?);
+                }
+            }
+        }
+        Ok(arcs)
+    }
+}
+
+/// The parts of an arc between knots, its own and those of the surface.
+fn pieces(
+    number: usize,
+    arc: &NurbsCurve,
+    lines: &[Vec<f64>; 2],
+) -> Result<Vec<BorderPiece>, GeomError> {
+    let domain = arc.domain();
+    let mut cuts = arc.knots().breaks();
+    let bounds = arc.bounds();
+    for (axis, lines) in lines.iter().enumerate() {
+        let plane = if axis == 0 { Frame::YZ } else { Frame::ZX };
+        let slack = KNOT_RELATIVE * (lines[lines.len() - 1] - lines[0]);
+        for &line in &lines[1..lines.len() - 1] {
+            GeomError::go_on(1)?;
+            if line < bounds.min[axis] || bounds.max[axis] < line {
+                continue;
+            }
+            let origin = if axis == 0 { DVec3::X } else { DVec3::Y } * line;
+            let tolerance = Tolerance::DEFAULT.with_distance(slack);
+            cuts.extend(arc.plane_parameters(plane.at(origin), tolerance));
+        }
+    }
+    cuts.sort_by(f64::total_cmp);
+    let least = PARAMETER_RELATIVE * domain.length();
+    let mut ends = vec![domain.start()];
+    for cut in cuts {
+        if least < cut - ends[ends.len() - 1] && least < domain.end() - cut {
+            ends.push(cut);
+        }
+    }
+    ends.push(domain.end());
+    let cell = |lines: &[f64], t: f64| {
+        lines.partition_point(|&line| line <= t).clamp(1, lines.len() - 1) - 1
+    };
+    let piece = |pair: &[f64]| {
+        let interval = Interval::new(pair[0], pair[1]).ok()?;
+        let middle = arc.point_at(interval.at(0.5));
+        let (column, row) = (cell(&lines[0], middle.x), cell(&lines[1], middle.y));
+        let ends = [arc.point_at(pair[0]).y, arc.point_at(pair[1]).y];
+        Some(BorderPiece { arc: number, interval, row, column, ends })
+    };
+    Ok(ends.windows(2).filter_map(piece).collect())
+}
+
+/// The rectangles left of the strips: between which u and v, and how often.
+fn rectangles(border: &[BorderPiece], lines: &[Vec<f64>; 2]) -> Vec<(Interval, Interval, f64)> {
+    let mut rows: BTreeMap<usize, Vec<&BorderPiece>> = BTreeMap::new();
+    for piece in border.iter().filter(|piece| 0 < piece.column && piece.ends[0] != piece.ends[1]) {
+        rows.entry(piece.row).or_default().push(piece);
+    }
+    let mut found = Vec::new();
+    for pieces in rows.into_values() {
+        let mut vs: Vec<f64> = pieces.iter().flat_map(|piece| piece.ends).collect();
+        vs.sort_by(f64::total_cmp);
+        vs.dedup();
+        let most = pieces.iter().map(|piece| piece.column).max().unwrap_or(0);
+        for column in 0..most {
+            // How often pieces further right run up between neighbouring v, less how often down.
+            let mut changes: BTreeMap<usize, i32> = BTreeMap::new();
+            for piece in pieces.iter().filter(|piece| column < piece.column) {
+                let [from, to] = piece.ends.map(|end| vs.partition_point(|&v| v < end));
+                *changes.entry(from).or_default() += 1;
+                *changes.entry(to).or_default() -= 1;
+            }
+            let (mut times, mut from) = (0, 0);
+            for (place, change) in changes.into_iter().filter(|&(_, change)| change != 0) {
+                if times != 0
+                    && let Ok(u) = Interval::new(lines[0][column], lines[0][column + 1])
+                    && let Ok(v) = Interval::new(vs[from], vs[place])
+                {
+                    found.push((u, v, f64::from(times)));
+                }
+                times += change;
+                from = place;
+            }
+        }
+    }
+    found
+}
