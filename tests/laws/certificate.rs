@@ -114,7 +114,7 @@ fn sections_of_a_torus_are_proven_but_where_they_touch_or_meet() {
     for curve in &spiric {
         for t in curve.curve.domain().steps(500) {
             let point = curve.curve.point_at(t);
-            let miss = (point.x.hypot(point.y) - 3.0).hypot(point.z) - 1.0;
+            let miss = libm::hypot(libm::hypot(point.x, point.y) - 3.0, point.z) - 1.0;
             assert!(miss.abs() <= curve.deviation && (point.y - 1.5).abs() <= curve.deviation);
         }
     }

@@ -213,7 +213,7 @@ impl Body {
         GeomError::go_on(topology.triangles().len())?;
         let body = Self::new(Manifold::from_mesh_glp(&MeshGLP::<f64, u32> {
             num_prop: 3,
-            vert_properties: vertices.iter().flat_map(|place| place.to_array()).collect(),
+            vert_properties: vertices.iter().flat_map(DVec3::to_array).collect(),
             tri_verts: triangles.flatten().collect(),
             ..MeshGLP::default()
         }))?;

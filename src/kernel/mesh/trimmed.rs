@@ -121,13 +121,14 @@ impl Trimmed<'_> {
     /// The line of constant parameter along which an arc runs that both of its sides share.
     fn shared_line(&self, arc: &NurbsCurve) -> Option<SharedLine> {
         let points = arc.points();
+        let is = |a: f64, b: f64| (a - b).abs() <= 0.0;
         (0..2).find_map(|across| {
             let value = points[0][across];
             let domain = self.sheet.domains()[across];
-            let is_end = value == domain.start() || value == domain.end();
+            let is_end = is(value, domain.start()) || is(value, domain.end());
             let is_seam = self.is_closed[across] && is_end;
-            let is_crease = self.sheet.breaks[across].iter().any(|line| line.at == value);
-            let is_line = points.iter().all(|point| point[across] == value);
+            let is_crease = self.sheet.breaks[across].iter().any(|line| is(line.at, value));
+            let is_line = points.iter().all(|point| is(point[across], value));
             let key = if is_seam { domain.start() } else { value };
             (is_line && (is_seam || is_crease)).then_some((across, key.to_bits()))
         })

@@ -62,6 +62,13 @@ struct BorderPiece {
     ends: [f64; 2],
 }
 
+impl BorderPiece {
+    /// Whether it begins and ends at different v.
+    fn rises(&self) -> bool {
+        0.0 < (self.ends[0] - self.ends[1]).abs()
+    }
+}
+
 impl Face {
     /// Its area, centroid and inertia, as of a skin of density one.
     ///
@@ -167,7 +174,7 @@ fn pieces(
 /// The rectangles left of the strips: between which u and v, and how often.
 fn rectangles(border: &[BorderPiece], lines: &[Vec<f64>; 2]) -> Vec<(Interval, Interval, f64)> {
     let mut rows: BTreeMap<usize, Vec<&BorderPiece>> = BTreeMap::new();
-    for piece in border.iter().filter(|piece| 0 < piece.column && piece.ends[0] != piece.ends[1]) {
+    for piece in border.iter().filter(|piece| 0 < piece.column && piece.rises()) {
         rows.entry(piece.row).or_default().push(piece);
     }
     let mut found = Vec::new();
