@@ -6,17 +6,18 @@
 //! The value of an import is the record of what the file defines.
 
 use std::{
-    collections::BTreeMap,
+    collections::{BTreeMap, BTreeSet},
     sync::{Arc, Mutex, OnceLock, PoisonError},
 };
 
 use super::{
+    cache_key::{CacheKey, KeySort},
     env::{Env, GivenParameters, ImportedFiles},
     globals::Globals,
     ir::Program,
-    lower::{self, Imported, Origin},
+    lower::{self, Imported, Lowered, Origin, ScriptCall},
     machine::Machine,
-    memory::Fields,
+    memory::{CacheRun, Fields, FileRead},
     name_uses::NotedNames,
     param::GivenValue,
     settings::Settings,
@@ -24,7 +25,7 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Severity, Sources, Span, Spanned, nearest},
-    limits::Ceiling,
+    limits::{Ceiling, stack},
     syntax::{
         self,
         ast::{Expr, ExprKind, StatementKind, Tree, Unit},
@@ -40,15 +41,28 @@ struct LibraryFile {
     program: Program,
     /// Its first mistake that was found without running it.
     fault: Option<Box<Diagnostic>>,
+    /// The identity of its program, once somebody asked for it.
+    identity: OnceLock<u64>,
 }
 
 /// An imported file with its parameters, evaluated.
 #[derive(Debug)]
-struct ImportInstance {
+pub(crate) struct ImportInstance {
+    /// Which one it is in this run.
+    pub(super) number: usize,
     /// Functions of the file look here for its definitions.
     home: Arc<Globals>,
-    outcome: Result<(Value, Fields)>,
+    pub(super) outcome: Result<(Value, Fields)>,
+    /// What went wrong, and what is doubtful.
+    pub(super) findings: Vec<Diagnostic>,
+    /// The files that its definitions read, where results are remembered.
+    pub(super) reads: BTreeSet<FileRead>,
+    /// The steps that it took.
+    pub(super) n_steps: u64,
 }
+
+/// The place of an instance, which is made once.
+type InstanceSlot = Arc<(usize, OnceLock<Arc<ImportInstance>>)>;
 
 /// Every file that a script imports, directly or not.
 #[derive(Debug)]
@@ -57,9 +71,10 @@ pub(crate) struct Library<'a> {
     /// The unit of the script; files that state none follow it.
     unit: Unit,
     files: Vec<LibraryFile>,
-    by_path: BTreeMap<String, Option<usize>>,
+    /// Each file, or why it cannot be had.
+    by_path: BTreeMap<String, Result<usize>>,
     /// By the file and the exact key of its parameters.
-    instances: Mutex<BTreeMap<(usize, Vec<u8>), Arc<OnceLock<ImportInstance>>>>,
+    instances: Mutex<BTreeMap<(usize, Vec<u8>), InstanceSlot>>,
     findings: Mutex<Vec<Diagnostic>>,
     /// What the names of the files mean.
     noted: NotedNames,
@@ -82,18 +97,58 @@ impl ImportedFiles for Library<'_> {
         parameters: GivenParameters,
         env: Env<'_>,
     ) -> Result<(Value, Fields)> {
-        self.check_parameters(file, &parameters)?;
-        let mut key = Vec::new();
-        for (name, value) in &parameters {
-            exact_key(&Value::Text(Arc::clone(&name.value)), &mut key);
-            exact_key(&value.value, &mut key);
-        }
-        let instance = {
-            let mut instances = self.instances.lock().unwrap_or_else(PoisonError::into_inner);
-            Arc::clone(instances.entry((file, key)).or_default())
-        };
+        let slot = self.slot(file, &parameters)?;
         // Imports make no circle, so that whoever waits here is not waited for.
-        instance.get_or_init(|| self.evaluate(file, &parameters, env)).outcome.clone()
+        let instance = slot.1.get_or_init(|| self.evaluate(file, slot.0, &parameters, env));
+        instance.findings.iter().for_each(|finding| self.tell(finding.clone()));
+        instance.outcome.clone()
+    }
+
+    fn instance(
+        &self,
+        file: usize,
+        parameters: GivenParameters,
+        env: Env<'_>,
+        (span, depth): (Span, usize),
+    ) -> Result<Arc<ImportInstance>> {
+        let slot = self.slot(file, &parameters)?;
+        let make = |env: Env<'_>| {
+            let made = || self.evaluate(file, slot.0, &parameters, env);
+            Arc::clone(slot.1.get_or_init(made))
+        };
+        let limits = env.limits;
+        // All files inside one another together go no deeper than one may, in the other half of the stack.
+        let is_shallow = depth.saturating_mul(limits.import_nesting) <= limits.evaluation_depth;
+        if is_shallow || slot.1.get().is_some() {
+            return Ok(make(env));
+        }
+        let made = stack::known(0, || {
+            stack::with(limits.stack_bytes, |bytes| {
+                let limits = limits.on_stack(bytes);
+                (0 < bytes).then(|| make(Env { limits: &limits, ..env }))
+            })
+        });
+        made.ok_or_else(|| {
+            let message = "a script is called too deep inside other calls";
+            Box::new(Diagnostic::error(Code::RecursionTooDeep, span, message))
+        })
+    }
+
+    fn identity(&self, file: usize) -> u64 {
+        let LibraryFile { path, program, identity, .. } = &self.files[file];
+        let spell = |recall: &CacheRun<'_>| {
+            let all: Vec<usize> = (0..program.definitions.len()).collect();
+            let none = Globals::default();
+            let mut key = CacheKey::new(KeySort::Script, &none, &all, Some(self));
+            key.text(folder(path));
+            key.text(&format!("{:?} {:?}", program.unit, program.tolerance));
+            for definition in &program.definitions {
+                key.text(&definition.name);
+                key.definition(definition, None);
+            }
+            recall.intern(key.finish())
+        };
+        *identity.get_or_init(|| self.settings.recall.map_or(0, spell))
     }
 }
 
@@ -128,8 +183,10 @@ impl<'a> Library<'a> {
                     let place = import.path.span.shifted(importer.base);
                     let imported = literal(&import.path).and_then(|path| {
                         let path = join(folder(importer.path), path);
-                        self.load(&path, place, chain, sources)
+                        let file = self.load(&path, place, chain, sources);
+                        file.map_err(|finding| self.tell(*finding)).ok()
                     });
+                    let imported = imported.map(|file| self.imported(file));
                     found.push((import.path.span.start, imported));
                 }
                 _ => {}
@@ -139,26 +196,56 @@ impl<'a> Library<'a> {
         found
     }
 
+    /// Loads the scripts that the calls of a lowered text name, and notes what is known of them.
+    pub(crate) fn load_scripts(
+        &mut self,
+        path: &str,
+        lowered: &mut Lowered,
+        chain: &mut Vec<String>,
+        sources: &mut Sources,
+    ) {
+        for ScriptCall { file, labels, name, is_expected } in std::mem::take(&mut lowered.scripts) {
+            let path = join(folder(path), &file.path);
+            let found = self.load(&path, file.place, chain, sources);
+            match &found {
+                Ok(found) => {
+                    let imported = self.imported(*found);
+                    let noted = &mut lowered.noted;
+                    for whole in name.iter().chain([&file.place]) {
+                        noted.parts.extend(imported.parts_of(*whole));
+                    }
+                    let given = labels.into_iter().map(|(label, at)| (file.place, label, at));
+                    noted.part_uses.extend(given);
+                    noted.imports.push((file.place, imported.path));
+                }
+                Err(finding) if !is_expected => self.tell(finding.as_ref().clone()),
+                Err(_) => {}
+            }
+            let _ = file.found.set(found);
+        }
+    }
+
     /// Loads one file, unless it is there already.
+    ///
+    /// # Errors
+    /// Why it cannot be had.
     fn load(
         &mut self,
         path: &str,
         place: Span,
         chain: &mut Vec<String>,
         sources: &mut Sources,
-    ) -> Option<Imported> {
+    ) -> Result<usize> {
         if let Some(at) = chain.iter().position(|file| file == path) {
             let circle: Vec<String> =
                 chain[at..].iter().chain([&chain[at]]).map(|file| format!("`{file}`")).collect();
             let message = format!("files import one another in a circle: {}", circle.join(" → "));
-            self.tell(
-                Diagnostic::error(Code::ImportCycle, place, message)
-                    .hint("move what both need into a third file"),
-            );
-            return None;
+            return Diagnostic::error(Code::ImportCycle, place, message)
+                .hint("move what both need into a third file")
+                .fail();
         }
         if let Some(known) = self.by_path.get(path) {
-            return known.map(|file| self.imported(file));
+            return known.clone();
         }
         let file = self.read(path, place, chain.len()).and_then(|text| {
             chain.push(path.to_owned());
@@ -166,41 +253,33 @@ impl<'a> Library<'a> {
             chain.pop();
             file
         });
-        self.by_path.insert(path.to_owned(), file);
-        file.map(|file| self.imported(file))
+        self.by_path.insert(path.to_owned(), file.clone());
+        file
     }
 
     /// The text of a file.
-    fn read(&self, path: &str, place: Span, n_nested: usize) -> Option<String> {
+    fn read(&self, path: &str, place: Span, n_nested: usize) -> Result<String> {
         let most = self.settings.limits.import_nesting;
         if most < n_nested {
             let message = format!("imports lie more than {most} deep inside one another");
             let found = Diagnostic::error(Code::TooLarge, place, message);
-            self.tell(found.crossing(Ceiling::IMPORT_NESTING));
-            return None;
+            return found.crossing(Ceiling::IMPORT_NESTING).fail();
         }
         let most = self.settings.limits.source_bytes;
-        let bytes = match self.settings.files.read(path, most) {
-            Ok(bytes) if most < bytes.len() => {
-                let message = format!("`{path}` is larger than the ceiling of {most} bytes");
-                let hint = "numbers that a script needs are read by `load`";
-                let found = Diagnostic::error(Code::SourceTooLarge, place, message).hint(hint);
-                self.tell(found.crossing(Ceiling::SOURCE_BYTES));
-                return None;
-            }
-            Ok(bytes) => bytes,
-            Err(message) => {
-                let hint = "paths are relative to the file that imports";
-                self.tell(Diagnostic::error(Code::FileMissing, place, message).hint(hint));
-                return None;
-            }
-        };
+        let bytes = self.settings.files.read(path, most).map_err(|message| {
+            let hint = "paths are relative to the file that names them";
+            Box::new(Diagnostic::error(Code::FileMissing, place, message).hint(hint))
+        })?;
+        if most < bytes.len() {
+            let message = format!("`{path}` is larger than the ceiling of {most} bytes");
+            let hint = "numbers that a script needs are read by `load`";
+            let found = Diagnostic::error(Code::SourceTooLarge, place, message).hint(hint);
+            return found.crossing(Ceiling::SOURCE_BYTES).fail();
+        }
         match script_text(&bytes) {
-            Ok(text) => Some(text.to_owned()),
+            Ok(text) => Ok(text.to_owned()),
             Err(what) => {
-                let message = format!("`{path}`: {what}");
-                self.tell(Diagnostic::error(Code::NotUtf8, place, message));
-                None
+                Diagnostic::error(Code::NotUtf8, place, format!("`{path}`: {what}")).fail()
             }
         }
     }
@@ -213,31 +292,31 @@ impl<'a> Library<'a> {
         place: Span,
         chain: &mut Vec<String>,
         sources: &mut Sources,
-    ) -> Option<usize> {
+    ) -> Result<usize> {
         let base = sources.add(path, Arc::clone(text));
         let (tree, found) = syntax::parse(text, self.settings.limits);
         let found: Vec<Diagnostic> = found.into_iter().map(|found| found.shifted(base)).collect();
         let imports = self.load_imports(&LoadedText { path, base, tree: &tree }, chain, sources);
         let faults = lower::faults(&found);
         let origin = Origin { text, base, faults: &faults, imports: &imports };
-        let lowered = lower::lower(&tree, origin, self.settings.registry, self.unit);
+        let mut lowered = lower::lower(&tree, origin, self.settings.registry, self.unit);
         if lowered.program.unit != self.unit {
             let (theirs, ours) = (lowered.program.unit.name(), self.unit.name());
             let message = format!("`{path}` is in {theirs}, the script in {ours}");
-            self.tell(
-                Diagnostic::error(Code::UnitMismatch, place, message)
-                    .hint("bare numbers would change their meaning: state the same `unit` in both"),
-            );
-            return None;
+            return Diagnostic::error(Code::UnitMismatch, place, message)
+                .hint("bare numbers would change their meaning: state the same `unit` in both")
+                .fail();
         }
+        self.load_scripts(path, &mut lowered, chain, sources);
         self.noted.append(lowered.noted);
         let mut findings = found;
         findings.extend(lowered.diagnostics);
         let is_error = |found: &&Diagnostic| found.severity == Severity::Error;
         let fault = findings.iter().find(is_error).cloned().map(Box::new);
         findings.into_iter().for_each(|finding| self.tell(finding));
-        self.files.push(LibraryFile { path: path.to_owned(), program: lowered.program, fault });
-        Some(self.files.len() - 1)
+        let (path, program, identity) = (path.to_owned(), lowered.program, OnceLock::new());
+        self.files.push(LibraryFile { path, program, fault, identity });
+        Ok(self.files.len() - 1)
     }
 
     /// What an importer knows of a file.
@@ -258,7 +337,7 @@ impl<'a> Library<'a> {
     /// The homes of all files that were evaluated.
     pub(super) fn homes(&self) -> Vec<Arc<Globals>> {
         let instances = self.instances.lock().unwrap_or_else(PoisonError::into_inner);
-        let evaluated = instances.values().filter_map(|instance| instance.get());
+        let evaluated = instances.values().filter_map(|slot| slot.1.get());
         evaluated.map(|instance| Arc::clone(&instance.home)).collect()
     }
 
@@ -270,6 +349,27 @@ impl<'a> Library<'a> {
     /// Everything that was found in imported files so far.
     pub(crate) fn take_findings(&self) -> Vec<Diagnostic> {
         std::mem::take(&mut *self.findings.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    /// The place of the instance of a file with these parameters.
+    fn slot(
+        &self,
+        file: usize,
+        parameters: &[(Spanned<Arc<str>>, Spanned<Value>)],
+    ) -> Result<InstanceSlot> {
+        self.check_parameters(file, parameters)?;
+        let mut given: Vec<_> = parameters.iter().collect();
+        given.sort_by(|a, b| a.0.value.cmp(&b.0.value));
+        let mut key = Vec::new();
+        for (name, value) in given {
+            exact_key(&Value::Text(Arc::clone(&name.value)), &mut key);
+            exact_key(&value.value, &mut key);
+        }
+        let mut instances = self.instances.lock().unwrap_or_else(PoisonError::into_inner);
+        let number = instances.len();
+        let slot =
+            instances.entry((file, key)).or_insert_with(|| Arc::new((number, OnceLock::new())));
+        Ok(Arc::clone(slot))
     }
 
     fn check_parameters(
@@ -299,10 +399,11 @@ impl<'a> Library<'a> {
     fn evaluate(
         &self,
         file: usize,
+        number: usize,
         parameters: &[(Spanned<Arc<str>>, Spanned<Value>)],
         env: Env<'_>,
-    ) -> ImportInstance {
-        let LibraryFile { path, program, fault } = &self.files[file];
+    ) -> Arc<ImportInstance> {
+        let LibraryFile { path, program, fault, .. } = &self.files[file];
         let recall = self.settings.recall;
         let home = Globals::new(program, folder(path), recall);
         let env = Env { tolerance: program.tolerance, library: Some(self), ..env };
@@ -318,12 +419,12 @@ impl<'a> Library<'a> {
         let failed = findings.iter().find(|found| found.severity == Severity::Error);
         // The mistake itself is told in its file; the importer stays quiet.
         let failed = fault.clone().or_else(|| failed.cloned().map(Box::new));
-        findings.into_iter().for_each(|finding| self.tell(finding));
         let outcome = match failed {
             Some(failed) => Err(failed),
             None => Ok(public(program, &home)),
         };
-        ImportInstance { home, outcome }
+        let Worker { reads, n_steps, .. } = worker;
+        Arc::new(ImportInstance { number, home, outcome, findings, reads, n_steps })
     }
 }
 

@@ -19,6 +19,7 @@ mod field;
 mod file_run;
 mod function;
 mod globals;
+mod import;
 mod index;
 mod invoke;
 mod ir;

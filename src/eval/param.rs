@@ -3,6 +3,7 @@
 use std::{fmt, sync::Arc};
 
 use super::{
+    autodiff::no_derivative,
     env::Env,
     ir::{Definition, Expr, ExprKind, ParamKind, ParamRules},
     lower,
@@ -13,7 +14,7 @@ use crate::{
     kernel::tolerance::STEP_RELATIVE,
     limits::Limits,
     syntax::{self, ast::Unit},
-    value::{Dimension, Number, Range, Registry, Value},
+    value::{Dimension, Number, Range, Real, Registry, Value},
 };
 
 /// A value for a parameter from outside.
@@ -160,6 +161,9 @@ pub(super) struct ParameterRules {
 impl ParameterRules {
     /// `value` in the parameter's kind, if the rules allow it; `subject` names it in messages.
     fn admit(&self, value: Value, span: Span, subject: &str) -> Result<Value> {
+        if let Value::Jet(varying) = &value {
+            return self.admit_varying(varying, span, subject);
+        }
         let value = self.of_kind(&value).ok_or_else(|| {
             let wanted = match self.kind {
                 ParamKind::Integer | ParamKind::Angle => format!("an {}", self.kind.word()),
@@ -176,6 +180,16 @@ impl ParameterRules {
             self.inside(&value, allowed, span, *place, subject)?;
         }
         Ok(value)
+    }
+
+    /// The same of a number that carries derivatives.
+    fn admit_varying(&self, number: &Number<Real>, span: Span, subject: &str) -> Result<Value> {
+        let admitted = self.admit(Value::Number(number.looked_at()), span, subject)?;
+        let Value::Number(Number { dim, .. }) = admitted else { return Ok(admitted) };
+        if self.kind == ParamKind::Integer || self.step.is_some() {
+            return no_derivative(&format!("{subject}, which goes in steps,"), span);
+        }
+        Ok(Value::Jet(Arc::new(Number { dim, ..number.clone() })))
     }
 
     fn of_kind(&self, value: &Value) -> Option<Value> {

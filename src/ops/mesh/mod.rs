@@ -14,6 +14,7 @@ mod obj;
 mod obj_lines;
 mod of_faces;
 mod planar_mesh;
+mod script;
 mod table_columns;
 mod table_rows;
 mod tessellate;
@@ -37,4 +38,5 @@ pub(super) static OPS: &[&Op] = &[
     &table_columns::OP,
     &table_rows::OP,
     &load::OP,
+    &script::OP,
 ];
