@@ -4,8 +4,8 @@ use std::sync::{Arc, PoisonError};
 
 use super::{
     env::GivenParameters,
+    import_instance::ImportInstance,
     ir::{Arg, ScriptFile},
-    library::ImportInstance,
     machine::Machine,
 };
 use crate::{

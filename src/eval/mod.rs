@@ -20,6 +20,7 @@ mod file_run;
 mod function;
 mod globals;
 mod import;
+mod import_instance;
 mod index;
 mod invoke;
 mod ir;

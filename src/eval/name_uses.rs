@@ -73,16 +73,21 @@ impl NotedNames {
             .rev()
             .map(|(whole, name, place)| ((*whole, &**name), *place))
             .collect();
-        let part_uses: Vec<(Span, Span)> = self
-            .part_uses
-            .iter()
-            .filter_map(|(whole, name, place)| {
-                let target = parts.get(&(found.origin(*whole), &**name))?;
-                Some((*place, *target))
-            })
-            .collect();
-        found.uses.extend(part_uses);
-        found.uses.sort_unstable();
+        // The parameters of a function of a file are known once the function is.
+        let mut open = self.part_uses;
+        loop {
+            let (known, unknown): (Vec<_>, Vec<_>) = open
+                .into_iter()
+                .map(|used| (parts.get(&(found.origin(used.0), &*used.1)).copied(), used))
+                .partition(|(target, _)| target.is_some());
+            if known.is_empty() {
+                break;
+            }
+            let placed = known.into_iter().filter_map(|(target, used)| Some((used.2, target?)));
+            found.uses.extend(placed);
+            found.uses.sort_unstable();
+            open = unknown.into_iter().map(|(_, used)| used).collect();
+        }
         found
     }
 }

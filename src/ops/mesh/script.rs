@@ -20,8 +20,8 @@ op! {
         /// The path of the file.
         path: Arc<str>,
     }
-    example "script(\"ring.geo\").radius" => "10mm";
-    example "[for r in [1, 2, 4]: round(length(script(\"ring.geo\", radius = r).rim), digits = 3)]" => "[6.283mm, 12.566mm, 25.133mm]";
+    example "script(\"ring.geo\").radius" => "10";
+    example "[for r in [1, 2, 4]: round(length(script(\"ring.geo\", radius = r).rim), digits = 3)]" => "[6.283, 12.566, 25.133]";
     refuses "script(\"ring.geo\", radios = 3)" => "E0801: `ring.geo` has no parameter `radios`";
     refuses "{ let name = \"ring\"  script(\"{name}.geo\") }" => "E0308: the path of a script is a plain string";
     names "script";
