@@ -8,6 +8,7 @@
 use std::{collections::BTreeMap, sync::Arc};
 
 use super::{
+    env::ImportedFiles,
     globals::Globals,
     ir::{
         Arg, Block, CallExpr, CaptureSource, Comprehension, Definition, DefinitionRole, Element,
@@ -30,12 +31,16 @@ pub(super) enum KeySort {
     Member,
     /// What an import brings.
     Import,
+    /// All definitions of a file.
+    Script,
 }
 
 /// A key under way.
 pub(super) struct CacheKey<'a> {
     bytes: Vec<u8>,
     home: &'a Globals,
+    /// The files that it imports.
+    library: Option<&'a dyn ImportedFiles>,
     /// The component of the definition, with the place of each member in it.
     members: BTreeMap<usize, usize>,
     /// Functions defined together that were spelled already, by their address.
@@ -45,9 +50,14 @@ pub(super) struct CacheKey<'a> {
 impl<'a> CacheKey<'a> {
     /// The start of a key about definitions of `home`; those of `members` may use one another, the
     /// others have their results.
-    pub(super) fn new(sort: KeySort, home: &'a Globals, members: &[usize]) -> Self {
+    pub(super) fn new(
+        sort: KeySort,
+        home: &'a Globals,
+        members: &[usize],
+        library: Option<&'a dyn ImportedFiles>,
+    ) -> Self {
         let members = members.iter().enumerate().map(|(place, &idx)| (idx, place)).collect();
-        Self { bytes: vec![sort as u8], home, members, groups: BTreeMap::new() }
+        Self { bytes: vec![sort as u8], home, library, members, groups: BTreeMap::new() }
     }
 
     /// The key.
@@ -145,7 +155,14 @@ impl<'a> CacheKey<'a> {
                 self.expr(list);
             }
             ExprKind::Import(file, with) => {
-                self.place(23, *file);
+                self.file(23, *file);
+                self.args(with);
+            }
+            ExprKind::Script(file, with) => {
+                match file.found.get() {
+                    Some(Ok(file)) => self.file(25, *file),
+                    _ => self.tag(0),
+                }
                 self.args(with);
             }
             ExprKind::Promise(value, kind, _) => {
@@ -159,6 +176,12 @@ impl<'a> CacheKey<'a> {
     fn place(&mut self, tag: u8, number: usize) {
         self.tag(tag);
         self.number(number);
+    }
+
+    /// Another file: all that it defines.
+    fn file(&mut self, tag: u8, file: usize) {
+        self.tag(tag);
+        self.result(self.library.map_or(0, |library| library.identity(file)));
     }
 
     fn all(&mut self, tag: u8, parts: &[Expr]) {

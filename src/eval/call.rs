@@ -7,7 +7,7 @@ use super::{
     autodiff::{point_on_curve, point_on_surface},
     function::ScriptFunction,
     globals::Globals,
-    ir::{Arg, CallExpr, Expr},
+    ir::{CallExpr, Expr},
     machine::Machine,
     parametric::gone,
     relative_files::RelativeFiles,
@@ -322,31 +322,6 @@ impl Machine<'_> {
         match function.home.upgrade() {
             Some(home) => Ok(Some(std::mem::replace(&mut self.home, home))),
             None => gone(function.lambda().body.span),
-        }
-    }
-
-    /// The record of what an imported file defines.
-    pub(super) fn import(&mut self, file: usize, with: &[Arg], span: Span) -> Result<Value> {
-        let mut parameters = Vec::with_capacity(with.len());
-        for arg in with {
-            let Some(expr) = &arg.value else { continue };
-            let value = Spanned::new(self.eval(expr)?, arg.span);
-            let Some((label, place)) = &arg.label else {
-                return Diagnostic::error(Code::BadCall, arg.span, "parameters are given by name")
-                    .hint("for example `with (chord = 120mm)`")
-                    .fail();
-            };
-            parameters.push((Spanned::new(Arc::clone(label), *place), value));
-        }
-        match self.env.library {
-            Some(library) => {
-                let (value, fields) = library.value(file, parameters, self.env)?;
-                self.imported = fields;
-                Ok(value)
-            }
-            None => {
-                Diagnostic::error(Code::FileMissing, span, "nothing can be imported here").fail()
-            }
         }
     }
 

@@ -2,9 +2,9 @@
 
 use std::{fmt, sync::Arc};
 
-use super::memory::Fields;
+use super::{import_instance::ImportInstance, memory::Fields};
 use crate::{
-    diag::{Result, Sources, Spanned},
+    diag::{Result, Sources, Span, Spanned},
     kernel::Tolerance,
     limits::{
         Limits,
@@ -29,6 +29,21 @@ pub(crate) trait ImportedFiles: fmt::Debug + Sync {
         parameters: GivenParameters,
         env: Env<'_>,
     ) -> Result<(Value, Fields)>;
+
+    /// A file with these parameters, evaluated, for a call at `span` under so many expressions.
+    ///
+    /// # Errors
+    /// What is wrong with the parameters; the file is at fault in the instance.
+    fn instance(
+        &self,
+        file: usize,
+        parameters: GivenParameters,
+        env: Env<'_>,
+        place: (Span, usize),
+    ) -> Result<Arc<ImportInstance>>;
+
+    /// The identity of all that follows from a file's text, where results are remembered.
+    fn identity(&self, file: usize) -> u64;
 }
 
 /// What evaluation may consult.

@@ -3,11 +3,11 @@
 //! `lower` makes it from the tree of a script; the machine runs it. Nothing in it borrows from
 //! the source, so functions of the script can outlive their text.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 pub(crate) use crate::syntax::ast::{BinaryOp, Kind, UnaryOp};
 use crate::{
-    diag::{Code, Diagnostic, Span},
+    diag::{Code, Diagnostic, Result, Span},
     kernel::Tolerance,
     value::Value,
 };
@@ -53,6 +53,8 @@ pub(crate) enum ExprKind {
     Exactly(Box<Expr>, usize),
     /// The record of what an imported file defines, with these parameters.
     Import(usize, Vec<Arg>),
+    /// The same where a call names the file.
+    Script(Arc<ScriptFile>, Vec<Arg>),
     /// A value that must be of a promised kind; the span is the keyword's.
     Promise(Box<Expr>, Kind, Span),
 }
@@ -62,6 +64,17 @@ impl Expr {
     pub(crate) fn is_text(&self) -> bool {
         matches!(self.kind, ExprKind::Text(_) | ExprKind::Constant(Value::Text(_)))
     }
+}
+
+/// A file that a call names. It is looked for after the names of the text around the call are resolved.
+#[derive(Debug)]
+pub(crate) struct ScriptFile {
+    /// As it is written.
+    pub(crate) path: Arc<str>,
+    /// Where it is written.
+    pub(crate) place: Span,
+    /// Its place in the library, or why it has none.
+    pub(crate) found: OnceLock<Result<usize>>,
 }
 
 /// An element of a list.

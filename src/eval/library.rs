@@ -1,9 +1,7 @@
-//! Files that import one another: loaded before anything runs, evaluated once for each set of
-//! parameters.
+//! Files that import one another: loaded before anything runs.
 //!
 //! Loading follows the imports of a file depth first, so that circles and missing files are told
 //! with the chain that leads to them, and so that a file is lowered after those that it imports.
-//! The value of an import is the record of what the file defines.
 
 use std::{
     collections::BTreeMap,
@@ -11,55 +9,46 @@ use std::{
 };
 
 use super::{
-    env::{Env, GivenParameters, ImportedFiles},
     globals::Globals,
+    import_instance::InstanceSlot,
     ir::Program,
-    lower::{self, Imported, Origin},
-    machine::Machine,
-    memory::Fields,
+    lower::{self, Imported, Lowered, Origin, ScriptCall},
     name_uses::NotedNames,
-    param::GivenValue,
     settings::Settings,
-    worker::{Inputs, Worker},
 };
 use crate::{
-    diag::{Code, Diagnostic, Result, Severity, Sources, Span, Spanned, nearest},
+    diag::{Code, Diagnostic, Result, Severity, Sources, Span},
     limits::Ceiling,
     syntax::{
         self,
         ast::{Expr, ExprKind, StatementKind, Tree, Unit},
     },
-    value::{Record, Value, exact_key, script_text},
+    value::script_text,
 };
 
 /// A file that some import names.
 #[derive(Debug)]
-struct LibraryFile {
+pub(super) struct LibraryFile {
     /// Its path as messages give it.
-    path: String,
-    program: Program,
+    pub(super) path: String,
+    pub(super) program: Program,
     /// Its first mistake that was found without running it.
-    fault: Option<Box<Diagnostic>>,
-}
-
-/// An imported file with its parameters, evaluated.
-#[derive(Debug)]
-struct ImportInstance {
-    /// Functions of the file look here for its definitions.
-    home: Arc<Globals>,
-    outcome: Result<(Value, Fields)>,
+    pub(super) fault: Option<Box<Diagnostic>>,
+    /// The identity of its program, once somebody asked for it.
+    pub(super) identity: OnceLock<u64>,
 }
 
 /// Every file that a script imports, directly or not.
 #[derive(Debug)]
 pub(crate) struct Library<'a> {
-    settings: Settings<'a>,
+    pub(super) settings: Settings<'a>,
     /// The unit of the script; files that state none follow it.
     unit: Unit,
-    files: Vec<LibraryFile>,
-    by_path: BTreeMap<String, Option<usize>>,
+    pub(super) files: Vec<LibraryFile>,
+    /// Each file, or why it cannot be had.
+    by_path: BTreeMap<String, Result<usize>>,
     /// By the file and the exact key of its parameters.
-    instances: Mutex<BTreeMap<(usize, Vec<u8>), Arc<OnceLock<ImportInstance>>>>,
+    pub(super) instances: Mutex<BTreeMap<(usize, Vec<u8>), InstanceSlot>>,
     findings: Mutex<Vec<Diagnostic>>,
     /// What the names of the files mean.
     noted: NotedNames,
@@ -73,28 +62,6 @@ pub(crate) struct LoadedText<'t> {
     pub(crate) base: u32,
     /// Its tree.
     pub(crate) tree: &'t Tree<'t>,
-}
-
-impl ImportedFiles for Library<'_> {
-    fn value(
-        &self,
-        file: usize,
-        parameters: GivenParameters,
-        env: Env<'_>,
-    ) -> Result<(Value, Fields)> {
-        self.check_parameters(file, &parameters)?;
-        let mut key = Vec::new();
-        for (name, value) in &parameters {
-            exact_key(&Value::Text(Arc::clone(&name.value)), &mut key);
-            exact_key(&value.value, &mut key);
-        }
-        let instance = {
-            let mut instances = self.instances.lock().unwrap_or_else(PoisonError::into_inner);
-            Arc::clone(instances.entry((file, key)).or_default())
-        };
-        // Imports make no circle, so that whoever waits here is not waited for.
-        instance.get_or_init(|| self.evaluate(file, &parameters, env)).outcome.clone()
-    }
 }
 
 impl<'a> Library<'a> {
@@ -128,8 +95,10 @@ impl<'a> Library<'a> {
                     let place = import.path.span.shifted(importer.base);
                     let imported = literal(&import.path).and_then(|path| {
                         let path = join(folder(importer.path), path);
-                        self.load(&path, place, chain, sources)
+                        let file = self.load(&path, place, chain, sources);
+                        file.map_err(|finding| self.tell(*finding)).ok()
                     });
+                    let imported = imported.map(|file| self.imported(file));
                     found.push((import.path.span.start, imported));
                 }
                 _ => {}
@@ -139,26 +108,56 @@ impl<'a> Library<'a> {
         found
     }
 
+    /// Loads the scripts that the calls of a lowered text name, and notes what is known of them.
+    pub(crate) fn load_scripts(
+        &mut self,
+        path: &str,
+        lowered: &mut Lowered,
+        chain: &mut Vec<String>,
+        sources: &mut Sources,
+    ) {
+        for ScriptCall { file, labels, name, is_expected } in std::mem::take(&mut lowered.scripts) {
+            let path = join(folder(path), &file.path);
+            let found = self.load(&path, file.place, chain, sources);
+            match &found {
+                Ok(found) => {
+                    let imported = self.imported(*found);
+                    let noted = &mut lowered.noted;
+                    for whole in name.iter().chain([&file.place]) {
+                        noted.parts.extend(imported.parts_of(*whole));
+                    }
+                    let given = labels.into_iter().map(|(label, at)| (file.place, label, at));
+                    noted.part_uses.extend(given);
+                    noted.imports.push((file.place, imported.path));
+                }
+                Err(finding) if !is_expected => self.tell(finding.as_ref().clone()),
+                Err(_) => {}
+            }
+            let _ = file.found.set(found);
+        }
+    }
+
     /// Loads one file, unless it is there already.
+    ///
+    /// # Errors
+    /// Why it cannot be had.
     fn load(
         &mut self,
         path: &str,
         place: Span,
         chain: &mut Vec<String>,
         sources: &mut Sources,
-    ) -> Option<Imported> {
+    ) -> Result<usize> {
         if let Some(at) = chain.iter().position(|file| file == path) {
             let circle: Vec<String> =
                 chain[at..].iter().chain([&chain[at]]).map(|file| format!("`{file}`")).collect();
             let message = format!("files import one another in a circle: {}", circle.join(" → "));
-            self.tell(
-                Diagnostic::error(Code::ImportCycle, place, message)
-                    .hint("move what both need into a third file"),
-            );
-            return None;
+            return Diagnostic::error(Code::ImportCycle, place, message)
+                .hint("move what both need into a third file")
+                .fail();
         }
         if let Some(known) = self.by_path.get(path) {
-            return known.map(|file| self.imported(file));
+            return known.clone();
         }
         let file = self.read(path, place, chain.len()).and_then(|text| {
             chain.push(path.to_owned());
@@ -166,41 +165,33 @@ impl<'a> Library<'a> {
             chain.pop();
             file
         });
-        self.by_path.insert(path.to_owned(), file);
-        file.map(|file| self.imported(file))
+        self.by_path.insert(path.to_owned(), file.clone());
+        file
     }
 
     /// The text of a file.
-    fn read(&self, path: &str, place: Span, n_nested: usize) -> Option<String> {
+    fn read(&self, path: &str, place: Span, n_nested: usize) -> Result<String> {
         let most = self.settings.limits.import_nesting;
         if most < n_nested {
             let message = format!("imports lie more than {most} deep inside one another");
             let found = Diagnostic::error(Code::TooLarge, place, message);
-            self.tell(found.crossing(Ceiling::IMPORT_NESTING));
-            return None;
+            return found.crossing(Ceiling::IMPORT_NESTING).fail();
         }
         let most = self.settings.limits.source_bytes;
-        let bytes = match self.settings.files.read(path, most) {
-            Ok(bytes) if most < bytes.len() => {
-                let message = format!("`{path}` is larger than the ceiling of {most} bytes");
-                let hint = "numbers that a script needs are read by `load`";
-                let found = Diagnostic::error(Code::SourceTooLarge, place, message).hint(hint);
-                self.tell(found.crossing(Ceiling::SOURCE_BYTES));
-                return None;
-            }
-            Ok(bytes) => bytes,
-            Err(message) => {
-                let hint = "paths are relative to the file that imports";
-                self.tell(Diagnostic::error(Code::FileMissing, place, message).hint(hint));
-                return None;
-            }
-        };
+        let bytes = self.settings.files.read(path, most).map_err(|message| {
+            let hint = "paths are relative to the file that names them";
+            Box::new(Diagnostic::error(Code::FileMissing, place, message).hint(hint))
+        })?;
+        if most < bytes.len() {
+            let message = format!("`{path}` is larger than the ceiling of {most} bytes");
+            let hint = "numbers that a script needs are read by `load`";
+            let found = Diagnostic::error(Code::SourceTooLarge, place, message).hint(hint);
+            return found.crossing(Ceiling::SOURCE_BYTES).fail();
+        }
         match script_text(&bytes) {
-            Ok(text) => Some(text.to_owned()),
+            Ok(text) => Ok(text.to_owned()),
             Err(what) => {
-                let message = format!("`{path}`: {what}");
-                self.tell(Diagnostic::error(Code::NotUtf8, place, message));
-                None
+                Diagnostic::error(Code::NotUtf8, place, format!("`{path}`: {what}")).fail()
             }
         }
     }
@@ -213,31 +204,31 @@ impl<'a> Library<'a> {
         place: Span,
         chain: &mut Vec<String>,
         sources: &mut Sources,
-    ) -> Option<usize> {
+    ) -> Result<usize> {
         let base = sources.add(path, Arc::clone(text));
         let (tree, found) = syntax::parse(text, self.settings.limits);
         let found: Vec<Diagnostic> = found.into_iter().map(|found| found.shifted(base)).collect();
         let imports = self.load_imports(&LoadedText { path, base, tree: &tree }, chain, sources);
         let faults = lower::faults(&found);
         let origin = Origin { text, base, faults: &faults, imports: &imports };
-        let lowered = lower::lower(&tree, origin, self.settings.registry, self.unit);
+        let mut lowered = lower::lower(&tree, origin, self.settings.registry, self.unit);
         if lowered.program.unit != self.unit {
             let (theirs, ours) = (lowered.program.unit.name(), self.unit.name());
             let message = format!("`{path}` is in {theirs}, the script in {ours}");
-            self.tell(
-                Diagnostic::error(Code::UnitMismatch, place, message)
-                    .hint("bare numbers would change their meaning: state the same `unit` in both"),
-            );
-            return None;
+            return Diagnostic::error(Code::UnitMismatch, place, message)
+                .hint("bare numbers would change their meaning: state the same `unit` in both")
+                .fail();
         }
+        self.load_scripts(path, &mut lowered, chain, sources);
         self.noted.append(lowered.noted);
         let mut findings = found;
         findings.extend(lowered.diagnostics);
         let is_error = |found: &&Diagnostic| found.severity == Severity::Error;
         let fault = findings.iter().find(is_error).cloned().map(Box::new);
         findings.into_iter().for_each(|finding| self.tell(finding));
-        self.files.push(LibraryFile { path: path.to_owned(), program: lowered.program, fault });
-        Some(self.files.len() - 1)
+        let (path, program, identity) = (path.to_owned(), lowered.program, OnceLock::new());
+        self.files.push(LibraryFile { path, program, fault, identity });
+        Ok(self.files.len() - 1)
     }
 
     /// What an importer knows of a file.
@@ -251,14 +242,14 @@ impl<'a> Library<'a> {
         Imported { file, path: self.files[file].path.clone(), names }
     }
 
-    fn tell(&self, finding: Diagnostic) {
+    pub(super) fn tell(&self, finding: Diagnostic) {
         self.findings.lock().unwrap_or_else(PoisonError::into_inner).push(finding);
     }
 
     /// The homes of all files that were evaluated.
     pub(super) fn homes(&self) -> Vec<Arc<Globals>> {
         let instances = self.instances.lock().unwrap_or_else(PoisonError::into_inner);
-        let evaluated = instances.values().filter_map(|instance| instance.get());
+        let evaluated = instances.values().filter_map(|slot| slot.1.get());
         evaluated.map(|instance| Arc::clone(&instance.home)).collect()
     }
 
@@ -271,77 +262,6 @@ impl<'a> Library<'a> {
     pub(crate) fn take_findings(&self) -> Vec<Diagnostic> {
         std::mem::take(&mut *self.findings.lock().unwrap_or_else(PoisonError::into_inner))
     }
-
-    fn check_parameters(
-        &self,
-        file: usize,
-        parameters: &[(Spanned<Arc<str>>, Spanned<Value>)],
-    ) -> Result<()> {
-        let LibraryFile { path, program, .. } = &self.files[file];
-        let names: Vec<&str> = program.parameters().collect();
-        for (name, _) in parameters {
-            if !names.contains(&&*name.value) {
-                let message = format!("`{path}` has no parameter `{}`", name.value);
-                let diagnostic = Diagnostic::error(Code::UnknownParameter, name.span, message);
-                return match (nearest(&name.value, names.iter().copied()), names.as_slice()) {
-                    (Some(near), _) => diagnostic.meant(near),
-                    (None, []) => diagnostic.hint("it has no parameters at all"),
-                    (None, _) => {
-                        diagnostic.hint(format!("its parameters are {}", names.join(", ")))
-                    }
-                }
-                .fail();
-            }
-        }
-        Ok(())
-    }
-
-    fn evaluate(
-        &self,
-        file: usize,
-        parameters: &[(Spanned<Arc<str>>, Spanned<Value>)],
-        env: Env<'_>,
-    ) -> ImportInstance {
-        let LibraryFile { path, program, fault } = &self.files[file];
-        let recall = self.settings.recall;
-        let home = Globals::new(program, folder(path), recall);
-        let env = Env { tolerance: program.tolerance, library: Some(self), ..env };
-        let given: Vec<GivenValue<'_>> =
-            parameters.iter().map(|(name, value)| GivenValue::Value(&name.value, value)).collect();
-        let inputs = Inputs { given: &given, registry: self.settings.registry };
-        let mut worker = Worker::new(Machine::new(env, Arc::clone(&home)), recall);
-        for component in &program.components {
-            worker.component(program, component, inputs);
-        }
-        let mut findings = std::mem::take(&mut worker.diagnostics);
-        findings.append(&mut worker.machine.warnings);
-        let failed = findings.iter().find(|found| found.severity == Severity::Error);
-        // The mistake itself is told in its file; the importer stays quiet.
-        let failed = fault.clone().or_else(|| failed.cloned().map(Box::new));
-        findings.into_iter().for_each(|finding| self.tell(finding));
-        let outcome = match failed {
-            Some(failed) => Err(failed),
-            None => Ok(public(program, &home)),
-        };
-        ImportInstance { home, outcome }
-    }
-}
-
-/// What a file shows: its named definitions but for those that begin with `_`, and their
-/// identities.
-fn public(program: &Program, home: &Globals) -> (Value, Fields) {
-    let shown = || {
-        program
-            .definitions
-            .iter()
-            .enumerate()
-            .filter(|(_, definition)| definition.is_named() && !definition.name.starts_with('_'))
-            .map(|(idx, definition)| (idx, Arc::clone(&definition.name)))
-    };
-    let record =
-        Record::new(shown().filter_map(|(idx, name)| Some((name, home.value(idx)?.clone()))));
-    let fields = shown().filter_map(|(idx, name)| Some((name, home.mark(idx)?.result))).collect();
-    (Value::Record(Arc::new(record)), fields)
 }
 
 /// The text of a plain string.

@@ -49,10 +49,12 @@ pub(super) fn load<'a>(
     let mut library = Library::new(settings, unit);
     let file = name.rsplit('/').next().unwrap_or(name);
     let importer = LoadedText { path: file, base, tree: &tree };
-    let imports = library.load_imports(&importer, &mut vec![file.to_owned()], sources);
+    let chain = &mut vec![file.to_owned()];
+    let imports = library.load_imports(&importer, chain, sources);
     let faults = lower::faults(&diagnostics);
     let origin = lower::Origin { text, base, faults: &faults, imports: &imports };
-    let lowered = lower::lower(&tree, origin, settings.registry, unit);
+    let mut lowered = lower::lower(&tree, origin, settings.registry, unit);
+    library.load_scripts(file, &mut lowered, chain, sources);
     diagnostics.extend(lowered.diagnostics);
     let document = LoadingScript { text, base };
     let (program, sources) = (lowered.program, sources.clone());

@@ -52,6 +52,8 @@ pub(crate) struct Machine<'a> {
     pub(super) n_untold: usize,
     /// The results that the last import brought, where they have an identity.
     pub(super) imported: Fields,
+    /// The scripts that the expression under way has called, by their numbers.
+    pub(super) scripts: BTreeSet<usize>,
 }
 
 /// Files that were read so far.
@@ -74,6 +76,7 @@ impl<'a> Machine<'a> {
             witness: None,
             n_untold: 0,
             imported: Fields::default(),
+            scripts: BTreeSet::new(),
         }
     }
 
@@ -91,6 +94,7 @@ impl<'a> Machine<'a> {
         self.base = 0;
         self.running = None;
         (self.n_calls, self.depth, self.steps) = (0, 0, 0);
+        self.scripts.clear();
     }
 
     /// What it has used up.
@@ -162,6 +166,7 @@ impl<'a> Machine<'a> {
             ExprKind::Exactly(list, n) => self.exactly(list, *n),
             ExprKind::Promise(value, kind, name) => self.promise(value, *kind, *name),
             ExprKind::Import(file, with) => self.import(*file, with, span),
+            ExprKind::Script(file, with) => self.script_file(file, with, span),
             ExprKind::Poison => unreachable!("poisoned definitions are never evaluated"),
         }
     }
@@ -177,6 +182,11 @@ impl<'a> Machine<'a> {
     /// A value of the running frame.
     pub(super) fn local(&self, slot: usize) -> Value {
         self.stack[self.base + slot].clone()
+    }
+
+    /// How many expressions lie around the running one.
+    pub(super) fn depth(&self) -> usize {
+        self.depth
     }
 
     /// How much deeper expressions may lie in the running one.

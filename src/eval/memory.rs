@@ -122,6 +122,8 @@ impl FileRead {
 pub(crate) struct CachedResult {
     pub(crate) result: u64,
     pub(crate) value: Option<Value>,
+    /// The files that it read.
+    pub(crate) reads: Arc<BTreeSet<FileRead>>,
 }
 
 impl Memory {
@@ -181,7 +183,7 @@ impl CacheRun<'_> {
 
     /// The result of an earlier run under this key, if the files that it read hold what they held.
     pub(super) fn find(&self, key: &[u8], files: &dyn Files) -> Option<CachedResult> {
-        let (known, reads) = {
+        let known = {
             let mut state = self.memory.lock();
             let entry = state.results.get_mut(key)?;
             entry.last_run = self.run;
@@ -190,10 +192,10 @@ impl CacheRun<'_> {
             if entry.first_run == self.run {
                 return None;
             }
-            let known = CachedResult { result: entry.result, value: entry.value.clone() };
-            (known, Arc::clone(&entry.reads))
+            let (value, reads) = (entry.value.clone(), Arc::clone(&entry.reads));
+            CachedResult { result: entry.result, value, reads }
         };
-        reads.iter().all(|read| self.print(read, files) == read.print).then_some(known)
+        known.reads.iter().all(|read| self.print(read, files) == read.print).then_some(known)
     }
 
     /// Remembers a result; its identity, which is the one that it had if it is the same.

@@ -19,6 +19,8 @@ mod field;
 mod file_run;
 mod function;
 mod globals;
+mod import;
+mod import_instance;
 mod index;
 mod invoke;
 mod ir;

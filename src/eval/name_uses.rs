@@ -10,7 +10,7 @@ pub struct NameUses {
     /// Each use of a name with the place where the name is defined, in order. A name that an import
     /// lists is a use of the other file's, and the definition of those in this one.
     pub uses: Vec<(Span, Span)>,
-    /// Each import's path with the path of the file, relative to the script's folder.
+    /// The path of each import, and of each script that a call names, with the path of the file, relative to the script's folder.
     pub imports: Vec<(Span, String)>,
     /// What is wrong with the texts or their names.
     pub diagnostics: Vec<Diagnostic>,
@@ -45,11 +45,12 @@ impl NameUses {
 pub(super) struct NotedNames {
     /// Uses with the places of their definitions.
     pub(super) uses: Vec<(Span, Span)>,
-    /// The parameters of functions: the place of the function's name, the parameter, its place.
-    pub(super) parameters: Vec<(Span, Arc<str>, Span)>,
-    /// Labels of arguments: the place of the called name, the label, its place.
-    pub(super) labels: Vec<(Span, Arc<str>, Span)>,
-    /// Paths of imports, and what they stand for.
+    /// What belongs to a name, the parameters of a function and the definitions of a file: the place of
+    /// the name (or of the file's path, where a call names it), the part, its place.
+    pub(super) parts: Vec<(Span, Arc<str>, Span)>,
+    /// Labels of arguments and fields: the place of the called or asked name, the part, its place.
+    pub(super) part_uses: Vec<(Span, Arc<str>, Span)>,
+    /// Paths of imports and scripts, and what they stand for.
     pub(super) imports: Vec<(Span, String)>,
 }
 
@@ -57,8 +58,8 @@ impl NotedNames {
     /// Takes in those of another file.
     pub(super) fn append(&mut self, mut other: Self) {
         self.uses.append(&mut other.uses);
-        self.parameters.append(&mut other.parameters);
-        self.labels.append(&mut other.labels);
+        self.parts.append(&mut other.parts);
+        self.part_uses.append(&mut other.part_uses);
         self.imports.append(&mut other.imports);
     }
 
@@ -66,22 +67,27 @@ impl NotedNames {
         self.uses.sort_unstable();
         self.uses.dedup_by_key(|(place, _)| *place);
         let mut found = NameUses { uses: self.uses, imports: self.imports, diagnostics };
-        let parameters: BTreeMap<(Span, &str), Span> = self
-            .parameters
+        let parts: BTreeMap<(Span, &str), Span> = self
+            .parts
             .iter()
             .rev()
-            .map(|(function, name, place)| ((*function, &**name), *place))
+            .map(|(whole, name, place)| ((*whole, &**name), *place))
             .collect();
-        let labels: Vec<(Span, Span)> = self
-            .labels
-            .iter()
-            .filter_map(|(callee, label, place)| {
-                let target = parameters.get(&(found.origin(*callee), &**label))?;
-                Some((*place, *target))
-            })
-            .collect();
-        found.uses.extend(labels);
-        found.uses.sort_unstable();
+        // The parameters of a function of a file are known once the function is.
+        let mut open = self.part_uses;
+        loop {
+            let (known, unknown): (Vec<_>, Vec<_>) = open
+                .into_iter()
+                .map(|used| (parts.get(&(found.origin(used.0), &*used.1)).copied(), used))
+                .partition(|(target, _)| target.is_some());
+            if known.is_empty() {
+                break;
+            }
+            let placed = known.into_iter().filter_map(|(target, used)| Some((used.2, target?)));
+            found.uses.extend(placed);
+            found.uses.sort_unstable();
+            open = unknown.into_iter().map(|(_, used)| used).collect();
+        }
         found
     }
 }

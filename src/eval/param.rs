@@ -1,8 +1,9 @@
-//! Parameters of a file: kinds, ranges, steps and choices, and the values given from outside.
+//! Parameters of a file: kinds, ranges, steps, choices, and values from outside.
 
 use std::{fmt, sync::Arc};
 
 use super::{
+    autodiff::no_derivative,
     env::Env,
     ir::{Definition, Expr, ExprKind, ParamKind, ParamRules},
     lower,
@@ -13,7 +14,7 @@ use crate::{
     kernel::tolerance::STEP_RELATIVE,
     limits::Limits,
     syntax::{self, ast::Unit},
-    value::{Dimension, Number, Range, Registry, Value},
+    value::{Dimension, Number, Range, Real, Registry, Value},
 };
 
 /// A value for a parameter from outside.
@@ -64,8 +65,8 @@ pub(super) fn evaluate(
     let (rules, default) = self::rules(machine, definition, rules)?;
     match given {
         None => Ok(default),
-        Some(GivenValue::Value(name, value)) => {
-            rules.admit(value.value.clone(), value.span, &format!("`{name}`"))
+        Some(GivenValue::Value(name, given)) => {
+            rules.admit(given.value.clone(), given.span, &format!("`{name}`"))
         }
         Some(GivenValue::Text(setting)) => {
             let value = read(machine.env, rules.kind, setting, definition.name_span, registry)?;
@@ -160,6 +161,9 @@ pub(super) struct ParameterRules {
 impl ParameterRules {
     /// `value` in the parameter's kind, if the rules allow it; `subject` names it in messages.
     fn admit(&self, value: Value, span: Span, subject: &str) -> Result<Value> {
+        if let Value::Jet(varying) = &value {
+            return self.admit_varying(varying, span, subject);
+        }
         let value = self.of_kind(&value).ok_or_else(|| {
             let wanted = match self.kind {
                 ParamKind::Integer | ParamKind::Angle => format!("an {}", self.kind.word()),
@@ -176,6 +180,20 @@ impl ParameterRules {
             self.inside(&value, allowed, span, *place, subject)?;
         }
         Ok(value)
+    }
+
+    /// The same of a number that carries derivatives.
+    fn admit_varying(&self, number: &Number<Real>, span: Span, subject: &str) -> Result<Value> {
+        let admitted = self.admit(Value::Number(number.looked_at()), span, subject)?;
+        if self.kind == ParamKind::Integer || self.step.is_some() {
+            return no_derivative(&format!("{subject}, which goes in steps,"), span);
+        }
+        Ok(match admitted {
+            Value::Number(plain) => {
+                Value::Jet(Arc::new(Number { dim: plain.dim, ..number.clone() }))
+            }
+            other => other,
+        })
     }
 
     fn of_kind(&self, value: &Value) -> Option<Value> {
@@ -360,28 +378,16 @@ fn literal(env: Env<'_>, source: &str, registry: &Registry) -> Option<Value> {
     }
     let lowered = lower::lower(&tree, lower::Origin::default(), registry, env.unit);
     let definition = lowered.program.definitions.first()?;
-    if !lowered.diagnostics.is_empty() || !definition.dependencies.is_empty() {
-        return None;
-    }
     let value: &Expr = &definition.value;
-    if matches!(value.kind, ExprKind::Poison) {
+    let is_poison = matches!(value.kind, ExprKind::Poison);
+    if !lowered.diagnostics.is_empty()
+        || !definition.dependencies.is_empty()
+        || is_poison
+        || !lowered.scripts.is_empty()
+    {
         return None;
     }
     // Its places are not those of the script.
     let env = Env { sources: None, ..env };
     Machine::new(env, Arc::default()).run(value, definition.n_slots).ok()
-}
-
-/// What a setting must know of the file: the name nearest to one that does not exist.
-pub(super) fn unknown(setting: &Setting, names: &[&str]) -> String {
-    let near = nearest(&setting.name, names.iter().copied());
-    match (near, names) {
-        (Some(near), _) => {
-            format!("the script has no parameter `{}`; did you mean `{near}`?", setting.name)
-        }
-        (None, []) => format!("the script has no parameter `{}`, nor any other", setting.name),
-        (None, _) => {
-            format!("the script has no parameter `{}`; it has {}", setting.name, names.join(", "))
-        }
-    }
 }

@@ -14,13 +14,13 @@ use super::{
     outcome::{
         Checked, Defined, EffectOutput, ExportSubject, Exported, Outcome, Printed, in_order,
     },
-    param::{self, GivenValue},
+    param::{GivenValue, Setting},
     schedule,
     settings::{Purpose, Settings},
     worker::{Inputs, Worker},
 };
 use crate::{
-    diag::{Code, Diagnostic, Severity, Sources, Spanned},
+    diag::{Code, Diagnostic, Severity, Sources, Spanned, nearest},
     value::Value,
 };
 
@@ -269,7 +269,7 @@ impl FileRun<'_> {
             .overrides
             .iter()
             .filter(|setting| !names.contains(&setting.name.as_str()));
-        unknown.map(|setting| param::unknown(setting, &names)).collect()
+        unknown.map(|setting| unknown_setting(setting, &names)).collect()
     }
 }
 
@@ -309,4 +309,18 @@ fn failure(checked: &Checked) -> Diagnostic {
             diagnostic.also(side.span, text)
         },
     )
+}
+
+/// What a setting must know of the file: the name nearest to one that does not exist.
+fn unknown_setting(setting: &Setting, names: &[&str]) -> String {
+    let near = nearest(&setting.name, names.iter().copied());
+    match (near, names) {
+        (Some(near), _) => {
+            format!("the script has no parameter `{}`; did you mean `{near}`?", setting.name)
+        }
+        (None, []) => format!("the script has no parameter `{}`, nor any other", setting.name),
+        (None, _) => {
+            format!("the script has no parameter `{}`; it has {}", setting.name, names.join(", "))
+        }
+    }
 }

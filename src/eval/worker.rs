@@ -7,10 +7,11 @@ use std::{
 
 use super::{
     cache_key::{CacheKey, KeySort},
+    env::ImportedFiles,
     globals::Globals,
     ir::{Definition, DefinitionRole, ExprKind, Program},
     machine::{FileReads, Machine},
-    memory::{CacheRun, FileRead, ResultId, Work},
+    memory::{CacheRun, CachedResult, FileRead, ResultId, Work},
     param::{self, GivenValue},
 };
 use crate::{
@@ -43,6 +44,10 @@ impl Inputs<'_> {
 pub(super) struct Worker<'a> {
     pub(super) machine: Machine<'a>,
     pub(super) diagnostics: Vec<Diagnostic>,
+    /// The files that definitions read, where results are remembered.
+    pub(super) reads: BTreeSet<FileRead>,
+    /// The steps that all definitions took together.
+    pub(super) n_steps: u64,
     /// What earlier runs gave, and the identity of what holds for the whole file.
     memory: Option<(&'a CacheRun<'a>, u64)>,
 }
@@ -52,12 +57,13 @@ impl<'a> Worker<'a> {
     pub(super) fn new(machine: Machine<'a>, recall: Option<&'a CacheRun<'a>>) -> Self {
         let memory = recall.map(|recall| {
             let (env, home) = (machine.env, &machine.home);
-            let mut file = CacheKey::new(KeySort::File, home, &[]);
+            let mut file = CacheKey::new(KeySort::File, home, &[], None);
             file.text(&home.folder);
             file.text(&format!("{:?} {:?} {:?}", env.unit, env.tolerance, env.limits));
             (recall, recall.intern(file.finish()))
         });
-        Self { machine, diagnostics: Vec::new(), memory }
+        let (diagnostics, reads) = (Vec::new(), BTreeSet::new());
+        Self { machine, diagnostics, reads, n_steps: 0, memory }
     }
 
     /// Evaluates a component; a member that fails takes the others along.
@@ -79,7 +85,13 @@ impl<'a> Worker<'a> {
             }
             Some((recall, file)) => {
                 let home = Arc::clone(&self.machine.home);
-                for (idx, key) in keys(&home, program, members, inputs, (recall, file)) {
+                for (idx, key) in keys(
+                    (&home, self.machine.env.library),
+                    program,
+                    members,
+                    inputs,
+                    (recall, file),
+                ) {
                     let definition = program.definition(idx);
                     let found = definition
                         .and_then(|definition| self.recalled(definition, key, inputs, recall));
@@ -102,15 +114,13 @@ impl<'a> Worker<'a> {
         }
         let known = recall.find(&key, self.machine.env.files);
         let old = known.as_ref().map(|known| known.result);
-        if let (Some(value), Some(result)) = (known.and_then(|known| known.value), old) {
+        if let Some(CachedResult { result, value: Some(value), reads }) = known {
+            self.reads.extend(reads.iter().cloned());
             return Some((value, ResultId::new(result, Work::Reused)));
         }
         let n_warnings = self.machine.warnings.len();
-        let reads = self.machine.reads.insert(FileReads::default()).clone();
-        let value = self.definition(definition, inputs)?;
+        let (value, reads) = self.with_reads(definition, inputs)?;
         let is_kept = !value.extent().holds_functions && self.machine.warnings.len() == n_warnings;
-        let reads: BTreeSet<FileRead> =
-            std::mem::take(&mut *reads.lock().unwrap_or_else(PoisonError::into_inner));
         let result = recall.keep(key, is_kept.then(|| value.clone()), reads);
         let work = if old == Some(result) { Work::Renewed } else { Work::Evaluated };
         Some((value, ResultId::new(result, work)))
@@ -124,9 +134,9 @@ impl<'a> Worker<'a> {
         inputs: Inputs<'_>,
         recall: &CacheRun<'_>,
     ) -> Option<(Value, ResultId)> {
-        let value = self.definition(definition, inputs)?;
+        let (value, _) = self.with_reads(definition, inputs)?;
         let fields = std::mem::take(&mut self.machine.imported);
-        let mut key = CacheKey::new(KeySort::Import, &self.machine.home, &[]);
+        let mut key = CacheKey::new(KeySort::Import, &self.machine.home, &[], None);
         for (name, result) in &*fields {
             key.text(name);
             key.result(*result);
@@ -136,6 +146,19 @@ impl<'a> Worker<'a> {
         let work = if known.is_some() { Work::Reused } else { Work::Evaluated };
         let result = recall.intern(key);
         Some((value, ResultId { fields, ..ResultId::new(result, work) }))
+    }
+
+    /// The value of a definition, and the files that were read for it.
+    fn with_reads(
+        &mut self,
+        definition: &Definition,
+        inputs: Inputs<'_>,
+    ) -> Option<(Value, BTreeSet<FileRead>)> {
+        let reads = self.machine.reads.insert(FileReads::default()).clone();
+        let value = self.definition(definition, inputs)?;
+        let reads = std::mem::take(&mut *reads.lock().unwrap_or_else(PoisonError::into_inner));
+        self.reads.extend(reads.iter().cloned());
+        Some((value, reads))
     }
 
     fn definition(&mut self, definition: &Definition, inputs: Inputs<'_>) -> Option<Value> {
@@ -149,20 +172,21 @@ impl<'a> Worker<'a> {
             }
             _ => self.machine.run(&definition.value, definition.n_slots),
         };
+        self.n_steps += 1 + self.machine.steps;
         result.map_err(|diagnostic| self.diagnostics.push(*diagnostic)).ok()
     }
 }
 
 /// The members of a component with their keys.
 fn keys(
-    home: &Globals,
+    (home, library): (&Globals, Option<&dyn ImportedFiles>),
     program: &Program,
     members: &[usize],
     inputs: Inputs<'_>,
     (recall, file): (&CacheRun<'_>, u64),
 ) -> Vec<(usize, Box<[u8]>)> {
     let spell = |sort, members: &[usize]| {
-        let mut key = CacheKey::new(sort, home, members);
+        let mut key = CacheKey::new(sort, home, members, library);
         key.result(file);
         for &idx in members {
             let Some(definition) = program.definition(idx) else { continue };
@@ -178,7 +202,7 @@ fn keys(
     members.sort_by_key(|&idx| program.definition(idx).map(|definition| &definition.name));
     let component = recall.intern(spell(KeySort::Component, &members));
     let member = |(place, idx)| {
-        let mut key = CacheKey::new(KeySort::Member, home, &[]);
+        let mut key = CacheKey::new(KeySort::Member, home, &[], None);
         key.result(component);
         key.number(place);
         (idx, key.finish())

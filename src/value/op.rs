@@ -271,6 +271,9 @@ pub struct Op {
     pub enclosed: Option<EnclosedFunction>,
     /// What its picture in the reference shows, where that is more than its first example.
     pub picture: Option<ExamplePicture>,
+    /// Whether its argument names a script, whose parameters are the other arguments: the files of a script
+    /// are found before anything is evaluated, so that a call is no call of `run`.
+    pub names_script: bool,
     /// Its implementation.
     pub run: fn(&mut Ctx<'_>, Call) -> Result<Value>,
 }
@@ -292,7 +295,10 @@ impl Op {
     /// `name(a: T, b: U = d) -> R`, one line.
     #[must_use]
     pub fn signature(&self) -> String {
-        let params: Vec<String> = self.params.iter().map(OpParameter::signature).collect();
+        let mut params: Vec<String> = self.params.iter().map(OpParameter::signature).collect();
+        if self.names_script {
+            params.push("PARAM = value, ...".to_owned());
+        }
         format!("{}({}) -> {}", self.name, params.join(", "), self.returns)
     }
 }
@@ -312,6 +318,7 @@ macro_rules! op {
         $( encloses $enclosed:path; )?
         $( picture $picture:literal; )?
         $( scene $scene:literal; )?
+        $( names $named:literal; )?
     ) => {
         struct Args { $( $param: $ty, )* }
 
@@ -334,6 +341,7 @@ macro_rules! op {
             refusals: &[ $( $crate::value::RefusalExample { code: $misuse, says: $says } ),* ],
             enclosed: $crate::value::op!(@enclosed $($enclosed)?),
             picture: $crate::value::op!(@picture $(Value $picture)? $(Scene $scene)?),
+            names_script: $crate::value::op!(@names_script $($named)?),
             run: |ctx, call| {
                 let mut binder = $crate::value::Binder::new(
                     &OP, call, ctx.limits.list_length, ctx.sources,
@@ -358,6 +366,8 @@ macro_rules! op {
     (@enclosed $enclosed:path) => { Some($enclosed) };
     (@picture) => { None };
     (@picture $kind:ident $picture:literal) => { Some($crate::value::ExamplePicture::$kind($picture)) };
+    (@names_script) => { false };
+    (@names_script $named:literal) => { true };
     (@value) => { None };
     (@value $default:expr) => { Some($default) };
 }

@@ -30,6 +30,12 @@ impl Registry {
         self.by_name.get_key_value(name).map(|(&name, ops)| (name, ops))
     }
 
+    /// Whether a call of `name` names a script.
+    #[must_use]
+    pub fn names_script(&self, name: &str) -> bool {
+        self.get(name).is_some_and(|(_, ops)| ops.iter().any(|op| op.names_script))
+    }
+
     /// The same operations, and these constants.
     #[must_use]
     pub fn with_constants(self, constants: &'static [Constant]) -> Self {

@@ -41,6 +41,7 @@ fn check(verb: &str, language: &str, fits: impl Fn(i32) -> bool) {
             let scratch = Scratch::new(&format!("docs-{verb}-{language}"));
             // What the example of `load` loads.
             scratch.file("points.csv", "x,y\n0,0\n1,2\n4,3\n");
+            scratch.file("ring.geo", "param radius = 10mm\ncurve rim = circle((0, 0), radius)\n");
             let script = scratch.file("block.geo", body);
             let output = virote(&scratch.0).arg(verb).arg(script).output().expect("it starts");
             let code = output.status.code().unwrap_or(-1);

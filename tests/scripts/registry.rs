@@ -11,7 +11,7 @@ use virote::{
     value::{Call, Files, Op, OpParameter, Type, choose},
 };
 
-/// The one file that examples may load.
+/// The files that examples may read.
 #[derive(Debug)]
 struct Points;
 
@@ -19,6 +19,7 @@ impl Files for Points {
     fn read(&self, path: &str, _: usize) -> Result<Vec<u8>, String> {
         match path {
             "points.csv" => Ok(b"x,y\n0,0\n1,2\n4,3\n".to_vec()),
+            "ring.geo" => Ok(b"param radius = 10mm\ncurve rim = circle((0, 0), radius)\n".to_vec()),
             _ => Err(format!("cannot read `{path}`: there is no such file")),
         }
     }

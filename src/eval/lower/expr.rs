@@ -57,8 +57,11 @@ impl<'s> Lowerer<'_, 's> {
             ast::ExprKind::Pipe(sides) => self.pipe(sides),
             ast::ExprKind::Field(subject, name) => {
                 let value = Box::new(self.expr(subject));
-                self.note_field(subject, name);
-                ExprKind::Field(value, Arc::from(name.text), self.at(name.span))
+                let (field, place) = (Arc::<str>::from(name.text), self.at(name.span));
+                if let Some(whole) = self.whole_of(subject, &value) {
+                    self.noted.part_uses.push((whole, Arc::clone(&field), place));
+                }
+                ExprKind::Field(value, field, place)
             }
             ast::ExprKind::Lambda(names, body) => self.lambda(names, body),
         };
@@ -240,6 +243,9 @@ impl<'s> Lowerer<'_, 's> {
         args: &[ast::Arg<'s>],
         piped: Option<&ast::Expr<'s>>,
     ) -> ExprKind {
+        if self.is_script_call(callee) {
+            return self.script(piped, args, callee);
+        }
         let callee_place = called_name(callee);
         let callee = self.expr(callee);
         let mut lowered: Vec<Arg> = Vec::with_capacity(args.len() + 1);
@@ -260,7 +266,7 @@ impl<'s> Lowerer<'_, 's> {
     fn note_labels(&mut self, callee: Option<Span>, args: &[ast::Arg<'s>]) {
         let Some(callee) = callee.map(|place| self.at(place)) else { return };
         for label in args.iter().filter_map(|arg| arg.name.as_ref()) {
-            self.noted.labels.push((callee, Arc::from(label.text), self.at(label.span)));
+            self.noted.part_uses.push((callee, Arc::from(label.text), self.at(label.span)));
         }
     }
 
@@ -319,7 +325,7 @@ impl<'s> Lowerer<'_, 's> {
                 self.bind_once(&parameter.name, 0, "parameters");
                 let name: Arc<str> = Arc::from(parameter.name.text);
                 let places = (self.at(function.name.span), self.at(parameter.name.span));
-                self.noted.parameters.push((places.0, Arc::clone(&name), places.1));
+                self.noted.parts.push((places.0, Arc::clone(&name), places.1));
                 Parameter { name, default }
             })
             .collect();

@@ -68,6 +68,7 @@ impl<'s> Lowerer<'_, 's> {
             );
         }
         let with = self.args(&import.with);
+        self.check_given(&with);
         if let Some(imported) = imported {
             self.note_import(import, imported);
         }
@@ -81,6 +82,9 @@ impl<'s> Lowerer<'_, 's> {
                 Some(name) => (name.text, self.at(name.span)),
                 None => ("", span),
             };
+            if let Some(imported) = imported {
+                self.noted.parts.extend(imported.parts_of(place));
+            }
             definitions.push(self.finish(name, place, DefinitionRole::Import, whole));
             return;
         };
@@ -111,18 +115,6 @@ impl<'s> Lowerer<'_, 's> {
             }
         }
         self.noted.imports.push((self.at(import.path.span), imported.path.clone()));
-    }
-
-    /// Notes what `name` means behind the name of an import and a dot.
-    pub(super) fn note_field(&mut self, subject: &ast::Expr<'s>, name: &ast::Name<'s>) {
-        let ast::ExprKind::Name(import) = subject.kind else { return };
-        let Some(&imported) = self.imports.get(import) else { return };
-        let is_import = self.global(import).map(|(_, place)| place) == Some(imported.1)
-            && self.noted.uses.last() == Some(&(self.at(subject.span), imported.1));
-        let named = imported.0.names.iter().find(|(known, _)| **known == *name.text);
-        if let Some((_, place)) = named.filter(|_| is_import) {
-            self.noted.uses.push((self.at(name.span), *place));
-        }
     }
 
     /// Whether a file shows a name that an import lists.

@@ -8,6 +8,7 @@ mod graph;
 mod import;
 mod name_walk;
 mod scope;
+mod script;
 mod statement;
 mod test;
 
@@ -17,6 +18,7 @@ use std::{
 };
 
 use scope::Scopes;
+pub(super) use script::ScriptCall;
 
 use super::{
     ir::{CaptureSource, Expr, ExprKind, Program},
@@ -34,6 +36,8 @@ pub(crate) struct Lowered {
     pub(crate) program: Program,
     pub(crate) diagnostics: Vec<Diagnostic>,
     pub(super) noted: NotedNames,
+    /// The scripts that its calls name, not looked for yet.
+    pub(super) scripts: Vec<ScriptCall>,
 }
 
 /// What is known of a text besides its tree.
@@ -60,6 +64,13 @@ pub(crate) struct Imported {
     pub(crate) path: String,
     /// The names that it defines with their places, private ones included.
     pub(crate) names: Vec<(Arc<str>, Span)>,
+}
+
+impl Imported {
+    /// The names of the file as parts of the name or path at this place.
+    pub(super) fn parts_of(&self, whole: Span) -> impl Iterator<Item = (Span, Arc<str>, Span)> {
+        self.names.iter().map(move |(name, place)| (whole, Arc::clone(name), *place))
+    }
 }
 
 /// The places of syntax errors among findings, in order.
@@ -91,13 +102,14 @@ pub(crate) fn lower<'s>(
         n_unknown: 0,
         is_poisoned: false,
         noted: NotedNames::default(),
-        imports: BTreeMap::new(),
+        scripts: Vec::new(),
         diagnostics: Vec::new(),
     };
     lowerer.header(&tree.statements);
     let mut program = lowerer.program(&tree.statements);
     program.tests = lowerer.tests(&tree.statements, program.definitions.len());
-    Lowered { program, diagnostics: lowerer.diagnostics, noted: lowerer.noted }
+    let Lowerer { diagnostics, noted, scripts, .. } = lowerer;
+    Lowered { program, diagnostics, noted, scripts }
 }
 
 /// Unknown names for which the nearest known one is looked for: more than anybody reads, and few
@@ -127,8 +139,8 @@ struct Lowerer<'a, 's> {
     is_poisoned: bool,
     /// What names mean, as places.
     noted: NotedNames,
-    /// Names that stand for whole files, with their places.
-    imports: BTreeMap<&'s str, (&'s Imported, Span)>,
+    /// The scripts that calls name.
+    scripts: Vec<ScriptCall>,
     diagnostics: Vec<Diagnostic>,
 }
 
@@ -225,6 +237,9 @@ impl<'s> Lowerer<'_, 's> {
             self.noted.uses.push((span, defined));
             self.dependencies.insert(idx);
             return Expr { kind: ExprKind::Global(idx), span };
+        }
+        if self.registry.names_script(name) {
+            return self.script_as_value(name, span);
         }
         if let Some((known, ops)) = self.registry.get(name) {
             let function = Function::Builtin(known, ops.clone());

@@ -168,11 +168,6 @@ impl<'s> Lowerer<'_, 's> {
             StatementKind::Function(function) => vec![function.name],
             StatementKind::Import(import) => {
                 let names = self.import_names(import);
-                if let (None, [name], Some(imported)) =
-                    (&import.names, &names[..], self.imported(import))
-                {
-                    self.imports.insert(name.text, (imported, self.at(name.span)));
-                }
                 // The whole comes first, and stands also where no name could be found.
                 *next += usize::from(import.names.is_some() || names.is_empty());
                 names
@@ -283,6 +278,7 @@ impl<'s> Lowerer<'_, 's> {
     /// The value of a definition, under its promise.
     pub(super) fn promised(&mut self, definition: &ast::Definition<'s>) -> Expr {
         let value = self.expr(&definition.value);
+        self.note_script(&definition.pattern, &value);
         if definition.kind == Kind::Let {
             return value;
         }

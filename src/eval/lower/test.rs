@@ -86,7 +86,10 @@ impl<'s> Lowerer<'_, 's> {
             code
         });
         let (n_found, was_poisoned) = (self.diagnostics.len(), self.is_poisoned);
+        let n_scripts = self.scripts.len();
         let subject = self.expr(subject);
+        // That a file cannot be had may be what is expected.
+        self.scripts[n_scripts..].iter_mut().for_each(|script| script.is_expected = true);
         let code = code?;
         let mut found = self.diagnostics.split_off(n_found);
         found.retain(|found| found.severity == Severity::Error);

@@ -16,6 +16,7 @@ mod obj;
 mod obj_lines;
 mod of_faces;
 mod planar_mesh;
+mod script;
 mod table_columns;
 mod table_rows;
 mod tessellate;
@@ -49,6 +50,7 @@ pub(super) static OPS: &[&Op] = &[
     &table_columns::OP,
     &table_rows::OP,
     &load::OP,
+    &script::OP,
 ];
 
 /// A closed mesh, or what is left where there is nothing.

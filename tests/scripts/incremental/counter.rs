@@ -316,3 +316,32 @@ fn functions_inside_functions_take_no_exponential_time() {
     desk.run(&format!("let a = @({text})"));
     assert_eq!(desk.run(&format!("let a = @( {text} )")).n_calls, 0);
 }
+
+#[test]
+fn a_script_that_is_called_is_evaluated_once_for_each_set_of_parameters() {
+    for n_threads in THREADS {
+        let mut desk = Desk::new(n_threads);
+        let hull = |factor: i32| {
+            format!("param b = 1\nlet wide = {factor} * b\nlet n = len(load(\"offsets.csv\").x)")
+        };
+        desk.files.0.insert("hull.geo".to_owned(), hull(2));
+        desk.files.0.insert("offsets.csv".to_owned(), "x\n1\n2\n".to_owned());
+        let text = "fn wide(b) = script(\"hull.geo\", b = b).wide\n\
+            let all = @([for b in 1..3: wide(b)])\nlet rows = @(script(\"hull.geo\").n)\nlet other = @(1)";
+        let first = desk.run(text);
+        assert_eq!((first.n_calls, first.value("all").as_str()), (3, "[2, 4, 6]"));
+        let again = desk.run(&format!("// moved\n{text}"));
+        assert_eq!((again.n_calls, again.value("all").as_str()), (0, "[2, 4, 6]"));
+        // The form of the file does not count, what it says does.
+        desk.files.0.insert("hull.geo".to_owned(), format!("// a hull\n{}", hull(2)));
+        assert_eq!(desk.run(text).n_calls, 0);
+        desk.files.0.insert("hull.geo".to_owned(), hull(3));
+        let edited = desk.run(text);
+        assert_eq!((edited.n_calls, edited.value("all").as_str()), (2, "[3, 6, 9]"));
+        // So does what the file reads.
+        desk.files.0.insert("offsets.csv".to_owned(), "x\n1\n2\n3\n".to_owned());
+        let read = desk.run(text);
+        assert_eq!(read.value("rows"), "3");
+        assert!((1..=2).contains(&read.n_calls));
+    }
+}

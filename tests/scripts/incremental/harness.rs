@@ -48,6 +48,7 @@ fn operation(name: &'static str, run: fn(&mut Ctx<'_>, Call) -> virote::diag::Re
         refusals: &[],
         enclosed: None,
         picture: None,
+        names_script: false,
         run,
     }
 }

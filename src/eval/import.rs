@@ -1,0 +1,85 @@
+//! Evaluation of imports, and of calls that name a script.
+
+use std::sync::{Arc, PoisonError};
+
+use super::{
+    env::GivenParameters,
+    import_instance::ImportInstance,
+    ir::{Arg, ScriptFile},
+    machine::Machine,
+};
+use crate::{
+    diag::{Code, Diagnostic, Result, Severity, Span, Spanned},
+    value::Value,
+};
+
+impl Machine<'_> {
+    /// The record of what an imported file defines.
+    pub(super) fn import(&mut self, file: usize, with: &[Arg], span: Span) -> Result<Value> {
+        let parameters = self.given(with)?;
+        let Some(library) = self.env.library else {
+            let message = "nothing can be imported here";
+            return Diagnostic::error(Code::FileMissing, span, message).fail();
+        };
+        let (value, fields) = library.value(file, parameters, self.env)?;
+        self.imported = fields;
+        Ok(value)
+    }
+
+    /// The record of what a script defines that a call names.
+    pub(super) fn script_file(
+        &mut self,
+        file: &ScriptFile,
+        with: &[Arg],
+        span: Span,
+    ) -> Result<Value> {
+        self.step(span)?;
+        let parameters = self.given(with)?;
+        let idx = match file.found.get() {
+            Some(Ok(idx)) => *idx,
+            Some(Err(fault)) => return Err(fault.clone()),
+            None => unreachable!("files are looked for before anything is evaluated"),
+        };
+        let Some(library) = self.env.library else {
+            let message = "no other script is evaluated inside the function of a curve or surface";
+            return Diagnostic::error(Code::NoDerivative, span, message)
+                .hint("call it outside and give its result a name")
+                .fail();
+        };
+        let instance = library.instance(idx, parameters, self.env, (span, self.depth()))?;
+        self.take_in(&instance, span)?;
+        match &instance.outcome {
+            Ok((value, _)) => Ok(value.clone()),
+            Err(failed) => {
+                let text = format!("`{}` is evaluated from here", file.path);
+                Err(Box::new(failed.as_ref().clone().also(span, text)))
+            }
+        }
+    }
+
+    /// What an evaluated script used up, read and warned of counts here, once for each expression.
+    fn take_in(&mut self, instance: &Arc<ImportInstance>, span: Span) -> Result<()> {
+        if !self.scripts.insert(instance.number) {
+            return Ok(());
+        }
+        let is_warning = |finding: &&Diagnostic| finding.severity == Severity::Warning;
+        self.warnings.extend(instance.findings.iter().filter(is_warning).cloned());
+        if let Some(reads) = &self.reads {
+            let mut reads = reads.lock().unwrap_or_else(PoisonError::into_inner);
+            reads.extend(instance.reads.iter().cloned());
+        }
+        self.steps(instance.n_steps, span)
+    }
+
+    /// The parameters that a file is given.
+    fn given(&mut self, with: &[Arg]) -> Result<GivenParameters> {
+        let mut parameters = Vec::with_capacity(with.len());
+        for arg in with {
+            // Lowering has told where one of them is missing.
+            let (Some(expr), Some((label, place))) = (&arg.value, &arg.label) else { continue };
+            let value = Spanned::new(self.eval(expr)?, arg.span);
+            parameters.push((Spanned::new(Arc::clone(label), *place), value));
+        }
+        Ok(parameters)
+    }
+}
