@@ -22,6 +22,7 @@ pub mod limits;
 #[doc(hidden)]
 pub mod lsp;
 pub mod ops;
+mod page;
 pub mod render;
 pub mod session;
 #[cfg(feature = "cli")]
