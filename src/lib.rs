@@ -23,6 +23,8 @@ pub mod limits;
 pub mod lsp;
 pub mod ops;
 mod page;
+#[doc(hidden)]
+pub mod playground;
 pub mod render;
 pub mod session;
 #[cfg(feature = "cli")]

@@ -21,9 +21,10 @@ mod threads;
 
 use serde_json::Value as Json;
 
+#[cfg(feature = "cli")]
+pub(crate) use self::scene::SceneItem;
 pub(crate) use self::{
     model::{Model, PageRun, RunPlace},
-    scene::SceneItem,
     shown::{Known, Shown},
 };
 

@@ -125,6 +125,7 @@ impl Model {
     }
 
     /// What is shown of a script that is not there.
+    #[cfg(feature = "cli")]
     pub(crate) fn unread(&self, place: RunPlace<'_>, message: &str) -> Shown {
         let told = Told {
             report: None,
