@@ -22,6 +22,9 @@ pub mod limits;
 #[doc(hidden)]
 pub mod lsp;
 pub mod ops;
+mod page;
+#[doc(hidden)]
+pub mod playground;
 pub mod render;
 pub mod session;
 #[cfg(feature = "cli")]

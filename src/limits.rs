@@ -90,6 +90,22 @@ impl Limits {
     };
 }
 
+impl Limits {
+    /// The ceilings of a module in a page. The stack of WebAssembly's own calls belongs to the browser,
+    /// is about a megabyte, cannot be asked for, and is not seen from inside: these keep to a part of it,
+    /// which a test of the module walks up to. `stack_bytes` is what the module's linker sets aside.
+    pub const WEB: Self = Self {
+        nesting: 128,
+        chain: 250,
+        call_depth: 200,
+        evaluation_depth: 1_000,
+        value_depth: 200,
+        stack_bytes: 64 << 20,
+        memory_bytes: 2 << 30,
+        ..Self::DEFAULT
+    };
+}
+
 /// So many bytes, or all that the platform can count.
 const fn at_most(bytes: u64) -> usize {
     if usize::BITS < u64::BITS && bytes > u32::MAX as u64 { usize::MAX } else { bytes as usize }

@@ -24,7 +24,6 @@ pub use file::File;
 #[cfg(feature = "cli")]
 pub(crate) use gate::JobGate;
 pub use picture::PictureContent;
-#[cfg(feature = "cli")]
 pub(crate) use picture::{drawable, exported};
 pub use test::{TestReport, TestVerdict};
 

@@ -92,7 +92,6 @@ impl Session {
     ///
     /// # Errors
     /// What is wrong with that, as [`Self::plan`] tells it; a name of no definition.
-    #[cfg(feature = "cli")]
     pub(crate) fn file_of(
         &self,
         report: &super::Report,

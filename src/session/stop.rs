@@ -5,13 +5,11 @@ use crate::limits::work::{MemoryGauge, StopToken};
 
 impl Session {
     /// Whether its switch is set.
-    #[cfg(feature = "cli")]
     pub(crate) fn is_stopped(&self) -> bool {
         self.stop.is_stopped()
     }
 
     /// How many threads it may use.
-    #[cfg(feature = "cli")]
     pub(crate) fn n_threads(&self) -> usize {
         self.n_threads
     }

@@ -1,33 +1,18 @@
 //! Where requests and the evaluating thread meet: what is wanted, what is running, what is shown.
 
 use std::{
-    collections::BTreeMap,
-    path::PathBuf,
     sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError},
     time::{Duration, Instant},
 };
 
-use super::scene::{ItemSource, Scene, SceneItem};
-use crate::{eval::Setting, limits::work::StopToken, session::Report};
+use crate::{
+    eval::Setting,
+    limits::work::StopToken,
+    page::{Known, Shown},
+};
 
 /// How long a run may go on when a newer setting waits: what is dragged is to be seen on the way.
 const PATIENCE: Duration = Duration::from_secs(1);
-
-/// A state as the page has it, with what it was made from.
-#[derive(Debug)]
-pub(super) struct Shown {
-    pub(super) version: u64,
-    pub(super) is_current: bool,
-    /// The state as JSON.
-    pub(super) state: Vec<u8>,
-    pub(super) scene: Arc<Scene>,
-    /// The report that the scene is of.
-    pub(super) report: Option<Arc<Report>>,
-    /// The names of the parameters.
-    pub(super) parameters: Vec<String>,
-    /// Files that were read for it.
-    pub(super) inputs: Vec<PathBuf>,
-}
 
 /// A run that is wanted.
 #[derive(Clone, Debug)]
@@ -153,28 +138,10 @@ impl Hub {
         Arc::clone(&self.lock().shown)
     }
 
-    /// Does something with the item of a key, of this state or of the one before.
-    pub(super) fn with_item<R>(
-        &self,
-        key: &str,
-        act: impl FnOnce(&SceneItem, Option<&Arc<Report>>) -> R,
-    ) -> Option<R> {
-        let states = {
-            let state = self.lock();
-            [Arc::clone(&state.shown), Arc::clone(&state.before)]
-        };
-        let found = states.iter().find_map(|shown| Some((shown, shown.scene.item(key)?)));
-        found.map(|(shown, item)| act(item, shown.report.as_ref()))
-    }
-
     /// The items of this state and of the one before.
-    pub(super) fn items_by_key(&self) -> BTreeMap<Arc<str>, ItemSource> {
-        let states = {
-            let state = self.lock();
-            [Arc::clone(&state.before), Arc::clone(&state.shown)]
-        };
-        let items = states.iter().flat_map(|shown| &shown.scene.items);
-        items.map(|item| (Arc::clone(&item.key), item.source.clone())).collect()
+    pub(super) fn known(&self) -> Known {
+        let state = self.lock();
+        Known { shown: Arc::clone(&state.shown), before: Arc::clone(&state.before) }
     }
 
     /// Changes the settings; a run with them is wanted.

@@ -2,29 +2,21 @@
 //!
 //! `hub` is where all meet: the page asks through `server` (`http`, `guard`, `routes`), `watch` looks
 //! at the files, and `worker`, the one thread that evaluates, takes the newest run that is wanted. What
-//! it comes to is a `state` (JSON) and a `scene`, whose items have keys: the page fetches only those
-//! that it does not know.
+//! it comes to and what the page asks about it is the business of `crate::page`.
 
-mod answers;
-mod ask;
-mod defaults;
-mod deviation;
 mod export;
 mod guard;
 mod http;
 mod hub;
-mod measure;
 mod page;
-mod parameters;
 mod routes;
-mod scene;
 mod server;
-mod state;
-mod threads;
 mod watch;
 mod worker;
+mod write;
 
 use std::{
+    hash::{BuildHasher, Hasher, RandomState},
     io,
     net::{Ipv4Addr, TcpListener},
     path::PathBuf,
@@ -32,16 +24,11 @@ use std::{
     thread,
 };
 
-use self::{
-    guard::Guard,
-    hub::{Hub, Shown},
-    routes::Doors,
-    scene::{ItemMemory, Scene, SceneItem},
-    worker::Worker,
-};
+use self::{guard::Guard, hub::Hub, routes::Doors, worker::Worker};
 use crate::{
     eval::Setting,
     limits::{stack, work::StopToken},
+    page::{Model, SceneItem, Shown},
     session::{Report, Session},
 };
 
@@ -64,25 +51,13 @@ pub(crate) struct Viewer {
 impl ViewedScript<'_> {
     fn worker(&self) -> Worker {
         let stop = StopToken::default();
-        let first = Shown {
-            version: 0,
-            is_current: false,
-            state: state::empty(&self.path, &self.out).to_string().into_bytes(),
-            scene: Arc::new(Scene::default()),
-            report: None,
-            parameters: Vec::new(),
-            inputs: Vec::new(),
-        };
+        let first = Model::empty(&self.path, &self.out);
         let hub = Arc::new(Hub::new(self.settings.clone(), first, stop.clone()));
         Worker {
             hub,
-            session: (self.session)(stop).incremental(),
+            model: Model::new((self.session)(stop), RandomState::new().build_hasher().finish()),
             script: self.path.clone(),
             out: self.out.clone(),
-            memory: ItemMemory::new(),
-            schema: None,
-            last: None,
-            good: None,
             followed: Arc::default(),
         }
     }
@@ -119,14 +94,14 @@ impl SinglePage {
             let state = serde_json::from_slice(&shown.state).unwrap_or_default();
             let items = shown.scene.items.iter();
             let bytes = |item: &SceneItem| {
-                let made = item.source.item(&worker.session);
+                let made = item.source.item(&worker.model.session);
                 (item.key.to_string(), Arc::clone(&made.bytes))
             };
             page::single(&state, &items.map(bytes).collect::<Vec<_>>())
         };
         let text = shown.as_ref().filter(|shown| shown.is_current).map(page);
         let inputs = shown.map(|shown| shown.inputs).unwrap_or_default();
-        Self { text, report: worker.last, inputs }
+        Self { text, report: worker.model.last, inputs }
     }
 }
 
@@ -143,7 +118,7 @@ impl Viewer {
         let followed = Arc::clone(&worker.followed);
         // A file that is saved after this look is seen as another one.
         let watched = watch::begin(&script.path);
-        let bytes = worker.session.limits().stack_bytes;
+        let bytes = worker.model.session.limits().stack_bytes;
         let evaluate = move || stack::known(bytes, || worker.work());
         thread::Builder::new().stack_size(bytes).spawn(evaluate)?;
         let doors = Arc::new(Doors {

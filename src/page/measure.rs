@@ -3,40 +3,37 @@
 use serde_json::{Value as Json, json};
 
 use super::{
+    Answer, Known,
     answers::{Units, with_unit},
-    routes::{Answer, Doors},
+    keys_of,
     scene::{Shape, told},
 };
 use crate::{
     kernel::{Curve, Mesh, Surface, Tolerance, volume_mass},
     limits::stack,
-    session::Report,
+    session::{Report, Session},
 };
 
-/// `/api/measure`: the length of curves, the area of surfaces and meshes, the volume that they enclose.
-pub(super) fn measure(body: &Json, doors: &Doors) -> Answer {
-    let keys = body["items"].as_array().filter(|keys| !keys.is_empty());
-    let keys = keys.ok_or("`items` must be a list of keys")?;
+/// The length of curves, the area of surfaces and meshes, the volume that they enclose.
+pub(crate) fn measure(body: &Json, known: &Known, session: &Session) -> Answer {
+    let keys = keys_of(&body["items"])?;
     let (mut shapes, mut report) = (Vec::new(), None);
     for key in keys {
-        let key = key.as_str().ok_or("`items` must be a list of keys")?;
-        let found =
-            doors.hub.with_item(key, |item, report| (item.piece.shape.clone(), report.cloned()));
-        let (shape, its) = found.ok_or("an item is not known any more")?;
-        shapes.push(shape);
+        let (item, its) = known.item(key).ok_or("an item is not known any more")?;
+        shapes.push(item.piece.shape.clone());
         report = report.or(its);
     }
     let report = report.ok_or("there is no model yet")?;
-    let sizes = Sizes { doors, tolerance: report.document.1 };
+    let sizes = Sizes { session, tolerance: report.document.1 };
     let kind = body["kind"].as_str().unwrap_or_default();
     // Functions of the script need the stack of an evaluation.
-    let value = stack::with(doors.session.limits().stack_bytes, |_| match kind {
+    let value = stack::with(session.limits().stack_bytes, |_| match kind {
         "length" => sizes.length(&shapes),
         "area" => sizes.area(&shapes),
         "volume" => sizes.volume(&shapes),
         _ => Err("`kind` must be \"length\", \"area\" or \"volume\"".to_owned()),
     })?;
-    Ok(json!({ "value": value, "text": with_unit(value, &unit(kind, &report)) }))
+    Ok(json!({ "value": value, "text": with_unit(value, &unit(kind, report)) }))
 }
 
 fn unit(kind: &str, report: &Report) -> String {
@@ -49,13 +46,13 @@ fn unit(kind: &str, report: &Report) -> String {
 }
 
 struct Sizes<'a> {
-    doors: &'a Doors,
+    session: &'a Session,
     tolerance: Tolerance,
 }
 
 impl Sizes<'_> {
     fn length(&self, shapes: &[Shape]) -> Result<f64, String> {
-        let length = |curve: &Curve| told(&self.doors.session, || curve.length(curve.domain()));
+        let length = |curve: &Curve| told(self.session, || curve.length(curve.domain()));
         let lengths = shapes.iter().map(|shape| match shape {
             Shape::Curve(curve) => length(curve),
             Shape::Curves(curves) => curves.iter().map(length).sum(),
@@ -65,7 +62,7 @@ impl Sizes<'_> {
     }
 
     fn area(&self, shapes: &[Shape]) -> Result<f64, String> {
-        let session = &self.doors.session;
+        let session = self.session;
         let area = |surface: &Surface| told(session, || surface.area()).map(|(area, _)| area);
         let areas = shapes.iter().map(|shape| match shape {
             Shape::Surface(surface) => area(surface),
@@ -78,7 +75,7 @@ impl Sizes<'_> {
 
     /// The volume of all surfaces together, or of all meshes.
     fn volume(&self, shapes: &[Shape]) -> Result<f64, String> {
-        let session = &self.doors.session;
+        let session = self.session;
         if let Some(shape) = shapes
             .iter()
             .find(|shape| !matches!(shape, Shape::Mesh(_)) && shape.surfaces().is_empty())

@@ -1,48 +1,24 @@
-//! Values of parameters written into the script: the text of their defaults, and nothing else.
+//! Values of parameters written into a script: the text of their defaults, and nothing else.
 
 use std::ops::Range;
 
-use serde_json::{Value as Json, json};
-
-use super::routes::{Answer, Doors, alone, values_of};
 use crate::{
-    disk::{Script, ScriptFiles, overwrite},
     eval::{Schema, SchemaParameter},
-    export::io_reason,
     limits::Limits,
     session::Session,
     syntax::{self, ast::StatementKind},
-    value::{Dimension, Value},
+    value::{Dimension, Files, Value},
 };
-
-/// `/api/write`
-pub(super) fn write(body: &Json, doors: &Doors) -> Answer {
-    let values = values_of(body, doors)?;
-    let given: Vec<(String, String)> =
-        values.into_iter().filter_map(|(name, text)| Some((name, text?))).collect();
-    let _alone = alone(doors);
-    let script = Script::read(&doors.script, doors.session.limits().source_bytes)?;
-    let files = ScriptFiles::new(&script.folder);
-    let text = String::from_utf8(script.bytes).map_err(|_| "the script is not UTF-8 text")?;
-    let new = rewritten(&text, &given, &doors.session, &files)?;
-    overwrite(&doors.script, &new)
-        .map_err(|err| format!("cannot write `{}`: {}", script.name, io_reason(&err)))?;
-    let names: Vec<String> = given.into_iter().map(|(name, _)| name).collect();
-    // What is the default now is set no more.
-    doors.hub.set(|settings| settings.retain(|setting| !names.contains(&setting.name)));
-    doors.hub.files_changed();
-    Ok(json!({ "written": names }))
-}
 
 /// The script with other defaults.
 ///
 /// # Errors
 /// A sentence where a value is none for its parameter.
-fn rewritten(
+pub(crate) fn rewritten(
     text: &str,
     given: &[(String, String)],
     session: &Session,
-    files: &ScriptFiles,
+    files: &dyn Files,
 ) -> Result<String, String> {
     let schema = |text: &str| session.parameters("script", text.as_bytes(), files);
     let old = schema(text).map_err(|_| "the script has errors; mend them first")?;
@@ -106,13 +82,13 @@ fn default_place(text: &str, name: &str, limits: &Limits) -> Option<Range<usize>
 
 #[cfg(test)]
 mod tests {
-    use super::{ScriptFiles, Session, rewritten};
+    use super::{Session, rewritten};
+    use crate::value::NoFiles;
 
     fn written(text: &str, given: &[(&str, &str)]) -> Result<String, String> {
         let given: Vec<(String, String)> =
             given.iter().map(|&(name, value)| (name.to_owned(), value.to_owned())).collect();
-        let files = ScriptFiles::new(std::path::Path::new("."));
-        rewritten(text, &given, &Session::default(), &files)
+        rewritten(text, &given, &Session::default(), &NoFiles)
     }
 
     #[test]

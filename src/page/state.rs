@@ -5,23 +5,19 @@ use std::path::Path;
 use serde_json::{Value as Json, json};
 
 use super::{
-    parameters,
+    RunPlace, parameters,
     scene::{Scene, SceneItem, bounds_json},
 };
 use crate::{
     diag::{Diagnostic, Severity, Sources, Span},
-    eval::{Checked, Schema, Setting, Work},
+    eval::{Checked, Schema, Work},
     render,
     session::{Event, Report},
 };
 
 /// What holds beside the run itself.
 pub(super) struct Setup<'a> {
-    pub(super) version: u64,
-    pub(super) script: &'a Path,
-    /// The folder for exported files.
-    pub(super) out: &'a Path,
-    pub(super) settings: &'a [Setting],
+    pub(super) place: RunPlace<'a>,
     pub(super) schema: Option<&'a Schema>,
     /// The last good run, whose items are shown.
     pub(super) good: Option<(&'a Report, &'a Scene)>,
@@ -46,18 +42,18 @@ pub(super) fn json(setup: &Setup<'_>, told: &Told<'_>) -> Json {
     let millimetres = document.and_then(|(unit, _)| unit.millimetres()).unwrap_or(1.0);
     let of_run = |of: fn(&Report) -> Json| told.report.map_or_else(|| json!([]), of);
     let n_with = |work| told.report.map_or(0, |report| report.n_with(work));
-    let file = setup.script.file_name().unwrap_or_default().to_string_lossy();
+    let file = setup.place.script.file_name().unwrap_or_default().to_string_lossy();
     json!({
-        "version": setup.version,
+        "version": setup.place.version,
         "script": file,
-        "exportFolder": setup.out.display().to_string(),
+        "exportFolder": setup.place.out.display().to_string(),
         "unit": unit,
         "millimetres": millimetres,
         "tolerance": tolerance,
         "isCurrent": told.is_current,
         "bounds": bounds_json(setup.good.and_then(|(_, scene)| scene.bounds)),
         "items": setup.good.map_or_else(|| json!([]), |(report, scene)| items(report, scene)),
-        "parameters": parameters::json(setup.schema, told.report, setup.settings),
+        "parameters": parameters::json(setup.schema, told.report, setup.place.settings),
         "checks": of_run(checks),
         "prints": of_run(prints),
         "exports": of_run(exports),
@@ -72,7 +68,8 @@ pub(super) fn json(setup: &Setup<'_>, told: &Told<'_>) -> Json {
 
 /// The state before the first run.
 pub(super) fn empty(script: &Path, out: &Path) -> Json {
-    let setup = Setup { version: 0, script, out, settings: &[], schema: None, good: None };
+    let place = RunPlace { version: 0, script, out, settings: &[] };
+    let setup = Setup { place, schema: None, good: None };
     json(&setup, &Told { report: None, is_current: false, troubles: &[], milliseconds: [0.0; 2] })
 }
 

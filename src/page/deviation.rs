@@ -5,40 +5,42 @@ use glam::DVec3;
 use serde_json::Value as Json;
 
 use super::{
-    routes::{Doors, keys_of},
+    Known, keys_of,
     scene::{EncodedItem, Shape, told},
     threads::side_by_side,
 };
-use crate::kernel::{DeviationReference, GeomError, MeshDistance, Surface};
+use crate::{
+    kernel::{DeviationReference, GeomError, MeshDistance, Surface},
+    session::Session,
+};
 
 /// Vertices that one thread measures before it looks for more.
 const PART: usize = 256;
 
-/// `/api/deviation`: for each vertex of `item` its distance from the nearest place of the items `from`;
+/// For each vertex of `item` its distance from the nearest place of the items `from`;
 /// negative behind surfaces, which is the side that their normals point away from. One of a place that
 /// cannot be measured is not a number.
-pub(super) fn deviation(body: &Json, doors: &Doors) -> Result<Vec<f64>, String> {
+pub(crate) fn deviation(body: &Json, known: &Known, session: &Session) -> Result<Vec<f64>, String> {
     let item = body["item"].as_str().ok_or("`item` must be a key")?;
     let shape = |key: &str| {
-        let found =
-            doors.hub.with_item(key, |item, _| (item.piece.shape.clone(), item.source.clone()));
-        found.ok_or("an item is not known any more")
+        let (item, _) = known.item(key).ok_or("an item is not known any more")?;
+        Ok::<_, String>((item.piece.shape.clone(), item.source.clone()))
     };
     let (shape_of_item, source) = shape(item)?;
     let from = keys_of(&body["from"])?;
     let from = from.into_iter().map(shape).collect::<Result<Vec<_>, _>>()?;
-    let datums = told(&doors.session, || datums(from.iter().map(|(shape, _)| shape)))?;
+    let datums = told(session, || datums(from.iter().map(|(shape, _)| shape)))?;
     if datums.is_empty() {
         return Err("a deviation is measured from a surface or a mesh".to_owned());
     }
-    let parts = places(&shape_of_item, &source.item(&doors.session))?;
-    let measured = side_by_side(&parts, &doors.session, |part| {
+    let parts = places(&shape_of_item, &source.item(session))?;
+    let measured = side_by_side(&parts, session, |part| {
         let distance = |place: &Place| {
             let point = place.point(&shape_of_item)?;
             nearest(point, &datums)
         };
         let all = || part.iter().map(|place| Ok(distance(place).unwrap_or(f64::NAN)));
-        told(&doors.session, || all().collect::<Result<Vec<f64>, GeomError>>())
+        told(session, || all().collect::<Result<Vec<f64>, GeomError>>())
     });
     let measured = measured.ok_or("it was stopped")?;
     Ok(measured.into_iter().collect::<Result<Vec<_>, _>>()?.concat())

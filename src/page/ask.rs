@@ -3,42 +3,40 @@
 use serde_json::{Value as Json, json};
 
 use super::{
+    Answer, Known,
     answers::{Fact, Units, number_of},
-    routes::{Answer, Doors},
-    scene::{SceneItem, Shape, told},
+    scene::{Shape, told},
 };
 use crate::{
     kernel::{Curve, Side, Surface, Tolerance},
     limits::stack,
-    session::Report,
+    session::Session,
 };
 
-/// `/api/ask`: what a surface is at `u`, `v`, a curve at `t`.
-pub(super) fn ask(body: &Json, doors: &Doors) -> Answer {
+/// What the surface `item` is at `u`, `v`, the curve `item` at `t`.
+pub(crate) fn ask(body: &Json, known: &Known, session: &Session) -> Answer {
     let key = body["item"].as_str().ok_or("`item` must be a key")?;
     let at = |name: &str| number_of(body, name);
-    let answer = |item: &SceneItem, report: Option<&std::sync::Arc<Report>>| {
-        let report = report.ok_or("there is no model yet")?;
-        let place = AskedPlace {
-            path: format!("{}{}", report.definitions[item.definition].name, item.piece.path),
-            definition: &report.definitions[item.definition].name,
-            units: Units::of(report),
-            tolerance: report.document.1,
-        };
-        // Functions of the script need the stack of an evaluation.
-        stack::with(doors.session.limits().stack_bytes, |_| match &item.piece.shape {
-            Shape::Surface(surface) => {
-                let (u, v) = (at("u")?, at("v")?);
-                told(&doors.session, || place.surface(surface, u, v))
-            }
-            Shape::Curve(curve) => {
-                let t = at("t")?;
-                told(&doors.session, || place.curve(curve, t))
-            }
-            shape => Err(format!("a {} is asked for no place", shape.kind())),
-        })
+    let (item, report) = known.item(key).ok_or("the item is not known any more")?;
+    let report = report.ok_or("there is no model yet")?;
+    let place = AskedPlace {
+        path: format!("{}{}", report.definitions[item.definition].name, item.piece.path),
+        definition: &report.definitions[item.definition].name,
+        units: Units::of(report),
+        tolerance: report.document.1,
     };
-    doors.hub.with_item(key, answer).unwrap_or_else(|| Err("the item is not known any more".into()))
+    // Functions of the script need the stack of an evaluation.
+    stack::with(session.limits().stack_bytes, |_| match &item.piece.shape {
+        Shape::Surface(surface) => {
+            let (u, v) = (at("u")?, at("v")?);
+            told(session, || place.surface(surface, u, v))
+        }
+        Shape::Curve(curve) => {
+            let t = at("t")?;
+            told(session, || place.curve(curve, t))
+        }
+        shape => Err(format!("a {} is asked for no place", shape.kind())),
+    })
 }
 
 /// What is asked, and how it is told.

@@ -3,7 +3,6 @@
 
 use std::{
     collections::{BTreeMap, BTreeSet},
-    hash::{BuildHasher, Hasher, RandomState},
     sync::Arc,
 };
 
@@ -35,9 +34,9 @@ fn named(identity: u64, fineness: &Fineness) -> ItemName {
 }
 
 impl ItemMemory {
-    pub(crate) fn new() -> Self {
+    pub(crate) fn new(process: u64) -> Self {
         Self {
-            process: RandomState::new().build_hasher().finish(),
+            process,
             items: BTreeMap::new(),
             bounds: BTreeMap::new(),
             used: Default::default(),
@@ -121,12 +120,12 @@ impl ItemMemory {
 #[cfg(test)]
 mod tests {
     use super::ItemMemory;
-    use crate::{session::Session, value::NoFiles, view::scene::Scene};
+    use crate::{page::scene::Scene, session::Session, value::NoFiles};
 
     #[test]
     fn what_is_shown_no_more_is_forgotten() {
         let session = Session::default().incremental();
-        let mut memory = ItemMemory::new();
+        let mut memory = ItemMemory::new(1);
         let mut keys = Vec::new();
         for i in 0..40 {
             let text =

@@ -1,0 +1,162 @@
+//! A script that is evaluated again and again, with what its last good run drew.
+
+use std::{path::Path, sync::Arc};
+
+use super::{
+    Shown,
+    scene::{ItemMemory, Scene},
+    state::{self, Told},
+};
+use crate::{
+    diag::Severity,
+    eval::{Schema, Setting},
+    session::{Report, Session},
+    value::Files,
+};
+
+/// What a model keeps from run to run.
+#[derive(Debug)]
+pub(crate) struct Model {
+    /// With a memory.
+    pub(crate) session: Session,
+    memory: ItemMemory,
+    /// Of the last run whose script could be read.
+    schema: Option<Schema>,
+    /// The last run.
+    pub(crate) last: Option<Arc<Report>>,
+    /// The last good run.
+    good: Option<(Arc<Report>, Arc<Scene>)>,
+}
+
+/// A run that is wanted.
+#[derive(Clone, Copy)]
+pub(crate) struct PageRun<'a> {
+    /// What messages call the script.
+    pub(crate) name: &'a str,
+    pub(crate) bytes: &'a [u8],
+    pub(crate) files: &'a dyn Files,
+    /// Whether files may have changed since the last run.
+    pub(crate) is_file_new: bool,
+    /// Whether nobody wants it any more, since a newer one is wanted.
+    pub(crate) is_stale: &'a dyn Fn() -> bool,
+    /// Milliseconds since whenever.
+    pub(crate) clock: &'a dyn Fn() -> f64,
+}
+
+/// What a state tells of where it is.
+#[derive(Clone, Copy)]
+pub(crate) struct RunPlace<'a> {
+    /// The version that the state will have.
+    pub(crate) version: u64,
+    pub(crate) script: &'a Path,
+    /// The folder for exported files.
+    pub(crate) out: &'a Path,
+    pub(crate) settings: &'a [Setting],
+}
+
+impl Model {
+    /// A model of nothing yet; `process` tells keys of its items from those of other processes, which a
+    /// browser may still know.
+    pub(crate) fn new(session: Session, process: u64) -> Self {
+        let memory = ItemMemory::new(process);
+        Self { session: session.incremental(), memory, schema: None, last: None, good: None }
+    }
+
+    /// What is shown before the first run.
+    pub(crate) fn empty(script: &Path, out: &Path) -> Shown {
+        Shown {
+            version: 0,
+            is_current: false,
+            state: state::empty(script, out).to_string().into_bytes(),
+            scene: Arc::default(),
+            report: None,
+            parameters: Vec::new(),
+            inputs: Vec::new(),
+        }
+    }
+
+    /// What a run comes to; `None` where another one is wanted instead.
+    pub(crate) fn run(&mut self, place: RunPlace<'_>, run: PageRun<'_>) -> Option<Shown> {
+        let shown = self.try_run(place, run);
+        if shown.is_none() {
+            self.memory.discard();
+        }
+        shown
+    }
+
+    fn try_run(&mut self, place: RunPlace<'_>, run: PageRun<'_>) -> Option<Shown> {
+        let begin = (run.clock)();
+        let report = self.session.run(run.name, run.bytes, run.files, place.settings);
+        if (run.is_stale)() {
+            return None;
+        }
+        if run.is_file_new || self.schema.is_none() {
+            let schema = self.session.parameters(run.name, run.bytes, run.files);
+            self.schema = schema.ok().or(self.schema.take());
+        }
+        let evaluated = (run.clock)();
+        let report = Arc::new(report);
+        self.last = Some(Arc::clone(&report));
+        let has_errors = 0 < report.count(Severity::Error);
+        let mut scene = None;
+        if !has_errors {
+            match Scene::of(&report, &self.session, &mut self.memory) {
+                Some(made) => scene = Some(Arc::new(made)),
+                None if (run.is_stale)() => return None,
+                None => {}
+            }
+        }
+        let was_stopped = !has_errors && scene.is_none();
+        if let Some(scene) = scene {
+            self.good = Some((Arc::clone(&report), scene));
+            self.memory.settle();
+        }
+        let mut troubles = report.unknown_settings.clone();
+        if was_stopped {
+            troubles.push("the drawing was stopped".to_owned());
+        }
+        let told = Told {
+            report: Some(&report),
+            is_current: !has_errors && !was_stopped,
+            troubles: &troubles,
+            milliseconds: [evaluated - begin, (run.clock)() - evaluated],
+        };
+        Some(self.shown(place, told))
+    }
+
+    /// What is shown of a script that is not there.
+    #[cfg(feature = "cli")]
+    pub(crate) fn unread(&self, place: RunPlace<'_>, message: &str) -> Shown {
+        let told = Told {
+            report: None,
+            is_current: false,
+            troubles: &[message.to_owned()],
+            milliseconds: [0.0; 2],
+        };
+        self.shown(place, told)
+    }
+
+    fn shown(&self, place: RunPlace<'_>, told: Told<'_>) -> Shown {
+        let good = self.good.as_ref();
+        let json = state::json(
+            &state::Setup {
+                place,
+                schema: self.schema.as_ref(),
+                good: good.map(|(report, scene)| (&**report, &**scene)),
+            },
+            &told,
+        );
+        let names = |schema: &Schema| -> Vec<String> {
+            schema.parameters.iter().map(|parameter| parameter.name.clone()).collect()
+        };
+        Shown {
+            version: place.version,
+            is_current: told.is_current,
+            state: json.to_string().into_bytes(),
+            scene: good.map(|(_, scene)| Arc::clone(scene)).unwrap_or_default(),
+            report: good.map(|(report, _)| Arc::clone(report)),
+            parameters: self.schema.as_ref().map(names).unwrap_or_default(),
+            inputs: Vec::new(),
+        }
+    }
+}

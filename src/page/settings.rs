@@ -1,0 +1,51 @@
+//! Values of parameters as the page sends them.
+
+use serde_json::{Value as Json, json};
+
+use super::Shown;
+use crate::eval::Setting;
+
+/// Settings as a page wants them changed: all gone (`reset`), or the values of some.
+///
+/// # Errors
+/// A sentence where there is no such parameter, or a value is no text.
+pub(crate) fn changed(
+    body: &Json,
+    shown: &Shown,
+) -> Result<impl FnOnce(&mut Vec<Setting>) + use<>, String> {
+    let values = match body["reset"] == json!(true) {
+        true => None,
+        false => Some(values_of(body, shown)?),
+    };
+    Ok(move |settings: &mut Vec<Setting>| {
+        let Some(values) = values else { return settings.clear() };
+        settings.retain(|setting| values.iter().all(|(name, _)| *name != setting.name));
+        let new = values.into_iter().filter_map(|(name, text)| Some((name, text?)));
+        settings.extend(new.map(|(name, text)| Setting {
+            called: format!("`{name} = {text}`"),
+            name,
+            text,
+        }));
+    })
+}
+
+/// The member `values` of a body: names of parameters with texts, or null.
+pub(crate) fn values_of(
+    body: &Json,
+    shown: &Shown,
+) -> Result<Vec<(String, Option<String>)>, String> {
+    let Some(members) = body["values"].as_object() else {
+        return Err("`values` must be an object".to_owned());
+    };
+    let value = |(name, value): (&String, &Json)| {
+        if !shown.parameters.contains(name) {
+            return Err(format!("the script has no parameter `{name}`"));
+        }
+        match value {
+            Json::Null => Ok((name.clone(), None)),
+            Json::String(text) => Ok((name.clone(), Some(text.clone()))),
+            _ => Err(format!("the value of `{name}` must be a text or null")),
+        }
+    };
+    members.iter().map(value).collect()
+}
