@@ -11,7 +11,7 @@ use virote::{
 #[pyfunction]
 pub(crate) fn operations() -> String {
     let registry = ops::registry();
-    let all: Vec<Json> = registry.iter().map(operation).collect();
+    let all: Vec<Json> = registry.iter().filter(|op| !op.names_script).map(operation).collect();
     Json::Array(all).to_string()
 }
 
@@ -47,6 +47,7 @@ fn operation(op: &'static Op) -> Json {
 /// The name of the Python type that stands for a type.
 fn hint(ty: Type) -> &'static str {
     match ty {
+        Type::None => "None",
         Type::Bool => "bool",
         Type::Number | Type::Length | Type::Angle | Type::Quantity(_) => "Quantity",
         Type::Ratio | Type::Count | Type::Integer => "float",

@@ -110,8 +110,8 @@ impl FromValue for Solids {
 /// Adds the meshes of a list; the kind of what else is in it.
 fn gather(items: &List, found: &mut Vec<Solid>) -> Option<&'static str> {
     items.iter().find_map(|item| match item {
-        Value::List(items) => gather(&items, found),
-        item => match Solid::from_value(&item, Span::default()) {
+        Value::List(items) => gather(items, found),
+        item => match Solid::from_value(item, Span::default()) {
             Ok(mesh) => {
                 found.push(mesh);
                 None

@@ -4,7 +4,7 @@ use super::inside;
 use crate::{
     diag::Code,
     kernel::{
-        CountError, DegreeError, DomainError, FaceFault, FitError, FormError, GeomError,
+        CountError, DegreeError, DomainError, FaceError, FaceFault, FitError, FormError, GeomError,
         InputError, IntersectionError, JointError, KnotError, LocalError, MeasureError, MeshError,
         RegionError, WeightError,
     },
@@ -35,6 +35,7 @@ pub fn code_of(error: &GeomError) -> Code {
         | GeomError::Jump(_)
         | GeomError::Ended => Code::Degenerate,
         GeomError::Region(error) => of_region(error),
+        GeomError::Face(error) => of_face(error),
         GeomError::Shell(_) => Code::OpenShell,
         GeomError::Mesh(fault) => of_mesh(fault),
         GeomError::Function(_) => inside(error).map_or(Code::Domain, |reason| reason.code),
@@ -46,6 +47,17 @@ const fn of_region(error: &RegionError) -> Code {
         RegionError::OtherPlane { .. } | RegionError::NoCorner { .. } => Code::Degenerate,
         RegionError::Unclear { .. } | RegionError::Thin { .. } => Code::WithinTolerance,
         RegionError::NoRoom { .. } => Code::NoRoom,
+    }
+}
+
+const fn of_face(error: &FaceError) -> Code {
+    match error {
+        FaceError::OffDomain { .. } => Code::OutsideDomain,
+        FaceError::Open { .. }
+        | FaceError::BothSides { .. }
+        | FaceError::EndsInside { .. }
+        | FaceError::Apart { .. }
+        | FaceError::Nothing => Code::Degenerate,
     }
 }
 
@@ -138,6 +150,7 @@ const fn of_fit(error: &FitError) -> Code {
 
 const fn of_local(error: &LocalError) -> Code {
     match error {
+        LocalError::OffFace { .. } => Code::OutsideDomain,
         LocalError::BeyondNumbers { .. } | LocalError::BeyondNumbersAt { .. } => Code::Domain,
         LocalError::NotDifferentiable { .. } | LocalError::DerivativeBeyondNumbers => {
             Code::NoDerivative

@@ -1,9 +1,9 @@
 //! What to do about errors of the kernel, where the message alone does not tell.
 
 use crate::kernel::{
-    ConstructionError, CountError, DegreeError, DomainError, FaceFault, FitError, FormError,
-    GeomError, InputError, IntersectionError, JointError, JumpError, KnotError, LocalError,
-    MeasureError, MeshError, PictureError, RegionError, ShellError, WeightError,
+    ConstructionError, CountError, DegreeError, DomainError, FaceError, FaceFault, FitError,
+    FormError, GeomError, InputError, IntersectionError, JointError, JumpError, KnotError,
+    LocalError, MeasureError, MeshError, PictureError, RegionError, ShellError, WeightError,
 };
 
 /// What to do about an error of the kernel, where the message alone does not tell.
@@ -28,6 +28,7 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         GeomError::Jump(jump) => Some(of_jump(jump)),
         GeomError::Picture(error) => Some(of_picture(error)),
         GeomError::Region(error) => Some(of_region(error)),
+        GeomError::Face(error) => Some(of_face(error)),
         GeomError::Function(_) | GeomError::Ended => None,
     }
 }
@@ -326,6 +327,25 @@ fn of_region(error: &RegionError) -> String {
         RegionError::NoCorner { .. } => {
             "`corners(r.outer)` has the parameters of the corners, `r.outer(t)` the points"
         }
+    };
+    hint.to_owned()
+}
+
+/// What to do about loops that bound no part of a surface.
+fn of_face(error: &FaceError) -> String {
+    let hint = match error {
+        FaceError::Open { .. } => {
+            "a loop ends where it begins, on the surface: `join` the curves along it"
+        }
+        FaceError::OffDomain { .. } => {
+            "the domain is `s.domain_u` by `s.domain_v`; a loop over a seam is cut there"
+        }
+        FaceError::BothSides { .. } => {
+            "loops run with the face to their left: a hole clockwise, seen from where the normal points"
+        }
+        FaceError::EndsInside { .. } => "let it go on to the border or to another curve",
+        FaceError::Apart { .. } => "make a face of each",
+        FaceError::Nothing => "a loop that runs the other way leaves what is on its other side",
     };
     hint.to_owned()
 }

@@ -29,12 +29,11 @@ mod page {
     }
 }
 
-#[cfg(target_arch = "wasm32")]
-use page::now;
-
-/// Only a page has a clock here.
-#[cfg(not(target_arch = "wasm32"))]
-fn now() -> f64 {
+/// The page's clock; elsewhere there is none.
+fn milliseconds() -> f64 {
+    #[cfg(target_arch = "wasm32")]
+    return page::now();
+    #[cfg(not(target_arch = "wasm32"))]
     0.0
 }
 
@@ -57,7 +56,7 @@ thread_local! {
 #[unsafe(no_mangle)]
 pub extern "C" fn begin(process: u32) {
     MODULE.with_borrow_mut(|module| {
-        module.playground = Some(Playground::new(&session, u64::from(process), || now()));
+        module.playground = Some(Playground::new(&session, u64::from(process), milliseconds));
     });
 }
 
@@ -76,7 +75,8 @@ pub extern "C" fn make_room(length: usize) -> *mut u8 {
 pub extern "C" fn answer() -> *const u8 {
     MODULE.with_borrow_mut(|module| {
         let Module { playground, message, answer } = module;
-        let playground = playground.get_or_insert_with(|| Playground::new(&session, 0, || now()));
+        let playground =
+            playground.get_or_insert_with(|| Playground::new(&session, 0, milliseconds));
         *answer = stack::known(Limits::WEB.stack_bytes, || playground.answer(message));
         answer.as_ptr()
     })
