@@ -41,7 +41,7 @@ pub(super) fn check_nesting(parts: &[Vec<[DVec3; 3]>]) -> Result<(), MeshError> 
         let at = part.triangles[0][0];
         let wanted = if part.volume < 0.0 { 1.0 } else { 0.0 };
         match numbers.find(clear).map(f64::round) {
-            Some(number) if number.total_cmp(&wanted).is_eq() => {}
+            Some(number) if (number - wanted).abs() < 0.5 => {}
             Some(number) if number < wanted => return Err(MeshError::Inverted { at }),
             _ => return Err(MeshError::Doubled { at }),
         }
