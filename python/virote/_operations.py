@@ -397,7 +397,7 @@ def arc_through(a: PointLike, b: PointLike, c: PointLike) -> Curve:
     return _called("arc_through", (), {"a": a, "b": b, "c": c})  # type: ignore[no-any-return]
 
 
-def area(*args: Any, s: Any = None, m: Any = None, r: Any = None) -> Any:
+def area(*args: Any, s: Any = None, r: Any = None, m: Any = None) -> Any:
     """Area of a surface, or of several together.
 
     The integral of |Su × Sv|, to some 12 digits where the surface is smooth.
@@ -406,17 +406,17 @@ def area(*args: Any, s: Any = None, m: Any = None, r: Any = None) -> Any:
 
     In scripts: ``area(s: surface | list of surfaces) -> area``
 
-    Area of a mesh: the sum over its triangles.
-    :param m: The mesh.
-
-    In scripts: ``area(m: mesh) -> area``
-
     Area of a region: Green's theorem along its borders, to rounding.
     :param r: The region.
 
     In scripts: ``area(r: region) -> area``
+
+    Area of a mesh: the sum over its triangles.
+    :param m: The mesh.
+
+    In scripts: ``area(m: mesh) -> area``
     """
-    return _called("area", args, {"s": s, "m": m, "r": r})
+    return _called("area", args, {"s": s, "r": r, "m": m})
 
 
 def argmax(list: Any, *, by: FunctionLike | None = None) -> float:
@@ -757,7 +757,7 @@ def center_of_curvature(c: Curve, t: float, *, side: str | None = None) -> Any:
     return _called("center_of_curvature", (), {"c": c, "t": t, "side": side})
 
 
-def centroid(*args: Any, s: Any = None, of: Any = None, m: Any = None, r: Any = None, points: Any = None) -> Any:
+def centroid(*args: Any, s: Any = None, of: Any = None, r: Any = None, m: Any = None, points: Any = None) -> Any:
     """Centre of gravity of what closed surfaces enclose, or of the surfaces themselves.
 
     Of the volume the surfaces must close, as for `volume`; of the area they need not.
@@ -768,6 +768,11 @@ def centroid(*args: Any, s: Any = None, of: Any = None, m: Any = None, r: Any = 
 
     In scripts: ``centroid(s: surface | list of surfaces, of: "volume" | "area" = "volume") -> point``
 
+    Centre of gravity of a region.
+    :param r: The region.
+
+    In scripts: ``centroid(r: region) -> point``
+
     Centre of gravity of what a closed mesh encloses, or of its triangles.
 
     Of the volume the mesh must close, as for `volume`; of the area it need not.
@@ -776,17 +781,12 @@ def centroid(*args: Any, s: Any = None, of: Any = None, m: Any = None, r: Any = 
 
     In scripts: ``centroid(m: mesh, of: "volume" | "area" = "volume") -> point``
 
-    Centre of gravity of a region.
-    :param r: The region.
-
-    In scripts: ``centroid(r: region) -> point``
-
     Mean of some points, all of the same weight.
     :param points: The points, as a list or as the arguments themselves.
 
     In scripts: ``centroid(points: list of points) -> point``
     """
-    return _called("centroid", args, {"s": s, "of": of, "m": m, "r": r, "points": points})
+    return _called("centroid", args, {"s": s, "of": of, "r": r, "m": m, "points": points})
 
 
 def check_mesh(m: Mesh) -> dict[str, Any]:
@@ -1589,7 +1589,7 @@ def deviation(a: Any, b: Any) -> dict[str, Any]:
     return _called("deviation", (), {"a": a, "b": b})  # type: ignore[no-any-return]
 
 
-def difference(*args: Any, regions: Any = None) -> Any:
+def difference(*args: Any, regions: Any = None, meshes: Any = None) -> Any:
     """What is in the first of several regions and in none of the others, as a list of its parts, the
     largest first; `[]` where there is nothing.
 
@@ -1600,8 +1600,19 @@ def difference(*args: Any, regions: Any = None) -> Any:
     :param regions: The regions, in one plane; lists count as their members.
 
     In scripts: ``difference(regions: list of regions or lists of regions) -> list of regions``
+
+    What is in the first of several closed meshes and in none of the others; `none` where there is nothing.
+
+    The meshes must close within the document's tolerance, with triangles that face outward and cross
+    nowhere: `tessellate` makes such of surfaces that close. Faces that coincide are one. The result
+    is of triangles without normals; its new vertices are rounded, and no further away than that.
+    It is checked before it is given: it closes, and its volume and that of what the meshes have in
+    common add up to theirs. What would touch itself in an edge or a point is refused with the place.
+    :param meshes: The closed meshes; lists count as their members.
+
+    In scripts: ``difference(meshes: list of meshes or lists of meshes) -> mesh | none``
     """
-    return _called("difference", args, {"regions": regions})
+    return _called("difference", args, {"regions": regions, "meshes": meshes})
 
 
 def disc(plane: Frame, radius: Quantity) -> Surface:
@@ -2327,7 +2338,7 @@ def intersect(*args: Any, a: Any = None, b: Any = None) -> Any:
     return _called("intersect", args, {"a": a, "b": b})
 
 
-def intersection(*args: Any, regions: Any = None) -> Any:
+def intersection(*args: Any, regions: Any = None, meshes: Any = None) -> Any:
     """What is in all of several regions, as a list of its parts, the largest first; `[]` where there is
     nothing.
 
@@ -2338,8 +2349,19 @@ def intersection(*args: Any, regions: Any = None) -> Any:
     :param regions: The regions, in one plane; lists count as their members.
 
     In scripts: ``intersection(regions: list of regions or lists of regions) -> list of regions``
+
+    What is in all of several closed meshes; `none` where there is nothing.
+
+    The meshes must close within the document's tolerance, with triangles that face outward and cross
+    nowhere: `tessellate` makes such of surfaces that close. Faces that coincide are one. The result
+    is of triangles without normals; its new vertices are rounded, and no further away than that.
+    It is checked before it is given: it closes, and its volume and that of what the meshes have in
+    common add up to theirs. What would touch itself in an edge or a point is refused with the place.
+    :param meshes: The closed meshes; lists count as their members.
+
+    In scripts: ``intersection(meshes: list of meshes or lists of meshes) -> mesh | none``
     """
-    return _called("intersection", args, {"regions": regions})
+    return _called("intersection", args, {"regions": regions, "meshes": meshes})
 
 
 def is_closed(c: Curve) -> bool:
@@ -3125,29 +3147,29 @@ def place(g: Any, frame: Frame) -> Any:
     return _called("place", (), {"g": g, "frame": frame})
 
 
-def planar_mesh(*args: Any, curve: Any = None, tolerance: Any = None, r: Any = None) -> Mesh:
-    """Mesh of the plane region within a closed curve, or within the first of a list and outside of
+def planar_mesh(*args: Any, r: Any = None, tolerance: Any = None, curve: Any = None) -> Mesh:
+    """Mesh of a region, whose borders are nowhere further from the curves than the tolerance.
+
+    All vertices are on the borders; the triangles are as far from slivers as that allows.
+
+    :param r: The region.
+    :param tolerance: The tolerance; when left out a thousandth of the size of the region.
+
+    In scripts: ``planar_mesh(r: region, tolerance: length = none) -> mesh``
+
+    Mesh of the plane region within a closed curve, or within the first of a list and outside of
     the others, which are holes.
 
     The normals are on the side from which the (outer) curve runs counter-clockwise. All vertices
     are on the borders, whose polygons are nowhere further from the curves than the tolerance;
     their triangles are as far from slivers as that allows.
     Chew, *Constrained Delaunay triangulations*, Algorithmica 4 (1989).
-
     :param curve: The closed curve, or a list of the outer one and the holes.
     :param tolerance: The tolerance; when left out a thousandth of the size of the region.
 
     In scripts: ``planar_mesh(curve: curve | list of curves, tolerance: length = none) -> mesh``
-
-    Mesh of a region, whose borders are nowhere further from the curves than the tolerance.
-
-    All vertices are on the borders; the triangles are as far from slivers as that allows.
-    :param r: The region.
-    :param tolerance: The tolerance; when left out a thousandth of the size of the region.
-
-    In scripts: ``planar_mesh(r: region, tolerance: length = none) -> mesh``
     """
-    return _called("planar_mesh", args, {"curve": curve, "tolerance": tolerance, "r": r})  # type: ignore[no-any-return]
+    return _called("planar_mesh", args, {"r": r, "tolerance": tolerance, "curve": curve})  # type: ignore[no-any-return]
 
 
 def plane(origin: PointLike, normal: PointLike, *, x: PointLike | None = None) -> Frame:
@@ -4391,7 +4413,7 @@ def twist(s: Surface, u: float, v: float) -> Any:
     return _called("twist", (), {"s": s, "u": u, "v": v})
 
 
-def union(*args: Any, regions: Any = None) -> Any:
+def union(*args: Any, regions: Any = None, meshes: Any = None) -> Any:
     """What is in any of several regions, as a list of its parts, the largest first.
 
     The borders of the result are parts of the given ones, exactly. Borders that run within the
@@ -4401,8 +4423,19 @@ def union(*args: Any, regions: Any = None) -> Any:
     :param regions: The regions, in one plane; lists count as their members.
 
     In scripts: ``union(regions: list of regions or lists of regions) -> list of regions``
+
+    What is in any of several closed meshes. `none` among them counts for nothing.
+
+    The meshes must close within the document's tolerance, with triangles that face outward and cross
+    nowhere: `tessellate` makes such of surfaces that close. Faces that coincide are one. The result
+    is of triangles without normals; its new vertices are rounded, and no further away than that.
+    It is checked before it is given: it closes, and its volume and that of what the meshes have in
+    common add up to theirs. What would touch itself in an edge or a point is refused with the place.
+    :param meshes: The closed meshes; lists count as their members.
+
+    In scripts: ``union(meshes: list of meshes or lists of meshes) -> mesh | none``
     """
-    return _called("union", args, {"regions": regions})
+    return _called("union", args, {"regions": regions, "meshes": meshes})
 
 
 def unique(list: Any) -> Any:
@@ -4469,10 +4502,11 @@ def volume(*args: Any, s: Any = None, m: Any = None) -> Any:
 
     Exact for the mesh, which is inside of a convex surface that it was made of. The mesh must
     close, with vertices within the document's tolerance at one place, and its triangles must
-    face alike. A part that is turned inward inside of another is a hole in it.
+    face alike. A part that is turned inward inside of another is a hole in it. `none`, which a
+    boolean leaves where there is nothing, has the volume 0.
     :param m: The mesh.
 
-    In scripts: ``volume(m: mesh) -> volume``
+    In scripts: ``volume(m: mesh | none) -> volume``
     """
     return _called("volume", args, {"s": s, "m": m})
 

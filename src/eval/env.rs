@@ -2,7 +2,7 @@
 
 use std::{fmt, sync::Arc};
 
-use super::{import_instance::ImportInstance, memory::Fields};
+use super::{imported::ImportInstance, memory::Fields};
 use crate::{
     diag::{Result, Sources, Span, Spanned},
     kernel::Tolerance,

@@ -4,7 +4,7 @@ use std::sync::{Arc, PoisonError};
 
 use super::{
     env::GivenParameters,
-    import_instance::ImportInstance,
+    imported::ImportInstance,
     ir::{Arg, ScriptFile},
     machine::Machine,
 };

@@ -2,19 +2,17 @@
 //!
 //! The value of an import is the record of what the file defines.
 
-use std::{
-    collections::BTreeSet,
-    sync::{Arc, OnceLock, PoisonError},
-};
+use std::sync::{Arc, OnceLock, PoisonError};
 
 use super::{
     cache_key::{CacheKey, KeySort},
     env::{Env, GivenParameters, ImportedFiles},
     globals::Globals,
+    imported::{ImportInstance, InstanceSlot},
     ir::Program,
     library::{Library, LibraryFile, folder},
     machine::Machine,
-    memory::{CacheRun, Fields, FileRead},
+    memory::{CacheRun, Fields},
     param::GivenValue,
     worker::{Inputs, Worker},
 };
@@ -23,25 +21,6 @@ use crate::{
     limits::stack,
     value::{Record, Value, exact_key},
 };
-
-/// An imported file with its parameters, evaluated.
-#[derive(Debug)]
-pub(crate) struct ImportInstance {
-    /// Which one it is in this run.
-    pub(super) number: usize,
-    /// Functions of the file look here for its definitions.
-    pub(super) home: Arc<Globals>,
-    pub(super) outcome: Result<(Value, Fields)>,
-    /// What went wrong, and what is doubtful.
-    pub(super) findings: Vec<Diagnostic>,
-    /// The files that its definitions read, where results are remembered.
-    pub(super) reads: BTreeSet<FileRead>,
-    /// The steps that it took.
-    pub(super) n_steps: u64,
-}
-
-/// The place of an instance, which is made once.
-pub(super) type InstanceSlot = Arc<(usize, OnceLock<Arc<ImportInstance>>)>;
 
 impl ImportedFiles for Library<'_> {
     fn value(

@@ -10,7 +10,7 @@ use std::{
 
 use super::{
     globals::Globals,
-    import_instance::InstanceSlot,
+    imported::InstanceSlot,
     ir::Program,
     lower::{self, Imported, Lowered, Origin, ScriptCall},
     name_uses::NotedNames,

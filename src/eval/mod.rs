@@ -21,6 +21,7 @@ mod function;
 mod globals;
 mod import;
 mod import_instance;
+mod imported;
 mod index;
 mod invoke;
 mod ir;

@@ -19,6 +19,14 @@ impl Type {
             (Self::List(of, _), single) if !matches!(of, Self::Any) && of.accepts(single) => {
                 "a list of one element is written `[x]`"
             }
+            // Of things that may stand as the arguments themselves.
+            (Self::List(Self::OneOf(types), _), single) => {
+                return types.iter().find_map(|of| of.remedy(single));
+            }
+            (Self::Region, Value::Curve(_)) => "`region(c)` is what lies within a closed curve",
+            (Self::Mesh, Value::Surface(_)) => {
+                "`tessellate(s)` makes a mesh of surfaces that close"
+            }
             (Self::Point, Value::Number(_)) => {
                 "a point or vector is written `(x, y)` or `(x, y, z)`"
             }

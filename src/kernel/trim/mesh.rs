@@ -14,7 +14,7 @@ impl Face {
     /// use virote_kernel::{CircleForm, Face, Frame, NurbsCurve, NurbsSurface, TessellationOptions, Tolerance, glam::DVec3};
     ///
     /// let sphere = Arc::new(NurbsSurface::sphere(Frame::XY, 1.0)?);
-    /// let window = NurbsCurve::ellipse(Frame::XY.at(DVec3::new(1.0, 0.0, 0.0)), [0.2; 2], CircleForm::NinePoint)?;
+    /// let window = NurbsCurve::ellipse(Frame::XY.at(DVec3::new(0.5, 0.5, 0.0)), [0.2; 2], CircleForm::NinePoint)?;
     /// let face = Face::within(sphere, &[window], Tolerance::DEFAULT)?;
     /// let mesh = face.mesh(&TessellationOptions::within(1e-4), 100_000)?;
     /// assert!((mesh.area() / face.mass()?.amount - 1.0).abs() < 1e-3);
