@@ -1,6 +1,6 @@
 //! The door of a page without a server: one function of messages.
 //!
-//! A [`Playground`] holds a script with the files that it reads, and answers what [`page`](crate::page)
+//! A [`Playground`] holds a script with the files that it reads, and answers what `page`
 //! answers over HTTP elsewhere, and what an editor asks of [`ide`](crate::ide).
 //!
 //! A message is a length in four bytes, little-endian, that much JSON, and then attachments: the member
