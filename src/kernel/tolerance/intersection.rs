@@ -84,3 +84,9 @@ pub(crate) const AREA_REACH: f64 = 0.02;
 ///
 /// Larger makes one of the two meetings at a loop; smaller tells a flat meeting twice.
 pub(crate) const ONE_MEETING_SHARE: f64 = 0.01;
+
+/// Part of its size that arcs in a plane of parameters may be away from what they are solved for.
+pub(crate) const PULL_RELATIVE: f64 = 1e-13;
+
+/// The same as a part of the tolerance, at most.
+pub(crate) const PULL_SHARE: f64 = 1e-3;

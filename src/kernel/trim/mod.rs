@@ -3,7 +3,8 @@
 //! A [`Face`] is a surface with the parts of its parameters that belong to it. These are regions of a
 //! `plane` of parameters that is stretched so that its lengths are no shorter than those on the surface:
 //! what is within the tolerance there is within it in space, and all that cuts faces is the arrangement
-//! of plane arcs that regions are made by. `face` has the type, `loops` faces within loops, `measure`
+//! of plane arcs that regions are made by. `face` has the type, `loops` faces within loops of parameters, `split` those within
+//! loops in space and the parts into which cutters divide a face, by the arcs that `pull` makes of curves and by `division`, `measure`
 //! integrals over faces, `mesh` their triangles.
 
 mod division;
@@ -13,6 +14,9 @@ mod loops;
 mod measure;
 mod mesh;
 mod plane;
+mod pull;
+mod split;
 
 pub use error::FaceError;
 pub use face::{Face, FacePart};
+pub use split::Cutter;
