@@ -95,8 +95,8 @@ impl PulledCurve<'_> {
         let bounds = self.plane.bounds();
         for i in 0..2 {
             let (low, high) = (bounds.min[i], bounds.max[i]);
-            // The foot of what is on a seam may be at either end.
-            let slack = 2.0 * self.tolerance;
+            // The foot of what is on a seam may be at either end; what is beside it is not.
+            let slack = self.accuracy;
             let other = if place[i] - low <= slack {
                 high
             } else if high - place[i] <= slack {
