@@ -172,7 +172,8 @@ impl PulledCurve<'_> {
             }
             let (mut low, mut high) = (before, (t, self.foot(t)?));
             for _ in 0..BISECTIONS {
-                if norm(high.1 - low.1) <= long || high.0 - low.0 <= least {
+                let rounding = 2.0 * LAST_BIT * high.0.abs().max(low.0.abs());
+                if norm(high.1 - low.1) <= long || high.0 - low.0 <= rounding {
                     break;
                 }
                 let middle = 0.5 * (low.0 + high.0);
@@ -227,7 +228,7 @@ impl PulledCurve<'_> {
             for fraction in &COMPARED {
                 fits = fits && is_near(fraction)?;
             }
-            if fits {
+            if fits || piece.degree() == 1 {
                 pieces.push(piece);
             } else if PARAMETER_HALVINGS <= n_halvings {
                 let (tolerance, parameter) = (self.tolerance, interval.at(0.5));
@@ -251,6 +252,10 @@ impl PulledCurve<'_> {
         first: DVec3,
         last: DVec3,
     ) -> Result<NurbsCurve, GeomError> {
+        // Beside a jump the last digits of a parameter tell where it is.
+        if interval.length() <= PARAMETER_RELATIVE * self.curve.domain().length() {
+            return lagrange(&[first, last], &[interval.start(), interval.end()]);
+        }
         let mut ts = vec![interval.start()];
         let mut places = vec![first];
         for i in 1..DEGREE {
