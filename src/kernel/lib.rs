@@ -80,7 +80,8 @@
 //!
 //! ## Parts of surfaces
 //!
-//! - [`Face`]: [`Face::whole`], [`Face::within`] loops, its [parts](FacePart); [`Face::mass`], [`Face::side_of_parameters`].
+//! - [`Face`]: [`Face::whole`], [`Face::within`] loops of parameters, [`Face::bounded`] by loops in space, its [parts](FacePart);
+//!   [`Face::split`] by [`Cutter`]s, [`Face::part_at`], [`Face::beside_plane`]; [`Face::mass`], [`Face::side_of_parameters`].
 //! - What is refused: [`FaceError`].
 //!
 //! ## Approximate
@@ -212,4 +213,4 @@ pub use sweep::{
 };
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;
-pub use trim::{CurveEnd, Face, FaceError, FacePart, SurfaceCurve, SurfaceCurveKind};
+pub use trim::{CurveEnd, Cutter, Face, FaceError, FacePart, SurfaceCurve, SurfaceCurveKind};

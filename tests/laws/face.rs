@@ -3,7 +3,7 @@
 use std::{f64::consts::PI, sync::Arc};
 
 use virote_kernel::{
-    CircleForm, Face, FaceError, Frame, GeomError, NurbsCurve, NurbsSurface, RegionSide,
+    CircleForm, Cutter, Face, FaceError, Frame, GeomError, NurbsCurve, NurbsSurface, RegionSide,
     TessellationOptions, Tolerance, glam::DVec3,
 };
 
@@ -28,8 +28,13 @@ fn rectangle(u: [f64; 2], v: [f64; 2]) -> NurbsCurve {
 
 #[track_caller]
 fn check_area(face: &Face, area: f64) {
-    let found = face.mass().expect("a face has an area").amount;
-    assert!((found / area - 1.0).abs() < 1e-12, "{found} for {area}");
+    check_area_within(face, area, 1e-12);
+}
+
+#[track_caller]
+fn check_area_within(face: &Face, area: f64, relative: f64) {
+    let found = face.mass().unwrap().amount;
+    assert!((found / area - 1.0).abs() < relative, "{found} for {area}");
 }
 
 #[test]
@@ -114,4 +119,114 @@ fn places_are_inside_on_the_border_or_outside_also_at_seams() {
     assert_eq!(side(u.start(), v.at(0.5)), RegionSide::Inside);
     assert_eq!(side(u.end(), v.at(0.3)), RegionSide::Inside);
     assert_eq!(side(u.end() + 1.0, v.at(0.3)), RegionSide::Outside);
+}
+
+fn whole(surface: NurbsSurface) -> Face {
+    Face::whole(Arc::new(surface), TOLERANCE).unwrap()
+}
+
+fn areas(parts: &[Face]) -> Vec<f64> {
+    let mut areas: Vec<f64> = parts.iter().map(|part| part.mass().unwrap().amount).collect();
+    areas.sort_by(f64::total_cmp);
+    areas
+}
+
+#[test]
+fn a_plane_divides_a_sphere_as_archimedes_says_however_it_lies() {
+    let directions = [DVec3::Z, DVec3::X, DVec3::new(1.0, 2.0, -0.5), DVec3::new(0.3, -0.1, 1.0)];
+    for normal in directions {
+        for height in [0.0, 0.3, -1.2] {
+            let origin = normal.normalize() * height;
+            let plane = Frame::from_normal(origin, normal, None).unwrap();
+            let sphere = whole(NurbsSurface::sphere(Frame::XY, 2.0).unwrap());
+            let parts = sphere.split(&[Cutter::Plane(plane)], TOLERANCE).unwrap();
+            let small = 4.0 * PI * (2.0 - f64::abs(height));
+            let found = areas(&parts);
+            assert_eq!(found.len(), 2, "{normal} {height}");
+            let errors = [found[0] - small, found[1] - (16.0 * PI - small)];
+            assert!(errors.iter().all(|error| error.abs() < 1e-9), "{normal} {height}: {errors:?}");
+        }
+    }
+}
+
+#[test]
+fn a_cylinder_cut_by_another_leaves_the_caps_of_steinmetz() {
+    // Of a cylinder of radius 1 another one of the same radius across it holds two pieces of area 4;
+    // outside of it lies what its own ends leave.
+    let cylinder = |frame: Frame| {
+        let circle =
+            NurbsCurve::ellipse(frame.at(frame.z() * -2.0), [1.0; 2], CircleForm::NinePoint);
+        NurbsSurface::extruded(&circle.unwrap(), frame.z() * 4.0).unwrap()
+    };
+    let other = Arc::new(cylinder(Frame::YZ));
+    let parts = whole(cylinder(Frame::XY)).split(&[Cutter::Surface(other)], TOLERANCE).unwrap();
+    let found = areas(&parts);
+    assert_eq!(found.len(), 4, "{found:?}");
+    // Within the other cylinder lies the area 8, in two pieces.
+    let whole = 8.0 * PI;
+    assert!((found.iter().sum::<f64>() - whole).abs() < 1e-9);
+    assert!((found[0] - 4.0).abs() < 1e-9 && (found[1] - 4.0).abs() < 1e-9, "{found:?}");
+}
+
+#[test]
+fn a_part_is_told_by_a_point_and_a_side_of_a_plane_by_its_normal() {
+    let plane = Frame::XY.at(DVec3::Z * 0.5);
+    let sphere = whole(NurbsSurface::sphere(Frame::XY, 1.0).unwrap());
+    let cap = sphere.part_at(&[Cutter::Plane(plane)], DVec3::Z, TOLERANCE).unwrap();
+    check_area(&cap, PI);
+    let above = sphere.beside_plane(plane, true, TOLERANCE).unwrap();
+    assert_eq!(areas(&above).len(), 1);
+    assert!((areas(&above)[0] - PI).abs() < 1e-11);
+    let refused = |point: DVec3| match sphere.part_at(&[Cutter::Plane(plane)], point, TOLERANCE) {
+        Err(GeomError::Face(error)) => error,
+        other => panic!("{other:?}"),
+    };
+    assert!(matches!(refused(DVec3::Z * 2.0), FaceError::NoPartAt { .. }));
+    assert!(matches!(refused(DVec3::new(0.75_f64.sqrt(), 0.0, 0.5)), FaceError::OnCut { .. }));
+}
+
+#[test]
+fn cutters_that_divide_nothing_are_refused_with_the_place() {
+    let square = Face::whole(square(4.0), TOLERANCE).unwrap();
+    let split = |cutter: Cutter| match square.split(&[cutter], TOLERANCE) {
+        Err(GeomError::Face(error)) => error,
+        other => panic!("{other:?}"),
+    };
+    let line = |a: [f64; 2], b: [f64; 2]| {
+        let at = |[x, y]: [f64; 2]| DVec3::new(x, y, 0.0);
+        Cutter::Curve(NurbsCurve::line(at(a), at(b)).unwrap())
+    };
+    assert!(matches!(split(line([1.0, 1.0], [3.0, 1.0])), FaceError::EndsInside { .. }));
+    let plane = |height: f64| Cutter::Plane(Frame::XY.at(DVec3::Z * height));
+    assert!(matches!(split(plane(1.0)), FaceError::Misses { index: 0 }));
+    let lifted = NurbsCurve::line(DVec3::new(0.0, 1.0, 0.1), DVec3::new(4.0, 1.0, 0.1)).unwrap();
+    assert!(matches!(split(Cutter::Curve(lifted)), FaceError::OffSurface { .. }));
+    // Over the border and past one another they divide.
+    let both = [line([0.0, 1.0], [4.0, 1.0]), line([1.0, 0.0], [1.0, 4.0])];
+    let parts = square.split(&both, TOLERANCE).unwrap();
+    let found = areas(&parts);
+    assert_eq!(found.len(), 4);
+    assert!(found.iter().zip([1.0, 3.0, 3.0, 9.0]).all(|(a, b)| (a - b).abs() < 1e-12));
+}
+
+#[test]
+fn a_loop_in_space_goes_over_seams() {
+    // The circle about the x axis on a sphere whose seam runs through x.
+    let sphere = Arc::new(NurbsSurface::sphere(Frame::XY, 1.0).unwrap());
+    for axis in [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::Z, DVec3::new(1.0, 0.1, 0.3)] {
+        let axis = axis.normalize();
+        let frame = Frame::from_normal(axis * 0.8, axis, None).unwrap();
+        let circle = NurbsCurve::ellipse(frame, [0.6; 2], CircleForm::NinePoint).unwrap();
+        let cap =
+            Face::bounded(Arc::clone(&sphere), std::slice::from_ref(&circle), TOLERANCE).unwrap();
+        check_area_within(&cap, 0.4 * PI, 1e-10);
+        let rest = Face::bounded(Arc::clone(&sphere), &[circle.reversed()], TOLERANCE).unwrap();
+        check_area_within(&rest, 3.6 * PI, 1e-10);
+        for face in [cap, rest] {
+            let mesh = face.mesh(&TessellationOptions::within(1e-3), 100_000).unwrap();
+            let check = mesh.check(TOLERANCE);
+            assert!(check.is_manifold && check.is_oriented && check.boundaries == 1, "{check:?}");
+            assert_eq!(check.euler, 1);
+        }
+    }
 }

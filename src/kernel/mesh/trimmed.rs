@@ -21,7 +21,7 @@ use super::{
 use crate::{
     CountError, Direction, GeomError, NurbsCurve, NurbsSurface, Side, bezier,
     ceiling::PARAMETER_HALVINGS,
-    tolerance::{LEG_SHARE, VANISHING_RELATIVE},
+    tolerance::{LEG_SHARE, PARAMETER_RELATIVE, VANISHING_RELATIVE},
 };
 
 /// How many cells a corner of the grid keeps away from the border at least.
@@ -99,12 +99,14 @@ impl Trimmed<'_> {
             }
             stops.push(places);
         }
-        for places in shared.values_mut() {
+        // Arcs that meet there from both sides end within rounding of one another.
+        let slack = self.sheet.domains().map(|domain| PARAMETER_RELATIVE * domain.length());
+        for (line, places) in &mut shared {
             places.sort_by(f64::total_cmp);
-            places.dedup();
+            places.dedup_by(|a, b| *a - *b <= slack[1 - line.0]);
         }
         let mut polygons = arcs().zip(&stops).map(|(arc, stops)| match self.shared_line(arc) {
-            Some(line) => between(arc, 1 - line.0, &shared[&line]),
+            Some(line) => between(arc, 1 - line.0, &shared[&line], slack[1 - line.0]),
             None => stops[..stops.len() - 1].iter().map(|&t| at(arc, t)).collect(),
         });
         let mut mesh = Mesh::default();
@@ -249,10 +251,11 @@ fn at(arc: &NurbsCurve, t: f64) -> DVec2 {
 }
 
 /// The places on a line along which an arc runs, from its start up to before its end.
-fn between(arc: &NurbsCurve, along: usize, places: &[f64]) -> Vec<DVec2> {
+fn between(arc: &NurbsCurve, along: usize, places: &[f64], slack: f64) -> Vec<DVec2> {
     let (start, end) = (arc.start().truncate(), arc.end().truncate());
     let (from, to) = (start[along], end[along]);
-    let inner = places.iter().copied().filter(|&t| from.min(to) < t && t < from.max(to));
+    let (low, high) = (from.min(to) + slack, from.max(to) - slack);
+    let inner = places.iter().copied().filter(|&t| low < t && t < high);
     let mut inner: Vec<f64> = inner.collect();
     if to < from {
         inner.reverse();

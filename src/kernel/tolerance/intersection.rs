@@ -117,3 +117,18 @@ pub(crate) const LEAST_CROSSING_SINE: f64 = 1e-7;
 ///
 /// Larger misses how they turn; smaller divides by what rounding leaves.
 pub(crate) const BESIDE_POLE: f64 = 1e-5;
+
+/// A step in a plane of parameters of this part of its size may be a jump over a seam or through a pole.
+///
+/// Larger takes a jump for a bend; smaller bisects where a curve only runs fast.
+pub(crate) const JUMP_SHARE: f64 = 0.05;
+
+/// Part of its size that arcs in a plane of parameters may be away from what they are solved for.
+///
+/// Larger gives areas of cut faces fewer digits; smaller halves pieces that rounding keeps apart.
+pub(crate) const PULL_RELATIVE: f64 = 1e-13;
+
+/// The same as a part of the tolerance, at most.
+///
+/// Larger lets arcs use up the tolerance; smaller takes more pieces of what is tiny.
+pub(crate) const PULL_SHARE: f64 = 1e-3;

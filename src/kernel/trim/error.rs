@@ -34,6 +34,9 @@ pub enum FaceError {
         plain(domains[0].start()), plain(domains[0].end()), plain(domains[1].start()), plain(domains[1].end())
     )]
     OffDomain { index: usize, u: [f64; 2], v: [f64; 2], domains: [Interval; 2] },
+    /// A curve away from the surface that it should lie on.
+    #[error("{what} is {} from the surface at {}", few_digits(*distance), place(*point))]
+    OffSurface { what: &'static str, index: usize, point: DVec3, distance: f64 },
     /// Loops of which one has to its left what another has to its right.
     #[error("at {} the loops contradict one another: each has the face to its left", place(*point))]
     BothSides { point: DVec3 },
@@ -46,4 +49,16 @@ pub enum FaceError {
     /// Nothing to the left of all loops.
     #[error("the loops leave nothing of the surface")]
     Nothing,
+    /// A cutter that does not reach the face.
+    #[error("cutter [{index}] does not meet the face")]
+    Misses { index: usize },
+    /// A cutter that lies along the face in an area.
+    #[error("cutter [{index}] runs along the surface near {}", place(*point))]
+    RunsAlong { index: usize, point: DVec3 },
+    /// A place that tells no part.
+    #[error("{} is {} from the face: it tells no part of it", place(*point), few_digits(*distance))]
+    NoPartAt { point: DVec3, distance: f64 },
+    /// A place on a cut.
+    #[error("{} lies on a cut: it tells no part of the face", place(*point))]
+    OnCut { point: DVec3 },
 }

@@ -3,9 +3,10 @@
 //! A [`Face`] is a surface with the parts of its parameters that belong to it. These are regions of a
 //! `plane` of parameters that is stretched so that its lengths are no shorter than those on the surface:
 //! what is within the tolerance there is within it in space, and all that cuts faces is the arrangement
-//! of plane arcs that regions are made by. `face` has the type, `loops` faces within loops, `measure`
-//! integrals over faces, `mesh` their triangles. `edge` has the curves on two surfaces at once, by places in
-//! space and by the parameters of both.
+//! of plane arcs that regions are made by. `face` has the type, `loops` faces within loops of parameters,
+//! `split` those within loops in space and the parts into which cutters divide a face, by the arcs that
+//! `pull` makes of curves and by `division`, `measure` integrals over faces, `mesh` their triangles. `edge`
+//! has the curves on two surfaces at once, by places in space and by the parameters of both.
 
 mod division;
 mod edge;
@@ -15,7 +16,10 @@ mod loops;
 mod measure;
 mod mesh;
 mod plane;
+mod pull;
+mod split;
 
 pub use edge::{CurveEnd, SurfaceCurve, SurfaceCurveKind};
 pub use error::FaceError;
 pub use face::{Face, FacePart};
+pub use split::Cutter;

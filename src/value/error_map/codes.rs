@@ -57,6 +57,11 @@ const fn of_face(error: &FaceError) -> Code {
         | FaceError::BothSides { .. }
         | FaceError::EndsInside { .. }
         | FaceError::Apart { .. }
+        | FaceError::OffSurface { .. }
+        | FaceError::Misses { .. }
+        | FaceError::RunsAlong { .. }
+        | FaceError::NoPartAt { .. }
+        | FaceError::OnCut { .. }
         | FaceError::Nothing => Code::Degenerate,
     }
 }

@@ -345,6 +345,15 @@ fn of_face(error: &FaceError) -> String {
         }
         FaceError::EndsInside { .. } => "let it go on to the border or to another curve",
         FaceError::Apart { .. } => "make a face of each",
+        FaceError::OffSurface { .. } => {
+            "curves on a surface lie on it within the document's `tolerance`"
+        }
+        FaceError::Misses { .. } => "leave it out, or move it to where the face is",
+        FaceError::RunsAlong { .. } => {
+            "a cutter crosses the face; give the curves that bound the part"
+        }
+        FaceError::NoPartAt { .. } => "give a point on the face, beside the cuts",
+        FaceError::OnCut { .. } => "give a point beside the cuts",
         FaceError::Nothing => "a loop that runs the other way leaves what is on its other side",
     };
     hint.to_owned()

@@ -1,0 +1,268 @@
+//! Curves on a surface as curves of its parameters.
+//!
+//! Where a curve runs over a seam or through a pole its parameters jump: there it is cut. Between jumps a
+//! polynomial of degree 7 goes through places that were solved for at Chebyshev's points, and a piece is
+//! halved until it agrees with the solution between them: far beyond the tolerance, so that areas are
+//! those of the true curve. Trefethen, *Approximation Theory and Approximation Practice*, ch. 2 and 8.
+
+use std::f64::consts::PI;
+
+use glam::DVec3;
+
+use super::{FaceError, plane::ParameterPlane};
+use crate::{
+    FitError, GeomError, Interval, NurbsCurve,
+    ceiling::{BISECTIONS, PARAMETER_HALVINGS},
+    curve::join,
+    frame::norm,
+    lagrange,
+    tolerance::{JUMP_SHARE, LAST_BIT, PARAMETER_RELATIVE, PULL_RELATIVE, PULL_SHARE},
+};
+
+/// The degree of pieces.
+const DEGREE: usize = 7;
+
+/// Even parts of each span of a curve between which jumps are looked for.
+const PARTS: usize = 8;
+
+/// Steps of Newton's method onto a second surface.
+const STEPS: usize = 12;
+
+/// Where a piece is compared between the points that it goes through.
+const COMPARED: [f64; 4] = [0.1, 0.3, 0.65, 0.93];
+
+/// How far from a second surface a point is, signed, and the direction that leads away from it.
+pub(super) type Height<'a> = dyn Fn(DVec3) -> (f64, DVec3) + 'a;
+
+/// A curve that is followed on a surface.
+struct PulledCurve<'a> {
+    plane: &'a ParameterPlane,
+    curve: &'a NurbsCurve,
+    height: Option<&'a Height<'a>>,
+    what: &'static str,
+    index: usize,
+    tolerance: f64,
+    /// How near pieces come to what is solved for.
+    accuracy: f64,
+}
+
+/// The arcs in the plane of parameters along a curve that lies on the surface within the tolerance, of the
+/// number that is named in errors. With a height the arcs are those where it vanishes, beside the curve.
+///
+/// # Errors
+/// [`FaceError::OffSurface`]; `FitError::NoSplineNear`; those of [`NurbsCurve::smooth_parts`].
+pub(super) fn arcs_on_surface(
+    plane: &ParameterPlane,
+    curve: &NurbsCurve,
+    height: Option<&Height<'_>>,
+    (what, index): (&'static str, usize),
+    [tolerance, angle]: [f64; 2],
+) -> Result<Vec<NurbsCurve>, GeomError> {
+    let size = plane.bounds().diagonal();
+    let accuracy = (PULL_RELATIVE * size).max(64.0 * LAST_BIT * size).min(PULL_SHARE * tolerance);
+    let mut arcs = Vec::new();
+    for part in curve.smooth_parts(angle)? {
+        let pulled = PulledCurve { plane, curve: &part, height, what, index, tolerance, accuracy };
+        for section in pulled.sections()? {
+            arcs.push(pulled.fitted(section)?);
+        }
+    }
+    Ok(arcs)
+}
+
+/// A stretch between jumps: its ends with their places in the plane.
+type Section = [(f64, DVec3); 2];
+
+impl PulledCurve<'_> {
+    /// The place in the plane of the nearest point of the surface.
+    fn foot(&self, t: f64) -> Result<DVec3, GeomError> {
+        GeomError::go_on(1)?;
+        let point = self.curve.point_at(t);
+        let foot = self.plane.surface.closest(point);
+        if self.tolerance < foot.distance {
+            let (what, index, distance) = (self.what, self.index, foot.distance);
+            return Err(FaceError::OffSurface { what, index, point, distance }.into());
+        }
+        Ok(self.plane.place(foot.parameters))
+    }
+
+    /// The place at a parameter, on the side of the plane where `near` is.
+    fn place(&self, t: f64, near: DVec3) -> Result<DVec3, GeomError> {
+        let mut place = self.foot(t)?;
+        let bounds = self.plane.bounds();
+        for i in 0..2 {
+            let (low, high) = (bounds.min[i], bounds.max[i]);
+            // The foot of what is on a seam may be at either end; what is beside it is not.
+            let slack = self.accuracy;
+            let other = if place[i] - low <= slack {
+                high
+            } else if high - place[i] <= slack {
+                low
+            } else {
+                continue;
+            };
+            if self.plane.is_closed[i] && 0.5 * (high - low) < (place[i] - near[i]).abs() {
+                place[i] = other;
+            }
+        }
+        let mut place = self.improved(t, place);
+        // At a pole any parameter along it is as good as another: that of what is beside it is taken.
+        let point = self.plane.point(place);
+        for i in 0..2 {
+            let mut other = place;
+            other[i] = near[i];
+            if norm(self.plane.point(other) - point) <= self.accuracy {
+                place = other;
+            }
+        }
+        Ok(place)
+    }
+
+    /// Newton's method from a place to where the height vanishes, across the curve.
+    fn improved(&self, t: f64, start: DVec3) -> DVec3 {
+        let Some(height) = self.height else { return start };
+        let derivatives = self.curve.derivatives_at(t, 1);
+        let (center, along) = (derivatives[0], derivatives[1]);
+        let mut place = start;
+        for _ in 0..STEPS {
+            let [u, v] = self.plane.parameters(place);
+            let [point, along_u, along_v] = self.plane.surface.tangents_at(u, v);
+            let (value, away) = height(point);
+            let ahead = (point - center).dot(along);
+            let rows =
+                [[away.dot(along_u), away.dot(along_v)], [along.dot(along_u), along.dot(along_v)]];
+            let determinant = rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0];
+            let du = (value * rows[1][1] - ahead * rows[0][1]) / determinant;
+            let dv = (ahead * rows[0][0] - value * rows[1][0]) / determinant;
+            let next = self.plane.place([u - du, v - dv]);
+            let next = next.clamp(self.plane.bounds().min, self.plane.bounds().max);
+            if !next.is_finite() || 4.0 * self.tolerance < norm(next - start) {
+                return start;
+            }
+            let step = norm(next - place);
+            place = next;
+            if step <= 4.0 * LAST_BIT * self.plane.bounds().diagonal() {
+                break;
+            }
+        }
+        place
+    }
+
+    /// The stretches between jumps of the parameters.
+    fn sections(&self) -> Result<Vec<Section>, GeomError> {
+        let spans = self.curve.knots().spans();
+        let steps = spans.flat_map(|span| self.curve.knots().span_interval(span).steps(PARTS));
+        let mut ts: Vec<f64> = steps.collect();
+        ts.dedup();
+        let long = JUMP_SHARE * self.plane.bounds().diagonal();
+        let least = PARAMETER_RELATIVE * self.curve.domain().length();
+        // An end on a seam goes with what is beside it.
+        let inner = self.foot(self.curve.domain().at(0.5 / PARTS as f64))?;
+        let mut start = (ts[0], self.place(ts[0], inner)?);
+        let mut before = start;
+        let mut sections = Vec::new();
+        for &t in &ts[1..] {
+            let mut here = (t, self.place(t, before.1)?);
+            if norm(here.1 - before.1) <= long {
+                before = here;
+                continue;
+            }
+            let (mut low, mut high) = (before, (t, self.foot(t)?));
+            for _ in 0..BISECTIONS {
+                let rounding = 2.0 * LAST_BIT * high.0.abs().max(low.0.abs());
+                if norm(high.1 - low.1) <= long || high.0 - low.0 <= rounding {
+                    break;
+                }
+                let middle = 0.5 * (low.0 + high.0);
+                let place = self.place(middle, low.1)?;
+                if norm(place - low.1) < norm(place - high.1) {
+                    low = (middle, place);
+                } else {
+                    high = (middle, place);
+                }
+            }
+            if long < norm(high.1 - low.1) {
+                sections.push([start, (low.0, self.at_border(low.1))]);
+                start = (high.0, self.at_border(high.1));
+                here = (t, self.place(t, high.1)?);
+            }
+            before = here;
+        }
+        sections.push([start, before]);
+        let is_long = |section: &Section| least < section[1].0 - section[0].0;
+        sections.retain(is_long);
+        Ok(sections)
+    }
+
+    /// The place on the border of the domain, where it is within the tolerance of that.
+    fn at_border(&self, mut place: DVec3) -> DVec3 {
+        let bounds = self.plane.bounds();
+        for i in 0..2 {
+            for end in [bounds.min[i], bounds.max[i]] {
+                if (place[i] - end).abs() <= self.tolerance {
+                    place[i] = end;
+                }
+            }
+        }
+        place
+    }
+
+    /// The arc along a stretch.
+    fn fitted(&self, [start, end]: Section) -> Result<NurbsCurve, GeomError> {
+        let whole = Interval::new(start.0, end.0)?;
+        let mut pieces = Vec::new();
+        let mut todo = vec![(whole, start.1, end.1, 0)];
+        while let Some((interval, first, last, n_halvings)) = todo.pop() {
+            GeomError::go_on(1)?;
+            let piece = self.piece(interval, first, last)?;
+            let is_near = |&fraction: &f64| -> Result<bool, GeomError> {
+                let t = interval.at(fraction);
+                let fitted = piece.point_at(t);
+                let apart = self.plane.point(self.place(t, fitted)?) - self.plane.point(fitted);
+                Ok(norm(apart) <= self.accuracy)
+            };
+            let mut fits = true;
+            for fraction in &COMPARED {
+                fits = fits && is_near(fraction)?;
+            }
+            if fits || piece.degree() == 1 {
+                pieces.push(piece);
+            } else if PARAMETER_HALVINGS <= n_halvings {
+                let (tolerance, parameter) = (self.tolerance, interval.at(0.5));
+                return Err(FitError::NoSplineNear { tolerance, parameter }.into());
+            } else {
+                let [before, behind] = interval.halves();
+                let middle = self.place(before.end(), first.lerp(last, 0.5))?;
+                todo.push((behind, middle, last, n_halvings + 1));
+                todo.push((before, first, middle, n_halvings + 1));
+            }
+        }
+        match &pieces[..] {
+            [piece] => Ok(piece.clone()),
+            _ => join(&pieces, f64::INFINITY),
+        }
+    }
+
+    fn piece(
+        &self,
+        interval: Interval,
+        first: DVec3,
+        last: DVec3,
+    ) -> Result<NurbsCurve, GeomError> {
+        // Beside a jump the last digits of a parameter tell where it is.
+        if interval.length() <= PARAMETER_RELATIVE * self.curve.domain().length() {
+            return lagrange(&[first, last], &[interval.start(), interval.end()]);
+        }
+        let mut ts = vec![interval.start()];
+        let mut places = vec![first];
+        for i in 1..DEGREE {
+            let fraction = 0.5 * (1.0 - libm::cos(PI * i as f64 / DEGREE as f64));
+            let t = interval.at(fraction);
+            ts.push(t);
+            places.push(self.place(t, first.lerp(last, fraction))?);
+        }
+        ts.push(interval.end());
+        places.push(last);
+        lagrange(&places, &ts)
+    }
+}

@@ -1,0 +1,217 @@
+//! Faces divided by curves on them, planes and surfaces.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{
+    Face, FaceError,
+    division::Division,
+    loops::place_of,
+    pull::{Height, arcs_on_surface},
+};
+use crate::{
+    Frame, GeomError, IntersectionError, NurbsCurve, NurbsSurface, PictureError, Region,
+    RegionSide, Surface, Tolerance,
+};
+
+/// What divides a face.
+///
+/// ```
+/// use std::sync::Arc;
+/// use virote_kernel::{Cutter, Face, Frame, NurbsSurface, Tolerance, glam::DVec3};
+///
+/// let sphere = Face::whole(Arc::new(NurbsSurface::sphere(Frame::XY, 1.0)?), Tolerance::DEFAULT)?;
+/// let plane = Cutter::Plane(Frame::XY.at(DVec3::Z * 0.5));
+/// let parts = sphere.split(&[plane], Tolerance::DEFAULT)?;
+/// let areas: Vec<f64> = parts.iter().map(|part| part.mass().map_or(0.0, |mass| mass.amount)).collect();
+/// assert!(areas.iter().any(|area| (area - std::f64::consts::PI).abs() < 1e-10));
+/// assert!(areas.iter().any(|area| (area - 3.0 * std::f64::consts::PI).abs() < 1e-10));
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub enum Cutter {
+    /// A curve on the face, within the tolerance.
+    Curve(NurbsCurve),
+    /// A plane.
+    Plane(Frame),
+    /// A surface.
+    Surface(Arc<NurbsSurface>),
+}
+
+impl Face {
+    /// The part of a surface to the left of closed curves on it, which may run over seams.
+    ///
+    /// # Errors
+    /// [`FaceError::OffSurface`] beyond the tolerance, and those of [`Self::within`].
+    pub fn bounded(
+        surface: Arc<NurbsSurface>,
+        loops: &[NurbsCurve],
+        tolerance: Tolerance,
+    ) -> Result<Self, GeomError> {
+        let whole = Self::whole(surface, tolerance)?;
+        let distance = whole.distance(tolerance);
+        let mut arcs = Vec::new();
+        for (index, curve) in loops.iter().enumerate() {
+            let gap = curve.start().distance(curve.end());
+            if distance < gap {
+                return Err(FaceError::Open { index, gap }.into());
+            }
+            let limits = [distance, tolerance.angle];
+            arcs.extend(arcs_on_surface(&whole.plane, curve, None, ("loop", index), limits)?);
+        }
+        whole.to_the_left(&arcs, distance)
+    }
+
+    /// All parts into which cutters divide the face, in an order that depends on the face alone.
+    ///
+    /// # Errors
+    /// [`FaceError::Misses`] of a cutter that does not meet the face, [`FaceError::EndsInside`] of one
+    /// that divides nothing, [`FaceError::RunsAlong`] of one that shares an area with it,
+    /// [`FaceError::OffSurface`] of a curve beside it; those of `Surface::intersections`.
+    pub fn split(&self, cutters: &[Cutter], tolerance: Tolerance) -> Result<Vec<Self>, GeomError> {
+        let division = self.divided(cutters, tolerance)?;
+        let parts = division.all().into_iter();
+        Ok(parts.map(|parts| Self { parts, ..self.clone() }).collect())
+    }
+
+    /// The part beside a point, of those into which cutters divide the face.
+    ///
+    /// # Errors
+    /// [`FaceError::NoPartAt`] for a point away from the face, [`FaceError::OnCut`] for one on a cut;
+    /// those of [`Self::split`].
+    pub fn part_at(
+        &self,
+        cutters: &[Cutter],
+        point: DVec3,
+        tolerance: Tolerance,
+    ) -> Result<Self, GeomError> {
+        let distance = self.distance(tolerance);
+        let foot = self.plane.surface.closest(point);
+        if distance < foot.distance {
+            return Err(FaceError::NoPartAt { point, distance: foot.distance }.into());
+        }
+        let parts = self.split(cutters, tolerance)?;
+        let side = |part: &Self| part.side_of_parameters(foot.parameters, distance);
+        if let Some(part) = parts.iter().find(|part| side(part) == RegionSide::Inside) {
+            return Ok(part.clone());
+        }
+        let beside: Vec<&Self> =
+            parts.iter().filter(|part| side(part) == RegionSide::Border).collect();
+        match beside[..] {
+            [] => Err(FaceError::NoPartAt { point, distance: foot.distance }.into()),
+            // On the face's own border, or at a pole.
+            [part] => Ok(part.clone()),
+            _ => Err(FaceError::OnCut { point }.into()),
+        }
+    }
+
+    /// The parts on the side of a plane to which its normal points, or on the other one.
+    ///
+    /// # Errors
+    /// Those of [`Self::split`] but for a plane that misses the face.
+    pub fn beside_plane(
+        &self,
+        plane: Frame,
+        is_above: bool,
+        tolerance: Tolerance,
+    ) -> Result<Vec<Self>, GeomError> {
+        let parts = match self.split(&[Cutter::Plane(plane)], tolerance) {
+            Err(GeomError::Face(FaceError::Misses { .. })) => vec![self.clone()],
+            found => found?,
+        };
+        let height = |part: &Self| {
+            let points = part.parts.iter().flat_map(Region::arcs).flatten().flat_map(|arc| {
+                arc.domain().steps(HEIGHT_STEPS).into_iter().map(|t| arc.point_at(t))
+            });
+            let heights =
+                points.map(|place| (self.plane.point(place) - plane.origin()).dot(plane.z()));
+            // The whole part is on one side: the border's farthest place tells which.
+            heights
+                .fold(0.0_f64, |most, height| if most.abs() < height.abs() { height } else { most })
+        };
+        Ok(parts.into_iter().filter(|part| (0.0 < height(part)) == is_above).collect())
+    }
+
+    pub(super) fn distance(&self, tolerance: Tolerance) -> f64 {
+        tolerance.distance_for(self.plane.surface.bounds().diagonal())
+    }
+
+    fn divided(&self, cutters: &[Cutter], tolerance: Tolerance) -> Result<Division, GeomError> {
+        let distance = self.distance(tolerance);
+        let (mut arcs, mut cutter_of) = (Vec::new(), Vec::new());
+        for (index, cutter) in cutters.iter().enumerate() {
+            let found = self.arcs_of(cutter, index, tolerance)?;
+            if found.is_empty() {
+                return Err(FaceError::Misses { index }.into());
+            }
+            cutter_of.resize(cutter_of.len() + found.len(), index);
+            arcs.extend(found);
+        }
+        let division = Division::of(self, &arcs, distance, 1).map_err(self.in_space())?;
+        for index in 0..cutters.len() {
+            let own = |&&(arc, _): &&(usize, DVec3)| cutter_of[arc] == index;
+            let n_arcs = cutter_of.iter().filter(|&&of| of == index).count();
+            if division.loose.iter().filter(own).count() == n_arcs
+                && let Some(&(_, end)) = division.loose.iter().find(own)
+            {
+                return Err(FaceError::EndsInside { point: self.plane.point(end) }.into());
+            }
+        }
+        Ok(division)
+    }
+
+    /// The arcs of a cutter in the plane of parameters, over the whole surface.
+    fn arcs_of(
+        &self,
+        cutter: &Cutter,
+        index: usize,
+        tolerance: Tolerance,
+    ) -> Result<Vec<NurbsCurve>, GeomError> {
+        let surface = Surface::Nurbs(Arc::clone(&self.plane.surface));
+        let limits = [self.distance(tolerance), tolerance.angle];
+        let runs_along = |error| match error {
+            GeomError::Picture(PictureError::SurfacesRunTogether { point }) => {
+                FaceError::RunsAlong { index, point }.into()
+            }
+            GeomError::Intersection(IntersectionError::RunTogether { .. }) => {
+                FaceError::RunsAlong { index, point: self.plane.point(place_of(&self.parts)) }
+                    .into()
+            }
+            other => other,
+        };
+        let pulled = |curves: &[NurbsCurve], height: Option<&Height<'_>>| {
+            let mut arcs = Vec::new();
+            for curve in curves {
+                let what = ("cutter", index);
+                arcs.extend(arcs_on_surface(&self.plane, curve, height, what, limits)?);
+            }
+            Ok(arcs)
+        };
+        match cutter {
+            Cutter::Curve(curve) => pulled(std::slice::from_ref(curve), None),
+            Cutter::Plane(plane) => {
+                let found = surface.section(*plane, tolerance).map_err(runs_along)?;
+                let height = |p: DVec3| ((p - plane.origin()).dot(plane.z()), plane.z());
+                pulled(&found.curves, Some(&height))
+            }
+            Cutter::Surface(other) => {
+                let found = surface
+                    .intersections(&Surface::Nurbs(Arc::clone(other)), tolerance)
+                    .map_err(runs_along)?;
+                let height = |p: DVec3| {
+                    let foot = other.closest(p);
+                    let [u, v] = foot.parameters;
+                    // Without a normal there is no height, and the place stays as it was found.
+                    other.normal_at(u, v).map_or((f64::NAN, DVec3::ZERO), |normal| {
+                        ((p - foot.point).dot(normal), normal)
+                    })
+                };
+                pulled(&found.curves, Some(&height))
+            }
+        }
+    }
+}
+
+/// Even parts of each arc at whose ends it is told on which side of a plane a part is.
+const HEIGHT_STEPS: usize = 8;
