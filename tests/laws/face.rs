@@ -145,6 +145,12 @@ fn a_plane_divides_a_sphere_as_archimedes_says_however_it_lies() {
             assert_eq!(found.len(), 2, "{normal} {height}");
             let errors = [found[0] - small, found[1] - (16.0 * PI - small)];
             assert!(errors.iter().all(|error| error.abs() < 1e-9), "{normal} {height}: {errors:?}");
+            let above = areas(&sphere.beside_plane(plane, true, TOLERANCE).unwrap());
+            let cap = 4.0 * PI * (2.0 - height);
+            assert!(
+                above.len() == 1 && (above[0] - cap).abs() < 1e-9,
+                "{normal} {height}: {above:?}"
+            );
         }
     }
 }

@@ -59,7 +59,7 @@ impl Division {
                 Some(if is_left { left } else { right })
             });
             let Some(around) = around else {
-                let point = cell.region.frame().point(DVec3::ZERO);
+                let point = super::loops::place_of(std::slice::from_ref(&cell.region));
                 return Err(crate::RegionError::Unclear { point }.into());
             };
             if around.iter().any(|&(group, winding)| group == BORDER && winding != 0) {

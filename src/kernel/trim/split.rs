@@ -12,7 +12,7 @@ use super::{
 };
 use crate::{
     Frame, GeomError, IntersectionError, NurbsCurve, NurbsSurface, PictureError, Region,
-    RegionSide, Surface, Tolerance,
+    RegionSide, Surface, Tolerance, tolerance::DEFAULT_CHORD_RELATIVE,
 };
 
 /// What divides a face.
@@ -120,17 +120,30 @@ impl Face {
             Err(GeomError::Face(FaceError::Misses { .. })) => vec![self.clone()],
             found => found?,
         };
-        let height = |part: &Self| {
-            let points = part.parts.iter().flat_map(Region::arcs).flatten().flat_map(|arc| {
-                arc.domain().steps(HEIGHT_STEPS).into_iter().map(|t| arc.point_at(t))
-            });
-            let heights =
-                points.map(|place| (self.plane.point(place) - plane.origin()).dot(plane.z()));
-            // The whole part is on one side: the border's farthest place tells which.
-            heights
-                .fold(0.0_f64, |most, height| if most.abs() < height.abs() { height } else { most })
-        };
-        Ok(parts.into_iter().filter(|part| (0.0 < height(part)) == is_above).collect())
+        let mut kept = Vec::new();
+        for part in parts {
+            if (0.0 < part.height_above(plane, self.distance(tolerance))?) == is_above {
+                kept.push(part);
+            }
+        }
+        Ok(kept)
+    }
+
+    /// The farthest height over a plane of places inside, of a face that is on one side of it: its border may
+    /// lie in the plane.
+    fn height_above(&self, plane: Frame, distance: f64) -> Result<f64, GeomError> {
+        let mut farthest = 0.0_f64;
+        for part in &self.parts {
+            let chord = DEFAULT_CHORD_RELATIVE * part.bounds().diagonal();
+            for [a, b, c] in part.mesh(chord, distance, u32::MAX as usize)?.corners() {
+                let point = self.plane.point((a + b + c) / 3.0);
+                let height = (point - plane.origin()).dot(plane.z());
+                if farthest.abs() < height.abs() {
+                    farthest = height;
+                }
+            }
+        }
+        Ok(farthest)
     }
 
     pub(super) fn distance(&self, tolerance: Tolerance) -> f64 {
@@ -212,6 +225,3 @@ impl Face {
         }
     }
 }
-
-/// Even parts of each arc at whose ends it is told on which side of a plane a part is.
-const HEIGHT_STEPS: usize = 8;
