@@ -11,8 +11,8 @@ use super::{
     pull::{Height, arcs_on_surface},
 };
 use crate::{
-    Frame, GeomError, IntersectionError, NurbsCurve, NurbsSurface, PictureError, Region,
-    RegionSide, Surface, Tolerance, tolerance::DEFAULT_CHORD_RELATIVE,
+    Frame, GeomError, IntersectionError, NurbsCurve, NurbsSurface, PictureError, RegionSide,
+    Surface, Tolerance, tolerance::DEFAULT_CHORD_RELATIVE,
 };
 
 /// What divides a face.
