@@ -25,6 +25,7 @@ from typing import Any
 
 from ._geometry import (
     Curve,
+    Face,
     Frame,
     FunctionLike,
     Mesh,
@@ -44,6 +45,7 @@ RETURNS = {
     "surface": "Surface",
     "mesh": "Mesh",
     "region": "Region",
+    "face": "Face",
     "table": "Table",
     "number": "float",
     "length": "float",

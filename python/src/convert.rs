@@ -52,6 +52,7 @@ pub(crate) fn to_python<'py>(py: Python<'py>, held: &HeldValue) -> PyResult<Boun
         | Value::Curve(_)
         | Value::Surface(_)
         | Value::Region(_)
+        | Value::Face(_)
         | Value::Mesh(_)
         | Value::Table(_)
         | Value::Frame(_) => {

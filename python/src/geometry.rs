@@ -1,5 +1,7 @@
 //! Values that stay in the library, and curves and surfaces over arrays of parameters.
 
+use std::sync::Arc;
+
 use numpy::{
     IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1,
     ndarray::{Array1, Array2},
@@ -11,7 +13,7 @@ use pyo3::{
 };
 use virote::{
     kernel::{
-        Column, Curve, GeomError, Interval, Mesh, Surface,
+        Column, Curve, GeomError, Interval, Mesh, NurbsCurve, Surface, Tolerance,
         glam::{DVec3, DVec4},
     },
     session::HeldValue,
@@ -237,6 +239,23 @@ impl Held {
                     convert::to_python(py, &self.value.with(Value::Curve(border.into())))
                 });
                 parts.set_item("borders", borders.collect::<PyResult<Vec<_>>>()?)?;
+            }
+            Value::Face(face) => {
+                let curves = |curves: Vec<NurbsCurve>| {
+                    let curves = curves.into_iter().map(|curve| {
+                        convert::to_python(py, &self.value.with(Value::Curve(curve.into())))
+                    });
+                    curves.collect::<PyResult<Vec<_>>>()
+                };
+                let tolerance = Tolerance::DEFAULT;
+                let edges =
+                    py.detach(|| face.edges(tolerance)).map_err(|err| geom_error(py, err))?;
+                let loops =
+                    py.detach(|| face.loops(tolerance)).map_err(|err| geom_error(py, err))?;
+                let surface = Value::Surface(Surface::Nurbs(Arc::clone(face.surface())));
+                parts.set_item("surface", convert::to_python(py, &self.value.with(surface))?)?;
+                parts.set_item("edges", curves(edges)?)?;
+                parts.set_item("loops", curves(loops)?)?;
             }
             Value::Frame(frame) => {
                 let vectors = [

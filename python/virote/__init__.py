@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _operations
 from ._findings import Check, CheckFailed, Diagnostic, GeoError, GeoWarning, Place, Print
-from ._geometry import Curve, Frame, Function, Mesh, Region, Surface, Table, Value
+from ._geometry import Curve, Face, Frame, Function, Mesh, Region, Surface, Table, Value
 from ._operations import *  # noqa: F403
 from ._results import Results
 from ._session import Session, function, run
@@ -25,6 +25,7 @@ __all__ = [
     "CheckFailed",
     "Curve",
     "Diagnostic",
+    "Face",
     "Frame",
     "Function",
     "GeoError",

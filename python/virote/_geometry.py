@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     FloatArray = NDArray[np.float64]
 
-__all__ = ["Curve", "Frame", "Function", "Mesh", "Region", "Surface", "Table", "Value"]
+__all__ = ["Curve", "Face", "Frame", "Function", "Mesh", "Region", "Surface", "Table", "Value"]
 
 #: A number in the document's unit, or a text with a unit: ``15``, ``"15mm"``, ``"30deg"``.
 Quantity = Union[float, str]
@@ -253,6 +253,27 @@ class Region(Value):
         return list(self._part("borders")[1:])
 
 
+class Face(Value):
+    """A part of a surface, within loops on it."""
+
+    __slots__ = ()
+
+    @property
+    def surface(self) -> Surface:
+        """The surface of which it is a part."""
+        return self._part("surface")  # type: ignore[no-any-return]
+
+    @property
+    def edges(self) -> list[Curve]:
+        """Its border from corner to corner, with the face to the left."""
+        return list(self._part("edges"))
+
+    @property
+    def loops(self) -> list[Curve]:
+        """One closed curve for each loop of its border."""
+        return list(self._part("loops"))
+
+
 class Mesh(Value):
     """A mesh of triangles, as arrays."""
 
@@ -394,6 +415,7 @@ _CLASSES: dict[str, Callable[[Any], Value]] = {
     "curve": Curve,
     "surface": Surface,
     "region": Region,
+    "face": Face,
     "mesh": Mesh,
     "table": Table,
     "plane": Frame,

@@ -14,14 +14,14 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Label, Result, Span, Spanned},
-    kernel::Jet,
+    kernel::{Jet, Surface},
     limits::{
         Ceiling,
         work::{self, End},
     },
     value::{
-        Call, Ctx, FormalParameter, FromValue, Function, Mistakes, Op, Real, Type, Value, assign,
-        choose, pointed, turned_around,
+        At, Call, Ctx, FormalParameter, FromValue, Function, Mistakes, Op, Real, Type, Value,
+        assign, choose, pointed, turned_around,
     },
 };
 
@@ -89,6 +89,7 @@ impl Machine<'_> {
 
     pub(super) fn invoke(&mut self, callee: &Value, call: Call, place: Span) -> Result<Value> {
         self.step(call.span)?;
+        let tolerance = self.env.tolerance;
         match callee {
             Value::Function(Function::Builtin(name, ops)) => self.builtin(name, ops, call),
             Value::Function(Function::Closure(closure)) => {
@@ -110,6 +111,18 @@ impl Machine<'_> {
                     self.meter().lend(|| point_on_surface(surface, [u, v], call.span));
                 self.set_meter(used);
                 finite(point?, "s(u, v)", call.span)
+            }
+            Value::Face(face) => {
+                let parameters = self.parameters(callee, "f(u, v)", &call)?;
+                let surface = Surface::Nurbs(Arc::clone(face.surface()));
+                let [u, v] = parameters.each_ref().map(|parameter| parameter.value.value());
+                let (point, used) = self.meter().lend(|| {
+                    let point = point_on_surface(&surface, parameters, call.span)?;
+                    face.check_inside([u, v], tolerance.distance).at(call.span)?;
+                    Result::Ok(point)
+                });
+                self.set_meter(used);
+                finite(point?, "f(u, v)", call.span)
             }
             other => {
                 let message = format!("{} cannot be called", other.phrase());

@@ -29,7 +29,7 @@ pub(super) fn index(
         (other, _) => {
             let hint = match other {
                 Value::Point(_) => "coordinates are `.x`, `.y` and `.z`",
-                Value::Curve(_) | Value::Surface(_) => {
+                Value::Curve(_) | Value::Surface(_) | Value::Face(_) => {
                     "curves and surfaces are called with round brackets: `c(t)`"
                 }
                 Value::Record(_) => {

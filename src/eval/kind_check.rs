@@ -97,13 +97,18 @@ impl Machine<'_> {
 fn keeps(kind: Kind, value: &Value) -> bool {
     match kind {
         Kind::Let => true,
-        Kind::Point | Kind::Curve | Kind::Surface | Kind::Region | Kind::Mesh | Kind::Table => {
-            value.kind() == kind.word()
-        }
+        Kind::Point
+        | Kind::Curve
+        | Kind::Surface
+        | Kind::Region
+        | Kind::Face
+        | Kind::Mesh
+        | Kind::Table => value.kind() == kind.word(),
         Kind::Points
         | Kind::Curves
         | Kind::Surfaces
         | Kind::Regions
+        | Kind::Faces
         | Kind::Meshes
         | Kind::Tables => match value {
             Value::List(items) => items.iter().all(|item| Some(item.kind()) == element_of(kind)),
@@ -145,6 +150,7 @@ fn element_of(kind: Kind) -> Option<&'static str> {
         Kind::Curves => "curve",
         Kind::Surfaces => "surface",
         Kind::Regions => "region",
+        Kind::Faces => "face",
         Kind::Meshes => "mesh",
         Kind::Tables => "table",
         _ => return None,

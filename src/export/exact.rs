@@ -5,8 +5,8 @@ use glam::{DVec3, DVec4};
 
 use super::{ExportError, Item, Job, Subject, shape::size};
 use crate::kernel::{
-    Curve, Direction, GeomError, Interval, KnotVector, NurbsCurve, NurbsSurface, Surface,
-    tolerance::PATH_RELATIVE,
+    Curve, Direction, FaceEdge, GeomError, Interval, KnotVector, NurbsCurve, NurbsSurface, Surface,
+    Tolerance, tolerance::PATH_RELATIVE,
 };
 
 /// Rounds of halving spans until all weights are positive: the weights of halved pieces near the
@@ -18,7 +18,12 @@ pub(super) enum Exact {
     Point(DVec3),
     Curve(NurbsCurve),
     Surface(NurbsSurface),
+    /// A part of a surface that has such a form.
+    Face(NurbsSurface, Vec<FaceLoops>),
 }
+
+/// The loops of a connected part of a face, the outer one first.
+pub(super) type FaceLoops = Vec<Vec<FaceEdge>>;
 
 /// The parts of an item: one, or several where it jumps. Functions become splines within the
 /// tolerance.
@@ -41,8 +46,30 @@ pub(super) fn exact(item: &Item, job: &Job) -> Result<Vec<Exact>, ExportError> {
         Subject::Region(region) => {
             region.borders().map_err(blame)?.into_iter().map(Exact::Curve).collect()
         }
+        Subject::Face(face) if face.is_whole() => surfaces(item, face.surface())?,
+        Subject::Face(face) => {
+            let mut parts = face.part_edges(tolerance_of(job)).map_err(blame)?;
+            for edge in parts.iter_mut().flatten().flatten() {
+                edge.parameters = with_positive_weights(item, edge.parameters.clamped())?;
+                if let Some(curve) = edge.curve.take() {
+                    edge.curve = Some(with_positive_weights(item, curve.clamped())?);
+                }
+            }
+            // A face has no jumps: there is one.
+            let carriers = surfaces(item, face.surface())?.into_iter();
+            let carrier = carriers.filter_map(|part| match part {
+                Exact::Surface(surface) => Some(Exact::Face(surface, parts.clone())),
+                _ => None,
+            });
+            carrier.collect()
+        }
         Subject::Mesh(_) | Subject::Table(_) | Subject::Data(_) => Vec::new(),
     })
+}
+
+/// The tolerance of the document.
+fn tolerance_of(job: &Job) -> Tolerance {
+    Tolerance::DEFAULT.with_distance(job.precision)
 }
 
 fn curves(item: &Item, curve: &NurbsCurve) -> Result<Vec<Exact>, ExportError> {

@@ -37,7 +37,7 @@ use glam::DVec3;
 use thiserror::Error;
 
 use crate::{
-    kernel::{Curve, GeomError, Mesh, Region, Surface, Table, Tolerance},
+    kernel::{Curve, Face, GeomError, Mesh, Region, Surface, Table, Tolerance},
     limits::{Limits, work},
 };
 
@@ -68,6 +68,8 @@ pub enum Subject {
     Surface(Surface),
     /// A plane region.
     Region(Arc<Region>),
+    /// A part of a surface.
+    Face(Arc<Face>),
     /// A mesh.
     Mesh(Arc<Mesh>),
     /// A table.
@@ -80,10 +82,7 @@ impl Subject {
     /// Whether it has a place in space.
     #[must_use]
     pub fn is_geometry(&self) -> bool {
-        matches!(
-            self,
-            Self::Point(_) | Self::Curve(_) | Self::Surface(_) | Self::Region(_) | Self::Mesh(_)
-        )
+        !matches!(self, Self::Table(_) | Self::Data(_))
     }
 }
 

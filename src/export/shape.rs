@@ -6,8 +6,8 @@ use glam::DVec3;
 
 use super::{ExportError, Item, Job, Subject, Summary};
 use crate::kernel::{
-    Bounds, GeomError, Mesh, Surface, TessellationOptions, facing_inward, tessellate_all,
-    tessellate_any, tessellate_curve_any, tolerance::DEFAULT_CHORD_RELATIVE,
+    Bounds, GeomError, Mesh, Surface, TessellationOptions, Tolerance, facing_inward,
+    tessellate_all, tessellate_any, tessellate_curve_any, tolerance::DEFAULT_CHORD_RELATIVE,
 };
 
 /// A subject as a mesh format holds it.
@@ -110,6 +110,7 @@ impl Summary {
             Subject::Curve(_) => self.curves += 1,
             Subject::Surface(_) => self.surfaces += 1,
             Subject::Region(region) => self.curves += 1 + region.n_holes(),
+            Subject::Face(_) => self.surfaces += 1,
             Subject::Mesh(mesh) => {
                 self.vertices += mesh.n_vertices();
                 self.triangles += mesh.n_triangles();
@@ -153,6 +154,7 @@ fn bounds(item: &Item) -> Option<Bounds> {
         Subject::Curve(curve) => curve.bounds().ok(),
         Subject::Surface(surface) => surface.bounds().ok(),
         Subject::Region(region) => Some(region.bounds()),
+        Subject::Face(face) => face.bounds(Tolerance::DEFAULT).ok(),
         Subject::Mesh(mesh) => mesh.bounds(),
         Subject::Table(_) | Subject::Data(_) => None,
     }
@@ -164,13 +166,21 @@ pub(super) fn shapes(job: &Job) -> Result<Vec<ShapedItem<'_>>, ExportError> {
     let mut solids = solids(job, tolerance)?.into_iter();
     let mut shapes = Vec::with_capacity(job.items.len());
     for item in &job.items {
-        if matches!(item.subject, Subject::Surface(_) | Subject::Region(_) | Subject::Mesh(_)) {
+        if is_solid(&item.subject) {
             shapes.extend(solids.next());
         } else if let Some(shape) = shape(item, tolerance, job)? {
             shapes.push(ShapedItem { item, shape, is_turned: false });
         }
     }
     Ok(shapes)
+}
+
+/// Whether it has an area, and a mesh.
+pub(super) fn is_solid(subject: &Subject) -> bool {
+    matches!(
+        subject,
+        Subject::Surface(_) | Subject::Region(_) | Subject::Face(_) | Subject::Mesh(_)
+    )
 }
 
 /// The meshes among the items, and those of the surfaces, with common vertices on common edges; those
@@ -182,7 +192,7 @@ pub(super) fn solids(job: &Job, tolerance: f64) -> Result<Vec<ShapedItem<'_>>, E
         let mesh = match &item.subject {
             Subject::Surface(_) => meshes.next().map(Arc::new),
             Subject::Mesh(mesh) => Some(Arc::clone(mesh)),
-            Subject::Region(_) => match shape(item, tolerance, job)? {
+            Subject::Region(_) | Subject::Face(_) => match shape(item, tolerance, job)? {
                 Some(MeshShape::Mesh(mesh)) => Some(mesh),
                 _ => None,
             },
@@ -261,6 +271,10 @@ pub(super) fn shape(
         }
         Subject::Region(region) => {
             let mesh = region.mesh(tolerance, job.precision, most).map_err(blame)?;
+            MeshShape::Mesh(Arc::new(mesh))
+        }
+        Subject::Face(face) => {
+            let mesh = face.mesh(&limits(job, tolerance), most).map_err(blame)?;
             MeshShape::Mesh(Arc::new(mesh))
         }
         Subject::Mesh(mesh) => MeshShape::Mesh(Arc::clone(mesh)),

@@ -5,10 +5,10 @@ use std::io::Write;
 use glam::DVec3;
 
 use super::{
-    ExportError, Format, Job, Subject, Summary,
+    ExportError, Format, Job, Summary,
     name::one_line,
     options::{ANGLE, BINARY, DECIMALS, TOLERANCE},
-    shape::{MeshShape, ShapedItem, shapes},
+    shape::{MeshShape, ShapedItem, is_solid, shapes},
     text::TextBuffer,
 };
 use crate::kernel::Mesh;
@@ -18,7 +18,7 @@ pub(super) static FORMAT: Format = Format {
     aliases: &[],
     title: "STL: triangles; binary, or text with `binary = false`",
     options: &[&TOLERANCE, &ANGLE, &BINARY, &DECIMALS],
-    takes: |subject| matches!(subject, Subject::Surface(_) | Subject::Region(_) | Subject::Mesh(_)),
+    takes: is_solid,
     takes_data: false,
     is_of_meshes: true,
     wants: "surfaces and meshes",

@@ -11,7 +11,7 @@ use super::{
     shape::{MeshShape, byte_color, shape, size, whole},
 };
 use crate::kernel::{
-    Bounds, Curve, GeomError, Interval, Mesh, NurbsCurve, Surface, Tolerance,
+    Bounds, Curve, Face, GeomError, Interval, Mesh, NurbsCurve, Surface, Tolerance,
     tolerance::{DRAWING_DIGIT, PATH_ROUNDING},
 };
 
@@ -106,6 +106,16 @@ impl Drawing {
                     drawing.hide_behind(mesh, view);
                 }
             }
+            Subject::Face(face) => {
+                drawing.lines_of_face(face, view, (item, job))?;
+                if let Some(MeshShape::Mesh(mesh)) = shape(item, near, job)? {
+                    let outline =
+                        if job.options.has_edges { outline(&mesh, view) } else { Vec::new() };
+                    let outline = outline.into_iter().map(DrawnLine::Polygon);
+                    drawing.lines.extend(outline.map(|line| (LineWeight::Full, line)));
+                    drawing.hide_behind(mesh, view);
+                }
+            }
             Subject::Mesh(mesh) => {
                 if !mesh.colors().is_empty() {
                     drawing.paint(mesh, view);
@@ -168,6 +178,39 @@ impl Drawing {
             // A line that is a point is a pole, and not drawn.
             if DRAWING_DIGIT * size < line.bounds().map_err(blame)?.diagonal() {
                 self.curve(weight, line.spline().map_err(blame)?.as_ref(), view, item)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The edges of a face, and what of its surface's lines inside is on it.
+    fn lines_of_face(
+        &mut self,
+        face: &Face,
+        view: &Projection,
+        (item, job): (&Item, &Job),
+    ) -> Result<(), ExportError> {
+        let surface = Surface::Nurbs(Arc::clone(face.surface()));
+        if face.is_whole() {
+            return self.lines_of(&surface, view, (item, job));
+        }
+        let blame = |source: GeomError| ExportError::Geometry { name: item.name.clone(), source };
+        let tolerance = Tolerance::DEFAULT.with_distance(job.precision);
+        if job.options.has_edges {
+            for edge in face.edges(tolerance).map_err(blame)? {
+                self.curve(LineWeight::Full, &edge, view, item)?;
+            }
+        }
+        let size = surface.bounds().map_err(blame)?.diagonal();
+        for (weight, line) in isocurves(&surface, size, job).map_err(blame)? {
+            if weight == LineWeight::Full
+                || line.bounds().map_err(blame)?.diagonal() <= DRAWING_DIGIT * size
+            {
+                continue;
+            }
+            let line = line.spline().map_err(blame)?;
+            for part in face.clipped(&[(*line).clone()], tolerance).map_err(blame)? {
+                self.curve(weight, &part, view, item)?;
             }
         }
         Ok(())

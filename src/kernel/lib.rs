@@ -81,7 +81,8 @@
 //! ## Parts of surfaces
 //!
 //! - [`Face`]: [`Face::whole`], [`Face::within`] loops of parameters, [`Face::bounded`] by loops in space, its [parts](FacePart);
-//!   [`Face::split`] by [`Cutter`]s, [`Face::part_at`], [`Face::beside_plane`]; [`Face::mass`], [`Face::side_of_parameters`].
+//!   [`Face::split`] by [`Cutter`]s, [`Face::part_at`], [`Face::beside_plane`]; [`Face::edges`], [`Face::part_edges`] by [`FaceEdge`]s, [`Face::clipped`] curves;
+//!   [`Face::mass`], [`Face::enclosed_mass`], [`Face::bounds`], [`Face::closest`] with its [`FaceClosestPoint`], [`Face::side_of`], [`Face::side_of_parameters`].
 //! - What is refused: [`FaceError`].
 //!
 //! ## Approximate
@@ -213,4 +214,7 @@ pub use sweep::{
 };
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;
-pub use trim::{CurveEnd, Cutter, Face, FaceError, FacePart, SurfaceCurve, SurfaceCurveKind};
+pub use trim::{
+    CurveEnd, Cutter, Face, FaceClosestPoint, FaceEdge, FaceError, FacePart, SurfaceCurve,
+    SurfaceCurveKind,
+};

@@ -6,6 +6,7 @@ mod constant;
 mod convert;
 mod curve;
 mod edit;
+mod face;
 mod list;
 mod math;
 mod measure;
@@ -34,6 +35,7 @@ pub fn registry() -> Registry {
         surface::OPS,
         edit::OPS,
         transform::OPS,
+        face::OPS,
         measure::OPS,
         region::OPS,
         mesh::OPS,

@@ -1,5 +1,7 @@
 //! Questions about one place, answered by the kernel: never by the mesh.
 
+use std::sync::Arc;
+
 use serde_json::{Value as Json, json};
 
 use super::{
@@ -30,6 +32,11 @@ pub(crate) fn ask(body: &Json, known: &Known, session: &Session) -> Answer {
         Shape::Surface(surface) => {
             let (u, v) = (at("u")?, at("v")?);
             told(session, || place.surface(surface, u, v))
+        }
+        Shape::Face(face) => {
+            let (u, v) = (at("u")?, at("v")?);
+            let surface = Surface::Nurbs(Arc::clone(face.surface()));
+            told(session, || place.surface(&surface, u, v))
         }
         Shape::Curve(curve) => {
             let t = at("t")?;

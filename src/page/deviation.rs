@@ -57,11 +57,13 @@ impl Place {
     fn point(&self, shape: &Shape) -> Result<DVec3, GeomError> {
         match (self, shape) {
             (Self::Point(point), _) => Ok(*point),
-            (Self::Parameters([u, v]), Shape::Surface(surface)) => {
+            (Self::Parameters([u, v]), shape) => {
+                let Some(surface) = shape.parametrized() else {
+                    unreachable!("only surfaces have parameters")
+                };
                 let u = surface.domain_u().clamp_inside(*u)?;
                 surface.point_at(u, surface.domain_v().clamp_inside(*v)?)
             }
-            (Self::Parameters(_), _) => unreachable!("only surfaces have parameters"),
         }
     }
 }
@@ -69,7 +71,7 @@ impl Place {
 /// The vertices of an item in the order of its bytes, in parts.
 fn places(shape: &Shape, encoded: &EncodedItem) -> Result<Vec<Vec<Place>>, String> {
     let all: Vec<Place> = match shape {
-        Shape::Surface(_) => {
+        Shape::Surface(_) | Shape::Face(_) => {
             let parameters = encoded.parameters().unwrap_or_default();
             parameters.into_iter().map(Place::Parameters).collect()
         }

@@ -9,7 +9,7 @@ use super::{
     scene::{Shape, told},
 };
 use crate::{
-    kernel::{Curve, Mesh, Surface, Tolerance, volume_mass},
+    kernel::{Curve, Face, Mesh, Surface, Tolerance, volume_mass},
     limits::stack,
     session::{Report, Session},
 };
@@ -53,9 +53,11 @@ struct Sizes<'a> {
 impl Sizes<'_> {
     fn length(&self, shapes: &[Shape]) -> Result<f64, String> {
         let length = |curve: &Curve| told(self.session, || curve.length(curve.domain()));
+        let border = |face: &Face| told(self.session, || face.border_length(self.tolerance));
         let lengths = shapes.iter().map(|shape| match shape {
             Shape::Curve(curve) => length(curve),
             Shape::Curves(curves) => curves.iter().map(length).sum(),
+            Shape::Face(face) => border(face),
             shape => Err(format!("a {} has no length", shape.kind())),
         });
         lengths.sum()
@@ -67,6 +69,7 @@ impl Sizes<'_> {
         let areas = shapes.iter().map(|shape| match shape {
             Shape::Surface(surface) => area(surface),
             Shape::Surfaces(surfaces) => surfaces.iter().map(area).sum(),
+            Shape::Face(face) => told(session, || face.mass()).map(|mass| mass.amount),
             Shape::Mesh(mesh) => told(session, || mesh.measured_area()),
             shape => Err(format!("a {} has no area", shape.kind())),
         });

@@ -198,6 +198,7 @@ pub(super) fn label(name: &str, items: &[Item]) -> Option<DefinitionLabel> {
             us.iter().flat_map(|&u| vs.iter().filter_map(move |&v| at(u, v))).collect()
         }
         Subject::Region(region) => vec![region.mass().centroid],
+        Subject::Face(face) => vec![face.mass().ok()?.centroid],
         Subject::Mesh(mesh) => mesh.vertices().to_vec(),
         Subject::Table(_) | Subject::Data(_) => return None,
     };

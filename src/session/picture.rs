@@ -221,7 +221,11 @@ pub(crate) fn exported(report: &Report) -> HashSet<&str> {
 /// Whether there is something to draw of a value; single points only where they are asked for.
 fn is_drawn(value: &Value, with_points: bool) -> bool {
     match value {
-        Value::Curve(_) | Value::Surface(_) | Value::Region(_) | Value::Mesh(_) => true,
+        Value::Curve(_)
+        | Value::Surface(_)
+        | Value::Region(_)
+        | Value::Face(_)
+        | Value::Mesh(_) => true,
         Value::Point(_) => with_points,
         Value::List(items) => {
             !items.is_empty() && items.values().all(|item| is_drawn(&item, with_points))

@@ -11,7 +11,7 @@ use crate::{
     diag::{Code, Diagnostic, Span, is_hidden, nearest},
     eval::{self, Exported},
     export::{FORMATS, Format, Item, Job, Subject},
-    kernel::{Curve, NurbsCurve, Region, Surface, Tolerance},
+    kernel::{Curve, Face, NurbsCurve, Region, Surface, Tolerance},
     limits::{
         Limits,
         work::{self, Watch},
@@ -195,6 +195,7 @@ fn subject(value: &Value) -> Option<Subject> {
         Value::Curve(curve) => Subject::Curve(curve.clone()),
         Value::Surface(surface) => Subject::Surface(surface.clone()),
         Value::Region(region) => Subject::Region(Arc::clone(region)),
+        Value::Face(face) => Subject::Face(Arc::clone(face)),
         Value::Mesh(mesh) => Subject::Mesh(Arc::clone(mesh)),
         Value::Table(table) => Subject::Table(Arc::clone(table)),
         _ => return None,
@@ -254,6 +255,13 @@ impl GatheredItems {
                 }
                 Ok(())
             }
+            Value::Face(face) if let Some(edges) = self.edges_of(face) => {
+                for (i, edge) in edges.into_iter().enumerate() {
+                    let subject = Subject::Curve(edge.into());
+                    self.push(&format!("{name}.edges[{i}]"), whole, subject);
+                }
+                Ok(())
+            }
             _ => {
                 let subject = subject(value).ok_or_else(|| FormatMismatch::of(value))?;
                 if !(self.format.takes)(&subject) {
@@ -275,6 +283,14 @@ impl GatheredItems {
         let borders = region.borders().ok()?;
         let first = Subject::Curve(borders.first()?.clone().into());
         (!takes(&Subject::Region(Arc::clone(region))) && takes(&first)).then_some(borders)
+    }
+
+    /// The edges of a face for a format that has lines and no faces.
+    fn edges_of(&self, face: &Arc<Face>) -> Option<Vec<NurbsCurve>> {
+        let takes = |subject: &Subject| (self.format.takes)(subject);
+        let edges = face.edges(Tolerance::DEFAULT).ok()?;
+        let first = Subject::Curve(edges.first()?.clone().into());
+        (!takes(&Subject::Face(Arc::clone(face))) && takes(&first)).then_some(edges)
     }
 
     fn push(&mut self, name: &str, whole: &eval::ExportSubject, subject: Subject) {

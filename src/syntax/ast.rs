@@ -109,6 +109,8 @@ pub enum Kind {
     Surface,
     /// `region`
     Region,
+    /// `face`
+    Face,
     /// `mesh`
     Mesh,
     /// `table`
@@ -121,6 +123,8 @@ pub enum Kind {
     Surfaces,
     /// `regions`
     Regions,
+    /// `faces`
+    Faces,
     /// `meshes`
     Meshes,
     /// `tables`
@@ -135,12 +139,14 @@ impl Kind {
         ("curve", Self::Curve),
         ("surface", Self::Surface),
         ("region", Self::Region),
+        ("face", Self::Face),
         ("mesh", Self::Mesh),
         ("table", Self::Table),
         ("points", Self::Points),
         ("curves", Self::Curves),
         ("surfaces", Self::Surfaces),
         ("regions", Self::Regions),
+        ("faces", Self::Faces),
         ("meshes", Self::Meshes),
         ("tables", Self::Tables),
     ];

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::{Value, shortest};
 use crate::{
     diag::{is_hidden, shown},
-    kernel::{Curve, Frame, Interval, Surface},
+    kernel::{Curve, Face, Frame, Interval, Surface},
 };
 
 /// Numbers in document units, without their unit.
@@ -73,6 +73,7 @@ impl fmt::Display for ToldValue<'_> {
                 let n: usize = region.arcs().map(<[_]>::len).sum();
                 write!(f, ", {n} {}", if n == 1 { "arc" } else { "arcs" })
             }
+            Value::Face(face) => write_face(f, face),
             Value::Mesh(mesh) => {
                 let faces = match mesh.face_sizes() {
                     [] => "triangles",
@@ -102,6 +103,17 @@ fn write_curve(f: &mut fmt::Formatter<'_>, curve: &Curve) -> fmt::Result {
             write!(f, "curve of degree {degree} with {n_points} control points on {domain}")
         }
     }
+}
+
+/// `face of a surface of degree 1 x 1, 2 arcs`
+fn write_face(f: &mut fmt::Formatter<'_>, face: &Face) -> fmt::Result {
+    let surface = face.surface();
+    write!(f, "face of a surface of degree {} x {}", surface.degree_u(), surface.degree_v())?;
+    if face.is_whole() {
+        return f.write_str(", all of it");
+    }
+    let arcs: usize = face.parts().iter().flat_map(|part| &part.loops).map(Vec::len).sum();
+    write!(f, ", {arcs} {}", if arcs == 1 { "arc" } else { "arcs" })
 }
 
 fn write_surface(f: &mut fmt::Formatter<'_>, surface: &Surface) -> fmt::Result {

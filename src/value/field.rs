@@ -6,8 +6,8 @@ use glam::DVec3;
 
 use super::{Dimension, IntoValue, Number, Range, Real, Value, unit::dim_of};
 use crate::kernel::{
-    Column, Curve, GeomError, Grid, Interval, NurbsCurve, NurbsSurface, Region, Surface, Table,
-    Tolerance,
+    Column, Curve, Face, GeomError, Grid, Interval, NurbsCurve, NurbsSurface, Region, Surface,
+    Table, Tolerance,
 };
 
 const POINT: &[&str] = &["x", "y", "z"];
@@ -22,6 +22,7 @@ const SURFACE: &[&str] = &[
 ];
 const MESH: &[&str] = &["vertices", "triangles", "faces", "normals", "uvs", "colors", "groups"];
 const REGION: &[&str] = &["outer", "holes", "plane"];
+const FACE: &[&str] = &["surface", "loops", "edges"];
 const FRAME: &[&str] = &["origin", "x", "y", "z"];
 const CURVE_FRAME: &[&str] = &["origin", "x", "y", "z", "tangent", "normal", "binormal"];
 
@@ -35,6 +36,7 @@ pub fn field_names(value: &Value) -> Vec<&str> {
         Value::Curve(_) => CURVE.to_vec(),
         Value::Surface(_) => SURFACE.to_vec(),
         Value::Region(_) => REGION.to_vec(),
+        Value::Face(_) => FACE.to_vec(),
         Value::Mesh(_) => MESH.to_vec(),
         Value::Table(table) => table.columns().iter().map(|column| column.name.as_str()).collect(),
         Value::Frame(frame) if frame.is_of_curve() => CURVE_FRAME.to_vec(),
@@ -55,6 +57,7 @@ pub fn field(value: &Value, name: &str, tolerance: Tolerance) -> Result<Option<V
             surface_field(surface, name, tolerance)
         }
         Value::Region(region) => region_field(region, name),
+        Value::Face(face) => face_field(face, name, tolerance),
         _ => Ok(plain_field(value, name)),
     }
 }
@@ -148,6 +151,18 @@ fn region_field(region: &Region, name: &str) -> Result<Option<Value>, GeomError>
             Value::list(holes.map(|hole| Value::Curve(hole.into())).collect())
         }
         "plane" => Value::Frame(Arc::new(region.frame())),
+        _ => return Ok(None),
+    }))
+}
+
+fn face_field(face: &Face, name: &str, tolerance: Tolerance) -> Result<Option<Value>, GeomError> {
+    let curves = |curves: Vec<NurbsCurve>| {
+        Value::list(curves.into_iter().map(|curve| Value::Curve(curve.into())).collect())
+    };
+    Ok(Some(match name {
+        "surface" => Value::Surface(Surface::Nurbs(Arc::clone(face.surface()))),
+        "loops" => curves(face.loops(tolerance)?),
+        "edges" => curves(face.edges(tolerance)?),
         _ => return Ok(None),
     }))
 }

@@ -7,7 +7,9 @@ use glam::DVec3;
 use super::{CARRIES_DERIVATIVES, List, Number, Range, Real, Record, Type, Value};
 use crate::{
     diag::{Code, Span, Spanned},
-    kernel::{CountError, Curve, Frame, GeomError, Grid, Interval, Mesh, Region, Surface, Table},
+    kernel::{
+        CountError, Curve, Face, Frame, GeomError, Grid, Interval, Mesh, Region, Surface, Table,
+    },
     limits::work,
 };
 
@@ -171,6 +173,7 @@ from_variant! {
     Curve = Curve from Curve(curve) curve.clone();
     Surface = Surface from Surface(surface) surface.clone();
     Arc<Region> = Region from Region(region) Arc::clone(region);
+    Arc<Face> = Face from Face(face) Arc::clone(face);
     Arc<Mesh> = Mesh from Mesh(mesh) Arc::clone(mesh);
     Arc<Table> = Table from Table(table) Arc::clone(table);
     Arc<Frame> = Plane from Frame(frame) Arc::clone(frame);

@@ -6,7 +6,7 @@ use super::{Angle, Choice, Geometry, Length, Number, Range, Record, Type, Value}
 use crate::{
     diag::Spanned,
     kernel::{
-        ConstructionReport, Curve, Frame, Interval, Mesh, NurbsCurve, NurbsSurface, Region,
+        ConstructionReport, Curve, Face, Frame, Interval, Mesh, NurbsCurve, NurbsSurface, Region,
         ReportEntry, Surface, Table,
     },
 };
@@ -75,6 +75,7 @@ into_variant! {
     NurbsCurve = Type::Curve, |curve| Value::Curve(curve.into());
     NurbsSurface = Type::Surface, |surface| Value::Surface(surface.into());
     Region = Type::Region, |region| Value::Region(Arc::new(region));
+    Face = Type::Face, |face| Value::Face(Arc::new(face));
     Mesh = Type::Mesh, |mesh| Value::Mesh(Arc::new(mesh));
     Table = Type::Table, |table| Value::Table(Arc::new(table));
     Frame = Type::Plane, |frame| Value::Frame(Arc::new(frame));

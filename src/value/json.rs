@@ -12,8 +12,8 @@ use serde_json::{Map, Value as Json, json};
 use super::{ENDED, Number, Range, Record, Value, in_document_unit};
 use crate::{
     kernel::{
-        Column, Curve, Frame, Grid, KnotVector, Mesh, MeshGroup, NamedColumn, NurbsCurve,
-        NurbsSurface, Region, Surface, Table,
+        Column, Curve, Face, FacePart, Frame, Grid, KnotVector, Mesh, MeshGroup, NamedColumn,
+        NurbsCurve, NurbsSurface, Region, Surface, Table, Tolerance,
     },
     limits::work,
 };
@@ -45,18 +45,7 @@ pub fn to_json(value: &Value) -> Json {
             json!({ "virote": format!("parametric {}", value.kind()) })
         }
         Value::Curve(Curve::Nurbs(curve)) => curve_json(curve),
-        Value::Surface(Surface::Nurbs(surface)) => {
-            let net = surface.control_points();
-            let rows: Vec<Json> = (0..net.n_rows()).map(|i| homogeneous(net.row(i))).collect();
-            json!({
-                "virote": "surface",
-                "degree_u": surface.degree_u(),
-                "degree_v": surface.degree_v(),
-                "knots_u": surface.knots_u().as_slice(),
-                "knots_v": surface.knots_v().as_slice(),
-                "homogeneous": rows,
-            })
-        }
+        Value::Surface(Surface::Nurbs(surface)) => surface_json(surface),
         Value::Region(region) => json!({
             "virote": "region",
             "origin": region.frame().origin().to_array(),
@@ -64,6 +53,15 @@ pub fn to_json(value: &Value) -> Json {
             "z": region.frame().z().to_array(),
             "borders": region.arcs().map(|arcs| arcs.iter().map(curve_json).collect()).collect::<Vec<Json>>(),
         }),
+        Value::Face(face) => {
+            let arcs = |arcs: &Vec<NurbsCurve>| arcs.iter().map(curve_json).collect::<Json>();
+            let part = |part: FacePart| part.loops.iter().map(arcs).collect::<Json>();
+            json!({
+                "virote": "face",
+                "surface": surface_json(face.surface()),
+                "parts": face.parts().into_iter().map(part).collect::<Json>(),
+            })
+        }
         Value::Mesh(mesh) => mesh_json(mesh),
         Value::Table(table) => {
             json!({ "virote": "table", "columns": table.columns().iter().map(column).collect::<Vec<_>>() })
@@ -83,6 +81,19 @@ fn curve_json(curve: &NurbsCurve) -> Json {
         "degree": curve.degree(),
         "knots": curve.knots().as_slice(),
         "homogeneous": homogeneous(curve.control_points()),
+    })
+}
+
+fn surface_json(surface: &NurbsSurface) -> Json {
+    let net = surface.control_points();
+    let rows: Vec<Json> = (0..net.n_rows()).map(|i| homogeneous(net.row(i))).collect();
+    json!({
+        "virote": "surface",
+        "degree_u": surface.degree_u(),
+        "degree_v": surface.degree_v(),
+        "knots_u": surface.knots_u().as_slice(),
+        "knots_v": surface.knots_v().as_slice(),
+        "homogeneous": rows,
     })
 }
 
@@ -224,12 +235,27 @@ impl<'j> Object<'j> {
         NurbsSurface::new(knots_u, knots_v, net).map_err(|err| err.to_string())
     }
 
-    fn region(&self) -> Result<Region, String> {
+    /// The arcs of borders: lists of lists of curves.
+    fn borders(&self, json: &Json) -> Option<Vec<Vec<NurbsCurve>>> {
         let arc = |json: &Json| match from_json(json, self.length) {
             Ok(Value::Curve(Curve::Nurbs(curve))) => Some((*curve).clone()),
             _ => None,
         };
-        let borders = self.read("borders", |json| each(json, |arcs| each(arcs, arc)))?;
+        each(json, |arcs| each(arcs, arc))
+    }
+
+    fn face(&self) -> Result<Face, String> {
+        let surface = self.read("surface", |json| match from_json(json, self.length) {
+            Ok(Value::Surface(Surface::Nurbs(surface))) => Some(surface),
+            _ => None,
+        })?;
+        let part = |json: &Json| self.borders(json).map(|loops| FacePart { loops });
+        let parts = self.read("parts", |json| each(json, part))?;
+        Face::of_parts(surface, &parts, Tolerance::DEFAULT).map_err(|err| err.to_string())
+    }
+
+    fn region(&self) -> Result<Region, String> {
+        let borders = self.read("borders", |json| self.borders(json))?;
         Region::of_arcs(self.plane()?, borders).map_err(|err| err.to_string())
     }
 
@@ -287,6 +313,7 @@ impl<'j> Object<'j> {
             "curve" => Value::Curve(self.curve()?.into()),
             "surface" => Value::Surface(self.surface()?.into()),
             "region" => Value::Region(Arc::new(self.region()?)),
+            "face" => Value::Face(Arc::new(self.face()?)),
             "mesh" => Value::Mesh(Arc::new(self.mesh()?)),
             "table" => Value::Table(Arc::new(self.table()?)),
             "plane" => Value::Frame(Arc::new(self.plane()?)),

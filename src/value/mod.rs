@@ -41,7 +41,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::kernel::{Curve, Frame, Jet, Mesh, Region, Surface, Table};
+use crate::kernel::{Curve, Face, Frame, Jet, Mesh, Region, Surface, Table};
 
 pub use appearance::{Appearance, COLOR_NAMES, color_of};
 pub use bind::{Binder, Call, FormalParameter, Mistakes, assign};
@@ -113,6 +113,8 @@ pub enum Value {
     Surface(Surface),
     /// A plane region.
     Region(Arc<Region>),
+    /// A part of a surface.
+    Face(Arc<Face>),
     /// A mesh.
     Mesh(Arc<Mesh>),
     /// A table.
@@ -192,6 +194,7 @@ impl Value {
             Self::Curve(_) => "curve",
             Self::Surface(_) => "surface",
             Self::Region(_) => "region",
+            Self::Face(_) => "face",
             Self::Mesh(_) => "mesh",
             Self::Table(_) => "table",
             Self::Frame(_) => "plane",

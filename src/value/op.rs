@@ -152,6 +152,8 @@ pub enum Family {
     Transform,
     /// Regions.
     Region,
+    /// Parts of surfaces.
+    Face,
     /// Questions about geometry.
     Measure,
     /// Meshes and files.
@@ -176,6 +178,7 @@ impl Family {
         (Self::Edit, "Edits"),
         (Self::Transform, "Transformations"),
         (Self::Region, "Regions"),
+        (Self::Face, "Parts of surfaces"),
         (Self::Measure, "Questions about geometry"),
         (Self::Mesh, "Meshes and files"),
         (Self::Table, "Tables"),

@@ -49,6 +49,8 @@ pub enum Type {
     Surface,
     /// A plane region.
     Region,
+    /// A part of a surface.
+    Face,
     /// A mesh.
     Mesh,
     /// A table.
@@ -84,10 +86,14 @@ impl Type {
             | (Self::Point, Value::Point(_) | Value::JetPoint(_))
             | (Self::Range, Value::Range(_) | Value::JetRange(_))
             | (Self::Record, Value::Record(_))
-            | (Self::Function, Value::Function(_) | Value::Curve(_) | Value::Surface(_))
+            | (
+                Self::Function,
+                Value::Function(_) | Value::Curve(_) | Value::Surface(_) | Value::Face(_),
+            )
             | (Self::Curve, Value::Curve(_))
             | (Self::Surface, Value::Surface(_))
             | (Self::Region, Value::Region(_))
+            | (Self::Face, Value::Face(_))
             | (Self::Mesh, Value::Mesh(_))
             | (Self::Table, Value::Table(_))
             | (Self::Plane, Value::Frame(_))
@@ -97,6 +103,7 @@ impl Type {
                 | Value::Curve(_)
                 | Value::Surface(_)
                 | Value::Region(_)
+                | Value::Face(_)
                 | Value::Mesh(_)
                 | Value::Frame(_),
             ) => true,
@@ -209,6 +216,7 @@ impl fmt::Display for Type {
             Self::Curve => "curve",
             Self::Surface => "surface",
             Self::Region => "region",
+            Self::Face => "face",
             Self::Mesh => "mesh",
             Self::Table => "table",
             Self::Plane => "plane",

@@ -11,18 +11,18 @@ use virote_kernel::{
 use crate::some::sphere;
 
 /// Orientations of each family: 12, or as many as `VIROTE_ORIENTATIONS` says.
-fn orientations() -> u64 {
+pub(crate) fn orientations() -> u64 {
     let asked = std::env::var("VIROTE_ORIENTATIONS").ok();
     asked.map_or(12, |asked| asked.parse().expect("a number of orientations"))
 }
 
 /// Numbers between 0 and 1 without a pattern: the multiples of irrational numbers, less their integers.
-fn fractions(n: u64) -> [f64; 4] {
+pub(crate) fn fractions(n: u64) -> [f64; 4] {
     [2f64, 3.0, 5.0, 7.0].map(|prime| (prime.sqrt() * (n + 1) as f64).fract())
 }
 
 /// The n-th rotation: uniform over all of them (Shoemake, *Uniform random rotations*, Graphics Gems III).
-fn turn(n: u64) -> DAffine3 {
+pub(crate) fn turn(n: u64) -> DAffine3 {
     let [a, b, c, _] = fractions(n);
     let ((s1, c1), (s2, c2)) = (libm::sincos(TAU * b), libm::sincos(TAU * c));
     let (low, high) = ((1.0 - a).sqrt(), a.sqrt());

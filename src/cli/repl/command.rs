@@ -224,6 +224,7 @@ fn kind(prompt: &mut Prompt, text: &str) {
             Value::Curve(_)
             | Value::Surface(_)
             | Value::Region(_)
+            | Value::Face(_)
             | Value::Mesh(_)
             | Value::Table(_) => {
                 format!("a {value}")

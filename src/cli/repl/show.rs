@@ -1,6 +1,6 @@
 //! Values in words: a line about a definition, and everything about one that somebody asks for.
 
-use std::time::Duration;
+use std::{sync::Arc, time::Duration};
 
 use glam::DVec3;
 
@@ -10,7 +10,7 @@ use super::{
 };
 use crate::{
     export::View,
-    kernel::{Column, Curve, Mesh, Surface, Table},
+    kernel::{Column, Curve, Mesh, Surface, Table, Tolerance},
     syntax::ast::Unit,
     value::{Dimension, Value, shortest},
 };
@@ -198,6 +198,19 @@ pub(super) fn shapes(value: &Value) -> Vec<PlotSubject> {
         Value::Region(region) => {
             let borders = region.borders().unwrap_or_default().into_iter().map(Curve::from);
             borders.flat_map(|curve| curve.sample(N_POINTS)).map(PlotSubject::Path).collect()
+        }
+        Value::Face(face) => {
+            let edges = face.edges(Tolerance::DEFAULT).unwrap_or_default();
+            let mut lines: Vec<PlotSubject> = edges
+                .into_iter()
+                .flat_map(|edge| Curve::from(edge).sample(N_POINTS))
+                .map(PlotSubject::Path)
+                .collect();
+            let surface = Surface::Nurbs(Arc::clone(face.surface()));
+            if face.is_whole() {
+                lines.extend(isocurves(&surface).into_iter().map(PlotSubject::Path));
+            }
+            lines
         }
         Value::Mesh(mesh) => vec![PlotSubject::Mesh(mesh.clone())],
         Value::List(items) => {

@@ -24,7 +24,9 @@ pub(super) static FORMAT: Format = Format {
     aliases: &[],
     title: "DXF: exact splines, polylines and points, surfaces and meshes as 3D faces, a layer for each name",
     options: &[&TOLERANCE, &ANGLE, &DECIMALS],
-    takes: |subject| subject.is_geometry() && !matches!(subject, Subject::Region(_)),
+    takes: |subject| {
+        subject.is_geometry() && !matches!(subject, Subject::Region(_) | Subject::Face(_))
+    },
     takes_data: false,
     is_of_meshes: false,
     wants: "points, curves, surfaces and meshes",
@@ -59,7 +61,7 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
                     match part {
                         Exact::Curve(curve) => file.curve(item, &curve),
                         Exact::Point(point) => file.point(item, point),
-                        Exact::Surface(_) => {}
+                        Exact::Surface(_) | Exact::Face(..) => {}
                     }
                 }
                 summary.count(&item.subject);

@@ -1,8 +1,8 @@
-//! IGES: exact B-spline curves (126) and surfaces (128), points (116), with names, colours and
-//! layers, in the document's unit.
+//! IGES: exact B-spline curves (126) and surfaces (128), parts of surfaces (144), points (116), with names,
+//! colours and layers, in the document's unit.
 //!
 //! US Product Data Association, *Initial Graphics Exchange Specification 5.3*, §2.2 (fixed
-//! format), §4.23, §4.24, §4.18, §4.72 (colour), §4.98 (properties).
+//! format), §4.23, §4.24, §4.4 (composite curve), §4.34, §4.36 (trimmed surface), §4.18, §4.72 (colour), §4.98 (properties).
 
 mod record;
 
@@ -15,14 +15,19 @@ use super::{
     options::TOLERANCE,
     unique_values::UniqueValues,
 };
-use crate::kernel::{Bounds, NurbsCurve, NurbsSurface};
+use crate::kernel::{Bounds, FaceEdge, NurbsCurve, NurbsSurface};
 
 pub(super) static FORMAT: Format = Format {
     ending: "igs",
     aliases: &["iges"],
     title: "IGES 5.3: exact curves and surfaces in the document's unit",
     options: &[&TOLERANCE],
-    takes: |subject| matches!(subject, Subject::Point(_) | Subject::Curve(_) | Subject::Surface(_)),
+    takes: |subject| {
+        matches!(
+            subject,
+            Subject::Point(_) | Subject::Curve(_) | Subject::Surface(_) | Subject::Face(_)
+        )
+    },
     takes_data: false,
     is_of_meshes: false,
     wants: "points, curves and surfaces",
@@ -43,6 +48,13 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
                 }
                 Exact::Curve(curve) => curve_entity(&curve),
                 Exact::Surface(surface) => surface_entity(&surface),
+                Exact::Face(surface, parts) => {
+                    let carrier = cards.add(dependent(surface_entity(&surface)));
+                    for loops in parts {
+                        looks.add(item, trimmed(carrier, &loops, &mut cards), &mut cards);
+                    }
+                    continue;
+                }
             };
             looks.add(item, entity, &mut cards);
         }
@@ -126,6 +138,52 @@ fn surface_entity(surface: &NurbsSurface) -> Entity {
         entity.real(domain.end());
     }
     entity
+}
+
+/// The same as a part of another entity.
+fn dependent(mut entity: Entity) -> Entity {
+    entity.status = "00010000";
+    entity
+}
+
+/// A part of a surface within loops, the outer one first (144), each a curve on the surface (142) by its parameters
+/// and in space.
+fn trimmed(carrier: usize, loops: &[Vec<FaceEdge>], cards: &mut Cards) -> Entity {
+    let boundary = |edges: &Vec<FaceEdge>, cards: &mut Cards| {
+        let by_parameters = edges.iter().map(|edge| &edge.parameters).collect::<Vec<_>>();
+        let in_space = edges.iter().filter_map(|edge| edge.curve.as_ref()).collect::<Vec<_>>();
+        let by_parameters = composite(&by_parameters, "00010500", cards);
+        let in_space = composite(&in_space, "00010000", cards);
+        let mut boundary = dependent(Entity::new(142));
+        // How it was made is not said; both representations are as good.
+        [0, carrier, by_parameters, in_space, 3].into_iter().for_each(|n| boundary.int(n));
+        cards.add(boundary)
+    };
+    let loops: Vec<usize> = loops.iter().map(|edges| boundary(edges, cards)).collect();
+    let mut entity = Entity::new(144);
+    entity.int(carrier);
+    entity.int(1);
+    entity.int(loops.len() - 1);
+    loops.into_iter().for_each(|boundary| entity.int(boundary));
+    entity
+}
+
+/// Curves that follow one another, as one (102).
+fn composite(curves: &[&NurbsCurve], status: &'static str, cards: &mut Cards) -> usize {
+    let mut add = |curve: &NurbsCurve| {
+        let mut entity = curve_entity(curve);
+        entity.status = status;
+        cards.add(entity)
+    };
+    if let [curve] = curves {
+        return add(curve);
+    }
+    let parts: Vec<usize> = curves.iter().map(|curve| add(curve)).collect();
+    let mut entity = Entity::new(102);
+    entity.status = status;
+    entity.int(parts.len());
+    parts.into_iter().for_each(|part| entity.int(part));
+    cards.add(entity)
 }
 
 /// The parameters of the global section. No date: the same script gives the same bytes.

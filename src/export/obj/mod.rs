@@ -82,6 +82,7 @@ fn write_exact(
             }
             Exact::Curve(curve) => free_form::curve(&curve, written, text),
             Exact::Surface(surface) => free_form::surface(&surface, written, text),
+            Exact::Face(..) => unreachable!("faces are written as their triangles"),
         }
     }
     Ok(())

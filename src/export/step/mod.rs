@@ -1,12 +1,13 @@
 //! STEP: exact curves and surfaces, in the document's unit, with names, colours and layers.
 //!
 //! ISO 10303-214 (AP214), a part for each definition: surfaces as faces of open shells, whose edges
-//! are their border lines, curves and points as a set. What is a line, circle, plane, cylinder, cone,
+//! are their border lines, parts of surfaces as faces within their loops, curves and points as a set. What is a line, circle, plane, cylinder, cone,
 //! sphere or torus is written as that, all else as B-splines. `entity` writes records of
-//! ISO 10303-21, `shape` those of topology and B-splines, `form` those of geometry with an equation
+//! ISO 10303-21, `shape` those of topology and B-splines, `face` parts of surfaces, `form` those of geometry with an equation
 //! (both ISO 10303-42), `style` colours and layers (ISO 10303-46).
 
 mod entity;
+mod face;
 mod form;
 mod place;
 mod shape;
@@ -27,7 +28,12 @@ pub(super) static FORMAT: Format = Format {
     aliases: &["stp"],
     title: "STEP (AP214): exact curves and surfaces in the document's unit",
     options: &[&TOLERANCE],
-    takes: |subject| matches!(subject, Subject::Point(_) | Subject::Curve(_) | Subject::Surface(_)),
+    takes: |subject| {
+        matches!(
+            subject,
+            Subject::Point(_) | Subject::Curve(_) | Subject::Surface(_) | Subject::Face(_)
+        )
+    },
     takes_data: false,
     is_of_meshes: false,
     wants: "points, curves and surfaces",
@@ -114,7 +120,12 @@ impl StepDocument {
                 match part {
                     Exact::Surface(surface) => {
                         let (model, face) = shape::model(item, &surface, job, file)?;
-                        looks.surface(item, face, model, file);
+                        looks.surface(item, &[face], model, file);
+                        models.push(model);
+                    }
+                    Exact::Face(surface, parts) => {
+                        let (model, faces) = face::model(item, &surface, &parts, job, file);
+                        looks.surface(item, &faces, model, file);
                         models.push(model);
                     }
                     Exact::Curve(curve) => {

@@ -121,28 +121,61 @@ pub(super) fn model(
     let same = Tolerance::DEFAULT.with_distance(job.precision);
     let same = same.distance_for(geometry.bounds().diagonal());
     let closed = [geometry.is_closed_u(same), geometry.is_closed_v(same)];
-    let found = geometry.analytic(same);
-    let (basis, is_outward) = match &found {
-        Some(found) => (form::surface(&item.name, found, file), found.is_outward),
-        None => (surface(&item.name, geometry, closed, file), true),
-    };
-    let is_flat = found.is_some_and(|found| found.form == AnalyticForm::Plane);
-    let bounds = Border { closed, is_flat, same, vertices: Vec::new() }.bounds(geometry, file);
+    let carrier = carrier(&item.name, geometry, same, file);
+    let edges = BorderEdges { same, vertices: Vec::new() };
+    let bounds = Border { closed, is_flat: carrier.is_flat, edges }.bounds(geometry, file);
     if bounds.is_empty() {
         let problem = "has no border lines: all of its edges are points".to_owned();
         return Err(ExportError::Unfit { name: item.name.clone(), problem });
     }
-    let face = file.add(|r| {
-        r.text("ADVANCED_FACE(").string(&item.name).text(",").ids(&bounds).text(",").id(basis);
-        r.text(",").truth(is_outward).text(")");
-    });
+    let face = face(&item.name, &bounds, &carrier, file);
+    Ok((shell(&item.name, &[face], file), face))
+}
+
+/// The surface of faces.
+pub(super) struct Carrier {
+    id: Id,
+    /// Whether its normal is that of the parametrization.
+    is_outward: bool,
+    is_flat: bool,
+}
+
+/// A surface without borders: by its equation where it has one.
+pub(super) fn carrier(
+    name: &str,
+    geometry: &NurbsSurface,
+    same: f64,
+    file: &mut Records,
+) -> Carrier {
+    match geometry.analytic(same) {
+        Some(found) => Carrier {
+            id: form::surface(name, &found, file),
+            is_outward: found.is_outward,
+            is_flat: found.form == AnalyticForm::Plane,
+        },
+        None => {
+            let closed = [geometry.is_closed_u(same), geometry.is_closed_v(same)];
+            Carrier { id: surface(name, geometry, closed, file), is_outward: true, is_flat: false }
+        }
+    }
+}
+
+/// A face within its bounds.
+pub(super) fn face(name: &str, bounds: &[Id], carrier: &Carrier, file: &mut Records) -> Id {
+    file.add(|r| {
+        r.text("ADVANCED_FACE(").string(name).text(",").ids(bounds).text(",").id(carrier.id);
+        r.text(",").truth(carrier.is_outward).text(")");
+    })
+}
+
+/// A model of the faces of one open shell.
+pub(super) fn shell(name: &str, faces: &[Id], file: &mut Records) -> Id {
     let shell = file.add(|r| {
-        r.text("OPEN_SHELL('',(").id(face).text("))");
+        r.text("OPEN_SHELL('',").ids(faces).text(")");
     });
-    let model = file.add(|r| {
-        r.text("SHELL_BASED_SURFACE_MODEL(").string(&item.name).text(",(").id(shell).text("))");
-    });
-    Ok((model, face))
+    file.add(|r| {
+        r.text("SHELL_BASED_SURFACE_MODEL(").string(name).text(",(").id(shell).text("))");
+    })
 }
 
 /// What bounds a face.
@@ -151,9 +184,14 @@ struct Border {
     closed: [bool; 2],
     /// Whether it is in a plane, where no seam is needed.
     is_flat: bool,
+    edges: BorderEdges,
+}
+
+/// Edges with their vertices.
+pub(super) struct BorderEdges {
     /// Points nearer than this are one.
-    same: f64,
-    vertices: Vec<(DVec3, Id)>,
+    pub(super) same: f64,
+    pub(super) vertices: Vec<(DVec3, Id)>,
 }
 
 impl Border {
@@ -171,10 +209,7 @@ impl Border {
         let mut edges: Vec<(Id, &NurbsCurve)> = Vec::new();
         for (i, (edge, line)) in way.into_iter().enumerate() {
             let Some(edge) = edge else { continue };
-            let oriented = file.add(|r| {
-                r.text("ORIENTED_EDGE('',*,*,").id(edge).text(",").truth(i < 2).text(")");
-            });
-            edges.push((oriented, line));
+            edges.push((oriented(edge, i < 2, file), line));
         }
         if !(is_seam[0] || is_seam[1]) {
             let edges: Vec<Id> = edges.into_iter().map(|(edge, _)| edge).collect();
@@ -187,17 +222,21 @@ impl Border {
 
     /// The edge along a line; none along a point.
     fn edge(&mut self, line: &NurbsCurve, file: &mut Records) -> Option<Id> {
-        if line.bounds().diagonal() <= self.same {
-            return None;
-        }
+        (self.edges.same < line.bounds().diagonal()).then(|| self.edges.edge(line, file))
+    }
+}
+
+impl BorderEdges {
+    /// The edge along a line.
+    pub(super) fn edge(&mut self, line: &NurbsCurve, file: &mut Records) -> Id {
         let (from, to) = (self.vertex(line.start(), file), self.vertex(line.end(), file));
         let basis = match line.analytic().filter(|found| is_whole(found) == (from == to)) {
             Some(found) => form::unbounded("", &found, file),
             None => spline("", line, file),
         };
-        Some(file.add(|r| {
+        file.add(|r| {
             r.text("EDGE_CURVE('',").id(from).text(",").id(to).text(",").id(basis).text(",.T.)");
-        }))
+        })
     }
 
     fn vertex(&mut self, at: DVec3, file: &mut Records) -> Id {
@@ -219,7 +258,14 @@ fn is_whole(curve: &AnalyticCurve) -> bool {
     matches!(curve, AnalyticCurve::Circle { turn, .. } if TAU <= *turn)
 }
 
-fn bound(is_outer: bool, edges: &[Id], file: &mut Records) -> Id {
+/// An edge that is gone along, or back.
+pub(super) fn oriented(edge: Id, is_along: bool, file: &mut Records) -> Id {
+    file.add(|r| {
+        r.text("ORIENTED_EDGE('',*,*,").id(edge).text(",").truth(is_along).text(")");
+    })
+}
+
+pub(super) fn bound(is_outer: bool, edges: &[Id], file: &mut Records) -> Id {
     let edge_loop = file.add(|r| {
         r.text("EDGE_LOOP('',").ids(edges).text(")");
     });

@@ -16,12 +16,12 @@ pub(super) struct StepPresentation {
 }
 
 impl StepPresentation {
-    /// Notes how a surface looks: its face has the colour, its model the layer.
-    pub(super) fn surface(&mut self, item: &Item, face: Id, model: Id, file: &mut Records) {
+    /// Notes how a surface looks: its faces have the colour, its model the layer.
+    pub(super) fn surface(&mut self, item: &Item, faces: &[Id], model: Id, file: &mut Records) {
         self.layer(item, model);
         if let Some(color) = item.color {
             let style = *self.surfaces.entry(&color, || surface_style(color, file)).1;
-            self.style(style, face, file);
+            faces.iter().for_each(|&face| self.style(style, face, file));
         }
     }
 

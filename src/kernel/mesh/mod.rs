@@ -268,13 +268,6 @@ impl Mesh {
         }
     }
 
-    /// The same with its front where its back was.
-    pub(crate) fn turned(mut self) -> Self {
-        self.triangles.iter_mut().for_each(|corners| corners.swap(1, 2));
-        self.normals.iter_mut().for_each(|normal| *normal = -*normal);
-        self
-    }
-
     /// The same triangles without the vertices that belong to none, the others in their order.
     fn without_strays(self) -> Self {
         let mut is_used = vec![false; self.n_vertices()];

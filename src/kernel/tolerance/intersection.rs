@@ -132,3 +132,9 @@ pub(crate) const PULL_RELATIVE: f64 = 1e-13;
 ///
 /// Larger lets arcs use up the tolerance; smaller takes more pieces of what is tiny.
 pub(crate) const PULL_SHARE: f64 = 1e-3;
+
+/// An arc in a plane of parameters that is no longer than so many tolerances, and for which no polynomial is
+/// found, is straight.
+///
+/// Larger gives areas beside junctions fewer digits; smaller follows what rounding leaves of places there.
+pub(crate) const STRAIGHT_REACH: f64 = 32.0;

@@ -41,3 +41,10 @@ pub(crate) const FINER_FACTOR: f64 = 0.01;
 ///
 /// Larger moves the place of a touch visibly; smaller tells digits that are rounding.
 pub(crate) const FEW_DIGITS_SHARE: f64 = 0.02;
+
+/// What of a face reaches farthest or is nearest is looked for inside until no more than this fraction of the
+/// size is to be gained over the border.
+///
+/// Larger answers with the border where the inside reaches visibly farther; smaller divides boxes for the
+/// rounding of their ends.
+pub(crate) const EXTREMUM_RELATIVE: f64 = 1e-13;

@@ -10,7 +10,7 @@ use crate::{
 };
 
 /// The group of the face's own border; arcs have those behind it.
-const BORDER: usize = 0;
+pub(super) const BORDER: usize = 0;
 
 /// The parts into which arcs divide a face.
 pub(super) struct Division {

@@ -58,6 +58,24 @@ pub enum FaceError {
     /// A place that tells no part.
     #[error("{} is {} from the face: it tells no part of it", place(*point), few_digits(*distance))]
     NoPartAt { point: DVec3, distance: f64 },
+    /// An edge of a face beside which there is none of another.
+    #[error(
+        "the faces do not close: an edge{} is {} from the nearest other edge, at {}",
+        if *n_faces < 2 { String::new() } else { format!(" of face [{face}]") },
+        if gap.is_finite() { few_digits(*gap) } else { "without end".to_owned() }, place(*point)
+    )]
+    OpenShell { face: usize, n_faces: usize, gap: f64, point: DVec3 },
+    /// More than two faces at one edge.
+    #[error(
+        "an edge of face [{face}] meets {} other edges at {}, of faces {others:?}; what encloses a volume has two faces at each edge",
+        others.len(), place(*point)
+    )]
+    CrowdedShell { face: usize, others: Vec<usize>, point: DVec3 },
+    /// Faces that cannot look alike.
+    #[error(
+        "the faces have one side only, like a Möbius strip: face [{}] meets face [{}] turned over", faces[0], faces[1]
+    )]
+    OneSided { faces: [usize; 2] },
     /// A place on a cut.
     #[error("{} lies on a cut: it tells no part of the face", place(*point))]
     OnCut { point: DVec3 },

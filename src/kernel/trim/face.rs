@@ -2,17 +2,18 @@
 
 use std::sync::Arc;
 
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DMat3, DVec3};
 
 use super::plane::ParameterPlane;
 use crate::{
-    Frame, GeomError, LocalError, NurbsCurve, NurbsSurface, Region, RegionSide, Tolerance,
+    Bounds, Direction, Frame, GeomError, Grid, KnotVector, LocalError, NurbsCurve, NurbsSurface,
+    Region, RegionSide, Tolerance,
 };
 
 /// A surface, and the part of it that loops on it bound.
 ///
-/// The loops run with the face to their left, seen from the tip of Su × Sv, whichever side is its
-/// front. A face goes over the seam of a closed surface like over any other place.
+/// The loops run with the face to their left, seen from the tip of Su × Sv, which is its front. A face goes
+/// over the seam of a closed surface like over any other place.
 ///
 /// ```
 /// use std::sync::Arc;
@@ -31,7 +32,6 @@ pub struct Face {
     pub(super) plane: ParameterPlane,
     /// Where it is, in the plane of parameters; several parts hang together over seams.
     pub(super) parts: Vec<Region>,
-    pub(super) is_flipped: bool,
 }
 
 /// A connected part of a face's parameters: the curves of parameters along each of its loops, the
@@ -63,7 +63,58 @@ impl Face {
         let plane = ParameterPlane::of(surface, distance);
         let border = plane.border()?;
         let whole = Region::of_known_arcs(Frame::XY, vec![border]);
-        Ok(Self { plane, parts: vec![whole], is_flipped: false })
+        Ok(Self { plane, parts: vec![whole] })
+    }
+
+    /// What a region holds, on the part of its plane around it; u and v are coordinates of its frame.
+    ///
+    /// # Errors
+    /// Those of [`Self::whole`].
+    pub fn of_region(region: &Region, tolerance: Tolerance) -> Result<Self, GeomError> {
+        let arcs: Vec<Vec<NurbsCurve>> = region.arcs().map(<[NurbsCurve]>::to_vec).collect();
+        let around = arcs.iter().flatten().map(NurbsCurve::bounds).reduce(Bounds::union);
+        let Some(around) = around else { return Err(super::FaceError::Nothing.into()) };
+        let ends = [[around.min.x, around.max.x], [around.min.y, around.max.y]];
+        let knots = |[start, end]: [f64; 2]| KnotVector::new(1, vec![start, start, end, end]);
+        let corner = |i: usize, j: usize| {
+            let local = DVec3::new(ends[0][i], ends[1][j], 0.0);
+            region.frame().point(local).extend(1.0)
+        };
+        let net = Grid::from_fn(2, 2, corner);
+        let surface = NurbsSurface::new(knots(ends[0])?, knots(ends[1])?, net)?;
+        Self::of_parts(Arc::new(surface), &[FacePart { loops: arcs }], tolerance)
+    }
+
+    /// The face with these parts of its parameters, as [`Self::parts`] gives them.
+    ///
+    /// # Errors
+    /// [`FaceError::Nothing`] without parts, [`FaceError::OffDomain`] of one that leaves the domain; those of
+    /// [`Region::of_arcs`] and [`Self::whole`].
+    pub fn of_parts(
+        surface: Arc<NurbsSurface>,
+        parts: &[FacePart],
+        tolerance: Tolerance,
+    ) -> Result<Self, GeomError> {
+        let mut face = Self::whole(surface, tolerance)?;
+        let distance = face.distance(tolerance);
+        let in_plane = |part: &FacePart| {
+            let mut borders = Vec::with_capacity(part.loops.len());
+            for (index, arcs) in part.loops.iter().enumerate() {
+                let arcs: Vec<NurbsCurve> =
+                    arcs.iter().map(|arc| face.plane.to_plane(arc)).collect();
+                for arc in &arcs {
+                    face.check_within_domain(arc, index, distance)?;
+                }
+                borders.push(arcs);
+            }
+            Region::of_arcs(Frame::XY, borders)
+        };
+        let parts: Vec<Region> = parts.iter().map(in_plane).collect::<Result<_, _>>()?;
+        if parts.is_empty() {
+            return Err(super::FaceError::Nothing.into());
+        }
+        face.parts = parts;
+        Ok(face)
     }
 
     /// The surface of which it is a part.
@@ -72,16 +123,23 @@ impl Face {
         &self.plane.surface
     }
 
-    /// Whether its front is the side from which Su × Sv leads away.
+    /// The same with its front where its back was: v runs backwards.
     #[must_use]
-    pub fn is_flipped(&self) -> bool {
-        self.is_flipped
-    }
-
-    /// The same with its front where its back was.
-    #[must_use]
-    pub fn flipped(&self) -> Self {
-        Self { is_flipped: !self.is_flipped, ..self.clone() }
+    pub fn reversed(&self) -> Self {
+        let surface = Arc::new(self.plane.surface.reversed(Direction::V));
+        let plane = ParameterPlane { surface, ..self.plane.clone() };
+        let v = plane.scales[1] * (plane.domains()[1].start() + plane.domains()[1].end());
+        let turned = DAffine3 {
+            matrix3: DMat3::from_diagonal(DVec3::new(1.0, -1.0, 1.0)),
+            translation: DVec3::Y * v,
+        };
+        let parts = self.parts.iter().map(|part| {
+            let back = |arcs: &[NurbsCurve]| {
+                arcs.iter().rev().map(|arc| arc.transformed(&turned).reversed()).collect()
+            };
+            Region::of_known_arcs(Frame::XY, part.arcs().map(back).collect())
+        });
+        Self { parts: parts.collect(), plane }
     }
 
     /// Whether it is all of its surface.
@@ -158,33 +216,23 @@ impl Face {
         }
     }
 
-    /// The unit normal on its front.
-    ///
-    /// # Errors
-    /// Those of [`NurbsSurface::normal_at`].
-    pub fn normal_at(&self, u: f64, v: f64) -> Result<DVec3, GeomError> {
-        let normal = self.plane.surface.normal_at(u, v)?;
-        Ok(if self.is_flipped { -normal } else { normal })
-    }
-
-    /// The image under an affine map; its front stays on the same side of it.
+    /// The image under an affine map.
     ///
     /// # Errors
     /// `InputError::ZeroAxis` for a map that leaves no area.
-    pub fn transformed(&self, map: &DAffine3, tolerance: Tolerance) -> Result<Self, GeomError> {
+    pub fn transformed(&self, map: &DAffine3) -> Result<Self, GeomError> {
         let surface = Arc::new(self.plane.surface.transformed(map));
-        let distance = tolerance.distance_for(surface.bounds().diagonal());
-        let plane = ParameterPlane::of(surface, distance);
+        let is_closed = self.plane.is_closed;
+        let plane = ParameterPlane { is_closed, ..ParameterPlane::of(surface, 0.0) };
         let stretch = [0, 1].map(|i| plane.scales[i] / self.plane.scales[i]);
         let stretch = DAffine3::from_scale(DVec3::new(stretch[0], stretch[1], 1.0));
         let parts = self.parts.iter().map(|part| part.transformed(&stretch));
         let parts = parts.collect::<Result<Vec<_>, _>>()?;
-        let is_mirrored = map.matrix3.determinant() < 0.0;
-        Ok(Self { plane, parts, is_flipped: self.is_flipped != is_mirrored })
+        Ok(Self { plane, parts })
     }
 
     /// Whether a place at an end of a closed direction is inside on either side of it.
-    fn is_on_inner_seam(&self, [u, v]: [f64; 2], tolerance: f64) -> bool {
+    pub(super) fn is_on_inner_seam(&self, [u, v]: [f64; 2], tolerance: f64) -> bool {
         let beside = 2.0 * tolerance;
         let is_inside = |place: DVec3| {
             self.parts.iter().any(|part| part.side_of(place, 0.0) == RegionSide::Inside)

@@ -66,7 +66,7 @@ impl Face {
 
     /// # Errors
     /// [`FaceError::OffDomain`].
-    fn check_within_domain(
+    pub(super) fn check_within_domain(
         &self,
         curve: &NurbsCurve,
         index: usize,

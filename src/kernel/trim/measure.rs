@@ -13,7 +13,8 @@ use glam::DVec3;
 
 use super::Face;
 use crate::{
-    Frame, GeomError, Interval, MassProperties, NurbsCurve, NurbsSurface, Region, Tolerance,
+    Bounds, Frame, GeomError, Interval, MassProperties, NurbsCurve, NurbsSurface, Region,
+    Tolerance,
     surface::{Integral, MassIntegral, QuadratureMap, integral_over, moments},
     tolerance::{KNOT_RELATIVE, PARAMETER_RELATIVE},
 };
@@ -75,10 +76,21 @@ impl Face {
     /// # Errors
     /// `MeasureError::NothingThere`, `MeasureError::TooLargeToMeasure`; `GeomError::Ended`.
     pub fn mass(&self) -> Result<MassProperties, GeomError> {
-        let about = self.plane.surface.bounds().center();
+        Self::mass_of(std::slice::from_ref(self))
+    }
+
+    /// The area, centroid and inertia of several together.
+    ///
+    /// # Errors
+    /// Those of [`Self::mass`].
+    pub fn mass_of(faces: &[Self]) -> Result<MassProperties, GeomError> {
+        let boxes = faces.iter().map(|face| face.plane.surface.bounds());
+        let about = boxes.reduce(Bounds::union).map_or(DVec3::ZERO, Bounds::center);
         let mut sum = MassIntegral::default();
-        let found = self.integral(|point, normal| moments(point - about, normal.length()))?;
-        sum.add(found, 1.0);
+        for face in faces {
+            let found = face.integral(|point, normal| moments(point - about, normal.length()))?;
+            sum.add(found, 1.0);
+        }
         sum.mass(about, [1.0; 3]).ok_or_else(|| sum.without("area"))
     }
 

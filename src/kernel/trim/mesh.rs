@@ -7,7 +7,7 @@ use crate::{
 };
 
 impl Face {
-    /// Its mesh, as fine as is asked for; triangles face to its front.
+    /// Its mesh, as fine as is asked for; triangles face to the side of Su × Sv.
     ///
     /// ```
     /// use std::sync::Arc;
@@ -27,20 +27,18 @@ impl Face {
     /// another.
     pub fn mesh(&self, options: &TessellationOptions, most: usize) -> Result<Mesh, GeomError> {
         let surface = &*self.plane.surface;
-        let mesh = if self.is_whole() {
-            tessellate_finely(surface, options, most)?
-        } else {
-            let parts = self.between_breaks(options.weld)?;
-            let loops = parts.iter().map(|part| {
-                let arcs = |arcs: &[NurbsCurve]| {
-                    arcs.iter().map(|arc| self.plane.to_parameters(arc)).collect()
-                };
-                part.arcs().map(arcs).collect()
-            });
-            let loops: Vec<_> = loops.collect();
-            tessellate_parts(surface, &loops, self.plane.is_closed, options, most)?
-        };
-        Ok(if self.is_flipped { mesh.turned() } else { mesh })
+        if self.is_whole() {
+            return tessellate_finely(surface, options, most);
+        }
+        let parts = self.between_breaks(options.weld)?;
+        let loops = parts.iter().map(|part| {
+            let arcs = |arcs: &[NurbsCurve]| {
+                arcs.iter().map(|arc| self.plane.to_parameters(arc)).collect()
+            };
+            part.arcs().map(arcs).collect()
+        });
+        let loops: Vec<_> = loops.collect();
+        tessellate_parts(surface, &loops, self.plane.is_closed, options, most)
     }
 
     /// Its parts, divided along the lines where the derivative of the surface jumps.

@@ -5,21 +5,28 @@
 //! what is within the tolerance there is within it in space, and all that cuts faces is the arrangement
 //! of plane arcs that regions are made by. `face` has the type, `loops` faces within loops of parameters,
 //! `split` those within loops in space and the parts into which cutters divide a face, by the arcs that
-//! `pull` makes of curves and by `division`, `measure` integrals over faces, `mesh` their triangles. `edge`
-//! has the curves on two surfaces at once, by places in space and by the parameters of both.
+//! `pull` makes of curves and by `division`, `measure` integrals over faces, `mesh` their triangles, `border`
+//! their edges in space, `extremum` what of them is nearest or reaches farthest, `clip` what of curves lies on
+//! them, `shell` what they enclose together. `edge` has the curves on two surfaces at once, by places in space and by the parameters of both.
 
+mod border;
+mod clip;
 mod division;
 mod edge;
 mod error;
+mod extremum;
 mod face;
 mod loops;
 mod measure;
 mod mesh;
 mod plane;
 mod pull;
+mod shell;
 mod split;
 
+pub use border::FaceEdge;
 pub use edge::{CurveEnd, SurfaceCurve, SurfaceCurveKind};
 pub use error::FaceError;
+pub use extremum::FaceClosestPoint;
 pub use face::{Face, FacePart};
 pub use split::Cutter;

@@ -16,7 +16,9 @@ use crate::{
     curve::join,
     frame::norm,
     lagrange,
-    tolerance::{JUMP_SHARE, LAST_BIT, PARAMETER_RELATIVE, PULL_RELATIVE, PULL_SHARE},
+    tolerance::{
+        JUMP_SHARE, LAST_BIT, PARAMETER_RELATIVE, PULL_RELATIVE, PULL_SHARE, STRAIGHT_REACH,
+    },
 };
 
 /// The degree of pieces.
@@ -30,6 +32,9 @@ const STEPS: usize = 12;
 
 /// Where a piece is compared between the points that it goes through.
 const COMPARED: [f64; 4] = [0.1, 0.3, 0.65, 0.93];
+
+/// How much of the length in the plane of parameters that in space is at least, where a descent is followed.
+const SLOWEST: f64 = 0.0625;
 
 /// How far from a second surface a point is, signed, and the direction that leads away from it.
 pub(super) type Height<'a> = dyn Fn(DVec3) -> (f64, DVec3) + 'a;
@@ -86,9 +91,29 @@ impl PulledCurve<'_> {
         Ok(self.plane.place(foot.parameters))
     }
 
+    /// The same where a descent from a place beside it goes; from an end of a closed direction, and where
+    /// it ends away from the curve, that of the whole surface.
+    fn foot_beside(&self, t: f64, near: DVec3) -> Result<DVec3, GeomError> {
+        GeomError::go_on(1)?;
+        let surface = &self.plane.surface;
+        let foot = surface.foot_from(self.plane.parameters(near), self.curve.point_at(t));
+        // Beside a pole a descent hardly moves along it.
+        let [_, along_u, along_v] = surface.tangents_at(foot.parameters[0], foot.parameters[1]);
+        let slowest =
+            (norm(along_u) / self.plane.scales[0]).min(norm(along_v) / self.plane.scales[1]);
+        let [u, v] = self.plane.domains();
+        let is_at_end = [(u, foot.parameters[0]), (v, foot.parameters[1])]
+            .iter()
+            .any(|&(domain, t)| t <= domain.start() || domain.end() <= t);
+        if is_at_end || slowest < SLOWEST || self.tolerance < foot.distance {
+            return self.foot(t);
+        }
+        Ok(self.plane.place(foot.parameters))
+    }
+
     /// The place at a parameter, on the side of the plane where `near` is.
     fn place(&self, t: f64, near: DVec3) -> Result<DVec3, GeomError> {
-        let mut place = self.foot(t)?;
+        let mut place = self.foot_beside(t, near)?;
         let bounds = self.plane.bounds();
         for i in 0..2 {
             let (low, high) = (bounds.min[i], bounds.max[i]);
@@ -123,7 +148,8 @@ impl PulledCurve<'_> {
         let Some(height) = self.height else { return start };
         let derivatives = self.curve.derivatives_at(t, 1);
         let (center, along) = (derivatives[0], derivatives[1]);
-        let mut place = start;
+        let (mut place, begun) = (start, self.plane.point(start));
+        let bounds = self.plane.bounds();
         for _ in 0..STEPS {
             let [u, v] = self.plane.parameters(place);
             let [point, along_u, along_v] = self.plane.surface.tangents_at(u, v);
@@ -134,14 +160,23 @@ impl PulledCurve<'_> {
             let determinant = rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0];
             let du = (value * rows[1][1] - ahead * rows[0][1]) / determinant;
             let dv = (ahead * rows[0][0] - value * rows[1][0]) / determinant;
-            let next = self.plane.place([u - du, v - dv]);
-            let next = next.clamp(self.plane.bounds().min, self.plane.bounds().max);
-            if !next.is_finite() || 4.0 * self.tolerance < norm(next - start) {
+            let step = self.plane.place([-du, -dv]);
+            // Near a pole small ways are long ones of the parameters.
+            if !step.is_finite() || 4.0 * self.tolerance < norm(point - begun) {
                 return start;
             }
-            let step = norm(next - place);
-            place = next;
-            if step <= 4.0 * LAST_BIT * self.plane.bounds().diagonal() {
+            place += step;
+            // Over a seam it goes on at the other side.
+            for i in (0..2).filter(|&i| self.plane.is_closed[i]) {
+                let (low, high) = (bounds.min[i], bounds.max[i]);
+                if place[i] < low {
+                    place[i] += high - low;
+                } else if high < place[i] {
+                    place[i] -= high - low;
+                }
+            }
+            place = place.clamp(bounds.min, bounds.max);
+            if norm(step) <= 4.0 * LAST_BIT * bounds.diagonal() {
                 break;
             }
         }
@@ -167,7 +202,7 @@ impl PulledCurve<'_> {
                 before = here;
                 continue;
             }
-            let (mut low, mut high) = (before, (t, self.foot(t)?));
+            let (mut low, mut high) = (before, here);
             for _ in 0..BISECTIONS {
                 let rounding = 2.0 * LAST_BIT * high.0.abs().max(low.0.abs());
                 if norm(high.1 - low.1) <= long || high.0 - low.0 <= rounding {
@@ -209,9 +244,21 @@ impl PulledCurve<'_> {
 
     /// The arc along a stretch.
     fn fitted(&self, [start, end]: Section) -> Result<NurbsCurve, GeomError> {
-        let whole = Interval::new(start.0, end.0)?;
         let mut pieces = Vec::new();
-        let mut todo = vec![(whole, start.1, end.1, 0)];
+        // At its knots a curve is less smooth than between them.
+        let mut stops = vec![start];
+        let slack = PARAMETER_RELATIVE * self.curve.domain().length();
+        for t in self.curve.knots().breaks() {
+            let (last, place) = stops[stops.len() - 1];
+            if last + slack < t && t < end.0 - slack {
+                stops.push((t, self.place(t, place)?));
+            }
+        }
+        stops.push(end);
+        let mut todo = Vec::with_capacity(stops.len());
+        for pair in stops.windows(2).rev() {
+            todo.push((Interval::new(pair[0].0, pair[1].0)?, pair[0].1, pair[1].1, 0));
+        }
         while let Some((interval, first, last, n_halvings)) = todo.pop() {
             GeomError::go_on(1)?;
             let piece = self.piece(interval, first, last)?;
@@ -225,7 +272,11 @@ impl PulledCurve<'_> {
             for fraction in &COMPARED {
                 fits = fits && is_near(fraction)?;
             }
-            if fits || piece.degree() == 1 {
+            // Where surfaces hardly cross, as beside a junction, places tell no more than the tolerance does.
+            let is_short = norm(last - first) <= STRAIGHT_REACH * self.tolerance;
+            if !fits && is_short {
+                pieces.push(lagrange(&[first, last], &[interval.start(), interval.end()])?);
+            } else if fits || piece.degree() == 1 {
                 pieces.push(piece);
             } else if PARAMETER_HALVINGS <= n_halvings {
                 let (tolerance, parameter) = (self.tolerance, interval.at(0.5));

@@ -37,6 +37,8 @@ pub enum Cutter {
     Plane(Frame),
     /// A surface.
     Surface(Arc<NurbsSurface>),
+    /// A part of a surface.
+    Face(Arc<Face>),
 }
 
 impl Face {
@@ -208,10 +210,19 @@ impl Face {
                 let height = |p: DVec3| ((p - plane.origin()).dot(plane.z()), plane.z());
                 pulled(&found.curves, Some(&height))
             }
-            Cutter::Surface(other) => {
+            Cutter::Surface(_) | Cutter::Face(_) => {
+                let (other, face) = match cutter {
+                    Cutter::Face(face) => (face.surface(), Some(face)),
+                    Cutter::Surface(other) => (other, None),
+                    _ => unreachable!("a surface or a part of one"),
+                };
                 let found = surface
                     .intersections(&Surface::Nurbs(Arc::clone(other)), tolerance)
                     .map_err(runs_along)?;
+                let curves = match face {
+                    Some(face) => face.clipped(&found.curves, tolerance)?,
+                    None => found.curves,
+                };
                 let height = |p: DVec3| {
                     let foot = other.closest(p);
                     let [u, v] = foot.parameters;
@@ -220,7 +231,7 @@ impl Face {
                         ((p - foot.point).dot(normal), normal)
                     })
                 };
-                pulled(&found.curves, Some(&height))
+                pulled(&curves, Some(&height))
             }
         }
     }

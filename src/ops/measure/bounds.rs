@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{Bounds, GeomError},
+    kernel::{Bounds, GeomError, Tolerance},
     value::{At, Ctx, Geometry, Record, Value, op},
 };
 
@@ -24,7 +24,7 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
-    let Some(Bounds { min, max }) = bounds(&args.g.value.0).at(args.g.span)? else {
+    let Some(Bounds { min, max }) = bounds(&args.g.value.0, ctx.tolerance).at(args.g.span)? else {
         return Diagnostic::error(Code::Degenerate, ctx.span, "there is nothing that has a size")
             .hint("planes, empty lists and meshes without triangles have no bounds")
             .fail();
@@ -33,17 +33,19 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
 }
 
 /// The box around a value; `None` around nothing.
-fn bounds(value: &Value) -> std::result::Result<Option<Bounds>, GeomError> {
+fn bounds(value: &Value, tolerance: Tolerance) -> std::result::Result<Option<Bounds>, GeomError> {
     Ok(match value {
         Value::Point(point) => Some(Bounds { min: *point, max: *point }),
         Value::Curve(curve) => Some(curve.bounds()?),
         Value::Surface(surface) => Some(surface.bounds()?),
         Value::Region(region) => Some(region.bounds()),
+        Value::Face(face) => Some(face.bounds(tolerance)?),
         Value::Mesh(mesh) => mesh.bounds(),
         Value::List(items) => {
             let mut whole = None;
             for item in items.iter() {
-                whole = [whole, bounds(item)?].into_iter().flatten().reduce(Bounds::union);
+                whole =
+                    [whole, bounds(item, tolerance)?].into_iter().flatten().reduce(Bounds::union);
             }
             whole
         }

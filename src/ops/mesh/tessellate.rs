@@ -4,7 +4,10 @@ use std::f64::consts::PI;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{self, Bounds, Mesh, Surface, TessellationOptions, tolerance::DEFAULT_CHORD_RELATIVE},
+    kernel::{
+        self, Bounds, Face, Mesh, Surface, TessellationOptions, Tolerance,
+        tolerance::DEFAULT_CHORD_RELATIVE,
+    },
     ops::positive,
     value::{Angle, At, Ctx, Geometry, Length, Number, Type, Value, op},
 };
@@ -17,12 +20,13 @@ op! {
     /// derivatives tell how large a triangle may be. It has no cracks, at seams and poles neither;
     /// surfaces of a list share the vertices where their edges run together, along the whole or from
     /// a corner of one to a corner of another, whatever their degrees, knots and parameters are. Normals are those of each side where there is a crease.
+    /// Parts of surfaces have the same distance and normals; their borders share vertices with no others.
     /// Meshes in a list are taken along as they are. With `quads` the two triangles of a cell of the
     /// parameters are one face, which files that can hold quadrilaterals keep (`.obj`, `.ply`); at poles
     /// and along edges whose vertices are others than those of the lines inside there are triangles.
     /// Filip, Magedson & Markot, *Surface algorithms using bounds on derivatives*, CAGD 3 (1986).
     tessellate in Mesh -> Mesh {
-        /// A surface, or a list of surfaces and meshes.
+        /// A surface or face, or a list of them and meshes.
         g: Spanned<Geometry>,
         /// The tolerance; when left out a thousandth of the size of `g`.
         tolerance: Option<Spanned<Length>>,
@@ -65,15 +69,17 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Mesh> {
     let (weld, n_threads) = (ctx.tolerance.distance, ctx.n_threads);
     let limits = TessellationOptions { tolerance, angle, max_edge, weld, n_threads };
     let (mut surfaces, mut parts) = (Vec::new(), Vec::new());
-    gather(geometry, &args.g, &mut surfaces, &mut parts)?;
     let most = ctx.limits.mesh_vertices;
-    let made = kernel::tessellate_all(&surfaces, &limits, most).at(ctx.span);
     let hint = "a larger tolerance, angle or longest edge takes fewer vertices";
+    let too_large = |mistake: Box<Diagnostic>| match mistake.code {
+        Code::TooLarge => Box::new(mistake.hint(hint)),
+        _ => mistake,
+    };
+    let mesh_of = |face: &Face| face.mesh(&limits, most).at(ctx.span).map_err(too_large);
+    gather(geometry, &args.g, &mesh_of, &mut surfaces, &mut parts)?;
+    let made = kernel::tessellate_all(&surfaces, &limits, most).at(ctx.span);
     let mut made = made
-        .map_err(|mistake| match mistake.code {
-            Code::TooLarge => Box::new(mistake.hint(hint)),
-            _ => mistake,
-        })?
+        .map_err(too_large)?
         .into_iter()
         .map(|mesh| if args.quads { mesh.with_quadrilaterals() } else { mesh });
     let meshes: Vec<Mesh> =
@@ -81,10 +87,11 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Mesh> {
     Mesh::merged(&meshes, most).at(ctx.span)
 }
 
-/// The surfaces in a value, and in their order the meshes, with none for a surface.
+/// The surfaces in a value, and in their order the meshes, of faces too, with none for a surface.
 fn gather(
     value: &Value,
     whole: &Spanned<Geometry>,
+    mesh_of: &dyn Fn(&Face) -> Result<Mesh>,
     surfaces: &mut Vec<Surface>,
     parts: &mut Vec<Option<Mesh>>,
 ) -> Result<()> {
@@ -93,10 +100,11 @@ fn gather(
             surfaces.push(surface.clone());
             parts.push(None);
         }
+        Value::Face(face) => parts.push(Some(mesh_of(face)?)),
         Value::Mesh(mesh) => parts.push(Some((**mesh).clone())),
         Value::List(items) => {
             for item in items.iter() {
-                gather(item, whole, surfaces, parts)?;
+                gather(item, whole, mesh_of, surfaces, parts)?;
             }
         }
         other => {
@@ -116,6 +124,7 @@ fn size(value: &Value) -> Option<f64> {
     fn bounds(value: &Value) -> Option<Bounds> {
         match value {
             Value::Surface(surface) => surface.bounds().ok(),
+            Value::Face(face) => face.bounds(Tolerance::DEFAULT).ok(),
             Value::Mesh(mesh) => mesh.bounds(),
             Value::List(items) => items.iter().filter_map(bounds).reduce(Bounds::union),
             _ => None,

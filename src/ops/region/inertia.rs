@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use glam::DMat3;
+
 use super::Given;
 use crate::{
     diag::Result,
@@ -21,13 +23,17 @@ op! {
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Record> {
-    let tensor = args.r.mass().inertia;
+    Ok(of_skin(args.r.mass().inertia))
+}
+
+/// What the inertia of a skin about its centroid is told as.
+pub(in crate::ops) fn of_skin(tensor: DMat3) -> Record {
     let axes = principal_axes(tensor);
     let told = |numbers: [f64; 3]| numbers.map(LengthPower::<4>).to_vec();
     let rows: Vec<Vec<LengthPower<4>>> = (0..3).map(|i| told(tensor.row(i).to_array())).collect();
-    Ok(Record::new([
+    Record::new([
         (Arc::from("tensor"), rows.into_value()),
         (Arc::from("moments"), told(axes.map(|(moment, _)| moment)).into_value()),
         (Arc::from("axes"), axes.map(|(_, axis)| axis).to_vec().into_value()),
-    ]))
+    ])
 }

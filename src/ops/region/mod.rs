@@ -6,7 +6,7 @@ mod closest;
 mod contains;
 mod difference;
 mod fillet;
-mod inertia;
+pub(super) mod inertia;
 mod intersection;
 mod length;
 mod of_curves;
@@ -83,7 +83,7 @@ fn gather(items: &List, found: &mut Vec<Region>) -> bool {
 
 /// A border: a closed curve, or curves that are joined to one.
 #[derive(Clone)]
-struct Border(Vec<Curve>);
+pub(super) struct Border(Vec<Curve>);
 
 impl FromValue for Border {
     const TYPE: Type = Type::OneOf(&[Type::Curve, Type::List(&Type::Curve, 1)]);
@@ -99,7 +99,7 @@ impl FromValue for Border {
 
 impl Border {
     /// The curve along it; a parametric one as the spline within 1e-13 of its size.
-    fn curve(&self, span: Span, ctx: &Ctx<'_>) -> Result<NurbsCurve> {
+    pub(super) fn curve(&self, span: Span, ctx: &Ctx<'_>) -> Result<NurbsCurve> {
         let curves = nurbs(&self.0, span)?;
         match &curves[..] {
             [curve] => Ok(curve.clone()),

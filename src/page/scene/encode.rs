@@ -12,8 +12,8 @@ use super::{
 use crate::{
     export::N_ISOCURVES,
     kernel::{
-        Bounds, Curve, Direction, GeomError, Interval, Mesh, NurbsCurve, Side, Surface, Tolerance,
-        tessellation_parameters, tolerance::DRAWING_DIGIT,
+        Bounds, Curve, Direction, Face, GeomError, Interval, Mesh, NurbsCurve, Side, Surface,
+        Tolerance, tessellation_parameters, tolerance::DRAWING_DIGIT,
     },
 };
 
@@ -87,6 +87,14 @@ pub(super) fn encoded(
             item.add_surface_lines(std::slice::from_ref(surface))?;
             item.add_net(surface);
         }
+        Shape::Face(face) => {
+            let mesh = Arc::new(mesh.unwrap_or_default());
+            let surface = Surface::Nurbs(Arc::clone(face.surface()));
+            item.add_mesh(&mesh);
+            item.add_curvatures(&surface, &mesh);
+            item.add_face_lines(face)?;
+            item.add_net(&surface);
+        }
         Shape::Surfaces(surfaces) => {
             let mesh = Arc::new(mesh.unwrap_or_default());
             item.add_mesh(&mesh);
@@ -115,6 +123,10 @@ pub(super) fn facts_of(shape: &Shape) -> Map<String, Json> {
             tell("degree", json!(format!("{} x {}", surface.degree_u(), surface.degree_v())));
             tell("controlPoints", json!(format!("{} x {}", net.n_rows(), net.n_columns())));
             tell("rational", json!(surface.is_rational()));
+        }
+        Shape::Face(face) => {
+            let surface = face.surface();
+            tell("degree", json!(format!("{} x {}", surface.degree_u(), surface.degree_v())));
         }
         Shape::Surface(Surface::Parametric(_)) => {
             tell("form", json!("parametric"));
@@ -222,6 +234,44 @@ impl EncodingItem {
                     let (parameters, points) = self.finely(&line, N_ISOCOMB)?;
                     isocurves.push(self.writer.places(&points));
                     let bends: Vec<DVec3> = parameters.iter().map(|&t| bending(&line, t)).collect();
+                    isocombs.push(self.writer.vectors(&bends));
+                }
+            }
+        }
+        self.writer.set("edges", edges.into());
+        self.writer.set("isocurves", isocurves.into());
+        self.writer.set("isocombs", isocombs.into());
+        Ok(())
+    }
+
+    /// The edges of a face, and what of the lines of its surface is on it.
+    fn add_face_lines(&mut self, face: &Face) -> Result<(), GeomError> {
+        let surface = Surface::Nurbs(Arc::clone(face.surface()));
+        if face.is_whole() {
+            return self.add_surface_lines(&[surface]);
+        }
+        let tolerance = Tolerance::DEFAULT.with_distance(self.fineness.weld);
+        let mut edges = Vec::new();
+        for edge in face.edges(tolerance)? {
+            let points = self.polyline(&edge.into())?.1;
+            edges.push(self.writer.places(&points));
+        }
+        let (mut isocurves, mut isocombs) = (Vec::new(), Vec::new());
+        for along in Direction::BOTH {
+            let steps = face.surface().domain(along.other()).steps(N_ISOCURVES + 1);
+            for &at in &steps[1..steps.len() - 1] {
+                let line = match along {
+                    Direction::U => face.surface().isocurve_v(at),
+                    Direction::V => face.surface().isocurve_u(at),
+                };
+                if line.bounds().diagonal() <= DRAWING_DIGIT * self.size {
+                    continue;
+                }
+                for part in face.clipped(&[line], tolerance)? {
+                    let part = Curve::from(part);
+                    let (parameters, points) = self.finely(&part, N_ISOCOMB)?;
+                    isocurves.push(self.writer.places(&points));
+                    let bends: Vec<DVec3> = parameters.iter().map(|&t| bending(&part, t)).collect();
                     isocombs.push(self.writer.vectors(&bends));
                 }
             }

@@ -1,9 +1,14 @@
 //! The meshes of surfaces, as fine as a screen needs and as a screen can bear.
 
-use super::{encode::Fineness, parts::Piece, told};
+use super::{
+    encode::Fineness,
+    parts::{Piece, Shape},
+    told,
+};
 use crate::{
     kernel::{
-        CountError, GeomError, Mesh, Surface, TessellationOptions, tessellate_all, tessellate_any,
+        CountError, Face, GeomError, Mesh, Surface, TessellationOptions, tessellate_all,
+        tessellate_any,
     },
     session::Session,
 };
@@ -32,6 +37,9 @@ pub(super) fn meshes(
     if let Ok(meshes) = together {
         let mut meshes = meshes.into_iter();
         let of_piece = |piece: &Piece| {
+            if let Shape::Face(face) = &piece.shape {
+                return of_face(face, session, fineness).map(Some);
+            }
             let n_meshes = piece.shape.surfaces().len();
             let own: Vec<Mesh> = meshes.by_ref().take(n_meshes).collect();
             let merged =
@@ -41,6 +49,9 @@ pub(super) fn meshes(
         return pieces.iter().map(of_piece).collect();
     }
     let alone = |piece: &Piece| {
+        if let Shape::Face(face) = &piece.shape {
+            return of_face(face, session, fineness).map(Some);
+        }
         let surfaces = piece.shape.surfaces();
         if surfaces.is_empty() {
             return Ok(None);
@@ -56,6 +67,12 @@ pub(super) fn meshes(
         Mesh::merged(&meshes?, fineness.most).map(Some).map_err(|err| err.to_string())
     };
     pieces.iter().map(alone).collect()
+}
+
+fn of_face(face: &Face, session: &Session, fineness: &Fineness) -> Result<Mesh, String> {
+    told(session, || {
+        bearable(fineness, session.n_threads(), |options, most| face.mesh(options, most))
+    })
 }
 
 /// What `tessellate` makes with the smallest angle for which that is not too much; else without one.

@@ -194,7 +194,7 @@ fn deferred<'a, 'd>(
             return true;
         }
         let pieces = parts::pieces(definition.value);
-        if pieces.iter().all(|piece| piece.shape.surfaces().is_empty()) {
+        if !pieces.iter().any(|piece| piece.shape.is_tessellated()) {
             return true;
         }
         memory.keep(definition.identity, fineness, DefinitionItems::deferred(pieces, fineness));

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::{
     kernel::{
-        Bounds, Curve, GeomError, Mesh, Region, Surface, Tolerance,
+        Bounds, Curve, Face, GeomError, Mesh, Region, Surface, Tolerance,
         tolerance::DEFAULT_CHORD_RELATIVE,
     },
     limits::Limits,
@@ -20,6 +20,7 @@ const MOST_PIECES: usize = 1000;
 #[derive(Clone, Debug)]
 pub(crate) enum Shape {
     Surface(Surface),
+    Face(Arc<Face>),
     Curve(Curve),
     Mesh(Arc<Mesh>),
     Points(Vec<DVec3>),
@@ -52,6 +53,7 @@ fn gather(value: &Value, path: &str, found: &mut Vec<Piece>) {
             gather_region(region, path, found);
             return;
         }
+        Value::Face(face) => Shape::Face(Arc::clone(face)),
         Value::Mesh(mesh) => Shape::Mesh(Arc::clone(mesh)),
         Value::Point(point) => Shape::Points(vec![*point]),
         Value::List(items) => {
@@ -102,7 +104,11 @@ fn points_of(value: &Value) -> Option<Vec<DVec3>> {
 /// Whether a member of a record is drawn with it: a point of a record is as often a direction.
 fn has_shape(value: &Value) -> bool {
     match value {
-        Value::Surface(_) | Value::Curve(_) | Value::Region(_) | Value::Mesh(_) => true,
+        Value::Surface(_)
+        | Value::Curve(_)
+        | Value::Region(_)
+        | Value::Face(_)
+        | Value::Mesh(_) => true,
         Value::List(items) => items.values().next().is_some_and(|first| has_shape(&first)),
         _ => false,
     }
@@ -137,11 +143,25 @@ impl Shape {
     /// What the page calls its kind.
     pub(crate) fn kind(&self) -> &'static str {
         match self {
-            Self::Surface(_) => "surface",
+            Self::Surface(_) | Self::Face(_) => "surface",
             Self::Curve(_) => "curve",
             Self::Mesh(_) | Self::Surfaces(_) => "mesh",
             Self::Points(_) => "points",
             Self::Curves(_) => "polyline",
+        }
+    }
+
+    /// Whether triangles are made of it.
+    pub(crate) fn is_tessellated(&self) -> bool {
+        matches!(self, Self::Face(_)) || !self.surfaces().is_empty()
+    }
+
+    /// The surface on which it has parameters.
+    pub(crate) fn parametrized(&self) -> Option<Surface> {
+        match self {
+            Self::Surface(surface) => Some(surface.clone()),
+            Self::Face(face) => Some(Surface::Nurbs(Arc::clone(face.surface()))),
+            _ => None,
         }
     }
 
@@ -163,6 +183,7 @@ impl Shape {
             Self::Surface(_) | Self::Surfaces(_) => {
                 whole(&mut self.surfaces().iter().map(Surface::bounds))
             }
+            Self::Face(face) => face.bounds(Tolerance::DEFAULT).ok(),
             Self::Curve(curve) => curve.bounds().ok(),
             Self::Curves(curves) => whole(&mut curves.iter().map(Curve::bounds)),
             Self::Mesh(mesh) => mesh.bounds(),

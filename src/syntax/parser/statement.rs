@@ -68,7 +68,12 @@ fn is_expectation(input: &mut Input<'_, '_, '_>) -> bool {
 fn word_kind(input: &mut Input<'_, '_, '_>) -> Option<Kind> {
     let at = here(input);
     let script = input.state();
-    let words = [("region", Kind::Region), ("regions", Kind::Regions)];
+    let words = [
+        ("region", Kind::Region),
+        ("regions", Kind::Regions),
+        ("face", Kind::Face),
+        ("faces", Kind::Faces),
+    ];
     words.into_iter().find(|(word, _)| script.is_word(at, word)).map(|(_, kind)| kind)
 }
 

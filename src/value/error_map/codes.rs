@@ -53,6 +53,9 @@ const fn of_region(error: &RegionError) -> Code {
 const fn of_face(error: &FaceError) -> Code {
     match error {
         FaceError::OffDomain { .. } => Code::OutsideDomain,
+        FaceError::OpenShell { .. }
+        | FaceError::CrowdedShell { .. }
+        | FaceError::OneSided { .. } => Code::OpenShell,
         FaceError::Open { .. }
         | FaceError::BothSides { .. }
         | FaceError::EndsInside { .. }

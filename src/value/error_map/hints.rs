@@ -354,6 +354,12 @@ fn of_face(error: &FaceError) -> String {
         }
         FaceError::NoPartAt { .. } => "give a point on the face, beside the cuts",
         FaceError::OnCut { .. } => "give a point beside the cuts",
+        FaceError::OpenShell { .. } => {
+            "`face(region(...))` fills a plane hole; faces of one cut share its edge"
+        }
+        FaceError::CrowdedShell { .. } | FaceError::OneSided { .. } => {
+            "leave out the faces that do not belong to the border"
+        }
         FaceError::Nothing => "a loop that runs the other way leaves what is on its other side",
     };
     hint.to_owned()

@@ -132,13 +132,9 @@ pub fn volume_mass(
             })?;
             sum.add(part, sign);
         }
-        let turn = if !shell.was_oriented && sum.values[0] < 0.0 { -1.0 } else { 1.0 };
-        whole.add(Integral { values: sum.values, relative_error: sum.relative_error }, turn);
+        whole.add_shell(&sum, shell.was_oriented);
     }
-    if whole.values[0] < 0.0 {
-        whole.values = whole.values.map(|value| -value);
-    }
-    whole.mass(about, [3.0, 4.0, 5.0]).ok_or_else(|| whole.without("volume"))
+    whole.volume(about)
 }
 
 /// For each surface, whether it must turn over so that those that hang together face alike: outward
@@ -198,6 +194,24 @@ impl MassIntegral {
     pub(crate) fn add(&mut self, part: Integral<10>, sign: f64) {
         self.values.iter_mut().zip(part.values).for_each(|(sum, value)| *sum += sign * value);
         self.relative_error = self.relative_error.max(part.relative_error);
+    }
+
+    /// Adds the moments of a shell; one that was not oriented is taken to look outward.
+    pub(crate) fn add_shell(&mut self, shell: &Self, was_oriented: bool) {
+        let turn = if !was_oriented && shell.values[0] < 0.0 { -1.0 } else { 1.0 };
+        let Self { values, relative_error } = *shell;
+        self.add(Integral { values, relative_error }, turn);
+    }
+
+    /// What shells about a place hold, which is not negative.
+    ///
+    /// # Errors
+    /// Those of [`Self::without`].
+    pub(crate) fn volume(mut self, about: DVec3) -> Result<MassProperties, GeomError> {
+        if self.values[0] < 0.0 {
+            self.values = self.values.map(|value| -value);
+        }
+        self.mass(about, [3.0, 4.0, 5.0]).ok_or_else(|| self.without("volume"))
     }
 
     /// Why they say nothing: they overflow, or there is nothing.

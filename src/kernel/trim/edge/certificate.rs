@@ -38,7 +38,7 @@ const MAX_WIDENINGS: usize = 4;
 const FURTHEST: f64 = 1.0;
 
 /// The ranges of the coordinates of Su and Sv.
-type Slopes = [[[f64; 2]; 3]; 2];
+pub(in crate::trim) type SlopeRanges = [[[f64; 2]; 3]; 2];
 
 /// A bound of the distance between a piece and the curve in which the surfaces cross beside it, where it is
 /// proven that there is one and that the bound is no more than `limit`.
@@ -86,7 +86,7 @@ fn contracted(carriers: &[Carrier<'_>; 2], piece: &CurvePiece) -> Option<f64> {
                 let radius = box_radii[2 * surface + i];
                 outward([low - radius, high + radius])
             };
-            slopes(&carriers[surface], [around(0), around(1)])
+            slope_ranges(&carriers[surface], [around(0), around(1)])
         });
         let [Some(of_a), Some(of_b)] = slopes else { return None };
         let spread = spread(&rows, [&of_a, &of_b]);
@@ -130,7 +130,7 @@ fn inverse(carriers: &[Carrier<'_>; 2], piece: &CurvePiece, chord: DVec3) -> Opt
 }
 
 /// Bounds of |I − Y J|.
-fn spread(rows: &[[DVec3; 2]; 4], slopes: [&Slopes; 2]) -> [[f64; 4]; 4] {
+fn spread(rows: &[[DVec3; 2]; 4], slopes: [&SlopeRanges; 2]) -> [[f64; 4]; 4] {
     std::array::from_fn(|i| {
         std::array::from_fn(|k| {
             let surface = k / 2;
@@ -147,7 +147,7 @@ fn spread(rows: &[[DVec3; 2]; 4], slopes: [&Slopes; 2]) -> [[f64; 4]; 4] {
 }
 
 /// How far in space a box of parameters reaches from the spline, seen from the surface that tells less.
-fn reach(residuals: &[Residual; 2], slopes: [&Slopes; 2], radii: [f64; 4]) -> f64 {
+fn reach(residuals: &[Residual; 2], slopes: [&SlopeRanges; 2], radii: [f64; 4]) -> f64 {
     let one = |surface: usize| {
         let along = |i: usize| {
             let most = slopes[surface][i].map(|[low, high]| low.abs().max(high.abs()));
@@ -159,8 +159,11 @@ fn reach(residuals: &[Residual; 2], slopes: [&Slopes; 2], radii: [f64; 4]) -> f6
 }
 
 /// The ranges of Su and Sv over a box of parameters.
-fn slopes(carrier: &Carrier<'_>, ranges: [[f64; 2]; 2]) -> Option<Slopes> {
-    let mut found: Option<Slopes> = None;
+pub(in crate::trim) fn slope_ranges(
+    carrier: &Carrier<'_>,
+    ranges: [[f64; 2]; 2],
+) -> Option<SlopeRanges> {
+    let mut found: Option<SlopeRanges> = None;
     for (span_u, ends_u) in carrier.spans_over(0, ranges[0]) {
         for (span_v, ends_v) in carrier.spans_over(1, ranges[1]) {
             let patch = carrier.patch([span_u, span_v]);
@@ -180,7 +183,11 @@ fn slopes(carrier: &Carrier<'_>, ranges: [[f64; 2]; 2]) -> Option<Slopes> {
 }
 
 /// The same over the part of a box that is in one patch; beyond an end of the domain the patch goes on.
-fn slopes_on(patch: &CarrierPatch, ranges: [[f64; 2]; 2], ends: [[bool; 2]; 2]) -> Option<Slopes> {
+fn slopes_on(
+    patch: &CarrierPatch,
+    ranges: [[f64; 2]; 2],
+    ends: [[bool; 2]; 2],
+) -> Option<SlopeRanges> {
     if !patch.has_positive_weights() {
         return None;
     }

@@ -11,6 +11,9 @@ mod piece;
 mod place;
 mod spline;
 
+pub(super) use certificate::{SlopeRanges, slope_ranges};
+pub(super) use piece::Carrier;
+
 use crate::{ConstructionReport, GeomError, Interval, NurbsCurve, ReportEntry};
 
 /// What two surfaces do along a curve that they share.

@@ -16,7 +16,7 @@ use crate::{
 
 /// A surface with the Bézier patches that were asked for.
 #[derive(Debug)]
-pub(super) struct Carrier<'s> {
+pub(in crate::trim) struct Carrier<'s> {
     pub(super) surface: &'s NurbsSurface,
     /// Those with points, along u and along v.
     spans: [Vec<usize>; 2],
@@ -38,7 +38,7 @@ pub(super) struct CarrierPatch {
 }
 
 impl<'s> Carrier<'s> {
-    pub(super) fn new(surface: &'s NurbsSurface) -> Self {
+    pub(in crate::trim) fn new(surface: &'s NurbsSurface) -> Self {
         let spans = [surface.knots_u(), surface.knots_v()].map(|knots| knots.spans().collect());
         Self { surface, spans, patches: RefCell::default() }
     }

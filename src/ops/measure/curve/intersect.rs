@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use crate::{
     diag::{Result, Span},
-    kernel::{Curve, CurveIntersection, Surface},
-    ops::measure::picture,
+    kernel::{Curve, CurveIntersection},
+    ops::{face::SurfaceOrFace, measure::picture},
     value::{At, Ctx, FromValue, Mismatch, Record, Type, Value, op},
 };
 
@@ -23,7 +23,7 @@ op! {
     intersect in Measure -> Vec<Record> {
         /// One curve.
         a: Curve,
-        /// The other, or a surface.
+        /// The other, or a surface or face.
         b: CurvePartner,
     }
     example "intersect(line((0, 0), (4, 4)), line((0, 2), (4, 2)))" => "[{t: 0.5, s: 0.5, point: (2, 2, 0)}]";
@@ -41,16 +41,18 @@ op! {
 #[derive(Clone)]
 enum CurvePartner {
     Curve(Curve),
-    Surface(Surface),
+    Surface(SurfaceOrFace),
 }
 
 impl FromValue for CurvePartner {
-    const TYPE: Type = Type::OneOf(&[Type::Curve, Type::Surface]);
+    const TYPE: Type = Type::OneOf(&[Type::Curve, Type::Surface, Type::Face]);
 
-    fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
+    fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
         match value {
             Value::Curve(curve) => Ok(Self::Curve(curve.clone())),
-            Value::Surface(surface) => Ok(Self::Surface(surface.clone())),
+            Value::Surface(_) | Value::Face(_) => {
+                SurfaceOrFace::from_value(value, span).map(Self::Surface)
+            }
             _ => Err(Mismatch::kind(Self::TYPE, value)),
         }
     }

@@ -3,7 +3,8 @@
 use super::{lines, pierced};
 use crate::{
     diag::{Result, Span},
-    kernel::{Curve, Surface},
+    kernel::{Curve, LevelSet},
+    ops::face::SurfaceOrFace,
     value::{At, Ctx, FromValue, IntoValue, Mismatch, Type, Value, op},
 };
 
@@ -23,9 +24,9 @@ op! {
     /// Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988);
     /// Ye & Maekawa, *Differential geometry of intersection curves of two surfaces*, CAGD 16 (1999).
     intersect in Measure -> Vec<Value> {
-        /// A surface.
-        a: Surface,
-        /// Another surface, or a curve.
+        /// A surface or face.
+        a: SurfaceOrFace,
+        /// Another surface or face, or a curve.
         b: SurfacePartner,
     }
     example "[for c in intersect(sphere((0, 0), 5), plane_patch((-9, -9, 3), (18, 0), (0, 18))): length(c)] ~= [8 * pi] within 1e-5" => "true";
@@ -44,16 +45,18 @@ op! {
 #[derive(Clone)]
 enum SurfacePartner {
     Curve(Curve),
-    Surface(Surface),
+    Surface(SurfaceOrFace),
 }
 
 impl FromValue for SurfacePartner {
-    const TYPE: Type = Type::OneOf(&[Type::Surface, Type::Curve]);
+    const TYPE: Type = Type::OneOf(&[Type::Surface, Type::Face, Type::Curve]);
 
-    fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
+    fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
         match value {
             Value::Curve(curve) => Ok(Self::Curve(curve.clone())),
-            Value::Surface(surface) => Ok(Self::Surface(surface.clone())),
+            Value::Surface(_) | Value::Face(_) => {
+                SurfaceOrFace::from_value(value, span).map(Self::Surface)
+            }
             _ => Err(Mismatch::kind(Self::TYPE, value)),
         }
     }
@@ -63,7 +66,9 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Value>> {
     match &args.b {
         SurfacePartner::Surface(other) => {
             let set = args.a.intersections(other, ctx.tolerance).at(ctx.span)?;
+            let set = on_faces(set, [&args.a, other], ctx);
             let curves = lines(ctx, set, "the surfaces touch");
+            let curves = other.clipped(args.a.clipped(curves, ctx)?, ctx)?;
             Ok(curves.into_iter().map(IntoValue::into_value).collect())
         }
         SurfacePartner::Curve(curve) => {
@@ -71,4 +76,17 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Value>> {
             Ok(records.into_iter().map(IntoValue::into_value).collect())
         }
     }
+}
+
+/// The same without the touches that are on no face.
+fn on_faces(mut set: LevelSet, parts: [&SurfaceOrFace; 2], ctx: &Ctx<'_>) -> LevelSet {
+    let is_on = |point: &glam::DVec3| {
+        parts.iter().all(|part| {
+            !part.is_face()
+                || part.closest(*point).is_ok_and(|foot| part.has(foot.parameters, ctx.tolerance))
+        })
+    };
+    set.touches.retain(is_on);
+    set.uncertain.retain(is_on);
+    set
 }

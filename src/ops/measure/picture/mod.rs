@@ -17,6 +17,7 @@ use glam::DVec3;
 use crate::{
     diag::{Code, Diagnostic, Result},
     kernel::{Curve, Frame, LevelSet, NurbsCurve, Surface},
+    ops::face::SurfaceOrFace,
     value::{At, Ctx, Record, Value, shortest},
 };
 
@@ -48,7 +49,11 @@ fn place_of(ctx: &Ctx<'_>, point: DVec3) -> String {
 }
 
 /// The places of a curve on a surface, as scripts see them.
-pub(super) fn pierced(ctx: &Ctx<'_>, curve: &Curve, surface: &Surface) -> Result<Vec<Record>> {
+pub(super) fn pierced(
+    ctx: &Ctx<'_>,
+    curve: &Curve,
+    surface: &SurfaceOrFace,
+) -> Result<Vec<Record>> {
     let places = surface.piercings(curve, ctx.tolerance).at(ctx.span)?;
     let record = |place: crate::kernel::CurveSurfaceIntersection| {
         Record::new([
@@ -58,7 +63,8 @@ pub(super) fn pierced(ctx: &Ctx<'_>, curve: &Curve, surface: &Surface) -> Result
             (Arc::from("point"), Value::Point(place.point)),
         ])
     };
-    Ok(places.into_iter().map(record).collect())
+    let places = places.into_iter().filter(|place| surface.has(place.uv, ctx.tolerance));
+    Ok(places.map(record).collect())
 }
 
 /// A coordinate without the digits that the tolerance leaves open.

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use super::section_curves;
 use crate::{
     diag::Result,
-    kernel::{Frame, NurbsCurve, Surface},
+    kernel::{Frame, NurbsCurve},
+    ops::face::SurfaceOrFace,
     value::{Ctx, op},
 };
 
@@ -20,8 +21,8 @@ op! {
     /// empty list. A parametric surface is cut as a spline within a quarter of the tolerance.
     /// Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988).
     section in Measure -> Vec<NurbsCurve> {
-        /// The surface.
-        g: Surface,
+        /// The surface, or a part of one.
+        g: SurfaceOrFace,
         /// The plane.
         plane: Arc<Frame>,
     }
@@ -35,5 +36,6 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {
-    section_curves(ctx, &args.g, *args.plane)
+    let curves = section_curves(ctx, &args.g, *args.plane)?;
+    args.g.clipped(curves, ctx)
 }

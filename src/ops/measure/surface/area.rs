@@ -7,11 +7,11 @@ use crate::{
 };
 
 op! {
-    /// Area of a surface, or of several together.
+    /// Area of a surface or face, or of several together.
     ///
     /// The integral of |Su × Sv|, to some 12 digits where the surface is smooth.
     area in Measure -> Area {
-        /// The surface, or a list of surfaces.
+        /// The surface or face, or a list of them.
         s: Spanned<Surfaces>,
     }
     example "area(sphere((0, 0), 1)) ~= 4*pi within 1e-12" => "true";
@@ -19,9 +19,16 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Area> {
+    let Spanned { value: surfaces, span } = &args.s;
     let (mut sum, mut relative_error) = (0.0, 0.0_f64);
-    for surface in &args.s.value.0 {
-        let (area, error) = surface.area().at(args.s.span)?;
+    for surface in &surfaces.0 {
+        let (area, error) = match surface.is_face() {
+            true => {
+                let mass = surface.face(*span, ctx.tolerance)?.mass().at(*span)?;
+                (mass.amount, mass.relative_error)
+            }
+            false => surface.area().at(*span)?,
+        };
         sum += area;
         relative_error = relative_error.max(error);
     }

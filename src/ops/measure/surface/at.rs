@@ -3,16 +3,16 @@
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    kernel::Surface,
+    ops::face::SurfaceOrFace,
     value::{Ctx, Real, Vector, op},
 };
 
 op! {
     /// Point of a surface at its parameters; `s(u, v)` is the same.
     at in Measure -> Vector {
-        /// The surface.
-        s: Surface,
-        /// The first parameter, inside the surface's domain.
+        /// The surface, or a part of one.
+        s: SurfaceOrFace,
+        /// The first parameter, inside its domain.
         u: Spanned<Real>,
         /// The second parameter.
         v: Spanned<Real>,

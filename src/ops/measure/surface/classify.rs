@@ -3,7 +3,8 @@
 use super::inside;
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Surface, SurfacePointKind},
+    kernel::SurfacePointKind,
+    ops::face::SurfaceOrFace,
     value::{At, Choice, Ctx, op},
 };
 
@@ -16,9 +17,9 @@ op! {
     ///
     /// Linkeová, *Curves and Surfaces for Computer Graphics*, Definitions 1.26 and 1.29.
     classify in Measure -> SurfacePointKind {
-        /// The surface.
-        s: Surface,
-        /// The first parameter, inside the surface's domain.
+        /// The surface, or a part of one.
+        s: SurfaceOrFace,
+        /// The first parameter, inside its domain.
         u: Spanned<f64>,
         /// The second parameter.
         v: Spanned<f64>,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    kernel::Surface,
+    ops::face::SurfaceOrFace,
     value::{At, Ctx, IntoValue, LengthPower, Real, Record, op},
 };
 
@@ -15,9 +15,9 @@ op! {
     /// They measure lengths, angles and areas on the surface. do Carmo, *Differential Geometry of Curves
     /// and Surfaces*, §2-5.
     first_form in Measure -> Record {
-        /// The surface.
-        s: Surface,
-        /// The first parameter, inside the surface's domain.
+        /// The surface, or a part of one.
+        s: SurfaceOrFace,
+        /// The first parameter, inside its domain.
         u: Spanned<Real>,
         /// The second parameter.
         v: Spanned<Real>,

@@ -3,7 +3,7 @@
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    kernel::Surface,
+    ops::face::SurfaceOrFace,
     value::{Ctx, LengthPower, Real, op},
 };
 
@@ -15,9 +15,9 @@ op! {
     ///
     /// do Carmo, *Differential Geometry of Curves and Surfaces*, §3-3.
     gaussian in Measure -> LengthPower<-2, Real> {
-        /// The surface.
-        s: Surface,
-        /// The first parameter, inside the surface's domain.
+        /// The surface, or a part of one.
+        s: SurfaceOrFace,
+        /// The first parameter, inside its domain.
         u: Spanned<Real>,
         /// The second parameter.
         v: Spanned<Real>,

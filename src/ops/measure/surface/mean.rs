@@ -3,7 +3,7 @@
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    kernel::Surface,
+    ops::face::SurfaceOrFace,
     value::{Ctx, Curvature, LengthPower, Real, op},
 };
 
@@ -14,9 +14,9 @@ op! {
     /// At the pole of a closed shape it is the limit, if the shape has one. do Carmo, *Differential
     /// Geometry of Curves and Surfaces*, §3-3.
     mean in Measure -> Curvature<Real> {
-        /// The surface.
-        s: Surface,
-        /// The first parameter, inside the surface's domain.
+        /// The surface, or a part of one.
+        s: SurfaceOrFace,
+        /// The first parameter, inside its domain.
         u: Spanned<Real>,
         /// The second parameter.
         v: Spanned<Real>,

@@ -32,26 +32,65 @@ pub(super) mod volume;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        GeomError, MassProperties, ShellError, Surface, area_mass,
+        Face, FaceError, GeomError, MassProperties, ShellError, Surface, area_mass,
         tolerance::{ACCURACY_WORTH_HAVING, ACCURACY_WORTH_TELLING},
         volume_mass,
     },
-    ops::list::check_length,
+    ops::{face::SurfaceOrFace, list::check_length},
     value::{At, Choice, Ctx, FromValue, Mismatch, Type, Value},
 };
 
-/// A surface, or a list of them.
-struct Surfaces(Vec<Surface>);
+/// A surface, or a list of them; faces as well as surfaces.
+struct Surfaces(Vec<SurfaceOrFace>);
 
 impl FromValue for Surfaces {
-    const TYPE: Type = Type::OneOf(&[Type::Surface, Type::List(&Type::Surface, 1)]);
+    const TYPE: Type = Type::OneOf(&[
+        Type::Surface,
+        Type::Face,
+        Type::List(&Type::OneOf(&[Type::Surface, Type::Face]), 1),
+    ]);
 
     fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
         match value {
-            Value::Surface(surface) => Ok(Self(vec![surface.clone()])),
+            Value::Surface(_) | Value::Face(_) => {
+                Ok(Self(vec![SurfaceOrFace::from_value(value, span)?]))
+            }
             Value::List(items) if !items.is_empty() => Vec::from_value(value, span).map(Self),
             _ => Err(Mismatch::kind(Self::TYPE, value)),
         }
+    }
+}
+
+impl Surfaces {
+    /// All of them as surfaces; none where one is a part of a surface.
+    fn whole(&self) -> Option<Vec<Surface>> {
+        let whole = |part: &SurfaceOrFace| (!part.is_face()).then(|| (**part).clone());
+        self.0.iter().map(whole).collect()
+    }
+
+    /// How the area of all is spread.
+    fn area_mass(&self, span: Span, ctx: &Ctx<'_>) -> Result<MassProperties> {
+        match self.whole() {
+            Some(surfaces) => area_mass(&surfaces).at(span),
+            None => Face::mass_of(&self.faces(span, ctx)?).at(span),
+        }
+    }
+
+    /// What they enclose.
+    fn volume_mass(
+        &self,
+        span: Span,
+        ctx: &Ctx<'_>,
+    ) -> Result<std::result::Result<MassProperties, GeomError>> {
+        Ok(match self.whole() {
+            Some(surfaces) => volume_mass(&surfaces, ctx.tolerance),
+            None => Face::enclosed_mass(&self.faces(span, ctx)?, ctx.tolerance),
+        })
+    }
+
+    fn faces(&self, span: Span, ctx: &Ctx<'_>) -> Result<Vec<Face>> {
+        let face = |part: &SurfaceOrFace| part.face(span, ctx.tolerance);
+        self.0.iter().map(|part| face(part).map(|face| (*face).clone())).collect()
     }
 }
 
@@ -74,13 +113,19 @@ fn mass(
     what: &str,
     ctx: &mut Ctx<'_>,
 ) -> Result<MassProperties> {
-    let mass = match of {
-        MassOf::Volume => volume_mass(&surfaces.value.0, ctx.tolerance),
-        MassOf::Area => area_mass(&surfaces.value.0),
-    };
-    let open =
-        matches!(mass, Err(GeomError::Shell(ShellError::Open { .. } | ShellError::Alone { .. })));
-    match mass.at(surfaces.span) {
+    let span = surfaces.span;
+    if of == MassOf::Area {
+        let mass = surfaces.value.area_mass(span, ctx)?;
+        tell_accuracy(what, mass.relative_error, ctx)?;
+        return Ok(mass);
+    }
+    let mass = surfaces.value.volume_mass(span, ctx)?;
+    let open = matches!(
+        mass,
+        Err(GeomError::Shell(ShellError::Open { .. } | ShellError::Alone { .. })
+            | GeomError::Face(FaceError::OpenShell { .. }))
+    );
+    match mass.at(span) {
         Err(open_shell) if open => {
             let hint = format!("`{what}(…, of = \"area\")` is that of the surfaces themselves");
             (*open_shell).hint(hint).fail()
@@ -112,9 +157,10 @@ fn tell_accuracy(what: &str, relative_error: f64, ctx: &mut Ctx<'_>) -> Result<(
 }
 
 /// Parameters of a surface, inside its domains.
-fn inside(surface: &Surface, u: Spanned<f64>, v: Spanned<f64>) -> Result<(f64, f64)> {
+fn inside(surface: &SurfaceOrFace, u: Spanned<f64>, v: Spanned<f64>) -> Result<(f64, f64)> {
     let inside_u = surface.domain_u().clamp_inside(u.value).at(u.span)?;
     let inside_v = surface.domain_v().clamp_inside(v.value).at(v.span)?;
+    surface.check_inside([inside_u, inside_v], u.span)?;
     Ok((inside_u, inside_v))
 }
 

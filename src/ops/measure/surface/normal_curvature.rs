@@ -3,7 +3,7 @@
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    kernel::Surface,
+    ops::face::SurfaceOrFace,
     value::{At, Ctx, Curvature, LengthPower, Real, Vector, op},
 };
 
@@ -15,9 +15,9 @@ op! {
     /// A curvature is positive where its centre lies on the side of Su × Sv. do Carmo, *Differential Geometry of
     /// Curves and Surfaces*, §3-2.
     normal_curvature in Measure -> Curvature<Real> {
-        /// The surface.
-        s: Surface,
-        /// The first parameter, inside the surface's domain.
+        /// The surface, or a part of one.
+        s: SurfaceOrFace,
+        /// The first parameter, inside its domain.
         u: Spanned<Real>,
         /// The second parameter.
         v: Spanned<Real>,

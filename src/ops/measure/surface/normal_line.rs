@@ -3,7 +3,8 @@
 use super::inside;
 use crate::{
     diag::{Result, Spanned},
-    kernel::{NurbsCurve, Surface},
+    kernel::NurbsCurve,
+    ops::face::SurfaceOrFace,
     value::{At, Ctx, Length, op},
 };
 
@@ -12,9 +13,9 @@ op! {
     ///
     /// It runs along Su × Sv. At a pole or a collapsed edge it is the limit, where that exists.
     normal_line in Measure -> NurbsCurve {
-        /// The surface.
-        s: Surface,
-        /// The first parameter, inside the surface's domain.
+        /// The surface, or a part of one.
+        s: SurfaceOrFace,
+        /// The first parameter, inside its domain.
         u: Spanned<f64>,
         /// The second parameter.
         v: Spanned<f64>,

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use super::varying::{self, Varying};
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Principal, Surface},
-    ops::measure::Measured,
+    kernel::Principal,
+    ops::{face::SurfaceOrFace, measure::Measured},
     value::{At, Ctx, IntoValue, LengthPower, Real, Record, Vector, op},
 };
 
@@ -20,9 +20,9 @@ op! {
     ///
     /// do Carmo, *Differential Geometry of Curves and Surfaces*, §3-2.
     principal in Measure -> Record {
-        /// The surface.
-        s: Surface,
-        /// The first parameter, inside the surface's domain.
+        /// The surface, or a part of one.
+        s: SurfaceOrFace,
+        /// The first parameter, inside its domain.
         u: Spanned<Real>,
         /// The second parameter.
         v: Spanned<Real>,

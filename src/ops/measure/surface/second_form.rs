@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    kernel::Surface,
+    ops::face::SurfaceOrFace,
     value::{At, Ctx, IntoValue, Length, Real, Record, op},
 };
 
@@ -16,9 +16,9 @@ op! {
     /// They are positive where the surface bends to the side of n. At a pole or a collapsed edge n is the
     /// limit, where that exists. do Carmo, *Differential Geometry of Curves and Surfaces*, §3-3.
     second_form in Measure -> Record {
-        /// The surface.
-        s: Surface,
-        /// The first parameter, inside the surface's domain.
+        /// The surface, or a part of one.
+        s: SurfaceOrFace,
+        /// The first parameter, inside its domain.
         u: Spanned<Real>,
         /// The second parameter.
         v: Spanned<Real>,

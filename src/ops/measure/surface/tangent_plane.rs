@@ -3,7 +3,8 @@
 use super::inside;
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Frame, Surface},
+    kernel::Frame,
+    ops::face::SurfaceOrFace,
     value::{At, Ctx, op},
 };
 
@@ -13,9 +14,9 @@ op! {
     /// Its x axis runs along Su and its z axis, the normal of the plane, along Su × Sv. At a pole or a
     /// collapsed edge it is the limit, where that exists.
     tangent_plane in Measure -> Frame {
-        /// The surface.
-        s: Surface,
-        /// The first parameter, inside the surface's domain.
+        /// The surface, or a part of one.
+        s: SurfaceOrFace,
+        /// The first parameter, inside its domain.
         u: Spanned<f64>,
         /// The second parameter.
         v: Spanned<f64>,

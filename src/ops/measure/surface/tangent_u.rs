@@ -3,7 +3,7 @@
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    kernel::Surface,
+    ops::face::SurfaceOrFace,
     value::{Ctx, Real, Vector, op},
 };
 
@@ -13,9 +13,9 @@ op! {
     /// On an edge that is collapsed to a point, such as the pole of a sphere, it is the limit from inside
     /// of the domain.
     tangent_u in Measure -> Vector {
-        /// The surface.
-        s: Surface,
-        /// The first parameter, inside the surface's domain.
+        /// The surface, or a part of one.
+        s: SurfaceOrFace,
+        /// The first parameter, inside its domain.
         u: Spanned<Real>,
         /// The second parameter.
         v: Spanned<Real>,

@@ -3,7 +3,7 @@
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    kernel::Surface,
+    ops::face::SurfaceOrFace,
     value::{Ctx, Real, Vector, op},
 };
 
@@ -12,9 +12,9 @@ op! {
     ///
     /// Linkeová, *Curves and Surfaces for Computer Graphics*, Definition 1.28.
     twist in Measure -> Vector {
-        /// The surface.
-        s: Surface,
-        /// The first parameter, inside the surface's domain.
+        /// The surface, or a part of one.
+        s: SurfaceOrFace,
+        /// The first parameter, inside its domain.
         u: Spanned<Real>,
         /// The second parameter.
         v: Spanned<Real>,

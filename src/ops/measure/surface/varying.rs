@@ -10,17 +10,19 @@ use glam::{DMat2, DVec2, DVec3};
 use crate::{
     diag::{Result, Span, Spanned},
     kernel::{Grid, Interval, Jet, LocalError, Surface, jet, tolerance::LAST_BIT},
-    ops::measure::Measured,
+    ops::{face::SurfaceOrFace, measure::Measured},
     value::{At, Real, Vector},
 };
 
 /// Parameters of a surface, inside its domain.
-fn inside(surface: &Surface, parameters: [&Spanned<Real>; 2]) -> Result<[Real; 2]> {
+fn inside(surface: &SurfaceOrFace, parameters: [&Spanned<Real>; 2]) -> Result<[Real; 2]> {
     let [u, v] = parameters;
     let one = |domain: Interval, t: &Spanned<Real>| -> Result<Real> {
         Ok(t.value.clone().with_value(domain.clamp_inside(t.value.value()).at(t.span)?))
     };
-    Ok([one(surface.domain_u(), u)?, one(surface.domain_v(), v)?])
+    let inside = [one(surface.domain_u(), u)?, one(surface.domain_v(), v)?];
+    surface.check_inside(inside.each_ref().map(Real::value), u.span)?;
+    Ok(inside)
 }
 
 /// Both parameters as jets, which they are if one of them is or if they stand beside one.
@@ -35,7 +37,7 @@ fn jets([u, v]: &[Real; 2], beside: Option<&Jet>) -> Option<[Jet; 2]> {
 /// Parameters of a surface without and with derivatives: the latter where one of them carries any, or what
 /// is asked beside them does.
 pub(super) fn place(
-    surface: &Surface,
+    surface: &SurfaceOrFace,
     parameters: [&Spanned<Real>; 2],
     order: usize,
     beside: Option<&Jet>,
@@ -51,7 +53,7 @@ pub(super) fn place(
 
 /// A number that a surface has at parameters: that of the plain question, with the derivatives of a formula.
 pub(super) fn number(
-    surface: &Surface,
+    surface: &SurfaceOrFace,
     parameters: [&Spanned<Real>; 2],
     span: Span,
     plain: impl FnOnce(f64, f64) -> Measured<f64>,
@@ -67,7 +69,7 @@ pub(super) fn number(
 
 /// A vector that a surface has at parameters, as [`number`].
 pub(super) fn vector(
-    surface: &Surface,
+    surface: &SurfaceOrFace,
     parameters: [&Spanned<Real>; 2],
     span: Span,
     plain: impl FnOnce(f64, f64) -> Measured<DVec3>,

@@ -1,0 +1,379 @@
+//! The border of a face in space.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use super::Face;
+use crate::{
+    Bounds, Curve, CurveFunction, Direction, FunctionFailure, GeomError, IntegralError, Interval,
+    Jet, NurbsCurve, NurbsSurface, ParametricCurve, Region, Side, Tolerance,
+    curve::join,
+    find_integral,
+    frame::{angle_between, norm},
+    jet,
+    tolerance::{EDGE_SHARE, LAST_BIT, PARAMETER_RELATIVE, QUADRATURE_RELATIVE},
+};
+
+/// An arc of parameters, in space.
+#[derive(Debug)]
+struct LiftedArc {
+    surface: Arc<NurbsSurface>,
+    /// In the plane z = 0 of u and v.
+    arc: NurbsCurve,
+}
+
+impl CurveFunction for LiftedArc {
+    fn derivatives_at(&self, t: f64, order: usize) -> Result<Vec<DVec3>, FunctionFailure> {
+        let derivatives = self.arc.derivatives_at(t, order);
+        let lift = || -> Result<[Jet; 3], GeomError> {
+            let [u, v, _] = jet::along(&derivatives, &Jet::variable(t, order))?;
+            let inside = |jet: Jet, domain: Interval| {
+                let value = jet.value().clamp(domain.start(), domain.end());
+                jet.with_value(value)
+            };
+            let u = inside(u, self.surface.domain_u());
+            let v = inside(v, self.surface.domain_v());
+            jet::across(&self.surface.derivatives_at(u.value(), v.value(), order), &u, &v)
+        };
+        let point = lift().map_err(FunctionFailure::new)?;
+        let of_order = |k| DVec3::from(point.each_ref().map(|jet| jet.derivative(k, 0)));
+        Ok((0..=order).map(of_order).collect())
+    }
+}
+
+/// An arc of the border: of parameters, in space, and where it stands.
+struct BorderArc {
+    curve: Curve,
+    /// Which loop of which part it belongs to.
+    at: [usize; 2],
+}
+
+/// An arc of a loop of a face, by the parameters of its surface and in space.
+///
+/// ```
+/// use std::sync::Arc;
+/// use virote_kernel::{Face, Frame, NurbsSurface, Tolerance};
+///
+/// // A sphere has a seam, which is gone along twice, and two poles, which are points.
+/// let sphere = Face::whole(Arc::new(NurbsSurface::sphere(Frame::XY, 1.0)?), Tolerance::DEFAULT)?;
+/// let parts = sphere.part_edges(Tolerance::DEFAULT)?;
+/// let is_point: Vec<bool> = parts[0][0].iter().map(|edge| edge.curve.is_none()).collect();
+/// assert_eq!(is_point.iter().filter(|&&is_point| is_point).count(), 2);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct FaceEdge {
+    /// In the plane z = 0 of u and v.
+    pub parameters: NurbsCurve,
+    /// In space; none where it is a point.
+    pub curve: Option<NurbsCurve>,
+}
+
+impl Face {
+    /// The arcs of each loop of each part of the parameters, seams and edges that are points among them, in space
+    /// as [`Self::edges`] are.
+    ///
+    /// # Errors
+    /// Those of [`Self::edges`].
+    pub fn part_edges(&self, tolerance: Tolerance) -> Result<Vec<Vec<Vec<FaceEdge>>>, GeomError> {
+        let distance = self.distance(tolerance);
+        let edge = |arc: &NurbsCurve| -> Result<FaceEdge, GeomError> {
+            let parameters = self.plane.to_parameters(arc);
+            let curve = self.lifted(&parameters)?;
+            let curve = match distance < curve.bounds()?.diagonal() {
+                true => Some(spline(&curve, distance)?),
+                false => None,
+            };
+            Ok(FaceEdge { parameters, curve })
+        };
+        let of_loop = |arcs: &[NurbsCurve]| arcs.iter().map(edge).collect();
+        let of_part = |part: &Region| part.arcs().map(of_loop).collect();
+        self.parts.iter().map(of_part).collect()
+    }
+
+    /// The border in space, from corner to corner; a closed curve where a loop has none.
+    ///
+    /// The face is to the left, seen from the tip of Su × Sv. Seams over which the face goes, and edges that
+    /// are a point, are no border. Along lines of constant parameters the curves are exact, as they are on a plane
+    /// patch; others are splines within an eighth of the tolerance.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    /// use virote_kernel::{Cutter, Face, Frame, NurbsSurface, Tolerance, glam::DVec3};
+    ///
+    /// let sphere = Face::whole(Arc::new(NurbsSurface::sphere(Frame::XY, 1.0)?), Tolerance::DEFAULT)?;
+    /// assert!(sphere.edges(Tolerance::DEFAULT)?.is_empty());
+    /// let cut = Cutter::Plane(Frame::XY.at(DVec3::Z * 0.5));
+    /// let cap = sphere.part_at(&[cut], DVec3::Z, Tolerance::DEFAULT)?;
+    /// let rims = cap.edges(Tolerance::DEFAULT)?;
+    /// assert_eq!(rims.len(), 1);
+    /// assert!(rims[0].is_closed(1e-9));
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `FitError::NoSplineNear`, `GeomError::Ended`; those of [`crate::join`].
+    pub fn edges(&self, tolerance: Tolerance) -> Result<Vec<NurbsCurve>, GeomError> {
+        let distance = self.distance(tolerance);
+        let mut edges = Vec::new();
+        for ring in self.rings(distance)? {
+            edges.extend(between_corners(&ring, distance, tolerance.angle)?);
+        }
+        Ok(edges)
+    }
+
+    /// Each loop of the border as one closed curve in space.
+    ///
+    /// # Errors
+    /// Those of [`Self::edges`].
+    pub fn loops(&self, tolerance: Tolerance) -> Result<Vec<NurbsCurve>, GeomError> {
+        let distance = self.distance(tolerance);
+        let joined = |ring: &Vec<Curve>| joined(ring, distance);
+        self.rings(distance)?.iter().map(joined).collect()
+    }
+
+    /// The length of its border.
+    ///
+    /// # Errors
+    /// Those of [`Self::edges`].
+    pub fn border_length(&self, tolerance: Tolerance) -> Result<f64, GeomError> {
+        let arcs = self.border_arcs(self.distance(tolerance))?;
+        let length = |arc: &BorderArc| match &arc.curve {
+            Curve::Nurbs(curve) => Ok(curve.length(curve.domain())),
+            Curve::Parametric(function) => {
+                let speed = |t: f64| Ok(vec![norm(function.derivatives_at(t, 1)?[1])]);
+                let ends = [function.domain().start(), function.domain().end()];
+                match find_integral(speed, ends, QUADRATURE_RELATIVE, 0.0) {
+                    Ok(found) => Ok(found.value[0]),
+                    Err(IntegralError::Function(err)) => Err(err),
+                    Err(IntegralError::Unsettled { .. }) => arc.curve.length(function.domain()),
+                }
+            }
+        };
+        arcs.iter().map(length).sum()
+    }
+
+    /// The box of its border; none without one.
+    pub(super) fn border_bounds(&self, distance: f64) -> Result<Option<Bounds>, GeomError> {
+        let mut whole: Option<Bounds> = None;
+        for arc in self.border_arcs(distance)? {
+            let bounds = arc.curve.bounds()?;
+            whole = Some(whole.map_or(bounds, |whole| whole.union(bounds)));
+        }
+        Ok(whole)
+    }
+
+    /// The point of the border that is nearest to a point; none without one.
+    pub(super) fn closest_on_border(
+        &self,
+        point: DVec3,
+        distance: f64,
+    ) -> Result<Option<DVec3>, GeomError> {
+        let mut best: Option<(f64, DVec3)> = None;
+        for arc in self.border_arcs(distance)? {
+            let foot = arc.curve.closest(point, distance)?;
+            if best.is_none_or(|(least, _)| foot.distance < least) {
+                best = Some((foot.distance, foot.point));
+            }
+        }
+        Ok(best.map(|(_, point)| point))
+    }
+
+    /// The arcs of the border, chained to closed rings.
+    fn rings(&self, distance: f64) -> Result<Vec<Vec<Curve>>, GeomError> {
+        let mut left: Vec<Option<BorderArc>> =
+            self.border_arcs(distance)?.into_iter().map(Some).collect();
+        let mut rings = Vec::new();
+        while let Some(first) = left.iter_mut().find_map(Option::take) {
+            let (start, mut end, mut at) = (first.curve.start(), first.curve.end(), first.at);
+            let mut ring = vec![first.curve];
+            loop {
+                // Of several that begin there the one of the same loop goes on.
+                let gap = |arc: &BorderArc| (arc.at != at, arc.curve.start().distance(end));
+                let next = left
+                    .iter()
+                    .enumerate()
+                    .filter_map(|(i, arc)| Some((i, gap(arc.as_ref()?))))
+                    .filter(|&(_, (_, gap))| gap <= 2.0 * distance)
+                    .min_by(|(_, a), (_, b)| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+                let is_back = start.distance(end) <= 2.0 * distance;
+                let Some((i, (is_other, _))) = next.filter(|_| !is_back || 1 < ring.len()) else {
+                    break;
+                };
+                if is_back && is_other {
+                    break;
+                }
+                let Some(arc) = left[i].take() else { break };
+                (end, at) = (arc.curve.end(), arc.at);
+                ring.push(arc.curve);
+            }
+            rings.push(ring);
+        }
+        Ok(rings)
+    }
+
+    /// The arcs of all loops but seams that the face goes over and edges that are points.
+    fn border_arcs(&self, distance: f64) -> Result<Vec<BorderArc>, GeomError> {
+        let mut found = Vec::new();
+        for (i, part) in self.parts.iter().enumerate() {
+            for (k, arcs) in part.arcs().enumerate() {
+                for arc in arcs {
+                    for piece in self.outside_seams(arc, distance)? {
+                        let curve = self.lifted(&self.plane.to_parameters(&piece))?;
+                        if distance < curve.bounds()?.diagonal() {
+                            found.push(BorderArc { curve, at: [i, k] });
+                        }
+                    }
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    /// The parts of an arc in the plane of parameters that are no seam with the face on both sides.
+    fn outside_seams(&self, arc: &NurbsCurve, distance: f64) -> Result<Vec<NurbsCurve>, GeomError> {
+        let bounds = self.plane.bounds();
+        let domain = arc.domain();
+        let places = [0.0, 0.5, 1.0].map(|at| arc.point_at(domain.at(at)));
+        let is_along =
+            |i: usize, end: f64| places.iter().all(|place| (place[i] - end).abs() <= distance);
+        let across = (0..2).find(|&i| {
+            self.plane.is_closed[i] && (is_along(i, bounds.min[i]) || is_along(i, bounds.max[i]))
+        });
+        let Some(across) = across else { return Ok(vec![arc.clone()]) };
+        let along = 1 - across;
+        // What changes beside it changes where other arcs end at the seam.
+        let ends = self.parts.iter().flat_map(|part| part.arcs().flatten());
+        let mut cuts: Vec<f64> = ends.map(|other| other.start()[along]).collect();
+        cuts.sort_by(f64::total_cmp);
+        let [from, to] = [places[0][along], places[2][along]];
+        let fraction = |cut: f64| (cut - from) / (to - from);
+        let slack = distance / (to - from).abs();
+        let mut fractions = vec![0.0];
+        let inner = cuts.into_iter().map(fraction).filter(|&f| slack < f && f < 1.0 - slack);
+        fractions.extend(inner);
+        fractions.push(1.0);
+        fractions.sort_by(f64::total_cmp);
+        fractions.dedup_by(|a, b| *a - *b <= slack);
+        let mut pieces = Vec::new();
+        for pair in fractions.windows(2) {
+            let middle =
+                self.plane.parameters(places[0].lerp(places[2], 0.5 * (pair[0] + pair[1])));
+            if self.is_on_inner_seam(middle, distance) {
+                continue;
+            }
+            let ends = [pair[0], pair[1]].map(|at| places[0].lerp(places[2], at));
+            pieces.push(match (pair[0] <= 0.0, 1.0 <= pair[1]) {
+                (true, true) => arc.clone(),
+                _ => NurbsCurve::line(ends[0], ends[1])?,
+            });
+        }
+        Ok(pieces)
+    }
+
+    /// An arc of parameters in space: exact along lines of constant parameters and on plane patches.
+    fn lifted(&self, arc: &NurbsCurve) -> Result<Curve, GeomError> {
+        let surface = &self.plane.surface;
+        if let Some(map) = affine_map(surface) {
+            return Ok(arc.transformed(&map).into());
+        }
+        let (start, end) = (arc.start(), arc.end());
+        if arc.degree() == 1 && arc.control_points().len() == 2 {
+            for along in Direction::BOTH {
+                let [i, across] = match along {
+                    Direction::U => [0, 1],
+                    Direction::V => [1, 0],
+                };
+                let domain = surface.domain(along);
+                let inside = |t: f64| t.clamp(domain.start(), domain.end());
+                let [from, to] = [inside(start[i]), inside(end[i])];
+                let is_even = (start[across] - end[across]).abs()
+                    <= PARAMETER_RELATIVE * surface.domain(along.other()).length();
+                if is_even && let Ok(interval) = Interval::new(from.min(to), from.max(to)) {
+                    let other = surface.domain(along.other());
+                    let at = start[across].clamp(other.start(), other.end());
+                    let line = match along {
+                        Direction::U => surface.isocurve_v(at),
+                        Direction::V => surface.isocurve_u(at),
+                    };
+                    let line = line.trimmed(interval)?;
+                    return Ok(if from < to { line } else { line.reversed() }.into());
+                }
+            }
+        }
+        let function = LiftedArc { surface: Arc::clone(surface), arc: arc.clone() };
+        Ok(ParametricCurve::new(arc.domain(), Arc::new(function))?.into())
+    }
+}
+
+/// The map from u and v to a surface on which they are even everywhere.
+fn affine_map(surface: &NurbsSurface) -> Option<DAffine3> {
+    let net = surface.control_points();
+    if [surface.degree_u(), surface.degree_v(), net.n_rows(), net.n_columns()] != [1, 1, 2, 2]
+        || surface.is_rational()
+    {
+        return None;
+    }
+    let points = surface.points();
+    let corner = |i, j| points.get(i, j);
+    let (origin, along_u) = (corner(0, 0), corner(1, 0) - corner(0, 0));
+    let along_v = corner(0, 1) - origin;
+    let skew = (corner(1, 1) - origin - along_u - along_v).abs().max_element();
+    if 4.0 * LAST_BIT * surface.bounds().magnitude() < skew {
+        return None;
+    }
+    let (u, v) = (surface.domain_u(), surface.domain_v());
+    let (by_u, by_v) = (along_u / u.length(), along_v / v.length());
+    let translation = origin - by_u * u.start() - by_v * v.start();
+    let matrix3 = DMat3::from_cols(by_u, by_v, DVec3::ZERO);
+    Some(DAffine3 { matrix3, translation })
+}
+
+/// The curves of a ring, joined between its corners.
+fn between_corners(
+    ring: &[Curve],
+    distance: f64,
+    angle: f64,
+) -> Result<Vec<NurbsCurve>, GeomError> {
+    let n = ring.len();
+    let mut corners = Vec::new();
+    for i in 0..n {
+        let (before, behind) = (&ring[(i + n - 1) % n], &ring[i]);
+        let tangent = |curve: &Curve, t: f64, side: Side| Ok(curve.local_at(t, side)?.tangent());
+        let ends: Result<[DVec3; 2], GeomError> =
+            tangent(before, before.domain().end(), Side::Left)
+                .and_then(|one| Ok([one, tangent(behind, behind.domain().start(), Side::Right)?]));
+        // Without a tangent there is a corner.
+        let is_smooth = ends.is_ok_and(|[one, other]| angle_between(one, other) <= angle);
+        if !is_smooth {
+            corners.push(i);
+        }
+    }
+    let Some(&first) = corners.first() else { return Ok(vec![joined(ring, distance)?]) };
+    let mut edges = Vec::with_capacity(corners.len());
+    for (k, &corner) in corners.iter().enumerate() {
+        let next = corners.get(k + 1).map_or(first + n, |&next| next);
+        let chain: Vec<Curve> = (corner..next).map(|i| ring[i % n].clone()).collect();
+        edges.push(joined(&chain, distance)?);
+    }
+    Ok(edges)
+}
+
+/// An edge as a spline.
+fn spline(curve: &Curve, distance: f64) -> Result<NurbsCurve, GeomError> {
+    match curve {
+        Curve::Nurbs(curve) => Ok((**curve).clone()),
+        Curve::Parametric(function) => function.to_nurbs(EDGE_SHARE * distance),
+    }
+}
+
+/// Curves that follow one another as one spline.
+fn joined(chain: &[Curve], distance: f64) -> Result<NurbsCurve, GeomError> {
+    let splines = chain.iter().map(|curve| spline(curve, distance));
+    let splines: Vec<NurbsCurve> = splines.collect::<Result<_, _>>()?;
+    match &splines[..] {
+        [single] => Ok(single.clone()),
+        _ => join(&splines, 4.0 * distance),
+    }
+}
