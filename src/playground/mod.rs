@@ -107,9 +107,9 @@ impl Playground {
         match body["call"].as_str().unwrap_or_default() {
             "reset" => self.reset(body),
             "file" => self.put_file(message),
+            "edit" => self.edit(body).map(|()| json!({})),
             "text" => {
-                text_of(body, "text")?.clone_into(&mut self.text);
-                self.document = None;
+                self.edit(body)?;
                 self.run()
             }
             "set" => {
@@ -123,6 +123,13 @@ impl Playground {
             "write" => self.write(body),
             call => self.writing(call, body),
         }
+    }
+
+    /// Takes a text over without evaluating it: enough for what is asked while it is written.
+    fn edit(&mut self, body: &Json) -> Result<(), String> {
+        text_of(body, "text")?.clone_into(&mut self.text);
+        self.document = None;
+        Ok(())
     }
 
     /// Forgets files and settings; what is shown stays until the next run.

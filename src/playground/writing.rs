@@ -10,7 +10,7 @@ use crate::{
     diag::Severity,
     ide::{
         self, ColumnUnit, Completion, Document, Finding, FolderEntry, LineColumn, LineIndex,
-        TextEdit, Values,
+        SemanticToken, TextEdit, Values,
     },
     page::Answer,
 };
@@ -63,6 +63,7 @@ impl Playground {
             "hover" => self.hover(&document, body),
             "signature" => self.signature(&document, body),
             "definition" => definition(&document, body),
+            "tokens" => Ok(self.tokens(&document)),
             "format" => Ok(self.format()),
             "findings" => Ok(self.findings()),
             _ => Err(format!("there is no call `{call}`")),
@@ -137,6 +138,21 @@ impl Playground {
             })
         };
         Ok(signatures.iter().map(signature).collect())
+    }
+
+    /// The words of the text: where each begins and ends, what it is, and whether it is defined there or
+    /// built in.
+    fn tokens(&self, document: &Document) -> Json {
+        let places = Places::of(document);
+        let token = |its: &SemanticToken| {
+            json!({
+                "range": places.range(&its.range),
+                "kind": format!("{:?}", its.kind).to_lowercase(),
+                "isDeclaration": its.is_declaration,
+                "isBuiltIn": its.is_built_in,
+            })
+        };
+        document.tokens(self.session.registry()).iter().map(token).collect()
     }
 
     /// The edits that bring the text into canonical form.

@@ -31,7 +31,8 @@ export class App {
   private readonly dark = matchMedia("(prefers-color-scheme: dark)");
   private readonly view = el("main", { class: "view" }, this.canvas);
 
-  constructor(door: Door, host: HTMLElement) {
+  /** `more` are commands of the page around the model. */
+  constructor(door: Door, host: HTMLElement, more: Command[] = []) {
     this.doc = new Document(door, (key) => this.stage.forget(key));
     const { doc, settings } = this;
     // The first state is under way while the picture is prepared.
@@ -44,7 +45,7 @@ export class App {
     const look = new LookPanel(doc, stage, settings, deviation);
     const facts = new FactsPanel(doc);
     const claims = new ClaimsPanel(doc);
-    const commands = this.commands();
+    const commands = [...this.commands(), ...more];
     const toolbar = new Toolbar(doc, settings, commands);
     this.help = helpSheet(commands);
     const left = el("aside", { class: "panel left" }, this.tree.section.root, parameters.section.root);

@@ -5,9 +5,9 @@ import type { IconName } from "./panels/icons";
 export interface Command {
   id: string;
   title: string;
-  /** Keys as `KeyboardEvent.key` tells them; "Shift+h" with the modifier. */
+  /** Keys as `KeyboardEvent.key` tells them; "Shift+h", "Ctrl+s" with modifiers, of which Ctrl may be Command. */
   keys: string[];
-  group: "Looking" | "Showing" | "Analysis" | "Model" | "Page";
+  group: "Looking" | "Showing" | "Analysis" | "Model" | "Page" | "Writing";
   icon?: IconName;
   /** Whether the switch is on, for commands that are switches. */
   isOn?: () => boolean;
@@ -16,15 +16,16 @@ export interface Command {
   run: () => void;
 }
 
-/** Calls the command of a key, unless the person is typing into a field. */
+/** Calls the command of a key; while the person is typing into a field, only of one that types nothing. */
 export function listenToKeys(commands: Command[]): void {
   const byKey = new Map(commands.flatMap((command) => command.keys.map((key) => [key, command] as const)));
   addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
-    if (isTyping(event.target) && event.key !== "Escape") return;
+    const hasCtrl = event.ctrlKey || event.metaKey;
+    if (event.altKey || event.defaultPrevented) return;
+    if (isTyping(event.target) && !hasCtrl && !/^(Escape|F\d+)$/.test(event.key)) return;
     const letter = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const isShifted = event.shiftKey && /^[a-z]$|^Arrow/.test(letter);
-    const command = byKey.get(isShifted ? `Shift+${letter}` : event.key.length === 1 ? letter : event.key);
+    const command = byKey.get(`${hasCtrl ? "Ctrl+" : ""}${isShifted ? "Shift+" : ""}${letter}`);
     if (!command || command.isPossible?.() === false) return;
     event.preventDefault();
     command.run();
@@ -33,7 +34,7 @@ export function listenToKeys(commands: Command[]): void {
 
 function isTyping(target: EventTarget | null): boolean {
   if (target instanceof HTMLInputElement) return !["checkbox", "range"].includes(target.type);
-  return target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement;
+  return target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement || (target instanceof HTMLElement && target.isContentEditable);
 }
 
 /** A key as a person reads it. */

@@ -26,8 +26,9 @@ export class Signal<T> {
     reader(this.current);
   }
 
-  /** Calls `reader` at each change from now on. */
-  follow(reader: (value: T) => void): void {
+  /** Calls `reader` at each change from now on, until what it gives back is called. */
+  follow(reader: (value: T) => void): () => void {
     this.readers.add(reader);
+    return () => void this.readers.delete(reader);
   }
 }

@@ -6,12 +6,15 @@ const decoder = new TextDecoder();
 /** Where the next attachment begins. */
 const aligned = (place) => Math.ceil(place / 8) * 8;
 
+/** What was refused, as a sentence for the person; anything else that is thrown is the end of the module. */
+export class Refusal extends Error {}
+
 /** A playground out of a compiled module; `process` tells the keys of its items from those of others. */
 export async function open(module, process) {
   const { exports } = await WebAssembly.instantiate(module, { page: { now: () => performance.now() } });
   exports.begin(process);
 
-  /** Asks, and gives the answer with copies of its attachments; throws what was refused, as a sentence. */
+  /** Asks, and gives the answer with copies of its attachments; throws a Refusal where there is none. */
   function ask(head, parts = []) {
     const json = encoder.encode(JSON.stringify({ ...head, parts: parts.map((part) => part.length) }));
     let length = 4 + json.length;
@@ -30,7 +33,7 @@ export async function open(module, process) {
     const answer = new Uint8Array(exports.memory.buffer, at, exports.answer_length());
     let end = 4 + new DataView(answer.buffer, at).getUint32(0, true);
     const value = JSON.parse(decoder.decode(answer.slice(4, end)));
-    if (value?.error !== undefined) throw new Error(value.error);
+    if (value?.error !== undefined) throw new Refusal(value.error);
     const attached = (value?.parts ?? []).map((size) => {
       const start = aligned(end);
       end = start + size;

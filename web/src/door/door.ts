@@ -126,6 +126,8 @@ export class DoorError extends Error {
 export interface Door {
   /** Whether anything behind the door can evaluate; an exported page only shows. */
   readonly canEvaluate: boolean;
+  /** Whether exported files go to the person, and not into a folder. */
+  readonly isDownloading?: boolean;
   state(): Promise<State>;
   /** The bytes of these items, in their order. */
   items(keys: string[]): Promise<ArrayBuffer[]>;

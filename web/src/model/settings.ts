@@ -96,8 +96,13 @@ const KEPT: (keyof Settings)[] = [
 const STORE = "virote-view";
 
 export class SettingsSignal extends Signal<Settings> {
+  /** Whether nothing was kept from a visit before. */
+  readonly isFirstVisit: boolean;
+
   constructor() {
-    super({ ...DEFAULTS, ...kept() });
+    const old = kept();
+    super({ ...DEFAULTS, ...old });
+    this.isFirstVisit = Object.keys(old).length === 0;
     this.follow((settings) => {
       try {
         localStorage.setItem(STORE, JSON.stringify(Object.fromEntries(KEPT.map((name) => [name, settings[name]]))));

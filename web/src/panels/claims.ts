@@ -66,7 +66,7 @@ export class ClaimsPanel {
 
   private showOutput(state: State): void {
     const { body, root, note } = this.output;
-    const { canEvaluate } = this.doc.door;
+    const { canEvaluate, isDownloading = false } = this.doc.door;
     root.hidden = state.exports.length === 0 && !(canEvaluate && this.doc.selection.value.size > 0);
     note.textContent = state.exports.length > 0 ? String(state.exports.length) : "";
     const rows: Node[] = state.exports.map(({ path, line }) =>
@@ -74,8 +74,9 @@ export class ClaimsPanel {
     );
     if (canEvaluate) {
       if (state.exports.length > 0) {
-        const where = state.exportFolder ? `Write what the script exports into ${state.exportFolder}` : "Write what the script exports";
-        rows.push(el("div", { class: "row actions" }, button("Write the exports", where, () => void this.export({ what: "script" }), { class: "plain" })));
+        const verb = isDownloading ? "Download" : "Write";
+        const where = state.exportFolder ? `${verb} what the script exports into ${state.exportFolder}` : `${verb} what the script exports`;
+        rows.push(el("div", { class: "row actions" }, button(`${verb} the exports`, where, () => void this.export({ what: "script" }), { class: "plain" })));
       }
       rows.push(this.selectionForm());
     }
@@ -88,7 +89,7 @@ export class ClaimsPanel {
     const names = [...new Set(this.doc.selected().map((item) => item.definition))];
     const field = el("input", { type: "text", class: "value wide", spellcheck: "false", "aria-label": "File of the selection" });
     field.value = names.length === 1 ? `${names[0]}.stl` : "selection.stl";
-    const form = el("form", { class: "row" }, field, el("button", { type: "submit", class: "plain" }, "Write selection"));
+    const form = el("form", { class: "row" }, field, el("button", { type: "submit", class: "plain" }, this.doc.door.isDownloading ? "Download selection" : "Write selection"));
     form.hidden = names.length === 0;
     form.addEventListener("submit", (event) => {
       event.preventDefault();
@@ -99,7 +100,7 @@ export class ClaimsPanel {
 
   private async export(request: { what: "script" } | { items: string[]; file: string }): Promise<void> {
     const files = await this.doc.attempt(this.doc.door.export(request));
-    if (files) this.doc.tell(`Written: ${files.join(", ")}`);
+    if (files) this.doc.tell(`${this.doc.door.isDownloading ? "Downloaded" : "Written"}: ${files.join(", ")}`);
   }
 }
 
