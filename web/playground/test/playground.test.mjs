@@ -10,6 +10,7 @@ import { after, before, test } from "node:test";
 import { inflateRawSync } from "node:zlib";
 
 import { closeBrowser, colorAt, command, lookFromFront, openBrowser, openPage, skip, until } from "../../test/harness.mjs";
+import { WALKS } from "../../wasm/test/walks.mjs";
 import { serveFolder } from "./harness.mjs";
 
 const SCRIPT = `geo 1
@@ -50,21 +51,14 @@ async function write(text, of = page) {
   await of.keyboard.sendCharacter(text);
   await until(of, (wanted) => window.playground.text === wanted, text);
 }
-/** Sets the cursor behind the first place of a text, and tells where that is in the window. */
-const place = (text, of = page) =>
-  of.evaluate((wanted) => {
-    const walk = document.createTreeWalker(document.querySelector(".cm-content"), NodeFilter.SHOW_TEXT);
-    for (let node = walk.nextNode(); node; node = walk.nextNode()) {
-      const at = node.data.indexOf(wanted);
-      if (at < 0) continue;
-      const range = document.createRange();
-      range.setStart(node, at);
-      range.setEnd(node, at + wanted.length);
-      const { left, right, top, bottom } = range.getBoundingClientRect();
-      return [(left + right) / 2, (top + bottom) / 2];
-    }
-    return null;
-  }, text);
+/** Where the first word of the script stands in the window that is this one. */
+async function place(word) {
+  const found = await page.waitForFunction((wanted) => [...document.querySelectorAll(".cm-content [class^=word-]")].find((one) => one.textContent === wanted), {}, word);
+  const { x, y, width, height } = await found.boundingBox();
+  return [x + width / 2, y + height / 2];
+}
+/** Does something in every worker; what it does may end the worker before it answers. */
+const inWorkers = (what) => Promise.all(page.workers().map((worker) => worker.evaluate(what).catch(() => {})));
 const shared = (url) => JSON.parse(inflateRawSync(Buffer.from(new URL(url).hash.slice("#script=".length), "base64url")));
 const said = (selector) => page.$eval(selector, (element) => element.textContent);
 
@@ -156,8 +150,7 @@ run("a mistake is told at its place, the last model stays, and a fix mends it", 
   assert.equal(await said(".cm-lintRange-error"), "sise");
   assert.match(await said(".diagnostics"), /E0201/);
   assert.equal((await page.evaluate(() => window.virote.items)).length, 1);
-  const [x, y] = await place("sise");
-  await page.mouse.move(x, y);
+  await page.hover(".cm-lintRange-error");
   await until(page, () => document.querySelector(".cm-diagnosticAction"));
   await page.click(".cm-diagnosticAction");
   await until(page, (text) => window.playground.text === text, SCRIPT);
@@ -168,10 +161,13 @@ run("a mistake is told at its place, the last model stays, and a fix mends it", 
 run("completion offers what fits, with places to fill in", async () => {
   await write(`${SCRIPT}surface more = `);
   await page.keyboard.type("cyl", { delay: 30 });
-  await until(page, () => [...document.querySelectorAll(".cm-completionLabel")].some((one) => one.textContent === "cylinder"));
+  await until(page, () => document.querySelector("li[aria-selected] .cm-completionLabel")?.textContent === "cylinder" && document.querySelector(".cm-completionMatchedText")?.textContent === "cyl");
+  await settled();
+  // A list that has only just come takes no key.
+  await page.evaluate(() => new Promise((done) => setTimeout(done, 300)));
   await page.keyboard.press("Enter");
   await until(page, () => /surface more = cylinder\(\w+/.test(window.playground.text));
-  await until(page, () => document.querySelector(".cm-tooltip .signature b"));
+  await until(page, () => document.querySelector(".cm-tooltip.signature b"));
   await write(SCRIPT);
   await settled();
 });
@@ -204,8 +200,7 @@ run("an evaluation without end is stopped, and the model before it stays", async
   assert.equal((await page.evaluate(() => window.virote.items)).length, 1);
   assert.equal((await colorAt(page, FRONT))[3], 255);
   assert.equal((await face()).n_begun, n_begun + 1);
-  const area = await page.evaluate(() => window.virote.isCurrent);
-  assert.equal(area, false);
+  assert.equal(await page.evaluate(() => window.virote.isCurrent), false);
 });
 
 run("a newer text ends an evaluation that takes long", async () => {
@@ -218,16 +213,14 @@ run("a newer text ends an evaluation that takes long", async () => {
 
 run("a worker that dies is begun anew, and the person is told", async () => {
   const { n_begun } = await face();
-  for (const worker of page.workers()) await worker.evaluate(() => void setTimeout(() => { throw new Error("out of memory"); }));
+  await inWorkers(() => void setTimeout(() => { throw new Error("out of memory"); }, 50));
   await until(page, (n) => window.playground.n_begun > n && !window.playground.isBusy && window.virote.isCurrent, n_begun);
   assert.match(await said(".toast"), /out of memory.*begun anew/);
   await settled();
   // In the middle of a run, as a stack that overflows.
-  for (const worker of page.workers()) {
-    await worker.evaluate(() => {
-      self.onmessage = () => { throw new RangeError("Maximum call stack size exceeded"); };
-    });
-  }
+  await inWorkers(() => {
+    self.onmessage = () => { throw new RangeError("Maximum call stack size exceeded"); };
+  });
   await write(`${SCRIPT}print 1\n`);
   await until(page, () => /broke off: .*call stack/.test(document.querySelector(".diagnostics").textContent));
   await settled();
@@ -235,6 +228,26 @@ run("a worker that dies is begun anew, and the person is told", async () => {
   await write(`${SCRIPT}print 2\n`);
   await settled();
   assert.ok(await page.evaluate(() => window.virote.isCurrent));
+});
+
+run("scripts that nest too deep are refused, and the worker lives on", async () => {
+  // At the ceilings, where the stack is deepest, and far beyond.
+  const texts = Object.values(WALKS).flatMap((script) => [120, 190, 245, 3_000].map(script));
+  const answers = await page.evaluate(async (all) => {
+    const body = (await fetch("virote.wasm.gz")).body.pipeThrough(new DecompressionStream("gzip"));
+    const module = await WebAssembly.compileStreaming(new Response(body, { headers: { "Content-Type": "application/wasm" } }));
+    const worker = new Worker("worker.js");
+    worker.postMessage({ module, process: 99 });
+    const found = [];
+    for (const text of all) {
+      worker.postMessage({ id: 0, head: { call: "text", text }, parts: [] });
+      const { fault, value } = await new Promise((done) => (worker.onmessage = ({ data }) => done(data)));
+      found.push(fault ?? value.diagnostics.map(({ code }) => code).join());
+    }
+    worker.terminate();
+    return found;
+  }, texts);
+  answers.forEach((answer, i) => assert.match(answer, i % 4 < 3 ? /^(E\d+(,E\d+)*)?$/ : /^E\d+/, texts[i].slice(0, 60)));
 });
 
 /** The bytes of the next file that is downloaded. */
@@ -302,7 +315,7 @@ run("dropped data are read, and kept for the next visit", async () => {
   await until(page, () => !document.querySelector(".toast").hidden);
   assert.ok(fragment.length < 400);
   await page.click('[data-menu="files"] summary');
-  assert.ok(await page.$('[data-file="points.csv"]'));
+  await page.waitForSelector('[data-file="points.csv"]');
   await page.click('[data-do="new"]');
   await settled();
   assert.equal((await face()).text, "geo 1\nunit mm\n\n");

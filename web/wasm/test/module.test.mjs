@@ -9,6 +9,7 @@ import { join, relative, resolve } from "node:path";
 import { test } from "node:test";
 import { gzipSync } from "node:zlib";
 import { open } from "../virote.mjs";
+import { WALKS } from "./walks.mjs";
 
 const root = resolve(import.meta.dirname, "../../..");
 const wasm = process.env.WASM ?? join(root, "target/wasm32-unknown-unknown/release/virote_wasm.wasm");
@@ -79,17 +80,6 @@ for (const below of ["examples", "tests/golden"]) {
   });
 }
 
-const repeated = (text, n) => text.repeat(n);
-const WALKS = {
-  brackets: (n) => `let a = ${repeated("(", n)}1${repeated(")", n)}`,
-  signs: (n) => `let a = ${repeated("-", n)}1`,
-  chain: (n) => `let a = 1${repeated(" + 1", n)}`,
-  powers: (n) => `let a = 1${repeated("^1", n)}`,
-  calls: (n) => `let f(n) = if n <= 0 then 0 else 1 + f(n - 1)\nlet a = f(${n})`,
-  "calls with blocks": (n) => `let f(n) = { let b = [n, n + 1]\n if n <= 0 then 0 else sum([1, f(b[0] - 1)]) }\nlet a = f(${n})`,
-  "calls inside comprehensions": (n) => `let f(n) = if n <= 0 then [0] else [for i in 0..<1: f(n - 1)]\nlet a = f(${n})\nprint a == a`,
-  lists: (n) => `let a = ${repeated("[", n)}1${repeated("]", n)}\nprint a`,
-};
 for (const [what, script] of Object.entries(WALKS)) {
   test(`${what} end at a ceiling, and the module lives on`, async () => {
     const virote = await open(module, 7);
