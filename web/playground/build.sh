@@ -1,6 +1,6 @@
 #!/bin/sh
 # Builds the playground into playground/dist, a folder of files for any web server: `npm ci` once, then this.
-# WASM names the compiled module; without it cargo builds it.
+# The book of docs/ goes with it. WASM names the compiled module; without it cargo builds it.
 set -eu
 cd "$(dirname "$0")"
 out=${1:-dist}
@@ -17,12 +17,15 @@ for entry in main:app worker:worker; do
     "$esbuild" "src/${entry%:*}.ts" --bundle --minify --format=iife --target=es2022 --charset=utf8 --legal-comments=eof \
         --log-level=warning --outfile="$out/${entry#*:}.js"
 done
-"$esbuild" src/style.css --bundle --minify --target=chrome111,firefox113,safari16.4 --charset=utf8 --legal-comments=eof \
-    --log-level=warning --outfile="$out/app.css"
+for style in style:app book:book; do
+    "$esbuild" "src/${style%:*}.css" --bundle --minify --target=chrome123,firefox120,safari17.5 --charset=utf8 --legal-comments=eof \
+        --log-level=warning --outfile="$out/${style#*:}.css"
+done
 for package in three three-mesh-bvh @codemirror/state @codemirror/view; do
     printf '/*! %s\n%s\n*/\n' "$package" "$(cat "../node_modules/$package/LICENSE")"
 done >>"$out/app.js"
 gzip -9nc "$WASM" >"$out/virote.wasm.gz"
 node examples.mjs "$root/examples" >"$out/examples.json"
 cp "$root"/examples/gallery/*.png "$out/gallery"
+node book.mjs "$root/docs" "$out" "$WASM"
 cp index.html "$out/index.html"

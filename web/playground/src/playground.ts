@@ -120,6 +120,7 @@ export class Playground {
       fileMenu(this.folder, actions),
       word("Examples", "Open an example", "examples", () => this.showGallery()),
       word("Format", "Bring the script into its usual form (Shift Alt F)", "format", () => void this.format()),
+      el("a", { class: "tool word", href: "book/language.html", target: "_blank", rel: "noopener" }, "Book"),
       word("Share", "Copy a link that holds the script", "share", () => void this.share()),
     );
   }

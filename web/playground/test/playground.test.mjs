@@ -204,7 +204,7 @@ run("an evaluation without end is stopped, and the model before it stays", async
 });
 
 run("a newer text ends an evaluation that takes long", async () => {
-  await write(SCRIPT + ENDLESS.slice(6));
+  await write(`${SCRIPT}${ENDLESS.slice(6)}// another`);
   await page.waitForSelector(".status[data-kind=busy]", { timeout: 30_000 });
   await write(SCRIPT);
   await settled();
@@ -330,6 +330,15 @@ run("an example with its data opens from the gallery", async () => {
   await page.goto(`${served.url}#example=circles.geo`);
   await until(page, () => window.playground?.name === "circles.geo");
   await settled();
+});
+
+run("scripts of the book open in the playground, and say what the book says", async () => {
+  await page.goto(`${served.url}book/reference.html`);
+  const index = await page.$$eval(".script", (all) => all.findIndex((one) => one.nextElementSibling?.textContent.trim() === "(8, 64, 0)"));
+  assert.ok(index > 0 && (await page.$$(".script .word-built-in")).length > 100);
+  await page.evaluate((i) => document.querySelectorAll(".script > a")[i].click(), index);
+  await until(page, () => window.playground && window.virote?.isReady && document.querySelector(".print-value")?.textContent === "(8, 64, 0)");
+  assert.equal((await face()).name, "approximate-2.geo");
 });
 
 run("the border moves by keys, and the theme turns both sides", async () => {

@@ -1,0 +1,99 @@
+// The module against the native command: examples and golden programs say the same and write the same
+// files, to the byte. WASM names the module, VIROTE the command; with ALL=1 the slow programs are tried, too.
+
+import assert from "node:assert/strict";
+import { execFile } from "node:child_process";
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, relative, resolve } from "node:path";
+import { test } from "node:test";
+import { open } from "../virote.mjs";
+
+const root = resolve(import.meta.dirname, "../../..");
+const wasm = process.env.WASM ?? join(root, "target/wasm32-unknown-unknown/release/virote_wasm.wasm");
+const command = resolve(process.env.VIROTE ?? join(root, "target/release/virote"));
+/** The ceilings of `Limits::WEB` that the command's differ from. */
+const CEILINGS = ["nesting=128", "chain=250", "call-depth=200", "evaluation-depth=1000", "value-depth=200"];
+/** Each takes as long as dozens of others, and calls nothing that they do not. */
+const SLOW = new Set([
+  "areas-and-volumes.geo",
+  "areas-of-uneven-weights.geo",
+  "how-surfaces-bend.geo",
+  "steep-waves-take-few-control-points.geo",
+  "surfaces-of-functions-as-nurbs.geo",
+  "surfaces-that-run-close.geo",
+  "surfaces-that-touch-where-they-cross.geo",
+  "sweeps.geo",
+]);
+
+/** All files below a folder, but for what tests expect. */
+function filesBelow(folder, below = folder) {
+  return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {
+    const path = join(folder, entry.name);
+    if (!entry.isDirectory()) return /\.(out|rs|sh|md)$/.test(entry.name) ? [] : [relative(below, path)];
+    return /\.golden$|^gallery$/.test(entry.name) ? [] : filesBelow(path, below);
+  });
+}
+
+/** The files of a folder that a text names, and those that the scripts among them name. */
+function filesNamed(text, folder, all) {
+  const found = new Map();
+  const texts = [text];
+  for (let next = texts.pop(); next !== undefined; next = texts.pop()) {
+    for (const path of all) {
+      if (found.has(path) || !next.includes(path.split("/").at(-1))) continue;
+      found.set(path, readFileSync(join(folder, path)));
+      if (path.endsWith(".geo")) texts.push(found.get(path).toString());
+    }
+  }
+  return found;
+}
+
+/** What the command says of a script, which it begins at once. */
+function native(name, folder, out) {
+  const limits = CEILINGS.flatMap((ceiling) => ["--limit", ceiling]);
+  const told = { cwd: folder, encoding: "utf8", maxBuffer: 1 << 28 };
+  return new Promise((done) => execFile(command, ["run", name, "--out", out, ...limits], told, (_, stdout, stderr) => done({ stdout, stderr })));
+}
+
+for (const below of ["examples", "tests/golden"]) {
+  test(`programs of ${below} say and write the same as those of the command`, { skip: !existsSync(command) }, async () => {
+    const module = new WebAssembly.Module(readFileSync(wasm));
+    const folder = join(root, below);
+    const all = filesBelow(folder);
+    const names = readdirSync(folder).filter((name) => name.endsWith(".geo") && (process.env.ALL || !SLOW.has(name)));
+    let n_files = 0;
+    for (const name of names) {
+      const text = readFileSync(join(folder, name), "utf8");
+      // A byte order mark would be lost on the way through JavaScript's texts.
+      if (/^\/\/ --/m.test(text) || text.startsWith("\ufeff")) continue;
+      const out = mkdtempSync(join(tmpdir(), "virote-module-"));
+      const answer = native(name, folder, out);
+      const virote = await open(module, 7);
+      virote.ask({ call: "reset", name });
+      for (const [path, bytes] of filesNamed(text, folder, all)) virote.ask({ call: "file", path }, [bytes]);
+      const { value: state } = virote.ask({ call: "text", text });
+      const { stdout, stderr } = await answer;
+      const hasErrors = state.diagnostics.some((found) => found.severity === "error");
+      assert.equal(hasErrors, /\] Error: /.test(stderr), `${name}: ${stderr} ${JSON.stringify(state.diagnostics)}`);
+      for (const { text: source, value } of state.prints) {
+        // The rows of a table are shown by the command alone.
+        const told = value.startsWith("table of ") ? value.split(":")[0] : value;
+        const line = told === "" ? source : `${source} = ${told}`;
+        assert.ok(stdout.includes(line), `${name} prints ${line}, not ${stdout}`);
+      }
+      if (!hasErrors && state.exports.length > 0) {
+        const { value, attached } = virote.ask({ call: "export", what: "script" });
+        const written = filesBelow(out);
+        assert.equal(value.files.length, written.length, name);
+        value.files.forEach((path, i) => {
+          assert.ok(Buffer.from(attached[i]).equals(readFileSync(join(out, path))), `${name}: ${path} differs`);
+          n_files++;
+        });
+      }
+      rmSync(out, { recursive: true });
+    }
+    console.log(`${names.length} programs, ${n_files} files`);
+    assert.ok(n_files > 5);
+  });
+}
