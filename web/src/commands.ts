@@ -22,6 +22,8 @@ export function listenToKeys(commands: Command[]): void {
   addEventListener("keydown", (event) => {
     const hasCtrl = event.ctrlKey || event.metaKey;
     if (event.altKey || event.defaultPrevented) return;
+    // Under a sheet nothing is commanded; "?" puts that of the keys away again.
+    if (event.key !== "?" && document.querySelector("dialog[open]")) return;
     if (isTyping(event.target) && !hasCtrl && !/^(Escape|F\d+)$/.test(event.key)) return;
     const letter = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const isShifted = event.shiftKey && /^[a-z]$|^Arrow/.test(letter);

@@ -323,6 +323,9 @@ run("dropped data are read, and kept for the next visit", async () => {
 
 run("an example with its data opens from the gallery", async () => {
   await page.click('[data-do="examples"]');
+  await page.keyboard.press("Escape");
+  await until(page, () => !document.querySelector("dialog.gallery"));
+  await page.click('[data-do="examples"]');
   await page.click('[data-example="teapot.geo"]');
   await settled();
   assert.equal((await face()).name, "teapot.geo");
