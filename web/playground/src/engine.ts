@@ -234,7 +234,9 @@ export class Engine {
       this.machine = null;
       if (why instanceof Ended && why.message === OVERTAKEN) return;
       this.good = null;
-      this.showTrouble(await this.empty(), told);
+      const state = await this.empty().catch(() => null);
+      if (state) this.showTrouble(state, told);
+      else this.news.set(told);
     }
   }
 

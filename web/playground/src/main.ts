@@ -12,14 +12,18 @@ declare global {
 }
 
 const host = document.getElementById("playground")!;
+
+function broken(trouble: unknown): void {
+  const message = trouble instanceof Error ? trouble.message : String(trouble);
+  const needs = "It needs WebGL 2, WebAssembly, workers, and a web server that has all its files. Another browser, or hardware acceleration switched on, may help.";
+  host.replaceChildren(el("div", { class: "broken" }, el("h1", {}, "The playground could not be begun"), el("p", {}, message), el("p", {}, needs)));
+}
+
 try {
-  const playground = new Playground(host);
+  const playground = new Playground(host, broken);
   expose(playground.app);
   Object.defineProperty(window, "playground", { get: () => playground.face });
   void playground.begin();
 } catch (trouble) {
-  const message = trouble instanceof Error ? trouble.message : String(trouble);
-  host.replaceChildren(
-    el("div", { class: "broken" }, el("h1", {}, "The playground could not be begun"), el("p", {}, message), el("p", {}, "It needs WebGL 2, WebAssembly and workers. Another browser, or hardware acceleration switched on, may have them.")),
-  );
+  broken(trouble);
 }

@@ -44,8 +44,10 @@ export class Playground {
   private n_addresses = 0;
   private canKeep = true;
 
-  constructor(host: HTMLElement) {
+  /** `failed` is called when there is no interpreter. */
+  constructor(host: HTMLElement, failed: (trouble: unknown) => void) {
     const module = fetchModule();
+    module.catch(failed);
     const files = (): Iterable<readonly [string, Uint8Array]> => this.folder.files();
     this.engine = new Engine(module, files);
     this.writer = new Writer(module, this.engine, files);
@@ -157,8 +159,8 @@ export class Playground {
 
   /** Opens what the address holds; false where it holds nothing. */
   private async openFragment(): Promise<boolean> {
-    const fragment = decodeURI(location.hash.slice(1));
-    const example = /^example=(.+)$/.exec(fragment)?.[1];
+    const fragment = location.hash.slice(1);
+    const example = /^example=([\w.-]+)$/.exec(fragment)?.[1];
     if (example !== undefined) {
       if (this.folder.example(example) !== null) return this.openExample(example), true;
       this.app.doc.tell(`There is no example ${example}`, true);
@@ -173,9 +175,10 @@ export class Playground {
     }
     if (!shared) return false;
     const { text, values = {}, files = {} } = shared;
+    const name = scriptName(shared.name);
     await this.folder.lend(files).catch((trouble: unknown) => this.cannotKeep(trouble));
-    const isOwn = this.folder.text(shared.name) === text;
-    this.open({ name: isOwn ? shared.name : this.folder.freeName(shared.name), text, values }, isOwn);
+    const isOwn = this.folder.text(name) === text;
+    this.open({ name: isOwn ? name : this.folder.freeName(name), text, values }, isOwn);
     return true;
   }
 
@@ -213,8 +216,8 @@ export class Playground {
 
   private rename(wanted: string): void {
     const old = this.script;
-    const name = isScript(wanted) ? wanted : `${wanted}.geo`;
-    if (wanted === "" || name === old || /[\\/]/.test(wanted)) {
+    const name = scriptName(wanted);
+    if (wanted === "" || name === old) {
       this.name.value = old;
       return;
     }
@@ -353,6 +356,12 @@ function save(name: string, blob: Blob): void {
   const link = el("a", { href: URL.createObjectURL(blob), download: name });
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+/** A name that a script may have in the folder: without folders of its own, and with the ending of scripts. */
+function scriptName(wanted: string): string {
+  const name = wanted.replace(/^.*[\\/]/, "").slice(0, 100) || "script";
+  return isScript(name) ? name : `${name}.geo`;
 }
 
 function messageOf(trouble: unknown): string {

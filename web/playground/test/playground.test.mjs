@@ -344,6 +344,15 @@ run("scripts of the book open in the playground, and say what the book says", as
   assert.equal((await face()).name, "approximate-2.geo");
 });
 
+run("an interpreter that cannot be loaded is told of", async () => {
+  const other = await openPage(served.url);
+  await other.setRequestInterception(true);
+  other.on("request", (request) => (request.url().endsWith(".wasm.gz") ? request.respond({ status: 404 }) : request.continue()));
+  await other.goto(`${served.url}?again`);
+  await until(other, () => /virote\.wasm\.gz: 404/.test(document.querySelector(".broken")?.textContent ?? ""));
+  await other.close();
+});
+
 run("the border moves by keys, and the theme turns both sides", async () => {
   const width = () => page.$eval(".editor", (element) => element.getBoundingClientRect().width);
   const before = await width();
