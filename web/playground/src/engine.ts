@@ -33,8 +33,8 @@ export class Engine {
   /** The newest state; null before the first. */
   readonly state = new Signal<State | null>(null);
   readonly isBusy = new Signal(false);
-  /** What was found in the text that was evaluated last. */
-  readonly findings = new Signal<{ text: string; all: Finding[] }>({ text: "", all: [] });
+  /** What was found in the text that was evaluated last, and its state where it came to one. */
+  readonly findings = new Signal<{ text: string; all: Finding[]; state: State | null }>({ text: "", all: [], state: null });
   /** What happened that no state tells. */
   readonly news = new Signal("");
   /** How many workers were begun. */
@@ -189,7 +189,7 @@ export class Engine {
     }
     const { value: all } = await machine.ask<Finding[]>({ call: "findings" });
     this.show(state);
-    this.findings.set({ text: script.text, all });
+    this.findings.set({ text: script.text, all, state });
   }
 
   /** A new worker with the files beside the script. */
@@ -259,7 +259,7 @@ export class Engine {
   private showTrouble(state: State, message: string): void {
     const trouble: Diagnostic = { severity: "error", code: null, message, text: message, file: null, line: null, column: null };
     this.show({ ...state, isCurrent: false, diagnostics: [trouble] });
-    this.findings.set({ text: this.script.text, all: [] });
+    this.findings.set({ text: this.script.text, all: [], state: null });
   }
 
   private show(state: State): void {

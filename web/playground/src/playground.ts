@@ -64,7 +64,7 @@ export class Playground {
     });
     this.app = new App(door, viewer, this.commands());
     if (this.app.settings.isFirstVisit && viewer.clientWidth < ROOM_FOR_PANELS) this.app.settings.put({ rightPanel: false });
-    this.engine.findings.follow(({ text: of, all }) => this.editor.mark(of, all));
+    this.engine.findings.follow(({ text: of, all, state }) => this.editor.mark(of, all, state));
     this.engine.news.follow((news) => this.app.doc.tell(news, true));
     this.engine.state.follow(() => this.followAddress());
     this.app.doc.selection.follow((paths) => this.reveal(paths));

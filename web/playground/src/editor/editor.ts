@@ -18,9 +18,11 @@ import {
   lineNumbers,
   rectangularSelection,
 } from "@codemirror/view";
+import type { State } from "../../../src/door/door";
 import { el } from "../../../src/panels/dom";
 import { completion } from "./completion";
 import { definition, hover, signature } from "./help";
+import { notes, putNotes } from "./notes";
 import { type Ask, changesOf, type Edit, type Finding, offsetsOf } from "./places";
 import { tokens } from "./tokens";
 
@@ -68,11 +70,12 @@ export class Editor {
     return true;
   }
 
-  /** Marks what was found in a text, if it still stands here. */
-  mark(text: string, findings: Finding[]): void {
+  /** Marks what was found in a text and what it came to, if it still stands here. */
+  mark(text: string, findings: Finding[], result: State | null): void {
     const { state } = this.view;
     const { doc } = state;
     if (doc.toString() !== text) return;
+    if (result) putNotes(this.view, result);
     const marked = findings.map((finding): Diagnostic => {
       const { from, to } = offsetsOf(doc, finding.range);
       const actions = finding.fixes.map(({ title, edits }) => ({
@@ -84,7 +87,7 @@ export class Editor {
       const message = `${finding.code}: ${finding.text}`;
       return { from, to, severity: finding.severity, message, actions, renderMessage: () => el("span", { class: "finding-text" }, message) };
     });
-    this.view.dispatch(setDiagnostics(state, marked));
+    this.view.dispatch(setDiagnostics(this.view.state, marked));
   }
 
   /** Shows a place without taking the keyboard. */
@@ -122,6 +125,7 @@ export class Editor {
       highlightActiveLine(),
       highlightSelectionMatches(),
       tokens(ask),
+      notes,
       completion(ask),
       hover(ask),
       Prec.low(signature(ask)),

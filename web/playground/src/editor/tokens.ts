@@ -37,9 +37,10 @@ export function tokens(ask: Ask): Extension {
   const plugin = ViewPlugin.define((view) => {
     let isAsking = false;
     const paint = async (): Promise<void> => {
-      if (isAsking) return;
-      isAsking = true;
       const { doc } = view.state;
+      // Before a script is open nobody need be woken.
+      if (isAsking || doc.length === 0) return;
+      isAsking = true;
       const found = await ask<Token[]>(doc.toString(), { call: "tokens" }).catch(() => null);
       isAsking = false;
       if (view.state.doc !== doc) return paint();
