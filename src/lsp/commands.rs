@@ -11,7 +11,7 @@ use crossbeam_channel::RecvTimeoutError;
 use lsp_server::ErrorCode;
 use serde_json::{Value as Json, json};
 
-use super::server::{Answer, Refusal, Server};
+use super::server::{RequestError, RequestResult, Server};
 use crate::session::TestVerdict;
 
 /// A test that runs for so long is stopped.
@@ -62,21 +62,22 @@ impl StartedViewer {
 }
 
 impl Server<'_> {
-    pub(super) fn execute(&mut self, params: &Json) -> Answer {
+    pub(super) fn execute(&mut self, params: &Json) -> RequestResult {
         let argument = |idx: usize| {
             params.pointer(&format!("/arguments/{idx}")).and_then(Json::as_str).unwrap_or_default()
         };
         match params.get("command").and_then(Json::as_str).unwrap_or_default() {
             TEST => self.test(argument(0), argument(1)),
             VIEW => self.view(argument(0)),
-            other => {
-                Err(Refusal(ErrorCode::InvalidParams, format!("there is no command `{other}`")))
-            }
+            other => Err(RequestError(
+                ErrorCode::InvalidParams,
+                format!("there is no command `{other}`"),
+            )),
         }
     }
 
     /// Runs the tests of a document whose names contain this, and says what they came to.
-    fn test(&mut self, uri: &str, name: &str) -> Answer {
+    fn test(&mut self, uri: &str, name: &str) -> RequestResult {
         let Some(open) = self.documents.get(uri) else { return Ok(Json::Null) };
         let files = self.files(open);
         // Somebody waits, and nothing else is answered meanwhile.
@@ -110,10 +111,10 @@ impl Server<'_> {
     }
 
     /// Shows a document in a viewer, which is started unless it runs.
-    fn view(&mut self, uri: &str) -> Answer {
+    fn view(&mut self, uri: &str) -> RequestResult {
         let path = self.documents.get(uri).and_then(|open| open.path.clone());
         let Some(path) = path else {
-            return Err(Refusal(
+            return Err(RequestError(
                 ErrorCode::InvalidParams,
                 "only a file can be shown: save it first".to_owned(),
             ));
@@ -127,7 +128,7 @@ impl Server<'_> {
             Some(address) => address,
             None => {
                 let viewer = StartedViewer::start(path)
-                    .map_err(|why| Refusal(ErrorCode::RequestFailed, why))?;
+                    .map_err(|why| RequestError(ErrorCode::RequestFailed, why))?;
                 let address = viewer.address.clone();
                 self.viewers.push(viewer);
                 address

@@ -33,10 +33,10 @@ const EARLY: Duration = Duration::from_millis(200);
 
 /// Why a request is not answered.
 #[derive(Debug)]
-pub(super) struct Refusal(pub(super) ErrorCode, pub(super) String);
+pub(super) struct RequestError(pub(super) ErrorCode, pub(super) String);
 
 /// The answer to a request.
-pub(super) type Answer = Result<Json, Refusal>;
+pub(super) type RequestResult = Result<Json, RequestError>;
 
 /// What the server knows.
 pub(super) struct Server<'a> {
@@ -142,10 +142,10 @@ impl<'a> Server<'a> {
         let _ = self.connection.sender.send(request.into());
     }
 
-    pub(super) fn reply(&self, id: RequestId, answer: Answer) {
+    pub(super) fn reply(&self, id: RequestId, answer: RequestResult) {
         let response = match answer {
             Ok(result) => Response::new_ok(id, result),
-            Err(Refusal(code, message)) => Response::new_err(id, code as i32, message),
+            Err(RequestError(code, message)) => Response::new_err(id, code as i32, message),
         };
         let _ = self.connection.sender.send(response.into());
     }
@@ -171,7 +171,8 @@ impl<'a> Server<'a> {
             return self.reply(request.id, Ok(Json::Null));
         }
         if self.is_shut {
-            let refusal = Refusal(ErrorCode::InvalidRequest, "the server is shut down".to_owned());
+            let refusal =
+                RequestError(ErrorCode::InvalidRequest, "the server is shut down".to_owned());
             return self.reply(request.id, Err(refusal));
         }
         let uri = request.params.pointer("/textDocument/uri").and_then(Json::as_str);
@@ -189,8 +190,9 @@ impl<'a> Server<'a> {
     fn answer(&mut self, request: Request) {
         let Request { id, method, params } = request;
         let caught = fault::caught(Span::default(), || Ok(answers::answer(self, &method, params)));
-        let answer = caught
-            .unwrap_or_else(|told| Err(Refusal(ErrorCode::InternalError, told.message.clone())));
+        let answer = caught.unwrap_or_else(|told| {
+            Err(RequestError(ErrorCode::InternalError, told.message.clone()))
+        });
         self.reply(id, answer);
     }
 

@@ -13,7 +13,7 @@ use std::{
 
 use super::{
     guard::Guard,
-    http::{Refusal, Request, Response, begin_stream},
+    http::{HttpError, Request, Response, begin_stream},
     hub::News,
     routes::{self, Doors},
 };
@@ -82,7 +82,7 @@ fn answer(stream: &mut TcpStream, guard: &Guard, doors: &Doors) {
     }
     if request.path == "/api/events" {
         if request.method != "GET" {
-            return Response::refuse(Refusal(405, "only GET"), stream);
+            return Response::refuse(HttpError(405, "only GET"), stream);
         }
         // It ends when nobody reads it any more.
         let _ = tell_events(stream, doors);
