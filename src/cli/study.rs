@@ -29,8 +29,8 @@ use crate::{
     limits::work::StopToken,
     session::Session,
     study::{
-        Columns, Evaluation, Journal, KeptFiles, Plan, ResultFormat, Row, RowMaker, StudyPictures,
-        VariedParameter, checksum, contact_sheets, in_order, write_results,
+        Evaluation, Journal, KeptFiles, Plan, ResultColumns, ResultFormat, Row, RowMaker,
+        StudyPictures, VariedParameter, checksum, contact_sheets, in_order, write_results,
     },
 };
 
@@ -284,7 +284,7 @@ fn finish(
     (script, n_variants): (&Script, u64),
     voice: &Reporter,
 ) -> Result<ExitStatus, StudyFailure> {
-    let mut columns = Columns::default();
+    let mut columns = ResultColumns::default();
     let mut tally = Tally::default();
     for row in journal.rows()? {
         let row = row?;

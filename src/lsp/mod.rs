@@ -57,7 +57,7 @@ pub fn serve(connection: Connection, session: SessionMaker<'_>) -> Result<(), Pr
         Err(err) if err.channel_is_disconnected() => return Ok(()),
         greeted => greeted?,
     };
-    let queue = worker::Queue::default();
+    let queue = worker::EvaluationQueue::default();
     let (done, finished) = crossbeam_channel::unbounded();
     std::thread::scope(|scope| {
         scope.spawn(|| {

@@ -20,7 +20,7 @@ use super::{
     commands::StartedViewer,
     documents::OpenDocument,
     paths::OverlaidFiles,
-    worker::{Done, Job, Queue},
+    worker::{Evaluated, EvaluationQueue, EvaluationRequest},
 };
 use crate::{
     diag::{Span, fault},
@@ -41,7 +41,7 @@ pub(super) type RequestResult = Result<Json, RequestError>;
 /// What the server knows.
 pub(super) struct Server<'a> {
     connection: &'a Connection,
-    pub(super) queue: &'a Queue,
+    pub(super) queue: &'a EvaluationQueue,
     pub(super) client: Client,
     /// For questions.
     pub(super) session: Session,
@@ -62,7 +62,7 @@ pub(super) struct Server<'a> {
 impl<'a> Server<'a> {
     pub(super) fn new(
         connection: &'a Connection,
-        queue: &'a Queue,
+        queue: &'a EvaluationQueue,
         session: SessionMaker<'_>,
         client: Client,
     ) -> Self {
@@ -83,7 +83,7 @@ impl<'a> Server<'a> {
     }
 
     /// Serves until the client says goodbye or is gone.
-    pub(super) fn run(&mut self, finished: &Receiver<Done>) -> Result<(), ProtocolError> {
+    pub(super) fn run(&mut self, finished: &Receiver<Evaluated>) -> Result<(), ProtocolError> {
         self.watch_files();
         loop {
             if self.connection.receiver.is_empty() {
@@ -246,7 +246,7 @@ impl<'a> Server<'a> {
         let texts = self.open_texts();
         for uri in std::mem::take(&mut self.dirty) {
             let Some(open) = self.documents.get(&uri) else { continue };
-            self.queue.want(Job {
+            self.queue.want(EvaluationRequest {
                 serial: open.serial,
                 name: open.name().to_owned(),
                 folder: open.folder(),
@@ -257,7 +257,7 @@ impl<'a> Server<'a> {
         }
     }
 
-    fn finished(&mut self, done: Done) {
+    fn finished(&mut self, done: Evaluated) {
         let Some(open) =
             self.documents.get_mut(&done.uri).filter(|open| open.serial == done.serial)
         else {

@@ -17,7 +17,7 @@ mod typed_columns;
 mod vary;
 mod workers;
 
-pub use columns::Columns;
+pub use columns::ResultColumns;
 pub use contact_sheet::contact_sheets;
 pub use files::KeptFiles;
 pub use journal::{Journal, checksum};

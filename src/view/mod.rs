@@ -24,7 +24,7 @@ use std::{
     thread,
 };
 
-use self::{guard::Guard, hub::Hub, routes::Doors, worker::Worker};
+use self::{guard::Guard, hub::Hub, routes::Doors, worker::PageWorker};
 use crate::{
     eval::Setting,
     limits::{stack, work::StopToken},
@@ -49,11 +49,11 @@ pub(crate) struct Viewer {
 }
 
 impl ViewedScript<'_> {
-    fn worker(&self) -> Worker {
+    fn worker(&self) -> PageWorker {
         let stop = StopToken::default();
         let first = Model::empty(&self.path, &self.out);
         let hub = Arc::new(Hub::new(self.settings.clone(), first, stop.clone()));
-        Worker {
+        PageWorker {
             hub,
             model: Model::new((self.session)(stop), RandomState::new().build_hasher().finish()),
             script: self.path.clone(),
