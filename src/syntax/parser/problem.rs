@@ -73,7 +73,7 @@ impl ExpectedTokens {
     }
 
     /// Its members in words: "`,` or `]`".
-    pub(super) fn words(self) -> String {
+    pub(super) fn alternatives(self) -> String {
         let labels = Self::LABELS.iter().filter(|(label, _)| self.has(*label));
         let mut words: Vec<String> = labels.map(|&(_, text)| text.to_owned()).collect();
         words.extend(Token::ALL.iter().filter(|t| self.has_token(**t)).map(|t| t.shown()));
