@@ -72,11 +72,11 @@ pub(super) fn run(path: &Path, out: &Path, drawn: &PictureArgs, common: &RunArgs
     };
     drop(progress);
     voice.findings(&report.diagnostics, &report.sources);
-    told(done, out, &report, &voice)
+    report_outcome(done, out, &report, &voice)
 }
 
 /// Tells what came of the picture, and how the run ends.
-fn told(
+fn report_outcome(
     done: Result<Option<Summary>, PictureFailure>,
     out: &Path,
     report: &Report,

@@ -49,7 +49,7 @@ pub(crate) fn serve_streams(session: SessionMaker<'_>) -> io::Result<()> {
 pub fn serve(connection: Connection, session: SessionMaker<'_>) -> Result<(), ProtocolError> {
     let greeted = connection.initialize_start().and_then(|(id, params)| {
         let client = capabilities::Client::of(&params);
-        connection.initialize_finish(id, capabilities::told(&client))?;
+        connection.initialize_finish(id, capabilities::initialize_result(&client))?;
         Ok(client)
     });
     let client = match greeted {
