@@ -4,7 +4,7 @@ use std::{convert::Infallible, ops::ControlFlow};
 
 use glam::{DVec2, DVec3, DVec4};
 
-use super::DirectionSpans;
+use super::spans::DirectionSpans;
 use crate::{
     Bounds, Direction, Interval,
     ceiling::{NEAREST_STEPS, STEP_HALVINGS},

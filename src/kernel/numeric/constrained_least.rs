@@ -6,7 +6,7 @@
 //! 18.3, with the damped updates of procedure 18.2 and the corrections of §18.3 where a step is refused.
 
 use super::{
-    answers::{Answers, Asked, Wanted},
+    answers::{Answers, CountedFunctions, Wanted},
     least_problem::{LeastEnd, LeastProblem},
     least_search::LeastSearch,
 };
@@ -48,7 +48,7 @@ impl LeastProblem<'_> {
         &self,
         functions: impl FnMut(&[f64], Wanted) -> Result<Answers, E>,
     ) -> Result<ConstrainedLeast, E> {
-        let mut asked = Asked::new(functions);
+        let mut asked = CountedFunctions::new(functions);
         let mut search = LeastSearch::new(*self, &mut asked)?;
         let mut end = search.descend()?;
         let mut n_restarts = 0;
