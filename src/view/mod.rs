@@ -4,6 +4,7 @@
 //! at the files, and `worker`, the one thread that evaluates, takes the newest run that is wanted. What
 //! it comes to and what the page asks about it is the business of `crate::page`.
 
+mod doors;
 mod export;
 mod guard;
 mod http;
@@ -24,7 +25,7 @@ use std::{
     thread,
 };
 
-use self::{guard::Guard, hub::Hub, routes::Doors, worker::PageWorker};
+use self::{doors::Doors, guard::Guard, hub::Hub, worker::PageWorker};
 use crate::{
     eval::Setting,
     limits::{stack, work::StopToken},

@@ -12,10 +12,11 @@ use std::{
 };
 
 use super::{
+    doors::Doors,
     guard::Guard,
     http::{HttpError, Request, Response, begin_stream},
     hub::News,
-    routes::{self, Doors},
+    routes,
 };
 
 /// Connections at a time.
