@@ -7,9 +7,11 @@ use chumsky::error::{Error, LabelError};
 use chumsky::prelude::SimpleSpan;
 use chumsky::util::MaybeRef;
 
-use super::input::Tokens;
 use crate::diag::Diagnostic;
 use crate::syntax::token::Token;
+
+/// The input of the grammar.
+pub(super) type Tokens<'t> = &'t [Token];
 
 /// The failure of a rule.
 #[derive(Debug)]

@@ -13,7 +13,7 @@ pub(super) use remarks::{
 };
 pub(super) use statement::trailing;
 
-use super::input::ParsedScript;
+use super::parsed_script::ParsedScript;
 use super::problem::{ExpectedTokens, Problem};
 use crate::diag::{Code, Diagnostic, nearest};
 use crate::syntax::token::Token;
