@@ -3,8 +3,15 @@
 use lsp_types::{InitializeParams, PositionEncodingKind};
 use serde_json::{Value as Json, json};
 
-use super::{commands, paths};
+use super::paths;
 use crate::ide::{ColumnUnit, HintOptions, TokenKind};
+
+/// Runs a test: address of the document, name of the test.
+pub(super) const TEST: &str = "virote.runTest";
+/// Shows the script in a browser: address of the document, name of a definition.
+pub(super) const VIEW: &str = "virote.openView";
+/// Every command.
+const COMMANDS: [&str; 2] = [TEST, VIEW];
 
 /// What the client can do and wants.
 #[derive(Debug, Default)]
@@ -140,7 +147,7 @@ pub(super) fn initialize_result(client: &Client) -> Json {
             "range": true,
             "full": true,
         },
-        "executeCommandProvider": { "commands": commands::ALL },
+        "executeCommandProvider": { "commands": COMMANDS },
         "workspace": { "workspaceFolders": { "supported": true, "changeNotifications": true } },
     });
     json!({

@@ -1,65 +1,20 @@
 //! Commands that lenses offer: a test is run, a definition is shown.
 
-use std::{
-    io::{BufRead, BufReader},
-    path::PathBuf,
-    process::{Child, Command, Stdio},
-    time::Duration,
-};
+use std::time::Duration;
 
 use crossbeam_channel::RecvTimeoutError;
 use lsp_server::ErrorCode;
 use serde_json::{Value as Json, json};
 
-use super::server::{RequestError, RequestResult, Server};
+use super::{
+    capabilities::{TEST, VIEW},
+    server::{RequestError, RequestResult, Server},
+    viewer::StartedViewer,
+};
 use crate::session::TestVerdict;
 
 /// A test that runs for so long is stopped.
 const PATIENCE: Duration = Duration::from_secs(10);
-
-/// Runs a test: address of the document, name of the test.
-pub(super) const TEST: &str = "virote.runTest";
-/// Shows the script in a browser: address of the document, name of a definition.
-pub(super) const VIEW: &str = "virote.openView";
-/// Every command.
-pub(super) const ALL: [&str; 2] = [TEST, VIEW];
-
-/// A viewer that was started; it ends with the server.
-#[derive(Debug)]
-pub(super) struct StartedViewer {
-    child: Child,
-    pub(super) path: PathBuf,
-    address: String,
-}
-
-impl Drop for StartedViewer {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
-
-impl StartedViewer {
-    fn start(path: PathBuf) -> Result<Self, String> {
-        let program = std::env::current_exe().map_err(|err| err.to_string())?;
-        let mut command = Command::new(program);
-        command.arg("view").arg("--no-open").arg(&path);
-        command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::null());
-        let mut child =
-            command.spawn().map_err(|err| format!("the viewer does not start: {err}"))?;
-        let mut address = String::new();
-        if let Some(output) = child.stdout.take() {
-            let _ = BufReader::new(output).read_line(&mut address);
-        }
-        let started = Self { child, path, address: address.trim().to_owned() };
-        if started.address.is_empty() {
-            return Err(
-                "the viewer does not start; `virote view` in a terminal tells why".to_owned()
-            );
-        }
-        Ok(started)
-    }
-}
 
 impl Server<'_> {
     pub(super) fn execute(&mut self, params: &Json) -> RequestResult {

@@ -15,7 +15,9 @@ mod looks;
 mod navigation;
 mod paths;
 mod server;
+mod serving;
 mod transport;
+mod viewer;
 mod worker;
 
 use std::io;
