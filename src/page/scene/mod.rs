@@ -116,7 +116,7 @@ impl Scene {
         let parts: Vec<(u64, (usize, Piece), Result<Option<Mesh>, String>)> = parts.collect();
         let encoded = side_by_side(&parts, session, |(_, (_, piece), mesh)| {
             let mesh = mesh.clone()?;
-            told(session, || encode::encoded(&piece.shape, mesh, &fineness))
+            within_ceilings(session, || encode::encoded(&piece.shape, mesh, &fineness))
         })?;
         for definition in &missing {
             memory.keep(definition.identity, &fineness, DefinitionItems::default());
@@ -218,7 +218,7 @@ fn fineness(report: &Report, session: &Session, bounds: Option<Bounds>) -> Finen
 }
 
 /// What geometry answers within the ceilings of the session; else why not, in words.
-pub(crate) fn told<T, E: std::fmt::Display>(
+pub(crate) fn within_ceilings<T, E: std::fmt::Display>(
     session: &Session,
     work: impl FnOnce() -> Result<T, E>,
 ) -> Result<T, String> {
