@@ -7,7 +7,8 @@ use serde_json::{Value as Json, json};
 use super::{
     Answer, Known,
     answers::{Fact, Units, number_of},
-    scene::{Shape, within_ceilings},
+    ceilings::within_ceilings,
+    scene::Shape,
 };
 use crate::{
     kernel::{Curve, Side, Surface, Tolerance},

@@ -5,8 +5,10 @@ use glam::DVec3;
 use serde_json::Value as Json;
 
 use super::{
-    Known, keys_of,
-    scene::{EncodedItem, Shape, within_ceilings},
+    Known,
+    ceilings::within_ceilings,
+    keys_of,
+    scene::{EncodedItem, Shape},
     threads::side_by_side,
 };
 use crate::{

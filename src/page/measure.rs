@@ -5,8 +5,9 @@ use serde_json::{Value as Json, json};
 use super::{
     Answer, Known,
     answers::{Units, with_unit},
+    ceilings::within_ceilings,
     keys_of,
-    scene::{Shape, within_ceilings},
+    scene::Shape,
 };
 use crate::{
     kernel::{Curve, Face, Mesh, Surface, Tolerance, volume_mass},

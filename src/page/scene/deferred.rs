@@ -8,11 +8,11 @@ use super::{
     encode::{self, EncodedItem, Fineness},
     meshes,
     parts::Piece,
-    within_ceilings,
 };
 use crate::{
     kernel::{Bounds, Mesh},
     limits::stack,
+    page::ceilings::within_ceilings,
     session::Session,
 };
 

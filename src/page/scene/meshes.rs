@@ -3,13 +3,13 @@
 use super::{
     encode::Fineness,
     parts::{Piece, Shape},
-    within_ceilings,
 };
 use crate::{
     kernel::{
         CountError, Face, GeomError, Mesh, Surface, TessellationOptions, tessellate_all,
         tessellate_any,
     },
+    page::ceilings::within_ceilings,
     session::Session,
 };
 
