@@ -23,7 +23,7 @@ use super::{
 use crate::{Direction, work};
 use gap::DistanceBounds;
 use patch::BezierPatch;
-pub(crate) use patch::{PatchPart, Residual, descend};
+pub(crate) use patch::{FootVector, PatchPart, descend};
 use spans::{DirectionSpans, KnotSpan};
 use tree::PatchTree;
 
