@@ -138,7 +138,9 @@ fn piece<E>(
     let (rough, _) = by_rule(function, &EIGHT_NODES, interval)?;
     let (value, size) = by_rule(function, &SIXTEEN_NODES, interval)?;
     let apart = value.iter().zip(&rough).map(|(value, rough)| (value - rough).abs());
-    let error = apart.fold(0.0, f64::max);
+    // `max` passes over what is no number.
+    let is_known = value.iter().chain(&rough).all(|part| part.is_finite());
+    let error = if is_known { apart.fold(0.0, f64::max) } else { f64::INFINITY };
     Ok(IntegrationInterval { interval, value, size, error })
 }
 
@@ -207,5 +209,18 @@ mod tests {
         let found =
             find_integral(|x| if x < 0.9 { Ok(vec![x; 3]) } else { Err(x) }, [0.0, 1.0], 1e-9, 0.0);
         assert!(matches!(found, Err(IntegralError::Function(x)) if 0.9 <= x));
+    }
+
+    #[test]
+    fn what_is_no_number_is_refused_by_its_first_piece() {
+        let mut n_asked = 0;
+        let function = |_| {
+            n_asked += 1;
+            Ok::<_, ()>(vec![f64::NAN])
+        };
+        let found = find_integral(function, [0.0, 1.0], 1e-9, 0.0);
+        assert!(matches!(found, Err(IntegralError::Unsettled { .. })));
+        // Eight nodes and sixteen.
+        assert_eq!(n_asked, 24);
     }
 }

@@ -338,4 +338,12 @@ mod tests {
         let Ok(best) = improved(100.0, 2, halved);
         assert_eq!(best, 25.0);
     }
+
+    #[test]
+    fn where_the_slope_is_vertical_the_bracket_is_halved() {
+        // √t − 1/2 from t = 0, where Newton's step is none.
+        let root = |t: f64| Some([t.sqrt() - 0.5, 0.5 / t.sqrt()]);
+        let found = within_bracket([0.0, 1.0], 0.0, 60, |last, next| last == next, root);
+        assert!((found - 0.25).abs() < 1e-15, "{found}");
+    }
 }
