@@ -8,7 +8,7 @@ use serde_json::{Value as Json, json};
 use crate::diag::{Diagnostic, Severity, Source, Sources, Span, is_hidden, shown};
 
 /// A place as ariadne names it: the source's name, and bytes of its text.
-type Place = (String, std::ops::Range<usize>);
+type AriadneSpan = (String, std::ops::Range<usize>);
 
 /// Draws one diagnostic.
 #[must_use]
@@ -149,7 +149,7 @@ fn primary_text(diagnostic: &Diagnostic) -> &str {
 }
 
 /// The place of a span in its source, at least one character wide.
-fn place(span: Span, sources: &Sources) -> Option<Place> {
+fn place(span: Span, sources: &Sources) -> Option<AriadneSpan> {
     let source: &Source = sources.at(span)?;
     let mut range = source.local(span);
     if range.is_empty() {

@@ -218,6 +218,47 @@ fn lines_end_in_any_way() {
     }
 }
 
+#[test]
+fn forms_of_csv_that_other_programs_write_are_read() {
+    let table = |text: &str, value: &str, expected: &str| {
+        check("csv", text.as_bytes(), value, Ok(expected));
+    };
+    let texts = |rows: &str, expected: &str| {
+        table(&format!("a,b\n{rows}"), "[for t in it.a: \"<{t}>\"]", expected);
+    };
+    texts("\"x, y\",1\n\"two\r\nlines\",2", r#"["<x, y>", "<two\u{d}\nlines>"]"#);
+    texts("\"say \"\"é\"\"\",1\n\"\"\"\",2\n", r#"["<say \"é\">", "<\">"]"#);
+    texts("  \" kept \"  ,1\n lost ,2", r#"["< kept >", "<lost>"]"#);
+    texts("3\" pipe,1\n,2\n\"\",3\n", r#"["<3\" pipe>", "<>", "<>"]"#);
+    let (long, shown) = ("é\"\"".repeat(100), "é\\\"".repeat(100));
+    texts(&format!("\"{long}\",1"), &format!("[\"<{shown}>\"]"));
+    // Texts that look like numbers, and numbers that are not there.
+    table("a\n\"1\"\n", "it.a[0] == \"1\"", "true");
+    table("a,b\n1,\n,2\n", "it.b[1]", "2");
+    table("a;b\n1;\n", "len(it.b)", "1");
+    // Tabulators separate, and so are no space around.
+    table("a\tb\n\t 2 \n1\t\n", "it.b[0]", "2");
+    // Lines without anything, and an end without a line's.
+    table("\n\r\n a ; b \r\n  \r\n\r\n1;2\r\n \n3;4", "it.b", "[2, 4]");
+    table("a\n1\n   ", "len(it)", "1");
+}
+
+#[test]
+fn mistakes_in_csv_are_told_with_their_line() {
+    let wrong = |text: &str, part: &str| check("csv", text.as_bytes(), "it", Err(part));
+    wrong("", "the file is empty");
+    wrong(" \r\n\n", "the file is empty");
+    wrong("\na,b\r\n\"x\ny\",1\n1\n", "line 5 has 1 cell, the header has 2");
+    wrong("a\r1,2,3", "line 2 has 3 cells, the header has 1");
+    wrong("a,b\n1,\"x\ny\"\"\n", "line 2: the quotation mark is not closed");
+    wrong("a,b\n1,\"", "line 2: the quotation mark is not closed");
+    wrong("a,b\n\"x\ny\" z,1\n", "line 3: `z` follows a quotation mark");
+    wrong("a,b\n\"x\"\"\" \"y\",1\n", "line 2: `\"` follows a quotation mark");
+    wrong("a,b\n1,2\n\n1,x\n", "line 4: `b` must be a number, found `x`");
+    wrong("a\n1\n\"2\"\n", "line 3: `a` must be a number, found `2`");
+    wrong("a,\n1,2", "line 1: column 2 has no name");
+}
+
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 #[test]

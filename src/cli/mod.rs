@@ -128,7 +128,7 @@ fn doc(words: &[String], is_search: bool) -> ExitStatus {
     if words.len() == 1 && !is_search {
         let near = crate::diag::nearest(
             &query,
-            registry.names().chain(docs::chapters()).chain(docs::language::words()),
+            registry.names().chain(docs::chapters()).chain(docs::language::topics()),
         );
         let near = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
         say_error(&format!("virote: nothing built in is called `{query}`{near}"));

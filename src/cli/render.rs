@@ -57,14 +57,14 @@ pub(super) fn run(path: &Path, out: &Path, drawn: &PictureArgs, common: &RunArgs
     // What an error touches has no value to draw; a name that was asked for is told.
     let is_kept_back = keeps_back(&report, common.strict);
     let done = if !report.unknown_settings.is_empty() {
-        Err(Refusal::Told(report.unknown_settings.join("\n"), ExitStatus::Usage))
+        Err(PictureFailure::Told(report.unknown_settings.join("\n"), ExitStatus::Usage))
     } else if is_kept_back {
         Ok(None)
     } else {
         let job = session.picture(&report, &content, format);
         let job = job.map_err(|text| match has_errors {
-            true => Refusal::Told(text, ExitStatus::Wrong),
-            false => Refusal::Told(text, ExitStatus::Usage),
+            true => PictureFailure::Told(text, ExitStatus::Wrong),
+            false => PictureFailure::Told(text, ExitStatus::Usage),
         });
         let watch = session.watch();
         let target = (format, out, &*inputs);
@@ -72,12 +72,12 @@ pub(super) fn run(path: &Path, out: &Path, drawn: &PictureArgs, common: &RunArgs
     };
     drop(progress);
     voice.findings(&report.diagnostics, &report.sources);
-    told(done, out, &report, &voice)
+    report_outcome(done, out, &report, &voice)
 }
 
 /// Tells what came of the picture, and how the run ends.
-fn told(
-    done: Result<Option<Summary>, Refusal>,
+fn report_outcome(
+    done: Result<Option<Summary>, PictureFailure>,
     out: &Path,
     report: &Report,
     voice: &Reporter,
@@ -95,11 +95,11 @@ fn told(
             voice.remark("nothing was drawn, because the script has errors");
             ExitStatus::of(report)
         }
-        Err(Refusal::Found(found)) => {
+        Err(PictureFailure::Found(found)) => {
             voice.findings(&[*found], &report.sources);
             ExitStatus::of(report).max(ExitStatus::Wrong)
         }
-        Err(Refusal::Told(message, ending)) => {
+        Err(PictureFailure::Told(message, ending)) => {
             message.lines().for_each(|line| voice.trouble(line));
             ExitStatus::of(report).max(ending)
         }
@@ -107,16 +107,21 @@ fn told(
 }
 
 /// Why nothing was drawn: a sentence, or a finding at its place in the script.
-enum Refusal {
+enum PictureFailure {
     Told(String, ExitStatus),
     Found(Box<Diagnostic>),
 }
 
 /// What cannot be drawn, at its definition or where its function says why.
-fn undrawable(report: &Report, job: &Job, name: &str, reason: &GeomError) -> Option<Refusal> {
+fn undrawable(
+    report: &Report,
+    job: &Job,
+    name: &str,
+    reason: &GeomError,
+) -> Option<PictureFailure> {
     let item = job.items.iter().find(|item| item.name == name)?;
     let defined = report.definitions.iter().find(|defined| defined.name == item.group)?;
-    Err::<(), _>(reason.clone()).at(defined.span).err().map(Refusal::Found)
+    Err::<(), _>(reason.clone()).at(defined.span).err().map(PictureFailure::Found)
 }
 
 /// The format of the picture and what it is to show, or what is wrong with that.
@@ -143,10 +148,11 @@ fn draw(
     watch: Watch,
     (format, out, inputs): (&Format, &Path, &[PathBuf]),
     progress: &Progress,
-) -> Result<Summary, Refusal> {
+) -> Result<Summary, PictureFailure> {
     let shown = out.display().to_string();
-    let cannot =
-        |why: String| Refusal::Told(format!("cannot write `{shown}`: {why}"), ExitStatus::Usage);
+    let cannot = |why: String| {
+        PictureFailure::Told(format!("cannot write `{shown}`: {why}"), ExitStatus::Usage)
+    };
     let folder = match out.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
@@ -161,10 +167,10 @@ fn draw(
     let stage = || target.stage(job.limits.output_bytes, &told, write);
     let (staged, done) = work::under(watch, stage);
     let staged = done.end.map_or(staged, |end| Err(ExportError::Ended(end)));
-    let wrong = |why: String| Refusal::Told(why, ExitStatus::Wrong);
+    let wrong = |why: String| PictureFailure::Told(why, ExitStatus::Wrong);
     let (staged, summary) = staged.map_err(|err| match &err {
         ExportError::Io(_) => cannot(err.reason()),
-        ExportError::Viewpoint(_) => Refusal::Told(err.reason(), ExitStatus::Usage),
+        ExportError::Viewpoint(_) => PictureFailure::Told(err.reason(), ExitStatus::Usage),
         ExportError::Ended(end) => wrong(ended(*end, &shown, job)),
         ExportError::Geometry { name, source } => {
             undrawable(report, job, name, source).unwrap_or_else(|| wrong(err.reason()))

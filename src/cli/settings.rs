@@ -40,7 +40,7 @@ fn read(path: &Path, most: usize) -> Result<Vec<Setting>, String> {
     let text = decode(&script.bytes).map_err(|what| format!("{}: {what}", script.name))?;
     members(&text)
         .and_then(|members| settings(members, &script.name))
-        .map_err(|(place, message)| told(&script.name, &text, place, &message))
+        .map_err(|(place, message)| message_at(&script.name, &text, place, &message))
 }
 
 /// A byte of the text, and what is wrong there.
@@ -113,7 +113,7 @@ fn byte_of(text: &str, line: usize, column: usize) -> usize {
     text.floor_char_boundary((before + column).saturating_sub(1).min(text.len()))
 }
 
-fn told(name: &str, text: &str, place: usize, message: &str) -> String {
+fn message_at(name: &str, text: &str, place: usize, message: &str) -> String {
     let before = &text[..place];
     let line = 1 + before.matches('\n').count();
     let column = 1 + before.rsplit('\n').next().map_or(0, |line| line.chars().count());

@@ -29,8 +29,8 @@ use crate::{
     limits::work::StopToken,
     session::Session,
     study::{
-        Columns, Evaluation, Journal, KeptFiles, Plan, ResultFormat, Row, RowMaker, StudyPictures,
-        VariedParameter, checksum, contact_sheets, in_order, write_results,
+        Evaluation, Journal, KeptFiles, Plan, ResultColumns, ResultFormat, Row, RowMaker,
+        StudyPictures, VariedParameter, checksum, contact_sheets, in_order, write_results,
     },
 };
 
@@ -76,8 +76,8 @@ const UNFINISHED: &str = "unfinished";
 pub(super) fn run(asked: &StudyOptions) -> ExitStatus {
     let voice = Reporter::new(&asked.common.talk, asked.common.ceilings().diagnostics);
     match study(asked, &voice) {
-        Ok(ending) | Err(Refusal::Told(ending)) => ending,
-        Err(Refusal::Misuse(message)) => {
+        Ok(ending) | Err(StudyFailure::Told(ending)) => ending,
+        Err(StudyFailure::Misuse(message)) => {
             message.lines().for_each(|line| voice.trouble(line));
             ExitStatus::Usage
         }
@@ -85,25 +85,25 @@ pub(super) fn run(asked: &StudyOptions) -> ExitStatus {
 }
 
 /// Why there is no study.
-enum Refusal {
+enum StudyFailure {
     /// What has been told.
     Told(ExitStatus),
     /// A sentence.
     Misuse(String),
 }
 
-impl From<String> for Refusal {
+impl From<String> for StudyFailure {
     fn from(message: String) -> Self {
         Self::Misuse(message)
     }
 }
 
-fn study(asked: &StudyOptions, voice: &Reporter) -> Result<ExitStatus, Refusal> {
+fn study(asked: &StudyOptions, voice: &Reporter) -> Result<ExitStatus, StudyFailure> {
     // Look at all that is asked before anything is evaluated.
     let format = ResultFormat::of(&asked.out)?;
     let session = asked.common.session();
     let settings = settings::given(&asked.common, session.limits().input_bytes, voice)
-        .map_err(Refusal::Told)?;
+        .map_err(StudyFailure::Told)?;
     let script = Script::read(&asked.file, session.limits().source_bytes)?;
     check_target(asked, &script)?;
     let content = looks::content(&asked.drawn)?;
@@ -154,7 +154,7 @@ fn study(asked: &StudyOptions, voice: &Reporter) -> Result<ExitStatus, Refusal> 
     };
     if let Some(message) = ended {
         let (n_rows, name) = (journal.n_rows, unfinished(&asked.out));
-        return Err(Refusal::Misuse(format!(
+        return Err(StudyFailure::Misuse(format!(
             "{message}\n{n_rows} of {n_variants} rows are kept in `{}`; the same command goes on behind them",
             name.display()
         )));
@@ -168,10 +168,10 @@ fn schema(
     script: &Script,
     files: &ScriptFiles,
     voice: &Reporter,
-) -> Result<Schema, Refusal> {
+) -> Result<Schema, StudyFailure> {
     session.parameters(&script.name, &script.bytes, files).map_err(|report| {
         voice.findings(&report.diagnostics, &report.sources);
-        Refusal::Told(ExitStatus::Wrong)
+        StudyFailure::Told(ExitStatus::Wrong)
     })
 }
 
@@ -181,10 +181,10 @@ fn check_wants(
     session: &Session,
     (script, files): (&Script, &ScriptFiles),
     voice: &Reporter,
-) -> Result<(), Refusal> {
+) -> Result<(), StudyFailure> {
     let graph = session.graph(&script.name, &script.bytes, files).map_err(|report| {
         voice.findings(&report.diagnostics, &report.sources);
-        Refusal::Told(ExitStatus::Wrong)
+        StudyFailure::Told(ExitStatus::Wrong)
     })?;
     let defined: Vec<&str> = graph.nodes.iter().map(|node| node.name.as_str()).collect();
     Ok(maker.check_wants(&defined)?)
@@ -283,8 +283,8 @@ fn finish(
     journal: Journal,
     (script, n_variants): (&Script, u64),
     voice: &Reporter,
-) -> Result<ExitStatus, Refusal> {
-    let mut columns = Columns::default();
+) -> Result<ExitStatus, StudyFailure> {
+    let mut columns = ResultColumns::default();
     let mut tally = Tally::default();
     for row in journal.rows()? {
         let row = row?;

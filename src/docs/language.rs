@@ -13,7 +13,7 @@ pub const TITLE: &str = "language";
 const FEWEST_LETTERS: usize = 4;
 
 /// Words of the language that are no names of built-ins, for "did you mean".
-pub fn words() -> impl Iterator<Item = &'static str> {
+pub fn topics() -> impl Iterator<Item = &'static str> {
     let headings = LANGUAGE.lines().filter(|line| level(line).is_some());
     let headings = headings.flat_map(|line| line.split(|c: char| !c.is_alphabetic()));
     headings.filter(|word| FEWEST_LETTERS <= word.len()).chain([TITLE])

@@ -12,7 +12,7 @@ use super::{
     globals::Globals,
     ir::{
         Arg, Block, CallExpr, CaptureSource, Comprehension, Definition, DefinitionRole, Element,
-        Expr, ExprKind, Group, Lambda, Piece,
+        Expr, ExprKind, Group, Lambda, StringPart,
     },
     param::GivenValue,
 };
@@ -237,15 +237,15 @@ impl<'a> CacheKey<'a> {
         }
     }
 
-    fn pieces(&mut self, pieces: &[Piece]) {
+    fn pieces(&mut self, pieces: &[StringPart]) {
         self.place(10, pieces.len());
         for piece in pieces {
             match piece {
-                Piece::Text(text) => {
+                StringPart::Text(text) => {
                     self.tag(0);
                     self.text(text);
                 }
-                Piece::Expr(expr, format) => {
+                StringPart::Expr(expr, format) => {
                     self.all(1, std::slice::from_ref(expr));
                     let Some(format) = format else { continue };
                     self.tag(2);

@@ -154,7 +154,8 @@ impl Machine<'_> {
                 if let Some((_, Witness::Element(_, value))) = &own {
                     places.note(value);
                 }
-                let witness = own.map(|(_, witness)| told(&witness, *holds, claim, self.env.unit));
+                let witness = own
+                    .map(|(_, witness)| witness_sentence(&witness, *holds, claim, self.env.unit));
                 let places = places.of_failure(*holds);
                 Ok(Verdict { holds: *holds, witness, places, ..Verdict::default() })
             }
@@ -280,7 +281,7 @@ fn is_decided_by(claim: &Expr, call: Span) -> bool {
 }
 
 /// What decided the test of a list, in a sentence.
-fn told(witness: &Witness, holds: bool, claim: &Expr, unit: Unit) -> String {
+fn witness_sentence(witness: &Witness, holds: bool, claim: &Expr, unit: Unit) -> String {
     let mut passes = holds;
     let mut inner = claim;
     while let ExprKind::Unary(UnaryOp::Not, next) = &inner.kind {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::{
-    ir::{Comprehension, Element, Expr, Piece, TextFormat},
+    ir::{Comprehension, Element, Expr, StringPart, TextFormat},
     items::Items,
     lanes::{BlockResult, Lanes},
     machine::Machine,
@@ -139,12 +139,12 @@ impl Machine<'_> {
             .map_err(|refusal| refusal.at(span))
     }
 
-    pub(super) fn text(&mut self, pieces: &[Piece], span: Span) -> Result<Value> {
+    pub(super) fn text(&mut self, pieces: &[StringPart], span: Span) -> Result<Value> {
         let mut out = String::new();
         for piece in pieces {
             match piece {
-                Piece::Text(text) => out.push_str(text),
-                Piece::Expr(expr, format) => match (self.eval(expr)?, format) {
+                StringPart::Text(text) => out.push_str(text),
+                StringPart::Expr(expr, format) => match (self.eval(expr)?, format) {
                     (value, Some(format)) => {
                         out.push_str(&self.formatted(&value, format, expr.span)?);
                     }

@@ -32,7 +32,7 @@ impl ImportedFiles for Library<'_> {
         let slot = self.slot(file, &parameters)?;
         // Imports make no circle, so that whoever waits here is not waited for.
         let instance = slot.1.get_or_init(|| self.evaluate(file, slot.0, &parameters, env));
-        instance.findings.iter().for_each(|finding| self.tell(finding.clone()));
+        instance.findings.iter().for_each(|finding| self.report(finding.clone()));
         instance.outcome.clone()
     }
 

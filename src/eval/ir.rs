@@ -37,7 +37,7 @@ pub(crate) enum ExprKind {
     Point(Box<[Expr; 3]>),
     List(Vec<Element>),
     Record(Vec<(Arc<str>, Expr)>),
-    Text(Vec<Piece>),
+    Text(Vec<StringPart>),
     Comprehension(Box<Comprehension>),
     Block(Box<Block>),
     Unary(UnaryOp, Box<Expr>),
@@ -86,7 +86,7 @@ pub(crate) enum Element {
 
 /// A part of an interpolated string.
 #[derive(Debug)]
-pub(crate) enum Piece {
+pub(crate) enum StringPart {
     Text(Arc<str>),
     Expr(Expr, Option<TextFormat>),
 }

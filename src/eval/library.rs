@@ -96,7 +96,7 @@ impl<'a> Library<'a> {
                     let imported = literal(&import.path).and_then(|path| {
                         let path = join(folder(importer.path), path);
                         let file = self.load(&path, place, chain, sources);
-                        file.map_err(|finding| self.tell(*finding)).ok()
+                        file.map_err(|finding| self.report(*finding)).ok()
                     });
                     let imported = imported.map(|file| self.imported(file));
                     found.push((import.path.span.start, imported));
@@ -130,7 +130,7 @@ impl<'a> Library<'a> {
                     noted.part_uses.extend(given);
                     noted.imports.push((file.place, imported.path));
                 }
-                Err(finding) if !is_expected => self.tell(finding.as_ref().clone()),
+                Err(finding) if !is_expected => self.report(finding.as_ref().clone()),
                 Err(_) => {}
             }
             let _ = file.found.set(found);
@@ -225,7 +225,7 @@ impl<'a> Library<'a> {
         findings.extend(lowered.diagnostics);
         let is_error = |found: &&Diagnostic| found.severity == Severity::Error;
         let fault = findings.iter().find(is_error).cloned().map(Box::new);
-        findings.into_iter().for_each(|finding| self.tell(finding));
+        findings.into_iter().for_each(|finding| self.report(finding));
         let (path, program, identity) = (path.to_owned(), lowered.program, OnceLock::new());
         self.files.push(LibraryFile { path, program, fault, identity });
         Ok(self.files.len() - 1)
@@ -242,7 +242,7 @@ impl<'a> Library<'a> {
         Imported { file, path: self.files[file].path.clone(), names }
     }
 
-    pub(super) fn tell(&self, finding: Diagnostic) {
+    pub(super) fn report(&self, finding: Diagnostic) {
         self.findings.lock().unwrap_or_else(PoisonError::into_inner).push(finding);
     }
 

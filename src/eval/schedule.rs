@@ -33,7 +33,7 @@ pub(super) fn run<T: Send>(
         program.components.iter().for_each(|component| work(&mut own, component));
         return vec![own];
     }
-    let queue = Queue::new(program);
+    let queue = ComponentQueue::new(program);
     let serve = || {
         let mut own = worker();
         while let Some(component) = queue.next() {
@@ -62,21 +62,21 @@ pub(super) fn run<T: Send>(
 }
 
 /// Components that can be taken up, and what the others wait for.
-struct Queue {
-    state: Mutex<QueueState>,
+struct ComponentQueue {
+    state: Mutex<ComponentQueueState>,
     changed: Condvar,
     /// The components that use each component.
     users: Vec<Vec<usize>>,
 }
 
-struct QueueState {
+struct ComponentQueueState {
     ready: BinaryHeap<Reverse<usize>>,
     /// Components that each component still waits for.
     n_missing: Vec<usize>,
     n_left: usize,
 }
 
-impl Queue {
+impl ComponentQueue {
     fn new(program: &Program) -> Self {
         let n_components = program.components.len();
         let mut owner = vec![0; program.definitions.len()];
@@ -95,7 +95,7 @@ impl Queue {
         }
         let ready =
             (0..n_components).filter(|&component| n_missing[component] == 0).map(Reverse).collect();
-        let state = QueueState { ready, n_missing, n_left: n_components };
+        let state = ComponentQueueState { ready, n_missing, n_left: n_components };
         Self { state: Mutex::new(state), changed: Condvar::new(), users }
     }
 
@@ -126,7 +126,7 @@ impl Queue {
         self.changed.notify_all();
     }
 
-    fn lock(&self) -> MutexGuard<'_, QueueState> {
+    fn lock(&self) -> MutexGuard<'_, ComponentQueueState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -10,7 +10,7 @@ use crate::{
     docs, eval,
     export::{ExportOption, FORMATS},
     syntax::{OpenCall, ast::Unit},
-    value::{COLOR_NAMES, OpParameter, Type},
+    value::{COLOR_NAMES, OpParameter},
 };
 
 impl CompletionSpot<'_> {
@@ -56,7 +56,7 @@ impl CompletionSpot<'_> {
         let choice = |word: &str| Completion::new(word, CompletionKind::Choice, &range);
         let parameters = self.parameters(call);
         let param = parameters.iter().find(|param| Some(param.name) == label);
-        let words = param.map(|param| words(param.ty)).unwrap_or_default();
+        let words = param.map(|param| param.ty.words()).unwrap_or_default();
         if !words.is_empty() {
             return words.into_iter().map(choice).collect();
         }
@@ -162,14 +162,5 @@ impl CompletionSpot<'_> {
         for param in self.parameters(Some(call.name)) {
             add(label(param.name).detail(param.ty.to_string()).docs(docs::paragraph(param.docs)));
         }
-    }
-}
-
-/// The words that a parameter takes.
-fn words(ty: Type) -> Vec<&'static str> {
-    match ty {
-        Type::Choice(words) => words.to_vec(),
-        Type::OneOf(types) => types.iter().flat_map(|&ty| words(ty)).collect(),
-        _ => Vec::new(),
     }
 }

@@ -7,14 +7,14 @@ use crate::diag::{Diagnostic, Fix, Sources, Span};
 
 /// A place in a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct SourceRange {
     /// The number of the text among the sources: 0 is the script itself.
     pub source: usize,
     /// Its bytes.
     pub range: Range<usize>,
 }
 
-impl Place {
+impl SourceRange {
     /// The place of a span, widened to a character where it is empty.
     #[must_use]
     pub fn of(sources: &Sources, span: Span) -> Self {
@@ -31,9 +31,9 @@ pub struct Finding<'d> {
     /// What was found.
     pub diagnostic: &'d Diagnostic,
     /// Where.
-    pub place: Place,
+    pub place: SourceRange,
     /// Remarks elsewhere.
-    pub others: Vec<(Place, &'d str)>,
+    pub others: Vec<(SourceRange, &'d str)>,
 }
 
 impl<'d> Finding<'d> {
@@ -43,9 +43,9 @@ impl<'d> Finding<'d> {
         let others = diagnostic.others.iter();
         Self {
             diagnostic,
-            place: Place::of(sources, diagnostic.primary.span),
+            place: SourceRange::of(sources, diagnostic.primary.span),
             others: others
-                .map(|label| (Place::of(sources, label.span), label.text.as_str()))
+                .map(|label| (SourceRange::of(sources, label.span), label.text.as_str()))
                 .collect(),
         }
     }
@@ -65,7 +65,7 @@ impl<'d> Finding<'d> {
 pub fn fixes<'d>(sources: &Sources, found: &'d Diagnostic) -> Vec<(&'d str, Vec<TextEdit>)> {
     let edits = |fix: &'d Fix| -> Option<Vec<TextEdit>> {
         let edit = |(span, text): &(Span, String)| {
-            let place = Place::of(sources, *span);
+            let place = SourceRange::of(sources, *span);
             let before = sources.iter().next()?.text.get(place.range.clone())?;
             // A string takes the place of a string only: what computes one is not a slip.
             let is_odd = text.starts_with('"')

@@ -10,7 +10,7 @@ use crate::{
 
 /// Which hints are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Shown {
+pub struct HintOptions {
     /// Values of definitions.
     pub values: bool,
     /// Kinds of what `let` defines.
@@ -21,7 +21,7 @@ pub struct Shown {
     pub margins: bool,
 }
 
-impl Default for Shown {
+impl Default for HintOptions {
     fn default() -> Self {
         Self { values: true, kinds: true, parameters: true, margins: true }
     }
@@ -84,7 +84,7 @@ impl Document {
         registry: &Registry,
         values: Option<&Values>,
         within: &Range<usize>,
-        shown: Shown,
+        shown: HintOptions,
     ) -> Vec<Hint> {
         let mut found = Vec::new();
         let is_within =

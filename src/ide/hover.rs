@@ -36,7 +36,7 @@ impl Document {
             Meaning::Field { of, field } => {
                 let value = of.and_then(|of| self.field(values?, of, field));
                 let values = values?;
-                fenced(&format!(".{field} = {}", values.told(&value?)))
+                fenced(&format!(".{field} = {}", values.description(&value?)))
             }
             Meaning::Keyword(word) => {
                 let entry = docs::language::markdown(word)?;
@@ -89,7 +89,7 @@ impl Document {
         if let Some((values, value)) =
             value.filter(|(_, value)| !matches!(value, Value::Function(_)))
         {
-            out.push_str(&format!("\n\n{}", values.told(value)));
+            out.push_str(&format!("\n\n{}", values.description(value)));
             if !values.are_of(self) {
                 out.push_str(" *(before the last edit)*");
             }

@@ -26,10 +26,10 @@ use std::{ops::Range, sync::Arc};
 
 pub use colors::{Color, colors, spellings};
 pub use completion::{Completion, CompletionKind, FolderEntry};
-pub use diagnostics::{Finding, Place, fixes};
+pub use diagnostics::{Finding, SourceRange, fixes};
 pub use edits::{TextEdit, applied};
 pub use format::{formatted, formatted_lines};
-pub use hints::{Hint, HintKind, Lens, LensKind, Shown};
+pub use hints::{Hint, HintKind, HintOptions, Lens, LensKind};
 pub use names::{Occurrence, Rename};
 pub use outline::{Act, ActKind, CallSite, DefinedName, NameRole, Outline};
 pub use position::{ColumnUnit, LineColumn, LineIndex};

@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeMap, ops::Range};
 
-use super::{DefinedName, Document, NameRole, Place, TextEdit, applied};
+use super::{DefinedName, Document, NameRole, SourceRange, TextEdit, applied};
 use crate::{
     diag::{Sources, Span},
     session::Session,
@@ -116,7 +116,7 @@ impl Document {
 
     /// The definition whose name stands at this place.
     fn definition_at(&self, span: Span) -> Option<&DefinedName> {
-        let place = Place::of(&self.sources, span);
+        let place = SourceRange::of(&self.sources, span);
         let outline = match place.source.checked_sub(1) {
             None => &self.outline,
             Some(imported) => self.imported.get(imported)?,
@@ -141,7 +141,7 @@ impl Document {
     }
 
     fn occurrence(&self, span: Span) -> Occurrence {
-        let Place { source, range } = Place::of(&self.sources, span);
+        let SourceRange { source, range } = SourceRange::of(&self.sources, span);
         let file = (0 < source).then(|| self.sources.iter().nth(source)).flatten();
         Occurrence {
             file: file.map(|source| source.name.clone()),
@@ -270,7 +270,7 @@ impl Document {
         let (after, sources) = session.name_uses(name, text.as_bytes(), &files);
         let errors = |uses: &crate::eval::NameUses| uses.diagnostics.len();
         let moved = |span: Span| -> (usize, usize) {
-            let place = Place::of(&self.sources, span);
+            let place = SourceRange::of(&self.sources, span);
             let file = (0 < place.source)
                 .then(|| self.sources.iter().nth(place.source).map(|source| source.name.clone()))
                 .flatten();
@@ -285,7 +285,7 @@ impl Document {
         };
         let is_moved_alike = |(old, new): (&(Span, Span), &(Span, Span))| {
             let found = [new.0, new.1]
-                .map(|span| Place::of(&sources, span))
+                .map(|span| SourceRange::of(&sources, span))
                 .map(|place| (place.source, place.range.start));
             let expected = [moved(old.0), moved(old.1)];
             expected.iter().zip(&found).all(|(expected, found)| {

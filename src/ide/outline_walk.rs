@@ -216,7 +216,7 @@ impl<'t> OutlineWalk<'t> {
             ExprKind::Text(text) => self.out.texts.push((expr.span.range(), text.clone(), None)),
             ExprKind::Interpolation(pieces) => {
                 for piece in pieces {
-                    if let ast::Piece::Expr(inner, _) = piece {
+                    if let ast::StringPart::Expr(inner, _) = piece {
                         self.expr(inner);
                     }
                 }

@@ -52,7 +52,7 @@ impl Values {
     /// A value in a few words, with its unit: `27.2 mm`, `curve of degree 3 with 7 control points on
     /// 0..1, length 124.6 mm`.
     #[must_use]
-    pub fn told(&self, value: &Value) -> String {
+    pub fn description(&self, value: &Value) -> String {
         let unit = self.report.document.0.name();
         match value {
             Value::Curve(curve) => format!("{value}{}", measured(curve, unit)),

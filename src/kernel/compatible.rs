@@ -106,7 +106,7 @@ fn on_clusters(knots: &KnotVector, clusters: &[KnotCluster], owner: usize) -> Kn
 
 fn missing_knots(clusters: &[KnotCluster], knots: &KnotVector) -> Vec<f64> {
     let missing = |cluster: &KnotCluster| {
-        vec![cluster.knot; cluster.times.saturating_sub(knots.times(cluster.knot))]
+        vec![cluster.knot; cluster.times.saturating_sub(knots.exact_multiplicity(cluster.knot))]
     };
     clusters.iter().flat_map(missing).collect()
 }

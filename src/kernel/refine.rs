@@ -65,7 +65,7 @@ impl ControlLines {
         let mut new: Vec<f64> = new.iter().map(snapped).collect::<Result<_, GeomError>>()?;
         new.sort_by(f64::total_cmp);
         let same = KNOT_RELATIVE * domain.length();
-        let is_old = |t: f64| 0 < self.knots.times(t);
+        let is_old = |t: f64| 0 < self.knots.exact_multiplicity(t);
         for i in 1..new.len() {
             if new[i] - new[i - 1] <= same && !is_old(new[i]) {
                 new[i] = new[i - 1];
@@ -73,7 +73,7 @@ impl ControlLines {
         }
         let most = self.knots.degree() + 1;
         for run in new.chunk_by(|a, b| a.total_cmp(b).is_eq()) {
-            let (knot, times) = (run[0], self.knots.times(run[0]) + run.len());
+            let (knot, times) = (run[0], self.knots.exact_multiplicity(run[0]) + run.len());
             if most < times {
                 let index = self.knots.as_slice().partition_point(|&other| other < knot);
                 return Err(KnotError::KnotMultiplicity { index, knot, times, most }.into());
@@ -86,14 +86,14 @@ impl ControlLines {
     /// is of no use.
     pub(crate) fn cut_at(&self, t: f64) -> (Self, Self) {
         let degree = self.knots.degree();
-        let missing = vec![t; degree.saturating_sub(self.knots.times(t))];
+        let missing = vec![t; degree.saturating_sub(self.knots.exact_multiplicity(t))];
         let Ok(lines) = self.clone().with_knots(&missing) else {
             unreachable!("a knot that stands less than p times can stand once more")
         };
         let knots = lines.knots.as_slice();
         let next = knots.partition_point(|&knot| knot <= t);
         // A knot that stands p + 1 times is a break, with a point on each side of it.
-        let n_missing = (degree + 1).saturating_sub(lines.knots.times(t));
+        let n_missing = (degree + 1).saturating_sub(lines.knots.exact_multiplicity(t));
         let own = vec![t; n_missing];
         let left = lines.knots.part([&knots[..next], &own, &[]]);
         let right = lines.knots.part([&own, &knots[next + n_missing - degree - 1..], &[]]);

@@ -4,7 +4,7 @@ use lsp_server::ErrorCode;
 use serde::{Serialize, de::DeserializeOwned};
 use serde_json::Value as Json;
 
-use super::server::{Answer, Refusal, Server};
+use super::server::{RequestError, RequestResult, Server};
 
 /// Whether a request waits until the text as it stands is evaluated: what it shows would be of another
 /// text otherwise.
@@ -13,7 +13,7 @@ pub(super) fn needs_values(method: &str) -> bool {
 }
 
 /// The answer to a request.
-pub(super) fn answer(server: &mut Server<'_>, method: &str, params: Json) -> Answer {
+pub(super) fn answer(server: &mut Server<'_>, method: &str, params: Json) -> RequestResult {
     match method {
         "textDocument/hover" => with(params, |params| server.hover(&params)),
         "textDocument/completion" => with(params, |params| server.completion(&params)),
@@ -42,20 +42,22 @@ pub(super) fn answer(server: &mut Server<'_>, method: &str, params: Json) -> Ans
         "callHierarchy/incomingCalls" => with(params, |params| server.incoming_calls(&params)),
         "callHierarchy/outgoingCalls" => with(params, |params| server.outgoing_calls(&params)),
         "workspace/executeCommand" => server.execute(&params),
-        _ => Err(Refusal(ErrorCode::MethodNotFound, format!("there is no method `{method}`"))),
+        _ => Err(RequestError(ErrorCode::MethodNotFound, format!("there is no method `{method}`"))),
     }
 }
 
 /// Parameters as their type.
-fn parsed<P: DeserializeOwned>(params: Json) -> Result<P, Refusal> {
-    serde_json::from_value(params).map_err(|err| Refusal(ErrorCode::InvalidParams, err.to_string()))
+fn parsed<P: DeserializeOwned>(params: Json) -> Result<P, RequestError> {
+    serde_json::from_value(params)
+        .map_err(|err| RequestError(ErrorCode::InvalidParams, err.to_string()))
 }
 
 /// What a request comes to; `null` where there is nothing.
 fn with<P: DeserializeOwned, R: Serialize>(
     params: Json,
     look: impl FnOnce(P) -> Option<R>,
-) -> Answer {
+) -> RequestResult {
     let found = look(parsed(params)?);
-    serde_json::to_value(found).map_err(|err| Refusal(ErrorCode::InternalError, err.to_string()))
+    serde_json::to_value(found)
+        .map_err(|err| RequestError(ErrorCode::InternalError, err.to_string()))
 }

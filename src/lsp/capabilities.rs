@@ -3,8 +3,15 @@
 use lsp_types::{InitializeParams, PositionEncodingKind};
 use serde_json::{Value as Json, json};
 
-use super::{commands, paths};
-use crate::ide::{ColumnUnit, Shown, TokenKind};
+use super::paths;
+use crate::ide::{ColumnUnit, HintOptions, TokenKind};
+
+/// Runs a test: address of the document, name of the test.
+pub(super) const TEST: &str = "virote.runTest";
+/// Shows the script in a browser: address of the document, name of a definition.
+pub(super) const VIEW: &str = "virote.openView";
+/// Every command.
+const COMMANDS: [&str; 2] = [TEST, VIEW];
 
 /// What the client can do and wants.
 #[derive(Debug, Default)]
@@ -17,7 +24,7 @@ pub(super) struct Client {
     pub(super) watches_files: bool,
     /// The folders of its workspace.
     pub(super) roots: Vec<std::path::PathBuf>,
-    pub(super) shown: Shown,
+    pub(super) shown: HintOptions,
     pub(super) has_lenses: bool,
 }
 
@@ -56,7 +63,7 @@ impl Client {
             shows_documents: can("/window/showDocument/support"),
             watches_files: can("/workspace/didChangeWatchedFiles/dynamicRegistration"),
             roots,
-            shown: Shown::default(),
+            shown: HintOptions::default(),
             has_lenses: true,
         };
         client.set(params.initialization_options.as_ref().unwrap_or(&Json::Null));
@@ -96,7 +103,7 @@ fn token_type(kind: TokenKind) -> &'static str {
 }
 
 /// What the server offers, as the result of `initialize`.
-pub(super) fn told(client: &Client) -> Json {
+pub(super) fn initialize_result(client: &Client) -> Json {
     let encoding = match client.unit {
         ColumnUnit::Utf8 => "utf-8",
         ColumnUnit::Utf16 => "utf-16",
@@ -140,7 +147,7 @@ pub(super) fn told(client: &Client) -> Json {
             "range": true,
             "full": true,
         },
-        "executeCommandProvider": { "commands": commands::ALL },
+        "executeCommandProvider": { "commands": COMMANDS },
         "workspace": { "workspaceFolders": { "supported": true, "changeNotifications": true } },
     });
     json!({

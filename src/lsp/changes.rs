@@ -10,7 +10,7 @@ use serde_json::{Value as Json, json};
 use super::{
     documents::OpenDocument,
     paths,
-    server::{Refusal, Server},
+    server::{RequestError, Server},
 };
 
 impl Server<'_> {
@@ -128,7 +128,7 @@ impl Server<'_> {
         };
         if let Some(idx) = self.waiting.iter().position(|(request, _)| request.id == id) {
             let (request, _) = self.waiting.remove(idx);
-            let refusal = Refusal(ErrorCode::RequestCanceled, "cancelled".to_owned());
+            let refusal = RequestError(ErrorCode::RequestCanceled, "cancelled".to_owned());
             self.reply(request.id, Err(refusal));
         }
     }
@@ -147,7 +147,7 @@ impl Server<'_> {
             std::mem::take(&mut self.waiting).into_iter().partition(|(_, waits)| waits == uri);
         self.waiting = left;
         for (request, _) in gone {
-            let refusal = Refusal(ErrorCode::ContentModified, "the text changed".to_owned());
+            let refusal = RequestError(ErrorCode::ContentModified, "the text changed".to_owned());
             self.reply(request.id, Err(refusal));
         }
     }

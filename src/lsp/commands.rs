@@ -1,82 +1,38 @@
 //! Commands that lenses offer: a test is run, a definition is shown.
 
-use std::{
-    io::{BufRead, BufReader},
-    path::PathBuf,
-    process::{Child, Command, Stdio},
-    time::Duration,
-};
+use std::time::Duration;
 
 use crossbeam_channel::RecvTimeoutError;
 use lsp_server::ErrorCode;
 use serde_json::{Value as Json, json};
 
-use super::server::{Answer, Refusal, Server};
+use super::{
+    capabilities::{TEST, VIEW},
+    server::{RequestError, RequestResult, Server},
+    viewer::StartedViewer,
+};
 use crate::session::TestVerdict;
 
 /// A test that runs for so long is stopped.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// Runs a test: address of the document, name of the test.
-pub(super) const TEST: &str = "virote.runTest";
-/// Shows the script in a browser: address of the document, name of a definition.
-pub(super) const VIEW: &str = "virote.openView";
-/// Every command.
-pub(super) const ALL: [&str; 2] = [TEST, VIEW];
-
-/// A viewer that was started; it ends with the server.
-#[derive(Debug)]
-pub(super) struct StartedViewer {
-    child: Child,
-    pub(super) path: PathBuf,
-    address: String,
-}
-
-impl Drop for StartedViewer {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
-
-impl StartedViewer {
-    fn start(path: PathBuf) -> Result<Self, String> {
-        let program = std::env::current_exe().map_err(|err| err.to_string())?;
-        let mut command = Command::new(program);
-        command.arg("view").arg("--no-open").arg(&path);
-        command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::null());
-        let mut child =
-            command.spawn().map_err(|err| format!("the viewer does not start: {err}"))?;
-        let mut address = String::new();
-        if let Some(output) = child.stdout.take() {
-            let _ = BufReader::new(output).read_line(&mut address);
-        }
-        let started = Self { child, path, address: address.trim().to_owned() };
-        if started.address.is_empty() {
-            return Err(
-                "the viewer does not start; `virote view` in a terminal tells why".to_owned()
-            );
-        }
-        Ok(started)
-    }
-}
-
 impl Server<'_> {
-    pub(super) fn execute(&mut self, params: &Json) -> Answer {
+    pub(super) fn execute(&mut self, params: &Json) -> RequestResult {
         let argument = |idx: usize| {
             params.pointer(&format!("/arguments/{idx}")).and_then(Json::as_str).unwrap_or_default()
         };
         match params.get("command").and_then(Json::as_str).unwrap_or_default() {
             TEST => self.test(argument(0), argument(1)),
             VIEW => self.view(argument(0)),
-            other => {
-                Err(Refusal(ErrorCode::InvalidParams, format!("there is no command `{other}`")))
-            }
+            other => Err(RequestError(
+                ErrorCode::InvalidParams,
+                format!("there is no command `{other}`"),
+            )),
         }
     }
 
     /// Runs the tests of a document whose names contain this, and says what they came to.
-    fn test(&mut self, uri: &str, name: &str) -> Answer {
+    fn test(&mut self, uri: &str, name: &str) -> RequestResult {
         let Some(open) = self.documents.get(uri) else { return Ok(Json::Null) };
         let files = self.files(open);
         // Somebody waits, and nothing else is answered meanwhile.
@@ -110,10 +66,10 @@ impl Server<'_> {
     }
 
     /// Shows a document in a viewer, which is started unless it runs.
-    fn view(&mut self, uri: &str) -> Answer {
+    fn view(&mut self, uri: &str) -> RequestResult {
         let path = self.documents.get(uri).and_then(|open| open.path.clone());
         let Some(path) = path else {
-            return Err(Refusal(
+            return Err(RequestError(
                 ErrorCode::InvalidParams,
                 "only a file can be shown: save it first".to_owned(),
             ));
@@ -127,7 +83,7 @@ impl Server<'_> {
             Some(address) => address,
             None => {
                 let viewer = StartedViewer::start(path)
-                    .map_err(|why| Refusal(ErrorCode::RequestFailed, why))?;
+                    .map_err(|why| RequestError(ErrorCode::RequestFailed, why))?;
                 let address = viewer.address.clone();
                 self.viewers.push(viewer);
                 address

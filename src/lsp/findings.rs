@@ -16,7 +16,7 @@ use super::{
 };
 use crate::{
     diag::{Diagnostic, Sources},
-    ide::{self, ColumnUnit, Finding, LineIndex, Place},
+    ide::{self, ColumnUnit, Finding, LineIndex, SourceRange},
 };
 
 /// The texts of a run with their addresses.
@@ -39,7 +39,7 @@ impl<'a> Addressed<'a> {
         Self { sources, uris, lines, unit }
     }
 
-    fn range(&self, place: &Place) -> lsp_types::Range {
+    fn range(&self, place: &SourceRange) -> lsp_types::Range {
         let (Some(source), Some(lines)) =
             (self.sources.iter().nth(place.source), self.lines.get(place.source))
         else {
@@ -48,12 +48,12 @@ impl<'a> Addressed<'a> {
         TextPlaces { text: &source.text, lines, unit: self.unit }.range(&place.range)
     }
 
-    fn location(&self, place: &Place) -> Option<Location> {
+    fn location(&self, place: &SourceRange) -> Option<Location> {
         let uri = Uri::from_str(self.uris.get(place.source)?).ok()?;
         Some(Location::new(uri, self.range(place)))
     }
 
-    fn told(&self, found: &Finding<'_>) -> lsp_types::Diagnostic {
+    fn lsp_diagnostic(&self, found: &Finding<'_>) -> lsp_types::Diagnostic {
         let related = found.others.iter().filter_map(|(place, text)| {
             let message = if text.is_empty() { "here" } else { text };
             Some(DiagnosticRelatedInformation {
@@ -102,7 +102,7 @@ impl Server<'_> {
         for diagnostic in found {
             let finding = Finding::of(sources, diagnostic);
             let Some(file) = addressed.uris.get(finding.place.source) else { continue };
-            by_file.entry(file.clone()).or_default().push(addressed.told(&finding));
+            by_file.entry(file.clone()).or_default().push(addressed.lsp_diagnostic(&finding));
         }
         let before = std::mem::replace(&mut open.told, by_file.keys().cloned().collect());
         let version = open.version;
@@ -143,7 +143,7 @@ impl Server<'_> {
         let mut actions = Vec::new();
         for diagnostic in &report.diagnostics {
             let finding = Finding::of(&report.sources, diagnostic);
-            let Place { source, range } = &finding.place;
+            let SourceRange { source, range } = &finding.place;
             if *source != 0 || at.end < range.start || range.end < at.start {
                 continue;
             }
@@ -157,7 +157,7 @@ impl Server<'_> {
                 actions.push(CodeActionOrCommand::CodeAction(CodeAction {
                     title: title.to_owned(),
                     kind: Some(CodeActionKind::QUICKFIX),
-                    diagnostics: Some(vec![addressed.told(&finding)]),
+                    diagnostics: Some(vec![addressed.lsp_diagnostic(&finding)]),
                     edit: Some(WorkspaceEdit {
                         changes: Some(changes),
                         ..WorkspaceEdit::default()

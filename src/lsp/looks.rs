@@ -16,7 +16,7 @@ use lsp_types::{
 use serde_json::json;
 
 use super::{
-    commands,
+    capabilities,
     convert::{self, TextPlaces},
     documents::OpenDocument,
     paths,
@@ -266,8 +266,8 @@ impl Server<'_> {
         }
         let lens = |lens: ide::Lens| {
             let (title, command, name) = match lens.kind {
-                LensKind::Test(name) => ("run".to_owned(), commands::TEST, name),
-                LensKind::View(name) => ("open in view".to_owned(), commands::VIEW, name),
+                LensKind::Test(name) => ("run".to_owned(), capabilities::TEST, name),
+                LensKind::View(name) => ("open in view".to_owned(), capabilities::VIEW, name),
                 LensKind::Check { holds, figures } => {
                     let sign = if holds { "✓" } else { "✗" };
                     (format!("{sign} {figures}"), "", String::new())

@@ -15,7 +15,9 @@ mod looks;
 mod navigation;
 mod paths;
 mod server;
+mod serving;
 mod transport;
+mod viewer;
 mod worker;
 
 use std::io;
@@ -49,7 +51,7 @@ pub(crate) fn serve_streams(session: SessionMaker<'_>) -> io::Result<()> {
 pub fn serve(connection: Connection, session: SessionMaker<'_>) -> Result<(), ProtocolError> {
     let greeted = connection.initialize_start().and_then(|(id, params)| {
         let client = capabilities::Client::of(&params);
-        connection.initialize_finish(id, capabilities::told(&client))?;
+        connection.initialize_finish(id, capabilities::initialize_result(&client))?;
         Ok(client)
     });
     let client = match greeted {
@@ -57,7 +59,7 @@ pub fn serve(connection: Connection, session: SessionMaker<'_>) -> Result<(), Pr
         Err(err) if err.channel_is_disconnected() => return Ok(()),
         greeted => greeted?,
     };
-    let queue = worker::Queue::default();
+    let queue = worker::EvaluationQueue::default();
     let (done, finished) = crossbeam_channel::unbounded();
     std::thread::scope(|scope| {
         scope.spawn(|| {

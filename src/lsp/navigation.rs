@@ -22,7 +22,7 @@ use super::{
     convert::{self, TextPlaces},
     documents::OpenDocument,
     paths::{self, OverlaidFiles},
-    server::{Answer, Refusal, Server},
+    server::{RequestError, RequestResult, Server},
 };
 use crate::ide::{self, Document, LineIndex, NameRole, Occurrence, Outline, Symbol};
 
@@ -187,8 +187,8 @@ impl Server<'_> {
         Some(places.range(&document.renamable(places.offset(params.position))?))
     }
 
-    pub(super) fn rename(&self, params: &RenameParams) -> Answer {
-        let refused = |why: String| Refusal(ErrorCode::RequestFailed, why);
+    pub(super) fn rename(&self, params: &RenameParams) -> RequestResult {
+        let refused = |why: String| RequestError(ErrorCode::RequestFailed, why);
         let at = &params.text_document_position;
         let (open, document, places) = self
             .open(&at.text_document.uri)
@@ -245,7 +245,8 @@ impl Server<'_> {
             changes.insert(uri, places.edits(&edits));
         }
         let edit = WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() };
-        serde_json::to_value(edit).map_err(|err| Refusal(ErrorCode::InternalError, err.to_string()))
+        serde_json::to_value(edit)
+            .map_err(|err| RequestError(ErrorCode::InternalError, err.to_string()))
     }
 
     pub(super) fn symbols(&self, params: &DocumentSymbolParams) -> Option<Vec<DocumentSymbol>> {

@@ -25,7 +25,7 @@ const MOST_REMEMBERED: usize = 16;
 
 /// A text to be evaluated.
 #[derive(Clone, Debug)]
-pub(super) struct Job {
+pub(super) struct EvaluationRequest {
     /// The address of the document.
     pub(super) uri: String,
     /// Which of its texts it is.
@@ -41,16 +41,16 @@ pub(super) struct Job {
 
 /// What became of it.
 #[derive(Debug)]
-pub(super) struct Done {
+pub(super) struct Evaluated {
     pub(super) uri: String,
     pub(super) serial: u64,
     pub(super) report: Arc<Report>,
 }
 
 #[derive(Default)]
-struct Wanted {
+struct EvaluationQueueState {
     /// The newest text of each document, not to be begun before a moment.
-    jobs: BTreeMap<String, (Instant, Job)>,
+    jobs: BTreeMap<String, (Instant, EvaluationRequest)>,
     /// Documents that are closed, whose results are to be forgotten.
     closed: Vec<String>,
     running: Option<(String, Instant)>,
@@ -63,14 +63,14 @@ struct Wanted {
 
 /// What the thread and the server share.
 #[derive(Default)]
-pub(super) struct Queue {
-    wanted: Mutex<Wanted>,
+pub(super) struct EvaluationQueue {
+    wanted: Mutex<EvaluationQueueState>,
     changed: Condvar,
     stop: StopToken,
 }
 
-impl Queue {
-    fn lock(&self) -> MutexGuard<'_, Wanted> {
+impl EvaluationQueue {
+    fn lock(&self) -> MutexGuard<'_, EvaluationQueueState> {
         self.wanted.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -80,7 +80,7 @@ impl Queue {
     }
 
     /// Wants a text evaluated, and no older one of the document.
-    pub(super) fn want(&self, job: Job) {
+    pub(super) fn want(&self, job: EvaluationRequest) {
         let mut wanted = self.lock();
         let pause = wanted.took.get(&job.uri).copied().unwrap_or_default().min(LONGEST_PAUSE);
         match wanted.running.clone() {
@@ -121,7 +121,7 @@ impl Queue {
     }
 
     /// Waits for the next text; none when all is over.
-    fn next(&self) -> Option<(Job, Vec<String>)> {
+    fn next(&self) -> Option<(EvaluationRequest, Vec<String>)> {
         let mut wanted = self.lock();
         loop {
             if wanted.is_over {
@@ -150,7 +150,7 @@ impl Queue {
     }
 
     /// Ends a run; whether somebody wants to see what it came to.
-    fn finish(&self, job: &Job) -> bool {
+    fn finish(&self, job: &EvaluationRequest) -> bool {
         let mut wanted = self.lock();
         let since = wanted.running.take().map(|(_, since)| since.elapsed());
         let was_stopped = self.stop.is_stopped();
@@ -167,7 +167,11 @@ impl Queue {
 }
 
 /// Evaluates until all is over.
-pub(super) fn work(queue: &Queue, session: &dyn Fn(StopToken) -> Session, done: &Sender<Done>) {
+pub(super) fn work(
+    queue: &EvaluationQueue,
+    session: &dyn Fn(StopToken) -> Session,
+    done: &Sender<Evaluated>,
+) {
     let new = || session(queue.stop_token()).incremental();
     let mut sessions: Vec<(String, Session)> = Vec::new();
     while let Some((job, closed)) = queue.next() {
@@ -184,8 +188,12 @@ pub(super) fn work(queue: &Queue, session: &dyn Fn(StopToken) -> Session, done: 
         let report = session.run(&job.name, job.text.as_bytes(), &files, &[]);
         let is_faulty = report.diagnostics.iter().any(|found| found.code == Code::Fault);
         if queue.finish(&job) {
-            let Job { uri, serial, .. } = &job;
-            let _ = done.send(Done { uri: uri.clone(), serial: *serial, report: Arc::new(report) });
+            let EvaluationRequest { uri, serial, .. } = &job;
+            let _ = done.send(Evaluated {
+                uri: uri.clone(),
+                serial: *serial,
+                report: Arc::new(report),
+            });
         }
         // What a fault of the program left behind is not trusted.
         sessions.push((job.uri, if is_faulty { new() } else { session }));

@@ -7,7 +7,8 @@ use serde_json::{Value as Json, json};
 use super::{
     Answer, Known,
     answers::{Fact, Units, number_of},
-    scene::{Shape, told},
+    ceilings::within_ceilings,
+    scene::Shape,
 };
 use crate::{
     kernel::{Curve, Side, Surface, Tolerance},
@@ -31,16 +32,16 @@ pub(crate) fn ask(body: &Json, known: &Known, session: &Session) -> Answer {
     stack::with(session.limits().stack_bytes, |_| match &item.piece.shape {
         Shape::Surface(surface) => {
             let (u, v) = (at("u")?, at("v")?);
-            told(session, || place.surface(surface, u, v))
+            within_ceilings(session, || place.surface(surface, u, v))
         }
         Shape::Face(face) => {
             let (u, v) = (at("u")?, at("v")?);
             let surface = Surface::Nurbs(Arc::clone(face.surface()));
-            told(session, || place.surface(&surface, u, v))
+            within_ceilings(session, || place.surface(&surface, u, v))
         }
         Shape::Curve(curve) => {
             let t = at("t")?;
-            told(session, || place.curve(curve, t))
+            within_ceilings(session, || place.curve(curve, t))
         }
         shape => Err(format!("a {} is asked for no place", shape.kind())),
     })

@@ -5,8 +5,10 @@ use glam::DVec3;
 use serde_json::Value as Json;
 
 use super::{
-    Known, keys_of,
-    scene::{EncodedItem, Shape, told},
+    Known,
+    ceilings::within_ceilings,
+    keys_of,
+    scene::{EncodedItem, Shape},
     threads::side_by_side,
 };
 use crate::{
@@ -29,7 +31,7 @@ pub(crate) fn deviation(body: &Json, known: &Known, session: &Session) -> Result
     let (shape_of_item, source) = shape(item)?;
     let from = keys_of(&body["from"])?;
     let from = from.into_iter().map(shape).collect::<Result<Vec<_>, _>>()?;
-    let datums = told(session, || datums(from.iter().map(|(shape, _)| shape)))?;
+    let datums = within_ceilings(session, || datums(from.iter().map(|(shape, _)| shape)))?;
     if datums.is_empty() {
         return Err("a deviation is measured from a surface or a mesh".to_owned());
     }
@@ -40,7 +42,7 @@ pub(crate) fn deviation(body: &Json, known: &Known, session: &Session) -> Result
             nearest(point, &datums)
         };
         let all = || part.iter().map(|place| Ok(distance(place).unwrap_or(f64::NAN)));
-        told(session, || all().collect::<Result<Vec<f64>, GeomError>>())
+        within_ceilings(session, || all().collect::<Result<Vec<f64>, GeomError>>())
     });
     let measured = measured.ok_or("it was stopped")?;
     Ok(measured.into_iter().collect::<Result<Vec<_>, _>>()?.concat())

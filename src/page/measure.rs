@@ -5,8 +5,9 @@ use serde_json::{Value as Json, json};
 use super::{
     Answer, Known,
     answers::{Units, with_unit},
+    ceilings::within_ceilings,
     keys_of,
-    scene::{Shape, told},
+    scene::Shape,
 };
 use crate::{
     kernel::{Curve, Face, Mesh, Surface, Tolerance, volume_mass},
@@ -52,8 +53,9 @@ struct Sizes<'a> {
 
 impl Sizes<'_> {
     fn length(&self, shapes: &[Shape]) -> Result<f64, String> {
-        let length = |curve: &Curve| told(self.session, || curve.length(curve.domain()));
-        let border = |face: &Face| told(self.session, || face.border_length(self.tolerance));
+        let length = |curve: &Curve| within_ceilings(self.session, || curve.length(curve.domain()));
+        let border =
+            |face: &Face| within_ceilings(self.session, || face.border_length(self.tolerance));
         let lengths = shapes.iter().map(|shape| match shape {
             Shape::Curve(curve) => length(curve),
             Shape::Curves(curves) => curves.iter().map(length).sum(),
@@ -65,12 +67,13 @@ impl Sizes<'_> {
 
     fn area(&self, shapes: &[Shape]) -> Result<f64, String> {
         let session = self.session;
-        let area = |surface: &Surface| told(session, || surface.area()).map(|(area, _)| area);
+        let area =
+            |surface: &Surface| within_ceilings(session, || surface.area()).map(|(area, _)| area);
         let areas = shapes.iter().map(|shape| match shape {
             Shape::Surface(surface) => area(surface),
             Shape::Surfaces(surfaces) => surfaces.iter().map(area).sum(),
-            Shape::Face(face) => told(session, || face.mass()).map(|mass| mass.amount),
-            Shape::Mesh(mesh) => told(session, || mesh.measured_area()),
+            Shape::Face(face) => within_ceilings(session, || face.mass()).map(|mass| mass.amount),
+            Shape::Mesh(mesh) => within_ceilings(session, || mesh.measured_area()),
             shape => Err(format!("a {} has no area", shape.kind())),
         });
         areas.sum()
@@ -94,11 +97,11 @@ impl Sizes<'_> {
             return Err("surfaces and meshes enclose no volume together".to_owned());
         }
         if meshes.is_empty() {
-            return told(session, || volume_mass(&surfaces, self.tolerance))
+            return within_ceilings(session, || volume_mass(&surfaces, self.tolerance))
                 .map(|mass| mass.amount);
         }
         let volume = |mesh: &&Mesh| {
-            told(session, || {
+            within_ceilings(session, || {
                 mesh.check_solid(self.tolerance)?;
                 mesh.measured_volume()
             })

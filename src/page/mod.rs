@@ -7,6 +7,7 @@
 
 mod answers;
 pub(crate) mod ask;
+mod ceilings;
 pub(crate) mod defaults;
 pub(crate) mod deviation;
 pub(crate) mod export;

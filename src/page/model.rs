@@ -5,7 +5,7 @@ use std::{path::Path, sync::Arc};
 use super::{
     Shown,
     scene::{ItemMemory, Scene},
-    state::{self, Told},
+    state::{self, RunOutcome},
 };
 use crate::{
     diag::Severity,
@@ -115,7 +115,7 @@ impl Model {
         if was_stopped {
             troubles.push("the drawing was stopped".to_owned());
         }
-        let told = Told {
+        let told = RunOutcome {
             report: Some(&report),
             is_current: !has_errors && !was_stopped,
             troubles: &troubles,
@@ -127,7 +127,7 @@ impl Model {
     /// What is shown of a script that is not there.
     #[cfg(feature = "cli")]
     pub(crate) fn unread(&self, place: RunPlace<'_>, message: &str) -> Shown {
-        let told = Told {
+        let told = RunOutcome {
             report: None,
             is_current: false,
             troubles: &[message.to_owned()],
@@ -136,7 +136,7 @@ impl Model {
         self.shown(place, told)
     }
 
-    fn shown(&self, place: RunPlace<'_>, told: Told<'_>) -> Shown {
+    fn shown(&self, place: RunPlace<'_>, told: RunOutcome<'_>) -> Shown {
         let good = self.good.as_ref();
         let json = state::json(
             &state::Setup {

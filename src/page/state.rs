@@ -24,7 +24,7 @@ pub(super) struct Setup<'a> {
 }
 
 /// What a run came to.
-pub(super) struct Told<'a> {
+pub(super) struct RunOutcome<'a> {
     /// None where there is no script.
     pub(super) report: Option<&'a Report>,
     pub(super) is_current: bool,
@@ -35,7 +35,7 @@ pub(super) struct Told<'a> {
 }
 
 /// The whole state.
-pub(super) fn json(setup: &Setup<'_>, told: &Told<'_>) -> Json {
+pub(super) fn json(setup: &Setup<'_>, told: &RunOutcome<'_>) -> Json {
     let document = setup.good.map(|(report, _)| report.document);
     let (unit, tolerance) =
         document.map_or(("mm", None), |(unit, tolerance)| (unit.name(), Some(tolerance.distance)));
@@ -70,7 +70,10 @@ pub(super) fn json(setup: &Setup<'_>, told: &Told<'_>) -> Json {
 pub(super) fn empty(script: &Path, out: &Path) -> Json {
     let place = RunPlace { version: 0, script, out, settings: &[] };
     let setup = Setup { place, schema: None, good: None };
-    json(&setup, &Told { report: None, is_current: false, troubles: &[], milliseconds: [0.0; 2] })
+    json(
+        &setup,
+        &RunOutcome { report: None, is_current: false, troubles: &[], milliseconds: [0.0; 2] },
+    )
 }
 
 /// A place as line and column; null where it has none.
@@ -152,7 +155,7 @@ fn exports(report: &Report) -> Json {
     report.events.iter().filter_map(export).collect()
 }
 
-fn diagnostics(setup: &Setup<'_>, told: &Told<'_>) -> Json {
+fn diagnostics(setup: &Setup<'_>, told: &RunOutcome<'_>) -> Json {
     let mut all = Vec::new();
     let trouble = |severity: &str, text: &str, at: Json| {
         json!({

@@ -23,12 +23,12 @@ pub enum CellKind {
 
 /// Titles in their order, each with what its cells are.
 #[derive(Debug, Default)]
-pub struct Columns {
+pub struct ResultColumns {
     titles: Vec<String>,
     kinds: HashMap<String, CellKind>,
 }
 
-impl Columns {
+impl ResultColumns {
     /// Adds the columns of a row: one that is new comes behind the one before it in the row.
     pub fn add(&mut self, row: &Row) {
         let mut behind = 0;
@@ -91,11 +91,11 @@ pub(super) fn text_of(cell: &Json) -> Option<String> {
 mod tests {
     use serde_json::{Value as Json, json};
 
-    use super::{CellKind, Columns};
+    use super::{CellKind, ResultColumns};
 
     #[test]
     fn columns_of_rows_that_lack_some_come_in_order() {
-        let mut columns = Columns::default();
+        let mut columns = ResultColumns::default();
         let rows = [
             json!({"id": 1, "code": "E0802"}),
             json!({"id": 2, "area": 1, "check": true, "code": null}),

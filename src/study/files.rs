@@ -5,7 +5,7 @@ use std::{
     sync::{Mutex, PoisonError},
 };
 
-use super::journal::checksum;
+use super::checksum::checksum;
 use crate::value::Files;
 
 /// Files as they were when they were asked for first.

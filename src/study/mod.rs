@@ -5,6 +5,7 @@
 //! each as it comes, so that a study that was killed goes on where it ended. When all rows are there
 //! their `columns` are known, and `results` (`typed_columns`) writes them.
 
+mod checksum;
 mod columns;
 mod contact_sheet;
 mod files;
@@ -17,10 +18,11 @@ mod typed_columns;
 mod vary;
 mod workers;
 
-pub use columns::Columns;
+pub use checksum::checksum;
+pub use columns::ResultColumns;
 pub use contact_sheet::contact_sheets;
 pub use files::KeptFiles;
-pub use journal::{Journal, checksum};
+pub use journal::Journal;
 pub use plan::{Plan, Variant};
 pub use results::{ResultFormat, write_results};
 pub use row::{Row, RowMaker};

@@ -3,7 +3,7 @@
 use serde_json::Value as Json;
 
 use super::{
-    journal::Checksum,
+    checksum::Checksum,
     plan_file::{PlanFile, PlanRow},
     vary::{VariedParameter, number_and_unit},
 };

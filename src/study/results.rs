@@ -8,7 +8,7 @@ use std::{
 use serde_json::Value as Json;
 
 use super::{
-    columns::{Columns, text_of},
+    columns::{ResultColumns, text_of},
     row::Row,
     typed_columns,
 };
@@ -54,7 +54,7 @@ impl ResultFormat {
 /// Why they cannot be written, or the first row that cannot be read.
 pub fn write_results(
     format: ResultFormat,
-    columns: &Columns,
+    columns: &ResultColumns,
     rows: impl Iterator<Item = Result<Row, String>>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
@@ -67,7 +67,7 @@ pub fn write_results(
 }
 
 fn csv(
-    columns: &Columns,
+    columns: &ResultColumns,
     rows: &mut dyn Iterator<Item = io::Result<Row>>,
     out: &mut dyn Write,
 ) -> io::Result<()> {

@@ -86,7 +86,7 @@ impl RowMaker {
         row.insert(CODE.to_owned(), error.map_or(Json::Null, |error| json!(error.code.id())));
         let message = error.map(|error| match stopped {
             Some(why) => why.to_owned(),
-            None => told(error, report),
+            None => error_message(error, report),
         });
         row.insert(MESSAGE.to_owned(), json!(message));
         row.insert(MILLISECONDS.to_owned(), json!((1e3 * milliseconds).round() / 1e3));
@@ -242,7 +242,7 @@ fn add_check(checked: &Checked, report: &Report, row: &mut Row) {
 }
 
 /// The message of an error with its line.
-fn told(error: &Diagnostic, report: &Report) -> String {
+fn error_message(error: &Diagnostic, report: &Report) -> String {
     let source = report.sources.at(error.primary.span);
     match source {
         Some(source) => {

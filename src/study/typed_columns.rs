@@ -22,7 +22,7 @@ use parquet::{
 use serde_json::Value as Json;
 
 use super::{
-    columns::{CellKind, Columns, text_of},
+    columns::{CellKind, ResultColumns, text_of},
     row::Row,
 };
 use crate::export::io_reason;
@@ -32,7 +32,7 @@ const ROWS_A_GROUP: usize = 10_000;
 
 /// Writes rows, of which these are the columns.
 pub(super) fn write(
-    columns: &Columns,
+    columns: &ResultColumns,
     rows: &mut dyn Iterator<Item = io::Result<Row>>,
     out: &mut dyn Write,
 ) -> io::Result<()> {

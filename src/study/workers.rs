@@ -95,7 +95,7 @@ pub fn in_order(
     mut each: impl FnMut(Row) -> Result<(), String>,
 ) -> Result<(), String> {
     let n_workers = evaluation.n_workers.max(1);
-    let queue = Queue::new(variants, MOST_AHEAD * n_workers as u64);
+    let queue = VariantQueue::new(variants, MOST_AHEAD * n_workers as u64);
     let clocks: Vec<Clock> = (0..n_workers).map(|_| Clock::default()).collect();
     let is_over = AtomicBool::new(false);
     let gate = JobGate::default();
@@ -115,7 +115,7 @@ pub fn in_order(
         }
         drop(sender);
         scope.spawn(|| watch(&clocks, evaluation, &is_over));
-        let told = tell(&queue, &results, &mut each);
+        let told = deliver_rows(&queue, &results, &mut each);
         // Workers end when nobody takes their rows.
         queue.close();
         drop(results);
@@ -128,12 +128,12 @@ pub fn in_order(
 }
 
 /// A row with its place, or what ends the study.
-type Told = (u64, Result<Row, String>);
+type NumberedRow = (u64, Result<Row, String>);
 
 /// Hands out rows in order.
-fn tell(
-    queue: &Queue<impl Iterator<Item = Result<Variant, String>>>,
-    results: &mpsc::Receiver<Told>,
+fn deliver_rows(
+    queue: &VariantQueue<impl Iterator<Item = Result<Variant, String>>>,
+    results: &mpsc::Receiver<NumberedRow>,
     each: &mut impl FnMut(Row) -> Result<(), String>,
 ) -> Result<(), String> {
     let (mut early, mut n_told) = (BTreeMap::new(), 0);
@@ -142,7 +142,7 @@ fn tell(
         while let Some(row) = early.remove(&n_told) {
             each(row?)?;
             n_told += 1;
-            queue.told(n_told);
+            queue.advance_to(n_told);
         }
     }
     Ok(())
@@ -152,8 +152,8 @@ fn tell(
 fn serve(
     evaluation: &Evaluation<'_>,
     (clock, gate): (&Clock, &JobGate),
-    queue: &Queue<impl Iterator<Item = Result<Variant, String>>>,
-    sender: &mpsc::Sender<Told>,
+    queue: &VariantQueue<impl Iterator<Item = Result<Variant, String>>>,
+    sender: &mpsc::Sender<NumberedRow>,
 ) {
     let session = (evaluation.session)(clock.stop.clone()).incremental();
     while let Some((place, variant)) = queue.next() {
@@ -278,26 +278,26 @@ fn watch(clocks: &[Clock], evaluation: &Evaluation<'_>, is_over: &AtomicBool) {
 }
 
 /// Variants that nobody has taken yet.
-struct Queue<I> {
-    state: Mutex<QueueState<I>>,
+struct VariantQueue<I> {
+    state: Mutex<VariantQueueState<I>>,
     moved: Condvar,
     most_ahead: u64,
 }
 
-struct QueueState<I> {
+struct VariantQueueState<I> {
     variants: I,
     n_taken: u64,
     n_told: u64,
     is_closed: bool,
 }
 
-impl<I: Iterator<Item = Result<Variant, String>>> Queue<I> {
+impl<I: Iterator<Item = Result<Variant, String>>> VariantQueue<I> {
     fn new(variants: I, most_ahead: u64) -> Self {
-        let state = QueueState { variants, n_taken: 0, n_told: 0, is_closed: false };
+        let state = VariantQueueState { variants, n_taken: 0, n_told: 0, is_closed: false };
         Self { state: Mutex::new(state), moved: Condvar::new(), most_ahead }
     }
 
-    fn state(&self) -> MutexGuard<'_, QueueState<I>> {
+    fn state(&self) -> MutexGuard<'_, VariantQueueState<I>> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -318,7 +318,7 @@ impl<I: Iterator<Item = Result<Variant, String>>> Queue<I> {
         Some((place, variant))
     }
 
-    fn told(&self, n_told: u64) {
+    fn advance_to(&self, n_told: u64) {
         self.state().n_told = n_told;
         self.moved.notify_all();
     }

@@ -253,7 +253,7 @@ pub enum ExprKind<'s> {
     /// `"text"`, escapes resolved
     Text(String),
     /// `"a {x} b"`: texts and expressions in turn
-    Interpolation(Vec<Piece<'s>>),
+    Interpolation(Vec<StringPart<'s>>),
     /// `true`, `false`
     Bool(bool),
     /// `none`
@@ -296,7 +296,7 @@ pub enum ExprKind<'s> {
 
 /// A part of an interpolated string.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Piece<'s> {
+pub enum StringPart<'s> {
     /// Text, escapes resolved.
     Text(String),
     /// `{expr}`, or `{expr:.3mm}`.

@@ -8,9 +8,9 @@ mod unseen;
 use logos::{Lexer, Logos};
 
 use foreign::FOREIGN;
-pub(super) use scan::block_comment;
-use scan::{PieceEnd, is_closed, piece};
+use scan::{PieceEnd, piece};
 
+use super::block_comment::is_closed;
 use super::lexed::{Comment, Lexed};
 use super::token::Token;
 use crate::diag::{Code, Diagnostic, Span};

@@ -1,6 +1,7 @@
 //! Text to tree and back. Pure, and never fails: any text gives a tree and diagnostics.
 
 pub mod ast;
+mod block_comment;
 mod cursor;
 mod lexed;
 mod lexer;

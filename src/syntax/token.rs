@@ -2,7 +2,7 @@
 
 use logos::Logos;
 
-use super::lexer::block_comment;
+use super::block_comment::block_comment;
 
 /// Declares the tokens once: their kinds, their spellings, the list of keywords.
 macro_rules! tokens {

@@ -161,6 +161,16 @@ impl Type {
         }
     }
 
+    /// The words that it may be.
+    #[must_use]
+    pub fn words(self) -> Vec<&'static str> {
+        match self {
+            Self::Choice(words) => words.to_vec(),
+            Self::OneOf(types) => types.iter().flat_map(|of| of.words()).collect(),
+            _ => Vec::new(),
+        }
+    }
+
     fn plural(self) -> String {
         match self {
             Self::Any => "values".to_owned(),

@@ -86,7 +86,7 @@ impl UnitText {
     }
 
     /// A number in the document's unit and radians, in this unit.
-    pub(super) fn told(&self, value: f64) -> f64 {
+    pub(super) fn in_this_unit(&self, value: f64) -> f64 {
         scaled(value, [self.size[1], self.size[0]])
     }
 }

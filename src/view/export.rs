@@ -5,7 +5,7 @@ use std::{io::Write, path::PathBuf};
 
 use serde_json::{Value as Json, json};
 
-use super::routes::{Doors, alone};
+use super::doors::Doors;
 use crate::{
     diag::{Span, fault},
     disk::{OutputTarget, StagedFile, TargetRefusal},
@@ -22,7 +22,7 @@ use crate::{
 pub(super) fn export(body: &Json, doors: &Doors) -> Answer {
     let shown = doors.hub.shown();
     let report = shown.to_export()?;
-    let _alone = alone(doors);
+    let _alone = doors.alone();
     let writing = Writing { doors, inputs: inputs(doors, &shown.inputs) };
     let names = writing.all(&wanted(body, report, &doors.session)?)?;
     Ok(json!({ "files": names }))

@@ -5,7 +5,7 @@
 
 use std::hash::{BuildHasher, Hasher, RandomState};
 
-use super::http::{Refusal, Request};
+use super::http::{HttpError, Request};
 
 /// What a request must show.
 #[derive(Debug)]
@@ -29,17 +29,17 @@ impl Guard {
     }
 
     /// Whether a request may be answered.
-    pub(super) fn check(&self, request: &Request) -> Result<(), Refusal> {
+    pub(super) fn check(&self, request: &Request) -> Result<(), HttpError> {
         let is_host = |host: &str| self.hosts.iter().any(|own| own == host);
         if !request.header("host").is_some_and(is_host) {
-            return Err(Refusal(403, "this is another host"));
+            return Err(HttpError(403, "this is another host"));
         }
         let is_own = |origin: &str| origin.strip_prefix("http://").is_some_and(is_host);
         if !request.header("origin").is_none_or(is_own) {
-            return Err(Refusal(403, "this is for the page of this server alone"));
+            return Err(HttpError(403, "this is for the page of this server alone"));
         }
         if !request.path.starts_with("/api/") {
-            return if request.method == "GET" { Ok(()) } else { Err(Refusal(405, "only GET")) };
+            return if request.method == "GET" { Ok(()) } else { Err(HttpError(405, "only GET")) };
         }
         let token = match request.header("x-virote-token") {
             Some(token) => Some(token),
@@ -47,13 +47,13 @@ impl Guard {
             None => None,
         };
         if !token.is_some_and(|token| is_same(token, &self.token)) {
-            return Err(Refusal(403, "the token is missing or wrong"));
+            return Err(HttpError(403, "the token is missing or wrong"));
         }
         match request.method.as_str() {
             "GET" => Ok(()),
             "POST" if is_json(request.header("content-type").unwrap_or_default()) => Ok(()),
-            "POST" => Err(Refusal(415, "the body must be JSON")),
-            _ => Err(Refusal(405, "only GET and POST")),
+            "POST" => Err(HttpError(415, "the body must be JSON")),
+            _ => Err(HttpError(405, "only GET and POST")),
         }
     }
 }

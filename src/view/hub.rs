@@ -16,7 +16,7 @@ const PATIENCE: Duration = Duration::from_secs(1);
 
 /// A run that is wanted.
 #[derive(Clone, Debug)]
-pub(super) struct Job {
+pub(super) struct RunRequest {
     /// Its place among all that were wanted.
     pub(super) serial: u64,
     /// The version that its state will have.
@@ -34,7 +34,7 @@ struct HubState {
     is_file_new: bool,
     is_over: bool,
     was_stopped: bool,
-    running: Option<(Job, Instant)>,
+    running: Option<(RunRequest, Instant)>,
     shown: Arc<Shown>,
     before: Arc<Shown>,
     n_listeners: usize,
@@ -90,7 +90,7 @@ impl Hub {
     }
 
     /// Waits until a run is wanted, and takes it; `None` when all is over.
-    pub(super) fn next_job(&self) -> Option<Job> {
+    pub(super) fn next_job(&self) -> Option<RunRequest> {
         let mut state = self.lock();
         while !state.is_over && state.wanted == state.taken {
             state = self.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
@@ -100,7 +100,7 @@ impl Hub {
         }
         state.taken = state.wanted;
         state.was_stopped = false;
-        let job = Job {
+        let job = RunRequest {
             serial: state.wanted,
             version: state.shown.version + 1,
             settings: state.settings.clone(),
@@ -113,13 +113,13 @@ impl Hub {
     }
 
     /// Whether a run was ended for another one, so that nobody wants to see its end.
-    pub(super) fn is_stale(&self, job: &Job) -> bool {
+    pub(super) fn is_stale(&self, job: &RunRequest) -> bool {
         let state = self.lock();
         self.stop.is_stopped() && !state.was_stopped && state.wanted != job.serial
     }
 
     /// Shows a state, or nothing where the run was in vain.
-    pub(super) fn finish(&self, job: &Job, shown: Option<Shown>) {
+    pub(super) fn finish(&self, job: &RunRequest, shown: Option<Shown>) {
         let mut state = self.lock();
         state.running = None;
         match shown {

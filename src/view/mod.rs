@@ -4,6 +4,7 @@
 //! at the files, and `worker`, the one thread that evaluates, takes the newest run that is wanted. What
 //! it comes to and what the page asks about it is the business of `crate::page`.
 
+mod doors;
 mod export;
 mod guard;
 mod http;
@@ -24,7 +25,7 @@ use std::{
     thread,
 };
 
-use self::{guard::Guard, hub::Hub, routes::Doors, worker::Worker};
+use self::{doors::Doors, guard::Guard, hub::Hub, worker::PageWorker};
 use crate::{
     eval::Setting,
     limits::{stack, work::StopToken},
@@ -49,11 +50,11 @@ pub(crate) struct Viewer {
 }
 
 impl ViewedScript<'_> {
-    fn worker(&self) -> Worker {
+    fn worker(&self) -> PageWorker {
         let stop = StopToken::default();
         let first = Model::empty(&self.path, &self.out);
         let hub = Arc::new(Hub::new(self.settings.clone(), first, stop.clone()));
-        Worker {
+        PageWorker {
             hub,
             model: Model::new((self.session)(stop), RandomState::new().build_hasher().finish()),
             script: self.path.clone(),

@@ -1,35 +1,16 @@
 //! What each address answers.
 
-use std::{
-    path::PathBuf,
-    sync::{Arc, PoisonError},
-};
+use std::sync::Arc;
 
 use serde_json::{Value as Json, json};
 
 use super::{
+    doors::Doors,
     export,
     http::{Request, Response},
-    hub::Hub,
     page, write,
 };
-use crate::{
-    page::{Answer, ask::ask, deviation::deviation, keys_of, measure::measure, settings},
-    session::Session,
-};
-
-/// What answers need.
-#[derive(Debug)]
-pub(super) struct Doors {
-    pub(super) hub: Arc<Hub>,
-    /// For questions; without a memory, and nobody stops it.
-    pub(super) session: Session,
-    pub(super) script: PathBuf,
-    /// The folder for exported files.
-    pub(super) out: PathBuf,
-    /// One writes at a time.
-    pub(super) writing: std::sync::Mutex<()>,
-}
+use crate::page::{Answer, ask::ask, deviation::deviation, keys_of, measure::measure, settings};
 
 /// The answer to a request that may be asked.
 pub(super) fn answer(request: &Request, doors: &Doors) -> Response {
@@ -110,9 +91,4 @@ fn post(path: &str, body: &Json, doors: &Doors) -> Option<Answer> {
 fn set(body: &Json, doors: &Doors) -> Answer {
     doors.hub.set(settings::changed(body, &doors.hub.shown())?);
     Ok(json!({ "accepted": true }))
-}
-
-/// Waits until nobody else writes.
-pub(super) fn alone(doors: &Doors) -> std::sync::MutexGuard<'_, ()> {
-    doors.writing.lock().unwrap_or_else(PoisonError::into_inner)
 }

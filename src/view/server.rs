@@ -12,10 +12,11 @@ use std::{
 };
 
 use super::{
+    doors::Doors,
     guard::Guard,
-    http::{Refusal, Request, Response, begin_stream},
+    http::{HttpError, Request, Response, begin_stream},
     hub::News,
-    routes::{self, Doors},
+    routes,
 };
 
 /// Connections at a time.
@@ -82,7 +83,7 @@ fn answer(stream: &mut TcpStream, guard: &Guard, doors: &Doors) {
     }
     if request.path == "/api/events" {
         if request.method != "GET" {
-            return Response::refuse(Refusal(405, "only GET"), stream);
+            return Response::refuse(HttpError(405, "only GET"), stream);
         }
         // It ends when nobody reads it any more.
         let _ = tell_events(stream, doors);

@@ -6,14 +6,14 @@ use std::{
     time::Instant,
 };
 
-use super::hub::{Hub, Job};
+use super::hub::{Hub, RunRequest};
 use crate::{
     disk::{FileStamp, Script, ScriptFiles},
     page::{Model, PageRun, RunPlace, Shown},
 };
 
 /// What the thread owns.
-pub(super) struct Worker {
+pub(super) struct PageWorker {
     pub(super) hub: Arc<Hub>,
     /// Its session is stopped by the hub.
     pub(super) model: Model,
@@ -24,7 +24,7 @@ pub(super) struct Worker {
     pub(super) followed: Arc<Mutex<Vec<(PathBuf, FileStamp)>>>,
 }
 
-impl Worker {
+impl PageWorker {
     /// Evaluates until all is over.
     pub(super) fn work(mut self) {
         while let Some(job) = self.hub.next_job() {
@@ -34,7 +34,7 @@ impl Worker {
     }
 
     /// What a run comes to; `None` where another one is wanted instead.
-    pub(super) fn run(&mut self, job: &Job) -> Option<Shown> {
+    pub(super) fn run(&mut self, job: &RunRequest) -> Option<Shown> {
         let place = RunPlace {
             version: job.version,
             script: &self.script,

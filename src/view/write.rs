@@ -2,7 +2,7 @@
 
 use serde_json::{Value as Json, json};
 
-use super::routes::{Doors, alone};
+use super::doors::Doors;
 use crate::{
     disk::{Script, ScriptFiles, overwrite},
     export::io_reason,
@@ -14,7 +14,7 @@ pub(super) fn write(body: &Json, doors: &Doors) -> Answer {
     let values = values_of(body, &doors.hub.shown())?;
     let given: Vec<(String, String)> =
         values.into_iter().filter_map(|(name, text)| Some((name, text?))).collect();
-    let _alone = alone(doors);
+    let _alone = doors.alone();
     let script = Script::read(&doors.script, doors.session.limits().source_bytes)?;
     let files = ScriptFiles::new(&script.folder);
     let text = String::from_utf8(script.bytes).map_err(|_| "the script is not UTF-8 text")?;

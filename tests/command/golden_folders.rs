@@ -183,8 +183,8 @@ a.golden/files/below/t.csv: column `y`, 2 rows, the first of them 2
         "a.golden/files/below/t.csv: the columns\n  expected  x, z\n  found     x, y\n",
     );
     for (text, message) in [
-        ("", "it is empty"),
-        ("x,y\n1\n", "line 2 has 1 cells, the header has 2"),
+        ("", "the file is empty"),
+        ("x,y\n1\n", "line 2 has 1 cell, the header has 2"),
         ("x,\"y\n", "line 1: the quotation mark is not closed"),
     ] {
         scratch.file(table, text);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use virote::{
-    ide::{self, Completion, Document, FolderEntry, LensKind, Shown, TextEdit, Values},
+    ide::{self, Completion, Document, FolderEntry, HintOptions, LensKind, TextEdit, Values},
     session::Session,
     value::MemoryFiles,
 };
@@ -180,7 +180,7 @@ fn hints_tell_values_margins_and_parameters() {
     let one = scene(text);
     let all = 0..text.len();
     let hints =
-        one.document.hints(one.session.registry(), Some(&one.values), &all, Shown::default());
+        one.document.hints(one.session.registry(), Some(&one.values), &all, HintOptions::default());
     let mut shown = text.to_owned();
     for hint in hints.iter().rev() {
         shown.insert_str(hint.at, &format!("«{}»", hint.text));

@@ -159,7 +159,7 @@ fn help(prompt: &mut Prompt, name: &str) {
         None => {
             let mut names: Vec<&str> = prompt.registry.names().collect();
             names.extend(prompt.values.iter().map(|(own, _)| own.as_str()));
-            docs::language::words().for_each(|word| names.push(word));
+            docs::language::topics().for_each(|word| names.push(word));
             let near = nearest(name, names);
             let near = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
             prompt.refuse(&format!("nothing is called `{}`{near}", show::cut(name, 40)));

@@ -4,7 +4,7 @@ use std::{fs, path::PathBuf};
 
 use crate::{
     syntax::{CompletionPlace, KEYWORDS, ast::Unit, place},
-    value::{Op, OpParameter, Registry, Type, Value, field_names},
+    value::{Op, OpParameter, Registry, Value, field_names},
 };
 
 use super::{command::COMMANDS, show};
@@ -107,7 +107,7 @@ fn in_expression(line: &str, scope: &Scope, registry: &Registry) -> (usize, Vec<
             let words = call
                 .zip(label)
                 .and_then(|(call, label)| parameter(registry, call, label))
-                .map(|param| words(param.ty))
+                .map(|param| param.ty.words())
                 .unwrap_or_default();
             if words.is_empty() {
                 let begun = &line[start..];
@@ -146,15 +146,6 @@ fn ops<'r>(registry: &'r Registry, name: &str) -> Vec<&'r Op> {
 fn parameter(registry: &Registry, call: &str, label: &str) -> Option<&'static OpParameter> {
     let (_, ops) = registry.get(call)?;
     ops.iter().flat_map(|op| op.params).find(|param| param.name == label)
-}
-
-/// The words that a parameter takes.
-fn words(ty: Type) -> Vec<&'static str> {
-    match ty {
-        Type::Choice(words) => words.to_vec(),
-        Type::OneOf(types) => types.iter().flat_map(|&ty| words(ty)).collect(),
-        _ => Vec::new(),
-    }
 }
 
 /// The files and folders whose path begins with `begun`.

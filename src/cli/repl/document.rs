@@ -19,7 +19,7 @@ struct DocumentStatement {
 
 /// The statements so far.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Document {
+pub(super) struct PromptDocument {
     pieces: Vec<DocumentStatement>,
 }
 
@@ -33,10 +33,10 @@ pub(super) struct Draft {
     /// Names that go with what is replaced and are not defined again.
     pub(super) lost: Vec<String>,
     /// The document once the new statements hold.
-    pub(super) next: Document,
+    pub(super) next: PromptDocument,
 }
 
-impl Document {
+impl PromptDocument {
     /// The statements of a text.
     ///
     /// # Errors
@@ -161,11 +161,11 @@ impl DocumentStatement {
 
 /// The documents before, newest last, each with what `_` stood for.
 #[derive(Debug, Default)]
-pub(super) struct UndoHistory(Vec<(Document, Option<String>)>);
+pub(super) struct UndoHistory(Vec<(PromptDocument, Option<String>)>);
 
 impl UndoHistory {
     /// Remembers a document.
-    pub(super) fn push(&mut self, document: Document, last: Option<String>) {
+    pub(super) fn push(&mut self, document: PromptDocument, last: Option<String>) {
         if self.0.len() == MOST_UNDONE {
             self.0.remove(0);
         }
@@ -173,20 +173,20 @@ impl UndoHistory {
     }
 
     /// The document before.
-    pub(super) fn pop(&mut self) -> Option<(Document, Option<String>)> {
+    pub(super) fn pop(&mut self) -> Option<(PromptDocument, Option<String>)> {
         self.0.pop()
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Document;
+    use super::PromptDocument;
     use crate::limits::Limits;
 
     #[test]
     fn the_documentation_of_a_definition_stands_before_it() {
         let text = "/// Half of it,\n/// the upper one.\nfn half(h) = h / 2\nlet b = 1";
-        let document = Document::of(text, &Limits::DEFAULT).unwrap();
+        let document = PromptDocument::of(text, &Limits::DEFAULT).unwrap();
         let docs = document.docs_of("half");
         assert_eq!(docs.as_deref(), Some("Half of it,\nthe upper one.\n"));
         assert_eq!(document.docs_of("b"), None);
@@ -196,7 +196,7 @@ mod tests {
     fn a_definition_takes_the_place_of_its_namesake() {
         let limits = Limits::DEFAULT;
         let document =
-            Document::of("let a = 1\nlet [b, c] = [a, 2]\ncheck a > 0", &limits).unwrap();
+            PromptDocument::of("let a = 1\nlet [b, c] = [a, 2]\ncheck a > 0", &limits).unwrap();
         let draft = document.draft("let b = 7", &limits).unwrap();
         assert_eq!(draft.base, "let a = 1\ncheck a > 0\n");
         assert_eq!(draft.lost, ["c"]);

@@ -7,7 +7,7 @@ use std::{
 
 use super::{
     super::reporter::{counted, pretty},
-    document::Document,
+    document::PromptDocument,
     prompt::Prompt,
     show,
 };
@@ -29,7 +29,7 @@ impl Prompt {
             Ok(text) => text.to_owned(),
             Err(what) => return self.refuse(&format!("{}: {what}", script.name)),
         };
-        let document = match Document::of(&text, self.limits()) {
+        let document = match PromptDocument::of(&text, self.limits()) {
             Ok(document) => document,
             Err(found) => return self.tell_wrong(&script.name, &text, &found),
         };

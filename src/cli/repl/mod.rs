@@ -26,7 +26,7 @@ use std::{
 
 use self::{
     complete::{KnownDefinition, Scope},
-    document::{Document, UndoHistory},
+    document::{PromptDocument, UndoHistory},
     editor::{Editor, EditorEvent},
     engine::Engine,
     prompt::Prompt,
@@ -53,7 +53,7 @@ pub(super) fn run(file: Option<&Path>, out: Option<&Path>, common: &RunArgs) -> 
         engine,
         voice,
         registry: ops::registry(),
-        document: Document::default(),
+        document: PromptDocument::default(),
         undo: UndoHistory::default(),
         last: None,
         told: BTreeSet::new(),

@@ -15,7 +15,7 @@ const COLUMNS: std::ops::RangeInclusive<usize> = 20..=240;
 /// Tells all options, or changes the one that stands there: `NAME VALUE` or `NAME = VALUE`.
 pub(super) fn set(prompt: &mut Prompt, text: &str) {
     if text.is_empty() {
-        return say(&told(prompt));
+        return say(&options_with_values(prompt));
     }
     let (name, value) = match text.split_once(|c: char| c == '=' || c.is_whitespace()) {
         Some((name, value)) => (name, value.trim().trim_start_matches('=').trim()),
@@ -74,7 +74,7 @@ fn line(prompt: &Prompt, name: &str) -> String {
 }
 
 /// Every option with its value and what it does.
-fn told(prompt: &Prompt) -> String {
+fn options_with_values(prompt: &Prompt) -> String {
     let own = [
         ("color", "whether messages and entries are coloured, on or off"),
         ("width", "columns of pictures and tables, or auto"),

@@ -6,7 +6,7 @@ use super::{
     super::{
         exit_status::ExitStatus, progress::Progress, reporter::Reporter, run, standard_streams::say,
     },
-    document::{Document, UndoHistory},
+    document::{PromptDocument, UndoHistory},
     engine::{Engine, EngineRun},
     show,
 };
@@ -33,7 +33,7 @@ pub(super) struct Prompt {
     pub(super) engine: Engine,
     pub(super) voice: Reporter,
     pub(super) registry: Registry,
-    pub(super) document: Document,
+    pub(super) document: PromptDocument,
     pub(super) undo: UndoHistory,
     /// What `_` stands for, as text.
     pub(super) last: Option<String>,

@@ -85,7 +85,7 @@ pub(super) fn run(asked: &TestOptions) -> ExitStatus {
         door: JobGate::default(),
     };
     let mut teller = TestReporter::new(&voice, asked.junit.is_some());
-    jobs::in_order(&found, n_jobs, |chosen| tests.script(chosen), |tried| teller.tell(&tried));
+    jobs::in_order(&found, n_jobs, |chosen| tests.script(chosen), |tried| teller.add(&tried));
     ending = ending.max(teller.ending());
     let is_missed = teller.n_tests() == 0 && ending == ExitStatus::Well;
     if let Some(filter) = asked.filter.as_deref().filter(|_| is_missed) {

@@ -47,7 +47,7 @@ impl<'a> TestReporter<'a> {
     }
 
     /// Tells what became of a script.
-    pub(super) fn tell(&mut self, tried: &TestAttempt) {
+    pub(super) fn add(&mut self, tried: &TestAttempt) {
         if let Some(suites) = &mut self.suites {
             suites.push(junit::suite(tried));
         }

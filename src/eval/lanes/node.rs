@@ -1,7 +1,7 @@
 //! Compiled computations.
 
 use crate::{
-    eval::operator::table::{Arithmetic, Comparison, UnaryArithmetic},
+    eval::operator::table::{Arithmetic, ComparisonRow, UnaryArithmetic},
     value::{Dimension, EnclosedFunction},
 };
 
@@ -24,7 +24,7 @@ pub(super) enum LaneNode {
 #[derive(Debug)]
 pub(super) enum TruthNode {
     Constant(bool),
-    Compare(&'static Comparison, Box<[LaneNode; 2]>),
+    Compare(&'static ComparisonRow, Box<[LaneNode; 2]>),
     Not(fn(bool) -> bool, Box<Self>),
     /// The second where the first is not the truth that decides.
     Logic {

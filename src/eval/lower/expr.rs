@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, sync::Arc};
 use super::{
     super::ir::{
         Arg, BinaryOp, CallExpr, Comprehension, Element, Expr, ExprKind, Generator, Group, Lambda,
-        Parameter, Piece, TextFormat, UnaryOp,
+        Parameter, StringPart, TextFormat, UnaryOp,
     },
     Lowerer,
     scope::{Captures, Siblings},
@@ -102,18 +102,18 @@ impl<'s> Lowerer<'_, 's> {
         }
     }
 
-    fn pieces(&mut self, pieces: &[ast::Piece<'s>]) -> Vec<Piece> {
+    fn pieces(&mut self, pieces: &[ast::StringPart<'s>]) -> Vec<StringPart> {
         pieces
             .iter()
             .map(|piece| match piece {
-                ast::Piece::Text(text) => Piece::Text(Arc::from(text.as_str())),
-                ast::Piece::Expr(expr, format) => {
+                ast::StringPart::Text(text) => StringPart::Text(Arc::from(text.as_str())),
+                ast::StringPart::Expr(expr, format) => {
                     let format = format.map(|format| TextFormat {
                         digits: format.digits,
                         unit: format.unit.map(Arc::from),
                         span: self.at(format.span),
                     });
-                    Piece::Expr(self.expr(expr), format)
+                    StringPart::Expr(self.expr(expr), format)
                 }
             })
             .collect()

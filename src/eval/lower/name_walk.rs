@@ -83,7 +83,7 @@ impl<'w, 's> NameWalk<'w, 's> {
             }
             Kind::Interpolation(pieces) => {
                 for piece in pieces {
-                    if let ast::Piece::Expr(inner, _) = piece {
+                    if let ast::StringPart::Expr(inner, _) = piece {
                         self.expr(inner);
                     }
                 }

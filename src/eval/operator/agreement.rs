@@ -70,14 +70,14 @@ fn with_slope(value: &Value) -> Option<Value> {
 }
 
 /// A result to the bit, or the kind of mistake.
-fn told(result: Result<Value>) -> std::result::Result<String, Code> {
+fn bits_or_code(result: Result<Value>) -> std::result::Result<String, Code> {
     result.map(|value| format!("{:?}", value.looked_at())).map_err(|mistake| mistake.code)
 }
 
 /// Jets say what plain values say, unless there is no derivative.
 #[track_caller]
 fn check_jets(what: &str, plain: Result<Value>, jets: Result<Value>) {
-    let (plain, jets) = (told(plain), told(jets));
+    let (plain, jets) = (bits_or_code(plain), bits_or_code(jets));
     assert!(
         plain == jets || (plain.is_ok() && jets == Err(Code::NoDerivative)),
         "{what}: {plain:?}, with derivatives {jets:?}"
@@ -252,7 +252,7 @@ fn a_point_is_scaled_by_nothing_that_holds_an_angle() {
     for number in numbers() {
         let Value::Number(Number { value, dim }) = &number else { continue };
         let holds_angle = dim.angle_power() != 0;
-        let of = |op, a, b| told(binary(op, a, b, PLACES, Tolerance::default()));
+        let of = |op, a, b| bits_or_code(binary(op, a, b, PLACES, Tolerance::default()));
         let scaled =
             [of(BinaryOp::Multiply, &point, &number), of(BinaryOp::Multiply, &number, &point)];
         for result in scaled {

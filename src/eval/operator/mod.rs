@@ -29,7 +29,9 @@ use mistake::{OF_OTHER_UNIT, inapplicable, mismatch, overflow, refused};
 pub(super) use mistake::{is_of_other_unit, limit_of_other_unit};
 pub(super) use operand::OperandPlaces;
 use operand::Sides;
-use table::{Arithmetic, BinaryMeaning, Comparison, UnaryMeaning, binary_meaning, unary_meaning};
+use table::{
+    Arithmetic, BinaryMeaning, ComparisonRow, UnaryMeaning, binary_meaning, unary_meaning,
+};
 
 /// Arithmetic and comparison of bare numbers, the common case; `None` where more care is needed.
 pub(super) fn plain(op: BinaryOp, a: Number, b: Number) -> Option<Value> {
@@ -168,7 +170,7 @@ fn derivatives(
 
 fn compare(
     op: BinaryOp,
-    row: &Comparison,
+    row: &ComparisonRow,
     [a, b]: [&Value; 2],
     places: OperandPlaces,
 ) -> Result<bool> {

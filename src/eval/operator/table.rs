@@ -22,7 +22,7 @@ pub(in crate::eval) enum BinaryMeaning {
     /// A number or a point, computed from numbers and points.
     Arithmetic(&'static Arithmetic),
     /// A truth about two values.
-    Comparison(&'static Comparison),
+    Comparison(&'static ComparisonRow),
     /// Whether two values are nearer than the tolerance.
     Near,
     /// The range between two numbers, with its end or without.
@@ -48,12 +48,12 @@ pub(in crate::eval) fn binary_meaning(op: BinaryOp) -> BinaryMeaning {
     static DIVIDE: Arithmetic = Arithmetic::of::<Divide>();
     static REMAINDER: Arithmetic = Arithmetic::of::<Remainder>();
     static POWER: Arithmetic = Arithmetic::of::<Power>();
-    static EQUAL: Comparison = Comparison::of::<Equal>();
-    static NOT_EQUAL: Comparison = Comparison::of::<NotEqual>();
-    static LESS: Comparison = Comparison::of::<Less>();
-    static LESS_EQUAL: Comparison = Comparison::of::<LessEqual>();
-    static GREATER: Comparison = Comparison::of::<Greater>();
-    static GREATER_EQUAL: Comparison = Comparison::of::<GreaterEqual>();
+    static EQUAL: ComparisonRow = ComparisonRow::of::<Equal>();
+    static NOT_EQUAL: ComparisonRow = ComparisonRow::of::<NotEqual>();
+    static LESS: ComparisonRow = ComparisonRow::of::<Less>();
+    static LESS_EQUAL: ComparisonRow = ComparisonRow::of::<LessEqual>();
+    static GREATER: ComparisonRow = ComparisonRow::of::<Greater>();
+    static GREATER_EQUAL: ComparisonRow = ComparisonRow::of::<GreaterEqual>();
     match op {
         BinaryOp::Add => BinaryMeaning::Arithmetic(&ADD),
         BinaryOp::Subtract => BinaryMeaning::Arithmetic(&SUBTRACT),
@@ -129,7 +129,7 @@ pub(in crate::eval) struct UnaryArithmetic {
 
 /// A row of the table: an operator that compares.
 #[derive(Debug)]
-pub(in crate::eval) struct Comparison {
+pub(in crate::eval) struct ComparisonRow {
     /// Whether it holds for two numbers.
     pub(in crate::eval) numbers: fn(f64, f64) -> bool,
     /// Whether it holds for two texts.
@@ -167,7 +167,7 @@ impl Arithmetic {
     }
 }
 
-impl Comparison {
+impl ComparisonRow {
     const fn of<M: ComparisonMeaning>() -> Self {
         Self {
             numbers: |a, b| M::holds(&a, &b),

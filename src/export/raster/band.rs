@@ -5,8 +5,8 @@ use std::ops::Range;
 use glam::{DVec2, DVec3};
 
 use super::{
-    SIDE,
     light::Light,
+    pixel::SIDE,
     scene::{PlacedMesh, RasterScene, Stroke},
 };
 

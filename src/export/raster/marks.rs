@@ -5,18 +5,13 @@ use glam::{DVec2, DVec3};
 use super::{
     super::{DefinitionLabel, Job, Picture, labels},
     scene::RasterScene,
-    sheet::{GAP, LETTER, PictureSheet, enlargement},
+    sheet::{GAP, PictureSheet},
 };
 
 /// The scale is at most this part of the picture's width.
 const SCALE: f64 = 0.25;
 /// Height of the marks at its ends, in pixels before they are enlarged.
 const MARK: usize = 6;
-
-/// Pixels at the bottom that the scale takes.
-pub(super) fn height(picture: &Picture) -> usize {
-    if picture.has_scale { enlargement(picture) * (LETTER + 3 * GAP) } else { 0 }
-}
 
 /// Writes the labels, each beside its place.
 pub(super) fn draw_labels(picture: &Picture, scene: &RasterScene, pixels: &mut [u8]) {

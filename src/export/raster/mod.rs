@@ -12,16 +12,15 @@ mod font;
 mod legend;
 mod light;
 mod marks;
+mod pixel;
 mod scene;
 mod sheet;
 
 use std::io::{self, Write};
 
-use glam::DVec3;
-
 #[cfg(feature = "cli")]
 pub(crate) use self::contact::{Thumbnail, write_sheet};
-use self::{band::RowBand, light::Light, scene::RasterScene};
+use self::{band::RowBand, light::Light, pixel::SIDE, scene::RasterScene};
 use super::{
     ExportError, Format, Job, Picture, Subject, Summary,
     wire::{Drawing, DrawingExtent},
@@ -39,9 +38,6 @@ pub(super) static FORMAT: Format = Format {
     wants: "points, curves, surfaces and meshes",
     write,
 };
-
-/// Samples on each side of a pixel.
-const SIDE: usize = 4;
 
 /// The size of a picture for which none is asked.
 const SIZE: [usize; 2] = [800, 600];
@@ -85,9 +81,4 @@ fn encode([width, height]: [usize; 2], pixels: &[u8], out: &mut dyn Write) -> io
     let mut writer = encoder.write_header()?;
     writer.write_image_data(pixels)?;
     Ok(writer.finish()?)
-}
-
-/// A colour in bytes with levels from 0 to 1.
-fn levels(color: [u8; 3]) -> DVec3 {
-    DVec3::from(color.map(f64::from)) / 255.0
 }

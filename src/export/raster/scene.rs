@@ -11,7 +11,9 @@ use super::{
         projection::Projection,
         wire::{Drawing, DrawnLine, LineWeight},
     },
-    SIDE, legend, levels, marks,
+    legend,
+    pixel::{SIDE, levels},
+    sheet::scale_height,
 };
 use crate::kernel::{Bounds, GeomError, Mesh, NurbsCurve, tessellate_curve};
 
@@ -227,7 +229,7 @@ impl Camera {
     fn new(bounds: Bounds, picture: &Picture) -> Self {
         let [width, height] = picture.size.map(|pixels| (SIDE * pixels) as f64);
         let width = width - (SIDE * legend::width(picture)) as f64;
-        let height = height - (SIDE * marks::height(picture)) as f64;
+        let height = height - (SIDE * scale_height(picture)) as f64;
         let room = DVec2::new(width, height) - 2.0 * MARGIN * width.min(height);
         let scale = (room / bounds.size().truncate()).min_element();
         // What cannot be told from a point is drawn as one.

@@ -20,6 +20,11 @@ pub(super) fn enlargement(picture: &Picture) -> usize {
     (picture.size[0].min(picture.size[1]) / PIXELS_PER_SIZE).max(1)
 }
 
+/// Pixels at the bottom that the scale takes.
+pub(super) fn scale_height(picture: &Picture) -> usize {
+    if picture.has_scale { enlargement(picture) * (LETTER + 3 * GAP) } else { 0 }
+}
+
 /// The picture as something to write on.
 pub(super) struct PictureSheet<'a> {
     pixels: &'a mut [u8],

@@ -123,7 +123,7 @@ pub(super) fn model(
     let closed = [geometry.is_closed_u(same), geometry.is_closed_v(same)];
     let carrier = carrier(&item.name, geometry, same, file);
     let edges = BorderEdges { same, vertices: Vec::new() };
-    let bounds = Border { closed, is_flat: carrier.is_flat, edges }.bounds(geometry, file);
+    let bounds = FaceBound { closed, is_flat: carrier.is_flat, edges }.bounds(geometry, file);
     if bounds.is_empty() {
         let problem = "has no border lines: all of its edges are points".to_owned();
         return Err(ExportError::Unfit { name: item.name.clone(), problem });
@@ -179,7 +179,7 @@ pub(super) fn shell(name: &str, faces: &[Id], file: &mut Records) -> Id {
 }
 
 /// What bounds a face.
-struct Border {
+struct FaceBound {
     /// Whether the edges at both ends of u, of v, are one.
     closed: [bool; 2],
     /// Whether it is in a plane, where no seam is needed.
@@ -194,7 +194,7 @@ pub(super) struct BorderEdges {
     pub(super) vertices: Vec<(DVec3, Id)>,
 }
 
-impl Border {
+impl FaceBound {
     /// The edges around a surface, counter-clockwise seen from its normal's side, in one loop; of
     /// a plane with a hole in two, the outer one first.
     fn bounds(mut self, geometry: &NurbsSurface, file: &mut Records) -> Vec<Id> {

@@ -2,14 +2,14 @@
 
 use glam::DVec3;
 
-use super::{Arrangement, Step};
+use super::{Arrangement, OrientedEdge};
 use crate::{GeomError, NurbsCurve};
 
 /// A closed chain of edges with one part of the plane to its left.
 #[derive(Debug)]
 pub(crate) struct CellLoop {
     /// Edges, and whether it runs along them.
-    pub(crate) steps: Vec<Step>,
+    pub(crate) steps: Vec<OrientedEdge>,
     /// Its arcs; those that follow one another on one given arc are one.
     pub(crate) arcs: Vec<NurbsCurve>,
     /// A number that loops have in common whose edges hang together.
@@ -51,7 +51,7 @@ impl Arrangement {
     /// # Errors
     /// [`crate::RegionError::Unclear`] where edges come too near one another to be told apart.
     pub(crate) fn cell_loops(&self) -> Result<Vec<CellLoop>, GeomError> {
-        let mut exits: Vec<Vec<Step>> = vec![Vec::new(); self.vertices.len()];
+        let mut exits: Vec<Vec<OrientedEdge>> = vec![Vec::new(); self.vertices.len()];
         for number in 0..self.edges.len() {
             for step in [(number, true), (number, false)] {
                 exits[self.ends_of(step)[0]].push(step);

@@ -28,7 +28,7 @@ const MOST_STRIPS: usize = 4096;
 
 /// A side of an edge, seen along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Side {
+pub(crate) enum EdgeSide {
     /// On which its rings have what they go around.
     Left,
     Right,

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use glam::DVec3;
 
 use super::{
-    Arrangement, PlaneEdge, Side,
+    Arrangement, EdgeSide, PlaneEdge,
     ray::{RaySearch, Windings},
 };
 use crate::{
@@ -28,7 +28,7 @@ const LEAVING_STEPS: usize = 32;
 const CIRCLE_SHARE: f64 = 0.5;
 
 /// A part of an edge's course: which, and whether along it.
-pub(crate) type Step = (usize, bool);
+pub(crate) type OrientedEdge = (usize, bool);
 
 impl Arrangement {
     /// The loops around where `is_inside` holds of the windings; each by its arcs.
@@ -48,8 +48,8 @@ impl Arrangement {
             let around = search.around(number).ok_or_else(|| self.unclear(number))?;
             let [left, right] = around.map(|windings| is_inside(&windings));
             Ok::<_, GeomError>(match (left, right) {
-                (true, false) => Some(Side::Left),
-                (false, true) => Some(Side::Right),
+                (true, false) => Some(EdgeSide::Left),
+                (false, true) => Some(EdgeSide::Right),
                 _ => None,
             })
         });
@@ -63,13 +63,13 @@ impl Arrangement {
     /// [`RegionError::Unclear`] where they do not close.
     pub(crate) fn loops_of(
         &self,
-        sides: &[Option<Side>],
+        sides: &[Option<EdgeSide>],
     ) -> Result<Vec<Vec<NurbsCurve>>, GeomError> {
-        let mut exits: Vec<Vec<Step>> = vec![Vec::new(); self.vertices.len()];
+        let mut exits: Vec<Vec<OrientedEdge>> = vec![Vec::new(); self.vertices.len()];
         let mut balance = vec![0_i64; self.vertices.len()];
         for (number, side) in sides.iter().enumerate() {
             let Some(side) = side else { continue };
-            let step = (number, *side == Side::Left);
+            let step = (number, *side == EdgeSide::Left);
             let [from, to] = self.ends_of(step);
             exits[from].push(step);
             balance[from] += 1;
@@ -88,7 +88,7 @@ impl Arrangement {
         loops.iter().map(|steps| self.arcs_of(steps)).collect()
     }
 
-    pub(super) fn ends_of(&self, (edge, is_along): Step) -> [usize; 2] {
+    pub(super) fn ends_of(&self, (edge, is_along): OrientedEdge) -> [usize; 2] {
         let [start, end] = self.edges[edge].ends;
         if is_along { [start, end] } else { [end, start] }
     }
@@ -102,10 +102,10 @@ impl Arrangement {
     /// is a loop of its own. `left_by` has the place on the way of the step from each vertex.
     pub(super) fn walk(
         &self,
-        first: Step,
-        exits: &mut [Vec<Step>],
+        first: OrientedEdge,
+        exits: &mut [Vec<OrientedEdge>],
         left_by: &mut [Option<usize>],
-    ) -> Result<Vec<Vec<Step>>, GeomError> {
+    ) -> Result<Vec<Vec<OrientedEdge>>, GeomError> {
         let (mut way, mut loops) = (vec![first], Vec::new());
         while let Some(&last) = way.last() {
             GeomError::go_on(1)?;
@@ -128,9 +128,14 @@ impl Arrangement {
     }
 
     /// Of the exits the first in the sense of a clock behind where a step comes in, other than back.
-    fn next_clockwise(&self, at: usize, last: Step, exits: &[Step]) -> Result<usize, GeomError> {
+    fn next_clockwise(
+        &self,
+        at: usize,
+        last: OrientedEdge,
+        exits: &[OrientedEdge],
+    ) -> Result<usize, GeomError> {
         let center = self.vertices[at];
-        let reach = |&(edge, is_along): &Step| {
+        let reach = |&(edge, is_along): &OrientedEdge| {
             let curve = &self.edges[edge].curve;
             let steps = curve.domain().steps(LEAVING_STEPS).into_iter();
             let reach = steps.map(|t| norm(curve.point_at(t) - center)).fold(0.0, f64::max);
@@ -139,7 +144,7 @@ impl Arrangement {
         let back = (last.0, !last.1);
         let radius = exits.iter().chain([&back]).map(|step| reach(step).0);
         let radius = CIRCLE_SHARE * radius.fold(f64::INFINITY, f64::min);
-        let angle = |&(edge, is_along): &Step| {
+        let angle = |&(edge, is_along): &OrientedEdge| {
             let leaves = leaving(&self.edges[edge], center, radius, is_along);
             libm::atan2(leaves.y - center.y, leaves.x - center.x)
         };
@@ -159,7 +164,7 @@ impl Arrangement {
     }
 
     /// The arcs along a loop; those that follow one another on one given arc are one.
-    pub(super) fn arcs_of(&self, steps: &[Step]) -> Result<Vec<NurbsCurve>, GeomError> {
+    pub(super) fn arcs_of(&self, steps: &[OrientedEdge]) -> Result<Vec<NurbsCurve>, GeomError> {
         let mut parts: Vec<(usize, Interval, bool)> = Vec::new();
         for &(edge, is_along) in steps {
             let PlaneEdge { arc, interval, .. } = self.edges[edge];

@@ -2,14 +2,14 @@
 
 use glam::DVec3;
 
-use super::{
-    N_PLACES,
-    network::{NetworkCrossing, NetworkError},
-};
+use super::network::{NetworkCrossing, NetworkError};
 use crate::{
     Direction, GeomError, IntersectionError, Interval, NurbsCurve,
     tolerance::{KNOT_RELATIVE, PLACE_RELATIVE, UNCHANGED_SHARE},
 };
+
+/// Places of a seam, and of a curve, that are looked at.
+pub(super) const N_PLACES: usize = 65;
 
 /// What was done to one curve of a network.
 ///

@@ -18,7 +18,7 @@ pub use network::{NetworkError, NetworkInput};
 pub(crate) use map::NetworkParameterMap;
 pub(crate) use refit::{RefitRequest, refitted};
 
-use family::NetworkCurve;
+use family::{N_PLACES, NetworkCurve};
 use glam::{DVec3, DVec4};
 use network::{NetworkCrossing, apart, check_alike, chosen, meets};
 
@@ -83,9 +83,6 @@ pub struct Gordon {
     /// The largest angle between both sides of the seam, along u and along v, where they close.
     pub seams: [Option<f64>; 2],
 }
-
-/// Places of a seam, and of a curve, that are looked at.
-const N_PLACES: usize = 65;
 
 /// Part of a gap between two curves by which the surface may miss both.
 const GAP_SHARE: f64 = 0.75;

@@ -73,7 +73,7 @@ impl KnotVector {
 
     /// Knots for nearby splines of one degree less: of clamped ones every knot once less, but no
     /// inner knot gone.
-    pub(crate) fn lowered(&self) -> Self {
+    pub(crate) fn degree_lowered(&self) -> Self {
         let domain = self.domain();
         let is_inner = |t: f64| domain.start() < t && t < domain.end();
         let less = |(t, times): (f64, usize)| vec![t; (times - 1).max(usize::from(is_inner(t)))];

@@ -53,7 +53,7 @@ impl KnotVector {
         let (p, domain) = (self.degree, self.domain());
         let near = KNOT_RELATIVE * domain.length();
         let [start, end] = [domain.start(), domain.end()];
-        let is_clamped = [start, end].iter().all(|&t| p < self.times(t));
+        let is_clamped = [start, end].iter().all(|&t| p < self.exact_multiplicity(t));
         let inside: Vec<f64> = self.knots[p..=self.n_points()].to_vec();
         let width = domain.length() / (inside.len() - 1) as f64;
         let is_uniform = inside.windows(2).all(|pair| (pair[1] - pair[0] - width).abs() <= near);

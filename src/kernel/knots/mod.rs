@@ -10,12 +10,13 @@ mod class;
 mod expansion;
 mod fast;
 mod lookup;
+mod reciprocals;
 
 pub use class::KnotClass;
 pub(crate) use expansion::{BasisExpansion, POWER_DEGREE, convert_to_bezier, in_powers};
-use fast::Reciprocals;
 pub(crate) use fast::acting;
 pub(crate) use lookup::{BATCH, LocalParameter, SpanLookup};
+use reciprocals::Reciprocals;
 
 use std::ops::RangeInclusive;
 
@@ -266,7 +267,7 @@ impl KnotVector {
     }
 
     /// How often exactly `t` stands among the knots.
-    pub(crate) fn times(&self, t: f64) -> usize {
+    pub(crate) fn exact_multiplicity(&self, t: f64) -> usize {
         self.knots.partition_point(|&knot| knot <= t) - self.knots.partition_point(|&knot| knot < t)
     }
 

@@ -94,7 +94,7 @@ fn missing_knots(knots: &KnotVector, wanted: usize) -> Vec<f64> {
     let n_parts = ((wanted + n_spans / 2) / n_spans).max(1);
     let mut missing = Vec::new();
     for pair in breaks.windows(2) {
-        let times = if pair[0] <= breaks[0] { degree } else { knots.times(pair[0]) };
+        let times = if pair[0] <= breaks[0] { degree } else { knots.exact_multiplicity(pair[0]) };
         missing.extend(vec![pair[0]; degree.saturating_sub(times)]);
         let Ok(span) = Interval::new(pair[0], pair[1]) else { continue };
         for t in span.steps(n_parts).into_iter().skip(1).take(n_parts - 1) {

@@ -36,7 +36,7 @@ enum Combination {
 
 /// A closed mesh as the guest has it.
 #[derive(Clone)]
-struct Body {
+struct ManifoldBody {
     manifold: Manifold,
     volume: f64,
     area: f64,
@@ -108,12 +108,13 @@ fn combined(
     for (index, mesh) in meshes.iter().enumerate() {
         let vertices = first.by_ref().take(mesh.n_vertices()).collect();
         let mesh = Mesh { vertices, triangles: mesh.triangles.clone(), ..Mesh::default() };
-        let body = Body::checked(&mesh, tolerance, distance).map_err(|error| match error {
-            GeomError::Mesh(fault) if 1 < meshes.len() => {
-                MeshError::OfSeveral { index, fault: Box::new(fault) }.into()
-            }
-            error => error,
-        })?;
+        let body =
+            ManifoldBody::checked(&mesh, tolerance, distance).map_err(|error| match error {
+                GeomError::Mesh(fault) if 1 < meshes.len() => {
+                    MeshError::OfSeveral { index, fault: Box::new(fault) }.into()
+                }
+                error => error,
+            })?;
         bodies.push(body);
     }
 
@@ -153,8 +154,12 @@ fn larger(error: GeomError, scale: f64) -> GeomError {
 
 /// What the bodies make together, two at a time: a union or intersection as a balanced tree, so that
 /// few triangles are carried along.
-fn of_bodies(bodies: &[Body], combination: Combination, slack: Slack) -> Result<Body, GeomError> {
-    let bodies: Vec<Body> = bodies.iter().map(|body| body.merging(slack.merged)).collect();
+fn of_bodies(
+    bodies: &[ManifoldBody],
+    combination: Combination,
+    slack: Slack,
+) -> Result<ManifoldBody, GeomError> {
+    let bodies: Vec<ManifoldBody> = bodies.iter().map(|body| body.merging(slack.merged)).collect();
     let [whole, others @ ..] = &bodies[..] else { unreachable!("a box around them was found") };
     match combination {
         Combination::Difference if others.is_empty() => Ok(whole.clone()),
@@ -166,7 +171,11 @@ fn of_bodies(bodies: &[Body], combination: Combination, slack: Slack) -> Result<
     }
 }
 
-fn tree(mut bodies: Vec<Body>, combination: Combination, slack: Slack) -> Result<Body, GeomError> {
+fn tree(
+    mut bodies: Vec<ManifoldBody>,
+    combination: Combination,
+    slack: Slack,
+) -> Result<ManifoldBody, GeomError> {
     while 1 < bodies.len() {
         let pairs = bodies.chunks(2).map(|pair| match pair {
             [a, b] => a.with(b, combination, slack),
@@ -177,7 +186,7 @@ fn tree(mut bodies: Vec<Body>, combination: Combination, slack: Slack) -> Result
     Ok(bodies.swap_remove(0))
 }
 
-impl Body {
+impl ManifoldBody {
     fn new(manifold: Manifold) -> Result<Self, GeomError> {
         match manifold.status() {
             Error::NoError => {

@@ -14,7 +14,7 @@ use crate::{Bounds, work};
 const BESIDE: f64 = 0.25;
 
 /// Triangles that hang together.
-struct ClosedPart<'a> {
+struct NestedShell<'a> {
     triangles: &'a [[DVec3; 3]],
     bounds: Bounds,
     volume: f64,
@@ -26,12 +26,12 @@ struct ClosedPart<'a> {
 /// # Errors
 /// [`MeshError::Inverted`], [`MeshError::Doubled`], with a corner of the part.
 pub(super) fn check_nesting(parts: &[Vec<[DVec3; 3]>]) -> Result<(), MeshError> {
-    let parts: Vec<ClosedPart<'_>> =
-        parts.iter().filter_map(|part| ClosedPart::new(part)).collect();
+    let parts: Vec<NestedShell<'_>> =
+        parts.iter().filter_map(|part| NestedShell::new(part)).collect();
     for (index, part) in parts.iter().enumerate() {
         let others = || parts.iter().enumerate().filter(|&(other, _)| other != index);
         let around = |place: DVec3| {
-            let holds = |other: &ClosedPart<'_>| {
+            let holds = |other: &NestedShell<'_>| {
                 other.bounds.min.cmple(place).all() && place.cmple(other.bounds.max).all()
             };
             others().map(|(_, other)| if holds(other) { other.winding(place) } else { 0.0 }).sum()
@@ -49,7 +49,7 @@ pub(super) fn check_nesting(parts: &[Vec<[DVec3; 3]>]) -> Result<(), MeshError> 
     Ok(())
 }
 
-impl<'a> ClosedPart<'a> {
+impl<'a> NestedShell<'a> {
     fn new(triangles: &'a [[DVec3; 3]]) -> Option<Self> {
         let bounds = Bounds::of(triangles.iter().flatten().copied())?;
         let origin = triangles[0][0];

@@ -27,7 +27,7 @@ struct TriangleSets {
 }
 
 /// A closed part.
-struct ClosedPart {
+struct ClosedShell {
     bounds: Bounds,
     /// Six times the volume that it encloses if it faces as its first triangle, and the sum of what
     /// that was added up from.
@@ -55,7 +55,7 @@ pub fn facing_inward(meshes: &[&Mesh]) -> Vec<Vec<bool>> {
     let found: Vec<(u32, bool)> =
         (0..triangles.len() as u32).map(|triangle| parts.root(triangle)).collect();
     let shells = shells(&places, &triangles, &found, &open(&sides, &found));
-    let turns = |shell: &ClosedPart| {
+    let turns = |shell: &ClosedShell| {
         let [volume, added] = shell.volume;
         let is_inward = volume < -VANISHING_RELATIVE * added;
         let is_cavity = || shells.values().any(|other| is_inside(shell.bounds, other.bounds));
@@ -183,8 +183,8 @@ fn shells(
     triangles: &[[u32; 3]],
     found: &[(u32, bool)],
     is_open: &[bool],
-) -> HashMap<u32, ClosedPart> {
-    let mut shells: HashMap<u32, ClosedPart> = HashMap::new();
+) -> HashMap<u32, ClosedShell> {
+    let mut shells: HashMap<u32, ClosedShell> = HashMap::new();
     let Some(whole) = Bounds::of(places.iter().copied()) else { return shells };
     let size = whole.diagonal();
     for (corners, &(root, differs)) in triangles.iter().zip(found) {
@@ -198,7 +198,7 @@ fn shells(
         let term = a.dot(b.cross(c));
         let bounds = Bounds::of(corners).unwrap_or(Bounds { min: about, max: about });
         let shell =
-            shells.entry(root).or_insert(ClosedPart { bounds, volume: [0.0; 2], is_mixed: false });
+            shells.entry(root).or_insert(ClosedShell { bounds, volume: [0.0; 2], is_mixed: false });
         shell.bounds = shell.bounds.union(bounds);
         shell.volume[0] += if differs { -term } else { term };
         shell.volume[1] += term.abs();

@@ -7,23 +7,24 @@
 //! convex with λ the square of its distance; otherwise the patch is halved. So the answer does not
 //! hang on a guess, minima on the boundary are found like all others, and nothing is sampled.
 //!
-//! `tree` has the boxes, `patch` a patch and the minimum on a part of it, `gap` the polynomial.
+//! `tree` has the boxes, `spans` what makes patches, `patch` a patch and the minimum on a part of it, `gap` the polynomial.
 
 mod gap;
 mod patch;
+mod spans;
 mod tree;
 
 use glam::{DVec3, DVec4};
 
 use super::{
     Grid, KnotVector,
-    knots::convert_to_bezier,
     tolerance::{LAST_BIT, NEAREST_RELATIVE},
 };
 use crate::{Direction, work};
 use gap::DistanceBounds;
 use patch::BezierPatch;
-pub(crate) use patch::{PatchPart, Residual, descend};
+pub(crate) use patch::{FootVector, PatchPart, descend};
+use spans::{DirectionSpans, KnotSpan};
 use tree::PatchTree;
 
 /// Parts looked at before the search becomes content with less. Only where a whole line is nearly
@@ -53,23 +54,6 @@ pub(crate) struct ClosestPointTree {
     magnitude: f64,
 }
 
-/// The spans of one direction.
-#[derive(Debug)]
-struct DirectionSpans {
-    degree: usize,
-    spans: Vec<KnotSpan>,
-    /// For each span the (p + 1)² factors that make Bézier points of control points, row by row.
-    to_bezier: Vec<f64>,
-}
-
-#[derive(Clone, Copy, Debug)]
-struct KnotSpan {
-    start: f64,
-    end: f64,
-    /// The first control point that acts on it.
-    first: usize,
-}
-
 /// Parameters of a spline.
 #[derive(Debug)]
 pub(crate) struct SplineParameters {
@@ -86,40 +70,6 @@ pub(crate) enum SearchTarget {
     One,
     /// Each local minimum that is at most so much further away than the nearest.
     AllWithin(f64),
-}
-
-impl DirectionSpans {
-    fn new(knots: &KnotVector) -> Self {
-        let n = knots.degree() + 1;
-        let (mut spans, mut to_bezier) = (Vec::new(), Vec::new());
-        for span in knots.spans() {
-            let interval = knots.span_interval(span);
-            spans.push(KnotSpan {
-                start: interval.start(),
-                end: interval.end(),
-                first: *knots.support(span).start(),
-            });
-            let column = |j: usize| {
-                let mut points: Vec<f64> = (0..n).map(|i| if i == j { 1.0 } else { 0.0 }).collect();
-                convert_to_bezier(knots, span, &mut points);
-                points
-            };
-            let columns: Vec<Vec<f64>> = (0..n).map(column).collect();
-            to_bezier.extend((0..n).flat_map(|i| columns.iter().map(move |column| column[i])));
-        }
-        Self { degree: n - 1, spans, to_bezier }
-    }
-
-    /// The only span of a direction that a curve does not have.
-    fn single() -> Self {
-        let span = KnotSpan { start: 0.0, end: 0.0, first: 0 };
-        Self { degree: 0, spans: vec![span], to_bezier: vec![1.0] }
-    }
-
-    fn to_bezier(&self, span: usize) -> &[f64] {
-        let size = (self.degree + 1) * (self.degree + 1);
-        &self.to_bezier[span * size..][..size]
-    }
 }
 
 impl ClosestPointTree {

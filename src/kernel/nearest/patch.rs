@@ -4,7 +4,7 @@ use std::{convert::Infallible, ops::ControlFlow};
 
 use glam::{DVec2, DVec3, DVec4};
 
-use super::DirectionSpans;
+use super::spans::DirectionSpans;
 use crate::{
     Bounds, Direction, Interval,
     ceiling::{NEAREST_STEPS, STEP_HALVINGS},
@@ -51,7 +51,7 @@ struct Basis {
 
 /// The way from the place that is asked for to a point, with its derivatives.
 #[derive(Clone, Copy)]
-pub(crate) struct Residual {
+pub(crate) struct FootVector {
     pub(crate) place: [f64; 2],
     squared: f64,
     /// Half the derivatives of the square.
@@ -93,7 +93,7 @@ impl PatchPart {
     }
 
     /// Whether the way down is barred along a direction.
-    fn bars(&self, way: &Residual, i: usize) -> bool {
+    fn bars(&self, way: &FootVector, i: usize) -> bool {
         (way.place[i] <= self.low[i] && 0.0 <= way.slope[i])
             || (self.high[i] <= way.place[i] && way.slope[i] <= 0.0)
     }
@@ -171,7 +171,7 @@ impl BezierPatch {
     /// if no other distance in the part would be less by more than `rounding`, were the square of
     /// the distance convex.
     pub(super) fn minimum(&mut self, cell: PatchPart, start: [f64; 2], rounding: f64) -> Minimum {
-        let Ok(way) = descend(&cell, start, |place| Ok::<Residual, Infallible>(self.way(place)));
+        let Ok(way) = descend(&cell, start, |place| Ok::<FootVector, Infallible>(self.way(place)));
         let left: f64 = [0, 1]
             .into_iter()
             .filter(|&i| !cell.bars(&way, i))
@@ -181,7 +181,7 @@ impl BezierPatch {
         Minimum { place: way.place, squared: way.squared, is_stationary }
     }
 
-    fn way(&mut self, place: [f64; 2]) -> Residual {
+    fn way(&mut self, place: [f64; 2]) -> FootVector {
         let [along_u, along_v] = &mut self.bases;
         along_u.tabulate(place[0]);
         along_v.tabulate(place[1]);
@@ -202,7 +202,7 @@ impl BezierPatch {
             sums[4] += slope * dn;
             sums[5] += bend * n;
         }
-        Residual::new(place, homogeneous::second_order(sums))
+        FootVector::new(place, homogeneous::second_order(sums))
     }
 }
 
@@ -210,18 +210,18 @@ impl BezierPatch {
 pub(crate) fn descend<E>(
     cell: &PatchPart,
     start: [f64; 2],
-    mut way_at: impl FnMut([f64; 2]) -> Result<Residual, E>,
-) -> Result<Residual, E> {
+    mut way_at: impl FnMut([f64; 2]) -> Result<FootVector, E>,
+) -> Result<FootVector, E> {
     improved(way_at(start)?, NEAREST_STEPS, |way| lower(cell, way, &mut way_at))
 }
 
 /// A step that leads down, or none.
 fn lower<E>(
     cell: &PatchPart,
-    way: &Residual,
-    way_at: &mut impl FnMut([f64; 2]) -> Result<Residual, E>,
-) -> Result<Option<Residual>, E> {
-    let steepness = |way: &Residual| {
+    way: &FootVector,
+    way_at: &mut impl FnMut([f64; 2]) -> Result<FootVector, E>,
+) -> Result<Option<FootVector>, E> {
+    let steepness = |way: &FootVector| {
         let free = |i: usize| if cell.bars(way, i) { 0.0 } else { way.slope[i].abs() };
         free(0).max(free(1))
     };
@@ -239,7 +239,7 @@ fn lower<E>(
     })
 }
 
-impl Residual {
+impl FootVector {
     /// From the way and its derivatives S, Su, Sv, Suu, Suv, Svv.
     pub(crate) fn new(place: [f64; 2], [r, u, v, uu, uv, vv]: [DVec3; 6]) -> Self {
         let metric = [u.dot(u), u.dot(v), v.dot(v)];

@@ -47,7 +47,7 @@ impl From<Vec<f64>> for Answers {
 }
 
 /// Functions that are asked, and how often they were.
-pub(super) struct Asked<F> {
+pub(super) struct CountedFunctions<F> {
     functions: F,
     /// Questions for values and for gradients together.
     pub(super) n_evaluations: usize,
@@ -55,7 +55,7 @@ pub(super) struct Asked<F> {
     pub(super) has_differences: bool,
 }
 
-impl<F> Asked<F> {
+impl<F> CountedFunctions<F> {
     pub(super) fn new(functions: F) -> Self {
         Self { functions, n_evaluations: 0, has_differences: false }
     }

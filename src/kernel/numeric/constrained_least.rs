@@ -6,7 +6,7 @@
 //! 18.3, with the damped updates of procedure 18.2 and the corrections of §18.3 where a step is refused.
 
 use super::{
-    answers::{Answers, Asked, Wanted},
+    answers::{Answers, CountedFunctions, Wanted},
     least_problem::{LeastEnd, LeastProblem},
     least_search::LeastSearch,
 };
@@ -48,7 +48,7 @@ impl LeastProblem<'_> {
         &self,
         functions: impl FnMut(&[f64], Wanted) -> Result<Answers, E>,
     ) -> Result<ConstrainedLeast, E> {
-        let mut asked = Asked::new(functions);
+        let mut asked = CountedFunctions::new(functions);
         let mut search = LeastSearch::new(*self, &mut asked)?;
         let mut end = search.descend()?;
         let mut n_restarts = 0;
@@ -197,5 +197,24 @@ mod tests {
     fn places_without_a_value_are_kept_out_of() {
         let logarithm = |x: &[f64]| vec![x[0] - libm::log(x[0])];
         check(&found(logarithm, &[8.0], &[FREE], 0), &[1.0]);
+    }
+
+    #[test]
+    fn places_are_spread_over_all_of_the_bounds_and_no_further() {
+        let bounds = [[-1.0, 1.0], [3.0, 5.0]];
+        let mut reached = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+        let functions = |x: &[f64], _| {
+            for (ends, x) in reached.iter_mut().zip(x) {
+                *ends = [ends[0].min(*x), ends[1].max(*x)];
+            }
+            Ok::<_, ()>(Answers::from(vec![(x[0] - 0.5).abs() + (x[1] - 4.5).abs()]))
+        };
+        let problem = LeastProblem { start: &[0.0, 4.0], bounds: &bounds, n_equations: 0 };
+        let best = problem.spread(functions).expect("no failure");
+        assert!((best[0] - 0.5).abs() < 0.25 && (best[1] - 4.5).abs() < 0.25, "{best:?}");
+        for (reached, [low, high]) in reached.iter().zip(bounds) {
+            assert!(low <= reached[0] && reached[0] < low + 0.25, "{reached:?}");
+            assert!(high - 0.25 < reached[1] && reached[1] <= high, "{reached:?}");
+        }
     }
 }

@@ -47,28 +47,28 @@ pub enum IntegralError<E> {
 const LEAST_SPACINGS: u32 = 256;
 
 /// A piece of the interval with what the rules say of it; the one with the largest error comes first.
-struct Piece {
+struct IntegrationInterval {
     interval: [f64; 2],
     value: Vec<f64>,
     size: f64,
     error: f64,
 }
 
-impl PartialEq for Piece {
+impl PartialEq for IntegrationInterval {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other) == Ordering::Equal
     }
 }
 
-impl Eq for Piece {}
+impl Eq for IntegrationInterval {}
 
-impl PartialOrd for Piece {
+impl PartialOrd for IntegrationInterval {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl Ord for Piece {
+impl Ord for IntegrationInterval {
     fn cmp(&self, other: &Self) -> Ordering {
         let by_place = || other.interval[0].total_cmp(&self.interval[0]);
         self.error.total_cmp(&other.error).then_with(by_place)
@@ -101,7 +101,7 @@ pub fn find_integral<E>(
     let mut ask = |interval| piece(&mut function, interval).map_err(IntegralError::Function);
     let mut pieces = BinaryHeap::from([ask([start, end])?]);
     loop {
-        let sum = |what: fn(&Piece) -> f64| pieces.iter().map(what).sum::<f64>();
+        let sum = |what: fn(&IntegrationInterval) -> f64| pieces.iter().map(what).sum::<f64>();
         let (error, size) = (sum(|piece| piece.error), sum(|piece| piece.size));
         let is_known = error.is_finite() && size.is_finite();
         if is_known && error <= absolute.max(relative * size) {
@@ -122,7 +122,7 @@ pub fn find_integral<E>(
 }
 
 /// The sum over all pieces, from the left to the right.
-fn total(mut pieces: Vec<Piece>, error: f64) -> Integral {
+fn total(mut pieces: Vec<IntegrationInterval>, error: f64) -> Integral {
     pieces.sort_by(|a, b| a.interval[0].total_cmp(&b.interval[0]));
     let mut value = Vec::new();
     for piece in &pieces {
@@ -134,12 +134,14 @@ fn total(mut pieces: Vec<Piece>, error: f64) -> Integral {
 fn piece<E>(
     function: &mut impl FnMut(f64) -> Result<Vec<f64>, E>,
     interval: [f64; 2],
-) -> Result<Piece, E> {
+) -> Result<IntegrationInterval, E> {
     let (rough, _) = by_rule(function, &EIGHT_NODES, interval)?;
     let (value, size) = by_rule(function, &SIXTEEN_NODES, interval)?;
     let apart = value.iter().zip(&rough).map(|(value, rough)| (value - rough).abs());
-    let error = apart.fold(0.0, f64::max);
-    Ok(Piece { interval, value, size, error })
+    // `max` passes over what is no number.
+    let is_known = value.iter().chain(&rough).all(|part| part.is_finite());
+    let error = if is_known { apart.fold(0.0, f64::max) } else { f64::INFINITY };
+    Ok(IntegrationInterval { interval, value, size, error })
 }
 
 /// The integral by one rule, and that of the largest component's size.
@@ -207,5 +209,18 @@ mod tests {
         let found =
             find_integral(|x| if x < 0.9 { Ok(vec![x; 3]) } else { Err(x) }, [0.0, 1.0], 1e-9, 0.0);
         assert!(matches!(found, Err(IntegralError::Function(x)) if 0.9 <= x));
+    }
+
+    #[test]
+    fn what_is_no_number_is_refused_by_its_first_piece() {
+        let mut n_asked = 0;
+        let function = |_| {
+            n_asked += 1;
+            Ok::<_, ()>(vec![f64::NAN])
+        };
+        let found = find_integral(function, [0.0, 1.0], 1e-9, 0.0);
+        assert!(matches!(found, Err(IntegralError::Unsettled { .. })));
+        // Eight nodes and sixteen.
+        assert_eq!(n_asked, 24);
     }
 }

@@ -116,7 +116,7 @@ fn parabola_step(best: Sample, second: Sample, third: Sample) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::find_least;
+    use super::{Sample, find_least, parabola_step};
 
     #[test]
     fn least_values_are_found_inside_and_at_ends() {
@@ -138,5 +138,13 @@ mod tests {
         assert!(found.at < -1.0 && -1.1 < found.at, "{}", found.at);
         let flat = least(|_| 3.0, [0.0, 1.0]);
         assert!((flat.value - 3.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_parabola_is_left_for_its_bottom_in_one_step() {
+        let on = |at: f64| Sample { at, value: 3.0 * (at - 1.25) * (at - 1.25) - 2.0 };
+        let step = parabola_step(on(1.0), on(0.25), on(2.5)).expect("three places");
+        assert!((step - 0.25).abs() < 1e-15, "{step}");
+        assert_eq!(parabola_step(on(1.0), on(1.0), on(1.0)), None);
     }
 }

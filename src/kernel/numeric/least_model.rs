@@ -55,12 +55,12 @@ impl Terms<'_> {
 }
 
 /// The curvature of a function under conditions, as far as it is known.
-pub(super) struct Model {
+pub(super) struct CurvatureModel {
     matrix: Vec<Vec<f64>>,
     is_fresh: bool,
 }
 
-impl Model {
+impl CurvatureModel {
     /// The same curvature along every way.
     pub(super) fn new(n: usize) -> Self {
         let row = |i| (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect();

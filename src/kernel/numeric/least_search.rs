@@ -4,8 +4,8 @@
 //! refused.
 
 use super::{
-    answers::{Answers, Asked, Wanted},
-    least_model::{Model, Terms, magnitude},
+    answers::{Answers, CountedFunctions, Wanted},
+    least_model::{CurvatureModel, Terms, magnitude},
     least_problem::{LeastEnd, LeastProblem},
 };
 use crate::{
@@ -19,7 +19,7 @@ use crate::{
 /// A search under way. Unknowns are those of the problem, steps are in units of `units`.
 pub(super) struct LeastSearch<'a, F> {
     problem: LeastProblem<'a>,
-    asked: &'a mut Asked<F>,
+    asked: &'a mut CountedFunctions<F>,
     /// A typical size of each unknown.
     units: Vec<f64>,
     /// What each function counts with: its steepness at the start is one.
@@ -34,7 +34,10 @@ impl<'a, F, E> LeastSearch<'a, F>
 where
     F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
 {
-    pub(super) fn new(problem: LeastProblem<'a>, asked: &'a mut Asked<F>) -> Result<Self, E> {
+    pub(super) fn new(
+        problem: LeastProblem<'a>,
+        asked: &'a mut CountedFunctions<F>,
+    ) -> Result<Self, E> {
         let place: Vec<f64> = clamped(problem.start, problem.bounds);
         let size = magnitude(&place);
         let unit = |(x, [low, high]): (&f64, &[f64; 2])| match high - low {
@@ -111,7 +114,7 @@ where
         if magnitude(&gradients[0]) <= 0.0 && self.is_flat()? {
             return Ok(LeastEnd::Flat);
         }
-        let mut model = Model::new(self.place.len());
+        let mut model = CurvatureModel::new(self.place.len());
         for _ in 0..CONSTRAINED_STEPS {
             let room =
                 |[low, high]: &[f64; 2], x: &f64, unit: &f64| [(low - x) / unit, (high - x) / unit];
@@ -149,7 +152,7 @@ where
                 if model.is_fresh() {
                     return Ok(self.ended());
                 }
-                model = Model::new(self.place.len());
+                model = CurvatureModel::new(self.place.len());
                 continue;
             };
             let before = std::mem::replace(&mut self.place, place);
@@ -171,7 +174,7 @@ where
     fn shortened(
         &mut self,
         terms: &Terms<'_>,
-        model: &Model,
+        model: &CurvatureModel,
         way: &[f64],
         slope: f64,
     ) -> Result<Option<(Vec<f64>, Vec<f64>)>, E> {

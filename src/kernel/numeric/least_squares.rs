@@ -1,7 +1,7 @@
 //! Unknowns for which several functions are zero together, or least in their squares.
 
 use super::{
-    answers::{Answers, Asked, Wanted},
+    answers::{Answers, CountedFunctions, Wanted},
     symmetric_band::SymmetricBand,
 };
 use crate::{
@@ -59,7 +59,7 @@ pub fn find_least_squares<E>(
     functions: impl FnMut(&[f64], Wanted) -> Result<Answers, E>,
     start: &[f64],
 ) -> Result<LeastSquares, E> {
-    let mut asked = Asked::new(functions);
+    let mut asked = CountedFunctions::new(functions);
     let mut unknowns = start.to_vec();
     let mut residuals = asked.values(&unknowns)?;
     let first_residuals = residuals.clone();

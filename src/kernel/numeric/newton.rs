@@ -11,7 +11,7 @@ use glam::DVec3;
 
 /// What is done at a place.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Step<const N: usize> {
+pub(crate) enum NewtonStep<const N: usize> {
     /// To go on by this.
     By([f64; N]),
     /// To go by this and stay there.
@@ -22,7 +22,7 @@ pub(crate) enum Step<const N: usize> {
     Stuck,
 }
 
-impl<const N: usize> Step<N> {
+impl<const N: usize> NewtonStep<N> {
     /// A step that there may be.
     pub(crate) fn perhaps(step: Option<[f64; N]>) -> Self {
         step.map_or(Self::Stuck, Self::By)
@@ -31,9 +31,9 @@ impl<const N: usize> Step<N> {
 
 /// The step of a parameter to the foot, on the tangent there, of a point that is `away` from the
 /// curve's: Newton's method for the nearest point but for the curve's bend.
-pub(crate) fn to_foot(away: DVec3, velocity: DVec3) -> Step<1> {
+pub(crate) fn to_foot(away: DVec3, velocity: DVec3) -> NewtonStep<1> {
     let step = away.dot(velocity) / velocity.length_squared();
-    Step::perhaps(step.is_finite().then_some([step]))
+    NewtonStep::perhaps(step.is_finite().then_some([step]))
 }
 
 /// Where an iteration ended.
@@ -82,7 +82,7 @@ pub(crate) fn within_limits<const N: usize>(
     start: [f64; N],
     most_steps: usize,
     is_still: impl Fn([f64; N], [f64; N]) -> bool,
-    mut step: impl FnMut([f64; N]) -> Step<N>,
+    mut step: impl FnMut([f64; N]) -> NewtonStep<N>,
 ) -> NewtonResult<N> {
     let Ok(found) =
         try_within_limits(limits, start, most_steps, is_still, |at| Ok::<_, Infallible>(step(at)));
@@ -98,7 +98,7 @@ pub(crate) fn try_within_limits<const N: usize, E>(
     start: [f64; N],
     most_steps: usize,
     is_still: impl Fn([f64; N], [f64; N]) -> bool,
-    mut step: impl FnMut([f64; N]) -> Result<Step<N>, E>,
+    mut step: impl FnMut([f64; N]) -> Result<NewtonStep<N>, E>,
 ) -> Result<NewtonResult<N>, E> {
     let mut at = start;
     let moved = |at: [f64; N], step: [f64; N]| {
@@ -106,10 +106,10 @@ pub(crate) fn try_within_limits<const N: usize, E>(
     };
     for _ in 0..most_steps {
         let next: [f64; N] = match step(at)? {
-            Step::By(step) => moved(at, step),
-            Step::Last(step) => return Ok(NewtonResult::Settled(moved(at, step))),
-            Step::Stay => return Ok(NewtonResult::Settled(at)),
-            Step::Stuck => return Ok(NewtonResult::Stuck(at)),
+            NewtonStep::By(step) => moved(at, step),
+            NewtonStep::Last(step) => return Ok(NewtonResult::Settled(moved(at, step))),
+            NewtonStep::Stay => return Ok(NewtonResult::Settled(at)),
+            NewtonStep::Stuck => return Ok(NewtonResult::Stuck(at)),
         };
         if is_still(at, next) {
             return Ok(NewtonResult::Settled(next));
@@ -213,14 +213,14 @@ mod tests {
     use glam::DVec3;
 
     use super::{
-        FREE, NewtonResult, Step, improved, shortened, to_foot, within_bracket, within_limits,
+        FREE, NewtonResult, NewtonStep, improved, shortened, to_foot, within_bracket, within_limits,
     };
 
     type Never<T> = Result<T, Infallible>;
 
     /// √2, as the root of t² − 2.
-    fn towards_root_of_two([t]: [f64; 1]) -> Step<1> {
-        Step::By([(2.0 - t * t) / (2.0 * t)])
+    fn towards_root_of_two([t]: [f64; 1]) -> NewtonStep<1> {
+        NewtonStep::By([(2.0 - t * t) / (2.0 * t)])
     }
 
     #[test]
@@ -258,7 +258,7 @@ mod tests {
                 let determinant = -2.0 * x - 2.0 * y;
                 let dx = (circle + 2.0 * y * line) / determinant;
                 let dy = (circle - 2.0 * x * line) / determinant;
-                Step::By([dx, dy])
+                NewtonStep::By([dx, dy])
             },
         );
         assert_eq!(found.unless_stuck(), Some([3.0, 4.0]));
@@ -275,16 +275,16 @@ mod tests {
             |[t]| to_foot(DVec3::new(5.0, 3.0, 7.0) - (start + velocity * t), velocity),
         );
         assert_eq!(found.place(), [1.5]);
-        assert!(matches!(to_foot(DVec3::X, DVec3::ZERO), Step::Stuck));
+        assert!(matches!(to_foot(DVec3::X, DVec3::ZERO), NewtonStep::Stuck));
     }
 
     #[test]
     fn who_is_stuck_has_not_settled() {
-        let stuck = within_limits([FREE], [7.0], 3, |_, _| true, |_| Step::Stuck);
+        let stuck = within_limits([FREE], [7.0], 3, |_, _| true, |_| NewtonStep::Stuck);
         assert_eq!((stuck.settled(), stuck.unless_stuck(), stuck.place()), (None, None, [7.0]));
-        let still = within_limits([FREE], [7.0], 3, |_, _| true, |_| Step::Stay);
+        let still = within_limits([FREE], [7.0], 3, |_, _| true, |_| NewtonStep::Stay);
         assert_eq!(still.settled(), Some([7.0]));
-        let last = within_limits([FREE], [7.0], 3, |_, _| false, |_| Step::Last([1.0]));
+        let last = within_limits([FREE], [7.0], 3, |_, _| false, |_| NewtonStep::Last([1.0]));
         assert_eq!(last.settled(), Some([8.0]));
     }
 
@@ -337,5 +337,13 @@ mod tests {
         assert_eq!(best, 100.0 / 64.0);
         let Ok(best) = improved(100.0, 2, halved);
         assert_eq!(best, 25.0);
+    }
+
+    #[test]
+    fn where_the_slope_is_vertical_the_bracket_is_halved() {
+        // √t − 1/2 from t = 0, where Newton's step is none.
+        let root = |t: f64| Some([t.sqrt() - 0.5, 0.5 / t.sqrt()]);
+        let found = within_bracket([0.0, 1.0], 0.0, 60, |last, next| last == next, root);
+        assert!((found - 0.25).abs() < 1e-15, "{found}");
     }
 }

@@ -4,7 +4,7 @@
 //! Hooke & Jeeves, *"Direct search" solution of numerical and statistical problems*, J. ACM 8 (1961).
 
 /// A place with what a function is there.
-pub(crate) type Height = ([f64; 2], f64);
+pub(crate) type SearchPoint = ([f64; 2], f64);
 
 /// The highest place that is come to: each of so many looks goes `step` times each of the ways from
 /// where it is, at once where that is higher, and halves the step where none is.
@@ -15,12 +15,12 @@ pub(crate) type Height = ([f64; 2], f64);
 /// # Errors
 /// Those of `look`.
 pub(crate) fn climbed<E>(
-    (mut place, mut most): Height,
+    (mut place, mut most): SearchPoint,
     mut step: [f64; 2],
     ways: &[[f64; 2]],
     n_looks: usize,
-    mut look: impl FnMut([f64; 2]) -> Result<Option<Height>, E>,
-) -> Result<Height, E> {
+    mut look: impl FnMut([f64; 2]) -> Result<Option<SearchPoint>, E>,
+) -> Result<SearchPoint, E> {
     for _ in 0..n_looks {
         let mut is_best = true;
         for way in ways {
@@ -42,7 +42,7 @@ pub(crate) fn climbed<E>(
 mod tests {
     use std::convert::Infallible;
 
-    use super::{Height, climbed};
+    use super::{SearchPoint, climbed};
 
     const CROSS: [[f64; 2]; 4] = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];
 
@@ -50,7 +50,7 @@ mod tests {
         -((x - 0.3) * (x - 0.3) + 2.0 * (y + 0.7) * (y + 0.7))
     }
 
-    fn check(look: impl Fn([f64; 2]) -> Option<Height>, wanted: [f64; 2]) {
+    fn check(look: impl Fn([f64; 2]) -> Option<SearchPoint>, wanted: [f64; 2]) {
         let start = ([0.0, 0.0], hill([0.0, 0.0]));
         let Ok(([x, y], most)) =
             climbed(start, [0.5, 0.25], &CROSS, 80, |place| Ok::<_, Infallible>(look(place)));

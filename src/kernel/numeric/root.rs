@@ -39,13 +39,13 @@ impl<E> From<E> for RootError<E> {
 }
 
 /// A function that keeps what it was asked.
-struct Asked<F> {
+struct ScaledFunction<F> {
     function: F,
     /// The greatest value so far, without its sign.
     size: f64,
 }
 
-impl<F> Asked<F> {
+impl<F> ScaledFunction<F> {
     fn at<E>(&mut self, at: f64) -> Result<Sample, E>
     where
         F: FnMut(f64) -> Result<f64, E>,
@@ -80,7 +80,7 @@ pub fn find_root<E>(
     function: impl FnMut(f64) -> Result<f64, E>,
     [start, end]: [f64; 2],
 ) -> Result<Sample, RootError<E>> {
-    let mut asked = Asked { function, size: 0.0 };
+    let mut asked = ScaledFunction { function, size: 0.0 };
     let ends = [asked.at(start)?, asked.at(end)?];
     let mut samples = ends.to_vec();
     loop {
@@ -107,7 +107,7 @@ pub fn find_roots<E>(
     function: impl FnMut(f64) -> Result<f64, E>,
     [start, end]: [f64; 2],
 ) -> Result<Vec<Sample>, RootError<E>> {
-    let mut asked = Asked { function, size: 0.0 };
+    let mut asked = ScaledFunction { function, size: 0.0 };
     let mut samples = vec![asked.at(start)?, asked.at(end)?];
     while samples.len() <= ALL_ROOT_LOOKS {
         samples = halved(&mut asked, &samples)?;
@@ -147,7 +147,7 @@ fn is_valley(before: Sample, middle: Sample, after: Sample) -> bool {
 
 /// The samples with one in the middle between any two neighbours.
 fn halved<E, F: FnMut(f64) -> Result<f64, E>>(
-    asked: &mut Asked<F>,
+    asked: &mut ScaledFunction<F>,
     samples: &[Sample],
 ) -> Result<Vec<Sample>, E> {
     let mut all = Vec::with_capacity(2 * samples.len());
@@ -160,7 +160,7 @@ fn halved<E, F: FnMut(f64) -> Result<f64, E>>(
 
 /// The root between two places with values of different signs.
 fn between<E, F: FnMut(f64) -> Result<f64, E>>(
-    asked: &mut Asked<F>,
+    asked: &mut ScaledFunction<F>,
     [mut b, mut a]: [Sample; 2],
     interval: f64,
 ) -> Result<Sample, RootError<E>> {
@@ -203,7 +203,7 @@ fn next_share([a, b, c]: [Sample; 3]) -> f64 {
 
 /// Where a function without a change of sign touches zero, else where it is nearest to that.
 fn touch<E, F: FnMut(f64) -> Result<f64, E>>(
-    asked: &mut Asked<F>,
+    asked: &mut ScaledFunction<F>,
     samples: &[Sample],
 ) -> Result<Result<Sample, Sample>, RootError<E>> {
     let nearer = |a: &&Sample, b: &&Sample| a.value.abs().total_cmp(&b.value.abs());
@@ -216,7 +216,7 @@ fn touch<E, F: FnMut(f64) -> Result<f64, E>>(
 }
 
 fn touch_between<E, F: FnMut(f64) -> Result<f64, E>>(
-    asked: &mut Asked<F>,
+    asked: &mut ScaledFunction<F>,
     [before, middle, after]: [Sample; 3],
 ) -> Result<Result<Sample, Sample>, RootError<E>> {
     let sign = middle.value.signum();

@@ -3,14 +3,14 @@
 use super::{PlaneLoop, Region, RegionError};
 use crate::{
     Frame, GeomError,
-    arrange::{Arrangement, CellLoop, Step},
+    arrange::{Arrangement, CellLoop, OrientedEdge},
 };
 
 /// A part of the plane that no edge of an arrangement runs through.
 pub(crate) struct PlaneCell {
     pub(crate) region: Region,
     /// The edges around it, and whether it is to the left of them.
-    pub(crate) steps: Vec<Step>,
+    pub(crate) steps: Vec<OrientedEdge>,
 }
 
 /// The bounded parts into which the edges divide the plane z = 0, in the order in which they are found;

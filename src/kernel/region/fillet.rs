@@ -12,7 +12,7 @@ use crate::{
     frame::norm,
     numeric::{
         bisection::bisected,
-        newton::{Step, within_limits},
+        newton::{NewtonStep, within_limits},
     },
     tolerance::LAST_BIT,
 };
@@ -204,10 +204,10 @@ fn polished(arcs: [&NurbsCurve; 2], side: f64, start: [f64; 2]) -> Option<[f64; 
     };
     let found = within_limits(limits, start, NEWTON_STEPS, is_still, |[t, s]| {
         let both = [beside(arcs[0], t, side), beside(arcs[1], s, side)];
-        let [Some((p, dp)), Some((q, dq))] = both else { return Step::Stay };
+        let [Some((p, dp)), Some((q, dq))] = both else { return NewtonStep::Stay };
         let (gap, det) = (q - p, dq.cross(dp).z);
         let step = [dq.cross(gap).z / det, dp.cross(gap).z / det];
-        Step::perhaps(step.iter().all(|step| step.is_finite()).then_some(step))
+        NewtonStep::perhaps(step.iter().all(|step| step.is_finite()).then_some(step))
     });
     found.unless_stuck()
 }

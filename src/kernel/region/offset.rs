@@ -110,7 +110,7 @@ impl Region {
                 !is_near(point, own.min(distance.abs()) - SLACK * near)
             });
             let runs_along = edge.passes.iter().all(|&(_, passes)| 0 < passes);
-            let side = if runs_along { arrange::Side::Left } else { arrange::Side::Right };
+            let side = if runs_along { arrange::EdgeSide::Left } else { arrange::EdgeSide::Right };
             is_border.then_some(side)
         });
         let sides: Vec<_> = sides.collect();

@@ -41,7 +41,7 @@ pub struct SkinBuilder {
     degree: usize,
     is_closed: bool,
     is_aligned: bool,
-    places: Places,
+    places: Layout,
     way: Way,
     has_even_speed: bool,
     within: Option<f64>,
@@ -49,7 +49,7 @@ pub struct SkinBuilder {
 
 /// Where along v the sections stand.
 #[derive(Clone, Debug)]
-enum Places {
+enum Layout {
     By(SectionParameters),
     Listed(Vec<f64>),
 }
@@ -169,12 +169,12 @@ pub struct SkinnedSurface {
 }
 
 /// Tells what an error is about.
-trait BlameSkinInput<T> {
-    fn blame(self, blamed: SkinInput) -> Result<T, SkinError>;
+trait AboutSkinInput<T> {
+    fn about(self, blamed: SkinInput) -> Result<T, SkinError>;
 }
 
-impl<T> BlameSkinInput<T> for Result<T, GeomError> {
-    fn blame(self, blamed: SkinInput) -> Result<T, SkinError> {
+impl<T> AboutSkinInput<T> for Result<T, GeomError> {
+    fn about(self, blamed: SkinInput) -> Result<T, SkinError> {
         self.map_err(|error| SkinError { blamed, error })
     }
 }
@@ -188,7 +188,7 @@ impl SkinBuilder {
             degree: 3,
             is_closed: false,
             is_aligned: true,
-            places: Places::By(SectionParameters::Average),
+            places: Layout::By(SectionParameters::Average),
             way: Way::Free([None, None]),
             has_even_speed: false,
             within: None,
@@ -212,12 +212,12 @@ impl SkinBuilder {
 
     /// The rule by which the sections stand along v.
     pub fn parameters(self, rule: SectionParameters) -> Self {
-        Self { places: Places::By(rule), ..self }
+        Self { places: Layout::By(rule), ..self }
     }
 
     /// Where along v the sections stand; of a closed skin also where the first one comes again.
     pub fn parameters_at(self, parameters: Vec<f64>) -> Self {
-        Self { places: Places::Listed(parameters), ..self }
+        Self { places: Layout::Listed(parameters), ..self }
     }
 
     /// The derivative by v along the first section.
@@ -271,17 +271,17 @@ impl SkinBuilder {
         let within = self.within.unwrap_or(distance);
         let nurbs = |curve: &Curve| Ok(NurbsCurve::clone(&*curve.nurbs_within(distance)?));
         let curves: Result<Vec<NurbsCurve>, GeomError> = self.sections.iter().map(nurbs).collect();
-        let mut curves = curves.blame(SkinInput::Sections)?;
+        let mut curves = curves.about(SkinInput::Sections)?;
         if self.is_closed {
             drop_repeated(&mut curves, distance);
         }
-        check_count(&curves, self.is_closed).blame(SkinInput::Sections)?;
+        check_count(&curves, self.is_closed).about(SkinInput::Sections)?;
         let found = match self.is_aligned {
-            true => align(&mut curves, distance).blame(SkinInput::Sections)?,
+            true => align(&mut curves, distance).about(SkinInput::Sections)?,
             false => Alignment::default(),
         };
         if self.has_even_speed {
-            curves = at_constant_speed(&curves, within).blame(SkinInput::Sections)?;
+            curves = at_constant_speed(&curves, within).about(SkinInput::Sections)?;
         }
         let no_slopes = [None, None];
         let slopes = if let Way::Free(slopes) = &self.way { slopes } else { &no_slopes };
@@ -299,7 +299,7 @@ impl SkinBuilder {
             true => sections.skinned(&along).map(|skin| (skin, None)),
             false => positive([&sections, &as_given], &along, self.within.is_none(), within),
         };
-        let (skin, refit) = made.blame(SkinInput::Sections)?;
+        let (skin, refit) = made.about(SkinInput::Sections)?;
         let bad_weight = refit.as_ref().map_or(skin.bad_weight, |refit| refit.weight);
         let is_refitted = refit.is_some();
         let refitted = refit.map_or(Vec::new(), |refit| refit.sections);
@@ -313,24 +313,24 @@ impl SkinBuilder {
     fn along(
         &self,
         sections: &CompatibleSections,
-        slopes: [Slopes; 2],
+        slopes: [EndSlopes; 2],
     ) -> Result<(Along, Vec<f64>), SkinError> {
         let (degree, is_closed) = (self.degree, self.is_closed);
         let needed = sections.curves().len() + usize::from(is_closed);
         if let Way::Spine(spine, at) = &self.way {
-            check_parameters(at, needed).blame(SkinInput::At)?;
-            let curve = spine.nurbs_within(self.tolerance.distance).blame(SkinInput::Spine)?;
+            check_parameters(at, needed).about(SkinInput::At)?;
+            let curve = spine.nurbs_within(self.tolerance.distance).about(SkinInput::Spine)?;
             let inside = |&t: &f64| curve.domain().clamp_inside(t);
             let places: Result<Vec<f64>, _> = at.iter().map(inside).collect();
             let along = places.and_then(|places| Along::spine(&places, degree, &curve, is_closed));
-            return Ok((along.blame(SkinInput::At)?, at.clone()));
+            return Ok((along.about(SkinInput::At)?, at.clone()));
         }
         let parameters = match &self.places {
-            Places::Listed(listed) => {
-                check_parameters(listed, needed).blame(SkinInput::Parameters)?;
+            Layout::Listed(listed) => {
+                check_parameters(listed, needed).about(SkinInput::Parameters)?;
                 listed.clone()
             }
-            Places::By(rule) => sections.parameters(*rule, is_closed).blame(SkinInput::Sections)?,
+            Layout::By(rule) => sections.parameters(*rule, is_closed).about(SkinInput::Sections)?,
         };
         let along = match (&self.way, is_closed) {
             (Way::Monotone, is_closed) => Along::monotone(&parameters, is_closed),
@@ -338,7 +338,7 @@ impl SkinBuilder {
             (_, false) if slopes.iter().all(Option::is_none) => Along::free(&parameters, degree),
             (_, false) => Along::with_slopes(&parameters, degree, slopes),
         };
-        Ok((along.blame(SkinInput::Sections)?, parameters))
+        Ok((along.about(SkinInput::Sections)?, parameters))
     }
 }
 
@@ -367,24 +367,24 @@ fn check_count(curves: &[NurbsCurve], is_closed: bool) -> Result<(), GeomError> 
 }
 
 /// The homogeneous derivatives by v along a section, one a control point.
-type Slopes = Option<Vec<DVec4>>;
+type EndSlopes = Option<Vec<DVec4>>;
 
 /// The sections on one basis, with derivatives along the first and the last.
 fn with_slopes(
     mut curves: Vec<NurbsCurve>,
     slopes: &[Option<SectionSlope>; 2],
-) -> Result<(CompatibleSections, [Slopes; 2]), SkinError> {
+) -> Result<(CompatibleSections, [EndSlopes; 2]), SkinError> {
     let n_sections = curves.len();
     let domain = curves[0].domain();
     for (slope, blamed) in slopes.iter().zip([SkinInput::StartSlope, SkinInput::EndSlope]) {
         let Some(SectionSlope::Curve(vectors)) = slope else { continue };
         if vectors.is_rational() || curves.iter().any(NurbsCurve::is_rational) {
             let error = FormError::RationalFor { what: "a curve of tangents" };
-            return Err(error.into()).blame(blamed);
+            return Err(error.into()).about(blamed);
         }
         curves.push(vectors.reparametrized(domain));
     }
-    let all = CompatibleSections::new(&curves).blame(SkinInput::Sections)?;
+    let all = CompatibleSections::new(&curves).about(SkinInput::Sections)?;
     let mut vectors = all.curves()[n_sections..].iter();
     let sections = all.first(n_sections);
     let ends = [&sections.curves()[0], &sections.curves()[n_sections - 1]];

@@ -6,7 +6,7 @@
 
 use glam::DVec3;
 
-use super::align::{AlignedSection, N_PLACES};
+use super::aligned_section::{AlignedSection, N_PLACES};
 use crate::{
     GeomError, Interval, NurbsCurve, Side,
     frame::angle_between,
@@ -33,7 +33,7 @@ pub fn corners_of_ring(curve: &NurbsCurve) -> Vec<f64> {
         into.ok().zip(out.ok()).map_or(0.0, |(a, b)| angle_between(a, b))
     };
     let breaks = curve.knots().breaks();
-    let can_turn = |t: &f64| curve.degree() <= curve.knots().times(*t);
+    let can_turn = |t: &f64| curve.degree() <= curve.knots().exact_multiplicity(*t);
     let is_corner = |t: &f64| LEAST_TURN < turns(*t, *t);
     let seam = LEAST_TURN < turns(domain.end(), domain.start());
     let inner = breaks[1..breaks.len() - 1].iter().copied().filter(can_turn).filter(is_corner);

@@ -7,6 +7,7 @@
 //! `thin` leaves out knots that a tolerance does not need.
 
 mod align;
+mod aligned_section;
 mod along;
 mod builder;
 mod corner;
@@ -14,7 +15,8 @@ mod sections;
 mod spread;
 mod thin;
 
-pub use align::{AlignedSection, aligned};
+pub use align::aligned;
+pub use aligned_section::AlignedSection;
 pub use along::Along;
 pub use builder::{SectionSlope, SkinBuilder, SkinError, SkinInput, SkinnedSurface};
 pub use corner::{corners_of_ring, with_seam_at_corner};

@@ -42,7 +42,7 @@ pub use representation::direction::Direction;
 pub use representation::edge::Edge;
 pub use representation::parametric::{ParametricSurface, SurfaceFunction};
 
-use evaluation::evaluator::Expanded;
+use evaluation::expansion::SurfaceExpansion;
 
 use super::{
     Bounds, ConstructionReport, CountError, GeomError, Grid, Interval, KnotVector, WeightError,
@@ -77,7 +77,7 @@ pub struct NurbsSurface {
     scaled: Option<(Arc<NurbsSurface>, f64)>,
     report: ConstructionReport,
     /// The surface in powers, prepared for many parameters.
-    expanded: Lazy<Expanded>,
+    expanded: Lazy<SurfaceExpansion>,
     /// The patches, prepared to be searched for the nearest point.
     nearest: Lazy<ClosestPointTree>,
 }

@@ -157,12 +157,12 @@ pub struct SweptLeg {
 }
 
 /// Tells what an error is about.
-trait BlameSweepInput<T> {
-    fn blame(self, blamed: SweepInput) -> Result<T, SweepError>;
+trait AboutSweepInput<T> {
+    fn about(self, blamed: SweepInput) -> Result<T, SweepError>;
 }
 
-impl<T> BlameSweepInput<T> for Result<T, GeomError> {
-    fn blame(self, blamed: SweepInput) -> Result<T, SweepError> {
+impl<T> AboutSweepInput<T> for Result<T, GeomError> {
+    fn about(self, blamed: SweepInput) -> Result<T, SweepError> {
         self.map_err(|error| SweepError { blamed, error })
     }
 }
@@ -270,31 +270,31 @@ impl<'a> SweepBuilder<'a> {
     /// [`ConstructionError::ClosedBetweenRails`]; those of [`Frames::new`], [`swept`] and [`mitred`].
     pub fn sweep(self) -> Result<SweptSurface, SweepError> {
         let share = 0.5 * self.fineness.tolerance;
-        let section = self.section.nurbs_within(share).blame(SweepInput::Section)?;
-        let path = self.path.nurbs_within(share).blame(SweepInput::Path)?;
+        let section = self.section.nurbs_within(share).about(SweepInput::Section)?;
+        let path = self.path.nurbs_within(share).about(SweepInput::Path)?;
         if section.is_point() {
-            return Err(ConstructionError::PointSection.into()).blame(SweepInput::Section);
+            return Err(ConstructionError::PointSection.into()).about(SweepInput::Section);
         }
-        let corners = self.corners(&path).blame(SweepInput::Path)?;
+        let corners = self.corners(&path).about(SweepInput::Path)?;
         let Some(rule) = self.frames else {
             let report =
                 ConstructionReport::of("sweep").with("frame", "translate").with("exact", true);
-            let surface = translated(&section, &path).blame(SweepInput::Path)?.with_report(report);
+            let surface = translated(&section, &path).about(SweepInput::Path)?.with_report(report);
             return Ok(SweptSurface::exact(surface, [section, path], Vec::new()));
         };
 
         // How it begins, and whether it comes back.
-        let start = path.tangent_at(path.domain().start(), Side::Right).blame(SweepInput::Path)?;
+        let start = path.tangent_at(path.domain().start(), Side::Right).about(SweepInput::Path)?;
         let is_along = start.cross(DVec3::Z).length() <= self.tolerance.angle;
         let up = self.up.unwrap_or(if is_along { DVec3::X } else { DVec3::Z });
         let is_ring = path.is_closed(self.tolerance.distance);
-        let is_smooth = is_ring && is_smooth_at_seam(&path).blame(SweepInput::Path)?;
+        let is_smooth = is_ring && is_smooth_at_seam(&path).about(SweepInput::Path)?;
         let is_moved = self.motion.is_some() || !self.rails.is_empty();
         let is_polygon = path.degree() == 1 && !path.is_rational();
         if !corners.is_empty() && is_polygon && !is_moved && rule == FrameRule::RotationMinimizing {
             let report =
                 ConstructionReport::of("sweep").with("corners", corners).with("exact", true);
-            let surface = mitred(&section, &path, up, is_ring).blame(SweepInput::Up)?;
+            let surface = mitred(&section, &path, up, is_ring).about(SweepInput::Up)?;
             let short_legs = overreaches(&surface, &path);
             let surface = surface.with_report(report);
             return Ok(SweptSurface::exact(surface, [section, path], short_legs));
@@ -303,10 +303,10 @@ impl<'a> SweepBuilder<'a> {
         let has_corner_at_seam = is_ring && !is_smooth && self.has_mitres;
         let reach = reach(&section);
         let legs = if corners.is_empty() && !has_corner_at_seam {
-            let frames = Frames::new(&path, rule, up, is_smooth).blame(SweepInput::Up)?;
+            let frames = Frames::new(&path, rule, up, is_smooth).about(SweepInput::Up)?;
             vec![(NurbsCurve::clone(&path), frames)]
         } else {
-            legs(&path, &corners, rule, up, has_corner_at_seam, reach).blame(SweepInput::Up)?
+            legs(&path, &corners, rule, up, has_corner_at_seam, reach).about(SweepInput::Up)?
         };
         self.along([section, path], &legs, (corners, reach))
     }
@@ -318,7 +318,7 @@ impl<'a> SweepBuilder<'a> {
         legs: &[PathLeg],
         (corners, reach): (Vec<f64>, f64),
     ) -> Result<SweptSurface, SweepError> {
-        let rails = self.rails_for(&section).blame(SweepInput::Rails)?;
+        let rails = self.rails_for(&section).about(SweepInput::Rails)?;
         let Self { motion, kinks, fineness, tolerance, .. } = self;
         let mut still = ();
         let ends = [section.start(), section.end()];
@@ -333,7 +333,7 @@ impl<'a> SweepBuilder<'a> {
             let is_inside = |t: &f64| domain.start() < *t && *t < domain.end();
             let kinks: Vec<f64> = kinks.iter().copied().filter(is_inside).collect();
             let made = swept(&section, part, frames, &mut motion, &kinks, fineness);
-            sweeps.push(made.blame(SweepInput::Whole)?);
+            sweeps.push(made.about(SweepInput::Whole)?);
         }
 
         let told = sweeps.iter().zip(legs).map(|(sweep, (_, frames))| SweptLeg {
@@ -347,7 +347,7 @@ impl<'a> SweepBuilder<'a> {
             (frames.overreach(reach), [domain.start(), domain.end()])
         });
         let short_legs = over.collect();
-        let surface = joined(sweeps, legs, corners, tolerance).blame(SweepInput::Whole)?;
+        let surface = joined(sweeps, legs, corners, tolerance).about(SweepInput::Whole)?;
         Ok(SweptSurface { surface, section, path, legs: told, short_legs })
     }
 

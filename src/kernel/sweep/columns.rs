@@ -92,7 +92,7 @@ impl MovingSection<'_> {
         let mut rows: Vec<Vec<DVec4>> = (0..net.n_rows()).map(|i| net.row(i).to_vec()).collect();
         for span in knots.spans() {
             let interval = knots.span_interval(span);
-            let is_joint = |t: f64| p <= knots.times(t);
+            let is_joint = |t: f64| p <= knots.exact_multiplicity(t);
             // The control points of the span are those from span - p to span.
             let sides = [
                 (interval.start(), interval.length(), span - p),

@@ -250,7 +250,7 @@ pub fn swept(
     if let (Some(n), false) = (fineness.n_sections, fineness.keeps_path) {
         let fit = moving.skinned(n, fineness.tolerance)?;
         let (worst, _) = moving.deviations(&fit, fineness.tolerance, N_VERIFIED)?;
-        return moving.told(fit, worst);
+        return moving.with_defects(fit, worst);
     }
     let mut knots = moving.basis(&breaks, fineness)?;
     // On the path's own knots only simple motions are exact.
@@ -270,7 +270,7 @@ pub fn swept(
             (worst, missed) = moving.deviations(&fit, fineness.tolerance, N_VERIFIED)?;
         }
         if fineness.n_sections.is_some() || missed.is_empty() {
-            return moving.told(fit, worst);
+            return moving.with_defects(fit, worst);
         }
         let is_freed = is_plain && fineness.columns == Columns::Through;
         let next = if is_freed { freer(&knots)? } else { knots.with(&missed) };
@@ -371,7 +371,8 @@ impl MovingSection<'_> {
         } else {
             // A kink of the motion is one of the surface.
             for &t in breaks {
-                let missing = knots.degree().saturating_sub(knots.times(knots.snapped(t)));
+                let missing =
+                    knots.degree().saturating_sub(knots.exact_multiplicity(knots.snapped(t)));
                 knots = knots.with(&vec![knots.snapped(t); missing]);
             }
         }
@@ -379,7 +380,11 @@ impl MovingSection<'_> {
     }
 
     /// The surface with what is to be said about it.
-    fn told(&mut self, fit: PlacementFit, deviation: (f64, f64)) -> Result<Sweep, GeomError> {
+    fn with_defects(
+        &mut self,
+        fit: PlacementFit,
+        deviation: (f64, f64),
+    ) -> Result<Sweep, GeomError> {
         let (folds, collapses) = self.folds()?;
         Ok(Sweep { surface: fit.surface, deviation, folds, collapses, placements: fit.at })
     }

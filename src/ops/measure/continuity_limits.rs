@@ -8,13 +8,13 @@ use crate::{
 };
 
 /// The options of `continuity`.
-pub(super) struct Asked {
+pub(super) struct ContinuityOptions {
     pub(super) tolerance: Option<Spanned<Length>>,
     pub(super) angle: Option<Spanned<Angle>>,
     pub(super) curvature_gap: Option<Spanned<f64>>,
 }
 
-impl Asked {
+impl ContinuityOptions {
     /// What counts as equal at a joint in a document of this tolerance.
     pub(super) fn over(self, document: Tolerance) -> Result<JointTolerance> {
         let distance =

@@ -26,7 +26,7 @@ op! {
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Value> {
-    let place = |mistake: MissingReport| mistake.told(args.g.span);
+    let place = |mistake: MissingReport| mistake.diagnostic(args.g.span);
     reported(&args.g.value.0).map_err(place)
 }
 
@@ -34,7 +34,7 @@ fn run(_: &mut Ctx<'_>, args: Args) -> Result<Value> {
 struct MissingReport(Value);
 
 impl MissingReport {
-    fn told(self, span: Span) -> Box<Diagnostic> {
+    fn diagnostic(self, span: Span) -> Box<Diagnostic> {
         let what = self.0.phrase();
         let message = match self.0 {
             Value::Curve(_) | Value::Surface(_) => {

@@ -6,6 +6,7 @@ mod bpt;
 mod centroid;
 mod check_mesh;
 mod csv;
+mod csv_rows;
 mod dat;
 mod difference;
 mod grid_mesh;
@@ -32,7 +33,7 @@ use crate::{
 };
 
 #[cfg(feature = "cli")]
-pub(crate) use csv::rows as csv_rows;
+pub(crate) use csv_rows::csv_rows;
 
 pub(super) static OPS: &[&Op] = &[
     &of_faces::OP,

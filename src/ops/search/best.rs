@@ -1,7 +1,7 @@
 //! `minimize` and `maximize`: where a function is best, within bounds and under conditions.
 
 use super::{
-    MOST_LABELS, SearchRange, no_derivatives, number_at, told,
+    MOST_LABELS, SearchRange, no_derivatives, number_at, six_digits,
     unknowns::{Unknowns, asked, from_here, number, numbers, single},
 };
 use crate::{
@@ -64,11 +64,11 @@ impl BestSearch {
             range.ends,
         )?;
         let value = Number { value: sign * found.value, dim: dim.unwrap_or_default() };
-        Ok(self.told(range.place(found.at).into_value(), value, (n_asked, "none")))
+        Ok(self.answer(range.place(found.at).into_value(), value, (n_asked, "none")))
     }
 
     /// The answer, or the record that tells how it was found.
-    fn told(&self, at: Value, value: Number, (n_asked, gradients): (usize, &str)) -> Value {
+    fn answer(&self, at: Value, value: Number, (n_asked, gradients): (usize, &str)) -> Value {
         if !self.is_report {
             return at;
         }
@@ -129,7 +129,7 @@ impl BestSearch {
         let value =
             Number { value: better.sign() * found.values[0], dim: asking.dim.unwrap_or_default() };
         let gradients = if found.has_differences { "differences" } else { "exact" };
-        Ok(self.told(unknowns.with(&found.unknowns), value, (found.n_evaluations, gradients)))
+        Ok(self.answer(unknowns.with(&found.unknowns), value, (found.n_evaluations, gradients)))
     }
 }
 
@@ -252,8 +252,8 @@ impl Asking<'_, '_> {
             Better::Lower => ["falls", "least"],
             Better::Higher => ["grows", "greatest"],
         };
-        let place = unknowns.told(&found.unknowns);
-        let best = told(self.better.sign() * found.values[0], self.dim);
+        let place = unknowns.rounded(&found.unknowns);
+        let best = six_digits(self.better.sign() * found.values[0], self.dim);
         let refused = |message| {
             Diagnostic::error(Code::NoAnswer, self.f.span, message)
                 .label(format!("the best place found is {place}, where it is {best}"))
@@ -268,7 +268,8 @@ impl Asking<'_, '_> {
                     refused("the conditions do not hold together near the start".to_owned());
                 let refused =
                     self.broken(&found.values[1..]).fold(refused, |refused, (span, off)| {
-                        refused.also(span, format!("this is off by {} there", told(off, None)))
+                        refused
+                            .also(span, format!("this is off by {} there", six_digits(off, None)))
                     });
                 refused.hint("take conditions away, or start where they hold")
             }

@@ -1,7 +1,7 @@
 //! `integrate`: the integral of a function over a range, a box, a curve or a surface.
 
 use super::{
-    SearchRange, told,
+    SearchRange, six_digits,
     unknowns::{asked, numbers},
 };
 use crate::{
@@ -209,9 +209,9 @@ fn over_range(
     find_integral(ask, range.ends, relative, absolute).map(|found| found.value).map_err(|err| match err {
         IntegralError::Function(found) => found,
         IntegralError::Unsettled { at, error } => {
-            let message = format!("the integral does not settle near {}", range.told(at));
+            let message = format!("the integral does not settle near {}", range.place_text(at));
             let left = match error.is_finite() {
-                true => format!("it may be off by {} still", told(error, None)),
+                true => format!("it may be off by {} still", six_digits(error, None)),
                 false => "its value is beyond all numbers".to_owned(),
             };
             Box::new(Diagnostic::error(Code::NoAnswer, span, message).label(left).hint(

@@ -49,10 +49,10 @@ impl SearchRange {
     }
 
     /// A place as messages tell it, with six digits; zero where it is nearer to that than rounding.
-    fn told(&self, at: f64) -> String {
+    fn place_text(&self, at: f64) -> String {
         let is_zero = at.abs() < PARAMETER_RELATIVE * (self.ends[1] - self.ends[0]);
         let at = if is_zero { 0.0 } else { at };
-        told(at, Some(self.dim))
+        six_digits(at, Some(self.dim))
     }
 }
 
@@ -66,8 +66,9 @@ fn value_at(
     ctx.call(&function.value, &[range.place(at).into_value()]).map_err(|mut found| {
         found.others.retain(|other| other.span != ctx.span);
         if found.others.len() < MOST_LABELS {
-            found =
-                Box::new(found.also(ctx.span, format!("asked at {} from here", range.told(at))));
+            found = Box::new(
+                found.also(ctx.span, format!("asked at {} from here", range.place_text(at))),
+            );
         }
         found
     })
@@ -92,7 +93,7 @@ fn number_at(
             let message = format!(
                 "the function yields {} at {} and {before} before",
                 number.dim,
-                range.told(at)
+                range.place_text(at)
             );
             return Diagnostic::error(Code::UnitMismatch, function.span, message).fail();
         }
@@ -122,7 +123,7 @@ fn no_derivatives<T>(span: Span) -> Result<T> {
 }
 
 /// A number as messages tell it, with six digits.
-fn told(value: f64, dim: Option<Dimension>) -> String {
+fn six_digits(value: f64, dim: Option<Dimension>) -> String {
     let six = rounded(value);
     match dim {
         Some(dim) if dim.is_angle() => Number::angle(six.parse().unwrap_or(value)).to_string(),

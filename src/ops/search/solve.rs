@@ -1,9 +1,8 @@
 //! `solve`: where a function is zero.
 
 use super::{
-    SearchRange, number_at,
+    SearchRange, number_at, six_digits,
     system::solved,
-    told,
     unknowns::{asked, number},
 };
 use crate::{
@@ -215,7 +214,9 @@ fn refusal(
     range: &SearchRange,
     (dim, is_nowhere): (Option<Dimension>, bool),
 ) -> Box<Diagnostic> {
-    let at = |sample: Sample| format!("{} at {}", told(sample.value, dim), range.told(sample.at));
+    let at = |sample: Sample| {
+        format!("{} at {}", six_digits(sample.value, dim), range.place_text(sample.at))
+    };
     let found = |message| Diagnostic::error(Code::NoAnswer, function.span, message);
     Box::new(match err {
         RootError::Function(found) => return found,
@@ -223,8 +224,8 @@ fn refusal(
             let where_to = if is_nowhere { "nowhere" } else { "nowhere that could be found" };
             let message = format!(
                 "the function is 0 {where_to} within {}..{}",
-                range.told(start.at),
-                range.told(end.at)
+                range.place_text(start.at),
+                range.place_text(end.at)
             );
             let ends = format!("it is {} and {}", at(start), at(end));
             let found = found(message).label(ends);
@@ -234,13 +235,13 @@ fn refusal(
             ))
         }
         RootError::Jump { sides: [before, behind] } => {
-            let place = range.told(before.at);
+            let place = range.place_text(before.at);
             let message = format!("the function changes its sign at {place} without being 0 there");
             found(message)
                 .label(format!(
                     "it jumps from {} to {}",
-                    told(before.value, dim),
-                    told(behind.value, dim)
+                    six_digits(before.value, dim),
+                    six_digits(behind.value, dim)
                 ))
                 .hint("a pole or a step is no root; give a `within` on one side of it")
         }

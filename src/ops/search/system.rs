@@ -1,7 +1,7 @@
 //! `solve` from a start: unknowns for which several functions are zero together.
 
 use super::{
-    no_derivatives, told,
+    no_derivatives, six_digits,
     unknowns::{Unknowns, asked, numbers},
 };
 use crate::{
@@ -49,11 +49,11 @@ pub(super) fn solved(
     }
     let message = "no root was found from this start";
     Diagnostic::error(Code::NoAnswer, start.span, message)
-        .label(format!("the search ended at {}", unknowns.told(&found.unknowns)))
+        .label(format!("the search ended at {}", unknowns.rounded(&found.unknowns)))
         .hint(format!(
             "of what is to be 0 there is {} left there, of {} at the start; another start may lead to a root",
-            told(left, None),
-            told(first, None)
+            six_digits(left, None),
+            six_digits(first, None)
         ))
         .fail()
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{SearchRange, told};
+use super::{SearchRange, six_digits};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{Answers, Jet, Wanted, glam::DVec3},
@@ -100,9 +100,9 @@ impl Unknowns {
     }
 
     /// A place as messages tell it.
-    pub(super) fn told(&self, values: &[f64]) -> Value {
+    pub(super) fn rounded(&self, values: &[f64]) -> Value {
         let six = |_, value: f64| {
-            Real::Plain(told(value, Some(Dimension::NONE)).parse().unwrap_or(value))
+            Real::Plain(six_digits(value, Some(Dimension::NONE)).parse().unwrap_or(value))
         };
         self.each(values, six)
     }

@@ -135,13 +135,13 @@ impl Boundary {
             if best.as_ref().is_none_or(|(least, _)| cost < *least)
                 && other.widest_gap().0 <= tolerance
             {
-                best = Some((cost, other.told()));
+                best = Some((cost, other.description()));
             }
         }
         best.map(|(_, told)| told)
     }
 
-    fn told(&self) -> String {
+    fn description(&self) -> String {
         let [u, v] = [&self.u, &self.v];
         format!("u = [{}, {}], v = [{}, {}]", u[0].name, u[1].name, v[0].name, v[1].name)
     }

@@ -100,7 +100,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         .filter(|twists| tolerance < data.moves(twists))
         .collect();
     for twists in &differing {
-        let told = data.told(twists);
+        let told = data.disagreement(twists);
         if args.twists == OnTwists::Error {
             return Diagnostic::error(Code::Degenerate, args.cross_u.span, told)
                 .also(args.cross_v.span, "the other")
@@ -186,7 +186,7 @@ impl CoonsData {
         [domain.start(), domain.end()][end]
     }
 
-    fn told(&self, twists: &Twists) -> String {
+    fn disagreement(&self, twists: &Twists) -> String {
         let [i, j] = twists.corner;
         format!(
             "at the corner u = {}, v = {} the derivative of `{}` is {}, that of `{}` is {}: the twists differ by {}",

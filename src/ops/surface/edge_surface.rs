@@ -35,7 +35,7 @@ op! {
 }
 
 /// The edges as they follow one another.
-struct Ring {
+struct EdgeLoop {
     /// Index and whether it is run backwards.
     order: Vec<(usize, bool)>,
     gap: f64,
@@ -87,16 +87,16 @@ fn within(ring: &[NamedEdge]) -> std::result::Result<NurbsSurface, crate::kernel
 }
 
 /// Two edges in the direction in which their ends are nearer to one another.
-fn facing(found: &[NamedEdge]) -> Ring {
+fn facing(found: &[NamedEdge]) -> EdgeLoop {
     let between =
         |i: usize, back: bool| apart(found[0].end(i), found[1].end(if back { 1 - i } else { i }));
     let both = |back: bool| libm::hypot(between(0, back), between(1, back));
-    Ring { order: vec![(0, false), (1, both(true) < both(false))], gap: 0.0 }
+    EdgeLoop { order: vec![(0, false), (1, both(true) < both(false))], gap: 0.0 }
 }
 
 /// The order and directions in which the widest gap between an end and the next start is least;
 /// the first of them among equals.
-fn ring(found: &[NamedEdge]) -> Ring {
+fn ring(found: &[NamedEdge]) -> EdgeLoop {
     let orders: &[&[usize]] = match found.len() {
         3 => &[&[1, 2], &[2, 1]],
         _ => &[&[1, 2, 3], &[3, 2, 1], &[2, 1, 3], &[2, 3, 1], &[1, 3, 2], &[3, 1, 2]],
@@ -106,7 +106,7 @@ fn ring(found: &[NamedEdge]) -> Ring {
         let rest = rest.iter().enumerate().map(|(k, &idx)| (idx, back(k)));
         let order: Vec<(usize, bool)> = [(0, false)].into_iter().chain(rest).collect();
         let gap = gaps(found, &order).into_iter().fold(0.0, f64::max);
-        Ring { order, gap }
+        EdgeLoop { order, gap }
     };
     // There is always one, however far apart the ends are.
     let mut best = of(orders[0], 0);

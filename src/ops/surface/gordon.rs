@@ -77,7 +77,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     if args.blend == GordonBlend::Lagrange {
         builder = builder.lagrange();
     }
-    let network = builder.prepare().map_err(|error| places.told(error))?;
+    let network = builder.prepare().map_err(|error| places.diagnostic(error))?;
     places.tolerance = network.tolerance();
-    network.build().map_err(|error| places.told(error))
+    network.build().map_err(|error| places.diagnostic(error))
 }

@@ -33,7 +33,7 @@ impl NetworkPlaces<'_, '_> {
         self.ctx.element(self.spans[along], index, along.name())
     }
 
-    pub(super) fn told(&self, error: NetworkError) -> Box<Diagnostic> {
+    pub(super) fn diagnostic(&self, error: NetworkError) -> Box<Diagnostic> {
         Box::new(match error {
             NetworkError::Apart { pair, gap, at, point, n_pairs, are_all } => {
                 let both = [(pair[0], at[0]), (pair[1], at[1])];

@@ -52,7 +52,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         found
     })?;
     for contact in contacts {
-        if let Some(warning) = told(contact, ctx) {
+        if let Some(warning) = axis_warning(contact, ctx) {
             ctx.warn(warning);
         }
     }
@@ -60,7 +60,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
 }
 
 /// What it means for the surface that the curve comes to the axis between its ends.
-fn told(contact: AxisContact, ctx: &Ctx<'_>) -> Option<Diagnostic> {
+fn axis_warning(contact: AxisContact, ctx: &Ctx<'_>) -> Option<Diagnostic> {
     match contact {
         AxisContact::Place { parameter, is_crossing: true } => {
             let message = format!(

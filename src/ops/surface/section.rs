@@ -12,12 +12,12 @@ use crate::{
 
 /// A curve, or a point where a surface begins or ends.
 #[derive(Clone, Debug)]
-pub(super) enum Section {
+pub(super) enum SkinSection {
     Curve(Curve),
     Point(DVec3),
 }
 
-impl FromValue for Section {
+impl FromValue for SkinSection {
     const TYPE: Type = Type::OneOf(&[Type::Curve, Type::Point]);
 
     fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
@@ -29,7 +29,7 @@ impl FromValue for Section {
     }
 }
 
-impl Section {
+impl SkinSection {
     /// The section as a curve, which a point is one of.
     pub(super) fn curve(self) -> std::result::Result<Curve, GeomError> {
         match self {

@@ -1,7 +1,7 @@
 //! `skin`: the surface through sections.
 
 use super::section::{
-    Section, SectionPairing, SectionPlaces, SectionShape, SectionTangent, warn_of_crossings,
+    SectionPairing, SectionPlaces, SectionShape, SectionTangent, SkinSection, warn_of_crossings,
     warn_of_lost_corners,
 };
 use super::sweep::tolerated;
@@ -34,7 +34,7 @@ op! {
     /// Piegl & Tiller, *The NURBS Book*, §10.3.
     skin | loft in Surface -> NurbsSurface {
         /// The sections in order, two or more: curves, and points at the ends.
-        sections: Spanned<Vec<Section>>,
+        sections: Spanned<Vec<SkinSection>>,
         /// The degree along v, from 1; fewer sections than degree + 1 lower it.
         degree: Spanned<usize> = Spanned::unplaced(3),
         /// A curve whose tangents the surface takes at the sections; degree 2 or 3.
@@ -87,7 +87,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         has_slopes: args.start_tangent.is_some() || args.end_tangent.is_some(),
         is_closed: args.closed,
     };
-    let sections = args.sections.value.into_iter().map(Section::curve);
+    let sections = args.sections.value.into_iter().map(SkinSection::curve);
     let sections: std::result::Result<Vec<Curve>, GeomError> = sections.collect();
     let mut builder = SkinBuilder::new(sections.at(span)?, ctx.tolerance).degree(args.degree.value);
     if args.closed {

@@ -8,11 +8,11 @@ use super::{
     encode::{self, EncodedItem, Fineness},
     meshes,
     parts::Piece,
-    told,
 };
 use crate::{
     kernel::{Bounds, Mesh},
     limits::stack,
+    page::ceilings::within_ceilings,
     session::Session,
 };
 
@@ -41,7 +41,7 @@ impl DeferredItems {
         let meshes = meshes::meshes(&self.pieces, session, &self.fineness);
         let encoded = |(piece, mesh): (&Piece, Result<Option<Mesh>, String>)| {
             let made = mesh.and_then(|mesh| {
-                told(session, || encode::encoded(&piece.shape, mesh, &self.fineness))
+                within_ceilings(session, || encode::encoded(&piece.shape, mesh, &self.fineness))
             });
             Arc::new(made.unwrap_or_else(|why| encode::empty(&piece.shape, &why)))
         };

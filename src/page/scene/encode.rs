@@ -151,14 +151,14 @@ struct EncodingItem {
 }
 
 impl EncodingItem {
-    fn tell(&mut self, name: &str, value: Json) {
+    fn add_fact(&mut self, name: &str, value: Json) {
         self.facts.insert(name.to_owned(), value);
     }
 
     fn add_points(&mut self, points: &[DVec3]) {
         let positions = self.writer.places(points);
         self.writer.set("positions", positions);
-        self.tell("points", json!(points.len()));
+        self.add_fact("points", json!(points.len()));
     }
 
     /// The triangles with what is known at their corners.
@@ -180,8 +180,8 @@ impl EncodingItem {
         }
         let triangles = self.writer.triangles(mesh.triangles());
         self.writer.set("triangles", triangles);
-        self.tell("triangles", json!(mesh.n_triangles()));
-        self.tell("points", json!(mesh.n_vertices()));
+        self.add_fact("triangles", json!(mesh.n_triangles()));
+        self.add_fact("points", json!(mesh.n_vertices()));
     }
 
     /// The edges of faces that are no triangles, whose edges the page finds; but of meshes whose colours
@@ -285,7 +285,7 @@ impl EncodingItem {
     /// The control net and the knots, where there are such.
     fn add_net(&mut self, surface: &Surface) {
         let Surface::Nurbs(surface) = surface else {
-            self.tell("form", json!("parametric"));
+            self.add_fact("form", json!("parametric"));
             return;
         };
         let net = surface.points();
@@ -296,9 +296,9 @@ impl EncodingItem {
             [surface.knots_u(), surface.knots_v()].map(crate::kernel::KnotVector::as_slice);
         self.writer.set("knots", json!({ "u": u, "v": v }));
         let degrees = [surface.degree_u(), surface.degree_v()];
-        self.tell("degree", json!(format!("{} x {}", degrees[0], degrees[1])));
-        self.tell("controlPoints", json!(format!("{} x {}", size[0], size[1])));
-        self.tell("rational", json!(surface.is_rational()));
+        self.add_fact("degree", json!(format!("{} x {}", degrees[0], degrees[1])));
+        self.add_fact("controlPoints", json!(format!("{} x {}", size[0], size[1])));
+        self.add_fact("rational", json!(surface.is_rational()));
     }
 
     fn add_curve(&mut self, curve: &Curve) -> Result<(), GeomError> {
@@ -310,10 +310,10 @@ impl EncodingItem {
         let bends: Vec<DVec3> = parameters.iter().map(|&t| bending(curve, t)).collect();
         let comb = self.writer.vectors(&bends);
         self.writer.set("comb", comb);
-        self.tell("points", json!(points.len()));
+        self.add_fact("points", json!(points.len()));
         match curve {
             Curve::Nurbs(curve) => self.add_polygon(curve),
-            Curve::Parametric(_) => self.tell("form", json!("parametric")),
+            Curve::Parametric(_) => self.add_fact("form", json!("parametric")),
         }
         Ok(())
     }
@@ -323,9 +323,9 @@ impl EncodingItem {
         let points = self.writer.places(&polygon);
         self.writer.set("control", json!({ "points": points, "size": [polygon.len()] }));
         self.writer.set("knots", json!({ "t": curve.knots().as_slice() }));
-        self.tell("degree", json!(curve.degree()));
-        self.tell("controlPoints", json!(polygon.len()));
-        self.tell("rational", json!(curve.is_rational()));
+        self.add_fact("degree", json!(curve.degree()));
+        self.add_fact("controlPoints", json!(polygon.len()));
+        self.add_fact("rational", json!(curve.is_rational()));
     }
 
     fn add_curves(&mut self, curves: &[Curve]) -> Result<(), GeomError> {
@@ -336,7 +336,7 @@ impl EncodingItem {
         }
         let segments = self.writer.places(&ends);
         self.writer.set("segments", segments);
-        self.tell("curves", json!(curves.len()));
+        self.add_fact("curves", json!(curves.len()));
         Ok(())
     }
 

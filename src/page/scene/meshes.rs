@@ -3,13 +3,13 @@
 use super::{
     encode::Fineness,
     parts::{Piece, Shape},
-    told,
 };
 use crate::{
     kernel::{
         CountError, Face, GeomError, Mesh, Surface, TessellationOptions, tessellate_all,
         tessellate_any,
     },
+    page::ceilings::within_ceilings,
     session::Session,
 };
 
@@ -29,7 +29,7 @@ pub(super) fn meshes(
 ) -> Vec<Result<Option<Mesh>, String>> {
     let surfaces: Vec<_> =
         pieces.iter().flat_map(|piece| piece.shape.surfaces()).cloned().collect();
-    let together = told(session, || {
+    let together = within_ceilings(session, || {
         bearable(fineness, session.n_threads(), |options, most| {
             tessellate_all(&surfaces, options, most)
         })
@@ -57,7 +57,7 @@ pub(super) fn meshes(
             return Ok(None);
         }
         let mesh = |surface: &Surface| {
-            told(session, || {
+            within_ceilings(session, || {
                 bearable(fineness, session.n_threads(), |options, most| {
                     tessellate_any(surface, options, most)
                 })
@@ -70,7 +70,7 @@ pub(super) fn meshes(
 }
 
 fn of_face(face: &Face, session: &Session, fineness: &Fineness) -> Result<Mesh, String> {
-    told(session, || {
+    within_ceilings(session, || {
         bearable(fineness, session.n_threads(), |options, most| face.mesh(options, most))
     })
 }

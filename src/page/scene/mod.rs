@@ -18,15 +18,14 @@ pub(crate) use self::{
     memory::ItemMemory,
     parts::{Piece, Shape},
 };
-use super::threads::side_by_side;
+use super::{ceilings::within_ceilings, threads::side_by_side};
 use crate::{
-    diag::{Diagnostic, Span, fault},
+    diag::Span,
     eval::Defined,
     kernel::{
         Bounds, Mesh,
         tolerance::{DEFAULT_CHORD_RELATIVE, VIEW_ANGLE},
     },
-    limits::work,
     session::{Report, Session, drawable, exported},
     value::Value,
 };
@@ -116,7 +115,7 @@ impl Scene {
         let parts: Vec<(u64, (usize, Piece), Result<Option<Mesh>, String>)> = parts.collect();
         let encoded = side_by_side(&parts, session, |(_, (_, piece), mesh)| {
             let mesh = mesh.clone()?;
-            told(session, || encode::encoded(&piece.shape, mesh, &fineness))
+            within_ceilings(session, || encode::encoded(&piece.shape, mesh, &fineness))
         })?;
         for definition in &missing {
             memory.keep(definition.identity, &fineness, DefinitionItems::default());
@@ -215,23 +214,6 @@ fn fineness(report: &Report, session: &Session, bounds: Option<Bounds>) -> Finen
         weld: report.document.1.distance,
         most: session.limits().mesh_vertices,
     }
-}
-
-/// What geometry answers within the ceilings of the session; else why not, in words.
-pub(crate) fn told<T, E: std::fmt::Display>(
-    session: &Session,
-    work: impl FnOnce() -> Result<T, E>,
-) -> Result<T, String> {
-    let guarded = || fault::caught(Span::default(), || Ok(work()));
-    let (answer, done) = work::under(session.watch(), guarded);
-    if let Some(end) = done.end {
-        return Err(match end {
-            work::End::Stopped => "it was stopped".to_owned(),
-            work::End::Steps => "it takes more steps than the ceiling `steps` allows".to_owned(),
-            work::End::Memory => "it takes more memory than the ceiling `memory` allows".to_owned(),
-        });
-    }
-    answer.map_err(|fault: Box<Diagnostic>| fault.message)?.map_err(|err| err.to_string())
 }
 
 /// What is told of an item in the state.

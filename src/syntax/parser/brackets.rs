@@ -151,7 +151,7 @@ impl BracketPairing<'_, '_> {
             let message = format!("{} closes nothing", self.lexed.tokens[at].shown());
             let diagnostic = Diagnostic::error(Code::StrayBracket, self.lexed.span(at), message);
             let fix = Fix::remove(self.lexed.span(at), self.lexed.text(at));
-            self.tell(diagnostic.label("no bracket is open here").fix(fix));
+            self.report(diagnostic.label("no bracket is open here").fix(fix));
         }
         self.spoil(at, at + 1);
     }
@@ -166,7 +166,7 @@ impl BracketPairing<'_, '_> {
                 .label(format!("expected {} before this", counterpart(opening).shown()))
                 .also(self.lexed.span(open.at), "opened here")
                 .fix(Fix::replace(self.lexed.span(at), counterpart(opening).text()));
-            self.tell(diagnostic);
+            self.report(diagnostic);
         }
         self.is_crossed = true;
         self.lexed.tokens[at] = counterpart(opening);
@@ -212,7 +212,7 @@ impl BracketPairing<'_, '_> {
         };
         let is_end = self.lexed.token(end) == Token::End;
         let end = self.lexed.span(end);
-        self.tell(if is_end { diagnostic } else { diagnostic.also(end, why) });
+        self.report(if is_end { diagnostic } else { diagnostic.also(end, why) });
     }
 
     /// The end of the script: what is open now is never closed.
@@ -235,7 +235,7 @@ impl BracketPairing<'_, '_> {
         goes_on.then_some(end)
     }
 
-    fn tell(&mut self, diagnostic: Diagnostic) {
+    fn report(&mut self, diagnostic: Diagnostic) {
         if self.found.len() < super::most_diagnostics(self.limits) {
             self.found.push(diagnostic);
         }

@@ -4,23 +4,18 @@
 //! state beside it knows source and spans. The grammar decides by looking ahead and never goes
 //! back: `when` and `list` take the place of the backtracking `or_not` and `separated_by`.
 
-use std::ops::Deref;
-
 use chumsky::extra::{Full, SimpleState};
 use chumsky::input::InputRef;
 use chumsky::prelude::{Parser, any, custom};
 
 use super::explain;
-use super::problem::{ExpectedTokens, Problem};
+use super::parsed_script::ParsedScript;
+use super::problem::{ExpectedTokens, Problem, Tokens};
 use crate::diag::{Code, Diagnostic, Span};
-use crate::limits::Limits;
 use crate::syntax::ast::Name;
-use crate::syntax::lexed::Lexed;
 use crate::syntax::token::Token;
 
-/// The input of the grammar.
-pub(super) type Tokens<'t> = &'t [Token];
-/// Its error and its state.
+/// Its error and the state of the grammar's input.
 pub(super) type ParserExtra<'t, 's> = Full<Problem, SimpleState<ParsedScript<'t, 's>>, ()>;
 /// The input while a rule reads it.
 pub(super) type Input<'t, 'p, 's> = InputRef<'t, 'p, Tokens<'t>, ParserExtra<'t, 's>>;
@@ -33,32 +28,6 @@ pub(super) trait Rule<'t, 's: 't, T>:
 {
 }
 impl<'t, 's: 't, T, P: Parser<'t, Tokens<'t>, T, ParserExtra<'t, 's>>> Rule<'t, 's, T> for P {}
-
-/// The script while it is parsed.
-#[derive(Debug)]
-pub(super) struct ParsedScript<'t, 's> {
-    pub(super) lexed: &'t Lexed<'s>,
-    pub(super) limits: Limits,
-    /// Findings that did not stop the rule that made them.
-    pub(super) diagnostics: Vec<Diagnostic>,
-}
-
-impl<'s> Deref for ParsedScript<'_, 's> {
-    type Target = Lexed<'s>;
-
-    fn deref(&self) -> &Self::Target {
-        self.lexed
-    }
-}
-
-impl ParsedScript<'_, '_> {
-    /// Records a finding.
-    pub(super) fn complain(&mut self, diagnostic: Diagnostic) {
-        if self.diagnostics.len() < super::most_diagnostics(&self.limits) {
-            self.diagnostics.push(diagnostic);
-        }
-    }
-}
 
 /// The index of the next token.
 pub(super) fn here(input: &Input<'_, '_, '_>) -> usize {

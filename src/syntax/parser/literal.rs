@@ -4,7 +4,7 @@ use super::expression::take_expression;
 use super::input::{Input, Parsed, complain, expected, here, peek, since};
 use super::problem::ExpectedTokens;
 use crate::diag::{self, Code, Diagnostic, Fix, Span, nearest};
-use crate::syntax::ast::{Expr, ExprKind, Piece, TextFormat, Unit};
+use crate::syntax::ast::{Expr, ExprKind, StringPart, TextFormat, Unit};
 use crate::syntax::token::Token;
 
 /// `12.5mm`
@@ -154,20 +154,20 @@ pub(super) fn text<'t, 's: 't>(input: &mut Input<'t, '_, 's>) -> Parsed<Expr<'s>
     Ok(Expr { kind, span: since(input, start) })
 }
 
-fn pieces<'t, 's: 't>(input: &mut Input<'t, '_, 's>) -> Parsed<Vec<Piece<'s>>> {
+fn pieces<'t, 's: 't>(input: &mut Input<'t, '_, 's>) -> Parsed<Vec<StringPart<'s>>> {
     let mut pieces = Vec::new();
     loop {
         let is_last = peek(input) == Token::TextTail;
         let text = piece(input);
         if !text.is_empty() {
-            pieces.push(Piece::Text(text));
+            pieces.push(StringPart::Text(text));
         }
         if is_last {
             return Ok(pieces);
         }
         let expr = take_expression(input)?;
         let format = (peek(input) == Token::TextFormat).then(|| format(input)).flatten();
-        pieces.push(Piece::Expr(expr, format));
+        pieces.push(StringPart::Expr(expr, format));
         if !matches!(peek(input), Token::TextMiddle | Token::TextTail) {
             return Err(expected(input, ExpectedTokens::token(Token::CloseBrace)));
         }

@@ -15,6 +15,7 @@ mod gmsh;
 mod input;
 mod literal;
 mod order;
+mod parsed_script;
 mod primary;
 mod problem;
 mod statement;
@@ -22,7 +23,7 @@ mod statement;
 use chumsky::extra::SimpleState;
 use chumsky::prelude::Parser;
 
-use self::input::ParsedScript;
+use self::parsed_script::ParsedScript;
 use super::ast::Tree;
 use super::lexer::lex;
 use crate::diag::{Code, Diagnostic, Span};

@@ -7,9 +7,11 @@ use chumsky::error::{Error, LabelError};
 use chumsky::prelude::SimpleSpan;
 use chumsky::util::MaybeRef;
 
-use super::input::Tokens;
 use crate::diag::Diagnostic;
 use crate::syntax::token::Token;
+
+/// The input of the grammar.
+pub(super) type Tokens<'t> = &'t [Token];
 
 /// The failure of a rule.
 #[derive(Debug)]
@@ -73,7 +75,7 @@ impl ExpectedTokens {
     }
 
     /// Its members in words: "`,` or `]`".
-    pub(super) fn words(self) -> String {
+    pub(super) fn alternatives(self) -> String {
         let labels = Self::LABELS.iter().filter(|(label, _)| self.has(*label));
         let mut words: Vec<String> = labels.map(|&(_, text)| text.to_owned()).collect();
         words.extend(Token::ALL.iter().filter(|t| self.has_token(**t)).map(|t| t.shown()));

@@ -5,7 +5,8 @@
 //! become too narrow moves for all its lines.
 
 use super::atom::{Atom, Point};
-use super::layout::{LayoutLine, ends_items, is_after_blank, spaces};
+use super::layout::is_after_blank;
+use super::line::{LayoutLine, ends_items, spaces};
 
 /// The text of the lines.
 pub(super) fn text(source: &str, atoms: &[Atom<'_>], lines: &[LayoutLine]) -> String {

@@ -163,7 +163,7 @@ impl Atom<'_> {
 
 /// The atoms of a script without mistakes. Semicolons and commas before closing brackets are left out.
 pub(super) fn atoms<'s>(lexed: &Lexed<'s>) -> Vec<Atom<'s>> {
-    let mut row = Row { source: lexed.source, atoms: Vec::with_capacity(lexed.tokens.len()) };
+    let mut row = AtomRow { source: lexed.source, atoms: Vec::with_capacity(lexed.tokens.len()) };
     let mut comments = lexed.comments.iter().peekable();
     // The outermost string, and how many are open.
     let (mut head, mut n_open) = (0, 0_usize);
@@ -196,12 +196,12 @@ pub(super) fn atoms<'s>(lexed: &Lexed<'s>) -> Vec<Atom<'s>> {
     row.atoms
 }
 
-struct Row<'s> {
+struct AtomRow<'s> {
     source: &'s str,
     atoms: Vec<Atom<'s>>,
 }
 
-impl Row<'_> {
+impl AtomRow<'_> {
     fn comment(&mut self, comment: &Comment) {
         let is_block = self.source[comment.span.range()].starts_with("/*");
         self.push(comment.span, if is_block { Token::BlockComment } else { Token::LineComment });

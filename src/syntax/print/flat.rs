@@ -3,7 +3,7 @@
 
 use crate::syntax::ast::{
     Arg, Block, Comprehension, Definition, Element, Export, Expr, ExprKind, Field, Function,
-    Import, Name, Param, Pattern, Piece, Statement, StatementKind, Tree, UnaryOp, Unit,
+    Import, Name, Param, Pattern, Statement, StatementKind, StringPart, Tree, UnaryOp, Unit,
 };
 
 /// All statements.
@@ -232,8 +232,8 @@ impl FlatText {
                 self.put("\"");
                 for piece in pieces {
                     match piece {
-                        Piece::Text(text) => self.put(&escaped(text)),
-                        Piece::Expr(expr, format) => {
+                        StringPart::Text(text) => self.put(&escaped(text)),
+                        StringPart::Expr(expr, format) => {
                             self.put("{");
                             // A string ends on its line.
                             let mut inner = Self(String::new());

@@ -1,23 +1,12 @@
-//! Atoms into lines: where each begins and ends, how far it is indented, and what stands between
-//! its atoms.
+//! Atoms into lines: where each begins and ends, and how far it is indented.
 
-use super::atom::{Atom, GroupContent, Start, code_at};
+use super::atom::{Atom, GroupContent, Start};
+use super::line::{INDENT, LayoutLine};
 use super::line_breaking;
 use crate::syntax::token::Token;
 
-/// Spaces of one indentation.
-pub(super) const INDENT: usize = 4;
-
 /// Deeper than this nothing is indented, lest a text grow with the square of its depth.
 const MOST_INDENT: usize = 60;
-
-/// A line of the result: the atoms from one to before another.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct LayoutLine {
-    pub(super) start: usize,
-    pub(super) end: usize,
-    pub(super) indent: usize,
-}
 
 /// The lines of a script; breaks those that are too long.
 pub(super) fn lines(atoms: &mut [Atom<'_>]) -> Vec<LayoutLine> {
@@ -39,35 +28,6 @@ pub(super) fn lines(atoms: &mut [Atom<'_>]) -> Vec<LayoutLine> {
         start = end;
     }
     lines
-}
-
-/// The spaces before atom `at`, which does not begin a line.
-pub(super) fn spaces(atoms: &[Atom<'_>], at: usize, is_last: bool) -> usize {
-    let (before, atom) = (&atoms[at - 1], &atoms[at]);
-    let is_block =
-        |open: &Atom<'_>| matches!(open.holds, GroupContent::Value | GroupContent::Statements);
-    if atom.is_comment() {
-        return usize::from(is_last || !before.opens() || is_block(before));
-    }
-    let is_glued = atom.is_glued
-        || matches!(atom.token, Token::Comma | Token::Colon | Token::Dot)
-        || matches!(before.token, Token::Dot | Token::Spread)
-        || (before.opens() && (atom.closes() || !is_block(before)))
-        || (atom.closes() && !is_block(&atoms[atom.partner]));
-    usize::from(!is_glued)
-}
-
-/// Whether a comma follows atom `at`: the last of the items whose bracket closes on a new line.
-pub(super) fn ends_items(atoms: &[Atom<'_>], at: usize) -> bool {
-    if atoms[at].is_comment() {
-        return false;
-    }
-    let close = code_at(atoms, at + 1);
-    close < atoms.len()
-        && atoms[close].closes()
-        && (at + 1..=close).any(|at| atoms[at].begins_line())
-        && atoms[close].partner != at
-        && atoms[atoms[close].partner].holds == GroupContent::Items
 }
 
 /// An open bracket, or the script.

@@ -3,7 +3,7 @@
 //! No break changes what is read: none comes before a `(`, `[` or `-` that continues an expression.
 
 use super::atom::{Atom, GroupContent, Point, Rank};
-use super::layout::{INDENT, LayoutLine, ends_items, spaces};
+use super::line::{INDENT, LayoutLine, ends_items, spaces};
 use crate::syntax::token::Token;
 
 /// Columns of a line, messages and comments in the margin not counted.

@@ -8,6 +8,7 @@ mod atom;
 mod flat;
 mod format;
 mod layout;
+mod line;
 mod line_breaking;
 mod mark;
 mod shape;

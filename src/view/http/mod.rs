@@ -3,5 +3,5 @@
 mod request;
 mod response;
 
-pub(super) use request::{Refusal, Request};
+pub(super) use request::{HttpError, Request};
 pub(super) use response::{Response, begin_stream};

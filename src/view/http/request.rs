@@ -17,7 +17,7 @@ const PATIENCE: Duration = Duration::from_secs(10);
 
 /// Why a request is not answered: the status, and a few words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::view) struct Refusal(pub(in crate::view) u16, pub(in crate::view) &'static str);
+pub(in crate::view) struct HttpError(pub(in crate::view) u16, pub(in crate::view) &'static str);
 
 /// A request.
 #[derive(Debug)]
@@ -32,7 +32,7 @@ pub(in crate::view) struct Request {
 
 impl Request {
     /// Reads a request; `None` where the other side only looked whether anybody is there.
-    pub(in crate::view) fn read(stream: &mut TcpStream) -> Result<Option<Self>, Refusal> {
+    pub(in crate::view) fn read(stream: &mut TcpStream) -> Result<Option<Self>, HttpError> {
         let deadline = Instant::now() + PATIENCE;
         let mut bytes = Vec::new();
         let head = loop {
@@ -40,32 +40,32 @@ impl Request {
                 break end;
             }
             if MOST_HEAD < bytes.len() {
-                return Err(Refusal(431, "the lines before the body are too long"));
+                return Err(HttpError(431, "the lines before the body are too long"));
             }
             if read_some(stream, &mut bytes, deadline)? == 0 {
                 let is_empty = bytes.is_empty();
                 return if is_empty {
                     Ok(None)
                 } else {
-                    Err(Refusal(400, "the request is cut off"))
+                    Err(HttpError(400, "the request is cut off"))
                 };
             }
         };
-        let text = std::str::from_utf8(&bytes[..head]).map_err(|_| Refusal(400, "not UTF-8"))?;
+        let text = std::str::from_utf8(&bytes[..head]).map_err(|_| HttpError(400, "not UTF-8"))?;
         let mut request = Self::of_head(text)?;
         let length = request.body_length()?;
         request.body = bytes.split_off(head);
         while request.body.len() < length {
             if read_some(stream, &mut request.body, deadline)? == 0 {
-                return Err(Refusal(400, "the body is cut off"));
+                return Err(HttpError(400, "the body is cut off"));
             }
         }
         request.body.truncate(length);
         Ok(Some(request))
     }
 
-    fn of_head(text: &str) -> Result<Self, Refusal> {
-        let bad = |what| move || Refusal(400, what);
+    fn of_head(text: &str) -> Result<Self, HttpError> {
+        let bad = |what| move || HttpError(400, what);
         let mut lines = text.split("\r\n");
         let mut words = lines.next().unwrap_or_default().split(' ');
         let mut word = || words.next().filter(|word| !word.is_empty());
@@ -73,7 +73,7 @@ impl Request {
         let target = word().ok_or_else(bad("no path"))?.to_owned();
         let version = word().ok_or_else(bad("no version"))?;
         if !version.starts_with("HTTP/1.") || words.next().is_some() {
-            return Err(Refusal(400, "not HTTP/1.1"));
+            return Err(HttpError(400, "not HTTP/1.1"));
         }
         let (path, query) = target.split_once('?').unwrap_or((&target, ""));
         let (path, query) = (path.to_owned(), query.to_owned());
@@ -81,7 +81,7 @@ impl Request {
         for line in lines.filter(|line| !line.is_empty()) {
             let (name, value) = line.split_once(':').ok_or_else(bad("a header without a colon"))?;
             if name.is_empty() || name.contains(char::is_whitespace) {
-                return Err(Refusal(400, "a header with a strange name"));
+                return Err(HttpError(400, "a header with a strange name"));
             }
             headers.push((name.to_ascii_lowercase(), value.trim().to_owned()));
         }
@@ -89,18 +89,18 @@ impl Request {
     }
 
     /// How many bytes the body has.
-    fn body_length(&self) -> Result<usize, Refusal> {
+    fn body_length(&self) -> Result<usize, HttpError> {
         if self.header("transfer-encoding").is_some() {
-            return Err(Refusal(411, "a body needs its length"));
+            return Err(HttpError(411, "a body needs its length"));
         }
         let Some(length) = self.header("content-length") else { return Ok(0) };
         let is_number = !length.is_empty() && length.bytes().all(|byte| byte.is_ascii_digit());
         if !is_number {
-            return Err(Refusal(400, "the length is no number"));
+            return Err(HttpError(400, "the length is no number"));
         }
         // What is too large for a number is too large for a body as well.
         let length = length.parse().unwrap_or(usize::MAX);
-        if length <= MOST_BODY { Ok(length) } else { Err(Refusal(413, "the body is too large")) }
+        if length <= MOST_BODY { Ok(length) } else { Err(HttpError(413, "the body is too large")) }
     }
 
     /// The value of a header, by its name in small letters; none where it is given twice.
@@ -127,8 +127,8 @@ fn read_some(
     stream: &mut TcpStream,
     bytes: &mut Vec<u8>,
     deadline: Instant,
-) -> Result<usize, Refusal> {
-    const LATE: Refusal = Refusal(408, "the request takes too long");
+) -> Result<usize, HttpError> {
+    const LATE: HttpError = HttpError(408, "the request takes too long");
     let mut part = [0; 8 << 10];
     let left = deadline.saturating_duration_since(Instant::now());
     if left.is_zero() || stream.set_read_timeout(Some(left)).is_err() {
@@ -148,7 +148,7 @@ fn read_some(
 
 #[cfg(test)]
 mod tests {
-    use super::{Refusal, Request};
+    use super::{HttpError, Request};
 
     #[test]
     fn a_head_is_read_by_its_lines() {
@@ -168,7 +168,7 @@ mod tests {
         for text in
             ["", "GET", "GET /", "GET / HTTP/2", "GET / HTTP/1.1 x", "GET / HTTP/1.1\r\nno colon"]
         {
-            assert!(matches!(Request::of_head(text), Err(Refusal(400, _))), "{text}");
+            assert!(matches!(Request::of_head(text), Err(HttpError(400, _))), "{text}");
         }
         let long = format!("POST / HTTP/1.1\r\nContent-Length: {}\r\n\r\n", u128::MAX);
         let request = Request::of_head(&long).unwrap();

@@ -9,7 +9,7 @@ use std::{
 
 use serde_json::Value as Json;
 
-use super::Refusal;
+use super::HttpError;
 
 /// How long a client may take to read a part of the answer.
 const PATIENCE: Duration = Duration::from_secs(10);
@@ -23,7 +23,7 @@ const POLICY: &str = "default-src 'self'; img-src 'self' data: blob:; style-src 
 
 /// The body of an answer.
 #[derive(Debug)]
-enum Body {
+enum ResponseBody {
     Owned(Vec<u8>),
     Shared(Arc<Vec<u8>>),
     /// One after the other, each filled up to a multiple of [`ALIGNMENT`].
@@ -33,7 +33,7 @@ enum Body {
 /// Parts of a body begin at a multiple of this.
 const ALIGNMENT: usize = 8;
 
-impl Body {
+impl ResponseBody {
     fn parts(&self) -> Vec<&[u8]> {
         match self {
             Self::Owned(bytes) => vec![bytes],
@@ -55,13 +55,19 @@ pub(in crate::view) struct Response {
     /// Whether the same address always has the same bytes.
     is_lasting: bool,
     is_zipped: bool,
-    body: Body,
+    body: ResponseBody,
 }
 
 impl Response {
     /// Bytes of a kind.
     pub(in crate::view) fn new(kind: &'static str, bytes: Vec<u8>) -> Self {
-        Self { status: 200, kind, is_lasting: false, is_zipped: false, body: Body::Owned(bytes) }
+        Self {
+            status: 200,
+            kind,
+            is_lasting: false,
+            is_zipped: false,
+            body: ResponseBody::Owned(bytes),
+        }
     }
 
     /// The same, compressed by gzip.
@@ -71,13 +77,13 @@ impl Response {
 
     /// Bytes that this address will always have.
     pub(in crate::view) fn lasting(bytes: Arc<Vec<u8>>) -> Self {
-        let body = Body::Shared(bytes);
+        let body = ResponseBody::Shared(bytes);
         Self { is_lasting: true, body, ..Self::new("application/octet-stream", Vec::new()) }
     }
 
     /// Parts one after the other, each filled up to a multiple of 8 bytes.
     pub(in crate::view) fn parts(parts: Vec<Arc<Vec<u8>>>) -> Self {
-        let body = Body::Parts(parts);
+        let body = ResponseBody::Parts(parts);
         Self { body, ..Self::new("application/octet-stream", Vec::new()) }
     }
 
@@ -120,7 +126,7 @@ impl Response {
     }
 
     /// Sends a refusal of a request that may not have been read to its end.
-    pub(in crate::view) fn refuse(Refusal(status, why): Refusal, stream: &mut TcpStream) {
+    pub(in crate::view) fn refuse(HttpError(status, why): HttpError, stream: &mut TcpStream) {
         if Self::trouble(status, why).send(stream).is_ok() {
             let _ = stream.shutdown(Shutdown::Write);
             read_rest(stream);

@@ -1,7 +1,7 @@
 //! What scripts mean: operators by precedence, statements by their parts, lines by their beginnings.
 
 use virote::syntax::ast::{
-    Arg, BinaryOp, Element, Expr, ExprKind, Piece, Statement, StatementKind, UnaryOp, Unit,
+    Arg, BinaryOp, Element, Expr, ExprKind, Statement, StatementKind, StringPart, UnaryOp, Unit,
 };
 
 use super::{parse_clean, scripts};
@@ -226,9 +226,9 @@ fn check_text(source: &str, text: &str) {
         ExprKind::Interpolation(pieces) => pieces
             .iter()
             .map(|piece| match piece {
-                Piece::Text(text) => text.clone(),
-                Piece::Expr(expr, None) => format!("<{}>", nested(expr)),
-                Piece::Expr(expr, Some(format)) => {
+                StringPart::Text(text) => text.clone(),
+                StringPart::Expr(expr, None) => format!("<{}>", nested(expr)),
+                StringPart::Expr(expr, Some(format)) => {
                     format!("<{}:{:?}{:?}>", nested(expr), format.digits, format.unit)
                 }
             })

@@ -7,8 +7,8 @@ use proptest::{collection, option, sample};
 use virote::diag::Span;
 use virote::syntax::ast::{
     Arg, BinaryOp, Block, Comprehension, Definition, Element, Export, Expr, ExprKind, Field,
-    Function, Generator, Import, Kind, Name, Param, Parameter, Pattern, Piece, Statement,
-    StatementKind, TextFormat, Tree, UnaryOp, Unit,
+    Function, Generator, Import, Kind, Name, Param, Parameter, Pattern, Statement, StatementKind,
+    StringPart, TextFormat, Tree, UnaryOp, Unit,
 };
 
 type S = &'static str;
@@ -232,11 +232,11 @@ fn texts_and_blocks(
 ) -> impl Strategy<Value = ExprKind<'static>> {
     let pieces = (".{0,3}", collection::vec((inner.clone(), text_format(), ".{0,3}"), 1..3));
     let interpolation = pieces.prop_map(|(first, rest)| {
-        let mut pieces = vec![Piece::Text(first)];
+        let mut pieces = vec![StringPart::Text(first)];
         for (expr, format, text) in rest {
-            pieces.extend([Piece::Expr(expr, format), Piece::Text(text)]);
+            pieces.extend([StringPart::Expr(expr, format), StringPart::Text(text)]);
         }
-        pieces.retain(|piece| !matches!(piece, Piece::Text(text) if text.is_empty()));
+        pieces.retain(|piece| !matches!(piece, StringPart::Text(text) if text.is_empty()));
         ExprKind::Interpolation(pieces)
     });
     let statement = definition(inner.clone()).prop_map(|kind| Statement {

@@ -68,17 +68,12 @@ fn of_columns(
 /// The columns of a table as text.
 fn columns(bytes: &[u8], most: usize) -> Result<Vec<GoldenColumn>, String> {
     let text = std::str::from_utf8(bytes).map_err(|_| "it is not text in UTF-8".to_owned())?;
-    let mut rows = ops::csv_rows(text, ',', most)?.into_iter();
-    let (_, header) = rows.next().ok_or("it is empty")?;
-    let n_columns = header.len();
+    let (header, rows) = ops::csv_rows(text, b',', most)?;
     let mut columns: Vec<GoldenColumn> =
-        header.into_iter().map(|(title, _)| (title, Vec::new())).collect();
-    for (line, row) in rows {
-        if row.len() != n_columns {
-            return Err(format!("line {line} has {} cells, the header has {n_columns}", row.len()));
-        }
-        for ((_, cells), (cell, _)) in columns.iter_mut().zip(row) {
-            cells.push(cell);
+        header.cells.into_iter().map(|title| (title.text.into_owned(), Vec::new())).collect();
+    for row in rows {
+        for ((_, cells), cell) in columns.iter_mut().zip(row.cells) {
+            cells.push(cell.text.into_owned());
         }
     }
     Ok(columns)

@@ -60,7 +60,7 @@ impl NurbsCurve {
         let inner = &breaks[1..breaks.len() - 1];
         // C^(p − m) before, one less of the derivative, at degree 2p.
         let multiplicities: Vec<usize> =
-            inner.iter().map(|&t| p + self.knots.times(t) + 1).collect();
+            inner.iter().map(|&t| p + self.knots.exact_multiplicity(t) + 1).collect();
         Self::of_pieces(&breaks, pieces.collect(), &multiplicities)
     }
 

@@ -50,8 +50,11 @@ impl NurbsCurve {
     pub fn without_knot(&self, t: f64, times: usize, tolerance: f64) -> Result<Self, GeomError> {
         let domain = self.domain();
         let knot = self.knots.snapped(domain.clamp_inside(t)?);
-        let stands =
-            if domain.start() < knot && knot < domain.end() { self.knots.times(knot) } else { 0 };
+        let stands = if domain.start() < knot && knot < domain.end() {
+            self.knots.exact_multiplicity(knot)
+        } else {
+            0
+        };
         if stands < times {
             let distance = |a: &f64| (a - t).abs();
             let inner =
@@ -92,10 +95,12 @@ impl NurbsCurve {
     /// The nearest clamped spline of one degree less; none if its weights are not positive
     /// numbers.
     fn reduced_once(&self) -> Result<Option<Self>, GeomError> {
-        let knots = self.knots.lowered();
+        let knots = self.knots.degree_lowered();
         let target = knots.elevated()?;
         let domain = self.domain();
-        let missing = |(t, times): (f64, usize)| vec![t; times.saturating_sub(self.knots.times(t))];
+        let missing = |(t, times): (f64, usize)| {
+            vec![t; times.saturating_sub(self.knots.exact_multiplicity(t))]
+        };
         let inner =
             target.distinct().into_iter().filter(|&(t, _)| domain.start() < t && t < domain.end());
         let refined = self.insert_knots(&inner.flat_map(missing).collect::<Vec<f64>>())?;

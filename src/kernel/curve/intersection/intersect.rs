@@ -7,17 +7,17 @@
 //! cones as in Sederberg & Meyers (1988).
 
 mod contact;
+mod distinct;
 mod joined;
+mod meeting;
 pub(in crate::curve) mod newton;
 mod shared;
-mod told;
 
-use glam::DVec3;
+pub use self::meeting::CurveIntersection;
 
 use self::{
-    contact::ContactInterval,
+    meeting::{ContactInterval, IntersectionSearch, ReportedIntersection},
     newton::{beside, nearest_on, nearest_step},
-    told::ReportedIntersection,
 };
 use crate::{
     Bounds, GeomError, Interval,
@@ -27,7 +27,7 @@ use crate::{
         representation::part::{CurvePart, parts},
     },
     homogeneous,
-    numeric::newton::{Step, within_limits},
+    numeric::newton::{NewtonStep, within_limits},
     tolerance::{KNOT_RELATIVE, LAST_BIT},
     work,
 };
@@ -41,45 +41,6 @@ const MOST_ROUNDINGS: f64 = 16.0;
 /// A touch is as long as the root of the tolerance times the size; what is longer by this factor
 /// is looked at for how the distance runs along it.
 const LONGEST_TOUCH: f64 = 16.0;
-
-/// A place where two curves meet.
-///
-/// ```
-/// use virote_kernel::{NurbsCurve, glam::DVec3};
-///
-/// let rising = NurbsCurve::line(DVec3::ZERO, DVec3::new(2.0, 2.0, 0.0))?;
-/// let falling = NurbsCurve::line(DVec3::new(0.0, 2.0, 0.0), DVec3::new(2.0, 0.0, 0.0))?;
-/// let [meeting] = rising.intersections(&falling, 1e-6)?[..] else { unreachable!("they meet once") };
-/// assert!(meeting.point.distance(DVec3::new(1.0, 1.0, 0.0)) < 1e-12);
-/// assert!((meeting.first - 0.5).abs() < 1e-12 && (meeting.second - 0.5).abs() < 1e-12);
-/// # Ok::<(), virote_kernel::GeomError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CurveIntersection {
-    /// The parameter on the first curve.
-    pub first: f64,
-    /// The parameter on the second.
-    pub second: f64,
-    /// The point, in the middle between both curves' points.
-    pub point: DVec3,
-}
-
-/// The curves in search of each other.
-struct IntersectionSearch<'c> {
-    first: &'c NurbsCurve,
-    second: &'c NurbsCurve,
-    tolerance: f64,
-    /// Whether both are one curve, so that a parameter does not meet itself.
-    is_same: bool,
-    /// A simple touch is no longer than this.
-    longest_touch: f64,
-    /// What a distance may be wrong by.
-    rounding: f64,
-    /// Control points that may still be looked at.
-    left: usize,
-    meetings: Vec<ReportedIntersection>,
-    contacts: Vec<ContactInterval>,
-}
 
 impl NurbsCurve {
     /// Every place where the curve comes within `tolerance` of another, by the parameter of this.
@@ -281,7 +242,7 @@ impl<'c> IntersectionSearch<'c> {
         let middles = [first.at(0.5), second.at(0.5)];
         let found = within_limits(limits, middles, NEWTON_STEPS, is_still, |[t, s]| {
             let (p, q) = (self.first.derivatives_at(t, 1), self.second.derivatives_at(s, 1));
-            Step::perhaps(nearest_step(p[0] - q[0], p[1], q[1]))
+            NewtonStep::perhaps(nearest_step(p[0] - q[0], p[1], q[1]))
         });
         let [t, s] = found.unless_stuck()?;
         let t = self.first.domain().without_dust(t);

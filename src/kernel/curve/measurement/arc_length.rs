@@ -6,7 +6,7 @@ use crate::{
     DomainError, GeomError, Interval,
     ceiling::{LENGTH_STEPS, QUICK_LENGTH_STEPS},
     curve::{NurbsCurve, measurement::measure::quadrature},
-    numeric::newton::{Step, within_bracket, within_limits},
+    numeric::newton::{NewtonStep, within_bracket, within_limits},
     tolerance::{LAST_BIT, LENGTH_RELATIVE},
 };
 
@@ -65,8 +65,8 @@ impl NurbsCurve {
                 let excess = before + self.length_by_one_rule(part, t) - length;
                 let step = -excess / speed(t);
                 match step.is_nan() || excess.abs() <= LENGTH_RELATIVE * lengths.total {
-                    true => Step::Stay,
-                    false => Step::By([step]),
+                    true => NewtonStep::Stay,
+                    false => NewtonStep::By([step]),
                 }
             },
         );

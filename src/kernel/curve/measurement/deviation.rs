@@ -46,7 +46,7 @@ impl NurbsCurve {
 
     /// The same curve, cut wherever the other one is.
     fn with_breaks_of(&self, other: &Self) -> Result<Self, crate::GeomError> {
-        let is_missing = |t: &f64| self.knots.times(self.knots.snapped(*t)) == 0;
+        let is_missing = |t: &f64| self.knots.exact_multiplicity(self.knots.snapped(*t)) == 0;
         let missing: Vec<f64> = other.knots.breaks().into_iter().filter(is_missing).collect();
         self.insert_knots(&missing)
     }

@@ -15,7 +15,7 @@ use crate::{
         intersection::intersect::newton::nearest_step, representation::function,
     },
     frame::norm,
-    numeric::newton::{Step, improved, try_within_limits},
+    numeric::newton::{NewtonStep, improved, try_within_limits},
     tolerance::{LAST_BIT, SIDE_STEP, TOUCH_RELATIVE},
 };
 
@@ -274,19 +274,19 @@ impl ParametricCurve {
         let is_still = |[t]: [f64; 1], [next]: [f64; 1]| (next - t).abs() <= LAST_BIT * t.abs();
         let limits = [domain.start(), domain.end()];
         let found = try_within_limits([limits], [t], POLISHING_STEPS, is_still, |[t]| {
-            let Ok(d) = self.derivatives_at(t, 2) else { return Ok(Step::Stuck) };
+            let Ok(d) = self.derivatives_at(t, 2) else { return Ok(NewtonStep::Stuck) };
             let away = d[0] - p;
             let step = -away.dot(d[1]) / (d[1].length_squared() + away.dot(d[2]));
             let next = (t + step).clamp(domain.start(), domain.end());
             let is_beside = (next - t).abs() <= SIDE_STEP * domain.length();
             if !is_beside {
-                return Ok(Step::Stuck);
+                return Ok(NewtonStep::Stuck);
             }
             let nearer = norm(self.point_at(next)? - p);
             // Where the distance is flat the slope still knows where the foot is.
             let is_worse = distance + LAST_BIT * (distance + norm(p)) < nearer;
             distance = if is_worse { distance } else { nearer };
-            Ok::<_, GeomError>(if is_worse { Step::Stuck } else { Step::By([step]) })
+            Ok::<_, GeomError>(if is_worse { NewtonStep::Stuck } else { NewtonStep::By([step]) })
         })?;
         Ok(found.place()[0])
     }

@@ -93,8 +93,8 @@ pub(in crate::curve) fn curvature_slope(
             }
             None => (dot(&bend, &bend), dot(&bend, &slope), v * a),
         };
-        let rise = times(&change_of_b, &dot(&velocity, &velocity));
-        let fall = times(&b, &dot(&velocity, &change));
+        let rise = series_product(&change_of_b, &dot(&velocity, &velocity));
+        let fall = series_product(&b, &dot(&velocity, &change));
         let terms = rise.iter().zip(&fall).map(|(rise, fall)| rise - 3.0 * fall).collect();
         MeasuredSeries { terms, size: size_of_b * v * v * (v * j + 3.0 * a * a) }
     };
@@ -345,7 +345,7 @@ fn longest(terms: &[DVec3]) -> f64 {
 }
 
 /// Cauchy's product, as long as the shorter series.
-fn times(a: &[f64], b: &[f64]) -> Vec<f64> {
+fn series_product(a: &[f64], b: &[f64]) -> Vec<f64> {
     (0..a.len().min(b.len())).map(|k| (0..=k).map(|i| a[i] * b[k - i]).sum()).collect()
 }
 

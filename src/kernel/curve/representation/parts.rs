@@ -39,7 +39,7 @@ impl NurbsCurve {
     pub fn de_casteljau(&self, t: f64) -> Option<Vec<Vec<DVec3>>> {
         let (domain, degree) = (self.domain(), self.degree());
         let ends = [domain.start(), domain.end()];
-        if ends.iter().any(|&end| self.knots.times(end) != degree + 1)
+        if ends.iter().any(|&end| self.knots.exact_multiplicity(end) != degree + 1)
             || self.control_points.len() != degree + 1
         {
             return None;

@@ -3,7 +3,7 @@
 mod fit;
 mod turn;
 
-use glam::{DVec3, DVec4};
+use glam::DVec3;
 
 use crate::{
     Bounds, ConstructionError, GeomError, Grid, Interpolator, KnotVector,
@@ -11,7 +11,7 @@ use crate::{
     tolerance::{EXACT_RELATIVE, LAST_BIT},
 };
 
-use fit::{SpanLayout, SurfaceOffsetTarget};
+use fit::{SpanLayout, SurfaceOffsetTarget, tensor};
 pub use turn::FocalPoint;
 
 /// Last bits of a coordinate that a point of the offset may be off.
@@ -144,16 +144,6 @@ fn exact(
     let layout = SpanLayout::of(&candidate);
     let worst = layout.worst(&candidate, aim, Some(allowed))?;
     Ok((worst.distance <= allowed).then_some((candidate, worst)))
-}
-
-/// Control points of the tensor-product spline through a grid of values.
-fn tensor(fits: [&Interpolator; 2], values: &Grid<DVec4>) -> Result<Grid<DVec4>, GeomError> {
-    let columns: Result<Vec<Vec<DVec4>>, GeomError> =
-        (0..values.n_columns()).map(|j| fits[0].through(&values.column(j))).collect();
-    let strip = Grid::from_rows(columns?)?.transposed();
-    let rows: Result<Vec<Vec<DVec4>>, GeomError> =
-        (0..strip.n_rows()).map(|i| fits[1].through(strip.row(i))).collect();
-    Grid::from_rows(rows?)
 }
 
 /// Places across a parameter line at which the normals of its two sides are compared.

@@ -2,6 +2,7 @@
 
 pub(super) mod eval;
 pub(super) mod evaluator;
+pub(super) mod expansion;
 pub(super) mod grid_eval;
 pub(super) mod iso;
 pub(super) mod normal;

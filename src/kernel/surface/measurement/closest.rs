@@ -10,7 +10,7 @@ use glam::DVec3;
 use crate::{
     GeomError, InputError, Interval,
     frame::norm,
-    nearest::{ClosestPointTree, PatchPart, Residual, SearchTarget, descend},
+    nearest::{ClosestPointTree, FootVector, PatchPart, SearchTarget, descend},
     surface::{NurbsSurface, ParametricSurface, Surface},
     tolerance::LAST_BIT,
 };
@@ -105,7 +105,7 @@ impl NurbsSurface {
         let Ok(found) = descend(&cell, start, |[u, v]| {
             let mut derivatives = self.second_order_at(u, v);
             derivatives[0] -= p;
-            Ok::<Residual, Infallible>(Residual::new([u, v], derivatives))
+            Ok::<FootVector, Infallible>(FootVector::new([u, v], derivatives))
         });
         let point = self.point_at(found.place[0], found.place[1]);
         SurfaceClosestPoint { parameters: found.place, point, distance: norm(point - p) }
@@ -205,7 +205,7 @@ impl ParametricPlaces<'_> {
                 let orders = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)];
                 let mut derivatives = orders.map(|(k, l)| all.get(k, l));
                 derivatives[0] -= p;
-                Ok::<Residual, GeomError>(Residual::new([u, v], derivatives))
+                Ok::<FootVector, GeomError>(FootVector::new([u, v], derivatives))
             })?;
             let point = surface.point_at(found.place[0], found.place[1])?;
             let foot =

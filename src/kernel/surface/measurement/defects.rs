@@ -239,7 +239,7 @@ impl Surface {
             let n = (PLACES / spans.len()).clamp(FEWEST, MOST);
             let places = spans.into_iter().flat_map(|span| {
                 let piece = knots.span_interval(span);
-                let is_corner = knots.degree() <= knots.times(piece.start());
+                let is_corner = knots.degree() <= knots.exact_multiplicity(piece.start());
                 inside(piece, n).enumerate().map(move |(i, t)| (t, i == 0 && is_corner))
             });
             places.collect()

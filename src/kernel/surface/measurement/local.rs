@@ -22,7 +22,7 @@ impl Surface {
     /// curvatures have no limit that all directions agree on; as [`Self::point_at`].
     pub fn shape_at(&self, u: f64, v: f64) -> Result<SurfaceShape, GeomError> {
         if let Some((scaled, scale)) = self.scaled() {
-            return Ok(scaled.shape_at(u, v)?.times(scale));
+            return Ok(scaled.shape_at(u, v)?.scaled(scale));
         }
         let derivatives = self.derivatives_at(u, v, 2)?;
         match self.regular_normal(&derivatives, u, v) {

@@ -124,7 +124,7 @@ impl SurfaceShape {
     }
 
     /// The shape of the surface that is larger by a factor.
-    pub(super) fn times(self, factor: f64) -> Self {
+    pub(super) fn scaled(self, factor: f64) -> Self {
         Self {
             point: self.point * factor,
             tensor: self.tensor.map(|entry| entry / factor),

@@ -51,7 +51,8 @@ impl NurbsSurface {
         let is_bezier = [&self.knots_u, &self.knots_v].into_iter().all(|knots| {
             let (domain, order) = (knots.domain(), knots.degree() + 1);
             let ends = [domain.start(), domain.end()];
-            knots.n_points() == order && ends.iter().all(|&end| knots.times(end) == order)
+            knots.n_points() == order
+                && ends.iter().all(|&end| knots.exact_multiplicity(end) == order)
         });
         if !is_bezier {
             return None;

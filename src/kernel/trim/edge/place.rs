@@ -8,7 +8,7 @@ use crate::{
     ceiling::CROSSING_STEPS,
     numeric::{
         linear::{TwoEquations, solved},
-        newton::{FREE, Step, within_limits},
+        newton::{FREE, NewtonStep, within_limits},
     },
     tolerance::{
         BESIDE_POLE, BORDER_END_SHARE, CORNER_RELATIVE, LAST_BIT, LEAST_CROSSING_SINE,
@@ -193,12 +193,14 @@ impl<'s> PlaceFinder<'s> {
                     _ => std::array::from_fn(|k| columns[k][i]),
                 });
                 let [x, y, z] = (b - a).to_array();
-                let Some(step) = solved(matrix, [x, y, z, -missing]) else { return Step::Stuck };
+                let Some(step) = solved(matrix, [x, y, z, -missing]) else {
+                    return NewtonStep::Stuck;
+                };
                 let is_still = (0..4).all(|k| {
                     let size = (at[k] + step[k]).abs() + self.domains[k].length();
                     step[k].abs() <= 4.0 * LAST_BIT * size
                 });
-                if is_still { Step::Last(step) } else { Step::By(step) }
+                if is_still { NewtonStep::Last(step) } else { NewtonStep::By(step) }
             },
         );
         let at = found.unless_stuck()?;

@@ -20,7 +20,7 @@ op! {
         /// By how much, measured along the curve.
         length: Spanned<Length>,
         /// Which end.
-        at: CurveEnd = CurveEnd::End,
+        at: ExtendedEnd = ExtendedEnd::End,
     }
     example "extend(line((0, 0), (3, 4)), 10).end" => "(9, 12, 0)";
     example "extend(line((0, 0), (3, 4)), 5, at = \"start\").domain" => "-1..1";
@@ -35,12 +35,12 @@ op! {
 
 /// An end of a curve.
 #[derive(Clone, Copy, PartialEq)]
-enum CurveEnd {
+enum ExtendedEnd {
     End,
     Start,
 }
 
-impl Choice for CurveEnd {
+impl Choice for ExtendedEnd {
     const WORDS: &'static [&'static str] = &["end", "start"];
     const MEANINGS: &'static [Self] = &[Self::End, Self::Start];
 }
@@ -48,8 +48,8 @@ impl Choice for CurveEnd {
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Curve> {
     let length = positive("the length", args.length)?;
     match args.at {
-        CurveEnd::End => args.c.extended(length),
-        CurveEnd::Start => args.c.extended_at_start(length),
+        ExtendedEnd::End => args.c.extended(length),
+        ExtendedEnd::Start => args.c.extended_at_start(length),
     }
     .at(args.length.span)
 }

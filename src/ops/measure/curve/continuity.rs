@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     diag::{Result, Spanned},
     kernel::{Continuity, Curve, Side},
-    ops::measure::continuity_limits::Asked,
+    ops::measure::continuity_limits::ContinuityOptions,
     value::{Angle, At, Ctx, IntoValue, Length, LengthPower, Maybe, Record, Value, op},
 };
 
@@ -55,8 +55,11 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
-    let asked =
-        Asked { tolerance: args.tolerance, angle: args.angle, curvature_gap: args.curvature_gap };
+    let asked = ContinuityOptions {
+        tolerance: args.tolerance,
+        angle: args.angle,
+        curvature_gap: args.curvature_gap,
+    };
     let tolerance = asked.over(ctx.tolerance)?;
     let found = match args.b.value.0 {
         Some(b) => {

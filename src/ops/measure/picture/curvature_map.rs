@@ -107,7 +107,7 @@ impl CurvatureKind {
     }
 
     /// A value with its dimension.
-    fn told(self, value: f64) -> Value {
+    fn with_dimension(self, value: f64) -> Value {
         match self {
             Self::Gaussian => LengthPower::<-2>(value).into_value(),
             Self::MinRadius | Self::MaxRadius => Length(value).into_value(),
@@ -161,7 +161,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     let stop = |i: usize| {
         let value = stop_value(i, ends);
         Value::Record(Arc::new(Record::new([
-            (Arc::from("value"), args.kind.told(value)),
+            (Arc::from("value"), args.kind.with_dimension(value)),
             (Arc::from("color"), Value::Point(color(value, ends))),
         ])))
     };
@@ -173,13 +173,15 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     let (below, above) =
         (n_beyond(&|value| value < ends[0] - slack), n_beyond(&|value| ends[1] + slack < value));
     let all = values.iter().map(|value| {
-        value.filter(|value| value.is_finite()).map_or(Value::None, |value| args.kind.told(value))
+        value
+            .filter(|value| value.is_finite())
+            .map_or(Value::None, |value| args.kind.with_dimension(value))
     });
     Ok(Record::new([
         (Arc::from("mesh"), Value::Mesh(Arc::new(mesh))),
         (Arc::from("kind"), word.map_or(Value::None, |i| Value::text(CurvatureKind::WORDS[i]))),
-        (Arc::from("min"), args.kind.told(ends[0])),
-        (Arc::from("max"), args.kind.told(ends[1])),
+        (Arc::from("min"), args.kind.with_dimension(ends[0])),
+        (Arc::from("max"), args.kind.with_dimension(ends[1])),
         (Arc::from("scale"), Value::list((0..STOPS).map(stop).collect())),
         (Arc::from("below"), below),
         (Arc::from("above"), above),

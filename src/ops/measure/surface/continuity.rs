@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{Edge, Surface, SurfaceContinuity},
-    ops::measure::continuity_limits::Asked,
+    ops::measure::continuity_limits::ContinuityOptions,
     value::{Angle, At, Ctx, IntoValue, Length, LengthPower, Maybe, Record, Value, op},
 };
 
@@ -56,8 +56,11 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     let a = &args.a.value;
-    let asked =
-        Asked { tolerance: args.tolerance, angle: args.angle, curvature_gap: args.curvature_gap };
+    let asked = ContinuityOptions {
+        tolerance: args.tolerance,
+        angle: args.angle,
+        curvature_gap: args.curvature_gap,
+    };
     let tolerance = asked.over(ctx.tolerance)?;
     let found = match (args.b.value.0, args.edge_a.value.0, args.edge_b.value.0) {
         (None, None, None) => a.continuity(tolerance),

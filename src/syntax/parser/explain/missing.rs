@@ -222,7 +222,7 @@ fn hyphen(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
 }
 
 fn choice(place: &FailurePlace<'_, '_, '_>, expected: ExpectedTokens) -> Diagnostic {
-    let want = expected.words();
+    let want = expected.alternatives();
     let word = want.trim_matches('`');
     if place.found() == Token::Equals && word == "then" {
         return place.wrong("`=` does not compare").meant("==");
@@ -245,14 +245,14 @@ fn comprehension(place: &FailurePlace<'_, '_, '_>, expected: ExpectedTokens) -> 
             .expected("`:`")
             .hint("several variables are separated by commas: `[for i in xs, j in ys: ...]`"),
         Token::CloseBracket => place
-            .expected(&expected.words())
+            .expected(&expected.alternatives())
             .hint("what each element is comes last: `[for i in 0..3: i^2]`"),
         Token::Comma if expected.has_token(Token::In) => place
             .expected("`in`")
             .hint("to take an element apart write `[for [a, b] in pairs: ...]`"),
         Token::Name if place.text() == "step" => place.expected("`:`").hint(NO_STEP),
         _ => place
-            .expected(&expected.words())
+            .expected(&expected.alternatives())
             .hint("a comprehension is written `[for x in xs: x^2]`, with a condition `[for x in xs if x < 3: x^2]`"),
     })
 }
@@ -308,9 +308,9 @@ fn end_of_block(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
 }
 
 fn list(place: &FailurePlace<'_, '_, '_>, expected: ExpectedTokens) -> Option<Diagnostic> {
-    let plain = || place.expected(&expected.words());
+    let plain = || place.expected(&expected.alternatives());
     Some(match place.found() {
-        Token::Semicolon => place.guess(&expected.words(), ","),
+        Token::Semicolon => place.guess(&expected.alternatives(), ","),
         Token::For => plain().hint("a comprehension is written `[for x in xs: x^2]`"),
         Token::Equals if place.before() == Token::Name => {
             place.wrong("`=` does not compare").meant("==")

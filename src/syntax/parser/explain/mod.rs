@@ -13,7 +13,7 @@ pub(super) use remarks::{
 };
 pub(super) use statement::trailing;
 
-use super::input::ParsedScript;
+use super::parsed_script::ParsedScript;
 use super::problem::{ExpectedTokens, Problem};
 use crate::diag::{Code, Diagnostic, nearest};
 use crate::syntax::token::Token;
@@ -36,9 +36,8 @@ pub(super) fn problem(
     }
     let found = match is_statement {
         true => statement::beginning(&place),
-        false => {
-            missing::explain(&place, expected).unwrap_or_else(|| place.expected(&expected.words()))
-        }
+        false => missing::explain(&place, expected)
+            .unwrap_or_else(|| place.expected(&expected.alternatives())),
     };
     Some(Diagnostic { is_at_end: place.found() == Token::End, ..found })
 }

@@ -4,7 +4,8 @@ use super::missing::NO_STEP;
 use crate::diag::{Code, Diagnostic, Fix, Span};
 use crate::syntax::ast::Name;
 use crate::syntax::parser::body::StatementContext;
-use crate::syntax::parser::input::{Input, ParsedScript, here};
+use crate::syntax::parser::input::{Input, here};
+use crate::syntax::parser::parsed_script::ParsedScript;
 use crate::syntax::token::Token;
 
 /// A comparison that is quoted in a hint has at most so many bytes.

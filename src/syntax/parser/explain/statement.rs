@@ -3,7 +3,7 @@
 use super::FailurePlace;
 use crate::diag::{Code, Diagnostic, Fix, Span};
 use crate::syntax::ast::Unit;
-use crate::syntax::parser::input::ParsedScript;
+use crate::syntax::parser::parsed_script::ParsedScript;
 use crate::syntax::token::Token;
 
 /// Words that begin statements in other languages, and what takes their place.

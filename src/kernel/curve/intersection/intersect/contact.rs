@@ -7,9 +7,8 @@
 //! size makes no difference.
 
 use super::{
-    CurveIntersection, IntersectionSearch,
+    meeting::{ContactInterval, CurveIntersection, IntersectionSearch, ReportedIntersection},
     newton::{foot, inside, place},
-    told::ReportedIntersection,
 };
 use crate::{
     GeomError, IntersectionError, Interval,
@@ -37,14 +36,6 @@ const FLOOR_SHARE: f64 = 0.5;
 
 /// Roundings within which a tolerance is too small to tell a floor from its sides.
 const FEW_ROUNDINGS: f64 = 1e4;
-
-/// A stretch on which two curves are within the tolerance, by the parameters of both. Over the seam
-/// of a closed curve parameters go on beyond the domain.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct ContactInterval {
-    pub(super) first: Interval,
-    pub(super) second: Interval,
-}
 
 impl IntersectionSearch<'_> {
     /// Whether a curve is at one place all along an interval.
@@ -105,7 +96,7 @@ impl IntersectionSearch<'_> {
     ///
     /// # Errors
     /// [`IntersectionError::RunTogether`], [`IntersectionError::RunsAlongItself`].
-    pub(super) fn told(
+    pub(super) fn settled(
         &self,
         stretch: ContactInterval,
     ) -> Result<Option<ReportedIntersection>, GeomError> {
@@ -143,7 +134,7 @@ impl IntersectionSearch<'_> {
     /// That there is too much to be told; of a stretch that goes on and on, that it does.
     pub(super) fn tangled(&self) -> GeomError {
         let contacts = self.joined_contacts();
-        let together = contacts.into_iter().find_map(|stretch| self.told(stretch).err());
+        let together = contacts.into_iter().find_map(|stretch| self.settled(stretch).err());
         together.unwrap_or(GeomError::Intersection(IntersectionError::Tangled))
     }
 

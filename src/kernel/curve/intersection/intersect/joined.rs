@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{IntersectionSearch, contact::ContactInterval};
+use super::meeting::{ContactInterval, IntersectionSearch};
 use crate::{Interval, curve::NurbsCurve, work};
 
 /// Contacts that the sweep has not left behind, by their place in the order of the second curve.

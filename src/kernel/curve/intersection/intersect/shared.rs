@@ -5,7 +5,10 @@
 
 use glam::DVec3;
 
-use super::{IntersectionSearch, contact::ContactInterval, newton::foot};
+use super::{
+    meeting::{ContactInterval, IntersectionSearch},
+    newton::foot,
+};
 use crate::{GeomError, Interval, curve::representation::part::CurvePart};
 
 /// Places of an arc that are looked at, besides its ends.

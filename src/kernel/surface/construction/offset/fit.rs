@@ -2,7 +2,6 @@
 
 use glam::{DVec3, DVec4};
 
-use super::tensor;
 use crate::{
     Direction, FitError, GeomError, Grid, Interpolator, Interval, KnotVector, NurbsSurface,
     Surface, ceiling::OFFSET_PATCHES,
@@ -301,4 +300,17 @@ fn halved(
         }
         _ => Err(far(aim, place)),
     }
+}
+
+/// Control points of the tensor-product spline through a grid of values.
+pub(super) fn tensor(
+    fits: [&Interpolator; 2],
+    values: &Grid<DVec4>,
+) -> Result<Grid<DVec4>, GeomError> {
+    let columns: Result<Vec<Vec<DVec4>>, GeomError> =
+        (0..values.n_columns()).map(|j| fits[0].through(&values.column(j))).collect();
+    let strip = Grid::from_rows(columns?)?.transposed();
+    let rows: Result<Vec<Vec<DVec4>>, GeomError> =
+        (0..strip.n_rows()).map(|i| fits[1].through(strip.row(i))).collect();
+    Grid::from_rows(rows?)
 }

@@ -2,10 +2,10 @@
 
 use std::rc::Rc;
 
-use super::{cell::PatchCell, square};
 use crate::{
     Grid, Interval, bernstein,
     numeric::polynomial_roots::{Signs, monotone_root},
+    surface::intersection::square,
     tolerance::KNOT_RELATIVE,
 };
 
@@ -30,11 +30,11 @@ struct PolynomialWithSlope {
 }
 
 impl Branch {
-    /// All branches in a cell where the field's slope along v has the sign `is_rising`, or along
+    /// All branches in a cell, from its low to its high corner, where the field's slope along v has the sign `is_rising`, or along
     /// u where the field is `swapped`: between two neighbouring roots on the sides across v the
     /// graph is inside the cell all the way or not at all.
     pub(super) fn all(
-        cell: &PatchCell,
+        cell: [[f64; 2]; 2],
         field: Grid<f64>,
         is_swapped: bool,
         is_rising: bool,
@@ -65,7 +65,7 @@ impl Branch {
             }
         }
         let field = Rc::new(PolynomialWithSlope { by_u: square::slope_u(&field), field });
-        let [low, high] = [cell.low, cell.high].map(|corner| swapped(corner, is_swapped));
+        let [low, high] = cell.map(|corner| swapped(corner, is_swapped));
         let branch = |ends: [f64; 2]| Self {
             field: Some(Rc::clone(&field)),
             low,

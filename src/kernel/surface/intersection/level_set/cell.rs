@@ -8,11 +8,12 @@
 
 use std::ops::Mul;
 
-use super::{Branch, square};
+use super::branch::Branch;
 use crate::{
     Direction, Grid, Interval, bernstein,
     ceiling::{CELLS, MANY_CELLS},
     numeric::polynomial_roots::Signs,
+    surface::intersection::square,
     work,
 };
 
@@ -185,7 +186,8 @@ fn graphs(cell: &PatchCell, field: &Grid<f64>, rounding: f64) -> Option<Vec<Bran
         true => (field, false, by_v),
         false => (&swapped, true, by_u),
     };
-    let branches = Branch::all(cell, rising.clone(), is_swapped, 0.0 < steady, rounding);
+    let branches =
+        Branch::all([cell.low, cell.high], rising.clone(), is_swapped, 0.0 < steady, rounding);
     (!branches.is_empty() || !touches_low_side(rising, 0.0 < steady, rounding)).then_some(branches)
 }
 
@@ -231,7 +233,7 @@ fn contacts(cell: &PatchCell, rounding: f64) -> Option<Vec<Branch>> {
         if bend == 0.0 || !keeps_sign_on_sides(&whole, bend, rounding) {
             return None;
         }
-        let branches = Branch::all(cell, field, is_swapped, 0.0 < bend, rounding);
+        let branches = Branch::all([cell.low, cell.high], field, is_swapped, 0.0 < bend, rounding);
         let are_touching = !branches.is_empty() && branches.iter().all(touches);
         are_touching.then_some(branches)
     };

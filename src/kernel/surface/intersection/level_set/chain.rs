@@ -2,18 +2,14 @@
 
 use glam::DVec3;
 
-use super::sample::{BranchSample, BranchSamples};
+use super::{
+    branch_sample::BranchSample,
+    sample::{BranchSamples, VanishingPlace},
+};
 use crate::tolerance::ONE_PLACE_SHARE;
 
 /// Tolerances up to which a run between places where others meet is a part of these places.
 const SHORTEST_BETWEEN: f64 = 16.0;
-
-/// A place where the field vanishes with its slopes, up to a radius.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct VanishingPlace {
-    pub(super) point: DVec3,
-    pub(super) radius: f64,
-}
 
 /// Lines, and the spots through which none goes.
 #[derive(Debug, Default)]

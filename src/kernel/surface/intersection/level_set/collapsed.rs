@@ -8,21 +8,13 @@ use glam::DVec3;
 use super::{
     SAMPLING,
     sample::MOST_TURN,
-    surface_pair::{PairParameters, PlaceCondition, SurfacePair},
+    surface_pair::{CollapsedEdge, PairParameters, PlaceCondition, SurfacePair},
     trace::GROWTH,
 };
 use crate::{NurbsCurve, NurbsSurface, frame::unit, tolerance::LAST_BIT};
 
 /// A way this many times longer than it is along the curve leads past what it leads to.
 const WIDEST_ARRIVAL: f64 = 1.2;
-
-/// An edge of one surface that is a point, on the other surface.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct CollapsedEdge {
-    pub(super) point: DVec3,
-    /// Along N × N of both, zero where one has no normal.
-    pub(super) tangent: DVec3,
-}
 
 /// The edges of either surface that are points on the other one.
 pub(super) fn collapsed(surfaces: [&NurbsSurface; 2], tolerance: f64) -> Vec<CollapsedEdge> {

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::sample::{BranchSample, length_between};
+use super::branch_sample::{BranchSample, length_between};
 use crate::{
     GeomError, KnotVector, NurbsCurve,
     ceiling::CUBIC_FOOT_STEPS,

@@ -6,7 +6,9 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{CommonScale, PictureError, pair::SurfacePart};
+use super::{
+    error::PictureError, pair::SurfacePart, results::CurveSurfaceIntersection, scaled::CommonScale,
+};
 use crate::{
     Bounds, Curve, GeomError, Interval, NurbsCurve, NurbsSurface, Surface, Tolerance, bezier,
     ceiling::{CROSSING_STEPS, SURFACE_PAIRS},
@@ -14,7 +16,7 @@ use crate::{
     homogeneous,
     numeric::{
         linear::solved,
-        newton::{Step, within_limits},
+        newton::{NewtonStep, within_limits},
     },
     tolerance::{FLAT_SHARE, LAST_BIT, PLACE_RELATIVE},
     valley::Valley,
@@ -30,35 +32,9 @@ const FLOOR_SHARE: f64 = 0.5;
 /// A touch leaves its neighbourhood where it is this share of what counts as near away.
 const APART_SHARE: f64 = 0.5;
 
-/// A place that a curve and a surface have in common.
-///
-/// A line through the centre of a unit sphere pierces it at −1 and 1:
-///
-/// ```
-/// use virote_kernel::{Curve, Frame, NurbsCurve, NurbsSurface, Surface, Tolerance, glam::DVec3};
-///
-/// let sphere = Surface::from(NurbsSurface::sphere(Frame::XY, 1.0)?);
-/// let line = Curve::from(NurbsCurve::line(DVec3::X * -2.0, DVec3::X * 2.0)?);
-/// let [first, second] = &sphere.piercings(&line, Tolerance::DEFAULT)?[..] else {
-///     unreachable!("in two points");
-/// };
-/// assert!(first.point.distance(DVec3::NEG_X) < 1e-9 && (first.t - 0.25).abs() < 1e-9);
-/// assert!(second.point.distance(DVec3::X) < 1e-9 && (second.t - 0.75).abs() < 1e-9);
-/// # Ok::<(), virote_kernel::GeomError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CurveSurfaceIntersection {
-    /// The parameter on the curve.
-    pub t: f64,
-    /// The parameters on the surface; at a seam and at a pole the start of the domain.
-    pub uv: [f64; 2],
-    /// The point, in the middle between both.
-    pub point: DVec3,
-}
-
 /// A piece of the curve.
 #[derive(Clone)]
-struct CurvePiece {
+struct BezierSegment {
     ends: [f64; 2],
     points: Vec<DVec4>,
     places: Vec<DVec3>,
@@ -127,7 +103,7 @@ impl PiercingSearch<'_> {
         for span in self.curve.knots().spans() {
             let ends = self.curve.knots().span_interval(span);
             let points = bezier::piece(self.curve.knots(), self.curve.control_points(), span);
-            let piece = CurvePiece::new([ends.start(), ends.end()], points);
+            let piece = BezierSegment::new([ends.start(), ends.end()], points);
             let beside =
                 parts.iter().filter(|part| !part.is_beside(piece.bounds, &piece.places, near));
             todo.extend(beside.map(|part| (piece.clone(), part.clone())));
@@ -167,7 +143,7 @@ impl PiercingSearch<'_> {
             }
             let last = todo.len() - 2;
             let tail = todo.split_off(last);
-            let is_near = |(piece, part): &(CurvePiece, SurfacePart)| {
+            let is_near = |(piece, part): &(BezierSegment, SurfacePart)| {
                 !part.is_beside(piece.bounds, &piece.places, near)
             };
             todo.extend(tail.into_iter().filter(is_near));
@@ -177,7 +153,11 @@ impl PiercingSearch<'_> {
     }
 
     /// The one place of a piece and a part that cross clearly, if it is in both.
-    fn crossing(&self, piece: &CurvePiece, part: &SurfacePart) -> Option<CurveSurfaceIntersection> {
+    fn crossing(
+        &self,
+        piece: &BezierSegment,
+        part: &SurfacePart,
+    ) -> Option<CurveSurfaceIntersection> {
         let [u, v] = part.middle();
         let start = [0.5 * (piece.ends[0] + piece.ends[1]), u, v];
         let domains = [self.curve.domain(), self.surface.domain_u(), self.surface.domain_v()];
@@ -191,7 +171,7 @@ impl PiercingSearch<'_> {
             let apart = derivatives[0] - point;
             let columns = [derivatives[1], -by_u, -by_v];
             let matrix = std::array::from_fn(|i| std::array::from_fn(|k| columns[k][i]));
-            Step::perhaps(solved(matrix, (-apart).to_array()))
+            NewtonStep::perhaps(solved(matrix, (-apart).to_array()))
         });
         let [t, u, v] = found.unless_stuck()?;
         let slack = PLACE_RELATIVE * (piece.ends[1] - piece.ends[0]);
@@ -287,7 +267,7 @@ impl PiercingSearch<'_> {
     }
 }
 
-impl CurvePiece {
+impl BezierSegment {
     fn new(ends: [f64; 2], points: Vec<DVec4>) -> Self {
         let places: Vec<DVec3> = points.iter().map(|&point| homogeneous::place(point)).collect();
         let nothing = Bounds { min: DVec3::ZERO, max: DVec3::ZERO };

@@ -16,6 +16,7 @@
 //! Maekawa, *Shape Interrogation for Computer Aided Design and Manufacturing*, §4.
 
 mod branch;
+mod branch_sample;
 mod cell;
 mod chain;
 mod collapsed;
@@ -25,6 +26,7 @@ mod elsewhere;
 mod error;
 mod pair;
 mod plane;
+mod results;
 mod sample;
 mod scaled;
 mod seam;
@@ -33,6 +35,7 @@ mod share;
 mod sphere;
 mod surface_intersection;
 mod surface_pair;
+mod surface_pair_touch;
 mod tangency;
 mod tangential_contact;
 mod trace;
@@ -40,14 +43,13 @@ mod verify;
 
 use glam::DVec3;
 
-pub use curve_surface_intersection::CurveSurfaceIntersection;
 pub use error::PictureError;
 pub(in crate::surface) use pair::SurfacePart;
+pub use results::{CurveSurfaceIntersection, LevelSet};
 
 use branch::Branch;
 use cell::{PositivityCondition, SearchResolution};
-use chain::VanishingPlace;
-use sample::BranchSamples;
+use sample::{BranchSamples, VanishingPlace};
 use scaled::CommonScale;
 
 use crate::{
@@ -57,33 +59,6 @@ use crate::{
     surface::{NurbsSurface, Surface, intersection::square},
     tolerance::{LAST_BIT, TOUCH_RELATIVE},
 };
-
-/// The zero set of a field on a surface.
-///
-/// The plane z = 3/5 cuts the unit sphere in a circle of radius 4/5:
-///
-/// ```
-/// use virote_kernel::{Frame, NurbsSurface, Surface, Tolerance, glam::DVec3};
-///
-/// let sphere = Surface::from(NurbsSurface::sphere(Frame::XY, 1.0)?);
-/// let found = sphere.section(Frame::XY.at(DVec3::Z * 0.6), Tolerance::DEFAULT)?;
-/// let around: f64 = found.curves.iter().map(|curve| curve.length(curve.domain())).sum();
-/// assert!((around - 1.6 * std::f64::consts::PI).abs() < 1e-5);
-/// assert!(found.touches.is_empty() && found.uncertain.is_empty());
-/// # Ok::<(), virote_kernel::GeomError>(())
-/// ```
-#[derive(Clone, Debug, Default)]
-pub struct LevelSet {
-    /// Its lines. Where the field changes its sign the higher side is to the left of the line,
-    /// seen from the side of the normal. A line ends at the surface's boundary, or where more than
-    /// two branches meet.
-    pub curves: Vec<NurbsCurve>,
-    /// Points that the field touches zero in, or that branches shrink to.
-    pub touches: Vec<DVec3>,
-    /// Points where rounding decides whether lines cross and how they go on: one of each line along
-    /// which two surfaces only touch, and where they touch more closely than second derivatives tell.
-    pub uncertain: Vec<DVec3>,
-}
 
 /// A field on a Bézier patch.
 struct ScalarField<'p> {
@@ -216,7 +191,7 @@ impl ZeroSetParts {
         self.runs.extend(single_sides(sides, self.tolerance));
         let chained = chain::chained(self.runs, &self.spots, self.tolerance);
         let spline =
-            |line: Vec<sample::BranchSample>| cubic::spline(&line, FITTING * self.tolerance);
+            |line: Vec<branch_sample::BranchSample>| cubic::spline(&line, FITTING * self.tolerance);
         let curves: Result<Vec<NurbsCurve>, GeomError> =
             chained.lines.into_iter().map(spline).collect();
         let curves = verify::without_crumbs(curves?, self.tolerance);

@@ -2,7 +2,12 @@
 
 use glam::DVec3;
 
-use super::{Branch, PictureError, chain::VanishingPlace, cubic::CubicSegment};
+use super::{
+    branch::Branch,
+    branch_sample::{BranchSample, length_between},
+    cubic::CubicSegment,
+    error::PictureError,
+};
 use crate::{GeomError, NurbsSurface, ceiling::BRANCH_SAMPLES, frame::unit, work};
 
 /// Halvings of the stretch between two samples.
@@ -12,24 +17,17 @@ const MAX_HALVINGS: usize = 24;
 /// a right angle: the square of the chord between the unit tangents.
 pub(super) const MOST_TURN: f64 = 0.6;
 
-/// A point of a branch, with the unit tangents before and behind it; zero where there is none.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct BranchSample {
+/// A place where the field vanishes with its slopes, up to a radius.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct VanishingPlace {
     pub(super) point: DVec3,
-    pub(super) before: DVec3,
-    pub(super) behind: DVec3,
+    pub(super) radius: f64,
 }
 
 /// Samples of a branch, in order.
 #[derive(Clone, Debug)]
 pub(super) struct BranchSamples {
     pub(super) samples: Vec<BranchSample>,
-}
-
-impl BranchSample {
-    pub(super) fn turned(self) -> Self {
-        Self { point: self.point, before: -self.behind, behind: -self.before }
-    }
 }
 
 impl BranchSamples {
@@ -144,10 +142,4 @@ fn follows(&[start, before, middle, behind, end]: &[BranchSample; 5], tolerance:
         |(sample, share): (BranchSample, f64)| cubic.misses_near(sample.point, share) <= tolerance;
     (turn <= MOST_TURN || !is_known)
         && [(middle, 0.5), (before, 0.25), (behind, 0.75)].into_iter().all(passes)
-}
-
-/// The length of the arc between two near samples: that of a circle with this chord and turn.
-pub(super) fn length_between(start: BranchSample, end: BranchSample) -> f64 {
-    let turn = start.behind.distance_squared(end.before);
-    start.point.distance(end.point) * (1.0 + turn / 24.0)
 }

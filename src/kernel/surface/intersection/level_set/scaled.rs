@@ -5,7 +5,10 @@
 
 use glam::{DAffine3, DVec3};
 
-use super::{CurveSurfaceIntersection, LevelSet, PictureError};
+use super::{
+    error::PictureError,
+    results::{CurveSurfaceIntersection, LevelSet},
+};
 use crate::{Curve, Frame, GeomError, MeshError, Surface, Tolerance, scale::needed_scale};
 
 /// A power of two near the size of what is asked about.

@@ -7,10 +7,9 @@
 use glam::DVec3;
 
 use super::{
-    PictureError,
-    chain::{self, VanishingPlace},
+    PictureError, chain,
     pair::SurfacePart,
-    sample::BranchSamples,
+    sample::{BranchSamples, VanishingPlace},
     seam::EdgeOverlap,
     surface_pair::SurfacePair,
     tangential_contact::{ParameterRegion, TangentialContact},

@@ -14,11 +14,11 @@ use glam::DVec3;
 
 use super::{
     CommonScale, FITTING, LevelSet, PictureError,
-    chain::{self, VanishingPlace},
-    cubic,
+    branch_sample::BranchSample,
+    chain, cubic,
     elsewhere::with_seams_elsewhere,
     pair::SurfacePart,
-    sample::{BranchSample, BranchSamples},
+    sample::{BranchSamples, VanishingPlace},
     seam::EdgeOverlap,
     share::{SharedParts, found, halved},
     sphere,

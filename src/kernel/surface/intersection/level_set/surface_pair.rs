@@ -2,17 +2,13 @@
 
 use glam::DVec3;
 
-use super::{
-    collapsed::{CollapsedEdge, collapsed},
-    tangential_contact::poles,
-};
 use crate::{
     Interval, NurbsSurface,
     ceiling::CROSSING_STEPS,
     frame::{norm, unit},
     numeric::{
         linear::solved,
-        newton::{FREE, Step, within_limits},
+        newton::{FREE, NewtonStep, within_limits},
     },
     tolerance::{LAST_BIT, MEETING_SHARE},
 };
@@ -34,6 +30,14 @@ pub(super) struct SurfacePair<'s> {
     pub(super) collapsed: Vec<CollapsedEdge>,
 }
 
+/// An edge of one surface that is a point, on the other surface.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct CollapsedEdge {
+    pub(super) point: DVec3,
+    /// Along N × N of both, zero where one has no normal.
+    pub(super) tangent: DVec3,
+}
+
 /// A place on both surfaces: u and v on the first, u and v on the second.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PairParameters {
@@ -51,22 +55,6 @@ pub(super) struct PairState {
 }
 
 impl<'s> SurfacePair<'s> {
-    /// Of surfaces that touch within that share of the tolerance.
-    pub(super) fn new(
-        surfaces: [&'s NurbsSurface; 2],
-        [tolerance, share]: [f64; 2],
-        size: f64,
-    ) -> Self {
-        let [a, b] = surfaces;
-        let domains = [a.domain_u(), a.domain_v(), b.domain_u(), b.domain_v()];
-        let magnitude = a.bounds().magnitude().max(b.bounds().magnitude());
-        let contact = share * tolerance;
-        let poles = poles(surfaces, contact);
-        let rounding = 8.0 * LAST_BIT * magnitude;
-        let collapsed = collapsed(surfaces, contact);
-        Self { surfaces, domains, tolerance, contact, size, rounding, poles, collapsed }
-    }
-
     /// Parts of surfaces that touch are no larger than this: the tolerance's height over a bend of
     /// the size.
     pub(super) fn touch_size(&self) -> f64 {
@@ -112,7 +100,7 @@ impl<'s> SurfacePair<'s> {
             |at| {
                 let look = self.look(at);
                 if norm(look.apart) <= self.rounding {
-                    return Step::Stay;
+                    return NewtonStep::Stay;
                 }
                 // The shortest step that removes the gap.
                 let columns: [DVec3; 4] = std::array::from_fn(|i| look.slopes[i] * widths[i]);
@@ -120,7 +108,7 @@ impl<'s> SurfacePair<'s> {
                     std::array::from_fn(|k| columns.iter().map(|c| c[i] * c[k]).sum())
                 });
                 let factors = solved(matrix, (-look.apart).to_array()).map(DVec3::from_array);
-                Step::perhaps(factors.map(|factors| {
+                NewtonStep::perhaps(factors.map(|factors| {
                     std::array::from_fn(|i| widths[i] * columns[i].dot(factors).clamp(-2.0, 2.0))
                 }))
             },
@@ -160,12 +148,14 @@ impl<'s> SurfacePair<'s> {
                     _ => std::array::from_fn(|k| look.slopes[k][i]),
                 });
                 let [x, y, z] = (-look.apart).to_array();
-                let Some(step) = solved(matrix, [x, y, z, -value]) else { return Step::Stuck };
+                let Some(step) = solved(matrix, [x, y, z, -value]) else {
+                    return NewtonStep::Stuck;
+                };
                 let is_still = (0..4).all(|i| {
                     let size = (at[i] + step[i]).abs() + self.domains[i].length();
                     step[i].abs() <= 4.0 * LAST_BIT * size
                 });
-                if is_still { Step::Last(step) } else { Step::By(step) }
+                if is_still { NewtonStep::Last(step) } else { NewtonStep::By(step) }
             },
         );
         let at = found.unless_stuck()?;

@@ -4,8 +4,9 @@ use glam::DVec3;
 
 use super::{
     SAMPLING,
+    branch_sample::{BranchSample, length_between},
     cubic::CubicSegment,
-    sample::{BranchSample, BranchSamples, MOST_TURN, length_between},
+    sample::{BranchSamples, MOST_TURN},
     surface_pair::SurfacePair,
     tangential_contact::{ParallelPair, ParameterRegion},
 };

@@ -16,7 +16,7 @@ use crate::{
     NurbsSurface,
     ceiling::{NEWTON_STEPS, STEP_SHORTENINGS, SURFACE_FOOT_STEPS},
     frame::unit,
-    numeric::newton::{FREE, NewtonResult, Step, within_limits},
+    numeric::newton::{FREE, NewtonResult, NewtonStep, within_limits},
     numeric::symmetric_eigen::eigen_of_two,
     tolerance::{
         AREA_REACH, BEND_RELATIVE, CONTACT_SHARE, LAST_BIT, LEAST_STEP_SHARE, PLACE_RELATIVE,
@@ -248,15 +248,15 @@ impl SurfacePair<'_> {
             NEWTON_STEPS,
             |_, _| false,
             |at| {
-                let Some(seen) = ParallelPair::new(self, at) else { return Step::Stuck };
+                let Some(seen) = ParallelPair::new(self, at) else { return NewtonStep::Stuck };
                 let step = seen.step(self.size);
                 if !step.is_finite() || self.size < step.length() {
-                    return Step::Stuck;
+                    return NewtonStep::Stuck;
                 }
                 let steps = seen.steps(step, step - seen.apart);
                 // The last step squares what is small.
                 let is_near = step.length() + seen.apart.length() <= near;
-                if is_near { Step::Last(steps) } else { Step::By(steps) }
+                if is_near { NewtonStep::Last(steps) } else { NewtonStep::By(steps) }
             },
         );
         ParallelPair::new(self, found.settled()?)
@@ -362,12 +362,12 @@ impl SurfacePair<'_> {
             |_, _| false,
             |[s, t]| {
                 if !self.is_inside([u, v, s, t]) {
-                    return Step::Stuck;
+                    return NewtonStep::Stuck;
                 }
                 let off = flat(way([s, t]));
                 match off.length() <= PLACE_RELATIVE * step.length() {
-                    true => Step::Stay,
-                    false => Step::By((seen.maps[1] * off).to_array()),
+                    true => NewtonStep::Stay,
+                    false => NewtonStep::By((seen.maps[1] * off).to_array()),
                 }
             },
         );

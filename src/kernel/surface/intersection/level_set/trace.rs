@@ -4,9 +4,9 @@ use glam::DVec3;
 
 use super::{
     SAMPLING,
-    chain::VanishingPlace,
+    branch_sample::{BranchSample, length_between},
     cubic::CubicSegment,
-    sample::{BranchSample, BranchSamples, MOST_TURN, length_between},
+    sample::{BranchSamples, MOST_TURN, VanishingPlace},
     surface_pair::{PairParameters, PlaceCondition, SurfacePair, within},
     tangential_contact::{BranchCrossing, BranchDirection},
 };

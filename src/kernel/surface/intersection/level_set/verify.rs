@@ -311,7 +311,7 @@ mod tests {
     const TOLERANCE: f64 = 1e-6;
 
     /// What is said of some curves in which two squares that cross along the x axis would cross.
-    fn told(curves: &[NurbsCurve]) -> Result<(), GeomError> {
+    fn verdict(curves: &[NurbsCurve]) -> Result<(), GeomError> {
         let square = |up: DVec3| {
             let corner = |x: f64, side: f64| DVec3::X * x + up * side;
             NurbsSurface::bilinear(
@@ -332,9 +332,9 @@ mod tests {
 
     #[test]
     fn the_line_in_which_squares_cross_may_be_told() {
-        assert_eq!(told(&[axis(0.0, 1.0)]), Ok(()));
-        assert_eq!(told(&[axis(0.0, 0.5), axis(0.5, 1.0)]), Ok(()));
-        assert_eq!(told(&[]), Ok(()));
+        assert_eq!(verdict(&[axis(0.0, 1.0)]), Ok(()));
+        assert_eq!(verdict(&[axis(0.0, 0.5), axis(0.5, 1.0)]), Ok(()));
+        assert_eq!(verdict(&[]), Ok(()));
     }
 
     #[test]
@@ -342,7 +342,7 @@ mod tests {
         let off = DVec3::new(0.0, 0.0, 0.01);
         let bent =
             NurbsCurve::bezier(&[DVec3::ZERO, DVec3::X * 0.5 + off, DVec3::X]).expect("a curve");
-        let found = told(&[axis(0.0, 1.0), bent]);
+        let found = verdict(&[axis(0.0, 1.0), bent]);
         let Err(GeomError::Picture(PictureError::OffSurface { point, distance })) = found else {
             unreachable!("{found:?}")
         };
@@ -352,7 +352,7 @@ mod tests {
     #[test]
     fn a_curve_that_stands_twice_is_refused() {
         let is_told_twice = |curves: &[NurbsCurve]| {
-            matches!(told(curves), Err(GeomError::Picture(PictureError::ToldTwice { .. })))
+            matches!(verdict(curves), Err(GeomError::Picture(PictureError::ToldTwice { .. })))
         };
         assert!(is_told_twice(&[axis(0.0, 1.0), axis(0.0, 1.0)]));
         assert!(is_told_twice(&[axis(0.0, 1.0), axis(0.3, 1.0)]));
@@ -365,7 +365,7 @@ mod tests {
     fn a_curve_of_which_a_part_is_missing_is_refused_where_it_ends() {
         let whole = axis(0.0, 1.0);
         let half = whole.trimmed(Interval::new(0.0, 0.5).expect("an interval")).expect("a part");
-        let found = told(&[half]);
+        let found = verdict(&[half]);
         let Err(GeomError::Picture(PictureError::EndsInside { point })) = found else {
             unreachable!("{found:?}")
         };

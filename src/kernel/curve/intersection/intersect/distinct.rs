@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{
-    CurveIntersection, IntersectionSearch,
-    contact::ContactInterval,
+    meeting::{ContactInterval, CurveIntersection, IntersectionSearch, ReportedIntersection},
     newton::{foot, place},
 };
 use crate::{GeomError, Interval, curve::NurbsCurve, tolerance::KNOT_RELATIVE, work};
@@ -16,20 +15,6 @@ const ARC_CELLS: usize = 16;
 /// cross clearly are as far apart as the tolerance after some ten of them, on either side.
 const CELL_MARGIN: f64 = 64.0;
 
-/// A meeting, and the stretch that came down to it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct ReportedIntersection {
-    pub(super) meeting: CurveIntersection,
-    pub(super) stretch: Option<ContactInterval>,
-}
-
-impl ReportedIntersection {
-    /// Of two pieces that cross clearly.
-    pub(super) fn crossing(meeting: CurveIntersection) -> Self {
-        Self { meeting, stretch: None }
-    }
-}
-
 impl IntersectionSearch<'_> {
     /// The meetings in order.
     ///
@@ -37,7 +22,7 @@ impl IntersectionSearch<'_> {
     /// `IntersectionError::RunTogether`, `IntersectionError::RunsAlongItself`.
     pub(super) fn finish(mut self) -> Result<Vec<CurveIntersection>, GeomError> {
         for stretch in self.joined_contacts() {
-            let told = self.told(stretch)?;
+            let told = self.settled(stretch)?;
             self.meetings.extend(told);
         }
         let mut meetings = std::mem::take(&mut self.meetings);
