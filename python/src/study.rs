@@ -19,8 +19,8 @@ use virote::{
     limits::work::StopToken,
     session,
     study::{
-        Columns, Evaluation, Plan, ResultFormat, Row, RowMaker, Variant, VariedParameter, in_order,
-        read_results, write_results,
+        Evaluation, Plan, ResultColumns, ResultFormat, Row, RowMaker, Variant, VariedParameter,
+        in_order, read_results, write_results,
     },
     value::Files,
 };
@@ -167,7 +167,7 @@ pub(crate) fn write_rows(path: PathBuf, rows: Vec<String>) -> PyResult<()> {
             _ => Err(format!("`{text}` is no row")),
         }
     };
-    let mut columns = Columns::default();
+    let mut columns = ResultColumns::default();
     for text in &rows {
         columns.add(&row(text).map_err(PyValueError::new_err)?);
     }
