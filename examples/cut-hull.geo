@@ -19,17 +19,17 @@ fn side(heights, breadths) = bezier([for i in 0..2: [for j in 0..2: (
     beam / 2 * waterline[i] * breadths[j],
     heights[j],
 )]])
-surface port = join([
+surface port = join([[
     side([-draught, -draught / 2, 0], [0, 1, 1]),
     side([0, freeboard / 2, freeboard], [1, 1, 1]),
-])
+]])
 surface starboard = mirror(port, plane((0, 0, 0), (0, 1, 0)))
 
 // What is below a plane: both sides, and the waterplane within the edges that the cut has made.
 fn below(water) = {
     let sides = [for s in [port, starboard]: trim(s, by = water, keep = "below")]
     let on_water = f => filter(edges(f), e => every([0.1, 0.5, 0.9], t => dot(e(lerp(e.domain.start, e.domain.end, t)) - water.origin, water.z) ~= 0))
-    let lid = face(region([...on_water(sides[0]), ...on_water(sides[1])]))
+    let lid = face(region([...on_water(sides[0]), ...[for e in on_water(sides[1]): reversed(e)]]))
     {sides, lid, all: [...sides, lid]}
 }
 

@@ -8,7 +8,7 @@ unit mm
 fn outline(pieces) = join([for p in pieces: if len(p) == 2 then line(p[0], p[1]) else bezier(p)])
 
 let bowl = outline([
-    [(8, 0), (14, 0), (16, 3), (16, 3)],
+    [(8, 0), (12, 0), (15, 1.5), (16, 3)],
     [(16, 3), (16, 0.5)],
     [(16, 0.5), (20, 0.5)],
     [(20, 0.5), (20, 12)],
@@ -39,7 +39,7 @@ check area(eight[0]) ~= 2 * pi * (5.5^2 - 2.2^2) - 2 * 5.5^2 * (half / 1rad - si
 
 // A bold face, and a stencil in a sheet.
 regions bold = offset(a[0], 0.6)
-check area(bold[0]) > area(a[0]) + 0.6 * length(a[0]) * 0.8
+check area(bold[0]) > area(a[0]) + 0.4mm * length(a[0])
 region sheet = region(polyline([(-4, -4), (40, -4), (40, 24), (-4, 24)], closed = true))
 regions stencil = difference(sheet, [...a, ...eight])
 check sum([for r in stencil: area(r)]) ~= area(sheet) - area(a[0]) - area(eight[0])

@@ -19,7 +19,7 @@ fn hole(i, k) = {
     let center = ((k + if i % 2 == 0 then 0.25 else 0.75) / around, (i + 1) / (rows + 1))
     reversed(ellipse(center, size * wide, size * tall))
 }
-let holes = [for i in 0..<rows: for k in 0..<around: hole(i, k)]
+let holes = flatten([for i in 0..<rows: [for k in 0..<around: hole(i, k)]])
 face shade = face(sheet, holes, space = "uv") with (color = "ivory")
 
 let open = [for h in holes: area(face(sheet, [reversed(h)], space = "uv"))]

@@ -11,21 +11,21 @@ param sheet = 3mm in 1mm..10mm     "Thickness of the sheet"
 param kerf  = 0.2mm in 0mm..1mm    "Width of the cut"
 
 fn plate(x, y) = region(polyline([(0, 0), (x, 0), (x, y), (0, y)], closed = true))
-fn bar(x, y, w, h) = region(polyline([(x, y), (x + w, y), (x + w, y + h), (x, y + h)], closed = true))
+fn bar(x0, y0, x1, y1) = region(polyline([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], closed = true))
 
 // Fingers along an edge of a length: every other of an odd number of equal parts.
 fn n_fingers(length) = 2 * floor(length / (8 * sheet)) + 1
 fn gaps(length, first) = {
     let n = n_fingers(length)
-    [for i in 0..<n if i % 2 == first: [i * length / n, length / n]]
+    [for i in 0..<n if i % 2 == first: [i * length / n, (i + 1) * length / n]]
 }
 
 // A sheet of x by y; on each edge the parts that belong to its neighbour are taken away.
 fn cut(x, y, along_x, along_y) = difference(plate(x, y), [
-    ...[for g in gaps(x, along_x): bar(g[0], -1mm, g[1], sheet + 1mm)],
-    ...[for g in gaps(x, along_x): bar(g[0], y - sheet, g[1], sheet + 1mm)],
-    ...[for g in gaps(y, along_y): bar(-1mm, g[0], sheet + 1mm, g[1])],
-    ...[for g in gaps(y, along_y): bar(x - sheet, g[0], sheet + 1mm, g[1])],
+    ...[for g in gaps(x, along_x): bar(g[0], -1mm, g[1], sheet)],
+    ...[for g in gaps(x, along_x): bar(g[0], y - sheet, g[1], y + 1mm)],
+    ...[for g in gaps(y, along_y): bar(-1mm, g[0], sheet, g[1])],
+    ...[for g in gaps(y, along_y): bar(x - sheet, g[0], x + 1mm, g[1])],
 ])[0]
 
 region floor_sheet = cut(width, depth, 1, 1)

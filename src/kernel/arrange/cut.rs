@@ -83,6 +83,9 @@ impl Arrangement {
             places.sort_by(|a, b| a.0.total_cmp(&b.0));
             let curve = &self.arcs[arc];
             let Some(&(mut start, mut from)) = places.first() else { continue };
+            // How far the curve is from the vertex there.
+            let off = |t: f64, vertex: usize| norm(curve.point_at(t) - self.vertices[vertex]);
+            let is_end = |t: f64| t <= curve.domain().start() || curve.domain().end() <= t;
             for &(end, to) in &places[1..] {
                 GeomError::go_on(1)?;
                 let Ok(interval) = Interval::new(start, end) else {
@@ -91,6 +94,21 @@ impl Arrangement {
                 };
                 let extent = if from == to { extent(curve, interval) } else { f64::INFINITY };
                 if extent <= ONE_PLACE * self.tolerance {
+                    // Of several cuts at a vertex the nearest counts, for what begins and for what ended there.
+                    if !is_end(start) && (is_end(end) || off(end, to) < off(start, to)) {
+                        if let Some(before) = self.edges.last_mut()
+                            && before.arc == arc
+                            && before.interval.end() >= start
+                            && let Ok(whole) = Interval::new(before.interval.start(), end)
+                        {
+                            before.curve = match whole == curve.domain() {
+                                true => curve.clone(),
+                                false => curve.trimmed(whole)?,
+                            };
+                            before.interval = whole;
+                        }
+                        start = end;
+                    }
                     continue;
                 }
                 let curve = match interval == curve.domain() {

@@ -16,7 +16,7 @@ use crate::{
     Bounds, Frame, GeomError, Interval, MassProperties, NurbsCurve, NurbsSurface, Region,
     Tolerance,
     surface::{Integral, MassIntegral, QuadratureMap, integral_over, moments},
-    tolerance::{KNOT_RELATIVE, PARAMETER_RELATIVE},
+    tolerance::{KNOT_RELATIVE, LAST_BIT, PARAMETER_RELATIVE},
 };
 
 /// A part of a face's parameters.
@@ -88,7 +88,7 @@ impl Face {
         let about = boxes.reduce(Bounds::union).map_or(DVec3::ZERO, Bounds::center);
         let mut sum = MassIntegral::default();
         for face in faces {
-            let found = face.integral(|point, normal| moments(point - about, normal.length()))?;
+            let found = face.integral(|point, normal| moments(arm(point, about), normal.length()))?;
             sum.add(found, 1.0);
         }
         sum.mass(about, [1.0; 3]).ok_or_else(|| sum.without("area"))
@@ -137,6 +137,20 @@ impl Face {
         }
         Ok(arcs)
     }
+}
+
+/// The way to a point, without what rounding leaves of it: the moments of a plane face about a point of its plane
+/// are none, and not known badly.
+pub(super) fn arm(point: DVec3, about: DVec3) -> DVec3 {
+    let size = 16.0 * LAST_BIT * (point.abs() + about.abs());
+    let arm = point - about;
+    DVec3::select(arm.abs().cmple(size), DVec3::ZERO, arm)
+}
+
+/// The flux through a piece of surface that is an arm away; none where that is rounding.
+pub(super) fn flux(arm: DVec3, normal: DVec3) -> f64 {
+    let flux = arm.dot(normal);
+    if flux.abs() <= 16.0 * LAST_BIT * arm.length() * normal.length() { 0.0 } else { flux }
 }
 
 /// The parts of an arc between knots, its own and those of the surface.

@@ -5,7 +5,10 @@
 
 use glam::DVec3;
 
-use super::{Face, FaceError};
+use super::{
+    Face, FaceError,
+    measure::{arm, flux},
+};
 use crate::{
     Bounds, GeomError, MassProperties, NurbsCurve, Tolerance,
     surface::{MassIntegral, moments},
@@ -58,8 +61,8 @@ impl Face {
             let mut own = MassIntegral::default();
             for &(face, sign) in &shell {
                 let part = faces[face].integral(|point, normal| {
-                    let arm = point - about;
-                    moments(arm, arm.dot(normal))
+                    let arm = arm(point, about);
+                    moments(arm, flux(arm, normal))
                 })?;
                 own.add(part, sign);
             }

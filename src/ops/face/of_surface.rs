@@ -5,7 +5,7 @@ use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{Face, NurbsCurve},
     ops::region::Border,
-    value::{At, Choice, Ctx, op},
+    value::{At, Choice, Ctx, Maybe, op},
 };
 
 op! {
@@ -23,7 +23,7 @@ op! {
         /// The surface.
         s: Spanned<SurfaceOrFace>,
         /// Closed curves, or lists of curves that are joined to one.
-        loops: Option<Spanned<Vec<Border>>>,
+        loops: Spanned<Maybe<Vec<Border>>>,
         /// Whether loops are curves in space or of parameters.
         space: LoopSpace = LoopSpace::Space,
     }
@@ -52,20 +52,20 @@ impl Choice for LoopSpace {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Face> {
-    let Spanned { value: of, span } = &args.s;
-    let Some(borders) = args.loops else {
+    let (Spanned { value: of, span }, at) = (&args.s, args.loops.span);
+    let Some(borders) = args.loops.value.0 else {
         return of.face(*span, ctx.tolerance).map(|face| (*face).clone());
     };
     if of.is_face() {
         let message = "a face has its loops already";
         let hint = "`split` and `trim` make parts of it; `f.surface` is its whole surface";
-        return Diagnostic::error(Code::BadCall, borders.span, message).hint(hint).fail();
+        return Diagnostic::error(Code::BadCall, at, message).hint(hint).fail();
     }
     let surface = std::sync::Arc::clone(of.nurbs().at(*span)?);
-    let loops: Vec<NurbsCurve> = loops(&borders.value, borders.span, ctx)?;
+    let loops: Vec<NurbsCurve> = loops(&borders, at, ctx)?;
     let face = match args.space {
         LoopSpace::Space => Face::bounded(surface, &loops, ctx.tolerance),
         LoopSpace::Parameters => Face::within(surface, &loops, ctx.tolerance),
     };
-    face.at(borders.span)
+    face.at(at)
 }
