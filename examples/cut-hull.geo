@@ -28,7 +28,13 @@ surface starboard = mirror(port, plane((0, 0, 0), (0, 1, 0)))
 // What is below a plane: both sides, and the waterplane within the edges that the cut has made.
 fn below(water) = {
     let sides = [for s in [port, starboard]: trim(s, by = water, keep = "below")]
-    let on_water = f => filter(edges(f), e => every([0.1, 0.5, 0.9], t => dot(e(lerp(e.domain.start, e.domain.end, t)) - water.origin, water.z) ~= 0))
+    let on_water = f => filter(
+        edges(f),
+        e => every(
+            [0.1, 0.5, 0.9],
+            t => dot(e(lerp(e.domain.start, e.domain.end, t)) - water.origin, water.z) ~= 0,
+        ),
+    )
     let lid = face(region([...on_water(sides[0]), ...[for e in on_water(sides[1]): reversed(e)]]))
     {sides, lid, all: [...sides, lid]}
 }
@@ -59,5 +65,7 @@ check lever ~= radius within 0.02 * radius
 print sum([for s in upright.sides: area(s)])
 faces wetted = heeled.sides with (color = "steelblue")
 face waterplane = heeled.lid with (color = "lightblue")
-faces dry = [for s in [port, starboard]: trim(s, by = water, keep = "above")] with (color = "lightgray")
+faces dry = [
+    for s in [port, starboard]: trim(s, by = water, keep = "above")
+] with (color = "lightgray")
 export wetted, waterplane, dry to "cut-hull.step"

@@ -26,9 +26,11 @@ let counter = outline([
     [(5.2, 5.6), (5.2, 4), (6.6, 3.2), (8.8, 3.2)],
     [(8.8, 3.2), (13, 3.2), (16, 5.5), (16, 8.8)],
 ])
-let ring  = c => [circle(c, 5.5), circle(c, 2.6)]
+let ring = c => [circle(c, 5.5), circle(c, 2.6)]
 regions a     = regions([bowl, counter])
-regions eight = union([for c in [(30, 5.5), (30, 14.5)]: region(circle(c, 5.5), holes = [circle(c, 2.2)])])
+regions eight = union([
+    for c in [(30, 5.5), (30, 14.5)]: region(circle(c, 5.5), holes = [circle(c, 2.2)])
+])
 print a, eight, [for r in [...a, ...eight]: area(r)]
 check len(a) == 1 and len(a[0].holes) == 1
 check contains(a[0], (9, 6)) == "outside" and contains(a[0], (3, 5.5)) == "inside"

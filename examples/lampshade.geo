@@ -16,7 +16,7 @@ let tall = 0.4 / (rows + 1)
 let wide = 0.32 / around
 fn hole(i, k) = {
     let size = 0.4 + 0.6 * i / max(rows - 1, 1)
-    let center = ((k + if i % 2 == 0 then 0.25 else 0.75) / around, (i + 1) / (rows + 1))
+    let center = ((k + if i % 2 == 0 then 0.34 else 0.66) / around, (i + 1) / (rows + 1))
     reversed(ellipse(center, size * wide, size * tall))
 }
 let holes = flatten([for i in 0..<rows: [for k in 0..<around: hole(i, k)]])

@@ -33,7 +33,11 @@ region front       = cut(width, high, 0, 1)
 region side        = cut(depth, high, 0, 0)
 
 // Where two sheets meet, the fingers of one fill the gaps of the other.
-fn fingers(r, x, length) = sum([for i in 0..<n_fingers(length): if contains(r, ((i + 0.5) * length / n_fingers(length), sheet / 2)) == "inside" then 1 else 0])
+fn fingers(r, x, length) = sum([
+    for i in 0..<n_fingers(length):
+        if contains(r, ((i + 0.5) * length / n_fingers(length), sheet / 2)) == "inside" then 1
+        else 0
+])
 check fingers(floor_sheet, 0, width) + fingers(front, 0, width) == n_fingers(width)
 check fingers(floor_sheet, 0, width) == (n_fingers(width) + 1) / 2
 check area(floor_sheet) < width * depth

@@ -44,7 +44,7 @@ surface  mouth = revolve(line((barrel / 2 - 2, 0, length + 2), (bore / 2, 0, len
 surface  inner = revolve(line((bore / 2, 0, length + 2), (bore / 2, 0, 0)))
 let metal      = [rim, bearing, top, blend, shell, lip, mouth, inner, ...holes]
 // A rubber ring in the corner of the rim.
-surface  seal  = torus((0, 0, thickness), flange / 2, 1.5mm)
+surface seal   = torus((0, 0, thickness), flange / 2, 1.5mm)
 
 // Each part starts where the one before ends.
 let around = linspace(0, 1, 17)
@@ -74,7 +74,10 @@ check bolts * (2 * hole + 4) < 2 * pi * pitch "there is room between the bolts"
 check area(top) ~= pi * (flange^2 / 4 - root^2 - bolts * hole^2)
 let corner = (1 - pi / 4) * fillet^2                                        // of a square, less a quarter of a disc
 let arm    = root - fillet * (1 - (10 - 3 * pi) / (12 - 3 * pi))            // its centre of gravity from the axis
-let solid  = pi * (flange^2 / 4 - bolts * hole^2) * thickness + pi * barrel^2 / 4 * (length - thickness) + 2 * pi * arm * corner + pi * 2mm / 3 * (barrel^2 / 4 + barrel / 2 * (barrel / 2 - 2) + (barrel / 2 - 2)^2) - pi * bore^2 / 4 * (length + 2mm)
+let solid  = pi * (flange^2 / 4 - bolts * hole^2) * thickness +
+    pi * barrel^2 / 4 * (length - thickness) + 2 * pi * arm * corner +
+    pi * 2mm / 3 * (barrel^2 / 4 + barrel / 2 * (barrel / 2 - 2) + (barrel / 2 - 2)^2) -
+    pi * bore^2 / 4 * (length + 2mm)
 print volume(metal)
 check volume(metal) ~= solid within 1e-6 * solid
 

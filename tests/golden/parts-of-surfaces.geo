@@ -20,7 +20,8 @@ check cap(0.1, 0.9) == ball(0.1, 0.9) and normal(cap, 0.1, 0.9) == normal(ball, 
 check gaussian(cap, 0.1, 0.9) ~= 0.01
 check closest(cap, (20, 0, 0)).point ~= (sqrt(75), 0, 5)
 check closest(cap, (0, 0, 30)).point ~= (0, 0, 10)
-check [for p in [(0, 0, 10), (sqrt(75), 0, 5), (0, 0, -10), (0, 0, 5)]: contains(cap, p)] == ["inside", "border", "outside", "outside"]
+check [for p in [(0, 0, 10), (sqrt(75), 0, 5), (0, 0, -10), (0, 0, 5)]: contains(cap, p)]
+    == ["inside", "border", "outside", "outside"]
 check [for hit in intersect(cap, line((1, 2, -20), (1, 2, 20))): hit.point] ~= [(1, 2, sqrt(95))]
 check length(section(cap, YZ)[0]) ~= 10*(2*pi/3) within 1e-6
 check len(section(cap, XY)) == 0
@@ -37,9 +38,16 @@ face between = trim(rest, by = high, keep = "below")
 check area(between) < area(rest)
 
 // A hole runs clockwise; loops of parameters are kept exactly.
-face plate = face(plane_patch((0, 0), (40, 0), (0, 40)), [for p in [(10, 10), (30, 10), (10, 30), (30, 30)]: reversed(circle(p, 4))])
+face plate = face(
+    plane_patch((0, 0), (40, 0), (0, 40)),
+    [for p in [(10, 10), (30, 10), (10, 30), (30, 30)]: reversed(circle(p, 4))],
+)
 check area(plate) ~= 1600 - 64*pi and length(plate) ~= 160 + 32*pi
-face patch = face(ball, [polyline([(0.2, 0.3), (0.4, 0.3), (0.4, 0.7), (0.2, 0.7)], closed = true)], space = "uv")
+face patch = face(
+    ball,
+    [polyline([(0.2, 0.3), (0.4, 0.3), (0.4, 0.7), (0.2, 0.7)], closed = true)],
+    space = "uv",
+)
 check area(patch)/area(ball) ~= area(patch.surface)*area(patch)/area(ball)^2
 check normal(flip(plate), 0.05, 0.05) == -normal(plate, 0.05, 0.05)
 check area(flip(patch)) ~= area(patch)
