@@ -156,6 +156,18 @@ pub fn signed_volume_mass(
     Ok((whole.volume(about)?, (about, signs)))
 }
 
+/// Whether surfaces close.
+///
+/// # Errors
+/// As [`Surface::point_at`].
+pub(crate) fn are_closed(surfaces: &[Surface], tolerance: Tolerance) -> Result<bool, GeomError> {
+    match oriented(surfaces, tolerance, false) {
+        Ok(_) => Ok(true),
+        Err(GeomError::Shell(_)) => Ok(false),
+        Err(error) => Err(error),
+    }
+}
+
 /// For each surface, whether it must turn over so that those that hang together face alike: outward
 /// where they close, otherwise as the first of them.
 ///

@@ -182,18 +182,6 @@ pub(in crate::surface) fn oriented(
     first
 }
 
-/// Whether surfaces close.
-///
-/// # Errors
-/// As [`Surface::point_at`].
-pub(crate) fn are_closed(surfaces: &[Surface], tolerance: Tolerance) -> Result<bool, GeomError> {
-    match oriented(surfaces, tolerance, false) {
-        Ok(_) => Ok(true),
-        Err(GeomError::Shell(_)) => Ok(false),
-        Err(error) => Err(error),
-    }
-}
-
 /// The shells, where points nearer than `allowed` are one.
 ///
 /// An edge that lies within that is collapsed: it closes itself. Several edges may run together for
