@@ -45,9 +45,11 @@ pub(crate) fn to_python<'py>(py: Python<'py>, held: &HeldValue) -> PyResult<Boun
             }
             members.into_any()
         }
-        Value::Jet(_) | Value::JetPoint(_) | Value::JetRange(_) => {
-            to_python(py, &held.with(held.looked_at()))?
-        }
+        Value::Jet(_)
+        | Value::JetPoint(_)
+        | Value::JetRange(_)
+        | Value::JetCurve(_)
+        | Value::JetSurface(_) => to_python(py, &held.with(held.looked_at()))?,
         Value::Function(_)
         | Value::Curve(_)
         | Value::Surface(_)

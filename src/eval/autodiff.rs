@@ -1,57 +1,90 @@
-//! Calls of geometry in functions that are differentiated.
+//! Calls of geometry and of operations in functions that are differentiated.
 //!
 //! The point and every mistake are those of the plain parameters; the derivatives come on top. What
 //! operators do to derivatives stands in the table of operators.
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Curve, Interval, Side, Surface, jet},
-    value::{At, CARRIES_DERIVATIVES, IntoValue, Real, Value, Vector},
+    kernel::Interval,
+    value::{
+        At, CARRIES_DERIVATIVES, Call, Ctx, FromValue, IntoValue, Op, Real, RealCurve, RealSurface,
+        Value, through_affine, varies,
+    },
 };
 
 /// A parameter inside a domain.
 fn inside(domain: Interval, t: Spanned<Real>) -> Result<Real> {
     let clamped = domain.clamp_inside(t.value.value()).at(t.span)?;
-    Ok(match t.value {
-        Real::Plain(_) => Real::Plain(clamped),
-        Real::Jet(jet) => Real::Jet(jet.with_value(clamped)),
+    Ok(t.value.with_value(clamped))
+}
+
+/// The point of a curve at a parameter, either of which may carry derivatives.
+pub(super) fn point_on_curve(curve: &Value, t: Spanned<Real>, span: Span) -> Result<Value> {
+    let curve = read::<RealCurve>(curve, span)?;
+    let t = inside(curve.domain(), t)?;
+    let Some(jet) = curve.jet_of(&t).at(span)? else {
+        return curve.point_at(t.value()).at(span).map(Value::Point);
+    };
+    // At a knot the piece counts that the parameter moves into.
+    Ok(curve.series_beside(&jet, t.side(), 0).at(span)?.remove(0).into_value())
+}
+
+/// The point of a surface at parameters, any of which may carry derivatives.
+pub(super) fn point_on_surface(
+    surface: &Value,
+    [u, v]: [Spanned<Real>; 2],
+    span: Span,
+) -> Result<Value> {
+    let surface = read::<RealSurface>(surface, span)?;
+    let (u, v) = (inside(surface.domain_u(), u)?, inside(surface.domain_v(), v)?);
+    let Some(jets) = surface.jets_of([&u, &v], None).at(span)? else {
+        return surface.point_at(u.value(), v.value()).at(span).map(Value::Point);
+    };
+    let series = surface.series_at(jets.each_ref(), 0).at(span)?;
+    Ok(series.row(0)[0].clone().into_value())
+}
+
+/// Geometry that is called.
+fn read<T: FromValue>(geometry: &Value, span: Span) -> Result<T> {
+    T::from_value(geometry, span).map_err(|mismatch| {
+        Box::new(Diagnostic::error(mismatch.code, span, mismatch.sentence("this", T::TYPE)))
     })
 }
 
-/// The point of a curve at a parameter that may carry derivatives.
-pub(super) fn point_on_curve(curve: &Curve, t: Spanned<Real>, span: Span) -> Result<Value> {
-    match &inside(curve.domain(), t)? {
-        Real::Plain(t) => curve.point_at(*t).at(span).map(Value::Point),
-        Real::Jet(t) => {
-            // At a knot the piece counts that the parameter moves into.
-            let side = if t.is_growing() { Side::Right } else { Side::Left };
-            let derivatives = curve.derivatives_beside(t.value(), side, t.order()).at(span)?;
-            let jets = jet::along(&derivatives, t).at(span)?;
-            Ok(Vector::Jets(Box::new(jets)).into_value())
-        }
+/// What an operation answers; where derivatives pass through it as a whole, with them.
+pub(super) fn run(op: &'static Op, ctx: &mut Ctx<'_>, call: Call) -> Result<Value> {
+    let is_varying = op.is_affine
+        && (call.positional.iter().any(|arg| varies(&arg.value))
+            || call.named.iter().any(|(_, arg)| varies(&arg.value)));
+    if !is_varying {
+        return (op.run)(ctx, call);
     }
+    let given = call.positional.iter().chain(call.named.iter().map(|(_, arg)| arg));
+    let args: Vec<Value> = given.map(|arg| arg.value.clone()).collect();
+    let mut n_warnings = None;
+    through(&format!("`{}`", op.name), call.span, &args, |args| {
+        let mut call = call.clone();
+        let places = call.positional.iter_mut().chain(call.named.iter_mut().map(|(_, arg)| arg));
+        places.zip(args).for_each(|(place, value)| place.value = value.clone());
+        let found = (op.run)(ctx, call);
+        // Only what it says of the arguments themselves is told.
+        let n = *n_warnings.get_or_insert_with(|| ctx.caller.n_warnings());
+        ctx.caller.keep_warnings(n);
+        found
+    })
 }
 
-/// The point of a surface at parameters that may carry derivatives.
-pub(super) fn point_on_surface(
-    surface: &Surface,
-    parameters: [Spanned<Real>; 2],
+/// What something answers to values that carry derivatives, with them.
+pub(super) fn through(
+    what: &str,
     span: Span,
+    args: &[Value],
+    mut run: impl FnMut(&[Value]) -> Result<Value>,
 ) -> Result<Value> {
-    let [u, v] = parameters;
-    let (u, v) = match (inside(surface.domain_u(), u)?, inside(surface.domain_v(), v)?) {
-        (Real::Plain(u), Real::Plain(v)) => {
-            return surface.point_at(u, v).at(span).map(Value::Point);
-        }
-        (Real::Jet(u), v) => {
-            let v = v.like(&u);
-            (u, v)
-        }
-        (u, Real::Jet(v)) => (u.like(&v), v),
-    };
-    let derivatives = surface.derivatives_at(u.value(), v.value(), u.order()).at(span)?;
-    let jets = jet::across(&derivatives, &u, &v).at(span)?;
-    Ok(Vector::Jets(Box::new(jets)).into_value())
+    through_affine(args, &mut run)?.or_else(|reason| {
+        let message = format!("{what}: {}", reason.message());
+        Diagnostic::error(Code::NoDerivative, span, message).hint(reason.hint()).fail()
+    })
 }
 
 /// Fails: nothing there could carry the derivatives on.

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use super::{
-    autodiff::{point_on_curve, point_on_surface},
+    autodiff::{point_on_curve, point_on_surface, run},
     function::ScriptFunction,
     globals::Globals,
     ir::{CallExpr, Expr},
@@ -99,22 +99,22 @@ impl Machine<'_> {
                 }
             }
             Value::Function(Function::Partial(partial)) => self.fill(partial, call, place),
-            Value::Curve(curve) => {
+            Value::Curve(_) | Value::JetCurve(_) => {
                 let [t] = self.parameters(callee, "c(t)", &call)?;
-                let (point, used) = self.meter().lend(|| point_on_curve(curve, t, call.span));
+                let (point, used) = self.meter().lend(|| point_on_curve(callee, t, call.span));
                 self.set_meter(used);
                 finite(point?, "c(t)", call.span)
             }
-            Value::Surface(surface) => {
+            Value::Surface(_) | Value::JetSurface(_) => {
                 let [u, v] = self.parameters(callee, "s(u, v)", &call)?;
                 let (point, used) =
-                    self.meter().lend(|| point_on_surface(surface, [u, v], call.span));
+                    self.meter().lend(|| point_on_surface(callee, [u, v], call.span));
                 self.set_meter(used);
                 finite(point?, "s(u, v)", call.span)
             }
             Value::Face(face) => {
                 let parameters = self.parameters(callee, "f(u, v)", &call)?;
-                let surface = Surface::Nurbs(Arc::clone(face.surface()));
+                let surface = Value::Surface(Surface::Nurbs(Arc::clone(face.surface())));
                 let [u, v] = parameters.each_ref().map(|parameter| parameter.value.value());
                 let (point, used) = self.meter().lend(|| {
                     let point = point_on_surface(&surface, parameters, call.span)?;
@@ -206,7 +206,7 @@ impl Machine<'_> {
             caller: self,
         };
         let foreign = first.filter(|first| op.is_foreign_to(&first.value)).cloned();
-        let run = || meter.lend(|| (op.run)(&mut ctx, call));
+        let run = || meter.lend(|| run(op, &mut ctx, call));
         let ((value, used), done) = work::under(watch, run);
         // What the operation called was counted by this machine; what it asked, by the meter; what it
         // did itself, under the watch.

@@ -50,4 +50,12 @@ impl Caller for Machine<'_> {
     fn warn(&mut self, warning: Diagnostic) {
         self.warnings.push(warning);
     }
+
+    fn n_warnings(&self) -> usize {
+        self.warnings.len()
+    }
+
+    fn keep_warnings(&mut self, n: usize) {
+        self.warnings.truncate(n);
+    }
 }

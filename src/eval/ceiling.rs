@@ -124,7 +124,7 @@ pub(crate) fn out_of_memory(limits: &Limits, span: Span) -> Diagnostic {
 
 /// What is too much about a curve or surface, if anything, and the ceiling on it.
 fn too_fine(value: &Value, limits: &Limits) -> Option<(String, &'static str)> {
-    let (degree, n_points) = match value {
+    let (degree, n_points) = match &value.looked_at() {
         Value::Curve(Curve::Nurbs(curve)) => (curve.degree(), curve.control_points().len()),
         Value::Surface(Surface::Nurbs(surface)) => {
             (surface.degree_u().max(surface.degree_v()), surface.control_points().as_slice().len())

@@ -1,6 +1,6 @@
 //! Fields of values, and what is told of one that is not there.
 
-use super::machine::Machine;
+use super::{autodiff::through, machine::Machine};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     value::{At, Value, field, field_names},
@@ -21,7 +21,17 @@ impl Machine<'_> {
         name: &str,
         place: Span,
     ) -> Result<Value> {
-        if let Some(found) = field(value, name, self.env.tolerance).at(place)? {
+        let tolerance = self.env.tolerance;
+        if let Value::JetCurve(_) | Value::JetSurface(_) = value
+            && field_names(value).contains(&name)
+        {
+            let read = |args: &[Value]| match args {
+                [of, ..] => Ok(field(of, name, tolerance).at(place)?.unwrap_or(Value::None)),
+                [] => Ok(Value::None),
+            };
+            return through(&format!("`.{name}`"), place, std::slice::from_ref(value), read);
+        }
+        if let Some(found) = field(value, name, tolerance).at(place)? {
             return Ok(found);
         }
         let names = field_names(value);

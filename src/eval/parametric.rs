@@ -158,7 +158,7 @@ fn script_function(value: &Value) -> Option<&ScriptFunction> {
 /// Whether a value, or what a function took from around it, carries derivatives.
 pub(super) fn holds_jets(value: &Value) -> bool {
     match value {
-        Value::Jet(_) | Value::JetPoint(_) => true,
+        value if value.is_jet() => true,
         Value::List(items) => items.iter().any(holds_jets),
         Value::Record(record) => record.iter().any(|(_, value)| holds_jets(value)),
         Value::Function(Function::Partial(partial)) => {

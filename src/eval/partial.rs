@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use super::{ir::CallExpr, machine::Machine};
+use super::{autodiff::through, ir::CallExpr, machine::Machine};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    value::{At, Call, FromValue, Function, Partial, Type, Value},
+    value::{At, Call, FromValue, Function, Partial, Type, Value, varies},
 };
 
 impl Machine<'_> {
@@ -50,6 +50,22 @@ impl Machine<'_> {
                 Box::new(Diagnostic::error(mismatch.code, span, message))
             })
         };
+        if varies(callee) || positional.iter().flatten().any(varies) {
+            let given = positional.iter().flatten().cloned();
+            let args: Vec<Value> = std::iter::once(callee.clone()).chain(given).collect();
+            let is_open: Vec<bool> = positional.iter().map(Option::is_none).collect();
+            if !matches!(callee.kind(), "curve" | "surface") {
+                return Ok(None);
+            }
+            return through("this isocurve", call.callee.span, &args, |args| {
+                let mut given = args.iter().skip(1).cloned();
+                let open = is_open.iter().map(|is_open| if *is_open { None } else { given.next() });
+                let open: Vec<Option<Value>> = open.collect();
+                let found = self.isocurve(&args[0], &open, named, call)?;
+                Ok(found.unwrap_or(Value::None))
+            })
+            .map(|found| (!matches!(found, Value::None)).then_some(found));
+        }
         Ok(Some(match (callee, positional) {
             (Value::Curve(_), [None]) => callee.clone(),
             (Value::Surface(_), [None, None]) => callee.clone(),

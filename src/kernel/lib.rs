@@ -44,6 +44,7 @@
 //! - Area, volume, centroid, inertia: [`Surface::area`], [`area_mass`], [`volume_mass`], [`principal_axes`].
 //! - Places of note: [`NurbsCurve::inflections`], [`NurbsCurve::vertices`], [`NurbsCurve::extrema`], [`NurbsCurve::corners`],
 //!   [`NurbsCurve::cusps`]; [`Surface::umbilics`], [`Surface::defects`].
+//! - How measures go with control points that vary: [`VariedCurve`], [`VariedSurface`] of [`PointSlopes`].
 //! - Joints: [`Curve::continuity_with`], [`Surface::continuity_with`], [`Curve::continuity`].
 //! - What it is: [`NurbsCurve::analytic`], [`NurbsCurve::conic_kind`], [`NurbsSurface::analytic`], [`NurbsSurface::quadric`],
 //!   [`Curve::is_planar`], [`Surface::is_developable`].
@@ -141,6 +142,7 @@ mod table;
 pub mod tolerance;
 mod trim;
 mod valley;
+mod varied;
 pub mod work;
 
 /// The library of points and vectors that all signatures here speak in.
@@ -205,7 +207,7 @@ pub use surface::{
     ParametricPlaces, ParametricSurface, PictureError, Principal, QuadricKind, ShellError, Surface,
     SurfaceClosestPoint, SurfaceContinuity, SurfaceDefects, SurfaceEvaluator, SurfaceFunction,
     SurfaceOffset, SurfacePointKind, SurfaceShape, Twists, area_mass, facing_unlike, join_patches,
-    make_surfaces_compatible, volume_mass,
+    make_surfaces_compatible, signed_volume_mass, volume_mass,
 };
 pub use sweep::{
     Axes, Columns, FrameRule, Frames, Motion, PathLeg, PlacedAxes, Sweep, SweepBuilder, SweepError,
@@ -218,3 +220,4 @@ pub use trim::{
     CurveEnd, Cutter, Face, FaceClosestPoint, FaceEdge, FaceError, FacePart, SurfaceCurve,
     SurfaceCurveKind,
 };
+pub use varied::{PointSlopes, SurfaceIntegral, VariedCurve, VariedSurface, stay_closed};

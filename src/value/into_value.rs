@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Angle, Choice, Geometry, Length, Number, Range, Record, Type, Value};
+use super::{Angle, Choice, Geometry, Length, Number, Range, RealGeometry, Record, Type, Value};
 use crate::{
     diag::Spanned,
     kernel::{
@@ -80,6 +80,7 @@ into_variant! {
     Table = Type::Table, |table| Value::Table(Arc::new(table));
     Frame = Type::Plane, |frame| Value::Frame(Arc::new(frame));
     Geometry = Type::Geometry, |geometry| geometry.0;
+    RealGeometry = Type::Geometry, |geometry| geometry.0;
 }
 
 impl<T: IntoValue> IntoValue for Vec<T> {

@@ -26,7 +26,11 @@ pub fn to_json(value: &Value) -> Json {
         Value::Bool(truth) => json!(truth),
         Value::Number(number) => number_json(*number),
         Value::Text(text) => json!(**text),
-        Value::Jet(_) | Value::JetPoint(_) | Value::JetRange(_) => to_json(&value.looked_at()),
+        Value::Jet(_)
+        | Value::JetPoint(_)
+        | Value::JetRange(_)
+        | Value::JetCurve(_)
+        | Value::JetSurface(_) => to_json(&value.looked_at()),
         Value::Point(point) => json!({ "virote": "point", "xyz": point.to_array() }),
         Value::List(items) => Json::Array(items.iter().map(to_json).collect()),
         Value::Range(range) => json!({

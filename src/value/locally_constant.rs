@@ -15,7 +15,7 @@ use super::{
 use crate::{diag::Span, kernel::Interval};
 
 /// What carries derivatives on, as a hint.
-pub const CARRIES_DERIVATIVES: &str = "derivatives pass through arithmetic, the functions of numbers and points, and the questions about a place of a curve or surface that answer with numbers and points";
+pub const CARRIES_DERIVATIVES: &str = "derivatives pass through arithmetic, the functions of numbers and points, geometry that is made of given points with all else fixed, and its lengths, areas, volumes and places";
 
 /// A number that is only looked at: what an operation answers does not change nearby.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,6 +4,7 @@
 //! one declaration of a built-in: the `op!` macro makes it, the [`Registry`] lists it, and the
 //! evaluator, the reference, the help and the tests read nothing else.
 
+mod affine;
 mod appearance;
 mod bind;
 mod compare;
@@ -35,14 +36,19 @@ mod shape;
 mod table_text;
 mod ty;
 mod unit;
+mod variation;
+mod varied;
 mod vector;
 
 use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::kernel::{Curve, Face, Frame, Jet, Mesh, Region, Surface, Table};
+use crate::kernel::{
+    Curve, Face, Frame, Jet, Mesh, Region, Surface, Table, VariedCurve, VariedSurface,
+};
 
+pub use affine::{NoDerivative, through_affine, varies};
 pub use appearance::{Appearance, COLOR_NAMES, color_of};
 pub use bind::{Binder, Call, FormalParameter, Mistakes, assign};
 pub use compare::{Discrepancy, deviation, equal};
@@ -74,10 +80,11 @@ pub use read_json::{ENDED, read_json};
 pub use real::Real;
 pub use record::Record;
 pub use registry::{Constant, Registry, choose};
-pub use shape::Geometry;
+pub use shape::{Geometry, RealGeometry};
 pub use table_text::table_text;
 pub use ty::Type;
 pub use unit::{in_document_unit, in_unit_of};
+pub use varied::{RealCurve, RealSurface};
 pub use vector::Vector;
 
 /// What an expression evaluates to. Cheap to clone.
@@ -109,8 +116,12 @@ pub enum Value {
     Function(Function),
     /// A curve.
     Curve(Curve),
+    /// A curve in a function that is differentiated.
+    JetCurve(Arc<VariedCurve>),
     /// A surface.
     Surface(Surface),
+    /// A surface in a function that is differentiated.
+    JetSurface(Arc<VariedSurface>),
     /// A plane region.
     Region(Arc<Region>),
     /// A part of a surface.
@@ -142,13 +153,18 @@ impl Value {
         Self::List(List::from(items))
     }
 
-    /// The value without derivatives: a plain number for a jet, a point for one of jets.
+    /// The value without derivatives: a plain number for a jet, a point for one of jets, a curve or surface for one that
+    /// varies.
     #[must_use]
     pub fn looked_at(&self) -> Self {
         match self {
             Self::Jet(number) => Self::Number(number.looked_at()),
             Self::JetPoint(jets) => Self::Point(DVec3::from(jets.each_ref().map(Jet::value))),
             Self::JetRange(range) => Self::Range(range.looked_at()),
+            Self::JetCurve(curve) => Self::Curve(Curve::Nurbs(Arc::clone(curve.curve()))),
+            Self::JetSurface(surface) => {
+                Self::Surface(Surface::Nurbs(Arc::clone(surface.surface())))
+            }
             other => other.clone(),
         }
     }
@@ -156,7 +172,14 @@ impl Value {
     /// Whether it carries derivatives.
     #[must_use]
     pub fn is_jet(&self) -> bool {
-        matches!(self, Self::Jet(_) | Self::JetPoint(_) | Self::JetRange(_))
+        matches!(
+            self,
+            Self::Jet(_)
+                | Self::JetPoint(_)
+                | Self::JetRange(_)
+                | Self::JetCurve(_)
+                | Self::JetSurface(_)
+        )
     }
 
     /// How deep and how large it is.
@@ -191,8 +214,8 @@ impl Value {
             Self::Range(_) | Self::JetRange(_) => "range",
             Self::Record(_) => "record",
             Self::Function(_) => "function",
-            Self::Curve(_) => "curve",
-            Self::Surface(_) => "surface",
+            Self::Curve(_) | Self::JetCurve(_) => "curve",
+            Self::Surface(_) | Self::JetSurface(_) => "surface",
             Self::Region(_) => "region",
             Self::Face(_) => "face",
             Self::Mesh(_) => "mesh",

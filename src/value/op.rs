@@ -137,6 +137,12 @@ pub trait Caller {
 
     /// Takes a warning.
     fn warn(&mut self, warning: Diagnostic);
+
+    /// How many warnings it has taken.
+    fn n_warnings(&self) -> usize;
+
+    /// Forgets all warnings but the first so many.
+    fn keep_warnings(&mut self, n: usize);
 }
 
 /// Chapter of the reference in which an operation is listed.
@@ -272,6 +278,9 @@ pub struct Op {
     pub refusals: &'static [RefusalExample],
     /// Bounds of its values, of a function of one number that tells them.
     pub enclosed: Option<EnclosedFunction>,
+    /// Whether its result is affine in what it is made of, or bends by the product of two of them, so that
+    /// derivatives pass through it: see [`through_affine`](super::through_affine).
+    pub is_affine: bool,
     /// What its picture in the reference shows, where that is more than its first example.
     pub picture: Option<ExamplePicture>,
     /// Whether its argument names a script, whose parameters are the other arguments: the files of a script
@@ -319,6 +328,7 @@ macro_rules! op {
         $( example $code:literal => $prints:literal; )+
         $( refuses $misuse:literal => $says:literal; )*
         $( encloses $enclosed:path; )?
+        $( derivative $affine:ident; )?
         $( picture $picture:literal; )?
         $( scene $scene:literal; )?
         $( names $named:literal; )?
@@ -343,6 +353,7 @@ macro_rules! op {
             examples: &[ $( $crate::value::Example { code: $code, prints: $prints } ),+ ],
             refusals: &[ $( $crate::value::RefusalExample { code: $misuse, says: $says } ),* ],
             enclosed: $crate::value::op!(@enclosed $($enclosed)?),
+            is_affine: $crate::value::op!(@is_affine $($affine)?),
             picture: $crate::value::op!(@picture $(Value $picture)? $(Scene $scene)?),
             names_script: $crate::value::op!(@names_script $($named)?),
             run: |ctx, call| {
@@ -367,6 +378,8 @@ macro_rules! op {
     }) };
     (@enclosed) => { None };
     (@enclosed $enclosed:path) => { Some($enclosed) };
+    (@is_affine) => { false };
+    (@is_affine affine) => { true };
     (@picture) => { None };
     (@picture $kind:ident $picture:literal) => { Some($crate::value::ExamplePicture::$kind($picture)) };
     (@names_script) => { false };

@@ -30,6 +30,26 @@ impl FromValue for Geometry {
     }
 }
 
+/// Geometry as [`Geometry`], that may carry derivatives.
+#[derive(Clone, Debug)]
+pub struct RealGeometry(pub Value);
+
+impl FromValue for RealGeometry {
+    const TYPE: Type = Type::Geometry;
+
+    fn from_value(value: &Value, span: Span) -> Result<Self, Mismatch> {
+        match value {
+            Value::List(items) => {
+                for (idx, item) in items.iter().enumerate() {
+                    Self::from_value(item, span).map_err(|mismatch| mismatch.inside(idx))?;
+                }
+                Ok(Self(value.clone()))
+            }
+            _ => Geometry::from_value(&value.looked_at(), span).map(|_| Self(value.clone())),
+        }
+    }
+}
+
 /// A curve whose control points and knots are needed.
 impl FromValue for Arc<NurbsCurve> {
     const TYPE: Type = Type::Curve;

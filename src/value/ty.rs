@@ -88,10 +88,15 @@ impl Type {
             | (Self::Record, Value::Record(_))
             | (
                 Self::Function,
-                Value::Function(_) | Value::Curve(_) | Value::Surface(_) | Value::Face(_),
+                Value::Function(_)
+                | Value::Curve(_)
+                | Value::JetCurve(_)
+                | Value::Surface(_)
+                | Value::JetSurface(_)
+                | Value::Face(_),
             )
-            | (Self::Curve, Value::Curve(_))
-            | (Self::Surface, Value::Surface(_))
+            | (Self::Curve, Value::Curve(_) | Value::JetCurve(_))
+            | (Self::Surface, Value::Surface(_) | Value::JetSurface(_))
             | (Self::Region, Value::Region(_))
             | (Self::Face, Value::Face(_))
             | (Self::Mesh, Value::Mesh(_))

@@ -71,10 +71,12 @@ check minimize(p => p.x + p.y, start = (2, 1), subject = p => { let r = norm(p)
   [r <= 1, if r > 0 then p.x >= -5 else p.y >= -5] }) ~= (-sqrt(0.5), -sqrt(0.5)) within 1e-6
 check abs(minimize(u => u.x^4 - u.x^2 + u.y^2, start = {x: 0, y: 0}).x) ~= sqrt(0.5) within 1e-6
 check minimize(u => u.x - ln(u.x), start = {x: 8}).x ~= 1 within 1e-6
-// Through geometry the gradients are differences.
+// Through geometry that grows evenly the gradients are exact, elsewhere differences.
 fn side(u) = area(revolve(polyline((u.r, 0, 0), (u.r, 0, u.h)), axis = (0, 0, 1)))
 let cheapest = minimize(u => side(u) + 2*pi*u.r^2, start = {r: 5, h: 6}, subject = u => pi*u.r^2*u.h ~= 1000, report = true)
-check cheapest.at.h ~= 2*cheapest.at.r within 1e-4 and cheapest.derivatives == "differences"
+check cheapest.at.h ~= 2*cheapest.at.r within 1e-4 and cheapest.derivatives == "exact"
+let straight = minimize(u => length(offset(line((0, 0), (3, u.h)), 1)), start = {h: 1}, report = true)
+check straight.at.h ~= 0 within 1e-4 and straight.derivatives == "differences"
 
 // Gradients: of fifty unknowns, through a curve, and by numbers with units.
 let fifty = gradient(x => sum([for i in 0..<50: (i + 1) * x[i]^2]), [for i in 0..<50: i])

@@ -54,5 +54,6 @@ mod sweep;
 mod tensor;
 mod tessellation;
 mod triangles;
+mod varied;
 mod whole;
 mod worked;

@@ -1,6 +1,7 @@
 //! The language and its built-ins: what scripts say, refuse, draw and write, and the rules of the house.
 
 mod circles;
+mod derivatives;
 mod docs;
 mod errors;
 mod faults;

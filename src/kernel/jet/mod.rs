@@ -103,6 +103,25 @@ impl Jet {
         Self::constant(value, JetShape::Several { n_variables }).with_slope(idx + 1)
     }
 
+    /// A number and its slope by each of several variables.
+    ///
+    /// # Errors
+    /// [`LocalError::DerivativeBeyondNumbers`].
+    pub fn with_slopes(value: f64, slopes: &[f64]) -> Result<Self, GeomError> {
+        let shape = JetShape::Several { n_variables: slopes.len() };
+        let coefficients = std::iter::once(value).chain(slopes.iter().copied()).collect();
+        Self { shape, coefficients }.checked()
+    }
+
+    /// Of how many variables it is a series of the first order; none if it is of a higher one.
+    #[must_use]
+    pub fn n_variables(&self) -> Option<usize> {
+        match self.shape {
+            JetShape::Several { n_variables } => Some(n_variables),
+            JetShape::One { .. } | JetShape::Two { .. } => None,
+        }
+    }
+
     /// The derivatives of first order: by the variable, by both, or by each of several.
     #[must_use]
     pub fn slopes(&self) -> &[f64] {

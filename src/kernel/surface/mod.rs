@@ -31,8 +31,10 @@ pub use intersection::level_set::{CurveSurfaceIntersection, LevelSet, PictureErr
 pub use measurement::closest::{ParametricPlaces, SurfaceClosestPoint};
 pub use measurement::defects::SurfaceDefects;
 pub use measurement::joint::SurfaceContinuity;
-pub(crate) use measurement::mass::{MassIntegral, moments};
-pub use measurement::mass::{MassProperties, area_mass, facing_unlike, volume_mass};
+pub(crate) use measurement::mass::{MassIntegral, are_closed, moments};
+pub use measurement::mass::{
+    MassProperties, area_mass, facing_unlike, signed_volume_mass, volume_mass,
+};
 pub(crate) use measurement::quadrature::{Integral, QuadratureMap, integral_over};
 pub use measurement::shape::{Principal, SurfacePointKind, SurfaceShape};
 pub use measurement::shell::ShellError;

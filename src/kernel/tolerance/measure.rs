@@ -13,6 +13,31 @@ pub const LENGTH_RELATIVE: f64 = 1e-13;
 /// of the sum.
 pub const QUADRATURE_RELATIVE: f64 = 1e-12;
 
+/// The gradient of a length, an area or a volume is computed until two rules agree to this fraction of it;
+/// the finer one, which counts, is much nearer than that.
+///
+/// Larger shows in the last digits that a report prints; smaller halves what is known already.
+pub const GRADIENT_RELATIVE: f64 = 1e-11;
+
+/// Surfaces that vary are moved by this fraction of their size to see whether they stay closed.
+///
+/// Larger takes edges that glide along one another for open, whose gap grows by the square; smaller hides a
+/// gap below the tolerance within which surfaces close.
+pub const APART_STEP_RELATIVE: f64 = 1e-3;
+
+/// Edges that come apart by more than this fraction of the size of the surfaces on that way, besides the
+/// tolerance, open.
+///
+/// Larger gives a derivative to a volume that leaks; smaller refuses edges that glide.
+pub const APART_RELATIVE: f64 = 4e-6;
+
+/// What an operation makes of arguments that move lies on a straight line or a parabola if it misses it by
+/// less than this fraction of its numbers.
+///
+/// Larger takes a bend for none, and its chord for a derivative; smaller takes the rounding of equations
+/// that are solved for a bend.
+pub const AFFINE_RELATIVE: f64 = 1e-10;
+
 /// An area or volume of which less than this fraction may be wrong is told without a word.
 ///
 /// Larger hides a fold that the integral misses; smaller warns of digits that nobody reads.

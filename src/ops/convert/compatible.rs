@@ -21,6 +21,7 @@ op! {
     example "[for c in compatible([line((0, 0), (2, 0)), clamped((0, 0), (1, 2), (3, 2), (4, 0), degree = 2)]): c.knots]" => "[[0, 0, 0, 0.5, 1, 1, 1], [0, 0, 0, 0.5, 1, 1, 1]]";
     example "compatible([line((0, 0), (2, 0)), bezier((0, 0), (1, 2), (2, 0))])[0].points" => "[(0, 0, 0), (1, 0, 0), (2, 0, 0)]";
     refuses "compatible([])" => "E0301: `compatible`: `curves` must be a list of 1 or more curves, found an empty list";
+    derivative affine;
     scene r#"
         let both = compatible([line((0, 0), (4, -1)), clamped((0, 0), (1, 2), (3, 2), (4, 0), degree = 2)]) with (hidden = true)
         curves curves_of_one_kind = both

@@ -24,6 +24,7 @@ op! {
     }
     example "de_casteljau(bezier((2, 0), (4, 1), (3, 2)), 0.5)" => "[[(2, 0, 0), (4, 1, 0), (3, 2, 0)], [(3, 0.5, 0), (3.5, 1.5, 0)], [(3.25, 1, 0)]]";
     refuses "de_casteljau(polyline((0, 0), (1, 2), (3, 1)), 0.5)" => "E0611: a Bézier curve has one segment, but the curve has 2";
+    derivative affine;
     scene r#"
         curve c = bezier((0, 0), (1, 3), (3, -2), (4, 1))
         let levels = de_casteljau(c, 0.4) with (hidden = true)

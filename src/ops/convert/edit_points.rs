@@ -20,6 +20,7 @@ op! {
     }
     example "edit_points(bezier((0, 0), (1, 2), (2, 0)))" => "[(0, 0, 0), (1, 1, 0), (2, 0, 0)]";
     refuses "edit_points(parametric(t => (t, t^2), 0..2))" => "E0301: `edit_points`: `c` must be a NURBS curve, found a parametric curve";
+    derivative affine;
     scene r#"
         curve c = bspline((0, 0), (1, 2), (3, 1), (4, 3), (6, 0), (7, 1))
         points edited = edit_points(c) with (color = "red")

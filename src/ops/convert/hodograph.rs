@@ -18,6 +18,7 @@ op! {
     }
     example "hodograph(bezier((0, 0), (1, 2), (2, 0))).points" => "[(2, 4, 0), (2, -4, 0)]";
     example "hodograph(circle((0, 0), 1))(0.3) ~= derivative(circle((0, 0), 1), 0.3) within 1e-13" => "true";
+    derivative affine;
     scene r#"
         curve c = bezier((0, 0), (1, 3), (4, 3), (4, 0))
         curve third = scale(hodograph(c), 1/3) with (color = "red")

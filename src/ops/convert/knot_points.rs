@@ -18,6 +18,7 @@ op! {
     }
     example "knot_points(clamped((1, 1), (3, 1), (5, 7), (7, 1), (9, 4)))" => "[(1, 1, 0), (5, 4, 0), (9, 4, 0)]";
     refuses "knot_points(parametric(t => (t, t^2), 0..2))" => "E0301: `knot_points`: `c` must be a NURBS curve, found a parametric curve";
+    derivative affine;
     scene r#"
         curve c = bspline((0, 0), (1, 2), (3, 1), (4, 3), (6, 0), (7, 1))
         points joints = knot_points(c) with (color = "red")

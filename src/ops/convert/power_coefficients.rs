@@ -24,6 +24,7 @@ op! {
     refuses "power_coefficients(polyline((0, 0), (1, 2), (3, 1)))" => "E0611: a polynomial in t has one segment, but the curve has 2";
     refuses "power_coefficients(circle((0, 0), 1))" => "E0611: a polynomial in t has no weights, but those of the curve differ";
     refuses "power_coefficients(conic((0, 0), (1, 2), (2, 0), 1/2))" => "E0611: a polynomial in t has no weights, but those of the curve differ";
+    derivative affine;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {

@@ -23,6 +23,7 @@ op! {
     example "to_coons(clamped((1, 1), (3, 1), (5, 7), (7, 1), (9, 4))).points ~= [(-7, 7), (2, -2), (5, 7), (8, -2), (17, 25)] within 1e-12" => "true";
     refuses "to_coons(polyline((0, 0), (1, 2), (3, 1)))" => "E0611: a Coons B-spline is C2 at its joints, but the curve is only C0 at parameter 1";
     refuses "to_coons(circle((0, 0), 1))" => "E0611: a Coons B-spline has no weights, but those of the curve differ";
+    derivative affine;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

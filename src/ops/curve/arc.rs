@@ -39,6 +39,7 @@ op! {
     refuses "arc((0, 0), 2, 90deg, 90deg)" => "E0607: the arc ends at the angle at which it starts";
     refuses "arc((0, 0), 2, 0deg, 90deg, normal = (0, 0, 0))" => "E0607: the normal has no direction";
     refuses "arc((0, 0), 2, 0, 90deg)" => "E0304: `arc`: `from` must be an angle, found the number 0";
+    derivative affine;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

@@ -32,6 +32,7 @@ op! {
     refuses "beta_spline((0, 0), (1, 2), (3, 2))" => "E0601: a cubic needs 4 points or more, found 3";
     refuses "beta_spline((0, 0), (1, 2), (3, 2), (4, 0), bias = 0)" => "E0607: the bias is 0; it must be above zero";
     refuses "beta_spline((0, 0), (1, 2), (3, 2), (4, 0), tension = -20)" => "E0607: the tension is -20; with this bias it must be above -12";
+    derivative affine;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

@@ -30,6 +30,7 @@ op! {
     example "circle((0, 0), 2).degree" => "2";
     refuses "circle((0, 0), 0)" => "E0607: the radius must be positive, found 0";
     refuses "circle((0, 0), 1, normal = (0, 0, 0))" => "E0607: the normal has no direction";
+    derivative affine;
 }
 
 impl Choice for CircleForm {

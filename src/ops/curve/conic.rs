@@ -27,6 +27,7 @@ op! {
     example "conic((0, 0), (1, 2), (2, 0), 1)(0.5)" => "(1, 1, 0)";
     example "norm(conic((1, 0), (1, 1), (0, 1), sqrt(2) / 2)(0.3)) ~= 1" => "true";
     refuses "conic((0, 0), (1, 2), (2, 0), -1)" => "E0603: weight 1 is -1; weights are not negative";
+    derivative affine;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

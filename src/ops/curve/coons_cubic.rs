@@ -21,6 +21,7 @@ op! {
     example "coons_cubic((0, 0), (0, 6), (6, 6), (6, 0))(0) ~= (1, 5) within 1e-14" => "true";
     example "derivative(coons_cubic((0, 0), (0, 6), (6, 6), (6, 0)), 1) ~= (3, -3)" => "true";
     refuses "coons_cubic((0, 0), (1, 2), (2, 0))" => "E0601: `coons_cubic`: `points` must be a list of 4 or more points, found a list of 3 points";
+    derivative affine;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

@@ -24,6 +24,7 @@ op! {
     example "derivative(cubic_spline([(0, 0), (2, 3), (5, 1)], [(1, 2), (3, 0)]), 1) ~= (11/4, 1/4)" => "true";
     example "cubic_spline([(0, 0), (1, 0)], [(0, 3), (0, -3)])(0.5)" => "(0.5, 0.75, 0)";
     refuses "cubic_spline([(0, 0), (2, 3)], [(1, 2)])" => "E0401: `tangents` are two, at the start and at the end, found 1";
+    derivative affine;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

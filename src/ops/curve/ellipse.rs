@@ -32,6 +32,7 @@ op! {
     example "curvature(ellipse((0, 0), 4, 3), 0) ~= 4/9 within 1e-12" => "true";
     refuses "ellipse((0, 0), 4, 0)" => "E0607: the radius `ry` must be positive, found 0";
     refuses "ellipse((0, 0), 4, 3, x = (0, 0, 1))" => "E0607: the x axis is parallel to the normal";
+    derivative affine;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

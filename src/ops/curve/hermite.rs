@@ -25,6 +25,7 @@ op! {
     example "derivative(hermite([(1, 0), (4, 2), (5, 5)], [(-1, 3), (2, -2), (0, 1)]), 1) ~= (2, -2)" => "true";
     refuses "hermite([(1, 0), (4, 2)], [(1, 1)])" => "E0401: 2 points need 2 tangents, got 1";
     refuses "hermite([(1, 0)], [(1, 1)])" => "E0601: `hermite`: `points` must be a list of 2 or more points, found a list of 1 point";
+    derivative affine;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

@@ -44,6 +44,7 @@ op! {
     refuses "interpolate((0, 0), (1, 1), (1, 1), (2, 0))" => "E0607: points 1 and 2 are at one place";
     refuses "interpolate((0, 0), (1, 1), (2, 0), parameters = [0, 2, 1])" => "E0610: parameter 2 is 1, not above the 2 before it; parameters increase";
     refuses "interpolate((0, 0), (1, 1), (2, 0), ends = \"clamped\")" => "E0401: \"clamped\" ends need their tangents";
+    derivative affine;
     scene r#"
         points p = [(0, 0), (1, 2), (3, 1), (4, 3), (6, 0), (7, 1)] with (color = "red")
         curve c = interpolate(p)

@@ -24,6 +24,7 @@ op! {
     example "lagrange((0, 0), (1, 1), (2, 4))(0.75)" => "(1.5, 2.25, 0)";
     example "lagrange((0, 0), (1, 1), (4, 16), parameters = [0, 1, 4])(3) ~= (3, 9)" => "true";
     refuses "lagrange([(0, 0)])" => "E0601: `lagrange`: `points` must be a list of 2 or more points, found a list of 1 point";
+    derivative affine;
     scene r#"
         points p = [(0, 0), (1, 2), (2, 1), (4, 2), (5, 0)] with (color = "red")
         curve c = lagrange(p)

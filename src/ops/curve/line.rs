@@ -17,6 +17,7 @@ op! {
         b: DVec3,
     }
     example "line((0, 0), (2, 4))(0.5)" => "(1, 2, 0)";
+    derivative affine;
     picture "line((0, 0), (3, 1))";
 }
 

@@ -23,6 +23,7 @@ op! {
     example "polynomial([(0, 0), (1, 0), (0, 1)], domain = -2..2).points" => "[(-2, 4, 0), (0, -4, 0), (2, 4, 0)]";
     refuses "polynomial([])" => "E0601: `polynomial`: `coefficients` must be a list of 1 or more points, found an empty list";
     refuses "polynomial([(0, 0), (1, 1)], domain = 1..1)" => "E0606: `polynomial`: `domain`: an interval needs its start below its end, got 1..1";
+    derivative affine;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

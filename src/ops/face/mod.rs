@@ -18,7 +18,7 @@ use super::region::Border;
 use crate::{
     diag::{Result, Span},
     kernel::{Cutter, Face, NurbsCurve, Surface, Tolerance},
-    value::{At, Ctx, FromValue, Mismatch, Op, Type, Value},
+    value::{At, Ctx, FromValue, Mismatch, Op, RealSurface, Type, Value},
 };
 
 pub(super) static OPS: &[&Op] = &[
@@ -108,6 +108,42 @@ impl SurfaceOrFace {
     /// Whether a place of the surface is on the face.
     pub(super) fn has(&self, parameters: [f64; 2], tolerance: Tolerance) -> bool {
         self.face.as_ref().is_none_or(|face| face.has(parameters, tolerance))
+    }
+}
+
+/// A surface or a part of one, as [`SurfaceOrFace`]; a surface may carry derivatives.
+#[derive(Clone)]
+pub(super) struct RealSurfaceOrFace {
+    plain: SurfaceOrFace,
+    real: RealSurface,
+}
+
+/// It without derivatives.
+impl Deref for RealSurfaceOrFace {
+    type Target = SurfaceOrFace;
+
+    fn deref(&self) -> &SurfaceOrFace {
+        &self.plain
+    }
+}
+
+impl FromValue for RealSurfaceOrFace {
+    const TYPE: Type = SurfaceOrFace::TYPE;
+
+    fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
+        let plain = SurfaceOrFace::from_value(&value.looked_at(), span)?;
+        let real = match value {
+            Value::JetSurface(varied) => Arc::clone(varied).into(),
+            _ => plain.surface.clone().into(),
+        };
+        Ok(Self { plain, real })
+    }
+}
+
+impl RealSurfaceOrFace {
+    /// The whole surface, with its derivatives.
+    pub(super) fn real(&self) -> &RealSurface {
+        &self.real
     }
 }
 

@@ -14,8 +14,10 @@ op! {
     /// shape of the place.
     ///
     /// The function is run once, on numbers that carry a derivative by each unknown along, through operators,
-    /// the functions of numbers and points, and the questions about places of curves and surfaces. The first
-    /// operation through which no derivative passes is named in the error. Conditions of `if` and other
+    /// the functions of numbers and points, the making of geometry that grows evenly with what it is made of
+    /// (of control points, of points at listed parameters, of curves; moved, scaled, turned, cut), and the
+    /// questions about it: places, lengths, areas, volumes, nearest points. The first operation through which
+    /// no derivative passes is named in the error. Conditions of `if` and other
     /// comparisons decide by the value alone; what does not depend on an unknown has the derivative 0 by it.
     /// Griewank & Walther, *Evaluating Derivatives*, §3.1.
     gradient in Math -> Value {
@@ -29,6 +31,8 @@ op! {
     example "gradient(x => sum([for k in 1..3: x[0]^k]) * x[1], [2, 5])" => "[85, 14]";
     example "gradient(p => norm(closest(circle((0, 0), 2), p).point - p), (3, 4)) ~= (0.6, 0.8)" => "true";
     example "gradient(r => pi * r^2, 2mm)" => "12.566370614359172";
+    example "gradient(h => area(extrude(line((0, 0), (3, 4)), (0, 0, h))), 2mm)" => "5";
+    example "gradient(p => volume(scale(box((0, 0), p), 2)), (1, 2, 3)) ~= (48, 24, 16)" => "true";
     refuses "gradient(x => abs(x), 0)" => "E0503: the magnitude has no derivative at 0";
     refuses "gradient(p => p, (3, 4))" => "E0301: the function must yield a number, but it yields a point";
 }

@@ -25,6 +25,7 @@ op! {
         p11: DVec3,
     }
     example "bilinear((0, 0), (0, 1), (1, 0), (1, 1, 1))(0.5, 0.5)" => "(0.5, 0.5, 0.25)";
+    derivative affine;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

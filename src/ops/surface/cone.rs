@@ -32,6 +32,7 @@ op! {
     example "cone((0, 0), 3, 0, 4)(0.5, 1)" => "(0, 0, 4)";
     refuses "cone((0, 0), 0, 0, 4)" => "E0607: both radii are zero, which leaves a line and no cone";
     refuses "cone((0, 0), 3, 1, -4)" => "E0607: the height must be positive, found -4";
+    derivative affine;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

@@ -21,6 +21,7 @@ op! {
     example "corner_surface((0, 0), (2, 0), (2, 2, 1), (0, 2))(0.5, 0.5)" => "(1, 1, 0.25)";
     example "corner_surface((0, 0), (2, 0), (0, 2))(0.7, 1)" => "(0, 2, 0)";
     refuses "corner_surface((0, 0), (2, 0))" => "E0601: a surface has three or four corners, found 2";
+    derivative affine;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

@@ -23,6 +23,7 @@ op! {
     example "box((0, 0, 1), (4, 3, 2))[5](0.5, 0.5)" => "(2, 1.5, 3)";
     example "[for side in box((0, 0), 1): normal(side, 0.5, 0.5)]" => "[(-1, 0, 0), (1, 0, 0), (0, -1, 0), (0, 1, 0), (0, 0, -1), (0, 0, 1)]";
     refuses "box((0, 0), (4, 3, 0))" => "E0607: the size along z must be positive, found 0";
+    derivative affine;
 }
 
 /// The extent along each axis.

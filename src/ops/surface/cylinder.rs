@@ -31,6 +31,7 @@ op! {
     example "cylinder((0, 0), 2, 5, axis = (1, 0, 0))(0, 1)" => "(5, 2, 0)";
     refuses "cylinder((0, 0), 2, 0)" => "E0607: the height must be positive, found 0";
     refuses "cylinder((0, 0), 2, 5, axis = (0, 0, 0))" => "E0607: the axis has length zero, and no direction";
+    derivative affine;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

@@ -25,6 +25,7 @@ op! {
     example "disc(plane((0, 0, 3), (0, 0, 1)), 2)(0.4, 1)" => "(0, 0, 3)";
     example "normal(disc(YZ, 2), 0.3, 0.5) ~= (1, 0, 0)" => "true";
     refuses "disc(XY, 0)" => "E0607: the radius must be positive, found 0";
+    derivative affine;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

@@ -37,6 +37,7 @@ op! {
     example "interpolate([for i in 0..4: [for j in 0..1: (i, j)]]).degree_v" => "1";
     refuses "interpolate([[(0, 0), (0, 1)], [(1, 0)]])" => "E0605: `interpolate`: `points`: row 1 has 1 point, row 0 has 2; every row needs the same number";
     refuses "interpolate([[(0, 0), (0, 1)], [(0, 0), (0, 1)]])" => "E0607: along u: points 0 and 1 are at one place";
+    derivative affine;
     scene r#"
         let p = [for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]] with (hidden = true)
         surface s = interpolate(p) with (color = "lightgray")

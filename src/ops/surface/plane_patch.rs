@@ -20,6 +20,7 @@ op! {
     }
     example "plane_patch((0, 0, 1), (4, 0), (1, 2))(0.5, 1)" => "(3, 2, 1)";
     refuses "plane_patch((0, 0), (1, 0), (2, 0))" => "E0607: the edges `x` and `y` are parallel, so that no surface is between them";
+    derivative affine;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

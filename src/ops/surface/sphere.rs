@@ -24,6 +24,7 @@ op! {
     example "sphere((0, 0), 2)(0.7, 1)" => "(0, 0, 2)";
     example "norm(sphere((0, 0), 2)(0.3, 0.2)) ~= 2 within 1e-14" => "true";
     refuses "sphere((0, 0), 0)" => "E0607: the radius must be positive, found 0";
+    derivative affine;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

@@ -30,6 +30,7 @@ op! {
     example "torus((0, 0), 3, 1)(0, 0)" => "(4, 0, 0)";
     example "torus((0, 0), 3, 1)(0.25, 0.25)" => "(0, 3, 1)";
     refuses "torus((0, 0), 3, 0)" => "E0607: the minor radius must be positive, found 0";
+    derivative affine;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

@@ -18,7 +18,7 @@ use glam::{DAffine3, DVec3};
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
-    value::{At, Geometry, Op, Value},
+    value::{At, Geometry, NoDerivative, Op, Value},
 };
 
 pub(super) static OPS: &[&Op] = &[
@@ -71,6 +71,11 @@ fn in_range(is_finite: bool, span: Span) -> Result<()> {
     }
     let message = "coordinates would be beyond the largest number, 1.8e308";
     Diagnostic::error(Code::Domain, span, message).fail()
+}
+
+/// Fails: no derivative passes through a map, for a reason.
+fn no_derivative<T>(reason: NoDerivative, span: Span) -> Result<T> {
+    Diagnostic::error(Code::NoDerivative, span, reason.message()).hint(reason.hint()).fail()
 }
 
 /// The same about another point than the origin.

@@ -65,12 +65,7 @@ impl NurbsCurve {
         [point, (slope.truncate() - point * slope.w) / value.w]
     }
 
-    pub(in crate::curve) fn homogeneous_derivatives(
-        &self,
-        span: usize,
-        t: f64,
-        order: usize,
-    ) -> Vec<DVec4> {
+    pub(crate) fn homogeneous_derivatives(&self, span: usize, t: f64, order: usize) -> Vec<DVec4> {
         let points = &self.control_points[self.knots.support(span)];
         let basis: Grid<f64> = self.knots.basis_derivatives_on(span, t, order.min(self.degree()));
         let contract = |k: usize| {

@@ -39,7 +39,7 @@ impl NurbsCurve {
     }
 
     /// The largest coordinate of a control point.
-    pub(in crate::curve) fn magnitude(&self) -> f64 {
+    pub(crate) fn magnitude(&self) -> f64 {
         let largest = |&point| homogeneous::place(point).abs().max_element();
         self.control_points.iter().map(largest).fold(0.0, f64::max)
     }

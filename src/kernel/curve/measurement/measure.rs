@@ -111,7 +111,7 @@ impl NurbsCurve {
 
     /// The interval cut to the domain, at the knots, and so often that no tangent of a piece is far
     /// from another: beside a cusp nodes on one side alone would agree on the wrong length.
-    pub(in crate::curve) fn smooth_pieces(&self, interval: Interval, short: f64) -> Vec<Interval> {
+    pub(crate) fn smooth_pieces(&self, interval: Interval, short: f64) -> Vec<Interval> {
         self.narrow_parts(interval, short).into_iter().map(|part| part.interval).collect()
     }
 

@@ -90,7 +90,7 @@ impl NurbsSurface {
     }
 
     /// Homogeneous derivatives of the piece over a pair of spans.
-    pub(in crate::surface) fn homogeneous_derivatives_on(
+    pub(crate) fn homogeneous_derivatives_on(
         &self,
         [span_u, span_v]: [usize; 2],
         [u, v]: [f64; 2],

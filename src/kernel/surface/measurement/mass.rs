@@ -120,21 +120,52 @@ pub fn volume_mass(
     surfaces: &[Surface],
     tolerance: Tolerance,
 ) -> Result<MassProperties, GeomError> {
+    signed_volume_mass(surfaces, tolerance).map(|(mass, _)| mass)
+}
+
+/// What a closed set of surfaces holds, as [`volume_mass`], and about which point and with which signs the
+/// fluxes of the position through the surfaces add up to it.
+///
+/// # Errors
+/// As [`volume_mass`].
+pub fn signed_volume_mass(
+    surfaces: &[Surface],
+    tolerance: Tolerance,
+) -> Result<(MassProperties, (DVec3, Vec<f64>)), GeomError> {
     let about = middle(surfaces)?;
     let shells = oriented(surfaces, tolerance, false)?;
     let mut whole = MassIntegral::default();
+    let mut signs = vec![0.0; surfaces.len()];
     for shell in shells {
         let mut sum = MassIntegral::default();
-        for (idx, sign) in shell.surfaces {
+        for &(idx, sign) in &shell.surfaces {
             let part = integral(&surfaces[idx], |point, normal| {
                 let arm = point - about;
                 moments(arm, arm.dot(normal))
             })?;
             sum.add(part, sign);
         }
-        whole.add_shell(&sum, shell.was_oriented);
+        let turn = whole.add_shell(&sum, shell.was_oriented);
+        for (idx, sign) in shell.surfaces {
+            signs[idx] = sign * turn;
+        }
     }
-    whole.volume(about)
+    if whole.values[0] < 0.0 {
+        signs.iter_mut().for_each(|sign| *sign = -*sign);
+    }
+    Ok((whole.volume(about)?, (about, signs)))
+}
+
+/// Whether surfaces close.
+///
+/// # Errors
+/// As [`Surface::point_at`].
+pub(crate) fn are_closed(surfaces: &[Surface], tolerance: Tolerance) -> Result<bool, GeomError> {
+    match oriented(surfaces, tolerance, false) {
+        Ok(_) => Ok(true),
+        Err(GeomError::Shell(_)) => Ok(false),
+        Err(error) => Err(error),
+    }
 }
 
 /// For each surface, whether it must turn over so that those that hang together face alike: outward
@@ -196,11 +227,13 @@ impl MassIntegral {
         self.relative_error = self.relative_error.max(part.relative_error);
     }
 
-    /// Adds the moments of a shell; one that was not oriented is taken to look outward.
-    pub(crate) fn add_shell(&mut self, shell: &Self, was_oriented: bool) {
+    /// Adds the moments of a shell; one that was not oriented is taken to look outward. The sign that it was
+    /// given.
+    pub(crate) fn add_shell(&mut self, shell: &Self, was_oriented: bool) -> f64 {
         let turn = if !was_oriented && shell.values[0] < 0.0 { -1.0 } else { 1.0 };
         let Self { values, relative_error } = *shell;
         self.add(Integral { values, relative_error }, turn);
+        turn
     }
 
     /// What shells about a place hold, which is not negative.

@@ -28,6 +28,7 @@ op! {
     }
     example "continue_bezier(bezier((4, 1), (5, 0), (7, 0), (8, 2)), 2, [(0, 4)]).points" => "[(8, 2, 0), (9, 4, 0), (9, 8, 0), (0, 4, 0)]";
     refuses "continue_bezier(bezier((0, 0), (1, 2), (2, 0)), 4, [(4, 0)])" => "E0401: continuity is of order 0 to 3, found 4";
+    derivative affine;
     scene r#"
         curve c = bezier((4, 1), (5, 0), (7, 0), (8, 2))
         curve next = continue_bezier(c, 2, [(0, 4)]) with (color = "red")

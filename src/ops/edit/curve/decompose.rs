@@ -20,6 +20,7 @@ op! {
     example "len(decompose(circle((0, 0), 1)))" => "4";
     example "decompose(clamped((1, 1), (3, 1), (5, 7), (7, 1), (9, 4)))[0].points" => "[(1, 1, 0), (3, 1, 0), (4, 4, 0), (5, 4, 0)]";
     refuses "decompose(parametric(t => (t, t^2), 0..2))" => "E0301: `decompose`: `c` must be a NURBS curve, found a parametric curve";
+    derivative affine;
     scene r#"
         let pieces = decompose(bspline((0, 0), (1, 2), (3, 1), (4, 3), (6, 0), (7, 1))) with (hidden = true)
         curves odd = [pieces[0], pieces[2]]

@@ -19,6 +19,7 @@ op! {
         surfaces: Spanned<AtLeast<1, Arc<NurbsSurface>>>,
     }
     example "[for s in compatible([bezier([[(0, 0), (0, 2)], [(1, 0), (1, 2)], [(4, 0), (4, 2)]]), refine(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), v = [0.5])]): [s.degree_u, len(s.points[0])]]" => "[[2, 3], [2, 3]]";
+    derivative affine;
     scene r#"
         let both = compatible([bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 2), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]), insert_knot(translate(bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 2), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]), (5, -2)), u = 0.5)]) with (hidden = true)
         surfaces shown = both with (color = "lightgray")

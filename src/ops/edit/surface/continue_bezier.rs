@@ -35,6 +35,7 @@ op! {
     example "continue_bezier(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), \"v0\", 0, [[(0, -1)], [(2, -1)]]).points" => "[[(0, -1, 0), (0, 0, 0)], [(2, -1, 0), (2, 0, 0)]]";
     refuses "continue_bezier(plane_patch((0, 0), (1, 0), (0, 1)), \"u1\", 1, [[(6, 0)]])" => "E0605: the side has 2 control points, so that the net must have k rows of 2 points, k one or more; found 1 x 1";
     refuses "continue_bezier(plane_patch((0, 0), (1, 0), (0, 1)), \"u2\", 1, [[(6, 0), (6, 1)]])" => "E0402: `continue_bezier`: `side` must be one of \"u0\", \"u1\", \"v0\" or \"v1\", found the string \"u2\"";
+    derivative affine;
     scene r#"
         surface s = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (color = "lightgray")
         surface next = continue_bezier(s, "u1", 1, [[(8, 0, 1), (8, 2, 2), (8, 4, 1)]])

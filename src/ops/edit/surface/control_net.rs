@@ -18,6 +18,7 @@ op! {
     }
     example "[for leg in control_net(bilinear((0, 0), (0, 1), (2, 0), (2, 1))): leg.points]" => "[[(0, 0, 0), (2, 0, 0)], [(0, 1, 0), (2, 1, 0)], [(0, 0, 0), (0, 1, 0)], [(2, 0, 0), (2, 1, 0)]]";
     refuses "control_net(parametric((u, v) => (u, v, u*v), 0..1, 0..1))" => "E0301: `control_net`: `s` must be a NURBS surface, found a parametric surface";
+    derivative affine;
     scene r#"
         surface s = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 2), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (color = "lightgray")
         curves net = control_net(s) with (color = "red")

@@ -29,6 +29,7 @@ op! {
     example "de_casteljau(bezier([[(0, 0), (0, 2)], [(1, 0), (1, 2)], [(4, 0, 4), (4, 2)]]), 0.5, 0.5)[1]" => "[[(0.5, 1, 0)], [(2.5, 1, 1)]]";
     example "de_casteljau(bezier([[(0, 0), (0, 2)], [(1, 0), (1, 2)], [(4, 0, 4), (4, 2)]]), 0.5, 0.5)[2]" => "[[(1.5, 1, 0.5)]]";
     refuses "de_casteljau(refine(plane_patch((0, 0), (1, 0), (0, 1)), u = [0.5]), 0.5, 0.5)" => "E0611: a Bézier surface is one patch, but the surface has 2 x 1";
+    derivative affine;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<Vec<Vec<DVec3>>>> {

@@ -21,6 +21,7 @@ op! {
     example "len(decompose(ruled(circle((0, 0), 1), circle((0, 0, 1), 1))))" => "4";
     example "decompose(refine(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), v = [0.5]))[0][1].domain_v" => "0.5..1";
     refuses "decompose(parametric((u, v) => (u, v, u*v), 0..1, 0..1))" => "E0301: `decompose`: `s` must be a NURBS surface, found a parametric surface";
+    derivative affine;
     scene r#"
         let patches = decompose(bspline([for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]])) with (hidden = true)
         let apart = [for i in 0..2, j in 0..2: translate(patches[i][j], (i, j))]

@@ -23,6 +23,7 @@ op! {
     example "power_coefficients(bezier([[(0, 0), (0, 1)], [(1, 0), (1, 1)], [(2, 0, 1), (2, 1, 1)]]))" => "[[(0, 0, 0), (0, 1, 0)], [(2, 0, 0), (0, 0, 0)], [(0, 0, 1), (0, 0, 0)]]";
     refuses "power_coefficients(sphere((0, 0), 1))" => "E0611: a polynomial in u and v has no weights, but those of the surface differ";
     refuses "power_coefficients(coons_bspline([for i in 0..4: [for j in 0..3: (i, j)]]))" => "E0611: a polynomial in u and v has one patch, but the surface has 2 along u and 1 along v";
+    derivative affine;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<Vec<DVec3>>> {

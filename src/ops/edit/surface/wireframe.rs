@@ -24,6 +24,7 @@ op! {
     example "wireframe(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), [0.25], 0)[0].points" => "[(0.5, 0, 0), (0.5, 1, 0)]";
     refuses "wireframe(plane_patch((0, 0), (1, 0), (0, 1)), [2], 0)" => "E0606: parameter 2 is outside the domain 0..1";
     refuses "wireframe(plane_patch((0, 0), (1, 0), (0, 1)), -1, 2)" => "E0301: `wireframe`: `u` must be a whole number of zero or more, found the number -1";
+    derivative affine;
     picture "wireframe(torus((0, 0, 0), 3, 1), 8, 12)";
 }
 

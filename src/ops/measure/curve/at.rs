@@ -3,15 +3,14 @@
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    kernel::Curve,
-    value::{Ctx, Real, Vector, op},
+    value::{Ctx, Real, RealCurve, Vector, op},
 };
 
 op! {
     /// Point of a curve at a parameter; `c(t)` is the same.
     at in Measure -> Vector {
         /// The curve.
-        c: Curve,
+        c: RealCurve,
         /// The parameter, inside the curve's domain.
         t: Spanned<Real>,
     }

@@ -3,8 +3,8 @@
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Curve, Side},
-    value::{Ctx, Real, Vector, op},
+    kernel::Side,
+    value::{Ctx, Real, RealCurve, Vector, op},
 };
 
 op! {
@@ -13,7 +13,7 @@ op! {
     /// Where the curve is straight there is none.
     center_of_curvature in Measure -> Vector {
         /// The curve.
-        c: Curve,
+        c: RealCurve,
         /// The parameter, inside the curve's domain.
         t: Spanned<Real>,
         /// The piece that is asked at a knot: after it or before it.

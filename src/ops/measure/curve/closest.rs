@@ -5,8 +5,8 @@ use std::sync::Arc;
 use super::varying;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{Curve, Side},
-    value::{At, Ctx, IntoValue, Length, Real, Record, Value, Vector, op, shortest},
+    kernel::Side,
+    value::{At, Ctx, IntoValue, Length, Real, RealCurve, Record, Value, Vector, op, shortest},
 };
 
 op! {
@@ -19,7 +19,7 @@ op! {
     /// Ma & Hewitt, *Point inversion and projection for NURBS curve and surface*, CAGD 20 (2003).
     closest in Measure -> Record {
         /// The curve.
-        c: Curve,
+        c: RealCurve,
         /// The point.
         p: Spanned<Vector>,
     }
@@ -49,7 +49,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     let point = match &t {
         Real::Plain(_) => Vector::Plain(foot.point),
         Real::Jet(t) => {
-            let point = varying::derivatives(&args.c, t, Side::Right, 0).at(*span)?.remove(0);
+            let point = args.c.series_beside(t, Side::Right, 0).at(*span)?.remove(0);
             point.with_value(foot.point)
         }
     };

@@ -3,8 +3,8 @@
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Curve, Side},
-    value::{Ctx, Curvature, LengthPower, Real, op},
+    kernel::Side,
+    value::{Ctx, Curvature, LengthPower, Real, RealCurve, op},
 };
 
 op! {
@@ -15,7 +15,7 @@ op! {
     /// and Surfaces*, §1-5.
     curvature in Measure -> Curvature<Real> {
         /// The curve.
-        c: Curve,
+        c: RealCurve,
         /// The parameter, inside the curve's domain.
         t: Spanned<Real>,
         /// The piece that is asked at a knot: after it or before it.

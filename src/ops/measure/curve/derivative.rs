@@ -3,8 +3,8 @@
 use super::varying;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{Curve, Side},
-    value::{Ctx, Real, Vector, op},
+    kernel::Side,
+    value::{Ctx, Real, RealCurve, Vector, op},
 };
 
 op! {
@@ -14,7 +14,7 @@ op! {
     /// of the piece to the left. Piegl & Tiller, *The NURBS Book*, A3.2 and A4.2.
     derivative in Measure -> Vector {
         /// The curve.
-        c: Curve,
+        c: RealCurve,
         /// The parameter, inside the curve's domain.
         t: Spanned<Real>,
         /// The order.

@@ -3,8 +3,8 @@
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Curve, Interval},
-    value::{At, Ctx, Length, Real, RealInterval, op},
+    kernel::Interval,
+    value::{At, Ctx, Length, Real, RealCurve, RealInterval, op},
 };
 
 op! {
@@ -18,7 +18,7 @@ op! {
     /// 16 places of each piece. Beside a place without derivatives that is 1e-6.
     length in Measure -> Length<Real> {
         /// The curve.
-        c: Curve,
+        c: RealCurve,
         /// The range, inside the curve's domain; all of it when left out.
         range: Option<Spanned<RealInterval>>,
     }
@@ -31,7 +31,9 @@ op! {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Length<Real>> {
     let domain = args.c.domain();
     let Some(Spanned { value: RealInterval(ends), span }) = args.range else {
-        return Ok(Length(Real::Plain(args.c.length(domain).at(ctx.span)?)));
+        let value = args.c.length(domain).at(ctx.span)?;
+        let ends = [domain.start(), domain.end()].map(Real::Plain);
+        return varying::length(&args.c, ends.each_ref(), value).map(Length).at(ctx.span);
     };
     let inside = |end: Real| -> Result<Real> {
         let clamped = domain.clamp_inside(end.value()).at(span)?;

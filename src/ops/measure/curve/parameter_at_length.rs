@@ -3,8 +3,7 @@
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    kernel::Curve,
-    value::{At, Ctx, Length, Real, op},
+    value::{At, Ctx, Length, Real, RealCurve, op},
 };
 
 op! {
@@ -14,7 +13,7 @@ op! {
     /// Of a parametric curve on the same spline as `length`.
     parameter_at_length in Measure -> Real {
         /// The curve.
-        c: Curve,
+        c: RealCurve,
         /// The length from the start, not above the curve's own.
         s: Spanned<Length<Real>>,
     }
@@ -25,10 +24,5 @@ op! {
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {
     let Spanned { value: Length(length), span } = args.s;
     let t = args.c.parameter_at_length(length.value()).at(span)?;
-    match length {
-        Real::Plain(_) => Ok(Real::Plain(t)),
-        Real::Jet(length) => {
-            varying::parameter_at_length(&args.c, &length, t).map(Real::Jet).at(span)
-        }
-    }
+    varying::parameter_at_length(&args.c, &length, t).at(span)
 }

@@ -3,8 +3,8 @@
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Curve, Side},
-    value::{Ctx, Length, Real, op},
+    kernel::Side,
+    value::{Ctx, Length, Real, RealCurve, op},
 };
 
 op! {
@@ -14,7 +14,7 @@ op! {
     /// do Carmo, *Differential Geometry of Curves and Surfaces*, §1-5.
     radius_of_curvature in Measure -> Length<Real> {
         /// The curve.
-        c: Curve,
+        c: RealCurve,
         /// The parameter, inside the curve's domain.
         t: Spanned<Real>,
         /// The piece that is asked at a knot: after it or before it.

@@ -5,8 +5,8 @@ use glam::DVec3;
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Curve, Frame, Side},
-    value::{At, Ctx, Curvature, LengthPower, Real, Vector, op},
+    kernel::{Frame, Side},
+    value::{At, Ctx, Curvature, LengthPower, Real, RealCurve, Vector, op},
 };
 
 op! {
@@ -18,7 +18,7 @@ op! {
     /// no sign.
     signed_curvature in Measure -> Curvature<Real> {
         /// The curve.
-        c: Curve,
+        c: RealCurve,
         /// The parameter, inside the curve's domain.
         t: Spanned<Real>,
         /// The direction that the curve is seen from.

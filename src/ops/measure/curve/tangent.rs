@@ -3,8 +3,8 @@
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Curve, Side},
-    value::{Choice, Ctx, Real, Vector, op},
+    kernel::Side,
+    value::{Choice, Ctx, Real, RealCurve, Vector, op},
 };
 
 op! {
@@ -15,7 +15,7 @@ op! {
     /// do Carmo, *Differential Geometry of Curves and Surfaces*, §1-5.
     tangent in Measure -> Vector {
         /// The curve.
-        c: Curve,
+        c: RealCurve,
         /// The parameter, inside the curve's domain.
         t: Spanned<Real>,
         /// The side of a corner: after it or before it.

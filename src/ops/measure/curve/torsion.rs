@@ -3,8 +3,8 @@
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Curve, Side},
-    value::{Ctx, Curvature, LengthPower, Real, op},
+    kernel::Side,
+    value::{Ctx, Curvature, LengthPower, Real, RealCurve, op},
 };
 
 op! {
@@ -14,7 +14,7 @@ op! {
     /// curve is straight there is none. do Carmo, *Differential Geometry of Curves and Surfaces*, §1-5.
     torsion in Measure -> Curvature<Real> {
         /// The curve.
-        c: Curve,
+        c: RealCurve,
         /// The parameter, inside the curve's domain.
         t: Spanned<Real>,
         /// The piece that is asked at a knot: after it or before it.

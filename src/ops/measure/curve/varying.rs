@@ -1,4 +1,4 @@
-//! Questions about a curve at a parameter that carries derivatives: the formulas of the field, on the
+//! Questions about a curve where its parameter or the curve itself carries derivatives: the formulas of the field, on the
 //! truncated Taylor series of the curve's derivatives.
 //!
 //! The value of an answer, and what is refused, is that of the question at the plain parameter; the
@@ -10,9 +10,9 @@ use glam::DVec3;
 
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Curve, GeomError, Jet, LocalError, Side, jet, tolerance::LAST_BIT},
+    kernel::{Curve, GeomError, Interval, Jet, LocalError, Side, tolerance::LAST_BIT},
     ops::measure::Measured,
-    value::{At, Real, Vector},
+    value::{At, Real, RealCurve, Vector},
 };
 
 /// A parameter of a curve, inside its domain.
@@ -24,7 +24,7 @@ pub(super) fn inside(curve: &Curve, t: &Spanned<Real>) -> Result<Real> {
 /// A number that a curve has at a parameter: that of the plain question, with the derivatives of a formula
 /// of C, C', … up to an order.
 pub(super) fn number(
-    curve: &Curve,
+    curve: &RealCurve,
     t: &Spanned<Real>,
     side: Side,
     plain: impl FnOnce(f64) -> Measured<f64>,
@@ -32,18 +32,14 @@ pub(super) fn number(
 ) -> Result<Real> {
     let t = Spanned::new(inside(curve, t)?, t.span);
     let value = plain(t.value.value()).at(t.span)?;
-    match &t.value {
-        Real::Plain(_) => Ok(Real::Plain(value)),
-        Real::Jet(jet) => {
-            let found = derivatives(curve, jet, side, order).and_then(|d| formula(&d, value));
-            Ok(found.at(t.span)?.with_value(value))
-        }
-    }
+    let Some(jet) = curve.jet_of(&t.value).at(t.span)? else { return Ok(Real::Plain(value)) };
+    let found = curve.series_beside(&jet, side, order).and_then(|d| formula(&d, value));
+    Ok(found.at(t.span)?.with_value(value))
 }
 
 /// A vector that a curve has at a parameter, as [`number`].
 pub(super) fn vector(
-    curve: &Curve,
+    curve: &RealCurve,
     t: &Spanned<Real>,
     side: Side,
     plain: impl FnOnce(f64) -> Measured<DVec3>,
@@ -51,25 +47,9 @@ pub(super) fn vector(
 ) -> Result<Vector> {
     let t = Spanned::new(inside(curve, t)?, t.span);
     let value = plain(t.value.value()).at(t.span)?;
-    match &t.value {
-        Real::Plain(_) => Ok(Vector::Plain(value)),
-        Real::Jet(jet) => {
-            let found = derivatives(curve, jet, side, order).and_then(|d| formula(&d));
-            Ok(found.at(t.span)?.with_value(value))
-        }
-    }
-}
-
-/// C, C', … up to an order at a parameter that varies.
-pub(super) fn derivatives(
-    curve: &Curve,
-    t: &Jet,
-    side: Side,
-    order: usize,
-) -> Measured<Vec<Vector>> {
-    let all = curve.derivatives_beside(t.value(), side, t.order() + order)?;
-    let one = |k: usize| Ok(Vector::Jets(Box::new(jet::along(&all[k..=k + t.order()], t)?)));
-    (0..=order).map(one).collect()
+    let Some(jet) = curve.jet_of(&t.value).at(t.span)? else { return Ok(Vector::Plain(value)) };
+    let found = curve.series_beside(&jet, side, order).and_then(|d| formula(&d));
+    Ok(found.at(t.span)?.with_value(value))
 }
 
 /// C'/|C'|.
@@ -143,7 +123,7 @@ pub(super) fn signed_curvature(d: &[Vector], axis: DVec3, value: f64) -> Measure
 
 /// The arc length up to a parameter that varies, which is `value` at its value: the integral of the series
 /// of |C'|.
-fn length_up_to(curve: &Curve, t: &Jet, value: f64) -> Measured<Jet> {
+fn length_up_to(curve: &RealCurve, t: &Jet, value: f64) -> Measured<Jet> {
     let side = if t.is_growing() { Side::Right } else { Side::Left };
     let speeds = speeds(curve, t.value(), side, t.order())?;
     let mut series = vec![value];
@@ -152,9 +132,10 @@ fn length_up_to(curve: &Curve, t: &Jet, value: f64) -> Measured<Jet> {
 }
 
 /// The first coefficients of the series of |C'| about a parameter.
-fn speeds(curve: &Curve, t: f64, side: Side, n: usize) -> Measured<Vec<f64>> {
+fn speeds(curve: &RealCurve, t: f64, side: Side, n: usize) -> Measured<Vec<f64>> {
     let Some(order) = n.checked_sub(1) else { return Ok(Vec::new()) };
-    let velocity = &derivatives(curve, &Jet::variable(t, order), side, 1)?[1];
+    let plain = RealCurve::from(Curve::clone(curve));
+    let velocity = &plain.series_beside(&Jet::variable(t, order), side, 1)?[1];
     let speed = velocity.norm()?;
     let mut factorial = 1.0;
     let coefficient = |k: usize| {
@@ -165,31 +146,45 @@ fn speeds(curve: &Curve, t: f64, side: Side, n: usize) -> Measured<Vec<f64>> {
 }
 
 /// The arc length between two parameters, which is `value` between their values.
-pub(super) fn length(curve: &Curve, [from, to]: [&Real; 2], value: f64) -> Measured<Real> {
+pub(super) fn length(curve: &RealCurve, [from, to]: [&Real; 2], value: f64) -> Measured<Real> {
     let up_to = |t: &Real, value: f64| match t {
         Real::Plain(_) => Ok(Real::Plain(value)),
         Real::Jet(jet) => length_up_to(curve, jet, value).map(Real::Jet),
     };
-    Ok(up_to(to, value)?.minus(&up_to(from, 0.0)?).with_value(value))
+    let by_ends = up_to(to, value)?.minus(&up_to(from, 0.0)?);
+    let Some(varied) = curve.varied() else { return Ok(by_ends.with_value(value)) };
+    let by_curve = match Interval::new(from.value(), to.value()) {
+        Ok(interval) => Real::Jet(varied.length(interval)?),
+        Err(_) => Real::Plain(0.0),
+    };
+    Ok(by_ends.plus(&by_curve).with_value(value))
 }
 
-/// The parameter at an arc length from the start that varies, which is `t` at its value.
-pub(super) fn parameter_at_length(curve: &Curve, length: &Jet, t: f64) -> Measured<Jet> {
+/// The parameter at an arc length from the start, which is `t` where neither the length nor the curve
+/// varies.
+pub(super) fn parameter_at_length(curve: &RealCurve, length: &Real, t: f64) -> Measured<Real> {
+    let Some(like) = curve.jet_of(length)? else { return Ok(Real::Plain(t)) };
+    let length = length.like(&like);
     let side = if length.is_growing() { Side::Right } else { Side::Left };
     let speed = speeds(curve, t, side, 1)?.first().copied().unwrap_or(0.0);
+    let start = Real::Plain(curve.domain().start());
     let mut found = length.same(t);
     for _ in 0..length.order() {
-        let rest = length_up_to(curve, &found, length.value())?.minus(length);
+        let so_far = self::length(curve, [&start, &Real::Jet(found.clone())], length.value())?;
+        let rest = so_far.like(&length).minus(&length);
         found = found.minus(&rest.over(&rest.same(speed))?).with_value(t);
     }
-    Ok(found)
+    Ok(Real::Jet(found))
 }
 
-/// The parameter of the point nearest to one that varies, which is `t` at its value: where
+/// The parameter of the nearest point where the curve or the point varies, which is `t` at their values: where
 /// (C − P)·C' vanishes, or an end of the curve that it stays at.
-pub(super) fn closest(curve: &Curve, p: &Vector, t: f64) -> Measured<Real> {
-    let Vector::Jets(jets) = p else { return Ok(Real::Plain(t)) };
-    let like = &jets[0];
+pub(super) fn closest(curve: &RealCurve, p: &Vector, t: f64) -> Measured<Real> {
+    let place = match p {
+        Vector::Plain(_) => Real::Plain(t),
+        Vector::Jets(jets) => Real::Jet(jets[0].same(t)),
+    };
+    let Some(like) = &curve.jet_of(&place)? else { return Ok(place) };
     let at_place = curve.derivatives_beside(t, Side::Right, 2)?;
     let way = at_place[0] - p.value();
     let (slope, speed) = (way.dot(at_place[1]), at_place[1].length());
@@ -209,7 +204,7 @@ pub(super) fn closest(curve: &Curve, p: &Vector, t: f64) -> Measured<Real> {
     }
     let mut found = like.same(t);
     for _ in 0..like.order() {
-        let d = derivatives(curve, &found, Side::Right, 1)?;
+        let d = curve.series_beside(&found, Side::Right, 1)?;
         let slope = d[0].minus(p).dot(&d[1]).like(like);
         found = found.minus(&slope.scaled(1.0 / bend)).with_value(t);
     }

@@ -3,7 +3,7 @@
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    ops::face::SurfaceOrFace,
+    ops::face::RealSurfaceOrFace,
     value::{Ctx, Real, Vector, op},
 };
 
@@ -11,7 +11,7 @@ op! {
     /// Point of a surface at its parameters; `s(u, v)` is the same.
     at in Measure -> Vector {
         /// The surface, or a part of one.
-        s: SurfaceOrFace,
+        s: RealSurfaceOrFace,
         /// The first parameter, inside its domain.
         u: Spanned<Real>,
         /// The second parameter.

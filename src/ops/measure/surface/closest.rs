@@ -5,8 +5,7 @@ use std::sync::Arc;
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    kernel::Surface,
-    value::{At, Ctx, IntoValue, Length, Real, Record, Vector, op},
+    value::{At, Ctx, IntoValue, Length, Real, RealSurface, Record, Vector, op},
 };
 
 op! {
@@ -19,7 +18,7 @@ op! {
     /// Ma & Hewitt, *Point inversion and projection for NURBS curve and surface*, CAGD 20 (2003).
     closest in Measure -> Record {
         /// The surface.
-        s: Surface,
+        s: RealSurface,
         /// The point.
         p: Spanned<Vector>,
     }

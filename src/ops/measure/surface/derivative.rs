@@ -3,7 +3,7 @@
 use super::varying::{self, Varying};
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    ops::face::SurfaceOrFace,
+    ops::face::RealSurfaceOrFace,
     value::{Ctx, Real, Vector, op},
 };
 
@@ -13,7 +13,7 @@ op! {
     /// Piegl & Tiller, *The NURBS Book*, A3.6 and A4.4.
     derivative in Measure -> Vector {
         /// The surface, or a part of one.
-        s: SurfaceOrFace,
+        s: RealSurfaceOrFace,
         /// The first parameter, inside its domain.
         u: Spanned<Real>,
         /// The second parameter.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    ops::face::SurfaceOrFace,
+    ops::face::RealSurfaceOrFace,
     value::{At, Ctx, IntoValue, LengthPower, Real, Record, op},
 };
 
@@ -16,7 +16,7 @@ op! {
     /// and Surfaces*, §2-5.
     first_form in Measure -> Record {
         /// The surface, or a part of one.
-        s: SurfaceOrFace,
+        s: RealSurfaceOrFace,
         /// The first parameter, inside its domain.
         u: Spanned<Real>,
         /// The second parameter.

@@ -3,7 +3,7 @@
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    ops::face::SurfaceOrFace,
+    ops::face::RealSurfaceOrFace,
     value::{Ctx, LengthPower, Real, op},
 };
 
@@ -16,7 +16,7 @@ op! {
     /// do Carmo, *Differential Geometry of Curves and Surfaces*, §3-3.
     gaussian in Measure -> LengthPower<-2, Real> {
         /// The surface, or a part of one.
-        s: SurfaceOrFace,
+        s: RealSurfaceOrFace,
         /// The first parameter, inside its domain.
         u: Spanned<Real>,
         /// The second parameter.

@@ -3,7 +3,7 @@
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    ops::face::SurfaceOrFace,
+    ops::face::RealSurfaceOrFace,
     value::{Ctx, Curvature, LengthPower, Real, op},
 };
 
@@ -15,7 +15,7 @@ op! {
     /// Geometry of Curves and Surfaces*, §3-3.
     mean in Measure -> Curvature<Real> {
         /// The surface, or a part of one.
-        s: SurfaceOrFace,
+        s: RealSurfaceOrFace,
         /// The first parameter, inside its domain.
         u: Spanned<Real>,
         /// The second parameter.

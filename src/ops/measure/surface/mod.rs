@@ -32,12 +32,17 @@ pub(super) mod volume;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        Face, FaceError, GeomError, MassProperties, ShellError, Surface, area_mass,
+        Face, FaceError, GeomError, Jet, MassProperties, ShellError, Surface, SurfaceIntegral,
+        VariedSurface, area_mass,
         tolerance::{ACCURACY_WORTH_HAVING, ACCURACY_WORTH_TELLING},
         volume_mass,
     },
-    ops::{face::SurfaceOrFace, list::check_length},
-    value::{At, Choice, Ctx, FromValue, Mismatch, Type, Value},
+    ops::{
+        face::{RealSurfaceOrFace, SurfaceOrFace},
+        list::check_length,
+        measure::Measured,
+    },
+    value::{At, Choice, Ctx, FromValue, Mismatch, Real, Type, Value},
 };
 
 /// A surface, or a list of them; faces as well as surfaces.
@@ -91,6 +96,59 @@ impl Surfaces {
     fn faces(&self, span: Span, ctx: &Ctx<'_>) -> Result<Vec<Face>> {
         let face = |part: &SurfaceOrFace| part.face(span, ctx.tolerance);
         self.0.iter().map(|part| face(part).map(|face| (*face).clone())).collect()
+    }
+}
+
+/// Surfaces and faces as [`Surfaces`]; surfaces may carry derivatives.
+struct RealSurfaces {
+    plain: Surfaces,
+    real: Vec<RealSurfaceOrFace>,
+}
+
+impl FromValue for RealSurfaces {
+    const TYPE: Type = Surfaces::TYPE;
+
+    fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
+        let real = match value {
+            Value::List(items) if !items.is_empty() => Vec::from_value(value, span)?,
+            Value::List(_) => return Err(Mismatch::kind(Self::TYPE, value)),
+            _ if Self::TYPE.accepts(value) => vec![RealSurfaceOrFace::from_value(value, span)?],
+            _ => return Err(Mismatch::kind(Self::TYPE, value)),
+        };
+        let plain = |one: &RealSurfaceOrFace| SurfaceOrFace::clone(one);
+        Ok(Self { plain: Surfaces(real.iter().map(plain).collect()), real })
+    }
+}
+
+impl RealSurfaces {
+    /// Whether one of them carries derivatives.
+    fn vary(&self) -> bool {
+        self.real.iter().any(|surface| surface.real().varied().is_some())
+    }
+
+    /// Something that the surfaces have together, with its slopes: the sum of what each that varies adds, of
+    /// which is also known how far it may be off.
+    fn with_slopes(
+        &self,
+        value: f64,
+        what: &str,
+        ctx: &mut Ctx<'_>,
+        slopes: impl Fn(usize, &VariedSurface) -> Measured<SurfaceIntegral>,
+    ) -> Result<Real> {
+        let mut sum: Option<Vec<f64>> = None;
+        let mut relative_error = 0.0_f64;
+        for (idx, surface) in self.real.iter().enumerate() {
+            let Some(varied) = surface.real().varied() else { continue };
+            let part = slopes(idx, varied).at(ctx.span)?;
+            relative_error = relative_error.max(part.relative_error);
+            match &mut sum {
+                None => sum = Some(part.slopes),
+                Some(sum) => sum.iter_mut().zip(part.slopes).for_each(|(sum, slope)| *sum += slope),
+            }
+        }
+        let Some(sum) = sum else { return Ok(Real::Plain(value)) };
+        tell_accuracy(&format!("derivative of the {what}"), relative_error, ctx)?;
+        Ok(Real::Jet(Jet::with_slopes(value, &sum).at(ctx.span)?))
     }
 }
 

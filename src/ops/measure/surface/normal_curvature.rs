@@ -3,7 +3,7 @@
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    ops::face::SurfaceOrFace,
+    ops::face::RealSurfaceOrFace,
     value::{At, Ctx, Curvature, LengthPower, Real, Vector, op},
 };
 
@@ -16,7 +16,7 @@ op! {
     /// Curves and Surfaces*, §3-2.
     normal_curvature in Measure -> Curvature<Real> {
         /// The surface, or a part of one.
-        s: SurfaceOrFace,
+        s: RealSurfaceOrFace,
         /// The first parameter, inside its domain.
         u: Spanned<Real>,
         /// The second parameter.

@@ -6,7 +6,7 @@ use super::varying::{self, Varying};
 use crate::{
     diag::{Result, Spanned},
     kernel::Principal,
-    ops::{face::SurfaceOrFace, measure::Measured},
+    ops::{face::RealSurfaceOrFace, measure::Measured},
     value::{At, Ctx, IntoValue, LengthPower, Real, Record, Vector, op},
 };
 
@@ -21,7 +21,7 @@ op! {
     /// do Carmo, *Differential Geometry of Curves and Surfaces*, §3-2.
     principal in Measure -> Record {
         /// The surface, or a part of one.
-        s: SurfaceOrFace,
+        s: RealSurfaceOrFace,
         /// The first parameter, inside its domain.
         u: Spanned<Real>,
         /// The second parameter.

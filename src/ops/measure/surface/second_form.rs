@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    ops::face::SurfaceOrFace,
+    ops::face::RealSurfaceOrFace,
     value::{At, Ctx, IntoValue, Length, Real, Record, op},
 };
 
@@ -17,7 +17,7 @@ op! {
     /// limit, where that exists. do Carmo, *Differential Geometry of Curves and Surfaces*, §3-3.
     second_form in Measure -> Record {
         /// The surface, or a part of one.
-        s: SurfaceOrFace,
+        s: RealSurfaceOrFace,
         /// The first parameter, inside its domain.
         u: Spanned<Real>,
         /// The second parameter.

@@ -3,7 +3,7 @@
 use super::varying;
 use crate::{
     diag::{Result, Spanned},
-    ops::face::SurfaceOrFace,
+    ops::face::RealSurfaceOrFace,
     value::{Ctx, Real, Vector, op},
 };
 
@@ -13,7 +13,7 @@ op! {
     /// Linkeová, *Curves and Surfaces for Computer Graphics*, Definition 1.28.
     twist in Measure -> Vector {
         /// The surface, or a part of one.
-        s: SurfaceOrFace,
+        s: RealSurfaceOrFace,
         /// The first parameter, inside its domain.
         u: Spanned<Real>,
         /// The second parameter.

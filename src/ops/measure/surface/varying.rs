@@ -1,4 +1,4 @@
-//! Questions about a surface at parameters that carry derivatives: the formulas of the field, on the
+//! Questions about a surface where its parameters or the surface itself carry derivatives: the formulas of the field, on the
 //! truncated Taylor series of the surface's derivatives.
 //!
 //! The value of an answer, and what is refused, is that of the question at the plain parameters; the
@@ -9,13 +9,13 @@ use glam::{DMat2, DVec2, DVec3};
 
 use crate::{
     diag::{Result, Span, Spanned},
-    kernel::{Grid, Interval, Jet, LocalError, Surface, jet, tolerance::LAST_BIT},
-    ops::{face::SurfaceOrFace, measure::Measured},
-    value::{At, Real, Vector},
+    kernel::{Grid, Interval, Jet, LocalError, tolerance::LAST_BIT},
+    ops::{face::RealSurfaceOrFace, measure::Measured},
+    value::{At, Real, RealSurface, Vector},
 };
 
 /// Parameters of a surface, inside its domain.
-fn inside(surface: &SurfaceOrFace, parameters: [&Spanned<Real>; 2]) -> Result<[Real; 2]> {
+fn inside(surface: &RealSurfaceOrFace, parameters: [&Spanned<Real>; 2]) -> Result<[Real; 2]> {
     let [u, v] = parameters;
     let one = |domain: Interval, t: &Spanned<Real>| -> Result<Real> {
         Ok(t.value.clone().with_value(domain.clamp_inside(t.value.value()).at(t.span)?))
@@ -25,35 +25,25 @@ fn inside(surface: &SurfaceOrFace, parameters: [&Spanned<Real>; 2]) -> Result<[R
     Ok(inside)
 }
 
-/// Both parameters as jets, which they are if one of them is or if they stand beside one.
-fn jets([u, v]: &[Real; 2], beside: Option<&Jet>) -> Option<[Jet; 2]> {
-    let like = match (u, v) {
-        (Real::Jet(like), _) | (_, Real::Jet(like)) => like,
-        _ => beside?,
-    };
-    Some([u.like(like), v.like(like)])
-}
-
 /// Parameters of a surface without and with derivatives: the latter where one of them carries any, or what
 /// is asked beside them does.
 pub(super) fn place(
-    surface: &SurfaceOrFace,
+    surface: &RealSurfaceOrFace,
     parameters: [&Spanned<Real>; 2],
     order: usize,
     beside: Option<&Jet>,
     span: Span,
 ) -> Result<([f64; 2], Option<Varying>)> {
-    let parameters = inside(surface, parameters)?;
-    let varying = jets(&parameters, beside)
-        .map(|parameters| Varying::new(surface, &parameters, order))
-        .transpose()
-        .at(span)?;
-    Ok(([parameters[0].value(), parameters[1].value()], varying))
+    let [u, v] = inside(surface, parameters)?;
+    let jets = surface.real().jets_of([&u, &v], beside).at(span)?;
+    let varying =
+        jets.map(|jets| Varying::new(surface.real(), &jets, order)).transpose().at(span)?;
+    Ok(([u.value(), v.value()], varying))
 }
 
 /// A number that a surface has at parameters: that of the plain question, with the derivatives of a formula.
 pub(super) fn number(
-    surface: &SurfaceOrFace,
+    surface: &RealSurfaceOrFace,
     parameters: [&Spanned<Real>; 2],
     span: Span,
     plain: impl FnOnce(f64, f64) -> Measured<f64>,
@@ -69,7 +59,7 @@ pub(super) fn number(
 
 /// A vector that a surface has at parameters, as [`number`].
 pub(super) fn vector(
-    surface: &SurfaceOrFace,
+    surface: &RealSurfaceOrFace,
     parameters: [&Spanned<Real>; 2],
     span: Span,
     plain: impl FnOnce(f64, f64) -> Measured<DVec3>,
@@ -83,11 +73,9 @@ pub(super) fn vector(
     }
 }
 
-/// Derivatives of a surface at parameters that vary.
+/// Derivatives of a surface where it or its parameters vary.
 pub(super) struct Varying {
-    derivatives: Grid<DVec3>,
-    u: Jet,
-    v: Jet,
+    derivatives: Grid<Vector>,
 }
 
 /// Coefficients of both fundamental forms: E, F, G and L, M, N.
@@ -98,19 +86,13 @@ pub(super) struct Forms {
 
 impl Varying {
     /// With derivatives up to a total order.
-    fn new(surface: &Surface, [u, v]: &[Jet; 2], order: usize) -> Measured<Self> {
-        let derivatives = surface.derivatives_at(u.value(), v.value(), u.order() + order)?;
-        Ok(Self { derivatives, u: u.clone(), v: v.clone() })
+    fn new(surface: &RealSurface, [u, v]: &[Jet; 2], order: usize) -> Measured<Self> {
+        Ok(Self { derivatives: surface.series_at([u, v], order)? })
     }
 
     /// The derivative by u and by v so many times.
     pub(super) fn derivative(&self, by_u: usize, by_v: usize) -> Measured<Vector> {
-        let n = self.u.order();
-        let here = Grid::from_fn(n + 1, n + 1, |k, l| match k + l <= n {
-            true => self.derivatives.get(k + by_u, l + by_v),
-            false => DVec3::ZERO,
-        });
-        Ok(Vector::Jets(Box::new(jet::across(&here, &self.u, &self.v)?)))
+        Ok(self.derivatives.row(by_u)[by_v].clone())
     }
 
     /// A derivative at length 1.
@@ -210,11 +192,17 @@ impl Forms {
     }
 }
 
-/// The parameters of the point nearest to one that varies, which are given at its value: where S − P is at
+/// The parameters of the nearest point where the surface or the point varies, which are given at their values: where S − P is at
 /// right angles to Su and Sv, or an edge of the surface that they stay at.
-pub(super) fn closest(surface: &Surface, p: &Vector, place: [f64; 2]) -> Measured<[Real; 2]> {
-    let Vector::Jets(jets) = p else { return Ok(place.map(Real::Plain)) };
-    let like = &jets[0];
+pub(super) fn closest(surface: &RealSurface, p: &Vector, place: [f64; 2]) -> Measured<[Real; 2]> {
+    let beside = match p {
+        Vector::Plain(_) => None,
+        Vector::Jets(jets) => Some(&jets[0]),
+    };
+    let parameters = place.map(Real::Plain);
+    let Some([like, _]) = &surface.jets_of([&parameters[0], &parameters[1]], beside)? else {
+        return Ok(parameters);
+    };
     let here = surface.derivatives_at(place[0], place[1], 2)?;
     let way = here.get(0, 0) - p.value();
     let [by_u, by_v] = [here.get(1, 0), here.get(0, 1)];
@@ -265,8 +253,12 @@ pub(super) fn closest(surface: &Surface, p: &Vector, place: [f64; 2]) -> Measure
 }
 
 /// The point of a surface at parameters that vary.
-pub(super) fn point(surface: &Surface, parameters: &[Real; 2], value: DVec3) -> Measured<Vector> {
-    match jets(parameters, None) {
+pub(super) fn point(
+    surface: &RealSurface,
+    parameters: &[Real; 2],
+    value: DVec3,
+) -> Measured<Vector> {
+    match surface.jets_of([&parameters[0], &parameters[1]], None)? {
         None => Ok(Vector::Plain(value)),
         Some(parameters) => {
             let point = Varying::new(surface, &parameters, 0)?.derivative(0, 0)?;

@@ -1,9 +1,10 @@
 //! `volume` that surfaces enclose.
 
-use super::{Surfaces, tell_accuracy};
+use super::{RealSurfaces, tell_accuracy};
 use crate::{
-    diag::{Result, Spanned},
-    value::{At, Ctx, LengthPower, Volume, op},
+    diag::{Code, Diagnostic, Result, Span, Spanned},
+    kernel::{Surface, VariedSurface, signed_volume_mass, stay_closed},
+    value::{At, Ctx, LengthPower, Real, Volume, op},
 };
 
 op! {
@@ -15,9 +16,9 @@ op! {
     ///
     /// The flux of the position through the surfaces by the theorem of Gauss, to some 12 digits.
     /// Mirtich, *Fast and accurate computation of polyhedral mass properties*, JGT 1 (1996).
-    volume in Measure -> Volume {
+    volume in Measure -> Volume<Real> {
         /// The surface, or a list of surfaces and faces.
-        s: Spanned<Surfaces>,
+        s: Spanned<RealSurfaces>,
     }
     example "volume(box((0, 0, 0), (1, 2, 3)))" => "6";
     example "volume(parametric((u, v) => (cos(u)*cos(v), sin(u)*cos(v), sin(v)), 0..tau, -pi/2..pi/2))/(4/3*pi) ~= 1 within 1e-12" => "true";
@@ -25,8 +26,39 @@ op! {
     refuses "volume(plane_patch((0, 0), (1, 0), (0, 1)))" => "E0612: the surfaces do not close: edge \"u0\" is 0.4896 from the nearest other edge, at (0, 0.5104, 0)";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Volume> {
-    let mass = args.s.value.volume_mass(args.s.span, ctx)?.at(args.s.span)?;
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Volume<Real>> {
+    let Spanned { value: surfaces, span } = args.s;
+    if surfaces.vary() {
+        return varying(&surfaces, span, ctx).map(LengthPower);
+    }
+    let mass = surfaces.plain.volume_mass(span, ctx)?.at(span)?;
     tell_accuracy("volume", mass.relative_error, ctx)?;
-    Ok(LengthPower(mass.amount))
+    Ok(LengthPower(Real::Plain(mass.amount)))
+}
+
+/// The volume with the slopes that the fluxes through its surfaces have, as long as they stay closed.
+fn varying(surfaces: &RealSurfaces, span: Span, ctx: &mut Ctx<'_>) -> Result<Real> {
+    let Some(whole) = surfaces.plain.whole() else {
+        let message = "no derivative passes through a volume that faces enclose with surfaces";
+        return Diagnostic::error(Code::NoDerivative, span, message)
+            .hint("surfaces that close by themselves have one")
+            .fail();
+    };
+    let (mass, (about, signs)) = signed_volume_mass(&whole, ctx.tolerance).at(span)?;
+    tell_accuracy("volume", mass.relative_error, ctx)?;
+    let varied = surfaces.real.iter().map(|surface| surface.real().varied());
+    let varied: Vec<(Surface, Option<&VariedSurface>)> = whole.into_iter().zip(varied).collect();
+    if !stay_closed(&varied, ctx.tolerance).at(span)? {
+        let message =
+            "the surfaces come apart where they vary, so that the volume has no derivative";
+        return Diagnostic::error(Code::NoDerivative, span, message)
+            .hint("whatever moves an edge must move the edge that it meets: make both of the same numbers")
+            .fail();
+    }
+    let slopes = |idx: usize, varied: &VariedSurface| {
+        let mut found = varied.volume_slopes(about)?;
+        found.slopes.iter_mut().for_each(|slope| *slope *= signs[idx]);
+        Ok(found)
+    };
+    surfaces.with_slopes(mass.amount, "volume", ctx, slopes)
 }

@@ -1,0 +1,114 @@
+//! Curves whose control points depend on variables: their points and derivatives.
+
+use std::sync::Arc;
+
+use glam::{DVec3, DVec4};
+
+use super::{PointSlopes, binomials};
+use crate::{GeomError, Grid, Jet, NurbsCurve, Side, homogeneous};
+
+/// A curve and the slopes of its control points by several variables.
+///
+/// The middle of a parabola whose inner control point rises:
+///
+/// ```
+/// use std::sync::Arc;
+/// use virote_kernel::{Jet, NurbsCurve, PointSlopes, Side, VariedCurve, glam::{DVec3, DVec4}};
+///
+/// let points = [DVec3::ZERO, DVec3::new(1.0, 2.0, 0.0), DVec3::X * 2.0];
+/// let curve = Arc::new(NurbsCurve::bezier(&points)?);
+/// let slopes = PointSlopes::new(1, 3, vec![(0, vec![DVec4::ZERO, DVec4::Y, DVec4::ZERO])])?;
+/// let varied = VariedCurve::new(curve, slopes)?;
+/// let middle = &varied.derivatives_beside(&Jet::with_slopes(0.5, &[0.0])?, Side::Right, 0)?[0];
+/// assert_eq!((middle[1].value(), middle[1].slopes()), (1.0, &[0.5][..]));
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct VariedCurve {
+    curve: Arc<NurbsCurve>,
+    slopes: PointSlopes,
+}
+
+impl VariedCurve {
+    /// A curve with the slopes of its control points.
+    ///
+    /// # Errors
+    /// `KnotError::KnotCount` for slopes of another number of points.
+    pub fn new(curve: Arc<NurbsCurve>, slopes: PointSlopes) -> Result<Self, GeomError> {
+        for (_, slopes) in slopes.by_variable() {
+            curve.knots().check_points(slopes.len())?;
+        }
+        Ok(Self { curve, slopes })
+    }
+
+    /// The curve itself.
+    #[must_use]
+    pub fn curve(&self) -> &Arc<NurbsCurve> {
+        &self.curve
+    }
+
+    /// The slopes of its control points.
+    #[must_use]
+    pub fn slopes(&self) -> &PointSlopes {
+        &self.slopes
+    }
+
+    /// The curve with some variables moved by steps, the control points along their slopes.
+    ///
+    /// # Errors
+    /// As for [`NurbsCurve::new`].
+    pub fn moved(&self, steps: &[(usize, f64)]) -> Result<NurbsCurve, GeomError> {
+        let points = self.slopes.moved(self.curve.control_points(), steps);
+        NurbsCurve::new(self.curve.knots().clone(), points)
+    }
+
+    /// The point and derivatives up to an order, of the piece on one side of a parameter that may vary with
+    /// the variables.
+    ///
+    /// By the slopes of Leibniz' rule for w·C, whose derivatives are linear in the control points.
+    /// Piegl & Tiller, *The NURBS Book*, (4.8).
+    ///
+    /// # Errors
+    /// [`LocalError::DerivativeBeyondNumbers`](crate::LocalError::DerivativeBeyondNumbers).
+    pub fn derivatives_beside(
+        &self,
+        t: &Jet,
+        side: Side,
+        order: usize,
+    ) -> Result<Vec<[Jet; 3]>, GeomError> {
+        let knots = self.curve.knots();
+        let span = knots.span_beside(t.value(), side);
+        let weighted = self.curve.homogeneous_derivatives(span, t.value(), order + 1);
+        let space = homogeneous::quotient(&weighted);
+        let basis = knots.basis_derivatives_on(span, t.value(), order.min(knots.degree()));
+        let of_variable = |(_, slopes): &(usize, Vec<DVec4>)| {
+            space_slopes(&slopes[knots.support(span)], &basis, &weighted[..=order], &space)
+        };
+        let slopes: Vec<Vec<DVec3>> = self.slopes.by_variable().iter().map(of_variable).collect();
+        let vector = |k: usize| {
+            let own: Vec<DVec3> = slopes.iter().map(|slopes| slopes[k]).collect();
+            self.slopes.vector(space[k], &own, &[(t, space[k + 1])])
+        };
+        (0..=order).map(vector).collect()
+    }
+}
+
+/// The slopes of derivatives in space from those of the acting control points: those of
+/// A⁽ᵏ⁾ − Σ (k over i) w⁽ⁱ⁾·C⁽ᵏ⁻ⁱ⁾ with C held, over w.
+fn space_slopes(
+    slopes: &[DVec4],
+    basis: &Grid<f64>,
+    weighted: &[DVec4],
+    space: &[DVec3],
+) -> Vec<DVec3> {
+    let contract = |k: usize| match k < basis.n_rows() {
+        true => slopes.iter().zip(basis.row(k)).map(|(&slope, &n)| slope * n).sum(),
+        false => DVec4::ZERO,
+    };
+    let own: Vec<DVec4> = (0..weighted.len()).map(contract).collect();
+    let numerator = |k: usize| {
+        let held = binomials(k).enumerate().map(|(i, b)| space[k - i] * (b * own[i].w));
+        (own[k].truncate() - held.sum::<DVec3>()).extend(weighted[k].w)
+    };
+    homogeneous::quotient(&(0..weighted.len()).map(numerator).collect::<Vec<_>>())
+}

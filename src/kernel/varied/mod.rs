@@ -1,0 +1,127 @@
+//! Geometry that depends on several variables, to the first order: a curve or surface with the slopes of
+//! its control points.
+//!
+//! A point is linear in the homogeneous control points, and whatever is measured depends on them through
+//! points and their derivatives. So the slope of a measure is its gradient by the control points times their
+//! slopes; where the measure is an integral, its gradient is the integral of the integrand's, found once for
+//! all variables.
+
+mod closed;
+mod curve;
+mod flux;
+mod length;
+mod surface;
+
+use glam::DVec4;
+
+use super::{CountError, GeomError, Jet};
+
+pub use closed::stay_closed;
+pub use curve::VariedCurve;
+pub use flux::SurfaceIntegral;
+pub use surface::VariedSurface;
+
+/// The slopes of homogeneous control points by several variables. Invariant: as many for every variable, all
+/// finite.
+///
+/// Half the sum of two points, the first of which moves along x with the second of three variables:
+///
+/// ```
+/// use virote_kernel::{PointSlopes, glam::DVec4};
+///
+/// let slopes = PointSlopes::new(3, 2, vec![(1, vec![DVec4::X, DVec4::ZERO])])?;
+/// assert_eq!(slopes.through(&[DVec4::splat(0.5); 2]), [0.0, 0.5, 0.0]);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct PointSlopes {
+    n_variables: usize,
+    /// Those that are not all zero, with the index of the variable, in order.
+    by_variable: Vec<(usize, Vec<DVec4>)>,
+}
+
+impl PointSlopes {
+    /// The slopes of so many points by those of the variables that they depend on, in order.
+    ///
+    /// # Errors
+    /// [`CountError::TooFewPoints`] unless there is a slope for each point, `InputError::NotFinite`.
+    pub fn new(
+        n_variables: usize,
+        n_points: usize,
+        by_variable: Vec<(usize, Vec<DVec4>)>,
+    ) -> Result<Self, GeomError> {
+        for (_, slopes) in &by_variable {
+            if slopes.len() != n_points {
+                return Err(CountError::TooFewPoints { got: slopes.len(), needed: n_points }.into());
+            }
+            super::homogeneous::check_finite(slopes)?;
+        }
+        let moves = |(_, slopes): &(usize, Vec<DVec4>)| slopes.iter().any(|s| *s != DVec4::ZERO);
+        Ok(Self { n_variables, by_variable: by_variable.into_iter().filter(moves).collect() })
+    }
+
+    /// How many variables there are.
+    #[must_use]
+    pub fn n_variables(&self) -> usize {
+        self.n_variables
+    }
+
+    /// The slopes by those variables that the points depend on, each with its index.
+    #[must_use]
+    pub fn by_variable(&self) -> &[(usize, Vec<DVec4>)] {
+        &self.by_variable
+    }
+
+    /// The slopes by all variables of something with this gradient by the control points.
+    #[must_use]
+    pub fn through(&self, gradient: &[DVec4]) -> Vec<f64> {
+        let mut all = vec![0.0; self.n_variables];
+        for (variable, slopes) in &self.by_variable {
+            all[*variable] = slopes.iter().zip(gradient).map(|(s, g)| s.dot(*g)).sum();
+        }
+        all
+    }
+
+    /// The points with some variables moved by steps.
+    fn moved(&self, points: &[DVec4], steps: &[(usize, f64)]) -> Vec<DVec4> {
+        let mut moved = points.to_vec();
+        for (variable, slopes) in &self.by_variable {
+            for (_, step) in steps.iter().filter(|(moving, _)| moving == variable) {
+                moved.iter_mut().zip(slopes).for_each(|(point, slope)| *point += slope * step);
+            }
+        }
+        moved
+    }
+
+    /// A vector of this value and with these slopes by the variables that the points depend on, where
+    /// parameters that vary too add theirs: each with how the vector grows with it.
+    fn vector(
+        &self,
+        value: glam::DVec3,
+        slopes: &[glam::DVec3],
+        parameters: &[(&Jet, glam::DVec3)],
+    ) -> Result<[Jet; 3], GeomError> {
+        let coordinate = |axis: usize| {
+            let mut all = vec![0.0; self.n_variables];
+            for ((variable, _), slope) in self.by_variable.iter().zip(slopes) {
+                all[*variable] = slope[axis];
+            }
+            for (parameter, growth) in parameters {
+                for (sum, slope) in all.iter_mut().zip(parameter.slopes()) {
+                    *sum += growth[axis] * slope;
+                }
+            }
+            Jet::with_slopes(value[axis], &all)
+        };
+        Ok([coordinate(0)?, coordinate(1)?, coordinate(2)?])
+    }
+}
+
+/// The binomial coefficients of a power.
+fn binomials(n: usize) -> impl Iterator<Item = f64> {
+    let next = move |binomial: &mut f64, i: usize| {
+        *binomial *= if i == 0 { 1.0 } else { (n + 1 - i) as f64 / i as f64 };
+        Some(*binomial)
+    };
+    (0..=n).scan(1.0, next)
+}

@@ -1,0 +1,239 @@
+//! Derivatives through operations that are affine in what they are made of, as a Bézier curve is in its
+//! control points: from the operation itself, run at the arguments and a step away from them.
+//!
+//! Where a result lies on a straight line, or on a parabola, along the slopes of the arguments, its
+//! differences are its derivatives but for rounding, whatever the length of the steps. Whether it does is
+//! seen at one more place; what bends otherwise is refused, so that no difference is ever taken for a
+//! derivative that it is not.
+
+use super::{
+    CARRIES_DERIVATIVES, Value,
+    variation::{NumberSlopes, Steps, Variables, are_alike, moved, numbers, sizes},
+};
+use crate::{diag::Result, kernel::tolerance::AFFINE_RELATIVE, limits::work};
+
+/// Steps that are tried, as the size of what moves halved so many times: the first may leave what the
+/// operation takes.
+const HALVINGS: [i32; 4] = [2, 3, 6, 12];
+
+/// Why an answer has no derivatives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoDerivative {
+    /// Derivatives of an order above the first are wanted.
+    HigherOrder,
+    /// Knots or the number of points change with the arguments.
+    OtherForm,
+    /// The answer bends.
+    Uneven,
+    /// There is no answer beside the place.
+    NoAnswer,
+}
+
+impl NoDerivative {
+    /// What is to be said of the operation, behind its name.
+    #[must_use]
+    pub fn message(self) -> &'static str {
+        match self {
+            Self::HigherOrder => {
+                "only first derivatives pass through here, and higher ones are wanted"
+            }
+            Self::OtherForm => {
+                "its knots or its number of points change with what is differentiated, so that no derivative passes through"
+            }
+            Self::Uneven => {
+                "it does not grow evenly with what is differentiated, so that no derivative passes through"
+            }
+            Self::NoAnswer => "it has no answer beside this place, so that it has no derivative",
+        }
+    }
+
+    /// What to do.
+    #[must_use]
+    pub fn hint(self) -> &'static str {
+        match self {
+            Self::HigherOrder => {
+                "make the geometry outside of the function, of fixed numbers, and ask for its places inside"
+            }
+            Self::OtherForm => {
+                "where `parameters` or knots can be listed, they stay as they are: `interpolate(p, parameters = [0, 1, 2])`"
+            }
+            Self::Uneven | Self::NoAnswer => CARRIES_DERIVATIVES,
+        }
+    }
+}
+
+/// Whether a value carries derivatives, at whatever depth.
+#[must_use]
+pub fn varies(value: &Value) -> bool {
+    Variables::of(value) != Variables::None
+}
+
+/// What an operation answers to arguments that carry derivatives, with the derivatives of its answer; or why
+/// it has none.
+///
+/// # Errors
+/// Those of the operation at the plain arguments.
+pub fn through_affine(
+    args: &[Value],
+    run: &mut dyn FnMut(&[Value]) -> Result<Value>,
+) -> Result<std::result::Result<Value, NoDerivative>> {
+    let mut variables = Variables::None;
+    for arg in args {
+        match Variables::of(arg) {
+            Variables::None => {}
+            found => variables = found,
+        }
+    }
+    let held: Option<Vec<Value>> = args.iter().map(|arg| moved(arg, &[])).collect();
+    let Some(held) = held else { return Ok(Err(NoDerivative::NoAnswer)) };
+    let base = run(&held)?;
+    Ok(match variables {
+        Variables::None => Ok(base),
+        Variables::HigherOrder => Err(NoDerivative::HigherOrder),
+        Variables::FirstOrder(n_variables) => Differences::new(args, base, run).slopes(n_variables),
+    })
+}
+
+/// The numbers of the answer beside the place.
+struct Differences<'a> {
+    args: &'a [Value],
+    base: Value,
+    run: &'a mut dyn FnMut(&[Value]) -> Result<Value>,
+    plain: Vec<f64>,
+}
+
+/// How much the numbers grow over a step of a variable.
+struct Growth {
+    variable: usize,
+    step: f64,
+    growth: Vec<f64>,
+}
+
+impl<'a> Differences<'a> {
+    fn new(
+        args: &'a [Value],
+        base: Value,
+        run: &'a mut dyn FnMut(&[Value]) -> Result<Value>,
+    ) -> Self {
+        let mut plain = Vec::new();
+        numbers(&base, &mut plain);
+        Self { args, base, run, plain }
+    }
+
+    /// By how much the numbers grow over some steps; none where there is no answer, and some error where
+    /// it has another form.
+    fn growth(&mut self, steps: Steps<'_>) -> std::result::Result<Vec<f64>, NoDerivative> {
+        let args: Option<Vec<Value>> = self.args.iter().map(|arg| moved(arg, steps)).collect();
+        let there = args.and_then(|args| (self.run)(&args).ok()).ok_or(NoDerivative::NoAnswer)?;
+        if !are_alike(&self.base, &there) {
+            return Err(NoDerivative::OtherForm);
+        }
+        let mut found = Vec::with_capacity(self.plain.len());
+        numbers(&there, &mut found);
+        found.iter_mut().zip(&self.plain).for_each(|(there, here)| *there -= here);
+        Ok(found)
+    }
+
+    /// The step over which what moves with a variable moves by its own size; none where nothing does.
+    fn unit_step(&self, variable: usize) -> Option<f64> {
+        let all = self.args.iter().map(|arg| sizes(arg, variable));
+        let [slope, size] = all.fold([0.0_f64; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
+        if slope == 0.0 {
+            return None;
+        }
+        // A power of two, so that a step costs no digits of its own.
+        let ratio = if size == 0.0 { slope.recip() } else { size / slope };
+        Some(libm::exp2(libm::log2(ratio).round()))
+    }
+
+    /// The growths over the first steps of a variable that have any.
+    fn growths(
+        &mut self,
+        variable: usize,
+        n_wanted: usize,
+    ) -> std::result::Result<Vec<Growth>, NoDerivative> {
+        let Some(unit) = self.unit_step(variable) else { return Ok(Vec::new()) };
+        let (mut found, mut missing) = (Vec::new(), NoDerivative::NoAnswer);
+        let signed = |halvings: i32| [1.0, -1.0].map(|sign| libm::ldexp(sign * unit, -halvings));
+        for step in HALVINGS.into_iter().flat_map(signed) {
+            match self.growth(&[(variable, step)]) {
+                Ok(growth) => found.push(Growth { variable, step, growth }),
+                Err(reason) => missing = reason,
+            }
+            if found.len() == n_wanted {
+                return Ok(found);
+            }
+        }
+        Err(missing)
+    }
+
+    /// The answer with its derivatives: first as on straight lines, then as on parabolas.
+    fn slopes(mut self, n_variables: usize) -> std::result::Result<Value, NoDerivative> {
+        let mut lines = Vec::new();
+        for variable in 0..n_variables {
+            // The slopes of all variables by all others may be more than there is room for.
+            if !work::goes_on(1 + self.plain.len() as u64 / work::PARTS_A_STEP) {
+                return Err(NoDerivative::NoAnswer);
+            }
+            lines.extend(self.growths(variable, 1)?);
+        }
+        let by_variable = if self.are_straight(&lines) {
+            let slope = |line: &Growth| {
+                (line.variable, line.growth.iter().map(|growth| growth / line.step).collect())
+            };
+            lines.iter().map(slope).collect()
+        } else {
+            let mut all = Vec::new();
+            for line in lines {
+                let growths = self.growths(line.variable, 3)?;
+                all.push((line.variable, self.parabola(&growths).ok_or(NoDerivative::Uneven)?));
+            }
+            all
+        };
+        let mut slopes = NumberSlopes { n_variables, by_variable: &by_variable, n_used: 0 };
+        slopes.value(&self.base).ok_or(NoDerivative::NoAnswer)
+    }
+
+    /// Whether the growths over all steps together, each shortened in its own way, are the sum of theirs.
+    fn are_straight(&mut self, lines: &[Growth]) -> bool {
+        let n = lines.len() as f64;
+        let shortened = |idx: usize| {
+            let golden = (idx + 1) as f64 * 0.618_033_988_749_894_9;
+            -(0.5 + 0.5 * golden.fract()) / n
+        };
+        let factors: Vec<f64> = (0..lines.len()).map(shortened).collect();
+        let steps: Vec<(usize, f64)> = lines
+            .iter()
+            .zip(&factors)
+            .map(|(line, factor)| (line.variable, factor * line.step))
+            .collect();
+        let Ok(found) = self.growth(&steps) else { return false };
+        let mut expected = vec![0.0; found.len()];
+        for (line, factor) in lines.iter().zip(&factors) {
+            expected.iter_mut().zip(&line.growth).for_each(|(sum, growth)| *sum += factor * growth);
+        }
+        self.is_near(&found, &expected)
+    }
+
+    /// The slopes at the place of the parabolas through two growths, which must go through the third.
+    fn parabola(&self, growths: &[Growth]) -> Option<Vec<f64>> {
+        let [a, b, c] = growths else {
+            return growths.is_empty().then(|| vec![0.0; self.plain.len()]);
+        };
+        let (mut slopes, mut expected) = (Vec::new(), Vec::new());
+        for (at_a, at_b) in a.growth.iter().zip(&b.growth) {
+            let (chord_a, chord_b) = (at_a / a.step, at_b / b.step);
+            let bend = (chord_b - chord_a) / (b.step - a.step);
+            let slope = chord_a - bend * a.step;
+            slopes.push(slope);
+            expected.push((slope + bend * c.step) * c.step);
+        }
+        self.is_near(&c.growth, &expected).then_some(slopes)
+    }
+
+    fn is_near(&self, found: &[f64], expected: &[f64]) -> bool {
+        let size = |all: &[f64]| all.iter().fold(0.0, |most: f64, number| most.max(number.abs()));
+        let size = size(&self.plain).max(size(expected));
+        found.iter().zip(expected).all(|(a, b)| (a - b).abs() <= AFFINE_RELATIVE * size)
+    }
+}

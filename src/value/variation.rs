@@ -1,0 +1,297 @@
+//! How values vary with the parameters of a function that is differentiated: their numbers, one behind the
+//! other, moved along their slopes and given slopes.
+
+use std::sync::Arc;
+
+use glam::{DVec3, DVec4};
+
+use super::{
+    IntoValue, JetRange, List, Number, Range, Real, Record, Value, Vector, compare::equal,
+};
+use crate::kernel::{
+    Curve, Grid, Jet, KnotVector, NurbsCurve, NurbsSurface, PointSlopes, Surface, VariedCurve,
+    VariedSurface, tolerance::LAST_BIT,
+};
+
+/// Steps of variables, each with its index.
+pub(super) type Steps<'s> = &'s [(usize, f64)];
+
+/// How many variables a value depends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Variables {
+    /// Nothing in it varies.
+    None,
+    /// So many, to the first order.
+    FirstOrder(usize),
+    /// It is a series of a higher order.
+    HigherOrder,
+}
+
+impl Variables {
+    fn of_jet(jet: &Jet) -> Self {
+        jet.n_variables().map_or(Self::HigherOrder, Self::FirstOrder)
+    }
+
+    fn of_real(real: &Real) -> Self {
+        match real {
+            Real::Plain(_) => Self::None,
+            Real::Jet(jet) => Self::of_jet(jet),
+        }
+    }
+
+    fn or(self, other: impl FnOnce() -> Self) -> Self {
+        if self == Self::None { other() } else { self }
+    }
+
+    fn of_all<'v>(mut values: impl Iterator<Item = &'v Value>) -> Self {
+        let first = values.find_map(|value| {
+            let variables = Self::of(value);
+            (variables != Self::None).then_some(variables)
+        });
+        first.unwrap_or(Self::None)
+    }
+
+    /// Those that a value depends on, lists and records searched to their ends.
+    pub(super) fn of(value: &Value) -> Self {
+        match value {
+            Value::Jet(number) => Self::of_real(&number.value),
+            Value::JetPoint(jets) => Self::of_jet(&jets[0]),
+            Value::JetRange(range) => {
+                Self::of_real(&range.start.value).or(|| Self::of_real(&range.end.value))
+            }
+            Value::JetCurve(curve) => Self::FirstOrder(curve.slopes().n_variables()),
+            Value::JetSurface(surface) => Self::FirstOrder(surface.slopes().n_variables()),
+            Value::List(items) if items.numbers().is_none() => Self::of_all(items.iter()),
+            Value::Record(record) => Self::of_all(record.iter().map(|(_, value)| value)),
+            _ => Self::None,
+        }
+    }
+}
+
+/// A value without derivatives, its variables moved by some steps. None where control points cannot go so far.
+pub(super) fn moved(value: &Value, steps: Steps<'_>) -> Option<Value> {
+    let number =
+        |number: &Number<Real>| Number { value: stepped(&number.value, steps), dim: number.dim };
+    Some(match value {
+        Value::Jet(jet) => Value::Number(number(jet)),
+        Value::JetPoint(jets) => {
+            let coordinate = |jet: &Jet| stepped_jet(jet, steps);
+            Value::Point(DVec3::from(jets.each_ref().map(coordinate)))
+        }
+        Value::JetRange(range) => Value::Range(Range {
+            start: number(&range.start),
+            end: number(&range.end),
+            closed: range.closed,
+        }),
+        Value::JetCurve(curve) if steps.is_empty() => {
+            Value::Curve(Curve::Nurbs(Arc::clone(curve.curve())))
+        }
+        Value::JetSurface(surface) if steps.is_empty() => {
+            Value::Surface(Surface::Nurbs(Arc::clone(surface.surface())))
+        }
+        Value::JetCurve(curve) => curve.moved(steps).ok()?.into_value(),
+        Value::JetSurface(surface) => surface.moved(steps).ok()?.into_value(),
+        Value::List(items) if items.numbers().is_none() => {
+            let items: Option<Vec<Value>> = items.iter().map(|item| moved(item, steps)).collect();
+            Value::List(items?.into_iter().collect::<List>())
+        }
+        Value::Record(record) => {
+            let field = |(label, value)| Some((Arc::from(label), moved(value, steps)?));
+            let fields: Option<Vec<(Arc<str>, Value)>> = record.iter().map(field).collect();
+            Value::Record(Arc::new(Record::new(fields?)))
+        }
+        other => other.clone(),
+    })
+}
+
+fn stepped(real: &Real, steps: Steps<'_>) -> f64 {
+    match real {
+        Real::Plain(value) => *value,
+        Real::Jet(jet) => stepped_jet(jet, steps),
+    }
+}
+
+fn stepped_jet(jet: &Jet, steps: Steps<'_>) -> f64 {
+    steps.iter().fold(jet.value(), |sum, &(variable, step)| sum + step * jet.slopes()[variable])
+}
+
+/// The largest slope of a value by a variable, and the largest number of what has one.
+pub(super) fn sizes(value: &Value, variable: usize) -> [f64; 2] {
+    let larger = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].max(b[1])];
+    let of_jet = |jet: &Jet| [jet.slopes()[variable].abs(), jet.value().abs()];
+    let of_real = |real: &Real| match real {
+        Real::Plain(_) => [0.0, 0.0],
+        Real::Jet(jet) => of_jet(jet),
+    };
+    let of_points = |points: &[DVec4], slopes: &PointSlopes| {
+        let of_variable = slopes.by_variable().iter().find(|(idx, _)| *idx == variable);
+        let Some((_, slopes)) = of_variable else { return [0.0, 0.0] };
+        let largest =
+            |all: &[DVec4]| all.iter().map(|part| part.abs().max_element()).fold(0.0, f64::max);
+        [largest(slopes), largest(points)]
+    };
+    let found = match value {
+        Value::Jet(number) => of_real(&number.value),
+        Value::JetPoint(jets) => jets.iter().map(of_jet).fold([0.0; 2], larger),
+        Value::JetRange(range) => larger(of_real(&range.start.value), of_real(&range.end.value)),
+        Value::JetCurve(curve) => of_points(curve.curve().control_points(), curve.slopes()),
+        Value::JetSurface(surface) => {
+            of_points(surface.surface().control_points().as_slice(), surface.slopes())
+        }
+        Value::List(items) if items.numbers().is_none() => {
+            items.iter().map(|item| sizes(item, variable)).fold([0.0; 2], larger)
+        }
+        Value::Record(record) => {
+            record.iter().map(|(_, value)| sizes(value, variable)).fold([0.0; 2], larger)
+        }
+        _ => [0.0; 2],
+    };
+    // What does not move says nothing of the size of a step.
+    if found[0] > 0.0 { found } else { [0.0; 2] }
+}
+
+/// The numbers of a value, one behind the other: of numbers, points, ranges, lists and records, and of
+/// control points with their weights.
+pub(super) fn numbers(value: &Value, all: &mut Vec<f64>) {
+    let points = |points: &[DVec4], all: &mut Vec<f64>| {
+        all.extend(points.iter().flat_map(DVec4::to_array));
+    };
+    match value {
+        Value::Number(number) => all.push(number.value),
+        Value::Point(point) => all.extend(point.to_array()),
+        Value::Range(range) => all.extend([range.start.value, range.end.value]),
+        Value::Curve(Curve::Nurbs(curve)) => points(curve.control_points(), all),
+        Value::Surface(Surface::Nurbs(surface)) => {
+            points(surface.control_points().as_slice(), all);
+        }
+        Value::List(items) => items.values().for_each(|item| numbers(&item, all)),
+        Value::Record(record) => record.iter().for_each(|(_, value)| numbers(value, all)),
+        _ => {}
+    }
+}
+
+/// Whether two values differ in their [`numbers`] alone.
+pub(super) fn are_alike(a: &Value, b: &Value) -> bool {
+    match (a, b) {
+        (Value::Number(a), Value::Number(b)) => a.dim == b.dim,
+        (Value::Point(_), Value::Point(_)) => true,
+        (Value::Range(a), Value::Range(b)) => {
+            a.closed == b.closed && a.start.dim == b.start.dim && a.end.dim == b.end.dim
+        }
+        (Value::Curve(Curve::Nurbs(a)), Value::Curve(Curve::Nurbs(b))) => {
+            are_same_knots(a.knots(), b.knots())
+        }
+        (Value::Surface(Surface::Nurbs(a)), Value::Surface(Surface::Nurbs(b))) => {
+            are_same_knots(a.knots_u(), b.knots_u()) && are_same_knots(a.knots_v(), b.knots_v())
+        }
+        (Value::List(a), Value::List(b)) => {
+            a.len() == b.len() && a.values().zip(b.values()).all(|(a, b)| are_alike(&a, &b))
+        }
+        (Value::Record(a), Value::Record(b)) => {
+            let is_alike = |((label, a), (other, b)): ((&str, &Value), (&str, &Value))| {
+                label == other && are_alike(a, b)
+            };
+            a.len() == b.len() && a.iter().zip(b.iter()).all(is_alike)
+        }
+        (a, b) => equal(a, b) == Some(true),
+    }
+}
+
+/// Whether knots are the same but for rounding.
+fn are_same_knots(a: &KnotVector, b: &KnotVector) -> bool {
+    const ROUNDINGS: f64 = 64.0;
+    let (a_knots, b_knots) = (a.as_slice(), b.as_slice());
+    let size = a_knots.iter().fold(0.0, |most: f64, knot| most.max(knot.abs()));
+    let is_near = |(a, b): (&f64, &f64)| (a - b).abs() <= ROUNDINGS * LAST_BIT * size;
+    a.degree() == b.degree()
+        && a_knots.len() == b_knots.len()
+        && a_knots.iter().zip(b_knots).all(is_near)
+}
+
+/// Slopes of the [`numbers`] of a value by variables, handed out in their order.
+pub(super) struct NumberSlopes<'s> {
+    /// How many variables there are.
+    pub(super) n_variables: usize,
+    /// For those that the value depends on, the slope of each number.
+    pub(super) by_variable: &'s [(usize, Vec<f64>)],
+    /// How many numbers have theirs.
+    pub(super) n_used: usize,
+}
+
+impl NumberSlopes<'_> {
+    /// A number with its slopes; plain if they are all zero.
+    fn real(&mut self, value: f64) -> Option<Real> {
+        let mut slopes = vec![0.0; self.n_variables];
+        for (variable, own) in self.by_variable {
+            slopes[*variable] = own[self.n_used];
+        }
+        self.n_used += 1;
+        if slopes.iter().all(|slope| *slope == 0.0) {
+            return Some(Real::Plain(value));
+        }
+        Jet::with_slopes(value, &slopes).ok().map(Real::Jet)
+    }
+
+    fn number(&mut self, number: Number) -> Option<Number<Real>> {
+        Some(Number { value: self.real(number.value)?, dim: number.dim })
+    }
+
+    fn points(&mut self, n_points: usize) -> Option<PointSlopes> {
+        let from = self.n_used;
+        self.n_used += 4 * n_points;
+        let own = |(variable, slopes): &(usize, Vec<f64>)| {
+            let points = slopes[from..self.n_used].chunks_exact(4).map(DVec4::from_slice);
+            (*variable, points.collect())
+        };
+        let by_variable = self.by_variable.iter().map(own).collect();
+        PointSlopes::new(self.n_variables, n_points, by_variable).ok()
+    }
+
+    fn curve(&mut self, curve: &Arc<NurbsCurve>) -> Option<Value> {
+        let slopes = self.points(curve.control_points().len())?;
+        if slopes.by_variable().is_empty() {
+            return Some(Value::Curve(Curve::Nurbs(Arc::clone(curve))));
+        }
+        Some(Value::JetCurve(Arc::new(VariedCurve::new(Arc::clone(curve), slopes).ok()?)))
+    }
+
+    fn surface(&mut self, surface: &Arc<NurbsSurface>) -> Option<Value> {
+        let net: &Grid<DVec4> = surface.control_points();
+        let slopes = self.points(net.as_slice().len())?;
+        if slopes.by_variable().is_empty() {
+            return Some(Value::Surface(Surface::Nurbs(Arc::clone(surface))));
+        }
+        Some(Value::JetSurface(Arc::new(VariedSurface::new(Arc::clone(surface), slopes).ok()?)))
+    }
+
+    /// A value with the slopes of its numbers; none where one of them is no number.
+    pub(super) fn value(&mut self, value: &Value) -> Option<Value> {
+        Some(match value {
+            Value::Number(number) => self.number(*number)?.into_value(),
+            Value::Point(DVec3 { x, y, z }) => {
+                Vector::new([self.real(*x)?, self.real(*y)?, self.real(*z)?]).into_value()
+            }
+            Value::Range(range) => {
+                let (start, end) = (self.number(range.start)?, self.number(range.end)?);
+                let is_plain = |end: &Number<Real>| matches!(end.value, Real::Plain(_));
+                if is_plain(&start) && is_plain(&end) {
+                    return Some(value.clone());
+                }
+                Value::JetRange(Arc::new(JetRange { start, end, closed: range.closed }))
+            }
+            Value::Curve(Curve::Nurbs(curve)) => self.curve(curve)?,
+            Value::Surface(Surface::Nurbs(surface)) => self.surface(surface)?,
+            Value::List(items) => {
+                let items: Option<Vec<Value>> =
+                    items.values().map(|item| self.value(&item)).collect();
+                Value::list(items?)
+            }
+            Value::Record(record) => {
+                let field = |(label, value)| Some((Arc::from(label), self.value(value)?));
+                let fields: Option<Vec<(Arc<str>, Value)>> = record.iter().map(field).collect();
+                Value::Record(Arc::new(Record::new(fields?)))
+            }
+            other => other.clone(),
+        })
+    }
+}

@@ -1,0 +1,236 @@
+//! The law of derivatives: of every operation through which they pass as a whole, against central
+//! differences. The registry tells which operations those are, and their documented uses how to call them;
+//! the coordinates in such a use are what varies.
+
+use virote::{
+    diag::{Code, Severity},
+    ops,
+    session::{Event, Report, Session},
+    value::{ExamplePicture, NoFiles, Op, Type, Value},
+};
+
+/// Half the distance between the places of a central difference.
+const STEP: f64 = 1e-5;
+
+/// Of the size of a slope.
+const NEAR: f64 = 1e-7;
+
+/// Places around the documented one.
+const N_PLACES: usize = 3;
+
+fn run(script: &str) -> Report {
+    Session::default().run("law.geo", script.as_bytes(), &NoFiles, &[])
+}
+
+/// Where the bracket at `open` closes.
+fn closing(code: &str, open: usize) -> Option<usize> {
+    let (mut depth, mut is_text) = (0, false);
+    for (at, byte) in code.bytes().enumerate().skip(open) {
+        match byte {
+            b'"' => is_text = !is_text,
+            b'(' | b'[' | b'{' if !is_text => depth += 1,
+            b')' | b']' | b'}' if !is_text => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return Some(at);
+        }
+    }
+    None
+}
+
+/// The first call of a name in a piece of a script, up to its closing bracket.
+fn call_of<'c>(code: &'c str, name: &str) -> Option<&'c str> {
+    let start = code.match_indices(name).map(|(at, _)| at).find(|&at| {
+        let before = code[..at].chars().next_back();
+        let is_word = before.is_some_and(|c| c.is_alphanumeric() || c == '_' || c == '.');
+        !is_word && code[at + name.len()..].starts_with('(')
+    })?;
+    closing(code, start + name.len()).map(|end| &code[start..=end])
+}
+
+/// A call whose coordinates have what `d` says added, and how many different ones those are: the same points
+/// move alike, so that what hangs together stays so. So have the lengths that the operation takes. Coordinates of zero may stay, for what lies in a plane.
+fn varied(call: &str, op: &Op, with_zeros: bool) -> (String, usize) {
+    let takes_number = |idx: usize| {
+        let is_first = op.params.first().is_none_or(|param| !param.spreads);
+        is_first
+            && op
+                .params
+                .get(idx)
+                .is_some_and(|param| matches!(param.ty, Type::Length | Type::Number))
+    };
+    let (mut depth, mut n_args) = (0_usize, 0);
+    let mut out = String::new();
+    let mut indices: Vec<(String, usize)> = Vec::new();
+    let mut at = 0;
+    while let Some(c) = call[at..].chars().next() {
+        // A length among the arguments of the call itself.
+        let number = call[at..].split([',', ')']).next().unwrap_or_default();
+        if depth == 1
+            && out.ends_with(['(', ' '])
+            && takes_number(n_args)
+            && number.parse::<f64>().is_ok_and(|number| with_zeros || 0.0 < number.abs())
+        {
+            out.push_str(&format!("({number} + d[{}])", indices.len()));
+            indices.push((format!("argument {n_args}"), 0));
+            at += number.len();
+            continue;
+        }
+        let before = out.chars().next_back().unwrap_or(' ');
+        let is_call = before.is_alphanumeric() || "_])".contains(before);
+        let end = closing(call, at).filter(|_| c == '(' && !is_call);
+        let inside = end.map(|end| &call[at + 1..end]);
+        let is_point = |inside: &&str| {
+            inside.contains(',') && !inside.contains(['(', '[', '{', ':', '=', '"'])
+        };
+        let Some(point) = inside.filter(is_point) else {
+            match c {
+                '(' | '[' | '{' => depth += 1,
+                ')' | ']' | '}' => depth -= 1,
+                ',' if depth == 1 => n_args += 1,
+                _ => {}
+            }
+            out.push(c);
+            at += c.len_utf8();
+            continue;
+        };
+        let mut coordinates = Vec::new();
+        for (axis, text) in point.split(',').map(str::trim).enumerate() {
+            let number = text.parse::<f64>();
+            if !with_zeros && number.as_ref().is_ok_and(|number| number.abs() <= 0.0) {
+                coordinates.push(text.to_owned());
+                continue;
+            }
+            let key = (point.to_owned(), axis);
+            let idx = indices.iter().position(|known| *known == key).unwrap_or(indices.len());
+            if idx == indices.len() {
+                indices.push(key);
+            }
+            coordinates.push(match number {
+                Ok(_) => format!("({text} + d[{idx}])"),
+                // Of the points of a comprehension each moves in its own way.
+                Err(_) => format!("({text}) * (1 + d[{idx}])"),
+            });
+        }
+        out.push_str(&format!("({})", coordinates.join(", ")));
+        at += point.len() + 2;
+    }
+    (out, indices.len())
+}
+
+/// One number out of all that a value of a type is.
+fn asked(of: Type, value: &str) -> Option<String> {
+    Some(match of {
+        Type::Curve => format!(
+            "(x => dot(x(0.7 * x.domain.start + 0.3 * x.domain.end), (1, 2, -0.5)) + length(x) / 1mm)({value})"
+        ),
+        Type::Surface => format!(
+            "(x => dot(x(0.7 * x.domain_u.start + 0.3 * x.domain_u.end, 0.4 * x.domain_v.start + 0.6 * x.domain_v.end), (1, 2, -0.5)) + area(x) / 1mm^2)({value})"
+        ),
+        Type::Point => format!("dot({value}, (1, 2, -0.5))"),
+        Type::Number | Type::Ratio => value.to_owned(),
+        Type::List(of, _) => {
+            format!("sum([for x in {value}: {}])", asked(*of, "x")?)
+        }
+        _ => return None,
+    })
+}
+
+/// The type of what a call yields, where its operation leaves it open.
+fn type_of(call: &str) -> Option<Type> {
+    let report = run(&format!("print {call}"));
+    let [Event::Printed(printed)] = &report.events[..] else { return None };
+    match &printed.value {
+        Value::Point(_) => Some(Type::Point),
+        Value::Curve(_) => Some(Type::Curve),
+        Value::Surface(_) => Some(Type::Surface),
+        _ => None,
+    }
+}
+
+/// Offsets that are nowhere special, of the size of a twentieth.
+fn place(seed: usize, n: usize) -> Vec<f64> {
+    let golden = |idx: usize| ((seed * 131 + idx + 1) as f64 * 0.618_033_988_749_894_9).fract();
+    (0..n).map(|idx| 0.1 * (golden(idx) - 0.5)).collect()
+}
+
+/// What a use of an operation says of its slopes: whether they are right, or nothing where it has none.
+fn verdict(call: &str, op: &Op, of: Type, with_zeros: bool) -> Option<Result<(), String>> {
+    let (varied, n) = varied(call, op, with_zeros);
+    if n == 0 {
+        return None;
+    }
+    let question = asked(of, &varied)?;
+    for seed in 0..N_PLACES {
+        let at: Vec<String> = place(seed, n).iter().map(f64::to_string).collect();
+        let plain = format!(
+            "let f = d => {question}\nlet at = [{}]\nlet moved = (i, h) => f([for k in 0..<{n}: at[k] + (if k == i then h else 0)])\n\
+             let expected = [for i in 0..<{n}: (moved(i, {STEP}) - moved(i, -{STEP})) / (2 * {STEP})]\n",
+            at.join(", ")
+        );
+        let script = format!(
+            "{plain}let found = gradient(f, at)\nprint [for i in 0..<{n}: (found[i] - expected[i]) / (1 + abs(f(at)) + abs(expected[i]))]\n"
+        );
+        let report = run(&script);
+        let is_none = |report: &Report| {
+            report.diagnostics.iter().any(|found| found.code == Code::NoDerivative)
+        };
+        // What cannot be moved so says nothing of slopes.
+        if is_none(&report)
+            || run(&plain).diagnostics.iter().any(|found| found.severity == Severity::Error)
+        {
+            return None;
+        }
+        let [Event::Printed(printed)] = &report.events[..] else {
+            let told: Vec<&str> = report.diagnostics.iter().map(|d| d.message.as_str()).collect();
+            return Some(Err(format!("{}\n{script}", told.join("; "))));
+        };
+        let Value::List(errors) = &printed.value else { return None };
+        let is_near = |error: Value| match error {
+            Value::Number(number) => number.value.abs() < NEAR,
+            _ => false,
+        };
+        if !errors.values().all(is_near) {
+            return Some(Err(format!("misses by {}\n{script}", printed.value)));
+        }
+    }
+    Some(Ok(()))
+}
+
+/// Whether derivatives pass through an operation as its documentation uses it.
+fn law(op: &Op) -> Result<(), String> {
+    let names: Vec<&str> = std::iter::once(op.name).chain(op.aliases.iter().copied()).collect();
+    let pictures = op.picture.and_then(|picture| match picture {
+        ExamplePicture::Value(code) => Some(code),
+        ExamplePicture::Scene(_) => None,
+    });
+    let uses = op.examples.iter().map(|example| example.code).chain(pictures);
+    let mut n_right = 0;
+    for call in uses.flat_map(|code| names.iter().filter_map(move |name| call_of(code, name))) {
+        let Some(of) = (match op.returns {
+            Type::Geometry | Type::Any => type_of(call),
+            of => Some(of),
+        }) else {
+            continue;
+        };
+        match verdict(call, op, of, true).or_else(|| verdict(call, op, of, false)) {
+            Some(Ok(())) => n_right += 1,
+            Some(Err(wrong)) => return Err(format!("{}: {wrong}", op.name)),
+            None => {}
+        }
+    }
+    match n_right {
+        0 => Err(format!("{}: no derivative passes through any of its examples", op.name)),
+        _ => Ok(()),
+    }
+}
+
+#[test]
+fn derivatives_through_whole_operations_agree_with_central_differences() {
+    let registry = ops::registry();
+    let affine: Vec<&Op> = registry.iter().filter(|op| op.is_affine).collect();
+    assert!(10 < affine.len());
+    let wrong: Vec<String> = affine.iter().filter_map(|op| law(op).err()).collect();
+    assert!(wrong.is_empty(), "{}\n({} of {})", wrong.join("\n"), wrong.len(), affine.len());
+}
