@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeMap, sync::Arc};
 
-use super::{Call, Op, Type, Value};
+use super::{Call, Op, OpParameter, Type, Value};
 
 /// Operations by name. The evaluator, the help, the completion and the reference read this and
 /// nothing else. One name may have several operations, told apart by their first argument.
@@ -94,7 +94,8 @@ pub fn choose(
 ) -> Result<&'static Op, String> {
     let has_places = |op: &&&'static Op| {
         let is_known = |label: &str| op.params.iter().any(|param| param.name == label);
-        call.positional.len() <= op.params.len()
+        let by_position = |param: &&OpParameter| !param.may_be_left_out() || param.by_position;
+        call.positional.len() <= op.params.iter().filter(by_position).count()
             && call.named.iter().all(|(label, _)| is_known(&label.value))
     };
     let takes = |op: &&&'static Op, value: &Value| {

@@ -208,7 +208,7 @@ fn is_number(of: Type) -> bool {
 }
 
 #[test]
-fn operations_of_one_name_differ_in_their_first_parameter_or_in_how_many_they_take() {
+fn operations_of_one_name_differ_in_their_first_parameter_or_in_what_they_need() {
     let registry = ops::registry();
     let mut complaints = Vec::new();
     for name in registry.names() {
@@ -230,7 +230,17 @@ fn operations_of_one_name_differ_in_their_first_parameter_or_in_how_many_they_ta
                 let are_all_required =
                     a.params.iter().chain(b.params).all(|param| !param.may_be_left_out());
                 let differ_in_count = are_all_required && a.params.len() != b.params.len();
-                if clash && !differ_in_count {
+                // What one needs has no place in the other, by position or by name.
+                let needs_more = |one: &Op, other: &Op| {
+                    let needed = || one.params.iter().filter(|param| !param.may_be_left_out());
+                    let by_position =
+                        |param: &&OpParameter| !param.may_be_left_out() || param.by_position;
+                    let places = other.params.iter().filter(by_position).count();
+                    let has = |name: &str| other.params.iter().any(|param| param.name == name);
+                    places < needed().count() && needed().any(|param| !has(param.name))
+                };
+                let differ_in_needs = needs_more(a, b) || needs_more(b, a);
+                if clash && !differ_in_count && !differ_in_needs {
                     complaints.push(format!(
                         "{name}: {} and {} cannot be told apart",
                         a.signature(),

@@ -133,6 +133,12 @@ pub(crate) const PULL_RELATIVE: f64 = 1e-13;
 /// Larger lets arcs use up the tolerance; smaller takes more pieces of what is tiny.
 pub(crate) const PULL_SHARE: f64 = 1e-3;
 
+/// How much of a length in the plane of parameters that in space is at least, where a descent to a foot is
+/// followed.
+///
+/// Larger asks the whole surface where that is not needed; smaller follows descents that hardly move beside a pole.
+pub(crate) const SLOWEST_SHARE: f64 = 0.0625;
+
 /// An arc in a plane of parameters that is no longer than so many tolerances, and for which no polynomial is
 /// found, is straight.
 ///

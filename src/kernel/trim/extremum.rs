@@ -203,13 +203,12 @@ impl Face {
         if distance < foot.distance {
             return Ok(RegionSide::Outside);
         }
-        let side = self.side_of_parameters(foot.parameters, distance);
-        if side != RegionSide::Border {
-            return Ok(side);
-        }
-        // A pole is a border of the parameters alone.
+        // Seams and poles are borders of the parameters alone.
         Ok(match self.closest_on_border(point, distance)? {
             Some(border) if border.distance(point) <= 2.0 * distance => RegionSide::Border,
+            _ if self.side_of_parameters(foot.parameters, distance) == RegionSide::Outside => {
+                RegionSide::Outside
+            }
             _ => RegionSide::Inside,
         })
     }

@@ -88,7 +88,8 @@ impl Face {
         let about = boxes.reduce(Bounds::union).map_or(DVec3::ZERO, Bounds::center);
         let mut sum = MassIntegral::default();
         for face in faces {
-            let found = face.integral(|point, normal| moments(arm(point, about), normal.length()))?;
+            let found =
+                face.integral(|point, normal| moments(arm(point, about), normal.length()))?;
             sum.add(found, 1.0);
         }
         sum.mass(about, [1.0; 3]).ok_or_else(|| sum.without("area"))

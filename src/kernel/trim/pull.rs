@@ -17,7 +17,8 @@ use crate::{
     frame::norm,
     lagrange,
     tolerance::{
-        JUMP_SHARE, LAST_BIT, PARAMETER_RELATIVE, PULL_RELATIVE, PULL_SHARE, STRAIGHT_REACH,
+        JUMP_SHARE, LAST_BIT, PARAMETER_RELATIVE, PULL_RELATIVE, PULL_SHARE, SLOWEST_SHARE,
+        STRAIGHT_REACH,
     },
 };
 
@@ -32,9 +33,6 @@ const STEPS: usize = 12;
 
 /// Where a piece is compared between the points that it goes through.
 const COMPARED: [f64; 4] = [0.1, 0.3, 0.65, 0.93];
-
-/// How much of the length in the plane of parameters that in space is at least, where a descent is followed.
-const SLOWEST: f64 = 0.0625;
 
 /// How far from a second surface a point is, signed, and the direction that leads away from it.
 pub(super) type Height<'a> = dyn Fn(DVec3) -> (f64, DVec3) + 'a;
@@ -105,7 +103,7 @@ impl PulledCurve<'_> {
         let is_at_end = [(u, foot.parameters[0]), (v, foot.parameters[1])]
             .iter()
             .any(|&(domain, t)| t <= domain.start() || domain.end() <= t);
-        if is_at_end || slowest < SLOWEST || self.tolerance < foot.distance {
+        if is_at_end || slowest < SLOWEST_SHARE || self.tolerance < foot.distance {
             return self.foot(t);
         }
         Ok(self.plane.place(foot.parameters))

@@ -32,7 +32,7 @@ op! {
     example "area(face(plane_patch((0, 0), (4, 0), (0, 4)), [reversed(circle((2, 2), 1))])) ~= 16 - pi" => "true";
     example "area(face(sphere((0, 0), 2), [polyline([(0, 0.5), (0.25, 0.5), (0.25, 1), (0, 1)], closed = true)], space = \"uv\")) ~= 2*pi" => "true";
     refuses "face(plane_patch((0, 0), (4, 0), (0, 4)), [line((1, 1), (2, 2))])" => "E0607: loop [0] does not close: its ends are 1.414 apart";
-    refuses "face(plane_patch((0, 0), (4, 0), (0, 4)), [circle((2, 2, 1), 1)])" => "E0607: loop is 1 from the surface at (3, 2, 1)";
+    refuses "face(plane_patch((0, 0), (4, 0), (0, 4)), [circle((2, 2, 1), 1)])" => "E0607: loop is 1 from the surface at (2.93, 2.368, 1)";
     scene r#"
         face f = face(plane_patch((0, 0), (4, 0), (0, 4)), [reversed(circle((2, 2), 1))]) with (color = "lightgray")
         curves border = f.edges with (color = "red")

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{MassOf, Surfaces, mass};
+use super::{MassOf, SurfacesTogether, mass};
 use crate::{
     diag::{Result, Spanned},
     value::{Ctx, op},
@@ -15,7 +15,7 @@ op! {
     /// Mirtich, *Fast and accurate computation of polyhedral mass properties*, JGT 1 (1996).
     centroid in Measure -> DVec3 {
         /// The surface, or a list of surfaces.
-        s: Spanned<Surfaces>,
+        s: Spanned<SurfacesTogether>,
         /// What is heavy: the inside or the skin.
         of: MassOf = MassOf::Volume,
     }

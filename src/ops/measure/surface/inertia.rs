@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{MassOf, Surfaces, mass};
+use super::{MassOf, SurfacesTogether, mass};
 use crate::{
     diag::{Result, Spanned},
     kernel::principal_axes,
@@ -18,7 +18,7 @@ op! {
     /// Mirtich, *Fast and accurate computation of polyhedral mass properties*, JGT 1 (1996).
     inertia in Measure -> Record {
         /// The surface, or a list of surfaces.
-        s: Spanned<Surfaces>,
+        s: Spanned<SurfacesTogether>,
         /// What is heavy: the inside or the skin.
         of: MassOf = MassOf::Volume,
     }

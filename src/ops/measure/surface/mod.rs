@@ -66,6 +66,21 @@ impl FromValue for Surfaces {
     }
 }
 
+/// A surface, or a list of surfaces and faces; a single face answers by its skin.
+struct SurfacesTogether(Surfaces);
+
+impl FromValue for SurfacesTogether {
+    const TYPE: Type =
+        Type::OneOf(&[Type::Surface, Type::List(&Type::OneOf(&[Type::Surface, Type::Face]), 1)]);
+
+    fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
+        match value {
+            Value::Face(_) => Err(Mismatch::kind(Self::TYPE, value)),
+            _ => Surfaces::from_value(value, span).map(Self),
+        }
+    }
+}
+
 impl Surfaces {
     /// All of them as surfaces; none where one is a part of a surface.
     fn whole(&self) -> Option<Vec<Surface>> {
@@ -166,18 +181,18 @@ impl Choice for MassOf {
 
 /// What the surfaces hold, or they themselves.
 fn mass(
-    surfaces: &Spanned<Surfaces>,
+    surfaces: &Spanned<SurfacesTogether>,
     of: MassOf,
     what: &str,
     ctx: &mut Ctx<'_>,
 ) -> Result<MassProperties> {
     let span = surfaces.span;
     if of == MassOf::Area {
-        let mass = surfaces.value.area_mass(span, ctx)?;
+        let mass = surfaces.value.0.area_mass(span, ctx)?;
         tell_accuracy(what, mass.relative_error, ctx)?;
         return Ok(mass);
     }
-    let mass = surfaces.value.volume_mass(span, ctx)?;
+    let mass = surfaces.value.0.volume_mass(span, ctx)?;
     let open = matches!(
         mass,
         Err(GeomError::Shell(ShellError::Open { .. } | ShellError::Alone { .. })
