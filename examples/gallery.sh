@@ -45,6 +45,11 @@ draw textbook-joints --show control
 draw textbook-surfaces --only filled --show control
 draw units
 draw gasket --only gasket --only path
+draw cut-hull --only wetted --only waterplane --only dry
+draw glyph --only stencil
+draw lampshade --only shade
+draw laser-box --only drawing
+draw wing-root --only outer --only skin_of_body --only joint
 draw wheel-hub --only rim --only top --only blend --only shell --only lip --only mouth --only inner --only seal --only holes
 draw wigley-hull --only port --only starboard --only lines --only frames
 draw wing-and-nacelle --only wing --only nacelle

@@ -6,7 +6,7 @@ unit mm
 
 param rows   = 4 in 1..12            "Rows of holes"
 param around = 10 in 3..40           "Holes in a row"
-param height  = 220mm in 100mm..400mm "Height of the shade"
+param height = 220mm in 100mm..400mm "Height of the shade"
 
 curve profile = bezier((50, 0, 0), (95, 0, 0.25 * height), (90, 0, 0.7 * height), (130, 0, height))
 surface sheet = revolve(profile)

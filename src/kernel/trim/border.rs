@@ -42,8 +42,9 @@ impl CurveFunction for LiftedArc {
     }
 }
 
-/// An arc of the border: of parameters, in space, and where it stands.
-struct BorderArc {
+/// An arc of the border: in the plane of parameters, in space, and where it stands.
+pub(super) struct BorderArc {
+    pub(super) in_plane: NurbsCurve,
     curve: Curve,
     /// Which loop of which part it belongs to.
     at: [usize; 2],
@@ -214,7 +215,7 @@ impl Face {
     }
 
     /// The arcs of all loops but seams that the face goes over and edges that are points.
-    fn border_arcs(&self, distance: f64) -> Result<Vec<BorderArc>, GeomError> {
+    pub(super) fn border_arcs(&self, distance: f64) -> Result<Vec<BorderArc>, GeomError> {
         let mut found = Vec::new();
         for (i, part) in self.parts.iter().enumerate() {
             for (k, arcs) in part.arcs().enumerate() {
@@ -222,7 +223,7 @@ impl Face {
                     for piece in self.outside_seams(arc, distance)? {
                         let curve = self.lifted(&self.plane.to_parameters(&piece))?;
                         if distance < curve.bounds()?.diagonal() {
-                            found.push(BorderArc { curve, at: [i, k] });
+                            found.push(BorderArc { in_plane: piece, curve, at: [i, k] });
                         }
                     }
                 }

@@ -14,8 +14,7 @@ use super::{
     edge::{Carrier, SlopeRanges, slope_ranges},
 };
 use crate::{
-    Bounds, Direction, GeomError, Interval, NurbsCurve, NurbsSurface, Region, RegionSide,
-    Tolerance,
+    Bounds, Direction, GeomError, Interval, NurbsSurface, Region, RegionSide, Tolerance,
     arrange::winding_about,
     ceiling::BISECTIONS,
     frame::norm,
@@ -142,8 +141,9 @@ impl Face {
         if self.is_whole() {
             return Ok(whole);
         }
-        let border = self.border_bounds(self.distance(tolerance))?;
-        let (boxes, carrier) = (self.border_boxes(), Carrier::new(surface));
+        let distance = self.distance(tolerance);
+        let border = self.border_bounds(distance)?;
+        let (boxes, carrier) = (self.border_boxes(distance)?, Carrier::new(surface));
         let mut found = border;
         for axis in 0..3 {
             for is_upper in [false, true] {
@@ -188,7 +188,7 @@ impl Face {
             None => return Ok(of(foot.parameters)),
         };
         let (known, to) = (on_border.distance, DistanceTo(point));
-        let (boxes, carrier) = (self.border_boxes(), Carrier::new(surface));
+        let (boxes, carrier) = (self.border_boxes(distance)?, Carrier::new(surface));
         let inside = self.least_inside(known, distance, &to, (&boxes, &carrier))?;
         Ok(inside.and_then(|inside| inside.parameters).map_or(on_border, of))
     }
@@ -282,10 +282,11 @@ impl Face {
         self.parts.iter().any(winds)
     }
 
-    /// The boxes of the border's arcs between their knots, in the plane of parameters.
-    fn border_boxes(&self) -> Vec<Bounds> {
-        let arcs = self.parts.iter().flat_map(Region::arcs).flatten();
-        let pieces = arcs.flat_map(NurbsCurve::decompose);
-        pieces.filter_map(|piece| Bounds::of(piece.points())).collect()
+    /// The boxes of the border's arcs between their knots, in the plane of parameters. Seams that the face goes
+    /// over and poles are no border.
+    fn border_boxes(&self, distance: f64) -> Result<Vec<Bounds>, GeomError> {
+        let arcs = self.border_arcs(distance)?;
+        let pieces = arcs.iter().flat_map(|arc| arc.in_plane.decompose());
+        Ok(pieces.filter_map(|piece| Bounds::of(piece.points())).collect())
     }
 }

@@ -23,7 +23,7 @@ op! {
     example "[for f in split(sphere((0, 0), 1), by = plane((0, 0, 0.5), (0, 0, 1))): area(f)] ~= [3*pi, pi]" => "true";
     example "len(split(plane_patch((0, 0), (4, 0), (0, 4)), by = [line((0, 1), (4, 1)), line((1, 0), (1, 4))]))" => "4";
     refuses "split(sphere((0, 0), 1), by = plane((0, 0, 5), (0, 0, 1)))" => "E0607: cutter [0] does not meet the face";
-    refuses "split(plane_patch((0, 0), (4, 0), (0, 4)), by = line((1, 1), (3, 3)))" => "E0607: a curve ends inside of the face at (3, 3, 0), so that it divides nothing";
+    refuses "split(plane_patch((0, 0), (4, 0), (0, 4)), by = line((1, 1), (3, 3)))" => "E0607: a curve ends inside of the face at (1, 1, 0), so that it divides nothing";
     scene r#"
         faces parts = split(sphere((0, 0), 2), by = [plane((0, 0, 1), (0, 0, 1)), cylinder((1.2, 0, -3), 0.5, 6)])
     "#;
