@@ -10,6 +10,7 @@ from typing import Any
 
 from ._geometry import (
     Curve,
+    Face,
     Frame,
     FunctionLike,
     Mesh,
@@ -105,6 +106,7 @@ __all__ = [
     "extend",
     "extrema",
     "extrude",
+    "face",
     "ferguson",
     "fillet",
     "first",
@@ -398,13 +400,13 @@ def arc_through(a: PointLike, b: PointLike, c: PointLike) -> Curve:
 
 
 def area(*args: Any, s: Any = None, r: Any = None, m: Any = None) -> Any:
-    """Area of a surface, or of several together.
+    """Area of a surface or face, or of several together.
 
     The integral of |Su × Sv|, to some 12 digits where the surface is smooth.
 
-    :param s: The surface, or a list of surfaces.
+    :param s: The surface or face, or a list of them.
 
-    In scripts: ``area(s: surface | list of surfaces) -> area``
+    In scripts: ``area(s: surface | face | list of surfaces or faces) -> area``
 
     Area of a region: Green's theorem along its borders, to rounding.
     :param r: The region.
@@ -495,11 +497,11 @@ def at(*args: Any, c: Any = None, t: Any = None, s: Any = None, u: Any = None, v
     In scripts: ``at(c: curve, t: number) -> point``
 
     Point of a surface at its parameters; `s(u, v)` is the same.
-    :param s: The surface.
-    :param u: The first parameter, inside the surface's domain.
+    :param s: The surface, or a part of one.
+    :param u: The first parameter, inside its domain.
     :param v: The second parameter.
 
-    In scripts: ``at(s: surface, u: number, v: number) -> point``
+    In scripts: ``at(s: surface | face, u: number, v: number) -> point``
     """
     return _called("at", args, {"c": c, "t": t, "s": s, "u": u, "v": v})
 
@@ -757,16 +759,21 @@ def center_of_curvature(c: Curve, t: float, *, side: str | None = None) -> Any:
     return _called("center_of_curvature", (), {"c": c, "t": t, "side": side})
 
 
-def centroid(*args: Any, s: Any = None, of: Any = None, r: Any = None, m: Any = None, points: Any = None) -> Any:
-    """Centre of gravity of what closed surfaces enclose, or of the surfaces themselves.
+def centroid(*args: Any, f: Any = None, s: Any = None, of: Any = None, r: Any = None, m: Any = None, points: Any = None) -> Any:
+    """Centre of gravity of a face, as of a skin.
+
+    :param f: The face.
+
+    In scripts: ``centroid(f: face) -> point``
+
+    Centre of gravity of what closed surfaces enclose, or of the surfaces themselves.
 
     Of the volume the surfaces must close, as for `volume`; of the area they need not.
     Mirtich, *Fast and accurate computation of polyhedral mass properties*, JGT 1 (1996).
-
     :param s: The surface, or a list of surfaces.
     :param of: What is heavy: the inside or the skin. Default: ``"volume"``.
 
-    In scripts: ``centroid(s: surface | list of surfaces, of: "volume" | "area" = "volume") -> point``
+    In scripts: ``centroid(s: surface | list of surfaces or faces, of: "volume" | "area" = "volume") -> point``
 
     Centre of gravity of a region.
     :param r: The region.
@@ -786,7 +793,7 @@ def centroid(*args: Any, s: Any = None, of: Any = None, r: Any = None, m: Any = 
 
     In scripts: ``centroid(points: list of points) -> point``
     """
-    return _called("centroid", args, {"s": s, "of": of, "r": r, "m": m, "points": points})
+    return _called("centroid", args, {"f": f, "s": s, "of": of, "r": r, "m": m, "points": points})
 
 
 def check_mesh(m: Mesh) -> dict[str, Any]:
@@ -880,24 +887,32 @@ def classify(*args: Any, c: Any = None, t: Any = None, s: Any = None, u: Any = N
     vanishes, as at the apex of a cone or at a pole, whatever the shape is there.
 
     Linkeová, *Curves and Surfaces for Computer Graphics*, Definitions 1.26 and 1.29.
-    :param s: The surface.
-    :param u: The first parameter, inside the surface's domain.
+    :param s: The surface, or a part of one.
+    :param u: The first parameter, inside its domain.
     :param v: The second parameter.
 
-    In scripts: ``classify(s: surface, u: number, v: number) -> "elliptic" | "parabolic" | "hyperbolic" | "planar" | "singular"``
+    In scripts: ``classify(s: surface | face, u: number, v: number) -> "elliptic" | "parabolic" | "hyperbolic" | "planar" | "singular"``
     """
     return _called("classify", args, {"c": c, "t": t, "s": s, "u": u, "v": v})
 
 
-def closest(*args: Any, c: Any = None, p: Any = None, s: Any = None, r: Any = None) -> dict[str, Any]:
-    """Nearest point of a curve to a point, as `{t, point, distance, count}`.
+def closest(*args: Any, f: Any = None, p: Any = None, c: Any = None, s: Any = None, r: Any = None) -> dict[str, Any]:
+    """Nearest point of a face to a point, its border included, as `{u, v, point, distance}`.
+
+    The nearest of all, by branch and bound over the part of the surface that the face is.
+
+    :param f: The face.
+    :param p: The point.
+
+    In scripts: ``closest(f: face, p: point) -> record``
+
+    Nearest point of a curve to a point, as `{t, point, distance, count}`.
 
     The nearest of the whole curve, ends included, by branch and bound. `count` tells how many places
     are as near as that, within the document's tolerance; `t` is the first of them. A whole stretch that
     is all as near, as a circle is to its centre, counts once, and a warning tells its parameters.
     At the end of a part before a jump `t` is the last number before the jump, where the curve is there.
     Ma & Hewitt, *Point inversion and projection for NURBS curve and surface*, CAGD 20 (2003).
-
     :param c: The curve.
     :param p: The point.
 
@@ -922,7 +937,7 @@ def closest(*args: Any, c: Any = None, p: Any = None, s: Any = None, r: Any = No
 
     In scripts: ``closest(r: region, p: point) -> record``
     """
-    return _called("closest", args, {"c": c, "p": p, "s": s, "r": r})  # type: ignore[no-any-return]
+    return _called("closest", args, {"f": f, "p": p, "c": c, "s": s, "r": r})  # type: ignore[no-any-return]
 
 
 def compatible(*args: Any, curves: Any = None, surfaces: Any = None) -> Any:
@@ -997,10 +1012,17 @@ def conic_kind(c: Curve) -> Any:
     return _called("conic_kind", (), {"c": c})
 
 
-def contains(*args: Any, r: Any = None, p: Any = None, list: Any = None, element: Any = None, text: Any = None, part: Any = None) -> Any:
-    """Where a point is: `"inside"`, `"outside"`, or on the `"border"` of a region, which is as wide as the
-    document's tolerance on either side. A point beside the plane is outside.
+def contains(*args: Any, f: Any = None, p: Any = None, r: Any = None, list: Any = None, element: Any = None, text: Any = None, part: Any = None) -> Any:
+    """Where a point is: `"inside"`, `"outside"`, or on the `"border"` of a face, which is as wide as the
+    document's tolerance on either side. A point further than the tolerance from the surface is outside.
 
+    :param f: The face.
+    :param p: The point.
+
+    In scripts: ``contains(f: face, p: point) -> "inside" | "outside" | "border"``
+
+    Where a point is: `"inside"`, `"outside"`, or on the `"border"` of a region, which is as wide as the
+    document's tolerance on either side. A point beside the plane is outside.
     :param r: The region.
     :param p: The point.
 
@@ -1018,7 +1040,7 @@ def contains(*args: Any, r: Any = None, p: Any = None, list: Any = None, element
 
     In scripts: ``contains(text: string, part: string) -> bool``
     """
-    return _called("contains", args, {"r": r, "p": p, "list": list, "element": element, "text": text, "part": part})
+    return _called("contains", args, {"f": f, "p": p, "r": r, "list": list, "element": element, "text": text, "part": part})
 
 
 def continue_bezier(*args: Any, c: Any = None, order: Any = None, points: Any = None, s: Any = None, side: Any = None, net: Any = None) -> Any:
@@ -1532,13 +1554,13 @@ def derivative(*args: Any, c: Any = None, t: Any = None, order: Any = None, side
     Partial derivative vector of a surface, of order `du` by u and `dv` by v.
 
     Piegl & Tiller, *The NURBS Book*, A3.6 and A4.4.
-    :param s: The surface.
-    :param u: The first parameter, inside the surface's domain.
+    :param s: The surface, or a part of one.
+    :param u: The first parameter, inside its domain.
     :param v: The second parameter.
     :param du: The order by u. Default: ``1``.
     :param dv: The order by v. Default: ``0``.
 
-    In scripts: ``derivative(s: surface, u: number, v: number, du: integer = 1, dv: integer = 0) -> point``
+    In scripts: ``derivative(s: surface | face, u: number, v: number, du: integer = 1, dv: integer = 0) -> point``
     """
     return _called("derivative", args, {"c": c, "t": t, "order": order, "side": side, "s": s, "u": u, "v": v, "du": du, "dv": dv})
 
@@ -1695,15 +1717,24 @@ def edge_surface(curves: Sequence[Curve]) -> Surface:
     return _called("edge_surface", (), {"curves": curves})  # type: ignore[no-any-return]
 
 
-def edges(s: Surface) -> Any:
+def edges(*args: Any, s: Any = None, f: Any = None) -> Any:
     """The four sides of a surface as curves, `[u0, u1, v0, v1]`, each with the surface's
     parameter along it.
 
     :param s: The surface.
 
     In scripts: ``edges(s: surface) -> list of curves``
+
+    The border of a face from corner to corner, with the face to the left, seen from the tip of Su × Sv.
+
+    A loop without corners is one closed curve. A seam over which the face goes is no border. Along lines
+    of constant parameters, and on planes, edges are exact; elsewhere cubic or quintic splines within an eighth of the
+    document's tolerance.
+    :param f: The face.
+
+    In scripts: ``edges(f: face) -> list of curves``
     """
-    return _called("edges", (), {"s": s})
+    return _called("edges", args, {"s": s, "f": f})
 
 
 def edit_points(c: Curve) -> Any:
@@ -1829,6 +1860,34 @@ def extrude(c: Curve, vector: PointLike) -> Surface:
     return _called("extrude", (), {"c": c, "vector": vector})  # type: ignore[no-any-return]
 
 
+def face(*args: Any, s: Any = None, loops: Any = None, space: Any = None, r: Any = None) -> Face:
+    """Part of a surface that lies to the left of closed curves on it; without loops all of it.
+
+    Left is seen from the tip of Su × Sv: a hole runs clockwise. Loops lie on the surface within the
+    document's tolerance, or are curves of its parameters, `(u, v)`, with `space = "uv"`, which are kept
+    exactly. They may run over the seam of a closed surface and around its poles. A list of curves is joined
+    first, as `join` does. Loops that cross, touch or contradict one another make no face.
+
+    What is asked of a surface at parameters is asked of a face too, inside of it: `f(u, v)`, `normal`,
+    `principal` ... `f.surface` is the surface, `f.edges` the border from corner to corner, `f.loops` one
+    closed curve for each loop.
+
+    :param s: The surface.
+    :param loops: Closed curves, or lists of curves that are joined to one.
+    :param space: Whether loops are curves in space or of parameters. Default: ``"xyz"``.
+
+    In scripts: ``face(s: surface | face, loops: list of curves or lists of curves = none, space: "xyz" | "uv" = "xyz") -> face``
+
+    Face of a plane patch that holds what a region holds, with the same borders.
+
+    Its normal points up, as that of the region; u and v are lengths along its plane.
+    :param r: The region.
+
+    In scripts: ``face(r: region) -> face``
+    """
+    return _called("face", args, {"s": s, "loops": loops, "space": space, "r": r})  # type: ignore[no-any-return]
+
+
 def ferguson(*args: Any, points: Any = None, tangents: Any = None) -> Curve:
     """Cubic through points with given derivatives (Ferguson's curve), one unit of parameter a
     segment.
@@ -1881,17 +1940,17 @@ def first(list: Any) -> Any:
     return _called("first", (), {"list": list})
 
 
-def first_form(s: Surface, u: float, v: float) -> dict[str, Any]:
+def first_form(s: Any, u: float, v: float) -> dict[str, Any]:
     """Coefficients of the first fundamental form of a surface: `E` = Su·Su, `F` = Su·Sv, `G` = Sv·Sv.
 
     They measure lengths, angles and areas on the surface. do Carmo, *Differential Geometry of Curves
     and Surfaces*, §2-5.
 
-    :param s: The surface.
-    :param u: The first parameter, inside the surface's domain.
+    :param s: The surface, or a part of one.
+    :param u: The first parameter, inside its domain.
     :param v: The second parameter.
 
-    In scripts: ``first_form(s: surface, u: number, v: number) -> record``
+    In scripts: ``first_form(s: surface | face, u: number, v: number) -> record``
     """
     return _called("first_form", (), {"s": s, "u": u, "v": v})  # type: ignore[no-any-return]
 
@@ -1907,7 +1966,7 @@ def flatten(list: Any, depth: float | None = None) -> Any:
     return _called("flatten", (), {"list": list, "depth": depth})
 
 
-def flip(s: Surface) -> Surface:
+def flip(*args: Any, s: Any = None, f: Any = None) -> Any:
     """The same surface with its normal turned around: v runs backwards, as with `reverse_v`.
 
     `swap_uv` and `reverse_u` turn it around as well, and change something else.
@@ -1915,8 +1974,13 @@ def flip(s: Surface) -> Surface:
     :param s: The surface.
 
     In scripts: ``flip(s: surface) -> surface``
+
+    The same face with its normal turned around: v of its surface runs backwards.
+    :param f: The face.
+
+    In scripts: ``flip(f: face) -> face``
     """
-    return _called("flip", (), {"s": s})  # type: ignore[no-any-return]
+    return _called("flip", args, {"s": s, "f": f})
 
 
 def floor(x: Quantity) -> float:
@@ -1987,7 +2051,7 @@ def frame_of(origin: PointLike, x: PointLike, y: PointLike) -> Frame:
     return _called("frame_of", (), {"origin": origin, "x": x, "y": y})  # type: ignore[no-any-return]
 
 
-def gaussian(s: Surface, u: float, v: float) -> float:
+def gaussian(s: Any, u: float, v: float) -> float:
     """Gaussian curvature of a surface: the product of the principal curvatures.
 
     (LN − M²)/(EG − F²): positive where the surface is like a dome or bowl, negative at a saddle, zero
@@ -1995,11 +2059,11 @@ def gaussian(s: Surface, u: float, v: float) -> float:
 
     do Carmo, *Differential Geometry of Curves and Surfaces*, §3-3.
 
-    :param s: The surface.
-    :param u: The first parameter, inside the surface's domain.
+    :param s: The surface, or a part of one.
+    :param u: The first parameter, inside its domain.
     :param v: The second parameter.
 
-    In scripts: ``gaussian(s: surface, u: number, v: number) -> number``
+    In scripts: ``gaussian(s: surface | face, u: number, v: number) -> number``
     """
     return _called("gaussian", (), {"s": s, "u": u, "v": v})  # type: ignore[no-any-return]
 
@@ -2037,8 +2101,10 @@ def gradient(f: FunctionLike, at: Any) -> Any:
     shape of the place.
 
     The function is run once, on numbers that carry a derivative by each unknown along, through operators,
-    the functions of numbers and points, and the questions about places of curves and surfaces. The first
-    operation through which no derivative passes is named in the error. Conditions of `if` and other
+    the functions of numbers and points, the making of geometry that grows evenly with what it is made of
+    (of control points, of points at listed parameters, of curves; moved, scaled, turned, cut), and the
+    questions about it: places, lengths, areas, volumes, nearest points. The first operation through which
+    no derivative passes is named in the error. Conditions of `if` and other
     comparisons decide by the value alone; what does not depend on an unknown has the derivative 0 by it.
     Griewank & Walther, *Evaluating Derivatives*, §3.1.
 
@@ -2173,18 +2239,24 @@ def index_of(*args: Any, list: Any = None, element: Any = None, text: Any = None
     return _called("index_of", args, {"list": list, "element": element, "text": text, "part": part})
 
 
-def inertia(*args: Any, s: Any = None, of: Any = None, r: Any = None) -> dict[str, Any]:
-    """Inertia about the centroid of what closed surfaces enclose, or of the surfaces themselves.
+def inertia(*args: Any, f: Any = None, s: Any = None, of: Any = None, r: Any = None) -> dict[str, Any]:
+    """Inertia of a face about its centroid, of a skin with density one: `{tensor, moments, axes}` as for
+    surfaces.
+
+    :param f: The face.
+
+    In scripts: ``inertia(f: face) -> record``
+
+    Inertia about the centroid of what closed surfaces enclose, or of the surfaces themselves.
 
     `tensor` is the matrix of three rows about axes through the centroid, with density one;
     `moments` are its principal values in ascending order, and `axes` their directions, which are
     unit vectors and right-handed. Of the volume the surfaces must close, as for `volume`.
     Mirtich, *Fast and accurate computation of polyhedral mass properties*, JGT 1 (1996).
-
     :param s: The surface, or a list of surfaces.
     :param of: What is heavy: the inside or the skin. Default: ``"volume"``.
 
-    In scripts: ``inertia(s: surface | list of surfaces, of: "volume" | "area" = "volume") -> record``
+    In scripts: ``inertia(s: surface | list of surfaces or faces, of: "volume" | "area" = "volume") -> record``
 
     Inertia of a region about its centroid, of a skin with density one: `{tensor, moments, axes}` as
     for surfaces. The moments in the plane are those by which a beam of this section resists
@@ -2193,7 +2265,7 @@ def inertia(*args: Any, s: Any = None, of: Any = None, r: Any = None) -> dict[st
 
     In scripts: ``inertia(r: region) -> record``
     """
-    return _called("inertia", args, {"s": s, "of": of, "r": r})  # type: ignore[no-any-return]
+    return _called("inertia", args, {"f": f, "s": s, "of": of, "r": r})  # type: ignore[no-any-return]
 
 
 def inflections(c: Curve) -> Any:
@@ -2312,9 +2384,9 @@ def intersect(*args: Any, a: Any = None, b: Any = None) -> Any:
     Sederberg & Nishita, *Curve intersection using Bézier clipping*, CAD 22 (1990).
 
     :param a: One curve.
-    :param b: The other, or a surface.
+    :param b: The other, or a surface or face.
 
-    In scripts: ``intersect(a: curve, b: curve | surface) -> list of records``
+    In scripts: ``intersect(a: curve, b: curve | surface | face) -> list of records``
 
     Curves in which two surfaces cross; or the places of a curve on a surface, as
     `[{t, u, v, point}]` in the order of `t`.
@@ -2330,10 +2402,10 @@ def intersect(*args: Any, a: Any = None, b: Any = None) -> Any:
     within a part of the tolerance.
     Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988);
     Ye & Maekawa, *Differential geometry of intersection curves of two surfaces*, CAGD 16 (1999).
-    :param a: A surface.
-    :param b: Another surface, or a curve.
+    :param a: A surface or face.
+    :param b: Another surface or face, or a curve.
 
-    In scripts: ``intersect(a: surface, b: surface | curve) -> list of values``
+    In scripts: ``intersect(a: surface | face, b: surface | face | curve) -> list of values``
     """
     return _called("intersect", args, {"a": a, "b": b})
 
@@ -2556,8 +2628,14 @@ def len_(of: Any) -> float:
     return _called("len", (), {"of": of})  # type: ignore[no-any-return]
 
 
-def length(*args: Any, c: Any = None, range: Any = None, r: Any = None) -> float:
-    """Arc length of a curve, or of its part over a range of the parameter.
+def length(*args: Any, f: Any = None, c: Any = None, range: Any = None, r: Any = None) -> float:
+    """Length of all edges of a face together.
+
+    :param f: The face.
+
+    In scripts: ``length(f: face) -> length``
+
+    Arc length of a curve, or of its part over a range of the parameter.
 
     Gaussian quadrature of |C'| over each polynomial piece, halved until its error is
     negligible; of degree 1 the sum of its legs.
@@ -2565,7 +2643,6 @@ def length(*args: Any, c: Any = None, range: Any = None, r: Any = None) -> float
     Of a parametric curve it is that of a spline of degree 11 with the function's exact
     derivatives at its knots, which agrees with it to 1e-13 of its size where it is compared: at
     16 places of each piece. Beside a place without derivatives that is 1e-6.
-
     :param c: The curve.
     :param range: The range, inside the curve's domain; all of it when left out.
 
@@ -2576,7 +2653,7 @@ def length(*args: Any, c: Any = None, range: Any = None, r: Any = None) -> float
 
     In scripts: ``length(r: region) -> length``
     """
-    return _called("length", args, {"c": c, "range": range, "r": r})  # type: ignore[no-any-return]
+    return _called("length", args, {"f": f, "c": c, "range": range, "r": r})  # type: ignore[no-any-return]
 
 
 def lerp(a: Any, b: Any, t: float) -> Any:
@@ -2756,11 +2833,11 @@ def mean(*args: Any, s: Any = None, u: Any = None, v: Any = None, list: Any = No
     At the pole of a closed shape it is the limit, if the shape has one. do Carmo, *Differential
     Geometry of Curves and Surfaces*, §3-3.
 
-    :param s: The surface.
-    :param u: The first parameter, inside the surface's domain.
+    :param s: The surface, or a part of one.
+    :param u: The first parameter, inside its domain.
     :param v: The second parameter.
 
-    In scripts: ``mean(s: surface, u: number, v: number) -> curvature``
+    In scripts: ``mean(s: surface | face, u: number, v: number) -> curvature``
 
     Arithmetic mean of numbers, or of points.
     :param list: The list; one element or more.
@@ -2872,16 +2949,16 @@ def normal(*args: Any, c: Any = None, t: Any = None, side: Any = None, s: Any = 
     Unit normal of a surface, in the direction of Su × Sv.
 
     At a pole or a collapsed edge it is the limit, where that exists.
-    :param s: The surface.
-    :param u: The first parameter, inside the surface's domain.
+    :param s: The surface, or a part of one.
+    :param u: The first parameter, inside its domain.
     :param v: The second parameter.
 
-    In scripts: ``normal(s: surface, u: number, v: number) -> point``
+    In scripts: ``normal(s: surface | face, u: number, v: number) -> point``
     """
     return _called("normal", args, {"c": c, "t": t, "side": side, "s": s, "u": u, "v": v})
 
 
-def normal_curvature(s: Surface, u: float, v: float, direction: PointLike) -> Any:
+def normal_curvature(s: Any, u: float, v: float, direction: PointLike) -> Any:
     """Normal curvature of a surface in a direction: the curvature of its section by the plane of the
     normal and that direction.
 
@@ -2889,12 +2966,12 @@ def normal_curvature(s: Surface, u: float, v: float, direction: PointLike) -> An
     A curvature is positive where its centre lies on the side of Su × Sv. do Carmo, *Differential Geometry of
     Curves and Surfaces*, §3-2.
 
-    :param s: The surface.
-    :param u: The first parameter, inside the surface's domain.
+    :param s: The surface, or a part of one.
+    :param u: The first parameter, inside its domain.
     :param v: The second parameter.
     :param direction: A direction of the tangent plane, of any length.
 
-    In scripts: ``normal_curvature(s: surface, u: number, v: number, direction: point) -> curvature``
+    In scripts: ``normal_curvature(s: surface | face, u: number, v: number, direction: point) -> curvature``
     """
     return _called("normal_curvature", (), {"s": s, "u": u, "v": v, "direction": direction})
 
@@ -2914,12 +2991,12 @@ def normal_line(*args: Any, c: Any = None, t: Any = None, length: Any = None, si
     Segment from a point of a surface along its normal.
 
     It runs along Su × Sv. At a pole or a collapsed edge it is the limit, where that exists.
-    :param s: The surface.
-    :param u: The first parameter, inside the surface's domain.
+    :param s: The surface, or a part of one.
+    :param u: The first parameter, inside its domain.
     :param v: The second parameter.
     :param length: Its length; a negative one runs the other way. Default: ``1``.
 
-    In scripts: ``normal_line(s: surface, u: number, v: number, length: length = 1) -> curve``
+    In scripts: ``normal_line(s: surface | face, u: number, v: number, length: length = 1) -> curve``
     """
     return _called("normal_line", args, {"c": c, "t": t, "length": length, "side": side, "s": s, "u": u, "v": v})  # type: ignore[no-any-return]
 
@@ -3256,7 +3333,7 @@ def power_coefficients(*args: Any, c: Any = None, s: Any = None) -> Any:
     return _called("power_coefficients", args, {"c": c, "s": s})
 
 
-def principal(s: Surface, u: float, v: float) -> dict[str, Any]:
+def principal(s: Any, u: float, v: float) -> dict[str, Any]:
     """Principal curvatures of a surface, `k1` ≤ `k2`, and their directions `d1`, `d2`, unit vectors of
     the tangent plane.
 
@@ -3266,11 +3343,11 @@ def principal(s: Surface, u: float, v: float) -> dict[str, Any]:
 
     do Carmo, *Differential Geometry of Curves and Surfaces*, §3-2.
 
-    :param s: The surface.
-    :param u: The first parameter, inside the surface's domain.
+    :param s: The surface, or a part of one.
+    :param u: The first parameter, inside its domain.
     :param v: The second parameter.
 
-    In scripts: ``principal(s: surface, u: number, v: number) -> record``
+    In scripts: ``principal(s: surface | face, u: number, v: number) -> record``
     """
     return _called("principal", (), {"s": s, "u": u, "v": v})  # type: ignore[no-any-return]
 
@@ -3677,18 +3754,18 @@ def scan(list: Any, start: Any, f: FunctionLike) -> Any:
     return _called("scan", (), {"list": list, "start": start, "f": f})
 
 
-def second_form(s: Surface, u: float, v: float) -> dict[str, Any]:
+def second_form(s: Any, u: float, v: float) -> dict[str, Any]:
     """Coefficients of the second fundamental form of a surface: `L` = n·Suu, `M` = n·Suv, `N` = n·Svv,
     with the unit normal n along Su × Sv.
 
     They are positive where the surface bends to the side of n. At a pole or a collapsed edge n is the
     limit, where that exists. do Carmo, *Differential Geometry of Curves and Surfaces*, §3-3.
 
-    :param s: The surface.
-    :param u: The first parameter, inside the surface's domain.
+    :param s: The surface, or a part of one.
+    :param u: The first parameter, inside its domain.
     :param v: The second parameter.
 
-    In scripts: ``second_form(s: surface, u: number, v: number) -> record``
+    In scripts: ``second_form(s: surface | face, u: number, v: number) -> record``
     """
     return _called("second_form", (), {"s": s, "u": u, "v": v})  # type: ignore[no-any-return]
 
@@ -3714,10 +3791,10 @@ def section(*args: Any, g: Any = None, plane: Any = None) -> Any:
     told by its border; of a touch in a single point a warning tells. A plane that misses gives an
     empty list. A parametric surface is cut as a spline within a quarter of the tolerance.
     Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988).
-    :param g: The surface.
+    :param g: The surface, or a part of one.
     :param plane: The plane.
 
-    In scripts: ``section(g: surface, plane: plane) -> list of curves``
+    In scripts: ``section(g: surface | face, plane: plane) -> list of curves``
 
     Points and curves in which a plane cuts the curves, surfaces and meshes of a list, those of all
     in one list.
@@ -3896,7 +3973,7 @@ def sphere(center: PointLike, radius: Quantity) -> Surface:
     return _called("sphere", (), {"center": center, "radius": radius})  # type: ignore[no-any-return]
 
 
-def split(*args: Any, c: Any = None, t: Any = None, s: Any = None, u: Any = None, v: Any = None, text: Any = None, separator: Any = None) -> Any:
+def split(*args: Any, c: Any = None, t: Any = None, s: Any = None, u: Any = None, v: Any = None, by: Any = None, text: Any = None, separator: Any = None) -> Any:
     """Both parts of a curve at a parameter, `[left, right]`, each with the parameters it had.
 
     Exact. `join` makes the same curve of them.
@@ -3918,6 +3995,17 @@ def split(*args: Any, c: Any = None, t: Any = None, s: Any = None, u: Any = None
 
     In scripts: ``split(s: surface, u: number = none, v: number = none) -> list of surfaces``
 
+    All parts into which curves on it, planes and surfaces divide a surface or face.
+
+    Where cutters run is found completely: of planes and surfaces by their exact crossings, so that areas
+    are those of the true curves. A part goes over the seam of a closed surface as over any other place.
+    The order of the parts depends on the surface and the cutters alone; `trim` takes the part beside a point. A
+    cutter that misses the face, ends inside of it, or shares an area with it is an error.
+    :param s: The surface or face.
+    :param by: A curve on it, a plane, a surface or face, or a list of them.
+
+    In scripts: ``split(s: surface | face, by: plane | surface | face | curve | list of planes, surfaces, faces or curves) -> list of faces``
+
     Parts of a text between separators, `["a", "b"]` of "a,b".
 
     Without a separator the words: what stands between white space.
@@ -3926,7 +4014,7 @@ def split(*args: Any, c: Any = None, t: Any = None, s: Any = None, u: Any = None
 
     In scripts: ``split(text: string, separator: string = none) -> list of strings``
     """
-    return _called("split", args, {"c": c, "t": t, "s": s, "u": u, "v": v, "text": text, "separator": separator})
+    return _called("split", args, {"c": c, "t": t, "s": s, "u": u, "v": v, "by": by, "text": text, "separator": separator})
 
 
 def sqrt(x: Quantity) -> float:
@@ -4133,47 +4221,47 @@ def tangent_line(c: Curve, t: float, *, length: Quantity | None = None, side: st
     return _called("tangent_line", (), {"c": c, "t": t, "length": length, "side": side})  # type: ignore[no-any-return]
 
 
-def tangent_plane(s: Surface, u: float, v: float) -> Frame:
+def tangent_plane(s: Any, u: float, v: float) -> Frame:
     """Plane that touches a surface at a place.
 
     Its x axis runs along Su and its z axis, the normal of the plane, along Su × Sv. At a pole or a
     collapsed edge it is the limit, where that exists.
 
-    :param s: The surface.
-    :param u: The first parameter, inside the surface's domain.
+    :param s: The surface, or a part of one.
+    :param u: The first parameter, inside its domain.
     :param v: The second parameter.
 
-    In scripts: ``tangent_plane(s: surface, u: number, v: number) -> plane``
+    In scripts: ``tangent_plane(s: surface | face, u: number, v: number) -> plane``
     """
     return _called("tangent_plane", (), {"s": s, "u": u, "v": v})  # type: ignore[no-any-return]
 
 
-def tangent_u(s: Surface, u: float, v: float) -> Any:
+def tangent_u(s: Any, u: float, v: float) -> Any:
     """Unit tangent of a surface along Su.
 
     On an edge that is collapsed to a point, such as the pole of a sphere, it is the limit from inside
     of the domain.
 
-    :param s: The surface.
-    :param u: The first parameter, inside the surface's domain.
+    :param s: The surface, or a part of one.
+    :param u: The first parameter, inside its domain.
     :param v: The second parameter.
 
-    In scripts: ``tangent_u(s: surface, u: number, v: number) -> point``
+    In scripts: ``tangent_u(s: surface | face, u: number, v: number) -> point``
     """
     return _called("tangent_u", (), {"s": s, "u": u, "v": v})
 
 
-def tangent_v(s: Surface, u: float, v: float) -> Any:
+def tangent_v(s: Any, u: float, v: float) -> Any:
     """Unit tangent of a surface along Sv.
 
     On an edge that is collapsed to a point, such as the pole of a sphere, it is the limit from inside
     of the domain.
 
-    :param s: The surface.
-    :param u: The first parameter, inside the surface's domain.
+    :param s: The surface, or a part of one.
+    :param u: The first parameter, inside its domain.
     :param v: The second parameter.
 
-    In scripts: ``tangent_v(s: surface, u: number, v: number) -> point``
+    In scripts: ``tangent_v(s: surface | face, u: number, v: number) -> point``
     """
     return _called("tangent_v", (), {"s": s, "u": u, "v": v})
 
@@ -4196,12 +4284,13 @@ def tessellate(g: Any, *, tolerance: Quantity | None = None, angle: Quantity | N
     derivatives tell how large a triangle may be. It has no cracks, at seams and poles neither;
     surfaces of a list share the vertices where their edges run together, along the whole or from
     a corner of one to a corner of another, whatever their degrees, knots and parameters are. Normals are those of each side where there is a crease.
+    Parts of surfaces have the same distance and normals; their borders share vertices with no others.
     Meshes in a list are taken along as they are. With `quads` the two triangles of a cell of the
     parameters are one face, which files that can hold quadrilaterals keep (`.obj`, `.ply`); at poles
     and along edges whose vertices are others than those of the lines inside there are triangles.
     Filip, Magedson & Markot, *Surface algorithms using bounds on derivatives*, CAGD 3 (1986).
 
-    :param g: A surface, or a list of surfaces and meshes.
+    :param g: A surface or face, or a list of them and meshes.
     :param tolerance: The tolerance; when left out a thousandth of the size of `g`.
     :param angle: How far the surface's normal may turn over a triangle. Default: ``15deg``.
     :param max_edge: The longest edge that triangles may have; any when left out.
@@ -4375,7 +4464,7 @@ def transpose(rows: Any) -> Any:
     return _called("transpose", (), {"rows": rows})
 
 
-def trim(*args: Any, c: Any = None, range: Any = None, s: Any = None, u: Any = None, v: Any = None) -> Any:
+def trim(*args: Any, c: Any = None, range: Any = None, s: Any = None, u: Any = None, v: Any = None, by: Any = None, keep: Any = None) -> Any:
     """Part of a curve over a range of its parameter, which it keeps: `trim(c, a..b)(t)` is `c(t)`.
 
     Exact. The result begins at its first control point and ends at its last.
@@ -4395,20 +4484,31 @@ def trim(*args: Any, c: Any = None, range: Any = None, s: Any = None, u: Any = N
     :param v: The range of v.
 
     In scripts: ``trim(s: surface, u: range = none, v: range = none) -> surface``
+
+    Part of a surface or face beside a point, of those into which cutters divide it as `split` does.
+
+    `keep` is a point on the face, beside the cuts, or `"above"` or `"below"` where the cutter is a plane: above
+    is where its normal points. Where more than one part is on that side, all of them are the answer, as a list.
+    A plane that misses leaves all of the face, or is an error where that is on the other side.
+    :param s: The surface or face.
+    :param by: A curve on it, a plane, a surface or face, or a list of them.
+    :param keep: What stays.
+
+    In scripts: ``trim(s: surface | face, by: plane | surface | face | curve | list of planes, surfaces, faces or curves, keep: point | "above" | "below") -> face | list of faces``
     """
-    return _called("trim", args, {"c": c, "range": range, "s": s, "u": u, "v": v})
+    return _called("trim", args, {"c": c, "range": range, "s": s, "u": u, "v": v, "by": by, "keep": keep})
 
 
-def twist(s: Surface, u: float, v: float) -> Any:
+def twist(s: Any, u: float, v: float) -> Any:
     """Twist of a surface: the vector Suv, the derivative by u and by v.
 
     Linkeová, *Curves and Surfaces for Computer Graphics*, Definition 1.28.
 
-    :param s: The surface.
-    :param u: The first parameter, inside the surface's domain.
+    :param s: The surface, or a part of one.
+    :param u: The first parameter, inside its domain.
     :param v: The second parameter.
 
-    In scripts: ``twist(s: surface, u: number, v: number) -> point``
+    In scripts: ``twist(s: surface | face, u: number, v: number) -> point``
     """
     return _called("twist", (), {"s": s, "u": u, "v": v})
 
@@ -4485,7 +4585,7 @@ def vertices(c: Curve) -> Any:
 
 
 def volume(*args: Any, s: Any = None, m: Any = None) -> Any:
-    """Volume that closed surfaces enclose.
+    """Volume that closed surfaces enclose, or faces whose edges run together.
 
     The surfaces must close: every edge meets another one within the document's tolerance, or is
     collapsed to a point. Which way each of them faces does not matter, and a shell that is turned
@@ -4494,9 +4594,9 @@ def volume(*args: Any, s: Any = None, m: Any = None) -> Any:
     The flux of the position through the surfaces by the theorem of Gauss, to some 12 digits.
     Mirtich, *Fast and accurate computation of polyhedral mass properties*, JGT 1 (1996).
 
-    :param s: The surface, or a list of surfaces.
+    :param s: The surface, or a list of surfaces and faces.
 
-    In scripts: ``volume(s: surface | list of surfaces) -> volume``
+    In scripts: ``volume(s: surface | face | list of surfaces or faces) -> volume``
 
     Volume that a closed mesh encloses, on whichever side its triangles face.
 
