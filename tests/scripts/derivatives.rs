@@ -95,28 +95,34 @@ fn varied(call: &str, op: &Op, with_zeros: bool) -> (String, usize) {
             at += c.len_utf8();
             continue;
         };
-        let mut coordinates = Vec::new();
-        for (axis, text) in point.split(',').map(str::trim).enumerate() {
-            let number = text.parse::<f64>();
-            if !with_zeros && number.as_ref().is_ok_and(|number| number.abs() <= 0.0) {
-                coordinates.push(text.to_owned());
-                continue;
-            }
-            let key = (point.to_owned(), axis);
-            let idx = indices.iter().position(|known| *known == key).unwrap_or(indices.len());
-            if idx == indices.len() {
-                indices.push(key);
-            }
-            coordinates.push(match number {
-                Ok(_) => format!("({text} + d[{idx}])"),
-                // Of the points of a comprehension each moves in its own way.
-                Err(_) => format!("({text}) * (1 + d[{idx}])"),
-            });
-        }
-        out.push_str(&format!("({})", coordinates.join(", ")));
+        out.push_str(&varied_point(point, &mut indices, with_zeros));
         at += point.len() + 2;
     }
     (out, indices.len())
+}
+
+/// A point's coordinates, each with what `d` at its index adds. `indices` says which coordinate of which point has
+/// which index, and takes up new ones.
+fn varied_point(point: &str, indices: &mut Vec<(String, usize)>, with_zeros: bool) -> String {
+    let mut coordinates = Vec::new();
+    for (axis, text) in point.split(',').map(str::trim).enumerate() {
+        let number = text.parse::<f64>();
+        if !with_zeros && number.as_ref().is_ok_and(|number| number.abs() <= 0.0) {
+            coordinates.push(text.to_owned());
+            continue;
+        }
+        let key = (point.to_owned(), axis);
+        let idx = indices.iter().position(|known| *known == key).unwrap_or(indices.len());
+        if idx == indices.len() {
+            indices.push(key);
+        }
+        coordinates.push(match number {
+            Ok(_) => format!("({text} + d[{idx}])"),
+            // Of the points of a comprehension each moves in its own way.
+            Err(_) => format!("({text}) * (1 + d[{idx}])"),
+        });
+    }
+    format!("({})", coordinates.join(", "))
 }
 
 /// One number out of all that a value of a type is.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::plane::ParameterPlane;
+use super::{FaceError, plane::ParameterPlane};
 use crate::{
     Bounds, Direction, Frame, GeomError, Grid, KnotVector, LocalError, NurbsCurve, NurbsSurface,
     Region, RegionSide, Tolerance,
@@ -73,7 +73,7 @@ impl Face {
     pub fn of_region(region: &Region, tolerance: Tolerance) -> Result<Self, GeomError> {
         let arcs: Vec<Vec<NurbsCurve>> = region.arcs().map(<[NurbsCurve]>::to_vec).collect();
         let around = arcs.iter().flatten().map(NurbsCurve::bounds).reduce(Bounds::union);
-        let Some(around) = around else { return Err(super::FaceError::Nothing.into()) };
+        let Some(around) = around else { return Err(FaceError::Nothing.into()) };
         let ends = [[around.min.x, around.max.x], [around.min.y, around.max.y]];
         let knots = |[start, end]: [f64; 2]| KnotVector::new(1, vec![start, start, end, end]);
         let corner = |i: usize, j: usize| {
@@ -111,7 +111,7 @@ impl Face {
         };
         let parts: Vec<Region> = parts.iter().map(in_plane).collect::<Result<_, _>>()?;
         if parts.is_empty() {
-            return Err(super::FaceError::Nothing.into());
+            return Err(FaceError::Nothing.into());
         }
         face.parts = parts;
         Ok(face)
