@@ -29,6 +29,7 @@ const SHAPES: &[(&str, &str)] = &[
     ("curve", "ellipse"),
     ("surface", "parallelogram"),
     ("region", "house"),
+    ("face", "pentagon"),
     ("mesh", "trapezium"),
     ("table", "cylinder"),
     ("check", "diamond"),

@@ -7,8 +7,8 @@ out=${1:-dist}
 root=../..
 [ -d ../node_modules ] || (cd .. && npm ci --no-audit --no-fund)
 if [ -z "${WASM:-}" ]; then
-    cargo build --manifest-path "$root/Cargo.toml" --release -p virote-wasm --target wasm32-unknown-unknown
-    WASM=$root/target/wasm32-unknown-unknown/release/virote_wasm.wasm
+    cargo build --manifest-path "$root/Cargo.toml" --profile page -p virote-wasm --target wasm32-unknown-unknown
+    WASM=$root/target/wasm32-unknown-unknown/page/virote_wasm.wasm
 fi
 rm -rf "$out"
 mkdir -p "$out/gallery"

@@ -9,7 +9,7 @@ import { open } from "../virote.mjs";
 import { WALKS } from "./walks.mjs";
 
 const root = resolve(import.meta.dirname, "../../..");
-const wasm = process.env.WASM ?? join(root, "target/wasm32-unknown-unknown/release/virote_wasm.wasm");
+const wasm = process.env.WASM ?? join(root, "target/wasm32-unknown-unknown/page/virote_wasm.wasm");
 const bytes = readFileSync(wasm);
 const module = new WebAssembly.Module(bytes);
 

@@ -10,7 +10,7 @@ import { test } from "node:test";
 import { open } from "../virote.mjs";
 
 const root = resolve(import.meta.dirname, "../../..");
-const wasm = process.env.WASM ?? join(root, "target/wasm32-unknown-unknown/release/virote_wasm.wasm");
+const wasm = process.env.WASM ?? join(root, "target/wasm32-unknown-unknown/page/virote_wasm.wasm");
 const command = resolve(process.env.VIROTE ?? join(root, "target/release/virote"));
 /** The ceilings of `Limits::WEB` that the command's differ from. */
 const CEILINGS = ["nesting=128", "chain=250", "call-depth=200", "evaluation-depth=1000", "value-depth=200"];
