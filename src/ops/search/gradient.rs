@@ -2,18 +2,19 @@
 
 use super::{
     no_derivatives,
-    unknowns::{Unknowns, asked, number, with_gradients},
+    unknowns::{Unknowns, asked, number},
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    value::{Callback, Ctx, Value, op},
+    value::{Callback, Ctx, Dimension, Value, op},
 };
 
 op! {
     /// Derivatives of a function's value by each of its unknowns at a place, exact but for rounding: of the
     /// shape of the place.
     ///
-    /// The function is run once, on numbers that carry a derivative by each unknown along, through operators,
+    /// The function is run on numbers that carry a derivative by each unknown along, once unless there are
+    /// thousands, through operators,
     /// the functions of numbers and points, the making of geometry that grows evenly with what it is made of
     /// (of control points, of points at listed parameters, of curves; moved, scaled, turned, cut), and the
     /// questions about it: places, lengths, areas, volumes, nearest points. The first operation through which
@@ -42,11 +43,14 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
         return no_derivatives(args.f.span);
     }
     let unknowns = Unknowns::new(&args.at)?;
-    let value = asked(ctx, &args.f.value, &unknowns.varying(&unknowns.values))?;
-    let found = number(&value, args.f.span)?;
-    let slopes = with_gradients(&[found.value], unknowns.values.len());
-    let slopes = slopes.gradients.unwrap_or_default().concat();
-    unknowns.over(&slopes, found.dim).ok_or_else(|| {
+    let mut dim = Dimension::OPEN;
+    let found = unknowns.with_gradients(&unknowns.values, |place| {
+        let found = number(&asked(ctx, &args.f.value, place)?, args.f.span)?;
+        dim = found.dim;
+        Ok(vec![found.value])
+    })?;
+    let slopes = found.gradients.unwrap_or_default().concat();
+    unknowns.over(&slopes, dim).ok_or_else(|| {
         let message = "the dimension of a derivative has powers that are too high";
         Box::new(Diagnostic::error(Code::UnitMismatch, args.f.span, message))
     })

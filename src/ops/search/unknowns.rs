@@ -1,6 +1,6 @@
 //! Several unknowns: as the script holds them, as numbers, and as numbers that carry derivatives.
 
-use std::sync::Arc;
+use std::{ops, sync::Arc};
 
 use super::{SearchRange, six_digits};
 use crate::{
@@ -8,6 +8,10 @@ use crate::{
     kernel::{Answers, Jet, Wanted, glam::DVec3},
     value::{Callback, Ctx, Dimension, IntoValue, Number, Range, Real, Record, Value, Vector},
 };
+
+/// Derivatives that the unknowns, or as many numbers made of them, carry at a time: 64 MB. Of thousands of
+/// unknowns some are asked for after others.
+const SLOPES_AT_ONCE: usize = 1 << 23;
 
 /// Unknowns as the script holds them: a number, a point, or a list or record of such.
 pub(super) struct Unknowns {
@@ -60,10 +64,40 @@ impl Unknowns {
         self.each(values, |_, value| Real::Plain(value))
     }
 
-    /// The same with numbers that carry derivatives by each of them.
-    pub(super) fn varying(&self, values: &[f64]) -> Value {
+    /// The same with numbers that carry derivatives by some of them.
+    fn varying(&self, values: &[f64], chosen: &ops::Range<usize>) -> Value {
+        self.each(values, |idx, value| match chosen.contains(&idx) {
+            true => Real::Jet(Jet::one_of(idx - chosen.start, chosen.len(), value)),
+            false => Real::Plain(value),
+        })
+    }
+
+    /// What functions answer at a place, with the derivatives by all unknowns: by so many at a time as
+    /// numbers with derivatives have room for.
+    ///
+    /// # Errors
+    /// Those of the functions.
+    pub(super) fn with_gradients(
+        &self,
+        values: &[f64],
+        mut ask: impl FnMut(&Value) -> Result<Vec<Real>>,
+    ) -> Result<Answers> {
         let n = values.len();
-        self.each(values, |idx, value| Real::Jet(Jet::one_of(idx, n, value)))
+        let width = (SLOPES_AT_ONCE / n).clamp(1, n);
+        let mut answers: Answers = Vec::new().into();
+        for first in (0..n).step_by(width) {
+            let chosen = first..(first + width).min(n);
+            let reals = ask(&self.varying(values, &chosen))?;
+            answers.values = reals.iter().map(Real::value).collect();
+            let gradients = answers.gradients.get_or_insert_with(|| vec![Vec::new(); reals.len()]);
+            for (gradient, real) in gradients.iter_mut().zip(&reals) {
+                match real {
+                    Real::Plain(_) => gradient.resize(chosen.end, 0.0),
+                    Real::Jet(jet) => gradient.extend(jet.slopes()),
+                }
+            }
+        }
+        Ok(answers)
     }
 
     /// These derivatives, of something of a dimension, by the unknowns: each of the dimension of the quotient.
@@ -89,8 +123,8 @@ impl Unknowns {
         mut ask: impl FnMut(&Value) -> Result<Vec<Real>>,
     ) -> Result<Answers> {
         if wanted == Wanted::Gradients {
-            match ask(&self.varying(values)) {
-                Ok(reals) => return Ok(with_gradients(&reals, values.len())),
+            match self.with_gradients(values, &mut ask) {
+                Ok(answers) => return Ok(answers),
                 Err(found) if found.code == Code::NoDerivative => {}
                 Err(found) => return Err(found),
             }
@@ -105,18 +139,6 @@ impl Unknowns {
             Real::Plain(six_digits(value, Some(Dimension::NONE)).parse().unwrap_or(value))
         };
         self.each(values, six)
-    }
-}
-
-/// The values of numbers and their derivatives by so many unknowns.
-pub(super) fn with_gradients(reals: &[Real], n_unknowns: usize) -> Answers {
-    let gradient = |real: &Real| match real {
-        Real::Plain(_) => vec![0.0; n_unknowns],
-        Real::Jet(jet) => jet.slopes().to_vec(),
-    };
-    Answers {
-        values: reals.iter().map(Real::value).collect(),
-        gradients: Some(reals.iter().map(gradient).collect()),
     }
 }
 
