@@ -388,3 +388,29 @@ fn a_rotated_fit_is_the_fit_of_rotated_points() {
         }
     }
 }
+
+/// Splines that interpolate a sine of amplitude a and circular frequency w at knots h apart miss it by a(wh)⁴/384: those that
+/// are nearest to its points take no more control points than that, few or many as the points may be.
+#[test]
+fn sines_take_no_more_control_points_than_interpolation_theory_says() {
+    for frequency in 1..=6 {
+        for n_points in [100, 500, 2500] {
+            for tolerance in [1e-1, 1e-2, 1e-3] {
+                let turns = std::f64::consts::TAU * f64::from(frequency);
+                let at = |i: usize| i as f64 / (n_points - 1) as f64;
+                let point = |i: usize| DVec3::new(10.0 * at(i), libm::sin(turns * at(i)), 0.0);
+                let points: Vec<DVec3> = (0..n_points).map(point).collect();
+                let parameters = Parametrization::Chord.parameters(&points).unwrap();
+                let curve = approximate_within(&points, &parameters, 3, tolerance, false).unwrap();
+                let spans = turns * libm::pow(1.0 / (384.0 * tolerance), 0.25);
+                let found = curve.control_points().len();
+                let what = format!("{frequency} turns, {n_points} points within {tolerance}");
+                assert!(found as f64 <= spans + 5.0, "{what}: {found}, {spans}");
+                for &p in &points {
+                    let distance = curve.closest(p, 1e-9).distance;
+                    assert!(distance <= tolerance * (1.0 + 1e-9), "{what}: {distance}");
+                }
+            }
+        }
+    }
+}

@@ -178,7 +178,7 @@ impl Interpolator {
     /// # Errors
     /// [`FitError::NoFit`] where the values do not determine a spline.
     pub(crate) fn on_knots(parameters: &[f64], knots: KnotVector) -> Result<Self, GeomError> {
-        let rows: Vec<Equation> = parameters.iter().map(|&t| Equation::point(&knots, t)).collect();
+        let rows: Vec<Equation> = Equation::points(&knots, parameters).collect();
         let equations = FactoredEquations::Values(BandedSystem::new(&rows).ok_or(FitError::NoFit)?);
         Ok(Self { knots, n_values: parameters.len(), equations })
     }
@@ -201,7 +201,7 @@ impl Interpolator {
         }
         let [(start, start_row), (end, end_row)] = end_rows;
         let mut rows = vec![Equation::control_point(0), start];
-        rows.extend(parameters[1..n - 1].iter().map(|&t| Equation::point(&knots, t)));
+        rows.extend(Equation::points(&knots, &parameters[1..n - 1]));
         rows.extend([end, Equation::control_point(n + 1)]);
         let equations = FactoredEquations::WithEnds(
             BandedSystem::new(&rows).ok_or(FitError::NoFit)?,

@@ -34,7 +34,7 @@ pub fn lagrange(points: &[DVec3], parameters: &[f64]) -> Result<NurbsCurve, Geom
     check_parameters(parameters, got)?;
     let [start, end] = [parameters[0], parameters[got - 1]].map(|t| vec![t; got]);
     let knots = KnotVector::new(got - 1, [start, end].concat())?;
-    let rows: Vec<Equation> = parameters.iter().map(|&t| Equation::point(&knots, t)).collect();
+    let rows: Vec<Equation> = Equation::points(&knots, parameters).collect();
     let mut unknowns: Vec<DVec4> = points.iter().map(|point| point.extend(1.0)).collect();
     BandedSystem::new(&rows).ok_or(FitError::NoFit)?.solve(&mut unknowns);
     let control_points: Vec<DVec3> = unknowns.into_iter().map(DVec4::truncate).collect();

@@ -53,11 +53,11 @@ impl Approximator {
         let width = knots.degree() + 1;
         let mut firsts = Vec::with_capacity(parameters.len());
         let mut shares = Vec::with_capacity(parameters.len() * width);
+        let mut span = knots.degree();
         for &t in parameters {
-            knots.with_basis(t, |span, basis| {
-                firsts.push(span + 1 - width);
-                shares.extend_from_slice(basis);
-            });
+            span = knots.span_from(span, t);
+            firsts.push(span + 1 - width);
+            knots.with_basis_on(span, t, |basis| shares.extend_from_slice(basis));
         }
         Self::of_rows(knots, firsts, shares)
     }

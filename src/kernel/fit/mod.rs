@@ -20,6 +20,7 @@ mod slide;
 mod sloped;
 mod spread;
 mod surface;
+mod thinning;
 mod through;
 mod within;
 

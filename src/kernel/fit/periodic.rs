@@ -48,11 +48,10 @@ impl Interpolator {
 
         // Unknown i is the middle one of those that act at parameter i.
         let reach = degree / 2;
-        let centred = |&t: &f64| {
-            let equation = Equation::point(&ring, t);
-            Equation { first: got + equation.first - reach, ..equation }
-        };
-        let rows: Vec<Equation> = parameters[..got].iter().map(centred).collect();
+        let centred =
+            |equation: Equation| Equation { first: got + equation.first - reach, ..equation };
+        let rows: Vec<Equation> =
+            Equation::points(&ring, &parameters[..got]).map(centred).collect();
         let cyclic = CyclicSystem::new(&rows, reach).ok_or(FitError::NoFit)?;
         if !is_even {
             return Ok(Self {

@@ -5,7 +5,6 @@ use glam::{DVec3, DVec4};
 use super::{Ends, Interpolator, least::Approximator, slide::slid, spread};
 use crate::{
     FitError, GeomError, KnotVector, NurbsCurve,
-    removal::removal,
     tolerance::{PARAMETER_RELATIVE, SLIDE_RELATIVE},
 };
 
@@ -14,6 +13,12 @@ const MAX_CORRECTIONS: usize = 12;
 
 /// So many points are many: what costs more than it saves is left out.
 pub(super) const MANY: usize = 2000;
+
+/// Of many points so many, evenly chosen, are searched for; then all are looked at.
+const SAMPLE: usize = 300;
+
+/// What a sample may miss of the tolerance: the points between are missed by more.
+const SAMPLE_SHARE: f64 = 0.9;
 
 /// Many points slide along a curve that misses by less than so many times the tolerance: on one that
 /// is far from them they would only crowd.
@@ -26,7 +31,7 @@ const MAX_ROUNDS: usize = 64;
 const GAIN: f64 = 0.98;
 
 /// Control points up to which every number is tried; above, halving finds a good one.
-const FEW: usize = 64;
+pub(super) const FEW: usize = 64;
 
 /// So many steps in a row that gain nothing are the last.
 const MAX_IDLE: usize = 2;
@@ -34,11 +39,21 @@ const MAX_IDLE: usize = 2;
 /// A curve that is slower at a point than this share of its mean speed is about to turn back.
 const LEAST_SPEED: f64 = 0.2;
 
+/// The way between two points may be so many times as long as straight from one tolerance around the
+/// first to that around the second: that of half a circle is, and a little more.
+const MOST_DETOUR: f64 = 1.7;
+
+/// Parts of the way between two points.
+const DETOUR_PARTS: usize = 4;
+
 /// How often the knots of one number of control points are spread anew.
 const MAX_SPREADS: usize = 3;
 
 /// Halving stops at this share of the number of control points.
 const SHARE: usize = 64;
+
+/// Numbers of control points below this share of what the error of one lets expect are not tried.
+const EXPECTED_SHARE: f64 = 0.75;
 
 /// The search for a curve within the tolerance.
 pub(super) struct FitSearch<'a> {
@@ -58,7 +73,7 @@ pub(super) struct FittedCurve {
     pub(super) parameters: Vec<f64>,
     /// Distances of the points from the curve at their parameters.
     misses: Vec<f64>,
-    worst: f64,
+    pub(super) worst: f64,
     /// The sum of their squares.
     squares: f64,
 }
@@ -70,7 +85,7 @@ impl FittedCurve {
         Self { curve, parameters, misses, worst, squares }
     }
 
-    fn n_control(&self) -> usize {
+    pub(super) fn n_control(&self) -> usize {
         self.curve.control_points().len()
     }
 }
@@ -81,6 +96,11 @@ impl FitSearch<'_> {
     /// # Errors
     /// [`FitError::ToleranceNotKept`] below the rounding of the coordinates.
     pub(super) fn run(&mut self, parameters: &[f64]) -> Result<FittedCurve, GeomError> {
+        if 2 * SAMPLE < self.points.len()
+            && let Some(found) = self.run_on_sample(parameters)
+        {
+            return Ok(found);
+        }
         let domain = [parameters[0], parameters[parameters.len() - 1]];
         let ends = domain.map(|t| vec![t; self.degree + 1]);
         let coarsest = KnotVector::for_points(self.degree, self.degree + 1, ends.concat())?;
@@ -98,12 +118,57 @@ impl FitSearch<'_> {
         Ok(self.thinned(thinned))
     }
 
-    fn keeps(&self, trial: &FittedCurve) -> bool {
-        trial.worst <= self.tolerance
+    /// The curve that a sample of the points asks for, with more knots where others are missed; `None`
+    /// where the sample tells nothing.
+    fn run_on_sample(&mut self, parameters: &[f64]) -> Option<FittedCurve> {
+        let last = self.points.len() - 1;
+        let stride = last.div_ceil(SAMPLE);
+        let chosen: Vec<usize> = (0..last).step_by(stride).chain([last]).collect();
+        let points: Vec<DVec3> = chosen.iter().map(|&i| self.points[i]).collect();
+        let places: Vec<f64> = chosen.iter().map(|&i| parameters[i]).collect();
+        let tolerance = SAMPLE_SHARE * self.tolerance;
+        let mut search = FitSearch { points: &points, tolerance, ..*self };
+        let sample = search.run(&places).ok()?;
+        if SAMPLE < 2 * sample.n_control() {
+            return None;
+        }
+        let mut start = parameters.to_vec();
+        if !self.are_fixed {
+            // Those between two of the sample move along with both.
+            for (k, ends) in chosen.windows(2).enumerate() {
+                let [old, new] = [&places, &sample.parameters].map(|t| [t[k], t[k + 1]]);
+                for t in &mut start[ends[0]..ends[1]] {
+                    let fraction = (*t - old[0]) / (old[1] - old[0]).max(f64::MIN_POSITIVE);
+                    *t = new[0] + fraction * (new[1] - new[0]);
+                }
+            }
+            start = self.corrected(&sample.curve, start);
+        }
+        let found = self.grown(sample.curve.knots().clone(), &start, self.points.len())?;
+        Some(self.thinned_at_once(found))
+    }
+
+    pub(super) fn keeps(&self, trial: &FittedCurve) -> bool {
+        trial.worst <= self.tolerance && (self.are_fixed || self.goes_straight(trial))
+    }
+
+    /// Whether the curve makes no detour between two points: where parameters slide apart, no point
+    /// holds it.
+    fn goes_straight(&self, trial: &FittedCurve) -> bool {
+        let curve = trial.curve.evaluator();
+        trial.parameters.windows(2).zip(self.points.windows(2)).all(|(ends, points)| {
+            let place = |k: usize| {
+                let fraction = k as f64 / DETOUR_PARTS as f64;
+                curve.point_at((1.0 - fraction) * ends[0] + fraction * ends[1])
+            };
+            let legs = (0..DETOUR_PARTS).map(|k| place(k).distance(place(k + 1)));
+            let straight = points[0].distance(points[1]) + 2.0 * self.tolerance;
+            legs.sum::<f64>() <= MOST_DETOUR * straight
+        })
     }
 
     /// The nearest curve over the knots, to which the points slide while that helps.
-    fn trial(&mut self, knots: &KnotVector, parameters: &[f64]) -> Option<FittedCurve> {
+    pub(super) fn trial(&mut self, knots: &KnotVector, parameters: &[f64]) -> Option<FittedCurve> {
         let mut best = self.fitted(knots, parameters.to_vec())?;
         let are_many = MANY < self.points.len();
         let is_far = are_many && NEAR * self.tolerance < best.worst;
@@ -226,7 +291,7 @@ impl FitSearch<'_> {
         let pairs = self.points.iter().zip(parameters);
         let misses = pairs.map(|(point, &t)| found.point_at(t).distance(*point)).collect();
         let trial = FittedCurve::new(curve, parameters.to_vec(), misses);
-        if self.keeps(&trial) {
+        if trial.worst <= self.tolerance {
             return Ok(trial);
         }
         Err(GeomError::Fit(FitError::ToleranceNotKept {
@@ -242,95 +307,36 @@ impl FitSearch<'_> {
         while low + high / SHARE < high && 0 < self.left {
             let n = if high <= FEW { low } else { low.midpoint(high) };
             match self.spread(&best, n) {
-                Some(trial) => (best, high) = (trial, n),
-                None => low = n + 1,
+                Ok(trial) => (best, high) = (trial, n),
+                Err(worst) => low = self.expected(n, worst).clamp(n + 1, (n + 1).midpoint(high)),
             }
         }
         best
+    }
+
+    /// With how many control points a curve may first be within the tolerance, where one of `n` misses
+    /// by `worst`: the error falls with the number to the power of the order.
+    fn expected(&self, n: usize, worst: f64) -> usize {
+        let order = (self.degree + 1) as f64;
+        let growth = libm::pow(worst / self.tolerance, 1.0 / order);
+        (EXPECTED_SHARE * growth * n as f64) as usize
     }
 
     /// A curve of so many control points within the tolerance, if spreading the knots by what each
-    /// one found needs comes to it.
-    fn spread(&mut self, best: &FittedCurve, n: usize) -> Option<FittedCurve> {
+    /// one found needs comes to it; else how far the nearest one misses.
+    fn spread(&mut self, best: &FittedCurve, n: usize) -> Result<FittedCurve, f64> {
         let (mut curve, start) = (best.curve.clone(), best.parameters.clone());
+        let mut least = f64::INFINITY;
         for _ in 0..MAX_SPREADS {
-            let trial = self.trial(&spread::by_need(&curve, n), &start)?;
+            let knots = spread::by_need(&curve, n);
+            let Some(trial) = self.trial(&knots, &start) else { break };
             if self.keeps(&trial) {
-                return Some(trial);
+                return Ok(trial);
             }
+            least = least.min(trial.worst);
             curve = trial.curve;
         }
-        None
-    }
-
-    /// Takes many knots away together: of those whose removal alone would be within the tolerance
-    /// as many as may go, no two of them neighbours.
-    fn thinned_at_once(&mut self, first: FittedCurve) -> FittedCurve {
-        let mut best = first;
-        while FEW < best.n_control() {
-            let spare = self.spare_knots(&best.curve);
-            let mut n = spare.len();
-            let found = loop {
-                if n == 0 || self.left == 0 {
-                    return best;
-                }
-                let without = |knots: KnotVector, &t: &f64| knots.without(t);
-                let knots = spare[..n].iter().fold(best.curve.knots().clone(), without);
-                let start = best.parameters.clone();
-                match self.trial(&knots, &start).filter(|trial| self.keeps(trial)) {
-                    Some(trial) => break trial,
-                    None => n /= 4,
-                }
-            };
-            best = found;
-        }
-        best
-    }
-
-    /// Inner knots that the curve needs least, no two of them neighbours, the least needed first.
-    fn spare_knots(&self, curve: &NurbsCurve) -> Vec<f64> {
-        let (knots, points) = (curve.knots().as_slice(), curve.control_points());
-        let inner = self.degree + 1..points.len();
-        let mut costs: Vec<(f64, usize)> = inner
-            .map(|i| (removal(self.degree, knots, points, i).displacement, i))
-            .filter(|&(cost, _)| cost <= self.tolerance)
-            .collect();
-        costs.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        let mut is_taken = vec![false; knots.len() + 1];
-        let mut spare = Vec::new();
-        for (_, i) in costs {
-            if !(is_taken[i - 1] || is_taken[i + 1]) {
-                is_taken[i] = true;
-                spare.push(knots[i]);
-            }
-        }
-        spare
-    }
-
-    /// Takes knots away one by one, the least needed first.
-    fn thinned(&mut self, first: FittedCurve) -> FittedCurve {
-        let mut best = first;
-        while best.n_control() <= FEW {
-            let breaks = best.curve.knots().breaks();
-            let mut without: Option<FittedCurve> = None;
-            for &t in &breaks[1..breaks.len() - 1] {
-                if self.left == 0 {
-                    return best;
-                }
-                let knots = best.curve.knots().without(t);
-                let start = best.parameters.clone();
-                let found = self.trial(&knots, &start).filter(|trial| self.keeps(trial));
-                let is_better =
-                    |found: &FittedCurve| without.as_ref().is_none_or(|w| found.worst < w.worst);
-                if let Some(found) = found.filter(is_better) {
-                    without = Some(found);
-                }
-            }
-            match without {
-                Some(trial) => best = trial,
-                None => return best,
-            }
-        }
-        best
+        // Where there is none, nothing can be expected of more.
+        Err(if least.is_finite() { least } else { self.tolerance })
     }
 }

@@ -42,7 +42,7 @@ impl Interpolator {
         let slope = |t: f64| Equation::derivative(&knots, t, 1).scaled_by(parameters);
         let mut rows = vec![Equation::point(&knots, parameters[0])];
         rows.extend(has_slope[0].then(|| slope(parameters[0])));
-        rows.extend(parameters[1..got - 1].iter().map(|&t| Equation::point(&knots, t)));
+        rows.extend(Equation::points(&knots, &parameters[1..got - 1]));
         rows.extend(has_slope[1].then(|| slope(parameters[got - 1])));
         rows.push(Equation::point(&knots, parameters[got - 1]));
         let equations = FactoredEquations::WithEndSlopes(

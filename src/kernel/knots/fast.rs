@@ -8,23 +8,40 @@ use super::{KnotVector, reciprocals::UNROLLED_DEGREE};
 const SMALL_DEGREE: usize = 7;
 
 impl KnotVector {
+    /// [`Self::span_at`], looked for at another span and behind it first: of parameters in order each
+    /// is near the one before.
+    pub(crate) fn span_from(&self, guess: usize, t: f64) -> usize {
+        let holds = |span: usize| self.knots[span] <= t && t < self.knots[span + 1];
+        match guess {
+            guess if holds(guess) => guess,
+            guess if guess + 1 < self.n_points() && holds(guess + 1) => guess + 1,
+            _ => self.span_at(t),
+        }
+    }
+
     /// Calls `f` with the span of `t` and the basis there; no heap allocation up to degree 7.
     #[inline]
     pub(crate) fn with_basis<R>(&self, t: f64, f: impl FnOnce(usize, &[f64]) -> R) -> R {
         let span = self.span_at(t);
+        self.with_basis_on(span, t, |values| f(span, values))
+    }
+
+    /// Calls `f` with the basis of a span; no heap allocation up to degree 7.
+    #[inline]
+    pub(crate) fn with_basis_on<R>(&self, span: usize, t: f64, f: impl FnOnce(&[f64]) -> R) -> R {
         match self.degree {
-            1 => f(span, &self.unrolled::<2>(span, t).0),
-            2 => f(span, &self.unrolled::<3>(span, t).0),
-            3 => f(span, &self.unrolled::<4>(span, t).0),
+            1 => f(&self.unrolled::<2>(span, t).0),
+            2 => f(&self.unrolled::<3>(span, t).0),
+            3 => f(&self.unrolled::<4>(span, t).0),
             degree @ ..=SMALL_DEGREE => {
                 let mut values = [0.0; SMALL_DEGREE + 1];
                 self.basis_at(span, t, &mut values);
-                f(span, &values[..=degree])
+                f(&values[..=degree])
             }
             degree => {
                 let mut values = vec![0.0; degree + 1];
                 self.basis_at(span, t, &mut values);
-                f(span, &values)
+                f(&values)
             }
         }
     }

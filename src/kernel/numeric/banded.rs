@@ -1,12 +1,16 @@
 //! Linear equations whose coefficients stand near the diagonal.
 
 use glam::DVec4;
+use smallvec::SmallVec;
+
+/// Coefficients of an equation; up to degree 7 those of a spline need no memory of their own.
+pub(crate) type Coefficients = SmallVec<[f64; 8]>;
 
 /// The coefficients of an equation: Σ `values[j]`·x[`first` + j] is given.
 #[derive(Clone, Debug)]
 pub(crate) struct Equation {
     pub(crate) first: usize,
-    pub(crate) values: Vec<f64>,
+    pub(crate) values: Coefficients,
 }
 
 impl Equation {
@@ -103,13 +107,16 @@ impl BandedSystem {
                 self.rows.swap(a, b);
             }
         }
+        let n_columns = last_column - k + 1;
+        let (above, below) = self.rows.split_at_mut((k + 1) * self.width);
+        let pivot = &above[k * self.width + self.lower..][..n_columns];
         for row in k + 1..=last_row {
-            let factor = self.rows[self.place(row, k)] / self.rows[self.place(k, k)];
-            let place = self.place(row, k);
-            self.rows[place] = factor;
-            for column in k + 1..=last_column {
-                let (to, from) = (self.place(row, column), self.place(k, column));
-                self.rows[to] -= factor * self.rows[from];
+            let place = (row - k - 1) * self.width + self.lower + k - row;
+            let own = &mut below[place..][..n_columns];
+            let factor = own[0] / pivot[0];
+            own[0] = factor;
+            for (value, from) in own[1..].iter_mut().zip(&pivot[1..]) {
+                *value -= factor * from;
             }
         }
         Some(())
@@ -120,8 +127,9 @@ impl BandedSystem {
         let n = self.len();
         for k in 0..n {
             values.swap(k, self.exchanged[k]);
-            for row in k + 1..=(k + self.lower).min(n - 1) {
-                values[row] -= self.rows[self.place(row, k)] * values[k];
+            let value = values[k];
+            for (below, later) in values[k + 1..].iter_mut().take(self.lower).enumerate() {
+                *later -= self.rows[self.place(k + 1 + below, k)] * value;
             }
         }
         for k in (0..n).rev() {
@@ -138,13 +146,14 @@ impl BandedSystem {
 #[cfg(test)]
 mod tests {
     use glam::DVec4;
+    use smallvec::smallvec;
 
     use super::{BandedSystem, Equation};
 
     #[test]
     fn a_zero_on_the_diagonal_is_exchanged() {
         // y = 2, x + z = 4, x + y = 3.
-        let equation = |first, values: &[f64]| Equation { first, values: values.to_vec() };
+        let equation = |first, values: &[f64]| Equation { first, values: values.into() };
         let equations =
             [equation(1, &[1.0]), equation(0, &[1.0, 0.0, 1.0]), equation(0, &[1.0, 1.0])];
         let system = BandedSystem::new(&equations).expect("independent equations");
@@ -156,8 +165,8 @@ mod tests {
     #[test]
     fn equations_that_repeat_one_another_have_no_single_solution() {
         let twice = [
-            Equation { first: 0, values: vec![1.0, 1.0] },
-            Equation { first: 0, values: vec![2.0, 2.0] },
+            Equation { first: 0, values: smallvec![1.0, 1.0] },
+            Equation { first: 0, values: smallvec![2.0, 2.0] },
         ];
         assert!(BandedSystem::new(&twice).is_none());
     }

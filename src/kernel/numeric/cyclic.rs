@@ -1,6 +1,7 @@
 //! Linear equations whose coefficients stand near the diagonal of a ring.
 
 use glam::DVec4;
+use smallvec::smallvec;
 
 use super::banded::{BandedSystem, Equation};
 
@@ -30,7 +31,7 @@ impl CyclicSystem {
         let mut coupling = vec![vec![0.0; reach]; n_first];
         for (i, equation) in equations[..n_first].iter().enumerate() {
             let mut own =
-                Equation { first: i.saturating_sub(reach), values: vec![0.0; 2 * reach + 1] };
+                Equation { first: i.saturating_sub(reach), values: smallvec![0.0; 2 * reach + 1] };
             for (column, &value) in equation.columns().zip(&equation.values) {
                 match column % n {
                     column if column < n_first => own.values[column - own.first] += value,
@@ -56,7 +57,7 @@ impl CyclicSystem {
         }
 
         let mut last = vec![Vec::new(); reach];
-        let mut rest = vec![Equation { first: 0, values: vec![0.0; reach] }; reach];
+        let mut rest = vec![Equation { first: 0, values: smallvec![0.0; reach] }; reach];
         for (k, equation) in equations[n_first..].iter().enumerate() {
             for (column, &value) in equation.columns().zip(&equation.values) {
                 match column % n {
@@ -94,12 +95,14 @@ impl CyclicSystem {
 #[cfg(test)]
 mod tests {
     use glam::DVec4;
+    use smallvec::smallvec;
 
     use super::{BandedSystem, CyclicSystem, Equation};
 
     /// The equations a·x[i − 1] + b·x[i] + c·x[i + 1], around.
     fn ring(n: usize) -> Vec<Equation> {
-        let row = |i: usize| Equation { first: n + i - 1, values: vec![1.0, 4.0 + i as f64, 2.0] };
+        let row =
+            |i: usize| Equation { first: n + i - 1, values: smallvec![1.0, 4.0 + i as f64, 2.0] };
         (0..n).map(row).collect()
     }
 
@@ -124,7 +127,7 @@ mod tests {
     #[test]
     fn a_ring_without_coupling_over_the_seam_is_a_band() {
         let rows = |first: usize| -> Vec<Equation> {
-            (0..5).map(|i| Equation { first: first + i, values: vec![3.0] }).collect()
+            (0..5).map(|i| Equation { first: first + i, values: smallvec![3.0] }).collect()
         };
         let (mut around, mut along) = (vec![DVec4::splat(6.0); 5], vec![DVec4::splat(6.0); 5]);
         CyclicSystem::new(&rows(5), 1).expect("a diagonal").solve(&mut around);

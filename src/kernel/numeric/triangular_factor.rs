@@ -22,16 +22,19 @@ impl TriangularFactor {
         width: usize,
     ) -> Option<Self> {
         let mut rows = vec![0.0; n * width];
-        let mut row = vec![0.0; width];
+        // A rotation moves the row on by one place; behind it stand zeros.
+        let mut line = vec![0.0; width];
         for (first, shares) in equations {
-            row.fill(0.0);
-            row[..shares.len()].copy_from_slice(shares);
+            line.clear();
+            line.extend_from_slice(shares);
             for i in first..n {
+                let start = i - first;
+                line.resize(start + width, 0.0);
+                let row = &mut line[start..];
                 if row.iter().all(|value| value.abs() <= 0.0) {
                     break;
                 }
-                rotate(&mut rows[i * width..][..width], &mut row);
-                row.rotate_left(1);
+                rotate(&mut rows[i * width..][..width], row);
             }
         }
         let diagonal = || rows.iter().step_by(width);
