@@ -80,4 +80,10 @@ impl Bounds {
     pub fn contains(self, point: DVec3, slack: f64) -> bool {
         (self.min - slack).cmple(point).all() && point.cmple(self.max + slack).all()
     }
+
+    /// Whether both boxes are within the distance of one another along every axis.
+    #[must_use]
+    pub fn is_near(self, other: Self, distance: f64) -> bool {
+        self.min.cmple(other.max + distance).all() && other.min.cmple(self.max + distance).all()
+    }
 }

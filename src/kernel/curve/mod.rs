@@ -16,8 +16,8 @@ mod representation;
 use glam::{DAffine3, DMat4, DVec3, DVec4};
 
 use super::{
-    ConstructionReport, CountError, GeomError, Interval, KnotVector, Tolerance, WeightError,
-    frame::norm, homogeneous, lazy::Lazy, nearest::ClosestPointTree, positive,
+    Bounds, ConstructionReport, CountError, GeomError, Interval, KnotVector, Tolerance,
+    WeightError, frame::norm, homogeneous, lazy::Lazy, nearest::ClosestPointTree, positive,
 };
 
 pub(crate) use construction::chain::powers;
@@ -68,6 +68,8 @@ pub struct NurbsCurve {
     evaluator: Lazy<CurveEvaluator>,
     /// The same, prepared to be searched for the nearest point.
     nearest: Lazy<ClosestPointTree>,
+    /// The smallest box around it.
+    bounds: Lazy<Bounds>,
 }
 
 impl NurbsCurve {
@@ -187,9 +189,9 @@ impl NurbsCurve {
     /// A curve of parts that keep the invariants by construction.
     pub(crate) fn new_unchecked(knots: KnotVector, control_points: Vec<DVec4>) -> Self {
         let is_rational = homogeneous::have_different_weights(&control_points);
-        let (evaluator, nearest) = (Lazy::default(), Lazy::default());
+        let (evaluator, nearest, bounds) = (Lazy::default(), Lazy::default(), Lazy::default());
         let report = ConstructionReport::NONE;
-        Self { knots, control_points, is_rational, report, evaluator, nearest }
+        Self { knots, control_points, is_rational, report, evaluator, nearest, bounds }
     }
 
     /// The same with a report of how it was made.

@@ -92,6 +92,12 @@ impl ClosestPointTree {
         Self { magnitude: tree.magnitude(), along, tree }
     }
 
+    /// The pairs of a patch of this spline and one of another whose boxes are within a distance of one
+    /// another, each by the numbers of its spans along both directions; in order.
+    pub(crate) fn near_pairs(&self, other: &Self, distance: f64) -> Vec<[[usize; 2]; 2]> {
+        self.tree.near_pairs(&other.tree, distance)
+    }
+
     /// The places that are nearest to `p`; `points` are those that it was made of. Stretches are
     /// looked for with [`SearchTarget::AllWithin`] only.
     pub(crate) fn places(

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::Bounds;
+use crate::{Bounds, work};
 
 /// A binary tree over the grid of patches.
 #[derive(Debug)]
@@ -77,6 +77,38 @@ impl PatchTree {
     pub(super) fn least(&self, node: usize, p: DVec3, unit: f64) -> f64 {
         let Bounds { min, max } = self.nodes[node].bounds;
         ((p - p.clamp(min, max)) * unit).length()
+    }
+
+    /// The pairs of a patch of this and one of another tree whose boxes are within a distance of one
+    /// another, in order.
+    pub(super) fn near_pairs(&self, other: &Self, distance: f64) -> Vec<[[usize; 2]; 2]> {
+        let mut pairs = Vec::new();
+        let mut todo = vec![[self.root(), other.root()]];
+        while let Some([own, its]) = todo.pop() {
+            let [a, b] = [&self.nodes[own], &other.nodes[its]];
+            if !work::goes_on(1) || !a.bounds.is_near(b.bounds, distance) {
+                continue;
+            }
+            match (&a.below, &b.below) {
+                (&Children::Patch(first), &Children::Patch(second)) => pairs.push([first, second]),
+                (Children::Children(below), Children::Patch(_)) => {
+                    todo.extend(below.map(|own| [own, its]));
+                }
+                (Children::Patch(_), Children::Children(below)) => {
+                    todo.extend(below.map(|its| [own, its]));
+                }
+                (Children::Children(_), Children::Children(below))
+                    if a.bounds.diagonal() < b.bounds.diagonal() =>
+                {
+                    todo.extend(below.map(|its| [own, its]));
+                }
+                (Children::Children(below), Children::Children(_)) => {
+                    todo.extend(below.map(|own| [own, its]));
+                }
+            }
+        }
+        pairs.sort_unstable();
+        pairs
     }
 
     /// The largest coordinate of all boxes that are known.

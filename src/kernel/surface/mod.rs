@@ -35,7 +35,7 @@ pub(crate) use measurement::mass::{MassIntegral, are_closed, moments};
 pub use measurement::mass::{
     MassProperties, area_mass, facing_unlike, signed_volume_mass, volume_mass,
 };
-pub(crate) use measurement::quadrature::{Integral, QuadratureMap, integral_over};
+pub(crate) use measurement::quadrature::{IntegralValues, QuadratureMap, integral_over};
 pub use measurement::shape::{Principal, SurfacePointKind, SurfaceShape};
 pub use measurement::shell::ShellError;
 pub use representation::any::Surface;
@@ -82,6 +82,8 @@ pub struct NurbsSurface {
     expanded: Lazy<SurfaceExpansion>,
     /// The patches, prepared to be searched for the nearest point.
     nearest: Lazy<ClosestPointTree>,
+    /// The smallest box around it.
+    bounds: Lazy<Bounds>,
 }
 
 impl NurbsSurface {
@@ -201,6 +203,7 @@ impl NurbsSurface {
             report: ConstructionReport::NONE,
             expanded: Lazy::default(),
             nearest: Lazy::default(),
+            bounds: Lazy::default(),
         }
     }
 

@@ -125,7 +125,7 @@ fn holds_zero([low, high]: [f64; 2]) -> bool {
 }
 
 /// A box of parameters, with how often it was halved.
-struct Cell {
+struct DistanceCell {
     intervals: [Interval; 2],
     depth: usize,
 }
@@ -224,8 +224,8 @@ impl Face {
     ) -> Result<Option<Least>, GeomError> {
         let slack = EXTREMUM_RELATIVE * size;
         let mut found: Option<Least> = None;
-        let mut todo = vec![Cell { intervals: self.plane.domains(), depth: 0 }];
-        while let Some(Cell { intervals, depth }) = todo.pop() {
+        let mut todo = vec![DistanceCell { intervals: self.plane.domains(), depth: 0 }];
+        while let Some(DistanceCell { intervals, depth }) = todo.pop() {
             GeomError::go_on(1)?;
             let [from, to] =
                 [Interval::start, Interval::end].map(|end| self.plane.place(intervals.map(end)));
@@ -270,7 +270,7 @@ impl Face {
                     0 => intervals[0].halves().map(|u| [u, intervals[1]]),
                     _ => intervals[1].halves().map(|v| [intervals[0], v]),
                 };
-                todo.extend(halved.map(|intervals| Cell { intervals, depth: depth + 1 }));
+                todo.extend(halved.map(|intervals| DistanceCell { intervals, depth: depth + 1 }));
             }
         }
         Ok(found)

@@ -15,7 +15,7 @@ use super::Face;
 use crate::{
     Bounds, Frame, GeomError, Interval, MassProperties, NurbsCurve, NurbsSurface, Region,
     Tolerance,
-    surface::{Integral, MassIntegral, QuadratureMap, integral_over, moments},
+    surface::{IntegralValues, MassIntegral, QuadratureMap, integral_over, moments},
     tolerance::{KNOT_RELATIVE, LAST_BIT, PARAMETER_RELATIVE},
 };
 
@@ -102,7 +102,7 @@ impl Face {
     pub(crate) fn integral<const N: usize>(
         &self,
         density: impl Fn(DVec3, DVec3) -> [f64; N],
-    ) -> Result<Integral<N>, GeomError> {
+    ) -> Result<IntegralValues<N>, GeomError> {
         let surface = &*self.plane.surface;
         let arcs: Vec<NurbsCurve> = self.closed_arcs()?;
         let lines = [surface.knots_u().breaks(), surface.knots_v().breaks()];

@@ -18,7 +18,7 @@ use crate::{
 const PLACES: usize = 24;
 
 /// An edge of one of several faces.
-struct ShellEdge {
+struct FaceBorderEdge {
     face: usize,
     curve: NurbsCurve,
     bounds: Bounds,
@@ -82,7 +82,7 @@ fn shells(
     for (face, own) in faces.iter().enumerate() {
         for curve in own.edges(tolerance)? {
             let bounds = curve.bounds();
-            edges.push(ShellEdge { face, curve, bounds });
+            edges.push(FaceBorderEdge { face, curve, bounds });
         }
     }
     // Neighbours, and whether one of both must turn.
@@ -129,7 +129,7 @@ fn shells(
 /// The face on the other side of a place of an edge, with that of the edge before it, and whether one of both must
 /// turn to look as the other does.
 fn neighbour(
-    edges: &[ShellEdge],
+    edges: &[FaceBorderEdge],
     own: usize,
     (point, along): (DVec3, DVec3),
     distance: f64,
@@ -161,6 +161,6 @@ fn neighbour(
     }
 }
 
-fn last_face(edges: &[ShellEdge]) -> usize {
+fn last_face(edges: &[FaceBorderEdge]) -> usize {
     edges.iter().map(|edge| edge.face).max().unwrap_or(0)
 }

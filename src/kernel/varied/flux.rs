@@ -45,7 +45,7 @@ impl<F: Fn([DVec3; 3]) -> Option<[DVec3; 3]>> Partials for F {}
 
 /// A rectangle of parameters inside one patch.
 #[derive(Clone, Copy)]
-struct Cell {
+struct FluxCell {
     spans: [usize; 2],
     sides: [Interval; 2],
 }
@@ -59,14 +59,14 @@ struct CellGradient {
 
 /// A cell with the rules on the whole and on its halves.
 struct KnownCell {
-    cell: Cell,
+    cell: FluxCell,
     values: Vec<DVec4>,
     size: f64,
     /// How much the halves differ from the whole, along u and along v.
     changes: [f64; 2],
 }
 
-impl Cell {
+impl FluxCell {
     fn halves(self, along: Direction) -> [Self; 2] {
         self.sides[along].halves().map(|side| {
             let mut half = self;
@@ -123,7 +123,7 @@ impl VariedSurface {
         for span_u in knots_u.spans() {
             for span_v in knots_v.spans() {
                 let sides = [knots_u.span_interval(span_u), knots_v.span_interval(span_v)];
-                let cell = Cell { spans: [span_u, span_v], sides };
+                let cell = FluxCell { spans: [span_u, span_v], sides };
                 known.push(self.known(cell, what, &partials)?);
             }
         }
@@ -161,7 +161,7 @@ impl VariedSurface {
 
     fn known(
         &self,
-        cell: Cell,
+        cell: FluxCell,
         what: &'static str,
         partials: &impl Partials,
     ) -> Result<KnownCell, GeomError> {
@@ -183,7 +183,7 @@ impl VariedSurface {
     /// The tensor rule of Gauss and Legendre on a cell.
     fn by_rule(
         &self,
-        cell: Cell,
+        cell: FluxCell,
         what: &'static str,
         partials: &impl Partials,
     ) -> Result<CellGradient, GeomError> {

@@ -20,7 +20,7 @@ use crate::{CountError, GeomError, Grid, Jet, NurbsSurface, homogeneous};
 /// let varied = VariedSurface::new(Arc::new(square), slopes)?;
 /// let half = Jet::with_slopes(0.5, &[0.0])?;
 /// let middle = varied.derivatives_at([&half, &half], 0)?;
-/// assert_eq!(middle.get(0, 0)[2].slopes(), [0.25]);
+/// assert_eq!(middle.row(0)[0][2].slopes(), [0.25]);
 /// # Ok::<(), virote_kernel::GeomError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]

@@ -159,9 +159,7 @@ pub(super) fn warn_of_crossings(
             continue;
         }
         let [a, b] = [0, 1].map(|i| Bounds::of(pair[i].points()));
-        let are_apart = a.zip(b).is_none_or(|(a, b)| {
-            (a.max + tolerance).cmplt(b.min).any() || (b.max + tolerance).cmplt(a.min).any()
-        });
+        let are_apart = a.zip(b).is_none_or(|(a, b)| !a.is_near(b, tolerance));
         if are_apart {
             continue;
         }

@@ -71,10 +71,14 @@ impl NurbsCurve {
         }
         let mut search = IntersectionSearch::new(self, other, tolerance, *left);
         let mut pairs = Vec::new();
-        let (pieces, others) = (parts(self), parts(other));
-        for (i, j) in near_pairs_between(&pieces, &others, tolerance) {
-            search.check_shared(&pieces[i], &others[j])?;
-            pairs.push((pieces[i].clone(), others[j].clone()));
+        let [own, its] = [self, other].map(|curve| curve.knots().spans().collect::<Vec<usize>>());
+        for [[i, _], [j, _]] in self.piece_boxes().near_pairs(other.piece_boxes(), search.tolerance)
+        {
+            let pair = (CurvePart::of_span(self, own[i]), CurvePart::of_span(other, its[j]));
+            if pair.0.may_meet(&pair.1, search.tolerance) {
+                search.check_shared(&pair.0, &pair.1)?;
+                pairs.push(pair);
+            }
         }
         *left = search.run(pairs)?;
         search.finish()
@@ -294,34 +298,6 @@ fn near_pairs(pieces: &[CurvePart], tolerance: f64) -> Vec<(usize, usize)> {
         let near =
             beside.filter(|&&j| work::goes_on(1) && pieces[i].may_meet(&pieces[j], tolerance));
         pairs.extend(near.map(|&j| (i.min(j), i.max(j))));
-    }
-    pairs.sort_unstable();
-    pairs
-}
-
-/// [`near_pairs`] of a piece of the first curve and one of the second: of each pair one starts
-/// first along the axis, and the other before that one ends.
-fn near_pairs_between(
-    first: &[CurvePart],
-    second: &[CurvePart],
-    tolerance: f64,
-) -> Vec<(usize, usize)> {
-    let axis = longest_axis(first.iter().chain(second));
-    let orders = [by_start(first, axis), by_start(second, axis)];
-    let start = |piece: &CurvePart| piece.bounds.min[axis];
-    let end = |piece: &CurvePart| piece.bounds.max[axis] + tolerance;
-    let mut pairs = Vec::new();
-    for (i, own) in first.iter().enumerate() {
-        let from = orders[1].partition_point(|&j| start(&second[j]) < start(own));
-        let beside = orders[1][from..].iter().take_while(|&&j| start(&second[j]) <= end(own));
-        let near = beside.filter(|&&j| work::goes_on(1) && own.may_meet(&second[j], tolerance));
-        pairs.extend(near.map(|&j| (i, j)));
-    }
-    for (j, other) in second.iter().enumerate() {
-        let from = orders[0].partition_point(|&i| start(&first[i]) <= start(other));
-        let beside = orders[0][from..].iter().take_while(|&&i| start(&first[i]) <= end(other));
-        let near = beside.filter(|&&i| work::goes_on(1) && first[i].may_meet(other, tolerance));
-        pairs.extend(near.map(|&i| (i, j)));
     }
     pairs.sort_unstable();
     pairs

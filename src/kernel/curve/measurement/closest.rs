@@ -70,10 +70,16 @@ impl NurbsCurve {
         ClosestPoint { count, stretch, ..*nearest.unwrap_or(&feet[0]) }
     }
 
+    /// The pieces in their boxes, made once: where the nearest point is looked for, and what else
+    /// lies in space.
+    pub(crate) fn piece_boxes(&self) -> &ClosestPointTree {
+        let prepare = || ClosestPointTree::of_curve(&self.knots, &self.control_points);
+        self.nearest.get_or_make(prepare)
+    }
+
     /// [`Self::closest`] of a curve that does not jump.
     fn closest_of_part(&self, p: DVec3, tolerance: f64) -> ClosestPoint {
-        let prepare = || ClosestPointTree::of_curve(&self.knots, &self.control_points);
-        let nearest = self.nearest.get_or_make(prepare);
+        let nearest = self.piece_boxes();
         let places = |target| nearest.places(&self.control_points, p, target);
         let mut near = places(SearchTarget::AllWithin(tolerance));
         if self.bounds().diagonal() <= SMALL * tolerance {

@@ -102,11 +102,13 @@ impl NurbsCurve {
     /// The smallest axis-aligned box around the curve, to rounding; not that of its control points.
     #[must_use]
     pub fn bounds(&self) -> Bounds {
-        let Ok(constant) = KnotVector::bezier(0) else {
-            unreachable!("degree 0 is below every ceiling")
-        };
-        let points = Grid::from_rows_of(self.control_points.len(), self.control_points.clone());
-        TensorSpline { knots: [&constant, &self.knots], points: &points }.bounds()
+        *self.bounds.get_or_make(|| {
+            let Ok(constant) = KnotVector::bezier(0) else {
+                unreachable!("degree 0 is below every ceiling")
+            };
+            let points = Grid::from_rows_of(self.control_points.len(), self.control_points.clone());
+            TensorSpline { knots: [&constant, &self.knots], points: &points }.bounds()
+        })
     }
 
     /// The interval cut to the domain, at the knots, and so often that no tangent of a piece is far

@@ -71,9 +71,7 @@ impl CurvePart {
     /// Whether the boxes are within the tolerance of one another, and the control points across
     /// the chord, where two that run side by side are told apart.
     pub(crate) fn may_meet(&self, other: &Self, tolerance: f64) -> bool {
-        self.bounds.min.cmple(other.bounds.max + tolerance).all()
-            && other.bounds.min.cmple(self.bounds.max + tolerance).all()
-            && !self.lies_beside(other, tolerance)
+        self.bounds.is_near(other.bounds, tolerance) && !self.lies_beside(other, tolerance)
     }
 
     /// Whether a plane along the chord parts the control points by more than the tolerance.

@@ -51,6 +51,6 @@ impl NurbsSurface {
     #[must_use]
     pub fn bounds(&self) -> Bounds {
         let knots = [&self.knots_u, &self.knots_v];
-        TensorSpline { knots, points: &self.control_points }.bounds()
+        *self.bounds.get_or_make(|| TensorSpline { knots, points: &self.control_points }.bounds())
     }
 }

@@ -55,6 +55,13 @@ impl Surface {
 }
 
 impl NurbsSurface {
+    /// The patches in their boxes, made once: where the nearest point is looked for, and what else
+    /// lies in space.
+    pub(in crate::surface) fn patch_boxes(&self) -> &ClosestPointTree {
+        let knots = [&self.knots_u, &self.knots_v];
+        self.nearest.get_or_make(|| ClosestPointTree::of_surface(knots, &self.control_points))
+    }
+
     /// The nearest point to `p`, of the whole surface.
     ///
     /// Ma & Hewitt, *Point inversion and projection for NURBS curve and surface*, CAGD 20 (2003),
@@ -71,10 +78,8 @@ impl NurbsSurface {
         if let Some(foot) = self.closest_beside_jump(p) {
             return foot;
         }
-        let knots = [&self.knots_u, &self.knots_v];
-        let nearest =
-            self.nearest.get_or_make(|| ClosestPointTree::of_surface(knots, &self.control_points));
-        let near = nearest.places(self.control_points.as_slice(), p, SearchTarget::One).single;
+        let near =
+            self.patch_boxes().places(self.control_points.as_slice(), p, SearchTarget::One).single;
         let domains = [self.domain_u(), self.domain_v()];
         let parameters = near.first().copied().unwrap_or(domains.map(Interval::start));
         let at = |[u, v]: [f64; 2]| self.point_at(u, v);

@@ -12,7 +12,7 @@ use crate::{
     surface::{
         Surface,
         measurement::{
-            quadrature::{Integral, integral},
+            quadrature::{IntegralValues, integral},
             shell::oriented,
         },
     },
@@ -56,7 +56,7 @@ impl Surface {
         let Some(scale) =
             needed_scale(probed(std::slice::from_ref(self))?.map_or(0.0, Bounds::magnitude))
         else {
-            let Integral { values: [area], relative_error } =
+            let IntegralValues { values: [area], relative_error } =
                 integral(self, |_, normal| [normal.length()])?;
             return Ok((area, relative_error));
         };
@@ -222,7 +222,7 @@ pub(crate) struct MassIntegral {
 }
 
 impl MassIntegral {
-    pub(crate) fn add(&mut self, part: Integral<10>, sign: f64) {
+    pub(crate) fn add(&mut self, part: IntegralValues<10>, sign: f64) {
         self.values.iter_mut().zip(part.values).for_each(|(sum, value)| *sum += sign * value);
         self.relative_error = self.relative_error.max(part.relative_error);
     }
@@ -232,7 +232,7 @@ impl MassIntegral {
     pub(crate) fn add_shell(&mut self, shell: &Self, was_oriented: bool) -> f64 {
         let turn = if !was_oriented && shell.values[0] < 0.0 { -1.0 } else { 1.0 };
         let Self { values, relative_error } = *shell;
-        self.add(Integral { values, relative_error }, turn);
+        self.add(IntegralValues { values, relative_error }, turn);
         turn
     }
 

@@ -31,7 +31,7 @@ const LATE_CUTS: usize = SURFACE_CUTS / 4;
 
 /// An integral of several quantities.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Integral<const N: usize> {
+pub(crate) struct IntegralValues<const N: usize> {
     pub(crate) values: [f64; N],
     /// What is known of the error, as a fraction of the integral of the absolute values; the
     /// largest of all quantities.
@@ -156,7 +156,7 @@ impl QuadratureMap for Surface {
 pub(in crate::surface) fn integral<const N: usize>(
     surface: &Surface,
     density: impl Fn(DVec3, DVec3) -> [f64; N],
-) -> Result<Integral<N>, GeomError> {
+) -> Result<IntegralValues<N>, GeomError> {
     integral_over(&parts(surface), density)
 }
 
@@ -167,7 +167,7 @@ pub(in crate::surface) fn integral<const N: usize>(
 pub(crate) fn integral_over<const N: usize, M: QuadratureMap>(
     parts: &[M],
     density: impl Fn(DVec3, DVec3) -> [f64; N],
-) -> Result<Integral<N>, GeomError> {
+) -> Result<IntegralValues<N>, GeomError> {
     let rule = |cell: QuadratureCell| quadrature(&parts[cell.part], cell, &density);
     let known =
         |cell: QuadratureCell, whole: CellEstimate<N>| -> Result<IntegratedCell<N>, GeomError> {
@@ -200,7 +200,7 @@ pub(crate) fn integral_over<const N: usize, M: QuadratureMap>(
                 let error = changes[i].max((values[i] - since[i]).abs());
                 error / sizes[i].max(f64::MIN_POSITIVE)
             };
-            return Ok(Integral {
+            return Ok(IntegralValues {
                 values,
                 relative_error: (0..N).map(error).fold(LAST_BIT, f64::max),
             });

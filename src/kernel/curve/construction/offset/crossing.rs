@@ -48,9 +48,7 @@ pub(super) fn crossings(
             .checked_sub(later.len())
             .ok_or(GeomError::Intersection(IntersectionError::Tangled))?;
         for (others, other) in later {
-            let is_near = bounds.min.cmple(others.max + tolerance).all()
-                && others.min.cmple(bounds.max + tolerance).all();
-            if is_near {
+            if bounds.is_near(*others, tolerance) {
                 found.extend(stretch.meetings_with(other, tolerance, &mut left)?);
             }
         }

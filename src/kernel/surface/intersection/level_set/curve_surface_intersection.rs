@@ -4,10 +4,15 @@
 //! surface whose cones are clear of one another have one point in common at most, which Newton's
 //! method finds.
 
+use std::sync::Arc;
+
 use glam::{DVec3, DVec4};
 
 use super::{
-    error::PictureError, pair::SurfacePart, results::CurveSurfaceIntersection, scaled::CommonScale,
+    error::PictureError,
+    pair::{SurfacePart, SurfacePatches},
+    results::CurveSurfaceIntersection,
+    scaled::CommonScale,
 };
 use crate::{
     Bounds, Curve, GeomError, Interval, NurbsCurve, NurbsSurface, Surface, Tolerance, bezier,
@@ -33,7 +38,6 @@ const FLOOR_SHARE: f64 = 0.5;
 const APART_SHARE: f64 = 0.5;
 
 /// A piece of the curve.
-#[derive(Clone)]
 struct BezierSegment {
     ends: [f64; 2],
     points: Vec<DVec4>,
@@ -98,15 +102,21 @@ struct PiercingSearch<'a> {
 impl PiercingSearch<'_> {
     fn run(&self) -> Result<Vec<CurveSurfaceIntersection>, GeomError> {
         let near = FLAT_SHARE * self.tolerance;
-        let parts = SurfacePart::all(self.surface);
+        let mut patches = SurfacePatches::new(self.surface);
+        let spans: Vec<usize> = self.curve.knots().spans().collect();
         let mut todo = Vec::new();
-        for span in self.curve.knots().spans() {
-            let ends = self.curve.knots().span_interval(span);
-            let points = bezier::piece(self.curve.knots(), self.curve.control_points(), span);
-            let piece = BezierSegment::new([ends.start(), ends.end()], points);
-            let beside =
-                parts.iter().filter(|part| !part.is_beside(piece.bounds, &piece.places, near));
-            todo.extend(beside.map(|part| (piece.clone(), part.clone())));
+        let mut last: Option<(usize, Arc<BezierSegment>)> = None;
+        for [[number, _], its] in
+            self.curve.piece_boxes().near_pairs(self.surface.patch_boxes(), near)
+        {
+            let piece = match &last {
+                Some((known, piece)) if *known == number => Arc::clone(piece),
+                _ => Arc::new(BezierSegment::of_span(self.curve, spans[number])),
+            };
+            last = Some((number, Arc::clone(&piece)));
+            let part = patches.part(its);
+            let part = part.filter(|part| !part.is_beside(piece.bounds, &piece.places, near));
+            todo.extend(part.map(|part| (piece, part)));
         }
         let mut found = Vec::new();
         let mut contacts: Vec<LyingPiece> = Vec::new();
@@ -137,13 +147,13 @@ impl PiercingSearch<'_> {
                 continue;
             }
             if sizes[1] <= sizes[0] {
-                todo.extend(piece.halves().map(|half| (half, part.clone())));
+                todo.extend(piece.halves().map(|half| (Arc::new(half), Arc::clone(&part))));
             } else {
-                todo.extend(part.halves().map(|half| (piece.clone(), half)));
+                todo.extend(part.halves().map(|half| (Arc::clone(&piece), Arc::new(half))));
             }
             let last = todo.len() - 2;
             let tail = todo.split_off(last);
-            let is_near = |(piece, part): &(BezierSegment, SurfacePart)| {
+            let is_near = |(piece, part): &(Arc<BezierSegment>, Arc<SurfacePart>)| {
                 !part.is_beside(piece.bounds, &piece.places, near)
             };
             todo.extend(tail.into_iter().filter(is_near));
@@ -268,6 +278,12 @@ impl PiercingSearch<'_> {
 }
 
 impl BezierSegment {
+    fn of_span(curve: &NurbsCurve, span: usize) -> Self {
+        let ends = curve.knots().span_interval(span);
+        let points = bezier::piece(curve.knots(), curve.control_points(), span);
+        Self::new([ends.start(), ends.end()], points)
+    }
+
     fn new(ends: [f64; 2], points: Vec<DVec4>) -> Self {
         let places: Vec<DVec3> = points.iter().map(|&point| homogeneous::place(point)).collect();
         let nothing = Bounds { min: DVec3::ZERO, max: DVec3::ZERO };

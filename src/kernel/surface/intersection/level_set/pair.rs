@@ -1,5 +1,7 @@
 //! Parts of two surfaces in search of one another: boxes, slabs, and cones of normals.
 
+use std::{collections::BTreeMap, sync::Arc};
+
 use glam::{DVec3, DVec4};
 
 use super::{shade, square};
@@ -33,19 +35,56 @@ pub(in crate::surface) struct SurfacePart {
     angle: f64,
 }
 
+/// The Bézier patches of a surface, of which those are made that come near something.
+pub(super) struct SurfacePatches<'s> {
+    surface: &'s NurbsSurface,
+    spans: [Vec<usize>; 2],
+    /// By the numbers of their spans; a line or a point is no part.
+    made: BTreeMap<[usize; 2], Option<Arc<SurfacePart>>>,
+}
+
+impl<'s> SurfacePatches<'s> {
+    pub(super) fn new(surface: &'s NurbsSurface) -> Self {
+        let spans = [surface.knots_u(), surface.knots_v()].map(|knots| knots.spans().collect());
+        Self { surface, spans, made: BTreeMap::new() }
+    }
+
+    /// The patch of these spans; `None` where it is a line or a point.
+    pub(super) fn part(&mut self, spans: [usize; 2]) -> Option<Arc<SurfacePart>> {
+        let make = || {
+            let [u, v] = [0, 1].map(|i| self.spans[i][spans[i]]);
+            SurfacePart::of_patch(self.surface, [u, v]).map(Arc::new)
+        };
+        self.made.entry(spans).or_insert_with(make).clone()
+    }
+
+    /// The pairs of patches of both that are not apart by more than a distance.
+    pub(super) fn pairs(&mut self, other: &mut Self, distance: f64) -> Vec<[Arc<SurfacePart>; 2]> {
+        let [boxes, others] = [self.surface, other.surface].map(NurbsSurface::patch_boxes);
+        let near = boxes.near_pairs(others, distance).into_iter();
+        near.filter_map(|[own, its]| {
+            let pair = [self.part(own)?, other.part(its)?];
+            (!pair[0].is_apart(&pair[1], distance)).then_some(pair)
+        })
+        .collect()
+    }
+}
+
 impl SurfacePart {
     /// The Bézier patches of a surface; those that are lines or points are left out.
     pub(in crate::surface) fn all(surface: &NurbsSurface) -> Vec<Self> {
         let spans = [surface.knots_u(), surface.knots_v()].map(|k| k.spans().collect::<Vec<_>>());
-        let pairs = spans[0].iter().flat_map(|&u| spans[1].iter().map(move |&v| (u, v)));
-        let part = |(u, v)| {
-            let patch = surface.patch(u, v);
-            let normals = shade::normals_of(&patch)?;
-            let domains = [patch.domain_u(), patch.domain_v()];
-            let net = patch.control_points().clone();
-            Some(Self::new(domains.map(Interval::start), domains.map(Interval::end), net, normals))
-        };
-        pairs.filter_map(part).collect()
+        let pairs = spans[0].iter().flat_map(|&u| spans[1].iter().map(move |&v| [u, v]));
+        pairs.filter_map(|spans| Self::of_patch(surface, spans)).collect()
+    }
+
+    /// The Bézier patch over a span of each direction; `None` where it is a line or a point.
+    fn of_patch(surface: &NurbsSurface, [u, v]: [usize; 2]) -> Option<Self> {
+        let patch = surface.patch(u, v);
+        let normals = shade::normals_of(&patch)?;
+        let domains = [patch.domain_u(), patch.domain_v()];
+        let net = patch.control_points().clone();
+        Some(Self::new(domains.map(Interval::start), domains.map(Interval::end), net, normals))
     }
 
     fn new(low: [f64; 2], high: [f64; 2], net: Grid<DVec4>, normals: Grid<DVec3>) -> Self {
@@ -120,9 +159,7 @@ impl SurfacePart {
 
     /// Whether it is further than a distance from points, told by boxes and by slabs.
     pub(super) fn is_beside(&self, bounds: Bounds, points: &[DVec3], distance: f64) -> bool {
-        let are_near = self.bounds.min.cmple(bounds.max + distance).all()
-            && bounds.min.cmple(self.bounds.max + distance).all();
-        if !are_near {
+        if !self.bounds.is_near(bounds, distance) {
             return true;
         }
         let [least, most] = self.reach(self.axis);

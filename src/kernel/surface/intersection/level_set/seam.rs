@@ -150,9 +150,7 @@ fn common(
     distance: f64,
 ) -> Result<Option<NurbsCurve>, GeomError> {
     let (mine, its) = (curve.bounds(), other.bounds());
-    let are_near =
-        mine.min.cmple(its.max + distance).all() && its.min.cmple(mine.max + distance).all();
-    if !are_near || mine.diagonal() <= distance || its.diagonal() <= distance {
+    if !mine.is_near(its, distance) || mine.diagonal() <= distance || its.diagonal() <= distance {
         return Ok(None);
     }
     let is_near = |t: f64| other.closest(curve.point_at(t), distance).distance <= distance;

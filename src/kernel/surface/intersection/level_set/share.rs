@@ -4,11 +4,13 @@
 //! tell that they cross in at most one arc, or all is known about a contact that they are within, or
 //! they are flat: such pairs touch.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use super::{
     PictureError, chain,
-    pair::SurfacePart,
+    pair::{SurfacePart, SurfacePatches},
     sample::{BranchSamples, VanishingPlace},
     seam::EdgeOverlap,
     surface_pair::SurfacePair,
@@ -35,7 +37,7 @@ const LONGEST_TOUCH: f64 = 24.0;
 #[derive(Default)]
 pub(super) struct SharedParts {
     /// Pairs of parts that cross in one arc if they do.
-    pub(super) clear: Vec<[SurfacePart; 2]>,
+    pub(super) clear: Vec<[Arc<SurfacePart>; 2]>,
     pub(super) ends: CurveEnds,
     /// Places where the surfaces only touch, and lines.
     pub(super) touches: Vec<VanishingPlace>,
@@ -79,12 +81,8 @@ impl SharedParts {
         seams: &[EdgeOverlap],
     ) -> Result<(), GeomError> {
         let near = FLAT_SHARE * crossing.tolerance;
-        let [firsts, seconds] = crossing.surfaces.map(SurfacePart::all);
-        let mut todo: Vec<[SurfacePart; 2]> = Vec::new();
-        for a in &firsts {
-            let beside = seconds.iter().filter(|b| !a.is_apart(b, near));
-            todo.extend(beside.map(|b| [a.clone(), b.clone()]));
-        }
+        let [mut firsts, mut seconds] = crossing.surfaces.map(SurfacePatches::new);
+        let mut todo = firsts.pairs(&mut seconds, near);
         let mut contacts: Vec<(Bounds, [f64; 4])> = Vec::new();
         let mut n_pairs = 0;
         while let Some([a, b]) = todo.pop() {
@@ -181,11 +179,11 @@ pub(super) fn middle(a: &SurfacePart, b: &SurfacePart) -> [f64; 4] {
 }
 
 /// A pair with its larger part in halves, those that are near.
-pub(super) fn halved([a, b]: [SurfacePart; 2], near: f64) -> Vec<[SurfacePart; 2]> {
-    let pairs: Vec<[SurfacePart; 2]> = if b.bounds.diagonal() <= a.bounds.diagonal() {
-        a.halves().into_iter().map(|half| [half, b.clone()]).collect()
+pub(super) fn halved([a, b]: [Arc<SurfacePart>; 2], near: f64) -> Vec<[Arc<SurfacePart>; 2]> {
+    let pairs = if b.bounds.diagonal() <= a.bounds.diagonal() {
+        a.halves().map(|half| [Arc::new(half), Arc::clone(&b)])
     } else {
-        b.halves().into_iter().map(|half| [a.clone(), half]).collect()
+        b.halves().map(|half| [Arc::clone(&a), Arc::new(half)])
     };
     pairs.into_iter().filter(|[a, b]| !a.is_apart(b, near)).collect()
 }

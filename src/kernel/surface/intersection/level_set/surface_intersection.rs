@@ -165,7 +165,7 @@ fn branches(crossing: &SurfacePair<'_>, ends: &CurveEnds, runs: &mut Vec<BranchS
 /// Adds the curves through all pairs that are not known.
 fn arcs(
     crossing: &SurfacePair<'_>,
-    pairs: Vec<[SurfacePart; 2]>,
+    pairs: Vec<[Arc<SurfacePart>; 2]>,
     ends: &CurveEnds,
     runs: &mut Vec<BranchSamples>,
 ) -> Result<(), GeomError> {
@@ -219,7 +219,7 @@ fn arcs(
 }
 
 /// A place that a pair has in common, inside both.
-fn common(crossing: &SurfacePair<'_>, [a, b]: &[SurfacePart; 2]) -> Option<PairParameters> {
+fn common(crossing: &SurfacePair<'_>, [a, b]: &[Arc<SurfacePart>; 2]) -> Option<PairParameters> {
     let ([u, v], [s, t]) = (a.middle(), b.middle());
     let widths =
         [a.high[0] - a.low[0], a.high[1] - a.low[1], b.high[0] - b.low[0], b.high[1] - b.low[1]];
