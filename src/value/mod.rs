@@ -25,6 +25,7 @@ mod locally_constant;
 mod measured;
 mod misplaced;
 mod number;
+mod on_numbers;
 mod op;
 mod range;
 mod read_json;
@@ -70,6 +71,7 @@ pub use locally_constant::{CARRIES_DERIVATIVES, LocallyConstant, RealInterval};
 pub use measured::{Area, Curvature, LengthPower, Open, Volume};
 pub use misplaced::turned_around;
 pub use number::{BARE_AND_ANGLE, Dimension, Number, radians_of, rounded, shortest};
+pub use on_numbers::OnNumbers;
 pub(crate) use op::op;
 pub use op::{
     Bounded, Caller, Comparison, Ctx, EnclosedFunction, Example, ExamplePicture, Family, Op,

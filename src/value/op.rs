@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Call, Callback, Files, Type, Value};
+use super::{Call, Callback, Files, OnNumbers, Type, Value};
 use crate::{
     diag::{Diagnostic, Result, Sources, Span},
     kernel::{CurveFunction, Enclosure, SurfaceFunction, Tolerance},
@@ -278,6 +278,8 @@ pub struct Op {
     pub refusals: &'static [RefusalExample],
     /// Bounds of its values, of a function of one number that tells them.
     pub enclosed: Option<EnclosedFunction>,
+    /// What it does to plain numbers, of an operation on these alone.
+    pub on_numbers: Option<OnNumbers>,
     /// Whether its result is affine in what it is made of, or bends by the product of two of them, so that
     /// derivatives pass through it: see [`through_affine`](super::through_affine).
     pub is_affine: bool,
@@ -328,6 +330,7 @@ macro_rules! op {
         $( example $code:literal => $prints:literal; )+
         $( refuses $misuse:literal => $says:literal; )*
         $( encloses $enclosed:path; )?
+        $( on_numbers $numbers:expr; )?
         $( derivative $affine:ident; )?
         $( picture $picture:literal; )?
         $( scene $scene:literal; )?
@@ -353,6 +356,7 @@ macro_rules! op {
             examples: &[ $( $crate::value::Example { code: $code, prints: $prints } ),+ ],
             refusals: &[ $( $crate::value::RefusalExample { code: $misuse, says: $says } ),* ],
             enclosed: $crate::value::op!(@enclosed $($enclosed)?),
+            on_numbers: $crate::value::op!(@value $($numbers)?),
             is_affine: $crate::value::op!(@is_affine $($affine)?),
             picture: $crate::value::op!(@picture $(Value $picture)? $(Scene $scene)?),
             names_script: $crate::value::op!(@names_script $($named)?),

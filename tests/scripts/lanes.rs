@@ -3,11 +3,22 @@
 
 use proptest::{prelude::*, proptest, sample::select};
 use virote::{
+    ops,
     session::{Event, Report, Session},
-    value::NoFiles,
+    value::{NoFiles, OnNumbers},
 };
 
 const DEFINITIONS: &str = "let k = 7\nlet near = 3mm\nfn f(x) = x * 0.5 - k\nfn g(x, y) = if x < y then f(y) else x / (y - 3)\n";
+
+/// Every operation on numbers that lanes know, with how many arguments it takes.
+fn operations() -> Vec<(&'static str, usize)> {
+    let n_args = |function| match function {
+        OnNumbers::One(..) | OnNumbers::OfAngle(_) => 1,
+        OnNumbers::Two(..) => 2,
+        OnNumbers::Fold(..) | OnNumbers::Three(..) => 3,
+    };
+    ops::registry().iter().filter_map(|op| Some((op.name, n_args(op.on_numbers?)))).collect()
+}
 
 fn number() -> impl Strategy<Value = String> {
     let leaf = select(vec!["i", "i", "i", "k", "near", "0", "3", "0.1", "1e308", "2mm", "30deg"])
@@ -24,6 +35,9 @@ fn number() -> impl Strategy<Value = String> {
         prop_oneof![
             4 => (inner.clone(), operator, inner.clone())
                 .prop_map(|(a, op, b)| format!("({a} {op} {b})")),
+            2 => (select(operations()), inner.clone(), inner.clone(), inner.clone()).prop_map(
+                |((name, n), a, b, c)| format!("{name}({})", [a, b, c][..n].join(", "))
+            ),
             1 => inner.clone().prop_map(|a| format!("(-{a})")),
             1 => inner.clone().prop_map(|a| format!("f({a})")),
             1 => (inner.clone(), inner.clone()).prop_map(|(a, b)| format!("g({a}, {b})")),
@@ -91,4 +105,31 @@ fn points_are_made_in_lanes() {
     agree("i in 0..2000", "(i, i^2, -i / 3)");
     agree("i in 0..2000", "(i, 1 / (i - 1999))");
     agree("i in 0..2000", "(i * 1deg, 0)");
+}
+
+#[test]
+fn built_in_functions_are_those_of_the_machine() {
+    let operations = operations();
+    assert!(20 < operations.len());
+    for (name, n) in operations {
+        for args in [
+            ["i / 7 - 3", "2 - i", "3 + i"],
+            ["(i - 40) * 1deg", "30deg", "i * 1rad"],
+            ["i * 1mm", "i * i * 0.1mm", "50mm"],
+            ["(i * 1mm)^2", "2", "(3mm)^2"],
+            ["(i, i^2).y / 90", "(1 / i, 2).y", "i"],
+            ["i * 100", "0", "-0.0"],
+            ["30", "i", "45"],
+        ] {
+            agree("i in 1..90", &format!("{name}({})", args[..n].join(", ")));
+        }
+    }
+    agree("i in 0..99", "sin(i * 1rad) + max(i, 3) * sqrt(abs(i - 50)) - round(i / 3, 2)");
+    agree(
+        "i in 0..99 if floor(i / 2) % 3 == 1",
+        "atan2(i, 5) / 1deg + (if sign(i - 7) > 0 then ln(i) else 0)",
+    );
+    agree("i in 0..2000", "(cos(i * 3deg), sin(i * 3deg), clamp(i, 5, 1000))");
+    agree("i in 0..99", "sqrt(50 - i)");
+    agree("i in 0..99", "exp(10 * i)");
 }

@@ -45,6 +45,7 @@ fn number(node: &LaneNode, lanes: &mut [Option<Enclosure>]) -> Option<Enclosure>
             let [left, right] = &**sides;
             (row.enclosure)(&number(left, lanes)?, &number(right, lanes)?)
         }
+        LaneNode::Builtin(..) => None,
         LaneNode::Enclosed(enclosed, inner) => enclosed(&number(inner, lanes)?),
         LaneNode::Choose(condition, sides) => {
             let [yes, no] = &**sides;

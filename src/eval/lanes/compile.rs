@@ -8,7 +8,7 @@ use crate::{
         machine::Machine,
         operator::table::{BinaryMeaning, UnaryMeaning, binary_meaning, unary_meaning},
     },
-    value::{Dimension, Function, Number, Op, Value},
+    value::{Dimension, Function, Number, OnNumbers, Op, Value},
 };
 
 /// Expressions inside one another, calls included; also what keeps recursion from being compiled.
@@ -229,19 +229,36 @@ impl<'m> Compiler<'m> {
         }
     }
 
-    /// A built-in function of one number that tells its bounds, where those are wanted.
+    /// A built-in function of numbers; where bounds are wanted, one of one number that tells them.
     fn builtin(
         &mut self,
         ops: &[&'static Op],
         call: &CallExpr,
         frame: &mut LaneFrame<'_>,
     ) -> Option<Compiled> {
-        let ([op], [arg], true) = (ops, call.args.as_slice(), self.is_for_bounds) else {
+        let &[op] = ops else { return None };
+        if call.is_partial || call.args.iter().any(|arg| arg.label.is_some()) {
             return None;
-        };
-        let enclosed = op.enclosed?;
-        let (node, dim) = self.expr(arg.value.as_ref()?, frame)?.number()?;
-        Some(Compiled::Number(LaneNode::Enclosed(enclosed, Box::new(node)), dim))
+        }
+        let mut nodes = Vec::with_capacity(call.args.len());
+        let mut dims = Vec::with_capacity(call.args.len());
+        for arg in &call.args {
+            let (node, dim) = self.expr(arg.value.as_ref()?, frame)?.number()?;
+            nodes.push(node);
+            dims.push(dim);
+        }
+        if self.is_for_bounds {
+            let (enclosed, [_]) = (op.enclosed?, &nodes[..]) else { return None };
+            let node = Box::new(nodes.pop()?);
+            return Some(Compiled::Number(LaneNode::Enclosed(enclosed, node), dims[0]));
+        }
+        let function = op.on_numbers?;
+        let dim = function.dimension(&dims)?;
+        if matches!((function, &nodes[..]), (OnNumbers::OfAngle(_), [LaneNode::Constant(_)])) {
+            return None;
+        }
+        let first = nodes.remove(0);
+        Some(Compiled::Number(LaneNode::Builtin(function, Box::new((first, nodes))), dim))
     }
 
     /// The body of a function of the script in the place of its call.

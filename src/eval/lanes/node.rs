@@ -2,7 +2,7 @@
 
 use crate::{
     eval::operator::table::{Arithmetic, ComparisonRow, UnaryArithmetic},
-    value::{Dimension, EnclosedFunction},
+    value::{Dimension, EnclosedFunction, OnNumbers},
 };
 
 /// A computation of numbers.
@@ -13,6 +13,8 @@ pub(super) enum LaneNode {
     Variable(usize),
     Unary(&'static UnaryArithmetic, Box<Self>),
     Arithmetic(&'static Arithmetic, Box<[Self; 2]>),
+    /// A built-in function of numbers: of the first one, and the others.
+    Builtin(OnNumbers, Box<(Self, Vec<Self>)>),
     /// A built-in function of one number, of which only bounds are known here.
     Enclosed(EnclosedFunction, Box<Self>),
     Choose(Box<TruthNode>, Box<[Self; 2]>),

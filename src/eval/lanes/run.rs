@@ -63,6 +63,19 @@ impl Runner {
                 }
                 return are_finite(out).then_some(());
             }
+            LaneNode::Builtin(function, args) => {
+                let (first, others) = &**args;
+                self.number(first, out)?;
+                let lane = |node| {
+                    let mut lane = vec![0.0; self.len];
+                    self.number(node, &mut lane)?;
+                    Some(lane)
+                };
+                let others: Vec<Vec<f64>> = others.iter().map(lane).collect::<Option<_>>()?;
+                function.apply(out, &others);
+                self.steps += self.len as u64;
+                return are_finite(out).then_some(());
+            }
             LaneNode::Enclosed(..) => return None,
             LaneNode::Choose(condition, sides) => self.choose(condition, sides, out)?,
             LaneNode::Let(definitions, value, n_calls) => {

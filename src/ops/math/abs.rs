@@ -2,7 +2,7 @@
 
 use crate::{
     diag::Result,
-    value::{At, Ctx, Number, Real, op},
+    value::{At, Ctx, Number, OnNumbers, Real, op},
 };
 
 op! {
@@ -14,6 +14,7 @@ op! {
     example "abs(-3)" => "3";
     example "abs(-30deg)" => "30deg";
     encloses crate::kernel::Enclosure::abs;
+    on_numbers OnNumbers::One(Some, f64::abs);
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {

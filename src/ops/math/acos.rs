@@ -1,9 +1,9 @@
 //! `acos`: the angle with a given cosine.
 
-use super::outside;
+use super::{angle_of, outside};
 use crate::{
     diag::{Result, Spanned},
-    value::{Angle, At, Ctx, Real, op, shortest},
+    value::{Angle, At, Ctx, OnNumbers, Real, op, shortest},
 };
 
 op! {
@@ -14,6 +14,7 @@ op! {
     }
     example "acos(0)" => "90deg";
     refuses "acos(2)" => "E0502: no angle has the cosine 2; it lies between -1 and 1";
+    on_numbers OnNumbers::One(angle_of, libm::acos);
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Angle<Real>> {

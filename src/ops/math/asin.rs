@@ -1,9 +1,9 @@
 //! `asin`: the angle with a given sine.
 
-use super::outside;
+use super::{angle_of, outside};
 use crate::{
     diag::{Result, Spanned},
-    value::{Angle, At, Ctx, Real, op, shortest},
+    value::{Angle, At, Ctx, OnNumbers, Real, op, shortest},
 };
 
 op! {
@@ -14,6 +14,7 @@ op! {
     }
     example "asin(1)" => "90deg";
     refuses "asin(2)" => "E0502: no angle has the sine 2; it lies between -1 and 1";
+    on_numbers OnNumbers::One(angle_of, libm::asin);
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Angle<Real>> {

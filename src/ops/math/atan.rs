@@ -1,8 +1,9 @@
 //! `atan`: the angle with a given tangent.
 
+use super::angle_of;
 use crate::{
     diag::Result,
-    value::{Angle, At, Ctx, Real, op},
+    value::{Angle, At, Ctx, OnNumbers, Real, op},
 };
 
 op! {
@@ -13,6 +14,7 @@ op! {
     }
     example "atan(1)" => "45deg";
     encloses crate::kernel::Enclosure::atan;
+    on_numbers OnNumbers::One(angle_of, libm::atan);
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Angle<Real>> {

@@ -2,7 +2,7 @@
 
 use crate::{
     diag::Result,
-    value::{Angle, At, Ctx, Length, Real, op},
+    value::{Angle, At, Ctx, Dimension, Length, OnNumbers, Real, op},
 };
 
 op! {
@@ -14,8 +14,13 @@ op! {
         x: Length<Real>,
     }
     example "atan2(1, 1)" => "45deg";
+    on_numbers OnNumbers::Two(angle_of_lengths, libm::atan2);
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Angle<Real>> {
     args.y.0.atan2(&args.x.0).at(ctx.span).map(Angle)
+}
+
+fn angle_of_lengths(y: Dimension, x: Dimension) -> Option<Dimension> {
+    (y.is_as_length() && x.is_as_length()).then_some(Dimension::ANGLE)
 }

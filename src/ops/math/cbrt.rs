@@ -3,7 +3,7 @@
 use super::outside;
 use crate::{
     diag::{Result, Spanned},
-    value::{At, Ctx, Number, Real, op},
+    value::{At, Ctx, Dimension, Number, OnNumbers, Real, op},
 };
 
 op! {
@@ -14,6 +14,7 @@ op! {
     }
     example "cbrt(-27)" => "-3";
     encloses crate::kernel::Enclosure::cbrt;
+    on_numbers OnNumbers::One(Dimension::cube_root, libm::cbrt);
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {

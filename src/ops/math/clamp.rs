@@ -1,9 +1,9 @@
 //! `clamp`: a number kept within limits.
 
-use super::{common_dim, outside};
+use super::{common_dim, max::greater, min::lesser, outside};
 use crate::{
     diag::Result,
-    value::{At, Ctx, Number, Real, op},
+    value::{At, Ctx, Dimension, Number, OnNumbers, Real, op},
 };
 
 op! {
@@ -18,6 +18,7 @@ op! {
     }
     example "clamp(12, 0, 10)" => "10";
     refuses "clamp(3, 5, 1)" => "E0502: the lower limit 5 is above the upper limit 1";
+    on_numbers OnNumbers::Three(common_of_three, clamped);
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {
@@ -29,4 +30,13 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {
     }
     let value = x.value.max(low.value).and_then(|value| value.min(high.value)).at(ctx.span)?;
     Ok(Number { value, dim })
+}
+
+fn common_of_three([a, b, c]: [Dimension; 3]) -> Option<Dimension> {
+    a.common(b)?.common(c)
+}
+
+/// No number where the lower limit is above the upper one.
+fn clamped([x, low, high]: [f64; 3]) -> f64 {
+    if high < low { f64::NAN } else { lesser(greater(x, low), high) }
 }

@@ -3,7 +3,7 @@
 use super::{Radians, warn_of_degrees};
 use crate::{
     diag::{Result, Spanned},
-    value::{At, Ctx, Real, op},
+    value::{At, Ctx, OnNumbers, Real, op},
 };
 
 op! {
@@ -14,6 +14,7 @@ op! {
     }
     example "cos(60deg) ~= 1/2" => "true";
     encloses crate::kernel::Enclosure::cos;
+    on_numbers OnNumbers::OfAngle(libm::cos);
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {

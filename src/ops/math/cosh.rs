@@ -1,9 +1,9 @@
 //! `cosh`: the hyperbolic cosine.
 
-use super::finite;
+use super::{finite, ratio};
 use crate::{
     diag::{Result, Spanned},
-    value::{At, Ctx, Real, op},
+    value::{At, Ctx, OnNumbers, Real, op},
 };
 
 op! {
@@ -15,6 +15,7 @@ op! {
     example "cosh(ln(2)) ~= 5/4" => "true";
     refuses "cosh(1000)" => "E0502: the result is beyond the largest number, 1.8e308";
     encloses crate::kernel::Enclosure::cosh;
+    on_numbers OnNumbers::One(ratio, libm::cosh);
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {

@@ -1,9 +1,9 @@
 //! `exp`: the exponential function.
 
-use super::finite;
+use super::{finite, ratio};
 use crate::{
     diag::{Result, Spanned},
-    value::{At, Ctx, Real, op},
+    value::{At, Ctx, OnNumbers, Real, op},
 };
 
 op! {
@@ -15,6 +15,7 @@ op! {
     example "exp(1) ~= e" => "true";
     refuses "exp(1000)" => "E0502: the result is beyond the largest number, 1.8e308";
     encloses crate::kernel::Enclosure::exp;
+    on_numbers OnNumbers::One(ratio, libm::exp);
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {

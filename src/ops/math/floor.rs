@@ -2,7 +2,7 @@
 
 use crate::{
     diag::Result,
-    value::{Ctx, LocallyConstant, Number, op},
+    value::{Ctx, LocallyConstant, Number, OnNumbers, op},
 };
 
 op! {
@@ -12,6 +12,7 @@ op! {
         x: LocallyConstant,
     }
     example "floor(-1.5)" => "-2";
+    on_numbers OnNumbers::One(Some, f64::floor);
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number> {

@@ -3,7 +3,7 @@
 use super::{finite, sum_dim};
 use crate::{
     diag::Result,
-    value::{At, Ctx, Number, Real, op},
+    value::{At, Ctx, Dimension, Number, OnNumbers, Real, op},
 };
 
 op! {
@@ -15,6 +15,7 @@ op! {
         y: Number<Real>,
     }
     example "hypot(3, 4)" => "5";
+    on_numbers OnNumbers::Two(Dimension::sum, libm::hypot);
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {

@@ -1,9 +1,9 @@
 //! `ln`: the natural logarithm.
 
-use super::outside;
+use super::{outside, ratio};
 use crate::{
     diag::{Result, Spanned},
-    value::{At, Ctx, Real, op, shortest},
+    value::{At, Ctx, OnNumbers, Real, op, shortest},
 };
 
 op! {
@@ -15,6 +15,7 @@ op! {
     example "ln(e)" => "1";
     refuses "ln(0)" => "E0502: 0 has no logarithm; only positive numbers have one";
     encloses crate::kernel::Enclosure::ln;
+    on_numbers OnNumbers::One(ratio, libm::log);
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {

@@ -1,9 +1,9 @@
 //! `log10`: the decimal logarithm.
 
-use super::outside;
+use super::{outside, ratio};
 use crate::{
     diag::{Result, Spanned},
-    value::{At, Ctx, Real, op, shortest},
+    value::{At, Ctx, OnNumbers, Real, op, shortest},
 };
 
 op! {
@@ -14,6 +14,7 @@ op! {
     }
     example "log10(1000)" => "3";
     refuses "log10(-1)" => "E0502: -1 has no logarithm; only positive numbers have one";
+    on_numbers OnNumbers::One(ratio, libm::log10);
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {

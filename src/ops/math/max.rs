@@ -3,7 +3,7 @@
 use super::{common_dim, empty};
 use crate::{
     diag::{Result, Spanned},
-    value::{At, Ctx, Number, Numbers, Real, op},
+    value::{At, Ctx, Dimension, Number, Numbers, OnNumbers, Real, op},
 };
 
 op! {
@@ -16,6 +16,7 @@ op! {
     example "max([3, 1, 2])" => "3";
     refuses "max([])" => "E0502: an empty list has no `max`";
     refuses "max(1mm, 1deg)" => "E0303: a length and an angle do not mix";
+    on_numbers OnNumbers::Fold(Dimension::common, greater);
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {
@@ -25,4 +26,9 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {
     let Some(first) = values.next() else { return empty(args.numbers.span, "max") };
     let value = values.try_fold(first, Real::max).at(args.numbers.span)?;
     Ok(Number { value, dim })
+}
+
+/// The larger of two numbers; of equal ones the first.
+pub(super) fn greater(a: f64, b: f64) -> f64 {
+    if a < b { b } else { a }
 }

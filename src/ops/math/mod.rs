@@ -109,6 +109,16 @@ fn dim_of_all<T>(
     })
 }
 
+/// The dimension of a function of bare numbers, which is one.
+fn ratio(dim: Dimension) -> Option<Dimension> {
+    dim.is_bare().then_some(Dimension::NONE)
+}
+
+/// The dimension of an angle that a bare number tells.
+fn angle_of(dim: Dimension) -> Option<Dimension> {
+    dim.is_bare().then_some(Dimension::ANGLE)
+}
+
 /// An angle, or a bare number of radians.
 struct Radians(Real);
 

@@ -2,7 +2,7 @@
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    value::{Ctx, LocallyConstant, Maybe, Number, op},
+    value::{Ctx, LocallyConstant, Maybe, Number, OnNumbers, op},
 };
 
 op! {
@@ -21,6 +21,7 @@ op! {
     example "round(pi, 3)" => "3.142";
     example "round(1234, -2)" => "1200";
     refuses "round(30.26deg, 1)" => "E0303: an angle has no digits of its own";
+    on_numbers OnNumbers::One(Some, f64::round);
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number> {

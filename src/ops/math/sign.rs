@@ -2,7 +2,7 @@
 
 use crate::{
     diag::Result,
-    value::{Ctx, LocallyConstant, op},
+    value::{Ctx, Dimension, LocallyConstant, OnNumbers, op},
 };
 
 op! {
@@ -13,9 +13,14 @@ op! {
     }
     example "sign(-2.5)" => "-1";
     example "sign(0)" => "0";
+    on_numbers OnNumbers::One(|_| Some(Dimension::NONE), sign);
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<f64> {
     let LocallyConstant(x) = args.x;
-    Ok(if x.value == 0.0 { 0.0 } else { x.value.signum() })
+    Ok(sign(x.value))
+}
+
+fn sign(x: f64) -> f64 {
+    if x == 0.0 { 0.0 } else { x.signum() }
 }

@@ -3,7 +3,7 @@
 use super::{Radians, warn_of_degrees};
 use crate::{
     diag::{Result, Spanned},
-    value::{At, Ctx, Real, op},
+    value::{At, Ctx, OnNumbers, Real, op},
 };
 
 op! {
@@ -15,6 +15,7 @@ op! {
     example "sin(30deg) ~= 1/2" => "true";
     example "sin(0)" => "0";
     encloses crate::kernel::Enclosure::sin;
+    on_numbers OnNumbers::OfAngle(libm::sin);
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {

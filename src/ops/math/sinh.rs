@@ -1,9 +1,9 @@
 //! `sinh`: the hyperbolic sine.
 
-use super::finite;
+use super::{finite, ratio};
 use crate::{
     diag::{Result, Spanned},
-    value::{At, Ctx, Real, op},
+    value::{At, Ctx, OnNumbers, Real, op},
 };
 
 op! {
@@ -15,6 +15,7 @@ op! {
     example "sinh(ln(2)) ~= 3/4" => "true";
     refuses "sinh(1000)" => "E0502: the result is beyond the largest number, 1.8e308";
     encloses crate::kernel::Enclosure::sinh;
+    on_numbers OnNumbers::One(ratio, libm::sinh);
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {

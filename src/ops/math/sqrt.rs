@@ -3,7 +3,7 @@
 use super::outside;
 use crate::{
     diag::{Result, Spanned},
-    value::{At, Ctx, Number, Real, op},
+    value::{At, Ctx, Number, OnNumbers, Real, op},
 };
 
 op! {
@@ -16,6 +16,7 @@ op! {
     example "sqrt(9mm * 4mm)" => "6";
     refuses "sqrt(-1)" => "E0502: a negative number (-1) has no square root";
     encloses crate::kernel::Enclosure::sqrt;
+    on_numbers OnNumbers::One(|dim| dim.power(0.5), f64::sqrt);
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {

@@ -3,7 +3,7 @@
 use super::{Radians, warn_of_degrees};
 use crate::{
     diag::{Result, Spanned},
-    value::{At, Ctx, Real, op},
+    value::{At, Ctx, OnNumbers, Real, op},
 };
 
 op! {
@@ -14,6 +14,7 @@ op! {
     }
     example "tan(45deg) ~= 1" => "true";
     encloses crate::kernel::Enclosure::tan;
+    on_numbers OnNumbers::OfAngle(libm::tan);
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Real> {

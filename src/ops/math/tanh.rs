@@ -1,9 +1,9 @@
 //! `tanh`: the hyperbolic tangent.
 
-use super::finite;
+use super::{finite, ratio};
 use crate::{
     diag::{Result, Spanned},
-    value::{At, Ctx, Real, op},
+    value::{At, Ctx, OnNumbers, Real, op},
 };
 
 op! {
@@ -14,6 +14,7 @@ op! {
     }
     example "tanh(ln(2)) ~= 3/5" => "true";
     encloses crate::kernel::Enclosure::tanh;
+    on_numbers OnNumbers::One(ratio, libm::tanh);
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Real> {

@@ -47,6 +47,7 @@ fn operation(name: &'static str, run: fn(&mut Ctx<'_>, Call) -> virote::diag::Re
         examples: &[],
         refusals: &[],
         enclosed: None,
+        on_numbers: None,
         is_affine: false,
         picture: None,
         names_script: false,
