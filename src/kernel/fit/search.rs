@@ -15,7 +15,7 @@ const MAX_CORRECTIONS: usize = 12;
 pub(super) const MANY: usize = 2000;
 
 /// Of many points so many, evenly chosen, are searched for; then all are looked at.
-const SAMPLE: usize = 300;
+const SAMPLE: usize = 400;
 
 /// What a sample may miss of the tolerance: the points between are missed by more.
 const SAMPLE_SHARE: f64 = 0.9;
@@ -53,7 +53,7 @@ const MAX_SPREADS: usize = 3;
 const SHARE: usize = 64;
 
 /// Numbers of control points below this share of what the error of one lets expect are not tried.
-const EXPECTED_SHARE: f64 = 0.75;
+const EXPECTED_SHARE: f64 = 0.5;
 
 /// The search for a curve within the tolerance.
 pub(super) struct FitSearch<'a> {
@@ -113,7 +113,7 @@ impl FitSearch<'_> {
         let Some(first) = slid.or(still) else {
             return self.interpolated(parameters);
         };
-        let spread = self.respread(first);
+        let spread = self.respread(first, self.degree + 1);
         let thinned = self.thinned_at_once(spread);
         Ok(self.thinned(thinned))
     }
@@ -145,7 +145,10 @@ impl FitSearch<'_> {
             start = self.corrected(&sample.curve, start);
         }
         let found = self.grown(sample.curve.knots().clone(), &start, self.points.len())?;
-        Some(self.thinned_at_once(found))
+        let spread = self.respread(found, sample.n_control());
+        let thinned = self.thinned_at_once(spread);
+        let are_many = MANY < self.points.len();
+        Some(if are_many { thinned } else { self.thinned(thinned) })
     }
 
     pub(super) fn keeps(&self, trial: &FittedCurve) -> bool {
@@ -269,7 +272,11 @@ impl FitSearch<'_> {
                 return None;
             }
             knots = knots.with(&more);
-            start = trial.parameters;
+            // From crowded parameters knots do not lead back.
+            start = match self.are_fixed || self.goes_straight(&trial) {
+                true => trial.parameters,
+                false => parameters.to_vec(),
+            };
         }
         None
     }
@@ -300,12 +307,13 @@ impl FitSearch<'_> {
         }))
     }
 
-    /// Fewer control points, with the knots where the curve needs them.
-    fn respread(&mut self, first: FittedCurve) -> FittedCurve {
+    /// Fewer control points, from so many on, with the knots where the curve needs them.
+    fn respread(&mut self, first: FittedCurve, least: usize) -> FittedCurve {
         let mut best = first;
-        let (mut low, mut high) = (self.degree + 1, best.n_control());
+        let (mut low, mut high) = (least, best.n_control());
         while low + high / SHARE < high && 0 < self.left {
-            let n = if high <= FEW { low } else { low.midpoint(high) };
+            let one_by_one = high <= FEW && self.points.len() <= MANY;
+            let n = if one_by_one { low } else { low.midpoint(high) };
             match self.spread(&best, n) {
                 Ok(trial) => (best, high) = (trial, n),
                 Err(worst) => low = self.expected(n, worst).clamp(n + 1, (n + 1).midpoint(high)),
