@@ -13,6 +13,7 @@ mod options;
 mod path;
 mod picture;
 mod plan;
+mod review;
 mod stop;
 mod test;
 
@@ -299,8 +300,7 @@ impl Session {
             .into_iter()
             .map(|test| self.tested(test, document_kept, &mut diagnostics));
         let tests = tested.collect();
-        eval::in_order(&mut diagnostics);
-        Report {
+        let mut report = Report {
             events,
             tests,
             document,
@@ -308,7 +308,10 @@ impl Session {
             unknown_settings: outcome.unknown_settings,
             kept: outcome.kept,
             ..self.findings(sources, diagnostics)
-        }
+        };
+        self.compose(&mut report, (name, text), (files, limits));
+        eval::in_order(&mut report.diagnostics);
+        report
     }
 
     /// What was found in a script that does not run.

@@ -43,6 +43,13 @@ const SHAPES: &[Shape] = &[
     ("a long name misspelt", "let a", "bcdefghi", "", " = 1\nprint b"),
     ("comments", "", "// #", "\n", ""),
     ("comments inside one another", "", "/*", "", ""),
+    (
+        "a report",
+        "export report to \"o.md\" with (picture = false)\n",
+        "param p# = 3mm /// # Chapter #\ncheck p# < 5mm\nprint p#, \"text #\"\nexport table({a: [1]}) to \"t#.csv\"",
+        "\n",
+        "",
+    ),
     ("documentation", "", "/// #", "\n", "\nlet a = 1"),
     ("comments inside a list", "let a = [\n", "#, // #", "\n", "\n]"),
     ("strings that are never closed", "", "let a# = \"abc", "\n", ""),

@@ -14,7 +14,7 @@ use crate::{
     disk::{Script, ScriptFiles},
     eval::{Schema, SchemaParameter},
     session::Session,
-    value::{Dimension, Number, Value, to_json},
+    value::{Number, Value, to_json},
 };
 
 /// `virote params FILE [--json]`
@@ -70,31 +70,11 @@ fn row(parameter: &SchemaParameter, unit: &str) -> [String; 6] {
     [
         parameter.name.clone(),
         parameter.kind.to_owned(),
-        written(&parameter.default, parameter, unit),
-        parameter.allowed.as_ref().map(|value| written(value, parameter, unit)).unwrap_or_default(),
-        step.map(|step| written(&step, parameter, unit)).unwrap_or_default(),
+        parameter.written(&parameter.default, unit),
+        parameter.allowed.as_ref().map(|value| parameter.written(value, unit)).unwrap_or_default(),
+        step.map(|step| parameter.written(&step, unit)).unwrap_or_default(),
         parameter.label.clone().unwrap_or_default(),
     ]
-}
-
-/// A value as the script could write it, lengths in the document's unit.
-fn written(value: &Value, parameter: &SchemaParameter, unit: &str) -> String {
-    let is_length = is_length(parameter);
-    let number = |number: Number| {
-        if is_length { format!("{number}{unit}") } else { number.to_string() }
-    };
-    match value {
-        Value::Number(one) => number(*one),
-        Value::Range(range) => {
-            let dots = if range.closed { ".." } else { "..<" };
-            format!("{}{dots}{}", number(range.start), number(range.end))
-        }
-        Value::List(choices) => {
-            let choices = choices.iter().map(|choice| written(choice, parameter, unit));
-            choices.collect::<Vec<_>>().join(", ")
-        }
-        other => other.to_string(),
-    }
 }
 
 /// The parameters of a script as JSON.
@@ -109,7 +89,7 @@ pub fn schema_json(file: &str, schema: &Schema) -> Json {
 /// Every member is always there; what a parameter lacks is null.
 fn parameter_json(parameter: &SchemaParameter, unit: &str) -> Json {
     let unit = match parameter.kind {
-        _ if is_length(parameter) => Some(unit),
+        _ if parameter.is_length() => Some(unit),
         _ if is_angle(parameter) => Some("deg"),
         _ => None,
     };
@@ -136,10 +116,6 @@ fn parameter_json(parameter: &SchemaParameter, unit: &str) -> Json {
         "label": parameter.label,
         "docs": parameter.docs,
     })
-}
-
-fn is_length(parameter: &SchemaParameter) -> bool {
-    matches!(&parameter.default, Value::Number(number) if number.dim == Dimension::LENGTH)
 }
 
 fn is_angle(parameter: &SchemaParameter) -> bool {

@@ -15,7 +15,7 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Result, Span, fault},
     syntax::ast::Unit,
-    value::{Discrepancy, Value, Witness, deviation, shortest},
+    value::{Discrepancy, Value, Witness, deviation, radians_of, shortest},
 };
 use digits::{MORE_DIGITS, SIDE_DIGITS, brief, number, told_apart};
 
@@ -56,24 +56,43 @@ impl Verdict {
     /// The figures on one line: how far apart, how far allowed, the margin.
     #[must_use]
     pub fn figures(&self) -> String {
+        self.figures_in(1.0, "")
+    }
+
+    /// The same with the unit that the sides are told in.
+    #[must_use]
+    pub fn figures_with_unit(&self) -> String {
+        let sides = self.sides.iter().filter_map(|side| number(&side.value));
+        match sides.map(|(_, unit)| unit).find(|unit| !unit.is_empty()) {
+            // Angles are compared in radians and told in degrees.
+            Some("deg") => self.figures_in(1.0 / radians_of(1.0), "deg"),
+            Some(unit) if !unit.contains("deg") => self.figures_in(1.0, unit),
+            _ => self.figures(),
+        }
+    }
+
+    /// The figures, each times `factor`, in this unit.
+    fn figures_in(&self, factor: f64, unit: &str) -> String {
+        let of = |a: f64, b: f64| format!("{}{unit}", brief([factor * a, factor * b])[0]);
+        let exactly = |limit: f64| format!("{}{unit}", shortest(factor * limit));
         if let (false, Some(witness)) = (self.holds, &self.witness) {
             return witness.clone();
         }
         match (self.apart, self.limit, &self.differ) {
             (_, _, Some(what)) => format!("they differ: {what}"),
             (Some(apart), Some(limit), None) if self.holds => {
-                format!("apart by {}, within {}", brief([apart, limit])[0], shortest(limit))
+                format!("apart by {}, within {}", of(apart, limit), exactly(limit))
             }
             (Some(apart), Some(limit), None) => format!(
                 "apart by {}, limit {}, misses by {}",
-                brief([apart, limit])[0],
-                shortest(limit),
-                brief([apart - limit, 0.0])[0]
+                of(apart, limit),
+                exactly(limit),
+                of(apart - limit, 0.0)
             ),
             (Some(apart), None, None) if self.holds => {
-                format!("holds with margin {}", brief([apart, 0.0])[0])
+                format!("holds with margin {}", of(apart, 0.0))
             }
-            (Some(apart), None, None) => format!("misses by {}", brief([apart, 0.0])[0]),
+            (Some(apart), None, None) => format!("misses by {}", of(apart, 0.0)),
             (None, ..) if self.holds => "this holds".to_owned(),
             (None, ..) => "this is false".to_owned(),
         }
@@ -82,7 +101,7 @@ impl Verdict {
 
 impl Verdict {
     /// The sides as the report of a failure shows them: two numbers in no more digits than tell them apart.
-    pub(super) fn brief_sides(&self) -> Vec<ClaimSide> {
+    pub(crate) fn brief_sides(&self) -> Vec<ClaimSide> {
         let mut sides = self.sides.clone();
         if let [a, b] = &mut sides[..]
             && let (Some((x, x_unit)), Some((y, y_unit))) = (number(&a.value), number(&b.value))

@@ -129,7 +129,9 @@ impl GraphItem<'_> {
             Self::Definition(_, definition) => definition.dependencies.clone(),
             Self::Effect(effect) => {
                 let mut dependencies = effect.dependencies.clone();
-                if let EffectKind::Export { subjects: None, .. } = &effect.kind {
+                if let EffectKind::Export { subjects, .. } = &effect.kind
+                    && subjects.is_of_whole_file()
+                {
                     let is_taken = |&idx: &usize| is_exported_by_all(&program.definitions[idx]);
                     dependencies.extend((0..program.definitions.len()).filter(is_taken));
                 }

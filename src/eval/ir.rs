@@ -273,7 +273,7 @@ pub(crate) enum EffectKind {
     Print(Vec<Expr>),
     /// `named` are the definitions that the subjects name.
     Export {
-        subjects: Option<Vec<Expr>>,
+        subjects: ExportedSubjects,
         named: Vec<usize>,
         path: Expr,
         options: Vec<Arg>,
@@ -284,6 +284,26 @@ pub(crate) enum EffectKind {
         subject: Expr,
         found: Option<Box<Diagnostic>>,
     },
+}
+
+/// The word of an export that means the report of the script, where the script calls nothing else so.
+pub(crate) const REPORT: &str = "report";
+
+/// What an export writes.
+#[derive(Debug)]
+pub(crate) enum ExportedSubjects {
+    /// `all`: every definition that promises geometry.
+    All,
+    /// `report`: what the script says and claims.
+    Report,
+    These(Vec<Expr>),
+}
+
+impl ExportedSubjects {
+    /// Whether it concerns all of the file.
+    pub(crate) fn is_of_whole_file(&self) -> bool {
+        !matches!(self, Self::These(_))
+    }
 }
 
 /// A whole file, ready to run; or a test of it.

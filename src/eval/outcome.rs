@@ -127,6 +127,8 @@ pub struct Exported {
     pub path: Spanned<String>,
     /// What goes into it.
     pub subjects: Vec<ExportSubject>,
+    /// Whether it is the report of the script that goes into it.
+    pub is_report: bool,
     /// The definitions that its subjects name.
     pub names: Vec<String>,
     /// Options after `with`.

@@ -7,7 +7,7 @@ use super::{
     appearance::Appearances,
     file_run::FileRun,
     globals::{Globals, KeptGlobals},
-    ir::{Arg, DefinitionRole, Effect, EffectKind, Expr, Kind},
+    ir::{Arg, DefinitionRole, Effect, EffectKind, ExportedSubjects, Expr, Kind, REPORT},
     load::{LoadedScript, load},
     machine::Machine,
     memory::Work,
@@ -219,9 +219,11 @@ impl FileRun<'_> {
         let EffectKind::Export { subjects, named, path, options } = &effect.kind else {
             return None;
         };
+        let is_report = matches!(subjects, ExportedSubjects::Report);
         let (subjects, names) = match subjects {
-            None => all_geometry(definitions)?,
-            Some(exprs) => {
+            ExportedSubjects::All => all_geometry(definitions)?,
+            ExportedSubjects::Report => (Vec::new(), vec![REPORT.to_owned()]),
+            ExportedSubjects::These(exprs) => {
                 let mut subjects = Vec::new();
                 for expr in exprs {
                     let result = self.machine.run(expr, effect.n_slots);
@@ -242,7 +244,7 @@ impl FileRun<'_> {
         let path = self.text(path, effect.n_slots, "the path of an export")?;
         let options =
             options.iter().filter_map(|option| self.option(option, effect.n_slots)).collect();
-        Some(Exported { path: Spanned::new(path, place), subjects, names, options })
+        Some(Exported { path: Spanned::new(path, place), subjects, is_report, names, options })
     }
 
     /// What a file calls an exported expression: the expression, if it reads as a name, else its

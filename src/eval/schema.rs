@@ -15,7 +15,7 @@ use super::{
 use crate::{
     diag::{Diagnostic, Sources},
     syntax::ast::Unit,
-    value::{Number, Value},
+    value::{Dimension, Number, Value},
 };
 
 /// An input of a file.
@@ -35,6 +35,35 @@ pub struct SchemaParameter {
     pub label: Option<String>,
     /// The `///` lines before it.
     pub docs: Option<String>,
+}
+
+impl SchemaParameter {
+    /// Whether it is a length.
+    #[must_use]
+    pub fn is_length(&self) -> bool {
+        matches!(&self.default, Value::Number(number) if number.dim == Dimension::LENGTH)
+    }
+
+    /// A value of it, or what it allows, as the script could write it: lengths in the document's unit.
+    #[must_use]
+    pub fn written(&self, value: &Value, unit: &str) -> String {
+        let is_length = self.is_length();
+        let number = |number: Number| {
+            if is_length { format!("{number}{unit}") } else { number.to_string() }
+        };
+        match value {
+            Value::Number(one) => number(*one),
+            Value::Range(range) => {
+                let dots = if range.closed { ".." } else { "..<" };
+                format!("{}{dots}{}", number(range.start), number(range.end))
+            }
+            Value::List(choices) => {
+                let choices = choices.iter().map(|choice| self.written(choice, unit));
+                choices.collect::<Vec<_>>().join(", ")
+            }
+            other => other.to_string(),
+        }
+    }
 }
 
 /// The inputs of a file.

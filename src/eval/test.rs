@@ -50,8 +50,7 @@ impl FileRun<'_> {
         let own = run.defined();
         tested.outputs = run.effects(&[definitions, &own]);
         let have_values = |defined: &[Defined]| defined.iter().all(|one| one.value.is_some());
-        let takes_all =
-            |kind: &EffectKind| matches!(kind, EffectKind::Export { subjects: None, .. });
+        let takes_all = |kind: &EffectKind| matches!(kind, EffectKind::Export { subjects, .. } if subjects.is_of_whole_file());
         tested.is_whole = have_values(&own)
             && program.effects.iter().all(|effect| {
                 run.is_ready(&effect.dependencies)

@@ -63,7 +63,9 @@ pub(super) fn exact(item: &Item, job: &Job) -> Result<Vec<Exact>, ExportError> {
             });
             carrier.collect()
         }
-        Subject::Mesh(_) | Subject::Table(_) | Subject::Data(_) => Vec::new(),
+        Subject::Mesh(_) | Subject::Table(_) | Subject::Data(_) | Subject::Document(_) => {
+            Vec::new()
+        }
     })
 }
 

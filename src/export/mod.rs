@@ -4,6 +4,7 @@
 
 mod base64;
 mod csv;
+mod document;
 mod dxf;
 mod exact;
 mod gltf;
@@ -27,6 +28,7 @@ mod text;
 mod unique_values;
 mod view;
 mod wire;
+mod xml;
 
 use std::{
     io::{self, Write},
@@ -45,6 +47,7 @@ use crate::{
 pub(crate) use base64::base64;
 #[cfg(feature = "cli")]
 pub(crate) use csv::text_cell as csv_cell;
+pub use document::{DocumentBlock, DocumentCell, DocumentTable, ReportDocument};
 pub use labels::DefinitionLabel;
 pub use legend::Legend;
 pub use limited::capped;
@@ -52,6 +55,7 @@ pub use measure::{MeasuredPart, parts};
 pub(crate) use options::N_ISOCURVES;
 pub use options::{ExportOption, OptionValue, Options};
 pub use projection::{Viewpoint, ViewpointError};
+pub(crate) use raster::FORMAT as PNG;
 #[cfg(feature = "cli")]
 pub(crate) use raster::{Thumbnail, write_sheet};
 pub(crate) use shape::whole;
@@ -76,13 +80,15 @@ pub enum Subject {
     Table(Arc<Table>),
     /// Any value as exact data.
     Data(serde_json::Value),
+    /// Something to be read.
+    Document(Arc<ReportDocument>),
 }
 
 impl Subject {
     /// Whether it has a place in space.
     #[must_use]
     pub fn is_geometry(&self) -> bool {
-        !matches!(self, Self::Table(_) | Self::Data(_))
+        !matches!(self, Self::Table(_) | Self::Data(_) | Self::Document(_))
     }
 }
 
@@ -218,6 +224,8 @@ pub struct Summary {
     pub rows: usize,
     /// Values as exact data.
     pub values: usize,
+    /// Documents.
+    pub documents: usize,
     /// What was turned so that closed shells face outward, by name.
     pub turned: Vec<String>,
 }
@@ -233,6 +241,7 @@ impl std::fmt::Display for Summary {
             (self.points, "point", "points"),
             (self.rows, "row", "rows"),
             (self.values, "value", "values"),
+            (self.documents, "report", "reports"),
         ];
         let mut first = true;
         for (n, one, many) in parts.into_iter().filter(|part| part.0 != 0) {
@@ -337,6 +346,8 @@ pub static FORMATS: &[&Format] = &[
     &iges::FORMAT,
     &csv::FORMAT,
     &json::FORMAT,
+    &document::HTML,
+    &document::MARKDOWN,
 ];
 
 /// Every format of a picture.
@@ -353,6 +364,12 @@ impl Format {
     #[must_use]
     pub fn takes_tables(&self) -> bool {
         (self.takes)(&Subject::Table(Arc::default()))
+    }
+
+    /// Whether it holds documents.
+    #[must_use]
+    pub fn takes_documents(&self) -> bool {
+        (self.takes)(&Subject::Document(Arc::default()))
     }
 
     /// Whether a file with these options holds polylines and triangles in the place of curves and

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::{Oblique, View, Viewpoint};
 
 /// Options of an export.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// How far a mesh may lie from its surface, a polyline or path from its curve; without one a
     /// small part of the whole's size.
@@ -24,6 +24,10 @@ pub struct Options {
     pub n_isocurves: usize,
     /// Whether curves and surfaces are written exactly by a format that also holds meshes.
     pub free_form: bool,
+    /// What stands above a document.
+    pub title: Option<String>,
+    /// Whether a document has a picture; without a wish where there is something to draw.
+    pub has_picture: Option<bool>,
 }
 
 impl Options {
@@ -42,6 +46,8 @@ impl Default for Options {
             has_edges: true,
             n_isocurves: N_ISOCURVES,
             free_form: false,
+            title: None,
+            has_picture: None,
         }
     }
 }
@@ -225,6 +231,26 @@ pub(super) static ISOCURVES: ExportOption = ExportOption {
     wants: "a whole number from 0 to 1000",
     words: Vec::new,
     set: |options, value| put(&mut options.n_isocurves, value.count(Options::MOST_ISOCURVES)),
+};
+
+pub(super) static TITLE: ExportOption = ExportOption {
+    name: "title",
+    wants: "a text, such as `\"Hull, second review\"`",
+    words: Vec::new,
+    set: |options, value| match value {
+        OptionValue::Text(title) if !title.trim().is_empty() => {
+            options.title = Some(title.trim().to_owned());
+            true
+        }
+        _ => false,
+    },
+};
+
+pub(super) static PICTURE: ExportOption = ExportOption {
+    name: "picture",
+    wants: "true or false",
+    words: Vec::new,
+    set: |options, value| put(&mut options.has_picture, value.truth().map(Some)),
 };
 
 #[cfg(test)]

@@ -115,6 +115,7 @@ impl Summary {
                 self.vertices += mesh.n_vertices();
                 self.triangles += mesh.n_triangles();
             }
+            Subject::Document(_) => self.documents += 1,
             Subject::Table(_) | Subject::Data(_) => {}
         }
     }
@@ -156,7 +157,7 @@ fn bounds(item: &Item) -> Option<Bounds> {
         Subject::Region(region) => Some(region.bounds()),
         Subject::Face(face) => face.bounds(Tolerance::DEFAULT).ok(),
         Subject::Mesh(mesh) => mesh.bounds(),
-        Subject::Table(_) | Subject::Data(_) => None,
+        Subject::Table(_) | Subject::Data(_) | Subject::Document(_) => None,
     }
 }
 
@@ -278,6 +279,6 @@ pub(super) fn shape(
             MeshShape::Mesh(Arc::new(mesh))
         }
         Subject::Mesh(mesh) => MeshShape::Mesh(Arc::clone(mesh)),
-        Subject::Table(_) | Subject::Data(_) => return Ok(None),
+        Subject::Table(_) | Subject::Data(_) | Subject::Document(_) => return Ok(None),
     }))
 }

@@ -130,7 +130,7 @@ impl Drawing {
                     .extend(edges.map(|edge| (LineWeight::Half, DrawnLine::Polygon(edge))));
                 drawing.hide_behind(Arc::clone(mesh), view);
             }
-            Subject::Table(_) | Subject::Data(_) => {}
+            Subject::Table(_) | Subject::Data(_) | Subject::Document(_) => {}
         }
         Ok(drawing)
     }

@@ -200,7 +200,7 @@ pub(super) fn label(name: &str, items: &[Item]) -> Option<DefinitionLabel> {
         Subject::Region(region) => vec![region.mass().centroid],
         Subject::Face(face) => vec![face.mass().ok()?.centroid],
         Subject::Mesh(mesh) => mesh.vertices().to_vec(),
-        Subject::Table(_) | Subject::Data(_) => return None,
+        Subject::Table(_) | Subject::Data(_) | Subject::Document(_) => return None,
     };
     Some(DefinitionLabel { places, text: name.to_owned() })
 }

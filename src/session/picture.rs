@@ -101,7 +101,7 @@ impl Session {
             legends.extend(legends_of(&defined.name, &subject.value.value));
         }
         let mut items = gathering.items;
-        let mut options = scene.options;
+        let mut options = scene.options.clone();
         let viewpoint = &mut options.viewpoint;
         if viewpoint.camera.is_none() && viewpoint.view.is_none() {
             viewpoint.view = Some(View::fitting(&items));

@@ -52,17 +52,8 @@ impl Session {
             diagnostics.push(unknown_format(&exported.path.value, span));
             return None;
         };
-        let mut gathering = GatheredItems::new(format);
-        for subject in &exported.subjects {
-            if let Err(FormatMismatch { found, hint }) = gathering.add_all_of(subject) {
-                let message = format!("`.{}` takes {}, found {found}", format.ending, format.wants);
-                diagnostics.push(
-                    Diagnostic::error(Code::CannotExport, subject.value.span, message).hint(hint),
-                );
-            }
-        }
-        let items = gathering.items;
-        if items.is_empty() && diagnostics.len() == before {
+        let items = items_of(&exported, format, diagnostics);
+        if items.is_empty() && !exported.is_report && diagnostics.len() == before {
             diagnostics.push(
                 Diagnostic::error(Code::CannotExport, span, "there is nothing to export")
                     .label("this file would be empty")
@@ -110,7 +101,13 @@ impl Session {
         };
         let subjects = names.iter().map(subject).collect::<Result<_, Vec<Diagnostic>>>()?;
         let path = crate::diag::Spanned::unplaced(path.to_owned());
-        let exported = Exported { path, subjects, names: names.to_vec(), options: Vec::new() };
+        let exported = Exported {
+            path,
+            subjects,
+            names: names.to_vec(),
+            is_report: false,
+            options: Vec::new(),
+        };
         let mut found = Vec::new();
         let file = self.plan(exported, (report.document, &report.kept), &mut found);
         file.map(Box::new).ok_or(found)
@@ -123,10 +120,36 @@ impl Session {
     }
 }
 
+/// What goes into a file; what the format does not take goes to `diagnostics`.
+fn items_of(
+    exported: &Exported,
+    format: &'static Format,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Vec<Item> {
+    let mismatch = |span: Span, found: &str, hint: String| {
+        let message = format!("`.{}` takes {}, found {found}", format.ending, format.wants);
+        Diagnostic::error(Code::CannotExport, span, message).hint(hint)
+    };
+    let mut gathering = GatheredItems::new(format);
+    for subject in &exported.subjects {
+        if let Err(FormatMismatch { found, hint }) = gathering.add_all_of(subject) {
+            let hint = if format.takes_documents() { REPORT_HINT.to_owned() } else { hint };
+            diagnostics.push(mismatch(subject.value.span, &found, hint));
+        }
+    }
+    if exported.is_report && !format.takes_documents() {
+        let hint = format!("a report can go into {}", endings(Format::takes_documents));
+        diagnostics.push(mismatch(exported.path.span, "the report of the script", hint));
+    }
+    gathering.items
+}
+
+/// What to do with values that are exported as a document.
+const REPORT_HINT: &str =
+    "write `export report to ...`: values are in a report where the script prints or checks them";
+
 fn unknown_format(path: &str, span: Span) -> Diagnostic {
     let file = path.rsplit(['/', '\\']).next().unwrap_or(path);
-    let endings: Vec<String> =
-        FORMATS.iter().map(|format| format!("`.{}`", format.ending)).collect();
     let (message, near) = match file.rsplit_once('.') {
         Some((_, ending)) => (
             format!("no format has the ending `.{ending}`"),
@@ -140,7 +163,7 @@ fn unknown_format(path: &str, span: Span) -> Diagnostic {
         None => (format!("`{path}` has no ending, which would choose the format"), None),
     };
     let diagnostic = Diagnostic::error(Code::UnknownFormat, span, message)
-        .hint(format!("formats are {}", endings.join(", ")));
+        .hint(format!("formats are {}", endings(|_| true)));
     match near {
         Some(near) => diagnostic.label(format!("did you mean `.{near}`?")),
         None => diagnostic,

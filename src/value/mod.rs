@@ -83,7 +83,7 @@ pub use real::Real;
 pub use record::Record;
 pub use registry::{Constant, Registry, choose};
 pub use shape::{Geometry, RealGeometry};
-pub use table_text::table_text;
+pub use table_text::{MOST_ROWS, table_cells, table_text};
 pub use ty::Type;
 pub use unit::{in_document_unit, in_unit_of};
 pub use varied::{RealCurve, RealSurface};

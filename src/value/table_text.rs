@@ -1,13 +1,13 @@
 //! A table as lines of text: what `print` shows of it.
 
-use super::{Dimension, Number, shortest, unit::dim_of};
+use super::{Dimension, Number, NumberFormat, Value, shortest, unit::dim_of};
 use crate::{
     diag::shown,
     kernel::{Column, NamedColumn, Table},
 };
 
 /// Rows that are shown; of more the first, and how many there are.
-const MOST_ROWS: usize = 1000;
+pub const MOST_ROWS: usize = 1000;
 
 /// The cells of a table under the names of its columns, a line each: numbers to the right, texts to the
 /// left, units in the names as CSV has them.
@@ -15,7 +15,7 @@ const MOST_ROWS: usize = 1000;
 pub fn table_text(table: &Table) -> String {
     let n_rows = table.n_rows().min(MOST_ROWS);
     let columns: Vec<Vec<String>> =
-        table.columns().iter().map(|column| cells(column, n_rows)).collect();
+        table.columns().iter().map(|column| table_cells(column, n_rows, None)).collect();
     let widths: Vec<usize> = columns
         .iter()
         .map(|cells| cells.iter().map(|cell| cell.chars().count()).max().unwrap_or(0))
@@ -40,8 +40,12 @@ pub fn table_text(table: &Table) -> String {
     text
 }
 
-/// The name of a column and its first cells.
-fn cells(column: &NamedColumn, n_rows: usize) -> Vec<String> {
+/// The name of a column and its first cells; numbers with so many digits behind the point, or else with
+/// as many as they have.
+#[must_use]
+pub fn table_cells(column: &NamedColumn, n_rows: usize, decimals: Option<usize>) -> Vec<String> {
+    let format = decimals.and_then(|_| NumberFormat::new(decimals, None, "").ok());
+    let rounded = |number: Number| format.as_ref()?.text(&Value::Number(number)).ok();
     let is_angle = dim_of(column) == Dimension::ANGLE;
     let name = match &column.unit {
         Some(unit) if !is_angle => format!("{} [{unit}]", shown(&column.name)),
@@ -52,8 +56,11 @@ fn cells(column: &NamedColumn, n_rows: usize) -> Vec<String> {
         Column::Numbers(values) => {
             let cell = |&value: &f64| match value.is_finite() {
                 false => String::new(),
-                true if is_angle => Number::angle(value).to_string(),
-                true => shortest(value),
+                true if is_angle => {
+                    let angle = Number::angle(value);
+                    rounded(angle).unwrap_or_else(|| angle.to_string())
+                }
+                true => rounded(Number::bare(value)).unwrap_or_else(|| shortest(value)),
             };
             cells.extend(values[..n_rows].iter().map(cell));
         }

@@ -518,3 +518,58 @@ fn what_cannot_be_drawn_is_told_at_its_place() {
     }
     assert!(!scratch.0.join("a.png").exists());
 }
+
+/// Bytes that were written as text. RFC 4648, §4.
+fn from_base64(text: &str) -> Vec<u8> {
+    let digit = |c: u8| match c {
+        b'A'..=b'Z' => c - b'A',
+        b'a'..=b'z' => c - b'a' + 26,
+        b'0'..=b'9' => c - b'0' + 52,
+        b'+' => 62,
+        b'/' => 63,
+        other => unreachable!("no digit: {other}"),
+    };
+    let digits: Vec<u8> = text.trim_end_matches('=').bytes().map(digit).collect();
+    let of_group = |group: &[u8]| {
+        let bits = group.iter().fold(0_u32, |bits, &digit| bits << 6 | u32::from(digit));
+        let bits = bits << (6 * (4 - group.len()));
+        bits.to_be_bytes()[1..group.len()].to_vec()
+    };
+    digits.chunks(4).flat_map(of_group).collect()
+}
+
+#[test]
+fn the_picture_in_a_report_is_the_one_that_is_rendered() {
+    let scratch = Scratch::new("report-picture");
+    let script = r#"
+        surface dome = sphere((0, 0), 2) with (color = "red")
+        curve helper = line((0, 0), (9, 9))
+        export dome to "dome.stl"
+        export report to "review.html" with (view = "front", isocurves = 2)
+        export report to "review.md" with (view = "front", isocurves = 2)
+    "#;
+    scratch.file("a.geo", script);
+    let render = [
+        "render",
+        "a.geo",
+        "-o",
+        "a.png",
+        "-q",
+        "--size",
+        "1200x800",
+        "--view",
+        "front",
+        "--isocurves",
+        "2",
+    ];
+    assert_eq!(run(&scratch, &render), (String::new(), String::new(), 0));
+    let (said, err, code) = run(&scratch, &["run", "a.geo"]);
+    assert_eq!((code, err.as_str()), (0, ""), "{said}");
+    let rendered = fs::read(scratch.0.join("a.png")).expect("a picture");
+    for name in ["review.html", "review.md"] {
+        let text = fs::read_to_string(scratch.0.join(name)).expect("a report");
+        let (_, behind) = text.split_once("data:image/png;base64,").expect("a picture");
+        let data = behind.split(['"', '\n']).next().expect("its end");
+        assert!(from_base64(data) == rendered, "{name}");
+    }
+}

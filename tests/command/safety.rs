@@ -29,6 +29,9 @@ export rings, wall to "i.step"
 export rings, wall to "j.igs"
 export places to "k.csv"
 export rings, wall, net, places to "l.json"
+print places
+export report to "m.html"
+export report to "n.md" with (view = "front")
 "#;
 
 /// The files of a folder with their content, by name.
@@ -61,7 +64,7 @@ fn files_are_the_same_bytes_for_any_number_of_threads() {
         );
         assert_eq!(code, 0, "{said}{err}");
         let now = files(&out);
-        assert_eq!(now.len(), 12);
+        assert_eq!(now.len(), 14);
         assert!(before.as_ref().is_none_or(|before| *before == now), "{n_threads} threads");
         before = Some(now);
     }

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::{
     super::ir::{
-        Arg, Definition, DefinitionRole, Effect, EffectKind, Expr, ExprKind, Group, Kind,
-        ParamKind, ParamRules,
+        Arg, Definition, DefinitionRole, Effect, EffectKind, ExportedSubjects, Expr, ExprKind,
+        Group, Kind, ParamKind, ParamRules, REPORT,
     },
     Lowerer,
     block::duplicate,
@@ -330,6 +330,21 @@ impl<'s> Lowerer<'_, 's> {
         }
     }
 
+    /// What an export writes; `None` is the word `all`.
+    fn subjects(&mut self, subjects: Option<&[ast::Expr<'s>]>) -> ExportedSubjects {
+        match subjects {
+            None => ExportedSubjects::All,
+            Some([ast::Expr { kind: ast::ExprKind::Name(REPORT), .. }])
+                if self.global(REPORT).is_none() =>
+            {
+                ExportedSubjects::Report
+            }
+            Some(these) => {
+                ExportedSubjects::These(these.iter().map(|subject| self.expr(subject)).collect())
+            }
+        }
+    }
+
     fn effect(&mut self, kind: &StatementKind<'s>) -> Option<EffectKind> {
         Some(match kind {
             StatementKind::Check { claim, message } => EffectKind::Check {
@@ -340,12 +355,9 @@ impl<'s> Lowerer<'_, 's> {
                 EffectKind::Print(exprs.iter().map(|expr| self.expr(expr)).collect())
             }
             StatementKind::Export(export) => {
+                let subjects = self.subjects(export.subjects.as_deref());
                 // Of a text with mistakes nobody knows all.
-                self.is_poisoned |= export.subjects.is_none() && !self.origin.faults.is_empty();
-                let subjects = export
-                    .subjects
-                    .as_ref()
-                    .map(|subjects| subjects.iter().map(|subject| self.expr(subject)).collect());
+                self.is_poisoned |= subjects.is_of_whole_file() && !self.origin.faults.is_empty();
                 let named = self.dependencies.iter().copied().collect();
                 let path = self.expr(&export.path);
                 let options: Vec<Arg> = self.args(&export.options);

@@ -26,7 +26,7 @@ use super::{
     wire::{Drawing, DrawingExtent},
 };
 
-pub(super) static FORMAT: Format = Format {
+pub(crate) static FORMAT: Format = Format {
     ending: "png",
     aliases: &[],
     title: "PNG: a shaded picture from one side",

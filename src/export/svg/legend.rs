@@ -1,9 +1,8 @@
 //! What colours mean: a bar with values beside the drawing.
 
 use super::{
-    super::{Legend, shape::byte_color, text::TextBuffer},
+    super::{Legend, shape::byte_color, text::TextBuffer, xml::escaped},
     SvgSheet, hex,
-    xml::escaped,
 };
 
 /// Width of the legends, in strokes.

@@ -3,10 +3,9 @@
 use glam::DVec2;
 
 use super::{
-    super::{Job, labels, projection::Projection, text::TextBuffer},
+    super::{Job, labels, projection::Projection, text::TextBuffer, xml::escaped},
     SvgSheet,
     legend::LETTER,
-    xml::escaped,
 };
 
 /// Height of the scale with the space around it, in strokes.

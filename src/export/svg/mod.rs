@@ -7,17 +7,12 @@ mod hidden;
 mod legend;
 mod marks;
 mod path;
-mod xml;
 
 use std::io::Write;
 
 use glam::DVec3;
 
-use self::{
-    hidden::HidingScene,
-    path::Pen,
-    xml::{Ids, escaped},
-};
+use self::{hidden::HidingScene, path::Pen};
 use super::{
     ExportError, Format, Item, Job, POINT, STROKE, Subject, Summary,
     options::{
@@ -27,6 +22,7 @@ use super::{
     text::TextBuffer,
     unique_values::UniqueValues,
     wire::{Drawing, DrawingExtent, DrawnLine, LineWeight},
+    xml::{Ids, escaped},
 };
 use crate::kernel::{
     Bounds,

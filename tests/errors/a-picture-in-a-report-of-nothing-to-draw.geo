@@ -1,0 +1,3 @@
+print 3
+export report to "review.md" with (picture = true)
+export report to "plain.md"

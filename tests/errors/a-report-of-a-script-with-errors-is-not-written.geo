@@ -1,0 +1,3 @@
+let a = 1 / 0
+print 3
+export report to "review.md"

@@ -1,0 +1,3 @@
+let report = {kind: "own", n: 3}
+export report to "report.json"
+print report.n
