@@ -3,6 +3,7 @@
 
 use proptest::{prelude::*, proptest, sample::select};
 use virote::{
+    diag::Diagnostic,
     ops,
     session::{Event, Report, Session},
     value::{NoFiles, OnNumbers},
@@ -54,16 +55,17 @@ fn run(comprehension: &str) -> Report {
     Session::default().run("law", script.as_bytes(), &NoFiles, &[])
 }
 
-/// What was printed, or the errors by code, text and place.
-fn outcome(report: &Report) -> Result<String, Vec<String>> {
-    match report.events.first() {
-        Some(Event::Printed(line)) => Ok(line.value.to_string()),
-        _ => Err(report
-            .diagnostics
-            .iter()
-            .map(|found| format!("{:?} {} at {:?}", found.code, found.message, found.primary.span))
-            .collect()),
-    }
+/// What was printed, and all that was found, by code, text and place.
+fn outcome(report: &Report) -> (Option<String>, Vec<String>) {
+    let printed = match report.events.first() {
+        Some(Event::Printed(line)) => Some(line.value.to_string()),
+        _ => None,
+    };
+    let found = report.diagnostics.iter();
+    let told = |found: &Diagnostic| {
+        format!("{:?} {} at {:?}", found.code, found.message, found.primary.span)
+    };
+    (printed, found.map(told).collect())
 }
 
 /// As numbers in lanes, and as lists of one number, which the machine makes one by one; written
@@ -120,6 +122,8 @@ fn built_in_functions_are_those_of_the_machine() {
             ["(i, i^2).y / 90", "(1 / i, 2).y", "i"],
             ["i * 100", "0", "-0.0"],
             ["30", "i", "45"],
+            ["-45", "-i", "near"],
+            ["k * 15", "(30deg)", "30"],
         ] {
             agree("i in 1..90", &format!("{name}({})", args[..n].join(", ")));
         }

@@ -4,7 +4,7 @@ use super::node::{LaneBody, LaneNode, TruthNode};
 use crate::{
     eval::{
         function::ScriptFunction,
-        ir::{BinaryOp, Block, CallExpr, Expr, ExprKind},
+        ir::{Arg, BinaryOp, Block, CallExpr, Expr, ExprKind},
         machine::Machine,
         operator::table::{BinaryMeaning, UnaryMeaning, binary_meaning, unary_meaning},
     },
@@ -254,7 +254,8 @@ impl<'m> Compiler<'m> {
         }
         let function = op.on_numbers?;
         let dim = function.dimension(&dims)?;
-        if matches!((function, &nodes[..]), (OnNumbers::OfAngle(_), [LaneNode::Constant(_)])) {
+        let is_written = |arg: &Arg| arg.value.as_ref().is_some_and(is_written_number);
+        if matches!(function, OnNumbers::OfAngle(_)) && call.args.iter().any(is_written) {
             return None;
         }
         let first = nodes.remove(0);
@@ -291,6 +292,15 @@ impl<'m> Compiler<'m> {
         let body = self.expr(&lambda.body, &mut LaneFrame { function: Some(function), slots });
         self.n_calls -= 1;
         body?.after(lanes, 1)
+    }
+}
+
+/// Whether a number stands there itself, with or without signs.
+fn is_written_number(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Constant(_) => true,
+        ExprKind::Unary(_, inner) => is_written_number(inner),
+        _ => false,
     }
 }
 
