@@ -4,7 +4,7 @@ mod sections;
 
 use std::sync::Arc;
 
-use self::sections::{ScriptText, Telling};
+use self::sections::{ScriptText, Telling, document_file};
 use super::{Event, File, PictureContent, Report, Session, drawable};
 use crate::{
     diag::{Code, Diagnostic, Result, Severity, shown},
@@ -97,13 +97,5 @@ impl Session {
         names.dedup();
         let shows = sections::listed(names.into_iter());
         Ok(Some(DocumentBlock::Picture(Box::new(job), format!("Picture of {shows}"))))
-    }
-}
-
-/// The file of an event that is to hold the report.
-fn document_file(event: &Event) -> Option<&File> {
-    match event {
-        Event::File(file) if file.format.takes_documents() => Some(file),
-        _ => None,
     }
 }

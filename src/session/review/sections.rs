@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 
-use super::document_file;
 use crate::{
     diag::{Severity, Span, shown},
     eval::{self, Checked, Printed, Schema},
@@ -366,4 +365,12 @@ pub(super) fn listed<'n>(names: impl ExactSizeIterator<Item = &'n str>) -> Strin
     let shown: Vec<&str> = names.take(MOST_NAMES).collect();
     let more = if n_more == 0 { String::new() } else { format!(" and {n_more} more") };
     format!("{}{more}", shown.join(", "))
+}
+
+/// The file of an event that is to hold the report.
+pub(super) fn document_file(event: &Event) -> Option<&File> {
+    match event {
+        Event::File(file) if file.format.takes_documents() => Some(file),
+        _ => None,
+    }
 }
