@@ -1,5 +1,5 @@
-//! The same work in other languages, whole processes: a comprehension of a million numbers with
-//! five operations each, in virote, in OpenSCAD and in CPython.
+//! The same work in other languages, whole processes: comprehensions of a million numbers, with five
+//! operations each and with built-in functions, in virote, in OpenSCAD and in CPython.
 //!
 //! Each of them runs in turn, so that a busy machine burdens all alike; medians and their ratios
 //! are printed. A language that is not installed is said to be missing.
@@ -14,10 +14,13 @@ use std::{
 
 const N_ROUNDS: usize = 9;
 
-/// A language: its name, its script and how the script is run.
+/// What is done with a million numbers.
+const WORK: [&str; 2] = ["five operations each", "two built-in functions and four operations each"];
+
+/// A language: its name, a script for each work and how a script is run.
 struct Language {
     name: &'static str,
-    script: &'static str,
+    scripts: [&'static str; WORK.len()],
     ending: &'static str,
     command: fn(&Path) -> Command,
 }
@@ -26,7 +29,10 @@ struct Language {
 const LANGUAGES: &[Language] = &[
     Language {
         name: "virote",
-        script: "let xs = [for i in 0..<1000000: (i * 2 + 1) / 3 - i * 0.5]\nprint len(xs), xs[-1]\n",
+        scripts: [
+            "let xs = [for i in 0..<1000000: (i * 2 + 1) / 3 - i * 0.5]\nprint len(xs), xs[-1]\n",
+            "let xs = [for i in 0..<1000000: sqrt(i) * 2 + floor(i / 3) - 1]\nprint len(xs), xs[-1]\n",
+        ],
         ending: "geo",
         command: |script| {
             let mut command = Command::new(env!("CARGO_BIN_EXE_virote"));
@@ -37,9 +43,14 @@ const LANGUAGES: &[Language] = &[
     Language {
         name: "OpenSCAD",
         // A loop goes over less than a million numbers, so two share the work.
-        script: "xs = [for (i = [0:499999]) (i * 2 + 1) / 3 - i * 0.5,\n\
-                 for (i = [500000:999999]) (i * 2 + 1) / 3 - i * 0.5];\n\
-                 echo(len(xs), xs[999999]);\n",
+        scripts: [
+            "xs = [for (i = [0:499999]) (i * 2 + 1) / 3 - i * 0.5,\n\
+             for (i = [500000:999999]) (i * 2 + 1) / 3 - i * 0.5];\n\
+             echo(len(xs), xs[999999]);\n",
+            "xs = [for (i = [0:499999]) sqrt(i) * 2 + floor(i / 3) - 1,\n\
+             for (i = [500000:999999]) sqrt(i) * 2 + floor(i / 3) - 1];\n\
+             echo(len(xs), xs[999999]);\n",
+        ],
         ending: "scad",
         command: |script| {
             let mut command = Command::new("openscad");
@@ -49,7 +60,11 @@ const LANGUAGES: &[Language] = &[
     },
     Language {
         name: "CPython",
-        script: "xs = [(i * 2 + 1) / 3 - i * 0.5 for i in range(1000000)]\nprint(len(xs), xs[-1])\n",
+        scripts: [
+            "xs = [(i * 2 + 1) / 3 - i * 0.5 for i in range(1000000)]\nprint(len(xs), xs[-1])\n",
+            "from math import floor, sqrt\n\
+             xs = [sqrt(i) * 2 + floor(i / 3) - 1 for i in range(1000000)]\nprint(len(xs), xs[-1])\n",
+        ],
         ending: "py",
         command: |script| {
             let mut command = Command::new("python3");
@@ -60,12 +75,21 @@ const LANGUAGES: &[Language] = &[
 ];
 
 fn main() {
+    for (k, work) in WORK.iter().enumerate() {
+        println!("a million numbers of {work}, whole process, median of {N_ROUNDS}");
+        compare(k);
+    }
+}
+
+/// Runs the scripts of one work in turn, and prints their times.
+fn compare(work: usize) {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
     let scripts: Vec<PathBuf> = LANGUAGES
         .iter()
         .map(|language| {
             let path = folder.join(format!("million.{}", language.ending));
-            std::fs::write(&path, language.script).expect("the folder of temporary files is there");
+            std::fs::write(&path, language.scripts[work])
+                .expect("the folder of temporary files is there");
             path
         })
         .collect();
@@ -81,7 +105,6 @@ fn main() {
         }
     }
     let medians: Vec<Option<Duration>> = times.into_iter().map(|times| times.map(median)).collect();
-    println!("a million numbers of five operations, whole process, median of {N_ROUNDS}");
     for (language, time) in LANGUAGES.iter().zip(&medians) {
         match (time, medians[0]) {
             (Some(time), Some(ours)) => println!(
