@@ -2,6 +2,7 @@
 //! points, in one run on one thread, turn and turn about. Prints times and their ratios.
 
 mod nearest;
+mod searches;
 mod surfaces;
 
 use std::{hint::black_box, time::Instant};
@@ -29,6 +30,12 @@ const PART: usize = 10_000;
 const GOLDEN: f64 = 0.618_033_988_749_895;
 
 fn main() {
+    // Only what finds something, where that is asked for.
+    if std::env::args().nth(1).is_some_and(|what| what == "searches") {
+        searches::fits();
+        searches::crossings();
+        return;
+    }
     let net = net();
     let ours = surface(&net);
     println!("grid of {N_GRID} x {N_GRID}, bicubic rational: points, unit normals, triangles");
@@ -41,6 +48,8 @@ fn main() {
     surfaces::compare_scattered();
     nearest::on_a_curve();
     nearest::on_a_surface();
+    searches::fits();
+    searches::crossings();
 }
 
 /// A million places on a curve.

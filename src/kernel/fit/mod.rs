@@ -15,6 +15,7 @@ mod lagrange;
 mod least;
 mod parameters;
 mod periodic;
+mod sample;
 mod search;
 mod slide;
 mod sloped;

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{Ends, Interpolator, least::Approximator, slide::slid, spread};
+use super::{Ends, Interpolator, least::Approximator, sample::SAMPLE, slide::slid, spread};
 use crate::{
     FitError, GeomError, KnotVector, NurbsCurve,
     tolerance::{PARAMETER_RELATIVE, SLIDE_RELATIVE},
@@ -13,12 +13,6 @@ const MAX_CORRECTIONS: usize = 12;
 
 /// So many points are many: what costs more than it saves is left out.
 pub(super) const MANY: usize = 2000;
-
-/// Of many points so many, evenly chosen, are searched for; then all are looked at.
-const SAMPLE: usize = 400;
-
-/// What a sample may miss of the tolerance: the points between are missed by more.
-const SAMPLE_SHARE: f64 = 0.9;
 
 /// Many points slide along a curve that misses by less than so many times the tolerance: on one that
 /// is far from them they would only crowd.
@@ -79,7 +73,7 @@ pub(super) struct FittedCurve {
 }
 
 impl FittedCurve {
-    fn new(curve: NurbsCurve, parameters: Vec<f64>, misses: Vec<f64>) -> Self {
+    pub(super) fn new(curve: NurbsCurve, parameters: Vec<f64>, misses: Vec<f64>) -> Self {
         let worst = misses.iter().fold(0.0_f64, |worst, &miss| worst.max(miss));
         let squares = misses.iter().map(|miss| miss * miss).sum();
         Self { curve, parameters, misses, worst, squares }
@@ -116,39 +110,6 @@ impl FitSearch<'_> {
         let spread = self.respread(first, self.degree + 1);
         let thinned = self.thinned_at_once(spread);
         Ok(self.thinned(thinned))
-    }
-
-    /// The curve that a sample of the points asks for, with more knots where others are missed; `None`
-    /// where the sample tells nothing.
-    fn run_on_sample(&mut self, parameters: &[f64]) -> Option<FittedCurve> {
-        let last = self.points.len() - 1;
-        let stride = last.div_ceil(SAMPLE);
-        let chosen: Vec<usize> = (0..last).step_by(stride).chain([last]).collect();
-        let points: Vec<DVec3> = chosen.iter().map(|&i| self.points[i]).collect();
-        let places: Vec<f64> = chosen.iter().map(|&i| parameters[i]).collect();
-        let tolerance = SAMPLE_SHARE * self.tolerance;
-        let mut search = FitSearch { points: &points, tolerance, ..*self };
-        let sample = search.run(&places).ok()?;
-        if SAMPLE < 2 * sample.n_control() {
-            return None;
-        }
-        let mut start = parameters.to_vec();
-        if !self.are_fixed {
-            // Those between two of the sample move along with both.
-            for (k, ends) in chosen.windows(2).enumerate() {
-                let [old, new] = [&places, &sample.parameters].map(|t| [t[k], t[k + 1]]);
-                for t in &mut start[ends[0]..ends[1]] {
-                    let fraction = (*t - old[0]) / (old[1] - old[0]).max(f64::MIN_POSITIVE);
-                    *t = new[0] + fraction * (new[1] - new[0]);
-                }
-            }
-            start = self.corrected(&sample.curve, start);
-        }
-        let found = self.grown(sample.curve.knots().clone(), &start, self.points.len())?;
-        let spread = self.respread(found, sample.n_control());
-        let thinned = self.thinned_at_once(spread);
-        let are_many = MANY < self.points.len();
-        Some(if are_many { thinned } else { self.thinned(thinned) })
     }
 
     pub(super) fn keeps(&self, trial: &FittedCurve) -> bool {
@@ -251,7 +212,7 @@ impl FitSearch<'_> {
 
     /// Adds knots where points are missed until none is; `None` where `most` control points would
     /// not do.
-    fn grown(
+    pub(super) fn grown(
         &mut self,
         coarsest: KnotVector,
         parameters: &[f64],
@@ -308,7 +269,7 @@ impl FitSearch<'_> {
     }
 
     /// Fewer control points, from so many on, with the knots where the curve needs them.
-    fn respread(&mut self, first: FittedCurve, least: usize) -> FittedCurve {
+    pub(super) fn respread(&mut self, first: FittedCurve, least: usize) -> FittedCurve {
         let mut best = first;
         let (mut low, mut high) = (least, best.n_control());
         while low + high / SHARE < high && 0 < self.left {
