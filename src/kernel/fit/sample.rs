@@ -59,15 +59,16 @@ impl FitSearch<'_> {
             let old = [parameters[ends[0]], parameters[ends[1]]];
             let new = [sample.parameters[k], sample.parameters[k + 1]];
             let mut last = new[0];
-            for i in ends[0]..ends[1] {
-                let fraction = (feet[i] - old[0]) / (old[1] - old[0]).max(f64::MIN_POSITIVE);
+            let between = ends[0]..ends[1];
+            for (t, &point) in feet[between.clone()].iter_mut().zip(&self.points[between]) {
+                let fraction = (*t - old[0]) / (old[1] - old[0]).max(f64::MIN_POSITIVE);
                 let start = new[0] + fraction * (new[1] - new[0]);
                 let found = within_limits([new], [start], NEWTON_STEPS, is_still, |[t]| {
                     let [value, velocity, _] = curve.second_order_at(t);
-                    to_foot(self.points[i] - value, velocity)
+                    to_foot(point - value, velocity)
                 });
                 last = found.place()[0].max(last);
-                feet[i] = last;
+                *t = last;
             }
         }
         feet[parameters.len() - 1] = sample.parameters[chosen.len() - 1];
