@@ -44,6 +44,7 @@ mod primitive;
 mod quadric;
 mod real_networks;
 mod region;
+mod region_touch;
 mod seams;
 mod shape;
 mod sizes;

@@ -1,5 +1,6 @@
 //! Where arcs meet: single places, and the ends of the stretches that they share.
 
+use super::touch::touch_of;
 use crate::{
     GeomError, IntersectionError, Interval, NurbsCurve, ceiling::SHARED_STRETCHES, frame::norm,
 };
@@ -33,7 +34,9 @@ pub(super) fn meetings(
             Err(other) => return Err(other),
         }
     }
-    if 0 < n_stretches {
+    if n_stretches == 0 {
+        found.iter_mut().for_each(|place| *place = touch_of(first, second, *place, tolerance));
+    } else {
         // Ends that lie within a stretch are places like others.
         found.extend(ends_on(first, second, tolerance));
         found.extend(ends_on(second, first, tolerance).map(|[own, other]| [other, own]));

@@ -2,15 +2,12 @@
 
 use glam::DVec3;
 
-use super::search::{FitSearch, FittedCurve, MANY};
+use super::search::{FitSearch, FittedCurve, MANY, SAMPLE};
 use crate::{
     ceiling::NEWTON_STEPS,
     numeric::newton::{to_foot, within_limits},
     tolerance::PARAMETER_RELATIVE,
 };
-
-/// Of many points so many, evenly chosen, are searched for; then all are looked at.
-pub(super) const SAMPLE: usize = 400;
 
 /// What a sample may miss of the tolerance: the points between are missed by more.
 const SAMPLE_SHARE: f64 = 0.9;

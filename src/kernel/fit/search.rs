@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{Ends, Interpolator, least::Approximator, sample::SAMPLE, slide::slid, spread};
+use super::{Ends, Interpolator, least::Approximator, slide::slid, spread};
 use crate::{
     FitError, GeomError, KnotVector, NurbsCurve,
     tolerance::{PARAMETER_RELATIVE, SLIDE_RELATIVE},
@@ -13,6 +13,9 @@ const MAX_CORRECTIONS: usize = 12;
 
 /// So many points are many: what costs more than it saves is left out.
 pub(super) const MANY: usize = 2000;
+
+/// Of many points so many, evenly chosen, are searched for; then all are looked at.
+pub(super) const SAMPLE: usize = 400;
 
 /// Many points slide along a curve that misses by less than so many times the tolerance: on one that
 /// is far from them they would only crowd.
