@@ -84,7 +84,7 @@ for (const below of ["examples", "tests/golden"]) {
       }
       if (!hasErrors && state.exports.length > 0) {
         const { value, attached } = virote.ask({ call: "export", what: "script" });
-        const written = filesBelow(out);
+        const written = readdirSync(out, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
         assert.equal(value.files.length, written.length, name);
         value.files.forEach((path, i) => {
           assert.ok(Buffer.from(attached[i]).equals(readFileSync(join(out, path))), `${name}: ${path} differs`);
