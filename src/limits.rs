@@ -97,8 +97,8 @@ impl Limits {
     pub const WEB: Self = Self {
         nesting: 128,
         chain: 250,
-        call_depth: 200,
-        evaluation_depth: 1_000,
+        call_depth: 100,
+        evaluation_depth: 400,
         value_depth: 200,
         stack_bytes: 64 << 20,
         memory_bytes: 2 << 30,

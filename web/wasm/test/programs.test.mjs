@@ -13,7 +13,7 @@ const root = resolve(import.meta.dirname, "../../..");
 const wasm = process.env.WASM ?? join(root, "target/wasm32-unknown-unknown/page/virote_wasm.wasm");
 const command = resolve(process.env.VIROTE ?? join(root, "target/release/virote"));
 /** The ceilings of `Limits::WEB` that the command's differ from. */
-const CEILINGS = ["nesting=128", "chain=250", "call-depth=200", "evaluation-depth=1000", "value-depth=200"];
+const CEILINGS = ["nesting=128", "chain=250", "call-depth=100", "evaluation-depth=400", "value-depth=200"];
 /** Each takes as long as dozens of others, and calls nothing that they do not. */
 const SLOW = new Set([
   "areas-and-volumes.geo",
