@@ -158,6 +158,28 @@ fn no_point_of_a_winding_curve_is_nearer() {
     }
 }
 
+/// Around each of its points nearly all of a spiral is nearly equally far, as far as the tolerance tells.
+#[test]
+fn a_point_of_a_spiral_is_found_on_it_at_any_tolerance() {
+    for (n, growth) in [(41, 1.0 / 1500.0), (41, 1.0), (300, 1e-3)] {
+        let point = |i: usize| {
+            let (radius, angle) = (growth * i as f64, 40f64.to_radians() * i as f64);
+            DVec3::new(radius * libm::cos(angle), radius * libm::sin(angle), 0.0)
+        };
+        let points: Vec<DVec3> = (0..n).map(point).collect();
+        let knots = KnotVector::uniform_clamped(3, n, 1.0).unwrap();
+        let spiral = NurbsCurve::polynomial(knots, &points).unwrap();
+        for i in 0..=60 {
+            let t = f64::from(i) / 600.0;
+            for tolerance in [1e-3, 1e-6, 1e-9] {
+                let foot = spiral.closest(spiral.point_at(t), tolerance);
+                let what = format!("{n} points, {t}, {tolerance}");
+                assert!(foot.distance < 1e-12, "{what}: {}", foot.distance);
+            }
+        }
+    }
+}
+
 #[test]
 fn no_point_of_a_wave_is_nearer_beside_it_either() {
     for surface in [wave(|_, _| 1.0), wave(|i, j| 1.0 + 0.3 * ((3 * i + 5 * j) % 7) as f64)] {

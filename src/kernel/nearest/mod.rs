@@ -115,10 +115,7 @@ impl ClosestPointTree {
             n_columns: points.len() / self.n_rows(),
             p,
             unit,
-            wanted: match wanted {
-                SearchTarget::One => SearchTarget::One,
-                SearchTarget::AllWithin(tolerance) => SearchTarget::AllWithin(tolerance * unit),
-            },
+            wanted: SearchTarget::One,
             rounding: NEAREST_RELATIVE * size * unit,
             best: f64::INFINITY,
             found: Vec::new(),
@@ -129,6 +126,14 @@ impl ClosestPointTree {
             n_parts: 0,
         };
         search.run();
+        search.improve();
+        if let SearchTarget::AllWithin(tolerance) = wanted {
+            // Only with the least distance known are parts left out that are further away: of a curve
+            // that winds around the place nearly all of it is nearly equally far.
+            search.wanted = SearchTarget::AllWithin(tolerance * unit);
+            search.n_parts = 0;
+            search.run();
+        }
         search.finish()
     }
 
@@ -277,15 +282,19 @@ impl ClosestPointSearch<'_> {
         self.found.push((spans, place));
     }
 
-    /// The parameters of what was found; the nearest place, which may be nearest up to rounding
-    /// only, is improved as far as that goes.
-    fn finish(&mut self) -> SplineParameters {
+    /// The one nearest place, which may be nearest up to rounding only, improved as far as that goes.
+    fn improve(&mut self) {
         let along = &self.whole.along;
-        if let (SearchTarget::One, &[(spans, place)]) = (self.wanted, &self.found[..]) {
+        if let &[(spans, place)] = &self.found[..] {
             self.patch.take(along, spans, (self.points, self.n_columns), (self.p, self.unit));
             let cell = PatchPart::whole([along[0].degree, along[1].degree]);
             self.found[0].1 = self.patch.minimum(cell, place, self.rounding).place;
         }
+    }
+
+    /// The parameters of what was found.
+    fn finish(&self) -> SplineParameters {
+        let along = &self.whole.along;
         let parameters = |spans: [usize; 2], place: [f64; 2]| {
             [0, 1].map(|direction| {
                 let KnotSpan { start, end, .. } = along[direction].spans[spans[direction]];

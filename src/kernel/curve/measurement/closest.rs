@@ -11,9 +11,6 @@ use crate::{
     tolerance::{LAST_BIT, PLACE_RELATIVE},
 };
 
-/// Tolerances within which a curve is all but a place.
-const SMALL: f64 = 4.0;
-
 /// The nearest point of a curve.
 ///
 /// ```
@@ -80,12 +77,7 @@ impl NurbsCurve {
     /// [`Self::closest`] of a curve that does not jump.
     fn closest_of_part(&self, p: DVec3, tolerance: f64) -> ClosestPoint {
         let nearest = self.piece_boxes();
-        let places = |target| nearest.places(&self.control_points, p, target);
-        let mut near = places(SearchTarget::AllWithin(tolerance));
-        if self.bounds().diagonal() <= SMALL * tolerance {
-            // All of it is within the tolerance, which leaves the search content with any place.
-            near.single.extend(places(SearchTarget::One).single);
-        }
+        let near = nearest.places(&self.control_points, p, SearchTarget::AllWithin(tolerance));
         let to_foot = |[t, _]: [f64; 2]| {
             let t = self.domain().without_dust(t);
             (t, norm(self.point_at(t) - p))
