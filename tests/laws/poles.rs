@@ -1,7 +1,9 @@
 //! Laws of collapsed edges: what has a direction there, although a derivative vanishes.
 
 use glam::DVec3;
-use virote_kernel::{Direction, Grid, KnotVector, NurbsSurface, Surface};
+use virote_kernel::{
+    Axis, Curve, Direction, Frame, Grid, KnotVector, NurbsCurve, NurbsSurface, Surface, Tolerance,
+};
 
 use crate::some::sphere;
 
@@ -87,4 +89,46 @@ fn what_is_collapsed_everywhere_has_no_direction() {
     let line = Surface::from(line);
     assert!(line.tangent_u_at(0.3, 0.0).is_err() && line.tangent_u_at(0.3, 0.5).is_err());
     assert!(line.tangent_v_at(0.3, 0.0).unwrap().distance(DVec3::Z) < 1e-15);
+}
+
+/// A line along the axis meets a surface of revolution at its poles, wherever it begins and ends.
+#[test]
+fn a_line_through_poles_meets_them() {
+    let revolved = |points: &[DVec3]| {
+        let profile = NurbsCurve::polyline(points).unwrap();
+        let axis = Axis::new(DVec3::ZERO, DVec3::Z).unwrap();
+        NurbsSurface::revolved(&profile, axis, std::f64::consts::TAU).unwrap()
+    };
+    let disc = revolved(&[DVec3::Z, DVec3::new(1.0, 0.0, 1.0)]);
+    let cone = revolved(&[DVec3::Z, DVec3::new(1.0, 0.0, 0.0)]);
+    let ball = NurbsSurface::sphere(Frame::XY, 1.7).unwrap();
+    let cases = [(disc, vec![1.0]), (cone, vec![1.0]), (ball, vec![-1.7, 1.7])];
+    for (surface, poles) in cases {
+        for scale in [1e-3, 1.0, 1e3] {
+            for turn in [0.0, 0.3, 2.0] {
+                let map = glam::DAffine3::from_scale_rotation_translation(
+                    DVec3::splat(scale),
+                    glam::DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 0.5).normalize(), turn),
+                    DVec3::new(3.0, -1.0, 2.0) * (turn * scale),
+                );
+                let placed = Surface::from(surface.clone()).transformed(&map).unwrap();
+                for k in 0..40 {
+                    let [start, end] = [-2.1 - 0.13 * f64::from(k % 5), 1.9 + 0.37 * f64::from(k)];
+                    let ends = [start, end].map(|z| map.transform_point3(DVec3::Z * z));
+                    let line = Curve::from(NurbsCurve::line(ends[0], ends[1]).unwrap());
+                    let found = placed.piercings(&line, Tolerance::DEFAULT).unwrap();
+                    let what = format!("{poles:?} at {scale}, {turn}, {start}..{end}: {found:?}");
+                    assert_eq!(found.len(), poles.len(), "{what}");
+                    for (place, &z) in found.iter().zip(&poles) {
+                        let pole = map.transform_point3(DVec3::Z * z);
+                        let on = placed.point_at(place.uv[0], place.uv[1]).unwrap();
+                        let t = (z - start) / (end - start);
+                        assert!((place.t - t).abs() < 1e-11, "{what}, {t}");
+                        assert!(place.point.distance(pole) < 1e-11 * scale, "{what}");
+                        assert!(on.distance(pole) < 1e-11 * scale, "{what}");
+                    }
+                }
+            }
+        }
+    }
 }

@@ -120,6 +120,7 @@ impl PiercingSearch<'_> {
         }
         let mut found = Vec::new();
         let mut contacts: Vec<LyingPiece> = Vec::new();
+        let mut unresolved: Vec<LyingPiece> = Vec::new();
         let mut n_pairs = 0;
         while work::goes_on(1)
             && let Some((piece, part)) = todo.pop()
@@ -144,6 +145,8 @@ impl PiercingSearch<'_> {
                 continue;
             }
             if sizes[0].max(sizes[1]) <= near {
+                let (ends, widest) = (piece.ends, sizes[0].max(sizes[1]));
+                unresolved.push(LyingPiece { ends, bounds: piece.bounds, widest });
                 continue;
             }
             if sizes[1] <= sizes[0] {
@@ -159,6 +162,15 @@ impl PiercingSearch<'_> {
             todo.extend(tail.into_iter().filter(is_near));
         }
         found.extend(self.touches(contacts)?);
+        // Beside a crossing, its neighbours come as near; where there is none, they are what there is.
+        unresolved.retain(|piece| {
+            let is_near = |place: &CurveSurfaceIntersection| {
+                let here = Bounds { min: place.point, max: place.point };
+                piece.bounds.is_near(here, self.tolerance)
+            };
+            !found.iter().any(is_near)
+        });
+        found.extend(self.touches(unresolved)?);
         Ok(self.in_order(found))
     }
 
@@ -179,9 +191,21 @@ impl PiercingSearch<'_> {
             let derivatives = self.curve.derivatives_at(at[0], 1);
             let [point, by_u, by_v] = self.surface.tangents_at(at[1], at[2]);
             let apart = derivatives[0] - point;
-            let columns = [derivatives[1], -by_u, -by_v];
+            let mut columns = [derivatives[1], -by_u, -by_v];
+            // At a pole a parameter is as good as any other: it stays.
+            let stays = [1, 2]
+                .map(|k| norm(columns[k]) * domains[k].length() <= TOLD_ROUNDINGS * self.rounding);
+            for (k, other) in [(1, 2), (2, 1)] {
+                if stays[k - 1] {
+                    columns[k] = columns[0].cross(columns[other]);
+                }
+            }
             let matrix = std::array::from_fn(|i| std::array::from_fn(|k| columns[k][i]));
-            NewtonStep::perhaps(solved(matrix, (-apart).to_array()))
+            let step = solved(matrix, (-apart).to_array());
+            let moved = |step: [f64; 3]| {
+                std::array::from_fn(|k| if 0 < k && stays[k - 1] { 0.0 } else { step[k] })
+            };
+            NewtonStep::perhaps(step.map(moved))
         });
         let [t, u, v] = found.unless_stuck()?;
         let slack = PLACE_RELATIVE * (piece.ends[1] - piece.ends[0]);
