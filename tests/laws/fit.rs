@@ -414,3 +414,54 @@ fn sines_take_no_more_control_points_than_interpolation_theory_says() {
         }
     }
 }
+
+/// The length of a curve, by a fine polygon, beside that of the polygon of points.
+fn detour(curve: &NurbsCurve, points: &[DVec3]) -> f64 {
+    let (domain, n) = (curve.domain(), 20 * points.len());
+    let places: Vec<DVec3> =
+        (0..=n).map(|i| curve.point_at(domain.at(i as f64 / n as f64))).collect();
+    let length = |way: &[DVec3]| way.windows(2).map(|ends| ends[0].distance(ends[1])).sum::<f64>();
+    length(&places) / length(points)
+}
+
+#[test]
+fn a_curve_near_points_makes_no_detours_between_them() {
+    let mut state = 7_u64;
+    let mut random = || {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    for n in [20, 61, 201, 1501] {
+        for tolerance in [0.2, 0.05, 1e-3] {
+            let points: Vec<DVec3> =
+                (0..n).map(|_| DVec3::new(random(), random(), random())).collect();
+            let parameters = Parametrization::Chord.parameters(&points).unwrap();
+            let curve = approximate_within(&points, &parameters, 3, tolerance, false).unwrap();
+            let found = detour(&curve, &points);
+            assert!(found < 1.25, "{n} points within {tolerance}: {found} times as long");
+        }
+    }
+}
+
+#[test]
+fn noise_within_the_tolerance_is_neither_followed_nor_taken_for_corners() {
+    for (n, most) in [(201, 14), (2001, 40), (10_001, 80)] {
+        // Low discrepancy instead of chance: the same everywhere.
+        let noise = |i: usize| (0.618_033_988_749_895 * i as f64).fract() - 0.5;
+        let at = |i: usize| 20.0 * i as f64 / (n - 1) as f64;
+        let point = |i: usize| DVec3::new(at(i), libm::sin(at(i)) + 0.1 * noise(i), 0.0);
+        let points: Vec<DVec3> = (0..n).map(point).collect();
+        let parameters = Parametrization::Chord.parameters(&points).unwrap();
+        let curve = approximate_within(&points, &parameters, 3, 0.06, false).unwrap();
+        assert!(curve.control_points().len() <= most, "{n}: {}", curve.control_points().len());
+        // A corner is a knot as often as the degree.
+        assert!(
+            curve
+                .knots()
+                .breaks()
+                .iter()
+                .all(|&t| [0.0, 1.0].contains(&t) || curve.knots().multiplicity(t) == 1)
+        );
+    }
+}

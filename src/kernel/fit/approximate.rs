@@ -6,7 +6,7 @@ use super::{
     Ends, Interpolator,
     kinks::kinks,
     least::Approximator,
-    search::{FitSearch, FittedCurve, MANY},
+    search::{FitSearch, FittedCurve},
 };
 use crate::{ConstructionReport, DegreeError, GeomError, KnotVector, NurbsCurve, ReportEntry};
 
@@ -67,9 +67,12 @@ pub fn approximate_within(
         let needed = degree + 1;
         return Err(DegreeError::BadDegree { degree, points: points.len(), needed }.into());
     }
-    let kinks = kinks(points, parameters);
+    let kinks = kinks(points, parameters, tolerance);
     let left = crate::ceiling::FIT_STEPS / if kinks.is_empty() { 1 } else { 2 };
-    let search = |points| FitSearch { points, degree, tolerance, are_fixed, left };
+    let are_listed = are_fixed;
+    let most = points.len();
+    let search =
+        |points| FitSearch { points, degree, tolerance, are_fixed, are_listed, most, left };
     if kinks.is_empty() {
         let found = search(points).run(parameters)?;
         return Ok(reporting(found.curve, points, &found.parameters, &[]));
@@ -93,9 +96,10 @@ pub fn approximate_within(
     let has_fewer = |smooth: &FittedCurve| {
         smooth.curve.control_points().len() < cornered.control_points().len()
     };
-    // Corners take many knots of a smooth curve; of many points that is seldom worth the time.
-    let smooth = (points.len() <= MANY).then(|| search(points).run(parameters));
-    match smooth.and_then(Result::ok).filter(has_fewer) {
+    // What grows to more than twice as many does not come down to fewer.
+    let most = 2 * cornered.control_points().len();
+    let smooth = FitSearch { most, ..search(points) }.run(parameters);
+    match smooth.ok().filter(has_fewer) {
         Some(found) => Ok(reporting(found.curve, points, &found.parameters, &[])),
         None => {
             let moved: Vec<f64> =

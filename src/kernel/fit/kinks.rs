@@ -13,16 +13,21 @@ const PROMINENCE: f64 = 4.0;
 /// Neighbours on each side that tell what is usual.
 const N_NEIGHBOURS: usize = 4;
 
+/// Points nearer than so many times the tolerance tell no direction: what they miss the curve by would
+/// turn it.
+const APART: f64 = 8.0;
+
 /// Indices of inner points at which the polygon of the points turns by much more than around them:
-/// a corner of a shape that is smooth beside it, and neither a tight bend nor noise.
-pub(super) fn kinks(points: &[DVec3], parameters: &[f64]) -> Vec<usize> {
+/// a corner of a shape that is smooth beside it, and neither a tight bend nor noise within the tolerance.
+pub(super) fn kinks(points: &[DVec3], parameters: &[f64], tolerance: f64) -> Vec<usize> {
     // Points that share their parameter have no direction between them.
     let last = points.len() - 1;
     let same = PARAMETER_RELATIVE * (parameters[last] - parameters[0]);
     let mut apart: Vec<usize> = Vec::with_capacity(points.len());
     for i in 0..=last {
         let is_apart = |&before: &usize| {
-            same < parameters[i] - parameters[before] && points[before] != points[i]
+            let way = points[before].distance(points[i]);
+            same < parameters[i] - parameters[before] && APART * tolerance < way
         };
         if apart.last().is_none_or(is_apart) {
             apart.push(i);
@@ -43,7 +48,17 @@ pub(super) fn kinks(points: &[DVec3], parameters: &[f64]) -> Vec<usize> {
         others.sort_by(f64::total_cmp);
         others.get(others.len() / 2).is_some_and(|usual| PROMINENCE * usual < turns[k])
     };
-    (0..turns.len()).filter(is_kink).map(|k| apart[k + 1]).collect()
+    // Of the points between those that are apart, the corner is the one furthest out.
+    let corner = |k: usize| {
+        let ends = [apart[k], apart[k + 2]];
+        let chord = points[ends[1]] - points[ends[0]];
+        let out = |i: usize| chord.cross(points[i] - points[ends[0]]).length_squared();
+        (ends[0] + 1..ends[1])
+            .fold(apart[k + 1], |best, i| if out(best) < out(i) { i } else { best })
+    };
+    let mut found: Vec<usize> = (0..turns.len()).filter(is_kink).map(corner).collect();
+    found.dedup();
+    found
 }
 
 #[cfg(test)]
@@ -54,7 +69,7 @@ mod tests {
 
     fn of(points: &[DVec3]) -> Vec<usize> {
         let parameters: Vec<f64> = (0..points.len()).map(|i| i as f64).collect();
-        kinks(points, &parameters)
+        kinks(points, &parameters, 1e-3)
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::search::{FitSearch, FittedCurve, MANY, SAMPLE};
+use super::search::{FitSearch, FittedCurve};
 use crate::{
     ceiling::NEWTON_STEPS,
     numeric::newton::{to_foot, within_limits},
@@ -12,21 +12,41 @@ use crate::{
 /// What a sample may miss of the tolerance: the points between are missed by more.
 const SAMPLE_SHARE: f64 = 0.9;
 
+/// So many points, evenly chosen, are searched for first, if there are more than twice as many.
+const SAMPLE: usize = 400;
+
+/// Points of a sample for each control point, so that none swings between them.
+const POINTS_A_CONTROL: usize = 6;
+
+/// A curve of a sample that misses other points by so many times the tolerance is given a few knots more.
+const ALMOST: f64 = 2.0;
+
 impl FitSearch<'_> {
-    /// The curve that a sample of the points asks for, with more knots where others are missed; `None`
-    /// where the sample tells nothing.
-    pub(super) fn run_on_sample(&mut self, parameters: &[f64]) -> Option<FittedCurve> {
+    /// The curve that a sample of the points asks for: of ever more points until the others are near to
+    /// it too, or are once it has a few knots more; `None` where no sample tells enough.
+    pub(super) fn run_on_samples(&mut self, parameters: &[f64]) -> Option<FittedCurve> {
+        let mut n = SAMPLE;
+        while 2 * n < self.points.len() {
+            if let Some(found) = self.run_on_sample(n, parameters) {
+                return Some(found);
+            }
+            n *= 2;
+        }
+        None
+    }
+
+    /// The curve that about `n` of the points ask for, if the others are near to it.
+    fn run_on_sample(&mut self, n: usize, parameters: &[f64]) -> Option<FittedCurve> {
         let last = self.points.len() - 1;
-        let stride = last.div_ceil(SAMPLE);
+        let stride = last.div_ceil(n);
         let chosen: Vec<usize> = (0..last).step_by(stride).chain([last]).collect();
         let points: Vec<DVec3> = chosen.iter().map(|&i| self.points[i]).collect();
         let places: Vec<f64> = chosen.iter().map(|&i| parameters[i]).collect();
         let tolerance = SAMPLE_SHARE * self.tolerance;
         let mut search = FitSearch { points: &points, tolerance, ..*self };
-        let sample = search.run(&places).ok()?;
-        if SAMPLE < 2 * sample.n_control() {
-            return None;
-        }
+        let sample = search.run_on_all(&places);
+        self.left = search.left;
+        let sample = sample.ok().filter(|s| POINTS_A_CONTROL * s.n_control() < chosen.len())?;
         let start = match self.are_fixed {
             true => parameters.to_vec(),
             false => self.feet_between(&sample, &chosen, parameters),
@@ -34,15 +54,19 @@ impl FitSearch<'_> {
         let places = sample.curve.evaluator();
         let pairs = self.points.iter().zip(&start);
         let misses = pairs.map(|(point, &t)| places.point_at(t).distance(*point)).collect();
-        let whole = FittedCurve::new(sample.curve.clone(), start.clone(), misses);
+        let whole = FittedCurve::new(sample.curve.clone(), start, misses);
         if self.keeps(&whole) {
             return Some(whole);
         }
-        let found = self.grown(sample.curve.knots().clone(), &start, self.points.len())?;
-        let spread = self.respread(found, sample.n_control());
-        let thinned = self.thinned_at_once(spread);
-        let are_many = MANY < self.points.len();
-        Some(if are_many { thinned } else { self.thinned(thinned) })
+        if ALMOST * self.tolerance < whole.worst {
+            return None;
+        }
+        let start = whole.parameters;
+        self.grown(
+            sample.curve.knots().clone(),
+            &start,
+            sample.n_control() + sample.n_control() / 8,
+        )
     }
 
     /// The nearest places of all points on the curve of a sample: each lies between those of the two around it

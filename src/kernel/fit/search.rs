@@ -4,7 +4,7 @@ use glam::{DVec3, DVec4};
 
 use super::{Ends, Interpolator, least::Approximator, slide::slid, spread};
 use crate::{
-    FitError, GeomError, KnotVector, NurbsCurve,
+    FitError, GeomError, KnotVector, NurbsCurve, Parametrization,
     tolerance::{PARAMETER_RELATIVE, SLIDE_RELATIVE},
 };
 
@@ -12,10 +12,7 @@ use crate::{
 const MAX_CORRECTIONS: usize = 12;
 
 /// So many points are many: what costs more than it saves is left out.
-pub(super) const MANY: usize = 2000;
-
-/// Of many points so many, evenly chosen, are searched for; then all are looked at.
-pub(super) const SAMPLE: usize = 400;
+const MANY: usize = 2000;
 
 /// Many points slide along a curve that misses by less than so many times the tolerance: on one that
 /// is far from them they would only crowd.
@@ -26,9 +23,6 @@ const MAX_ROUNDS: usize = 64;
 
 /// A step that leaves more than this of the sum of the squares gains nothing.
 const GAIN: f64 = 0.98;
-
-/// Control points up to which every number is tried; above, halving finds a good one.
-pub(super) const FEW: usize = 64;
 
 /// So many steps in a row that gain nothing are the last.
 const MAX_IDLE: usize = 2;
@@ -59,6 +53,10 @@ pub(super) struct FitSearch<'a> {
     pub(super) tolerance: f64,
     /// Whether the parameters stay as they are.
     pub(super) are_fixed: bool,
+    /// Whether the parameters are asked for: then detours between points are as well.
+    pub(super) are_listed: bool,
+    /// More control points than this are of no use.
+    pub(super) most: usize,
     /// Points that may still be looked at to save control points.
     pub(super) left: usize,
 }
@@ -93,30 +91,42 @@ impl FitSearch<'_> {
     /// # Errors
     /// [`FitError::ToleranceNotKept`] below the rounding of the coordinates.
     pub(super) fn run(&mut self, parameters: &[f64]) -> Result<FittedCurve, GeomError> {
-        if 2 * SAMPLE < self.points.len()
-            && let Some(found) = self.run_on_sample(parameters)
-        {
+        if let Some(found) = self.run_on_samples(parameters) {
             return Ok(found);
         }
+        self.run_on_all(parameters)
+    }
+
+    /// [`Self::run`], all points looked at from the beginning.
+    pub(super) fn run_on_all(&mut self, parameters: &[f64]) -> Result<FittedCurve, GeomError> {
         let domain = [parameters[0], parameters[parameters.len() - 1]];
         let ends = domain.map(|t| vec![t; self.degree + 1]);
         let coarsest = KnotVector::for_points(self.degree, self.degree + 1, ends.concat())?;
         // Points that slide along a curve that is still far from them can crowd, and then no number
         // of knots is enough; at parameters that stand still knots only ever help.
-        let all = self.points.len();
+        let all = self.most.min(self.points.len());
         let still = FitSearch { are_fixed: true, ..*self }.grown(coarsest.clone(), parameters, all);
         let most = still.as_ref().map_or(all, FittedCurve::n_control);
         let slid = if self.are_fixed { None } else { self.grown(coarsest, parameters, most) };
         let Some(first) = slid.or(still) else {
             return self.interpolated(parameters);
         };
-        let spread = self.respread(first, self.degree + 1);
-        let thinned = self.thinned_at_once(spread);
-        Ok(self.thinned(thinned))
+        let mut best = first;
+        for _ in 0..MAX_ROUNDS {
+            let n = best.n_control();
+            let spread = self.respread(best, self.degree + 1);
+            let thinned = self.thinned_at_once(spread);
+            best = self.thinned(thinned);
+            // With fewer knots, and parameters that slid, they may be needed elsewhere.
+            if n <= best.n_control() {
+                break;
+            }
+        }
+        Ok(best)
     }
 
     pub(super) fn keeps(&self, trial: &FittedCurve) -> bool {
-        trial.worst <= self.tolerance && (self.are_fixed || self.goes_straight(trial))
+        trial.worst <= self.tolerance && (self.are_listed || self.goes_straight(trial))
     }
 
     /// Whether the curve makes no detour between two points: where parameters slide apart, no point
@@ -245,8 +255,31 @@ impl FitSearch<'_> {
         None
     }
 
-    /// The curve through all points, which no tolerance above rounding can refuse.
+    /// The curve through all points, which no tolerance above rounding can refuse. Where it makes detours at
+    /// the parameters, and they are not asked for, they are centripetal: Lee, *Choosing nodes in
+    /// parametric curve interpolation*, CAD 21 (1989).
     fn interpolated(&self, parameters: &[f64]) -> Result<FittedCurve, GeomError> {
+        let found = self.interpolated_at(parameters)?;
+        if self.keeps(&found) {
+            return Ok(found);
+        }
+        let [start, end] = [parameters[0], parameters[parameters.len() - 1]];
+        let rule = Parametrization::Centripetal.loose_parameters(self.points);
+        let trial = match rule {
+            Ok(rule) if !self.are_listed => {
+                let spread: Vec<f64> = rule.iter().map(|t| (1.0 - t) * start + t * end).collect();
+                self.interpolated_at(&spread)?
+            }
+            _ => found,
+        };
+        if trial.worst <= self.tolerance {
+            return Ok(trial);
+        }
+        let tolerance = self.tolerance;
+        Err(GeomError::Fit(FitError::ToleranceNotKept { tolerance, found: trial.worst }))
+    }
+
+    fn interpolated_at(&self, parameters: &[f64]) -> Result<FittedCurve, GeomError> {
         // Neighbours at one place are passed together.
         let same = PARAMETER_RELATIVE * (parameters[parameters.len() - 1] - parameters[0]);
         let mut apart: (Vec<f64>, Vec<DVec3>) = (Vec::new(), Vec::new());
@@ -261,14 +294,7 @@ impl FitSearch<'_> {
         let found = curve.evaluator();
         let pairs = self.points.iter().zip(parameters);
         let misses = pairs.map(|(point, &t)| found.point_at(t).distance(*point)).collect();
-        let trial = FittedCurve::new(curve, parameters.to_vec(), misses);
-        if trial.worst <= self.tolerance {
-            return Ok(trial);
-        }
-        Err(GeomError::Fit(FitError::ToleranceNotKept {
-            tolerance: self.tolerance,
-            found: trial.worst,
-        }))
+        Ok(FittedCurve::new(curve, parameters.to_vec(), misses))
     }
 
     /// Fewer control points, from so many on, with the knots where the curve needs them.
@@ -276,8 +302,7 @@ impl FitSearch<'_> {
         let mut best = first;
         let (mut low, mut high) = (least, best.n_control());
         while low + high / SHARE < high && 0 < self.left {
-            let one_by_one = high <= FEW && self.points.len() <= MANY;
-            let n = if one_by_one { low } else { low.midpoint(high) };
+            let n = low.midpoint(high);
             match self.spread(&best, n) {
                 Ok(trial) => (best, high) = (trial, n),
                 Err(worst) => low = self.expected(n, worst).clamp(n + 1, (n + 1).midpoint(high)),

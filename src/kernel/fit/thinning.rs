@@ -1,14 +1,20 @@
 //! Taking knots away from a curve that has more than its tolerance needs.
 
-use super::search::{FEW, FitSearch, FittedCurve};
+use super::search::{FitSearch, FittedCurve};
 use crate::{KnotVector, NurbsCurve, removal::removal};
+
+/// Control points up to which knots go one by one; of more that is seldom worth the time.
+const FEW: usize = 64;
+
+/// So many knots that cost least are tried: if none of them can go, the others cannot either.
+const MAX_TRIED: usize = 16;
 
 impl FitSearch<'_> {
     /// Takes many knots away together: of those whose removal alone would be within the tolerance
     /// as many as may go, no two of them neighbours.
     pub(super) fn thinned_at_once(&mut self, first: FittedCurve) -> FittedCurve {
         let mut best = first;
-        while FEW < best.n_control() {
+        while self.degree + 1 < best.n_control() {
             let spare = self.spare_knots(&best.curve);
             let mut n = spare.len();
             let found = loop {
@@ -30,13 +36,8 @@ impl FitSearch<'_> {
 
     /// Inner knots that the curve needs least, no two of them neighbours, the least needed first.
     fn spare_knots(&self, curve: &NurbsCurve) -> Vec<f64> {
-        let (knots, points) = (curve.knots().as_slice(), curve.control_points());
-        let inner = self.degree + 1..points.len();
-        let mut costs: Vec<(f64, usize)> = inner
-            .map(|i| (removal(self.degree, knots, points, i).displacement, i))
-            .filter(|&(cost, _)| cost <= self.tolerance)
-            .collect();
-        costs.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let knots = curve.knots().as_slice();
+        let costs = self.costs(curve).into_iter().filter(|&(cost, _)| cost <= self.tolerance);
         let mut is_taken = vec![false; knots.len() + 1];
         let mut spare = Vec::new();
         for (_, i) in costs {
@@ -48,28 +49,29 @@ impl FitSearch<'_> {
         spare
     }
 
-    /// Takes knots away one by one, the least needed first.
+    /// What the removal of each inner knot would displace, the least first.
+    fn costs(&self, curve: &NurbsCurve) -> Vec<(f64, usize)> {
+        let (knots, points) = (curve.knots().as_slice(), curve.control_points());
+        let inner = self.degree + 1..points.len();
+        let mut costs: Vec<(f64, usize)> =
+            inner.map(|i| (removal(self.degree, knots, points, i).displacement, i)).collect();
+        costs.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        costs
+    }
+
+    /// Takes knots away one by one, of those that cost least the first that can go.
     pub(super) fn thinned(&mut self, first: FittedCurve) -> FittedCurve {
         let mut best = first;
-        while best.n_control() <= FEW {
-            let breaks = best.curve.knots().breaks();
-            let mut without: Option<FittedCurve> = None;
-            for &t in &breaks[1..breaks.len() - 1] {
-                if self.left == 0 {
-                    return best;
-                }
-                let knots = best.curve.knots().without(t);
-                let start = best.parameters.clone();
-                let found = self.trial(&knots, &start).filter(|trial| self.keeps(trial));
-                let is_better =
-                    |found: &FittedCurve| without.as_ref().is_none_or(|w| found.worst < w.worst);
-                if let Some(found) = found.filter(is_better) {
-                    without = Some(found);
-                }
-            }
-            match without {
+        while best.n_control() <= FEW && 0 < self.left {
+            let costs = self.costs(&best.curve);
+            let (knots, start) = (best.curve.knots().clone(), best.parameters.clone());
+            let without = |&(_, i): &(f64, usize)| {
+                let trial = self.trial(&knots.without(knots.as_slice()[i]), &start)?;
+                self.keeps(&trial).then_some(trial)
+            };
+            match costs.iter().take(MAX_TRIED).find_map(without) {
                 Some(trial) => best = trial,
-                None => return best,
+                None => break,
             }
         }
         best

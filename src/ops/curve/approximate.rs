@@ -10,6 +10,9 @@ use crate::{
     value::{At, AtLeast, Ctx, Length, op},
 };
 
+/// Fewer points than so many times those of one polynomial say nothing of how they scatter.
+const ENOUGH: usize = 4;
+
 op! {
     /// Spline near points, through the first and the last, on 0..1 or over the parameters that
     /// are listed.
@@ -18,7 +21,8 @@ op! {
     /// squared distances at the parameters sum to least, over knots that spread the parameters
     /// evenly. With `tolerance` it comes that near to every point, with as few control points as
     /// are found; it moves the parameters along the curve unless they are listed, and has corners
-    /// where the points turn sharply, if that takes no more control points. `report` has
+    /// where the points turn sharply, if that takes no more control points. Points that scatter by more
+    /// than the tolerance are followed one by one, without detours, which gives a warning. `report` has
     /// `{control_points, deviation, corners, parameters}`. Piegl & Tiller, *The NURBS Book*,
     /// §9.4.1, (9.68), (9.69); Hoschek & Lasser, *Fundamentals of Computer Aided Geometric
     /// Design*, §4.4.
@@ -62,8 +66,13 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
             let hint = "`interpolate` passes through all of the points";
             let within = positive("the tolerance", tolerance)
                 .map_err(|mistake| Box::new(mistake.hint(hint)))?;
-            kernel::approximate_within(&points, &parameters, degree, within, are_fixed)
-                .at(tolerance.span)
+            let curve = kernel::approximate_within(&points, &parameters, degree, within, are_fixed)
+                .at(tolerance.span)?;
+            if let Some(message) = followed(curve.control_points().len(), degree, points.len()) {
+                let hint = "a larger tolerance smooths points that scatter, and more points tell more of what bends; through all goes `interpolate`";
+                ctx.warn(Diagnostic::warning(Code::Unclean, tolerance.span, message).hint(hint));
+            }
+            Ok(curve)
         }
         (Some(_), Some(tolerance)) => complain(
             tolerance.span,
@@ -76,6 +85,16 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
             "write `tolerance = ...`, or `control_points = ...`",
         ),
     }
+}
+
+/// What is to be said of a curve that has a control point for nearly every point.
+fn followed(n_control: usize, degree: usize, n_points: usize) -> Option<String> {
+    let is_all = ENOUGH * (degree + 1) <= n_points && 9 * n_points <= 10 * n_control;
+    is_all.then(|| {
+        format!(
+            "{n_control} control points for {n_points} points: no curve of fewer was found within the tolerance"
+        )
+    })
 }
 
 fn complain<T>(span: Span, message: &str, hint: &str) -> Result<T> {
