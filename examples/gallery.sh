@@ -51,6 +51,7 @@ draw cut-hull --only wetted --only waterplane --only dry
 draw glyph --only stencil
 draw lampshade --only shade
 draw laser-box --only drawing
+draw wind-blade --camera -6,-14,2 --perspective --only rotor
 draw wing-root --only outer --only skin_of_body --only joint
 draw wheel-hub --only rim --only top --only blend --only shell --only lip --only mouth --only inner --only seal --only holes
 draw wigley-hull --only port --only starboard --only lines --only frames
