@@ -35,6 +35,7 @@ draw curvature-map --only map
 draw first-steps --show control
 draw frigate-hull --only port --only starboard --only waterlines --only frames
 draw hull-offsets --camera 110,70,30 --perspective --no-isocurves --only port --only starboard --only frames --only waterlines
+draw involute-gear --only pair
 draw lens --camera 60,-150,60 --only light --only half --only section_plane
 draw linkeova-2-3 --only c --only at_half --show control
 draw linkeova-2-4 --only before --only after --only parts --show control
