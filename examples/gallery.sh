@@ -28,6 +28,7 @@ draw aerofoil --only foil --only measured --show control
 draw at-sign --only stroke_clamped --only bowl_clamped --show control
 draw bottle --only wall --only foot --only label
 draw bottle-volume --camera 160,-420,260 --only walls --only glass_section --only liquid
+draw bolt --only bolt
 draw car-bonnet --only bonnet --show stripes
 draw circles --only circles --show control
 draw curvature-comb
