@@ -46,6 +46,7 @@ draw naca --only wing
 draw pipe-along-a-curve
 draw propeller-blade --only all --only hub
 size=400x300 draw teapot --only patches
+draw road --only carriageway --only centre --camera 60,-200,420 --perspective --no-isocurves
 draw textbook-joints --show control
 draw textbook-surfaces --only filled --show control
 draw units
