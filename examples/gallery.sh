@@ -34,6 +34,7 @@ draw circles --only circles --show control
 draw curvature-comb
 draw curvature-map --only map
 draw first-steps --show control
+draw cut-and-fill --only cut --only fill --only zero --only heights_of_ground --no-edges --camera -120,-160,330 --perspective
 draw frigate-hull --only port --only starboard --only waterlines --only frames
 draw hull-offsets --camera 110,70,30 --perspective --no-isocurves --only port --only starboard --only frames --only waterlines
 draw involute-gear --only pair
