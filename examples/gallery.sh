@@ -36,6 +36,7 @@ draw curvature-map --only map
 draw first-steps --show control
 draw cut-and-fill --only cut --only fill --only zero --only heights_of_ground --no-edges --camera -120,-160,330 --perspective
 draw frigate-hull --only port --only starboard --only waterlines --only frames
+draw fuselage --only shell --only port --camera -14,20,7 --perspective
 draw handrail --only rail --only treads --only bars --no-isocurves
 draw hull-offsets --camera 110,70,30 --perspective --no-isocurves --only port --only starboard --only frames --only waterlines
 draw involute-gear --only pair
