@@ -39,6 +39,7 @@ draw frigate-hull --only port --only starboard --only waterlines --only frames
 draw fuselage --only shell --only port --camera -14,20,7 --perspective
 draw handrail --only rail --only treads --only bars --no-isocurves
 draw hull-offsets --camera 110,70,30 --perspective --no-isocurves --only port --only starboard --only frames --only waterlines
+draw hull-study --only stable --only tender --only chosen --camera 700,0,330 --perspective --no-isocurves --no-edges
 draw involute-gear --only pair
 draw lens --camera 60,-150,60 --only light --only half --only section_plane
 draw linkeova-2-3 --only c --only at_half --show control
