@@ -52,7 +52,9 @@ let of_arc = radius * (turn - 2 * swing) / 1rad
 let total  = 2 * (lead - reach) + 2 * ramp + of_arc
 check length(axis) ~= total within 1e-5
 check continuity(axis).g >= 2                               "no jump in the curvature"
-// Stations where the elements meet, and what is at a station: place in plan, curvature, crossfall down to the left, height.
+
+// Stations where the elements meet, and what is at a station: its place, the curvature, the crossfall down to the
+// left, the height.
 let marks = [lead - reach, ...scan([ramp, of_arc, ramp], lead - reach, (s, l) => s + l)]
 fn between(s, a, b) = clamp((s - a) / (b - a), 0, 1)
 fn in_bend(s) = between(s, marks[0], marks[1]) - between(s, marks[2], marks[3])
@@ -64,8 +66,7 @@ let bottom = total / 2
 let rounding = sag * (down + up) / 2
 fn height(s) = {
     let x = clamp(s, bottom - rounding, bottom + rounding) - (bottom - rounding)
-    120m - down * (min(s, bottom + rounding) - 0m) + x^2 / (2 * sag) +
-        up * max(s - bottom - rounding, 0m)
+    120m - down * min(s, bottom + rounding) + x^2 / (2 * sag) + up * max(s - bottom - rounding, 0m)
 }
 fn at_station(s) = {
     let t = parameter_at_length(axis, s)
