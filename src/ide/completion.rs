@@ -46,7 +46,7 @@ pub struct Completion {
     pub label: String,
     /// What it is, in a few words.
     pub detail: String,
-    /// What it does, as Markdown.
+    /// What the script says of it, as Markdown; of built-ins [`Completion::all_docs`] tells more.
     pub docs: String,
     /// What it is.
     pub kind: CompletionKind,
@@ -91,6 +91,14 @@ impl Completion {
 
     pub(super) fn docs(self, docs: impl Into<String>) -> Self {
         Self { docs: docs.into(), ..self }
+    }
+
+    /// What it does, as Markdown, also of a built-in: a page that is made when somebody looks at it.
+    #[must_use]
+    pub fn all_docs(&self, registry: &Registry) -> String {
+        let is_built_in = matches!(self.kind, CompletionKind::BuiltIn | CompletionKind::Constant);
+        let page = is_built_in.then(|| docs::markdown(registry, &self.label)).flatten();
+        page.unwrap_or_else(|| self.docs.clone())
     }
 }
 
@@ -141,10 +149,8 @@ impl CompletionSpot<'_> {
         match syntax::place(self.before()) {
             CompletionPlace::Comment => Vec::new(),
             CompletionPlace::Field { start, of } => self.fields(of, &self.word_from(start)),
-            CompletionPlace::Text { start, call, label, .. } => {
-                self.in_text(start, call, label, list)
-            }
-            CompletionPlace::Name { start, .. } => self.names(&self.word_from(start)),
+            CompletionPlace::Text { start, call, label } => self.in_text(start, call, label, list),
+            CompletionPlace::Name { start } => self.names(&self.word_from(start)),
         }
     }
 
@@ -163,7 +169,7 @@ impl CompletionSpot<'_> {
     fn fields(&self, of: &str, range: &Range<usize>) -> Vec<Completion> {
         let Some(values) = self.values else { return self.names_of_import(of, range) };
         let Some(value) = values.value(of) else { return self.names_of_import(of, range) };
-        let tolerance = values.report.document.1;
+        let tolerance = values.report().document.1;
         let told = |name: &str| {
             let field = match value {
                 Value::Record(record) => record.get(name).cloned(),
@@ -287,8 +293,7 @@ impl CompletionSpot<'_> {
     fn built_in(&self, name: &str, range: &Range<usize>) -> Completion {
         if let Some(constant) = self.registry.constant(name) {
             return Completion::new(name, CompletionKind::Constant, range)
-                .detail((constant.value)().to_string())
-                .docs(constant.docs);
+                .detail((constant.value)().to_string());
         }
         let ops: &[&Op] = self.registry.get(name).map(|(_, ops)| &ops[..]).unwrap_or_default();
         let first = ops.first();
@@ -306,7 +311,6 @@ impl CompletionSpot<'_> {
             ..Completion::new(name, CompletionKind::BuiltIn, range)
         }
         .detail(first.map(|op| op.signature()).unwrap_or_default())
-        .docs(docs::markdown(self.registry, name).unwrap_or_default())
     }
 
     /// A call with places for its arguments, unless brackets stand there already.

@@ -53,7 +53,7 @@ impl Document {
         if !field_names(value).contains(&field) {
             return None;
         }
-        let tolerance = values.report.document.1;
+        let tolerance = values.report().document.1;
         crate::value::field(value, field, tolerance).ok().flatten()
     }
 

@@ -1,6 +1,6 @@
 //! What a run came to, as an editor shows it: values with units, claims with margins.
 
-use std::{ops::Range, sync::Arc};
+use std::{collections::HashMap, ops::Range, sync::Arc};
 
 use super::Document;
 use crate::{
@@ -21,11 +21,26 @@ const MOST_MEASURED: usize = 1000;
 /// The last run of a script.
 #[derive(Debug)]
 pub struct Values {
-    /// What it came to.
-    pub report: Arc<Report>,
+    report: Arc<Report>,
+    /// The numbers of the definitions, by name.
+    numbers: HashMap<String, usize>,
 }
 
 impl Values {
+    /// The values of a report.
+    #[must_use]
+    pub fn new(report: Arc<Report>) -> Self {
+        let names = report.definitions.iter().enumerate();
+        let numbers = names.map(|(idx, defined)| (defined.name.clone(), idx)).collect();
+        Self { report, numbers }
+    }
+
+    /// What the run came to.
+    #[must_use]
+    pub fn report(&self) -> &Arc<Report> {
+        &self.report
+    }
+
     /// Whether they are of this very text.
     #[must_use]
     pub fn are_of(&self, document: &Document) -> bool {
@@ -35,8 +50,7 @@ impl Values {
     /// The value of a definition of the script.
     #[must_use]
     pub fn value(&self, name: &str) -> Option<&Value> {
-        let mut definitions = self.report.definitions.iter();
-        definitions.find(|defined| defined.name == name)?.value.as_ref()
+        self.report.definitions[*self.numbers.get(name)?].value.as_ref()
     }
 
     /// The claim at a place of the script.

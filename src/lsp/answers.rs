@@ -17,6 +17,7 @@ pub(super) fn answer(server: &mut Server<'_>, method: &str, params: Json) -> Req
     match method {
         "textDocument/hover" => with(params, |params| server.hover(&params)),
         "textDocument/completion" => with(params, |params| server.completion(&params)),
+        "completionItem/resolve" => with(params, |params| Some(server.completed(params))),
         "textDocument/signatureHelp" => with(params, |params| server.signature_help(&params)),
         "textDocument/definition" => with(params, |params| server.definition(&params)),
         "textDocument/references" => with(params, |params| server.references(&params)),

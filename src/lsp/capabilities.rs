@@ -114,7 +114,10 @@ pub(super) fn initialize_result(client: &Client) -> Json {
         "positionEncoding": encoding,
         "textDocumentSync": { "openClose": true, "change": incremental, "save": true },
         "hoverProvider": true,
-        "completionProvider": { "triggerCharacters": [".", "\"", "/", "(", ","] },
+        "completionProvider": {
+            "triggerCharacters": [".", "\"", "/", "(", ","],
+            "resolveProvider": true,
+        },
         "signatureHelpProvider": {
             "triggerCharacters": ["(", ","],
             "retriggerCharacters": ["=", ")"],

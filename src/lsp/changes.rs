@@ -73,7 +73,7 @@ impl Server<'_> {
     fn renew_others(&mut self, uri: &str, path: Option<&PathBuf>) {
         let uses = |open: &OpenDocument| match open.last_values() {
             Some(values) => {
-                let mut sources = values.report.sources.iter().skip(1);
+                let mut sources = values.report().sources.iter().skip(1);
                 let folder = open.folder();
                 sources.any(|source| Some(&paths::normal(&folder.join(&source.name))) == path)
             }

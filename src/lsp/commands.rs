@@ -8,6 +8,7 @@ use serde_json::{Value as Json, json};
 
 use super::{
     capabilities::{TEST, VIEW},
+    paths,
     server::{RequestError, RequestResult, Server},
     viewer::StartedViewer,
 };
@@ -23,7 +24,7 @@ impl Server<'_> {
         };
         match params.get("command").and_then(Json::as_str).unwrap_or_default() {
             TEST => self.test(argument(0), argument(1)),
-            VIEW => self.view(argument(0)),
+            VIEW => self.view(argument(0), argument(1)),
             other => Err(RequestError(
                 ErrorCode::InvalidParams,
                 format!("there is no command `{other}`"),
@@ -65,8 +66,8 @@ impl Server<'_> {
         Ok(json!({ "passed": has_passed, "tests": tests }))
     }
 
-    /// Shows a document in a viewer, which is started unless it runs.
-    fn view(&mut self, uri: &str) -> RequestResult {
+    /// Shows a definition of a document, or all of it, in a viewer, which is started unless it runs.
+    fn view(&mut self, uri: &str, definition: &str) -> RequestResult {
         let path = self.documents.get(uri).and_then(|open| open.path.clone());
         let Some(path) = path else {
             return Err(RequestError(
@@ -88,6 +89,10 @@ impl Server<'_> {
                 self.viewers.push(viewer);
                 address
             }
+        };
+        let address = match definition {
+            "" => address,
+            name => format!("{address}#definition={}", paths::escaped(name)),
         };
         if self.client.shows_documents {
             self.ask("window/showDocument", json!({ "uri": address, "external": true }));

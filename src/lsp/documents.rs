@@ -117,6 +117,6 @@ impl OpenDocument {
 
     /// Takes in a report of the text with this serial.
     pub(super) fn take(&mut self, serial: u64, report: Arc<crate::session::Report>) {
-        self.values = Some((serial, Values { report }));
+        self.values = Some((serial, Values::new(report)));
     }
 }

@@ -78,7 +78,7 @@ impl Server<'_> {
     pub(super) fn publish(&mut self, uri: &str) {
         let Some(open) = self.documents.get(uri) else { return };
         let Some(values) = open.values() else { return };
-        let report = std::sync::Arc::clone(&values.report);
+        let report = std::sync::Arc::clone(values.report());
         self.publish_all(uri, &report.sources, &report.diagnostics);
     }
 
@@ -136,7 +136,7 @@ impl Server<'_> {
         {
             return Some(Vec::new());
         }
-        let report = &open.values()?.report;
+        let report = open.values()?.report();
         let places = open.places(self.client.unit);
         let at = places.bytes(&params.range);
         let addressed = Addressed::of(open, &report.sources, self.client.unit);

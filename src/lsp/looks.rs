@@ -4,11 +4,11 @@ use std::{path::Path, str::FromStr};
 
 use lsp_types::{
     CodeLens, CodeLensParams, Color, ColorInformation, ColorPresentation, ColorPresentationParams,
-    Command, CompletionItem, CompletionParams, CompletionTextEdit, DocumentColorParams,
-    DocumentFormattingParams, DocumentLink, DocumentLinkParams, DocumentOnTypeFormattingParams,
-    DocumentRangeFormattingParams, Documentation, FoldingRange, FoldingRangeKind,
-    FoldingRangeParams, Hover, HoverContents, HoverParams, InlayHint, InlayHintKind,
-    InlayHintLabel, InlayHintParams, InsertTextFormat, MarkupContent, MarkupKind,
+    Command, CompletionItem, CompletionItemKind, CompletionParams, CompletionTextEdit,
+    DocumentColorParams, DocumentFormattingParams, DocumentLink, DocumentLinkParams,
+    DocumentOnTypeFormattingParams, DocumentRangeFormattingParams, Documentation, FoldingRange,
+    FoldingRangeKind, FoldingRangeParams, Hover, HoverContents, HoverParams, InlayHint,
+    InlayHintKind, InlayHintLabel, InlayHintParams, InsertTextFormat, MarkupContent, MarkupKind,
     ParameterInformation, ParameterLabel, SelectionRange, SelectionRangeParams, SemanticToken,
     SemanticTokens, SemanticTokensParams, SemanticTokensRangeParams, SignatureHelp,
     SignatureHelpParams, SignatureInformation, TextEdit, Uri,
@@ -22,7 +22,11 @@ use super::{
     paths,
     server::Server,
 };
-use crate::ide::{self, Document, HintKind, LensKind, TokenKind};
+use crate::{
+    disk::entries,
+    docs,
+    ide::{self, Document, HintKind, LensKind, TokenKind},
+};
 
 fn markdown(value: String) -> MarkupContent {
     MarkupContent { kind: MarkupKind::Markdown, value }
@@ -56,7 +60,7 @@ impl Server<'_> {
         let at = &params.text_document_position;
         let (open, document, places) = self.open(&at.text_document.uri)?;
         let folder = open.folder();
-        let list = |below: &str| paths::entries(&folder.join(below));
+        let list = |below: &str| entries(&folder.join(below));
         let found = document.completions(
             &self.session,
             open.last_values(),
@@ -81,6 +85,20 @@ impl Server<'_> {
             }
         };
         Some(found.into_iter().map(item).collect())
+    }
+
+    /// A completion that somebody looks at: of a built-in with its page, which makes up half of a list.
+    pub(super) fn completed(&self, item: CompletionItem) -> CompletionItem {
+        let is_built_in = item.documentation.is_none()
+            && matches!(
+                item.kind,
+                Some(CompletionItemKind::FUNCTION | CompletionItemKind::CONSTANT)
+            );
+        let page = is_built_in.then(|| docs::markdown(self.session.registry(), &item.label));
+        match page.flatten() {
+            Some(page) => CompletionItem { documentation: documentation(&page), ..item },
+            None => item,
+        }
     }
 
     pub(super) fn signature_help(&self, params: &SignatureHelpParams) -> Option<SignatureHelp> {

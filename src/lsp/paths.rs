@@ -2,12 +2,15 @@
 
 use std::{
     collections::BTreeMap,
-    fs,
     path::{Component, Path, PathBuf},
     sync::Arc,
 };
 
-use crate::{disk::ScriptFiles, ide::FolderEntry, value::Files};
+use crate::{
+    disk::{ScriptFiles, entries},
+    ide::FolderEntry,
+    value::Files,
+};
 
 /// Scripts of a workspace that are looked through.
 const MOST_SCRIPTS: usize = 2000;
@@ -43,15 +46,21 @@ pub(super) fn path_of(uri: &str) -> Option<PathBuf> {
 /// The address of a path.
 pub(super) fn uri_of(path: &Path) -> String {
     let text = path.display().to_string().replace('\\', "/");
-    let mut uri = String::from(if text.starts_with('/') { "file://" } else { "file:///" });
+    let root = if text.starts_with('/') { "file://" } else { "file:///" };
+    format!("{root}{}", escaped(&text))
+}
+
+/// A text as a part of an address.
+pub(super) fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
     for byte in text.bytes() {
         if byte.is_ascii_alphanumeric() || b"/-._~".contains(&byte) {
-            uri.push(char::from(byte));
+            out.push(char::from(byte));
         } else {
-            uri.push_str(&format!("%{byte:02X}"));
+            out.push_str(&format!("%{byte:02X}"));
         }
     }
-    uri
+    out
 }
 
 /// A path without `.` and, as far as it goes, without `..`.
@@ -93,21 +102,6 @@ impl Files for OverlaidFiles {
             None => self.disk.read(path, most),
         }
     }
-}
-
-/// The entries of a folder, but for hidden ones.
-pub(super) fn entries(folder: &Path) -> Vec<FolderEntry> {
-    let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
-    let mut found: Vec<FolderEntry> = entries
-        .flatten()
-        .filter_map(|entry| {
-            let name = entry.file_name().into_string().ok()?;
-            let is_folder = entry.path().is_dir();
-            (!name.starts_with('.')).then_some(FolderEntry { name, is_folder })
-        })
-        .collect();
-    found.sort_by(|a, b| a.name.cmp(&b.name));
-    found
 }
 
 /// The scripts below these folders, in order; hidden folders, `target` and `node_modules` are left out.

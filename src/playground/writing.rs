@@ -90,7 +90,7 @@ impl Playground {
 
     /// What the last run came to.
     fn values(&self) -> Option<Values> {
-        self.model.last.as_ref().map(|last| Values { report: Arc::clone(last) })
+        self.model.last.as_ref().map(|last| Values::new(Arc::clone(last)))
     }
 
     fn complete(&self, document: &Document, body: &Json) -> Answer {
@@ -103,7 +103,7 @@ impl Playground {
             json!({
                 "label": its.label,
                 "detail": its.detail,
-                "docs": its.docs,
+                "docs": its.all_docs(self.session.registry()),
                 "kind": format!("{:?}", its.kind).to_lowercase(),
                 "range": places.range(&its.range),
                 "insert": its.insert,

@@ -269,12 +269,10 @@ pub(super) fn opening(lexed: &Lexed<'_>, at: usize) -> Option<usize> {
 /// What stands around a place at which somebody types.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CompletionPlace<'s> {
-    /// A name that begins at a byte; inside the brackets of a call also the called name.
+    /// A name.
     Name {
         /// Where it begins.
         start: usize,
-        /// The call around it.
-        call: Option<&'s str>,
     },
     /// A name behind the dot after this expression.
     Field {
@@ -291,8 +289,6 @@ pub enum CompletionPlace<'s> {
         call: Option<&'s str>,
         /// The label that it is the value of.
         label: Option<&'s str>,
-        /// Whether a file is read there: after `import`.
-        is_import: bool,
     },
     /// A comment.
     Comment,
@@ -315,8 +311,7 @@ pub fn place(source: &str) -> CompletionPlace<'_> {
     if let Some(at) = open_text {
         let label = (at > 1 && lexed.token(at - 1) == Token::Equals).then(|| lexed.text(at - 2));
         let start = lexed.span(at).range().start + 1;
-        let is_import = at > 0 && lexed.token(at - 1) == Token::Import;
-        return CompletionPlace::Text { start, call: called(&lexed, at), label, is_import };
+        return CompletionPlace::Text { start, call: called(&lexed, at), label };
     }
     let is_word = lexed.tokens.len() > 1
         && (lexed.token(last).is_word() || lexed.token(last) == Token::Placeholder)
@@ -326,7 +321,7 @@ pub fn place(source: &str) -> CompletionPlace<'_> {
     if at > 1 && lexed.token(at - 1) == Token::Dot {
         return CompletionPlace::Field { start, of: lexed.text(at - 2) };
     }
-    CompletionPlace::Name { start, call: called(&lexed, at) }
+    CompletionPlace::Name { start }
 }
 
 /// The name that is called in the innermost brackets around token `at`.
@@ -376,20 +371,12 @@ mod tests {
 
     #[test]
     fn a_place_knows_what_is_around_it() {
-        assert_eq!(place("let a = bez"), CompletionPlace::Name { start: 8, call: None });
-        assert_eq!(
-            place("bezier(pts, wei"),
-            CompletionPlace::Name { start: 12, call: Some("bezier") }
-        );
+        assert_eq!(place("let a = bez"), CompletionPlace::Name { start: 8 });
+        assert_eq!(place("bezier(pts, wei"), CompletionPlace::Name { start: 12 });
         assert_eq!(place("c.deg"), CompletionPlace::Field { start: 2, of: "c" });
         assert_eq!(
             place("interpolate(p, ends = \"nat"),
-            CompletionPlace::Text {
-                start: 23,
-                call: Some("interpolate"),
-                label: Some("ends"),
-                is_import: false
-            }
+            CompletionPlace::Text { start: 23, call: Some("interpolate"), label: Some("ends") }
         );
     }
 }

@@ -96,3 +96,35 @@ fn a_client_that_goes_without_a_word_ends_it() {
     drop(server.child.stdin.take());
     assert_eq!(server.child.wait().expect("it ends").code(), Some(0));
 }
+
+#[test]
+fn a_lens_shows_its_definition_in_one_viewer() {
+    let folder = Scratch::new("lsp-view");
+    let script = folder.0.join("model.geo");
+    let text = "curve größe = line((0, 0), (1, 0))\ncurve b = line((0, 0), (0, 1))\n";
+    std::fs::write(&script, text).expect("it is written");
+    let uri = format!("file://{}", script.display());
+    let mut server = Server::start(&folder);
+    server.tell("initialize", Some(1), json!({ "capabilities": {} }));
+    server.hear("id", &json!(1));
+    server.tell("initialized", None, json!({}));
+    let document = json!({ "uri": uri, "languageId": "virote", "version": 1, "text": text });
+    server.tell("textDocument/didOpen", None, json!({ "textDocument": document }));
+    server.tell("textDocument/codeLens", Some(2), json!({ "textDocument": { "uri": uri } }));
+    let lenses = server.hear("id", &json!(2));
+    let mut addresses = Vec::new();
+    for (id, lens) in (3..).zip(lenses["result"].as_array().expect("lenses")) {
+        assert_eq!(lens["command"]["title"], "open in view");
+        server.tell("workspace/executeCommand", Some(id), lens["command"].clone());
+        let told = server.hear("id", &json!(id));
+        addresses.push(told["result"]["address"].as_str().expect("an address").to_owned());
+    }
+    let parts: Vec<_> =
+        addresses.iter().map(|address| address.split_once('#').expect("a definition")).collect();
+    assert_eq!([parts[0].1, parts[1].1], ["definition=gr%C3%B6%C3%9Fe", "definition=b"]);
+    assert_eq!(parts[0].0, parts[1].0, "one viewer shows both");
+    server.tell("shutdown", Some(9), Json::Null);
+    server.hear("id", &json!(9));
+    server.tell("exit", None, Json::Null);
+    assert_eq!(server.child.wait().expect("it ends").code(), Some(0));
+}

@@ -475,8 +475,17 @@ mod terminal {
         prompt.says("unmist\t + (1, 0)", "\n(2, 2, 0)\r");
         // Several that fit are listed with what they are.
         prompt.types("unmistakable.\t\t");
-        prompt.sees("field");
+        prompt.sees("y  2");
         prompt.says("y", "\n2\r");
+        prompt.says("fn half(height, by = 2) = height / by", "half: function");
+        prompt.says("half(3mm, by\t6)", "\n0.5mm\r");
+        // The argument that is being written stands behind the cursor.
+        prompt.types("half(3, ");
+        prompt.sees("by = 2");
+        prompt.gives_up();
+        prompt.types("25m\t\t");
+        prompt.sees("1000 mm");
+        prompt.gives_up();
         prompt.types("len(circle((0, 0), 1, nor\t\t");
         prompt.sees("label: point");
         prompt.gives_up();

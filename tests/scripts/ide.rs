@@ -22,7 +22,7 @@ fn scene_with(marked: &str, files: MemoryFiles) -> Scene {
     let text = marked.replace('‸', "");
     let session = Session::default();
     let document = Document::new(&session, "main.geo", &text, &files);
-    let values = Values { report: Arc::new(session.run("main.geo", text.as_bytes(), &files, &[])) };
+    let values = Values::new(Arc::new(session.run("main.geo", text.as_bytes(), &files, &[])));
     Scene { session, files, document, values, at }
 }
 
@@ -91,7 +91,7 @@ fn completion_knows_the_place() {
     assert_eq!((width.detail.as_str(), width.docs.as_str()), ("2 mm", "Its width."));
     let circle = scene("let b = cir‸").completion("circle");
     assert_eq!(circle.snippet.as_deref(), Some("circle(${1:center}, ${2:radius}$0)"));
-    assert!(circle.docs.contains("- `radius`"));
+    assert!(circle.all_docs(names.session.registry()).contains("- `radius`"));
     let labels = scene("let b = circle((0, 0), 1, normal = (0, 0, 1), ‸)").completions();
     assert!(
         labels.iter().any(|one| one.insert == "from = ")

@@ -3,6 +3,7 @@
 import { App } from "./app";
 import { EmbeddedDoor } from "./door/embedded";
 import { HttpDoor } from "./door/http";
+import { followEditor } from "./editor";
 import { el } from "./panels/dom";
 import { expose } from "./virote";
 
@@ -15,6 +16,7 @@ const host = document.getElementById("app")!;
 try {
   const app = new App(EmbeddedDoor.find() ?? new HttpDoor(token()), host);
   expose(app);
+  followEditor(app.doc, app.stage);
 } catch (trouble) {
   const message = trouble instanceof Error ? trouble.message : String(trouble);
   host.replaceChildren(

@@ -39,8 +39,8 @@ export async function closeBrowser() {
   await browser?.close();
 }
 
-/** A page that has drawn its model; its errors are collected in `page.faults`. */
-export async function openPage(url, size = { width: 1200, height: 700 }) {
+/** An empty page; its errors are collected in `page.faults`. */
+export async function newPage(size = { width: 1200, height: 700 }) {
   const page = await browser.newPage();
   page.faults = [];
   page.on("pageerror", (fault) => page.faults.push(fault.message));
@@ -52,6 +52,12 @@ export async function openPage(url, size = { width: 1200, height: 700 }) {
     { name: "prefers-reduced-motion", value: "reduce" },
     { name: "prefers-color-scheme", value: "light" },
   ]);
+  return page;
+}
+
+/** A page that has drawn its model. */
+export async function openPage(url, size) {
+  const page = await newPage(size);
   await page.goto(url);
   await page.waitForFunction(() => window.virote?.isReady, WAIT);
   return page;

@@ -8,6 +8,7 @@ const { Preview } = require("./preview");
 const { taskArguments } = require("./tasks");
 
 let client;
+let preview;
 
 /** The command `virote` as the settings name it. */
 const command = () => vscode.workspace.getConfiguration("virote").get("path", "virote");
@@ -17,11 +18,20 @@ const settings = () => {
   return { inlayHints, codeLens };
 };
 
+/** Commands of the server; what it would show in a browser is shown beside the text. */
+async function executeCommand(command, parameters, next) {
+  if (command !== "virote.openView") return next(command, parameters);
+  const [address, definition] = parameters;
+  const document = await vscode.workspace.openTextDocument(vscode.Uri.parse(address));
+  return preview.show(document, definition);
+}
+
 async function start() {
   const server = { command: command(), args: ["lsp"] };
   client = new LanguageClient("virote", "Virote", server, {
     documentSelector: [{ language: "virote" }],
     initializationOptions: settings(),
+    middleware: { executeCommand },
     synchronize: { configurationSection: "virote", fileEvents: vscode.workspace.createFileSystemWatcher("**/*") },
   });
   try {
@@ -64,7 +74,7 @@ async function runScript() {
 }
 
 exports.activate = async (context) => {
-  const preview = new Preview(vscode, command);
+  preview = new Preview(vscode, command, (method, parameters) => client.sendRequest(method, parameters));
   context.subscriptions.push(
     preview,
     vscode.tasks.registerTaskProvider("virote", tasks),

@@ -1,9 +1,15 @@
-// The panel that shows `virote view` beside the text: the page of the viewer in a frame.
+// The panel that shows `virote view` beside the text: the page of the viewer in a frame. What the cursor
+// stands in is selected there, and what is selected there is revealed in the text.
 
 "use strict";
 
 const { spawn } = require("node:child_process");
+const { randomBytes } = require("node:crypto");
 const readline = require("node:readline");
+const { definitionsAt, placeOf } = require("./cursor");
+
+/** Milliseconds for which the cursor rests before the page follows it. */
+const REST = 80;
 
 /** Starts `virote view` for a script: the address of its page, and what ends it. */
 function serve(command, file) {
@@ -18,29 +24,102 @@ function serve(command, file) {
   return { address, stop: () => child.kill() };
 }
 
-/** The panel's own page: a frame with that of the viewer. */
+/** The panel's own page: a frame with that of the viewer, and what hands messages through. */
 function page(address) {
-  const origin = new URL(address).origin;
+  const { origin } = new URL(address);
+  const nonce = randomBytes(16).toString("hex");
   return `<!doctype html>
 <html>
   <head>
     <meta charset="utf-8">
-    <meta http-equiv="Content-Security-Policy" content="default-src 'none'; frame-src ${origin}; style-src 'unsafe-inline'">
+    <meta http-equiv="Content-Security-Policy" content="default-src 'none'; frame-src ${origin}; script-src 'nonce-${nonce}'; style-src 'unsafe-inline'">
     <style>html, body, iframe { margin: 0; padding: 0; border: 0; width: 100%; height: 100vh; overflow: hidden; }</style>
   </head>
-  <body><iframe src="${address.replaceAll("&", "&amp;").replaceAll('"', "&quot;")}" allow="clipboard-write"></iframe></body>
+  <body>
+    <script nonce="${nonce}">
+      const editor = acquireVsCodeApi();
+      addEventListener("message", ({ source, data }) => {
+        const viewer = document.querySelector("iframe")?.contentWindow;
+        if (source === viewer) editor.postMessage(data);
+        else viewer?.postMessage(data, "${origin}");
+      });
+    </script>
+    <iframe src="${address.replaceAll("&", "&amp;").replaceAll('"', "&quot;")}" allow="clipboard-write"></iframe>
+  </body>
 </html>`;
 }
 
-class Preview {
-  constructor(vscode, command) {
-    this.vscode = vscode;
-    this.command = command;
-    /** Panels with their viewers, by the path of the script. */
-    this.open = new Map();
+/** The panel of one script. */
+class Panel {
+  constructor(vscode, ask, document, panel, viewer) {
+    Object.assign(this, { vscode, ask, document, panel, viewer });
+    /** What the page is to show as soon as it listens. */
+    this.wish = null;
+    this.isListening = false;
+    /** The definition that page and text agree upon. */
+    this.shared = null;
+    panel.webview.onDidReceiveMessage((message) => this.hear(message));
   }
 
-  async show(document) {
+  /** Has the page select the first of these definitions that the model has. */
+  send(wish) {
+    [this.shared] = wish.definitions;
+    if (this.isListening) this.panel.webview.postMessage(wish);
+    else this.wish = wish;
+  }
+
+  /** Has the page select what the cursor stands in. */
+  async follow(position) {
+    const definitions = await definitionsAt(this.ask, this.document.uri.toString(), position).catch(() => []);
+    if (definitions.length > 0 && definitions[0] !== this.shared) this.send({ virote: "select", definitions });
+  }
+
+  async hear({ virote, definition }) {
+    if (virote === "ready") {
+      // It says so anew after each reload.
+      this.isListening = true;
+      if (this.wish) this.panel.webview.postMessage(this.wish);
+      this.wish = null;
+    } else if (virote === "selected") {
+      this.shared = definition;
+      await this.reveal(definition);
+    }
+  }
+
+  /** Puts the cursor onto a definition; the panel keeps the focus. */
+  async reveal(definition) {
+    const { vscode, document } = this;
+    const place = await placeOf(this.ask, document.uri.toString(), definition).catch(() => undefined);
+    if (!place) return;
+    const isOfScript = (editor) => editor.document.uri.toString() === document.uri.toString();
+    const editor =
+      vscode.window.visibleTextEditors.find(isOfScript) ??
+      (await vscode.window.showTextDocument(document, { viewColumn: vscode.ViewColumn.One, preserveFocus: true }));
+    const { start, end } = place;
+    const range = new vscode.Range(start.line, start.character, end.line, end.character);
+    editor.selection = new vscode.Selection(range.start, range.start);
+    editor.revealRange(range, vscode.TextEditorRevealType.InCenterIfOutsideViewport);
+  }
+}
+
+class Preview {
+  /** `command` names the command `virote`; `ask` sends a request to the language server. */
+  constructor(vscode, command, ask) {
+    this.vscode = vscode;
+    this.command = command;
+    this.ask = ask;
+    /** Panels by the path of the script. */
+    this.open = new Map();
+    this.rest = undefined;
+    this.following = vscode.window.onDidChangeTextEditorSelection(({ textEditor, selections }) => {
+      const panel = this.open.get(textEditor.document.uri.fsPath);
+      clearTimeout(this.rest);
+      if (panel) this.rest = setTimeout(() => panel.follow(selections[0].active), REST);
+    });
+  }
+
+  /** Shows a script, and in it this definition or else what the cursor stands in. */
+  async show(document, definition) {
     const { vscode } = this;
     if (document?.languageId !== "virote") return;
     if (document.isUntitled) {
@@ -49,33 +128,45 @@ class Preview {
     }
     const file = document.uri.fsPath;
     const known = this.open.get(file);
-    if (known) {
-      known.panel.reveal(undefined, true);
-      return;
+    known?.panel.reveal(undefined, true);
+    const panel = known ?? this.begin(document, file);
+    if (definition) panel.send({ virote: "show", definitions: [definition] });
+    else if (!known) {
+      const editor = vscode.window.activeTextEditor;
+      if (editor?.document === document) void panel.follow(editor.selection.active);
     }
-    const title = `Model of ${file.split(/[\\/]/).pop()}`;
-    const panel = vscode.window.createWebviewPanel(
-      "virote.preview",
-      title,
-      { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true },
-      { enableScripts: true, retainContextWhenHidden: true },
-    );
-    const viewer = serve(this.command(), file);
-    this.open.set(file, { panel, viewer });
-    panel.onDidDispose(() => {
-      viewer.stop();
-      this.open.delete(file);
-    });
+    if (known) return;
     try {
-      const outside = await vscode.env.asExternalUri(vscode.Uri.parse(await viewer.address));
-      panel.webview.html = page(outside.toString(true));
+      const outside = await vscode.env.asExternalUri(vscode.Uri.parse(await panel.viewer.address));
+      panel.panel.webview.html = page(outside.toString(true));
     } catch (error) {
-      panel.dispose();
+      panel.panel.dispose();
       vscode.window.showErrorMessage(`\`virote view\` does not start: ${error.message}`);
     }
   }
 
+  /** A panel for a script, and its viewer. */
+  begin(document, file) {
+    const { vscode } = this;
+    const webview = vscode.window.createWebviewPanel(
+      "virote.preview",
+      `Model of ${file.split(/[\\/]/).pop()}`,
+      { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true },
+      { enableScripts: true, retainContextWhenHidden: true },
+    );
+    const viewer = serve(this.command(), file);
+    const panel = new Panel(vscode, this.ask, document, webview, viewer);
+    this.open.set(file, panel);
+    webview.onDidDispose(() => {
+      viewer.stop();
+      this.open.delete(file);
+    });
+    return panel;
+  }
+
   dispose() {
+    clearTimeout(this.rest);
+    this.following.dispose();
     for (const { panel } of [...this.open.values()]) panel.dispose();
   }
 }

@@ -12,7 +12,7 @@ use super::{
     prompt::Prompt,
     show,
 };
-use crate::{diag::nearest, docs, export::View, syntax::StatementRole, value::Value};
+use crate::{diag::nearest, docs, export::View, ide::Outline, syntax::StatementRole, value::Value};
 
 /// A command.
 pub(super) struct Command {
@@ -145,20 +145,23 @@ fn help(prompt: &mut Prompt, name: &str) {
             None => prompt.refuse(&unknown(command)),
         };
     }
-    let own = prompt.values.iter().find(|(own, _)| own == name);
-    if let Some((name, value)) = own {
-        let docs = prompt.document.docs_of(name).map(|docs| format!("\n{docs}"));
-        say(&format!("{}\n{}", show::line(name, value, prompt.unit), docs.unwrap_or_default()));
+    let own = prompt.values.value(name);
+    if let Some(value) = own {
+        let outline = Outline::of(prompt.engine.session(), &prompt.document.definitions());
+        let docs = outline.of_file().find(|own| own.name == name).and_then(|own| own.docs.as_ref());
+        let docs = docs.map(|docs| format!("\n{docs}\n")).unwrap_or_default();
+        say(&format!("{}\n{docs}", show::line(name, value, prompt.unit)));
     }
+    let registry = prompt.engine.session().registry();
     let code = explain::entry(name);
     let command = COMMANDS.iter().find(|command| command.name == name).map(Command::entry);
     let word = || docs::language::entry(name);
-    match docs::entry(&prompt.registry, name).or(code).or(command).or_else(word) {
+    match docs::entry(registry, name).or(code).or(command).or_else(word) {
         Some(text) => say(&text),
-        None if prompt.values.iter().any(|(own, _)| own == name) => {}
+        None if own.is_some() => {}
         None => {
-            let mut names: Vec<&str> = prompt.registry.names().collect();
-            names.extend(prompt.values.iter().map(|(own, _)| own.as_str()));
+            let mut names: Vec<&str> = registry.names().collect();
+            names.extend(prompt.defined().map(|(own, _)| own));
             docs::language::topics().for_each(|word| names.push(word));
             let near = nearest(name, names);
             let near = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
@@ -172,8 +175,7 @@ fn list(prompt: &mut Prompt, _: &str) {
         return prompt.voice.remark("(the document is empty)");
     }
     let text: String = prompt
-        .values
-        .iter()
+        .defined()
         .map(|(name, value)| format!("{}\n", show::line(name, value, prompt.unit)))
         .collect();
     say(&text);
@@ -258,15 +260,14 @@ fn undo(prompt: &mut Prompt, _: &str) {
     let told = std::mem::take(&mut prompt.told);
     // What held before holds again, unless a file that it reads has changed.
     match prompt.evaluate("", '\n', &text, ["document", "document"]) {
-        Some(mut ran) => {
-            let mut gone: Vec<String> =
-                prompt.values.iter().map(|(name, _)| name.clone()).collect();
-            prompt.know(&mut ran.report);
+        Some(ran) => {
+            let mut gone: Vec<String> = prompt.defined().map(|(name, _)| name.to_owned()).collect();
+            prompt.know(ran.report);
             prompt.document = document;
             // What was asked since may use what is gone.
             prompt.last = last;
-            gone.retain(|name| prompt.values.iter().all(|(still, _)| still != name));
-            let n = counted(prompt.values.len(), "definition");
+            gone.retain(|name| prompt.values.value(name).is_none());
+            let n = counted(prompt.defined().count(), "definition");
             let without = if gone.is_empty() { "" } else { ", without " };
             prompt.voice.remark(&format!("(back to {n}{without}{})", gone.join(", ")));
         }

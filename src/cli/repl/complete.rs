@@ -1,40 +1,29 @@
-//! What could stand at a place: names with their kinds, labels, words, fields, files, commands.
+//! What could stand at a place of an entry, as `ide` tells it of the document with the entry behind
+//! it; and commands with what stands behind them.
 
-use std::{fs, path::PathBuf};
+use std::{path::PathBuf, sync::Arc};
 
+use super::command::COMMANDS;
 use crate::{
-    syntax::{CompletionPlace, KEYWORDS, ast::Unit, place},
-    value::{Op, OpParameter, Registry, Value, field_names},
+    disk::{ScriptFiles, entries},
+    ide::{Completion, CompletionKind, Document, Values},
+    session::Session,
+    syntax::open_call,
 };
 
-use super::{command::COMMANDS, show};
+/// Bytes of a document up to which help is shown at each key.
+const MOST_BYTES: usize = 256 << 10;
 
 /// What the prompt knows of its document.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Scope {
-    /// Its definitions.
-    pub(super) names: Vec<KnownDefinition>,
+    pub(super) session: Arc<Session>,
+    /// Its settings and definitions.
+    pub(super) text: String,
+    /// What they came to.
+    pub(super) values: Arc<Values>,
     /// The folder that its files lie in.
     pub(super) folder: PathBuf,
-}
-
-/// A definition.
-#[derive(Clone, Debug)]
-pub(super) struct KnownDefinition {
-    pub(super) name: String,
-    /// Kind and size, or the value.
-    pub(super) what: String,
-    /// What may stand after a dot.
-    pub(super) fields: Vec<String>,
-}
-
-impl KnownDefinition {
-    pub(super) fn of(name: &str, value: &Value, unit: Unit) -> Self {
-        let fields = field_names(value).into_iter().map(str::to_owned).collect();
-        let what = show::cut(&show::line(name, value, unit)[name.len()..], 60);
-        let what = what.trim_start_matches([' ', '=', ':']).to_owned();
-        Self { name: name.to_owned(), what, fields }
-    }
 }
 
 /// Something that could stand at a place.
@@ -47,166 +36,148 @@ pub(super) struct Candidate {
 }
 
 impl Candidate {
-    fn new(text: impl Into<String>, what: impl Into<String>) -> Self {
-        Self { text: text.into(), what: what.into() }
+    fn of(completion: Completion) -> Self {
+        let what = match completion.kind {
+            CompletionKind::Keyword => "keyword".to_owned(),
+            CompletionKind::Label => format!("label: {}", completion.detail),
+            _ => completion.detail,
+        };
+        Self { text: completion.insert, what }
     }
 }
 
-/// Where the completed part of `line` begins, and what could stand there.
-pub(super) fn candidates(
-    line: &str,
-    scope: &Scope,
-    registry: &Registry,
-) -> (usize, Vec<Candidate>) {
-    let indent = line.len() - line.trim_start().len();
-    if line[indent..].starts_with(':') {
-        return command(line, indent, scope, registry);
+impl Scope {
+    /// The document with the beginning of an entry behind it.
+    fn document(&self, line: &str) -> Document {
+        let files = ScriptFiles::new(&self.folder);
+        Document::new(&self.session, "input", &format!("{}{line}", self.text), &files)
     }
-    let (start, mut found) = in_expression(line, scope, registry);
-    let begun = line[start..].to_owned();
-    found.retain(|candidate| candidate.text.starts_with(&begun));
-    found.sort_by(|a, b| a.text.cmp(&b.text));
-    found.dedup_by(|b, a| a.text == b.text);
-    (start, found)
-}
 
-/// A command, or what may stand behind it.
-fn command(
-    line: &str,
-    indent: usize,
-    scope: &Scope,
-    registry: &Registry,
-) -> (usize, Vec<Candidate>) {
-    let Some(blank) = line.find(char::is_whitespace).filter(|&at| at > indent) else {
-        let begun = &line[indent + 1..];
-        let fitting = COMMANDS.iter().filter(|command| command.name.starts_with(begun));
-        let found = fitting.map(|command| Candidate::new(command.name, command.docs)).collect();
-        return (indent + 1, found);
-    };
-    let takes_file =
-        COMMANDS.iter().any(|known| known.takes_file && line[indent + 1..blank] == *known.name);
-    let rest = blank + (line.len() - blank) - line[blank..].trim_start().len();
-    if takes_file {
-        let found = files(&line[rest..], scope);
-        let folder = line[rest..].rfind('/').map_or(rest, |slash| rest + slash + 1);
-        return (folder, found);
-    }
-    let (start, found) = candidates(&line[rest..], scope, registry);
-    (rest + start, found)
-}
-
-fn in_expression(line: &str, scope: &Scope, registry: &Registry) -> (usize, Vec<Candidate>) {
-    match place(line) {
-        CompletionPlace::Comment => (line.len(), Vec::new()),
-        CompletionPlace::Field { start, of } => {
-            let known = scope.names.iter().find(|known| known.name == of);
-            let fields = known.map(|known| known.fields.as_slice()).unwrap_or_default();
-            (start, fields.iter().map(|field| Candidate::new(field, "field")).collect())
-        }
-        CompletionPlace::Text { start, call, label, .. } => {
-            let words = call
-                .zip(label)
-                .and_then(|(call, label)| parameter(registry, call, label))
-                .map(|param| param.ty.words())
-                .unwrap_or_default();
-            if words.is_empty() {
-                let begun = &line[start..];
-                let folder = begun.rfind('/').map_or(start, |slash| start + slash + 1);
-                return (folder, files(begun, scope));
+    /// Where the completed part of `line` begins, and what could stand there.
+    pub(super) fn candidates(&self, line: &str) -> (usize, Vec<Candidate>) {
+        let line_start = line.len() - line.trim_start().len();
+        match line[line_start..].strip_prefix(':') {
+            Some(command) => {
+                let (start, found) = self.in_command(command);
+                (line_start + 1 + start, found)
             }
-            (start, words.into_iter().map(|word| Candidate::new(word, "word")).collect())
-        }
-        CompletionPlace::Name { start, call } => {
-            let mut found: Vec<Candidate> =
-                scope.names.iter().map(|known| Candidate::new(&known.name, &known.what)).collect();
-            let labels = call.map(|call| ops(registry, call)).unwrap_or_default();
-            found.extend(labels.iter().flat_map(|op| op.params).map(|param| {
-                Candidate::new(format!("{} = ", param.name), format!("label: {}", param.ty))
-            }));
-            found.extend(registry.names().map(|name| built_in(registry, name)));
-            found.extend(KEYWORDS.iter().map(|word| Candidate::new(*word, "keyword")));
-            (start, found)
+            None => self.in_entry(line),
         }
     }
-}
 
-fn built_in(registry: &Registry, name: &str) -> Candidate {
-    let what = match (registry.get(name), registry.constant(name)) {
-        (Some((_, ops)), _) => ops.first().map(|op| op.signature()).unwrap_or_default(),
-        (None, Some(constant)) => constant.docs.to_owned(),
-        (None, None) => String::new(),
-    };
-    Candidate::new(name, what)
-}
+    fn in_entry(&self, line: &str) -> (usize, Vec<Candidate>) {
+        let document = self.document(line);
+        let end = document.text().len();
+        let list = |below: &str| entries(&self.folder.join(below));
+        let mut found = document.completions(&self.session, Some(&self.values), &list, end);
+        let start = found.first().map_or(end, |first| first.range.start);
+        let begun = document.text().get(start..).unwrap_or_default();
+        // All are of one place, behind what is in the document already.
+        found.retain(|one| one.range.start == start && one.insert.starts_with(begun));
+        let start = start.saturating_sub(self.text.len());
+        (start, found.into_iter().map(Candidate::of).collect())
+    }
 
-fn ops<'r>(registry: &'r Registry, name: &str) -> Vec<&'r Op> {
-    registry.get(name).map(|(_, ops)| ops.iter().copied().collect()).unwrap_or_default()
-}
+    /// A command, or what may stand behind it.
+    fn in_command(&self, line: &str) -> (usize, Vec<Candidate>) {
+        let Some((name, rest)) = line.split_once(char::is_whitespace) else {
+            let fitting = COMMANDS.iter().filter(|command| command.name.starts_with(line));
+            let candidate =
+                |name: &str, what: &str| Candidate { text: name.to_owned(), what: what.to_owned() };
+            return (0, fitting.map(|command| candidate(command.name, command.docs)).collect());
+        };
+        let rest = rest.trim_start();
+        let start = line.len() - rest.len();
+        let is_file = COMMANDS.iter().any(|known| known.takes_file && known.name == name);
+        let (at, found) = if is_file { self.files(rest) } else { self.in_entry(rest) };
+        (start + at, found)
+    }
 
-fn parameter(registry: &Registry, call: &str, label: &str) -> Option<&'static OpParameter> {
-    let (_, ops) = registry.get(call)?;
-    ops.iter().flat_map(|op| op.params).find(|param| param.name == label)
-}
+    /// The files and folders whose path begins with this.
+    fn files(&self, begun: &str) -> (usize, Vec<Candidate>) {
+        let start = begun.rfind('/').map_or(0, |slash| slash + 1);
+        let (folder, stem) = begun.split_at(start);
+        let found = entries(&self.folder.join(folder)).into_iter();
+        let candidate = |(name, is_folder): (String, bool)| match is_folder {
+            true => Candidate { text: name + "/", what: "folder".to_owned() },
+            false => Candidate { text: name, what: "file".to_owned() },
+        };
+        let found = found.map(|entry| (entry.name, entry.is_folder));
+        (start, found.filter(|(name, _)| name.starts_with(stem)).map(candidate).collect())
+    }
 
-/// The files and folders whose path begins with `begun`.
-fn files(begun: &str, scope: &Scope) -> Vec<Candidate> {
-    let (folder, stem) = begun.rsplit_once('/').unwrap_or(("", begun));
-    let root = if begun.starts_with('/') { PathBuf::from("/") } else { scope.folder.clone() };
-    let Ok(entries) = fs::read_dir(root.join(folder.trim_start_matches('/'))) else {
-        return Vec::new();
-    };
-    let mut found: Vec<Candidate> = entries
-        .flatten()
-        .filter_map(|entry| {
-            let name = entry.file_name().into_string().ok()?;
-            let is_fitting = name.starts_with(stem) && !(name.starts_with('.') && stem.is_empty());
-            if !is_fitting {
-                return None;
-            }
-            let data = entry.metadata().ok()?;
-            Some(if data.is_dir() {
-                Candidate::new(name + "/", "folder")
-            } else {
-                let ending = name.rsplit_once('.').map_or("file", |(_, ending)| ending);
-                let what = format!("{ending}, {} bytes", data.len());
-                Candidate::new(&name, what)
-            })
-        })
-        .collect();
-    found.sort_by(|a, b| a.text.cmp(&b.text));
-    found
+    /// The argument that is being written at the end of `line`, as the signature of its call has it.
+    pub(super) fn argument(&self, line: &str) -> Option<String> {
+        open_call(line, line.len())?;
+        if MOST_BYTES < self.text.len() {
+            return None;
+        }
+        let document = self.document(line);
+        let signatures = document.signatures(self.session.registry(), document.text().len());
+        let first = signatures.into_iter().next()?;
+        Some(first.parameters.into_iter().nth(first.active?)?.label)
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{KnownDefinition, Scope, candidates};
-    use crate::{ops, value::Value};
+    use std::{path::PathBuf, sync::Arc};
+
+    use super::Scope;
+    use crate::{ide::Values, session::Session, value::NoFiles};
+
+    fn scope(text: &str) -> Scope {
+        let session = Session::default();
+        let report = session.run("document", text.as_bytes(), &NoFiles, &[]);
+        Scope {
+            session: Arc::new(session),
+            text: text.to_owned(),
+            values: Arc::new(Values::new(Arc::new(report))),
+            folder: PathBuf::from("."),
+        }
+    }
+
+    const TEXT: &str = "let benchmark = (1mm, 2mm)\nfn half(height, by = 2) = height / by\n";
 
     #[track_caller]
-    fn check(line: &str, start: usize, expected: &[&str]) {
-        let names = vec![KnownDefinition::of(
-            "benchmark",
-            &Value::Point(glam::DVec3::ZERO),
-            crate::syntax::ast::Unit::Mm,
-        )];
-        let scope = Scope { names, ..Scope::default() };
-        let (at, found) = candidates(line, &scope, &ops::registry());
-        let texts: Vec<&str> = found.iter().map(|candidate| candidate.text.as_str()).collect();
-        assert_eq!((at, texts.as_slice()), (start, expected), "{line}");
+    fn check(line: &str, start: usize, expected: &[(&str, &str)]) {
+        let (at, found) = scope(TEXT).candidates(line);
+        let found: Vec<(&str, &str)> =
+            found.iter().map(|one| (one.text.as_str(), one.what.as_str())).collect();
+        assert_eq!((at, found.as_slice()), (start, expected), "{line}");
     }
 
     #[test]
-    fn names_labels_words_fields_and_commands_are_completed() {
-        check("let a = benc", 8, &["benchmark"]);
-        check("benchmark.", 10, &["x", "y", "z"]);
-        check(
-            "circle((0, 0), 1, norm",
-            18,
-            &["norm", "normal", "normal = ", "normal_curvature", "normal_line", "normal_plane"],
-        );
-        check("interpolate(p, ends = \"be", 23, &["bessel"]);
-        check(":lo", 1, &["load"]);
-        check(":show benc", 6, &["benchmark"]);
+    fn names_members_labels_words_units_and_commands_are_completed() {
+        check("let a = benc", 8, &[("benchmark", "(1, 2, 0)")]);
+        check("benchmark.", 10, &[("x", "1"), ("y", "2"), ("z", "0")]);
+        check("half(3, by", 8, &[("by = ", "label: by = 2")]);
+        check("interpolate(p, ends = \"be", 23, &[("bessel", "")]);
+        check("2i", 1, &[("in", "25.4 mm")]);
+        check("param a: nu", 9, &[("number", "keyword")]);
+        check(":lo", 1, &[("load", "puts a script into the place of the document")]);
+        check(":show benc", 6, &[("benchmark", "(1, 2, 0)")]);
         check("// benc", 7, &[]);
+    }
+
+    #[test]
+    fn labels_that_are_given_are_not_offered_again() {
+        let labels = |line: &str| -> Vec<String> {
+            let (_, found) = scope(TEXT).candidates(line);
+            found.into_iter().map(|one| one.text).filter(|text| text.ends_with(" = ")).collect()
+        };
+        assert!(labels("circle((0, 0), 1, ").contains(&"normal = ".to_owned()));
+        assert!(
+            !labels("circle((0, 0), 1, normal = (0, 0, 1), ").contains(&"normal = ".to_owned())
+        );
+    }
+
+    #[test]
+    fn the_argument_that_is_written_is_told() {
+        let told = |line: &str| scope(TEXT).argument(line);
+        assert_eq!(told("half("), Some("height".to_owned()));
+        assert_eq!(told("1 + half(3, "), Some("by = 2".to_owned()));
+        assert!(told("circle((0, 0), ").is_some_and(|label| label.starts_with("radius")));
+        assert_eq!((told("half(3)"), told("benchmark"), told("unknown(")), (None, None, None));
     }
 }

@@ -61,14 +61,6 @@ impl PromptDocument {
         self.pieces.iter().filter(|piece| piece.role == role).count()
     }
 
-    /// What the comments before a definition say of it.
-    pub(super) fn docs_of(&self, name: &str) -> Option<String> {
-        let piece = self.pieces.iter().find(|piece| piece.names.iter().any(|own| own == name))?;
-        let said = piece.text.lines().map_while(|line| line.trim_start().strip_prefix("///"));
-        let docs: String = said.map(|line| format!("{}\n", line.trim())).collect();
-        (!docs.is_empty()).then_some(docs)
-    }
-
     /// The whole as a script.
     pub(super) fn text(&self) -> String {
         self.pieces.iter().map(|piece| format!("{}\n", piece.text)).collect()
@@ -182,15 +174,6 @@ impl UndoHistory {
 mod tests {
     use super::PromptDocument;
     use crate::limits::Limits;
-
-    #[test]
-    fn the_documentation_of_a_definition_stands_before_it() {
-        let text = "/// Half of it,\n/// the upper one.\nfn half(h) = h / 2\nlet b = 1";
-        let document = PromptDocument::of(text, &Limits::DEFAULT).unwrap();
-        let docs = document.docs_of("half");
-        assert_eq!(docs.as_deref(), Some("Half of it,\nthe upper one.\n"));
-        assert_eq!(document.docs_of("b"), None);
-    }
 
     #[test]
     fn a_definition_takes_the_place_of_its_namesake() {

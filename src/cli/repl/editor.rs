@@ -12,12 +12,11 @@ use rustyline::{
     validate::{ValidationContext, ValidationResult, Validator},
 };
 
-use super::complete::{Scope, candidates};
+use super::{complete::Scope, show::cut};
 use crate::{
     export::io_reason,
     limits::Limits,
     syntax::{Highlight, is_complete, pieces},
-    value::Registry,
 };
 
 /// What stands before an entry.
@@ -25,6 +24,9 @@ const PROMPT: &str = "geo> ";
 
 /// Entries of more bytes are not coloured, and go into no history.
 const MOST_BYTES: usize = 16 << 10;
+
+/// Characters of a hint.
+const MOST_HINT: usize = 60;
 
 /// Entries that are remembered.
 const MOST_ENTRIES: usize = 5_000;
@@ -48,7 +50,7 @@ pub(super) struct Editor {
 impl Editor {
     /// An editor, and what keeps its history from staying.
     pub(super) fn new(
-        registry: Registry,
+        scope: Scope,
         limits: Limits,
         with_color: bool,
     ) -> Result<(Self, Option<String>), ReadlineError> {
@@ -60,7 +62,7 @@ impl Editor {
             .auto_add_history(false)
             .build();
         let mut lines = Lines::with_config(config)?;
-        let assistant = LineHelper { registry, limits, with_color, scope: Scope::default() };
+        let assistant = LineHelper { limits, with_color, scope };
         lines.set_helper(Some(assistant));
         let (history, warning) = match history_file() {
             Some(path) => match open(&mut lines, &path) {
@@ -147,7 +149,6 @@ fn history_file() -> Option<PathBuf> {
 
 /// What helps while an entry is typed.
 struct LineHelper {
-    registry: Registry,
     limits: Limits,
     with_color: bool,
     scope: Scope,
@@ -157,6 +158,16 @@ impl Helper for LineHelper {}
 
 impl Hinter for LineHelper {
     type Hint = String;
+
+    /// The argument that is being written; without colour it would look like a part of the entry.
+    fn hint(&self, line: &str, pos: usize, _: &Context<'_>) -> Option<String> {
+        let is_shown = self.with_color
+            && pos == line.len()
+            && pos <= MOST_BYTES
+            && !line.trim_start().starts_with(':');
+        let argument = is_shown.then(|| self.scope.argument(line)).flatten()?;
+        Some(format!("  {}", cut(&argument, MOST_HINT)))
+    }
 }
 
 impl Completer for LineHelper {
@@ -172,7 +183,7 @@ impl Completer for LineHelper {
         if before.len() > MOST_BYTES {
             return Ok((pos, Vec::new()));
         }
-        let (start, found) = candidates(before, &self.scope, &self.registry);
+        let (start, found) = self.scope.candidates(before);
         let width = found.iter().map(|one| one.text.chars().count()).max().unwrap_or(0).min(24);
         let pairs = found.into_iter().map(|one| Pair {
             display: format!("{:width$}  {}", one.text, one.what),
@@ -194,6 +205,10 @@ impl Highlighter for LineHelper {
         } else {
             Cow::Borrowed(prompt)
         }
+    }
+
+    fn highlight_hint<'h>(&self, hint: &'h str) -> Cow<'h, str> {
+        Cow::Owned(format!("\x1b[2m{hint}\x1b[0m"))
     }
 
     fn highlight_char(&self, line: &str, _: usize, _: CmdKind) -> bool {

@@ -69,7 +69,7 @@ impl Engine {
         self.session = Arc::new((self.renew)(ceilings, self.stop.clone()));
     }
 
-    pub(super) fn session(&self) -> &Session {
+    pub(super) fn session(&self) -> &Arc<Session> {
         &self.session
     }
 

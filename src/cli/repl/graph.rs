@@ -98,7 +98,7 @@ fn functions(prompt: &mut Prompt, exprs: &[String], range: Option<&str>) -> Opti
         .filter_map(|(_, place)| all.get(place))
         .collect();
     let domain = names.iter().find_map(|name| {
-        let (_, value) = prompt.values.iter().find(|(own, _)| own == name)?;
+        let value = prompt.values.value(name)?;
         matches!(value, Value::Curve(_)).then(|| format!("{name}.domain"))
     });
     let range = range.map(str::to_owned).or(domain).unwrap_or_else(|| "0..1".to_owned());

@@ -41,15 +41,15 @@ impl Prompt {
             return self.engine.move_to(&folder);
         };
         let mut report = ran.report;
-        self.know(&mut report);
         let before = std::mem::replace(&mut self.document, document);
         self.undo.push(before, self.last.clone());
         self.folder = script.folder;
         self.file = script.path;
         report.events.retain(|event| matches!(event, Event::Checked(_)));
         self.act(&mut report);
+        self.know(report);
         let time = pretty(ran.time);
-        let n = counted(self.values.len(), "definition");
+        let n = counted(self.defined().count(), "definition");
         let n_exports = self.document.count(StatementRole::Export);
         let exports = match n_exports {
             0 => String::new(),

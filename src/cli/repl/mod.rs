@@ -22,10 +22,11 @@ use std::{
     collections::BTreeSet,
     io::{self, IsTerminal},
     path::{Path, PathBuf},
+    sync::Arc,
 };
 
 use self::{
-    complete::{KnownDefinition, Scope},
+    complete::Scope,
     document::{PromptDocument, UndoHistory},
     editor::{Editor, EditorEvent},
     engine::Engine,
@@ -37,8 +38,9 @@ use super::{
 };
 use crate::{
     eval::KeptGlobals,
-    ops,
+    ide::Values,
     syntax::{PromptEntry, ast::Unit, entry, parts},
+    value::NoFiles,
 };
 
 /// `virote repl [FILE]`
@@ -49,15 +51,15 @@ pub(super) fn run(file: Option<&Path>, out: Option<&Path>, common: &RunArgs) -> 
         Err(ending) => return ending,
     };
     let engine = Engine::new(common, Path::new("."), settings);
+    let nothing = engine.session().run("document", b"", &NoFiles, &[]);
     let mut prompt = Prompt {
         engine,
         voice,
-        registry: ops::registry(),
         document: PromptDocument::default(),
         undo: UndoHistory::default(),
         last: None,
         told: BTreeSet::new(),
-        values: Vec::new(),
+        values: Arc::new(Values::new(Arc::new(nothing))),
         kept: KeptGlobals::default(),
         folder: PathBuf::from("."),
         out: out.map(Path::to_path_buf),
@@ -80,14 +82,14 @@ impl Prompt {
     /// Entries from a terminal.
     fn converse(&mut self, is_quiet: bool) -> ExitStatus {
         interrupt::listen();
-        let (mut editor, warning) =
-            match Editor::new(ops::registry(), *self.limits(), self.with_color) {
-                Ok(editor) => editor,
-                Err(err) => {
-                    self.voice.trouble(&format!("the terminal cannot be used: {err}"));
-                    return ExitStatus::Usage;
-                }
-            };
+        let (mut editor, warning) = match Editor::new(self.scope(), *self.limits(), self.with_color)
+        {
+            Ok(editor) => editor,
+            Err(err) => {
+                self.voice.trouble(&format!("the terminal cannot be used: {err}"));
+                return ExitStatus::Usage;
+            }
+        };
         if !is_quiet {
             say("virote: statements join the document, expressions are answered, `:help` helps\n");
         }
@@ -109,12 +111,12 @@ impl Prompt {
 
     /// What can be completed.
     fn scope(&self) -> Scope {
-        let names = self
-            .values
-            .iter()
-            .map(|(name, value)| KnownDefinition::of(name, value, self.unit))
-            .collect();
-        Scope { names, folder: self.folder.clone() }
+        Scope {
+            session: Arc::clone(self.engine.session()),
+            text: self.document.definitions(),
+            values: Arc::clone(&self.values),
+            folder: self.folder.clone(),
+        }
     }
 
     /// Does what an entry wants.

@@ -1,6 +1,6 @@
 //! The document of the prompt, and the answers to what is asked about it.
 
-use std::{collections::BTreeSet, path::PathBuf, time::Duration};
+use std::{collections::BTreeSet, path::PathBuf, sync::Arc, time::Duration};
 
 use super::{
     super::{
@@ -13,10 +13,11 @@ use super::{
 use crate::{
     diag::{Diagnostic, Severity, Sources},
     eval::{KeptGlobals, Printed, Work},
+    ide::Values,
     limits::Limits,
     session::{Event, Report},
     syntax::{StatementRole, ast::Unit, free_placeholders},
-    value::{Registry, Value},
+    value::Value,
 };
 
 /// Characters of a value that a terminal is shown.
@@ -32,16 +33,15 @@ const LAST: &str = "_last";
 pub(super) struct Prompt {
     pub(super) engine: Engine,
     pub(super) voice: Reporter,
-    pub(super) registry: Registry,
     pub(super) document: PromptDocument,
     pub(super) undo: UndoHistory,
     /// What `_` stands for, as text.
     pub(super) last: Option<String>,
     /// The findings that the document as it is has been told of.
     pub(super) told: BTreeSet<String>,
-    /// The definitions with their values.
-    pub(super) values: Vec<(String, Value)>,
-    /// What parametric curves among them need to answer.
+    /// What the document came to.
+    pub(super) values: Arc<Values>,
+    /// What parametric curves in the last answer need to answer.
     pub(super) kept: KeptGlobals,
     /// The unit of length of what was evaluated last.
     pub(super) unit: Unit,
@@ -195,7 +195,6 @@ impl Prompt {
             let names = draft.lost.join("`, `");
             self.voice.remark(&format!("`{names}` went with what was replaced"));
         }
-        self.know(&mut report);
         report.events.retain(|event| match event {
             Event::Checked(checked) => is_new(checked.span),
             _ => true,
@@ -209,6 +208,13 @@ impl Prompt {
             self.undo.push(before, self.last.clone());
         }
         self.act(&mut report);
+        self.know(report);
+    }
+
+    /// The definitions with their values.
+    pub(super) fn defined(&self) -> impl Iterator<Item = (&str, &Value)> {
+        let definitions = self.values.report().definitions.iter();
+        definitions.filter_map(|defined| Some((defined.name.as_str(), defined.value.as_ref()?)))
     }
 
     /// Prints, judges, writes.
@@ -224,13 +230,8 @@ impl Prompt {
     }
 
     /// Keeps the values of a document that holds.
-    pub(super) fn know(&mut self, report: &mut Report) {
-        let definitions = std::mem::take(&mut report.definitions);
-        self.values = definitions
-            .into_iter()
-            .filter_map(|defined| Some((defined.name, defined.value?)))
-            .collect();
-        self.kept = std::mem::take(&mut report.kept);
+    pub(super) fn know(&mut self, report: Report) {
+        self.values = Arc::new(Values::new(Arc::new(report)));
     }
 
     pub(super) fn tell_wrong(&mut self, name: &str, text: &str, found: &[Diagnostic]) {

@@ -88,6 +88,15 @@ fn completions() {
     );
     let call = found.as_array().unwrap().iter().find(|item| item["label"] == "circle").unwrap();
     assert_eq!(call["textEdit"]["newText"], "circle(${1:center}, ${2:radius}$0)");
+    // Its page comes when somebody looks at it, and nothing else changes.
+    assert_eq!(call["documentation"], Json::Null);
+    let mut client = Client::new();
+    let mut resolved = client.ask("completionItem/resolve", call.clone());
+    let page = resolved["documentation"].take();
+    assert!(page["value"].as_str().unwrap().contains("- `radius`"), "{page}");
+    resolved.as_object_mut().unwrap().remove("documentation");
+    assert_eq!(resolved, *call);
+    assert_eq!(client.ask("completionItem/resolve", item.clone()), *item);
 }
 
 #[test]
