@@ -1,7 +1,6 @@
 unit mm
-// Without bound at 1, and at pi/2.
+// Without bound at 1.
 curve hyperbola = ode((t, p) => (p.x^2, 0), start = (1, 0), range = 0..2)
-curve tangents = ode((t, p) => (1 + p.x^2, 0), start = (0, 0), range = 0..2)
 // Stiff, chaotic, trapped.
 curve stiff = ode((t, p) => (-1e6 * (p.x - 1), 0), start = (1.1, 0), range = 0..10)
 curve weather = ode((t, p) => (10*(p.y - p.x), p.x*(28 - p.z) - p.y, p.x*p.y - 8/3*p.z), start = (1, 1, 1), range = 0..100)

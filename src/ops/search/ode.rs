@@ -1,9 +1,6 @@
 //! `ode`: the curve along which a point moves that changes at a known rate.
 
-use super::{
-    MOST_LABELS, SearchRange, no_derivatives, six_digits,
-    unknowns::{from_here, numbers},
-};
+use super::{MOST_LABELS, SearchRange, no_derivatives, six_digits, unknowns::numbers};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
@@ -62,8 +59,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
         return no_derivatives(args.f.span);
     }
     let start: Vec<f64> = state.points.iter().flat_map(DVec3::to_array).collect();
-    let rate =
-        |place, parts: &[f64]| state.rate(ctx, &args.f, range.place(place).into_value(), parts);
+    let rate = |place, parts: &[f64]| state.rate(ctx, &args.f, &range, (place, parts));
     let found = find_trajectory(rate, &start, range.ends, tolerance)
         .map_err(|err| refusal(err, args.f.span, &range, &state))?;
     state.curves(&found).at(ctx.span)
@@ -109,25 +105,40 @@ impl State {
         }
     }
 
+    /// The state of these numbers as messages tell it.
+    fn rounded(&self, parts: &[f64]) -> Value {
+        let six = |part: &f64| six_digits(*part, None).parse().unwrap_or(*part);
+        self.value(&parts.iter().map(six).collect::<Vec<f64>>())
+    }
+
+    /// A function that fits, for hints.
+    fn example(&self) -> &'static str {
+        match self.is_list {
+            true => "for example `(t, s) => [s[1], -s[0]]`",
+            false => "for example `(t, p) => (-p.y, p.x)`",
+        }
+    }
+
     /// What the function yields at a place.
     fn rate(
         &self,
         ctx: &mut Ctx<'_>,
         f: &Spanned<Callback>,
-        place: Value,
-        parts: &[f64],
+        range: &SearchRange,
+        (place, parts): (f64, &[f64]),
     ) -> Result<Vec<f64>> {
-        let args = [place, self.value(parts)];
+        let args = [range.place(place).into_value(), self.value(parts)];
         let value = ctx.call(&f.value, &args).map_err(|mut found| {
-            if found.code == Code::BadCall {
-                found.hints.insert(
-                    0,
-                    "the function takes the variable and the point: `(t, p) => (-p.y, p.x)`"
-                        .to_owned(),
-                );
+            if found.code == Code::BadCall && found.primary.span == ctx.span {
+                let hint =
+                    format!("the function takes the variable and what changes, {}", self.example());
+                found.hints.insert(0, hint);
             }
+            found.others.retain(|other| other.span != ctx.span);
             if found.others.len() < MOST_LABELS {
-                found = from_here(ctx, *found, &Value::list(args.to_vec()));
+                let (place, state) = (range.place_text(place), self.rounded(parts));
+                found =
+                    Box::new(found.also(ctx.span, format!("asked at {place}, {state} from here")));
             }
             found
         })?;
@@ -149,15 +160,12 @@ impl State {
 
     fn misfit(&self, value: &Value, span: Span) -> Result<Vec<f64>> {
         let n = self.points.len();
-        let (wanted, hint) = match self.is_list {
-            true => (
-                format!(
-                    "a list of {n} {}, as the start is",
-                    if n == 1 { "point" } else { "points" }
-                ),
-                "for example `(t, s) => [s[1], -s[0]]`",
+        let wanted = match self.is_list {
+            true => format!(
+                "a list of {n} {}, as the start is",
+                if n == 1 { "point" } else { "points" }
             ),
-            false => ("a point".to_owned(), "for example `(t, p) => (-p.y, p.x)`"),
+            false => "a point".to_owned(),
         };
         let found = match value {
             Value::List(items) if self.is_list && items.len() != n => {
@@ -170,7 +178,7 @@ impl State {
             other => other.phrase(),
         };
         let message = format!("the function must yield {wanted}, but it yields {found}");
-        Diagnostic::error(Code::WrongKind, span, message).hint(hint).fail()
+        Diagnostic::error(Code::WrongKind, span, message).hint(self.example()).fail()
     }
 
     /// The curves along which the points move.
@@ -205,8 +213,7 @@ fn refusal(
     match err {
         TrajectoryError::Function(found) => found,
         TrajectoryError::Ends { at, state: parts } => {
-            let six = |part: &f64| six_digits(*part, None).parse().unwrap_or(*part);
-            let reached = state.value(&parts.iter().map(six).collect::<Vec<f64>>());
+            let reached = state.rounded(&parts);
             refused(
                 format!("the trajectory ends at {}", range.place_text(at)),
                 format!("it has come to {reached} there, and changes faster than can be followed"),
