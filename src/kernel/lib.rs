@@ -91,6 +91,7 @@
 //! - Through points: [`Interpolator`] at parameters by [`Parametrization`], with [`Ends`]; [`lagrange`].
 //! - Near points: [`Approximator`], [`approximate`], [`approximate_within`] a tolerance.
 //! - Grids of points: [`FirstPass`] with a [`LineFit`], [`columns_within`], [`surface_within`].
+//! - Of rates: [`find_trajectory`] gives a [`Trajectory`], [`NurbsCurve::of_trajectory`].
 //! - Of functions: [`ParametricCurve::to_nurbs`], [`ParametricSurface::to_nurbs`], [`Curve::nurbs_within`].
 //!
 //! ## Mesh
@@ -194,6 +195,7 @@ pub use numeric::{
     root_proof::RootProof,
     sample::Sample,
     symmetric_eigen::principal_axes,
+    trajectory::{Trajectory, TrajectoryError, TrajectoryNode, find_trajectory},
 };
 pub use region::{CornerStyle, Region, RegionError, RegionSide};
 pub use skin::{

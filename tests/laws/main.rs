@@ -54,6 +54,7 @@ mod surface;
 mod sweep;
 mod tensor;
 mod tessellation;
+mod trajectory;
 mod triangles;
 mod varied;
 mod whole;

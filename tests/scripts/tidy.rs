@@ -69,6 +69,7 @@ const WORDS_TOO: &[&str] = &["table", "length", "assert", "scale", "region", "re
 const SMALL_NUMBERS: &[(&str, &str)] = &[
     ("src/kernel/tolerance/", "their home"),
     ("src/kernel/numeric/gauss_legendre.rs", "nodes and weights of mathematics"),
+    ("src/kernel/numeric/dormand_prince.rs", "coefficients of a method"),
     ("src/kernel/digits.rs", "from where on numbers are written with a power of ten"),
     ("src/syntax/ast.rs", "what a unit is worth in another"),
     ("src/export/gltf/mod.rs", "the curve of sRGB"),

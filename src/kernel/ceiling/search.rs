@@ -88,6 +88,12 @@ pub(crate) const LEAST_STEPS: usize = 100;
 /// Pieces of an interval over which a function is integrated.
 pub(crate) const INTEGRAL_PIECES: usize = 2000;
 
+/// Steps of one trajectory: a second's work.
+pub const TRAJECTORY_STEPS: usize = 50_000;
+
+/// Times that a trajectory is followed with smaller errors in each step, until it stays the same.
+pub(crate) const TRAJECTORY_REFINEMENTS: usize = 5;
+
 /// Steps towards least squares, each with as many questions as there are unknowns, twice.
 pub(crate) const LEAST_SQUARES_STEPS: usize = 200;
 

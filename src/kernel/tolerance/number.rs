@@ -100,6 +100,32 @@ pub(crate) const RELAXATION_WEIGHT: f64 = 1e4;
 /// Larger leaves roots that are near one another unproven; smaller divides around what only touches zero.
 pub const PROOF_WIDTH_RELATIVE: f64 = 1e-10;
 
+/// The error in each step of a trajectory is this share of the tolerance at first.
+///
+/// Larger tells of coarser trajectories that they are other ones; smaller takes more steps than need be.
+pub(crate) const TRAJECTORY_FIRST_SHARE: f64 = 0.1;
+
+/// By so much it becomes smaller each time: steps of half the width.
+///
+/// Larger tells two trajectories alike that are both off; smaller takes many steps at once.
+pub(crate) const TRAJECTORY_REFINEMENT: f64 = 0.03;
+
+/// A trajectory is known to this fraction of its size, if that is more than the tolerance.
+///
+/// Larger loses digits of large states; smaller asks for more than steps compute.
+pub(crate) const TRAJECTORY_RELATIVE: f64 = 1e-12;
+
+/// Steps of this fraction of the range are the shortest, a few times [`KNOT_RELATIVE`](super::KNOT_RELATIVE),
+/// because knots are made of them.
+///
+/// Larger ends trajectories where they only bend; smaller makes knots that count as one.
+pub(crate) const TRAJECTORY_STEP_RELATIVE: f64 = 1e-11;
+
+/// The second derivative of a trajectory is the change of its rate over this share of a step.
+///
+/// Larger leaves its fourth derivative in the difference; smaller leaves rounding.
+pub(crate) const TRAJECTORY_LOOK_SHARE: f64 = 1e-3;
+
 /// Where in a turn an angle is, is known to this part of the turn, up to a million of them.
 ///
 /// Larger makes bounds of sines wider than need be; smaller misses peaks by rounding.

@@ -1,10 +1,11 @@
-//! Searches: roots, least and greatest values, and integrals of functions of the script.
+//! Searches: roots, least and greatest values, integrals and trajectories of functions of the script.
 
 mod best;
 mod gradient;
 mod integrate;
 mod maximize;
 mod minimize;
+mod ode;
 mod solve;
 mod system;
 mod unknowns;
@@ -19,7 +20,7 @@ use crate::{
 };
 
 pub(super) static OPS: &[&Op] =
-    &[&gradient::OP, &integrate::OP, &maximize::OP, &minimize::OP, &solve::OP];
+    &[&gradient::OP, &integrate::OP, &maximize::OP, &minimize::OP, &ode::OP, &solve::OP];
 
 /// An interval with the dimension of what runs through it.
 struct SearchRange {

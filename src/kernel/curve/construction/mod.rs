@@ -6,3 +6,4 @@ pub(super) mod circle;
 pub(super) mod conic;
 pub(super) mod hermite;
 pub(super) mod offset;
+pub(super) mod trajectory;
