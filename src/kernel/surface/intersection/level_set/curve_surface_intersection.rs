@@ -102,22 +102,7 @@ struct PiercingSearch<'a> {
 impl PiercingSearch<'_> {
     fn run(&self) -> Result<Vec<CurveSurfaceIntersection>, GeomError> {
         let near = FLAT_SHARE * self.tolerance;
-        let mut patches = SurfacePatches::new(self.surface);
-        let spans: Vec<usize> = self.curve.knots().spans().collect();
-        let mut todo = Vec::new();
-        let mut last: Option<(usize, Arc<BezierSegment>)> = None;
-        for [[number, _], its] in
-            self.curve.piece_boxes().near_pairs(self.surface.patch_boxes(), near)
-        {
-            let piece = match &last {
-                Some((known, piece)) if *known == number => Arc::clone(piece),
-                _ => Arc::new(BezierSegment::of_span(self.curve, spans[number])),
-            };
-            last = Some((number, Arc::clone(&piece)));
-            let part = patches.part(its);
-            let part = part.filter(|part| !part.is_beside(piece.bounds, &piece.places, near));
-            todo.extend(part.map(|part| (piece, part)));
-        }
+        let mut todo = self.near_pairs(near);
         let mut found = Vec::new();
         let mut contacts: Vec<LyingPiece> = Vec::new();
         let mut unresolved: Vec<LyingPiece> = Vec::new();
@@ -163,15 +148,36 @@ impl PiercingSearch<'_> {
         }
         found.extend(self.touches(contacts)?);
         // Beside a crossing, its neighbours come as near; where there is none, they are what there is.
-        unresolved.retain(|piece| {
-            let is_near = |place: &CurveSurfaceIntersection| {
-                let here = Bounds { min: place.point, max: place.point };
-                piece.bounds.is_near(here, self.tolerance)
-            };
-            !found.iter().any(is_near)
-        });
+        unresolved.retain(|piece| !found.iter().any(|place| self.is_at(piece, place)));
         found.extend(self.touches(unresolved)?);
         Ok(self.in_order(found))
+    }
+
+    /// Pieces of the curve and parts of the surface that are near to one another.
+    fn near_pairs(&self, near: f64) -> Vec<(Arc<BezierSegment>, Arc<SurfacePart>)> {
+        let mut patches = SurfacePatches::new(self.surface);
+        let spans: Vec<usize> = self.curve.knots().spans().collect();
+        let mut todo = Vec::new();
+        let mut last: Option<(usize, Arc<BezierSegment>)> = None;
+        for [[number, _], its] in
+            self.curve.piece_boxes().near_pairs(self.surface.patch_boxes(), near)
+        {
+            let piece = match &last {
+                Some((known, piece)) if *known == number => Arc::clone(piece),
+                _ => Arc::new(BezierSegment::of_span(self.curve, spans[number])),
+            };
+            last = Some((number, Arc::clone(&piece)));
+            let part = patches.part(its);
+            let part = part.filter(|part| !part.is_beside(piece.bounds, &piece.places, near));
+            todo.extend(part.map(|part| (piece, part)));
+        }
+        todo
+    }
+
+    /// Whether a place is within the tolerance of a piece.
+    fn is_at(&self, piece: &LyingPiece, place: &CurveSurfaceIntersection) -> bool {
+        let here = Bounds { min: place.point, max: place.point };
+        piece.bounds.is_near(here, self.tolerance)
     }
 
     /// The one place of a piece and a part that cross clearly, if it is in both.
