@@ -168,6 +168,7 @@ __all__ = [
     "normal_plane",
     "num",
     "nurbs",
+    "ode",
     "offset",
     "orient",
     "osculating_circle",
@@ -2100,7 +2101,8 @@ def gradient(f: FunctionLike, at: Any) -> Any:
     """Derivatives of a function's value by each of its unknowns at a place, exact but for rounding: of the
     shape of the place.
 
-    The function is run once, on numbers that carry a derivative by each unknown along, through operators,
+    The function is run on numbers that carry a derivative by each unknown along, once unless there are
+    thousands, through operators,
     the functions of numbers and points, the making of geometry that grows evenly with what it is made of
     (of control points, of points at listed parameters, of curves; moved, scaled, turned, cut), and the
     questions about it: places, lengths, areas, volumes, nearest points. The first operation through which
@@ -3052,6 +3054,30 @@ def nurbs(*args: Any, points: Any = None, weights: Any = None, degree: Any = Non
     In scripts: ``nurbs(points: grid of points, weights: list of lists of numbers without units = none, degree: integer | record = 3, knots: list of numbers without units | record = none) -> surface``
     """
     return _called("nurbs", args, {"points": points, "weights": weights, "degree": degree, "knots": knots})
+
+
+def ode(f: FunctionLike, start: Any, range: tuple[Quantity, Quantity], *, tolerance: Quantity | None = None) -> Any:
+    """Curve of a point that starts somewhere and changes at the rate that a function tells: the solution of an
+    ordinary differential equation, such as a streamline or a curve of given curvature.
+
+    Its parameter is the variable of the function, over the range. Several points that depend on one
+    another, such as a place and a velocity, are a list: the function is given a list and yields one, and the
+    result is a list of curves. Numbers are coordinates of points.
+
+    The curve is a spline of degree 5 with two continuous derivatives. It is followed again with smaller
+    errors in each step until it stays the same within the tolerance, so that the last one is nearer still;
+    `report` tells by how much they differ as `error`, and has `steps` and `evaluations`. Where the point
+    grows without bound, or more than 50000 steps are needed, as for stiff equations, that is refused with
+    the place. Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, §II.4-II.6.
+
+    :param f: A function of the variable and the point, or the list of points, that yields the derivative.
+    :param start: Where the point is at the start of the range, or a list of points.
+    :param range: The range of the variable.
+    :param tolerance: How far the curve may be off; the document's tolerance unless given.
+
+    In scripts: ``ode(f: function, start: any, range: range, tolerance: length = none) -> any``
+    """
+    return _called("ode", (), {"f": f, "start": start, "range": range, "tolerance": tolerance})
 
 
 def offset(*args: Any, c: Any = None, distance: Any = None, normal: Any = None, s: Any = None, tolerance: Any = None, r: Any = None, corner: Any = None) -> Any:
