@@ -257,6 +257,13 @@ impl Held {
                 parts.set_item("edges", curves(edges)?)?;
                 parts.set_item("loops", curves(loops)?)?;
             }
+            Value::Solid(solid) => {
+                let faces = solid.faces().iter().map(|face| {
+                    let face = Value::Face(Arc::new(face.clone()));
+                    convert::to_python(py, &self.value.with(face))
+                });
+                parts.set_item("faces", faces.collect::<PyResult<Vec<_>>>()?)?;
+            }
             Value::Frame(frame) => {
                 let vectors = [
                     ("origin", frame.origin()),

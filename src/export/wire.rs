@@ -116,6 +116,18 @@ impl Drawing {
                     drawing.hide_behind(mesh, view);
                 }
             }
+            Subject::Solid(solid) => {
+                for face in solid.faces() {
+                    drawing.lines_of_face(face, view, (item, job))?;
+                }
+                if let Some(MeshShape::Mesh(mesh)) = shape(item, near, job)? {
+                    let outline =
+                        if job.options.has_edges { outline(&mesh, view) } else { Vec::new() };
+                    let outline = outline.into_iter().map(DrawnLine::Polygon);
+                    drawing.lines.extend(outline.map(|line| (LineWeight::Full, line)));
+                    drawing.hide_behind(mesh, view);
+                }
+            }
             Subject::Mesh(mesh) => {
                 if !mesh.colors().is_empty() {
                     drawing.paint(mesh, view);

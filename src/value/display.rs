@@ -76,6 +76,13 @@ impl fmt::Display for ToldValue<'_> {
                 write!(f, ", {n} {}", if n == 1 { "arc" } else { "arcs" })
             }
             Value::Face(face) => write_face(f, face),
+            Value::Solid(solid) => {
+                write!(f, "solid of {} faces", solid.faces().len())?;
+                match solid.shells().count() {
+                    1 => Ok(()),
+                    n => write!(f, ", {n} shells"),
+                }
+            }
             Value::Mesh(mesh) => {
                 let faces = match mesh.face_sizes() {
                     [] => "triangles",
