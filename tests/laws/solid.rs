@@ -186,7 +186,7 @@ fn what_makes_no_solid_is_refused() {
     let refused = |found: Result<Solid, GeomError>| found.expect_err("no solid");
     let pipe = whole(NurbsSurface::cone(Frame::XY, [1.0; 2], 3.0).expect("a pipe"));
     assert!(matches!(
-        refused(Solid::new(&[pipe.clone()], TOLERANCE)),
+        refused(Solid::new(std::slice::from_ref(&pipe), TOLERANCE)),
         GeomError::Face(FaceError::OpenShell { .. })
     ));
     let crossing = [ball(DVec3::ZERO, 1.0), ball(DVec3::X, 1.0)];

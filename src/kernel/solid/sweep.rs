@@ -186,7 +186,7 @@ impl<'a> HalfPlane<'a> {
                     return Err(SolidError::AcrossAxis { point }.into());
                 }
             }
-            for contact in self.axis.contacts(arc, distance)? {
+            if let Some(&contact) = self.axis.contacts(arc, distance)?.first() {
                 return Err(match contact {
                     AxisContact::Place { parameter, is_crossing: false } => {
                         SolidError::PointOnAxis { point: arc.point_at(parameter) }.into()
