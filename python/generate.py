@@ -33,6 +33,7 @@ from ._geometry import (
     PointsLike,
     Quantity,
     Region,
+    Solid,
     Surface,
     Table,
 )

@@ -17,7 +17,7 @@ const KINDS = [
 ];
 
 // Kinds that are words at the start of a statement only.
-const WORD_KINDS = ["region", "regions", "face", "faces"];
+const WORD_KINDS = ["region", "regions", "face", "faces", "solid", "solids"];
 
 const KEYWORDS = [
   "geo", "unit", "tolerance", "param", "let", "fn",

@@ -55,6 +55,7 @@ pub(crate) fn to_python<'py>(py: Python<'py>, held: &HeldValue) -> PyResult<Boun
         | Value::Surface(_)
         | Value::Region(_)
         | Value::Face(_)
+        | Value::Solid(_)
         | Value::Mesh(_)
         | Value::Table(_)
         | Value::Frame(_) => {

@@ -13,7 +13,7 @@ use pyo3::{
 };
 use virote::{
     kernel::{
-        Column, Curve, GeomError, Interval, Mesh, NurbsCurve, Surface, Tolerance,
+        Column, Curve, Face, GeomError, Interval, Mesh, NurbsCurve, Surface, Tolerance,
         glam::{DVec3, DVec4},
     },
     session::HeldValue,
@@ -240,22 +240,13 @@ impl Held {
                 });
                 parts.set_item("borders", borders.collect::<PyResult<Vec<_>>>()?)?;
             }
-            Value::Face(face) => {
-                let curves = |curves: Vec<NurbsCurve>| {
-                    let curves = curves.into_iter().map(|curve| {
-                        convert::to_python(py, &self.value.with(Value::Curve(curve.into())))
-                    });
-                    curves.collect::<PyResult<Vec<_>>>()
-                };
-                let tolerance = Tolerance::DEFAULT;
-                let edges =
-                    py.detach(|| face.edges(tolerance)).map_err(|err| geom_error(py, err))?;
-                let loops =
-                    py.detach(|| face.loops(tolerance)).map_err(|err| geom_error(py, err))?;
-                let surface = Value::Surface(Surface::Nurbs(Arc::clone(face.surface())));
-                parts.set_item("surface", convert::to_python(py, &self.value.with(surface))?)?;
-                parts.set_item("edges", curves(edges)?)?;
-                parts.set_item("loops", curves(loops)?)?;
+            Value::Face(face) => self.face_parts(py, face, &parts)?,
+            Value::Solid(solid) => {
+                let faces = solid.faces().iter().map(|face| {
+                    let face = Value::Face(Arc::new(face.clone()));
+                    convert::to_python(py, &self.value.with(face))
+                });
+                parts.set_item("faces", faces.collect::<PyResult<Vec<_>>>()?)?;
             }
             Value::Frame(frame) => {
                 let vectors = [
@@ -271,6 +262,29 @@ impl Held {
             _ => {}
         }
         Ok(parts)
+    }
+}
+
+impl Held {
+    fn face_parts(
+        &self,
+        py: Python<'_>,
+        face: &Arc<Face>,
+        parts: &Bound<'_, PyDict>,
+    ) -> PyResult<()> {
+        let curves = |curves: Vec<NurbsCurve>| {
+            let curves = curves
+                .into_iter()
+                .map(|curve| convert::to_python(py, &self.value.with(Value::Curve(curve.into()))));
+            curves.collect::<PyResult<Vec<_>>>()
+        };
+        let tolerance = Tolerance::DEFAULT;
+        let edges = py.detach(|| face.edges(tolerance)).map_err(|err| geom_error(py, err))?;
+        let loops = py.detach(|| face.loops(tolerance)).map_err(|err| geom_error(py, err))?;
+        let surface = Value::Surface(Surface::Nurbs(Arc::clone(face.surface())));
+        parts.set_item("surface", convert::to_python(py, &self.value.with(surface))?)?;
+        parts.set_item("edges", curves(edges)?)?;
+        parts.set_item("loops", curves(loops)?)
     }
 }
 

@@ -64,6 +64,7 @@ fn hint(ty: Type) -> &'static str {
         Type::Plane => "Frame",
         Type::Region => "Region",
         Type::Face => "Face",
+        Type::Solid => "Solid",
         Type::List(Type::Curve, _) => "Sequence[Curve]",
         Type::List(Type::Surface, _) => "Sequence[Surface]",
         Type::Any | Type::Geometry | Type::List(..) | Type::Grid(_) | Type::OneOf(_) => "Any",

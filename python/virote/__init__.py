@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _operations
 from ._findings import Check, CheckFailed, Diagnostic, GeoError, GeoWarning, Place, Print
-from ._geometry import Curve, Face, Frame, Function, Mesh, Region, Surface, Table, Value
+from ._geometry import Curve, Face, Frame, Function, Mesh, Region, Solid, Surface, Table, Value
 from ._operations import *  # noqa: F403
 from ._results import Results
 from ._session import Session, function, run
@@ -36,6 +36,7 @@ __all__ = [
     "Region",
     "Results",
     "Session",
+    "Solid",
     "StudyError",
     "StudyResults",
     "Surface",

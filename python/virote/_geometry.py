@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     FloatArray = NDArray[np.float64]
 
-__all__ = ["Curve", "Face", "Frame", "Function", "Mesh", "Region", "Surface", "Table", "Value"]
+__all__ = ["Curve", "Face", "Frame", "Function", "Mesh", "Region", "Solid", "Surface", "Table", "Value"]
 
 #: A number in the document's unit, or a text with a unit: ``15``, ``"15mm"``, ``"30deg"``.
 Quantity = Union[float, str]
@@ -274,6 +274,17 @@ class Face(Value):
         return list(self._part("loops"))
 
 
+class Solid(Value):
+    """What faces enclose that close."""
+
+    __slots__ = ()
+
+    @property
+    def faces(self) -> list[Face]:
+        """Its faces, which look away from the inside."""
+        return list(self._part("faces"))
+
+
 class Mesh(Value):
     """A mesh of triangles, as arrays."""
 
@@ -416,6 +427,7 @@ _CLASSES: dict[str, Callable[[Any], Value]] = {
     "surface": Surface,
     "region": Region,
     "face": Face,
+    "solid": Solid,
     "mesh": Mesh,
     "table": Table,
     "plane": Frame,

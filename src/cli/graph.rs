@@ -30,6 +30,7 @@ const SHAPES: &[(&str, &str)] = &[
     ("surface", "parallelogram"),
     ("region", "house"),
     ("face", "pentagon"),
+    ("solid", "box3d"),
     ("mesh", "trapezium"),
     ("table", "cylinder"),
     ("check", "diamond"),

@@ -102,6 +102,7 @@ fn keeps(kind: Kind, value: &Value) -> bool {
         | Kind::Surface
         | Kind::Region
         | Kind::Face
+        | Kind::Solid
         | Kind::Mesh
         | Kind::Table => value.kind() == kind.word(),
         Kind::Points
@@ -109,6 +110,7 @@ fn keeps(kind: Kind, value: &Value) -> bool {
         | Kind::Surfaces
         | Kind::Regions
         | Kind::Faces
+        | Kind::Solids
         | Kind::Meshes
         | Kind::Tables => match value {
             Value::List(items) => items.iter().all(|item| Some(item.kind()) == element_of(kind)),
@@ -151,6 +153,7 @@ fn element_of(kind: Kind) -> Option<&'static str> {
         Kind::Surfaces => "surface",
         Kind::Regions => "region",
         Kind::Faces => "face",
+        Kind::Solids => "solid",
         Kind::Meshes => "mesh",
         Kind::Tables => "table",
         _ => return None,

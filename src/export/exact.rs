@@ -5,8 +5,8 @@ use glam::{DVec3, DVec4};
 
 use super::{ExportError, Item, Job, Subject, shape::size};
 use crate::kernel::{
-    Curve, Direction, FaceEdge, GeomError, Interval, KnotVector, NurbsCurve, NurbsSurface, Surface,
-    Tolerance, tolerance::PATH_RELATIVE,
+    Curve, Direction, Face, FaceEdge, GeomError, Interval, KnotVector, NurbsCurve, NurbsSurface,
+    Surface, Tolerance, tolerance::PATH_RELATIVE,
 };
 
 /// Rounds of halving spans until all weights are positive: the weights of halved pieces near the
@@ -46,27 +46,40 @@ pub(super) fn exact(item: &Item, job: &Job) -> Result<Vec<Exact>, ExportError> {
         Subject::Region(region) => {
             region.borders().map_err(blame)?.into_iter().map(Exact::Curve).collect()
         }
-        Subject::Face(face) if face.is_whole() => surfaces(item, face.surface())?,
-        Subject::Face(face) => {
-            let mut parts = face.part_edges(tolerance_of(job)).map_err(blame)?;
-            for edge in parts.iter_mut().flatten().flatten() {
-                edge.parameters = with_positive_weights(item, edge.parameters.clamped())?;
-                if let Some(curve) = edge.curve.take() {
-                    edge.curve = Some(with_positive_weights(item, curve.clamped())?);
-                }
+        Subject::Face(face) => face_parts(item, face, job)?,
+        Subject::Solid(solid) => {
+            let mut parts = Vec::new();
+            for face in solid.faces() {
+                parts.extend(face_parts(item, face, job)?);
             }
-            // A face has no jumps: there is one.
-            let carriers = surfaces(item, face.surface())?.into_iter();
-            let carrier = carriers.filter_map(|part| match part {
-                Exact::Surface(surface) => Some(Exact::Face(surface, parts.clone())),
-                _ => None,
-            });
-            carrier.collect()
+            parts
         }
         Subject::Mesh(_) | Subject::Table(_) | Subject::Data(_) | Subject::Document(_) => {
             Vec::new()
         }
     })
+}
+
+/// The surface of a face, with its loops unless it is all of that.
+fn face_parts(item: &Item, face: &Face, job: &Job) -> Result<Vec<Exact>, ExportError> {
+    let blame = |source: GeomError| ExportError::Geometry { name: item.name.clone(), source };
+    if face.is_whole() {
+        return surfaces(item, face.surface());
+    }
+    let mut parts = face.part_edges(tolerance_of(job)).map_err(blame)?;
+    for edge in parts.iter_mut().flatten().flatten() {
+        edge.parameters = with_positive_weights(item, edge.parameters.clamped())?;
+        if let Some(curve) = edge.curve.take() {
+            edge.curve = Some(with_positive_weights(item, curve.clamped())?);
+        }
+    }
+    // A face has no jumps: there is one.
+    let carriers = surfaces(item, face.surface())?.into_iter();
+    let carrier = carriers.filter_map(|part| match part {
+        Exact::Surface(surface) => Some(Exact::Face(surface, parts.clone())),
+        _ => None,
+    });
+    Ok(carrier.collect())
 }
 
 /// The tolerance of the document.

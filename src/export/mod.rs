@@ -39,7 +39,7 @@ use glam::DVec3;
 use thiserror::Error;
 
 use crate::{
-    kernel::{Curve, Face, GeomError, Mesh, Region, Surface, Table, Tolerance},
+    kernel::{Curve, Face, GeomError, Mesh, Region, Solid, Surface, Table, Tolerance},
     limits::{Limits, work},
 };
 
@@ -74,6 +74,8 @@ pub enum Subject {
     Region(Arc<Region>),
     /// A part of a surface.
     Face(Arc<Face>),
+    /// What faces enclose.
+    Solid(Arc<Solid>),
     /// A mesh.
     Mesh(Arc<Mesh>),
     /// A table.

@@ -111,6 +111,7 @@ impl Summary {
             Subject::Surface(_) => self.surfaces += 1,
             Subject::Region(region) => self.curves += 1 + region.n_holes(),
             Subject::Face(_) => self.surfaces += 1,
+            Subject::Solid(solid) => self.surfaces += solid.faces().len(),
             Subject::Mesh(mesh) => {
                 self.vertices += mesh.n_vertices();
                 self.triangles += mesh.n_triangles();
@@ -156,6 +157,7 @@ fn bounds(item: &Item) -> Option<Bounds> {
         Subject::Surface(surface) => surface.bounds().ok(),
         Subject::Region(region) => Some(region.bounds()),
         Subject::Face(face) => face.bounds(Tolerance::DEFAULT).ok(),
+        Subject::Solid(solid) => solid.bounds(Tolerance::DEFAULT).ok(),
         Subject::Mesh(mesh) => mesh.bounds(),
         Subject::Table(_) | Subject::Data(_) | Subject::Document(_) => None,
     }
@@ -180,7 +182,11 @@ pub(super) fn shapes(job: &Job) -> Result<Vec<ShapedItem<'_>>, ExportError> {
 pub(super) fn is_solid(subject: &Subject) -> bool {
     matches!(
         subject,
-        Subject::Surface(_) | Subject::Region(_) | Subject::Face(_) | Subject::Mesh(_)
+        Subject::Surface(_)
+            | Subject::Region(_)
+            | Subject::Face(_)
+            | Subject::Solid(_)
+            | Subject::Mesh(_)
     )
 }
 
@@ -193,10 +199,12 @@ pub(super) fn solids(job: &Job, tolerance: f64) -> Result<Vec<ShapedItem<'_>>, E
         let mesh = match &item.subject {
             Subject::Surface(_) => meshes.next().map(Arc::new),
             Subject::Mesh(mesh) => Some(Arc::clone(mesh)),
-            Subject::Region(_) | Subject::Face(_) => match shape(item, tolerance, job)? {
-                Some(MeshShape::Mesh(mesh)) => Some(mesh),
-                _ => None,
-            },
+            Subject::Region(_) | Subject::Face(_) | Subject::Solid(_) => {
+                match shape(item, tolerance, job)? {
+                    Some(MeshShape::Mesh(mesh)) => Some(mesh),
+                    _ => None,
+                }
+            }
             _ => None,
         };
         let shaped = |mesh| ShapedItem { item, shape: MeshShape::Mesh(mesh), is_turned: false };
@@ -276,6 +284,10 @@ pub(super) fn shape(
         }
         Subject::Face(face) => {
             let mesh = face.mesh(&limits(job, tolerance), most).map_err(blame)?;
+            MeshShape::Mesh(Arc::new(mesh))
+        }
+        Subject::Solid(solid) => {
+            let mesh = solid.mesh(&limits(job, tolerance), most).map_err(blame)?;
             MeshShape::Mesh(Arc::new(mesh))
         }
         Subject::Mesh(mesh) => MeshShape::Mesh(Arc::clone(mesh)),

@@ -87,16 +87,7 @@ impl Drawing {
             }
             Subject::Surface(surface) => {
                 drawing.lines_of(surface, view, (item, job))?;
-                if let Some(MeshShape::Mesh(mesh)) = shape(item, near, job)? {
-                    let outline =
-                        if job.options.has_edges { outline(&mesh, view) } else { Vec::new() };
-                    drawing.lines.extend(
-                        outline
-                            .into_iter()
-                            .map(|points| (LineWeight::Full, DrawnLine::Polygon(points))),
-                    );
-                    drawing.hide_behind(mesh, view);
-                }
+                drawing.outlines(near, view, (item, job))?;
             }
             Subject::Region(region) => {
                 for border in region.borders().map_err(blame)? {
@@ -108,13 +99,13 @@ impl Drawing {
             }
             Subject::Face(face) => {
                 drawing.lines_of_face(face, view, (item, job))?;
-                if let Some(MeshShape::Mesh(mesh)) = shape(item, near, job)? {
-                    let outline =
-                        if job.options.has_edges { outline(&mesh, view) } else { Vec::new() };
-                    let outline = outline.into_iter().map(DrawnLine::Polygon);
-                    drawing.lines.extend(outline.map(|line| (LineWeight::Full, line)));
-                    drawing.hide_behind(mesh, view);
+                drawing.outlines(near, view, (item, job))?;
+            }
+            Subject::Solid(solid) => {
+                for face in solid.faces() {
+                    drawing.lines_of_face(face, view, (item, job))?;
                 }
+                drawing.outlines(near, view, (item, job))?;
             }
             Subject::Mesh(mesh) => {
                 if !mesh.colors().is_empty() {
@@ -133,6 +124,22 @@ impl Drawing {
             Subject::Table(_) | Subject::Data(_) | Subject::Document(_) => {}
         }
         Ok(drawing)
+    }
+
+    /// Where the triangles of an item turn away, which hide what is behind.
+    fn outlines(
+        &mut self,
+        near: f64,
+        view: &Projection,
+        (item, job): (&Item, &Job),
+    ) -> Result<(), ExportError> {
+        if let Some(MeshShape::Mesh(mesh)) = shape(item, near, job)? {
+            let outline = if job.options.has_edges { outline(&mesh, view) } else { Vec::new() };
+            let outline = outline.into_iter().map(DrawnLine::Polygon);
+            self.lines.extend(outline.map(|line| (LineWeight::Full, line)));
+            self.hide_behind(mesh, view);
+        }
+        Ok(())
     }
 
     /// The triangles that hide.

@@ -86,6 +86,12 @@
 //!   [`Face::mass`], [`Face::enclosed_mass`], [`Face::bounds`], [`Face::closest`] with its [`FaceClosestPoint`], [`Face::side_of`], [`Face::side_of_parameters`].
 //! - What is refused: [`FaceError`].
 //!
+//! ## Solids
+//!
+//! - [`Solid`] of faces that close, [`Solid::capped`] by plane faces, of a region [`Solid::extruded`] or [`Solid::revolved`];
+//!   [`Solid::faces`], [`Solid::shells`], [`Solid::volume_mass`], [`Solid::area_mass`], [`Solid::mesh`].
+//! - What is refused: [`SolidError`].
+//!
 //! ## Approximate
 //!
 //! - Through points: [`Interpolator`] at parameters by [`Parametrization`], with [`Ends`]; [`lagrange`].
@@ -137,6 +143,7 @@ mod removal;
 mod scale;
 mod side_by_side;
 mod skin;
+mod solid;
 mod surface;
 mod sweep;
 mod table;
@@ -203,6 +210,7 @@ pub use skin::{
     SkinError, SkinInput, SkinnedSurface, aligned, at_constant_speed, corners_of_ring,
     with_seam_at_corner,
 };
+pub use solid::{Solid, SolidError};
 pub use surface::{
     AnalyticForm, AnalyticSurface, Axis, AxisContact, Blend, CrossFields, CurveSurfaceIntersection,
     Direction, Edge, FocalPoint, GridSamples, LevelSet, MassProperties, NurbsSurface,

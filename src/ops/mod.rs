@@ -13,6 +13,7 @@ mod measure;
 mod mesh;
 mod region;
 mod search;
+mod solid;
 mod surface;
 mod text;
 mod transform;
@@ -38,6 +39,7 @@ pub fn registry() -> Registry {
         face::OPS,
         measure::OPS,
         region::OPS,
+        solid::OPS,
         mesh::OPS,
         math::OPS,
         search::OPS,

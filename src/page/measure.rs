@@ -1,5 +1,7 @@
 //! How large something is: exact integrals of the kernel; of meshes sums over their triangles.
 
+use std::sync::Arc;
+
 use serde_json::{Value as Json, json};
 
 use super::{
@@ -82,10 +84,9 @@ impl Sizes<'_> {
     /// The volume of all surfaces together, or of all meshes.
     fn volume(&self, shapes: &[Shape]) -> Result<f64, String> {
         let session = self.session;
-        if let Some(shape) = shapes
-            .iter()
-            .find(|shape| !matches!(shape, Shape::Mesh(_)) && shape.surfaces().is_empty())
-        {
+        if let Some(shape) = shapes.iter().find(|shape| {
+            !matches!(shape, Shape::Mesh(_) | Shape::Face(_)) && shape.surfaces().is_empty()
+        }) {
             return Err(format!("a {} encloses no volume", shape.kind()));
         }
         let surfaces: Vec<Surface> = shapes.iter().flat_map(Shape::surfaces).cloned().collect();
@@ -93,8 +94,20 @@ impl Sizes<'_> {
             .iter()
             .filter_map(|shape| if let Shape::Mesh(mesh) = shape { Some(&**mesh) } else { None })
             .collect();
-        if !surfaces.is_empty() && !meshes.is_empty() {
+        let faces = shapes.iter().filter_map(Shape::face);
+        let mut faces: Vec<Face> = faces.cloned().collect();
+        let are_parts = !faces.is_empty();
+        if (!surfaces.is_empty() || are_parts) && !meshes.is_empty() {
             return Err("surfaces and meshes enclose no volume together".to_owned());
+        }
+        if are_parts {
+            return within_ceilings(session, || {
+                for surface in &surfaces {
+                    faces.push(Face::whole(Arc::clone(surface.nurbs()?), self.tolerance)?);
+                }
+                Face::enclosed_mass(&faces, self.tolerance)
+            })
+            .map(|mass| mass.amount);
         }
         if meshes.is_empty() {
             return within_ceilings(session, || volume_mass(&surfaces, self.tolerance))

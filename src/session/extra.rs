@@ -199,6 +199,9 @@ pub(super) fn label(name: &str, items: &[Item]) -> Option<DefinitionLabel> {
         }
         Subject::Region(region) => vec![region.mass().centroid],
         Subject::Face(face) => vec![face.mass().ok()?.centroid],
+        Subject::Solid(solid) => {
+            solid.faces().iter().filter_map(|face| Some(face.mass().ok()?.centroid)).collect()
+        }
         Subject::Mesh(mesh) => mesh.vertices().to_vec(),
         Subject::Table(_) | Subject::Data(_) | Subject::Document(_) => return None,
     };

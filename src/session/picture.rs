@@ -225,6 +225,7 @@ fn is_drawn(value: &Value, with_points: bool) -> bool {
         | Value::Surface(_)
         | Value::Region(_)
         | Value::Face(_)
+        | Value::Solid(_)
         | Value::Mesh(_) => true,
         Value::Point(_) => with_points,
         Value::List(items) => {

@@ -219,6 +219,7 @@ fn subject(value: &Value) -> Option<Subject> {
         Value::Surface(surface) => Subject::Surface(surface.clone()),
         Value::Region(region) => Subject::Region(Arc::clone(region)),
         Value::Face(face) => Subject::Face(Arc::clone(face)),
+        Value::Solid(solid) => Subject::Solid(Arc::clone(solid)),
         Value::Mesh(mesh) => Subject::Mesh(Arc::clone(mesh)),
         Value::Table(table) => Subject::Table(Arc::clone(table)),
         _ => return None,
@@ -365,10 +366,8 @@ fn has_place(value: &Value) -> bool {
 fn data(value: &Value) -> Result<Subject, FormatMismatch> {
     if let Some(function) = function_in(value) {
         let found = format!("the function `{}`", function.signature());
-        return Err(FormatMismatch {
-            found,
-            ..FormatMismatch::of(&Value::Function(function.clone()))
-        });
+        let mismatch = FormatMismatch::of(&Value::Function(function.clone()));
+        return Err(FormatMismatch { found, ..mismatch });
     }
     if has_parametric(value) {
         return Err(FormatMismatch {

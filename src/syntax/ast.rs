@@ -111,6 +111,8 @@ pub enum Kind {
     Region,
     /// `face`
     Face,
+    /// `solid`
+    Solid,
     /// `mesh`
     Mesh,
     /// `table`
@@ -125,6 +127,8 @@ pub enum Kind {
     Regions,
     /// `faces`
     Faces,
+    /// `solids`
+    Solids,
     /// `meshes`
     Meshes,
     /// `tables`
@@ -140,6 +144,7 @@ impl Kind {
         ("surface", Self::Surface),
         ("region", Self::Region),
         ("face", Self::Face),
+        ("solid", Self::Solid),
         ("mesh", Self::Mesh),
         ("table", Self::Table),
         ("points", Self::Points),
@@ -147,6 +152,7 @@ impl Kind {
         ("surfaces", Self::Surfaces),
         ("regions", Self::Regions),
         ("faces", Self::Faces),
+        ("solids", Self::Solids),
         ("meshes", Self::Meshes),
         ("tables", Self::Tables),
     ];

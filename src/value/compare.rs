@@ -35,6 +35,7 @@ pub fn equal(a: &Value, b: &Value) -> Option<bool> {
         (Value::Surface(a), Value::Surface(b)) => a == b,
         (Value::Region(a), Value::Region(b)) => a == b,
         (Value::Face(a), Value::Face(b)) => a == b,
+        (Value::Solid(a), Value::Solid(b)) => a == b,
         (Value::Mesh(a), Value::Mesh(b)) => a == b,
         (Value::Table(a), Value::Table(b)) => a == b,
         (Value::Frame(a), Value::Frame(b)) => a == b,

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::{Value, shortest};
 use crate::{
     diag::{is_hidden, shown},
-    kernel::{Curve, Face, Frame, Interval, Surface},
+    kernel::{Curve, Face, Frame, Interval, Region, Solid, Surface},
 };
 
 /// Numbers in document units, without their unit.
@@ -65,17 +65,9 @@ impl fmt::Display for ToldValue<'_> {
             Value::Function(function) => f.write_str(&function.signature()),
             Value::Curve(curve) => write_curve(f, curve),
             Value::Surface(surface) => write_surface(f, surface),
-            Value::Region(region) => {
-                f.write_str("region")?;
-                match region.n_holes() {
-                    0 => {}
-                    1 => f.write_str(" with a hole")?,
-                    n => write!(f, " with {n} holes")?,
-                }
-                let n: usize = region.arcs().map(<[_]>::len).sum();
-                write!(f, ", {n} {}", if n == 1 { "arc" } else { "arcs" })
-            }
+            Value::Region(region) => write_region(f, region),
             Value::Face(face) => write_face(f, face),
+            Value::Solid(solid) => write_solid(f, solid),
             Value::Mesh(mesh) => {
                 let faces = match mesh.face_sizes() {
                     [] => "triangles",
@@ -104,6 +96,28 @@ fn write_curve(f: &mut fmt::Formatter<'_>, curve: &Curve) -> fmt::Result {
             let (degree, n_points) = (curve.degree(), curve.control_points().len());
             write!(f, "curve of degree {degree} with {n_points} control points on {domain}")
         }
+    }
+}
+
+/// `region with 2 holes, 6 arcs`
+fn write_region(f: &mut fmt::Formatter<'_>, region: &Region) -> fmt::Result {
+    f.write_str("region")?;
+    match region.n_holes() {
+        0 => {}
+        1 => f.write_str(" with a hole")?,
+        n => write!(f, " with {n} holes")?,
+    }
+    let n: usize = region.arcs().map(<[_]>::len).sum();
+    write!(f, ", {n} {}", if n == 1 { "arc" } else { "arcs" })
+}
+
+/// `solid of 4 faces, 2 shells`
+fn write_solid(f: &mut fmt::Formatter<'_>, solid: &Solid) -> fmt::Result {
+    let n = solid.faces().len();
+    write!(f, "solid of {n} {}", if n == 1 { "face" } else { "faces" })?;
+    match solid.shells().count() {
+        1 => Ok(()),
+        n => write!(f, ", {n} shells"),
     }
 }
 

@@ -6,8 +6,8 @@ use glam::DVec3;
 
 use super::{Dimension, IntoValue, Number, Range, Real, Value, unit::dim_of};
 use crate::kernel::{
-    Column, Curve, Face, GeomError, Grid, Interval, NurbsCurve, NurbsSurface, Region, Surface,
-    Table, Tolerance,
+    Column, Curve, Face, GeomError, Grid, Interval, NurbsCurve, NurbsSurface, Region, Solid,
+    Surface, Table, Tolerance,
 };
 
 const POINT: &[&str] = &["x", "y", "z"];
@@ -23,6 +23,7 @@ const SURFACE: &[&str] = &[
 const MESH: &[&str] = &["vertices", "triangles", "faces", "normals", "uvs", "colors", "groups"];
 const REGION: &[&str] = &["outer", "holes", "plane"];
 const FACE: &[&str] = &["surface", "loops", "edges"];
+const SOLID: &[&str] = &["faces", "shells"];
 const FRAME: &[&str] = &["origin", "x", "y", "z"];
 const CURVE_FRAME: &[&str] = &["origin", "x", "y", "z", "tangent", "normal", "binormal"];
 
@@ -37,6 +38,7 @@ pub fn field_names(value: &Value) -> Vec<&str> {
         Value::Surface(_) | Value::JetSurface(_) => SURFACE.to_vec(),
         Value::Region(_) => REGION.to_vec(),
         Value::Face(_) => FACE.to_vec(),
+        Value::Solid(_) => SOLID.to_vec(),
         Value::Mesh(_) => MESH.to_vec(),
         Value::Table(table) => table.columns().iter().map(|column| column.name.as_str()).collect(),
         Value::Frame(frame) if frame.is_of_curve() => CURVE_FRAME.to_vec(),
@@ -76,6 +78,7 @@ fn plain_field(value: &Value, name: &str) -> Option<Value> {
         (Value::JetRange(range), "start") => range.start.clone().into_value(),
         (Value::JetRange(range), "end") => range.end.clone().into_value(),
         (Value::Record(record), _) => record.get(name)?.clone(),
+        (Value::Solid(solid), _) => return solid_field(solid, name),
         (Value::Mesh(mesh), _) => return mesh_field(mesh, name),
         (Value::Table(table), _) => column(table, name)?,
         (Value::Frame(frame), "origin") => Value::Point(frame.origin()),
@@ -165,6 +168,18 @@ fn face_field(face: &Face, name: &str, tolerance: Tolerance) -> Result<Option<Va
         "edges" => curves(face.edges(tolerance)?),
         _ => return Ok(None),
     }))
+}
+
+fn solid_field(solid: &Solid, name: &str) -> Option<Value> {
+    let faces = |faces: &[&Face]| {
+        let face = |&face: &&Face| Value::Face(Arc::new(face.clone()));
+        Value::list(faces.iter().map(face).collect())
+    };
+    Some(match name {
+        "faces" => faces(&solid.faces().iter().collect::<Vec<_>>()),
+        "shells" => Value::list(solid.shells().map(|shell| faces(&shell)).collect()),
+        _ => return None,
+    })
 }
 
 fn mesh_field(mesh: &crate::kernel::Mesh, name: &str) -> Option<Value> {

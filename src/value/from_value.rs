@@ -1,15 +1,11 @@
 //! Conversions between language values and the Rust types of operations' parameters.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 
-use super::{CARRIES_DERIVATIVES, List, Number, Range, Real, Record, Type, Value};
+use super::{CARRIES_DERIVATIVES, List, Number, Range, Real, Type, Value};
 use crate::{
     diag::{Code, Span, Spanned},
-    kernel::{
-        CountError, Curve, Face, Frame, GeomError, Grid, Interval, Mesh, Region, Surface, Table,
-    },
+    kernel::{CountError, GeomError, Grid, Interval},
     limits::work,
 };
 
@@ -148,35 +144,6 @@ impl FromValue for Value {
     fn from_value(value: &Value, _: Span) -> Result<Self, Mismatch> {
         Ok(value.clone())
     }
-}
-
-/// Reads the payload of one variant.
-macro_rules! from_variant {
-    ($( $ty:ty = $tag:ident from $variant:ident($inner:ident) $get:expr; )+) => { $(
-        impl FromValue for $ty {
-            const TYPE: Type = Type::$tag;
-
-            fn from_value(value: &Value, _: Span) -> Result<Self, Mismatch> {
-                if let Value::$variant($inner) = value { Ok($get) } else { Err(Mismatch::kind(Self::TYPE, value)) }
-            }
-        }
-    )+ };
-}
-
-from_variant! {
-    bool = Bool from Bool(truth) *truth;
-    Number = Number from Number(number) *number;
-    Arc<str> = Text from Text(text) Arc::clone(text);
-    DVec3 = Point from Point(point) *point;
-    Range = Range from Range(range) *range;
-    Arc<Record> = Record from Record(record) Arc::clone(record);
-    Curve = Curve from Curve(curve) curve.clone();
-    Surface = Surface from Surface(surface) surface.clone();
-    Arc<Region> = Region from Region(region) Arc::clone(region);
-    Arc<Face> = Face from Face(face) Arc::clone(face);
-    Arc<Mesh> = Mesh from Mesh(mesh) Arc::clone(mesh);
-    Arc<Table> = Table from Table(table) Arc::clone(table);
-    Arc<Frame> = Plane from Frame(frame) Arc::clone(frame);
 }
 
 impl FromValue for f64 {

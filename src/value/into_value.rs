@@ -7,7 +7,7 @@ use crate::{
     diag::Spanned,
     kernel::{
         ConstructionReport, Curve, Face, Frame, Interval, Mesh, NurbsCurve, NurbsSurface, Region,
-        ReportEntry, Surface, Table,
+        ReportEntry, Solid, Surface, Table,
     },
 };
 use std::sync::Arc;
@@ -76,6 +76,7 @@ into_variant! {
     NurbsSurface = Type::Surface, |surface| Value::Surface(surface.into());
     Region = Type::Region, |region| Value::Region(Arc::new(region));
     Face = Type::Face, |face| Value::Face(Arc::new(face));
+    Solid = Type::Solid, |solid| Value::Solid(Arc::new(solid));
     Mesh = Type::Mesh, |mesh| Value::Mesh(Arc::new(mesh));
     Table = Type::Table, |table| Value::Table(Arc::new(table));
     Frame = Type::Plane, |frame| Value::Frame(Arc::new(frame));

@@ -13,7 +13,7 @@ use super::{ENDED, Number, Range, Record, Value, in_document_unit};
 use crate::{
     kernel::{
         Column, Curve, Face, FacePart, Frame, Grid, KnotVector, Mesh, MeshGroup, NamedColumn,
-        NurbsCurve, NurbsSurface, Region, Surface, Table, Tolerance,
+        NurbsCurve, NurbsSurface, Region, Solid, Surface, Table, Tolerance,
     },
     limits::work,
 };
@@ -57,15 +57,11 @@ pub fn to_json(value: &Value) -> Json {
             "z": region.frame().z().to_array(),
             "borders": region.arcs().map(|arcs| arcs.iter().map(curve_json).collect()).collect::<Vec<Json>>(),
         }),
-        Value::Face(face) => {
-            let arcs = |arcs: &Vec<NurbsCurve>| arcs.iter().map(curve_json).collect::<Json>();
-            let part = |part: FacePart| part.loops.iter().map(arcs).collect::<Json>();
-            json!({
-                "virote": "face",
-                "surface": surface_json(face.surface()),
-                "parts": face.parts().into_iter().map(part).collect::<Json>(),
-            })
-        }
+        Value::Face(face) => face_json(face),
+        Value::Solid(solid) => json!({
+            "virote": "solid",
+            "faces": solid.faces().iter().map(face_json).collect::<Json>(),
+        }),
         Value::Mesh(mesh) => mesh_json(mesh),
         Value::Table(table) => {
             json!({ "virote": "table", "columns": table.columns().iter().map(column).collect::<Vec<_>>() })
@@ -77,6 +73,16 @@ pub fn to_json(value: &Value) -> Json {
             "z": frame.z().to_array(),
         }),
     }
+}
+
+fn face_json(face: &Face) -> Json {
+    let arcs = |arcs: &Vec<NurbsCurve>| arcs.iter().map(curve_json).collect::<Json>();
+    let part = |part: FacePart| part.loops.iter().map(arcs).collect::<Json>();
+    json!({
+        "virote": "face",
+        "surface": surface_json(face.surface()),
+        "parts": face.parts().into_iter().map(part).collect::<Json>(),
+    })
 }
 
 fn curve_json(curve: &NurbsCurve) -> Json {
@@ -258,6 +264,15 @@ impl<'j> Object<'j> {
         Face::of_parts(surface, &parts, Tolerance::DEFAULT).map_err(|err| err.to_string())
     }
 
+    fn solid(&self) -> Result<Solid, String> {
+        let face = |json: &Json| match from_json(json, self.length) {
+            Ok(Value::Face(face)) => Some((*face).clone()),
+            _ => None,
+        };
+        let faces: Vec<Face> = self.read("faces", |json| each(json, face))?;
+        Solid::new(&faces, Tolerance::DEFAULT).map_err(|err| err.to_string())
+    }
+
     fn region(&self) -> Result<Region, String> {
         let borders = self.read("borders", |json| self.borders(json))?;
         Region::of_arcs(self.plane()?, borders).map_err(|err| err.to_string())
@@ -318,6 +333,7 @@ impl<'j> Object<'j> {
             "surface" => Value::Surface(self.surface()?.into()),
             "region" => Value::Region(Arc::new(self.region()?)),
             "face" => Value::Face(Arc::new(self.face()?)),
+            "solid" => Value::Solid(Arc::new(self.solid()?)),
             "mesh" => Value::Mesh(Arc::new(self.mesh()?)),
             "table" => Value::Table(Arc::new(self.table()?)),
             "plane" => Value::Frame(Arc::new(self.plane()?)),

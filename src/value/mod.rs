@@ -16,6 +16,7 @@ mod field;
 mod files;
 mod format;
 mod from_value;
+mod from_variant;
 mod function;
 mod into_value;
 mod json;
@@ -46,7 +47,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::kernel::{
-    Curve, Face, Frame, Jet, Mesh, Region, Surface, Table, VariedCurve, VariedSurface,
+    Curve, Face, Frame, Jet, Mesh, Region, Solid, Surface, Table, VariedCurve, VariedSurface,
 };
 
 pub use affine::{NoDerivative, through_affine, varies};
@@ -128,6 +129,8 @@ pub enum Value {
     Region(Arc<Region>),
     /// A part of a surface.
     Face(Arc<Face>),
+    /// What faces enclose.
+    Solid(Arc<Solid>),
     /// A mesh.
     Mesh(Arc<Mesh>),
     /// A table.
@@ -220,6 +223,7 @@ impl Value {
             Self::Surface(_) | Self::JetSurface(_) => "surface",
             Self::Region(_) => "region",
             Self::Face(_) => "face",
+            Self::Solid(_) => "solid",
             Self::Mesh(_) => "mesh",
             Self::Table(_) => "table",
             Self::Frame(_) => "plane",

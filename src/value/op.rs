@@ -160,6 +160,8 @@ pub enum Family {
     Region,
     /// Parts of surfaces.
     Face,
+    /// Solids.
+    Solid,
     /// Questions about geometry.
     Measure,
     /// Meshes and files.
@@ -185,6 +187,7 @@ impl Family {
         (Self::Transform, "Transformations"),
         (Self::Region, "Regions"),
         (Self::Face, "Parts of surfaces"),
+        (Self::Solid, "Solids"),
         (Self::Measure, "Questions about geometry"),
         (Self::Mesh, "Meshes and files"),
         (Self::Table, "Tables"),

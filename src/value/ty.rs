@@ -51,6 +51,8 @@ pub enum Type {
     Region,
     /// A part of a surface.
     Face,
+    /// What faces enclose.
+    Solid,
     /// A mesh.
     Mesh,
     /// A table.
@@ -99,6 +101,7 @@ impl Type {
             | (Self::Surface, Value::Surface(_) | Value::JetSurface(_))
             | (Self::Region, Value::Region(_))
             | (Self::Face, Value::Face(_))
+            | (Self::Solid, Value::Solid(_))
             | (Self::Mesh, Value::Mesh(_))
             | (Self::Table, Value::Table(_))
             | (Self::Plane, Value::Frame(_))
@@ -109,6 +112,7 @@ impl Type {
                 | Value::Surface(_)
                 | Value::Region(_)
                 | Value::Face(_)
+                | Value::Solid(_)
                 | Value::Mesh(_)
                 | Value::Frame(_),
             ) => true,
@@ -232,6 +236,7 @@ impl fmt::Display for Type {
             Self::Surface => "surface",
             Self::Region => "region",
             Self::Face => "face",
+            Self::Solid => "solid",
             Self::Mesh => "mesh",
             Self::Table => "table",
             Self::Plane => "plane",

@@ -49,6 +49,7 @@ mod seams;
 mod shape;
 mod sizes;
 mod skin;
+mod solid;
 mod some;
 mod surface;
 mod sweep;

@@ -227,6 +227,7 @@ fn kind(prompt: &mut Prompt, text: &str) {
             | Value::Surface(_)
             | Value::Region(_)
             | Value::Face(_)
+            | Value::Solid(_)
             | Value::Mesh(_)
             | Value::Table(_) => {
                 format!("a {value}")

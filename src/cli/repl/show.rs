@@ -10,7 +10,7 @@ use super::{
 };
 use crate::{
     export::View,
-    kernel::{Column, Curve, Mesh, Surface, Table, Tolerance},
+    kernel::{Column, Curve, Face, Mesh, Surface, Table, Tolerance},
     syntax::ast::Unit,
     value::{Dimension, Value, shortest},
 };
@@ -190,6 +190,21 @@ pub(super) fn cut(text: &str, most: usize) -> String {
     }
 }
 
+/// The edges of a face, and the isocurves of one that is a whole surface.
+fn lines_of_face(face: &Face) -> Vec<PlotSubject> {
+    let edges = face.edges(Tolerance::DEFAULT).unwrap_or_default();
+    let mut lines: Vec<PlotSubject> = edges
+        .into_iter()
+        .flat_map(|edge| Curve::from(edge).sample(N_POINTS))
+        .map(PlotSubject::Path)
+        .collect();
+    let surface = Surface::Nurbs(Arc::clone(face.surface()));
+    if face.is_whole() {
+        lines.extend(isocurves(&surface).into_iter().map(PlotSubject::Path));
+    }
+    lines
+}
+
 /// What can be drawn of a value.
 pub(super) fn shapes(value: &Value) -> Vec<PlotSubject> {
     match value {
@@ -199,19 +214,8 @@ pub(super) fn shapes(value: &Value) -> Vec<PlotSubject> {
             let borders = region.borders().unwrap_or_default().into_iter().map(Curve::from);
             borders.flat_map(|curve| curve.sample(N_POINTS)).map(PlotSubject::Path).collect()
         }
-        Value::Face(face) => {
-            let edges = face.edges(Tolerance::DEFAULT).unwrap_or_default();
-            let mut lines: Vec<PlotSubject> = edges
-                .into_iter()
-                .flat_map(|edge| Curve::from(edge).sample(N_POINTS))
-                .map(PlotSubject::Path)
-                .collect();
-            let surface = Surface::Nurbs(Arc::clone(face.surface()));
-            if face.is_whole() {
-                lines.extend(isocurves(&surface).into_iter().map(PlotSubject::Path));
-            }
-            lines
-        }
+        Value::Face(face) => lines_of_face(face),
+        Value::Solid(solid) => solid.faces().iter().flat_map(lines_of_face).collect(),
         Value::Mesh(mesh) => vec![PlotSubject::Mesh(mesh.clone())],
         Value::List(items) => {
             let points: Vec<DVec3> = items

@@ -31,7 +31,11 @@ pub(super) static FORMAT: Format = Format {
     takes: |subject| {
         matches!(
             subject,
-            Subject::Point(_) | Subject::Curve(_) | Subject::Surface(_) | Subject::Face(_)
+            Subject::Point(_)
+                | Subject::Curve(_)
+                | Subject::Surface(_)
+                | Subject::Face(_)
+                | Subject::Solid(_)
         )
     },
     takes_data: false,

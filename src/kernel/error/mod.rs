@@ -11,6 +11,7 @@ use thiserror::Error;
 
 use super::{
     FaceError, FunctionFailure, JumpError, MeshError, PictureError, RegionError, ShellError,
+    SolidError,
 };
 
 pub use construct::{ConstructionError, FitError, FormError, JointError};
@@ -83,6 +84,9 @@ pub enum GeomError {
     /// Parts of surfaces that are none.
     #[error(transparent)]
     Face(#[from] FaceError),
+    /// Solids that are none.
+    #[error(transparent)]
+    Solid(#[from] SolidError),
     /// Surfaces that enclose nothing.
     #[error(transparent)]
     Shell(#[from] ShellError),

@@ -20,6 +20,7 @@ mod deviation;
 mod distance;
 mod division;
 mod edge;
+mod even_plane;
 mod faces;
 mod fault;
 mod form;
@@ -64,7 +65,8 @@ pub use tessellate::{
     tessellate, tessellate_all, tessellate_curve, tessellate_finely, tessellation_parameters,
 };
 pub use topology::{MeshCheck, Topology};
-pub(crate) use trimmed::tessellate_parts;
+pub(crate) use trimmed::{BorderVertex, PartLoops, PartsTessellation, tessellate_parts};
+pub(crate) use weld::welded;
 
 /// Triangles over shared vertices, counter-clockwise seen from the side of the normals.
 ///

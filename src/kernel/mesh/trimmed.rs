@@ -14,18 +14,16 @@ use super::{
     Mesh, TessellationOptions,
     bend::DerivativeBounds,
     chord::chord_deviation,
+    even_plane::EvenPlane,
     surface_patch::{Cells, SurfacePatch},
     tessellate::{ANGLE_MARGIN, LEAST_GAIN, MAX_GROWTH, MAX_ROUNDS, check_rounding, widest_turn},
     triangulation::{BorderPolygon, triangles_with},
 };
 use crate::{
-    CountError, Direction, GeomError, NurbsCurve, NurbsSurface, Side, bezier,
+    CountError, GeomError, NurbsCurve, NurbsSurface, Side, bezier,
     ceiling::PARAMETER_HALVINGS,
     tolerance::{LEG_SHARE, PARAMETER_RELATIVE, VANISHING_RELATIVE},
 };
-
-/// How many cells a corner of the grid keeps away from the border at least.
-const CLEARANCE: f64 = 0.4;
 
 /// By how much more than a leg's box must be allowed, for the triangles on it.
 const LEG_ROOM: f64 = 1.3;
@@ -39,21 +37,32 @@ pub(crate) type PartLoops = Vec<Vec<NurbsCurve>>;
 /// Where an arc runs along a line that parts share: which parameter is constant, and the line's number.
 type SharedLine = (usize, u64);
 
-/// What is meshed.
-struct Trimmed<'a> {
+/// A place on the border of a part: at which parameters of the surface, and where it is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BorderVertex {
+    pub(crate) parameters: DVec2,
+    pub(crate) point: DVec3,
+}
+
+/// Parts of a surface that become triangles.
+pub(crate) struct PartsTessellation<'a> {
     sheet: SurfacePatch<'a>,
     parts: &'a [PartLoops],
     is_closed: [bool; 2],
     /// Bounds of the lengths of Su and of Sv.
     first: [f64; 2],
+    /// The limits of triangles.
+    cells: Cells,
+    /// What legs may leave out.
+    leg_tolerance: f64,
+    most: usize,
 }
 
 /// The mesh of parts of a surface, none of which goes over a line along which its derivative jumps;
 /// `is_closed` tells which pairs of its edges are one.
 ///
 /// # Errors
-/// [`crate::InputError::NotPositive`] for a limit that allows nothing; [`CountError::TooManyVertices`];
-/// [`crate::MeshError::BelowRounding`]; [`crate::RegionError::Unclear`] where arcs come too near one another.
+/// Those of [`PartsTessellation::settled`].
 pub(crate) fn tessellate_parts(
     surface: &NurbsSurface,
     parts: &[PartLoops],
@@ -61,38 +70,61 @@ pub(crate) fn tessellate_parts(
     options: &TessellationOptions,
     most: usize,
 ) -> Result<Mesh, GeomError> {
-    options.check()?;
-    check_rounding(options.tolerance, surface.bounds().magnitude())?;
-    // What legs leave out, and what triangles do.
-    let triangles = (1.0 - LEG_SHARE) * options.tolerance;
-    let bounds = DerivativeBounds::of(surface, [1, 1], options.n_threads);
-    let longest = |i: usize| bounds.pieces.iter().map(|piece| piece.first[i]).fold(0.0, f64::max);
-    let sheet = SurfacePatch::of_spline(surface, triangles);
-    let trimmed = Trimmed { sheet, parts, is_closed, first: [longest(0), longest(1)] };
-    let limits = trimmed.sheet.limits(options);
-    let (mut sharpness, mut last) = (1.0, f64::INFINITY);
-    for round in 1.. {
-        GeomError::go_on(1)?;
-        let cells = trimmed.sheet.cells(limits.sharpened(sharpness), most)?;
-        let mesh = trimmed.mesh(&cells, LEG_SHARE * options.tolerance, most)?;
-        let excess = widest_turn(&mesh, options.tolerance) / options.angle;
-        let is_done = !options.limits_angle() || excess <= 1.0 || LEAST_GAIN * last <= excess;
-        if is_done || MAX_ROUNDS <= round {
-            return Ok(mesh);
-        }
-        sharpness *= (ANGLE_MARGIN * excess).min(MAX_GROWTH);
-        last = excess;
-    }
-    unreachable!("rounds end")
+    Ok(PartsTessellation::settled(surface, parts, is_closed, options, most)?.1)
 }
 
-impl Trimmed<'_> {
-    fn mesh(&self, cells: &Cells, leg_tolerance: f64, most: usize) -> Result<Mesh, GeomError> {
-        let arcs = || self.parts.iter().flatten().flatten();
+impl<'a> PartsTessellation<'a> {
+    /// With cells that keep to all limits, and the mesh that shows it.
+    ///
+    /// # Errors
+    /// [`crate::InputError::NotPositive`] for a limit that allows nothing; [`CountError::TooManyVertices`];
+    /// [`crate::MeshError::BelowRounding`]; [`crate::RegionError::Unclear`] where arcs come too near one another.
+    pub(crate) fn settled(
+        surface: &'a NurbsSurface,
+        parts: &'a [PartLoops],
+        is_closed: [bool; 2],
+        options: &TessellationOptions,
+        most: usize,
+    ) -> Result<(Self, Mesh), GeomError> {
+        options.check()?;
+        check_rounding(options.tolerance, surface.bounds().magnitude())?;
+        // What legs leave out, and what triangles do.
+        let leg_tolerance = LEG_SHARE * options.tolerance;
+        let triangles = (1.0 - LEG_SHARE) * options.tolerance;
+        let bounds = DerivativeBounds::of(surface, [1, 1], options.n_threads);
+        let longest =
+            |i: usize| bounds.pieces.iter().map(|piece| piece.first[i]).fold(0.0, f64::max);
+        let first = [longest(0), longest(1)];
+        let sheet = SurfacePatch::of_spline(surface, triangles);
+        let limits = sheet.limits(options);
+        let cells = sheet.cells(limits.sharpened(1.0), most)?;
+        let mut own = Self { sheet, parts, is_closed, first, cells, leg_tolerance, most };
+        let (mut sharpness, mut last) = (1.0, f64::INFINITY);
+        for round in 1.. {
+            GeomError::go_on(1)?;
+            let mesh = own.mesh()?;
+            let excess = widest_turn(&mesh, options.tolerance) / options.angle;
+            let is_done = !options.limits_angle() || excess <= 1.0 || LEAST_GAIN * last <= excess;
+            if is_done || MAX_ROUNDS <= round {
+                return Ok((own, mesh));
+            }
+            sharpness *= (ANGLE_MARGIN * excess).min(MAX_GROWTH);
+            own.cells = own.sheet.cells(limits.sharpened(sharpness), most)?;
+            last = excess;
+        }
+        unreachable!("rounds end")
+    }
+
+    /// The arcs of all loops.
+    fn arcs(&self) -> impl Iterator<Item = &'a NurbsCurve> {
+        self.parts.iter().flatten().flatten()
+    }
+
+    fn mesh(&self) -> Result<Mesh, GeomError> {
         let mut shared: BTreeMap<SharedLine, Vec<f64>> = BTreeMap::new();
         let mut stops = Vec::new();
-        for arc in arcs() {
-            let places = self.stops(arc, cells, leg_tolerance, most)?;
+        for arc in self.arcs() {
+            let places = self.stops(arc)?;
             if let Some(line) = self.shared_line(arc) {
                 let along = 1 - line.0;
                 shared.entry(line).or_default().extend(places.iter().map(|&t| at(arc, t)[along]));
@@ -105,19 +137,44 @@ impl Trimmed<'_> {
             places.sort_by(f64::total_cmp);
             places.dedup_by(|a, b| *a - *b <= slack[1 - line.0]);
         }
-        let mut polygons = arcs().zip(&stops).map(|(arc, stops)| match self.shared_line(arc) {
+        let polygons = self.arcs().zip(&stops).map(|(arc, stops)| match self.shared_line(arc) {
             Some(line) => between(arc, 1 - line.0, &shared[&line], slack[1 - line.0]),
             None => stops[..stops.len() - 1].iter().map(|&t| at(arc, t)).collect(),
         });
+        let vertex = |parameters| self.vertex_at(parameters);
+        self.mesh_within(polygons.map(|polygon| polygon.into_iter().map(vertex).collect()))
+    }
+
+    /// The mesh whose border has these vertices along each arc, that at its end left out.
+    ///
+    /// # Errors
+    /// [`CountError::TooManyVertices`]; [`crate::RegionError::Unclear`] where arcs come too near one another.
+    pub(crate) fn mesh_within(
+        &self,
+        mut along_arcs: impl Iterator<Item = Vec<BorderVertex>>,
+    ) -> Result<Mesh, GeomError> {
         let mut mesh = Mesh::default();
         for part in self.parts {
-            let loops: Vec<Vec<DVec2>> = part
+            let loops: Vec<Vec<BorderVertex>> = part
                 .iter()
-                .map(|arcs| polygons.by_ref().take(arcs.len()).flatten().collect())
+                .map(|arcs| along_arcs.by_ref().take(arcs.len()).flatten().collect())
                 .collect();
-            self.add(&loops, cells, most, &mut mesh)?;
+            self.add(&loops, &mut mesh)?;
         }
         Ok(mesh.without_strays())
+    }
+
+    /// Where the vertices along each arc stand that keep to the limits: its parameters, its ends among them.
+    ///
+    /// # Errors
+    /// [`CountError::TooManyVertices`].
+    pub(crate) fn all_stops(&self) -> Result<Vec<Vec<f64>>, GeomError> {
+        self.arcs().map(|arc| self.stops(arc)).collect()
+    }
+
+    /// The vertex at parameters of the surface.
+    pub(crate) fn vertex_at(&self, parameters: DVec2) -> BorderVertex {
+        BorderVertex { parameters, point: self.point(parameters) }
     }
 
     /// The line of constant parameter along which an arc runs that both of its sides share.
@@ -137,13 +194,8 @@ impl Trimmed<'_> {
     }
 
     /// Parameters of an arc between which legs may run, its ends among them.
-    fn stops(
-        &self,
-        arc: &NurbsCurve,
-        cells: &Cells,
-        tolerance: f64,
-        most: usize,
-    ) -> Result<Vec<f64>, GeomError> {
+    fn stops(&self, arc: &NurbsCurve) -> Result<Vec<f64>, GeomError> {
+        let most = self.most;
         let stretch = DVec3::new(self.first[0], self.first[1], 0.0);
         let stretched = arc.transformed(&glam::DAffine3::from_scale(stretch));
         let mut stops = vec![arc.domain().start()];
@@ -154,7 +206,7 @@ impl Trimmed<'_> {
                 GeomError::go_on(1)?;
                 let ends = [interval.start(), interval.end()].map(|t| at(arc, t));
                 let is_near = chord_deviation(&piece, [piece[0], piece[piece.len() - 1]]);
-                let fits = is_near <= tolerance && leg_fits(cells, ends);
+                let fits = is_near <= self.leg_tolerance && leg_fits(&self.cells, ends);
                 if fits || PARAMETER_HALVINGS <= n_halvings {
                     stops.push(interval.end());
                 } else {
@@ -172,18 +224,14 @@ impl Trimmed<'_> {
     }
 
     /// Adds the triangles of one part, whose loops are polygons.
-    fn add(
-        &self,
-        loops: &[Vec<DVec2>],
-        cells: &Cells,
-        most: usize,
-        mesh: &mut Mesh,
-    ) -> Result<(), GeomError> {
+    fn add(&self, loops: &[Vec<BorderVertex>], mesh: &mut Mesh) -> Result<(), GeomError> {
+        let (cells, most) = (&self.cells, self.most);
         let net = EvenPlane { lines: &cells.lines };
         let mut rings: Vec<BorderPolygon> = Vec::new();
         let mut first = 0;
         for polygon in loops {
-            let places: Vec<DVec2> = polygon.iter().map(|&place| net.place(place)).collect();
+            let places: Vec<DVec2> =
+                polygon.iter().map(|vertex| net.place(vertex.parameters)).collect();
             let n = places.len();
             rings.push(BorderPolygon { places, first });
             first += n;
@@ -198,24 +246,24 @@ impl Trimmed<'_> {
         let limits = [MIDDLE_ROUNDS, most.saturating_sub(got)];
         let (triangles, inside) =
             triangles_with(&rings, inside, is_fine, limits).map_err(|vertex| {
-                let place = loops.iter().flatten().nth(vertex).copied().unwrap_or_default();
-                crate::RegionError::Unclear { point: self.point(place) }
+                let vertex = loops.iter().flatten().nth(vertex);
+                let point = vertex.map_or(DVec3::ZERO, |vertex| vertex.point);
+                crate::RegionError::Unclear { point }
             })?;
-        let own = loops.iter().flatten().copied();
-        let own: Vec<DVec2> =
-            own.chain(inside.iter().map(|&place| net.parameters(place))).collect();
+        let inside = inside.iter().map(|&place| self.vertex_at(net.parameters(place)));
+        let own: Vec<BorderVertex> = loops.iter().flatten().copied().chain(inside).collect();
         let got = mesh.n_vertices() + own.len();
         if most.min(u32::MAX as usize) < got {
             return Err(CountError::TooManyVertices { got, most }.into());
         }
-        let (low, high) =
-            (own.iter().copied().reduce(DVec2::min), own.iter().copied().reduce(DVec2::max));
+        let places = || own.iter().map(|vertex| vertex.parameters);
+        let (low, high) = (places().reduce(DVec2::min), places().reduce(DVec2::max));
         let middle = low.zip(high).map_or(DVec2::ZERO, |(low, high)| low.midpoint(high));
         let offset = mesh.n_vertices() as u32;
-        for &place in &own {
-            mesh.vertices.push(self.point(place));
-            mesh.normals.push(self.normal(place, middle));
-            mesh.uvs.push(place);
+        for vertex in &own {
+            mesh.vertices.push(vertex.point);
+            mesh.normals.push(self.normal(vertex.parameters, middle));
+            mesh.uvs.push(vertex.parameters);
         }
         let rounding = VANISHING_RELATIVE * self.sheet.spline.bounds().magnitude();
         for corners in triangles {
@@ -272,105 +320,4 @@ fn leg_fits(cells: &Cells, [a, b]: [DVec2; 2]) -> bool {
         [low - room, high + room]
     };
     cells.allow([wider(low.x, high.x), wider(low.y, high.y)])
-}
-
-/// Parameters with the lines of a grid one unit apart.
-struct EvenPlane<'a> {
-    lines: &'a [Vec<f64>; 2],
-}
-
-impl EvenPlane<'_> {
-    fn place(&self, parameters: DVec2) -> DVec2 {
-        let along = |along: Direction, t: f64| {
-            let lines = &self.lines[along];
-            let cell = lines.partition_point(|&line| line <= t).clamp(1, lines.len() - 1) - 1;
-            cell as f64 + (t - lines[cell]) / (lines[cell + 1] - lines[cell])
-        };
-        DVec2::new(along(Direction::U, parameters.x), along(Direction::V, parameters.y))
-    }
-
-    fn parameters(&self, place: DVec2) -> DVec2 {
-        let along = |along: Direction, x: f64| {
-            let lines = &self.lines[along];
-            let cell = (x.max(0.0) as usize).min(lines.len() - 2);
-            let fraction = x - cell as f64;
-            // A line itself is met exactly.
-            if fraction <= 0.0 {
-                lines[cell]
-            } else if 1.0 <= fraction {
-                lines[cell + 1]
-            } else {
-                lines[cell] + fraction * (lines[cell + 1] - lines[cell])
-            }
-        };
-        DVec2::new(along(Direction::U, place.x), along(Direction::V, place.y))
-    }
-
-    /// The crossings of lines within polygons and not near their sides.
-    ///
-    /// # Errors
-    /// [`CountError::TooManyVertices`]; `GeomError::Ended`.
-    fn corners_inside(
-        &self,
-        rings: &[BorderPolygon],
-        most: usize,
-    ) -> Result<Vec<DVec2>, GeomError> {
-        let sides: Vec<[DVec2; 2]> = rings
-            .iter()
-            .flat_map(|ring| {
-                let n = ring.places.len();
-                (0..n).map(move |i| [ring.places[i], ring.places[(i + 1) % n]])
-            })
-            .collect();
-        let [n_u, n_v] = [self.lines[0].len(), self.lines[1].len()];
-        let mut crossings: Vec<Vec<f64>> = vec![Vec::new(); n_u];
-        let mut near: Vec<Vec<usize>> = vec![Vec::new(); n_u];
-        let range = |low: f64, high: f64, n: usize| {
-            (low.max(0.0).ceil() as usize)..((high.max(-1.0) + 1.0).floor() as usize).min(n)
-        };
-        for &[a, b] in &sides {
-            GeomError::go_on(1)?;
-            let (low, high) = (a.min(b), a.max(b));
-            for i in range(low.x, high.x, n_u) {
-                let x = i as f64;
-                if (a.x <= x) != (b.x <= x) {
-                    crossings[i].push(a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x)));
-                }
-            }
-            for i in range(low.x - CLEARANCE, high.x + CLEARANCE, n_u) {
-                for j in range(low.y - CLEARANCE, high.y + CLEARANCE, n_v) {
-                    if distance(DVec2::new(i as f64, j as f64), [a, b]) < CLEARANCE {
-                        near[i].push(j);
-                    }
-                }
-            }
-        }
-        let mut inside = Vec::new();
-        for (i, (mut crossings, mut near)) in crossings.into_iter().zip(near).enumerate() {
-            GeomError::go_on(1)?;
-            crossings.sort_by(f64::total_cmp);
-            near.sort_unstable();
-            let mut near = near.into_iter().peekable();
-            for pair in crossings.chunks_exact(2) {
-                for j in range(pair[0], pair[1], n_v) {
-                    while near.next_if(|&at| at < j).is_some() {}
-                    if near.peek() != Some(&j) {
-                        inside.push(DVec2::new(i as f64, j as f64));
-                    }
-                }
-            }
-            if most < inside.len() {
-                return Err(CountError::TooManyVertices { got: inside.len(), most }.into());
-            }
-        }
-        Ok(inside)
-    }
-}
-
-/// How far a place is from a side.
-fn distance(place: DVec2, [a, b]: [DVec2; 2]) -> f64 {
-    let leg = b - a;
-    let along = (place - a).dot(leg) / leg.length_squared();
-    let along = if along.is_finite() { along.clamp(0.0, 1.0) } else { 0.0 };
-    place.distance(a + leg * along)
 }

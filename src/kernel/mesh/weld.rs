@@ -15,7 +15,7 @@ const CUBE: f64 = 64.0;
 
 /// For each place the index of the first that is no further than `distance` from it and stands for
 /// itself; its own where there is none before it.
-pub(super) fn welded(places: &[DVec3], distance: f64) -> Vec<u32> {
+pub(crate) fn welded(places: &[DVec3], distance: f64) -> Vec<u32> {
     let side = CUBE * distance.max(f64::MIN_POSITIVE);
     // The last of the places that stand for themselves in a cube, and before each the next.
     let mut last_in: HashMap<[i64; 3], u32> = HashMap::with_capacity(places.len());

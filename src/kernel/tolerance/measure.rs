@@ -73,3 +73,8 @@ pub(crate) const FEW_DIGITS_SHARE: f64 = 0.02;
 /// Larger answers with the border where the inside reaches visibly farther; smaller divides boxes for the
 /// rounding of their ends.
 pub(crate) const EXTREMUM_RELATIVE: f64 = 1e-13;
+
+/// Seen from a place, a closed shell turns around it a whole number of times, to this fraction of a turn.
+///
+/// Larger takes a place next to the shell for one inside or outside; smaller refuses what quadrature can tell.
+pub(crate) const WHOLE_TURN_SLACK: f64 = 1e-3;

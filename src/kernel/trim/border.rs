@@ -273,6 +273,18 @@ impl Face {
         Ok(pieces)
     }
 
+    /// An arc of parameters in space as a spline on a domain of the same proportions, within an eighth of a distance.
+    ///
+    /// # Errors
+    /// Those of [`Self::edges`].
+    pub(crate) fn lifted_spline(
+        &self,
+        arc: &NurbsCurve,
+        distance: f64,
+    ) -> Result<NurbsCurve, GeomError> {
+        spline(&self.lifted(arc)?, distance)
+    }
+
     /// An arc of parameters in space: exact along lines of constant parameters and on plane patches.
     fn lifted(&self, arc: &NurbsCurve) -> Result<Curve, GeomError> {
         let surface = &self.plane.surface;

@@ -82,6 +82,11 @@ impl Face {
         Err(FaceError::OffDomain { index, u, v, domains: self.plane.domains() }.into())
     }
 
+    /// A point on the border of its parameters.
+    pub(crate) fn border_place(&self) -> glam::DVec3 {
+        self.plane.point(place_of(&self.parts))
+    }
+
     /// Places of what was found in the plane of parameters, in space.
     pub(super) fn in_space(&self) -> impl Fn(GeomError) -> GeomError + '_ {
         |error| match error {

@@ -2,7 +2,8 @@
 
 use super::{Face, division::Division};
 use crate::{
-    Direction, GeomError, Mesh, NurbsCurve, Region, TessellationOptions, mesh::tessellate_parts,
+    Direction, GeomError, Mesh, NurbsCurve, Region, TessellationOptions,
+    mesh::{PartLoops, PartsTessellation, tessellate_parts},
     tessellate_finely,
 };
 
@@ -30,15 +31,40 @@ impl Face {
         if self.is_whole() {
             return tessellate_finely(surface, options, most);
         }
-        let parts = self.between_breaks(options.weld)?;
+        let loops = self.part_loops(options.weld)?;
+        tessellate_parts(surface, &loops, self.plane.is_closed, options, most)
+    }
+
+    /// The loops of parameters of its parts, none of which goes over a line where the derivative of the surface
+    /// jumps.
+    ///
+    /// # Errors
+    /// [`crate::RegionError::Unclear`].
+    pub(crate) fn part_loops(&self, tolerance: f64) -> Result<Vec<PartLoops>, GeomError> {
+        let parts = self.between_breaks(tolerance)?;
         let loops = parts.iter().map(|part| {
             let arcs = |arcs: &[NurbsCurve]| {
                 arcs.iter().map(|arc| self.plane.to_parameters(arc)).collect()
             };
             part.arcs().map(arcs).collect()
         });
-        let loops: Vec<_> = loops.collect();
-        tessellate_parts(surface, &loops, self.plane.is_closed, options, most)
+        Ok(loops.collect())
+    }
+
+    /// Its parts as they become triangles, none beyond the limits.
+    ///
+    /// # Errors
+    /// Those of [`PartsTessellation::settled`].
+    pub(crate) fn tessellation<'a>(
+        &'a self,
+        loops: &'a [PartLoops],
+        options: &TessellationOptions,
+        most: usize,
+    ) -> Result<PartsTessellation<'a>, GeomError> {
+        let surface = &*self.plane.surface;
+        let settled =
+            PartsTessellation::settled(surface, loops, self.plane.is_closed, options, most);
+        Ok(settled?.0)
     }
 
     /// Its parts, divided along the lines where the derivative of the surface jumps.

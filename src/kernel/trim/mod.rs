@@ -29,4 +29,5 @@ pub use edge::{CurveEnd, SurfaceCurve, SurfaceCurveKind};
 pub use error::FaceError;
 pub use extremum::FaceClosestPoint;
 pub use face::{Face, FacePart};
+pub(crate) use shell::{EnclosedShell, enclosed_shells, rims};
 pub use split::Cutter;

@@ -1,7 +1,8 @@
 //! What faces enclose.
 //!
 //! Every place of every edge must lie on one other edge, of the same or of another face, within the tolerance;
-//! edges need not match one to one. Faces that look alike have their edges run against one another there.
+//! edges need not match one to one. Faces that look alike have their edges run against one another there. Edges
+//! without a neighbour are rims.
 
 use glam::DVec3;
 
@@ -11,11 +12,21 @@ use super::{
 };
 use crate::{
     Bounds, GeomError, MassProperties, NurbsCurve, Tolerance,
-    surface::{MassIntegral, moments},
+    frame::norm,
+    surface::{IntegralValues, MassIntegral, moments},
 };
 
 /// Places of each edge where its neighbour is looked for.
 const PLACES: usize = 24;
+
+/// Faces that hang together, and what they enclose.
+pub(crate) struct EnclosedShell {
+    /// Each face by its number, with the sign that makes them look alike.
+    pub(crate) faces: Vec<(usize, f64)>,
+    /// The volume; negative where they look inward with these signs.
+    pub(crate) volume: f64,
+    moments: MassIntegral,
+}
 
 /// An edge of one of several faces.
 struct FaceBorderEdge {
@@ -53,53 +64,138 @@ impl Face {
         tolerance: Tolerance,
     ) -> Result<MassProperties, GeomError> {
         let boxes = faces.iter().map(|face| face.plane.surface.bounds());
-        let whole = boxes.reduce(Bounds::union);
-        let about = whole.map_or(DVec3::ZERO, Bounds::center);
-        let distance = tolerance.distance_for(whole.map_or(0.0, Bounds::diagonal));
+        let about = boxes.reduce(Bounds::union).map_or(DVec3::ZERO, Bounds::center);
         let mut sum = MassIntegral::default();
-        for shell in shells(faces, tolerance, distance)? {
-            let mut own = MassIntegral::default();
-            for &(face, sign) in &shell {
-                let part = faces[face].integral(|point, normal| {
-                    let arm = arm(point, about);
-                    moments(arm, flux(arm, normal))
-                })?;
-                own.add(part, sign);
-            }
-            sum.add_shell(&own, shell.iter().all(|&(_, sign)| 0.0 < sign));
+        for shell in enclosed_shells(faces, about, tolerance)? {
+            sum.add_shell(&shell.moments, shell.faces.iter().all(|&(_, sign)| 0.0 < sign));
         }
         sum.volume(about)
+    }
+
+    /// The moments of the flux of the way from a point through it.
+    ///
+    /// # Errors
+    /// Those of a search that was ended.
+    pub(crate) fn flux_moments(&self, about: DVec3) -> Result<IntegralValues<10>, GeomError> {
+        self.integral(|point, normal| {
+            let arm = arm(point, about);
+            moments(arm, flux(arm, normal))
+        })
+    }
+
+    /// The solid angle under which its back is seen from a point that is not on it, less that of its front.
+    ///
+    /// # Errors
+    /// Those of a search that was ended.
+    pub(crate) fn solid_angle(&self, from: DVec3) -> Result<f64, GeomError> {
+        let seen = self.integral(|point, normal| {
+            let arm = point - from;
+            let distance = norm(arm);
+            [arm.dot(normal) / (distance * distance * distance)]
+        })?;
+        Ok(seen.values[0])
+    }
+}
+
+/// The shells that faces make, with their moments about a point.
+///
+/// # Errors
+/// Those of [`Face::enclosed_mass`].
+pub(crate) fn enclosed_shells(
+    faces: &[Face],
+    about: DVec3,
+    tolerance: Tolerance,
+) -> Result<Vec<EnclosedShell>, GeomError> {
+    let edges = FaceBorderEdge::all(faces, tolerance)?;
+    let mut found = Vec::new();
+    for faces_of_shell in shells(faces.len(), &edges, distance_for(faces, tolerance))? {
+        let mut moments = MassIntegral::default();
+        for &(face, sign) in &faces_of_shell {
+            moments.add(faces[face].flux_moments(about)?, sign);
+        }
+        let volume = moments.flux() / 3.0;
+        found.push(EnclosedShell { faces: faces_of_shell, volume, moments });
+    }
+    Ok(found)
+}
+
+/// The edges of faces that have no neighbour along all of their length.
+///
+/// # Errors
+/// [`FaceError::OpenShell`] of an edge that has one along a part, [`FaceError::CrowdedShell`]; those of
+/// [`Face::edges`].
+pub(crate) fn rims(faces: &[Face], tolerance: Tolerance) -> Result<Vec<NurbsCurve>, GeomError> {
+    let edges = FaceBorderEdge::all(faces, tolerance)?;
+    let distance = distance_for(faces, tolerance);
+    let mut rims = Vec::new();
+    for (i, edge) in edges.iter().enumerate() {
+        let (mut n_open, mut gap) = (0, None);
+        for place in edge.places() {
+            match neighbour(&edges, i, place, distance) {
+                Ok(_) => {}
+                Err(error @ GeomError::Face(FaceError::OpenShell { .. })) => {
+                    n_open += 1;
+                    gap.get_or_insert(error);
+                }
+                Err(other) => return Err(other),
+            }
+        }
+        match gap {
+            None => {}
+            Some(_) if n_open == PLACES => rims.push(edge.curve.clone()),
+            Some(gap) => return Err(gap),
+        }
+    }
+    Ok(rims)
+}
+
+/// Within which distance edges of faces are one.
+fn distance_for(faces: &[Face], tolerance: Tolerance) -> f64 {
+    let boxes = faces.iter().map(|face| face.plane.surface.bounds());
+    tolerance.distance_for(boxes.reduce(Bounds::union).map_or(0.0, Bounds::diagonal))
+}
+
+impl FaceBorderEdge {
+    /// Those of all faces.
+    fn all(faces: &[Face], tolerance: Tolerance) -> Result<Vec<Self>, GeomError> {
+        let mut edges = Vec::new();
+        for (face, own) in faces.iter().enumerate() {
+            for curve in own.edges(tolerance)? {
+                let bounds = curve.bounds();
+                edges.push(Self { face, curve, bounds });
+            }
+        }
+        Ok(edges)
+    }
+
+    /// Places between its ends, each a point and the way of the edge there.
+    fn places(&self) -> impl Iterator<Item = (DVec3, DVec3)> {
+        let domain = self.curve.domain();
+        (0..PLACES).map(move |k| {
+            let t = domain.at((k as f64 + 0.5) / PLACES as f64);
+            let derivatives = self.curve.derivatives_at(t, 1);
+            (derivatives[0], derivatives[1])
+        })
     }
 }
 
 /// The faces that hang together, each with the sign that makes them look alike.
 fn shells(
-    faces: &[Face],
-    tolerance: Tolerance,
+    n_faces: usize,
+    edges: &[FaceBorderEdge],
     distance: f64,
 ) -> Result<Vec<Vec<(usize, f64)>>, GeomError> {
-    let mut edges = Vec::new();
-    for (face, own) in faces.iter().enumerate() {
-        for curve in own.edges(tolerance)? {
-            let bounds = curve.bounds();
-            edges.push(FaceBorderEdge { face, curve, bounds });
-        }
-    }
     // Neighbours, and whether one of both must turn.
     let mut neighbours: Vec<(usize, usize, bool)> = Vec::new();
     for (i, edge) in edges.iter().enumerate() {
-        let domain = edge.curve.domain();
-        for k in 0..PLACES {
+        for place in edge.places() {
             GeomError::go_on(1)?;
-            let t = domain.at((k as f64 + 0.5) / PLACES as f64);
-            let derivatives = edge.curve.derivatives_at(t, 1);
-            let (point, along) = (derivatives[0], derivatives[1]);
-            neighbours.push(neighbour(&edges, i, (point, along), distance)?);
+            neighbours.push(neighbour(edges, i, place, distance)?);
         }
     }
-    let mut signs: Vec<Option<f64>> = vec![None; faces.len()];
+    let mut signs: Vec<Option<f64>> = vec![None; n_faces];
     let mut found = Vec::new();
-    for first in 0..faces.len() {
+    for first in 0..n_faces {
         if signs[first].is_some() {
             continue;
         }

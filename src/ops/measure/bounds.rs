@@ -40,6 +40,7 @@ fn bounds(value: &Value, tolerance: Tolerance) -> std::result::Result<Option<Bou
         Value::Surface(surface) => Some(surface.bounds()?),
         Value::Region(region) => Some(region.bounds()),
         Value::Face(face) => Some(face.bounds(tolerance)?),
+        Value::Solid(solid) => Some(solid.bounds(tolerance)?),
         Value::Mesh(mesh) => mesh.bounds(),
         Value::List(items) => {
             let mut whole = None;

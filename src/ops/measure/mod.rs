@@ -14,7 +14,7 @@ use crate::{
     value::{Dimension, Op},
 };
 
-pub(super) use surface::MassOf;
+pub(super) use surface::{MassOf, inertia::inertia_told, tell_accuracy};
 
 /// What the kernel answers to a question.
 type Measured<T> = std::result::Result<T, GeomError>;

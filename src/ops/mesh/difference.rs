@@ -1,6 +1,6 @@
 //! `difference` of meshes.
 
-use super::{Solid, Solids};
+use super::{ClosedMesh, ClosedMeshes};
 use crate::{
     diag::{Result, Spanned},
     kernel::Mesh,
@@ -15,19 +15,19 @@ op! {
     /// is of triangles without normals; its new vertices are rounded, and no further away than that.
     /// It is checked before it is given: it closes, and its volume and that of what the meshes have in
     /// common add up to theirs. What would touch itself in an edge or a point is refused with the place.
-    difference in Mesh -> Solid {
+    difference in Mesh -> ClosedMesh {
         /// The closed meshes; lists count as their members.
-        meshes: Spanned<Solids>,
+        meshes: Spanned<ClosedMeshes>,
     }
     example "volume(difference(tessellate(box((0, 0, 0), (2, 2, 2))), tessellate(box((1, 1, 1), (2, 2, 2)))))" => "7";
     example "volume(difference(tessellate(box((0, 0, 0), (2, 2, 2))), tessellate(box((0, 0, 0), (2, 2, 2)))))" => "0";
     picture "difference(tessellate(box((-1, -1, -1), (2, 2, 2))), tessellate(sphere((1, 1, 1), 1.2), tolerance = 1e-3))";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Solid> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<ClosedMesh> {
     let meshes = &args.meshes;
     if meshes.value.0[0].0.is_none() {
-        return Ok(Solid(None));
+        return Ok(ClosedMesh(None));
     }
-    Mesh::difference(&meshes.value.there(), ctx.tolerance).at(meshes.span).map(Solid::from)
+    Mesh::difference(&meshes.value.there(), ctx.tolerance).at(meshes.span).map(ClosedMesh::from)
 }

@@ -55,12 +55,12 @@ pub(super) static OPS: &[&Op] = &[
 ];
 
 /// A closed mesh, or what is left where there is nothing.
-struct Solid(Option<Arc<Mesh>>);
+struct ClosedMesh(Option<Arc<Mesh>>);
 
-const SOLID: Type = Type::OneOf(&[Type::Mesh, Type::None]);
+const CLOSED_MESH: Type = Type::OneOf(&[Type::Mesh, Type::None]);
 
-impl FromValue for Solid {
-    const TYPE: Type = SOLID;
+impl FromValue for ClosedMesh {
+    const TYPE: Type = CLOSED_MESH;
 
     fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
         match value {
@@ -71,15 +71,15 @@ impl FromValue for Solid {
     }
 }
 
-impl IntoValue for Solid {
-    const RETURNS: Type = SOLID;
+impl IntoValue for ClosedMesh {
+    const RETURNS: Type = CLOSED_MESH;
 
     fn into_value(self) -> Value {
         self.0.map_or(Value::None, Value::Mesh)
     }
 }
 
-impl From<Option<Mesh>> for Solid {
+impl From<Option<Mesh>> for ClosedMesh {
     fn from(mesh: Option<Mesh>) -> Self {
         Self(mesh.map(Arc::new))
     }
@@ -87,11 +87,11 @@ impl From<Option<Mesh>> for Solid {
 
 /// Closed meshes, given as a list or as the arguments themselves; lists among them count as their
 /// members.
-struct Solids(Vec<Solid>);
+struct ClosedMeshes(Vec<ClosedMesh>);
 
-impl FromValue for Solids {
+impl FromValue for ClosedMeshes {
     const TYPE: Type =
-        Type::List(&Type::OneOf(&[Type::Mesh, Type::None, Type::List(&SOLID, 0)]), 1);
+        Type::List(&Type::OneOf(&[Type::Mesh, Type::None, Type::List(&CLOSED_MESH, 0)]), 1);
     const SPREADS: bool = true;
 
     fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
@@ -109,10 +109,10 @@ impl FromValue for Solids {
 }
 
 /// Adds the meshes of a list; the kind of what else is in it.
-fn gather(items: &List, found: &mut Vec<Solid>) -> Option<&'static str> {
+fn gather(items: &List, found: &mut Vec<ClosedMesh>) -> Option<&'static str> {
     items.iter().find_map(|item| match item {
         Value::List(items) => gather(items, found),
-        item => match Solid::from_value(item, Span::default()) {
+        item => match ClosedMesh::from_value(item, Span::default()) {
             Ok(mesh) => {
                 found.push(mesh);
                 None
@@ -122,7 +122,7 @@ fn gather(items: &List, found: &mut Vec<Solid>) -> Option<&'static str> {
     })
 }
 
-impl Solids {
+impl ClosedMeshes {
     /// Those that there are.
     fn there(&self) -> Vec<&Mesh> {
         self.0.iter().filter_map(|mesh| mesh.0.as_deref()).collect()

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{
-        self, Bounds, Face, Mesh, Surface, TessellationOptions, Tolerance,
+        self, Bounds, Mesh, Surface, TessellationOptions, Tolerance,
         tolerance::DEFAULT_CHORD_RELATIVE,
     },
     ops::positive,
@@ -20,13 +20,14 @@ op! {
     /// derivatives tell how large a triangle may be. It has no cracks, at seams and poles neither;
     /// surfaces of a list share the vertices where their edges run together, along the whole or from
     /// a corner of one to a corner of another, whatever their degrees, knots and parameters are. Normals are those of each side where there is a crease.
-    /// Parts of surfaces have the same distance and normals; their borders share vertices with no others.
+    /// Parts of surfaces have the same distance and normals; their borders share vertices with no others, but those of
+    /// the faces of one solid do, so that its mesh closes.
     /// Meshes in a list are taken along as they are. With `quads` the two triangles of a cell of the
     /// parameters are one face, which files that can hold quadrilaterals keep (`.obj`, `.ply`); at poles
     /// and along edges whose vertices are others than those of the lines inside there are triangles.
     /// Filip, Magedson & Markot, *Surface algorithms using bounds on derivatives*, CAGD 3 (1986).
     tessellate in Mesh -> Mesh {
-        /// A surface or face, or a list of them and meshes.
+        /// A surface, face or solid, or a list of them and meshes.
         g: Spanned<Geometry>,
         /// The tolerance; when left out a thousandth of the size of `g`.
         tolerance: Option<Spanned<Length>>,
@@ -75,7 +76,14 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Mesh> {
         Code::TooLarge => Box::new(mistake.hint(hint)),
         _ => mistake,
     };
-    let mesh_of = |face: &Face| face.mesh(&limits, most).at(ctx.span).map_err(too_large);
+    let mesh_of = |value: &Value| {
+        let mesh = match value {
+            Value::Face(face) => face.mesh(&limits, most),
+            Value::Solid(solid) => solid.mesh(&limits, most),
+            _ => return Ok(None),
+        };
+        mesh.at(ctx.span).map(Some).map_err(too_large)
+    };
     gather(geometry, &args.g, &mesh_of, &mut surfaces, &mut parts)?;
     let made = kernel::tessellate_all(&surfaces, &limits, most).at(ctx.span);
     let mut made = made
@@ -91,7 +99,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Mesh> {
 fn gather(
     value: &Value,
     whole: &Spanned<Geometry>,
-    mesh_of: &dyn Fn(&Face) -> Result<Mesh>,
+    mesh_of: &dyn Fn(&Value) -> Result<Option<Mesh>>,
     surfaces: &mut Vec<Surface>,
     parts: &mut Vec<Option<Mesh>>,
 ) -> Result<()> {
@@ -100,7 +108,7 @@ fn gather(
             surfaces.push(surface.clone());
             parts.push(None);
         }
-        Value::Face(face) => parts.push(Some(mesh_of(face)?)),
+        Value::Face(_) | Value::Solid(_) => parts.push(mesh_of(value)?),
         Value::Mesh(mesh) => parts.push(Some((**mesh).clone())),
         Value::List(items) => {
             for item in items.iter() {
@@ -125,6 +133,7 @@ fn size(value: &Value) -> Option<f64> {
         match value {
             Value::Surface(surface) => surface.bounds().ok(),
             Value::Face(face) => face.bounds(Tolerance::DEFAULT).ok(),
+            Value::Solid(solid) => solid.bounds(Tolerance::DEFAULT).ok(),
             Value::Mesh(mesh) => mesh.bounds(),
             Value::List(items) => items.iter().filter_map(bounds).reduce(Bounds::union),
             _ => None,

@@ -1,6 +1,6 @@
 //! `union` of meshes.
 
-use super::{Solid, Solids};
+use super::{ClosedMesh, ClosedMeshes};
 use crate::{
     diag::{Result, Spanned},
     kernel::Mesh,
@@ -15,9 +15,9 @@ op! {
     /// is of triangles without normals; its new vertices are rounded, and no further away than that.
     /// It is checked before it is given: it closes, and its volume and that of what the meshes have in
     /// common add up to theirs. What would touch itself in an edge or a point is refused with the place.
-    union in Mesh -> Solid {
+    union in Mesh -> ClosedMesh {
         /// The closed meshes; lists count as their members.
-        meshes: Spanned<Solids>,
+        meshes: Spanned<ClosedMeshes>,
     }
     example "volume(union(tessellate(box((0, 0, 0), (2, 2, 2))), tessellate(box((1, 1, 1), (2, 2, 2)))))" => "15";
     example "union(none, none)" => "none";
@@ -26,7 +26,7 @@ op! {
     picture "union(tessellate(sphere((0, 0, 0), 1), tolerance = 1e-3), tessellate(box((0, 0, 0), (1.5, 1, 1))))";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Solid> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<ClosedMesh> {
     let meshes = &args.meshes;
-    Mesh::union(&meshes.value.there(), ctx.tolerance).at(meshes.span).map(Solid::from)
+    Mesh::union(&meshes.value.there(), ctx.tolerance).at(meshes.span).map(ClosedMesh::from)
 }

@@ -1,6 +1,6 @@
 //! `volume` that meshes enclose.
 
-use super::Solid;
+use super::ClosedMesh;
 use crate::{
     diag::{Result, Spanned},
     value::{At, Ctx, LengthPower, Volume, op},
@@ -15,7 +15,7 @@ op! {
     /// boolean leaves where there is nothing, has the volume 0.
     volume in Mesh -> Volume {
         /// The mesh.
-        m: Spanned<Solid>,
+        m: Spanned<ClosedMesh>,
     }
     example "volume(tessellate(box((0, 0, 0), (1, 2, 3)))) ~= 6" => "true";
     refuses "volume(grid_mesh(plane_patch((0, 0), (1, 0), (0, 1)), 1, 1))" => "E0612: the mesh does not close: it has 4 edges with one triangle around 1 hole, from (0, 1, 0) on";

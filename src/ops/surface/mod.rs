@@ -177,7 +177,7 @@ fn around(origin: DVec3, axis: Spanned<DVec3>) -> Result<Frame> {
 }
 
 /// Fails for an axis without a direction.
-fn check_axis(axis: Spanned<DVec3>) -> Result<()> {
+pub(super) fn check_axis(axis: Spanned<DVec3>) -> Result<()> {
     if axis.value != DVec3::ZERO {
         return Ok(());
     }

@@ -50,6 +50,7 @@ fn transformed(geometry: &Value, map: &DAffine3, span: Span) -> Result<Value> {
         }
         Value::Region(region) => Value::Region(Arc::new(region.transformed(map).at(span)?)),
         Value::Face(face) => Value::Face(Arc::new(face.transformed(map).at(span)?)),
+        Value::Solid(solid) => Value::Solid(Arc::new(solid.transformed(map).at(span)?)),
         Value::Mesh(mesh) => {
             let moved = mesh.transformed(map);
             in_range(moved.vertices().iter().all(|vertex| vertex.is_finite()), span)?;

@@ -54,6 +54,13 @@ fn gather(value: &Value, path: &str, found: &mut Vec<Piece>) {
             return;
         }
         Value::Face(face) => Shape::Face(Arc::clone(face)),
+        Value::Solid(solid) => {
+            for (i, face) in solid.faces().iter().enumerate() {
+                let shape = Shape::Face(Arc::new(face.clone()));
+                found.push(Piece { path: format!("{path}.faces[{i}]"), shape });
+            }
+            return;
+        }
         Value::Mesh(mesh) => Shape::Mesh(Arc::clone(mesh)),
         Value::Point(point) => Shape::Points(vec![*point]),
         Value::List(items) => {
@@ -108,6 +115,7 @@ fn has_shape(value: &Value) -> bool {
         | Value::Curve(_)
         | Value::Region(_)
         | Value::Face(_)
+        | Value::Solid(_)
         | Value::Mesh(_) => true,
         Value::List(items) => items.values().next().is_some_and(|first| has_shape(&first)),
         _ => false,
@@ -154,6 +162,11 @@ impl Shape {
     /// Whether triangles are made of it.
     pub(crate) fn is_tessellated(&self) -> bool {
         matches!(self, Self::Face(_)) || !self.surfaces().is_empty()
+    }
+
+    /// The part of a surface that it is.
+    pub(crate) fn face(&self) -> Option<&Face> {
+        if let Self::Face(face) = self { Some(face) } else { None }
     }
 
     /// The surface on which it has parameters.

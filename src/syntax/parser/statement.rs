@@ -73,6 +73,8 @@ fn word_kind(input: &mut Input<'_, '_, '_>) -> Option<Kind> {
         ("regions", Kind::Regions),
         ("face", Kind::Face),
         ("faces", Kind::Faces),
+        ("solid", Kind::Solid),
+        ("solids", Kind::Solids),
     ];
     words.into_iter().find(|(word, _)| script.is_word(at, word)).map(|(_, kind)| kind)
 }

@@ -6,7 +6,7 @@ use crate::{
     kernel::{
         CountError, DegreeError, DomainError, FaceError, FaceFault, FitError, FormError, GeomError,
         InputError, IntersectionError, JointError, KnotError, LocalError, MeasureError, MeshError,
-        RegionError, WeightError,
+        RegionError, SolidError, WeightError,
     },
 };
 
@@ -36,6 +36,7 @@ pub fn code_of(error: &GeomError) -> Code {
         | GeomError::Ended => Code::Degenerate,
         GeomError::Region(error) => of_region(error),
         GeomError::Face(error) => of_face(error),
+        GeomError::Solid(error) => of_solid(error),
         GeomError::Shell(_) => Code::OpenShell,
         GeomError::Mesh(fault) => of_mesh(fault),
         GeomError::Function(_) => inside(error).map_or(Code::Domain, |reason| reason.code),
@@ -66,6 +67,17 @@ const fn of_face(error: &FaceError) -> Code {
         | FaceError::NoPartAt { .. }
         | FaceError::OnCut { .. }
         | FaceError::Nothing => Code::Degenerate,
+    }
+}
+
+const fn of_solid(error: &SolidError) -> Code {
+    match error {
+        SolidError::AlongPlane
+        | SolidError::AxisOffPlane { .. }
+        | SolidError::AcrossAxis { .. } => Code::Degenerate,
+        SolidError::PointOnAxis { .. } | SolidError::ShellsMeet { .. } => Code::NotManifold,
+        SolidError::Thin { .. } | SolidError::UnclearNesting { .. } => Code::WithinTolerance,
+        SolidError::UnevenRim { .. } | SolidError::OpenRim { .. } => Code::OpenShell,
     }
 }
 

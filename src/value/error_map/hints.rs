@@ -1,9 +1,10 @@
 //! What to do about errors of the kernel, where the message alone does not tell.
 
+use super::hints_of_bodies::{of_face, of_solid};
 use crate::kernel::{
-    ConstructionError, CountError, DegreeError, DomainError, FaceError, FaceFault, FitError,
-    FormError, GeomError, InputError, IntersectionError, JointError, JumpError, KnotError,
-    LocalError, MeasureError, MeshError, PictureError, RegionError, ShellError, WeightError,
+    ConstructionError, CountError, DegreeError, DomainError, FaceFault, FitError, FormError,
+    GeomError, InputError, IntersectionError, JointError, JumpError, KnotError, LocalError,
+    MeasureError, MeshError, PictureError, RegionError, ShellError, WeightError,
 };
 
 /// What to do about an error of the kernel, where the message alone does not tell.
@@ -29,6 +30,7 @@ pub fn hint_of(error: &GeomError) -> Option<String> {
         GeomError::Picture(error) => Some(of_picture(error)),
         GeomError::Region(error) => Some(of_region(error)),
         GeomError::Face(error) => Some(of_face(error)),
+        GeomError::Solid(error) => Some(of_solid(error)),
         GeomError::Function(_) | GeomError::Ended => None,
     }
 }
@@ -327,40 +329,6 @@ fn of_region(error: &RegionError) -> String {
         RegionError::NoCorner { .. } => {
             "`corners(r.outer)` has the parameters of the corners, `r.outer(t)` the points"
         }
-    };
-    hint.to_owned()
-}
-
-/// What to do about loops that bound no part of a surface.
-fn of_face(error: &FaceError) -> String {
-    let hint = match error {
-        FaceError::Open { .. } => {
-            "a loop ends where it begins, on the surface: `join` the curves along it"
-        }
-        FaceError::OffDomain { .. } => {
-            "the domain is `s.domain_u` by `s.domain_v`; a loop over a seam is cut there"
-        }
-        FaceError::BothSides { .. } => {
-            "loops run with the face to their left: a hole clockwise, seen from where the normal points"
-        }
-        FaceError::EndsInside { .. } => "let it go on to the border or to another curve",
-        FaceError::Apart { .. } => "make a face of each",
-        FaceError::OffSurface { .. } => {
-            "curves on a surface lie on it within the document's `tolerance`"
-        }
-        FaceError::Misses { .. } => "leave it out, or move it to where the face is",
-        FaceError::RunsAlong { .. } => {
-            "a cutter crosses the face; give the curves that bound the part"
-        }
-        FaceError::NoPartAt { .. } => "give a point on the face, beside the cuts",
-        FaceError::OnCut { .. } => "give a point beside the cuts",
-        FaceError::OpenShell { .. } => {
-            "`face(region(...))` fills a plane hole; faces of one cut share its edge"
-        }
-        FaceError::CrowdedShell { .. } | FaceError::OneSided { .. } => {
-            "leave out the faces that do not belong to the border"
-        }
-        FaceError::Nothing => "a loop that runs the other way leaves what is on its other side",
     };
     hint.to_owned()
 }

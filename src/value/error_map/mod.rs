@@ -3,6 +3,7 @@
 
 mod codes;
 mod hints;
+mod hints_of_bodies;
 
 use crate::{
     diag::{Diagnostic, Result, Span},

@@ -13,8 +13,8 @@ const TREE_SITTER: &str = include_str!("../../../grammar/tree-sitter-virote/gram
 const HIGHLIGHTS: &str = include_str!("../../../grammar/tree-sitter-virote/queries/highlights.scm");
 
 /// Words that mean something in one place only and may be names elsewhere, units aside.
-const CONTEXTUAL: [&str; 8] =
-    ["all", "error", "expect", "face", "faces", "region", "regions", "step"];
+const CONTEXTUAL: [&str; 10] =
+    ["all", "error", "expect", "face", "faces", "region", "regions", "solid", "solids", "step"];
 
 type Words<'a> = BTreeSet<&'a str>;
 

@@ -1,6 +1,6 @@
 //! Surfaces that turn about an axis, and those swung along a closed or open path around z.
 
-use glam::{DVec3, DVec4};
+use glam::{DAffine3, DMat3, DVec3, DVec4};
 
 use crate::{
     Bounds, ConstructionError, CountError, Frame, GeomError, Grid, InputError, IntersectionError,
@@ -75,6 +75,24 @@ impl Axis {
         let direction =
             unit(direction).ok_or(GeomError::Input(InputError::ZeroAxis { what: "the axis" }))?;
         Ok(Self { foot, direction })
+    }
+
+    /// A point of it.
+    #[must_use]
+    pub fn foot(self) -> DVec3 {
+        self.foot
+    }
+
+    /// Where it points to, of length 1.
+    #[must_use]
+    pub fn direction(self) -> DVec3 {
+        self.direction
+    }
+
+    /// The turn about it by an angle.
+    pub(crate) fn turn(self, angle: f64) -> DAffine3 {
+        let around = DMat3::from_axis_angle(self.direction, angle);
+        DAffine3 { matrix3: around, translation: self.foot - around * self.foot }
     }
 
     /// The part of a homogeneous point on the axis, and what goes out from there.
@@ -252,7 +270,7 @@ impl NurbsSurface {
     /// # Errors
     /// [`InputError::NotFinite`], [`CountError::TooManyPoints`].
     pub fn extruded(curve: &NurbsCurve, vector: DVec3) -> Result<Self, GeomError> {
-        let moved = curve.transformed(&glam::DAffine3::from_translation(vector));
+        let moved = curve.transformed(&DAffine3::from_translation(vector));
         check_size(2, curve.control_points().len())?;
         homogeneous::check_finite(moved.control_points())?;
         Self::ruled(curve, &moved)

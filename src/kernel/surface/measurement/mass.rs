@@ -236,6 +236,11 @@ impl MassIntegral {
         turn
     }
 
+    /// The flux of the way from the place that they are about: three times the volume.
+    pub(crate) fn flux(&self) -> f64 {
+        self.values[0]
+    }
+
     /// What shells about a place hold, which is not negative.
     ///
     /// # Errors

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use glam::DMat3;
+
 use super::{MassOf, SurfacesTogether, mass};
 use crate::{
     diag::{Result, Spanned},
@@ -27,19 +29,23 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
-    let tensor = mass(&args.s, args.of, "inertia", ctx)?.inertia;
+    Ok(inertia_told(mass(&args.s, args.of, "inertia", ctx)?.inertia, args.of))
+}
+
+/// A tensor with its principal moments and axes.
+pub(in crate::ops) fn inertia_told(tensor: DMat3, of: MassOf) -> Record {
     let axes = principal_axes(tensor);
     let told = |numbers: [f64; 3]| -> Value {
-        let number = |moment| match args.of {
+        let number = |moment| match of {
             MassOf::Volume => LengthPower::<5>(moment).into_value(),
             MassOf::Area => LengthPower::<4>(moment).into_value(),
         };
         Value::list(numbers.map(number).to_vec())
     };
     let rows: Vec<Value> = (0..3).map(|i| told(tensor.row(i).to_array())).collect();
-    Ok(Record::new([
+    Record::new([
         (Arc::from("tensor"), rows.into_value()),
         (Arc::from("moments"), told(axes.map(|(moment, _)| moment))),
         (Arc::from("axes"), axes.map(|(_, axis)| axis).to_vec().into_value()),
-    ]))
+    ])
 }

@@ -212,7 +212,11 @@ fn mass(
 }
 
 /// Warns of an integral that is not known as well as usual, and refuses one that is hardly known.
-fn tell_accuracy(what: &str, relative_error: f64, ctx: &mut Ctx<'_>) -> Result<()> {
+pub(in crate::ops) fn tell_accuracy(
+    what: &str,
+    relative_error: f64,
+    ctx: &mut Ctx<'_>,
+) -> Result<()> {
     if ACCURACY_WORTH_HAVING < relative_error {
         let message = format!("the {what} cannot be told: the surface changes too fast somewhere");
         let hint =

@@ -1,0 +1,94 @@
+//! Plane rims closed by plane faces.
+
+use glam::DVec3;
+
+use super::{Solid, SolidError};
+use crate::{
+    Bounds, Face, FormError, Frame, GeomError, NurbsCurve, Region, Tolerance, join, trim::rims,
+};
+
+impl Solid {
+    /// What faces enclose together with plane faces within their rims, which must be plane.
+    ///
+    /// Rims in one plane are closed together: what an odd number of them goes around.
+    ///
+    /// ```
+    /// use std::{f64::consts::PI, sync::Arc};
+    /// use virote_kernel::{Face, Frame, NurbsSurface, Solid, Tolerance};
+    ///
+    /// let pipe = Arc::new(NurbsSurface::cone(Frame::XY, [2.0, 1.0], 3.0)?);
+    /// let frustum = Solid::capped(&[Face::whole(pipe, Tolerance::DEFAULT)?], Tolerance::DEFAULT)?;
+    /// assert_eq!(frustum.faces().len(), 3);
+    /// assert!((frustum.volume_mass()?.amount - 7.0 * PI).abs() < 1e-9);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SolidError::UnevenRim`], [`SolidError::OpenRim`]; those of [`Self::new`] and [`Region::even_odd`].
+    pub fn capped(faces: &[Face], tolerance: Tolerance) -> Result<Self, GeomError> {
+        let edges = rims(faces, tolerance)?;
+        let size = edges.iter().map(NurbsCurve::bounds).reduce(Bounds::union);
+        let distance = tolerance.distance_for(size.map_or(0.0, Bounds::diagonal));
+        let mut planes: Vec<(Frame, Vec<NurbsCurve>)> = Vec::new();
+        for rim in closed_rims(edges, 2.0 * distance)? {
+            let is_in = |plane: &Frame| {
+                rim.points()
+                    .into_iter()
+                    .all(|p| (p - plane.origin()).dot(plane.z()).abs() <= distance)
+            };
+            match planes.iter_mut().find(|(plane, _)| is_in(plane)) {
+                Some((_, others)) => others.push(rim),
+                None => planes.push((plane_of(&rim, distance)?, vec![rim])),
+            }
+        }
+        let mut faces = faces.to_vec();
+        for (_, rims) in planes {
+            for region in Region::even_odd(&rims, tolerance, 1)? {
+                faces.push(Face::of_region(&region, tolerance)?);
+            }
+        }
+        Self::new(&faces, tolerance)
+    }
+}
+
+/// # Errors
+/// [`SolidError::UnevenRim`]; those of [`NurbsCurve::plane_across`].
+fn plane_of(rim: &NurbsCurve, distance: f64) -> Result<Frame, GeomError> {
+    rim.plane_across(DVec3::Z, distance).map_err(|error| match error {
+        GeomError::Form(FormError::NotPlanar { by }) => {
+            SolidError::UnevenRim { point: rim.start(), by }.into()
+        }
+        other => other,
+    })
+}
+
+/// Edges as closed curves, one after another in whatever sense each runs.
+///
+/// # Errors
+/// [`SolidError::OpenRim`]; those of [`join`].
+fn closed_rims(mut edges: Vec<NurbsCurve>, distance: f64) -> Result<Vec<NurbsCurve>, GeomError> {
+    let mut rims = Vec::new();
+    while let Some(first) = edges.pop() {
+        let (start, mut end, mut chain) = (first.start(), first.end(), vec![first]);
+        while distance < start.distance(end) {
+            GeomError::go_on(edges.len() + 1)?;
+            let gap = |edge: &NurbsCurve| edge.start().distance(end).min(edge.end().distance(end));
+            let next = edges.iter().enumerate().map(|(i, edge)| (i, gap(edge)));
+            let (next, gap) = next.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::INFINITY));
+            if distance < gap {
+                let gap = gap.min(start.distance(end));
+                return Err(SolidError::OpenRim { point: end, gap }.into());
+            }
+            let edge = edges.swap_remove(next);
+            let is_forward = edge.start().distance(end) <= distance;
+            let edge = if is_forward { edge } else { edge.reversed() };
+            end = edge.end();
+            chain.push(edge);
+        }
+        rims.push(match &chain[..] {
+            [single] => single.clone(),
+            _ => join(&chain, distance)?,
+        });
+    }
+    Ok(rims)
+}

@@ -1,0 +1,58 @@
+//! Why there is no such solid.
+
+use glam::DVec3;
+use thiserror::Error;
+
+use crate::error::{few_digits, place};
+
+/// What keeps faces and regions from making a solid.
+///
+/// ```
+/// use virote_kernel::{CircleForm, Frame, GeomError, NurbsCurve, Region, Solid, SolidError, Tolerance, glam::DVec3};
+///
+/// let disc = NurbsCurve::ellipse(Frame::XY, [1.0; 2], CircleForm::NinePoint)?;
+/// let disc = Region::new(&disc, &[], Tolerance::DEFAULT)?;
+/// let found = Solid::extruded(&disc, DVec3::X, Tolerance::DEFAULT);
+/// assert!(matches!(found, Err(GeomError::Solid(SolidError::AlongPlane))));
+/// # Ok::<(), GeomError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Error)]
+#[expect(missing_docs, reason = "each message names its fields")]
+pub enum SolidError {
+    /// A way that leaves the plane of a region nowhere.
+    #[error("the vector lies in the plane of the region, so that nothing is enclosed")]
+    AlongPlane,
+    /// An axis that is not in the plane of a region.
+    #[error("the axis does not lie in the plane of the region: it is up to {} away from it", few_digits(*by))]
+    AxisOffPlane { by: f64 },
+    /// A region on both sides of an axis.
+    #[error("the region reaches over the axis at {}, so that the solid would go through itself", place(*point))]
+    AcrossAxis { point: DVec3 },
+    /// A region that comes to the axis in a point.
+    #[error(
+        "the solid would touch itself at {}: the region comes to the axis in this point alone",
+        place(*point)
+    )]
+    PointOnAxis { point: DVec3 },
+    /// Shells that meet.
+    #[error(
+        "face [{}] and face [{}] meet at {} without a common edge; shells of a solid keep apart",
+        faces[0], faces[1], place(*point)
+    )]
+    ShellsMeet { faces: [usize; 2], point: DVec3 },
+    /// Faces that enclose nothing that is thicker than the tolerance.
+    #[error(
+        "what the faces enclose near {} is {} thick on average, less than the tolerance {}",
+        place(*point), few_digits(*thickness), few_digits(*tolerance)
+    )]
+    Thin { point: DVec3, thickness: f64, tolerance: f64 },
+    /// A shell of which cannot be told whether it lies in another.
+    #[error("whether the shell at {} lies within another one cannot be told", place(*point))]
+    UnclearNesting { point: DVec3 },
+    /// A rim that no plane face can close.
+    #[error("the rim at {} does not lie in a plane: it leaves one by {}", place(*point), few_digits(*by))]
+    UnevenRim { point: DVec3, by: f64 },
+    /// Open edges that do not close.
+    #[error("the edges without a neighbour do not make a closed rim: one ends at {}, {} from the next", place(*point), few_digits(*gap))]
+    OpenRim { point: DVec3, gap: f64 },
+}

@@ -1,0 +1,157 @@
+//! Solids: faces that close, with an inside.
+//!
+//! This file has the type, its checking constructor and what can be read off it; `nesting` which shells lie in
+//! which, `cap` plane rims that are closed by plane faces, `sweep` regions that are moved along a vector or about
+//! an axis, `mesh` triangles whose vertices neighbours share.
+
+mod cap;
+mod error;
+mod mesh;
+mod nesting;
+mod sweep;
+
+use glam::{DAffine3, DVec3};
+
+use crate::{
+    Bounds, Face, GeomError, MassProperties, Tolerance,
+    surface::MassIntegral,
+    trim::{EnclosedShell, enclosed_shells},
+};
+
+pub use error::SolidError;
+
+/// What faces enclose that close: every place of every edge lies on one other edge.
+///
+/// Its faces look away from the inside. Each shell is a closed set of faces; one that lies in another is a void in
+/// it, one that lies in a void is a body of its own. Shells do not meet.
+///
+/// ```
+/// use std::{f64::consts::PI, sync::Arc};
+/// use virote_kernel::{Face, Frame, NurbsSurface, Solid, Tolerance};
+///
+/// let ball = |radius: f64| Face::whole(Arc::new(NurbsSurface::sphere(Frame::XY, radius)?), Tolerance::DEFAULT);
+/// let hollow = Solid::new(&[ball(2.0)?, ball(1.0)?], Tolerance::DEFAULT)?;
+/// assert_eq!(hollow.shells().count(), 2);
+/// assert!((hollow.volume_mass()?.amount - 4.0 / 3.0 * PI * 7.0).abs() < 1e-9);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solid {
+    faces: Vec<Face>,
+    /// The faces of each shell by their numbers.
+    shells: Vec<Vec<usize>>,
+}
+
+impl Solid {
+    /// What faces enclose, whichever way each of them looks.
+    ///
+    /// # Errors
+    /// `FaceError::OpenShell`, `FaceError::CrowdedShell`, `FaceError::OneSided` of faces that do not close;
+    /// [`SolidError::Thin`], [`SolidError::ShellsMeet`], [`SolidError::UnclearNesting`]; `GeomError::Ended`.
+    pub fn new(faces: &[Face], tolerance: Tolerance) -> Result<Self, GeomError> {
+        let about = middle(faces);
+        let shells = enclosed_shells(faces, about, tolerance)?;
+        let areas = faces.iter().map(|face| Ok(face.mass()?.amount));
+        let areas: Vec<f64> = areas.collect::<Result<_, GeomError>>()?;
+        let mut turns = vec![false; faces.len()];
+        for shell in &shells {
+            let numbers = shell.faces.iter().map(|&(face, _)| face);
+            let size = numbers.clone().map(|face| faces[face].surface().bounds());
+            let size = size.reduce(Bounds::union).map_or(0.0, Bounds::diagonal);
+            let distance = tolerance.distance_for(size);
+            let area: f64 = numbers.map(|face| areas[face]).sum();
+            // A sheet with two sides is as thick as twice its volume is to its area.
+            let thickness = 2.0 * shell.volume.abs() / area;
+            if thickness.is_nan() || thickness <= distance {
+                let point = faces[shell.faces[0].0].border_place();
+                return Err(SolidError::Thin { point, thickness, tolerance: distance }.into());
+            }
+            for &(face, sign) in &shell.faces {
+                turns[face] = (sign < 0.0) != (shell.volume < 0.0);
+            }
+        }
+        let outward = |(face, &turns): (&Face, &bool)| {
+            if turns { face.reversed() } else { face.clone() }
+        };
+        let faces: Vec<Face> = faces.iter().zip(&turns).map(outward).collect();
+        let numbers = |shell: &EnclosedShell| {
+            let mut numbers: Vec<usize> = shell.faces.iter().map(|&(face, _)| face).collect();
+            numbers.sort_unstable();
+            numbers
+        };
+        let mut solid = Self { faces, shells: shells.iter().map(numbers).collect() };
+        for shell in solid.voids(tolerance)? {
+            for &face in &solid.shells[shell] {
+                solid.faces[face] = solid.faces[face].reversed();
+            }
+        }
+        Ok(solid)
+    }
+
+    /// The faces, which look away from the inside.
+    #[must_use]
+    pub fn faces(&self) -> &[Face] {
+        &self.faces
+    }
+
+    /// The faces of each shell.
+    pub fn shells(&self) -> impl Iterator<Item = Vec<&Face>> {
+        self.shells.iter().map(|shell| shell.iter().map(|&face| &self.faces[face]).collect())
+    }
+
+    /// How much it encloses, and how that is spread.
+    ///
+    /// # Errors
+    /// `MeasureError::NothingThere`, `MeasureError::TooLargeToMeasure`; `GeomError::Ended`.
+    pub fn volume_mass(&self) -> Result<MassProperties, GeomError> {
+        let about = middle(&self.faces);
+        let mut sum = MassIntegral::default();
+        for face in &self.faces {
+            sum.add(face.flux_moments(about)?, 1.0);
+        }
+        sum.volume(about)
+    }
+
+    /// The area of its faces, and how that is spread.
+    ///
+    /// # Errors
+    /// Those of [`Self::volume_mass`].
+    pub fn area_mass(&self) -> Result<MassProperties, GeomError> {
+        Face::mass_of(&self.faces)
+    }
+
+    /// The smallest box with sides along the axes of space.
+    ///
+    /// # Errors
+    /// Those of [`Face::bounds`].
+    pub fn bounds(&self, tolerance: Tolerance) -> Result<Bounds, GeomError> {
+        let mut whole: Option<Bounds> = None;
+        for face in &self.faces {
+            let bounds = face.bounds(tolerance)?;
+            whole = Some(whole.map_or(bounds, |whole| whole.union(bounds)));
+        }
+        let Some(whole) = whole else { unreachable!("a solid has faces") };
+        Ok(whole)
+    }
+
+    /// The image under an affine map.
+    ///
+    /// # Errors
+    /// `InputError::ZeroAxis` for a map that leaves no volume.
+    pub fn transformed(&self, map: &DAffine3) -> Result<Self, GeomError> {
+        // In a mirror the front of a face is where its back was.
+        let is_mirror = map.matrix3.determinant() < 0.0;
+        let image = |face: &Face| {
+            let image = face.transformed(map)?;
+            Ok(if is_mirror { image.reversed() } else { image })
+        };
+        let faces = self.faces.iter().map(image).collect::<Result<_, GeomError>>()?;
+        Ok(Self { faces, shells: self.shells.clone() })
+    }
+}
+
+/// The middle of the surfaces of faces, about which integrals cancel least.
+fn middle(faces: &[Face]) -> DVec3 {
+    let boxes = faces.iter().map(|face| face.surface().bounds());
+    boxes.reduce(Bounds::union).map_or(DVec3::ZERO, Bounds::center)
+}

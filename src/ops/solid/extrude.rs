@@ -1,0 +1,35 @@
+//! `extrude`: a region moved along a vector.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::{
+    diag::{Result, Spanned},
+    kernel::{Region, Solid},
+    value::{At, Ctx, op},
+};
+
+op! {
+    /// Solid that a region passes when it is moved along a vector, with both ends closed.
+    ///
+    /// Exact: the sides are the surfaces of the region's curves, the ends have its own borders. Its faces are the region where it was, where
+    /// it comes to, and a side for each smooth part of its borders. Each hole goes through.
+    extrude in Solid -> Solid {
+        /// The region.
+        r: Arc<Region>,
+        /// Where each point of it goes.
+        vector: Spanned<DVec3>,
+    }
+    example "extrude(region(circle((0, 0), 1), holes = [circle((0, 0), 0.5)]), (0, 0, 2))" => "solid of 4 faces";
+    example "volume(extrude(region(circle((0, 0), 1)), (1, 0, 2))) ~= 2*pi" => "true";
+    refuses "extrude(region(circle((0, 0), 1)), (1, 0, 0))" => "E0607: the vector lies in the plane of the region, so that nothing is enclosed";
+    scene r#"
+        region plate = region(polyline([(0, 0), (4, 0), (4, 2), (0, 2)], closed = true), holes = [circle((1, 1), 0.5)])
+        solid bracket = extrude(plate, (0, 0, 0.6))
+    "#;
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Solid> {
+    Solid::extruded(&args.r, args.vector.value, ctx.tolerance).at(args.vector.span)
+}

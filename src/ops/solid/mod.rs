@@ -1,0 +1,42 @@
+//! Solids.
+
+mod area;
+mod centroid;
+mod extrude;
+mod inertia;
+mod of_faces;
+mod revolve;
+mod volume;
+
+use std::sync::Arc;
+
+use super::measure::{MassOf, tell_accuracy};
+use crate::{
+    diag::Result,
+    kernel::{MassProperties, Solid},
+    value::{At, Ctx, Op},
+};
+
+pub(super) static OPS: &[&Op] = &[
+    &of_faces::OP,
+    &extrude::OP,
+    &revolve::OP,
+    &volume::OP,
+    &area::OP,
+    &centroid::OP,
+    &inertia::OP,
+];
+
+/// The solid that is asked about.
+type GivenSolid = Arc<Solid>;
+
+/// How much of it there is, and how that is spread.
+fn mass(solid: &Solid, of: MassOf, what: &str, ctx: &mut Ctx<'_>) -> Result<MassProperties> {
+    let mass = match of {
+        MassOf::Volume => solid.volume_mass(),
+        MassOf::Area => solid.area_mass(),
+    };
+    let mass = mass.at(ctx.span)?;
+    tell_accuracy(what, mass.relative_error, ctx)?;
+    Ok(mass)
+}

@@ -1,0 +1,63 @@
+//! What to do about parts of surfaces and about solids.
+
+use crate::kernel::{FaceError, SolidError};
+
+/// What to do about loops that bound no part of a surface.
+pub(super) fn of_face(error: &FaceError) -> String {
+    let hint = match error {
+        FaceError::Open { .. } => {
+            "a loop ends where it begins, on the surface: `join` the curves along it"
+        }
+        FaceError::OffDomain { .. } => {
+            "the domain is `s.domain_u` by `s.domain_v`; a loop over a seam is cut there"
+        }
+        FaceError::BothSides { .. } => {
+            "loops run with the face to their left: a hole clockwise, seen from where the normal points"
+        }
+        FaceError::EndsInside { .. } => "let it go on to the border or to another curve",
+        FaceError::Apart { .. } => "make a face of each",
+        FaceError::OffSurface { .. } => {
+            "curves on a surface lie on it within the document's `tolerance`"
+        }
+        FaceError::Misses { .. } => "leave it out, or move it to where the face is",
+        FaceError::RunsAlong { .. } => {
+            "a cutter crosses the face; give the curves that bound the part"
+        }
+        FaceError::NoPartAt { .. } => "give a point on the face, beside the cuts",
+        FaceError::OnCut { .. } => "give a point beside the cuts",
+        FaceError::OpenShell { .. } => {
+            "`solid(..., cap = true)` closes plane rims, `face(region(...))` a plane hole; faces of one cut share its edge"
+        }
+        FaceError::CrowdedShell { .. } | FaceError::OneSided { .. } => {
+            "leave out the faces that do not belong to the border"
+        }
+        FaceError::Nothing => "a loop that runs the other way leaves what is on its other side",
+    };
+    hint.to_owned()
+}
+
+/// What to do about solids.
+pub(super) fn of_solid(error: &SolidError) -> String {
+    let hint = match error {
+        SolidError::AlongPlane => "give a vector that leaves the plane, `r.plane.z` for one",
+        SolidError::AxisOffPlane { .. } => {
+            "`axis` and `about` are a line in the plane of the region, beside it or along its border"
+        }
+        SolidError::AcrossAxis { .. } => {
+            "cut off what lies on one side, by `difference` of regions"
+        }
+        SolidError::PointOnAxis { .. } => {
+            "move the region by more than the tolerance away from the axis, or let it run along the axis"
+        }
+        SolidError::ShellsMeet { .. } => {
+            "move one of them by more than the tolerance; what crosses is no single solid"
+        }
+        SolidError::Thin { .. } => "state a smaller `tolerance` at the top of the script",
+        SolidError::UnclearNesting { .. } => "move one of the shells a little",
+        SolidError::UnevenRim { .. } => {
+            "close it by a surface of its own, `coons` for one, and give that too"
+        }
+        SolidError::OpenRim { .. } => "give the surfaces that are missing; `cap` closes whole rims",
+    };
+    hint.to_owned()
+}

@@ -1,0 +1,12 @@
+geo 1
+region disc = region(circle((3, 0), 1))
+
+print solid(cylinder((0, 0), 1, 3))
+print solid([sphere((0, 0), 1), sphere((1, 0), 1)])
+print solid(trim(cylinder((0, 0), 1, 3), by = sphere((1, 0, 3), 1.5), keep = (-1, 0, 0)), cap = true)
+print extrude(disc, (1, 0, 0))
+print revolve(disc)
+print revolve(disc, axis = (0, 1, 0), about = (2.5, 0))
+print revolve(disc, axis = (0, 1, 0), about = (2, 0))
+print solid(grid_mesh(sphere((0, 0), 1), 4, 4))
+solid s = sphere((0, 0), 1)

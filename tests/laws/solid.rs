@@ -1,0 +1,220 @@
+//! Solids: volumes by closed forms, meshes that close, shells in one another, what is refused.
+
+use std::{
+    f64::consts::{FRAC_PI_2, PI, TAU},
+    sync::Arc,
+};
+
+use virote_kernel::{
+    Axis, CircleForm, Cutter, Face, FaceError, Frame, GeomError, NurbsCurve, NurbsSurface, Region,
+    Solid, SolidError, TessellationOptions, Tolerance,
+    glam::{DAffine3, DMat3, DVec3},
+};
+
+const TOLERANCE: Tolerance = Tolerance::DEFAULT;
+
+fn circle(frame: Frame, radius: f64) -> NurbsCurve {
+    NurbsCurve::ellipse(frame, [radius; 2], CircleForm::NinePoint).expect("a circle")
+}
+
+fn polygon(corners: &[[f64; 3]]) -> NurbsCurve {
+    let mut corners: Vec<DVec3> = corners.iter().map(|&corner| DVec3::from(corner)).collect();
+    corners.push(corners[0]);
+    NurbsCurve::polyline(&corners).expect("a polygon")
+}
+
+fn region(outer: &NurbsCurve, holes: &[NurbsCurve]) -> Region {
+    Region::new(outer, holes, TOLERANCE).expect("a region")
+}
+
+/// A plate with n × n holes.
+fn sieve(n: usize) -> Region {
+    let side = n as f64;
+    let hole = |i: usize| {
+        let center = DVec3::new((i % n) as f64 + 0.5, (i / n) as f64 + 0.5, 0.0);
+        circle(Frame::XY.at(center), 0.3)
+    };
+    let outer = polygon(&[[0.0; 3], [side, 0.0, 0.0], [side, side, 0.0], [0.0, side, 0.0]]);
+    region(&outer, &(0..n * n).map(hole).collect::<Vec<_>>())
+}
+
+fn axis() -> Axis {
+    Axis::new(DVec3::ZERO, DVec3::Z).expect("an axis")
+}
+
+fn whole(surface: NurbsSurface) -> Face {
+    Face::whole(Arc::new(surface), TOLERANCE).expect("a face")
+}
+
+fn ball(center: DVec3, radius: f64) -> Face {
+    whole(NurbsSurface::sphere(Frame::XY.at(center), radius).expect("a sphere"))
+}
+
+/// Its volume, and a closed mesh within a thousandth of its size with V − E + F.
+#[track_caller]
+fn check(solid: &Solid, volume: f64, euler: i64) {
+    let found = solid.volume_mass().expect("a volume").amount;
+    assert!((found / volume - 1.0).abs() < 1e-9, "{found} for {volume}");
+    let bounds = solid.bounds(TOLERANCE).expect("a box");
+    let options = TessellationOptions::within(1e-3 * bounds.diagonal());
+    let mesh = solid.mesh(&options, 1_000_000).expect("a mesh");
+    let check = mesh.check(TOLERANCE);
+    assert!(check.is_closed && check.is_manifold && check.is_oriented, "{check:?}");
+    assert_eq!((check.euler, check.degenerate), (euler, 0), "{check:?}");
+    let area = solid.area_mass().expect("an area").amount;
+    let of_mesh = mesh.volume();
+    assert!((of_mesh - volume).abs() <= 1.1 * options.tolerance * area, "{of_mesh} for {volume}");
+}
+
+#[test]
+fn a_prism_is_its_area_times_its_height() {
+    let lshape = [
+        [0.0; 3],
+        [2.0, 0.0, 0.0],
+        [2.0, 1.0, 0.0],
+        [1.0, 1.0, 0.0],
+        [1.0, 3.0, 0.0],
+        [0.0, 3.0, 0.0],
+    ];
+    for vector in
+        [DVec3::new(0.0, 0.0, 2.0), DVec3::new(0.5, -1.0, 2.0), DVec3::new(0.0, 0.0, -2.0)]
+    {
+        let prism = Solid::extruded(&region(&polygon(&lshape), &[]), vector, TOLERANCE);
+        let prism = prism.expect("a prism");
+        assert_eq!(prism.faces().len(), 8);
+        check(&prism, 8.0, 2);
+    }
+}
+
+#[test]
+fn each_hole_of_an_extruded_plate_is_a_handle() {
+    let plate = Solid::extruded(&sieve(4), DVec3::Z * 0.5, TOLERANCE).expect("a plate");
+    check(&plate, 0.5 * (16.0 - 16.0 * PI * 0.09), 2 - 2 * 16);
+}
+
+#[test]
+fn turned_regions_follow_pappus() {
+    let section = region(
+        &circle(Frame::ZX.at(DVec3::X * 3.0), 1.0),
+        &[circle(Frame::ZX.at(DVec3::X * 3.2), 0.5)],
+    );
+    // The moment of the ring about the axis, by those of both discs.
+    let moment = PI * (3.0 - 0.25 * 3.2);
+    for (angle, euler) in [(TAU, 0), (-TAU, 0), (1.0, 0), (-4.0, 0)] {
+        let turned = Solid::revolved(&section, axis(), angle, TOLERANCE).expect("a solid");
+        check(&turned, angle.abs() * moment, euler);
+        let n_shells = turned.shells().count();
+        assert_eq!(n_shells, if angle.abs() < TAU { 1 } else { 2 });
+    }
+}
+
+#[test]
+fn a_border_along_the_axis_makes_poles_and_no_face() {
+    let half = polygon(&[[0.0; 3], [2.0, 0.0, 0.0], [0.0, 0.0, 3.0]]);
+    let cone = Solid::revolved(&region(&half, &[]), axis(), TAU, TOLERANCE).expect("a cone");
+    assert_eq!(cone.faces().len(), 2);
+    check(&cone, 4.0 * PI, 2);
+    let wedge =
+        Solid::revolved(&region(&half, &[]), axis(), FRAC_PI_2, TOLERANCE).expect("a wedge");
+    assert_eq!(wedge.faces().len(), 4);
+    check(&wedge, PI, 2);
+}
+
+#[test]
+fn faces_are_turned_outward() {
+    let cone = NurbsSurface::cone(Frame::XY, [2.0, 1.0], 3.0).expect("a cone");
+    for side in [whole(cone.clone()), whole(cone.clone()).reversed()] {
+        let frustum = Solid::capped(&[side], TOLERANCE).expect("a frustum");
+        assert_eq!(frustum.faces().len(), 3);
+        check(&frustum, 7.0 * PI, 2);
+    }
+}
+
+#[test]
+fn rims_in_one_plane_are_closed_together() {
+    let pipe =
+        |radius: f64| whole(NurbsSurface::cone(Frame::XY, [radius; 2], 3.0).expect("a pipe"));
+    let ring = Solid::capped(&[pipe(2.0), pipe(1.0)], TOLERANCE).expect("a ring");
+    assert_eq!((ring.faces().len(), ring.shells().count()), (4, 1));
+    check(&ring, 9.0 * PI, 0);
+}
+
+#[test]
+fn parts_of_surfaces_share_the_vertices_of_their_cuts() {
+    let sphere = ball(DVec3::ZERO, 1.0);
+    for (height, tilt) in [(0.0, 0.0), (0.3, 0.0), (0.3, 0.7), (0.2, 1.1)] {
+        let normal = DMat3::from_axis_angle(DVec3::X, tilt) * DVec3::Z;
+        let plane = Frame::from_normal(normal * height, normal, None).expect("a plane");
+        let dome = sphere.part_at(&[Cutter::Plane(plane)], normal, TOLERANCE).expect("a dome");
+        let cap = Solid::capped(&[dome], TOLERANCE).expect("a cap");
+        let h = 1.0 - height;
+        let volume = PI * h * h * (1.0 - h / 3.0);
+        let found = cap.volume_mass().expect("a volume").amount;
+        assert!((found - volume).abs() < 1e-5, "{found} for {volume}");
+        let mesh = cap.mesh(&TessellationOptions::within(1e-3), 1_000_000).expect("a mesh");
+        let check = mesh.check(TOLERANCE);
+        assert!(check.is_closed && check.is_manifold && check.is_oriented, "{tilt}: {check:?}");
+        assert_eq!(check.euler, 2);
+    }
+}
+
+#[test]
+fn shells_in_one_another_are_voids_and_bodies_in_turn() {
+    let balls = [3.0, 1.0, 2.0].map(|radius| ball(DVec3::X * 0.1, radius));
+    let nested = Solid::new(&balls, TOLERANCE).expect("a solid");
+    check(&nested, 4.0 / 3.0 * PI * (27.0 - 8.0 + 1.0), 6);
+    let beside = [ball(DVec3::ZERO, 1.0), ball(DVec3::new(1.5, 1.5, 0.0), 1.0)];
+    check(&Solid::new(&beside, TOLERANCE).expect("two bodies"), 8.0 / 3.0 * PI, 4);
+}
+
+#[test]
+fn a_mirrored_solid_looks_outward() {
+    let plate = Solid::extruded(&sieve(2), DVec3::new(0.3, 0.0, 1.0), TOLERANCE).expect("a plate");
+    let volume = 4.0 - 4.0 * PI * 0.09;
+    for (scale, factor) in [
+        (DVec3::new(-1.0, 1.0, 1.0), 1.0),
+        (DVec3::splat(-2.0), 8.0),
+        (DVec3::new(1.0, 3.0, 1.0), 3.0),
+    ] {
+        let image = plate.transformed(&DAffine3::from_scale(scale)).expect("an image");
+        check(&image, factor * volume, 2 - 2 * 4);
+    }
+}
+
+#[test]
+fn what_makes_no_solid_is_refused() {
+    let refused = |found: Result<Solid, GeomError>| found.expect_err("no solid");
+    let pipe = whole(NurbsSurface::cone(Frame::XY, [1.0; 2], 3.0).expect("a pipe"));
+    assert!(matches!(
+        refused(Solid::new(std::slice::from_ref(&pipe), TOLERANCE)),
+        GeomError::Face(FaceError::OpenShell { .. })
+    ));
+    let crossing = [ball(DVec3::ZERO, 1.0), ball(DVec3::X, 1.0)];
+    assert!(matches!(
+        refused(Solid::new(&crossing, TOLERANCE)),
+        GeomError::Solid(SolidError::ShellsMeet { faces: [0, 1], .. })
+    ));
+    let touching = [ball(DVec3::ZERO, 1.0), ball(DVec3::X * 2.0, 1.0)];
+    assert!(matches!(
+        refused(Solid::new(&touching, TOLERANCE)),
+        GeomError::Solid(SolidError::ShellsMeet { .. })
+    ));
+    let square = NurbsSurface::bilinear(DVec3::ZERO, DVec3::Y, DVec3::X, DVec3::X + DVec3::Y);
+    let square = whole(square.expect("a square"));
+    assert!(matches!(
+        refused(Solid::new(&[square.clone(), square.reversed()], TOLERANCE)),
+        GeomError::Solid(SolidError::Thin { .. })
+    ));
+    let revolved = |outer: &NurbsCurve, angle: f64| {
+        refused(Solid::revolved(&region(outer, &[]), axis(), angle, TOLERANCE))
+    };
+    let disc = |x: f64| circle(Frame::ZX.at(DVec3::X * x), 1.0);
+    assert!(matches!(revolved(&disc(0.5), TAU), GeomError::Solid(SolidError::AcrossAxis { .. })));
+    assert!(matches!(revolved(&disc(1.0), 1.0), GeomError::Solid(SolidError::PointOnAxis { .. })));
+    let tip = polygon(&[[0.0; 3], [1.0, 0.0, 1.0], [1.0, 0.0, -1.0]]);
+    assert!(matches!(revolved(&tip, TAU), GeomError::Solid(SolidError::PointOnAxis { .. })));
+    let flat = circle(Frame::XY.at(DVec3::X * 3.0), 1.0);
+    assert!(matches!(revolved(&flat, TAU), GeomError::Solid(SolidError::AxisOffPlane { .. })));
+    let along = Solid::extruded(&region(&flat, &[]), DVec3::X, TOLERANCE);
+    assert!(matches!(refused(along), GeomError::Solid(SolidError::AlongPlane)));
+}
