@@ -18,6 +18,7 @@ from ._geometry import (
     PointsLike,
     Quantity,
     Region,
+    Solid,
     Surface,
     Table,
 )
@@ -217,6 +218,7 @@ __all__ = [
     "sin",
     "sinh",
     "skin",
+    "solid",
     "solve",
     "sort",
     "sphere",
@@ -331,7 +333,8 @@ def approximate(*args: Any, points: Any = None, degree: Any = None, control_poin
     squared distances at the parameters sum to least, over knots that spread the parameters
     evenly. With `tolerance` it comes that near to every point, with as few control points as
     are found; it moves the parameters along the curve unless they are listed, and has corners
-    where the points turn sharply, if that takes no more control points. `report` has
+    where the points turn sharply, if that takes no more control points. Points that scatter by more
+    than the tolerance are followed one by one, without detours, which gives a warning. `report` has
     `{control_points, deviation, corners, parameters}`. Piegl & Tiller, *The NURBS Book*,
     §9.4.1, (9.68), (9.69); Hoschek & Lasser, *Fundamentals of Computer Aided Geometric
     Design*, §4.4.
@@ -413,6 +416,11 @@ def area(*args: Any, s: Any = None, r: Any = None, m: Any = None) -> Any:
     :param r: The region.
 
     In scripts: ``area(r: region) -> area``
+
+    Area of all faces of a solid, those of its voids among them.
+    :param s: The solid.
+
+    In scripts: ``area(s: solid) -> area``
 
     Area of a mesh: the sum over its triangles.
     :param m: The mesh.
@@ -780,6 +788,12 @@ def centroid(*args: Any, f: Any = None, s: Any = None, of: Any = None, r: Any = 
     :param r: The region.
 
     In scripts: ``centroid(r: region) -> point``
+
+    Centre of gravity of a solid, or of its faces.
+    :param s: The solid.
+    :param of: What is heavy: the inside or the skin. Default: ``"volume"``.
+
+    In scripts: ``centroid(s: solid, of: "volume" | "area" = "volume") -> point``
 
     Centre of gravity of what a closed mesh encloses, or of its triangles.
 
@@ -1847,7 +1861,7 @@ def extrema(c: Curve, direction: PointLike) -> Any:
     return _called("extrema", (), {"c": c, "direction": direction})
 
 
-def extrude(c: Curve, vector: PointLike) -> Surface:
+def extrude(*args: Any, c: Any = None, vector: Any = None, r: Any = None) -> Any:
     """Surface that a curve leaves behind when it is moved along a vector.
 
     Exact: u runs along the curve on its own domain, v on 0..1 along the vector.
@@ -1857,8 +1871,17 @@ def extrude(c: Curve, vector: PointLike) -> Surface:
     :param vector: Where each point of it goes.
 
     In scripts: ``extrude(c: curve, vector: point) -> surface``
+
+    Solid that a region passes when it is moved along a vector, with both ends closed.
+
+    Exact: the sides are the surfaces of the region's curves, the ends have its own borders. Its faces are the region where it was, where
+    it comes to, and a side for each smooth part of its borders. Each hole goes through.
+    :param r: The region.
+    :param vector: Where each point of it goes.
+
+    In scripts: ``extrude(r: region, vector: point) -> solid``
     """
-    return _called("extrude", (), {"c": c, "vector": vector})  # type: ignore[no-any-return]
+    return _called("extrude", args, {"c": c, "vector": vector, "r": r})
 
 
 def face(*args: Any, s: Any = None, loops: Any = None, space: Any = None, r: Any = None) -> Face:
@@ -2266,6 +2289,12 @@ def inertia(*args: Any, f: Any = None, s: Any = None, of: Any = None, r: Any = N
     :param r: The region.
 
     In scripts: ``inertia(r: region) -> record``
+
+    Inertia of a solid about its centroid, or of its faces: `{tensor, moments, axes}` as for surfaces.
+    :param s: The solid.
+    :param of: What is heavy: the inside or the skin. Default: ``"volume"``.
+
+    In scripts: ``inertia(s: solid, of: "volume" | "area" = "volume") -> record``
     """
     return _called("inertia", args, {"f": f, "s": s, "of": of, "r": r})  # type: ignore[no-any-return]
 
@@ -3668,7 +3697,7 @@ def reversed_(c: Curve) -> Curve:
     return _called("reversed", (), {"c": c})  # type: ignore[no-any-return]
 
 
-def revolve(c: Curve, *, axis: PointLike | None = None, about: PointLike | None = None, angle: Quantity | None = None) -> Surface:
+def revolve(*args: Any, c: Any = None, axis: Any = None, about: Any = None, angle: Any = None, r: Any = None) -> Any:
     """Surface that a curve leaves behind when it is turned about an axis.
 
     Exact, of a rational curve too: u goes around the axis on 0..1 from the curve's own place, in
@@ -3683,8 +3712,20 @@ def revolve(c: Curve, *, axis: PointLike | None = None, about: PointLike | None 
     :param angle: How far it turns: up to a full turn, either way. Default: ``360deg``.
 
     In scripts: ``revolve(c: curve, axis: point = (0, 0, 1), about: point = (0, 0, 0), angle: angle = 360deg) -> surface``
+
+    Solid that a region passes when it is turned about an axis in its plane.
+
+    Exact: its sides are the surfaces of the region's curves, each as `revolve` of the curve gives it; short of a full turn the
+    region where it was and where it comes to are faces before them. The region may run along the axis and may not reach over it. Holes
+    become voids in a full turn.
+    :param r: The region.
+    :param axis: The direction of the axis. Default: ``(0, 0, 1)``.
+    :param about: A point of the axis. Default: ``(0, 0, 0)``.
+    :param angle: How far it turns: up to a full turn, either way. Default: ``360deg``.
+
+    In scripts: ``revolve(r: region, axis: point = (0, 0, 1), about: point = (0, 0, 0), angle: angle = 360deg) -> solid``
     """
-    return _called("revolve", (), {"c": c, "axis": axis, "about": about, "angle": angle})  # type: ignore[no-any-return]
+    return _called("revolve", args, {"c": c, "axis": axis, "about": about, "angle": angle, "r": r})
 
 
 def reweight(c: Curve, f: Curve) -> Curve:
@@ -3940,6 +3981,23 @@ def skin(sections: Any, *, degree: float | None = None, spine: Curve | None = No
     In scripts: ``skin(sections: list of curves or points, degree: integer = 3, spine: curve = none, at: list of numbers without units = none, parameters: "average" | "centripetal" | "uniform" | list of numbers without units = "average", closed: bool = false, align: bool = true, start_tangent: point | curve = none, end_tangent: point | curve = none, shape: "free" | "monotone" = "free", pairing: "parameter" | "length" = "parameter", tolerance: length = none) -> surface``
     """
     return _called("skin", (), {"sections": sections, "degree": degree, "spine": spine, "at": at, "parameters": parameters, "closed": closed, "align": align, "start_tangent": start_tangent, "end_tangent": end_tangent, "shape": shape, "pairing": pairing, "tolerance": tolerance})  # type: ignore[no-any-return]
+
+
+def solid(g: Any, *, cap: bool | None = None) -> Any:
+    """What surfaces and faces enclose that close, whichever way each of them faces.
+
+    Every place of every edge lies on one other edge within the document's tolerance, as for `volume`. Surfaces that hang together are a
+    shell; shells keep apart. One within another is a void in it, one within a void a body of its own. With `cap` plane rims are closed
+    by plane faces; rims in one plane together, what an odd number of them goes around.
+    `s.faces` are its faces, which look outward, in the order of the argument, then the caps; `s.shells` those of each shell. A solid is
+    itself.
+
+    :param g: A surface or face, or a list of them.
+    :param cap: Whether plane rims are closed. Default: ``false``.
+
+    In scripts: ``solid(g: surface | face | solid | list of surfaces or faces, cap: bool = false) -> solid``
+    """
+    return _called("solid", (), {"g": g, "cap": cap})
 
 
 def solve(f: FunctionLike, *, within: tuple[Quantity, Quantity] | None = None, start: Any = None, all: bool | None = None, report: bool | None = None) -> Any:
@@ -4310,13 +4368,14 @@ def tessellate(g: Any, *, tolerance: Quantity | None = None, angle: Quantity | N
     derivatives tell how large a triangle may be. It has no cracks, at seams and poles neither;
     surfaces of a list share the vertices where their edges run together, along the whole or from
     a corner of one to a corner of another, whatever their degrees, knots and parameters are. Normals are those of each side where there is a crease.
-    Parts of surfaces have the same distance and normals; their borders share vertices with no others.
+    Parts of surfaces have the same distance and normals; their borders share vertices with no others, but those of
+    the faces of one solid do, so that its mesh closes.
     Meshes in a list are taken along as they are. With `quads` the two triangles of a cell of the
     parameters are one face, which files that can hold quadrilaterals keep (`.obj`, `.ply`); at poles
     and along edges whose vertices are others than those of the lines inside there are triangles.
     Filip, Magedson & Markot, *Surface algorithms using bounds on derivatives*, CAGD 3 (1986).
 
-    :param g: A surface or face, or a list of them and meshes.
+    :param g: A surface, face or solid, or a list of them and meshes.
     :param tolerance: The tolerance; when left out a thousandth of the size of `g`.
     :param angle: How far the surface's normal may turn over a triangle. Default: ``15deg``.
     :param max_edge: The longest edge that triangles may have; any when left out.
@@ -4623,6 +4682,14 @@ def volume(*args: Any, s: Any = None, m: Any = None) -> Any:
     :param s: The surface, or a list of surfaces and faces.
 
     In scripts: ``volume(s: surface | face | list of surfaces or faces) -> volume``
+
+    Volume of a solid: the flux of the position through its faces by the theorem of Gauss, to some 12 digits where
+    they are smooth.
+
+    Edges that are cuts lie on both of their faces within the document's tolerance, and the volume is as near as that allows.
+    :param s: The solid.
+
+    In scripts: ``volume(s: solid) -> volume``
 
     Volume that a closed mesh encloses, on whichever side its triangles face.
 
