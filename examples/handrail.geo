@@ -70,12 +70,13 @@ fn tread(k) = {
     let [a, b] = [(k - 1) / (steps - 1) * turn, k / (steps - 1) * turn]
     fn around(r) = arc((0, 0, k * riser), r, a, b)
     let [inner, outer] = [around(150mm), around(radius + 50mm)]
-    face(region([
+    let border = [
         outer,
         line(outer.end, inner.end),
         reversed(inner),
         line(inner.start, outer.start),
-    ]))
+    ]
+    border |> region |> face
 }
 faces treads = [for k in 1..<steps: tread(k)] with (color = "silver")
 curves posts = [for k in 1..<steps: line(place(k + 0.5, radius), helical((k - 0.5) / (steps - 1)))]

@@ -61,10 +61,8 @@ fn gear(z) = {
     let outline = region(flatten([for k in 0..<z: rotate(tooth(z), k * 1turn / z)]))
     let beside  = half_tooth(z) - inv(acos(min(base(z) / root(z), 1)))
     let corners = [for k in 0..<z, side in [-1, 1]: polar(root(z), k * 1turn / z + side * beside)]
-    region(
-        fillet(outline, 0.2 * module, at = corners).outer,
-        holes = [circle((0, 0), 0.15 * module * z)],
-    )
+    let rounded = fillet(outline, 0.2 * module, at = corners)
+    rounded.outer |> region(holes = [circle((0, 0), 0.15 * module * z)])
 }
 region small = gear(pinion)
 region large = gear(wheel)
