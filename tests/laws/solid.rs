@@ -216,5 +216,5 @@ fn what_makes_no_solid_is_refused() {
     let flat = circle(Frame::XY.at(DVec3::X * 3.0), 1.0);
     assert!(matches!(revolved(&flat, TAU), GeomError::Solid(SolidError::AxisOffPlane { .. })));
     let along = Solid::extruded(&region(&flat, &[]), DVec3::X, TOLERANCE);
-    assert!(matches!(refused(along), GeomError::Solid(SolidError::AlongPlane)));
+    assert!(matches!(refused(along), GeomError::Solid(SolidError::AlongPlane { .. })));
 }

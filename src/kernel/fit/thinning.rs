@@ -6,7 +6,7 @@ use crate::{KnotVector, NurbsCurve, removal::removal};
 /// Control points up to which knots go one by one; of more that is seldom worth the time.
 const FEW: usize = 64;
 
-/// So many knots that cost least are tried: if none of them can go, the others cannot either.
+/// So many knots that cost least are tried: if none of them can go, another one seldom can.
 const MAX_TRIED: usize = 16;
 
 impl FitSearch<'_> {

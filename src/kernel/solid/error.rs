@@ -13,15 +13,18 @@ use crate::error::{few_digits, place};
 /// let disc = NurbsCurve::ellipse(Frame::XY, [1.0; 2], CircleForm::NinePoint)?;
 /// let disc = Region::new(&disc, &[], Tolerance::DEFAULT)?;
 /// let found = Solid::extruded(&disc, DVec3::X, Tolerance::DEFAULT);
-/// assert!(matches!(found, Err(GeomError::Solid(SolidError::AlongPlane))));
+/// assert!(matches!(found, Err(GeomError::Solid(SolidError::AlongPlane { .. }))));
 /// # Ok::<(), GeomError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "each message names its fields")]
 pub enum SolidError {
-    /// A way that leaves the plane of a region nowhere.
-    #[error("the vector lies in the plane of the region, so that nothing is enclosed")]
-    AlongPlane,
+    /// A way that leaves the plane of a region by no more than the tolerance.
+    #[error(
+        "the vector leaves the plane of the region by {}, within the tolerance {}, so that nothing is enclosed",
+        few_digits(*height), few_digits(*tolerance)
+    )]
+    AlongPlane { height: f64, tolerance: f64 },
     /// An axis that is not in the plane of a region.
     #[error("the axis does not lie in the plane of the region: it is up to {} away from it", few_digits(*by))]
     AxisOffPlane { by: f64 },

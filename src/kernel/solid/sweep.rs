@@ -37,9 +37,10 @@ impl Solid {
     ) -> Result<Self, GeomError> {
         let height = vector.dot(region.frame().z());
         let size = region.bounds().diagonal() + norm(vector);
-        let by = height.abs();
-        if by.is_nan() || by <= tolerance.distance_for(size) {
-            return Err(SolidError::AlongPlane.into());
+        let distance = tolerance.distance_for(size);
+        if height.is_nan() || height.abs() <= distance {
+            let height = height.abs();
+            return Err(SolidError::AlongPlane { height, tolerance: distance }.into());
         }
         let is_up = 0.0 < height;
         let floor = Face::of_region(region, tolerance)?;

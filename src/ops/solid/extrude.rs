@@ -23,7 +23,7 @@ op! {
     }
     example "extrude(region(circle((0, 0), 1), holes = [circle((0, 0), 0.5)]), (0, 0, 2))" => "solid of 4 faces";
     example "volume(extrude(region(circle((0, 0), 1)), (1, 0, 2))) ~= 2*pi" => "true";
-    refuses "extrude(region(circle((0, 0), 1)), (1, 0, 0))" => "E0607: the vector lies in the plane of the region, so that nothing is enclosed";
+    refuses "extrude(region(circle((0, 0), 1)), (1, 0, 0))" => "E0607: the vector leaves the plane of the region by 0, within the tolerance 1e-6, so that nothing is enclosed";
     scene r#"
         region plate = region(polyline([(0, 0), (4, 0), (4, 2), (0, 2)], closed = true), holes = [circle((1, 1), 0.5)])
         solid bracket = extrude(plate, (0, 0, 0.6))

@@ -72,7 +72,7 @@ const fn of_face(error: &FaceError) -> Code {
 
 const fn of_solid(error: &SolidError) -> Code {
     match error {
-        SolidError::AlongPlane
+        SolidError::AlongPlane { .. }
         | SolidError::AxisOffPlane { .. }
         | SolidError::AcrossAxis { .. } => Code::Degenerate,
         SolidError::PointOnAxis { .. } | SolidError::ShellsMeet { .. } => Code::NotManifold,

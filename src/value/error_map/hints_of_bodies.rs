@@ -39,7 +39,9 @@ pub(super) fn of_face(error: &FaceError) -> String {
 /// What to do about solids.
 pub(super) fn of_solid(error: &SolidError) -> String {
     let hint = match error {
-        SolidError::AlongPlane => "give a vector that leaves the plane, `r.plane.z` for one",
+        SolidError::AlongPlane { .. } => {
+            "give a vector that leaves the plane by more, `r.plane.z` for one"
+        }
         SolidError::AxisOffPlane { .. } => {
             "`axis` and `about` are a line in the plane of the region, beside it or along its border"
         }
