@@ -56,7 +56,8 @@ function native(name, folder, out) {
   return new Promise((done) => execFile(command, ["run", name, "--out", out, ...limits], told, (_, stdout, stderr) => done({ stdout, stderr })));
 }
 
-for (const below of ["examples", "tests/golden"]) {
+/** The test over all programs of a folder: one for each file of tests, which run side by side. */
+export function testPrograms(below) {
   test(`programs of ${below} say and write the same as those of the command`, { skip: !existsSync(command) }, async () => {
     const module = new WebAssembly.Module(readFileSync(wasm));
     const folder = join(root, below);
