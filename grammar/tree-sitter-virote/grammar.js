@@ -75,7 +75,7 @@ module.exports = grammar({
         seq("let", field("pattern", $._pattern), "=", field("value", $._expression), optional($.with)),
         seq(
           field("kind", alias(choice(...KINDS, ...WORD_KINDS), $.kind)),
-          optional(seq(field("pattern", $.identifier), "=")),
+          optional(seq(field("pattern", $._name), "=")),
           field("value", $._expression),
           optional($.with),
         ),
@@ -111,7 +111,7 @@ module.exports = grammar({
 
     _expression: ($) =>
       choice(
-        $.number, $.string, $.boolean, $.none, $.identifier,
+        $.number, $.string, $.boolean, $.none, $._name,
         $.group, $.point, $.list, $.comprehension, $.record, $.block,
         $.call, $.index, $.field,
         $.binary, $.unary, $.near, $.if, $.lambda,
@@ -164,7 +164,7 @@ module.exports = grammar({
 
     lambda: ($) =>
       prec.right(seq(field("parameters", $.lambda_parameters), "=>", field("body", $._expression))),
-    lambda_parameters: ($) => choice($.identifier, seq("(", list($.identifier), ")")),
+    lambda_parameters: ($) => choice($._name, seq("(", list($._name), ")")),
 
     call: ($) =>
       prec(
@@ -177,7 +177,7 @@ module.exports = grammar({
     index: ($) => prec(PREC.postfix, seq($._expression, $._index, "[", $._expression, "]")),
     field: ($) => prec(PREC.postfix, seq($._expression, ".", field("label", $._label))),
     // Literals cannot be called: a "(" behind them begins something else.
-    _callee: ($) => choice($.identifier, $.group, $.call, $.index, $.field),
+    _callee: ($) => choice($._name, $.group, $.call, $.index, $.field),
 
     argument: ($) =>
       seq(optional(seq(field("label", $._label), "=")), choice($._expression, $.placeholder)),
@@ -201,13 +201,15 @@ module.exports = grammar({
       ),
 
     // `{ a }` is a record, not a block.
-    record: ($) => prec.dynamic(1, seq("{", list(choice($.pair, $.identifier)), "}")),
+    record: ($) => prec.dynamic(1, seq("{", list(choice($.pair, $._name)), "}")),
     pair: ($) => seq(field("label", $._label), ":", field("value", $._expression)),
 
     block: ($) =>
       seq("{", repeat(choice(";", $.definition, $.function)), field("value", $._expression), repeat(";"), "}"),
 
-    _label: ($) => choice($.identifier, alias(choice(...KEYWORDS), $.identifier)),
+    // Where a statement could begin, a word of a kind may be a name as well.
+    _name: ($) => choice($.identifier, alias(choice(...WORD_KINDS), $.identifier)),
+    _label: ($) => choice($._name, alias(choice(...KEYWORDS), $.identifier)),
 
     boolean: (_) => choice("true", "false"),
     none: (_) => "none",
