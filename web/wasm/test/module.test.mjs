@@ -21,7 +21,9 @@ for (const [what, script] of Object.entries(WALKS)) {
   test(`${what} end at a ceiling, and the module lives on`, async () => {
     const virote = await open(module, 7);
     // What runs often is compiled anew, and may take more of the stack then.
-    for (let i = 0; i < 200; i++) virote.ask({ call: "text", text: script(10 + (i % 30)) });
+    for (let i = 0; i < 200; i++) {
+      assert.deepEqual(virote.ask({ call: "text", text: script(10 + (i % 30)) }).value.diagnostics, []);
+    }
     await new Promise((done) => setTimeout(done, 100));
     let first = null;
     for (const n of [50, 100, 190, 300, 490, 900, 3_000, 20_000]) {
