@@ -2,6 +2,8 @@
 
 use glam::DVec3;
 
+use crate::tolerance::SHOWN_RELATIVE;
+
 /// A bound of a deviation for a message; without one the weights left no curve to measure.
 pub(super) fn how_far(error: f64) -> String {
     if error.is_finite() {
@@ -19,17 +21,19 @@ pub(super) fn degrees(turns: f64) -> String {
 
 /// A measured number for a message.
 pub(crate) fn few_digits(x: f64) -> String {
-    let rounded = format!("{x:.3e}").parse().unwrap_or(x);
-    if rounded <= 0.0 || (0.001..1_000_000.0).contains(&rounded) {
+    let rounded: f64 = format!("{x:.3e}").parse().unwrap_or(x);
+    if rounded == 0.0 || (0.001..1_000_000.0).contains(&rounded.abs()) {
         rounded.to_string()
     } else {
         format!("{rounded:e}")
     }
 }
 
-/// A measured point for a message.
+/// A measured point for a message; a coordinate that only rounding keeps from zero is told as zero.
 pub(crate) fn place(point: DVec3) -> String {
-    format!("({}, {}, {})", few_digits(point.x), few_digits(point.y), few_digits(point.z))
+    let least = SHOWN_RELATIVE * point.abs().max_element();
+    let [x, y, z] = point.to_array().map(|x| few_digits(if x.abs() < least { 0.0 } else { x }));
+    format!("({x}, {y}, {z})")
 }
 
 /// A number in full, with an exponent where scripts print one.

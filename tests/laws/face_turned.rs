@@ -189,3 +189,38 @@ fn two_equal_cylinders_enclose_the_volume_of_steinmetz() {
         assert!((volume * 3.0 / 16.0 - 1.0).abs() < 1e-9, "{n}: {volume}");
     }
 }
+
+#[test]
+fn what_touches_a_torus_along_a_circle_takes_nothing_away() {
+    let torus = NurbsSurface::torus(Frame::XY, 3.0, 1.0).unwrap();
+    let all = 12.0 * PI * PI;
+    let plane = |height: f64| Frame::XY.at(DVec3::Z * height);
+    let tube = |radius: f64| NurbsSurface::cone(plane(-3.0), [radius; 2], 6.0).unwrap();
+    for (n, (place, scale, tolerance)) in placements().enumerate() {
+        let face = whole(&torus, &place, tolerance);
+        let areas = |cutter: Cutter| -> Vec<f64> {
+            let parts = face.split(&[cutter], tolerance).unwrap();
+            let mut areas: Vec<f64> =
+                parts.iter().map(|part| part.mass().unwrap().amount / (scale * scale)).collect();
+            areas.sort_by(f64::total_cmp);
+            areas
+        };
+        let touching = [
+            Cutter::Plane(moved(plane([1.0, -1.0][n % 2]), &place)),
+            Cutter::Surface(Arc::new(tube([4.0, 2.0][n % 2]).transformed(&place))),
+        ];
+        for cutter in touching {
+            let found = areas(cutter);
+            assert_eq!(found.len(), 1, "{n}: {found:?}");
+            assert!((found[0] / all - 1.0).abs() < 1e-9, "{n}: {found:?}");
+        }
+        // Nearly touching, twice the angle of the tube from the top to the cut, by Pappus.
+        for below in [1e-5_f64, 1e-7] {
+            let strip = 2.0 * libm::acos(1.0 - below) * 6.0 * PI;
+            let found = areas(Cutter::Plane(moved(plane(1.0 - below), &place)));
+            assert_eq!(found.len(), 2, "{n}: {found:?}");
+            assert!((found[0] - strip).abs() < 1e-7, "{n}: {found:?} for {strip}");
+            assert!((found[0] + found[1] - all).abs() < 1e-7, "{n}: {found:?} for {all}");
+        }
+    }
+}

@@ -29,6 +29,10 @@ const FOREIGN: &[(&[&str], &str)] = &[
     (&["cube", "cuboid", "makebox"], "write `box(corner, size)`"),
     (&["linearextrude", "extrudecrv"], "write `extrude(curve, vector)`"),
     (&["rotateextrude", "lathe", "revsrf", "surfaceofrevolution"], "write `revolve(curve)`"),
+    (
+        &["polygon", "ngon", "regularpolygon", "square", "rectangle", "rect"],
+        "write `polyline(corners, closed = true)`, and `region(...)` of it for what is inside",
+    ),
     (&["loftsrf", "multisection", "blendsurface"], "write `skin([a, b, c])`"),
     (&["sweep1", "sweep2", "pipe"], "write `sweep(section, path)`"),
     (&["networksrf", "curvenetwork"], "write `gordon(u, v)`"),

@@ -52,3 +52,8 @@ pub const BOUNDS_RELATIVE: f64 = 1e-15;
 ///
 /// Larger takes a value for a step that it misses; smaller calls 0.3 no multiple of 0.1.
 pub const STEP_RELATIVE: f64 = 1e-9;
+
+/// A coordinate below this part of the largest of its point is told as zero in messages.
+///
+/// Larger hides where places are; smaller shows what rounding left of nothing.
+pub(crate) const SHOWN_RELATIVE: f64 = 1e-9;

@@ -31,6 +31,12 @@ const PARTS: usize = 8;
 /// Steps of Newton's method onto a second surface.
 const STEPS: usize = 12;
 
+/// Last bits of the size of a surface that pieces are given at least.
+const PIECE_BITS: f64 = 64.0;
+
+/// Last bits of that size that rounding may take of a place where a height vanishes steeply.
+const HEIGHT_BITS: f64 = 8.0;
+
 /// Where a piece is compared between the points that it goes through.
 const COMPARED: [f64; 4] = [0.1, 0.3, 0.65, 0.93];
 
@@ -62,7 +68,8 @@ pub(super) fn arcs_on_surface(
     [tolerance, angle]: [f64; 2],
 ) -> Result<Vec<NurbsCurve>, GeomError> {
     let size = plane.bounds().diagonal();
-    let accuracy = (PULL_RELATIVE * size).max(64.0 * LAST_BIT * size).min(PULL_SHARE * tolerance);
+    let accuracy =
+        (PULL_RELATIVE * size).max(PIECE_BITS * LAST_BIT * size).min(PULL_SHARE * tolerance);
     let mut arcs = Vec::new();
     for part in curve.smooth_parts(angle)? {
         let pulled = PulledCurve { plane, curve: &part, height, what, index, tolerance, accuracy };
@@ -111,6 +118,11 @@ impl PulledCurve<'_> {
 
     /// The place at a parameter, on the side of the plane where `near` is.
     fn place(&self, t: f64, near: DVec3) -> Result<DVec3, GeomError> {
+        Ok(self.place_and_rounding(t, near)?.0)
+    }
+
+    /// The same, and how far rounding may move it.
+    fn place_and_rounding(&self, t: f64, near: DVec3) -> Result<(DVec3, f64), GeomError> {
         let mut place = self.foot_beside(t, near)?;
         let bounds = self.plane.bounds();
         for i in 0..2 {
@@ -128,7 +140,7 @@ impl PulledCurve<'_> {
                 place[i] = other;
             }
         }
-        let mut place = self.improved(t, place);
+        let (mut place, rounding) = self.improved(t, place);
         // At a pole any parameter along it is as good as another: that of what is beside it is taken.
         let point = self.plane.point(place);
         for i in 0..2 {
@@ -138,12 +150,16 @@ impl PulledCurve<'_> {
                 place = other;
             }
         }
-        Ok(place)
+        Ok((place, rounding))
     }
 
-    /// Newton's method from a place to where the height vanishes, across the curve.
-    fn improved(&self, t: f64, start: DVec3) -> DVec3 {
-        let Some(height) = self.height else { return start };
+    /// Newton's method from a place to where the height vanishes, across the curve; and how far rounding may
+    /// move that place: the farther, the more flatly the height crosses the surface. Where that is farther
+    /// than pieces may be away, as where the height touches, the place stays.
+    fn improved(&self, t: f64, start: DVec3) -> (DVec3, f64) {
+        let Some(height) = self.height else { return (start, 0.0) };
+        let most = PULL_SHARE * self.tolerance;
+        let mut rounding = 0.0;
         let derivatives = self.curve.derivatives_at(t, 1);
         let (center, along) = (derivatives[0], derivatives[1]);
         let (mut place, begun) = (start, self.plane.point(start));
@@ -152,6 +168,12 @@ impl PulledCurve<'_> {
             let [u, v] = self.plane.parameters(place);
             let [point, along_u, along_v] = self.plane.surface.tangents_at(u, v);
             let (value, away) = height(point);
+            let normal = along_u.cross(along_v);
+            let sine = norm(away.cross(normal)) / (norm(away) * norm(normal));
+            rounding = HEIGHT_BITS * LAST_BIT * bounds.diagonal() / sine;
+            if most < rounding {
+                return (start, most);
+            }
             let ahead = (point - center).dot(along);
             let rows =
                 [[away.dot(along_u), away.dot(along_v)], [along.dot(along_u), along.dot(along_v)]];
@@ -161,7 +183,7 @@ impl PulledCurve<'_> {
             let step = self.plane.place([-du, -dv]);
             // Near a pole small ways are long ones of the parameters.
             if !step.is_finite() || 4.0 * self.tolerance < norm(point - begun) {
-                return start;
+                return (start, 0.0);
             }
             place += step;
             // Over a seam it goes on at the other side.
@@ -178,7 +200,8 @@ impl PulledCurve<'_> {
                 break;
             }
         }
-        place
+        // A pole has no normal.
+        (place, if rounding.is_nan() { 0.0 } else { rounding })
     }
 
     /// The stretches between jumps of the parameters.
@@ -263,8 +286,9 @@ impl PulledCurve<'_> {
             let is_near = |&fraction: &f64| -> Result<bool, GeomError> {
                 let t = interval.at(fraction);
                 let fitted = piece.point_at(t);
-                let apart = self.plane.point(self.place(t, fitted)?) - self.plane.point(fitted);
-                Ok(norm(apart) <= self.accuracy)
+                let (place, rounding) = self.place_and_rounding(t, fitted)?;
+                let apart = norm(self.plane.point(place) - self.plane.point(fitted));
+                Ok(apart <= self.accuracy.max(rounding))
             };
             let mut fits = true;
             for fraction in &COMPARED {
