@@ -89,6 +89,7 @@
 //! ## Solids
 //!
 //! - [`Solid`] of faces that close, [`Solid::capped`] by plane faces, of a region [`Solid::extruded`] or [`Solid::revolved`];
+//!   [`Solid::cut`] by a plane into a [`CutSolid`];
 //!   [`Solid::faces`], [`Solid::shells`], [`Solid::volume_mass`], [`Solid::area_mass`], [`Solid::mesh`].
 //! - What is refused: [`SolidError`].
 //!
@@ -210,7 +211,7 @@ pub use skin::{
     SkinError, SkinInput, SkinnedSurface, aligned, at_constant_speed, corners_of_ring,
     with_seam_at_corner,
 };
-pub use solid::{Solid, SolidError};
+pub use solid::{CutSolid, Solid, SolidError};
 pub use surface::{
     AnalyticForm, AnalyticSurface, Axis, AxisContact, Blend, CrossFields, CurveSurfaceIntersection,
     Direction, Edge, FocalPoint, GridSamples, LevelSet, MassProperties, NurbsSurface,

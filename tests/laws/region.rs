@@ -406,3 +406,23 @@ proptest! {
         prop_assert!(near(area(&difference(&regions)), first));
     }
 }
+
+/// The ray by which the inside of an edge is told begins on it, and may pass its own ends or begin beside its own
+/// box by rounding: a ring of one edge, and edges along the box.
+#[test]
+fn rings_that_rounding_takes_out_of_their_box_have_an_inside() {
+    for i in 0..400 {
+        let shift = at(0.1 * f64::from(i), 0.37 * f64::from(i % 7));
+        let skew = [(0.0, 0.0), (0.37, 0.0), (0.67, 1.0), (0.3, 1.0)];
+        let corners = skew.map(|(x, y)| shift + at(x, y)).to_vec();
+        let border = NurbsCurve::polyline(&[corners.clone(), vec![corners[0]]].concat()).unwrap();
+        let border = border.elevate_degree(7).unwrap();
+        for border in [border.reversed(), border] {
+            let found = Region::even_odd(&[border], TOLERANCE, 1).unwrap();
+            assert!((found[0].area() - 0.37).abs() < 1e-9, "{i}: {}", found[0].area());
+        }
+        let ring = circle(shift.x, shift.y, 0.6241).elevate_degree(7).unwrap();
+        let found = Region::even_odd(&[ring], TOLERANCE, 1).unwrap();
+        assert!((found[0].area() - PI * 0.6241 * 0.6241).abs() < 1e-9, "{i}: {}", found[0].area());
+    }
+}

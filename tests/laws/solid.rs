@@ -218,3 +218,81 @@ fn what_makes_no_solid_is_refused() {
     let along = Solid::extruded(&region(&flat, &[]), DVec3::X, TOLERANCE);
     assert!(matches!(refused(along), GeomError::Solid(SolidError::AlongPlane { .. })));
 }
+
+/// The volumes of both sides of a plane, and the area between them.
+#[track_caller]
+fn cut(solid: &Solid, plane: Frame) -> ([f64; 2], f64) {
+    let found = solid.cut(plane, TOLERANCE).expect("both sides");
+    let volume = |side: &Option<Solid>| {
+        side.as_ref().map_or(0.0, |side| side.volume_mass().expect("a volume").amount)
+    };
+    let area = found.section.iter().map(|region| region.mass().amount).sum();
+    ([volume(&found.below), volume(&found.above)], area)
+}
+
+/// A cap of height h of a ball holds πh²(r − h/3) above a circle of radius √(r² − (r − h)²), wherever they are.
+#[test]
+fn a_ball_falls_apart_into_its_caps() {
+    for scale in [1e-3, 1.0, 1e3] {
+        for turn in [0, 4] {
+            let axis = DVec3::new(1.0, f64::from(turn) - 2.5, 0.7).normalize();
+            let map = DAffine3::from_translation(DVec3::new(2.0, -1.0, 0.5) * scale)
+                * DAffine3::from_axis_angle(axis, f64::from(turn))
+                * DAffine3::from_scale(DVec3::splat(scale));
+            let solid = Solid::new(&[ball(DVec3::ZERO, 2.0)], TOLERANCE).expect("a ball");
+            let solid = solid.transformed(&map).expect("an image");
+            for height in [-2.5, -0.2, 0.0, 1.9_f64] {
+                let normal = map.matrix3 * DVec3::Z;
+                let plane =
+                    Frame::from_normal(map.transform_point3(DVec3::Z * height), normal, None);
+                let ([below, above], area) = cut(&solid, plane.expect("a plane"));
+                let h = (2.0 - height).clamp(0.0, 4.0);
+                let cap = PI * h * h * (2.0 - h / 3.0) * scale.powi(3);
+                let whole = 32.0 / 3.0 * PI * scale.powi(3);
+                let circle = PI * (4.0 - height * height).max(0.0) * scale.powi(2);
+                let what = format!("scale {scale}, turn {turn}, height {height}");
+                assert!(
+                    (above - cap).abs() < 2e-6 * whole.max(scale * scale),
+                    "{what}: {above} for {cap}"
+                );
+                assert!(
+                    (below + above - whole).abs() < 2e-6 * whole.max(scale * scale),
+                    "{what}: {below}"
+                );
+                assert!(
+                    (area - circle).abs() < 1e-5 * circle.max(scale),
+                    "{what}: {area} for {circle}"
+                );
+            }
+        }
+    }
+}
+
+/// Planes through a plate with holes, along its sides, through and beside its holes.
+#[test]
+fn a_sieve_is_cut_through_its_holes() {
+    let solid = Solid::extruded(&sieve(3), DVec3::new(0.3, 0.0, 1.0), TOLERANCE).expect("a sieve");
+    let whole = solid.volume_mass().expect("a volume").amount;
+    for normal in
+        [DVec3::X, DVec3::Y, DVec3::Z, DVec3::new(1.0, 0.4, 0.2), DVec3::new(0.1, 0.2, 1.0)]
+    {
+        for step in [0, 2, 4, 6] {
+            let origin = normal.normalize() * (0.37 * f64::from(step) + 0.01);
+            let plane = Frame::from_normal(origin, normal, None).expect("a plane");
+            let ([below, above], _) = cut(&solid, plane);
+            assert!(
+                (below + above - whole).abs() < 1e-6 * whole,
+                "{normal} {step}: {below} {above}"
+            );
+        }
+    }
+    let at = |height: f64| Frame::XY.at(DVec3::Z * height);
+    let disc = 9.0 * (1.0 - PI * 0.09);
+    for height in [0.0, 0.25, 1.0] {
+        let ([below, _], area) = cut(&solid, at(height));
+        assert!(
+            (below - disc * height).abs() < 1e-9 && (area - disc).abs() < 1e-9,
+            "{height}: {below}, {area}"
+        );
+    }
+}

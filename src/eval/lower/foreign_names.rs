@@ -16,7 +16,7 @@ const FOREIGN: &[(&[&str], &str)] = &[
     (&["isocurve", "isocurves", "isoline"], ISOCURVE),
     (&["umbilic", "umbilics"], "`describe(s).umbilics` lists the umbilics of a surface"),
     (&["merge"], "`join` makes one curve of curves, and one surface of patches"),
-    (&["subtract", "boolean", "cut"], NO_SOLIDS),
+    (&["subtract", "boolean"], NO_SOLIDS),
     (
         &["color", "colour", "material"],
         "a definition has a colour: `curve c = ... with (color = \"red\")`",

@@ -65,6 +65,7 @@ struct Strips {
 
 /// The pieces of all edges, and where each group's are.
 pub(crate) struct RaySearch<'a> {
+    vertices: &'a [DVec3],
     edges: &'a [PlaneEdge],
     pieces: Vec<EdgePiece>,
     strips: [Strips; 2],
@@ -96,7 +97,7 @@ impl<'a> RaySearch<'a> {
         groups.extend(by_group);
         // A ray along x is looked up across y.
         let strips = [Strips::of(&pieces, 1), Strips::of(&pieces, 0)];
-        Self { edges, pieces, strips, groups }
+        Self { vertices: &arrangement.vertices, edges, pieces, strips, groups }
     }
 
     /// The windings on the left and on the right of an edge; none where they cannot be told.
@@ -120,10 +121,16 @@ impl<'a> RaySearch<'a> {
                 }
             }
         };
-        let own = own_crossings(&before, ray, true)? + own_crossings(&behind, ray, false)?;
+        let ends = edge.ends.map(|vertex| self.vertices[vertex]);
+        let own = own_crossings(&before, ends[0], ray, true)?
+            + own_crossings(&behind, ends[1], ray, false)?;
         add(&edge.passes, own);
-        // Rings whose box the start is outside of do not go around it.
+        // Rings whose box the start is outside of do not go around it, but for those that run along the edge: of
+        // an edge along their box rounding alone tells on which side of that a place of it is.
         let is_around = |group: usize| {
+            if edge.passes.iter().any(|&(own, _)| own == group) {
+                return true;
+            }
             let found = self.groups.binary_search_by_key(&group, |&(group, _)| group);
             found.is_ok_and(|place| {
                 let bounds = self.groups[place].1;
@@ -236,9 +243,11 @@ fn pieces_of(curve: &NurbsCurve, ends: [DVec3; 2]) -> Vec<(CurvePart, [DVec3; 2]
     made.collect()
 }
 
-/// How often the rest of an edge on one side of the start of a ray crosses that, other than there.
-fn own_crossings(curve: &NurbsCurve, ray: Ray, ends_there: bool) -> Option<i32> {
-    let mut pieces = pieces_of(curve, [curve.start(), curve.end()]);
+/// How often the rest of an edge on one side of the start of a ray crosses that, other than there; it ends in
+/// `vertex`, where others go on. None where the ray passes between that and the end of the curve.
+fn own_crossings(curve: &NurbsCurve, vertex: DVec3, ray: Ray, ends_there: bool) -> Option<i32> {
+    let ends = if ends_there { [vertex, curve.end()] } else { [curve.start(), vertex] };
+    let mut pieces = pieces_of(curve, ends);
     let (part, ends, _) = if ends_there { pieces.pop()? } else { pieces.remove(0) };
     let mut sum = 0;
     for (part, ends, _) in &pieces {
@@ -252,7 +261,8 @@ fn own_crossings(curve: &NurbsCurve, ray: Ray, ends_there: bool) -> Option<i32> 
         let rises = places.windows(2).all(|pair| pair[0] < pair[1]);
         // What runs one way comes back to the line of the ray nowhere.
         if rises || places.windows(2).all(|pair| pair[1] < pair[0]) {
-            return Some(sum);
+            let [from, to] = ends.map(|end| end[across]);
+            return if rises { from < to } else { to < from }.then_some(sum);
         }
         let [first, second] = part.halves();
         let middle = homogeneous::project(second.points[0]);

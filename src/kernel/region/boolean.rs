@@ -79,7 +79,8 @@ impl Region {
         }
         let arrangement = Arrangement::of(&rings, Apart::Nothing, distance, n_threads)?;
         let is_inside = |windings: &Windings| windings.iter().any(|&(_, winding)| winding % 2 != 0);
-        sorted(arrangement.loops(is_inside, n_threads)?, frame, distance)
+        let loops = arrangement.loops(is_inside, n_threads).map_err(in_space(frame))?;
+        sorted(loops, frame, distance)
     }
 
     /// The loops in coordinates of another frame of the same plane.

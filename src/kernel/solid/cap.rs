@@ -4,7 +4,8 @@ use glam::DVec3;
 
 use super::{Solid, SolidError};
 use crate::{
-    Bounds, Face, FormError, Frame, GeomError, NurbsCurve, Region, Tolerance, join, trim::rims,
+    Bounds, Face, FormError, Frame, GeomError, NurbsCurve, Region, Tolerance, join,
+    trim::{FaceBorderEdge, rims},
 };
 
 impl Solid {
@@ -26,29 +27,49 @@ impl Solid {
     /// # Errors
     /// [`SolidError::UnevenRim`], [`SolidError::OpenRim`]; those of [`Self::new`] and [`Region::even_odd`].
     pub fn capped(faces: &[Face], tolerance: Tolerance) -> Result<Self, GeomError> {
-        let edges = rims(faces, tolerance)?;
-        let size = edges.iter().map(NurbsCurve::bounds).reduce(Bounds::union);
-        let distance = tolerance.distance_for(size.map_or(0.0, Bounds::diagonal));
-        let mut planes: Vec<(Frame, Vec<NurbsCurve>)> = Vec::new();
-        for rim in closed_rims(edges, 2.0 * distance)? {
-            let is_in = |plane: &Frame| {
-                rim.points()
-                    .into_iter()
-                    .all(|p| (p - plane.origin()).dot(plane.z()).abs() <= distance)
-            };
-            match planes.iter_mut().find(|(plane, _)| is_in(plane)) {
-                Some((_, others)) => others.push(rim),
-                None => planes.push((plane_of(&rim, distance)?, vec![rim])),
-            }
-        }
-        let mut faces = faces.to_vec();
-        for (_, rims) in planes {
-            for region in Region::even_odd(&rims, tolerance, 1)? {
-                faces.push(Face::of_region(&region, tolerance)?);
-            }
-        }
-        Self::new(&faces, tolerance)
+        Ok(Self::with_caps(faces, tolerance)?.0)
     }
+
+    /// The same with the regions that close it.
+    ///
+    /// # Errors
+    /// Those of [`Self::capped`].
+    pub(super) fn with_caps(
+        faces: &[Face],
+        tolerance: Tolerance,
+    ) -> Result<(Self, Vec<Region>), GeomError> {
+        let mut edges = FaceBorderEdge::all(faces, 0, tolerance)?;
+        let regions = regions_within(rims(faces, &edges, tolerance)?, tolerance)?;
+        let caps = regions.iter().map(|region| Face::of_region(region, tolerance));
+        let caps: Vec<Face> = caps.collect::<Result<_, GeomError>>()?;
+        edges.extend(FaceBorderEdge::all(&caps, faces.len(), tolerance)?);
+        let solid = Self::with_edges(&[faces, &caps].concat(), &edges, tolerance)?;
+        Ok((solid, regions))
+    }
+}
+
+/// The regions that plane edges close, even-odd in each plane.
+///
+/// # Errors
+/// Those of [`Solid::capped`] but for what faces enclose.
+fn regions_within(edges: Vec<NurbsCurve>, tolerance: Tolerance) -> Result<Vec<Region>, GeomError> {
+    let size = edges.iter().map(NurbsCurve::bounds).reduce(Bounds::union);
+    let distance = tolerance.distance_for(size.map_or(0.0, Bounds::diagonal));
+    let mut planes: Vec<(Frame, Vec<NurbsCurve>)> = Vec::new();
+    for rim in closed_rims(edges, 2.0 * distance)? {
+        let is_in = |plane: &Frame| {
+            rim.points().into_iter().all(|p| (p - plane.origin()).dot(plane.z()).abs() <= distance)
+        };
+        match planes.iter_mut().find(|(plane, _)| is_in(plane)) {
+            Some((_, others)) => others.push(rim),
+            None => planes.push((plane_of(&rim, distance)?, vec![rim])),
+        }
+    }
+    let mut caps = Vec::new();
+    for (_, rims) in planes {
+        caps.extend(Region::even_odd(&rims, tolerance, 1)?);
+    }
+    Ok(caps)
 }
 
 /// # Errors

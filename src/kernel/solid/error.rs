@@ -58,4 +58,10 @@ pub enum SolidError {
     /// Open edges that do not close.
     #[error("the edges without a neighbour do not make a closed rim: one ends at {}, {} from the next", place(*point), few_digits(*gap))]
     OpenRim { point: DVec3, gap: f64 },
+    /// Sides of a plane whose volumes do not come to that of what was cut.
+    #[error(
+        "both sides of the plane enclose {} more or less than the solid, where {} could be rounding: a part of the cut may be missing",
+        few_digits(*missing), few_digits(*allowed)
+    )]
+    UncertainCut { missing: f64, allowed: f64 },
 }

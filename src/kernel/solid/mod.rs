@@ -1,10 +1,11 @@
 //! Solids: faces that close, with an inside.
 //!
 //! This file has the type, its checking constructor and what can be read off it; `nesting` which shells lie in
-//! which, `cap` plane rims that are closed by plane faces, `sweep` regions that are moved along a vector or about
-//! an axis, `mesh` triangles whose vertices neighbours share.
+//! which, `cap` plane rims that are closed by plane faces, `cut` what is on both sides of a plane, `sweep` regions
+//! that are moved along a vector or about an axis, `mesh` triangles whose vertices neighbours share.
 
 mod cap;
+mod cut;
 mod error;
 mod mesh;
 mod nesting;
@@ -15,9 +16,10 @@ use glam::{DAffine3, DVec3};
 use crate::{
     Bounds, Face, GeomError, MassProperties, Tolerance,
     surface::MassIntegral,
-    trim::{EnclosedShell, enclosed_shells},
+    trim::{EnclosedShell, FaceBorderEdge, enclosed_shells},
 };
 
+pub use cut::CutSolid;
 pub use error::SolidError;
 
 /// What faces enclose that close: every place of every edge lies on one other edge.
@@ -49,8 +51,20 @@ impl Solid {
     /// `FaceError::OpenShell`, `FaceError::CrowdedShell`, `FaceError::OneSided` of faces that do not close;
     /// [`SolidError::Thin`], [`SolidError::ShellsMeet`], [`SolidError::UnclearNesting`]; `GeomError::Ended`.
     pub fn new(faces: &[Face], tolerance: Tolerance) -> Result<Self, GeomError> {
-        let about = middle(faces);
-        let shells = enclosed_shells(faces, about, tolerance)?;
+        let edges = FaceBorderEdge::all(faces, 0, tolerance)?;
+        Self::with_edges(faces, &edges, tolerance)
+    }
+
+    /// What faces with these edges enclose.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`].
+    fn with_edges(
+        faces: &[Face],
+        edges: &[FaceBorderEdge],
+        tolerance: Tolerance,
+    ) -> Result<Self, GeomError> {
+        let shells = enclosed_shells(faces, edges, middle(faces), tolerance)?;
         let areas = faces.iter().map(|face| Ok(face.mass()?.amount));
         let areas: Vec<f64> = areas.collect::<Result<_, GeomError>>()?;
         let mut turns = vec![false; faces.len()];

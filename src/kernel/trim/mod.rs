@@ -6,7 +6,7 @@
 //! of plane arcs that regions are made by. `face` has the type, `loops` faces within loops of parameters,
 //! `split` those within loops in space and the parts into which cutters divide a face, by the arcs that
 //! `pull` makes of curves and by `division`, `measure` integrals over faces, `mesh` their triangles, `border`
-//! their edges in space, `extremum` what of them is nearest or reaches farthest, `clip` what of curves lies on
+//! their edges in space by arcs of parameters that `lift` takes there, `extremum` what of them is nearest or reaches farthest, `clip` what of curves lies on
 //! them, `shell` what they enclose together. `edge` has the curves on two surfaces at once, by places in space and by the parameters of both.
 
 mod border;
@@ -16,6 +16,7 @@ mod edge;
 mod error;
 mod extremum;
 mod face;
+mod lift;
 mod loops;
 mod measure;
 mod mesh;
@@ -29,5 +30,5 @@ pub use edge::{CurveEnd, SurfaceCurve, SurfaceCurveKind};
 pub use error::FaceError;
 pub use extremum::FaceClosestPoint;
 pub use face::{Face, FacePart};
-pub(crate) use shell::{EnclosedShell, enclosed_shells, rims};
+pub(crate) use shell::{EnclosedShell, FaceBorderEdge, enclosed_shells, rims};
 pub use split::Cutter;

@@ -29,7 +29,7 @@ pub(crate) struct EnclosedShell {
 }
 
 /// An edge of one of several faces.
-struct FaceBorderEdge {
+pub(crate) struct FaceBorderEdge {
     face: usize,
     curve: NurbsCurve,
     bounds: Bounds,
@@ -66,7 +66,8 @@ impl Face {
         let boxes = faces.iter().map(|face| face.plane.surface.bounds());
         let about = boxes.reduce(Bounds::union).map_or(DVec3::ZERO, Bounds::center);
         let mut sum = MassIntegral::default();
-        for shell in enclosed_shells(faces, about, tolerance)? {
+        let edges = FaceBorderEdge::all(faces, 0, tolerance)?;
+        for shell in enclosed_shells(faces, &edges, about, tolerance)? {
             sum.add_shell(&shell.moments, shell.faces.iter().all(|&(_, sign)| 0.0 < sign));
         }
         sum.volume(about)
@@ -97,18 +98,18 @@ impl Face {
     }
 }
 
-/// The shells that faces make, with their moments about a point.
+/// The shells that faces with these edges make, with their moments about a point.
 ///
 /// # Errors
 /// Those of [`Face::enclosed_mass`].
 pub(crate) fn enclosed_shells(
     faces: &[Face],
+    edges: &[FaceBorderEdge],
     about: DVec3,
     tolerance: Tolerance,
 ) -> Result<Vec<EnclosedShell>, GeomError> {
-    let edges = FaceBorderEdge::all(faces, tolerance)?;
     let mut found = Vec::new();
-    for faces_of_shell in shells(faces.len(), &edges, distance_for(faces, tolerance))? {
+    for faces_of_shell in shells(faces.len(), edges, distance_for(faces, tolerance))? {
         let mut moments = MassIntegral::default();
         for &(face, sign) in &faces_of_shell {
             moments.add(faces[face].flux_moments(about)?, sign);
@@ -119,19 +120,21 @@ pub(crate) fn enclosed_shells(
     Ok(found)
 }
 
-/// The edges of faces that have no neighbour along all of their length.
+/// Those edges of faces that have no neighbour along all of their length.
 ///
 /// # Errors
-/// [`FaceError::OpenShell`] of an edge that has one along a part, [`FaceError::CrowdedShell`]; those of
-/// [`Face::edges`].
-pub(crate) fn rims(faces: &[Face], tolerance: Tolerance) -> Result<Vec<NurbsCurve>, GeomError> {
-    let edges = FaceBorderEdge::all(faces, tolerance)?;
+/// [`FaceError::OpenShell`] of an edge that has one along a part, [`FaceError::CrowdedShell`].
+pub(crate) fn rims(
+    faces: &[Face],
+    edges: &[FaceBorderEdge],
+    tolerance: Tolerance,
+) -> Result<Vec<NurbsCurve>, GeomError> {
     let distance = distance_for(faces, tolerance);
     let mut rims = Vec::new();
     for (i, edge) in edges.iter().enumerate() {
         let (mut n_open, mut gap) = (0, None);
         for place in edge.places() {
-            match neighbour(&edges, i, place, distance) {
+            match neighbour(edges, i, place, distance) {
                 Ok(_) => {}
                 Err(error @ GeomError::Face(FaceError::OpenShell { .. })) => {
                     n_open += 1;
@@ -156,10 +159,17 @@ fn distance_for(faces: &[Face], tolerance: Tolerance) -> f64 {
 }
 
 impl FaceBorderEdge {
-    /// Those of all faces.
-    fn all(faces: &[Face], tolerance: Tolerance) -> Result<Vec<Self>, GeomError> {
+    /// Those of faces, which are numbered from `first` on.
+    ///
+    /// # Errors
+    /// Those of [`Face::edges`].
+    pub(crate) fn all(
+        faces: &[Face],
+        first: usize,
+        tolerance: Tolerance,
+    ) -> Result<Vec<Self>, GeomError> {
         let mut edges = Vec::new();
-        for (face, own) in faces.iter().enumerate() {
+        for (face, own) in (first..).zip(faces) {
             for curve in own.edges(tolerance)? {
                 let bounds = curve.bounds();
                 edges.push(Self { face, curve, bounds });

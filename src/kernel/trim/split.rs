@@ -118,22 +118,38 @@ impl Face {
         is_above: bool,
         tolerance: Tolerance,
     ) -> Result<Vec<Self>, GeomError> {
+        let parts = self.divided_by_plane(plane, tolerance)?.into_iter();
+        Ok(parts.filter(|&(_, height)| (0.0 < height) == is_above).map(|(part, _)| part).collect())
+    }
+
+    /// The parts into which a plane divides it, or all of it, with the farthest height of each over the plane.
+    ///
+    /// # Errors
+    /// Those of [`Self::beside_plane`].
+    pub(crate) fn divided_by_plane(
+        &self,
+        plane: Frame,
+        tolerance: Tolerance,
+    ) -> Result<Vec<(Self, f64)>, GeomError> {
         let parts = match self.split(&[Cutter::Plane(plane)], tolerance) {
             Err(GeomError::Face(FaceError::Misses { .. })) => vec![self.clone()],
             found => found?,
         };
-        let mut kept = Vec::new();
-        for part in parts {
-            if (0.0 < part.height_above(plane, self.distance(tolerance))?) == is_above {
-                kept.push(part);
-            }
-        }
-        Ok(kept)
+        let with_height = |part: Self| {
+            let height = part.height_above(plane, tolerance)?;
+            Ok((part, height))
+        };
+        parts.into_iter().map(with_height).collect()
     }
 
     /// The farthest height over a plane of places inside, of a face that is on one side of it: its border may
     /// lie in the plane.
-    fn height_above(&self, plane: Frame, distance: f64) -> Result<f64, GeomError> {
+    pub(crate) fn height_above(
+        &self,
+        plane: Frame,
+        tolerance: Tolerance,
+    ) -> Result<f64, GeomError> {
+        let distance = self.distance(tolerance);
         let mut farthest = 0.0_f64;
         for part in &self.parts {
             let chord = DEFAULT_CHORD_RELATIVE * part.bounds().diagonal();

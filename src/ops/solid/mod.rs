@@ -2,10 +2,12 @@
 
 mod area;
 mod centroid;
+mod cut;
 mod extrude;
 mod inertia;
 mod of_faces;
 mod revolve;
+mod section;
 mod volume;
 
 use std::sync::Arc;
@@ -21,6 +23,8 @@ pub(super) static OPS: &[&Op] = &[
     &of_faces::OP,
     &extrude::OP,
     &revolve::OP,
+    &cut::OP,
+    &section::OP,
     &volume::OP,
     &area::OP,
     &centroid::OP,

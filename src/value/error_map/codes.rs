@@ -76,7 +76,9 @@ const fn of_solid(error: &SolidError) -> Code {
         | SolidError::AxisOffPlane { .. }
         | SolidError::AcrossAxis { .. } => Code::Degenerate,
         SolidError::PointOnAxis { .. } | SolidError::ShellsMeet { .. } => Code::NotManifold,
-        SolidError::Thin { .. } | SolidError::UnclearNesting { .. } => Code::WithinTolerance,
+        SolidError::Thin { .. }
+        | SolidError::UnclearNesting { .. }
+        | SolidError::UncertainCut { .. } => Code::WithinTolerance,
         SolidError::UnevenRim { .. } | SolidError::OpenRim { .. } => Code::OpenShell,
     }
 }

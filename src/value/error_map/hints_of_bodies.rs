@@ -59,6 +59,7 @@ pub(super) fn of_solid(error: &SolidError) -> String {
         SolidError::UnevenRim { .. } => {
             "close it by a surface of its own, `coons` for one, and give that too"
         }
+        SolidError::UncertainCut { .. } => "move the plane by more than the tolerance",
         SolidError::OpenRim { .. } => "give the surfaces that are missing; `cap` closes whole rims",
     };
     hint.to_owned()

@@ -1,0 +1,140 @@
+//! Arcs of parameters in space.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use super::Face;
+use crate::{
+    Curve, CurveFunction, Direction, FunctionFailure, GeomError, Interval, Jet, NurbsCurve,
+    NurbsSurface, ParametricCurve,
+    frame::norm,
+    jet,
+    tolerance::{EDGE_SHARE, LAST_BIT, PARAMETER_RELATIVE},
+};
+
+/// Parts of each span of an arc whose ends tell whether it is a point.
+const SPAN_PARTS: usize = 8;
+
+/// An arc of parameters, in space.
+#[derive(Debug)]
+struct LiftedArc {
+    surface: Arc<NurbsSurface>,
+    /// In the plane z = 0 of u and v.
+    arc: NurbsCurve,
+}
+
+impl CurveFunction for LiftedArc {
+    fn derivatives_at(&self, t: f64, order: usize) -> Result<Vec<DVec3>, FunctionFailure> {
+        let derivatives = self.arc.derivatives_at(t, order);
+        let lift = || -> Result<[Jet; 3], GeomError> {
+            let [u, v, _] = jet::along(&derivatives, &Jet::variable(t, order))?;
+            let inside = |jet: Jet, domain: Interval| {
+                let value = jet.value().clamp(domain.start(), domain.end());
+                jet.with_value(value)
+            };
+            let u = inside(u, self.surface.domain_u());
+            let v = inside(v, self.surface.domain_v());
+            jet::across(&self.surface.derivatives_at(u.value(), v.value(), order), &u, &v)
+        };
+        let point = lift().map_err(FunctionFailure::new)?;
+        let of_order = |k| DVec3::from(point.each_ref().map(|jet| jet.derivative(k, 0)));
+        Ok((0..=order).map(of_order).collect())
+    }
+}
+
+impl Face {
+    /// An arc of parameters in space as a spline on a domain of the same proportions, within an eighth of a distance.
+    ///
+    /// # Errors
+    /// Those of [`Face::edges`].
+    pub(crate) fn lifted_spline(
+        &self,
+        arc: &NurbsCurve,
+        distance: f64,
+    ) -> Result<NurbsCurve, GeomError> {
+        spline(&self.lifted(arc)?, distance)
+    }
+
+    /// An arc of parameters in space: exact along lines of constant parameters and on plane patches.
+    pub(super) fn lifted(&self, arc: &NurbsCurve) -> Result<Curve, GeomError> {
+        let surface = &self.plane.surface;
+        if let Some(map) = affine_map(surface) {
+            return Ok(arc.transformed(&map).into());
+        }
+        let (start, end) = (arc.start(), arc.end());
+        if arc.degree() == 1 && arc.control_points().len() == 2 {
+            for along in Direction::BOTH {
+                let [i, across] = match along {
+                    Direction::U => [0, 1],
+                    Direction::V => [1, 0],
+                };
+                let domain = surface.domain(along);
+                let inside = |t: f64| t.clamp(domain.start(), domain.end());
+                let [from, to] = [inside(start[i]), inside(end[i])];
+                let is_even = (start[across] - end[across]).abs()
+                    <= PARAMETER_RELATIVE * surface.domain(along.other()).length();
+                if is_even && let Ok(interval) = Interval::new(from.min(to), from.max(to)) {
+                    let other = surface.domain(along.other());
+                    let at = start[across].clamp(other.start(), other.end());
+                    let line = match along {
+                        Direction::U => surface.isocurve_v(at),
+                        Direction::V => surface.isocurve_u(at),
+                    };
+                    let line = line.trimmed(interval)?;
+                    return Ok(if from < to { line } else { line.reversed() }.into());
+                }
+            }
+        }
+        let function = LiftedArc { surface: Arc::clone(surface), arc: arc.clone() };
+        Ok(ParametricCurve::new(arc.domain(), Arc::new(function))?.into())
+    }
+}
+
+/// The map from u and v to a surface on which they are even everywhere.
+fn affine_map(surface: &NurbsSurface) -> Option<DAffine3> {
+    let net = surface.control_points();
+    if [surface.degree_u(), surface.degree_v(), net.n_rows(), net.n_columns()] != [1, 1, 2, 2]
+        || surface.is_rational()
+    {
+        return None;
+    }
+    let points = surface.points();
+    let corner = |i, j| points.get(i, j);
+    let (origin, along_u) = (corner(0, 0), corner(1, 0) - corner(0, 0));
+    let along_v = corner(0, 1) - origin;
+    let skew = (corner(1, 1) - origin - along_u - along_v).abs().max_element();
+    if 4.0 * LAST_BIT * surface.bounds().magnitude() < skew {
+        return None;
+    }
+    let (u, v) = (surface.domain_u(), surface.domain_v());
+    let (by_u, by_v) = (along_u / u.length(), along_v / v.length());
+    let translation = origin - by_u * u.start() - by_v * v.start();
+    let matrix3 = DMat3::from_cols(by_u, by_v, DVec3::ZERO);
+    Some(DAffine3 { matrix3, translation })
+}
+
+/// A lifted arc as a spline, within an eighth of a distance.
+pub(super) fn spline(curve: &Curve, distance: f64) -> Result<NurbsCurve, GeomError> {
+    match curve {
+        Curve::Nurbs(curve) => Ok((**curve).clone()),
+        Curve::Parametric(function) => function.to_nurbs(EDGE_SHARE * distance),
+    }
+}
+
+/// Whether a lifted arc stays within a distance of where it starts, by places of each of its spans: the stand-in that
+/// its box comes from would be far nearer than an answer needs.
+pub(super) fn is_point(curve: &Curve, arc: &NurbsCurve, distance: f64) -> Result<bool, GeomError> {
+    if let Curve::Nurbs(curve) = curve {
+        return Ok(curve.bounds().diagonal() <= distance);
+    }
+    let start = curve.start();
+    for span in arc.knots().spans() {
+        for t in arc.knots().span_interval(span).steps(SPAN_PARTS) {
+            if distance < norm(curve.point_at(t)? - start) {
+                return Ok(false);
+            }
+        }
+    }
+    Ok(true)
+}
