@@ -5,8 +5,9 @@
 //! what is within the tolerance there is within it in space, and all that cuts faces is the arrangement
 //! of plane arcs that regions are made by. `face` has the type, `loops` faces within loops of parameters,
 //! `split` those within loops in space and the parts into which cutters divide a face, by the arcs that
-//! `pull` makes of curves and by `division`, `measure` integrals over faces, `mesh` their triangles, `border`
-//! their edges in space by arcs of parameters that `lift` takes there, `extremum` what of them is nearest or reaches farthest, `clip` what of curves lies on
+//! `pull` makes of curves and by `division`, `measure` integrals over faces, `strip` what those of others go
+//! along, `mesh` their triangles, `border` their edges in space by arcs of parameters that `lift` takes there,
+//! `extremum` what of them is nearest or reaches farthest, `clip` what of curves lies on
 //! them, `shell` what they enclose together. `edge` has the curves on two surfaces at once, by places in space and by the parameters of both.
 
 mod border;
@@ -24,6 +25,7 @@ mod plane;
 mod pull;
 mod shell;
 mod split;
+mod strip;
 
 pub use border::FaceEdge;
 pub use edge::{CurveEnd, SurfaceCurve, SurfaceCurveKind};
@@ -32,3 +34,4 @@ pub use extremum::FaceClosestPoint;
 pub use face::{Face, FacePart};
 pub(crate) use shell::{EnclosedShell, FaceBorderEdge, enclosed_shells, rims};
 pub use split::Cutter;
+pub use strip::AreaStrip;
