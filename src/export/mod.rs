@@ -14,6 +14,7 @@ mod labels;
 mod legend;
 mod limited;
 mod measure;
+mod mesh_memory;
 mod name;
 mod obj;
 mod options;
@@ -52,6 +53,7 @@ pub use labels::DefinitionLabel;
 pub use legend::Legend;
 pub use limited::capped;
 pub use measure::{MeasuredPart, parts};
+pub use mesh_memory::MeshMemory;
 pub(crate) use options::N_ISOCURVES;
 pub use options::{ExportOption, OptionValue, Options};
 pub use projection::{Viewpoint, ViewpointError};
@@ -131,6 +133,8 @@ pub struct Job {
     pub limits: Limits,
     /// How many threads may make it; its bytes do not depend on that.
     pub n_threads: usize,
+    /// Meshes that are there already.
+    pub meshes: MeshMemory,
 }
 
 impl Item {
@@ -168,6 +172,7 @@ impl Job {
             picture: None,
             limits: Limits::DEFAULT,
             n_threads: 1,
+            meshes: MeshMemory::default(),
         }
     }
 }

@@ -197,7 +197,7 @@ pub(super) fn solids(job: &Job, tolerance: f64) -> Result<Vec<ShapedItem<'_>>, E
     let mut shapes = Vec::with_capacity(job.items.len());
     for item in &job.items {
         let mesh = match &item.subject {
-            Subject::Surface(_) => meshes.next().map(Arc::new),
+            Subject::Surface(_) => meshes.next(),
             Subject::Mesh(mesh) => Some(Arc::clone(mesh)),
             Subject::Region(_) | Subject::Face(_) | Subject::Solid(_) => {
                 match shape(item, tolerance, job)? {
@@ -230,10 +230,14 @@ fn face_outward(shapes: &mut [ShapedItem<'_>]) {
 }
 
 /// The meshes of the surfaces among the items, in their order.
-fn meshes(job: &Job, tolerance: f64) -> Result<Vec<Mesh>, ExportError> {
+fn meshes(job: &Job, tolerance: f64) -> Result<Vec<Arc<Mesh>>, ExportError> {
     let surfaces: Vec<Surface> = job.items.iter().filter_map(surface).collect();
-    let most = job.limits.mesh_vertices;
-    tessellate_all(&surfaces, &limits(job, tolerance), most).map_err(|source| {
+    let subjects = job.items.iter().map(|item| &item.subject);
+    let subjects: Vec<&Subject> =
+        subjects.filter(|subject| matches!(subject, Subject::Surface(_))).collect();
+    let (limits, most) = (limits(job, tolerance), job.limits.mesh_vertices);
+    let make = || tessellate_all(&surfaces, &limits, most);
+    job.meshes.recall(&subjects, &limits, make).map_err(|source| {
         // Which of them it is that has no mesh shows when each is taken alone.
         let alone = job.items.iter().find_map(|item| shape(item, tolerance, job).err());
         let name = || job.items.iter().find(|item| surface(item).is_some());
@@ -274,23 +278,28 @@ pub(super) fn shape(
         Subject::Curve(curve) => {
             MeshShape::Polyline(tessellate_curve_any(curve, tolerance, most).map_err(blame)?)
         }
-        Subject::Surface(surface) => {
-            let mesh = tessellate_any(surface, &limits(job, tolerance), most).map_err(blame)?;
-            MeshShape::Mesh(Arc::new(mesh))
-        }
-        Subject::Region(region) => {
-            let mesh = region.mesh(tolerance, job.precision, most).map_err(blame)?;
-            MeshShape::Mesh(Arc::new(mesh))
-        }
-        Subject::Face(face) => {
-            let mesh = face.mesh(&limits(job, tolerance), most).map_err(blame)?;
-            MeshShape::Mesh(Arc::new(mesh))
-        }
-        Subject::Solid(solid) => {
-            let mesh = solid.mesh(&limits(job, tolerance), most).map_err(blame)?;
-            MeshShape::Mesh(Arc::new(mesh))
-        }
         Subject::Mesh(mesh) => MeshShape::Mesh(Arc::clone(mesh)),
+        Subject::Surface(_) | Subject::Region(_) | Subject::Face(_) | Subject::Solid(_) => {
+            let limits = limits(job, tolerance);
+            let make = || Ok(vec![mesh_of(&item.subject, &limits, most)?]);
+            let meshes = job.meshes.recall(&[&item.subject], &limits, make).map_err(blame)?;
+            return Ok(meshes.into_iter().next().map(MeshShape::Mesh));
+        }
         Subject::Table(_) | Subject::Data(_) | Subject::Document(_) => return Ok(None),
     }))
+}
+
+/// The mesh of a subject that has an area.
+fn mesh_of(
+    subject: &Subject,
+    limits: &TessellationOptions,
+    most: usize,
+) -> Result<Mesh, GeomError> {
+    match subject {
+        Subject::Surface(surface) => tessellate_any(surface, limits, most),
+        Subject::Region(region) => region.mesh(limits.tolerance, limits.weld, most),
+        Subject::Face(face) => face.mesh(limits, most),
+        Subject::Solid(solid) => solid.mesh(limits, most),
+        _ => Ok(Mesh::default()),
+    }
 }

@@ -122,6 +122,7 @@ impl Session {
             }),
             limits: self.limits,
             n_threads: self.n_threads,
+            meshes: report.meshes.clone(),
             ..Job::new(items)
         })
     }

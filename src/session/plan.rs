@@ -10,7 +10,7 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Span, is_hidden, nearest},
     eval::{self, Exported},
-    export::{FORMATS, Format, Item, Job, Subject},
+    export::{FORMATS, Format, Item, Job, MeshMemory, Subject},
     kernel::{Curve, Face, NurbsCurve, Region, Surface, Tolerance},
     limits::{
         Limits,
@@ -20,12 +20,16 @@ use crate::{
     value::{Function, Value, to_json},
 };
 
+/// What the files of a script have in common: unit and tolerance, what its functions need to answer, and
+/// meshes that are there already.
+pub(super) type PlanContext<'a> = ((Unit, Tolerance), &'a eval::KeptGlobals, &'a MeshMemory);
+
 impl Session {
     /// The file that an export makes; what is wrong with it goes to `diagnostics`.
     pub(super) fn plan(
         &self,
         exported: Exported,
-        ((unit, tolerance), kept): ((Unit, Tolerance), &eval::KeptGlobals),
+        ((unit, tolerance), kept, meshes): PlanContext<'_>,
         diagnostics: &mut Vec<Diagnostic>,
     ) -> Option<File> {
         let span = exported.path.span;
@@ -72,6 +76,7 @@ impl Session {
             options,
             limits: self.limits,
             n_threads: self.n_threads,
+            meshes: meshes.clone(),
             ..Job::new(items)
         };
         let (path, names) = (path.ok()?, exported.names);
@@ -109,7 +114,7 @@ impl Session {
             options: Vec::new(),
         };
         let mut found = Vec::new();
-        let file = self.plan(exported, (report.document, &report.kept), &mut found);
+        let file = self.plan(exported, (report.document, &report.kept, &report.meshes), &mut found);
         file.map(Box::new).ok_or(found)
     }
 
