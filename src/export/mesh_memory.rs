@@ -2,14 +2,16 @@
 //!
 //! Geometry is the same where it is the same allocation: an incremental session gives a definition that
 //! no edit touched the very value that it had. What is known is held, so that no address ever comes to mean
-//! something else.
+//! something else. Functions of the script are made anew in each run; they are known by the identity of
+//! their definition.
 
 use std::{
     collections::BTreeMap,
+    convert::Infallible,
     sync::{Arc, Mutex, MutexGuard, PoisonError},
 };
 
-use super::Subject;
+use super::{Item, Subject};
 use crate::{
     kernel::{GeomError, Mesh, Surface, TessellationOptions},
     limits::work,
@@ -19,8 +21,17 @@ use crate::{
 /// anew each time, so that remembering never takes what the work itself needs.
 const MOST_VERTICES: usize = 2_000_000;
 
-/// The addresses of the geometry in its order, and the bits of tolerance, angle and weld.
-type MeshKey = (Vec<usize>, [u64; 3]);
+/// What a mesh is made of.
+#[derive(Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum GeometryKey {
+    /// Where it lies in memory.
+    Place(usize),
+    /// The identity of a definition's value, and the name of what is a part of it.
+    Result(u64, String),
+}
+
+/// Geometry in its order, and the bits of tolerance, angle and weld.
+type MeshKey = (Vec<GeometryKey>, [u64; 3]);
 
 /// The meshes that the files of a run had, for its other files and for those of the next run. Clones are one
 /// memory. No byte of a file depends on it.
@@ -38,7 +49,7 @@ struct MemoryState {
 struct KnownMeshes {
     meshes: Vec<Arc<Mesh>>,
     is_used: bool,
-    /// The geometry, whose addresses are the key.
+    /// The geometry, whose addresses are in the key.
     _held: Vec<Subject>,
 }
 
@@ -60,27 +71,50 @@ impl MeshMemory {
         self.lock().n_recalled
     }
 
-    /// The meshes of these subjects, made together within the limits, if nobody made them before.
+    /// The meshes of these items, made together within the limits, if nobody made them before.
     ///
     /// # Errors
     /// Those of `make`.
-    pub(super) fn recall(
+    pub(super) fn of_items(
         &self,
-        subjects: &[&Subject],
+        items: &[&Item],
         limits: &TessellationOptions,
         make: impl FnOnce() -> Result<Vec<Mesh>, GeomError>,
     ) -> Result<Vec<Arc<Mesh>>, GeomError> {
-        let places: Option<Vec<usize>> = subjects.iter().map(|subject| address(subject)).collect();
+        let geometry: Option<Vec<GeometryKey>> = items.iter().map(|item| key_of(item)).collect();
         let fineness = [limits.tolerance, limits.angle, limits.weld].map(f64::to_bits);
-        let key = places.map(|places| (places, fineness));
+        let held = || items.iter().map(|item| item.subject.clone()).collect();
+        let make = || Ok(make()?.into_iter().map(Arc::new).collect());
+        self.recall(geometry.map(|geometry| (geometry, fineness)), held, make)
+    }
+
+    /// What `turn` makes of these meshes, if it did not before.
+    pub(super) fn turned(
+        &self,
+        meshes: &[Arc<Mesh>],
+        turn: impl FnOnce() -> Vec<Arc<Mesh>>,
+    ) -> Vec<Arc<Mesh>> {
+        let place = |mesh: &Arc<Mesh>| GeometryKey::Place(Arc::as_ptr(mesh).addr());
+        let key = (meshes.iter().map(place).collect(), [0; 3]);
+        let held = || meshes.iter().cloned().map(Subject::Mesh).collect();
+        let Ok(turned) = self.recall(Some(key), held, || Ok::<_, Infallible>(turn()));
+        turned
+    }
+
+    fn recall<E>(
+        &self,
+        key: Option<MeshKey>,
+        held: impl FnOnce() -> Vec<Subject>,
+        make: impl FnOnce() -> Result<Vec<Arc<Mesh>>, E>,
+    ) -> Result<Vec<Arc<Mesh>>, E> {
         if let Some(meshes) = key.as_ref().and_then(|key| self.known(key)) {
             return Ok(meshes);
         }
-        let meshes: Vec<Arc<Mesh>> = make()?.into_iter().map(Arc::new).collect();
+        let meshes = make()?;
         // What work that was ended left is no mesh.
         if let Some(key) = key.filter(|_| work::ended().is_none()) {
-            let held = subjects.iter().map(|&subject| subject.clone()).collect();
-            self.keep(key, KnownMeshes { meshes: meshes.clone(), is_used: true, _held: held });
+            let meshes = meshes.clone();
+            self.keep(key, KnownMeshes { meshes, is_used: true, _held: held() });
         }
         Ok(meshes)
     }
@@ -120,16 +154,23 @@ impl KnownMeshes {
     }
 }
 
-/// Where the geometry lies that a mesh is made of.
-fn address(subject: &Subject) -> Option<usize> {
-    Some(match subject {
-        Subject::Surface(Surface::Nurbs(surface)) => Arc::as_ptr(surface).addr(),
-        Subject::Surface(Surface::Parametric(surface)) => Arc::as_ptr(surface).addr(),
-        Subject::Region(region) => Arc::as_ptr(region).addr(),
-        Subject::Face(face) => Arc::as_ptr(face).addr(),
-        Subject::Solid(solid) => Arc::as_ptr(solid).addr(),
+/// By what the geometry is known that a mesh is made of.
+fn key_of(item: &Item) -> Option<GeometryKey> {
+    Some(match (&item.subject, item.identity) {
+        (Subject::Surface(Surface::Parametric(_)), Some(result)) => {
+            GeometryKey::Result(result, item.name.clone())
+        }
+        (Subject::Surface(Surface::Parametric(surface)), None) => place(surface),
+        (Subject::Surface(Surface::Nurbs(surface)), _) => place(surface),
+        (Subject::Region(region), _) => place(region),
+        (Subject::Face(face), _) => place(face),
+        (Subject::Solid(solid), _) => place(solid),
         _ => return None,
     })
+}
+
+fn place<T>(geometry: &Arc<T>) -> GeometryKey {
+    GeometryKey::Place(Arc::as_ptr(geometry).addr())
 }
 
 #[cfg(test)]
@@ -170,16 +211,18 @@ mod tests {
     fn files_of_one_run_share_meshes_and_the_next_run_has_those_of_what_is_as_it_was() {
         let session = Session::default().incremental();
         let (first, recalled) = written(&session, SHELLS);
-        assert_eq!(recalled, 1, "the second file has the meshes of the first");
+        assert_eq!(recalled, 2, "the second file has the meshes of the first, and how they face");
         let edited = format!("{SHELLS}export ball to \"b.ply\"\nlet more = 1\n");
-        // The function of `wave` is evaluated anew; the picture draws each surface alone.
+        // The picture draws each surface alone.
         let (second, recalled) = written(&session, &edited);
-        assert_eq!(recalled, 2, "the second file, and the ball of the picture");
+        assert_eq!(recalled, 6, "both files and the picture, `wave` too, which is evaluated anew");
         assert_eq!(second[..2], first[..2]);
         let (fresh, _) = written(&Session::default(), &edited);
         assert!(second == fresh, "no byte depends on what was there");
         let (_, recalled) = written(&session, &edited.replace("let more = 1", "let more = 2"));
-        assert_eq!(recalled, 3, "and the ball of the third file");
+        assert_eq!(recalled, 8, "and the third file");
+        let (bent, _) = written(&session, &edited.replace("sin(u*1rad)", "sin(u*2rad)"));
+        assert!(bent[0] != second[0] && bent[2] == second[2], "a new function is a new surface");
     }
 
     #[test]

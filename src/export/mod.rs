@@ -112,6 +112,8 @@ pub struct Item {
     pub line_width: f64,
     /// What is written.
     pub subject: Subject,
+    /// In an incremental session the identity of the definition's value that it is, or is a part of.
+    pub identity: Option<u64>,
 }
 
 /// What a format is asked to do.
@@ -142,7 +144,8 @@ impl Item {
     #[must_use]
     pub fn new(name: impl Into<String>, subject: Subject) -> Self {
         let name = name.into();
-        Self { group: name.clone(), name, color: None, layer: None, line_width: 1.0, subject }
+        let group = name.clone();
+        Self { group, name, color: None, layer: None, line_width: 1.0, subject, identity: None }
     }
 }
 
