@@ -31,6 +31,7 @@ pub use test::{TestReport, TestVerdict};
 use crate::{
     diag::{Code, Diagnostic, Severity, Sources, Span, fault},
     eval::{self, EffectOutput, Memory, Purpose, Setting, Work},
+    export::MeshMemory,
     kernel::Tolerance,
     limits::{
         Ceiling, Limits, stack,
@@ -48,9 +49,16 @@ pub struct Session {
     limits: Limits,
     n_threads: usize,
     /// Of an incremental session.
-    memory: Option<Memory>,
+    memory: Option<SessionMemory>,
     gauge: MemoryGauge,
     stop: StopToken,
+}
+
+/// What is kept from run to run.
+#[derive(Debug, Default)]
+struct SessionMemory {
+    results: Memory,
+    meshes: MeshMemory,
 }
 
 /// One thing that a script says or does, in the order of the source.
@@ -85,6 +93,8 @@ pub struct Report {
     pub unknown_settings: Vec<String>,
     /// What parametric curves and surfaces among the values need to answer.
     pub(crate) kept: eval::KeptGlobals,
+    /// Meshes of its files.
+    pub(crate) meshes: MeshMemory,
 }
 
 /// A value of a script, with what it needs to answer.
@@ -191,13 +201,13 @@ impl Session {
     /// ```
     #[must_use]
     pub fn incremental(self) -> Self {
-        Self { memory: Some(Memory::default()), ..self }
+        Self { memory: Some(SessionMemory::default()), ..self }
     }
 
     /// How many results an incremental session remembers.
     #[must_use]
     pub fn n_remembered(&self) -> usize {
-        self.memory.as_ref().map_or(0, Memory::len)
+        self.memory.as_ref().map_or(0, |memory| memory.results.len())
     }
 
     /// The built-ins.
@@ -275,7 +285,8 @@ impl Session {
                 return self.findings(sources, vec![*diagnostic]);
             }
         };
-        let recall = self.memory.as_ref().map(Memory::begin);
+        let recall = self.memory.as_ref().map(|memory| memory.results.begin());
+        let meshes = self.memory.as_ref().map(|memory| memory.meshes.begin()).unwrap_or_default();
         let settings = eval::Settings {
             registry: &self.registry,
             limits,
@@ -293,7 +304,7 @@ impl Session {
         }
         let mut diagnostics = outcome.diagnostics;
         let document = (outcome.unit, outcome.tolerance);
-        let document_kept = (document, &outcome.kept);
+        let document_kept = (document, &outcome.kept, &meshes);
         let events = self.events(outcome.outputs, document_kept, &mut diagnostics);
         let tested = outcome
             .tests
@@ -307,6 +318,7 @@ impl Session {
             definitions: outcome.definitions,
             unknown_settings: outcome.unknown_settings,
             kept: outcome.kept,
+            meshes,
             ..self.findings(sources, diagnostics)
         };
         self.compose(&mut report, (name, text), (files, limits));
@@ -325,6 +337,7 @@ impl Session {
             definitions: Vec::new(),
             unknown_settings: Vec::new(),
             kept: eval::KeptGlobals::default(),
+            meshes: MeshMemory::default(),
         }
     }
 
@@ -359,7 +372,7 @@ impl Session {
     fn events(
         &self,
         outputs: Vec<EffectOutput>,
-        (document, kept): ((Unit, Tolerance), &eval::KeptGlobals),
+        document_kept: plan::PlanContext<'_>,
         diagnostics: &mut Vec<Diagnostic>,
     ) -> Vec<Event> {
         let mut events = Vec::new();
@@ -371,9 +384,8 @@ impl Session {
                 EffectOutput::Expected(expected) => events.push(Event::Expected(expected)),
                 EffectOutput::Exported(exported) => {
                     let span = exported.path.span;
-                    let planned = fault::caught(span, || {
-                        Ok(self.plan(exported, (document, kept), diagnostics))
-                    });
+                    let planned =
+                        fault::caught(span, || Ok(self.plan(exported, document_kept, diagnostics)));
                     let planned = planned.unwrap_or_else(|told| {
                         diagnostics.push(*told);
                         None

@@ -129,6 +129,8 @@ pub struct ExportSubject {
     pub value: Spanned<Value>,
     /// How the definition is presented that it is, or is a part of.
     pub look: Appearance,
+    /// The identity of its value, where it is a definition that has one.
+    pub identity: Option<u64>,
 }
 
 /// A file to be written.

@@ -230,11 +230,11 @@ impl FileRun<'_> {
                     let value = self.keep(result)?;
                     let name = self.subject_name(expr, &value);
                     let look = self.look_of_subject(expr, looks);
-                    subjects.push(ExportSubject {
-                        name,
-                        value: Spanned::new(value, expr.span),
-                        look,
-                    });
+                    // What is defined nearer hides what has its name farther out.
+                    let mut all = definitions.iter().rev().copied().flatten();
+                    let identity = all.find(|its| its.name == name).and_then(|its| its.identity);
+                    let value = Spanned::new(value, expr.span);
+                    subjects.push(ExportSubject { name, value, look, identity });
                 }
                 let named = named.iter().filter_map(|&idx| self.program.definition(idx));
                 (subjects, named.map(|definition| definition.name.to_string()).collect())
@@ -283,7 +283,8 @@ fn all_geometry(definitions: &[&[Defined]]) -> Option<(Vec<ExportSubject>, Vec<S
         let value = defined.value.clone()?;
         if !defined.look.is_hidden && defined.kind.is_some_and(Kind::is_geometry) {
             let (name, look) = (defined.name.clone(), defined.look.clone());
-            subjects.push(ExportSubject { name, value: Spanned::new(value, defined.span), look });
+            let (value, identity) = (Spanned::new(value, defined.span), defined.identity);
+            subjects.push(ExportSubject { name, value, look, identity });
         }
     }
     let names = subjects.iter().map(|subject| subject.name.clone()).collect();

@@ -14,6 +14,7 @@ mod labels;
 mod legend;
 mod limited;
 mod measure;
+mod mesh_memory;
 mod name;
 mod obj;
 mod options;
@@ -52,6 +53,7 @@ pub use labels::DefinitionLabel;
 pub use legend::Legend;
 pub use limited::capped;
 pub use measure::{MeasuredPart, parts};
+pub use mesh_memory::MeshMemory;
 pub(crate) use options::N_ISOCURVES;
 pub use options::{ExportOption, OptionValue, Options};
 pub use projection::{Viewpoint, ViewpointError};
@@ -110,6 +112,8 @@ pub struct Item {
     pub line_width: f64,
     /// What is written.
     pub subject: Subject,
+    /// In an incremental session the identity of the definition's value that it is, or is a part of.
+    pub identity: Option<u64>,
 }
 
 /// What a format is asked to do.
@@ -131,6 +135,8 @@ pub struct Job {
     pub limits: Limits,
     /// How many threads may make it; its bytes do not depend on that.
     pub n_threads: usize,
+    /// Meshes that are there already.
+    pub meshes: MeshMemory,
 }
 
 impl Item {
@@ -138,7 +144,8 @@ impl Item {
     #[must_use]
     pub fn new(name: impl Into<String>, subject: Subject) -> Self {
         let name = name.into();
-        Self { group: name.clone(), name, color: None, layer: None, line_width: 1.0, subject }
+        let group = name.clone();
+        Self { group, name, color: None, layer: None, line_width: 1.0, subject, identity: None }
     }
 }
 
@@ -168,6 +175,7 @@ impl Job {
             picture: None,
             limits: Limits::DEFAULT,
             n_threads: 1,
+            meshes: MeshMemory::default(),
         }
     }
 }

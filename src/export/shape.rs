@@ -197,7 +197,7 @@ pub(super) fn solids(job: &Job, tolerance: f64) -> Result<Vec<ShapedItem<'_>>, E
     let mut shapes = Vec::with_capacity(job.items.len());
     for item in &job.items {
         let mesh = match &item.subject {
-            Subject::Surface(_) => meshes.next().map(Arc::new),
+            Subject::Surface(_) => meshes.next(),
             Subject::Mesh(mesh) => Some(Arc::clone(mesh)),
             Subject::Region(_) | Subject::Face(_) | Subject::Solid(_) => {
                 match shape(item, tolerance, job)? {
@@ -210,30 +210,44 @@ pub(super) fn solids(job: &Job, tolerance: f64) -> Result<Vec<ShapedItem<'_>>, E
         let shaped = |mesh| ShapedItem { item, shape: MeshShape::Mesh(mesh), is_turned: false };
         shapes.extend(mesh.map(shaped));
     }
-    face_outward(&mut shapes);
+    face_outward(&mut shapes, job);
     Ok(shapes)
 }
 
 /// Turns the triangles of closed shells that face inward.
-fn face_outward(shapes: &mut [ShapedItem<'_>]) {
-    let meshes: Vec<&Mesh> = shapes.iter().filter_map(ShapedItem::mesh).collect();
-    let mut turns = facing_inward(&meshes).into_iter();
+fn face_outward(shapes: &mut [ShapedItem<'_>], job: &Job) {
+    let of_shape = |shaped: &ShapedItem<'_>| match &shaped.shape {
+        MeshShape::Mesh(mesh) => Some(Arc::clone(mesh)),
+        _ => None,
+    };
+    let meshes: Vec<Arc<Mesh>> = shapes.iter().filter_map(of_shape).collect();
+    let turned = job.meshes.turned(&meshes, || {
+        let all: Vec<&Mesh> = meshes.iter().map(|mesh| &**mesh).collect();
+        let turn = |(mesh, turns): (&Arc<Mesh>, Vec<bool>)| match turns.contains(&true) {
+            true => Arc::new(mesh.with_turned(&turns)),
+            false => Arc::clone(mesh),
+        };
+        meshes.iter().zip(facing_inward(&all)).map(turn).collect()
+    });
+    let mut turned = turned.into_iter();
     for shaped in shapes {
-        if let MeshShape::Mesh(mesh) = &shaped.shape
-            && let Some(turns) = turns.next()
-            && turns.contains(&true)
+        if let MeshShape::Mesh(mesh) = &mut shaped.shape
+            && let Some(turned) = turned.next()
         {
-            shaped.shape = MeshShape::Mesh(Arc::new(mesh.with_turned(&turns)));
-            shaped.is_turned = true;
+            shaped.is_turned = !Arc::ptr_eq(mesh, &turned);
+            *mesh = turned;
         }
     }
 }
 
 /// The meshes of the surfaces among the items, in their order.
-fn meshes(job: &Job, tolerance: f64) -> Result<Vec<Mesh>, ExportError> {
+fn meshes(job: &Job, tolerance: f64) -> Result<Vec<Arc<Mesh>>, ExportError> {
     let surfaces: Vec<Surface> = job.items.iter().filter_map(surface).collect();
-    let most = job.limits.mesh_vertices;
-    tessellate_all(&surfaces, &limits(job, tolerance), most).map_err(|source| {
+    let items: Vec<&Item> =
+        job.items.iter().filter(|item| matches!(item.subject, Subject::Surface(_))).collect();
+    let (limits, most) = (limits(job, tolerance), job.limits.mesh_vertices);
+    let make = || tessellate_all(&surfaces, &limits, most);
+    job.meshes.of_items(&items, &limits, make).map_err(|source| {
         // Which of them it is that has no mesh shows when each is taken alone.
         let alone = job.items.iter().find_map(|item| shape(item, tolerance, job).err());
         let name = || job.items.iter().find(|item| surface(item).is_some());
@@ -274,23 +288,28 @@ pub(super) fn shape(
         Subject::Curve(curve) => {
             MeshShape::Polyline(tessellate_curve_any(curve, tolerance, most).map_err(blame)?)
         }
-        Subject::Surface(surface) => {
-            let mesh = tessellate_any(surface, &limits(job, tolerance), most).map_err(blame)?;
-            MeshShape::Mesh(Arc::new(mesh))
-        }
-        Subject::Region(region) => {
-            let mesh = region.mesh(tolerance, job.precision, most).map_err(blame)?;
-            MeshShape::Mesh(Arc::new(mesh))
-        }
-        Subject::Face(face) => {
-            let mesh = face.mesh(&limits(job, tolerance), most).map_err(blame)?;
-            MeshShape::Mesh(Arc::new(mesh))
-        }
-        Subject::Solid(solid) => {
-            let mesh = solid.mesh(&limits(job, tolerance), most).map_err(blame)?;
-            MeshShape::Mesh(Arc::new(mesh))
-        }
         Subject::Mesh(mesh) => MeshShape::Mesh(Arc::clone(mesh)),
+        Subject::Surface(_) | Subject::Region(_) | Subject::Face(_) | Subject::Solid(_) => {
+            let limits = limits(job, tolerance);
+            let make = || Ok(vec![mesh_of(&item.subject, &limits, most)?]);
+            let meshes = job.meshes.of_items(&[item], &limits, make).map_err(blame)?;
+            return Ok(meshes.into_iter().next().map(MeshShape::Mesh));
+        }
         Subject::Table(_) | Subject::Data(_) | Subject::Document(_) => return Ok(None),
     }))
+}
+
+/// The mesh of a subject that has an area.
+fn mesh_of(
+    subject: &Subject,
+    limits: &TessellationOptions,
+    most: usize,
+) -> Result<Mesh, GeomError> {
+    match subject {
+        Subject::Surface(surface) => tessellate_any(surface, limits, most),
+        Subject::Region(region) => region.mesh(limits.tolerance, limits.weld, most),
+        Subject::Face(face) => face.mesh(limits, most),
+        Subject::Solid(solid) => solid.mesh(limits, most),
+        _ => Ok(Mesh::default()),
+    }
 }

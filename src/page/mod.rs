@@ -2,7 +2,7 @@
 //!
 //! A [`Model`] evaluates a script again and again and keeps what its last good run drew. What a run came
 //! to is [`Shown`]: a `state` (JSON) and a `scene`, whose items have keys. Questions about items
-//! (`ask`, `measure`, `deviation`) are asked of those that are [`Known`]. The doors bring texts in and
+//! (`ask`, `measure`, `deviation`, `stripes`) are asked of those that are [`Known`]. The doors bring texts in and
 //! carry answers out: `view` by HTTP, `playground` by messages.
 
 mod answers;
@@ -18,6 +18,7 @@ mod scene;
 pub(crate) mod settings;
 mod shown;
 pub(crate) mod state;
+pub(crate) mod stripes;
 mod threads;
 
 use serde_json::Value as Json;

@@ -21,6 +21,7 @@ use crate::{
     page::{
         Answer, Known, Model, PageRun, RunPlace, Shown, ask::ask, defaults::rewritten,
         deviation::deviation, export::wanted, keys_of, measure::measure, settings,
+        stripes::stripes,
     },
     session::Session,
     value::MemoryFiles,
@@ -92,11 +93,8 @@ impl Playground {
                 let parts = known.bytes(&keys_of(&body["items"])?, session);
                 Ok((json!({}), parts))
             }
-            "deviation" => {
-                let numbers = deviation(body, known, session)?.into_iter();
-                let bytes = numbers.flat_map(|number| (number as f32).to_le_bytes()).collect();
-                Ok((json!({}), vec![Arc::new(bytes)]))
-            }
+            "deviation" => Ok(numbers(deviation(body, known, session)?)),
+            "stripes" => Ok(numbers(stripes(body, known, session)?)),
             "export" => self.export(body),
             _ => self.plain_answer(message).map(|answer| (answer, Vec::new())),
         }
@@ -204,6 +202,12 @@ impl Playground {
 
 /// What a script is called that has no name.
 const NAME: &str = "script.geo";
+
+/// An answer of numbers, four bytes each.
+fn numbers(numbers: Vec<f64>) -> (Json, Vec<Arc<Vec<u8>>>) {
+    let bytes = numbers.into_iter().flat_map(|number| (number as f32).to_le_bytes());
+    (json!({}), vec![Arc::new(bytes.collect())])
+}
 
 fn state(shown: &Shown) -> Answer {
     serde_json::from_slice(&shown.state).map_err(|err| err.to_string())

@@ -1,8 +1,8 @@
-//! Paths of written files: below the output folder, each once, on every system.
+//! Paths of written files: below the output folder, each once, on every system; and names within them.
 
 use std::collections::HashMap;
 
-use crate::diag::Span;
+use crate::diag::{Span, is_hidden};
 
 /// The path in normal form, if it stays below the output folder.
 pub(super) fn safe_path(path: &str) -> Result<String, String> {
@@ -94,6 +94,16 @@ pub(super) fn reserved(path: &str) -> Option<(&str, &'static str)> {
             None
         }
     })
+}
+
+/// A name with a blank for each character that no line of text, or no XML, can hold.
+pub(super) fn printable(text: &str) -> String {
+    let is_kept = |c: char| {
+        !is_hidden(c)
+            && !matches!(c, '\n' | '\t' | '\u{2028}' | '\u{2029}')
+            && (c as u32) & 0xFFFE != 0xFFFE
+    };
+    text.chars().map(|c| if is_kept(c) { c } else { ' ' }).collect()
 }
 
 #[cfg(test)]

@@ -90,7 +90,8 @@ impl Session {
             let mut look = defined.look.clone();
             look.color = look.color.or(Some(PALETTE[idx % PALETTE.len()]));
             let value = Spanned::new(value.clone(), defined.span);
-            let subject = eval::ExportSubject { name: defined.name.clone(), value, look };
+            let (name, identity) = (defined.name.clone(), defined.identity);
+            let subject = eval::ExportSubject { name, value, look, identity };
             let first = gathering.items.len();
             if let Err(misfit) = gathering.add_all_of(&subject) {
                 return Err(undrawable(&defined.name, &misfit.found));
@@ -122,6 +123,7 @@ impl Session {
             }),
             limits: self.limits,
             n_threads: self.n_threads,
+            meshes: report.meshes.clone(),
             ..Job::new(items)
         })
     }

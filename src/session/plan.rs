@@ -5,12 +5,12 @@ use std::{collections::HashMap, sync::Arc};
 use super::{
     File, Session,
     options::options,
-    path::{reserved, safe_path},
+    path::{printable, reserved, safe_path},
 };
 use crate::{
-    diag::{Code, Diagnostic, Span, is_hidden, nearest},
+    diag::{Code, Diagnostic, Span, nearest},
     eval::{self, Exported},
-    export::{FORMATS, Format, Item, Job, Subject},
+    export::{FORMATS, Format, Item, Job, MeshMemory, Subject},
     kernel::{Curve, Face, NurbsCurve, Region, Surface, Tolerance},
     limits::{
         Limits,
@@ -20,12 +20,16 @@ use crate::{
     value::{Function, Value, to_json},
 };
 
+/// What the files of a script have in common: unit and tolerance, what its functions need to answer, and
+/// meshes that are there already.
+pub(super) type PlanContext<'a> = ((Unit, Tolerance), &'a eval::KeptGlobals, &'a MeshMemory);
+
 impl Session {
     /// The file that an export makes; what is wrong with it goes to `diagnostics`.
     pub(super) fn plan(
         &self,
         exported: Exported,
-        ((unit, tolerance), kept): ((Unit, Tolerance), &eval::KeptGlobals),
+        ((unit, tolerance), kept, meshes): PlanContext<'_>,
         diagnostics: &mut Vec<Diagnostic>,
     ) -> Option<File> {
         let span = exported.path.span;
@@ -72,6 +76,7 @@ impl Session {
             options,
             limits: self.limits,
             n_threads: self.n_threads,
+            meshes: meshes.clone(),
             ..Job::new(items)
         };
         let (path, names) = (path.ok()?, exported.names);
@@ -97,7 +102,8 @@ impl Session {
                 vec![Diagnostic::error(Code::CannotExport, Span::default(), message)]
             })?;
             let value = crate::diag::Spanned::new(value, defined.span);
-            Ok(eval::ExportSubject { name: name.clone(), value, look: defined.look.clone() })
+            let (look, identity) = (defined.look.clone(), defined.identity);
+            Ok(eval::ExportSubject { name: name.clone(), value, look, identity })
         };
         let subjects = names.iter().map(subject).collect::<Result<_, Vec<Diagnostic>>>()?;
         let path = crate::diag::Spanned::unplaced(path.to_owned());
@@ -109,7 +115,7 @@ impl Session {
             options: Vec::new(),
         };
         let mut found = Vec::new();
-        let file = self.plan(exported, (report.document, &report.kept), &mut found);
+        let file = self.plan(exported, (report.document, &report.kept, &report.meshes), &mut found);
         file.map(Box::new).ok_or(found)
     }
 
@@ -327,7 +333,8 @@ impl GatheredItems {
         let name = self.unused(&own);
         self.names.insert(name.clone(), 2);
         let color = whole.look.color;
-        self.items.push(Item { group, color, layer, ..Item::new(name, subject) });
+        let identity = whole.identity;
+        self.items.push(Item { group, color, layer, identity, ..Item::new(name, subject) });
     }
 
     /// The name, numbered where another item has it already.
@@ -342,16 +349,6 @@ impl GatheredItems {
         self.names.insert(name.to_owned(), free + 1);
         numbered(free)
     }
-}
-
-/// A name with a blank for each character that no line of text, or no XML, can hold.
-fn printable(text: &str) -> String {
-    let is_kept = |c: char| {
-        !is_hidden(c)
-            && !matches!(c, '\n' | '\t' | '\u{2028}' | '\u{2029}')
-            && (c as u32) & 0xFFFE != 0xFFFE
-    };
-    text.chars().map(|c| if is_kept(c) { c } else { ' ' }).collect()
 }
 
 /// Whether a value is geometry or a list of it.

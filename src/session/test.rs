@@ -1,11 +1,9 @@
 //! The tests of a script: what each of them came to.
 
-use super::{Event, Report, Session};
+use super::{Event, Report, Session, plan::PlanContext};
 use crate::{
     diag::{Diagnostic, Severity, Span},
     eval::{self, Purpose, Setting},
-    kernel::Tolerance,
-    syntax::ast::Unit,
     value::Files,
 };
 
@@ -80,7 +78,7 @@ impl Session {
     pub(super) fn tested(
         &self,
         tested: eval::TestOutcome,
-        document_kept: ((Unit, Tolerance), &eval::KeptGlobals),
+        document_kept: PlanContext<'_>,
         diagnostics: &mut Vec<Diagnostic>,
     ) -> TestReport {
         let eval::TestOutcome {

@@ -10,7 +10,9 @@ use super::{
     http::{Request, Response},
     page, write,
 };
-use crate::page::{Answer, ask::ask, deviation::deviation, keys_of, measure::measure, settings};
+use crate::page::{
+    Answer, ask::ask, deviation::deviation, keys_of, measure::measure, settings, stripes::stripes,
+};
 
 /// The answer to a request that may be asked.
 pub(super) fn answer(request: &Request, doors: &Doors) -> Response {
@@ -59,6 +61,7 @@ fn bytes(path: &str, body: &Json, doors: &Doors) -> Option<Result<Response, Stri
         "/api/deviation" => {
             deviation(body, &doors.hub.known(), &doors.session).map(Response::numbers)
         }
+        "/api/stripes" => stripes(body, &doors.hub.known(), &doors.session).map(Response::numbers),
         _ => return None,
     })
 }

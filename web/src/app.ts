@@ -10,7 +10,7 @@ import { copy, el } from "./panels/dom";
 import { expressionOf, FactsPanel } from "./panels/facts";
 import { legend } from "./panels/legend";
 import { LookPanel } from "./panels/look";
-import { overlay, scaleBar, triad } from "./panels/overlay";
+import { overlay, scaleBar, stripesCaption, triad } from "./panels/overlay";
 import { ParameterPanel } from "./panels/parameters";
 import { helpSheet, Toolbar } from "./panels/toolbar";
 import { TreePanel } from "./panels/tree";
@@ -63,6 +63,7 @@ export class App {
       overlay(doc, stage, settings),
       triad(stage),
       scaleBar(doc, stage, settings),
+      stripesCaption(stage, settings),
       legend(doc, stage, settings, deviation),
       this.greeting(),
       this.toast(),

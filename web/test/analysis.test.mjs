@@ -100,6 +100,36 @@ run("the deviation of one definition from another is mapped", async () => {
   assert.deepEqual(await colorAt(page, [13, -7, 6]), plain);
 });
 
+run("stripes are drawn by the shader or by the kernel, and the picture says by which", async () => {
+  // Level stripes in 24 sectors: mirrored rays turn twice as fast as normals, so that a border is at 3.75 degrees.
+  const at = (degrees) => [15, -8 * Math.cos((degrees * Math.PI) / 180), 5 + 8 * Math.sin((degrees * Math.PI) / 180)];
+  const bright = async (degrees) => {
+    const [red, green, blue] = await colorAt(page, at(degrees));
+    return (red + green + blue) / 3;
+  };
+  const caption = () => page.$eval(".stripes-caption", (text) => text.textContent);
+  const draw = (by) => page.$$eval('[data-setting="exact-stripes"] button', (all, name) => all.find((one) => one.textContent === name).click(), by);
+  await page.keyboard.press("i");
+  await page.click('[data-shade="zebra"]');
+  await page.click('[data-setting="stripes-run"] [data-value="no"]');
+  assert.match(await caption(), /^By the shader/);
+  assert.ok((await bright(0.5)) > (await bright(7.5)) + 80, "light and dark stripes");
+  await draw("kernel");
+  await until(page, () => /^Exact borders by the kernel/.test(document.querySelector(".stripes-caption").textContent));
+  assert.match(await caption(), /A mesh has no exact borders: box\.$/);
+  const [border, before, behind] = [await bright(3.75), await bright(1.5), await bright(7.5)];
+  assert.ok(before > border + 60 && behind > border + 60, `${border} is a line between ${before} and ${behind}`);
+  // Seen from elsewhere the stripes are others: the shader's, until the kernel has answered.
+  await page.evaluate(() => window.virote.look({ azimuth: -60 }));
+  await until(page, () => /^By the shader, until/.test(document.querySelector(".stripes-caption").textContent));
+  await until(page, () => /^Exact borders by the kernel/.test(document.querySelector(".stripes-caption").textContent));
+  await draw("shader");
+  assert.match(await caption(), /^By the shader, from/);
+  await page.click('[data-shade="plain"]');
+  await page.keyboard.press("i");
+  await lookFromFront(page, 50);
+});
+
 run("open and shared edges of a shell are told apart", async () => {
   for (const path of ["box", "ball", "core"]) await page.click(`.tree-row[data-path="${path}"] .eye`);
   await page.click('[data-command="shell"]');

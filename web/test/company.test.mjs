@@ -72,6 +72,15 @@ run("a server that goes away is missed, and one in its place is told apart", BAL
   }
 });
 
+run("what was saved while the page could not ask is shown once it can", BALL, async (page, served) => {
+  await page.setOfflineMode(true);
+  served.save(`${BALL}surface core = sphere((0, 0, 0), 5)\n`);
+  await isStatus(page, "offline");
+  assert.deepEqual(await paths(page), ["ball"]);
+  await page.setOfflineMode(false);
+  await until(page, () => window.virote.items.length === 2 && window.virote.isOnline);
+});
+
 run("a script that is deleted, replaced by a folder and restored leaves the model", BALL, async (page, served) => {
   rmSync(served.script);
   await isStatus(page, "error");

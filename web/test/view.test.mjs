@@ -172,6 +172,49 @@ run("the section cuts one half away", async () => {
   await page.keyboard.press("r");
 });
 
+run("the section fills what is closed, and says what is open", async () => {
+  await page.keyboard.press("r");
+  await page.keyboard.press("x");
+  // The ball is cut through its middle, where its inside is seen from the right.
+  await page.evaluate(() => window.virote.look({ azimuth: 0, elevation: 0 }));
+  const within = await colorAt(page, [0, 3, 4]);
+  assert.equal(within[3], 255);
+  assert.equal((await colorAt(page, [0, 12, -11]))[3], 0, "in the plane, beside the ball");
+  const hatched = await page.evaluate(() => {
+    const [x, y] = window.virote.pixel([0, 3, 4]);
+    const colors = Array.from({ length: 20 }, (_, i) => window.virote.color(x + i, y).join());
+    return new Set(colors).size;
+  });
+  assert.ok(hatched === 2, "it is hatched");
+  const told = await page.$eval(".cut-told", (hint) => hint.textContent);
+  assert.match(told, /^ball is closed\. sheet is open, and not filled\.$/);
+  await page.mouse.click(...(await page.evaluate(() => window.virote.pixel([0, 3, 4]))));
+  await until(page, () => window.virote.hit !== null);
+  const hit = await page.evaluate(() => window.virote.hit);
+  assert.equal(hit.path, "ball");
+  [0, 3, 4].forEach((value, k) => assert.ok(Math.abs(hit.point[k] - value) < 0.05, String(hit.point)));
+  assert.match(await page.$eval(".place", (element) => element.textContent), /on the section plane/);
+  await page.keyboard.press("Escape");
+  // The handle moves the plane out of the ball.
+  await page.evaluate(() => window.virote.look({ azimuth: -90, elevation: 0 }));
+  await colorAt(page, [0, 0, 0]);
+  const handle = await (await page.$(".section-handle")).boundingBox();
+  const [x, y] = [handle.x + handle.width / 2, handle.y + handle.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  const moved = await page.evaluate(() => window.virote.pixel([9.95, 0, 0])[0] - window.virote.pixel([0, 0, 0])[0]);
+  await page.mouse.move(x + moved, y, { steps: 4 });
+  await page.mouse.up();
+  assert.ok((await page.evaluate(() => window.virote.settings.sectionPlace)) > 0.7);
+  await page.$eval('[data-setting="section-place"] input', (track) => {
+    track.valueAsNumber = 0.5;
+    track.dispatchEvent(new Event("input", { bubbles: true }));
+  });
+  await page.keyboard.press("x");
+  await page.keyboard.press("r");
+  await lookFromFront(page);
+});
+
 run("definitions are hidden, isolated and found", async () => {
   const visible = () => page.evaluate(() => window.virote.items.filter((item) => item.isVisible).map((item) => item.path));
   await page.click('.tree-row[data-path="ball"]');

@@ -24,3 +24,8 @@ pub const PATH_ROUNDING: f64 = 4e-15;
 ///
 /// Larger moves joints that zooming in shows; smaller writes digits that are rounding.
 pub const DRAWING_DIGIT: f64 = 1e-9;
+
+/// Lines of light on a screen may be this fraction of the size of what they lie on away from where they are.
+///
+/// Larger shows when one zooms in fifty times; smaller takes longer and shows nothing more.
+pub const SEEN_LINE_RELATIVE: f64 = 2e-5;

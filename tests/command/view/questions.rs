@@ -1,10 +1,10 @@
 //! Questions and wishes of the page: exact answers, defaults written, files exported.
 
-use std::fs;
+use std::{collections::BTreeSet, fs};
 
 use serde_json::{Value as Json, json};
 
-use super::client::{View, key};
+use super::client::{Reply, View, key};
 use crate::support::{Scratch, files_below, told as said, virote};
 
 const SCRIPT: &str = "// größe\nparam r = 2mm in 1mm..9mm // here\nparam word = \"a\"\n\
@@ -109,6 +109,68 @@ fn a_deviation_is_measured_at_each_vertex_with_its_side() {
         assert!(reply.json()["error"].as_str().expect("a reason").contains(why));
     }
     assert_eq!(ask("ball", &[]).status, 400);
+}
+
+#[test]
+fn borders_of_stripes_are_where_closed_forms_have_them() {
+    let view = View::of(
+        "stripes",
+        "surface ball = sphere((1, 2, 0), 3)\n\
+         surface shape = parametric((u, v) => (u, v, 1 - u^2 - v^2), -1..1, -1..1)\n\
+         mesh low = tessellate(ball)\ncurve c = circle((0, 0), 1)\n",
+    );
+    let state = view.current();
+    let ask = |item: &str, more: Json| {
+        let mut body = json!({ "item": key(&state, item), "light": [0, 0, 2], "axis": [1, 0, 0], "stripes": 2 });
+        let more = more.as_object().expect("members").clone();
+        body.as_object_mut().expect("members").extend(more);
+        view.post("/api/stripes", &body)
+    };
+    let places = |reply: &Reply| -> Vec<[f64; 3]> {
+        assert_eq!(reply.status, 200);
+        let all = numbers(&reply.body);
+        all.chunks(3).map(|p| [f64::from(p[0]), f64::from(p[1]), f64::from(p[2])]).collect()
+    };
+
+    // Circles where the normal stands at odd multiples of 11.25 degrees to the light.
+    let found = places(&ask("ball", json!({ "kind": "isophotes" })));
+    let steps: Vec<f64> =
+        found.iter().map(|p| libm::acos(p[2] / 3.0).to_degrees() / 11.25).collect();
+    assert!(steps.iter().all(|step| (step - step.round()).abs() < 1e-2), "{steps:?}");
+    let circles: BTreeSet<i64> = steps.iter().map(|step| step.round() as i64).collect();
+    assert_eq!(circles, (1..16).step_by(2).collect());
+
+    // Eight sectors about x: the mirrored ray of a normal is twice as far from the light.
+    let found = places(&ask("ball", json!({ "kind": "zebra" })));
+    assert!(100 < found.len());
+    for [x, y, z] in found {
+        let n = [x / 3.0, y / 3.0, z / 3.0];
+        let (aside, along) = (2.0 * n[2] * n[1], 2.0 * n[2] * n[2] - 1.0);
+        // At a pole of the sectors all of them meet.
+        if 0.05 < aside.abs().max(along.abs()) {
+            let step = libm::atan2(aside, along).to_degrees() / 22.5;
+            assert!((step - step.round()).abs() < 2e-2 && step.round() as i64 % 2 != 0, "{step}");
+        }
+    }
+    // The slope of a paraboloid is twice the distance from its axis.
+    let found = places(&ask("shape", json!({ "kind": "isophotes", "stripes": 1 })));
+    let first = 0.5 * libm::tan(22.5_f64.to_radians());
+    let radius = |p: &[f64; 3]| (p[0] * p[0] + p[1] * p[1]).sqrt();
+    assert!(found.iter().any(|p| (radius(p) - first).abs() < 1e-3), "{found:?}");
+
+    for (item, more, why) in [
+        ("low", json!({}), "a mesh has no exact stripes"),
+        ("c", json!({}), "a curve has no exact stripes"),
+        ("ball", json!({ "stripes": 0 }), "from 1 to 100"),
+        ("ball", json!({ "light": [0, 1] }), "three numbers"),
+        ("ball", json!({ "light": [0, 0, 0] }), "the light"),
+        ("ball", json!({ "kind": "zebra", "axis": [0, 0, 1] }), "the axis across the light"),
+    ] {
+        let reply = ask(item, more);
+        assert_eq!(reply.status, 400);
+        let told = reply.json()["error"].as_str().expect("a reason").to_owned();
+        assert!(told.contains(why), "{told}");
+    }
 }
 
 #[test]

@@ -9,6 +9,7 @@ import {
   type Measurable,
   type Question,
   type State,
+  type Stripes,
   type Values,
 } from "../../src/door/door";
 import type { Change, Engine } from "./engine";
@@ -59,6 +60,10 @@ export class WorkerDoor implements Door {
 
   async deviation(item: string, from: string[]): Promise<Float32Array> {
     return new Float32Array((await this.call({ call: "deviation", item, from })).attached[0]);
+  }
+
+  async stripes(item: string, stripes: Stripes): Promise<Float32Array> {
+    return new Float32Array((await this.call({ call: "stripes", item, ...stripes })).attached[0]);
   }
 
   set(change: Change): Promise<void> {

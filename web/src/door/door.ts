@@ -103,6 +103,14 @@ export interface Answer {
   facts: Fact[];
 }
 
+/** Stripes whose borders are asked for: how many, from which light, and about which axis those of a zebra lie. */
+export interface Stripes {
+  kind: "zebra" | "isophotes";
+  light: Vector;
+  axis: Vector;
+  stripes: number;
+}
+
 export type Measurable = "length" | "area" | "volume";
 export type Values = Record<string, string | null>;
 export type ExportRequest = { what: "script" } | { items: string[]; file: string };
@@ -135,6 +143,8 @@ export interface Door {
   measure(kind: Measurable, items: string[]): Promise<{ value: number; text: string }>;
   /** How far each vertex of an item is from the nearest of others, negative behind their surfaces. */
   deviation(item: string, from: string[]): Promise<Float32Array>;
+  /** The borders of stripes on an item: pairs of places, relative to its centre. */
+  stripes(item: string, stripes: Stripes): Promise<Float32Array>;
   set(change: { values: Values } | { reset: true }): Promise<void>;
   stop(): Promise<void>;
   write(values: Values): Promise<string[]>;

@@ -9,6 +9,7 @@ import {
   type Measurable,
   type Question,
   type State,
+  type Stripes,
   type Values,
 } from "./door";
 
@@ -47,6 +48,10 @@ export class HttpDoor implements Door {
 
   async deviation(item: string, from: string[]): Promise<Float32Array> {
     return new Float32Array(await (await this.send("deviation", { item, from })).arrayBuffer());
+  }
+
+  async stripes(item: string, stripes: Stripes): Promise<Float32Array> {
+    return new Float32Array(await (await this.send("stripes", { item, ...stripes })).arrayBuffer());
   }
 
   async set(change: { values: Values } | { reset: true }): Promise<void> {

@@ -39,6 +39,9 @@ export interface Ghost {
   hidden: Set<string>;
 }
 
+/** Milliseconds until the door is asked again that gave no answer. */
+const AGAIN = 1000;
+
 export class Document {
   readonly state = new Signal<State | null>(null);
   readonly scene = new Signal<Scene | null>(null);
@@ -66,6 +69,8 @@ export class Document {
   private told = -1;
   private isStale = true;
   private isLoading = false;
+  private isUnreached = false;
+  private timer = 0;
   private awaiting: (() => void)[] = [];
 
   constructor(
@@ -179,6 +184,7 @@ export class Document {
       while (this.isStale) {
         this.isStale = false;
         const state = await this.door.state();
+        if (!this.isOnline.value) this.isOnline.set(true);
         // What was told meanwhile is this very state, or one that it has overtaken.
         if (this.told <= state.version && this.told >= 0) this.isStale = false;
         try {
@@ -200,10 +206,21 @@ export class Document {
         for (const done of this.awaiting.splice(0)) done();
       }
     } catch (trouble) {
-      if (!(trouble instanceof TypeError)) this.tell(String(trouble instanceof Error ? trouble.message : trouble), true);
+      if (trouble instanceof TypeError) this.isUnreached = true;
+      else this.tell(String(trouble instanceof Error ? trouble.message : trouble), true);
     } finally {
       this.isLoading = false;
     }
+    if (this.isUnreached) this.tryAgain();
+  }
+
+  /** Nobody answered, though something may have been told: asks again until somebody does. */
+  private tryAgain(): void {
+    this.isUnreached = false;
+    this.isStale = true;
+    this.isOnline.set(false);
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => void this.refresh(), AGAIN) as unknown as number;
   }
 
   /** Fetches what has become visible; a state that comes meanwhile brings its own. */

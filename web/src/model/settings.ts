@@ -36,6 +36,8 @@ export interface Settings {
   shade: Shade;
   stripes: number;
   stripesAcross: boolean;
+  /** Whether stripes are shown by the kernel's curves. */
+  exactStripes: boolean;
   light: Direction;
   draftAxis: "x" | "y" | "z";
   draftDegrees: number;
@@ -67,8 +69,9 @@ const DEFAULTS: Settings = {
   combScale: 1,
   combStride: 1,
   shade: "plain",
-  stripes: 12,
-  stripesAcross: false,
+  stripes: 6,
+  stripesAcross: true,
+  exactStripes: false,
   light: "view",
   draftAxis: "z",
   draftDegrees: 3,

@@ -52,7 +52,7 @@ export class FactsPanel {
     const nodes: Node[] = [this.expression(hit)];
     nodes.push(row("Point", triple(answer?.point ?? hit.point), unit));
     const normal = answer?.normal ?? hit.normal;
-    if (normal) nodes.push(row(hit.item.kind === "mesh" ? "Normal of the triangle" : "Normal", triple(normal, 4)));
+    if (normal) nodes.push(row(isOnCut(hit) ? "Normal of the section" : hit.item.kind === "mesh" ? "Normal of the triangle" : "Normal", triple(normal, 4)));
     if (hit.item.kind === "mesh" && hit.triangle !== null) nodes.push(row("Triangle", String(hit.triangle)));
     for (const fact of answer?.facts ?? []) {
       const isVector = Array.isArray(fact.value);
@@ -61,7 +61,7 @@ export class FactsPanel {
     }
     if (hit.trouble) nodes.push(el("p", { class: "hint trouble" }, hit.trouble));
     else if (!answer) {
-      nodes.push(el("p", { class: "hint" }, this.whence(hit)));
+      nodes.push(el("p", { class: "hint" }, isOnCut(hit) ? "A place on the section plane, within what is closed." : this.whence(hit)));
     }
     return nodes;
   }
@@ -133,6 +133,11 @@ export class FactsPanel {
     );
     return el("div", {}, el("div", { class: "row actions" }, ...buttons), results);
   }
+}
+
+/** Whether a place lies on a filled cut. */
+function isOnCut({ item, parameters, triangle }: Hit): boolean {
+  return (item.kind === "surface" || item.kind === "mesh") && !parameters && triangle === null;
 }
 
 /** What a script writes for this point. */

@@ -20,6 +20,20 @@ const SHADES: readonly (readonly [Shade, string, string])[] = [
   ["deviation", "Deviation", "Distance of one definition from another"],
 ];
 
+export const isStriped = (shade: Shade): boolean => shade === "zebra" || shade === "isophotes";
+
+/** Which stripes are seen: those of the shader, or the kernel's curves. */
+export function stripesTold({ exact }: Stage, shade: Shade): string {
+  const { lines, isWaiting, without, trouble } = exact.value;
+  if (!exact.isWanted) return "By the shader, from the mesh’s normals.";
+  if (isWaiting) return "By the shader, until the kernel has answered …";
+  if (trouble) return trouble;
+  if (lines.size === 0 && without.length === 0) return "There is no surface in sight.";
+  const meshes = without.length > 0 ? `A mesh has no exact borders: ${without.join(", ")}.` : "";
+  const seen = shade === "zebra" ? ", seen along parallel rays" : "";
+  return lines.size === 0 ? meshes : `Exact borders by the kernel${seen}. ${meshes}`.trim();
+}
+
 export class LookPanel {
   readonly section: Section = section("look", "Analysis");
   readonly cutSection: Section = section("section", "Section");
@@ -52,7 +66,7 @@ export class LookPanel {
         shade === "deviation"
           ? "Measured by the kernel at each vertex to the nearest place; negative behind the other’s normals."
           : "From the mesh’s exact normals and curvatures at its vertices; a click asks the kernel.";
-      accuracy.hidden = shade === "plain";
+      accuracy.hidden = shade === "plain" || isStriped(shade);
       this.section.note.textContent = shade === "plain" ? "" : (SHADES.find(([name]) => name === shade)?.[1] ?? "");
     });
   }
@@ -114,9 +128,24 @@ export class LookPanel {
     const light = segmented("Light from", [["view", "eye"], ["x", "x"], ["y", "y"], ["z", "z"]], (value) =>
       this.settings.put({ light: value }),
     );
-    this.section.body.append(count.root, way.root, light.root);
-    this.settings.watch(({ shade, stripes, stripesAcross, light: from }) => {
-      count.root.hidden = shade !== "zebra" && shade !== "isophotes";
+    const exact = segmented("Drawn by", [["no", "shader"], ["yes", "kernel"]], (value) =>
+      this.settings.put({ exactStripes: value === "yes" }),
+    );
+    exact.root.dataset.setting = "exact-stripes";
+    way.root.dataset.setting = "stripes-run";
+    const told = el("p", { class: "hint stripes-told" });
+    this.section.body.append(exact.root, told, count.root, way.root, light.root);
+    const tell = (): void => {
+      told.hidden = !isStriped(this.settings.value.shade);
+      told.textContent = stripesTold(this.stage, this.settings.value.shade);
+      told.classList.toggle("trouble", this.stage.exact.value.trouble !== null);
+    };
+    this.stage.exact.follow(tell);
+    this.settings.watch(({ shade, stripes, stripesAcross, exactStripes, light: from }) => {
+      count.root.hidden = !isStriped(shade);
+      exact.root.hidden = !isStriped(shade) || !this.doc.door.canEvaluate;
+      exact.set(exactStripes ? "yes" : "no");
+      tell();
       way.root.hidden = shade !== "zebra";
       light.root.hidden = shade !== "isophotes";
       count.set(stripes);
@@ -164,7 +193,13 @@ export class LookPanel {
     );
     place.root.dataset.setting = "section-place";
     const flip = button("Other side", "Show what is cut away", () => this.settings.toggle("sectionFlip"), { class: "plain" });
-    body.append(axis.root, place.root, el("div", { class: "row actions" }, flip));
+    const filled = el("p", { class: "hint cut-told" });
+    body.append(axis.root, place.root, el("div", { class: "row actions" }, flip), filled);
+    this.stage.caps.sets.watch((sets) => {
+      const is = (names: string[], what: string): string => `${names.join(", ")} ${names.length === 1 ? "is" : "are"} ${what}`;
+      const parts = sets ? [sets.filled.length > 0 ? `${is(sets.filled, "closed")}.` : "", sets.open.length > 0 ? `${is(sets.open, "open, and not filled")}.` : ""] : [];
+      filled.textContent = parts.filter(Boolean).join(" ");
+    });
     const show = (settings: Settings): void => {
       root.hidden = !settings.section;
       axis.set(settings.sectionAxis);

@@ -9,6 +9,7 @@ import { reachAlong, sectionFrame, sectionMiddle, sectionNormal } from "../view/
 import type { Stage } from "../view/stage";
 import { el, figure, put, svg } from "./dom";
 import { measurement, pointOf } from "./facts";
+import { isStriped, stripesTold } from "./look";
 
 /** Length of the drawn directions in pixels. */
 const ARROW = 56;
@@ -160,6 +161,18 @@ export function triad(stage: Stage): SVGSVGElement {
     }
     root.replaceChildren(...parts);
   });
+  return root;
+}
+
+/** What stripes are that one sees: those of the shader or of the kernel. */
+export function stripesCaption(stage: Stage, settings: SettingsSignal): HTMLElement {
+  const root = el("div", { class: "stripes-caption", role: "status" });
+  const tell = (): void => {
+    root.hidden = !isStriped(settings.value.shade);
+    root.textContent = stripesTold(stage, settings.value.shade);
+  };
+  stage.exact.follow(tell);
+  settings.watch(tell);
   return root;
 }
 

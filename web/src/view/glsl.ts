@@ -50,6 +50,7 @@ uniform vec3 faded;
 uniform vec3 accent;
 uniform int mode;
 uniform float isParallel;
+uniform float isFromAfar;
 uniform float stripes;
 uniform vec3 axis;
 uniform vec3 light;
@@ -76,8 +77,8 @@ vec3 ramp(float t) {
 }
 
 // Edges of stripes as wide as a pixel; where stripes are finer than pixels, their mean.
-float stripe(float x) {
-  float w = max(fwidth(x), 1e-5);
+float stripe(float x, float width) {
+  float w = max(width, 1e-5);
   float d = abs(fract(x) - 0.5) - 0.25;
   return mix(smoothstep(-w, w, d), 0.5, smoothstep(0.35, 0.9, w));
 }
@@ -105,12 +106,18 @@ void main() {
   vec3 base = hasTint > 0.5 ? vTint : color;
   vec3 c;
   if (mode == 1) {
-    vec3 r = reflect(-v, n);
-    float s = stripe(acos(clamp(dot(r, axis), -1.0, 1.0)) * stripes / 3.14159265);
+    // By the sector, about an axis across the view, into which the ray is mirrored, as the kernel has them.
+    vec3 ray = isFromAfar > 0.5 ? vec3(0.0, 0.0, 1.0) : v;
+    vec3 r = reflect(-ray, n);
+    vec2 q = vec2(dot(r, axis), dot(r, ray));
+    vec2 turn = (q.y * vec2(dFdx(q.x), dFdy(q.x)) - q.x * vec2(dFdx(q.y), dFdy(q.y))) / max(dot(q, q), 1e-12);
+    float scale = stripes / 3.14159265;
+    float s = stripe(atan(q.x, q.y) * scale, (abs(turn.x) + abs(turn.y)) * scale);
     c = mix(vec3(0.07, 0.08, 0.10), vec3(0.97, 0.97, 0.96), s);
     c = mix(c, lit(c, n, v, 1.0), 0.35);
   } else if (mode == 2) {
-    float s = stripe(acos(clamp(dot(outward, light), -1.0, 1.0)) * stripes / 1.57079633);
+    float x = acos(clamp(dot(outward, light), -1.0, 1.0)) * stripes / 1.57079633;
+    float s = stripe(x, fwidth(x));
     c = lit(mix(base, vec3(0.14, 0.18, 0.24), s * 0.72), n, v, 0.4);
   } else if (mode == 9 && hasDeviation < 0.5) {
     c = lit(mix(base, vec3(0.62, 0.66, 0.70), 0.7), n, v, 0.4);
@@ -147,6 +154,28 @@ void main() {
     c = mix(accent, c, smoothstep(1.2, 2.2, d / max(w, 1e-12)));
   #endif
   gl_FragColor = vec4(c, opacity);
+}`;
+
+export const CAP_VERTEX = /* glsl */ `
+void main() {
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+}`;
+
+// Hatched, as a drawing shows what is cut; `hatch` is 1 or -1.
+export const CAP_FRAGMENT = /* glsl */ `
+uniform vec3 color;
+uniform vec3 accent;
+uniform float isSelected;
+uniform float hatch;
+uniform float fade;
+uniform vec3 faded;
+void main() {
+  vec3 c = mix(color, vec3(1.0), 0.30);
+  float x = abs(mod(gl_FragCoord.x + hatch * gl_FragCoord.y, 9.0) - 4.5);
+  c = mix(c, color * 0.82, 1.0 - smoothstep(0.3, 1.3, x));
+  if (isSelected > 0.5) c = mix(c, accent, 0.3);
+  float grey = dot(c, vec3(0.30, 0.59, 0.11));
+  gl_FragColor = vec4(mix(c, mix(vec3(grey), faded, 0.45), fade), 1.0);
 }`;
 
 export const LINE_VERTEX = /* glsl */ `

@@ -8,7 +8,9 @@ import { DOT_FRAGMENT, DOT_VERTEX, LINE_FRAGMENT, LINE_VERTEX, SURFACE_FRAGMENT,
 export const shared = {
   mode: { value: 0 },
   isParallel: { value: 0 },
-  stripes: { value: 12 },
+  /** Whether stripes are seen along parallel rays, however the picture is projected. */
+  isFromAfar: { value: 0 },
+  stripes: { value: 6 },
   axis: { value: new Vector3(0, 1, 0) },
   light: { value: new Vector3(0, 0, 1) },
   range: { value: new Vector2(-1, 1) },
@@ -68,24 +70,27 @@ export function setOpacity(material: ShaderMaterial, opacity: number): void {
 
 /** Lines `width` pixels wide; `lift` brings them nearer than the surface that they lie in. */
 export function lineMaterial(color: Color, width: number, opacity = 1, lift = 0.00012): ShaderMaterial {
-  return clip(
-    new ShaderMaterial({
-      uniforms: {
-        screen: shared.screen,
-        fade: shared.fade,
-        faded: shared.faded,
-        color: { value: color },
-        width: { value: width },
-        opacity: { value: opacity },
-        lift: { value: lift },
-      },
-      vertexShader: LINE_VERTEX,
-      fragmentShader: LINE_FRAGMENT,
-      side: DoubleSide,
-      transparent: true,
-      depthWrite: false,
-    }),
-  );
+  return clip(wholeLineMaterial(color, width, opacity, lift));
+}
+
+/** The same of lines that the section plane does not cut. */
+export function wholeLineMaterial(color: Color, width: number, opacity = 1, lift = 0.00012): ShaderMaterial {
+  return new ShaderMaterial({
+    uniforms: {
+      screen: shared.screen,
+      fade: shared.fade,
+      faded: shared.faded,
+      color: { value: color },
+      width: { value: width },
+      opacity: { value: opacity },
+      lift: { value: lift },
+    },
+    vertexShader: LINE_VERTEX,
+    fragmentShader: LINE_FRAGMENT,
+    side: DoubleSide,
+    transparent: true,
+    depthWrite: false,
+  });
 }
 
 export function dotMaterial(color: Color, size: number, lift = 0.0003): ShaderMaterial {

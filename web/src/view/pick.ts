@@ -4,6 +4,7 @@ import { DoubleSide, Matrix4, type Plane, type Ray, Vector3 } from "three";
 
 import type { Vector } from "../door/door";
 import type { Hit } from "../model/document";
+import type { SectionCaps } from "./caps";
 import type { DrawnItem } from "./drawn";
 import type { Rig } from "./rig";
 
@@ -19,8 +20,8 @@ interface Candidate {
   triangle: number | null;
 }
 
-/** The item under the pixel (x, y); `planes` cut away what lies behind them. */
-export function pick(drawn: Iterable<DrawnItem>, rig: Rig, x: number, y: number, planes: Plane[]): Hit | null {
+/** The item under the pixel (x, y); `planes` cut away what lies behind them, and what is closed is filled there. */
+export function pick(drawn: Iterable<DrawnItem>, rig: Rig, x: number, y: number, planes: Plane[], caps: SectionCaps): Hit | null {
   const ray = rig.ray(x, y);
   const visible = [...drawn].filter((one) => one.isVisible);
   let best: Candidate | null = null;
@@ -28,6 +29,8 @@ export function pick(drawn: Iterable<DrawnItem>, rig: Rig, x: number, y: number,
     const found = one.hasSurface ? hitSurface(one, ray, planes) : null;
     if (found && (!best || found.distance < best.distance)) best = found;
   }
+  const filled = planes.length > 0 ? hitCap(caps, ray, planes[0]) : null;
+  if (filled && (!best || filled.distance < best.distance)) best = filled;
   const limit = best ? best.distance + 12 * rig.perPixel : Infinity;
   for (const one of visible) {
     const found = one.hasSurface ? null : hitLines(one, ray, rig, x, y, planes);
@@ -47,6 +50,15 @@ export function pick(drawn: Iterable<DrawnItem>, rig: Rig, x: number, y: number,
     answer: null,
     trouble: null,
   };
+}
+
+/** Where the ray comes to a filled cut. */
+function hitCap(caps: SectionCaps, ray: Ray, plane: Plane): Candidate | null {
+  const point = ray.intersectPlane(plane, new Vector3());
+  const drawn = point && caps.at(point, plane);
+  if (!drawn) return null;
+  const normal = plane.normal.clone().negate();
+  return { drawn, distance: point.distanceTo(ray.origin), point, normal, parameters: null, triangle: null };
 }
 
 function hitSurface(drawn: DrawnItem, ray: Ray, planes: Plane[]): Candidate | null {

@@ -1,5 +1,6 @@
 // Open and shared edges of surfaces and meshes, by their triangles: surfaces of one list have the same vertices where they meet.
 
+import type { Buffers } from "../model/bytes";
 import type { DrawnItem } from "./drawn";
 
 /** Edges by what lies at them. */
@@ -21,6 +22,58 @@ interface Side {
 /** The edges of all these items together, relative to `origin`; ends no further apart than `weld` are one. */
 export function shellEdges(drawn: DrawnItem[], origin: [number, number, number], weld: number): ShellEdges {
   const welder = new Welder(weld);
+  const ends: Record<keyof ShellEdges, number[]> = { open: [], shared: [], crowded: [] };
+  for (const { a, b, owners } of borders(drawn, origin, welder)) {
+    const kind = owners.length === 1 ? "open" : owners.length > 2 ? "crowded" : owners[0] !== owners[1] ? "shared" : null;
+    // Two of one item are its seam.
+    if (kind) ends[kind].push(...welder.point(a), ...welder.point(b));
+  }
+  return { open: new Float32Array(ends.open), shared: new Float32Array(ends.shared), crowded: new Float32Array(ends.crowded) };
+}
+
+/** The sets of items that close: those of one definition together, and what else has its edges in common. */
+export function closedSets(drawn: DrawnItem[], weld: number): DrawnItem[][] {
+  const definitions = new Map<string, DrawnItem[]>();
+  for (const one of drawn) {
+    const { definition } = one.item;
+    const others = definitions.get(definition);
+    if (others) others.push(one);
+    else definitions.set(definition, [one]);
+  }
+  const closed: DrawnItem[][] = [];
+  const rest: DrawnItem[] = [];
+  for (const set of definitions.values()) {
+    const parts = connected(set, weld);
+    for (const part of parts) if (part.isClosed) closed.push(part.items);
+    rest.push(...parts.filter((part) => !part.isClosed).flatMap((part) => part.items));
+  }
+  for (const part of connected(rest, weld)) if (part.isClosed) closed.push(part.items);
+  return closed;
+}
+
+/** Items that have edges in common, and whether no edge of theirs is open. */
+function connected(drawn: DrawnItem[], weld: number): { items: DrawnItem[]; isClosed: boolean }[] {
+  if (drawn.length === 0) return [];
+  const origin = drawn[0].shape.buffers.center;
+  const parents = drawn.map((_, i) => i);
+  const rootOf = (i: number): number => {
+    while (parents[i] !== i) i = parents[i] = parents[parents[i]];
+    return i;
+  };
+  const sides = [...borders(drawn, origin, new Welder(weld))];
+  for (const { owners } of sides) for (const owner of owners) parents[rootOf(owner)] = rootOf(owners[0]);
+  const open = new Set(sides.filter(({ owners }) => owners.length % 2 === 1).map(({ owners }) => rootOf(owners[0])));
+  const parts = new Map<number, DrawnItem[]>();
+  drawn.forEach((one, i) => {
+    const part = parts.get(rootOf(i));
+    if (part) part.push(one);
+    else parts.set(rootOf(i), [one]);
+  });
+  return [...parts].map(([root, items]) => ({ items, isClosed: !open.has(root) }));
+}
+
+/** The sides at which triangles of an item have no neighbour with the same vertices, each with the items there. */
+function borders(drawn: DrawnItem[], origin: [number, number, number], welder: Welder): Iterable<Side> {
   const sides = new Map<string, Side>();
   drawn.forEach(({ shape: { buffers } }, owner) => {
     const { positions, triangles, center } = buffers;
@@ -33,7 +86,7 @@ export function shellEdges(drawn: DrawnItem[], origin: [number, number, number],
       if (found === undefined) welded.set(i, (found = place(i)));
       return found;
     };
-    for (const [i, j] of borderSides(triangles, positions.length / 3)) {
+    for (const [i, j] of borderSides(buffers, triangles)) {
       const [a, b] = [at(i), at(j)];
       if (a === b) continue;
       const name = a < b ? `${a} ${b}` : `${b} ${a}`;
@@ -42,30 +95,34 @@ export function shellEdges(drawn: DrawnItem[], origin: [number, number, number],
       else sides.set(name, { a, b, owners: [owner] });
     }
   });
-  const ends: Record<keyof ShellEdges, number[]> = { open: [], shared: [], crowded: [] };
-  for (const { a, b, owners } of sides.values()) {
-    const kind = owners.length === 1 ? "open" : owners.length > 2 ? "crowded" : owners[0] !== owners[1] ? "shared" : null;
-    // Two of one item are its seam.
-    if (kind) ends[kind].push(...welder.point(a), ...welder.point(b));
-  }
-  return { open: new Float32Array(ends.open), shared: new Float32Array(ends.shared), crowded: new Float32Array(ends.crowded) };
+  return sides.values();
 }
 
+/** What is known of buffers, as long as these are. */
+const knownSides = new WeakMap<Buffers, [number, number][]>();
+
 /** Sides of triangles that no other triangle has with the same vertices, or more than one other. */
-function borderSides(triangles: Uint32Array, n_vertices: number): [number, number][] {
-  const counts = new Map<number, number>();
+function borderSides(buffers: Buffers, triangles: Uint32Array): [number, number][] {
+  const known = knownSides.get(buffers);
+  if (known) return known;
+  // A table with open addresses: there may be millions of sides.
+  const size = 2 ** Math.ceil(Math.log2(2 * triangles.length + 1));
+  const [lows, highs, counts] = [new Uint32Array(size), new Uint32Array(size), new Uint32Array(size)];
   for (let t = 0; t < triangles.length; t += 3) {
     for (let k = 0; k < 3; k++) {
       const [a, b] = [triangles[t + k], triangles[t + ((k + 1) % 3)]];
-      const side = Math.min(a, b) * n_vertices + Math.max(a, b);
-      counts.set(side, (counts.get(side) ?? 0) + 1);
+      const [low, high] = a < b ? [a, b] : [b, a];
+      let at = (Math.imul(low, 0x9e3779b1) ^ Math.imul(high, 0x85ebca6b)) & (size - 1);
+      while (counts[at] > 0 && (lows[at] !== low || highs[at] !== high)) at = (at + 1) & (size - 1);
+      [lows[at], highs[at]] = [low, high];
+      counts[at]++;
     }
   }
   const found: [number, number][] = [];
-  for (const [side, count] of counts) {
-    if (count === 2) continue;
-    for (let i = 0; i < count; i++) found.push([Math.floor(side / n_vertices), side % n_vertices]);
-  }
+  counts.forEach((count, at) => {
+    if (count !== 2) for (let i = 0; i < count; i++) found.push([lows[at], highs[at]]);
+  });
+  knownSides.set(buffers, found);
   return found;
 }
 

@@ -10,7 +10,7 @@ import { lengthOf, type ShellEdges, shellEdges } from "./shell";
 import { raw } from "./theme";
 
 /** Share of the model's size below which two vertices are one: single precision knows no less. */
-const WELD = 2e-6;
+export const WELD = 2e-6;
 
 export interface ShellLengths {
   open: number;

@@ -2,10 +2,12 @@
 
 import { Box3, Group, type Material, Mesh, Scene as ThreeScene, Vector3, WebGLRenderer } from "three";
 
-import type { Item } from "../door/door";
+import type { Item, Stripes, Vector } from "../door/door";
 import { type Document, type Hit, now } from "../model/document";
+import { ExactStripes } from "../model/exactStripes";
 import type { Settings, SettingsSignal } from "../model/settings";
 import { Signal } from "../signal";
+import { SectionCaps } from "./caps";
 import { greatestCurvature } from "./combs";
 import type { DeviationMap } from "../model/deviation";
 import { curvatureRange, deviationRange, isMap, type MapShade } from "./curvature";
@@ -17,7 +19,8 @@ import { pick } from "./pick";
 import { NAMED_VIEWS, type NamedView, type Pose, Rig } from "./rig";
 import { placeCut } from "./section";
 import { Shape } from "./shape";
-import { ShellLines } from "./shellLines";
+import { StripeLines } from "./stripeLines";
+import { ShellLines, WELD } from "./shellLines";
 import { DARK, LIGHT, type Palette } from "./theme";
 
 /** How long the camera takes to a named view, in milliseconds. */
@@ -32,6 +35,9 @@ export class Stage {
   readonly rig = new Rig();
   readonly grid = new Grid();
   readonly shell = new ShellLines();
+  readonly caps = new SectionCaps();
+  readonly exact: ExactStripes;
+  private readonly stripeLines = new StripeLines();
   /** The range of the legend. */
   readonly range = new Signal<{ least: number; most: number; isAutomatic: boolean }>({
     least: -1,
@@ -62,17 +68,19 @@ export class Stage {
     private readonly settings: SettingsSignal,
     private readonly deviation: DeviationMap,
   ) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: "high-performance" });
+    this.exact = new ExactStripes(doc, settings, () => this.stripes());
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, stencil: true, powerPreference: "high-performance" });
     this.renderer.localClippingEnabled = true;
     // Asking whether a program was made waits until it is.
     this.renderer.debug.checkShaderErrors = false;
     this.renderer.setClearColor(0, 0);
-    this.world.add(this.grid.mesh, this.models, this.ghosts, this.shell.group);
+    this.world.add(this.grid.mesh, this.models, this.ghosts, this.shell.group, this.caps.group, this.stripeLines.group);
     this.world.matrixWorldAutoUpdate = true;
     new ResizeObserver(() => this.resize()).observe(canvas);
     this.resize();
     settings.watch(() => this.restyle());
     doc.scene.follow(() => this.reconcile());
+    this.exact.follow(() => this.restyle());
     doc.selection.follow(() => this.restyle());
     doc.choices.follow(() => this.restyle());
     doc.ghost.follow(() => this.rebuildGhost());
@@ -167,7 +175,7 @@ export class Stage {
   }
 
   pick(x: number, y: number): Hit | null {
-    return pick(this.drawn.values(), this.rig, x, y, cut.planes);
+    return pick(this.drawn.values(), this.rig, x, y, cut.planes, this.caps);
   }
 
   /** Forgets what was made of buffers that are gone. */
@@ -285,7 +293,10 @@ export class Stage {
     const settings = this.settings.value;
     this.rig.isOrthographic = settings.isOrthographic;
     this.grid.mesh.visible = settings.grid;
-    shared.mode.value = MODES[settings.shade];
+    // The shader shows stripes until the kernel's curves are there.
+    const { value: exact } = this.exact;
+    shared.mode.value = MODES[this.exact.isWanted && !exact.isWaiting ? "plain" : settings.shade];
+    this.stripeLines.show(exact, this.drawn.values());
     shared.stripes.value = settings.stripes;
     shared.draft.value = settings.draftDegrees;
     const bounds = this.doc.state.value?.bounds;
@@ -328,6 +339,15 @@ export class Stage {
     return curvatureRange(visible.map((one) => one.shape.buffers), shade);
   }
 
+  /** The stripes as the present camera sees them, in the model's coordinates. */
+  private stripes(): Stripes {
+    const { shade, light, stripes, stripesAcross } = this.settings.value;
+    const [right, up, back] = this.rig.axes().map((axis) => axis.toArray() as Vector);
+    const axes: Record<string, Vector> = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1], view: back };
+    const isZebra = shade === "zebra";
+    return { kind: isZebra ? "zebra" : "isophotes", light: isZebra ? back : axes[light], axis: stripesAcross ? up : right, stripes };
+  }
+
   private frame(): void {
     if (!this.doc.scene.value) return;
     const settings = this.settings.value;
@@ -339,8 +359,12 @@ export class Stage {
     this.rig.update();
     if (settings.section !== cut.planes.length > 0) setCut(settings.section);
     if (settings.section) placeCut(settings, box);
+    const size = box.isEmpty() ? 1 : box.max.distanceTo(box.min);
+    this.caps.show(settings.section ? cut.plane : null, this.drawn.values(), WELD * size);
+    this.caps.paint(this.palette, (path) => this.doc.selection.value.has(path));
     this.aim(settings);
     if (settings.grid) this.grid.update(this.rig);
+    this.exact.renew();
     this.renderer.render(this.world, this.rig.camera);
     this.n_frames++;
     this.times.frame = now();
@@ -354,6 +378,7 @@ export class Stage {
   /** Directions of the analyses, as the camera sees them. */
   private aim(settings: Settings): void {
     shared.isParallel.value = settings.isOrthographic ? 1 : 0;
+    shared.isFromAfar.value = this.exact.isWanted ? 1 : shared.isParallel.value;
     shared.range.value.set(this.range.value.least, this.range.value.most);
     const seen = (name: string): Vector3 =>
       new Vector3(Number(name === "x"), Number(name === "y"), Number(name === "z")).transformDirection(

@@ -95,13 +95,42 @@ impl Surface {
         n_bands: usize,
         tolerance: Tolerance,
     ) -> Result<Vec<LevelSet>, GeomError> {
-        if let Some((scaled, scale)) = CommonScale::of(self) {
-            return scale.all_lines(scaled.zebra(to_light, n_bands, scale.tolerance(tolerance)));
-        }
         let light =
             unit(to_light).ok_or(GeomError::Input(InputError::ZeroAxis { what: "the light" }))?;
         let along = across(DVec3::Z, light).or_else(|| across(DVec3::X, light));
-        let aside = along.unwrap_or(DVec3::X).cross(light);
+        self.sectors(light, along.unwrap_or(DVec3::X), n_bands, tolerance)
+    }
+
+    /// As [`Self::zebra`], with sectors about `axis` made normal to the light.
+    ///
+    /// # Errors
+    /// [`InputError::ZeroAxis`] for an axis along the light; else those of [`Self::zebra`].
+    pub fn zebra_about(
+        &self,
+        axis: DVec3,
+        to_light: DVec3,
+        n_bands: usize,
+        tolerance: Tolerance,
+    ) -> Result<Vec<LevelSet>, GeomError> {
+        let missing = |what| GeomError::Input(InputError::ZeroAxis { what });
+        let light = unit(to_light).ok_or_else(|| missing("the light"))?;
+        let along = across(axis, light).ok_or_else(|| missing("the axis across the light"))?;
+        self.sectors(light, along, n_bands, tolerance)
+    }
+
+    /// The lines between sectors about a direction `along`, which is normal to `light`.
+    fn sectors(
+        &self,
+        light: DVec3,
+        along: DVec3,
+        n_bands: usize,
+        tolerance: Tolerance,
+    ) -> Result<Vec<LevelSet>, GeomError> {
+        if let Some((scaled, scale)) = CommonScale::of(self) {
+            let found = scaled.sectors(light, along, n_bands, scale.tolerance(tolerance));
+            return scale.all_lines(found);
+        }
+        let aside = along.cross(light);
         let (patches, distance) = shaded(self, tolerance)?;
         let mut collected: Vec<ZeroSetParts> =
             (0..n_bands).map(|_| ZeroSetParts::new(distance)).collect();
