@@ -1,6 +1,9 @@
 //! The equations of splines through points: which knots, which conditions.
 
-use super::{check_parameters, equation::Equation};
+use super::{
+    check_parameters,
+    equation::{Equation, band_of_points},
+};
 use crate::{
     CountError, FitError, GeomError, KnotVector,
     numeric::{banded::BandedSystem, cyclic::CyclicSystem},
@@ -178,8 +181,8 @@ impl Interpolator {
     /// # Errors
     /// [`FitError::NoFit`] where the values do not determine a spline.
     pub(crate) fn on_knots(parameters: &[f64], knots: KnotVector) -> Result<Self, GeomError> {
-        let rows: Vec<Equation> = Equation::points(&knots, parameters).collect();
-        let equations = FactoredEquations::Values(BandedSystem::new(&rows).ok_or(FitError::NoFit)?);
+        let band = band_of_points(&knots, parameters).ok_or(FitError::NoFit)?;
+        let equations = FactoredEquations::Values(band);
         Ok(Self { knots, n_values: parameters.len(), equations })
     }
 

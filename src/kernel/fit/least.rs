@@ -2,7 +2,6 @@
 
 use glam::{DVec3, DVec4};
 
-use super::equation::Equation;
 use crate::{
     CountError, FitError, GeomError, KnotVector, NurbsCurve,
     numeric::triangular_factor::{TriangularFactor, without_ends},
@@ -74,22 +73,16 @@ impl Approximator {
         let mut firsts = Vec::with_capacity(conditions.len());
         let mut shares = Vec::with_capacity(conditions.len() * width);
         for &FitCondition { t, order, weight } in conditions {
-            let begin = shares.len();
             if order == 0 {
                 knots.with_basis(t, |span, basis| {
                     firsts.push(span + 1 - width);
                     shares.extend(basis.iter().map(|share| weight * share));
                 });
             } else {
-                // Basis functions that vanish there count nothing.
-                let row = Equation::derivative(&knots, t, order);
-                let first = row.first.min(knots.n_points() - width);
-                firsts.push(first);
-                shares.resize(begin + width, 0.0);
-                for (share, value) in shares[begin + row.first - first..].iter_mut().zip(row.values)
-                {
-                    *share = weight * value;
-                }
+                let span = knots.span_at(t);
+                let derivatives = knots.basis_derivatives_on(span, t, order);
+                firsts.push(span + 1 - width);
+                shares.extend(derivatives.row(order).iter().map(|share| weight * share));
             }
         }
         Self::of_rows(knots, firsts, shares)

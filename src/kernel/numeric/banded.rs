@@ -65,18 +65,33 @@ impl BandedSystem {
             |(i, equation): (usize, &Equation)| equation.columns().end.saturating_sub(i + 1);
         let lower = equations.iter().enumerate().map(below).max().unwrap_or(0);
         let upper = equations.iter().enumerate().map(above).max().unwrap_or(0);
+        let rows = equations.iter().map(|equation| (equation.first, &equation.values[..]));
+        let mut band = Self::empty(n, [lower, upper]);
+        rows.enumerate().for_each(|(i, (first, values))| band.add(i, first, values));
+        band.factored()
+    }
+
+    /// So many equations without coefficients, which will reach so far before and behind the
+    /// diagonal.
+    pub(crate) fn empty(n: usize, [lower, upper]: [usize; 2]) -> Self {
         let width = 2 * lower + upper + 1;
-        let mut rows = vec![0.0; n * width];
-        for (i, equation) in equations.iter().enumerate() {
-            for (column, &value) in equation.columns().zip(&equation.values) {
-                rows[i * width + lower + column - i] += value;
-            }
+        Self { lower, width, rows: vec![0.0; n * width], exchanged: Vec::with_capacity(n) }
+    }
+
+    /// Adds to the coefficients of an equation, from a column on.
+    pub(crate) fn add(&mut self, row: usize, first: usize, values: &[f64]) {
+        let place = self.place(row, first);
+        for (own, value) in self.rows[place..].iter_mut().zip(values) {
+            *own += value;
         }
-        let mut system = Self { lower, width, rows, exchanged: Vec::with_capacity(n) };
-        for k in 0..n {
-            system.eliminate(k)?;
+    }
+
+    /// The equations, ready to be solved; `None` where they contradict or repeat one another.
+    pub(crate) fn factored(mut self) -> Option<Self> {
+        for k in 0..self.rows.len() / self.width {
+            self.eliminate(k)?;
         }
-        Some(system)
+        Some(self)
     }
 
     /// How many unknowns there are.
