@@ -164,6 +164,6 @@ fn reporting(
         .with("control_points", curve.control_points().len())
         .with("deviation", deviation)
         .with("corners", corners.to_vec())
-        .with("parameters", parameters.to_vec());
+        .with("parameters", ReportEntry::Numbers(parameters.into()));
     curve.with_report(report)
 }

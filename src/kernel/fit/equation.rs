@@ -56,7 +56,7 @@ pub(super) fn band_of_points(knots: &KnotVector, parameters: &[f64]) -> Option<B
         reach[0] = reach[0].max(i.saturating_sub(acting.start));
         reach[1] = reach[1].max(acting.end.saturating_sub(i + 1));
     }
-    let mut band = BandedSystem::empty(parameters.len(), reach);
+    let mut band = BandedSystem::totally_positive(parameters.len(), reach);
     for (i, (span, acting)) in each_span(knots, parameters).enumerate() {
         let first = span - knots.degree();
         knots.with_basis_on(span, parameters[i], |values| {
@@ -72,14 +72,16 @@ fn each_span(
     knots: &KnotVector,
     parameters: &[f64],
 ) -> impl Iterator<Item = (usize, Range<usize>)> {
-    let (all, mut span) = (knots.as_slice(), knots.degree());
+    let (all, degree, mut span) = (knots.as_slice(), knots.degree(), knots.degree());
     parameters.iter().map(move |&t| {
         span = knots.span_from(span, t);
+        let first = span - degree;
+        if all[span] < t && t < all[span + 1] {
+            return (span, first..span + 1);
+        }
         let is_there = |knot: &&f64| t.total_cmp(knot).is_eq();
-        let n_ending = all[span + 1..].iter().take_while(is_there).count();
-        let n_beginning = all[..=span].iter().rev().take_while(is_there).count();
-        let degree = knots.degree();
-        let first = span - degree + n_ending.min(degree);
-        (span, first..(span + 1 - n_beginning.min(degree)).max(first + 1))
+        let n_ending = all[span + 1..].iter().take_while(is_there).count().min(degree);
+        let n_beginning = all[..=span].iter().rev().take_while(is_there).count().min(degree);
+        (span, first + n_ending..(span + 1 - n_beginning).max(first + n_ending + 1))
     })
 }

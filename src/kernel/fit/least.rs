@@ -124,21 +124,23 @@ impl Approximator {
     /// # Errors
     /// [`CountError::WrongCount`] unless there is one value a parameter.
     pub fn near(&self, values: &[DVec4]) -> Result<Vec<DVec4>, GeomError> {
-        let (needed, got) = (self.firsts.len(), values.len());
-        if got != needed {
-            return Err(CountError::WrongCount { what: "points", needed, got }.into());
-        }
-        Ok(self.between([values[0], values[got - 1]], values))
+        self.check_count(values.len())?;
+        Ok(self.nearest([values[0], values[values.len() - 1]], |i| values[i]))
     }
 
     /// The control points from end to end of the spline that comes nearest to what the conditions
     /// want, each times its weight.
     pub(crate) fn between(&self, ends: [DVec4; 2], wanted: &[DVec4]) -> Vec<DVec4> {
+        self.nearest(ends, |i| wanted[i])
+    }
+
+    /// [`Self::between`], the wanted ones by their number.
+    fn nearest(&self, ends: [DVec4; 2], wanted: impl Fn(usize) -> DVec4) -> Vec<DVec4> {
         let mut points = vec![DVec4::ZERO; self.knots.n_points()];
         let last = points.len() - 1;
         (points[0], points[last]) = (ends[0], ends[1]);
         for _ in 0..2 {
-            let correction = self.correction(&points, wanted);
+            let correction = self.correction(&points, &wanted);
             for (point, step) in points[1..last].iter_mut().zip(correction) {
                 *point += step;
             }
@@ -147,10 +149,10 @@ impl Approximator {
     }
 
     /// What is missing from inner control points.
-    fn correction(&self, points: &[DVec4], values: &[DVec4]) -> Vec<DVec4> {
+    fn correction(&self, points: &[DVec4], wanted: impl Fn(usize) -> DVec4) -> Vec<DVec4> {
         let mut sums = vec![DVec4::ZERO; points.len()];
-        for ((first, shares), &wanted) in self.rows().zip(values) {
-            let missing = wanted - value(&points[first..], shares);
+        for (i, (first, shares)) in self.rows().enumerate() {
+            let missing = wanted(i) - value(&points[first..], shares);
             for (sum, &share) in sums[first..].iter_mut().zip(shares) {
                 *sum += share * missing;
             }
@@ -165,9 +167,25 @@ impl Approximator {
     /// # Errors
     /// Those of [`Self::near`].
     pub fn curve(&self, points: &[DVec3]) -> Result<NurbsCurve, GeomError> {
-        let values: Vec<DVec4> = points.iter().map(|point| point.extend(1.0)).collect();
-        let found: Vec<DVec3> = self.near(&values)?.into_iter().map(DVec4::truncate).collect();
-        NurbsCurve::polynomial(self.knots.clone(), &found)
+        let mut found = self.near_points(points)?;
+        found.iter_mut().for_each(|point| point.w = 1.0);
+        NurbsCurve::new(self.knots.clone(), found)
+    }
+
+    /// The control points of [`Self::curve`], their weights one but for rounding.
+    pub(super) fn near_points(&self, points: &[DVec3]) -> Result<Vec<DVec4>, GeomError> {
+        self.check_count(points.len())?;
+        let ends = [points[0], points[points.len() - 1]].map(|end| end.extend(1.0));
+        Ok(self.nearest(ends, |i| points[i].extend(1.0)))
+    }
+
+    fn check_count(&self, got: usize) -> Result<(), GeomError> {
+        let needed = self.firsts.len();
+        if got == needed {
+            Ok(())
+        } else {
+            Err(CountError::WrongCount { what: "points", needed, got }.into())
+        }
     }
 }
 

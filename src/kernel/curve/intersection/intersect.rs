@@ -119,7 +119,7 @@ impl NurbsCurve {
             && let Some(part) = alone.pop()
         {
             // Whatever turns by less than half a turn does not come back to itself.
-            if part.cone.is_within_half_turn() || search.is_tiny(&part) {
+            if part.cone().is_within_half_turn() || search.is_tiny(&part) {
                 continue;
             }
             let [left, right] = part.halves();
@@ -194,7 +194,7 @@ impl<'c> IntersectionSearch<'c> {
         if self.is_joint(a, b) {
             return true;
         }
-        if a.cone.crosses_clearly(b.cone)
+        if a.cone().crosses_clearly(b.cone())
             && !self.are_neighbours(a, b)
             && let Some(meeting) = self.crossing(a.interval, b.interval)
         {
@@ -219,7 +219,7 @@ impl<'c> IntersectionSearch<'c> {
     /// they share their joint and nothing else.
     fn is_joint(&self, a: &CurvePart, b: &CurvePart) -> bool {
         self.are_neighbours(a, b)
-            && (a.cone.with(b.cone).is_within_half_turn() || self.is_tiny(a) && self.is_tiny(b))
+            && (a.cone().with(b.cone()).is_within_half_turn() || self.is_tiny(a) && self.is_tiny(b))
     }
 
     /// Whether both follow one another along one curve, over its seam too.
@@ -245,7 +245,7 @@ impl<'c> IntersectionSearch<'c> {
         };
         let middles = [first.at(0.5), second.at(0.5)];
         let found = within_limits(limits, middles, NEWTON_STEPS, is_still, |[t, s]| {
-            let (p, q) = (self.first.derivatives_at(t, 1), self.second.derivatives_at(s, 1));
+            let (p, q) = (self.first.velocity_at(t), self.second.velocity_at(s));
             NewtonStep::perhaps(nearest_step(p[0] - q[0], p[1], q[1]))
         });
         let [t, s] = found.unless_stuck()?;
