@@ -7,6 +7,9 @@ use crate::{
     numeric::triangular_factor::{TriangularFactor, without_ends},
 };
 
+/// Control points that act on a span of a cubic: a number that the compiler knows makes loops faster.
+const CUBIC: usize = 4;
+
 /// What a fit is to have at a parameter: a value, or a derivative of an order.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FitCondition {
@@ -139,8 +142,8 @@ impl Approximator {
         let mut points = vec![DVec4::ZERO; self.knots.n_points()];
         let last = points.len() - 1;
         (points[0], points[last]) = (ends[0], ends[1]);
-        for _ in 0..2 {
-            let correction = self.correction(&points, &wanted);
+        for is_first in [true, false] {
+            let correction = self.correction(&points, is_first, &wanted);
             for (point, step) in points[1..last].iter_mut().zip(correction) {
                 *point += step;
             }
@@ -148,16 +151,27 @@ impl Approximator {
         points
     }
 
-    /// What is missing from inner control points.
-    fn correction(&self, points: &[DVec4], wanted: impl Fn(usize) -> DVec4) -> Vec<DVec4> {
-        let mut sums = vec![DVec4::ZERO; points.len()];
+    /// What is missing from inner control points, all of which are zero `at_first`.
+    fn correction(
+        &self,
+        points: &[DVec4],
+        at_first: bool,
+        wanted: impl Fn(usize) -> DVec4,
+    ) -> Vec<DVec4> {
+        let n_points = points.len();
+        let mut sums = vec![DVec4::ZERO; n_points];
         for (i, (first, shares)) in self.rows().enumerate() {
-            let missing = wanted(i) - value(&points[first..], shares);
-            for (sum, &share) in sums[first..].iter_mut().zip(shares) {
-                *sum += share * missing;
+            let is_inside = 0 < first && first + shares.len() < n_points;
+            let points = if at_first && is_inside { &[] } else { &points[first..] };
+            let sums = &mut sums[first..];
+            match (shares.first_chunk::<CUBIC>(), sums.first_chunk_mut::<CUBIC>()) {
+                (Some(shares), Some(sums)) if self.knots.degree() + 1 == CUBIC => {
+                    share_out(wanted(i) - value(points, shares), shares, sums);
+                }
+                _ => share_out(wanted(i) - value(points, shares), shares, sums),
             }
         }
-        let mut inner = sums[1..points.len() - 1].to_vec();
+        let mut inner = sums[1..n_points - 1].to_vec();
         self.factor.solve_normal(&mut inner);
         inner
     }
@@ -190,6 +204,15 @@ impl Approximator {
 }
 
 /// Control points in shares.
+#[inline(always)]
 fn value(points: &[DVec4], shares: &[f64]) -> DVec4 {
     points.iter().zip(shares).fold(DVec4::ZERO, |sum, (&point, &share)| sum + share * point)
+}
+
+/// Adds to each sum its share.
+#[inline(always)]
+fn share_out(whole: DVec4, shares: &[f64], sums: &mut [DVec4]) {
+    for (sum, &share) in sums.iter_mut().zip(shares) {
+        *sum += share * whole;
+    }
 }

@@ -105,7 +105,7 @@ impl ClosestPointTree {
     /// numbers of their spans; pieces are halved until they are no larger than the patch.
     pub(crate) fn near_pieces<P: BoxedPiece>(
         &self,
-        pieces: Vec<P>,
+        pieces: Vec<Arc<P>>,
         distance: f64,
     ) -> Vec<(Arc<P>, [usize; 2])> {
         self.tree.near_pieces(pieces, distance)

@@ -127,12 +127,12 @@ impl PatchTree {
     /// patch, or so small that rounding is all of it.
     pub(super) fn near_pieces<P: BoxedPiece>(
         &self,
-        pieces: Vec<P>,
+        pieces: Vec<Arc<P>>,
         distance: f64,
     ) -> Vec<(Arc<P>, [usize; 2])> {
         let mut found = Vec::new();
         let mut todo: Vec<(Arc<P>, usize)> =
-            pieces.into_iter().rev().map(|piece| (Arc::new(piece), self.root())).collect();
+            pieces.into_iter().rev().map(|piece| (piece, self.root())).collect();
         while work::goes_on(1)
             && let Some((piece, node)) = todo.pop()
         {

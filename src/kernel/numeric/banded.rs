@@ -154,8 +154,11 @@ impl BandedSystem {
                 values.swap(k, exchanged[k]);
             }
             let value = values[k];
-            for (below, later) in values[k + 1..].iter_mut().take(self.lower).enumerate() {
-                *later -= self.rows[self.place(k + 1 + below, k)] * value;
+            // Down the column.
+            let below = self.rows.iter().skip(self.place(k, k));
+            let factors = below.step_by(self.width.max(2) - 1).skip(1);
+            for (later, factor) in values[k + 1..].iter_mut().take(self.lower).zip(factors) {
+                *later -= factor * value;
             }
         }
         for k in (0..n).rev() {

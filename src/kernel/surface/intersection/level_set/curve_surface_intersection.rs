@@ -159,7 +159,7 @@ impl PiercingSearch<'_> {
     fn near_pairs(&self, near: f64) -> Vec<(Arc<BezierSegment>, Arc<SurfacePart>)> {
         let mut patches = SurfacePatches::new(self.surface);
         let spans = self.curve.knots().spans();
-        let whole = spans.map(|span| BezierSegment::of_span(self.curve, span)).collect();
+        let whole = spans.map(|span| Arc::new(BezierSegment::of_span(self.curve, span))).collect();
         let pairs = self.surface.patch_boxes().near_pieces(whole, near);
         let mut todo = Vec::new();
         for (piece, spans) in pairs {
