@@ -50,13 +50,18 @@ pub(crate) fn blend(a: DVec4, b: DVec4, fraction: f64) -> DVec4 {
 pub(crate) fn cut_at(points: &[DVec4], fraction: f64) -> (Vec<DVec4>, Vec<DVec4>) {
     let mut right = points.to_vec();
     let mut left = Vec::with_capacity(points.len());
+    cut_off(&mut right, fraction, |point| left.push(point));
+    (left, right)
+}
+
+/// Makes the second part of a curve of the whole, as [`cut_at`]; `keep` is told the points of the first.
+pub(crate) fn cut_off(points: &mut [DVec4], fraction: f64, mut keep: impl FnMut(DVec4)) {
     for n_left in (0..points.len()).rev() {
-        left.push(right[0]);
+        keep(points[0]);
         for i in 0..n_left {
-            right[i] = blend(right[i], right[i + 1], fraction);
+            points[i] = blend(points[i], points[i + 1], fraction);
         }
     }
-    (left, right)
 }
 
 /// The net of the Bézier patch that a tensor-product spline is over a pair of spans.

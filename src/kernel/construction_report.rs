@@ -50,6 +50,8 @@ pub enum ReportEntry {
     Text(Arc<str>),
     /// Several facts of a kind.
     List(Vec<Self>),
+    /// Many numbers without a unit.
+    Numbers(Arc<[f64]>),
     /// Facts about a part.
     Record(ConstructionReport),
 }

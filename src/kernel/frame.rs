@@ -216,3 +216,13 @@ pub(crate) fn across(v: DVec3, axis: DVec3) -> Option<DVec3> {
     let part = unit(part)?;
     unit(part - axis * part.dot(axis))
 }
+
+/// The widest angle between directions and an axis, none of them zero; radians, 0 without
+/// directions.
+pub(crate) fn widest_angle(directions: impl Iterator<Item = DVec3>, axis: DVec3) -> f64 {
+    let axis_squared = axis.length_squared();
+    let cosine =
+        |direction: DVec3| direction.dot(axis) / (direction.length_squared() * axis_squared).sqrt();
+    // The widest angle has the least cosine.
+    libm::acos(directions.map(cosine).fold(1.0, f64::min).max(-1.0))
+}

@@ -68,6 +68,9 @@ into_variant! {
         ReportEntry::Point(point) => Value::Point(*point),
         ReportEntry::Text(text) => Value::Text(text.clone()),
         ReportEntry::List(facts) => Value::list(facts.iter().map(IntoValue::into_value).collect()),
+        ReportEntry::Numbers(numbers) => {
+            Value::list(numbers.iter().map(|&number| Value::number(number)).collect())
+        }
         ReportEntry::Record(report) => report.into_value(),
     };
     Curve = Type::Curve, |curve| Value::Curve(curve);

@@ -145,17 +145,17 @@ fn reporting(
     parameters: &[f64],
     corners: &[f64],
 ) -> NurbsCurve {
-    let found = curve.evaluator();
-    let miss = |(point, &t): (&DVec3, &f64)| (found.point_at(t).distance(*point), t);
-    let misses: Vec<(f64, f64)> = points.iter().zip(parameters).map(miss).collect();
-    let worst =
-        misses.iter().fold(
-            (0.0, parameters[0]),
-            |worst: (f64, f64), &miss| {
-                if worst.0 < miss.0 { miss } else { worst }
-            },
-        );
-    let mean = misses.iter().map(|miss| miss.0).sum::<f64>() / misses.len() as f64;
+    let (mut worst, mut sum) = ((0.0, parameters[0]), 0.0);
+    let mut pairs = points.iter().zip(parameters);
+    curve.evaluator().each_point(parameters, |found| {
+        let Some((point, &t)) = pairs.next() else { return };
+        let miss = found.distance(*point);
+        sum += miss;
+        if worst.0 < miss {
+            worst = (miss, t);
+        }
+    });
+    let mean = sum / points.len() as f64;
     let deviation = ConstructionReport::default()
         .with("max", ReportEntry::Length(worst.0))
         .with("mean", ReportEntry::Length(mean))
@@ -164,6 +164,6 @@ fn reporting(
         .with("control_points", curve.control_points().len())
         .with("deviation", deviation)
         .with("corners", corners.to_vec())
-        .with("parameters", parameters.to_vec());
+        .with("parameters", ReportEntry::Numbers(parameters.into()));
     curve.with_report(report)
 }

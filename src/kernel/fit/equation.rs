@@ -1,9 +1,14 @@
 //! Linear conditions on the control points of a spline.
 
+use std::ops::Range;
+
 use smallvec::smallvec;
 
 pub(crate) use crate::numeric::banded::Equation;
-use crate::{KnotVector, numeric::banded::Coefficients};
+use crate::{
+    KnotVector,
+    numeric::banded::{BandedSystem, Coefficients},
+};
 
 impl Equation {
     /// The spline's point at `t` is given.
@@ -39,4 +44,44 @@ impl Equation {
     pub(crate) fn control_point(index: usize) -> Self {
         Self { first: index, values: smallvec![1.0] }
     }
+}
+
+/// The equations of a spline whose points at the parameters are given, as many as it has control
+/// points, ready to be solved; `None` where they do not determine it.
+///
+/// As [`Equation::points`], without a list of them.
+pub(super) fn band_of_points(knots: &KnotVector, parameters: &[f64]) -> Option<BandedSystem> {
+    let mut reach = [0, 0];
+    for (i, (_, acting)) in each_span(knots, parameters).enumerate() {
+        reach[0] = reach[0].max(i.saturating_sub(acting.start));
+        reach[1] = reach[1].max(acting.end.saturating_sub(i + 1));
+    }
+    let mut band = BandedSystem::totally_positive(parameters.len(), reach);
+    for (i, (span, acting)) in each_span(knots, parameters).enumerate() {
+        let first = span - knots.degree();
+        knots.with_basis_on(span, parameters[i], |values| {
+            band.add(i, acting.start, &values[acting.start - first..acting.end - first]);
+        });
+    }
+    band.factored()
+}
+
+/// The span of each parameter, and the control points that count there: not those whose functions
+/// begin or end at it.
+fn each_span(
+    knots: &KnotVector,
+    parameters: &[f64],
+) -> impl Iterator<Item = (usize, Range<usize>)> {
+    let (all, degree, mut span) = (knots.as_slice(), knots.degree(), knots.degree());
+    parameters.iter().map(move |&t| {
+        span = knots.span_from(span, t);
+        let first = span - degree;
+        if all[span] < t && t < all[span + 1] {
+            return (span, first..span + 1);
+        }
+        let is_there = |knot: &&f64| t.total_cmp(knot).is_eq();
+        let n_ending = all[span + 1..].iter().take_while(is_there).count().min(degree);
+        let n_beginning = all[..=span].iter().rev().take_while(is_there).count().min(degree);
+        (span, first + n_ending..(span + 1 - n_beginning).max(first + n_ending + 1))
+    })
 }

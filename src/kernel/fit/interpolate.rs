@@ -1,6 +1,9 @@
 //! The equations of splines through points: which knots, which conditions.
 
-use super::{check_parameters, equation::Equation};
+use super::{
+    check_parameters,
+    equation::{Equation, band_of_points},
+};
 use crate::{
     CountError, FitError, GeomError, KnotVector,
     numeric::{banded::BandedSystem, cyclic::CyclicSystem},
@@ -143,7 +146,7 @@ impl Interpolator {
             }
             _ => return Err(FitError::NoFit.into()),
         };
-        let knots = clamped(parameters, degree, &inner)?;
+        let knots = clamped(parameters, degree, inner)?;
         let both = |&t: &f64| [Equation::point(&knots, t), Equation::derivative(&knots, t, 1)];
         let mut rows: Vec<Equation> = parameters.iter().flat_map(both).collect();
         // The last value belongs to the last unknown, as the first to the first.
@@ -163,13 +166,12 @@ impl Interpolator {
     fn averaged(parameters: &[f64], degree: usize) -> Result<Self, GeomError> {
         let n_inner = parameters.len() - degree - 1;
         let mean = |j: usize| parameters[j..j + degree].iter().sum::<f64>() / degree as f64;
-        let inner: Vec<f64> = (1..=n_inner).map(mean).collect();
-        Self::on_knots(parameters, clamped(parameters, degree, &inner)?)
+        Self::on_knots(parameters, clamped(parameters, degree, (1..=n_inner).map(mean))?)
     }
 
     fn not_a_knot(parameters: &[f64]) -> Result<Self, GeomError> {
         let inner = &parameters[2..parameters.len() - 2];
-        Self::on_knots(parameters, clamped(parameters, 3, inner)?)
+        Self::on_knots(parameters, clamped(parameters, 3, inner.iter().copied())?)
     }
 
     /// For as many values as the knots need, at parameters of which one lies in the support of each
@@ -178,15 +180,15 @@ impl Interpolator {
     /// # Errors
     /// [`FitError::NoFit`] where the values do not determine a spline.
     pub(crate) fn on_knots(parameters: &[f64], knots: KnotVector) -> Result<Self, GeomError> {
-        let rows: Vec<Equation> = Equation::points(&knots, parameters).collect();
-        let equations = FactoredEquations::Values(BandedSystem::new(&rows).ok_or(FitError::NoFit)?);
+        let band = band_of_points(&knots, parameters).ok_or(FitError::NoFit)?;
+        let equations = FactoredEquations::Values(band);
         Ok(Self { knots, n_values: parameters.len(), equations })
     }
 
     /// Knots at the parameters: two control points more than values.
     fn cubic(parameters: &[f64], ends: Ends) -> Result<Self, GeomError> {
         let n = parameters.len();
-        let knots = clamped(parameters, 3, &parameters[1..n - 1])?;
+        let knots = clamped(parameters, 3, parameters[1..n - 1].iter().copied())?;
         let backwards: Vec<f64> = parameters.iter().rev().take(3).map(|t| -t).collect();
         let sides = [(parameters, 1), (&backwards[..], n)];
         let mut end_rows = sides.map(|(t, column)| match ends {
@@ -231,11 +233,14 @@ fn bessel(parameters: &[f64]) -> [f64; 3] {
 pub(super) fn clamped(
     parameters: &[f64],
     degree: usize,
-    inner: &[f64],
+    inner: impl IntoIterator<Item = f64>,
 ) -> Result<KnotVector, GeomError> {
-    let (start, end) = (parameters[0], parameters[parameters.len() - 1]);
-    let [before, after] = [start, end].map(|t| vec![t; degree + 1]);
-    KnotVector::new(degree, [&before, inner, &after].concat())
+    let ends = [parameters[0], parameters[parameters.len() - 1]];
+    let mut knots = Vec::with_capacity(parameters.len() + degree + 1);
+    knots.extend(std::iter::repeat_n(ends[0], degree + 1));
+    knots.extend(inner);
+    knots.extend(std::iter::repeat_n(ends[1], degree + 1));
+    KnotVector::new(degree, knots)
 }
 
 /// # Errors

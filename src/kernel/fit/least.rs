@@ -2,11 +2,13 @@
 
 use glam::{DVec3, DVec4};
 
-use super::equation::Equation;
 use crate::{
     CountError, FitError, GeomError, KnotVector, NurbsCurve,
     numeric::triangular_factor::{TriangularFactor, without_ends},
 };
+
+/// Control points that act on a span of a cubic: a number that the compiler knows makes loops faster.
+const CUBIC: usize = 4;
 
 /// What a fit is to have at a parameter: a value, or a derivative of an order.
 #[derive(Clone, Copy, Debug)]
@@ -74,22 +76,16 @@ impl Approximator {
         let mut firsts = Vec::with_capacity(conditions.len());
         let mut shares = Vec::with_capacity(conditions.len() * width);
         for &FitCondition { t, order, weight } in conditions {
-            let begin = shares.len();
             if order == 0 {
                 knots.with_basis(t, |span, basis| {
                     firsts.push(span + 1 - width);
                     shares.extend(basis.iter().map(|share| weight * share));
                 });
             } else {
-                // Basis functions that vanish there count nothing.
-                let row = Equation::derivative(&knots, t, order);
-                let first = row.first.min(knots.n_points() - width);
-                firsts.push(first);
-                shares.resize(begin + width, 0.0);
-                for (share, value) in shares[begin + row.first - first..].iter_mut().zip(row.values)
-                {
-                    *share = weight * value;
-                }
+                let span = knots.span_at(t);
+                let derivatives = knots.basis_derivatives_on(span, t, order);
+                firsts.push(span + 1 - width);
+                shares.extend(derivatives.row(order).iter().map(|share| weight * share));
             }
         }
         Self::of_rows(knots, firsts, shares)
@@ -131,21 +127,23 @@ impl Approximator {
     /// # Errors
     /// [`CountError::WrongCount`] unless there is one value a parameter.
     pub fn near(&self, values: &[DVec4]) -> Result<Vec<DVec4>, GeomError> {
-        let (needed, got) = (self.firsts.len(), values.len());
-        if got != needed {
-            return Err(CountError::WrongCount { what: "points", needed, got }.into());
-        }
-        Ok(self.between([values[0], values[got - 1]], values))
+        self.check_count(values.len())?;
+        Ok(self.nearest([values[0], values[values.len() - 1]], |i| values[i]))
     }
 
     /// The control points from end to end of the spline that comes nearest to what the conditions
     /// want, each times its weight.
     pub(crate) fn between(&self, ends: [DVec4; 2], wanted: &[DVec4]) -> Vec<DVec4> {
+        self.nearest(ends, |i| wanted[i])
+    }
+
+    /// [`Self::between`], the wanted ones by their number.
+    fn nearest(&self, ends: [DVec4; 2], wanted: impl Fn(usize) -> DVec4) -> Vec<DVec4> {
         let mut points = vec![DVec4::ZERO; self.knots.n_points()];
         let last = points.len() - 1;
         (points[0], points[last]) = (ends[0], ends[1]);
-        for _ in 0..2 {
-            let correction = self.correction(&points, wanted);
+        for is_first in [true, false] {
+            let correction = self.correction(&points, is_first, &wanted);
             for (point, step) in points[1..last].iter_mut().zip(correction) {
                 *point += step;
             }
@@ -153,16 +151,27 @@ impl Approximator {
         points
     }
 
-    /// What is missing from inner control points.
-    fn correction(&self, points: &[DVec4], values: &[DVec4]) -> Vec<DVec4> {
-        let mut sums = vec![DVec4::ZERO; points.len()];
-        for ((first, shares), &wanted) in self.rows().zip(values) {
-            let missing = wanted - value(&points[first..], shares);
-            for (sum, &share) in sums[first..].iter_mut().zip(shares) {
-                *sum += share * missing;
+    /// What is missing from inner control points, all of which are zero `at_first`.
+    fn correction(
+        &self,
+        points: &[DVec4],
+        at_first: bool,
+        wanted: impl Fn(usize) -> DVec4,
+    ) -> Vec<DVec4> {
+        let n_points = points.len();
+        let mut sums = vec![DVec4::ZERO; n_points];
+        for (i, (first, shares)) in self.rows().enumerate() {
+            let is_inside = 0 < first && first + shares.len() < n_points;
+            let points = if at_first && is_inside { &[] } else { &points[first..] };
+            let sums = &mut sums[first..];
+            match (shares.first_chunk::<CUBIC>(), sums.first_chunk_mut::<CUBIC>()) {
+                (Some(shares), Some(sums)) if self.knots.degree() + 1 == CUBIC => {
+                    share_out(wanted(i) - value(points, shares), shares, sums);
+                }
+                _ => share_out(wanted(i) - value(points, shares), shares, sums),
             }
         }
-        let mut inner = sums[1..points.len() - 1].to_vec();
+        let mut inner = sums[1..n_points - 1].to_vec();
         self.factor.solve_normal(&mut inner);
         inner
     }
@@ -172,13 +181,38 @@ impl Approximator {
     /// # Errors
     /// Those of [`Self::near`].
     pub fn curve(&self, points: &[DVec3]) -> Result<NurbsCurve, GeomError> {
-        let values: Vec<DVec4> = points.iter().map(|point| point.extend(1.0)).collect();
-        let found: Vec<DVec3> = self.near(&values)?.into_iter().map(DVec4::truncate).collect();
-        NurbsCurve::polynomial(self.knots.clone(), &found)
+        let mut found = self.near_points(points)?;
+        found.iter_mut().for_each(|point| point.w = 1.0);
+        NurbsCurve::new(self.knots.clone(), found)
+    }
+
+    /// The control points of [`Self::curve`], their weights one but for rounding.
+    pub(super) fn near_points(&self, points: &[DVec3]) -> Result<Vec<DVec4>, GeomError> {
+        self.check_count(points.len())?;
+        let ends = [points[0], points[points.len() - 1]].map(|end| end.extend(1.0));
+        Ok(self.nearest(ends, |i| points[i].extend(1.0)))
+    }
+
+    fn check_count(&self, got: usize) -> Result<(), GeomError> {
+        let needed = self.firsts.len();
+        if got == needed {
+            Ok(())
+        } else {
+            Err(CountError::WrongCount { what: "points", needed, got }.into())
+        }
     }
 }
 
 /// Control points in shares.
+#[inline(always)]
 fn value(points: &[DVec4], shares: &[f64]) -> DVec4 {
     points.iter().zip(shares).fold(DVec4::ZERO, |sum, (&point, &share)| sum + share * point)
+}
+
+/// Adds to each sum its share.
+#[inline(always)]
+fn share_out(whole: DVec4, shares: &[f64], sums: &mut [DVec4]) {
+    for (sum, &share) in sums.iter_mut().zip(shares) {
+        *sum += share * whole;
+    }
 }

@@ -63,36 +63,40 @@ impl Parametrization {
         if let Some(index) = points.iter().position(|point| !point.is_finite()) {
             return Err(InputError::NotFinite { what: "point", index }.into());
         }
+        let mut parameters = self.steps(points);
         let mut sum = 0.0;
-        let running = |step: f64| {
-            sum += step;
-            sum
-        };
-        let places: Vec<f64> = self.steps(points).into_iter().map(running).collect();
-        let total = places[got - 2];
-        if total <= 0.0 {
+        for place in &mut parameters {
+            sum += *place;
+            *place = sum;
+        }
+        if sum <= 0.0 {
             return Err(InputError::CoincidentPoints { first: 0, second: 1 }.into());
         }
-        if !total.is_finite() {
+        if !sum.is_finite() {
             return Err(InputError::NotFinite { what: "distance to point", index: got - 1 }.into());
         }
-        let mut parameters = vec![0.0];
-        parameters.extend(places.into_iter().map(|place| place / total));
+        parameters.iter_mut().for_each(|place| *place /= sum);
         Ok(parameters)
     }
 
-    /// Distances of neighbouring parameters, up to a common factor.
+    /// Distances of the parameters from those before, up to a common factor; the first is zero.
     fn steps(self, points: &[DVec3]) -> Vec<f64> {
-        let chords: Vec<f64> = points.windows(2).map(|pair| norm(pair[1] - pair[0])).collect();
+        let mut steps = Vec::with_capacity(points.len());
+        steps.push(0.0);
+        steps.extend(points.windows(2).map(|pair| norm(pair[1] - pair[0])));
+        let own = &mut steps[1..];
         match self {
-            Self::Uniform => vec![1.0; chords.len()],
-            Self::Chord => chords,
-            Self::Centripetal => chords.into_iter().map(f64::sqrt).collect(),
+            Self::Uniform => own.fill(1.0),
+            Self::Chord => {}
+            Self::Centripetal => own.iter_mut().for_each(|step| *step = step.sqrt()),
             Self::Foley => {
+                let chords = own.to_vec();
                 let bends: Vec<f64> = points.windows(3).map(bend).collect();
-                (0..chords.len()).map(|i| foley_step(&chords, &bends, i)).collect()
+                let longer = |(i, step): (usize, &mut f64)| *step = foley_step(&chords, &bends, i);
+                own.iter_mut().enumerate().for_each(longer);
             }
         }
+        steps
     }
 }
 

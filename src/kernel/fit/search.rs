@@ -179,22 +179,23 @@ impl FitSearch<'_> {
         let places = slid(&trial.curve, &parameters, self.points, along)?;
         let curve = NurbsCurve::polynomial(trial.curve.knots().clone(), &places).ok()?;
         let parameters = self.corrected(&curve, parameters);
-        let found = curve.evaluator();
-        let looks = || parameters.iter().map(|&t| found.second_order_at(t));
-        let speeds = || looks().map(|[_, velocity, _]| velocity.length());
-        let (least, sum) = speeds().fold((f64::MAX, 0.0), |(l, s), v| (v.min(l), s + v));
+        let (mut least, mut sum) = (f64::MAX, 0.0);
+        let mut misses = Vec::with_capacity(parameters.len());
+        curve.evaluator().each_second_order(&parameters, |[value, velocity, _]| {
+            let speed = velocity.length();
+            (least, sum) = (speed.min(least), sum + speed);
+            misses.push(value.distance(self.points[misses.len()]));
+        });
         if least < LEAST_SPEED * sum / parameters.len() as f64 {
             return None;
         }
-        let misses = looks().zip(self.points).map(|(look, p)| look[0].distance(*p)).collect();
         Some(FittedCurve::new(curve, parameters, misses))
     }
 
     fn fitted(&mut self, knots: &KnotVector, parameters: Vec<f64>) -> Option<FittedCurve> {
         self.left = self.left.saturating_sub(self.points.len());
         let fit = Approximator::new(&parameters, knots.clone()).ok()?;
-        let wanted: Vec<DVec4> = self.points.iter().map(|point| point.extend(1.0)).collect();
-        let found = fit.near(&wanted).ok()?;
+        let found = fit.near_points(self.points).ok()?;
         let pairs = fit.values(&found).zip(self.points);
         let misses = pairs.map(|(value, point)| value.truncate().distance(*point)).collect();
         let places: Vec<DVec3> = found.into_iter().map(DVec4::truncate).collect();
@@ -205,19 +206,32 @@ impl FitSearch<'_> {
     /// One step of each inner parameter towards the nearest place of the curve, in order.
     fn corrected(&self, curve: &NurbsCurve, mut parameters: Vec<f64>) -> Vec<f64> {
         let curve = curve.evaluator();
-        for i in 1..parameters.len() - 1 {
-            let (t, point) = (parameters[i], self.points[i]);
-            let [value, first, second] = curve.second_order_at(t);
-            let miss = value - point;
+        let mut steps = Vec::with_capacity(parameters.len());
+        curve.each_second_order(&parameters, |[value, first, second]| {
+            let i = steps.len();
+            let miss = value - self.points[i];
             let speed = first.length_squared();
             let bent = speed + miss.dot(second);
             let slope = if 0.0 < bent { bent } else { speed };
-            if 0.0 < slope {
-                let next = t - miss.dot(first) / slope;
-                let next = next.max(parameters[i - 1]).min(parameters[i + 1]);
-                if curve.point_at(next).distance(point) < miss.length() {
-                    parameters[i] = next;
-                }
+            let step = if 0.0 < slope { miss.dot(first) / slope } else { 0.0 };
+            steps.push((parameters[i] - step, miss.length_squared()));
+        });
+        // Few of them come upon a neighbour: the others are looked at together.
+        let places: Vec<f64> = steps.iter().map(|step| step.0).collect();
+        let mut found = Vec::with_capacity(places.len());
+        curve.each_point(&places, |place| {
+            found.push(place.distance_squared(self.points[found.len()]));
+        });
+        for i in 1..parameters.len() - 1 {
+            let (wanted, miss) = steps[i];
+            let next = wanted.max(parameters[i - 1]).min(parameters[i + 1]);
+            let is_there = next.total_cmp(&wanted).is_eq();
+            let off = match is_there {
+                true => found[i],
+                false => curve.point_at(next).distance_squared(self.points[i]),
+            };
+            if off < miss {
+                parameters[i] = next;
             }
         }
         parameters

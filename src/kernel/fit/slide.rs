@@ -28,37 +28,94 @@ pub(super) fn slid(
     let n_inner = old.len().checked_sub(2)?;
     let mut band = SymmetricBand::new(3 * n_inner, 3 * (knots.degree() + 1));
     let mut steps = vec![0.0; 3 * n_inner];
-    for (&t, &point) in parameters.iter().zip(points) {
-        let [value, velocity, _] = found.second_order_at(t);
+    let mut sums = SpanSums::new(knots.degree() + 1);
+    let (mut span, mut pairs) = (knots.degree(), parameters.iter().zip(points));
+    found.each_second_order(parameters, |[value, velocity, _]| {
+        let Some((&t, &point)) = pairs.next() else { return };
         let direction = velocity.try_normalize().unwrap_or(DVec3::ZERO);
-        let onto = DMat3::from_cols(
-            direction * direction.x,
-            direction * direction.y,
-            direction * direction.z,
-        );
-        let counts = DMat3::IDENTITY - (1.0 - along) * onto;
-        let missing = counts * (point - value);
-        knots.with_basis(t, |span, shares| {
-            let first = span - knots.degree();
-            // The first and the last control point stay.
-            let inner = |j: usize| (first + j).checked_sub(1).filter(|&i| i < n_inner);
-            for (j, &share) in shares.iter().enumerate() {
-                let Some(row) = inner(j) else { continue };
-                for axis in 0..3 {
-                    steps[3 * row + axis] += share * missing[axis];
-                }
-                for (k, &other) in shares.iter().enumerate().skip(j) {
-                    if let Some(column) = inner(k) {
-                        band.add(3 * row, 3 * column, share * other * counts);
-                    }
-                }
-            }
-        });
-    }
+        let counts = PointCounts { direction, less: 1.0 - along };
+        let own = knots.span_from(span, t);
+        if own != span {
+            sums.move_into(span - knots.degree(), n_inner, &mut band, &mut steps);
+            span = own;
+        }
+        knots.with_basis_on(span, t, |shares| sums.add(shares, counts, point - value));
+    });
+    sums.move_into(span - knots.degree(), n_inner, &mut band, &mut steps);
     band.solve(&mut steps)?;
     let mut points = old;
     for (point, step) in points[1..].iter_mut().zip(steps.chunks_exact(3)) {
         *point += DVec3::from_slice(step);
     }
     points.iter().all(|point| point.is_finite()).then_some(points)
+}
+
+/// How much an error counts by its direction: whole, and so much less along one.
+#[derive(Clone, Copy)]
+struct PointCounts {
+    direction: DVec3,
+    less: f64,
+}
+
+/// The sums that the points over a span add to the equations: of the control points that act there,
+/// the first row by row.
+struct SpanSums {
+    /// A symmetric block for each pair of control points: xx, xy, xz, yy, yz, zz.
+    blocks: Vec<[f64; 6]>,
+    steps: Vec<DVec3>,
+}
+
+impl SpanSums {
+    fn new(n: usize) -> Self {
+        Self { blocks: vec![[0.0; 6]; n * (n + 1) / 2], steps: vec![DVec3::ZERO; n] }
+    }
+
+    fn add(
+        &mut self,
+        shares: &[f64],
+        PointCounts { direction, less }: PointCounts,
+        missing: DVec3,
+    ) {
+        let DVec3 { x, y, z } = direction;
+        let [lx, ly, lz] = [less * x, less * y, less * z];
+        let counts = [1.0 - lx * x, -lx * y, -lx * z, 1.0 - ly * y, -ly * z, 1.0 - lz * z];
+        let missing = missing - less * missing.dot(direction) * direction;
+        let mut blocks = self.blocks.iter_mut();
+        for (j, (&share, step)) in shares.iter().zip(&mut self.steps).enumerate() {
+            *step += share * missing;
+            for (&other, block) in shares[j..].iter().zip(&mut blocks) {
+                let both = share * other;
+                for (sum, count) in block.iter_mut().zip(counts) {
+                    *sum += both * count;
+                }
+            }
+        }
+    }
+
+    /// Adds the sums to the equations of the inner control points; the first and the last stay. Begins
+    /// anew.
+    fn move_into(
+        &mut self,
+        first: usize,
+        n_inner: usize,
+        band: &mut SymmetricBand,
+        to: &mut [f64],
+    ) {
+        let inner = |j: usize| (first + j).checked_sub(1).filter(|&i| i < n_inner);
+        let n = self.steps.len();
+        let mut blocks = self.blocks.iter_mut();
+        for (j, step) in self.steps.iter_mut().enumerate() {
+            let (row, step) = (inner(j), std::mem::take(step));
+            if let Some(row) = row {
+                to[3 * row..][..3].iter_mut().zip(step.to_array()).for_each(|(to, x)| *to += x);
+            }
+            for (k, block) in (j..n).zip(&mut blocks) {
+                let [xx, xy, xz, yy, yz, zz] = std::mem::take(block);
+                if let (Some(row), Some(column)) = (row, inner(k)) {
+                    let block = DMat3::from_cols_array(&[xx, xy, xz, xy, yy, yz, xz, yz, zz]);
+                    band.add(3 * row, 3 * column, block);
+                }
+            }
+        }
+    }
 }

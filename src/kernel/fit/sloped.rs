@@ -37,7 +37,7 @@ impl Interpolator {
         let degree = degree.min(n - 1);
         let mean = |j: usize| data[j..j + degree].iter().sum::<f64>() / degree as f64;
         let inner: Vec<f64> = (1..n - degree).map(mean).collect();
-        let knots = clamped(parameters, degree, &inner)?;
+        let knots = clamped(parameters, degree, inner)?;
 
         let slope = |t: f64| Equation::derivative(&knots, t, 1).scaled_by(parameters);
         let mut rows = vec![Equation::point(&knots, parameters[0])];

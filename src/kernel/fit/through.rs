@@ -15,24 +15,27 @@ impl Interpolator {
     /// [`CountError::WrongCount`] unless there is one a parameter; [`FitError::NoFit`] where the
     /// ends want tangents or the equations derivatives.
     pub fn through(&self, values: &[DVec4]) -> Result<Vec<DVec4>, GeomError> {
+        self.through_own(values.to_vec())
+    }
+
+    /// [`Self::through`] values that need not be kept.
+    fn through_own(&self, mut values: Vec<DVec4>) -> Result<Vec<DVec4>, GeomError> {
         self.check_count("points", values.len())?;
         match &self.equations {
             FactoredEquations::Values(band) => {
-                let mut unknowns = values.to_vec();
-                band.solve(&mut unknowns);
-                Ok(unknowns)
+                band.solve(&mut values);
+                Ok(values)
             }
             FactoredEquations::WithEnds(_, [EndRow::Along(_), _])
             | FactoredEquations::WithDerivatives(_)
             | FactoredEquations::WithEndSlopes(..) => Err(GeomError::Fit(FitError::NoFit)),
-            FactoredEquations::WithEnds(..) => self.with_tangents(values, [DVec4::ZERO; 2]),
+            FactoredEquations::WithEnds(..) => self.with_tangents(&values, [DVec4::ZERO; 2]),
             FactoredEquations::Ring(cyclic, ring) => {
-                let mut unknowns = values.to_vec();
-                cyclic.solve(&mut unknowns);
+                cyclic.solve(&mut values);
                 let reach = self.knots.degree() / 2;
                 let knots = ring.as_ref().unwrap_or(&self.knots);
                 let n = self.n_values;
-                let around = (0..knots.n_points()).map(|i| unknowns[(n + i - reach) % n]).collect();
+                let around = (0..knots.n_points()).map(|i| values[(n + i - reach) % n]).collect();
                 match ring {
                     None => Ok(around),
                     Some(ring) => {
@@ -99,7 +102,7 @@ impl Interpolator {
     /// # Errors
     /// Those of [`Self::through`].
     pub fn curve(&self, points: &[DVec3]) -> Result<NurbsCurve, GeomError> {
-        self.polynomial(self.through(&lifted(points, 1.0))?)
+        self.polynomial(self.through_own(lifted(points, 1.0))?)
     }
 
     /// The polynomial curve through points with derivatives at both ends.
@@ -128,9 +131,9 @@ impl Interpolator {
     }
 
     /// The weights are one but for rounding.
-    fn polynomial(&self, points: Vec<DVec4>) -> Result<NurbsCurve, GeomError> {
-        let points: Vec<DVec3> = points.into_iter().map(DVec4::truncate).collect();
-        NurbsCurve::polynomial(self.knots.clone(), &points)
+    fn polynomial(&self, mut points: Vec<DVec4>) -> Result<NurbsCurve, GeomError> {
+        points.iter_mut().for_each(|point| point.w = 1.0);
+        NurbsCurve::new(self.knots.clone(), points)
     }
 
     fn check_count(&self, what: &'static str, got: usize) -> Result<(), GeomError> {

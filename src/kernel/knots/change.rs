@@ -14,14 +14,14 @@ impl KnotVector {
 
     /// More knots, which lie between those there are.
     pub(crate) fn with(&self, more: &[f64]) -> Self {
-        let mut knots = [&self.knots, more].concat();
+        let mut knots = [self.as_slice(), more].concat();
         knots.sort_by(f64::total_cmp);
         Self::new_unchecked(self.degree, knots)
     }
 
     /// One knot less: the last of those at `t`, which is one of them.
     pub(crate) fn without(&self, t: f64) -> Self {
-        let mut knots = self.knots.clone();
+        let mut knots = self.knots.to_vec();
         knots.remove(knots.partition_point(|&knot| knot <= t) - 1);
         Self::new_unchecked(self.degree, knots)
     }

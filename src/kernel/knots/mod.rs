@@ -18,7 +18,7 @@ pub(crate) use fast::acting;
 pub(crate) use lookup::{BATCH, LocalParameter, SpanLookup};
 use reciprocals::Reciprocals;
 
-use std::ops::RangeInclusive;
+use std::{ops::RangeInclusive, sync::Arc};
 
 use super::{
     DegreeError, GeomError, Grid, InputError, Interval, KnotError, tolerance::KNOT_RELATIVE,
@@ -64,7 +64,7 @@ pub enum Side {
 #[derive(Clone, Debug, PartialEq)]
 pub struct KnotVector {
     degree: usize,
-    knots: Vec<f64>,
+    knots: Arc<[f64]>,
     /// What the knots' differences cost to divide by, computed once.
     reciprocals: Reciprocals,
 }
@@ -159,7 +159,7 @@ impl KnotVector {
     /// Knots that keep the invariants by construction.
     fn new_unchecked(degree: usize, knots: Vec<f64>) -> Self {
         let reciprocals = Reciprocals::new(degree, &knots);
-        Self { degree, knots, reciprocals }
+        Self { degree, knots: knots.into(), reciprocals }
     }
 
     /// Polynomial degree p of the pieces.

@@ -1,6 +1,6 @@
 //! What the basis divides by, divided once.
 
-use std::array::from_fn;
+use std::{array::from_fn, sync::Arc};
 
 /// Degrees whose basis has no loops.
 pub(super) const UNROLLED_DEGREE: usize = 3;
@@ -11,7 +11,7 @@ pub(super) struct Reciprocals {
     /// Spans over the length of the domain.
     pub(super) mean_span: f64,
     /// `1 / (u_{i+q} − u_i)` at `[i][q − 1]`; none for higher degrees.
-    pub(super) widths: Vec<[f64; UNROLLED_DEGREE]>,
+    pub(super) widths: Arc<[[f64; UNROLLED_DEGREE]]>,
 }
 
 impl Reciprocals {

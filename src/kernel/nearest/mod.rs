@@ -14,6 +14,8 @@ mod patch;
 mod spans;
 mod tree;
 
+use std::sync::Arc;
+
 use glam::{DVec3, DVec4};
 
 use super::{
@@ -25,6 +27,7 @@ use gap::DistanceBounds;
 use patch::BezierPatch;
 pub(crate) use patch::{FootVector, PatchPart, descend};
 use spans::{DirectionSpans, KnotSpan};
+pub(crate) use tree::BoxedPiece;
 use tree::PatchTree;
 
 /// Parts looked at before the search becomes content with less. Only where a whole line is nearly
@@ -96,6 +99,16 @@ impl ClosestPointTree {
     /// another, each by the numbers of its spans along both directions; in order.
     pub(crate) fn near_pairs(&self, other: &Self, distance: f64) -> Vec<[[usize; 2]; 2]> {
         self.tree.near_pairs(&other.tree, distance)
+    }
+
+    /// The patches of this spline and what of the pieces their boxes are within a distance of, by the
+    /// numbers of their spans; pieces are halved until they are no larger than the patch.
+    pub(crate) fn near_pieces<P: BoxedPiece>(
+        &self,
+        pieces: Vec<Arc<P>>,
+        distance: f64,
+    ) -> Vec<(Arc<P>, [usize; 2])> {
+        self.tree.near_pieces(pieces, distance)
     }
 
     /// The places that are nearest to `p`; `points` are those that it was made of. Stretches are

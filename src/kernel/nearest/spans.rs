@@ -23,6 +23,7 @@ impl DirectionSpans {
     pub(super) fn new(knots: &KnotVector) -> Self {
         let n = knots.degree() + 1;
         let (mut spans, mut to_bezier) = (Vec::new(), Vec::new());
+        let mut points = vec![0.0; n];
         for span in knots.spans() {
             let interval = knots.span_interval(span);
             spans.push(KnotSpan {
@@ -30,13 +31,16 @@ impl DirectionSpans {
                 end: interval.end(),
                 first: *knots.support(span).start(),
             });
-            let column = |j: usize| {
-                let mut points: Vec<f64> = (0..n).map(|i| if i == j { 1.0 } else { 0.0 }).collect();
+            let start = to_bezier.len();
+            to_bezier.resize(start + n * n, 0.0);
+            for j in 0..n {
+                points.fill(0.0);
+                points[j] = 1.0;
                 convert_to_bezier(knots, span, &mut points);
-                points
-            };
-            let columns: Vec<Vec<f64>> = (0..n).map(column).collect();
-            to_bezier.extend((0..n).flat_map(|i| columns.iter().map(move |column| column[i])));
+                for (row, &factor) in to_bezier[start..].chunks_exact_mut(n).zip(&points) {
+                    row[j] = factor;
+                }
+            }
         }
         Self { degree: n - 1, spans, to_bezier }
     }

@@ -1,5 +1,7 @@
 //! Boxes around the patches of a spline, and around neighbours of these.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use crate::{Bounds, work};
@@ -20,6 +22,15 @@ struct TreeNode {
 enum Children {
     Children([usize; 2]),
     Patch([usize; 2]),
+}
+
+/// Something in a box that can be halved.
+pub(crate) trait BoxedPiece: Sized {
+    /// The box around it.
+    fn bounds(&self) -> Bounds;
+
+    /// Its halves.
+    fn halves(&self) -> [Self; 2];
 }
 
 /// A rectangle of patches: the first one along each direction, and behind the last.
@@ -109,6 +120,39 @@ impl PatchTree {
         }
         pairs.sort_unstable();
         pairs
+    }
+
+    /// The patches whose boxes are within a distance of something in pieces, each with what of the
+    /// pieces is there; in the order of the pieces. A piece is halved until it is no larger than the
+    /// patch, or so small that rounding is all of it.
+    pub(super) fn near_pieces<P: BoxedPiece>(
+        &self,
+        pieces: Vec<Arc<P>>,
+        distance: f64,
+    ) -> Vec<(Arc<P>, [usize; 2])> {
+        let mut found = Vec::new();
+        let mut todo: Vec<(Arc<P>, usize)> =
+            pieces.into_iter().rev().map(|piece| (piece, self.root())).collect();
+        while work::goes_on(1)
+            && let Some((piece, node)) = todo.pop()
+        {
+            let TreeNode { bounds, below } = &self.nodes[node];
+            if !bounds.is_near(piece.bounds(), distance) {
+                continue;
+            }
+            let [size, own] = [bounds.diagonal(), piece.bounds().diagonal()];
+            match *below {
+                Children::Children(children) if own <= size => {
+                    todo.extend(children.map(|child| (Arc::clone(&piece), child)));
+                }
+                Children::Patch(spans) if own <= size.max(distance) => found.push((piece, spans)),
+                _ => {
+                    let [before, behind] = piece.halves().map(Arc::new);
+                    todo.extend([(behind, node), (before, node)]);
+                }
+            }
+        }
+        found
     }
 
     /// The largest coordinate of all boxes that are known.

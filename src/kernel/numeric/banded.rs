@@ -42,8 +42,10 @@ impl Equation {
 
 /// As many equations as unknowns, factored once for any number of right-hand sides.
 ///
-/// Gaussian elimination with row exchanges inside the band: O(n·b²) once and O(n·b) for each
-/// right-hand side. Golub & Van Loan, *Matrix Computations*, §4.3.
+/// Gaussian elimination inside the band: O(n·b²) once and O(n·b) for each right-hand side. Golub &
+/// Van Loan, *Matrix Computations*, §4.3. With row exchanges; without them where the coefficients
+/// are totally positive, as those of a spline's points: there they gain nothing. De Boor & Pinkus,
+/// *Backward error analysis for totally positive linear systems*, Numer. Math. 27 (1977).
 #[derive(Clone, Debug)]
 pub(crate) struct BandedSystem {
     /// Coefficients below the diagonal, at most.
@@ -52,8 +54,8 @@ pub(crate) struct BandedSystem {
     width: usize,
     /// Rows of U, and before the diagonal the factors of the elimination.
     rows: Vec<f64>,
-    /// With which row each one was exchanged.
-    exchanged: Vec<usize>,
+    /// With which row each one was exchanged, where any may be.
+    exchanged: Option<Vec<usize>>,
 }
 
 impl BandedSystem {
@@ -65,23 +67,40 @@ impl BandedSystem {
             |(i, equation): (usize, &Equation)| equation.columns().end.saturating_sub(i + 1);
         let lower = equations.iter().enumerate().map(below).max().unwrap_or(0);
         let upper = equations.iter().enumerate().map(above).max().unwrap_or(0);
+        let rows = equations.iter().map(|equation| (equation.first, &equation.values[..]));
         let width = 2 * lower + upper + 1;
-        let mut rows = vec![0.0; n * width];
-        for (i, equation) in equations.iter().enumerate() {
-            for (column, &value) in equation.columns().zip(&equation.values) {
-                rows[i * width + lower + column - i] += value;
-            }
+        let exchanged = Some(Vec::with_capacity(n));
+        let mut band = Self { lower, width, rows: vec![0.0; n * width], exchanged };
+        rows.enumerate().for_each(|(i, (first, values))| band.add(i, first, values));
+        band.factored()
+    }
+
+    /// So many equations without coefficients, which will be totally positive and reach so far
+    /// before and behind the diagonal.
+    pub(crate) fn totally_positive(n: usize, [lower, upper]: [usize; 2]) -> Self {
+        let width = lower + upper + 1;
+        Self { lower, width, rows: vec![0.0; n * width], exchanged: None }
+    }
+
+    /// Adds to the coefficients of an equation, from a column on.
+    pub(crate) fn add(&mut self, row: usize, first: usize, values: &[f64]) {
+        let place = self.place(row, first);
+        for (own, value) in self.rows[place..].iter_mut().zip(values) {
+            *own += value;
         }
-        let mut system = Self { lower, width, rows, exchanged: Vec::with_capacity(n) };
-        for k in 0..n {
-            system.eliminate(k)?;
+    }
+
+    /// The equations, ready to be solved; `None` where they contradict or repeat one another.
+    pub(crate) fn factored(mut self) -> Option<Self> {
+        for k in 0..self.len() {
+            self.eliminate(k)?;
         }
-        Some(system)
+        Some(self)
     }
 
     /// How many unknowns there are.
     pub(crate) fn len(&self) -> usize {
-        self.exchanged.len()
+        self.rows.len() / self.width
     }
 
     fn place(&self, row: usize, column: usize) -> usize {
@@ -90,22 +109,15 @@ impl BandedSystem {
 
     /// Clears column `k` below the diagonal.
     fn eliminate(&mut self, k: usize) -> Option<()> {
-        let n = self.rows.len() / self.width;
+        let n = self.len();
         let last_row = (k + self.lower).min(n - 1);
         let last_column = (k + self.width - 1 - self.lower).min(n - 1);
-        let size = |row: usize| self.rows[self.place(row, k)].abs();
-        let pivot =
-            (k..=last_row).fold(k, |best, row| if size(best) < size(row) { row } else { best });
-        if size(pivot) > 0.0 {
-            self.exchanged.push(pivot);
-        } else {
-            return None;
+        if self.exchanged.is_some() {
+            self.exchange(k, last_row, last_column);
         }
-        if pivot != k {
-            for column in k..=last_column {
-                let (a, b) = (self.place(k, column), self.place(pivot, column));
-                self.rows.swap(a, b);
-            }
+        let size = self.rows[self.place(k, k)].abs();
+        if size.is_nan() || size <= 0.0 {
+            return None;
         }
         let n_columns = last_column - k + 1;
         let (above, below) = self.rows.split_at_mut((k + 1) * self.width);
@@ -122,14 +134,31 @@ impl BandedSystem {
         Some(())
     }
 
+    /// Makes the largest coefficient of a column that of its own row.
+    fn exchange(&mut self, k: usize, last_row: usize, last_column: usize) {
+        let size = |row: usize| self.rows[self.place(row, k)].abs();
+        let pivot =
+            (k..=last_row).fold(k, |best, row| if size(best) < size(row) { row } else { best });
+        for column in if pivot == k { 0..0 } else { k..last_column + 1 } {
+            let (a, b) = (self.place(k, column), self.place(pivot, column));
+            self.rows.swap(a, b);
+        }
+        self.exchanged.iter_mut().for_each(|exchanged| exchanged.push(pivot));
+    }
+
     /// Replaces the right-hand sides by the unknowns.
     pub(crate) fn solve(&self, values: &mut [DVec4]) {
         let n = self.len();
         for k in 0..n {
-            values.swap(k, self.exchanged[k]);
+            if let Some(exchanged) = &self.exchanged {
+                values.swap(k, exchanged[k]);
+            }
             let value = values[k];
-            for (below, later) in values[k + 1..].iter_mut().take(self.lower).enumerate() {
-                *later -= self.rows[self.place(k + 1 + below, k)] * value;
+            // Down the column.
+            let below = self.rows.iter().skip(self.place(k, k));
+            let factors = below.step_by(self.width.max(2) - 1).skip(1);
+            for (later, factor) in values[k + 1..].iter_mut().take(self.lower).zip(factors) {
+                *later -= factor * value;
             }
         }
         for k in (0..n).rev() {

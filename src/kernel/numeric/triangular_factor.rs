@@ -4,9 +4,13 @@ use glam::DVec4;
 
 use crate::tolerance::RANK_RELATIVE;
 
+/// Equations that are turned at once.
+const BLOCK_EQUATIONS: usize = 64;
+
 /// The triangular factor of a band of equations, more than there are unknowns.
 ///
-/// Givens rotations, an equation after the other. Golub & Van Loan, *Matrix Computations*, §5.2.
+/// Householder reflections of the equations that begin with the same unknown, block after block.
+/// Lawson & Hanson, *Solving Least Squares Problems*, §27.2.
 #[derive(Clone, Debug)]
 pub(crate) struct TriangularFactor {
     width: usize,
@@ -15,28 +19,36 @@ pub(crate) struct TriangularFactor {
 }
 
 impl TriangularFactor {
-    /// `None` where the equations leave an unknown open.
+    /// `None` where the equations leave an unknown open. Each is at most `width` long.
     pub(crate) fn new<'a>(
+        equations: impl Iterator<Item = (usize, &'a [f64])> + Clone,
+        n: usize,
+        width: usize,
+    ) -> Option<Self> {
+        if equations.clone().is_sorted_by_key(|(first, _)| first) {
+            return Self::of_sorted(equations, n, width);
+        }
+        let mut sorted: Vec<(usize, &[f64])> = equations.collect();
+        sorted.sort_by_key(|(first, _)| *first);
+        Self::of_sorted(sorted.into_iter(), n, width)
+    }
+
+    fn of_sorted<'a>(
         equations: impl Iterator<Item = (usize, &'a [f64])>,
         n: usize,
         width: usize,
     ) -> Option<Self> {
         let mut rows = vec![0.0; n * width];
-        // A rotation moves the row on by one place; behind it stand zeros.
-        let mut line = vec![0.0; width];
+        let mut block =
+            EquationBlock { first: 0, len: 0, columns: vec![0.0; width * BLOCK_EQUATIONS] };
         for (first, shares) in equations {
-            line.clear();
-            line.extend_from_slice(shares);
-            for i in first..n {
-                let start = i - first;
-                line.resize(start + width, 0.0);
-                let row = &mut line[start..];
-                if row.iter().all(|value| value.abs() <= 0.0) {
-                    break;
-                }
-                rotate(&mut rows[i * width..][..width], row);
+            if first != block.first || block.len == BLOCK_EQUATIONS {
+                block.turn_into(&mut rows, width);
+                block.first = first;
             }
+            block.push(shares);
         }
+        block.turn_into(&mut rows, width);
         let diagonal = || rows.iter().step_by(width);
         let largest = diagonal().fold(0.0_f64, |most, value| most.max(value.abs()));
         let is_open = |value: &f64| value.abs() <= RANK_RELATIVE * largest;
@@ -72,19 +84,66 @@ pub(crate) fn without_ends((first, shares): (usize, &[f64]), n_inner: usize) -> 
     ((first + n_before) - 1, shares.get(n_before..end).unwrap_or_default())
 }
 
-/// Turns two rows so that the second begins with zero.
-fn rotate(upper: &mut [f64], lower: &mut [f64]) {
-    // Shares of control points are at most one, and what is too small to be squared is rounding.
-    let length = (upper[0] * upper[0] + lower[0] * lower[0]).sqrt();
-    if length <= 0.0 {
-        return;
+/// Equations that begin with the same unknown.
+struct EquationBlock {
+    first: usize,
+    len: usize,
+    /// The coefficients of each unknown, [`BLOCK_EQUATIONS`] places apart.
+    columns: Vec<f64>,
+}
+
+impl EquationBlock {
+    fn push(&mut self, shares: &[f64]) {
+        let places = self.columns.iter_mut().skip(self.len).step_by(BLOCK_EQUATIONS);
+        let padded = shares.iter().copied().chain(std::iter::repeat(0.0));
+        places.zip(padded).for_each(|(place, share)| *place = share);
+        self.len += 1;
     }
-    let (cosine, sine) = (upper[0] / length, lower[0] / length);
-    for (a, b) in upper.iter_mut().zip(lower.iter_mut()) {
-        (*a, *b) = (cosine * *a + sine * *b, cosine * *b - sine * *a);
+
+    /// Reflects the equations into the rows of the factor, one unknown after the other, until
+    /// nothing is left of them. Golub & Van Loan, *Matrix Computations*, §5.1.
+    ///
+    /// The rows have nothing beyond the unknowns of the block, as no earlier equation had.
+    fn turn_into(&mut self, rows: &mut [f64], width: usize) {
+        let len = std::mem::take(&mut self.len);
+        let mut rows = rows.chunks_exact_mut(width).skip(self.first);
+        let mut rest = &mut self.columns[..];
+        while let Some((column, behind)) = rest.split_at_mut_checked(BLOCK_EQUATIONS) {
+            rest = behind;
+            let (column, Some(row)) = (&column[..len], rows.next()) else { return };
+            // Shares of control points are at most one, and what is too small to be squared is
+            // rounding.
+            let squares = dot(column, column);
+            if squares <= 0.0 {
+                continue;
+            }
+            let length = (row[0] * row[0] + squares).sqrt();
+            let own = row[0] + length.copysign(row[0]);
+            let per_square = 1.0 / (length * own.abs());
+            row[0] = -length.copysign(row[0]);
+            for (value, other) in row[1..].iter_mut().zip(rest.chunks_exact_mut(BLOCK_EQUATIONS)) {
+                let other = &mut other[..len];
+                let factor = (own * *value + dot(column, other)) * per_square;
+                *value -= factor * own;
+                for (value, from) in other.iter_mut().zip(column) {
+                    *value -= factor * from;
+                }
+            }
+        }
     }
-    // What rounding leaves there would be rotated on.
-    lower[0] = 0.0;
+}
+
+/// The sum of products, four at a time.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let ((a, rest_a), (b, rest_b)) = (a.as_chunks::<4>(), b.as_chunks::<4>());
+    let mut sums = [0.0; 4];
+    for (a, b) in a.iter().zip(b) {
+        for i in 0..4 {
+            sums[i] += a[i] * b[i];
+        }
+    }
+    let rest: f64 = rest_a.iter().zip(rest_b).map(|(a, b)| a * b).sum();
+    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
 }
 
 #[cfg(test)]
@@ -105,6 +164,33 @@ mod tests {
         for (found, wanted) in values.iter().zip([1.0, -2.0, 3.0]) {
             assert!((found.x - wanted).abs() < 1e-14, "{found} for {wanted}");
         }
+    }
+
+    #[test]
+    fn the_order_of_the_equations_makes_no_difference() {
+        let rows: [(usize, &[f64]); 5] =
+            [(0, &[1.0, 1.0]), (0, &[1.0]), (1, &[1.0, 1.0]), (1, &[1.0]), (2, &[1.0])];
+        let solved = |rows: Vec<(usize, &[f64])>| {
+            let factor = TriangularFactor::new(rows.into_iter(), 3, 2).expect("full rank");
+            let mut values = [0.0, -2.0, 4.0].map(DVec4::splat);
+            factor.solve_normal(&mut values);
+            values
+        };
+        let [forwards, backwards] = [rows.to_vec(), rows.into_iter().rev().collect()].map(solved);
+        for (a, b) in forwards.iter().zip(backwards) {
+            assert!((a.x - b.x).abs() < 1e-14, "{a} and {b}");
+        }
+    }
+
+    #[test]
+    fn many_equations_of_the_same_unknowns_are_as_few() {
+        // A hundred times what two equations want: x + y = 3, x − y = 1.
+        let rows = [[1.0, 1.0], [1.0, -1.0]];
+        let many = (0..200).map(|i| (0, &rows[i % 2][..]));
+        let factor = TriangularFactor::new(many, 2, 2).expect("full rank");
+        let mut values = [400.0, 200.0].map(DVec4::splat);
+        factor.solve_normal(&mut values);
+        assert!((values[0].x - 2.0).abs() < 1e-14 && (values[1].x - 1.0).abs() < 1e-14);
     }
 
     #[test]

@@ -50,6 +50,11 @@ impl NurbsCurve {
         homogeneous.iter().map(|derivative| derivative.truncate() / weight).collect()
     }
 
+    /// Point and first derivative at `t`, as [`Self::derivatives_at`] tells them, without allocation.
+    pub(crate) fn velocity_at(&self, t: f64) -> [DVec3; 2] {
+        self.velocity_on(self.knots.span_at(t), t)
+    }
+
     /// Point and first derivative at `t` of the piece of one span, without allocation.
     pub(in crate::curve) fn velocity_on(&self, span: usize, t: f64) -> [DVec3; 2] {
         let [value, slope] = self.knots.with_slopes(span, t, |values, slopes| {

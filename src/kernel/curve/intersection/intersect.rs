@@ -11,13 +11,17 @@ mod distinct;
 mod joined;
 mod meeting;
 pub(in crate::curve) mod newton;
+mod pairs;
 mod shared;
 
 pub use self::meeting::CurveIntersection;
 
+use std::sync::Arc;
+
 use self::{
     meeting::{ContactInterval, IntersectionSearch, ReportedIntersection},
     newton::{beside, nearest_on, nearest_step},
+    pairs::{PartPair, near_crossing},
 };
 use crate::{
     Bounds, GeomError, Interval,
@@ -70,16 +74,7 @@ impl NurbsCurve {
             return Ok(in_units(found?, factor));
         }
         let mut search = IntersectionSearch::new(self, other, tolerance, *left);
-        let mut pairs = Vec::new();
-        let [own, its] = [self, other].map(|curve| curve.knots().spans().collect::<Vec<usize>>());
-        for [[i, _], [j, _]] in self.piece_boxes().near_pairs(other.piece_boxes(), search.tolerance)
-        {
-            let pair = (CurvePart::of_span(self, own[i]), CurvePart::of_span(other, its[j]));
-            if pair.0.may_meet(&pair.1, search.tolerance) {
-                search.check_shared(&pair.0, &pair.1)?;
-                pairs.push(pair);
-            }
-        }
+        let pairs = search.near_pairs()?;
         *left = search.run(pairs)?;
         search.finish()
     }
@@ -109,21 +104,20 @@ impl NurbsCurve {
             is_same: true,
             ..IntersectionSearch::new(self, self, tolerance, *left)
         };
-        let pieces = parts(self);
-        let mut pairs = Vec::new();
-        let mut alone = pieces.clone();
-        for (i, j) in near_pairs(&pieces, tolerance) {
-            pairs.push((pieces[i].clone(), pieces[j].clone()));
-        }
+        let pieces: Vec<Arc<CurvePart>> = parts(self).into_iter().map(Arc::new).collect();
+        let near = near_pairs(&pieces, tolerance).into_iter();
+        let mut pairs: Vec<PartPair> =
+            near.map(|(i, j)| (Arc::clone(&pieces[i]), Arc::clone(&pieces[j]))).collect();
+        let mut alone = pieces;
         while work::goes_on(1)
             && let Some(part) = alone.pop()
         {
             // Whatever turns by less than half a turn does not come back to itself.
-            if part.cone.is_within_half_turn() || search.is_tiny(&part) {
+            if part.cone().is_within_half_turn() || search.is_tiny(&part) {
                 continue;
             }
-            let [left, right] = part.halves();
-            pairs.push((left.clone(), right.clone()));
+            let [left, right] = part.halves().map(Arc::new);
+            pairs.push((Arc::clone(&left), Arc::clone(&right)));
             alone.extend([left, right]);
         }
         *left = search.run(pairs)?;
@@ -165,9 +159,8 @@ impl<'c> IntersectionSearch<'c> {
     }
 
     /// Looks at all pairs; tells how much work is left.
-    fn run(&mut self, pairs: Vec<(CurvePart, CurvePart)>) -> Result<usize, GeomError> {
+    fn run(&mut self, pairs: Vec<PartPair>) -> Result<usize, GeomError> {
         let mut todo = pairs;
-        todo.retain(|(a, b)| a.may_meet(b, self.tolerance));
         let cost = self.first.degree() + self.second.degree() + 2;
         while work::goes_on(1)
             && let Some((a, b)) = todo.pop()
@@ -181,8 +174,8 @@ impl<'c> IntersectionSearch<'c> {
             let (whole, other) = if halve_first { (&a, &b) } else { (&b, &a) };
             for half in whole.halves() {
                 if half.may_meet(other, self.tolerance) {
-                    let pair = if halve_first { (half, b.clone()) } else { (a.clone(), half) };
-                    todo.push(pair);
+                    let (half, other) = (Arc::new(half), Arc::clone(other));
+                    todo.push(if halve_first { (half, other) } else { (other, half) });
                 }
             }
         }
@@ -194,9 +187,10 @@ impl<'c> IntersectionSearch<'c> {
         if self.is_joint(a, b) {
             return true;
         }
-        if a.cone.crosses_clearly(b.cone)
+        if a.cone().crosses_clearly(b.cone())
             && !self.are_neighbours(a, b)
-            && let Some(meeting) = self.crossing(a.interval, b.interval)
+            && let Some(start) = near_crossing(a, b)
+            && let Some(meeting) = self.crossing([a.interval, b.interval], start)
         {
             self.meetings.push(ReportedIntersection::crossing(meeting));
             return true;
@@ -219,7 +213,7 @@ impl<'c> IntersectionSearch<'c> {
     /// they share their joint and nothing else.
     fn is_joint(&self, a: &CurvePart, b: &CurvePart) -> bool {
         self.are_neighbours(a, b)
-            && (a.cone.with(b.cone).is_within_half_turn() || self.is_tiny(a) && self.is_tiny(b))
+            && (a.cone().with(b.cone()).is_within_half_turn() || self.is_tiny(a) && self.is_tiny(b))
     }
 
     /// Whether both follow one another along one curve, over its seam too.
@@ -237,16 +231,25 @@ impl<'c> IntersectionSearch<'c> {
         part.bounds.diagonal() <= self.tolerance
     }
 
-    /// The one place where two pieces that cross clearly come nearest, if they meet there.
-    fn crossing(&self, first: Interval, second: Interval) -> Option<CurveIntersection> {
+    /// The one place where two pieces that cross clearly come nearest, if they meet there; it is looked
+    /// for from a start.
+    fn crossing(
+        &self,
+        [first, second]: [Interval; 2],
+        start: [f64; 2],
+    ) -> Option<CurveIntersection> {
         let limits = [beside(self.first, first), beside(self.second, second)];
         let is_still = |last: [f64; 2], next: [f64; 2]| {
             (0..2).all(|i| (next[i] - last[i]).abs() <= LAST_BIT * next[i].abs())
         };
-        let middles = [first.at(0.5), second.at(0.5)];
-        let found = within_limits(limits, middles, NEWTON_STEPS, is_still, |[t, s]| {
-            let (p, q) = (self.first.derivatives_at(t, 1), self.second.derivatives_at(s, 1));
-            NewtonStep::perhaps(nearest_step(p[0] - q[0], p[1], q[1]))
+        let found = within_limits(limits, start, NEWTON_STEPS, is_still, |[t, s]| {
+            let (p, q) = (self.first.velocity_at(t), self.second.velocity_at(s));
+            let Some(step) = nearest_step(p[0] - q[0], p[1], q[1]) else {
+                return NewtonStep::Stuck;
+            };
+            let way = (step[0] * p[1].length()).abs().max((step[1] * q[1].length()).abs());
+            // Below rounding steps lead nowhere.
+            if way <= self.rounding { NewtonStep::Last(step) } else { NewtonStep::By(step) }
         });
         let [t, s] = found.unless_stuck()?;
         let t = self.first.domain().without_dust(t);
@@ -288,7 +291,7 @@ impl<'c> IntersectionSearch<'c> {
 
 /// Pairs of pieces whose boxes are within the tolerance of one another, in order. Found along the
 /// axis on which the pieces spread most, so that not all pairs are looked at.
-fn near_pairs(pieces: &[CurvePart], tolerance: f64) -> Vec<(usize, usize)> {
+fn near_pairs(pieces: &[Arc<CurvePart>], tolerance: f64) -> Vec<(usize, usize)> {
     let axis = longest_axis(pieces);
     let order = by_start(pieces, axis);
     let mut pairs = Vec::new();
@@ -304,13 +307,13 @@ fn near_pairs(pieces: &[CurvePart], tolerance: f64) -> Vec<(usize, usize)> {
 }
 
 /// The axis on which the pieces spread most.
-fn longest_axis<'p>(pieces: impl IntoIterator<Item = &'p CurvePart>) -> usize {
-    let whole = pieces.into_iter().map(|piece| piece.bounds).reduce(Bounds::union);
+fn longest_axis(pieces: &[Arc<CurvePart>]) -> usize {
+    let whole = pieces.iter().map(|piece| piece.bounds).reduce(Bounds::union);
     whole.map_or(0, |whole| (whole.max - whole.min).max_position())
 }
 
 /// The pieces in the order in which they start along an axis.
-fn by_start(pieces: &[CurvePart], axis: usize) -> Vec<usize> {
+fn by_start(pieces: &[Arc<CurvePart>], axis: usize) -> Vec<usize> {
     let mut order: Vec<usize> = (0..pieces.len()).collect();
     order.sort_by(|&i, &j| pieces[i].bounds.min[axis].total_cmp(&pieces[j].bounds.min[axis]));
     order

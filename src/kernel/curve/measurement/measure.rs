@@ -87,7 +87,7 @@ impl NurbsCurve {
         let most = (LENGTH_PIECES * LOW / (order * order)).clamp(LEAST_PIECES, LENGTH_PIECES);
         let refined = |(part, estimate): (CurvePart, f64)| {
             let accuracy = LENGTH_RELATIVE * estimate.max(share) + rounding;
-            refined_part(part.points, estimate, accuracy, most)
+            refined_part(part.points.into_vec(), estimate, accuracy, most)
         };
         parts.into_iter().zip(estimates).map(refined).sum()
     }
@@ -130,7 +130,7 @@ impl NurbsCurve {
         while work::goes_on(1)
             && let Some((part, n_halvings)) = todo.pop()
         {
-            let is_smooth = part.cone.is_narrow() || part.bounds.diagonal() <= short;
+            let is_smooth = part.cone().is_narrow() || part.bounds.diagonal() <= short;
             if is_smooth || MAX_HALVINGS <= n_halvings || most <= n_cuts {
                 parts.push(part);
             } else {

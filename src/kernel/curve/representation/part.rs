@@ -1,12 +1,16 @@
 //! Bézier pieces of curves in search of one another: boxes, and cones of tangents.
 
+use std::sync::OnceLock;
+
 use glam::{DVec3, DVec4};
+use smallvec::SmallVec;
 
 use crate::{
     Bounds, Interval,
     bernstein::{derivative, product},
     bezier,
     curve::{NurbsCurve, intersection::bend::longest},
+    frame::widest_angle,
     homogeneous,
     tolerance::KNOT_RELATIVE,
 };
@@ -18,9 +22,10 @@ const CLEAR_ANGLE: f64 = 0.1;
 #[derive(Clone)]
 pub(crate) struct CurvePart {
     pub(crate) interval: Interval,
-    pub(crate) points: Vec<DVec4>,
+    /// Those of a cubic need no memory of their own.
+    pub(crate) points: SmallVec<[DVec4; 4]>,
     pub(crate) bounds: Bounds,
-    pub(crate) cone: DirectionCone,
+    cone: OnceLock<DirectionCone>,
 }
 
 /// Directions within an angle of an axis; `None` stands for all of them.
@@ -38,14 +43,18 @@ pub(crate) fn parts(curve: &NurbsCurve) -> Vec<CurvePart> {
 impl CurvePart {
     pub(crate) fn of_span(curve: &NurbsCurve, span: usize) -> Self {
         let points = bezier::piece(curve.knots(), curve.control_points(), span);
-        Self::new(curve.knots().span_interval(span), points)
+        Self::new(curve.knots().span_interval(span), points.into())
     }
 
-    fn new(interval: Interval, points: Vec<DVec4>) -> Self {
+    fn new(interval: Interval, points: SmallVec<[DVec4; 4]>) -> Self {
         let places = points.iter().map(|&point| homogeneous::place(point));
         let bounds = Bounds::of(places).unwrap_or(Bounds { min: DVec3::ZERO, max: DVec3::ZERO });
-        let cone = DirectionCone::of_velocity(&points);
-        Self { interval, points, bounds, cone }
+        Self { interval, points, bounds, cone: OnceLock::new() }
+    }
+
+    /// A cone that holds every tangent.
+    pub(crate) fn cone(&self) -> DirectionCone {
+        *self.cone.get_or_init(|| DirectionCone::of_velocity(&self.points))
     }
 
     /// What of it lies in an interval.
@@ -59,19 +68,23 @@ impl CurvePart {
         let (before, _) = bezier::cut_at(&self.points, own.fraction_of(end));
         let from = own.length() * own.fraction_of(start) / (end - own.start());
         let (_, inside) = bezier::cut_at(&before, from);
-        Some(Self::new(cut, inside))
+        Some(Self::new(cut, inside.into()))
     }
 
     pub(crate) fn halves(&self) -> [Self; 2] {
-        let (left, right) = bezier::cut_at(&self.points, 0.5);
+        let mut left = SmallVec::with_capacity(self.points.len());
+        let mut right = self.points.clone();
+        bezier::cut_off(&mut right, 0.5, |point| left.push(point));
         let [before, behind] = self.interval.halves();
         [Self::new(before, left), Self::new(behind, right)]
     }
 
     /// Whether the boxes are within the tolerance of one another, and the control points across
-    /// the chord, where two that run side by side are told apart.
+    /// either chord, where two that run side by side are told apart.
     pub(crate) fn may_meet(&self, other: &Self, tolerance: f64) -> bool {
-        self.bounds.is_near(other.bounds, tolerance) && !self.lies_beside(other, tolerance)
+        self.bounds.is_near(other.bounds, tolerance)
+            && !self.lies_beside(other, tolerance)
+            && !other.lies_beside(self, tolerance)
     }
 
     /// Whether a plane along the chord parts the control points by more than the tolerance.
@@ -82,11 +95,9 @@ impl CurvePart {
         let between = 0.5 * (others[0] + others[1] - own[0] - own[1]);
         let across = between - chord * (between.dot(chord) / chord.length_squared());
         let Some(across) = across.try_normalize() else { return false };
-        let along = |part: &Self| -> Vec<f64> {
-            part.points.iter().map(|&point| homogeneous::place(point).dot(across)).collect()
-        };
-        let highest = along(self).into_iter().fold(f64::NEG_INFINITY, f64::max);
-        let lowest = along(other).into_iter().fold(f64::INFINITY, f64::min);
+        let height = |&point: &DVec4| homogeneous::place(point).dot(across);
+        let highest = self.points.iter().map(height).fold(f64::NEG_INFINITY, f64::max);
+        let lowest = other.points.iter().map(height).fold(f64::INFINITY, f64::min);
         tolerance < lowest - highest
     }
 
@@ -109,24 +120,25 @@ impl DirectionCone {
 
     /// A cone that holds every tangent of a piece.
     fn of_velocity(points: &[DVec4]) -> Self {
-        let numerator: Vec<DVec3> = points.iter().map(|point| point.truncate()).collect();
-        let weight: Vec<f64> = points.iter().map(|point| point.w).collect();
-        let velocity: Vec<DVec3> = if weight.iter().all(|w| w.total_cmp(&weight[0]).is_eq()) {
-            derivative(&numerator)
-        } else {
-            let times = |vector: DVec3, factor: f64| vector * factor;
-            let grown = product(&derivative(&numerator), &weight, times);
-            let shrunk = product(&numerator, &derivative(&weight), times);
-            grown.iter().zip(&shrunk).map(|(&a, &b)| a - b).collect()
-        };
+        let n = points.len();
+        let velocity: SmallVec<[DVec3; 4]> =
+            if 1 < n && points.iter().all(|point| point.w.total_cmp(&points[0].w).is_eq()) {
+                let leg = |pair: &[DVec4]| (pair[1] - pair[0]).truncate() * (n - 1) as f64;
+                points.windows(2).map(leg).collect()
+            } else {
+                let numerator: Vec<DVec3> = points.iter().map(|point| point.truncate()).collect();
+                let weight: Vec<f64> = points.iter().map(|point| point.w).collect();
+                let times = |vector: DVec3, factor: f64| vector * factor;
+                let grown = product(&derivative(&numerator), &weight, times);
+                let shrunk = product(&numerator, &derivative(&weight), times);
+                grown.iter().zip(&shrunk).map(|(&a, &b)| a - b).collect()
+            };
         let rounding = longest(&velocity) * KNOT_RELATIVE;
-        let clear = || velocity.iter().filter(|slope| rounding < slope.length());
-        let Some(axis) = clear().map(|slope| slope.normalize()).sum::<DVec3>().try_normalize()
-        else {
+        let clear = || velocity.iter().copied().filter(|slope| rounding < slope.length());
+        let Some(axis) = clear().map(DVec3::normalize).sum::<DVec3>().try_normalize() else {
             return Self::EVERYTHING;
         };
-        let angle = clear().map(|slope| slope.angle_between(axis)).fold(0.0, f64::max);
-        Self { axis, angle: Some(angle) }
+        Self { axis, angle: Some(widest_angle(clear(), axis)) }
     }
 
     pub(crate) fn is_within_half_turn(self) -> bool {

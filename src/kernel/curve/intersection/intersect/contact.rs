@@ -107,7 +107,8 @@ impl IntersectionSearch<'_> {
         if self.is_fold(stretch) {
             return Ok(None);
         }
-        let crossing = self.crossing(stretch.first, stretch.second);
+        let both = [stretch.first, stretch.second];
+        let crossing = self.crossing(both, both.map(|interval| interval.at(0.5)));
         let second = foot(self.second, stretch.second, place(self.first, valley.bottom));
         let dust = LAST_BIT * self.second.domain().length();
         let (first, second) = (inside(self.first, valley.bottom), inside(self.second, second));

@@ -50,7 +50,7 @@ pub(super) fn nearest_parameter(
     let limits = [interval.start(), interval.end()];
     let is_still = |[t]: [f64; 1], [next]: [f64; 1]| (next - t).abs() <= LAST_BIT * t.abs();
     let found = within_limits([limits], [start], NEWTON_STEPS, is_still, |[t]| {
-        let derivatives = curve.derivatives_at(t, 1);
+        let derivatives = curve.velocity_at(t);
         to_foot(p - derivatives[0], derivatives[1])
     });
     found.place()[0]
@@ -99,7 +99,7 @@ fn newton_foot(curve: &NurbsCurve, bracket: [f64; 2], p: DVec3, start: f64) -> O
         (next - t).abs() <= LAST_BIT * t.abs().max(bracket[1] - bracket[0])
     };
     let found = within_limits([bracket], [start], NEWTON_STEPS, is_still, |[t]| {
-        let derivatives = curve.derivatives_at(inside(curve, t), 1);
+        let derivatives = curve.velocity_at(inside(curve, t));
         to_foot(p - derivatives[0], derivatives[1])
     });
     found.settled().map(|[t]| t)

@@ -17,8 +17,9 @@ use super::{
 use crate::{
     Bounds, Curve, GeomError, Interval, NurbsCurve, NurbsSurface, Surface, Tolerance, bezier,
     ceiling::{CROSSING_STEPS, SURFACE_PAIRS},
-    frame::{norm, unit},
+    frame::{norm, unit, widest_angle},
     homogeneous,
+    nearest::BoxedPiece,
     numeric::{
         linear::solved,
         newton::{NewtonStep, within_limits},
@@ -153,21 +154,16 @@ impl PiercingSearch<'_> {
         Ok(self.in_order(found))
     }
 
-    /// Pieces of the curve and parts of the surface that are near to one another.
+    /// Pieces of the curve and parts of the surface that are near to one another; no piece is larger
+    /// than its part, lest a long one is near to all that its box holds.
     fn near_pairs(&self, near: f64) -> Vec<(Arc<BezierSegment>, Arc<SurfacePart>)> {
         let mut patches = SurfacePatches::new(self.surface);
-        let spans: Vec<usize> = self.curve.knots().spans().collect();
+        let spans = self.curve.knots().spans();
+        let whole = spans.map(|span| Arc::new(BezierSegment::of_span(self.curve, span))).collect();
+        let pairs = self.surface.patch_boxes().near_pieces(whole, near);
         let mut todo = Vec::new();
-        let mut last: Option<(usize, Arc<BezierSegment>)> = None;
-        for [[number, _], its] in
-            self.curve.piece_boxes().near_pairs(self.surface.patch_boxes(), near)
-        {
-            let piece = match &last {
-                Some((known, piece)) if *known == number => Arc::clone(piece),
-                _ => Arc::new(BezierSegment::of_span(self.curve, spans[number])),
-            };
-            last = Some((number, Arc::clone(&piece)));
-            let part = patches.part(its);
+        for (piece, spans) in pairs {
+            let part = patches.part(spans);
             let part = part.filter(|part| !part.is_beside(piece.bounds, &piece.places, near));
             todo.extend(part.map(|part| (piece, part)));
         }
@@ -194,7 +190,7 @@ impl PiercingSearch<'_> {
             (0..3).all(|i| (next[i] - last[i]).abs() <= LAST_BIT * domains[i].length())
         };
         let found = within_limits(limits, start, CROSSING_STEPS, is_still, |at| {
-            let derivatives = self.curve.derivatives_at(at[0], 1);
+            let derivatives = self.curve.velocity_at(at[0]);
             let [point, by_u, by_v] = self.surface.tangents_at(at[1], at[2]);
             let apart = derivatives[0] - point;
             let mut columns = [derivatives[1], -by_u, -by_v];
@@ -307,6 +303,18 @@ impl PiercingSearch<'_> {
     }
 }
 
+impl BoxedPiece for BezierSegment {
+    fn bounds(&self) -> Bounds {
+        self.bounds
+    }
+
+    fn halves(&self) -> [Self; 2] {
+        let (before, behind) = bezier::cut_at(&self.points, 0.5);
+        let middle = 0.5 * (self.ends[0] + self.ends[1]);
+        [Self::new([self.ends[0], middle], before), Self::new([middle, self.ends[1]], behind)]
+    }
+}
+
 impl BezierSegment {
     fn of_span(curve: &NurbsCurve, span: usize) -> Self {
         let ends = curve.knots().span_interval(span);
@@ -323,15 +331,9 @@ impl BezierSegment {
         let axis = unit(legs().sum()).unwrap_or(DVec3::ZERO);
         let angle = match axis == DVec3::ZERO {
             true => std::f64::consts::PI,
-            false => legs().map(|leg| leg.angle_between(axis)).fold(0.0, f64::max),
+            false => widest_angle(legs(), axis),
         };
         Self { ends, points, places, bounds, axis, angle }
-    }
-
-    fn halves(&self) -> [Self; 2] {
-        let (before, behind) = bezier::cut_at(&self.points, 0.5);
-        let middle = 0.5 * (self.ends[0] + self.ends[1]);
-        [Self::new([self.ends[0], middle], before), Self::new([middle, self.ends[1]], behind)]
     }
 
     /// How far the control points are from the chord.

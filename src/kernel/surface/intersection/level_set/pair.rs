@@ -7,7 +7,7 @@ use glam::{DVec3, DVec4};
 use super::{shade, square};
 use crate::{
     Bounds, Direction, Grid, Interval, NurbsSurface, Side,
-    frame::unit,
+    frame::{unit, widest_angle},
     homogeneous,
     surface::Edge,
     tolerance::{CONE_CLEARANCE, PLACE_RELATIVE},
@@ -91,11 +91,11 @@ impl SurfacePart {
         let places = net.map(|&point| homogeneous::place(point));
         let nothing = Bounds { min: DVec3::ZERO, max: DVec3::ZERO };
         let bounds = Bounds::of(places.iter().copied()).unwrap_or(nothing);
-        let units = || normals.iter().filter_map(|&normal| unit(normal));
-        let axis = unit(units().sum()).unwrap_or(DVec3::ZERO);
+        let units: Vec<DVec3> = normals.iter().filter_map(|&normal| unit(normal)).collect();
+        let axis = unit(units.iter().sum()).unwrap_or(DVec3::ZERO);
         let angle = match axis == DVec3::ZERO {
             true => std::f64::consts::PI,
-            false => units().map(|normal| normal.angle_between(axis)).fold(0.0, f64::max),
+            false => widest_angle(units.into_iter(), axis),
         };
         Self { low, high, net, normals, places, bounds, axis, angle }
     }
