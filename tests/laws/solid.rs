@@ -219,6 +219,10 @@ fn what_makes_no_solid_is_refused() {
     assert!(matches!(refused(along), GeomError::Solid(SolidError::AlongPlane { .. })));
 }
 
+fn cube(x: f64) -> f64 {
+    x * x * x
+}
+
 /// The volumes of both sides of a plane, and the area between them.
 #[track_caller]
 fn cut(solid: &Solid, plane: Frame) -> ([f64; 2], f64) {
@@ -247,9 +251,9 @@ fn a_ball_falls_apart_into_its_caps() {
                     Frame::from_normal(map.transform_point3(DVec3::Z * height), normal, None);
                 let ([below, above], area) = cut(&solid, plane.expect("a plane"));
                 let h = (2.0 - height).clamp(0.0, 4.0);
-                let cap = PI * h * h * (2.0 - h / 3.0) * scale.powi(3);
-                let whole = 32.0 / 3.0 * PI * scale.powi(3);
-                let circle = PI * (4.0 - height * height).max(0.0) * scale.powi(2);
+                let cap = PI * h * h * (2.0 - h / 3.0) * cube(scale);
+                let whole = 32.0 / 3.0 * PI * cube(scale);
+                let circle = PI * (4.0 - height * height).max(0.0) * scale * scale;
                 let what = format!("scale {scale}, turn {turn}, height {height}");
                 assert!(
                     (above - cap).abs() < 2e-6 * whole.max(scale * scale),
@@ -288,11 +292,11 @@ fn a_sieve_is_cut_through_its_holes() {
     }
     let at = |height: f64| Frame::XY.at(DVec3::Z * height);
     let disc = 9.0 * (1.0 - PI * 0.09);
-    for height in [0.0, 0.25, 1.0] {
+    // Between its ends the borders are splines within an eighth of the tolerance.
+    let border = 12.0 + 9.0 * TAU * 0.3;
+    for (height, off) in [(0.0, 1e-9), (0.25, 0.125e-6 * border), (1.0, 1e-9)] {
         let ([below, _], area) = cut(&solid, at(height));
-        assert!(
-            (below - disc * height).abs() < 1e-9 && (area - disc).abs() < 1e-9,
-            "{height}: {below}, {area}"
-        );
+        assert!((below - disc * height).abs() < off, "{height}: {below} for {}", disc * height);
+        assert!((area - disc).abs() < off, "{height}: {area} for {disc}");
     }
 }
