@@ -27,8 +27,8 @@ op! {
     example "cut(solid(box((0, 0, 0), (1, 2, 3))), plane((0, 0, 5), (0, 0, 1)), keep = \"above\")" => "none";
     refuses "cut(sphere((0, 0), 2), XY)" => "E0301: `cut`: `s` must be a solid, found a surface";
     scene r#"
-        solid pipe = revolve(region(circle((3, 0), 1), holes = [circle((3, 0), 0.6)]), axis = (0, 1, 0))
-        solid half = cut(pipe, plane((0, 0, 0), (1, 0, 1)))
+        region ring = region(circle((3, 0), 1), holes = [circle((3, 0), 0.6)]) with (hidden = true)
+        solid half = cut(revolve(ring, axis = (0, 1, 0)), plane((0, 0, 0), (1, 0, 1)))
     "#;
 }
 
