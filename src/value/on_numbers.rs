@@ -5,17 +5,27 @@ use super::Dimension;
 /// The dimension of a result, where only that of the arguments is known; `None` where they do not fit.
 type OfTwo = fn(Dimension, Dimension) -> Option<Dimension>;
 
+/// The same of one argument.
+type OfOne = fn(Dimension) -> Option<Dimension>;
+
 /// An operation on plain numbers: what its `run` yields for them, to the bit. A result that is infinite or no
 /// number tells that there is none: `run` says what is wrong.
 #[derive(Clone, Copy, Debug)]
 pub enum OnNumbers {
     /// Of one number.
-    One(fn(Dimension) -> Option<Dimension>, fn(f64) -> f64),
+    One(OfOne, fn(f64) -> f64),
     /// Of an angle, or of a bare number of radians, which is looked at where it is written: it may be meant in
     /// degrees.
     OfAngle(fn(f64) -> f64),
     /// Of two.
     Two(OfTwo, fn(f64, f64) -> f64),
+    /// Of one, or of two.
+    OneOrTwo {
+        /// What it does to one alone.
+        one: (OfOne, fn(f64) -> f64),
+        /// What it does to two.
+        two: (OfTwo, fn(f64, f64) -> f64),
+    },
     /// Of two or more, one after the other.
     Fold(OfTwo, fn(f64, f64) -> f64),
     /// Of three.
@@ -27,11 +37,11 @@ impl OnNumbers {
     #[must_use]
     pub fn dimension(&self, dims: &[Dimension]) -> Option<Dimension> {
         match (self, dims) {
-            (Self::One(of, _), &[dim]) => of(dim),
+            (Self::One(of, _) | Self::OneOrTwo { one: (of, _), .. }, &[dim]) => of(dim),
             (Self::OfAngle(_), &[dim]) => {
                 (dim.is_bare() || dim.is_angle()).then_some(Dimension::NONE)
             }
-            (Self::Two(of, _), &[a, b]) => of(a, b),
+            (Self::Two(of, _) | Self::OneOrTwo { two: (of, _), .. }, &[a, b]) => of(a, b),
             (Self::Fold(of, _), &[first, _, ..]) => {
                 dims[1..].iter().try_fold(first, |dim, &next| of(dim, next))
             }
@@ -43,8 +53,11 @@ impl OnNumbers {
     /// Replaces each of the first arguments by the result; `others` has a lane for each further one.
     pub fn apply(&self, first: &mut [f64], others: &[Vec<f64>]) {
         match (self, others) {
-            (Self::One(_, of) | Self::OfAngle(of), _) => first.iter_mut().for_each(|x| *x = of(*x)),
-            (Self::Two(_, of) | Self::Fold(_, of), _) => {
+            (Self::One(_, of) | Self::OfAngle(of), _)
+            | (Self::OneOrTwo { one: (_, of), .. }, []) => {
+                first.iter_mut().for_each(|x| *x = of(*x));
+            }
+            (Self::Two(_, of) | Self::Fold(_, of) | Self::OneOrTwo { two: (_, of), .. }, _) => {
                 for lane in others {
                     first.iter_mut().zip(lane).for_each(|(x, y)| *x = of(*x, *y));
                 }

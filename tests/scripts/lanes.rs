@@ -13,12 +13,15 @@ const DEFINITIONS: &str = "let k = 7\nlet near = 3mm\nfn f(x) = x * 0.5 - k\nfn 
 
 /// Every operation on numbers that lanes know, with how many arguments it takes.
 fn operations() -> Vec<(&'static str, usize)> {
-    let n_args = |function| match function {
-        OnNumbers::One(..) | OnNumbers::OfAngle(_) => 1,
-        OnNumbers::Two(..) => 2,
-        OnNumbers::Fold(..) | OnNumbers::Three(..) => 3,
+    let n_args: fn(OnNumbers) -> &'static [usize] = |function| match function {
+        OnNumbers::One(..) | OnNumbers::OfAngle(_) => &[1],
+        OnNumbers::OneOrTwo { .. } => &[1, 2],
+        OnNumbers::Two(..) => &[2],
+        OnNumbers::Fold(..) | OnNumbers::Three(..) => &[3],
     };
-    ops::registry().iter().filter_map(|op| Some((op.name, n_args(op.on_numbers?)))).collect()
+    let registry = ops::registry();
+    let known = registry.iter().filter_map(|op| Some((op.name, n_args(op.on_numbers?))));
+    known.flat_map(|(name, counts)| counts.iter().map(move |&n| (name, n))).collect()
 }
 
 fn number() -> impl Strategy<Value = String> {

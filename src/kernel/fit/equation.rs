@@ -51,12 +51,15 @@ impl Equation {
 ///
 /// As [`Equation::points`], without a list of them.
 pub(super) fn band_of_points(knots: &KnotVector, parameters: &[f64]) -> Option<BandedSystem> {
-    let mut reach = [0, 0];
-    for (i, (_, acting)) in each_span(knots, parameters).enumerate() {
-        reach[0] = reach[0].max(i.saturating_sub(acting.start));
-        reach[1] = reach[1].max(acting.end.saturating_sub(i + 1));
-    }
-    let mut band = BandedSystem::totally_positive(parameters.len(), reach);
+    let (all, n, degree) = (knots.as_slice(), parameters.len(), knots.degree());
+    // Function j is zero before knot j and behind knot j + p + 1. Schoenberg & Whitney, *On Pólya
+    // frequency functions III* (1953): where more than p of them lie between, nothing is determined.
+    let ends = |reach: usize| all[degree + 1..].iter().zip(&parameters[n.min(reach + 1)..]);
+    let starts =
+        |reach: usize| all[reach + 1..].iter().zip(&parameters[..n.max(reach + 1) - reach - 1]);
+    let before = (0..=degree).find(|&reach| ends(reach).all(|(end, t)| end <= t))?;
+    let behind = (0..=degree).find(|&reach| starts(reach).all(|(start, t)| t <= start))?;
+    let mut band = BandedSystem::totally_positive(n, [before, behind]);
     for (i, (span, acting)) in each_span(knots, parameters).enumerate() {
         let first = span - knots.degree();
         knots.with_basis_on(span, parameters[i], |values| {

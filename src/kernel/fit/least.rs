@@ -166,7 +166,9 @@ impl Approximator {
             let sums = &mut sums[first..];
             match (shares.first_chunk::<CUBIC>(), sums.first_chunk_mut::<CUBIC>()) {
                 (Some(shares), Some(sums)) if self.knots.degree() + 1 == CUBIC => {
-                    share_out(wanted(i) - value(points, shares), shares, sums);
+                    let known = points.first_chunk::<CUBIC>();
+                    let known = known.map_or(DVec4::ZERO, |points| value(points, shares));
+                    share_out(wanted(i) - known, shares, sums);
                 }
                 _ => share_out(wanted(i) - value(points, shares), shares, sums),
             }

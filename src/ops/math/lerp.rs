@@ -3,7 +3,7 @@
 use super::{Quantity, finite, outside, sum_dim};
 use crate::{
     diag::Result,
-    value::{Ctx, IntoValue, Number, Real, Value, op},
+    value::{Ctx, Dimension, IntoValue, Number, OnNumbers, Real, Value, op},
 };
 
 op! {
@@ -19,6 +19,7 @@ op! {
     example "lerp(2, 4, 0.25)" => "2.5";
     example "lerp((0, 0), (2, 4), 0.5)" => "(1, 2, 0)";
     refuses "lerp(1, (0, 0), 0.5)" => "E0502: both values must be numbers, or both points";
+    on_numbers OnNumbers::Three(sum_of_ends, between);
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
@@ -35,4 +36,12 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
         }
         _ => outside(ctx.span, "both values must be numbers, or both points".to_owned()),
     }
+}
+
+fn sum_of_ends([a, b, t]: [Dimension; 3]) -> Option<Dimension> {
+    if t.is_bare() { a.sum(b) } else { None }
+}
+
+fn between([a, b, t]: [f64; 3]) -> f64 {
+    a * (1.0 - t) + b * t
 }

@@ -2,7 +2,7 @@
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    value::{Ctx, LocallyConstant, Maybe, Number, OnNumbers, op},
+    value::{Ctx, Dimension, LocallyConstant, Maybe, Number, OnNumbers, op},
 };
 
 op! {
@@ -21,7 +21,10 @@ op! {
     example "round(pi, 3)" => "3.142";
     example "round(1234, -2)" => "1200";
     refuses "round(30.26deg, 1)" => "E0303: an angle has no digits of its own";
-    on_numbers OnNumbers::One(Some, f64::round);
+    on_numbers OnNumbers::OneOrTwo {
+        one: (Some, f64::round),
+        two: (with_digits, rounded_to_digits),
+    };
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number> {
@@ -37,6 +40,17 @@ fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number> {
         .fail();
     }
     Ok(Number { value: rounded_to(x.value, digits.value), ..x })
+}
+
+/// An angle has no digits of its own.
+fn with_digits(x: Dimension, digits: Dimension) -> Option<Dimension> {
+    (digits.is_bare() && !x.is_angle()).then_some(x)
+}
+
+/// No number where the digits are no whole number.
+fn rounded_to_digits(x: f64, digits: f64) -> f64 {
+    let digits = Number { value: digits, dim: Dimension::NONE }.as_integer();
+    digits.map_or(f64::NAN, |digits| rounded_to(x, digits))
 }
 
 /// Digits behind the point beyond which every number is itself, and before it beyond which it is 0.

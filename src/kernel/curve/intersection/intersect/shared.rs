@@ -14,6 +14,9 @@ use crate::{GeomError, Interval, curve::representation::part::CurvePart};
 /// Places of an arc that are looked at, besides its ends.
 const N_LOOKS: usize = 16;
 
+/// Halvings that tell most points beside a piece from those on it.
+const FEW_HALVINGS: usize = 5;
+
 /// Roundings within which pieces are the same curve.
 const SAME_ROUNDINGS: f64 = 16.0;
 
@@ -21,11 +24,8 @@ impl IntersectionSearch<'_> {
     /// # Errors
     /// `IntersectionError::RunTogether` where two pieces share an arc that is longer than a touch.
     pub(super) fn check_shared(&self, a: &CurvePart, b: &CurvePart) -> Result<(), GeomError> {
-        // An end that is outside of the other's box is not on it.
-        let may_be_on = |part: &CurvePart, point: DVec3| {
-            part.points.iter().any(|point| point.w <= 0.0)
-                || part.bounds.contains(point, SAME_ROUNDINGS * self.rounding)
-        };
+        let slack = SAME_ROUNDINGS * self.rounding;
+        let may_be_on = |part, point| may_be_on(part, point, slack, FEW_HALVINGS);
         let ends = [a.interval.start(), a.interval.end()].into_iter();
         let ends = ends.filter(|&t| may_be_on(b, self.first.point_at(t)));
         let others = [b.interval.start(), b.interval.end()].into_iter();
@@ -49,4 +49,14 @@ impl IntersectionSearch<'_> {
         let nearest = self.second.point_at(foot(self.second, second, p));
         nearest.distance(p) <= SAME_ROUNDINGS * self.rounding
     }
+}
+
+/// Whether a point may be on a piece: what is outside of the boxes of all its parts is not on it.
+fn may_be_on(part: &CurvePart, point: DVec3, slack: f64, n_halvings: usize) -> bool {
+    if part.points.iter().any(|point| point.w <= 0.0) {
+        return true;
+    }
+    part.bounds.contains(point, slack)
+        && (n_halvings == 0
+            || part.halves().iter().any(|half| may_be_on(half, point, slack, n_halvings - 1)))
 }
