@@ -255,11 +255,12 @@ fn iterate<'py>(given: &Bound<'py, PyAny>) -> PyResult<Vec<Bound<'py, PyAny>>> {
     given.try_iter().map_err(refused)?.collect()
 }
 
-/// All numbers of something like an array, whatever its strides and its type.
+/// All numbers of something like an array, whatever its strides and its type: data of which nobody has said what
+/// they measure, as a column without a unit.
 fn numbers(given: &Bound<'_, PyAny>) -> PyResult<Value> {
     let array: PyArrayLikeDyn<'_, f64, AllowTypeChange> = given.extract()?;
     let all: PyResult<Vec<f64>> = array.as_array().iter().map(|&value| finite(value)).collect();
-    Ok(Value::List(List::of_numbers(all?, Dimension::NONE)))
+    Ok(Value::List(List::of_numbers(all?, Dimension::OPEN)))
 }
 
 /// Two or three numbers as a point.

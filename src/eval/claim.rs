@@ -1,11 +1,13 @@
 //! Claims: what a failed `check` reports: both sides, the limit, the margin.
 
 mod digits;
+mod list_test;
+mod places;
 
 use glam::DVec3;
 
 use super::{
-    ir::{BinaryOp, Expr, ExprKind, UnaryOp},
+    ir::{BinaryOp, Expr, ExprKind},
     machine::Machine,
     operator::{
         self,
@@ -13,11 +15,12 @@ use super::{
     },
 };
 use crate::{
-    diag::{Code, Diagnostic, Result, Span, fault},
+    diag::{Result, Span, fault},
     syntax::ast::Unit,
-    value::{Discrepancy, Value, Witness, deviation, radians_of, shortest},
+    value::{Discrepancy, Value, deviation, radians_of, shortest},
 };
 use digits::{MORE_DIGITS, SIDE_DIGITS, brief, number, told_apart};
+use places::ClaimPlaces;
 
 /// How a claim came out.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -34,7 +37,7 @@ pub struct Verdict {
     pub differ: Option<String>,
     /// Whether `==` fails where `~=` would hold.
     pub differs_by_rounding: bool,
-    /// What decided the test of a list.
+    /// What decided the test of a list, or what both sides are that should not be the same.
     pub witness: Option<String>,
     /// Of a claim that fails: the points that its sides are, or from whose fields they come, such as `at`
     /// of a deviation, each once.
@@ -53,21 +56,24 @@ pub struct ClaimSide {
 }
 
 impl Verdict {
-    /// The figures on one line: how far apart, how far allowed, the margin.
+    /// The figures on one line, with the unit that the sides are told in: how far apart, how far allowed, the
+    /// margin.
     #[must_use]
     pub fn figures(&self) -> String {
-        self.figures_in(1.0, "")
+        match &self.witness {
+            Some(witness) if !self.holds => witness.clone(),
+            _ => self.distances(),
+        }
     }
 
-    /// The same with the unit that the sides are told in.
-    #[must_use]
-    pub fn figures_with_unit(&self) -> String {
+    /// How far the sides are apart, with their unit.
+    fn distances(&self) -> String {
         let sides = self.sides.iter().filter_map(|side| number(&side.value));
         match sides.map(|(_, unit)| unit).find(|unit| !unit.is_empty()) {
             // Angles are compared in radians and told in degrees.
             Some("deg") => self.figures_in(1.0 / radians_of(1.0), "deg"),
             Some(unit) if !unit.contains("deg") => self.figures_in(1.0, unit),
-            _ => self.figures(),
+            _ => self.figures_in(1.0, ""),
         }
     }
 
@@ -75,9 +81,6 @@ impl Verdict {
     fn figures_in(&self, factor: f64, unit: &str) -> String {
         let of = |a: f64, b: f64| format!("{}{unit}", brief([factor * a, factor * b])[0]);
         let exactly = |limit: f64| format!("{}{unit}", shortest(factor * limit));
-        if let (false, Some(witness)) = (self.holds, &self.witness) {
-            return witness.clone();
-        }
         match (self.apart, self.limit, &self.differ) {
             (_, _, Some(what)) => format!("they differ: {what}"),
             (Some(apart), Some(limit), None) if self.holds => {
@@ -156,34 +159,14 @@ impl Machine<'_> {
                 let holds = operator::near(&a, &b, tolerance, spans[0].to(spans[1]))?;
                 Ok(near_verdict(holds, [&a, &b], spans, tolerance, self.env.unit, places))
             }
+            ExprKind::Block(block) => {
+                self.define(block)?;
+                self.verdict(&block.value)
+            }
             _ => {
                 self.witness = None;
                 let value = self.eval(claim)?;
                 self.plain_verdict(&value, claim)
-            }
-        }
-    }
-
-    /// What a claim that compares nothing came to, and which element of a list decided it.
-    fn plain_verdict(&mut self, value: &Value, claim: &Expr) -> Result<Verdict> {
-        match value {
-            Value::Bool(holds) => {
-                let own = self.witness.take().filter(|(span, _)| is_decided_by(claim, *span));
-                let mut places = ClaimPlaces::default();
-                if let Some((_, Witness::Element(_, value))) = &own {
-                    places.note(value);
-                }
-                let witness = own
-                    .map(|(_, witness)| witness_sentence(&witness, *holds, claim, self.env.unit));
-                let places = places.of_failure(*holds);
-                Ok(Verdict { holds: *holds, witness, places, ..Verdict::default() })
-            }
-            other => {
-                let message =
-                    format!("a check takes something true or false, found {}", other.phrase());
-                Diagnostic::error(Code::CheckNotBool, claim.span, message)
-                    .hint("compare it with something: `==`, `<`, `~=`")
-                    .fail()
             }
         }
     }
@@ -228,8 +211,18 @@ impl Machine<'_> {
         let differs_by_rounding = op == BinaryOp::Equal
             && !holds
             && apart.is_some_and(|apart| apart <= self.env.tolerance.distance);
+        let is_same = op == BinaryOp::NotEqual && !holds;
+        let witness = is_same.then(|| format!("both are {}", sides[0].value));
         let sides = sides.to_vec();
-        Ok(Verdict { holds, sides, apart, differs_by_rounding, places, ..Verdict::default() })
+        Ok(Verdict {
+            holds,
+            sides,
+            apart,
+            differs_by_rounding,
+            witness,
+            places,
+            ..Verdict::default()
+        })
     }
 
     /// A side of a comparison; the points that it takes a field from, or that stand beside that field,
@@ -248,81 +241,6 @@ impl Machine<'_> {
             value = self.check_extent(value, whole)?;
         }
         Ok(value)
-    }
-}
-
-/// Points that a claim tells of.
-#[derive(Default)]
-struct ClaimPlaces {
-    points: Vec<DVec3>,
-}
-
-/// Points of one claim that are kept.
-const MOST_PLACES: usize = 16;
-
-impl ClaimPlaces {
-    fn add(&mut self, point: DVec3) {
-        let is_known = |known: &DVec3| {
-            known.to_array().map(f64::to_bits) == point.to_array().map(f64::to_bits)
-        };
-        if self.points.len() < MOST_PLACES && point.is_finite() && !self.points.iter().any(is_known)
-        {
-            self.points.push(point);
-        }
-    }
-
-    /// A point itself, or those of a record.
-    fn note(&mut self, value: &Value) {
-        match value {
-            Value::Point(point) => self.add(*point),
-            Value::Record(record) => {
-                for (_, member) in record.iter() {
-                    if let Value::Point(point) = member {
-                        self.add(*point);
-                    }
-                }
-            }
-            _ => {}
-        }
-    }
-
-    fn of_failure(self, holds: bool) -> Vec<DVec3> {
-        if holds { Vec::new() } else { self.points }
-    }
-}
-
-/// Whether the call at a place is the claim, or what it denies.
-fn is_decided_by(claim: &Expr, call: Span) -> bool {
-    match &claim.kind {
-        ExprKind::Unary(UnaryOp::Not, inner) => is_decided_by(inner, call),
-        _ => claim.span == call,
-    }
-}
-
-/// What decided the test of a list, in a sentence.
-fn witness_sentence(witness: &Witness, holds: bool, claim: &Expr, unit: Unit) -> String {
-    let mut passes = holds;
-    let mut inner = claim;
-    while let ExprKind::Unary(UnaryOp::Not, next) = &inner.kind {
-        (passes, inner) = (!passes, next);
-    }
-    match witness {
-        Witness::Element(idx, value) => {
-            let verb = if passes { "passes" } else { "fails" };
-            let value = match value {
-                Value::Number(_)
-                | Value::Point(_)
-                | Value::Text(_)
-                | Value::Bool(_)
-                | Value::List(_)
-                | Value::Record(_) => shown(value, unit),
-                other => other.phrase(),
-            };
-            format!("element [{idx}] is {value}, which {verb}")
-        }
-        Witness::All(0) => "the list is empty".to_owned(),
-        Witness::All(n) if passes => format!("all {n} elements pass"),
-        Witness::All(n) => format!("none of the {n} elements passes"),
     }
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::{
-    ir::{Comprehension, Element, Expr, StringPart, TextFormat},
+    ir::{Comprehension, Element, Expr, Generator, StringPart, TextFormat},
     items::Items,
     lanes::{BlockResult, Lanes},
     machine::Machine,
@@ -87,10 +87,11 @@ impl Machine<'_> {
         Ok(Value::list(items))
     }
 
-    /// What a list or a range of whole numbers runs through.
+    /// What a list, a table by its rows, or a range of whole numbers runs through.
     pub(super) fn iterate<'v>(&self, value: &'v Value, span: Span) -> Result<Items<'v>> {
         match value {
             Value::List(items) => Ok(Items::of(items, 0..items.len())),
+            Value::Table(table) => Ok(Items::Rows(table, 0..table.n_rows())),
             Value::Range(range) => match range.integers() {
                 Some((start, count)) => {
                     self.check_length(count, span)?;
@@ -106,7 +107,7 @@ impl Machine<'_> {
             },
             other => {
                 let message = format!(
-                    "a list or a range of whole numbers is needed here, found {}",
+                    "a list, a table or a range of whole numbers is needed here, found {}",
                     other.phrase()
                 );
                 Diagnostic::error(Code::WrongKind, span, message).fail()
@@ -206,7 +207,14 @@ impl Machine<'_> {
         collected: &mut GrowingList,
         span: Span,
     ) -> Result<()> {
-        let generator = &comprehension.generators[level];
+        if self.bind(&comprehension.generators[level], item, span)? {
+            self.generate(comprehension, level + 1, collected, span)?;
+        }
+        Ok(())
+    }
+
+    /// Gives an element to the names of a generator; whether it counts.
+    pub(super) fn bind(&mut self, generator: &Generator, item: Value, span: Span) -> Result<bool> {
         self.step(span)?;
         let base = self.base;
         self.stack[base + generator.slot] = item;
@@ -214,14 +222,10 @@ impl Machine<'_> {
             let value = self.eval(part)?;
             self.stack[base + slot] = value;
         }
-        let counts = match &generator.condition {
-            Some(condition) => self.truth(condition, "the condition of a comprehension")?,
-            None => true,
-        };
-        if counts {
-            self.generate(comprehension, level + 1, collected, span)?;
+        match &generator.condition {
+            Some(condition) => self.truth(condition, "the condition of a comprehension"),
+            None => Ok(true),
         }
-        Ok(())
     }
 
     /// The last generator block by block; where lanes cannot tell, element by element.

@@ -4,7 +4,7 @@
 
 use super::{
     function::ScriptFunction,
-    ir::{BinaryOp, Element, Expr, ExprKind},
+    ir::{BinaryOp, Comprehension, Element, Expr, ExprKind},
     machine::Machine,
     operator,
 };
@@ -15,7 +15,7 @@ use crate::{
 
 impl Machine<'_> {
     /// What a function of the script compares, with the arguments given: its body is one comparison or
-    /// several, joined by `and` or in a list, behind definitions or in a branch of `if`.
+    /// several, joined by `and`, in a list or a comprehension, behind definitions or in a branch of `if`.
     ///
     /// # Errors
     /// A function that is no such one, and whatever goes wrong inside.
@@ -82,17 +82,41 @@ impl Machine<'_> {
             }
             ExprKind::List(elements) => elements.iter().try_for_each(|element| match element {
                 Element::Item(item) => self.compare(item, found),
-                Element::Spread(item) => no_condition(item),
+                Element::Spread(item) => self.compare(item, found),
             }),
+            ExprKind::Comprehension(each) => self.compare_each(each, 0, expr.span, found),
             _ => no_condition(expr),
         }
+    }
+}
+
+impl Machine<'_> {
+    /// What a comprehension compares for each of its elements.
+    fn compare_each(
+        &mut self,
+        comprehension: &Comprehension,
+        level: usize,
+        span: Span,
+        found: &mut Vec<Comparison>,
+    ) -> Result<()> {
+        let Some(generator) = comprehension.generators.get(level) else {
+            self.check_length(found.len() + 1, span)?;
+            return self.compare(&comprehension.body, found);
+        };
+        let source = self.eval(&generator.source)?;
+        for item in self.iterate(&source, generator.source.span)? {
+            if self.bind(generator, item, span)? {
+                self.compare_each(comprehension, level + 1, span, found)?;
+            }
+        }
+        Ok(())
     }
 }
 
 fn no_condition<T>(expr: &Expr) -> Result<T> {
     let message = "a condition must be a comparison by `<=`, `>=`, `==` or `~=`";
     Diagnostic::error(Code::WrongKind, expr.span, message)
-        .hint("several stand in a list or are joined by `and`; of many numbers the least is compared: `min(radii) >= 3`")
+        .hint("several stand in a list or are joined by `and`: `[for r in radii: r >= 3mm]`")
         .fail()
 }
 

@@ -52,7 +52,8 @@ impl Machine<'_> {
             Ok((value, _)) => Ok(value.clone()),
             Err(failed) => {
                 let text = format!("`{}` is evaluated from here", file.path);
-                Err(Box::new(failed.as_ref().clone().also(span, text)))
+                let told = failed.as_ref().clone().also(span, text);
+                Err(Box::new(with_others(told, &instance.findings)))
             }
         }
     }
@@ -82,4 +83,25 @@ impl Machine<'_> {
         }
         Ok(parameters)
     }
+}
+
+/// Errors of a script that are told with the first.
+const MOST_OTHERS: usize = 4;
+
+/// The first error of a script, with the places of those that stand beside it: what comes of a call is one error.
+fn with_others(first: Diagnostic, findings: &[Diagnostic]) -> Diagnostic {
+    let is_other = |found: &&Diagnostic| {
+        found.severity == Severity::Error && found.primary.span != first.primary.span
+    };
+    let others: Vec<&Diagnostic> = findings.iter().filter(is_other).collect();
+    let mut told = first.clone();
+    for (idx, other) in others.iter().enumerate().take(MOST_OTHERS) {
+        let left = others.len() - idx - 1;
+        let text = match idx + 1 {
+            MOST_OTHERS if 0 < left => format!("and here: {}; {left} more follow", other.message),
+            _ => format!("and here: {}", other.message),
+        };
+        told = told.also(other.primary.span, text);
+    }
+    told
 }

@@ -286,6 +286,9 @@ pub(crate) enum EffectKind {
     },
 }
 
+/// The word of an export that means all geometry of the script, where the script calls nothing else so.
+pub(crate) const ALL: &str = "all";
+
 /// The word of an export that means the report of the script, where the script calls nothing else so.
 pub(crate) const REPORT: &str = "report";
 

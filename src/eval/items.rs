@@ -2,7 +2,10 @@
 
 use std::ops::Range;
 
-use crate::value::{Dimension, List, Number, Value};
+use crate::{
+    kernel::Table,
+    value::{Dimension, List, Number, Value, table_row},
+};
 
 /// What a comprehension or a spread runs through.
 pub(super) enum Items<'v> {
@@ -10,6 +13,8 @@ pub(super) enum Items<'v> {
     List(std::slice::Iter<'v, Value>),
     /// Elements of a list that holds them as numbers.
     Numbers(std::slice::Iter<'v, f64>, Dimension),
+    /// Rows of a table.
+    Rows(&'v Table, Range<usize>),
     /// The next whole number and how many are left.
     Integers(i64, usize),
 }
@@ -33,6 +38,7 @@ impl Iterator for Items<'_> {
             Self::Numbers(items, dim) => {
                 items.next().map(|&value| Value::Number(Number { value, dim: *dim }))
             }
+            Self::Rows(table, rows) => rows.next().map(|row| table_row(table, row)),
             Self::Integers(_, 0) => None,
             Self::Integers(next, left) => {
                 let value = Value::number(*next as f64);
@@ -46,6 +52,7 @@ impl Iterator for Items<'_> {
         let n = match self {
             Self::List(items) => items.len(),
             Self::Numbers(items, _) => items.len(),
+            Self::Rows(_, rows) => rows.len(),
             Self::Integers(_, left) => *left,
         };
         (n, Some(n))

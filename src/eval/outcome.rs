@@ -57,7 +57,7 @@ impl fmt::Display for Printed {
                 write!(
                     f,
                     "{} = table of {} {rows}\n{}",
-                    self.source,
+                    self.heading(),
                     table.n_rows(),
                     text.trim_end()
                 )
@@ -67,7 +67,18 @@ impl fmt::Display for Printed {
     }
 }
 
+/// Characters of an expression that stand over the rows of a table; of a longer one its beginning.
+const HEADING: usize = 60;
+
 impl Printed {
+    /// The expression over the rows of a table.
+    fn heading(&self) -> String {
+        match self.source.char_indices().nth(HEADING) {
+            Some((end, _)) => format!("{}…", self.source[..end].trim_end()),
+            None => self.source.clone(),
+        }
+    }
+
     /// The value alone, its numbers with their units.
     #[must_use]
     pub fn value_text(&self) -> String {

@@ -301,16 +301,18 @@ fn failure(checked: &Checked) -> Diagnostic {
     if checked.verdict.differs_by_rounding {
         diagnostic = diagnostic.hint("numbers that were computed are compared with `~=`");
     }
-    checked.verdict.brief_sides().iter().fold(
-        diagnostic.label(checked.verdict.figures()),
-        |diagnostic, side| {
-            let text = match side.path.as_str() {
-                "" => format!("this is {}", side.value),
-                path => format!("its {path} is {}", side.value),
-            };
-            diagnostic.also(side.span, text)
-        },
-    )
+    let sides = checked.verdict.brief_sides();
+    // Sides that are the same are told once.
+    let is_one =
+        matches!(&sides[..], [a, b] if checked.verdict.witness.is_some() && a.value == b.value);
+    let sides = if is_one { &[] } else { &sides[..] };
+    sides.iter().fold(diagnostic.label(checked.verdict.figures()), |diagnostic, side| {
+        let text = match side.path.as_str() {
+            "" => format!("this is {}", side.value),
+            path => format!("its {path} is {}", side.value),
+        };
+        diagnostic.also(side.span, text)
+    })
 }
 
 /// What a setting must know of the file: the name nearest to one that does not exist.

@@ -128,7 +128,7 @@ impl<'t> OutlineWalk<'t> {
             }
             StatementKind::Export(export) => {
                 self.act(ActKind::Export, whole, export.path.span);
-                export.subjects.iter().flatten().for_each(|expr| self.expr(expr));
+                export.subjects.iter().for_each(|expr| self.expr(expr));
                 self.expr(&export.path);
                 self.args(&export.options);
             }

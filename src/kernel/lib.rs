@@ -76,14 +76,14 @@
 //! ## Regions of the plane
 //!
 //! - [`Region`] within curves, [`Region::even_odd`]; [`Region::union`], [`Region::intersection`], [`Region::difference`].
-//! - [`Region::offset`] with its [`CornerStyle`], [`Region::filleted`]; [`Region::mass`], [`Region::side_of`] with its [`RegionSide`].
+//! - [`Region::offset`] with its [`CornerStyle`], [`Region::filleted`]; [`Region::mass`], [`Region::side_of`] with its [`RegionSide`], its [`RegionStrip`]s.
 //! - What is refused: [`RegionError`].
 //!
 //! ## Parts of surfaces
 //!
 //! - [`Face`]: [`Face::whole`], [`Face::within`] loops of parameters, [`Face::bounded`] by loops in space, its [parts](FacePart);
 //!   [`Face::split`] by [`Cutter`]s, [`Face::part_at`], [`Face::beside_plane`]; [`Face::edges`], [`Face::part_edges`] by [`FaceEdge`]s, [`Face::clipped`] curves;
-//!   [`Face::mass`], [`Face::enclosed_mass`], [`Face::bounds`], [`Face::closest`] with its [`FaceClosestPoint`], [`Face::side_of`], [`Face::side_of_parameters`].
+//!   [`Face::mass`], [`Face::enclosed_mass`], [`Face::bounds`], [`Face::closest`] with its [`FaceClosestPoint`], [`Face::side_of`], [`Face::side_of_parameters`], the [`AreaStrip`]s of either.
 //! - What is refused: [`FaceError`].
 //!
 //! ## Solids
@@ -194,17 +194,18 @@ pub use numeric::{
     answers::{Answers, Wanted},
     constrained_least::ConstrainedLeast,
     enclosure::Enclosure,
-    integral::{Integral, IntegralError, find_integral},
+    integral::{Integral, IntegralError, find_integral, find_sized_integral},
     least::find_least,
     least_problem::{LeastEnd, LeastProblem},
     least_squares::{LeastSquares, find_least_squares},
+    linear::solve_linear,
     root::{RootError, find_root, find_roots},
     root_proof::RootProof,
     sample::Sample,
     symmetric_eigen::principal_axes,
     trajectory::{Trajectory, TrajectoryError, TrajectoryNode, find_trajectory},
 };
-pub use region::{CornerStyle, Region, RegionError, RegionSide};
+pub use region::{CornerStyle, Region, RegionError, RegionSide, RegionStrip};
 pub use skin::{
     AlignedSection, Along, CompatibleSections, SectionParameters, SectionSlope, Skin, SkinBuilder,
     SkinError, SkinInput, SkinnedSurface, aligned, at_constant_speed, corners_of_ring,
@@ -227,7 +228,7 @@ pub use sweep::{
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;
 pub use trim::{
-    CurveEnd, Cutter, Face, FaceClosestPoint, FaceEdge, FaceError, FacePart, SurfaceCurve,
-    SurfaceCurveKind,
+    AreaStrip, CurveEnd, Cutter, Face, FaceClosestPoint, FaceEdge, FaceError, FacePart,
+    SurfaceCurve, SurfaceCurveKind,
 };
 pub use varied::{PointSlopes, SurfaceIntegral, VariedCurve, VariedSurface, stay_closed};

@@ -220,7 +220,7 @@ pub struct Parameter<'s> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Export<'s> {
     /// What is written: `None` is `all`.
-    pub subjects: Option<Vec<Expr<'s>>>,
+    pub subjects: Vec<Expr<'s>>,
     /// The path, a string.
     pub path: Expr<'s>,
     /// The options after `with`.

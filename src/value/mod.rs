@@ -41,6 +41,7 @@ mod unit;
 mod variation;
 mod varied;
 mod vector;
+mod witness;
 
 use std::sync::Arc;
 
@@ -76,7 +77,7 @@ pub use on_numbers::OnNumbers;
 pub(crate) use op::op;
 pub use op::{
     Bounded, Caller, Comparison, Ctx, EnclosedFunction, Example, ExamplePicture, Family, Op,
-    OpParameter, RefusalExample, Relation, Witness,
+    OpParameter, RefusalExample, Relation,
 };
 pub use range::{JetRange, Range};
 pub use read_json::{ENDED, read_json};
@@ -89,6 +90,7 @@ pub use ty::Type;
 pub use unit::{in_document_unit, in_unit_of};
 pub use varied::{RealCurve, RealSurface};
 pub use vector::Vector;
+pub use witness::{Witness, WitnessOf};
 
 /// What an expression evaluates to. Cheap to clone.
 #[derive(Clone, Debug)]

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Call, Callback, Files, OnNumbers, Type, Value};
+use super::{Call, Callback, Files, OnNumbers, Type, Value, Witness};
 use crate::{
     diag::{Diagnostic, Result, Sources, Span},
     kernel::{CurveFunction, Enclosure, SurfaceFunction, Tolerance},
@@ -53,15 +53,6 @@ impl Ctx<'_> {
     pub fn warn(&mut self, warning: Diagnostic) {
         self.caller.warn(warning);
     }
-}
-
-/// What decided a test of the elements of a list.
-#[derive(Clone, Debug)]
-pub enum Witness {
-    /// One element, by its index: it alone passes, or fails.
-    Element(usize, Value),
-    /// All of so many elements, alike.
-    All(usize),
 }
 
 /// Bounds of a function of one number from those of the number; none where it has no value or no derivative,

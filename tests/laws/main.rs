@@ -51,6 +51,7 @@ mod sizes;
 mod skin;
 mod solid;
 mod some;
+mod strips;
 mod surface;
 mod sweep;
 mod tensor;

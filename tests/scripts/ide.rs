@@ -187,7 +187,7 @@ fn hints_tell_values_margins_and_parameters() {
     }
     assert_eq!(
         shown,
-        "let a = 2mm\nlet b = a * 3« = 6 mm»\nlet c«: curve» = line((0, 0), (3, 4))\ncheck length(c) < 6« holds with margin 1»\nlet d«: curve» = circle(«center: »(0, 0), «radius: »2)"
+        "let a = 2mm\nlet b = a * 3« = 6 mm»\nlet c«: curve» = line((0, 0), (3, 4))\ncheck length(c) < 6« holds with margin 1mm»\nlet d«: curve» = circle(«center: »(0, 0), «radius: »2)"
     );
     let lenses =
         scene("curve c = line((0, 0), (1, 0))\ntest \"two\" { check 1 < 2 }").document.lenses(None);

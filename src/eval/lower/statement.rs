@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{
     super::ir::{
-        Arg, Definition, DefinitionRole, Effect, EffectKind, ExportedSubjects, Expr, ExprKind,
+        ALL, Arg, Definition, DefinitionRole, Effect, EffectKind, ExportedSubjects, Expr, ExprKind,
         Group, Kind, ParamKind, ParamRules, REPORT,
     },
     Lowerer,
@@ -330,16 +330,18 @@ impl<'s> Lowerer<'_, 's> {
         }
     }
 
-    /// What an export writes; `None` is the word `all`.
-    fn subjects(&mut self, subjects: Option<&[ast::Expr<'s>]>) -> ExportedSubjects {
+    /// What an export writes.
+    fn subjects(&mut self, subjects: &[ast::Expr<'s>]) -> ExportedSubjects {
         match subjects {
-            None => ExportedSubjects::All,
-            Some([ast::Expr { kind: ast::ExprKind::Name(REPORT), .. }])
+            [ast::Expr { kind: ast::ExprKind::Name(ALL), .. }] if self.global(ALL).is_none() => {
+                ExportedSubjects::All
+            }
+            [ast::Expr { kind: ast::ExprKind::Name(REPORT), .. }]
                 if self.global(REPORT).is_none() =>
             {
                 ExportedSubjects::Report
             }
-            Some(these) => {
+            these => {
                 ExportedSubjects::These(these.iter().map(|subject| self.expr(subject)).collect())
             }
         }
@@ -355,7 +357,7 @@ impl<'s> Lowerer<'_, 's> {
                 EffectKind::Print(exprs.iter().map(|expr| self.expr(expr)).collect())
             }
             StatementKind::Export(export) => {
-                let subjects = self.subjects(export.subjects.as_deref());
+                let subjects = self.subjects(&export.subjects);
                 // Of a text with mistakes nobody knows all.
                 self.is_poisoned |= subjects.is_of_whole_file() && !self.origin.faults.is_empty();
                 let named = self.dependencies.iter().copied().collect();

@@ -7,11 +7,14 @@
 //! and of several variables.
 
 mod apply;
+mod moving_end;
 mod series;
 
 use glam::DVec3;
 
 use super::{GeomError, Grid, LocalError};
+
+pub use moving_end::moved_end;
 
 /// A truncated Taylor series in one or two variables, or of first order in several. Invariant: as many
 /// coefficients as its shape needs.

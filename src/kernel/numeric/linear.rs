@@ -8,28 +8,56 @@ pub(crate) fn solved<const N: usize>(
     mut matrix: [[f64; N]; N],
     mut right: [f64; N],
 ) -> Option<[f64; N]> {
-    for column in 0..N {
-        let pivot = (column..N)
-            .max_by(|&i, &k| matrix[i][column].abs().total_cmp(&matrix[k][column].abs()))?;
-        if matrix[pivot][column].abs() < f64::MIN_POSITIVE {
-            return None;
+    eliminated(&mut matrix, &mut right).then_some(right)
+}
+
+/// The solution of a linear system of any size; as many rows of as many numbers as there are right-hand sides.
+///
+/// None of a system that is singular, or so nearly that a number overflows. O(n³), by elimination with partial
+/// pivoting. Golub & Van Loan, *Matrix Computations*, Algorithm 3.4.1.
+///
+/// ```
+/// use virote_kernel::solve_linear;
+///
+/// let found = solve_linear(vec![vec![2.0, 1.0], vec![1.0, -1.0]], vec![5.0, 1.0]);
+/// assert_eq!(found, Some(vec![2.0, 1.0]));
+/// ```
+#[must_use]
+pub fn solve_linear(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<Vec<f64>> {
+    let n = right.len();
+    let is_square = matrix.len() == n && matrix.iter().all(|row| row.len() == n);
+    (is_square && eliminated(&mut matrix, &mut right)).then_some(right)
+}
+
+/// Puts the unknowns in the place of the right-hand sides, if that can be.
+#[inline]
+fn eliminated<R: AsRef<[f64]> + AsMut<[f64]>>(matrix: &mut [R], right: &mut [f64]) -> bool {
+    let n = right.len();
+    for column in 0..n {
+        let size = |row: usize| matrix[row].as_ref()[column].abs();
+        let pivot = (column..n).max_by(|&i, &k| size(i).total_cmp(&size(k))).unwrap_or(column);
+        if size(pivot) < f64::MIN_POSITIVE {
+            return false;
         }
         matrix.swap(column, pivot);
         right.swap(column, pivot);
-        for row in column + 1..N {
-            let factor = matrix[row][column] / matrix[column][column];
-            let above = matrix[column];
-            for (value, above) in matrix[row].iter_mut().zip(above).skip(column) {
+        let (above, below) = matrix.split_at_mut(column + 1);
+        let above = above[column].as_ref();
+        for (row, own) in below.iter_mut().enumerate() {
+            let own = own.as_mut();
+            let factor = own[column] / above[column];
+            for (value, above) in own.iter_mut().zip(above).skip(column) {
                 *value -= factor * above;
             }
-            right[row] -= factor * right[column];
+            right[column + 1 + row] -= factor * right[column];
         }
     }
-    for row in (0..N).rev() {
-        let known: f64 = (row + 1..N).map(|k| matrix[row][k] * right[k]).sum();
-        right[row] = (right[row] - known) / matrix[row][row];
+    for row in (0..n).rev() {
+        let own = matrix[row].as_ref();
+        let known: f64 = (row + 1..n).map(|k| own[k] * right[k]).sum();
+        right[row] = (right[row] - known) / own[row];
     }
-    right.iter().all(|x| x.is_finite()).then_some(right)
+    right.iter().all(|x| x.is_finite())
 }
 
 /// Two equations with two unknowns, to be solved for several right-hand sides by Cramer's rule.

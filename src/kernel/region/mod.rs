@@ -2,7 +2,7 @@
 //!
 //! This file has the type, its constructors and what can be read off it; `measure` what can be asked of
 //! it, `boolean` unions, intersections, differences and even-odd filling, `offset` what lies within a
-//! distance, `fillet` rounded corners. All that cuts borders is an `arrange::Arrangement`.
+//! distance, `fillet` rounded corners, `strips` what integrals over it go along. All that cuts borders is an `arrange::Arrangement`.
 
 mod boolean;
 mod cells;
@@ -10,6 +10,7 @@ mod error;
 mod fillet;
 mod measure;
 mod offset;
+mod strips;
 
 use glam::{DAffine3, DVec3};
 
@@ -25,6 +26,7 @@ pub(crate) use cells::{PlaneCell, cells};
 pub use error::RegionError;
 pub use measure::RegionSide;
 pub use offset::CornerStyle;
+pub use strips::RegionStrip;
 
 /// What lies within a closed plane curve and outside of others, which are holes.
 ///

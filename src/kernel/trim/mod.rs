@@ -5,7 +5,7 @@
 //! what is within the tolerance there is within it in space, and all that cuts faces is the arrangement
 //! of plane arcs that regions are made by. `face` has the type, `loops` faces within loops of parameters,
 //! `split` those within loops in space and the parts into which cutters divide a face, by the arcs that
-//! `pull` makes of curves and by `division`, `measure` integrals over faces, `mesh` their triangles, `border`
+//! `pull` makes of curves and by `division`, `measure` integrals over faces, `strip` what those of others go along, `mesh` their triangles, `border`
 //! their edges in space, `extremum` what of them is nearest or reaches farthest, `clip` what of curves lies on
 //! them, `shell` what they enclose together. `edge` has the curves on two surfaces at once, by places in space and by the parameters of both.
 
@@ -23,6 +23,7 @@ mod plane;
 mod pull;
 mod shell;
 mod split;
+mod strip;
 
 pub use border::FaceEdge;
 pub use edge::{CurveEnd, SurfaceCurve, SurfaceCurveKind};
@@ -31,3 +32,4 @@ pub use extremum::FaceClosestPoint;
 pub use face::{Face, FacePart};
 pub(crate) use shell::{EnclosedShell, enclosed_shells, rims};
 pub use split::Cutter;
+pub use strip::AreaStrip;

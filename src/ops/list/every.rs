@@ -1,9 +1,9 @@
 //! `every`: whether all elements pass.
 
-use super::{as_truth, truth};
+use super::first_that;
 use crate::{
     diag::Result,
-    value::{Callback, Ctx, List, Maybe, Witness, op},
+    value::{Callback, Ctx, List, Maybe, op},
 };
 
 op! {
@@ -18,16 +18,5 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<bool> {
-    for (idx, item) in args.list.iter().enumerate() {
-        let holds = match &args.f.0 {
-            Some(test) => truth(ctx, test, item)?,
-            None => as_truth(item, ctx.span)?,
-        };
-        if !holds {
-            ctx.decided(Witness::Element(idx, item.clone()));
-            return Ok(false);
-        }
-    }
-    ctx.decided(Witness::All(args.list.len()));
-    Ok(true)
+    Ok(first_that(ctx, args.list, args.f.0, false)?.is_none())
 }

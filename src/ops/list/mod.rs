@@ -35,7 +35,7 @@ use super::math::{common_dim, finite, sum_dim};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     limits::{Ceiling, work},
-    value::{Callback, Ctx, FromValue, Number, Op, Real, Value, Vector},
+    value::{Callback, Ctx, FromValue, List, Number, Op, Real, Value, Vector, Witness, WitnessOf},
 };
 
 pub(super) static OPS: &[&Op] = &[
@@ -119,6 +119,29 @@ fn total(items: &[Value], span: Span) -> Result<Total> {
         Some("point") => Total::Point(point),
         _ => Total::Number(Number { value: finite(value, span)?, dim: dim.unwrap_or_default() }),
     })
+}
+
+/// The first element that passes a test, or fails it; the claim that asks is told.
+fn first_that(
+    ctx: &mut Ctx<'_>,
+    list: List,
+    test: Option<Callback>,
+    passes: bool,
+) -> Result<Option<usize>> {
+    let mut found = None;
+    for (idx, item) in list.iter().enumerate() {
+        let holds = match &test {
+            Some(test) => truth(ctx, test, item)?,
+            None => as_truth(item, ctx.span)?,
+        };
+        if holds == passes {
+            found = Some(idx);
+            break;
+        }
+    }
+    let of = found.map_or(WitnessOf::All, WitnessOf::Element);
+    ctx.decided(Witness { of, list, test: test.map(|test| test.0) });
+    Ok(found)
 }
 
 /// What a test says of an element.

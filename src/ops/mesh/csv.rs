@@ -61,7 +61,10 @@ fn column(text: &str, name: &str, rows: &[CsvRow<'_>], idx: usize) -> Result<Nam
             _ if cell.text.is_empty() => f64::NAN,
             _ => {
                 let (line, found) = (line_at(text, row.start), &cell.text);
-                return Err(format!("line {line}: `{name}` must be a number, found `{found}`"));
+                let first = first_cell(rows, idx);
+                return Err(format!(
+                    "line {line}: `{name}` must be a number as its first cell, `{first}`, found `{found}`; cells of a column of texts stand in quotation marks"
+                ));
             }
         };
         if !work::push(&mut numbers, number) {
@@ -69,6 +72,12 @@ fn column(text: &str, name: &str, rows: &[CsvRow<'_>], idx: usize) -> Result<Nam
         }
     }
     Ok(NamedColumn::numbers(name, numbers))
+}
+
+/// What a column begins with.
+fn first_cell<'r>(rows: &'r [CsvRow<'_>], idx: usize) -> &'r str {
+    let mut cells = rows.iter().map(|row| &*row.cells[idx].text);
+    cells.find(|cell| !cell.is_empty()).unwrap_or_default()
 }
 
 /// A number as it is written in data: no infinity, no NaN.

@@ -34,14 +34,22 @@ impl SearchRange {
     /// # Errors
     /// A range that is backwards or a single place, or whose ends do not go together.
     fn new(range: Spanned<Range>) -> Result<Self> {
-        let Range { start, end, .. } = range.value;
-        let Some(dim) = start.dim.common(end.dim) else {
-            let message = format!("the range begins with {} and ends with {}", start.dim, end.dim);
-            return Diagnostic::error(Code::UnitMismatch, range.span, message).fail();
-        };
+        let (Range { start, end, .. }, dim) = (range.value, Self::dimension(&range)?);
         let interval = Interval::new(start.value, end.value);
         interval.at(range.span)?;
         Ok(Self { ends: [start.value, end.value], dim })
+    }
+
+    /// What both ends of a range measure.
+    ///
+    /// # Errors
+    /// Ends that do not go together.
+    fn dimension(range: &Spanned<Range>) -> Result<Dimension> {
+        let Range { start, end, .. } = range.value;
+        start.dim.common(end.dim).ok_or_else(|| {
+            let message = format!("the range begins with {} and ends with {}", start.dim, end.dim);
+            Box::new(Diagnostic::error(Code::UnitMismatch, range.span, message))
+        })
     }
 
     /// A place as a value.

@@ -27,8 +27,8 @@ op! {
     /// tell apart. Chandrupatla, *A new hybrid quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997);
     /// Moore, Kearfott & Cloud, *Introduction to Interval Analysis*, §8.1.
     ///
-    /// Derivatives pass through a root within a range, by the theorem of implicit functions, where the function
-    /// crosses zero.
+    /// Derivatives pass through roots by the theorem of implicit functions, where the functions cross zero and are
+    /// as many as the unknowns.
     ///
     /// From a `start` instead of a range, the unknowns may be a number, a point, or a list or record of such,
     /// and the function yields as many numbers or more, each of which is to be zero: of more than there are
@@ -55,6 +55,7 @@ op! {
     example "solve(p => [p.x + p.y - 3, p.x - p.y - 1], start = (0, 0)) ~= (2, 1)" => "true";
     example "solve(u => [u.a * u.b - 6, u.a + u.b - 5], start = {a: 1, b: 4}).a ~= 2" => "true";
     example "gradient(a => solve(x => x^2 - a, within = 0..5), 4) ~= 0.25" => "true";
+    example "gradient(r => solve(p => [norm(p) - r, p.y - 2*p.x], start = (1, 1)).x, 5) ~= 1/sqrt(5) within 1e-9" => "true";
     refuses "solve(x => x^2 + 1, within = -1..2)" => "E0504: the function is 0 nowhere within -1..2";
     refuses "solve(x => 1/(x - 0.3), within = 0..1)" => "E0504: the function changes its sign at 0.3 without being 0 there";
     refuses "solve(x => x, within = 2..1)" => "E0606: an interval needs its start below its end, got 2..1";

@@ -2,12 +2,15 @@
 
 use super::{
     no_derivatives, six_digits,
-    unknowns::{Unknowns, asked, numbers},
+    unknowns::{Unknowns, asked, numbers, without_derivatives},
 };
 use crate::{
-    diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{LeastSquares, find_least_squares, tolerance::SYSTEM_ROOT_RELATIVE},
-    value::{Callback, Ctx, Value},
+    diag::{Code, Diagnostic, Result, Span, Spanned},
+    kernel::{
+        GeomError, Jet, LeastSquares, LocalError, Wanted, find_least_squares, solve_linear,
+        tolerance::{DIFFERENCE_RELATIVE, SYSTEM_ROOT_RELATIVE},
+    },
+    value::{At, Callback, Ctx, Real, Value},
 };
 
 /// The unknowns near the start, and how they were found.
@@ -16,10 +19,9 @@ pub(super) fn solved(
     function: &Spanned<Callback>,
     start: &Spanned<Value>,
 ) -> Result<(Value, LeastSquares)> {
-    if ctx.caller.is_varying(&function.value.0) {
-        return no_derivatives(function.span);
-    }
-    let unknowns = Unknowns::new(start)?;
+    let is_varying = ctx.caller.is_varying(&function.value.0);
+    // Where the search begins has no part in where the root is.
+    let unknowns = Unknowns::new(&Spanned::new(without_derivatives(&start.value), start.span))?;
     let mut n_residuals = None;
     let mut ask = |place: &Value| {
         let value = asked(ctx, &function.value, place)?;
@@ -36,15 +38,21 @@ pub(super) fn solved(
         Ok(all.into_iter().map(|number| number.value).collect())
     };
     let found = find_least_squares(
-        |values, wanted| unknowns.answers(values, wanted, &mut ask),
+        |values, wanted| {
+            let wanted = if is_varying { Wanted::Values } else { wanted };
+            unknowns.answers(values, wanted, &mut ask)
+        },
         &unknowns.values,
     )?;
-    let place = unknowns.with(&found.unknowns);
     let size = |values: &[f64]| values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     let (left, first) = (size(&found.residuals), size(&found.first_residuals));
     let is_root = left <= SYSTEM_ROOT_RELATIVE * first;
     let is_overdetermined = unknowns.values.len() < found.residuals.len();
     if is_root || is_overdetermined && found.is_settled {
+        let place = match is_varying {
+            true => varying(&unknowns, &found, (start.span, function.span), &mut ask)?,
+            false => unknowns.with(&found.unknowns),
+        };
         return Ok((place, found));
     }
     let message = "no root was found from this start";
@@ -56,4 +64,78 @@ pub(super) fn solved(
             six_digits(first, None)
         ))
         .fail()
+}
+
+/// A root with the derivatives that it has by what the functions take from around them, since they stay zero
+/// there: by the theorem of implicit functions, with differences for their slopes by the unknowns, whose rounding
+/// goes out with each step. Griewank & Walther, *Evaluating Derivatives*, §15.1.
+fn varying(
+    unknowns: &Unknowns,
+    found: &LeastSquares,
+    (start, span): (Span, Span),
+    ask: &mut dyn FnMut(&Value) -> Result<Vec<Real>>,
+) -> Result<Value> {
+    let root = &found.unknowns;
+    let slopes = slopes(unknowns, root, ask)?;
+    // What no function depends on is where the search began.
+    let moving: Vec<usize> = (0..root.len())
+        .filter(|&column| slopes.iter().any(|row| row[column].abs() > 0.0))
+        .collect();
+    let mut places: Vec<Real> = root.iter().copied().map(Real::Plain).collect();
+    let like = ask(&unknowns.with(root))?.into_iter().find_map(|value| match value {
+        Real::Jet(jet) => Some(jet),
+        Real::Plain(_) => None,
+    });
+    let Some(like) = like else { return Ok(unknowns.with(root)) };
+    if moving.len() != slopes.len() {
+        return no_derivatives(span);
+    }
+    let matrix: Vec<Vec<f64>> =
+        slopes.iter().map(|row| moving.iter().map(|&column| row[column]).collect()).collect();
+    for place in &mut places {
+        *place = Real::Jet(place.like(&like));
+    }
+    for _ in 0..like.order() + 2 {
+        let left: Vec<Jet> =
+            ask(&unknowns.with_reals(&places))?.iter().map(|value| value.like(&like)).collect();
+        let mut steps = vec![vec![0.0]; moving.len()];
+        for term in 1..like.coefficients().len() {
+            let right = left.iter().map(|jet| jet.coefficients()[term]).collect();
+            let Some(found) = solve_linear(matrix.clone(), right) else {
+                let what = "a root where the equations do not cross";
+                let at = root.first().copied().unwrap_or_default();
+                return Err(GeomError::from(LocalError::NotDifferentiable { what, at })).at(start);
+            };
+            steps.iter_mut().zip(found).for_each(|(steps, step)| steps.push(step));
+        }
+        for (&column, steps) in moving.iter().zip(&steps) {
+            let before = places[column].like(&like);
+            places[column] = Real::Jet(before.minus(&like.with_coefficients(steps)));
+        }
+    }
+    Ok(unknowns.with_reals(&places))
+}
+
+/// The slopes of each function by all unknowns, by central differences.
+fn slopes(
+    unknowns: &Unknowns,
+    root: &[f64],
+    ask: &mut dyn FnMut(&Value) -> Result<Vec<Real>>,
+) -> Result<Vec<Vec<f64>>> {
+    let mut slopes: Vec<Vec<f64>> = Vec::new();
+    for (column, (&at, &start)) in root.iter().zip(&unknowns.values).enumerate() {
+        let size = at.abs().max((at - start).abs());
+        let step = DIFFERENCE_RELATIVE * if 0.0 < size { size } else { 1.0 };
+        let mut beside = |step: f64| -> Result<(f64, Vec<Real>)> {
+            let mut moved = root.to_vec();
+            moved[column] += step;
+            Ok((moved[column], ask(&unknowns.with(&moved))?))
+        };
+        let ((low, before), (high, behind)) = (beside(-step)?, beside(step)?);
+        slopes.resize(before.len(), Vec::new());
+        for (row, (before, behind)) in slopes.iter_mut().zip(before.iter().zip(&behind)) {
+            row.push((behind.value() - before.value()) / (high - low));
+        }
+    }
+    Ok(slopes)
 }

@@ -106,6 +106,11 @@ impl Unknowns {
         quotient(&self.with(slopes), dim)
     }
 
+    /// The value of the start's shape with numbers that may carry derivatives.
+    pub(super) fn with_reals(&self, reals: &[Real]) -> Value {
+        put_together(&self.shape, &mut reals.iter().cloned())
+    }
+
     fn each(&self, values: &[f64], real: impl Fn(usize, f64) -> Real) -> Value {
         let mut reals = values.iter().enumerate().map(|(idx, &value)| real(idx, value));
         put_together(&self.shape, &mut reals)
@@ -160,7 +165,7 @@ pub(super) fn from_here(ctx: &Ctx<'_>, mut found: Diagnostic, place: &Value) -> 
 }
 
 /// A place without the derivatives that its numbers carry.
-fn without_derivatives(place: &Value) -> Value {
+pub(super) fn without_derivatives(place: &Value) -> Value {
     match place {
         Value::List(items) => Value::List(items.iter().map(without_derivatives).collect()),
         Value::Record(record) => {

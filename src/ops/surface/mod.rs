@@ -14,6 +14,7 @@ mod corner_surface;
 mod cuboid;
 mod cylinder;
 mod disc;
+mod disc_about;
 mod edge_surface;
 mod extrude;
 mod fit;
@@ -58,6 +59,7 @@ pub(super) static OPS: &[&Op] = &[
     &swung::OP,
     &plane_patch::OP,
     &disc::OP,
+    &disc_about::OP,
     &cuboid::OP,
     &sphere::OP,
     &cylinder::OP,

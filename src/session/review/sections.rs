@@ -288,7 +288,7 @@ fn check(checked: &Checked, blocks: &mut Vec<DocumentBlock>) {
         code(&checked.source),
         side(0),
         side(1),
-        text(&verdict.figures_with_unit()),
+        text(&verdict.figures()),
     ];
     add_row(&["Check", "Claim", "As written", "Left", "Right", "Finding"], row, blocks);
 }

@@ -252,16 +252,8 @@ fn expressions<'t, 's: 't>(input: &mut Input<'t, '_, 's>) -> Parsed<Vec<Expr<'s>
 
 /// `export EXPR, ... to "PATH" [with (...)]` or `export all to ...`
 fn export<'t, 's: 't>() -> impl Rule<'t, 's, StatementKind<'s>> {
-    let subjects = custom(|input: &mut Input<'t, '_, 's>| {
-        let start = here(input);
-        if input.state().is_word(start, "all") && peek_second(input) == Token::To {
-            input.skip();
-            return Ok(None);
-        }
-        expressions(input).map(Some)
-    });
     mark(Token::Export)
-        .ignore_then(subjects)
+        .ignore_then(custom(expressions))
         .then_ignore(mark(Token::To))
         .then(custom(text))
         .then(options())

@@ -156,10 +156,7 @@ impl FlatText {
 
     fn export(&mut self, export: &Export<'_>) {
         self.put("export ");
-        match &export.subjects {
-            Some(subjects) => self.separated(subjects, Self::expression),
-            None => self.put("all"),
-        }
+        self.separated(&export.subjects, Self::expression);
         self.keyed(" to ", &export.path);
         self.options(&export.options);
     }

@@ -225,7 +225,7 @@ impl<'s, 't> Marker<'_, '_, 's, 't> {
         let to = self.before(export.path.span.start);
         self.point(to, Point::To);
         self.rank(to, Rank::Clause);
-        self.walk_all(export.subjects.iter().flatten());
+        self.walk_all(&export.subjects);
         self.options(&export.options);
     }
 

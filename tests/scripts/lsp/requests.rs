@@ -212,7 +212,7 @@ fn hints_and_lenses() {
         asked("textDocument/inlayHint", text, json!({ "range": range_of([0, 0, 9, 0]) }));
     let labels: Vec<&str> =
         found.as_array().unwrap().iter().map(|hint| hint["label"].as_str().unwrap()).collect();
-    assert_eq!(labels, [" = 6 mm", " holds with margin 1"]);
+    assert_eq!(labels, [" = 6 mm", " holds with margin 1mm"]);
     assert_eq!(found[0]["position"], json!({ "line": 1, "character": 13 }));
     let (found, _) = asked("textDocument/codeLens", text, Json::Null);
     let titles: Vec<&str> = found
@@ -221,7 +221,7 @@ fn hints_and_lenses() {
         .iter()
         .map(|lens| lens["command"]["title"].as_str().unwrap())
         .collect();
-    assert_eq!(titles, ["open in view", "✓ holds with margin 1", "run"]);
+    assert_eq!(titles, ["open in view", "✓ holds with margin 1mm", "run"]);
 
     let mut client = Client::new();
     client.tell("workspace/didChangeConfiguration", json!({ "settings": { "virote": { "inlayHints": { "values": false }, "codeLens": false } } }));

@@ -277,7 +277,7 @@ fn statements_have_their_parts() {
             && param.label.is_some()
     );
     let StatementKind::Export(export) = &tree.statements[12].kind else { panic!("an export") };
-    assert!(export.subjects.is_none());
+    assert!(matches!(&export.subjects[..], [Expr { kind: ExprKind::Name("all"), .. }]));
 }
 
 #[test]

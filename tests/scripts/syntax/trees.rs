@@ -303,18 +303,13 @@ fn effect() -> impl Strategy<Value = StatementKind<'static>> {
     let options = || collection::vec(arg(leaf(), false), 0..3);
     let check = (expr(), option::of(text()))
         .prop_map(|(claim, message)| StatementKind::Check { claim, message });
-    let export = (option::of(collection::vec(expr(), 1..3)), text(), options());
+    let export = (collection::vec(expr(), 1..3), text(), options());
     let import = (text(), option::of(name()), option::of(collection::vec(name(), 0..3)), options());
     prop_oneof![
         4 => definition(expr()),
         1 => check,
         1 => collection::vec(expr(), 1..4).prop_map(StatementKind::Print),
         1 => export.prop_map(|(subjects, path, options)| {
-            // `export all to` means everything.
-            let subjects = subjects.map(|subjects| match subjects.as_slice() {
-                [Expr { kind: ExprKind::Name("all"), .. }] => vec![at(ExprKind::None)],
-                _ => subjects,
-            });
             StatementKind::Export(Box::new(Export { subjects, path, options }))
         }),
         1 => import.prop_map(|(path, alias, names, with)| {

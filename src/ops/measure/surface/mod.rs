@@ -109,8 +109,19 @@ impl Surfaces {
     }
 
     fn faces(&self, span: Span, ctx: &Ctx<'_>) -> Result<Vec<Face>> {
-        let face = |part: &SurfaceOrFace| part.face(span, ctx.tolerance);
-        self.0.iter().map(|part| face(part).map(|face| (*face).clone())).collect()
+        let mut faces = Vec::with_capacity(self.0.len());
+        for (idx, part) in self.0.iter().enumerate() {
+            if !part.is_face() && part.nurbs().is_err() {
+                let message = format!(
+                    "element [{idx}] is a parametric surface, a function; beside faces surfaces must be NURBS"
+                );
+                return Diagnostic::error(Code::WrongKind, span, message)
+                    .hint("`to_nurbs(s, 1e-6)` makes one of it within a tolerance")
+                    .fail();
+            }
+            faces.push((*part.face(span, ctx.tolerance)?).clone());
+        }
+        Ok(faces)
     }
 }
 

@@ -1,0 +1,252 @@
+//! What an integral is over.
+
+use std::sync::Arc;
+
+use super::{
+    found::{Found, Tolerances, nested, place_text, shared},
+    integrand::{Integrand, settled},
+    moving_range::{MovingRange, over_box},
+    strips::over_strips,
+};
+use crate::{
+    diag::{Code, Diagnostic, Result, Span, Spanned},
+    kernel::{Face, Interval, Jet, Region, Side},
+    value::{
+        At, Dimension, FromValue, IntoValue, Real, RealCurve, RealSurface, Value, Vector, rounded,
+    },
+};
+
+/// A part of what is integrated over.
+pub(super) enum Domain {
+    Box(Vec<MovingRange>),
+    Curve(RealCurve, Span),
+    Surface(RealSurface, Span),
+    Region(Arc<Region>, Span),
+    Face(Arc<Face>, Span),
+}
+
+/// What an integral is over, in parts.
+///
+/// # Errors
+/// Values of other kinds; curves with areas; no part at all.
+pub(super) fn domains(over: &Spanned<Value>) -> Result<Vec<Domain>> {
+    let Value::List(items) = &over.value else { return Ok(vec![domain(&over.value, over)?]) };
+    let is_range = |item: &Value| matches!(item, Value::Range(_) | Value::JetRange(_));
+    if (2..=3).contains(&items.len()) && items.iter().all(is_range) {
+        let ranges = items.iter().filter_map(|item| MovingRange::of(item, over));
+        return Ok(vec![Domain::Box(ranges.collect::<Result<_>>()?)]);
+    }
+    let domains: Vec<Domain> =
+        items.iter().map(|item| domain(item, over)).collect::<Result<_>>()?;
+    let Some(first) = domains.first() else { return refused(&over.value, over.span) };
+    if let Some(idx) = domains.iter().position(|other| other.n_numbers() != first.n_numbers()) {
+        let message = format!(
+            "element [0] has {} and element [{idx}] {}: integrals over them do not add up",
+            first.extent(),
+            domains[idx].extent(),
+        );
+        return Diagnostic::error(Code::WrongKind, over.span, message).fail();
+    }
+    Ok(domains)
+}
+
+fn domain(value: &Value, over: &Spanned<Value>) -> Result<Domain> {
+    if let Some(range) = MovingRange::of(value, over) {
+        return Ok(Domain::Box(vec![range?]));
+    }
+    let span = over.span;
+    if let Ok(curve) = RealCurve::from_value(value, span) {
+        return Ok(Domain::Curve(curve, span));
+    }
+    if let Ok(surface) = RealSurface::from_value(value, span) {
+        return Ok(Domain::Surface(surface, span));
+    }
+    match value {
+        Value::Region(region) => Ok(Domain::Region(Arc::clone(region), span)),
+        Value::Face(face) => Ok(Domain::Face(Arc::clone(face), span)),
+        other => refused(other, span),
+    }
+}
+
+fn refused<T>(found: &Value, span: Span) -> Result<T> {
+    let message = format!(
+        "an integral is over a range, a box, a curve, a region, a face or a surface, found {}",
+        found.phrase()
+    );
+    let hint = match found {
+        Value::Solid(_) => {
+            "over the surface of a solid, its `.faces`: `integrate(p => p.z, body.faces)`"
+        }
+        _ => "for example `integrate((x, y) => x * y, [0..1, 0..2])`",
+    };
+    Diagnostic::error(Code::WrongKind, span, message).hint(hint).fail()
+}
+
+impl Domain {
+    pub(super) fn dimension(&self) -> Dimension {
+        match self {
+            Self::Box(ranges) => ranges
+                .iter()
+                .try_fold(Dimension::NONE, |dim, range| dim.times(range.dim()))
+                .unwrap_or_default(),
+            Self::Curve(..) => Dimension::LENGTH,
+            Self::Surface(..) | Self::Region(..) | Self::Face(..) => {
+                Dimension::LENGTH.times(Dimension::LENGTH).unwrap_or_default()
+            }
+        }
+    }
+
+    /// Along how many numbers it extends; of a range none, since it has a dimension of its own.
+    fn n_numbers(&self) -> usize {
+        match self {
+            Self::Box(_) => 0,
+            Self::Curve(..) => 1,
+            Self::Surface(..) | Self::Region(..) | Self::Face(..) => 2,
+        }
+    }
+
+    fn extent(&self) -> &'static str {
+        match self {
+            Self::Box(_) => "the extent of a range",
+            Self::Curve(..) => "a length",
+            Self::Surface(..) | Self::Region(..) | Self::Face(..) => "an area",
+        }
+    }
+
+    /// A jet of the shape of those that it carries.
+    pub(super) fn like(&self) -> Option<Jet> {
+        let of_slopes = |n| Jet::with_slopes(0.0, &vec![0.0; n]).ok();
+        match self {
+            Self::Box(ranges) => ranges.iter().find_map(MovingRange::like).cloned(),
+            Self::Curve(curve, _) => {
+                curve.varied().and_then(|varied| of_slopes(varied.slopes().n_variables()))
+            }
+            Self::Surface(surface, _) => {
+                surface.varied().and_then(|varied| of_slopes(varied.slopes().n_variables()))
+            }
+            Self::Region(..) | Self::Face(..) => None,
+        }
+    }
+
+    pub(super) fn integral(
+        &self,
+        integrand: &mut Integrand<'_, '_>,
+        tolerances: Tolerances,
+    ) -> Result<Found> {
+        match self {
+            Self::Box(ranges) => over_box(ranges, &mut Vec::new(), integrand, tolerances),
+            Self::Curve(curve, span) => along(curve, *span, integrand, tolerances),
+            Self::Surface(surface, span) => across(surface, *span, integrand, tolerances),
+            Self::Region(region, span) => {
+                over_strips(&region.area_strips().at(*span)?, integrand, tolerances)
+            }
+            Self::Face(face, span) => over_strips(&face.strips().at(*span)?, integrand, tolerances),
+        }
+    }
+}
+
+fn along(
+    curve: &RealCurve,
+    place: Span,
+    integrand: &mut Integrand<'_, '_>,
+    tolerances: Tolerances,
+) -> Result<Found> {
+    let span = integrand.span();
+    let pieces = pieces(curve.domain(), curve.nurbs().ok().map(|it| it.knots().as_slice()));
+    let mut total = Found::default();
+    for ends in &pieces {
+        let text = |t| curve.point_at(t).map_or_else(|_| rounded(t), place_text);
+        let found = settled(span, *ends, shared(tolerances, pieces.len()), text, |t| {
+            let jet = match integrand.carried() {
+                Some(_) => curve.jet_of(&Real::Plain(t)).at(place)?,
+                None => None,
+            };
+            let [point, speed] = match jet {
+                Some(t) => {
+                    let mut series = curve.series_beside(&t, Side::Right, 1).at(place)?;
+                    let speed = series.remove(1);
+                    [series.remove(0), speed]
+                }
+                None => {
+                    let found = curve.derivatives_at(t, 1).at(place)?;
+                    [Vector::Plain(found[0]), Vector::Plain(found[1])]
+                }
+            };
+            integrand.at(&[point.into_value()], &speed.norm().at(place)?).map(Found::exact)
+        })?;
+        total = total.plus(found);
+    }
+    Ok(total)
+}
+
+fn across(
+    surface: &RealSurface,
+    place: Span,
+    integrand: &mut Integrand<'_, '_>,
+    tolerances: Tolerances,
+) -> Result<Found> {
+    let span = integrand.span();
+    let nurbs = surface.nurbs().ok();
+    let along_u = pieces(surface.domain_u(), nurbs.map(|it| it.knots_u().as_slice()));
+    let along_v = pieces(surface.domain_v(), nurbs.map(|it| it.knots_v().as_slice()));
+    let tolerances = shared(tolerances, along_u.len() * along_v.len());
+    let text = |u, v| surface.point_at(u, v).map_or_else(|_| rounded(u), place_text);
+    let mut total = Found::default();
+    for ends_u in &along_u {
+        let [own, inner] = nested(tolerances, ends_u[1] - ends_u[0]);
+        for ends_v in &along_v {
+            let middle = 0.5 * (ends_v[0] + ends_v[1]);
+            let found = settled(
+                span,
+                *ends_u,
+                own,
+                |u| text(u, middle),
+                |u| {
+                    settled(
+                        span,
+                        *ends_v,
+                        inner,
+                        |v| text(u, v),
+                        |v| {
+                            let (point, stretch) = element(surface, [u, v], place, integrand)?;
+                            integrand.at(&[point.into_value()], &stretch).map(Found::exact)
+                        },
+                    )
+                },
+            )?;
+            total = total.plus(found);
+        }
+    }
+    Ok(total)
+}
+
+/// A point of a surface, and the area there to one of its parameters.
+fn element(
+    surface: &RealSurface,
+    [u, v]: [f64; 2],
+    place: Span,
+    integrand: &Integrand<'_, '_>,
+) -> Result<(Vector, Real)> {
+    let jets = match integrand.carried() {
+        Some(_) => surface.jets_of([&Real::Plain(u), &Real::Plain(v)], None).at(place)?,
+        None => None,
+    };
+    if let Some([u, v]) = jets {
+        let series = surface.series_at([&u, &v], 1).at(place)?;
+        let [point, along_u, along_v] = [(0, 0), (1, 0), (0, 1)].map(|(k, l)| &series.row(k)[l]);
+        return Ok((point.clone(), along_u.cross(along_v).norm().at(place)?));
+    }
+    let found = surface.derivatives_at(u, v, 1).at(place)?;
+    let stretch = found.get(1, 0).cross(found.get(0, 1)).length();
+    Ok((Vector::Plain(found.get(0, 0)), Real::Plain(stretch)))
+}
+
+/// The parts of a domain between knots.
+fn pieces(domain: Interval, knots: Option<&[f64]>) -> Vec<[f64; 2]> {
+    let mut places = vec![domain.start()];
+    let inside = |knot: &&f64| domain.start() < **knot && **knot < domain.end();
+    places.extend(knots.unwrap_or_default().iter().filter(inside));
+    places.push(domain.end());
+    places.dedup();
+    places.windows(2).map(|ends| [ends[0], ends[1]]).collect()
+}

@@ -1,0 +1,114 @@
+//! Ranges whose ends may carry derivatives.
+
+use super::{
+    super::SearchRange,
+    found::{Found, Tolerances, nested},
+    integrand::{Integrand, settled},
+};
+use crate::{
+    diag::{Result, Spanned},
+    kernel::{Jet, jet::moved_end},
+    value::{IntoValue, Number, Range, Real, Value},
+};
+
+/// A range to integrate over, in either sense.
+pub(super) struct MovingRange {
+    /// In rising order.
+    range: SearchRange,
+    /// Start and end.
+    ends: [Real; 2],
+}
+
+impl MovingRange {
+    /// The range of a value, if it is one.
+    ///
+    /// # Errors
+    /// Ends that do not go together.
+    pub(super) fn of(value: &Value, over: &Spanned<Value>) -> Option<Result<Self>> {
+        let (plain, ends) = match value {
+            Value::Range(range) => {
+                (*range, [range.start, range.end].map(|end| Real::Plain(end.value)))
+            }
+            Value::JetRange(range) => {
+                (range.looked_at(), [range.start.value.clone(), range.end.value.clone()])
+            }
+            _ => return None,
+        };
+        let dim = SearchRange::dimension(&Spanned::new(plain, over.span));
+        Some(dim.map(|dim| Self { range: SearchRange { ends: rising(&plain), dim }, ends }))
+    }
+
+    /// A jet of the shape of those at its ends.
+    pub(super) fn like(&self) -> Option<&Jet> {
+        self.ends.iter().find_map(|end| match end {
+            Real::Jet(jet) => Some(jet),
+            Real::Plain(_) => None,
+        })
+    }
+
+    pub(super) fn dim(&self) -> crate::value::Dimension {
+        self.range.dim
+    }
+
+    /// A place as a value.
+    fn place(&self, at: Real) -> Value {
+        Number { value: at, dim: self.range.dim }.into_value()
+    }
+}
+
+fn rising(range: &Range) -> [f64; 2] {
+    let [start, end] = [range.start.value, range.end.value];
+    if start <= end { [start, end] } else { [end, start] }
+}
+
+/// An integral over ranges, one inside the other, behind the arguments that are known.
+pub(super) fn over_box(
+    ranges: &[MovingRange],
+    known: &mut Vec<Value>,
+    integrand: &mut Integrand<'_, '_>,
+    tolerances: Tolerances,
+) -> Result<Found> {
+    let Some((first, rest)) = ranges.split_first() else {
+        return integrand.at(known, &Real::Plain(1.0)).map(Found::exact);
+    };
+    let (span, [low, high]) = (integrand.span(), first.range.ends);
+    let is_backwards = first.ends[1].value() < first.ends[0].value();
+    let [own, inner] = match rest {
+        [] => [tolerances; 2],
+        _ => nested(tolerances, high - low),
+    };
+    // Of what carries nothing only the ends move the integral.
+    let is_still = integrand.carried().is_some()
+        && !integrand.is_varying()
+        && rest.iter().all(|range| range.like().is_none())
+        && !known.iter().any(Value::is_jet);
+    let mut ask = |integrand: &mut Integrand<'_, '_>, at: Real| {
+        known.push(first.place(at));
+        let found = over_box(rest, known, integrand, inner);
+        known.pop();
+        found
+    };
+    let mut total = if low < high && !is_still {
+        let place = |at| first.range.place_text(at);
+        let asked = |at| ask(&mut *integrand, Real::Plain(at));
+        settled(span, [low, high], own, place, asked)?
+    } else {
+        let n = ask(integrand, Real::Plain(low))?.value.len();
+        Found::exact(vec![0.0; n])
+    };
+    if is_backwards {
+        total.value.iter_mut().for_each(|part| *part = -*part);
+    }
+    let Some(like) = integrand.carried().cloned() else { return Ok(total) };
+    let width = like.coefficients().len();
+    for (end, sign) in first.ends.iter().zip([-1.0, 1.0]) {
+        let Real::Jet(end) = end else { continue };
+        let gain = moved_end(end, |at| -> Result<Vec<Jet>> {
+            let flat = ask(integrand, Real::Jet(at.clone()))?.value;
+            Ok(flat.chunks(width).map(|part| like.with_coefficients(part)).collect())
+        })?;
+        let flat = gain.iter().flat_map(|part| part.scaled(sign).coefficients().to_vec());
+        total = total.plus(Found::exact(flat.collect()));
+    }
+    Ok(total)
+}

@@ -1,0 +1,1 @@
+let t = load("data/stations.csv")

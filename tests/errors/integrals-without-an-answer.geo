@@ -1,0 +1,12 @@
+unit mm
+region disc = region(circle((0, 0), 2))
+print integrate(p => 1 / norm(p)^2, disc)
+print integrate(p => sqrt(p.x), disc)
+print integrate((x, y) => x, disc)
+print integrate(p => p.x, [disc, circle((0, 0), 2)])
+print integrate(p => p.x, solid(sphere((0, 0), 1)))
+print integrate(p => p.x, [])
+print integrate(x => 1/x, 0..0)
+print integrate(x => x, 0mm..90deg)
+print gradient(b => integrate(x => 1/sqrt(x), 0..b), 0)
+print integrate(p => if p.x < 0 then 1 else (1, 2), disc)
