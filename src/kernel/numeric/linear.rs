@@ -30,6 +30,7 @@ pub fn solve_linear(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<Ve
 }
 
 /// Puts the unknowns in the place of the right-hand sides, if that can be.
+#[inline]
 fn eliminated<R: AsRef<[f64]> + AsMut<[f64]>>(matrix: &mut [R], right: &mut [f64]) -> bool {
     let n = right.len();
     for column in 0..n {

@@ -221,7 +221,7 @@ fn hints_and_lenses() {
         .iter()
         .map(|lens| lens["command"]["title"].as_str().unwrap())
         .collect();
-    assert_eq!(titles, ["open in view", "✓ holds with margin 1", "run"]);
+    assert_eq!(titles, ["open in view", "✓ holds with margin 1mm", "run"]);
 
     let mut client = Client::new();
     client.tell("workspace/didChangeConfiguration", json!({ "settings": { "virote": { "inlayHints": { "values": false }, "codeLens": false } } }));

@@ -32,7 +32,7 @@ pub(super) enum Domain {
 pub(super) fn domains(over: &Spanned<Value>) -> Result<Vec<Domain>> {
     let Value::List(items) = &over.value else { return Ok(vec![domain(&over.value, over)?]) };
     let is_range = |item: &Value| matches!(item, Value::Range(_) | Value::JetRange(_));
-    if (2..=3).contains(&items.len()) && items.iter().all(|item| is_range(item)) {
+    if (2..=3).contains(&items.len()) && items.iter().all(is_range) {
         let ranges = items.iter().filter_map(|item| MovingRange::of(item, over));
         return Ok(vec![Domain::Box(ranges.collect::<Result<_>>()?)]);
     }
