@@ -3165,18 +3165,18 @@ def offset(*args: Any, c: Any = None, distance: Any = None, normal: Any = None, 
     return _called("offset", args, {"c": c, "distance": distance, "normal": normal, "s": s, "tolerance": tolerance, "r": r, "corner": corner})
 
 
-def orient(surfaces: Sequence[Surface]) -> Any:
-    """The surfaces of a list, some of them flipped so that all that hang together face alike:
+def orient(surfaces: Any) -> Any:
+    """The surfaces and faces of a list, some of them flipped so that all that hang together face alike:
     outward where they enclose a volume, otherwise as the first of them.
 
-    Surfaces hang together where their edges run within the document's tolerance; each part of the
+    They hang together where their edges run within the document's tolerance; each part of the
     list that does is taken on its own. Surfaces that make a one-sided whole, and edges that three
     surfaces share, are refused. Exports of meshes turn what encloses a volume by themselves, and
     tell of it.
 
-    :param surfaces: The surfaces.
+    :param surfaces: The surfaces and faces.
 
-    In scripts: ``orient(surfaces: list of surfaces) -> list of surfaces``
+    In scripts: ``orient(surfaces: list of surfaces or faces) -> list of surfaces or faces``
     """
     return _called("orient", (), {"surfaces": surfaces})
 
@@ -4366,10 +4366,9 @@ def tessellate(g: Any, *, tolerance: Quantity | None = None, angle: Quantity | N
     No point of the triangles is further from the surface than the tolerance, and none of the
     surface further from the triangles, however small a feature is: bounds of the second
     derivatives tell how large a triangle may be. It has no cracks, at seams and poles neither;
-    surfaces of a list share the vertices where their edges run together, along the whole or from
+    surfaces and faces of a list share the vertices where their edges run together, along the whole or from
     a corner of one to a corner of another, whatever their degrees, knots and parameters are. Normals are those of each side where there is a crease.
-    Parts of surfaces have the same distance and normals; their borders share vertices with no others, but those of
-    the faces of one solid do, so that its mesh closes.
+    The faces of one solid share theirs too, so that its mesh closes.
     Meshes in a list are taken along as they are. With `quads` the two triangles of a cell of the
     parameters are one face, which files that can hold quadrilaterals keep (`.obj`, `.ply`); at poles
     and along edges whose vertices are others than those of the lines inside there are triangles.

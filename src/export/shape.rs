@@ -6,8 +6,8 @@ use glam::DVec3;
 
 use super::{ExportError, Item, Job, Subject, Summary};
 use crate::kernel::{
-    Bounds, GeomError, Mesh, Surface, TessellationOptions, Tolerance, facing_inward,
-    tessellate_all, tessellate_any, tessellate_curve_any, tolerance::DEFAULT_CHORD_RELATIVE,
+    Bounds, GeomError, Mesh, SurfacePiece, TessellationOptions, Tolerance, facing_inward,
+    tessellate_any, tessellate_curve_any, tessellate_together, tolerance::DEFAULT_CHORD_RELATIVE,
 };
 
 /// A subject as a mesh format holds it.
@@ -190,21 +190,19 @@ pub(super) fn is_solid(subject: &Subject) -> bool {
     )
 }
 
-/// The meshes among the items, and those of the surfaces, with common vertices on common edges; those
+/// The meshes among the items, and those of surfaces and faces, with common vertices on common edges; those
 /// that make a closed shell together face outward.
 pub(super) fn solids(job: &Job, tolerance: f64) -> Result<Vec<ShapedItem<'_>>, ExportError> {
     let mut meshes = meshes(job, tolerance)?.into_iter();
     let mut shapes = Vec::with_capacity(job.items.len());
     for item in &job.items {
         let mesh = match &item.subject {
-            Subject::Surface(_) => meshes.next(),
+            Subject::Surface(_) | Subject::Face(_) => meshes.next(),
             Subject::Mesh(mesh) => Some(Arc::clone(mesh)),
-            Subject::Region(_) | Subject::Face(_) | Subject::Solid(_) => {
-                match shape(item, tolerance, job)? {
-                    Some(MeshShape::Mesh(mesh)) => Some(mesh),
-                    _ => None,
-                }
-            }
+            Subject::Region(_) | Subject::Solid(_) => match shape(item, tolerance, job)? {
+                Some(MeshShape::Mesh(mesh)) => Some(mesh),
+                _ => None,
+            },
             _ => None,
         };
         let shaped = |mesh| ShapedItem { item, shape: MeshShape::Mesh(mesh), is_turned: false };
@@ -240,17 +238,18 @@ fn face_outward(shapes: &mut [ShapedItem<'_>], job: &Job) {
     }
 }
 
-/// The meshes of the surfaces among the items, in their order.
+/// The meshes of the surfaces and faces among the items, in their order.
 fn meshes(job: &Job, tolerance: f64) -> Result<Vec<Arc<Mesh>>, ExportError> {
-    let surfaces: Vec<Surface> = job.items.iter().filter_map(surface).collect();
-    let items: Vec<&Item> =
-        job.items.iter().filter(|item| matches!(item.subject, Subject::Surface(_))).collect();
+    let items: Vec<&Item> = job.items.iter().filter(|item| piece(item).is_some()).collect();
     let (limits, most) = (limits(job, tolerance), job.limits.mesh_vertices);
-    let make = || tessellate_all(&surfaces, &limits, most);
+    let make = || {
+        let pieces: Vec<SurfacePiece<'_>> = items.iter().filter_map(|item| piece(item)).collect();
+        tessellate_together(&pieces, &limits, most)
+    };
     job.meshes.of_items(&items, &limits, make).map_err(|source| {
         // Which of them it is that has no mesh shows when each is taken alone.
         let alone = job.items.iter().find_map(|item| shape(item, tolerance, job).err());
-        let name = || job.items.iter().find(|item| surface(item).is_some());
+        let name = || job.items.iter().find(|item| piece(item).is_some());
         alone.unwrap_or_else(|| ExportError::Geometry {
             name: name().map_or_else(String::new, |item| item.group.clone()),
             source,
@@ -258,9 +257,11 @@ fn meshes(job: &Job, tolerance: f64) -> Result<Vec<Arc<Mesh>>, ExportError> {
     })
 }
 
-fn surface(item: &Item) -> Option<Surface> {
+/// What shares vertices with others.
+fn piece(item: &Item) -> Option<SurfacePiece<'_>> {
     match &item.subject {
-        Subject::Surface(surface) => Some(surface.clone()),
+        Subject::Surface(surface) => Some(SurfacePiece::Whole(surface)),
+        Subject::Face(face) => Some(SurfacePiece::Part(face)),
         _ => None,
     }
 }

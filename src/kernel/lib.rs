@@ -103,7 +103,8 @@
 //!
 //! ## Mesh
 //!
-//! - Triangles within a tolerance: [`tessellate`], [`tessellate_finely`], [`tessellate_all`], of either kind [`tessellate_any`]; on a grid
+//! - Triangles within a tolerance: [`tessellate`], [`tessellate_finely`], [`tessellate_all`], of either kind [`tessellate_any`], with faces
+//!   [`tessellate_together`]; on a grid
 //!   [`grid_mesh`]; polylines [`tessellate_curve`].
 //! - Of polygons: [`polygon_mesh`], [`planar_mesh`], [`Mesh::new`].
 //! - Whether it closes: [`Mesh::check`] gives [`MeshCheck`], [`Topology`]; [`Mesh::area`], [`Mesh::volume`].
@@ -216,10 +217,10 @@ pub use solid::{CutSolid, Solid, SolidError};
 pub use surface::{
     AnalyticForm, AnalyticSurface, Axis, AxisContact, Blend, CrossFields, CurveSurfaceIntersection,
     Direction, Edge, FocalPoint, GridSamples, LevelSet, MassProperties, NurbsSurface,
-    ParametricPlaces, ParametricSurface, PictureError, Principal, QuadricKind, ShellError, Surface,
-    SurfaceClosestPoint, SurfaceContinuity, SurfaceDefects, SurfaceEvaluator, SurfaceFunction,
-    SurfaceOffset, SurfacePointKind, SurfaceShape, Twists, area_mass, facing_unlike, join_patches,
-    make_surfaces_compatible, signed_volume_mass, volume_mass,
+    ParametricPlaces, ParametricSurface, PictureError, Principal, QuadricKind, ShellError,
+    SignedVolume, Surface, SurfaceClosestPoint, SurfaceContinuity, SurfaceDefects,
+    SurfaceEvaluator, SurfaceFunction, SurfaceOffset, SurfacePointKind, SurfaceShape, Twists,
+    area_mass, facing_unlike, join_patches, make_surfaces_compatible, signed_volume, volume_mass,
 };
 pub use sweep::{
     Axes, Columns, FrameRule, Frames, Motion, PathLeg, PlacedAxes, Sweep, SweepBuilder, SweepError,
@@ -230,6 +231,6 @@ pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;
 pub use trim::{
     AreaStrip, CurveEnd, Cutter, Face, FaceClosestPoint, FaceEdge, FaceError, FacePart,
-    SurfaceCurve, SurfaceCurveKind,
+    SurfaceCurve, SurfaceCurveKind, SurfacePiece, pieces_facing_unlike, tessellate_together,
 };
 pub use varied::{PointSlopes, SurfaceIntegral, VariedCurve, VariedSurface, stay_closed};

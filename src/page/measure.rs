@@ -12,7 +12,7 @@ use super::{
     scene::Shape,
 };
 use crate::{
-    kernel::{Curve, Face, Mesh, Surface, Tolerance, volume_mass},
+    kernel::{Curve, Face, Mesh, Surface, Tolerance, signed_volume},
     limits::stack,
     session::{Report, Session},
 };
@@ -105,13 +105,13 @@ impl Sizes<'_> {
                 for surface in &surfaces {
                     faces.push(Face::whole(Arc::clone(surface.nurbs()?), self.tolerance)?);
                 }
-                Face::enclosed_mass(&faces, self.tolerance)
+                Face::enclosed_volume(&faces, self.tolerance)
             })
-            .map(|mass| mass.amount);
+            .map(|(volume, _)| volume);
         }
         if meshes.is_empty() {
-            return within_ceilings(session, || volume_mass(&surfaces, self.tolerance))
-                .map(|mass| mass.amount);
+            return within_ceilings(session, || signed_volume(&surfaces, self.tolerance))
+                .map(|found| found.amount);
         }
         let volume = |mesh: &&Mesh| {
             within_ceilings(session, || {

@@ -5,8 +5,8 @@ use std::{f64::consts::PI, sync::Arc};
 use glam::{DAffine3, DQuat, DVec3};
 use proptest::{prelude::ProptestConfig, prop_assert, prop_assert_eq, prop_assume, proptest};
 use virote_kernel::{
-    DeviationReference, Direction, Edge, FunctionFailure, Grid, KnotVector, NurbsSurface,
-    ParametricSurface, Surface, SurfaceFunction, Tolerance, area_mass, volume_mass,
+    DeviationReference, Direction, Edge, FunctionFailure, Grid, KnotVector, NurbsCurve,
+    NurbsSurface, ParametricSurface, Surface, SurfaceFunction, Tolerance, area_mass, volume_mass,
 };
 
 use crate::some::{point, sphere, surface};
@@ -198,4 +198,19 @@ fn a_larger_ball_is_as_far_away_as_it_is_larger() {
     let found = small.deviation_of(&points).unwrap().unwrap();
     assert!((found.max - 3.0).abs() < 1e-12 && (found.mean - 2.5).abs() < 1e-12, "{found:?}");
     assert!(found.at.distance(points[1]) < 1e-15);
+}
+
+#[test]
+fn a_plate_that_is_pointed_at_both_ends_is_known_at_any_height() {
+    for height in [0.0, 1e-3, 0.7, 4.0, 123.456] {
+        let corners = [(-45.0, 0.0), (-20.0, 9.0), (20.0, 9.0), (45.0, 0.0)];
+        let side = |sign: f64| {
+            NurbsCurve::bezier(&corners.map(|(x, y)| DVec3::new(x, sign * y, height))).unwrap()
+        };
+        let plate = NurbsSurface::ruled(&side(1.0), &side(-1.0)).unwrap();
+        let found = area_mass(&[plate.into()]).unwrap();
+        assert!((found.amount - 837.0).abs() < 1e-10, "{}", found.amount);
+        assert!(found.relative_error < 1e-12, "{}", found.relative_error);
+        assert!(found.centroid.distance(DVec3::Z * height) < 1e-12, "{}", found.centroid);
+    }
 }

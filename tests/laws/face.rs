@@ -1,6 +1,9 @@
 //! Parts of surfaces: areas by closed forms, holes, seams, poles, what is refused.
 
-use std::{f64::consts::PI, sync::Arc};
+use std::{
+    f64::consts::{PI, TAU},
+    sync::Arc,
+};
 
 use virote_kernel::{
     CircleForm, Cutter, Face, FaceError, Frame, GeomError, NurbsCurve, NurbsSurface, RegionSide,
@@ -233,6 +236,21 @@ fn a_loop_in_space_goes_over_seams() {
             let check = mesh.check(TOLERANCE);
             assert!(check.is_manifold && check.is_oriented && check.boundaries == 1, "{check:?}");
             assert_eq!(check.euler, 1);
+        }
+    }
+}
+
+#[test]
+fn the_rim_of_a_sphere_cut_where_its_knots_are_hardly_apart_is_one_circle() {
+    let sphere = NurbsSurface::sphere(Frame::XY, 1.0).unwrap();
+    let sphere = Face::whole(Arc::new(sphere), Tolerance::DEFAULT).unwrap();
+    for height in [0.5, -0.5, 0.25] {
+        let plane = Frame::from_normal(DVec3::Y * height, DVec3::NEG_Y, None).unwrap();
+        for part in sphere.beside_plane(plane, true, Tolerance::DEFAULT).unwrap() {
+            let edges = part.edges(Tolerance::DEFAULT).unwrap();
+            let lengths = edges.iter().map(|edge| edge.length(edge.domain()));
+            let expected = TAU * (1.0 - height * height).sqrt();
+            assert!((lengths.sum::<f64>() - expected).abs() < 1e-6);
         }
     }
 }

@@ -32,6 +32,7 @@ mod measure;
 mod mesh;
 mod mesh_boolean;
 mod mesh_check;
+mod mesh_coincident;
 mod nearest;
 #[path = "../support/networks.rs"]
 mod networks;

@@ -6,9 +6,9 @@ use glam::{DAffine3, DQuat, DVec3};
 use proptest::{prop_assert, proptest};
 use virote_kernel::{GeomError, Mesh, MeshError, Tolerance};
 
-const TOLERANCE: Tolerance = Tolerance::DEFAULT;
+pub(crate) const TOLERANCE: Tolerance = Tolerance::DEFAULT;
 
-fn cuboid(corner: [f64; 3], size: [f64; 3]) -> Mesh {
+pub(crate) fn cuboid(corner: [f64; 3], size: [f64; 3]) -> Mesh {
     let (corner, size) = (DVec3::from(corner), DVec3::from(size));
     let place = |i: u32| {
         corner + size * DVec3::new(f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2))
@@ -63,12 +63,12 @@ fn sphere(center: DVec3, radius: f64, n: u32) -> Mesh {
     Mesh::new(vertices, vec![], vec![], triangles).unwrap()
 }
 
-fn volume(mesh: &Option<Mesh>) -> f64 {
+pub(crate) fn volume(mesh: &Option<Mesh>) -> f64 {
     mesh.as_ref().map_or(0.0, Mesh::volume)
 }
 
-type Found = Result<Option<Mesh>, GeomError>;
-type Operation = fn(&[&Mesh], Tolerance) -> Found;
+pub(crate) type Found = Result<Option<Mesh>, GeomError>;
+pub(crate) type Operation = fn(&[&Mesh], Tolerance) -> Found;
 
 #[track_caller]
 fn check(operation: Operation, meshes: &[&Mesh], expected: f64) {

@@ -1,5 +1,7 @@
-//! Laws of meshes of surfaces side by side whose edges are shared only in part: they are closed where
+//! Laws of meshes of surfaces and faces side by side whose edges are shared only in part: they are closed where
 //! the whole is, and open where it is open.
+
+use std::{f64::consts::TAU, sync::Arc};
 
 use glam::DVec3;
 use proptest::{
@@ -8,9 +10,12 @@ use proptest::{
     prop_assert, prop_assert_eq, proptest,
 };
 use virote_kernel::{
-    DeviationReference, Direction, Frame, Grid, KnotVector, Mesh, MeshDistance, NurbsSurface,
-    Surface, TessellationOptions, Tolerance, tessellate_all,
+    CircleForm, Cutter, DeviationReference, Direction, Face, Frame, Grid, KnotVector, Mesh,
+    MeshDistance, NurbsCurve, NurbsSurface, Region, Surface, SurfacePiece, TessellationOptions,
+    Tolerance, pieces_facing_unlike, tessellate_all, tessellate_together,
 };
+
+use crate::some::motion;
 
 const MOST: usize = 1_000_000;
 
@@ -127,5 +132,129 @@ proptest! {
         };
         let [open, expected] = [open(&mesh), open(&whole)];
         prop_assert!((open - expected).abs() <= 0.05 * expected, "{} of {}", open, expected);
+    }
+}
+
+/// Surfaces and faces in one list.
+#[derive(Default)]
+struct Pieces {
+    surfaces: Vec<Surface>,
+    faces: Vec<Face>,
+}
+
+impl Pieces {
+    fn all(&self) -> Vec<SurfacePiece<'_>> {
+        let surfaces = self.surfaces.iter().map(SurfacePiece::Whole);
+        surfaces.chain(self.faces.iter().map(SurfacePiece::Part)).collect()
+    }
+
+    fn meshed(&self, tolerance: f64) -> Mesh {
+        let options = TessellationOptions::within(tolerance);
+        Mesh::merged(&tessellate_together(&self.all(), &options, MOST).unwrap(), MOST).unwrap()
+    }
+
+    /// All with their fronts outward.
+    fn oriented(mut self) -> Self {
+        let turns = pieces_facing_unlike(&self.all(), Tolerance::DEFAULT).unwrap();
+        let (of_surfaces, of_faces) = turns.split_at(self.surfaces.len());
+        for (surface, _) in self.surfaces.iter_mut().zip(of_surfaces).filter(|(_, turns)| **turns) {
+            *surface = surface.reversed(Direction::V).unwrap();
+        }
+        for (face, _) in self.faces.iter_mut().zip(of_faces).filter(|(_, turns)| **turns) {
+            *face = face.reversed();
+        }
+        self
+    }
+}
+
+/// A prism whose top is turned against its bottom, so that its walls are twisted: each a surface in pieces, between
+/// two faces. With each corner comes its distance from the axis, where the wall from it is cut along its length, and
+/// where its halves are cut across.
+fn twisted_prism(corners: &[(f64, f64, [f64; 2])], twist: f64) -> Pieces {
+    let n = corners.len();
+    let place = |i: usize, turn: f64, z: f64| {
+        let angle = TAU * (i % n) as f64 / n as f64 + turn;
+        corners[i % n].0 * DVec3::new(libm::cos(angle), libm::sin(angle), 0.0) + DVec3::Z * z
+    };
+    let ends = [(0.0, -1.0), (twist, 1.5)].map(|(turn, z)| move |i: usize| place(i, turn, z));
+    let mut pieces = Pieces::default();
+    for (i, &(_, along, across)) in corners.iter().enumerate() {
+        let [a, b] = ends.each_ref().map(|end| [end(i), end(i + 1)]);
+        let wall = NurbsSurface::bilinear(a[0], b[0], a[1], b[1]).unwrap();
+        for (half, at) in wall.split(Direction::U, along).unwrap().into_iter().zip(across) {
+            pieces.surfaces.extend(half.split(Direction::V, at).unwrap().map(Surface::from));
+        }
+    }
+    for end in &ends {
+        let corners: Vec<DVec3> = (0..=n).map(end).collect();
+        let rim = NurbsCurve::polyline(&corners).unwrap();
+        let region = Region::new(&rim, &[], Tolerance::DEFAULT).unwrap();
+        pieces.faces.push(Face::of_region(&region, Tolerance::DEFAULT).unwrap());
+    }
+    pieces
+}
+
+/// A ball over a cone over a disc: the part of the sphere is a face, the cone a surface, and the disc a face again.
+fn capped_cone(height: f64, foot: f64) -> Pieces {
+    let rim = (1.0 - height * height).sqrt();
+    let floor = Frame::XY.at(DVec3::Z * (height - 1.5));
+    let sphere =
+        Face::whole(Arc::new(NurbsSurface::sphere(Frame::XY, 1.0).unwrap()), Tolerance::DEFAULT)
+            .unwrap();
+    let cut = Cutter::Plane(Frame::XY.at(DVec3::Z * height));
+    let dome = sphere.part_at(&[cut], DVec3::Z, Tolerance::DEFAULT).unwrap();
+    let cone = NurbsSurface::cone(floor, [foot, rim], 1.5).unwrap();
+    let circle = NurbsCurve::ellipse(floor, [foot; 2], CircleForm::NinePoint).unwrap();
+    let disc = Region::new(&circle, &[], Tolerance::DEFAULT).unwrap();
+    let disc = Face::of_region(&disc, Tolerance::DEFAULT).unwrap();
+    Pieces { surfaces: vec![cone.into()], faces: vec![dome, disc] }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn walls_in_pieces_close_with_faces_however_all_is_turned(
+        corners in vec((0.6..1.4, 0.1..0.9, [0.1..0.9, 0.1..0.9]), 3..7),
+        twist in -0.5..0.5,
+        motion in motion(),
+        tolerance in 0.005..0.1,
+        flips in any::<u32>(),
+    ) {
+        let mut pieces = twisted_prism(&corners, twist);
+        for (i, surface) in pieces.surfaces.iter_mut().enumerate() {
+            *surface = surface.transformed(&motion).unwrap();
+            if flips >> (i % 32) & 1 == 1 {
+                *surface = surface.reversed(Direction::U).unwrap();
+            }
+        }
+        pieces.faces = pieces.faces.iter().map(|face| face.transformed(&motion).unwrap()).collect();
+        let pieces = pieces.oriented();
+        let mesh = pieces.meshed(tolerance);
+        prop_assert_eq!(shape(&mesh), (2, 0, 1, 0));
+        prop_assert!(mesh.check_solid(Tolerance::DEFAULT).is_ok());
+        prop_assert!(0.0 < mesh.volume());
+    }
+
+    #[test]
+    fn a_part_of_a_sphere_closes_with_a_cone_and_that_with_a_disc(
+        height in -0.8..0.8,
+        foot in 0.3..2.0,
+        motion in motion(),
+        tolerance in 0.002..0.05,
+    ) {
+        let mut pieces = capped_cone(height, foot);
+        pieces.surfaces[0] = pieces.surfaces[0].transformed(&motion).unwrap();
+        pieces.faces = pieces.faces.iter().map(|face| face.transformed(&motion).unwrap()).collect();
+        let pieces = pieces.oriented();
+        let mesh = pieces.meshed(tolerance);
+        prop_assert_eq!(shape(&mesh), (2, 0, 1, 0));
+        prop_assert!(mesh.check_solid(Tolerance::DEFAULT).is_ok());
+        // The cap of a ball, and the frustum of a cone.
+        let (rim2, h) = (1.0 - height * height, 1.0 - height);
+        let cap = TAU / 6.0 * h * h * (3.0 - h);
+        let frustum = TAU / 6.0 * 1.5 * (rim2 + rim2.sqrt() * foot + foot * foot);
+        let area = mesh.area();
+        prop_assert!((mesh.volume() - cap - frustum).abs() <= tolerance * area);
     }
 }

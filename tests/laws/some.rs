@@ -1,5 +1,7 @@
 //! Arbitrary knots, curves and surfaces, and a few known ones.
 
+use std::f64::consts::TAU;
+
 use glam::{DAffine3, DMat3, DVec3};
 use proptest::{
     collection::vec,
@@ -32,6 +34,14 @@ fn build(degree: usize, spans: &[(f64, usize)], is_clamped: bool, start: f64) ->
 
 pub(crate) fn point() -> impl Strategy<Value = DVec3> {
     (-10.0..10.0, -10.0..10.0, -10.0..10.0).prop_map(|(x, y, z)| DVec3::new(x, y, z))
+}
+
+/// A turn about some axis, and a shift.
+pub(crate) fn motion() -> impl Strategy<Value = DAffine3> {
+    (point(), 0.0..TAU, point()).prop_map(|(axis, angle, shift)| {
+        let axis = axis.try_normalize().unwrap_or(DVec3::Z);
+        DAffine3 { translation: shift, ..DAffine3::from_axis_angle(axis, angle) }
+    })
 }
 
 /// A fraction of a domain, the ends not left out.

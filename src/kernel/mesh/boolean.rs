@@ -19,7 +19,8 @@ use manifold_rust::{
 };
 
 use super::{
-    Mesh, fault::MeshError, nesting::check_nesting, topology::weld_distance, weld::welded,
+    Mesh, fault::MeshError, flattened::flattened, nesting::check_nesting, topology::weld_distance,
+    weld::welded,
 };
 use crate::{
     Bounds, CountError, GeomError, Tolerance, scale::needed_scale, tolerance::BOOLEAN_RELATIVE,
@@ -311,6 +312,9 @@ impl ManifoldBody {
     }
 
     /// Its mesh; none where it holds nothing.
+    ///
+    /// Where it does not hang together as a body does, what has no thickness is taken away: that must leave the
+    /// volume as it was.
     fn mesh(&self, tolerance: Tolerance) -> Result<Option<Mesh>, GeomError> {
         let out: MeshGLP<f64, u32> = self.manifold.get_mesh_glp(-1);
         let width = out.num_prop as usize;
@@ -320,17 +324,46 @@ impl ManifoldBody {
             triangles: out.tri_verts.as_chunks().0.to_vec(),
             ..Mesh::default()
         };
-        let topology = mesh.topology(tolerance);
-        if topology.triangles().is_empty() {
-            return Ok(None);
-        }
-        let ends = topology.boundary().first().map(|side| side[0]);
-        let turned = || topology.turned_edge().map(|edge| edge[0]);
-        match ends.or_else(turned).or_else(|| topology.pinched_vertex()) {
-            Some(vertex) => {
-                Err(MeshError::TouchesItself { at: mesh.vertices[vertex as usize] }.into())
+        let touches = match body(mesh.clone(), tolerance) {
+            Err(touches) => touches,
+            found => return Ok(found?),
+        };
+        let bounds = mesh.bounds();
+        let rounding = BOOLEAN_RELATIVE * bounds.map_or(0.0, Bounds::magnitude);
+        let distance = weld_distance(bounds, tolerance).max(rounding);
+        for thickness in [rounding, distance] {
+            GeomError::go_on(mesh.n_triangles())?;
+            let Some(flat) = mesh.flattened(thickness) else { continue };
+            let is_whole = (flat.volume() - self.volume).abs() <= self.area * thickness;
+            if is_whole && let Ok(found) = body(flat, tolerance) {
+                return Ok(found);
             }
-            None => Ok(Some(mesh)),
         }
+        Err(touches.into())
+    }
+}
+
+impl Mesh {
+    /// A closed mesh without what is thinner; none where that cannot be told.
+    fn flattened(&self, thickness: f64) -> Option<Self> {
+        let first = welded(&self.vertices, thickness);
+        let named = |corners: &[u32; 3]| corners.map(|corner| first[corner as usize]);
+        let triangles: Vec<[u32; 3]> = self.triangles.iter().map(named).collect();
+        let (vertices, triangles) = flattened(self.vertices.clone(), &triangles, thickness)?;
+        Some(Self { vertices, triangles, ..Self::default() }.without_strays())
+    }
+}
+
+/// A mesh that has one inside around each place; none without triangles.
+fn body(mesh: Mesh, tolerance: Tolerance) -> Result<Option<Mesh>, MeshError> {
+    let topology = mesh.topology(tolerance);
+    if topology.triangles().is_empty() {
+        return Ok(None);
+    }
+    let ends = topology.boundary().first().map(|side| side[0]);
+    let turned = || topology.turned_edge().map(|edge| edge[0]);
+    match ends.or_else(turned).or_else(|| topology.pinched_vertex()) {
+        Some(vertex) => Err(MeshError::TouchesItself { at: mesh.vertices[vertex as usize] }),
+        None => Ok(Some(mesh)),
     }
 }

@@ -5,11 +5,11 @@
 //! more than three corners, and `quadrilaterals` pairs triangles to such. For the latter `bend` bounds derivatives, by the hulls of `quotient`; `cell_bounds`
 //! makes of them `rules` for each piece, `form`s of what a cell may be, and `near` those along its
 //! normal; `steps` lays the lines of a `surface_patch`, `seam` finds what the `edge`s of patches share, `division`
-//! divides that, and `stitch` makes the triangles; `trimmed` those of parts of a surface. `weld` tells which vertices are one place, `topology` how the triangles
+//! divides that, and `stitch` makes the triangles; `trimmed` those of parts of a surface. `weld` tells which vertices are one place, `places_along` which are in a box, `topology` how the triangles
 //! hang together, `orient` which of them face inward, `measure` area, volume and their centres, `deviation` how far one is from a
 //! surface, `distance` how far a place is from one, `nearest` the same for many places, `fault` why a
 //! mesh encloses nothing, `section` where a plane cuts it; `boolean` combines closed ones, whose parts
-//! `nesting` looks through.
+//! `nesting` looks through, and takes away what of them is `flattened`.
 
 mod any;
 mod bend;
@@ -23,6 +23,7 @@ mod edge;
 mod even_plane;
 mod faces;
 mod fault;
+mod flattened;
 mod form;
 mod grid;
 mod measure;
@@ -31,6 +32,7 @@ mod nearest;
 mod nesting;
 mod orient;
 mod outline;
+mod places_along;
 mod planar;
 mod polygons;
 mod quadrilaterals;
@@ -58,9 +60,11 @@ pub use fault::{FaceFault, MeshError};
 pub use grid::grid_mesh;
 pub use nearest::MeshDistance;
 pub use orient::facing_inward;
+pub(crate) use places_along::PlacesAlong;
 pub use planar::planar_mesh;
 pub use polygons::{polygon_mesh, split_polygon};
 pub(super) use tessellate::check_rounding;
+pub(crate) use tessellate::tessellate_through;
 pub use tessellate::{
     tessellate, tessellate_all, tessellate_curve, tessellate_finely, tessellation_parameters,
 };

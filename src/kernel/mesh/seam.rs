@@ -10,10 +10,11 @@ use glam::DVec3;
 use super::{
     cell_bounds::TessellationOptions,
     edge::{EdgeCorner, PatchEdge},
+    places_along::PlacesAlong,
     surface_patch::{SHARE, SurfacePatch},
     weld::welded,
 };
-use crate::{Bounds, GeomError, Interval, tolerance::WELD_SHARE};
+use crate::{GeomError, Interval, tolerance::WELD_SHARE};
 
 /// Parts of a stretch between which it is compared with another.
 const COMPARED: usize = 8;
@@ -42,17 +43,21 @@ pub(super) struct SharedEdges {
     /// Those of an edge one behind the other; none of edges that are points.
     pub(super) stretches: Vec<EdgeStretch>,
     pub(super) seams: Vec<SharedEdge>,
-    /// Where the corners are that others are welded to.
+    /// Where the corners are that others are welded to: those of the sheets, and behind them places that edges
+    /// must have vertices at.
     pub(super) corners: Vec<DVec3>,
+    n_of_sheets: usize,
 }
 
 impl SharedEdges {
-    /// Finds what the sheets share, and takes what that costs from their tolerances.
+    /// Finds what the sheets share, and takes what that costs from their tolerances; edges on which one of the
+    /// places lies have a vertex there.
     ///
     /// # Errors
     /// Those of [`SurfacePatch::point_at`].
     pub(super) fn of(
         sheets: &mut [SurfacePatch<'_>],
+        places: &[DVec3],
         wanted: &TessellationOptions,
     ) -> Result<Self, GeomError> {
         let weld = wanted.weld.min(WELD_SHARE * wanted.tolerance);
@@ -65,8 +70,10 @@ impl SharedEdges {
                 }
             }
         }
+        let n_of_sheets = corners.len();
+        corners.extend_from_slice(places);
         let names = welded(&corners, weld);
-        let mut edges = Vec::with_capacity(4 * sheets.len());
+        let mut edges = Vec::with_capacity(n_of_sheets);
         for (i, sheet) in sheets.iter().enumerate() {
             // The corners are u0v0, u0v1, u1v0, u1v1.
             let ends = [[0, 1], [2, 3], [0, 2], [1, 3]];
@@ -75,7 +82,8 @@ impl SharedEdges {
                 edges.push(PatchEdge::new(i, number, curve, corners, weld));
             }
         }
-        let mut seams = Self { edges, stretches: Vec::new(), seams: Vec::new(), corners };
+        let (stretches, joined) = (Vec::new(), Vec::new());
+        let mut seams = Self { edges, stretches, seams: joined, corners, n_of_sheets };
         seams.cut(sheets, &names, weld, wanted.tolerance)?;
         let mut gaps = seams.join(sheets, weld, wanted.tolerance)?;
         if seams.mend() {
@@ -95,23 +103,16 @@ impl SharedEdges {
         weld: f64,
         tolerance: f64,
     ) -> Result<(), GeomError> {
-        // Only the corners that others are welded to, in order along the longest side of all.
-        let size = Bounds::of(self.corners.iter().copied()).map_or(DVec3::ZERO, Bounds::size);
-        let longest = size.to_array().iter().position(|&side| size.max_element() <= side);
-        let axis = longest.unwrap_or(0);
-        let at = |corner: u32| self.corners[corner as usize][axis];
-        let mut order: Vec<u32> = (0..names.len() as u32).collect();
-        order.retain(|&corner| names[corner as usize] == corner);
-        order.sort_by(|&a, &b| at(a).total_cmp(&at(b)).then(a.cmp(&b)));
+        // Only the corners that others are welded to.
+        let known = PlacesAlong::new(&self.corners, |corner| names[corner as usize] == corner);
         let mut stretches = Vec::with_capacity(self.edges.len());
         for (index, edge) in self.edges.iter().enumerate().filter(|(_, edge)| !edge.is_point) {
             let sheet = &sheets[edge.sheet];
             let slack = slack(sheet, tolerance);
-            let near = edge.hull().map_or(&order[..], |hull| {
-                let [low, high] = [hull.min[axis] - weld - slack, hull.max[axis] + weld + slack];
-                let first = order.partition_point(|&corner| at(corner) < low);
-                &order[first..first.max(order.partition_point(|&corner| at(corner) <= high))]
-            });
+            let reach = weld + slack;
+            let near = edge
+                .hull()
+                .map_or(known.all(), |hull| known.between(hull.min - reach, hull.max + reach));
             let cuts = edge.cuts(sheet, &self.corners, near, [weld, slack])?;
             let stretch =
                 |ends: &[EdgeCorner]| EdgeStretch { edge: index, ends: [ends[0], ends[1]] };
@@ -183,9 +184,12 @@ impl SharedEdges {
         }
         let mut mended: Vec<EdgeStretch> = Vec::with_capacity(self.stretches.len());
         for (i, stretch) in self.stretches.iter().enumerate() {
-            let is_end = |edge: &usize| self.edges[*edge].corners.contains(&stretch.ends[0].corner);
+            let corner = stretch.ends[0].corner;
+            let is_of_sheet = (corner as usize) < self.n_of_sheets;
+            let is_end = |edge: &usize| self.edges[*edge].corners.contains(&corner);
+            let touches = || is_of_sheet && !sharing[i].iter().any(is_end);
             match mended.last_mut().filter(|before| before.edge == stretch.edge) {
-                Some(before) if sharing[i - 1] == sharing[i] && !sharing[i].iter().any(is_end) => {
+                Some(before) if sharing[i - 1] == sharing[i] && touches() => {
                     before.ends[1] = stretch.ends[1];
                 }
                 _ => mended.push(EdgeStretch { ..*stretch }),

@@ -7,8 +7,12 @@
 use glam::DVec3;
 
 use super::{
-    Mesh, MeshError, TessellationOptions, cell_bounds::CellBounds, chord::chord_deviation,
-    seam::SharedEdges, stitch::stitched, surface_patch::SurfacePatch,
+    Mesh, MeshError, TessellationOptions,
+    cell_bounds::CellBounds,
+    chord::chord_deviation,
+    seam::{SharedEdges, Vertices},
+    stitch::stitched,
+    surface_patch::SurfacePatch,
 };
 use crate::{
     CountError, GeomError, NurbsCurve, NurbsSurface, Surface, bezier, ceiling::PARAMETER_HALVINGS,
@@ -25,6 +29,12 @@ pub(super) const ANGLE_MARGIN: f64 = 1.02;
 
 /// A round that leaves more than this part of the excess is the last one.
 pub(super) const LEAST_GAIN: f64 = 0.97;
+
+/// The meshes of sheets, and the vertices on the edges of each.
+struct SheetMeshes {
+    meshes: Vec<Mesh>,
+    edges: Vec<[Vertices; 4]>,
+}
 
 /// A mesh of the surface, whose triangles are nowhere further than `tolerance` from it.
 ///
@@ -63,8 +73,8 @@ pub fn tessellate_finely(
 ) -> Result<Mesh, GeomError> {
     limits.check()?;
     let sheet = SurfacePatch::of_spline(surface, limits.tolerance);
-    let meshes = meshes_of(vec![sheet], limits, max_vertices)?;
-    Mesh::merged(&meshes, max_vertices)
+    let meshes = meshes_of(vec![sheet], &[], limits, max_vertices)?;
+    Mesh::merged(&meshes.meshes, max_vertices)
 }
 
 /// Meshes of surfaces, which share the vertices on edges that they share.
@@ -76,17 +86,33 @@ pub fn tessellate_all(
     limits: &TessellationOptions,
     max_vertices: usize,
 ) -> Result<Vec<Mesh>, GeomError> {
+    Ok(tessellate_through(surfaces, &[], limits, max_vertices)?.0)
+}
+
+/// Meshes of surfaces as [`tessellate_all`], whose edges have vertices at the places that lie on them, to the last
+/// bit; and the points of all vertices on edges.
+///
+/// # Errors
+/// Those of [`tessellate_all`].
+pub(crate) fn tessellate_through(
+    surfaces: &[Surface],
+    places: &[DVec3],
+    limits: &TessellationOptions,
+    max_vertices: usize,
+) -> Result<(Vec<Mesh>, Vec<DVec3>), GeomError> {
     limits.check()?;
     let sheet = |surface| SurfacePatch::new(surface, limits.tolerance);
     let sheets: Result<Vec<SurfacePatch<'_>>, GeomError> = surfaces.iter().map(sheet).collect();
-    meshes_of(sheets?, limits, max_vertices)
+    let SheetMeshes { meshes, edges } = meshes_of(sheets?, places, limits, max_vertices)?;
+    Ok((meshes, edges.iter().flatten().flatten().map(|&(_, point)| point).collect()))
 }
 
 fn meshes_of(
     mut sheets: Vec<SurfacePatch<'_>>,
+    places: &[DVec3],
     limits: &TessellationOptions,
     max_vertices: usize,
-) -> Result<Vec<Mesh>, GeomError> {
+) -> Result<SheetMeshes, GeomError> {
     for sheet in &sheets {
         sheet.spline.check_connected()?;
         let [u, v] = sheet.domains();
@@ -96,12 +122,12 @@ fn meshes_of(
     // Functions of a script need a stack that only their own thread has.
     let is_function = sheets.iter().any(SurfacePatch::is_function);
     let n_threads = if is_function { 1 } else { limits.n_threads };
-    let seams = SharedEdges::of(&mut sheets, limits)?;
+    let seams = SharedEdges::of(&mut sheets, places, limits)?;
     // Where there are surfaces enough, each is the work of one thread.
     let of_one = if sheets.len() < n_threads { n_threads } else { 1 };
     let alone = TessellationOptions { n_threads: of_one, ..*limits };
     let all: Vec<CellBounds> = side_by_side::map(&sheets, n_threads, |sheet| sheet.limits(&alone));
-    let places = seams.places();
+    let known = seams.places();
     let mut sharpness = vec![1.0; sheets.len()];
     let mut excesses = vec![f64::INFINITY; sheets.len()];
     let mut round = 0;
@@ -112,14 +138,14 @@ fn meshes_of(
             sheets[i].cells(all[i].sharpened(sharpness[i]), max_vertices)
         });
         let cells = cells.into_iter().collect::<Result<Vec<_>, GeomError>>()?;
-        let edges = seams.vertices(&sheets, &cells, &places, max_vertices, n_threads)?;
+        let edges = seams.vertices(&sheets, &cells, &known, max_vertices, n_threads)?;
         let meshes = side_by_side::map(&numbers, n_threads, |&i| {
             stitched(&sheets[i], &cells[i], &edges[i], max_vertices)
         });
         let meshes = meshes.into_iter().collect::<Result<Vec<Mesh>, GeomError>>()?;
         round += 1;
         if !limits.limits_angle() || MAX_ROUNDS <= round {
-            return Ok(meshes);
+            return Ok(SheetMeshes { meshes, edges });
         }
         let mut is_done = true;
         for ((mesh, sharpness), last) in meshes.iter().zip(&mut sharpness).zip(&mut excesses) {
@@ -132,7 +158,7 @@ fn meshes_of(
             *last = excess;
         }
         if is_done {
-            return Ok(meshes);
+            return Ok(SheetMeshes { meshes, edges });
         }
     }
 }

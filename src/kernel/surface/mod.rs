@@ -31,11 +31,13 @@ pub use intersection::level_set::{CurveSurfaceIntersection, LevelSet, PictureErr
 pub use measurement::closest::{ParametricPlaces, SurfaceClosestPoint};
 pub use measurement::defects::SurfaceDefects;
 pub use measurement::joint::SurfaceContinuity;
-pub(crate) use measurement::mass::{MassIntegral, are_closed, moments};
+pub(crate) use measurement::mass::{MOMENT_KINDS, MassIntegral, are_closed, moments};
 pub use measurement::mass::{
-    MassProperties, area_mass, facing_unlike, signed_volume_mass, volume_mass,
+    MassProperties, SignedVolume, area_mass, facing_unlike, signed_volume, volume_mass,
 };
-pub(crate) use measurement::quadrature::{IntegralValues, QuadratureMap, integral_over};
+pub(crate) use measurement::quadrature::{
+    IntegralValues, QuadratureMap, QuantityKinds, integral, integral_over,
+};
 pub use measurement::shape::{Principal, SurfacePointKind, SurfaceShape};
 pub use measurement::shell::ShellError;
 pub use representation::any::Surface;

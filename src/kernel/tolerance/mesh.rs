@@ -57,3 +57,8 @@ pub(crate) const END_LOOK: f64 = 0.01;
 ///
 /// Larger lets a lost sliver pass the check of volumes; smaller refuses what is only rounded.
 pub const BOOLEAN_RELATIVE: f64 = 1e-11;
+
+/// Two triangles at an edge lie on one another where the sine of the angle between them is less than this.
+///
+/// Larger flattens wedges that are meant; smaller leaves sheets without thickness where rounding has bent them.
+pub(crate) const FOLD_SINE: f64 = 1e-3;

@@ -7,7 +7,7 @@
 //! Gonzalez-Ochoa, McCammon & Peters, *Computing moments of objects enclosed by piecewise polynomial
 //! surfaces*, ACM TOG 17 (1998).
 
-use std::collections::BTreeMap;
+use std::{collections::BTreeMap, sync::Arc};
 
 use glam::DVec3;
 
@@ -15,7 +15,10 @@ use super::Face;
 use crate::{
     Bounds, Frame, GeomError, Interval, MassProperties, NurbsCurve, NurbsSurface, Region,
     Tolerance,
-    surface::{IntegralValues, MassIntegral, QuadratureMap, integral_over, moments},
+    surface::{
+        IntegralValues, MOMENT_KINDS, MassIntegral, QuadratureMap, QuantityKinds, Surface,
+        integral, integral_over, moments,
+    },
     tolerance::{KNOT_RELATIVE, LAST_BIT, PARAMETER_RELATIVE},
 };
 
@@ -88,8 +91,9 @@ impl Face {
         let about = boxes.reduce(Bounds::union).map_or(DVec3::ZERO, Bounds::center);
         let mut sum = MassIntegral::default();
         for face in faces {
-            let found =
-                face.integral(|point, normal| moments(arm(point, about), normal.length()))?;
+            let found = face.integral(MOMENT_KINDS, |point, normal| {
+                moments(arm(point, about), normal.length())
+            })?;
             sum.add(found, 1.0);
         }
         sum.mass(about, [1.0; 3]).ok_or_else(|| sum.without("area"))
@@ -101,8 +105,12 @@ impl Face {
     /// Those of a search that was ended.
     pub(crate) fn integral<const N: usize>(
         &self,
+        kinds: QuantityKinds<N>,
         density: impl Fn(DVec3, DVec3) -> [f64; N],
     ) -> Result<IntegralValues<N>, GeomError> {
+        if self.is_whole() {
+            return integral(&Surface::Nurbs(Arc::clone(&self.plane.surface)), kinds, density);
+        }
         let surface = &*self.plane.surface;
         let arcs: Vec<NurbsCurve> = self.closed_arcs()?;
         let lines = [surface.knots_u().breaks(), surface.knots_v().breaks()];
@@ -118,7 +126,7 @@ impl Face {
         for (u, v, times) in rectangles(&border, &lines) {
             parts.push(ParameterPiece::Rectangle { surface, u, v, times });
         }
-        integral_over(&parts, density)
+        integral_over(&parts, kinds, density)
     }
 
     /// The arcs of all loops, as curves of parameters; where one begins a little beside the end of the

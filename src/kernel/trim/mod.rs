@@ -6,9 +6,10 @@
 //! of plane arcs that regions are made by. `face` has the type, `loops` faces within loops of parameters,
 //! `split` those within loops in space and the parts into which cutters divide a face, by the arcs that
 //! `pull` makes of curves and by `division`, `measure` integrals over faces, `strip` what those of others go
-//! along, `mesh` their triangles, `border` their edges in space by arcs of parameters that `lift` takes there,
-//! `extremum` what of them is nearest or reaches farthest, `clip` what of curves lies on
-//! them, `shell` what they enclose together. `edge` has the curves on two surfaces at once, by places in space and by the parameters of both.
+//! along, `mesh` their triangles and `joined` those of faces and surfaces side by side, `border` their edges in
+//! space by arcs of parameters that `lift` takes there, `extremum` what of them is nearest or reaches farthest,
+//! `clip` what of curves lies on them, `shell` what they enclose together, `facing` which must turn to look alike.
+//! `edge` has the curves on two surfaces at once, by places in space and by the parameters of both.
 
 mod border;
 mod clip;
@@ -17,6 +18,8 @@ mod edge;
 mod error;
 mod extremum;
 mod face;
+mod facing;
+mod joined;
 mod lift;
 mod loops;
 mod measure;
@@ -32,6 +35,9 @@ pub use edge::{CurveEnd, SurfaceCurve, SurfaceCurveKind};
 pub use error::FaceError;
 pub use extremum::FaceClosestPoint;
 pub use face::{Face, FacePart};
+pub use facing::pieces_facing_unlike;
+pub(crate) use joined::joined_meshes;
+pub use joined::{SurfacePiece, tessellate_together};
 pub(crate) use shell::{EnclosedShell, FaceBorderEdge, enclosed_shells, rims};
 pub use split::Cutter;
 pub use strip::AreaStrip;

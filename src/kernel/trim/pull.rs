@@ -40,6 +40,9 @@ const HEIGHT_BITS: f64 = 8.0;
 /// Where a piece is compared between the points that it goes through.
 const COMPARED: [f64; 4] = [0.1, 0.3, 0.65, 0.93];
 
+/// Newton's method goes no further beside a curve than so many tolerances.
+pub(super) const MOST_BESIDE: f64 = 4.0;
+
 /// How far from a second surface a point is, signed, and the direction that leads away from it.
 pub(super) type Height<'a> = dyn Fn(DVec3) -> (f64, DVec3) + 'a;
 
@@ -182,7 +185,7 @@ impl PulledCurve<'_> {
             let dv = (ahead * rows[0][0] - value * rows[1][0]) / determinant;
             let step = self.plane.place([-du, -dv]);
             // Near a pole small ways are long ones of the parameters.
-            if !step.is_finite() || 4.0 * self.tolerance < norm(point - begun) {
+            if !step.is_finite() || MOST_BESIDE * self.tolerance < norm(point - begun) {
                 return (start, 0.0);
             }
             place += step;

@@ -13,26 +13,33 @@ use super::{
 use crate::{
     Bounds, GeomError, MassProperties, NurbsCurve, Tolerance,
     frame::norm,
-    surface::{IntegralValues, MassIntegral, moments},
+    surface::{IntegralValues, MOMENT_KINDS, MassIntegral, moments},
 };
 
 /// Places of each edge where its neighbour is looked for.
 const PLACES: usize = 24;
 
-/// Faces that hang together, and what they enclose.
-pub(crate) struct EnclosedShell {
+/// Faces that hang together, and what they enclose: moments of the flux, itself the first.
+pub(crate) struct EnclosedShell<const N: usize = 1> {
     /// Each face by its number, with the sign that makes them look alike.
     pub(crate) faces: Vec<(usize, f64)>,
     /// The volume; negative where they look inward with these signs.
     pub(crate) volume: f64,
-    moments: MassIntegral,
+    moments: MassIntegral<N>,
 }
 
 /// An edge of one of several faces.
 pub(crate) struct FaceBorderEdge {
-    face: usize,
+    pub(super) face: usize,
     curve: NurbsCurve,
     bounds: Bounds,
+}
+
+/// The faces on both sides of a place of an edge.
+pub(super) struct FacePair {
+    pub(super) faces: [usize; 2],
+    /// Whether one of both must turn to look as the other does.
+    must_turn: bool,
 }
 
 impl Face {
@@ -63,14 +70,19 @@ impl Face {
         faces: &[Self],
         tolerance: Tolerance,
     ) -> Result<MassProperties, GeomError> {
-        let boxes = faces.iter().map(|face| face.plane.surface.bounds());
-        let about = boxes.reduce(Bounds::union).map_or(DVec3::ZERO, Bounds::center);
-        let mut sum = MassIntegral::default();
+        let (about, edges) = (middle(faces), FaceBorderEdge::all(faces, 0, tolerance)?);
+        let shells = shells_with(faces, &edges, tolerance, |face| face.flux_moments(about))?;
+        summed(&shells).volume(about)
+    }
+
+    /// The volume of [`Self::enclosed_mass`], and by which fraction it may be wrong.
+    ///
+    /// # Errors
+    /// Those of [`Self::enclosed_mass`].
+    pub fn enclosed_volume(faces: &[Self], tolerance: Tolerance) -> Result<(f64, f64), GeomError> {
         let edges = FaceBorderEdge::all(faces, 0, tolerance)?;
-        for shell in enclosed_shells(faces, &edges, about, tolerance)? {
-            sum.add_shell(&shell.moments, shell.faces.iter().all(|&(_, sign)| 0.0 < sign));
-        }
-        sum.volume(about)
+        let shells = enclosed_shells(faces, &edges, middle(faces), tolerance)?;
+        summed(&shells).amount_of_volume()
     }
 
     /// The moments of the flux of the way from a point through it.
@@ -78,7 +90,7 @@ impl Face {
     /// # Errors
     /// Those of a search that was ended.
     pub(crate) fn flux_moments(&self, about: DVec3) -> Result<IntegralValues<10>, GeomError> {
-        self.integral(|point, normal| {
+        self.integral(MOMENT_KINDS, |point, normal| {
             let arm = arm(point, about);
             moments(arm, flux(arm, normal))
         })
@@ -89,7 +101,7 @@ impl Face {
     /// # Errors
     /// Those of a search that was ended.
     pub(crate) fn solid_angle(&self, from: DVec3) -> Result<f64, GeomError> {
-        let seen = self.integral(|point, normal| {
+        let seen = self.integral([0], |point, normal| {
             let arm = point - from;
             let distance = norm(arm);
             [arm.dot(normal) / (distance * distance * distance)]
@@ -98,7 +110,7 @@ impl Face {
     }
 }
 
-/// The shells that faces with these edges make, with their moments about a point.
+/// The shells that faces with these edges make, with the flux of the way from a point.
 ///
 /// # Errors
 /// Those of [`Face::enclosed_mass`].
@@ -108,16 +120,43 @@ pub(crate) fn enclosed_shells(
     about: DVec3,
     tolerance: Tolerance,
 ) -> Result<Vec<EnclosedShell>, GeomError> {
+    shells_with(faces, edges, tolerance, |face| {
+        face.integral([0], |point, normal| [flux(arm(point, about), normal)])
+    })
+}
+
+/// The shells that faces make, with the sums of what is integrated over each face.
+fn shells_with<const N: usize>(
+    faces: &[Face],
+    edges: &[FaceBorderEdge],
+    tolerance: Tolerance,
+    integral: impl Fn(&Face) -> Result<IntegralValues<N>, GeomError>,
+) -> Result<Vec<EnclosedShell<N>>, GeomError> {
     let mut found = Vec::new();
     for faces_of_shell in shells(faces.len(), edges, distance_for(faces, tolerance))? {
         let mut moments = MassIntegral::default();
         for &(face, sign) in &faces_of_shell {
-            moments.add(faces[face].flux_moments(about)?, sign);
+            moments.add(integral(&faces[face])?, sign);
         }
         let volume = moments.flux() / 3.0;
         found.push(EnclosedShell { faces: faces_of_shell, volume, moments });
     }
     Ok(found)
+}
+
+/// The moments of shells together.
+fn summed<const N: usize>(shells: &[EnclosedShell<N>]) -> MassIntegral<N> {
+    let mut sum = MassIntegral::default();
+    for shell in shells {
+        sum.add_shell(&shell.moments, shell.faces.iter().all(|&(_, sign)| 0.0 < sign));
+    }
+    sum
+}
+
+/// The middle of the box around faces.
+fn middle(faces: &[Face]) -> DVec3 {
+    let boxes = faces.iter().map(|face| face.plane.surface.bounds());
+    boxes.reduce(Bounds::union).map_or(DVec3::ZERO, Bounds::center)
 }
 
 /// Those edges of faces that have no neighbour along all of their length.
@@ -170,16 +209,19 @@ impl FaceBorderEdge {
     ) -> Result<Vec<Self>, GeomError> {
         let mut edges = Vec::new();
         for (face, own) in (first..).zip(faces) {
-            for curve in own.edges(tolerance)? {
-                let bounds = curve.bounds();
-                edges.push(Self { face, curve, bounds });
-            }
+            edges.extend(own.edges(tolerance)?.into_iter().map(|curve| Self::new(face, curve)));
         }
         Ok(edges)
     }
 
+    /// An edge of the face of a number, with that to its left.
+    pub(super) fn new(face: usize, curve: NurbsCurve) -> Self {
+        let bounds = curve.bounds();
+        Self { face, curve, bounds }
+    }
+
     /// Places between its ends, each a point and the way of the edge there.
-    fn places(&self) -> impl Iterator<Item = (DVec3, DVec3)> {
+    pub(super) fn places(&self) -> impl Iterator<Item = (DVec3, DVec3)> {
         let domain = self.curve.domain();
         (0..PLACES).map(move |k| {
             let t = domain.at((k as f64 + 0.5) / PLACES as f64);
@@ -195,14 +237,24 @@ fn shells(
     edges: &[FaceBorderEdge],
     distance: f64,
 ) -> Result<Vec<Vec<(usize, f64)>>, GeomError> {
-    // Neighbours, and whether one of both must turn.
-    let mut neighbours: Vec<(usize, usize, bool)> = Vec::new();
+    let mut pairs = Vec::new();
     for (i, edge) in edges.iter().enumerate() {
         for place in edge.places() {
             GeomError::go_on(1)?;
-            neighbours.push(neighbour(edges, i, place, distance)?);
+            pairs.push(neighbour(edges, i, place, distance)?);
         }
     }
+    hanging_together(n_faces, &pairs)
+}
+
+/// The faces that hang together by pairs, each with the sign that makes them look alike.
+///
+/// # Errors
+/// [`FaceError::OneSided`].
+pub(super) fn hanging_together(
+    n_faces: usize,
+    pairs: &[FacePair],
+) -> Result<Vec<Vec<(usize, f64)>>, GeomError> {
     let mut signs: Vec<Option<f64>> = vec![None; n_faces];
     let mut found = Vec::new();
     for first in 0..n_faces {
@@ -213,15 +265,16 @@ fn shells(
         let (mut shell, mut next) = (vec![(first, 1.0)], 0);
         while let Some(&(face, sign)) = shell.get(next) {
             next += 1;
-            for &(one, other, must_turn) in neighbours.iter().filter(|pair| pair.0 == face) {
-                let wanted = if must_turn { -sign } else { sign };
+            for pair in pairs.iter().filter(|pair| pair.faces[0] == face) {
+                let other = pair.faces[1];
+                let wanted = if pair.must_turn { -sign } else { sign };
                 match signs[other] {
                     None => {
                         signs[other] = Some(wanted);
                         shell.push((other, wanted));
                     }
                     Some(known) if (known < 0.0) != (wanted < 0.0) => {
-                        return Err(FaceError::OneSided { faces: [one, other] }.into());
+                        return Err(FaceError::OneSided { faces: pair.faces }.into());
                     }
                     Some(_) => {}
                 }
@@ -232,14 +285,16 @@ fn shells(
     Ok(found)
 }
 
-/// The face on the other side of a place of an edge, with that of the edge before it, and whether one of both must
-/// turn to look as the other does.
-fn neighbour(
+/// The face of an edge, and that on the other side of a place of it.
+///
+/// # Errors
+/// [`FaceError::OpenShell`] where there is none, [`FaceError::CrowdedShell`] of several.
+pub(super) fn neighbour(
     edges: &[FaceBorderEdge],
     own: usize,
     (point, along): (DVec3, DVec3),
     distance: f64,
-) -> Result<(usize, usize, bool), GeomError> {
+) -> Result<FacePair, GeomError> {
     let reach = 2.0 * distance;
     let (mut there, mut nearest) = (Vec::new(), f64::INFINITY);
     for (i, other) in edges.iter().enumerate().filter(|&(i, _)| i != own) {
@@ -254,7 +309,10 @@ fn neighbour(
         }
     }
     match there[..] {
-        [(other, way)] => Ok((edges[own].face, edges[other].face, 0.0 < along.dot(way))),
+        [(other, way)] => {
+            let faces = [edges[own].face, edges[other].face];
+            Ok(FacePair { faces, must_turn: 0.0 < along.dot(way) })
+        }
         [] => {
             let face = edges[own].face;
             Err(FaceError::OpenShell { face, n_faces: 1 + last_face(edges), gap: nearest, point }

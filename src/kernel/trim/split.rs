@@ -1,6 +1,6 @@
 //! Faces divided by curves on them, planes and surfaces.
 
-use std::sync::Arc;
+use std::{cell::Cell, sync::Arc};
 
 use glam::DVec3;
 
@@ -8,17 +8,17 @@ use super::{
     Face, FaceError,
     division::Division,
     loops::place_of,
-    pull::{Height, arcs_on_surface},
+    pull::{Height, MOST_BESIDE, arcs_on_surface},
 };
 use crate::{
     Frame, GeomError, IntersectionError, NurbsCurve, NurbsSurface, PictureError, RegionSide,
-    Surface, Tolerance, tolerance::DEFAULT_CHORD_RELATIVE,
+    Surface, SurfaceClosestPoint, Tolerance, tolerance::DEFAULT_CHORD_RELATIVE,
 };
 
 /// What divides a face.
 ///
 /// ```
-/// use std::sync::Arc;
+/// use std::{cell::Cell, sync::Arc};
 /// use virote_kernel::{Cutter, Face, Frame, NurbsSurface, Tolerance, glam::DVec3};
 ///
 /// let sphere = Face::whole(Arc::new(NurbsSurface::sphere(Frame::XY, 1.0)?), Tolerance::DEFAULT)?;
@@ -239,8 +239,10 @@ impl Face {
                     Some(face) => face.clipped(&found.curves, tolerance)?,
                     None => found.curves,
                 };
+                let last_foot = Cell::new(None);
                 let height = |p: DVec3| {
-                    let foot = other.closest(p);
+                    let foot = foot_beside(other, p, last_foot.get(), limits[0]);
+                    last_foot.set(Some(foot.parameters));
                     let [u, v] = foot.parameters;
                     // Without a normal there is no height, and the place stays as it was found.
                     other.normal_at(u, v).map_or((f64::NAN, DVec3::ZERO), |normal| {
@@ -251,4 +253,23 @@ impl Face {
             }
         }
     }
+}
+
+/// The nearest point of a surface on which a curve is followed from place to place: where a descent from the last
+/// one goes, unless that ends at an edge or further away than such places are.
+fn foot_beside(
+    surface: &NurbsSurface,
+    point: DVec3,
+    last: Option<[f64; 2]>,
+    tolerance: f64,
+) -> SurfaceClosestPoint {
+    let domains = [surface.domain_u(), surface.domain_v()];
+    let is_inside = |foot: &SurfaceClosestPoint| {
+        let is_between = |i: usize| {
+            domains[i].start() < foot.parameters[i] && foot.parameters[i] < domains[i].end()
+        };
+        foot.distance <= MOST_BESIDE * tolerance && is_between(0) && is_between(1)
+    };
+    let beside = last.map(|start| surface.foot_from(start, point)).filter(is_inside);
+    beside.unwrap_or_else(|| surface.closest(point))
 }

@@ -17,8 +17,8 @@ use std::{ops::Deref, sync::Arc};
 use super::region::Border;
 use crate::{
     diag::{Result, Span},
-    kernel::{Cutter, Face, NurbsCurve, Surface, Tolerance},
-    value::{At, Ctx, FromValue, Mismatch, Op, RealSurface, Type, Value},
+    kernel::{Cutter, Direction, Face, GeomError, NurbsCurve, Surface, SurfacePiece, Tolerance},
+    value::{At, Ctx, FromValue, IntoValue, Mismatch, Op, RealSurface, Type, Value},
 };
 
 pub(super) static OPS: &[&Op] = &[
@@ -66,7 +66,41 @@ impl FromValue for SurfaceOrFace {
     }
 }
 
+impl IntoValue for SurfaceOrFace {
+    const RETURNS: Type = Self::TYPE;
+
+    fn into_value(self) -> Value {
+        match self.face {
+            Some(face) => Value::Face(face),
+            None => Value::Surface(self.surface),
+        }
+    }
+}
+
 impl SurfaceOrFace {
+    /// It as what the kernel takes in its place.
+    pub(super) fn piece(&self) -> SurfacePiece<'_> {
+        match &self.face {
+            Some(face) => SurfacePiece::Part(face),
+            None => SurfacePiece::Whole(&self.surface),
+        }
+    }
+
+    /// The same with its normal turned around.
+    ///
+    /// # Errors
+    /// Those of [`Surface::reversed`].
+    pub(super) fn flipped(&self) -> std::result::Result<Self, GeomError> {
+        match &self.face {
+            Some(face) => {
+                let face = face.reversed();
+                let surface = Surface::Nurbs(Arc::clone(face.surface()));
+                Ok(Self { surface, face: Some(Arc::new(face)) })
+            }
+            None => Ok(Self { surface: self.surface.reversed(Direction::V)?, face: None }),
+        }
+    }
+
     /// # Errors
     /// Parameters outside of the face, by more than the usual tolerance.
     pub(super) fn check_inside(&self, parameters: [f64; 2], span: Span) -> Result<()> {

@@ -1,11 +1,11 @@
 //! `tessellate`: triangles within a tolerance.
 
-use std::f64::consts::PI;
+use std::{f64::consts::PI, sync::Arc};
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{
-        self, Bounds, Mesh, Surface, TessellationOptions, Tolerance,
+        self, Bounds, Face, Mesh, Solid, Surface, SurfacePiece, TessellationOptions, Tolerance,
         tolerance::DEFAULT_CHORD_RELATIVE,
     },
     ops::positive,
@@ -18,10 +18,9 @@ op! {
     /// No point of the triangles is further from the surface than the tolerance, and none of the
     /// surface further from the triangles, however small a feature is: bounds of the second
     /// derivatives tell how large a triangle may be. It has no cracks, at seams and poles neither;
-    /// surfaces of a list share the vertices where their edges run together, along the whole or from
+    /// surfaces and faces of a list share the vertices where their edges run together, along the whole or from
     /// a corner of one to a corner of another, whatever their degrees, knots and parameters are. Normals are those of each side where there is a crease.
-    /// Parts of surfaces have the same distance and normals; their borders share vertices with no others, but those of
-    /// the faces of one solid do, so that its mesh closes.
+    /// The faces of one solid share theirs too, so that its mesh closes.
     /// Meshes in a list are taken along as they are. With `quads` the two triangles of a cell of the
     /// parameters are one face, which files that can hold quadrilaterals keep (`.obj`, `.ply`); at poles
     /// and along edges whose vertices are others than those of the lines inside there are triangles.
@@ -69,50 +68,60 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Mesh> {
     };
     let (weld, n_threads) = (ctx.tolerance.distance, ctx.n_threads);
     let limits = TessellationOptions { tolerance, angle, max_edge, weld, n_threads };
-    let (mut surfaces, mut parts) = (Vec::new(), Vec::new());
     let most = ctx.limits.mesh_vertices;
     let hint = "a larger tolerance, angle or longest edge takes fewer vertices";
     let too_large = |mistake: Box<Diagnostic>| match mistake.code {
         Code::TooLarge => Box::new(mistake.hint(hint)),
         _ => mistake,
     };
-    let mesh_of = |value: &Value| {
-        let mesh = match value {
-            Value::Face(face) => face.mesh(&limits, most),
-            Value::Solid(solid) => solid.mesh(&limits, most),
-            _ => return Ok(None),
-        };
-        mesh.at(ctx.span).map(Some).map_err(too_large)
-    };
-    gather(geometry, &args.g, &mesh_of, &mut surfaces, &mut parts)?;
-    let made = kernel::tessellate_all(&surfaces, &limits, most).at(ctx.span);
-    let mut made = made
-        .map_err(too_large)?
-        .into_iter()
-        .map(|mesh| if args.quads { mesh.with_quadrilaterals() } else { mesh });
-    let meshes: Vec<Mesh> =
-        parts.into_iter().filter_map(|part| part.or_else(|| made.next())).collect();
+    let mut parts = Vec::new();
+    gather(geometry, &args.g, &mut parts)?;
+    let pieces: Vec<SurfacePiece<'_>> = parts.iter().filter_map(MeshedPart::piece).collect();
+    let made = kernel::tessellate_together(&pieces, &limits, most).at(ctx.span);
+    let mut made = made.map_err(too_large)?.into_iter();
+    let mut meshes = Vec::with_capacity(parts.len());
+    for part in parts {
+        meshes.extend(match part {
+            MeshedPart::Surface(_) if args.quads => made.next().map(Mesh::with_quadrilaterals),
+            MeshedPart::Surface(_) | MeshedPart::Face(_) => made.next(),
+            MeshedPart::Solid(solid) => {
+                Some(solid.mesh(&limits, most).at(ctx.span).map_err(too_large)?)
+            }
+            MeshedPart::Mesh(mesh) => Some(Mesh::clone(&mesh)),
+        });
+    }
     Mesh::merged(&meshes, most).at(ctx.span)
 }
 
-/// The surfaces in a value, and in their order the meshes, of faces too, with none for a surface.
-fn gather(
-    value: &Value,
-    whole: &Spanned<Geometry>,
-    mesh_of: &dyn Fn(&Value) -> Result<Option<Mesh>>,
-    surfaces: &mut Vec<Surface>,
-    parts: &mut Vec<Option<Mesh>>,
-) -> Result<()> {
-    match value {
-        Value::Surface(surface) => {
-            surfaces.push(surface.clone());
-            parts.push(None);
+/// What a mesh is made of.
+enum MeshedPart {
+    Surface(Surface),
+    Face(Arc<Face>),
+    Solid(Arc<Solid>),
+    Mesh(Arc<Mesh>),
+}
+
+impl MeshedPart {
+    /// What shares vertices with others.
+    fn piece(&self) -> Option<SurfacePiece<'_>> {
+        match self {
+            Self::Surface(surface) => Some(SurfacePiece::Whole(surface)),
+            Self::Face(face) => Some(SurfacePiece::Part(face)),
+            Self::Solid(_) | Self::Mesh(_) => None,
         }
-        Value::Face(_) | Value::Solid(_) => parts.push(mesh_of(value)?),
-        Value::Mesh(mesh) => parts.push(Some((**mesh).clone())),
+    }
+}
+
+/// The parts of a value.
+fn gather(value: &Value, whole: &Spanned<Geometry>, parts: &mut Vec<MeshedPart>) -> Result<()> {
+    match value {
+        Value::Surface(surface) => parts.push(MeshedPart::Surface(surface.clone())),
+        Value::Face(face) => parts.push(MeshedPart::Face(Arc::clone(face))),
+        Value::Solid(solid) => parts.push(MeshedPart::Solid(Arc::clone(solid))),
+        Value::Mesh(mesh) => parts.push(MeshedPart::Mesh(Arc::clone(mesh))),
         Value::List(items) => {
             for item in items.iter() {
-                gather(item, whole, mesh_of, surfaces, parts)?;
+                gather(item, whole, parts)?;
             }
         }
         other => {

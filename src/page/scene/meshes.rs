@@ -6,8 +6,8 @@ use super::{
 };
 use crate::{
     kernel::{
-        CountError, Face, GeomError, Mesh, Surface, TessellationOptions, tessellate_all,
-        tessellate_any,
+        CountError, Face, GeomError, Mesh, Surface, SurfacePiece, TessellationOptions,
+        tessellate_any, tessellate_together,
     },
     page::ceilings::within_ceilings,
     session::Session,
@@ -20,27 +20,23 @@ const SMOOTH_VERTICES: usize = 150_000;
 /// How many times the angle is doubled before only the distance from the surface counts.
 const DOUBLINGS: usize = 3;
 
-/// The meshes of the surfaces among the pieces, which share the vertices on common edges; where they
+/// The meshes of the surfaces and faces among the pieces, which share the vertices on common edges; where they
 /// have none together, each alone.
 pub(super) fn meshes(
     pieces: &[Piece],
     session: &Session,
     fineness: &Fineness,
 ) -> Vec<Result<Option<Mesh>, String>> {
-    let surfaces: Vec<_> =
-        pieces.iter().flat_map(|piece| piece.shape.surfaces()).cloned().collect();
+    let together: Vec<SurfacePiece<'_>> = pieces.iter().flat_map(parts).collect();
     let together = within_ceilings(session, || {
         bearable(fineness, session.n_threads(), |options, most| {
-            tessellate_all(&surfaces, options, most)
+            tessellate_together(&together, options, most)
         })
     });
     if let Ok(meshes) = together {
         let mut meshes = meshes.into_iter();
         let of_piece = |piece: &Piece| {
-            if let Shape::Face(face) = &piece.shape {
-                return of_face(face, session, fineness).map(Some);
-            }
-            let n_meshes = piece.shape.surfaces().len();
+            let n_meshes = parts(piece).count();
             let own: Vec<Mesh> = meshes.by_ref().take(n_meshes).collect();
             let merged =
                 || Mesh::merged(&own, fineness.most).map(Some).map_err(|err| err.to_string());
@@ -67,6 +63,15 @@ pub(super) fn meshes(
         Mesh::merged(&meshes?, fineness.most).map(Some).map_err(|err| err.to_string())
     };
     pieces.iter().map(alone).collect()
+}
+
+/// What of a piece becomes triangles.
+fn parts(piece: &Piece) -> impl Iterator<Item = SurfacePiece<'_>> {
+    let face = match &piece.shape {
+        Shape::Face(face) => Some(SurfacePiece::Part(face)),
+        _ => None,
+    };
+    piece.shape.surfaces().iter().map(SurfacePiece::Whole).chain(face)
 }
 
 fn of_face(face: &Face, session: &Session, fineness: &Fineness) -> Result<Mesh, String> {

@@ -202,9 +202,11 @@ impl HermiteFit<'_> {
             self.end_node(start, DerivativeSide::Behind)?,
             self.end_node(end, DerivativeSide::Before)?,
         );
+        // Between breaks that are hardly apart there is no room for all parts.
+        let n_parts = self.n_parts.min(((end - start) / self.narrowest) as usize).max(1);
         let mut inner = Vec::new();
-        for i in 1..self.n_parts {
-            let fraction = i as f64 / self.n_parts as f64;
+        for i in 1..n_parts {
+            let fraction = i as f64 / n_parts as f64;
             let t = start * (1.0 - fraction) + end * fraction;
             inner.push(self.inner_node(t)?);
         }

@@ -12,7 +12,7 @@ use crate::{
     surface::{
         Surface,
         measurement::{
-            quadrature::{IntegralValues, integral},
+            quadrature::{IntegralValues, QuantityKinds, integral},
             shell::oriented,
         },
     },
@@ -57,7 +57,7 @@ impl Surface {
             needed_scale(probed(std::slice::from_ref(self))?.map_or(0.0, Bounds::magnitude))
         else {
             let IntegralValues { values: [area], relative_error } =
-                integral(self, |_, normal| [normal.length()])?;
+                integral(self, [0], |_, normal| [normal.length()])?;
             return Ok((area, relative_error));
         };
         let plain = self.transformed(&DAffine3::from_scale(DVec3::splat(scale.recip())))?;
@@ -86,7 +86,9 @@ pub fn area_mass(surfaces: &[Surface]) -> Result<MassProperties, GeomError> {
     let about = middle(surfaces)?;
     let mut sum = MassIntegral::default();
     for surface in surfaces {
-        let part = integral(surface, |point, normal| moments(point - about, normal.length()))?;
+        let part = integral(surface, MOMENT_KINDS, |point, normal| {
+            moments(point - about, normal.length())
+        })?;
         sum.add(part, 1.0);
     }
     sum.mass(about, [1.0; 3]).ok_or_else(|| sum.without("area"))
@@ -120,40 +122,89 @@ pub fn volume_mass(
     surfaces: &[Surface],
     tolerance: Tolerance,
 ) -> Result<MassProperties, GeomError> {
-    signed_volume_mass(surfaces, tolerance).map(|(mass, _)| mass)
+    let enclosed = EnclosedFlux::of(surfaces, tolerance, MOMENT_KINDS, moments)?;
+    enclosed.sum.volume(enclosed.about)
 }
 
-/// What a closed set of surfaces holds, as [`volume_mass`], and about which point and with which signs the
-/// fluxes of the position through the surfaces add up to it.
+/// How much a closed set of surfaces holds, as [`volume_mass`] tells it.
+///
+/// The half of a ball:
+///
+/// ```
+/// use virote_kernel::{Axis, Frame, NurbsCurve, NurbsSurface, Tolerance, glam::DVec3, signed_volume};
+///
+/// let quarter = NurbsCurve::arc(Frame::ZX, 1.0, 0.0, std::f64::consts::FRAC_PI_2)?;
+/// let floor = NurbsCurve::line(quarter.end(), DVec3::ZERO)?;
+/// let axis = Axis::new(DVec3::ZERO, DVec3::Z)?;
+/// let turned = |line| NurbsSurface::revolved(line, axis, std::f64::consts::TAU);
+/// let half = signed_volume(&[turned(&quarter)?.into(), turned(&floor)?.into()], Tolerance::DEFAULT)?;
+/// assert!((half.amount - 2.0 / 3.0 * std::f64::consts::PI).abs() < 1e-12);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct SignedVolume {
+    /// The volume.
+    pub amount: f64,
+    /// What is known of the error, as a fraction.
+    pub relative_error: f64,
+    /// The point from which the fluxes of the way through the surfaces add up to three times the volume.
+    pub about: DVec3,
+    /// The sign that the flux through each surface has in this sum.
+    pub signs: Vec<f64>,
+}
+
+/// How much a closed set of surfaces holds, with which signs of the surfaces.
 ///
 /// # Errors
 /// As [`volume_mass`].
-pub fn signed_volume_mass(
+pub fn signed_volume(
     surfaces: &[Surface],
     tolerance: Tolerance,
-) -> Result<(MassProperties, (DVec3, Vec<f64>)), GeomError> {
-    let about = middle(surfaces)?;
-    let shells = oriented(surfaces, tolerance, false)?;
-    let mut whole = MassIntegral::default();
-    let mut signs = vec![0.0; surfaces.len()];
-    for shell in shells {
-        let mut sum = MassIntegral::default();
-        for &(idx, sign) in &shell.surfaces {
-            let part = integral(&surfaces[idx], |point, normal| {
-                let arm = point - about;
-                moments(arm, arm.dot(normal))
-            })?;
-            sum.add(part, sign);
+) -> Result<SignedVolume, GeomError> {
+    let EnclosedFlux { sum, about, signs } =
+        EnclosedFlux::of(surfaces, tolerance, [0], |_, flux| [flux])?;
+    let (amount, relative_error) = sum.amount_of_volume()?;
+    Ok(SignedVolume { amount, relative_error, about, signs })
+}
+
+/// Moments of the flux through closed surfaces, of the way from a point.
+struct EnclosedFlux<const N: usize> {
+    sum: MassIntegral<N>,
+    about: DVec3,
+    signs: Vec<f64>,
+}
+
+impl<const N: usize> EnclosedFlux<N> {
+    /// The sum of what a function makes of the way to a point and the flux of it there, itself the first.
+    fn of(
+        surfaces: &[Surface],
+        tolerance: Tolerance,
+        kinds: QuantityKinds<N>,
+        density: impl Fn(DVec3, f64) -> [f64; N],
+    ) -> Result<Self, GeomError> {
+        let about = middle(surfaces)?;
+        let shells = oriented(surfaces, tolerance, false)?;
+        let mut whole = MassIntegral::default();
+        let mut signs = vec![0.0; surfaces.len()];
+        for shell in shells {
+            let mut sum = MassIntegral::default();
+            for &(idx, sign) in &shell.surfaces {
+                let part = integral(&surfaces[idx], kinds, |point, normal| {
+                    let arm = point - about;
+                    density(arm, arm.dot(normal))
+                })?;
+                sum.add(part, sign);
+            }
+            let turn = whole.add_shell(&sum, shell.was_oriented);
+            for (idx, sign) in shell.surfaces {
+                signs[idx] = sign * turn;
+            }
         }
-        let turn = whole.add_shell(&sum, shell.was_oriented);
-        for (idx, sign) in shell.surfaces {
-            signs[idx] = sign * turn;
+        if whole.flux() < 0.0 {
+            signs.iter_mut().for_each(|sign| *sign = -*sign);
         }
+        Ok(Self { sum: whole, about, signs })
     }
-    if whole.values[0] < 0.0 {
-        signs.iter_mut().for_each(|sign| *sign = -*sign);
-    }
-    Ok((whole.volume(about)?, (about, signs)))
 }
 
 /// Whether surfaces close.
@@ -180,7 +231,8 @@ pub fn facing_unlike(surfaces: &[Surface], tolerance: Tolerance) -> Result<Vec<b
     for shell in oriented(surfaces, tolerance, true)? {
         let mut flux = 0.0;
         for &(idx, sign) in shell.surfaces.iter().filter(|_| shell.is_closed) {
-            let part = integral(&surfaces[idx], |point, normal| [(point - about).dot(normal)])?;
+            let part =
+                integral(&surfaces[idx], [0], |point, normal| [(point - about).dot(normal)])?;
             flux += sign * part.values[0];
         }
         if !flux.is_finite() {
@@ -192,6 +244,9 @@ pub fn facing_unlike(surfaces: &[Surface], tolerance: Tolerance) -> Result<Vec<b
     }
     Ok(turns)
 }
+
+/// The kinds of [`moments`]: of the orders 0, 1 and 2.
+pub(crate) const MOMENT_KINDS: QuantityKinds<10> = [0, 1, 1, 1, 2, 2, 2, 2, 2, 2];
 
 /// A density times 1, x, y, z, and the products of these.
 pub(crate) fn moments(arm: DVec3, density: f64) -> [f64; 10] {
@@ -214,15 +269,21 @@ fn probed(surfaces: &[Surface]) -> Result<Option<Bounds>, GeomError> {
     Ok(Bounds::of(points))
 }
 
-/// Integrals of several surfaces together.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct MassIntegral {
-    values: [f64; 10],
+/// Integrals of several surfaces together: an amount, and behind it moments.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MassIntegral<const N: usize = 10> {
+    values: [f64; N],
     relative_error: f64,
 }
 
-impl MassIntegral {
-    pub(crate) fn add(&mut self, part: IntegralValues<10>, sign: f64) {
+impl<const N: usize> Default for MassIntegral<N> {
+    fn default() -> Self {
+        Self { values: [0.0; N], relative_error: 0.0 }
+    }
+}
+
+impl<const N: usize> MassIntegral<N> {
+    pub(crate) fn add(&mut self, part: IntegralValues<N>, sign: f64) {
         self.values.iter_mut().zip(part.values).for_each(|(sum, value)| *sum += sign * value);
         self.relative_error = self.relative_error.max(part.relative_error);
     }
@@ -230,7 +291,7 @@ impl MassIntegral {
     /// Adds the moments of a shell; one that was not oriented is taken to look outward. The sign that it was
     /// given.
     pub(crate) fn add_shell(&mut self, shell: &Self, was_oriented: bool) -> f64 {
-        let turn = if !was_oriented && shell.values[0] < 0.0 { -1.0 } else { 1.0 };
+        let turn = if !was_oriented && shell.flux() < 0.0 { -1.0 } else { 1.0 };
         let Self { values, relative_error } = *shell;
         self.add(IntegralValues { values, relative_error }, turn);
         turn
@@ -241,15 +302,14 @@ impl MassIntegral {
         self.values[0]
     }
 
-    /// What shells about a place hold, which is not negative.
+    /// The volume that shells hold, which is not negative, and by which fraction it may be wrong.
     ///
     /// # Errors
     /// Those of [`Self::without`].
-    pub(crate) fn volume(mut self, about: DVec3) -> Result<MassProperties, GeomError> {
-        if self.values[0] < 0.0 {
-            self.values = self.values.map(|value| -value);
-        }
-        self.mass(about, [3.0, 4.0, 5.0]).ok_or_else(|| self.without("volume"))
+    pub(crate) fn amount_of_volume(&self) -> Result<(f64, f64), GeomError> {
+        let amount = self.flux().abs() / 3.0;
+        let is_known = 0.0 < amount && amount.is_finite();
+        if is_known { Ok((amount, self.relative_error)) } else { Err(self.without("volume")) }
     }
 
     /// Why they say nothing: they overflow, or there is nothing.
@@ -259,6 +319,19 @@ impl MassIntegral {
         } else {
             GeomError::Measure(MeasureError::TooLargeToMeasure { what })
         }
+    }
+}
+
+impl MassIntegral {
+    /// What shells about a place hold, which is not negative.
+    ///
+    /// # Errors
+    /// Those of [`Self::without`].
+    pub(crate) fn volume(mut self, about: DVec3) -> Result<MassProperties, GeomError> {
+        if self.values[0] < 0.0 {
+            self.values = self.values.map(|value| -value);
+        }
+        self.mass(about, [3.0, 4.0, 5.0]).ok_or_else(|| self.without("volume"))
     }
 
     /// What they say, each order of moments divided by its own number; `None` of nothing.

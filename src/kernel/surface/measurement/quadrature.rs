@@ -33,8 +33,8 @@ const LATE_CUTS: usize = SURFACE_CUTS / 4;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct IntegralValues<const N: usize> {
     pub(crate) values: [f64; N],
-    /// What is known of the error, as a fraction of the integral of the absolute values; the
-    /// largest of all quantities.
+    /// What is known of the error, as a fraction of the integral of the absolute values, of the largest quantity of
+    /// a kind; the largest of all kinds.
     pub(crate) relative_error: f64,
 }
 
@@ -149,15 +149,20 @@ impl QuadratureMap for Surface {
     }
 }
 
+/// For each of several quantities the number of its kind. Quantities of a kind are known as well as the largest
+/// of them: of the three moments of a plate, that across it may be nothing but rounding.
+pub(crate) type QuantityKinds<const N: usize> = [usize; N];
+
 /// The integral over du·dv of quantities that depend on a point and on Su × Sv.
 ///
 /// # Errors
 /// As [`Surface::point_at`].
-pub(in crate::surface) fn integral<const N: usize>(
+pub(crate) fn integral<const N: usize>(
     surface: &Surface,
+    kinds: QuantityKinds<N>,
     density: impl Fn(DVec3, DVec3) -> [f64; N],
 ) -> Result<IntegralValues<N>, GeomError> {
-    integral_over(&parts(surface), density)
+    integral_over(&parts(surface), kinds, density)
 }
 
 /// The integral over all of some maps.
@@ -166,6 +171,7 @@ pub(in crate::surface) fn integral<const N: usize>(
 /// As [`QuadratureMap::at`].
 pub(crate) fn integral_over<const N: usize, M: QuadratureMap>(
     parts: &[M],
+    kinds: QuantityKinds<N>,
     density: impl Fn(DVec3, DVec3) -> [f64; N],
 ) -> Result<IntegralValues<N>, GeomError> {
     let rule = |cell: QuadratureCell| quadrature(&parts[cell.part], cell, &density);
@@ -187,9 +193,11 @@ pub(crate) fn integral_over<const N: usize, M: QuadratureMap>(
         let of_all = |f: &dyn Fn(&IntegratedCell<N>, usize) -> f64| -> [f64; N] {
             std::array::from_fn(|i| all.iter().map(|known| f(known, i)).sum())
         };
-        let sizes = of_all(&|known, i| known.absolute[i]);
+        let alone = of_all(&|known, i| known.absolute[i]);
+        let of_kind = |i: usize| (0..N).filter(move |&k| kinds[k] == kinds[i]);
+        let sizes = std::array::from_fn(|i| of_kind(i).map(|k| alone[k]).fold(0.0, f64::max));
         let changes = of_all(&IntegratedCell::change);
-        let allowed = sizes.map(|size| QUADRATURE_RELATIVE * size + f64::MIN_POSITIVE);
+        let allowed = sizes.map(|size: f64| QUADRATURE_RELATIVE * size + f64::MIN_POSITIVE);
         let is_done = (0..N).all(|i| changes[i] <= allowed[i]);
         let urgency = |i: &usize| all[*i].urgency(allowed);
         let worst = (0..all.len()).max_by(|i, k| urgency(i).total_cmp(&urgency(k)));

@@ -33,7 +33,7 @@ use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
         Face, FaceError, GeomError, Jet, MassProperties, ShellError, Surface, SurfaceIntegral,
-        VariedSurface, area_mass,
+        VariedSurface, area_mass, signed_volume,
         tolerance::{ACCURACY_WORTH_HAVING, ACCURACY_WORTH_TELLING},
         volume_mass,
     },
@@ -106,6 +106,17 @@ impl Surfaces {
             Some(surfaces) => volume_mass(&surfaces, ctx.tolerance),
             None => Face::enclosed_mass(&self.faces(span, ctx)?, ctx.tolerance),
         })
+    }
+
+    /// How much they enclose, and by which fraction that may be wrong.
+    fn volume(&self, span: Span, ctx: &Ctx<'_>) -> Result<(f64, f64)> {
+        match self.whole() {
+            Some(surfaces) => {
+                let found = signed_volume(&surfaces, ctx.tolerance).at(span)?;
+                Ok((found.amount, found.relative_error))
+            }
+            None => Face::enclosed_volume(&self.faces(span, ctx)?, ctx.tolerance).at(span),
+        }
     }
 
     fn faces(&self, span: Span, ctx: &Ctx<'_>) -> Result<Vec<Face>> {

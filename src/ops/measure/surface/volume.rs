@@ -3,7 +3,7 @@
 use super::{RealSurfaces, tell_accuracy};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Surface, VariedSurface, signed_volume_mass, stay_closed},
+    kernel::{SignedVolume, Surface, VariedSurface, signed_volume, stay_closed},
     value::{At, Ctx, LengthPower, Real, Volume, op},
 };
 
@@ -31,9 +31,9 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Volume<Real>> {
     if surfaces.vary() {
         return varying(&surfaces, span, ctx).map(LengthPower);
     }
-    let mass = surfaces.plain.volume_mass(span, ctx)?.at(span)?;
-    tell_accuracy("volume", mass.relative_error, ctx)?;
-    Ok(LengthPower(Real::Plain(mass.amount)))
+    let (amount, relative_error) = surfaces.plain.volume(span, ctx)?;
+    tell_accuracy("volume", relative_error, ctx)?;
+    Ok(LengthPower(Real::Plain(amount)))
 }
 
 /// The volume with the slopes that the fluxes through its surfaces have, as long as they stay closed.
@@ -44,8 +44,9 @@ fn varying(surfaces: &RealSurfaces, span: Span, ctx: &mut Ctx<'_>) -> Result<Rea
             .hint("surfaces that close by themselves have one")
             .fail();
     };
-    let (mass, (about, signs)) = signed_volume_mass(&whole, ctx.tolerance).at(span)?;
-    tell_accuracy("volume", mass.relative_error, ctx)?;
+    let SignedVolume { amount, relative_error, about, signs } =
+        signed_volume(&whole, ctx.tolerance).at(span)?;
+    tell_accuracy("volume", relative_error, ctx)?;
     let varied = surfaces.real.iter().map(|surface| surface.real().varied());
     let varied: Vec<(Surface, Option<&VariedSurface>)> = whole.into_iter().zip(varied).collect();
     if !stay_closed(&varied, ctx.tolerance).at(span)? {
@@ -60,5 +61,5 @@ fn varying(surfaces: &RealSurfaces, span: Span, ctx: &mut Ctx<'_>) -> Result<Rea
         found.slopes.iter_mut().for_each(|slope| *slope *= signs[idx]);
         Ok(found)
     };
-    surfaces.with_slopes(mass.amount, "volume", ctx, slopes)
+    surfaces.with_slopes(amount, "volume", ctx, slopes)
 }
