@@ -6,7 +6,7 @@ use glam::{DVec3, DVec4};
 use super::{ExportError, Item, Job, Subject, shape::size};
 use crate::kernel::{
     Curve, Direction, Face, FaceEdge, GeomError, Interval, KnotVector, NurbsCurve, NurbsSurface,
-    Surface, Tolerance, tolerance::PATH_RELATIVE,
+    Solid, SolidBody, SolidTopology, Surface, Tolerance, tolerance::PATH_RELATIVE,
 };
 
 /// Rounds of halving spans until all weights are positive: the weights of halved pieces near the
@@ -80,6 +80,36 @@ fn face_parts(item: &Item, face: &Face, job: &Job) -> Result<Vec<Exact>, ExportE
         _ => None,
     });
     Ok(carrier.collect())
+}
+
+/// A solid by splines of the same forms.
+pub(super) struct ExactSolid {
+    /// The surface of each face.
+    pub(super) carriers: Vec<NurbsSurface>,
+    pub(super) topology: SolidTopology,
+    pub(super) bodies: Vec<SolidBody>,
+}
+
+pub(super) fn exact_solid(
+    item: &Item,
+    solid: &Solid,
+    job: &Job,
+) -> Result<ExactSolid, ExportError> {
+    let blame = |source: GeomError| ExportError::Geometry { name: item.name.clone(), source };
+    let mut topology = solid.topology(tolerance_of(job)).map_err(blame)?;
+    for edge in &mut topology.edges {
+        edge.curve = with_positive_weights(item, edge.curve.clamped())?;
+    }
+    let mut carriers = Vec::with_capacity(solid.faces().len());
+    for face in solid.faces() {
+        // A face has no jumps: there is one.
+        let carrier = surfaces(item, face.surface())?.into_iter();
+        carriers.extend(carrier.take(1).filter_map(|part| match part {
+            Exact::Surface(surface) => Some(surface),
+            _ => None,
+        }));
+    }
+    Ok(ExactSolid { carriers, topology, bodies: solid.bodies().map_err(blame)? })
 }
 
 /// The tolerance of the document.

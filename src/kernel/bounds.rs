@@ -69,6 +69,12 @@ impl Bounds {
         self.size().length()
     }
 
+    /// How far a point is from it; 0 inside.
+    #[must_use]
+    pub fn distance(self, point: DVec3) -> f64 {
+        (self.min - point).max(point - self.max).max(DVec3::ZERO).length()
+    }
+
     /// The largest coordinate by absolute value: what rounding is relative to.
     #[must_use]
     pub fn magnitude(self) -> f64 {

@@ -23,7 +23,7 @@ const SURFACE: &[&str] = &[
 const MESH: &[&str] = &["vertices", "triangles", "faces", "normals", "uvs", "colors", "groups"];
 const REGION: &[&str] = &["outer", "holes", "plane"];
 const FACE: &[&str] = &["surface", "loops", "edges"];
-const SOLID: &[&str] = &["faces", "shells"];
+const SOLID: &[&str] = &["faces", "shells", "edges", "vertices"];
 const FRAME: &[&str] = &["origin", "x", "y", "z"];
 const CURVE_FRAME: &[&str] = &["origin", "x", "y", "z", "tangent", "normal", "binormal"];
 
@@ -60,6 +60,7 @@ pub fn field(value: &Value, name: &str, tolerance: Tolerance) -> Result<Option<V
         }
         Value::Region(region) => region_field(region, name),
         Value::Face(face) => face_field(face, name, tolerance),
+        Value::Solid(solid) => solid_field(solid, name, tolerance),
         _ => Ok(plain_field(value, name)),
     }
 }
@@ -78,7 +79,6 @@ fn plain_field(value: &Value, name: &str) -> Option<Value> {
         (Value::JetRange(range), "start") => range.start.clone().into_value(),
         (Value::JetRange(range), "end") => range.end.clone().into_value(),
         (Value::Record(record), _) => record.get(name)?.clone(),
-        (Value::Solid(solid), _) => return solid_field(solid, name),
         (Value::Mesh(mesh), _) => return mesh_field(mesh, name),
         (Value::Table(table), _) => column(table, name)?,
         (Value::Frame(frame), "origin") => Value::Point(frame.origin()),
@@ -170,16 +170,22 @@ fn face_field(face: &Face, name: &str, tolerance: Tolerance) -> Result<Option<Va
     }))
 }
 
-fn solid_field(solid: &Solid, name: &str) -> Option<Value> {
+fn solid_field(
+    solid: &Solid,
+    name: &str,
+    tolerance: Tolerance,
+) -> Result<Option<Value>, GeomError> {
     let faces = |faces: &[&Face]| {
         let face = |&face: &&Face| Value::Face(Arc::new(face.clone()));
         Value::list(faces.iter().map(face).collect())
     };
-    Some(match name {
+    Ok(Some(match name {
         "faces" => faces(&solid.faces().iter().collect::<Vec<_>>()),
         "shells" => Value::list(solid.shells().map(|shell| faces(&shell)).collect()),
-        _ => return None,
-    })
+        "edges" => solid.edges(tolerance)?.into_value(),
+        "vertices" => points(&solid.vertices(tolerance)?),
+        _ => return Ok(None),
+    }))
 }
 
 fn mesh_field(mesh: &crate::kernel::Mesh, name: &str) -> Option<Value> {

@@ -7,7 +7,7 @@ use std::{
 
 use virote_kernel::{
     Axis, CircleForm, Cutter, Face, FaceError, Frame, GeomError, NurbsCurve, NurbsSurface, Region,
-    Solid, SolidError, TessellationOptions, Tolerance,
+    RegionSide, Solid, SolidError, TessellationOptions, Tolerance,
     glam::{DAffine3, DMat3, DVec3},
 };
 
@@ -298,5 +298,87 @@ fn a_sieve_is_cut_through_its_holes() {
         let ([below, _], area) = cut(&solid, at(height));
         assert!((below - disc * height).abs() < off, "{height}: {below} for {}", disc * height);
         assert!((area - disc).abs() < off, "{height}: {area} for {disc}");
+    }
+}
+
+/// As many handles as the mesh has, and as counted; a place is inside as the closed form says.
+#[test]
+fn edges_tell_the_genus_and_nearest_faces_the_inside() {
+    let pipe =
+        |radius: f64| whole(NurbsSurface::cone(Frame::XY, [radius; 2], 3.0).expect("a pipe"));
+    let tube = Solid::capped(&[pipe(2.0), pipe(1.0)], TOLERANCE).expect("a tube");
+    let plate = Solid::extruded(&sieve(3), DVec3::new(0.3, 0.0, 1.0), TOLERANCE).expect("a plate");
+    let nested = [ball(DVec3::ZERO, 3.0), ball(DVec3::ZERO, 1.0)];
+    let nested = Solid::new(&nested, TOLERANCE).expect("a hollow ball");
+    let tilted = Frame::from_normal(DVec3::Y * 0.2, DVec3::new(0.3, 0.1, 1.0), None);
+    let half = tube.cut(tilted.expect("a plane").at(DVec3::Z * 1.5), TOLERANCE).expect("halves");
+    let half = half.below.expect("a part");
+    for (solid, genus) in [(&tube, 1), (&plate, 9), (&nested, 0), (&half, 1)] {
+        let found = solid.topology(TOLERANCE).expect("edges");
+        assert_eq!(found.genus(), genus);
+        let mesh = solid.mesh(&TessellationOptions::within(1e-2), 1_000_000).expect("a mesh");
+        let n_shells = solid.shells().count() as i64;
+        assert_eq!(mesh.check(TOLERANCE).euler, 2 * (n_shells - genus));
+    }
+    for (solid, edges) in [(&tube, 4), (&plate, 12 + 18), (&nested, 0)] {
+        assert_eq!(solid.edges(TOLERANCE).expect("edges").len(), edges);
+    }
+    let in_tube = |p: DVec3| {
+        let radius = libm::sqrt(p.x * p.x + p.y * p.y);
+        (1.0..2.0).contains(&radius) && (0.0..3.0).contains(&p.z)
+    };
+    let in_ball = |p: DVec3| (1.0..3.0).contains(&p.length());
+    for i in 0..200 {
+        let at = |k: f64| 4.4 * (libm::fmod(k * f64::from(i), 1.0) - 0.5);
+        let p = DVec3::new(at(0.754_877_666), at(0.569_840_291), 0.5 * at(0.618_033_989) + 1.5);
+        for (solid, is_inside) in [(&tube, in_tube(p)), (&nested, in_ball(p))] {
+            let found = solid.side_of(p, TOLERANCE).expect("a side");
+            let expected = if is_inside { RegionSide::Inside } else { RegionSide::Outside };
+            assert_eq!(found, expected, "{p}");
+        }
+    }
+    // Beside a rim, an edge and a corner.
+    for off in [1e-5, -1e-5] {
+        let rim = DVec3::new(2.0 + off, 0.0, 3.0 + 0.3 * off);
+        let rim = tube.side_of(rim, TOLERANCE).expect("a side");
+        let corner = plate.side_of(DVec3::new(-off, -off, -off), TOLERANCE).expect("a side");
+        let expected = if off < 0.0 { RegionSide::Inside } else { RegionSide::Outside };
+        assert_eq!((rim, corner), (expected, expected), "{off}");
+    }
+}
+
+/// `VIROTE_ORIENTATIONS` says how many placements are tried.
+#[test]
+fn placing_makes_no_difference_to_cuts() {
+    let n: u32 = std::env::var("VIROTE_ORIENTATIONS").map_or(6, |n| n.parse().expect("a number"));
+    let pipe =
+        |radius: f64| whole(NurbsSurface::cone(Frame::XY, [radius; 2], 3.0).expect("a pipe"));
+    let tube = Solid::capped(&[pipe(2.0), pipe(1.0)], TOLERANCE).expect("a tube");
+    let plate = Solid::extruded(&sieve(2), DVec3::new(0.3, 0.0, 1.0), TOLERANCE).expect("a plate");
+    let plane = |origin: DVec3, normal: DVec3| Frame::from_normal(origin, normal, None);
+    // Through the axis, and through the middle, half is on either side.
+    let cases = [
+        (&tube, DVec3::Z * 1.5, DVec3::new(0.3, 0.1, 1.0)),
+        (&tube, DVec3::ZERO, DVec3::new(0.6, 0.8, 0.0)),
+        (&plate, DVec3::new(1.15, 1.0, 0.5), DVec3::new(1.0, 0.4, 0.2)),
+        (&plate, DVec3::new(1.15, 1.0, 0.5), DVec3::Z),
+    ];
+    for i in 0..n {
+        let at = |k: f64| 2.0 * libm::fmod(k * f64::from(i + 1), 1.0) - 1.0;
+        let axis = DVec3::new(at(0.754_877_666), at(0.569_840_291), at(0.618_033_989)).normalize();
+        let scale = [1e-3, 1.0, 1e3][i as usize % 3];
+        let map = DAffine3::from_translation(5.0 * scale * axis.cross(DVec3::X))
+            * DAffine3::from_axis_angle(axis, f64::from(i))
+            * DAffine3::from_scale(DVec3::splat(scale));
+        for (number, (solid, origin, normal)) in cases.into_iter().enumerate() {
+            let whole = solid.volume_mass().expect("a volume").amount * cube(scale);
+            let solid = solid.transformed(&map).expect("an image");
+            let plane = plane(map.transform_point3(origin), map.transform_vector3(normal));
+            let ([below, above], _) = cut(&solid, plane.expect("a plane"));
+            let off = TOLERANCE.distance * solid.area_mass().expect("an area").amount;
+            for side in [below, above] {
+                assert!((side - 0.5 * whole).abs() < off, "{i}, {number}: {side} of {whole}");
+            }
+        }
     }
 }

@@ -1,9 +1,10 @@
 //! STEP: exact curves and surfaces, in the document's unit, with names, colours and layers.
 //!
 //! ISO 10303-214 (AP214), a part for each definition: surfaces as faces of open shells, whose edges
-//! are their border lines, parts of surfaces as faces within their loops, curves and points as a set. What is a line, circle, plane, cylinder, cone,
+//! are their border lines, parts of surfaces as faces within their loops, solids as closed shells whose
+//! faces share their edges, curves and points as a set. What is a line, circle, plane, cylinder, cone,
 //! sphere or torus is written as that, all else as B-splines. `entity` writes records of
-//! ISO 10303-21, `shape` those of topology and B-splines, `face` parts of surfaces, `form` those of geometry with an equation
+//! ISO 10303-21, `shape` those of topology and B-splines, `face` parts of surfaces, `solid` bodies, `form` those of geometry with an equation
 //! (both ISO 10303-42), `style` colours and layers (ISO 10303-46).
 
 mod entity;
@@ -11,6 +12,7 @@ mod face;
 mod form;
 mod place;
 mod shape;
+mod solid;
 mod style;
 
 use std::io::Write;
@@ -118,8 +120,16 @@ impl StepDocument {
         looks: &mut style::StepPresentation,
         out: &mut dyn Write,
     ) -> Result<(), ExportError> {
-        let (mut models, mut set) = (Vec::new(), Vec::new());
+        let (mut models, mut solids, mut set) = (Vec::new(), Vec::new(), Vec::new());
         for item in members {
+            if let Subject::Solid(given) = &item.subject {
+                for (model, faces) in solid::models(item, given, job, file)? {
+                    looks.surface(item, &faces, model, file);
+                    solids.push(model);
+                }
+                file.text.flush_if_large(out)?;
+                continue;
+            }
             for part in exact(item, job)? {
                 match part {
                     Exact::Surface(surface) => {
@@ -150,6 +160,10 @@ impl StepDocument {
         if !models.is_empty() {
             models.insert(0, self.placement);
             self.product(name, "MANIFOLD_SURFACE_SHAPE_REPRESENTATION", &models, file);
+        }
+        if !solids.is_empty() {
+            solids.insert(0, self.placement);
+            self.product(name, "ADVANCED_BREP_SHAPE_REPRESENTATION", &solids, file);
         }
         if !set.is_empty() {
             let set = file.add(|r| {

@@ -229,14 +229,8 @@ impl FaceBound {
 impl BorderEdges {
     /// The edge along a line.
     pub(super) fn edge(&mut self, line: &NurbsCurve, file: &mut Records) -> Id {
-        let (from, to) = (self.vertex(line.start(), file), self.vertex(line.end(), file));
-        let basis = match line.analytic().filter(|found| is_whole(found) == (from == to)) {
-            Some(found) => form::unbounded("", &found, file),
-            None => spline("", line, file),
-        };
-        file.add(|r| {
-            r.text("EDGE_CURVE('',").id(from).text(",").id(to).text(",").id(basis).text(",.T.)");
-        })
+        let ends = [line.start(), line.end()].map(|end| self.vertex(end, file));
+        edge_curve(line, ends, file)
     }
 
     fn vertex(&mut self, at: DVec3, file: &mut Records) -> Id {
@@ -244,13 +238,28 @@ impl BorderEdges {
         if let Some(&(_, id)) = known {
             return id;
         }
-        let place = point("", at, file);
-        let id = file.add(|r| {
-            r.text("VERTEX_POINT('',").id(place).text(")");
-        });
+        let id = vertex(at, file);
         self.vertices.push((at, id));
         id
     }
+}
+
+/// An edge along a curve between two vertices.
+pub(super) fn edge_curve(curve: &NurbsCurve, [from, to]: [Id; 2], file: &mut Records) -> Id {
+    let basis = match curve.analytic().filter(|found| is_whole(found) == (from == to)) {
+        Some(found) => form::unbounded("", &found, file),
+        None => spline("", curve, file),
+    };
+    file.add(|r| {
+        r.text("EDGE_CURVE('',").id(from).text(",").id(to).text(",").id(basis).text(",.T.)");
+    })
+}
+
+pub(super) fn vertex(at: DVec3, file: &mut Records) -> Id {
+    let place = point("", at, file);
+    file.add(|r| {
+        r.text("VERTEX_POINT('',").id(place).text(")");
+    })
 }
 
 /// Whether it is all of a circle, which has one vertex.

@@ -1,7 +1,7 @@
 //! Solids cut by planes.
 
-use super::{Solid, SolidError};
-use crate::{Bounds, Face, Frame, GeomError, Region, Tolerance};
+use super::{Solid, SolidError, box_around};
+use crate::{Face, Frame, GeomError, Region, Tolerance};
 
 /// What is on both sides of a plane: below it, and above it, where its normal points.
 ///
@@ -37,9 +37,7 @@ impl Solid {
     /// [`SolidError::UncertainCut`] where they do not; those of [`crate::Face::split`] but for a plane that
     /// misses, and of [`Self::capped`].
     pub fn cut(&self, plane: Frame, tolerance: Tolerance) -> Result<CutSolid, GeomError> {
-        let boxes = self.faces.iter().map(|face| face.surface().bounds());
-        let size = boxes.reduce(Bounds::union).map_or(0.0, Bounds::diagonal);
-        let distance = tolerance.distance_for(size);
+        let distance = tolerance.distance_for(box_around(&self.faces).diagonal());
         let mut sides = [Vec::new(), Vec::new()];
         let mut has_face_within = false;
         for face in &self.faces {

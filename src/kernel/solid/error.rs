@@ -64,4 +64,13 @@ pub enum SolidError {
         few_digits(*missing), few_digits(*allowed)
     )]
     UncertainCut { missing: f64, allowed: f64 },
+    /// An edge that is not gone along by two faces from end to end.
+    #[error("the edge at {} has no other one along all of it, so that no faces share it", place(*point))]
+    UnmatchedEdge { point: DVec3 },
+    /// A place of which cannot be told whether it is inside.
+    #[error(
+        "whether {}, which is {} from the nearest face, is inside cannot be told",
+        place(*point), few_digits(*distance)
+    )]
+    UnclearSide { point: DVec3, distance: f64 },
 }

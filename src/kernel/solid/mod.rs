@@ -2,14 +2,17 @@
 //!
 //! This file has the type, its checking constructor and what can be read off it; `nesting` which shells lie in
 //! which, `cap` plane rims that are closed by plane faces, `cut` what is on both sides of a plane, `sweep` regions
-//! that are moved along a vector or about an axis, `mesh` triangles whose vertices neighbours share.
+//! that are moved along a vector or about an axis, `mesh` triangles whose vertices neighbours share, `topology` edges
+//! that they share, `place` where points are.
 
 mod cap;
 mod cut;
 mod error;
 mod mesh;
 mod nesting;
+mod place;
 mod sweep;
+mod topology;
 
 use glam::{DAffine3, DVec3};
 
@@ -21,6 +24,9 @@ use crate::{
 
 pub use cut::CutSolid;
 pub use error::SolidError;
+pub use nesting::SolidBody;
+pub use place::SolidClosestPoint;
+pub use topology::{SolidEdge, SolidTopology};
 
 /// What faces enclose that close: every place of every edge lies on one other edge.
 ///
@@ -70,8 +76,7 @@ impl Solid {
         let mut turns = vec![false; faces.len()];
         for shell in &shells {
             let numbers = shell.faces.iter().map(|&(face, _)| face);
-            let size = numbers.clone().map(|face| faces[face].surface().bounds());
-            let size = size.reduce(Bounds::union).map_or(0.0, Bounds::diagonal);
+            let size = box_around(numbers.clone().map(|face| &faces[face])).diagonal();
             let distance = tolerance.distance_for(size);
             let area: f64 = numbers.map(|face| areas[face]).sum();
             // A sheet with two sides is as thick as twice its volume is to its area.
@@ -164,8 +169,13 @@ impl Solid {
     }
 }
 
+/// The box around the surfaces of faces.
+fn box_around<'f>(faces: impl IntoIterator<Item = &'f Face>) -> Bounds {
+    let boxes = faces.into_iter().map(|face| face.surface().bounds());
+    boxes.reduce(Bounds::union).unwrap_or(Bounds { min: DVec3::ZERO, max: DVec3::ZERO })
+}
+
 /// The middle of the surfaces of faces, about which integrals cancel least.
 fn middle(faces: &[Face]) -> DVec3 {
-    let boxes = faces.iter().map(|face| face.surface().bounds());
-    boxes.reduce(Bounds::union).map_or(DVec3::ZERO, Bounds::center)
+    box_around(faces).center()
 }

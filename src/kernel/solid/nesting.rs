@@ -7,34 +7,79 @@ use std::{f64::consts::PI, sync::Arc};
 
 use glam::DVec3;
 
-use super::{Solid, SolidError};
+use super::{Solid, SolidError, box_around};
 use crate::{
     Bounds, Face, GeomError, Surface, Tolerance, frame::norm, tolerance::WHOLE_TURN_SLACK,
 };
 
+/// A body of a solid, by the numbers of its faces: a shell, and the voids directly within it.
+///
+/// ```
+/// use std::sync::Arc;
+/// use virote_kernel::{Face, Frame, NurbsSurface, Solid, Tolerance};
+///
+/// let ball = |radius: f64| Face::whole(Arc::new(NurbsSurface::sphere(Frame::XY, radius)?), Tolerance::DEFAULT);
+/// let nested = Solid::new(&[ball(1.0)?, ball(3.0)?, ball(2.0)?], Tolerance::DEFAULT)?;
+/// let bodies = nested.bodies()?;
+/// assert_eq!((&bodies[0].outer[..], bodies[0].voids.len()), (&[0][..], 0));
+/// assert_eq!((&bodies[1].outer[..], &bodies[1].voids[..]), (&[1][..], &[vec![2]][..]));
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SolidBody {
+    /// The faces around it.
+    pub outer: Vec<usize>,
+    /// The faces of each void.
+    pub voids: Vec<Vec<usize>>,
+}
+
 impl Solid {
+    /// Its bodies: each shell that is no void, with the voids within it.
+    ///
+    /// # Errors
+    /// [`SolidError::UnclearNesting`]; `GeomError::Ended`.
+    pub fn bodies(&self) -> Result<Vec<SolidBody>, GeomError> {
+        let around = self.surrounding()?;
+        let mut bodies = Vec::new();
+        for (shell, own) in around.iter().enumerate().filter(|(_, own)| own.len() % 2 == 0) {
+            // A void is within one shell more, and that is this one.
+            let is_void =
+                |others: &Vec<usize>| others.len() == own.len() + 1 && others.contains(&shell);
+            let voids = (0..around.len()).filter(|&other| is_void(&around[other]));
+            let voids = voids.map(|other| self.shells[other].clone()).collect();
+            bodies.push(SolidBody { outer: self.shells[shell].clone(), voids });
+        }
+        Ok(bodies)
+    }
+
     /// The shells that lie in an odd number of others.
     ///
     /// # Errors
     /// [`SolidError::ShellsMeet`], [`SolidError::UnclearNesting`]; those of [`Surface::intersections`].
     pub(super) fn voids(&self, tolerance: Tolerance) -> Result<Vec<usize>, GeomError> {
-        let boxes: Vec<Bounds> = self.shells().map(|shell| box_of(&shell)).collect();
-        let mut voids = Vec::new();
-        for (i, own) in boxes.iter().enumerate() {
-            let mut n_around = 0;
-            for (j, other) in boxes.iter().enumerate().filter(|&(j, _)| j != i) {
-                if i < j {
-                    self.check_apart([i, j], tolerance)?;
-                }
-                if holds(*other, *own) && self.is_within(i, j)? {
-                    n_around += 1;
-                }
-            }
-            if n_around % 2 == 1 {
-                voids.push(i);
+        for i in 0..self.shells.len() {
+            for j in i + 1..self.shells.len() {
+                self.check_apart([i, j], tolerance)?;
             }
         }
-        Ok(voids)
+        let around = self.surrounding()?.into_iter().enumerate();
+        Ok(around.filter(|(_, own)| own.len() % 2 == 1).map(|(shell, _)| shell).collect())
+    }
+
+    /// For each shell those around it.
+    fn surrounding(&self) -> Result<Vec<Vec<usize>>, GeomError> {
+        let boxes: Vec<Bounds> = self.shells().map(box_around).collect();
+        let mut all = Vec::with_capacity(boxes.len());
+        for (i, own) in boxes.iter().enumerate() {
+            let mut around = Vec::new();
+            for (j, other) in boxes.iter().enumerate().filter(|&(j, _)| j != i) {
+                if holds(*other, *own) && self.is_within(i, j)? {
+                    around.push(j);
+                }
+            }
+            all.push(around);
+        }
+        Ok(all)
     }
 
     /// # Errors
@@ -67,12 +112,6 @@ impl Solid {
         }
         Err(SolidError::UnclearNesting { point }.into())
     }
-}
-
-fn box_of(faces: &[&Face]) -> Bounds {
-    let boxes = faces.iter().map(|face| face.surface().bounds());
-    let Some(whole) = boxes.reduce(Bounds::union) else { unreachable!("a shell has faces") };
-    whole
 }
 
 /// Whether a box holds another one.

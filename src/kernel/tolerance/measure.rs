@@ -78,3 +78,9 @@ pub(crate) const EXTREMUM_RELATIVE: f64 = 1e-13;
 ///
 /// Larger takes a place next to the shell for one inside or outside; smaller refuses what quadrature can tell.
 pub(crate) const WHOLE_TURN_SLACK: f64 = 1e-3;
+
+/// The way from its nearest point on a face to a place is at right angles to the face, when its cosine with the normal is
+/// this near to 1.
+///
+/// Larger takes what is beside an edge for what is above a face; smaller sums solid angles where a normal would do.
+pub(crate) const STRAIGHT_SLACK: f64 = 1e-9;

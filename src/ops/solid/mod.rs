@@ -2,8 +2,12 @@
 
 mod area;
 mod centroid;
+mod closest;
+mod contains;
 mod cut;
+mod edges;
 mod extrude;
+mod genus;
 mod inertia;
 mod of_faces;
 mod revolve;
@@ -29,6 +33,10 @@ pub(super) static OPS: &[&Op] = &[
     &area::OP,
     &centroid::OP,
     &inertia::OP,
+    &contains::OP,
+    &closest::OP,
+    &edges::OP,
+    &genus::OP,
 ];
 
 /// The solid that is asked about.

@@ -78,6 +78,8 @@ const fn of_solid(error: &SolidError) -> Code {
         SolidError::PointOnAxis { .. } | SolidError::ShellsMeet { .. } => Code::NotManifold,
         SolidError::Thin { .. }
         | SolidError::UnclearNesting { .. }
+        | SolidError::UnmatchedEdge { .. }
+        | SolidError::UnclearSide { .. }
         | SolidError::UncertainCut { .. } => Code::WithinTolerance,
         SolidError::UnevenRim { .. } | SolidError::OpenRim { .. } => Code::OpenShell,
     }

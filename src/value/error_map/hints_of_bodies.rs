@@ -59,6 +59,12 @@ pub(super) fn of_solid(error: &SolidError) -> String {
         SolidError::UnevenRim { .. } => {
             "close it by a surface of its own, `coons` for one, and give that too"
         }
+        SolidError::UnmatchedEdge { .. } => {
+            "let the edges of neighbours be the same curves, or state a smaller `tolerance` at the top of the script"
+        }
+        SolidError::UnclearSide { .. } => {
+            "ask about a point that is further from edges and corners"
+        }
         SolidError::UncertainCut { .. } => "move the plane by more than the tolerance",
         SolidError::OpenRim { .. } => "give the surfaces that are missing; `cap` closes whole rims",
     };
