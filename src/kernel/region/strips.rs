@@ -126,6 +126,8 @@ impl Region {
         pieces: &[Arc<RisingPiece>],
         heights: &[f64],
     ) -> Result<Vec<RegionStrip>, GeomError> {
+        // Where borders meet they may miss one another by the tolerance, and change places before they end.
+        let slack = Tolerance::DEFAULT.distance_for(self.bounds().diagonal());
         let mut strips: Vec<RegionStrip> = Vec::new();
         // The strips that go on, by their sides.
         let mut open: BTreeMap<[usize; 2], usize> = BTreeMap::new();
@@ -146,14 +148,13 @@ impl Region {
                 active.iter().map(|&piece| (pieces[piece].x_at(middle), piece)).collect();
             crossed.sort_by(|a, b| a.0.total_cmp(&b.0));
             let mut going_on = BTreeMap::new();
-            for sides in crossed.chunks(2) {
-                let is_inside =
-                    matches!(sides, [a, b] if pieces[a.1].is_left && !pieces[b.1].is_left);
-                if !is_inside {
-                    let point = self.frame.point(DVec3::new(sides[0].0, middle, 0.0));
-                    return Err(RegionError::Unclear { point }.into());
-                }
-                let key = [sides[0].1, sides[1].1];
+            let is_low = high - low <= slack;
+            let Some(pairs) = pairs(pieces, &crossed, is_low) else {
+                let x = crossed.first().map_or(0.0, |crossing| crossing.0);
+                let point = self.frame.point(DVec3::new(x, middle, 0.0));
+                return Err(RegionError::Unclear { point }.into());
+            };
+            for key in pairs {
                 let number = match open.get(&key) {
                     Some(&number) => {
                         let across = Interval::new(strips[number].across.start(), high)?;
@@ -172,6 +173,33 @@ impl Region {
         }
         Ok(strips)
     }
+}
+
+/// The pieces on either side of what is inside, of those that are crossed from the left to the right; none where they
+/// do not take turns, unless that is allowed and as many lead in as out.
+fn pairs(
+    pieces: &[Arc<RisingPiece>],
+    crossed: &[(f64, usize)],
+    may_change_places: bool,
+) -> Option<Vec<[usize; 2]>> {
+    let (mut found, mut depth, mut start) = (Vec::new(), 0_i32, 0);
+    for &(_, piece) in crossed {
+        if pieces[piece].is_left {
+            depth += 1;
+            if depth == 1 {
+                start = piece;
+            }
+        } else {
+            if depth == 1 {
+                found.push([start, piece]);
+            }
+            depth -= 1;
+        }
+        if !may_change_places && !(0..=1).contains(&depth) {
+            return None;
+        }
+    }
+    (depth == 0).then_some(found)
 }
 
 /// The pieces of an arc along which y grows or falls.
