@@ -85,6 +85,7 @@ __all__ = [
     "curvature_map",
     "curvature_table",
     "cusps",
+    "cut",
     "cylinder",
     "de_casteljau",
     "decompose",
@@ -119,6 +120,7 @@ __all__ = [
     "frame",
     "frame_of",
     "gaussian",
+    "genus",
     "gordon",
     "gradient",
     "greville",
@@ -951,6 +953,14 @@ def closest(*args: Any, f: Any = None, p: Any = None, c: Any = None, s: Any = No
     :param p: The point.
 
     In scripts: ``closest(r: region, p: point) -> record``
+
+    Nearest point of the faces of a solid to a point, as `{face, point, distance}`; `face` is its number among `s.faces`.
+
+    Also from inside it is that of the skin: `contains` tells on which side a point is. Of faces that are equally near the first.
+    :param s: The solid.
+    :param p: The point.
+
+    In scripts: ``closest(s: solid, p: point) -> record``
     """
     return _called("closest", args, {"f": f, "p": p, "c": c, "s": s, "r": r})  # type: ignore[no-any-return]
 
@@ -1027,7 +1037,7 @@ def conic_kind(c: Curve) -> Any:
     return _called("conic_kind", (), {"c": c})
 
 
-def contains(*args: Any, f: Any = None, p: Any = None, r: Any = None, list: Any = None, element: Any = None, text: Any = None, part: Any = None) -> Any:
+def contains(*args: Any, f: Any = None, p: Any = None, r: Any = None, s: Any = None, list: Any = None, element: Any = None, text: Any = None, part: Any = None) -> Any:
     """Where a point is: `"inside"`, `"outside"`, or on the `"border"` of a face, which is as wide as the
     document's tolerance on either side. A point further than the tolerance from the surface is outside.
 
@@ -1043,6 +1053,13 @@ def contains(*args: Any, f: Any = None, p: Any = None, r: Any = None, list: Any 
 
     In scripts: ``contains(r: region, p: point) -> "inside" | "outside" | "border"``
 
+    Where a point is: `"inside"`, `"outside"`, or on the `"border"` of a solid, which is as wide as the document's
+    tolerance on either side of its faces. What is in a void is outside.
+    :param s: The solid.
+    :param p: The point.
+
+    In scripts: ``contains(s: solid, p: point) -> "inside" | "outside" | "border"``
+
     Whether a value is among the elements of a list, equal as `==` says.
     :param list: The list; a range of whole numbers counts as one.
     :param element: The value.
@@ -1055,7 +1072,7 @@ def contains(*args: Any, f: Any = None, p: Any = None, r: Any = None, list: Any 
 
     In scripts: ``contains(text: string, part: string) -> bool``
     """
-    return _called("contains", args, {"f": f, "p": p, "r": r, "list": list, "element": element, "text": text, "part": part})
+    return _called("contains", args, {"f": f, "p": p, "r": r, "s": s, "list": list, "element": element, "text": text, "part": part})
 
 
 def continue_bezier(*args: Any, c: Any = None, order: Any = None, points: Any = None, s: Any = None, side: Any = None, net: Any = None) -> Any:
@@ -1487,6 +1504,22 @@ def cusps(c: Curve) -> Any:
     return _called("cusps", (), {"c": c})
 
 
+def cut(s: Solid, plane: Frame, *, keep: str | None = None) -> Any:
+    """The part of a solid on one side of a plane, closed by plane faces; `none` where there is nothing.
+
+    Above is where the plane's normal points. Its faces are the parts of the solid's faces there, then the plane ones. Where the side
+    falls apart, it is one solid of several shells. Both sides are made, and their volumes must come to the whole. What the plane has of
+    the solid is `section(s, plane)`.
+
+    :param s: The solid.
+    :param plane: The plane.
+    :param keep: Which side stays. Default: ``"below"``.
+
+    In scripts: ``cut(s: solid, plane: plane, keep: "below" | "above" = "below") -> solid | none``
+    """
+    return _called("cut", (), {"s": s, "plane": plane, "keep": keep})
+
+
 def cylinder(base: PointLike, radius: Quantity, height: Quantity, *, axis: PointLike | None = None) -> Surface:
     """Exact wall of a circular cylinder as a rational surface on 0..1 in both directions, without
     its ends.
@@ -1652,7 +1685,7 @@ def difference(*args: Any, regions: Any = None, meshes: Any = None) -> Any:
     return _called("difference", args, {"regions": regions, "meshes": meshes})
 
 
-def disc(plane: Frame, radius: Quantity) -> Surface:
+def disc(*args: Any, plane: Any = None, radius: Any = None, center: Any = None, normal: Any = None) -> Surface:
     """Flat round part of a plane about its origin, as an exact rational surface on 0..1 in both
     directions.
 
@@ -1663,8 +1696,18 @@ def disc(plane: Frame, radius: Quantity) -> Surface:
     :param radius: The radius, positive.
 
     In scripts: ``disc(plane: plane, radius: length) -> surface``
+
+    Flat round surface about a point, as an exact rational surface on 0..1 in both directions.
+
+    u goes around counter-clockwise about the normal from where a `circle` of that normal starts, v from the
+    rim to the centre, so that Su × Sv is the normal.
+    :param center: Its centre.
+    :param radius: Its radius, positive.
+    :param normal: The direction that it faces. Default: ``(0, 0, 1)``.
+
+    In scripts: ``disc(center: point, radius: length, normal: point = (0, 0, 1)) -> surface``
     """
-    return _called("disc", (), {"plane": plane, "radius": radius})  # type: ignore[no-any-return]
+    return _called("disc", args, {"plane": plane, "radius": radius, "center": center, "normal": normal})  # type: ignore[no-any-return]
 
 
 def distance(a: PointLike, b: PointLike) -> float:
@@ -1748,6 +1791,14 @@ def edges(*args: Any, s: Any = None, f: Any = None) -> Any:
     :param f: The face.
 
     In scripts: ``edges(f: face) -> list of curves``
+
+    The edges that faces of a solid have in common, each once, from vertex to vertex.
+
+    Where three faces meet edges end, and where an edge of one of them does. A seam over which one face goes is no edge. Along lines of
+    constant parameters, and on planes, edges are exact; elsewhere splines within an eighth of the document's tolerance.
+    :param s: The solid.
+
+    In scripts: ``edges(s: solid) -> list of curves``
     """
     return _called("edges", args, {"s": s, "f": f})
 
@@ -2092,6 +2143,19 @@ def gaussian(s: Any, u: float, v: float) -> float:
     return _called("gaussian", (), {"s": s, "u": u, "v": v})  # type: ignore[no-any-return]
 
 
+def genus(s: Solid) -> float:
+    """How many handles a solid has, all of its shells together: 0 of a ball, 1 of a ring, and as many as there are holes of a plate with
+    holes.
+
+    By Euler and Poincaré, from the number of vertices, edges and faces.
+
+    :param s: The solid.
+
+    In scripts: ``genus(s: solid) -> integer``
+    """
+    return _called("genus", (), {"s": s})  # type: ignore[no-any-return]
+
+
 def gordon(u: Sequence[Curve], v: Sequence[Curve], *, at_u: Any = None, at_v: Any = None, blend: str | None = None, tolerance: Quantity | None = None) -> Surface:
     """Surface through a network of curves, those along u and those along v.
 
@@ -2342,22 +2406,29 @@ def insert_knot(*args: Any, c: Any = None, t: Any = None, times: Any = None, s: 
     return _called("insert_knot", args, {"c": c, "t": t, "times": times, "s": s, "u": u, "v": v})
 
 
-def integrate(f: FunctionLike, over: Any, *, tolerance: Quantity | None = None) -> Any:
+def integrate(f: FunctionLike, over: Any, *, tolerance: Quantity | None = None, report: bool | None = None) -> Any:
     """Integral of a function over a range; or over a box of two or three ranges, the length of a curve, the area
-    of a surface, or several of these together. Of numbers it is a number, of points a point.
+    of a region, a face or a surface, or several curves or several areas together. Of numbers it is a number,
+    of points a point.
 
     It is known to thirteen digits of the integral of the function's size, or within `tolerance`; over boxes
-    and surfaces to twelve. Ends of ranges are never asked for, so that a function may grow without bound
-    there; an integral that has no finite value, or does not settle, is refused with the place. Derivatives
-    pass through: that of an integral is the integral of the derivative. Piessens et al., *QUADPACK*, §2.2.1.
+    and areas to twelve. A region or face is divided into strips, so that the function is asked inside of it only;
+    where the border of a face is known within a tolerance, so is the integral. Ends of ranges and borders
+    are never asked for, so that a function may grow without bound there; an integral that has no finite value,
+    or does not settle, is refused with the place.
 
-    :param f: A function that yields a number or a point: of a number over a range, of as many as there are ranges over a box, of a point over a curve or a surface.
-    :param over: The range; or a list of two or three, a curve, a surface, a list of curves or of surfaces.
+    Over a range whose end lies before its start it is the negative, over one of no length 0. Derivatives pass
+    through: that of an integral is the integral of the derivative, and by an end of the range the function there.
+    Piessens et al., *QUADPACK*, §2.2.1.
+
+    :param f: A function that yields a number or a point: of a number over a range, of as many as there are ranges over a box, of a point over a curve or an area.
+    :param over: The range; or a list of two or three, a curve, a region, a face, a surface, a list of curves or of areas.
     :param tolerance: How far the integral may be off, in units of its own; thirteen digits unless given.
+    :param report: Whether a record tells how it was found: the `integral`, the `error` that two rules leave, and `evaluations`. Default: ``false``.
 
-    In scripts: ``integrate(f: function, over: any, tolerance: number = none) -> any``
+    In scripts: ``integrate(f: function, over: any, tolerance: number = none, report: bool = false) -> any``
     """
-    return _called("integrate", (), {"f": f, "over": over, "tolerance": tolerance})
+    return _called("integrate", (), {"f": f, "over": over, "tolerance": tolerance, "report": report})
 
 
 def interpolate(*args: Any, points: Any = None, degree: Any = None, parameters: Any = None, ends: Any = None, tangents: Any = None, derivatives: Any = None, closed: Any = None, second_pass: Any = None) -> Any:
@@ -3837,7 +3908,7 @@ def second_form(s: Any, u: float, v: float) -> dict[str, Any]:
     return _called("second_form", (), {"s": s, "u": u, "v": v})  # type: ignore[no-any-return]
 
 
-def section(*args: Any, g: Any = None, plane: Any = None) -> Any:
+def section(*args: Any, g: Any = None, plane: Any = None, s: Any = None) -> Any:
     """Points where a curve passes through a plane or touches it, in the order of the parameter.
 
     Found completely; a piece that lies in the plane is told by its ends.
@@ -3878,8 +3949,16 @@ def section(*args: Any, g: Any = None, plane: Any = None) -> Any:
     :param plane: The plane.
 
     In scripts: ``section(g: mesh, plane: plane) -> list of curves``
+
+    The regions that a plane has of a solid, the largest first: holes are holes.
+
+    Faces that lie in the plane are among them. A plane that misses gives an empty list.
+    :param s: The solid.
+    :param plane: The plane.
+
+    In scripts: ``section(s: solid, plane: plane) -> list of regions``
     """
-    return _called("section", args, {"g": g, "plane": plane})
+    return _called("section", args, {"g": g, "plane": plane, "s": s})
 
 
 def self_intersections(c: Curve) -> Any:
@@ -4013,8 +4092,8 @@ def solve(f: FunctionLike, *, within: tuple[Quantity, Quantity] | None = None, s
     tell apart. Chandrupatla, *A new hybrid quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997);
     Moore, Kearfott & Cloud, *Introduction to Interval Analysis*, §8.1.
 
-    Derivatives pass through a root within a range, by the theorem of implicit functions, where the function
-    crosses zero.
+    Derivatives pass through roots by the theorem of implicit functions, where the functions cross zero and are
+    as many as the unknowns.
 
     From a `start` instead of a range, the unknowns may be a number, a point, or a list or record of such,
     and the function yields as many numbers or more, each of which is to be zero: of more than there are
