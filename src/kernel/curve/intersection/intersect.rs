@@ -244,12 +244,7 @@ impl<'c> IntersectionSearch<'c> {
         };
         let found = within_limits(limits, start, NEWTON_STEPS, is_still, |[t, s]| {
             let (p, q) = (self.first.velocity_at(t), self.second.velocity_at(s));
-            let Some(step) = nearest_step(p[0] - q[0], p[1], q[1]) else {
-                return NewtonStep::Stuck;
-            };
-            let way = (step[0] * p[1].length()).abs().max((step[1] * q[1].length()).abs());
-            // Below rounding steps lead nowhere.
-            if way <= self.rounding { NewtonStep::Last(step) } else { NewtonStep::By(step) }
+            NewtonStep::perhaps(nearest_step(p[0] - q[0], p[1], q[1]))
         });
         let [t, s] = found.unless_stuck()?;
         let t = self.first.domain().without_dust(t);
