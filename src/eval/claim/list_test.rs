@@ -57,9 +57,10 @@ impl Machine<'_> {
             }
         }
         let witness = Some(told.sentence(of, list));
-        let mut all = places.of_failure(holds);
-        all.append(&mut shown.places);
-        Verdict { holds, witness, places: all, ..shown }
+        for point in shown.places {
+            places.add(point);
+        }
+        Verdict { holds, witness, places: places.of_failure(holds), ..shown }
     }
 
     /// What the test says of the element that decided, or of the first where all fail; and how many fail.

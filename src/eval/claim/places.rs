@@ -14,7 +14,7 @@ pub(super) struct ClaimPlaces {
 const MOST_PLACES: usize = 16;
 
 impl ClaimPlaces {
-    fn add(&mut self, point: DVec3) {
+    pub(super) fn add(&mut self, point: DVec3) {
         let is_known = |known: &DVec3| {
             known.to_array().map(f64::to_bits) == point.to_array().map(f64::to_bits)
         };
