@@ -122,7 +122,7 @@ pub(super) fn spline(curve: &Curve, distance: f64) -> Result<NurbsCurve, GeomErr
     }
 }
 
-/// Whether a lifted arc stays within a distance of where it starts, by places of each of its spans: the stand-in that
+/// Whether a lifted arc stays within a distance of where it starts, by places of each of its spans: the approximation that
 /// its box comes from would be far nearer than an answer needs.
 pub(super) fn is_point(curve: &Curve, arc: &NurbsCurve, distance: f64) -> Result<bool, GeomError> {
     if let Curve::Nurbs(curve) = curve {
