@@ -348,10 +348,10 @@ fn edges_tell_the_genus_and_nearest_faces_the_inside() {
 }
 
 /// `VIROTE_ORIENTATIONS` says how many placements are tried. A thousand times as large the tolerance is 2e-10 of the
-/// size, and sections are refused that do not keep to it.
+/// size: there a cut is right, or refused because its section does not keep to that.
 #[test]
 fn placing_makes_no_difference_to_cuts() {
-    let n: u32 = std::env::var("VIROTE_ORIENTATIONS").map_or(2, |n| n.parse().expect("a number"));
+    let n: u32 = std::env::var("VIROTE_ORIENTATIONS").map_or(3, |n| n.parse().expect("a number"));
     let pipe =
         |radius: f64| whole(NurbsSurface::cone(Frame::XY, [radius; 2], 3.0).expect("a pipe"));
     let tube = Solid::capped(&[pipe(2.0), pipe(1.0)], TOLERANCE).expect("a tube");
@@ -367,7 +367,7 @@ fn placing_makes_no_difference_to_cuts() {
     for i in 0..n {
         let at = |k: f64| 2.0 * libm::fmod(k * f64::from(i + 1), 1.0) - 1.0;
         let axis = DVec3::new(at(0.754_877_666), at(0.569_840_291), at(0.618_033_989)).normalize();
-        let scale = [1e-3, 1.0][i as usize % 2];
+        let scale = [1e-3, 1.0, 1e3][i as usize % 3];
         let map = DAffine3::from_translation(5.0 * scale * axis.cross(DVec3::X))
             * DAffine3::from_axis_angle(axis, f64::from(i))
             * DAffine3::from_scale(DVec3::splat(scale));
@@ -375,7 +375,13 @@ fn placing_makes_no_difference_to_cuts() {
             let whole = solid.volume_mass().expect("a volume").amount * cube(scale);
             let solid = solid.transformed(&map).expect("an image");
             let plane = plane(map.transform_point3(origin), map.transform_vector3(normal));
-            let ([below, above], _) = cut(&solid, plane.expect("a plane"));
+            let plane = plane.expect("a plane");
+            let refused = solid.cut(plane, TOLERANCE).err();
+            if i % 3 == 2 && matches!(refused, Some(GeomError::Face(FaceError::OffSurface { .. })))
+            {
+                continue;
+            }
+            let ([below, above], _) = cut(&solid, plane);
             let off = TOLERANCE.distance * solid.area_mass().expect("an area").amount;
             for side in [below, above] {
                 assert!((side - 0.5 * whole).abs() < off, "{i}, {number}: {side} of {whole}");
