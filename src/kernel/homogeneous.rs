@@ -57,6 +57,18 @@ pub(crate) fn check_finite(points: &[DVec4]) -> Result<(), GeomError> {
     }
 }
 
+/// Factors along u and along v whose products the weights are, up to rounding.
+pub(crate) fn weight_factors(net: &Grid<DVec4>) -> Option<[Vec<f64>; 2]> {
+    let first = net.get(0, 0).w;
+    let along_u: Vec<f64> = (0..net.n_rows()).map(|i| net.get(i, 0).w / first).collect();
+    let along_v: Vec<f64> = net.row(0).iter().map(|point| point.w).collect();
+    let are_products = along_u.iter().enumerate().all(|(i, a)| {
+        let row = net.row(i).iter().zip(&along_v);
+        row.into_iter().all(|(point, b)| (point.w - a * b).abs() <= WEIGHT_RELATIVE * point.w)
+    });
+    are_products.then_some([along_u, along_v])
+}
+
 /// Whether the weights differ by more than rounding.
 pub(crate) fn have_different_weights(points: &[DVec4]) -> bool {
     let low = points.iter().map(|point| point.w).fold(f64::INFINITY, f64::min);

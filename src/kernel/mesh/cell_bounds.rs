@@ -8,7 +8,7 @@
 //!
 //! Of pieces that a cell touches together each second derivative counts where it is largest.
 
-use std::{f64::consts::PI, ops::Range};
+use std::{f64::consts::PI, ops::Range, sync::Arc};
 
 use glam::DVec3;
 
@@ -110,7 +110,7 @@ impl TessellationOptions {
 pub(super) struct CellBounds {
     /// Where the pieces along u and along v begin and end.
     pub(super) ends: [Vec<f64>; 2],
-    rules: Grid<CellRules>,
+    rules: Arc<Grid<CellRules>>,
     /// How many times longer a step along u is than one along v.
     ratios: Grid<f64>,
 }
@@ -164,24 +164,26 @@ impl CellBounds {
             let also = [edge, angle, ParameterBoxes::NONE, ParameterBoxes::NONE];
             CellRules { whole: ParameterBoxes::new(bend.second).scaled(per_tolerance), near, also }
         });
-        Self { ends: bends.ends, rules, ratios }
+        Self { ends: bends.ends, rules: Arc::new(rules), ratios }
     }
 
     /// The same for an angle that is smaller by a factor.
     pub(super) fn sharpened(&self, sharpness: f64) -> Self {
         let mut sharp = self.clone();
-        sharp.rules = sharp.rules.map(|&rules| {
-            let [edge, angle, unfolded, line] = rules.also;
-            let angle = angle.scaled(sharpness * sharpness);
-            CellRules { also: [edge, angle, unfolded, line], ..rules }
-        });
+        if 1.0 < sharpness {
+            sharp.rules = Arc::new(self.rules.map(|&rules| {
+                let [edge, angle, unfolded, line] = rules.also;
+                let angle = angle.scaled(sharpness * sharpness);
+                CellRules { also: [edge, angle, unfolded, line], ..rules }
+            }));
+        }
         sharp
     }
 
     /// Whether a box keeps to the limits of all pieces that it touches.
     pub(super) fn allow(&self, box_of: [[f64; 2]; 2]) -> bool {
         let [rows, columns] = Direction::BOTH.map(|along| self.touched(along, box_of[along]));
-        let pieces = rows.flat_map(|i| self.rules.row(i)[columns.clone()].iter().copied());
+        let pieces = rows.flat_map(|i| &self.rules.row(i)[columns.clone()]);
         let widths = box_of.map(|[low, high]| high - low);
         CellRules::all_allow(pieces, widths)
     }

@@ -3,7 +3,8 @@
 //! The derivatives of A/w are quotients of polynomials, over w³ those of second order. Where numerator
 //! and denominator have one degree and the coefficients of the latter are positive, the quotients of
 //! coefficients are points of which the quotient is a mean everywhere: nothing is lost by bounding
-//! numerator and denominator apart.
+//! numerator and denominator apart. Where weights are products of one along u and one along v, as those of
+//! all surfaces of revolution, w = a·b, the denominators are a³·b, a²·b² and a·b³, of lower degrees.
 //! Farouki & Rajan, *Algorithms for polynomials in Bernstein form*, CAGD 5 (1988).
 
 use std::ops::{Add, Mul, Sub};
@@ -19,12 +20,14 @@ pub(super) struct SecondHulls {
     hulls: [Vec<DVec3>; 3],
     /// The numerator of the patch, whose fourth coordinate is nothing: four at once are as fast as three.
     places: Polynomial<DVec4>,
-    weight: Polynomial<f64>,
-    weight_by: [Polynomial<f64>; 2],
-    square: Polynomial<f64>,
-    /// One over each coefficient of the cube of the weight, and the cube's degrees.
+    /// What the patch is divided by along u and along v: the whole weight, or its factors there.
+    weights: [Polynomial<f64>; 2],
+    /// The derivative of each along its parameter.
+    weights_by: [Polynomial<f64>; 2],
+    squares: [Polynomial<f64>; 2],
+    denominator: Polynomial<f64>,
     cube: Polynomial<f64>,
-    /// The numerators of Su and Sv, over the square of the weight.
+    /// The numerators of Su and Sv, over the squares of what they are divided by.
     first: [Polynomial<DVec4>; 2],
     derivative: Polynomial<DVec4>,
     products: [Polynomial<DVec4>; 2],
@@ -35,10 +38,12 @@ impl SecondHulls {
     /// Those of a patch, seen from a place near it.
     pub(super) fn of(&mut self, net: &Grid<DVec4>, center: DVec3) -> &[Vec<DVec3>; 3] {
         self.hulls.iter_mut().for_each(Vec::clear);
-        if homogeneous::have_different_weights(net.as_slice()) {
-            self.find_rational(net, center);
-        } else {
+        if !homogeneous::have_different_weights(net.as_slice()) {
             self.find_polynomial(net, center);
+        } else if let Some(factors) = homogeneous::weight_factors(net) {
+            self.find_separable(net, center, &factors);
+        } else {
+            self.find_rational(net, center);
         }
         &self.hulls
     }
@@ -73,32 +78,62 @@ impl SecondHulls {
 
     /// Quotients of the coefficients of numerators and of the cube of the weight.
     fn find_rational(&mut self, net: &Grid<DVec4>, center: DVec3) {
+        for weight in &mut self.weights {
+            weight.set(net, |point| point.w);
+        }
+        self.find_first(net, center);
+        let [square, _] = &self.squares;
+        square.multiply(&self.weights[0], &mut self.denominator);
+        let (u, v) = (Direction::U, Direction::V);
+        for (i, (first, by)) in [(u, u), (u, v), (v, v)].into_iter().enumerate() {
+            self.find_second(i, first, by, 2.0);
+        }
+    }
+
+    /// The same where the weights are products of factors along u and along v.
+    fn find_separable(&mut self, net: &Grid<DVec4>, center: DVec3, factors: &[Vec<f64>; 2]) {
+        for (along, weight) in Direction::BOTH.into_iter().zip(&mut self.weights) {
+            weight.set_along(along, &factors[along]);
+        }
+        self.find_first(net, center);
+        let (u, v) = (Direction::U, Direction::V);
+        for (i, along, across) in [(0, u, v), (2, v, u)] {
+            self.squares[along].multiply(&self.weights[along], &mut self.cube);
+            self.cube.multiply(&self.weights[across], &mut self.denominator);
+            self.find_second(i, along, along, 2.0);
+        }
+        let [square_u, square_v] = &self.squares;
+        square_u.multiply(square_v, &mut self.denominator);
+        self.find_second(1, u, v, 1.0);
+    }
+
+    /// The numerators of first derivatives, and what they are over.
+    fn find_first(&mut self, net: &Grid<DVec4>, center: DVec3) {
         self.places.set(net, |point| (point.truncate() - center * point.w).extend(0.0));
-        self.weight.set(net, |point| point.w);
         for along in Direction::BOTH {
-            self.weight.derive(along, &mut self.weight_by[along]);
+            let weight = &self.weights[along];
+            weight.multiply(weight, &mut self.squares[along]);
+            weight.derive(along, &mut self.weights_by[along]);
             self.places.derive(along, &mut self.derivative);
             let [product, other] = &mut self.products;
-            self.derivative.multiply(&self.weight, product);
-            self.places.multiply(&self.weight_by[along], other);
+            self.derivative.multiply(weight, product);
+            self.places.multiply(&self.weights_by[along], other);
             product.subtract(other, 1.0, &mut self.raised);
             std::mem::swap(product, &mut self.first[along]);
         }
-        self.weight.multiply(&self.weight, &mut self.square);
-        self.square.multiply(&self.weight, &mut self.cube);
-        self.cube.coefficients.iter_mut().for_each(|value| *value = 1.0 / *value);
-        let (u, v) = (Direction::U, Direction::V);
-        let seconds = [(u, u), (u, v), (v, v)];
-        for (hull, (first, by)) in self.hulls.iter_mut().zip(seconds) {
-            let [product, other] = &mut self.products;
-            self.first[first].derive(by, &mut self.derivative);
-            self.derivative.multiply(&self.weight, product);
-            self.first[first].multiply(&self.weight_by[by], other);
-            product.subtract(other, 2.0, &mut self.raised);
-            product.raise_to(self.cube.sizes, &mut self.raised);
-            let quotients = product.coefficients.iter().zip(&self.cube.coefficients);
-            hull.extend(quotients.map(|(value, &over)| (*value * over).truncate()));
-        }
+    }
+
+    /// The hull of a second derivative, from a first one along `first`; `power` is that of the weight along
+    /// `by` beneath it.
+    fn find_second(&mut self, i: usize, first: Direction, by: Direction, power: f64) {
+        let [product, other] = &mut self.products;
+        self.first[first].derive(by, &mut self.derivative);
+        self.derivative.multiply(&self.weights[by], product);
+        self.first[first].multiply(&self.weights_by[by], other);
+        product.subtract(other, power, &mut self.raised);
+        product.raise_to(self.denominator.sizes, &mut self.raised);
+        let quotients = product.coefficients.iter().zip(&self.denominator.coefficients);
+        self.hulls[i].extend(quotients.map(|(&value, &under)| (value * (1.0 / under)).truncate()));
     }
 }
 
@@ -126,6 +161,15 @@ where
         }
     }
 
+    /// One of a single parameter.
+    fn set_along(&mut self, along: Direction, coefficients: &[T]) {
+        let n = coefficients.len();
+        self.sizes = if along == Direction::U { [n, 1] } else { [1, n] };
+        let scaled = coefficients.iter().zip(binomials(n - 1));
+        self.coefficients.clear();
+        self.coefficients.extend(scaled.map(|(&value, times)| value * times));
+    }
+
     /// The product with another one.
     fn multiply(&self, other: &Polynomial<f64>, product: &mut Self) {
         let sizes = [0, 1].map(|i| self.sizes[i] + other.sizes[i] - 1);
@@ -135,6 +179,12 @@ where
         for (i, row) in self.coefficients.chunks(self.sizes[1]).enumerate() {
             for (k, other_row) in other.coefficients.chunks(other.sizes[1]).enumerate() {
                 let sums = &mut product.coefficients[(i + k) * sizes[1]..][..sizes[1]];
+                if let &[other] = other_row {
+                    for (sum, &value) in sums.iter_mut().zip(row) {
+                        *sum = *sum + value * other;
+                    }
+                    continue;
+                }
                 for (j, &value) in row.iter().enumerate() {
                     for (sum, &other) in sums[j..].iter_mut().zip(other_row) {
                         *sum = *sum + value * other;

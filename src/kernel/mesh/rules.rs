@@ -40,38 +40,36 @@ pub(super) enum BendingSide {
 }
 
 impl CellRules {
-    /// Those of a cell that touches this piece and another one.
-    pub(super) fn joined(self, other: Self) -> Self {
-        Self {
-            whole: self.whole.joined(other.whole),
-            near: self.near.zip(other.near).map(|(near, other)| near.joined(other)),
-            also: joined(self.also, other.also),
-        }
-    }
-
     /// Whether a cell of these widths keeps to the rules of all pieces that it touches.
     ///
     /// Lengths and turns are those of a path, at each place no more than the piece there makes them.
     /// Which piece bends the cell most may differ from corner to corner: each second derivative
     /// counts where it is largest, or all where together they bend it most in any direction.
-    pub(super) fn all_allow(pieces: impl Iterator<Item = Self> + Clone, widths: [f64; 2]) -> bool {
+    pub(super) fn all_allow<'a>(
+        pieces: impl Iterator<Item = &'a Self> + Clone,
+        widths: [f64; 2],
+    ) -> bool {
         let fits = |form: &ParameterBoxes| form.share(widths) <= 1.0 + VANISHING_RELATIVE;
+        let is_round = |form: ParameterBoxes| form.round_share(widths) <= 1.0 + VANISHING_RELATIVE;
         if !pieces.clone().all(|rules| rules.also.iter().all(fits)) {
             return false;
         }
-        let Some(joined) = pieces.clone().reduce(Self::joined) else { return true };
-        if fits(&joined.whole) || joined.near.is_some_and(|near| near.forms().iter().all(fits)) {
+        let whole = pieces.clone().map(|rules| rules.whole).reduce(ParameterBoxes::joined);
+        if whole.is_none_or(|whole| fits(&whole)) {
             return true;
         }
-        let are_round = |form: fn(Self) -> Option<ParameterBoxes>| {
-            pieces
-                .clone()
-                .filter_map(form)
-                .all(|form| form.round_share(widths) <= 1.0 + VANISHING_RELATIVE)
-        };
-        let bends = |rules: Self| rules.near.map(|near| near.lift.and(near.slip));
-        are_round(|rules| Some(rules.whole))
-            || joined.near.is_some_and(|near| near.others().iter().all(fits)) && are_round(bends)
+        let mut near = pieces.clone().map(|rules| rules.near.as_ref());
+        let joined = near.next().flatten().copied().and_then(|first| {
+            near.try_fold(first, |joined, other| other.map(|other| joined.joined(other)))
+        });
+        if joined.is_some_and(|near| near.forms().iter().all(fits)) {
+            return true;
+        }
+        pieces.clone().all(|rules| is_round(rules.whole))
+            || joined.is_some_and(|near| near.others().iter().all(fits))
+                && pieces
+                    .filter_map(|rules| rules.near)
+                    .all(|near| is_round(near.lift.and(near.slip)))
     }
 
     /// The widest step along u for one along v; nothing where the latter is too wide alone.
@@ -112,7 +110,7 @@ impl CellRules {
 }
 
 impl NormalRules {
-    fn joined(self, other: Self) -> Self {
+    fn joined(self, other: &Self) -> Self {
         Self {
             lift: self.lift.joined(other.lift),
             saddle: self.saddle.filter(|_| self.saddle == other.saddle),
@@ -163,11 +161,4 @@ impl NormalRules {
             ..self
         }
     }
-}
-
-fn joined<const N: usize>(
-    forms: [ParameterBoxes; N],
-    others: [ParameterBoxes; N],
-) -> [ParameterBoxes; N] {
-    std::array::from_fn(|i| forms[i].joined(others[i]))
 }

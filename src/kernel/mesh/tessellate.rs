@@ -30,6 +30,9 @@ pub(super) const ANGLE_MARGIN: f64 = 1.02;
 /// A round that leaves more than this part of the excess is the last one.
 pub(super) const LEAST_GAIN: f64 = 0.97;
 
+/// Surfaces for each thread with which all have about as much to do.
+const FEW_SHEETS: usize = 4;
+
 /// The meshes of sheets, and the vertices on the edges of each.
 struct SheetMeshes {
     meshes: Vec<Mesh>,
@@ -123,8 +126,8 @@ fn meshes_of(
     let is_function = sheets.iter().any(SurfacePatch::is_function);
     let n_threads = if is_function { 1 } else { limits.n_threads };
     let seams = SharedEdges::of(&mut sheets, places, limits)?;
-    // Where there are surfaces enough, each is the work of one thread.
-    let of_one = if sheets.len() < n_threads { n_threads } else { 1 };
+    // Where there are surfaces enough, each is the work of one thread: one of a few may be most of the work.
+    let of_one = if sheets.len() < FEW_SHEETS * n_threads { n_threads } else { 1 };
     let alone = TessellationOptions { n_threads: of_one, ..*limits };
     let all: Vec<CellBounds> = side_by_side::map(&sheets, n_threads, |sheet| sheet.limits(&alone));
     let known = seams.places();
