@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::{
     aligned_section::{AlignedSection, N_PLACES},
     corner::{cornered, corners_of_ring, with_seam_at_corner},
+    passage::passes_back,
 };
 use crate::{
     ConstructionError, GeomError, NurbsCurve,
@@ -24,7 +25,9 @@ const NEAR_SEAM: usize = 16;
 /// the same parameters.
 ///
 /// What is compared is how far points of equal parameter are apart; of open ones also their
-/// chords, so that only what both speak for is reversed. Equal ones change nothing.
+/// chords, so that only what both speak for is reversed. Closed ones that are flat enough to have two
+/// sides run alike if the way from one to the other leads to the same side of both, however far they
+/// turn from one another. Equal ones change nothing.
 ///
 /// # Errors
 /// Those of [`join`] where the seam was.
@@ -61,7 +64,8 @@ pub fn aligned(
     let forwards: Vec<f64> = (0..n).map(|m| together(&|i| (i + m) % n)).collect();
     let backwards: Vec<f64> = (0..n).map(|m| together(&|i| (2 * n - i - m) % n)).collect();
     let best = |sums: &[f64]| sums.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let is_reversed = best(&forwards) + margin < best(&backwards);
+    let is_reversed =
+        passes_back(curve, beside).unwrap_or_else(|| best(&forwards) + margin < best(&backwards));
     let (sums, curve) =
         if is_reversed { (backwards, curve.reversed()) } else { (forwards, curve.clone()) };
     let most = best(&sums);

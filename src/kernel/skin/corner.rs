@@ -6,7 +6,10 @@
 
 use glam::DVec3;
 
-use super::aligned_section::{AlignedSection, N_PLACES};
+use super::{
+    aligned_section::{AlignedSection, N_PLACES},
+    passage::passes_back,
+};
 use crate::{
     GeomError, Interval, NurbsCurve, Side,
     frame::angle_between,
@@ -82,7 +85,8 @@ impl RunDirection {
 /// nearest beside the other one; where that has as many corners, with its own at their
 /// parameters. `None` if it has no corners.
 ///
-/// What is compared is how far points of equal parameter are apart about their centres. Equal ones
+/// What is compared is how far points of equal parameter are apart about their centres, and first the sides
+/// that they turn to one another, as in [`super::aligned`]. Equal ones
 /// change nothing, and what is linear between the corners stays so: the curve is the same in space.
 ///
 /// # Errors
@@ -104,8 +108,10 @@ pub(super) fn cornered(
             |i: usize| there.at(i as f64 / N_PLACES as f64).distance_squared(here.at(place(i)));
         (0..N_PLACES).map(miss).sum()
     };
+    let direction = passes_back(curve, beside);
+    let may_run = |way: &RunDirection| direction.is_none_or(|back| way.is_reversed == back);
     let mut best: Option<(f64, RunDirection)> = None;
-    for way in RunDirection::all(&own) {
+    for way in RunDirection::all(&own).into_iter().filter(may_run) {
         let found = apart(&way);
         if best.as_ref().is_none_or(|(least, _)| found < least * (1.0 - TURN_RELATIVE)) {
             best = Some((found, way));

@@ -2,7 +2,7 @@
 //!
 //! `builder` decides how it is made; `sections` brings curves to one basis with weights that can be compared, and tells where in v
 //! they stand; `align` turns them around and moves their seams until they run beside one another,
-//! `corner` the seams of those with corners;
+//! `corner` the seams of those with corners, `passage` tells which way closed ones run;
 //! `spread` lets them run at constant speed; `along` are the ways to go from section to section;
 //! `thin` leaves out knots that a tolerance does not need.
 
@@ -11,6 +11,7 @@ mod aligned_section;
 mod along;
 mod builder;
 mod corner;
+mod passage;
 mod sections;
 mod spread;
 mod thin;

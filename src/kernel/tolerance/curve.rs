@@ -37,6 +37,13 @@ pub const ANALYTIC_RELATIVE: f64 = 1e-13;
 /// two directions are one to rounding.
 pub const TURN_RELATIVE: f64 = 1e-6;
 
+/// The way from one closed section to the next tells on which side of both it leads when its angle to the
+/// planes of both has at least this sine.
+///
+/// Larger compares sections that bend away from one another by their shapes alone, which take a bend of more
+/// than a right angle for a section that runs backwards; smaller hears a way that lies in the planes.
+pub const CLEAR_WAY: f64 = 0.2;
+
 /// Steps along a path are halved until the frame at its end turns by less than this, radians.
 ///
 /// Larger leaves a twist that a long section shows; smaller asks for more steps than rounding

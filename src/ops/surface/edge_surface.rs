@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{Blend, ConstructionReport, Curve, NurbsCurve, NurbsSurface, ReportEntry},
+    kernel::{Blend, ConstructionReport, Curve, NurbsCurve, NurbsSurface, ReportEntry, aligned},
     value::{At, Ctx, op, rounded, shortest},
 };
 
@@ -45,7 +45,7 @@ struct EdgeLoop {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
     let found = edges("curves", &args.curves, ctx)?;
     let ring = match found.len() {
-        2 => facing(&found),
+        2 => facing(&found, ctx.tolerance.distance).at(ctx.span)?,
         3 | 4 => ring(&found),
         n => {
             let message = format!("a surface has two, three or four edges, found {n}");
@@ -87,12 +87,26 @@ fn within(ring: &[NamedEdge]) -> std::result::Result<NurbsSurface, crate::kernel
     NurbsSurface::coons([low, &high], [&down, up], Blend::Linear)
 }
 
-/// Two edges in the direction in which their ends are nearer to one another.
-fn facing(found: &[NamedEdge]) -> EdgeLoop {
-    let between =
-        |i: usize, back: bool| apart(found[0].end(i), found[1].end(if back { 1 - i } else { i }));
-    let both = |back: bool| libm::hypot(between(0, back), between(1, back));
-    EdgeLoop { order: vec![(0, false), (1, both(true) < both(false))], gap: 0.0 }
+/// Two edges in the direction in which their ends are nearer to one another, and closed ones in that in which
+/// they run beside one another.
+///
+/// # Errors
+/// Those of [`aligned`].
+fn facing(
+    found: &[NamedEdge],
+    tolerance: f64,
+) -> std::result::Result<EdgeLoop, crate::kernel::GeomError> {
+    let [first, second] = [&found[0].curve, &found[1].curve];
+    let is_back = if [first, second].iter().all(|curve| curve.is_closed(tolerance)) {
+        aligned(second, first, true, tolerance)?.is_reversed
+    } else {
+        let between = |i: usize, back: bool| {
+            apart(found[0].end(i), found[1].end(if back { 1 - i } else { i }))
+        };
+        let both = |back: bool| libm::hypot(between(0, back), between(1, back));
+        both(true) < both(false)
+    };
+    Ok(EdgeLoop { order: vec![(0, false), (1, is_back)], gap: 0.0 })
 }
 
 /// The order and directions in which the widest gap between an end and the next start is least;

@@ -20,8 +20,8 @@ op! {
     /// Sections of other degrees and knots are made compatible, exactly; rational ones are skinned
     /// in homogeneous space after their weights are normalised, so that a common factor of a
     /// section's weights changes nothing. A section may be a point where the surface begins or
-    /// ends. Sections that run against their neighbour are reversed, and seams of closed ones that
-    /// are far from their neighbour's are moved. Where closed sections have corners, such as the tails
+    /// ends. Sections that run against their neighbour are reversed, closed ones as the way between
+    /// them passes both, and seams of closed ones that are far from their neighbour's are moved. Where closed sections have corners, such as the tails
     /// of aerofoils, all seams go to corners that belong together, smooth ones beside them;
     /// neighbours with as many corners have them at the same parameters, so that edges of the
     /// surface run through them. The sections stand at parameters averaged from
