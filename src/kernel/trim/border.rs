@@ -1,5 +1,7 @@
 //! The border of a face in space.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use super::{
@@ -7,11 +9,12 @@ use super::{
     lift::{is_point, spline},
 };
 use crate::{
-    Bounds, Curve, GeomError, IntegralError, NurbsCurve, Region, Side, Tolerance,
+    Bounds, Curve, GeomError, IntegralError, NurbsCurve, Region, Side, Tolerance, bezier,
     curve::join,
     find_integral,
     frame::{angle_between, norm},
-    tolerance::QUADRATURE_RELATIVE,
+    homogeneous::place,
+    tolerance::{EDGE_SHARE, QUADRATURE_RELATIVE},
 };
 
 /// An arc of the border: in the plane of parameters, in space, and where it stands.
@@ -128,14 +131,42 @@ impl Face {
     }
 
     /// The box of its border; none without one.
+    ///
+    /// The extrema of lifted arcs are looked for only where control points of the spline near them come
+    /// out of the box of what is known.
     pub(super) fn border_bounds(&self, distance: f64) -> Result<Option<Bounds>, GeomError> {
-        let mut whole: Option<Bounds> = None;
+        let (mut whole, mut parts): (Option<Bounds>, _) = (None, Vec::new());
         for arc in self.border_arcs(distance)? {
-            let bounds = match arc.curve.bounds() {
-                Ok(bounds) => bounds,
-                Err(_) => spline(&arc.curve, distance)?.bounds(),
-            };
-            whole = Some(whole.map_or(bounds, |whole| whole.union(bounds)));
+            let mut known = Bounds::of([arc.curve.start(), arc.curve.end()]);
+            match &arc.curve {
+                Curve::Nurbs(curve) => known = Some(curve.bounds()),
+                Curve::Parametric(function) => {
+                    let near = spline(&arc.curve, distance)?;
+                    for span in near.knots().spans() {
+                        let interval = near.knots().span_interval(span);
+                        let piece = bezier::piece(near.knots(), near.control_points(), span);
+                        let hull = Bounds::of(piece.into_iter().map(place));
+                        let end = function.point_at(interval.end())?;
+                        known = known.map(|known| known.with(end));
+                        parts.extend(hull.map(|hull| (hull, interval, Arc::clone(function))));
+                    }
+                }
+            }
+            whole = whole.into_iter().chain(known).reduce(Bounds::union);
+        }
+        for (hull, interval, function) in parts {
+            let reach = DVec3::splat(EDGE_SHARE * distance);
+            let hull = Bounds { min: hull.min - reach, max: hull.max + reach };
+            let comes_out =
+                |known: &Bounds| hull.min.cmplt(known.min).any() || known.max.cmplt(hull.max).any();
+            if whole.as_ref().is_none_or(comes_out) {
+                let part = Curve::from(function.trimmed(interval)?);
+                let bounds = match part.bounds() {
+                    Ok(bounds) => bounds,
+                    Err(_) => spline(&part, distance)?.bounds(),
+                };
+                whole = Some(whole.map_or(bounds, |whole| whole.union(bounds)));
+            }
         }
         Ok(whole)
     }

@@ -76,6 +76,15 @@ pub enum FaceError {
         "the faces have one side only, like a Möbius strip: face [{}] meets face [{}] turned over", faces[0], faces[1]
     )]
     OneSided { faces: [usize; 2] },
+    /// A face whose edges are one to each other.
+    #[error(
+        "face [{face}] is {} wide on average, within the tolerance {}, so that its own edges near {} are one",
+        few_digits(*width), few_digits(*tolerance), place(*point)
+    )]
+    Narrow { face: usize, width: f64, tolerance: f64, point: DVec3 },
+    /// A border that comes back to itself.
+    #[error("the border touches itself at {}", place(*point))]
+    TouchesItself { point: DVec3 },
     /// A place on a cut.
     #[error("{} lies on a cut: it tells no part of the face", place(*point))]
     OnCut { point: DVec3 },

@@ -88,8 +88,8 @@ impl Face {
     /// The face with these parts of its parameters, as [`Self::parts`] gives them.
     ///
     /// # Errors
-    /// [`FaceError::Nothing`] without parts, [`FaceError::OffDomain`] of one that leaves the domain; those of
-    /// [`Region::of_arcs`] and [`Self::whole`].
+    /// [`FaceError::Nothing`] without parts, [`FaceError::OffDomain`] of one that leaves the domain,
+    /// [`FaceError::TouchesItself`]; those of [`Region::of_arcs`] and [`Self::whole`].
     pub fn of_parts(
         surface: Arc<NurbsSurface>,
         parts: &[FacePart],
@@ -107,7 +107,7 @@ impl Face {
                 }
                 borders.push(arcs);
             }
-            Region::of_arcs(Frame::XY, borders)
+            Region::of_arcs(Frame::XY, borders).map_err(face.in_space())
         };
         let parts: Vec<Region> = parts.iter().map(in_plane).collect::<Result<_, _>>()?;
         if parts.is_empty() {

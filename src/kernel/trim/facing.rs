@@ -122,7 +122,7 @@ impl SurfacePiece<'_> {
     /// The flux through it of the way from the middle of a box.
     fn flux(&self, whole: Bounds) -> Result<f64, GeomError> {
         let about = whole.center();
-        let density = |point, normal| [flux(arm(point, about), normal)];
+        let density = |point, normal| flux(arm(point, about), normal);
         let IntegralValues { values: [flux], .. } = match self {
             Self::Whole(surface) => integral(surface, [0], density)?,
             Self::Part(face) => face.integral([0], density)?,

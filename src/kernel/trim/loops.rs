@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use super::{Face, FaceError, division::Division};
 use crate::{
-    GeomError, NurbsCurve, NurbsSurface, Region, RegionError, Tolerance, region::smooth_arcs,
+    GeomError, NurbsCurve, NurbsSurface, PictureError, Region, RegionError, Tolerance,
+    region::smooth_arcs,
 };
 
 impl Face {
@@ -92,6 +93,9 @@ impl Face {
         |error| match error {
             GeomError::Region(RegionError::Unclear { point }) => {
                 RegionError::Unclear { point: self.plane.point(point) }.into()
+            }
+            GeomError::Picture(PictureError::Crossing { point, .. }) => {
+                FaceError::TouchesItself { point: self.plane.point(point) }.into()
             }
             GeomError::Region(RegionError::Thin { point, width, tolerance }) => {
                 RegionError::Thin { point: self.plane.point(point), width, tolerance }.into()

@@ -16,7 +16,7 @@ use crate::{
     Bounds, Frame, GeomError, Interval, MassProperties, NurbsCurve, NurbsSurface, Region,
     Tolerance,
     surface::{
-        IntegralValues, MOMENT_KINDS, MassIntegral, QuadratureMap, QuantityKinds, Surface,
+        Density, IntegralValues, MOMENT_KINDS, MassIntegral, QuadratureMap, QuantityKinds, Surface,
         integral, integral_over, moments,
     },
     tolerance::{KNOT_RELATIVE, LAST_BIT, PARAMETER_RELATIVE},
@@ -103,10 +103,10 @@ impl Face {
     ///
     /// # Errors
     /// Those of a search that was ended.
-    pub(crate) fn integral<const N: usize>(
+    pub(crate) fn integral<const N: usize, D: Into<Density<N>>>(
         &self,
         kinds: QuantityKinds<N>,
-        density: impl Fn(DVec3, DVec3) -> [f64; N],
+        density: impl Fn(DVec3, DVec3) -> D,
     ) -> Result<IntegralValues<N>, GeomError> {
         if self.is_whole() {
             return integral(&Surface::Nurbs(Arc::clone(&self.plane.surface)), kinds, density);
@@ -156,10 +156,11 @@ pub(super) fn arm(point: DVec3, about: DVec3) -> DVec3 {
     DVec3::select(arm.abs().cmple(size), DVec3::ZERO, arm)
 }
 
-/// The flux through a piece of surface that is an arm away; none where that is rounding.
-pub(super) fn flux(arm: DVec3, normal: DVec3) -> f64 {
-    let flux = arm.dot(normal);
-    if flux.abs() <= 16.0 * LAST_BIT * arm.length() * normal.length() { 0.0 } else { flux }
+/// The flux through a piece of surface that is an arm away; none where that is rounding. And what it is made of.
+pub(super) fn flux(arm: DVec3, normal: DVec3) -> Density<1> {
+    let (flux, made_of) = (arm.dot(normal), arm.length() * normal.length());
+    let flux = if flux.abs() <= 16.0 * LAST_BIT * made_of { 0.0 } else { flux };
+    Density { values: [flux], parts: [made_of] }
 }
 
 /// The parts of an arc between knots, its own and those of the surface.

@@ -13,11 +13,14 @@ use super::{
 use crate::{
     Bounds, GeomError, MassProperties, NurbsCurve, Tolerance,
     frame::norm,
-    surface::{IntegralValues, MOMENT_KINDS, MassIntegral, moments},
+    surface::{Density, IntegralValues, MOMENT_KINDS, MassIntegral, moments},
 };
 
 /// Places of each edge where its neighbour is looked for.
 const PLACES: usize = 24;
+
+/// The least cosine of the angle between edges that run along one another, and do not just end at one corner.
+const RUN_BESIDE: f64 = 0.9;
 
 /// Faces that hang together, and what they enclose: moments of the flux, itself the first.
 pub(crate) struct EnclosedShell<const N: usize = 1> {
@@ -64,7 +67,8 @@ impl Face {
     /// ```
     ///
     /// # Errors
-    /// [`FaceError::OpenShell`], [`FaceError::CrowdedShell`], [`FaceError::OneSided`] of faces that enclose nothing;
+    /// [`FaceError::OpenShell`], [`FaceError::CrowdedShell`], [`FaceError::OneSided`], [`FaceError::Narrow`] of faces
+    /// that enclose nothing;
     /// `MeasureError::NothingThere`, `MeasureError::TooLargeToMeasure`; `GeomError::Ended`.
     pub fn enclosed_mass(
         faces: &[Self],
@@ -92,7 +96,8 @@ impl Face {
     pub(crate) fn flux_moments(&self, about: DVec3) -> Result<IntegralValues<10>, GeomError> {
         self.integral(MOMENT_KINDS, |point, normal| {
             let arm = arm(point, about);
-            moments(arm, flux(arm, normal))
+            let Density { values: [flux], parts: [made_of] } = flux(arm, normal);
+            Density { values: moments(arm, flux), parts: moments(arm.abs(), made_of) }
         })
     }
 
@@ -121,7 +126,7 @@ pub(crate) fn enclosed_shells(
     tolerance: Tolerance,
 ) -> Result<Vec<EnclosedShell>, GeomError> {
     shells_with(faces, edges, tolerance, |face| {
-        face.integral([0], |point, normal| [flux(arm(point, about), normal)])
+        face.integral([0], |point, normal| flux(arm(point, about), normal))
     })
 }
 
@@ -132,8 +137,10 @@ fn shells_with<const N: usize>(
     tolerance: Tolerance,
     integral: impl Fn(&Face) -> Result<IntegralValues<N>, GeomError>,
 ) -> Result<Vec<EnclosedShell<N>>, GeomError> {
-    let mut found = Vec::new();
-    for faces_of_shell in shells(faces.len(), edges, distance_for(faces, tolerance))? {
+    let (mut found, distance) = (Vec::new(), distance_for(faces, tolerance));
+    let pairs = pairs(edges, distance)?;
+    check_widths(faces, edges, &pairs, distance)?;
+    for faces_of_shell in hanging_together(faces.len(), &pairs)? {
         let mut moments = MassIntegral::default();
         for &(face, sign) in &faces_of_shell {
             moments.add(integral(&faces[face])?, sign);
@@ -231,12 +238,11 @@ impl FaceBorderEdge {
     }
 }
 
-/// The faces that hang together, each with the sign that makes them look alike.
-fn shells(
-    n_faces: usize,
-    edges: &[FaceBorderEdge],
-    distance: f64,
-) -> Result<Vec<Vec<(usize, f64)>>, GeomError> {
+/// The faces on both sides of the places of all edges.
+///
+/// # Errors
+/// Those of [`neighbour`].
+fn pairs(edges: &[FaceBorderEdge], distance: f64) -> Result<Vec<FacePair>, GeomError> {
     let mut pairs = Vec::new();
     for (i, edge) in edges.iter().enumerate() {
         for place in edge.places() {
@@ -244,7 +250,32 @@ fn shells(
             pairs.push(neighbour(edges, i, place, distance)?);
         }
     }
-    hanging_together(n_faces, &pairs)
+    Ok(pairs)
+}
+
+/// Refuses a face whose edges are neighbours of one another because it is so narrow.
+///
+/// # Errors
+/// [`FaceError::Narrow`].
+fn check_widths(
+    faces: &[Face],
+    edges: &[FaceBorderEdge],
+    pairs: &[FacePair],
+    distance: f64,
+) -> Result<(), GeomError> {
+    for (face, own) in faces.iter().enumerate() {
+        if !pairs.iter().any(|pair| pair.faces == [face; 2]) {
+            continue;
+        }
+        let own_edges = || edges.iter().filter(|edge| edge.face == face);
+        let along: f64 = own_edges().map(|edge| edge.curve.length(edge.curve.domain())).sum();
+        let width = 2.0 * own.mass()?.amount / along;
+        if width <= 2.0 * distance {
+            let point = own_edges().next().map_or(DVec3::ZERO, |edge| edge.curve.start());
+            return Err(FaceError::Narrow { face, width, tolerance: distance, point }.into());
+        }
+    }
+    Ok(())
 }
 
 /// The faces that hang together by pairs, each with the sign that makes them look alike.
@@ -306,6 +337,14 @@ pub(super) fn neighbour(
         nearest = nearest.min(foot.distance);
         if foot.distance <= reach {
             there.push((i, other.curve.derivatives_at(foot.parameter, 1)[1]));
+        }
+    }
+    // Near a corner the edges that end there are as near as the neighbour.
+    if 1 < there.len() {
+        let runs_beside = |way: DVec3| RUN_BESIDE * norm(way) * norm(along) <= along.dot(way).abs();
+        let n_beside = there.iter().filter(|&&(_, way)| runs_beside(way)).count();
+        if n_beside == 1 {
+            there.retain(|&(_, way)| runs_beside(way));
         }
     }
     match there[..] {

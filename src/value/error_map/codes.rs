@@ -57,6 +57,8 @@ const fn of_face(error: &FaceError) -> Code {
         FaceError::OpenShell { .. }
         | FaceError::CrowdedShell { .. }
         | FaceError::OneSided { .. } => Code::OpenShell,
+        FaceError::Narrow { .. } => Code::WithinTolerance,
+        FaceError::TouchesItself { .. } => Code::NotManifold,
         FaceError::Open { .. }
         | FaceError::BothSides { .. }
         | FaceError::EndsInside { .. }

@@ -31,6 +31,10 @@ pub(super) fn of_face(error: &FaceError) -> String {
         FaceError::CrowdedShell { .. } | FaceError::OneSided { .. } => {
             "leave out the faces that do not belong to the border"
         }
+        FaceError::Narrow { .. } => "state a smaller `tolerance` at the top of the script",
+        FaceError::TouchesItself { .. } => {
+            "part the region there, or keep its holes apart by more than the tolerance"
+        }
         FaceError::Nothing => "a loop that runs the other way leaves what is on its other side",
     };
     hint.to_owned()

@@ -56,9 +56,8 @@ impl Surface {
         let Some(scale) =
             needed_scale(probed(std::slice::from_ref(self))?.map_or(0.0, Bounds::magnitude))
         else {
-            let IntegralValues { values: [area], relative_error } =
-                integral(self, [0], |_, normal| [normal.length()])?;
-            return Ok((area, relative_error));
+            let found = integral(self, [0], |_, normal| [normal.length()])?;
+            return Ok((found.values[0], found.relative_error()));
         };
         let plain = self.transformed(&DAffine3::from_scale(DVec3::splat(scale.recip())))?;
         let (area, relative_error) = plain.area()?;
@@ -271,35 +270,40 @@ fn probed(surfaces: &[Surface]) -> Result<Option<Bounds>, GeomError> {
 
 /// Integrals of several surfaces together: an amount, and behind it moments.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct MassIntegral<const N: usize = 10> {
-    values: [f64; N],
-    relative_error: f64,
-}
+pub(crate) struct MassIntegral<const N: usize = 10>(IntegralValues<N>);
 
 impl<const N: usize> Default for MassIntegral<N> {
     fn default() -> Self {
-        Self { values: [0.0; N], relative_error: 0.0 }
+        Self(IntegralValues { values: [0.0; N], errors: [0.0; N], sizes: [0.0; N] })
     }
 }
 
 impl<const N: usize> MassIntegral<N> {
     pub(crate) fn add(&mut self, part: IntegralValues<N>, sign: f64) {
-        self.values.iter_mut().zip(part.values).for_each(|(sum, value)| *sum += sign * value);
-        self.relative_error = self.relative_error.max(part.relative_error);
+        for i in 0..N {
+            self.0.values[i] += sign * part.values[i];
+            self.0.errors[i] += part.errors[i];
+            self.0.sizes[i] += part.sizes[i];
+        }
+    }
+
+    /// What is known of the error, as a fraction of the amount, and of the sizes of moments.
+    fn relative_error(&self) -> f64 {
+        let of_amount = self.0.errors[0] / self.0.values[0].abs().max(f64::MIN_POSITIVE);
+        self.0.relative_error().max(of_amount)
     }
 
     /// Adds the moments of a shell; one that was not oriented is taken to look outward. The sign that it was
     /// given.
     pub(crate) fn add_shell(&mut self, shell: &Self, was_oriented: bool) -> f64 {
         let turn = if !was_oriented && shell.flux() < 0.0 { -1.0 } else { 1.0 };
-        let Self { values, relative_error } = *shell;
-        self.add(IntegralValues { values, relative_error }, turn);
+        self.add(shell.0, turn);
         turn
     }
 
     /// The flux of the way from the place that they are about: three times the volume.
     pub(crate) fn flux(&self) -> f64 {
-        self.values[0]
+        self.0.values[0]
     }
 
     /// The volume that shells hold, which is not negative, and by which fraction it may be wrong.
@@ -309,12 +313,12 @@ impl<const N: usize> MassIntegral<N> {
     pub(crate) fn amount_of_volume(&self) -> Result<(f64, f64), GeomError> {
         let amount = self.flux().abs() / 3.0;
         let is_known = 0.0 < amount && amount.is_finite();
-        if is_known { Ok((amount, self.relative_error)) } else { Err(self.without("volume")) }
+        if is_known { Ok((amount, self.relative_error())) } else { Err(self.without("volume")) }
     }
 
     /// Why they say nothing: they overflow, or there is nothing.
     pub(crate) fn without(&self, what: &'static str) -> GeomError {
-        if self.values.iter().all(|value| value.is_finite()) {
+        if self.0.values.iter().all(|value| value.is_finite()) {
             GeomError::Measure(MeasureError::NothingThere { what })
         } else {
             GeomError::Measure(MeasureError::TooLargeToMeasure { what })
@@ -328,8 +332,8 @@ impl MassIntegral {
     /// # Errors
     /// Those of [`Self::without`].
     pub(crate) fn volume(mut self, about: DVec3) -> Result<MassProperties, GeomError> {
-        if self.values[0] < 0.0 {
-            self.values = self.values.map(|value| -value);
+        if self.0.values[0] < 0.0 {
+            self.0.values = self.0.values.map(|value| -value);
         }
         self.mass(about, [3.0, 4.0, 5.0]).ok_or_else(|| self.without("volume"))
     }
@@ -340,7 +344,7 @@ impl MassIntegral {
         about: DVec3,
         [of_one, of_point, of_product]: [f64; 3],
     ) -> Option<MassProperties> {
-        let [m, x, y, z, xx, yy, zz, xy, yz, zx] = self.values;
+        let [m, x, y, z, xx, yy, zz, xy, yz, zx] = self.0.values;
         let amount = m / of_one;
         let arm = DVec3::new(x, y, z) / of_point / amount;
         let products = DMat3::from_cols(
@@ -356,7 +360,7 @@ impl MassIntegral {
             amount,
             centroid: about + arm,
             inertia,
-            relative_error: self.relative_error,
+            relative_error: self.relative_error(),
         };
         (0.0 < amount && mass.centroid.is_finite()).then_some(mass)
     }

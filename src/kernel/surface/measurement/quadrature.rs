@@ -29,13 +29,37 @@ const FUNCTION_PARTS: usize = 4;
 /// off at least: cells that are wider than what happens in them agree with their halves by chance.
 const LATE_CUTS: usize = SURFACE_CUTS / 4;
 
+/// What is integrated, at a place.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Density<const N: usize> {
+    pub(crate) values: [f64; N],
+    /// What the values are made of, where that is larger than they are, so that they are known to its last bits at
+    /// best; else nothing.
+    pub(crate) parts: [f64; N],
+}
+
+impl<const N: usize> From<[f64; N]> for Density<N> {
+    fn from(values: [f64; N]) -> Self {
+        Self { values, parts: [0.0; N] }
+    }
+}
+
 /// An integral of several quantities.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct IntegralValues<const N: usize> {
     pub(crate) values: [f64; N],
-    /// What is known of the error, as a fraction of the integral of the absolute values, of the largest quantity of
-    /// a kind; the largest of all kinds.
-    pub(crate) relative_error: f64,
+    /// How far each may be off.
+    pub(crate) errors: [f64; N],
+    /// The integrals of the absolute values, of each quantity that of the largest of its kind.
+    pub(crate) sizes: [f64; N],
+}
+
+impl<const N: usize> IntegralValues<N> {
+    /// What is known of the error, as a fraction of the sizes; the largest of all kinds.
+    pub(crate) fn relative_error(&self) -> f64 {
+        let error = |i: usize| self.errors[i] / self.sizes[i].max(f64::MIN_POSITIVE);
+        (0..N).map(error).fold(LAST_BIT, f64::max)
+    }
 }
 
 /// A rectangle of parameters of a part of the surface.
@@ -46,11 +70,12 @@ struct QuadratureCell {
     v: Interval,
 }
 
-/// A quantity over a cell, and its absolute value.
+/// A quantity over a cell, its absolute value, and what it is made of.
 #[derive(Clone, Copy, Debug)]
 struct CellEstimate<const N: usize> {
     values: [f64; N],
     absolute: [f64; N],
+    parts: [f64; N],
 }
 
 /// A cell with its integral by the whole, and by the halves along u and along v.
@@ -59,6 +84,7 @@ struct IntegratedCell<const N: usize> {
     halves: [[CellEstimate<N>; 2]; 2],
     values: [f64; N],
     absolute: [f64; N],
+    parts: [f64; N],
     /// How much the halves differ from the whole, along u and along v.
     changes: [[f64; N]; 2],
     /// By how much more than the changes it may be off.
@@ -67,6 +93,9 @@ struct IntegratedCell<const N: usize> {
 
 /// Changes that hardly fade are not taken to go on for longer than this many times the last.
 const MOST_TO_COME: f64 = 64.0;
+
+/// What of the size of a sum of many terms is rounding.
+const ROUNDING: f64 = 64.0 * LAST_BIT;
 
 impl<const N: usize> IntegratedCell<N> {
     fn new(
@@ -81,8 +110,9 @@ impl<const N: usize> IntegratedCell<N> {
         let values = std::array::from_fn(|i| whole.values[i] + changes[0][i] + changes[1][i]);
         let [[a, b], _] = &halves;
         let absolute = std::array::from_fn(|i| a.absolute[i] + b.absolute[i]);
+        let parts = std::array::from_fn(|i| a.parts[i] + b.parts[i]);
         let changes = changes.map(|change: [f64; N]| change.map(f64::abs));
-        Self { cell, halves, values, absolute, changes, factors: [[1.0; N]; 2] }
+        Self { cell, halves, values, absolute, parts, changes, factors: [[1.0; N]; 2] }
     }
 
     /// With what is known from the cell of which it is a half along a direction.
@@ -90,7 +120,7 @@ impl<const N: usize> IntegratedCell<N> {
         self.factors = whole.factors;
         for i in 0..N {
             let (change, before) = (self.changes[direction][i], whole.changes[direction][i]);
-            let is_rounding = change <= 64.0 * LAST_BIT * self.absolute[i];
+            let is_rounding = change <= ROUNDING * self.absolute[i].max(self.parts[i]);
             let to_come = if is_rounding { 1.0 } else { change / (before - change).max(0.0) };
             self.factors[direction][i] = to_come.clamp(1.0, MOST_TO_COME);
         }
@@ -157,10 +187,10 @@ pub(crate) type QuantityKinds<const N: usize> = [usize; N];
 ///
 /// # Errors
 /// As [`Surface::point_at`].
-pub(crate) fn integral<const N: usize>(
+pub(crate) fn integral<const N: usize, D: Into<Density<N>>>(
     surface: &Surface,
     kinds: QuantityKinds<N>,
-    density: impl Fn(DVec3, DVec3) -> [f64; N],
+    density: impl Fn(DVec3, DVec3) -> D,
 ) -> Result<IntegralValues<N>, GeomError> {
     integral_over(&parts(surface), kinds, density)
 }
@@ -169,10 +199,10 @@ pub(crate) fn integral<const N: usize>(
 ///
 /// # Errors
 /// As [`QuadratureMap::at`].
-pub(crate) fn integral_over<const N: usize, M: QuadratureMap>(
+pub(crate) fn integral_over<const N: usize, M: QuadratureMap, D: Into<Density<N>>>(
     parts: &[M],
     kinds: QuantityKinds<N>,
-    density: impl Fn(DVec3, DVec3) -> [f64; N],
+    density: impl Fn(DVec3, DVec3) -> D,
 ) -> Result<IntegralValues<N>, GeomError> {
     let rule = |cell: QuadratureCell| quadrature(&parts[cell.part], cell, &density);
     let known =
@@ -195,23 +225,22 @@ pub(crate) fn integral_over<const N: usize, M: QuadratureMap>(
         };
         let alone = of_all(&|known, i| known.absolute[i]);
         let of_kind = |i: usize| (0..N).filter(move |&k| kinds[k] == kinds[i]);
-        let sizes = std::array::from_fn(|i| of_kind(i).map(|k| alone[k]).fold(0.0, f64::max));
+        let largest = |all: [f64; N]| -> [f64; N] {
+            std::array::from_fn(|i| of_kind(i).map(|k| all[k]).fold(0.0, f64::max))
+        };
+        let (sizes, made_of) = (largest(alone), largest(of_all(&|known, i| known.parts[i])));
         let changes = of_all(&IntegratedCell::change);
-        let allowed = sizes.map(|size: f64| QUADRATURE_RELATIVE * size + f64::MIN_POSITIVE);
+        let allowed: [f64; N] = std::array::from_fn(|i| {
+            QUADRATURE_RELATIVE * sizes[i] + ROUNDING * made_of[i] + f64::MIN_POSITIVE
+        });
         let is_done = (0..N).all(|i| changes[i] <= allowed[i]);
         let urgency = |i: &usize| all[*i].urgency(allowed);
         let worst = (0..all.len()).max_by(|i, k| urgency(i).total_cmp(&urgency(k)));
         let Some(worst) = worst.filter(|_| !is_done && 0 < n_cuts) else {
             let values = of_all(&|known, i| known.values[i]);
             let since = late.filter(|_| !is_done).unwrap_or(values);
-            let error = |i: usize| {
-                let error = changes[i].max((values[i] - since[i]).abs());
-                error / sizes[i].max(f64::MIN_POSITIVE)
-            };
-            return Ok(IntegralValues {
-                values,
-                relative_error: (0..N).map(error).fold(LAST_BIT, f64::max),
-            });
+            let errors = std::array::from_fn(|i| changes[i].max((values[i] - since[i]).abs()));
+            return Ok(IntegralValues { values, errors, sizes });
         };
         if n_cuts == LATE_CUTS {
             late = Some(of_all(&|known, i| known.values[i]));
@@ -247,23 +276,29 @@ fn cells(part: usize, map: &impl QuadratureMap) -> Vec<QuadratureCell> {
 ///
 /// What is added up is the difference from the middle of the cell, so that what does not change
 /// has its exact integral.
-fn quadrature<const N: usize>(
+fn quadrature<const N: usize, D: Into<Density<N>>>(
     map: &impl QuadratureMap,
     cell: QuadratureCell,
-    density: &impl Fn(DVec3, DVec3) -> [f64; N],
+    density: &impl Fn(DVec3, DVec3) -> D,
 ) -> Result<CellEstimate<N>, GeomError> {
-    let at = |u: f64, v: f64| -> Result<[f64; N], GeomError> {
+    let at = |u: f64, v: f64| -> Result<Density<N>, GeomError> {
         let (point, normal, factor) = map.at([u, v])?;
-        Ok(density(point, normal).map(|value| value * factor))
+        let Density { values, parts } = density(point, normal).into();
+        Ok(Density {
+            values: values.map(|value| value * factor),
+            parts: parts.map(|value| value * factor.abs()),
+        })
     };
-    let middle = at(cell.u.at(0.5), cell.v.at(0.5))?;
-    let (mut means, mut absolute) = ([0.0; N], [0.0; N]);
+    let middle = at(cell.u.at(0.5), cell.v.at(0.5))?.values;
+    let (mut means, mut absolute, mut parts) = ([0.0; N], [0.0; N], [0.0; N]);
     for (u, weight_u) in nodes(&EIGHT_NODES, cell.u) {
         for (v, weight_v) in nodes(&EIGHT_NODES, cell.v) {
             let weight = weight_u * weight_v;
-            for (i, value) in at(u, v)?.into_iter().enumerate() {
+            let there = at(u, v)?;
+            for (i, value) in there.values.into_iter().enumerate() {
                 means[i] += weight * (value - middle[i]);
                 absolute[i] += weight * value.abs();
+                parts[i] += weight * there.parts[i];
             }
         }
     }
@@ -272,6 +307,7 @@ fn quadrature<const N: usize>(
     Ok(CellEstimate {
         values: means.map(|mean| mean * size),
         absolute: absolute.map(|mean| mean * size),
+        parts: parts.map(|mean| mean * size),
     })
 }
 
