@@ -269,6 +269,7 @@ impl ParametricCurve {
     /// The place with the reach over which the first derivatives keep to the size of the curve.
     fn neighbourhood(&self, t: f64, side: Side) -> Result<EvaluationPlace, GeomError> {
         let domain = self.domain();
+        let t = self.beside(t, side);
         let derivatives = self.derivatives_at(t, 1)?;
         let travel = norm(derivatives[1]) * domain.length();
         let coordinates = [self.start(), self.end(), derivatives[0]];

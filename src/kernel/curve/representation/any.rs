@@ -107,7 +107,7 @@ impl Curve {
         self.derivatives_beside(t, Side::Right, order)
     }
 
-    /// Derivatives at `t` of the piece on one side of it; a function has but one piece.
+    /// Derivatives at `t` of the piece on one side of it.
     ///
     /// # Errors
     /// As [`Self::point_at`].
@@ -119,7 +119,7 @@ impl Curve {
     ) -> Result<Vec<DVec3>, GeomError> {
         match self {
             Self::Nurbs(curve) => Ok(curve.derivatives_beside(t, side, order)),
-            Self::Parametric(curve) => curve.derivatives_at(t, order),
+            Self::Parametric(curve) => curve.derivatives_at(curve.beside(t, side), order),
         }
     }
 

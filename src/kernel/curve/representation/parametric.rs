@@ -8,7 +8,7 @@ use std::{
 use glam::{DAffine3, DVec3};
 
 use crate::{
-    DomainError, FunctionFailure, GeomError, Interval, LocalError, curve::NurbsCurve,
+    DomainError, FunctionFailure, GeomError, Interval, LocalError, Side, curve::NurbsCurve,
     tolerance::KNOT_RELATIVE,
 };
 
@@ -251,6 +251,13 @@ impl ParametricCurve {
             return Err(DomainError::NarrowInterval { start, end }.into());
         }
         self.on(Interval::new(start, end)?)
+    }
+
+    /// Where the function is asked for its piece on one side of `t`: what a condition decides at a parameter holds
+    /// from there on, and the other side is the number before.
+    pub(in crate::curve) fn beside(&self, t: f64, side: Side) -> f64 {
+        let is_inside = self.domain.start() < t && t < self.domain.end();
+        if side == Side::Left && is_inside { t.next_down() } else { t }
     }
 
     /// Both parts at `t`, each on its part of the domain.
