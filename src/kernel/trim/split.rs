@@ -142,8 +142,7 @@ impl Face {
         parts.into_iter().map(with_height).collect()
     }
 
-    /// The farthest height over a plane of places inside, of a face that is on one side of it: its border may
-    /// lie in the plane.
+    /// The farthest height over a plane of places of a face that is on one side of it.
     pub(crate) fn height_above(
         &self,
         plane: Frame,
@@ -154,10 +153,12 @@ impl Face {
         for part in &self.parts {
             let chord = DEFAULT_CHORD_RELATIVE * part.bounds().diagonal();
             for [a, b, c] in part.mesh(chord, distance, u32::MAX as usize)?.corners() {
-                let point = self.plane.point((a + b + c) / 3.0);
-                let height = (point - plane.origin()).dot(plane.z());
-                if farthest.abs() < height.abs() {
-                    farthest = height;
+                // The middles of triangles on both sides may lie in the plane, and so may all of one's corners.
+                for place in [a, b, c, (a + b + c) / 3.0] {
+                    let height = (self.plane.point(place) - plane.origin()).dot(plane.z());
+                    if farthest.abs() < height.abs() {
+                        farthest = height;
+                    }
                 }
             }
         }
