@@ -254,8 +254,14 @@ fn mistakes_in_csv_are_told_with_their_line() {
     wrong("a,b\n1,\"", "line 2: the quotation mark is not closed");
     wrong("a,b\n\"x\ny\" z,1\n", "line 3: `z` follows a quotation mark");
     wrong("a,b\n\"x\"\"\" \"y\",1\n", "line 2: `\"` follows a quotation mark");
-    wrong("a,b\n1,2\n\n1,x\n", "line 4: `b` must be a number as its first cell, `2`, found `x`");
-    wrong("a\n1\n\"2\"\n", "line 3: `a` must be a number as its first cell, `1`, found `2`");
+    wrong(
+        "a,b\n1,2\n\n1,x\n",
+        "line 4: `b` is a column of numbers, since its first cell is `2`, but here it holds `x`",
+    );
+    wrong(
+        "a\n1\n\"2\"\n",
+        "line 3: `a` is a column of numbers, since its first cell is `1`, but here it holds `2`",
+    );
     wrong("a,\n1,2", "line 1: column 2 has no name");
 }
 

@@ -202,9 +202,11 @@ pub use numeric::{
     least_problem::{LeastEnd, LeastProblem},
     least_squares::{LeastSquares, find_least_squares},
     linear::solve_linear,
-    root::{RootError, find_root, find_roots},
+    root::{find_root, find_roots},
+    root_error::RootError,
     root_proof::RootProof,
     sample::Sample,
+    slope::{Slope, find_slope},
     symmetric_eigen::principal_axes,
     trajectory::{Trajectory, TrajectoryError, TrajectoryNode, find_trajectory},
 };

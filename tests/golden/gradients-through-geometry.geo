@@ -50,6 +50,8 @@ check gradient(r => length(circle((0, 0), r)), 2mm) ~= 2 * pi
 // Nearest points, places by length, normals and isocurves of what varies.
 check gradient(h => closest(line((0, h), (4, h)), (1, 3)).distance, 1mm) ~= -1
 check gradient(r => closest(circle((0, 0), r), (3, 4)).point.x, 2) ~= 0.6
+check gradient(r => closest(sphere((0, 0), r), (2, 1, 3)).distance, 1.1mm) ~= -1
+check gradient(h => closest(plane_patch((0, 0, h), (1, 0), (0, 1)), (0.5, 0.5, 3)).distance, 1mm) ~= -1
 check gradient(s => { let c = line((0, 0), (3*s, 4*s))
   c(parameter_at_length(c, 2)).x * s }, 1) ~= 1.2
 check gradient(h => dot(normal(bilinear((0, 0), (0, 1), (1, 0, h), (1, 1, h)), 0.5, 0.5), (1, 0, 0)), 0) ~= -1
@@ -66,6 +68,18 @@ check every(0..9, f = i => {
   let h = 1e-4
   abs(by_breadth[i] - (area(hull(broader(i, h))) - area(hull(broader(i, -h)))) / (2 * h) / 1mm^2) < 1e-6
 })
+// Centres of what surfaces enclose, and of the surfaces themselves.
+fn keel(u) = centroid(scale(box((2, 0, 0), (3, 1, u.h)), u.b)).z
+fn sheet(u) = centroid(bilinear((0, 0, 0), (0, u.b, 1), (3, 0, u.h), (3, 2, 0)), of = "area").x
+check gradient(keel, {b: 2, h: 3}) ~= {b: 1.5, h: 1}
+check every([keel, sheet], f = f => {
+  let [at, d] = [{b: 2, h: 3}, 1e-5]
+  let by = gradient(f, at)
+  let by_b = (f({b: 2 + d, h: 3}) - f({b: 2 - d, h: 3})) / (2*d)
+  let by_h = (f({b: 2, h: 3 + d}) - f({b: 2, h: 3 - d})) / (2*d)
+  abs(by.b - by_b) < 1e-8 and abs(by.h - by_h) < 1e-8
+})
+
 // Searches use them: the sheet of a can.
 let tin = minimize(u => area(can(u)), start = {r: 40mm, h: 40mm}, subject = u => volume(can(u)) ~= 1e6mm^3, report = true)
 check tin.at.h ~= 2 * tin.at.r within 1e-3 and tin.derivatives == "exact"

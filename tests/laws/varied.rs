@@ -157,6 +157,29 @@ fn the_volume_of_a_closed_surface_grows_alike_about_any_point() {
     assert!((about(0.0) - about(3.0)).abs() < 1e-10);
 }
 
+/// What is moved takes its centre along; what grows about its centre leaves it where it is.
+#[test]
+fn the_centre_of_a_ball_goes_where_the_ball_goes() {
+    let (still, center) = (growing_ball(1.5), DVec3::new(0.0, 0.0, 0.0));
+    let ball = Arc::clone(still.surface());
+    let points = ball.control_points().as_slice();
+    let along = points.iter().map(|p| (DVec3::new(2.0, -1.0, 0.5) * p.w).extend(0.0)).collect();
+    let slopes = PointSlopes::new(1, points.len(), vec![(0, along)]).unwrap();
+    let moved = VariedSurface::new(ball, slopes).unwrap();
+    let (pi, about) = (std::f64::consts::PI, DVec3::new(3.0, 1.0, -2.0));
+    let sign = still.volume_slopes(about).unwrap().slopes[0].signum();
+    for (axis, speed) in [(DVec3::X, 2.0), (DVec3::Y, -1.0), (DVec3::Z, 0.5)] {
+        let of = |varied: &VariedSurface| {
+            let volume = varied.volume_moment_slopes(about, center, axis).unwrap().slopes[0];
+            let area = varied.area_moment_slopes(center, axis).unwrap().slopes[0];
+            [sign * volume / (4.5 * pi), area / (9.0 * pi)]
+        };
+        for (moved, still) in of(&moved).into_iter().zip(of(&still)) {
+            assert!((moved - speed).abs() < 1e-10 && still.abs() < 1e-10, "{moved} {still}");
+        }
+    }
+}
+
 /// A circle of radius r has the circumference 2πr; that of weights that change alike does not change.
 #[test]
 fn a_circle_grows_by_two_pi_r() {

@@ -88,6 +88,9 @@ pub(crate) const LEAST_STEPS: usize = 100;
 /// Pieces of an interval over which a function is integrated.
 pub(crate) const INTEGRAL_PIECES: usize = 2000;
 
+/// Steps over which differences are taken for one slope, each half of the one before.
+pub(crate) const SLOPE_STEPS: i32 = 10;
+
 /// Steps of one trajectory: a second's work.
 pub const TRAJECTORY_STEPS: usize = 50_000;
 

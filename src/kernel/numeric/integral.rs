@@ -1,8 +1,12 @@
 //! Integrals of functions of one number, to a stated error.
 
-use std::{cmp::Ordering, collections::BinaryHeap};
+use std::collections::BinaryHeap;
 
-use super::gauss_legendre::{EIGHT_NODES, GaussRule, SIXTEEN_NODES};
+use super::{
+    integral_kink::{beside_kink, kink, unseen_jump},
+    integral_piece::{IntegrationInterval, add, halves},
+    integral_start::{MOST_LOOKS, first_pieces},
+};
 use crate::{ceiling::INTEGRAL_PIECES, tolerance::INTEGRAL_WIDTH_RELATIVE};
 
 /// An integral, and how far it may be off.
@@ -48,41 +52,17 @@ pub enum IntegralError<E> {
 /// Numbers between the ends of a piece that is divided: nodes are no longer places of their own in less.
 const LEAST_SPACINGS: u32 = 256;
 
-/// A piece of the interval with what the rules say of it; the one with the largest error comes first.
-struct IntegrationInterval {
-    interval: [f64; 2],
-    value: Vec<f64>,
-    size: f64,
-    error: f64,
-}
-
-impl PartialEq for IntegrationInterval {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for IntegrationInterval {}
-
-impl PartialOrd for IntegrationInterval {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for IntegrationInterval {
-    fn cmp(&self, other: &Self) -> Ordering {
-        let by_place = || other.interval[0].total_cmp(&self.interval[0]);
-        self.error.total_cmp(&other.error).then_with(by_place)
-    }
-}
+/// How many times smaller than the error asked for is what may be left to the place of a kink.
+const FINER: f64 = 64.0;
 
 /// The integral of a function of some components, as many everywhere, over an interval, `start` below `end`, with an
 /// error of at most `relative` times the integral of the function's size, or of `absolute`.
 ///
 /// The piece of which rules with eight and with sixteen nodes say most different things is halved, until
-/// they agree. Ends of the interval are never asked for, so that a function may grow there without bound as
-/// long as its integral does not. Piessens et al., *QUADPACK*, §2.2.1 (QAG).
+/// they agree. Where the error keeps to one side, as beside a kink or a jump, the function is cut there; neighbours
+/// that do not meet have a jump between their last nodes. Ends of the interval are never asked for, so that a function
+/// may grow there without bound as long as its integral does not. What no node shows stays unseen: a peak between
+/// them, or a jump that is nearer to an end than a thousandth. Piessens et al., *QUADPACK*, §2.2.1 (QAG).
 ///
 /// ```
 /// use virote_kernel::{IntegralError, find_integral};
@@ -129,74 +109,58 @@ pub fn find_sized_integral<E>(
     relative: f64,
     absolute: f64,
 ) -> Result<Integral, IntegralError<E>> {
-    let mut ask = |interval| piece(&mut function, interval).map_err(IntegralError::Function);
-    let mut pieces = BinaryHeap::from([ask([start, end])?]);
+    let failed = IntegralError::Function;
+    let mut pieces =
+        BinaryHeap::from(first_pieces(&mut function, [start, end], MOST_LOOKS).map_err(failed)?);
     loop {
         let sum = |what: fn(&IntegrationInterval) -> f64| pieces.iter().map(what).sum::<f64>();
         let (error, size) = (sum(|piece| piece.error), sum(|piece| piece.size));
         let is_known = error.is_finite() && size.is_finite();
-        if is_known && error <= absolute.max(relative * size) {
-            return Ok(total(pieces.into_sorted_vec(), error, size));
+        let allowed = absolute.max(relative * size);
+        if is_known && error <= allowed {
+            let mut settled = pieces.into_vec();
+            settled.sort_by(|a, b| a.interval[0].total_cmp(&b.interval[0]));
+            let is_wide = |piece: &IntegrationInterval| is_wide(piece, end - start);
+            let n_left = INTEGRAL_PIECES.saturating_sub(settled.len());
+            if n_left == 0
+                || !unseen_jump(&mut function, &mut settled, allowed, is_wide).map_err(failed)?
+            {
+                return Ok(total(&settled, error, size));
+            }
+            pieces = settled.into();
+            continue;
         }
         let Some(worst) = pieces.pop() else { unreachable!("there is a piece") };
-        let [from, to] = worst.interval;
-        let middle = 0.5 * (from + to);
-        let beside = from.abs().max(to.abs());
-        let spacing = beside.next_up() - beside;
-        let is_wide = INTEGRAL_WIDTH_RELATIVE * (end - start) < to - from
-            && f64::from(LEAST_SPACINGS) * spacing < to - from;
-        if !is_wide || INTEGRAL_PIECES <= pieces.len() || !is_known {
-            return Err(IntegralError::Unsettled { at: middle, error });
+        if !is_wide(&worst, end - start) || INTEGRAL_PIECES <= pieces.len() || !is_known {
+            return Err(IntegralError::Unsettled { at: worst.middle(), error });
         }
-        pieces.extend([ask([from, middle])?, ask([middle, to])?]);
+        let found = kink(&mut function, &pieces, &worst, allowed / FINER);
+        let parts = match found.map(|kink| beside_kink(&mut function, [&worst, &worst], kink)) {
+            Some(Ok(parts)) => Ok(parts),
+            // Where it fails so near to a kink there is a pole.
+            _ => halves(&mut function, &worst),
+        };
+        pieces.extend(parts.map_err(failed)?);
     }
+}
+
+/// Whether a piece of an interval of some length can be divided.
+fn is_wide(piece: &IntegrationInterval, length: f64) -> bool {
+    let [from, to] = piece.interval;
+    let beside = from.abs().max(to.abs());
+    let spacing = beside.next_up() - beside;
+    let reaches_zero = from <= 0.0 && 0.0 <= to;
+    f64::from(LEAST_SPACINGS) * spacing < to - from
+        && (!reaches_zero || INTEGRAL_WIDTH_RELATIVE * length < to - from)
 }
 
 /// The sum over all pieces, from the left to the right.
-fn total(mut pieces: Vec<IntegrationInterval>, error: f64, size: f64) -> Integral {
-    pieces.sort_by(|a, b| a.interval[0].total_cmp(&b.interval[0]));
+fn total(pieces: &[IntegrationInterval], error: f64, size: f64) -> Integral {
     let mut value = Vec::new();
-    for piece in &pieces {
+    for piece in pieces {
         add(&mut value, 1.0, &piece.value);
     }
     Integral { value, error, size }
-}
-
-fn piece<E>(
-    function: &mut impl FnMut(f64) -> Result<(Vec<f64>, f64), E>,
-    interval: [f64; 2],
-) -> Result<IntegrationInterval, E> {
-    let (rough, _) = by_rule(function, &EIGHT_NODES, interval)?;
-    let (value, size) = by_rule(function, &SIXTEEN_NODES, interval)?;
-    let apart = value.iter().zip(&rough).map(|(value, rough)| (value - rough).abs());
-    // `max` passes over what is no number.
-    let is_known = value.iter().chain(&rough).all(|part| part.is_finite());
-    let error = if is_known { apart.fold(0.0, f64::max) } else { f64::INFINITY };
-    Ok(IntegrationInterval { interval, value, size, error })
-}
-
-/// The integral by one rule, and that of the size.
-fn by_rule<const HALF: usize, E>(
-    function: &mut impl FnMut(f64) -> Result<(Vec<f64>, f64), E>,
-    rule: &GaussRule<HALF>,
-    [start, end]: [f64; 2],
-) -> Result<(Vec<f64>, f64), E> {
-    let (middle, half) = (0.5 * (start + end), 0.5 * (end - start));
-    let (mut sum, mut size) = (Vec::new(), 0.0);
-    for &[node, weight] in rule {
-        for at in [middle - half * node, middle + half * node] {
-            let (value, own_size) = function(at)?;
-            add(&mut sum, weight * half, &value);
-            size += weight * half * own_size;
-        }
-    }
-    Ok((sum, size))
-}
-
-/// Adds components with a factor.
-fn add(sum: &mut Vec<f64>, factor: f64, value: &[f64]) {
-    sum.resize(value.len(), 0.0);
-    sum.iter_mut().zip(value).for_each(|(sum, part)| *sum += factor * part);
 }
 
 #[cfg(test)]
@@ -225,6 +189,50 @@ mod tests {
     }
 
     #[test]
+    fn what_is_large_at_an_end_alone_is_seen() {
+        let cases: [(fn(f64) -> f64, [f64; 2], f64); 6] = [
+            (|x| libm::exp(-x), [0.0, 1e6], 1.0),
+            (|x| libm::exp(-x), [0.0, 1e300], 1.0),
+            (|x| libm::pow(x, -2.0), [1.0, 1e300], 1.0),
+            (|x| 1.0 / x, [1.0, 1e300], 690.775_527_898_213_7),
+            (|x| libm::exp(x), [-1e9, 1.0], std::f64::consts::E),
+            (|x| libm::exp(-x * x), [-1e3, 1e9], 1.772_453_850_905_516),
+        ];
+        for (function, interval, expected) in cases {
+            let found = integral(function, interval).expect("an integral");
+            assert!((found / expected - 1.0).abs() < 1e-12, "{found}, not {expected}");
+        }
+    }
+
+    #[test]
+    fn kinks_and_jumps_take_few_questions() {
+        let cases: [(fn(f64) -> f64, f64); 5] = [
+            (|x| (x - 0.3).abs(), 0.29),
+            (|x| if x < 0.3 { libm::exp(x) } else { 0.0 }, 0.349_858_807_576_003_1),
+            (|x| if x < 0.77 { 1.0 } else { libm::cos(x - 0.77) }, 0.77 + 0.227_977_523_535_188_4),
+            (|x| (x - 0.6).max(0.0) - (0.2 - x).max(0.0), 0.06),
+            (
+                |x| (x - 0.613).abs() * (x - 0.613),
+                (0.387_f64 * 0.387 * 0.387 - 0.613 * 0.613 * 0.613) / 3.0,
+            ),
+        ];
+        for (function, expected) in cases {
+            let mut n_asked = 0;
+            let asked = |x| {
+                n_asked += 1;
+                Ok::<_, ()>(vec![function(x)])
+            };
+            let found = find_integral(asked, [0.0, 1.0], 1e-13, 0.0).expect("an integral");
+            assert!(
+                (found.value[0] / expected - 1.0).abs() < 2e-13,
+                "{}, not {expected}",
+                found.value[0]
+            );
+            assert!(n_asked < 500, "{n_asked} questions for {expected}");
+        }
+    }
+
+    #[test]
     fn what_has_no_integral_is_refused_where_that_is() {
         let found = integral(|x| 1.0 / x, [0.0, 1.0]);
         let Err(IntegralError::Unsettled { at, .. }) = found else { unreachable!("{found:?}") };
@@ -233,6 +241,15 @@ mod tests {
         assert!(
             matches!(found, Err(IntegralError::Unsettled { at, .. }) if (at - 0.3).abs() < 1e-3)
         );
+    }
+
+    #[test]
+    fn a_function_may_fail_where_it_grows_without_bound() {
+        let at =
+            |x: f64| if x - 0.3 == 0.0 { Err(x) } else { Ok(vec![libm::log((x - 0.3).abs())]) };
+        let found = find_integral(at, [0.0, 1.0], 1e-13, 0.0).expect("an integral");
+        let expected = 0.7 * (libm::log(0.7) - 1.0) + 0.3 * (libm::log(0.3) - 1.0);
+        assert!((found.value[0] - expected).abs() < 1e-12, "{}", found.value[0]);
     }
 
     #[test]
@@ -253,5 +270,30 @@ mod tests {
         assert!(matches!(found, Err(IntegralError::Unsettled { .. })));
         // Eight nodes and sixteen.
         assert_eq!(n_asked, 24);
+    }
+
+    #[test]
+    fn jumps_are_seen_wherever_they_are() {
+        for k in 1..400 {
+            // Golden shares come everywhere.
+            let at = (f64::from(k) * 0.618_033_988_749_894_9).fract();
+            let found = find_integral(
+                |x| Ok::<_, ()>(vec![if x < at { 1.0 } else { 0.0 }]),
+                [0.0, 1.0],
+                1e-13,
+                0.0,
+            );
+            let found = found.expect("an integral");
+            assert!((found.value[0] - at).abs() < 2e-13, "{} for {at}", found.value[0]);
+            let found = find_integral(
+                |x| Ok::<_, ()>(vec![1.0, libm::exp(x) + if x < at { 1.0 } else { 0.0 }]),
+                [0.0, 1.0],
+                1e-13,
+                0.0,
+            );
+            let (found, expected) =
+                (found.expect("an integral").value[1], std::f64::consts::E - 1.0 + at);
+            assert!((found - expected).abs() < 1e-12, "{found} for {at}");
+        }
     }
 }

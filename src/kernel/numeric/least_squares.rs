@@ -31,6 +31,9 @@ pub struct LeastSquares {
     pub first_residuals: Vec<f64>,
     /// Whether the last step moved the unknowns by rounding alone.
     pub is_settled: bool,
+    /// How far one more step of Newton would lead, as a share of the unknowns or of the way from the start: little
+    /// where there is a root, and not where the functions only come near zero, or tend to it.
+    pub rest: f64,
     /// How often the functions were asked.
     pub n_evaluations: usize,
 }
@@ -65,10 +68,11 @@ pub fn find_least_squares<E>(
     let first_residuals = residuals.clone();
     let mut damping = DAMPING_FIRST;
     let mut is_settled = false;
+    let mut newton = None;
     for _ in 0..LEAST_SQUARES_STEPS {
         let square = squares(&residuals);
         if square <= 0.0 {
-            is_settled = true;
+            (is_settled, newton) = (true, None);
             break;
         }
         let gradients = asked.gradients(&unknowns, &[])?;
@@ -86,6 +90,7 @@ pub fn find_least_squares<E>(
             }
             damping *= 8.0;
         };
+        newton = Some((gradients, residuals.clone()));
         let Some((moved, values, step)) = accepted else {
             is_settled = true;
             break;
@@ -98,7 +103,30 @@ pub fn find_least_squares<E>(
         }
     }
     let n_evaluations = asked.n_evaluations;
-    Ok(LeastSquares { unknowns, residuals, first_residuals, is_settled, n_evaluations })
+    let way: Vec<f64> = unknowns.iter().zip(start).map(|(x, start)| x - start).collect();
+    let size = largest(&unknowns).max(largest(&way)).max(f64::MIN_POSITIVE);
+    let rest = newton.map_or(0.0, |(slopes, values)| newton_step(&slopes, &values) / size);
+    Ok(LeastSquares { unknowns, residuals, first_residuals, is_settled, rest, n_evaluations })
+}
+
+fn largest(all: &[f64]) -> f64 {
+    all.iter().fold(0.0, |most: f64, part| most.max(part.abs()))
+}
+
+/// How far a step of Newton leads; endless where nothing slopes.
+fn newton_step(gradients: &[Vec<f64>], residuals: &[f64]) -> f64 {
+    let steepest = gradients.iter().map(|gradient| largest(gradient)).fold(0.0, f64::max);
+    if steepest <= 0.0 {
+        return f64::INFINITY;
+    }
+    // In units of the steepest, whose square may be no number.
+    let unit = |all: &[f64]| all.iter().map(|part| part / steepest).collect::<Vec<f64>>();
+    let (gradients, residuals): (Vec<Vec<f64>>, _) =
+        (gradients.iter().map(|gradient| unit(gradient)).collect(), unit(residuals));
+    match largest(&residuals).is_finite() {
+        true => largest(&NormalEquations::new(&gradients, &residuals).step(STEP_REST_RELATIVE)),
+        false => f64::INFINITY,
+    }
 }
 
 /// The sum of squares; of what is no number more than any.
@@ -202,6 +230,11 @@ mod tests {
             none.unknowns[0].abs() < 1e-3 && (none.residuals[0] - 1.0).abs() < 1e-6,
             "{none:?}"
         );
+        assert!(1e-3 < none.rest, "{none:?}");
+        let tends = found(|x| vec![libm::exp(x[0])], &[1.0]);
+        assert!(1e-3 < tends.rest, "{tends:?}");
+        let triple = found(|x| vec![x[0] * x[0] * x[0]], &[5.0]);
+        assert!(triple.rest < 1e-9, "{triple:?}");
         let flat = found(|_| vec![1.0], &[3.0]);
         assert!((flat.unknowns[0] - 3.0).abs() < 1e-9);
     }

@@ -4,6 +4,7 @@
 //! work that the caller gives or `f64` does, and says what it answers when it gets there.
 
 pub(crate) mod answers;
+mod asked_function;
 pub(crate) mod banded;
 pub(crate) mod bisection;
 pub(crate) mod constrained_least;
@@ -13,6 +14,10 @@ pub(crate) mod enclosure;
 pub(crate) mod gauss_legendre;
 pub(crate) mod golden_section;
 pub(crate) mod integral;
+mod integral_kink;
+mod integral_piece;
+mod integral_start;
+mod kink;
 pub(crate) mod least;
 mod least_model;
 pub(crate) mod least_problem;
@@ -24,9 +29,11 @@ pub(crate) mod pattern_search;
 pub(crate) mod polynomial_roots;
 mod quadratic_program;
 pub(crate) mod root;
+pub(crate) mod root_error;
 pub(crate) mod root_proof;
 pub(crate) mod sample;
 pub(crate) mod singular_values;
+pub(crate) mod slope;
 pub(crate) mod symmetric_band;
 pub(crate) mod symmetric_eigen;
 pub(crate) mod trajectory;

@@ -1,66 +1,28 @@
 //! Roots of functions of one number.
 
-use super::{least::least_between, sample::Sample};
+use super::{
+    asked_function::AskedFunction,
+    least::least_between,
+    root_error::RootError,
+    sample::{Sample, is_zero},
+};
 use crate::{
     ceiling::{ALL_ROOT_LOOKS, ROOT_LOOKS, ROOT_STEPS},
     tolerance::{ROOT_JUMP_RELATIVE, ROOT_RELATIVE, ROOT_TOUCH_RELATIVE},
 };
 
-/// Why there is no root.
-///
-/// ```
-/// use virote_kernel::{RootError, find_root};
-///
-/// let found = find_root(|x| Ok::<_, ()>(x * x + 1.0), [-1.0, 2.0]);
-/// assert!(matches!(found, Err(RootError::NoRoot { nearest, .. }) if nearest.at.abs() < 1e-6));
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub enum RootError<E> {
-    /// The function failed.
-    Function(E),
-    /// No change of sign was found and no touch: the sample nearest to zero, and those at both ends.
-    NoRoot {
-        /// Where it is nearest to zero.
-        nearest: Sample,
-        /// At the ends of the interval.
-        ends: [Sample; 2],
-    },
-    /// The sign changes from one number to the next without a zero.
-    Jump {
-        /// Both numbers.
-        sides: [Sample; 2],
-    },
-}
+/// Of so many parts one may hold a root: more roots may come in pairs that samples do not tell.
+const CROWDED: usize = 4;
 
-impl<E> From<E> for RootError<E> {
-    fn from(err: E) -> Self {
-        Self::Function(err)
-    }
-}
-
-/// A function that keeps what it was asked.
-struct ScaledFunction<F> {
-    function: F,
-    /// The greatest value so far, without its sign.
-    size: f64,
-}
-
-impl<F> ScaledFunction<F> {
-    fn at<E>(&mut self, at: f64) -> Result<Sample, E>
-    where
-        F: FnMut(f64) -> Result<f64, E>,
-    {
-        let value = (self.function)(at)?;
-        self.size = self.size.max(value.abs());
-        Ok(Sample { at, value })
-    }
-}
+/// Steps by which a root is polished whose bracket is narrow beside the interval but not beside itself.
+const POLISHING: usize = 4;
 
 /// One root of a function in an interval, `start` below `end`, as exactly as numbers tell it.
 ///
 /// Where the signs at both ends are the same, the interval is divided until they are not somewhere, and
 /// else the function is looked at where it is nearest to zero, since it may only touch it. The root that is
-/// found is between two neighbouring numbers with a change of sign, over which the function does not jump.
+/// found is between two neighbouring numbers with a change of sign, over which the function does not jump. Where
+/// the function is exactly zero it is asked a little beside, where it must not be.
 /// Chandrupatla, *A new hybrid quadratic/bisection algorithm for finding the zero of a nonlinear function
 /// without using derivatives*, Adv. Eng. Software 28 (1997).
 ///
@@ -75,17 +37,17 @@ impl<F> ScaledFunction<F> {
 /// ```
 ///
 /// # Errors
-/// Those of the function; no root; a jump over zero.
+/// Those of the function; no root; a jump over zero; a stretch along which it is zero.
 pub fn find_root<E>(
     function: impl FnMut(f64) -> Result<f64, E>,
     [start, end]: [f64; 2],
 ) -> Result<Sample, RootError<E>> {
-    let mut asked = ScaledFunction { function, size: 0.0 };
+    let mut asked = AskedFunction::new(function, [start, end]);
     let ends = [asked.at(start)?, asked.at(end)?];
     let mut samples = ends.to_vec();
     loop {
         if let Some(root) = samples.iter().find(|sample| is_zero(sample.value)) {
-            return Ok(*root);
+            return asked.single(*root);
         }
         if let Some(pair) = samples.windows(2).find(|pair| is_change(pair[0], pair[1])) {
             return between(&mut asked, [pair[0], pair[1]], end - start);
@@ -102,20 +64,27 @@ pub fn find_root<E>(
 /// that are nearer to one another may be missed in pairs.
 ///
 /// # Errors
-/// Those of the function; a jump over zero.
+/// Those of the function; a jump over zero; a stretch along which it is zero; roots in every fourth part or more.
 pub fn find_roots<E>(
     function: impl FnMut(f64) -> Result<f64, E>,
     [start, end]: [f64; 2],
 ) -> Result<Vec<Sample>, RootError<E>> {
-    let mut asked = ScaledFunction { function, size: 0.0 };
+    let mut asked = AskedFunction::new(function, [start, end]);
     let mut samples = vec![asked.at(start)?, asked.at(end)?];
     while samples.len() <= ALL_ROOT_LOOKS {
         samples = halved(&mut asked, &samples)?;
     }
+    let n_parts = samples.len() - 1;
+    let is_root = |pair: &&[Sample]| is_zero(pair[0].value) || is_change(pair[0], pair[1]);
+    let n_roots = samples.windows(2).filter(is_root).count();
+    let is_flat = samples.windows(2).any(|pair| pair.iter().all(|sample| is_zero(sample.value)));
+    if n_parts < CROWDED * n_roots && !is_flat {
+        return Err(RootError::Crowded { n_roots: [n_roots, n_parts] });
+    }
     let mut roots = Vec::new();
     for (i, pair) in samples.windows(2).enumerate() {
         if is_zero(pair[0].value) {
-            roots.push(pair[0]);
+            roots.push(asked.single(pair[0])?);
         } else if is_change(pair[0], pair[1]) {
             roots.push(between(&mut asked, [pair[0], pair[1]], end - start)?);
         } else if let [before, middle, after] = samples[i..(i + 3).min(samples.len())]
@@ -125,12 +94,10 @@ pub fn find_roots<E>(
             roots.push(root);
         }
     }
-    roots.extend(samples.last().filter(|sample| is_zero(sample.value)));
+    if let Some(last) = samples.last().filter(|sample| is_zero(sample.value)) {
+        roots.push(asked.single(*last)?);
+    }
     Ok(roots)
-}
-
-fn is_zero(value: f64) -> bool {
-    value == 0.0
 }
 
 fn is_change(a: Sample, b: Sample) -> bool {
@@ -147,7 +114,7 @@ fn is_valley(before: Sample, middle: Sample, after: Sample) -> bool {
 
 /// The samples with one in the middle between any two neighbours.
 fn halved<E, F: FnMut(f64) -> Result<f64, E>>(
-    asked: &mut ScaledFunction<F>,
+    asked: &mut AskedFunction<F>,
     samples: &[Sample],
 ) -> Result<Vec<Sample>, E> {
     let mut all = Vec::with_capacity(2 * samples.len());
@@ -160,7 +127,7 @@ fn halved<E, F: FnMut(f64) -> Result<f64, E>>(
 
 /// The root between two places with values of different signs.
 fn between<E, F: FnMut(f64) -> Result<f64, E>>(
-    asked: &mut ScaledFunction<F>,
+    asked: &mut AskedFunction<F>,
     [mut b, mut a]: [Sample; 2],
     interval: f64,
 ) -> Result<Sample, RootError<E>> {
@@ -173,7 +140,7 @@ fn between<E, F: FnMut(f64) -> Result<f64, E>>(
         let spacing = best.at.abs().next_up() - best.at.abs();
         let rest = (2.0 * spacing).max(ROOT_RELATIVE * interval) / (b.at - a.at).abs();
         if is_zero(best.value) {
-            return Ok(best);
+            return asked.single(best);
         }
         if 0.5 <= rest {
             break;
@@ -184,7 +151,32 @@ fn between<E, F: FnMut(f64) -> Result<f64, E>>(
         let sides = if a.at < b.at { [a, b] } else { [b, a] };
         return Err(RootError::Jump { sides });
     }
-    Ok(if a.value.abs() < b.value.abs() { a } else { b })
+    polished(asked, [a, b])
+}
+
+/// The root in a narrow bracket, from one end of it to the other along the chord, as far as that leads nearer to zero.
+fn polished<E, F: FnMut(f64) -> Result<f64, E>>(
+    asked: &mut AskedFunction<F>,
+    [mut a, mut b]: [Sample; 2],
+) -> Result<Sample, RootError<E>> {
+    let nearer = |a: Sample, b: Sample| if a.value.abs() < b.value.abs() { a } else { b };
+    let mut best = nearer(a, b);
+    for _ in 0..POLISHING {
+        let at = best.at - best.value * ((b.at - a.at) / (b.value - a.value));
+        if !(a.at.min(b.at) < at && at < a.at.max(b.at)) {
+            break;
+        }
+        let new = asked.at(at)?;
+        if best.value.abs() <= new.value.abs() {
+            break;
+        }
+        best = new;
+        if is_zero(new.value) {
+            break;
+        }
+        *(if is_change(new, a) { &mut b } else { &mut a }) = new;
+    }
+    Ok(best)
 }
 
 /// Where between a and b the root is looked for next: by inverse quadratic interpolation where that is
@@ -203,7 +195,7 @@ fn next_share([a, b, c]: [Sample; 3]) -> f64 {
 
 /// Where a function without a change of sign touches zero, else where it is nearest to that.
 fn touch<E, F: FnMut(f64) -> Result<f64, E>>(
-    asked: &mut ScaledFunction<F>,
+    asked: &mut AskedFunction<F>,
     samples: &[Sample],
 ) -> Result<Result<Sample, Sample>, RootError<E>> {
     let nearer = |a: &&Sample, b: &&Sample| a.value.abs().total_cmp(&b.value.abs());
@@ -216,7 +208,7 @@ fn touch<E, F: FnMut(f64) -> Result<f64, E>>(
 }
 
 fn touch_between<E, F: FnMut(f64) -> Result<f64, E>>(
-    asked: &mut ScaledFunction<F>,
+    asked: &mut AskedFunction<F>,
     [before, middle, after]: [Sample; 3],
 ) -> Result<Result<Sample, Sample>, RootError<E>> {
     let sign = middle.value.signum();
@@ -261,18 +253,19 @@ mod tests {
 
     #[test]
     fn roots_are_found_to_the_last_digit_in_few_steps() {
-        let cases: [(fn(f64) -> f64, [f64; 2], f64); 6] = [
+        let cases: [(fn(f64) -> f64, [f64; 2], f64); 7] = [
             (|x| x * x - 2.0, [0.0, 2.0], std::f64::consts::SQRT_2),
             (|x| libm::cos(x) - x, [0.0, 1.0], 0.739_085_133_215_160_6),
             (|x| libm::exp(x) - 1e6, [0.0, 20.0], 13.815_510_557_964_274),
             (|x| x * x * x - 1e-9, [-1.0, 1.0], 1e-3),
             (|x| 1.0 - 5.0 * x, [-3.0, 8.0], 0.2),
-            (|x| x - 1e-200, [-1.0, 1.0], 0.0),
+            (|x| x - 1e-200, [-1.0, 1.0], 1e-200),
+            (|x| x - 1e-9, [-1e9, 1e9], 1e-9),
         ];
         for (function, interval, expected) in cases {
             let (found, n) = root(function, interval);
             let at = found.expect("a root").at;
-            assert!((at - expected).abs() <= 4.0 * f64::EPSILON * expected.abs().max(1e-3), "{at}");
+            assert!((at - expected).abs() <= 4.0 * f64::EPSILON * expected.abs(), "{at}");
             assert!(n <= 30, "{n} for {expected}");
         }
     }
@@ -301,6 +294,27 @@ mod tests {
     }
 
     #[test]
+    fn a_stretch_of_zeros_is_no_root() {
+        let stretch = |function: fn(f64) -> f64| match root(function, [0.0, 2.0]).0 {
+            Err(RootError::Flat { stretch }) => stretch,
+            other => unreachable!("{other:?}"),
+        };
+        let [from, to] = stretch(|_| 0.0);
+        assert!(from <= 0.0 && 2.0 <= to, "{from} {to}");
+        let [from, to] = stretch(|x| (x - 1.3).max(0.0) + (x - 0.4).min(0.0));
+        assert!(0.4 <= from && from < to && to <= 1.3, "{from} {to}");
+        let all = find_roots(|x: f64| Ok::<_, ()>((x - 1.3).max(0.0)), [0.0, 2.0]);
+        assert!(matches!(all, Err(RootError::Flat { .. })));
+        // Zero at one place only, however flat, and beside a place where it fails.
+        assert!(
+            (root(|x| libm::pow(x - 1.0, 21.0), [0.0, 2.0]).0.expect("a root").at - 1.0).abs()
+                < 1e-15
+        );
+        let edge = find_root(|x| if x < 1e-9 { Ok(x) } else { Err(()) }, [0.0, 0.0_f64.next_up()]);
+        assert!(edge.expect("a root").at < 1e-300);
+    }
+
+    #[test]
     fn all_roots_come_in_order() {
         let found = find_roots(|x| Ok::<_, ()>(libm::sin(x)), [-1.0, 10.0]).expect("roots");
         let expected = [0.0, 1.0, 2.0, 3.0].map(|k| k * std::f64::consts::PI);
@@ -308,6 +322,8 @@ mod tests {
         for (found, expected) in found.iter().zip(expected) {
             assert!((found.at - expected).abs() < 1e-14, "{}", found.at);
         }
+        let crowded = find_roots(|x| Ok::<_, ()>(libm::sin(700.0 * x)), [0.0, 1.0]);
+        assert!(matches!(crowded, Err(RootError::Crowded { n_roots: [223, 256] })), "{crowded:?}");
         // Ends, and touches.
         let found =
             find_roots(|x| Ok::<_, ()>(x * (x - 0.31) * (x - 0.31) * (x - 1.0)), [0.0, 1.0]);

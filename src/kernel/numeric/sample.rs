@@ -16,3 +16,8 @@ pub struct Sample {
     /// The value of the function.
     pub value: f64,
 }
+
+/// Whether a value is zero, not only near it.
+pub(super) fn is_zero(value: f64) -> bool {
+    value == 0.0
+}

@@ -10,7 +10,9 @@ use glam::DVec3;
 
 use super::{Region, RegionError};
 use crate::{
-    GeomError, Interval, NurbsCurve, Tolerance, numeric::root::find_root, tolerance::LAST_BIT,
+    GeomError, Interval, NurbsCurve, Tolerance,
+    numeric::{root::find_root, root_error::RootError},
+    tolerance::LAST_BIT,
 };
 
 /// Last bits of its coordinates within which a piece of a border has no height.
@@ -90,8 +92,12 @@ impl RisingPiece {
             None => low.x + (high.x - low.x) * ((y - low.y) / (high.y - low.y)),
             Some((curve, parameters)) => {
                 let height = |t| Ok::<_, ()>(curve.point_at(t).y - y);
-                let found = find_root(height, *parameters);
-                let t = found.map_or(0.5 * (parameters[0] + parameters[1]), |root| root.at);
+                let [from, to] = match find_root(height, *parameters) {
+                    Ok(root) => [root.at; 2],
+                    Err(RootError::Flat { stretch }) => stretch,
+                    Err(_) => *parameters,
+                };
+                let t = 0.5 * (from + to);
                 curve.point_at(t).x
             }
         }

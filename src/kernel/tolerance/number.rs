@@ -17,6 +17,12 @@ pub const ROOT_JUMP_RELATIVE: f64 = 1e-3;
 /// Larger takes what comes near for a root; smaller takes rounding for a distance.
 pub const ROOT_TOUCH_RELATIVE: f64 = 1e-13;
 
+/// Where a function is exactly zero it is asked this fraction of the interval beside, whether it is zero there too.
+///
+/// Larger steps over functions that are zero along a short stretch; smaller takes a root around which the function
+/// has no digits for a stretch.
+pub const ROOT_BESIDE_RELATIVE: f64 = 1e-2;
+
 /// The place of a least value is known to this fraction of itself, half of the digits, since the value
 /// changes with the square of the distance.
 ///
@@ -40,6 +46,17 @@ pub const INTEGRAL_RELATIVE: f64 = 1e-13;
 /// Larger leaves third derivatives in the difference; smaller leaves rounding.
 pub const DIFFERENCE_RELATIVE: f64 = 6e-6;
 
+/// Where a derivative is found by differences, they begin over this fraction of the unknown on both sides.
+///
+/// Larger leaves where a function is smooth; smaller leaves fewer digits of what is computed within a tolerance.
+pub const SLOPE_STEP_RELATIVE: f64 = 1e-2;
+
+/// A derivative by differences is given where it is known to this fraction of itself, or of what would change the value
+/// by as much over a length of the unknown.
+///
+/// Larger gives slopes of what has none; smaller refuses those of what is computed within a tolerance.
+pub const SLOPE_RELATIVE: f64 = 1e-4;
+
 /// A step that moves unknowns by this fraction of themselves moves them no more.
 ///
 /// Larger ends a search early; smaller goes on in the last bit.
@@ -54,6 +71,11 @@ pub const DAMPING_FIRST: f64 = 1e-3;
 ///
 /// Larger takes a place near a root for one; smaller takes rounding for a distance.
 pub const SYSTEM_ROOT_RELATIVE: f64 = 1e-9;
+
+/// Functions are zero where one more step of Newton leads by this share of the unknowns, or of the way from the start.
+///
+/// Larger takes for a root what only tends to zero; smaller refuses roots that several unknowns hardly tell.
+pub const SYSTEM_STEP_RELATIVE: f64 = 1e-3;
 
 /// Linear conditions are independent where this fraction of one is left beside the others.
 ///

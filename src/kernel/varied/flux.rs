@@ -109,6 +109,45 @@ impl VariedSurface {
         })
     }
 
+    /// The slopes of the integral of (S − C)·D over the area, a point C held: the sum over surfaces whose centre of
+    /// gravity C is, is their area times how fast that moves along the direction D.
+    ///
+    /// # Errors
+    /// As for [`Self::area_slopes`].
+    pub fn area_moment_slopes(
+        &self,
+        center: DVec3,
+        along: DVec3,
+    ) -> Result<SurfaceIntegral, GeomError> {
+        self.integral_slopes("the centroid", |[point, u, v]| {
+            let (across, arm) = (u.cross(v), (point - center).dot(along));
+            let length = across.length();
+            let normal = across / length;
+            (LAST_BIT * u.length() * v.length() < length)
+                .then(|| [along * length, v.cross(normal) * arm, normal.cross(u) * arm])
+        })
+    }
+
+    /// The slopes of what the surface adds to the integral of (S − C)·D over the volume that it encloses with others,
+    /// as the fluxes of (S − P)((S − P)·D)/4 and (S − P)((C − P)·D)/3 about a point P: the sum is the volume times how
+    /// fast its centre of gravity C moves along D.
+    ///
+    /// # Errors
+    /// Where the work is ended.
+    pub fn volume_moment_slopes(
+        &self,
+        about: DVec3,
+        center: DVec3,
+        along: DVec3,
+    ) -> Result<SurfaceIntegral, GeomError> {
+        self.integral_slopes("the centroid", |[point, u, v]| {
+            let (arm, across) = (point - about, u.cross(v));
+            let share = arm.dot(along) / 4.0 - (center - about).dot(along) / 3.0;
+            let by_point = along * (arm.dot(across) / 4.0) + across * share;
+            Some([by_point, v.cross(arm) * share, arm.cross(u) * share])
+        })
+    }
+
     fn integral_slopes(
         &self,
         what: &'static str,

@@ -5,7 +5,7 @@
 
 use std::collections::HashSet;
 
-use super::csv_rows::{CsvRow, csv_rows, line_at};
+use super::csv_rows::{CsvCell, CsvRow, csv_rows, line_at};
 use crate::{
     kernel::{NamedColumn, Table},
     limits::work,
@@ -50,6 +50,18 @@ fn column(text: &str, name: &str, rows: &[CsvRow<'_>], idx: usize) -> Result<Nam
         Some(first) => !first.is_quoted && first.text.parse::<f64>().is_ok(),
         None => cells.clone().all(|cell| !cell.is_quoted),
     };
+    let with_comma = |(_, cell): &(&CsvRow<'_>, &CsvCell<'_>)| {
+        !cell.is_quoted
+            && cell.text.contains(',')
+            && number(&cell.text.replacen(',', ".", 1)).is_some()
+    };
+    if let Some((row, cell)) = rows.iter().zip(cells.clone()).find(with_comma) {
+        let (line, found) = (line_at(text, row.start), &cell.text);
+        let meant = found.replacen(',', ".", 1);
+        return Err(format!(
+            "line {line}: `{name}` holds `{found}`, a number with a decimal comma; write `{meant}`, or a text in quotation marks"
+        ));
+    }
     if !holds_numbers {
         let texts = work::collect(cells.map(|cell| cell.text.to_string())).ok_or(ENDED)?;
         return Ok(NamedColumn::texts(name, texts));
@@ -60,11 +72,9 @@ fn column(text: &str, name: &str, rows: &[CsvRow<'_>], idx: usize) -> Result<Nam
             Some(number) if !cell.is_quoted => number,
             _ if cell.text.is_empty() => f64::NAN,
             _ => {
-                let (line, found) = (line_at(text, row.start), &cell.text);
-                let first = first_cell(rows, idx);
-                return Err(format!(
-                    "line {line}: `{name}` must be a number as its first cell, `{first}`, found `{found}`; cells of a column of texts stand in quotation marks"
-                ));
+                let line = line_at(text, row.start);
+                let misfit = misfit(cell, first_cell(rows, idx));
+                return Err(format!("line {line}: `{name}` {misfit}"));
             }
         };
         if !work::push(&mut numbers, number) {
@@ -72,6 +82,22 @@ fn column(text: &str, name: &str, rows: &[CsvRow<'_>], idx: usize) -> Result<Nam
         }
     }
     Ok(NamedColumn::numbers(name, numbers))
+}
+
+/// What is wrong with a cell in a column of numbers that begins with another.
+fn misfit(cell: &CsvCell<'_>, first: &str) -> String {
+    let found = &cell.text;
+    match found.parse::<f64>() {
+        Ok(number) if !number.is_finite() && found.contains(|c: char| c.is_ascii_digit()) => {
+            format!("holds `{found}`, which is beyond the largest number, 1.8e308")
+        }
+        Ok(number) if !number.is_finite() => {
+            format!("holds `{found}`, which is no number; a cell without one stays empty")
+        }
+        _ => format!(
+            "is a column of numbers, since its first cell is `{first}`, but here it holds `{found}`; cells of a column of texts stand in quotation marks"
+        ),
+    }
 }
 
 /// What a column begins with.

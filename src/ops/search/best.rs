@@ -55,14 +55,28 @@ impl BestSearch {
 
     fn of_one(&self, ctx: &mut Ctx<'_>, range: &SearchRange, better: Better) -> Result<Value> {
         let (mut dim, mut n_asked) = (None, 0_usize);
+        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
         let sign = better.sign();
         let found = find_least(
             |at| {
                 n_asked += 1;
-                number_at(ctx, &self.f, range, (at, &mut dim)).map(|value| sign * value)
+                let value = number_at(ctx, &self.f, range, (at, &mut dim))?;
+                (least, most) = (least.min(value), most.max(value));
+                Ok::<_, Box<Diagnostic>>(sign * value)
             },
             range.ends,
         )?;
+        if most <= least {
+            let [from, to] = range.ends.map(|at| range.place_text(at));
+            let message = format!(
+                "the function is {} everywhere within {from}..{to}",
+                six_digits(least, dim)
+            );
+            return Diagnostic::error(Code::NoAnswer, self.f.span, message)
+                .label("so no place is better than another")
+                .hint("it may not depend on its unknown; else look elsewhere")
+                .fail();
+        }
         let value = Number { value: sign * found.value, dim: dim.unwrap_or_default() };
         Ok(self.answer(range.place(found.at).into_value(), value, (n_asked, "none")))
     }

@@ -12,7 +12,8 @@ op! {
     ///
     /// Of one number in a range, which may be an end of it: seventeen places at equal distances tell near
     /// which the least value is; from there on the search goes by parabolas and golden sections. The place
-    /// has half of the digits that numbers have, the value there all of them. Brent, *Algorithms for
+    /// has half of the digits that numbers have, the value there all of them. Where a whole stretch is least it
+    /// is one place of it; a function that is the same everywhere is refused. Brent, *Algorithms for
     /// Minimization without Derivatives*, ch. 5.
     ///
     /// Several unknowns are a point, or a list or record of numbers and points. The search begins at `start`,
@@ -43,6 +44,7 @@ op! {
     example "minimize(x => (x[0] - x[1])^2 + x[0]^2, start = [3, 1], report = true).derivatives" => "\"exact\"";
     refuses "minimize(p => p.x, start = (0, 0))" => "E0504: the function falls without bound";
     refuses "minimize(p => p.x, start = (5, 0), subject = p => p.x <= 1 and p.x >= 2)" => "E0504: the conditions do not hold together near the start";
+    refuses "minimize(x => 5, within = 0..2)" => "E0504: the function is 5 everywhere within 0..2";
     refuses "minimize(x => x, within = 2..1)" => "E0606: an interval needs its start below its end, got 2..1";
 }
 

@@ -59,7 +59,8 @@ impl SearchRange {
 
     /// A place as messages tell it, with six digits; zero where it is nearer to that than rounding.
     fn place_text(&self, at: f64) -> String {
-        let is_zero = at.abs() < PARAMETER_RELATIVE * (self.ends[1] - self.ends[0]);
+        let [start, end] = self.ends;
+        let is_zero = start <= 0.0 && 0.0 <= end && at.abs() < PARAMETER_RELATIVE * (end - start);
         let at = if is_zero { 0.0 } else { at };
         six_digits(at, Some(self.dim))
     }

@@ -20,11 +20,11 @@ op! {
     /// Where the function has different signs at both ends, the root between them is found in some ten
     /// steps, as exactly as numbers tell it. Where it has the same sign, the range is divided until it has
     /// not, and at last the place where it is nearest to zero is looked at, since it may only touch zero
-    /// there. A jump over zero, such as a pole, is no root. With `all = true` the answer is a list. Of a
+    /// there. A jump over zero, such as a pole, is no root, and a stretch along which the function is 0 is refused. With `all = true` the answer is a list. Of a
     /// function of arithmetic, `if` and the functions of one number the range is divided until bounds of its
-    /// values and slopes prove where its roots are and that there are no others; of any other function, or
-    /// where roots coincide or lie at the border, the list holds every root that 256 places at equal distances
-    /// tell apart. Chandrupatla, *A new hybrid quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997);
+    /// values and slopes prove where its roots are and that there are no others; where roots coincide or lie at the
+    /// border it is looked at closely what that proof leaves open. Of any other function the list holds every root that
+    /// 256 places at equal distances tell apart, and is refused where more than every fourth part between them holds one. Chandrupatla, *A new hybrid quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997);
     /// Moore, Kearfott & Cloud, *Introduction to Interval Analysis*, §8.1.
     ///
     /// Derivatives pass through roots by the theorem of implicit functions, where the functions cross zero and are
@@ -58,6 +58,7 @@ op! {
     example "gradient(r => solve(p => [norm(p) - r, p.y - 2*p.x], start = (1, 1)).x, 5) ~= 1/sqrt(5) within 1e-9" => "true";
     refuses "solve(x => x^2 + 1, within = -1..2)" => "E0504: the function is 0 nowhere within -1..2";
     refuses "solve(x => 1/(x - 0.3), within = 0..1)" => "E0504: the function changes its sign at 0.3 without being 0 there";
+    refuses "solve(x => max(x, 1) - 1, within = 0..2)" => "E0504: the function is 0 all along 0..0.02, not at one place";
     refuses "solve(x => x, within = 2..1)" => "E0606: an interval needs its start below its end, got 2..1";
 }
 
@@ -116,9 +117,8 @@ fn within_range(
         number_at(ctx, function, &range, (at, &mut dim))
     };
     let found = match &proof {
-        Some(proof) if is_all && proof.is_whole => {
-            let brackets = proof.brackets.iter();
-            brackets.map(|&bracket| find_root(&mut ask, bracket)).collect()
+        Some(RootProof { brackets, open: Some(open) }) if is_all => {
+            proven_roots(brackets, open, &mut ask)
         }
         _ if is_all => find_roots(&mut ask, range.ends),
         _ => find_root(&mut ask, range.ends).map(|root| vec![root]),
@@ -133,7 +133,7 @@ fn within_range(
     let is_proven = |root: &Sample| {
         proof.as_ref().is_some_and(|proof| {
             let is_in = |[low, high]: &[f64; 2]| *low <= root.at && root.at <= *high;
-            if is_all { proof.is_whole } else { proof.brackets.iter().any(is_in) }
+            if is_all { proof.is_whole() } else { proof.brackets.iter().any(is_in) }
         })
     };
     let mut places = Vec::with_capacity(roots.len());
@@ -155,6 +155,28 @@ fn within_range(
         true => Ok(Value::List(found.collect())),
         false => Ok(found.next().unwrap_or(Value::None)),
     }
+}
+
+/// The roots in intervals that hold one each, and those that are found in others of which that is not sure, in order.
+fn proven_roots(
+    brackets: &[[f64; 2]],
+    open: &[[f64; 2]],
+    ask: &mut impl FnMut(f64) -> Result<f64>,
+) -> std::result::Result<Vec<Sample>, RootError<Box<Diagnostic>>> {
+    let mut roots = Vec::with_capacity(brackets.len());
+    for &bracket in brackets {
+        roots.push(find_root(&mut *ask, bracket)?);
+    }
+    for &interval in open {
+        match find_root(&mut *ask, interval) {
+            Ok(root) => roots.push(root),
+            Err(RootError::NoRoot { .. }) => {}
+            Err(other) => return Err(other),
+        }
+    }
+    roots.sort_by(|a, b| a.at.total_cmp(&b.at));
+    roots.dedup_by_key(|root| root.at.to_bits());
+    Ok(roots)
 }
 
 /// A root of a function that takes what carries derivatives from around it: with those that the root has,
@@ -205,7 +227,7 @@ fn proof_of_none(
     err: &RootError<Box<Diagnostic>>,
 ) -> bool {
     matches!(err, RootError::NoRoot { .. })
-        && proof(ctx, function, range).is_some_and(|it| it.is_whole && it.brackets.is_empty())
+        && proof(ctx, function, range).is_some_and(|it| it.is_whole() && it.brackets.is_empty())
 }
 
 /// Why there is no root, in the words of the script.
@@ -245,6 +267,21 @@ fn refusal(
                     six_digits(behind.value, dim)
                 ))
                 .hint("a pole or a step is no root; give a `within` on one side of it")
+        }
+        RootError::Crowded { n_roots: [n_roots, n_parts] } => {
+            found(format!("there are too many roots to tell whether these are all: {n_roots} of {n_parts} equal parts hold one"))
+                .label("others may lie between them")
+                .hint("divide `within` into several ranges, and put their lists together")
+        }
+        RootError::Flat { stretch } => {
+            let along = match stretch.map(f64::to_bits) == range.ends.map(f64::to_bits) {
+                true => "everywhere within",
+                false => "all along",
+            };
+            let [from, to] = stretch.map(|at| range.place_text(at));
+            found(format!("the function is 0 {along} {from}..{to}, not at one place"))
+                .label("so it has no single root")
+                .hint("it may not depend on its unknown; else give a `within` beside that stretch")
         }
     })
 }

@@ -8,7 +8,9 @@ use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
         GeomError, Jet, LeastSquares, LocalError, Wanted, find_least_squares, solve_linear,
-        tolerance::{DIFFERENCE_RELATIVE, SYSTEM_ROOT_RELATIVE},
+        tolerance::{
+            DIFFERENCE_RELATIVE, ROOT_BESIDE_RELATIVE, SYSTEM_ROOT_RELATIVE, SYSTEM_STEP_RELATIVE,
+        },
     },
     value::{At, Callback, Ctx, Real, Value},
 };
@@ -46,7 +48,16 @@ pub(super) fn solved(
     )?;
     let size = |values: &[f64]| values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     let (left, first) = (size(&found.residuals), size(&found.first_residuals));
-    let is_root = left <= SYSTEM_ROOT_RELATIVE * first;
+    let is_small = left <= SYSTEM_ROOT_RELATIVE * first;
+    let is_root = is_small && found.rest <= SYSTEM_STEP_RELATIVE;
+    if first <= 0.0 && is_zero_around(&unknowns, &mut ask) {
+        let place = unknowns.rounded(&unknowns.values);
+        let message = format!("what is to be 0 is 0 at the start, {place}, and all around it");
+        return Diagnostic::error(Code::NoAnswer, function.span, message)
+            .label("so it has no single root")
+            .hint("it may not depend on the unknowns; else start elsewhere")
+            .fail();
+    }
     let is_overdetermined = unknowns.values.len() < found.residuals.len();
     if is_root || is_overdetermined && found.is_settled {
         let place = match is_varying {
@@ -55,7 +66,10 @@ pub(super) fn solved(
         };
         return Ok((place, found));
     }
-    let message = "no root was found from this start";
+    let message = match is_small {
+        true => "no root was found from this start: the functions only tend to 0, or come near",
+        false => "no root was found from this start",
+    };
     Diagnostic::error(Code::NoAnswer, start.span, message)
         .label(format!("the search ended at {}", unknowns.rounded(&found.unknowns)))
         .hint(format!(
@@ -64,6 +78,19 @@ pub(super) fn solved(
             six_digits(first, None)
         ))
         .fail()
+}
+
+/// Whether all is zero at two places beside the start; where it fails it is not.
+fn is_zero_around(unknowns: &Unknowns, ask: &mut dyn FnMut(&Value) -> Result<Vec<Real>>) -> bool {
+    [ROOT_BESIDE_RELATIVE, -0.5 * ROOT_BESIDE_RELATIVE].iter().all(|reach| {
+        // By different shares, lest their differences stay.
+        let moved = unknowns.values.iter().enumerate().map(|(idx, &at)| {
+            let size = if 0.0 < at.abs() { at.abs() } else { 1.0 };
+            at + reach * size * (1.0 + 1.0 / (idx as f64 + 2.0))
+        });
+        let place = unknowns.with(&moved.collect::<Vec<f64>>());
+        ask(&place).is_ok_and(|values| values.iter().all(|value| value.value().abs() <= 0.0))
+    })
 }
 
 /// A root with the derivatives that it has by what the functions take from around them, since they stay zero

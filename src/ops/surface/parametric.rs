@@ -22,6 +22,7 @@ op! {
     }
     example "parametric((u, v) => (u, v, u*v), 0..1, 0..2)(0.5, 2)" => "(0.5, 2, 1)";
     example "derivative(parametric((u, v) => (u, v, u*v), 0..1, 0..2), 0.5, 2)" => "(1, 0, 2)";
+    example "parametric((u, v) => (u, v, max(u, v)), 0..1, 0..1)(0.5, 0.25)" => "(0.5, 0.25, 0.5)";
     refuses "parametric((u, v) => (u, v, 1/u), 0..1, 0..1)" => "E0501: division by zero";
     picture "parametric((u, v) => ((3 + v*cos(u/2))*cos(u), (3 + v*cos(u/2))*sin(u), v*sin(u/2)), 0..2*pi, -1..1)";
 }
@@ -32,7 +33,9 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Surface> {
     let hint = "a surface has a function of two parameters: `(u, v) => ...`";
     let surface = surface.at(ctx.span).map_err(|found| if_misfit(found, hint))?;
     has_derivatives(|share| {
-        surface.derivatives_at(args.domain_u.at(share), args.domain_v.at(share), 1).at(ctx.span)
+        // Not on a diagonal, along which there may be a crease.
+        let [u, v] = [args.domain_u.at(share), args.domain_v.at(1.0 - share * share)];
+        surface.derivatives_at(u, v, 1).at(ctx.span)
     })?;
     Ok(Surface::from(surface))
 }

@@ -37,9 +37,9 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     let foot = args.s.closest(p.value()).at(ctx.span)?;
     let [u, v] = varying::closest(&args.s, p, foot.parameters).at(*span)?;
     let point = varying::point(&args.s, &[u.clone(), v.clone()], foot.point).at(*span)?;
-    let distance = match p {
-        Vector::Plain(_) => Real::Plain(foot.distance),
-        Vector::Jets(_) => point.minus(p).norm().at(*span)?.with_value(foot.distance),
+    let distance = match (&point, p) {
+        (Vector::Plain(_), Vector::Plain(_)) => Real::Plain(foot.distance),
+        _ => point.minus(p).norm().at(*span)?.with_value(foot.distance),
     };
     Ok(Record::new([
         (Arc::from("u"), u.into_value()),

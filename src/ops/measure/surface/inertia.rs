@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DMat3;
 
-use super::{MassOf, SurfacesTogether, mass};
+use super::{MassOf, Surfaces, Together, mass};
 use crate::{
     diag::{Result, Spanned},
     kernel::principal_axes,
@@ -20,7 +20,7 @@ op! {
     /// Mirtich, *Fast and accurate computation of polyhedral mass properties*, JGT 1 (1996).
     inertia in Measure -> Record {
         /// The surface, or a list of surfaces.
-        s: Spanned<SurfacesTogether>,
+        s: Spanned<Together<Surfaces>>,
         /// What is heavy: the inside or the skin.
         of: MassOf = MassOf::Volume,
     }
@@ -29,7 +29,8 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
-    Ok(inertia_told(mass(&args.s, args.of, "inertia", ctx)?.inertia, args.of))
+    let Spanned { value: Together(surfaces), span } = &args.s;
+    Ok(inertia_told(mass(surfaces, *span, (args.of, "inertia"), ctx)?.inertia, args.of))
 }
 
 /// A tensor with its principal moments and axes.

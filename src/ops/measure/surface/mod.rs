@@ -67,16 +67,16 @@ impl FromValue for Surfaces {
 }
 
 /// A surface, or a list of surfaces and faces; a single face answers by its skin.
-struct SurfacesTogether(Surfaces);
+struct Together<S>(S);
 
-impl FromValue for SurfacesTogether {
+impl<S: FromValue> FromValue for Together<S> {
     const TYPE: Type =
         Type::OneOf(&[Type::Surface, Type::List(&Type::OneOf(&[Type::Surface, Type::Face]), 1)]);
 
     fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
         match value {
             Value::Face(_) => Err(Mismatch::kind(Self::TYPE, value)),
-            _ => Surfaces::from_value(value, span).map(Self),
+            _ => S::from_value(value, span).map(Self),
         }
     }
 }
@@ -203,18 +203,17 @@ impl Choice for MassOf {
 
 /// What the surfaces hold, or they themselves.
 fn mass(
-    surfaces: &Spanned<SurfacesTogether>,
-    of: MassOf,
-    what: &str,
+    surfaces: &Surfaces,
+    span: Span,
+    (of, what): (MassOf, &str),
     ctx: &mut Ctx<'_>,
 ) -> Result<MassProperties> {
-    let span = surfaces.span;
     if of == MassOf::Area {
-        let mass = surfaces.value.0.area_mass(span, ctx)?;
+        let mass = surfaces.area_mass(span, ctx)?;
         tell_accuracy(what, mass.relative_error, ctx)?;
         return Ok(mass);
     }
-    let mass = surfaces.value.0.volume_mass(span, ctx)?;
+    let mass = surfaces.volume_mass(span, ctx)?;
     let open = matches!(
         mass,
         Err(GeomError::Shell(ShellError::Open { .. } | ShellError::Alone { .. })

@@ -38,28 +38,40 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Volume<Real>> {
 
 /// The volume with the slopes that the fluxes through its surfaces have, as long as they stay closed.
 fn varying(surfaces: &RealSurfaces, span: Span, ctx: &mut Ctx<'_>) -> Result<Real> {
-    let Some(whole) = surfaces.plain.whole() else {
-        let message = "no derivative passes through a volume that faces enclose with surfaces";
-        return Diagnostic::error(Code::NoDerivative, span, message)
-            .hint("surfaces that close by themselves have one")
-            .fail();
-    };
-    let SignedVolume { amount, relative_error, about, signs } =
-        signed_volume(&whole, ctx.tolerance).at(span)?;
-    tell_accuracy("volume", relative_error, ctx)?;
-    let varied = surfaces.real.iter().map(|surface| surface.real().varied());
-    let varied: Vec<(Surface, Option<&VariedSurface>)> = whole.into_iter().zip(varied).collect();
-    if !stay_closed(&varied, ctx.tolerance).at(span)? {
-        let message =
-            "the surfaces come apart where they vary, so that the volume has no derivative";
-        return Diagnostic::error(Code::NoDerivative, span, message)
-            .hint("whatever moves an edge must move the edge that it meets: make both of the same numbers")
-            .fail();
-    }
+    let SignedVolume { amount, about, signs, .. } = varying_volume(surfaces, span, "volume", ctx)?;
     let slopes = |idx: usize, varied: &VariedSurface| {
         let mut found = varied.volume_slopes(about)?;
         found.slopes.iter_mut().for_each(|slope| *slope *= signs[idx]);
         Ok(found)
     };
     surfaces.with_slopes(amount, "volume", ctx, slopes)
+}
+
+/// The volume that surfaces enclose which vary, as long as they stay closed.
+pub(super) fn varying_volume(
+    surfaces: &RealSurfaces,
+    span: Span,
+    what: &str,
+    ctx: &mut Ctx<'_>,
+) -> Result<SignedVolume> {
+    let Some(whole) = surfaces.plain.whole() else {
+        let message =
+            format!("no derivative passes through a {what} of what faces enclose with surfaces");
+        return Diagnostic::error(Code::NoDerivative, span, message)
+            .hint("surfaces that close by themselves have one")
+            .fail();
+    };
+    let found = signed_volume(&whole, ctx.tolerance).at(span)?;
+    tell_accuracy(what, found.relative_error, ctx)?;
+    let varied = surfaces.real.iter().map(|surface| surface.real().varied());
+    let varied: Vec<(Surface, Option<&VariedSurface>)> = whole.into_iter().zip(varied).collect();
+    if !stay_closed(&varied, ctx.tolerance).at(span)? {
+        let message = format!(
+            "the surfaces come apart where they vary, so that the {what} has no derivative"
+        );
+        return Diagnostic::error(Code::NoDerivative, span, message)
+            .hint("whatever moves an edge must move the edge that it meets: make both of the same numbers")
+            .fail();
+    }
+    Ok(found)
 }

@@ -1,0 +1,5 @@
+print solve(x => 0, within = 0..2)
+print solve(x => max(x - 1, 0), within = 0mm..2mm, all = true)
+print solve(u => [0 * u.a, u.b - u.b], start = {a: 3, b: 0})
+print maximize(x => 5mm, within = 0..2)
+print solve(x => sin(2000*x), within = 0.001..10, all = true)
