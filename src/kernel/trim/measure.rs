@@ -11,10 +11,11 @@ use std::{collections::BTreeMap, sync::Arc};
 
 use glam::DVec3;
 
-use super::Face;
+use super::{Face, lift::affine_map};
 use crate::{
     Bounds, Frame, GeomError, Interval, MassProperties, NurbsCurve, NurbsSurface, Region,
     Tolerance,
+    frame::{norm, unit},
     surface::{
         IntegralValues, MOMENT_KINDS, MassIntegral, QuadratureMap, QuantityKinds, Surface,
         integral, integral_over, moments,
@@ -127,6 +128,26 @@ impl Face {
             parts.push(ParameterPiece::Rectangle { surface, u, v, times });
         }
         integral_over(&parts, kinds, density)
+    }
+
+    /// The flux of the way from a point through a piece of it, by its point and Su × Sv.
+    pub(super) fn flux_about(&self, about: DVec3) -> impl Fn(DVec3, DVec3) -> f64 {
+        let height = self.height_of_plane(about);
+        move |point, normal| match height {
+            Some(height) => height * norm(normal),
+            None => flux(arm(point, about), normal),
+        }
+    }
+
+    /// How far its plane is ahead of a point, by its normal; none unless it has even parameters in a plane. Of a
+    /// plane through the point that is zero: what rounding leaves of each piece settles to no integral.
+    fn height_of_plane(&self, from: DVec3) -> Option<f64> {
+        let map = affine_map(&self.plane.surface)?;
+        let normal = unit(map.x_axis.cross(map.y_axis))?;
+        let [u, v] = self.plane.domains();
+        let height = arm(self.plane.surface.point_at(u.at(0.5), v.at(0.5)), from).dot(normal);
+        let size = norm(self.plane.surface.bounds().max.abs().max(from.abs()));
+        Some(if height.abs() <= 16.0 * LAST_BIT * size { 0.0 } else { height })
     }
 
     /// The arcs of all loops, as curves of parameters; where one begins a little beside the end of the

@@ -6,10 +6,7 @@
 
 use glam::DVec3;
 
-use super::{
-    Face, FaceError,
-    measure::{arm, flux},
-};
+use super::{Face, FaceError, measure::arm};
 use crate::{
     Bounds, GeomError, MassProperties, NurbsCurve, Tolerance,
     frame::norm,
@@ -90,10 +87,8 @@ impl Face {
     /// # Errors
     /// Those of a search that was ended.
     pub(crate) fn flux_moments(&self, about: DVec3) -> Result<IntegralValues<10>, GeomError> {
-        self.integral(MOMENT_KINDS, |point, normal| {
-            let arm = arm(point, about);
-            moments(arm, flux(arm, normal))
-        })
+        let flux = self.flux_about(about);
+        self.integral(MOMENT_KINDS, |point, normal| moments(arm(point, about), flux(point, normal)))
     }
 
     /// The solid angle under which its back is seen from a point that is not on it, less that of its front.
@@ -121,7 +116,8 @@ pub(crate) fn enclosed_shells(
     tolerance: Tolerance,
 ) -> Result<Vec<EnclosedShell>, GeomError> {
     shells_with(faces, edges, tolerance, |face| {
-        face.integral([0], |point, normal| [flux(arm(point, about), normal)])
+        let flux = face.flux_about(about);
+        face.integral([0], |point, normal| [flux(point, normal)])
     })
 }
 
