@@ -51,6 +51,7 @@ mod shape;
 mod sizes;
 mod skin;
 mod solid;
+mod solid_cut;
 mod some;
 mod strips;
 mod surface;

@@ -1,8 +1,8 @@
 //! Laws of the nearest point: against brute force, and where searches break.
 
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 use proptest::{prelude::ProptestConfig, prop_assert, proptest};
-use virote_kernel::{Frame, Grid, KnotVector, NurbsCurve, NurbsSurface};
+use virote_kernel::{CircleForm, Frame, Grid, KnotVector, NurbsCurve, NurbsSurface};
 
 use crate::some::{curve, point, surface};
 
@@ -137,6 +137,29 @@ fn torus() -> NurbsSurface {
     ];
     let quarters = vec![0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0, 1.0, 1.0];
     revolved(KnotVector::new(2, quarters).unwrap(), &tube)
+}
+
+/// Places beside the lines where patches meet are on the surface, and their own nearest ones, up to rounding: far
+/// below the root of the rounding of squares of distances.
+#[test]
+fn places_beside_knots_are_nearest_to_themselves() {
+    let center = DVec3::new(3000.0, 2000.0, 4000.0);
+    let circle = NurbsCurve::ellipse(Frame::XY.at(center), [300.0; 2], CircleForm::NinePoint);
+    let pipe = NurbsSurface::extruded(&circle.expect("a circle"), DVec3::new(300.0, 0.0, 1000.0));
+    let turn = DAffine3::from_axis_angle(DVec3::new(0.3, 0.7, -0.2).normalize(), 1.1);
+    let pipe = pipe.expect("a pipe").transformed(&turn);
+    for k in 0..60 {
+        let (beside, v) = (f64::from(k) * 1.7e-10, 0.5 + f64::from(k % 7) * 3e-10);
+        for u in [beside, 1.0 - beside, 0.25 + beside, 0.5 - beside] {
+            let foot = pipe.closest(pipe.point_at(u, v));
+            assert!(
+                foot.distance < 2e-11,
+                "{u:?} {v:?}: {} at {:?}",
+                foot.distance,
+                foot.parameters
+            );
+        }
+    }
 }
 
 #[test]

@@ -11,24 +11,24 @@ use virote_kernel::{
     glam::{DAffine3, DMat3, DVec3},
 };
 
-const TOLERANCE: Tolerance = Tolerance::DEFAULT;
+pub(super) const TOLERANCE: Tolerance = Tolerance::DEFAULT;
 
-fn circle(frame: Frame, radius: f64) -> NurbsCurve {
+pub(super) fn circle(frame: Frame, radius: f64) -> NurbsCurve {
     NurbsCurve::ellipse(frame, [radius; 2], CircleForm::NinePoint).expect("a circle")
 }
 
-fn polygon(corners: &[[f64; 3]]) -> NurbsCurve {
+pub(super) fn polygon(corners: &[[f64; 3]]) -> NurbsCurve {
     let mut corners: Vec<DVec3> = corners.iter().map(|&corner| DVec3::from(corner)).collect();
     corners.push(corners[0]);
     NurbsCurve::polyline(&corners).expect("a polygon")
 }
 
-fn region(outer: &NurbsCurve, holes: &[NurbsCurve]) -> Region {
+pub(super) fn region(outer: &NurbsCurve, holes: &[NurbsCurve]) -> Region {
     Region::new(outer, holes, TOLERANCE).expect("a region")
 }
 
 /// A plate with n × n holes.
-fn sieve(n: usize) -> Region {
+pub(super) fn sieve(n: usize) -> Region {
     let side = n as f64;
     let hole = |i: usize| {
         let center = DVec3::new((i % n) as f64 + 0.5, (i / n) as f64 + 0.5, 0.0);
@@ -42,17 +42,17 @@ fn axis() -> Axis {
     Axis::new(DVec3::ZERO, DVec3::Z).expect("an axis")
 }
 
-fn whole(surface: NurbsSurface) -> Face {
+pub(super) fn whole(surface: NurbsSurface) -> Face {
     Face::whole(Arc::new(surface), TOLERANCE).expect("a face")
 }
 
-fn ball(center: DVec3, radius: f64) -> Face {
+pub(super) fn ball(center: DVec3, radius: f64) -> Face {
     whole(NurbsSurface::sphere(Frame::XY.at(center), radius).expect("a sphere"))
 }
 
 /// Its volume, and a closed mesh within a thousandth of its size with V − E + F.
 #[track_caller]
-fn check(solid: &Solid, volume: f64, euler: i64) {
+pub(super) fn check(solid: &Solid, volume: f64, euler: i64) {
     let found = solid.volume_mass().expect("a volume").amount;
     assert!((found / volume - 1.0).abs() < 1e-9, "{found} for {volume}");
     let bounds = solid.bounds(TOLERANCE).expect("a box");
@@ -219,88 +219,6 @@ fn what_makes_no_solid_is_refused() {
     assert!(matches!(refused(along), GeomError::Solid(SolidError::AlongPlane { .. })));
 }
 
-fn cube(x: f64) -> f64 {
-    x * x * x
-}
-
-/// The volumes of both sides of a plane, and the area between them.
-#[track_caller]
-fn cut(solid: &Solid, plane: Frame) -> ([f64; 2], f64) {
-    let found = solid.cut(plane, TOLERANCE).expect("both sides");
-    let volume = |side: &Option<Solid>| {
-        side.as_ref().map_or(0.0, |side| side.volume_mass().expect("a volume").amount)
-    };
-    let area = found.section.iter().map(|region| region.mass().amount).sum();
-    ([volume(&found.below), volume(&found.above)], area)
-}
-
-/// A cap of height h of a ball holds πh²(r − h/3) above a circle of radius √(r² − (r − h)²), wherever they are.
-#[test]
-fn a_ball_falls_apart_into_its_caps() {
-    for scale in [1e-3, 1.0, 1e3] {
-        for turn in [0, 4] {
-            let axis = DVec3::new(1.0, f64::from(turn) - 2.5, 0.7).normalize();
-            let map = DAffine3::from_translation(DVec3::new(2.0, -1.0, 0.5) * scale)
-                * DAffine3::from_axis_angle(axis, f64::from(turn))
-                * DAffine3::from_scale(DVec3::splat(scale));
-            let solid = Solid::new(&[ball(DVec3::ZERO, 2.0)], TOLERANCE).expect("a ball");
-            let solid = solid.transformed(&map).expect("an image");
-            for height in [-2.5, -0.2, 0.0, 1.9_f64] {
-                let normal = map.matrix3 * DVec3::Z;
-                let plane =
-                    Frame::from_normal(map.transform_point3(DVec3::Z * height), normal, None);
-                let ([below, above], area) = cut(&solid, plane.expect("a plane"));
-                let h = (2.0 - height).clamp(0.0, 4.0);
-                let cap = PI * h * h * (2.0 - h / 3.0) * cube(scale);
-                let whole = 32.0 / 3.0 * PI * cube(scale);
-                let circle = PI * (4.0 - height * height).max(0.0) * scale * scale;
-                let what = format!("scale {scale}, turn {turn}, height {height}");
-                assert!(
-                    (above - cap).abs() < 2e-6 * whole.max(scale * scale),
-                    "{what}: {above} for {cap}"
-                );
-                assert!(
-                    (below + above - whole).abs() < 2e-6 * whole.max(scale * scale),
-                    "{what}: {below}"
-                );
-                assert!(
-                    (area - circle).abs() < 1e-5 * circle.max(scale),
-                    "{what}: {area} for {circle}"
-                );
-            }
-        }
-    }
-}
-
-/// Planes through a plate with holes, along its sides, through and beside its holes.
-#[test]
-fn a_sieve_is_cut_through_its_holes() {
-    let solid = Solid::extruded(&sieve(3), DVec3::new(0.3, 0.0, 1.0), TOLERANCE).expect("a sieve");
-    let whole = solid.volume_mass().expect("a volume").amount;
-    for normal in
-        [DVec3::X, DVec3::Y, DVec3::Z, DVec3::new(1.0, 0.4, 0.2), DVec3::new(0.1, 0.2, 1.0)]
-    {
-        for step in [0, 2, 4, 6] {
-            let origin = normal.normalize() * (0.37 * f64::from(step) + 0.01);
-            let plane = Frame::from_normal(origin, normal, None).expect("a plane");
-            let ([below, above], _) = cut(&solid, plane);
-            assert!(
-                (below + above - whole).abs() < 1e-6 * whole,
-                "{normal} {step}: {below} {above}"
-            );
-        }
-    }
-    let at = |height: f64| Frame::XY.at(DVec3::Z * height);
-    let disc = 9.0 * (1.0 - PI * 0.09);
-    // Between its ends the borders are splines within an eighth of the tolerance.
-    let border = 12.0 + 9.0 * TAU * 0.3;
-    for (height, off) in [(0.0, 1e-9), (0.25, 0.125e-6 * border), (1.0, 1e-9)] {
-        let ([below, _], area) = cut(&solid, at(height));
-        assert!((below - disc * height).abs() < off, "{height}: {below} for {}", disc * height);
-        assert!((area - disc).abs() < off, "{height}: {area} for {disc}");
-    }
-}
-
 /// As many handles as the mesh has, and as counted; a place is inside as the closed form says.
 #[test]
 fn edges_tell_the_genus_and_nearest_faces_the_inside() {
@@ -344,48 +262,5 @@ fn edges_tell_the_genus_and_nearest_faces_the_inside() {
         let corner = plate.side_of(DVec3::new(-off, -off, -off), TOLERANCE).expect("a side");
         let expected = if off < 0.0 { RegionSide::Inside } else { RegionSide::Outside };
         assert_eq!((rim, corner), (expected, expected), "{off}");
-    }
-}
-
-/// `VIROTE_ORIENTATIONS` says how many placements are tried. A thousand times as large the tolerance is 2e-10 of the
-/// size: there a cut is right, or refused because its section does not keep to that.
-#[test]
-fn placing_makes_no_difference_to_cuts() {
-    let n: u32 = std::env::var("VIROTE_ORIENTATIONS").map_or(3, |n| n.parse().expect("a number"));
-    let pipe =
-        |radius: f64| whole(NurbsSurface::cone(Frame::XY, [radius; 2], 3.0).expect("a pipe"));
-    let tube = Solid::capped(&[pipe(2.0), pipe(1.0)], TOLERANCE).expect("a tube");
-    let plate = Solid::extruded(&sieve(2), DVec3::new(0.3, 0.0, 1.0), TOLERANCE).expect("a plate");
-    let plane = |origin: DVec3, normal: DVec3| Frame::from_normal(origin, normal, None);
-    // Through the axis, and through the middle, half is on either side.
-    let cases = [
-        (&tube, DVec3::Z * 1.5, DVec3::new(0.3, 0.1, 1.0)),
-        (&tube, DVec3::ZERO, DVec3::new(0.6, 0.8, 0.0)),
-        (&plate, DVec3::new(1.15, 1.0, 0.5), DVec3::new(1.0, 0.4, 0.2)),
-        (&plate, DVec3::new(1.15, 1.0, 0.5), DVec3::Z),
-    ];
-    for i in 0..n {
-        let at = |k: f64| 2.0 * libm::fmod(k * f64::from(i + 1), 1.0) - 1.0;
-        let axis = DVec3::new(at(0.754_877_666), at(0.569_840_291), at(0.618_033_989)).normalize();
-        let scale = [1e-3, 1.0, 1e3][i as usize % 3];
-        let map = DAffine3::from_translation(5.0 * scale * axis.cross(DVec3::X))
-            * DAffine3::from_axis_angle(axis, f64::from(i))
-            * DAffine3::from_scale(DVec3::splat(scale));
-        for (number, (solid, origin, normal)) in cases.into_iter().enumerate() {
-            let whole = solid.volume_mass().expect("a volume").amount * cube(scale);
-            let solid = solid.transformed(&map).expect("an image");
-            let plane = plane(map.transform_point3(origin), map.transform_vector3(normal));
-            let plane = plane.expect("a plane");
-            let refused = solid.cut(plane, TOLERANCE).err();
-            if i % 3 == 2 && matches!(refused, Some(GeomError::Face(FaceError::OffSurface { .. })))
-            {
-                continue;
-            }
-            let ([below, above], _) = cut(&solid, plane);
-            let off = TOLERANCE.distance * solid.area_mass().expect("an area").amount;
-            for side in [below, above] {
-                assert!((side - 0.5 * whole).abs() < off, "{i}, {number}: {side} of {whole}");
-            }
-        }
     }
 }

@@ -17,10 +17,10 @@ pub(crate) struct CellLoop {
 }
 
 impl Arrangement {
-    /// Leaves out edges that end where no other goes on, until there are none. The given arcs of which
-    /// nothing is left, each with such an end.
+    /// Leaves out edges that end where no other goes on, until there are none. Such ends of the given arcs of
+    /// which nothing is left, each with its arc, in their order.
     pub(crate) fn drop_loose_edges(&mut self) -> Vec<(usize, DVec3)> {
-        let mut first_loose: Vec<Option<DVec3>> = vec![None; self.arcs.len()];
+        let mut loose_ends = Vec::new();
         loop {
             let mut n_ends = vec![0_usize; self.vertices.len()];
             self.edges.iter().flat_map(|edge| edge.ends).for_each(|end| n_ends[end] += 1);
@@ -29,7 +29,7 @@ impl Arrangement {
             self.edges.retain(|edge| {
                 let loose = edge.ends.into_iter().find(|&end| n_ends[end] < 2);
                 if let Some(end) = loose {
-                    first_loose[edge.arc].get_or_insert(vertices[end]);
+                    loose_ends.push((edge.arc, vertices[end]));
                 }
                 loose.is_none()
             });
@@ -39,10 +39,9 @@ impl Arrangement {
         }
         let mut is_left = vec![false; self.arcs.len()];
         self.edges.iter().for_each(|edge| is_left[edge.arc] = true);
-        let lost = first_loose.into_iter().enumerate();
-        lost.filter(|&(arc, _)| !is_left[arc])
-            .filter_map(|(arc, end)| end.map(|end| (arc, end)))
-            .collect()
+        loose_ends.retain(|&(arc, _)| !is_left[arc]);
+        loose_ends.sort_by_key(|&(arc, _)| arc);
+        loose_ends
     }
 
     /// The loops around all parts, also around what is outside of everything, which run clockwise; no

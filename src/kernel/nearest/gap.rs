@@ -117,11 +117,11 @@ impl DistanceBounds {
         is_left_nearer
     }
 
-    /// The square of the distance at a corner, zeros and ones.
-    pub(super) fn squared_at(&self, corner: [f64; 2]) -> f64 {
+    /// Whether a corner, zeros and ones, may be nearer than √λ for all that rounding leaves of coefficients.
+    pub(super) fn may_be_below(&self, corner: [f64; 2], lambda: f64) -> bool {
         let at = |i: usize| if corner[i] > 0.0 { self.n[i] - 1 } else { 0 };
         let index = at(0) * self.n[1] + at(1);
-        self.squares[index] / self.weights[index]
+        self.squares[index] - lambda * self.weights[index] < self.slack()
     }
 
     /// Whether no point of the part is nearer than √λ, by more than rounding.

@@ -236,12 +236,18 @@ impl ClosestPointSearch<'_> {
         }
     }
 
-    /// The squares of the distances of the corners are among the coefficients.
+    /// The squares of the distances of the corners are among the coefficients, with their rounding: the root of
+    /// that is far more than a distance is wrong by, so that a corner that may be nearer is looked at itself.
     fn note_corners(&mut self, cell: PatchPart, spans: [usize; 2]) {
         for corner in [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]] {
-            let squared = self.gap.squared_at(corner);
-            if squared < self.best * self.best || self.found.is_empty() {
-                self.note(cell.at(corner), squared.sqrt(), spans);
+            let limit = self.best * self.best;
+            if !self.found.is_empty() && !self.gap.may_be_below(corner, limit) {
+                continue;
+            }
+            let place = cell.at(corner);
+            let squared = self.patch.squared_at(place);
+            if squared < limit || self.found.is_empty() {
+                self.note(place, squared.sqrt(), spans);
             }
         }
     }

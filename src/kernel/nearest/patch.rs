@@ -181,6 +181,11 @@ impl BezierPatch {
         Minimum { place: way.place, squared: way.squared, is_stationary }
     }
 
+    /// The square of the distance of a place.
+    pub(super) fn squared_at(&mut self, place: [f64; 2]) -> f64 {
+        self.way(place).squared
+    }
+
     fn way(&mut self, place: [f64; 2]) -> FootVector {
         let [along_u, along_v] = &mut self.bases;
         along_u.tabulate(place[0]);

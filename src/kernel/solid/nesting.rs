@@ -9,7 +9,10 @@ use glam::DVec3;
 
 use super::{Solid, SolidError, box_around};
 use crate::{
-    Bounds, Face, GeomError, Surface, Tolerance, frame::norm, tolerance::WHOLE_TURN_SLACK,
+    Bounds, Direction, Face, GeomError, Surface, Tolerance,
+    frame::{norm, unit},
+    tolerance::WHOLE_TURN_SLACK,
+    trim::affine_map,
 };
 
 /// A body of a solid, by the numbers of its faces: a shell, and the voids directly within it.
@@ -126,6 +129,9 @@ fn meeting(faces: [&Face; 2], tolerance: Tolerance) -> Result<Option<DVec3>, Geo
     if tolerance.distance_for(one.union(other).diagonal()) < apart {
         return Ok(None);
     }
+    if are_on_one_carrier(faces, tolerance) {
+        return meeting_on_carrier(faces, tolerance);
+    }
     let [a, b] = faces.map(|face| Surface::Nurbs(Arc::clone(face.surface())));
     let set = a.intersections(&b, tolerance)?;
     let curves = faces[1].clipped(&faces[0].clipped(&set.curves, tolerance)?, tolerance)?;
@@ -140,4 +146,50 @@ fn meeting(faces: [&Face; 2], tolerance: Tolerance) -> Result<Option<DVec3>, Geo
         })
     };
     Ok(set.touches.into_iter().chain(set.uncertain).find(is_on))
+}
+
+/// Whether faces are parts of one surface, or of one plane.
+fn are_on_one_carrier(faces: [&Face; 2], tolerance: Tolerance) -> bool {
+    let [one, other] = faces.map(|face| &**face.surface());
+    if one == other || *one == other.reversed(Direction::V) {
+        return true;
+    }
+    let [Some(map), Some(_)] = [one, other].map(affine_map) else { return false };
+    let Some(normal) = unit(map.x_axis.cross(map.y_axis)) else { return false };
+    let distance = tolerance.distance_for(one.bounds().union(other.bounds()).diagonal());
+    let is_within = |point: &DVec3| (*point - map.translation).dot(normal).abs() <= distance;
+    other.points().iter().all(is_within)
+}
+
+/// A place that parts of one surface or plane have in common: where their borders meet, or on one that lies within
+/// the other.
+fn meeting_on_carrier(faces: [&Face; 2], tolerance: Tolerance) -> Result<Option<DVec3>, GeomError> {
+    let [own, others] = faces.map(|face| face.edges(tolerance));
+    let (own, others) = (own?, others?);
+    for edge in &own {
+        let around = edge.bounds();
+        for other in
+            others.iter().filter(|other| other.bounds().is_near(around, tolerance.distance))
+        {
+            GeomError::go_on(1)?;
+            match edge.intersections(other, tolerance.distance) {
+                Ok(meetings) => {
+                    if let Some(meeting) = meetings.first() {
+                        return Ok(Some(meeting.point));
+                    }
+                }
+                Err(GeomError::Intersection(_)) => {
+                    return Ok(Some(edge.point_at(edge.domain().at(0.5))));
+                }
+                Err(other) => return Err(other),
+            }
+        }
+    }
+    let is_on = |point: &DVec3, face: &Face| {
+        let foot = face.surface().closest(*point);
+        foot.distance <= 2.0 * tolerance.distance && face.has(foot.parameters, tolerance)
+    };
+    let places = faces.map(Face::border_place);
+    let within = [(places[0], faces[1]), (places[1], faces[0])];
+    Ok(within.into_iter().find(|(place, face)| is_on(place, face)).map(|(place, _)| place))
 }

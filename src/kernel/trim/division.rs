@@ -19,7 +19,7 @@ pub(super) struct Division {
     cells: Vec<PlaneCell>,
     /// For each cell a number that it has in common with those that it hangs together with over seams.
     parts: Vec<usize>,
-    /// Arcs that end inside of the face and divide nothing, each with such an end.
+    /// Where arcs end that divide nothing, each with its arc.
     pub(super) loose: Vec<(usize, DVec3)>,
 }
 
@@ -143,6 +143,16 @@ impl Division {
 
     fn regions(&self, cells: &[usize]) -> Vec<Region> {
         cells.iter().map(|&cell| self.cells[cell].region.clone()).collect()
+    }
+
+    /// Whether any of some arcs runs along a part.
+    pub(super) fn has_along(&self, is_of: impl Fn(usize) -> bool) -> bool {
+        let is_border_of_cell = |cells: &EdgeCells| cells.left.or(cells.right).is_some();
+        self.arrangement.edges.iter().zip(self.beside()).any(|(edge, cells)| {
+            let mut arcs =
+                edge.passes.iter().filter_map(|&(group, _)| group.checked_sub(BORDER + 1));
+            is_border_of_cell(&cells) && arcs.any(&is_of)
+        })
     }
 
     /// All parts.

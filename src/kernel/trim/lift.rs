@@ -92,7 +92,7 @@ impl Face {
 }
 
 /// The map from u and v to a surface on which they are even everywhere.
-fn affine_map(surface: &NurbsSurface) -> Option<DAffine3> {
+pub(crate) fn affine_map(surface: &NurbsSurface) -> Option<DAffine3> {
     let net = surface.control_points();
     if [surface.degree_u(), surface.degree_v(), net.n_rows(), net.n_columns()] != [1, 1, 2, 2]
         || surface.is_rational()

@@ -38,6 +38,7 @@ pub use face::{Face, FacePart};
 pub use facing::pieces_facing_unlike;
 pub(crate) use joined::joined_meshes;
 pub use joined::{SurfacePiece, tessellate_together};
+pub(crate) use lift::affine_map;
 pub(crate) use shell::{EnclosedShell, FaceBorderEdge, enclosed_shells, rims};
 pub use split::Cutter;
 pub use strip::AreaStrip;

@@ -182,13 +182,19 @@ impl Face {
         }
         let division = Division::of(self, &arcs, distance, 1).map_err(self.in_space())?;
         for index in 0..cutters.len() {
-            let own = |&&(arc, _): &&(usize, DVec3)| cutter_of[arc] == index;
-            let n_arcs = cutter_of.iter().filter(|&&of| of == index).count();
-            if division.loose.iter().filter(own).count() == n_arcs
-                && let Some(&(_, end)) = division.loose.iter().find(own)
-            {
-                return Err(FaceError::EndsInside { point: self.plane.point(end) }.into());
+            if division.has_along(|arc| cutter_of[arc] == index) {
+                continue;
             }
+            // What runs over the rest of the surface alone does not meet the face.
+            let is_within = |place: DVec3| {
+                let parameters = self.plane.parameters(place);
+                self.side_of_parameters(parameters, distance) != RegionSide::Outside
+            };
+            let mut ends = division.loose.iter().filter(|&&(arc, _)| cutter_of[arc] == index);
+            return Err(match ends.find(|&&(_, end)| is_within(end)) {
+                Some(&(_, end)) => FaceError::EndsInside { point: self.plane.point(end) }.into(),
+                None => FaceError::Misses { index }.into(),
+            });
         }
         Ok(division)
     }
