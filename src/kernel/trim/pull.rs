@@ -28,6 +28,12 @@ const DEGREE: usize = 7;
 /// Even parts of each span of a curve between which jumps are looked for.
 const PARTS: usize = 8;
 
+/// Fractions of an edge of the domain at which it is asked whether it is a point.
+const EDGE_LOOKS: [f64; 4] = [0.0, 0.3, 0.7, 1.0];
+
+/// Even steps beside a pole, as fractions of a part, from which parameters are extrapolated to it.
+const POLE_STEPS: [f64; 3] = [0.02, 0.04, 0.06];
+
 /// Steps of Newton's method onto a second surface.
 const STEPS: usize = 12;
 
@@ -217,10 +223,12 @@ impl PulledCurve<'_> {
         let least = PARAMETER_RELATIVE * self.curve.domain().length();
         // An end on a seam goes with what is beside it.
         let inner = self.foot(self.curve.domain().at(0.5 / PARTS as f64))?;
-        let mut start = (ts[0], self.place(ts[0], inner)?);
+        let first = self.place(ts[0], inner)?;
+        let mut start = self.through_pole(first, [ts[0], ts[1]])?.map_or((ts[0], first), |p| p[1]);
         let mut before = start;
         let mut sections = Vec::new();
-        for &t in &ts[1..] {
+        for pair in ts.windows(2) {
+            let t = pair[1];
             let mut here = (t, self.place(t, before.1)?);
             if norm(here.1 - before.1) <= long {
                 before = here;
@@ -241,16 +249,72 @@ impl PulledCurve<'_> {
                 }
             }
             if long < norm(high.1 - low.1) {
-                sections.push([start, (low.0, self.at_border(low.1))]);
-                start = (high.0, self.at_border(high.1));
-                here = (t, self.place(t, high.1)?);
+                // Up to the last digits of a pole either place is as good, so that a jump seen there comes late.
+                let around = [before.0.min(pair[0]), t];
+                let [end, next] = match self.through_pole(low.1, around)? {
+                    Some(both) => both,
+                    None => [low, high].map(|(t, place)| (t, self.at_border(place))),
+                };
+                sections.push([start, end]);
+                start = next;
+                here = (t, self.place(t, next.1)?);
             }
             before = here;
         }
-        sections.push([start, before]);
+        let last = [ts[ts.len() - 2], ts[ts.len() - 1]];
+        let end = self.through_pole(before.1, last)?.map_or(before, |both| both[0]);
+        sections.push([start, end]);
         let is_long = |section: &Section| least < section[1].0 - section[0].0;
         sections.retain(is_long);
         Ok(sections)
+    }
+
+    /// Where between two parameters the curve goes through the pole that a place is at, with its places on both
+    /// sides there; none of a place that is at no pole.
+    fn through_pole(
+        &self,
+        place: DVec3,
+        [from, to]: [f64; 2],
+    ) -> Result<Option<[(f64, DVec3); 2]>, GeomError> {
+        let (pole, bounds) = (self.at_border(place), self.plane.bounds());
+        let point = self.plane.point(pole);
+        let is_point = |i: usize| {
+            let along = 1 - i;
+            let is_end =
+                [bounds.min[i], bounds.max[i]].iter().any(|end| (pole[i] - end).abs() <= 0.0);
+            is_end
+                && EDGE_LOOKS.iter().all(|look| {
+                    let mut other = pole;
+                    other[along] =
+                        bounds.min[along] + look * (bounds.max[along] - bounds.min[along]);
+                    norm(self.plane.point(other) - point) <= self.accuracy
+                })
+        };
+        let Some(across) = (0..2).find(|&i| is_point(i)) else { return Ok(None) };
+        let part = self.curve.trimmed(Interval::new(from, to)?)?;
+        let t = part.closest(point, self.accuracy).parameter;
+        // Parameters along the pole are those that they tend to.
+        let long = JUMP_SHARE * bounds.diagonal();
+        let beside = |end: f64| -> Result<(f64, DVec3), GeomError> {
+            let mut places = [pole; 3];
+            let mut near = self.place(t + POLE_STEPS[2] * (end - t), pole)?;
+            for (place, step) in places.iter_mut().zip(POLE_STEPS).rev() {
+                near = self.place(t + step * (end - t), near)?;
+                *place = near;
+            }
+            let [a, b, c] = places;
+            let mut place = if norm(a - c) <= long { (a - b) * 3.0 + c } else { a };
+            place[across] = pole[across];
+            Ok((t, place.clamp(bounds.min, bounds.max)))
+        };
+        let domain = self.curve.domain();
+        let width = to - from;
+        let [before, behind] = [(t - width).max(domain.start()), (t + width).min(domain.end())];
+        let here = (t, pole);
+        let is_inside = |end: f64| PARAMETER_RELATIVE * domain.length() < (end - t).abs();
+        let end = if is_inside(before) { beside(before)? } else { here };
+        let next = if is_inside(behind) { beside(behind)? } else { here };
+        Ok(Some([end, next]))
     }
 
     /// The place on the border of the domain, where it is within the tolerance of that.
