@@ -2184,7 +2184,7 @@ def gordon(u: Sequence[Curve], v: Sequence[Curve], *, at_u: Any = None, at_v: An
     return _called("gordon", (), {"u": u, "v": v, "at_u": at_u, "at_v": at_v, "blend": blend, "tolerance": tolerance})  # type: ignore[no-any-return]
 
 
-def gradient(f: FunctionLike, at: Any) -> Any:
+def gradient(f: FunctionLike, at: Any, *, differences: bool | None = None) -> Any:
     """Derivatives of a function's value by each of its unknowns at a place, exact but for rounding: of the
     shape of the place.
 
@@ -2193,16 +2193,17 @@ def gradient(f: FunctionLike, at: Any) -> Any:
     the functions of numbers and points, the making of geometry that grows evenly with what it is made of
     (of control points, of points at listed parameters, of curves; moved, scaled, turned, cut), and the
     questions about it: places, lengths, areas, volumes, nearest points. The first operation through which
-    no derivative passes is named in the error. Conditions of `if` and other
+    no derivative passes is named in the error; differences do without. Conditions of `if` and other
     comparisons decide by the value alone; what does not depend on an unknown has the derivative 0 by it.
     Griewank & Walther, *Evaluating Derivatives*, §3.1.
 
     :param f: A function of the unknowns that yields a number.
     :param at: The place: a number, a point, or a list or record of such.
+    :param differences: Whether differences of the function's values are taken instead, some twenty for each unknown, through whatever it does: to some eight digits of what is computed to all, fewer of what is within a tolerance. Default: ``false``.
 
-    In scripts: ``gradient(f: function, at: any) -> any``
+    In scripts: ``gradient(f: function, at: any, differences: bool = false) -> any``
     """
-    return _called("gradient", (), {"f": f, "at": at})
+    return _called("gradient", (), {"f": f, "at": at, "differences": differences})
 
 
 def greville(c: Curve) -> Any:
@@ -2413,9 +2414,10 @@ def integrate(f: FunctionLike, over: Any, *, tolerance: Quantity | None = None, 
 
     It is known to thirteen digits of the integral of the function's size, or within `tolerance`; over boxes
     and areas to twelve. A region or face is divided into strips, so that the function is asked inside of it only;
-    where the border of a face is known within a tolerance, so is the integral. Ends of ranges and borders
-    are never asked for, so that a function may grow without bound there; an integral that has no finite value,
-    or does not settle, is refused with the place.
+    where the border of a face is known within a tolerance, so is the integral. Kinks and jumps are found, and the
+    range is cut there; what none of the places that are asked shows is not seen, such as a peak between them. Ends
+    of ranges and borders are never asked for, so that a function may grow without bound there; an integral that has
+    no finite value, or does not settle, is refused with the place.
 
     Over a range whose end lies before its start it is the negative, over one of no length 0. Derivatives pass
     through: that of an integral is the integral of the derivative, and by an end of the range the function there.
@@ -2829,8 +2831,8 @@ def loft(sections: Any, *, degree: float | None = None, spine: Curve | None = No
     Sections of other degrees and knots are made compatible, exactly; rational ones are skinned
     in homogeneous space after their weights are normalised, so that a common factor of a
     section's weights changes nothing. A section may be a point where the surface begins or
-    ends. Sections that run against their neighbour are reversed, and seams of closed ones that
-    are far from their neighbour's are moved. Where closed sections have corners, such as the tails
+    ends. Sections that run against their neighbour are reversed, closed ones as the way between
+    them passes both, and seams of closed ones that are far from their neighbour's are moved. Where closed sections have corners, such as the tails
     of aerofoils, all seams go to corners that belong together, smooth ones beside them;
     neighbours with as many corners have them at the same parameters, so that edges of the
     surface run through them. The sections stand at parameters averaged from
@@ -2994,7 +2996,8 @@ def minimize(f: FunctionLike, *, within: Any = None, start: Any = None, subject:
 
     Of one number in a range, which may be an end of it: seventeen places at equal distances tell near
     which the least value is; from there on the search goes by parabolas and golden sections. The place
-    has half of the digits that numbers have, the value there all of them. Brent, *Algorithms for
+    has half of the digits that numbers have, the value there all of them. Where a whole stretch is least it
+    is one place of it; a function that is the same everywhere is refused. Brent, *Algorithms for
     Minimization without Derivatives*, ch. 5.
 
     Several unknowns are a point, or a list or record of numbers and points. The search begins at `start`,
@@ -4031,8 +4034,8 @@ def skin(sections: Any, *, degree: float | None = None, spine: Curve | None = No
     Sections of other degrees and knots are made compatible, exactly; rational ones are skinned
     in homogeneous space after their weights are normalised, so that a common factor of a
     section's weights changes nothing. A section may be a point where the surface begins or
-    ends. Sections that run against their neighbour are reversed, and seams of closed ones that
-    are far from their neighbour's are moved. Where closed sections have corners, such as the tails
+    ends. Sections that run against their neighbour are reversed, closed ones as the way between
+    them passes both, and seams of closed ones that are far from their neighbour's are moved. Where closed sections have corners, such as the tails
     of aerofoils, all seams go to corners that belong together, smooth ones beside them;
     neighbours with as many corners have them at the same parameters, so that edges of the
     surface run through them. The sections stand at parameters averaged from
@@ -4085,11 +4088,11 @@ def solve(f: FunctionLike, *, within: tuple[Quantity, Quantity] | None = None, s
     Where the function has different signs at both ends, the root between them is found in some ten
     steps, as exactly as numbers tell it. Where it has the same sign, the range is divided until it has
     not, and at last the place where it is nearest to zero is looked at, since it may only touch zero
-    there. A jump over zero, such as a pole, is no root. With `all = true` the answer is a list. Of a
+    there. A jump over zero, such as a pole, is no root, and a stretch along which the function is 0 is refused. With `all = true` the answer is a list. Of a
     function of arithmetic, `if` and the functions of one number the range is divided until bounds of its
-    values and slopes prove where its roots are and that there are no others; of any other function, or
-    where roots coincide or lie at the border, the list holds every root that 256 places at equal distances
-    tell apart. Chandrupatla, *A new hybrid quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997);
+    values and slopes prove where its roots are and that there are no others; where roots coincide or lie at the
+    border it is looked at closely what that proof leaves open. Of any other function the list holds every root that
+    256 places at equal distances tell apart, and is refused where more than every fourth part between them holds one. Chandrupatla, *A new hybrid quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997);
     Moore, Kearfott & Cloud, *Introduction to Interval Analysis*, §8.1.
 
     Derivatives pass through roots by the theorem of implicit functions, where the functions cross zero and are

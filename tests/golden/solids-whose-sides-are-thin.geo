@@ -8,5 +8,8 @@ let prism = extrude(region(polyline([(0, 0), (1, 0), (0, 1)], closed = true)), (
 check volume(cut(prism, plane((0, 0, 0.5), (0, 0, 1)))) ~= 0.25 within 1e-9
 let cube = solid(box((0, 0, 0), (1, 1, 1)))
 check volume(cut(cube, plane((0.5, 0.5, 0.5), (1, 2, 3)))) ~= 0.5 within 1e-9
-let halves = [for r in [0.55, 0.75, 2, 2.08]: volume(cut(solid(sphere((0, 0, 0), r)), plane((0, 0, 0), (1, 1, 0)))) / r^3]
+let halves = [
+    for r in [0.55, 0.75, 2, 2.08]:
+        volume(cut(solid(sphere((0, 0, 0), r)), plane((0, 0, 0), (1, 1, 0)))) / r^3
+]
 check every(halves, v => abs(v - 2 / 3 * pi) < 1e-8)

@@ -123,6 +123,11 @@ pub(crate) const BESIDE_POLE: f64 = 1e-5;
 /// Larger takes a jump for a bend; smaller bisects where a curve only runs fast.
 pub(crate) const JUMP_SHARE: f64 = 0.05;
 
+/// Even steps beside a pole, as a part of a part of a curve, from three of which a parameter is extrapolated to it.
+///
+/// Larger takes the bends of the parameter with it; smaller divides rounding by the distance from the pole.
+pub(crate) const POLE_STEP: f64 = 0.02;
+
 /// Part of its size that arcs in a plane of parameters may be away from what they are solved for.
 ///
 /// Larger gives areas of cut faces fewer digits; smaller halves pieces that rounding keeps apart.

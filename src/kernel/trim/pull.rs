@@ -28,12 +28,6 @@ const DEGREE: usize = 7;
 /// Even parts of each span of a curve between which jumps are looked for.
 const PARTS: usize = 8;
 
-/// Fractions of an edge of the domain at which it is asked whether it is a point.
-const EDGE_LOOKS: [f64; 4] = [0.0, 0.3, 0.7, 1.0];
-
-/// Even steps beside a pole, as fractions of a part, from which parameters are extrapolated to it.
-const POLE_STEPS: [f64; 3] = [0.02, 0.04, 0.06];
-
 /// Steps of Newton's method onto a second surface.
 const STEPS: usize = 12;
 
@@ -53,15 +47,15 @@ pub(super) const MOST_BESIDE: f64 = 4.0;
 pub(super) type Height<'a> = dyn Fn(DVec3) -> (f64, DVec3) + 'a;
 
 /// A curve that is followed on a surface.
-struct PulledCurve<'a> {
-    plane: &'a ParameterPlane,
-    curve: &'a NurbsCurve,
+pub(super) struct PulledCurve<'a> {
+    pub(super) plane: &'a ParameterPlane,
+    pub(super) curve: &'a NurbsCurve,
     height: Option<&'a Height<'a>>,
     what: &'static str,
     index: usize,
     tolerance: f64,
     /// How near pieces come to what is solved for.
-    accuracy: f64,
+    pub(super) accuracy: f64,
 }
 
 /// The arcs in the plane of parameters along a curve that lies on the surface within the tolerance, of the
@@ -126,7 +120,7 @@ impl PulledCurve<'_> {
     }
 
     /// The place at a parameter, on the side of the plane where `near` is.
-    fn place(&self, t: f64, near: DVec3) -> Result<DVec3, GeomError> {
+    pub(super) fn place(&self, t: f64, near: DVec3) -> Result<DVec3, GeomError> {
         Ok(self.place_and_rounding(t, near)?.0)
     }
 
@@ -269,56 +263,8 @@ impl PulledCurve<'_> {
         Ok(sections)
     }
 
-    /// Where between two parameters the curve goes through the pole that a place is at, with its places on both
-    /// sides there; none of a place that is at no pole.
-    fn through_pole(
-        &self,
-        place: DVec3,
-        [from, to]: [f64; 2],
-    ) -> Result<Option<[(f64, DVec3); 2]>, GeomError> {
-        let (pole, bounds) = (self.at_border(place), self.plane.bounds());
-        let point = self.plane.point(pole);
-        let is_point = |i: usize| {
-            let along = 1 - i;
-            let is_end =
-                [bounds.min[i], bounds.max[i]].iter().any(|end| (pole[i] - end).abs() <= 0.0);
-            is_end
-                && EDGE_LOOKS.iter().all(|look| {
-                    let mut other = pole;
-                    other[along] =
-                        bounds.min[along] + look * (bounds.max[along] - bounds.min[along]);
-                    norm(self.plane.point(other) - point) <= self.accuracy
-                })
-        };
-        let Some(across) = (0..2).find(|&i| is_point(i)) else { return Ok(None) };
-        let part = self.curve.trimmed(Interval::new(from, to)?)?;
-        let t = part.closest(point, self.accuracy).parameter;
-        // Parameters along the pole are those that they tend to.
-        let long = JUMP_SHARE * bounds.diagonal();
-        let beside = |end: f64| -> Result<(f64, DVec3), GeomError> {
-            let mut places = [pole; 3];
-            let mut near = self.place(t + POLE_STEPS[2] * (end - t), pole)?;
-            for (place, step) in places.iter_mut().zip(POLE_STEPS).rev() {
-                near = self.place(t + step * (end - t), near)?;
-                *place = near;
-            }
-            let [a, b, c] = places;
-            let mut place = if norm(a - c) <= long { (a - b) * 3.0 + c } else { a };
-            place[across] = pole[across];
-            Ok((t, place.clamp(bounds.min, bounds.max)))
-        };
-        let domain = self.curve.domain();
-        let width = to - from;
-        let [before, behind] = [(t - width).max(domain.start()), (t + width).min(domain.end())];
-        let here = (t, pole);
-        let is_inside = |end: f64| PARAMETER_RELATIVE * domain.length() < (end - t).abs();
-        let end = if is_inside(before) { beside(before)? } else { here };
-        let next = if is_inside(behind) { beside(behind)? } else { here };
-        Ok(Some([end, next]))
-    }
-
     /// The place on the border of the domain, where it is within the tolerance of that.
-    fn at_border(&self, mut place: DVec3) -> DVec3 {
+    pub(super) fn at_border(&self, mut place: DVec3) -> DVec3 {
         let bounds = self.plane.bounds();
         for i in 0..2 {
             for end in [bounds.min[i], bounds.max[i]] {

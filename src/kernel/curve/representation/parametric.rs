@@ -8,12 +8,17 @@ use std::{
 use glam::{DAffine3, DVec3};
 
 use crate::{
-    DomainError, FunctionFailure, GeomError, Interval, LocalError, Side, curve::NurbsCurve,
-    tolerance::KNOT_RELATIVE,
+    DomainError, FunctionFailure, GeomError, Interval, LocalError, Side,
+    curve::{NurbsCurve, evaluation::series},
+    frame::norm,
+    tolerance::{KNOT_RELATIVE, LAST_BIT},
 };
 
 /// Even parts of a domain at whose ends a function is tried when a curve is made of it.
 const PROBES: usize = 8;
+
+/// The order of derivatives up to which a jump makes a function another one on its left.
+const BEND_ORDER: usize = 2;
 
 /// A map of parameters to points.
 ///
@@ -254,10 +259,27 @@ impl ParametricCurve {
     }
 
     /// Where the function is asked for its piece on one side of `t`: what a condition decides at a parameter holds
-    /// from there on, and the other side is the number before.
+    /// from there on, so that where derivatives jump the left side is asked just before.
     pub(in crate::curve) fn beside(&self, t: f64, side: Side) -> f64 {
         let is_inside = self.domain.start() < t && t < self.domain.end();
-        if side == Side::Left && is_inside { t.next_down() } else { t }
+        if side == Side::Right || !is_inside {
+            return t;
+        }
+        let length = self.domain.length();
+        let before = t - 2.0 * LAST_BIT * length.max(t.abs());
+        let [here, there] = [t, before].map(|t| self.derivatives_at(t, BEND_ORDER));
+        let jumps = match (here, there) {
+            (Ok(here), Ok(there)) => {
+                let powers = || series::powers(length);
+                let sizes = there.iter().zip(powers()).map(|(d, power)| norm(*d) * power);
+                let size: f64 = sizes.sum();
+                let pairs = here.iter().zip(&there).zip(powers());
+                let mut apart = pairs.map(|((a, b), power)| norm(*a - *b) * power);
+                apart.any(|apart| LAST_BIT.sqrt() * size < apart)
+            }
+            (here, there) => here.is_err() && there.is_ok(),
+        };
+        if jumps { before } else { t }
     }
 
     /// Both parts at `t`, each on its part of the domain.
