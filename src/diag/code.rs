@@ -155,7 +155,7 @@ codes! {
         "A volume is enclosed by surfaces that close: every edge meets one other edge within the document's tolerance, of the same surface at a seam or of another one, or is collapsed to a point. Edges may run together where a body is thinner than the tolerance. The message tells the edge that does not, and where. Let edges with a small gap run through the same points, or raise the document's tolerance above the gap. Add what is missing, or ask for the `area`, which needs no inside."
 
     NotManifold "E0613" "a body that touches itself"
-        "A body has one inside around each of its points: two cubes that share no more than an edge or a corner are two bodies, and no one body. The message tells where. Move one of them by more than the document's tolerance, so that they overlap or keep apart, or keep them as two."
+        "A body has one inside around each of its points: two cubes that share no more than an edge or a corner are two bodies, and no one body. So are faces that go through one another: those of a body meet in their edges alone. The message tells where. Move one of them by more than the document's tolerance, so that they overlap or keep apart, or keep them as two."
     WithinTolerance "E0615" "a part that lies within the tolerance"
         "Within the document's tolerance things are one: a strip that is narrower is neither there nor gone, and borders that run so close to one another have no certain order. Let them coincide exactly (the same points, the same curve), or keep them apart by more; or state a smaller `tolerance` at the top of the script."
     NoRoom "E0616" "no room for a fillet"

@@ -16,3 +16,5 @@ let corners = difference(region(polyline([(0, 0), (4, 0), (4, 4), (0, 4)], close
     region(polyline([(2, 2), (3, 2), (3, 3), (2, 3)], closed = true)),
 ])
 print volume(extrude(corners[0], (0, 0, 1)))
+print solid(extrude(polyline([(0, 0), (2, 2), (2, 0), (0, 1)], closed = true), (0, 0, 1)), cap = true)
+print solid(revolve(circle((0.5, 0), 1), axis = (0, 1, 0)))

@@ -117,3 +117,6 @@ pub(crate) const PROOF_PIECES: usize = 20_000;
 
 /// Pieces of one curve with its parameters on two surfaces.
 pub(crate) const EDGE_PIECES: usize = 100_000;
+
+/// Vertices of the mesh that tells whether a solid crosses itself: below a second's work.
+pub(crate) const CROSSING_VERTICES: usize = 200_000;

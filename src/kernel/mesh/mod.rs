@@ -8,7 +8,7 @@
 //! divides that, and `stitch` makes the triangles; `trimmed` those of parts of a surface. `weld` tells which vertices are one place, `places_along` which are in a box, `topology` how the triangles
 //! hang together, `orient` which of them face inward, `measure` area, volume and their centres, `deviation` how far one is from a
 //! surface, `distance` how far a place is from one, `nearest` the same for many places, `fault` why a
-//! mesh encloses nothing, `section` where a plane cuts it; `boolean` combines closed ones, whose parts
+//! mesh encloses nothing, `crossing` where it goes through itself, `section` where a plane cuts it; `boolean` combines closed ones, whose parts
 //! `nesting` looks through, and takes away what of them is `flattened`.
 
 mod any;
@@ -16,6 +16,7 @@ mod bend;
 mod boolean;
 mod cell_bounds;
 mod chord;
+mod crossing;
 mod deviation;
 mod distance;
 mod division;

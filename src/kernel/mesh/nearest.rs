@@ -94,6 +94,22 @@ impl<'a> MeshDistance<'a> {
         found
     }
 
+    /// Goes through the triangles that may meet a box.
+    pub(super) fn each_near(&self, around: Bounds, mut visit: impl FnMut(u32)) {
+        let mut todo = vec![(0, 0, self.order.len())];
+        while let Some((node, first, behind)) = todo.pop() {
+            if !self.boxes[node].is_near(around, 0.0) {
+                continue;
+            }
+            if behind - first <= FEW {
+                self.order[first..behind].iter().for_each(|&triangle| visit(triangle));
+                continue;
+            }
+            let half = first + (behind - first) / 2;
+            todo.extend([(2 * node + 2, half, behind), (2 * node + 1, first, half)]);
+        }
+    }
+
     /// How many triangles there are.
     pub(crate) fn n_triangles(&self) -> usize {
         self.order.len()

@@ -27,13 +27,13 @@ impl Solid {
     /// # Errors
     /// [`SolidError::UnevenRim`], [`SolidError::OpenRim`]; those of [`Self::new`] and [`Region::even_odd`].
     pub fn capped(faces: &[Face], tolerance: Tolerance) -> Result<Self, GeomError> {
-        Ok(Self::with_caps(faces, tolerance)?.0)
+        Self::with_caps(faces, tolerance)?.0.uncrossed(tolerance)
     }
 
-    /// The same with the regions that close it.
+    /// The same of faces that cross nowhere, with the regions that close it.
     ///
     /// # Errors
-    /// Those of [`Self::capped`].
+    /// Those of [`Self::capped`] but for crossings.
     pub(super) fn with_caps(
         faces: &[Face],
         tolerance: Tolerance,

@@ -43,6 +43,9 @@ pub enum SolidError {
         faces[0], faces[1], place(*point)
     )]
     ShellsMeet { faces: [usize; 2], point: DVec3 },
+    /// Faces that go through one another.
+    #[error("the faces go through one another near {}; those of a solid meet in their edges alone", place(*point))]
+    CrossesItself { point: DVec3 },
     /// Faces that enclose nothing that is thicker than the tolerance.
     #[error(
         "what the faces enclose near {} is {} thick on average, less than the tolerance {}",

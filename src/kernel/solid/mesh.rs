@@ -1,7 +1,10 @@
 //! The triangles of solids: one closed mesh.
 
-use super::Solid;
-use crate::{Face, GeomError, Mesh, TessellationOptions, trim::joined_meshes};
+use super::{Solid, SolidError, box_around};
+use crate::{
+    Face, GeomError, Mesh, TessellationOptions, Tolerance, ceiling::CROSSING_VERTICES,
+    tolerance::DEFAULT_CHORD_RELATIVE, trim::joined_meshes,
+};
 
 impl Solid {
     /// Its mesh, as fine as is asked for: closed, with its triangles to the outside.
@@ -23,5 +26,25 @@ impl Solid {
     pub fn mesh(&self, options: &TessellationOptions, most: usize) -> Result<Mesh, GeomError> {
         let faces: Vec<&Face> = self.faces.iter().collect();
         Mesh::merged(&joined_meshes(&[], &faces, options, most)?.faces, most)
+    }
+
+    /// The same, unless it goes through itself.
+    ///
+    /// Its mesh tells: an edge of that goes through a triangle of another place, with both ends deeper than the mesh
+    /// is away from the faces. What is smaller is not seen, and neither is anything of a solid with too large a mesh.
+    ///
+    /// # Errors
+    /// [`SolidError::CrossesItself`]; `GeomError::Ended`.
+    pub(super) fn uncrossed(self, tolerance: Tolerance) -> Result<Self, GeomError> {
+        let size = box_around(&self.faces).diagonal();
+        let chord = DEFAULT_CHORD_RELATIVE * size;
+        let weld = tolerance.distance_for(size);
+        let options = TessellationOptions { weld, ..TessellationOptions::within(chord) };
+        match self.mesh(&options, CROSSING_VERTICES).and_then(|mesh| mesh.crossing(2.0 * chord)) {
+            Ok(Some(point)) => Err(SolidError::CrossesItself { point }.into()),
+            Err(GeomError::Ended) => Err(GeomError::Ended),
+            // Whatever keeps the mesh from telling is no fault of the solid.
+            _ => Ok(self),
+        }
     }
 }

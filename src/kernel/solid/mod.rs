@@ -55,16 +55,17 @@ impl Solid {
     ///
     /// # Errors
     /// `FaceError::OpenShell`, `FaceError::CrowdedShell`, `FaceError::OneSided` of faces that do not close;
-    /// [`SolidError::Thin`], [`SolidError::ShellsMeet`], [`SolidError::UnclearNesting`]; `GeomError::Ended`.
+    /// [`SolidError::Thin`], [`SolidError::ShellsMeet`], [`SolidError::UnclearNesting`], [`SolidError::CrossesItself`];
+    /// `GeomError::Ended`.
     pub fn new(faces: &[Face], tolerance: Tolerance) -> Result<Self, GeomError> {
         let edges = FaceBorderEdge::all(faces, 0, tolerance)?;
-        Self::with_edges(faces, &edges, tolerance)
+        Self::with_edges(faces, &edges, tolerance)?.uncrossed(tolerance)
     }
 
-    /// What faces with these edges enclose.
+    /// What faces with these edges enclose, which cross nowhere.
     ///
     /// # Errors
-    /// Those of [`Self::new`].
+    /// Those of [`Self::new`] but for crossings.
     fn with_edges(
         faces: &[Face],
         edges: &[FaceBorderEdge],

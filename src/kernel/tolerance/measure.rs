@@ -13,6 +13,11 @@ pub const LENGTH_RELATIVE: f64 = 1e-13;
 /// of the sum.
 pub const QUADRATURE_RELATIVE: f64 = 1e-12;
 
+/// How far beside a crease, as a fraction of the domain, a function is asked that has no derivative on it.
+///
+/// Larger takes the value of another place; smaller is on the crease up to rounding.
+pub const BESIDE_CREASE: f64 = 1e-12;
+
 /// The gradient of a length, an area or a volume is computed until two rules agree to this fraction of it;
 /// the finer one, which counts, is much nearer than that.
 ///

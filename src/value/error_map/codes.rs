@@ -77,7 +77,9 @@ const fn of_solid(error: &SolidError) -> Code {
         SolidError::AlongPlane { .. }
         | SolidError::AxisOffPlane { .. }
         | SolidError::AcrossAxis { .. } => Code::Degenerate,
-        SolidError::PointOnAxis { .. } | SolidError::ShellsMeet { .. } => Code::NotManifold,
+        SolidError::PointOnAxis { .. }
+        | SolidError::ShellsMeet { .. }
+        | SolidError::CrossesItself { .. } => Code::NotManifold,
         SolidError::Thin { .. }
         | SolidError::UnclearNesting { .. }
         | SolidError::UnmatchedEdge { .. }

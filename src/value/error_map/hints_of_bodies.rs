@@ -58,6 +58,9 @@ pub(super) fn of_solid(error: &SolidError) -> String {
         SolidError::ShellsMeet { .. } => {
             "move one of them by more than the tolerance; what crosses is no single solid"
         }
+        SolidError::CrossesItself { .. } => {
+            "let the outline cross itself nowhere: `regions` of it are its parts, which `extrude` closes"
+        }
         SolidError::Thin { .. } => "state a smaller `tolerance` at the top of the script",
         SolidError::UnclearNesting { .. } => "move one of the shells a little",
         SolidError::UnevenRim { .. } => {

@@ -12,7 +12,7 @@ use crate::{
     surface::{
         Surface,
         measurement::{
-            quadrature::{IntegralValues, QuantityKinds, integral},
+            quadrature::{Density, IntegralValues, QuantityKinds, integral},
             shell::oriented,
         },
     },
@@ -190,7 +190,11 @@ impl<const N: usize> EnclosedFlux<N> {
             for &(idx, sign) in &shell.surfaces {
                 let part = integral(&surfaces[idx], kinds, |point, normal| {
                     let arm = point - about;
-                    density(arm, arm.dot(normal))
+                    let made_of = arm.length() * normal.length();
+                    Density {
+                        values: density(arm, arm.dot(normal)),
+                        parts: density(arm.abs(), made_of),
+                    }
                 })?;
                 sum.add(part, sign);
             }

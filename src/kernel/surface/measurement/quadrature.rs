@@ -19,7 +19,7 @@ use crate::{
     ceiling::SURFACE_CUTS,
     numeric::gauss_legendre::{EIGHT_NODES, nodes},
     surface::{Surface, representation::even::evened},
-    tolerance::{LAST_BIT, QUADRATURE_RELATIVE},
+    tolerance::{BESIDE_CREASE, LAST_BIT, QUADRATURE_RELATIVE},
 };
 
 /// Even parts of each domain of a function, which has no knots, that are looked at first.
@@ -162,7 +162,17 @@ pub(crate) trait QuadratureMap {
 
 impl QuadratureMap for Surface {
     fn at(&self, [u, v]: [f64; 2]) -> Result<(DVec3, DVec3, f64), GeomError> {
-        let [point, along_u, along_v] = self.tangents_at(u, v)?;
+        let found = match (self, self.tangents_at(u, v)) {
+            // On a crease a function has no derivative; what is beside it counts.
+            (Self::Parametric(_), Err(error)) => {
+                let domain = self.domain_u();
+                let step = BESIDE_CREASE * domain.length();
+                let beside = if u + step < domain.end() { u + step } else { u - step };
+                self.tangents_at(beside, v).map_err(|_| error)?
+            }
+            (_, found) => found?,
+        };
+        let [point, along_u, along_v] = found;
         Ok((point, along_u.cross(along_v), 1.0))
     }
 
